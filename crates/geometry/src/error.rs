@@ -1,0 +1,82 @@
+use thiserror::Error;
+
+/// Why a geometric object cannot be made. Angles are in rad, lengths in mm.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum Error {
+    /// A size must be finite and greater than zero.
+    #[error("{what} must be a finite number greater than 0, not {value}")]
+    Size {
+        /// Which size.
+        what: &'static str,
+        /// The value given.
+        value: f64,
+    },
+    /// A direction has no length or is not finite.
+    #[error("{what} must be a finite vector with a length greater than 0")]
+    Direction {
+        /// Which direction.
+        what: &'static str,
+    },
+    /// Two directions that span a plane are parallel.
+    #[error("{first} and {second} are parallel")]
+    Parallel {
+        /// First direction.
+        first: &'static str,
+        /// Second direction.
+        second: &'static str,
+    },
+    /// Every line of the tube's wall misses the body although its axis meets it.
+    #[error("the tube is larger than the body: its wall misses the body at every angle")]
+    TubeLargerThanBody,
+    /// The tube passes beside the body.
+    #[error("the tube passes beside the body and does not meet it")]
+    TubeBesideBody,
+    /// Part of the tube's wall misses the body: the curve is not closed.
+    #[error(
+        "the tube's wall misses the body between phi = {:.3} and {:.3} degrees: the curve does not close",
+        from.to_degrees(),
+        to.to_degrees()
+    )]
+    NotClosed {
+        /// Start of the angle range that misses, rad.
+        from: f64,
+        /// End of the angle range that misses, rad, greater than `from`.
+        to: f64,
+    },
+    /// The wall touches the body tangentially: the curve has a corner there.
+    #[error(
+        "the tube's wall is tangent to the body at phi = {:.3} degrees: the curve has no tangent there",
+        at.to_degrees()
+    )]
+    Tangent {
+        /// Angle about the tube's axis, rad.
+        at: f64,
+    },
+    /// The tube's direction points into the body and never leaves it.
+    #[error("the tube's direction points into the body: it never leaves it along +direction")]
+    NeverLeaves,
+    /// A curve cannot be measured to the accuracy asked for.
+    #[error("the curve's length cannot be found to {accuracy_mm} mm near parameter {at}")]
+    ArcLength {
+        /// Accuracy asked for, mm.
+        accuracy_mm: f64,
+        /// Parameter where subdivision stopped.
+        at: f64,
+    },
+    /// Knots of a spline must increase strictly.
+    #[error("the positions of a spline's values must increase strictly (value {index})")]
+    Knots {
+        /// First index that does not increase.
+        index: usize,
+    },
+}
+
+/// Rejects sizes that are not finite and positive.
+pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64, Error> {
+    if value.is_finite() && value > 0.0 { Ok(value) } else { Err(Error::Size { what, value }) }
+}
+
+/// Unit vector along `v`.
+pub(crate) fn unit(what: &'static str, v: glam::DVec3) -> Result<glam::DVec3, Error> {
+    v.try_normalize().filter(|u| u.is_finite()).ok_or(Error::Direction { what })
+}

@@ -1,0 +1,35 @@
+//! Curves, implicit surfaces, the curves where they meet, and arc length.
+//!
+//! Floor 0: no welding words, no I/O. Lengths are mm, angles rad, all in one fixed frame that the caller chooses.
+//!
+//! - [`Curve`] is a parametrised curve with exact derivatives; [`Line`], [`Circle`], [`Ellipse`] and
+//!   [`TubeIntersection`] implement it.
+//! - [`Edge`] is a curve where two faces meet; it also knows their outward normals.
+//! - [`ByLength`] re-parametrises any curve by arc length, to a stated accuracy.
+//! - [`Quadric`] is an implicit surface with gradient and Hessian.
+
+mod arc_length;
+mod chebyshev;
+mod circle;
+mod curve;
+mod edge;
+mod ellipse;
+mod error;
+mod line;
+mod quadric;
+mod spline;
+mod tube;
+mod tube_intersection;
+
+pub use arc_length::{ByLength, DEFAULT_ACCURACY_MM};
+pub use chebyshev::{NODES, Series, nodes};
+pub use circle::Circle;
+pub use curve::{Curve, Jet};
+pub use edge::{CurvedEdge, Edge, EdgePoint, FaceRule};
+pub use ellipse::Ellipse;
+pub use error::Error;
+pub use line::Line;
+pub use quadric::{Quadric, Surface};
+pub use spline::CubicSpline;
+pub use tube::Tube;
+pub use tube_intersection::TubeIntersection;

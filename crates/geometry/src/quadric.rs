@@ -1,0 +1,193 @@
+use crate::{Error, error::positive, error::unit};
+use glam::{DMat3, DVec3};
+
+/// A surface given as the zero set of a function that is negative inside the body and positive outside.
+pub trait Surface {
+    /// The function's value at `p`; zero on the surface.
+    fn value(&self, p: DVec3) -> f64;
+    /// The function's gradient at `p`: on the surface it points out of the body.
+    fn gradient(&self, p: DVec3) -> DVec3;
+    /// The function's Hessian at `p`.
+    fn hessian(&self, p: DVec3) -> DMat3;
+}
+
+/// Outer product `u v^T`.
+fn outer(u: DVec3, v: DVec3) -> DMat3 {
+    DMat3::from_cols(u * v.x, u * v.y, u * v.z)
+}
+
+/// A quadric body: plane, sphere, cylinder, cone or ellipsoid.
+///
+/// `F(p) = d^T A d + 2 b^T d + c` with `d = p - centre`, scaled so that the gradient's length is about 1 on the
+/// surface (so that `F` is about the distance in mm near it).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quadric {
+    centre: DVec3,
+    a: DMat3,
+    b: DVec3,
+    c: f64,
+    /// A cone's own nappe: only points with `(p - centre) . axis > 0` belong to it.
+    nappe: Option<DVec3>,
+}
+
+impl Quadric {
+    /// The half-space below the plane through `point` with outward `normal`.
+    ///
+    /// # Errors
+    /// [`Error::Direction`].
+    pub fn plane(point: DVec3, normal: DVec3) -> Result<Self, Error> {
+        let n = unit("the plane's normal", normal)?;
+        Self::checked(Self { centre: point, a: DMat3::ZERO, b: 0.5 * n, c: 0.0, nappe: None })
+    }
+
+    /// A sphere.
+    ///
+    /// # Errors
+    /// [`Error::Size`].
+    pub fn sphere(centre: DVec3, radius: f64) -> Result<Self, Error> {
+        let r = positive("the sphere's radius", radius)?;
+        let a = DMat3::from_diagonal(DVec3::splat(0.5 / r));
+        Self::checked(Self { centre, a, b: DVec3::ZERO, c: -0.5 * r, nappe: None })
+    }
+
+    /// A circular cylinder without end about the axis through `point` along `axis`.
+    ///
+    /// # Errors
+    /// [`Error::Size`], [`Error::Direction`].
+    pub fn cylinder(point: DVec3, axis: DVec3, radius: f64) -> Result<Self, Error> {
+        let r = positive("the cylinder's radius", radius)?;
+        let e = unit("the cylinder's axis", axis)?;
+        let a = (DMat3::IDENTITY - outer(e, e)) * (0.5 / r);
+        Self::checked(Self { centre: point, a, b: DVec3::ZERO, c: -0.5 * r, nappe: None })
+    }
+
+    /// A circular cone from its `apex`, opening along `axis` with the half angle `half_angle` (rad, between 0 and
+    /// 90 degrees); only this nappe, without end.
+    ///
+    /// # Errors
+    /// [`Error::Size`], [`Error::Direction`].
+    pub fn cone(apex: DVec3, axis: DVec3, half_angle: f64) -> Result<Self, Error> {
+        let e = unit("the cone's axis", axis)?;
+        if !(half_angle > 0.0 && half_angle < std::f64::consts::FRAC_PI_2) {
+            return Err(Error::Size { what: "the cone's half angle", value: half_angle });
+        }
+        // |d|^2 cos^2 - (d.e)^2 is zero on the cone; its gradient there has length 2 |d| cos sin.
+        let (sin, cos) = half_angle.sin_cos();
+        let a = (DMat3::from_diagonal(DVec3::splat(cos * cos)) - outer(e, e)) * (0.5 / (sin * cos));
+        Self::checked(Self { centre: apex, a, b: DVec3::ZERO, c: 0.0, nappe: Some(e) })
+    }
+
+    /// An ellipsoid with the semi-axes `semi` (mm) along `x_direction`, `z_direction` x `x_direction` and
+    /// `z_direction`.
+    ///
+    /// # Errors
+    /// [`Error::Size`], [`Error::Direction`], [`Error::Parallel`].
+    pub fn ellipsoid(centre: DVec3, z_direction: DVec3, x_direction: DVec3, semi: DVec3) -> Result<Self, Error> {
+        for value in semi.to_array() {
+            positive("the ellipsoid's semi-axis", value)?;
+        }
+        let z = unit("the ellipsoid's axis", z_direction)?;
+        let x = unit("the ellipsoid's x direction", x_direction)?;
+        let across = x - x.dot(z) * z;
+        if across.length() < 1e-9 {
+            return Err(Error::Parallel { first: "the ellipsoid's axis", second: "its x direction" });
+        }
+        let x = across.normalize();
+        let y = z.cross(x);
+        let scale = 0.5 * semi.min_element();
+        let term = |e: DVec3, s: f64| outer(e, e) * (scale / (s * s));
+        let a = term(x, semi.x) + term(y, semi.y) + term(z, semi.z);
+        Self::checked(Self { centre, a, b: DVec3::ZERO, c: -scale, nappe: None })
+    }
+
+    fn checked(self) -> Result<Self, Error> {
+        if self.centre.is_finite() { Ok(self) } else { Err(Error::Direction { what: "the body's position" }) }
+    }
+
+    /// The three coefficients of `F(p + h d) = k2 h^2 + 2 k1 h + k0`, a parabola in `h`.
+    pub(crate) fn along_line(&self, p: DVec3, d: DVec3) -> (f64, f64, f64) {
+        let q = p - self.centre;
+        let ad = self.a * d;
+        (d.dot(ad), q.dot(ad) + self.b.dot(d), q.dot(self.a * q) + 2.0 * self.b.dot(q) + self.c)
+    }
+
+    /// For a cone: how far (mm) `p` lies beyond the apex on its own nappe; for other bodies infinity.
+    pub(crate) fn beyond_apex(&self, p: DVec3) -> f64 {
+        self.nappe.map_or(f64::INFINITY, |e| (p - self.centre).dot(e))
+    }
+}
+
+impl Surface for Quadric {
+    fn value(&self, p: DVec3) -> f64 {
+        let d = p - self.centre;
+        d.dot(self.a * d) + 2.0 * self.b.dot(d) + self.c
+    }
+    fn gradient(&self, p: DVec3) -> DVec3 {
+        2.0 * (self.a * (p - self.centre) + self.b)
+    }
+    fn hessian(&self, _: DVec3) -> DMat3 {
+        self.a * 2.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn bodies() -> Vec<(&'static str, Quadric, Vec<DVec3>)> {
+        let o = DVec3::new(10.0, -20.0, 5.0);
+        vec![
+            ("plane", Quadric::plane(o, DVec3::Z).unwrap(), vec![o + DVec3::new(3.0, 4.0, 0.0)]),
+            ("sphere", Quadric::sphere(o, 30.0).unwrap(), vec![o + DVec3::new(10.0, 20.0, 20.0)]),
+            ("cylinder", Quadric::cylinder(o, DVec3::X, 5.0).unwrap(), vec![o + DVec3::new(77.0, 3.0, -4.0)]),
+            (
+                "cone",
+                Quadric::cone(o, DVec3::Z, std::f64::consts::FRAC_PI_4).unwrap(),
+                vec![o + DVec3::new(3.0, 4.0, 5.0)],
+            ),
+            (
+                "ellipsoid",
+                Quadric::ellipsoid(o, DVec3::X, DVec3::Y, DVec3::new(2.0, 3.0, 4.0)).unwrap(),
+                vec![o + DVec3::new(4.0, 0.0, 0.0), o + DVec3::new(0.0, 2.0, 0.0), o + DVec3::new(0.0, 0.0, 3.0)],
+            ),
+        ]
+    }
+
+    #[test]
+    fn known_points_lie_on_the_surface_and_outside_is_positive() {
+        for (name, body, points) in bodies() {
+            for p in points {
+                assert!(body.value(p).abs() < 1e-13, "{name}");
+                let n = body.gradient(p).normalize();
+                assert!(body.value(p + 0.1 * n) > 0.0 && body.value(p - 0.1 * n) < 0.0, "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn gradient_and_hessian_match_differences() {
+        for (name, body, points) in bodies() {
+            let p = points[0] + DVec3::new(0.3, -0.2, 0.1);
+            for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
+                let h = 1e-4;
+                let g = (body.value(p + h * axis) - body.value(p - h * axis)) / (2.0 * h);
+                assert!((g - body.gradient(p).dot(axis)).abs() < 1e-8, "{name}");
+                let hess = (body.gradient(p + h * axis) - body.gradient(p - h * axis)) / (2.0 * h);
+                assert!((hess - body.hessian(p) * axis).length() < 1e-8, "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn bad_sizes_are_refused() {
+        for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(Quadric::sphere(DVec3::ZERO, bad).is_err());
+            assert!(Quadric::cylinder(DVec3::ZERO, DVec3::X, bad).is_err());
+            assert!(Quadric::cone(DVec3::ZERO, DVec3::X, bad).is_err());
+            assert!(Quadric::ellipsoid(DVec3::ZERO, DVec3::Z, DVec3::X, DVec3::new(1.0, bad, 1.0)).is_err());
+        }
+        assert!(Quadric::cone(DVec3::ZERO, DVec3::X, 1.6).is_err());
+        assert!(Quadric::plane(DVec3::ZERO, DVec3::ZERO).is_err());
+        assert!(Quadric::plane(DVec3::NAN, DVec3::Z).is_err());
+    }
+}

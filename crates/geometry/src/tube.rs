@@ -1,0 +1,45 @@
+use crate::{Error, error::positive, error::unit};
+use glam::DVec3;
+
+/// A circular cylinder with a direction and a zero for its angle: the wall point at angle `phi` and height `h` is
+/// `origin + r cos(phi) e1 + r sin(phi) e2 + h e3` (INTERSECT-2006).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tube {
+    pub(crate) origin: DVec3,
+    pub(crate) e1: DVec3,
+    pub(crate) e2: DVec3,
+    pub(crate) e3: DVec3,
+    pub(crate) radius: f64,
+}
+
+impl Tube {
+    /// A tube of `radius` about the axis through `origin` along `direction`; `zero_direction`, made perpendicular
+    /// to the axis, is where `phi = 0`. Angles count counter-clockwise seen from the tip of `direction`.
+    ///
+    /// # Errors
+    /// [`Error::Size`], [`Error::Direction`] or [`Error::Parallel`].
+    pub fn new(origin: DVec3, direction: DVec3, zero_direction: DVec3, radius: f64) -> Result<Self, Error> {
+        let radius = positive("the tube's radius", radius)?;
+        let e3 = unit("the tube's direction", direction)?;
+        let zero = unit("the tube's zero direction", zero_direction)?;
+        let across = zero - zero.dot(e3) * e3;
+        if across.length() < 1e-9 {
+            return Err(Error::Parallel { first: "the tube's direction", second: "its zero direction" });
+        }
+        if !origin.is_finite() {
+            return Err(Error::Direction { what: "the tube's origin" });
+        }
+        let e1 = across.normalize();
+        Ok(Self { origin, e1, e2: e3.cross(e1), e3, radius })
+    }
+
+    /// Unit direction of the axis.
+    pub fn direction(&self) -> DVec3 {
+        self.e3
+    }
+
+    /// Radius, mm.
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+}

@@ -1,0 +1,179 @@
+use crate::{Curve, Edge, EdgePoint, Error, Jet, Quadric, Surface, Tube};
+use glam::DVec3;
+use std::f64::consts::TAU;
+
+/// The curve where a tube's wall leaves a quadric body, parametrised by the angle about the tube's axis (rad).
+///
+/// At each angle the wall is a straight line; of the points where it crosses the body this is the outermost along
+/// the tube's direction: the one where the line leaves the body. The height is the closed-form root of a quadratic
+/// (INTERSECT-2006, generalised to any axis and any quadric); derivatives follow from differentiating
+/// `F(p(phi)) = 0` once and twice, so they are exact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TubeIntersection {
+    tube: Tube,
+    body: Quadric,
+}
+
+/// Samples used to search the discriminant, a trigonometric polynomial of degree two with at most four extrema.
+const SAMPLES: usize = 256;
+
+impl TubeIntersection {
+    /// The closed curve where `tube` leaves `body`.
+    ///
+    /// # Errors
+    /// [`Error::TubeLargerThanBody`], [`Error::TubeBesideBody`], [`Error::NotClosed`], [`Error::Tangent`] or
+    /// [`Error::NeverLeaves`] if the curve does not exist or is not closed and smooth.
+    pub fn new(tube: Tube, body: Quadric) -> Result<Self, Error> {
+        let curve = Self { tube, body };
+        curve.check()?;
+        Ok(curve)
+    }
+
+    /// The tube.
+    pub fn tube(&self) -> &Tube {
+        &self.tube
+    }
+
+    /// The body.
+    pub fn body(&self) -> &Quadric {
+        &self.body
+    }
+
+    /// The wall's point at height zero, its outward normal and its direction of increasing angle.
+    fn wall(&self, phi: f64) -> (DVec3, DVec3, DVec3) {
+        let t = &self.tube;
+        let (sin, cos) = phi.sin_cos();
+        let normal = cos * t.e1 + sin * t.e2;
+        (t.origin + t.radius * normal, normal, cos * t.e2 - sin * t.e1)
+    }
+
+    /// Height of the outermost point over the tube's origin at `phi`, mm; NaN where the wall misses the body.
+    fn height(&self, foot: DVec3) -> f64 {
+        let (k2, k1, k0) = self.body.along_line(foot, self.tube.e3);
+        let root = (k1 * k1 - k2 * k0).sqrt();
+        // The root where F grows, in the form without cancellation; it also covers k2 = 0.
+        if k1 > 0.0 { -k0 / (k1 + root) } else { (root - k1) / k2 }
+    }
+
+    /// How surely the wall meets the body at `phi`: the discriminant of its quadratic in mm^2-like units, made
+    /// relative; positive where it does.
+    fn margin(&self, phi: f64) -> f64 {
+        let (k2, k1, k0) = self.body.along_line(self.wall(phi).0, self.tube.e3);
+        (k1 * k1 - k2 * k0) / (k1 * k1 + (k2 * k0).abs()).max(f64::MIN_POSITIVE)
+    }
+
+    /// How far the wall's point lies on the body's own side of a cone's apex, mm (infinite for other bodies).
+    fn nappe_margin(&self, phi: f64) -> f64 {
+        let foot = self.wall(phi).0;
+        self.body.beyond_apex(foot + self.height(foot) * self.tube.e3)
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        let (k2, k1, k0) = self.body.along_line(self.tube.origin, self.tube.e3);
+        // A line along a plane, or parallel to a cylinder's axis, crosses at most once: F must grow along it.
+        let flat = k2.abs() * self.tube.radius < 1e-12;
+        let grows = |phi: f64| self.body.along_line(self.wall(phi).0, self.tube.e3).1;
+        if flat && samples().any(|phi| grows(phi) <= 1e-9) {
+            return Err(Error::NeverLeaves);
+        }
+        let margin = |phi: f64| if flat { 1.0 } else { self.margin(phi) };
+        let axis_meets = k1 * k1 - k2 * k0 > 0.0;
+        self.check_margin(&margin, axis_meets)?;
+        self.check_margin(&|phi| self.nappe_margin(phi).min(1.0), axis_meets)
+    }
+
+    /// Checks that `margin` stays positive all around.
+    fn check_margin(&self, margin: &dyn Fn(f64) -> f64, axis_meets: bool) -> Result<(), Error> {
+        let step = TAU / SAMPLES as f64;
+        let good: Vec<bool> = samples().map(|phi| margin(phi) > 0.0).collect();
+        if good.iter().all(|g| !g) {
+            return Err(if axis_meets { Error::TubeLargerThanBody } else { Error::TubeBesideBody });
+        }
+        if let Some(first_bad) = (0..SAMPLES).find(|&i| !good[i] && good[(i + SAMPLES - 1) % SAMPLES]) {
+            let run = (0..SAMPLES).take_while(|k| !good[(first_bad + k) % SAMPLES]).count();
+            let start = first_bad as f64 * step;
+            let end = start + (run - 1) as f64 * step;
+            let from = bisect(margin, start, start - step);
+            let to = bisect(margin, end, end + step);
+            return Err(if to - from < 1e-6 { Error::Tangent { at: 0.5 * (from + to) } } else { Error::NotClosed { from, to } });
+        }
+        // No sample is bad; look between samples at each local minimum.
+        let values: Vec<f64> = samples().map(margin).collect();
+        for i in 0..SAMPLES {
+            let (l, m, r) = (values[(i + SAMPLES - 1) % SAMPLES], values[i], values[(i + 1) % SAMPLES]);
+            if m <= l && m <= r && m < 0.05 {
+                let at = minimum(margin, (i as f64 - 1.0) * step, (i as f64 + 1.0) * step);
+                if margin(at).is_nan() || margin(at) < -1e-12 {
+                    let from = bisect(margin, at, at - step);
+                    return Err(Error::NotClosed { from, to: bisect(margin, at, at + step) });
+                }
+                if margin(at) < 1e-10 {
+                    return Err(Error::Tangent { at: at.rem_euclid(TAU) });
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+fn samples() -> impl Iterator<Item = f64> {
+    (0..SAMPLES).map(|i| i as f64 * TAU / SAMPLES as f64)
+}
+
+/// The angle between `bad` (margin not positive) and `good` where the margin changes sign.
+fn bisect(margin: &dyn Fn(f64) -> f64, mut bad: f64, mut good: f64) -> f64 {
+    for _ in 0..60 {
+        let mid = 0.5 * (bad + good);
+        if margin(mid) > 0.0 { good = mid } else { bad = mid }
+    }
+    0.5 * (bad + good)
+}
+
+/// Golden-section search for the minimum of `f` in [a, b].
+fn minimum(f: &dyn Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
+    let g = 0.5 * (5f64.sqrt() - 1.0);
+    for _ in 0..60 {
+        let (l, r) = (b - g * (b - a), a + g * (b - a));
+        if f(l) < f(r) { b = r } else { a = l }
+    }
+    0.5 * (a + b)
+}
+
+impl TubeIntersection {
+    /// Jet and both normals; the one place where the curve is computed.
+    fn evaluate(&self, phi: f64) -> EdgePoint {
+        let (foot, n1, around) = self.wall(phi);
+        let e3 = self.tube.e3;
+        let point = foot + self.height(foot) * e3;
+        let gradient = self.body.gradient(point);
+        let w1 = self.tube.radius * around;
+        let w2 = -self.tube.radius * n1;
+        let along = gradient.dot(e3);
+        let d1 = w1 - gradient.dot(w1) / along * e3;
+        let bend = d1.dot(self.body.hessian(point) * d1) + gradient.dot(w2);
+        let d2 = w2 - bend / along * e3;
+        EdgePoint { jet: Jet { point, d1, d2 }, n1, n2: gradient.normalize() }
+    }
+}
+
+impl Curve for TubeIntersection {
+    fn domain(&self) -> (f64, f64) {
+        (0.0, TAU)
+    }
+    fn closed(&self) -> bool {
+        true
+    }
+    fn jet(&self, phi: f64) -> Jet {
+        self.evaluate(phi).jet
+    }
+    fn point(&self, phi: f64) -> DVec3 {
+        let foot = self.wall(phi).0;
+        foot + self.height(foot) * self.tube.e3
+    }
+}
+
+impl Edge for TubeIntersection {
+    fn edge(&self, phi: f64) -> EdgePoint {
+        self.evaluate(phi)
+    }
+}

@@ -1,0 +1,1 @@
+//! Machine files, kinematic chains, forward and inverse kinematics, limits.

@@ -1,0 +1,1 @@
+//! Weld programs as part programs of real controls.

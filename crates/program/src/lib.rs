@@ -1,0 +1,1 @@
+//! The weld program as data: passes, spans, process values.

@@ -1,0 +1,1 @@
+//! Traces of welds as Parquet.

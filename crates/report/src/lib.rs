@@ -1,0 +1,1 @@
+//! Reports: plots as SVG and one self-contained HTML page.

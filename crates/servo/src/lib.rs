@@ -1,0 +1,1 @@
+//! Position loop and the drive model used in simulation.

@@ -1,0 +1,1 @@
+//! Job files; seam, joint and procedure to passes: torch attitude and checks.
