@@ -19,7 +19,7 @@ fn outer(u: DVec3, v: DVec3) -> DMat3 {
 /// A quadric body: plane, sphere, cylinder, cone or ellipsoid.
 ///
 /// `F(p) = d^T A d + 2 b^T d + c` with `d = p - centre`, scaled so that the gradient's length is about 1 on the
-/// surface (so that `F` is about the distance in mm near it).
+/// surface (so that `F` is about the distance in mm near it); for a cone it is the distance from the apex.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quadric {
     centre: DVec3,
@@ -112,7 +112,7 @@ impl Quadric {
     }
 
     /// For a cone: how far (mm) `p` lies beyond the apex on its own nappe; for other bodies infinity.
-    pub(crate) fn beyond_apex(&self, p: DVec3) -> f64 {
+    pub fn beyond_apex(&self, p: DVec3) -> f64 {
         self.nappe.map_or(f64::INFINITY, |e| (p - self.centre).dot(e))
     }
 }

@@ -1,1 +1,41 @@
 //! Reports: plots as SVG and one self-contained HTML page.
+//!
+//! Pure data in, `String` out. This crate knows nothing of welding or machines: it sets numbers
+//! and curves so that an engineer can judge them at a glance, on a screen (light or dark), on a
+//! telephone and on A4 paper. Nothing it writes loads a script, a font or an image from elsewhere.
+//!
+//! - [`Chart`] plots series over one axis, against limits; [`ChartGrid`] sets several on one x axis.
+//! - [`ThreeViews`] draws a curve in space in first-angle projection.
+//! - [`Page`] gathers figures, tables, findings and listings into one HTML file.
+//!
+//! Each drawing comes in two forms: `to_svg` for a [`Page`], which carries the styles, and
+//! `to_svg_standalone` for a file of its own.
+
+mod block;
+mod chart;
+mod domain;
+mod grid;
+mod icon;
+mod legend;
+mod limit;
+mod number;
+mod page;
+mod place;
+mod plot;
+mod projection;
+mod series;
+mod style;
+mod svg;
+mod text;
+mod thin;
+mod ticks;
+mod views;
+
+pub use block::{Block, Finding, Severity, Table, Tile};
+pub use chart::{Axis, Band, Chart};
+pub use grid::ChartGrid;
+pub use limit::LimitLine;
+pub use number::format_number;
+pub use page::{Page, Verdict};
+pub use series::{Series, Style};
+pub use views::{Mark, ThreeViews};

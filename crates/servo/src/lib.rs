@@ -1,1 +1,34 @@
 //! Position loop and the drive model used in simulation.
+//!
+//! One axis at a time. A length in mm or an angle in rad is just a "unit" (u) here; time is in
+//! seconds. Everything is a plain state machine: it takes its inputs as arguments, reads no clock,
+//! does not allocate once built, and does not panic.
+//!
+//! ```text
+//!             ┌────────────── ServoAxis::step, once a servo period ───────────────┐
+//! SetPoint ──►│ PositionLoop ──► Notch ──► Drive (velocity loop, current) ──► Load │──► AxisState
+//!   (t_k)     │      ▲                                                          │ │
+//!             │      └────────────────── Encoder (whole counts) ◄───────────────┘ │◄── disturbance
+//!             └───────────────────────────────────────────────────────────────────┘
+//! ```
+//!
+//! On a real machine only [`PositionLoop`] (with its [`Notch`]) runs; [`Drive`], [`Load`] and
+//! [`Encoder`] stand in for the hardware in simulation.
+
+mod axis;
+mod drive;
+mod encoder;
+mod error;
+mod load;
+mod notch;
+mod parameters;
+mod position_loop;
+
+pub use axis::{AxisState, ServoAxis};
+pub use drive::Drive;
+pub use encoder::Encoder;
+pub use error::Error;
+pub use load::Load;
+pub use notch::Notch;
+pub use parameters::{DriveParameters, DriveTuning, LinearLoad, RotaryLoad};
+pub use position_loop::{Gains, PositionLoop, SetPoint};

@@ -1,0 +1,96 @@
+//! Numbers as text.
+
+/// Writes `value` with up to `digits` significant digits, a decimal point and no trailing zeros.
+///
+/// Digits left of the point are never dropped: `12345.6` with 3 digits is `12346`. Magnitudes
+/// from 1e-4 up to 1e9 are written plainly, others as `1.2e-12`. NaN is an en dash, the
+/// infinities `∞` and `-∞`. The minus sign is the ASCII hyphen, so that the text can be read back;
+/// charts and numeric columns set it as a true minus.
+pub fn format_number(value: f64, digits: usize) -> String {
+    if value.is_nan() {
+        return "–".into();
+    }
+    if value.is_infinite() {
+        return if value > 0.0 { "∞" } else { "-∞" }.into();
+    }
+    if value == 0.0 {
+        return "0".into();
+    }
+    let digits = digits.clamp(1, 17);
+    let scientific = format!("{:.*e}", digits - 1, value);
+    let Some((mantissa, exponent)) = scientific.split_once('e') else {
+        return scientific;
+    };
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    if (-4..9).contains(&exponent) {
+        let decimals = usize::try_from(digits as i32 - 1 - exponent).unwrap_or(0);
+        trim_zeros(&format!("{value:.decimals$}")).into()
+    } else {
+        format!("{}e{exponent}", trim_zeros(mantissa))
+    }
+}
+
+/// Writes `value` with exactly `decimals` places; never `-0`.
+pub(crate) fn format_fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.bytes().all(|b| b == b'0' || b == b'.') => rest.into(),
+        _ => text,
+    }
+}
+
+/// A drawing coordinate: tenths of a pixel.
+pub(crate) fn px(value: f64) -> String {
+    trim_zeros(&format_fixed(value, 1)).into()
+}
+
+fn trim_zeros(text: &str) -> &str {
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn significant_digits_without_noise() {
+        for (value, digits, text) in [
+            (0.0, 3, "0"),
+            (-0.0, 3, "0"),
+            (1.0, 4, "1"),
+            (2.5, 4, "2.5"),
+            (0.1 + 0.2, 6, "0.3"),
+            (12345.6, 3, "12346"),
+            (100.0, 2, "100"),
+            (999.96, 4, "1000"),
+            (-0.012345, 3, "-0.0123"),
+            (0.000_123_4, 2, "0.00012"),
+            (0.000_012_34, 2, "1.2e-5"),
+            (3e12, 4, "3e12"),
+            (-1.5e-12, 4, "-1.5e-12"),
+            (f64::NAN, 4, "–"),
+            (f64::INFINITY, 4, "∞"),
+            (f64::NEG_INFINITY, 4, "-∞"),
+        ] {
+            assert_eq!(format_number(value, digits), text, "{value:e} to {digits}");
+        }
+    }
+
+    #[test]
+    fn digits_out_of_range_are_clamped() {
+        assert_eq!(format_number(12.5, 0), "12");
+        assert!(format_number(0.1, 1000).starts_with("0.1"));
+    }
+
+    #[test]
+    fn coordinates_are_short_and_never_minus_zero() {
+        assert_eq!(px(12.04), "12");
+        assert_eq!(px(-0.04), "0");
+        assert_eq!(px(7.25), "7.2");
+        assert_eq!(format_fixed(-0.001, 2), "0.00");
+    }
+}

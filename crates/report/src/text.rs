@@ -1,0 +1,100 @@
+//! Text for markup: escaping, estimated widths, the minus sign.
+
+/// Escapes `text` for element content and for quoted attributes. Characters that XML forbids
+/// become U+FFFD.
+pub(crate) fn escape(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            '\t' | '\n' | '\r' => out.push(c),
+            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push('\u{fffd}'),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// Sets each hyphen that begins a number as a true minus.
+pub(crate) fn minus(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut chars = text.chars().peekable();
+    let mut previous = ' ';
+    while let Some(c) = chars.next() {
+        let number = chars.peek().is_some_and(|n| n.is_ascii_digit() || *n == '∞');
+        let starts = !previous.is_alphanumeric() && previous != '-';
+        out.push(if c == '-' && number && starts { '−' } else { c });
+        previous = c;
+    }
+    out
+}
+
+/// Estimated width of `text` in px at font `size`, on the wide side of common sans-serif faces.
+pub(crate) fn width(text: &str, size: f64) -> f64 {
+    text.chars().map(advance).sum::<f64>() * size
+}
+
+fn advance(c: char) -> f64 {
+    match c {
+        'i' | 'j' | 'l' | 'I' | '|' | '\'' => 0.29,
+        ' ' | '.' | ',' | ':' | ';' | '!' | 'f' | 't' | 'r' | '(' | ')' | '/' | '-' => 0.38,
+        'm' | 'w' | 'M' | 'W' | '%' | '@' | '−' | '±' | '–' | '—' => 0.9,
+        '0'..='9' => 0.63,
+        c if c.is_ascii_uppercase() => 0.7,
+        c if (c as u32) < 0x2e80 => 0.6,
+        _ => 1.0,
+    }
+}
+
+/// Shortens `text` with an ellipsis so that it fits `limit` px at font `size`.
+pub(crate) fn fit(text: &str, size: f64, limit: f64) -> String {
+    if width(text, size) <= limit {
+        return text.into();
+    }
+    let mut room = limit - width("…", size);
+    let mut out = String::new();
+    for c in text.chars() {
+        room -= advance(c) * size;
+        if room < 0.0 {
+            break;
+        }
+        out.push(c);
+    }
+    out.truncate(out.trim_end().len());
+    out.push('…');
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn escapes_markup_and_forbidden_characters() {
+        assert_eq!(
+            escape("<a href=\"x\">&'\u{0}\u{1b}\n"),
+            "&lt;a href=&quot;x&quot;&gt;&amp;&#39;\u{fffd}\u{fffd}\n"
+        );
+    }
+
+    #[test]
+    fn minus_only_before_numbers() {
+        assert_eq!(minus("-3.5"), "−3.5");
+        assert_eq!(minus("-∞"), "−∞");
+        assert_eq!(minus("-3 to -1"), "−3 to −1");
+        assert_eq!(minus("G1 X-3"), "G1 X-3");
+        assert_eq!(minus("1.2e-5, 2026-11-20, run-up"), "1.2e-5, 2026-11-20, run-up");
+    }
+
+    #[test]
+    fn fitting_shortens_only_what_is_too_long() {
+        assert_eq!(fit("short", 12.0, 100.0), "short");
+        let cut = fit("a title that is far too long for its place", 12.0, 100.0);
+        assert!(cut.ends_with('…') && width(&cut, 12.0) <= 100.0, "{cut}");
+        assert_eq!(fit("anything", 12.0, 0.0), "…");
+    }
+}

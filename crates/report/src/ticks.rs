@@ -1,0 +1,129 @@
+//! Round numbers along an axis.
+
+use crate::domain::Domain;
+use crate::number::{format_fixed, format_number};
+
+/// Tick values in steps of 1, 2 or 5 times a power of ten.
+#[derive(Debug, Clone)]
+pub(crate) struct Ticks {
+    pub(crate) values: Vec<f64>,
+    step: f64,
+}
+
+impl Ticks {
+    /// Between 3 and 10 ticks inside `domain`, as near to `target` of them as a round step allows.
+    ///
+    /// `domain` must be settled. That a step exists: if `n` steps fit into the span, there are `n`
+    /// or `n + 1` ticks, and neighbouring steps differ by 2.5 at most.
+    pub(crate) fn new(domain: Domain, target: usize) -> Self {
+        let power = domain.span().log10().floor() as i32;
+        let mut best: Option<(usize, Self)> = None;
+        for exponent in power - 2..=power + 1 {
+            for mantissa in [1.0, 2.0, 5.0] {
+                let ticks = Self::stepped(domain, mantissa, exponent);
+                let miss = ticks.values.len().abs_diff(target);
+                if (3..=10).contains(&ticks.values.len())
+                    && best.as_ref().is_none_or(|(least, _)| miss < *least)
+                {
+                    best = Some((miss, ticks));
+                }
+            }
+        }
+        best.map_or_else(
+            || Self { values: vec![domain.lo, domain.hi], step: domain.span() },
+            |(_, ticks)| ticks,
+        )
+    }
+
+    /// The ticks of step `mantissa * 10^exponent` inside `domain`; possibly none.
+    fn stepped(domain: Domain, mantissa: f64, exponent: i32) -> Self {
+        // Dividing by a whole power of ten keeps 0.3 from becoming 0.30000000000000004.
+        let power = 10f64.powi(exponent.abs());
+        let value = |k: f64| if exponent < 0 { k * mantissa / power } else { k * mantissa * power };
+        let step = value(1.0);
+        let first = (domain.lo / step - 1e-9).ceil();
+        let count = (domain.hi / step + 1e-9).floor() - first + 1.0;
+        let count = if count > 0.0 { count.min(200.0) as u32 } else { 0 };
+        let values = (0..count)
+            .map(|k| value(first + f64::from(k)).clamp(domain.lo, domain.hi) + 0.0)
+            .collect();
+        Self { values, step }
+    }
+
+    /// The ticks inside `domain` with the least round step not under `least`, for views that
+    /// share one scale.
+    pub(crate) fn spaced(domain: Domain, least: f64) -> Self {
+        let power = least.log10().floor() as i32;
+        let at_least = |(m, e): &(f64, i32)| m * 10f64.powi(*e) >= least * (1.0 - 1e-9);
+        let (mantissa, exponent) = [1.0, 2.0, 5.0]
+            .map(|m| (m, power))
+            .into_iter()
+            .find(at_least)
+            .unwrap_or((1.0, power + 1));
+        Self::stepped(domain, mantissa, exponent)
+    }
+
+    /// The labels, all with the same number of decimals.
+    pub(crate) fn labels(&self) -> Vec<String> {
+        let largest = self.values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+        let decimals = -(self.step.log10() + 1e-9).floor();
+        if largest >= 1e7 || decimals > 5.0 {
+            let digits = (largest / self.step).log10().floor().max(0.0) + 1.0;
+            let label = |v: &f64| {
+                let rounded = if v.abs() < 1e-6 * self.step { 0.0 } else { *v };
+                format_number(rounded, digits as usize)
+            };
+            return self.values.iter().map(label).collect();
+        }
+        let decimals = decimals.max(0.0) as usize;
+        self.values.iter().map(|v| format_fixed(*v, decimals)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ticks(lo: f64, hi: f64, target: usize) -> Ticks {
+        Ticks::new(Domain { lo, hi }, target)
+    }
+
+    #[test]
+    fn familiar_ranges() {
+        assert_eq!(ticks(0.0, 10.0, 6).labels(), ["0", "2", "4", "6", "8", "10"]);
+        assert_eq!(ticks(-0.07, 0.31, 4).labels(), ["0.0", "0.1", "0.2", "0.3"]);
+        assert_eq!(ticks(0.0, 3.1e-12, 4).labels(), ["0", "1e-12", "2e-12", "3e-12"]);
+        assert_eq!(ticks(9.9e8, 1.01e9, 3).labels(), ["990000000", "1e9", "1.01e9"]);
+    }
+
+    /// 64-bit linear congruential generator (Knuth, MMIX): uniform in 0..1.
+    fn random(state: &mut u64) -> f64 {
+        *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (*state >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    #[test]
+    fn every_range_gets_three_to_ten_distinct_ticks_inside() {
+        let mut state = 20_261_120;
+        for _ in 0..200_000 {
+            let span = 10f64.powf(24.0 * random(&mut state) - 12.0);
+            // Offsets up to where the range is still wider than rounding noise.
+            let lo = span * (random(&mut state) - 0.5) * 10f64.powf(5.5 * random(&mut state));
+            let hi = lo + span;
+            let target = 3 + (random(&mut state) * 7.0) as usize;
+            let t = ticks(lo, hi, target);
+            assert!((3..=10).contains(&t.values.len()), "{lo:e}..{hi:e}: {t:?}");
+            assert!(t.values.iter().all(|v| (lo..=hi).contains(v)), "{lo:e}..{hi:e}: {t:?}");
+            assert!(t.values.is_sorted_by(|a, b| a < b), "{lo:e}..{hi:e}: {t:?}");
+            let labels = t.labels();
+            assert!(labels.iter().all(|l| l.len() < 20), "{labels:?}");
+            assert!(labels.windows(2).all(|w| w[0] != w[1]), "{lo:e}..{hi:e}: {labels:?}");
+        }
+    }
+
+    #[test]
+    fn spaced_ticks_are_round_and_far_enough_apart() {
+        assert_eq!(Ticks::spaced(Domain { lo: -10.0, hi: 130.0 }, 41.0).labels(), ["0", "50", "100"]);
+        assert_eq!(Ticks::spaced(Domain { lo: 1.0, hi: 2.0 }, 60.0).labels().len(), 0);
+    }
+}

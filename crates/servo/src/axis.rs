@@ -1,0 +1,124 @@
+//! One simulated servo axis: position loop, drive and encoder.
+
+use crate::drive::Drive;
+use crate::error::Error;
+use crate::notch::Notch;
+use crate::parameters::DriveParameters;
+use crate::position_loop::{Gains, PositionLoop, SetPoint};
+
+/// What an axis did in one servo period.
+///
+/// Position, velocity, measurement and following error are those at the set-point's own instant `t_k`;
+/// command, current and saturation are those of the period that follows, `t_k` to `t_k+1`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct AxisState {
+    /// True position at `t_k` (u).
+    pub position: f64,
+    /// True speed at `t_k` (u/s).
+    pub velocity: f64,
+    /// The encoder's reading at `t_k` (u).
+    pub measured: f64,
+    /// Set position minus true position, both at `t_k` (u).
+    pub following_error: f64,
+    /// Speed command held from `t_k` to `t_k+1` (u/s).
+    pub command: f64,
+    /// Current at `t_k+1`, as a fraction of peak current, -1 to 1.
+    pub current: f64,
+    /// Whether the speed command or the current demand was limited between `t_k` and `t_k+1`.
+    pub saturated: bool,
+}
+
+/// A position loop on a simulated drive.
+///
+/// The set-point for `t_k` is compared with the measurement at `t_k`; the command acts from `t_k` to
+/// `t_k+1`, without a dead period for its computation. At constant speed with `kvff = 1` no error is
+/// left but the encoder's half count.
+///
+/// ```
+/// use seamwright_servo::{DriveParameters, DriveTuning, Gains, LinearLoad, ServoAxis, SetPoint};
+/// # fn main() -> Result<(), seamwright_servo::Error> {
+/// let load = LinearLoad { mass_kg: 60.0, peak_force_n: 500.0, coulomb_n: 25.0, viscous_n_s_per_m: 60.0 };
+/// let tuning = DriveTuning {
+///     velocity_bandwidth_hz: 80.0,
+///     current_time_constant_s: 3e-4,
+///     encoder_counts_per_unit: 1000.0,
+/// };
+/// let parameters = DriveParameters::linear(load, tuning)?;
+/// let mut axis = ServoAxis::new(Gains::suggested(80.0, 1e-3), 200.0, parameters, 1e-3)?;
+/// axis.settle_at(5.0);
+/// for _ in 0..500 {
+///     axis.step(SetPoint { position: 5.1, ..SetPoint::default() }, 0.0);
+/// }
+/// assert!((axis.drive().position() - 5.1).abs() < 0.002);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ServoAxis {
+    position_loop: PositionLoop,
+    drive: Drive,
+}
+
+impl ServoAxis {
+    /// An axis at rest at 0 that is stepped every `period_s` (s), its speed command limited to
+    /// `max_speed` (u/s).
+    ///
+    /// # Errors
+    /// Those of [`PositionLoop::new`] and [`Drive::new`].
+    pub fn new(gains: Gains, max_speed: f64, parameters: DriveParameters, period_s: f64) -> Result<Self, Error> {
+        Ok(Self {
+            position_loop: PositionLoop::new(gains, period_s, max_speed)?,
+            drive: Drive::new(parameters, period_s)?,
+        })
+    }
+
+    /// The same axis with its speed command sent through `notch`, built for the same period.
+    #[must_use]
+    pub fn with_notch(self, notch: Notch) -> Self {
+        Self { position_loop: self.position_loop.with_notch(notch), ..self }
+    }
+
+    /// Runs one servo period, from the set-point's instant to the next, with an outside force
+    /// `disturbance` (N or N m, positive towards positive positions) over all of it.
+    ///
+    /// Guarantee: `|command| <= max_speed` and `|current| <= 1`, whatever the inputs.
+    pub fn step(&mut self, set: SetPoint, disturbance: f64) -> AxisState {
+        let (position, velocity) = (self.drive.position(), self.drive.velocity());
+        let measured = self.drive.parameters().encoder.read(position);
+        let command = self.position_loop.update(set, measured);
+        self.drive.step(command, disturbance);
+        AxisState {
+            position,
+            velocity,
+            measured,
+            following_error: set.position - position,
+            command,
+            current: self.drive.current(),
+            saturated: self.position_loop.limited() || self.drive.limited(),
+        }
+    }
+
+    /// Puts the axis at rest at `position` (u), with nothing pushing on it and no memory.
+    pub fn settle_at(&mut self, position: f64) {
+        self.settle_loaded_at(position, 0.0);
+    }
+
+    /// As [`ServoAxis::settle_at`], the drive already holding against `disturbance` (N or N m), such as the
+    /// weight of a vertical axis: it does not sag when it is stepped with the same disturbance.
+    pub fn settle_loaded_at(&mut self, position: f64, disturbance: f64) {
+        self.position_loop.reset();
+        self.drive.settle_at(position, disturbance);
+    }
+
+    /// The drive with its load, as they are now (after the last step).
+    #[must_use]
+    pub fn drive(&self) -> &Drive {
+        &self.drive
+    }
+
+    /// The position loop.
+    #[must_use]
+    pub fn position_loop(&self) -> &PositionLoop {
+        &self.position_loop
+    }
+}

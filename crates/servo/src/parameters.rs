@@ -1,0 +1,192 @@
+//! A drive and its load in physical units, reduced to accelerations per axis unit.
+
+use std::f64::consts::TAU;
+
+use crate::encoder::Encoder;
+use crate::error::{Error, non_negative, positive, within};
+
+/// Largest product of velocity bandwidth (rad/s) and current time constant (s).
+///
+/// With the gains of [`Drive`](crate::Drive) the velocity loop's poles solve
+/// `tau s^3 + s^2 + 2 w s + w^2 = 0`. At `tau w = 1/4` the complex pair has a damping of 0.69 and
+/// at 2 it is unstable; above 1/4 the simulated drive would ring in a way no tuned drive does.
+const LARGEST_LAG: f64 = 0.25;
+
+/// The moving part of a linear axis, everything referred to the axis (after screw and gear).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LinearLoad {
+    /// Moved mass (kg), with motor and screw inertia reduced to the axis.
+    pub mass_kg: f64,
+    /// Largest force of the drive (N), at peak current.
+    pub peak_force_n: f64,
+    /// Coulomb friction (N), also the static friction.
+    pub coulomb_n: f64,
+    /// Viscous friction (N s/m).
+    pub viscous_n_s_per_m: f64,
+}
+
+/// The moving part of a rotary axis, everything referred to the axis (after the gear).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RotaryLoad {
+    /// Moment of inertia (kg m^2), with the motor's times the ratio squared.
+    pub inertia_kg_m2: f64,
+    /// Largest torque of the drive (N m), at peak current.
+    pub peak_torque_nm: f64,
+    /// Coulomb friction (N m), also the static friction.
+    pub coulomb_nm: f64,
+    /// Viscous friction (N m s/rad).
+    pub viscous_nm_s_per_rad: f64,
+}
+
+/// The drive's electronics and its encoder.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DriveTuning {
+    /// Frequency (Hz) at which the speed has fallen to -3 dB of its command.
+    pub velocity_bandwidth_hz: f64,
+    /// Time constant (s) of the current loop, a first-order lag; 0 for none.
+    pub current_time_constant_s: f64,
+    /// Counts per mm (linear) or per rad (rotary).
+    pub encoder_counts_per_unit: f64,
+}
+
+/// What [`Drive`](crate::Drive) needs to know, with forces divided by the inertia.
+///
+/// Built by [`DriveParameters::linear`] (unit mm) or [`DriveParameters::rotary`] (unit rad).
+/// Guarantee: every value is finite and in range, friction is below the peak, and the current loop
+/// is fast enough for the velocity loop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DriveParameters {
+    pub(crate) peak: f64,
+    pub(crate) coulomb: f64,
+    pub(crate) viscous: f64,
+    pub(crate) per_force: f64,
+    pub(crate) bandwidth: f64,
+    pub(crate) current_time_constant: f64,
+    pub(crate) encoder: Encoder,
+}
+
+impl DriveParameters {
+    /// A linear axis: positions in mm, disturbances in N.
+    ///
+    /// # Errors
+    /// [`Error`] for a value out of range, for friction not below the peak force, and for a velocity loop
+    /// that the current loop cannot carry (bandwidth in rad/s times time constant above 1/4).
+    pub fn linear(load: LinearLoad, tuning: DriveTuning) -> Result<Self, Error> {
+        let mass = within("mass_kg", load.mass_kg, (1e-9, 1e9), "1e-9 to 1e9 kg")?;
+        let peak = positive("peak_force_n", load.peak_force_n)?;
+        let coulomb = non_negative("coulomb_n", load.coulomb_n)?;
+        let viscous = non_negative("viscous_n_s_per_m", load.viscous_n_s_per_m)?;
+        // N / kg is m/s^2; the axis counts in mm.
+        Self::reduced([peak, coulomb, viscous], mass, 1000.0, tuning)
+    }
+
+    /// A rotary axis: positions in rad, disturbances in N m.
+    ///
+    /// # Errors
+    /// As [`DriveParameters::linear`].
+    pub fn rotary(load: RotaryLoad, tuning: DriveTuning) -> Result<Self, Error> {
+        let inertia = within("inertia_kg_m2", load.inertia_kg_m2, (1e-9, 1e9), "1e-9 to 1e9 kg m^2")?;
+        let peak = positive("peak_torque_nm", load.peak_torque_nm)?;
+        let coulomb = non_negative("coulomb_nm", load.coulomb_nm)?;
+        let viscous = non_negative("viscous_nm_s_per_rad", load.viscous_nm_s_per_rad)?;
+        Self::reduced([peak, coulomb, viscous], inertia, 1.0, tuning)
+    }
+
+    fn reduced(
+        [peak, coulomb, viscous]: [f64; 3],
+        inertia: f64,
+        units_per_si: f64,
+        tuning: DriveTuning,
+    ) -> Result<Self, Error> {
+        if coulomb >= peak {
+            return Err(Error::FrictionBeyondPeak { coulomb, peak });
+        }
+        let hz = within("velocity_bandwidth_hz", tuning.velocity_bandwidth_hz, (1e-3, 1e5), "0.001 to 1e5 Hz")?;
+        let lag = within("current_time_constant_s", tuning.current_time_constant_s, (0.0, 1.0), "0 to 1 s")?;
+        if TAU * hz * lag > LARGEST_LAG {
+            return Err(Error::VelocityLoopTooFast { bandwidth_hz: hz, limit_hz: LARGEST_LAG / (TAU * lag) });
+        }
+        let per_force = units_per_si / inertia;
+        Ok(Self {
+            peak: peak * per_force,
+            coulomb: coulomb * per_force,
+            viscous: viscous / inertia,
+            per_force,
+            bandwidth: TAU * hz,
+            current_time_constant: lag,
+            encoder: Encoder::new(tuning.encoder_counts_per_unit)?,
+        })
+    }
+
+    /// Acceleration at peak current without friction (u/s^2).
+    #[must_use]
+    pub fn peak_acceleration(&self) -> f64 {
+        self.peak
+    }
+
+    /// Deceleration by Coulomb friction alone (u/s^2).
+    #[must_use]
+    pub fn coulomb_deceleration(&self) -> f64 {
+        self.coulomb
+    }
+
+    /// Viscous friction over inertia (1/s): the rate at which a coasting speed decays.
+    #[must_use]
+    pub fn viscous_rate(&self) -> f64 {
+        self.viscous
+    }
+
+    /// Acceleration (u/s^2) per N or N m of disturbance.
+    #[must_use]
+    pub fn acceleration_per_force(&self) -> f64 {
+        self.per_force
+    }
+
+    /// Bandwidth of the velocity loop (Hz).
+    #[must_use]
+    pub fn velocity_bandwidth_hz(&self) -> f64 {
+        self.bandwidth / TAU
+    }
+
+    /// The encoder.
+    #[must_use]
+    pub fn encoder(&self) -> Encoder {
+        self.encoder
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TUNING: DriveTuning =
+        DriveTuning { velocity_bandwidth_hz: 100.0, current_time_constant_s: 2e-4, encoder_counts_per_unit: 1000.0 };
+    const LINEAR: LinearLoad =
+        LinearLoad { mass_kg: 40.0, peak_force_n: 400.0, coulomb_n: 20.0, viscous_n_s_per_m: 80.0 };
+
+    #[test]
+    fn physical_units_become_accelerations() {
+        let linear = DriveParameters::linear(LINEAR, TUNING).unwrap();
+        assert!((linear.peak_acceleration() - 10_000.0).abs() < 1e-9); // 10 m/s^2 in mm/s^2
+        assert!((linear.coulomb_deceleration() - 500.0).abs() < 1e-9);
+        assert!((linear.viscous_rate() - 2.0).abs() < 1e-12);
+        assert!((linear.acceleration_per_force() - 25.0).abs() < 1e-12);
+        let load = RotaryLoad { inertia_kg_m2: 0.5, peak_torque_nm: 20.0, coulomb_nm: 1.0, viscous_nm_s_per_rad: 0.25 };
+        let rotary = DriveParameters::rotary(load, TUNING).unwrap();
+        assert!((rotary.peak_acceleration() - 40.0).abs() < 1e-12);
+        assert!((rotary.coulomb_deceleration() - 2.0).abs() < 1e-12);
+        assert!((rotary.viscous_rate() - 0.5).abs() < 1e-12);
+        assert!((rotary.acceleration_per_force() - 2.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn nonsense_is_refused_by_name() {
+        let stuck = LinearLoad { coulomb_n: 400.0, ..LINEAR };
+        assert!(matches!(DriveParameters::linear(stuck, TUNING), Err(Error::FrictionBeyondPeak { .. })));
+        let sluggish = DriveTuning { current_time_constant_s: 1e-3, ..TUNING };
+        let error = DriveParameters::linear(LINEAR, sluggish).unwrap_err();
+        assert!(matches!(error, Error::VelocityLoopTooFast { limit_hz, .. } if (limit_hz - 39.788_735_77).abs() < 1e-6));
+        let light = LinearLoad { mass_kg: f64::NAN, ..LINEAR };
+        assert!(DriveParameters::linear(light, TUNING).unwrap_err().to_string().starts_with("mass_kg is NaN"));
+    }
+}

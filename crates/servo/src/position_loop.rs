@@ -1,0 +1,177 @@
+//! The position loop: PID with velocity and acceleration feed-forward (DUALBEAM-2013).
+
+use std::f64::consts::TAU;
+
+use crate::error::{Error, positive, servo_period, within};
+use crate::notch::Notch;
+
+/// Time constant of the derivative's filter, in servo periods.
+///
+/// One encoder count then shows in the derivative as a fifth of a count per period instead of a
+/// whole one, at the cost of four periods of lag.
+const DERIVATIVE_FILTER_PERIODS: f64 = 4.0;
+/// Position errors are cut to this many units: far beyond any machine, and sums stay finite.
+const LARGEST_ERROR: f64 = 1e9;
+
+/// Where an axis should be at one instant, and how it should be moving.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SetPoint {
+    /// Position (u).
+    pub position: f64,
+    /// Speed (u/s).
+    pub velocity: f64,
+    /// Acceleration (u/s^2).
+    pub acceleration: f64,
+}
+
+/// Gains of a [`PositionLoop`], none negative.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Gains {
+    /// Proportional gain (1/s): speed per unit of position error.
+    pub kp: f64,
+    /// Integral gain (1/s^2).
+    pub ki: f64,
+    /// Derivative gain (-): speed per unit of error rate.
+    pub kd: f64,
+    /// Velocity feed-forward (-); 1 is the whole set speed.
+    pub kvff: f64,
+    /// Acceleration feed-forward (s): the lag of the velocity loop that it makes up for.
+    pub kaff: f64,
+}
+
+impl Gains {
+    /// Gains for a drive with the given velocity bandwidth (Hz), commanded every `period_s` (s).
+    ///
+    /// The drive's speed lags its command by `1/w` (`w` in rad/s), holding a command for a period adds
+    /// half a period on average: together a lag `L = 1/w + period/2`. Then
+    /// - `kp = 1 / (4 L)`: the poles of `L s^2 + s + kp` meet on the real axis, the fastest
+    ///   loop that does not overshoot;
+    /// - `kvff = 1` and `kaff = L`: the inverse of that lag, so an acceleration is anticipated;
+    /// - `ki = 0`, `kd = 0`: a velocity loop with integral action already removes the error of
+    ///   a constant force. A second integrator makes every step overshoot and helps only where
+    ///   the drive lacks the first or its speed command is offset.
+    #[must_use]
+    pub fn suggested(velocity_bandwidth_hz: f64, period_s: f64) -> Self {
+        let lag = 1.0 / (TAU * velocity_bandwidth_hz) + 0.5 * period_s;
+        Self { kp: 0.25 / lag, ki: 0.0, kd: 0.0, kvff: 1.0, kaff: lag }
+    }
+}
+
+/// Discrete position loop of one axis (DUALBEAM-2013), with an optional notch (SADDLE-2020).
+///
+/// With `e = set position - measured position` at the same instant and the period `T`,
+/// `command = kp e + ki * sum(e T) + kd * rate(e) + kvff * set speed + kaff * set acceleration`, to be held until the
+/// next update. `rate` is that of the error behind a first-order low-pass of time constant `4 T`
+/// (backward Euler), as differences of whole encoder counts are rough.
+///
+/// Anti-windup by conditional integration: while the command is limited, the sum grows only in
+/// the direction that leads out of the limit; it never exceeds the speed limit itself.
+///
+/// Guarantee: the command is finite and within `+-max_speed` whatever the inputs. If an input is
+/// not a finite number the command is zero, and the loop's memory stays as it was.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PositionLoop {
+    gains: Gains,
+    period_s: f64,
+    max_speed: f64,
+    integral: f64,
+    filtered: Option<f64>,
+    notch: Option<Notch>,
+    limited: bool,
+}
+
+impl PositionLoop {
+    /// A loop that runs every `period_s` (s) and commands at most `max_speed` (u/s).
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a gain outside 0 to 1e9, a period outside 1e-6 to 1 s or a
+    /// speed limit that is not above 0.
+    pub fn new(gains: Gains, period_s: f64, max_speed: f64) -> Result<Self, Error> {
+        let Gains { kp, ki, kd, kvff, kaff } = gains;
+        for (name, value) in [("kp", kp), ("ki", ki), ("kd", kd), ("kvff", kvff), ("kaff", kaff)] {
+            within(name, value, (0.0, 1e9), "0 to 1e9")?;
+        }
+        Ok(Self {
+            gains,
+            period_s: servo_period(period_s)?,
+            max_speed: positive("max_speed", max_speed)?,
+            integral: 0.0,
+            filtered: None,
+            notch: None,
+            limited: false,
+        })
+    }
+
+    /// The same loop with its speed command sent through `notch`, built for the same period.
+    ///
+    /// The notch also delays the feed-forward: add [`Notch::delay_s`] to `kaff`.
+    #[must_use]
+    pub fn with_notch(self, notch: Notch) -> Self {
+        Self { notch: Some(notch), ..self }
+    }
+
+    /// Speed command (u/s) for the set-point and the measurement (u) of one instant.
+    pub fn update(&mut self, set: SetPoint, measured: f64) -> f64 {
+        let error = set.position - measured;
+        let feed_forward = self.gains.kvff * set.velocity + self.gains.kaff * set.acceleration;
+        if !error.is_finite() || !feed_forward.is_finite() {
+            self.limited = true;
+            return 0.0;
+        }
+        let error = error.clamp(-LARGEST_ERROR, LARGEST_ERROR);
+        let rest = self.gains.kp * error + self.gains.kd * self.error_rate(error) + feed_forward;
+
+        let integral = self.integral + self.gains.ki * error * self.period_s;
+        let wanted = rest + integral;
+        if wanted.abs() <= self.max_speed || wanted * error < 0.0 {
+            self.integral = integral.clamp(-self.max_speed, self.max_speed);
+        }
+        let command = rest + self.integral;
+        self.limited = command.abs() > self.max_speed;
+        let command = command.clamp(-self.max_speed, self.max_speed);
+        match &mut self.notch {
+            // A notch overshoots on a step, so the limit holds on both sides of it.
+            Some(notch) => notch.update(command).clamp(-self.max_speed, self.max_speed),
+            None => command,
+        }
+    }
+
+    fn error_rate(&mut self, error: f64) -> f64 {
+        // The first error after a reset is no jump, so it has no rate.
+        let before = self.filtered.unwrap_or(error);
+        let rate = (error - before) / ((DERIVATIVE_FILTER_PERIODS + 1.0) * self.period_s);
+        self.filtered = Some(before + rate * self.period_s);
+        rate
+    }
+
+    /// Forgets the past: integral, derivative filter and notch. Gains and limits stay.
+    pub fn reset(&mut self) {
+        self.integral = 0.0;
+        self.filtered = None;
+        self.limited = false;
+        if let Some(notch) = &mut self.notch {
+            notch.reset();
+        }
+    }
+
+    /// Whether the last command was cut to the speed limit, or its inputs were not finite.
+    #[must_use]
+    pub fn limited(&self) -> bool {
+        self.limited
+    }
+
+    /// The gains it was built with.
+    #[must_use]
+    pub fn gains(&self) -> &Gains {
+        &self.gains
+    }
+
+    /// The servo period (s).
+    #[must_use]
+    pub fn period_s(&self) -> f64 {
+        self.period_s
+    }
+}
+
+#[cfg(test)]
+mod tests;
