@@ -1,1 +1,20 @@
-//! TOML documents with addresses: errors that name file, line, key, value and what is allowed.
+//! TOML documents whose errors have an address.
+//!
+//! Every Seamwright file (job, machine, program) is TOML with `schema = 1` and keys that carry their unit. This room
+//! reads one into a type and turns whatever is wrong into one [`DocumentError`] that names file, line, key, the
+//! value found and the values allowed. Checks that need more than one key are made by the caller, who asks
+//! [`Document::error_at`] for an error at a key's address.
+//!
+//! The number types ([`Positive`], [`NonNegative`], [`Finite`]) refuse bad values while reading, so that the address
+//! is exact, and describe themselves in the JSON Schema.
+
+mod address;
+mod document;
+mod error;
+mod number;
+mod vector;
+
+pub use document::Document;
+pub use error::DocumentError;
+pub use number::{Finite, NonNegative, Positive, SchemaVersion};
+pub use vector::{Direction, Point, Transform};

@@ -1,1 +1,14 @@
-//! The weld program as data: passes, spans, process values.
+//! The weld program as data: a seam, and passes along it with speed, torch angles and process values.
+//!
+//! Floor 1: no machine, no time, no I/O. Files are TOML with `schema = 1`; lengths in mm, angles in degrees in the
+//! file. [`TorchPath`] is the interface through which the rooms above see where the torch goes.
+
+mod document;
+mod pass;
+mod seam;
+mod torch;
+
+pub use document::Program;
+pub use pass::{OnLimit, Pass, ProcessValues, Sequence, Span};
+pub use seam::{Body, Direction as WeldDirection, Ellipse, FilletOrButt, Line, Nozzle, Seam, SeamStart};
+pub use torch::{Torch, TorchAt, TorchPath, TorchPose};

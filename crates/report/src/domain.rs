@@ -21,9 +21,10 @@ pub(crate) struct Domain {
 impl Domain {
     /// The extent of the usable ones among `values`; `None` if there are none.
     pub(crate) fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {
-        values.into_iter().filter(|v| usable(*v)).fold(None, |found, v| {
-            Some(found.map_or(Self { lo: v, hi: v }, |d: Self| d.including(v)))
-        })
+        values
+            .into_iter()
+            .filter(|v| usable(*v))
+            .fold(None, |found, v| Some(found.map_or(Self { lo: v, hi: v }, |d: Self| d.including(v))))
     }
 
     pub(crate) fn including(self, value: f64) -> Self {

@@ -16,6 +16,7 @@ mod chart;
 mod domain;
 mod grid;
 mod icon;
+mod layout;
 mod legend;
 mod limit;
 mod number;

@@ -4,7 +4,7 @@ use crate::domain::Domain;
 use crate::number::{format_fixed, format_number};
 
 /// Tick values in steps of 1, 2 or 5 times a power of ten.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Ticks {
     pub(crate) values: Vec<f64>,
     step: f64,
@@ -22,17 +22,12 @@ impl Ticks {
             for mantissa in [1.0, 2.0, 5.0] {
                 let ticks = Self::stepped(domain, mantissa, exponent);
                 let miss = ticks.values.len().abs_diff(target);
-                if (3..=10).contains(&ticks.values.len())
-                    && best.as_ref().is_none_or(|(least, _)| miss < *least)
-                {
+                if (3..=10).contains(&ticks.values.len()) && best.as_ref().is_none_or(|(least, _)| miss < *least) {
                     best = Some((miss, ticks));
                 }
             }
         }
-        best.map_or_else(
-            || Self { values: vec![domain.lo, domain.hi], step: domain.span() },
-            |(_, ticks)| ticks,
-        )
+        best.map_or_else(|| Self { values: vec![domain.lo, domain.hi], step: domain.span() }, |(_, ticks)| ticks)
     }
 
     /// The ticks of step `mantissa * 10^exponent` inside `domain`; possibly none.
@@ -44,9 +39,7 @@ impl Ticks {
         let first = (domain.lo / step - 1e-9).ceil();
         let count = (domain.hi / step + 1e-9).floor() - first + 1.0;
         let count = if count > 0.0 { count.min(200.0) as u32 } else { 0 };
-        let values = (0..count)
-            .map(|k| value(first + f64::from(k)).clamp(domain.lo, domain.hi) + 0.0)
-            .collect();
+        let values = (0..count).map(|k| value(first + f64::from(k)).clamp(domain.lo, domain.hi) + 0.0).collect();
         Self { values, step }
     }
 
@@ -55,11 +48,8 @@ impl Ticks {
     pub(crate) fn spaced(domain: Domain, least: f64) -> Self {
         let power = least.log10().floor() as i32;
         let at_least = |(m, e): &(f64, i32)| m * 10f64.powi(*e) >= least * (1.0 - 1e-9);
-        let (mantissa, exponent) = [1.0, 2.0, 5.0]
-            .map(|m| (m, power))
-            .into_iter()
-            .find(at_least)
-            .unwrap_or((1.0, power + 1));
+        let (mantissa, exponent) =
+            [1.0, 2.0, 5.0].map(|m| (m, power)).into_iter().find(at_least).unwrap_or((1.0, power + 1));
         Self::stepped(domain, mantissa, exponent)
     }
 
@@ -68,7 +58,7 @@ impl Ticks {
         let largest = self.values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
         let decimals = -(self.step.log10() + 1e-9).floor();
         if largest >= 1e7 || decimals > 5.0 {
-            let digits = (largest / self.step).log10().floor().max(0.0) + 1.0;
+            let digits = (largest.log10() + 1e-9).floor() + decimals + 1.0;
             let label = |v: &f64| {
                 let rounded = if v.abs() < 1e-6 * self.step { 0.0 } else { *v };
                 format_number(rounded, digits as usize)

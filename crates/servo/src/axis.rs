@@ -72,10 +72,12 @@ impl ServoAxis {
         })
     }
 
-    /// The same axis with its speed command sent through `notch`, built for the same period.
-    #[must_use]
-    pub fn with_notch(self, notch: Notch) -> Self {
-        Self { position_loop: self.position_loop.with_notch(notch), ..self }
+    /// The same axis with its speed command sent through `notch`.
+    ///
+    /// # Errors
+    /// That of [`PositionLoop::with_notch`].
+    pub fn with_notch(self, notch: Notch) -> Result<Self, Error> {
+        Ok(Self { position_loop: self.position_loop.with_notch(notch)?, ..self })
     }
 
     /// Runs one servo period, from the set-point's instant to the next, with an outside force

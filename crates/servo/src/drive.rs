@@ -6,7 +6,7 @@ use crate::parameters::DriveParameters;
 
 /// Largest product of velocity gain and sub-step chosen by [`Drive::new`].
 ///
-/// The drive's own loop then runs some 60 times faster than its bandwidth in rad/s asks.
+/// The velocity loop then runs at 20 times its bandwidth in rad/s (126 times that in Hz).
 const FINEST: f64 = 0.1;
 /// Fewest and most sub-steps in a servo period.
 const SUB_STEPS: (f64, f64) = (8.0, 20_000.0);
@@ -30,7 +30,7 @@ const SUB_STEPS: (f64, f64) = (8.0, 20_000.0);
 /// under the current's exact mean over the sub-step: exact for a steady current, second order
 /// otherwise, stops included to first order.
 ///
-/// **Guarantee.** `|current()| <= 1` always; finite inputs give finite states.
+/// **Guarantee.** `|current()| <= 1` always; inputs of any physical size give finite states.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drive {
     parameters: DriveParameters,
@@ -54,13 +54,18 @@ impl Drive {
     pub fn new(parameters: DriveParameters, period_s: f64) -> Result<Self, Error> {
         let needed = (servo_period(period_s)? * 2.0 * parameters.bandwidth / FINEST).ceil();
         let allowed = "at most 20000 sub-steps of 1 / (40 pi * velocity_bandwidth_hz)";
-        within("period_s", needed, (0.0, SUB_STEPS.1), allowed)
-            .map_err(|_| Error::OutOfRange { name: "period_s", value: period_s, allowed })?;
+        within("period_s", needed, (0.0, SUB_STEPS.1), allowed).map_err(|_| Error::OutOfRange {
+            name: "period_s",
+            value: period_s,
+            allowed,
+        })?;
         // In range by the line above, so the cast is exact.
         Self::with_sub_steps(parameters, period_s, needed.max(SUB_STEPS.0) as u32)
     }
 
     /// As [`Drive::new`], with the number of sub-steps given: to study convergence.
+    ///
+    /// Far below what [`Drive::new`] takes, the sampled velocity loop becomes unstable.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for a period outside 1e-6 to 1 s or a number of sub-steps outside 1 to 1e6.
@@ -68,8 +73,7 @@ impl Drive {
         let count = within("sub_steps", f64::from(sub_steps), (1.0, 1e6), "1 to 1e6")?;
         let step_s = servo_period(period_s)? / count;
         let lags = step_s / parameters.current_time_constant;
-        let (lag_end, lag_mean) =
-            if lags.is_finite() { ((-lags).exp(), -(-lags).exp_m1() / lags) } else { (0.0, 0.0) };
+        let (lag_end, lag_mean) = if lags.is_finite() { ((-lags).exp(), -(-lags).exp_m1() / lags) } else { (0.0, 0.0) };
         Ok(Self {
             parameters,
             load: Load::new(parameters.coulomb, parameters.viscous),
@@ -88,8 +92,8 @@ impl Drive {
     ///
     /// A command or disturbance that is not a finite number counts as zero.
     pub fn step(&mut self, command: f64, disturbance: f64) {
-        let command = if command.is_finite() { command } else { 0.0 };
-        let outside = if disturbance.is_finite() { disturbance * self.parameters.per_force } else { 0.0 };
+        let command = finite_or_zero(command);
+        let outside = finite_or_zero(disturbance) * self.parameters.per_force;
         self.limited = false;
         for _ in 0..self.sub_steps {
             let demand = self.velocity_loop(command);
@@ -115,10 +119,11 @@ impl Drive {
     }
 
     /// Puts the load at rest at `position` (u), the drive holding against `disturbance` (N or N m)
-    /// as far as its peak allows.
+    /// as far as its peak allows. A value that is not a finite number counts as zero.
     pub fn settle_at(&mut self, position: f64, disturbance: f64) {
         let peak = self.parameters.peak;
-        self.load.position = position;
+        let disturbance = finite_or_zero(disturbance);
+        self.load.position = finite_or_zero(position);
         self.load.velocity = 0.0;
         self.current = (-disturbance * self.parameters.per_force).clamp(-peak, peak);
         self.integral = self.current;
@@ -154,4 +159,8 @@ impl Drive {
     pub fn parameters(&self) -> &DriveParameters {
         &self.parameters
     }
+}
+
+fn finite_or_zero(value: f64) -> f64 {
+    if value.is_finite() { value } else { 0.0 }
 }

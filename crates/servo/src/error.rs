@@ -43,10 +43,9 @@ impl fmt::Display for Error {
                 f,
                 "Coulomb friction {coulomb} is not below the peak force or torque {peak}: the axis could not move"
             ),
-            Self::VelocityLoopTooFast { bandwidth_hz, limit_hz } => write!(
-                f,
-                "velocity_bandwidth_hz is {bandwidth_hz}, the current loop carries at most {limit_hz}"
-            ),
+            Self::VelocityLoopTooFast { bandwidth_hz, limit_hz } => {
+                write!(f, "velocity_bandwidth_hz is {bandwidth_hz}, the current loop carries at most {limit_hz}")
+            }
         }
     }
 }
@@ -60,11 +59,7 @@ pub(crate) fn within(
     (low, high): (f64, f64),
     allowed: &'static str,
 ) -> Result<f64, Error> {
-    if value >= low && value <= high {
-        Ok(value)
-    } else {
-        Err(Error::OutOfRange { name, value, allowed })
-    }
+    if value >= low && value <= high { Ok(value) } else { Err(Error::OutOfRange { name, value, allowed }) }
 }
 
 /// `value`, if it is above zero and no larger than 1e12.

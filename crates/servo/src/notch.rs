@@ -70,6 +70,12 @@ impl Notch {
         magnitude(self.b) / magnitude([1.0, self.a[0], self.a[1]])
     }
 
+    /// The sampling period it was built for (s).
+    #[must_use]
+    pub fn period_s(&self) -> f64 {
+        self.period_s
+    }
+
     /// By how much (s) a slow signal leaves the filter late.
     ///
     /// Add it to the acceleration feed-forward `kaff`, which is there to make up for lags.
@@ -162,9 +168,14 @@ mod tests {
 
     #[test]
     fn nonsense_is_refused() {
-        for (frequency, depth, width) in
-            [(0.0, 0.1, 5.0), (500.0, 0.1, 5.0), (50.0, -0.1, 5.0), (50.0, 1.1, 5.0), (50.0, 0.1, 0.0), (f64::NAN, 0.1, 5.0)]
-        {
+        for (frequency, depth, width) in [
+            (0.0, 0.1, 5.0),
+            (500.0, 0.1, 5.0),
+            (50.0, -0.1, 5.0),
+            (50.0, 1.1, 5.0),
+            (50.0, 0.1, 0.0),
+            (f64::NAN, 0.1, 5.0),
+        ] {
             assert!(Notch::new(frequency, depth, width, PERIOD).is_err());
         }
     }

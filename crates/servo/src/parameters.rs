@@ -185,7 +185,9 @@ mod tests {
         assert!(matches!(DriveParameters::linear(stuck, TUNING), Err(Error::FrictionBeyondPeak { .. })));
         let sluggish = DriveTuning { current_time_constant_s: 1e-3, ..TUNING };
         let error = DriveParameters::linear(LINEAR, sluggish).unwrap_err();
-        assert!(matches!(error, Error::VelocityLoopTooFast { limit_hz, .. } if (limit_hz - 39.788_735_77).abs() < 1e-6));
+        assert!(
+            matches!(error, Error::VelocityLoopTooFast { limit_hz, .. } if (limit_hz - 39.788_735_77).abs() < 1e-6)
+        );
         let light = LinearLoad { mass_kg: f64::NAN, ..LINEAR };
         assert!(DriveParameters::linear(light, TUNING).unwrap_err().to_string().starts_with("mass_kg is NaN"));
     }

@@ -45,7 +45,7 @@ impl Gains {
     /// The drive's speed lags its command by `1/w` (`w` in rad/s), holding a command for a period adds
     /// half a period on average: together a lag `L = 1/w + period/2`. Then
     /// - `kp = 1 / (4 L)`: the poles of `L s^2 + s + kp` meet on the real axis, the fastest
-    ///   loop that does not overshoot;
+    ///   loop that does not overshoot (with the slowest current loop allowed, by less than 2 %);
     /// - `kvff = 1` and `kaff = L`: the inverse of that lag, so an acceleration is anticipated;
     /// - `ki = 0`, `kd = 0`: a velocity loop with integral action already removes the error of
     ///   a constant force. A second integrator makes every step overshoot and helps only where
@@ -102,12 +102,16 @@ impl PositionLoop {
         })
     }
 
-    /// The same loop with its speed command sent through `notch`, built for the same period.
+    /// The same loop with its speed command sent through `notch`.
     ///
     /// The notch also delays the feed-forward: add [`Notch::delay_s`] to `kaff`.
-    #[must_use]
-    pub fn with_notch(self, notch: Notch) -> Self {
-        Self { notch: Some(notch), ..self }
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] if the notch was built for another period: it would sit at another frequency.
+    pub fn with_notch(self, notch: Notch) -> Result<Self, Error> {
+        let same = (self.period_s * (1.0 - 1e-9), self.period_s * (1.0 + 1e-9));
+        within("notch period_s", notch.period_s(), same, "the period of the position loop")?;
+        Ok(Self { notch: Some(notch), ..self })
     }
 
     /// Speed command (u/s) for the set-point and the measurement (u) of one instant.

@@ -1,0 +1,78 @@
+use std::fmt;
+use std::ops::Range;
+
+/// Something wrong with a document, and where.
+///
+/// Its `Display` fits a screen: the address, what is wrong, the line with the place marked, what is allowed, and help.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct DocumentError {
+    /// File name as the user gave it.
+    pub file: String,
+    /// Line, from 1; 0 if the whole file is meant.
+    pub line: usize,
+    /// Column in characters, from 1.
+    pub column: usize,
+    /// Path of the key, like `seam.nozzle.radius_mm`.
+    pub key: String,
+    /// The value found, as written.
+    pub value: String,
+    /// What is wrong with it.
+    pub message: String,
+    /// What would be right.
+    pub allowed: Option<String>,
+    /// A suggestion.
+    pub help: Option<String>,
+    pub(crate) source_line: String,
+    pub(crate) marked: usize,
+}
+
+impl std::error::Error for DocumentError {}
+
+impl fmt::Display for DocumentError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}", self.file)?;
+        if self.line > 0 {
+            write!(f, ":{}:{}", self.line, self.column)?;
+        }
+        if !self.key.is_empty() {
+            write!(f, ": {}", self.key)?;
+            if !self.value.is_empty() {
+                write!(f, " = {}", self.value)?;
+            }
+        }
+        writeln!(f, ": {}", self.message)?;
+        if self.line > 0 {
+            let number = self.line.to_string();
+            let margin = " ".repeat(number.len());
+            writeln!(f, " {margin} |")?;
+            writeln!(f, " {number} | {}", self.source_line)?;
+            let mark = "^".repeat(self.marked.max(1));
+            writeln!(f, " {margin} | {}{mark}", " ".repeat(self.column.saturating_sub(1)))?;
+        }
+        if let Some(allowed) = &self.allowed {
+            writeln!(f, "   allowed: {allowed}")?;
+        }
+        if let Some(help) = &self.help {
+            writeln!(f, "   help: {help}")?;
+        }
+        Ok(())
+    }
+}
+
+/// Line (from 1), column (from 1, in characters), the line's text and how many of its characters `span` covers.
+pub(crate) fn place(text: &str, span: &Range<usize>) -> (usize, usize, String, usize) {
+    let start = floor_char(text, span.start.min(text.len()));
+    let line_start = text[..start].rfind('\n').map_or(0, |i| i + 1);
+    let line_end = text[start..].find('\n').map_or(text.len(), |i| start + i);
+    let line = text[..start].matches('\n').count() + 1;
+    let end = floor_char(text, span.end.clamp(start, line_end));
+    let source = text[line_start..line_end].trim_end_matches('\r').replace('\t', " ");
+    (line, text[line_start..start].chars().count() + 1, source, text[start..end].chars().count())
+}
+
+fn floor_char(text: &str, mut at: usize) -> usize {
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}

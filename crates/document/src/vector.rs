@@ -1,0 +1,133 @@
+use crate::Finite;
+use glam::{DAffine3, DQuat, DVec3};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize};
+use std::borrow::Cow;
+
+/// Three finite numbers, mm: a point or a displacement.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(transparent)]
+pub struct Point([Finite; 3]);
+
+impl Point {
+    /// The point, if its coordinates are finite.
+    pub fn new(p: DVec3) -> Option<Self> {
+        Some(Self([Finite::new(p.x)?, Finite::new(p.y)?, Finite::new(p.z)?]))
+    }
+
+    /// As a vector, mm.
+    pub fn get(self) -> DVec3 {
+        DVec3::from_array(self.0.map(Finite::get))
+    }
+
+    /// True for the origin.
+    pub fn is_zero(&self) -> bool {
+        self.get() == DVec3::ZERO
+    }
+}
+
+/// A direction: three finite numbers, not all zero; the length does not matter.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(transparent)]
+pub struct Direction([Finite; 3]);
+
+impl Direction {
+    /// The x axis.
+    pub fn x() -> Self {
+        Self([1.0, 0.0, 0.0].map(|v| Finite::new(v).unwrap_or_default()))
+    }
+
+    /// The z axis.
+    pub fn z() -> Self {
+        Self([0.0, 0.0, 1.0].map(|v| Finite::new(v).unwrap_or_default()))
+    }
+
+    /// As a unit vector.
+    pub fn unit(self) -> DVec3 {
+        // Scaled first, so that no finite direction over- or underflows.
+        let v = DVec3::from_array(self.0.map(Finite::get));
+        (v / v.abs().max_element()).normalize()
+    }
+}
+
+impl<'de> Deserialize<'de> for Direction {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let v = <[Finite; 3]>::deserialize(deserializer)?;
+        if v.iter().all(|c| c.get() == 0.0) {
+            return Err(D::Error::custom("the direction has no length, expected three numbers that are not all 0"));
+        }
+        Ok(Self(v))
+    }
+}
+
+impl JsonSchema for Direction {
+    fn schema_name() -> Cow<'static, str> {
+        "Direction".into()
+    }
+    fn inline_schema() -> bool {
+        true
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3 })
+    }
+}
+
+/// A fixed displacement: first turned by `angle_deg` about `turn` (right-hand rule), then moved by `move_mm`.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Transform {
+    /// Displacement of the origin, mm.
+    #[serde(default, skip_serializing_if = "Point::is_zero")]
+    pub move_mm: Point,
+    /// Direction to turn about; the z axis if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turn: Option<Direction>,
+    /// Angle to turn by, degrees.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub angle_deg: Finite,
+}
+
+fn is_zero(v: &Finite) -> bool {
+    v.get() == 0.0
+}
+
+impl Transform {
+    /// As a rigid motion in mm that maps coordinates in the displaced frame to the frame it is given in.
+    pub fn affine(&self) -> DAffine3 {
+        let axis = self.turn.unwrap_or_else(Direction::z).unit();
+        let rotation = DQuat::from_axis_angle(axis, self.angle_deg.get().to_radians());
+        DAffine3::from_rotation_translation(rotation, self.move_mm.get())
+    }
+
+    /// True if nothing moves or turns.
+    pub fn is_identity(&self) -> bool {
+        self.move_mm.is_zero() && is_zero(&self.angle_deg)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn turns_then_moves() {
+        let t: Transform = toml::from_str("move_mm = [1, 2, 3]\nangle_deg = 90").unwrap();
+        let p = t.affine().transform_point3(DVec3::X);
+        assert!((p - DVec3::new(1.0, 3.0, 3.0)).length() < 1e-15);
+        assert!(!t.is_identity() && Transform::default().is_identity());
+    }
+
+    #[test]
+    fn directions_have_a_length() {
+        #[derive(Debug, Deserialize)]
+        struct Doc {
+            d: Direction,
+        }
+        let unit = |text: &str| toml::from_str::<Doc>(text).map(|d| d.d.unit());
+        assert!((unit("d = [0, 1e-300, 0]").unwrap() - DVec3::Y).length() < 1e-15);
+        assert!((unit("d = [3e300, 0, 4e300]").unwrap() - DVec3::new(0.6, 0.0, 0.8)).length() < 1e-15);
+        assert!(unit("d = [0, 0, 0]").unwrap_err().to_string().contains("no length"));
+        assert!(unit("d = [0, nan, 1]").is_err());
+    }
+}

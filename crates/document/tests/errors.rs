@@ -1,0 +1,133 @@
+//! Every kind of mistake gives its address, the value and what is allowed.
+
+use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive, SchemaVersion};
+use serde::Deserialize;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(dead_code, reason = "only read")]
+struct File {
+    schema: SchemaVersion,
+    title: Option<String>,
+    nozzle: Option<Nozzle>,
+    body: Option<Body>,
+    #[serde(default)]
+    axis: Vec<Axis>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(dead_code, reason = "only read")]
+struct Nozzle {
+    radius_mm: Positive,
+    #[serde(default)]
+    overlap_mm: NonNegative,
+    #[serde(default)]
+    speed_mm_s: Finite,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+#[allow(dead_code, reason = "only read")]
+enum Body {
+    Cylinder { radius_mm: Positive },
+    Plane { normal: [Finite; 3] },
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(dead_code, reason = "only read")]
+struct Axis {
+    name: String,
+    range_mm: Option<[Finite; 2]>,
+}
+
+fn wrong(text: &str) -> DocumentError {
+    let e = Document::<File>::read("job.toml", text).unwrap_err();
+    println!("{e}");
+    e
+}
+
+#[test]
+fn a_good_file_is_read() {
+    let text = "schema = 1\n[nozzle]\nradius_mm = 250\n[body.cylinder]\nradius_mm = 8e2\n";
+    let d = Document::<File>::read("job.toml", text).unwrap();
+    assert!((d.value.nozzle.as_ref().unwrap().radius_mm.get() - 250.0).abs() < 1e-12);
+    assert!(matches!(d.value.body, Some(Body::Cylinder { .. })));
+}
+
+#[test]
+fn numbers_out_of_range() {
+    for (bad, shown) in [("-250", "-250"), ("0", "0"), ("nan", "nan"), ("inf", "inf"), ("-inf", "-inf"), ("0.0", "0.0")] {
+        let e = wrong(&format!("schema = 1\n[nozzle]\nradius_mm = {bad}\n"));
+        assert_eq!((e.line, e.column, e.key.as_str(), e.value.as_str()), (3, 13, "nozzle.radius_mm", shown));
+        assert_eq!(e.allowed.as_deref(), Some("a finite number greater than 0"));
+    }
+    let e = wrong("schema = 1\n[[axis]]\nname = \"x\"\n[[axis]]\nname = \"y\"\nrange_mm = [0, nan]\n");
+    assert_eq!((e.line, e.key.as_str()), (6, "axis[1].range_mm[1]"));
+}
+
+#[test]
+fn wrong_types() {
+    let e = wrong("schema = 1\n[nozzle]\nradius_mm = \"250 mm\"\n");
+    assert_eq!((e.line, e.key.as_str(), e.value.as_str()), (3, "nozzle.radius_mm", "\"250 mm\""));
+    assert!(e.message.contains("string"));
+    let e = wrong("schema = 1\nnozzle = 3\n");
+    assert_eq!((e.line, e.key.as_str()), (2, "nozzle"));
+    let e = wrong("schema = 1\n[body.plane]\nnormal = [0, 1]\n");
+    assert_eq!((e.line, e.key.as_str()), (3, "body.plane.normal"));
+}
+
+#[test]
+fn unknown_keys_and_units() {
+    let e = wrong("schema = 1\n[nozzle]\nradus_mm = 250\n");
+    assert_eq!((e.line, e.key.as_str()), (3, "nozzle.radus_mm"));
+    assert_eq!(e.help.as_deref(), Some("did you mean `radius_mm`?"));
+    assert_eq!(e.allowed.as_deref(), Some("radius_mm, overlap_mm, speed_mm_s"));
+    let e = wrong("schema = 1\n[nozzle]\nradius_mm = 1\nspeed_mm_min = 250\n");
+    assert_eq!(e.help.as_deref(), Some("did you mean `speed_mm_s`? This value is given in mm/s"));
+    let e = wrong("schema = 1\n[nozzle]\nradius_inch = 250\n");
+    assert_eq!(e.help.as_deref(), Some("did you mean `radius_mm`? This value is given in mm"));
+    let e = wrong("schema = 1\n[body.cilinder]\nradius_mm = 250\n");
+    assert_eq!((e.line, e.help.as_deref()), (2, Some("did you mean `cylinder`?")));
+    let e = wrong("schema = 1\ntitel = \"x\"\n");
+    assert_eq!(e.help.as_deref(), Some("did you mean `title`?"));
+}
+
+#[test]
+fn missing_keys() {
+    let e = wrong("title = \"x\"\n");
+    assert_eq!((e.key.as_str(), e.help.as_deref()), ("schema", Some("begin the file with: schema = 1")));
+    let e = wrong("schema = 1\n\n[nozzle]\noverlap_mm = 2\n");
+    assert_eq!((e.line, e.key.as_str()), (3, "nozzle.radius_mm"));
+    let e = wrong("schema = 2\n");
+    assert!(e.allowed.unwrap().starts_with('1'));
+}
+
+#[test]
+fn syntax_errors_and_duplicates_have_a_line() {
+    assert_eq!(wrong("schema = 1\n[nozzle\n").line, 2);
+    assert_eq!(wrong("schema = 1\nschema = 1\n").line, 2);
+    assert_eq!(wrong("schema = \n").line, 1);
+}
+
+#[test]
+fn later_checks_point_at_their_key() {
+    let text = "schema = 1\n[nozzle]\nradius_mm = 250 # mm\n[[axis]]\nname = \"x\"\n";
+    let d = Document::<File>::read("job.toml", text).unwrap();
+    let e = d.error_at("nozzle.radius_mm", "is larger than the body", "less than 100");
+    assert_eq!((e.line, e.value.as_str(), e.column), (3, "250", 13));
+    assert_eq!(d.error_at("axis[0].name", "m", "a").value, "\"x\"");
+    assert_eq!(d.error_at("nozzle.gone", "m", "a").line, 2);
+}
+
+proptest::proptest! {
+    #![proptest_config(proptest::prelude::ProptestConfig { failure_persistence: None, ..Default::default() })]
+    /// No text, however broken, makes the reader panic.
+    #[test]
+    fn any_text_is_read_or_refused(text in "(schema = 1\n)?(\\[nozzle\\]\n)?[\\PC\n]{0,60}") {
+        if let Err(e) = Document::<File>::read("job.toml", &text) {
+            let _ = e.to_string();
+        }
+    }
+}

@@ -1,0 +1,100 @@
+use crate::{Pass, Seam, SeamStart};
+use schemars::JsonSchema;
+use seamwright_document::{Document, DocumentError, SchemaVersion, Transform};
+use serde::{Deserialize, Serialize};
+
+/// A weld program: everything needed to weld, but for the machine's own file.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Program {
+    /// Version of the file format.
+    pub schema: SchemaVersion,
+    /// Title, for people.
+    pub title: String,
+    /// The machine: a name of one that ships, or a path to a machine file from the program's folder.
+    pub machine: String,
+    /// The seam's frame in the machine's work frame.
+    #[serde(default, skip_serializing_if = "Transform::is_identity")]
+    pub placement: Transform,
+    /// The seam.
+    pub seam: Seam,
+    /// Where on the seam welding starts.
+    #[serde(default)]
+    pub start: SeamStart,
+    /// Passes in the order of welding.
+    pub passes: Vec<Pass>,
+}
+
+impl Program {
+    /// Reads a program file and checks that its passes hang together.
+    ///
+    /// # Errors
+    /// The first thing wrong, with its address.
+    pub fn read(file: &str, text: &str) -> Result<Document<Self>, DocumentError> {
+        let document = Document::<Self>::read(file, text)?;
+        if document.value.passes.is_empty() {
+            return Err(document.error_at("passes", "the program has no passes", "at least one [[passes]]"));
+        }
+        for (p, pass) in document.value.passes.iter().enumerate() {
+            let mut end = 0.0;
+            if pass.spans.is_empty() {
+                let path = format!("passes[{p}].spans");
+                return Err(document.error_at(&path, "the pass has no spans", "at least one [[passes.spans]]"));
+            }
+            for (i, span) in pass.spans.iter().enumerate() {
+                let path = |key: &str| format!("passes[{p}].spans[{i}].{key}");
+                if (span.from_mm.get() - end).abs() > 1e-9 {
+                    let message = "the span does not begin where the one before it ends";
+                    return Err(document.error_at(&path("from_mm"), message, end.to_string()));
+                }
+                end = span.to_mm.get();
+                if end <= span.from_mm.get() {
+                    let allowed = format!("more than {}", span.from_mm.get());
+                    return Err(document.error_at(&path("to_mm"), "the span has no length", allowed));
+                }
+            }
+        }
+        Ok(document)
+    }
+
+    /// The program as a file.
+    ///
+    /// # Errors
+    /// None in practice: every value in a program has a TOML form.
+    pub fn to_toml(&self) -> Result<String, toml::ser::Error> {
+        let body = toml::to_string(self)?;
+        Ok(format!(
+            "# A Seamwright weld program. Lengths in mm, angles in degrees, times in s; s counts from the weld's start.\n{body}"
+        ))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 250\n\
+        [seam.nozzle.body.cylinder]\nradius_mm = 800\n[[passes]]\nname = \"root\"\n\
+        [[passes.spans]]\nfrom_mm = 0\nto_mm = 10.5\nspeed_mm_s = 5\nprocess = { current_a = 180 }\n\
+        [[passes.spans]]\nfrom_mm = 10.5\nto_mm = 20\nspeed_mm_s = 8\n";
+
+    #[test]
+    fn writing_and_reading_gives_the_same_program() {
+        let program = Program::read("p.toml", TEXT).unwrap().value;
+        let again = Program::read("p.toml", &program.to_toml().unwrap()).unwrap().value;
+        assert_eq!(program, again);
+        assert!((program.passes[0].length() - 20.0).abs() < 1e-15);
+        assert!((program.passes[0].span_at(10.5).unwrap().speed_mm_s.get() - 8.0).abs() < 1e-15);
+        assert!((program.passes[0].span_at(25.0).unwrap().speed_mm_s.get() - 8.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn gaps_and_empty_passes_are_refused() {
+        let e = Program::read("p.toml", &TEXT.replace("from_mm = 10.5", "from_mm = 11")).unwrap_err();
+        assert_eq!((e.key.as_str(), e.line, e.value.as_str()), ("passes[0].spans[1].from_mm", 16, "11"));
+        let e = Program::read("p.toml", &TEXT.replace("to_mm = 20", "to_mm = 10.5")).unwrap_err();
+        assert_eq!(e.key, "passes[0].spans[1].to_mm");
+        let none = TEXT.split("[[passes.spans]]").next().unwrap().to_owned() + "spans = []\n";
+        assert!(Program::read("p.toml", &none).unwrap_err().message.contains("no spans"));
+    }
+}

@@ -1,0 +1,167 @@
+use schemars::JsonSchema;
+use seamwright_document::{Direction as Vector, Finite, NonNegative, Point, Positive};
+use serde::{Deserialize, Serialize};
+
+/// Which seam to weld.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Seam {
+    /// A tubular nozzle on a body: the outer fillet where the nozzle's wall leaves the body.
+    Nozzle(Nozzle),
+    /// An ellipse in a plane: a tube on a plate, or a butt joint in the plate.
+    Ellipse(Ellipse),
+    /// A straight seam between two flat faces.
+    Line(Line),
+}
+
+/// A nozzle: a circular tube that stands on a body.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Nozzle {
+    /// Outer radius, mm.
+    pub radius_mm: Positive,
+    /// A point on the nozzle's axis, mm.
+    #[serde(default, skip_serializing_if = "Point::is_zero")]
+    pub origin_mm: Point,
+    /// Direction of the axis, away from the body; z if missing.
+    #[serde(default = "Vector::z")]
+    pub direction: Vector,
+    /// Where the angle phi about the nozzle's axis is 0; x if missing. Made perpendicular to `direction`.
+    #[serde(default = "Vector::x")]
+    pub zero_direction: Vector,
+    /// What the nozzle stands on.
+    pub body: Body,
+}
+
+/// A body with a quadric surface.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Body {
+    /// A cylindrical shell.
+    Cylinder {
+        /// Outer radius, mm.
+        radius_mm: Positive,
+        /// A point on the axis, mm.
+        #[serde(default, skip_serializing_if = "Point::is_zero")]
+        point_mm: Point,
+        /// Direction of the axis; x if missing.
+        #[serde(default = "Vector::x")]
+        axis: Vector,
+    },
+    /// A conical shell, opening along its axis from the apex.
+    Cone {
+        /// Angle between axis and wall, degrees, between 0 and 90.
+        half_angle_deg: Positive,
+        /// Apex, mm.
+        #[serde(default, skip_serializing_if = "Point::is_zero")]
+        apex_mm: Point,
+        /// Direction in which the cone opens.
+        axis: Vector,
+    },
+    /// A spherical shell or hemispherical head.
+    Sphere {
+        /// Outer radius, mm.
+        radius_mm: Positive,
+        /// Centre, mm.
+        #[serde(default, skip_serializing_if = "Point::is_zero")]
+        centre_mm: Point,
+    },
+    /// An ellipsoidal head.
+    Ellipsoid {
+        /// Semi-axes along the body's x, y and z directions, mm.
+        semi_axes_mm: [Positive; 3],
+        /// Centre, mm.
+        #[serde(default, skip_serializing_if = "Point::is_zero")]
+        centre_mm: Point,
+        /// Direction of the third semi-axis; z if missing.
+        #[serde(default = "Vector::z")]
+        axis: Vector,
+        /// Direction of the first semi-axis; x if missing. Made perpendicular to `axis`.
+        #[serde(default = "Vector::x")]
+        x_direction: Vector,
+    },
+    /// A flat plate.
+    Plane {
+        /// A point of its surface, mm.
+        #[serde(default, skip_serializing_if = "Point::is_zero")]
+        point_mm: Point,
+        /// Outward normal.
+        normal: Vector,
+    },
+}
+
+/// An elliptic seam in a plane (ELLIPSE-2015).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Ellipse {
+    /// Semi-axis along `a_direction`, mm.
+    pub a_mm: Positive,
+    /// Semi-axis across it, mm.
+    pub b_mm: Positive,
+    /// Centre, mm.
+    #[serde(default, skip_serializing_if = "Point::is_zero")]
+    pub centre_mm: Point,
+    /// Outward normal of the plate; z if missing. Angles count counter-clockwise seen from its tip.
+    #[serde(default = "Vector::z")]
+    pub normal: Vector,
+    /// Direction of semi-axis a, where the eccentric angle is 0; x if missing.
+    #[serde(default = "Vector::x")]
+    pub a_direction: Vector,
+    /// `fillet`: a tube stands on the plate and is welded outside; `butt`: both parts lie in the plate's plane.
+    #[serde(default)]
+    pub joint: FilletOrButt,
+}
+
+/// Kind of joint along a seam in a plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FilletOrButt {
+    /// A wall stands on the plate.
+    #[default]
+    Fillet,
+    /// Both parts lie in one plane.
+    Butt,
+}
+
+/// A straight seam between two flat faces.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Line {
+    /// Start of the weld, mm.
+    pub start_mm: Point,
+    /// End of the weld, mm.
+    pub end_mm: Point,
+    /// Outward normal of the first part's face.
+    pub first_normal: Vector,
+    /// Outward normal of the second part's face.
+    pub second_normal: Vector,
+}
+
+/// Direction of welding along a closed seam.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Direction {
+    /// Seen from the tip of the nozzle's direction or the plate's normal.
+    #[default]
+    CounterClockwise,
+    /// The other way.
+    Clockwise,
+}
+
+/// Where along the seam the weld's path length `s` is zero, and which way it grows.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SeamStart {
+    /// Angle phi of the start about the nozzle's axis (the eccentric angle of an ellipse), degrees; 0 if missing.
+    #[serde(default)]
+    pub phi_deg: Finite,
+    /// Direction of welding.
+    #[serde(default)]
+    pub direction: Direction,
+    /// How far the weld goes past its start on a closed seam, mm.
+    #[serde(default)]
+    pub overlap_mm: NonNegative,
+    /// Weld only to this angle, degrees, in the direction of welding, instead of all round.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub end_phi_deg: Option<Finite>,
+}

@@ -1,0 +1,58 @@
+use glam::DVec3;
+use schemars::JsonSchema;
+use seamwright_document::Finite;
+use serde::{Deserialize, Serialize};
+
+/// Torch angles along a pass. Give constant angles, or `at` several places between which they change smoothly.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Torch {
+    /// Work angle as an offset from the faces' bisector, degrees: positive leans the torch towards the first part
+    /// (the nozzle), negative towards the second (the body).
+    #[serde(default)]
+    pub work_angle_deg: Finite,
+    /// Travel angle, degrees: positive is a drag angle (the torch leans forward, the wire points back), negative a
+    /// push angle.
+    #[serde(default)]
+    pub travel_angle_deg: Finite,
+    /// Angles at several path lengths, instead of the constant ones.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub at: Vec<TorchAt>,
+}
+
+/// Torch angles at one path length.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TorchAt {
+    /// Path length from the start of the weld, mm.
+    pub s_mm: Finite,
+    /// Work angle there, degrees.
+    #[serde(default)]
+    pub work_angle_deg: Finite,
+    /// Travel angle there, degrees.
+    #[serde(default)]
+    pub travel_angle_deg: Finite,
+}
+
+/// Where the torch is: its tip and the unit direction in which wire or beam points, from the torch to the work.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TorchPose {
+    /// Torch tip in the work frame, mm.
+    pub point: DVec3,
+    /// Unit vector from the torch to the work.
+    pub direction: DVec3,
+}
+
+/// A path of the torch in the work frame by path length: what the rooms that know machines and time need of a pass.
+pub trait TorchPath {
+    /// Length, mm: `s` runs from 0 to this.
+    fn length(&self) -> f64;
+
+    /// Pose at path length `s`; twice continuously differentiable, with the tip's speed by `s` equal to 1.
+    fn pose(&self, s: f64) -> TorchPose;
+
+    /// Path lengths inside the path where a third or higher derivative may jump, increasing.
+    fn knots(&self) -> Vec<f64> {
+        Vec::new()
+    }
+}

@@ -1,0 +1,214 @@
+//! The parts of a page.
+
+use std::fmt::Write;
+
+use crate::icon;
+use crate::text::{escape, minus};
+
+/// One part of a page, in reading order.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Block {
+    /// Key figures side by side.
+    Tiles(Vec<Tile>),
+    /// A section heading.
+    Heading(String),
+    /// Running text.
+    Paragraph(String),
+    /// A numbered table.
+    Table(Table),
+    /// A numbered drawing.
+    Figure {
+        /// Markup from `to_svg` of a drawing of this crate; put into the page as it is.
+        svg: String,
+        /// What it shows.
+        caption: String,
+    },
+    /// What a check found. An empty list says so.
+    Findings(Vec<Finding>),
+    /// A listing with line numbers, such as a job file.
+    Code {
+        /// What it is.
+        caption: String,
+        /// The text; it may hold anything.
+        text: String,
+    },
+}
+
+/// A key figure.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Tile {
+    /// What it is.
+    pub label: String,
+    /// The number, ready to print.
+    pub value: String,
+    /// Its unit; may be empty.
+    pub unit: String,
+    /// A remark below; may be empty.
+    pub note: String,
+    /// Set if the figure is not as it should be.
+    pub severity: Option<Severity>,
+}
+
+/// How much a finding matters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Good to know.
+    Note,
+    /// Needs a look.
+    Warning,
+    /// Must be cured.
+    Error,
+}
+
+impl Severity {
+    fn class(self) -> &'static str {
+        match self {
+            Self::Note => "note",
+            Self::Warning => "warning",
+            Self::Error => "error",
+        }
+    }
+
+    fn word(self) -> &'static str {
+        match self {
+            Self::Note => "Note",
+            Self::Warning => "Warning",
+            Self::Error => "Error",
+        }
+    }
+}
+
+/// Something a check found.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Finding {
+    /// How much it matters.
+    pub severity: Severity,
+    /// What is the matter.
+    pub text: String,
+    /// Where; may be empty.
+    pub place: String,
+    /// What cures it; may be empty.
+    pub cure: String,
+}
+
+/// A table. Rows are filled up or cut off to the columns of the head.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Table {
+    /// What it shows.
+    pub caption: String,
+    /// Column headings.
+    pub head: Vec<String>,
+    /// Cells, row by row.
+    pub rows: Vec<Vec<String>>,
+    /// For each column whether it holds numbers, which are set to the right; false if missing.
+    pub numeric: Vec<bool>,
+}
+
+/// Numbers given to tables and figures so far.
+#[derive(Debug, Default)]
+pub(crate) struct Counters {
+    tables: usize,
+    figures: usize,
+}
+
+impl Block {
+    pub(crate) fn render(&self, out: &mut String, counters: &mut Counters) {
+        let _ = match self {
+            Self::Tiles(tiles) => {
+                out.push_str("<div class=\"tiles\">\n");
+                tiles.iter().for_each(|t| t.render(out));
+                writeln!(out, "</div>")
+            }
+            Self::Heading(text) => writeln!(out, "<h2>{}</h2>", escape(text)),
+            Self::Paragraph(text) => writeln!(out, "<p>{}</p>", escape(text)),
+            Self::Table(table) => {
+                counters.tables += 1;
+                table.render(out, counters.tables);
+                Ok(())
+            }
+            Self::Figure { svg, caption } => {
+                counters.figures += 1;
+                let caption = numbered("Figure", counters.figures, caption);
+                writeln!(out, "<figure><div class=\"drawing\">\n{svg}</div><figcaption>{caption}</figcaption></figure>")
+            }
+            Self::Findings(findings) if findings.is_empty() => writeln!(out, "<p>No findings.</p>"),
+            Self::Findings(findings) => {
+                out.push_str("<ul class=\"findings\">\n");
+                findings.iter().for_each(|f| f.render(out));
+                writeln!(out, "</ul>")
+            }
+            Self::Code { caption, text } => {
+                let caption = escape(caption);
+                let _ = write!(out, "<figure class=\"code\"><figcaption><b>{caption}</b></figcaption><pre><code>");
+                for line in text.lines() {
+                    let _ = write!(out, "<span class=\"row\">{}\n</span>", escape(line));
+                }
+                writeln!(out, "</code></pre></figure>")
+            }
+        };
+    }
+}
+
+/// A caption with its number.
+fn numbered(kind: &str, number: usize, caption: &str) -> String {
+    format!("<b>{kind} {number}.</b> {}", escape(caption)).trim_end().into()
+}
+
+impl Tile {
+    fn render(&self, out: &mut String) {
+        let class = self.severity.map_or(String::new(), |s| format!(" {}", s.class()));
+        let sign = self.severity.map_or("", icon::of);
+        let word = self.severity.map_or(String::new(), |s| format!("{}: ", s.word()));
+        let label = escape(&format!("{word}{}", self.label));
+        let _ = write!(out, "<dl class=\"tile{class}\">{sign}<dt>{label}</dt><dd class=\"value\">");
+        out.push_str(&escape(&minus(&self.value)));
+        if !self.unit.is_empty() {
+            let _ = write!(out, "<span class=\"unit\">{}</span>", escape(&self.unit));
+        }
+        out.push_str("</dd>");
+        if !self.note.is_empty() {
+            let _ = write!(out, "<dd class=\"remark\">{}</dd>", escape(&minus(&self.note)));
+        }
+        out.push_str("</dl>\n");
+    }
+}
+
+impl Finding {
+    fn render(&self, out: &mut String) {
+        let (sign, word) = (icon::of(self.severity), self.severity.word());
+        let _ = write!(out, "<li>{sign}<div><p><b>{word}:</b> {}</p>", escape(&self.text));
+        if !self.place.is_empty() {
+            let _ = write!(out, "<p class=\"place\">At: {}</p>", escape(&self.place));
+        }
+        if !self.cure.is_empty() {
+            let _ = write!(out, "<p>Cure: {}</p>", escape(&self.cure));
+        }
+        out.push_str("</div></li>\n");
+    }
+}
+
+impl Table {
+    fn is_number(&self, column: usize) -> bool {
+        self.numeric.get(column).copied().unwrap_or(false)
+    }
+
+    fn render(&self, out: &mut String, number: usize) {
+        let caption = numbered("Table", number, &self.caption);
+        let class = |column| if self.is_number(column) { " class=\"number\"" } else { "" };
+        let _ = write!(out, "<div class=\"scroll\"><table><caption>{caption}</caption>\n<thead><tr>");
+        for (column, text) in self.head.iter().enumerate() {
+            let _ = write!(out, "<th scope=\"col\"{}>{}</th>", class(column), escape(text));
+        }
+        out.push_str("</tr></thead>\n<tbody>\n");
+        for row in &self.rows {
+            out.push_str("<tr>");
+            for column in 0..self.head.len() {
+                let text = row.get(column).map_or("", String::as_str);
+                let text = if self.is_number(column) { minus(text) } else { text.into() };
+                let _ = write!(out, "<td{}>{}</td>", class(column), escape(&text));
+            }
+            out.push_str("</tr>\n");
+        }
+        out.push_str("</tbody></table></div>\n");
+    }
+}

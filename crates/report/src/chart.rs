@@ -1,0 +1,164 @@
+//! A chart: curves over one axis, against limits.
+
+use crate::domain::{Domain, usable};
+use crate::legend::{Entry, Legend, ROW};
+use crate::limit::{self, LimitLine};
+use crate::plot::{Plot, Scale};
+use crate::series::Series;
+use crate::svg::{Anchor, Rect, Svg, WIDTH};
+use crate::text::{fit, width};
+
+/// What an axis shows, and in which unit.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Axis {
+    /// Name of the quantity.
+    pub label: String,
+    /// Its unit; empty if it has none.
+    pub unit: String,
+}
+
+impl Axis {
+    /// An axis for `label` in `unit`.
+    pub fn new(label: impl Into<String>, unit: impl Into<String>) -> Self {
+        Self { label: label.into(), unit: unit.into() }
+    }
+
+    pub(crate) fn text(&self) -> String {
+        with_unit(&self.label, &self.unit)
+    }
+}
+
+/// `label, unit`, or the one that is not empty.
+pub(crate) fn with_unit(label: &str, unit: &str) -> String {
+    let comma = if label.is_empty() || unit.is_empty() { "" } else { ", " };
+    format!("{label}{comma}{unit}")
+}
+
+/// A shaded range of x, for example a run-up.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Band {
+    /// Name, written above the plot.
+    pub label: String,
+    /// One end.
+    pub from: f64,
+    /// The other end.
+    pub to: f64,
+}
+
+/// Series over a common x axis. Fill what is needed and take the rest from [`Chart::default`].
+///
+/// The y axis fits the data and those limits that do not squash them: a limit further away than
+/// about three times the range of the data is named above the plot instead. Data that differ by
+/// less than a millionth of their magnitude count as constant.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Chart {
+    /// Heading; may be empty.
+    pub title: String,
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+    /// Curves, in the order of the palette. Six colours; more series repeat them.
+    pub series: Vec<Series>,
+    /// Horizontal limits.
+    pub limits: Vec<LimitLine>,
+    /// Shaded ranges of x.
+    pub bands: Vec<Band>,
+    /// One unit of x is as long as one of y, as for a path in a plane. Ignored in a
+    /// [`ChartGrid`](crate::ChartGrid).
+    pub equal_aspect: bool,
+    /// Lowest and highest y shown, instead of a range that fits.
+    pub y_range: Option<(f64, f64)>,
+    /// Height of the plot area in px at a width of 920 px; 220 (with equal aspect: what the data
+    /// need) if `None`.
+    pub height: Option<f64>,
+}
+
+/// Least room left of a plot, px, so that plots below each other align.
+const LEFT: f64 = 58.0;
+
+impl Chart {
+    /// The drawing for a [`Page`](crate::Page), which carries the styles.
+    pub fn to_svg(&self) -> String {
+        let (svg, height) = self.draw();
+        svg.inline(height, &self.label())
+    }
+
+    /// The drawing as a file of its own: styles for light and dark, and a background.
+    pub fn to_svg_standalone(&self) -> String {
+        let (svg, height) = self.draw();
+        svg.standalone(height, &self.label())
+    }
+
+    fn label(&self) -> String {
+        if self.title.is_empty() { self.y.text() } else { self.title.clone() }
+    }
+
+    fn drawn(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.series.iter().flat_map(|s| &s.points).copied().filter(|p| usable(p.0) && usable(p.1))
+    }
+
+    pub(crate) fn x_extent(&self) -> Option<Domain> {
+        Domain::of(self.drawn().map(|p| p.0))
+    }
+
+    pub(crate) fn y_extent(&self) -> Option<Domain> {
+        Domain::of(self.drawn().map(|p| p.1))
+    }
+
+    /// Names of the curves, if they say more than the headings, and notes on limits not in the plot.
+    pub(crate) fn entries(&self, y: &Scale) -> Vec<Entry> {
+        let told = |s: &Series| s.name.is_empty() || s.name == self.y.label || s.name == self.title;
+        let curves = self.series.iter().enumerate();
+        let named = curves.filter(|(_, s)| if self.series.len() > 1 { !s.name.is_empty() } else { !told(s) });
+        let mut entries: Vec<Entry> = named.map(|(i, s)| Entry::curve(i, s)).collect();
+        entries.extend(limit::notes(&self.limits, y.domain, &self.y.unit).into_iter().map(Entry::Note));
+        entries
+    }
+
+    pub(crate) fn has_band_labels(&self) -> bool {
+        self.bands.iter().any(|b| !b.label.is_empty())
+    }
+
+    /// Scales and size of the plot area.
+    fn measure(&self) -> (Scale, Scale, Rect) {
+        let height = self.height.filter(|h| h.is_finite()).map(|h| h.clamp(40.0, 2000.0));
+        let high = height.unwrap_or(220.0);
+        let y = Scale::y(self, high);
+        let right = Plot::limit_width(self, &y);
+        if !self.equal_aspect {
+            let left = y.label_width().max(LEFT);
+            let w = WIDTH - left - right;
+            return (Scale::x([self], w), y, Rect { x: left, w, h: high, ..Rect::default() });
+        }
+        let w = WIDTH - LEFT - right;
+        let x = Scale::x([self], w).domain.padded(0.03);
+        let h = height.unwrap_or_else(|| (w * y.domain.span() / x.span()).clamp(160.0, 460.0));
+        let unit = (x.span() / w).max(y.domain.span() / h);
+        let (x, y) = (x.widened_to(unit * w), y.domain.widened_to(unit * h));
+        (Scale::across(x, w), Scale::upward(y, h), Rect { x: LEFT, w, h, ..Rect::default() })
+    }
+
+    fn draw(&self) -> (Svg, f64) {
+        let mut svg = Svg::default();
+        let (x, y, mut frame) = self.measure();
+        let mut top = 0.0;
+        if !self.title.is_empty() {
+            svg.text("title", 0.0, 14.0, Anchor::Start, &fit(&self.title, 14.5, WIDTH));
+            top += 24.0;
+        }
+        let heading = fit(&self.y.text(), 12.0, WIDTH);
+        let legend = Legend::new(self.entries(&y), width(&heading, 12.0), WIDTH);
+        svg.text("quiet", 0.0, top + 12.0, Anchor::Start, &heading);
+        legend.draw(&mut svg, 0.0, top + 12.0);
+        top += ROW + legend.height() + if self.has_band_labels() { 17.0 } else { 2.0 };
+        frame.y = top;
+        let plot = Plot { chart: self, frame, x: &x, y: &y };
+        plot.draw(&mut svg);
+        plot.draw_band_labels(&mut svg);
+        plot.draw_x_labels(&mut svg);
+        let label = fit(&self.x.text(), 12.0, frame.w);
+        svg.text("quiet", frame.x + 0.5 * frame.w, frame.bottom() + 31.0, Anchor::Middle, &label);
+        (svg, frame.bottom() + if label.is_empty() { 18.0 } else { 36.0 })
+    }
+}

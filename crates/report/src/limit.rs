@@ -1,0 +1,101 @@
+//! Horizontal limits of a chart.
+
+use crate::domain::{Domain, usable};
+use crate::number::format_number;
+
+/// A value that the data should keep on one side of.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct LimitLine {
+    /// What limits, for example `limit`; the value is written behind it.
+    pub label: String,
+    /// The value, in the unit of the y axis.
+    pub value: f64,
+}
+
+impl LimitLine {
+    /// A limit of that name and value.
+    pub fn new(label: impl Into<String>, value: f64) -> Self {
+        Self { label: label.into(), value }
+    }
+
+    /// The label with the value.
+    pub(crate) fn text(&self) -> String {
+        format!("{} {}", self.label, format_number(self.value, 5)).trim().into()
+    }
+}
+
+/// With its limits an axis may become this many times as long as the data need.
+const STRETCH: f64 = 4.0;
+
+/// Beside a limit, data that differ from zero by less than this part of it are rounding noise.
+const NOISE: f64 = 1e-6;
+
+/// The range of the data; if they are nothing but noise about zero, the range of the limits.
+pub(crate) fn significant(data: Domain, limits: &[LimitLine]) -> Domain {
+    let largest = limits.iter().map(|l| l.value.abs()).filter(|v| usable(*v)).fold(0.0, f64::max);
+    if data.lo.abs().max(data.hi.abs()) < NOISE * largest { Domain { lo: -largest, hi: largest } } else { data }
+}
+
+/// Extends the range of the data to the limits, nearest first, as long as the data keep a quarter
+/// of the axis.
+pub(crate) fn stretch(data: Domain, limits: &[LimitLine]) -> Domain {
+    let room = STRETCH * data.settled().span();
+    let mut values: Vec<f64> = limits.iter().map(|l| l.value).filter(|v| usable(*v)).collect();
+    let beyond = |v: &f64| (data.lo - v).max(v - data.hi);
+    values.sort_by(|a, b| beyond(a).total_cmp(&beyond(b)));
+    values.into_iter().fold(data, |reached, v| {
+        let further = reached.including(v);
+        if further.span() <= room { further } else { reached }
+    })
+}
+
+/// What is said of limits outside `shown`: one note each, or one for a pair of `±` limits.
+pub(crate) fn notes(limits: &[LimitLine], shown: Domain, unit: &str) -> Vec<String> {
+    let mut outside: Vec<&LimitLine> = limits.iter().filter(|l| usable(l.value) && !shown.contains(l.value)).collect();
+    let mut notes = Vec::new();
+    while let Some(limit) = outside.pop() {
+        let opposite = outside.iter().position(|other| {
+            other.label == limit.label && (other.value + limit.value).abs() <= 1e-9 * limit.value.abs()
+        });
+        let (sign, value, side) = match opposite {
+            Some(i) => {
+                outside.remove(i);
+                ("±", limit.value.abs(), "outside")
+            }
+            None => ("", limit.value, if limit.value > shown.hi { "above" } else { "below" }),
+        };
+        let amount = format!("{} {sign}{} {unit}", limit.label, format_number(value, 5));
+        notes.push(format!("{}, {side}", amount.trim()));
+    }
+    notes.reverse();
+    notes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn limits(values: &[f64]) -> Vec<LimitLine> {
+        values.iter().map(|v| LimitLine::new("limit", *v)).collect()
+    }
+
+    #[test]
+    fn near_limits_are_shown_far_ones_noted() {
+        let data = Domain { lo: 0.0, hi: 10.0 };
+        assert_eq!(stretch(data, &limits(&[30.0])), Domain { lo: 0.0, hi: 30.0 });
+        assert_eq!(stretch(data, &limits(&[50.0])), data);
+        assert_eq!(stretch(data, &limits(&[-500.0, 12.0])), Domain { lo: 0.0, hi: 12.0 });
+        assert_eq!(notes(&limits(&[50.0]), data, "deg/s"), ["limit 50 deg/s, above"]);
+        assert_eq!(notes(&limits(&[-5.0, 8.0]), data, "mm"), ["limit -5 mm, below"]);
+        assert_eq!(notes(&limits(&[-50.0, 50.0]), data, "mm"), ["limit ±50 mm, outside"]);
+    }
+
+    #[test]
+    fn constant_data_and_unusable_limits() {
+        let still = Domain { lo: 0.0, hi: 0.0 };
+        assert_eq!(stretch(still, &limits(&[30.0, f64::NAN, f64::INFINITY])), still);
+        let steady = Domain { lo: 8.0, hi: 8.0 };
+        assert_eq!(stretch(steady, &limits(&[10.0])), Domain { lo: 8.0, hi: 10.0 });
+        assert!(notes(&limits(&[f64::NAN, f64::INFINITY]), still, "mm").is_empty());
+    }
+}

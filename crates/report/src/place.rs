@@ -1,0 +1,88 @@
+//! Places for labels where they cover nothing.
+
+use crate::svg::Rect;
+
+/// Moves labels along a line as little as needed so that none overlaps its neighbour.
+///
+/// `wanted` are the middles and `sizes` the lengths; the result, in the same order, keeps the
+/// labels inside `lo..hi` as long as they fit there.
+pub(crate) fn spread(wanted: &[f64], sizes: &[f64], lo: f64, hi: f64) -> Vec<f64> {
+    let mut order: Vec<usize> = (0..wanted.len()).collect();
+    order.sort_by(|a, b| wanted[*a].total_cmp(&wanted[*b]));
+    let mut placed = wanted.to_vec();
+    let mut edge = lo;
+    for &i in &order {
+        placed[i] = placed[i].max(edge + 0.5 * sizes[i]);
+        edge = placed[i] + 0.5 * sizes[i];
+    }
+    let mut edge = hi;
+    for &i in order.iter().rev() {
+        placed[i] = placed[i].min(edge - 0.5 * sizes[i]);
+        edge = placed[i] - 0.5 * sizes[i];
+    }
+    placed
+}
+
+/// The place for a label of size `w` × `h` beside `point` that lies inside `bounds`, off the
+/// labels in `taken`, and on as few of the `ink` points as can be.
+pub(crate) fn beside(point: (f64, f64), (w, h): (f64, f64), bounds: Rect, taken: &[Rect], ink: &[(f64, f64)]) -> Rect {
+    let mut best = (f64::INFINITY, Rect { x: point.0, y: point.1, w, h });
+    for distance in [10.0, 18.0, 28.0, 42.0, 60.0, 84.0] {
+        for turn in 0..16 {
+            let (sin, cos) = (f64::from(turn) * std::f64::consts::TAU / 16.0 - 0.4).sin_cos();
+            let centre = (point.0 + cos * (distance + 0.5 * w), point.1 + sin * (distance + 0.5 * h));
+            let place = Rect { x: centre.0 - 0.5 * w, y: centre.1 - 0.5 * h, w, h };
+            let cost = 1000.0 * outside(place, bounds)
+                + taken.iter().map(|t| 100.0 * overlap(place, *t)).sum::<f64>()
+                + 5.0 * ink.iter().filter(|p| holds(place, **p)).count() as f64
+                + 0.2 * distance;
+            if cost < best.0 {
+                best = (cost, place);
+            }
+        }
+    }
+    best.1
+}
+
+fn outside(r: Rect, bounds: Rect) -> f64 {
+    let over = [bounds.x - r.x, bounds.y - r.y, r.right() - bounds.right(), r.bottom() - bounds.bottom()];
+    over.iter().map(|o| o.max(0.0)).sum()
+}
+
+fn overlap(a: Rect, b: Rect) -> f64 {
+    let w = a.right().min(b.right()) - a.x.max(b.x);
+    let h = a.bottom().min(b.bottom()) - a.y.max(b.y);
+    w.max(0.0) * h.max(0.0)
+}
+
+fn holds(r: Rect, p: (f64, f64)) -> bool {
+    (r.x - 2.0..=r.right() + 2.0).contains(&p.0) && (r.y - 2.0..=r.bottom() + 2.0).contains(&p.1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spread_labels_keep_apart_and_in_order() {
+        let places = spread(&[50.0, 52.0, 99.0, 1.0], &[12.0; 4], 0.0, 100.0);
+        let mut sorted = places.clone();
+        sorted.sort_by(f64::total_cmp);
+        assert!(sorted.windows(2).all(|w| w[1] - w[0] >= 12.0 - 1e-9), "{places:?}");
+        assert!(sorted[0] >= 6.0 && sorted[3] <= 94.0);
+        assert!(places[3] < places[0] && places[0] < places[1] && places[1] < places[2]);
+        assert!(spread(&[], &[], 0.0, 1.0).is_empty());
+    }
+
+    #[test]
+    fn a_label_avoids_labels_curve_and_edge() {
+        let bounds = Rect { x: 0.0, y: 0.0, w: 200.0, h: 100.0 };
+        let curve: Vec<_> = (0..50).map(|i| (f64::from(i) * 4.0, 50.0)).collect();
+        let first = beside((100.0, 50.0), (60.0, 14.0), bounds, &[], &curve);
+        let second = beside((100.0, 50.0), (60.0, 14.0), bounds, &[first], &curve);
+        assert!(overlap(first, second) == 0.0);
+        for place in [first, second] {
+            assert!(outside(place, bounds) == 0.0 && !curve.iter().any(|p| holds(place, *p)));
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! The plot area of a chart: grid, bands, limits, curves and the labels around it.
+
+use crate::chart::{Band, Chart};
+use crate::domain::{Domain, usable};
+use crate::limit;
+use crate::place::spread;
+use crate::series;
+use crate::svg::{Anchor, EDGE, Rect, Svg};
+use crate::text::{fit, minus, width};
+use crate::ticks::Ticks;
+
+/// Size of tick and limit labels, px.
+const SMALL: f64 = 11.0;
+
+/// The longest limit label beside a plot, px.
+const LONGEST: f64 = 150.0;
+
+/// A vertical or horizontal scale.
+pub(crate) struct Scale {
+    pub(crate) domain: Domain,
+    ticks: Ticks,
+}
+
+impl Scale {
+    /// The x scale shared by `charts`, for a plot `length` px wide.
+    pub(crate) fn x<'a>(charts: impl IntoIterator<Item = &'a Chart>, length: f64) -> Self {
+        match charts.into_iter().filter_map(Chart::x_extent).reduce(Domain::union) {
+            Some(domain) => Self::across(domain.settled(), length),
+            None => Self::blank(),
+        }
+    }
+
+    /// An x scale over `domain`, with ticks as close as their labels allow.
+    pub(crate) fn across(domain: Domain, length: f64) -> Self {
+        let most = ((length / 80.0) as usize).clamp(3, 8);
+        let fits = |t: &Ticks| {
+            let widest = t.labels().iter().fold(0.0f64, |w, l| w.max(width(l, SMALL)));
+            (widest + 10.0) * t.values.len() as f64 <= length
+        };
+        let ticks = (3..=most).rev().map(|n| Ticks::new(domain, n)).find(fits);
+        Self { domain, ticks: ticks.unwrap_or_else(|| Ticks::new(domain, 3)) }
+    }
+
+    /// The y scale of `chart`, for a plot `length` px high.
+    pub(crate) fn y(chart: &Chart, length: f64) -> Self {
+        y_domain(chart).map_or_else(Self::blank, |domain| Self::upward(domain, length))
+    }
+
+    /// A y scale over `domain`.
+    pub(crate) fn upward(domain: Domain, length: f64) -> Self {
+        Self { domain, ticks: Ticks::new(domain, ((length / 36.0) as usize).clamp(3, 8)) }
+    }
+
+    /// A scale on which nothing is shown, and so without numbers.
+    fn blank() -> Self {
+        Self { domain: Domain { lo: 0.0, hi: 1.0 }, ticks: Ticks::default() }
+    }
+
+    /// Room for tick labels left of the plot, px.
+    pub(crate) fn label_width(&self) -> f64 {
+        self.ticks.labels().iter().fold(0.0f64, |w, l| w.max(width(&minus(l), SMALL))) + 10.0
+    }
+}
+
+fn y_domain(chart: &Chart) -> Option<Domain> {
+    if let Some((lo, hi)) = chart.y_range.filter(|(lo, hi)| usable(*lo) && usable(*hi) && lo < hi) {
+        return Some(Domain { lo, hi }.settled());
+    }
+    let Some(data) = chart.y_extent() else {
+        let limits = Domain::of(chart.limits.iter().map(|l| l.value));
+        return limits.map(|d| d.settled().padded(0.06));
+    };
+    let data = limit::significant(data, &chart.limits);
+    let settled = data.settled();
+    // Zero is worth showing if it is near.
+    let near = settled.padded(0.5);
+    let based = if near.contains(0.0) { settled.including(0.0) } else { settled };
+    let whole = based.union(limit::stretch(data, &chart.limits));
+    let padded = whole.padded(0.06);
+    let floor = |edge: f64, padded: f64| if edge == 0.0 { 0.0 } else { padded };
+    Some(Domain { lo: floor(whole.lo, padded.lo), hi: floor(whole.hi, padded.hi) })
+}
+
+/// One chart placed in a frame.
+pub(crate) struct Plot<'a> {
+    pub(crate) chart: &'a Chart,
+    pub(crate) frame: Rect,
+    pub(crate) x: &'a Scale,
+    pub(crate) y: &'a Scale,
+}
+
+impl Plot<'_> {
+    /// Room right of the plot, for its edge and the labels of its limits, px.
+    pub(crate) fn limit_width(chart: &Chart, y: &Scale) -> f64 {
+        let inside = chart.limits.iter().filter(|l| y.domain.contains(l.value));
+        inside.map(|l| width(&minus(&l.text()), SMALL).min(LONGEST) + 8.0).fold(EDGE, f64::max)
+    }
+
+    fn px(&self, (x, y): (f64, f64)) -> (f64, f64) {
+        if usable(x) && usable(y) { (self.at_x(x), self.at_y(y)) } else { (f64::NAN, f64::NAN) }
+    }
+
+    fn at_x(&self, x: f64) -> f64 {
+        self.x.domain.map(x, self.frame.x, self.frame.right())
+    }
+
+    fn at_y(&self, y: f64) -> f64 {
+        self.y.domain.map(y, self.frame.bottom(), self.frame.y)
+    }
+
+    /// Draws everything inside the frame, and the labels of ticks and limits at its sides.
+    pub(crate) fn draw(&self, svg: &mut Svg) {
+        let f = self.frame;
+        svg.rect("area", f);
+        for (left, right) in self.chart.bands.iter().filter_map(|b| self.band(b)) {
+            svg.rect("band", Rect { x: left, w: right - left, ..f });
+        }
+        for (v, label) in self.y.ticks.values.iter().zip(self.y.ticks.labels()) {
+            let y = self.at_y(*v);
+            svg.line("grid", f.x, y, f.right(), y);
+            svg.text("tick", f.x - 6.0, y + 4.0, Anchor::End, &label);
+        }
+        for v in &self.x.ticks.values {
+            let x = self.at_x(*v);
+            svg.line("grid", x, f.y, x, f.bottom());
+        }
+        if self.y.domain.lo < 0.0 && self.y.domain.hi > 0.0 {
+            let y = self.at_y(0.0);
+            svg.line("zero", f.x, y, f.right(), y);
+        }
+        svg.rect("edge", f);
+        self.draw_limits(svg);
+        // A stroke along the edge of the frame is not cut in half.
+        svg.open_clip(Rect { x: f.x - 2.0, y: f.y - 2.0, w: f.w + 4.0, h: f.h + 4.0 });
+        for (i, s) in self.chart.series.iter().enumerate() {
+            series::draw(svg, &series::class(i, s.style), s.style, s.points.iter().map(|p| self.px(*p)));
+        }
+        svg.close_clip();
+        if self.chart.y_extent().is_none() {
+            let (x, y) = (f.x + 0.5 * f.w, f.y + 0.5 * f.h + 4.0);
+            svg.text("quiet halo", x, y, Anchor::Middle, "no data");
+        }
+    }
+
+    fn draw_limits(&self, svg: &mut Svg) {
+        let f = self.frame;
+        let inside: Vec<_> = self.chart.limits.iter().filter(|l| self.y.domain.contains(l.value)).collect();
+        let lines: Vec<f64> = inside.iter().map(|l| self.at_y(l.value)).collect();
+        let labels = spread(&lines, &vec![12.0; lines.len()], f.y, f.bottom());
+        for ((limit, line), label) in inside.iter().zip(&lines).zip(labels) {
+            svg.line("limit", f.x, *line, f.right(), *line);
+            let text = fit(&minus(&limit.text()), SMALL, LONGEST);
+            svg.text("limit-text", f.right() + 6.0, label + 4.0, Anchor::Start, &text);
+        }
+    }
+
+    /// The labels of the x ticks below the plot.
+    pub(crate) fn draw_x_labels(&self, svg: &mut Svg) {
+        for (v, label) in self.x.ticks.values.iter().zip(self.x.ticks.labels()) {
+            svg.tick(self.at_x(*v), self.frame.bottom() + 14.0, &label);
+        }
+    }
+
+    /// The names of the bands, on one line above the plot.
+    pub(crate) fn draw_band_labels(&self, svg: &mut Svg) {
+        let f = self.frame;
+        let named = |b: &&Band| !b.label.is_empty();
+        let bands: Vec<_> = self.chart.bands.iter().filter(named).filter_map(|b| Some((b, self.band(b)?))).collect();
+        let room = f.w / bands.len().max(1) as f64 - 6.0;
+        let texts: Vec<String> = bands.iter().map(|(b, _)| fit(&b.label, SMALL, room)).collect();
+        let widths: Vec<f64> = texts.iter().map(|t| width(t, SMALL) + 6.0).collect();
+        let middles: Vec<f64> = bands.iter().map(|(_, (l, r))| 0.5 * (l + r)).collect();
+        for (text, x) in texts.iter().zip(spread(&middles, &widths, f.x - 6.0, f.right() + 6.0)) {
+            svg.text("tick", x, f.y - 5.0, Anchor::Middle, text);
+        }
+    }
+
+    /// Left and right edge of a band inside the frame, px.
+    fn band(&self, band: &Band) -> Option<(f64, f64)> {
+        if band.from.is_nan() || band.to.is_nan() {
+            return None;
+        }
+        let d = self.x.domain;
+        let (from, to) = (band.from.min(band.to).max(d.lo), band.from.max(band.to).min(d.hi));
+        (from < to).then(|| (self.at_x(from), self.at_x(to)))
+    }
+}

@@ -1,0 +1,88 @@
+//! Orthographic projections of points in space.
+
+use std::f64::consts::FRAC_1_SQRT_2;
+
+/// Height of the viewer of the pictorial view, rad.
+const ELEVATION: f64 = 25.0 / 180.0 * std::f64::consts::PI;
+
+/// A direction to look in. Front, side and top are arranged in first-angle projection
+/// (ISO 5456-2, method E): each shows the front view's object rolled over, away from the viewer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Projection {
+    /// Looking along +y: x to the right, z up.
+    Front,
+    /// From the left, looking along +x: y to the left, z up.
+    Side,
+    /// From above, looking along -z: x to the right, y up.
+    Top,
+    /// From the front, the right and 25° above. An isometric view would look along the plane of a
+    /// torch at 45° and lay it on its seam.
+    Pictorial,
+}
+
+impl Projection {
+    /// The point's place in the view, right and up.
+    pub(crate) fn project(self, [x, y, z]: [f64; 3]) -> (f64, f64) {
+        match self {
+            Self::Front => (x, z),
+            Self::Side => (-y, z),
+            Self::Top => (x, y),
+            Self::Pictorial => {
+                let (sin, cos) = ELEVATION.sin_cos();
+                (FRAC_1_SQRT_2 * (x + y), FRAC_1_SQRT_2 * sin * (y - x) + cos * z)
+            }
+        }
+    }
+
+    /// Name of the view.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Front => "Front",
+            Self::Side => "Side, from the left",
+            Self::Top => "Top",
+            Self::Pictorial => "Pictorial, not to scale",
+        }
+    }
+
+    /// Names of the axes to the right and up, with the sign of the first.
+    pub(crate) fn axes(self) -> Option<(&'static str, &'static str, f64)> {
+        match self {
+            Self::Front => Some(("x", "z", 1.0)),
+            Self::Side => Some(("y", "z", -1.0)),
+            Self::Top => Some(("x", "y", 1.0)),
+            Self::Pictorial => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn apply(m: Projection, v: [f64; 3]) -> [f64; 2] {
+        let (a, b) = m.project(v);
+        [a, b]
+    }
+
+    /// The direction of sight is right × up turned round: a viewer sees right-handed axes.
+    #[test]
+    fn views_look_where_they_say() {
+        let unit = |i: usize| std::array::from_fn::<f64, 3, _>(|k| if k == i { 1.0 } else { 0.0 });
+        let (sin, cos) = ELEVATION.sin_cos();
+        let level = cos * FRAC_1_SQRT_2;
+        for (view, sight) in [
+            (Projection::Front, [0.0, 1.0, 0.0]),
+            (Projection::Side, [1.0, 0.0, 0.0]),
+            (Projection::Top, [0.0, 0.0, -1.0]),
+            (Projection::Pictorial, [-level, level, -sin]),
+        ] {
+            let right: [f64; 3] = std::array::from_fn(|i| apply(view, unit(i))[0]);
+            let up: [f64; 3] = std::array::from_fn(|i| apply(view, unit(i))[1]);
+            for (i, along) in sight.iter().enumerate() {
+                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                let towards = up[j] * right[k] - up[k] * right[j];
+                assert!((towards - along).abs() < 1e-12, "{view:?}");
+            }
+        }
+    }
+}

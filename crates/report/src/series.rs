@@ -1,0 +1,98 @@
+//! One curve of a chart.
+
+use std::fmt::Write;
+
+use crate::number::px;
+use crate::svg::Svg;
+use crate::thin::thin;
+
+/// How a series is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Style {
+    /// A solid line.
+    #[default]
+    Line,
+    /// A dashed line.
+    Dashed,
+    /// Dots without a line.
+    Points,
+    /// A line that keeps each value until the next point.
+    Steps,
+}
+
+/// A named sequence of points `(x, y)` in the units of the axes.
+///
+/// A point with a coordinate that is not finite is a gap. Any number of points may be given: what
+/// cannot be seen is left out of the drawing, peaks never are.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Series {
+    /// Name in the legend.
+    pub name: String,
+    /// Points in drawing order.
+    pub points: Vec<(f64, f64)>,
+    /// How it is drawn.
+    pub style: Style,
+}
+
+impl Series {
+    /// A series drawn as a solid line.
+    pub fn line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self { name: name.into(), points, style: Style::Line }
+    }
+
+    /// The same series in another style.
+    #[must_use]
+    pub fn styled(mut self, style: Style) -> Self {
+        self.style = style;
+        self
+    }
+}
+
+/// The class of the `index`th of several curves, which sets its colour.
+pub(crate) fn class(index: usize, style: Style) -> String {
+    let kind = match style {
+        Style::Line | Style::Steps => "line",
+        Style::Dashed => "line dashed",
+        Style::Points => "dots",
+    };
+    format!("{kind} c{}", index % 6 + 1)
+}
+
+/// Draws px points, NaN where there is a gap. A point alone between gaps is drawn as a dot.
+pub(crate) fn draw(svg: &mut Svg, class: &str, style: Style, points: impl Iterator<Item = (f64, f64)> + Clone) {
+    let (mut curve, mut dots) = (String::new(), String::new());
+    for run in thin(points) {
+        match (style, run.as_slice()) {
+            (Style::Points, run) => run.iter().for_each(|p| dot(&mut dots, *p)),
+            (_, [p]) => dot(&mut dots, *p),
+            (Style::Steps, run) => steps(&mut curve, run),
+            (_, run) => polyline(&mut curve, run),
+        }
+    }
+    svg.path(class, &curve);
+    if style == Style::Points {
+        svg.path(class, &dots);
+    } else {
+        svg.path(&class.replace("line dashed", "dots").replace("line", "dots"), &dots);
+    }
+}
+
+/// A stroke of no length, which a round cap makes a dot.
+fn dot(d: &mut String, (x, y): (f64, f64)) {
+    let _ = write!(d, "M{},{}h0", px(x), px(y));
+}
+
+fn polyline(d: &mut String, run: &[(f64, f64)]) {
+    let mut before = 'M';
+    for (x, y) in run {
+        let _ = write!(d, "{before}{},{}", px(*x), px(*y));
+        before = ' ';
+    }
+}
+
+fn steps(d: &mut String, run: &[(f64, f64)]) {
+    for (i, (x, y)) in run.iter().enumerate() {
+        let (x, y) = (px(*x), px(*y));
+        let _ = if i == 0 { write!(d, "M{x},{y}") } else { write!(d, "H{x}V{y}") };
+    }
+}

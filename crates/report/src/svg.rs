@@ -1,0 +1,148 @@
+//! Writing of SVG elements.
+
+use std::fmt::Write;
+
+use crate::number::px;
+use crate::style;
+use crate::text::{escape, minus, width};
+
+/// Width of every drawing, px; one px is one CSS pixel at 100 %.
+pub(crate) const WIDTH: f64 = 920.0;
+
+/// Room for the stroke of a frame at the right edge, px.
+pub(crate) const EDGE: f64 = 0.5;
+
+/// Margin around a standalone drawing, px.
+const MARGIN: f64 = 16.0;
+
+/// A rectangle in px, y down.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Rect {
+    pub(crate) x: f64,
+    pub(crate) y: f64,
+    pub(crate) w: f64,
+    pub(crate) h: f64,
+}
+
+impl Rect {
+    pub(crate) fn right(&self) -> f64 {
+        self.x + self.w
+    }
+
+    pub(crate) fn bottom(&self) -> f64 {
+        self.y + self.h
+    }
+
+    pub(crate) fn inset(&self, by: f64) -> Self {
+        Self { x: self.x + by, y: self.y + by, w: (self.w - 2.0 * by).max(1.0), h: (self.h - 2.0 * by).max(1.0) }
+    }
+}
+
+/// Where text stands relative to its point.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+/// A drawing in the making.
+#[derive(Debug, Default)]
+pub(crate) struct Svg {
+    body: String,
+}
+
+impl Svg {
+    pub(crate) fn line(&mut self, class: &str, x1: f64, y1: f64, x2: f64, y2: f64) {
+        self.path(class, &format!("M{},{} {},{}", px(x1), px(y1), px(x2), px(y2)));
+    }
+
+    pub(crate) fn path(&mut self, class: &str, d: &str) {
+        if !d.is_empty() {
+            let _ = writeln!(self.body, "<path class=\"{class}\" d=\"{d}\"/>");
+        }
+    }
+
+    pub(crate) fn rect(&mut self, class: &str, r: Rect) {
+        let _ = writeln!(
+            self.body,
+            "<rect class=\"{class}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>",
+            px(r.x),
+            px(r.y),
+            px(r.w),
+            px(r.h)
+        );
+    }
+
+    pub(crate) fn circle(&mut self, class: &str, x: f64, y: f64, radius: f64) {
+        let _ =
+            writeln!(self.body, "<circle class=\"{class}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", px(x), px(y), px(radius));
+    }
+
+    /// Text on a baseline; escaped, and numbers with a true minus.
+    pub(crate) fn text(&mut self, class: &str, x: f64, y: f64, anchor: Anchor, text: &str) {
+        if text.is_empty() {
+            return;
+        }
+        let anchor = match anchor {
+            Anchor::Start => "",
+            Anchor::Middle => " text-anchor=\"middle\"",
+            Anchor::End => " text-anchor=\"end\"",
+        };
+        let _ = writeln!(
+            self.body,
+            "<text class=\"{class}\" x=\"{}\" y=\"{}\"{anchor}>{}</text>",
+            px(x),
+            px(y),
+            escape(&minus(text))
+        );
+    }
+
+    /// A tick label in the middle below its tick, or as far right as the drawing goes.
+    pub(crate) fn tick(&mut self, x: f64, y: f64, label: &str) {
+        let x = x.min(WIDTH - 0.5 * width(&minus(label), 11.0));
+        self.text("tick", x, y, Anchor::Middle, label);
+    }
+
+    /// What follows, up to [`Svg::close_clip`], is cut off outside `r`.
+    pub(crate) fn open_clip(&mut self, r: Rect) {
+        let (x, y, w, h) = (px(r.x), px(r.y), px(r.w), px(r.h));
+        let _ = writeln!(
+            self.body,
+            "<svg x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" viewBox=\"{x} {y} {w} {h}\" overflow=\"hidden\">"
+        );
+    }
+
+    pub(crate) fn close_clip(&mut self) {
+        self.body.push_str("</svg>\n");
+    }
+
+    /// The element for a page that carries the styles.
+    pub(crate) fn inline(self, height: f64, label: &str) -> String {
+        let (w, h) = (px(WIDTH), px(height));
+        format!(
+            "<svg class=\"plot\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
+             aria-label=\"{}\">\n{}</svg>\n",
+            escape(label),
+            self.body
+        )
+    }
+
+    /// A file of its own, with styles, title and background.
+    pub(crate) fn standalone(self, height: f64, label: &str) -> String {
+        let m = MARGIN;
+        let sheet = Rect { x: -m, y: -m, w: WIDTH + 2.0 * m, h: height + 2.0 * m };
+        let mut back = Self::default();
+        back.rect("back", sheet);
+        let (w, h) = (px(sheet.w), px(sheet.h));
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"{x} {x} {w} {h}\" width=\"{w}\" \
+             height=\"{h}\">\n<title>{}</title>\n<style>{}</style>\n{}{}</svg>\n",
+            escape(label),
+            style::svg_sheet(),
+            back.body,
+            self.body,
+            x = px(-m),
+        )
+    }
+}
