@@ -1,1 +1,20 @@
 //! Machine files, kinematic chains, forward and inverse kinematics, limits.
+//!
+//! Floor 1: no time, no I/O. A [`Machine`] is read from a machine file and knows its axes and one chain of elementary
+//! motions from the clamped work to the torch. Planner, simulator and posts all use this chain; nothing in the code
+//! knows a particular machine. Inside, lengths are mm and angles rad; files are in degrees.
+
+mod assemble;
+mod axis;
+mod chain;
+mod file;
+mod inverse;
+mod machine;
+mod shipped;
+
+pub use axis::{Axis, AxisKind, Drive, Gains, Load, RangeViolation};
+pub use chain::{Chain, Joints, MAX_AXES};
+pub use file::{DriveFile, Io, MachineFile, StepFile, TorchFile};
+pub use inverse::{Branches, Solution, Unreachable};
+pub use machine::Machine;
+pub use shipped::{SHIPPED, Shipped, shipped};

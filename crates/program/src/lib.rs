@@ -11,4 +11,4 @@ mod torch;
 pub use document::Program;
 pub use pass::{OnLimit, Pass, ProcessValues, Sequence, Span};
 pub use seam::{Body, Direction as WeldDirection, Ellipse, FilletOrButt, Line, Nozzle, Seam, SeamStart};
-pub use torch::{Torch, TorchAt, TorchPath, TorchPose};
+pub use torch::{Torch, TorchAt, TorchPath};

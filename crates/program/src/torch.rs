@@ -1,6 +1,6 @@
-use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_document::Finite;
+use seamwright_geometry::Pose;
 use serde::{Deserialize, Serialize};
 
 /// Torch angles along a pass. Give constant angles, or `at` several places between which they change smoothly.
@@ -34,22 +34,14 @@ pub struct TorchAt {
     pub travel_angle_deg: Finite,
 }
 
-/// Where the torch is: its tip and the unit direction in which wire or beam points, from the torch to the work.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TorchPose {
-    /// Torch tip in the work frame, mm.
-    pub point: DVec3,
-    /// Unit vector from the torch to the work.
-    pub direction: DVec3,
-}
-
 /// A path of the torch in the work frame by path length: what the rooms that know machines and time need of a pass.
 pub trait TorchPath {
     /// Length, mm: `s` runs from 0 to this.
     fn length(&self) -> f64;
 
-    /// Pose at path length `s`; twice continuously differentiable, with the tip's speed by `s` equal to 1.
-    fn pose(&self, s: f64) -> TorchPose;
+    /// The torch tip and the direction in which wire or beam points (from the torch to the work) at path length `s`;
+    /// twice continuously differentiable, with the tip's speed by `s` equal to 1.
+    fn pose(&self, s: f64) -> Pose;
 
     /// Path lengths inside the path where a third or higher derivative may jump, increasing.
     fn knots(&self) -> Vec<f64> {

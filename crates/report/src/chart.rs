@@ -74,6 +74,9 @@ pub struct Chart {
     pub height: Option<f64>,
 }
 
+/// Most room for the label of a limit, px.
+const ASIDE: f64 = 150.0;
+
 /// Least room left of a plot, px, so that plots below each other align.
 const LEFT: f64 = 58.0;
 
@@ -125,7 +128,7 @@ impl Chart {
         let height = self.height.filter(|h| h.is_finite()).map(|h| h.clamp(40.0, 2000.0));
         let high = height.unwrap_or(220.0);
         let y = Scale::y(self, high);
-        let right = Plot::limit_width(self, &y);
+        let right = Plot::limit_width(self, &y, ASIDE);
         if !self.equal_aspect {
             let left = y.label_width().max(LEFT);
             let w = WIDTH - left - right;
@@ -144,7 +147,7 @@ impl Chart {
         let (x, y, mut frame) = self.measure();
         let mut top = 0.0;
         if !self.title.is_empty() {
-            svg.text("title", 0.0, 14.0, Anchor::Start, &fit(&self.title, 14.5, WIDTH));
+            svg.text("title", 0.0, 14.0, Anchor::Start, &fit(&self.title, 16.0, WIDTH));
             top += 24.0;
         }
         let heading = fit(&self.y.text(), 12.0, WIDTH);
@@ -153,7 +156,7 @@ impl Chart {
         legend.draw(&mut svg, 0.0, top + 12.0);
         top += ROW + legend.height() + if self.has_band_labels() { 17.0 } else { 2.0 };
         frame.y = top;
-        let plot = Plot { chart: self, frame, x: &x, y: &y };
+        let plot = Plot { chart: self, frame, x: &x, y: &y, aside: ASIDE };
         plot.draw(&mut svg);
         plot.draw_band_labels(&mut svg);
         plot.draw_x_labels(&mut svg);

@@ -25,6 +25,9 @@ pub struct ChartGrid {
 /// Height of a plot area unless the chart sets it, px.
 const HIGH: f64 = 84.0;
 
+/// Most room for the label of a limit, as a part of the width of a column.
+const ASIDE: f64 = 0.25;
+
 /// Between columns, px.
 const GUTTER: f64 = 20.0;
 
@@ -55,11 +58,11 @@ impl ChartGrid {
         let width = (WIDTH - GUTTER * (columns - 1) as f64) / columns as f64;
         let mut top = 0.0;
         if !self.title.is_empty() {
-            svg.text("title", 0.0, 14.0, Anchor::Start, &fit(&self.title, 14.5, WIDTH));
+            svg.text("title", 0.0, 14.0, Anchor::Start, &fit(&self.title, 16.0, WIDTH));
             top += 26.0;
         }
         top += self.draw_legend(&mut svg, top);
-        let mut cells: Vec<Cell> = self.charts.iter().map(Cell::new).collect();
+        let mut cells: Vec<Cell> = self.charts.iter().map(|c| Cell::new(c, width)).collect();
         for column in 0..columns {
             align(cells.iter_mut().skip(column).step_by(columns), width);
         }
@@ -98,14 +101,15 @@ struct Cell<'a> {
     y: Scale,
     /// Left edge, at the tick labels.
     left: f64,
+    width: f64,
     /// The plot area.
     frame: Rect,
 }
 
 impl<'a> Cell<'a> {
-    fn new(chart: &'a Chart) -> Self {
+    fn new(chart: &'a Chart, width: f64) -> Self {
         let h = chart.height.filter(|h| h.is_finite()).map_or(HIGH, |h| h.clamp(40.0, 2000.0));
-        Self { chart, y: Scale::y(chart, h), left: 0.0, frame: Rect { h, ..Rect::default() } }
+        Self { chart, y: Scale::y(chart, h), left: 0.0, width, frame: Rect { h, ..Rect::default() } }
     }
 
     fn place(&mut self, left: f64, y: f64) {
@@ -125,7 +129,7 @@ impl<'a> Cell<'a> {
 
     fn notes(&self) -> Legend {
         let notes = self.chart.entries(&self.y).into_iter().filter(|e| matches!(e, Entry::Note(_)));
-        Legend::new(notes.collect(), width(&self.heading(), 12.5), self.room())
+        Legend::new(notes.collect(), width(&self.heading(), 13.5), self.room())
     }
 
     /// Height above the plot area. Names of bands are written in the first row only.
@@ -135,9 +139,9 @@ impl<'a> Cell<'a> {
     }
 
     fn draw(&self, svg: &mut Svg, top: f64, x: &Scale, first: bool, last: bool) {
-        svg.text("head", self.left, top + 12.0, Anchor::Start, &fit(&self.heading(), 12.5, self.room()));
+        svg.text("head", self.left, top + 12.0, Anchor::Start, &fit(&self.heading(), 13.5, self.room()));
         self.notes().draw(svg, self.left, top + 12.0);
-        let plot = Plot { chart: self.chart, frame: self.frame, x, y: &self.y };
+        let plot = Plot { chart: self.chart, frame: self.frame, x, y: &self.y, aside: ASIDE * self.width };
         plot.draw(svg);
         if first {
             plot.draw_band_labels(svg);
@@ -155,7 +159,7 @@ impl<'a> Cell<'a> {
 fn align<'a, 'b: 'a>(cells: impl Iterator<Item = &'a mut Cell<'b>>, width: f64) {
     let cells: Vec<_> = cells.collect();
     let left = cells.iter().map(|c| c.y.label_width()).fold(36.0, f64::max);
-    let right = cells.iter().map(|c| Plot::limit_width(c.chart, &c.y)).fold(0.0, f64::max);
+    let right = cells.iter().map(|c| Plot::limit_width(c.chart, &c.y, ASIDE * width)).fold(0.0, f64::max);
     for cell in cells {
         cell.frame.x = left;
         cell.frame.w = (width - left - right).max(40.0);

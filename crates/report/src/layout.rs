@@ -121,14 +121,12 @@ impl Layout {
         let half = 0.5 * f.w / self.scale;
         let centre = sign * map.centre.0;
         let ticks = Ticks::spaced(Domain { lo: centre - half, hi: centre + half }, step);
-        for (v, label) in ticks.values.iter().zip(ticks.labels()) {
-            let x = map.middle.0 + self.scale * (sign * v - map.centre.0);
+        let at = |v: f64| map.middle.0 + self.scale * (sign * v - map.centre.0);
+        for x in ticks.values.iter().map(|v| at(*v)) {
             svg.line("grid", x, f.y, x, f.bottom());
-            if view != Front {
-                svg.tick(x, f.bottom() + 14.0, &label);
-            }
         }
         if view != Front {
+            svg.ticks(f.bottom() + 14.0, ticks.values.iter().map(|v| at(*v)).zip(ticks.labels()));
             let name = format!("{across}, mm");
             svg.text("quiet", f.x + 0.5 * f.w, f.bottom() + 30.0, Anchor::Middle, &name);
         }

@@ -2,7 +2,8 @@
 
 use crate::chart::{Band, Chart};
 use crate::domain::{Domain, usable};
-use crate::limit;
+use crate::limit::{self, LimitLine};
+use crate::number::format_number;
 use crate::place::spread;
 use crate::series;
 use crate::svg::{Anchor, EDGE, Rect, Svg};
@@ -11,9 +12,6 @@ use crate::ticks::Ticks;
 
 /// Size of tick and limit labels, px.
 const SMALL: f64 = 11.0;
-
-/// The longest limit label beside a plot, px.
-const LONGEST: f64 = 150.0;
 
 /// A vertical or horizontal scale.
 pub(crate) struct Scale {
@@ -87,13 +85,21 @@ pub(crate) struct Plot<'a> {
     pub(crate) frame: Rect,
     pub(crate) x: &'a Scale,
     pub(crate) y: &'a Scale,
+    /// Most room for the label of a limit, px.
+    pub(crate) aside: f64,
+}
+
+/// The label with the value, or the value alone if there is no room for both.
+fn limit_text(limit: &LimitLine, room: f64) -> String {
+    let text = minus(&limit.text());
+    if width(&text, SMALL) <= room { text } else { fit(&minus(&format_number(limit.value, 5)), SMALL, room) }
 }
 
 impl Plot<'_> {
-    /// Room right of the plot, for its edge and the labels of its limits, px.
-    pub(crate) fn limit_width(chart: &Chart, y: &Scale) -> f64 {
+    /// Room right of the plot, for its edge and the labels of its limits, which are `aside` at most.
+    pub(crate) fn limit_width(chart: &Chart, y: &Scale, aside: f64) -> f64 {
         let inside = chart.limits.iter().filter(|l| y.domain.contains(l.value));
-        inside.map(|l| width(&minus(&l.text()), SMALL).min(LONGEST) + 8.0).fold(EDGE, f64::max)
+        inside.map(|l| width(&limit_text(l, aside), SMALL) + 8.0).fold(EDGE, f64::max)
     }
 
     fn px(&self, (x, y): (f64, f64)) -> (f64, f64) {
@@ -149,29 +155,31 @@ impl Plot<'_> {
         let labels = spread(&lines, &vec![12.0; lines.len()], f.y, f.bottom());
         for ((limit, line), label) in inside.iter().zip(&lines).zip(labels) {
             svg.line("limit", f.x, *line, f.right(), *line);
-            let text = fit(&minus(&limit.text()), SMALL, LONGEST);
+            let text = limit_text(limit, self.aside);
             svg.text("limit-text", f.right() + 6.0, label + 4.0, Anchor::Start, &text);
         }
     }
 
     /// The labels of the x ticks below the plot.
     pub(crate) fn draw_x_labels(&self, svg: &mut Svg) {
-        for (v, label) in self.x.ticks.values.iter().zip(self.x.ticks.labels()) {
-            svg.tick(self.at_x(*v), self.frame.bottom() + 14.0, &label);
-        }
+        let places = self.x.ticks.values.iter().map(|v| self.at_x(*v));
+        svg.ticks(self.frame.bottom() + 14.0, places.zip(self.x.ticks.labels()));
     }
 
-    /// The names of the bands, on one line above the plot.
+    /// The names of the bands, on one line above the plot; those without room there are left out.
     pub(crate) fn draw_band_labels(&self, svg: &mut Svg) {
         let f = self.frame;
-        let named = |b: &&Band| !b.label.is_empty();
-        let bands: Vec<_> = self.chart.bands.iter().filter(named).filter_map(|b| Some((b, self.band(b)?))).collect();
-        let room = f.w / bands.len().max(1) as f64 - 6.0;
-        let texts: Vec<String> = bands.iter().map(|(b, _)| fit(&b.label, SMALL, room)).collect();
-        let widths: Vec<f64> = texts.iter().map(|t| width(t, SMALL) + 6.0).collect();
-        let middles: Vec<f64> = bands.iter().map(|(_, (l, r))| 0.5 * (l + r)).collect();
-        for (text, x) in texts.iter().zip(spread(&middles, &widths, f.x - 6.0, f.right() + 6.0)) {
-            svg.text("tick", x, f.y - 5.0, Anchor::Middle, text);
+        let mut bands: Vec<_> = self.chart.bands.iter().filter_map(|b| Some((self.band(b)?, &b.label))).collect();
+        bands.sort_by(|a, b| a.0.0.total_cmp(&b.0.0));
+        let mut free = f64::NEG_INFINITY;
+        for ((left, right), label) in bands.into_iter().filter(|(_, label)| !label.is_empty()) {
+            let text = fit(label, SMALL, f.w);
+            let half = 0.5 * width(&text, SMALL);
+            let x = (0.5 * (left + right)).min(f.right() - half).max(f.x + half);
+            if x - half >= free {
+                svg.text("tick", x, f.y - 5.0, Anchor::Middle, &text);
+                free = x + half + 8.0;
+            }
         }
     }
 

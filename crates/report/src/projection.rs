@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// Height of the viewer of the pictorial view, rad.
-const ELEVATION: f64 = 25.0 / 180.0 * std::f64::consts::PI;
+const ELEVATION: f64 = 20.0 / 180.0 * std::f64::consts::PI;
 
 /// A direction to look in. Front, side and top are arranged in first-angle projection
 /// (ISO 5456-2, method E): each shows the front view's object rolled over, away from the viewer.
@@ -15,7 +15,7 @@ pub(crate) enum Projection {
     Side,
     /// From above, looking along -z: x to the right, y up.
     Top,
-    /// From the front, the right and 25° above. An isometric view would look along the plane of a
+    /// From the front, the right and 20° above. An isometric view would look along the plane of a
     /// torch at 45° and lay it on its seam.
     Pictorial,
 }

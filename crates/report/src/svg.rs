@@ -98,10 +98,18 @@ impl Svg {
         );
     }
 
-    /// A tick label in the middle below its tick, or as far right as the drawing goes.
-    pub(crate) fn tick(&mut self, x: f64, y: f64, label: &str) {
-        let x = x.min(WIDTH - 0.5 * width(&minus(label), 11.0));
-        self.text("tick", x, y, Anchor::Middle, label);
+    /// Tick labels in the middle below their ticks, or as far right as the drawing goes. Labels
+    /// without room beside the one before are left out.
+    pub(crate) fn ticks(&mut self, y: f64, ticks: impl Iterator<Item = (f64, String)>) {
+        let mut before: Option<(f64, f64)> = None;
+        for (x, label) in ticks {
+            let half = 0.5 * width(&minus(&label), 11.0);
+            let x = x.min(WIDTH - half);
+            if before.is_none_or(|(other, room)| (x - other).abs() > room + half) {
+                self.text("tick", x, y, Anchor::Middle, &label);
+                before = Some((x, half + 3.0));
+            }
+        }
     }
 
     /// What follows, up to [`Svg::close_clip`], is cut off outside `r`.

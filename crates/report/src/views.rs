@@ -76,7 +76,7 @@ impl ThreeViews {
 
     fn draw(&self) -> (Svg, f64) {
         let mut svg = Svg::default();
-        let title = fit(&self.title, 14.5, WIDTH - 60.0);
+        let title = fit(&self.title, 16.0, WIDTH - 60.0);
         svg.text("title", 0.0, 14.0, Anchor::Start, &title);
         first_angle(&mut svg, WIDTH - 46.0, 9.0);
         let mut top = 26.0;
@@ -96,9 +96,9 @@ impl ThreeViews {
                 layout.draw_axes(&mut svg, view, frame, &map);
             }
             svg.rect("edge", frame);
-            self.draw_view(&mut svg, &map, frame);
+            let ink = self.draw_view(&mut svg, &map, frame);
             if view == Pictorial {
-                draw_triad(&mut svg, frame);
+                draw_triad(&mut svg, frame, &ink);
             }
         }
         (svg, layout.bottom())
@@ -114,7 +114,8 @@ impl ThreeViews {
         shown.map(|(class, name, _)| Entry::Curve { class: class.into(), dots: false, name: name.clone() }).collect()
     }
 
-    fn draw_view(&self, svg: &mut Svg, map: &Map, frame: Rect) {
+    /// Draws what is seen in one view; returns points along all its curves, px.
+    fn draw_view(&self, svg: &mut Svg, map: &Map, frame: Rect) -> Vec<(f64, f64)> {
         let polyline = |svg: &mut Svg, class: &str, points: &[[f64; 3]]| {
             series::draw(svg, class, Style::Line, points.iter().map(|p| map.px(*p)));
         };
@@ -148,6 +149,7 @@ impl ThreeViews {
             }
             svg.circle("mark", p.0, p.1, 3.2);
         }
+        ink
     }
 }
 
@@ -160,9 +162,13 @@ fn sample(ink: &mut Vec<(f64, f64)>, a: (f64, f64), b: (f64, f64)) {
     }
 }
 
-/// The directions of the axes in the pictorial view.
-fn draw_triad(svg: &mut Svg, frame: Rect) {
-    let (x, y) = (frame.x + 24.0, frame.bottom() - 24.0);
+/// The directions of the axes in the pictorial view, in the emptiest corner.
+fn draw_triad(svg: &mut Svg, frame: Rect, ink: &[(f64, f64)]) {
+    let (left, right) = (frame.x + 26.0, frame.right() - 36.0);
+    let (top, bottom) = (frame.y + 40.0, frame.bottom() - 24.0);
+    let corners = [(left, bottom), (right, bottom), (left, top), (right, top)];
+    let near = |(x, y): &(f64, f64)| ink.iter().filter(|p| (p.0 - x).abs() < 36.0 && (p.1 - y).abs() < 36.0).count();
+    let (x, y) = corners.into_iter().min_by_key(near).unwrap_or(corners[0]);
     for (axis, name) in [([1.0, 0.0, 0.0], "x"), ([0.0, 1.0, 0.0], "y"), ([0.0, 0.0, 1.0], "z")] {
         let (u, v) = Pictorial.project(axis);
         svg.line("symbol", x, y, x + 20.0 * u, y - 20.0 * v);

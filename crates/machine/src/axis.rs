@@ -1,0 +1,140 @@
+use std::f64::consts::TAU;
+
+/// Linear or rotary.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AxisKind {
+    /// Positions in mm.
+    Linear,
+    /// Positions in rad.
+    Rotary,
+}
+
+/// One axis with its limits; mm or rad, s.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// Name in files and columns.
+    pub name: String,
+    /// Letter in part programs, if it has one.
+    pub letter: Option<char>,
+    /// Linear or rotary.
+    pub kind: AxisKind,
+    /// Lowest and highest position; none for a continuous rotary axis.
+    pub range: Option<(f64, f64)>,
+    /// Position after homing.
+    pub home: f64,
+    /// Highest speed.
+    pub max_speed: f64,
+    /// Highest acceleration.
+    pub max_acceleration: f64,
+    /// Highest jerk.
+    pub max_jerk: f64,
+    /// Drive for the simulation, if the file describes one.
+    pub drive: Option<Drive>,
+}
+
+/// A drive with its load and position loop, in the units of the file (N, kg, N m, kg m^2, counts per mm or rad).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drive {
+    /// What it moves.
+    pub load: Load,
+    /// Encoder counts per mm or rad.
+    pub encoder_counts_per_unit: f64,
+    /// Bandwidth of the velocity loop, Hz.
+    pub velocity_bandwidth_hz: f64,
+    /// Time constant of the current loop, s.
+    pub current_time_constant_s: f64,
+    /// Gains of the position loop; none: to follow from the velocity loop.
+    pub gains: Option<Gains>,
+}
+
+/// Gains of a position loop (DUALBEAM-2013).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gains {
+    /// Proportional, 1/s.
+    pub kp: f64,
+    /// Integral, 1/s^2.
+    pub ki: f64,
+    /// Derivative.
+    pub kd: f64,
+    /// Velocity feed-forward.
+    pub kvff: f64,
+    /// Acceleration feed-forward, s.
+    pub kaff: f64,
+}
+
+/// What a drive moves: mass and forces in kg, N and N s/m, or inertia and torques in kg m^2, N m and N m s/rad.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Load {
+    /// Mass or inertia.
+    pub inertia: f64,
+    /// Peak force or torque.
+    pub peak: f64,
+    /// Coulomb friction.
+    pub coulomb: f64,
+    /// Viscous friction.
+    pub viscous: f64,
+}
+
+/// An axis would have to leave its range.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RangeViolation {
+    /// Index of the axis.
+    pub axis: usize,
+    /// Position asked for, mm or rad.
+    pub value: f64,
+    /// The end of the range that it passes.
+    pub limit: f64,
+}
+
+impl RangeViolation {
+    /// By how much the limit is passed, mm or rad.
+    pub fn by(&self) -> f64 {
+        (self.value - self.limit).abs()
+    }
+}
+
+impl Axis {
+    /// How far `value` is outside the range (0 inside), and the limit it passes.
+    pub fn outside(&self, value: f64) -> Option<f64> {
+        let (low, high) = self.range?;
+        if value < low {
+            Some(low)
+        } else if value > high {
+            Some(high)
+        } else {
+            None
+        }
+    }
+
+    /// The position equal to `value` up to whole turns that is nearest to `near`; linear axes have no turns.
+    pub fn turn_near(&self, value: f64, near: f64) -> f64 {
+        match self.kind {
+            AxisKind::Linear => value,
+            AxisKind::Rotary => value + TAU * ((near - value) / TAU).round(),
+        }
+    }
+
+    /// Unit of positions in files and columns.
+    pub fn unit(&self) -> &'static str {
+        match self.kind {
+            AxisKind::Linear => "mm",
+            AxisKind::Rotary => "deg",
+        }
+    }
+
+    /// From mm or rad to the unit of files and columns.
+    pub fn to_file(&self, value: f64) -> f64 {
+        match self.kind {
+            AxisKind::Linear => value,
+            AxisKind::Rotary => value.to_degrees(),
+        }
+    }
+
+    /// From the unit of files and columns to mm or rad.
+    pub fn from_file(&self, value: f64) -> f64 {
+        match self.kind {
+            AxisKind::Linear => value,
+            AxisKind::Rotary => value.to_radians(),
+        }
+    }
+}

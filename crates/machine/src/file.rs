@@ -1,0 +1,137 @@
+//! The machine file as written, before its steps are put together.
+
+use schemars::JsonSchema;
+use seamwright_document::{Direction, Finite, NonNegative, Point, Positive, SchemaVersion, Transform};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// A machine file.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MachineFile {
+    /// Version of the file format.
+    pub schema: SchemaVersion,
+    /// Short name, as used in job files.
+    pub name: String,
+    /// Title, for people.
+    pub title: String,
+    /// Period of the position loops and of the set-points, ms; 1 if missing.
+    pub servo_period_ms: Option<Positive>,
+    /// Steps from the machine's base to the torch tip, in order.
+    #[serde(default)]
+    pub tool: Vec<StepFile>,
+    /// Steps from the machine's base to the clamped work, in order.
+    #[serde(default)]
+    pub work: Vec<StepFile>,
+    /// The torch at the end of the tool steps.
+    pub torch: TorchFile,
+    /// Drive of each axis, by the axis' name; used by the simulation.
+    #[serde(default)]
+    pub drives: BTreeMap<String, DriveFile>,
+    /// Which outputs of the control switch and set the process.
+    #[serde(default)]
+    pub io: Io,
+}
+
+/// The torch.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TorchFile {
+    /// Direction of wire or beam, from the torch to the work, in the last frame of the tool steps.
+    pub direction: Direction,
+}
+
+/// One step of a branch: an axis (`axis`, and `turn` or `move`) or a `fixed` displacement.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StepFile {
+    /// A displacement that does not move.
+    pub fixed: Option<Transform>,
+    /// Name of the axis: lower-case letters, digits and `_`.
+    pub axis: Option<String>,
+    /// Letter of the axis in part programs (A B C U V W X Y Z); the upper-case name if that is one of them.
+    pub letter: Option<String>,
+    /// Rotary axis: the direction it turns about by the right-hand rule.
+    pub turn: Option<Direction>,
+    /// Rotary axis: a point on it, mm; the origin if missing.
+    pub at_mm: Option<Point>,
+    /// Linear axis: the direction of its positive motion.
+    #[serde(rename = "move")]
+    pub direction: Option<Direction>,
+    /// Rotary axis without end stops.
+    #[serde(default)]
+    pub continuous: bool,
+    /// Lowest and highest position of a linear axis, mm.
+    pub range_mm: Option<[Finite; 2]>,
+    /// Lowest and highest position of a rotary axis, degrees.
+    pub range_deg: Option<[Finite; 2]>,
+    /// Position after homing, mm; 0 if missing.
+    pub home_mm: Option<Finite>,
+    /// Position after homing, degrees; 0 if missing.
+    pub home_deg: Option<Finite>,
+    /// Highest speed, mm/s.
+    pub max_speed_mm_s: Option<Positive>,
+    /// Highest speed, deg/s.
+    pub max_speed_deg_s: Option<Positive>,
+    /// Highest acceleration, mm/s^2.
+    pub max_acceleration_mm_s2: Option<Positive>,
+    /// Highest acceleration, deg/s^2.
+    pub max_acceleration_deg_s2: Option<Positive>,
+    /// Highest jerk, mm/s^3.
+    pub max_jerk_mm_s3: Option<Positive>,
+    /// Highest jerk, deg/s^3.
+    pub max_jerk_deg_s3: Option<Positive>,
+}
+
+/// A drive for the simulation: load, motor and position loop.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DriveFile {
+    /// Moved mass of a linear axis with motor, kg.
+    pub mass_kg: Option<Positive>,
+    /// Peak force of a linear axis' drive, N.
+    pub peak_force_n: Option<Positive>,
+    /// Coulomb friction of a linear axis, N.
+    pub friction_n: Option<NonNegative>,
+    /// Viscous friction of a linear axis, N s/m.
+    pub viscous_n_s_m: Option<NonNegative>,
+    /// Moved inertia of a rotary axis with motor, kg m^2.
+    pub inertia_kg_m2: Option<Positive>,
+    /// Peak torque of a rotary axis' drive, N m.
+    pub peak_torque_n_m: Option<Positive>,
+    /// Coulomb friction of a rotary axis, N m.
+    pub friction_n_m: Option<NonNegative>,
+    /// Viscous friction of a rotary axis, N m s/rad.
+    pub viscous_n_m_s_rad: Option<NonNegative>,
+    /// Encoder counts per mm.
+    pub encoder_counts_per_mm: Option<Positive>,
+    /// Encoder counts per degree.
+    pub encoder_counts_per_deg: Option<Positive>,
+    /// Bandwidth of the velocity loop, Hz.
+    pub velocity_bandwidth_hz: Positive,
+    /// Time constant of the current loop, ms; 0.2 if missing.
+    pub current_time_constant_ms: Option<Positive>,
+    /// Position loop: proportional gain, 1/s. With all gains missing they follow from the velocity loop.
+    pub kp_per_s: Option<NonNegative>,
+    /// Position loop: integral gain, 1/s^2.
+    pub ki_per_s2: Option<NonNegative>,
+    /// Position loop: derivative gain.
+    pub kd: Option<NonNegative>,
+    /// Velocity feed-forward; 1 cancels the following error at constant speed.
+    pub kvff: Option<NonNegative>,
+    /// Acceleration feed-forward, s.
+    pub kaff_s: Option<NonNegative>,
+}
+
+/// Outputs of the control, by number.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Io {
+    /// Digital output that switches arc or beam.
+    pub arc: Option<u8>,
+    /// Digital output of the gas valve.
+    pub gas: Option<u8>,
+    /// Analogue output of each process value, by the value's name (like `current_a`).
+    #[serde(default)]
+    pub analog: BTreeMap<String, u8>,
+}

@@ -1,0 +1,87 @@
+use super::{Branches, Solution, Unreachable, angle_between, in_plane, rotaries};
+use crate::AxisKind;
+use crate::chain::{Chain, Joints};
+use glam::DVec3;
+use seamwright_geometry::Pose;
+
+/// Two linear axes, with or without a tilt across their plane, on a rotary axis next to the work (SADDLE-2020).
+///
+/// The tip moves in a plane that turns with the rotary axis. The point decides the rotary axis (where the plane meets
+/// the point), the direction decides the tilt as well as it can, the linear axes do the rest. Four axes cannot give
+/// every direction: what is missing is the solution's attitude error.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct PlaneOnRotary {
+    rotary: usize,
+    linear: [usize; 2],
+    tilt: Option<usize>,
+    /// Unit normal of the plane at zero.
+    normal: DVec3,
+}
+
+impl PlaneOnRotary {
+    pub(crate) fn new(chain: &Chain, linear: [usize; 2], rotary: &[usize]) -> Option<Self> {
+        let (&first, rest) = rotary.split_first()?;
+        let [a, b] = linear.map(|l| &chain.screws[l]);
+        if first > linear[0] || rest.len() > 1 || !super::independent(a, b) {
+            return None;
+        }
+        let normal = a.direction.cross(b.direction).normalize();
+        let tilt = rest.first().copied();
+        let across = tilt.is_none_or(|t| chain.screws[t].direction.cross(normal).length() < 1e-9);
+        let turns_the_plane = chain.screws[first].direction.cross(normal).length() > 1e-6;
+        (first == 0 && across && turns_the_plane).then_some(Self { rotary: first, linear, tilt, normal })
+    }
+
+    pub(crate) fn solve(&self, chain: &Chain, pose: &Pose, near: &Joints) -> Result<Branches, Unreachable> {
+        let turn = &chain.screws[self.rotary];
+        let n = self.normal;
+        // n . R(-q) u = k, with u the point and k the plane's height over the axis: A cos q + B sin q = C.
+        let u = pose.point - turn.at;
+        let w = turn.direction;
+        let a = n.dot(u) - n.dot(w) * w.dot(u);
+        let b = -n.dot(w.cross(u));
+        let c = n.dot(chain.zero.point - turn.at) - n.dot(w) * w.dot(u);
+        let reach = a.hypot(b);
+        if reach < c.abs() * (1.0 - 1e-12) {
+            return Err(Unreachable::Point { by: c.abs() - reach });
+        }
+        let singular = reach < 1e-9;
+        let middle = b.atan2(a);
+        let half = ((reach - c) * (reach + c)).max(0.0).sqrt().atan2(c);
+        let mut branches = Branches::new();
+        for angle in [middle + half, middle - half] {
+            let q = if singular { near[turn.axis] } else { angle };
+            branches.push(self.in_plane(chain, pose, near, q, singular));
+        }
+        Ok(branches)
+    }
+
+    /// The solution with the rotary axis at `q`.
+    fn in_plane(&self, chain: &Chain, pose: &Pose, near: &Joints, q: f64, singular: bool) -> Solution {
+        let turn = &chain.screws[self.rotary];
+        let mut joints = Joints::default();
+        let mut free = singular;
+        if let Some(tilt) = self.tilt.map(|t| &chain.screws[t]) {
+            let wanted = turn.turn_vector(-q, pose.direction);
+            let angle = rotaries::one(tilt.direction, chain.zero.direction, wanted);
+            joints[tilt.axis] = angle.unwrap_or(near[tilt.axis]);
+            free |= angle.is_none();
+        }
+        // With the rotary axis at zero the tip is in the plane at zero.
+        let target = turn.move_point(-q, pose.point);
+        let [x, y] = self.linear.map(|l| {
+            let screw = &chain.screws[l];
+            match self.tilt {
+                Some(t) if t < l => chain.screws[t].turn_vector(joints[chain.screws[t].axis], screw.direction),
+                _ => screw.direction,
+            }
+        });
+        let (first, second, _) = in_plane(x, y, target - chain.forward(&joints).point);
+        joints[chain.screws[self.linear[0]].axis] = first;
+        joints[chain.screws[self.linear[1]].axis] = second;
+        joints[turn.axis] = q;
+        debug_assert!(turn.kind == AxisKind::Rotary);
+        let attitude_error = angle_between(chain.forward(&joints).direction, pose.direction);
+        Solution { joints, attitude_error, singular: free }
+    }
+}

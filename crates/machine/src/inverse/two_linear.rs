@@ -1,0 +1,34 @@
+use super::{Branches, Solution, Unreachable, angle_between, in_plane};
+use crate::chain::{Chain, Joints};
+use seamwright_geometry::Pose;
+
+/// How far (mm) a point may lie off the plane of two linear axes and still count as in it.
+const IN_PLANE_MM: f64 = 1e-6;
+
+/// Two linear axes alone (ELLIPSE-2015): points of one plane, one direction.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct TwoLinear {
+    linear: [usize; 2],
+}
+
+impl TwoLinear {
+    pub(crate) fn new(chain: &Chain, linear: [usize; 2]) -> Option<Self> {
+        let [a, b] = linear.map(|l| &chain.screws[l]);
+        super::independent(a, b).then_some(Self { linear })
+    }
+
+    pub(crate) fn solve(&self, chain: &Chain, pose: &Pose) -> Result<Branches, Unreachable> {
+        let [a, b] = self.linear.map(|l| &chain.screws[l]);
+        let (x, y, rest) = in_plane(a.direction, b.direction, pose.point - chain.zero.point);
+        if rest.length() > IN_PLANE_MM {
+            return Err(Unreachable::Point { by: rest.length() });
+        }
+        let mut joints = Joints::default();
+        joints[a.axis] = x;
+        joints[b.axis] = y;
+        let attitude_error = angle_between(chain.zero.direction, pose.direction);
+        let mut branches = Branches::new();
+        branches.push(Solution { joints, attitude_error, singular: false });
+        Ok(branches)
+    }
+}

@@ -1,0 +1,22 @@
+/// A machine file that ships with the program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Shipped {
+    /// Name used in job files.
+    pub name: &'static str,
+    /// The file's text.
+    pub text: &'static str,
+}
+
+macro_rules! ship {
+    ($($name:literal),*) => {
+        &[$(Shipped { name: $name, text: include_str!(concat!("../../../machines/", $name, ".toml")) }),*]
+    };
+}
+
+/// All machine files that ship.
+pub const SHIPPED: &[Shipped] = ship!["saddle-4axis", "torch-5axis", "ellipse-xy", "table-tilting-xyzac"];
+
+/// The shipped machine file called `name`.
+pub fn shipped(name: &str) -> Option<Shipped> {
+    SHIPPED.iter().copied().find(|s| s.name == name)
+}

@@ -1,0 +1,39 @@
+//! Mistakes in machine files are refused with their address.
+
+use seamwright_machine::{Machine, shipped};
+
+fn saddle() -> &'static str {
+    shipped("saddle-4axis").unwrap().text
+}
+
+/// Changes the shipped file and returns where and what is wrong with it.
+fn wrong(from: &str, to: &str) -> (String, String) {
+    assert!(saddle().contains(from), "{from}");
+    let e = Machine::read("m.toml", &saddle().replacen(from, to, 1)).unwrap_err();
+    println!("{e}");
+    assert!(e.line > 0);
+    (e.key.clone(), e.to_string())
+}
+
+#[test]
+fn mistakes_have_an_address() {
+    let key = |from, to| wrong(from, to).0;
+    assert_eq!(key("range_deg = [-400, 400]", "range_deg = [400, -400]"), "tool[0].range_deg");
+    assert_eq!(key("range_deg = [-400, 400]", "range_mm = [-400, 400]"), "tool[0].range_mm");
+    assert_eq!(key("max_speed_deg_s = 30", "max_speed_mm_s = 30"), "tool[0].max_speed_mm_s");
+    assert_eq!(key("max_speed_deg_s = 30", ""), "tool[0]");
+    assert_eq!(key("max_speed_deg_s = 30", "max_speed_deg_s = 0"), "tool[0].max_speed_deg_s");
+    assert_eq!(key("axis = \"s\"", "axis = \"theta\""), "tool[2].axis");
+    assert_eq!(key("axis = \"s\"", "axis = \"S 1\""), "tool[2].axis");
+    assert_eq!(key("letter = \"X\"", "letter = \"C\""), "tool[2].letter");
+    assert_eq!(key("letter = \"X\"", "letter = \"Q\""), "tool[2].letter");
+    assert_eq!(key("turn = [0, 0, 1]", "turn = [0, 0, 0]"), "tool[0].turn");
+    assert_eq!(key("turn = [0, 0, 1]", "turn = [0, 0, 1]\nmove = [1, 0, 0]"), "tool[0]");
+    assert_eq!(key("turn = [0, 0, 1]", "turn = [0, 0, 1]\ncontinuous = true"), "tool[0]");
+    assert_eq!(key("turn = [0, 0, 1]", "turn = [0, 0, 1]\nhome_deg = 500"), "tool[0]");
+    assert_eq!(key("fixed = { move_mm = [400, 0, 100] }", "fixed = { move_mm = [400, nan, 100] }"), "tool[1].fixed.move_mm[1]");
+    assert_eq!(key("fixed = { move_mm = [400, 0, 100] }", ""), "tool[1]");
+    assert_eq!(key("[drives.theta]", "[drives.tetha]"), "drives.tetha");
+    assert_eq!(key("inertia_kg_m2 = 30", "mass_kg = 30"), "drives.theta");
+    assert!(wrong("max_speed_deg_s = 30", "max_sped_deg_s = 30").1.contains("did you mean `max_speed_deg_s`?"));
+}
