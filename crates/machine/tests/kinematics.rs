@@ -122,7 +122,6 @@ fn the_saddle_welder_is_the_papers_formula() {
     for _ in 0..1000 {
         let q = random_joints(&machine, &mut random);
         let (theta, s, h, beta) = (q[0], q[1], q[2], q[3]);
-        // The swing turns about -y, so its sine counts inwards.
         let rho = 400.0 + s + 100.0 * beta.sin();
         let expected = DVec3::new(rho * theta.cos(), rho * theta.sin(), 100.0 + h - 100.0 * beta.cos());
         assert!((machine.forward(&q).point - expected).length() < 1e-11);

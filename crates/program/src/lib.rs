@@ -4,11 +4,13 @@
 //! file. [`TorchPath`] is the interface through which the rooms above see where the torch goes.
 
 mod document;
+mod finding;
 mod pass;
 mod seam;
 mod torch;
 
 pub use document::Program;
+pub use finding::Finding;
 pub use pass::{OnLimit, Pass, ProcessValues, Sequence, Span};
 pub use seam::{Body, Direction as WeldDirection, Ellipse, FilletOrButt, Line, Nozzle, Seam, SeamStart};
 pub use torch::{Torch, TorchAt, TorchPath};

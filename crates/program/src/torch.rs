@@ -40,10 +40,10 @@ pub trait TorchPath {
     fn length(&self) -> f64;
 
     /// The torch tip and the direction in which wire or beam points (from the torch to the work) at path length `s`;
-    /// twice continuously differentiable, with the tip's speed by `s` equal to 1.
+    /// continuously differentiable, and smooth between knots; the tip's speed by `s` is 1.
     fn pose(&self, s: f64) -> Pose;
 
-    /// Path lengths inside the path where a third or higher derivative may jump, increasing.
+    /// Path lengths inside the path where a second or higher derivative may jump, increasing.
     fn knots(&self) -> Vec<f64> {
         Vec::new()
     }

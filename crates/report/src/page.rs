@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::block::{Block, Counters};
 use crate::icon;
 use crate::style::page_sheet;
-use crate::text::escape;
+use crate::text::{escape, fit};
 
 /// What the report comes to.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -74,7 +74,7 @@ impl Page {
             "@page{{size:A4;margin:15mm 14mm 17mm;\
              @bottom-left{{content:{};font:8pt sans-serif;color:#565c62}}\
              @bottom-right{{content:counter(page) \" / \" counter(pages);font:8pt sans-serif;color:#565c62}}}}\n",
-            css_string(&self.title)
+            css_string(&fit(&self.title, 11.0, 560.0))
         )
     }
 }

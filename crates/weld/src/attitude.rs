@@ -1,0 +1,133 @@
+use crate::{SeamCurve, SeamPoint};
+use glam::DVec3;
+use seamwright_document::{Document, DocumentError};
+use seamwright_geometry::CubicSpline;
+use seamwright_program::{Finding, Torch};
+
+/// Largest travel angle, degrees: beyond it the torch lies along the seam.
+const MAX_TRAVEL_DEG: f64 = 75.0;
+
+/// Torch angles along a weld: work angle as an offset from the bisector, and travel angle (AWS A3.0), rad.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Attitude {
+    work: CubicSpline,
+    travel: CubicSpline,
+}
+
+impl Attitude {
+    /// The angles that `torch`, at `path` in `file`, gives along `seam`. Between the places where they are given they
+    /// follow a cubic spline, periodic if the seam is welded all round.
+    ///
+    /// # Errors
+    /// With the key's address: angles out of range, places that do not increase or lie outside the weld.
+    pub fn new<T>(file: &Document<T>, path: &str, torch: &Torch, seam: &SeamCurve) -> Result<Self, DocumentError> {
+        let mut rows = Vec::new();
+        for (i, at) in torch.at.iter().enumerate() {
+            let (s, key) = (at.s_mm.get(), format!("{path}.at[{i}]"));
+            let end = if seam.all_round() { seam.length() } else { seam.weld_length() };
+            let inside = s >= 0.0 && (s < end || (s <= end && !seam.all_round()));
+            if !inside {
+                let or_end = if seam.all_round() { "less than" } else { "up to" };
+                let allowed = format!("from 0 {or_end} {end:.6}");
+                return Err(file.error_at(&format!("{key}.s_mm"), "this place is not on the weld", allowed));
+            }
+            if rows.last().is_some_and(|(last, ..): &(f64, f64, f64)| *last >= s) {
+                let message = "the places must increase";
+                return Err(file.error_at(&format!("{key}.s_mm"), message, "more than the one before"));
+            }
+            rows.push((s, at.work_angle_deg.get(), at.travel_angle_deg.get()));
+            check_angles(file, &key, rows[i].1, rows[i].2)?;
+        }
+        if rows.is_empty() {
+            rows.push((0.0, torch.work_angle_deg.get(), torch.travel_angle_deg.get()));
+            check_angles(file, path, rows[0].1, rows[0].2)?;
+        } else if torch.work_angle_deg.get() != 0.0 || torch.travel_angle_deg.get() != 0.0 {
+            let message = "angles are given both constant and at several places";
+            return Err(file.error_at(path, message, "either the constant angles or [[torch.at]]"));
+        }
+        let spline = |value: fn(&(f64, f64, f64)) -> f64| {
+            let points: Vec<_> = rows.iter().map(|r| (r.0, value(r).to_radians())).collect();
+            let spline = match seam.all_round() {
+                true => CubicSpline::periodic(&points, seam.length()),
+                false => CubicSpline::level(&points),
+            };
+            spline.map_err(|e| file.error_at(path, e.to_string(), "places that increase"))
+        };
+        Ok(Self { work: spline(|r| r.1)?, travel: spline(|r| r.2)? })
+    }
+
+    /// Work angle (offset from the bisector) and travel angle at path length `s`, rad.
+    pub fn angles(&self, s: f64) -> (f64, f64) {
+        (self.work.at(s), self.travel.at(s))
+    }
+
+    /// Unit vector from the joint to the torch at a point of the seam: the bisector turned about the tangent by the
+    /// work angle, then in the plane of that and the tangent by the travel angle.
+    pub fn torch_axis(&self, p: &SeamPoint) -> DVec3 {
+        let (work, travel) = self.angles(p.s);
+        let across = work.cos() * p.bisector + work.sin() * p.towards_first;
+        travel.cos() * across + travel.sin() * p.tangent
+    }
+
+    /// Where a third derivative of the angles may jump, within (0, `end`) mm.
+    pub(crate) fn knots(&self, end: f64) -> Vec<f64> {
+        let knots = self.work.knots();
+        if knots.len() < 2 {
+            return Vec::new();
+        }
+        let period = (knots[knots.len() - 1] - knots[0]).max(f64::MIN_POSITIVE);
+        let repeats = (end / period).ceil() as usize + 1;
+        let all = (0..repeats).flat_map(|k| knots.iter().map(move |x| x + k as f64 * period));
+        let mut inside: Vec<f64> = all.filter(|x| *x > 1e-6 && *x < end - 1e-6).collect();
+        inside.sort_by(f64::total_cmp);
+        inside.dedup_by(|a, b| (*a - *b).abs() < 1e-6);
+        inside
+    }
+
+    /// Where the torch would lie in one of the two faces.
+    pub fn access_findings(&self, seam: &SeamCurve, pass: usize) -> Vec<Finding> {
+        let n = 720;
+        let step = seam.weld_length() / f64::from(n);
+        let mut findings: Vec<Finding> = Vec::new();
+        let mut open = false;
+        for i in 0..=n {
+            let p = seam.at(f64::from(i) * step);
+            let axis = self.torch_axis(&p);
+            let (part, sine) = if axis.dot(p.n1) < axis.dot(p.n2) { ("first", axis.dot(p.n1)) } else { ("second", axis.dot(p.n2)) };
+            if sine > 0.0 {
+                open = false;
+                continue;
+            }
+            match findings.last_mut().filter(|_| open) {
+                Some(last) => last.to_mm = p.s,
+                None => findings.push(Finding {
+                    kind: "access",
+                    message: format!(
+                        "the torch would lie {:.1} degrees inside the face of the {part} part (dihedral angle {:.1} degrees)",
+                        -sine.asin().to_degrees(),
+                        p.dihedral.to_degrees()
+                    ),
+                    pass,
+                    from_mm: p.s,
+                    to_mm: p.s,
+                    cure: "make the work angle smaller than half the dihedral angle".to_owned(),
+                    allowed: false,
+                }),
+            }
+            open = true;
+        }
+        findings
+    }
+}
+
+fn check_angles<T>(file: &Document<T>, path: &str, work: f64, travel: f64) -> Result<(), DocumentError> {
+    if travel.abs() > MAX_TRAVEL_DEG {
+        let allowed = format!("-{MAX_TRAVEL_DEG} (push) to {MAX_TRAVEL_DEG} (drag)");
+        return Err(file.error_at(&format!("{path}.travel_angle_deg"), "the torch would lie along the seam", allowed));
+    }
+    if work.abs() >= 90.0 {
+        let message = "the torch would lie behind a face";
+        return Err(file.error_at(&format!("{path}.work_angle_deg"), message, "more than -90 and less than 90"));
+    }
+    Ok(())
+}

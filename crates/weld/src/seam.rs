@@ -1,0 +1,241 @@
+use glam::DVec3;
+use seamwright_document::{Document, DocumentError};
+use seamwright_geometry::{
+    ByLength, CurvedEdge, DEFAULT_ACCURACY_MM, Edge, Ellipse, Error, FaceRule, Line, Quadric, Tube, TubeIntersection,
+};
+use seamwright_program::{Body, FilletOrButt, Nozzle, Seam, SeamStart, WeldDirection};
+
+/// A point of the seam with everything that torch attitude needs, in the seam's frame; mm and rad.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SeamPoint {
+    /// Path length from the start of the weld, mm.
+    pub s: f64,
+    /// Angle about the nozzle's axis or eccentric angle, rad, counted on beyond a turn; none on a straight seam.
+    pub phi: Option<f64>,
+    /// Position, mm.
+    pub point: DVec3,
+    /// Unit tangent in the direction of welding.
+    pub tangent: DVec3,
+    /// Outward unit normal of the first part (nozzle).
+    pub n1: DVec3,
+    /// Outward unit normal of the second part (body).
+    pub n2: DVec3,
+    /// Unit bisector of the two faces, from the joint out to the torch.
+    pub bisector: DVec3,
+    /// Unit vector across the bisector in the normal plane, towards the first part.
+    pub towards_first: DVec3,
+    /// Angle between the two faces seen from the torch, rad.
+    pub dihedral: f64,
+}
+
+/// A seam by path length, from the start of the weld and in its direction.
+pub struct SeamCurve {
+    curve: ByLength<Box<dyn Edge + Send + Sync>>,
+    /// Arc length of the start of the weld on the curve, and the sense of welding.
+    start: f64,
+    sense: f64,
+    weld_length: f64,
+    angular: bool,
+}
+
+impl std::fmt::Debug for SeamCurve {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.debug_struct("SeamCurve").field("start", &self.start).field("weld_length", &self.weld_length).finish()
+    }
+}
+
+impl SeamCurve {
+    /// The seam of a job or program file.
+    ///
+    /// # Errors
+    /// With the key's address: shapes that do not meet, a start or overlap that does not fit the seam.
+    pub fn new<T>(file: &Document<T>, seam: &Seam, start: &SeamStart) -> Result<Self, DocumentError> {
+        let edge = edge(file, seam)?;
+        let curve = ByLength::new(edge, DEFAULT_ACCURACY_MM)
+            .map_err(|e| file.error_at("seam", e.to_string(), "a smooth seam"))?;
+        let sense = match start.direction {
+            WeldDirection::CounterClockwise => 1.0,
+            WeldDirection::Clockwise => -1.0,
+        };
+        let closed = !matches!(seam, Seam::Line(_));
+        if !closed {
+            check_open(file, start)?;
+        }
+        let at = if closed { curve.length_at(start.phi_deg.get().to_radians()) } else { 0.0 };
+        let length = curve.length();
+        let weld_length = match start.end_phi_deg {
+            Some(end) => {
+                if start.overlap_mm.get() > 0.0 {
+                    let message = "a weld that ends at `end_phi_deg` does not close, so it has no overlap";
+                    return Err(file.error_at("start.overlap_mm", message, "either `overlap_mm` or `end_phi_deg`"));
+                }
+                let span = sense * (curve.length_at(end.get().to_radians()) - at);
+                if span <= 1e-9 || span > length * (1.0 + 1e-12) {
+                    let message = "the weld would have no length, or more than one turn";
+                    let more = if sense > 0.0 { "more" } else { "less" };
+                    let allowed = format!("{more} than phi_deg = {}, by up to 360", start.phi_deg.get());
+                    return Err(file.error_at("start.end_phi_deg", message, allowed));
+                }
+                span
+            }
+            None => length + start.overlap_mm.get(),
+        };
+        if start.overlap_mm.get() > length {
+            let allowed = format!("0 to {length:.3}");
+            return Err(file.error_at("start.overlap_mm", "the overlap is longer than the seam", allowed));
+        }
+        Ok(Self { curve, start: at, sense, weld_length, angular: closed })
+    }
+
+    /// Length of the whole seam once, mm.
+    pub fn length(&self) -> f64 {
+        self.curve.length()
+    }
+
+    /// Length of the weld, mm: the seam and the overlap, or the part that is welded.
+    pub fn weld_length(&self) -> f64 {
+        self.weld_length
+    }
+
+    /// True if the seam is closed and welded all round.
+    pub fn all_round(&self) -> bool {
+        self.angular && self.weld_length >= self.length() * (1.0 - 1e-12)
+    }
+
+    /// Path length of the angle `phi` (rad): the first one at or after the start of the weld on a closed seam. None on
+    /// a straight seam.
+    pub fn s_of_phi(&self, phi: f64) -> Option<f64> {
+        let s = self.sense * (self.curve.length_at(phi) - self.start);
+        // A hair before the start is the start, not a turn later.
+        let turns = ((s + 1e-9) / self.length()).floor();
+        self.angular.then(|| (s - turns * self.length()).max(0.0))
+    }
+
+    /// The seam at path length `s` (mm) from the start of the weld.
+    pub fn at(&self, s: f64) -> SeamPoint {
+        let u = self.curve.parameter(self.start + self.sense * s);
+        let e = self.curve.curve().edge(u);
+        let along = e.jet.d1.normalize();
+        let sum = e.n1 + e.n2;
+        let bisector = sum.normalize();
+        // Faces of a nozzle or tube lie so that the curve runs along n2 x n1; a line may run either way.
+        let turned = if along.dot(e.n2.cross(e.n1)) < -1e-9 { -along } else { along };
+        SeamPoint {
+            s,
+            phi: self.angular.then_some(u),
+            point: e.jet.point,
+            tangent: self.sense * along,
+            n1: e.n1,
+            n2: e.n2,
+            bisector,
+            towards_first: bisector.cross(turned),
+            dihedral: 2.0 * sum.length().atan2((e.n1 - e.n2).length()),
+        }
+    }
+}
+
+/// A straight seam has no angles, no direction and no overlap.
+fn check_open<T>(file: &Document<T>, start: &SeamStart) -> Result<(), DocumentError> {
+    let wrong = if start.phi_deg.get() != 0.0 {
+        "phi_deg"
+    } else if start.end_phi_deg.is_some() {
+        "end_phi_deg"
+    } else if start.direction != WeldDirection::CounterClockwise {
+        "direction"
+    } else if start.overlap_mm.get() > 0.0 {
+        "overlap_mm"
+    } else {
+        return Ok(());
+    };
+    let message = "a straight seam runs from `start_mm` to `end_mm` and does not close";
+    Err(file.error_at(&format!("start.{wrong}"), message, "no such key on a straight seam"))
+}
+
+fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync>, DocumentError> {
+    match seam {
+        Seam::Nozzle(nozzle) => Ok(Box::new(intersection(file, nozzle)?)),
+        Seam::Ellipse(e) => {
+            let normal = e.normal.unit();
+            let (a, b) = (e.a_mm.get(), e.b_mm.get());
+            let curve = Ellipse::new(e.centre_mm.get(), normal, e.a_direction.unit(), a, b)
+                .map_err(|error| file.error_at("seam.ellipse.a_direction", error.to_string(), "not along `normal`"))?;
+            let faces = match e.joint {
+                FilletOrButt::Fillet => FaceRule::WallOnPlate { plate: normal },
+                FilletOrButt::Butt => FaceRule::Flat { normal },
+            };
+            Ok(Box::new(CurvedEdge { curve, faces }))
+        }
+        Seam::Line(line) => {
+            let (n1, n2) = (line.first_normal.unit(), line.second_normal.unit());
+            let curve = Line::new(line.start_mm.get(), line.end_mm.get())
+                .map_err(|e| file.error_at("seam.line.end_mm", e.to_string(), "another point than `start_mm`"))?;
+            let along = (line.end_mm.get() - line.start_mm.get()).normalize();
+            for (key, n) in [("first_normal", n1), ("second_normal", n2)] {
+                if n.dot(along).abs() > 1e-6 {
+                    let message = "the face's normal is not perpendicular to the seam";
+                    return Err(file.error_at(&format!("seam.line.{key}"), message, "perpendicular to end - start"));
+                }
+            }
+            if (n1 + n2).length() < 1e-6 {
+                let message = "the faces look at each other: there is no joint to reach";
+                return Err(file.error_at("seam.line.second_normal", message, "not opposite to `first_normal`"));
+            }
+            Ok(Box::new(CurvedEdge { curve, faces: FaceRule::Fixed { n1, n2 } }))
+        }
+    }
+}
+
+fn intersection<T>(file: &Document<T>, n: &Nozzle) -> Result<TubeIntersection, DocumentError> {
+    let key = |k: &str| format!("seam.nozzle.{k}");
+    let tube = Tube::new(n.origin_mm.get(), n.direction.unit(), n.zero_direction.unit(), n.radius_mm.get())
+        .map_err(|e| file.error_at(&key("zero_direction"), e.to_string(), "not along `direction`"))?;
+    let (name, size, body) = body(file, &n.body)?;
+    TubeIntersection::new(tube, body).map_err(|e| {
+        let radius = n.radius_mm.get();
+        let (at, allowed) = match e {
+            Error::TubeLargerThanBody => ("radius_mm", format!("a nozzle that fits the {name} ({size})")),
+            Error::TubeBesideBody => ("origin_mm", format!("an axis that meets the {name} ({size})")),
+            Error::NotClosed { .. } => {
+                ("radius_mm", format!("a radius and an axis with the whole wall ({radius} mm about it) on the {name} ({size})"))
+            }
+            Error::Tangent { .. } => ("radius_mm", format!("a nozzle smaller than the {name} ({size})")),
+            _ => ("direction", format!("a direction out of the {name}")),
+        };
+        file.error_at(&key(at), e.to_string(), allowed)
+    })
+}
+
+/// The body with its name and size in words.
+fn body<T>(file: &Document<T>, body: &Body) -> Result<(&'static str, String, Quadric), DocumentError> {
+    let (name, size, quadric) = match body {
+        Body::Cylinder { radius_mm, point_mm, axis } => {
+            let r = radius_mm.get();
+            ("cylinder", format!("radius {r} mm"), Quadric::cylinder(point_mm.get(), axis.unit(), r))
+        }
+        Body::Cone { half_angle_deg, apex_mm, axis } => {
+            let angle = half_angle_deg.get();
+            if angle >= 90.0 {
+                let path = "seam.nozzle.body.cone.half_angle_deg";
+                return Err(file.error_at(path, "not the half angle of a cone", "more than 0 and less than 90"));
+            }
+            let quadric = Quadric::cone(apex_mm.get(), axis.unit(), angle.to_radians());
+            ("cone", format!("half angle {angle} degrees"), quadric)
+        }
+        Body::Sphere { radius_mm, centre_mm } => {
+            let r = radius_mm.get();
+            ("sphere", format!("radius {r} mm"), Quadric::sphere(centre_mm.get(), r))
+        }
+        Body::Ellipsoid { semi_axes_mm, centre_mm, axis, x_direction } => {
+            let semi = DVec3::from_array(semi_axes_mm.map(|v| v.get()));
+            let size = format!("semi-axes {} x {} x {} mm", semi.x, semi.y, semi.z);
+            ("ellipsoid", size, Quadric::ellipsoid(centre_mm.get(), axis.unit(), x_direction.unit(), semi))
+        }
+        Body::Plane { point_mm, normal } => {
+            ("plane", "its normal points out of the plate".to_owned(), Quadric::plane(point_mm.get(), normal.unit()))
+        }
+    };
+    let path = format!("seam.nozzle.body.{name}");
+    let quadric = quadric.map_err(|e| file.error_at(&path, e.to_string(), "see the job's schema"))?;
+    Ok((name, size, quadric))
+}
+
