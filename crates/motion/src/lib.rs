@@ -1,1 +1,19 @@
-//! Program and machine to time: joint paths, the speed law, set-points, textbook interpolators.
+//! From a torch path and a machine to set-points in time.
+//!
+//! Floor 2. [`JointPath`] is the exact path of the axes by path length; [`SpeedLaw`] the fastest speed along it up to
+//! the asked one within every axis' speed and acceleration; [`PassMotion`] puts both together with the process
+//! sequence, and [`SetPoints`] plays it period by period in constant memory, without allocation.
+
+mod joint_path;
+mod limits;
+mod pass_motion;
+mod set_points;
+mod speed_law;
+mod stations;
+mod survey;
+
+pub use joint_path::{JointPath, JointPoint};
+pub use limits::{Bound, SpeedReport};
+pub use pass_motion::PassMotion;
+pub use set_points::{Phase, SetPoint, SetPoints};
+pub use speed_law::{LawPoint, SpeedLaw};

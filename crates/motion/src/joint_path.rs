@@ -1,0 +1,200 @@
+use seamwright_geometry::{NODES, Series, nodes};
+use seamwright_machine::{AxisKind, Joints, MAX_AXES, Machine};
+use seamwright_program::TorchPath;
+
+/// Axes evaluated together, so that the compiler can use vector instructions.
+const LANES: usize = 4;
+
+/// Coefficients of [`LANES`] axes, by degree.
+type Block = [[f64; LANES]; NODES];
+
+/// How far (mm) the panels' series may be from the exact inverse kinematics of a linear axis.
+const TOLERANCE_MM: f64 = 1e-10;
+/// The same for a rotary axis, rad.
+const TOLERANCE_RAD: f64 = 1e-12;
+/// Panels are not halved below this part of the path: there the inverse is not smooth.
+const SMALLEST_PANEL: f64 = 1e-6;
+
+/// Positions and derivatives by path length at one place; mm or rad per mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct JointPoint {
+    /// Positions, mm or rad.
+    pub q: Joints,
+    /// First derivative by path length.
+    pub d1: Joints,
+    /// Second derivative by path length.
+    pub d2: Joints,
+}
+
+/// The axes' positions by path length, `q(s)`, with derivatives.
+///
+/// Panels of Chebyshev series fitted to the closed-form inverse kinematics at their nodes and halved until they agree
+/// with it between the nodes. Guarantee (checked at 33 places a panel): within 1e-10 mm and 1e-12 rad of the exact
+/// inverse. Evaluation allocates nothing and costs the same on any machine with as many axes.
+#[derive(Debug, Clone)]
+pub struct JointPath {
+    panels: Vec<Panel>,
+    /// `blocks` per panel, one after the other.
+    blocks: Vec<Block>,
+    blocks_a_panel: usize,
+    length: f64,
+    axes: usize,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Panel {
+    start: f64,
+    end: f64,
+}
+
+/// Where the axes do not follow the path smoothly.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct NotSmooth {
+    /// Path length, mm.
+    pub(crate) s: f64,
+}
+
+impl JointPath {
+    /// The axes' path along `path`, beginning at the positions `start` (one branch of the inverse at s = 0).
+    pub(crate) fn new(machine: &Machine, path: &dyn TorchPath, start: &Joints) -> Result<Self, NotSmooth> {
+        let axes = machine.axes.len();
+        let length = path.length();
+        let mut built =
+            Self { panels: Vec::new(), blocks: Vec::new(), blocks_a_panel: axes.div_ceil(LANES), length, axes };
+        let mut near = *start;
+        let mut todo: Vec<(f64, f64)> = Vec::new();
+        let mut edges = vec![0.0];
+        edges.extend(path.knots().into_iter().filter(|s| *s > 0.0 && *s < length));
+        edges.push(length);
+        todo.extend(edges.windows(2).rev().map(|w| (w[0], w[1])));
+        while let Some((a, b)) = todo.pop() {
+            if let Some((blocks, end)) = fit(machine, path, a, b, &near, built.blocks_a_panel) {
+                built.panels.push(Panel { start: a, end: b });
+                built.blocks.extend(blocks);
+                near = end;
+            } else if b - a < SMALLEST_PANEL * length {
+                return Err(NotSmooth { s: a });
+            } else {
+                let middle = 0.5 * (a + b);
+                todo.push((middle, b));
+                todo.push((a, middle));
+            }
+        }
+        Ok(built)
+    }
+
+    /// Length of the path, mm.
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// Places where one panel ends and the next begins, with both ends of the path.
+    pub(crate) fn edges(&self) -> Vec<f64> {
+        self.panels.iter().map(|p| p.start).chain(std::iter::once(self.length)).collect()
+    }
+
+    /// The panel at `s`: the later one where two meet, unless `before`.
+    fn panel(&self, s: f64, before: bool) -> usize {
+        let after = |p: &Panel| if before { p.start < s } else { p.start <= s };
+        self.panels.partition_point(after).saturating_sub(1)
+    }
+
+    /// Positions at path length `s` in [0, length], mm or rad.
+    pub fn at(&self, s: f64) -> Joints {
+        let i = self.panel(s, false);
+        let x = self.panels[i].local(s);
+        let twice = 2.0 * x;
+        let mut q = Joints::default();
+        for (b, block) in self.blocks[i * self.blocks_a_panel..][..self.blocks_a_panel].iter().enumerate() {
+            // Clenshaw's recurrence, on all lanes at once.
+            let (mut b1, mut b2) = ([0.0; LANES], [0.0; LANES]);
+            for c in block[1..].iter().rev() {
+                for l in 0..LANES {
+                    let new = twice * b1[l] - b2[l] + c[l];
+                    b2[l] = b1[l];
+                    b1[l] = new;
+                }
+            }
+            for l in 0..LANES {
+                q[b * LANES + l] = x * b1[l] - b2[l] + block[0][l];
+            }
+        }
+        q
+    }
+
+    /// Positions and derivatives at `s`, from the panel after it (or before it, where two panels meet).
+    pub fn point(&self, s: f64, before: bool) -> JointPoint {
+        let i = self.panel(s, before);
+        let panel = self.panels[i];
+        let x = panel.local(s);
+        let scale = 2.0 / (panel.end - panel.start);
+        let mut p = JointPoint { q: Joints::default(), d1: Joints::default(), d2: Joints::default() };
+        for axis in 0..self.axes {
+            let block = &self.blocks[i * self.blocks_a_panel + axis / LANES];
+            let series = Series { c: std::array::from_fn(|k| block[k][axis % LANES]) };
+            let d1 = series.derivative();
+            p.q[axis] = series.at(x);
+            p.d1[axis] = d1.at(x) * scale;
+            p.d2[axis] = d1.derivative().at(x) * scale * scale;
+        }
+        p
+    }
+}
+
+impl Panel {
+    fn local(&self, s: f64) -> f64 {
+        (2.0 * (s - self.start) / (self.end - self.start) - 1.0).clamp(-1.0, 1.0)
+    }
+}
+
+/// Fits one panel; its coefficients and the positions at its end, or nothing if it is too long.
+fn fit(
+    machine: &Machine,
+    path: &dyn TorchPath,
+    a: f64,
+    b: f64,
+    near: &Joints,
+    blocks: usize,
+) -> Option<(Vec<Block>, Joints)> {
+    let at = |x: f64| a + 0.5 * (b - a) * (1.0 + x);
+    let mut last = *near;
+    let mut exact = |s: f64| -> Option<Joints> {
+        last = machine.inverse_near(&path.pose(s), &last).ok()?.joints;
+        Some(last)
+    };
+    // Nodes descend; walk them upwards so that each inverse starts from its neighbour.
+    let mut values = [[0.0; NODES]; MAX_AXES];
+    for j in (0..NODES).rev() {
+        let q = exact(at(nodes()[j]))?;
+        for (axis, row) in values.iter_mut().enumerate() {
+            row[j] = q[axis];
+        }
+    }
+    let end = exact(b)?;
+    let mut fitted = vec![[[0.0; LANES]; NODES]; blocks];
+    let mut series = Vec::with_capacity(machine.axes.len());
+    for axis in 0..machine.axes.len() {
+        let s = Series::fit(&values[axis]);
+        for k in 0..NODES {
+            fitted[axis / LANES][k][axis % LANES] = s.c[k];
+        }
+        series.push(s);
+    }
+    let mut last = *near;
+    for i in 0..=2 * NODES {
+        let x = i as f64 / NODES as f64 - 1.0;
+        let q = machine.inverse_near(&path.pose(at(x)), &last).ok()?.joints;
+        for (axis, (s, q)) in machine.axes.iter().zip(series.iter().zip(&q)) {
+            let tolerance = match axis.kind {
+                AxisKind::Linear => TOLERANCE_MM,
+                AxisKind::Rotary => TOLERANCE_RAD,
+            };
+            let rounding = 32.0 * f64::EPSILON * q.abs();
+            if (s.at(x) - q).abs() > tolerance.max(rounding) {
+                return None;
+            }
+        }
+        last = q;
+    }
+    Some((fitted, end))
+}

@@ -1,0 +1,80 @@
+use crate::limits::speed_findings;
+use crate::set_points::SetPoints;
+use crate::survey::survey;
+use crate::{JointPath, SpeedLaw};
+use seamwright_machine::Machine;
+use seamwright_program::{Finding, Pass, Sequence, TorchPath};
+
+/// One pass as motion: the axes' path, the speed law and the process sequence around it.
+#[derive(Debug, Clone)]
+pub struct PassMotion {
+    /// The axes' positions by path length.
+    pub path: JointPath,
+    /// The speed along it.
+    pub law: SpeedLaw,
+    /// Times before and after the travel.
+    pub sequence: Sequence,
+    /// Largest angle (rad) between the torch attitude asked for and the one reached, and where (mm).
+    pub attitude_error: (f64, f64),
+    /// What is to be said although the weld can be made.
+    pub findings: Vec<Finding>,
+}
+
+impl PassMotion {
+    /// Plans `pass` (the `number`-th, from 1) along `path` on `machine`.
+    ///
+    /// # Errors
+    /// Every finding that stands against it: out of reach, out of an axis' range, too fast for an axis (if the pass
+    /// refuses to slow down), not smooth.
+    pub fn plan(machine: &Machine, path: &dyn TorchPath, pass: &Pass, number: usize) -> Result<Self, Vec<Finding>> {
+        let survey = survey(machine, path, number)?;
+        let mut findings = survey.findings;
+        let joints = match JointPath::new(machine, path, &survey.start) {
+            Ok(joints) => joints,
+            Err(at) => {
+                findings.push(not_smooth(machine, at.s, number));
+                return Err(findings);
+            }
+        };
+        let asked = |s: f64| pass.span_at(s).map_or(0.0, |span| span.speed_mm_s.get());
+        findings.extend(speed_findings(machine, &joints, &asked, pass.on_limit, number));
+        if findings.iter().any(|f| !f.allowed) {
+            return Err(findings);
+        }
+        let breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
+        let law = SpeedLaw::new(machine, &joints, &breaks, &asked);
+        Ok(Self { path: joints, law, sequence: pass.sequence, attitude_error: survey.attitude_error, findings })
+    }
+
+    /// Time before the torch travels, s.
+    pub fn before_s(&self) -> f64 {
+        self.sequence.preflow_s.get() + self.sequence.travel_delay_s.get()
+    }
+
+    /// Time from the first to the last set-point, s.
+    pub fn total_s(&self) -> f64 {
+        self.before_s() + self.law.duration() + self.sequence.crater_s.get() + self.sequence.postflow_s.get()
+    }
+
+    /// Time the arc (or beam) is on, s.
+    pub fn arc_on_s(&self) -> f64 {
+        self.sequence.travel_delay_s.get() + self.law.duration() + self.sequence.crater_s.get()
+    }
+
+    /// The set-points every `period` s, from the first gas to the last.
+    pub fn set_points(&self, period: f64) -> SetPoints<'_> {
+        SetPoints::new(self, period)
+    }
+}
+
+fn not_smooth(machine: &Machine, s: f64, pass: usize) -> Finding {
+    Finding {
+        kind: "singular",
+        message: format!("the axes of {} cannot follow the torch smoothly here: it passes a singular attitude", machine.name),
+        pass,
+        from_mm: s,
+        to_mm: s,
+        cure: "change the torch angles a little or place the work otherwise".to_owned(),
+        allowed: false,
+    }
+}

@@ -1,0 +1,104 @@
+use crate::{JointPoint, LawPoint, PassMotion};
+use seamwright_machine::Joints;
+
+/// What the process does at an instant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Phase {
+    /// Gas flows, nothing else.
+    Preflow,
+    /// The arc is on and the torch rests before it travels.
+    TravelDelay,
+    /// The torch travels with the arc on.
+    Travel,
+    /// The torch rests at the end with the arc on.
+    Crater,
+    /// The arc is off, gas still flows.
+    Postflow,
+}
+
+impl Phase {
+    /// True if arc or beam is on.
+    pub fn arc(self) -> bool {
+        matches!(self, Self::TravelDelay | Self::Travel | Self::Crater)
+    }
+}
+
+/// Where the axes shall be at one instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SetPoint {
+    /// Time from the first set-point, s.
+    pub t: f64,
+    /// What the process does.
+    pub phase: Phase,
+    /// Path length, speed and acceleration along the path.
+    pub law: LawPoint,
+    /// Positions, mm or rad.
+    pub q: Joints,
+}
+
+/// The set-points of a pass, one a period: computed when asked for, so that a motion of any length needs the same
+/// memory. The tip's speed by set-points is the law's: positions are those of the exact path at the law's `s(t)`.
+#[derive(Debug, Clone)]
+pub struct SetPoints<'a> {
+    motion: &'a PassMotion,
+    period: f64,
+    next: u64,
+    count: u64,
+    cursor: usize,
+}
+
+impl<'a> SetPoints<'a> {
+    pub(crate) fn new(motion: &'a PassMotion, period: f64) -> Self {
+        // The last set-point is the first at or after the end (less a rounding).
+        let count = (motion.total_s() / period - 1e-9).ceil().max(0.0) as u64 + 1;
+        Self { motion, period, next: 0, count, cursor: 0 }
+    }
+
+    /// The law and phase at time `t` from the first set-point.
+    fn instant(&mut self, t: f64) -> (Phase, LawPoint) {
+        let m = self.motion;
+        let travel = t - m.before_s();
+        let law = m.law.at(travel, &mut self.cursor);
+        let after = travel - m.law.duration();
+        let phase = if t < m.sequence.preflow_s.get() {
+            Phase::Preflow
+        } else if travel < 0.0 {
+            Phase::TravelDelay
+        } else if after < 0.0 {
+            Phase::Travel
+        } else if after < m.sequence.crater_s.get() {
+            Phase::Crater
+        } else {
+            Phase::Postflow
+        };
+        if travel < 0.0 { (phase, LawPoint { s: 0.0, v: 0.0, a: 0.0 }) } else { (phase, law) }
+    }
+}
+
+impl Iterator for SetPoints<'_> {
+    type Item = SetPoint;
+
+    fn next(&mut self) -> Option<SetPoint> {
+        if self.next >= self.count {
+            return None;
+        }
+        let t = self.next as f64 * self.period;
+        self.next += 1;
+        let (phase, law) = self.instant(t);
+        Some(SetPoint { t, phase, law, q: self.motion.path.at(law.s) })
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let left = usize::try_from(self.count - self.next).unwrap_or(usize::MAX);
+        (left, Some(left))
+    }
+}
+
+impl SetPoint {
+    /// Speeds and accelerations of the axes, mm or rad per s and s^2.
+    pub fn rates(&self, motion: &PassMotion) -> (Joints, Joints) {
+        let JointPoint { d1, d2, .. } = motion.path.point(self.law.s, false);
+        let (v, a) = (self.law.v, self.law.a);
+        (std::array::from_fn(|i| d1[i] * v), std::array::from_fn(|i| d2[i] * v * v + d1[i] * a))
+    }
+}

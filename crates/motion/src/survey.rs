@@ -1,0 +1,164 @@
+//! Before the motion is made: which branch and which turn to start on, and everything that stands against the path.
+
+use crate::limits::Runs;
+use seamwright_machine::{Joints, Machine};
+use seamwright_program::{Finding, TorchPath};
+use std::f64::consts::TAU;
+
+/// Places along the path that are looked at.
+const PLACES: usize = 1440;
+
+/// Attitude errors above this are listed as findings, rad.
+const ATTITUDE_WORTH_SAYING: f64 = 0.5 * std::f64::consts::PI / 180.0;
+
+/// What a walk along the path found.
+pub(crate) struct Survey {
+    /// Positions at the start of the path, on the chosen branch and turn.
+    pub(crate) start: Joints,
+    /// Largest angle between the direction asked for and the one reached, rad, and where.
+    pub(crate) attitude_error: (f64, f64),
+    /// What stands against the path; not all of it forbids it.
+    pub(crate) findings: Vec<Finding>,
+}
+
+/// Walks the path on every branch and returns the one that fits best.
+pub(crate) fn survey(machine: &Machine, path: &dyn TorchPath, pass: usize) -> Result<Survey, Vec<Finding>> {
+    let places: Vec<f64> = (0..=PLACES).map(|i| path.length() * i as f64 / PLACES as f64).collect();
+    let unreachable = unreachable(machine, path, &places, pass);
+    if !unreachable.is_empty() {
+        return Err(unreachable);
+    }
+    let home = machine.home();
+    // Where an axis is free at the very start, it stands as it will a little later.
+    let later = machine.inverse_near(&path.pose(places[1] * 1e-3), &home).map_or(home, |s| s.joints);
+    let Ok(branches) = machine.inverse(&path.pose(0.0), &later) else { return Err(Vec::new()) };
+    let mut best: Option<(f64, Survey)> = None;
+    for branch in branches.iter() {
+        let walk = walk(machine, path, &places, branch.joints, pass);
+        let cost = cost(machine, &walk);
+        if best.as_ref().is_none_or(|(least, _)| cost < *least) {
+            best = Some((cost, walk));
+        }
+    }
+    best.map(|(_, survey)| survey).ok_or_else(Vec::new)
+}
+
+/// Ranges along the path where no axis positions reach it.
+fn unreachable(machine: &Machine, path: &dyn TorchPath, places: &[f64], pass: usize) -> Vec<Finding> {
+    let home = machine.home();
+    let mut runs = Runs::default();
+    for &s in places {
+        let reason = machine.inverse(&path.pose(s), &home).err().map(|e| e.to_string());
+        runs.add(s, reason.map(|message| (0, 0.0, message)));
+    }
+    runs.findings(|run| Finding {
+        kind: "reach",
+        message: format!("{}: {}", machine.name, run.message),
+        pass,
+        from_mm: run.from,
+        to_mm: run.to,
+        cure: "change the placement of the work, the torch angles or the machine".to_owned(),
+        allowed: false,
+    })
+}
+
+/// Follows one branch.
+fn walk(machine: &Machine, path: &dyn TorchPath, places: &[f64], start: Joints, pass: usize) -> Survey {
+    let mut rows: Vec<Joints> = Vec::with_capacity(places.len());
+    let mut attitude_error = (0.0, 0.0);
+    for &s in places {
+        let near = rows.last().copied().unwrap_or(start);
+        // Reachability was checked before; a place that fails between checked ones keeps its neighbour's positions.
+        let solution = machine.inverse_near(&path.pose(s), &near);
+        if let Ok(solution) = &solution
+            && solution.attitude_error > attitude_error.0
+        {
+            attitude_error = (solution.attitude_error, s);
+        }
+        rows.push(solution.map_or(near, |s| s.joints));
+    }
+    let shift = turns_into_range(machine, &rows);
+    for row in &mut rows {
+        row.iter_mut().zip(&shift).for_each(|(q, d)| *q += d);
+    }
+    let mut findings = range_findings(machine, places, &rows, pass);
+    if attitude_error.0 > ATTITUDE_WORTH_SAYING {
+        findings.push(Finding {
+            kind: "attitude",
+            message: format!(
+                "{} has too few axes for the whole torch attitude: it is up to {:.2} degrees off the one asked for",
+                machine.name,
+                attitude_error.0.to_degrees()
+            ),
+            pass,
+            from_mm: attitude_error.1,
+            to_mm: attitude_error.1,
+            cure: "accept it, change the work angle, or use a machine with one more rotary axis".to_owned(),
+            allowed: true,
+        });
+    }
+    Survey { start: rows[0], attitude_error, findings }
+}
+
+/// Whole turns to add to each rotary axis so that its positions lie in its range, as near to home as possible.
+fn turns_into_range(machine: &Machine, rows: &[Joints]) -> Joints {
+    let mut shift = Joints::default();
+    for (i, axis) in machine.axes.iter().enumerate() {
+        if axis.kind == seamwright_machine::AxisKind::Linear {
+            continue;
+        }
+        let (low, high) = extremes(rows, i);
+        let near_home = -TAU * ((0.5 * (low + high) - axis.home) / TAU).round();
+        shift[i] = near_home;
+        if let Some((least, most)) = axis.range {
+            let fits = |d: f64| low + d >= least && high + d <= most;
+            let turns = (-4..=4).map(|k| near_home + TAU * f64::from(k)).filter(|d| fits(*d));
+            let nearest = turns.min_by(|a, b| (a - near_home).abs().total_cmp(&(b - near_home).abs()));
+            shift[i] = nearest.unwrap_or(near_home);
+        }
+    }
+    shift
+}
+
+fn extremes(rows: &[Joints], axis: usize) -> (f64, f64) {
+    rows.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), q| (l.min(q[axis]), h.max(q[axis])))
+}
+
+fn range_findings(machine: &Machine, places: &[f64], rows: &[Joints], pass: usize) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (i, axis) in machine.axes.iter().enumerate() {
+        let mut runs = Runs::default();
+        for (&s, q) in places.iter().zip(rows) {
+            let out = axis.outside(q[i]).map(|limit| {
+                let (value, limit) = (axis.to_file(q[i]), axis.to_file(limit));
+                let by = (value - limit).abs();
+                let unit = axis.unit();
+                let message = format!("axis {} would go to {value:.3} {unit}, {by:.3} {unit} beyond its limit {limit:.3} {unit}", axis.name);
+                (i, by, message)
+            });
+            runs.add(s, out);
+        }
+        findings.extend(runs.findings(|run| Finding {
+            kind: "range",
+            message: run.message.clone(),
+            pass,
+            from_mm: run.from,
+            to_mm: run.to,
+            cure: format!("move the work (placement) or start the weld elsewhere so that {} stays in its range", axis.name),
+            allowed: false,
+        }));
+    }
+    findings
+}
+
+/// Orders walks: any that may be welded before any that may not, then less attitude error, then nearer to home.
+fn cost(machine: &Machine, survey: &Survey) -> f64 {
+    let forbidden = survey.findings.iter().filter(|f| !f.allowed).count() as f64;
+    let from_home: f64 = machine
+        .axes
+        .iter()
+        .zip(survey.start.iter().zip(machine.home()))
+        .map(|(axis, (q, home))| ((q - home) / axis.max_speed).abs())
+        .sum();
+    1e6 * forbidden + 1e3 * survey.attitude_error.0 + from_home * 1e-3
+}

@@ -1,0 +1,61 @@
+use super::grid::{Grid, leaving};
+
+/// A walk over the lattice from the path's start to its end: position, quadrant and what is left to do.
+///
+/// Up to the last quadrant only crossings are counted. In the last one each axis moves towards the end's coordinate
+/// and stops on it; an axis that had gone past it before (the quadrant's first point may be one pulse off) is put right
+/// by closing pulses, one axis at a time. So a walk always ends on the lattice point nearest to the path's end.
+pub(super) struct Course {
+    pub(super) grid: Grid,
+    at: [i64; 3],
+    quadrant: u32,
+    left: u32,
+}
+
+impl Course {
+    pub(super) fn new(grid: Grid) -> Self {
+        Self { at: grid.start, quadrant: leaving(grid.start), left: grid.crossings, grid }
+    }
+
+    /// Where the walk is, pulses.
+    pub(super) fn at(&self) -> [i64; 3] {
+        self.at
+    }
+
+    /// Direction of the pulses of x and y in this quadrant.
+    pub(super) fn signs(&self) -> (i64, i64) {
+        match self.quadrant {
+            0 => (-1, 1),
+            1 => (-1, -1),
+            2 => (1, -1),
+            _ => (1, 1),
+        }
+    }
+
+    /// Whether x and y may still pulse.
+    pub(super) fn open(&self) -> (bool, bool) {
+        let (sx, sy) = self.signs();
+        let end = self.grid.end;
+        (self.left > 0 || (end[0] - self.at[0]) * sx > 0, self.left > 0 || (end[1] - self.at[1]) * sy > 0)
+    }
+
+    /// Makes a pulse and returns the new position.
+    pub(super) fn pulse(&mut self, pulse: [i64; 3]) -> [i64; 3] {
+        for (at, by) in self.at.iter_mut().zip(pulse) {
+            *at += by;
+        }
+        if self.left > 0 && leaving(self.at) != self.quadrant {
+            self.quadrant = leaving(self.at);
+            self.left -= 1;
+        }
+        self.at
+    }
+
+    /// The pulse still needed when x and y may not pulse any more; none at the end.
+    pub(super) fn closing_pulse(&self) -> Option<[i64; 3]> {
+        let axis = (0..3).find(|&i| self.at[i] != self.grid.end[i])?;
+        let mut pulse = [0; 3];
+        pulse[axis] = (self.grid.end[axis] - self.at[axis]).signum();
+        Some(pulse)
+    }
+}

@@ -1,0 +1,197 @@
+use super::error::{Error, finite, positive};
+use super::path::{Base, Path};
+use glam::{DVec2, DVec3};
+use seamwright_geometry::{Ellipse, Quadric, Tube, TubeIntersection};
+use std::f64::consts::TAU;
+
+/// How far a start or end point may lie off the ellipse and still be taken as its nearest point, mm.
+pub const ON_ELLIPSE_TOLERANCE_MM: f64 = 1e-3;
+
+/// Greatest sweep of a saddle either way, rad: ten turns.
+pub const SWEEP_LIMIT_RAD: f64 = 10.0 * TAU;
+
+/// Below this many rad between start and end, an ellipse is one full turn.
+const SAME_POINT_RAD: f64 = 1e-9;
+
+/// A curve to follow, with where to start, where to end and which way round.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Shape {
+    /// The ellipse `x = a cos(u), y = b sin(u), z = 0` (ELLIPSE-2015); `u` is the eccentric angle.
+    Ellipse {
+        /// Semi-axis along x, mm.
+        a_mm: f64,
+        /// Semi-axis along y, mm; it may be the longer one.
+        b_mm: f64,
+        /// Where to start, mm; within [`ON_ELLIPSE_TOLERANCE_MM`] of the ellipse.
+        start_mm: DVec2,
+        /// Where to end, mm, likewise; none, or the start itself, for one full turn.
+        end_mm: Option<DVec2>,
+        /// True to go clockwise seen from the tip of z, that is with falling eccentric angle.
+        clockwise: bool,
+    },
+    /// The saddle `x = r cos(u), y = r sin(u), z = sqrt(R^2 - r^2 sin(u)^2)`: a nozzle of radius r about the z axis on
+    /// a shell of radius R about the x axis (SADDLE-2020).
+    Saddle {
+        /// Nozzle radius r, mm.
+        nozzle_radius_mm: f64,
+        /// Shell radius R, mm; greater than r.
+        shell_radius_mm: f64,
+        /// Angle about the nozzle's axis where it starts, rad.
+        start_rad: f64,
+        /// Angle to go, rad; negative for clockwise seen from the tip of z; at most [`SWEEP_LIMIT_RAD`] either way.
+        sweep_rad: f64,
+    },
+}
+
+impl Shape {
+    /// The example of ELLIPSE-2015: a = 20 mm, b = 16 mm, from (0, 16) clockwise to (20, 0).
+    pub const ELLIPSE_2015: Self = Self::Ellipse {
+        a_mm: 20.0,
+        b_mm: 16.0,
+        start_mm: DVec2::new(0.0, 16.0),
+        end_mm: Some(DVec2::new(20.0, 0.0)),
+        clockwise: true,
+    };
+
+    /// The sizes of SADDLE-2020: r = 250 mm, R = 800 mm, one full turn from the x axis.
+    pub const SADDLE_2020: Self =
+        Self::Saddle { nozzle_radius_mm: 250.0, shell_radius_mm: 800.0, start_rad: 0.0, sweep_rad: TAU };
+
+    /// The true curve from start to end.
+    ///
+    /// # Errors
+    /// Every [`Error`] that concerns the shape alone.
+    pub fn path(&self) -> Result<Path, Error> {
+        match *self {
+            Self::Ellipse { a_mm, b_mm, start_mm, end_mm, clockwise } => {
+                ellipse(a_mm, b_mm, start_mm, end_mm, clockwise)
+            }
+            Self::Saddle { nozzle_radius_mm, shell_radius_mm, start_rad, sweep_rad } => {
+                saddle(nozzle_radius_mm, shell_radius_mm, start_rad, sweep_rad)
+            }
+        }
+    }
+}
+
+fn ellipse(a: f64, b: f64, start: DVec2, end: Option<DVec2>, clockwise: bool) -> Result<Path, Error> {
+    positive("semi-axis a", a)?;
+    positive("semi-axis b", b)?;
+    let curve = Ellipse::new(DVec3::ZERO, DVec3::Z, DVec3::X, a, b)?;
+    let direction = if clockwise { -1.0 } else { 1.0 };
+    let whole = Path::new(Base::Ellipse { curve, a, b }, 0.0, direction, TAU);
+    let from = angle_of(&whole, "start", start)?;
+    let span = match end {
+        None => TAU,
+        Some(end) => {
+            let span = (direction * (angle_of(&whole, "end", end)? - from)).rem_euclid(TAU);
+            if !(SAME_POINT_RAD..=TAU - SAME_POINT_RAD).contains(&span) { TAU } else { span }
+        }
+    };
+    Ok(Path::new(whole.into_base(), from, direction, span))
+}
+
+/// Eccentric angle of a point that should lie on the ellipse, in (-pi, pi].
+fn angle_of(path: &Path, which: &'static str, p: DVec2) -> Result<f64, Error> {
+    finite("a point's x", p.x)?;
+    finite("a point's y", p.y)?;
+    let near = path.nearest(p.extend(0.0));
+    // Not the comparison the other way round: that would let NaN, from an overflow, pass.
+    if near.distance_mm <= ON_ELLIPSE_TOLERANCE_MM {
+        return Ok(near.u_rad);
+    }
+    let on = path.point(near.u_rad);
+    Err(Error::OffEllipse {
+        which,
+        x_mm: p.x,
+        y_mm: p.y,
+        distance_mm: near.distance_mm,
+        tolerance_mm: ON_ELLIPSE_TOLERANCE_MM,
+        near_x_mm: on.x,
+        near_y_mm: on.y,
+    })
+}
+
+fn saddle(nozzle: f64, shell: f64, start: f64, sweep: f64) -> Result<Path, Error> {
+    positive("the nozzle radius", nozzle)?;
+    positive("the shell radius", shell)?;
+    finite("the start angle", start)?;
+    finite("the sweep", sweep)?;
+    if nozzle >= shell {
+        return Err(Error::NozzleTooLarge { nozzle_mm: nozzle, shell_mm: shell });
+    }
+    if sweep == 0.0 || sweep.abs() > SWEEP_LIMIT_RAD {
+        return Err(Error::Sweep { sweep_rad: sweep, limit_rad: SWEEP_LIMIT_RAD });
+    }
+    let tube = Tube::new(DVec3::ZERO, DVec3::Z, DVec3::X, nozzle)?;
+    let body = Quadric::cylinder(DVec3::ZERO, DVec3::X, shell)?;
+    let curve = TubeIntersection::new(tube, body)?;
+    // Near zero the angle is stored finest.
+    let start = start.rem_euclid(TAU);
+    Ok(Path::new(Base::Saddle { curve, nozzle, shell }, start, sweep.signum(), sweep.abs()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    fn arc(start: DVec2, end: Option<DVec2>, clockwise: bool) -> Result<Path, Error> {
+        Shape::Ellipse { a_mm: 20.0, b_mm: 16.0, start_mm: start, end_mm: end, clockwise }.path()
+    }
+
+    #[test]
+    fn the_papers_quarter() {
+        let p = Shape::ELLIPSE_2015.path().unwrap();
+        assert!((p.start_rad() - FRAC_PI_2).abs() < 1e-15 && p.end_rad().abs() < 1e-15);
+        assert!((p.span_rad() - FRAC_PI_2).abs() < 1e-15);
+        assert!((p.length_mm().unwrap() - 28.361_667_888_974_5).abs() < 2e-13);
+    }
+
+    #[test]
+    fn spans_and_directions() {
+        let (right, top, left) = (DVec2::new(20.0, 0.0), DVec2::new(0.0, 16.0), DVec2::new(-20.0, 0.0));
+        let span = |s, e, c| arc(s, e, c).unwrap().span_rad();
+        assert!((span(right, Some(top), false) - FRAC_PI_2).abs() < 1e-12);
+        assert!((span(right, Some(top), true) - 1.5 * PI).abs() < 1e-12);
+        assert!((span(top, Some(left), false) - FRAC_PI_2).abs() < 1e-12);
+        assert!((span(left, Some(top), false) - 1.5 * PI).abs() < 1e-12);
+        assert!((span(left, None, false) - TAU).abs() < 1e-12);
+        assert!((span(left, Some(left), true) - TAU).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_rounded_start_is_taken_and_a_wrong_one_told_how_far() {
+        let on = DVec2::new(20.0 * 0.7f64.cos(), 16.0 * 0.7f64.sin());
+        let rounded = (on * 1e3).round() / 1e3;
+        assert!((arc(rounded, None, true).unwrap().start_rad() - 0.7).abs() < 1e-4);
+        match arc(DVec2::new(0.0, 16.5), None, true) {
+            Err(Error::OffEllipse { which: "start", distance_mm, .. }) => assert!((distance_mm - 0.5).abs() < 1e-12),
+            other => panic!("{other:?}"),
+        }
+        let end = arc(on, Some(DVec2::new(1.0, 1.0)), true);
+        assert!(matches!(end, Err(Error::OffEllipse { which: "end", .. })));
+    }
+
+    #[test]
+    fn bad_sizes() {
+        let ellipse = |a, b| {
+            Shape::Ellipse { a_mm: a, b_mm: b, start_mm: DVec2::new(1.0, 0.0), end_mm: None, clockwise: false }.path()
+        };
+        for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(matches!(ellipse(bad, 1.0), Err(Error::NotPositive { .. })));
+            assert!(matches!(ellipse(1.0, bad), Err(Error::NotPositive { .. })));
+        }
+        assert!(matches!(arc(DVec2::new(f64::NAN, 0.0), None, true), Err(Error::NotFinite { .. })));
+        assert!(arc(DVec2::splat(1e300), None, true).is_err());
+        let saddle = |r, big, start, sweep| {
+            Shape::Saddle { nozzle_radius_mm: r, shell_radius_mm: big, start_rad: start, sweep_rad: sweep }.path()
+        };
+        assert!(matches!(saddle(0.0, 1.0, 0.0, 1.0), Err(Error::NotPositive { .. })));
+        assert!(matches!(saddle(2.0, 1.0, 0.0, 1.0), Err(Error::NozzleTooLarge { .. })));
+        assert!(matches!(saddle(1.0, 1.0, 0.0, 1.0), Err(Error::NozzleTooLarge { .. })));
+        assert!(matches!(saddle(1.0, 2.0, f64::NAN, 1.0), Err(Error::NotFinite { .. })));
+        assert!(matches!(saddle(1.0, 2.0, 0.0, 0.0), Err(Error::Sweep { .. })));
+        assert!(matches!(saddle(1.0, 2.0, 0.0, 100.0), Err(Error::Sweep { .. })));
+        assert!((saddle(1.0, 2.0, 7.0, -1.0).unwrap().end_rad() - (6.0 - TAU)).abs() < 1e-12);
+    }
+}
