@@ -2,7 +2,8 @@
 //!
 //! Floor 2. [`JointPath`] is the exact path of the axes by path length; [`SpeedLaw`] the fastest speed along it up to
 //! the asked one within every axis' speed and acceleration; [`PassMotion`] puts both together with the process
-//! sequence, and [`SetPoints`] plays it period by period in constant memory, without allocation.
+//! sequence, and [`SetPoints`] plays it period by period in constant memory, without allocation. [`textbook`] has the
+//! interpolators of the papers, for comparison.
 
 mod joint_path;
 mod limits;
@@ -11,6 +12,7 @@ mod set_points;
 mod speed_law;
 mod stations;
 mod survey;
+pub mod textbook;
 
 pub use joint_path::{JointPath, JointPoint};
 pub use limits::{Bound, SpeedReport};

@@ -130,7 +130,7 @@ fn the_law_is_consistent_in_time_and_length() {
         assert!((motion.law.time(p.s) - t).abs() < 1e-9);
         assert!((motion.law.speed(p.s) - p.v).abs() < 1e-6);
     }
-    assert!((integral - case.seam.weld_length()).abs() < 1e-3);
+    assert!((integral - case.seam.weld_length()).abs() < 5e-3);
 }
 
 #[test]
