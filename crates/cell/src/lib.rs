@@ -1,1 +1,17 @@
-//! The running machine: the simulated cell.
+//! The running machine. So far: the cell in simulation, faster than real time.
+//!
+//! [`simulate`] plays a planned pass on simulated drives (position loop, velocity loop, inertia, friction, encoder,
+//! current limit), finds the true torch tip from the true axis positions with the machine's own chain, and measures
+//! how far it is from the seam and how fast it runs along it.
+
+mod disturbance;
+mod drives;
+mod error;
+mod sample;
+mod simulate;
+mod summary;
+
+pub use error::Error;
+pub use sample::Sample;
+pub use simulate::simulate;
+pub use summary::{AxisSummary, Extremes, Summary};

@@ -1,0 +1,86 @@
+use crate::Error;
+use crate::disturbance::Disturbance;
+use seamwright_machine::{Axis, AxisKind, Drive, Load, Machine};
+use seamwright_servo::{AxisState, DriveParameters, DriveTuning, Gains, LinearLoad, RotaryLoad, ServoAxis, SetPoint};
+
+/// All drives of a machine in simulation.
+#[derive(Debug, Clone)]
+pub(crate) struct Drives {
+    axes: Vec<(ServoAxis, Disturbance)>,
+}
+
+/// The position loop may ask for this much more than the axis' highest speed, to catch up.
+const SPEED_RESERVE: f64 = 1.2;
+
+impl Drives {
+    pub(crate) fn new(machine: &Machine, seed: u64) -> Result<Self, Error> {
+        let axes = machine.axes.iter().enumerate().map(|(i, axis)| {
+            let drive = axis.drive.clone().unwrap_or_else(|| assumed(axis));
+            let pitch = match axis.kind {
+                AxisKind::Linear => 10.0,
+                AxisKind::Rotary => 5f64.to_radians(),
+            };
+            let servo = servo(axis, &drive, machine.servo_period_s)
+                .map_err(|e| Error::Drive { axis: axis.name.clone(), reason: e.to_string() })?;
+            Ok((servo, Disturbance::new(seed, i, drive.load.peak, pitch)))
+        });
+        Ok(Self { axes: axes.collect::<Result<_, _>>()? })
+    }
+
+    /// Puts every axis at rest at its position in `q`.
+    pub(crate) fn settle_at(&mut self, q: &[f64]) {
+        for ((servo, _), position) in self.axes.iter_mut().zip(q) {
+            servo.settle_at(*position);
+        }
+    }
+
+    /// One servo period of axis `i`.
+    pub(crate) fn step(&mut self, i: usize, set: SetPoint) -> AxisState {
+        let (servo, disturbance) = &mut self.axes[i];
+        let force = disturbance.next(servo.drive().position());
+        servo.step(set, force)
+    }
+}
+
+/// A drive for an axis whose file describes none: unit inertia, three times the acceleration it needs, 5 % friction.
+fn assumed(axis: &Axis) -> Drive {
+    let per_metre = if axis.kind == AxisKind::Linear { 1e-3 } else { 1.0 };
+    let peak = 3.0 * axis.max_acceleration * per_metre;
+    let counts = if axis.kind == AxisKind::Linear { 1000.0 } else { 10_000f64 * 1f64.to_degrees() };
+    Drive {
+        load: Load { inertia: 1.0, peak, coulomb: 0.05 * peak, viscous: 0.0 },
+        encoder_counts_per_unit: counts,
+        velocity_bandwidth_hz: 40.0,
+        current_time_constant_s: 2e-4,
+        gains: None,
+    }
+}
+
+fn servo(axis: &Axis, drive: &Drive, period: f64) -> Result<ServoAxis, seamwright_servo::Error> {
+    let Load { inertia, peak, coulomb, viscous } = drive.load;
+    let tuning = DriveTuning {
+        velocity_bandwidth_hz: drive.velocity_bandwidth_hz,
+        current_time_constant_s: drive.current_time_constant_s,
+        encoder_counts_per_unit: drive.encoder_counts_per_unit,
+    };
+    let parameters = match axis.kind {
+        AxisKind::Linear => DriveParameters::linear(
+            LinearLoad { mass_kg: inertia, peak_force_n: peak, coulomb_n: coulomb, viscous_n_s_per_m: viscous },
+            tuning,
+        ),
+        AxisKind::Rotary => DriveParameters::rotary(
+            RotaryLoad {
+                inertia_kg_m2: inertia,
+                peak_torque_nm: peak,
+                coulomb_nm: coulomb,
+                viscous_nm_s_per_rad: viscous,
+            },
+            tuning,
+        ),
+    }?;
+    let gains = match drive.gains {
+        Some(g) => Gains { kp: g.kp, ki: g.ki, kd: g.kd, kvff: g.kvff, kaff: g.kaff },
+        None => Gains::suggested(drive.velocity_bandwidth_hz, period),
+    };
+    ServoAxis::new(gains, SPEED_RESERVE * axis.max_speed, parameters, period)
+}

@@ -1,0 +1,35 @@
+use seamwright_machine::Joints;
+use seamwright_motion::{Phase, SetPoint};
+
+/// What the simulated cell was at one servo period; mm, rad, s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample {
+    /// The set-point of this period.
+    pub set: SetPoint,
+    /// True axis positions.
+    pub q: Joints,
+    /// Following error of each axis: set-point less true position.
+    pub following_error: Joints,
+    /// Current of each drive as a part of its peak, -1 to 1.
+    pub current: Joints,
+    /// Path length of the seam's point nearest to the true tip, mm.
+    pub tip_s: f64,
+    /// Speed of the true tip along the seam since the period before, mm/s.
+    pub tip_speed: f64,
+    /// Distance of the true tip from the seam, normal to it, mm.
+    pub path_error: f64,
+    /// Angle between the true torch direction and the one asked for there, rad.
+    pub attitude_error: f64,
+}
+
+impl Sample {
+    /// True while the arc (or beam) is on.
+    pub fn arc(&self) -> bool {
+        self.set.phase.arc()
+    }
+
+    /// True while the torch is to travel.
+    pub fn travels(&self) -> bool {
+        self.set.phase == Phase::Travel
+    }
+}

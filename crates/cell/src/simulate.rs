@@ -1,0 +1,84 @@
+use crate::drives::Drives;
+use crate::summary::{Summary, Tally};
+use crate::{Error, Sample};
+use glam::DVec3;
+use seamwright_geometry::Pose;
+use seamwright_machine::{Joints, Machine};
+use seamwright_motion::{PassMotion, SetPoint};
+use seamwright_program::TorchPath;
+
+/// Plays `motion` on simulated drives, one set-point a servo period, and shows every period's [`Sample`] to `observer`.
+///
+/// The observer's errors end the simulation. The same seed gives the same weld, bit for bit.
+///
+/// # Errors
+/// [`Error::Drive`] if the machine file's drive values make no drive; the observer's error.
+pub fn simulate<E: From<Error>>(
+    machine: &Machine,
+    path: &dyn TorchPath,
+    motion: &PassMotion,
+    seed: u64,
+    mut observer: impl FnMut(&Sample) -> Result<(), E>,
+) -> Result<Summary, E> {
+    let mut drives = Drives::new(machine, seed)?;
+    let mut tally = Tally::new(machine.axes.len(), motion);
+    drives.settle_at(&motion.path.at(0.0)[..machine.axes.len()]);
+    let mut last_s = None;
+    for set in motion.set_points(machine.servo_period_s) {
+        let rates = set.rates(motion);
+        let mut sample = Sample {
+            set,
+            q: Joints::default(),
+            following_error: Joints::default(),
+            current: Joints::default(),
+            tip_s: 0.0,
+            tip_speed: 0.0,
+            path_error: 0.0,
+            attitude_error: 0.0,
+        };
+        for i in 0..machine.axes.len() {
+            let state = drives.step(i, servo_set_point(&set, &rates, i));
+            sample.q[i] = state.position;
+            sample.following_error[i] = state.following_error;
+            sample.current[i] = state.current;
+        }
+        measure(machine, path, &mut sample);
+        sample.tip_speed = last_s.map_or(0.0, |s| (sample.tip_s - s) / machine.servo_period_s);
+        last_s = Some(sample.tip_s);
+        tally.add(&sample, &rates);
+        observer(&sample)?;
+    }
+    Ok(tally.finish(machine, motion, seed))
+}
+
+fn servo_set_point(set: &SetPoint, rates: &(Joints, Joints), i: usize) -> seamwright_servo::SetPoint {
+    seamwright_servo::SetPoint { position: set.q[i], velocity: rates.0[i], acceleration: rates.1[i] }
+}
+
+/// Finds the seam's point nearest to the true tip and how far the tip is from it.
+fn measure(machine: &Machine, path: &dyn TorchPath, sample: &mut Sample) {
+    let tip = machine.forward(&sample.q);
+    let mut s = sample.set.law.s;
+    // The tip is near: two Newton steps on the foot of the perpendicular.
+    let mut there = path.pose(s);
+    for _ in 0..2 {
+        s = (s + (tip.point - there.point).dot(tangent(path, s))).clamp(0.0, path.length());
+        there = path.pose(s);
+    }
+    sample.tip_s = s;
+    let off = tip.point - there.point;
+    let along = tangent(path, s);
+    sample.path_error = (off - off.dot(along) * along).length();
+    sample.attitude_error = angle(&tip, &there);
+}
+
+/// Unit tangent of the path at `s`, by a difference small against any curvature that can be welded.
+fn tangent(path: &dyn TorchPath, s: f64) -> DVec3 {
+    let h = 1e-3_f64.min(0.25 * path.length());
+    let (a, b) = ((s - h).max(0.0), (s + h).min(path.length()));
+    (path.pose(b).point - path.pose(a).point).normalize()
+}
+
+fn angle(a: &Pose, b: &Pose) -> f64 {
+    2.0 * (a.direction - b.direction).length().atan2((a.direction + b.direction).length())
+}

@@ -1,0 +1,189 @@
+use crate::Sample;
+use seamwright_machine::{Joints, Machine};
+use seamwright_motion::PassMotion;
+use serde::Serialize;
+
+/// How long after the run-up (s) the drives are given to settle before the steady speed is judged.
+pub(crate) const SETTLING_S: f64 = 0.5;
+
+/// Least, greatest and root-mean-square value of something.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Extremes {
+    /// Least value.
+    pub min: f64,
+    /// Greatest value.
+    pub max: f64,
+    /// Root of the mean square.
+    pub rms: f64,
+}
+
+/// Accumulates [`Extremes`].
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Gather {
+    min: f64,
+    max: f64,
+    squares: f64,
+    count: u64,
+}
+
+impl Gather {
+    pub(crate) const fn new() -> Self {
+        Self { min: f64::INFINITY, max: f64::NEG_INFINITY, squares: 0.0, count: 0 }
+    }
+
+    pub(crate) fn add(&mut self, value: f64) {
+        self.min = self.min.min(value);
+        self.max = self.max.max(value);
+        self.squares += value * value;
+        self.count += 1;
+    }
+
+    pub(crate) fn finish(self) -> Extremes {
+        if self.count == 0 {
+            return Extremes { min: 0.0, max: 0.0, rms: 0.0 };
+        }
+        Extremes { min: self.min, max: self.max, rms: (self.squares / self.count as f64).sqrt() }
+    }
+}
+
+/// What one axis did, in mm or degrees.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AxisSummary {
+    /// Name of the axis.
+    pub axis: String,
+    /// `mm` or `deg`.
+    pub unit: &'static str,
+    /// True position.
+    pub position: Extremes,
+    /// Its range, if it has one.
+    pub range: Option<(f64, f64)>,
+    /// Greatest speed of the set-points, per s.
+    pub speed: f64,
+    /// Its limit.
+    pub max_speed: f64,
+    /// Greatest acceleration of the set-points, per s^2.
+    pub acceleration: f64,
+    /// Its limit.
+    pub max_acceleration: f64,
+    /// Following error while the arc is on.
+    pub following_error: Extremes,
+    /// Greatest current as a part of the drive's peak.
+    pub current: f64,
+}
+
+/// A simulated weld in numbers; mm, s, degrees.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Summary {
+    /// Seed of the disturbances.
+    pub seed: u64,
+    /// From the first set-point to the last, s.
+    pub total_s: f64,
+    /// Travel time from rest to rest, s.
+    pub weld_s: f64,
+    /// Time with the arc (or beam) on, s.
+    pub arc_on_s: f64,
+    /// Distance of the true tip from the seam, normal to it, while it travels.
+    pub path_error_mm: Extremes,
+    /// Speed of the true tip along the seam from half a second after run-up to the run-down; `rms` is that of the
+    /// deviation from the asked speed.
+    pub tip_speed_mm_s: Extremes,
+    /// Greatest deviation of that speed from the asked one, as a part of it.
+    pub speed_ripple: f64,
+    /// Angle between true and asked torch direction while it travels, degrees.
+    pub attitude_error_deg: Extremes,
+    /// Each axis, in machine-file order.
+    pub axes: Vec<AxisSummary>,
+}
+
+/// Accumulates a [`Summary`] sample by sample.
+#[derive(Debug, Clone)]
+pub(crate) struct Tally {
+    path_error: Gather,
+    tip_speed: Gather,
+    deviation: Gather,
+    ripple: f64,
+    attitude: Gather,
+    position: Vec<Gather>,
+    speed: Vec<f64>,
+    acceleration: Vec<f64>,
+    following: Vec<Gather>,
+    current: Vec<f64>,
+    steady: (f64, f64),
+}
+
+impl Tally {
+    pub(crate) fn new(axes: usize, motion: &PassMotion) -> Self {
+        let report = motion.law.report();
+        let begin = motion.before_s() + motion.law.time(report.run_up_end) + SETTLING_S;
+        let end = motion.before_s() + motion.law.time(report.run_down_start);
+        Self {
+            path_error: Gather::new(),
+            tip_speed: Gather::new(),
+            deviation: Gather::new(),
+            ripple: 0.0,
+            attitude: Gather::new(),
+            position: vec![Gather::new(); axes],
+            speed: vec![0.0; axes],
+            acceleration: vec![0.0; axes],
+            following: vec![Gather::new(); axes],
+            current: vec![0.0; axes],
+            steady: (begin, end),
+        }
+    }
+
+    pub(crate) fn add(&mut self, sample: &Sample, rates: &(Joints, Joints)) {
+        if sample.travels() {
+            self.path_error.add(sample.path_error);
+            self.attitude.add(sample.attitude_error.to_degrees());
+        }
+        if sample.set.t > self.steady.0 && sample.set.t < self.steady.1 {
+            let asked = sample.set.law.v;
+            self.tip_speed.add(sample.tip_speed);
+            self.deviation.add(sample.tip_speed - asked);
+            self.ripple = self.ripple.max((sample.tip_speed - asked).abs() / asked);
+        }
+        for i in 0..self.position.len() {
+            self.position[i].add(sample.q[i]);
+            self.speed[i] = self.speed[i].max(rates.0[i].abs());
+            self.acceleration[i] = self.acceleration[i].max(rates.1[i].abs());
+            self.current[i] = self.current[i].max(sample.current[i].abs());
+            if sample.arc() {
+                self.following[i].add(sample.following_error[i]);
+            }
+        }
+    }
+
+    pub(crate) fn finish(self, machine: &Machine, motion: &PassMotion, seed: u64) -> Summary {
+        let speed = self.tip_speed.finish();
+        let axes = machine.axes.iter().enumerate().map(|(i, axis)| {
+            let shown = |e: Extremes| Extremes {
+                min: axis.to_file(e.min),
+                max: axis.to_file(e.max),
+                rms: axis.to_file(e.rms),
+            };
+            AxisSummary {
+                axis: axis.name.clone(),
+                unit: axis.unit(),
+                position: shown(self.position[i].finish()),
+                range: axis.range.map(|(l, h)| (axis.to_file(l), axis.to_file(h))),
+                speed: axis.to_file(self.speed[i]),
+                max_speed: axis.to_file(axis.max_speed),
+                acceleration: axis.to_file(self.acceleration[i]),
+                max_acceleration: axis.to_file(axis.max_acceleration),
+                following_error: shown(self.following[i].finish()),
+                current: self.current[i],
+            }
+        });
+        Summary {
+            seed,
+            total_s: motion.total_s(),
+            weld_s: motion.law.duration(),
+            arc_on_s: motion.arc_on_s(),
+            path_error_mm: self.path_error.finish(),
+            tip_speed_mm_s: Extremes { rms: self.deviation.finish().rms, ..speed },
+            speed_ripple: self.ripple,
+            attitude_error_deg: self.attitude.finish(),
+            axes: axes.collect(),
+        }
+    }
+}

@@ -1,0 +1,194 @@
+use crate::Error;
+use glam::DVec3;
+use seamwright_geometry::Pose;
+use seamwright_machine::{AxisKind, Joints, Machine};
+use seamwright_motion::PassMotion;
+use seamwright_program::TorchPath;
+
+/// What the control interpolates linearly.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Level {
+    /// The axes themselves.
+    Joint,
+    /// The torch tip in the work frame, and the rotary axes.
+    Tip,
+}
+
+/// End of a block: where the axes are, where the tip is, and how long the block took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Block {
+    /// Path length at its end, mm.
+    pub s: f64,
+    /// Axis positions at its end, mm or rad.
+    pub q: Joints,
+    /// Torch tip at its end in the work frame, mm.
+    pub tip: DVec3,
+    /// Duration by the plan, s.
+    pub duration: f64,
+}
+
+/// A pass cut into blocks.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Linearisation {
+    /// Where the first block begins (with no duration).
+    pub start: Block,
+    /// The blocks.
+    pub blocks: Vec<Block>,
+    /// Greatest distance found between the path of the blocks and the seam, mm.
+    pub chord_error_mm: f64,
+}
+
+/// Places inside a block where it is compared with the exact path.
+const CHECKS: usize = 12;
+/// How far along the seam a block may run ahead of the plan or behind it, as a multiple of the chord tolerance.
+const LAG: f64 = 20.0;
+/// Largest deviation of the torch's attitude within a block, rad.
+const ATTITUDE: f64 = 0.1 * std::f64::consts::PI / 180.0;
+/// Shortest block, mm.
+const SHORTEST_MM: f64 = 1e-4;
+/// LinuxCNC's interpreter raises any lower feed to this, in mm/min or deg/min, without a word.
+const LEAST_FEED: f64 = 0.1;
+
+/// Cuts `motion` along `path` into the fewest blocks whose path stays within `tolerance_mm` of the seam: each block is
+/// as long as the tolerance lets it be, which is the fewest because every part of a good block is good.
+///
+/// Places where spans end (`breaks`, mm) always end a block.
+///
+/// # Errors
+/// [`Error::TooFine`], [`Error::NoTip`].
+pub fn linearise(
+    machine: &Machine,
+    path: &dyn TorchPath,
+    motion: &PassMotion,
+    breaks: &[f64],
+    level: Level,
+    tolerance_mm: f64,
+) -> Result<Linearisation, Error> {
+    let cutter = Cutter { machine, path, motion, level, tolerance: tolerance_mm };
+    if level == Level::Tip && !["x", "y", "z"].iter().all(|n| machine.axis(n).is_some()) {
+        return Err(Error::NoTip);
+    }
+    let mut here = cutter.end_at(0.0, 0.0);
+    let mut cut = Linearisation { start: here, blocks: Vec::new(), chord_error_mm: 0.0 };
+    let mut ends: Vec<f64> = breaks.iter().copied().filter(|s| *s > 0.0 && *s < path.length()).collect();
+    ends.push(path.length());
+    let mut length = 1.0;
+    for end in ends {
+        while here.s < end {
+            let next = cutter.farthest(&here, end, length);
+            if next - here.s < SHORTEST_MM && next < end {
+                return Err(Error::TooFine { tolerance_mm, s: here.s });
+            }
+            let block = cutter.end_at(next, here.s);
+            cut.chord_error_mm = cut.chord_error_mm.max(cutter.chord_error(&here, &block).0);
+            length = next - here.s;
+            cut.blocks.push(block);
+            here = block;
+        }
+    }
+    Ok(cut)
+}
+
+struct Cutter<'a> {
+    machine: &'a Machine,
+    path: &'a dyn TorchPath,
+    motion: &'a PassMotion,
+    level: Level,
+    tolerance: f64,
+}
+
+impl Cutter<'_> {
+    fn end_at(&self, s: f64, before: f64) -> Block {
+        let q = self.motion.path.at(s);
+        let duration = self.motion.law.time(s) - self.motion.law.time(before);
+        Block { s, q, tip: self.machine.forward(&q).point, duration }
+    }
+
+    /// The farthest end of a good block from `here`, not beyond `end`; `guess` is the length of the last one.
+    fn farthest(&self, here: &Block, end: f64, guess: f64) -> f64 {
+        let good = |s: f64| self.good(here, &self.end_at(s, here.s));
+        let mut length = guess.max(SHORTEST_MM);
+        // Grow until bad, or shrink until good, then halve the bracket.
+        while here.s + length < end && good(here.s + length) {
+            length *= 2.0;
+        }
+        let mut bad = (here.s + length).min(end);
+        if bad >= end && good(end) {
+            return end;
+        }
+        let mut ok = here.s;
+        while bad - ok > 1e-3 * (ok - here.s).max(SHORTEST_MM) {
+            let middle = 0.5 * (ok + bad);
+            if good(middle) { ok = middle } else { bad = middle }
+        }
+        ok
+    }
+
+    fn good(&self, a: &Block, b: &Block) -> bool {
+        let (chord, lag, attitude) = self.chord_error(a, b);
+        chord <= self.tolerance && lag <= LAG * self.tolerance && attitude <= ATTITUDE && self.feed_is_kept(a, b)
+    }
+
+    /// The pose the control passes through at the part `f` of a block.
+    fn interpolated(&self, a: &Block, b: &Block, f: f64) -> Pose {
+        let q: Joints = std::array::from_fn(|i| a.q[i] + f * (b.q[i] - a.q[i]));
+        let pose = self.machine.forward(&q);
+        match self.level {
+            Level::Joint => pose,
+            Level::Tip => Pose { point: a.tip.lerp(b.tip, f), ..pose },
+        }
+    }
+
+    /// Worst distance from the seam (mm), lead or lag along it (mm) and attitude deviation (rad) inside a block.
+    fn chord_error(&self, a: &Block, b: &Block) -> (f64, f64, f64) {
+        let begin = self.motion.law.time(a.s);
+        let mut worst = (0.0f64, 0.0f64, 0.0f64);
+        let mut cursor = 0;
+        for k in 1..CHECKS {
+            let f = k as f64 / CHECKS as f64;
+            let passed = self.interpolated(a, b, f);
+            let planned = self.motion.law.at(begin + f * b.duration, &mut cursor).s;
+            let mut s = planned;
+            let mut there = self.path.pose(s);
+            for _ in 0..2 {
+                let h = 1e-3;
+                let ahead = self.path.pose((s + h).min(self.path.length())).point;
+                let behind = self.path.pose((s - h).max(0.0)).point;
+                s = (s + (passed.point - there.point).dot((ahead - behind).normalize())).clamp(a.s, b.s);
+                there = self.path.pose(s);
+            }
+            // Compared with what the axes really reach, so that a missing freedom is not a chord error.
+            let reached = self.machine.forward(&self.motion.path.at(s)).direction;
+            worst.0 = worst.0.max((passed.point - there.point).length());
+            worst.1 = worst.1.max((s - planned).abs());
+            worst.2 = worst.2.max(2.0 * (0.5 * (passed.direction - reached).length()).min(1.0).asin());
+        }
+        worst
+    }
+
+    /// True if the control will not run the block faster than planned because its feed would be below the least one.
+    fn feed_is_kept(&self, a: &Block, b: &Block) -> bool {
+        let linear = words_length(self.machine, self.level, a, b);
+        linear <= self.negligible() || linear / b.duration * 60.0 > 1.2 * LEAST_FEED || b.s - a.s <= 10.0 * SHORTEST_MM
+    }
+
+    fn negligible(&self) -> f64 {
+        negligible_mm(self.tolerance)
+    }
+}
+
+/// Linear motion (mm) that is left to the next block rather than given a feed below the control's least one.
+pub(crate) fn negligible_mm(tolerance: f64) -> f64 {
+    0.02 * tolerance
+}
+
+/// Length of a block's linear motion as the control will see it, mm.
+pub(crate) fn words_length(machine: &Machine, level: Level, a: &Block, b: &Block) -> f64 {
+    match level {
+        Level::Tip => (b.tip - a.tip).length(),
+        Level::Joint => {
+            let linear = machine.axes.iter().zip(a.q.iter().zip(&b.q)).filter(|(x, _)| x.kind == AxisKind::Linear);
+            linear.map(|(_, (a, b))| (b - a).powi(2)).sum::<f64>().sqrt()
+        }
+    }
+}

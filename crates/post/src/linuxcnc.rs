@@ -1,0 +1,256 @@
+use crate::blocks::{Block, Level, Linearisation, linearise, negligible_mm, words_length};
+use crate::number::{fixed, significant};
+use crate::Error;
+use glam::DVec3;
+use seamwright_geometry::Pose;
+use seamwright_machine::{AxisKind, Machine};
+use seamwright_motion::PassMotion;
+use seamwright_program::{Program, Span, TorchPath};
+use std::fmt::Write;
+
+/// How to write a part program.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// What the control interpolates.
+    pub level: Level,
+    /// Greatest distance of the blocks' path from the seam, mm.
+    pub tolerance_mm: f64,
+    /// How far the torch stands back along its axis before and after the weld, mm.
+    pub retract_mm: f64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { level: Level::Joint, tolerance_mm: 0.01, retract_mm: 30.0 }
+    }
+}
+
+/// Decimals of positions in mm and degrees.
+const DECIMALS: usize = 6;
+/// Feed of the approach from where the torch stands back to the start of the weld, mm/min.
+const APPROACH_MM_MIN: f64 = 600.0;
+
+/// The program's only pass as a part program for LinuxCNC: G93 inverse-time blocks, outputs switched with the motion.
+///
+/// Joint level needs identity kinematics in the control (trivkins); tip level needs kinematics that match the machine
+/// (for example xyzac-trt-kins), with X Y Z the torch tip in the work frame.
+///
+/// # Errors
+/// If an axis has no fitting letter, or the tolerance cannot be kept.
+pub fn linuxcnc(
+    machine: &Machine,
+    program: &Program,
+    path: &dyn TorchPath,
+    motion: &PassMotion,
+    options: &Options,
+) -> Result<String, Error> {
+    let pass = &program.passes[0];
+    let letters = letters(machine, options.level)?;
+    let breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
+    // What negligible linear motion leaves to the next block counts against the tolerance too.
+    let tolerance = options.tolerance_mm - negligible_mm(options.tolerance_mm);
+    let cut = linearise(machine, path, motion, &breaks, options.level, tolerance)?;
+    let mut writer = Writer { out: String::new(), machine, options, letters };
+    writer.header(program, motion, &cut);
+    let retracted = writer.stood_back(path, motion);
+    writer.start(&cut.start, retracted.as_ref(), motion, &pass.spans[0]);
+    writer.weld(&cut, &pass.spans);
+    writer.end(&cut, path, motion);
+    Ok(writer.out)
+}
+
+/// The axes' letters in machine-file order, checked against their kind.
+fn letters(machine: &Machine, level: Level) -> Result<Vec<char>, Error> {
+    machine
+        .axes
+        .iter()
+        .map(|axis| {
+            let letter = axis.letter.ok_or_else(|| Error::NoLetter { axis: axis.name.clone() })?;
+            let rotary = "ABC".contains(letter);
+            if rotary == (axis.kind == AxisKind::Rotary) {
+                return Ok(letter);
+            }
+            let (kind, others) = if rotary { ("linear", "the rotary ones") } else { ("rotary", "the linear ones") };
+            Err(Error::WrongLetter { axis: axis.name.clone(), letter, kind, others })
+        })
+        .collect::<Result<Vec<char>, Error>>()
+        .and_then(|letters| if level == Level::Tip && !letters.contains(&'X') { Err(Error::NoTip) } else { Ok(letters) })
+}
+
+struct Writer<'a> {
+    out: String,
+    machine: &'a Machine,
+    options: &'a Options,
+    letters: Vec<char>,
+}
+
+impl Writer<'_> {
+    fn line(&mut self, text: &str) {
+        self.out.push_str(text);
+        self.out.push('\n');
+    }
+
+    /// A comment; the control's comments may not hold parentheses or control characters.
+    fn comment(&mut self, text: &str) {
+        let clean: String = text.chars().map(|c| if c.is_ascii_graphic() || c == ' ' { c } else { '?' }).collect();
+        let clean = clean.replace('(', "[").replace(')', "]");
+        // Longer lines are cut off by the control.
+        let short: String = clean.chars().take(200).collect();
+        let _ = writeln!(self.out, "({short})");
+    }
+
+    fn header(&mut self, program: &Program, motion: &PassMotion, cut: &Linearisation) {
+        self.comment(&format!("Seamwright {} for LinuxCNC: {}", env!("CARGO_PKG_VERSION"), program.title));
+        self.comment(&format!("machine: {}", self.machine.title));
+        self.comment(match self.options.level {
+            Level::Joint => "joint level: every word is an axis position, kinematics must be identity [trivkins]",
+            Level::Tip => "tip level: X Y Z are the torch tip in the work frame, kinematics must match the machine",
+        });
+        let names: Vec<String> =
+            self.machine.axes.iter().zip(&self.letters).map(|(a, l)| format!("{l} = {} [{}]", a.name, a.unit())).collect();
+        self.comment(&format!("axes: {}", names.join(", ")));
+        self.comment(&format!(
+            "units mm, degrees; plane XY; absolute; inverse time feed G93; {} blocks, chord error {} mm of {} mm allowed",
+            cut.blocks.len(),
+            significant(cut.chord_error_mm, 3),
+            fixed(self.options.tolerance_mm, DECIMALS)
+        ));
+        self.comment(&format!(
+            "travel {} mm in {} s; arc on {} s",
+            fixed(motion.path.length(), 3),
+            fixed(motion.law.duration(), 3),
+            fixed(motion.arc_on_s(), 3)
+        ));
+        self.comment("work offsets and tool offsets must be zero");
+        self.line("G21 G17 G90 G40 G49 G80 G94");
+        // Let the control round corners only within the tolerance that the blocks themselves keep.
+        let tolerance = fixed(self.options.tolerance_mm, DECIMALS);
+        self.line(&format!("G64 P{tolerance} Q0"));
+    }
+
+    /// The words of a place, in the control's letters; linear words left out if `rotary_only`.
+    fn words(&self, at: &Block, rotary_only: bool) -> String {
+        let mut words: Vec<(char, f64)> = Vec::new();
+        for (i, (axis, letter)) in self.machine.axes.iter().zip(&self.letters).enumerate() {
+            let tip = self.options.level == Level::Tip && axis.kind == AxisKind::Linear;
+            if !tip && !(rotary_only && axis.kind == AxisKind::Linear) {
+                words.push((*letter, axis.to_file(at.q[i])));
+            }
+        }
+        if self.options.level == Level::Tip && !rotary_only {
+            words.extend([('X', at.tip.x), ('Y', at.tip.y), ('Z', at.tip.z)]);
+        }
+        words.sort_by_key(|(letter, _)| "XYZUVWABC".find(*letter));
+        let texts: Vec<String> = words.iter().map(|(l, v)| format!("{l}{}", fixed(*v, DECIMALS))).collect();
+        texts.join(" ")
+    }
+
+    /// Where the torch stands back from path length `s` along its own axis, if the machine can go there.
+    fn back_from(&self, path: &dyn TorchPath, motion: &PassMotion, s: f64) -> Option<Block> {
+        let q = motion.path.at(s);
+        // The direction that the axes reach, so that a machine with few axes can do it too.
+        let pose = Pose { point: path.pose(s).point, direction: self.machine.forward(&q).direction };
+        let back = Pose { point: pose.point - self.options.retract_mm * pose.direction, ..pose };
+        let there = self.machine.inverse_near(&back, &q).ok()?.joints;
+        let fits = self.machine.outside(&there).is_none();
+        let tip: DVec3 = self.machine.forward(&there).point;
+        fits.then_some(Block { s, q: there, tip, duration: 0.0 })
+    }
+
+    fn stood_back(&self, path: &dyn TorchPath, motion: &PassMotion) -> Option<Block> {
+        self.back_from(path, motion, 0.0)
+    }
+
+    fn start(&mut self, start: &Block, back: Option<&Block>, motion: &PassMotion, span: &Span) {
+        match back {
+            Some(back) => {
+                self.comment("to a place back from the start along the torch");
+                self.line(&format!("G0 {}", self.words(back, false)));
+                let feed = fixed(APPROACH_MM_MIN / self.options.retract_mm, DECIMALS);
+                self.line(&format!("G93 G1 {} F{feed}", self.words(start, false)));
+            }
+            None => {
+                self.comment("to the start of the weld [the torch cannot stand back on this machine]");
+                self.line(&format!("G0 {}", self.words(start, false)));
+            }
+        }
+        let io = self.machine.io.clone();
+        let sequence = motion.sequence;
+        if let Some(gas) = io.gas {
+            self.line(&format!("M64 P{gas} (gas on)"));
+        }
+        self.dwell(sequence.preflow_s.get(), "preflow");
+        let delay = sequence.travel_delay_s.get();
+        if delay > 0.0 {
+            // Nothing moves yet: immediate outputs, repeated below in step with the motion.
+            self.process_values(span, "M68");
+            if let Some(arc) = io.arc {
+                self.line(&format!("M64 P{arc} (arc on)"));
+            }
+            self.dwell(delay, "travel delay");
+        }
+        self.process_values(span, "M67");
+        if let Some(arc) = io.arc {
+            self.line(&format!("M62 P{arc} (arc on with the motion)"));
+        }
+    }
+
+    /// Analogue outputs of the span's process values, with `word` M67 (in step with the motion) or M68 (at once).
+    fn process_values(&mut self, span: &Span, word: &str) {
+        for (name, value) in &span.process {
+            match self.machine.io.analog.get(name) {
+                Some(output) => self.line(&format!("{word} E{output} Q{} ({name})", fixed(value.get(), 4))),
+                None => self.comment(&format!("{name} = {}: the machine file has no output for it", value.get())),
+            }
+        }
+    }
+
+    fn dwell(&mut self, seconds: f64, why: &str) {
+        if seconds > 0.0 {
+            self.line(&format!("G4 P{} ({why})", fixed(seconds, 4)));
+        }
+    }
+
+    fn weld(&mut self, cut: &Linearisation, spans: &[Span]) {
+        self.line("G93");
+        let mut before = cut.start;
+        let mut span = 0;
+        for block in &cut.blocks {
+            while span + 1 < spans.len() && before.s >= spans[span + 1].from_mm.get() - 1e-9 {
+                span += 1;
+                self.process_values(&spans[span], "M67");
+            }
+            // Linear motion too small for the control's least feed is left to the next block.
+            let linear = words_length(self.machine, self.options.level, &before, block);
+            let turns = self.machine.axes.iter().zip(before.q.iter().zip(&block.q));
+            let turns = turns.filter(|(a, _)| a.kind == AxisKind::Rotary).any(|(_, (a, b))| a != b);
+            let rotary_only = turns && linear <= negligible_mm(self.options.tolerance_mm);
+            let feed = significant(60.0 / block.duration, 9);
+            self.line(&format!("G1 {} F{feed}", self.words(block, rotary_only)));
+            before = *block;
+        }
+    }
+
+    fn end(&mut self, cut: &Linearisation, path: &dyn TorchPath, motion: &PassMotion) {
+        let io = self.machine.io.clone();
+        let sequence = motion.sequence;
+        self.dwell(sequence.crater_s.get(), "crater fill");
+        if let Some(arc) = io.arc {
+            self.line(&format!("M65 P{arc} (arc off)"));
+        }
+        self.dwell(sequence.postflow_s.get(), "postflow");
+        if let Some(gas) = io.gas {
+            self.line(&format!("M65 P{gas} (gas off)"));
+        }
+        let last = cut.blocks.last().map_or(0.0, |b| b.s);
+        if let Some(back) = self.back_from(path, motion, last) {
+            if let Some(arc) = io.arc {
+                self.line(&format!("M63 P{arc} (arc stays off)"));
+            }
+            let feed = fixed(APPROACH_MM_MIN / self.options.retract_mm, DECIMALS);
+            self.line(&format!("G1 {} F{feed}", self.words(&back, false)));
+        }
+        self.line("G94");
+        self.line("M2");
+    }
+}
