@@ -179,7 +179,7 @@ impl Cutter<'_> {
 
 /// Linear motion (mm) that is left to the next block rather than given a feed below the control's least one.
 pub(crate) fn negligible_mm(tolerance: f64) -> f64 {
-    0.02 * tolerance
+    0.005 * tolerance
 }
 
 /// Length of a block's linear motion as the control will see it, mm.

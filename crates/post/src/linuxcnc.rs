@@ -213,7 +213,7 @@ impl Writer<'_> {
 
     fn weld(&mut self, cut: &Linearisation, spans: &[Span]) {
         self.line("G93");
-        let mut before = cut.start;
+        let (mut before, mut emitted) = (cut.start, cut.start);
         let mut span = 0;
         for block in &cut.blocks {
             while span + 1 < spans.len() && before.s >= spans[span + 1].from_mm.get() - 1e-9 {
@@ -221,13 +221,16 @@ impl Writer<'_> {
                 self.process_values(&spans[span], "M67");
             }
             // Linear motion too small for the control's least feed is left to the next block.
-            let linear = words_length(self.machine, self.options.level, &before, block);
+            let linear = words_length(self.machine, self.options.level, &emitted, block);
             let turns = self.machine.axes.iter().zip(before.q.iter().zip(&block.q));
             let turns = turns.filter(|(a, _)| a.kind == AxisKind::Rotary).any(|(_, (a, b))| a != b);
             let rotary_only = turns && linear <= negligible_mm(self.options.tolerance_mm);
             let feed = significant(60.0 / block.duration, 9);
             self.line(&format!("G1 {} F{feed}", self.words(block, rotary_only)));
             before = *block;
+            if !rotary_only {
+                emitted = *block;
+            }
         }
     }
 
