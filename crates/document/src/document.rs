@@ -30,6 +30,11 @@ impl<T: DeserializeOwned> Document<T> {
 }
 
 impl<T> Document<T> {
+    /// The same document read as something else.
+    pub fn with<U>(&self, value: U) -> Document<U> {
+        Document { value, file: self.file.clone(), text: self.text.clone() }
+    }
+
     /// The file's name.
     pub fn file(&self) -> &str {
         &self.file

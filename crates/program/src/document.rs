@@ -26,6 +26,11 @@ pub struct Program {
 }
 
 impl Program {
+    /// True if `text` is a program and not a job: it has passes.
+    pub fn is_in(text: &str) -> bool {
+        toml::from_str::<toml::Table>(text).is_ok_and(|t| t.contains_key("passes"))
+    }
+
     /// Reads a program file and checks that its passes hang together.
     ///
     /// # Errors

@@ -1,8 +1,8 @@
 //! Reports: plots as SVG and one self-contained HTML page.
 //!
-//! Pure data in, `String` out. This crate knows nothing of welding or machines: it sets numbers
-//! and curves so that an engineer can judge them at a glance, on a screen (light or dark), on a
-//! telephone and on A4 paper. Nothing it writes loads a script, a font or an image from elsewhere.
+//! Pure data in, `String` out: numbers and curves set so that an engineer can judge them at a glance, on a screen (light
+//! or dark), on a telephone and on A4 paper. Nothing it writes loads a script, a font or an image from elsewhere.
+//! Only the folder `weld` knows of welding and machines: it fills the page with a weld.
 //!
 //! - [`Chart`] plots series over one axis, against limits; [`ChartGrid`] sets several on one x axis.
 //! - [`ThreeViews`] draws a curve in space in first-angle projection.
@@ -31,6 +31,7 @@ mod text;
 mod thin;
 mod ticks;
 mod views;
+mod weld;
 
 pub use block::{Block, Finding, Severity, Table, Tile};
 pub use chart::{Axis, Band, Chart};
@@ -40,3 +41,4 @@ pub use number::format_number;
 pub use page::{Page, Verdict};
 pub use series::{Series, Style};
 pub use views::{Mark, ThreeViews};
+pub use weld::{Plots, SimulationCurves, WeldReport};

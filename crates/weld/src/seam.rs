@@ -102,6 +102,12 @@ impl SeamCurve {
         self.angular && self.weld_length >= self.length() * (1.0 - 1e-12)
     }
 
+    /// Least and greatest dihedral angle over the weld, rad, found at 720 places.
+    pub fn dihedral_range(&self) -> (f64, f64) {
+        let angles = (0..=720).map(|i| self.at(self.weld_length * f64::from(i) / 720.0).dihedral);
+        angles.fold((f64::INFINITY, 0.0), |(l, h), a| (f64::min(l, a), f64::max(h, a)))
+    }
+
     /// Path length of the angle `phi` (rad): the first one at or after the start of the weld on a closed seam. None on
     /// a straight seam.
     pub fn s_of_phi(&self, phi: f64) -> Option<f64> {

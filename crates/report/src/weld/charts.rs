@@ -1,0 +1,181 @@
+use super::SimulationCurves;
+use super::samples::Sample;
+use crate::{Axis, Band, Chart, ChartGrid, LimitLine, Mark, Series, ThreeViews};
+use seamwright_machine::Machine;
+use seamwright_motion::PassMotion;
+use seamwright_weld::Welding;
+
+/// The plots of a weld.
+#[derive(Debug, Clone)]
+pub struct Plots {
+    /// The seam with torch vectors in three views.
+    pub seam: ThreeViews,
+    /// Torch angles over path length.
+    pub torch: Chart,
+    /// Axis positions, speeds and accelerations against their limits.
+    pub axes: ChartGrid,
+    /// Tip speed: planned, and true if simulated.
+    pub speed: Chart,
+    /// Following error of each axis, if simulated.
+    pub following: Option<ChartGrid>,
+    /// Distance of the true tip from the seam, if simulated.
+    pub path_error: Option<Chart>,
+    /// Attitude error of the true torch, if simulated.
+    pub attitude: Option<Chart>,
+}
+
+/// Torch vectors drawn along the seam.
+const VECTORS: u32 = 36;
+
+impl Plots {
+    pub(crate) fn new(
+        machine: &Machine,
+        welding: &Welding,
+        motion: &PassMotion,
+        samples: &[Sample],
+        curves: Option<&SimulationCurves>,
+    ) -> Self {
+        Self {
+            seam: views(welding),
+            torch: torch(samples),
+            axes: axes(machine, samples),
+            speed: speed(motion, samples, curves),
+            following: curves.map(|c| following(machine, c)),
+            path_error: curves.map(|c| Chart {
+                title: "Distance of the true torch tip from the seam".to_owned(),
+                x: along(),
+                y: Axis::new("path error", "mm"),
+                series: vec![Series::line("normal to the seam", c.path_error())],
+                ..Chart::default()
+            }),
+            attitude: curves.map(|c| Chart {
+                title: "Deviation of the true torch direction from the one asked for".to_owned(),
+                x: along(),
+                y: Axis::new("attitude error", "deg"),
+                series: vec![Series::line("attitude error", c.attitude())],
+                ..Chart::default()
+            }),
+        }
+    }
+
+    /// The plots as files of their own: name and SVG.
+    pub fn files(&self) -> Vec<(&'static str, String)> {
+        let mut files = vec![
+            ("seam.svg", self.seam.to_svg_standalone()),
+            ("torch.svg", self.torch.to_svg_standalone()),
+            ("axes.svg", self.axes.to_svg_standalone()),
+            ("speed.svg", self.speed.to_svg_standalone()),
+        ];
+        files.extend(self.following.as_ref().map(|c| ("following.svg", c.to_svg_standalone())));
+        files.extend(self.path_error.as_ref().map(|c| ("path-error.svg", c.to_svg_standalone())));
+        files.extend(self.attitude.as_ref().map(|c| ("attitude.svg", c.to_svg_standalone())));
+        files
+    }
+}
+
+fn along() -> Axis {
+    Axis::new("path length s", "mm")
+}
+
+fn views(welding: &Welding) -> ThreeViews {
+    let seam = &welding.seam;
+    let length = seam.weld_length();
+    let drawn = length.min(seam.length());
+    let at = |s: f64| seam.at(s).point.to_array();
+    // Torch vectors long enough to read on the seam's scale.
+    let size = (0..=64).map(|i| (seam.at(drawn * f64::from(i) / 64.0).point - seam.at(0.0).point).length());
+    let vector = 0.18 * size.fold(0.0, f64::max);
+    let vectors = (0..VECTORS).map(|i| {
+        let p = seam.at(drawn * f64::from(i) / f64::from(VECTORS));
+        (p.point.to_array(), (p.point + vector * welding.attitude.torch_axis(&p)).to_array())
+    });
+    let label = if length > seam.length() { "end of overlap" } else { "end" };
+    ThreeViews {
+        title: "Seam and torch".to_owned(),
+        path: (0..=720).map(|i| at(drawn * f64::from(i) / 720.0)).collect(),
+        closed: false,
+        path_name: "seam".to_owned(),
+        vectors: vectors.collect(),
+        vectors_name: "torch axis".to_owned(),
+        marks: vec![
+            Mark { label: "start".to_owned(), at: at(0.0) },
+            Mark { label: label.to_owned(), at: at(length) },
+        ],
+        ..ThreeViews::default()
+    }
+}
+
+fn torch(samples: &[Sample]) -> Chart {
+    let curve = |f: fn(&Sample) -> f64| samples.iter().map(|s| (s.s, f(s))).collect();
+    Chart {
+        title: "Torch angles and groove".to_owned(),
+        x: along(),
+        y: Axis::new("angle", "deg"),
+        series: vec![
+            Series::line("work angle (offset from bisector)", curve(|s| s.angles.0)),
+            Series::line("travel angle (+ drag, − push)", curve(|s| s.angles.1)),
+            Series::line("half the dihedral angle", curve(|s| 0.5 * s.angles.2)),
+        ],
+        ..Chart::default()
+    }
+}
+
+fn axes(machine: &Machine, samples: &[Sample]) -> ChartGrid {
+    let mut charts = Vec::new();
+    for (i, axis) in machine.axes.iter().enumerate() {
+        let unit = axis.unit();
+        let curve = |f: fn(&(f64, f64, f64)) -> f64| samples.iter().map(|s| (s.s, f(&s.axes[i]))).collect::<Vec<_>>();
+        let range = axis.range.map_or(Vec::new(), |(l, h)| vec![axis.to_file(l), axis.to_file(h)]);
+        let both = |limit: f64| vec![-axis.to_file(limit), axis.to_file(limit)];
+        let rows = [
+            ("position", unit.to_owned(), curve(|a| a.0), range),
+            ("speed", format!("{unit}/s"), curve(|a| a.1), both(axis.max_speed)),
+            ("acceleration", format!("{unit}/s²"), curve(|a| a.2), both(axis.max_acceleration)),
+        ];
+        for (what, unit, points, limits) in rows {
+            charts.push(Chart {
+                title: format!("{} {what}", axis.name),
+                x: along(),
+                y: Axis::new(what, unit),
+                series: vec![Series::line(axis.name.clone(), points)],
+                limits: limits.into_iter().map(|v| LimitLine::new("limit", v)).collect(),
+                ..Chart::default()
+            });
+        }
+    }
+    ChartGrid { title: "Axes against their limits".to_owned(), columns: 3, charts }
+}
+
+fn speed(motion: &PassMotion, samples: &[Sample], curves: Option<&SimulationCurves>) -> Chart {
+    let band = motion.law.report();
+    let mut series = Vec::new();
+    if let Some(c) = curves {
+        series.push(Series::line("true tip, simulated", c.tip_speed()));
+    }
+    series.push(Series::line("planned", samples.iter().map(|s| (s.s, s.speed)).collect()));
+    let bands = vec![
+        Band { label: "run-up".to_owned(), from: 0.0, to: band.run_up_end },
+        Band { label: "run-down".to_owned(), from: band.run_down_start, to: motion.path.length() },
+    ];
+    // Bands too narrow to see would only put their names over the curve.
+    let wide = 0.01 * motion.path.length();
+    Chart {
+        title: "Speed of the torch tip along the seam".to_owned(),
+        x: along(),
+        y: Axis::new("speed", "mm/s"),
+        series,
+        bands: bands.into_iter().filter(|b| b.to - b.from > wide).collect(),
+        ..Chart::default()
+    }
+}
+
+fn following(machine: &Machine, curves: &SimulationCurves) -> ChartGrid {
+    let charts = machine.axes.iter().enumerate().map(|(i, axis)| Chart {
+        title: axis.name.clone(),
+        x: along(),
+        y: Axis::new("following error", axis.unit()),
+        series: vec![Series::line(axis.name.clone(), curves.following(i))],
+        ..Chart::default()
+    });
+    ChartGrid { title: "Following error of each axis".to_owned(), columns: 2, charts: charts.collect() }
+}

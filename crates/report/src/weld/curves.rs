@@ -1,0 +1,104 @@
+use seamwright_cell::Sample;
+use seamwright_machine::Machine;
+
+/// Buckets along the weld; of each the least and greatest value are kept, so that no peak is lost.
+const BUCKETS: usize = 1000;
+
+/// One curve over path length, thinned as it comes.
+#[derive(Debug, Clone, PartialEq)]
+struct Envelope {
+    buckets: Vec<Option<((f64, f64), (f64, f64))>>,
+    length: f64,
+}
+
+impl Envelope {
+    fn new(length: f64) -> Self {
+        Self { buckets: vec![None; BUCKETS], length }
+    }
+
+    fn add(&mut self, s: f64, value: f64) {
+        let i = ((s / self.length * BUCKETS as f64) as usize).min(BUCKETS - 1);
+        let point = (s, value);
+        let (low, high) = self.buckets[i].get_or_insert((point, point));
+        if value < low.1 {
+            *low = point;
+        }
+        if value > high.1 {
+            *high = point;
+        }
+    }
+
+    fn points(&self) -> Vec<(f64, f64)> {
+        let pairs = self.buckets.iter().flatten();
+        pairs.flat_map(|(low, high)| if low.0 <= high.0 { [*low, *high] } else { [*high, *low] }).collect()
+    }
+}
+
+/// What a simulated weld did along the seam, gathered sample by sample in bounded memory; mm, deg, s.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SimulationCurves {
+    following: Vec<Envelope>,
+    path_error: Envelope,
+    tip_speed: Envelope,
+    attitude: Envelope,
+}
+
+impl SimulationCurves {
+    /// For a weld of `length` mm on a machine with `axes` axes.
+    pub fn new(axes: usize, length: f64) -> Self {
+        let empty = Envelope::new(length);
+        let following = vec![empty.clone(); axes];
+        Self { following, path_error: empty.clone(), tip_speed: empty.clone(), attitude: empty }
+    }
+
+    /// Adds a sample; only those while the torch travels count.
+    pub fn add(&mut self, machine: &Machine, sample: &Sample) {
+        if !sample.travels() {
+            return;
+        }
+        let s = sample.set.law.s;
+        for (i, (curve, axis)) in self.following.iter_mut().zip(&machine.axes).enumerate() {
+            curve.add(s, axis.to_file(sample.following_error[i]));
+        }
+        self.path_error.add(s, sample.path_error);
+        self.tip_speed.add(s, sample.tip_speed);
+        self.attitude.add(s, sample.attitude_error.to_degrees());
+    }
+
+    /// Following error of axis `i` over path length.
+    pub(crate) fn following(&self, i: usize) -> Vec<(f64, f64)> {
+        self.following[i].points()
+    }
+
+    /// Distance of the true tip from the seam over path length.
+    pub(crate) fn path_error(&self) -> Vec<(f64, f64)> {
+        self.path_error.points()
+    }
+
+    /// Speed of the true tip over path length.
+    pub(crate) fn tip_speed(&self) -> Vec<(f64, f64)> {
+        self.tip_speed.points()
+    }
+
+    /// Attitude error of the true torch over path length.
+    pub(crate) fn attitude(&self) -> Vec<(f64, f64)> {
+        self.attitude.points()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn peaks_survive_in_order() {
+        let mut e = Envelope::new(100.0);
+        for i in 0..1_000_000 {
+            let s = f64::from(i) * 1e-4;
+            e.add(s, if i == 123_456 { 9.0 } else { (s * 3.0).sin() });
+        }
+        let points = e.points();
+        assert!(points.len() <= 2 * BUCKETS && points.windows(2).all(|w| w[0].0 <= w[1].0));
+        assert!(points.iter().any(|p| p.1 > 8.9 && (p.0 - 12.3456).abs() < 1e-9));
+    }
+}

@@ -1,0 +1,195 @@
+use super::figures::{AxisFigures, WeldReport};
+use super::Plots;
+use crate::{Block, Finding, Page, Severity, Table, Tile, Verdict, format_number};
+use seamwright_cell::Summary;
+
+impl WeldReport {
+    /// The report as one self-contained HTML page; `source` is the job's or program's text.
+    pub fn page(&self, plots: &Plots, source: &str) -> String {
+        let mut blocks = vec![Block::Tiles(self.tiles()), Block::Heading("Findings".to_owned())];
+        blocks.push(match self.findings.is_empty() {
+            true => Block::Paragraph("None: the weld can be made as asked on this machine.".to_owned()),
+            false => Block::Findings(self.findings.iter().map(finding).collect()),
+        });
+        blocks.push(Block::Heading("Seam and torch".to_owned()));
+        blocks.push(figure(plots.seam.to_svg(), "Seam with the torch axis, in the job's frame, first-angle projection."));
+        blocks.push(figure(
+            plots.torch.to_svg(),
+            "Work angle from the bisector of the faces (positive towards the first part), travel angle, and half the angle between the faces.",
+        ));
+        blocks.push(Block::Heading("Speed".to_owned()));
+        blocks.push(figure(plots.speed.to_svg(), "Speed of the tip along the seam, relative to the work."));
+        if let (Some(summary), Some(path_error), Some(following), Some(attitude)) =
+            (&self.simulation, &plots.path_error, &plots.following, &plots.attitude)
+        {
+            blocks.push(Block::Heading("Simulated weld".to_owned()));
+            blocks.push(Block::Paragraph(simulation_text(summary)));
+            blocks.push(figure(path_error.to_svg(), "Distance of the true tip from the seam, normal to it."));
+            blocks.push(figure(following.to_svg(), "Set-point less true position of each axis."));
+            blocks.push(following_table(summary));
+            if self.plan.attitude_error_deg > 0.01 {
+                blocks.push(figure(attitude.to_svg(), "Angle between the true torch direction and the one asked for."));
+            }
+        }
+        blocks.push(Block::Heading("Axes".to_owned()));
+        blocks.push(figure(plots.axes.to_svg(), "Planned position, speed and acceleration of each axis against its limits."));
+        blocks.push(axes_table(&self.plan.axes));
+        blocks.push(Block::Heading("Job".to_owned()));
+        blocks.push(self.data_table());
+        blocks.push(Block::Code { caption: self.file.clone(), text: source.to_owned() });
+        Page {
+            title: self.title.clone(),
+            subtitle: format!("Weld report: {}", if self.simulation.is_some() { "plan and simulation" } else { "plan" }),
+            meta: vec![
+                ("Machine".to_owned(), self.machine.title.clone()),
+                ("File".to_owned(), self.file.clone()),
+                ("Made by".to_owned(), format!("Seamwright {}", self.seamwright)),
+            ],
+            verdict: Some(self.verdict()),
+            blocks,
+        }
+        .render()
+    }
+
+    fn verdict(&self) -> Verdict {
+        let p = &self.plan;
+        let held = if p.least_speed_mm_s >= p.asked_speed_mm_s * (1.0 - 1e-9) {
+            format!("{} mm/s held from run-up to run-down", number(p.asked_speed_mm_s))
+        } else {
+            format!("slowed to {} mm/s of {} mm/s asked", number(p.least_speed_mm_s), number(p.asked_speed_mm_s))
+        };
+        let simulated = self.simulation.as_ref().map_or(String::new(), |s| {
+            format!("; simulated path error at most {} mm", number(s.path_error_mm.max))
+        });
+        Verdict { ok: self.findings.iter().all(|f| f.allowed), text: format!("All axes within their limits; {held}{simulated}.") }
+    }
+
+    fn tiles(&self) -> Vec<Tile> {
+        let p = &self.plan;
+        let tile = |label: &str, value: f64, unit: &str, note: String| Tile {
+            label: label.to_owned(),
+            value: number(value),
+            unit: unit.to_owned(),
+            note,
+            ..Tile::default()
+        };
+        let mut tiles = vec![
+            tile("Weld length", self.seam.weld_length_mm, "mm", format!("seam {} mm", number(self.seam.length_mm))),
+            tile("Weld time", p.weld_s, "s", "travel, rest to rest".to_owned()),
+            tile("Arc-on time", p.arc_on_s, "s", format!("whole cycle {} s", number(p.total_s))),
+            tile("Speed, planned", p.least_speed_mm_s, "mm/s", format!("asked {}, greatest {}", number(p.asked_speed_mm_s), number(p.greatest_speed_mm_s))),
+        ];
+        if let Some(s) = &self.simulation {
+            let speed = &s.tip_speed_mm_s;
+            tiles.push(tile("Path error", s.path_error_mm.max, "mm", format!("greatest; RMS {} mm", number(s.path_error_mm.rms))));
+            tiles.push(tile(
+                "Speed ripple",
+                100.0 * s.speed_ripple,
+                "%",
+                format!("{} to {} mm/s, RMS {} mm/s", number(speed.min), number(speed.max), number(speed.rms)),
+            ));
+        }
+        tiles.push(Tile {
+            severity: (p.attitude_error_deg > 0.5).then_some(Severity::Warning),
+            ..tile("Attitude error", p.attitude_error_deg, "deg", "greatest, of the plan".to_owned())
+        });
+        if let Some(energy) = p.arc_energy_kj_mm {
+            tiles.push(tile("Arc energy", energy, "kJ/mm", "U I / v, before any efficiency".to_owned()));
+        }
+        tiles
+    }
+
+    fn data_table(&self) -> Block {
+        let s = &self.seam;
+        let mut rows = vec![
+            vec!["Seam".to_owned(), s.kind.to_owned(), String::new()],
+            vec!["Seam length".to_owned(), number(s.length_mm), "mm".to_owned()],
+            vec!["Weld length".to_owned(), number(s.weld_length_mm), "mm".to_owned()],
+            vec!["Dihedral angle, least".to_owned(), number(s.dihedral_min_deg), "deg".to_owned()],
+            vec!["Dihedral angle, greatest".to_owned(), number(s.dihedral_max_deg), "deg".to_owned()],
+            vec!["Run-up".to_owned(), number(self.plan.run_up_mm), "mm".to_owned()],
+            vec!["Run-down".to_owned(), number(self.plan.run_down_mm), "mm".to_owned()],
+        ];
+        for (name, value) in &self.plan.process {
+            rows.push(vec![name.clone(), number(value.get()), String::new()]);
+        }
+        table("Job data", &["", "Value", "Unit"], rows, 1..2)
+    }
+}
+
+fn number(value: f64) -> String {
+    format_number(value, 5)
+}
+
+fn figure(svg: String, caption: &str) -> Block {
+    Block::Figure { svg, caption: caption.to_owned() }
+}
+
+fn finding(f: &seamwright_program::Finding) -> Finding {
+    let place = if f.to_mm - f.from_mm < 1e-9 {
+        format!("s = {} mm", number(f.from_mm))
+    } else {
+        format!("s = {} to {} mm", number(f.from_mm), number(f.to_mm))
+    };
+    Finding {
+        severity: if f.allowed { Severity::Warning } else { Severity::Error },
+        text: f.message.clone(),
+        place,
+        cure: f.cure.clone(),
+    }
+}
+
+fn simulation_text(s: &Summary) -> String {
+    let worst = s.axes.iter().max_by(|a, b| a.current.total_cmp(&b.current));
+    let load = worst.map_or(String::new(), |a| {
+        format!(" The drive with the highest load is {}: {} % of its peak.", a.axis, format_number(100.0 * a.current, 3))
+    });
+    format!(
+        "Every axis on its position loop at the servo period, with inertia, friction, cogging, encoder steps and current limit (seed {}). Speed is judged from half a second after the run-up to the run-down.{load}",
+        s.seed
+    )
+}
+
+fn table(caption: &str, head: &[&str], rows: Vec<Vec<String>>, numeric: std::ops::Range<usize>) -> Block {
+    Block::Table(Table {
+        caption: caption.to_owned(),
+        head: head.iter().map(|h| (*h).to_owned()).collect(),
+        numeric: (0..head.len()).map(|i| numeric.contains(&i)).collect(),
+        rows,
+    })
+}
+
+fn following_table(summary: &Summary) -> Block {
+    let rows = summary.axes.iter().map(|a| {
+        let e = &a.following_error;
+        vec![
+            a.axis.clone(),
+            a.unit.to_owned(),
+            number(e.min),
+            number(e.max),
+            number(e.rms),
+            format_number(100.0 * a.current, 3),
+        ]
+    });
+    let head = ["Axis", "Unit", "Least", "Greatest", "RMS", "Peak load, %"];
+    table("Following error while the arc is on", &head, rows.collect(), 2..6)
+}
+
+fn axes_table(axes: &[AxisFigures]) -> Block {
+    let rows = axes.iter().map(|a| {
+        let range = a.range.map_or("continuous".to_owned(), |(l, h)| format!("{} to {}", number(l), number(h)));
+        vec![
+            a.axis.clone(),
+            a.unit.to_owned(),
+            number(a.min),
+            number(a.max),
+            range,
+            number(a.speed),
+            number(a.max_speed),
+            number(a.acceleration),
+            number(a.max_acceleration),
+        ]
+    });
+    let head = ["Axis", "Unit", "Least", "Greatest", "Range", "Speed", "limit", "Acceleration", "limit"];
+    table("Extremes of the plan against the limits (speeds per s, accelerations per s²)", &head, rows.collect(), 2..9)
+}

@@ -1,0 +1,51 @@
+use seamwright_machine::{Joints, Machine};
+use seamwright_motion::PassMotion;
+use seamwright_weld::Welding;
+
+/// Evenly spaced places along the weld, and places closing in on each end, where the speed changes quickly.
+const EVEN: u32 = 1200;
+const NEAR_ENDS: i32 = 60;
+
+/// The plan at one place along the weld; mm, deg, s.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Sample {
+    pub(crate) s: f64,
+    /// Planned speed of the tip.
+    pub(crate) speed: f64,
+    /// Each axis' position, speed and acceleration, in mm or degrees.
+    pub(crate) axes: Vec<(f64, f64, f64)>,
+    /// Work angle (offset from the bisector), travel angle and dihedral angle.
+    pub(crate) angles: (f64, f64, f64),
+}
+
+/// The plan along the whole weld.
+pub(crate) fn samples(machine: &Machine, welding: &Welding, motion: &PassMotion) -> Vec<Sample> {
+    let length = motion.path.length();
+    let mut places: Vec<f64> = (0..=EVEN).map(|i| length * f64::from(i) / f64::from(EVEN)).collect();
+    for i in 0..NEAR_ENDS {
+        let d = length / f64::from(EVEN) * 0.85f64.powi(i);
+        places.extend([d, length - d]);
+    }
+    places.sort_by(f64::total_cmp);
+    places.into_iter().map(|s| sample(machine, welding, motion, s)).collect()
+}
+
+fn sample(machine: &Machine, welding: &Welding, motion: &PassMotion, s: f64) -> Sample {
+    let law = motion.law.at(motion.law.time(s), &mut 0);
+    let p = motion.path.point(s, false);
+    let (v, a) = (law.v, law.a);
+    let rate = |q: &Joints, i: usize| machine.axes[i].to_file(q[i]);
+    let axes = (0..machine.axes.len()).map(|i| {
+        let speed = p.d1[i] * v;
+        let acceleration = p.d2[i] * v * v + p.d1[i] * a;
+        (rate(&p.q, i), machine.axes[i].to_file(speed), machine.axes[i].to_file(acceleration))
+    });
+    let (work, travel) = welding.attitude.angles(s);
+    let dihedral = welding.seam.at(s).dihedral;
+    Sample {
+        s,
+        speed: v,
+        axes: axes.collect(),
+        angles: (work.to_degrees(), travel.to_degrees(), dihedral.to_degrees()),
+    }
+}

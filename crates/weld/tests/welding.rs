@@ -1,0 +1,170 @@
+//! Seams against the reference, torch angles by their definition, and every mistake with its address.
+
+use glam::DVec3;
+use seamwright_document::DocumentError;
+use seamwright_program::TorchPath;
+use seamwright_weld::Welding;
+use serde_json::Value;
+
+fn vector(v: &Value) -> DVec3 {
+    let a: Vec<f64> = v.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+    DVec3::new(a[0], a[1], a[2])
+}
+
+/// A job for a case of the reference file.
+fn job_of(case: &Value) -> String {
+    let (n, b) = (&case["spec"]["nozzle"], &case["spec"]["body"]);
+    let body = match b["kind"].as_str().unwrap() {
+        "cylinder" => format!("cylinder = {{ radius_mm = {}, axis = [1, 0, 0] }}", b["radius"]),
+        "sphere" => format!("sphere = {{ radius_mm = {} }}", b["radius"]),
+        "ellipsoid" => format!("ellipsoid = {{ semi_axes_mm = {} }}", b["semi"]),
+        _ => format!("plane = {{ normal = {}, point_mm = {} }}", b["normal"], b["point"]),
+    };
+    format!(
+        "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = {}\norigin_mm = {}\ndirection = {}\n\
+         zero_direction = {}\nbody.{body}\n[weld]\nspeed_mm_s = 5\n",
+        n["radius_mm"], n["origin_mm"], n["direction"], n["phi_zero_direction"]
+    )
+}
+
+#[test]
+fn seams_agree_with_the_reference() {
+    let data: Value = serde_json::from_str(include_str!("../../../tests/data/intersections.json")).unwrap();
+    for case in data["cases"].as_array().unwrap() {
+        let name = case["name"].as_str().unwrap();
+        let welding = Welding::read(name, &job_of(case)).unwrap_or_else(|e| panic!("{e}"));
+        assert!((welding.seam.length() - case["length_mm"].as_f64().unwrap()).abs() <= 1e-8);
+        for row in case["rows"].as_array().unwrap() {
+            let s = welding.seam.s_of_phi(row["phi_deg"].as_f64().unwrap().to_radians()).unwrap();
+            let p = welding.seam.at(s);
+            assert!((p.point - vector(&row["point_mm"])).length() <= 1e-9, "{name}");
+            for (found, key) in
+                [(p.tangent, "tangent"), (p.n1, "nozzle_normal"), (p.n2, "body_normal"), (p.bisector, "bisector")]
+            {
+                assert!((found - vector(&row[key])).length() <= 1e-9, "{name} {key}");
+            }
+            assert!((p.dihedral.to_degrees() - row["dihedral_deg"].as_f64().unwrap()).abs() <= 1e-8, "{name}");
+        }
+    }
+}
+
+const SADDLE: &str = include_str!("../../../examples/saddle.toml");
+
+fn read(text: &str) -> Welding {
+    Welding::read("job.toml", text).unwrap_or_else(|e| panic!("{e}"))
+}
+
+#[test]
+fn torch_angles_are_what_they_say() {
+    let text = SADDLE.replace("work_angle_deg = 0 ", "work_angle_deg = 12 ");
+    let w = read(&text);
+    for i in 0..100 {
+        let p = w.seam.at(f64::from(i) * 16.0);
+        let axis = w.attitude.torch_axis(&p);
+        // Travel angle: asin of the axis along the direction of welding; positive drags, this one pushes.
+        assert!((axis.dot(p.tangent).asin().to_degrees() + 10.0).abs() < 1e-9);
+        // Work angle: in the plane across the seam, from the bisector towards the nozzle's wall.
+        let across = (axis - axis.dot(p.tangent) * p.tangent).normalize();
+        let wall = p.n2 - p.n2.dot(p.n1) * p.n1;
+        let from_wall = across.dot(wall.normalize()).acos().to_degrees();
+        assert!((from_wall - (0.5 * p.dihedral.to_degrees() - 12.0)).abs() < 1e-6, "{from_wall}");
+        // The path points from the torch to the work, in the placed frame.
+        let pose = w.path().pose(p.s);
+        assert!((pose.direction + axis).length() < 1e-12);
+        assert!((pose.point - (p.point + DVec3::new(0.0, 0.0, -800.0))).length() < 1e-12);
+    }
+}
+
+#[test]
+fn clockwise_is_the_mirror_image() {
+    let (ccw, cw) = (read(SADDLE), read(&SADDLE.replace("\"counter-clockwise\"", "\"clockwise\"")));
+    let length = ccw.seam.length();
+    for i in 0..50 {
+        let s = length * f64::from(i) / 50.0;
+        let (a, b) = (ccw.seam.at(s), cw.seam.at(length - s));
+        assert!((a.point - b.point).length() < 1e-9 && (a.tangent + b.tangent).length() < 1e-9);
+        assert!((a.towards_first - b.towards_first).length() < 1e-9);
+        let phi = a.phi.unwrap().to_degrees();
+        assert!((phi - 20.0 - 360.0 * s / length).abs() < 12.0 && (cw.seam.at(s).phi.unwrap() <= 20f64.to_radians()));
+    }
+}
+
+#[test]
+fn parts_and_overlaps() {
+    let part = read(&SADDLE.replace("overlap_mm = 20 ", "end_phi_deg = 110 "));
+    assert!(!part.seam.all_round());
+    let end = part.seam.at(part.seam.weld_length());
+    assert!((end.phi.unwrap().to_degrees() - 110.0).abs() < 1e-9);
+    let whole = read(SADDLE);
+    assert!((whole.seam.weld_length() - whole.seam.length() - 20.0).abs() < 1e-12 && whole.seam.all_round());
+    let overlap = whole.seam.at(whole.seam.length() + 7.0).point - whole.seam.at(7.0).point;
+    assert!(overlap.length() < 1e-9);
+}
+
+#[test]
+fn a_program_welds_like_its_job() {
+    let job = read(include_str!("../../../examples/trunnion-saddle.toml"));
+    let program = read(&job.program.value.to_toml().unwrap());
+    assert_eq!(job.program.value, program.program.value);
+    for i in 0..40 {
+        let s = f64::from(i) * 10.0;
+        assert_eq!(job.path().pose(s), program.path().pose(s));
+    }
+}
+
+#[test]
+fn a_line_between_two_plates() {
+    let text = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.line]\nstart_mm = [0, 0, 0]\nend_mm = [300, 0, 0]\n\
+        first_normal = [0, 1, 0]\nsecond_normal = [0, 0, 1]\n[torch]\nwork_angle_deg = 5\n[weld]\nspeed_mm_s = 5\n";
+    let w = read(text);
+    let p = w.seam.at(100.0);
+    assert!((p.bisector - DVec3::new(0.0, 0.5f64.sqrt(), 0.5f64.sqrt())).length() < 1e-12);
+    // Leaning towards the first part (whose face looks along y) lifts the torch off the second.
+    assert!(w.attitude.torch_axis(&p).z > p.bisector.z && p.phi.is_none());
+    let back = text.replace("[0, 0, 0]", "[300.0, 0, 0]").replace("[300, 0, 0]", "[0, 0, 0]");
+    assert!((read(&back).attitude.torch_axis(&read(&back).seam.at(1.0)).z - w.attitude.torch_axis(&p).z).abs() < 1e-12);
+}
+
+fn wrong(from: &str, to: &str) -> DocumentError {
+    assert!(SADDLE.contains(from), "{from}");
+    let e = Welding::read("job.toml", &SADDLE.replacen(from, to, 1)).unwrap_err();
+    println!("{e}");
+    assert!(e.line > 0 && !e.key.is_empty());
+    e
+}
+
+#[test]
+fn mistakes_have_an_address() {
+    let key = |from, to| wrong(from, to).key;
+    assert_eq!(key("radius_mm = 250", "radius_mm = 900"), "seam.nozzle.radius_mm");
+    assert_eq!(key("radius_mm = 250", "radius_mm = 800"), "seam.nozzle.radius_mm");
+    assert_eq!(key("radius_mm = 250", "radius_mm = -250"), "seam.nozzle.radius_mm");
+    assert_eq!(key("origin_mm = [0, 0, 0]", "origin_mm = [0, 2000, 0]"), "seam.nozzle.origin_mm");
+    assert_eq!(key("direction = [0, 0, 1]", "direction = [1, 0, 0]"), "seam.nozzle.zero_direction");
+    assert_eq!(key("axis = [1, 0, 0]", "axis = [0, 0, 1]"), "seam.nozzle.direction");
+    assert_eq!(key("[seam.nozzle.body.cylinder]", "[seam.nozzle.body.cilinder]"), "seam.nozzle.body.cilinder");
+    assert_eq!(key("overlap_mm = 20", "overlap_mm = 2000"), "start.overlap_mm");
+    assert_eq!(key("overlap_mm = 20", "overlap_mm = 20\nend_phi_deg = 90"), "start.overlap_mm");
+    assert_eq!(key("overlap_mm = 20 ", "end_phi_deg = 10 "), "start.end_phi_deg");
+    assert_eq!(key("travel_angle_deg = -10", "travel_angle_deg = 80"), "torch.travel_angle_deg");
+    assert_eq!(key("work_angle_deg = 0", "work_angle_deg = 95"), "torch.work_angle_deg");
+    assert_eq!(key("current_a = 240", "current_a = -240"), "weld.process.current_a");
+    assert_eq!(key("current_a = 240", "\"Current\" = 240"), "weld.process.Current");
+    assert_eq!(key("speed_mm_s = 10", "speed_mm_s = inf"), "weld.speed_mm_s");
+    let help = |from, to| wrong(from, to).help.unwrap();
+    assert!(help("radius_mm = 250", "radius_in = 10").contains("given in mm"));
+    assert!(help("speed_mm_s = 10", "speed_mm_min = 600").contains("given in mm/s"));
+    assert!(help("overlap_mm", "overlapp_mm").contains("`overlap_mm`"));
+    let table = |at: &str| wrong("work_angle_deg = 0 ", &format!("{at}\n#")).key;
+    assert_eq!(table("at = [{ s_mm = 10 }, { s_mm = 5 }]"), "torch.at[1].s_mm");
+    assert_eq!(table("at = [{ s_mm = 1600 }]"), "torch.at[0].s_mm");
+}
+
+#[test]
+fn a_torch_inside_a_wall_is_found() {
+    let w = read(&SADDLE.replace("work_angle_deg = 0 ", "work_angle_deg = 50 "));
+    let findings = w.findings();
+    // Half the dihedral angle is below 50 degrees near both crown points.
+    assert!(findings.len() >= 2 && findings.iter().all(|f| f.kind == "access" && !f.allowed), "{findings:#?}");
+    assert!(read(SADDLE).findings().is_empty());
+}
