@@ -1,2 +1,47 @@
-//! The `seamwright` command.
-fn main() {}
+//! The `seamwright` command: arguments in, one call down, text out.
+
+mod args;
+mod examples;
+mod failure;
+mod files;
+mod load;
+mod progress;
+mod rows;
+mod verbs;
+
+use args::{Cli, Verb};
+use clap::Parser;
+use failure::Failure;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(e) => {
+            // Help and version are asked for; anything else is wrong usage.
+            let _ = e.print();
+            return ExitCode::from(if e.use_stderr() { 2 } else { 0 });
+        }
+    };
+    match run(cli.verb) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}
+
+fn run(verb: Option<Verb>) -> Result<(), Failure> {
+    match verb {
+        None => verbs::demo::run(),
+        Some(Verb::Seam(a)) => verbs::seam::run(&a),
+        Some(Verb::Plan(a)) => verbs::plan::run(&a),
+        Some(Verb::Check(a)) => verbs::check::run(&a),
+        Some(Verb::Motion(a)) => verbs::motion::run(&a),
+        Some(Verb::Simulate(a)) => verbs::simulate::run(&a),
+        Some(Verb::Post(a)) => verbs::post::run(&a),
+        Some(Verb::Kinematics(a)) => verbs::kinematics::run(&a),
+        Some(Verb::Interpolate(a)) => verbs::interpolate::run(&a),
+        Some(Verb::Machines(a)) => verbs::lists::machines(&a),
+        Some(Verb::Examples(a)) => verbs::lists::examples(&a),
+        Some(Verb::Schema(a)) => verbs::schema::run(&a),
+    }
+}

@@ -56,7 +56,7 @@ fn read(text: &str) -> Welding {
 
 #[test]
 fn torch_angles_are_what_they_say() {
-    let text = SADDLE.replace("work_angle_deg = 0 ", "work_angle_deg = 12 ");
+    let text = SADDLE.replace("work_angle_deg = 0 ", "work_angle_deg = 12 ").replace("travel_angle_deg = 0 ", "travel_angle_deg = -10 ");
     let w = read(&text);
     for i in 0..100 {
         let p = w.seam.at(f64::from(i) * 16.0);
@@ -146,7 +146,7 @@ fn mistakes_have_an_address() {
     assert_eq!(key("overlap_mm = 20", "overlap_mm = 2000"), "start.overlap_mm");
     assert_eq!(key("overlap_mm = 20", "overlap_mm = 20\nend_phi_deg = 90"), "start.overlap_mm");
     assert_eq!(key("overlap_mm = 20 ", "end_phi_deg = 10 "), "start.end_phi_deg");
-    assert_eq!(key("travel_angle_deg = -10", "travel_angle_deg = 80"), "torch.travel_angle_deg");
+    assert_eq!(key("travel_angle_deg = 0 ", "travel_angle_deg = 80"), "torch.travel_angle_deg");
     assert_eq!(key("work_angle_deg = 0", "work_angle_deg = 95"), "torch.work_angle_deg");
     assert_eq!(key("current_a = 240", "current_a = -240"), "weld.process.current_a");
     assert_eq!(key("current_a = 240", "\"Current\" = 240"), "weld.process.Current");

@@ -1,0 +1,303 @@
+//! The command line, as in the contract of `docs/cli.md`.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// Plans, checks, simulates and posts CNC welds of seams that curve through space.
+///
+/// Without a verb the example saddle is planned and welded in simulation, and the report is left in out/saddle.
+#[derive(Debug, Parser)]
+#[command(version, about, long_about, after_help = "Exit codes: 0 done; 1 cannot be welded as asked; 2 bad input; 3 the environment failed.")]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) verb: Option<Verb>,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Verb {
+    /// The seam's geometry as a table: points, tangents, normals, bisector, dihedral angle
+    Seam(SeamArgs),
+    /// Plan a job: weld program, checks, timing, report with plots
+    Plan(PlanArgs),
+    /// The checks alone; exit code 1 if the weld cannot be made as asked
+    Check(CheckArgs),
+    /// The timed set-points of every axis, streamed
+    Motion(MotionArgs),
+    /// Weld in simulation: drives, friction, encoders; trace and report
+    Simulate(SimulateArgs),
+    /// A part program for another control
+    Post(PostArgs),
+    /// Forward or inverse kinematics of rows on standard input
+    Kinematics(KinematicsArgs),
+    /// The textbook interpolators beside the exact one
+    Interpolate(InterpolateArgs),
+    /// List the machines that ship, or print one's file
+    Machines(ListArgs),
+    /// List the example jobs that ship, or print one to copy
+    Examples(ListArgs),
+    /// JSON Schema of a file format
+    Schema(SchemaArgs),
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright seam examples/saddle.toml --phi-deg 0,45,90")]
+pub(crate) struct SeamArgs {
+    /// Job or program file
+    pub(crate) job: PathBuf,
+    /// This many points at equal arc length from the start of the weld to its end, both included [default: 101]
+    #[arg(long, group = "where", value_name = "N")]
+    pub(crate) points: Option<u32>,
+    /// A point every D mm from the start of the weld, and its end
+    #[arg(long, group = "where", value_name = "D")]
+    pub(crate) every_mm: Option<f64>,
+    /// Points at these angles about the nozzle's axis (eccentric angles of an ellipse), in degrees
+    #[arg(long, group = "where", value_name = "A,B,..", value_delimiter = ',', allow_hyphen_values = true)]
+    pub(crate) phi_deg: Option<Vec<f64>>,
+    /// JSON instead of CSV
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright plan examples/saddle.toml -o out/saddle")]
+pub(crate) struct PlanArgs {
+    /// Job or program file
+    pub(crate) job: PathBuf,
+    /// Folder for program.toml, report.json, report.html and the plots; made if missing
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: PathBuf,
+    /// Print report.json instead of a summary
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright check examples/saddle.toml")]
+pub(crate) struct CheckArgs {
+    /// Job or program file
+    pub(crate) job: PathBuf,
+    /// JSON instead of text
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright motion examples/ellipse.toml --period-ms 10 > set-points.csv")]
+pub(crate) struct MotionArgs {
+    /// Job or program file
+    pub(crate) job: PathBuf,
+    /// Period of the set-points, ms [default: the machine's servo period]
+    #[arg(long, value_name = "T")]
+    pub(crate) period_ms: Option<f64>,
+    /// JSON instead of CSV
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright simulate examples/saddle.toml -o out/saddle --seed 7")]
+pub(crate) struct SimulateArgs {
+    /// Job or program file
+    pub(crate) job: PathBuf,
+    /// Folder for trace.parquet, report.json and report.html; made if missing
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: PathBuf,
+    /// Seed of the disturbances: the same seed gives the same weld
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// Print report.json instead of a summary
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Dialect {
+    /// LinuxCNC 2.8 or newer
+    Linuxcnc,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum LevelArg {
+    /// Axis positions; identity kinematics in the control
+    Joint,
+    /// Torch tip in the work frame and rotary axes; matching kinematics in the control
+    Tip,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright post examples/saddle.toml --dialect linuxcnc > saddle.ngc")]
+pub(crate) struct PostArgs {
+    /// Program or job file
+    pub(crate) job: PathBuf,
+    /// The control
+    #[arg(long, value_enum)]
+    pub(crate) dialect: Dialect,
+    /// What the blocks' words mean
+    #[arg(long, value_enum, default_value = "joint")]
+    pub(crate) level: LevelArg,
+    /// Greatest distance of the blocks' path from the seam, mm
+    #[arg(long, default_value_t = 0.01, value_name = "MM")]
+    pub(crate) tolerance_mm: f64,
+    /// How far the torch stands back along its axis before and after the weld, mm
+    #[arg(long, default_value_t = 30.0, value_name = "MM")]
+    pub(crate) retract_mm: f64,
+    /// Write to this file instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  echo 'x,y,z,a,c
+7.1077,33.3687,32.0754,8,60' | seamwright kinematics table-tilting-xyzac --forward
+  echo 'x_mm,y_mm,z_mm,ax,ay,az
+10,5,0,0,0,-1' | seamwright kinematics ellipse-xy --inverse")]
+pub(crate) struct KinematicsArgs {
+    /// Machine that ships, or a machine file
+    pub(crate) machine: String,
+    /// Axis positions (mm, degrees) to torch tip and direction in the work frame
+    #[arg(long, group = "way", required = true)]
+    pub(crate) forward: bool,
+    /// Torch tip and direction to axis positions
+    #[arg(long, group = "way")]
+    pub(crate) inverse: bool,
+    /// With --inverse: rows are one path; each row is solved near the one before, counting turns
+    #[arg(long, requires = "inverse")]
+    pub(crate) continuous: bool,
+    /// JSON instead of CSV
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum CurveArg {
+    /// An ellipse in the plane (ELLIPSE-2015)
+    Ellipse,
+    /// A nozzle on a cylindrical shell (SADDLE-2020)
+    Saddle,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum MethodArg {
+    /// Equal steps along the curve, or equal chords
+    Exact,
+    /// Increments of the eccentric angle (ELLIPSE-2015)
+    EccentricAngle,
+    /// Point-by-point comparison, pulse by pulse
+    PointByPoint,
+    /// Comparison of integrals, pulse by pulse
+    ComparisonIntegral,
+    /// Digital differential analyser, pulse by pulse
+    Dda,
+    /// All of them
+    All,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum StepArg {
+    /// Equal arc length per step: constant speed
+    Arc,
+    /// Equal chords
+    Chord,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum RuleArg {
+    /// dt = dL / |OM|, as printed in the paper
+    Printed,
+    /// dpsi = dL / |OM| with tan(psi) = (b/a) tan(t)
+    Polar,
+    /// dt = dL / sqrt(a^2 sin^2 t + b^2 cos^2 t)
+    Tangent,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  seamwright interpolate --curve ellipse --method exact --step chord > points.csv
+  seamwright interpolate --curve ellipse --method all --summary --svg ellipse.svg
+The defaults are the papers' examples: the ellipse of ELLIPSE-2015 (20 x 16 mm, from (0, 16) clockwise to (20, 0), 5 mm/s,
+10 ms) and the saddle of SADDLE-2020 (250 on 800 mm, 10 mm/s, 20 ms).")]
+pub(crate) struct InterpolateArgs {
+    #[arg(long, value_enum)]
+    pub(crate) curve: CurveArg,
+    #[arg(long, value_enum, default_value = "exact")]
+    pub(crate) method: MethodArg,
+    /// Exact method: what is equal in every step
+    #[arg(long, value_enum, default_value = "arc")]
+    pub(crate) step: StepArg,
+    /// Eccentric-angle method: which formula
+    #[arg(long, value_enum, default_value = "printed")]
+    pub(crate) rule: RuleArg,
+    /// Speed, mm/s [default: the paper's]
+    #[arg(long)]
+    pub(crate) speed_mm_s: Option<f64>,
+    /// Period, ms [default: the paper's]
+    #[arg(long)]
+    pub(crate) period_ms: Option<f64>,
+    /// Pulse equivalent of the pulse methods, mm
+    #[arg(long, default_value_t = 0.001)]
+    pub(crate) pulse_mm: f64,
+    /// Ellipse: semi-axis along x, mm
+    #[arg(long, default_value_t = 20.0)]
+    pub(crate) a_mm: f64,
+    /// Ellipse: semi-axis along y, mm
+    #[arg(long, default_value_t = 16.0)]
+    pub(crate) b_mm: f64,
+    /// Ellipse: start point x,y in mm [default: 0,b]
+    #[arg(long, value_delimiter = ',', num_args = 1, allow_hyphen_values = true, value_name = "X,Y")]
+    pub(crate) start_mm: Option<Vec<f64>>,
+    /// Ellipse: end point x,y in mm; equal to the start for a full turn [default: a,0]
+    #[arg(long, value_delimiter = ',', num_args = 1, allow_hyphen_values = true, value_name = "X,Y")]
+    pub(crate) end_mm: Option<Vec<f64>>,
+    /// Ellipse: a full turn from the start point
+    #[arg(long, conflicts_with = "end_mm")]
+    pub(crate) full_turn: bool,
+    /// Ellipse: counter-clockwise instead of clockwise
+    #[arg(long)]
+    pub(crate) counter_clockwise: bool,
+    /// Saddle: radius of the nozzle, mm
+    #[arg(long, default_value_t = 250.0)]
+    pub(crate) nozzle_radius_mm: f64,
+    /// Saddle: radius of the shell, mm
+    #[arg(long, default_value_t = 800.0)]
+    pub(crate) shell_radius_mm: f64,
+    /// Saddle: start angle, degrees
+    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
+    pub(crate) start_deg: f64,
+    /// Saddle: angle to sweep, degrees
+    #[arg(long, default_value_t = 360.0, allow_hyphen_values = true)]
+    pub(crate) sweep_deg: f64,
+    /// Print statistics, a row a method, instead of points
+    #[arg(long)]
+    pub(crate) summary: bool,
+    /// Draw the paths and their errors to this file
+    #[arg(long, value_name = "FILE")]
+    pub(crate) svg: Option<PathBuf>,
+    /// JSON instead of CSV
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ListArgs {
+    /// Print this one's file instead of the list
+    pub(crate) name: Option<String>,
+    /// JSON instead of a table
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    Job,
+    Machine,
+    Program,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright schema job > job.schema.json")]
+pub(crate) struct SchemaArgs {
+    /// Which file format
+    #[arg(value_enum)]
+    pub(crate) format: Format,
+}

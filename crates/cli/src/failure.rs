@@ -1,0 +1,86 @@
+use seamwright_document::DocumentError;
+use seamwright_program::Finding;
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+/// Why the command ends without doing what was asked, by exit code.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// 1: the job is understood but cannot be welded as asked.
+    Findings(Vec<Finding>),
+    /// 1: the same, and the findings have been printed already.
+    Printed,
+    /// 2: bad input or usage.
+    Input(String),
+    /// 3: a device or the environment failed.
+    Environment(String),
+    /// 0: whoever reads our output has stopped reading.
+    ReaderGone,
+}
+
+impl Failure {
+    /// Writes the failure to standard error; its exit code.
+    pub(crate) fn report(&self) -> ExitCode {
+        let mut err = io::stderr().lock();
+        // Nothing can be done if standard error itself is closed.
+        match self {
+            Self::Findings(findings) => {
+                let _ = write_findings(&mut err, findings);
+                ExitCode::from(1)
+            }
+            Self::Printed => ExitCode::from(1),
+            Self::Input(message) => {
+                let _ = writeln!(err, "error: {}", message.trim_end());
+                ExitCode::from(2)
+            }
+            Self::Environment(message) => {
+                let _ = writeln!(err, "error: {}", message.trim_end());
+                ExitCode::from(3)
+            }
+            Self::ReaderGone => ExitCode::SUCCESS,
+        }
+    }
+}
+
+/// Findings for people, the forbidding ones first.
+pub(crate) fn write_findings(out: &mut impl Write, findings: &[Finding]) -> io::Result<()> {
+    let forbidding = findings.iter().filter(|f| !f.allowed).count();
+    match forbidding {
+        0 => writeln!(out, "the weld can be made as asked")?,
+        1 => writeln!(out, "the weld cannot be made as asked: 1 finding")?,
+        n => writeln!(out, "the weld cannot be made as asked: {n} findings")?,
+    }
+    let (allowed, not): (Vec<&Finding>, Vec<&Finding>) = findings.iter().partition(|f| f.allowed);
+    for f in not.into_iter().chain(allowed) {
+        let word = if f.allowed { "note" } else { "finding" };
+        writeln!(out, "{word} ({}): {}", f.kind, f.message)?;
+        let place = if f.to_mm > f.from_mm { format!("{:.3} to {:.3}", f.from_mm, f.to_mm) } else { format!("{:.3}", f.from_mm) };
+        writeln!(out, "   where: pass {}, s = {place} mm", f.pass)?;
+        writeln!(out, "   cure: {}", f.cure)?;
+    }
+    Ok(())
+}
+
+impl From<DocumentError> for Failure {
+    fn from(e: DocumentError) -> Self {
+        Self::Input(e.to_string())
+    }
+}
+
+impl From<io::Error> for Failure {
+    fn from(e: io::Error) -> Self {
+        if e.kind() == io::ErrorKind::BrokenPipe { Self::ReaderGone } else { Self::Environment(e.to_string()) }
+    }
+}
+
+impl From<seamwright_cell::Error> for Failure {
+    fn from(e: seamwright_cell::Error) -> Self {
+        Self::Input(format!("machine file: {e}"))
+    }
+}
+
+impl From<seamwright_record::Error> for Failure {
+    fn from(e: seamwright_record::Error) -> Self {
+        Self::Environment(e.to_string())
+    }
+}

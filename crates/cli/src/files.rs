@@ -1,0 +1,80 @@
+//! Files written whole: under a temporary name in the same folder, synced, then renamed.
+
+use crate::failure::Failure;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
+
+/// Reads a text file that the user named.
+pub(crate) fn read(path: &Path) -> Result<String, Failure> {
+    fs::read_to_string(path).map_err(|e| Failure::Input(format!("{}: cannot be read: {e}", path.display())))
+}
+
+/// A temporary file in `folder` with the permissions that a new file of the user's has.
+fn temporary(folder: &Path) -> std::io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.prefix(".seamwright-").tempfile_in(folder)
+}
+
+/// Writes one file whole; its folder must exist.
+pub(crate) fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut file = temporary(folder).map_err(|e| not_writable(folder, &e))?;
+    file.write_all(text.as_bytes()).map_err(|e| not_writable(path, &e))?;
+    keep(file, path)
+}
+
+fn keep(file: NamedTempFile, path: &Path) -> Result<(), Failure> {
+    file.as_file().sync_all().map_err(|e| not_writable(path, &e))?;
+    file.persist(path).map(drop).map_err(|e| not_writable(path, &e.error))
+}
+
+fn not_writable(path: &Path, e: &std::io::Error) -> Failure {
+    Failure::Input(format!("{}: cannot be written: {e}\n   allowed: a folder or file that you may write", path.display()))
+}
+
+/// A folder that results go to, all at once when everything has been made.
+pub(crate) struct Output {
+    folder: PathBuf,
+    files: Vec<(NamedTempFile, PathBuf)>,
+}
+
+impl Output {
+    /// The folder, made if missing; fails at once if nothing can be written there.
+    pub(crate) fn new(folder: &Path) -> Result<Self, Failure> {
+        fs::create_dir_all(folder).map_err(|e| not_writable(folder, &e))?;
+        temporary(folder).map_err(|e| not_writable(folder, &e))?;
+        Ok(Self { folder: folder.to_owned(), files: Vec::new() })
+    }
+
+    /// A file to be written piece by piece; give it back with [`Output::add`].
+    pub(crate) fn open(&self) -> Result<NamedTempFile, Failure> {
+        temporary(&self.folder).map_err(|e| not_writable(&self.folder, &e))
+    }
+
+    /// Takes a written file under its name.
+    pub(crate) fn add(&mut self, name: &str, file: NamedTempFile) {
+        self.files.push((file, self.folder.join(name)));
+    }
+
+    /// Takes a text under its name.
+    pub(crate) fn text(&mut self, name: &str, text: &str) -> Result<(), Failure> {
+        let mut file = self.open()?;
+        file.write_all(text.as_bytes()).map_err(|e| not_writable(&self.folder, &e))?;
+        self.add(name, file);
+        Ok(())
+    }
+
+    /// Gives every file its name; the paths written.
+    pub(crate) fn finish(self) -> Result<Vec<PathBuf>, Failure> {
+        let mut paths = Vec::new();
+        for (file, path) in self.files {
+            keep(file, &path)?;
+            paths.push(path);
+        }
+        Ok(paths)
+    }
+}

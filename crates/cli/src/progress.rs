@@ -1,0 +1,38 @@
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::time::Duration;
+
+/// A progress bar on standard error: only on a terminal, and only for work that takes a while.
+pub(crate) struct Progress {
+    bar: ProgressBar,
+    count: u64,
+}
+
+/// Steps between updates, so that the bar costs nothing.
+const STRIDE: u64 = 4096;
+
+impl Progress {
+    /// For `total` steps of `what`.
+    pub(crate) fn new(what: &'static str, total: u64) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr_with_hz(10));
+        // The template is fixed; were it wrong, the plain bar would do.
+        let style = ProgressStyle::with_template("{msg} {wide_bar} {percent}% {eta}");
+        bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        bar.set_message(what);
+        bar.enable_steady_tick(Duration::from_millis(500));
+        Self { bar, count: 0 }
+    }
+
+    /// One step done.
+    pub(crate) fn step(&mut self) {
+        self.count += 1;
+        if self.count.is_multiple_of(STRIDE) {
+            self.bar.set_position(self.count);
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}

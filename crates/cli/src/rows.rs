@@ -1,0 +1,113 @@
+//! Tables on standard output, streamed as CSV or as a JSON array of objects.
+
+use crate::failure::Failure;
+use std::io::{self, BufWriter, StdoutLock, Write};
+
+/// One cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Cell<'a> {
+    Number(f64),
+    Count(u64),
+    Text(&'a str),
+    Empty,
+}
+
+impl From<f64> for Cell<'_> {
+    fn from(v: f64) -> Self {
+        Self::Number(v)
+    }
+}
+
+/// Writes rows under a header.
+pub(crate) struct Rows {
+    out: BufWriter<StdoutLock<'static>>,
+    columns: Vec<String>,
+    json: bool,
+    rows: u64,
+}
+
+impl Rows {
+    /// Starts a table; CSV writes its header at once.
+    pub(crate) fn new(columns: Vec<String>, json: bool) -> Result<Self, Failure> {
+        let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
+        if json {
+            out.write_all(b"[")?;
+        } else {
+            writeln!(out, "{}", columns.join(","))?;
+        }
+        Ok(Self { out, columns, json, rows: 0 })
+    }
+
+    /// Writes one row, with a cell a column.
+    pub(crate) fn row(&mut self, cells: &[Cell]) -> Result<(), Failure> {
+        if self.json {
+            self.json_row(cells)?;
+        } else {
+            for (i, cell) in cells.iter().enumerate() {
+                if i > 0 {
+                    self.out.write_all(b",")?;
+                }
+                match cell {
+                    // `+ 0.0` turns a negative zero into zero.
+                    Cell::Number(v) => write!(self.out, "{}", v + 0.0)?,
+                    Cell::Count(n) => write!(self.out, "{n}")?,
+                    Cell::Text(t) => self.out.write_all(quoted(t).as_bytes())?,
+                    Cell::Empty => {}
+                }
+            }
+            self.out.write_all(b"\n")?;
+        }
+        self.rows += 1;
+        Ok(())
+    }
+
+    fn json_row(&mut self, cells: &[Cell]) -> Result<(), Failure> {
+        self.out.write_all(if self.rows > 0 { b",\n " } else { b"\n " })?;
+        let object: serde_json::Map<String, serde_json::Value> = self
+            .columns
+            .iter()
+            .zip(cells)
+            .map(|(name, cell)| {
+                let value = match cell {
+                    Cell::Number(v) => serde_json::Value::from(v + 0.0),
+                    Cell::Count(n) => serde_json::Value::from(*n),
+                    Cell::Text(t) => serde_json::Value::from(*t),
+                    Cell::Empty => serde_json::Value::Null,
+                };
+                (name.clone(), value)
+            })
+            .collect();
+        serde_json::to_writer(&mut self.out, &object).map_err(io::Error::from)?;
+        Ok(())
+    }
+
+    /// Ends the table.
+    pub(crate) fn finish(mut self) -> Result<(), Failure> {
+        if self.json {
+            self.out.write_all(b"\n]\n")?;
+        }
+        self.out.flush()?;
+        Ok(())
+    }
+}
+
+/// A text as a CSV field.
+fn quoted(text: &str) -> String {
+    if text.contains([',', '"', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+}
+
+/// Prints a value as JSON.
+pub(crate) fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    serde_json::to_writer_pretty(&mut out, value).map_err(io::Error::from)?;
+    writeln!(out)?;
+    Ok(())
+}
+
+/// Prints text.
+pub(crate) fn print_text(text: &str) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    out.write_all(text.as_bytes())?;
+    out.flush()?;
+    Ok(())
+}

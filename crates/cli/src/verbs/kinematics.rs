@@ -1,0 +1,131 @@
+use crate::args::KinematicsArgs;
+use crate::failure::Failure;
+use crate::load;
+use crate::rows::{Cell, Rows};
+use glam::DVec3;
+use seamwright_machine::{Joints, Machine, Solution};
+use std::io::{self, BufRead};
+
+const POSE: [&str; 6] = ["x_mm", "y_mm", "z_mm", "ax", "ay", "az"];
+
+pub(crate) fn run(args: &KinematicsArgs) -> Result<(), Failure> {
+    let machine = load::machine(&args.machine)?;
+    let names: Vec<&str> = machine.axes.iter().map(|a| a.name.as_str()).collect();
+    let owned = |names: &[&str]| names.iter().map(|n| (*n).to_owned()).collect::<Vec<String>>();
+    if args.forward {
+        let mut rows = None;
+        each_row(&names, |values| {
+            let rows = opened(&mut rows, || Rows::new(owned(&POSE), args.json))?;
+            forward(&machine, values, rows)
+        })?;
+        return opened(&mut rows, || Rows::new(owned(&POSE), args.json)).map(|_| ()).and_then(|()| end(rows));
+    }
+    let mut columns = owned(&names);
+    columns.extend(["error".to_owned(), "attitude_error_deg".to_owned()]);
+    let mut rows = None;
+    let mut near = machine.home();
+    each_row(&POSE, |values| {
+        let rows = opened(&mut rows, || Rows::new(columns.clone(), args.json))?;
+        let solution = inverse(&machine, values, &near, args.continuous);
+        if let (Ok(solution), true) = (&solution, args.continuous) {
+            near = solution.joints;
+        }
+        write_solution(&machine, solution, rows)
+    })?;
+    opened(&mut rows, || Rows::new(columns.clone(), args.json))?;
+    end(rows)
+}
+
+/// The table, opened when the first good row has been read, so that bad input writes nothing.
+fn opened(rows: &mut Option<Rows>, open: impl FnOnce() -> Result<Rows, Failure>) -> Result<&mut Rows, Failure> {
+    match rows {
+        Some(rows) => Ok(rows),
+        None => Ok(rows.insert(open()?)),
+    }
+}
+
+fn end(rows: Option<Rows>) -> Result<(), Failure> {
+    rows.map_or(Ok(()), Rows::finish)
+}
+
+fn forward(machine: &Machine, values: &[f64], rows: &mut Rows) -> Result<(), Failure> {
+    let mut q = Joints::default();
+    for ((q, axis), value) in q.iter_mut().zip(&machine.axes).zip(values) {
+        *q = axis.from_file(*value);
+    }
+    let pose = machine.forward(&q);
+    let [x, y, z] = pose.point.to_array().map(Cell::Number);
+    let [a, b, c] = pose.direction.to_array().map(Cell::Number);
+    rows.row(&[x, y, z, a, b, c])
+}
+
+/// The positions for a pose: near the row before, or the branch within all ranges that is nearest to home.
+fn inverse(machine: &Machine, values: &[f64], near: &Joints, continuous: bool) -> Result<Solution, String> {
+    let direction = DVec3::new(values[3], values[4], values[5]);
+    let Some(direction) = direction.try_normalize() else { return Err("the direction has no length".to_owned()) };
+    let pose = seamwright_geometry::Pose { point: DVec3::new(values[0], values[1], values[2]), direction };
+    let nearest = machine.inverse_near(&pose, near).map_err(|e| e.to_string())?;
+    let mut candidates = vec![nearest];
+    if !continuous {
+        candidates.extend(machine.inverse(&pose, near).map_err(|e| e.to_string())?.iter());
+    }
+    let inside = candidates.iter().find(|s| machine.outside(&s.joints).is_none());
+    inside.copied().ok_or_else(|| {
+        machine.outside(&nearest.joints).map_or_else(String::new, |v| {
+            let axis = &machine.axes[v.axis];
+            let (value, limit, by) = (axis.to_file(v.value), axis.to_file(v.limit), axis.to_file(v.by()));
+            let unit = axis.unit();
+            format!("axis {} would be at {value:.6} {unit}, {by:.6} {unit} beyond its limit {limit} {unit}", axis.name)
+        })
+    })
+}
+
+fn write_solution(machine: &Machine, solution: Result<Solution, String>, rows: &mut Rows) -> Result<(), Failure> {
+    match solution {
+        Ok(s) => {
+            let mut cells: Vec<Cell> =
+                machine.axes.iter().zip(&s.joints).map(|(a, q)| Cell::Number(a.to_file(*q))).collect();
+            cells.extend([Cell::Empty, Cell::Number(s.attitude_error.to_degrees())]);
+            rows.row(&cells)
+        }
+        Err(reason) => {
+            let mut cells = vec![Cell::Empty; machine.axes.len()];
+            cells.extend([Cell::Text(&reason), Cell::Empty]);
+            rows.row(&cells)
+        }
+    }
+}
+
+/// Reads CSV with the columns `names` (in any order, others ignored) from standard input.
+fn each_row(names: &[&str], mut row: impl FnMut(&[f64]) -> Result<(), Failure>) -> Result<(), Failure> {
+    let mut lines = io::stdin().lock().lines();
+    let allowed = || format!("   allowed: a header line with {}, then numbers", names.join(","));
+    let header = lines.next().transpose()?.unwrap_or_default();
+    let header: Vec<&str> = header.trim_start_matches('\u{feff}').split(',').map(str::trim).collect();
+    let mut places = Vec::new();
+    for name in names {
+        match header.iter().position(|h| h == name) {
+            Some(place) => places.push(place),
+            None => {
+                let found = header.join(",");
+                return Err(Failure::Input(format!("standard input:1: there is no column `{name}` in `{found}`\n{}", allowed())));
+            }
+        }
+    }
+    let mut values = vec![0.0; names.len()];
+    for (number, line) in lines.enumerate() {
+        let line = line?;
+        if line.trim().is_empty() {
+            continue;
+        }
+        let fields: Vec<&str> = line.split(',').map(str::trim).collect();
+        for ((value, place), name) in values.iter_mut().zip(&places).zip(names) {
+            let field = fields.get(*place).copied().unwrap_or_default();
+            *value = field.parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| {
+                Failure::Input(format!("standard input:{}: {name} = `{field}` is not a finite number\n{}", number + 2, allowed()))
+            })?;
+        }
+        row(&values)?;
+    }
+    Ok(())
+}

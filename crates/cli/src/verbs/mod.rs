@@ -1,0 +1,23 @@
+//! One module a verb.
+
+pub(crate) mod check;
+pub(crate) mod demo;
+pub(crate) mod interpolate;
+pub(crate) mod kinematics;
+pub(crate) mod lists;
+pub(crate) mod motion;
+pub(crate) mod plan;
+pub(crate) mod post;
+pub(crate) mod schema;
+pub(crate) mod seam;
+pub(crate) mod simulate;
+
+use crate::failure::Failure;
+
+/// A number from the command line that must be finite and greater than zero.
+fn positive(name: &str, value: f64) -> Result<f64, Failure> {
+    if value.is_finite() && value > 0.0 {
+        return Ok(value);
+    }
+    Err(Failure::Input(format!("{name} {value}: not allowed\n   allowed: a finite number greater than 0")))
+}

@@ -1,0 +1,39 @@
+use super::positive;
+use super::simulate::{process_names, process_value};
+use crate::args::MotionArgs;
+use crate::failure::Failure;
+use crate::load::load;
+use crate::progress::Progress;
+use crate::rows::{Cell, Rows};
+
+pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
+    let loaded = load(&args.job)?;
+    let machine = &loaded.machine;
+    let period = match args.period_ms {
+        Some(ms) => positive("--period-ms", ms)? * 1e-3,
+        None => machine.servo_period_s,
+    };
+    let motion = loaded.plan()?;
+    let program = &loaded.welding.program.value;
+    let process = process_names(program);
+    let mut columns: Vec<String> = ["t_s", "pass", "s_mm"].map(str::to_owned).into();
+    columns.extend(machine.axes.iter().map(|a| a.name.clone()));
+    columns.extend(["speed_mm_s".to_owned(), "arc".to_owned()]);
+    columns.extend(process.iter().cloned());
+    let mut rows = Rows::new(columns, args.json)?;
+    let points = motion.set_points(period);
+    let mut progress = Progress::new("set-points", points.size_hint().0 as u64);
+    let mut cells = Vec::new();
+    for p in points {
+        progress.step();
+        cells.clear();
+        cells.extend([Cell::Number(p.t), Cell::Count(1), Cell::Number(p.law.s)]);
+        cells.extend(machine.axes.iter().zip(&p.q).map(|(axis, q)| Cell::Number(axis.to_file(*q))));
+        let arc = p.phase.arc();
+        cells.extend([Cell::Number(p.law.v), Cell::Count(u64::from(arc))]);
+        let values = program.passes[0].span_at(p.law.s).map(|s| &s.process);
+        cells.extend(process.iter().map(|name| Cell::Number(process_value(values, name, arc))));
+        rows.row(&cells)?;
+    }
+    rows.finish()
+}

@@ -1,0 +1,72 @@
+use crate::args::PlanArgs;
+use crate::failure::Failure;
+use crate::files::Output;
+use crate::load::load;
+use crate::rows::{print_json, print_text};
+use seamwright_report::{Plots, WeldReport};
+use seamwright_weld::Welding;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
+    let loaded = load(&args.job)?;
+    let motion = loaded.plan()?;
+    let mut output = Output::new(&args.output)?;
+    let (report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None);
+    let program = loaded.welding.program.value.to_toml().map_err(|e| Failure::Environment(e.to_string()))?;
+    output.text("program.toml", &program)?;
+    write_report(&mut output, &report, &plots, &loaded.welding)?;
+    for (name, svg) in plots.files() {
+        output.text(name, &svg)?;
+    }
+    finish(output, &report, args.json)
+}
+
+/// Adds report.json and report.html.
+pub(super) fn write_report(
+    output: &mut Output,
+    report: &WeldReport,
+    plots: &Plots,
+    welding: &Welding,
+) -> Result<(), Failure> {
+    let json = serde_json::to_string_pretty(report).map_err(|e| Failure::Environment(e.to_string()))?;
+    output.text("report.json", &(json + "\n"))?;
+    output.text("report.html", &report.page(plots, welding.program.text()))
+}
+
+/// Gives the files their names and prints what was done.
+pub(super) fn finish(output: Output, report: &WeldReport, json: bool) -> Result<(), Failure> {
+    let paths = output.finish()?;
+    if json { print_json(report) } else { print_text(&summary(report, &paths)) }
+}
+
+fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
+    let p = &r.plan;
+    let mut text = format!("{}\n", r.title);
+    // Writing to a String cannot fail.
+    let _ = writeln!(text, "  machine      {}", r.machine.title);
+    let _ = writeln!(text, "  seam         {:.3} mm, weld {:.3} mm", r.seam.length_mm, r.seam.weld_length_mm);
+    let _ = writeln!(
+        text,
+        "  speed        {:.4} to {:.4} mm/s planned, {} asked",
+        p.least_speed_mm_s, p.greatest_speed_mm_s, p.asked_speed_mm_s
+    );
+    let _ = writeln!(text, "  time         {:.2} s travel, {:.2} s arc on, {:.2} s in all", p.weld_s, p.arc_on_s, p.total_s);
+    if let Some(s) = &r.simulation {
+        let (e, v) = (&s.path_error_mm, &s.tip_speed_mm_s);
+        let _ = writeln!(text, "  path error   {:.4} mm greatest, {:.4} mm RMS (simulated)", e.max, e.rms);
+        let _ = writeln!(text, "  tip speed    {:.4} to {:.4} mm/s, RMS deviation {:.4} mm/s (simulated)", v.min, v.max, v.rms);
+        for a in &s.axes {
+            let f = &a.following_error;
+            let worst = f.min.abs().max(f.max.abs());
+            let _ = writeln!(text, "  axis {:<7} following error {worst:.5} {}, RMS {:.5}", a.axis, a.unit, f.rms);
+        }
+    }
+    for f in &r.findings {
+        let _ = writeln!(text, "  note         {} (s = {:.1} mm)", f.message, f.from_mm);
+    }
+    for path in paths {
+        let _ = writeln!(text, "  wrote        {}", path.display());
+    }
+    text
+}

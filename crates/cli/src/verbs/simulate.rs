@@ -1,0 +1,116 @@
+use super::plan::{finish, write_report};
+use crate::args::SimulateArgs;
+use crate::failure::Failure;
+use crate::files::Output;
+use crate::load::{Loaded, load};
+use crate::progress::Progress;
+use seamwright_cell::{Sample, Summary, simulate};
+use seamwright_machine::Machine;
+use seamwright_motion::PassMotion;
+use seamwright_program::{ProcessValues, Program};
+use seamwright_record::TraceWriter;
+use seamwright_report::{SimulationCurves, WeldReport};
+use std::io::{BufWriter, Write};
+
+pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
+    let loaded = load(&args.job)?;
+    let motion = loaded.plan()?;
+    let mut output = Output::new(&args.output)?;
+    let report = weld(&loaded, &motion, args.seed, &mut output)?;
+    finish(output, &report, args.json)
+}
+
+/// Welds in simulation; adds the trace and the report to `output`.
+pub(super) fn weld(loaded: &Loaded, motion: &PassMotion, seed: u64, output: &mut Output) -> Result<WeldReport, Failure> {
+    let Loaded { welding, machine } = loaded;
+    let mut file = output.open()?;
+    let outcome = trace(loaded, motion, seed, BufWriter::new(&mut file))?;
+    output.add("trace.parquet", file);
+    let (report, plots) = WeldReport::new(machine, welding, motion, Some(outcome));
+    write_report(output, &report, &plots, welding)?;
+    Ok(report)
+}
+
+/// Runs the simulation with its trace going to `out`.
+fn trace(
+    loaded: &Loaded,
+    motion: &PassMotion,
+    seed: u64,
+    out: impl Write + Send,
+) -> Result<(Summary, SimulationCurves), Failure> {
+    let Loaded { welding, machine } = loaded;
+    let program = &welding.program.value;
+    let process: Vec<String> = process_names(program);
+    let about = [("title", program.title.clone()), ("machine", machine.name.clone()), ("seed", seed.to_string())];
+    let mut trace = TraceWriter::new(out, &columns(machine, &process), &about)?;
+    let mut curves = SimulationCurves::new(machine.axes.len(), motion.path.length());
+    let mut progress = Progress::new("welding in simulation", motion.set_points(machine.servo_period_s).size_hint().0 as u64);
+    let summary = simulate(machine, &welding.path(), motion, seed, |sample| {
+        progress.step();
+        curves.add(machine, sample);
+        let values = program.passes[0].span_at(sample.set.law.s).map(|s| &s.process);
+        trace.row(row(machine, sample, &process, values)).map_err(Failure::from)
+    })?;
+    trace.finish()?.flush()?;
+    Ok((summary, curves))
+}
+
+/// Names of the process values, in the order of their columns.
+pub(super) fn process_names(program: &Program) -> Vec<String> {
+    let mut names: Vec<String> =
+        program.passes.iter().flat_map(|p| &p.spans).flat_map(|s| s.process.keys().cloned()).collect();
+    names.sort();
+    names.dedup();
+    names
+}
+
+fn columns(machine: &Machine, process: &[String]) -> Vec<(String, &'static str)> {
+    let mut columns: Vec<(String, &'static str)> = vec![
+        ("t_s".to_owned(), "s"),
+        ("s_mm".to_owned(), "mm"),
+        ("arc".to_owned(), "1"),
+        ("speed_set_mm_s".to_owned(), "mm/s"),
+        ("tip_s_mm".to_owned(), "mm"),
+        ("tip_speed_mm_s".to_owned(), "mm/s"),
+        ("path_error_mm".to_owned(), "mm"),
+        ("attitude_error_deg".to_owned(), "deg"),
+    ];
+    for axis in &machine.axes {
+        let (name, unit) = (&axis.name, axis.unit());
+        columns.push((format!("{name}_set_{unit}"), unit));
+        columns.push((format!("{name}_true_{unit}"), unit));
+        columns.push((format!("{name}_following_error_{unit}"), unit));
+        columns.push((format!("{name}_current_part"), "1"));
+    }
+    // The unit of a process value is the end of its name.
+    columns.extend(process.iter().map(|name| (name.clone(), "")));
+    columns
+}
+
+fn row(machine: &Machine, sample: &Sample, process: &[String], values: Option<&ProcessValues>) -> Vec<f64> {
+    let law = sample.set.law;
+    let arc = sample.arc();
+    let mut row = vec![
+        sample.set.t,
+        law.s,
+        if arc { 1.0 } else { 0.0 },
+        law.v,
+        sample.tip_s,
+        sample.tip_speed,
+        sample.path_error,
+        sample.attitude_error.to_degrees(),
+    ];
+    for (i, axis) in machine.axes.iter().enumerate() {
+        row.push(axis.to_file(sample.set.q[i]));
+        row.push(axis.to_file(sample.q[i]));
+        row.push(axis.to_file(sample.following_error[i]));
+        row.push(sample.current[i]);
+    }
+    row.extend(process.iter().map(|name| process_value(values, name, arc)));
+    row
+}
+
+/// A process value: as set while the arc is on, 0 otherwise.
+pub(super) fn process_value(values: Option<&ProcessValues>, name: &str, arc: bool) -> f64 {
+    values.and_then(|v| v.get(name)).filter(|_| arc).map_or(0.0, |v| v.get())
+}
