@@ -142,7 +142,8 @@ impl Chart {
         (Scale::across(x, w), Scale::upward(y, h), Rect { x: LEFT, w, h, ..Rect::default() })
     }
 
-    fn draw(&self) -> (Svg, f64) {
+    /// The drawing and its height, px.
+    pub(crate) fn draw(&self) -> (Svg, f64) {
         let mut svg = Svg::default();
         let (x, y, mut frame) = self.measure();
         let mut top = 0.0;

@@ -125,6 +125,11 @@ impl Svg {
         self.body.push_str("</svg>\n");
     }
 
+    /// Another drawing, moved down by `y` px.
+    pub(crate) fn place(&mut self, other: Self, y: f64) {
+        let _ = writeln!(self.body, "<g transform=\"translate(0,{})\">\n{}</g>", px(y), other.body);
+    }
+
     /// The element for a page that carries the styles.
     pub(crate) fn inline(self, height: f64, label: &str) -> String {
         let (w, h) = (px(WIDTH), px(height));

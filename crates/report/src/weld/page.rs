@@ -59,7 +59,7 @@ impl WeldReport {
             format!("slowed to {} mm/s of {} mm/s asked", number(p.least_speed_mm_s), number(p.asked_speed_mm_s))
         };
         let simulated = self.simulation.as_ref().map_or(String::new(), |s| {
-            format!("; simulated path error at most {} mm", number(s.path_error_mm.max))
+            format!("; simulated path error at most {} mm", small(s.path_error_mm.max))
         });
         Verdict { ok: self.findings.iter().all(|f| f.allowed), text: format!("All axes within their limits; {held}{simulated}.") }
     }
@@ -68,7 +68,7 @@ impl WeldReport {
         let p = &self.plan;
         let tile = |label: &str, value: f64, unit: &str, note: String| Tile {
             label: label.to_owned(),
-            value: number(value),
+            value: format_number(value, 4),
             unit: unit.to_owned(),
             note,
             ..Tile::default()
@@ -81,12 +81,12 @@ impl WeldReport {
         ];
         if let Some(s) = &self.simulation {
             let speed = &s.tip_speed_mm_s;
-            tiles.push(tile("Path error", s.path_error_mm.max, "mm", format!("greatest; RMS {} mm", number(s.path_error_mm.rms))));
+            tiles.push(tile("Path error, simulated", s.path_error_mm.max, "mm", format!("greatest; RMS {} mm", small(s.path_error_mm.rms))));
             tiles.push(tile(
-                "Speed ripple",
+                "Speed ripple, simulated",
                 100.0 * s.speed_ripple,
                 "%",
-                format!("{} to {} mm/s, RMS {} mm/s", number(speed.min), number(speed.max), number(speed.rms)),
+                format!("{} to {} mm/s, RMS {} mm/s", number(speed.min), number(speed.max), small(speed.rms)),
             ));
         }
         tiles.push(Tile {
@@ -117,8 +117,14 @@ impl WeldReport {
     }
 }
 
+/// Lengths, times and positions.
 fn number(value: f64) -> String {
     format_number(value, 5)
+}
+
+/// Errors and deviations, which nobody reads to more digits.
+fn small(value: f64) -> String {
+    format_number(value, 2)
 }
 
 fn figure(svg: String, caption: &str) -> Block {
@@ -165,9 +171,9 @@ fn following_table(summary: &Summary) -> Block {
         vec![
             a.axis.clone(),
             a.unit.to_owned(),
-            number(e.min),
-            number(e.max),
-            number(e.rms),
+            small(e.min),
+            small(e.max),
+            small(e.rms),
             format_number(100.0 * a.current, 3),
         ]
     });

@@ -1,0 +1,116 @@
+//! The methods drawn side by side (ELLIPSE-2015, figures 5 and 6): paths, a piece of them pulse by pulse, speed and
+//! distance from the true curve.
+
+use super::Named;
+use glam::DVec3;
+use seamwright_motion::textbook::{Error, Path, Point};
+use seamwright_report::{Axis, Chart, Series, Style, sheet};
+
+/// Pulses shown on each side of the middle of the path in the close view.
+const CLOSE_PULSES: f64 = 12.0;
+/// Points of the true curve.
+const CURVE: u32 = 2000;
+
+/// The sheet with all charts.
+pub(super) fn draw(requests: &[Named]) -> Result<String, Error> {
+    let path = requests[0].request.shape.path()?;
+    let mut charts = [paths(&path), close(&path, requests), speed(), deviation()];
+    for Named { name, request } in requests {
+        let points: Vec<Point> = request.interpolate()?.collect();
+        let series = |points: Vec<(f64, f64)>| Series::line(*name, points);
+        charts[0].series.push(series(points.iter().map(|p| (p.position.x, p.position.y)).collect()));
+        if request.method.is_pulse() {
+            let close = near_middle(&path, &points, request.pulse_mm);
+            charts[1].series.push(series(close).styled(Style::Line));
+        }
+        charts[2].series.push(series(chords(&path, &points, request.period_s, request.step_mm())));
+        let off = |p: &Point| (travelled(&path, p), 1000.0 * path.nearest(p.position).distance_mm);
+        charts[3].series.push(series(points.iter().map(off).collect()));
+    }
+    let shown: Vec<Chart> = charts.into_iter().filter(|c| c.series.iter().any(|s| s.points.len() > 1)).collect();
+    Ok(sheet("Interpolation methods side by side", &shown))
+}
+
+/// Angle gone since the start, degrees.
+fn travelled(path: &Path, p: &Point) -> f64 {
+    (p.u_rad - path.start_rad()).abs().to_degrees()
+}
+
+fn true_curve(path: &Path, from: f64, to: f64) -> Series {
+    let points = (0..=CURVE).map(|i| path.point(from + (to - from) * f64::from(i) / f64::from(CURVE)));
+    Series::line("true curve", points.map(|p| (p.x, p.y)).collect()).styled(Style::Dashed)
+}
+
+fn paths(path: &Path) -> Chart {
+    Chart {
+        title: "Paths, seen along z".to_owned(),
+        x: Axis::new("x", "mm"),
+        y: Axis::new("y", "mm"),
+        series: vec![true_curve(path, path.start_rad(), path.end_rad())],
+        equal_aspect: true,
+        ..Chart::default()
+    }
+}
+
+/// The pulse methods around the middle of the path.
+fn close(path: &Path, requests: &[Named]) -> Chart {
+    let pulses = requests.iter().find(|n| n.request.method.is_pulse()).map(|n| n.request.pulse_mm);
+    let half = pulses.map_or(0.0, |pulse| angle_of(path, CLOSE_PULSES * pulse));
+    let middle = 0.5 * (path.start_rad() + path.end_rad());
+    Chart {
+        title: "Pulse by pulse, around the middle of the path".to_owned(),
+        x: Axis::new("x", "mm"),
+        y: Axis::new("y", "mm"),
+        series: if half > 0.0 { vec![true_curve(path, middle - half, middle + half)] } else { Vec::new() },
+        equal_aspect: true,
+        ..Chart::default()
+    }
+}
+
+/// The angle that a distance along the path takes at its middle, rad.
+fn angle_of(path: &Path, distance: f64) -> f64 {
+    let middle = 0.5 * (path.start_rad() + path.end_rad());
+    let h = 1e-6;
+    distance * h / path.point(middle + h).distance(path.point(middle))
+}
+
+fn near_middle(path: &Path, points: &[Point], pulse: f64) -> Vec<(f64, f64)> {
+    let middle: DVec3 = path.point(0.5 * (path.start_rad() + path.end_rad()));
+    let near = points.iter().map(|p| p.position).filter(|p| p.distance(middle) < CLOSE_PULSES * pulse);
+    near.map(|p| (p.x, p.y)).collect()
+}
+
+fn speed() -> Chart {
+    Chart {
+        title: "Straight distance travelled in each period, against speed x period".to_owned(),
+        x: Axis::new("angle travelled", "deg"),
+        y: Axis::new("deviation", "%"),
+        ..Chart::default()
+    }
+}
+
+/// Deviation (%) of the distance between positions a period apart from `step`, by angle travelled.
+fn chords(path: &Path, points: &[Point], period: f64, step: f64) -> Vec<(f64, f64)> {
+    let mut rows = Vec::new();
+    let Some(mut before) = points.first() else { return rows };
+    let (mut sample, mut current) = (1.0, before);
+    for p in points {
+        // A pulse method stays where it is between two pulses.
+        while p.t_s > sample * period * (1.0 + 1e-12) {
+            rows.push((travelled(path, current), 100.0 * (current.position.distance(before.position) / step - 1.0)));
+            before = current;
+            sample += 1.0;
+        }
+        current = p;
+    }
+    rows
+}
+
+fn deviation() -> Chart {
+    Chart {
+        title: "Distance of the points from the true curve".to_owned(),
+        x: Axis::new("angle travelled", "deg"),
+        y: Axis::new("distance", "µm"),
+        ..Chart::default()
+    }
+}
