@@ -4,6 +4,8 @@
 //! current limit), finds the true torch tip from the true axis positions with the machine's own chain, and measures
 //! how far it is from the seam and how fast it runs along it.
 
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
+
 mod disturbance;
 mod drives;
 mod error;

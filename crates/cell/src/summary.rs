@@ -156,11 +156,8 @@ impl Tally {
     pub(crate) fn finish(self, machine: &Machine, motion: &PassMotion, seed: u64) -> Summary {
         let speed = self.tip_speed.finish();
         let axes = machine.axes.iter().enumerate().map(|(i, axis)| {
-            let shown = |e: Extremes| Extremes {
-                min: axis.to_file(e.min),
-                max: axis.to_file(e.max),
-                rms: axis.to_file(e.rms),
-            };
+            let shown =
+                |e: Extremes| Extremes { min: axis.to_file(e.min), max: axis.to_file(e.max), rms: axis.to_file(e.rms) };
             AxisSummary {
                 axis: axis.name.clone(),
                 unit: axis.unit(),

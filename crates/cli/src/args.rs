@@ -7,7 +7,12 @@ use std::path::PathBuf;
 ///
 /// Without a verb the example saddle is planned and welded in simulation, and the report is left in out/saddle.
 #[derive(Debug, Parser)]
-#[command(version, about, long_about, after_help = "Exit codes: 0 done; 1 cannot be welded as asked; 2 bad input; 3 the environment failed.")]
+#[command(
+    version,
+    about,
+    long_about,
+    after_help = "Exit codes: 0 done; 1 cannot be welded as asked; 2 bad input; 3 the environment failed."
+)]
 pub(crate) struct Cli {
     #[command(subcommand)]
     pub(crate) verb: Option<Verb>,

@@ -54,7 +54,11 @@ pub(crate) fn write_findings(out: &mut impl Write, findings: &[Finding]) -> io::
     for f in not.into_iter().chain(allowed) {
         let word = if f.allowed { "note" } else { "finding" };
         writeln!(out, "{word} ({}): {}", f.kind, f.message)?;
-        let place = if f.to_mm > f.from_mm { format!("{:.3} to {:.3}", f.from_mm, f.to_mm) } else { format!("{:.3}", f.from_mm) };
+        let place = if f.to_mm > f.from_mm {
+            format!("{:.3} to {:.3}", f.from_mm, f.to_mm)
+        } else {
+            format!("{:.3}", f.from_mm)
+        };
         writeln!(out, "   where: pass {}, s = {place} mm", f.pass)?;
         writeln!(out, "   cure: {}", f.cure)?;
     }
@@ -82,5 +86,11 @@ impl From<seamwright_cell::Error> for Failure {
 impl From<seamwright_record::Error> for Failure {
     fn from(e: seamwright_record::Error) -> Self {
         Self::Environment(e.to_string())
+    }
+}
+
+impl From<seamwright_motion::textbook::Error> for Failure {
+    fn from(e: seamwright_motion::textbook::Error) -> Self {
+        Self::Input(e.to_string())
     }
 }

@@ -33,7 +33,10 @@ fn keep(file: NamedTempFile, path: &Path) -> Result<(), Failure> {
 }
 
 fn not_writable(path: &Path, e: &std::io::Error) -> Failure {
-    Failure::Input(format!("{}: cannot be written: {e}\n   allowed: a folder or file that you may write", path.display()))
+    Failure::Input(format!(
+        "{}: cannot be written: {e}\n   allowed: a folder or file that you may write",
+        path.display()
+    ))
 }
 
 /// A folder that results go to, all at once when everything has been made.

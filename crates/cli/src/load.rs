@@ -51,8 +51,12 @@ fn machine_from(name: &str, folder: &Path) -> Result<Option<Machine>, Failure> {
 
 /// The machine that a command line names.
 pub(crate) fn machine(name: &str) -> Result<Machine, Failure> {
-    machine_from(name, Path::new("."))?
-        .ok_or_else(|| Failure::Input(format!("{name}: there is no such machine\n   allowed: {}, or the path of a machine file", names())))
+    machine_from(name, Path::new("."))?.ok_or_else(|| {
+        Failure::Input(format!(
+            "{name}: there is no such machine\n   allowed: {}, or the path of a machine file",
+            names()
+        ))
+    })
 }
 
 impl Loaded {

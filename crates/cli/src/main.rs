@@ -1,5 +1,7 @@
 //! The `seamwright` command: arguments in, one call down, text out.
 
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
+
 mod args;
 mod examples;
 mod failure;

@@ -8,6 +8,8 @@
 //! The number types ([`Positive`], [`NonNegative`], [`Finite`]) refuse bad values while reading, so that the address
 //! is exact, and describe themselves in the JSON Schema.
 
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
+
 mod address;
 mod document;
 mod error;

@@ -58,7 +58,8 @@ fn a_good_file_is_read() {
 
 #[test]
 fn numbers_out_of_range() {
-    for (bad, shown) in [("-250", "-250"), ("0", "0"), ("nan", "nan"), ("inf", "inf"), ("-inf", "-inf"), ("0.0", "0.0")] {
+    for (bad, shown) in [("-250", "-250"), ("0", "0"), ("nan", "nan"), ("inf", "inf"), ("-inf", "-inf"), ("0.0", "0.0")]
+    {
         let e = wrong(&format!("schema = 1\n[nozzle]\nradius_mm = {bad}\n"));
         assert_eq!((e.line, e.column, e.key.as_str(), e.value.as_str()), (3, 13, "nozzle.radius_mm", shown));
         assert_eq!(e.allowed.as_deref(), Some("a finite number greater than 0"));

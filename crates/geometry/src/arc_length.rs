@@ -3,6 +3,9 @@ use crate::{Curve, Error, NODES, Series, nodes};
 /// Accuracy used where the caller has no reason for another, mm.
 pub const DEFAULT_ACCURACY_MM: f64 = 1e-12;
 
+/// Parts of the length in the table that finds a panel.
+const PARTS: usize = 256;
+
 /// Smallest panel as a part of the domain: below it the curve has a corner, not a bend.
 const SMALLEST_PANEL: f64 = 1e-9;
 
@@ -20,6 +23,9 @@ const SMALLEST_PANEL: f64 = 1e-9;
 pub struct ByLength<C> {
     curve: C,
     panels: Vec<Panel>,
+    /// The first panel that reaches into each of [`PARTS`] equal parts of the length, so that a panel is found without
+    /// a search.
+    first: Vec<u32>,
     length: f64,
 }
 
@@ -64,7 +70,10 @@ impl<C: Curve> ByLength<C> {
                 todo.push((a, middle));
             }
         }
-        Ok(Self { curve, panels, length })
+        let part = |i: usize| length * i as f64 / PARTS as f64;
+        let first = (0..PARTS).map(|i| panels.partition_point(|p| p.s0 <= part(i)).saturating_sub(1) as u32);
+        let first = first.collect();
+        Ok(Self { curve, panels, first, length })
     }
 
     /// The curve itself.
@@ -90,11 +99,23 @@ impl<C: Curve> ByLength<C> {
     /// Parameter at arc length `s` (mm) from the start of the domain.
     pub fn parameter(&self, s: f64) -> f64 {
         let (start, end) = self.curve.domain();
-        let turns = if self.curve.closed() { (s / self.length).floor() } else { 0.0 };
+        let outside = !(0.0..=self.length).contains(&s);
+        let turns = if outside && self.curve.closed() { (s / self.length).floor() } else { 0.0 };
         let s = s - turns * self.length;
-        let i = self.panels.partition_point(|p| p.s0 <= s).saturating_sub(1);
-        let p = &self.panels[i];
+        let p = &self.panels[self.panel_at(s)];
         turns * (end - start) + p.u0 + p.u_half + p.parameter.at((s - p.s0) / p.s_half - 1.0)
+    }
+}
+
+impl<C> ByLength<C> {
+    /// The panel that holds arc length `s` in [0, length].
+    fn panel_at(&self, s: f64) -> usize {
+        let part = (s / self.length * PARTS as f64).clamp(0.0, (PARTS - 1) as f64) as usize;
+        let mut i = self.first[part] as usize;
+        while self.panels.get(i + 1).is_some_and(|next| next.s0 <= s) {
+            i += 1;
+        }
+        i
     }
 }
 

@@ -40,14 +40,22 @@ impl Series {
         Self { c: std::array::from_fn(|k| TABLES.transform[k].iter().zip(values).map(|(t, v)| t * v).sum()) }
     }
 
-    /// The series' value at `x` in [-1, 1], by Clenshaw's recurrence.
+    /// The series' value at `x` in [-1, 1].
+    ///
+    /// Clenshaw's recurrence, once over the even and once over the odd degrees: both `T_2k(x)` and `T_2k+1(x)` follow
+    /// the same three-term recurrence in `y = 2 x^2 - 1`, so that the two chains run side by side.
     pub fn at(&self, x: f64) -> f64 {
-        let (mut b1, mut b2) = (0.0, 0.0);
-        let twice = 2.0 * x;
-        for &c in self.c[1..].iter().rev() {
-            (b1, b2) = (twice * b1 - b2 + c, b1);
+        let y = 2.0 * x * x - 1.0;
+        let twice = 2.0 * y;
+        let (mut even1, mut even2, mut odd1, mut odd2) = (0.0, 0.0, 0.0, 0.0);
+        for k in (1..NODES / 2).rev() {
+            (even1, even2) = (twice * even1 + (self.c[2 * k] - even2), even1);
+            (odd1, odd2) = (twice * odd1 + (self.c[2 * k + 1] - odd2), odd1);
         }
-        x * b1 - b2 + self.c[0]
+        // T_0 = 1 and T_2 = y; T_1 = x and T_3 = x (2 y - 1).
+        let even = y * even1 + (self.c[0] - even2);
+        let odd = (twice - 1.0) * odd1 + (self.c[1] - odd2);
+        even + x * odd
     }
 
     /// Size of the last three coefficients: an estimate of what the series leaves out.

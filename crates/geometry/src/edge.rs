@@ -1,11 +1,13 @@
 use crate::{Curve, Jet};
 use glam::DVec3;
 
-/// A point of an edge: the curve's jet and the outward unit normals of the two faces that meet there.
+/// A point of an edge: where it is, where it runs, and the outward unit normals of the two faces that meet there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EdgePoint {
-    /// Point and derivatives of the curve.
-    pub jet: Jet,
+    /// Position, mm.
+    pub point: DVec3,
+    /// First derivative of the curve by its parameter.
+    pub d1: DVec3,
     /// Outward unit normal of the first face.
     pub n1: DVec3,
     /// Outward unit normal of the second face.
@@ -14,7 +16,7 @@ pub struct EdgePoint {
 
 /// A curve along which two faces meet.
 pub trait Edge: Curve {
-    /// Point, derivatives and both faces' outward unit normals at parameter `u`.
+    /// Point, first derivative and both faces' outward unit normals at parameter `u`.
     fn edge(&self, u: f64) -> EdgePoint;
 }
 
@@ -70,7 +72,7 @@ impl<C: Curve> Edge for CurvedEdge<C> {
             FaceRule::Flat { normal } => (normal, normal),
             FaceRule::Fixed { n1, n2 } => (n1, n2),
         };
-        EdgePoint { jet, n1, n2 }
+        EdgePoint { point: jet.point, d1: jet.d1, n1, n2 }
     }
 }
 
@@ -85,8 +87,8 @@ mod tests {
         let edge = CurvedEdge { curve, faces: FaceRule::WallOnPlate { plate: DVec3::Z } };
         for i in 0..50 {
             let p = edge.edge(f64::from(i) * 0.13);
-            assert!(p.n1.dot(p.jet.point) > 0.0);
-            assert!(p.n1.dot(p.jet.d1).abs() < 1e-13);
+            assert!(p.n1.dot(p.point) > 0.0);
+            assert!(p.n1.dot(p.d1).abs() < 1e-13);
             assert!((p.n1.length() - 1.0).abs() < 1e-15);
         }
     }

@@ -8,6 +8,8 @@
 //! - [`ByLength`] re-parametrises any curve by arc length, to a stated accuracy.
 //! - [`Quadric`] is an implicit surface with gradient and Hessian.
 
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
+
 mod arc_length;
 mod chebyshev;
 mod circle;

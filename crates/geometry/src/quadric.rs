@@ -30,6 +30,16 @@ pub struct Quadric {
     nappe: Option<DVec3>,
 }
 
+/// Lines of one direction through a quadric: half the second derivative along them, and how the gradient changes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LineAlong {
+    /// Half the change of the gradient per mm along the line.
+    pub(crate) ad: DVec3,
+    /// Coefficient of h^2.
+    pub(crate) k2: f64,
+    bd: f64,
+}
+
 impl Quadric {
     /// The half-space below the plane through `point` with outward `normal`.
     ///
@@ -104,11 +114,17 @@ impl Quadric {
         if self.centre.is_finite() { Ok(self) } else { Err(Error::Direction { what: "the body's position" }) }
     }
 
-    /// The three coefficients of `F(p + h d) = k2 h^2 + 2 k1 h + k0`, a parabola in `h`.
-    pub(crate) fn along_line(&self, p: DVec3, d: DVec3) -> (f64, f64, f64) {
-        let q = p - self.centre;
+    /// What lines along `d` have in common.
+    pub(crate) fn line_along(&self, d: DVec3) -> LineAlong {
         let ad = self.a * d;
-        (d.dot(ad), q.dot(ad) + self.b.dot(d), q.dot(self.a * q) + 2.0 * self.b.dot(q) + self.c)
+        LineAlong { ad, k2: d.dot(ad), bd: self.b.dot(d) }
+    }
+
+    /// `F(p + h d) = k2 h^2 + 2 k1 h + k0` along a line through `p`: k1, k0 and half the gradient at `p`.
+    pub(crate) fn on_line(&self, line: &LineAlong, p: DVec3) -> (f64, f64, DVec3) {
+        let q = p - self.centre;
+        let half = self.a * q + self.b;
+        (q.dot(line.ad) + line.bd, q.dot(half + self.b) + self.c, half)
     }
 
     /// For a cone: how far (mm) `p` lies beyond the apex on its own nappe; for other bodies infinity.

@@ -154,7 +154,7 @@ mod tests {
             let step = std::f64::consts::TAU / n as f64;
             let points: Vec<_> = (0..n).map(|i| (i as f64 * step, (i as f64 * step).sin())).collect();
             let s = CubicSpline::periodic(&points, std::f64::consts::TAU).unwrap();
-            (0..997).map(|i| i as f64 * 0.0217).map(|x| (s.at(x) - x.sin()).abs()).fold(0.0, f64::max)
+            (0..997).map(|i| f64::from(i) * 0.0217).map(|x| (s.at(x) - x.sin()).abs()).fold(0.0, f64::max)
         };
         assert!(error(16) < 5e-4 && error(32) < error(16) / 12.0);
     }

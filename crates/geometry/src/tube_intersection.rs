@@ -1,3 +1,4 @@
+use crate::quadric::LineAlong;
 use crate::{Curve, Edge, EdgePoint, Error, Jet, Quadric, Surface, Tube};
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -12,6 +13,8 @@ use std::f64::consts::TAU;
 pub struct TubeIntersection {
     tube: Tube,
     body: Quadric,
+    /// The wall's lines in the body's function.
+    line: LineAlong,
 }
 
 /// Samples used to search the discriminant, a trigonometric polynomial of degree two with at most four extrema.
@@ -24,7 +27,8 @@ impl TubeIntersection {
     /// [`Error::TubeLargerThanBody`], [`Error::TubeBesideBody`], [`Error::NotClosed`], [`Error::Tangent`] or
     /// [`Error::NeverLeaves`] if the curve does not exist or is not closed and smooth.
     pub fn new(tube: Tube, body: Quadric) -> Result<Self, Error> {
-        let curve = Self { tube, body };
+        let line = body.line_along(tube.e3);
+        let curve = Self { tube, body, line };
         curve.check()?;
         Ok(curve)
     }
@@ -47,32 +51,39 @@ impl TubeIntersection {
         (t.origin + t.radius * normal, normal, cos * t.e2 - sin * t.e1)
     }
 
-    /// Height of the outermost point over the tube's origin at `phi`, mm; NaN where the wall misses the body.
-    fn height(&self, foot: DVec3) -> f64 {
-        let (k2, k1, k0) = self.body.along_line(foot, self.tube.e3);
-        let root = (k1 * k1 - k2 * k0).sqrt();
-        // The root where F grows, in the form without cancellation; it also covers k2 = 0.
-        if k1 > 0.0 { -k0 / (k1 + root) } else { (root - k1) / k2 }
+    /// The outermost point of the wall's line through `foot`: its height (mm; NaN where the line misses the body), and
+    /// half the body's gradient there with its part along the line.
+    fn outermost(&self, foot: DVec3) -> Outermost {
+        let (k1, k0, half) = self.body.on_line(&self.line, foot);
+        let root = (k1 * k1 - self.line.k2 * k0).sqrt();
+        // The root where F grows, in the form without cancellation; it also covers k2 = 0. One division for both
+        // forms, since on a nozzle through the body's centre the sign of k1 is rounding and cannot be predicted.
+        let size = k1.abs() + root;
+        let (above, below) = if k1 > 0.0 { (-k0, size) } else { (size, self.line.k2) };
+        let height = above / below;
+        Outermost { height, half_gradient: half + height * self.line.ad, half_along: root }
     }
 
     /// How surely the wall meets the body at `phi`: the discriminant of its quadratic in mm^2-like units, made
     /// relative; positive where it does.
     fn margin(&self, phi: f64) -> f64 {
-        let (k2, k1, k0) = self.body.along_line(self.wall(phi).0, self.tube.e3);
+        let (k1, k0, _) = self.body.on_line(&self.line, self.wall(phi).0);
+        let k2 = self.line.k2;
         (k1 * k1 - k2 * k0) / (k1 * k1 + (k2 * k0).abs()).max(f64::MIN_POSITIVE)
     }
 
     /// How far the wall's point lies on the body's own side of a cone's apex, mm (infinite for other bodies).
     fn nappe_margin(&self, phi: f64) -> f64 {
         let foot = self.wall(phi).0;
-        self.body.beyond_apex(foot + self.height(foot) * self.tube.e3)
+        self.body.beyond_apex(foot + self.outermost(foot).height * self.tube.e3)
     }
 
     fn check(&self) -> Result<(), Error> {
-        let (k2, k1, k0) = self.body.along_line(self.tube.origin, self.tube.e3);
+        let (k1, k0, _) = self.body.on_line(&self.line, self.tube.origin);
+        let k2 = self.line.k2;
         // A line along a plane, or parallel to a cylinder's axis, crosses at most once: F must grow along it.
         let flat = k2.abs() * self.tube.radius < 1e-12;
-        let grows = |phi: f64| self.body.along_line(self.wall(phi).0, self.tube.e3).1;
+        let grows = |phi: f64| self.body.on_line(&self.line, self.wall(phi).0).0;
         if flat && samples().any(|phi| grows(phi) <= 1e-9) {
             return Err(Error::NeverLeaves);
         }
@@ -95,7 +106,11 @@ impl TubeIntersection {
             let end = start + (run - 1) as f64 * step;
             let from = bisect(margin, start, start - step);
             let to = bisect(margin, end, end + step);
-            return Err(if to - from < 1e-6 { Error::Tangent { at: 0.5 * (from + to) } } else { Error::NotClosed { from, to } });
+            return Err(if to - from < 1e-6 {
+                Error::Tangent { at: 0.5 * (from + to) }
+            } else {
+                Error::NotClosed { from, to }
+            });
         }
         // No sample is bad; look between samples at each local minimum.
         let values: Vec<f64> = samples().map(margin).collect();
@@ -139,20 +154,29 @@ fn minimum(f: &dyn Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
     0.5 * (a + b)
 }
 
+/// The outermost point of a line of the wall.
+struct Outermost {
+    height: f64,
+    half_gradient: DVec3,
+    half_along: f64,
+}
+
+/// Everything of first order at one angle.
+struct Tangency {
+    point: DVec3,
+    d1: DVec3,
+    n1: DVec3,
+    outermost: Outermost,
+}
+
 impl TubeIntersection {
-    /// Jet and both normals; the one place where the curve is computed.
-    fn evaluate(&self, phi: f64) -> EdgePoint {
+    fn tangency(&self, phi: f64) -> Tangency {
         let (foot, n1, around) = self.wall(phi);
-        let e3 = self.tube.e3;
-        let point = foot + self.height(foot) * e3;
-        let gradient = self.body.gradient(point);
+        let outermost = self.outermost(foot);
         let w1 = self.tube.radius * around;
-        let w2 = -self.tube.radius * n1;
-        let along = gradient.dot(e3);
-        let d1 = w1 - gradient.dot(w1) / along * e3;
-        let bend = d1.dot(self.body.hessian(point) * d1) + gradient.dot(w2);
-        let d2 = w2 - bend / along * e3;
-        EdgePoint { jet: Jet { point, d1, d2 }, n1, n2: gradient.normalize() }
+        let rise = -outermost.half_gradient.dot(w1) / outermost.half_along;
+        let e3 = self.tube.e3;
+        Tangency { point: foot + outermost.height * e3, d1: w1 + rise * e3, n1, outermost }
     }
 }
 
@@ -164,16 +188,23 @@ impl Curve for TubeIntersection {
         true
     }
     fn jet(&self, phi: f64) -> Jet {
-        self.evaluate(phi).jet
+        let Tangency { point, d1, n1, outermost } = self.tangency(phi);
+        let w2 = -self.tube.radius * n1;
+        let bend = 0.5 * d1.dot(self.body.hessian(point) * d1) + outermost.half_gradient.dot(w2);
+        Jet { point, d1, d2: w2 - bend / outermost.half_along * self.tube.e3 }
     }
     fn point(&self, phi: f64) -> DVec3 {
         let foot = self.wall(phi).0;
-        foot + self.height(foot) * self.tube.e3
+        foot + self.outermost(foot).height * self.tube.e3
+    }
+    fn speed(&self, phi: f64) -> f64 {
+        self.tangency(phi).d1.length()
     }
 }
 
 impl Edge for TubeIntersection {
     fn edge(&self, phi: f64) -> EdgePoint {
-        self.evaluate(phi)
+        let Tangency { point, d1, n1, outermost } = self.tangency(phi);
+        EdgePoint { point, d1, n1, n2: outermost.half_gradient.normalize() }
     }
 }

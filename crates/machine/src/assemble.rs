@@ -61,12 +61,20 @@ fn axis(file: &File, path: &str, step: &StepFile) -> Result<Option<Axis>, Docume
     let Some(name) = &step.axis else {
         let has_axis_keys = StepFile { fixed: None, ..step.clone() } != StepFile::default();
         if step.fixed.is_none() || has_axis_keys {
-            return Err(file.error_at(path, "the step is neither an axis nor fixed", "either `axis` with its keys, or `fixed` alone"));
+            return Err(file.error_at(
+                path,
+                "the step is neither an axis nor fixed",
+                "either `axis` with its keys, or `fixed` alone",
+            ));
         }
         return Ok(None);
     };
     if step.fixed.is_some() {
-        return Err(file.error_at(&at("fixed"), "a step with an axis cannot be fixed", "a step of its own for `fixed`"));
+        return Err(file.error_at(
+            &at("fixed"),
+            "a step with an axis cannot be fixed",
+            "a step of its own for `fixed`",
+        ));
     }
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
     if name.is_empty() || !name.chars().all(plain) {
@@ -94,11 +102,19 @@ fn axis(file: &File, path: &str, step: &StepFile) -> Result<Option<Axis>, Docume
         })
     };
     let max_speed = limit("max_speed", "_s", step.max_speed_mm_s, step.max_speed_deg_s)?;
-    let max_acceleration =
-        limit("max_acceleration", "_s2", step.max_acceleration_mm_s2, step.max_acceleration_deg_s2)?;
+    let max_acceleration = limit("max_acceleration", "_s2", step.max_acceleration_mm_s2, step.max_acceleration_deg_s2)?;
     let max_jerk = limit("max_jerk", "_s3", step.max_jerk_mm_s3, step.max_jerk_deg_s3)?;
-    let mut axis =
-        Axis { name: name.clone(), letter: None, kind, range: None, home, max_speed, max_acceleration, max_jerk, drive: None };
+    let mut axis = Axis {
+        name: name.clone(),
+        letter: None,
+        kind,
+        range: None,
+        home,
+        max_speed,
+        max_acceleration,
+        max_jerk,
+        drive: None,
+    };
     axis.letter = letter(file, &at("letter"), step)?;
     axis.range = range.map(|[low, high]| (axis.from_file(low), axis.from_file(high)));
     for value in [&mut axis.home, &mut axis.max_speed, &mut axis.max_acceleration, &mut axis.max_jerk] {
@@ -120,7 +136,9 @@ fn letter(file: &File, path: &str, step: &StepFile) -> Result<Option<char>, Docu
         chars.next().filter(|c| known.contains(*c) && chars.next().is_none())
     };
     match &step.letter {
-        Some(text) => single(text).map(Some).ok_or_else(|| file.error_at(path, "not an axis letter", "A B C U V W X Y Z")),
+        Some(text) => {
+            single(text).map(Some).ok_or_else(|| file.error_at(path, "not an axis letter", "A B C U V W X Y Z"))
+        }
         None => Ok(step.axis.as_ref().and_then(|name| single(&name.to_uppercase()))),
     }
 }
@@ -140,7 +158,8 @@ fn unit_value<T: Copy>(
     };
     if wrong.is_some() {
         let key = format!("{path}.{what}_{wrong_unit}{power}");
-        let what_is_wrong = if kind == AxisKind::Linear { "a linear axis is in mm" } else { "a rotary axis is in degrees" };
+        let what_is_wrong =
+            if kind == AxisKind::Linear { "a linear axis is in mm" } else { "a rotary axis is in degrees" };
         return Err(file.error_at(&key, what_is_wrong, format!("{what}_{unit}{power}")));
     }
     Ok(value)
@@ -176,7 +195,11 @@ fn drive(file: &File, axis: &Axis, d: &DriveFile) -> Result<Drive, DocumentError
         }
     };
     if other != none {
-        let what = if axis.kind == AxisKind::Linear { "a linear axis' drive has mass and force" } else { "a rotary axis' drive has inertia and torque" };
+        let what = if axis.kind == AxisKind::Linear {
+            "a linear axis' drive has mass and force"
+        } else {
+            "a rotary axis' drive has inertia and torque"
+        };
         return Err(file.error_at(&path, what, keys));
     }
     let (Some(inertia), Some(peak), Some(counts)) = (load.0, load.1, encoder) else {
@@ -212,7 +235,7 @@ fn chain(m: &MachineFile, axes: &[Axis]) -> Chain {
             let t = fixed.affine();
             frame *= if sense < 0.0 { t.inverse() } else { t };
         } else if let (Some(axis), Some(local)) = (index(step), step.turn.or(step.direction)) {
-            let at = step.at_mm.map_or(DVec3::ZERO, |p| p.get());
+            let at = step.at_mm.map_or(DVec3::ZERO, seamwright_document::Point::get);
             screws.push(Screw {
                 axis,
                 kind: axes[axis].kind,

@@ -31,42 +31,79 @@ pub struct Chain {
     pub(crate) zero: Pose,
 }
 
-pub(crate) fn rotate(axis: DVec3, angle: f64, v: DVec3) -> DVec3 {
-    // Rodrigues' formula.
-    let (sin, cos) = angle.sin_cos();
-    cos * v + sin * axis.cross(v) + (1.0 - cos) * axis.dot(v) * axis
+/// A turn by an angle that is known by its sine and cosine: the inverse finds these first, and the angle last.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Turn {
+    sin: f64,
+    cos: f64,
 }
 
-impl Screw {
-    pub(crate) fn move_point(&self, q: f64, p: DVec3) -> DVec3 {
-        match self.kind {
-            AxisKind::Linear => p + q * self.direction,
-            AxisKind::Rotary => self.at + rotate(self.direction, q, p - self.at),
-        }
+impl Turn {
+    pub(crate) const NONE: Self = Self { sin: 0.0, cos: 1.0 };
+
+    /// The turn by `angle`, rad.
+    pub(crate) fn by(angle: f64) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        Self { sin, cos }
     }
 
-    pub(crate) fn turn_vector(&self, q: f64, v: DVec3) -> DVec3 {
-        match self.kind {
-            AxisKind::Linear => v,
-            AxisKind::Rotary => rotate(self.direction, q, v),
-        }
+    /// The turn whose sine and cosine are as `sin` to `cos`; they must not both be 0.
+    pub(crate) fn along(sin: f64, cos: f64) -> Self {
+        let scale = 1.0 / (sin * sin + cos * cos).sqrt();
+        Self { sin: sin * scale, cos: cos * scale }
+    }
+
+    /// The angle in (-pi, pi], rad.
+    pub(crate) fn angle(self) -> f64 {
+        self.sin.atan2(self.cos)
+    }
+
+    /// The turn the other way.
+    pub(crate) fn back(self) -> Self {
+        Self { sin: -self.sin, ..self }
+    }
+
+    /// This turn and then `other` about the same axis.
+    pub(crate) fn and(self, other: Self) -> Self {
+        Self { sin: self.sin * other.cos + self.cos * other.sin, cos: self.cos * other.cos - self.sin * other.sin }
+    }
+
+    /// `v` turned about the unit vector `axis` (Rodrigues' formula).
+    pub(crate) fn of(self, axis: DVec3, v: DVec3) -> DVec3 {
+        self.cos * v + self.sin * axis.cross(v) + (1.0 - self.cos) * axis.dot(v) * axis
+    }
+}
+
+/// Turns of the rotary axes, in machine-file order.
+pub(crate) type Turns = [Turn; MAX_AXES];
+
+impl Screw {
+    /// A point turned about a rotary axis.
+    pub(crate) fn turn_point(&self, turn: Turn, p: DVec3) -> DVec3 {
+        self.at + turn.of(self.direction, p - self.at)
     }
 }
 
 impl Chain {
     /// Torch tip and direction (from the torch to the work) in the work frame at axis positions `q`.
     pub fn forward(&self, q: &Joints) -> Pose {
+        let mut turns = [Turn::NONE; MAX_AXES];
+        for screw in self.screws.iter().filter(|s| s.kind == AxisKind::Rotary) {
+            turns[screw.axis] = Turn::by(q[screw.axis]);
+        }
+        self.forward_turned(q, &turns)
+    }
+
+    /// The same with the rotary axes' turns instead of their positions.
+    pub(crate) fn forward_turned(&self, q: &Joints, turns: &Turns) -> Pose {
         let mut pose = self.zero;
         for screw in self.screws.iter().rev() {
-            let value = q[screw.axis];
             match screw.kind {
-                AxisKind::Linear => pose.point += value * screw.direction,
+                AxisKind::Linear => pose.point += q[screw.axis] * screw.direction,
                 AxisKind::Rotary => {
-                    let (sin, cos) = value.sin_cos();
-                    let w = screw.direction;
-                    let turn = |v: DVec3| cos * v + sin * w.cross(v) + (1.0 - cos) * w.dot(v) * w;
-                    pose.point = screw.at + turn(pose.point - screw.at);
-                    pose.direction = turn(pose.direction);
+                    let turn = turns[screw.axis];
+                    pose.point = screw.turn_point(turn, pose.point);
+                    pose.direction = turn.of(screw.direction, pose.direction);
                 }
             }
         }

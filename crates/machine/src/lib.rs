@@ -4,6 +4,8 @@
 //! motions from the clamped work to the torch. Planner, simulator and posts all use this chain; nothing in the code
 //! knows a particular machine. Inside, lengths are mm and angles rad; files are in degrees.
 
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
+
 mod assemble;
 mod axis;
 mod chain;

@@ -86,8 +86,10 @@ impl Machine {
 
     /// The first axis whose position in `q` is outside its range.
     pub fn outside(&self, q: &Joints) -> Option<RangeViolation> {
-        self.axes.iter().zip(q).enumerate().find_map(|(axis, (a, &value))| {
-            a.outside(value).map(|limit| RangeViolation { axis, value, limit })
-        })
+        self.axes
+            .iter()
+            .zip(q)
+            .enumerate()
+            .find_map(|(axis, (a, &value))| a.outside(value).map(|limit| RangeViolation { axis, value, limit }))
     }
 }

@@ -31,7 +31,10 @@ fn mistakes_have_an_address() {
     assert_eq!(key("turn = [0, 0, 1]", "turn = [0, 0, 1]\nmove = [1, 0, 0]"), "tool[0]");
     assert_eq!(key("turn = [0, 0, 1]", "turn = [0, 0, 1]\ncontinuous = true"), "tool[0]");
     assert_eq!(key("turn = [0, 0, 1]", "turn = [0, 0, 1]\nhome_deg = 500"), "tool[0]");
-    assert_eq!(key("fixed = { move_mm = [400, 0, 100] }", "fixed = { move_mm = [400, nan, 100] }"), "tool[1].fixed.move_mm[1]");
+    assert_eq!(
+        key("fixed = { move_mm = [400, 0, 100] }", "fixed = { move_mm = [400, nan, 100] }"),
+        "tool[1].fixed.move_mm[1]"
+    );
     assert_eq!(key("fixed = { move_mm = [400, 0, 100] }", ""), "tool[1]");
     assert_eq!(key("[drives.theta]", "[drives.tetha]"), "drives.tetha");
     assert_eq!(key("inertia_kg_m2 = 30", "mass_kg = 30"), "drives.theta");

@@ -110,13 +110,13 @@ impl JointPath {
             let (mut b1, mut b2) = ([0.0; LANES], [0.0; LANES]);
             for c in block[1..].iter().rev() {
                 for l in 0..LANES {
-                    let new = twice * b1[l] - b2[l] + c[l];
+                    let new = twice * b1[l] + (c[l] - b2[l]);
                     b2[l] = b1[l];
                     b1[l] = new;
                 }
             }
             for l in 0..LANES {
-                q[b * LANES + l] = x * b1[l] - b2[l] + block[0][l];
+                q[b * LANES + l] = x * b1[l] + (block[0][l] - b2[l]);
             }
         }
         q
@@ -175,8 +175,8 @@ fn fit(
     let mut series = Vec::with_capacity(machine.axes.len());
     for axis in 0..machine.axes.len() {
         let s = Series::fit(&values[axis]);
-        for k in 0..NODES {
-            fitted[axis / LANES][k][axis % LANES] = s.c[k];
+        for (row, c) in fitted[axis / LANES].iter_mut().zip(s.c) {
+            row[axis % LANES] = c;
         }
         series.push(s);
     }

@@ -5,6 +5,8 @@
 //! sequence, and [`SetPoints`] plays it period by period in constant memory, without allocation. [`textbook`] has the
 //! interpolators of the papers, for comparison.
 
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
+
 mod joint_path;
 mod limits;
 mod pass_motion;

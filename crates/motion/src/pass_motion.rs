@@ -70,7 +70,10 @@ impl PassMotion {
 fn not_smooth(machine: &Machine, s: f64, pass: usize) -> Finding {
     Finding {
         kind: "singular",
-        message: format!("the axes of {} cannot follow the torch smoothly here: it passes a singular attitude", machine.name),
+        message: format!(
+            "the axes of {} cannot follow the torch smoothly here: it passes a singular attitude",
+            machine.name
+        ),
         pass,
         from_mm: s,
         to_mm: s,

@@ -65,7 +65,15 @@ impl Stations {
         built
     }
 
-    fn add_place(&mut self, machine: &Machine, path: &JointPath, a: f64, b: f64, part: f64, asked: &dyn Fn(f64) -> f64) {
+    fn add_place(
+        &mut self,
+        machine: &Machine,
+        path: &JointPath,
+        a: f64,
+        b: f64,
+        part: f64,
+        asked: &dyn Fn(f64) -> f64,
+    ) {
         let offset = part * (b - a);
         let at = if part >= 1.0 { b } else { a + offset };
         // At a cell's end the limits of this cell count, not those of the next one.

@@ -133,7 +133,10 @@ fn range_findings(machine: &Machine, places: &[f64], rows: &[Joints], pass: usiz
                 let (value, limit) = (axis.to_file(q[i]), axis.to_file(limit));
                 let by = (value - limit).abs();
                 let unit = axis.unit();
-                let message = format!("axis {} would go to {value:.3} {unit}, {by:.3} {unit} beyond its limit {limit:.3} {unit}", axis.name);
+                let message = format!(
+                    "axis {} would go to {value:.3} {unit}, {by:.3} {unit} beyond its limit {limit:.3} {unit}",
+                    axis.name
+                );
                 (i, by, message)
             });
             runs.add(s, out);
@@ -144,7 +147,10 @@ fn range_findings(machine: &Machine, places: &[f64], rows: &[Joints], pass: usiz
             pass,
             from_mm: run.from,
             to_mm: run.to,
-            cure: format!("move the work (placement) or start the weld elsewhere so that {} stays in its range", axis.name),
+            cure: format!(
+                "move the work (placement) or start the weld elsewhere so that {} stays in its range",
+                axis.name
+            ),
             allowed: false,
         }));
     }

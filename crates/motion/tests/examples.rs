@@ -81,7 +81,11 @@ fn every_set_point_of_every_example_is_within_every_limit() {
                 check.add(&p.q);
                 count += 1;
             }
-            println!("{name} {period}: {count} set-points, worst {} of a limit, {:?}", check.worst, motion.law.report());
+            println!(
+                "{name} {period}: {count} set-points, worst {} of a limit, {:?}",
+                check.worst,
+                motion.law.report()
+            );
             assert!(check.worst <= 1.0 + 1e-9, "{name}: {}", check.worst);
         }
     }

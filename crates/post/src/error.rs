@@ -4,13 +4,17 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum Error {
     /// An axis has no letter that the control knows.
-    #[error("axis {axis} has no letter for part programs: give it `letter = \"...\"` in the machine file (A B C U V W X Y Z)")]
+    #[error(
+        "axis {axis} has no letter for part programs: give it `letter = \"...\"` in the machine file (A B C U V W X Y Z)"
+    )]
     NoLetter {
         /// Name of the axis.
         axis: String,
     },
     /// The letter's kind does not fit the axis: the control counts A, B, C in degrees and the others in mm.
-    #[error("axis {axis} is {kind} but its letter {letter} is one of {others}: choose another `letter` in the machine file")]
+    #[error(
+        "axis {axis} is {kind} but its letter {letter} is one of {others}: choose another `letter` in the machine file"
+    )]
     WrongLetter {
         /// Name of the axis.
         axis: String,
@@ -22,10 +26,14 @@ pub enum Error {
         others: &'static str,
     },
     /// Tip-level blocks need three linear axes X, Y and Z.
-    #[error("tip-level blocks need a machine with axes X, Y and Z, and kinematics to match in the control; use joint level")]
+    #[error(
+        "tip-level blocks need a machine with axes X, Y and Z, and kinematics to match in the control; use joint level"
+    )]
     NoTip,
     /// The tolerance cannot be kept.
-    #[error("a chord tolerance of {tolerance_mm} mm needs blocks too short for the control near s = {s:.3} mm: allow more")]
+    #[error(
+        "a chord tolerance of {tolerance_mm} mm needs blocks too short for the control near s = {s:.3} mm: allow more"
+    )]
     TooFine {
         /// Tolerance asked for, mm.
         tolerance_mm: f64,

@@ -1,6 +1,6 @@
+use crate::Error;
 use crate::blocks::{Block, Level, Linearisation, linearise, negligible_mm, words_length};
 use crate::number::{fixed, significant};
-use crate::Error;
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, Machine};
@@ -27,6 +27,8 @@ impl Default for Options {
 
 /// Decimals of positions in mm and degrees.
 const DECIMALS: usize = 6;
+/// Turns smaller than this (rad) are lost in the words' decimals.
+const TURN: f64 = 1e-7;
 /// Feed of the approach from where the torch stands back to the start of the weld, mm/min.
 const APPROACH_MM_MIN: f64 = 600.0;
 
@@ -74,7 +76,9 @@ fn letters(machine: &Machine, level: Level) -> Result<Vec<char>, Error> {
             Err(Error::WrongLetter { axis: axis.name.clone(), letter, kind, others })
         })
         .collect::<Result<Vec<char>, Error>>()
-        .and_then(|letters| if level == Level::Tip && !letters.contains(&'X') { Err(Error::NoTip) } else { Ok(letters) })
+        .and_then(
+            |letters| if level == Level::Tip && !letters.contains(&'X') { Err(Error::NoTip) } else { Ok(letters) },
+        )
 }
 
 struct Writer<'a> {
@@ -106,8 +110,13 @@ impl Writer<'_> {
             Level::Joint => "joint level: every word is an axis position, kinematics must be identity [trivkins]",
             Level::Tip => "tip level: X Y Z are the torch tip in the work frame, kinematics must match the machine",
         });
-        let names: Vec<String> =
-            self.machine.axes.iter().zip(&self.letters).map(|(a, l)| format!("{l} = {} [{}]", a.name, a.unit())).collect();
+        let names: Vec<String> = self
+            .machine
+            .axes
+            .iter()
+            .zip(&self.letters)
+            .map(|(a, l)| format!("{l} = {} [{}]", a.name, a.unit()))
+            .collect();
         self.comment(&format!("axes: {}", names.join(", ")));
         self.comment(&format!(
             "units mm, degrees; plane XY; absolute; inverse time feed G93; {} blocks, chord error {} mm of {} mm allowed",
@@ -132,8 +141,8 @@ impl Writer<'_> {
     fn words(&self, at: &Block, rotary_only: bool) -> String {
         let mut words: Vec<(char, f64)> = Vec::new();
         for (i, (axis, letter)) in self.machine.axes.iter().zip(&self.letters).enumerate() {
-            let tip = self.options.level == Level::Tip && axis.kind == AxisKind::Linear;
-            if !tip && !(rotary_only && axis.kind == AxisKind::Linear) {
+            let left_out = self.options.level == Level::Tip || rotary_only;
+            if axis.kind == AxisKind::Rotary || !left_out {
                 words.push((*letter, axis.to_file(at.q[i])));
             }
         }
@@ -223,7 +232,7 @@ impl Writer<'_> {
             // Linear motion too small for the control's least feed is left to the next block.
             let linear = words_length(self.machine, self.options.level, &emitted, block);
             let turns = self.machine.axes.iter().zip(before.q.iter().zip(&block.q));
-            let turns = turns.filter(|(a, _)| a.kind == AxisKind::Rotary).any(|(_, (a, b))| a != b);
+            let turns = turns.filter(|(a, _)| a.kind == AxisKind::Rotary).any(|(_, (a, b))| (a - b).abs() > TURN);
             let rotary_only = turns && linear <= negligible_mm(self.options.tolerance_mm);
             let feed = significant(60.0 / block.duration, 9);
             self.line(&format!("G1 {} F{feed}", self.words(block, rotary_only)));

@@ -3,6 +3,8 @@
 //! Floor 1: no machine, no time, no I/O. Files are TOML with `schema = 1`; lengths in mm, angles in degrees in the
 //! file. [`TorchPath`] is the interface through which the rooms above see where the torch goes.
 
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
+
 mod document;
 mod finding;
 mod pass;

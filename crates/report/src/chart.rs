@@ -58,7 +58,7 @@ pub struct Chart {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// Curves, in the order of the palette. Six colours; more series repeat them.
+    /// Curves, in the order of the palette. Eight colours; more series repeat them.
     pub series: Vec<Series>,
     /// Horizontal limits.
     pub limits: Vec<LimitLine>,

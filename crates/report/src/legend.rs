@@ -11,6 +11,9 @@ const SWATCH: f64 = 22.0;
 const DASH: f64 = 18.0;
 const GAP: f64 = 18.0;
 
+/// Rounding of the sums that set the last name at the right edge, px.
+const HAIR: f64 = 0.01;
+
 /// One name in a legend.
 pub(crate) enum Entry {
     /// A curve, with the class of its stroke.
@@ -22,7 +25,7 @@ pub(crate) enum Entry {
 impl Entry {
     pub(crate) fn curve(index: usize, series: &Series) -> Self {
         Self::Curve {
-            class: series::class(index, series.style),
+            class: series::class(series.colour.unwrap_or(index), series.style),
             dots: series.style == Style::Points,
             name: series.name.clone(),
         }
@@ -102,7 +105,7 @@ impl Legend {
     pub(crate) fn draw(&self, svg: &mut Svg, left: f64, baseline: f64) {
         let first = if self.beside { baseline } else { baseline + ROW };
         for (entry, (row, x)) in self.entries.iter().zip(&self.places) {
-            entry.draw(svg, left + x, first + *row as f64 * ROW, self.room - x);
+            entry.draw(svg, left + x, first + *row as f64 * ROW, self.room - x + HAIR);
         }
     }
 }

@@ -11,6 +11,8 @@
 //! Each drawing comes in two forms: `to_svg` for a [`Page`], which carries the styles, and
 //! `to_svg_standalone` for a file of its own.
 
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
+
 mod block;
 mod chart;
 mod domain;

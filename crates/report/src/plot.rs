@@ -139,7 +139,12 @@ impl Plot<'_> {
         // A stroke along the edge of the frame is not cut in half.
         svg.open_clip(Rect { x: f.x - 2.0, y: f.y - 2.0, w: f.w + 4.0, h: f.h + 4.0 });
         for (i, s) in self.chart.series.iter().enumerate() {
-            series::draw(svg, &series::class(i, s.style), s.style, s.points.iter().map(|p| self.px(*p)));
+            series::draw(
+                svg,
+                &series::class(s.colour.unwrap_or(i), s.style),
+                s.style,
+                s.points.iter().map(|p| self.px(*p)),
+            );
         }
         svg.close_clip();
         if self.chart.y_extent().is_none() {

@@ -32,12 +32,22 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
     /// How it is drawn.
     pub style: Style,
+    /// Its place in the palette, from 0, instead of its place in the chart: so that a thing has the same colour in
+    /// several charts.
+    pub colour: Option<usize>,
 }
 
 impl Series {
     /// A series drawn as a solid line.
     pub fn line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self { name: name.into(), points, style: Style::Line }
+        Self { name: name.into(), points, style: Style::Line, colour: None }
+    }
+
+    /// The same series in the palette's colour `place`, from 0.
+    #[must_use]
+    pub fn coloured(mut self, place: usize) -> Self {
+        self.colour = Some(place);
+        self
     }
 
     /// The same series in another style.
@@ -55,7 +65,7 @@ pub(crate) fn class(index: usize, style: Style) -> String {
         Style::Dashed => "line dashed",
         Style::Points => "dots",
     };
-    format!("{kind} c{}", index % 6 + 1)
+    format!("{kind} c{}", index % 8 + 1)
 }
 
 /// Draws px points, NaN where there is a gap. A point alone between gaps is drawn as a dot.

@@ -10,7 +10,7 @@ pub fn sheet(title: &str, charts: &[Chart]) -> String {
     let mut top = 0.0;
     for chart in charts {
         let (svg, height) = chart.draw();
-        all.place(svg, top);
+        all.place(&svg, top);
         top += height + GAP;
     }
     all.standalone((top - GAP).max(1.0), title)

@@ -15,7 +15,7 @@ const FACE: &str = "system-ui,-apple-system,\"Segoe UI\",\"Helvetica Neue\",Aria
 const MONO: &str = "ui-monospace,\"SF Mono\",Consolas,\"Liberation Mono\",\"DejaVu Sans Mono\",monospace";
 
 /// Name, colour in light, colour in dark.
-const COLOURS: [(&str, &str, &str); 18] = [
+const COLOURS: [(&str, &str, &str); 20] = [
     ("--back", "#f4f5f6", "#191b1d"),
     ("--area", "#ffffff", "#202326"),
     ("--ink", "#1d1f21", "#e4e6e8"),
@@ -32,6 +32,8 @@ const COLOURS: [(&str, &str, &str); 18] = [
     ("--c4", "#b0588a", "#e093bd"),
     ("--c5", "#2f8fc4", "#9bcdf0"),
     ("--c6", "#4d4d4d", "#c4c4c4"),
+    ("--c7", "#7a4fb5", "#bda4f0"),
+    ("--c8", "#a0522d", "#d9a07a"),
     ("--limit", "#c4281c", "#ff7a6b"),
     ("--fault", "#c4281c", "#e5483a"),
 ];

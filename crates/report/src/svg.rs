@@ -126,7 +126,7 @@ impl Svg {
     }
 
     /// Another drawing, moved down by `y` px.
-    pub(crate) fn place(&mut self, other: Self, y: f64) {
+    pub(crate) fn place(&mut self, other: &Self, y: f64) {
         let _ = writeln!(self.body, "<g transform=\"translate(0,{})\">\n{}</g>", px(y), other.body);
     }
 

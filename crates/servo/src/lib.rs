@@ -15,6 +15,8 @@
 //! On a real machine only [`PositionLoop`] (with its [`Notch`]) runs; [`Drive`], [`Load`] and
 //! [`Encoder`] stand in for the hardware in simulation.
 
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
+
 mod axis;
 mod drive;
 mod encoder;

@@ -93,7 +93,8 @@ impl Attitude {
         for i in 0..=n {
             let p = seam.at(f64::from(i) * step);
             let axis = self.torch_axis(&p);
-            let (part, sine) = if axis.dot(p.n1) < axis.dot(p.n2) { ("first", axis.dot(p.n1)) } else { ("second", axis.dot(p.n2)) };
+            let (part, sine) =
+                if axis.dot(p.n1) < axis.dot(p.n2) { ("first", axis.dot(p.n1)) } else { ("second", axis.dot(p.n2)) };
             if sine > 0.0 {
                 open = false;
                 continue;

@@ -3,6 +3,8 @@
 //! Floor 2: knows no machine. [`Welding`] reads a job or a program and has the program, the seam and the
 //! [`TorchPath`](seamwright_program::TorchPath) of its pass.
 
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
+
 mod attitude;
 mod job;
 mod pass_path;

@@ -1,7 +1,7 @@
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::{
-    ByLength, CurvedEdge, DEFAULT_ACCURACY_MM, Edge, Ellipse, Error, FaceRule, Line, Quadric, Tube, TubeIntersection,
+    ByLength, Curve, CurvedEdge, DEFAULT_ACCURACY_MM, Edge, Ellipse, Error, FaceRule, Line, Quadric, Tube, TubeIntersection,
 };
 use seamwright_program::{Body, FilletOrButt, Nozzle, Seam, SeamStart, WeldDirection};
 
@@ -36,6 +36,8 @@ pub struct SeamCurve {
     sense: f64,
     weld_length: f64,
     angular: bool,
+    /// 1 if the curve runs along n2 x n1, as on a nozzle or tube; -1 on a line that runs the other way.
+    face_sense: f64,
 }
 
 impl std::fmt::Debug for SeamCurve {
@@ -84,7 +86,9 @@ impl SeamCurve {
             let allowed = format!("0 to {length:.3}");
             return Err(file.error_at("start.overlap_mm", "the overlap is longer than the seam", allowed));
         }
-        Ok(Self { curve, start: at, sense, weld_length, angular: closed })
+        let e = curve.curve().edge(curve.curve().domain().0);
+        let face_sense = if e.d1.normalize().dot(e.n2.cross(e.n1)) < -1e-9 { -1.0 } else { 1.0 };
+        Ok(Self { curve, start: at, sense, weld_length, angular: closed, face_sense })
     }
 
     /// Length of the whole seam once, mm.
@@ -121,21 +125,20 @@ impl SeamCurve {
     pub fn at(&self, s: f64) -> SeamPoint {
         let u = self.curve.parameter(self.start + self.sense * s);
         let e = self.curve.curve().edge(u);
-        let along = e.jet.d1.normalize();
+        let along = e.d1.normalize();
         let sum = e.n1 + e.n2;
-        let bisector = sum.normalize();
-        // Faces of a nozzle or tube lie so that the curve runs along n2 x n1; a line may run either way.
-        let turned = if along.dot(e.n2.cross(e.n1)) < -1e-9 { -along } else { along };
+        let width = sum.length();
+        let bisector = sum / width;
         SeamPoint {
             s,
             phi: self.angular.then_some(u),
-            point: e.jet.point,
+            point: e.point,
             tangent: self.sense * along,
             n1: e.n1,
             n2: e.n2,
             bisector,
-            towards_first: bisector.cross(turned),
-            dihedral: 2.0 * sum.length().atan2((e.n1 - e.n2).length()),
+            towards_first: self.face_sense * bisector.cross(along),
+            dihedral: 2.0 * width.atan2((e.n1 - e.n2).length()),
         }
     }
 }
@@ -201,9 +204,10 @@ fn intersection<T>(file: &Document<T>, n: &Nozzle) -> Result<TubeIntersection, D
         let (at, allowed) = match e {
             Error::TubeLargerThanBody => ("radius_mm", format!("a nozzle that fits the {name} ({size})")),
             Error::TubeBesideBody => ("origin_mm", format!("an axis that meets the {name} ({size})")),
-            Error::NotClosed { .. } => {
-                ("radius_mm", format!("a radius and an axis with the whole wall ({radius} mm about it) on the {name} ({size})"))
-            }
+            Error::NotClosed { .. } => (
+                "radius_mm",
+                format!("a radius and an axis with the whole wall ({radius} mm about it) on the {name} ({size})"),
+            ),
             Error::Tangent { .. } => ("radius_mm", format!("a nozzle smaller than the {name} ({size})")),
             _ => ("direction", format!("a direction out of the {name}")),
         };
@@ -232,7 +236,7 @@ fn body<T>(file: &Document<T>, body: &Body) -> Result<(&'static str, String, Qua
             ("sphere", format!("radius {r} mm"), Quadric::sphere(centre_mm.get(), r))
         }
         Body::Ellipsoid { semi_axes_mm, centre_mm, axis, x_direction } => {
-            let semi = DVec3::from_array(semi_axes_mm.map(|v| v.get()));
+            let semi = DVec3::from_array(semi_axes_mm.map(seamwright_document::Positive::get));
             let size = format!("semi-axes {} x {} x {} mm", semi.x, semi.y, semi.z);
             ("ellipsoid", size, Quadric::ellipsoid(centre_mm.get(), axis.unit(), x_direction.unit(), semi))
         }
@@ -244,4 +248,3 @@ fn body<T>(file: &Document<T>, body: &Body) -> Result<(&'static str, String, Qua
     let quadric = quadric.map_err(|e| file.error_at(&path, e.to_string(), "see the job's schema"))?;
     Ok((name, size, quadric))
 }
-

@@ -56,7 +56,9 @@ fn read(text: &str) -> Welding {
 
 #[test]
 fn torch_angles_are_what_they_say() {
-    let text = SADDLE.replace("work_angle_deg = 0 ", "work_angle_deg = 12 ").replace("travel_angle_deg = 0 ", "travel_angle_deg = -10 ");
+    let text = SADDLE
+        .replace("work_angle_deg = 0 ", "work_angle_deg = 12 ")
+        .replace("travel_angle_deg = 0 ", "travel_angle_deg = -10 ");
     let w = read(&text);
     for i in 0..100 {
         let p = w.seam.at(f64::from(i) * 16.0);

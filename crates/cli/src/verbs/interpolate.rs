@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::rows::{Cell, Rows};
 use glam::DVec2;
-use seamwright_motion::textbook::{AngleRule, EqualStep, Error, Method, Request, Shape, Statistics};
+use seamwright_motion::textbook::{AngleRule, EqualStep, Method, Request, Shape, Statistics};
 
 const POINT_COLUMNS: [&str; 7] = ["method", "t_s", "phi_deg", "x_mm", "y_mm", "z_mm", "chord_mm"];
 
@@ -40,16 +40,12 @@ pub(crate) fn run(args: &InterpolateArgs) -> Result<(), Failure> {
         methods(args).into_iter().map(|(name, method)| Named { name, request: Request { method, ..base } }).collect();
     // All are checked before anything is written.
     for named in &requests {
-        named.request.interpolate().map_err(refused)?;
+        named.request.interpolate()?;
     }
     if let Some(path) = &args.svg {
-        files::write(path, &plot::draw(&requests).map_err(refused)?)?;
+        files::write(path, &plot::draw(&requests)?)?;
     }
     if args.summary { summary(&requests, args.json) } else { points(&requests, args.json) }
-}
-
-fn refused(e: Error) -> Failure {
-    Failure::Input(e.to_string())
 }
 
 /// The methods asked for, with their names.
@@ -131,7 +127,7 @@ fn points(requests: &[Named], json: bool) -> Result<(), Failure> {
     let mut rows = Rows::new(POINT_COLUMNS.map(str::to_owned).into(), json)?;
     for Named { name, request } in requests {
         let mut last = None;
-        for p in request.interpolate().map_err(refused)? {
+        for p in request.interpolate()? {
             let chord = last.map_or(Cell::Empty, |l| Cell::Number(p.position.distance(l)));
             last = Some(p.position);
             let [x, y, z] = p.position.to_array().map(Cell::Number);
@@ -144,7 +140,7 @@ fn points(requests: &[Named], json: bool) -> Result<(), Failure> {
 fn summary(requests: &[Named], json: bool) -> Result<(), Failure> {
     let mut rows = Rows::new(SUMMARY_COLUMNS.map(str::to_owned).into(), json)?;
     for Named { name, request } in requests {
-        let s: Statistics = request.statistics().map_err(refused)?;
+        let s: Statistics = request.statistics()?;
         // Pulse methods: distances a period, since a pulse says nothing of speed.
         let c = s.per_period;
         let mut cells = vec![Cell::Text(name), Cell::Count(s.steps)];

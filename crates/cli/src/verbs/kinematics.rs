@@ -108,7 +108,10 @@ fn each_row(names: &[&str], mut row: impl FnMut(&[f64]) -> Result<(), Failure>) 
             Some(place) => places.push(place),
             None => {
                 let found = header.join(",");
-                return Err(Failure::Input(format!("standard input:1: there is no column `{name}` in `{found}`\n{}", allowed())));
+                return Err(Failure::Input(format!(
+                    "standard input:1: there is no column `{name}` in `{found}`\n{}",
+                    allowed()
+                )));
             }
         }
     }
@@ -122,7 +125,11 @@ fn each_row(names: &[&str], mut row: impl FnMut(&[f64]) -> Result<(), Failure>) 
         for ((value, place), name) in values.iter_mut().zip(&places).zip(names) {
             let field = fields.get(*place).copied().unwrap_or_default();
             *value = field.parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| {
-                Failure::Input(format!("standard input:{}: {name} = `{field}` is not a finite number\n{}", number + 2, allowed()))
+                Failure::Input(format!(
+                    "standard input:{}: {name} = `{field}` is not a finite number\n{}",
+                    number + 2,
+                    allowed()
+                ))
             })?;
         }
         row(&values)?;

@@ -51,11 +51,19 @@ fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
         "  speed        {:.4} to {:.4} mm/s planned, {} asked",
         p.least_speed_mm_s, p.greatest_speed_mm_s, p.asked_speed_mm_s
     );
-    let _ = writeln!(text, "  time         {:.2} s travel, {:.2} s arc on, {:.2} s in all", p.weld_s, p.arc_on_s, p.total_s);
+    let _ = writeln!(
+        text,
+        "  time         {:.2} s travel, {:.2} s arc on, {:.2} s in all",
+        p.weld_s, p.arc_on_s, p.total_s
+    );
     if let Some(s) = &r.simulation {
         let (e, v) = (&s.path_error_mm, &s.tip_speed_mm_s);
         let _ = writeln!(text, "  path error   {:.4} mm greatest, {:.4} mm RMS (simulated)", e.max, e.rms);
-        let _ = writeln!(text, "  tip speed    {:.4} to {:.4} mm/s, RMS deviation {:.4} mm/s (simulated)", v.min, v.max, v.rms);
+        let _ = writeln!(
+            text,
+            "  tip speed    {:.4} to {:.4} mm/s, RMS deviation {:.4} mm/s (simulated)",
+            v.min, v.max, v.rms
+        );
         for a in &s.axes {
             let f = &a.following_error;
             let worst = f.min.abs().max(f.max.abs());

@@ -6,8 +6,24 @@ use crate::rows::{Cell, Rows};
 use seamwright_weld::SeamPoint;
 
 const COLUMNS: [&str; 18] = [
-    "s_mm", "phi_deg", "x_mm", "y_mm", "z_mm", "tx", "ty", "tz", "n1x", "n1y", "n1z", "n2x", "n2y", "n2z", "bx", "by",
-    "bz", "dihedral_deg",
+    "s_mm",
+    "phi_deg",
+    "x_mm",
+    "y_mm",
+    "z_mm",
+    "tx",
+    "ty",
+    "tz",
+    "n1x",
+    "n1y",
+    "n1z",
+    "n2x",
+    "n2y",
+    "n2z",
+    "bx",
+    "by",
+    "bz",
+    "dihedral_deg",
 ];
 
 /// Points when the command line does not say.

@@ -21,7 +21,12 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
 }
 
 /// Welds in simulation; adds the trace and the report to `output`.
-pub(super) fn weld(loaded: &Loaded, motion: &PassMotion, seed: u64, output: &mut Output) -> Result<WeldReport, Failure> {
+pub(super) fn weld(
+    loaded: &Loaded,
+    motion: &PassMotion,
+    seed: u64,
+    output: &mut Output,
+) -> Result<WeldReport, Failure> {
     let Loaded { welding, machine } = loaded;
     let mut file = output.open()?;
     let outcome = trace(loaded, motion, seed, BufWriter::new(&mut file))?;
@@ -44,7 +49,8 @@ fn trace(
     let about = [("title", program.title.clone()), ("machine", machine.name.clone()), ("seed", seed.to_string())];
     let mut trace = TraceWriter::new(out, &columns(machine, &process), &about)?;
     let mut curves = SimulationCurves::new(machine.axes.len(), motion.path.length());
-    let mut progress = Progress::new("welding in simulation", motion.set_points(machine.servo_period_s).size_hint().0 as u64);
+    let mut progress =
+        Progress::new("welding in simulation", motion.set_points(machine.servo_period_s).size_hint().0 as u64);
     let summary = simulate(machine, &welding.path(), motion, seed, |sample| {
         progress.step();
         curves.add(machine, sample);

@@ -5,8 +5,8 @@ mod rotaries;
 mod three_linear;
 mod two_linear;
 
-use crate::chain::{Chain, Joints, Screw};
 use crate::AxisKind;
+use crate::chain::{Chain, Joints, Screw};
 use glam::DVec3;
 use plane_on_rotary::PlaneOnRotary;
 use seamwright_geometry::Pose;
@@ -77,7 +77,9 @@ pub enum Unreachable {
     #[error("the linear axes are parallel to a plane at these rotary positions")]
     Flat,
     /// The machine's axes have an arrangement without a closed form here.
-    #[error("this arrangement of axes has no closed-form inverse yet; there is one for three linear axes with up to two rotary ones, two linear axes alone, and two linear axes on a rotary one with or without a tilt across them")]
+    #[error(
+        "this arrangement of axes has no closed-form inverse yet; there is one for three linear axes with up to two rotary ones, two linear axes alone, and two linear axes on a rotary one with or without a tilt across them"
+    )]
     NoClosedForm,
 }
 
@@ -92,12 +94,13 @@ pub(crate) enum ClosedForm {
 impl ClosedForm {
     /// The closed form for the chain's arrangement, if there is one.
     pub(crate) fn of(chain: &Chain) -> Option<Self> {
-        let of_kind = |kind| -> Vec<usize> {
-            (0..chain.screws.len()).filter(|&i| chain.screws[i].kind == kind).collect()
-        };
+        let of_kind =
+            |kind| -> Vec<usize> { (0..chain.screws.len()).filter(|&i| chain.screws[i].kind == kind).collect() };
         let (linear, rotary) = (of_kind(AxisKind::Linear), of_kind(AxisKind::Rotary));
         match (linear.as_slice(), rotary.as_slice()) {
-            (&[a, b, c], rotary) if rotary.len() <= 2 => ThreeLinear::new(chain, [a, b, c], rotary).map(Self::ThreeLinear),
+            (&[a, b, c], rotary) if rotary.len() <= 2 => {
+                ThreeLinear::new(chain, [a, b, c], rotary).map(Self::ThreeLinear)
+            }
             (&[a, b], []) => TwoLinear::new(chain, [a, b]).map(Self::TwoLinear),
             (&[a, b], rotary) => PlaneOnRotary::new(chain, [a, b], rotary).map(Self::PlaneOnRotary),
             _ => None,

@@ -1,6 +1,5 @@
 use super::{Branches, Solution, Unreachable, angle_between, in_plane, rotaries};
-use crate::AxisKind;
-use crate::chain::{Chain, Joints};
+use crate::chain::{Chain, Joints, MAX_AXES, Turn};
 use glam::DVec3;
 use seamwright_geometry::Pose;
 
@@ -46,42 +45,49 @@ impl PlaneOnRotary {
             return Err(Unreachable::Point { by: c.abs() - reach });
         }
         let singular = reach < 1e-9;
-        let middle = b.atan2(a);
-        let half = ((reach - c) * (reach + c)).max(0.0).sqrt().atan2(c);
+        let turns = if singular {
+            [Turn::by(near[turn.axis]); 2]
+        } else {
+            let middle = Turn::along(b, a);
+            let half = Turn::along(((reach - c) * (reach + c)).max(0.0).sqrt(), c);
+            [middle.and(half), middle.and(half.back())]
+        };
         let mut branches = Branches::new();
-        for angle in [middle + half, middle - half] {
-            let q = if singular { near[turn.axis] } else { angle };
-            branches.push(self.in_plane(chain, pose, near, q, singular));
+        for about in turns {
+            let mut solution = self.in_plane(chain, pose, near, about);
+            solution.joints[turn.axis] = if singular { near[turn.axis] } else { about.angle() };
+            solution.singular |= singular;
+            branches.push(solution);
         }
         Ok(branches)
     }
 
-    /// The solution with the rotary axis at `q`.
-    fn in_plane(&self, chain: &Chain, pose: &Pose, near: &Joints, q: f64, singular: bool) -> Solution {
-        let turn = &chain.screws[self.rotary];
+    /// The solution with the rotary axis turned by `about`, whose own position is left to the caller.
+    fn in_plane(&self, chain: &Chain, pose: &Pose, near: &Joints, about: Turn) -> Solution {
+        let rotary = &chain.screws[self.rotary];
         let mut joints = Joints::default();
-        let mut free = singular;
+        let mut turns = [Turn::NONE; MAX_AXES];
+        let mut free = false;
+        let wanted = about.back().of(rotary.direction, pose.direction);
         if let Some(tilt) = self.tilt.map(|t| &chain.screws[t]) {
-            let wanted = turn.turn_vector(-q, pose.direction);
-            let angle = rotaries::one(tilt.direction, chain.zero.direction, wanted);
-            joints[tilt.axis] = angle.unwrap_or(near[tilt.axis]);
-            free |= angle.is_none();
+            let turn = rotaries::one(tilt.direction, chain.zero.direction, wanted);
+            joints[tilt.axis] = turn.map_or(near[tilt.axis], Turn::angle);
+            turns[tilt.axis] = turn.unwrap_or_else(|| Turn::by(near[tilt.axis]));
+            free = turn.is_none();
         }
         // With the rotary axis at zero the tip is in the plane at zero.
-        let target = turn.move_point(-q, pose.point);
+        let target = rotary.turn_point(about.back(), pose.point);
         let [x, y] = self.linear.map(|l| {
             let screw = &chain.screws[l];
-            match self.tilt {
-                Some(t) if t < l => chain.screws[t].turn_vector(joints[chain.screws[t].axis], screw.direction),
+            match self.tilt.map(|t| (t, &chain.screws[t])) {
+                Some((t, tilt)) if t < l => turns[tilt.axis].of(tilt.direction, screw.direction),
                 _ => screw.direction,
             }
         });
-        let (first, second, _) = in_plane(x, y, target - chain.forward(&joints).point);
+        let at_zero = chain.forward_turned(&joints, &turns);
+        let (first, second, _) = in_plane(x, y, target - at_zero.point);
         joints[chain.screws[self.linear[0]].axis] = first;
         joints[chain.screws[self.linear[1]].axis] = second;
-        joints[turn.axis] = q;
-        debug_assert!(turn.kind == AxisKind::Rotary);
-        let attitude_error = angle_between(chain.forward(&joints).direction, pose.direction);
-        Solution { joints, attitude_error, singular: free }
+        Solution { joints, attitude_error: angle_between(at_zero.direction, wanted), singular: free }
     }
 }

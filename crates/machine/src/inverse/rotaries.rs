@@ -1,22 +1,23 @@
 //! Rotations that carry one direction into another: Paden-Kahan subproblems 1 and 2 for free vectors
 //! (Murray, Li, Sastry 1994, section 3.2), in general position.
 
+use crate::chain::Turn;
 use glam::DVec3;
 
 /// Below this the part of a unit direction across an axis is rounding: the angle about the axis is left free.
 pub(crate) const FREE: f64 = 1e-12;
 
-/// Angle about `axis` that brings `from` nearest to `to`; none if either is parallel to the axis.
-pub(crate) fn one(axis: DVec3, from: DVec3, to: DVec3) -> Option<f64> {
+/// The turn about `axis` that brings `from` nearest to `to`; none if either is parallel to the axis.
+pub(crate) fn one(axis: DVec3, from: DVec3, to: DVec3) -> Option<Turn> {
     let (f, t) = (axis.cross(from), axis.cross(to));
-    (f.length_squared() > FREE * FREE && t.length_squared() > FREE * FREE)
-        .then(|| axis.dot(f.cross(t)).atan2(f.dot(t)))
+    let free = f.length_squared() < FREE * FREE || t.length_squared() < FREE * FREE;
+    (!free).then(|| Turn::along(axis.dot(f.cross(t)), f.dot(t)))
 }
 
-/// A pair of angles, `first` then `second` counted from the target's side; `None` where the angle is left free.
-pub(crate) type Pair = (Option<f64>, Option<f64>);
+/// A pair of turns, the one next to the target first; `None` where a turn is left free.
+pub(crate) type Pair = (Option<Turn>, Option<Turn>);
 
-/// The pairs of angles (q1, q2) with `R(a, q1) R(b, q2) from = to`, for unit vectors.
+/// The pairs of turns (q1, q2) with `R(a, q1) R(b, q2) from = to`, for unit vectors.
 ///
 /// Both pairs, or the angle (rad) by which the nearest direction misses.
 pub(crate) fn two(a: DVec3, b: DVec3, from: DVec3, to: DVec3) -> Result<[Pair; 2], f64> {

@@ -1,7 +1,7 @@
 use super::rotaries::{self, Pair};
 use super::{Branches, Solution, Unreachable, angle_between};
-use crate::chain::{Chain, Joints};
-use glam::{DMat3, DVec3};
+use crate::chain::{Chain, Joints, MAX_AXES, Turn, Turns};
+use glam::DVec3;
 use seamwright_geometry::Pose;
 
 /// Three linear axes and up to two rotary ones, in any order and on either side: the rotary axes follow from the
@@ -33,39 +33,52 @@ impl ThreeLinear {
                 .map_err(|by| Unreachable::Direction { by })?
                 .map(Some),
         };
+        let exact = self.rotary.len() == 2;
         let mut branches = Branches::new();
         for (first, second) in pairs.into_iter().flatten() {
+            let mut turns = [Turn::NONE; MAX_AXES];
             let mut joints = Joints::default();
             let mut singular = false;
-            for (&screw, angle) in self.rotary.iter().zip([first, second]) {
+            for (&screw, turn) in self.rotary.iter().zip([first, second]) {
                 let at = chain.screws[screw].axis;
-                joints[at] = angle.unwrap_or(near[at]);
-                singular |= angle.is_none();
+                turns[at] = turn.unwrap_or_else(|| Turn::by(near[at]));
+                joints[at] = turn.map_or(near[at], Turn::angle);
+                singular |= turn.is_none();
             }
-            self.solve_linear(chain, pose.point, &mut joints)?;
-            let reached = chain.forward(&joints).direction;
-            branches.push(Solution { joints, attitude_error: angle_between(reached, pose.direction), singular });
+            let reached = self.solve_linear(chain, pose.point, &turns, &mut joints)?;
+            let attitude_error = if exact { 0.0 } else { angle_between(reached, pose.direction) };
+            branches.push(Solution { joints, attitude_error, singular });
         }
         Ok(branches)
     }
 
-    /// The linear positions that put the tip on `point` with the rotary positions already in `joints`.
-    fn solve_linear(&self, chain: &Chain, point: DVec3, joints: &mut Joints) -> Result<(), Unreachable> {
+    /// The linear positions that put the tip on `point` at the rotary axes' turns; the torch's direction there.
+    fn solve_linear(
+        &self,
+        chain: &Chain,
+        point: DVec3,
+        turns: &Turns,
+        joints: &mut Joints,
+    ) -> Result<DVec3, Unreachable> {
         // Each linear axis is turned by the rotary axes between it and the work.
-        let directions = self.linear.map(|l| {
+        let [a, b, c] = self.linear.map(|l| {
             self.rotary.iter().rev().filter(|&&r| r < l).fold(chain.screws[l].direction, |v, &r| {
                 let screw = &chain.screws[r];
-                screw.turn_vector(joints[screw.axis], v)
+                turns[screw.axis].of(screw.direction, v)
             })
         });
-        let matrix = DMat3::from_cols(directions[0], directions[1], directions[2]);
-        if matrix.determinant().abs() < 1e-6 {
+        let volume = a.cross(b).dot(c);
+        if volume.abs() < 1e-6 {
             return Err(Unreachable::Flat);
         }
-        let values = matrix.inverse() * (point - chain.forward(joints).point);
-        for (&screw, value) in self.linear.iter().zip(values.to_array()) {
+        // The linear axes are still at zero in `joints`.
+        let at_zero = chain.forward_turned(joints, turns);
+        let rest = (point - at_zero.point) / volume;
+        // Cramer's rule.
+        let values = [rest.dot(b.cross(c)), rest.dot(c.cross(a)), rest.dot(a.cross(b))];
+        for (&screw, value) in self.linear.iter().zip(values) {
             joints[chain.screws[screw].axis] = value;
         }
-        Ok(())
+        Ok(at_zero.direction)
     }
 }

@@ -97,10 +97,7 @@ fn views(welding: &Welding) -> ThreeViews {
         path_name: "seam".to_owned(),
         vectors: vectors.collect(),
         vectors_name: "torch axis".to_owned(),
-        marks: vec![
-            Mark { label: "start".to_owned(), at: at(0.0) },
-            Mark { label: label.to_owned(), at: at(length) },
-        ],
+        marks: vec![Mark { label: "start".to_owned(), at: at(0.0) }, Mark { label: label.to_owned(), at: at(length) }],
         ..ThreeViews::default()
     }
 }

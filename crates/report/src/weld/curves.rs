@@ -4,10 +4,14 @@ use seamwright_machine::Machine;
 /// Buckets along the weld; of each the least and greatest value are kept, so that no peak is lost.
 const BUCKETS: usize = 1000;
 
+/// Path length (mm) and value.
+type Point = (f64, f64);
+
 /// One curve over path length, thinned as it comes.
 #[derive(Debug, Clone, PartialEq)]
 struct Envelope {
-    buckets: Vec<Option<((f64, f64), (f64, f64))>>,
+    /// Lowest and highest point of each bucket.
+    buckets: Vec<Option<(Point, Point)>>,
     length: f64,
 }
 
@@ -28,7 +32,7 @@ impl Envelope {
         }
     }
 
-    fn points(&self) -> Vec<(f64, f64)> {
+    fn points(&self) -> Vec<Point> {
         let pairs = self.buckets.iter().flatten();
         pairs.flat_map(|(low, high)| if low.0 <= high.0 { [*low, *high] } else { [*high, *low] }).collect()
     }

@@ -122,7 +122,8 @@ impl WeldReport {
         let value = |name: &str| span.process.get(name).map(|v| v.get());
         let energy = value("current_a").zip(value("voltage_v")).map(|(i, u)| i * u / span.speed_mm_s.get() / 1000.0);
         let axes = machine.axes.iter().enumerate().map(|(i, axis)| {
-            let greatest = |f: fn(&(f64, f64, f64)) -> f64| samples.iter().map(|s| f(&s.axes[i])).fold(f64::MIN, f64::max);
+            let greatest =
+                |f: fn(&(f64, f64, f64)) -> f64| samples.iter().map(|s| f(&s.axes[i])).fold(f64::MIN, f64::max);
             AxisFigures {
                 axis: axis.name.clone(),
                 unit: axis.unit(),

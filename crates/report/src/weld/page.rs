@@ -1,5 +1,5 @@
-use super::figures::{AxisFigures, WeldReport};
 use super::Plots;
+use super::figures::{AxisFigures, WeldReport};
 use crate::{Block, Finding, Page, Severity, Table, Tile, Verdict, format_number};
 use seamwright_cell::Summary;
 
@@ -12,7 +12,8 @@ impl WeldReport {
             false => Block::Findings(self.findings.iter().map(finding).collect()),
         });
         blocks.push(Block::Heading("Seam and torch".to_owned()));
-        blocks.push(figure(plots.seam.to_svg(), "Seam with the torch axis, in the job's frame, first-angle projection."));
+        blocks
+            .push(figure(plots.seam.to_svg(), "Seam with the torch axis, in the job's frame, first-angle projection."));
         blocks.push(figure(
             plots.torch.to_svg(),
             "Work angle from the bisector of the faces (positive towards the first part), travel angle, and half the angle between the faces.",
@@ -32,14 +33,20 @@ impl WeldReport {
             }
         }
         blocks.push(Block::Heading("Axes".to_owned()));
-        blocks.push(figure(plots.axes.to_svg(), "Planned position, speed and acceleration of each axis against its limits."));
+        blocks.push(figure(
+            plots.axes.to_svg(),
+            "Planned position, speed and acceleration of each axis against its limits.",
+        ));
         blocks.push(axes_table(&self.plan.axes));
         blocks.push(Block::Heading("Job".to_owned()));
         blocks.push(self.data_table());
         blocks.push(Block::Code { caption: self.file.clone(), text: source.to_owned() });
         Page {
             title: self.title.clone(),
-            subtitle: format!("Weld report: {}", if self.simulation.is_some() { "plan and simulation" } else { "plan" }),
+            subtitle: format!(
+                "Weld report: {}",
+                if self.simulation.is_some() { "plan and simulation" } else { "plan" }
+            ),
             meta: vec![
                 ("Machine".to_owned(), self.machine.title.clone()),
                 ("File".to_owned(), self.file.clone()),
@@ -58,10 +65,14 @@ impl WeldReport {
         } else {
             format!("slowed to {} mm/s of {} mm/s asked", number(p.least_speed_mm_s), number(p.asked_speed_mm_s))
         };
-        let simulated = self.simulation.as_ref().map_or(String::new(), |s| {
-            format!("; simulated path error at most {} mm", small(s.path_error_mm.max))
-        });
-        Verdict { ok: self.findings.iter().all(|f| f.allowed), text: format!("All axes within their limits; {held}{simulated}.") }
+        let simulated = self
+            .simulation
+            .as_ref()
+            .map_or(String::new(), |s| format!("; simulated path error at most {} mm", small(s.path_error_mm.max)));
+        Verdict {
+            ok: self.findings.iter().all(|f| f.allowed),
+            text: format!("All axes within their limits; {held}{simulated}."),
+        }
     }
 
     fn tiles(&self) -> Vec<Tile> {
@@ -77,11 +88,21 @@ impl WeldReport {
             tile("Weld length", self.seam.weld_length_mm, "mm", format!("seam {} mm", number(self.seam.length_mm))),
             tile("Weld time", p.weld_s, "s", "travel, rest to rest".to_owned()),
             tile("Arc-on time", p.arc_on_s, "s", format!("whole cycle {} s", number(p.total_s))),
-            tile("Speed, planned", p.least_speed_mm_s, "mm/s", format!("asked {}, greatest {}", number(p.asked_speed_mm_s), number(p.greatest_speed_mm_s))),
+            tile(
+                "Speed, planned",
+                p.least_speed_mm_s,
+                "mm/s",
+                format!("asked {}, greatest {}", number(p.asked_speed_mm_s), number(p.greatest_speed_mm_s)),
+            ),
         ];
         if let Some(s) = &self.simulation {
             let speed = &s.tip_speed_mm_s;
-            tiles.push(tile("Path error, simulated", s.path_error_mm.max, "mm", format!("greatest; RMS {} mm", small(s.path_error_mm.rms))));
+            tiles.push(tile(
+                "Path error, simulated",
+                s.path_error_mm.max,
+                "mm",
+                format!("greatest; RMS {} mm", small(s.path_error_mm.rms)),
+            ));
             tiles.push(tile(
                 "Speed ripple, simulated",
                 100.0 * s.speed_ripple,
@@ -148,7 +169,11 @@ fn finding(f: &seamwright_program::Finding) -> Finding {
 fn simulation_text(s: &Summary) -> String {
     let worst = s.axes.iter().max_by(|a, b| a.current.total_cmp(&b.current));
     let load = worst.map_or(String::new(), |a| {
-        format!(" The drive with the highest load is {}: {} % of its peak.", a.axis, format_number(100.0 * a.current, 3))
+        format!(
+            " The drive with the highest load is {}: {} % of its peak.",
+            a.axis,
+            format_number(100.0 * a.current, 3)
+        )
     });
     format!(
         "Every axis on its position loop at the servo period, with inertia, friction, cogging, encoder steps and current limit (seed {}). Speed is judged from half a second after the run-up to the run-down.{load}",

@@ -15,17 +15,17 @@ const CURVE: u32 = 2000;
 pub(super) fn draw(requests: &[Named]) -> Result<String, Error> {
     let path = requests[0].request.shape.path()?;
     let mut charts = [paths(&path), close(&path, requests), speed(), deviation()];
-    for Named { name, request } in requests {
+    for (place, Named { name, request }) in requests.iter().enumerate() {
         let points: Vec<Point> = request.interpolate()?.collect();
-        let series = |points: Vec<(f64, f64)>| Series::line(*name, points);
+        // Each method has one colour in all charts; the true curve has the first.
+        let series = |points: Vec<(f64, f64)>| Series::line(*name, points).coloured(place + 1);
         charts[0].series.push(series(points.iter().map(|p| (p.position.x, p.position.y)).collect()));
         if request.method.is_pulse() {
             let close = near_middle(&path, &points, request.pulse_mm);
-            charts[1].series.push(series(close).styled(Style::Line));
+            charts[1].series.push(series(close));
         }
         charts[2].series.push(series(chords(&path, &points, request.period_s, request.step_mm())));
-        let off = |p: &Point| (travelled(&path, p), 1000.0 * path.nearest(p.position).distance_mm);
-        charts[3].series.push(series(points.iter().map(off).collect()));
+        charts[3].series.push(series(greatest_distances(&path, &points)));
     }
     let shown: Vec<Chart> = charts.into_iter().filter(|c| c.series.iter().any(|s| s.points.len() > 1)).collect();
     Ok(sheet("Interpolation methods side by side", &shown))
@@ -106,9 +106,25 @@ fn chords(path: &Path, points: &[Point], period: f64, step: f64) -> Vec<(f64, f6
     rows
 }
 
+/// Places at which the distance from the true curve is drawn.
+const PLACES: usize = 240;
+
+/// Greatest distance (um) of the points from the true curve within each part of the path, by angle travelled.
+fn greatest_distances(path: &Path, points: &[Point]) -> Vec<(f64, f64)> {
+    let width = path.span_rad().to_degrees() / PLACES as f64;
+    let mut greatest = vec![None; PLACES];
+    for p in points {
+        let place = ((travelled(path, p) / width) as usize).min(PLACES - 1);
+        let distance = 1000.0 * path.nearest(p.position).distance_mm;
+        greatest[place] = Some(greatest[place].map_or(distance, |g: f64| g.max(distance)));
+    }
+    let middle = |place: usize| (place as f64 + 0.5) * width;
+    greatest.iter().enumerate().filter_map(|(place, g)| g.map(|g| (middle(place), g))).collect()
+}
+
 fn deviation() -> Chart {
     Chart {
-        title: "Distance of the points from the true curve".to_owned(),
+        title: "Greatest distance of the points from the true curve".to_owned(),
         x: Axis::new("angle travelled", "deg"),
         y: Axis::new("distance", "µm"),
         ..Chart::default()

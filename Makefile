@@ -1,0 +1,33 @@
+# One place for every command. `make` alone lists them.
+
+.PHONY: help run test bench peers soak fmt lint
+
+help:
+	@echo "make run    plan and weld the example in simulation; the report is left in out/saddle"
+	@echo "make test   format, lints, all tests; prints how many passed"
+	@echo "make bench  speed and memory of this build on this machine"
+	@echo "make peers  compare with other programs (LinuxCNC); installs what is missing, needs root"
+	@echo "make soak   the property tests with a hundred times the cases"
+	@echo "make fmt    format the sources"
+	@echo "make lint   clippy with warnings as errors"
+
+run:
+	cargo run --release
+
+test:
+	scripts/test
+
+bench:
+	scripts/bench
+
+peers:
+	peers/run
+
+soak:
+	PROPTEST_CASES=200000 cargo test --release --workspace
+
+fmt:
+	cargo fmt --all
+
+lint:
+	cargo clippy --workspace --all-targets -- -D warnings
