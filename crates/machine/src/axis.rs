@@ -1,4 +1,4 @@
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// Linear or rotary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -110,6 +110,8 @@ impl Axis {
     pub fn turn_near(&self, value: f64, near: f64) -> f64 {
         match self.kind {
             AxisKind::Linear => value,
+            // Most values are within half a turn already.
+            AxisKind::Rotary if (near - value).abs() <= PI => value,
             AxisKind::Rotary => value + TAU * ((near - value) / TAU).round(),
         }
     }

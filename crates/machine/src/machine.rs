@@ -55,14 +55,20 @@ impl Machine {
     /// # Errors
     /// The reason there is none.
     pub fn inverse(&self, pose: &Pose, near: &Joints) -> Result<Branches, Unreachable> {
+        let mut branches = Branches::new();
+        self.inverse_into(pose, near, &mut branches)?;
+        Ok(branches)
+    }
+
+    fn inverse_into(&self, pose: &Pose, near: &Joints, branches: &mut Branches) -> Result<(), Unreachable> {
         let form = self.closed_form.as_ref().ok_or(Unreachable::NoClosedForm)?;
-        let mut branches = form.solve(&self.chain, pose, near)?;
+        form.solve(&self.chain, pose, near, branches)?;
         for solution in branches.iter_mut() {
             for (axis, (value, near)) in self.axes.iter().zip(solution.joints.iter_mut().zip(near)) {
                 *value = axis.turn_near(*value, *near);
             }
         }
-        Ok(branches)
+        Ok(())
     }
 
     /// The branch nearest to `near`, measured in parts of each axis' highest speed.
@@ -74,14 +80,16 @@ impl Machine {
             let steps = self.axes.iter().zip(s.joints.iter().zip(near));
             steps.map(|(axis, (a, b))| ((a - b) / axis.max_speed).powi(2)).sum()
         };
-        let branches = self.inverse(pose, near)?;
-        let mut best = branches[0];
-        for other in &branches[1..] {
-            if distance(other) < distance(&best) {
-                best = *other;
+        let mut branches = Branches::new();
+        self.inverse_into(pose, near, &mut branches)?;
+        let (mut best, mut least) = (0, f64::INFINITY);
+        for (i, solution) in branches.iter().enumerate() {
+            let distance = distance(solution);
+            if distance < least {
+                (best, least) = (i, distance);
             }
         }
-        Ok(best)
+        Ok(branches[best])
     }
 
     /// The first axis whose position in `q` is outside its range.

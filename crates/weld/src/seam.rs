@@ -1,7 +1,8 @@
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::{
-    ByLength, Curve, CurvedEdge, DEFAULT_ACCURACY_MM, Edge, Ellipse, Error, FaceRule, Line, Quadric, Tube, TubeIntersection,
+    ByLength, Curve, CurvedEdge, DEFAULT_ACCURACY_MM, Edge, Ellipse, Error, FaceRule, Line, Quadric, Tube,
+    TubeIntersection,
 };
 use seamwright_program::{Body, FilletOrButt, Nozzle, Seam, SeamStart, WeldDirection};
 

@@ -26,22 +26,23 @@ pub struct Solution {
     pub singular: bool,
 }
 
-/// One to four branches of solutions.
+/// One or two branches of solutions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Branches {
-    solutions: [Solution; 4],
+    solutions: [Solution; 2],
     count: usize,
 }
 
 impl Branches {
-    fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let none = Solution { joints: Joints::default(), attitude_error: 0.0, singular: false };
-        Self { solutions: [none; 4], count: 0 }
+        Self { solutions: [none; 2], count: 0 }
     }
 
-    fn push(&mut self, solution: Solution) {
-        self.solutions[self.count] = solution;
+    /// Room for one more solution, all zero: filled in place, because copying costs as much as solving.
+    fn add(&mut self) -> &mut Solution {
         self.count += 1;
+        &mut self.solutions[self.count - 1]
     }
 }
 
@@ -107,11 +108,18 @@ impl ClosedForm {
         }
     }
 
-    pub(crate) fn solve(&self, chain: &Chain, pose: &Pose, near: &Joints) -> Result<Branches, Unreachable> {
+    /// Adds every branch to `branches`.
+    pub(crate) fn solve(
+        &self,
+        chain: &Chain,
+        pose: &Pose,
+        near: &Joints,
+        branches: &mut Branches,
+    ) -> Result<(), Unreachable> {
         match self {
-            Self::ThreeLinear(form) => form.solve(chain, pose, near),
-            Self::PlaneOnRotary(form) => form.solve(chain, pose, near),
-            Self::TwoLinear(form) => form.solve(chain, pose),
+            Self::ThreeLinear(form) => form.solve(chain, pose, near, branches),
+            Self::PlaneOnRotary(form) => form.solve(chain, pose, near, branches),
+            Self::TwoLinear(form) => form.solve(chain, pose, branches),
         }
     }
 }

@@ -31,7 +31,13 @@ impl PlaneOnRotary {
         (first == 0 && across && turns_the_plane).then_some(Self { rotary: first, linear, tilt, normal })
     }
 
-    pub(crate) fn solve(&self, chain: &Chain, pose: &Pose, near: &Joints) -> Result<Branches, Unreachable> {
+    pub(crate) fn solve(
+        &self,
+        chain: &Chain,
+        pose: &Pose,
+        near: &Joints,
+        branches: &mut Branches,
+    ) -> Result<(), Unreachable> {
         let turn = &chain.screws[self.rotary];
         let n = self.normal;
         // n . R(-q) u = k, with u the point and k the plane's height over the axis: A cos q + B sin q = C.
@@ -52,28 +58,26 @@ impl PlaneOnRotary {
             let half = Turn::along(((reach - c) * (reach + c)).max(0.0).sqrt(), c);
             [middle.and(half), middle.and(half.back())]
         };
-        let mut branches = Branches::new();
         for about in turns {
-            let mut solution = self.in_plane(chain, pose, near, about);
+            let solution = branches.add();
+            self.in_plane(chain, pose, near, about, solution);
             solution.joints[turn.axis] = if singular { near[turn.axis] } else { about.angle() };
             solution.singular |= singular;
-            branches.push(solution);
         }
-        Ok(branches)
+        Ok(())
     }
 
     /// The solution with the rotary axis turned by `about`, whose own position is left to the caller.
-    fn in_plane(&self, chain: &Chain, pose: &Pose, near: &Joints, about: Turn) -> Solution {
+    fn in_plane(&self, chain: &Chain, pose: &Pose, near: &Joints, about: Turn, solution: &mut Solution) {
         let rotary = &chain.screws[self.rotary];
-        let mut joints = Joints::default();
+        let joints = &mut solution.joints;
         let mut turns = [Turn::NONE; MAX_AXES];
-        let mut free = false;
         let wanted = about.back().of(rotary.direction, pose.direction);
         if let Some(tilt) = self.tilt.map(|t| &chain.screws[t]) {
             let turn = rotaries::one(tilt.direction, chain.zero.direction, wanted);
             joints[tilt.axis] = turn.map_or(near[tilt.axis], Turn::angle);
             turns[tilt.axis] = turn.unwrap_or_else(|| Turn::by(near[tilt.axis]));
-            free = turn.is_none();
+            solution.singular = turn.is_none();
         }
         // With the rotary axis at zero the tip is in the plane at zero.
         let target = rotary.turn_point(about.back(), pose.point);
@@ -84,10 +88,10 @@ impl PlaneOnRotary {
                 _ => screw.direction,
             }
         });
-        let at_zero = chain.forward_turned(&joints, &turns);
+        let at_zero = chain.forward_turned(joints, &turns);
         let (first, second, _) = in_plane(x, y, target - at_zero.point);
         joints[chain.screws[self.linear[0]].axis] = first;
         joints[chain.screws[self.linear[1]].axis] = second;
-        Solution { joints, attitude_error: angle_between(at_zero.direction, wanted), singular: free }
+        solution.attitude_error = angle_between(at_zero.direction, wanted);
     }
 }

@@ -1,5 +1,5 @@
 use super::rotaries::{self, Pair};
-use super::{Branches, Solution, Unreachable, angle_between};
+use super::{Branches, Unreachable, angle_between};
 use crate::chain::{Chain, Joints, MAX_AXES, Turn, Turns};
 use glam::DVec3;
 use seamwright_geometry::Pose;
@@ -23,7 +23,13 @@ impl ThreeLinear {
         Some(Self { linear, rotary: rotary.to_vec() })
     }
 
-    pub(crate) fn solve(&self, chain: &Chain, pose: &Pose, near: &Joints) -> Result<Branches, Unreachable> {
+    pub(crate) fn solve(
+        &self,
+        chain: &Chain,
+        pose: &Pose,
+        near: &Joints,
+        branches: &mut Branches,
+    ) -> Result<(), Unreachable> {
         let zero = chain.zero.direction;
         let axis = |i: usize| chain.screws[self.rotary[i]].direction;
         let pairs: [Option<Pair>; 2] = match self.rotary.len() {
@@ -34,22 +40,21 @@ impl ThreeLinear {
                 .map(Some),
         };
         let exact = self.rotary.len() == 2;
-        let mut branches = Branches::new();
         for (first, second) in pairs.into_iter().flatten() {
             let mut turns = [Turn::NONE; MAX_AXES];
-            let mut joints = Joints::default();
-            let mut singular = false;
+            let solution = branches.add();
             for (&screw, turn) in self.rotary.iter().zip([first, second]) {
                 let at = chain.screws[screw].axis;
                 turns[at] = turn.unwrap_or_else(|| Turn::by(near[at]));
-                joints[at] = turn.map_or(near[at], Turn::angle);
-                singular |= turn.is_none();
+                solution.joints[at] = turn.map_or(near[at], Turn::angle);
+                solution.singular |= turn.is_none();
             }
-            let reached = self.solve_linear(chain, pose.point, &turns, &mut joints)?;
-            let attitude_error = if exact { 0.0 } else { angle_between(reached, pose.direction) };
-            branches.push(Solution { joints, attitude_error, singular });
+            let reached = self.solve_linear(chain, pose.point, &turns, &mut solution.joints)?;
+            if !exact {
+                solution.attitude_error = angle_between(reached, pose.direction);
+            }
         }
-        Ok(branches)
+        Ok(())
     }
 
     /// The linear positions that put the tip on `point` at the rotary axes' turns; the torch's direction there.

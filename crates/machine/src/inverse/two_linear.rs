@@ -1,5 +1,5 @@
-use super::{Branches, Solution, Unreachable, angle_between, in_plane};
-use crate::chain::{Chain, Joints};
+use super::{Branches, Unreachable, angle_between, in_plane};
+use crate::chain::Chain;
 use seamwright_geometry::Pose;
 
 /// How far (mm) a point may lie off the plane of two linear axes and still count as in it.
@@ -17,18 +17,16 @@ impl TwoLinear {
         super::independent(a, b).then_some(Self { linear })
     }
 
-    pub(crate) fn solve(&self, chain: &Chain, pose: &Pose) -> Result<Branches, Unreachable> {
+    pub(crate) fn solve(&self, chain: &Chain, pose: &Pose, branches: &mut Branches) -> Result<(), Unreachable> {
         let [a, b] = self.linear.map(|l| &chain.screws[l]);
         let (x, y, rest) = in_plane(a.direction, b.direction, pose.point - chain.zero.point);
         if rest.length() > IN_PLANE_MM {
             return Err(Unreachable::Point { by: rest.length() });
         }
-        let mut joints = Joints::default();
-        joints[a.axis] = x;
-        joints[b.axis] = y;
-        let attitude_error = angle_between(chain.zero.direction, pose.direction);
-        let mut branches = Branches::new();
-        branches.push(Solution { joints, attitude_error, singular: false });
-        Ok(branches)
+        let solution = branches.add();
+        solution.joints[a.axis] = x;
+        solution.joints[b.axis] = y;
+        solution.attitude_error = angle_between(chain.zero.direction, pose.direction);
+        Ok(())
     }
 }
