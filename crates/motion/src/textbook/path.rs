@@ -4,6 +4,7 @@ use seamwright_geometry::{ByLength, Curve, Ellipse, Jet, TubeIntersection};
 
 /// The closed curve that a path is a piece of.
 #[derive(Debug, Clone)]
+#[allow(clippy::large_enum_variant, reason = "there is one a path")]
 pub(super) enum Base {
     /// An ellipse with its semi-axes, mm.
     Ellipse { curve: Ellipse, a: f64, b: f64 },
