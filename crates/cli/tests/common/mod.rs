@@ -1,0 +1,62 @@
+//! Running the built command.
+
+#![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// The repository's root.
+pub fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// An example job's path.
+pub fn example(name: &str) -> String {
+    root().join("examples").join(format!("{name}.toml")).display().to_string()
+}
+
+/// Runs `seamwright` with standard input.
+pub fn run_with(arguments: &[&str], input: &str) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // From a thread of its own: the child may answer before it has read everything, or not read at all.
+    let mut stdin = child.stdin.take().unwrap();
+    let input = input.to_owned();
+    let writer = std::thread::spawn(move || stdin.write_all(input.as_bytes()).ok());
+    let output = child.wait_with_output().unwrap();
+    writer.join().unwrap();
+    output
+}
+
+/// Runs `seamwright`.
+pub fn run(arguments: &[&str]) -> Output {
+    run_with(arguments, "")
+}
+
+/// Standard output of a run that must succeed.
+pub fn good(arguments: &[&str]) -> String {
+    let output = run(arguments);
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {errors}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// A CSV table: header and rows of numbers (NaN where a cell is empty or text).
+pub fn table(csv: &str) -> (Vec<String>, Vec<Vec<f64>>) {
+    let mut lines = csv.lines();
+    let header = lines.next().unwrap().split(',').map(str::to_owned).collect();
+    let rows = lines.map(|l| l.split(',').map(|c| c.parse().unwrap_or(f64::NAN)).collect()).collect();
+    (header, rows)
+}
+
+/// A column of a table.
+pub fn column(table: &(Vec<String>, Vec<Vec<f64>>), name: &str) -> Vec<f64> {
+    let i = table.0.iter().position(|c| c == name).unwrap_or_else(|| panic!("no column {name} in {:?}", table.0));
+    table.1.iter().map(|row| row[i]).collect()
+}

@@ -1,0 +1,162 @@
+//! Bad input: one screen that names file, line, key, value and what is allowed; exit code 2; nothing written. Jobs that
+//! cannot be welded: exit code 1 with every finding.
+
+mod common;
+
+use common::{example, run, run_with};
+use std::fs;
+use std::path::Path;
+
+/// Plans a changed example saddle into a new folder; exit code, errors, and whether anything was written.
+fn plan(change: &[(&str, &str)]) -> (i32, String, bool) {
+    let folder = tempfile::tempdir().unwrap();
+    let mut text = fs::read_to_string(example("saddle")).unwrap();
+    for (from, to) in change {
+        assert!(text.contains(from), "{from}");
+        text = text.replacen(from, to, 1);
+    }
+    let job = folder.path().join("job.toml");
+    fs::write(&job, text).unwrap();
+    let out = folder.path().join("out");
+    let output = run(&["plan", &job.display().to_string(), "-o", &out.display().to_string()]);
+    assert!(output.stdout.is_empty());
+    (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap(), out.exists())
+}
+
+fn refused(from: &str, to: &str, words: &[&str]) {
+    let (code, text, written) = plan(&[(from, to)]);
+    println!("{text}");
+    assert_eq!(code, 2, "{text}");
+    assert!(!written && text.lines().count() <= 12);
+    assert!(text.contains("job.toml:") && text.contains("allowed: "), "{text}");
+    for word in words {
+        assert!(text.contains(word), "{word} in {text}");
+    }
+}
+
+#[test]
+fn sizes() {
+    refused("radius_mm = 250", "radius_mm = 900", &["seam.nozzle.radius_mm = 900", "does not close", "radius 800 mm"]);
+    refused("radius_mm = 800", "radius_mm = 200", &["seam.nozzle.radius_mm = 250"]);
+    refused("origin_mm = [0, 0, 0]", "origin_mm = [0, 2000, 0]", &["seam.nozzle.origin_mm", "beside the body"]);
+    for bad in ["0", "-250", "nan", "inf", "-inf", "\"250\"", "[250]", "true"] {
+        refused("radius_mm = 250", &format!("radius_mm = {bad}"), &["seam.nozzle.radius_mm", "greater than 0"]);
+    }
+    refused("speed_mm_s = 10", "speed_mm_s = 0", &["weld.speed_mm_s = 0"]);
+}
+
+#[test]
+fn keys_and_units() {
+    refused("overlap_mm = 20", "overlap = 20", &["start.overlap", "did you mean `overlap_mm`?"]);
+    refused("radius_mm = 250", "radius_inch = 10", &["did you mean `radius_mm`? This value is given in mm"]);
+    refused("speed_mm_s = 10", "speed_m_min = 0.6", &["did you mean `speed_mm_s`? This value is given in mm/s"]);
+    refused("[torch]", "[torche]", &["did you mean `torch`?"]);
+    refused("\"counter-clockwise\"", "\"anticlockwise\"", &["start.direction", "counter-clockwise, clockwise"]);
+}
+
+#[test]
+fn machines_that_do_not_exist() {
+    refused("\"saddle-4axis\"", "\"saddle-5axis\"", &["machine = \"saddle-5axis\"", "torch-5axis", "path of a machine file"]);
+}
+
+#[test]
+fn mistakes_in_the_machine_file_are_its_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let job = fs::read_to_string(example("saddle")).unwrap().replace("\"saddle-4axis\"", "\"mine.toml\"");
+    fs::write(folder.path().join("job.toml"), job).unwrap();
+    let machine = fs::read_to_string(common::root().join("machines/saddle-4axis.toml")).unwrap();
+    fs::write(folder.path().join("mine.toml"), machine.replacen("max_speed_deg_s = 30", "max_speed_deg_s = -30", 1)).unwrap();
+    let output = run(&["check", &folder.path().join("job.toml").display().to_string()]);
+    let text = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text.contains("mine.toml:") && text.contains("tool[0].max_speed_deg_s = -30"), "{text}");
+}
+
+#[test]
+fn files_and_folders() {
+    let code = |arguments: &[&str]| {
+        let output = run(arguments);
+        (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap())
+    };
+    let (c, text) = code(&["check", "no/such/job.toml"]);
+    assert!(c == 2 && text.contains("no/such/job.toml"), "{text}");
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("file");
+    fs::write(&file, [0xff, 0xfe, 0x00, 0x80]).unwrap();
+    let shown = file.display().to_string();
+    assert_eq!(code(&["check", &shown]).0, 2);
+    // A file where the output folder should be.
+    let (c, text) = code(&["plan", &example("ellipse"), "-o", &shown]);
+    assert!(c == 2 && text.contains(&shown), "{text}");
+    assert_eq!(fs::read(&file).unwrap().len(), 4);
+    let (c, text) = code(&["simulate", &example("ellipse"), "-o", "/proc/seamwright"]);
+    assert!(c == 2 && text.contains("/proc/seamwright"), "{text}");
+    assert!(!Path::new("/proc/seamwright").exists());
+}
+
+#[test]
+fn numbers_on_the_command_line() {
+    for bad in ["0", "-1", "nan", "inf"] {
+        let period = format!("--period-ms={bad}");
+        assert_eq!(run(&["motion", &example("ellipse"), &period]).status.code(), Some(2), "{bad}");
+        let every = format!("--every-mm={bad}");
+        assert_eq!(run(&["seam", &example("ellipse"), &every]).status.code(), Some(2), "{bad}");
+        let tolerance = format!("--tolerance-mm={bad}");
+        let post = ["post", &example("ellipse"), "--dialect", "linuxcnc", &tolerance];
+        assert_eq!(run(&post).status.code(), Some(2), "{bad}");
+        for flag in ["--a-mm", "--pulse-mm", "--speed-mm-s", "--period-ms"] {
+            let argument = format!("{flag}={bad}");
+            let interpolate = ["interpolate", "--curve", "ellipse", "--method", "dda", &argument];
+            assert_eq!(run(&interpolate).status.code(), Some(2), "{argument}");
+        }
+    }
+    assert_eq!(run(&["seam", &example("ellipse"), "--points", "1"]).status.code(), Some(2));
+    assert_eq!(run(&["post", &example("ellipse"), "--dialect", "fanuc"]).status.code(), Some(2));
+    assert_eq!(run(&["weld", &example("ellipse")]).status.code(), Some(2));
+    assert_eq!(run(&["seam", &example("ellipse"), "--phi-deg", "nan"]).status.code(), Some(2));
+    assert_eq!(run(&["--help"]).status.code(), Some(0));
+}
+
+#[test]
+fn tables_on_standard_input() {
+    for (input, words) in [
+        ("", "there is no column `x_mm`"),
+        ("x_mm,y_mm\n1,2\n", "there is no column `z_mm`"),
+        ("x_mm,y_mm,z_mm,ax,ay,az\n1,2,three,0,0,-1\n", "standard input:2: z_mm = `three` is not a finite number"),
+        ("x_mm,y_mm,z_mm,ax,ay,az\n1,2\n", "standard input:2: z_mm = ``"),
+    ] {
+        let output = run_with(&["kinematics", "ellipse-xy", "--inverse"], input);
+        let text = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.code() == Some(2) && text.contains(words), "{text}");
+        assert!(output.stdout.is_empty());
+    }
+}
+
+#[test]
+fn what_cannot_be_welded_lists_every_finding() {
+    let fast = ("speed_mm_s = 10", "speed_mm_s = 200");
+    let (code, text, written) = plan(&[fast]);
+    assert!(code == 1 && !written, "{text}");
+    for word in ["finding (speed)", "axis theta cannot keep 200", "its speed limit of 30.000 deg/s", "where: pass 1, s = ", "cure: "] {
+        assert!(text.contains(word), "{word} in {text}");
+    }
+    // Reach and speed are not hidden by each other.
+    let low = ("move_mm = [0, 0, -800]", "move_mm = [0, 0, -550]");
+    let (code, text, _) = plan(&[fast, low]);
+    assert!(code == 1 && text.contains("finding (range)") && text.contains("finding (speed)"), "{text}");
+    let (code, text, _) = plan(&[("work_angle_deg = 0", "work_angle_deg = 60")]);
+    assert!(code == 1 && text.contains("finding (access)"), "{text}");
+    let slow = ("[weld]\n", "[weld]\non_limit = \"slow\"\n");
+    let (code, _, written) = plan_slow(&[slow, fast]);
+    assert!(code == 0 && written);
+}
+
+/// As [`plan`], for jobs that succeed and print.
+fn plan_slow(change: &[(&str, &str)]) -> (i32, String, bool) {
+    let folder = tempfile::tempdir().unwrap();
+    let text = change.iter().fold(fs::read_to_string(example("saddle")).unwrap(), |t, (a, b)| t.replacen(a, b, 1));
+    let (job, out) = (folder.path().join("job.toml"), folder.path().join("out"));
+    fs::write(&job, text).unwrap();
+    let output = run(&["plan", &job.display().to_string(), "-o", &out.display().to_string()]);
+    (output.status.code().unwrap(), String::from_utf8(output.stdout).unwrap(), out.join("report.html").exists())
+}
