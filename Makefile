@@ -24,7 +24,7 @@ peers:
 	peers/run
 
 soak:
-	PROPTEST_CASES=200000 cargo test --release --workspace
+	SEAMWRIGHT_SOAK=100 PROPTEST_CASES=25600 cargo test --release --workspace
 
 fmt:
 	cargo fmt --all

@@ -56,7 +56,11 @@ fn keys_and_units() {
 
 #[test]
 fn machines_that_do_not_exist() {
-    refused("\"saddle-4axis\"", "\"saddle-5axis\"", &["machine = \"saddle-5axis\"", "torch-5axis", "path of a machine file"]);
+    refused(
+        "\"saddle-4axis\"",
+        "\"saddle-5axis\"",
+        &["machine = \"saddle-5axis\"", "torch-5axis", "path of a machine file"],
+    );
 }
 
 #[test]
@@ -65,7 +69,8 @@ fn mistakes_in_the_machine_file_are_its_own() {
     let job = fs::read_to_string(example("saddle")).unwrap().replace("\"saddle-4axis\"", "\"mine.toml\"");
     fs::write(folder.path().join("job.toml"), job).unwrap();
     let machine = fs::read_to_string(common::root().join("machines/saddle-4axis.toml")).unwrap();
-    fs::write(folder.path().join("mine.toml"), machine.replacen("max_speed_deg_s = 30", "max_speed_deg_s = -30", 1)).unwrap();
+    fs::write(folder.path().join("mine.toml"), machine.replacen("max_speed_deg_s = 30", "max_speed_deg_s = -30", 1))
+        .unwrap();
     let output = run(&["check", &folder.path().join("job.toml").display().to_string()]);
     let text = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2));
@@ -137,7 +142,13 @@ fn what_cannot_be_welded_lists_every_finding() {
     let fast = ("speed_mm_s = 10", "speed_mm_s = 200");
     let (code, text, written) = plan(&[fast]);
     assert!(code == 1 && !written, "{text}");
-    for word in ["finding (speed)", "axis theta cannot keep 200", "its speed limit of 30.000 deg/s", "where: pass 1, s = ", "cure: "] {
+    for word in [
+        "finding (speed)",
+        "axis theta cannot keep 200",
+        "its speed limit of 30.000 deg/s",
+        "where: pass 1, s = ",
+        "cure: ",
+    ] {
         assert!(text.contains(word), "{word} in {text}");
     }
     // Reach and speed are not hidden by each other.

@@ -133,7 +133,7 @@ fn random_nozzle() -> impl Strategy<Value = TubeIntersection> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 2000, max_global_rejects: 100_000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: cases(2000), max_global_rejects: 10_000_000, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// SADDLE-2020: x = r cos, y = r sin, z = sqrt(R^2 - r^2 sin^2).
     #[test]
@@ -202,7 +202,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 200, max_global_rejects: 10_000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: cases(200), max_global_rejects: 10_000_000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn arc_length_and_its_inverse_agree_with_quadrature(curve in random_nozzle(), s in 0.0..1.0f64, step in 1e-5..1e-2f64) {
@@ -223,4 +223,9 @@ fn closed_curves_repeat_beyond_their_ends() {
         assert!((by.parameter(s + by.length()) - by.parameter(s) - TAU).abs() < 1e-13);
         assert!((by.length_at(by.parameter(s)) - s).abs() < 1e-11);
     }
+}
+
+/// Cases of a property test; `make soak` multiplies them.
+fn cases(usual: u32) -> u32 {
+    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
 }

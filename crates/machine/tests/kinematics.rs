@@ -218,7 +218,7 @@ fn random_machine() -> impl Strategy<Value = Machine> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 3000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: cases(3000), failure_persistence: None, ..ProptestConfig::default() })]
 
     /// The inverse is chosen from the structure: any three linear and two rotary axes come back, or say why not.
     #[test]
@@ -244,4 +244,9 @@ proptest! {
             Err(e) => prop_assert!(matches!(e, Unreachable::Flat | Unreachable::NoClosedForm), "{e}"),
         }
     }
+}
+
+/// Cases of a property test; `make soak` multiplies them.
+fn cases(usual: u32) -> u32 {
+    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
 }

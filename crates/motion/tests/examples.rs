@@ -1,10 +1,10 @@
 //! Every example job as motion: all set-points within all limits, equal steps along the seam, honest findings.
 
-use seamwright_document::Document;
+use proptest::prelude::*;
 use seamwright_machine::{AxisKind, Joints, Machine, shipped};
 use seamwright_motion::{PassMotion, Phase, SetPoint};
-use seamwright_program::{Finding, Program, TorchPath};
-use seamwright_weld::{Attitude, Job, PassPath, SeamCurve};
+use seamwright_program::{Finding, TorchPath};
+use seamwright_weld::Welding;
 
 const EXAMPLES: [(&str, &str); 4] = [
     ("saddle", include_str!("../../../examples/saddle.toml")),
@@ -14,28 +14,23 @@ const EXAMPLES: [(&str, &str); 4] = [
 ];
 
 struct Case {
-    job: Document<Job>,
     machine: Machine,
-    seam: SeamCurve,
-    program: Program,
+    welding: Welding,
 }
 
 impl Case {
     fn new(name: &str, text: &str) -> Self {
-        let job = Job::read(name, text).unwrap_or_else(|e| panic!("{e}"));
-        let machine = Machine::read("m", shipped(&job.value.machine).unwrap().text).unwrap();
-        let seam = SeamCurve::new(&job, &job.value.seam, &job.value.start).unwrap_or_else(|e| panic!("{e}"));
-        let program = Job::program(&job, &seam).unwrap_or_else(|e| panic!("{e}"));
-        Self { job, machine, seam, program }
-    }
-
-    fn path(&self) -> PassPath<'_> {
-        let attitude = Attitude::new(&self.job, "torch", &self.program.passes[0].torch, &self.seam).unwrap();
-        PassPath { seam: &self.seam, attitude, placement: self.program.placement.affine() }
+        let welding = Welding::read(name, text).unwrap_or_else(|e| panic!("{e}"));
+        let machine = Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap();
+        Self { machine, welding }
     }
 
     fn motion(&self) -> Result<PassMotion, Vec<Finding>> {
-        PassMotion::plan(&self.machine, &self.path(), &self.program.passes[0], 1)
+        PassMotion::plan(&self.machine, &self.welding.path(), &self.welding.program.value.passes[0], 1)
+    }
+
+    fn speed(&self) -> f64 {
+        self.welding.program.value.passes[0].spans[0].speed_mm_s.get()
     }
 }
 
@@ -96,8 +91,8 @@ fn the_tip_moves_along_the_seam_at_the_asked_speed() {
     for (name, text) in EXAMPLES {
         let case = Case::new(name, text);
         let motion = case.motion().unwrap();
-        let path = case.path();
-        let v = case.job.value.weld.speed_mm_s.get();
+        let path = case.welding.path();
+        let v = case.speed();
         let report = motion.law.report();
         let period = 0.01;
         let steady = |p: &SetPoint| p.law.s > report.run_up_end && p.law.s < report.run_down_start;
@@ -134,7 +129,7 @@ fn the_law_is_consistent_in_time_and_length() {
         assert!((motion.law.time(p.s) - t).abs() < 1e-9);
         assert!((motion.law.speed(p.s) - p.v).abs() < 1e-6);
     }
-    assert!((integral - case.seam.weld_length()).abs() < 5e-3);
+    assert!((integral - case.welding.seam.weld_length()).abs() < 5e-3);
 }
 
 #[test]
@@ -181,4 +176,58 @@ fn rotary_axes_stay_in_their_range_over_the_whole_weld() {
     let motion = case.motion().unwrap_or_else(|f| panic!("{f:#?}"));
     let first = motion.path.at(0.0)[0].to_degrees();
     assert!((first + 60.0).abs() < 1e-6 && case.machine.axes[0].kind == AxisKind::Rotary, "{first}");
+}
+
+/// Cases of a property test; `make soak` multiplies them.
+fn cases(usual: u32) -> u32 {
+    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
+}
+
+/// A nozzle on a shell somewhere in the 5-axis machine, with torch angles that change, faster than the axes can.
+fn random_job() -> impl Strategy<Value = String> {
+    let sizes = (30.0..250.0f64, 1.2..6.0f64, -0.4..0.4f64, -0.3..0.3f64);
+    let weld = (1.0..400.0f64, 0.0..360.0f64, any::<bool>(), 0.0..30.0f64);
+    let torch = prop::collection::vec((-12.0..12.0f64, -12.0..12.0f64), 2..6);
+    (sizes, weld, torch).prop_map(|((r, ratio, offset, lean), (speed, phi, clockwise, overlap), torch)| {
+        let shell = r * ratio;
+        let direction = if clockwise { "clockwise" } else { "counter-clockwise" };
+        let mut text = format!(
+            "schema = 1\ntitle = \"random\"\nmachine = \"torch-5axis\"\n[placement]\nmove_mm = [0, 0, {}]\n\
+             [seam.nozzle]\nradius_mm = {r}\norigin_mm = [0, {}, 0]\ndirection = [{lean}, 0, 1]\n\
+             [seam.nozzle.body.cylinder]\nradius_mm = {shell}\n[start]\nphi_deg = {phi}\n\
+             direction = \"{direction}\"\noverlap_mm = {overlap}\n[weld]\nspeed_mm_s = {speed}\non_limit = \"slow\"\n",
+            200.0 - shell,
+            offset * r,
+        );
+        for (i, (work, travel)) in torch.iter().enumerate() {
+            let s = i as f64 / torch.len() as f64 * 6.0 * r;
+            text += &format!("[[torch.at]]\ns_mm = {s}\nwork_angle_deg = {work}\ntravel_angle_deg = {travel}\n");
+        }
+        text
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: cases(60), failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Whatever the job, set-points keep every limit, and nowhere is the weld slower than it must be by much.
+    #[test]
+    fn random_welds_keep_every_limit(text in random_job()) {
+        let Ok(welding) = Welding::read("random.toml", &text) else { return Ok(()) };
+        let machine = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
+        let pass = &welding.program.value.passes[0];
+        let Ok(motion) = PassMotion::plan(&machine, &welding.path(), pass, 1) else { return Ok(()) };
+        let mut check = LimitCheck { machine: &machine, period: 1e-3, last: None, worst: 0.0 };
+        let (mut last, mut fastest) = (0.0, 0.0f64);
+        for p in motion.set_points(1e-3) {
+            check.add(&p.q);
+            prop_assert!(p.law.s >= last && p.law.v <= pass.spans[0].speed_mm_s.get() * (1.0 + 1e-9));
+            last = p.law.s;
+            fastest = fastest.max(p.law.v);
+        }
+        prop_assert!(check.worst <= 1.0 + 1e-6, "{}", check.worst);
+        // It runs at the asked speed somewhere, or at some axis' limit.
+        let full = fastest > 0.999 * pass.spans[0].speed_mm_s.get();
+        prop_assert!(full || check.worst > 0.95, "{} of {}: {}", fastest, pass.spans[0].speed_mm_s.get(), check.worst);
+    }
 }

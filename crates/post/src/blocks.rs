@@ -38,8 +38,11 @@ pub struct Linearisation {
     pub chord_error_mm: f64,
 }
 
-/// Places inside a block where it is compared with the exact path.
-const CHECKS: usize = 12;
+/// Parts of a block at whose ends it is compared with the exact path.
+const CHECKS: usize = 16;
+/// What may be used of the tolerance at these places: between them the path of the blocks strays up to
+/// `(1/16)^2` of the tolerance more where the deviation has one hump, and four times that where it has two.
+const USED: f64 = 0.98;
 /// How far along the seam a block may run ahead of the plan or behind it, as a multiple of the chord tolerance.
 const LAG: f64 = 20.0;
 /// Largest deviation of the torch's attitude within a block, rad.
@@ -64,7 +67,7 @@ pub fn linearise(
     level: Level,
     tolerance_mm: f64,
 ) -> Result<Linearisation, Error> {
-    let cutter = Cutter { machine, path, motion, level, tolerance: tolerance_mm };
+    let cutter = Cutter { machine, path, motion, level, tolerance: USED * tolerance_mm };
     if level == Level::Tip && !["x", "y", "z"].iter().all(|n| machine.axis(n).is_some()) {
         return Err(Error::NoTip);
     }

@@ -1,0 +1,181 @@
+//! Posted programs read back: the path between their words stays within the tolerance of the seam, and takes as long as
+//! planned by LinuxCNC's own rules for feeds. `make peers` does the same with LinuxCNC's interpreter.
+
+use glam::DVec3;
+use seamwright_machine::{AxisKind, Joints, Machine, shipped};
+use seamwright_motion::PassMotion;
+use seamwright_post::{Error, Level, Options, linuxcnc};
+use seamwright_program::TorchPath;
+use seamwright_weld::Welding;
+use std::collections::BTreeMap;
+
+const EXAMPLES: [&str; 4] = [
+    include_str!("../../../examples/saddle.toml"),
+    include_str!("../../../examples/head-nozzle.toml"),
+    include_str!("../../../examples/ellipse.toml"),
+    include_str!("../../../examples/trunnion-saddle.toml"),
+];
+
+struct Posted {
+    machine: Machine,
+    welding: Welding,
+    motion: PassMotion,
+    text: String,
+}
+
+fn post(job: &str, options: &Options) -> Result<Posted, Error> {
+    let welding = Welding::read("job.toml", job).unwrap();
+    let machine = Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap();
+    let motion = PassMotion::plan(&machine, &welding.path(), &welding.program.value.passes[0], 1).unwrap();
+    let text = linuxcnc(&machine, &welding.program.value, &welding.path(), &motion, options)?;
+    Ok(Posted { machine, welding, motion, text })
+}
+
+/// Positions by letter after each G0 or G1 between arc on and arc off, the first being the start; and the arc's time.
+fn read(text: &str) -> (Vec<BTreeMap<char, f64>>, f64) {
+    let (mut here, mut points, mut time, mut on, mut inverse) = (BTreeMap::new(), Vec::new(), 0.0, false, false);
+    for line in text.lines() {
+        let line = line.split('(').next().unwrap_or_default().trim();
+        let words: Vec<(char, f64)> =
+            line.split_whitespace().map(|w| (w.chars().next().unwrap(), w[1..].parse().unwrap())).collect();
+        let has = |letter: char, value: f64| words.iter().any(|w| w.0 == letter && (w.1 - value).abs() < 1e-12);
+        let value = |letter: char| words.iter().find(|w| w.0 == letter).map(|w| w.1);
+        inverse = (inverse || has('G', 93.0)) && !has('G', 94.0);
+        if (has('M', 64.0) || has('M', 62.0)) && has('P', 0.0) && !on {
+            on = true;
+            points.push(here.clone());
+        }
+        on &= !(has('M', 65.0) && has('P', 0.0));
+        if has('G', 4.0) && on {
+            time += value('P').unwrap();
+        }
+        if has('G', 0.0) || has('G', 1.0) {
+            let before = here.clone();
+            here.extend(words.iter().copied().filter(|w| "XYZABC".contains(w.0)));
+            if on {
+                assert!(inverse);
+                time += duration(&before, &here, value('F').unwrap());
+                points.push(here.clone());
+            }
+        }
+    }
+    (points, time)
+}
+
+/// Time of a G93 block, s: LinuxCNC makes a feed of it, counting X Y Z if they move and else A B C, and never goes
+/// below 0.1 per minute.
+fn duration(a: &BTreeMap<char, f64>, b: &BTreeMap<char, f64>, per_minute: f64) -> f64 {
+    let length =
+        |letters: &str| letters.chars().filter_map(|l| Some((b.get(&l)? - a.get(&l)?).powi(2))).sum::<f64>().sqrt();
+    let linear = length("XYZ");
+    let length = if linear > 0.0 { linear } else { length("ABC") };
+    length / (length * per_minute).max(0.1) * 60.0
+}
+
+fn joints(machine: &Machine, at: &BTreeMap<char, f64>) -> Joints {
+    let mut q = Joints::default();
+    for (q, axis) in q.iter_mut().zip(&machine.axes) {
+        *q = axis.from_file(at[&axis.letter.unwrap()]);
+    }
+    q
+}
+
+/// Distance of a point from the seam, looked for around path length `s`; the place is left in `s`.
+fn distance(path: &dyn TorchPath, point: DVec3, s: &mut f64) -> f64 {
+    for _ in 0..4 {
+        let h = 1e-3;
+        let ahead = path.pose((*s + h).min(path.length())).point - path.pose((*s - h).max(0.0)).point;
+        *s = (*s + (point - path.pose(*s).point).dot(ahead.normalize())).clamp(0.0, path.length());
+    }
+    (point - path.pose(*s).point).length()
+}
+
+fn check(job: &str, level: Level, tolerance_mm: f64) -> usize {
+    let p = post(job, &Options { level, tolerance_mm, ..Options::default() }).unwrap();
+    let (points, time) = read(&p.text);
+    assert!((time / p.motion.arc_on_s() - 1.0).abs() < 1e-5, "{time} {}", p.motion.arc_on_s());
+    let path = p.welding.path();
+    let mut s = 0.0;
+    let mut worst = 0.0f64;
+    for w in points.windows(2) {
+        for k in 0..=20 {
+            let f = f64::from(k) / 20.0;
+            let at: BTreeMap<char, f64> = w[0].iter().map(|(l, a)| (*l, a + f * (w[1][l] - a))).collect();
+            let tip = match level {
+                Level::Joint => p.machine.forward(&joints(&p.machine, &at)).point,
+                Level::Tip => DVec3::new(at[&'X'], at[&'Y'], at[&'Z']),
+            };
+            worst = worst.max(distance(&path, tip, &mut s));
+        }
+    }
+    // Words have six decimals.
+    assert!(worst <= tolerance_mm + 1e-5, "{worst} of {tolerance_mm}");
+    assert!(
+        worst > 0.3 * tolerance_mm || level == Level::Tip || points.len() < 120,
+        "{worst}: more blocks than needed"
+    );
+    assert!((s - path.length()).abs() < 1e-5);
+    points.len()
+}
+
+#[test]
+fn blocks_stay_on_the_seam_and_keep_the_time() {
+    for job in EXAMPLES {
+        for tolerance in [0.1, 0.01, 0.001] {
+            check(job, Level::Joint, tolerance);
+        }
+    }
+    for tolerance in [0.1, 0.01] {
+        check(EXAMPLES[3], Level::Tip, tolerance);
+    }
+}
+
+#[test]
+fn no_block_could_be_left_out() {
+    // Greedy blocks: doubling the tolerance must need fewer, by about the square root of two where chords decide.
+    let (fine, coarse) = (check(EXAMPLES[2], Level::Joint, 0.001), check(EXAMPLES[2], Level::Joint, 0.002));
+    assert!((fine as f64 / coarse as f64 - 2f64.sqrt()).abs() < 0.1, "{fine} {coarse}");
+    // An ellipse's blocks, counted from its curvature: ds = sqrt(8 tol / k), so n is the integral of sqrt(k / 8 tol).
+    let (a, b, tolerance) = (20.0f64, 16.0f64, 0.001);
+    let n: f64 = (0..100_000)
+        .map(|i| {
+            let t = f64::from(i) / 100_000.0 * std::f64::consts::TAU;
+            let speed = (a * t.sin()).hypot(b * t.cos());
+            (a * b / speed.powi(3) / (8.0 * tolerance)).sqrt() * speed
+        })
+        .sum::<f64>()
+        * std::f64::consts::TAU
+        / 100_000.0;
+    let with_overlap = n * 118.447 / 113.447;
+    assert!((fine as f64 - with_overlap).abs() < 0.05 * n + 3.0, "{fine} blocks, {with_overlap} by curvature");
+}
+
+#[test]
+fn letters_must_fit_the_axes() {
+    let welding = Welding::read("job.toml", EXAMPLES[0]).unwrap();
+    let text = shipped("saddle-4axis").unwrap().text;
+    let written = |text: &str| {
+        let machine = Machine::read("m", text).unwrap();
+        let motion = PassMotion::plan(&machine, &welding.path(), &welding.program.value.passes[0], 1).unwrap();
+        linuxcnc(&machine, &welding.program.value, &welding.path(), &motion, &Options::default())
+    };
+    assert!(matches!(written(&text.replace("letter = \"C\"\n", "")), Err(Error::NoLetter { .. })));
+    assert!(matches!(written(&text.replace("letter = \"C\"", "letter = \"U\"")), Err(Error::WrongLetter { .. })));
+    let tip = post(EXAMPLES[0], &Options { level: Level::Tip, ..Options::default() });
+    assert!(matches!(tip, Err(Error::NoTip)));
+}
+
+#[test]
+fn too_fine_a_tolerance_is_refused() {
+    let options = Options { tolerance_mm: 1e-12, ..Options::default() };
+    assert!(matches!(post(EXAMPLES[2], &options), Err(Error::TooFine { .. })));
+}
+
+#[test]
+fn comments_cannot_carry_commands() {
+    let job = EXAMPLES[2].replace("Ellipse: radiator", "Ellipse) M3 (\\nM4 radiator");
+    let p = post(&job, &Options::default()).unwrap();
+    assert!(p.text.starts_with("(Seamwright"));
+    assert!(p.text.lines().all(|l| l.matches('(').count() <= 1 && !l.starts_with("M4") && !l.starts_with("M3")));
+    assert!(p.machine.axes.iter().all(|a| a.kind == AxisKind::Linear));
+}
