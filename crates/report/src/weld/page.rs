@@ -12,8 +12,10 @@ impl WeldReport {
             false => Block::Findings(self.findings.iter().map(finding).collect()),
         });
         blocks.push(Block::Heading("Seam and torch".to_owned()));
-        blocks
-            .push(figure(plots.seam.to_svg(), "Seam with the torch axis, in the job's frame, first-angle projection."));
+        blocks.push(figure(
+            plots.seam.to_svg(),
+            "Seam with the torch axis asked for, in the job's frame, first-angle projection.",
+        ));
         blocks.push(figure(
             plots.torch.to_svg(),
             "Work angle from the bisector of the faces (positive towards the first part), travel angle, and half the angle between the faces.",
@@ -77,20 +79,25 @@ impl WeldReport {
 
     fn tiles(&self) -> Vec<Tile> {
         let p = &self.plan;
-        let tile = |label: &str, value: f64, unit: &str, note: String| Tile {
+        let tile = |label: &str, value: String, unit: &str, note: String| Tile {
             label: label.to_owned(),
-            value: format_number(value, 4),
+            value,
             unit: unit.to_owned(),
             note,
             ..Tile::default()
         };
         let mut tiles = vec![
-            tile("Weld length", self.seam.weld_length_mm, "mm", format!("seam {} mm", number(self.seam.length_mm))),
-            tile("Weld time", p.weld_s, "s", "travel, rest to rest".to_owned()),
-            tile("Arc-on time", p.arc_on_s, "s", format!("whole cycle {} s", number(p.total_s))),
+            tile(
+                "Weld length",
+                number(self.seam.weld_length_mm),
+                "mm",
+                format!("seam {} mm", number(self.seam.length_mm)),
+            ),
+            tile("Weld time", number(p.weld_s), "s", "travel, rest to rest".to_owned()),
+            tile("Arc-on time", number(p.arc_on_s), "s", format!("whole cycle {} s", number(p.total_s))),
             tile(
                 "Speed, planned",
-                p.least_speed_mm_s,
+                number(p.least_speed_mm_s),
                 "mm/s",
                 format!("asked {}, greatest {}", number(p.asked_speed_mm_s), number(p.greatest_speed_mm_s)),
             ),
@@ -99,23 +106,28 @@ impl WeldReport {
             let speed = &s.tip_speed_mm_s;
             tiles.push(tile(
                 "Path error, simulated",
-                s.path_error_mm.max,
+                small(s.path_error_mm.max),
                 "mm",
                 format!("greatest; RMS {} mm", small(s.path_error_mm.rms)),
             ));
             tiles.push(tile(
                 "Speed ripple, simulated",
-                100.0 * s.speed_ripple,
+                small(100.0 * s.speed_ripple),
                 "%",
                 format!("{} to {} mm/s, RMS {} mm/s", number(speed.min), number(speed.max), small(speed.rms)),
             ));
         }
         tiles.push(Tile {
             severity: (p.attitude_error_deg > 0.5).then_some(Severity::Warning),
-            ..tile("Attitude error", p.attitude_error_deg, "deg", "greatest, of the plan".to_owned())
+            ..tile("Attitude error", format_number(p.attitude_error_deg, 3), "deg", "greatest, of the plan".to_owned())
         });
         if let Some(energy) = p.arc_energy_kj_mm {
-            tiles.push(tile("Arc energy", energy, "kJ/mm", "U I / v, before any efficiency".to_owned()));
+            tiles.push(tile(
+                "Arc energy",
+                format_number(energy, 3),
+                "kJ/mm",
+                "U I / v, before any efficiency".to_owned(),
+            ));
         }
         tiles
     }
