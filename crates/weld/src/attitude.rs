@@ -1,7 +1,7 @@
 use crate::{SeamCurve, SeamPoint};
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
-use seamwright_geometry::CubicSpline;
+use seamwright_geometry::MonotoneCurve;
 use seamwright_program::{Finding, Torch};
 
 /// Largest travel angle, degrees: beyond it the torch lies along the seam.
@@ -10,13 +10,13 @@ const MAX_TRAVEL_DEG: f64 = 75.0;
 /// Torch angles along a weld: work angle as an offset from the bisector, and travel angle (AWS A3.0), rad.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Attitude {
-    work: CubicSpline,
-    travel: CubicSpline,
+    work: MonotoneCurve,
+    travel: MonotoneCurve,
 }
 
 impl Attitude {
     /// The angles that `torch`, at `path` in `file`, gives along `seam`. Between the places where they are given they
-    /// follow a cubic spline, periodic if the seam is welded all round.
+    /// go smoothly from one value to the next and never beyond either, repeating if the seam is welded all round.
     ///
     /// # Errors
     /// With the key's address: angles out of range, places that do not increase or lie outside the weld.
@@ -45,15 +45,15 @@ impl Attitude {
             let message = "angles are given both constant and at several places";
             return Err(file.error_at(path, message, "either the constant angles or [[torch.at]]"));
         }
-        let spline = |value: fn(&(f64, f64, f64)) -> f64| {
+        let curve_of = |value: fn(&(f64, f64, f64)) -> f64| {
             let points: Vec<_> = rows.iter().map(|r| (r.0, value(r).to_radians())).collect();
-            let spline = match seam.all_round() {
-                true => CubicSpline::periodic(&points, seam.length()),
-                false => CubicSpline::level(&points),
+            let curve = match seam.all_round() {
+                true => MonotoneCurve::periodic(&points, seam.length()),
+                false => MonotoneCurve::level(&points),
             };
-            spline.map_err(|e| file.error_at(path, e.to_string(), "places that increase"))
+            curve.map_err(|e| file.error_at(path, e.to_string(), "places that increase"))
         };
-        Ok(Self { work: spline(|r| r.1)?, travel: spline(|r| r.2)? })
+        Ok(Self { work: curve_of(|r| r.1)?, travel: curve_of(|r| r.2)? })
     }
 
     /// Work angle (offset from the bisector) and travel angle at path length `s`, rad.
@@ -69,15 +69,12 @@ impl Attitude {
         travel.cos() * across + travel.sin() * p.tangent
     }
 
-    /// Where a third derivative of the angles may jump, within (0, `end`) mm.
+    /// Where a second derivative of the angles may jump, within (0, `end`) mm, increasing.
     pub(crate) fn knots(&self, end: f64) -> Vec<f64> {
         let knots = self.work.knots();
-        if knots.len() < 2 {
-            return Vec::new();
-        }
-        let period = (knots[knots.len() - 1] - knots[0]).max(f64::MIN_POSITIVE);
-        let repeats = (end / period).ceil() as usize + 1;
-        let all = (0..repeats).flat_map(|k| knots.iter().map(move |x| x + k as f64 * period));
+        let turns = self.work.period().map_or(0, |period| (end / period).ceil() as usize);
+        let period = self.work.period().unwrap_or(0.0);
+        let all = (0..=turns).flat_map(|k| knots.iter().map(move |x| x + k as f64 * period));
         let mut inside: Vec<f64> = all.filter(|x| *x > 1e-6 && *x < end - 1e-6).collect();
         inside.sort_by(f64::total_cmp);
         inside.dedup_by(|a, b| (*a - *b).abs() < 1e-6);

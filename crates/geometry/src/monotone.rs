@@ -1,0 +1,165 @@
+use crate::Error;
+
+/// A smooth curve through values at increasing positions that never leaves the range of two neighbouring values:
+/// cubic pieces with the slopes of Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5, 1984). Either level at its ends and
+/// constant beyond them, or repeating with a period. Continuously differentiable; the second derivative jumps at the
+/// knots.
+///
+/// Used for what an operator gives at a few places along a path: an overshoot between the places would be an angle that
+/// nobody asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MonotoneCurve {
+    x: Vec<f64>,
+    y: Vec<f64>,
+    /// Slopes at the knots.
+    slope: Vec<f64>,
+    period: Option<f64>,
+}
+
+impl MonotoneCurve {
+    /// The curve through `points` (position, value), level at the first and last and constant beyond them.
+    ///
+    /// # Errors
+    /// [`Error::Knots`] if positions do not increase strictly or there is no point.
+    pub fn level(points: &[(f64, f64)]) -> Result<Self, Error> {
+        Self::build(points, None)
+    }
+
+    /// The curve through `points` that repeats every `period`; positions must lie within one period.
+    ///
+    /// # Errors
+    /// As [`MonotoneCurve::level`], and if the points span a period or more.
+    pub fn periodic(points: &[(f64, f64)], period: f64) -> Result<Self, Error> {
+        Self::build(points, Some(period))
+    }
+
+    fn build(points: &[(f64, f64)], period: Option<f64>) -> Result<Self, Error> {
+        if let Some(index) = (1..points.len()).find(|&i| points[i].0 <= points[i - 1].0 || !points[i].0.is_finite()) {
+            return Err(Error::Knots { index });
+        }
+        let (Some(first), Some(last)) = (points.first(), points.last()) else {
+            return Err(Error::Knots { index: 0 });
+        };
+        let mut x: Vec<f64> = points.iter().map(|p| p.0).collect();
+        let mut y: Vec<f64> = points.iter().map(|p| p.1).collect();
+        if let Some(period) = period {
+            if last.0 - first.0 >= period {
+                return Err(Error::Knots { index: points.len() - 1 });
+            }
+            x.push(first.0 + period);
+            y.push(first.1);
+        }
+        let slope = slopes(&x, &y, period.is_some());
+        Ok(Self { x, y, slope, period })
+    }
+
+    /// Positions of the knots between which the curve is one cubic.
+    pub fn knots(&self) -> &[f64] {
+        &self.x
+    }
+
+    /// The period, if the curve repeats.
+    pub fn period(&self) -> Option<f64> {
+        self.period
+    }
+
+    /// Value at `x`.
+    pub fn at(&self, x: f64) -> f64 {
+        let (first, last) = (self.x[0], self.x[self.x.len() - 1]);
+        let x = match self.period {
+            Some(period) => first + (x - first).rem_euclid(period),
+            None => x.clamp(first, last),
+        };
+        if self.x.len() == 1 {
+            return self.y[0];
+        }
+        let i = self.x.partition_point(|k| *k <= x).clamp(1, self.x.len() - 1);
+        let h = self.x[i] - self.x[i - 1];
+        let (a, b) = ((self.x[i] - x) / h, (x - self.x[i - 1]) / h);
+        // Cubic Hermite form.
+        a * a * (1.0 + 2.0 * b) * self.y[i - 1]
+            + b * b * (1.0 + 2.0 * a) * self.y[i]
+            + a * b * h * (a * self.slope[i - 1] - b * self.slope[i])
+    }
+}
+
+/// Slopes at the knots: zero where the values turn, else the weighted harmonic mean of the two sides' slopes.
+fn slopes(x: &[f64], y: &[f64], periodic: bool) -> Vec<f64> {
+    let n = x.len();
+    let piece = |i: usize| (x[i + 1] - x[i], (y[i + 1] - y[i]) / (x[i + 1] - x[i]));
+    let mean = |(h0, s0): (f64, f64), (h1, s1): (f64, f64)| {
+        if s0 * s1 <= 0.0 {
+            return 0.0;
+        }
+        let (w0, w1) = (2.0 * h1 + h0, h1 + 2.0 * h0);
+        (w0 + w1) / (w0 / s0 + w1 / s1)
+    };
+    let mut slopes = vec![0.0; n];
+    for (i, slope) in slopes.iter_mut().enumerate() {
+        if i > 0 && i + 1 < n {
+            *slope = mean(piece(i - 1), piece(i));
+        } else if periodic && n > 1 {
+            *slope = mean(piece(n - 2), piece(0));
+        }
+    }
+    slopes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn derivative(s: &MonotoneCurve, x: f64) -> f64 {
+        (s.at(x + 1e-6) - s.at(x - 1e-6)) / 2e-6
+    }
+
+    proptest! {
+        #[test]
+        fn passes_through_its_points_smoothly_and_never_beyond_them(
+            steps in prop::collection::vec((0.01..50.0f64, -80.0..80.0f64), 1..8), repeats in any::<bool>(),
+        ) {
+            let mut x = 0.0;
+            let points: Vec<(f64, f64)> = steps.iter().map(|(d, y)| { x += d; (x, *y) }).collect();
+            let curve = match repeats {
+                true => MonotoneCurve::periodic(&points, x + 10.0).unwrap(),
+                false => MonotoneCurve::level(&points).unwrap(),
+            };
+            for w in curve.knots().windows(2) {
+                let (l, r) = (curve.at(w[0]), curve.at(w[1]));
+                for k in 0..=20 {
+                    let v = curve.at(w[0] + (w[1] - w[0]) * f64::from(k) / 20.0);
+                    prop_assert!(v >= l.min(r) - 1e-9 && v <= l.max(r) + 1e-9);
+                }
+            }
+            for (i, (x, y)) in points.iter().enumerate() {
+                prop_assert!((curve.at(*x) - y).abs() < 1e-9);
+                let (l, r) = (derivative(&curve, x - 2e-6), derivative(&curve, x + 2e-6));
+                prop_assert!((l - r).abs() < 1e-2 * (1.0 + l.abs()) * 200.0 / steps.iter().map(|s| s.0).fold(1.0, f64::min), "{} {} {}", i, l, r);
+            }
+        }
+    }
+
+    #[test]
+    fn one_point_is_a_constant_and_two_are_the_cubic_step() {
+        assert!((MonotoneCurve::level(&[(3.0, 7.0)]).unwrap().at(100.0) - 7.0).abs() < 1e-15);
+        assert!((MonotoneCurve::periodic(&[(3.0, 7.0)], 10.0).unwrap().at(100.0) - 7.0).abs() < 1e-15);
+        let s = MonotoneCurve::level(&[(0.0, 0.0), (2.0, 1.0)]).unwrap();
+        let x: f64 = 0.3;
+        assert!((s.at(2.0 * x) - (3.0 * x * x - 2.0 * x * x * x)).abs() < 1e-15);
+        assert!((s.at(-5.0)).abs() < 1e-15 && (s.at(9.0) - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_straight_row_stays_straight_inside() {
+        let s = MonotoneCurve::level(&[(0.0, 0.0), (1.0, 2.0), (3.0, 6.0), (4.0, 8.0)]).unwrap();
+        assert!((s.at(2.2) - 4.4).abs() < 1e-14);
+    }
+
+    #[test]
+    fn bad_positions_are_refused() {
+        assert_eq!(MonotoneCurve::level(&[(0.0, 1.0), (0.0, 2.0)]), Err(Error::Knots { index: 1 }));
+        assert_eq!(MonotoneCurve::level(&[]), Err(Error::Knots { index: 0 }));
+        assert!(MonotoneCurve::periodic(&[(0.0, 1.0), (10.0, 2.0)], 10.0).is_err());
+    }
+}
