@@ -42,6 +42,14 @@ impl Drives {
     }
 }
 
+/// Checks that every drive of the machine file makes a drive.
+///
+/// # Errors
+/// [`Error::Drive`] with the first axis whose values do not.
+pub fn check_drives(machine: &Machine) -> Result<(), Error> {
+    Drives::new(machine, 0).map(drop)
+}
+
 /// A drive for an axis whose file describes none: unit inertia, three times the acceleration it needs, 5 % friction.
 fn assumed(axis: &Axis) -> Drive {
     let per_metre = if axis.kind == AxisKind::Linear { 1e-3 } else { 1.0 };

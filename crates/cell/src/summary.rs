@@ -1,6 +1,7 @@
 use crate::Sample;
 use seamwright_machine::{Joints, Machine};
 use seamwright_motion::PassMotion;
+use seamwright_program::{Finding, Tolerance};
 use serde::Serialize;
 
 /// How long after the run-up (s) the drives are given to settle before the steady speed is judged.
@@ -84,15 +85,59 @@ pub struct Summary {
     pub arc_on_s: f64,
     /// Distance of the true tip from the seam, normal to it, while it travels.
     pub path_error_mm: Extremes,
+    /// Path length where that is greatest, mm.
+    pub path_error_at_mm: f64,
     /// Speed of the true tip along the seam from half a second after run-up to the run-down; `rms` is that of the
     /// deviation from the asked speed.
     pub tip_speed_mm_s: Extremes,
     /// Greatest deviation of that speed from the asked one, as a part of it.
     pub speed_ripple: f64,
+    /// Path length of that deviation, mm.
+    pub speed_ripple_at_mm: f64,
     /// Angle between true and asked torch direction while it travels, degrees.
     pub attitude_error_deg: Extremes,
     /// Each axis, in machine-file order.
     pub axes: Vec<AxisSummary>,
+}
+
+/// Of two values with their places the greater.
+fn greater(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    if b.0 > a.0 { b } else { a }
+}
+
+impl Summary {
+    /// Where the simulated weld strays beyond the tolerance, and drives at the end of their strength.
+    pub fn findings(&self, tolerance: &Tolerance, pass: usize) -> Vec<Finding> {
+        let finding = |kind, message, at, cure: &str, allowed| Finding {
+            kind,
+            message,
+            pass,
+            from_mm: at,
+            to_mm: at,
+            cure: cure.to_owned(),
+            allowed,
+        };
+        let mut findings = Vec::new();
+        let (path, limit) = (self.path_error_mm.max, tolerance.path_mm.get());
+        if path > limit {
+            let message = format!("the simulated torch tip strays {path:.3} mm from the seam; {limit} mm is allowed");
+            let cure = "look at the following errors: tune the position loops, or weld slower";
+            findings.push(finding("path", message, self.path_error_at_mm, cure, false));
+        }
+        let (ripple, limit) = (100.0 * self.speed_ripple, tolerance.speed_percent.get());
+        if ripple > limit {
+            let message =
+                format!("the simulated tip's speed deviates {ripple:.1} % from the planned one; {limit} % is allowed");
+            let cure = "finer encoders, softer position loops, less friction, or a higher speed";
+            findings.push(finding("ripple", message, self.speed_ripple_at_mm, cure, false));
+        }
+        for axis in self.axes.iter().filter(|a| a.current > 0.999) {
+            let message = format!("the drive of axis {} reaches its current limit", axis.axis);
+            let cure = "a stronger drive, or a lower max_acceleration in the machine file";
+            findings.push(finding("drive", message, 0.0, cure, true));
+        }
+        findings
+    }
 }
 
 /// Accumulates a [`Summary`] sample by sample.
@@ -101,7 +146,10 @@ pub(crate) struct Tally {
     path_error: Gather,
     tip_speed: Gather,
     deviation: Gather,
-    ripple: f64,
+    /// Greatest deviation of the speed and where.
+    ripple: (f64, f64),
+    /// Greatest path error and where.
+    worst: (f64, f64),
     attitude: Gather,
     position: Vec<Gather>,
     speed: Vec<f64>,
@@ -120,7 +168,8 @@ impl Tally {
             path_error: Gather::new(),
             tip_speed: Gather::new(),
             deviation: Gather::new(),
-            ripple: 0.0,
+            ripple: (0.0, 0.0),
+            worst: (0.0, 0.0),
             attitude: Gather::new(),
             position: vec![Gather::new(); axes],
             speed: vec![0.0; axes],
@@ -134,13 +183,15 @@ impl Tally {
     pub(crate) fn add(&mut self, sample: &Sample, rates: &(Joints, Joints)) {
         if sample.travels() {
             self.path_error.add(sample.path_error);
+            self.worst = greater(self.worst, (sample.path_error, sample.set.law.s));
             self.attitude.add(sample.attitude_error.to_degrees());
         }
         if sample.set.t > self.steady.0 && sample.set.t < self.steady.1 {
             let asked = sample.set.law.v;
             self.tip_speed.add(sample.tip_speed);
             self.deviation.add(sample.tip_speed - asked);
-            self.ripple = self.ripple.max((sample.tip_speed - asked).abs() / asked);
+            let deviation = (sample.tip_speed - asked).abs() / asked;
+            self.ripple = greater(self.ripple, (deviation, sample.set.law.s));
         }
         for i in 0..self.position.len() {
             self.position[i].add(sample.q[i]);
@@ -177,8 +228,10 @@ impl Tally {
             weld_s: motion.law.duration(),
             arc_on_s: motion.arc_on_s(),
             path_error_mm: self.path_error.finish(),
+            path_error_at_mm: self.worst.1,
             tip_speed_mm_s: Extremes { rms: self.deviation.finish().rms, ..speed },
-            speed_ripple: self.ripple,
+            speed_ripple: self.ripple.0,
+            speed_ripple_at_mm: self.ripple.1,
             attitude_error_deg: self.attitude.finish(),
             axes: axes.collect(),
         }

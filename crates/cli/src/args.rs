@@ -45,7 +45,10 @@ pub(crate) enum Verb {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "Example: seamwright seam examples/saddle.toml --phi-deg 0,45,90")]
+#[command(
+    allow_negative_numbers = true,
+    after_help = "Example: seamwright seam examples/saddle.toml --phi-deg 0,45,90"
+)]
 pub(crate) struct SeamArgs {
     /// Job or program file
     pub(crate) job: PathBuf,
@@ -64,7 +67,7 @@ pub(crate) struct SeamArgs {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "Example: seamwright plan examples/saddle.toml -o out/saddle")]
+#[command(allow_negative_numbers = true, after_help = "Example: seamwright plan examples/saddle.toml -o out/saddle")]
 pub(crate) struct PlanArgs {
     /// Job or program file
     pub(crate) job: PathBuf,
@@ -77,7 +80,7 @@ pub(crate) struct PlanArgs {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "Example: seamwright check examples/saddle.toml")]
+#[command(allow_negative_numbers = true, after_help = "Example: seamwright check examples/saddle.toml")]
 pub(crate) struct CheckArgs {
     /// Job or program file
     pub(crate) job: PathBuf,
@@ -87,7 +90,10 @@ pub(crate) struct CheckArgs {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "Example: seamwright motion examples/ellipse.toml --period-ms 10 > set-points.csv")]
+#[command(
+    allow_negative_numbers = true,
+    after_help = "Example: seamwright motion examples/ellipse.toml --period-ms 10 > set-points.csv"
+)]
 pub(crate) struct MotionArgs {
     /// Job or program file
     pub(crate) job: PathBuf,
@@ -100,7 +106,10 @@ pub(crate) struct MotionArgs {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "Example: seamwright simulate examples/saddle.toml -o out/saddle --seed 7")]
+#[command(
+    allow_negative_numbers = true,
+    after_help = "Example: seamwright simulate examples/saddle.toml -o out/saddle --seed 7"
+)]
 pub(crate) struct SimulateArgs {
     /// Job or program file
     pub(crate) job: PathBuf,
@@ -130,7 +139,10 @@ pub(crate) enum LevelArg {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "Example: seamwright post examples/saddle.toml --dialect linuxcnc > saddle.ngc")]
+#[command(
+    allow_negative_numbers = true,
+    after_help = "Example: seamwright post examples/saddle.toml --dialect linuxcnc > saddle.ngc"
+)]
 pub(crate) struct PostArgs {
     /// Program or job file
     pub(crate) job: PathBuf,
@@ -152,11 +164,14 @@ pub(crate) struct PostArgs {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(
+    allow_negative_numbers = true,
+    after_help = "Examples:
   echo 'x,y,z,a,c
 7.1077,33.3687,32.0754,8,60' | seamwright kinematics table-tilting-xyzac --forward
   echo 'x_mm,y_mm,z_mm,ax,ay,az
-10,5,0,0,0,-1' | seamwright kinematics ellipse-xy --inverse")]
+10,5,0,0,0,-1' | seamwright kinematics ellipse-xy --inverse"
+)]
 pub(crate) struct KinematicsArgs {
     /// Machine that ships, or a machine file
     pub(crate) machine: String,
@@ -217,11 +232,14 @@ pub(crate) enum RuleArg {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(
+    allow_negative_numbers = true,
+    after_help = "Examples:
   seamwright interpolate --curve ellipse --method exact --step chord > points.csv
   seamwright interpolate --curve ellipse --method all --summary --svg ellipse.svg
 The defaults are the papers' examples: the ellipse of ELLIPSE-2015 (20 x 16 mm, from (0, 16) clockwise to (20, 0), 5 mm/s,
-10 ms) and the saddle of SADDLE-2020 (250 on 800 mm, 10 mm/s, 20 ms).")]
+10 ms) and the saddle of SADDLE-2020 (250 on 800 mm, 10 mm/s, 20 ms)."
+)]
 pub(crate) struct InterpolateArgs {
     #[arg(long, value_enum)]
     pub(crate) curve: CurveArg,
@@ -284,11 +302,15 @@ pub(crate) struct InterpolateArgs {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  seamwright examples
+  seamwright examples saddle > my.toml
+  seamwright machines torch-5axis > machine.toml")]
 pub(crate) struct ListArgs {
     /// Print this one's file instead of the list
     pub(crate) name: Option<String>,
     /// JSON instead of a table
-    #[arg(long)]
+    #[arg(long, conflicts_with = "name")]
     pub(crate) json: bool,
 }
 
@@ -300,7 +322,7 @@ pub(crate) enum Format {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "Example: seamwright schema job > job.schema.json")]
+#[command(allow_negative_numbers = true, after_help = "Example: seamwright schema job > job.schema.json")]
 pub(crate) struct SchemaArgs {
     /// Which file format
     #[arg(value_enum)]

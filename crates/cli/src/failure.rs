@@ -46,7 +46,8 @@ impl Failure {
 pub(crate) fn write_findings(out: &mut impl Write, findings: &[Finding]) -> io::Result<()> {
     let forbidding = findings.iter().filter(|f| !f.allowed).count();
     match forbidding {
-        0 => writeln!(out, "the weld can be made as asked")?,
+        0 if findings.is_empty() => writeln!(out, "the weld can be made as asked")?,
+        0 => writeln!(out, "the weld can be made, with remarks")?,
         1 => writeln!(out, "the weld cannot be made as asked: 1 finding")?,
         n => writeln!(out, "the weld cannot be made as asked: {n} findings")?,
     }
@@ -73,7 +74,11 @@ impl From<DocumentError> for Failure {
 
 impl From<io::Error> for Failure {
     fn from(e: io::Error) -> Self {
-        if e.kind() == io::ErrorKind::BrokenPipe { Self::ReaderGone } else { Self::Environment(e.to_string()) }
+        match e.kind() {
+            io::ErrorKind::BrokenPipe => Self::ReaderGone,
+            io::ErrorKind::InvalidData => Self::Input(format!("standard input: {e}")),
+            _ => Self::Environment(e.to_string()),
+        }
     }
 }
 

@@ -33,10 +33,16 @@ fn keep(file: NamedTempFile, path: &Path) -> Result<(), Failure> {
 }
 
 fn not_writable(path: &Path, e: &std::io::Error) -> Failure {
-    Failure::Input(format!(
-        "{}: cannot be written: {e}\n   allowed: a folder or file that you may write",
-        path.display()
-    ))
+    // The error's own text names our temporary file.
+    let why = match e.kind() {
+        std::io::ErrorKind::NotFound => "there is no such folder".to_owned(),
+        std::io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
+        std::io::ErrorKind::NotADirectory | std::io::ErrorKind::AlreadyExists => "it is not a folder".to_owned(),
+        std::io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
+        kind => kind.to_string(),
+    };
+    let allowed = "a folder or file that you may write";
+    Failure::Input(format!("{}: cannot be written: {why}\n   allowed: {allowed}", path.display()))
 }
 
 /// A folder that results go to, all at once when everything has been made.
@@ -73,6 +79,9 @@ impl Output {
 
     /// Gives every file its name; the paths written.
     pub(crate) fn finish(self) -> Result<Vec<PathBuf>, Failure> {
+        if let Some((_, path)) = self.files.iter().find(|(_, path)| path.is_dir()) {
+            return Err(not_writable(path, &std::io::ErrorKind::IsADirectory.into()));
+        }
         let mut paths = Vec::new();
         for (file, path) in self.files {
             keep(file, &path)?;

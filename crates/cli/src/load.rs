@@ -2,16 +2,20 @@
 
 use crate::failure::Failure;
 use crate::files;
-use seamwright_machine::{Machine, SHIPPED, shipped};
+use seamwright_cell::{Error, check_drives};
+use seamwright_document::Document;
+use seamwright_machine::{Machine, MachineFile, SHIPPED, shipped};
 use seamwright_motion::PassMotion;
 use seamwright_program::Finding;
 use seamwright_weld::Welding;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A job or program with its machine.
 pub(crate) struct Loaded {
     pub(crate) welding: Welding,
     pub(crate) machine: Machine,
+    /// The machine file, if it is not one that ships.
+    pub(crate) machine_file: Option<PathBuf>,
 }
 
 /// Reads a job or program file and its machine.
@@ -27,10 +31,12 @@ pub(crate) fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded,
         Some(machine) => machine,
         None => {
             let allowed = format!("{}, or the path of a machine file", names());
-            return Err(welding.program.error_at("machine", "there is no such machine", allowed).into());
+            let message = format!("there is no such machine, and no file {}", folder.join(wanted).display());
+            return Err(welding.program.error_at("machine", message, allowed).into());
         }
     };
-    Ok(Loaded { welding, machine })
+    let machine_file = shipped(wanted).is_none().then(|| folder.join(wanted));
+    Ok(Loaded { welding, machine, machine_file })
 }
 
 fn names() -> String {
@@ -40,13 +46,23 @@ fn names() -> String {
 /// The machine called `name`, or in the file `name` from `folder`; none if there is neither.
 fn machine_from(name: &str, folder: &Path) -> Result<Option<Machine>, Failure> {
     if let Some(shipped) = shipped(name) {
-        return Ok(Some(Machine::read(shipped.name, shipped.text)?));
+        return checked(shipped.name, shipped.text).map(Some);
     }
     let path = folder.join(name);
     if !path.is_file() {
         return Ok(None);
     }
-    Ok(Some(Machine::read(&path.display().to_string(), &files::read(&path)?)?))
+    checked(&path.display().to_string(), &files::read(&path)?).map(Some)
+}
+
+/// A machine file with its drives checked too, so that no later step is the first to stumble over them.
+fn checked(file: &str, text: &str) -> Result<Machine, Failure> {
+    let machine = Machine::read(file, text)?;
+    if let Err(Error::Drive { axis, reason }) = check_drives(&machine) {
+        let document = Document::<MachineFile>::read(file, text)?;
+        return Err(document.error_at(&format!("drives.{axis}"), reason, "").into());
+    }
+    Ok(machine)
 }
 
 /// The machine that a command line names.

@@ -48,6 +48,8 @@ impl Rows {
                     self.out.write_all(b",")?;
                 }
                 match cell {
+                    // Rounding left over from a zero, without thirty decimals.
+                    Cell::Number(v) if *v != 0.0 && v.abs() < 1e-5 => write!(self.out, "{v:e}")?,
                     // `+ 0.0` turns a negative zero into zero.
                     Cell::Number(v) => write!(self.out, "{}", v + 0.0)?,
                     Cell::Count(n) => write!(self.out, "{n}")?,

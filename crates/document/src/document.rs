@@ -100,8 +100,23 @@ fn explain(file: &str, text: &str, error: &toml::de::Error) -> DocumentError {
             e.help = Some("begin the file with: schema = 1".to_owned());
         }
     } else {
-        e.message = what.replace("floating point ", "the number ").replace('`', "");
-        e.allowed = Some(expected.replace("f64", "a number").replace("struct ", "a table ")).filter(|a| !a.is_empty());
+        e.message = what.replace("floating point ", "").replace("integer ", "").replace('`', "");
+        if what.contains("wanted exactly 1 element") {
+            e.message = "several are given".to_owned();
+            e.value = String::new();
+            e.allowed = Some("exactly one of them".to_owned());
+            return e;
+        }
+        if what.contains("string values must be quoted") {
+            e.help = Some("a number stands alone: its unit is in the key".to_owned());
+        }
+        e.allowed = Some(
+            expected
+                .replace("f64", "a number")
+                .replace("u8", "a whole number from 0 to 255")
+                .replace("struct ", "a table "),
+        )
+        .filter(|a| !a.is_empty());
     }
     e
 }

@@ -87,6 +87,13 @@ number!(
     Finite, "a finite number", |_| true, { "type": "number" }
 );
 
+impl Positive {
+    /// One half.
+    pub const HALF: Self = Self(0.5);
+    /// Ten.
+    pub const TEN: Self = Self(10.0);
+}
+
 impl Default for Finite {
     fn default() -> Self {
         Self(0.0)

@@ -6,6 +6,7 @@ use crate::{Axis, AxisKind, Drive, DriveFile, Gains, Load, Machine, MachineFile,
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_geometry::Pose;
+use std::collections::BTreeMap;
 
 type File = Document<MachineFile>;
 
@@ -43,6 +44,7 @@ pub(crate) fn machine(file: &File) -> Result<Machine, DocumentError> {
             axis.drive = Some(self::drive(file, axis, drive)?);
         }
     }
+    check_io(file)?;
     let chain = chain(m, &axes);
     Ok(Machine {
         name: m.name.clone(),
@@ -54,6 +56,26 @@ pub(crate) fn machine(file: &File) -> Result<Machine, DocumentError> {
         axes,
     })
 }
+
+/// No two things on one output: the arc would strike with the gas.
+fn check_io(file: &File) -> Result<(), DocumentError> {
+    let io = &file.value.io;
+    if io.arc.is_some() && io.arc == io.gas {
+        return Err(file.error_at("io.gas", "the arc has this output already", "an output of its own"));
+    }
+    let mut taken = BTreeMap::new();
+    for (name, output) in &io.analog {
+        if let Some(other) = taken.insert(output, name) {
+            let message = format!("`{other}` has this output already");
+            return Err(file.error_at(&format!("io.analog.{name}"), message, "an output of its own"));
+        }
+    }
+    Ok(())
+}
+
+/// Names of other columns, which no axis and no process value may have.
+const RESERVED: [&str; 8] =
+    ["t_s", "pass", "s_mm", "speed_mm_s", "arc", "error", "attitude_error_deg", "path_error_mm"];
 
 /// The axis of a step, or none if the step is fixed.
 fn axis(file: &File, path: &str, step: &StepFile) -> Result<Option<Axis>, DocumentError> {
@@ -80,6 +102,9 @@ fn axis(file: &File, path: &str, step: &StepFile) -> Result<Option<Axis>, Docume
     if name.is_empty() || !name.chars().all(plain) {
         return Err(file.error_at(&at("axis"), "the name cannot be a column", "lower-case letters, digits and _"));
     }
+    if RESERVED.contains(&name.as_str()) {
+        return Err(file.error_at(&at("axis"), "another column has this name", "a name of its own"));
+    }
     let kind = match (&step.turn, &step.direction) {
         (Some(_), None) => AxisKind::Rotary,
         (None, Some(_)) => AxisKind::Linear,
@@ -103,7 +128,9 @@ fn axis(file: &File, path: &str, step: &StepFile) -> Result<Option<Axis>, Docume
     };
     let max_speed = limit("max_speed", "_s", step.max_speed_mm_s, step.max_speed_deg_s)?;
     let max_acceleration = limit("max_acceleration", "_s2", step.max_acceleration_mm_s2, step.max_acceleration_deg_s2)?;
-    let max_jerk = limit("max_jerk", "_s3", step.max_jerk_mm_s3, step.max_jerk_deg_s3)?;
+    let jerk = unit_value(file, path, kind, ("max_jerk", "_s3"), step.max_jerk_mm_s3, step.max_jerk_deg_s3)?;
+    // Not used yet: without it an axis has no jerk limit.
+    let max_jerk = jerk.map_or(f64::INFINITY, Positive::get);
     let mut axis = Axis {
         name: name.clone(),
         letter: None,

@@ -26,7 +26,7 @@ pub struct Axis {
     pub max_speed: f64,
     /// Highest acceleration.
     pub max_acceleration: f64,
-    /// Highest jerk.
+    /// Highest jerk, infinite if not given.
     pub max_jerk: f64,
     /// Drive for the simulation, if the file describes one.
     pub drive: Option<Drive>,

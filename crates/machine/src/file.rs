@@ -77,9 +77,9 @@ pub struct StepFile {
     pub max_acceleration_mm_s2: Option<Positive>,
     /// Highest acceleration, deg/s^2.
     pub max_acceleration_deg_s2: Option<Positive>,
-    /// Highest jerk, mm/s^3.
+    /// Highest jerk, mm/s^3; read, but not used yet.
     pub max_jerk_mm_s3: Option<Positive>,
-    /// Highest jerk, deg/s^3.
+    /// Highest jerk, deg/s^3; read, but not used yet.
     pub max_jerk_deg_s3: Option<Positive>,
 }
 

@@ -52,9 +52,11 @@ pub(crate) fn speed_findings(
 ) -> Vec<Finding> {
     let places = 4000;
     let mut runs = Runs::default();
+    let mut everywhere = f64::INFINITY;
     for i in 0..=places {
         let s = path.length() * f64::from(i) / f64::from(places);
         let (v, bound) = steady_speed(machine, path, s, false);
+        everywhere = everywhere.min(v);
         let too_slow = (v < asked(s) * (1.0 - 1e-9)).then(|| {
             let axis = &machine.axes[bound.axis];
             let what = if bound.acceleration { "acceleration" } else { "speed" };
@@ -77,10 +79,13 @@ pub(crate) fn speed_findings(
         from_mm: run.from,
         to_mm: run.to,
         cure: match on_limit {
-            OnLimit::Refuse => "ask for the lower speed, or set weld.on_limit = \"slow\" to slow down there",
-            OnLimit::Slow => "none needed: the weld slows down there, as asked",
-        }
-        .to_owned(),
+            OnLimit::Refuse => format!(
+                "ask for {:.3} mm/s, which every axis can keep everywhere, or set weld.on_limit = \"slow\" to slow down there",
+                // Rounded down, so that the number printed can be asked for.
+                (everywhere * 1e3).floor() * 1e-3
+            ),
+            OnLimit::Slow => "none needed: the weld slows down there, as asked".to_owned(),
+        },
         allowed: on_limit == OnLimit::Slow,
     })
 }
@@ -98,7 +103,7 @@ pub(crate) struct Run {
     pub(crate) to: f64,
     pub(crate) message: String,
     key: usize,
-    worst: f64,
+    pub(crate) worst: f64,
 }
 
 impl Runs {

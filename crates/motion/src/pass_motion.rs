@@ -27,7 +27,7 @@ impl PassMotion {
     /// Every finding that stands against it: out of reach, out of an axis' range, too fast for an axis (if the pass
     /// refuses to slow down), not smooth.
     pub fn plan(machine: &Machine, path: &dyn TorchPath, pass: &Pass, number: usize) -> Result<Self, Vec<Finding>> {
-        let survey = survey(machine, path, number)?;
+        let survey = survey(machine, path, &pass.tolerance, number)?;
         let mut findings = survey.findings;
         let joints = match JointPath::new(machine, path, &survey.start) {
             Ok(joints) => joints,

@@ -1,8 +1,8 @@
 //! Before the motion is made: which branch and which turn to start on, and everything that stands against the path.
 
 use crate::limits::Runs;
-use seamwright_machine::{Joints, Machine};
-use seamwright_program::{Finding, TorchPath};
+use seamwright_machine::{AxisKind, Joints, Machine};
+use seamwright_program::{Finding, Tolerance, TorchPath};
 use std::f64::consts::TAU;
 
 /// Places along the path that are looked at.
@@ -22,7 +22,12 @@ pub(crate) struct Survey {
 }
 
 /// Walks the path on every branch and returns the one that fits best.
-pub(crate) fn survey(machine: &Machine, path: &dyn TorchPath, pass: usize) -> Result<Survey, Vec<Finding>> {
+pub(crate) fn survey(
+    machine: &Machine,
+    path: &dyn TorchPath,
+    tolerance: &Tolerance,
+    pass: usize,
+) -> Result<Survey, Vec<Finding>> {
     let places: Vec<f64> = (0..=PLACES).map(|i| path.length() * i as f64 / PLACES as f64).collect();
     let unreachable = unreachable(machine, path, &places, pass);
     if !unreachable.is_empty() {
@@ -34,7 +39,8 @@ pub(crate) fn survey(machine: &Machine, path: &dyn TorchPath, pass: usize) -> Re
     let Ok(branches) = machine.inverse(&path.pose(0.0), &later) else { return Err(Vec::new()) };
     let mut best: Option<(f64, Survey)> = None;
     for branch in branches.iter() {
-        let walk = walk(machine, path, &places, branch.joints, pass);
+        let mut walk = walk(machine, path, &places, branch.joints, pass);
+        walk.findings.extend(attitude_finding(machine, &walk, tolerance, pass));
         let cost = cost(machine, &walk);
         if best.as_ref().is_none_or(|(least, _)| cost < *least) {
             best = Some((cost, walk));
@@ -81,30 +87,35 @@ fn walk(machine: &Machine, path: &dyn TorchPath, places: &[f64], start: Joints, 
     for row in &mut rows {
         row.iter_mut().zip(&shift).for_each(|(q, d)| *q += d);
     }
-    let mut findings = range_findings(machine, places, &rows, pass);
-    if attitude_error.0 > ATTITUDE_WORTH_SAYING {
-        findings.push(Finding {
-            kind: "attitude",
-            message: format!(
-                "{} has too few axes for the whole torch attitude: it is up to {:.2} degrees off the one asked for",
-                machine.name,
-                attitude_error.0.to_degrees()
-            ),
-            pass,
-            from_mm: attitude_error.1,
-            to_mm: attitude_error.1,
-            cure: "accept it, change the work angle, or use a machine with one more rotary axis".to_owned(),
-            allowed: true,
-        });
-    }
+    let findings = range_findings(machine, places, &rows, pass);
     Survey { start: rows[0], attitude_error, findings }
+}
+
+/// What is to be said of a machine with too few axes for the torch's direction.
+fn attitude_finding(machine: &Machine, walk: &Survey, tolerance: &Tolerance, pass: usize) -> Option<Finding> {
+    let (error, at) = walk.attitude_error;
+    let allowed = error.to_degrees() <= tolerance.attitude_deg.get();
+    (error > ATTITUDE_WORTH_SAYING).then(|| Finding {
+        kind: "attitude",
+        message: format!(
+            "{} has too few axes for the whole torch attitude: it is up to {:.2} degrees off the one asked for (tolerance {} degrees)",
+            machine.name,
+            error.to_degrees(),
+            tolerance.attitude_deg.get()
+        ),
+        pass,
+        from_mm: at,
+        to_mm: at,
+        cure: "change the torch angles, use a machine with one more rotary axis, or allow more with tolerance.attitude_deg".to_owned(),
+        allowed,
+    })
 }
 
 /// Whole turns to add to each rotary axis so that its positions lie in its range, as near to home as possible.
 fn turns_into_range(machine: &Machine, rows: &[Joints]) -> Joints {
     let mut shift = Joints::default();
     for (i, axis) in machine.axes.iter().enumerate() {
-        if axis.kind == seamwright_machine::AxisKind::Linear {
+        if axis.kind == AxisKind::Linear {
             continue;
         }
         let (low, high) = extremes(rows, i);
@@ -147,10 +158,16 @@ fn range_findings(machine: &Machine, places: &[f64], rows: &[Joints], pass: usiz
             pass,
             from_mm: run.from,
             to_mm: run.to,
-            cure: format!(
-                "move the work (placement) or start the weld elsewhere so that {} stays in its range",
-                axis.name
-            ),
+            cure: match axis.kind {
+                AxisKind::Linear => format!(
+                    "move the work (placement) so that axis {} has {:.3} mm more room",
+                    axis.name, run.worst
+                ),
+                AxisKind::Rotary => format!(
+                    "start the weld elsewhere, turn the work (placement) or change the torch angles so that axis {} stays in its range",
+                    axis.name
+                ),
+            },
             allowed: false,
         }));
     }

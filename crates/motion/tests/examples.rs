@@ -162,7 +162,10 @@ fn out_of_range_and_out_of_reach_say_where() {
 #[test]
 fn missing_freedoms_are_reported_not_hidden() {
     let tilted = EXAMPLES[2].1.replace("joint = \"butt\"", "joint = \"fillet\"");
-    let case = Case::new("ellipse", &tilted);
+    let findings = Case::new("ellipse", &tilted).motion().unwrap_err();
+    assert!(findings.iter().any(|f| f.kind == "attitude" && !f.allowed));
+    let accepted = tilted.replace("[weld]\n", "[tolerance]\nattitude_deg = 46\n[weld]\n");
+    let case = Case::new("ellipse", &accepted);
     let motion = case.motion().unwrap();
     assert!((motion.attitude_error.0 - 45f64.to_radians()).abs() < 1e-9);
     assert!(motion.findings.iter().any(|f| f.kind == "attitude" && f.allowed && f.message.contains("45.00")));

@@ -80,7 +80,7 @@ pub fn linearise(
         while here.s < end {
             let next = cutter.farthest(&here, end, length);
             if next - here.s < SHORTEST_MM && next < end {
-                return Err(Error::TooFine { tolerance_mm, s: here.s });
+                return Err(Error::TooFine { s: here.s });
             }
             let block = cutter.end_at(next, here.s);
             cut.chord_error_mm = cut.chord_error_mm.max(cutter.chord_error(&here, &block).0);

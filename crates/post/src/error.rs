@@ -30,13 +30,21 @@ pub enum Error {
         "tip-level blocks need a machine with axes X, Y and Z, and kinematics to match in the control; use joint level"
     )]
     NoTip,
-    /// The tolerance cannot be kept.
+    /// The torch cannot stand back as far as asked.
     #[error(
-        "a chord tolerance of {tolerance_mm} mm needs blocks too short for the control near s = {s:.3} mm: allow more"
+        "the torch cannot stand back {retract_mm} mm from s = {s:.3} mm: axis {axis} would pass its limit; ask for less"
     )]
+    Retract {
+        /// Distance asked for, mm.
+        retract_mm: f64,
+        /// Path length of the end of the weld, mm.
+        s: f64,
+        /// Name of the axis.
+        axis: String,
+    },
+    /// The tolerance cannot be kept.
+    #[error("the tolerance needs blocks too short for the control near s = {s:.3} mm: allow more")]
     TooFine {
-        /// Tolerance asked for, mm.
-        tolerance_mm: f64,
         /// Where, mm.
         s: f64,
     },

@@ -29,6 +29,8 @@ impl Default for Options {
 const DECIMALS: usize = 6;
 /// Turns smaller than this (rad) are lost in the words' decimals.
 const TURN: f64 = 1e-7;
+/// Part of the tolerance that is left to the control for rounding corners (G64 P).
+const ROUNDING: f64 = 0.1;
 /// Feed of the approach from where the torch stands back to the start of the weld, mm/min.
 const APPROACH_MM_MIN: f64 = 600.0;
 
@@ -49,15 +51,16 @@ pub fn linuxcnc(
     let pass = &program.passes[0];
     let letters = letters(machine, options.level)?;
     let breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
-    // What negligible linear motion leaves to the next block counts against the tolerance too.
-    let tolerance = options.tolerance_mm - negligible_mm(options.tolerance_mm);
+    // Rounding of corners by the control, and linear motion left to the next block, count against the tolerance too.
+    let tolerance = (1.0 - ROUNDING) * options.tolerance_mm - negligible_mm(options.tolerance_mm);
     let cut = linearise(machine, path, motion, &breaks, options.level, tolerance)?;
     let mut writer = Writer { out: String::new(), machine, options, letters };
     writer.header(program, motion, &cut);
-    let retracted = writer.stood_back(path, motion);
-    writer.start(&cut.start, retracted.as_ref(), motion, &pass.spans[0]);
+    let before = writer.back_from(path, motion, 0.0)?;
+    let after = writer.back_from(path, motion, path.length())?;
+    writer.start(&cut.start, before.as_ref(), motion, &pass.spans[0]);
     writer.weld(&cut, &pass.spans);
-    writer.end(&cut, path, motion);
+    writer.end(after.as_ref(), motion, &pass.spans[0]);
     Ok(writer.out)
 }
 
@@ -132,8 +135,7 @@ impl Writer<'_> {
         ));
         self.comment("work offsets and tool offsets must be zero");
         self.line("G21 G17 G90 G40 G49 G80 G94");
-        // Let the control round corners only within the tolerance that the blocks themselves keep.
-        let tolerance = fixed(self.options.tolerance_mm, DECIMALS);
+        let tolerance = significant(ROUNDING * self.options.tolerance_mm, 3);
         self.line(&format!("G64 P{tolerance} Q0"));
     }
 
@@ -154,32 +156,34 @@ impl Writer<'_> {
         texts.join(" ")
     }
 
-    /// Where the torch stands back from path length `s` along its own axis, if the machine can go there.
-    fn back_from(&self, path: &dyn TorchPath, motion: &PassMotion, s: f64) -> Option<Block> {
+    /// Where the torch stands back from path length `s` along its own axis; none on a machine whose axes cannot move it
+    /// that way at all.
+    fn back_from(&self, path: &dyn TorchPath, motion: &PassMotion, s: f64) -> Result<Option<Block>, Error> {
         let q = motion.path.at(s);
         // The direction that the axes reach, so that a machine with few axes can do it too.
         let pose = Pose { point: path.pose(s).point, direction: self.machine.forward(&q).direction };
         let back = Pose { point: pose.point - self.options.retract_mm * pose.direction, ..pose };
-        let there = self.machine.inverse_near(&back, &q).ok()?.joints;
-        let fits = self.machine.outside(&there).is_none();
-        let tip: DVec3 = self.machine.forward(&there).point;
-        fits.then_some(Block { s, q: there, tip, duration: 0.0 })
-    }
-
-    fn stood_back(&self, path: &dyn TorchPath, motion: &PassMotion) -> Option<Block> {
-        self.back_from(path, motion, 0.0)
+        let Ok(there) = self.machine.inverse_near(&back, &q) else { return Ok(None) };
+        if let Some(out) = self.machine.outside(&there.joints) {
+            let axis = self.machine.axes[out.axis].name.clone();
+            return Err(Error::Retract { retract_mm: self.options.retract_mm, s, axis });
+        }
+        let tip: DVec3 = self.machine.forward(&there.joints).point;
+        Ok(Some(Block { s, q: there.joints, tip, duration: 0.0 }))
     }
 
     fn start(&mut self, start: &Block, back: Option<&Block>, motion: &PassMotion, span: &Span) {
         match back {
             Some(back) => {
-                self.comment("to a place back from the start along the torch");
+                self.comment(
+                    "rapid to a place back from the start along the torch: make sure that the way there is clear",
+                );
                 self.line(&format!("G0 {}", self.words(back, false)));
                 let feed = fixed(APPROACH_MM_MIN / self.options.retract_mm, DECIMALS);
                 self.line(&format!("G93 G1 {} F{feed}", self.words(start, false)));
             }
             None => {
-                self.comment("to the start of the weld [the torch cannot stand back on this machine]");
+                self.comment("rapid to the start of the weld [no axis can lift the torch]: make sure that the way there is clear");
                 self.line(&format!("G0 {}", self.words(start, false)));
             }
         }
@@ -243,24 +247,28 @@ impl Writer<'_> {
         }
     }
 
-    fn end(&mut self, cut: &Linearisation, path: &dyn TorchPath, motion: &PassMotion) {
+    fn end(&mut self, back: Option<&Block>, motion: &PassMotion, span: &Span) {
         let io = self.machine.io.clone();
         let sequence = motion.sequence;
         self.dwell(sequence.crater_s.get(), "crater fill");
         if let Some(arc) = io.arc {
             self.line(&format!("M65 P{arc} (arc off)"));
         }
+        for name in span.process.keys() {
+            if let Some(output) = io.analog.get(name) {
+                self.line(&format!("M68 E{output} Q0 ({name} off)"));
+            }
+        }
         self.dwell(sequence.postflow_s.get(), "postflow");
         if let Some(gas) = io.gas {
             self.line(&format!("M65 P{gas} (gas off)"));
         }
-        let last = cut.blocks.last().map_or(0.0, |b| b.s);
-        if let Some(back) = self.back_from(path, motion, last) {
+        if let Some(back) = back {
             if let Some(arc) = io.arc {
                 self.line(&format!("M63 P{arc} (arc stays off)"));
             }
             let feed = fixed(APPROACH_MM_MIN / self.options.retract_mm, DECIMALS);
-            self.line(&format!("G1 {} F{feed}", self.words(&back, false)));
+            self.line(&format!("G1 {} F{feed}", self.words(back, false)));
         }
         self.line("G94");
         self.line("M2");

@@ -52,6 +52,11 @@ impl Program {
                     let message = "the span does not begin where the one before it ends";
                     return Err(document.error_at(&path("from_mm"), message, end.to_string()));
                 }
+                if !span.process.keys().eq(pass.spans[0].process.keys()) {
+                    let names: Vec<&str> = pass.spans[0].process.keys().map(String::as_str).collect();
+                    let message = "the span sets other process values than the first one";
+                    return Err(document.error_at(&path("process"), message, names.join(", ")));
+                }
                 end = span.to_mm.get();
                 if end <= span.from_mm.get() {
                     let allowed = format!("more than {}", span.from_mm.get());
@@ -81,7 +86,7 @@ mod tests {
     const TEXT: &str = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 250\n\
         [seam.nozzle.body.cylinder]\nradius_mm = 800\n[[passes]]\nname = \"root\"\n\
         [[passes.spans]]\nfrom_mm = 0\nto_mm = 10.5\nspeed_mm_s = 5\nprocess = { current_a = 180 }\n\
-        [[passes.spans]]\nfrom_mm = 10.5\nto_mm = 20\nspeed_mm_s = 8\n";
+        [[passes.spans]]\nfrom_mm = 10.5\nto_mm = 20\nspeed_mm_s = 8\nprocess = { current_a = 200 }\n";
 
     #[test]
     fn writing_and_reading_gives_the_same_program() {
@@ -99,6 +104,8 @@ mod tests {
         assert_eq!((e.key.as_str(), e.line, e.value.as_str()), ("passes[0].spans[1].from_mm", 16, "11"));
         let e = Program::read("p.toml", &TEXT.replace("to_mm = 20", "to_mm = 10.5")).unwrap_err();
         assert_eq!(e.key, "passes[0].spans[1].to_mm");
+        let e = Program::read("p.toml", &TEXT.replace("current_a = 200", "voltage_v = 20")).unwrap_err();
+        assert_eq!((e.key.as_str(), e.allowed.as_deref()), ("passes[0].spans[1].process", Some("current_a")));
         let none = TEXT.split("[[passes.spans]]").next().unwrap().to_owned() + "spans = []\n";
         assert!(Program::read("p.toml", &none).unwrap_err().message.contains("no spans"));
     }

@@ -9,10 +9,12 @@ mod document;
 mod finding;
 mod pass;
 mod seam;
+mod tolerance;
 mod torch;
 
 pub use document::Program;
 pub use finding::Finding;
 pub use pass::{OnLimit, Pass, ProcessValues, Sequence, Span};
 pub use seam::{Body, Direction as WeldDirection, Ellipse, FilletOrButt, Line, Nozzle, Seam, SeamStart};
+pub use tolerance::Tolerance;
 pub use torch::{Torch, TorchAt, TorchPath};

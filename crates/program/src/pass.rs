@@ -1,4 +1,4 @@
-use crate::Torch;
+use crate::{Tolerance, Torch};
 use schemars::JsonSchema;
 use seamwright_document::{Finite, NonNegative, Positive};
 use serde::{Deserialize, Serialize};
@@ -22,6 +22,9 @@ pub struct Pass {
     /// Torch angles.
     #[serde(default)]
     pub torch: Torch,
+    /// How far from what was asked the weld may be.
+    #[serde(default)]
+    pub tolerance: Tolerance,
     /// Parts of the pass, one after the other without a gap.
     pub spans: Vec<Span>,
 }

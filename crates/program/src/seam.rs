@@ -26,9 +26,10 @@ pub struct Nozzle {
     /// Direction of the axis, away from the body; z if missing.
     #[serde(default = "Vector::z")]
     pub direction: Vector,
-    /// Where the angle phi about the nozzle's axis is 0; x if missing. Made perpendicular to `direction`.
-    #[serde(default = "Vector::x")]
-    pub zero_direction: Vector,
+    /// Where the angle phi about the nozzle's axis is 0, made perpendicular to `direction`; if missing x, or y on a
+    /// nozzle along x.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub zero_direction: Option<Vector>,
     /// What the nozzle stands on.
     pub body: Body,
 }

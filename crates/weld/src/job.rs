@@ -1,7 +1,7 @@
 use crate::{Attitude, SeamCurve};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive, SchemaVersion, Transform};
-use seamwright_program::{OnLimit, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span, Torch};
+use seamwright_program::{OnLimit, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span, Tolerance, Torch};
 use serde::{Deserialize, Serialize};
 
 /// A job file: what is to be welded, how, and on which machine.
@@ -25,6 +25,9 @@ pub struct Job {
     /// Torch angles.
     #[serde(default)]
     pub torch: Torch,
+    /// How far from what was asked the weld may be.
+    #[serde(default)]
+    pub tolerance: Tolerance,
     /// Speed and process.
     pub weld: Weld,
 }
@@ -95,6 +98,7 @@ impl Job {
                 postflow_s: j.weld.postflow_s,
             },
             torch: j.torch.clone(),
+            tolerance: j.tolerance,
             spans: vec![span],
         };
         Ok(Program {
@@ -116,6 +120,9 @@ fn check_process(job: &Document<Job>, name: &str, value: Finite) -> Result<(), D
     if !name.chars().all(plain) || !name.contains('_') {
         let allowed = "lower-case letters, digits and _, ending in the unit, like current_a";
         return Err(job.error_at(&path, "this is no name of a process value", allowed));
+    }
+    if ["t_s", "s_mm", "speed_mm_s", "tip_s_mm", "path_error_mm"].contains(&name) {
+        return Err(job.error_at(&path, "another column has this name", "a name of its own"));
     }
     if value.get() < 0.0 {
         return Err(job.error_at(&path, "a process value is not negative", "0 or greater"));

@@ -41,6 +41,9 @@ pub struct SeamCurve {
     face_sense: f64,
 }
 
+/// Largest angle of a start or end, degrees: ten turns.
+const MOST_PHI_DEG: f64 = 3600.0;
+
 impl std::fmt::Debug for SeamCurve {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
         f.debug_struct("SeamCurve").field("start", &self.start).field("weld_length", &self.weld_length).finish()
@@ -61,6 +64,12 @@ impl SeamCurve {
             WeldDirection::Clockwise => -1.0,
         };
         let closed = !matches!(seam, Seam::Line(_));
+        for (key, phi) in [("phi_deg", Some(start.phi_deg)), ("end_phi_deg", start.end_phi_deg)] {
+            if phi.is_some_and(|p| p.get().abs() > MOST_PHI_DEG) {
+                let allowed = format!("-{MOST_PHI_DEG} to {MOST_PHI_DEG}");
+                return Err(file.error_at(&format!("start.{key}"), "this is many turns away", allowed));
+            }
+        }
         if !closed {
             check_open(file, start)?;
         }
@@ -197,7 +206,10 @@ fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync
 
 fn intersection<T>(file: &Document<T>, n: &Nozzle) -> Result<TubeIntersection, DocumentError> {
     let key = |k: &str| format!("seam.nozzle.{k}");
-    let tube = Tube::new(n.origin_mm.get(), n.direction.unit(), n.zero_direction.unit(), n.radius_mm.get())
+    // Without a zero direction phi counts from x, or from y on a nozzle along x.
+    let along_x = n.direction.unit().dot(DVec3::X).abs() > 1.0 - 1e-9;
+    let zero = n.zero_direction.map_or(if along_x { DVec3::Y } else { DVec3::X }, seamwright_document::Direction::unit);
+    let tube = Tube::new(n.origin_mm.get(), n.direction.unit(), zero, n.radius_mm.get())
         .map_err(|e| file.error_at(&key("zero_direction"), e.to_string(), "not along `direction`"))?;
     let (name, size, body) = body(file, &n.body)?;
     TubeIntersection::new(tube, body).map_err(|e| {

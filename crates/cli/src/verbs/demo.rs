@@ -1,5 +1,5 @@
-use super::plan::finish;
-use super::simulate::weld;
+use super::plan::{finish, write_program};
+use super::simulate::{judge, weld};
 use crate::examples::EXAMPLES;
 use crate::failure::Failure;
 use crate::files::Output;
@@ -16,7 +16,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     let motion = loaded.plan()?;
     let mut output = Output::new(Path::new(FOLDER))?;
     let report = weld(&loaded, &motion, 1, &mut output)?;
-    let program = loaded.welding.program.value.to_toml().map_err(|e| Failure::Environment(e.to_string()))?;
-    output.text("program.toml", &program)?;
-    finish(output, &report, false)
+    write_program(&mut output, &loaded)?;
+    finish(output, &report, false)?;
+    judge(report)
 }

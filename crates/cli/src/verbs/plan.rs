@@ -1,7 +1,8 @@
 use crate::args::PlanArgs;
 use crate::failure::Failure;
+use crate::files;
 use crate::files::Output;
-use crate::load::load;
+use crate::load::{Loaded, load};
 use crate::rows::{print_json, print_text};
 use seamwright_report::{Plots, WeldReport};
 use seamwright_weld::Welding;
@@ -13,13 +14,23 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     let motion = loaded.plan()?;
     let mut output = Output::new(&args.output)?;
     let (report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None);
-    let program = loaded.welding.program.value.to_toml().map_err(|e| Failure::Environment(e.to_string()))?;
-    output.text("program.toml", &program)?;
+    write_program(&mut output, &loaded)?;
     write_report(&mut output, &report, &plots, &loaded.welding)?;
     for (name, svg) in plots.files() {
         output.text(name, &svg)?;
     }
     finish(output, &report, args.json)
+}
+
+/// Adds program.toml, and the machine file beside it if it is not one that ships, so that the folder stands alone.
+pub(super) fn write_program(output: &mut Output, loaded: &Loaded) -> Result<(), Failure> {
+    let mut program = loaded.welding.program.value.clone();
+    if let Some(path) = &loaded.machine_file {
+        program.machine = "machine.toml".to_owned();
+        output.text("machine.toml", &files::read(path)?)?;
+    }
+    let text = program.to_toml().map_err(|e| Failure::Environment(e.to_string()))?;
+    output.text("program.toml", &text)
 }
 
 /// Adds report.json and report.html.
@@ -71,7 +82,8 @@ fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
         }
     }
     for f in &r.findings {
-        let _ = writeln!(text, "  note         {} (s = {:.1} mm)", f.message, f.from_mm);
+        let word = if f.allowed { "note" } else { "finding" };
+        let _ = writeln!(text, "  {word:<12} {} (s = {:.1} mm)", f.message, f.from_mm);
     }
     for path in paths {
         let _ = writeln!(text, "  wrote        {}", path.display());

@@ -4,7 +4,10 @@ use crate::failure::Failure;
 use crate::files;
 use crate::load::load;
 use crate::rows::print_text;
-use seamwright_post::{Level, Options, linuxcnc};
+use seamwright_post::{Error, Level, Options, linuxcnc};
+
+/// A weld that may stray further is none.
+const WIDEST_MM: f64 = 10.0;
 
 pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
     let options = Options {
@@ -15,6 +18,10 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
         tolerance_mm: positive("--tolerance-mm", args.tolerance_mm)?,
         retract_mm: positive("--retract-mm", args.retract_mm)?,
     };
+    if options.tolerance_mm > WIDEST_MM {
+        let message = format!("--tolerance-mm {}: too coarse\n   allowed: up to {WIDEST_MM}", options.tolerance_mm);
+        return Err(Failure::Input(message));
+    }
     let loaded = load(&args.job)?;
     let motion = loaded.plan()?;
     let text = match args.dialect {
@@ -22,7 +29,11 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
             linuxcnc(&loaded.machine, &loaded.welding.program.value, &loaded.welding.path(), &motion, &options)
         }
     };
-    let text = text.map_err(|e| Failure::Input(e.to_string()))?;
+    let text = text.map_err(|e| match &e {
+        Error::TooFine { .. } => Failure::Input(format!("--tolerance-mm {}: {e}", args.tolerance_mm)),
+        Error::Retract { .. } => Failure::Input(format!("--retract-mm {}: {e}", args.retract_mm)),
+        _ => Failure::Input(e.to_string()),
+    })?;
     match &args.output {
         Some(path) => files::write(path, &text),
         None => print_text(&text),

@@ -17,7 +17,13 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let motion = loaded.plan()?;
     let mut output = Output::new(&args.output)?;
     let report = weld(&loaded, &motion, args.seed, &mut output)?;
-    finish(output, &report, args.json)
+    finish(output, &report, args.json)?;
+    judge(report)
+}
+
+/// A weld that was made but strays beyond its tolerance is no success.
+pub(super) fn judge(report: WeldReport) -> Result<(), Failure> {
+    if report.findings.iter().all(|f| f.allowed) { Ok(()) } else { Err(Failure::Findings(report.findings)) }
 }
 
 /// Welds in simulation; adds the trace and the report to `output`.
@@ -27,7 +33,7 @@ pub(super) fn weld(
     seed: u64,
     output: &mut Output,
 ) -> Result<WeldReport, Failure> {
-    let Loaded { welding, machine } = loaded;
+    let Loaded { welding, machine, .. } = loaded;
     let mut file = output.open()?;
     let outcome = trace(loaded, motion, seed, BufWriter::new(&mut file))?;
     output.add("trace.parquet", file);
@@ -43,7 +49,7 @@ fn trace(
     seed: u64,
     out: impl Write + Send,
 ) -> Result<(Summary, SimulationCurves), Failure> {
-    let Loaded { welding, machine } = loaded;
+    let Loaded { welding, machine, .. } = loaded;
     let program = &welding.program.value;
     let process: Vec<String> = process_names(program);
     let about = [("title", program.title.clone()), ("machine", machine.name.clone()), ("seed", seed.to_string())];

@@ -1,9 +1,9 @@
-use super::samples::samples;
+use super::samples::{Sample, samples};
 use super::{Plots, SimulationCurves};
 use seamwright_cell::Summary;
 use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
-use seamwright_program::{Finding, ProcessValues, Seam};
+use seamwright_program::{Finding, Pass, ProcessValues, Seam, SeamStart, Sequence, Tolerance};
 use seamwright_weld::Welding;
 use serde::Serialize;
 
@@ -35,6 +35,8 @@ pub struct MachineFigures {
     pub name: String,
     /// Title.
     pub title: String,
+    /// Axes whose file describes no drive, so that the simulation assumes one.
+    pub assumed_drives: Vec<String>,
 }
 
 /// The seam in numbers.
@@ -75,9 +77,16 @@ pub struct PlanFigures {
     pub attitude_error_deg: f64,
     /// Where that is, mm.
     pub attitude_error_at_mm: f64,
-    /// Arc energy U I / v, kJ/mm, if current and voltage are given.
-    pub arc_energy_kj_mm: Option<f64>,
-    /// Process values.
+    /// Arc energy U I / v at the planned speed between run-up and run-down, least and greatest, kJ/mm, if current and
+    /// voltage are given.
+    pub arc_energy_kj_mm: Option<(f64, f64)>,
+    /// Where the weld starts, which way it goes, its overlap.
+    pub start: SeamStart,
+    /// Times before and after the travel.
+    pub sequence: Sequence,
+    /// How far from what was asked the weld may be.
+    pub tolerance: Tolerance,
+    /// Process values of the first span.
     pub process: ProcessValues,
     /// Each axis' extremes against its limits.
     pub axes: Vec<AxisFigures>,
@@ -106,6 +115,19 @@ pub struct AxisFigures {
     pub max_acceleration: f64,
 }
 
+/// Least and greatest arc energy (kJ/mm) at the planned speed within `steady`, if current and voltage are given there.
+fn arc_energy(pass: &Pass, samples: &[Sample], steady: (f64, f64)) -> Option<(f64, f64)> {
+    let inside = samples.iter().filter(|s| s.s > steady.0 && s.s < steady.1 && s.speed > 0.0);
+    let energies = inside.map(|s| {
+        let process = &pass.span_at(s.s)?.process;
+        let power = process.get("current_a")?.get() * process.get("voltage_v")?.get();
+        Some(power / s.speed / 1000.0)
+    });
+    let energies = energies.collect::<Option<Vec<f64>>>().filter(|e| !e.is_empty())?;
+    let bound = |better: fn(f64, f64) -> f64| energies.iter().copied().reduce(better);
+    bound(f64::min).zip(bound(f64::max))
+}
+
 impl WeldReport {
     /// Gathers the numbers and plots of a planned, and perhaps simulated, weld.
     pub fn new(
@@ -119,8 +141,7 @@ impl WeldReport {
         let (low, high) = welding.seam.dihedral_range();
         let band = motion.law.report();
         let span = &program.passes[0].spans[0];
-        let value = |name: &str| span.process.get(name).map(|v| v.get());
-        let energy = value("current_a").zip(value("voltage_v")).map(|(i, u)| i * u / span.speed_mm_s.get() / 1000.0);
+        let energy = arc_energy(&program.passes[0], &samples, (band.run_up_end, band.run_down_start));
         let axes = machine.axes.iter().enumerate().map(|(i, axis)| {
             let greatest =
                 |f: fn(&(f64, f64, f64)) -> f64| samples.iter().map(|s| f(&s.axes[i])).fold(f64::MIN, f64::max);
@@ -148,15 +169,24 @@ impl WeldReport {
             attitude_error_deg: motion.attitude_error.0.to_degrees(),
             attitude_error_at_mm: motion.attitude_error.1,
             arc_energy_kj_mm: energy,
+            start: program.start,
+            sequence: program.passes[0].sequence,
+            tolerance: program.passes[0].tolerance,
             process: span.process.clone(),
             axes: axes.collect(),
         };
         let (summary, curves) = simulation.unzip();
+        let mut findings = motion.findings.clone();
+        findings.extend(summary.iter().flat_map(|s| s.findings(&program.passes[0].tolerance, 1)));
         let report = Self {
             seamwright: env!("CARGO_PKG_VERSION"),
             title: program.title.clone(),
             file: welding.program.file().to_owned(),
-            machine: MachineFigures { name: machine.name.clone(), title: machine.title.clone() },
+            machine: MachineFigures {
+                name: machine.name.clone(),
+                title: machine.title.clone(),
+                assumed_drives: machine.axes.iter().filter(|a| a.drive.is_none()).map(|a| a.name.clone()).collect(),
+            },
             seam: SeamFigures {
                 kind: match program.seam {
                     Seam::Nozzle(_) => "nozzle",
@@ -170,7 +200,7 @@ impl WeldReport {
             },
             plan,
             simulation: summary,
-            findings: motion.findings.clone(),
+            findings,
         };
         let plots = Plots::new(machine, welding, motion, &samples, curves.as_ref());
         (report, plots)

@@ -2,11 +2,15 @@ use super::Plots;
 use super::figures::{AxisFigures, WeldReport};
 use crate::{Block, Finding, Page, Severity, Table, Tile, Verdict, format_number};
 use seamwright_cell::Summary;
+use seamwright_program::WeldDirection;
 
 impl WeldReport {
     /// The report as one self-contained HTML page; `source` is the job's or program's text.
     pub fn page(&self, plots: &Plots, source: &str) -> String {
         let mut blocks = vec![Block::Tiles(self.tiles()), Block::Heading("Findings".to_owned())];
+        blocks.push(Block::Paragraph(
+            "Checked: reach, ranges, speeds and accelerations of the axes, and that the torch axis stays clear of both faces. Not checked: collisions of torch body, machine and clamps with the work.".to_owned(),
+        ));
         blocks.push(match self.findings.is_empty() {
             true => Block::Paragraph("None: the weld can be made as asked on this machine.".to_owned()),
             false => Block::Findings(self.findings.iter().map(finding).collect()),
@@ -26,7 +30,7 @@ impl WeldReport {
             (&self.simulation, &plots.path_error, &plots.following, &plots.attitude)
         {
             blocks.push(Block::Heading("Simulated weld".to_owned()));
-            blocks.push(Block::Paragraph(simulation_text(summary)));
+            blocks.push(Block::Paragraph(simulation_text(summary, &self.machine.assumed_drives)));
             blocks.push(figure(path_error.to_svg(), "Distance of the true tip from the seam, normal to it."));
             blocks.push(figure(following.to_svg(), "Set-point less true position of each axis."));
             blocks.push(following_table(summary));
@@ -43,6 +47,15 @@ impl WeldReport {
         blocks.push(Block::Heading("Job".to_owned()));
         blocks.push(self.data_table());
         blocks.push(Block::Code { caption: self.file.clone(), text: source.to_owned() });
+        blocks.push(Block::Heading("Released".to_owned()));
+        blocks.push(table(
+            "To be filled in by hand",
+            &["", "Name", "Date", "Signature"],
+            ["Welding engineer", "Inspector"]
+                .map(|who| vec![who.to_owned(), String::new(), String::new(), String::new()])
+                .into(),
+            4..4,
+        ));
         Page {
             title: self.title.clone(),
             subtitle: format!(
@@ -63,17 +76,22 @@ impl WeldReport {
     fn verdict(&self) -> Verdict {
         let p = &self.plan;
         let held = if p.least_speed_mm_s >= p.asked_speed_mm_s * (1.0 - 1e-9) {
-            format!("{} mm/s held from run-up to run-down", number(p.asked_speed_mm_s))
+            format!("{} mm/s from run-up to run-down", number(p.asked_speed_mm_s))
         } else {
             format!("slowed to {} mm/s of {} mm/s asked", number(p.least_speed_mm_s), number(p.asked_speed_mm_s))
         };
-        let simulated = self
-            .simulation
-            .as_ref()
-            .map_or(String::new(), |s| format!("; simulated path error at most {} mm", small(s.path_error_mm.max)));
+        let simulated = self.simulation.as_ref().map_or(String::new(), |s| {
+            format!(
+                " Simulated: path error at most {} mm of {} allowed, speed within {} % of {} allowed.",
+                small(s.path_error_mm.max),
+                number(p.tolerance.path_mm.get()),
+                small(100.0 * s.speed_ripple),
+                number(p.tolerance.speed_percent.get())
+            )
+        });
         Verdict {
             ok: self.findings.iter().all(|f| f.allowed),
-            text: format!("All axes within their limits; {held}{simulated}."),
+            text: format!("Planned: all axes within their limits, {held}.{simulated}"),
         }
     }
 
@@ -121,13 +139,13 @@ impl WeldReport {
             severity: (p.attitude_error_deg > 0.5).then_some(Severity::Warning),
             ..tile("Attitude error", format_number(p.attitude_error_deg, 3), "deg", "greatest, of the plan".to_owned())
         });
-        if let Some(energy) = p.arc_energy_kj_mm {
-            tiles.push(tile(
-                "Arc energy",
-                format_number(energy, 3),
-                "kJ/mm",
-                "U I / v, before any efficiency".to_owned(),
-            ));
+        if let Some((least, greatest)) = p.arc_energy_kj_mm {
+            let note = if greatest - least < 1e-3 * greatest {
+                "U I / v, before any efficiency".to_owned()
+            } else {
+                format!("greatest; least {}; U I / v", format_number(least, 3))
+            };
+            tiles.push(tile("Arc energy", format_number(greatest, 3), "kJ/mm", note));
         }
         tiles
     }
@@ -143,8 +161,23 @@ impl WeldReport {
             vec!["Run-up".to_owned(), number(self.plan.run_up_mm), "mm".to_owned()],
             vec!["Run-down".to_owned(), number(self.plan.run_down_mm), "mm".to_owned()],
         ];
+        let (start, sequence) = (&self.plan.start, &self.plan.sequence);
+        let row = |label: &str, value: f64, unit: &str| vec![label.to_owned(), number(value), unit.to_owned()];
+        if s.kind != "line" {
+            let direction = match start.direction {
+                WeldDirection::CounterClockwise => "counter-clockwise",
+                WeldDirection::Clockwise => "clockwise",
+            };
+            rows.push(row("Start angle", start.phi_deg.get(), "deg"));
+            rows.push(vec!["Direction of welding".to_owned(), direction.to_owned(), String::new()]);
+            rows.push(row("Overlap", start.overlap_mm.get(), "mm"));
+        }
+        rows.push(row("Gas before the arc", sequence.preflow_s.get(), "s"));
+        rows.push(row("Arc on before travel", sequence.travel_delay_s.get(), "s"));
+        rows.push(row("Crater fill", sequence.crater_s.get(), "s"));
+        rows.push(row("Gas after the arc", sequence.postflow_s.get(), "s"));
         for (name, value) in &self.plan.process {
-            rows.push(vec![name.clone(), number(value.get()), String::new()]);
+            rows.push(row(name, value.get(), "as named"));
         }
         table("Job data", &["", "Value", "Unit"], rows, 1..2)
     }
@@ -178,7 +211,7 @@ fn finding(f: &seamwright_program::Finding) -> Finding {
     }
 }
 
-fn simulation_text(s: &Summary) -> String {
+fn simulation_text(s: &Summary, assumed: &[String]) -> String {
     let worst = s.axes.iter().max_by(|a, b| a.current.total_cmp(&b.current));
     let load = worst.map_or(String::new(), |a| {
         format!(
@@ -187,8 +220,12 @@ fn simulation_text(s: &Summary) -> String {
             format_number(100.0 * a.current, 3)
         )
     });
+    let assumed = match assumed {
+        [] => String::new(),
+        axes => format!(" The machine file describes no drive for {}: assumed ones were used.", axes.join(", ")),
+    };
     format!(
-        "Every axis on its position loop at the servo period, with inertia, friction, cogging, encoder steps and current limit (seed {}). Speed is judged from half a second after the run-up to the run-down.{load}",
+        "Every axis on its position loop at the servo period, with inertia, friction, cogging, encoder steps and current limit (seed {}). It is the nominal part: no misplacement, no distortion, no fit-up error, no wire cast. Speed ripple is the greatest deviation of the tip's speed from the planned one, from half a second after the run-up to the run-down.{load}{assumed}",
         s.seed
     )
 }
