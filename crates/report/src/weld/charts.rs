@@ -16,6 +16,8 @@ pub struct Plots {
     pub axes: ChartGrid,
     /// Tip speed: planned, and true if simulated.
     pub speed: Chart,
+    /// Deviation of the true tip's speed from the planned one, if simulated.
+    pub deviation: Option<Chart>,
     /// Following error of each axis, if simulated.
     pub following: Option<ChartGrid>,
     /// Distance of the true tip from the seam, if simulated.
@@ -40,6 +42,7 @@ impl Plots {
             torch: torch(samples),
             axes: axes(machine, samples),
             speed: speed(motion, samples, curves),
+            deviation: curves.map(|c| deviation(motion, c)),
             following: curves.map(|c| following(machine, c)),
             path_error: curves.map(|c| Chart {
                 title: "Distance of the true torch tip from the seam".to_owned(),
@@ -66,6 +69,7 @@ impl Plots {
             ("axes.svg", self.axes.to_svg_standalone()),
             ("speed.svg", self.speed.to_svg_standalone()),
         ];
+        files.extend(self.deviation.as_ref().map(|c| ("speed-deviation.svg", c.to_svg_standalone())));
         files.extend(self.following.as_ref().map(|c| ("following.svg", c.to_svg_standalone())));
         files.extend(self.path_error.as_ref().map(|c| ("path-error.svg", c.to_svg_standalone())));
         files.extend(self.attitude.as_ref().map(|c| ("attitude.svg", c.to_svg_standalone())));
@@ -162,6 +166,23 @@ fn speed(motion: &PassMotion, samples: &[Sample], curves: Option<&SimulationCurv
         y: Axis::new("speed", "mm/s"),
         series,
         bands: bands.into_iter().filter(|b| b.to - b.from > wide).collect(),
+        ..Chart::default()
+    }
+}
+
+/// The speed's deviation in percent, between run-up and run-down.
+fn deviation(motion: &PassMotion, curves: &SimulationCurves) -> Chart {
+    let band = motion.law.report();
+    let steady = |s: f64| s > band.run_up_end && s < band.run_down_start;
+    let percent = |(s, v): (f64, f64)| (s, 100.0 * (v / motion.law.speed(s) - 1.0));
+    Chart {
+        title: "Speed of the true tip against the planned speed".to_owned(),
+        x: along(),
+        y: Axis::new("deviation", "%"),
+        series: vec![Series::line(
+            "deviation",
+            curves.tip_speed().into_iter().filter(|p| steady(p.0)).map(percent).collect(),
+        )],
         ..Chart::default()
     }
 }

@@ -26,6 +26,12 @@ impl WeldReport {
         ));
         blocks.push(Block::Heading("Speed".to_owned()));
         blocks.push(figure(plots.speed.to_svg(), "Speed of the tip along the seam, relative to the work."));
+        if let Some(deviation) = &plots.deviation {
+            blocks.push(figure(
+                deviation.to_svg(),
+                "Deviation of the simulated speed between run-up and run-down; at its start the drives settle.",
+            ));
+        }
         if let (Some(summary), Some(path_error), Some(following), Some(attitude)) =
             (&self.simulation, &plots.path_error, &plots.following, &plots.attitude)
         {
