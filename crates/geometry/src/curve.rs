@@ -34,41 +34,30 @@ pub trait Curve {
     }
 }
 
-impl<C: Curve + ?Sized> Curve for Box<C> {
-    fn domain(&self) -> (f64, f64) {
-        (**self).domain()
-    }
-    fn closed(&self) -> bool {
-        (**self).closed()
-    }
-    fn jet(&self, u: f64) -> Jet {
-        (**self).jet(u)
-    }
-    fn point(&self, u: f64) -> DVec3 {
-        (**self).point(u)
-    }
-    fn speed(&self, u: f64) -> f64 {
-        (**self).speed(u)
-    }
+/// A curve behind a pointer is a curve.
+macro_rules! behind {
+    ($($pointer:tt)+) => {
+        impl<C: Curve + ?Sized> Curve for $($pointer)+ {
+            fn domain(&self) -> (f64, f64) {
+                (**self).domain()
+            }
+            fn closed(&self) -> bool {
+                (**self).closed()
+            }
+            fn jet(&self, u: f64) -> Jet {
+                (**self).jet(u)
+            }
+            fn point(&self, u: f64) -> DVec3 {
+                (**self).point(u)
+            }
+            fn speed(&self, u: f64) -> f64 {
+                (**self).speed(u)
+            }
+        }
+    };
 }
-
-impl<C: Curve + ?Sized> Curve for &C {
-    fn domain(&self) -> (f64, f64) {
-        (**self).domain()
-    }
-    fn closed(&self) -> bool {
-        (**self).closed()
-    }
-    fn jet(&self, u: f64) -> Jet {
-        (**self).jet(u)
-    }
-    fn point(&self, u: f64) -> DVec3 {
-        (**self).point(u)
-    }
-    fn speed(&self, u: f64) -> f64 {
-        (**self).speed(u)
-    }
-}
+behind!(Box<C>);
+behind!(&C);
 
 #[cfg(test)]
 pub(crate) mod testing {

@@ -80,19 +80,9 @@ const ASIDE: f64 = 150.0;
 /// Least room left of a plot, px, so that plots below each other align.
 const LEFT: f64 = 58.0;
 
+crate::svg::both_forms!(Chart);
+
 impl Chart {
-    /// The drawing for a [`Page`](crate::Page), which carries the styles.
-    pub fn to_svg(&self) -> String {
-        let (svg, height) = self.draw();
-        svg.inline(height, &self.label())
-    }
-
-    /// The drawing as a file of its own: styles for light and dark, and a background.
-    pub fn to_svg_standalone(&self) -> String {
-        let (svg, height) = self.draw();
-        svg.standalone(height, &self.label())
-    }
-
     fn label(&self) -> String {
         if self.title.is_empty() { self.y.text() } else { self.title.clone() }
     }

@@ -31,19 +31,9 @@ const ASIDE: f64 = 0.25;
 /// Between columns, px.
 const GUTTER: f64 = 20.0;
 
+crate::svg::both_forms!(ChartGrid);
+
 impl ChartGrid {
-    /// The drawing for a [`Page`](crate::Page), which carries the styles.
-    pub fn to_svg(&self) -> String {
-        let (svg, height) = self.draw();
-        svg.inline(height, &self.label())
-    }
-
-    /// The drawing as a file of its own: styles for light and dark, and a background.
-    pub fn to_svg_standalone(&self) -> String {
-        let (svg, height) = self.draw();
-        svg.standalone(height, &self.label())
-    }
-
     fn label(&self) -> String {
         if self.title.is_empty() { "charts".into() } else { self.title.clone() }
     }

@@ -38,6 +38,26 @@ impl Rect {
     }
 }
 
+/// Gives a drawing (a type with `draw` and `label`) its two forms.
+macro_rules! both_forms {
+    ($drawing:ty) => {
+        impl $drawing {
+            /// The drawing for a [`Page`](crate::Page), which carries the styles.
+            pub fn to_svg(&self) -> String {
+                let (svg, height) = self.draw();
+                svg.inline(height, &self.label())
+            }
+
+            /// The drawing as a file of its own: styles for light and dark, and a background.
+            pub fn to_svg_standalone(&self) -> String {
+                let (svg, height) = self.draw();
+                svg.standalone(height, &self.label())
+            }
+        }
+    };
+}
+pub(crate) use both_forms;
+
 /// Where text stands relative to its point.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Anchor {

@@ -45,19 +45,9 @@ pub struct ThreeViews {
     pub marks: Vec<Mark>,
 }
 
+crate::svg::both_forms!(ThreeViews);
+
 impl ThreeViews {
-    /// The drawing for a [`Page`](crate::Page), which carries the styles.
-    pub fn to_svg(&self) -> String {
-        let (svg, height) = self.draw();
-        svg.inline(height, &self.label())
-    }
-
-    /// The drawing as a file of its own: styles for light and dark, and a background.
-    pub fn to_svg_standalone(&self) -> String {
-        let (svg, height) = self.draw();
-        svg.standalone(height, &self.label())
-    }
-
     fn label(&self) -> String {
         if self.title.is_empty() { "three views".into() } else { self.title.clone() }
     }

@@ -28,6 +28,9 @@ pub struct Job {
     /// How far from what was asked the weld may be.
     #[serde(default)]
     pub tolerance: Tolerance,
+    /// Times before and after the travel.
+    #[serde(default)]
+    pub sequence: Sequence,
     /// Speed and process.
     pub weld: Weld,
 }
@@ -41,18 +44,6 @@ pub struct Weld {
     /// What to do where an axis cannot keep that speed.
     #[serde(default)]
     pub on_limit: OnLimit,
-    /// Gas flows before the arc (or beam) is switched on, s.
-    #[serde(default)]
-    pub preflow_s: NonNegative,
-    /// The arc is on before the torch travels, s.
-    #[serde(default)]
-    pub travel_delay_s: NonNegative,
-    /// The torch rests at the end with the arc on, to fill the crater, s.
-    #[serde(default)]
-    pub crater_s: NonNegative,
-    /// Gas flows after the arc is off, s.
-    #[serde(default)]
-    pub postflow_s: NonNegative,
     /// Process values by name; the name ends in its unit: `current_a`, `voltage_v`, `wire_feed_m_min` and so on.
     #[serde(default)]
     pub process: ProcessValues,
@@ -91,12 +82,7 @@ impl Job {
         let pass = Pass {
             name: "pass 1".to_owned(),
             on_limit: j.weld.on_limit,
-            sequence: Sequence {
-                preflow_s: j.weld.preflow_s,
-                travel_delay_s: j.weld.travel_delay_s,
-                crater_s: j.weld.crater_s,
-                postflow_s: j.weld.postflow_s,
-            },
+            sequence: j.sequence,
             torch: j.torch.clone(),
             tolerance: j.tolerance,
             spans: vec![span],
