@@ -1,4 +1,5 @@
 use crate::args::PlanArgs;
+use crate::clock;
 use crate::failure::Failure;
 use crate::files;
 use crate::files::Output;
@@ -42,7 +43,7 @@ pub(super) fn write_report(
 ) -> Result<(), Failure> {
     let json = serde_json::to_string_pretty(report).map_err(|e| Failure::Environment(e.to_string()))?;
     output.text("report.json", &(json + "\n"))?;
-    output.text("report.html", &report.page(plots, welding.program.text()))
+    output.text("report.html", &report.page(plots, welding.program.text(), &clock::now()))
 }
 
 /// Gives the files their names and prints what was done.

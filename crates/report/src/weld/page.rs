@@ -5,8 +5,9 @@ use seamwright_cell::Summary;
 use seamwright_program::WeldDirection;
 
 impl WeldReport {
-    /// The report as one self-contained HTML page; `source` is the job's or program's text.
-    pub fn page(&self, plots: &Plots, source: &str) -> String {
+    /// The report as one self-contained HTML page; `source` is the job's or program's text, `date` when
+    /// it is made.
+    pub fn page(&self, plots: &Plots, source: &str, date: &str) -> String {
         let mut blocks = vec![Block::Tiles(self.tiles()), Block::Heading("Findings".to_owned())];
         blocks.push(Block::Paragraph(
             "Checked: reach, ranges, speeds and accelerations of the axes, and that the torch axis stays clear of both faces. Not checked: collisions of torch body, machine and clamps with the work.".to_owned(),
@@ -71,6 +72,7 @@ impl WeldReport {
             meta: vec![
                 ("Machine".to_owned(), self.machine.title.clone()),
                 ("File".to_owned(), self.file.clone()),
+                ("Date".to_owned(), date.to_owned()),
                 ("Made by".to_owned(), format!("Seamwright {}", self.seamwright)),
             ],
             verdict: Some(self.verdict()),
