@@ -9,10 +9,10 @@ use seamwright_machine::Machine;
 /// the asked speed and within every axis' speed and acceleration limits (reachability analysis: Pham and Pham,
 /// T-RO 2018, with each cell's limits imposed at both ends and two places inside; solved without an LP solver, because
 /// in the plane of squared speed and acceleration each axis is a slab). After the solve the law is checked at more
-/// places in each cell and, if a limit were exceeded there, slowed as a whole by that little.
+/// places; where a limit is exceeded, limits there are tightened by that little and the law is solved again.
 ///
-/// Guarantee: at every place checked (nine a cell) no axis exceeds its speed or acceleration. Weakness: the
-/// acceleration jumps between cells; jerk is not limited.
+/// Guarantee: at every place checked (nine a cell, 65 where a limit is near) no axis exceeds its speed or acceleration.
+/// Weakness: the acceleration jumps between cells; jerk is not limited.
 #[derive(Debug, Clone)]
 pub struct SpeedLaw {
     cells: Vec<Cell>,
@@ -29,6 +29,11 @@ struct Cell {
     a: f64,
 }
 
+/// Rounds of tightening limits where they were exceeded.
+const ROUNDS: usize = 8;
+/// Part of a limit from which on a cell is looked at closely.
+const NEAR: f64 = 0.99;
+
 /// The law at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LawPoint {
@@ -43,14 +48,22 @@ pub struct LawPoint {
 impl SpeedLaw {
     /// The fastest law up to `asked` (mm/s by path length, constant between `breaks`).
     pub fn new(machine: &Machine, path: &JointPath, breaks: &[f64], asked: &dyn Fn(f64) -> f64) -> Self {
-        let stations = Stations::new(machine, path, breaks, asked);
-        let reach = backward(&stations);
-        let mut b = forward(&stations, &reach);
-        let excess = worst_excess(machine, path, &stations, &b);
-        if excess > 1.0 {
-            // Slowing the whole law never violates symmetric limits.
-            b.iter_mut().for_each(|v| *v /= excess);
+        let mut stations = Stations::new(machine, path, breaks, asked);
+        let mut b = forward(&stations, &backward(&stations));
+        for _ in 0..ROUNDS {
+            let excess: Vec<f64> =
+                (0..stations.cells()).map(|i| cell_excess(machine, path, &stations, &b, i)).collect();
+            if excess.iter().all(|e| *e <= 1.0) {
+                return Self::timed(&stations, &b);
+            }
+            for (i, e) in excess.iter().enumerate().filter(|(_, e)| **e > 1.0) {
+                stations.tighten(i, 1.0 + 1.5 * (e - 1.0));
+            }
+            b = forward(&stations, &backward(&stations));
         }
+        // What is left is taken off the whole law: slowing it never violates symmetric limits.
+        let excess = (0..stations.cells()).map(|i| cell_excess(machine, path, &stations, &b, i)).fold(1.0, f64::max);
+        b.iter_mut().for_each(|v| *v /= excess);
         Self::timed(&stations, &b)
     }
 
@@ -212,22 +225,25 @@ fn forward(stations: &Stations, reach: &[f64]) -> Vec<f64> {
     b
 }
 
-/// The largest factor by which squared speed or acceleration exceeds a limit at nine places of each cell.
-fn worst_excess(machine: &Machine, path: &JointPath, stations: &Stations, b: &[f64]) -> f64 {
-    let mut worst: f64 = 0.0;
-    for i in 0..stations.cells() {
-        let h = stations.width(i);
-        let u = (b[i + 1] - b[i]) / (2.0 * h);
-        for k in 0..=8 {
-            let d = h * f64::from(k) / 8.0;
-            let p = path.point(stations.s[i] + d, k == 8);
+/// The largest factor by which squared speed or acceleration exceeds a limit within cell `i`, or comes near it: nine
+/// places, and 65 if one of them is near a limit.
+fn cell_excess(machine: &Machine, path: &JointPath, stations: &Stations, b: &[f64], i: usize) -> f64 {
+    let h = stations.width(i);
+    let u = (b[i + 1] - b[i]) / (2.0 * h);
+    let worst_of = |parts: u32| {
+        let at = |k: u32| {
+            let d = h * f64::from(k) / f64::from(parts);
+            let p = path.point(stations.s[i] + d, k == parts);
             let x = b[i] + 2.0 * u * d;
-            for (j, axis) in machine.axes.iter().enumerate() {
+            let ratios = machine.axes.iter().enumerate().map(|(j, axis)| {
                 let speed = p.d1[j] * p.d1[j] * x / (axis.max_speed * axis.max_speed);
                 let acceleration = (p.d2[j] * x + p.d1[j] * u).abs() / axis.max_acceleration;
-                worst = worst.max(speed).max(acceleration);
-            }
-        }
-    }
-    worst
+                speed.max(acceleration)
+            });
+            ratios.fold(0.0, f64::max)
+        };
+        (0..=parts).map(at).fold(0.0, f64::max)
+    };
+    let coarse = worst_of(8);
+    if coarse < NEAR { coarse } else { worst_of(64) }
 }

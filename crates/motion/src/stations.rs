@@ -7,7 +7,7 @@ use seamwright_machine::Machine;
 pub(crate) const INSIDE: [f64; 4] = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0];
 
 /// The axes' limits are taken this much smaller, to cover what happens between the places where they are imposed.
-const MARGIN: f64 = 1e-6;
+const MARGIN: f64 = 1e-5;
 
 /// Limits at one place in a cell; each axis' derivatives are divided by its highest acceleration.
 #[derive(Debug, Clone, Copy)]
@@ -102,6 +102,19 @@ impl Stations {
     /// Places of cell `i`.
     pub(crate) fn places(&self, i: usize) -> &[Place] {
         &self.places[i * INSIDE.len()..][..INSIDE.len()]
+    }
+
+    /// Tightens the axes' limits in cell `i` and its neighbours by `factor`, more than 1.
+    pub(crate) fn tighten(&mut self, i: usize, factor: f64) {
+        let cells = i.saturating_sub(1)..(i + 2).min(self.cells());
+        let places = cells.start * INSIDE.len()..cells.end * INSIDE.len();
+        for place in &mut self.places[places.clone()] {
+            place.cap /= factor;
+        }
+        let rows = self.places[places.start].rows.0..self.places[places.end - 1].rows.1;
+        for row in &mut self.rows[rows] {
+            *row = (row.0 * factor, row.1 * factor);
+        }
     }
 
     /// Rows of a place.

@@ -228,7 +228,7 @@ proptest! {
             last = p.law.s;
             fastest = fastest.max(p.law.v);
         }
-        prop_assert!(check.worst <= 1.0 + 1e-6, "{}", check.worst);
+        prop_assert!(check.worst <= 1.0 + 1e-9, "{}", check.worst);
         // It runs at the asked speed somewhere, or at some axis' limit.
         let full = fastest > 0.999 * pass.spans[0].speed_mm_s.get();
         prop_assert!(full || check.worst > 0.95, "{} of {}: {}", fastest, pass.spans[0].speed_mm_s.get(), check.worst);
