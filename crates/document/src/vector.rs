@@ -5,10 +5,23 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
 
-/// Three finite numbers, mm: a point or a displacement.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+/// Three numbers, mm: a point or a displacement, each within 1e7 mm (10 km) of zero.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, JsonSchema)]
 #[serde(transparent)]
 pub struct Point([Finite; 3]);
+
+/// Farthest coordinate, mm.
+const FARTHEST_MM: f64 = 1e7;
+
+impl<'de> Deserialize<'de> for Point {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let v = <[Finite; 3]>::deserialize(deserializer)?;
+        if v.iter().any(|c| c.get().abs() > FARTHEST_MM) {
+            return Err(D::Error::custom("a coordinate is out of this world, expected three numbers within 1e7 mm of 0"));
+        }
+        Ok(Self(v))
+    }
+}
 
 impl Point {
     /// The point, if its coordinates are finite.

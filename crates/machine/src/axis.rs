@@ -97,13 +97,11 @@ impl Axis {
     /// How far `value` is outside the range (0 inside), and the limit it passes.
     pub fn outside(&self, value: f64) -> Option<f64> {
         let (low, high) = self.range?;
-        if value < low {
-            Some(low)
-        } else if value > high {
-            Some(high)
-        } else {
-            None
+        if value >= low && value <= high {
+            return None;
         }
+        // A value that is no number is outside too.
+        Some(if value < low { low } else { high })
     }
 
     /// The position equal to `value` up to whole turns that is nearest to `near`; linear axes have no turns.

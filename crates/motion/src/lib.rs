@@ -17,7 +17,7 @@ mod survey;
 pub mod textbook;
 
 pub use joint_path::{JointPath, JointPoint};
-pub use limits::{Bound, SpeedReport};
+pub use limits::SpeedReport;
 pub use pass_motion::PassMotion;
 pub use set_points::{Phase, SetPoint, SetPoints};
 pub use speed_law::{LawPoint, SpeedLaw};

@@ -1,17 +1,8 @@
 //! What the axes allow along a path, and how to say where they do not.
 
-use crate::JointPath;
+use crate::{JointPath, SpeedLaw};
 use seamwright_machine::Machine;
 use seamwright_program::{Finding, OnLimit};
-
-/// Which limit of which axis bounds the speed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Bound {
-    /// Index of the axis.
-    pub axis: usize,
-    /// True if its acceleration bounds, false if its speed.
-    pub acceleration: bool,
-}
 
 /// The planned speed away from run-up and run-down: the certificate of the band that is reached.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,51 +17,53 @@ pub struct SpeedReport {
     pub greatest: f64,
 }
 
-/// The highest steady speed (mm/s) that every axis allows at `s`, and what bounds it.
-pub(crate) fn steady_speed(machine: &Machine, path: &JointPath, s: f64, before: bool) -> (f64, Bound) {
+/// Which limit of which axis bounds the steady speed at `s`: the axis, and true if it is its acceleration.
+fn binding(machine: &Machine, path: &JointPath, s: f64, before: bool) -> (usize, bool) {
     let p = path.point(s, before);
-    let mut best = (f64::INFINITY, Bound { axis: 0, acceleration: false });
+    let mut best = (f64::INFINITY, 0, false);
     for (i, axis) in machine.axes.iter().enumerate() {
         let by_speed = axis.max_speed / p.d1[i].abs();
         let by_acceleration = (axis.max_acceleration / p.d2[i].abs()).sqrt();
         for (v, acceleration) in [(by_speed, false), (by_acceleration, true)] {
             if v < best.0 {
-                best = (v, Bound { axis: i, acceleration });
+                best = (v, i, acceleration);
             }
         }
     }
-    best
+    (best.1, best.2)
 }
 
-/// Where an axis cannot keep the asked speed, and which speed it could hold.
+/// Where an axis cannot keep the asked speed, and which speed it could hold: exactly where the law slows down for it.
 pub(crate) fn speed_findings(
     machine: &Machine,
     path: &JointPath,
-    asked: &dyn Fn(f64) -> f64,
+    law: &SpeedLaw,
     on_limit: OnLimit,
     pass: usize,
 ) -> Vec<Finding> {
-    let places = 4000;
+    let everywhere = law.everywhere;
     let mut runs = Runs::default();
-    let mut everywhere = f64::INFINITY;
-    for i in 0..=places {
-        let s = path.length() * f64::from(i) / f64::from(places);
-        let (v, bound) = steady_speed(machine, path, s, false);
-        everywhere = everywhere.min(v);
-        let too_slow = (v < asked(s) * (1.0 - 1e-9)).then(|| {
-            let axis = &machine.axes[bound.axis];
-            let what = if bound.acceleration { "acceleration" } else { "speed" };
-            let limit = axis.to_file(if bound.acceleration { axis.max_acceleration } else { axis.max_speed });
-            let per = if bound.acceleration { "/s^2" } else { "/s" };
-            let message = format!(
-                "axis {} cannot keep {:.3} mm/s: its {what} limit of {limit:.3} {}{per} allows {v:.3} mm/s",
-                axis.name,
-                asked(s),
-                axis.unit()
-            );
-            (bound.axis, asked(s) - v, message)
-        });
-        runs.add(s, too_slow);
+    // Places farther apart than this along the path are runs of their own.
+    let gap = path.length() / 400.0;
+    let mut last = f64::NEG_INFINITY;
+    for slow in &law.slow {
+        if slow.s > last + gap {
+            runs.add(last, None);
+        }
+        last = slow.s;
+        let (index, acceleration) = binding(machine, path, slow.s, slow.cell_end);
+        let axis = &machine.axes[index];
+        let what = if acceleration { "acceleration" } else { "speed" };
+        let limit = axis.to_file(if acceleration { axis.max_acceleration } else { axis.max_speed });
+        let per = if acceleration { "/s^2" } else { "/s" };
+        let message = format!(
+            "axis {} cannot keep {:.3} mm/s: its {what} limit of {limit:.3} {}{per} allows {:.3} mm/s",
+            axis.name,
+            slow.asked,
+            axis.unit(),
+            slow.holds
+        );
+        runs.add(slow.s, Some((index, slow.asked - slow.holds, message)));
     }
     runs.findings(|run| Finding {
         kind: "speed",
@@ -90,6 +83,20 @@ pub(crate) fn speed_findings(
     })
 }
 
+/// A weld too short to reach the asked speed at all.
+pub(crate) fn never_reached(law: &SpeedLaw, asked: f64, on_limit: OnLimit, pass: usize) -> Option<Finding> {
+    let reached = law.report().greatest;
+    (reached < asked * (1.0 - 1e-6) && law.slow.is_empty()).then(|| Finding {
+        kind: "speed",
+        message: format!("the weld is too short: between run-up and run-down it reaches {reached:.3} of {asked:.3} mm/s"),
+        pass,
+        from_mm: 0.0,
+        to_mm: law.report().run_up_end,
+        cure: format!("ask for {:.3} mm/s or less, or set weld.on_limit = \"slow\"", (reached * 1e3).floor() * 1e-3),
+        allowed: on_limit == OnLimit::Slow,
+    })
+}
+
 /// Joins neighbouring places with the same complaint into runs, keeping the worst message of each.
 #[derive(Default)]
 pub(crate) struct Runs {
@@ -103,7 +110,7 @@ pub(crate) struct Run {
     pub(crate) to: f64,
     pub(crate) message: String,
     key: usize,
-    pub(crate) worst: f64,
+    worst: f64,
 }
 
 impl Runs {

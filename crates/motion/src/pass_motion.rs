@@ -1,6 +1,6 @@
-use crate::limits::speed_findings;
+use crate::limits::{never_reached, speed_findings};
 use crate::set_points::SetPoints;
-use crate::survey::survey;
+use crate::survey::{range_between, survey};
 use crate::{JointPath, SpeedLaw};
 use seamwright_machine::Machine;
 use seamwright_program::{Finding, Pass, Sequence, TorchPath};
@@ -37,12 +37,15 @@ impl PassMotion {
             }
         };
         let asked = |s: f64| pass.span_at(s).map_or(0.0, |span| span.speed_mm_s.get());
-        findings.extend(speed_findings(machine, &joints, &asked, pass.on_limit, number));
+        let breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
+        let law = SpeedLaw::new(machine, &joints, &breaks, &asked);
+        findings.extend(speed_findings(machine, &joints, &law, pass.on_limit, number));
+        let fastest = pass.spans.iter().map(|s| s.speed_mm_s.get()).fold(0.0, f64::max);
+        findings.extend(never_reached(&law, fastest, pass.on_limit, number));
+        findings.extend(range_between(machine, &joints, number));
         if findings.iter().any(|f| !f.allowed) {
             return Err(findings);
         }
-        let breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
-        let law = SpeedLaw::new(machine, &joints, &breaks, &asked);
         Ok(Self { path: joints, law, sequence: pass.sequence, attitude_error: survey.attitude_error, findings })
     }
 

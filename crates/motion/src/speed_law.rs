@@ -1,4 +1,4 @@
-use crate::stations::Stations;
+use crate::stations::{Slow, Stations};
 use crate::{JointPath, SpeedReport};
 use seamwright_machine::Machine;
 
@@ -18,6 +18,9 @@ pub struct SpeedLaw {
     cells: Vec<Cell>,
     duration: f64,
     length: f64,
+    /// Where the axes cannot hold the asked speed, and the speed they can hold everywhere, mm/s.
+    pub(crate) slow: Vec<Slow>,
+    pub(crate) everywhere: f64,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -27,6 +30,8 @@ struct Cell {
     v: f64,
     /// Acceleration along the path, mm/s^2.
     a: f64,
+    /// True if the speed at its start is the asked one, or what the axes can hold there.
+    full: bool,
 }
 
 /// Rounds of tightening limits where they were exceeded.
@@ -72,10 +77,13 @@ impl SpeedLaw {
         let mut t = 0.0;
         for i in 0..stations.cells() {
             let (v, v1, h) = (b[i].sqrt(), b[i + 1].sqrt(), stations.width(i));
-            cells.push(Cell { s: stations.s[i], t, v, a: (b[i + 1] - b[i]) / (2.0 * h) });
+            let place = &stations.places(i)[0];
+            let full = b[i] >= (1.0 - 1e-6) * place.asked.min(stations.steady(place));
+            cells.push(Cell { s: stations.s[i], t, v, a: (b[i + 1] - b[i]) / (2.0 * h), full });
             t += 2.0 * h / (v + v1);
         }
-        Self { cells, duration: t, length: stations.s[stations.cells()] }
+        let length = stations.s[stations.cells()];
+        Self { cells, duration: t, length, slow: stations.slow(), everywhere: stations.everywhere() }
     }
 
     /// Time from rest to rest, s.
@@ -117,8 +125,11 @@ impl SpeedLaw {
 
     /// The band of the planned speed between run-up and run-down.
     pub fn report(&self) -> SpeedReport {
-        let rising = self.cells.iter().take_while(|c| c.a > 0.0).count();
-        let falling = self.cells.iter().rev().take_while(|c| c.a < 0.0).count();
+        let rising = self.cells.iter().take_while(|c| c.a > 0.0 && !c.full).count();
+        let falling = self.cells.iter().rev().take_while(|c| c.a < 0.0 && !c.full).count();
+        // The cell that begins at full speed and falls from there is the first of the run-down.
+        let begins = self.cells.iter().rev().nth(falling).is_some_and(|c| c.a < 0.0);
+        let falling = falling + usize::from(begins);
         let first = rising.min(self.cells.len() - 1);
         let last = self.cells.len() - falling;
         let start_of = |i: usize| self.cells.get(i).map_or(self.length, |c| c.s);
@@ -159,7 +170,7 @@ fn bounds(stations: &Stations, i: usize, next: f64, x: f64) -> (Bounding, Boundi
     };
     for place in stations.places(i) {
         if place.offset > 0.0 {
-            tighten(Bounding { at0: place.cap / (2.0 * place.offset), slope: -1.0 / (2.0 * place.offset) }, true);
+            tighten(Bounding { at0: place.asked.min(place.axes) / (2.0 * place.offset), slope: -1.0 / (2.0 * place.offset) }, true);
         }
         for &(d1, d2) in stations.rows(place) {
             // |q'' (x + 2 u offset) + q' u| <= A, divided by A.
@@ -179,7 +190,7 @@ fn bounds(stations: &Stations, i: usize, next: f64, x: f64) -> (Bounding, Boundi
 fn cap(stations: &Stations, i: usize) -> f64 {
     let place = &stations.places(i)[0];
     let steady = stations.rows(place).iter().filter(|r| r.0.abs() < 1e-12).map(|r| 1.0 / r.1.abs());
-    steady.fold(place.cap, f64::min)
+    steady.fold(place.asked.min(place.axes), f64::min)
 }
 
 /// Backward pass: the highest squared speed at each station from which the path can be finished.
@@ -191,7 +202,8 @@ fn backward(stations: &Stations) -> Vec<f64> {
         // The cell before must also end under its own cap.
         if i > 0 {
             let before = stations.places(i - 1);
-            x = x.min(before[before.len() - 1].cap);
+            let end = &before[before.len() - 1];
+            x = x.min(end.asked.min(end.axes));
         }
         // Upper less lower bound is concave in x: Newton descends to its zero without passing it.
         for _ in 0..50 {

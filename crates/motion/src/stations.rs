@@ -14,10 +14,25 @@ const MARGIN: f64 = 1e-5;
 pub(crate) struct Place {
     /// Distance from the cell's start, mm.
     pub(crate) offset: f64,
-    /// Highest squared speed from the axes' speeds and the asked speed, mm^2/s^2.
-    pub(crate) cap: f64,
+    /// Asked speed, squared, mm^2/s^2.
+    pub(crate) asked: f64,
+    /// Highest squared speed from the axes' speeds.
+    pub(crate) axes: f64,
     /// First and last row in [`Stations::rows`].
     pub(crate) rows: (usize, usize),
+}
+
+/// A place where the axes cannot hold the asked speed.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Slow {
+    /// Path length, mm.
+    pub(crate) s: f64,
+    /// True if it is the end of a cell: the limits before it count.
+    pub(crate) cell_end: bool,
+    /// Asked speed, mm/s.
+    pub(crate) asked: f64,
+    /// Speed that the axes could hold, mm/s.
+    pub(crate) holds: f64,
 }
 
 /// Cells between stations with the limits in them.
@@ -34,6 +49,8 @@ pub(crate) struct Stations {
 const FINEST_MM: f64 = 1e-3;
 /// Neighbouring cells grow by this factor away from such places.
 const GROWTH: f64 = 1.15;
+/// Least number of cells between two panel edges.
+const CELLS_A_PANEL: f64 = 12.0;
 /// Cells that an even division of the path would have.
 const CELLS: f64 = 1000.0;
 
@@ -53,7 +70,8 @@ impl Stations {
         let widest = length / CELLS;
         let mut s = vec![0.0];
         for w in fixed.windows(2) {
-            divide(&mut s, w[0], w[1], widest, &fine);
+            // Panels follow the features of the path: each gets cells enough to resolve its own.
+            divide(&mut s, w[0], w[1], widest.min((w[1] - w[0]) / CELLS_A_PANEL), &fine);
         }
         let mut built = Self { s, places: Vec::new(), rows: Vec::new() };
         for i in 0..built.s.len() - 1 {
@@ -79,14 +97,16 @@ impl Stations {
         // At a cell's end the limits of this cell count, not those of the next one.
         let p = path.point(at, part >= 1.0);
         let first = self.rows.len();
-        let mut cap = asked(0.5 * (a + b));
+        let asked = asked(0.5 * (a + b));
+        let mut axes = f64::INFINITY;
         let room = 1.0 - MARGIN;
         for (i, axis) in machine.axes.iter().enumerate() {
-            cap = cap.min(room * axis.max_speed / p.d1[i].abs());
+            axes = axes.min(room * axis.max_speed / p.d1[i].abs());
             let limit = room * axis.max_acceleration;
             self.rows.push((p.d1[i] / limit, p.d2[i] / limit));
         }
-        self.places.push(Place { offset, cap: cap * cap, rows: (first, self.rows.len()) });
+        let rows = (first, self.rows.len());
+        self.places.push(Place { offset, asked: asked * asked, axes: axes * axes, rows });
     }
 
     /// Number of cells.
@@ -104,12 +124,36 @@ impl Stations {
         &self.places[i * INSIDE.len()..][..INSIDE.len()]
     }
 
+    /// Highest squared speed at a place that the axes can hold steadily.
+    pub(crate) fn steady(&self, place: &Place) -> f64 {
+        self.rows(place).iter().map(|r| 1.0 / r.1.abs()).fold(place.axes, f64::min)
+    }
+
+    /// Places where the axes cannot hold the asked speed, with their cells: path length, whether it is the end of its
+    /// cell, and the speed they could hold, mm/s.
+    pub(crate) fn slow(&self) -> Vec<Slow> {
+        let places = (0..self.cells()).flat_map(|i| self.places(i).iter().map(move |p| (i, p)));
+        let slow = places.filter(|(_, p)| self.steady(p) < p.asked * (1.0 - 1e-9));
+        slow.map(|(i, p)| Slow {
+            s: self.s[i] + p.offset,
+            cell_end: p.offset >= self.width(i),
+            asked: p.asked.sqrt(),
+            holds: self.steady(p).sqrt(),
+        })
+        .collect()
+    }
+
+    /// The speed (mm/s) that the axes can hold at every place.
+    pub(crate) fn everywhere(&self) -> f64 {
+        self.places.iter().map(|p| self.steady(p)).fold(f64::INFINITY, f64::min).sqrt()
+    }
+
     /// Tightens the axes' limits in cell `i` and its neighbours by `factor`, more than 1.
     pub(crate) fn tighten(&mut self, i: usize, factor: f64) {
         let cells = i.saturating_sub(1)..(i + 2).min(self.cells());
         let places = cells.start * INSIDE.len()..cells.end * INSIDE.len();
         for place in &mut self.places[places.clone()] {
-            place.cap /= factor;
+            place.axes /= factor;
         }
         let rows = self.places[places.start].rows.0..self.places[places.end - 1].rows.1;
         for row in &mut self.rows[rows] {

@@ -1,7 +1,8 @@
 //! Before the motion is made: which branch and which turn to start on, and everything that stands against the path.
 
 use crate::limits::Runs;
-use seamwright_machine::{AxisKind, Joints, Machine};
+use crate::JointPath;
+use seamwright_machine::{Axis, AxisKind, Joints, Machine};
 use seamwright_program::{Finding, Tolerance, TorchPath};
 use std::f64::consts::TAU;
 
@@ -36,7 +37,10 @@ pub(crate) fn survey(
     let home = machine.home();
     // Where an axis is free at the very start, it stands as it will a little later.
     let later = machine.inverse_near(&path.pose(places[1] * 1e-3), &home).map_or(home, |s| s.joints);
-    let Ok(branches) = machine.inverse(&path.pose(0.0), &later) else { return Err(Vec::new()) };
+    let branches = match machine.inverse(&path.pose(0.0), &later) {
+        Ok(branches) => branches,
+        Err(reason) => return Err(vec![reach_finding(machine, &reason.to_string(), (0.0, 0.0), pass)]),
+    };
     let mut best: Option<(f64, Survey)> = None;
     for branch in branches.iter() {
         let mut walk = walk(machine, path, &places, branch.joints, pass);
@@ -46,7 +50,7 @@ pub(crate) fn survey(
             best = Some((cost, walk));
         }
     }
-    best.map(|(_, survey)| survey).ok_or_else(Vec::new)
+    best.map(|(_, survey)| survey).ok_or_else(|| vec![reach_finding(machine, "no solution", (0.0, 0.0), pass)])
 }
 
 /// Ranges along the path where no axis positions reach it.
@@ -57,15 +61,20 @@ fn unreachable(machine: &Machine, path: &dyn TorchPath, places: &[f64], pass: us
         let reason = machine.inverse(&path.pose(s), &home).err().map(|e| e.to_string());
         runs.add(s, reason.map(|message| (0, 0.0, message)));
     }
-    runs.findings(|run| Finding {
+    runs.findings(|run| reach_finding(machine, &run.message, (run.from, run.to), pass))
+}
+
+/// A stretch that no axis positions reach.
+fn reach_finding(machine: &Machine, reason: &str, (from_mm, to_mm): (f64, f64), pass: usize) -> Finding {
+    Finding {
         kind: "reach",
-        message: format!("{}: {}", machine.name, run.message),
+        message: format!("{}: {reason}", machine.name),
         pass,
-        from_mm: run.from,
-        to_mm: run.to,
+        from_mm,
+        to_mm,
         cure: "change the placement of the work, the torch angles or the machine".to_owned(),
         allowed: false,
-    })
+    }
 }
 
 /// Follows one branch.
@@ -138,40 +147,80 @@ fn extremes(rows: &[Joints], axis: usize) -> (f64, f64) {
 fn range_findings(machine: &Machine, places: &[f64], rows: &[Joints], pass: usize) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (i, axis) in machine.axes.iter().enumerate() {
-        let mut runs = Runs::default();
+        // Neighbouring places outside are one finding, at its worst value.
+        let mut run: Option<(f64, f64, f64, f64)> = None;
         for (&s, q) in places.iter().zip(rows) {
-            let out = axis.outside(q[i]).map(|limit| {
-                let (value, limit) = (axis.to_file(q[i]), axis.to_file(limit));
-                let by = (value - limit).abs();
-                let unit = axis.unit();
-                let message = format!(
-                    "axis {} would go to {value:.3} {unit}, {by:.3} {unit} beyond its limit {limit:.3} {unit}",
-                    axis.name
-                );
-                (i, by, message)
-            });
-            runs.add(s, out);
+            run = match (axis.outside(q[i]), run) {
+                (Some(limit), None) => Some((s, s, q[i], limit)),
+                (Some(limit), Some((from, _, worst, _))) => {
+                    let worse = (q[i] - limit).abs() > (worst - limit).abs();
+                    Some((from, s, if worse { q[i] } else { worst }, limit))
+                }
+                (None, Some((from, to, worst, limit))) => {
+                    findings.push(range_finding(axis, worst, limit, (from, to), pass));
+                    None
+                }
+                (None, None) => None,
+            };
         }
-        findings.extend(runs.findings(|run| Finding {
-            kind: "range",
-            message: run.message.clone(),
-            pass,
-            from_mm: run.from,
-            to_mm: run.to,
-            cure: match axis.kind {
-                AxisKind::Linear => format!(
-                    "move the work (placement) so that axis {} has {:.3} mm more room",
-                    axis.name, run.worst
-                ),
-                AxisKind::Rotary => format!(
-                    "start the weld elsewhere, turn the work (placement) or change the torch angles so that axis {} stays in its range",
-                    axis.name
-                ),
-            },
-            allowed: false,
-        }));
+        findings.extend(run.map(|(from, to, worst, limit)| range_finding(axis, worst, limit, (from, to), pass)));
     }
     findings
+}
+
+/// Ranges that the survey's places missed: the axes' extremes between them, where an axis turns back.
+pub(crate) fn range_between(machine: &Machine, path: &JointPath, pass: usize) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let step = path.length() / PLACES as f64;
+    for i in 0..PLACES {
+        let (a, b) = (step * i as f64, step * (i + 1) as f64);
+        let (start, end) = (path.point(a, false), path.point(b, true));
+        for (k, axis) in machine.axes.iter().enumerate() {
+            if start.d1[k] * end.d1[k] >= 0.0 {
+                continue;
+            }
+            let (mut low, mut high) = (a, b);
+            for _ in 0..50 {
+                let middle = 0.5 * (low + high);
+                if path.point(middle, false).d1[k] * start.d1[k] > 0.0 { low = middle } else { high = middle }
+            }
+            let value = path.at(low)[k];
+            // The survey has said so already where its own places are outside too.
+            if let Some(limit) = axis.outside(value)
+                && axis.outside(start.q[k]).is_none()
+                && axis.outside(end.q[k]).is_none()
+            {
+                findings.push(range_finding(axis, value, limit, (low, low), pass));
+            }
+        }
+    }
+    findings
+}
+
+/// An axis beyond its range.
+fn range_finding(axis: &Axis, value: f64, limit: f64, (from_mm, to_mm): (f64, f64), pass: usize) -> Finding {
+    let (value, limit, unit) = (axis.to_file(value), axis.to_file(limit), axis.unit());
+    let by = (value - limit).abs();
+    Finding {
+        kind: "range",
+        message: format!(
+            "axis {} would go to {value:.3} {unit}, {by:.3} {unit} beyond its limit {limit:.3} {unit}",
+            axis.name
+        ),
+        pass,
+        from_mm,
+        to_mm,
+        cure: match axis.kind {
+            AxisKind::Linear => {
+                format!("move the work (placement) so that axis {} has {by:.3} mm more room", axis.name)
+            }
+            AxisKind::Rotary => format!(
+                "start the weld elsewhere, turn the work (placement) or change the torch angles so that axis {} stays in its range",
+                axis.name
+            ),
+        },
+        allowed: false,
+    }
 }
 
 /// Orders walks: any that may be welded before any that may not, then less attitude error, then nearer to home.
