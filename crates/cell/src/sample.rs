@@ -16,6 +16,8 @@ pub struct Sample {
     pub tip_s: f64,
     /// Speed of the true tip along the seam since the period before, mm/s.
     pub tip_speed: f64,
+    /// Planned speed over the same period, mm/s: how far the set-point moved along the seam in it.
+    pub planned_speed: f64,
     /// Distance of the true tip from the seam, normal to it, mm.
     pub path_error: f64,
     /// Angle between the true torch direction and the one asked for there, rad.

@@ -33,6 +33,7 @@ pub fn simulate<E: From<Error>>(
             current: Joints::default(),
             tip_s: 0.0,
             tip_speed: 0.0,
+            planned_speed: 0.0,
             path_error: 0.0,
             attitude_error: 0.0,
         };
@@ -43,8 +44,11 @@ pub fn simulate<E: From<Error>>(
             sample.current[i] = state.current;
         }
         measure(machine, path, &mut sample);
-        sample.tip_speed = last_s.map_or(0.0, |s| (sample.tip_s - s) / machine.servo_period_s);
-        last_s = Some(sample.tip_s);
+        if let Some((tip_s, set_s)) = last_s {
+            sample.tip_speed = (sample.tip_s - tip_s) / machine.servo_period_s;
+            sample.planned_speed = (set.law.s - set_s) / machine.servo_period_s;
+        }
+        last_s = Some((sample.tip_s, set.law.s));
         tally.add(&sample, &rates);
         observer(&sample)?;
     }

@@ -88,10 +88,11 @@ pub struct Summary {
     /// Path length where that is greatest, mm.
     pub path_error_at_mm: f64,
     /// Speed of the true tip along the seam from half a second after run-up to the run-down; `rms` is that of the
-    /// deviation from the asked speed.
-    pub tip_speed_mm_s: Extremes,
-    /// Greatest deviation of that speed from the asked one, as a part of it.
-    pub speed_ripple: f64,
+    /// deviation from the planned speed. None if the weld is too short for that.
+    pub tip_speed_mm_s: Option<Extremes>,
+    /// Greatest deviation of that speed from the planned one over the same servo period, as a part of it; none if the
+    /// weld is too short to be judged.
+    pub speed_ripple: Option<f64>,
     /// Path length of that deviation, mm.
     pub speed_ripple_at_mm: f64,
     /// Angle between true and asked torch direction while it travels, degrees.
@@ -124,7 +125,7 @@ impl Summary {
             let cure = "look at the following errors: tune the position loops, or weld slower";
             findings.push(finding("path", message, self.path_error_at_mm, cure, false));
         }
-        let (ripple, limit) = (100.0 * self.speed_ripple, tolerance.speed_percent.get());
+        let (ripple, limit) = (100.0 * self.speed_ripple.unwrap_or(0.0), tolerance.speed_percent.get());
         if ripple > limit {
             let message =
                 format!("the simulated tip's speed deviates {ripple:.1} % from the planned one; {limit} % is allowed");
@@ -187,7 +188,7 @@ impl Tally {
             self.attitude.add(sample.attitude_error.to_degrees());
         }
         if sample.set.t > self.steady.0 && sample.set.t < self.steady.1 {
-            let asked = sample.set.law.v;
+            let asked = sample.planned_speed;
             self.tip_speed.add(sample.tip_speed);
             self.deviation.add(sample.tip_speed - asked);
             let deviation = (sample.tip_speed - asked).abs() / asked;
@@ -205,6 +206,7 @@ impl Tally {
     }
 
     pub(crate) fn finish(self, machine: &Machine, motion: &PassMotion, seed: u64) -> Summary {
+        let judged = self.tip_speed.count > 0;
         let speed = self.tip_speed.finish();
         let axes = machine.axes.iter().enumerate().map(|(i, axis)| {
             let shown =
@@ -229,8 +231,8 @@ impl Tally {
             arc_on_s: motion.arc_on_s(),
             path_error_mm: self.path_error.finish(),
             path_error_at_mm: self.worst.1,
-            tip_speed_mm_s: Extremes { rms: self.deviation.finish().rms, ..speed },
-            speed_ripple: self.ripple.0,
+            tip_speed_mm_s: judged.then(|| Extremes { rms: self.deviation.finish().rms, ..speed }),
+            speed_ripple: judged.then_some(self.ripple.0),
             speed_ripple_at_mm: self.ripple.1,
             attitude_error_deg: self.attitude.finish(),
             axes: axes.collect(),

@@ -33,6 +33,10 @@ fn keep(file: NamedTempFile, path: &Path) -> Result<(), Failure> {
 }
 
 fn not_writable(path: &Path, e: &std::io::Error) -> Failure {
+    use std::io::ErrorKind::{AlreadyExists, IsADirectory, NotADirectory, NotFound, PermissionDenied, ReadOnlyFilesystem};
+    if !matches!(e.kind(), AlreadyExists | IsADirectory | NotADirectory | NotFound | PermissionDenied | ReadOnlyFilesystem) {
+        return Failure::Environment(format!("{}: cannot be written: {}", path.display(), e.kind()));
+    }
     // The error's own text names our temporary file.
     let why = match e.kind() {
         std::io::ErrorKind::NotFound => "there is no such folder".to_owned(),
@@ -75,6 +79,21 @@ impl Output {
         file.write_all(text.as_bytes()).map_err(|e| not_writable(&self.folder, &e))?;
         self.add(name, file);
         Ok(())
+    }
+
+    /// Takes a copy of the file at `from` under `name`, unless it is that file; another file of that name is not touched.
+    pub(crate) fn copy(&mut self, name: &str, from: &Path) -> Result<(), Failure> {
+        let text = read(from)?;
+        let to = self.folder.join(name);
+        match fs::read_to_string(&to) {
+            Ok(there) if there == text => Ok(()),
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => self.text(name, &text),
+            _ => Err(Failure::Input(format!(
+                "{}: another file stands where the copy of {} should go\n   allowed: another output folder",
+                to.display(),
+                from.display()
+            ))),
+        }
     }
 
     /// Gives every file its name; the paths written.

@@ -75,7 +75,23 @@ pub(crate) fn machine(name: &str) -> Result<Machine, Failure> {
     })
 }
 
+/// Most set-points of one motion: more are a mistake in a period or a speed.
+const MOST_SET_POINTS: f64 = 1e11;
+
 impl Loaded {
+    /// Refuses motions with more set-points than any weld has.
+    pub(crate) fn check_count(&self, motion: &PassMotion, period_s: f64) -> Result<(), Failure> {
+        let count = motion.total_s() / period_s;
+        if count <= MOST_SET_POINTS {
+            return Ok(());
+        }
+        let total = motion.total_s();
+        Err(Failure::Input(format!(
+            "the motion takes {total:.3e} s, {count:.1e} set-points of {:.3e} ms\n   allowed: up to {MOST_SET_POINTS:.0e}; a higher speed, shorter times or a longer period",
+            period_s * 1e3
+        )))
+    }
+
     /// Plans the weld.
     pub(crate) fn plan(&self) -> Result<PassMotion, Failure> {
         self.try_plan().map_err(Failure::Findings)

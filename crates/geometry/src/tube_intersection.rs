@@ -64,12 +64,11 @@ impl TubeIntersection {
         Outermost { height, half_gradient: half + height * self.line.ad, half_along: root }
     }
 
-    /// How surely the wall meets the body at `phi`: the discriminant of its quadratic in mm^2-like units, made
-    /// relative; positive where it does.
-    fn margin(&self, phi: f64) -> f64 {
+    /// The discriminant of the wall's quadratic at `phi`: positive where the wall meets the body. A trigonometric
+    /// polynomial of degree two.
+    fn discriminant(&self, phi: f64) -> f64 {
         let (k1, k0, _) = self.body.on_line(&self.line, self.wall(phi).0);
-        let k2 = self.line.k2;
-        (k1 * k1 - k2 * k0) / (k1 * k1 + (k2 * k0).abs()).max(f64::MIN_POSITIVE)
+        k1 * k1 - self.line.k2 * k0
     }
 
     /// How far the wall's point lies on the body's own side of a cone's apex, mm (infinite for other bodies).
@@ -87,7 +86,9 @@ impl TubeIntersection {
         if flat && samples().any(|phi| grows(phi) <= 1e-9) {
             return Err(Error::NeverLeaves);
         }
-        let margin = |phi: f64| if flat { 1.0 } else { self.margin(phi) };
+        // Relative to its largest size, so that thresholds have no unit.
+        let scale = samples().map(|phi| self.discriminant(phi).abs()).fold(f64::MIN_POSITIVE, f64::max);
+        let margin = |phi: f64| if flat { 1.0 } else { self.discriminant(phi) / scale };
         let axis_meets = k1 * k1 - k2 * k0 > 0.0;
         self.check_margin(&margin, axis_meets)?;
         self.check_margin(&|phi| self.nappe_margin(phi).min(1.0), axis_meets)

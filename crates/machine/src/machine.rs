@@ -1,7 +1,8 @@
 use crate::inverse::{Branches, ClosedForm, Solution, Unreachable};
-use crate::{Axis, Chain, Io, Joints, MachineFile, RangeViolation, assemble};
+use crate::{Axis, AxisKind, Chain, Io, Joints, MachineFile, RangeViolation, assemble};
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::Pose;
+use std::f64::consts::TAU;
 
 /// A machine: its axes and the chain from the work to the torch.
 #[derive(Debug, Clone, PartialEq)]
@@ -90,6 +91,24 @@ impl Machine {
             }
         }
         Ok(branches[best])
+    }
+
+    /// `q` with rotary axes turned by whole turns into their ranges, where that is possible.
+    pub fn turned_into_range(&self, q: &Joints) -> Joints {
+        let mut turned = *q;
+        for (value, axis) in turned.iter_mut().zip(&self.axes) {
+            if let (AxisKind::Rotary, Some((low, high))) = (axis.kind, axis.range) {
+                let up = TAU * ((low - *value) / TAU).ceil();
+                if *value < low && *value + up <= high {
+                    *value += up;
+                }
+                let down = TAU * ((*value - high) / TAU).ceil();
+                if *value > high && *value - down >= low {
+                    *value -= down;
+                }
+            }
+        }
+        turned
     }
 
     /// The first axis whose position in `q` is outside its range.

@@ -50,7 +50,7 @@ pub struct SetPoints<'a> {
 impl<'a> SetPoints<'a> {
     pub(crate) fn new(motion: &'a PassMotion, period: f64) -> Self {
         // The last set-point is the first at or after the end (less a rounding).
-        let count = (motion.total_s() / period - 1e-9).ceil().max(0.0) as u64 + 1;
+        let count = ((motion.total_s() / period - 1e-9).ceil().max(0.0) as u64).saturating_add(1);
         Self { motion, period, next: 0, count, cursor: 0 }
     }
 

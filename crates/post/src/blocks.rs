@@ -25,6 +25,9 @@ pub struct Block {
     pub tip: DVec3,
     /// Duration by the plan, s.
     pub duration: f64,
+    /// True if the block only turns: its linear motion is too small for the control's least feed and is left to a later
+    /// block.
+    pub turns_only: bool,
 }
 
 /// A pass cut into blocks.
@@ -49,11 +52,16 @@ const LAG: f64 = 20.0;
 const ATTITUDE: f64 = 0.1 * std::f64::consts::PI / 180.0;
 /// Shortest block, mm.
 const SHORTEST_MM: f64 = 1e-4;
+/// Linear motion that may be left to a later block, as a part of the tolerance. The cutter's own tolerance is smaller by
+/// as much.
+pub(crate) const HELD_BACK: f64 = 0.05;
+/// Turns smaller than this (rad) are lost in the words' decimals.
+const TURN: f64 = 1e-7;
 /// LinuxCNC's interpreter raises any lower feed to this, in mm/min or deg/min, without a word.
 const LEAST_FEED: f64 = 0.1;
 
-/// Cuts `motion` along `path` into the fewest blocks whose path stays within `tolerance_mm` of the seam: each block is
-/// as long as the tolerance lets it be, which is the fewest because every part of a good block is good.
+/// Cuts `motion` along `path` into few blocks whose path stays within `tolerance_mm` of the seam: greedily, each block as
+/// long as tolerance, timing, attitude and the control's least feed let it be.
 ///
 /// Places where spans end (`breaks`, mm) always end a block.
 ///
@@ -72,17 +80,23 @@ pub fn linearise(
         return Err(Error::NoTip);
     }
     let mut here = cutter.end_at(0.0, 0.0);
+    // The last place whose linear words were written.
+    let mut written = here;
     let mut cut = Linearisation { start: here, blocks: Vec::new(), chord_error_mm: 0.0 };
     let mut ends: Vec<f64> = breaks.iter().copied().filter(|s| *s > 0.0 && *s < path.length()).collect();
     ends.push(path.length());
     let mut length = 1.0;
     for end in ends {
         while here.s < end {
-            let next = cutter.farthest(&here, end, length);
+            let next = cutter.farthest(&here, &written, end, length);
             if next - here.s < SHORTEST_MM && next < end {
                 return Err(Error::TooFine { s: here.s });
             }
-            let block = cutter.end_at(next, here.s);
+            let mut block = cutter.end_at(next, here.s);
+            block.turns_only = cutter.below_least_feed(&written, &block) && cutter.turns(&here, &block);
+            if !block.turns_only {
+                written = block;
+            }
             cut.chord_error_mm = cut.chord_error_mm.max(cutter.chord_error(&here, &block).0);
             length = next - here.s;
             cut.blocks.push(block);
@@ -104,12 +118,15 @@ impl Cutter<'_> {
     fn end_at(&self, s: f64, before: f64) -> Block {
         let q = self.motion.path.at(s);
         let duration = self.motion.law.time(s) - self.motion.law.time(before);
-        Block { s, q, tip: self.machine.forward(&q).point, duration }
+        Block { s, q, tip: self.machine.forward(&q).point, duration, turns_only: false }
     }
 
     /// The farthest end of a good block from `here`, not beyond `end`; `guess` is the length of the last one.
-    fn farthest(&self, here: &Block, end: f64, guess: f64) -> f64 {
-        let good = |s: f64| self.good(here, &self.end_at(s, here.s));
+    fn farthest(&self, here: &Block, written: &Block, end: f64, guess: f64) -> f64 {
+        let good = |s: f64| {
+            let block = self.end_at(s, here.s);
+            self.good(here, &block) && self.feed_is_kept(written, &block)
+        };
         let mut length = guess.max(SHORTEST_MM);
         // Grow until bad, or shrink until good, then halve the bracket.
         while here.s + length < end && good(here.s + length) {
@@ -129,7 +146,7 @@ impl Cutter<'_> {
 
     fn good(&self, a: &Block, b: &Block) -> bool {
         let (chord, lag, attitude) = self.chord_error(a, b);
-        chord <= self.tolerance && lag <= LAG * self.tolerance && attitude <= ATTITUDE && self.feed_is_kept(a, b)
+        chord <= self.tolerance && lag <= LAG * self.tolerance && attitude <= ATTITUDE
     }
 
     /// The pose the control passes through at the part `f` of a block.
@@ -169,29 +186,32 @@ impl Cutter<'_> {
         worst
     }
 
-    /// True if the control will not run the block faster than planned because its feed would be below the least one.
-    fn feed_is_kept(&self, a: &Block, b: &Block) -> bool {
-        let linear = words_length(self.machine, self.level, a, b);
-        linear <= self.negligible() || linear / b.duration * 60.0 > 1.2 * LEAST_FEED || b.s - a.s <= 10.0 * SHORTEST_MM
+    /// True if the control would raise the block's feed, counted from the last linear words `written`.
+    fn below_least_feed(&self, written: &Block, b: &Block) -> bool {
+        self.linear(written, b) / b.duration * 60.0 < 1.2 * LEAST_FEED
     }
 
-    fn negligible(&self) -> f64 {
-        negligible_mm(self.tolerance)
+    /// True if the control will not run the block faster than planned: its feed is above the least one, or its linear
+    /// motion is small enough to be left to a later block.
+    fn feed_is_kept(&self, written: &Block, b: &Block) -> bool {
+        !self.below_least_feed(written, b) || self.linear(written, b) <= HELD_BACK * self.tolerance
     }
-}
 
-/// Linear motion (mm) that is left to the next block rather than given a feed below the control's least one.
-pub(crate) fn negligible_mm(tolerance: f64) -> f64 {
-    0.005 * tolerance
-}
+    /// True if a rotary axis moves in the block by more than its words can say.
+    fn turns(&self, a: &Block, b: &Block) -> bool {
+        let axes = self.machine.axes.iter().zip(a.q.iter().zip(&b.q));
+        axes.filter(|(x, _)| x.kind == AxisKind::Rotary).any(|(_, (a, b))| (a - b).abs() > TURN)
+    }
 
-/// Length of a block's linear motion as the control will see it, mm.
-pub(crate) fn words_length(machine: &Machine, level: Level, a: &Block, b: &Block) -> f64 {
-    match level {
-        Level::Tip => (b.tip - a.tip).length(),
-        Level::Joint => {
-            let linear = machine.axes.iter().zip(a.q.iter().zip(&b.q)).filter(|(x, _)| x.kind == AxisKind::Linear);
-            linear.map(|(_, (a, b))| (b - a).powi(2)).sum::<f64>().sqrt()
+    /// Length of linear motion as the control will see it, mm.
+    fn linear(&self, a: &Block, b: &Block) -> f64 {
+        match self.level {
+            Level::Tip => (b.tip - a.tip).length(),
+            Level::Joint => {
+                let axes = self.machine.axes.iter().zip(a.q.iter().zip(&b.q));
+                let linear = axes.filter(|(x, _)| x.kind == AxisKind::Linear);
+                linear.map(|(_, (a, b))| (b - a).powi(2)).sum::<f64>().sqrt()
+            }
         }
     }
 }

@@ -1,5 +1,5 @@
 use crate::Error;
-use crate::blocks::{Block, Level, Linearisation, linearise, negligible_mm, words_length};
+use crate::blocks::{Block, HELD_BACK, Level, Linearisation, linearise};
 use crate::number::{fixed, significant};
 use glam::DVec3;
 use seamwright_geometry::Pose;
@@ -27,8 +27,6 @@ impl Default for Options {
 
 /// Decimals of positions in mm and degrees.
 const DECIMALS: usize = 6;
-/// Turns smaller than this (rad) are lost in the words' decimals.
-const TURN: f64 = 1e-7;
 /// Part of the tolerance that is left to the control for rounding corners (G64 P).
 const ROUNDING: f64 = 0.1;
 /// Feed of the approach from where the torch stands back to the start of the weld, mm/min.
@@ -52,7 +50,7 @@ pub fn linuxcnc(
     let letters = letters(machine, options.level)?;
     let breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
     // Rounding of corners by the control, and linear motion left to the next block, count against the tolerance too.
-    let tolerance = (1.0 - ROUNDING) * options.tolerance_mm - negligible_mm(options.tolerance_mm);
+    let tolerance = (1.0 - ROUNDING - HELD_BACK) * options.tolerance_mm;
     let cut = linearise(machine, path, motion, &breaks, options.level, tolerance)?;
     let mut writer = Writer { out: String::new(), machine, options, letters };
     writer.header(program, motion, &cut);
@@ -169,7 +167,7 @@ impl Writer<'_> {
             return Err(Error::Retract { retract_mm: self.options.retract_mm, s, axis });
         }
         let tip: DVec3 = self.machine.forward(&there.joints).point;
-        Ok(Some(Block { s, q: there.joints, tip, duration: 0.0 }))
+        Ok(Some(Block { s, q: there.joints, tip, duration: 0.0, turns_only: false }))
     }
 
     fn start(&mut self, start: &Block, back: Option<&Block>, motion: &PassMotion, span: &Span) {
@@ -226,24 +224,16 @@ impl Writer<'_> {
 
     fn weld(&mut self, cut: &Linearisation, spans: &[Span]) {
         self.line("G93");
-        let (mut before, mut emitted) = (cut.start, cut.start);
+        let mut before = cut.start;
         let mut span = 0;
         for block in &cut.blocks {
             while span + 1 < spans.len() && before.s >= spans[span + 1].from_mm.get() - 1e-9 {
                 span += 1;
                 self.process_values(&spans[span], "M67");
             }
-            // Linear motion too small for the control's least feed is left to the next block.
-            let linear = words_length(self.machine, self.options.level, &emitted, block);
-            let turns = self.machine.axes.iter().zip(before.q.iter().zip(&block.q));
-            let turns = turns.filter(|(a, _)| a.kind == AxisKind::Rotary).any(|(_, (a, b))| (a - b).abs() > TURN);
-            let rotary_only = turns && linear <= negligible_mm(self.options.tolerance_mm);
             let feed = significant(60.0 / block.duration, 9);
-            self.line(&format!("G1 {} F{feed}", self.words(block, rotary_only)));
+            self.line(&format!("G1 {} F{feed}", self.words(block, block.turns_only)));
             before = *block;
-            if !rotary_only {
-                emitted = *block;
-            }
         }
     }
 

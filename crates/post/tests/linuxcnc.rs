@@ -137,7 +137,7 @@ fn no_block_could_be_left_out() {
     assert!((fine as f64 / coarse as f64 - 2f64.sqrt()).abs() < 0.1, "{fine} {coarse}");
     // An ellipse's blocks, counted from its curvature: ds = sqrt(8 tol / k), so n is the integral of sqrt(k / 8 tol).
     // A tenth of the tolerance is the control's, and 2 % of the rest is kept for what lies between the places checked.
-    let (a, b, tolerance) = (20.0f64, 16.0f64, 0.001 * (0.9 - 0.005) * 0.98);
+    let (a, b, tolerance) = (20.0f64, 16.0f64, 0.001 * (0.9 - 0.05) * 0.98);
     let n: f64 = (0..100_000)
         .map(|i| {
             let t = f64::from(i) / 100_000.0 * std::f64::consts::TAU;
@@ -149,6 +149,12 @@ fn no_block_could_be_left_out() {
         / 100_000.0;
     let with_overlap = n * 118.447 / 113.447;
     assert!((fine as f64 - with_overlap).abs() < 0.05 * n + 3.0, "{fine} blocks, {with_overlap} by curvature");
+}
+
+#[test]
+fn slow_welds_keep_their_time_in_spite_of_the_control_s_least_feed() {
+    let job = EXAMPLES[0].replace("speed_mm_s = 10", "speed_mm_s = 0.3").replace("overlap_mm = 20", "end_phi_deg = 110");
+    check(&job, Level::Joint, 0.01);
 }
 
 #[test]

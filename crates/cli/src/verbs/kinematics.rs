@@ -68,6 +68,9 @@ fn inverse(machine: &Machine, values: &[f64], near: &Joints, continuous: bool) -
     let mut candidates = vec![nearest];
     if !continuous {
         candidates.extend(machine.inverse(&pose, near).map_err(|e| e.to_string())?.iter());
+        for solution in &mut candidates {
+            solution.joints = machine.turned_into_range(&solution.joints);
+        }
     }
     let inside = candidates.iter().find(|s| machine.outside(&s.joints).is_none());
     inside.copied().ok_or_else(|| {

@@ -14,6 +14,7 @@ pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
         None => machine.servo_period_s,
     };
     let motion = loaded.plan()?;
+    loaded.check_count(&motion, period)?;
     let program = &loaded.welding.program.value;
     let process = process_names(program);
     let mut columns: Vec<String> = ["t_s", "pass", "s_mm"].map(str::to_owned).into();

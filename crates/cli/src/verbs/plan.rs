@@ -1,7 +1,6 @@
 use crate::args::PlanArgs;
 use crate::clock;
 use crate::failure::Failure;
-use crate::files;
 use crate::files::Output;
 use crate::load::{Loaded, load};
 use crate::rows::{print_json, print_text};
@@ -27,8 +26,9 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
 pub(super) fn write_program(output: &mut Output, loaded: &Loaded) -> Result<(), Failure> {
     let mut program = loaded.welding.program.value.clone();
     if let Some(path) = &loaded.machine_file {
-        program.machine = "machine.toml".to_owned();
-        output.text("machine.toml", &files::read(path)?)?;
+        let name = path.file_name().map_or("machine.toml".into(), |n| n.to_string_lossy().into_owned());
+        output.copy(&name, path)?;
+        program.machine = name;
     }
     let text = program.to_toml().map_err(|e| Failure::Environment(e.to_string()))?;
     output.text("program.toml", &text)
@@ -60,8 +60,8 @@ fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
     let _ = writeln!(text, "  seam         {:.3} mm, weld {:.3} mm", r.seam.length_mm, r.seam.weld_length_mm);
     let _ = writeln!(
         text,
-        "  speed        {:.4} to {:.4} mm/s planned, {} asked",
-        p.least_speed_mm_s, p.greatest_speed_mm_s, p.asked_speed_mm_s
+        "  speed        {:.4} to {:.4} mm/s planned, {} to {} asked",
+        p.least_speed_mm_s, p.greatest_speed_mm_s, p.asked_speed_mm_s.0, p.asked_speed_mm_s.1
     );
     let _ = writeln!(
         text,
@@ -69,13 +69,16 @@ fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
         p.weld_s, p.arc_on_s, p.total_s
     );
     if let Some(s) = &r.simulation {
-        let (e, v) = (&s.path_error_mm, &s.tip_speed_mm_s);
+        let e = &s.path_error_mm;
         let _ = writeln!(text, "  path error   {:.4} mm greatest, {:.4} mm RMS (simulated)", e.max, e.rms);
-        let _ = writeln!(
-            text,
-            "  tip speed    {:.4} to {:.4} mm/s, RMS deviation {:.4} mm/s (simulated)",
-            v.min, v.max, v.rms
-        );
+        let _ = match &s.tip_speed_mm_s {
+            Some(v) => writeln!(
+                text,
+                "  tip speed    {:.4} to {:.4} mm/s, RMS deviation {:.4} mm/s (simulated)",
+                v.min, v.max, v.rms
+            ),
+            None => writeln!(text, "  tip speed    too short a weld to judge"),
+        };
         for a in &s.axes {
             let f = &a.following_error;
             let worst = f.min.abs().max(f.max.abs());

@@ -15,6 +15,7 @@ use std::io::{BufWriter, Write};
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
     let motion = loaded.plan()?;
+    loaded.check_count(&motion, loaded.machine.servo_period_s)?;
     let mut output = Output::new(&args.output)?;
     let report = weld(&loaded, &motion, args.seed, &mut output)?;
     finish(output, &report, args.json)?;

@@ -57,8 +57,10 @@ pub struct SeamFigures {
 /// The plan in numbers.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlanFigures {
-    /// Speed asked for, mm/s.
-    pub asked_speed_mm_s: f64,
+    /// Least and greatest speed asked for, mm/s; they differ where spans do.
+    pub asked_speed_mm_s: (f64, f64),
+    /// True if every axis can hold the asked speed everywhere.
+    pub speed_held: bool,
     /// Least planned speed between run-up and run-down, mm/s.
     pub least_speed_mm_s: f64,
     /// Greatest planned speed, mm/s.
@@ -141,6 +143,8 @@ impl WeldReport {
         let (low, high) = welding.seam.dihedral_range();
         let band = motion.law.report();
         let span = &program.passes[0].spans[0];
+        let speeds = || program.passes[0].spans.iter().map(|s| s.speed_mm_s.get());
+        let asked = |better: fn(f64, f64) -> f64| speeds().reduce(better).unwrap_or(0.0);
         let energy = arc_energy(&program.passes[0], &samples, (band.run_up_end, band.run_down_start));
         let axes = machine.axes.iter().enumerate().map(|(i, axis)| {
             let greatest =
@@ -158,7 +162,8 @@ impl WeldReport {
             }
         });
         let plan = PlanFigures {
-            asked_speed_mm_s: span.speed_mm_s.get(),
+            asked_speed_mm_s: (asked(f64::min), asked(f64::max)),
+            speed_held: !motion.findings.iter().any(|f| f.kind == "speed"),
             least_speed_mm_s: band.least,
             greatest_speed_mm_s: band.greatest,
             run_up_mm: band.run_up_end,

@@ -1,5 +1,5 @@
 use super::Plots;
-use super::figures::{AxisFigures, WeldReport};
+use super::figures::{AxisFigures, PlanFigures, WeldReport};
 use crate::{Block, Finding, Page, Severity, Table, Tile, Verdict, format_number};
 use seamwright_cell::Summary;
 use seamwright_program::WeldDirection;
@@ -83,18 +83,22 @@ impl WeldReport {
 
     fn verdict(&self) -> Verdict {
         let p = &self.plan;
-        let held = if p.least_speed_mm_s >= p.asked_speed_mm_s * (1.0 - 1e-9) {
-            format!("{} mm/s from run-up to run-down", number(p.asked_speed_mm_s))
-        } else {
-            format!("slowed to {} mm/s of {} mm/s asked", number(p.least_speed_mm_s), number(p.asked_speed_mm_s))
+        let held = match p.speed_held {
+            true => "the asked speed from run-up to run-down".to_owned(),
+            false => format!("slowed to {} mm/s where an axis needs it", number(p.least_speed_mm_s)),
         };
         let simulated = self.simulation.as_ref().map_or(String::new(), |s| {
             format!(
-                " Simulated: path error at most {} mm of {} allowed, speed within {} % of {} allowed.",
+                " Simulated: path error at most {} mm of {} allowed, {}.",
                 small(s.path_error_mm.max),
                 number(p.tolerance.path_mm.get()),
-                small(100.0 * s.speed_ripple),
-                number(p.tolerance.speed_percent.get())
+                match s.speed_ripple {
+                    Some(r) => {
+                        let (found, allowed) = (small(100.0 * r), number(p.tolerance.speed_percent.get()));
+                        format!("speed within {found} % of {allowed} allowed")
+                    }
+                    None => "too short to judge its speed".to_owned(),
+                }
             )
         });
         Verdict {
@@ -125,23 +129,24 @@ impl WeldReport {
                 "Speed, planned",
                 number(p.least_speed_mm_s),
                 "mm/s",
-                format!("asked {}, greatest {}", number(p.asked_speed_mm_s), number(p.greatest_speed_mm_s)),
+                format!("asked {}, greatest {}", p.asked(), number(p.greatest_speed_mm_s)),
             ),
         ];
         if let Some(s) = &self.simulation {
-            let speed = &s.tip_speed_mm_s;
             tiles.push(tile(
                 "Path error, simulated",
                 small(s.path_error_mm.max),
                 "mm",
                 format!("greatest; RMS {} mm", small(s.path_error_mm.rms)),
             ));
-            tiles.push(tile(
-                "Speed ripple, simulated",
-                small(100.0 * s.speed_ripple),
-                "%",
-                format!("{} to {} mm/s, RMS {} mm/s", number(speed.min), number(speed.max), small(speed.rms)),
-            ));
+            let (ripple, note) = match (&s.tip_speed_mm_s, s.speed_ripple) {
+                (Some(v), Some(ripple)) => (
+                    small(100.0 * ripple),
+                    format!("{} to {} mm/s, RMS {} mm/s", number(v.min), number(v.max), small(v.rms)),
+                ),
+                _ => ("–".to_owned(), "too short a weld to judge".to_owned()),
+            };
+            tiles.push(tile("Speed ripple, simulated", ripple, "%", note));
         }
         tiles.push(Tile {
             severity: (p.attitude_error_deg > 0.5).then_some(Severity::Warning),
@@ -188,6 +193,14 @@ impl WeldReport {
             rows.push(row(name, value.get(), "as named"));
         }
         table("Job data", &["", "Value", "Unit"], rows, 1..2)
+    }
+}
+
+impl PlanFigures {
+    /// The asked speed, or the range of those of several spans.
+    fn asked(&self) -> String {
+        let (low, high) = self.asked_speed_mm_s;
+        if high > low { format!("{} to {}", number(low), number(high)) } else { number(low) }
     }
 }
 

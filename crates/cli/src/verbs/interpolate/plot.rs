@@ -3,20 +3,27 @@
 
 use super::Named;
 use glam::DVec3;
-use seamwright_motion::textbook::{Error, Path, Point};
+use crate::failure::Failure;
+use seamwright_motion::textbook::{Path, Point};
 use seamwright_report::{Axis, Chart, Series, Style, sheet};
 
 /// Pulses shown on each side of the middle of the path in the close view.
 const CLOSE_PULSES: f64 = 12.0;
+/// Most points of one method in a drawing.
+const MOST_POINTS: usize = 4_000_000;
 /// Points of the true curve.
 const CURVE: u32 = 2000;
 
 /// The sheet with all charts.
-pub(super) fn draw(requests: &[Named]) -> Result<String, Error> {
+pub(super) fn draw(requests: &[Named]) -> Result<String, Failure> {
     let path = requests[0].request.shape.path()?;
     let mut charts = [paths(&path), close(&path, requests), speed(), deviation()];
     for (place, Named { name, request }) in requests.iter().enumerate() {
-        let points: Vec<Point> = request.interpolate()?.collect();
+        let points: Vec<Point> = request.interpolate()?.take(MOST_POINTS + 1).collect();
+        if points.len() > MOST_POINTS {
+            let message = format!("--svg: {name} has more than {MOST_POINTS} points to draw");
+            return Err(Failure::Input(message + "\n   allowed: a coarser pulse or period, or no drawing"));
+        }
         // Each method has one colour in all charts; the true curve has the first.
         let series = |points: Vec<(f64, f64)>| Series::line(*name, points).coloured(place + 1);
         charts[0].series.push(series(points.iter().map(|p| (p.position.x, p.position.y)).collect()));
