@@ -33,8 +33,13 @@ fn keep(file: NamedTempFile, path: &Path) -> Result<(), Failure> {
 }
 
 fn not_writable(path: &Path, e: &std::io::Error) -> Failure {
-    use std::io::ErrorKind::{AlreadyExists, IsADirectory, NotADirectory, NotFound, PermissionDenied, ReadOnlyFilesystem};
-    if !matches!(e.kind(), AlreadyExists | IsADirectory | NotADirectory | NotFound | PermissionDenied | ReadOnlyFilesystem) {
+    use std::io::ErrorKind::{
+        AlreadyExists, IsADirectory, NotADirectory, NotFound, PermissionDenied, ReadOnlyFilesystem,
+    };
+    if !matches!(
+        e.kind(),
+        AlreadyExists | IsADirectory | NotADirectory | NotFound | PermissionDenied | ReadOnlyFilesystem
+    ) {
         return Failure::Environment(format!("{}: cannot be written: {}", path.display(), e.kind()));
     }
     // The error's own text names our temporary file.

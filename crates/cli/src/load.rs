@@ -35,6 +35,11 @@ pub(crate) fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded,
             return Err(welding.program.error_at("machine", message, allowed).into());
         }
     };
+    let process = welding.program.value.passes.iter().flat_map(|p| &p.spans).flat_map(|s| s.process.keys());
+    if let Some(clash) = process.into_iter().find(|name| machine.axis(name).is_some()) {
+        let message = format!("process value `{clash}` has the name of an axis of the machine");
+        return Err(welding.program.error_at("machine", message, "names of their own").into());
+    }
     let machine_file = shipped(wanted).is_none().then(|| folder.join(wanted));
     Ok(Loaded { welding, machine, machine_file })
 }

@@ -18,5 +18,20 @@ mod vector;
 
 pub use document::Document;
 pub use error::DocumentError;
+/// Names of columns in tables and traces, which no axis and no process value may have.
+pub const RESERVED_COLUMNS: [&str; 11] = [
+    "t_s",
+    "pass",
+    "s_mm",
+    "speed_mm_s",
+    "arc",
+    "error",
+    "attitude_error_deg",
+    "path_error_mm",
+    "speed_set_mm_s",
+    "tip_s_mm",
+    "tip_speed_mm_s",
+];
+
 pub use number::{Finite, NonNegative, Positive, SchemaVersion};
 pub use vector::{Direction, Point, Transform};

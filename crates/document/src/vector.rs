@@ -17,7 +17,9 @@ impl<'de> Deserialize<'de> for Point {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let v = <[Finite; 3]>::deserialize(deserializer)?;
         if v.iter().any(|c| c.get().abs() > FARTHEST_MM) {
-            return Err(D::Error::custom("a coordinate is out of this world, expected three numbers within 1e7 mm of 0"));
+            return Err(D::Error::custom(
+                "a coordinate is out of this world, expected three numbers within 1e7 mm of 0",
+            ));
         }
         Ok(Self(v))
     }

@@ -33,6 +33,22 @@ fn equal_diameters_have_a_corner() {
 }
 
 #[test]
+fn a_little_larger_than_the_shell_is_seen_between_samples() {
+    // The wall misses the shell only within a fraction of a degree, turned away from every sample.
+    for turn in [0.0, 0.003, 0.0071, 0.0113, 0.0171] {
+        for excess in [1e-4, 1e-6, 1e-8] {
+            let zero = DVec3::new(f64::cos(turn), f64::sin(turn), 0.0);
+            let tube = Tube::new(DVec3::ZERO, DVec3::Z, zero, 800.0 * (1.0 + excess)).unwrap();
+            let found = TubeIntersection::new(tube, shell().unwrap());
+            assert!(
+                matches!(found, Err(Error::NotClosed { .. } | Error::Tangent { .. })),
+                "{turn} {excess}: {found:?}"
+            );
+        }
+    }
+}
+
+#[test]
 fn beside_the_shell() {
     assert_eq!(on(shell(), DVec3::new(0.0, 2000.0, 0.0), DVec3::Z, 250.0), Err(Error::TubeBesideBody));
 }

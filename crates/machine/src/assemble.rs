@@ -4,7 +4,7 @@ use crate::chain::{Chain, MAX_AXES, Screw};
 use crate::inverse::ClosedForm;
 use crate::{Axis, AxisKind, Drive, DriveFile, Gains, Load, Machine, MachineFile, StepFile};
 use glam::{DAffine3, DVec3};
-use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
+use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive, RESERVED_COLUMNS};
 use seamwright_geometry::Pose;
 use std::collections::BTreeMap;
 
@@ -73,10 +73,6 @@ fn check_io(file: &File) -> Result<(), DocumentError> {
     Ok(())
 }
 
-/// Names of other columns, which no axis and no process value may have.
-const RESERVED: [&str; 8] =
-    ["t_s", "pass", "s_mm", "speed_mm_s", "arc", "error", "attitude_error_deg", "path_error_mm"];
-
 /// The axis of a step, or none if the step is fixed.
 fn axis(file: &File, path: &str, step: &StepFile) -> Result<Option<Axis>, DocumentError> {
     let at = |key: &str| format!("{path}.{key}");
@@ -102,7 +98,7 @@ fn axis(file: &File, path: &str, step: &StepFile) -> Result<Option<Axis>, Docume
     if name.is_empty() || !name.chars().all(plain) {
         return Err(file.error_at(&at("axis"), "the name cannot be a column", "lower-case letters, digits and _"));
     }
-    if RESERVED.contains(&name.as_str()) {
+    if RESERVED_COLUMNS.contains(&name.as_str()) {
         return Err(file.error_at(&at("axis"), "another column has this name", "a name of its own"));
     }
     let kind = match (&step.turn, &step.direction) {

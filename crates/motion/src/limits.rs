@@ -88,7 +88,9 @@ pub(crate) fn never_reached(law: &SpeedLaw, asked: f64, on_limit: OnLimit, pass:
     let reached = law.report().greatest;
     (reached < asked * (1.0 - 1e-6) && law.slow.is_empty()).then(|| Finding {
         kind: "speed",
-        message: format!("the weld is too short: between run-up and run-down it reaches {reached:.3} of {asked:.3} mm/s"),
+        message: format!(
+            "the weld is too short: between run-up and run-down it reaches {reached:.3} of {asked:.3} mm/s"
+        ),
         pass,
         from_mm: 0.0,
         to_mm: law.report().run_up_end,

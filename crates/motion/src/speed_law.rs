@@ -170,7 +170,13 @@ fn bounds(stations: &Stations, i: usize, next: f64, x: f64) -> (Bounding, Boundi
     };
     for place in stations.places(i) {
         if place.offset > 0.0 {
-            tighten(Bounding { at0: place.asked.min(place.axes) / (2.0 * place.offset), slope: -1.0 / (2.0 * place.offset) }, true);
+            tighten(
+                Bounding {
+                    at0: place.asked.min(place.axes) / (2.0 * place.offset),
+                    slope: -1.0 / (2.0 * place.offset),
+                },
+                true,
+            );
         }
         for &(d1, d2) in stations.rows(place) {
             // |q'' (x + 2 u offset) + q' u| <= A, divided by A.

@@ -1,7 +1,7 @@
 //! Before the motion is made: which branch and which turn to start on, and everything that stands against the path.
 
-use crate::limits::Runs;
 use crate::JointPath;
+use crate::limits::Runs;
 use seamwright_machine::{Axis, AxisKind, Joints, Machine};
 use seamwright_program::{Finding, Tolerance, TorchPath};
 use std::f64::consts::TAU;

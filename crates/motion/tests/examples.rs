@@ -148,6 +148,47 @@ fn too_fast_is_refused_or_slowed_as_asked() {
     assert!(check.worst <= 1.0 + 1e-9 && check.worst > 0.99, "{}", check.worst);
 }
 
+/// A straight seam on which the torch leans by a little within a few mm.
+fn leaning(speed: f64) -> String {
+    format!(
+        "schema = 1\ntitle = \"t\"\nmachine = \"torch-5axis\"\n[seam.line]\nstart_mm = [-700, 0, 0]\n\
+         end_mm = [700, 0, 0]\nfirst_normal = [0, 1, 0]\nsecond_normal = [0, 0, 1]\n[torch]\nat = [\
+         {{ s_mm = 0 }}, {{ s_mm = 700.1 }}, {{ s_mm = 704, travel_angle_deg = 2 }}]\n[weld]\nspeed_mm_s = {speed}\n"
+    )
+}
+
+#[test]
+fn a_short_bend_is_refused_and_the_cure_cures() {
+    let findings = Case::new("bend", &leaning(12.5)).motion().unwrap_err();
+    assert!(findings.iter().all(|f| f.kind == "speed" && f.from_mm > 700.0 && f.to_mm < 705.0), "{findings:#?}");
+    let cure = findings[0].cure.split_whitespace().nth(2).unwrap().parse().unwrap();
+    let motion = Case::new("bend", &leaning(cure)).motion().unwrap();
+    assert!(motion.law.report().least >= cure * (1.0 - 1e-9) && cure > 12.0, "{:?}", motion.law.report());
+}
+
+#[test]
+fn too_short_to_reach_the_speed_is_said() {
+    let short = leaning(100.0).replace("[-700, 0, 0]", "[-2.5, 0, 0]").replace("[700, 0, 0]", "[2.5, 0, 0]");
+    let short = short.split("[torch]").next().unwrap().to_owned() + "[weld]\nspeed_mm_s = 100\n";
+    let findings = Case::new("short", &short).motion().unwrap_err();
+    assert!(findings[0].message.contains("too short") && findings[0].message.contains("49.99"), "{findings:#?}");
+}
+
+#[test]
+fn a_range_passed_between_two_places_is_found() {
+    let case = Case::new("saddle", EXAMPLES[0].1);
+    let motion = case.motion().unwrap();
+    let least = (0..200_000).map(|i| motion.path.at(motion.path.length() * f64::from(i) / 2e5)[1]).fold(0.0, f64::min);
+    let text = shipped("saddle-4axis").unwrap().text;
+    let with = |low: f64| {
+        let machine =
+            Machine::read("m", &text.replacen("range_mm = [-200, 200]", &format!("range_mm = [{low}, 200]"), 1));
+        PassMotion::plan(&machine.unwrap(), &case.welding.path(), &case.welding.program.value.passes[0], 1)
+    };
+    assert!(with(least - 1e-7).is_ok());
+    assert!(with(least + 1e-7).unwrap_err().iter().any(|f| f.kind == "range"));
+}
+
 #[test]
 fn out_of_range_and_out_of_reach_say_where() {
     let low = EXAMPLES[0].1.replace("move_mm = [0, 0, -800]", "move_mm = [0, 0, 0]");

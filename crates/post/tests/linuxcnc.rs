@@ -153,7 +153,8 @@ fn no_block_could_be_left_out() {
 
 #[test]
 fn slow_welds_keep_their_time_in_spite_of_the_control_s_least_feed() {
-    let job = EXAMPLES[0].replace("speed_mm_s = 10", "speed_mm_s = 0.3").replace("overlap_mm = 20", "end_phi_deg = 110");
+    let job =
+        EXAMPLES[0].replace("speed_mm_s = 10", "speed_mm_s = 0.3").replace("overlap_mm = 20", "end_phi_deg = 110");
     check(&job, Level::Joint, 0.01);
 }
 

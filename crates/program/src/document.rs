@@ -1,4 +1,4 @@
-use crate::{Pass, Seam, SeamStart};
+use crate::{Pass, Seam, SeamStart, check_process};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, SchemaVersion, Transform};
 use serde::{Deserialize, Serialize};
@@ -52,6 +52,7 @@ impl Program {
                     let message = "the span does not begin where the one before it ends";
                     return Err(document.error_at(&path("from_mm"), message, end.to_string()));
                 }
+                check_process(&document, &path("process"), &span.process)?;
                 if !span.process.keys().eq(pass.spans[0].process.keys()) {
                     let names: Vec<&str> = pass.spans[0].process.keys().map(String::as_str).collect();
                     let message = "the span sets other process values than the first one";

@@ -8,13 +8,15 @@
 mod document;
 mod finding;
 mod pass;
+mod process;
 mod seam;
 mod tolerance;
 mod torch;
 
 pub use document::Program;
 pub use finding::Finding;
-pub use pass::{OnLimit, Pass, ProcessValues, Sequence, Span};
+pub use pass::{OnLimit, Pass, Sequence, Span};
+pub use process::{ProcessValues, check_process};
 pub use seam::{Body, Direction as WeldDirection, Ellipse, FilletOrButt, Line, Nozzle, Seam, SeamStart};
 pub use tolerance::Tolerance;
 pub use torch::{Torch, TorchAt, TorchPath};

@@ -1,11 +1,7 @@
-use crate::{Tolerance, Torch};
+use crate::{ProcessValues, Tolerance, Torch};
 use schemars::JsonSchema;
-use seamwright_document::{Finite, NonNegative, Positive};
+use seamwright_document::{NonNegative, Positive};
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
-
-/// Process values by name; the name ends in the unit, like `current_a`, `voltage_v`, `wire_feed_m_min`.
-pub type ProcessValues = BTreeMap<String, Finite>;
 
 /// One progression along the seam.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -40,7 +36,7 @@ pub struct Span {
     /// Speed of the torch tip along the seam, relative to the work, mm/s.
     pub speed_mm_s: Positive,
     /// Process values that hold over the span.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(default, skip_serializing_if = "ProcessValues::is_empty")]
     pub process: ProcessValues,
 }
 

@@ -1,7 +1,9 @@
 use crate::{Attitude, SeamCurve};
 use schemars::JsonSchema;
-use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive, SchemaVersion, Transform};
-use seamwright_program::{OnLimit, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span, Tolerance, Torch};
+use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
+use seamwright_program::{
+    OnLimit, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span, Tolerance, Torch, check_process,
+};
 use serde::{Deserialize, Serialize};
 
 /// A job file: what is to be welded, how, and on which machine.
@@ -56,9 +58,7 @@ impl Job {
     /// The first thing wrong, with its address.
     pub fn read(file: &str, text: &str) -> Result<Document<Self>, DocumentError> {
         let job = Document::<Self>::read(file, text)?;
-        for (name, value) in &job.value.weld.process {
-            check_process(&job, name, *value)?;
-        }
+        check_process(&job, "weld.process", &job.value.weld.process)?;
         Ok(job)
     }
 
@@ -97,21 +97,4 @@ impl Job {
             passes: vec![pass],
         })
     }
-}
-
-/// A process value's name becomes a column: plain letters, ending in a unit.
-fn check_process(job: &Document<Job>, name: &str, value: Finite) -> Result<(), DocumentError> {
-    let path = format!("weld.process.{name}");
-    let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
-    if !name.chars().all(plain) || !name.contains('_') {
-        let allowed = "lower-case letters, digits and _, ending in the unit, like current_a";
-        return Err(job.error_at(&path, "this is no name of a process value", allowed));
-    }
-    if ["t_s", "s_mm", "speed_mm_s", "tip_s_mm", "path_error_mm"].contains(&name) {
-        return Err(job.error_at(&path, "another column has this name", "a name of its own"));
-    }
-    if value.get() < 0.0 {
-        return Err(job.error_at(&path, "a process value is not negative", "0 or greater"));
-    }
-    Ok(())
 }

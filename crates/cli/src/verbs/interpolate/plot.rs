@@ -2,8 +2,8 @@
 //! distance from the true curve.
 
 use super::Named;
-use glam::DVec3;
 use crate::failure::Failure;
+use glam::DVec3;
 use seamwright_motion::textbook::{Path, Point};
 use seamwright_report::{Axis, Chart, Series, Style, sheet};
 
