@@ -176,7 +176,7 @@ pub(crate) struct KinematicsArgs {
     /// Machine that ships, or a machine file
     pub(crate) machine: String,
     /// Axis positions (mm, degrees) to torch tip and direction in the work frame
-    #[arg(long, group = "way", required = true)]
+    #[arg(long, group = "way", required_unless_present = "inverse")]
     pub(crate) forward: bool,
     /// Torch tip and direction to axis positions
     #[arg(long, group = "way")]
