@@ -1,7 +1,6 @@
 use crate::drives::Drives;
 use crate::summary::{Summary, Tally};
 use crate::{Error, Sample};
-use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine};
 use seamwright_motion::{PassMotion, SetPoint};
@@ -62,25 +61,13 @@ fn servo_set_point(set: &SetPoint, rates: &(Joints, Joints), i: usize) -> seamwr
 /// Finds the seam's point nearest to the true tip and how far the tip is from it.
 fn measure(machine: &Machine, path: &dyn TorchPath, sample: &mut Sample) {
     let tip = machine.forward(&sample.q);
-    let mut s = sample.set.law.s;
-    // The tip is near: two Newton steps on the foot of the perpendicular.
-    let mut there = path.pose(s);
-    for _ in 0..2 {
-        s = (s + (tip.point - there.point).dot(tangent(path, s))).clamp(0.0, path.length());
-        there = path.pose(s);
-    }
+    let s = path.foot(tip.point, sample.set.law.s, (0.0, path.length()));
+    let there = path.pose(s);
     sample.tip_s = s;
     let off = tip.point - there.point;
-    let along = tangent(path, s);
+    let along = path.tangent(s);
     sample.path_error = (off - off.dot(along) * along).length();
     sample.attitude_error = angle(&tip, &there);
-}
-
-/// Unit tangent of the path at `s`, by a difference small against any curvature that can be welded.
-fn tangent(path: &dyn TorchPath, s: f64) -> DVec3 {
-    let h = 1e-3_f64.min(0.25 * path.length());
-    let (a, b) = ((s - h).max(0.0), (s + h).min(path.length()));
-    (path.pose(b).point - path.pose(a).point).normalize()
 }
 
 fn angle(a: &Pose, b: &Pose) -> f64 {

@@ -168,15 +168,8 @@ impl Cutter<'_> {
             let f = k as f64 / CHECKS as f64;
             let passed = self.interpolated(a, b, f);
             let planned = self.motion.law.at(begin + f * b.duration, &mut cursor).s;
-            let mut s = planned;
-            let mut there = self.path.pose(s);
-            for _ in 0..2 {
-                let h = 1e-3;
-                let ahead = self.path.pose((s + h).min(self.path.length())).point;
-                let behind = self.path.pose((s - h).max(0.0)).point;
-                s = (s + (passed.point - there.point).dot((ahead - behind).normalize())).clamp(a.s, b.s);
-                there = self.path.pose(s);
-            }
+            let s = self.path.foot(passed.point, planned, (a.s, b.s));
+            let there = self.path.pose(s);
             // Compared with what the axes really reach, so that a missing freedom is not a chord error.
             let reached = self.machine.forward(&self.motion.path.at(s)).direction;
             worst.0 = worst.0.max((passed.point - there.point).length());

@@ -1,3 +1,4 @@
+use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_document::Finite;
 use seamwright_geometry::Pose;
@@ -42,6 +43,20 @@ pub trait TorchPath {
     /// The torch tip and the direction in which wire or beam points (from the torch to the work) at path length `s`;
     /// continuously differentiable, and smooth between knots; the tip's speed by `s` is 1.
     fn pose(&self, s: f64) -> Pose;
+
+    /// Unit tangent at path length `s`, by a difference of 1e-3 mm to each side: small against any bend that can be
+    /// welded.
+    fn tangent(&self, s: f64) -> DVec3 {
+        let h = 1e-3_f64.min(0.25 * self.length());
+        let (behind, ahead) = ((s - h).max(0.0), (s + h).min(self.length()));
+        (self.pose(ahead).point - self.pose(behind).point).normalize()
+    }
+
+    /// Path length within [`from`, `to`] of the path's point nearest to `point`, which must lie near the path at path
+    /// length `guess`: two Newton steps on the foot of the perpendicular.
+    fn foot(&self, point: DVec3, guess: f64, (from, to): (f64, f64)) -> f64 {
+        (0..2).fold(guess, |s, _| (s + (point - self.pose(s).point).dot(self.tangent(s))).clamp(from, to))
+    }
 
     /// Path lengths inside the path where a second or higher derivative may jump, increasing.
     fn knots(&self) -> Vec<f64> {

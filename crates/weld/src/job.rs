@@ -1,4 +1,4 @@
-use crate::{Attitude, SeamCurve};
+use crate::SeamCurve;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_program::{
@@ -65,10 +65,9 @@ impl Job {
     /// The program that welds `job` along its `seam`, in one pass.
     ///
     /// # Errors
-    /// With the key's address: torch angles that do not fit the seam.
+    /// With the key's address: a weld without length.
     pub fn program(job: &Document<Self>, seam: &SeamCurve) -> Result<Program, DocumentError> {
         let j = &job.value;
-        Attitude::new(job, "torch", &j.torch, seam)?;
         let whole = |what: &str, value: f64| {
             let message = format!("the {what} has no length");
             Positive::new(value).ok_or_else(|| job.error_at("seam", message, "a seam with a length"))
