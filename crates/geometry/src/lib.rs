@@ -13,6 +13,7 @@
 mod arc_length;
 mod chebyshev;
 mod circle;
+mod cubic_spline;
 mod curve;
 mod edge;
 mod ellipse;
@@ -27,6 +28,7 @@ mod tube_intersection;
 pub use arc_length::{ByLength, DEFAULT_ACCURACY_MM};
 pub use chebyshev::{NODES, Series, nodes};
 pub use circle::Circle;
+pub use cubic_spline::CubicSpline;
 pub use curve::{Curve, Jet};
 pub use edge::{CurvedEdge, Edge, EdgePoint, FaceRule};
 pub use ellipse::Ellipse;

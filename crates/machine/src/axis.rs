@@ -1,3 +1,4 @@
+use crate::PitchError;
 use std::f64::consts::{PI, TAU};
 
 /// Linear or rotary.
@@ -28,6 +29,8 @@ pub struct Axis {
     pub max_acceleration: f64,
     /// Highest jerk, infinite if not given.
     pub max_jerk: f64,
+    /// Measured pitch error, if the file has one.
+    pub pitch_error: Option<PitchError>,
     /// Drive for the simulation, if the file describes one.
     pub drive: Option<Drive>,
 }

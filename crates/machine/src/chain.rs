@@ -1,5 +1,6 @@
 use crate::AxisKind;
-use glam::{DMat3, DQuat, DVec3};
+use arrayvec::ArrayVec;
+use glam::{DAffine3, DMat3, DQuat, DVec3};
 use seamwright_geometry::Pose;
 
 /// Most axes a machine may have.
@@ -7,6 +8,53 @@ pub const MAX_AXES: usize = 12;
 
 /// Axis positions in machine-file order, mm or rad; entries beyond the machine's axes are 0.
 pub type Joints = [f64; MAX_AXES];
+
+/// A set of axes, by index.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct AxisSet(u16);
+
+impl AxisSet {
+    /// The set with `axis` in it too.
+    pub fn with(self, axis: usize) -> Self {
+        Self(self.0 | 1 << axis)
+    }
+
+    /// True if `axis` is in the set.
+    pub fn has(self, axis: usize) -> bool {
+        self.0 >> axis & 1 == 1
+    }
+
+    /// True if no axis is in the set.
+    pub fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// Axes that are in either set.
+    pub fn union(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// Axes that are in both sets.
+    pub fn both(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
+    /// Axes that are in one of two sets only.
+    pub fn different(self, other: Self) -> Self {
+        Self(self.0 ^ other.0)
+    }
+
+    /// The axes, increasing.
+    pub fn iter(self) -> impl Iterator<Item = usize> {
+        (0..MAX_AXES).filter(move |&a| self.has(a))
+    }
+}
+
+impl FromIterator<usize> for AxisSet {
+    fn from_iter<I: IntoIterator<Item = usize>>(axes: I) -> Self {
+        axes.into_iter().fold(Self::default(), Self::with)
+    }
+}
 
 /// The motion of one axis, seen in the work frame with all axes at zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,7 +75,7 @@ pub(crate) struct Screw {
 /// with its sense turned round, because it moves the work and not the torch.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chain {
-    pub(crate) screws: Vec<Screw>,
+    pub(crate) screws: ArrayVec<Screw, MAX_AXES>,
     pub(crate) zero: Pose,
 }
 
@@ -85,6 +133,35 @@ impl Screw {
 }
 
 impl Chain {
+    /// The axes of the chain.
+    pub fn axes(&self) -> AxisSet {
+        self.screws.iter().map(|s| s.axis).collect()
+    }
+
+    /// The chain with the axes of `held` standing where they are in `q`: what they move lies elsewhere at zero, and
+    /// their screws are gone.
+    pub(crate) fn holding(&self, held: AxisSet, q: &Joints) -> Self {
+        let mut moved = DAffine3::IDENTITY;
+        let mut screws = ArrayVec::new();
+        for screw in &self.screws {
+            let here = Screw {
+                direction: moved.transform_vector3(screw.direction),
+                at: moved.transform_point3(screw.at),
+                ..*screw
+            };
+            if held.has(screw.axis) {
+                moved *= screw.displacement(q[screw.axis]);
+            } else {
+                screws.push(here);
+            }
+        }
+        let zero = Pose {
+            point: moved.transform_point3(self.zero.point),
+            direction: moved.transform_vector3(self.zero.direction),
+        };
+        Self { screws, zero }
+    }
+
     /// Torch tip and direction (from the torch to the work) in the work frame at axis positions `q`.
     pub fn forward(&self, q: &Joints) -> Pose {
         let mut turns = [Turn::NONE; MAX_AXES];

@@ -23,11 +23,19 @@ pub struct MachineFile {
     /// Steps from the machine's base to the clamped work, in order.
     #[serde(default)]
     pub work: Vec<StepFile>,
-    /// The torch at the end of the tool steps.
-    pub torch: TorchFile,
+    /// The torch at the end of the tool steps, on a machine with one head.
+    pub torch: Option<TorchFile>,
+    /// Two heads, each at the end of steps of its own after the tool steps, instead of `torch`.
+    #[serde(default)]
+    pub heads: Vec<HeadFile>,
+    /// Direction against gravity in the base frame; z if missing.
+    pub up: Option<Direction>,
     /// Drive of each axis, by the axis' name; used by the simulation.
     #[serde(default)]
     pub drives: BTreeMap<String, DriveFile>,
+    /// Measured pitch error of axes, by the axis' name.
+    #[serde(default)]
+    pub pitch_error: BTreeMap<String, PitchErrorFile>,
     /// Which outputs of the control switch and set the process.
     #[serde(default)]
     pub io: Io,
@@ -39,6 +47,43 @@ pub struct MachineFile {
 pub struct TorchFile {
     /// Direction of wire or beam, from the torch to the work, in the last frame of the tool steps.
     pub direction: Direction,
+}
+
+/// One of two heads.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HeadFile {
+    /// Name, for people and for shapes.
+    pub name: String,
+    /// Direction of wire or beam, from the torch to the work, in the last frame of the head's steps.
+    pub direction: Direction,
+    /// Steps from the end of the tool steps to the head's tip: correction slides and fixed displacements.
+    #[serde(default)]
+    pub steps: Vec<StepFile>,
+}
+
+impl MachineFile {
+    /// Name, own steps and direction of each head.
+    pub(crate) fn heads(&self) -> Vec<(&str, &[StepFile], Direction)> {
+        match &self.torch {
+            Some(torch) => vec![("torch", &[], torch.direction)],
+            None => self.heads.iter().map(|h| (h.name.as_str(), h.steps.as_slice(), h.direction)).collect(),
+        }
+    }
+}
+
+/// A table of an axis' measured pitch error: the true position less the indicated one.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PitchErrorFile {
+    /// Indicated positions of a linear axis, mm, increasing.
+    pub at_mm: Option<Vec<Finite>>,
+    /// Error at each of them, mm.
+    pub error_mm: Option<Vec<Finite>>,
+    /// Indicated positions of a rotary axis, degrees, increasing; within one turn if it is continuous.
+    pub at_deg: Option<Vec<Finite>>,
+    /// Error at each of them, degrees.
+    pub error_deg: Option<Vec<Finite>>,
 }
 
 /// One step of a branch: an axis (`axis`, and `turn` or `move`) or a `fixed` displacement.

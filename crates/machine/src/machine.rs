@@ -1,25 +1,59 @@
-use crate::inverse::{Branches, ClosedForm, Solution, Unreachable};
-use crate::{Axis, AxisKind, Chain, Io, Joints, MachineFile, RangeViolation, assemble};
+use crate::inverse::{self, Branches, Solution, Unreachable};
+use crate::pair::Pair;
+use crate::{
+    Axis, AxisKind, AxisSet, Head, Io, Joints, LinkFrames, Links, MAX_AXES, MachineFile, RangeViolation, assemble,
+};
+use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::Pose;
 use std::f64::consts::TAU;
 
-/// A machine: its axes and the chain from the work to the torch.
+/// Places of the axes to spare that are tried to reach a pose.
+const FREE_PLACES: u32 = 500;
+
+/// A machine: its axes, links and heads.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Machine {
     /// Short name.
     pub name: String,
     /// Title, for people.
     pub title: String,
-    /// Axes in machine-file order: tool side first, then work side.
+    /// Axes in machine-file order: tool side first, then work side, then the heads' own.
     pub axes: Vec<Axis>,
     /// Period of position loops and set-points, s.
     pub servo_period_s: f64,
     /// Outputs that drive the process.
     pub io: Io,
-    /// The chain from the work to the torch.
-    pub chain: Chain,
-    pub(crate) closed_form: Option<ClosedForm>,
+    /// Heads, at least one: each with its chain from the work to its tip.
+    pub heads: Vec<Head>,
+    /// The rigid bodies.
+    pub links: Links,
+    /// Unit vector against gravity in the machine's base frame.
+    pub up: DVec3,
+    pub(crate) pair: Option<Pair>,
+    /// True if any axis has a pitch-error table.
+    pub(crate) has_pitch_error: bool,
+}
+
+/// Where the torches go: one, or two at once.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Target {
+    /// Tip and direction of the first head's torch in the work frame.
+    pub first: Pose,
+    /// The same of the second head's, if both weld.
+    pub second: Option<Pose>,
+}
+
+impl From<Pose> for Target {
+    fn from(first: Pose) -> Self {
+        Self { first, second: None }
+    }
+}
+
+impl From<&Pose> for Target {
+    fn from(first: &Pose) -> Self {
+        Self::from(*first)
+    }
 }
 
 impl Machine {
@@ -45,44 +79,116 @@ impl Machine {
         q
     }
 
-    /// Torch tip and direction in the work frame at positions `q`.
-    pub fn forward(&self, q: &Joints) -> Pose {
-        self.chain.forward(q)
+    /// True positions at the indicated ones: with the axes' pitch errors.
+    pub fn true_positions(&self, indicated: &Joints) -> Joints {
+        let mut q = *indicated;
+        if self.has_pitch_error {
+            for (value, axis) in q.iter_mut().zip(&self.axes) {
+                *value = axis.pitch_error.as_ref().map_or(*value, |e| e.true_at(*value).0);
+            }
+        }
+        q
     }
 
-    /// All branches of positions that bring the torch to `pose`, rotary axes within half a turn of `near`; `near`
-    /// also decides what is left free at a singular pose. Ranges are not looked at.
+    /// Indicated positions at which the axes truly are at `positions`.
+    fn indicated(&self, positions: &mut Joints) {
+        if self.has_pitch_error {
+            for (value, axis) in positions.iter_mut().zip(&self.axes) {
+                *value = axis.pitch_error.as_ref().map_or(*value, |e| e.indicated_at(*value));
+            }
+        }
+    }
+
+    /// Torch tip and direction of the first head in the work frame at indicated positions `q`.
+    pub fn forward(&self, q: &Joints) -> Pose {
+        self.forward_of(0, q)
+    }
+
+    /// The same of head `head`.
+    pub fn forward_of(&self, head: usize, q: &Joints) -> Pose {
+        self.heads[head].chain.forward(&self.true_positions(q))
+    }
+
+    /// Columns of the first head's Jacobian at indicated positions `q`: change of tip (mm) and direction per mm or rad.
+    pub fn jacobian(&self, q: &Joints) -> [(DVec3, DVec3); MAX_AXES] {
+        let mut columns = self.heads[0].chain.jacobian(&self.true_positions(q));
+        for ((column, axis), value) in columns.iter_mut().zip(&self.axes).zip(q) {
+            let slope = axis.pitch_error.as_ref().map_or(1.0, |e| e.true_at(*value).1);
+            *column = (slope * column.0, slope * column.1);
+        }
+        columns
+    }
+
+    /// Frames of the links in the work frame at indicated positions `q`: see [`Links::motion`].
+    pub fn link_frames(&self, q: &Joints) -> LinkFrames {
+        self.links.motion(&self.true_positions(q))
+    }
+
+    /// Unit vector against gravity, in the work frame at positions `q`.
+    pub fn up_in_work(&self, q: &Joints) -> DVec3 {
+        let base = self.link_frames(q)[self.links.base()];
+        base.transform_vector3(self.links.base_zero.transform_vector3(self.up))
+    }
+
+    /// Axes that the first head's pose leaves free: the machine has more axes than the pose needs.
+    pub fn free(&self) -> AxisSet {
+        self.heads[0].free()
+    }
+
+    /// All branches of positions that bring the torches to `target`, rotary axes within half a turn of `near`. Axes to
+    /// spare ([`Head::free`]) stay where they are in `near`, which also decides what a singular pose leaves free. Ranges
+    /// are not looked at: see [`Machine::reach`].
     ///
     /// # Errors
     /// The reason there is none.
-    pub fn inverse(&self, pose: &Pose, near: &Joints) -> Result<Branches, Unreachable> {
-        let mut branches = Branches::new();
-        self.inverse_into(pose, near, &mut branches)?;
+    pub fn inverse(&self, target: impl Into<Target>, near: &Joints) -> Result<Branches, Unreachable> {
+        let mut branches = Branches::default();
+        self.inverse_into(&target.into(), &self.true_positions(near), &mut branches)?;
+        self.as_indicated(&mut branches, near);
         Ok(branches)
     }
 
-    fn inverse_into(&self, pose: &Pose, near: &Joints, branches: &mut Branches) -> Result<(), Unreachable> {
-        let form = self.closed_form.as_ref().ok_or(Unreachable::NoClosedForm)?;
-        form.solve(&self.chain, pose, near, branches)?;
+    /// Solves at true positions.
+    fn inverse_into(&self, target: &Target, near: &Joints, branches: &mut Branches) -> Result<(), Unreachable> {
+        let Some(second) = &target.second else {
+            let head = &self.heads[0];
+            head.inverse.solve(&head.chain, &target.first, near, branches)?;
+            let idle = (0..self.axes.len()).filter(|&axis| !head.chain.axes().has(axis));
+            idle.for_each(|axis| branches.iter_mut().for_each(|s| s.joints[axis] = near[axis]));
+            return Ok(());
+        };
+        let pair = self.pair.as_ref().ok_or(Unreachable::Pair(Pair::WHY_NOT))?;
+        pair.solve(&self.heads, [&target.first, second], near, branches)
+    }
+
+    /// From true to indicated positions, each within half a turn of `near`.
+    fn as_indicated(&self, branches: &mut Branches, near: &Joints) {
         for solution in branches.iter_mut() {
+            self.indicated(&mut solution.joints);
             for (axis, (value, near)) in self.axes.iter().zip(solution.joints.iter_mut().zip(near)) {
                 *value = axis.turn_near(*value, *near);
             }
         }
-        Ok(())
     }
 
     /// The branch nearest to `near`, measured in parts of each axis' highest speed.
     ///
     /// # Errors
     /// As [`Machine::inverse`].
-    pub fn inverse_near(&self, pose: &Pose, near: &Joints) -> Result<Solution, Unreachable> {
+    pub fn inverse_near(&self, target: impl Into<Target>, near: &Joints) -> Result<Solution, Unreachable> {
+        let target = target.into();
+        let head = &self.heads[0];
+        let start = self.true_positions(near);
+        let mut branches = Branches::default();
+        match target.second.map_or_else(|| head.inverse.from_neighbour(&head.chain, &target.first, &start), |_| None) {
+            Some(solution) => *branches.add() = solution,
+            None => self.inverse_into(&target, &start, &mut branches)?,
+        }
+        self.as_indicated(&mut branches, near);
         let distance = |s: &Solution| -> f64 {
             let steps = self.axes.iter().zip(s.joints.iter().zip(near));
             steps.map(|(axis, (a, b))| ((a - b) / axis.max_speed).powi(2)).sum()
         };
-        let mut branches = Branches::new();
-        self.inverse_into(pose, near, &mut branches)?;
         let (mut best, mut least) = (0, f64::INFINITY);
         for (i, solution) in branches.iter().enumerate() {
             let distance = distance(solution);
@@ -91,6 +197,56 @@ impl Machine {
             }
         }
         Ok(branches[best])
+    }
+
+    /// The branches within all ranges, nearest to `near` first, rotary axes turned by whole turns as needed. If there is
+    /// none and axes are to spare, other places of these are tried.
+    ///
+    /// # Errors
+    /// The reason there is none: of the branch that comes nearest, the axis and by how far.
+    pub fn reach(&self, target: impl Into<Target>, near: &Joints) -> Result<Vec<Solution>, Unreachable> {
+        let target = target.into();
+        let mut reason = match self.reach_from(&target, near) {
+            Ok(found) => return Ok(found),
+            Err(reason) => reason,
+        };
+        let free = if target.second.is_some() { AxisSet::default() } else { self.free() };
+        if free.is_empty() {
+            return Err(reason);
+        }
+        for k in 1..=FREE_PLACES {
+            let spread = inverse::spread(&self.axes, k);
+            let mut start = *near;
+            free.iter().for_each(|axis| start[axis] = spread[axis]);
+            match self.reach_from(&target, &start) {
+                Ok(found) => return Ok(found),
+                Err(other) if other.by() < reason.by() => reason = other,
+                Err(_) => {}
+            }
+        }
+        Err(reason)
+    }
+
+    fn reach_from(&self, target: &Target, near: &Joints) -> Result<Vec<Solution>, Unreachable> {
+        let branches = self.inverse(*target, near)?;
+        let mut inside = Vec::new();
+        let mut worst: Option<RangeViolation> = None;
+        for solution in branches.iter() {
+            let joints = self.turned_into_range(&solution.joints);
+            match self.outside(&joints) {
+                None => inside.push(Solution { joints, ..*solution }),
+                Some(v) if worst.is_none_or(|w| v.by() < w.by()) => worst = Some(v),
+                Some(_) => {}
+            }
+        }
+        match worst {
+            Some(v) if inside.is_empty() => {
+                let axis = &self.axes[v.axis];
+                let (by, limit) = (axis.to_file(v.by()), axis.to_file(v.limit));
+                Err(Unreachable::Range { axis: axis.name.clone(), by, limit, unit: axis.unit() })
+            }
+            _ => Ok(inside),
+        }
     }
 
     /// `q` with rotary axes turned by whole turns into their ranges, where that is possible.

@@ -14,7 +14,8 @@ macro_rules! ship {
 }
 
 /// All machine files that ship.
-pub const SHIPPED: &[Shipped] = ship!["saddle-4axis", "torch-5axis", "ellipse-xy", "table-tilting-xyzac"];
+pub const SHIPPED: &[Shipped] =
+    ship!["saddle-4axis", "torch-5axis", "ebw-7axis", "dual-laser-10axis", "ellipse-xy", "table-tilting-xyzac"];
 
 /// The shipped machine file called `name`.
 pub fn shipped(name: &str) -> Option<Shipped> {

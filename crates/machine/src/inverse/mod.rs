@@ -1,13 +1,21 @@
-//! Inverse kinematics in closed form, chosen from the arrangement of the axes and not from a name.
+//! Inverse kinematics, chosen from the arrangement of the axes and not from a name: closed forms where the arrangement
+//! has one, Newton's method otherwise.
 
+mod choice;
+mod frame;
+mod numeric;
 mod plane_on_rotary;
 mod rotaries;
 mod three_linear;
 mod two_linear;
 
-use crate::AxisKind;
-use crate::chain::{Chain, Joints, Screw};
+use crate::chain::{AxisSet, Chain, Joints, Screw};
+use crate::{Axis, AxisKind};
+use arrayvec::ArrayVec;
+pub(crate) use choice::spread;
+pub(crate) use frame::{Frame, FrameInverse};
 use glam::DVec3;
+use numeric::Numeric;
 use plane_on_rotary::PlaneOnRotary;
 use seamwright_geometry::Pose;
 use std::ops::{Deref, DerefMut};
@@ -26,41 +34,38 @@ pub struct Solution {
     pub singular: bool,
 }
 
-/// One or two branches of solutions.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Branches {
-    solutions: [Solution; 2],
-    count: usize,
-}
+/// Most branches that are returned.
+pub const MAX_BRANCHES: usize = 16;
+
+/// Branches of solutions, at least one.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Branches(ArrayVec<Solution, MAX_BRANCHES>);
 
 impl Branches {
-    pub(crate) fn new() -> Self {
-        let none = Solution { joints: Joints::default(), attitude_error: 0.0, singular: false };
-        Self { solutions: [none; 2], count: 0 }
-    }
-
     /// Room for one more solution, all zero: filled in place, because copying costs as much as solving.
-    fn add(&mut self) -> &mut Solution {
-        self.count += 1;
-        &mut self.solutions[self.count - 1]
+    pub(crate) fn add(&mut self) -> &mut Solution {
+        let at = self.0.len().min(MAX_BRANCHES - 1);
+        self.0.truncate(at);
+        self.0.push(Solution { joints: Joints::default(), attitude_error: 0.0, singular: false });
+        &mut self.0[at]
     }
 }
 
 impl Deref for Branches {
     type Target = [Solution];
     fn deref(&self) -> &[Solution] {
-        &self.solutions[..self.count]
+        &self.0
     }
 }
 
 impl DerefMut for Branches {
     fn deref_mut(&mut self) -> &mut [Solution] {
-        &mut self.solutions[..self.count]
+        &mut self.0
     }
 }
 
 /// Why no axis positions reach a pose; lengths in mm, angles in rad.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error)]
 pub enum Unreachable {
     /// The two rotary axes cannot give the direction.
     #[error("the rotary axes cannot turn the torch that way; the nearest direction is {:.4} degrees off", by.to_degrees())]
@@ -77,38 +82,62 @@ pub enum Unreachable {
     /// The linear axes do not span space at these rotary positions.
     #[error("the linear axes are parallel to a plane at these rotary positions")]
     Flat,
-    /// The machine's axes have an arrangement without a closed form here.
-    #[error(
-        "this arrangement of axes has no closed-form inverse yet; there is one for three linear axes with up to two rotary ones, two linear axes alone, and two linear axes on a rotary one with or without a tilt across them"
-    )]
-    NoClosedForm,
+    /// Every branch puts an axis beyond its range.
+    #[error("axis {axis} would have to go {by:.4} {unit} beyond its limit of {limit:.4} {unit}")]
+    Range {
+        /// Name of the axis.
+        axis: String,
+        /// How far beyond, in the file's unit.
+        by: f64,
+        /// The limit, in the file's unit.
+        limit: f64,
+        /// The file's unit: mm or deg.
+        unit: &'static str,
+    },
+    /// The machine's two heads have no way to both points.
+    #[error("{0}")]
+    Pair(&'static str),
 }
 
-/// The arrangements that are solved in closed form.
+impl Unreachable {
+    /// A number that orders reasons of one machine: how far it is from reachable, in mm or degrees.
+    pub(crate) fn by(&self) -> f64 {
+        match self {
+            Self::Range { by, .. } => *by,
+            // A pose out of reach is farther than any out of range.
+            Self::Direction { by } => 1e4 + by.to_degrees(),
+            Self::Point { by } => 1e4 + by,
+            Self::Flat | Self::Pair(_) => f64::INFINITY,
+        }
+    }
+}
+
+/// How a chain's positions are found for a pose.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum ClosedForm {
+pub(crate) struct Inverse {
+    /// Axes that stay where they are in `near`: a pose has five freedoms, and the chain more axes.
+    pub(crate) held: AxisSet,
+    form: Form,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Form {
     ThreeLinear(ThreeLinear),
     PlaneOnRotary(PlaneOnRotary),
     TwoLinear(TwoLinear),
+    Numeric(Numeric),
 }
 
-impl ClosedForm {
-    /// The closed form for the chain's arrangement, if there is one.
-    pub(crate) fn of(chain: &Chain) -> Option<Self> {
-        let of_kind =
-            |kind| -> Vec<usize> { (0..chain.screws.len()).filter(|&i| chain.screws[i].kind == kind).collect() };
-        let (linear, rotary) = (of_kind(AxisKind::Linear), of_kind(AxisKind::Rotary));
-        match (linear.as_slice(), rotary.as_slice()) {
-            (&[a, b, c], rotary) if rotary.len() <= 2 => {
-                ThreeLinear::new(chain, [a, b, c], rotary).map(Self::ThreeLinear)
-            }
-            (&[a, b], []) => TwoLinear::new(chain, [a, b]).map(Self::TwoLinear),
-            (&[a, b], rotary) => PlaneOnRotary::new(chain, [a, b], rotary).map(Self::PlaneOnRotary),
-            _ => None,
-        }
+impl Inverse {
+    /// Chooses from the arrangement of the axes: a closed form where there is one for the chain or for the chain with
+    /// some axes held, else Newton's method.
+    pub(crate) fn of(chain: &Chain, axes: &[Axis]) -> Self {
+        let held = choice::held(chain, axes);
+        let active = chain.holding(held, &home(axes));
+        Self { held, form: Form::of(&active, axes) }
     }
 
-    /// Adds every branch to `branches`.
+    /// Adds every branch to `branches`; held axes stand as in `near`.
     pub(crate) fn solve(
         &self,
         chain: &Chain,
@@ -116,21 +145,65 @@ impl ClosedForm {
         near: &Joints,
         branches: &mut Branches,
     ) -> Result<(), Unreachable> {
+        if self.held.is_empty() {
+            return self.form.solve(chain, pose, near, branches);
+        }
+        self.form.solve(&chain.holding(self.held, near), pose, near, branches)?;
+        for solution in branches.iter_mut() {
+            self.held.iter().for_each(|axis| solution.joints[axis] = near[axis]);
+        }
+        Ok(())
+    }
+
+    /// The branch that Newton's method reaches from `near`; none if the form is a closed one.
+    pub(crate) fn from_neighbour(&self, chain: &Chain, pose: &Pose, near: &Joints) -> Option<Solution> {
+        let Form::Numeric(form) = &self.form else { return None };
+        if self.held.is_empty() {
+            return form.from(chain, pose, near);
+        }
+        form.from(&chain.holding(self.held, near), pose, near)
+    }
+}
+
+impl Form {
+    /// The closed form for the arrangement, or Newton's method. `chain` has no axes to spare.
+    fn of(chain: &Chain, axes: &[Axis]) -> Self {
+        let of_kind =
+            |kind| -> Vec<usize> { (0..chain.screws.len()).filter(|&i| chain.screws[i].kind == kind).collect() };
+        let (linear, rotary) = (of_kind(AxisKind::Linear), of_kind(AxisKind::Rotary));
+        let closed = match (linear.as_slice(), rotary.as_slice()) {
+            (&[a, b, c], rotary) if rotary.len() <= 2 => {
+                ThreeLinear::new(chain, [a, b, c], rotary).map(Self::ThreeLinear)
+            }
+            (&[a, b], []) => TwoLinear::new(chain, [a, b]).map(Self::TwoLinear),
+            (&[a, b], rotary) => PlaneOnRotary::new(chain, [a, b], rotary).map(Self::PlaneOnRotary),
+            _ => None,
+        };
+        closed.unwrap_or_else(|| Self::Numeric(Numeric::new(axes)))
+    }
+
+    fn solve(&self, chain: &Chain, pose: &Pose, near: &Joints, branches: &mut Branches) -> Result<(), Unreachable> {
         match self {
             Self::ThreeLinear(form) => form.solve(chain, pose, near, branches),
             Self::PlaneOnRotary(form) => form.solve(chain, pose, near, branches),
-            Self::TwoLinear(form) => form.solve(chain, pose, branches),
+            Self::TwoLinear(form) => form.solve(chain, pose, near, branches),
+            Self::Numeric(form) => form.solve(chain, pose, near, branches),
         }
     }
 }
 
+/// Home positions of the axes.
+fn home(axes: &[Axis]) -> Joints {
+    std::array::from_fn(|i| axes.get(i).map_or(0.0, |a| a.home))
+}
+
 /// Angle between two unit vectors, rad, accurate at all angles.
-fn angle_between(u: DVec3, v: DVec3) -> f64 {
+pub(crate) fn angle_between(u: DVec3, v: DVec3) -> f64 {
     2.0 * (u - v).length().atan2((u + v).length())
 }
 
 /// Positions of two linear axes along `a` and `b` that best give the displacement `d`, and what is left over.
-fn in_plane(a: DVec3, b: DVec3, d: DVec3) -> (f64, f64, DVec3) {
+pub(crate) fn in_plane(a: DVec3, b: DVec3, d: DVec3) -> (f64, f64, DVec3) {
     let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
     let determinant = aa * bb - ab * ab;
     let (ad, bd) = (a.dot(d), b.dot(d));

@@ -1,6 +1,5 @@
 use super::{Branches, Solution, Unreachable, angle_between, in_plane, rotaries};
 use crate::chain::{Chain, Joints, MAX_AXES, Turn};
-use glam::DVec3;
 use seamwright_geometry::Pose;
 
 /// Two linear axes, with or without a tilt across their plane, on a rotary axis next to the work (SADDLE-2020).
@@ -13,8 +12,6 @@ pub(crate) struct PlaneOnRotary {
     rotary: usize,
     linear: [usize; 2],
     tilt: Option<usize>,
-    /// Unit normal of the plane at zero.
-    normal: DVec3,
 }
 
 impl PlaneOnRotary {
@@ -28,7 +25,7 @@ impl PlaneOnRotary {
         let tilt = rest.first().copied();
         let across = tilt.is_none_or(|t| chain.screws[t].direction.cross(normal).length() < 1e-9);
         let turns_the_plane = chain.screws[first].direction.cross(normal).length() > 1e-6;
-        (first == 0 && across && turns_the_plane).then_some(Self { rotary: first, linear, tilt, normal })
+        (first == 0 && across && turns_the_plane).then_some(Self { rotary: first, linear, tilt })
     }
 
     pub(crate) fn solve(
@@ -39,7 +36,8 @@ impl PlaneOnRotary {
         branches: &mut Branches,
     ) -> Result<(), Unreachable> {
         let turn = &chain.screws[self.rotary];
-        let n = self.normal;
+        let [x, y] = self.linear.map(|l| chain.screws[l].direction);
+        let n = x.cross(y).normalize();
         // n . R(-q) u = k, with u the point and k the plane's height over the axis: A cos q + B sin q = C.
         let u = pose.point - turn.at;
         let w = turn.direction;
@@ -60,7 +58,7 @@ impl PlaneOnRotary {
         };
         for about in turns {
             let solution = branches.add();
-            self.in_plane(chain, pose, near, about, solution);
+            self.in_plane(chain, pose, near, about, solution)?;
             solution.joints[turn.axis] = if singular { near[turn.axis] } else { about.angle() };
             solution.singular |= singular;
         }
@@ -68,7 +66,14 @@ impl PlaneOnRotary {
     }
 
     /// The solution with the rotary axis turned by `about`, whose own position is left to the caller.
-    fn in_plane(&self, chain: &Chain, pose: &Pose, near: &Joints, about: Turn, solution: &mut Solution) {
+    fn in_plane(
+        &self,
+        chain: &Chain,
+        pose: &Pose,
+        near: &Joints,
+        about: Turn,
+        solution: &mut Solution,
+    ) -> Result<(), Unreachable> {
         let rotary = &chain.screws[self.rotary];
         let joints = &mut solution.joints;
         let mut turns = [Turn::NONE; MAX_AXES];
@@ -88,10 +93,15 @@ impl PlaneOnRotary {
                 _ => screw.direction,
             }
         });
+        // A tilt between the two may have laid one on the other.
+        if x.cross(y).length_squared() < 1e-12 {
+            return Err(Unreachable::Flat);
+        }
         let at_zero = chain.forward_turned(joints, &turns);
         let (first, second, _) = in_plane(x, y, target - at_zero.point);
         joints[chain.screws[self.linear[0]].axis] = first;
         joints[chain.screws[self.linear[1]].axis] = second;
         solution.attitude_error = angle_between(at_zero.direction, wanted);
+        Ok(())
     }
 }

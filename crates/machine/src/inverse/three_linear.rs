@@ -1,6 +1,6 @@
 use super::rotaries::{self, Pair};
 use super::{Branches, Unreachable, angle_between};
-use crate::chain::{Chain, Joints, MAX_AXES, Turn, Turns};
+use crate::chain::{Chain, Joints, MAX_AXES, Screw, Turn, Turns};
 use glam::DVec3;
 use seamwright_geometry::Pose;
 
@@ -65,25 +65,39 @@ impl ThreeLinear {
         turns: &Turns,
         joints: &mut Joints,
     ) -> Result<DVec3, Unreachable> {
-        // Each linear axis is turned by the rotary axes between it and the work.
-        let [a, b, c] = self.linear.map(|l| {
-            self.rotary.iter().rev().filter(|&&r| r < l).fold(chain.screws[l].direction, |v, &r| {
-                let screw = &chain.screws[r];
-                turns[screw.axis].of(screw.direction, v)
-            })
-        });
-        let volume = a.cross(b).dot(c);
-        if volume.abs() < 1e-6 {
-            return Err(Unreachable::Flat);
-        }
         // The linear axes are still at zero in `joints`.
         let at_zero = chain.forward_turned(joints, turns);
-        let rest = (point - at_zero.point) / volume;
-        // Cramer's rule.
-        let values = [rest.dot(b.cross(c)), rest.dot(c.cross(a)), rest.dot(a.cross(b))];
-        for (&screw, value) in self.linear.iter().zip(values) {
-            joints[chain.screws[screw].axis] = value;
-        }
+        move_linear(&chain.screws, self.linear, &self.rotary, turns, point - at_zero.point, joints)?;
         Ok(at_zero.direction)
     }
+}
+
+/// Sets the positions of three linear axes so that the tip moves by `shift` from where it is with them at zero and the
+/// rotary axes at their turns. Each linear axis is turned by the rotary axes between it and the work.
+pub(crate) fn move_linear(
+    screws: &[Screw],
+    linear: [usize; 3],
+    rotary: &[usize],
+    turns: &Turns,
+    shift: DVec3,
+    joints: &mut Joints,
+) -> Result<(), Unreachable> {
+    let [a, b, c] = linear.map(|l| {
+        rotary
+            .iter()
+            .rev()
+            .filter(|&&r| r < l)
+            .fold(screws[l].direction, |v, &r| turns[screws[r].axis].of(screws[r].direction, v))
+    });
+    let volume = a.cross(b).dot(c);
+    if volume.abs() < 1e-6 {
+        return Err(Unreachable::Flat);
+    }
+    // Cramer's rule.
+    let rest = shift / volume;
+    let values = [rest.dot(b.cross(c)), rest.dot(c.cross(a)), rest.dot(a.cross(b))];
+    for (l, value) in linear.into_iter().zip(values) {
+        joints[screws[l].axis] = value;
+    }
+    Ok(())
 }

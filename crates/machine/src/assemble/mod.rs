@@ -1,0 +1,129 @@
+//! From the file's steps to axes, links and heads, with an address for everything that does not fit.
+
+mod axis;
+mod drive;
+mod pitch_error;
+mod tree;
+
+use crate::chain::MAX_AXES;
+use crate::pair::Pair;
+use crate::{Axis, Machine, MachineFile, StepFile};
+use glam::DVec3;
+use seamwright_document::{Direction, Document, DocumentError};
+use std::collections::BTreeMap;
+
+type File = Document<MachineFile>;
+
+/// Most heads of a machine.
+const MOST_HEADS: usize = 2;
+
+/// Builds the machine.
+pub(crate) fn machine(file: &File) -> Result<Machine, DocumentError> {
+    let m = &file.value;
+    check_heads(file)?;
+    let mut axes = axes(file)?;
+    let names = || axes.iter().map(|a| a.name.as_str()).collect::<Vec<_>>().join(", ");
+    let tables = m.drives.keys().map(|k| ("drives", k)).chain(m.pitch_error.keys().map(|k| ("pitch_error", k)));
+    for (table, name) in tables {
+        if !axes.iter().any(|a| &a.name == name) {
+            return Err(file.error_at(&format!("{table}.{name}"), "there is no such axis", names()));
+        }
+    }
+    for axis in &mut axes {
+        axis.drive = m.drives.get(&axis.name).map(|d| drive::drive(file, axis, d)).transpose()?;
+        axis.pitch_error =
+            m.pitch_error.get(&axis.name).map(|t| pitch_error::pitch_error(file, axis, t)).transpose()?;
+    }
+    check_io(file)?;
+    let (links, heads) = tree::tree(m, &axes);
+    Ok(Machine {
+        name: m.name.clone(),
+        title: m.title.clone(),
+        servo_period_s: m.servo_period_ms.map_or(1e-3, |p| p.get() * 1e-3),
+        io: m.io.clone(),
+        up: m.up.map_or(DVec3::Z, Direction::unit),
+        pair: Pair::new(&heads),
+        has_pitch_error: axes.iter().any(|a| a.pitch_error.is_some()),
+        links,
+        heads,
+        axes,
+    })
+}
+
+/// One torch, or up to two heads with steps and names of their own.
+fn check_heads(file: &File) -> Result<(), DocumentError> {
+    let m = &file.value;
+    match (m.torch.is_some(), m.heads.len()) {
+        (true, 0) | (false, 1..=MOST_HEADS) => {}
+        (true, _) => {
+            let message = "the machine has both `[torch]` and `[[heads]]`";
+            return Err(file.error_at("torch", message, "[torch] for one head, [[heads]] for several"));
+        }
+        (false, 0) => {
+            return Err(file.error_at("", "the machine has no torch", "[torch] with `direction`, or two [[heads]]"));
+        }
+        (false, n) => {
+            let path = format!("heads[{MOST_HEADS}]");
+            return Err(file.error_at(&path, format!("the machine has {n} heads"), format!("up to {MOST_HEADS}")));
+        }
+    }
+    for (i, head) in m.heads.iter().enumerate() {
+        let path = format!("heads[{i}]");
+        if head.steps.is_empty() {
+            let message = format!("head `{}` has no steps of its own: nothing carries it", head.name);
+            return Err(file.error_at(&path, message, "a tail of [[heads.steps]] for every head"));
+        }
+        let taken = ["base", "work"].contains(&head.name.as_str());
+        let twice = m.heads[..i].iter().any(|other| other.name == head.name);
+        let steps = m.tool.iter().chain(&m.work).chain(m.heads.iter().flat_map(|h| &h.steps));
+        if taken || twice || steps.into_iter().any(|s| s.axis.as_ref() == Some(&head.name)) {
+            let message = "an axis, another head or a frame has this name";
+            return Err(file.error_at(&format!("{path}.name"), message, "a name of its own"));
+        }
+    }
+    Ok(())
+}
+
+/// All axes in the order of the columns: tool, heads, work.
+fn axes(file: &File) -> Result<Vec<Axis>, DocumentError> {
+    let m = &file.value;
+    let mut branches: Vec<(String, &[StepFile])> = vec![("tool".to_owned(), &m.tool)];
+    branches.extend(m.heads.iter().enumerate().map(|(i, h)| (format!("heads[{i}].steps"), h.steps.as_slice())));
+    branches.push(("work".to_owned(), &m.work));
+    let mut axes: Vec<Axis> = Vec::new();
+    for (branch, steps) in branches {
+        for (i, step) in steps.iter().enumerate() {
+            let Some(axis) = axis::axis(file, &format!("{branch}[{i}]"), step)? else { continue };
+            if axes.iter().any(|a| a.name == axis.name) {
+                let path = format!("{branch}[{i}].axis");
+                return Err(file.error_at(&path, "another axis has this name", "a name of its own"));
+            }
+            if axis.letter.is_some() && axes.iter().any(|a| a.letter == axis.letter) {
+                let path = format!("{branch}[{i}].letter");
+                return Err(file.error_at(&path, "another axis has this letter", "a letter of its own"));
+            }
+            axes.push(axis);
+        }
+    }
+    if axes.is_empty() || axes.len() > MAX_AXES {
+        let found = format!("the machine has {} axes", axes.len());
+        return Err(file.error_at("tool", found, format!("1 to {MAX_AXES} axes in [[tool]] and [[work]]")));
+    }
+    Ok(axes)
+}
+
+/// No two things on one output: the arc would strike with the gas.
+fn check_io(file: &File) -> Result<(), DocumentError> {
+    let io = &file.value.io;
+    if io.arc.is_some() && io.arc == io.gas {
+        return Err(file.error_at("io.gas", "the arc has this output already", "an output of its own"));
+    }
+    let mut taken = BTreeMap::new();
+    for (name, output) in &io.analog {
+        if let Some(other) = taken.insert(output, name) {
+            let message = format!("`{other}` has this output already");
+            return Err(file.error_at(&format!("io.analog.{name}"), message, "an output of its own"));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,286 @@
+use super::choice::spread;
+use super::{Branches, Solution, Unreachable, angle_between};
+use crate::chain::{Chain, Joints, MAX_AXES};
+use crate::{Axis, AxisKind};
+use glam::DVec3;
+use seamwright_geometry::Pose;
+use std::f64::consts::{PI, TAU};
+
+/// Newton's method with Levenberg and Marquardt's damping, for arrangements without a closed form.
+///
+/// From a neighbour it finds that branch; to find all branches it starts from places spread over the axes' ranges. That
+/// finds every branch but those with a basin smaller than the spread: a test compares with brute force. With fewer than
+/// five axes the point is met exactly where it can be, the direction as well as it can be.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Numeric {
+    axes: Vec<Axis>,
+}
+
+/// Most axes solved at once.
+const MOST: usize = 5;
+/// Starts for all branches.
+const STARTS: u32 = 300;
+/// Steps from one start; most need 4 to 8.
+const STEPS: usize = 60;
+/// A rad of direction counts like this many mm.
+const MM_PER_RAD: f64 = 100.0;
+/// The same where the axes cannot give every direction: then the point comes first.
+const MM_PER_RAD_FEW: f64 = 0.1;
+/// A pose is reached within this: mm, and rad for the direction. Newton's last step goes far below.
+const REACHED: f64 = 1e-9;
+/// Two branches are the same within this, mm or rad.
+const SAME: f64 = 1e-6;
+
+/// Columns of the Jacobian: three of the point, three of the direction as a turn.
+type Rows = [f64; 6];
+
+/// The chain's error against a pose at some positions.
+#[derive(Clone, Copy)]
+struct Error {
+    point: DVec3,
+    /// The turn that is missing, as a vector, rad.
+    turn: DVec3,
+}
+
+impl Error {
+    fn square(&self, mm_per_rad: f64) -> f64 {
+        self.point.length_squared() + (mm_per_rad * self.turn).length_squared()
+    }
+}
+
+/// What a rad of direction counts on this chain, mm.
+fn mm_per_rad(chain: &Chain) -> f64 {
+    if chain.screws.len() < MOST { MM_PER_RAD_FEW } else { MM_PER_RAD }
+}
+
+impl Numeric {
+    pub(crate) fn new(axes: &[Axis]) -> Self {
+        Self { axes: axes.to_vec() }
+    }
+
+    /// Adds every branch that is found.
+    pub(crate) fn solve(
+        &self,
+        chain: &Chain,
+        pose: &Pose,
+        near: &Joints,
+        branches: &mut Branches,
+    ) -> Result<(), Unreachable> {
+        let mut least = Error { point: DVec3::INFINITY, turn: DVec3::ZERO };
+        for k in 0..=STARTS {
+            let start = if k == 0 { *near } else { self.start(chain, near, k) };
+            let (solution, error) = descend(chain, pose, &start);
+            if accepted(chain, &error) {
+                self.keep(chain, solution, near, branches);
+            } else if error.square(1.0) < least.square(1.0) {
+                least = error;
+            }
+            if branches.len() == super::MAX_BRANCHES {
+                break;
+            }
+        }
+        match branches.is_empty() {
+            false => Ok(()),
+            true if least.point.length() > 1e-6 => Err(Unreachable::Point { by: least.point.length() }),
+            true => Err(Unreachable::Direction { by: least.turn.length() }),
+        }
+    }
+
+    /// The branch next to `near`, if Newton's method reaches one from there.
+    pub(crate) fn from(&self, chain: &Chain, pose: &Pose, near: &Joints) -> Option<Solution> {
+        let (solution, error) = descend(chain, pose, near);
+        accepted(chain, &error).then_some(solution)
+    }
+
+    fn start(&self, chain: &Chain, near: &Joints, k: u32) -> Joints {
+        let mut q = *near;
+        let spread = spread(&self.axes, k);
+        chain.screws.iter().for_each(|s| q[s.axis] = spread[s.axis]);
+        q
+    }
+
+    /// Adds a solution unless it is there already up to whole turns.
+    fn keep(&self, chain: &Chain, mut solution: Solution, near: &Joints, branches: &mut Branches) {
+        for screw in &chain.screws {
+            let axis = screw.axis;
+            solution.joints[axis] = self.axes[axis].turn_near(solution.joints[axis], near[axis]);
+        }
+        let same = |other: &Solution| {
+            chain.screws.iter().all(|s| {
+                let d = solution.joints[s.axis] - other.joints[s.axis];
+                let d = if s.kind == AxisKind::Rotary { d - TAU * (d / TAU).round() } else { d };
+                d.abs() < SAME
+            })
+        };
+        // With a singular Jacobian the solutions are not isolated: one stands for all.
+        if !branches.iter().any(|b| same(b) || (b.singular && solution.singular)) {
+            *branches.add() = solution;
+        }
+    }
+}
+
+/// True if the error is nothing, or all that is left is a direction that too few axes cannot give.
+fn accepted(chain: &Chain, error: &Error) -> bool {
+    let point = error.point.length() <= REACHED * 1f64.max(1e-3 * chain.zero.point.length());
+    point && (error.turn.length() <= REACHED || chain.screws.len() < MOST)
+}
+
+/// Goes down from `start` to the nearest pose; where it ends, and the error left.
+fn descend(chain: &Chain, pose: &Pose, start: &Joints) -> (Solution, Error) {
+    let mut q = *start;
+    let weight = mm_per_rad(chain);
+    let mut error = error(chain, pose, &q);
+    let mut damping = 1e-3;
+    let mut singular = false;
+    for _ in 0..STEPS {
+        let rows = columns(chain, &q);
+        let solved = step(chain, &rows, &error, damping);
+        singular = solved.1;
+        let next = moved(chain, &q, &solved.0);
+        let there = self::error(chain, pose, &next);
+        let small = chain.screws.iter().all(|s| solved.0[s.axis].abs() < 1e-14 * q[s.axis].abs().max(1.0));
+        if there.square(weight) < error.square(weight) {
+            (q, error) = (next, there);
+            damping = if error.square(weight) < 1e-6 { 0.0 } else { damping * 0.1 };
+        } else if small || damping > 1e8 || error.square(weight) < 1e-24 {
+            break;
+        } else {
+            damping = damping.max(1e-9) * 10.0;
+        }
+    }
+    if chain.screws.len() < MOST {
+        to_the_point(chain, pose, &mut q, &mut error);
+    }
+    let attitude_error =
+        if chain.screws.len() < MOST { angle_between(chain.forward(&q).direction, pose.direction) } else { 0.0 };
+    (Solution { joints: q, attitude_error, singular }, error)
+}
+
+/// With too few axes for the direction the point comes first: Newton's steps of least length on the point alone.
+fn to_the_point(chain: &Chain, pose: &Pose, q: &mut Joints, error: &mut Error) {
+    if chain.screws.len() < 3 {
+        return;
+    }
+    for _ in 0..4 {
+        let rows = columns(chain, q);
+        // J^T (J J^T)^-1 e
+        let mut gram = [[0.0; 4]; 3];
+        for row in &rows[..chain.screws.len()] {
+            for i in 0..3 {
+                for j in 0..3 {
+                    gram[i][j] += row[i] * row[j];
+                }
+            }
+        }
+        (0..3).for_each(|i| gram[i][3] = error.point[i]);
+        let Some(weights) = eliminate(&mut gram) else { return };
+        let mut step = Joints::default();
+        for (screw, row) in chain.screws.iter().zip(&rows) {
+            step[screw.axis] = (0..3).map(|i| row[i] * weights[i]).sum();
+        }
+        let next = moved(chain, q, &step);
+        let there = self::error(chain, pose, &next);
+        if there.point.length() >= error.point.length() {
+            return;
+        }
+        (*q, *error) = (next, there);
+    }
+}
+
+fn error(chain: &Chain, pose: &Pose, q: &Joints) -> Error {
+    let tip = chain.forward(q);
+    let across = tip.direction.cross(pose.direction);
+    let sine = across.length();
+    let angle = sine.atan2(tip.direction.dot(pose.direction));
+    // Opposite directions: any axis across will do.
+    let axis = if sine > 1e-12 { across / sine } else { tip.direction.any_orthonormal_vector() };
+    Error { point: pose.point - tip.point, turn: if angle < 1e-12 { across } else { angle * axis } }
+}
+
+/// The chain's columns in the order of its screws; a rad of direction in mm.
+fn columns(chain: &Chain, q: &Joints) -> [Rows; MAX_AXES] {
+    let jacobian = chain.jacobian(q);
+    let direction = chain.forward(q).direction;
+    let weight = mm_per_rad(chain);
+    let mut rows = [[0.0; 6]; MAX_AXES];
+    for (row, screw) in rows.iter_mut().zip(&chain.screws) {
+        let (p, d) = jacobian[screw.axis];
+        let turn = weight * direction.cross(d);
+        *row = [p.x, p.y, p.z, turn.x, turn.y, turn.z];
+    }
+    rows
+}
+
+/// The step that a damped linear model of the error asks for, and true if the model has no full rank.
+fn step(chain: &Chain, rows: &[Rows; MAX_AXES], error: &Error, damping: f64) -> (Joints, bool) {
+    let n = chain.screws.len().min(MOST);
+    let turn = mm_per_rad(chain) * error.turn;
+    let wanted: Rows = [error.point.x, error.point.y, error.point.z, turn.x, turn.y, turn.z];
+    let dot = |a: &Rows, b: &Rows| -> f64 { a.iter().zip(b).map(|(x, y)| x * y).sum() };
+    // Columns scaled to length 1, so that mm and rad are alike.
+    let scale: [f64; MOST] =
+        std::array::from_fn(|i| if i < n { dot(&rows[i], &rows[i]).sqrt().max(1e-9) } else { 1.0 });
+    let mut system = [[0.0; MOST + 1]; MOST];
+    for i in 0..n {
+        for j in 0..n {
+            system[i][j] = dot(&rows[i], &rows[j]) / (scale[i] * scale[j]);
+        }
+        system[i][i] += damping;
+        system[i][MOST] = dot(&rows[i], &wanted) / scale[i];
+    }
+    (n..MOST).for_each(|i| system[i][i] = 1.0);
+    let solved = eliminate(&mut system);
+    let mut joints = Joints::default();
+    let singular = solved.is_none();
+    let solution = solved.unwrap_or_else(|| {
+        // Without rank: a damped step.
+        let mut damped = system;
+        for (i, row) in damped.iter_mut().enumerate() {
+            row[i] += 1e-3;
+        }
+        eliminate(&mut damped).unwrap_or([0.0; MOST])
+    });
+    for (i, screw) in chain.screws.iter().enumerate().take(n) {
+        joints[screw.axis] = solution[i] / scale[i];
+    }
+    (joints, singular)
+}
+
+/// `q` moved by a step, rotary axes by half a rad at most.
+fn moved(chain: &Chain, q: &Joints, step: &Joints) -> Joints {
+    let turn = |s: &crate::chain::Screw| if s.kind == AxisKind::Rotary { step[s.axis].abs() } else { 0.0 };
+    let most = chain.screws.iter().map(turn).fold(0.0, f64::max);
+    let part = if most > 0.5 { 0.5 / most } else { 1.0 };
+    let mut next = *q;
+    for screw in &chain.screws {
+        let value = q[screw.axis] + part * step[screw.axis];
+        let near = |v: f64| if screw.kind == AxisKind::Rotary && v.abs() > 4.0 * PI { v.rem_euclid(TAU) } else { v };
+        next[screw.axis] = near(value);
+    }
+    next
+}
+
+/// Gauss's elimination with pivots on the diagonal (symmetric, positive); none without full rank.
+fn eliminate<const N: usize, const M: usize>(system: &mut [[f64; M]; N]) -> Option<[f64; N]> {
+    let mut greatest = 0.0f64;
+    for i in 0..N {
+        greatest = greatest.max(system[i][i].abs());
+    }
+    for i in 0..N {
+        if system[i][i].abs() <= 1e-14 * greatest {
+            return None;
+        }
+        for k in i + 1..N {
+            let factor = system[k][i] / system[i][i];
+            for j in i..M {
+                system[k][j] -= factor * system[i][j];
+            }
+        }
+    }
+    let mut x = [0.0; N];
+    for i in (0..N).rev() {
+        let rest: f64 = (i + 1..N).map(|j| system[i][j] * x[j]).sum();
+        x[i] = (system[i][M - 1] - rest) / system[i][i];
+    }
+    Some(x)
+}
