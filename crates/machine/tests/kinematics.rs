@@ -78,15 +78,18 @@ fn a_hundred_thousand_random_poses_a_machine_come_back() {
     }
 }
 
-/// Sine of the angle between the torch and the singular direction of a two-rotary machine; 1 where there is none.
+/// How far the pose is from a singular one: the least sine between the turns that the axes which the pose decides give
+/// the torch; 1 where there are none.
 fn sine_to_singular(machine: &Machine, q: &Joints) -> f64 {
     let columns = machine.jacobian(q);
-    let turning: Vec<DVec3> = columns.iter().map(|c| c.1).filter(|d| d.length() > 0.0).collect();
-    let rotary = machine.axes.iter().filter(|a| a.kind == AxisKind::Rotary).count();
-    if rotary < 2 || machine.axes.len() < 5 {
-        return 1.0;
+    let head = &machine.heads[0];
+    let decided =
+        |i: &usize| machine.axes[*i].kind == AxisKind::Rotary && head.chain.axes().has(*i) && !head.free().has(*i);
+    let turning: Vec<DVec3> = (0..machine.axes.len()).filter(decided).map(|i| columns[i].1).collect();
+    match turning.as_slice() {
+        [a, b] if machine.axes.len() >= 5 => a.cross(*b).length(),
+        _ => 1.0,
     }
-    if turning.len() < 2 { 0.0 } else { turning[0].cross(turning[1]).length() }
 }
 
 #[test]

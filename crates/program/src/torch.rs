@@ -44,6 +44,17 @@ pub trait TorchPath {
     /// continuously differentiable, and smooth between knots; the tip's speed by `s` is 1.
     fn pose(&self, s: f64) -> Pose;
 
+    /// Unit vector from the root of the joint out to its face at path length `s`: what should point up for a weld in the
+    /// flat position (ISO 6947). Against the torch's direction if nothing better is known.
+    fn face(&self, s: f64) -> DVec3 {
+        -self.pose(s).direction
+    }
+
+    /// Tip and direction of a second torch that welds at the same time, at path length `s` of the first.
+    fn second(&self, _s: f64) -> Option<Pose> {
+        None
+    }
+
     /// Unit tangent at path length `s`, by a difference of 1e-3 mm to each side: small against any bend that can be
     /// welded.
     fn tangent(&self, s: f64) -> DVec3 {

@@ -1,5 +1,5 @@
 use crate::{Attitude, SeamCurve};
-use glam::DAffine3;
+use glam::{DAffine3, DVec3};
 use seamwright_geometry::Pose;
 use seamwright_program::TorchPath;
 
@@ -25,6 +25,10 @@ impl TorchPath for PassPath<'_> {
             point: self.placement.transform_point3(p.point),
             direction: self.placement.transform_vector3(-self.attitude.torch_axis(&p)),
         }
+    }
+
+    fn face(&self, s: f64) -> DVec3 {
+        self.placement.transform_vector3(self.seam.at(s).bisector)
     }
 
     fn knots(&self) -> Vec<f64> {
