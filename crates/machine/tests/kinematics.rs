@@ -1,40 +1,15 @@
 //! Every shipped machine, and random ones, by round trip and against differences; the trunnion against LinuxCNC.
 
+mod common;
+
+use common::{Uniform, cases, random_joints};
 use glam::DVec3;
 use proptest::prelude::*;
-use proptest::test_runner::{RngAlgorithm, TestRng};
-use rand_like::Uniform;
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, Joints, Machine, SHIPPED, Unreachable, shipped};
 
-/// Seeded uniform numbers from proptest's own generator.
-mod rand_like {
-    use super::{RngAlgorithm, TestRng};
-    use proptest::prelude::Rng;
-
-    pub(super) struct Uniform(TestRng);
-
-    impl Uniform {
-        pub(super) fn new(seed: u8) -> Self {
-            Self(TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]))
-        }
-        pub(super) fn in_range(&mut self, low: f64, high: f64) -> f64 {
-            low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-        }
-    }
-}
-
 fn machines() -> Vec<Machine> {
     SHIPPED.iter().map(|s| Machine::read(s.name, s.text).unwrap_or_else(|e| panic!("{e}"))).collect()
-}
-
-fn random_joints(machine: &Machine, random: &mut Uniform) -> Joints {
-    let mut q = Joints::default();
-    for (value, axis) in q.iter_mut().zip(&machine.axes) {
-        let (low, high) = axis.range.unwrap_or((-9.0, 9.0));
-        *value = random.in_range(low, high);
-    }
-    q
 }
 
 /// Round trip of one set of positions: worst difference of the pose (mm, rad) and of the axes, and whether the
@@ -225,7 +200,7 @@ proptest! {
 
     /// The inverse is chosen from the structure: any three linear and two rotary axes come back, or say why not.
     #[test]
-    fn random_machines_come_back(machine in random_machine(), seed in any::<u8>()) {
+    fn random_machines_come_back(machine in random_machine(), seed in any::<u32>()) {
         let mut random = Uniform::new(seed);
         let q = random_joints(&machine, &mut random);
         check_jacobian(&machine, &q);
@@ -247,9 +222,4 @@ proptest! {
             Err(e) => prop_assert!(matches!(e, Unreachable::Flat), "{e}"),
         }
     }
-}
-
-/// Cases of a property test; `make soak` multiplies them.
-fn cases(usual: u32) -> u32 {
-    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
 }

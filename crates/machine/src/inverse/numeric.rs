@@ -75,9 +75,6 @@ impl Numeric {
             } else if error.square(1.0) < least.square(1.0) {
                 least = error;
             }
-            if branches.len() == super::MAX_BRANCHES {
-                break;
-            }
         }
         match branches.is_empty() {
             false => Ok(()),
@@ -113,8 +110,16 @@ impl Numeric {
             })
         };
         // With a singular Jacobian the solutions are not isolated: one stands for all.
-        if !branches.iter().any(|b| same(b) || (b.singular && solution.singular)) {
+        if branches.iter().any(|b| same(b) || (b.singular && solution.singular)) {
+            return;
+        }
+        if branches.len() < super::MAX_BRANCHES {
             *branches.add() = solution;
+        } else if let Some(worst) = branches.iter_mut().max_by(|a, b| a.attitude_error.total_cmp(&b.attitude_error)) {
+            // Too few axes have many places where the direction is as near as it can be: the nearest count.
+            if worst.attitude_error > solution.attitude_error {
+                *worst = solution;
+            }
         }
     }
 }

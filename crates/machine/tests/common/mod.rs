@@ -1,0 +1,110 @@
+//! Seeded random machines and poses.
+
+#![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
+
+use glam::DVec3;
+use proptest::prelude::Rng;
+use proptest::test_runner::{RngAlgorithm, TestRng};
+use seamwright_machine::{AxisKind, Joints, Machine};
+
+/// Seeded uniform numbers from proptest's own generator.
+pub struct Uniform(TestRng);
+
+impl Uniform {
+    pub fn new(seed: u32) -> Self {
+        let mut bytes = [7; 32];
+        bytes[..4].copy_from_slice(&seed.to_le_bytes());
+        Self(TestRng::from_seed(RngAlgorithm::ChaCha, &bytes))
+    }
+
+    pub fn in_range(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    pub fn below(&mut self, n: u32) -> u32 {
+        self.0.next_u32() % n
+    }
+
+    pub fn vector(&mut self, size: f64) -> DVec3 {
+        DVec3::new(self.in_range(-size, size), self.in_range(-size, size), self.in_range(-size, size))
+    }
+}
+
+pub fn random_joints(machine: &Machine, random: &mut Uniform) -> Joints {
+    let mut q = Joints::default();
+    for (value, axis) in q.iter_mut().zip(&machine.axes) {
+        let (low, high) = axis.range.unwrap_or((-9.0, 9.0));
+        *value = random.in_range(low, high);
+    }
+    q
+}
+
+/// How far the pose is from a singular one: the volume that the decided axes' columns span, each of length 1, over all of
+/// point and direction (as many as there are axes for).
+pub fn conditioning(machine: &Machine, q: &Joints) -> f64 {
+    let columns = machine.jacobian(q);
+    let head = &machine.heads[0];
+    let mut basis: Vec<[f64; 6]> = Vec::new();
+    let mut volume = 1.0;
+    for i in head.chain.axes().iter().filter(|&i| !head.free().has(i)) {
+        let (p, d) = (columns[i].0, 1000.0 * columns[i].1);
+        let mut v = [p.x, p.y, p.z, d.x, d.y, d.z];
+        let dot = |a: &[f64; 6], b: &[f64; 6]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+        let before = dot(&v, &v).sqrt();
+        for b in &basis {
+            let along = dot(&v, b);
+            v.iter_mut().zip(b).for_each(|(x, y)| *x -= along * y);
+        }
+        let length = dot(&v, &v).sqrt();
+        volume *= length / before.max(1e-300);
+        v.iter_mut().for_each(|x| *x /= length.max(1e-300));
+        basis.push(v);
+    }
+    volume
+}
+
+/// The text of a machine file with `count` axes of random kind, side, sense, direction and place.
+pub fn random_chain(random: &mut Uniform, count: u32) -> String {
+    let mut text = String::from("schema = 1\nname = \"random\"\ntitle = \"random\"\n");
+    for k in 0..count {
+        let side = if random.below(2) == 0 { "tool" } else { "work" };
+        // Some along the frame's axes, as machines are built; some anywhere.
+        let direction = if random.below(2) == 0 {
+            let mut v = [0.0; 3];
+            v[random.below(3) as usize] = if random.below(2) == 0 { 1.0 } else { -1.0 };
+            v
+        } else {
+            random.vector(1.0).to_array()
+        };
+        let limits = |u: &str| format!("max_speed_{u}_s = 10\nmax_acceleration_{u}_s2 = 100\n");
+        text += &if random.below(5) < 2 {
+            format!("[[{side}]]\naxis = \"q{k}\"\nmove = {direction:?}\nrange_mm = [-300, 300]\n{}", limits("mm"))
+        } else {
+            let at = random.vector(200.0).to_array();
+            format!(
+                "[[{side}]]\naxis = \"q{k}\"\nturn = {direction:?}\nat_mm = {at:?}\nrange_deg = [-170, 170]\n{}",
+                limits("deg")
+            )
+        };
+        let (shift, turn, angle) =
+            (random.vector(150.0).to_array(), random.vector(1.0).to_array(), random.in_range(-180.0, 180.0));
+        text += &format!("[[{side}]]\nfixed = {{ move_mm = {shift:?}, turn = {turn:?}, angle_deg = {angle} }}\n");
+    }
+    text + &format!("[torch]\ndirection = {:?}\n", random.vector(1.0).to_array())
+}
+
+/// True if two sets of positions are the same but for whole turns.
+pub fn same(machine: &Machine, a: &Joints, b: &Joints, within: f64) -> bool {
+    machine.axes.iter().zip(a.iter().zip(b)).all(|(axis, (a, b))| {
+        let d = match axis.kind {
+            AxisKind::Linear => a - b,
+            AxisKind::Rotary => (a - b + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU) - std::f64::consts::PI,
+        };
+        d.abs() <= within
+    })
+}
+
+/// Cases of a property test; `make soak` multiplies them.
+pub fn cases(usual: u32) -> u32 {
+    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
+}
