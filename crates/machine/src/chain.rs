@@ -111,6 +111,11 @@ impl Turn {
         Self { sin: -self.sin, ..self }
     }
 
+    /// Cosine of the angle between two turns about the same axis.
+    pub(crate) fn cosine_to(self, other: Self) -> f64 {
+        self.cos * other.cos + self.sin * other.sin
+    }
+
     /// This turn and then `other` about the same axis.
     pub(crate) fn and(self, other: Self) -> Self {
         Self { sin: self.sin * other.cos + self.cos * other.sin, cos: self.cos * other.cos - self.sin * other.sin }

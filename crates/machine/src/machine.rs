@@ -1,4 +1,4 @@
-use crate::inverse::{self, Branches, Solution, Unreachable};
+use crate::inverse::{self, Branches, Solution, Unreachable, Which};
 use crate::pair::Pair;
 use crate::{
     Axis, AxisKind, AxisSet, Head, Io, Joints, LinkFrames, Links, MAX_AXES, MachineFile, RangeViolation, assemble,
@@ -143,16 +143,22 @@ impl Machine {
     /// The reason there is none.
     pub fn inverse(&self, target: impl Into<Target>, near: &Joints) -> Result<Branches, Unreachable> {
         let mut branches = Branches::default();
-        self.inverse_into(&target.into(), &self.true_positions(near), &mut branches)?;
+        self.inverse_into(&target.into(), &self.true_positions(near), Which::All, &mut branches)?;
         self.as_indicated(&mut branches, near);
         Ok(branches)
     }
 
     /// Solves at true positions.
-    fn inverse_into(&self, target: &Target, near: &Joints, branches: &mut Branches) -> Result<(), Unreachable> {
+    fn inverse_into(
+        &self,
+        target: &Target,
+        near: &Joints,
+        which: Which,
+        branches: &mut Branches,
+    ) -> Result<(), Unreachable> {
         let Some(second) = &target.second else {
             let head = &self.heads[0];
-            head.inverse.solve(&head.chain, &target.first, near, branches)?;
+            head.inverse.solve(&head.chain, &target.first, near, which, branches)?;
             let idle = (0..self.axes.len()).filter(|&axis| !head.chain.axes().has(axis));
             idle.for_each(|axis| branches.iter_mut().for_each(|s| s.joints[axis] = near[axis]));
             return Ok(());
@@ -171,20 +177,17 @@ impl Machine {
         }
     }
 
-    /// The branch nearest to `near`, measured in parts of each axis' highest speed.
+    /// The branch nearest to `near`, by the angles of the rotary axes where these decide it.
     ///
     /// # Errors
     /// As [`Machine::inverse`].
     pub fn inverse_near(&self, target: impl Into<Target>, near: &Joints) -> Result<Solution, Unreachable> {
-        let target = target.into();
-        let head = &self.heads[0];
-        let start = self.true_positions(near);
         let mut branches = Branches::default();
-        match target.second.map_or_else(|| head.inverse.from_neighbour(&head.chain, &target.first, &start), |_| None) {
-            Some(solution) => *branches.add() = solution,
-            None => self.inverse_into(&target, &start, &mut branches)?,
-        }
+        self.inverse_into(&target.into(), &self.true_positions(near), Which::Nearest, &mut branches)?;
         self.as_indicated(&mut branches, near);
+        if branches.len() == 1 {
+            return Ok(branches[0]);
+        }
         let distance = |s: &Solution| -> f64 {
             let steps = self.axes.iter().zip(s.joints.iter().zip(near));
             steps.map(|(axis, (a, b))| ((a - b) / axis.max_speed).powi(2)).sum()

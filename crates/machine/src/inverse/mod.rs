@@ -37,6 +37,15 @@ pub struct Solution {
 /// Most branches that are returned.
 pub const MAX_BRANCHES: usize = 16;
 
+/// Which branches are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Which {
+    /// All.
+    All,
+    /// The one whose rotary axes are nearest to where they are, and perhaps others.
+    Nearest,
+}
+
 /// Branches of solutions, at least one.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Branches(ArrayVec<Solution, MAX_BRANCHES>);
@@ -137,31 +146,23 @@ impl Inverse {
         Self { held, form: Form::of(&active, axes) }
     }
 
-    /// Adds every branch to `branches`; held axes stand as in `near`.
+    /// Adds every branch, or the one nearest to `near`, to `branches`; held axes stand as in `near`.
     pub(crate) fn solve(
         &self,
         chain: &Chain,
         pose: &Pose,
         near: &Joints,
+        which: Which,
         branches: &mut Branches,
     ) -> Result<(), Unreachable> {
         if self.held.is_empty() {
-            return self.form.solve(chain, pose, near, branches);
+            return self.form.solve(chain, pose, near, which, branches);
         }
-        self.form.solve(&chain.holding(self.held, near), pose, near, branches)?;
+        self.form.solve(&chain.holding(self.held, near), pose, near, which, branches)?;
         for solution in branches.iter_mut() {
             self.held.iter().for_each(|axis| solution.joints[axis] = near[axis]);
         }
         Ok(())
-    }
-
-    /// The branch that Newton's method reaches from `near`; none if the form is a closed one.
-    pub(crate) fn from_neighbour(&self, chain: &Chain, pose: &Pose, near: &Joints) -> Option<Solution> {
-        let Form::Numeric(form) = &self.form else { return None };
-        if self.held.is_empty() {
-            return form.from(chain, pose, near);
-        }
-        form.from(&chain.holding(self.held, near), pose, near)
     }
 }
 
@@ -182,12 +183,22 @@ impl Form {
         closed.unwrap_or_else(|| Self::Numeric(Numeric::new(axes)))
     }
 
-    fn solve(&self, chain: &Chain, pose: &Pose, near: &Joints, branches: &mut Branches) -> Result<(), Unreachable> {
+    fn solve(
+        &self,
+        chain: &Chain,
+        pose: &Pose,
+        near: &Joints,
+        which: Which,
+        branches: &mut Branches,
+    ) -> Result<(), Unreachable> {
         match self {
-            Self::ThreeLinear(form) => form.solve(chain, pose, near, branches),
-            Self::PlaneOnRotary(form) => form.solve(chain, pose, near, branches),
-            Self::TwoLinear(form) => form.solve(chain, pose, near, branches),
-            Self::Numeric(form) => form.solve(chain, pose, near, branches),
+            Self::ThreeLinear(form) => form.solve(chain, pose, near, which, branches),
+            Self::PlaneOnRotary(form) => form.solve(chain, pose, near, which, branches),
+            Self::TwoLinear(form) => form.solve(chain, pose, branches),
+            Self::Numeric(form) => match which {
+                Which::Nearest if form.nearest(chain, pose, near, branches) => Ok(()),
+                _ => form.solve(chain, pose, near, branches),
+            },
         }
     }
 }

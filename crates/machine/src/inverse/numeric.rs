@@ -19,7 +19,7 @@ pub(crate) struct Numeric {
 /// Most axes solved at once.
 const MOST: usize = 5;
 /// Starts for all branches.
-const STARTS: u32 = 300;
+const STARTS: u32 = 600;
 /// Steps from one start; most need 4 to 8.
 const STEPS: usize = 60;
 /// A rad of direction counts like this many mm.
@@ -83,10 +83,14 @@ impl Numeric {
         }
     }
 
-    /// The branch next to `near`, if Newton's method reaches one from there.
-    pub(crate) fn from(&self, chain: &Chain, pose: &Pose, near: &Joints) -> Option<Solution> {
+    /// Adds the branch next to `near`; false if Newton's method reaches none from there.
+    pub(crate) fn nearest(&self, chain: &Chain, pose: &Pose, near: &Joints, branches: &mut Branches) -> bool {
         let (solution, error) = descend(chain, pose, near);
-        accepted(chain, &error).then_some(solution)
+        let found = accepted(chain, &error);
+        if found {
+            *branches.add() = solution;
+        }
+        found
     }
 
     fn start(&self, chain: &Chain, near: &Joints, k: u32) -> Joints {

@@ -1,4 +1,4 @@
-use super::{Branches, Solution, Unreachable, angle_between, in_plane, rotaries};
+use super::{Branches, Solution, Unreachable, Which, angle_between, in_plane, rotaries};
 use crate::chain::{Chain, Joints, MAX_AXES, Turn};
 use seamwright_geometry::Pose;
 
@@ -33,6 +33,7 @@ impl PlaneOnRotary {
         chain: &Chain,
         pose: &Pose,
         near: &Joints,
+        which: Which,
         branches: &mut Branches,
     ) -> Result<(), Unreachable> {
         let turn = &chain.screws[self.rotary];
@@ -49,14 +50,21 @@ impl PlaneOnRotary {
             return Err(Unreachable::Point { by: c.abs() - reach });
         }
         let singular = reach < 1e-9;
+        let here = Turn::by(near[turn.axis]);
         let turns = if singular {
-            [Turn::by(near[turn.axis]); 2]
+            [here; 2]
         } else {
             let middle = Turn::along(b, a);
             let half = Turn::along(((reach - c) * (reach + c)).max(0.0).sqrt(), c);
             [middle.and(half), middle.and(half.back())]
         };
-        for about in turns {
+        let second_is_nearer = turns[1].cosine_to(here) > turns[0].cosine_to(here);
+        let turns = match which {
+            Which::All => &turns[..],
+            Which::Nearest if second_is_nearer => &turns[1..],
+            Which::Nearest => &turns[..1],
+        };
+        for &about in turns {
             let solution = branches.add();
             self.in_plane(chain, pose, near, about, solution)?;
             solution.joints[turn.axis] = if singular { near[turn.axis] } else { about.angle() };

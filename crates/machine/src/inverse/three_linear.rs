@@ -1,5 +1,5 @@
 use super::rotaries::{self, Pair};
-use super::{Branches, Unreachable, angle_between};
+use super::{Branches, Unreachable, Which, angle_between};
 use crate::chain::{Chain, Joints, MAX_AXES, Screw, Turn, Turns};
 use glam::DVec3;
 use seamwright_geometry::Pose;
@@ -28,6 +28,7 @@ impl ThreeLinear {
         chain: &Chain,
         pose: &Pose,
         near: &Joints,
+        which: Which,
         branches: &mut Branches,
     ) -> Result<(), Unreachable> {
         let zero = chain.zero.direction;
@@ -38,6 +39,10 @@ impl ThreeLinear {
             _ => rotaries::two(axis(0), axis(1), zero, pose.direction)
                 .map_err(|by| Unreachable::Direction { by })?
                 .map(Some),
+        };
+        let pairs = match (which, pairs) {
+            (Which::Nearest, [Some(p), Some(q)]) => [Some(self.nearer(chain, near, p, q)), None],
+            _ => pairs,
         };
         let exact = self.rotary.len() == 2;
         for (first, second) in pairs.into_iter().flatten() {
@@ -55,6 +60,16 @@ impl ThreeLinear {
             }
         }
         Ok(())
+    }
+
+    /// The pair of turns that is less far from `near`, by the chords of the angles between.
+    fn nearer(&self, chain: &Chain, near: &Joints, p: Pair, q: Pair) -> Pair {
+        let here = [0, 1].map(|i| Turn::by(near[chain.screws[self.rotary[i]].axis]));
+        let closeness = |pair: Pair| {
+            let closeness = |turn: Option<Turn>, here| turn.map_or(1.0, |t| t.cosine_to(here));
+            closeness(pair.0, here[0]) + closeness(pair.1, here[1])
+        };
+        if closeness(p) >= closeness(q) { p } else { q }
     }
 
     /// The linear positions that put the tip on `point` at the rotary axes' turns; the torch's direction there.

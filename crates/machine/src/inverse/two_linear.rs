@@ -1,5 +1,5 @@
 use super::{Branches, Unreachable, angle_between, in_plane};
-use crate::chain::{Chain, Joints};
+use crate::chain::Chain;
 use seamwright_geometry::Pose;
 
 /// How far (mm) a point may lie off the plane of two linear axes and still count as in it.
@@ -17,13 +17,7 @@ impl TwoLinear {
         super::independent(a, b).then_some(Self { linear })
     }
 
-    pub(crate) fn solve(
-        &self,
-        chain: &Chain,
-        pose: &Pose,
-        _near: &Joints,
-        branches: &mut Branches,
-    ) -> Result<(), Unreachable> {
+    pub(crate) fn solve(&self, chain: &Chain, pose: &Pose, branches: &mut Branches) -> Result<(), Unreachable> {
         let [a, b] = self.linear.map(|l| &chain.screws[l]);
         let (x, y, rest) = in_plane(a.direction, b.direction, pose.point - chain.zero.point);
         if rest.length() > IN_PLANE_MM {
