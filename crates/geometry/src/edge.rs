@@ -1,5 +1,5 @@
 use crate::{Curve, Jet};
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 /// A point of an edge: where it is, where it runs, and the outward unit normals of the two faces that meet there.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,6 +41,15 @@ pub enum FaceRule {
         /// Second face.
         n2: DVec3,
     },
+    /// Two faces that turn with an arc: the normals at its start, turned about its axis by the parameter.
+    Turning {
+        /// Unit axis of the arc.
+        axis: DVec3,
+        /// First face at the start.
+        n1: DVec3,
+        /// Second face at the start.
+        n2: DVec3,
+    },
 }
 
 /// A curve with a [`FaceRule`].
@@ -71,6 +80,10 @@ impl<C: Curve> Edge for CurvedEdge<C> {
             FaceRule::WallOnPlate { plate } => (jet.d1.cross(plate).normalize(), plate),
             FaceRule::Flat { normal } => (normal, normal),
             FaceRule::Fixed { n1, n2 } => (n1, n2),
+            FaceRule::Turning { axis, n1, n2 } => {
+                let turn = DQuat::from_axis_angle(axis, u);
+                (turn * n1, turn * n2)
+            }
         };
         EdgePoint { point: jet.point, d1: jet.d1, n1, n2 }
     }

@@ -2,7 +2,7 @@
 //!
 //! Floor 0: no welding words, no I/O. Lengths are mm, angles rad, all in one fixed frame that the caller chooses.
 //!
-//! - [`Curve`] is a parametrised curve with exact derivatives; [`Line`], [`Circle`], [`Ellipse`] and
+//! - [`Curve`] is a parametrised curve with exact derivatives; [`Line`], [`Arc`], [`Ellipse`] and
 //!   [`TubeIntersection`] implement it.
 //! - [`Edge`] is a curve where two faces meet; it also knows their outward normals.
 //! - [`ByLength`] re-parametrises any curve by arc length, to a stated accuracy.
@@ -10,9 +10,9 @@
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
+mod arc;
 mod arc_length;
 mod chebyshev;
-mod circle;
 mod cubic_spline;
 mod curve;
 mod edge;
@@ -25,9 +25,9 @@ mod quadric;
 mod tube;
 mod tube_intersection;
 
+pub use arc::Arc;
 pub use arc_length::{ByLength, DEFAULT_ACCURACY_MM};
 pub use chebyshev::{NODES, Series, nodes};
-pub use circle::Circle;
 pub use cubic_spline::CubicSpline;
 pub use curve::{Curve, Jet};
 pub use edge::{CurvedEdge, Edge, EdgePoint, FaceRule};

@@ -17,6 +17,6 @@ pub use document::Program;
 pub use finding::Finding;
 pub use pass::{OnLimit, Pass, Sequence, Span};
 pub use process::{ProcessValues, check_process};
-pub use seam::{Body, Direction as WeldDirection, Ellipse, FilletOrButt, Line, Nozzle, Seam, SeamStart};
+pub use seam::{Body, Direction as WeldDirection, Ellipse, FilletOrButt, Line, Nozzle, Seam, SeamStart, Side, TJoint};
 pub use tolerance::Tolerance;
 pub use torch::{Torch, TorchAt, TorchPath};

@@ -12,6 +12,8 @@ pub enum Seam {
     Ellipse(Ellipse),
     /// A straight seam between two flat faces.
     Line(Line),
+    /// A web that stands on a skin, straight or along an arc: one fillet, or both at once (DUALBEAM-2013).
+    TJoint(TJoint),
 }
 
 /// A nozzle: a circular tube that stands on a body.
@@ -136,6 +138,40 @@ pub struct Line {
     pub first_normal: Vector,
     /// Outward normal of the second part's face.
     pub second_normal: Vector,
+}
+
+/// A T-joint: a web of constant thickness that stands on a skin along a line or an arc.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TJoint {
+    /// Start of the web's middle line on the skin, mm.
+    pub start_mm: Point,
+    /// End of the middle line, mm.
+    pub end_mm: Point,
+    /// A point of the middle line between them: it is the arc through the three; a straight line if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub via_mm: Option<Point>,
+    /// Outward normal of the skin at the start, where the web stands; it turns with the arc. Made perpendicular to the
+    /// middle line.
+    pub skin_normal: Vector,
+    /// Thickness of the web, mm.
+    pub web_mm: Positive,
+    /// Which fillet is welded, seen along the weld with the skin below.
+    #[serde(default)]
+    pub fillet: Side,
+}
+
+/// Which fillet of a T-joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Side {
+    /// The one on the left.
+    #[default]
+    Left,
+    /// The one on the right.
+    Right,
+    /// Both in one motion, on a machine with two heads: the first welds the left one, and `s` counts along it.
+    Both,
 }
 
 /// Direction of welding along a closed seam.

@@ -9,6 +9,7 @@ mod attitude;
 mod job;
 mod pass_path;
 mod seam;
+mod t_joint;
 mod welding;
 
 pub use attitude::Attitude;

@@ -1,4 +1,4 @@
-use crate::{Attitude, SeamCurve};
+use crate::{Attitude, SeamCurve, SeamPoint};
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::Pose;
 use seamwright_program::TorchPath;
@@ -14,17 +14,27 @@ pub struct PassPath<'a> {
     pub placement: DAffine3,
 }
 
+impl PassPath<'_> {
+    /// The torch over a point of the seam.
+    fn torch_at(&self, p: &SeamPoint) -> Pose {
+        Pose {
+            point: self.placement.transform_point3(p.point),
+            direction: self.placement.transform_vector3(-self.attitude.torch_axis(p)),
+        }
+    }
+}
+
 impl TorchPath for PassPath<'_> {
     fn length(&self) -> f64 {
         self.seam.weld_length()
     }
 
     fn pose(&self, s: f64) -> Pose {
-        let p = self.seam.at(s);
-        Pose {
-            point: self.placement.transform_point3(p.point),
-            direction: self.placement.transform_vector3(-self.attitude.torch_axis(&p)),
-        }
+        self.torch_at(&self.seam.at(s))
+    }
+
+    fn second(&self, s: f64) -> Option<Pose> {
+        self.seam.across(&self.seam.at(s)).map(|p| self.torch_at(&p))
     }
 
     fn face(&self, s: f64) -> DVec3 {

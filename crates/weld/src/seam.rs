@@ -1,10 +1,11 @@
+use crate::t_joint;
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::{
     ByLength, Curve, CurvedEdge, DEFAULT_ACCURACY_MM, Edge, Ellipse, Error, FaceRule, Line, Quadric, Tube,
     TubeIntersection,
 };
-use seamwright_program::{Body, FilletOrButt, Nozzle, Seam, SeamStart, WeldDirection};
+use seamwright_program::{Body, FilletOrButt, Nozzle, Seam, SeamStart, Side, WeldDirection};
 
 /// A point of the seam with everything that torch attitude needs, in the seam's frame; mm and rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,6 +40,8 @@ pub struct SeamCurve {
     angular: bool,
     /// 1 if the curve runs along n2 x n1, as on a nozzle or tube; -1 on a line that runs the other way.
     face_sense: f64,
+    /// Thickness (mm) of the web whose other fillet is welded at the same time.
+    web: Option<f64>,
 }
 
 /// Largest angle of a start or end, degrees: ten turns.
@@ -63,7 +66,7 @@ impl SeamCurve {
             WeldDirection::CounterClockwise => 1.0,
             WeldDirection::Clockwise => -1.0,
         };
-        let closed = !matches!(seam, Seam::Line(_));
+        let closed = !matches!(seam, Seam::Line(_) | Seam::TJoint(_));
         for (key, phi) in [("phi_deg", Some(start.phi_deg)), ("end_phi_deg", start.end_phi_deg)] {
             if phi.is_some_and(|p| p.get().abs() > MOST_PHI_DEG) {
                 let allowed = format!("-{MOST_PHI_DEG} to {MOST_PHI_DEG}");
@@ -98,7 +101,11 @@ impl SeamCurve {
         }
         let e = curve.curve().edge(curve.curve().domain().0);
         let face_sense = if e.d1.normalize().dot(e.n2.cross(e.n1)) < -1e-9 { -1.0 } else { 1.0 };
-        Ok(Self { curve, start: at, sense, weld_length, angular: closed, face_sense })
+        let web = match seam {
+            Seam::TJoint(joint) if joint.fillet == Side::Both => Some(joint.web_mm.get()),
+            _ => None,
+        };
+        Ok(Self { curve, start: at, sense, weld_length, angular: closed, face_sense, web })
     }
 
     /// Length of the whole seam once, mm.
@@ -153,7 +160,30 @@ impl SeamCurve {
     }
 }
 
-/// A straight seam has no angles, no direction and no overlap.
+impl SeamCurve {
+    /// True if two fillets are welded at the same time.
+    pub fn is_double(&self) -> bool {
+        self.web.is_some()
+    }
+
+    /// The point of the other fillet across the web, where both are welded at the same time; `s` is that of `p`.
+    pub fn across(&self, p: &SeamPoint) -> Option<SeamPoint> {
+        self.web.map(|web| {
+            let n1 = -p.n1;
+            let bisector = (n1 + p.n2).normalize();
+            SeamPoint {
+                point: p.point - web * p.n1,
+                n1,
+                bisector,
+                // Along the web's face, away from the skin.
+                towards_first: (p.n2 - n1).normalize(),
+                ..*p
+            }
+        })
+    }
+}
+
+/// An open seam has no angles, no direction and no overlap.
 fn check_open<T>(file: &Document<T>, start: &SeamStart) -> Result<(), DocumentError> {
     let wrong = if start.phi_deg.get() != 0.0 {
         "phi_deg"
@@ -166,8 +196,8 @@ fn check_open<T>(file: &Document<T>, start: &SeamStart) -> Result<(), DocumentEr
     } else {
         return Ok(());
     };
-    let message = "a straight seam runs from `start_mm` to `end_mm` and does not close";
-    Err(file.error_at(&format!("start.{wrong}"), message, "no such key on a straight seam"))
+    let message = "this seam runs from `start_mm` to `end_mm` and does not close";
+    Err(file.error_at(&format!("start.{wrong}"), message, "no such key on an open seam"))
 }
 
 fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync>, DocumentError> {
@@ -201,6 +231,7 @@ fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync
             }
             Ok(Box::new(CurvedEdge { curve, faces: FaceRule::Fixed { n1, n2 } }))
         }
+        Seam::TJoint(joint) => t_joint::edge(file, joint),
     }
 }
 
