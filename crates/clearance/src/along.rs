@@ -1,0 +1,248 @@
+//! Distances along a whole motion, with bounds between the places looked at.
+
+use crate::scene::{Memory, Place};
+use crate::{ClearanceError, Evaluation, Scene, Watch};
+use glam::DAffine3;
+
+/// How the groups of a scene move, over any parameter `s` (path length, say).
+pub trait Motion {
+    /// First and last parameter.
+    fn range(&self) -> (f64, f64);
+    /// Frames of all groups at `s`, in a common frame.
+    fn frames(&self, s: f64, frames: &mut [DAffine3]);
+    /// An upper bound, valid everywhere in `from..=to`, of the speed (mm per unit of s) of any point of group `a`'s
+    /// solids seen from group `b`. The first group of every watch ends, so there is one.
+    fn greatest_speed(&self, a: usize, b: usize, from: f64, to: f64) -> f64;
+}
+
+/// How far and how finely to look.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Distances beyond this are only reported as at least this, mm.
+    pub cutoff_mm: f64,
+    /// Lower bounds may lie this much, and a tenth of the distance, under the distance, mm.
+    pub precision_mm: f64,
+    /// Cells are not halved any more when they are this short (in s): then their bound is reported as it is.
+    pub smallest: f64,
+}
+
+/// The share of a distance that its lower bound may be less.
+const SHARE: f64 = 0.1;
+
+/// What was found along a motion.
+#[derive(Debug, Clone)]
+pub struct Profile {
+    /// The ends of the cells, one more than there are cells.
+    pub edges: Vec<f64>,
+    /// For each watch of the scene, what was found.
+    pub traces: Vec<Trace>,
+    /// Where a watch does not hold or cannot be shown to hold, watch by watch, in the order of s.
+    pub stretches: Vec<Stretch>,
+}
+
+/// One watch along the motion.
+#[derive(Debug, Clone)]
+pub struct Trace {
+    /// For each cell.
+    pub cells: Vec<Cell>,
+    /// The least distance found at any place looked at, and its s.
+    pub nearest: (f64, Evaluation),
+}
+
+/// One watch over one cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cell {
+    /// Nowhere in the cell is the distance (or room) less, mm; never above the cut-off.
+    pub at_least_mm: f64,
+    /// The place looked at that is nearest to where this bound comes from.
+    pub s: f64,
+    /// Where the solids are nearest there; none beyond the cut-off.
+    pub place: Option<Place>,
+}
+
+/// A part of the motion where a watch does not hold, or cannot be shown to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stretch {
+    /// Index of the watch.
+    pub watch: usize,
+    /// Where it begins; between here and `to` the watch may not hold, next to it it does.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+    /// Nowhere in it is the distance (or room) less, mm.
+    pub at_least_mm: f64,
+    /// The place with the least distance found. If this distance is enough, the watch may hold after all, but that
+    /// could not be shown with cells as small as allowed.
+    pub s: f64,
+    /// What was found there.
+    pub nearest: Evaluation,
+}
+
+impl Profile {
+    /// For each cell, the watch with the least bound and what is known of it: the data of a plot. None without watches.
+    pub fn nearest(&self, cell: usize) -> Option<(usize, &Cell)> {
+        let cells = self.traces.iter().map(|t| &t.cells[cell]).enumerate();
+        cells.min_by(|a, b| a.1.at_least_mm.total_cmp(&b.1.at_least_mm))
+    }
+}
+
+impl Scene {
+    /// Follows a motion in `stations` cells of equal length (at least one).
+    ///
+    /// Guarantee: nowhere in a cell is a distance less than the cell's bound, if the motion's speed bound is right.
+    /// Between two places ds apart with distances d0 and d1, and at most v of closing speed, no distance is below
+    /// `(d0 + d1 - v ds) / 2`; cells are halved until that is near enough to what was found and on one side of what is
+    /// required, and joined where it already is over many. The work is bounded by the motion's length over
+    /// `limits.smallest`, for each watch.
+    ///
+    /// # Errors
+    /// Limits that are not greater than 0.
+    pub fn along(&self, motion: &impl Motion, stations: usize, limits: &Limits) -> Result<Profile, ClearanceError> {
+        let numbers = [
+            ("the cut-off", limits.cutoff_mm),
+            ("the precision", limits.precision_mm),
+            ("the smallest cell", limits.smallest),
+        ];
+        if let Some((what, _)) = numbers.into_iter().find(|n| n.1.is_nan() || n.1 <= 0.0) {
+            return Err(ClearanceError::Limit { what });
+        }
+        let (from, to) = motion.range();
+        let stations = stations.max(1);
+        let mut edges: Vec<f64> = (0..stations).map(|i| from + (to - from) * (i as f64 / stations as f64)).collect();
+        edges.push(to);
+        let mut profile = Profile { edges, traces: Vec::new(), stretches: Vec::new() };
+        for watch in 0..self.watches().len() {
+            let walk = Walk::new(self, motion, watch, limits, &profile.edges);
+            let (trace, stretches) = walk.run();
+            profile.traces.push(trace);
+            profile.stretches.extend(stretches);
+        }
+        Ok(profile)
+    }
+}
+
+/// A place looked at.
+#[derive(Debug, Clone, Copy)]
+struct Sample {
+    s: f64,
+    found: Evaluation,
+}
+
+/// The walk of one watch.
+struct Walk<'a, M> {
+    scene: &'a Scene,
+    motion: &'a M,
+    watch: usize,
+    limits: &'a Limits,
+    edges: &'a [f64],
+    /// Distances from here on are not told apart.
+    limit: f64,
+    frames: Vec<DAffine3>,
+    memory: Memory,
+    cells: Vec<Cell>,
+    stretches: Vec<Stretch>,
+    nearest: Option<Sample>,
+}
+
+impl<'a, M: Motion> Walk<'a, M> {
+    fn new(scene: &'a Scene, motion: &'a M, watch: usize, limits: &'a Limits, edges: &'a [f64]) -> Self {
+        let nothing = Cell { at_least_mm: limits.cutoff_mm, s: f64::NAN, place: None };
+        Self {
+            scene,
+            motion,
+            watch,
+            limits,
+            edges,
+            limit: limits.cutoff_mm.max(scene.watches()[watch].least_mm()),
+            frames: vec![DAffine3::IDENTITY; scene.groups().len()],
+            memory: Memory::default(),
+            cells: vec![nothing; edges.len() - 1],
+            stretches: Vec::new(),
+            nearest: None,
+        }
+    }
+
+    fn run(mut self) -> (Trace, Vec<Stretch>) {
+        let count = self.cells.len();
+        let first = self.look(self.edges[0]);
+        let last = self.look(self.edges[count]);
+        self.between(0..count, &first, &last);
+        let nearest = self.nearest.unwrap_or(first);
+        (Trace { cells: self.cells, nearest: (nearest.s, nearest.found) }, self.stretches)
+    }
+
+    fn look(&mut self, s: f64) -> Sample {
+        self.motion.frames(s, &mut self.frames);
+        let found = self.scene.evaluate_near(self.watch, &self.frames, self.limit, &mut self.memory);
+        let sample = Sample { s, found };
+        if self.nearest.is_none_or(|n| found.distance < n.found.distance) {
+            self.nearest = Some(sample);
+        }
+        sample
+    }
+
+    /// The least the distance can be between two places.
+    fn bound(&self, u: &Sample, v: &Sample) -> f64 {
+        let watch = &self.scene.watches()[self.watch];
+        let (a, b) = watch.groups();
+        let speed = self.motion.greatest_speed(a, b, u.s, v.s);
+        let bound = (u.found.distance + v.found.distance - speed * (v.s - u.s).abs()) / 2.0;
+        // Two bodies are never nearer than 0; nothing is known from a speed that is not a number.
+        let floor = if matches!(watch, Watch::Apart { .. }) { 0.0 } else { f64::NEG_INFINITY };
+        if bound >= floor { bound.min(u.found.distance).min(v.found.distance) } else { floor }
+    }
+
+    /// Settles what lies between two places: the ends of `cells`, or both in the one cell.
+    fn between(&mut self, cells: std::ops::Range<usize>, u: &Sample, v: &Sample) {
+        let bound = self.bound(u, v);
+        let required = self.scene.watches()[self.watch].least_mm();
+        let (d0, d1) = (u.found.distance, v.found.distance);
+        let known = d0.min(d1).min(self.limits.cutoff_mm);
+        let near_enough = bound >= known - self.limits.precision_mm - SHARE * known.abs();
+        let decided = bound >= required || (cells.len() == 1 && d0.max(d1) < required);
+        if (near_enough && decided) || (cells.len() == 1 && (v.s - u.s).abs() <= self.limits.smallest) {
+            self.settle(cells, bound, u, v);
+            return;
+        }
+        if cells.len() == 1 {
+            let middle = self.look(u.s + (v.s - u.s) / 2.0);
+            self.between(cells.clone(), u, &middle);
+            self.between(cells, &middle, v);
+        } else {
+            let half = cells.start + cells.len() / 2;
+            let middle = self.look(self.edges[half]);
+            self.between(cells.start..half, u, &middle);
+            self.between(half..cells.end, &middle, v);
+        }
+    }
+
+    fn settle(&mut self, cells: std::ops::Range<usize>, bound: f64, u: &Sample, v: &Sample) {
+        let nearer = if u.found.distance <= v.found.distance { u } else { v };
+        for cell in &mut self.cells[cells] {
+            let at_least_mm = bound.min(self.limits.cutoff_mm);
+            if cell.s.is_nan() || at_least_mm < cell.at_least_mm {
+                *cell = Cell { at_least_mm, s: nearer.s, place: nearer.found.place };
+            }
+        }
+        if bound >= self.scene.watches()[self.watch].least_mm() {
+            return;
+        }
+        match self.stretches.last_mut().filter(|last| last.to >= u.s) {
+            Some(last) => {
+                last.to = v.s;
+                last.at_least_mm = last.at_least_mm.min(bound);
+                if nearer.found.distance < last.nearest.distance {
+                    (last.s, last.nearest) = (nearer.s, nearer.found);
+                }
+            }
+            None => self.stretches.push(Stretch {
+                watch: self.watch,
+                from: u.s,
+                to: v.s,
+                at_least_mm: bound,
+                s: nearer.s,
+                nearest: nearer.found,
+            }),
+        }
+    }
+}

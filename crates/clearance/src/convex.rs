@@ -1,0 +1,211 @@
+//! The distance of two convex bodies: parry's iteration finds a direction, a plane across it proves the distance.
+//! The only module that knows parry.
+
+use crate::Shape;
+use glam::{DAffine3, DVec3};
+use parry3d_f64::math::Pose;
+use parry3d_f64::query::gjk::{CsoPoint, GJKResult, VoronoiSimplex, closest_points};
+use parry3d_f64::shape::SupportMap;
+
+/// A convex core with everything within `radius` of it. Round bodies have small cores (a sphere's is a point), on
+/// which the iteration is exact after a few steps.
+pub(crate) trait Convex {
+    /// The farthest point of the core in a direction of any length.
+    fn support(&self, direction: DVec3) -> DVec3;
+    /// Radius around the core.
+    fn radius(&self) -> f64;
+}
+
+/// Core of a convex shape, in the shape's frame.
+#[derive(Debug, Clone, Copy)]
+enum Core {
+    /// On z, between two heights.
+    Segment(f64, f64),
+    Box(DVec3),
+    /// Radii at z = 0 and at the length.
+    Frustum(f64, f64, f64),
+    Ellipsoid(DVec3),
+}
+
+/// A convex shape in a pose.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Placed {
+    core: Core,
+    radius: f64,
+    pose: DAffine3,
+}
+
+impl Placed {
+    /// None for half-spaces and meshes.
+    pub(crate) fn new(shape: &Shape, pose: DAffine3) -> Option<Self> {
+        let (core, radius) = match *shape {
+            Shape::Box { size } => (Core::Box(size / 2.0), 0.0),
+            Shape::Sphere { radius } => (Core::Segment(0.0, 0.0), radius),
+            Shape::Capsule { radius, length } => (Core::Segment(radius, length - radius), radius),
+            Shape::Cylinder { radius, length } => (Core::Frustum(radius, radius, length), 0.0),
+            Shape::Cone { radius, top_radius, length } => (Core::Frustum(radius, top_radius, length), 0.0),
+            Shape::Ellipsoid { semi_axes } => (Core::Ellipsoid(semi_axes), 0.0),
+            Shape::HalfSpace | Shape::Mesh(_) => return None,
+        };
+        Some(Self { core, radius, pose })
+    }
+
+    /// A point inside.
+    pub(crate) fn inner_point(&self) -> DVec3 {
+        let height = match self.core {
+            Core::Segment(low, high) => (low + high) / 2.0,
+            Core::Frustum(_, _, length) => length / 2.0,
+            Core::Box(_) | Core::Ellipsoid(_) => 0.0,
+        };
+        self.pose.transform_point3(DVec3::Z * height)
+    }
+
+    /// The farthest point in a unit direction, radius included.
+    pub(crate) fn extreme(&self, direction: DVec3) -> DVec3 {
+        self.support(direction) + direction * self.radius
+    }
+}
+
+impl Convex for Placed {
+    fn support(&self, direction: DVec3) -> DVec3 {
+        let d = self.pose.matrix3.transpose() * direction;
+        let local = match self.core {
+            Core::Segment(low, high) => DVec3::Z * if d.z > 0.0 { high } else { low },
+            Core::Box(half) => half.copysign(d),
+            Core::Ellipsoid(semi) => {
+                let scaled = semi * d;
+                semi * scaled.try_normalize().unwrap_or(DVec3::Z)
+            }
+            Core::Frustum(bottom, top, length) => {
+                let across = d.x.hypot(d.y);
+                let (radius, height) =
+                    if across * top + d.z * length > across * bottom { (top, length) } else { (bottom, 0.0) };
+                let scale = if across > 0.0 { radius / across } else { 0.0 };
+                DVec3::new(d.x * scale, d.y * scale, height)
+            }
+        };
+        self.pose.transform_point3(local)
+    }
+
+    fn radius(&self) -> f64 {
+        self.radius
+    }
+}
+
+/// A triangle's corners.
+impl Convex for [DVec3; 3] {
+    fn support(&self, direction: DVec3) -> DVec3 {
+        let [a, b, c] = self.map(|p| p.dot(direction));
+        if a >= b && a >= c {
+            self[0]
+        } else if b >= c {
+            self[1]
+        } else {
+            self[2]
+        }
+    }
+
+    fn radius(&self) -> f64 {
+        0.0
+    }
+}
+
+/// How near two bodies are: `distance` is proven, the points are as good as the iteration was.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Gap {
+    pub(crate) distance: f64,
+    pub(crate) on_a: DVec3,
+    pub(crate) on_b: DVec3,
+}
+
+/// What rounding may add to a difference of projections, as a share of the points' sizes: about fifty roundings.
+const ROUNDING: f64 = 1e-14;
+
+/// Distance of the cores' planes across the unit direction `n` from a to b: never more than the cores' distance.
+fn between_planes(a: &impl Convex, b: &impl Convex, n: DVec3) -> f64 {
+    let (p, q) = (a.support(n), b.support(-n));
+    (q - p).dot(n) - ROUNDING * (p.abs().max_element() + q.abs().max_element())
+}
+
+/// The parry side of a convex body, already in the common frame: poses are not looked at.
+struct Map<'a, C>(&'a C);
+
+impl<C: Convex> SupportMap for Map<'_, C> {
+    fn local_support_point(&self, direction: DVec3) -> DVec3 {
+        self.0.support(direction)
+    }
+    fn support_point(&self, _: &Pose, direction: DVec3) -> DVec3 {
+        self.0.support(direction)
+    }
+    fn support_point_toward(&self, _: &Pose, direction: DVec3) -> DVec3 {
+        self.0.support(direction)
+    }
+}
+
+/// The distance of two convex bodies in a common frame, or none if it is proven to be `limit` or more.
+/// `towards` is a guess of the direction from a to b. 0 if they touch or overlap, the points being the same then.
+pub(crate) fn nearest(a: &impl Convex, b: &impl Convex, towards: DVec3, limit: f64) -> Option<Gap> {
+    let around = a.radius() + b.radius();
+    let mut simplex = VoronoiSimplex::new();
+    simplex.reset(CsoPoint::new(a.support(towards), b.support(-towards)));
+    // A negative limit would let parry stop before it has looked.
+    let far = (limit + around).max(0.0);
+    let (p, q, mut proven) = match closest_points(&Pose::IDENTITY, &Map(a), &Map(b), far, true, &mut simplex) {
+        GJKResult::Intersection => {
+            let at = common_point(&simplex);
+            return (limit > 0.0).then_some(Gap { distance: 0.0, on_a: at, on_b: at });
+        }
+        GJKResult::ClosestPoints(p, q, n) => (p, q, between_planes(a, b, n)),
+        GJKResult::NoIntersection(n) | GJKResult::Proximity(n) => {
+            let proven = between_planes(a, b, n);
+            if proven - around >= limit {
+                return None;
+            }
+            // Out of iterations: what it had in hand.
+            let (p, q) = witnesses(&simplex);
+            (p, q, proven)
+        }
+    };
+    let apart = q - p;
+    let Some(n) = apart.try_normalize() else {
+        return (limit > 0.0).then_some(Gap { distance: 0.0, on_a: p, on_b: p });
+    };
+    proven = proven.max(between_planes(a, b, n)).min(apart.length());
+    let distance = (proven - around).max(0.0);
+    if distance >= limit {
+        return None;
+    }
+    let length = apart.length();
+    let (from_a, from_b) = if length >= around {
+        (a.radius(), length - b.radius())
+    } else {
+        // Overlap: the middle of what both have.
+        let middle = ((length - b.radius()).max(0.0) + a.radius().min(length)) / 2.0;
+        (middle, middle)
+    };
+    Some(Gap { distance, on_a: p + n * from_a, on_b: p + n * from_b })
+}
+
+/// The points of both bodies that the simplex stands for.
+fn witnesses(simplex: &VoronoiSimplex) -> (DVec3, DVec3) {
+    (0..=simplex.dimension()).fold((DVec3::ZERO, DVec3::ZERO), |(p, q), i| {
+        let (weight, point) = (simplex.proj_coord(i), simplex.point(i));
+        (p + point.orig1 * weight, q + point.orig2 * weight)
+    })
+}
+
+/// A point of both bodies, from a simplex that holds the origin.
+fn common_point(simplex: &VoronoiSimplex) -> DVec3 {
+    if simplex.dimension() < 3 {
+        return witnesses(simplex).0;
+    }
+    let p = [0, 1, 2, 3].map(|i| simplex.point(i).point);
+    let volume = |a: DVec3, b: DVec3, c: DVec3| a.dot(b.cross(c));
+    let weights =
+        [volume(p[1], p[2], p[3]), -volume(p[0], p[2], p[3]), volume(p[0], p[1], p[3]), -volume(p[0], p[1], p[2])];
+    let total: f64 = weights.iter().sum();
+    if total == 0.0 {
+        return simplex.point(0).orig1;
+    }
+    (0..4).fold(DVec3::ZERO, |sum, i| sum + simplex.point(i).orig1 * (weights[i] / total))
+}

@@ -1,0 +1,126 @@
+//! The distance of any two shapes.
+
+use crate::boxes::Bounds;
+use crate::convex::{self, Gap, Placed};
+use crate::mesh::Last;
+use crate::{Mesh, Shape, Solid};
+use glam::{DAffine3, DVec3};
+
+/// Where two solids are nearest, in their common frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Near {
+    /// Distance, mm: never more than there is, and hardly less; 0 where they touch or overlap.
+    pub distance: f64,
+    /// Nearest point of the first solid; a point of both (or near one) where they overlap.
+    pub on_a: DVec3,
+    /// Nearest point of the second solid.
+    pub on_b: DVec3,
+}
+
+/// How near two solids are, or none if they are `limit` (mm) or more apart. `frame_a` and `frame_b` map the frames
+/// the solids are given in to a common one.
+///
+/// Guarantee: the distance is proven by planes between the solids (for a mesh, one for each triangle), less what
+/// rounding may add. It is 0 too where one lies wholly inside a mesh.
+pub fn nearest(a: &Solid, frame_a: &DAffine3, b: &Solid, frame_b: &DAffine3, limit: f64) -> Option<Near> {
+    // In a frame at the first solid: far from the common origin nothing is lost.
+    let to_a = frame_a.inverse() * *frame_b;
+    let gap = of_shapes((a.shape(), *a.pose()), (b.shape(), to_a * *b.pose()), limit, &mut 0)?;
+    let [on_a, on_b] = [gap.on_a, gap.on_b].map(|p| frame_a.transform_point3(p));
+    Some(Near { distance: gap.distance, on_a, on_b })
+}
+
+type Posed<'a> = (&'a Shape, DAffine3);
+
+/// What rounding may add to a height over a plane, as a share of the coordinates.
+const ROUNDING: f64 = 1e-14;
+
+/// Distance of two shapes in a common frame, or none if it is `limit` or more. `last` is where the nearest triangle
+/// of a mesh was last time.
+pub(crate) fn of_shapes(a: Posed, b: Posed, limit: f64, last: &mut Last) -> Option<Gap> {
+    match (a.0, b.0) {
+        (Shape::HalfSpace, Shape::HalfSpace) => half_spaces(&a.1, &b.1, limit),
+        (Shape::HalfSpace, _) => over_plane(&a.1, b, limit),
+        (_, Shape::HalfSpace) => over_plane(&b.1, a, limit).map(swapped),
+        (Shape::Mesh(m), Shape::Mesh(n)) => meshes(m, &a.1, n, &b.1, limit),
+        (Shape::Mesh(m), _) => mesh_and_convex(m, &a.1, b, limit, last).map(swapped),
+        (_, Shape::Mesh(m)) => mesh_and_convex(m, &b.1, a, limit, last),
+        _ => {
+            let (p, q) = (Placed::new(a.0, a.1)?, Placed::new(b.0, b.1)?);
+            convex::nearest(&p, &q, q.inner_point() - p.inner_point(), limit)
+        }
+    }
+}
+
+fn swapped(gap: Gap) -> Gap {
+    Gap { distance: gap.distance, on_a: gap.on_b, on_b: gap.on_a }
+}
+
+fn moved(gap: Gap, pose: &DAffine3) -> Gap {
+    let [on_a, on_b] = [gap.on_a, gap.on_b].map(|p| pose.transform_point3(p));
+    Gap { distance: gap.distance, on_a, on_b }
+}
+
+/// The farthest point of a shape that ends, in a unit direction of the frame `pose` maps to.
+pub(crate) fn extreme((shape, pose): Posed, direction: DVec3) -> DVec3 {
+    match shape {
+        Shape::Mesh(mesh) => pose.transform_point3(mesh.extreme(pose.matrix3.transpose() * direction)),
+        Shape::HalfSpace => direction * f64::INFINITY,
+        _ => Placed::new(shape, pose).map_or(DVec3::ZERO, |p| p.extreme(direction)),
+    }
+}
+
+/// Half-spaces meet unless they face each other (to 1e-12 rad).
+fn half_spaces(a: &DAffine3, b: &DAffine3, limit: f64) -> Option<Gap> {
+    let n = a.matrix3.z_axis;
+    let facing = (n + b.matrix3.z_axis).length() < 1e-12;
+    let distance = if facing { (b.translation - a.translation).dot(n).max(0.0) } else { 0.0 };
+    (distance < limit).then(|| Gap { distance, on_a: a.translation, on_b: a.translation + n * distance })
+}
+
+/// A half-space `a` and something that ends.
+fn over_plane(plane: &DAffine3, body: Posed, limit: f64) -> Option<Gap> {
+    let n = plane.matrix3.z_axis;
+    let lowest = extreme(body, -n);
+    let height = (lowest - plane.translation).dot(n);
+    let size = lowest.abs().max_element() + plane.translation.abs().max_element();
+    let distance = (height - ROUNDING * size).max(0.0);
+    let gap = Gap { distance, on_a: lowest - n * height.max(0.0), on_b: lowest };
+    (distance < limit).then_some(gap)
+}
+
+/// `a` is the convex one.
+fn mesh_and_convex(mesh: &Mesh, pose: &DAffine3, body: Posed, limit: f64, last: &mut Last) -> Option<Gap> {
+    let body = Placed::new(body.0, pose.inverse() * body.1)?;
+    let high = DVec3::AXES.map(|n| body.extreme(n).dot(n));
+    let low = DVec3::AXES.map(|n| body.extreme(-n).dot(n));
+    let around = Bounds { low: low.into(), high: high.into() };
+    let around = padded(around);
+    let surface = mesh.nearest_to(&body, &around, limit, last);
+    let inside = || {
+        let p = body.inner_point();
+        (limit > 0.0 && mesh.contains(p)).then_some(Gap { distance: 0.0, on_a: p, on_b: p })
+    };
+    let gap = surface.filter(|g| g.distance <= 0.0).or_else(inside).or(surface)?;
+    Some(moved(gap, pose))
+}
+
+/// A little larger, so that rounding culls nothing.
+fn padded(b: Bounds) -> Bounds {
+    let more = DVec3::splat(ROUNDING) * (b.low.abs() + b.high.abs());
+    Bounds { low: b.low - more, high: b.high + more }
+}
+
+fn meshes(m: &Mesh, pose_m: &DAffine3, n: &Mesh, pose_n: &DAffine3, limit: f64) -> Option<Gap> {
+    let from_n = pose_m.inverse() * *pose_n;
+    let surface = m.nearest_surface(n, &from_n, limit);
+    let inside = || {
+        let at = |p| Gap { distance: 0.0, on_a: p, on_b: p };
+        let n_in_m = n.pieces().iter().map(|p| from_n.transform_point3(*p)).find(|p| m.contains(*p));
+        let to_n = from_n.inverse();
+        let m_in_n = || m.pieces().iter().copied().find(|p| n.contains(to_n.transform_point3(*p)));
+        n_in_m.or_else(m_in_n).map(at).filter(|_| limit > 0.0)
+    };
+    let gap = surface.filter(|g| g.distance <= 0.0).or_else(inside).or(surface)?;
+    Some(moved(gap, pose_m))
+}

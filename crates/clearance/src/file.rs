@@ -1,0 +1,174 @@
+//! Solids in TOML files.
+
+use crate::{ClearanceError, Mesh, Shape, Solid, read_stl};
+use glam::{DAffine3, DQuat, DVec3};
+use schemars::JsonSchema;
+use seamwright_document::{Direction, Document, DocumentError, NonNegative, Positive, Transform};
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// A solid: `shape.box = { size_mm = [10, 10, 5] }`, and where it is.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SolidFile {
+    /// Name for reports; the kind of shape if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Exactly one shape.
+    pub shape: ShapeFile,
+    /// Where the shape's own frame is; not displaced if missing.
+    #[serde(default, skip_serializing_if = "Transform::is_identity")]
+    pub at: Transform,
+}
+
+/// A shape in its own frame.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum ShapeFile {
+    /// A box, centred on the origin.
+    Box {
+        /// Full size along x, y and z, mm.
+        size_mm: [Positive; 3],
+    },
+    /// A sphere about the origin.
+    Sphere {
+        /// Radius, mm.
+        radius_mm: Positive,
+    },
+    /// A cylinder about z that stands on the origin.
+    Cylinder {
+        /// Radius, mm.
+        radius_mm: Positive,
+        /// Length, from z = 0 upwards, mm.
+        length_mm: Positive,
+    },
+    /// A cone about z that stands on the origin, pointed or truncated.
+    Cone {
+        /// Radius at z = 0, mm.
+        radius_mm: NonNegative,
+        /// Radius at the other end, mm; 0, a point, if missing.
+        #[serde(default)]
+        top_radius_mm: NonNegative,
+        /// Length, from z = 0 upwards, mm.
+        length_mm: Positive,
+    },
+    /// A cylinder about z with round ends that stands on the origin.
+    Capsule {
+        /// Radius, mm.
+        radius_mm: Positive,
+        /// Length over all, from z = 0 upwards, mm; at least twice the radius.
+        length_mm: Positive,
+    },
+    /// An ellipsoid about the origin.
+    Ellipsoid {
+        /// Semi-axes along x, y and z, mm.
+        semi_axes_mm: [Positive; 3],
+    },
+    /// Everything behind a plane through the origin, like a floor.
+    HalfSpace {
+        /// Where it is empty; z if missing.
+        #[serde(default = "Direction::z")]
+        normal: Direction,
+    },
+    /// The body in an STL file.
+    Stl {
+        /// The file, ASCII or binary; its surface must be closed.
+        file: String,
+        /// What the file's coordinates are multiplied by to get mm; 1 if missing.
+        #[serde(default = "one", skip_serializing_if = "is_one")]
+        scale: Positive,
+    },
+}
+
+fn one() -> Positive {
+    // Positive has no constant for it, and half of ten fifths is no clearer.
+    Positive::new(1.0).unwrap_or(Positive::HALF)
+}
+
+fn is_one(v: &Positive) -> bool {
+    *v == one()
+}
+
+impl SolidFile {
+    /// The solid. `path` is this value's key in `document` (like `tool[2].solid[0]`), `load` gets the bytes of an STL
+    /// file by the name given there.
+    ///
+    /// # Errors
+    /// With the key's address: sizes that do not fit together or are above 1e7 mm, and everything that can be wrong
+    /// with an STL file.
+    pub fn build<T>(
+        &self,
+        document: &Document<T>,
+        path: &str,
+        load: &dyn Fn(&str) -> std::io::Result<Vec<u8>>,
+    ) -> Result<Solid, DocumentError> {
+        let mut pose = self.at.affine();
+        let vector = |v: &[Positive; 3]| DVec3::from_array(v.map(Positive::get));
+        let (kind, shape) = match &self.shape {
+            ShapeFile::Box { size_mm } => ("box", Shape::Box { size: vector(size_mm) }),
+            ShapeFile::Sphere { radius_mm } => ("sphere", Shape::Sphere { radius: radius_mm.get() }),
+            ShapeFile::Cylinder { radius_mm: r, length_mm: l } => {
+                ("cylinder", Shape::Cylinder { radius: r.get(), length: l.get() })
+            }
+            ShapeFile::Cone { radius_mm: r, top_radius_mm: t, length_mm: l } => {
+                ("cone", Shape::Cone { radius: r.get(), top_radius: t.get(), length: l.get() })
+            }
+            ShapeFile::Capsule { radius_mm: r, length_mm: l } => {
+                ("capsule", Shape::Capsule { radius: r.get(), length: l.get() })
+            }
+            ShapeFile::Ellipsoid { semi_axes_mm } => {
+                ("ellipsoid", Shape::Ellipsoid { semi_axes: vector(semi_axes_mm) })
+            }
+            ShapeFile::HalfSpace { normal } => {
+                pose *= DAffine3::from_quat(DQuat::from_rotation_arc(DVec3::Z, normal.unit()));
+                ("half_space", Shape::HalfSpace)
+            }
+            ShapeFile::Stl { file, scale } => {
+                let mesh = mesh(file, scale.get(), load);
+                let at = format!("{path}.shape.stl.file");
+                let mesh = mesh.map_err(|(message, cure)| document.error_at(&at, message, cure))?;
+                ("stl", Shape::Mesh(Arc::new(mesh)))
+            }
+        };
+        let name = self.name.clone().unwrap_or_else(|| match &self.shape {
+            ShapeFile::Stl { file, .. } => file.clone(),
+            _ => kind.replace('_', "-"),
+        });
+        Solid::new(name, shape, pose).map_err(|e| {
+            let (key, allowed) = match (&e, kind) {
+                (ClearanceError::Size { value, .. }, "capsule") if *value <= 1e7 => {
+                    (".length_mm", "a length over all, round ends included: at least twice the radius")
+                }
+                (_, "cone") => ("", "radii and length up to 1e7 mm, one radius above 0"),
+                _ => ("", "sizes up to 1e7 mm"),
+            };
+            document.error_at(&format!("{path}.shape.{kind}{key}"), e.to_string(), allowed)
+        })
+    }
+}
+
+/// The mesh of an STL file, or what is wrong and the cure.
+fn mesh(
+    file: &str,
+    scale: f64,
+    load: &dyn Fn(&str) -> std::io::Result<Vec<u8>>,
+) -> Result<Mesh, (String, &'static str)> {
+    let bytes = load(file).map_err(|e| {
+        (format!("the file cannot be read: {e}"), "a file that is there, its path seen from the file that names it")
+    })?;
+    let mesh = read_stl(&bytes, scale).and_then(|triangles| Mesh::new(&triangles));
+    mesh.map_err(|e| {
+        let cure = match e {
+            ClearanceError::CutShort(_) => "a whole STL file: copy or export it again",
+            ClearanceError::Open { .. } => {
+                "a closed surface: close the holes, or export the body again as one solid; a plain box or cylinder \
+                 around it does as well"
+            }
+            ClearanceError::TooLarge { .. } => "corners within 1e7 mm of the origin; `scale` makes mm of other units",
+            ClearanceError::NotFinite { .. } => "finite coordinates: export the file again",
+            ClearanceError::NoTriangles => "a file with at least four triangles around a body",
+            _ => "an STL file, ASCII or binary",
+        };
+        (e.to_string(), cure)
+    })
+}

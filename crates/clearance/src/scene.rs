@@ -1,0 +1,222 @@
+//! Groups of solids and what must hold between them.
+
+use crate::distance::of_shapes;
+use crate::mesh::Last;
+use crate::zone::{is_zone, room};
+use crate::{ClearanceError, Solid};
+use glam::{DAffine3, DVec3};
+
+/// Solids that move rigidly together: a link of the machine, the torch, the part, the fixtures.
+#[derive(Debug, Clone)]
+pub struct Group {
+    /// Name for reports.
+    pub name: String,
+    /// Its solids, in the group's frame.
+    pub solids: Vec<Solid>,
+}
+
+/// What must hold between two groups.
+#[derive(Debug, Clone)]
+pub enum Watch {
+    /// Two groups keep clear of each other. A forbidden zone is the group `b` with the zone's solids.
+    Apart {
+        /// A group, by its index.
+        a: usize,
+        /// The other.
+        b: usize,
+        /// Least distance, mm.
+        least_mm: f64,
+    },
+    /// A group stays inside permitted zones: all of it inside at least one of them.
+    Inside {
+        /// The group, by its index.
+        group: usize,
+        /// The group whose frame the zones are given in.
+        of: usize,
+        /// The zones: boxes, cylinders, spheres, half-spaces.
+        zones: Vec<Solid>,
+        /// Least room to the zone's surface, mm.
+        least_mm: f64,
+    },
+}
+
+impl Watch {
+    /// The two groups: the one that is watched, and the one it is seen from.
+    pub fn groups(&self) -> (usize, usize) {
+        match *self {
+            Self::Apart { a, b, .. } => (a, b),
+            Self::Inside { group, of, .. } => (group, of),
+        }
+    }
+
+    /// Least distance or room, mm.
+    pub fn least_mm(&self) -> f64 {
+        match *self {
+            Self::Apart { least_mm, .. } | Self::Inside { least_mm, .. } => least_mm,
+        }
+    }
+}
+
+/// A distance or room at one place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Evaluation {
+    /// Distance of two groups or room in a zone, mm; never more than there is. Room is negative outside: a box's is
+    /// then its least, over the faces.
+    pub distance: f64,
+    /// Where that is; none if the distance is only known to be at least this.
+    pub place: Option<Place>,
+}
+
+/// Where two groups are nearest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// Index of the solid of the first group, and of the solid of the second or of the permitted zone.
+    pub solids: [usize; 2],
+    /// Point of the first solid, in the common frame.
+    pub on_a: DVec3,
+    /// Point of the second solid, or of the zone's surface.
+    pub on_b: DVec3,
+}
+
+/// Groups and watches.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    groups: Vec<Group>,
+    watches: Vec<Watch>,
+}
+
+/// What a watch found last time: the first to look at the next time.
+#[derive(Debug, Default)]
+pub(crate) struct Memory {
+    nearest: usize,
+    last: Vec<Last>,
+    gaps: Vec<f64>,
+}
+
+impl Scene {
+    /// A scene. A watch whose first group has a half-space is turned round, so that the first group always ends.
+    ///
+    /// # Errors
+    /// Groups that are not there, watches between groups without end, zones that are none.
+    pub fn new(groups: Vec<Group>, mut watches: Vec<Watch>) -> Result<Self, ClearanceError> {
+        let ends = |group: usize| groups[group].solids.iter().all(Solid::ends);
+        for (watch, w) in watches.iter_mut().enumerate() {
+            let (a, b) = w.groups();
+            if let Some(&group) = [a, b].iter().find(|g| **g >= groups.len()) {
+                return Err(ClearanceError::NoSuchGroup { watch, group });
+            }
+            match w {
+                Watch::Apart { a, b, .. } if !ends(*a) => std::mem::swap(a, b),
+                Watch::Inside { zones, .. } if zones.is_empty() => return Err(ClearanceError::NoZone { watch }),
+                Watch::Inside { zones, .. } if !zones.iter().all(|z| is_zone(z.shape())) => {
+                    return Err(ClearanceError::ZoneShape { watch });
+                }
+                _ => {}
+            }
+            if !ends(w.groups().0) {
+                return Err(ClearanceError::Endless { watch, group: groups[w.groups().0].name.clone() });
+            }
+        }
+        Ok(Self { groups, watches })
+    }
+
+    /// The groups.
+    pub fn groups(&self) -> &[Group] {
+        &self.groups
+    }
+
+    /// The watches, turned round where a first group had a half-space.
+    pub fn watches(&self) -> &[Watch] {
+        &self.watches
+    }
+
+    /// One watch at one place: `frames` maps each group's frame to a common one. Distances of `limit` (mm) or more are
+    /// only given as at least that.
+    pub fn evaluate(&self, watch: usize, frames: &[DAffine3], limit: f64) -> Evaluation {
+        self.evaluate_near(watch, frames, limit, &mut Memory::default())
+    }
+
+    /// The watch with the least distance (or room) at one place, by its index. None without watches.
+    pub fn nearest(&self, frames: &[DAffine3], limit: f64) -> Option<(usize, Evaluation)> {
+        let mut least: Option<(usize, Evaluation)> = None;
+        for watch in 0..self.watches.len() {
+            let found = self.evaluate(watch, frames, least.map_or(limit, |l| l.1.distance.max(0.0)));
+            if least.is_none_or(|l| found.distance < l.1.distance) {
+                least = Some((watch, found));
+            }
+        }
+        least
+    }
+
+    pub(crate) fn evaluate_near(
+        &self,
+        watch: usize,
+        frames: &[DAffine3],
+        limit: f64,
+        memory: &mut Memory,
+    ) -> Evaluation {
+        match &self.watches[watch] {
+            Watch::Apart { a, b, .. } => self.apart(*a, *b, frames, limit, memory),
+            Watch::Inside { group, of, zones, .. } => self.inside(*group, *of, zones, frames),
+        }
+    }
+
+    /// Distance of two groups, in the frame of the first.
+    fn apart(&self, a: usize, b: usize, frames: &[DAffine3], limit: f64, memory: &mut Memory) -> Evaluation {
+        let (solids_a, solids_b) = (&self.groups[a].solids, &self.groups[b].solids);
+        let to_a = frames[a].inverse() * frames[b];
+        memory.gaps.clear();
+        for solid in solids_b {
+            let centre = to_a.transform_point3(solid.centre);
+            memory.gaps.extend(solids_a.iter().map(|s| s.centre.distance(centre) - s.reach - solid.reach));
+        }
+        let far = memory.gaps.iter().copied().fold(f64::INFINITY, f64::min);
+        if far >= limit {
+            return Evaluation { distance: far, place: None };
+        }
+        memory.last.resize(memory.gaps.len(), Last::MAX);
+        let mut best = Evaluation { distance: limit, place: None };
+        let first = memory.nearest.min(memory.gaps.len() - 1);
+        let others = (0..memory.gaps.len()).filter(|i| *i != first);
+        for i in std::iter::once(first).chain(others) {
+            if memory.gaps[i] >= best.distance {
+                continue;
+            }
+            let pair = [i % solids_a.len(), i / solids_a.len()];
+            let (s, t) = (&solids_a[pair[0]], &solids_b[pair[1]]);
+            let (s, t) = ((s.shape(), *s.pose()), (t.shape(), to_a * *t.pose()));
+            if let Some(gap) = of_shapes(s, t, best.distance, &mut memory.last[i]) {
+                memory.nearest = i;
+                let place = Place { solids: pair, on_a: gap.on_a, on_b: gap.on_b };
+                best = Evaluation { distance: gap.distance, place: Some(place) };
+            }
+        }
+        moved(best, &frames[a])
+    }
+
+    /// Room of a group in the zone that has the most of it.
+    fn inside(&self, group: usize, of: usize, zones: &[Solid], frames: &[DAffine3]) -> Evaluation {
+        let to_zone = frames[of].inverse() * frames[group];
+        let mut most = Evaluation { distance: f64::NEG_INFINITY, place: None };
+        for (k, zone) in zones.iter().enumerate() {
+            let mut least = Evaluation { distance: f64::INFINITY, place: None };
+            for (i, solid) in self.groups[group].solids.iter().enumerate() {
+                let room = room(solid, &to_zone, zone);
+                if room.distance < least.distance {
+                    let place = Place { solids: [i, k], on_a: room.on_body, on_b: room.on_zone };
+                    least = Evaluation { distance: room.distance, place: Some(place) };
+                }
+            }
+            if least.distance > most.distance {
+                most = least;
+            }
+        }
+        moved(most, &frames[of])
+    }
+}
+
+fn moved(found: Evaluation, frame: &DAffine3) -> Evaluation {
+    let at = |p: DVec3| frame.transform_point3(p);
+    let place = found.place.map(|p| Place { solids: p.solids, on_a: at(p.on_a), on_b: at(p.on_b) });
+    Evaluation { place, ..found }
+}

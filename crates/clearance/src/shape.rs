@@ -1,0 +1,156 @@
+use crate::{ClearanceError, Mesh};
+use glam::{DAffine3, DMat3, DVec3};
+use std::sync::Arc;
+
+/// A body in its own frame, mm. Everything inside its surface is solid.
+#[derive(Debug, Clone)]
+pub enum Shape {
+    /// A box, centred on the origin, edges along the axes.
+    Box {
+        /// Full size along x, y and z.
+        size: DVec3,
+    },
+    /// A sphere about the origin.
+    Sphere {
+        /// Radius.
+        radius: f64,
+    },
+    /// A cylinder about z that stands on the origin: from z = 0 to z = `length`.
+    Cylinder {
+        /// Radius.
+        radius: f64,
+        /// Length.
+        length: f64,
+    },
+    /// A truncated cone about z that stands on the origin: from z = 0 to z = `length`.
+    Cone {
+        /// Radius at z = 0.
+        radius: f64,
+        /// Radius at z = `length`; 0 for a pointed cone.
+        top_radius: f64,
+        /// Length.
+        length: f64,
+    },
+    /// A cylinder about z with half spheres as its ends; with them it goes from z = 0 to z = `length`.
+    Capsule {
+        /// Radius.
+        radius: f64,
+        /// Length over all, at least twice the radius.
+        length: f64,
+    },
+    /// An ellipsoid about the origin, its axes along x, y and z.
+    Ellipsoid {
+        /// Semi-axes.
+        semi_axes: DVec3,
+    },
+    /// Everything with z <= 0.
+    HalfSpace,
+    /// The inside of a closed surface of triangles.
+    Mesh(Arc<Mesh>),
+}
+
+impl Shape {
+    /// Checks the sizes: finite, positive (a cone's smaller end may be a point), not over 1e7 mm.
+    pub(crate) fn check(&self) -> Result<(), ClearanceError> {
+        let size = |what, value: f64| {
+            if value > 0.0 && value <= FARTHEST_MM { Ok(()) } else { Err(ClearanceError::Size { what, value }) }
+        };
+        match *self {
+            Self::Box { size: v } => v.to_array().into_iter().try_for_each(|v| size("a box side", v)),
+            Self::Sphere { radius } => size("a radius", radius),
+            Self::Cylinder { radius, length } => size("a radius", radius).and(size("a length", length)),
+            Self::Cone { radius, top_radius, length } => {
+                if let Some(value) = [radius, top_radius].into_iter().find(|r| r.is_nan() || *r < 0.0) {
+                    return Err(ClearanceError::Size { what: "a radius", value });
+                }
+                size("a radius", radius.max(top_radius)).and(size("a length", length))
+            }
+            Self::Capsule { radius, length } => {
+                size("a radius", radius).and(size("a length", length))?;
+                if length < 2.0 * radius {
+                    return Err(ClearanceError::Size {
+                        what: "a capsule shorter than its two ends: a length",
+                        value: length,
+                    });
+                }
+                Ok(())
+            }
+            Self::Ellipsoid { semi_axes: v } => v.to_array().into_iter().try_for_each(|v| size("a semi-axis", v)),
+            Self::HalfSpace | Self::Mesh(_) => Ok(()),
+        }
+    }
+
+    /// Centre and radius of a sphere around the shape; the radius of a half-space is infinite.
+    pub(crate) fn sphere(&self) -> (DVec3, f64) {
+        match *self {
+            Self::Box { size } => (DVec3::ZERO, size.length() / 2.0),
+            Self::Sphere { radius } => (DVec3::ZERO, radius),
+            Self::Cylinder { radius, length } => (DVec3::Z * (length / 2.0), radius.hypot(length / 2.0)),
+            Self::Cone { radius, top_radius, length } => {
+                (DVec3::Z * (length / 2.0), radius.max(top_radius).hypot(length / 2.0))
+            }
+            Self::Capsule { length, .. } => (DVec3::Z * (length / 2.0), length / 2.0),
+            Self::Ellipsoid { semi_axes } => (DVec3::ZERO, semi_axes.max_element()),
+            Self::HalfSpace => (DVec3::ZERO, f64::INFINITY),
+            Self::Mesh(ref mesh) => mesh.sphere(),
+        }
+    }
+}
+
+/// Farthest anything may reach from its origin, mm: 10 km.
+pub(crate) const FARTHEST_MM: f64 = 1e7;
+
+/// A shape in a pose, with a name for reports.
+#[derive(Debug, Clone)]
+pub struct Solid {
+    name: String,
+    shape: Shape,
+    pose: DAffine3,
+    /// Sphere around it, in the frame that `pose` maps to.
+    pub(crate) centre: DVec3,
+    pub(crate) reach: f64,
+}
+
+impl Solid {
+    /// A solid; `pose` maps the shape's frame to the frame the solid is given in (its group's).
+    ///
+    /// # Errors
+    /// Sizes that are not finite or not positive, a capsule shorter than its ends, a pose that is not rigid.
+    pub fn new(name: impl Into<String>, shape: Shape, pose: DAffine3) -> Result<Self, ClearanceError> {
+        shape.check()?;
+        check_rigid(&pose)?;
+        let (centre, reach) = shape.sphere();
+        // A sphere a little larger than needed, so that rounding never culls what touches.
+        let (centre, reach) = (pose.transform_point3(centre), reach * (1.0 + 1e-12) + 1e-9);
+        Ok(Self { name: name.into(), shape, pose, centre, reach })
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Its shape.
+    pub fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    /// Maps the shape's frame to the group's.
+    pub fn pose(&self) -> &DAffine3 {
+        &self.pose
+    }
+
+    /// True unless it is a half-space.
+    pub(crate) fn ends(&self) -> bool {
+        !matches!(self.shape, Shape::HalfSpace)
+    }
+}
+
+/// Refuses poses that are not a turn and a displacement, to a part in a billion.
+fn check_rigid(pose: &DAffine3) -> Result<(), ClearanceError> {
+    let m: DMat3 = pose.matrix3;
+    let skew = m.transpose() * m - DMat3::IDENTITY;
+    let off = skew.to_cols_array().into_iter().fold(0.0, |worst: f64, v| worst.max(v.abs()));
+    let rigid = pose.is_finite() && off < 1e-9 && m.determinant() > 0.0;
+    if rigid { Ok(()) } else { Err(ClearanceError::NotRigid) }
+}
