@@ -130,6 +130,16 @@ impl Solid {
         &self.name
     }
 
+    /// Centre and radius (mm) of a sphere around it, in the frame it is given in; infinite for a half-space.
+    pub fn sphere(&self) -> (DVec3, f64) {
+        (self.centre, self.reach)
+    }
+
+    /// True if its shape may be a permitted zone: box, sphere, cylinder, half-space.
+    pub fn is_zone(&self) -> bool {
+        crate::zone::is_zone(&self.shape)
+    }
+
     /// Its shape.
     pub fn shape(&self) -> &Shape {
         &self.shape

@@ -1,6 +1,7 @@
 //! The machine file as written, before its steps are put together.
 
 use schemars::JsonSchema;
+use seamwright_clearance::SolidFile;
 use seamwright_document::{Direction, Finite, NonNegative, Point, Positive, SchemaVersion, Transform};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -36,6 +37,16 @@ pub struct MachineFile {
     /// Measured pitch error of axes, by the axis' name.
     #[serde(default)]
     pub pitch_error: BTreeMap<String, PitchErrorFile>,
+    /// Solids of each link, by the link's name: an axis (what it moves), `base`, `work`, `torch` or a head. Given in the
+    /// frame that the steps up to that axis lead to.
+    #[serde(default)]
+    pub shapes: BTreeMap<String, Vec<SolidFile>>,
+    /// How far the machine's own links keep from each other.
+    #[serde(default)]
+    pub clearance: LinkClearanceFile,
+    /// Volumes that links, part and fixtures must stay in or keep out of.
+    #[serde(default)]
+    pub zones: Vec<ZoneFile>,
     /// Which outputs of the control switch and set the process.
     #[serde(default)]
     pub io: Io,
@@ -70,6 +81,47 @@ impl MachineFile {
             None => self.heads.iter().map(|h| (h.name.as_str(), h.steps.as_slice(), h.direction)).collect(),
         }
     }
+}
+
+/// How far the machine's own links keep from each other. Links next to each other are not watched.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LinkClearanceFile {
+    /// Least distance of two links, mm; 5 if missing.
+    pub least_mm: Option<NonNegative>,
+    /// Pairs of links that may touch.
+    #[serde(default)]
+    pub ignore: Vec<[String; 2]>,
+}
+
+/// A volume for links to stay in or to keep out of (EBW-2004).
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ZoneFile {
+    /// Name, for people.
+    pub name: String,
+    /// Whether to stay in it or keep out of it. Permitted zones with the same `watch` and `on` count together: everything
+    /// watched must be wholly inside one of their solids.
+    pub kind: ZoneKind,
+    /// The link that it is fixed to; `base` if missing.
+    pub on: Option<String>,
+    /// Links that it holds for, also `part` and `fixtures`; everything that moves against it if missing.
+    pub watch: Option<Vec<String>>,
+    /// Least distance from a forbidden zone, or least room to the surface of a permitted one, mm.
+    #[serde(default)]
+    pub least_mm: NonNegative,
+    /// Its volume; boxes, cylinders, spheres and half-spaces if it is permitted.
+    pub solids: Vec<SolidFile>,
+}
+
+/// What a zone asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ZoneKind {
+    /// Stay inside.
+    Permitted,
+    /// Keep out.
+    Forbidden,
 }
 
 /// A table of an axis' measured pitch error: the true position less the indicated one.

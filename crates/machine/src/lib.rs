@@ -17,13 +17,19 @@ mod machine;
 mod pair;
 mod pitch_error;
 mod shipped;
+mod solids;
+mod surroundings;
 
 pub use axis::{Axis, AxisKind, Drive, Gains, Load, RangeViolation};
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
-pub use file::{DriveFile, HeadFile, Io, MachineFile, PitchErrorFile, StepFile, TorchFile};
+pub use file::{
+    DriveFile, HeadFile, Io, LinkClearanceFile, MachineFile, PitchErrorFile, StepFile, TorchFile, ZoneFile, ZoneKind,
+};
 pub use head::Head;
 pub use inverse::{Branches, MAX_BRANCHES, Solution, Unreachable};
 pub use links::{LinkFrames, Links, MAX_LINKS, NamedFrame};
 pub use machine::{Machine, Target};
 pub use pitch_error::PitchError;
 pub use shipped::{SHIPPED, Shipped, shipped};
+pub use solids::{LinkSolids, Zone};
+pub use surroundings::{Clamped, Course, Surroundings};

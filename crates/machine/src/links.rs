@@ -65,6 +65,21 @@ impl Links {
         self.links[i].parent.map(|(_, screw)| screw.axis)
     }
 
+    /// The link that link `i` moves on, seen from the work.
+    pub(crate) fn parent(&self, i: usize) -> Option<usize> {
+        self.links[i].parent.map(|(parent, _)| parent)
+    }
+
+    /// The axes on the way from link `i` to the work.
+    pub(crate) fn up(&self, i: usize) -> impl Iterator<Item = usize> + '_ {
+        let mut link = i;
+        std::iter::from_fn(move || {
+            let (parent, screw) = self.links[link].parent?;
+            link = parent;
+            Some(screw.axis)
+        })
+    }
+
     /// Axes whose motion moves link `a` against link `b`.
     pub fn between(&self, a: usize, b: usize) -> impl Iterator<Item = usize> + use<> {
         self.links[a].axes.different(self.links[b].axes).iter()

@@ -1,7 +1,8 @@
 use crate::inverse::{self, Branches, Solution, Unreachable, Which};
 use crate::pair::Pair;
 use crate::{
-    Axis, AxisKind, AxisSet, Head, Io, Joints, LinkFrames, Links, MAX_AXES, MachineFile, RangeViolation, assemble,
+    Axis, AxisKind, AxisSet, Head, Io, Joints, LinkFrames, LinkSolids, Links, MAX_AXES, MachineFile, RangeViolation,
+    assemble,
 };
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
@@ -12,7 +13,7 @@ use std::f64::consts::TAU;
 const FREE_PLACES: u32 = 500;
 
 /// A machine: its axes, links and heads.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Machine {
     /// Short name.
     pub name: String,
@@ -28,6 +29,8 @@ pub struct Machine {
     pub heads: Vec<Head>,
     /// The rigid bodies.
     pub links: Links,
+    /// What is solid on the links, and zones.
+    pub solids: LinkSolids,
     /// Unit vector against gravity in the machine's base frame.
     pub up: DVec3,
     pub(crate) pair: Option<Pair>,
@@ -57,12 +60,24 @@ impl From<&Pose> for Target {
 }
 
 impl Machine {
-    /// Reads a machine file.
+    /// Reads a machine file that names no other files.
     ///
     /// # Errors
     /// The first thing wrong, with its address.
     pub fn read(file: &str, text: &str) -> Result<Self, DocumentError> {
-        assemble::machine(&Document::<MachineFile>::read(file, text)?)
+        Self::read_with(file, text, &|_| Err(std::io::ErrorKind::NotFound.into()))
+    }
+
+    /// Reads a machine file; `load` gets the bytes of the STL files that it names.
+    ///
+    /// # Errors
+    /// The first thing wrong, with its address.
+    pub fn read_with(
+        file: &str,
+        text: &str,
+        load: &dyn Fn(&str) -> std::io::Result<Vec<u8>>,
+    ) -> Result<Self, DocumentError> {
+        assemble::machine(&Document::<MachineFile>::read(file, text)?, load)
     }
 
     /// Index of the axis called `name`.

@@ -3,6 +3,7 @@
 mod axis;
 mod drive;
 mod pitch_error;
+mod solids;
 mod tree;
 
 use crate::chain::MAX_AXES;
@@ -14,11 +15,14 @@ use std::collections::BTreeMap;
 
 type File = Document<MachineFile>;
 
+/// How the bytes of a file named in the machine file are got.
+pub(crate) type Load<'a> = &'a dyn Fn(&str) -> std::io::Result<Vec<u8>>;
+
 /// Most heads of a machine.
 const MOST_HEADS: usize = 2;
 
 /// Builds the machine.
-pub(crate) fn machine(file: &File) -> Result<Machine, DocumentError> {
+pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError> {
     let m = &file.value;
     check_heads(file)?;
     let mut axes = axes(file)?;
@@ -36,6 +40,7 @@ pub(crate) fn machine(file: &File) -> Result<Machine, DocumentError> {
     }
     check_io(file)?;
     let (links, heads) = tree::tree(m, &axes);
+    let solids = solids::solids(file, &links, load)?;
     Ok(Machine {
         name: m.name.clone(),
         title: m.title.clone(),
@@ -45,6 +50,7 @@ pub(crate) fn machine(file: &File) -> Result<Machine, DocumentError> {
         pair: Pair::new(&heads),
         has_pitch_error: axes.iter().any(|a| a.pitch_error.is_some()),
         links,
+        solids,
         heads,
         axes,
     })

@@ -1,0 +1,88 @@
+//! Shapes on links, and zones.
+
+use super::{File, Load};
+use crate::solids::{LinkSolids, Zone};
+use crate::{Links, ZoneKind};
+use seamwright_clearance::{Solid, SolidFile};
+use seamwright_document::{DocumentError, NonNegative};
+
+/// Names of what a job puts into the machine.
+const FROM_JOB: [&str; 2] = ["part", "fixtures"];
+
+/// Least distance of two links, mm, if the file does not say.
+const LEAST_MM: f64 = 5.0;
+
+/// Everything solid in the file.
+pub(super) fn solids(file: &File, links: &Links, load: Load) -> Result<LinkSolids, DocumentError> {
+    let m = &file.value;
+    let mut all = LinkSolids {
+        solids: Vec::new(),
+        least_mm: m.clearance.least_mm.map_or(LEAST_MM, NonNegative::get),
+        ignored: Vec::new(),
+        zones: Vec::new(),
+    };
+    for (name, shapes) in &m.shapes {
+        let path = format!("shapes.{name}");
+        let frame = links.frame(name).ok_or_else(|| unknown(file, links, &path, &[]))?;
+        for solid in build(file, &path, shapes, load)? {
+            let named = format!("{name}: {}", solid.name());
+            let placed = Solid::new(named, solid.shape().clone(), frame.zero * *solid.pose());
+            all.solids.push((frame.link, placed.map_err(|e| file.error_at(&path, e.to_string(), ""))?));
+        }
+    }
+    for (i, pair) in m.clearance.ignore.iter().enumerate() {
+        let [a, b] = [0, 1].map(|k| {
+            let path = format!("clearance.ignore[{i}][{k}]");
+            links.frame(&pair[k]).map(|f| f.link).ok_or_else(|| unknown(file, links, &path, &[]))
+        });
+        all.ignored.push((a?, b?));
+    }
+    for (i, zone) in m.zones.iter().enumerate() {
+        let path = format!("zones[{i}]");
+        let on = zone.on.as_deref().unwrap_or("base");
+        let frame = links.frame(on).ok_or_else(|| unknown(file, links, &format!("{path}.on"), &[]))?;
+        for (k, name) in zone.watch.iter().flatten().enumerate() {
+            if links.frame(name).is_none() && !FROM_JOB.contains(&name.as_str()) {
+                return Err(unknown(file, links, &format!("{path}.watch[{k}]"), &FROM_JOB));
+            }
+        }
+        if zone.solids.is_empty() {
+            return Err(file.error_at(
+                &format!("{path}.solids"),
+                "the zone has no volume",
+                "at least one [[zones.solids]]",
+            ));
+        }
+        let mut placed = Vec::new();
+        for (k, solid) in build(file, &format!("{path}.solids"), &zone.solids, load)?.into_iter().enumerate() {
+            let key = format!("{path}.solids[{k}]");
+            if zone.kind == ZoneKind::Permitted && !solid.is_zone() {
+                return Err(file.error_at(
+                    &key,
+                    "a permitted zone cannot have this shape",
+                    "box, cylinder, sphere, half_space",
+                ));
+            }
+            let moved = Solid::new(zone.name.clone(), solid.shape().clone(), frame.zero * *solid.pose());
+            placed.push(moved.map_err(|e| file.error_at(&key, e.to_string(), ""))?);
+        }
+        all.zones.push(Zone {
+            name: zone.name.clone(),
+            kind: zone.kind,
+            link: frame.link,
+            watch: zone.watch.clone(),
+            least_mm: zone.least_mm.get(),
+            solids: placed,
+        });
+    }
+    Ok(all)
+}
+
+fn build(file: &File, path: &str, shapes: &[SolidFile], load: Load) -> Result<Vec<Solid>, DocumentError> {
+    shapes.iter().enumerate().map(|(i, s)| s.build(file, &format!("{path}[{i}]"), load)).collect()
+}
+
+fn unknown(file: &File, links: &Links, path: &str, more: &[&str]) -> DocumentError {
+    let names = links.named().iter().map(|f| f.name.as_str()).chain(more.iter().copied());
+    file.error_at(path, "there is no such link", names.collect::<Vec<_>>().join(", "))
+}

@@ -1,0 +1,300 @@
+//! Machine, part and fixtures as one scene, and how it moves with the axes.
+
+use crate::{AxisKind, Joints, LinkFrames, Machine, ZoneKind};
+use glam::{DAffine3, DVec3};
+use seamwright_clearance::{ClearanceError, Evaluation, Group, Limits, Motion, Profile, Scene, Solid, Watch};
+use std::collections::BTreeMap;
+
+/// What a job puts into the machine, in the work frame, mm.
+#[derive(Debug, Clone, Default)]
+pub struct Clamped {
+    /// The part.
+    pub part: Vec<Solid>,
+    /// What holds it.
+    pub fixtures: Vec<Solid>,
+    /// Least distance of the machine from both, mm.
+    pub least_mm: f64,
+}
+
+/// Positions of the axes along a parameter.
+pub trait Course {
+    /// First and last parameter.
+    fn range(&self) -> (f64, f64);
+    /// Positions at `s`, mm or rad.
+    fn at(&self, s: f64) -> Joints;
+    /// For each axis an upper bound of the speed |dq/ds| everywhere in `from..=to`.
+    fn greatest_rates(&self, from: f64, to: f64) -> Joints;
+}
+
+/// Machine, part and fixtures: who must keep clear of whom.
+#[derive(Debug, Clone)]
+pub struct Surroundings<'a> {
+    machine: &'a Machine,
+    scene: Scene,
+    /// The link of each group of the scene.
+    links: Vec<usize>,
+    /// A sphere around each group's solids: centre in the work frame with all axes at zero, and radius.
+    spheres: Vec<(DVec3, f64)>,
+}
+
+/// Pitch errors change a rate by up to this factor.
+const PITCH: f64 = 1.0 + crate::pitch_error::STEEPEST;
+
+impl<'a> Surroundings<'a> {
+    /// The machine with what is clamped in it.
+    ///
+    /// Watched are: links that are not next to each other (nor allowed to touch), part and fixtures against every link
+    /// that moves against them, and the machine's zones.
+    ///
+    /// # Errors
+    /// Solids without an end (half-spaces) that would have to keep clear of one another.
+    pub fn new(machine: &'a Machine, clamped: &Clamped) -> Result<Self, ClearanceError> {
+        let mut build = Build { machine, groups: Vec::new(), links: Vec::new(), watches: Vec::new() };
+        build.links();
+        for (name, solids) in [("part", &clamped.part), ("fixtures", &clamped.fixtures)] {
+            build.clamped(name, solids, clamped.least_mm);
+        }
+        build.zones();
+        let spheres = build.groups.iter().map(|g| around(&g.solids)).collect();
+        Ok(Self { machine, scene: Scene::new(build.groups, build.watches)?, links: build.links, spheres })
+    }
+
+    /// Groups and watches.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// True if nothing is watched: the file has no shapes, or nothing for them to meet.
+    pub fn is_empty(&self) -> bool {
+        self.scene.watches().is_empty()
+    }
+
+    /// Names of what a watch keeps apart.
+    pub fn names(&self, watch: usize) -> (String, String) {
+        let (a, b) = self.scene.watches()[watch].groups();
+        match &self.scene.watches()[watch] {
+            Watch::Apart { .. } => (self.scene.groups()[a].name.clone(), self.scene.groups()[b].name.clone()),
+            Watch::Inside { zones, .. } => {
+                let zone = zones.first().map_or_else(String::new, |z| z.name().to_owned());
+                (self.scene.groups()[a].name.clone(), format!("permitted zone {zone}"))
+            }
+        }
+    }
+
+    /// Names of the solids that an evaluation of a watch found nearest.
+    pub fn solids(&self, watch: usize, found: &Evaluation) -> Option<(String, String)> {
+        let (a, b) = self.scene.watches()[watch].groups();
+        let place = found.place.as_ref()?;
+        let first = self.scene.groups()[a].solids[place.solids[0]].name().to_owned();
+        let second = match &self.scene.watches()[watch] {
+            Watch::Apart { .. } => self.scene.groups()[b].solids[place.solids[1]].name().to_owned(),
+            Watch::Inside { zones, .. } => format!("permitted zone {}", zones[place.solids[1]].name()),
+        };
+        Some((first, second))
+    }
+
+    /// The watch that is nearest to being broken at positions `q` (least distance less what is asked), by its index; a
+    /// distance of `limit` (mm) or more is only told as at least that. None if nothing is watched.
+    pub fn nearest(&self, q: &Joints, limit: f64) -> Option<(usize, Evaluation)> {
+        let frames = self.frames(q);
+        let margin = |watch: usize, e: &Evaluation| e.distance - self.scene.watches()[watch].least_mm();
+        (0..self.scene.watches().len())
+            .map(|watch| (watch, self.scene.evaluate(watch, &frames, limit)))
+            .min_by(|a, b| margin(a.0, &a.1).total_cmp(&margin(b.0, &b.1)))
+    }
+
+    /// True if every watch holds at positions `q`.
+    pub fn is_clear(&self, q: &Joints) -> bool {
+        let frames = self.frames(q);
+        (0..self.scene.watches().len()).all(|watch| {
+            let least = self.scene.watches()[watch].least_mm();
+            self.scene.evaluate(watch, &frames, least + 1.0).distance >= least
+        })
+    }
+
+    /// Distances all along a course, conservative between the places looked at: see [`Scene::along`].
+    ///
+    /// # Errors
+    /// Limits that are not greater than 0.
+    pub fn along(&self, course: &impl Course, stations: usize, limits: &Limits) -> Result<Profile, ClearanceError> {
+        self.scene.along(&Follow { surroundings: self, course }, stations, limits)
+    }
+
+    /// Frames of the groups in the work frame.
+    fn frames(&self, q: &Joints) -> Vec<DAffine3> {
+        let motion = self.machine.link_frames(q);
+        self.links.iter().map(|&l| motion[l]).collect()
+    }
+
+    /// An upper bound of the speed of any point of group `a` seen from group `b` while the axes move from `q` at up to
+    /// `rates` over a stretch of `length`.
+    ///
+    /// Each axis between the two contributes its rate, a rotary one times the greatest distance of the group from the
+    /// axis: that at `q`, and what the axes between group and axis can add over the stretch.
+    fn greatest_speed(&self, a: usize, b: usize, q: &Joints, rates: &Joints, length: f64) -> f64 {
+        let motion = self.machine.link_frames(q);
+        let (centre, radius) = self.spheres[a];
+        let centre = motion[self.links[a]].transform_point3(centre);
+        let mut speed = 0.0;
+        for axis in self.axes_from(a, b) {
+            let rate = rates[axis] * if self.machine.axes[axis].pitch_error.is_some() { PITCH } else { 1.0 };
+            speed += match self.machine.axes[axis].kind {
+                AxisKind::Linear => rate,
+                AxisKind::Rotary => rate * (self.lever(axis, centre, &motion) + radius + speed * length),
+            };
+        }
+        speed
+    }
+
+    fn lever(&self, axis: usize, point: DVec3, motion: &LinkFrames) -> f64 {
+        // Every axis of the chain is somewhere in the tree.
+        self.machine.links.screw_at(axis, motion).map_or(f64::INFINITY, |s| s.direction.cross(point - s.at).length())
+    }
+
+    /// The axes between two groups in the order in which they are met on the way from the first.
+    fn axes_from(&self, a: usize, b: usize) -> impl Iterator<Item = usize> {
+        let links = &self.machine.links;
+        let (from, to) = (self.links[a], self.links[b]);
+        let different = links.links[from].axes.different(links.links[to].axes);
+        let up = links.up(from).filter(move |axis| different.has(*axis));
+        let mut down: [usize; crate::MAX_AXES] = [0; crate::MAX_AXES];
+        let mut count = 0;
+        for axis in links.up(to).filter(|axis| different.has(*axis)) {
+            down[count] = axis;
+            count += 1;
+        }
+        up.chain((0..count).rev().map(move |i| down[i]))
+    }
+}
+
+/// A course seen by the scene.
+struct Follow<'a, C> {
+    surroundings: &'a Surroundings<'a>,
+    course: &'a C,
+}
+
+impl<C: Course> Motion for Follow<'_, C> {
+    fn range(&self) -> (f64, f64) {
+        self.course.range()
+    }
+
+    fn frames(&self, s: f64, frames: &mut [DAffine3]) {
+        let motion = self.surroundings.machine.link_frames(&self.course.at(s));
+        frames.iter_mut().zip(&self.surroundings.links).for_each(|(f, &l)| *f = motion[l]);
+    }
+
+    fn greatest_speed(&self, a: usize, b: usize, from: f64, to: f64) -> f64 {
+        let (q, rates) = (self.course.at(from), self.course.greatest_rates(from, to));
+        self.surroundings.greatest_speed(a, b, &q, &rates, to - from)
+    }
+}
+
+/// A sphere around solids; of radius infinity around a half-space.
+fn around(solids: &[Solid]) -> (DVec3, f64) {
+    let spheres: Vec<(DVec3, f64)> = solids.iter().map(Solid::sphere).collect();
+    let centre = spheres.iter().map(|s| s.0).sum::<DVec3>() / spheres.len().max(1) as f64;
+    (centre, spheres.iter().map(|s| s.0.distance(centre) + s.1).fold(0.0, f64::max))
+}
+
+/// The scene while it is made.
+struct Build<'a> {
+    machine: &'a Machine,
+    groups: Vec<Group>,
+    links: Vec<usize>,
+    watches: Vec<Watch>,
+}
+
+impl Build<'_> {
+    fn group(&mut self, name: &str, link: usize, solids: Vec<Solid>) -> usize {
+        self.groups.push(Group { name: name.to_owned(), solids });
+        self.links.push(link);
+        self.groups.len() - 1
+    }
+
+    /// A group a link, named by the frames that have shapes; watches between links that are not neighbours.
+    fn links(&mut self) {
+        let mut by_link: BTreeMap<usize, Vec<Solid>> = BTreeMap::new();
+        for (link, solid) in &self.machine.solids.solids {
+            by_link.entry(*link).or_default().push(solid.clone());
+        }
+        for (link, solids) in by_link {
+            let mut names: Vec<&str> = solids.iter().filter_map(|s| s.name().split(':').next()).collect();
+            names.dedup();
+            let name = names.join("/");
+            self.group(&name, link, solids);
+        }
+        let ignored = &self.machine.solids.ignored;
+        for b in 0..self.groups.len() {
+            for a in 0..b {
+                let (l, m) = (self.links[a], self.links[b]);
+                let neighbours = self.machine.links.parent(l) == Some(m) || self.machine.links.parent(m) == Some(l);
+                if !neighbours && !ignored.contains(&(l, m)) && !ignored.contains(&(m, l)) {
+                    self.watches.push(Watch::Apart { a, b, least_mm: self.machine.solids.least_mm });
+                }
+            }
+        }
+    }
+
+    /// Part or fixtures, against every link that moves against the work.
+    fn clamped(&mut self, name: &str, solids: &[Solid], least_mm: f64) {
+        if solids.is_empty() {
+            return;
+        }
+        let others = self.groups.len();
+        let b = self.group(name, 0, solids.to_vec());
+        let moving: Vec<usize> = (0..others).filter(|&a| self.links[a] != 0).collect();
+        self.watches.extend(moving.into_iter().map(|a| Watch::Apart { a, b, least_mm }));
+    }
+
+    fn zones(&mut self) {
+        let groups = self.groups.len();
+        for zone in &self.machine.solids.zones {
+            let on = match zone.kind {
+                ZoneKind::Forbidden => {
+                    self.group(&format!("forbidden zone {}", zone.name), zone.link, zone.solids.clone())
+                }
+                ZoneKind::Permitted => self.group(&format!("permitted zone {}", zone.name), zone.link, Vec::new()),
+            };
+            for group in 0..groups {
+                let link = self.links[group];
+                let named = |name: &String| match self.machine.links.frame(name) {
+                    Some(frame) => {
+                        frame.link == link && !["part", "fixtures"].contains(&self.groups[group].name.as_str())
+                    }
+                    None => *name == self.groups[group].name,
+                };
+                let watched = zone.watch.as_ref().map_or(link != zone.link, |names| names.iter().any(named));
+                if !watched {
+                    continue;
+                }
+                let least_mm = zone.least_mm;
+                self.watches.push(match zone.kind {
+                    ZoneKind::Forbidden => Watch::Apart { a: group, b: on, least_mm },
+                    ZoneKind::Permitted => Watch::Inside { group, of: on, zones: zone.solids.clone(), least_mm },
+                });
+            }
+        }
+        // Permitted zones that say the same of the same group count together.
+        self.join_permitted();
+    }
+
+    fn join_permitted(&mut self) {
+        let mut joined: Vec<Watch> = Vec::new();
+        for watch in std::mem::take(&mut self.watches) {
+            let same = joined.iter_mut().find_map(|other| match (other, &watch) {
+                (
+                    Watch::Inside { group, of, zones, least_mm },
+                    Watch::Inside { group: g, of: o, zones: more, least_mm: l },
+                ) if group == g && self.links[*of] == self.links[*o] && (*least_mm - l).abs() < 1e-12 => {
+                    Some((zones, more.clone()))
+                }
+                _ => None,
+            });
+            match same {
+                Some((zones, more)) => zones.extend(more),
+                None => joined.push(watch),
+            }
+        }
+        self.watches = joined;
+    }
+}
