@@ -40,3 +40,28 @@ fn mistakes_have_an_address() {
     assert_eq!(key("inertia_kg_m2 = 30", "mass_kg = 30"), "drives.theta");
     assert!(wrong("max_speed_deg_s = 30", "max_sped_deg_s = 30").1.contains("did you mean `max_speed_deg_s`?"));
 }
+
+/// Mistakes with two heads.
+#[test]
+fn heads_have_names_and_tails_of_their_own() {
+    let dual = shipped("dual-laser-10axis").unwrap().text;
+    let wrong = |from: &str, to: &str| {
+        assert!(dual.contains(from), "{from}");
+        let e = Machine::read("m.toml", &dual.replacen(from, to, 1)).unwrap_err();
+        println!("{e}");
+        e.key
+    };
+    assert_eq!(wrong("name = \"right\"", "name = \"left\""), "heads[1].name");
+    assert_eq!(wrong("name = \"right\"", "name = \"base\""), "heads[1].name");
+    assert_eq!(wrong("axis = \"u2\"", "axis = \"u1\""), "heads[1].steps[0].axis");
+    let no_tail = "[[heads]]\nname = \"third\"\ndirection = [0, 0, -1]\n[drives.x]";
+    assert_eq!(wrong("[drives.x]", no_tail), "heads[2]");
+    assert_eq!(wrong("[drives.x]", "[torch]\ndirection = [0, 0, -1]\n[drives.x]"), "torch");
+    let single = saddle();
+    let none = single.replacen("[torch]\ndirection = [0, 0, -1]", "", 1);
+    assert!(Machine::read("m.toml", &none).unwrap_err().to_string().contains("no torch"));
+    let one = single.replacen("[torch]\ndirection", "[[heads]]\nname = \"torch\"\ndirection", 1);
+    assert_eq!(Machine::read("m.toml", &one).unwrap_err().key, "heads[0]");
+    let empty = "schema = 1\nname = \"m\"\ntitle = \"m\"\n[torch]\ndirection = [0, 0, -1]\n";
+    assert!(Machine::read("m.toml", empty).unwrap_err().to_string().contains("0 axes"));
+}
