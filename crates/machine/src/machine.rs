@@ -267,6 +267,11 @@ impl Machine {
         }
     }
 
+    /// The `k`-th of positions spread evenly over the axes' ranges, one turn of each rotary axis: an additive recurrence.
+    pub fn spread(&self, k: u32) -> Joints {
+        inverse::spread(&self.axes, k)
+    }
+
     /// `q` with rotary axes turned by whole turns into their ranges, where that is possible.
     pub fn turned_into_range(&self, q: &Joints) -> Joints {
         let mut turned = *q;

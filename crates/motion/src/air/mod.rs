@@ -1,0 +1,7 @@
+//! Moves with the arc off: from home to a weld, from one pass to the next, and back, clear of everything.
+
+mod leg;
+mod route;
+
+pub use leg::{AirMove, Leg};
+pub use route::{Blocked, route};
