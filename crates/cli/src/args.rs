@@ -181,6 +181,9 @@ pub(crate) struct KinematicsArgs {
     /// Torch tip and direction to axis positions
     #[arg(long, group = "way")]
     pub(crate) inverse: bool,
+    /// Head of a machine with two [default: the first]
+    #[arg(long, value_name = "NAME")]
+    pub(crate) head: Option<String>,
     /// With --inverse: rows are one path; each row is solved near the one before, counting turns
     #[arg(long, requires = "inverse")]
     pub(crate) continuous: bool,

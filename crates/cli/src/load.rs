@@ -51,18 +51,20 @@ fn names() -> String {
 /// The machine called `name`, or in the file `name` from `folder`; none if there is neither.
 fn machine_from(name: &str, folder: &Path) -> Result<Option<Machine>, Failure> {
     if let Some(shipped) = shipped(name) {
-        return checked(shipped.name, shipped.text).map(Some);
+        return checked(shipped.name, shipped.text, folder).map(Some);
     }
     let path = folder.join(name);
     if !path.is_file() {
         return Ok(None);
     }
-    checked(&path.display().to_string(), &files::read(&path)?).map(Some)
+    let folder = path.parent().unwrap_or(Path::new("."));
+    checked(&path.display().to_string(), &files::read(&path)?, folder).map(Some)
 }
 
-/// A machine file with its drives checked too, so that no later step is the first to stumble over them.
-fn checked(file: &str, text: &str) -> Result<Machine, Failure> {
-    let machine = Machine::read(file, text)?;
+/// A machine file with its drives checked too, so that no later step is the first to stumble over them; STL files are
+/// looked for from `folder`.
+fn checked(file: &str, text: &str, folder: &Path) -> Result<Machine, Failure> {
+    let machine = Machine::read_with(file, text, &|name| std::fs::read(folder.join(name)))?;
     if let Err(Error::Drive { axis, reason }) = check_drives(&machine) {
         let document = Document::<MachineFile>::read(file, text)?;
         return Err(document.error_at(&format!("drives.{axis}"), reason, "").into());

@@ -80,6 +80,13 @@ impl Machine {
         assemble::machine(&Document::<MachineFile>::read(file, text)?, load)
     }
 
+    /// The same machine with head `head` as the first, the one that poses are for.
+    #[must_use]
+    pub fn with_first_head(mut self, head: usize) -> Self {
+        self.heads.swap(0, head);
+        self
+    }
+
     /// Index of the axis called `name`.
     pub fn axis(&self, name: &str) -> Option<usize> {
         self.axes.iter().position(|a| a.name == name)
@@ -258,13 +265,16 @@ impl Machine {
             }
         }
         match worst {
-            Some(v) if inside.is_empty() => {
-                let axis = &self.axes[v.axis];
-                let (by, limit) = (axis.to_file(v.by()), axis.to_file(v.limit));
-                Err(Unreachable::Range { axis: axis.name.clone(), by, limit, unit: axis.unit() })
-            }
+            Some(v) if inside.is_empty() => Err(self.range_error(&v)),
             _ => Ok(inside),
         }
+    }
+
+    /// A violated range as a reason, in the units of the file.
+    pub fn range_error(&self, v: &RangeViolation) -> Unreachable {
+        let axis = &self.axes[v.axis];
+        let (by, limit) = (axis.to_file(v.by()), axis.to_file(v.limit));
+        Unreachable::Range { axis: axis.name.clone(), by, limit, unit: axis.unit() }
     }
 
     /// The `k`-th of positions spread evenly over the axes' ranges, one turn of each rotary axis: an additive recurrence.

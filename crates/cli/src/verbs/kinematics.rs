@@ -9,7 +9,7 @@ use std::io::{self, BufRead};
 const POSE: [&str; 6] = ["x_mm", "y_mm", "z_mm", "ax", "ay", "az"];
 
 pub(crate) fn run(args: &KinematicsArgs) -> Result<(), Failure> {
-    let machine = load::machine(&args.machine)?;
+    let machine = head(load::machine(&args.machine)?, args.head.as_deref())?;
     let names: Vec<&str> = machine.axes.iter().map(|a| a.name.as_str()).collect();
     let owned = |names: &[&str]| names.iter().map(|n| (*n).to_owned()).collect::<Vec<String>>();
     if args.forward {
@@ -59,28 +59,33 @@ fn forward(machine: &Machine, values: &[f64], rows: &mut Rows) -> Result<(), Fai
     rows.row(&[x, y, z, a, b, c])
 }
 
-/// The positions for a pose: near the row before, or the branch within all ranges that is nearest to home.
+/// The machine with the head that is asked for.
+fn head(machine: Machine, name: Option<&str>) -> Result<Machine, Failure> {
+    let Some(name) = name else { return Ok(machine) };
+    let names: Vec<&str> = machine.heads.iter().map(|h| h.name.as_str()).collect();
+    match names.iter().position(|n| *n == name) {
+        Some(head) => Ok(machine.with_first_head(head)),
+        None => Err(Failure::Input(format!("--head {name}: there is no such head\n   allowed: {}", names.join(", ")))),
+    }
+}
+
+/// The positions for a pose: near the row before, or within all ranges and nearest to home.
 fn inverse(machine: &Machine, values: &[f64], near: &Joints, continuous: bool) -> Result<Solution, String> {
     let direction = DVec3::new(values[3], values[4], values[5]);
     let Some(direction) = direction.try_normalize() else { return Err("the direction has no length".to_owned()) };
     let pose = seamwright_geometry::Pose { point: DVec3::new(values[0], values[1], values[2]), direction };
-    let nearest = machine.inverse_near(&pose, near).map_err(|e| e.to_string())?;
-    let mut candidates = vec![nearest];
-    if !continuous {
-        candidates.extend(machine.inverse(&pose, near).map_err(|e| e.to_string())?.iter());
-        for solution in &mut candidates {
-            solution.joints = machine.turned_into_range(&solution.joints);
-        }
+    if continuous {
+        let solution = machine.inverse_near(pose, near).map_err(|e| e.to_string())?;
+        return machine.outside(&solution.joints).map_or(Ok(solution), |v| Err(machine.range_error(&v).to_string()));
     }
-    let inside = candidates.iter().find(|s| machine.outside(&s.joints).is_none());
-    inside.copied().ok_or_else(|| {
-        machine.outside(&nearest.joints).map_or_else(String::new, |v| {
-            let axis = &machine.axes[v.axis];
-            let (value, limit, by) = (axis.to_file(v.value), axis.to_file(v.limit), axis.to_file(v.by()));
-            let unit = axis.unit();
-            format!("axis {} would be at {value:.6} {unit}, {by:.6} {unit} beyond its limit {limit} {unit}", axis.name)
-        })
-    })
+    let found = machine.reach(pose, near).map_err(|e| e.to_string())?;
+    let far = |s: &Solution| -> f64 {
+        machine.axes.iter().zip(s.joints.iter().zip(near)).map(|(a, (p, q))| ((p - q) / a.max_speed).powi(2)).sum()
+    };
+    // Where the direction cannot be met, the branch that comes nearest to it; then the one nearest to where the axes are.
+    let cost = |s: &Solution| (s.attitude_error * 1e6).round() * 1e6 + far(s);
+    let best = found.into_iter().min_by(|a, b| cost(a).total_cmp(&cost(b)));
+    best.ok_or_else(|| "no positions reach the pose".to_owned())
 }
 
 fn write_solution(machine: &Machine, solution: Result<Solution, String>, rows: &mut Rows) -> Result<(), Failure> {
