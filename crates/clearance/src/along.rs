@@ -197,7 +197,8 @@ impl<'a, M: Motion> Walk<'a, M> {
         let bound = self.bound(u, v);
         let required = self.scene.watches()[self.watch].least_mm();
         let (d0, d1) = (u.found.distance, v.found.distance);
-        let known = d0.min(d1).min(self.limits.cutoff_mm);
+        // Over many cells the bound must be near all of their distances: as much above the mean as it is below.
+        let known = if cells.len() == 1 { d0.min(d1) } else { d0 + d1 - bound }.min(self.limits.cutoff_mm);
         let near_enough = bound >= known - self.limits.precision_mm - SHARE * known.abs();
         let decided = bound >= required || (cells.len() == 1 && d0.max(d1) < required);
         if (near_enough && decided) || (cells.len() == 1 && (v.s - u.s).abs() <= self.limits.smallest) {
