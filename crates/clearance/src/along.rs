@@ -6,7 +6,7 @@ use glam::DAffine3;
 
 /// How the groups of a scene move, over any parameter `s` (path length, say).
 pub trait Motion {
-    /// First and last parameter.
+    /// First and last parameter, the first not above the last.
     fn range(&self) -> (f64, f64);
     /// Frames of all groups at `s`, in a common frame.
     fn frames(&self, s: f64, frames: &mut [DAffine3]);
@@ -65,7 +65,8 @@ pub struct Cell {
 pub struct Stretch {
     /// Index of the watch.
     pub watch: usize,
-    /// Where it begins; between here and `to` the watch may not hold, next to it it does.
+    /// Where it begins. Next to a stretch the watch is shown to hold; within it, it may in parts, by less than the
+    /// precision.
     pub from: f64,
     /// Where it ends.
     pub to: f64,
@@ -201,7 +202,10 @@ impl<'a, M: Motion> Walk<'a, M> {
         let known = if cells.len() == 1 { d0.min(d1) } else { d0 + d1 - bound }.min(self.limits.cutoff_mm);
         let near_enough = bound >= known - self.limits.precision_mm - SHARE * known.abs();
         let decided = bound >= required || (cells.len() == 1 && d0.max(d1) < required);
-        if (near_enough && decided) || (cells.len() == 1 && (v.s - u.s).abs() <= self.limits.smallest) {
+        // Never so short that the middle would be an end; a range that is no number ends here too.
+        let smallest = self.limits.smallest.max(4.0 * f64::EPSILON * u.s.abs().max(v.s.abs()));
+        let width = (v.s - u.s).abs();
+        if (near_enough && decided) || (cells.len() == 1 && (width.is_nan() || width <= smallest)) {
             self.settle(cells, bound, u, v);
             return;
         }

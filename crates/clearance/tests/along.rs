@@ -66,7 +66,7 @@ fn a_thin_plate_between_two_stations_is_found() {
         assert!(stretch.at_least_mm == 0.0 && stretch.nearest.distance < 0.12, "{stretch:?}");
         assert!((stretch.s - x).abs() < 0.75 && stretch.nearest.place.is_some());
         let cell = (x / 100.0) as usize;
-        assert_eq!(profile.nearest(cell).unwrap().1.at_least_mm, 0.0);
+        assert!(profile.nearest(cell).unwrap().1.at_least_mm < 1e-12);
         assert!(profile.nearest((cell + 3) % 10).unwrap().1.at_least_mm > 50.0);
     }
 }
@@ -88,7 +88,6 @@ fn just_clear_and_just_not() {
 #[test]
 fn cell_bounds_hold_between_all_places() {
     let mut random = Uniform::new(12);
-    let (mut tight, mut seen) = (0, 0);
     for case in 0..cases(150) {
         let solids = |count: usize, size: f64, random: &mut Uniform| -> Vec<Solid> {
             let kinds: Vec<usize> =
@@ -127,21 +126,22 @@ fn cell_bounds_hold_between_all_places() {
                 // What is too near is in a stretch, and what is not at the end of one is not.
                 let within = profile.stretches.iter().any(|x| (x.from..=x.to).contains(&s));
                 assert!(d >= least_mm || within, "{d} at {s} is in no stretch");
-                assert!(d < least_mm + 0.2 || !within, "{d} at {s} is in a stretch below {least_mm}");
+                assert!(d < 1.1 * least_mm + 0.2 || !within, "{d} at {s} is in a stretch below {least_mm}");
             }
             let bound = profile.traces[0].cells[k].at_least_mm;
             assert!(bound <= least.min(100.0) + 1e-9, "cell {k}: {bound} above {least}");
-            seen += 1;
-            tight += usize::from(bound > 0.85 * least.min(100.0) - 0.2);
+            // Near enough too: the precision, and half a step of the dense looking.
+            let speed = motion.greatest_speed(0, 1, from, to);
+            let short = 0.1 + 0.1 * least + speed * (to - from) / 80.0;
+            assert!(bound >= least.min(100.0) - short, "cell {k}: {bound} for {least}");
         }
         for stretch in &profile.stretches {
-            assert!(stretch.nearest.distance < least_mm + 0.01, "{stretch:?}");
+            assert!(stretch.nearest.distance < least_mm + 0.05, "{stretch:?}");
             assert!(
                 stretch.at_least_mm <= stretch.nearest.distance && stretch.from <= stretch.s && stretch.s <= stretch.to
             );
         }
     }
-    assert!(tight * 10 > seen * 9, "only {tight} of {seen} bounds are near the least distance");
 }
 
 #[test]
@@ -154,15 +154,11 @@ fn permitted_zones_are_walked_too() {
     let profile = scene.along(&straight(DVec3::ZERO, DVec3::X * 150.0), 15, &LIMITS).unwrap();
     let [stretch] = &profile.stretches[..] else { panic!("{:?}", profile.stretches) };
     // The second box ends at 120: room of 2 mm is left until 113.
-    assert!((stretch.from - 113.0).abs() < 0.02 && stretch.to == 150.0, "{stretch:?}");
-    assert!((stretch.nearest.distance + 35.0).abs() < 1e-9 && stretch.s == 150.0);
+    assert!((stretch.from - 113.0).abs() < 0.02 && (stretch.to - 150.0).abs() < 1e-12, "{stretch:?}");
+    assert!((stretch.nearest.distance + 35.0).abs() < 1e-9 && (stretch.s - 150.0).abs() < 1e-12);
     // Where the boxes change, 35: room 50 - 35 - 5.
     let least = (0..10).map(|k| profile.traces[0].cells[k].at_least_mm).fold(f64::INFINITY, f64::min);
-    assert!(
-        least <= 10.0 && least > 8.5,
-        "{:?}",
-        profile.traces[0].cells.iter().map(|c| (c.at_least_mm, c.s)).collect::<Vec<_>>()
-    );
+    assert!(least <= 10.0 && least > 8.5, "{least}");
 }
 
 #[test]
@@ -197,6 +193,24 @@ fn the_work_is_bounded() {
         assert!(profile.stretches.len() == 1 && profile.stretches[0].nearest.distance >= 1.0);
         assert!(profile.traces[0].cells.iter().all(|c| c.at_least_mm < 1.0));
     }
+}
+
+#[test]
+fn frames_that_are_no_frames_are_not_clear() {
+    let ball = solid(Shape::Sphere { radius: 5.0 }, DAffine3::IDENTITY);
+    let zones = vec![solid(Shape::HalfSpace, DAffine3::IDENTITY)];
+    let watches =
+        vec![Watch::Apart { a: 0, b: 1, least_mm: 1.0 }, Watch::Inside { group: 0, of: 1, zones, least_mm: 1.0 }];
+    let scene = Scene::new(vec![group("a", vec![ball.clone()]), group("b", vec![ball])], watches).unwrap();
+    for x in [f64::NAN, f64::INFINITY, 1e300] {
+        let motion = straight(DVec3::ZERO, DVec3::X * 10.0);
+        let motion = Screw { start: DAffine3::from_translation(DVec3::X * x), ..motion };
+        let profile = scene.along(&motion, 5, &LIMITS).unwrap();
+        assert_eq!(profile.stretches.len(), 2);
+        assert!(profile.stretches.iter().all(|s| s.nearest.distance <= 0.0 && s.from <= 0.0 && s.to >= 10.0));
+    }
+    let endless = Screw { length: f64::NAN, ..straight(DVec3::ZERO, DVec3::X) };
+    assert!(!scene.along(&endless, 5, &LIMITS).unwrap().stretches.is_empty());
 }
 
 #[test]
