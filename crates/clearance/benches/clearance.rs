@@ -4,7 +4,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use glam::{DAffine3, DMat3, DVec3};
-use seamwright_clearance::{Group, Limits, Mesh, Motion, Scene, Shape, Solid, Watch};
+use seamwright_clearance::{Group, Limits, Mesh, Motion, Scene, Shape, Solid, Watch, nearest};
 use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::sync::Arc;
@@ -93,6 +93,15 @@ fn clearance(c: &mut Criterion) {
     group.sample_size(20);
     group.bench_function("1,000 stations, 20 fixtures, 50,000 triangles", |b| {
         b.iter(|| black_box(scene.along(&Saddle, 1000, &limits)).unwrap());
+    });
+    // Two such parts, 20 mm apart and crosswise: the dearest single distance.
+    let body = Shape::Mesh(Arc::new(part()));
+    let turned = DAffine3::from_rotation_x(1.5) * DAffine3::from_translation(DVec3::new(720.0, 0.0, 85.0));
+    let (a, b) = (solid(body.clone(), 0.0, 0.0, 0.0), Solid::new("", body, turned).unwrap());
+    let apart = nearest(&a, &DAffine3::IDENTITY, &b, &DAffine3::IDENTITY, 100.0).unwrap().distance;
+    assert!(apart > 5.0, "{apart} mm");
+    group.bench_function("mesh with mesh, 50,000 triangles each", |bench| {
+        bench.iter(|| black_box(nearest(&a, &DAffine3::IDENTITY, &b, &DAffine3::IDENTITY, 100.0)).unwrap());
     });
     group.bench_function("tree over 50,000 triangles", |b| b.iter(|| black_box(part())));
     group.finish();
