@@ -182,15 +182,13 @@ impl<'a, M: Motion> Walk<'a, M> {
         sample
     }
 
-    /// The least the distance can be between two places.
+    /// What two places and the speed alone say of the least distance between them; it may be below 0.
     fn bound(&self, u: &Sample, v: &Sample) -> f64 {
-        let watch = &self.scene.watches()[self.watch];
-        let (a, b) = watch.groups();
+        let (a, b) = self.scene.watches()[self.watch].groups();
         let speed = self.motion.greatest_speed(a, b, u.s, v.s);
         let bound = (u.found.distance + v.found.distance - speed * (v.s - u.s).abs()) / 2.0;
-        // Two bodies are never nearer than 0; nothing is known from a speed that is not a number.
-        let floor = if matches!(watch, Watch::Apart { .. }) { 0.0 } else { f64::NEG_INFINITY };
-        if bound >= floor { bound.min(u.found.distance).min(v.found.distance) } else { floor }
+        // Nothing is known from a speed that is not a number.
+        if bound.is_nan() { f64::NEG_INFINITY } else { bound.min(u.found.distance).min(v.found.distance) }
     }
 
     /// Settles what lies between two places: the ends of `cells`, or both in the one cell.
@@ -222,6 +220,9 @@ impl<'a, M: Motion> Walk<'a, M> {
     }
 
     fn settle(&mut self, cells: std::ops::Range<usize>, bound: f64, u: &Sample, v: &Sample) {
+        // Two bodies are never nearer than 0.
+        let apart = matches!(self.scene.watches()[self.watch], Watch::Apart { .. });
+        let bound = if apart { bound.max(0.0) } else { bound };
         let nearer = if u.found.distance <= v.found.distance { u } else { v };
         for cell in &mut self.cells[cells] {
             let at_least_mm = bound.min(self.limits.cutoff_mm);

@@ -24,7 +24,7 @@ pub enum Watch {
         a: usize,
         /// The other.
         b: usize,
-        /// Least distance, mm.
+        /// Least distance, mm; above 0, as bodies that overlap are at 0.
         least_mm: f64,
     },
     /// A group stays inside permitted zones: all of it inside at least one of them.
@@ -98,7 +98,8 @@ impl Scene {
     /// A scene. A watch whose first group has a half-space is turned round, so that the first group always ends.
     ///
     /// # Errors
-    /// Groups that are not there, watches between groups without end, zones that are none.
+    /// Groups that are not there, watches between groups without end, least distances that are not above 0, zones that
+    /// are none.
     pub fn new(groups: Vec<Group>, mut watches: Vec<Watch>) -> Result<Self, ClearanceError> {
         let ends = |group: usize| groups[group].solids.iter().all(Solid::ends);
         for (watch, w) in watches.iter_mut().enumerate() {
@@ -106,7 +107,10 @@ impl Scene {
             if let Some(&group) = [a, b].iter().find(|g| **g >= groups.len()) {
                 return Err(ClearanceError::NoSuchGroup { watch, group });
             }
+            let least = w.least_mm();
             match w {
+                _ if !least.is_finite() => return Err(ClearanceError::Least { watch }),
+                Watch::Apart { .. } if least <= 0.0 => return Err(ClearanceError::Least { watch }),
                 Watch::Apart { a, b, .. } if !ends(*a) => std::mem::swap(a, b),
                 Watch::Inside { zones, .. } if zones.is_empty() => return Err(ClearanceError::NoZone { watch }),
                 Watch::Inside { zones, .. } if !zones.iter().all(|z| is_zone(z.shape())) => {

@@ -222,6 +222,9 @@ fn scenes_that_say_nothing_are_refused() {
     let apart = |a, b| Watch::Apart { a, b, least_mm: 1.0 };
     assert_eq!(scene(apart(0, 2)), ClearanceError::NoSuchGroup { watch: 0, group: 2 });
     assert_eq!(scene(apart(1, 1)), ClearanceError::Endless { watch: 0, group: "floor".into() });
+    for least_mm in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert_eq!(scene(Watch::Apart { a: 0, b: 1, least_mm }), ClearanceError::Least { watch: 0 });
+    }
     let inside = |group, zones| Watch::Inside { group, of: 1, zones, least_mm: 0.0 };
     assert_eq!(scene(inside(0, vec![])), ClearanceError::NoZone { watch: 0 });
     let cone = solid(Shape::Cone { radius: 1.0, top_radius: 0.0, length: 1.0 }, DAffine3::IDENTITY);
