@@ -6,7 +6,7 @@ use glam::DAffine3;
 
 /// How the groups of a scene move, over any parameter `s` (path length, say).
 pub trait Motion {
-    /// First and last parameter.
+    /// First and last parameter, the first not above the last.
     fn range(&self) -> (f64, f64);
     /// Frames of all groups at `s`, in a common frame.
     fn frames(&self, s: f64, frames: &mut [DAffine3]);
@@ -65,7 +65,8 @@ pub struct Cell {
 pub struct Stretch {
     /// Index of the watch.
     pub watch: usize,
-    /// Where it begins; between here and `to` the watch may not hold, next to it it does.
+    /// Where it begins. Next to a stretch the watch is shown to hold; within it, it may in parts, by less than the
+    /// precision.
     pub from: f64,
     /// Where it ends.
     pub to: f64,
@@ -181,15 +182,13 @@ impl<'a, M: Motion> Walk<'a, M> {
         sample
     }
 
-    /// The least the distance can be between two places.
+    /// What two places and the speed alone say of the least distance between them; it may be below 0.
     fn bound(&self, u: &Sample, v: &Sample) -> f64 {
-        let watch = &self.scene.watches()[self.watch];
-        let (a, b) = watch.groups();
+        let (a, b) = self.scene.watches()[self.watch].groups();
         let speed = self.motion.greatest_speed(a, b, u.s, v.s);
         let bound = (u.found.distance + v.found.distance - speed * (v.s - u.s).abs()) / 2.0;
-        // Two bodies are never nearer than 0; nothing is known from a speed that is not a number.
-        let floor = if matches!(watch, Watch::Apart { .. }) { 0.0 } else { f64::NEG_INFINITY };
-        if bound >= floor { bound.min(u.found.distance).min(v.found.distance) } else { floor }
+        // Nothing is known from a speed that is not a number.
+        if bound.is_nan() { f64::NEG_INFINITY } else { bound.min(u.found.distance).min(v.found.distance) }
     }
 
     /// Settles what lies between two places: the ends of `cells`, or both in the one cell.
@@ -197,10 +196,14 @@ impl<'a, M: Motion> Walk<'a, M> {
         let bound = self.bound(u, v);
         let required = self.scene.watches()[self.watch].least_mm();
         let (d0, d1) = (u.found.distance, v.found.distance);
-        let known = d0.min(d1).min(self.limits.cutoff_mm);
+        // Over many cells the bound must be near all of their distances: as much above the mean as it is below.
+        let known = if cells.len() == 1 { d0.min(d1) } else { d0 + d1 - bound }.min(self.limits.cutoff_mm);
         let near_enough = bound >= known - self.limits.precision_mm - SHARE * known.abs();
         let decided = bound >= required || (cells.len() == 1 && d0.max(d1) < required);
-        if (near_enough && decided) || (cells.len() == 1 && (v.s - u.s).abs() <= self.limits.smallest) {
+        // Never so short that the middle would be an end; a range that is no number ends here too.
+        let smallest = self.limits.smallest.max(4.0 * f64::EPSILON * u.s.abs().max(v.s.abs()));
+        let width = (v.s - u.s).abs();
+        if (near_enough && decided) || (cells.len() == 1 && (width.is_nan() || width <= smallest)) {
             self.settle(cells, bound, u, v);
             return;
         }
@@ -217,6 +220,9 @@ impl<'a, M: Motion> Walk<'a, M> {
     }
 
     fn settle(&mut self, cells: std::ops::Range<usize>, bound: f64, u: &Sample, v: &Sample) {
+        // Two bodies are never nearer than 0.
+        let apart = matches!(self.scene.watches()[self.watch], Watch::Apart { .. });
+        let bound = if apart { bound.max(0.0) } else { bound };
         let nearer = if u.found.distance <= v.found.distance { u } else { v };
         for cell in &mut self.cells[cells] {
             let at_least_mm = bound.min(self.limits.cutoff_mm);

@@ -21,13 +21,22 @@ pub struct Near {
 /// the solids are given in to a common one.
 ///
 /// Guarantee: the distance is proven by planes between the solids (for a mesh, one for each triangle), less what
-/// rounding may add. It is 0 too where one lies wholly inside a mesh.
+/// rounding may add. It is 0 too where one lies wholly inside a mesh, and where the frames are not finite or farther
+/// than 1e9 mm from each other.
 pub fn nearest(a: &Solid, frame_a: &DAffine3, b: &Solid, frame_b: &DAffine3, limit: f64) -> Option<Near> {
     // In a frame at the first solid: far from the common origin nothing is lost.
     let to_a = frame_a.inverse() * *frame_b;
+    if !is_usable(&to_a) {
+        return (limit > 0.0).then_some(Near { distance: 0.0, on_a: DVec3::ZERO, on_b: DVec3::ZERO });
+    }
     let gap = of_shapes((a.shape(), *a.pose()), (b.shape(), to_a * *b.pose()), limit, &mut 0)?;
     let [on_a, on_b] = [gap.on_a, gap.on_b].map(|p| frame_a.transform_point3(p));
     Some(Near { distance: gap.distance, on_a, on_b })
+}
+
+/// True for frames that distances can be computed with: finite, and not absurdly far.
+pub(crate) fn is_usable(frame: &DAffine3) -> bool {
+    frame.is_finite() && frame.translation.abs().max_element() <= 1e9
 }
 
 type Posed<'a> = (&'a Shape, DAffine3);
@@ -38,6 +47,9 @@ const ROUNDING: f64 = 1e-14;
 /// Distance of two shapes in a common frame, or none if it is `limit` or more. `last` is where the nearest triangle
 /// of a mesh was last time.
 pub(crate) fn of_shapes(a: Posed, b: Posed, limit: f64, last: &mut Last) -> Option<Gap> {
+    if limit <= 0.0 {
+        return None;
+    }
     match (a.0, b.0) {
         (Shape::HalfSpace, Shape::HalfSpace) => half_spaces(&a.1, &b.1, limit),
         (Shape::HalfSpace, _) => over_plane(&a.1, b, limit),

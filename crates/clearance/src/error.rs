@@ -76,6 +76,12 @@ pub enum ClearanceError {
         /// Index of the watch.
         watch: usize,
     },
+    /// A watch's least distance that says nothing: bodies that overlap are at 0.
+    #[error("watch {watch}: the least distance of two groups must be greater than 0, and the least room finite")]
+    Least {
+        /// Index of the watch.
+        watch: usize,
+    },
     /// A number of the walk's limits is not greater than 0.
     #[error("{what} must be greater than 0")]
     Limit {

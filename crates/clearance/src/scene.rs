@@ -1,6 +1,6 @@
 //! Groups of solids and what must hold between them.
 
-use crate::distance::of_shapes;
+use crate::distance::{is_usable, of_shapes};
 use crate::mesh::Last;
 use crate::zone::{is_zone, room};
 use crate::{ClearanceError, Solid};
@@ -24,7 +24,7 @@ pub enum Watch {
         a: usize,
         /// The other.
         b: usize,
-        /// Least distance, mm.
+        /// Least distance, mm; above 0, as bodies that overlap are at 0.
         least_mm: f64,
     },
     /// A group stays inside permitted zones: all of it inside at least one of them.
@@ -63,7 +63,8 @@ pub struct Evaluation {
     /// Distance of two groups or room in a zone, mm; never more than there is. Room is negative outside: a box's is
     /// then its least, over the faces.
     pub distance: f64,
-    /// Where that is; none if the distance is only known to be at least this.
+    /// Where that is; none if the distance is only known to be at least this, or the frames are not finite (then it
+    /// counts as 0, and room as minus infinity).
     pub place: Option<Place>,
 }
 
@@ -97,7 +98,8 @@ impl Scene {
     /// A scene. A watch whose first group has a half-space is turned round, so that the first group always ends.
     ///
     /// # Errors
-    /// Groups that are not there, watches between groups without end, zones that are none.
+    /// Groups that are not there, watches between groups without end, least distances that are not above 0, zones that
+    /// are none.
     pub fn new(groups: Vec<Group>, mut watches: Vec<Watch>) -> Result<Self, ClearanceError> {
         let ends = |group: usize| groups[group].solids.iter().all(Solid::ends);
         for (watch, w) in watches.iter_mut().enumerate() {
@@ -105,7 +107,10 @@ impl Scene {
             if let Some(&group) = [a, b].iter().find(|g| **g >= groups.len()) {
                 return Err(ClearanceError::NoSuchGroup { watch, group });
             }
+            let least = w.least_mm();
             match w {
+                _ if !least.is_finite() => return Err(ClearanceError::Least { watch }),
+                Watch::Apart { .. } if least <= 0.0 => return Err(ClearanceError::Least { watch }),
                 Watch::Apart { a, b, .. } if !ends(*a) => std::mem::swap(a, b),
                 Watch::Inside { zones, .. } if zones.is_empty() => return Err(ClearanceError::NoZone { watch }),
                 Watch::Inside { zones, .. } if !zones.iter().all(|z| is_zone(z.shape())) => {
@@ -165,6 +170,9 @@ impl Scene {
     fn apart(&self, a: usize, b: usize, frames: &[DAffine3], limit: f64, memory: &mut Memory) -> Evaluation {
         let (solids_a, solids_b) = (&self.groups[a].solids, &self.groups[b].solids);
         let to_a = frames[a].inverse() * frames[b];
+        if !is_usable(&to_a) {
+            return Evaluation { distance: 0.0, place: None };
+        }
         memory.gaps.clear();
         for solid in solids_b {
             let centre = to_a.transform_point3(solid.centre);
@@ -198,6 +206,9 @@ impl Scene {
     fn inside(&self, group: usize, of: usize, zones: &[Solid], frames: &[DAffine3]) -> Evaluation {
         let to_zone = frames[of].inverse() * frames[group];
         let mut most = Evaluation { distance: f64::NEG_INFINITY, place: None };
+        if !is_usable(&to_zone) {
+            return most;
+        }
         for (k, zone) in zones.iter().enumerate() {
             let mut least = Evaluation { distance: f64::INFINITY, place: None };
             for (i, solid) in self.groups[group].solids.iter().enumerate() {

@@ -115,7 +115,8 @@ impl Solid {
     /// A solid; `pose` maps the shape's frame to the frame the solid is given in (its group's).
     ///
     /// # Errors
-    /// Sizes that are not finite or not positive, a capsule shorter than its ends, a pose that is not rigid.
+    /// Sizes that are not finite or not positive, a capsule shorter than its ends, a pose that is not rigid or displaces
+    /// by more than 1e7 mm.
     pub fn new(name: impl Into<String>, shape: Shape, pose: DAffine3) -> Result<Self, ClearanceError> {
         shape.check()?;
         check_rigid(&pose)?;
@@ -161,6 +162,9 @@ fn check_rigid(pose: &DAffine3) -> Result<(), ClearanceError> {
     let m: DMat3 = pose.matrix3;
     let skew = m.transpose() * m - DMat3::IDENTITY;
     let off = skew.to_cols_array().into_iter().fold(0.0, |worst: f64, v| worst.max(v.abs()));
-    let rigid = pose.is_finite() && off < 1e-9 && m.determinant() > 0.0;
-    if rigid { Ok(()) } else { Err(ClearanceError::NotRigid) }
+    if !pose.is_finite() || off > 1e-9 || m.determinant() <= 0.0 {
+        return Err(ClearanceError::NotRigid);
+    }
+    let far = pose.translation.abs().max_element();
+    if far > FARTHEST_MM { Err(ClearanceError::Size { what: "a displacement", value: far }) } else { Ok(()) }
 }

@@ -87,6 +87,11 @@ fn explain(file: &str, text: &str, error: &toml::de::Error) -> DocumentError {
         e.help = suggestion(name, &known);
         e.allowed = Some(known.join(", "));
         e.value = String::new();
+    } else if let Some((name, known)) = unexpected_key(what) {
+        e.message = format!("there is no key `{name}` here");
+        e.help = suggestion(name, &known);
+        e.allowed = Some(known.join(", "));
+        e.value = String::new();
     } else if let Some(name) = quoted(what, "unknown variant ") {
         let known = names(expected);
         e.message = format!("`{name}` is not known");
@@ -119,6 +124,12 @@ fn explain(file: &str, text: &str, error: &toml::de::Error) -> DocumentError {
         .filter(|a| !a.is_empty());
     }
     e
+}
+
+/// The first unknown key of an enum's variant, and the known ones: the parser has its own words there.
+fn unexpected_key(message: &str) -> Option<(&str, Vec<&str>)> {
+    let (found, known) = message.strip_prefix("unexpected keys in table: ")?.split_once(", available keys: ")?;
+    Some((found.split(", ").next()?, known.split(", ").collect()))
 }
 
 /// The name in backquotes after `prefix`.

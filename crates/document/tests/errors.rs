@@ -81,6 +81,14 @@ fn wrong_types() {
 
 #[test]
 fn unknown_keys_and_units() {
+    // In an enum's variant too, where the parser has other words for it.
+    let e = wrong("schema = 1\n[body.cylinder]\nradius = 5\n");
+    assert_eq!(
+        (e.line, e.key.as_str(), e.message.as_str()),
+        (3, "body.cylinder.radius", "there is no key `radius` here")
+    );
+    assert_eq!(e.help.as_deref(), Some("did you mean `radius_mm`? This value is given in mm"));
+    assert_eq!(e.allowed.as_deref(), Some("radius_mm"));
     let e = wrong("schema = 1\n[nozzle]\nradus_mm = 250\n");
     assert_eq!((e.line, e.key.as_str()), (3, "nozzle.radus_mm"));
     assert_eq!(e.help.as_deref(), Some("did you mean `radius_mm`?"));
