@@ -88,7 +88,7 @@ impl MachineFile {
 #[serde(deny_unknown_fields)]
 pub struct LinkClearanceFile {
     /// Least distance of two links, mm; 5 if missing.
-    pub least_mm: Option<NonNegative>,
+    pub least_mm: Option<Positive>,
     /// Pairs of links that may touch.
     #[serde(default)]
     pub ignore: Vec<[String; 2]>,
@@ -107,9 +107,8 @@ pub struct ZoneFile {
     pub on: Option<String>,
     /// Links that it holds for, also `part` and `fixtures`; everything that moves against it if missing.
     pub watch: Option<Vec<String>>,
-    /// Least distance from a forbidden zone, or least room to the surface of a permitted one, mm.
-    #[serde(default)]
-    pub least_mm: NonNegative,
+    /// Least distance from a forbidden zone, or least room to the surface of a permitted one, mm; 1 if missing.
+    pub least_mm: Option<Positive>,
     /// Its volume; boxes, cylinders, spheres and half-spaces if it is permitted.
     pub solids: Vec<SolidFile>,
 }

@@ -4,7 +4,7 @@ use super::{File, Load};
 use crate::solids::{LinkSolids, Zone};
 use crate::{Links, ZoneKind};
 use seamwright_clearance::{Solid, SolidFile};
-use seamwright_document::{DocumentError, NonNegative};
+use seamwright_document::{DocumentError, Positive};
 
 /// Names of what a job puts into the machine.
 const FROM_JOB: [&str; 2] = ["part", "fixtures"];
@@ -12,12 +12,15 @@ const FROM_JOB: [&str; 2] = ["part", "fixtures"];
 /// Least distance of two links, mm, if the file does not say.
 const LEAST_MM: f64 = 5.0;
 
+/// Least distance from a zone's surface, mm, if the file does not say.
+const ZONE_LEAST_MM: f64 = 1.0;
+
 /// Everything solid in the file.
 pub(super) fn solids(file: &File, links: &Links, load: Load) -> Result<LinkSolids, DocumentError> {
     let m = &file.value;
     let mut all = LinkSolids {
         solids: Vec::new(),
-        least_mm: m.clearance.least_mm.map_or(LEAST_MM, NonNegative::get),
+        least_mm: m.clearance.least_mm.map_or(LEAST_MM, Positive::get),
         ignored: Vec::new(),
         zones: Vec::new(),
     };
@@ -71,7 +74,7 @@ pub(super) fn solids(file: &File, links: &Links, load: Load) -> Result<LinkSolid
             kind: zone.kind,
             link: frame.link,
             watch: zone.watch.clone(),
-            least_mm: zone.least_mm.get(),
+            least_mm: zone.least_mm.map_or(ZONE_LEAST_MM, Positive::get),
             solids: placed,
         });
     }
