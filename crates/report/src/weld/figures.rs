@@ -197,6 +197,7 @@ impl WeldReport {
                     Seam::Nozzle(_) => "nozzle",
                     Seam::Ellipse(_) => "ellipse",
                     Seam::Line(_) => "line",
+                    Seam::Girth(_) => "girth",
                 },
                 length_mm: welding.seam.length(),
                 weld_length_mm: welding.seam.weld_length(),
