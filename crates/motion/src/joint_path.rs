@@ -1,6 +1,6 @@
+use crate::follower::Follower;
 use seamwright_geometry::{NODES, Series, nodes};
-use seamwright_machine::{AxisKind, Joints, MAX_AXES, Machine};
-use seamwright_program::TorchPath;
+use seamwright_machine::{AxisKind, Joints, MAX_AXES};
 
 /// Axes evaluated together, so that the compiler can use vector instructions.
 const LANES: usize = 4;
@@ -55,20 +55,20 @@ pub(crate) struct NotSmooth {
 }
 
 impl JointPath {
-    /// The axes' path along `path`, beginning at the positions `start` (one branch of the inverse at s = 0).
-    pub(crate) fn new(machine: &Machine, path: &dyn TorchPath, start: &Joints) -> Result<Self, NotSmooth> {
-        let axes = machine.axes.len();
-        let length = path.length();
+    /// The axes' path as `follower` goes it, beginning at the positions `start` (one branch of the inverse at s = 0).
+    pub(crate) fn new(follower: Follower, start: &Joints) -> Result<Self, NotSmooth> {
+        let axes = follower.machine.axes.len();
+        let length = follower.path.length();
         let mut built =
             Self { panels: Vec::new(), blocks: Vec::new(), blocks_a_panel: axes.div_ceil(LANES), length, axes };
         let mut near = *start;
         let mut todo: Vec<(f64, f64)> = Vec::new();
         let mut edges = vec![0.0];
-        edges.extend(path.knots().into_iter().filter(|s| *s > 0.0 && *s < length));
+        edges.extend(follower.knots().into_iter().filter(|s| *s > 0.0 && *s < length));
         edges.push(length);
         todo.extend(edges.windows(2).rev().map(|w| (w[0], w[1])));
         while let Some((a, b)) = todo.pop() {
-            if let Some((blocks, end)) = fit(machine, path, a, b, &near, built.blocks_a_panel) {
+            if let Some((blocks, end)) = fit(follower, a, b, &near, built.blocks_a_panel) {
                 built.panels.push(Panel { start: a, end: b });
                 built.blocks.extend(blocks);
                 near = end;
@@ -148,18 +148,11 @@ impl Panel {
 }
 
 /// Fits one panel; its coefficients and the positions at its end, or nothing if it is too long.
-fn fit(
-    machine: &Machine,
-    path: &dyn TorchPath,
-    a: f64,
-    b: f64,
-    near: &Joints,
-    blocks: usize,
-) -> Option<(Vec<Block>, Joints)> {
+fn fit(follower: Follower, a: f64, b: f64, near: &Joints, blocks: usize) -> Option<(Vec<Block>, Joints)> {
     let at = |x: f64| a + 0.5 * (b - a) * (1.0 + x);
     let mut last = *near;
     let mut exact = |s: f64| -> Option<Joints> {
-        last = machine.inverse_near(&path.pose(s), &last).ok()?.joints;
+        last = follower.near(s, &last).ok()?.joints;
         Some(last)
     };
     // Nodes descend; walk them upwards so that each inverse starts from its neighbour.
@@ -171,6 +164,7 @@ fn fit(
         }
     }
     let end = exact(b)?;
+    let machine = follower.machine;
     let mut fitted = vec![[[0.0; LANES]; NODES]; blocks];
     let mut series = Vec::with_capacity(machine.axes.len());
     for axis in 0..machine.axes.len() {
@@ -183,7 +177,7 @@ fn fit(
     let mut last = *near;
     for i in 0..=2 * NODES {
         let x = i as f64 / NODES as f64 - 1.0;
-        let q = machine.inverse_near(&path.pose(at(x)), &last).ok()?.joints;
+        let q = follower.near(at(x), &last).ok()?.joints;
         for (axis, (s, q)) in machine.axes.iter().zip(series.iter().zip(&q)) {
             let tolerance = match axis.kind {
                 AxisKind::Linear => TOLERANCE_MM,

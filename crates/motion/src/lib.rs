@@ -8,10 +8,13 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
 pub mod air;
+mod follower;
 mod joint_path;
 mod limits;
 mod pass_motion;
+pub mod redundancy;
 mod set_points;
+mod singular;
 mod speed_law;
 mod stations;
 mod survey;

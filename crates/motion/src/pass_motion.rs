@@ -1,8 +1,11 @@
+use crate::follower::Follower;
 use crate::limits::{never_reached, speed_findings};
+use crate::redundancy::{Clearance, resolve};
 use crate::set_points::SetPoints;
+use crate::singular;
 use crate::survey::{range_between, survey};
 use crate::{JointPath, SpeedLaw};
-use seamwright_machine::Machine;
+use seamwright_machine::{AxisSet, Machine};
 use seamwright_program::{Finding, Pass, Sequence, TorchPath};
 
 /// One pass as motion: the axes' path, the speed law and the process sequence around it.
@@ -27,9 +30,26 @@ impl PassMotion {
     /// Every finding that stands against it: out of reach, out of an axis' range, too fast for an axis (if the pass
     /// refuses to slow down), not smooth.
     pub fn plan(machine: &Machine, path: &dyn TorchPath, pass: &Pass, number: usize) -> Result<Self, Vec<Finding>> {
-        let survey = survey(machine, path, &pass.tolerance, number)?;
+        Self::plan_clear(machine, path, pass, number, None)
+    }
+
+    /// The same, with axes to spare chosen so that they also keep clear of obstacles.
+    ///
+    /// # Errors
+    /// As [`PassMotion::plan`].
+    pub fn plan_clear(
+        machine: &Machine,
+        path: &dyn TorchPath,
+        pass: &Pass,
+        number: usize,
+        clearance: Option<Clearance>,
+    ) -> Result<Self, Vec<Finding>> {
+        let fastest = pass.spans.iter().map(|s| s.speed_mm_s.get()).fold(0.0, f64::max);
+        let free = resolve(machine, path, fastest, &pass.spare_axes, clearance, number)?;
+        let follower = Follower { machine, path, free: &free };
+        let survey = survey(follower, &pass.tolerance, number)?;
         let mut findings = survey.findings;
-        let joints = match JointPath::new(machine, path, &survey.start) {
+        let joints = match JointPath::new(follower, &survey.start) {
             Ok(joints) => joints,
             Err(at) => {
                 findings.push(not_smooth(machine, at.s, number));
@@ -40,8 +60,9 @@ impl PassMotion {
         let breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
         let law = SpeedLaw::new(machine, &joints, &breaks, &asked);
         findings.extend(speed_findings(machine, &joints, &law, pass.on_limit, number));
-        let fastest = pass.spans.iter().map(|s| s.speed_mm_s.get()).fold(0.0, f64::max);
         findings.extend(never_reached(&law, fastest, pass.on_limit, number));
+        let decided: AxisSet = (0..machine.axes.len()).filter(|&i| !free.has(i)).collect();
+        findings.extend(singular::margins(machine, &joints, decided, &asked, number));
         findings.extend(range_between(machine, &joints, number));
         if findings.iter().any(|f| !f.allowed) {
             return Err(findings);

@@ -1,9 +1,10 @@
 //! Before the motion is made: which branch and which turn to start on, and everything that stands against the path.
 
 use crate::JointPath;
+use crate::follower::Follower;
 use crate::limits::Runs;
 use seamwright_machine::{Axis, AxisKind, Joints, Machine};
-use seamwright_program::{Finding, Tolerance, TorchPath};
+use seamwright_program::{Finding, Tolerance};
 use std::f64::consts::TAU;
 
 /// Places along the path that are looked at.
@@ -22,28 +23,19 @@ pub(crate) struct Survey {
     pub(crate) findings: Vec<Finding>,
 }
 
-/// Walks the path on every branch and returns the one that fits best.
-pub(crate) fn survey(
-    machine: &Machine,
-    path: &dyn TorchPath,
-    tolerance: &Tolerance,
-    pass: usize,
-) -> Result<Survey, Vec<Finding>> {
-    let places: Vec<f64> = (0..=PLACES).map(|i| path.length() * i as f64 / PLACES as f64).collect();
-    let unreachable = unreachable(machine, path, &places, pass);
+/// Walks the path on every branch and returns the one that fits best. Where axes to spare are chosen for the whole path,
+/// the branch is chosen with them.
+pub(crate) fn survey(follower: Follower, tolerance: &Tolerance, pass: usize) -> Result<Survey, Vec<Finding>> {
+    let machine = follower.machine;
+    let length = follower.path.length();
+    let places: Vec<f64> = (0..=PLACES).map(|i| length * i as f64 / PLACES as f64).collect();
+    let unreachable = unreachable(follower, &places, pass);
     if !unreachable.is_empty() {
         return Err(unreachable);
     }
-    let home = machine.home();
-    // Where an axis is free at the very start, it stands as it will a little later.
-    let later = machine.inverse_near(&path.pose(places[1] * 1e-3), &home).map_or(home, |s| s.joints);
-    let branches = match machine.inverse(&path.pose(0.0), &later) {
-        Ok(branches) => branches,
-        Err(reason) => return Err(vec![reach_finding(machine, &reason.to_string(), (0.0, 0.0), pass)]),
-    };
     let mut best: Option<(f64, Survey)> = None;
-    for branch in branches.iter() {
-        let mut walk = walk(machine, path, &places, branch.joints, pass);
+    for start in starts(follower, &places, pass)? {
+        let mut walk = walk(follower, &places, start, pass);
         walk.findings.extend(attitude_finding(machine, &walk, tolerance, pass));
         let cost = cost(machine, &walk);
         if best.as_ref().is_none_or(|(least, _)| cost < *least) {
@@ -53,15 +45,29 @@ pub(crate) fn survey(
     best.map(|(_, survey)| survey).ok_or_else(|| vec![reach_finding(machine, "no solution", (0.0, 0.0), pass)])
 }
 
+/// Positions at the start of the path that may be walked from.
+fn starts(follower: Follower, places: &[f64], pass: usize) -> Result<Vec<Joints>, Vec<Finding>> {
+    if let Some(start) = follower.free.start() {
+        return Ok(vec![start]);
+    }
+    let home = follower.machine.home();
+    // Where an axis is free at the very start, it stands as it will a little later.
+    let later = follower.near(places[1] * 1e-3, &home).map_or(home, |s| s.joints);
+    match follower.branches(0.0, &later) {
+        Ok(branches) => Ok(branches.iter().map(|b| b.joints).collect()),
+        Err(reason) => Err(vec![reach_finding(follower.machine, &reason.to_string(), (0.0, 0.0), pass)]),
+    }
+}
+
 /// Ranges along the path where no axis positions reach it.
-fn unreachable(machine: &Machine, path: &dyn TorchPath, places: &[f64], pass: usize) -> Vec<Finding> {
-    let home = machine.home();
+fn unreachable(follower: Follower, places: &[f64], pass: usize) -> Vec<Finding> {
+    let home = follower.machine.home();
     let mut runs = Runs::default();
     for &s in places {
-        let reason = machine.inverse(&path.pose(s), &home).err().map(|e| e.to_string());
+        let reason = follower.branches(s, &home).err().map(|e| e.to_string());
         runs.add(s, reason.map(|message| (0, 0.0, message)));
     }
-    runs.findings(|run| reach_finding(machine, &run.message, (run.from, run.to), pass))
+    runs.findings(|run| reach_finding(follower.machine, &run.message, (run.from, run.to), pass))
 }
 
 /// A stretch that no axis positions reach.
@@ -78,13 +84,14 @@ fn reach_finding(machine: &Machine, reason: &str, (from_mm, to_mm): (f64, f64), 
 }
 
 /// Follows one branch.
-fn walk(machine: &Machine, path: &dyn TorchPath, places: &[f64], start: Joints, pass: usize) -> Survey {
+fn walk(follower: Follower, places: &[f64], start: Joints, pass: usize) -> Survey {
+    let machine = follower.machine;
     let mut rows: Vec<Joints> = Vec::with_capacity(places.len());
     let mut attitude_error = (0.0, 0.0);
     for &s in places {
         let near = rows.last().copied().unwrap_or(start);
         // Reachability was checked before; a place that fails between checked ones keeps its neighbour's positions.
-        let solution = machine.inverse_near(&path.pose(s), &near);
+        let solution = follower.near(s, &near);
         if let Ok(solution) = &solution
             && solution.attitude_error > attitude_error.0
         {
@@ -92,7 +99,7 @@ fn walk(machine: &Machine, path: &dyn TorchPath, places: &[f64], start: Joints, 
         }
         rows.push(solution.map_or(near, |s| s.joints));
     }
-    let shift = turns_into_range(machine, &rows);
+    let shift = turns_into_range(follower, &rows);
     for row in &mut rows {
         row.iter_mut().zip(&shift).for_each(|(q, d)| *q += d);
     }
@@ -121,10 +128,11 @@ fn attitude_finding(machine: &Machine, walk: &Survey, tolerance: &Tolerance, pas
 }
 
 /// Whole turns to add to each rotary axis so that its positions lie in its range, as near to home as possible.
-fn turns_into_range(machine: &Machine, rows: &[Joints]) -> Joints {
+fn turns_into_range(follower: Follower, rows: &[Joints]) -> Joints {
     let mut shift = Joints::default();
-    for (i, axis) in machine.axes.iter().enumerate() {
-        if axis.kind == AxisKind::Linear {
+    for (i, axis) in follower.machine.axes.iter().enumerate() {
+        // Axes to spare are on their turn already.
+        if axis.kind == AxisKind::Linear || follower.free.has(i) {
             continue;
         }
         let (low, high) = extremes(rows, i);

@@ -10,6 +10,7 @@ mod finding;
 mod pass;
 mod process;
 mod seam;
+mod spare_axes;
 mod tolerance;
 mod torch;
 
@@ -17,6 +18,9 @@ pub use document::Program;
 pub use finding::Finding;
 pub use pass::{OnLimit, Pass, Sequence, Span};
 pub use process::{ProcessValues, check_process};
-pub use seam::{Body, Direction as WeldDirection, Ellipse, FilletOrButt, Line, Nozzle, Seam, SeamStart, Side, TJoint};
+pub use seam::{
+    Body, Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Nozzle, Seam, SeamStart, Side, TJoint,
+};
+pub use spare_axes::{Position, SpareAxes, Weights};
 pub use tolerance::Tolerance;
 pub use torch::{Torch, TorchAt, TorchPath};

@@ -1,4 +1,4 @@
-use crate::{ProcessValues, Tolerance, Torch};
+use crate::{ProcessValues, SpareAxes, Tolerance, Torch};
 use schemars::JsonSchema;
 use seamwright_document::{NonNegative, Positive};
 use serde::{Deserialize, Serialize};
@@ -21,6 +21,9 @@ pub struct Pass {
     /// How far from what was asked the weld may be.
     #[serde(default)]
     pub tolerance: Tolerance,
+    /// What to do with axes to spare.
+    #[serde(default, skip_serializing_if = "SpareAxes::is_usual")]
+    pub spare_axes: SpareAxes,
     /// Parts of the pass, one after the other without a gap.
     pub spans: Vec<Span>,
 }

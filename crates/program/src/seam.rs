@@ -14,6 +14,8 @@ pub enum Seam {
     Line(Line),
     /// A web that stands on a skin, straight or along an arc: one fillet, or both at once (DUALBEAM-2013).
     TJoint(TJoint),
+    /// A butt joint around a tube, cut square or obliquely.
+    Girth(Girth),
 }
 
 /// A nozzle: a circular tube that stands on a body.
@@ -174,11 +176,32 @@ pub enum Side {
     Both,
 }
 
+/// A butt joint around a circular tube: two lengths of tube meet at a plane cut. The first part is the one on the side
+/// that `direction` points to.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Girth {
+    /// Outer radius, mm.
+    pub radius_mm: Positive,
+    /// Where the cut meets the tube's axis, mm.
+    #[serde(default, skip_serializing_if = "Point::is_zero")]
+    pub origin_mm: Point,
+    /// Direction of the axis; z if missing.
+    #[serde(default = "Vector::z")]
+    pub direction: Vector,
+    /// Where the angle phi about the axis is 0, made perpendicular to `direction`; if missing x, or y on a tube along x.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub zero_direction: Option<Vector>,
+    /// Normal of the cut's plane, within 85 degrees of the axis; if missing `direction`: a square cut.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cut_normal: Option<Vector>,
+}
+
 /// Direction of welding along a closed seam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Direction {
-    /// Seen from the tip of the nozzle's direction or the plate's normal.
+    /// Seen from the tip of the nozzle's or tube's direction or the plate's normal.
     #[default]
     CounterClockwise,
     /// The other way.

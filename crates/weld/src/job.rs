@@ -2,7 +2,7 @@ use crate::SeamCurve;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_program::{
-    OnLimit, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span, Tolerance, Torch, check_process,
+    OnLimit, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span, SpareAxes, Tolerance, Torch, check_process,
 };
 use serde::{Deserialize, Serialize};
 
@@ -30,6 +30,9 @@ pub struct Job {
     /// How far from what was asked the weld may be.
     #[serde(default)]
     pub tolerance: Tolerance,
+    /// What to do with axes that the machine has beyond those that the torch needs.
+    #[serde(default)]
+    pub spare_axes: SpareAxes,
     /// Times before and after the travel.
     #[serde(default)]
     pub sequence: Sequence,
@@ -84,6 +87,7 @@ impl Job {
             sequence: j.sequence,
             torch: j.torch.clone(),
             tolerance: j.tolerance,
+            spare_axes: j.spare_axes.clone(),
             spans: vec![span],
         };
         Ok(Program {

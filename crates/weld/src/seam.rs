@@ -1,6 +1,6 @@
-use crate::t_joint;
+use crate::{girth, t_joint};
 use glam::DVec3;
-use seamwright_document::{Document, DocumentError};
+use seamwright_document::{Direction, Document, DocumentError};
 use seamwright_geometry::{
     ByLength, Curve, CurvedEdge, DEFAULT_ACCURACY_MM, Edge, Ellipse, Error, FaceRule, Line, Quadric, Tube,
     TubeIntersection,
@@ -203,6 +203,7 @@ fn check_open<T>(file: &Document<T>, start: &SeamStart) -> Result<(), DocumentEr
 fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync>, DocumentError> {
     match seam {
         Seam::Nozzle(nozzle) => Ok(Box::new(intersection(file, nozzle)?)),
+        Seam::Girth(girth) => Ok(Box::new(girth::edge(file, girth)?)),
         Seam::Ellipse(e) => {
             let normal = e.normal.unit();
             let (a, b) = (e.a_mm.get(), e.b_mm.get());
@@ -237,10 +238,7 @@ fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync
 
 fn intersection<T>(file: &Document<T>, n: &Nozzle) -> Result<TubeIntersection, DocumentError> {
     let key = |k: &str| format!("seam.nozzle.{k}");
-    // Without a zero direction phi counts from x, or from y on a nozzle along x.
-    let along_x = n.direction.unit().dot(DVec3::X).abs() > 1.0 - 1e-9;
-    let zero = n.zero_direction.map_or(if along_x { DVec3::Y } else { DVec3::X }, seamwright_document::Direction::unit);
-    let tube = Tube::new(n.origin_mm.get(), n.direction.unit(), zero, n.radius_mm.get())
+    let tube = tube(n.origin_mm.get(), n.direction.unit(), n.zero_direction, n.radius_mm.get())
         .map_err(|e| file.error_at(&key("zero_direction"), e.to_string(), "not along `direction`"))?;
     let (name, size, body) = body(file, &n.body)?;
     TubeIntersection::new(tube, body).map_err(|e| {
@@ -257,6 +255,13 @@ fn intersection<T>(file: &Document<T>, n: &Nozzle) -> Result<TubeIntersection, D
         };
         file.error_at(&key(at), e.to_string(), allowed)
     })
+}
+
+/// A tube whose angle phi counts from `zero`; without one from x, or from y on a tube along x.
+pub(crate) fn tube(origin: DVec3, direction: DVec3, zero: Option<Direction>, radius: f64) -> Result<Tube, Error> {
+    let along_x = direction.dot(DVec3::X).abs() > 1.0 - 1e-9;
+    let zero = zero.map_or(if along_x { DVec3::Y } else { DVec3::X }, Direction::unit);
+    Tube::new(origin, direction, zero, radius)
 }
 
 /// The body with its name and size in words.

@@ -198,6 +198,7 @@ impl WeldReport {
                     Seam::Ellipse(_) => "ellipse",
                     Seam::Line(_) => "line",
                     Seam::TJoint(_) => "T-joint",
+                    Seam::Girth(_) => "girth",
                 },
                 length_mm: welding.seam.length(),
                 weld_length_mm: welding.seam.weld_length(),

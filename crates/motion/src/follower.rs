@@ -1,0 +1,38 @@
+use crate::redundancy::FreeAxes;
+use seamwright_machine::{Branches, Joints, Machine, Solution, Target, Unreachable};
+use seamwright_program::TorchPath;
+
+/// A machine that follows a torch path: the one place where motion asks for the axes' positions at a path length. Axes
+/// that the path leaves free stand where [`FreeAxes`] has them.
+#[derive(Clone, Copy)]
+pub(crate) struct Follower<'a> {
+    pub(crate) machine: &'a Machine,
+    pub(crate) path: &'a dyn TorchPath,
+    pub(crate) free: &'a FreeAxes,
+}
+
+impl Follower<'_> {
+    /// What the torches are to reach at `s`.
+    pub(crate) fn target(&self, s: f64) -> Target {
+        Target { first: self.path.pose(s), second: self.path.second(s) }
+    }
+
+    /// All branches at `s`, as [`Machine::inverse`].
+    pub(crate) fn branches(&self, s: f64, near: &Joints) -> Result<Branches, Unreachable> {
+        self.machine.inverse(self.target(s), &self.free.at(s, near))
+    }
+
+    /// The branch at `s` that is nearest to `near`, as [`Machine::inverse_near`].
+    pub(crate) fn near(&self, s: f64, near: &Joints) -> Result<Solution, Unreachable> {
+        self.machine.inverse_near(self.target(s), &self.free.at(s, near))
+    }
+
+    /// Path lengths inside the path where a second or higher derivative of the axes may jump, increasing.
+    pub(crate) fn knots(&self) -> Vec<f64> {
+        let mut knots = self.path.knots();
+        knots.extend(self.free.knots());
+        knots.sort_by(f64::total_cmp);
+        knots.dedup_by(|a, b| *a - *b < 1e-9);
+        knots
+    }
+}

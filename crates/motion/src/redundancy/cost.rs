@@ -1,0 +1,134 @@
+use crate::redundancy::Clearance;
+use crate::singular;
+use glam::DVec3;
+use seamwright_machine::{AxisKind, AxisSet, Joints, MAX_AXES, Machine};
+use seamwright_program::{Position, SpareAxes};
+use std::f64::consts::{PI, TAU};
+
+/// Residuals of one place: limits and turns by axis, ends of ranges by axis, then singularity, position, clearance.
+pub(crate) const ROWS: usize = 3 * MAX_AXES + 3;
+const ENDS: usize = MAX_AXES;
+const TURNS: usize = 2 * MAX_AXES;
+const SINGULAR: usize = 3 * MAX_AXES;
+const POSITION: usize = SINGULAR + 1;
+const CLEARANCE: usize = SINGULAR + 2;
+
+/// Part of a range, before its end, in which closeness costs.
+const MARGIN: f64 = 0.1;
+/// Part of a range, before its end, that is not to be entered.
+const INSET: f64 = 0.002;
+/// How much stronger the ends of ranges repel than anything else pulls.
+const STRONG: f64 = 100.0;
+/// Sine of the distance from a singular attitude at which closeness begins to cost.
+const SINGULAR_NEAR: f64 = 0.342;
+/// Part of an axis' speed and acceleration that may be used before it costs as much as a limit does.
+const USABLE: f64 = 0.9;
+const EXCESS: f64 = 10.0;
+
+/// What the axes' positions and motion cost: a mean over the path of squares of dimensionless residuals.
+pub(crate) struct Cost<'a> {
+    machine: &'a Machine,
+    wishes: &'a SpareAxes,
+    clearance: Option<Clearance<'a>>,
+    decided: AxisSet,
+    /// Axes that stand still by wish: their positions are nobody's choice.
+    still: AxisSet,
+    /// True if the wanted position can be worked for.
+    flat: bool,
+    ends: f64,
+    /// Roots of the weights of motion and acceleration times what turns a derivative by s into a part of the limit.
+    pub(crate) speed: Joints,
+    pub(crate) acceleration: Joints,
+}
+
+impl<'a> Cost<'a> {
+    pub(crate) fn new(
+        machine: &'a Machine,
+        wishes: &'a SpareAxes,
+        clearance: Option<Clearance<'a>>,
+        speed: f64,
+        (looked_for, still): (AxisSet, AxisSet),
+        base: &Joints,
+    ) -> Self {
+        let w = &wishes.weights;
+        let all: AxisSet = (0..machine.axes.len()).collect();
+        // Without any wish for less motion there would be no telling two ways apart.
+        let root = |weight: f64| weight.max(1e-6).sqrt();
+        let (mut rate, mut acceleration) = (Joints::default(), Joints::default());
+        for (i, axis) in machine.axes.iter().enumerate() {
+            rate[i] = root(w.motion.get()) * speed / axis.max_speed;
+            acceleration[i] = root(w.acceleration.get()) * speed * speed / axis.max_acceleration;
+        }
+        let most =
+            [w.limits, w.singularity, w.position, w.wind_up, w.clearance].iter().fold(1.0, |m, w| w.get().max(m));
+        Self {
+            machine,
+            wishes,
+            clearance,
+            decided: all.different(looked_for.union(still)),
+            still,
+            flat: wishes.position == Position::Flat && tilts(machine, looked_for, base),
+            ends: STRONG * most.sqrt(),
+            speed: rate,
+            acceleration,
+        }
+    }
+
+    /// Residuals at one place, whose joint's face is `face`.
+    pub(crate) fn place(&self, q: &Joints, face: DVec3) -> [f64; ROWS] {
+        let w = &self.wishes.weights;
+        let mut rows = [0.0; ROWS];
+        let root = f64::sqrt;
+        for (i, axis) in self.machine.axes.iter().enumerate().filter(|(i, _)| !self.still.has(*i)) {
+            if let Some((low, high)) = axis.range {
+                let inside = (q[i] - low).min(high - q[i]) / (high - low);
+                rows[i] = root(w.limits.get()) * (1.0 - inside / MARGIN).max(0.0);
+                rows[ENDS + i] = self.ends * (INSET - inside).max(0.0) / MARGIN;
+            }
+            let winds = axis.range.is_none_or(|(low, high)| high - low > TAU);
+            if axis.kind == AxisKind::Rotary && winds {
+                rows[TURNS + i] = root(w.wind_up.get()) * ((q[i] - axis.home).abs() - PI).max(0.0) / TAU;
+            }
+        }
+        if w.singularity.get() > 0.0
+            && let Some(distance) = singular::distance(self.machine, self.decided, q)
+        {
+            rows[SINGULAR] = root(w.singularity.get()) * (1.0 - distance / SINGULAR_NEAR).max(0.0);
+        }
+        if self.flat && w.position.get() > 0.0 {
+            let up = self.machine.up_in_work(q);
+            let angle = 2.0 * (up - face).length().atan2((up + face).length());
+            let beyond = (angle.to_degrees() - self.wishes.flat_within_deg.get()).max(0.0);
+            rows[POSITION] = root(w.position.get()) * beyond / 10.0;
+        }
+        if let Some(clearance) = &self.clearance {
+            let (distance, wanted) = ((clearance.distance)(q), clearance.wanted_mm);
+            // Grows as 1 / distance; inside an obstacle linearly, so that there is a way out.
+            let lacking = (wanted - distance).max(0.0);
+            rows[CLEARANCE] = root(w.clearance.get()) * lacking / distance.max(0.05 * wanted);
+        }
+        rows
+    }
+
+    /// The square of a rate (a part of the limit, times its weight), with what is beyond the usable part.
+    pub(crate) fn rate(rate: f64) -> f64 {
+        let excess = EXCESS * (rate.abs() - USABLE).max(0.0);
+        rate * rate + excess * excess
+    }
+
+    /// The excess beyond the usable part as a residual, and its derivative by the rate.
+    pub(crate) fn excess(rate: f64) -> Option<(f64, f64)> {
+        let over = rate.abs() - USABLE;
+        (over > 0.0).then(|| (EXCESS * over * rate.signum(), EXCESS))
+    }
+}
+
+/// True if any axis in `axes` tilts or turns the work against gravity, the others being at `base`.
+fn tilts(machine: &Machine, axes: AxisSet, base: &Joints) -> bool {
+    let up = machine.up_in_work(base);
+    axes.iter().any(|axis| {
+        let mut q = *base;
+        q[axis] += 0.1;
+        (machine.up_in_work(&q) - up).length() > 1e-6
+    })
+}

@@ -1,0 +1,106 @@
+use super::graph::Graph;
+use super::{HoldError, Task};
+use crate::limits::Runs;
+use seamwright_machine::Joints;
+use seamwright_program::Finding;
+
+/// An axis is held that cannot be.
+pub(super) fn hold(error: &HoldError, length: f64, pass: usize) -> Finding {
+    Finding {
+        kind: "hold",
+        message: error.to_string(),
+        pass,
+        from_mm: 0.0,
+        to_mm: length,
+        cure: format!("hold one of: {}", error.allowed()),
+        allowed: false,
+    }
+}
+
+/// Why there is no way: places that cannot be reached at all, or places that can, but not one after the other.
+pub(super) fn no_way(task: &Task, graph: &Graph, pass: usize) -> Vec<Finding> {
+    let mut runs = Runs::default();
+    for (place, nodes) in graph.places.iter().zip(&graph.nodes) {
+        let why = nodes.is_empty().then(|| nearest_miss(task, graph, place.s));
+        runs.add(place.s, why);
+    }
+    let unreachable = runs.findings(|run| Finding {
+        kind: if run.message.starts_with("axis") { "range" } else { "reach" },
+        message: format!("{}: wherever its axes to spare stand, {}", task.machine.name, run.message),
+        pass,
+        from_mm: run.from,
+        to_mm: run.to,
+        cure: "change the placement of the work, the torch angles or the axes held".to_owned(),
+        allowed: false,
+    });
+    if unreachable.is_empty() { jump(task, graph, pass).into_iter().collect() } else { unreachable }
+}
+
+/// Of all places of the free axes the one that comes nearest to reaching path length `s`: which axis lacks how much
+/// there, as a complaint for [`Runs`].
+fn nearest_miss(task: &Task, graph: &Graph, s: f64) -> (usize, f64, String) {
+    let place = task.place(s);
+    let (mut least, mut reason) = (f64::INFINITY, (0, 0.0, "no axis positions reach it".to_owned()));
+    graph.for_each_sample(&mut |q| match task.machine.inverse(place.target, q) {
+        Ok(branches) => {
+            for branch in branches.iter() {
+                let (axis, by, part) = worst(task, &task.machine.turned_into_range(&branch.joints));
+                if part < least {
+                    let a = &task.machine.axes[axis];
+                    let (by, unit) = (a.to_file(by), a.unit());
+                    least = part;
+                    let message = format!("axis {} would have to go {by:.3} {unit} beyond its range", a.name);
+                    reason = (axis + 1, by, message);
+                }
+            }
+        }
+        Err(error) if least.is_infinite() => reason = (0, 0.0, error.to_string()),
+        Err(_) => {}
+    });
+    reason
+}
+
+/// The axis that is farthest outside its range: its index, by how much, and as a part of the range.
+fn worst(task: &Task, q: &Joints) -> (usize, f64, f64) {
+    let mut worst = (0, 0.0, 0.0);
+    for (i, axis) in task.machine.axes.iter().enumerate() {
+        if let (Some(limit), Some((low, high))) = (axis.outside(q[i]), axis.range) {
+            let by = (q[i] - limit).abs();
+            if by / (high - low) > worst.2 {
+                worst = (i, by, by / (high - low));
+            }
+        }
+    }
+    worst
+}
+
+/// Where the ways end, and which axis would have to jump to go on.
+fn jump(task: &Task, graph: &Graph, pass: usize) -> Option<Finding> {
+    let reached = |k: usize| graph.nodes[k].iter().filter(|n| n.total.is_finite());
+    let k = (1..graph.nodes.len()).find(|&k| reached(k).next().is_none())?;
+    let farthest = |a: &Joints, b: &Joints| {
+        let ways = task.machine.axes.iter().enumerate().map(|(i, axis)| {
+            let d = task.way(i, a[i], b[i]).abs();
+            (d / axis.max_speed, i, d)
+        });
+        ways.fold((0.0, 0, 0.0), |most, way| if way.0 > most.0 { way } else { most })
+    };
+    let pairs = reached(k - 1).flat_map(|a| graph.nodes[k].iter().map(|b| farthest(&a.q, &b.q)));
+    let (_, axis, by) = pairs.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let axis = &task.machine.axes[axis];
+    let (from_mm, to_mm) = (graph.places[k - 1].s, graph.places[k].s);
+    Some(Finding {
+        kind: "jump",
+        message: format!(
+            "each place can be reached, but not one after the other: between s = {from_mm:.1} and {to_mm:.1} mm axis {} would have to jump by {:.1} {}",
+            axis.name,
+            axis.to_file(by),
+            axis.unit()
+        ),
+        pass,
+        from_mm,
+        to_mm,
+        cure: "weld the seam in parts (start.end_phi_deg), start elsewhere, or place the work otherwise".to_owned(),
+        allowed: false,
+    })
+}

@@ -1,0 +1,258 @@
+use super::{Cost, Place, Task};
+use seamwright_machine::{AxisKind, Joints};
+use std::collections::HashSet;
+use std::f64::consts::{FRAC_PI_3, TAU};
+
+/// Spacing of samples of a rotary axis (rad) and number over a linear one, if there is room for as many.
+const ROTARY_STEP: f64 = 15.0 * std::f64::consts::PI / 180.0;
+const LINEAR_SAMPLES: usize = 9;
+/// Free axes move by at most this many samples from one station to the next.
+const WINDOW: f64 = 3.01;
+/// Other rotary axes turn by at most this, rad: farther is another branch.
+const MOST_TURN: f64 = FRAC_PI_3;
+/// Ways that prove not to be continuous are struck out, up to this many edges.
+const MOST_STRUCK: usize = 60;
+/// Steps between two stations that such a proof takes.
+const WALKED: usize = 8;
+
+/// A branch of the inverse at one station and one sample of the free axes.
+pub(super) struct Node {
+    pub(super) q: Joints,
+    /// Cost of standing here.
+    place: f64,
+    /// Least cost of coming here from the start, and over which node of the station before; infinite if there is no way.
+    pub(super) total: f64,
+    from: usize,
+}
+
+/// Nodes station by station.
+pub(super) struct Graph<'t, 'a> {
+    task: &'t Task<'a>,
+    pub(super) places: Vec<Place>,
+    pub(super) nodes: Vec<Vec<Node>>,
+    /// Samples of each free axis where all stations have the same, and their spacing.
+    grids: Vec<Vec<f64>>,
+    pub(super) steps: Vec<f64>,
+    /// Edges (station, from, to) that look short but are not continuous.
+    struck: HashSet<(usize, usize, usize)>,
+}
+
+impl<'t, 'a> Graph<'t, 'a> {
+    /// The whole ranges of the free axes, with about `samples` of them at each station, and the ways through them.
+    pub(super) fn new(task: &'t Task<'a>, stations: usize, samples: usize) -> Self {
+        let grids = grids(task, samples);
+        let steps = grids.iter().zip(&task.free).map(|(g, &axis)| spacing(task, axis, g)).collect();
+        let places = task.places(stations);
+        let nodes = places.iter().map(|place| nodes(task, place, &task.base, &grids)).collect();
+        let mut graph = Self { task, places, nodes, grids, steps, struck: HashSet::new() };
+        for _ in 0..MOST_STRUCK {
+            graph.solve();
+            let Some(way) = graph.way() else { break };
+            let broken: Vec<_> = (1..way.len()).filter(|&k| !graph.continuous(k, way[k - 1], way[k])).collect();
+            if broken.is_empty() {
+                break;
+            }
+            graph.struck.extend(broken.into_iter().map(|k| (k, way[k - 1], way[k])));
+        }
+        graph
+    }
+
+    /// Positions along the best way, axes that turn without end counted on; none if there is no way.
+    pub(super) fn best(&self) -> Option<Vec<Joints>> {
+        let way = self.way()?;
+        let mut rows: Vec<Joints> = Vec::with_capacity(way.len());
+        for (k, &i) in way.iter().enumerate() {
+            let mut q = self.nodes[k][i].q;
+            if let Some(before) = rows.last() {
+                for (axis, value) in q.iter_mut().enumerate().take(self.task.machine.axes.len()) {
+                    *value = before[axis] + self.task.way(axis, before[axis], *value);
+                }
+            }
+            rows.push(q);
+        }
+        Some(rows)
+    }
+
+    /// Calls `f` with home and each combination of samples in it.
+    pub(super) fn for_each_sample(&self, f: &mut dyn FnMut(&Joints)) {
+        for_each_sample(self.task, &self.task.base, &self.grids, f);
+    }
+
+    /// Dynamic programming: the least total at every node.
+    fn solve(&mut self) {
+        self.nodes[0].iter_mut().for_each(|n| n.total = n.place);
+        for k in 1..self.nodes.len() {
+            let (before, here) = self.nodes.split_at_mut(k);
+            let before = &before[k - 1];
+            for (j, node) in here[0].iter_mut().enumerate() {
+                (node.total, node.from) = (f64::INFINITY, 0);
+                for (i, from) in before.iter().enumerate().filter(|(_, n)| n.total.is_finite()) {
+                    if from.total + node.place >= node.total {
+                        continue;
+                    }
+                    let Some(edge) = edge(self.task, &self.places[k - 1..=k], &self.steps, &from.q, &node.q) else {
+                        continue;
+                    };
+                    let total = from.total + edge + node.place;
+                    if total < node.total && (self.struck.is_empty() || !self.struck.contains(&(k, i, j))) {
+                        (node.total, node.from) = (total, i);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Nodes of the best way, station by station.
+    fn way(&self) -> Option<Vec<usize>> {
+        let last = self.nodes.last()?;
+        let end = (0..last.len()).min_by(|&a, &b| last[a].total.total_cmp(&last[b].total))?;
+        last[end].total.is_finite().then_some(())?;
+        let mut way = vec![end];
+        for k in (1..self.nodes.len()).rev() {
+            way.push(self.nodes[k][way[way.len() - 1]].from);
+        }
+        way.reverse();
+        Some(way)
+    }
+
+    /// True if walking from node `a` of the station before `k`, in small steps, comes to node `b` of station `k`.
+    fn continuous(&self, k: usize, a: usize, b: usize) -> bool {
+        let task = self.task;
+        let (start, end) = (&self.nodes[k - 1][a].q, &self.nodes[k][b].q);
+        let (from, to) = (self.places[k - 1].s, self.places[k].s);
+        let mut q = *start;
+        for i in 1..=WALKED {
+            let x = i as f64 / WALKED as f64;
+            for &axis in &task.free {
+                q[axis] = start[axis] + x * task.way(axis, start[axis], end[axis]);
+            }
+            match task.machine.inverse_near(task.path.pose(from + x * (to - from)), &q) {
+                Ok(solution) => q = solution.joints,
+                Err(_) => return false,
+            }
+        }
+        (0..task.machine.axes.len()).all(|axis| task.way(axis, q[axis], end[axis]).abs() < 1e-5)
+    }
+}
+
+/// The best way through nodes closer together about the way `rough`: half the spacing `steps`, twice the stations. None
+/// if there is none.
+pub(super) fn finer(task: &Task, rough: &[Joints], steps: &[f64]) -> Option<Vec<Joints>> {
+    let stations = 2 * (rough.len() - 1);
+    let places = task.places(stations);
+    let offsets: &[f64] = if task.free.len() <= 2 { &[0.0, -0.5, 0.5, -1.0, 1.0] } else { &[0.0, -0.5, 0.5] };
+    let nodes = places.iter().enumerate().map(|(k, place)| {
+        let (a, b) = (&rough[k / 2], &rough[k.div_ceil(2)]);
+        let middle: Joints = std::array::from_fn(|i| 0.5 * (a[i] + b[i]));
+        let grid = |(&axis, step): (&usize, &f64)| -> Vec<f64> {
+            let within = |v: &f64| task.machine.axes[axis].outside(*v).is_none();
+            offsets.iter().map(|o| middle[axis] + o * step).filter(within).collect()
+        };
+        let grids: Vec<Vec<f64>> = task.free.iter().zip(steps).map(grid).collect();
+        self::nodes(task, place, &middle, &grids)
+    });
+    let nodes = nodes.collect();
+    let steps = steps.iter().map(|s| 0.5 * s).collect();
+    let mut graph = Graph { task, places, nodes, grids: Vec::new(), steps, struck: HashSet::new() };
+    graph.solve();
+    let way = graph.way()?;
+    if (1..way.len()).any(|k| !graph.continuous(k, way[k - 1], way[k])) {
+        return None;
+    }
+    graph.best()
+}
+
+/// Samples of each free axis: some `samples` combinations in all.
+fn grids(task: &Task, samples: usize) -> Vec<Vec<f64>> {
+    let span = |axis: usize| task.machine.axes[axis].range.map_or(TAU, |(low, high)| high - low);
+    let wanted = |&axis: &usize| match task.machine.axes[axis].kind {
+        AxisKind::Linear => LINEAR_SAMPLES as f64,
+        AxisKind::Rotary => (span(axis) / ROTARY_STEP).ceil() + f64::from(u8::from(!task.endless(axis))),
+    };
+    let mut counts: Vec<f64> = task.free.iter().map(wanted).collect();
+    // All axes get finer or coarser alike.
+    let factor = (samples as f64 / counts.iter().product::<f64>()).powf(1.0 / counts.len() as f64);
+    counts.iter_mut().for_each(|n| *n = (*n * factor).round().max(3.0));
+    let grid = |(&axis, &count): (&usize, &f64)| {
+        let sample = |i: usize| match task.machine.axes[axis].range {
+            Some((low, high)) => low + (high - low) * (0.004 + 0.992 * i as f64 / (count - 1.0)),
+            None => task.base[axis] + TAU * i as f64 / count,
+        };
+        (0..count as usize).map(sample).collect()
+    };
+    task.free.iter().zip(&counts).map(grid).collect()
+}
+
+fn spacing(task: &Task, axis: usize, grid: &[f64]) -> f64 {
+    task.way(axis, grid[0], grid[1]).abs()
+}
+
+/// Every branch at every combination of the samples, on every turn within the ranges.
+fn nodes(task: &Task, place: &Place, near: &Joints, grids: &[Vec<f64>]) -> Vec<Node> {
+    let mut nodes = Vec::new();
+    for_each_sample(task, near, grids, &mut |q| {
+        let Ok(branches) = task.machine.inverse(place.target, q) else { return };
+        for branch in branches.iter() {
+            for q in turns(task, &branch.joints) {
+                let cost = task.cost.place(&q, place.face).iter().map(|r| r * r).sum();
+                nodes.push(Node { q, place: cost, total: f64::INFINITY, from: 0 });
+            }
+        }
+    });
+    nodes
+}
+
+/// Calls `f` with `near` and each combination of samples of the free axes in it.
+fn for_each_sample(task: &Task, near: &Joints, grids: &[Vec<f64>], f: &mut dyn FnMut(&Joints)) {
+    let combinations: usize = grids.iter().map(Vec::len).product();
+    for mut index in 0..combinations {
+        let mut q = *near;
+        for (&axis, grid) in task.free.iter().zip(grids) {
+            q[axis] = grid[index % grid.len()];
+            index /= grid.len();
+        }
+        f(&q);
+    }
+}
+
+/// `q` with its decided rotary axes on every turn within their ranges; none if an axis has no turn in its range.
+fn turns(task: &Task, q: &Joints) -> Vec<Joints> {
+    let mut all = vec![*q];
+    for (i, axis) in task.machine.axes.iter().enumerate() {
+        let Some((low, high)) = axis.range else { continue };
+        if axis.kind == AxisKind::Linear || task.free.contains(&i) {
+            all.retain(|q| axis.outside(q[i]).is_none());
+            continue;
+        }
+        let (first, last) = (((low - q[i]) / TAU).ceil() as i32, ((high - q[i]) / TAU).floor() as i32);
+        all = (first..=last)
+            .flat_map(|k| {
+                all.iter().map(move |q| {
+                    let mut turned = *q;
+                    turned[i] += TAU * f64::from(k);
+                    turned
+                })
+            })
+            .collect();
+    }
+    all
+}
+
+/// Cost of the motion from `a` to `b`, divided as the places' own; none if it is too far.
+fn edge(task: &Task, places: &[Place], steps: &[f64], a: &Joints, b: &Joints) -> Option<f64> {
+    for (&axis, step) in task.free.iter().zip(steps) {
+        if task.way(axis, a[axis], b[axis]).abs() > WINDOW * step {
+            return None;
+        }
+    }
+    let h = places[1].s - places[0].s;
+    let mut cost = 0.0;
+    for (i, axis) in task.machine.axes.iter().enumerate() {
+        let d = task.way(i, a[i], b[i]);
+        if axis.kind == AxisKind::Rotary && d.abs() > MOST_TURN && !task.free.contains(&i) {
+            return None;
+        }
+        cost += Cost::rate(d / h * task.cost.speed[i]);
+    }
+    Some(cost)
+}

@@ -1,0 +1,72 @@
+//! Closeness to attitudes where the rotary axes lose a freedom of the torch's direction.
+
+use crate::JointPath;
+use crate::limits::Runs;
+use glam::DVec3;
+use seamwright_machine::{AxisKind, AxisSet, Joints, Machine};
+use seamwright_program::Finding;
+
+/// Places along the path that are looked at.
+const PLACES: usize = 1440;
+/// Attitudes nearer than this to a singular one are reported, rad, if an axis comes to more than
+const NEAR: f64 = 15.0 * std::f64::consts::PI / 180.0;
+/// this part of its limit.
+const MUCH: f64 = 0.5;
+
+/// How far the attitude at `q` is from a singular one: the area that the turns of the rotary axes in `of` span on the
+/// sphere of directions, for two axes the sine of the angle between these turns. None with fewer than two such axes.
+pub(crate) fn distance(machine: &Machine, of: AxisSet, q: &Joints) -> Option<f64> {
+    let rotary = |i: usize| of.has(i) && machine.axes[i].kind == AxisKind::Rotary;
+    if (0..machine.axes.len()).filter(|&i| rotary(i)).count() < 2 {
+        return None;
+    }
+    let columns = machine.jacobian(q);
+    let mut square = 0.0;
+    for i in (0..machine.axes.len()).filter(|&i| rotary(i)) {
+        let turned: DVec3 = columns[i].1;
+        square += (0..i).filter(|&k| rotary(k)).map(|k| turned.cross(columns[k].1).length_squared()).sum::<f64>();
+    }
+    Some(square.sqrt())
+}
+
+/// Stretches near a singular attitude where an axis needs much of its speed or acceleration at the asked speed, with
+/// the speed that the axes could hold there. The weld can be made: what cannot be kept is said by the speed law.
+pub(crate) fn margins(
+    machine: &Machine,
+    path: &JointPath,
+    decided: AxisSet,
+    asked: &dyn Fn(f64) -> f64,
+    pass: usize,
+) -> Vec<Finding> {
+    let mut runs = Runs::default();
+    for i in 0..=PLACES {
+        let s = path.length() * i as f64 / PLACES as f64;
+        let p = path.point(s, i == PLACES);
+        let near = distance(machine, decided, &p.q).filter(|d| *d < NEAR.sin());
+        let speeds = machine.axes.iter().enumerate().map(|(k, axis)| {
+            let by_speed = axis.max_speed / p.d1[k].abs();
+            (by_speed.min((axis.max_acceleration / p.d2[k].abs()).sqrt()), k)
+        });
+        let (holds, axis) = speeds.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, 0));
+        let used = asked(s) / holds;
+        runs.add(s, near.filter(|_| used > MUCH && used <= 1.0).map(|distance| {
+            let message = format!(
+                "{:.1} degrees from a singular attitude axis {} needs {:.0} % of what it can do at {:.3} mm/s; the seam could hold {holds:.3} mm/s here",
+                distance.min(1.0).asin().to_degrees(),
+                machine.axes[axis].name,
+                100.0 * used,
+                asked(s)
+            );
+            (axis, used, message)
+        }));
+    }
+    runs.findings(|run| Finding {
+        kind: "singular",
+        message: run.message.clone(),
+        pass,
+        from_mm: run.from,
+        to_mm: run.to,
+        cure: "none needed; to gain room, lean the torch or the work a few degrees away".to_owned(),
+        allowed: true,
+    })
+}

@@ -1,0 +1,52 @@
+use crate::seam::tube;
+use seamwright_document::{Direction, Document, DocumentError};
+use seamwright_geometry::{Curve, Edge, EdgePoint, Jet, Quadric, TubeIntersection};
+use seamwright_program::Girth;
+
+/// Largest angle between the cut's normal and the tube's axis, degrees.
+const MAX_CUT_DEG: f64 = 85.0;
+
+/// The outer edge of a butt joint around a tube: where its wall meets the cut's plane, both faces being the wall.
+#[derive(Debug)]
+pub(crate) struct GirthEdge(TubeIntersection);
+
+impl Curve for GirthEdge {
+    fn domain(&self) -> (f64, f64) {
+        self.0.domain()
+    }
+    fn closed(&self) -> bool {
+        true
+    }
+    fn jet(&self, phi: f64) -> Jet {
+        self.0.jet(phi)
+    }
+}
+
+impl Edge for GirthEdge {
+    fn edge(&self, phi: f64) -> EdgePoint {
+        let edge = self.0.edge(phi);
+        EdgePoint { n2: edge.n1, ..edge }
+    }
+}
+
+/// The seam of a job or program file.
+///
+/// # Errors
+/// With the key's address: a cut along the tube, a zero direction along the axis.
+pub(crate) fn edge<T>(file: &Document<T>, g: &Girth) -> Result<GirthEdge, DocumentError> {
+    let direction = g.direction.unit();
+    let tube = tube(g.origin_mm.get(), direction, g.zero_direction, g.radius_mm.get())
+        .map_err(|e| file.error_at("seam.girth.zero_direction", e.to_string(), "not along `direction`"))?;
+    let normal = g.cut_normal.map_or(direction, Direction::unit);
+    // A plane has two normals; the one out of the second part is on the tube's side.
+    let normal = if normal.dot(direction) < 0.0 { -normal } else { normal };
+    if normal.dot(direction) < MAX_CUT_DEG.to_radians().cos() {
+        let angle = normal.dot(direction).acos().to_degrees();
+        let message = format!("the cut runs along the tube: its normal is {angle:.1} degrees off the axis");
+        let allowed = format!("up to {MAX_CUT_DEG} degrees off `direction`");
+        return Err(file.error_at("seam.girth.cut_normal", message, allowed));
+    }
+    let wrong = |e: seamwright_geometry::Error| file.error_at("seam.girth.cut_normal", e.to_string(), "another plane");
+    let plane = Quadric::plane(g.origin_mm.get(), normal).map_err(wrong)?;
+    TubeIntersection::new(tube, plane).map(GirthEdge).map_err(wrong)
+}
