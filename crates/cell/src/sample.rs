@@ -1,9 +1,11 @@
 use seamwright_machine::Joints;
-use seamwright_motion::{Phase, SetPoint};
+use seamwright_motion::{LawPoint, Phase, SetPoint};
 
 /// What the simulated cell was at one servo period; mm, rad, s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
+    /// The pass, counted from 1; 0 in an air move, where everything along the seam is no number.
+    pub pass: usize,
     /// The set-point of this period.
     pub set: SetPoint,
     /// True axis positions.
@@ -25,6 +27,24 @@ pub struct Sample {
 }
 
 impl Sample {
+    /// A sample of nothing: no numbers along the seam, everything else at 0.
+    pub(crate) fn nowhere() -> Self {
+        let law = LawPoint { s: f64::NAN, v: f64::NAN, a: f64::NAN };
+        let none = Joints::default();
+        Self {
+            pass: 0,
+            set: SetPoint { t: 0.0, phase: Phase::Air, law, q: none },
+            q: none,
+            following_error: none,
+            current: none,
+            tip_s: f64::NAN,
+            tip_speed: f64::NAN,
+            planned_speed: f64::NAN,
+            path_error: f64::NAN,
+            attitude_error: f64::NAN,
+        }
+    }
+
     /// True while the arc (or beam) is on.
     pub fn arc(&self) -> bool {
         self.set.phase.arc()

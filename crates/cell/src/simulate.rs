@@ -3,10 +3,11 @@ use crate::summary::{Summary, Tally};
 use crate::{Error, Sample};
 use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine};
-use seamwright_motion::{PassMotion, SetPoint};
+use seamwright_motion::{SetPoint, WeldMotion};
 use seamwright_program::TorchPath;
 
-/// Plays `motion` on simulated drives, one set-point a servo period, and shows every period's [`Sample`] to `observer`.
+/// Plays `motion`, whose passes follow `paths`, on simulated drives, one set-point a servo period, from the start of the
+/// first weld to the end of the last, and shows every period's [`Sample`] to `observer`. A summary of each pass.
 ///
 /// The observer's errors end the simulation. The same seed gives the same weld, bit for bit.
 ///
@@ -14,44 +15,46 @@ use seamwright_program::TorchPath;
 /// [`Error::Drive`] if the machine file's drive values make no drive; the observer's error.
 pub fn simulate<E: From<Error>>(
     machine: &Machine,
-    path: &dyn TorchPath,
-    motion: &PassMotion,
+    paths: &[&dyn TorchPath],
+    motion: &WeldMotion,
     seed: u64,
     mut observer: impl FnMut(&Sample) -> Result<(), E>,
-) -> Result<Summary, E> {
+) -> Result<Vec<Summary>, E> {
     let mut drives = Drives::new(machine, seed)?;
-    let mut tally = Tally::new(machine.axes.len(), motion);
-    drives.settle_at(&motion.path.at(0.0)[..machine.axes.len()]);
-    let mut last_s = None;
-    for set in motion.set_points(machine.servo_period_s) {
-        let rates = set.rates(motion);
-        let mut sample = Sample {
-            set,
-            q: Joints::default(),
-            following_error: Joints::default(),
-            current: Joints::default(),
-            tip_s: 0.0,
-            tip_speed: 0.0,
-            planned_speed: 0.0,
-            path_error: 0.0,
-            attitude_error: 0.0,
-        };
+    let mut tallies: Vec<Tally> = motion.passes.iter().map(|p| Tally::new(machine.axes.len(), p)).collect();
+    let mut last: Option<Sample> = None;
+    let mut begun = 0.0;
+    motion.play(machine.servo_period_s, false, |pass, set, rates| {
+        let mut sample = Sample { pass, set, ..Sample::nowhere() };
+        let first = last.is_none();
+        if first {
+            drives.settle_at(&set.q[..machine.axes.len()]);
+        }
         for i in 0..machine.axes.len() {
             let state = drives.step(i, servo_set_point(&set, &rates, i));
             sample.q[i] = state.position;
             sample.following_error[i] = state.following_error;
             sample.current[i] = state.current;
         }
-        measure(machine, path, &mut sample);
-        if let Some((tip_s, set_s)) = last_s {
-            sample.tip_speed = (sample.tip_s - tip_s) / machine.servo_period_s;
-            sample.planned_speed = (set.law.s - set_s) / machine.servo_period_s;
+        if pass > 0 {
+            measure(machine, paths[pass - 1], &mut sample);
+            match last.filter(|l| l.pass == pass) {
+                Some(last) => {
+                    sample.tip_speed = (sample.tip_s - last.tip_s) / machine.servo_period_s;
+                    sample.planned_speed = (set.law.s - last.set.law.s) / machine.servo_period_s;
+                }
+                None => {
+                    begun = set.t;
+                    (sample.tip_speed, sample.planned_speed) = (0.0, 0.0);
+                }
+            }
+            tallies[pass - 1].add(&sample, &rates, set.t - begun);
         }
-        last_s = Some((sample.tip_s, set.law.s));
-        tally.add(&sample, &rates);
-        observer(&sample)?;
-    }
-    Ok(tally.finish(machine, motion, seed))
+        last = Some(sample);
+        observer(&sample)
+    })?;
+    let passes = tallies.into_iter().zip(&motion.passes);
+    Ok(passes.map(|(tally, pass)| tally.finish(machine, pass, seed)).collect())
 }
 
 fn servo_set_point(set: &SetPoint, rates: &(Joints, Joints), i: usize) -> seamwright_servo::SetPoint {

@@ -181,13 +181,14 @@ impl Tally {
         }
     }
 
-    pub(crate) fn add(&mut self, sample: &Sample, rates: &(Joints, Joints)) {
+    /// Adds a sample, `t` s after the pass's first.
+    pub(crate) fn add(&mut self, sample: &Sample, rates: &(Joints, Joints), t: f64) {
         if sample.travels() {
             self.path_error.add(sample.path_error);
             self.worst = greater(self.worst, (sample.path_error, sample.set.law.s));
             self.attitude.add(sample.attitude_error.to_degrees());
         }
-        if sample.set.t > self.steady.0 && sample.set.t < self.steady.1 {
+        if t > self.steady.0 && t < self.steady.1 {
             let asked = sample.planned_speed;
             self.tip_speed.add(sample.tip_speed);
             self.deviation.add(sample.tip_speed - asked);

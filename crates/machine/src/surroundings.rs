@@ -69,6 +69,11 @@ impl<'a> Surroundings<'a> {
         self.scene.watches().is_empty()
     }
 
+    /// The greatest of the least distances that are asked for, mm.
+    pub fn greatest_least_mm(&self) -> f64 {
+        self.scene.watches().iter().map(Watch::least_mm).fold(0.0, f64::max)
+    }
+
     /// Names of what a watch keeps apart.
     pub fn names(&self, watch: usize) -> (String, String) {
         let (a, b) = self.scene.watches()[watch].groups();

@@ -20,7 +20,7 @@ fn plan(name: &str, text: &str) -> PassMotion {
     let welding = Welding::read(name, text).unwrap();
     let program = &welding.program.value;
     let machine = Machine::read("machine", shipped(&program.machine).unwrap().text).unwrap();
-    PassMotion::plan(&machine, &welding.path(), &program.passes[0], 1).unwrap()
+    PassMotion::plan(&machine, &welding.path(0), &program.passes[0], 1).unwrap()
 }
 
 fn benches(c: &mut Criterion) {

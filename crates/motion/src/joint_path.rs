@@ -1,6 +1,7 @@
 use crate::follower::Follower;
 use seamwright_geometry::{NODES, Series, nodes};
-use seamwright_machine::{AxisKind, Joints, MAX_AXES};
+use seamwright_machine::{AxisKind, Course, Joints, MAX_AXES, Machine};
+use std::f64::consts::TAU;
 
 /// Axes evaluated together, so that the compiler can use vector instructions.
 const LANES: usize = 4;
@@ -122,6 +123,39 @@ impl JointPath {
         q
     }
 
+    /// The series of an axis on panel `i`.
+    fn series(&self, i: usize, axis: usize) -> Series {
+        let block = &self.blocks[i * self.blocks_a_panel + axis / LANES];
+        Series { c: std::array::from_fn(|k| block[k][axis % LANES]) }
+    }
+
+    /// Turns rotary axes by whole turns so that the path begins as near as can be to `before` and stays in their ranges.
+    pub(crate) fn turn_towards(&mut self, machine: &Machine, before: &Joints) {
+        let start = self.at(0.0);
+        for (i, axis) in machine.axes.iter().enumerate().filter(|(_, a)| a.kind == AxisKind::Rotary) {
+            let wanted = ((before[i] - start[i]) / TAU).round();
+            let turns = match axis.range {
+                None => wanted,
+                // A table of errors does not come round: its turns are not alike.
+                Some(_) if axis.pitch_error.is_some() => 0.0,
+                Some((low, high)) => {
+                    let (least, most) = self.extremes(i);
+                    let fits = |k: &f64| least + TAU * k >= low && most + TAU * k <= high;
+                    let all = (-8..=8).map(f64::from).filter(fits);
+                    all.min_by(|a, b| (a - wanted).abs().total_cmp(&(b - wanted).abs())).unwrap_or(0.0)
+                }
+            };
+            let blocks = self.blocks.iter_mut().skip(i / LANES).step_by(self.blocks_a_panel);
+            blocks.for_each(|block| block[0][i % LANES] += TAU * turns);
+        }
+    }
+
+    /// Least and greatest position of axis `i`, at the ends and in the middle of every panel.
+    fn extremes(&self, i: usize) -> (f64, f64) {
+        let places = self.panels.iter().flat_map(|p| [p.start, 0.5 * (p.start + p.end), p.end]);
+        places.map(|s| self.at(s)[i]).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), q| (l.min(q), h.max(q)))
+    }
+
     /// Positions and derivatives at `s`, from the panel after it (or before it, where two panels meet).
     pub fn point(&self, s: f64, before: bool) -> JointPoint {
         let i = self.panel(s, before);
@@ -130,14 +164,41 @@ impl JointPath {
         let scale = 2.0 / (panel.end - panel.start);
         let mut p = JointPoint { q: Joints::default(), d1: Joints::default(), d2: Joints::default() };
         for axis in 0..self.axes {
-            let block = &self.blocks[i * self.blocks_a_panel + axis / LANES];
-            let series = Series { c: std::array::from_fn(|k| block[k][axis % LANES]) };
+            let series = self.series(i, axis);
             let d1 = series.derivative();
             p.q[axis] = series.at(x);
             p.d1[axis] = d1.at(x) * scale;
             p.d2[axis] = d1.derivative().at(x) * scale * scale;
         }
         p
+    }
+}
+
+/// Where the path goes, and how fast at most: from the middle of each panel touched, and a bound of the second derivative.
+impl Course for JointPath {
+    fn range(&self) -> (f64, f64) {
+        (0.0, self.length)
+    }
+
+    fn at(&self, s: f64) -> Joints {
+        Self::at(self, s)
+    }
+
+    fn greatest_rates(&self, from: f64, to: f64) -> Joints {
+        let mut rates = Joints::default();
+        for i in self.panel(from, false)..=self.panel(to, true) {
+            let panel = self.panels[i];
+            let (a, b) = (from.max(panel.start), to.min(panel.end));
+            let (x, half) = (panel.local(0.5 * (a + b)), (b - a) / (panel.end - panel.start));
+            let scale = 2.0 / (panel.end - panel.start);
+            for axis in 0..self.axes {
+                let d1 = self.series(i, axis).derivative();
+                // A Chebyshev polynomial is at most 1: the coefficients' sum bounds the series.
+                let d2: f64 = d1.derivative().c.iter().map(|c| c.abs()).sum();
+                rates[axis] = rates[axis].max(scale * (d1.at(x).abs() + half.max(0.0) * d2));
+            }
+        }
+        rates
     }
 }
 

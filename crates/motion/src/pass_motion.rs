@@ -5,7 +5,7 @@ use crate::set_points::SetPoints;
 use crate::singular;
 use crate::survey::{range_between, survey};
 use crate::{JointPath, SpeedLaw};
-use seamwright_machine::{AxisSet, Machine};
+use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_program::{Finding, Pass, Sequence, TorchPath};
 
 /// One pass as motion: the axes' path, the speed law and the process sequence around it.
@@ -23,6 +23,15 @@ pub struct PassMotion {
     pub findings: Vec<Finding>,
 }
 
+/// What a pass has to heed beside itself.
+#[derive(Default, Clone, Copy)]
+pub(crate) struct Before<'a> {
+    /// Positions at the end of the pass before: rotary axes begin on the turn nearest to it.
+    pub(crate) last: Option<&'a Joints>,
+    /// Obstacles that axes to spare keep clear of.
+    pub(crate) clearance: Option<Clearance<'a>>,
+}
+
 impl PassMotion {
     /// Plans `pass` (the `number`-th, from 1) along `path` on `machine`.
     ///
@@ -30,32 +39,35 @@ impl PassMotion {
     /// Every finding that stands against it: out of reach, out of an axis' range, too fast for an axis (if the pass
     /// refuses to slow down), not smooth.
     pub fn plan(machine: &Machine, path: &dyn TorchPath, pass: &Pass, number: usize) -> Result<Self, Vec<Finding>> {
-        Self::plan_clear(machine, path, pass, number, None)
+        Self::plan_after(machine, path, pass, number, Before::default())
     }
 
-    /// The same, with axes to spare chosen so that they also keep clear of obstacles.
+    /// The same, after another pass or with obstacles.
     ///
     /// # Errors
     /// As [`PassMotion::plan`].
-    pub fn plan_clear(
+    pub(crate) fn plan_after(
         machine: &Machine,
         path: &dyn TorchPath,
         pass: &Pass,
         number: usize,
-        clearance: Option<Clearance>,
+        before: Before,
     ) -> Result<Self, Vec<Finding>> {
         let fastest = pass.spans.iter().map(|s| s.speed_mm_s.get()).fold(0.0, f64::max);
-        let free = resolve(machine, path, fastest, &pass.spare_axes, clearance, number)?;
+        let free = resolve(machine, path, fastest, &pass.spare_axes, before.clearance, number)?;
         let follower = Follower { machine, path, free: &free };
         let survey = survey(follower, &pass.tolerance, number)?;
         let mut findings = survey.findings;
-        let joints = match JointPath::new(follower, &survey.start) {
+        let mut joints = match JointPath::new(follower, &survey.start) {
             Ok(joints) => joints,
             Err(at) => {
                 findings.push(not_smooth(machine, at.s, number));
                 return Err(findings);
             }
         };
+        if let Some(last) = before.last {
+            joints.turn_towards(machine, last);
+        }
         let asked = |s: f64| pass.span_at(s).map_or(0.0, |span| span.speed_mm_s.get());
         let breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
         let law = SpeedLaw::new(machine, &joints, &breaks, &asked);

@@ -14,6 +14,8 @@ pub enum Phase {
     Crater,
     /// The arc is off, gas still flows.
     Postflow,
+    /// Arc and gas are off, the torch moves from one weld to the next.
+    Air,
 }
 
 impl Phase {

@@ -61,7 +61,7 @@ fn what_cannot_be_gone_round_is_refused() {
     assert!(matches!(&e, Blocked::NoWay { what } if what.contains("wall") && what.contains("torch")));
     let inside = joints(&machine, &[("x", 45.0)]);
     let e = route(&machine, &around, &inside, &to, AxisSet::default()).unwrap_err();
-    assert!(matches!(e, Blocked::End { which: "the start", .. }), "{e}");
+    assert!(matches!(e, Blocked::End { which: "its start", .. }), "{e}");
 }
 
 #[test]

@@ -26,7 +26,7 @@ impl Case {
     }
 
     fn motion(&self) -> Result<PassMotion, Vec<Finding>> {
-        PassMotion::plan(&self.machine, &self.welding.path(), &self.welding.program.value.passes[0], 1)
+        PassMotion::plan(&self.machine, &self.welding.path(0), &self.welding.program.value.passes[0], 1)
     }
 
     fn speed(&self) -> f64 {
@@ -91,7 +91,7 @@ fn the_tip_moves_along_the_seam_at_the_asked_speed() {
     for (name, text) in EXAMPLES {
         let case = Case::new(name, text);
         let motion = case.motion().unwrap();
-        let path = case.welding.path();
+        let path = case.welding.path(0);
         let v = case.speed();
         let report = motion.law.report();
         let period = 0.01;
@@ -183,7 +183,7 @@ fn a_range_passed_between_two_places_is_found() {
     let with = |low: f64| {
         let machine =
             Machine::read("m", &text.replacen("range_mm = [-200, 200]", &format!("range_mm = [{low}, 200]"), 1));
-        PassMotion::plan(&machine.unwrap(), &case.welding.path(), &case.welding.program.value.passes[0], 1)
+        PassMotion::plan(&machine.unwrap(), &case.welding.path(0), &case.welding.program.value.passes[0], 1)
     };
     assert!(with(least - 1e-7).is_ok());
     assert!(with(least + 1e-7).unwrap_err().iter().any(|f| f.kind == "range"));
@@ -260,7 +260,7 @@ proptest! {
         let Ok(welding) = Welding::read("random.toml", &text) else { return Ok(()) };
         let machine = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
         let pass = &welding.program.value.passes[0];
-        let Ok(motion) = PassMotion::plan(&machine, &welding.path(), pass, 1) else { return Ok(()) };
+        let Ok(motion) = PassMotion::plan(&machine, &welding.path(0), pass, 1) else { return Ok(()) };
         let mut check = LimitCheck { machine: &machine, period: 1e-3, last: None, worst: 0.0 };
         let (mut last, mut fastest) = (0.0, 0.0f64);
         for p in motion.set_points(1e-3) {

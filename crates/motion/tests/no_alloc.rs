@@ -13,7 +13,7 @@ static ALLOCATOR: AllocDisabler = AllocDisabler;
 fn set_points_do_not_allocate() {
     let welding = Welding::read("saddle", include_str!("../../../examples/saddle.toml")).unwrap();
     let machine = Machine::read("m", shipped("saddle-4axis").unwrap().text).unwrap();
-    let motion = PassMotion::plan(&machine, &welding.path(), &welding.program.value.passes[0], 1).unwrap();
+    let motion = PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1).unwrap();
     assert_no_alloc(|| {
         for p in motion.set_points(1e-3) {
             black_box((p.rates(&motion), machine.forward(&p.q), machine.outside(&p.q)));

@@ -10,7 +10,7 @@ fn explore() {
     let w = Welding::read("e", include_str!("../../../examples/oblique-girth.toml")).unwrap_or_else(|e| panic!("{e}"));
     let m = Machine::read("m", shipped("ebw-7axis").unwrap().text).unwrap();
     let pass = &w.program.value.passes[0];
-    let path = w.path();
+    let path = w.path(0);
     let t = Instant::now();
     let free = redundancy::resolve(&m, &path, 10.0, &pass.spare_axes, None, 1).unwrap();
     println!("resolve {:?}", t.elapsed());

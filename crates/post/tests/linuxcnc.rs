@@ -26,8 +26,8 @@ struct Posted {
 fn post(job: &str, options: &Options) -> Result<Posted, Error> {
     let welding = Welding::read("job.toml", job).unwrap();
     let machine = Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap();
-    let motion = PassMotion::plan(&machine, &welding.path(), &welding.program.value.passes[0], 1).unwrap();
-    let text = linuxcnc(&machine, &welding.program.value, &welding.path(), &motion, options)?;
+    let motion = PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1).unwrap();
+    let text = linuxcnc(&machine, &welding.program.value, &welding.path(0), &motion, options)?;
     Ok(Posted { machine, welding, motion, text })
 }
 
@@ -94,7 +94,7 @@ fn check(job: &str, level: Level, tolerance_mm: f64) -> usize {
     let p = post(job, &Options { level, tolerance_mm, ..Options::default() }).unwrap();
     let (points, time) = read(&p.text);
     assert!((time / p.motion.arc_on_s() - 1.0).abs() < 1e-5, "{time} {}", p.motion.arc_on_s());
-    let path = p.welding.path();
+    let path = p.welding.path(0);
     let mut s = 0.0;
     let mut worst = 0.0f64;
     for w in points.windows(2) {
@@ -164,8 +164,8 @@ fn letters_must_fit_the_axes() {
     let text = shipped("saddle-4axis").unwrap().text;
     let written = |text: &str| {
         let machine = Machine::read("m", text).unwrap();
-        let motion = PassMotion::plan(&machine, &welding.path(), &welding.program.value.passes[0], 1).unwrap();
-        linuxcnc(&machine, &welding.program.value, &welding.path(), &motion, &Options::default())
+        let motion = PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1).unwrap();
+        linuxcnc(&machine, &welding.program.value, &welding.path(0), &motion, &Options::default())
     };
     assert!(matches!(written(&text.replace("letter = \"C\"\n", "")), Err(Error::NoLetter { .. })));
     assert!(matches!(written(&text.replace("letter = \"C\"", "letter = \"U\"")), Err(Error::WrongLetter { .. })));

@@ -9,8 +9,8 @@ pub struct Welding {
     pub program: Document<Program>,
     /// The seam by path length from the start of the weld.
     pub seam: SeamCurve,
-    /// Torch angles along the weld.
-    pub attitude: Attitude,
+    /// Torch angles along each pass.
+    pub attitudes: Vec<Attitude>,
 }
 
 impl Welding {
@@ -26,33 +26,33 @@ impl Welding {
         let seam = SeamCurve::new(&job, &job.value.seam, &job.value.start)?;
         let attitude = Attitude::new(&job, "torch", &job.value.torch, &seam)?;
         let program = Job::program(&job, &seam)?;
-        Ok(Self { program: job.with(program), seam, attitude })
+        Ok(Self { program: job.with(program), seam, attitudes: vec![attitude] })
     }
 
     fn from_program(program: Document<Program>) -> Result<Self, DocumentError> {
         let p = &program.value;
-        if p.passes.len() > 1 {
-            let message = "programs of several passes need air moves between them, which this version does not plan";
-            return Err(program.error_at("passes", message, "one pass"));
-        }
         let seam = SeamCurve::new(&program, &p.seam, &p.start)?;
-        let length = p.passes[0].length();
-        if (length - seam.weld_length()).abs() > 1e-6 {
-            let path = format!("passes[0].spans[{}].to_mm", p.passes[0].spans.len() - 1);
-            let message = "the pass does not end where the weld ends";
-            return Err(program.error_at(&path, message, format!("{}", seam.weld_length())));
+        let mut attitudes = Vec::new();
+        for (i, pass) in p.passes.iter().enumerate() {
+            if (pass.length() - seam.weld_length()).abs() > 1e-6 {
+                let path = format!("passes[{i}].spans[{}].to_mm", pass.spans.len() - 1);
+                let message = "the pass does not end where the weld ends";
+                return Err(program.error_at(&path, message, format!("{}", seam.weld_length())));
+            }
+            attitudes.push(Attitude::new(&program, &format!("passes[{i}].torch"), &pass.torch, &seam)?);
         }
-        let attitude = Attitude::new(&program, "passes[0].torch", &p.passes[0].torch, &seam)?;
-        Ok(Self { seam, attitude, program })
+        Ok(Self { seam, attitudes, program })
     }
 
-    /// The torch's path in the machine's work frame.
-    pub fn path(&self) -> PassPath<'_> {
-        PassPath { seam: &self.seam, attitude: self.attitude.clone(), placement: self.program.value.placement.affine() }
+    /// The torch's path in pass `pass`, counted from 0, in the machine's work frame.
+    pub fn path(&self, pass: usize) -> PassPath<'_> {
+        let placement = self.program.value.placement.affine();
+        PassPath { seam: &self.seam, attitude: self.attitudes[pass].clone(), placement }
     }
 
     /// What stands against the weld before any machine is looked at.
     pub fn findings(&self) -> Vec<Finding> {
-        self.attitude.access_findings(&self.seam, 1)
+        let passes = self.attitudes.iter().enumerate();
+        passes.flat_map(|(i, attitude)| attitude.access_findings(&self.seam, i + 1)).collect()
     }
 }

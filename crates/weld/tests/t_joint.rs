@@ -21,7 +21,7 @@ fn both_fillets_lie_beside_the_web() {
     let seam = &welding.seam;
     let angle = 2.0 * (600.0 / radius).asin();
     assert!((seam.length() - radius * angle).abs() < 1e-6);
-    let path = welding.path();
+    let path = welding.path(0);
     for i in 0..=100 {
         let s = seam.length() * f64::from(i) / 100.0;
         let p = seam.at(s);
@@ -49,7 +49,7 @@ fn one_fillet_straight_or_curved_sideways() {
     let rest = text().split("[torch]").nth(1).unwrap().to_owned();
     let with = |seam: &str| read(&format!("{head}[seam.t_joint]\n{seam}[torch]{rest}"));
     let welding = with(straight);
-    assert!(welding.path().second(3.0).is_none());
+    assert!(welding.path(0).second(3.0).is_none());
     let p = welding.seam.at(250.0);
     assert!((p.point - DVec3::new(250.0, -2.0, 0.0)).length() < 1e-9 && (p.n1 + DVec3::Y).length() < 1e-12);
     // Curved to the left in a flat skin: the left fillet is the inner one.

@@ -62,7 +62,7 @@ fn torch_angles_are_what_they_say() {
     let w = read(&text);
     for i in 0..100 {
         let p = w.seam.at(f64::from(i) * 16.0);
-        let axis = w.attitude.torch_axis(&p);
+        let axis = w.attitudes[0].torch_axis(&p);
         // Travel angle: asin of the axis along the direction of welding; positive drags, this one pushes.
         assert!((axis.dot(p.tangent).asin().to_degrees() + 10.0).abs() < 1e-9);
         // Work angle: in the plane across the seam, from the bisector towards the nozzle's wall.
@@ -71,7 +71,7 @@ fn torch_angles_are_what_they_say() {
         let from_wall = across.dot(wall.normalize()).acos().to_degrees();
         assert!((from_wall - (0.5 * p.dihedral.to_degrees() - 12.0)).abs() < 1e-6, "{from_wall}");
         // The path points from the torch to the work, in the placed frame.
-        let pose = w.path().pose(p.s);
+        let pose = w.path(0).pose(p.s);
         assert!((pose.direction + axis).length() < 1e-12);
         assert!((pose.point - (p.point + DVec3::new(0.0, 0.0, -800.0))).length() < 1e-12);
     }
@@ -110,7 +110,7 @@ fn a_program_welds_like_its_job() {
     assert_eq!(job.program.value, program.program.value);
     for i in 0..40 {
         let s = f64::from(i) * 10.0;
-        assert_eq!(job.path().pose(s), program.path().pose(s));
+        assert_eq!(job.path(0).pose(s), program.path(0).pose(s));
     }
 }
 
@@ -122,9 +122,12 @@ fn a_line_between_two_plates() {
     let p = w.seam.at(100.0);
     assert!((p.bisector - DVec3::new(0.0, 0.5f64.sqrt(), 0.5f64.sqrt())).length() < 1e-12);
     // Leaning towards the first part (whose face looks along y) lifts the torch off the second.
-    assert!(w.attitude.torch_axis(&p).z > p.bisector.z && p.phi.is_none());
+    assert!(w.attitudes[0].torch_axis(&p).z > p.bisector.z && p.phi.is_none());
     let back = text.replace("[0, 0, 0]", "[300.0, 0, 0]").replace("[300, 0, 0]", "[0, 0, 0]");
-    assert!((read(&back).attitude.torch_axis(&read(&back).seam.at(1.0)).z - w.attitude.torch_axis(&p).z).abs() < 1e-12);
+    assert!(
+        (read(&back).attitudes[0].torch_axis(&read(&back).seam.at(1.0)).z - w.attitudes[0].torch_axis(&p).z).abs()
+            < 1e-12
+    );
 }
 
 fn wrong(from: &str, to: &str) -> DocumentError {

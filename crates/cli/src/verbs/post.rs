@@ -26,7 +26,7 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
     let motion = loaded.plan()?;
     let text = match args.dialect {
         Dialect::Linuxcnc => {
-            linuxcnc(&loaded.machine, &loaded.welding.program.value, &loaded.welding.path(), &motion, &options)
+            linuxcnc(&loaded.machine, &loaded.welding.program.value, &loaded.welding.path(0), &motion, &options)
         }
     };
     let text = text.map_err(|e| match &e {

@@ -43,22 +43,32 @@ impl Leg {
 
     /// Positions at time `t` (s) from its start, mm or rad.
     pub fn at_time(&self, t: f64) -> Joints {
-        let left = self.duration - t;
-        if left <= 0.0 || self.duration <= 0.0 {
-            return self.to;
-        }
-        let (v, a) = (self.speed, self.acceleration);
+        // At rest the ends themselves, without rounding.
+        if t >= self.duration { self.to } else { self.at(self.part(t).0) }
+    }
+
+    /// The part that is done at time `t`, its speed (1/s) and acceleration (1/s^2).
+    fn part(&self, t: f64) -> (f64, f64, f64) {
+        let (v, a, left) = (self.speed, self.acceleration, self.duration - t);
         let ramp = v / a;
-        let part = if t <= 0.0 {
-            0.0
+        if left <= 0.0 || self.duration <= 0.0 {
+            (1.0, 0.0, 0.0)
+        } else if t <= 0.0 {
+            (0.0, 0.0, 0.0)
         } else if t < ramp {
-            0.5 * a * t * t
+            (0.5 * a * t * t, a * t, a)
         } else if left < ramp {
-            1.0 - 0.5 * a * left * left
+            (1.0 - 0.5 * a * left * left, a * left, -a)
         } else {
-            v * (t - 0.5 * ramp)
-        };
-        self.at(part)
+            (v * (t - 0.5 * ramp), v, 0.0)
+        }
+    }
+
+    /// Speeds and accelerations at time `t` (s) from its start, mm or rad per s and s^2.
+    pub fn rates(&self, t: f64) -> (Joints, Joints) {
+        let (_, speed, acceleration) = self.part(t);
+        let times = |f: f64| std::array::from_fn(|i| f * (self.to[i] - self.from[i]));
+        (times(speed), times(acceleration))
     }
 }
 
@@ -95,15 +105,20 @@ impl AirMove {
         self.legs.iter().map(Leg::duration).sum()
     }
 
-    /// Positions at time `t` (s) from its start, mm or rad; none if there is no leg.
-    pub fn at_time(&self, t: f64) -> Option<Joints> {
-        let mut t = t;
+    /// The leg at time `t` (s) from its start and the time since that leg's start; none if there is no leg.
+    pub fn leg(&self, t: f64) -> Option<(&Leg, f64)> {
+        let mut begun = 0.0;
         for leg in &self.legs {
-            if t < leg.duration {
-                return Some(leg.at_time(t));
+            if t < begun + leg.duration {
+                return Some((leg, t - begun));
             }
-            t -= leg.duration;
+            begun += leg.duration;
         }
-        self.legs.last().map(|leg| leg.to)
+        self.legs.last().map(|leg| (leg, leg.duration))
+    }
+
+    /// Number of set-points, one a period from its start to its end.
+    pub fn count(&self, period: f64) -> u64 {
+        if self.legs.is_empty() { 0 } else { (self.duration() / period - 1e-9).ceil().max(0.0) as u64 + 1 }
     }
 }

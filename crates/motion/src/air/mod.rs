@@ -5,3 +5,4 @@ mod route;
 
 pub use leg::{AirMove, Leg};
 pub use route::{Blocked, route};
+pub(crate) use route::{obstacle, too_near};

@@ -7,9 +7,9 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum Blocked {
     /// One end touches something already.
-    #[error("{which} of the air move is not clear: {what}")]
+    #[error("{which} is not clear: {what}")]
     End {
-        /// The start or the end.
+        /// Its start, its end, the retract or the approach.
         which: &'static str,
         /// Who is too near to whom.
         what: String,
@@ -46,7 +46,7 @@ pub fn route(
     to: &Joints,
     held: AxisSet,
 ) -> Result<Vec<Joints>, Blocked> {
-    for (which, q) in [("the start", from), ("the end", to)] {
+    for (which, q) in [("its start", from), ("its end", to)] {
         if !around.is_clear(q) {
             let found = around.nearest(q, LIMITS.cutoff_mm);
             let what = found.map_or_else(String::new, |(watch, e)| too_near(around, watch, &e));
@@ -64,6 +64,14 @@ pub(crate) fn too_near(around: &Surroundings, watch: usize, found: &Evaluation) 
     let (a, b) = around.solids(watch, found).unwrap_or_else(|| around.names(watch));
     let least = around.scene().watches()[watch].least_mm();
     format!("{a} comes within {:.2} mm of {b} (least {least} mm)", found.distance.max(0.0))
+}
+
+/// What stands in the way of a leg, if anything does.
+pub(crate) fn obstacle(around: &Surroundings, leg: &Leg) -> Option<String> {
+    // Limits are positive, so that the walk has nothing to refuse.
+    let profile = around.along(leg, 1, &LIMITS).ok()?;
+    let stretch = profile.stretches.first()?;
+    Some(too_near(around, stretch.watch, &stretch.nearest))
 }
 
 struct Search<'a> {
@@ -104,11 +112,7 @@ fn turns(machine: &Machine, from: &Joints, to: &Joints) -> Joints {
 impl Search<'_> {
     /// What stands in the straight way, if anything does.
     fn obstacle(&self, from: &Joints, to: &Joints) -> Option<String> {
-        let leg = Leg::new(self.machine, from, to);
-        // Limits are positive, so that the walk has nothing to refuse.
-        let profile = self.around.along(&leg, 1, &LIMITS).ok()?;
-        let stretch = profile.stretches.first()?;
-        Some(too_near(self.around, stretch.watch, &stretch.nearest))
+        obstacle(self.around, &Leg::new(self.machine, from, to))
     }
 
     /// Distance of two places: the largest part of its range that an axis has to move.

@@ -1,0 +1,57 @@
+use crate::JointPath;
+use crate::air::too_near;
+use seamwright_clearance::Limits;
+use seamwright_machine::Surroundings;
+use seamwright_program::Finding;
+
+/// How near things come along a pass.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PassClearance {
+    /// For each stretch of the pass: where it ends (mm), and a distance (mm) that nothing watched falls below in it, up to
+    /// the cut-off.
+    pub at_least: Vec<(f64, f64)>,
+    /// The least distance found: mm, path length, and who is near to whom.
+    pub nearest: Option<(f64, f64, String)>,
+    /// Distances are only told up to this, mm.
+    pub cutoff_mm: f64,
+}
+
+/// Stretches that a pass is looked at in.
+const STATIONS: usize = 400;
+/// Beyond this no distance is told, mm.
+const CUTOFF_MM: f64 = 60.0;
+
+/// Distances along the path of pass `pass`, and findings where something comes too near. None if nothing is watched.
+pub(crate) fn pass_clearance(
+    around: &Surroundings,
+    path: &JointPath,
+    pass: usize,
+) -> (Option<PassClearance>, Vec<Finding>) {
+    let limits = Limits { cutoff_mm: CUTOFF_MM, precision_mm: 0.2, smallest: 1e-6 * path.length() };
+    // Limits are positive, so that the walk has nothing to refuse.
+    let Some(profile) = (!around.is_empty()).then(|| around.along(path, STATIONS, &limits).ok()).flatten() else {
+        return (None, Vec::new());
+    };
+    let findings = profile.stretches.iter().map(|stretch| Finding {
+        kind: "clearance",
+        message: too_near(around, stretch.watch, &stretch.nearest),
+        pass,
+        from_mm: stretch.from,
+        to_mm: stretch.to,
+        cure: "change the torch angles or the placement, or allow less with clearance.least_mm if the shapes are right"
+            .to_owned(),
+        allowed: false,
+    });
+    let at_least = (0..STATIONS).filter_map(|i| {
+        let (_, cell) = profile.nearest(i)?;
+        Some((profile.edges[i + 1], cell.at_least_mm))
+    });
+    let near = profile.traces.iter().enumerate().filter(|(_, t)| t.nearest.1.place.is_some());
+    let nearest = near.min_by(|a, b| a.1.nearest.1.distance.total_cmp(&b.1.nearest.1.distance)).map(|(watch, t)| {
+        let (s, found) = t.nearest;
+        let (a, b) = around.solids(watch, &found).unwrap_or_else(|| around.names(watch));
+        (found.distance, s, format!("{a} and {b}"))
+    });
+    let clearance = PassClearance { at_least: at_least.collect(), nearest, cutoff_mm: CUTOFF_MM };
+    (Some(clearance), findings.collect())
+}

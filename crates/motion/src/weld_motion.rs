@@ -1,0 +1,279 @@
+use crate::air::{AirMove, Blocked, Leg, route};
+use crate::pass_clearance::{PassClearance, pass_clearance};
+use crate::pass_motion::Before;
+use crate::redundancy::Clearance;
+use crate::{LawPoint, PassMotion, Phase, SetPoint};
+use seamwright_geometry::Pose;
+use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Surroundings, Target};
+use seamwright_program::{Finding, Pass, TorchPath};
+use std::f64::consts::PI;
+
+/// A whole program as motion: its passes, and the air moves before, between and after them.
+#[derive(Debug, Clone)]
+pub struct WeldMotion {
+    /// The passes in order.
+    pub passes: Vec<PassMotion>,
+    /// How near things come along each pass; none if the machine file has no shapes.
+    pub clearance: Vec<Option<PassClearance>>,
+    /// Air moves, one more than passes: from home to the first, from each to the next, from the last back home.
+    pub air: Vec<AirMove>,
+    /// What is to be said although the weld can be made.
+    pub findings: Vec<Finding>,
+}
+
+/// Distance beyond the least one that axes to spare look for where something is in the way, mm.
+const WANTED_MM: f64 = 10.0;
+
+impl WeldMotion {
+    /// Plans every pass along its path, and the air moves between them: from the end of a weld back along the torch by
+    /// `retract_mm`, on a clear way to the same before the next start, and down to it. Rotary axes that have wound up
+    /// unwind in the air moves; axes without end stops need not.
+    ///
+    /// # Errors
+    /// Every finding that stands against it: those of [`PassMotion::plan`], too little clearance, an air move that has no
+    /// clear way.
+    pub fn plan(
+        machine: &Machine,
+        around: &Surroundings,
+        passes: &[(&dyn TorchPath, &Pass)],
+        retract_mm: f64,
+    ) -> Result<Self, Vec<Finding>> {
+        let mut planned = Self { passes: Vec::new(), clearance: Vec::new(), air: Vec::new(), findings: Vec::new() };
+        for (i, &(path, pass)) in passes.iter().enumerate() {
+            let last = planned.passes.last().map(|p| p.path.at(p.path.length()));
+            let (motion, clearance) = one(machine, around, (path, pass, i + 1), last.as_ref()).map_err(|mut f| {
+                f.extend(planned.findings.clone());
+                f
+            })?;
+            planned.findings.extend(motion.findings.iter().cloned());
+            planned.passes.push(motion);
+            planned.clearance.push(clearance);
+        }
+        let air = Air { machine, around, retract_mm };
+        for i in 0..=passes.len() {
+            planned.air_move(&air, i);
+        }
+        if planned.findings.iter().any(|f| !f.allowed) { Err(planned.findings) } else { Ok(planned) }
+    }
+
+    /// The air move before pass `i`, counted from 0, or home after the last.
+    fn air_move(&mut self, air: &Air, i: usize) {
+        let before = i.checked_sub(1).map(|k| &self.passes[k].path);
+        let after = self.passes.get(i).map(|p| &p.path);
+        let end = before.map(|p| (p.at(p.length()), i));
+        let start = after.map(|p| (p.at(0.0), i + 1));
+        let (pass, s) = if i == 0 { (1, 0.0) } else { (i, before.map_or(0.0, |p| p.length())) };
+        let finding = |kind, message: String, cure: &str, allowed| Finding {
+            kind,
+            message,
+            pass,
+            from_mm: s,
+            to_mm: s,
+            cure: cure.to_owned(),
+            allowed,
+        };
+        let what = match i {
+            0 => "from home to the weld".to_owned(),
+            _ if start.is_none() => "from the weld back home".to_owned(),
+            _ => format!("from pass {i} to pass {}", i + 1),
+        };
+        match air.way(end.map(|e| e.0), start.map(|s| s.0)) {
+            Ok(points) => {
+                if let (Some((from, _)), Some((to, _))) = (&end, &start) {
+                    for note in unwound(air.machine, from, to) {
+                        self.findings.push(finding("unwind", format!("{note} {what}"), "none needed", true));
+                    }
+                }
+                self.air.push(AirMove::new(air.machine, &points));
+            }
+            Err(blocked) => {
+                let cure = "move the part, the fixture or home, or give the weld another start";
+                self.findings.push(finding("air", format!("the air move {what}: {blocked}"), cure, false));
+            }
+        }
+    }
+
+    /// Passes and air moves in the order in which they are played; those from home and back home only with `home`.
+    pub fn stages(&self, home: bool) -> impl Iterator<Item = Stage<'_>> {
+        let last = self.passes.len();
+        (0..=last).flat_map(move |i| {
+            let played = home || (i > 0 && i < last);
+            let air = self.air.get(i).filter(|_| played).map(Stage::Air);
+            air.into_iter().chain(self.passes.get(i).map(|p| Stage::Pass(i, p)))
+        })
+    }
+
+    /// Number of set-points of [`WeldMotion::play`], and the time they take, s.
+    pub fn count(&self, period: f64, home: bool) -> u64 {
+        self.stages(home).map(|stage| stage.count(period)).sum()
+    }
+
+    /// Plays the whole motion, one set-point a period: the pass (counted from 1; 0 in the air), the set-point, and speeds
+    /// and accelerations of the axes. The arc is off in the air, and path length and speed along it are no number.
+    ///
+    /// # Errors
+    /// The first of `each`, which ends it.
+    pub fn play<E>(
+        &self,
+        period: f64,
+        home: bool,
+        mut each: impl FnMut(usize, SetPoint, (Joints, Joints)) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let mut begun = 0;
+        for stage in self.stages(home) {
+            let at = |k: u64| (begun + k) as f64 * period;
+            match stage {
+                Stage::Pass(i, motion) => {
+                    for (k, set) in (0..).zip(motion.set_points(period)) {
+                        each(i + 1, SetPoint { t: at(k), ..set }, set.rates(motion))?;
+                    }
+                }
+                Stage::Air(air) => {
+                    for k in 0..air.count(period) {
+                        let Some((leg, t)) = air.leg(k as f64 * period) else { break };
+                        let law = LawPoint { s: f64::NAN, v: f64::NAN, a: f64::NAN };
+                        let set = SetPoint { t: at(k), phase: Phase::Air, law, q: leg.at_time(t) };
+                        each(0, set, leg.rates(t))?;
+                    }
+                }
+            }
+            begun += stage.count(period);
+        }
+        Ok(())
+    }
+
+    /// Time from home to home, s.
+    pub fn total_s(&self) -> f64 {
+        self.passes.iter().map(PassMotion::total_s).sum::<f64>() + self.air_s()
+    }
+
+    /// Time of the air moves, s.
+    pub fn air_s(&self) -> f64 {
+        self.air.iter().map(AirMove::duration).sum()
+    }
+}
+
+/// A part of the motion.
+#[derive(Debug, Clone, Copy)]
+pub enum Stage<'a> {
+    /// A pass, counted from 0.
+    Pass(usize, &'a PassMotion),
+    /// An air move.
+    Air(&'a AirMove),
+}
+
+impl Stage<'_> {
+    /// Number of set-points, one a period.
+    pub fn count(&self, period: f64) -> u64 {
+        match self {
+            Self::Pass(_, motion) => motion.set_points(period).size_hint().0 as u64,
+            Self::Air(air) => air.count(period),
+        }
+    }
+}
+
+/// One pass; axes to spare go round obstacles if they have to.
+fn one(
+    machine: &Machine,
+    around: &Surroundings,
+    (path, pass, number): (&dyn TorchPath, &Pass, usize),
+    last: Option<&Joints>,
+) -> Result<(PassMotion, Option<PassClearance>), Vec<Finding>> {
+    let plan = |clearance| PassMotion::plan_after(machine, path, pass, number, Before { last, clearance });
+    let motion = plan(None)?;
+    let (clearance, findings) = pass_clearance(around, &motion.path, number);
+    if findings.is_empty() {
+        return Ok((motion, clearance));
+    }
+    if !machine.free().is_empty() && path.second(0.0).is_none() {
+        let room = |q: &Joints| {
+            let nearest = around.nearest(q, WANTED_MM + around.greatest_least_mm());
+            nearest.map_or(f64::INFINITY, |(watch, e)| e.distance - around.scene().watches()[watch].least_mm())
+        };
+        if let Ok(motion) = plan(Some(Clearance { distance: &room, wanted_mm: WANTED_MM })) {
+            let (clearance, findings) = pass_clearance(around, &motion.path, number);
+            if findings.is_empty() {
+                return Ok((motion, clearance));
+            }
+        }
+    }
+    let mut all = motion.findings;
+    all.extend(findings);
+    Err(all)
+}
+
+/// What the air moves need to know.
+struct Air<'a> {
+    machine: &'a Machine,
+    around: &'a Surroundings<'a>,
+    retract_mm: f64,
+}
+
+impl Air<'_> {
+    /// Positions to go through from the end of a weld (or home) to the start of the next (or home).
+    fn way(&self, end: Option<Joints>, start: Option<Joints>) -> Result<Vec<Joints>, Blocked> {
+        let home = self.machine.home();
+        let (above_end, above_start) = (end.map(|q| self.back_from(&q)), start.map(|q| self.back_from(&q)));
+        let (from, to) = (above_end.unwrap_or(home), above_start.unwrap_or(home));
+        // An endless axis goes home by the shortest way.
+        let to = if start.is_none() { self.nearest_turn(&to, &from) } else { to };
+        let mut points = Vec::new();
+        if let Some(q) = end.filter(|q| *q != from) {
+            self.straight("the retract", &q, &from)?;
+            points.push(q);
+        }
+        points.extend(route(self.machine, self.around, &from, &to, AxisSet::default())?);
+        if let Some(q) = start.filter(|q| *q != to) {
+            self.straight("the approach", &to, &q)?;
+            points.push(q);
+        }
+        points.dedup();
+        Ok(points)
+    }
+
+    fn nearest_turn(&self, q: &Joints, near: &Joints) -> Joints {
+        let mut q = *q;
+        for (i, axis) in self.machine.axes.iter().enumerate().filter(|(_, a)| a.range.is_none()) {
+            q[i] = axis.turn_near(q[i], near[i]);
+        }
+        q
+    }
+
+    fn straight(&self, which: &'static str, from: &Joints, to: &Joints) -> Result<(), Blocked> {
+        let leg = Leg::new(self.machine, from, to);
+        crate::air::obstacle(self.around, &leg).map_or(Ok(()), |what| Err(Blocked::End { which, what }))
+    }
+
+    /// Where the torch stands back along itself (two torches: along the middle of both): as far as asked, or as far as
+    /// the axes reach.
+    fn back_from(&self, q: &Joints) -> Joints {
+        let machine = self.machine;
+        for part in [1.0, 0.5, 0.25] {
+            let poses: Vec<Pose> = (0..machine.heads.len()).map(|head| machine.forward_of(head, q)).collect();
+            let first = poses[0];
+            let both = poses.get(1).filter(|_| self.machine.heads.len() == 2 && self.welds_with_both(q));
+            let along = both.map_or(first.direction, |second| (first.direction + second.direction).normalize());
+            let back = |p: Pose| Pose { point: p.point - part * self.retract_mm * along, ..p };
+            let target = Target { first: back(first), second: both.map(|p| back(*p)) };
+            if let Ok(solution) = machine.inverse_near(target, q)
+                && machine.outside(&solution.joints).is_none()
+            {
+                return solution.joints;
+            }
+        }
+        *q
+    }
+
+    /// True if the pair of heads can be moved as one from `q`.
+    fn welds_with_both(&self, q: &Joints) -> bool {
+        let target = Target { first: self.machine.forward_of(0, q), second: Some(self.machine.forward_of(1, q)) };
+        self.machine.inverse_near(target, q).is_ok()
+    }
+}
+
+/// Axes that turn by more than half a turn in an air move, in words.
+fn unwound(machine: &Machine, from: &Joints, to: &Joints) -> Vec<String> {
+    let axes = machine.axes.iter().enumerate().filter(|(_, a)| a.kind == AxisKind::Rotary);
+    let turned = axes.filter(|(i, _)| (to[*i] - from[*i]).abs() > PI);
+    turned.map(|(i, a)| format!("axis {} unwinds by {:.1} deg", a.name, (to[i] - from[i]).abs().to_degrees())).collect()
+}
