@@ -1,8 +1,8 @@
 //! The simulated cell on the example saddle: repeatable, honest about what the drives do.
 
 use seamwright_cell::{Error, Sample, Summary, simulate};
-use seamwright_machine::{Machine, shipped};
-use seamwright_motion::PassMotion;
+use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
+use seamwright_motion::WeldMotion;
 use seamwright_weld::{Attitude, Job, PassPath, SeamCurve};
 
 fn run(machine_text: &str, seed: u64) -> Result<(Summary, Vec<Sample>), Error> {
@@ -12,13 +12,14 @@ fn run(machine_text: &str, seed: u64) -> Result<(Summary, Vec<Sample>), Error> {
     let program = Job::program(&job, &seam).unwrap();
     let attitude = Attitude::new(&job, "torch", &job.value.torch, &seam).unwrap();
     let path = PassPath { seam: &seam, attitude, placement: program.placement.affine() };
-    let motion = PassMotion::plan(&machine, &path, &program.passes[0], 1).unwrap();
+    let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
+    let motion = WeldMotion::plan(&machine, &around, &[(&path, &program.passes[0])], 30.0).unwrap();
     let mut samples = Vec::new();
-    let summary = simulate(&machine, &path, &motion, seed, |s| {
+    let mut summaries = simulate(&machine, &[&path], &motion, seed, |s| {
         samples.push(*s);
         Ok::<(), Error>(())
     })?;
-    Ok((summary, samples))
+    Ok((summaries.remove(0), samples))
 }
 
 fn shipped_text() -> &'static str {

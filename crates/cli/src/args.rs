@@ -100,6 +100,9 @@ pub(crate) struct MotionArgs {
     /// Period of the set-points, ms [default: the machine's servo period]
     #[arg(long, value_name = "T")]
     pub(crate) period_ms: Option<f64>,
+    /// Also the air moves from home to the first weld and from the last back home
+    #[arg(long)]
+    pub(crate) air: bool,
     /// JSON instead of CSV
     #[arg(long)]
     pub(crate) json: bool,

@@ -4,16 +4,18 @@ use crate::failure::Failure;
 use crate::files;
 use seamwright_cell::{Error, check_drives};
 use seamwright_document::Document;
-use seamwright_machine::{Machine, MachineFile, SHIPPED, shipped};
-use seamwright_motion::PassMotion;
-use seamwright_program::Finding;
-use seamwright_weld::Welding;
+use seamwright_machine::{Clamped, Machine, MachineFile, SHIPPED, Surroundings, shipped};
+use seamwright_motion::{PassMotion, WeldMotion};
+use seamwright_program::{Finding, Pass, TorchPath};
+use seamwright_weld::{PassPath, Welding};
 use std::path::{Path, PathBuf};
 
 /// A job or program with its machine.
 pub(crate) struct Loaded {
     pub(crate) welding: Welding,
     pub(crate) machine: Machine,
+    /// Part and fixtures.
+    pub(crate) clamped: Clamped,
     /// The machine file, if it is not one that ships.
     pub(crate) machine_file: Option<PathBuf>,
 }
@@ -41,7 +43,8 @@ pub(crate) fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded,
         return Err(welding.program.error_at("machine", message, "names of their own").into());
     }
     let machine_file = shipped(wanted).is_none().then(|| folder.join(wanted));
-    Ok(Loaded { welding, machine, machine_file })
+    let clamped = Clamped::default();
+    Ok(Loaded { welding, machine, machine_file, clamped })
 }
 
 fn names() -> String {
@@ -87,28 +90,47 @@ const MOST_SET_POINTS: f64 = 1e11;
 
 impl Loaded {
     /// Refuses motions with more set-points than any weld has.
-    pub(crate) fn check_count(&self, motion: &PassMotion, period_s: f64) -> Result<(), Failure> {
-        let count = motion.total_s() / period_s;
+    pub(crate) fn check_count(&self, motion: &WeldMotion, period_s: f64) -> Result<(), Failure> {
+        let total: f64 = motion.passes.iter().map(PassMotion::total_s).sum();
+        let count = total / period_s;
         if count <= MOST_SET_POINTS {
             return Ok(());
         }
-        let total = motion.total_s();
         Err(Failure::Input(format!(
             "the motion takes {total:.3e} s, {count:.1e} set-points of {:.3e} ms\n   allowed: up to {MOST_SET_POINTS:.0e}; a higher speed, shorter times or a longer period",
             period_s * 1e3
         )))
     }
 
+    /// The paths of all passes.
+    pub(crate) fn paths(&self) -> Vec<PassPath<'_>> {
+        (0..self.welding.attitudes.len()).map(|pass| self.welding.path(pass)).collect()
+    }
+
     /// Plans the weld.
-    pub(crate) fn plan(&self) -> Result<PassMotion, Failure> {
-        self.try_plan().map_err(Failure::Findings)
+    pub(crate) fn plan(&self) -> Result<WeldMotion, Failure> {
+        match self.try_plan()? {
+            Ok(motion) => Ok(motion),
+            Err(findings) => Err(Failure::Findings(findings)),
+        }
     }
 
     /// Plans the weld, or says what stands against it.
-    pub(crate) fn try_plan(&self) -> Result<PassMotion, Vec<Finding>> {
+    pub(crate) fn try_plan(&self) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {
+        let program = &self.welding.program.value;
+        let around = Surroundings::new(&self.machine, &self.clamped)
+            .map_err(|e| Failure::Input(format!("{}: {e}", self.welding.program.file())))?;
+        let paths = self.paths();
+        let passes: Vec<(&dyn TorchPath, &Pass)> =
+            paths.iter().zip(&program.passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect();
         let mut findings = self.welding.findings();
-        let planned = PassMotion::plan(&self.machine, &self.welding.path(), &self.welding.program.value.passes[0], 1);
-        match planned {
+        if self.welding.seam.is_double() && self.machine.heads.len() < 2 {
+            let path = "seam.t_joint.fillet";
+            let message = format!("{} has one head: it cannot weld both fillets at once", self.machine.name);
+            return Err(self.welding.program.error_at(path, message, "left, right").into());
+        }
+        let planned = WeldMotion::plan(&self.machine, &around, &passes, program.air.retract_mm.get());
+        Ok(match planned {
             Ok(motion) if findings.iter().all(|f| f.allowed) => Ok(motion),
             Ok(motion) => {
                 findings.extend(motion.findings);
@@ -118,6 +140,6 @@ impl Loaded {
                 findings.extend(more);
                 Err(findings)
             }
-        }
+        })
     }
 }

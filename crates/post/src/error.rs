@@ -30,6 +30,9 @@ pub enum Error {
         "tip-level blocks need a machine with axes X, Y and Z, and kinematics to match in the control; use joint level"
     )]
     NoTip,
+    /// The planned air moves between passes are straight in axis space.
+    #[error("the air moves between passes are planned for the axes: use joint level, or post one pass at a time")]
+    TipPasses,
     /// The torch cannot stand back as far as asked.
     #[error(
         "the torch cannot stand back {retract_mm} mm from s = {s:.3} mm: axis {axis} would pass its limit; ask for less"

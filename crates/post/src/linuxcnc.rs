@@ -4,7 +4,8 @@ use crate::number::{fixed, significant};
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, Machine};
-use seamwright_motion::PassMotion;
+use seamwright_motion::air::AirMove;
+use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::{Program, Span, TorchPath};
 use std::fmt::Write;
 
@@ -32,33 +33,45 @@ const ROUNDING: f64 = 0.1;
 /// Feed of the approach from where the torch stands back to the start of the weld, mm/min.
 const APPROACH_MM_MIN: f64 = 600.0;
 
-/// The program's only pass as a part program for LinuxCNC: G93 inverse-time blocks, outputs switched with the motion.
+/// The program as a part program for LinuxCNC: G93 inverse-time blocks, outputs switched with the motion; between passes
+/// the planned air moves, whose straight lines in axis space are those of G0 at joint level.
 ///
 /// Joint level needs identity kinematics in the control (trivkins); tip level needs kinematics that match the machine
 /// (for example xyzac-trt-kins), with X Y Z the torch tip in the work frame.
 ///
 /// # Errors
-/// If an axis has no fitting letter, or the tolerance cannot be kept.
+/// If an axis has no fitting letter, the tolerance cannot be kept, or several passes are asked for at tip level.
 pub fn linuxcnc(
     machine: &Machine,
     program: &Program,
-    path: &dyn TorchPath,
-    motion: &PassMotion,
+    paths: &[&dyn TorchPath],
+    motion: &WeldMotion,
     options: &Options,
 ) -> Result<String, Error> {
-    let pass = &program.passes[0];
     let letters = letters(machine, options.level)?;
-    let breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
+    if options.level == Level::Tip && motion.passes.len() > 1 {
+        return Err(Error::TipPasses);
+    }
     // Rounding of corners by the control, and linear motion left to the next block, count against the tolerance too.
     let tolerance = (1.0 - ROUNDING - HELD_BACK) * options.tolerance_mm;
-    let cut = linearise(machine, path, motion, &breaks, options.level, tolerance)?;
     let mut writer = Writer { out: String::new(), machine, options, letters };
-    writer.header(program, motion, &cut);
-    let before = writer.back_from(path, motion, 0.0)?;
-    let after = writer.back_from(path, motion, path.length())?;
-    writer.start(&cut.start, before.as_ref(), motion, &pass.spans[0]);
-    writer.weld(&cut, &pass.spans);
-    writer.end(after.as_ref(), motion, &pass.spans[0]);
+    for (i, ((pass, path), planned)) in program.passes.iter().zip(paths).zip(&motion.passes).enumerate() {
+        let breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
+        let cut = linearise(machine, *path, planned, &breaks, options.level, tolerance)?;
+        if i == 0 {
+            writer.header(program);
+        }
+        writer.pass_header(&pass.name, planned, &cut);
+        let before = writer.back_from(*path, planned, 0.0)?;
+        let after = writer.back_from(*path, planned, path.length())?;
+        if i > 0 {
+            writer.air(&motion.air[i]);
+        }
+        writer.start(&cut.start, before.as_ref(), planned, &pass.spans[0], i == 0);
+        writer.weld(&cut, &pass.spans);
+        writer.end(after.as_ref(), planned, &pass.spans[0]);
+    }
+    writer.line("M2");
     Ok(writer.out)
 }
 
@@ -104,7 +117,7 @@ impl Writer<'_> {
         let _ = writeln!(self.out, "({short})");
     }
 
-    fn header(&mut self, program: &Program, motion: &PassMotion, cut: &Linearisation) {
+    fn header(&mut self, program: &Program) {
         self.comment(&format!("Seamwright {} for LinuxCNC: {}", env!("CARGO_PKG_VERSION"), program.title));
         self.comment(&format!("machine: {}", self.machine.title));
         self.comment(match self.options.level {
@@ -119,22 +132,37 @@ impl Writer<'_> {
             .map(|(a, l)| format!("{l} = {} [{}]", a.name, a.unit()))
             .collect();
         self.comment(&format!("axes: {}", names.join(", ")));
-        self.comment(&format!(
-            "units mm, degrees; plane XY; absolute; inverse time feed G93; {} blocks, chord error {} mm of {} mm allowed",
-            cut.blocks.len(),
-            significant(cut.chord_error_mm, 3),
-            fixed(self.options.tolerance_mm, DECIMALS)
-        ));
-        self.comment(&format!(
-            "travel {} mm in {} s; arc on {} s",
-            fixed(motion.path.length(), 3),
-            fixed(motion.law.duration(), 3),
-            fixed(motion.arc_on_s(), 3)
-        ));
+        self.comment("units mm, degrees; plane XY; absolute; inverse time feed G93");
         self.comment("work offsets and tool offsets must be zero");
         self.line("G21 G17 G90 G40 G49 G80 G94");
         let tolerance = significant(ROUNDING * self.options.tolerance_mm, 3);
         self.line(&format!("G64 P{tolerance} Q0"));
+    }
+
+    fn pass_header(&mut self, name: &str, motion: &PassMotion, cut: &Linearisation) {
+        self.comment(&format!(
+            "{name}: travel {} mm in {} s; arc on {} s",
+            fixed(motion.path.length(), 3),
+            fixed(motion.law.duration(), 3),
+            fixed(motion.arc_on_s(), 3)
+        ));
+        self.comment(&format!(
+            "{} blocks, chord error {} mm of {} mm allowed",
+            cut.blocks.len(),
+            significant(cut.chord_error_mm, 3),
+            fixed(self.options.tolerance_mm, DECIMALS)
+        ));
+    }
+
+    /// The planned way from where the torch stands back after one pass to where it does before the next.
+    fn air(&mut self, air: &AirMove) {
+        self.comment("the planned way to the next pass");
+        // Its first leg goes back from the end of the weld, its last down to the start: both are written elsewhere.
+        let inner = air.legs.len().saturating_sub(1);
+        for leg in air.legs.iter().take(inner) {
+            let place = Block { s: 0.0, q: *leg.end(), tip: DVec3::ZERO, duration: 0.0, turns_only: false };
+            self.line(&format!("G0 {}", self.words(&place, false)));
+        }
     }
 
     /// The words of a place, in the control's letters; linear words left out if `rotary_only`.
@@ -170,18 +198,22 @@ impl Writer<'_> {
         Ok(Some(Block { s, q: there.joints, tip, duration: 0.0, turns_only: false }))
     }
 
-    fn start(&mut self, start: &Block, back: Option<&Block>, motion: &PassMotion, span: &Span) {
+    fn start(&mut self, start: &Block, back: Option<&Block>, motion: &PassMotion, span: &Span, first: bool) {
         match back {
             Some(back) => {
-                self.comment(
-                    "rapid to a place back from the start along the torch: make sure that the way there is clear",
-                );
+                if first {
+                    self.comment(
+                        "rapid to a place back from the start along the torch: make sure that the way there is clear",
+                    );
+                }
                 self.line(&format!("G0 {}", self.words(back, false)));
                 let feed = fixed(APPROACH_MM_MIN / self.options.retract_mm, DECIMALS);
                 self.line(&format!("G93 G1 {} F{feed}", self.words(start, false)));
             }
             None => {
-                self.comment("rapid to the start of the weld [no axis can lift the torch]: make sure that the way there is clear");
+                if first {
+                    self.comment("rapid to the start of the weld [no axis can lift the torch]: make sure that the way there is clear");
+                }
                 self.line(&format!("G0 {}", self.words(start, false)));
             }
         }
@@ -261,6 +293,5 @@ impl Writer<'_> {
             self.line(&format!("G1 {} F{feed}", self.words(back, false)));
         }
         self.line("G94");
-        self.line("M2");
     }
 }

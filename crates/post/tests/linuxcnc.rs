@@ -2,10 +2,10 @@
 //! planned by LinuxCNC's own rules for feeds. `make peers` does the same with LinuxCNC's interpreter.
 
 use glam::DVec3;
-use seamwright_machine::{AxisKind, Joints, Machine, shipped};
-use seamwright_motion::PassMotion;
+use seamwright_machine::{AxisKind, Clamped, Joints, Machine, Surroundings, shipped};
+use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_post::{Error, Level, Options, linuxcnc};
-use seamwright_program::TorchPath;
+use seamwright_program::{Pass, TorchPath};
 use seamwright_weld::Welding;
 use std::collections::BTreeMap;
 
@@ -23,11 +23,20 @@ struct Posted {
     text: String,
 }
 
+fn plan(machine: &Machine, welding: &Welding) -> WeldMotion {
+    let around = Surroundings::new(machine, &Clamped::default()).unwrap();
+    let paths: Vec<_> = (0..welding.attitudes.len()).map(|i| welding.path(i)).collect();
+    let passes: Vec<(&dyn TorchPath, &Pass)> =
+        paths.iter().zip(&welding.program.value.passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect();
+    WeldMotion::plan(machine, &around, &passes, 30.0).unwrap()
+}
+
 fn post(job: &str, options: &Options) -> Result<Posted, Error> {
     let welding = Welding::read("job.toml", job).unwrap();
     let machine = Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap();
-    let motion = PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1).unwrap();
-    let text = linuxcnc(&machine, &welding.program.value, &welding.path(0), &motion, options)?;
+    let motion = plan(&machine, &welding);
+    let text = linuxcnc(&machine, &welding.program.value, &[&welding.path(0)], &motion, options)?;
+    let motion = motion.passes[0].clone();
     Ok(Posted { machine, welding, motion, text })
 }
 
@@ -164,8 +173,8 @@ fn letters_must_fit_the_axes() {
     let text = shipped("saddle-4axis").unwrap().text;
     let written = |text: &str| {
         let machine = Machine::read("m", text).unwrap();
-        let motion = PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1).unwrap();
-        linuxcnc(&machine, &welding.program.value, &welding.path(0), &motion, &Options::default())
+        let motion = plan(&machine, &welding);
+        linuxcnc(&machine, &welding.program.value, &[&welding.path(0)], &motion, &Options::default())
     };
     assert!(matches!(written(&text.replace("letter = \"C\"\n", "")), Err(Error::NoLetter { .. })));
     assert!(matches!(written(&text.replace("letter = \"C\"", "letter = \"U\"")), Err(Error::WrongLetter { .. })));

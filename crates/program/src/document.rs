@@ -1,4 +1,4 @@
-use crate::{Pass, Seam, SeamStart, check_process};
+use crate::{Air, Pass, Seam, SeamStart, check_process};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, SchemaVersion, Transform};
 use serde::{Deserialize, Serialize};
@@ -21,6 +21,9 @@ pub struct Program {
     /// Where on the seam welding starts.
     #[serde(default)]
     pub start: SeamStart,
+    /// Moves with the arc off.
+    #[serde(default, skip_serializing_if = "Air::is_usual")]
+    pub air: Air,
     /// Passes in the order of welding.
     pub passes: Vec<Pass>,
 }

@@ -5,6 +5,7 @@
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
+mod air;
 mod document;
 mod finding;
 mod pass;
@@ -14,6 +15,7 @@ mod spare_axes;
 mod tolerance;
 mod torch;
 
+pub use air::Air;
 pub use document::Program;
 pub use finding::Finding;
 pub use pass::{OnLimit, Pass, Sequence, Span};

@@ -2,7 +2,8 @@ use crate::SeamCurve;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_program::{
-    OnLimit, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span, SpareAxes, Tolerance, Torch, check_process,
+    Air, OnLimit, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span, SpareAxes, Tolerance, Torch,
+    check_process,
 };
 use serde::{Deserialize, Serialize};
 
@@ -36,6 +37,9 @@ pub struct Job {
     /// Times before and after the travel.
     #[serde(default)]
     pub sequence: Sequence,
+    /// Moves with the arc off.
+    #[serde(default)]
+    pub air: Air,
     /// Speed and process.
     pub weld: Weld,
 }
@@ -97,6 +101,7 @@ impl Job {
             placement: j.placement,
             seam: j.seam.clone(),
             start: j.start,
+            air: j.air,
             passes: vec![pass],
         })
     }

@@ -6,7 +6,7 @@ use std::io;
 
 pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
-    let findings = loaded.try_plan().map_or_else(|findings| findings, |motion| motion.findings);
+    let findings = loaded.try_plan()?.map_or_else(|findings| findings, |motion| motion.findings);
     if args.json {
         print_json(&findings)?;
     } else {

@@ -22,19 +22,19 @@ pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
     columns.extend(["speed_mm_s".to_owned(), "arc".to_owned()]);
     columns.extend(process.iter().cloned());
     let mut rows = Rows::new(columns, args.json)?;
-    let points = motion.set_points(period);
-    let mut progress = Progress::new("set-points", points.size_hint().0 as u64);
+    let mut progress = Progress::new("set-points", motion.count(period, args.air));
     let mut cells = Vec::new();
-    for p in points {
+    let number = |v: f64| if v.is_finite() { Cell::Number(v) } else { Cell::Empty };
+    motion.play(period, args.air, |pass, p, _| {
         progress.step();
         cells.clear();
-        cells.extend([Cell::Number(p.t), Cell::Count(1), Cell::Number(p.law.s)]);
+        cells.extend([Cell::Number(p.t), Cell::Count(pass as u64), number(p.law.s)]);
         cells.extend(machine.axes.iter().zip(&p.q).map(|(axis, q)| Cell::Number(axis.to_file(*q))));
         let arc = p.phase.arc();
-        cells.extend([Cell::Number(p.law.v), Cell::Count(u64::from(arc))]);
-        let values = program.passes[0].span_at(p.law.s).map(|s| &s.process);
+        cells.extend([number(p.law.v), Cell::Count(u64::from(arc))]);
+        let values = pass.checked_sub(1).and_then(|i| program.passes[i].span_at(p.law.s)).map(|s| &s.process);
         cells.extend(process.iter().map(|name| Cell::Number(process_value(values, name, arc))));
-        rows.row(&cells)?;
-    }
+        rows.row(&cells)
+    })?;
     rows.finish()
 }

@@ -16,8 +16,12 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     let (report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None);
     write_program(&mut output, &loaded)?;
     write_report(&mut output, &report, &plots, &loaded.welding)?;
-    for (name, svg) in plots.files() {
-        output.text(name, &svg)?;
+    for (i, plots) in plots.iter().enumerate() {
+        for (name, svg) in plots.files() {
+            // The first pass's plots have the plain names.
+            let name = if i == 0 { name.to_owned() } else { format!("pass-{}-{name}", i + 1) };
+            output.text(&name, &svg)?;
+        }
     }
     finish(output, &report, args.json)
 }
@@ -38,7 +42,7 @@ pub(super) fn write_program(output: &mut Output, loaded: &Loaded) -> Result<(), 
 pub(super) fn write_report(
     output: &mut Output,
     report: &WeldReport,
-    plots: &Plots,
+    plots: &[Plots],
     welding: &Welding,
 ) -> Result<(), Failure> {
     let json = serde_json::to_string_pretty(report).map_err(|e| Failure::Environment(e.to_string()))?;
@@ -53,38 +57,48 @@ pub(super) fn finish(output: Output, report: &WeldReport, json: bool) -> Result<
 }
 
 fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
-    let p = &r.plan;
     let mut text = format!("{}\n", r.title);
     // Writing to a String cannot fail.
     let _ = writeln!(text, "  machine      {}", r.machine.title);
     let _ = writeln!(text, "  seam         {:.3} mm, weld {:.3} mm", r.seam.length_mm, r.seam.weld_length_mm);
-    let _ = writeln!(
-        text,
-        "  speed        {:.4} to {:.4} mm/s planned, {} to {} asked",
-        p.least_speed_mm_s, p.greatest_speed_mm_s, p.asked_speed_mm_s.0, p.asked_speed_mm_s.1
-    );
-    let _ = writeln!(
-        text,
-        "  time         {:.2} s travel, {:.2} s arc on, {:.2} s in all",
-        p.weld_s, p.arc_on_s, p.total_s
-    );
-    if let Some(s) = &r.simulation {
-        let e = &s.path_error_mm;
-        let _ = writeln!(text, "  path error   {:.4} mm greatest, {:.4} mm RMS (simulated)", e.max, e.rms);
-        let _ = match &s.tip_speed_mm_s {
-            Some(v) => writeln!(
-                text,
-                "  tip speed    {:.4} to {:.4} mm/s, RMS deviation {:.4} mm/s (simulated)",
-                v.min, v.max, v.rms
-            ),
-            None => writeln!(text, "  tip speed    too short a weld to judge"),
-        };
-        for a in &s.axes {
-            let f = &a.following_error;
-            let worst = f.min.abs().max(f.max.abs());
-            let _ = writeln!(text, "  axis {:<7} following error {worst:.5} {}, RMS {:.5}", a.axis, a.unit, f.rms);
+    for (i, pass) in r.passes.iter().enumerate() {
+        let p = &pass.plan;
+        if r.passes.len() > 1 {
+            let _ = writeln!(text, "  pass {}       {}", i + 1, pass.name);
+        }
+        let _ = writeln!(
+            text,
+            "  speed        {:.4} to {:.4} mm/s planned, {} to {} asked",
+            p.least_speed_mm_s, p.greatest_speed_mm_s, p.asked_speed_mm_s.0, p.asked_speed_mm_s.1
+        );
+        let _ = writeln!(
+            text,
+            "  time         {:.2} s travel, {:.2} s arc on, {:.2} s in all",
+            p.weld_s, p.arc_on_s, p.total_s
+        );
+        if let Some(s) = &pass.simulation {
+            let e = &s.path_error_mm;
+            let _ = writeln!(text, "  path error   {:.4} mm greatest, {:.4} mm RMS (simulated)", e.max, e.rms);
+            let _ = match &s.tip_speed_mm_s {
+                Some(v) => writeln!(
+                    text,
+                    "  tip speed    {:.4} to {:.4} mm/s, RMS deviation {:.4} mm/s (simulated)",
+                    v.min, v.max, v.rms
+                ),
+                None => writeln!(text, "  tip speed    too short a weld to judge"),
+            };
+            for a in &s.axes {
+                let f = &a.following_error;
+                let worst = f.min.abs().max(f.max.abs());
+                let _ = writeln!(text, "  axis {:<7} following error {worst:.5} {}, RMS {:.5}", a.axis, a.unit, f.rms);
+            }
+        }
+        if let Some(c) = &pass.clearance {
+            let between = c.between.as_deref().unwrap_or("nothing watched comes nearer");
+            let _ = writeln!(text, "  clearance    {:.2} mm: {between}", c.nearest_mm);
         }
     }
+    let _ = writeln!(text, "  air moves    {:.2} s, home to home {:.2} s", r.air_s, r.total_s);
     for f in &r.findings {
         let word = if f.allowed { "note" } else { "finding" };
         let _ = writeln!(text, "  {word:<12} {} (s = {:.1} mm)", f.message, f.from_mm);

@@ -5,6 +5,7 @@ use crate::files;
 use crate::load::load;
 use crate::rows::print_text;
 use seamwright_post::{Error, Level, Options, linuxcnc};
+use seamwright_program::TorchPath;
 
 /// A weld that may stray further is none.
 const WIDEST_MM: f64 = 10.0;
@@ -24,10 +25,10 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
     }
     let loaded = load(&args.job)?;
     let motion = loaded.plan()?;
+    let paths = loaded.paths();
+    let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
     let text = match args.dialect {
-        Dialect::Linuxcnc => {
-            linuxcnc(&loaded.machine, &loaded.welding.program.value, &loaded.welding.path(0), &motion, &options)
-        }
+        Dialect::Linuxcnc => linuxcnc(&loaded.machine, &loaded.welding.program.value, &paths, &motion, &options),
     };
     let text = text.map_err(|e| match &e {
         Error::TooFine { .. } => Failure::Input(format!("--tolerance-mm {}: {e}", args.tolerance_mm)),

@@ -6,8 +6,8 @@ use crate::load::{Loaded, load};
 use crate::progress::Progress;
 use seamwright_cell::{Sample, Summary, simulate};
 use seamwright_machine::Machine;
-use seamwright_motion::PassMotion;
-use seamwright_program::{ProcessValues, Program};
+use seamwright_motion::{PassMotion, WeldMotion};
+use seamwright_program::{ProcessValues, Program, TorchPath};
 use seamwright_record::TraceWriter;
 use seamwright_report::{SimulationCurves, WeldReport};
 use std::io::{BufWriter, Write};
@@ -30,7 +30,7 @@ pub(super) fn judge(report: WeldReport) -> Result<(), Failure> {
 /// Welds in simulation; adds the trace and the report to `output`.
 pub(super) fn weld(
     loaded: &Loaded,
-    motion: &PassMotion,
+    motion: &WeldMotion,
     seed: u64,
     output: &mut Output,
 ) -> Result<WeldReport, Failure> {
@@ -46,26 +46,31 @@ pub(super) fn weld(
 /// Runs the simulation with its trace going to `out`.
 fn trace(
     loaded: &Loaded,
-    motion: &PassMotion,
+    motion: &WeldMotion,
     seed: u64,
     out: impl Write + Send,
-) -> Result<(Summary, SimulationCurves), Failure> {
+) -> Result<(Vec<Summary>, Vec<SimulationCurves>), Failure> {
     let Loaded { welding, machine, .. } = loaded;
     let program = &welding.program.value;
     let process: Vec<String> = process_names(program);
     let about = [("title", program.title.clone()), ("machine", machine.name.clone()), ("seed", seed.to_string())];
     let mut trace = TraceWriter::new(out, &columns(machine, &process), &about)?;
-    let mut curves = SimulationCurves::new(machine.axes.len(), motion.path.length());
-    let mut progress =
-        Progress::new("welding in simulation", motion.set_points(machine.servo_period_s).size_hint().0 as u64);
-    let summary = simulate(machine, &welding.path(), motion, seed, |sample| {
+    let curves = |p: &PassMotion| SimulationCurves::new(machine.axes.len(), p.path.length());
+    let mut curves: Vec<SimulationCurves> = motion.passes.iter().map(curves).collect();
+    let mut progress = Progress::new("welding in simulation", motion.count(machine.servo_period_s, false));
+    let paths = loaded.paths();
+    let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
+    let summaries = simulate(machine, &paths, motion, seed, |sample| {
         progress.step();
-        curves.add(machine, sample);
-        let values = program.passes[0].span_at(sample.set.law.s).map(|s| &s.process);
+        let pass = sample.pass.checked_sub(1);
+        if let Some(pass) = pass {
+            curves[pass].add(machine, sample);
+        }
+        let values = pass.and_then(|i| program.passes[i].span_at(sample.set.law.s)).map(|s| &s.process);
         trace.row(row(machine, sample, &process, values)).map_err(Failure::from)
     })?;
     trace.finish()?.flush()?;
-    Ok((summary, curves))
+    Ok((summaries, curves))
 }
 
 /// Names of the process values, in the order of their columns.
@@ -80,6 +85,7 @@ pub(super) fn process_names(program: &Program) -> Vec<String> {
 fn columns(machine: &Machine, process: &[String]) -> Vec<(String, &'static str)> {
     let mut columns: Vec<(String, &'static str)> = vec![
         ("t_s".to_owned(), "s"),
+        ("pass".to_owned(), "1"),
         ("s_mm".to_owned(), "mm"),
         ("arc".to_owned(), "1"),
         ("speed_set_mm_s".to_owned(), "mm/s"),
@@ -105,6 +111,7 @@ fn row(machine: &Machine, sample: &Sample, process: &[String], values: Option<&P
     let arc = sample.arc();
     let mut row = vec![
         sample.set.t,
+        sample.pass as f64,
         law.s,
         if arc { 1.0 } else { 0.0 },
         law.v,

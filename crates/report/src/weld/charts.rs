@@ -2,7 +2,7 @@ use super::SimulationCurves;
 use super::samples::Sample;
 use crate::{Axis, Band, Chart, ChartGrid, LimitLine, Mark, Series, ThreeViews};
 use seamwright_machine::Machine;
-use seamwright_motion::PassMotion;
+use seamwright_motion::{PassClearance, PassMotion};
 use seamwright_weld::Welding;
 
 /// The plots of a weld.
@@ -16,6 +16,8 @@ pub struct Plots {
     pub axes: ChartGrid,
     /// Tip speed: planned, and true if simulated.
     pub speed: Chart,
+    /// How near anything watched comes, if the machine file has shapes.
+    pub clearance: Option<Chart>,
     /// Deviation of the true tip's speed from the planned one, if simulated.
     pub deviation: Option<Chart>,
     /// Following error of each axis, if simulated.
@@ -33,12 +35,13 @@ impl Plots {
     pub(crate) fn new(
         machine: &Machine,
         welding: &Welding,
-        motion: &PassMotion,
+        (pass, motion, clearance): (usize, &PassMotion, Option<&PassClearance>),
         samples: &[Sample],
         curves: Option<&SimulationCurves>,
     ) -> Self {
         Self {
-            seam: views(welding),
+            seam: views(welding, pass),
+            clearance: clearance.map(clearance_chart),
             torch: torch(samples),
             axes: axes(machine, samples),
             speed: speed(motion, samples, curves),
@@ -69,6 +72,7 @@ impl Plots {
             ("axes.svg", self.axes.to_svg_standalone()),
             ("speed.svg", self.speed.to_svg_standalone()),
         ];
+        files.extend(self.clearance.as_ref().map(|c| ("clearance.svg", c.to_svg_standalone())));
         files.extend(self.deviation.as_ref().map(|c| ("speed-deviation.svg", c.to_svg_standalone())));
         files.extend(self.following.as_ref().map(|c| ("following.svg", c.to_svg_standalone())));
         files.extend(self.path_error.as_ref().map(|c| ("path-error.svg", c.to_svg_standalone())));
@@ -81,7 +85,7 @@ fn along() -> Axis {
     Axis::new("path length s", "mm")
 }
 
-fn views(welding: &Welding) -> ThreeViews {
+fn views(welding: &Welding, pass: usize) -> ThreeViews {
     let seam = &welding.seam;
     let length = seam.weld_length();
     let drawn = length.min(seam.length());
@@ -91,7 +95,7 @@ fn views(welding: &Welding) -> ThreeViews {
     let vector = 0.18 * size.fold(0.0, f64::max);
     let vectors = (0..VECTORS).map(|i| {
         let p = seam.at(drawn * f64::from(i) / f64::from(VECTORS));
-        (p.point.to_array(), (p.point + vector * welding.attitude.torch_axis(&p)).to_array())
+        (p.point.to_array(), (p.point + vector * welding.attitudes[pass].torch_axis(&p)).to_array())
     });
     let label = if length > seam.length() { "end of overlap" } else { "end" };
     ThreeViews {
@@ -103,6 +107,20 @@ fn views(welding: &Welding) -> ThreeViews {
         vectors_name: "torch axis".to_owned(),
         marks: vec![Mark { label: "start".to_owned(), at: at(0.0) }, Mark { label: label.to_owned(), at: at(length) }],
         ..ThreeViews::default()
+    }
+}
+
+fn clearance_chart(clearance: &PassClearance) -> Chart {
+    let first = clearance.at_least.first().map(|c| (0.0, c.1));
+    Chart {
+        title: format!("Clearance: nothing watched comes nearer than this (told up to {} mm)", clearance.cutoff_mm),
+        x: along(),
+        y: Axis::new("distance", "mm"),
+        series: vec![Series::line(
+            "least distance",
+            first.into_iter().chain(clearance.at_least.iter().copied()).collect(),
+        )],
+        ..Chart::default()
     }
 }
 

@@ -1,9 +1,10 @@
-use super::samples::{Sample, samples};
+use super::plan::PlanFigures;
+use super::samples::samples;
 use super::{Plots, SimulationCurves};
 use seamwright_cell::Summary;
 use seamwright_machine::Machine;
-use seamwright_motion::PassMotion;
-use seamwright_program::{Finding, Pass, ProcessValues, Seam, SeamStart, Sequence, Tolerance};
+use seamwright_motion::{PassClearance, WeldMotion};
+use seamwright_program::{Finding, Seam};
 use seamwright_weld::Welding;
 use serde::Serialize;
 
@@ -20,10 +21,16 @@ pub struct WeldReport {
     pub machine: MachineFigures,
     /// The seam.
     pub seam: SeamFigures,
-    /// The plan.
+    /// The plan of the first pass.
     pub plan: PlanFigures,
-    /// The simulated weld, if it was simulated.
+    /// The simulated first pass, if it was simulated.
     pub simulation: Option<Summary>,
+    /// All passes.
+    pub passes: Vec<PassFigures>,
+    /// Time of the air moves: from home, between passes and back home, s.
+    pub air_s: f64,
+    /// Time from home to home, s.
+    pub total_s: f64,
     /// Everything to be said about the weld.
     pub findings: Vec<Finding>,
 }
@@ -42,7 +49,7 @@ pub struct MachineFigures {
 /// The seam in numbers.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SeamFigures {
-    /// `nozzle`, `ellipse` or `line`.
+    /// `nozzle`, `ellipse`, `line`, `T-joint` or `girth`.
     pub kind: &'static str,
     /// Length once, mm.
     pub length_mm: f64,
@@ -54,135 +61,56 @@ pub struct SeamFigures {
     pub dihedral_max_deg: f64,
 }
 
-/// The plan in numbers.
+/// One pass in numbers.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct PlanFigures {
-    /// Least and greatest speed asked for, mm/s; they differ where spans do.
-    pub asked_speed_mm_s: (f64, f64),
-    /// True if every axis can hold the asked speed everywhere.
-    pub speed_held: bool,
-    /// Least planned speed between run-up and run-down, mm/s.
-    pub least_speed_mm_s: f64,
-    /// Greatest planned speed, mm/s.
-    pub greatest_speed_mm_s: f64,
-    /// Length of the run-up, mm.
-    pub run_up_mm: f64,
-    /// Length of the run-down, mm.
-    pub run_down_mm: f64,
-    /// Travel time from rest to rest, s.
-    pub weld_s: f64,
-    /// Time with the arc (or beam) on, s.
-    pub arc_on_s: f64,
-    /// Time from the first gas to the last, s.
-    pub total_s: f64,
-    /// Largest angle between the torch attitude asked for and the one the axes reach, degrees.
-    pub attitude_error_deg: f64,
-    /// Where that is, mm.
-    pub attitude_error_at_mm: f64,
-    /// Arc energy U I / v at the planned speed between run-up and run-down, least and greatest, kJ/mm, if current and
-    /// voltage are given.
-    pub arc_energy_kj_mm: Option<(f64, f64)>,
-    /// Where the weld starts, which way it goes, its overlap.
-    pub start: SeamStart,
-    /// Times before and after the travel.
-    pub sequence: Sequence,
-    /// How far from what was asked the weld may be.
-    pub tolerance: Tolerance,
-    /// Process values of the first span.
-    pub process: ProcessValues,
-    /// Each axis' extremes against its limits.
-    pub axes: Vec<AxisFigures>,
+pub struct PassFigures {
+    /// Its name.
+    pub name: String,
+    /// The plan.
+    pub plan: PlanFigures,
+    /// How near things come, if the machine file has shapes.
+    pub clearance: Option<ClearanceFigures>,
+    /// The simulated pass, if it was simulated.
+    pub simulation: Option<Summary>,
 }
 
-/// What the plan asks of one axis, in mm or degrees.
+/// The nearest that two things come.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct AxisFigures {
-    /// Name.
-    pub axis: String,
-    /// `mm` or `deg`.
-    pub unit: &'static str,
-    /// Least position.
-    pub min: f64,
-    /// Greatest position.
-    pub max: f64,
-    /// Range, if it has one.
-    pub range: Option<(f64, f64)>,
-    /// Greatest speed, per s.
-    pub speed: f64,
-    /// Its limit.
-    pub max_speed: f64,
-    /// Greatest acceleration, per s^2.
-    pub acceleration: f64,
-    /// Its limit.
-    pub max_acceleration: f64,
-}
-
-/// Least and greatest arc energy (kJ/mm) at the planned speed within `steady`, if current and voltage are given there.
-fn arc_energy(pass: &Pass, samples: &[Sample], steady: (f64, f64)) -> Option<(f64, f64)> {
-    let inside = samples.iter().filter(|s| s.s > steady.0 && s.s < steady.1 && s.speed > 0.0);
-    let energies = inside.map(|s| {
-        let process = &pass.span_at(s.s)?.process;
-        let power = process.get("current_a")?.get() * process.get("voltage_v")?.get();
-        Some(power / s.speed / 1000.0)
-    });
-    let energies = energies.collect::<Option<Vec<f64>>>().filter(|e| !e.is_empty())?;
-    let bound = |better: fn(f64, f64) -> f64| energies.iter().copied().reduce(better);
-    bound(f64::min).zip(bound(f64::max))
+pub struct ClearanceFigures {
+    /// Their distance, mm; at least this, if it says nothing of between.
+    pub nearest_mm: f64,
+    /// Where, mm.
+    pub at_mm: Option<f64>,
+    /// Who and who.
+    pub between: Option<String>,
 }
 
 impl WeldReport {
-    /// Gathers the numbers and plots of a planned, and perhaps simulated, weld.
+    /// Gathers the numbers and plots (those of each pass) of a planned, and perhaps simulated, weld.
     pub fn new(
         machine: &Machine,
         welding: &Welding,
-        motion: &PassMotion,
-        simulation: Option<(Summary, SimulationCurves)>,
-    ) -> (Self, Plots) {
-        let samples = samples(machine, welding, motion);
+        motion: &WeldMotion,
+        simulation: Option<(Vec<Summary>, Vec<SimulationCurves>)>,
+    ) -> (Self, Vec<Plots>) {
         let program = &welding.program.value;
         let (low, high) = welding.seam.dihedral_range();
-        let band = motion.law.report();
-        let span = &program.passes[0].spans[0];
-        let speeds = || program.passes[0].spans.iter().map(|s| s.speed_mm_s.get());
-        let asked = |better: fn(f64, f64) -> f64| speeds().reduce(better).unwrap_or(0.0);
-        let energy = arc_energy(&program.passes[0], &samples, (band.run_up_end, band.run_down_start));
-        let axes = machine.axes.iter().enumerate().map(|(i, axis)| {
-            let greatest =
-                |f: fn(&(f64, f64, f64)) -> f64| samples.iter().map(|s| f(&s.axes[i])).fold(f64::MIN, f64::max);
-            AxisFigures {
-                axis: axis.name.clone(),
-                unit: axis.unit(),
-                min: -greatest(|a| -a.0),
-                max: greatest(|a| a.0),
-                range: axis.range.map(|(l, h)| (axis.to_file(l), axis.to_file(h))),
-                speed: greatest(|a| a.1.abs()),
-                max_speed: axis.to_file(axis.max_speed),
-                acceleration: greatest(|a| a.2.abs()),
-                max_acceleration: axis.to_file(axis.max_acceleration),
-            }
-        });
-        let plan = PlanFigures {
-            asked_speed_mm_s: (asked(f64::min), asked(f64::max)),
-            speed_held: !motion.findings.iter().any(|f| f.kind == "speed"),
-            least_speed_mm_s: band.least,
-            greatest_speed_mm_s: band.greatest,
-            run_up_mm: band.run_up_end,
-            run_down_mm: motion.path.length() - band.run_down_start,
-            weld_s: motion.law.duration(),
-            arc_on_s: motion.arc_on_s(),
-            total_s: motion.total_s(),
-            attitude_error_deg: motion.attitude_error.0.to_degrees(),
-            attitude_error_at_mm: motion.attitude_error.1,
-            arc_energy_kj_mm: energy,
-            start: program.start,
-            sequence: program.passes[0].sequence,
-            tolerance: program.passes[0].tolerance,
-            process: span.process.clone(),
-            axes: axes.collect(),
-        };
-        let (summary, curves) = simulation.unzip();
+        let (summaries, curves) = simulation.unzip();
         let mut findings = motion.findings.clone();
-        findings.extend(summary.iter().flat_map(|s| s.findings(&program.passes[0].tolerance, 1)));
+        let (mut passes, mut plots) = (Vec::new(), Vec::new());
+        for (i, (pass, planned)) in program.passes.iter().zip(&motion.passes).enumerate() {
+            let samples = samples(machine, welding, i, planned);
+            let summary = summaries.as_ref().and_then(|s| s.get(i)).cloned();
+            findings.extend(summary.iter().flat_map(|s| s.findings(&pass.tolerance, i + 1)));
+            passes.push(PassFigures {
+                name: pass.name.clone(),
+                plan: PlanFigures::new(machine, welding, i, planned, &samples),
+                clearance: motion.clearance[i].as_ref().map(clearance),
+                simulation: summary,
+            });
+            let curves = curves.as_ref().and_then(|c| c.get(i));
+            plots.push(Plots::new(machine, welding, (i, planned, motion.clearance[i].as_ref()), &samples, curves));
+        }
         let report = Self {
             seamwright: env!("CARGO_PKG_VERSION"),
             title: program.title.clone(),
@@ -205,11 +133,20 @@ impl WeldReport {
                 dihedral_min_deg: low.to_degrees(),
                 dihedral_max_deg: high.to_degrees(),
             },
-            plan,
-            simulation: summary,
+            plan: passes[0].plan.clone(),
+            simulation: passes[0].simulation.clone(),
+            passes,
+            air_s: motion.air_s(),
+            total_s: motion.total_s(),
             findings,
         };
-        let plots = Plots::new(machine, welding, motion, &samples, curves.as_ref());
         (report, plots)
+    }
+}
+
+fn clearance(c: &PassClearance) -> ClearanceFigures {
+    match &c.nearest {
+        Some((mm, s, between)) => ClearanceFigures { nearest_mm: *mm, at_mm: Some(*s), between: Some(between.clone()) },
+        None => ClearanceFigures { nearest_mm: c.cutoff_mm, at_mm: None, between: None },
     }
 }

@@ -4,6 +4,7 @@ mod charts;
 mod curves;
 mod figures;
 mod page;
+mod plan;
 mod samples;
 
 pub use charts::Plots;

@@ -1,56 +1,23 @@
 use super::Plots;
-use super::figures::{AxisFigures, PlanFigures, WeldReport};
+use super::figures::{ClearanceFigures, PassFigures, WeldReport};
+use super::plan::{AxisFigures, PlanFigures};
 use crate::{Block, Finding, Page, Severity, Table, Tile, Verdict, format_number};
 use seamwright_cell::Summary;
 use seamwright_program::WeldDirection;
 
 impl WeldReport {
     /// The report as one self-contained HTML page; `source` is the job's or program's text, `date` when
-    /// it is made.
-    pub fn page(&self, plots: &Plots, source: &str, date: &str) -> String {
+    /// it is made, `plots` those of each pass.
+    pub fn page(&self, plots: &[Plots], source: &str, date: &str) -> String {
         let mut blocks = vec![Block::Tiles(self.tiles()), Block::Heading("Findings".to_owned())];
-        blocks.push(Block::Paragraph(
-            "Checked: reach, ranges, speeds and accelerations of the axes, and that the torch axis stays clear of both faces. Not checked: collisions of torch body, machine and clamps with the work.".to_owned(),
-        ));
+        blocks.push(Block::Paragraph(self.checked()));
         blocks.push(match self.findings.is_empty() {
             true => Block::Paragraph("None: the weld can be made as asked on this machine.".to_owned()),
             false => Block::Findings(self.findings.iter().map(finding).collect()),
         });
-        blocks.push(Block::Heading("Seam and torch".to_owned()));
-        blocks.push(figure(
-            plots.seam.to_svg(),
-            "Seam with the torch axis asked for, in the job's frame, first-angle projection.",
-        ));
-        blocks.push(figure(
-            plots.torch.to_svg(),
-            "Work angle from the bisector of the faces (positive towards the first part), travel angle, and half the angle between the faces.",
-        ));
-        blocks.push(Block::Heading("Speed".to_owned()));
-        blocks.push(figure(plots.speed.to_svg(), "Speed of the tip along the seam, relative to the work."));
-        if let Some(deviation) = &plots.deviation {
-            blocks.push(figure(
-                deviation.to_svg(),
-                "Deviation of the simulated speed between run-up and run-down; at its start the drives settle.",
-            ));
+        for (i, (pass, plots)) in self.passes.iter().zip(plots).enumerate() {
+            self.pass(i, pass, plots, &mut blocks);
         }
-        if let (Some(summary), Some(path_error), Some(following), Some(attitude)) =
-            (&self.simulation, &plots.path_error, &plots.following, &plots.attitude)
-        {
-            blocks.push(Block::Heading("Simulated weld".to_owned()));
-            blocks.push(Block::Paragraph(simulation_text(summary, &self.machine.assumed_drives)));
-            blocks.push(figure(path_error.to_svg(), "Distance of the true tip from the seam, normal to it."));
-            blocks.push(figure(following.to_svg(), "Set-point less true position of each axis."));
-            blocks.push(following_table(summary));
-            if self.plan.attitude_error_deg > 0.01 {
-                blocks.push(figure(attitude.to_svg(), "Angle between the true torch direction and the one asked for."));
-            }
-        }
-        blocks.push(Block::Heading("Axes".to_owned()));
-        blocks.push(figure(
-            plots.axes.to_svg(),
-            "Planned position, speed and acceleration of each axis against its limits.",
-        ));
-        blocks.push(axes_table(&self.plan.axes));
         blocks.push(Block::Heading("Job".to_owned()));
         blocks.push(self.data_table());
         blocks.push(Block::Code { caption: self.file.clone(), text: source.to_owned() });
@@ -79,6 +46,76 @@ impl WeldReport {
             blocks,
         }
         .render()
+    }
+
+    /// Everything about one pass; `number` counts from 0.
+    fn pass(&self, number: usize, pass: &PassFigures, plots: &Plots, blocks: &mut Vec<Block>) {
+        let several = self.passes.len() > 1;
+        let heading = |what: &str| {
+            Block::Heading(if several {
+                format!("Pass {} ({}): {what}", number + 1, pass.name)
+            } else {
+                what.to_owned()
+            })
+        };
+        blocks.push(heading("Seam and torch"));
+        blocks.push(figure(
+            plots.seam.to_svg(),
+            "Seam with the torch axis asked for, in the job's frame, first-angle projection.",
+        ));
+        blocks.push(figure(
+            plots.torch.to_svg(),
+            "Work angle from the bisector of the faces (positive towards the first part), travel angle, and half the angle between the faces.",
+        ));
+        if let Some(clearance) = &plots.clearance {
+            blocks.push(heading("Clearance"));
+            if let Some(text) = pass.clearance.as_ref().and_then(nearest_text) {
+                blocks.push(Block::Paragraph(text));
+            }
+            blocks.push(figure(
+                clearance.to_svg(),
+                "Least distance of torch, links, part, fixtures and zones from one another; it holds between the places looked at too.",
+            ));
+        }
+        blocks.push(heading("Speed"));
+        blocks.push(figure(plots.speed.to_svg(), "Speed of the tip along the seam, relative to the work."));
+        if let Some(deviation) = &plots.deviation {
+            blocks.push(figure(
+                deviation.to_svg(),
+                "Deviation of the simulated speed between run-up and run-down; at its start the drives settle.",
+            ));
+        }
+        if let (Some(summary), Some(path_error), Some(following), Some(attitude)) =
+            (&pass.simulation, &plots.path_error, &plots.following, &plots.attitude)
+        {
+            blocks.push(heading("Simulated weld"));
+            blocks.push(Block::Paragraph(simulation_text(summary, &self.machine.assumed_drives)));
+            blocks.push(figure(path_error.to_svg(), "Distance of the true tip from the seam, normal to it."));
+            blocks.push(figure(following.to_svg(), "Set-point less true position of each axis."));
+            blocks.push(following_table(summary));
+            if pass.plan.attitude_error_deg > 0.01 {
+                blocks.push(figure(attitude.to_svg(), "Angle between the true torch direction and the one asked for."));
+            }
+        }
+        blocks.push(heading("Axes"));
+        blocks.push(figure(
+            plots.axes.to_svg(),
+            "Planned position, speed and acceleration of each axis against its limits.",
+        ));
+        blocks.push(axes_table(&pass.plan.axes));
+    }
+
+    /// What was looked at, and what not.
+    fn checked(&self) -> String {
+        let watched = self.passes.iter().all(|p| p.clearance.is_some());
+        let clearance = if watched {
+            "the distances of torch, links, part and fixtures along the passes and in the air moves, as far as the files give their shapes. Not checked: what has no shape in the files, such as cables and hoses."
+        } else {
+            "nothing about collisions: the machine file has no shapes."
+        };
+        format!(
+            "Checked: reach, ranges, speeds and accelerations of the axes, that the torch axis stays clear of both faces, and {clearance}"
+        )
     }
 
     fn verdict(&self) -> Verdict {
@@ -124,7 +161,12 @@ impl WeldReport {
                 format!("seam {} mm", number(self.seam.length_mm)),
             ),
             tile("Weld time", number(p.weld_s), "s", "travel, rest to rest".to_owned()),
-            tile("Arc-on time", number(p.arc_on_s), "s", format!("whole cycle {} s", number(p.total_s))),
+            tile(
+                "Arc-on time",
+                number(p.arc_on_s),
+                "s",
+                format!("whole cycle {} s, air moves {} s", number(self.total_s), number(self.air_s)),
+            ),
             tile(
                 "Speed, planned",
                 number(p.least_speed_mm_s),
@@ -176,7 +218,7 @@ impl WeldReport {
         ];
         let (start, sequence) = (&self.plan.start, &self.plan.sequence);
         let row = |label: &str, value: f64, unit: &str| vec![label.to_owned(), number(value), unit.to_owned()];
-        if s.kind != "line" {
+        if !["line", "T-joint"].contains(&s.kind) {
             let direction = match start.direction {
                 WeldDirection::CounterClockwise => "counter-clockwise",
                 WeldDirection::Clockwise => "clockwise",
@@ -249,6 +291,12 @@ fn simulation_text(s: &Summary, assumed: &[String]) -> String {
         "Every axis on its position loop at the servo period, with inertia, friction, cogging, encoder steps and current limit (seed {}). It is the nominal part: no misplacement, no distortion, no fit-up error, no wire cast. Speed ripple is the greatest deviation of the tip's speed from the planned one, from half a second after the run-up to the run-down.{load}{assumed}",
         s.seed
     )
+}
+
+/// The nearest place in words.
+fn nearest_text(c: &ClearanceFigures) -> Option<String> {
+    let (between, at) = (c.between.as_ref()?, c.at_mm?);
+    Some(format!("Nearest: {between}, {} mm apart at s = {} mm.", number(c.nearest_mm), number(at)))
 }
 
 fn table(caption: &str, head: &[&str], rows: Vec<Vec<String>>, numeric: std::ops::Range<usize>) -> Block {

@@ -18,8 +18,8 @@ pub(crate) struct Sample {
     pub(crate) angles: (f64, f64, f64),
 }
 
-/// The plan along the whole weld.
-pub(crate) fn samples(machine: &Machine, welding: &Welding, motion: &PassMotion) -> Vec<Sample> {
+/// The plan along the whole of pass `pass`, counted from 0.
+pub(crate) fn samples(machine: &Machine, welding: &Welding, pass: usize, motion: &PassMotion) -> Vec<Sample> {
     let length = motion.path.length();
     let mut places: Vec<f64> = (0..=EVEN).map(|i| length * f64::from(i) / f64::from(EVEN)).collect();
     for i in 0..NEAR_ENDS {
@@ -27,10 +27,10 @@ pub(crate) fn samples(machine: &Machine, welding: &Welding, motion: &PassMotion)
         places.extend([d, length - d]);
     }
     places.sort_by(f64::total_cmp);
-    places.into_iter().map(|s| sample(machine, welding, motion, s)).collect()
+    places.into_iter().map(|s| sample(machine, welding, pass, motion, s)).collect()
 }
 
-fn sample(machine: &Machine, welding: &Welding, motion: &PassMotion, s: f64) -> Sample {
+fn sample(machine: &Machine, welding: &Welding, pass: usize, motion: &PassMotion, s: f64) -> Sample {
     let law = motion.law.at(motion.law.time(s), &mut 0);
     let p = motion.path.point(s, false);
     let (v, a) = (law.v, law.a);
@@ -40,7 +40,7 @@ fn sample(machine: &Machine, welding: &Welding, motion: &PassMotion, s: f64) -> 
         let acceleration = p.d2[i] * v * v + p.d1[i] * a;
         (rate(&p.q, i), machine.axes[i].to_file(speed), machine.axes[i].to_file(acceleration))
     });
-    let (work, travel) = welding.attitude.angles(s);
+    let (work, travel) = welding.attitudes[pass].angles(s);
     let dihedral = welding.seam.at(s).dihedral;
     Sample {
         s,

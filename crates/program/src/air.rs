@@ -1,0 +1,24 @@
+use schemars::JsonSchema;
+use seamwright_document::Positive;
+use serde::{Deserialize, Serialize};
+
+/// Moves with the arc off, before, between and after passes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Air {
+    /// How far the torch stands back along itself before a weld starts and after it ends, mm; 30 if missing.
+    pub retract_mm: Positive,
+}
+
+impl Default for Air {
+    fn default() -> Self {
+        Self { retract_mm: Positive::new(30.0).unwrap_or(Positive::TEN) }
+    }
+}
+
+impl Air {
+    /// True if nothing differs from the defaults.
+    pub fn is_usual(&self) -> bool {
+        *self == Self::default()
+    }
+}

@@ -1,0 +1,136 @@
+use super::samples::Sample;
+use seamwright_machine::Machine;
+use seamwright_motion::PassMotion;
+use seamwright_program::{Pass, ProcessValues, SeamStart, Sequence, Tolerance};
+use seamwright_weld::Welding;
+use serde::Serialize;
+
+/// The plan in numbers.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PlanFigures {
+    /// Least and greatest speed asked for, mm/s; they differ where spans do.
+    pub asked_speed_mm_s: (f64, f64),
+    /// True if every axis can hold the asked speed everywhere.
+    pub speed_held: bool,
+    /// Least planned speed between run-up and run-down, mm/s.
+    pub least_speed_mm_s: f64,
+    /// Greatest planned speed, mm/s.
+    pub greatest_speed_mm_s: f64,
+    /// Length of the run-up, mm.
+    pub run_up_mm: f64,
+    /// Length of the run-down, mm.
+    pub run_down_mm: f64,
+    /// Travel time from rest to rest, s.
+    pub weld_s: f64,
+    /// Time with the arc (or beam) on, s.
+    pub arc_on_s: f64,
+    /// Time from the first gas to the last, s.
+    pub total_s: f64,
+    /// Largest angle between the torch attitude asked for and the one the axes reach, degrees.
+    pub attitude_error_deg: f64,
+    /// Where that is, mm.
+    pub attitude_error_at_mm: f64,
+    /// Arc energy U I / v at the planned speed between run-up and run-down, least and greatest, kJ/mm, if current and
+    /// voltage are given.
+    pub arc_energy_kj_mm: Option<(f64, f64)>,
+    /// Where the weld starts, which way it goes, its overlap.
+    pub start: SeamStart,
+    /// Times before and after the travel.
+    pub sequence: Sequence,
+    /// How far from what was asked the weld may be.
+    pub tolerance: Tolerance,
+    /// Process values of the first span.
+    pub process: ProcessValues,
+    /// Each axis' extremes against its limits.
+    pub axes: Vec<AxisFigures>,
+}
+
+/// What the plan asks of one axis, in mm or degrees.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AxisFigures {
+    /// Name.
+    pub axis: String,
+    /// `mm` or `deg`.
+    pub unit: &'static str,
+    /// Least position.
+    pub min: f64,
+    /// Greatest position.
+    pub max: f64,
+    /// Range, if it has one.
+    pub range: Option<(f64, f64)>,
+    /// Greatest speed, per s.
+    pub speed: f64,
+    /// Its limit.
+    pub max_speed: f64,
+    /// Greatest acceleration, per s^2.
+    pub acceleration: f64,
+    /// Its limit.
+    pub max_acceleration: f64,
+}
+
+/// Least and greatest arc energy (kJ/mm) at the planned speed within `steady`, if current and voltage are given there.
+fn arc_energy(pass: &Pass, samples: &[Sample], steady: (f64, f64)) -> Option<(f64, f64)> {
+    let inside = samples.iter().filter(|s| s.s > steady.0 && s.s < steady.1 && s.speed > 0.0);
+    let energies = inside.map(|s| {
+        let process = &pass.span_at(s.s)?.process;
+        let power = process.get("current_a")?.get() * process.get("voltage_v")?.get();
+        Some(power / s.speed / 1000.0)
+    });
+    let energies = energies.collect::<Option<Vec<f64>>>().filter(|e| !e.is_empty())?;
+    let bound = |better: fn(f64, f64) -> f64| energies.iter().copied().reduce(better);
+    bound(f64::min).zip(bound(f64::max))
+}
+
+impl PlanFigures {
+    /// The numbers of pass `pass` of the program, planned as `motion`.
+    pub(crate) fn new(
+        machine: &Machine,
+        welding: &Welding,
+        pass: usize,
+        motion: &PassMotion,
+        samples: &[Sample],
+    ) -> Self {
+        let program = &welding.program.value;
+        let pass = &program.passes[pass];
+        let band = motion.law.report();
+        let speeds = || pass.spans.iter().map(|s| s.speed_mm_s.get());
+        let asked = |better: fn(f64, f64) -> f64| speeds().reduce(better).unwrap_or(0.0);
+        Self {
+            asked_speed_mm_s: (asked(f64::min), asked(f64::max)),
+            speed_held: !motion.findings.iter().any(|f| f.kind == "speed"),
+            least_speed_mm_s: band.least,
+            greatest_speed_mm_s: band.greatest,
+            run_up_mm: band.run_up_end,
+            run_down_mm: motion.path.length() - band.run_down_start,
+            weld_s: motion.law.duration(),
+            arc_on_s: motion.arc_on_s(),
+            total_s: motion.total_s(),
+            attitude_error_deg: motion.attitude_error.0.to_degrees(),
+            attitude_error_at_mm: motion.attitude_error.1,
+            arc_energy_kj_mm: arc_energy(pass, samples, (band.run_up_end, band.run_down_start)),
+            start: program.start,
+            sequence: pass.sequence,
+            tolerance: pass.tolerance,
+            process: pass.spans[0].process.clone(),
+            axes: axes(machine, samples),
+        }
+    }
+}
+
+fn axes(machine: &Machine, samples: &[Sample]) -> Vec<AxisFigures> {
+    let figures = |(i, axis): (usize, &seamwright_machine::Axis)| {
+        let greatest = |f: fn(&(f64, f64, f64)) -> f64| samples.iter().map(|s| f(&s.axes[i])).fold(f64::MIN, f64::max);
+        AxisFigures {
+            axis: axis.name.clone(),
+            unit: axis.unit(),
+            min: -greatest(|a| -a.0),
+            max: greatest(|a| a.0),
+            range: axis.range.map(|(l, h)| (axis.to_file(l), axis.to_file(h))),
+            speed: greatest(|a| a.1.abs()),
+            max_speed: axis.to_file(axis.max_speed),
+            acceleration: greatest(|a| a.2.abs()),
+            max_acceleration: axis.to_file(axis.max_acceleration),
+        }
+    };
+    machine.axes.iter().enumerate().map(figures).collect()
+}
