@@ -7,6 +7,7 @@
 
 mod document;
 mod finding;
+mod offsets;
 mod pass;
 mod process;
 mod seam;
@@ -15,6 +16,7 @@ mod torch;
 
 pub use document::Program;
 pub use finding::Finding;
+pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};
 pub use pass::{OnLimit, Pass, Sequence, Span};
 pub use process::{ProcessValues, check_process};
 pub use seam::{Body, Direction as WeldDirection, Ellipse, FilletOrButt, Line, Nozzle, Seam, SeamStart};

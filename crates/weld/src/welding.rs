@@ -48,7 +48,7 @@ impl Welding {
 
     /// The torch's path in the machine's work frame.
     pub fn path(&self) -> PassPath<'_> {
-        PassPath { seam: &self.seam, attitude: self.attitude.clone(), placement: self.program.value.placement.affine() }
+        PassPath { seam: &self.seam, attitude: self.attitude.clone(), placement: self.program.value.seam_in_work() }
     }
 
     /// What stands against the weld before any machine is looked at.
