@@ -2,7 +2,8 @@ use crate::SeamCurve;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_program::{
-    Offsets, OnLimit, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span, Tolerance, Torch, check_offset, check_process,
+    Offsets, OnLimit, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span, Tolerance, Torch, check_offset,
+    check_process,
 };
 use serde::{Deserialize, Serialize};
 
