@@ -32,8 +32,12 @@ pub struct BestFit {
 
 /// Fits worse than this part of the points' spread are not believed before other starts have been tried.
 const SURE: f64 = 1e-3;
+/// A part turned farther than this, rad, fits by a symmetry and not because it stands there.
+const FARTHEST_TURN: f64 = 1.2;
 /// Other starts are turned by this angle about the three directions, rad.
 const OTHER_START: f64 = 0.4;
+/// Longest step, as part of the points' spread: the surfaces bend, and long steps lead to other valleys.
+const LONGEST_STEP: f64 = 0.3;
 const MOST_STEPS: usize = 200;
 /// Steps below this part of the points' spread are rounding.
 const ROUNDING: f64 = 1e-12;
@@ -43,8 +47,13 @@ const ROUNDING: f64 = 1e-12;
 /// With `growing`, one more unknown lets all surfaces stand farther out by the same amount.
 ///
 /// # Errors
-/// [`Error::TooFewPoints`] without a point, [`Error::NoFit`] if points are not finite or the search does not end.
+/// [`Error::TooFewPoints`] without a point, [`Error::NoFit`] if points are not finite, or nothing
+/// is found within about 70 degrees of the start.
 pub fn best_fit(touches: &[Touch], start: &DAffine3, growing: bool) -> Result<BestFit, Error> {
+    // A decomposition of what is not finite would not end.
+    if !start.is_finite() || touches.iter().any(|t| !(t.point.is_finite() && t.outside.is_finite())) {
+        return Err(Error::NoFit);
+    }
     if touches.is_empty() {
         return Err(Error::TooFewPoints { what: "the surfaces", given: 0, least: 1 });
     }
@@ -67,8 +76,10 @@ fn anywhere_near<const N: usize>(touches: &[Touch], start: &DAffine3) -> Result<
     for turn in std::iter::once(DVec3::ZERO).chain(turns) {
         let turn = (turn * OTHER_START * twists.reach).to_array();
         let turned = twists.motion(&[0.0, 0.0, 0.0, turn[0], turn[1], turn[2]]) * *start;
-        let found = State::at(touches, turned, 0.0).descend::<N>(touches, &twists);
-        if let Some(found) = found.filter(|f| best.as_ref().is_none_or(|b| f.cost < b.cost)) {
+        // Moved first and turned then: a part that is far off would be turned over by its own distance.
+        let (moved, _) = State::at(touches, turned, 0.0).descend::<3>(touches, &twists);
+        let (found, at_rest) = moved.descend::<N>(touches, &twists);
+        if at_rest && found.near(start) && best.as_ref().is_none_or(|b| found.cost < b.cost) {
             let done = found.cost < good;
             best = Some(found);
             if done {
@@ -102,7 +113,15 @@ impl State {
         Self { transform, growth, residuals, normals, cost }
     }
 
-    /// How the residuals change when the part moves; the seventh unknown is the growth.
+    /// True if the part is not turned far away from `start`.
+    fn near(&self, start: &DAffine3) -> bool {
+        let between = start.matrix3.transpose() * self.transform.matrix3;
+        let trace = between.x_axis.x + between.y_axis.y + between.z_axis.z;
+        trace > 1.0 + 2.0 * FARTHEST_TURN.cos()
+    }
+
+    /// How the residuals change when the part moves; the first three unknowns are the move, three more the turn, and the
+    /// seventh is the growth.
     fn rows<const N: usize>(&self, touches: &[Touch], twists: &Twists) -> Vec<[f64; N]> {
         let row = |(touch, normal): (&Touch, &DVec3)| {
             // The part moves under a point that stays.
@@ -117,20 +136,20 @@ impl State {
         Seen::new(&self.rows::<N>(touches, &twists))
     }
 
-    /// Goes downhill to the bottom; none if there is none.
-    fn descend<const N: usize>(mut self, touches: &[Touch], twists: &Twists) -> Option<Self> {
+    /// Goes downhill in the first `N` unknowns, and says if the bottom was reached.
+    fn descend<const N: usize>(mut self, touches: &[Touch], twists: &Twists) -> (Self, bool) {
         let mut damping = 0.0f64;
         let mut seen = Seen::new(&self.rows::<N>(touches, twists));
         for _ in 0..MOST_STEPS {
-            let step = seen.step(&self.residuals, damping);
+            let mut step = seen.step(&self.residuals, damping);
             let size = step.iter().map(|v| v * v).sum::<f64>().sqrt();
-            if !size.is_finite() {
-                return None;
-            }
+            let shorter = (LONGEST_STEP * twists.reach / size).min(1.0);
+            step.iter_mut().for_each(|v| *v *= shorter);
             let growth = self.growth + step.get(6).copied().unwrap_or(0.0);
+            step.resize(N.max(6), 0.0);
             let next = Self::at(touches, (twists.motion(&step) * self.transform).orthonormal(), growth);
             if size <= ROUNDING * twists.reach {
-                return Some(if next.cost < self.cost { next } else { self });
+                return (if next.cost < self.cost { next } else { self }, true);
             }
             // Near the bottom the cost is flat to rounding while steps still go the right way.
             if next.cost <= self.cost * (1.0 + 1e-12) {
@@ -141,7 +160,7 @@ impl State {
                 damping = (10.0 * damping).max(1e-4);
             }
         }
-        None
+        (self, false)
     }
 
     fn finish<const N: usize>(self, touches: &[Touch]) -> BestFit {

@@ -26,7 +26,8 @@ const FLAT: f64 = 1e-3;
 /// squares of the distances (Kabsch 1976, by singular value decomposition, never a reflection).
 ///
 /// # Errors
-/// [`Error::TooFewPoints`]; [`Error::Gathered`] if either set lies nearly on one line.
+/// [`Error::TooFewPoints`]; [`Error::Gathered`] if either set lies nearly on one line; [`Error::NoFit`] if
+/// a point is not finite.
 pub fn fit_pairs(pairs: &[(DVec3, DVec3)]) -> Result<PairFit, Error> {
     if pairs.len() < 3 {
         return Err(Error::TooFewPoints { what: "the frame", given: pairs.len(), least: 3 });
@@ -48,6 +49,10 @@ pub fn fit_pairs(pairs: &[(DVec3, DVec3)]) -> Result<PairFit, Error> {
 /// Checks that `points` of `what` spread in more than `dimensions` directions: 0 in more than a place, 1 in more than a
 /// line. Their principal directions, widest first, as columns, and their middle.
 pub(crate) fn spread(points: &[DVec3], what: &'static str, dimensions: usize) -> Result<(DMat3, DVec3), Error> {
+    // A decomposition of what is not finite would not end.
+    if !points.iter().all(|p| p.is_finite()) {
+        return Err(Error::NoFit);
+    }
     let middle = points.iter().sum::<DVec3>() / points.len() as f64;
     let matrix = DMatrix::from_fn(points.len().max(3), 3, |i, j| points.get(i).map_or(0.0, |p| (*p - middle)[j]));
     let svd = matrix.svd(false, true);
@@ -92,6 +97,6 @@ fn deviation(measured: &[DVec3], residuals: &[DVec3]) -> Option<Deviation> {
     let twists = Twists::about(measured.iter().copied());
     let axes = [DVec3::X, DVec3::Y, DVec3::Z];
     let rows: Vec<[f64; 6]> = measured.iter().flat_map(|p| axes.map(|e| twists.row(*p, -e))).collect();
-    let flat: Vec<f64> = residuals.iter().flat_map(|r| r.to_array()).collect();
+    let flat: Vec<f64> = residuals.iter().flat_map(DVec3::to_array).collect();
     Seen::new(&rows).deviation(&twists, &flat)
 }

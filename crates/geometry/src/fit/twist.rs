@@ -7,6 +7,9 @@ use std::f64::consts::TAU;
 /// scale, they would tell a few micrometres, which no probe does.
 const UNSEEN: f64 = 2e-3;
 
+/// Points nearer together than this tell nothing about turns.
+const LEAST_REACH_MM: f64 = 10.0;
+
 /// Standard deviations of a fit, estimated from its residuals; motions that the points do not see are not in it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Deviation {
@@ -32,7 +35,7 @@ impl Twists {
         let n = points.len().max(1) as f64;
         let at = points.clone().sum::<DVec3>() / n;
         let spread: f64 = points.map(|p| (p - at).length_squared()).sum();
-        Self { at, reach: (spread / n).sqrt().max(1e-3) }
+        Self { at, reach: (spread / n).sqrt().max(LEAST_REACH_MM) }
     }
 
     /// How a quantity with the gradient `gradient` by the place of `point` changes by each of the six numbers.
