@@ -9,10 +9,12 @@ mod attitude;
 mod job;
 mod pass_path;
 mod seam;
+mod surfaces;
 mod welding;
 
 pub use attitude::Attitude;
 pub use job::{Job, Weld};
 pub use pass_path::PassPath;
 pub use seam::{SeamCurve, SeamPoint};
+pub use surfaces::SeamSurfaces;
 pub use welding::Welding;

@@ -204,7 +204,7 @@ fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync
     }
 }
 
-fn intersection<T>(file: &Document<T>, n: &Nozzle) -> Result<TubeIntersection, DocumentError> {
+pub(crate) fn intersection<T>(file: &Document<T>, n: &Nozzle) -> Result<TubeIntersection, DocumentError> {
     let key = |k: &str| format!("seam.nozzle.{k}");
     // Without a zero direction phi counts from x, or from y on a nozzle along x.
     let along_x = n.direction.unit().dot(DVec3::X).abs() > 1.0 - 1e-9;
