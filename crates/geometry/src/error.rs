@@ -64,7 +64,7 @@ pub enum Error {
         at: f64,
     },
     /// Fewer points than a fit needs.
-    #[error("{given} points of {what} are too few: at least {least} are needed")]
+    #[error("too few points of {what}: {given}, and at least {least} are needed")]
     TooFewPoints {
         /// Points of what.
         what: &'static str,

@@ -34,9 +34,9 @@ pub(crate) fn run(args: &PlaceArgs) -> Result<(), Failure> {
         write_job(args, path, &transform)?;
     }
     if args.json {
-        print_json(&placed)?
+        print_json(&placed)?;
     } else {
-        print_text(&placed.text(args.output.as_deref()))?
+        print_text(&placed.text(args.output.as_deref()))?;
     }
     if placed.accepted { Ok(()) } else { Err(Failure::Printed) }
 }
