@@ -1,5 +1,7 @@
 //! The command line, as in the contract of `docs/cli.md`.
 
+pub(crate) mod machine;
+
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -36,6 +38,8 @@ pub(crate) enum Verb {
     Kinematics(KinematicsArgs),
     /// The textbook interpolators beside the exact one
     Interpolate(InterpolateArgs),
+    /// The machine and the work in it: place the work from touched points
+    Machine(machine::MachineArgs),
     /// List the machines that ship, or print one's file
     Machines(ListArgs),
     /// List the example jobs that ship, or print one to copy

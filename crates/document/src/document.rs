@@ -45,6 +45,12 @@ impl<T> Document<T> {
         &self.text
     }
 
+    /// An error at the key `path` whose value `name` is not among the names `known`, with the one probably meant.
+    pub fn unknown_name(&self, path: &str, name: &str, known: &[&str]) -> DocumentError {
+        let error = self.error_at(path, format!("`{name}` is not known"), known.join(", "));
+        DocumentError { help: suggestion(name, known), ..error }
+    }
+
     /// An error at the key `path` (like `tool[2].range_mm`), or at the nearest table above it that exists.
     pub fn error_at(&self, path: &str, message: impl Into<String>, allowed: impl Into<String>) -> DocumentError {
         let span = span_of(&self.text, path);

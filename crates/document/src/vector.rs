@@ -58,6 +58,12 @@ impl Direction {
         Self([0.0, 0.0, 1.0].map(|v| Finite::new(v).unwrap_or_default()))
     }
 
+    /// The direction of `v`, if it is finite and has a length.
+    pub fn new(v: DVec3) -> Option<Self> {
+        let parts = Point::new(v)?;
+        (v != DVec3::ZERO).then_some(Self(parts.0))
+    }
+
     /// As a unit vector.
     pub fn unit(self) -> DVec3 {
         // Scaled first, so that no finite direction over- or underflows.
@@ -115,6 +121,22 @@ impl Transform {
         DAffine3::from_rotation_translation(rotation, self.move_mm.get())
     }
 
+    /// The rigid motion `motion` (mm) as it stands in a file; the inverse of [`Transform::affine`] to rounding. None if
+    /// a number is not finite.
+    pub fn from_affine(motion: &DAffine3) -> Option<Self> {
+        let turn = DQuat::from_mat3(&motion.matrix3).normalize();
+        // The shorter way round, and from the sine, so that small angles keep their digits.
+        let sine = if turn.w < 0.0 { -turn.xyz() } else { turn.xyz() };
+        let angle = 2.0 * sine.length().atan2(turn.w.abs());
+        let move_mm = Point::new(motion.translation)?;
+        Some(match sine.try_normalize() {
+            Some(axis) if angle > 0.0 => {
+                Self { move_mm, turn: Direction::new(axis), angle_deg: Finite::new(angle.to_degrees())? }
+            }
+            _ => Self { move_mm, ..Self::default() },
+        })
+    }
+
     /// True if nothing moves or turns.
     pub fn is_identity(&self) -> bool {
         self.move_mm.is_zero() && is_zero(&self.angle_deg)
@@ -131,6 +153,21 @@ mod tests {
         let p = t.affine().transform_point3(DVec3::X);
         assert!((p - DVec3::new(1.0, 3.0, 3.0)).length() < 1e-15);
         assert!(!t.is_identity() && Transform::default().is_identity());
+    }
+
+    #[test]
+    fn motions_come_back() {
+        for (i, angle) in [0.0f64, 1e-7, 0.4, 3.0, 180.0, -170.0, 359.0].into_iter().enumerate() {
+            let axis = DVec3::new(1.0, i as f64 - 3.0, 0.5).normalize();
+            let there = DAffine3::from_rotation_translation(
+                DQuat::from_axis_angle(axis, angle.to_radians()),
+                DVec3::new(100.0, -2.0, i as f64),
+            );
+            let back = Transform::from_affine(&there).unwrap().affine();
+            assert!(back.abs_diff_eq(there, 1e-14), "{angle}: {back} {there}");
+        }
+        assert!(Transform::from_affine(&DAffine3::IDENTITY).unwrap().is_identity());
+        assert!(Transform::from_affine(&DAffine3::from_translation(DVec3::NAN)).is_none());
     }
 
     #[test]

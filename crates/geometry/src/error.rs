@@ -63,6 +63,27 @@ pub enum Error {
         /// Parameter where subdivision stopped.
         at: f64,
     },
+    /// Fewer points than a fit needs.
+    #[error("too few points of {what}: {given}, and at least {least} are needed")]
+    TooFewPoints {
+        /// Points of what.
+        what: &'static str,
+        /// Number of points given.
+        given: usize,
+        /// Number needed.
+        least: usize,
+    },
+    /// Points that lie too nearly in one place or on one line to define what they should.
+    #[error("the points of {what} lie nearly {on}: they do not define it")]
+    Gathered {
+        /// Points of what.
+        what: &'static str,
+        /// On what they lie.
+        on: &'static str,
+    },
+    /// A search for a rigid motion came to no end.
+    #[error("no place was found at which the part fits the points")]
+    NoFit,
     /// Knots of a spline must increase strictly.
     #[error("the positions of a spline's values must increase strictly (value {index})")]
     Knots {

@@ -6,7 +6,8 @@
 //!   [`TubeIntersection`] implement it.
 //! - [`Edge`] is a curve where two faces meet; it also knows their outward normals.
 //! - [`ByLength`] re-parametrises any curve by arc length, to a stated accuracy.
-//! - [`Quadric`] is an implicit surface with gradient and Hessian.
+//! - [`Quadric`] is an implicit surface with gradient and Hessian; [`QuadricDistance`] knows how far points are from it.
+//! - [`fit`] finds the rigid motion that brings nominal geometry to measured points.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
@@ -15,9 +16,11 @@ mod arc_length;
 mod chebyshev;
 mod cubic_spline;
 mod curve;
+mod distance;
 mod edge;
 mod ellipse;
 mod error;
+pub mod fit;
 mod line;
 mod monotone;
 mod pose;
@@ -30,6 +33,7 @@ pub use arc_length::{ByLength, DEFAULT_ACCURACY_MM};
 pub use chebyshev::{NODES, Series, nodes};
 pub use cubic_spline::CubicSpline;
 pub use curve::{Curve, Jet};
+pub use distance::{Foot, QuadricDistance, SignedDistance};
 pub use edge::{CurvedEdge, Edge, EdgePoint, FaceRule};
 pub use ellipse::Ellipse;
 pub use error::Error;

@@ -22,12 +22,12 @@ fn outer(u: DVec3, v: DVec3) -> DMat3 {
 /// surface (so that `F` is about the distance in mm near it); for a cone it is the distance from the apex.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quadric {
-    centre: DVec3,
-    a: DMat3,
-    b: DVec3,
-    c: f64,
+    pub(crate) centre: DVec3,
+    pub(crate) a: DMat3,
+    pub(crate) b: DVec3,
+    pub(crate) c: f64,
     /// A cone's own nappe: only points with `(p - centre) . axis > 0` belong to it.
-    nappe: Option<DVec3>,
+    pub(crate) nappe: Option<DVec3>,
 }
 
 /// Lines of one direction through a quadric: half the second derivative along them, and how the gradient changes.
@@ -69,6 +69,28 @@ impl Quadric {
         let e = unit("the cylinder's axis", axis)?;
         let a = (DMat3::IDENTITY - outer(e, e)) * (0.5 / r);
         Self::checked(Self { centre: point, a, b: DVec3::ZERO, c: -0.5 * r, nappe: None })
+    }
+
+    /// A cylinder without end over an ellipse: semi-axis `a` (mm) along `x_direction`, made perpendicular to `axis`, and
+    /// `b` across it.
+    ///
+    /// # Errors
+    /// [`Error::Size`], [`Error::Direction`], [`Error::Parallel`].
+    pub fn elliptic_cylinder(centre: DVec3, axis: DVec3, x_direction: DVec3, a: f64, b: f64) -> Result<Self, Error> {
+        for value in [a, b] {
+            positive("the elliptic cylinder's semi-axis", value)?;
+        }
+        let z = unit("the elliptic cylinder's axis", axis)?;
+        let x = unit("the elliptic cylinder's x direction", x_direction)?;
+        let across = x - x.dot(z) * z;
+        if across.length() < 1e-9 {
+            return Err(Error::Parallel { first: "the elliptic cylinder's axis", second: "its x direction" });
+        }
+        let x = across.normalize();
+        let y = z.cross(x);
+        let scale = 0.5 * a.min(b);
+        let a = outer(x, x) * (scale / (a * a)) + outer(y, y) * (scale / (b * b));
+        Self::checked(Self { centre, a, b: DVec3::ZERO, c: -scale, nappe: None })
     }
 
     /// A circular cone from its `apex`, opening along `axis` with the half angle `half_angle` (rad, between 0 and

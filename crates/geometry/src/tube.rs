@@ -1,5 +1,5 @@
 use crate::{Error, error::positive, error::unit};
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 /// A circular cylinder with a direction and a zero for its angle: the wall point at angle `phi` and height `h` is
 /// `origin + r cos(phi) e1 + r sin(phi) e2 + h e3` (INTERSECT-2006).
@@ -36,6 +36,17 @@ impl Tube {
     /// Unit direction of the axis.
     pub fn direction(&self) -> DVec3 {
         self.e3
+    }
+
+    /// The point of the axis nearest to `p`.
+    pub fn on_axis(&self, p: DVec3) -> DVec3 {
+        self.origin + (p - self.origin).dot(self.e3) * self.e3
+    }
+
+    /// The tube moved by the rigid motion `by`.
+    pub fn moved(&self, by: &DAffine3) -> Self {
+        let [e1, e2, e3] = [self.e1, self.e2, self.e3].map(|e| by.transform_vector3(e));
+        Self { origin: by.transform_point3(self.origin), e1, e2, e3, radius: self.radius }
     }
 
     /// Radius, mm.

@@ -1,4 +1,5 @@
-use crate::{Air, Pass, Seam, SeamStart, check_process};
+use crate::{Air, Offsets, Pass, Seam, SeamStart, check_offset, check_process};
+use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, SchemaVersion, Transform};
 use serde::{Deserialize, Serialize};
@@ -13,7 +14,13 @@ pub struct Program {
     pub title: String,
     /// The machine: a name of one that ships, or a path to a machine file from the program's folder.
     pub machine: String,
-    /// The seam's frame in the machine's work frame.
+    /// The work offset in force: a name among `offsets`. Without one the part's frame is the machine's work frame.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub offset: Option<String>,
+    /// Work offsets by name: the part's frame in the machine's work frame, as measured.
+    #[serde(default, skip_serializing_if = "Offsets::is_empty")]
+    pub offsets: Offsets,
+    /// The seam's frame in the part's frame.
     #[serde(default, skip_serializing_if = "Transform::is_identity")]
     pub placement: Transform,
     /// The seam.
@@ -40,6 +47,7 @@ impl Program {
     /// The first thing wrong, with its address.
     pub fn read(file: &str, text: &str) -> Result<Document<Self>, DocumentError> {
         let document = Document::<Self>::read(file, text)?;
+        check_offset(&document, document.value.offset.as_deref(), &document.value.offsets)?;
         if document.value.passes.is_empty() {
             return Err(document.error_at("passes", "the program has no passes", "at least one [[passes]]"));
         }
@@ -69,6 +77,17 @@ impl Program {
             }
         }
         Ok(document)
+    }
+
+    /// The work offset in force: maps the part's frame to the machine's work frame.
+    pub fn work_offset(&self) -> DAffine3 {
+        let chosen = self.offset.as_ref().and_then(|name| self.offsets.get(name));
+        chosen.map_or(DAffine3::IDENTITY, Transform::affine)
+    }
+
+    /// Where the seam stands: maps the seam's frame to the machine's work frame, by way of the part's.
+    pub fn seam_in_work(&self) -> DAffine3 {
+        self.work_offset() * self.placement.affine()
     }
 
     /// The program as a file.

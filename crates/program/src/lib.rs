@@ -8,6 +8,7 @@
 mod air;
 mod document;
 mod finding;
+mod offsets;
 mod pass;
 mod process;
 mod seam;
@@ -18,6 +19,7 @@ mod torch;
 pub use air::Air;
 pub use document::Program;
 pub use finding::Finding;
+pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};
 pub use pass::{OnLimit, Pass, Sequence, Span};
 pub use process::{ProcessValues, check_process};
 pub use seam::{

@@ -2,8 +2,8 @@ use crate::SeamCurve;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_program::{
-    Air, OnLimit, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span, SpareAxes, Tolerance, Torch,
-    check_process,
+    Air, Offsets, OnLimit, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span, SpareAxes, Tolerance, Torch,
+    check_offset, check_process,
 };
 use serde::{Deserialize, Serialize};
 
@@ -17,7 +17,13 @@ pub struct Job {
     pub title: String,
     /// The machine: a name of one that ships, or a path to a machine file from the job's folder.
     pub machine: String,
-    /// The seam's frame in the machine's work frame.
+    /// The work offset in force: a name among `offsets`. Without one the part's frame is the machine's work frame.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub offset: Option<String>,
+    /// Work offsets by name: the part's frame in the machine's work frame, as measured.
+    #[serde(default, skip_serializing_if = "Offsets::is_empty")]
+    pub offsets: Offsets,
+    /// The seam's frame in the part's frame.
     #[serde(default)]
     pub placement: Transform,
     /// The seam.
@@ -65,6 +71,7 @@ impl Job {
     /// The first thing wrong, with its address.
     pub fn read(file: &str, text: &str) -> Result<Document<Self>, DocumentError> {
         let job = Document::<Self>::read(file, text)?;
+        check_offset(&job, job.value.offset.as_deref(), &job.value.offsets)?;
         check_process(&job, "weld.process", &job.value.weld.process)?;
         Ok(job)
     }
@@ -98,6 +105,8 @@ impl Job {
             schema: SchemaVersion,
             title: j.title.clone(),
             machine: j.machine.clone(),
+            offset: j.offset.clone(),
+            offsets: j.offsets.clone(),
             placement: j.placement,
             seam: j.seam.clone(),
             start: j.start,

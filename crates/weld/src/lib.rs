@@ -10,6 +10,7 @@ mod girth;
 mod job;
 mod pass_path;
 mod seam;
+mod surfaces;
 mod t_joint;
 mod welding;
 
@@ -17,4 +18,5 @@ pub use attitude::Attitude;
 pub use job::{Job, Weld};
 pub use pass_path::PassPath;
 pub use seam::{SeamCurve, SeamPoint};
+pub use surfaces::SeamSurfaces;
 pub use welding::Welding;

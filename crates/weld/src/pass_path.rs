@@ -10,7 +10,7 @@ pub struct PassPath<'a> {
     pub seam: &'a SeamCurve,
     /// Torch angles.
     pub attitude: Attitude,
-    /// The seam's frame in the work frame.
+    /// The seam's frame in the work frame: work offset and placement.
     pub placement: DAffine3,
 }
 

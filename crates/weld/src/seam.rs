@@ -236,7 +236,7 @@ fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync
     }
 }
 
-fn intersection<T>(file: &Document<T>, n: &Nozzle) -> Result<TubeIntersection, DocumentError> {
+pub(crate) fn intersection<T>(file: &Document<T>, n: &Nozzle) -> Result<TubeIntersection, DocumentError> {
     let key = |k: &str| format!("seam.nozzle.{k}");
     let tube = tube(n.origin_mm.get(), n.direction.unit(), n.zero_direction, n.radius_mm.get())
         .map_err(|e| file.error_at(&key("zero_direction"), e.to_string(), "not along `direction`"))?;

@@ -46,7 +46,7 @@ impl Welding {
 
     /// The torch's path in pass `pass`, counted from 0, in the machine's work frame.
     pub fn path(&self, pass: usize) -> PassPath<'_> {
-        let placement = self.program.value.placement.affine();
+        let placement = self.program.value.seam_in_work();
         PassPath { seam: &self.seam, attitude: self.attitudes[pass].clone(), placement }
     }
 

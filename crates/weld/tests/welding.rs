@@ -3,7 +3,7 @@
 use glam::DVec3;
 use seamwright_document::DocumentError;
 use seamwright_program::TorchPath;
-use seamwright_weld::Welding;
+use seamwright_weld::{SeamSurfaces, Welding};
 use serde_json::Value;
 
 fn vector(v: &Value) -> DVec3 {
@@ -172,4 +172,51 @@ fn a_torch_inside_a_wall_is_found() {
     // Half the dihedral angle is below 50 degrees near both crown points.
     assert!(findings.len() >= 2 && findings.iter().all(|f| f.kind == "access" && !f.allowed), "{findings:#?}");
     assert!(read(SADDLE).findings().is_empty());
+}
+
+#[test]
+fn seams_lie_on_their_surfaces_with_their_normals() {
+    let ellipse = include_str!("../../../examples/ellipse.toml");
+    let line = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.line]\nstart_mm = [1, 2, 3]\nend_mm = [11, 2, 3]\n\
+        first_normal = [0, 1, 1]\nsecond_normal = [0, -1, 3]\n[weld]\nspeed_mm_s = 5\n";
+    let head = include_str!("../../../examples/head-nozzle.toml");
+    for (text, nozzle) in [
+        (SADDLE, true),
+        (head, true),
+        (ellipse, false),
+        (&ellipse.replace("\"butt\"", "\"fillet\""), false),
+        (line, false),
+    ] {
+        let welding = read(text);
+        let surfaces = SeamSurfaces::new(&welding.program, &welding.program.value.seam).unwrap();
+        assert_eq!(surfaces.nozzle.is_some(), nozzle);
+        for i in 0..100 {
+            let p = welding.seam.at(welding.seam.weld_length() * f64::from(i) / 99.0);
+            let (first, second) = (surfaces.first.foot(p.point), surfaces.second.foot(p.point));
+            assert!(first.distance.abs() < 1e-9 && second.distance.abs() < 1e-9, "{first:?} {second:?}");
+            assert!((second.normal - p.n2).length() < 1e-9);
+            // In a butt joint both faces of the seam are the plate's, and the ellipse's wall stands across them.
+            let butt = p.n1 == p.n2;
+            assert!(butt || (first.normal - p.n1).length() < 1e-9);
+            assert!(!butt || first.normal.dot(p.n1).abs() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn an_offset_moves_the_whole_path() {
+    let offset =
+        "offset = \"table\"\noffsets.table = { move_mm = [5, 6, 7], turn = [0, 1, 1], angle_deg = 20 }\n[placement]";
+    let (plain, moved) = (read(SADDLE), read(&SADDLE.replacen("[placement]", offset, 1)));
+    let by = moved.program.value.work_offset();
+    let (plain, moved) = (plain.path(0), moved.path(0));
+    for i in 0..50 {
+        let s = plain.length() * f64::from(i) / 49.0;
+        let (a, b) = (plain.pose(s), moved.pose(s));
+        assert!((by.transform_point3(a.point) - b.point).length() < 1e-11);
+        assert!((by.transform_vector3(a.direction) - b.direction).length() < 1e-12);
+    }
+    let e =
+        Welding::read("job.toml", &SADDLE.replacen("[placement]", "offset = \"table\"\n[placement]", 1)).unwrap_err();
+    assert!(e.key == "offset" && e.line > 0 && e.allowed.unwrap().contains("[offsets.table]"));
 }

@@ -5,6 +5,7 @@ pub(crate) mod demo;
 pub(crate) mod interpolate;
 pub(crate) mod kinematics;
 pub(crate) mod lists;
+pub(crate) mod machine;
 pub(crate) mod motion;
 pub(crate) mod plan;
 pub(crate) mod post;

@@ -1,0 +1,60 @@
+//! Arguments of `seamwright machine`.
+
+use clap::{Args, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+#[derive(Debug, Args)]
+pub(crate) struct MachineArgs {
+    #[command(subcommand)]
+    pub(crate) verb: MachineVerb,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum MachineVerb {
+    /// The work offset from touched points: where the part stands in the machine
+    Place(PlaceArgs),
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PlaceMethod {
+    /// Three or more points with their nominal places (nx_mm,ny_mm,nz_mm)
+    ThreePoint,
+    /// Touches of three faces: plane (z = 0), line (y = 0, along x), point (x = 0)
+    PlaneLinePoint,
+    /// Touches of the seam's surfaces: nozzle and body
+    BestFit,
+    /// Touches around a nozzle that turns about its nominal axis: run-out
+    Chuck,
+}
+
+#[derive(Debug, Args)]
+#[command(
+    allow_negative_numbers = true,
+    after_help = "Example: seamwright machine place examples/saddle.toml --points examples/saddle-touched.csv"
+)]
+pub(crate) struct PlaceArgs {
+    /// Job or program file
+    pub(crate) job: PathBuf,
+    /// Touched points, CSV: x_mm,y_mm,z_mm in the work frame, or a column an axis of the machine; and feature or
+    /// nx_mm,ny_mm,nz_mm as the method needs; - for standard input
+    #[arg(long, value_name = "FILE")]
+    pub(crate) points: PathBuf,
+    /// How the points tell where the part stands
+    #[arg(long, value_enum, default_value = "best-fit")]
+    pub(crate) method: PlaceMethod,
+    /// Name of the work offset
+    #[arg(long, default_value = "measured")]
+    pub(crate) name: String,
+    /// Radius of the probe's ball, whose centre the points are; 0 for points on the surface
+    #[arg(long, default_value_t = 0.0, value_name = "R")]
+    pub(crate) probe_radius_mm: f64,
+    /// Greatest residual that is accepted, mm
+    #[arg(long, default_value_t = 1.0, value_name = "MM")]
+    pub(crate) largest_mm: f64,
+    /// JSON instead of text
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Write the job to this file with the offset in it and in force; the rest stays as it is, with its comments
+    #[arg(short, long, value_name = "NEWJOB")]
+    pub(crate) output: Option<PathBuf>,
+}

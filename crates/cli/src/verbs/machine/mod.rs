@@ -1,0 +1,15 @@
+//! Verbs about the machine and the work in it.
+
+mod offset;
+mod place;
+mod placed;
+mod touched;
+
+use crate::args::machine::{MachineArgs, MachineVerb};
+use crate::failure::Failure;
+
+pub(crate) fn run(args: &MachineArgs) -> Result<(), Failure> {
+    match &args.verb {
+        MachineVerb::Place(a) => place::run(a),
+    }
+}

@@ -1,0 +1,196 @@
+use super::offset;
+use super::placed::{Axis, Fitted, Placed};
+use super::touched::{Touched, Wanted, read};
+use crate::args::machine::{PlaceArgs, PlaceMethod};
+use crate::failure::Failure;
+use crate::files;
+use crate::load::{Loaded, load, load_text};
+use crate::rows::{print_json, print_text};
+use crate::verbs::positive;
+use glam::{DAffine3, DQuat, DVec3};
+use seamwright_document::Transform;
+use seamwright_geometry::fit::{Touch, best_fit, fit_pairs, plane_line_point, run_out};
+use seamwright_geometry::{Error, Tube};
+use seamwright_machine::{AxisKind, Machine};
+use seamwright_program::{OFFSET_NAMES, is_offset_name};
+use seamwright_weld::SeamSurfaces;
+use std::path::Path;
+use toml_edit::DocumentMut;
+
+pub(crate) fn run(args: &PlaceArgs) -> Result<(), Failure> {
+    check(args)?;
+    let loaded = load(&args.job)?;
+    let rows = read(&args.points, &loaded.machine, &wanted(args.method))?;
+    let fitted = fitted(args, &loaded, &rows).map_err(|e| match e {
+        NoPlace::Points(e) => {
+            let why = "more points, spread over what they should tell, or another --method";
+            Failure::Input(format!("{}: {e}\n   allowed: {why}", args.points.display()))
+        }
+        NoPlace::Input(failure) => failure,
+    })?;
+    let transform = offset::rounded(&fitted.offset).ok_or_else(|| no_number(args))?;
+    let placed = Placed::new(args, &rows, fitted, transform);
+    if let (Some(path), true) = (&args.output, placed.accepted) {
+        write_job(args, path, &transform)?;
+    }
+    if args.json {
+        print_json(&placed)?;
+    } else {
+        print_text(&placed.text(args.output.as_deref()))?;
+    }
+    if placed.accepted { Ok(()) } else { Err(Failure::Printed) }
+}
+
+fn check(args: &PlaceArgs) -> Result<(), Failure> {
+    positive("--largest-mm", args.largest_mm)?;
+    let radius = args.probe_radius_mm;
+    if !(0.0..=1000.0).contains(&radius) {
+        return Err(Failure::Input(format!("--probe-radius-mm {radius}: not allowed\n   allowed: 0 to 1000")));
+    }
+    if radius > 0.0 && args.method == PlaceMethod::ThreePoint {
+        return Err(Failure::Input(format!(
+            "--probe-radius-mm {radius}: nobody knows on which side of a single point the ball lay\n   allowed: 0 with three-point, or another --method"
+        )));
+    }
+    if !is_offset_name(&args.name) {
+        return Err(Failure::Input(format!("--name {}: not allowed\n   allowed: {OFFSET_NAMES}", args.name)));
+    }
+    Ok(())
+}
+
+fn no_number(args: &PlaceArgs) -> Failure {
+    Failure::Input(format!("{}: the points give no place for the part", args.points.display()))
+}
+
+fn wanted(method: PlaceMethod) -> Wanted {
+    match method {
+        PlaceMethod::ThreePoint => Wanted { features: &[], feature_needed: false, nominal: true },
+        PlaceMethod::PlaneLinePoint => {
+            Wanted { features: &["plane", "line", "point"], feature_needed: true, nominal: false }
+        }
+        PlaceMethod::BestFit => Wanted { features: &["nozzle", "body"], feature_needed: true, nominal: false },
+        PlaceMethod::Chuck => Wanted { features: &["nozzle"], feature_needed: false, nominal: false },
+    }
+}
+
+/// Why there is no place.
+enum NoPlace {
+    Points(Error),
+    Input(Failure),
+}
+
+impl From<Error> for NoPlace {
+    fn from(e: Error) -> Self {
+        Self::Points(e)
+    }
+}
+
+fn fitted(args: &PlaceArgs, loaded: &Loaded, rows: &[Touched]) -> Result<Fitted, NoPlace> {
+    let program = &loaded.welding.program;
+    let surfaces = SeamSurfaces::new(program, &program.value.seam).map_err(|e| NoPlace::Input(e.into()))?;
+    match args.method {
+        PlaceMethod::ThreePoint => {
+            let pairs: Vec<(DVec3, DVec3)> = rows.iter().map(|r| (r.nominal, r.point)).collect();
+            let fit = fit_pairs(&pairs)?;
+            let residuals = fit.residuals.iter().map(|r| r.length()).collect();
+            Ok(Fitted { sides: fit.sides, deviation: fit.deviation, ..Fitted::new(fit.transform, residuals) })
+        }
+        PlaceMethod::PlaneLinePoint => faces(args, rows, &program.value.work_offset()),
+        PlaceMethod::BestFit => {
+            let touch = |r: &Touched| {
+                let surface = if r.feature == "nozzle" { &surfaces.first } else { &surfaces.second };
+                Touch { point: r.point, surface: surface.as_ref(), outside: args.probe_radius_mm }
+            };
+            let touches: Vec<Touch> = rows.iter().map(touch).collect();
+            let fit = best_fit(&touches, &program.value.seam_in_work(), false)?;
+            let offset = fit.transform * program.value.placement.affine().inverse();
+            let mut fitted = Fitted { free: fit.free, deviation: fit.deviation, ..Fitted::new(offset, fit.residuals) };
+            if fitted.deviation.is_none() {
+                fitted.warnings.push("there are no more points than unknowns: nothing would show a bad one".to_owned());
+            }
+            Ok(fitted)
+        }
+        PlaceMethod::Chuck => {
+            let Some(nozzle) = &surfaces.nozzle else {
+                let message = "the seam has no nozzle whose run-out could be found";
+                return Err(NoPlace::Input(
+                    program.error_at("seam", message, "[seam.nozzle], or another --method").into(),
+                ));
+            };
+            Ok(chuck(args, loaded, rows, nozzle)?)
+        }
+    }
+}
+
+fn faces(args: &PlaceArgs, rows: &[Touched], nominal: &DAffine3) -> Result<Fitted, NoPlace> {
+    let of = |feature: &str| -> Vec<DVec3> { rows.iter().filter(|r| r.feature == feature).map(|r| r.point).collect() };
+    let (plane, line, point) = (of("plane"), of("line"), of("point"));
+    let fit = plane_line_point((&plane, &line, &point), args.probe_radius_mm, nominal)?;
+    // Back in the order of the table.
+    let mut lists = [("plane", fit.plane.iter()), ("line", fit.line.iter()), ("point", fit.point.iter())];
+    let next = |r: &Touched| lists.iter_mut().find(|(name, _)| *name == r.feature).and_then(|l| l.1.next().copied());
+    let residuals = rows.iter().filter_map(next).collect();
+    Ok(Fitted::new(fit.transform, residuals))
+}
+
+fn chuck(args: &PlaceArgs, loaded: &Loaded, rows: &[Touched], nozzle: &Tube) -> Result<Fitted, Error> {
+    let points: Vec<DVec3> = rows.iter().map(|r| r.point).collect();
+    // Without the offset in force: the part turns about the axis that the job meant it to have.
+    let placement = loaded.welding.program.value.placement.affine();
+    let tube = nozzle.moved(&placement);
+    let seam = &loaded.welding.seam;
+    let step = seam.length() / f64::from(SAMPLES);
+    let on_seam = (0..SAMPLES).map(|i| placement.transform_point3(seam.at(step * f64::from(i)).point));
+    let at = tube.on_axis(on_seam.sum::<DVec3>() / f64::from(SAMPLES));
+    let found = run_out(&points, args.probe_radius_mm, &tube, at)?;
+    let mut warnings = Vec::new();
+    match found.growth {
+        None => warnings.push("the points do not tell the radius: the nominal one was taken".to_owned()),
+        Some(growth) if growth.abs() > args.largest_mm => {
+            warnings
+                .push(format!("the radius is {growth:+.3} mm off the nominal one: is this the tube, and the probe?"));
+        }
+        Some(_) => {}
+    }
+    if !turns_about(&loaded.machine, &tube) {
+        warnings.push(
+            "the machine has no rotary axis about the nozzle's nominal axis: the run-out is against the nominal axis"
+                .to_owned(),
+        );
+    }
+    let axis = Axis::new(&found, at);
+    let fitted =
+        Fitted { free: found.free, warnings, axis: Some(axis), ..Fitted::new(found.correction, found.residuals) };
+    Ok(fitted)
+}
+
+/// Places of the seam whose middle stands for it.
+const SAMPLES: u32 = 360;
+
+/// True if one of the machine's rotary axes, from home, turns the torch about the tube's axis.
+fn turns_about(machine: &Machine, tube: &Tube) -> bool {
+    let home = machine.home();
+    let before = machine.forward(&home);
+    let on_axis = tube.on_axis(DVec3::ZERO);
+    machine.axes.iter().enumerate().filter(|(_, a)| a.kind == AxisKind::Rotary).any(|(i, _)| {
+        [1.0, -1.0].iter().any(|sense| {
+            let mut q = home;
+            q[i] += 1.0;
+            let after = machine.forward(&q);
+            let turn = DQuat::from_axis_angle(tube.direction(), *sense);
+            let point = on_axis + turn * (before.point - on_axis);
+            (after.point - point).length() < 1e-6 && (after.direction - turn * before.direction).length() < 1e-6
+        })
+    })
+}
+
+/// Writes the job again with the offset in force, after a look whether it can be read where it will stand.
+fn write_job(args: &PlaceArgs, path: &Path, transform: &Transform) -> Result<(), Failure> {
+    let cannot = |e: &dyn std::fmt::Display| Failure::Input(format!("{}: cannot be changed: {e}", args.job.display()));
+    let mut document: DocumentMut = files::read(&args.job)?.parse().map_err(|e: toml_edit::TomlError| cannot(&e))?;
+    offset::put(&mut document, &args.name, transform).ok_or_else(|| cannot(&"`offsets` is no table"))?;
+    let text = document.to_string();
+    let folder = path.parent().unwrap_or(Path::new("."));
+    load_text(&path.display().to_string(), &text, folder)?;
+    files::write(path, &text)
+}

@@ -1,0 +1,24 @@
+//! Rigid motions from measured points: where a part stands, told by touching it.
+//!
+//! Everywhere a fit maps the nominal part's frame to the frame in which the points were measured.
+//!
+//! - [`fit_pairs`]: points that have a nominal place each.
+//! - [`plane_line_point`]: touches of three faces that define the frame.
+//! - [`best_fit`]: touches of surfaces with a [`SignedDistance`](crate::SignedDistance).
+//! - [`run_out`]: touches around a tube that turns about its nominal axis.
+
+mod best;
+mod datums;
+mod motion;
+mod pairs;
+mod run_out;
+mod statistics;
+mod twist;
+
+pub use best::{BestFit, Touch, best_fit};
+pub use datums::{DatumFit, plane_line_point};
+pub use motion::Motion;
+pub use pairs::{PairFit, fit_pairs};
+pub use run_out::{RunOut, run_out};
+pub use statistics::{outliers, rms};
+pub use twist::Deviation;

@@ -1,0 +1,59 @@
+use glam::{DAffine3, DVec3};
+use std::fmt;
+
+/// A small rigid motion that measured points do not see.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Motion {
+    /// Moving along a unit vector.
+    Along(DVec3),
+    /// Turning about an axis, and moving along it at the same time if `pitch` is not 0.
+    About {
+        /// A point on the axis, mm.
+        point: DVec3,
+        /// Unit direction of the axis.
+        direction: DVec3,
+        /// Way along the axis a turn, mm.
+        pitch: f64,
+    },
+}
+
+impl Motion {
+    /// The same motion in another frame; `map` is rigid.
+    pub(crate) fn mapped(self, map: &DAffine3) -> Self {
+        match self {
+            Self::Along(direction) => Self::Along(positive(map.transform_vector3(direction))),
+            Self::About { point, direction, pitch } => {
+                let (point, direction) = (map.transform_point3(point), positive(map.transform_vector3(direction)));
+                Self::About { point, direction, pitch }
+            }
+        }
+    }
+}
+
+/// A pitch that is rounding, mm a turn.
+const NO_PITCH_MM: f64 = 1e-3;
+
+impl fmt::Display for Motion {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        // `+ 0.0` turns a rounded negative zero into zero.
+        let round = |v: f64, digits: f64| (v * digits).round() / digits + 0.0;
+        let vector = |v: DVec3, d: f64| format!("({}, {}, {})", round(v.x, d), round(v.y, d), round(v.z, d));
+        match self {
+            Self::Along(direction) => write!(f, "moving along {}", vector(*direction, 1e4)),
+            Self::About { point, direction, pitch } => {
+                let (direction, point) = (vector(*direction, 1e4), vector(*point, 1e2));
+                write!(f, "turning about the axis along {direction} through {point} mm")?;
+                if pitch.abs() > NO_PITCH_MM {
+                    write!(f, ", {} mm along it a turn", round(*pitch, 1e2))?;
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+/// The direction or its opposite, whichever has its largest part positive: words then do not depend on rounding.
+pub(crate) fn positive(v: DVec3) -> DVec3 {
+    let largest = v.to_array().into_iter().max_by(|a, b| a.abs().total_cmp(&b.abs()));
+    if largest.is_some_and(|x| x < 0.0) { -v } else { v }
+}

@@ -1,0 +1,67 @@
+use seamwright_document::{Document, DocumentError, Transform};
+use std::collections::BTreeMap;
+
+/// Work offsets by name: each is the part's frame in the machine's work frame.
+pub type Offsets = BTreeMap<String, Transform>;
+
+/// Checks the key `offset` of a file against its `offsets`: names are plain, and the one in force is among them.
+///
+/// # Errors
+/// With the key's address and the names that there are.
+pub fn check_offset<T>(file: &Document<T>, offset: Option<&str>, offsets: &Offsets) -> Result<(), DocumentError> {
+    if let Some(bad) = offsets.keys().find(|name| !is_offset_name(name)) {
+        let message = format!("`{bad}` is no name of a work offset");
+        return Err(file.error_at("offsets", message, OFFSET_NAMES));
+    }
+    match offset {
+        Some(name) if !offsets.contains_key(name) => {
+            let known: Vec<&str> = offsets.keys().map(String::as_str).collect();
+            let mut error = file.unknown_name("offset", name, &known);
+            if known.is_empty() {
+                error.allowed = Some(format!("the name of a table in this file, here [offsets.{name}]"));
+            }
+            Err(error)
+        }
+        _ => Ok(()),
+    }
+}
+
+/// What a name of a work offset is made of.
+pub const OFFSET_NAMES: &str = "letters, digits, - and _";
+
+/// True if `name` can be the name of a work offset: it stands in a file without quotes.
+pub fn is_offset_name(name: &str) -> bool {
+    !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_')
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Program;
+    use glam::DVec3;
+
+    const TEXT: &str = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\noffset = \"table\"\n\
+        [offsets.table]\nmove_mm = [10, 0, 0]\nangle_deg = 90\n[offsets.chuck]\nmove_mm = [0, 0, 5]\n\
+        [placement]\nmove_mm = [1, 2, 3]\n[seam.line]\nstart_mm = [0, 0, 0]\nend_mm = [1, 0, 0]\n\
+        first_normal = [0, 1, 0]\nsecond_normal = [0, 0, 1]\n[[passes]]\nname = \"root\"\n\
+        [[passes.spans]]\nfrom_mm = 0\nto_mm = 1\nspeed_mm_s = 5\n";
+
+    #[test]
+    fn the_seam_stands_by_its_placement_and_then_by_the_offset() {
+        let program = Program::read("p.toml", TEXT).unwrap().value;
+        let p = program.seam_in_work().transform_point3(DVec3::X);
+        assert!((p - DVec3::new(10.0 - 2.0, 2.0, 3.0)).length() < 1e-14, "{p}");
+        assert_eq!(Program::read("p.toml", &program.to_toml().unwrap()).unwrap().value, program);
+        let none = Program::read("p.toml", &TEXT.replace("offset = \"table\"\n", "")).unwrap().value;
+        assert_eq!(none.seam_in_work(), none.placement.affine());
+    }
+
+    #[test]
+    fn an_offset_that_is_not_there_is_named() {
+        let e = Program::read("p.toml", &TEXT.replace("= \"table\"", "= \"tabel\"")).unwrap_err();
+        assert_eq!((e.line, e.key.as_str(), e.value.as_str()), (4, "offset", "\"tabel\""));
+        assert_eq!(e.allowed.as_deref(), Some("chuck, table"));
+        assert_eq!(e.help.as_deref(), Some("did you mean `table`?"));
+        let e = Program::read("p.toml", &TEXT.replace("[offsets.chuck]", "[offsets.\"a b\"]")).unwrap_err();
+        assert!(e.key == "offsets" && e.message.contains("`a b`"), "{e}");
+    }
+}

@@ -1,0 +1,81 @@
+use crate::seam::{intersection, tube};
+use crate::t_joint;
+use glam::DVec3;
+use seamwright_document::{Direction, Document, DocumentError};
+use seamwright_geometry::{Error, Quadric, QuadricDistance, SignedDistance, Tube};
+use seamwright_program::Seam;
+
+/// The surfaces beside a seam that can be touched to find where the part stands, in the seam's frame.
+pub struct SeamSurfaces {
+    /// The first part: the nozzle's outside, the wall over an ellipse, the first face of a straight seam.
+    pub first: Box<dyn SignedDistance>,
+    /// The second part: the body's outside, the plate, the second face.
+    pub second: Box<dyn SignedDistance>,
+    /// The nozzle, if the seam is one.
+    pub nozzle: Option<Tube>,
+}
+
+impl std::fmt::Debug for SeamSurfaces {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.debug_struct("SeamSurfaces").field("nozzle", &self.nozzle).finish_non_exhaustive()
+    }
+}
+
+impl SeamSurfaces {
+    /// The surfaces of a job's or program's seam.
+    ///
+    /// # Errors
+    /// As [`SeamCurve::new`](crate::SeamCurve::new): shapes that do not meet.
+    pub fn new<T>(file: &Document<T>, seam: &Seam) -> Result<Self, DocumentError> {
+        let wrong = |path: &'static str| move |e: Error| file.error_at(path, e.to_string(), "see the job's schema");
+        let plane = |point: DVec3, normal: DVec3, path: &'static str| {
+            Quadric::plane(point, normal).map_err(wrong(path)).map(|q| boxed(&q))
+        };
+        match seam {
+            Seam::Nozzle(nozzle) => {
+                let both = intersection(file, nozzle)?;
+                let tube = both.tube().clone();
+                Ok(Self { first: Box::new(tube.clone()), second: boxed(both.body()), nozzle: Some(tube) })
+            }
+            Seam::Ellipse(e) => {
+                let (centre, normal) = (e.centre_mm.get(), e.normal.unit());
+                let wall = Quadric::elliptic_cylinder(centre, normal, e.a_direction.unit(), e.a_mm.get(), e.b_mm.get());
+                let wall = wall.map_err(wrong("seam.ellipse"))?;
+                Ok(Self { first: boxed(&wall), second: plane(centre, normal, "seam.ellipse.normal")?, nozzle: None })
+            }
+            Seam::Girth(g) => {
+                let (centre, direction) = (g.origin_mm.get(), g.direction.unit());
+                let tube = tube(centre, direction, g.zero_direction, g.radius_mm.get())
+                    .map_err(wrong("seam.girth.zero_direction"))?;
+                let cut = g.cut_normal.map_or(direction, Direction::unit);
+                let cut = plane(centre, if cut.dot(direction) < 0.0 { -cut } else { cut }, "seam.girth.cut_normal")?;
+                Ok(Self { first: Box::new(tube.clone()), second: cut, nozzle: Some(tube) })
+            }
+            Seam::TJoint(joint) if joint.via_mm.is_none() => {
+                let edge = t_joint::edge(file, joint)?.edge(0.0);
+                Ok(Self {
+                    first: plane(edge.point, edge.n1, "seam.t_joint.skin_normal")?,
+                    second: plane(edge.point, edge.n2, "seam.t_joint.skin_normal")?,
+                    nozzle: None,
+                })
+            }
+            Seam::TJoint(_) => Err(file.error_at(
+                "seam.t_joint.via_mm",
+                "a curved T-joint has no surfaces here that points could be fitted to",
+                "the methods three-point and plane-line-point",
+            )),
+            Seam::Line(line) => {
+                let face = |normal: Direction, path| plane(line.start_mm.get(), normal.unit(), path);
+                Ok(Self {
+                    first: face(line.first_normal, "seam.line.first_normal")?,
+                    second: face(line.second_normal, "seam.line.second_normal")?,
+                    nozzle: None,
+                })
+            }
+        }
+    }
+}
+
+fn boxed(body: &Quadric) -> Box<dyn SignedDistance> {
+    Box::new(QuadricDistance::new(body))
+}
