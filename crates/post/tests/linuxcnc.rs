@@ -9,12 +9,11 @@ use seamwright_program::TorchPath;
 use seamwright_weld::Welding;
 use std::collections::BTreeMap;
 
-const EXAMPLES: [&str; 5] = [
+const EXAMPLES: [&str; 4] = [
     include_str!("../../../examples/saddle.toml"),
     include_str!("../../../examples/head-nozzle.toml"),
     include_str!("../../../examples/ellipse.toml"),
     include_str!("../../../examples/trunnion-saddle.toml"),
-    include_str!("../../../examples/oblique-girth.toml"),
 ];
 
 struct Posted {
