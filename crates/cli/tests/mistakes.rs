@@ -204,5 +204,9 @@ fn axes_that_cannot_be_held() {
     let (from, to) = spare("weights = { motion = -1 }");
     refused(from, &to, &["spare_axes.weights.motion = -1"]);
     let (from, to) = spare("weights = { motion = 2 }");
-    assert_eq!(self::plan(&[(from, &to)]).0, 0);
+    let saddle = fs::read_to_string(example("saddle")).unwrap().replace(from, &to);
+    let folder = tempfile::tempdir().unwrap();
+    let job = folder.path().join("job.toml");
+    fs::write(&job, saddle).unwrap();
+    assert_eq!(run(&["check", &job.display().to_string()]).status.code(), Some(0));
 }

@@ -1,7 +1,9 @@
 //! Axes to spare: against an exhaustive search, on the example, on random work, and where there is no way.
 
+use glam::DVec3;
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng};
+use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine, Solution, shipped};
 use seamwright_motion::PassMotion;
 use seamwright_motion::redundancy::{Clearance, FreeAxes, resolve};
@@ -127,7 +129,7 @@ fn least_cost(machine: &Machine, path: &dyn TorchPath, free: &[usize], stations:
         found.map(|s| s.joints).filter(|q| machine.outside(q).is_none())
     };
     let range = |axis: usize| machine.axes[axis].range.unwrap_or((-0.5 * TAU, 0.5 * TAU));
-    let samples: usize = if free.len() == 1 { 73 } else { 10 };
+    let samples: usize = if free.len() == 1 { 61 } else { 10 };
     let mut steps: Vec<f64> = free.iter().map(|&a| (range(a).1 - range(a).0) / (samples as f64 - 1.0)).collect();
     let combine = |base: &Joints, offsets: &dyn Fn(usize) -> Vec<f64>| {
         let mut all = vec![*base];
@@ -209,7 +211,7 @@ fn the_example_keeps_the_beam_on_the_normal_and_the_seam_flat() {
     let path = welding.path();
     let motion = PassMotion::plan(&machine, &path, &welding.program.value.passes[0], 1).unwrap();
     assert!(motion.findings.is_empty(), "{:#?}", motion.findings);
-    let axis_z = glam::DVec3::Z;
+    let axis_z = DVec3::Z;
     for i in 0..=2000 {
         let s = path.length() * f64::from(i) / 2000.0;
         let q = motion.path.at(s);
@@ -254,7 +256,7 @@ fn random_work_is_welded_smoothly_and_the_same_every_time() {
     let ebw = machine("ebw-7axis");
     let mut random = uniform(7);
     let mut made = 0;
-    for _ in 0..cases(24) {
+    for case in 0..cases(20) {
         let text = girth(&mut random, "overlap_mm = 10\n[weld]\nspeed_mm_s = 8\non_limit = \"slow\"\n");
         let welding = read(&text);
         match PassMotion::plan(&ebw, &welding.path(), &welding.program.value.passes[0], 1) {
@@ -264,9 +266,12 @@ fn random_work_is_welded_smoothly_and_the_same_every_time() {
             }
             Err(findings) => println!("{findings:#?}\n{text}"),
         }
-        assert_eq!(choose(&ebw, &welding, 8.0), choose(&ebw, &welding, 8.0));
+        if case % 5 == 0 {
+            assert_eq!(choose(&ebw, &welding, 8.0), choose(&ebw, &welding, 8.0));
+        }
     }
-    assert!(made * 10 >= cases(24) * 9, "{made}");
+    println!("{made} welded");
+    assert!(made * 10 >= cases(20) * 9, "{made}");
 }
 
 #[test]
@@ -276,7 +281,7 @@ fn three_axes_to_spare() {
     for _ in 0..cases(8) {
         let [x, y, z] = [random(-500.0, 500.0), random(-200.0, 200.0), random(0.0, 60.0)];
         let (dx, dy) = (random(100.0, 600.0), random(-150.0, 150.0));
-        let across = glam::DVec3::new(-dy, dx, 0.0).normalize();
+        let across = DVec3::new(-dy, dx, 0.0).normalize();
         let text = format!(
             "schema = 1\ntitle = \"t\"\nmachine = \"dual-laser-10axis\"\n[seam.line]\nstart_mm = [{x}, {y}, {z}]\n\
              end_mm = [{}, {}, {z}]\nfirst_normal = [{}, {}, 0]\nsecond_normal = [0, 0, 1]\n[torch]\n\
@@ -353,4 +358,64 @@ fn where_there_is_no_way_it_says_why() {
     // Held where it cannot be.
     let hold = refused(&ebw, &EXAMPLE.replace("# hold = { u = 90 } ", "hold = { v = 0 } "));
     assert!(hold[0].kind == "hold" && hold[0].cure.contains("u, w"));
+}
+
+#[test]
+fn near_a_singular_attitude_it_says_which_speed_can_be_held() {
+    let machine = machine("table-tilting-xyzac");
+    // The torch leans from one side over to the other, past upright by 4 degrees: the table must turn quickly there.
+    let plan = |speed: f64| {
+        let text = format!(
+            "schema = 1\ntitle = \"t\"\nmachine = \"table-tilting-xyzac\"\n[seam.line]\nstart_mm = [-60, 20, 10]\n\
+             end_mm = [60, 20, 10]\nfirst_normal = [0, 0, 1]\nsecond_normal = [0, 0, 1]\n[[torch.at]]\ns_mm = 0\n\
+             work_angle_deg = 4\ntravel_angle_deg = -20\n[[torch.at]]\ns_mm = 119\nwork_angle_deg = 4\n\
+             travel_angle_deg = 20\n[weld]\nspeed_mm_s = {speed}\n"
+        );
+        let welding = read(&text);
+        PassMotion::plan(&machine, &welding.path(), &welding.program.value.passes[0], 1)
+    };
+    let found = (1..60).find_map(|i| {
+        let speed = 0.5 * 1.1f64.powi(i);
+        let findings = plan(speed).unwrap_or_else(|f| panic!("{f:#?}")).findings;
+        findings.into_iter().find(|f| f.kind == "singular")
+    });
+    let found = found.unwrap();
+    println!("{found:#?}");
+    assert!(found.allowed && found.from_mm > 30.0 && found.to_mm < 90.0 && found.message.starts_with("4."));
+    let holds = found.message.split("could hold ").nth(1).unwrap().split(' ').next().unwrap().parse::<f64>().unwrap();
+    assert!(plan(0.995 * holds).is_ok());
+    assert!(plan(1.01 * holds).unwrap_err().iter().any(|f| f.kind == "speed"));
+}
+
+/// Both fillets of a web along x at once.
+struct BothSides;
+
+impl TorchPath for BothSides {
+    fn length(&self) -> f64 {
+        200.0
+    }
+    fn pose(&self, s: f64) -> Pose {
+        let bend = 2.0 * (s / 40.0).sin();
+        Pose { point: DVec3::new(s, 1.0 + bend, 0.0), direction: DVec3::new(0.0, -0.75f64.sqrt(), -0.5) }
+    }
+    fn second(&self, s: f64) -> Option<Pose> {
+        let Pose { point, direction } = self.pose(s);
+        Some(Pose { point: point - 2.0 * DVec3::Y, direction: direction * DVec3::new(1.0, -1.0, 1.0) })
+    }
+}
+
+#[test]
+fn two_torches_leave_nothing_to_spare() {
+    let machine = machine("dual-laser-10axis");
+    let mut pass = read(EXAMPLE).program.value.passes.remove(0);
+    pass.on_limit = seamwright_program::OnLimit::Slow;
+    let motion = PassMotion::plan(&machine, &BothSides, &pass, 1).unwrap_or_else(|f| panic!("{f:#?}"));
+    for i in 0..=200 {
+        let s = f64::from(i);
+        let q = motion.path.at(s);
+        let second = BothSides.second(s).unwrap();
+        assert!((machine.forward(&q).point - BothSides.pose(s).point).length() < 1e-9);
+        assert!((machine.forward_of(1, &q).point - second.point).length() < 1e-9);
+        assert!((machine.forward_of(1, &q).direction - second.direction).length() < 1e-9);
+    }
 }
