@@ -13,4 +13,5 @@ macro_rules! examples {
 }
 
 /// All examples; the first is the one that runs without a verb.
-pub(crate) const EXAMPLES: &[Example] = examples!["saddle", "head-nozzle", "ellipse", "trunnion-saddle"];
+pub(crate) const EXAMPLES: &[Example] =
+    examples!["saddle", "head-nozzle", "ellipse", "trunnion-saddle", "oblique-girth"];

@@ -5,8 +5,8 @@ use crate::files;
 use seamwright_cell::{Error, check_drives};
 use seamwright_document::Document;
 use seamwright_machine::{Clamped, Machine, MachineFile, SHIPPED, Surroundings, shipped};
-use seamwright_motion::{PassMotion, WeldMotion};
-use seamwright_program::{Finding, Pass, TorchPath};
+use seamwright_motion::{PassMotion, WeldMotion, redundancy};
+use seamwright_program::{Finding, Pass, Program, TorchPath};
 use seamwright_weld::{PassPath, Welding};
 use std::path::{Path, PathBuf};
 
@@ -42,9 +42,24 @@ pub(crate) fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded,
         let message = format!("process value `{clash}` has the name of an axis of the machine");
         return Err(welding.program.error_at("machine", message, "names of their own").into());
     }
+    check_held(&welding, &machine)?;
     let machine_file = shipped(wanted).is_none().then(|| folder.join(wanted));
     let clamped = Clamped::default();
     Ok(Loaded { welding, machine, machine_file, clamped })
+}
+
+/// Refuses axes held that the machine does not have to spare, or outside their ranges.
+fn check_held(welding: &Welding, machine: &Machine) -> Result<(), Failure> {
+    let program = &welding.program;
+    for (i, pass) in program.value.passes.iter().enumerate() {
+        if let Err(error) = redundancy::held(machine, &pass.spare_axes) {
+            // A job has the table for its one pass.
+            let table = if Program::is_in(program.text()) { format!("passes[{i}].") } else { String::new() };
+            let path = format!("{table}spare_axes.hold.{}", error.axis());
+            return Err(program.error_at(&path, error.to_string(), error.allowed()).into());
+        }
+    }
+    Ok(())
 }
 
 fn names() -> String {

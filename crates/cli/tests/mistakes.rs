@@ -171,3 +171,42 @@ fn plan_slow(change: &[(&str, &str)]) -> (i32, String, bool) {
     let output = run(&["plan", &job.display().to_string(), "-o", &out.display().to_string()]);
     (output.status.code().unwrap(), String::from_utf8(output.stdout).unwrap(), out.join("report.html").exists())
 }
+
+#[test]
+fn axes_that_cannot_be_held() {
+    let text = fs::read_to_string(example("oblique-girth")).unwrap();
+    let plan = |hold: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let job = folder.path().join("job.toml");
+        fs::write(&job, text.replace("# hold = { u = 90 }", &format!("hold = {{ {hold} }}"))).unwrap();
+        let output = run(&["check", &job.display().to_string()]);
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    assert_eq!(plan("u = 88").0, Some(0));
+    for (hold, words) in [
+        ("tilt = 90", ["spare_axes.hold.tilt", "axis tilt is none to spare", "allowed: u, w"]),
+        ("v = 0", ["spare_axes.hold.v", "axis v is none to spare", "allowed: u, w"]),
+        ("u = 106", ["spare_axes.hold.u = 106", "axis u does not go there", "allowed: -15.000 to 105.000 deg"]),
+        ("u = nan", ["spare_axes.hold.u", "nan", "allowed: a finite number"]),
+    ] {
+        let (code, text) = plan(hold);
+        println!("{text}");
+        assert_eq!(code, Some(2));
+        assert!(text.contains("job.toml:28"), "{text}");
+        words.iter().for_each(|word| assert!(text.contains(word), "{word} in {text}"));
+    }
+    // On a machine without axes to spare wishes do nothing, but there is nothing to hold.
+    let spare = |table: &str| ("[torch]", format!("[spare_axes]\n{table}\n[torch]"));
+    let (from, to) = spare("hold = { z = 1 }");
+    refused(from, &to, &["spare_axes.hold.z = 1", "allowed: nothing: a torch pose decides all its axes"]);
+    let (from, to) = spare("position = \"up\"");
+    refused(from, &to, &["spare_axes.position", "allowed: flat, any"]);
+    let (from, to) = spare("weights = { motion = -1 }");
+    refused(from, &to, &["spare_axes.weights.motion = -1"]);
+    let (from, to) = spare("weights = { motion = 2 }");
+    let saddle = fs::read_to_string(example("saddle")).unwrap().replace(from, &to);
+    let folder = tempfile::tempdir().unwrap();
+    let job = folder.path().join("job.toml");
+    fs::write(&job, saddle).unwrap();
+    assert_eq!(run(&["check", &job.display().to_string()]).status.code(), Some(0));
+}

@@ -49,6 +49,7 @@ fn motion_through_forward_kinematics_keeps_the_speed() {
         ("head-nozzle", "torch-5axis", 6.0),
         ("ellipse", "ellipse-xy", 5.0),
         ("trunnion-saddle", "table-tilting-xyzac", 8.0),
+        ("oblique-girth", "ebw-7axis", 10.0),
     ] {
         let csv = good(&["motion", &example(name), "--period-ms", "20"]);
         let t = table(&csv);
@@ -167,7 +168,7 @@ fn lists_and_copies() {
         let text = good(&["machines", name]);
         assert_eq!(text, fs::read_to_string(root().join("machines").join(format!("{name}.toml"))).unwrap());
     }
-    for name in ["saddle", "head-nozzle", "ellipse", "trunnion-saddle"] {
+    for name in ["saddle", "head-nozzle", "ellipse", "trunnion-saddle", "oblique-girth"] {
         assert!(good(&["examples"]).contains(name));
         assert_eq!(good(&["examples", name]), fs::read_to_string(example(name)).unwrap());
         assert_eq!(run(&["check", &example(name)]).status.code(), Some(0));

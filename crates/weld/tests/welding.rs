@@ -220,3 +220,58 @@ fn an_offset_moves_the_whole_path() {
         Welding::read("job.toml", &SADDLE.replacen("[placement]", "offset = \"table\"\n[placement]", 1)).unwrap_err();
     assert!(e.key == "offset" && e.line > 0 && e.allowed.unwrap().contains("[offsets.table]"));
 }
+
+const GIRTH: &str = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.girth]\nradius_mm = 90\norigin_mm = [10, -5, 30]\n\
+    direction = [1, 2, 2]\nzero_direction = [2, 1, -2]\ncut_normal = [1, 1, 1]\n[weld]\nspeed_mm_s = 5\n";
+
+/// An ellipse's perimeter by the arithmetic-geometric mean.
+fn perimeter(a: f64, b: f64) -> f64 {
+    let (mut x, mut y, mut power, mut sum) = (a, b, 0.5, a * a - 0.5 * (a * a - b * b));
+    while (x - y).abs() > 1e-13 * a {
+        let half = 0.5 * (x - y);
+        (x, y, power) = (0.5 * (x + y), (x * y).sqrt(), 2.0 * power);
+        sum -= power * half * half;
+    }
+    2.0 * std::f64::consts::PI * sum / x
+}
+
+#[test]
+fn a_girth_is_an_ellipse_with_the_tubes_normals() {
+    let w = read(GIRTH);
+    let (axis, cut) = (DVec3::new(1.0, 2.0, 2.0) / 3.0, DVec3::ONE.normalize());
+    let zero = DVec3::new(2.0, 1.0, -2.0) / 3.0;
+    let centre = DVec3::new(10.0, -5.0, 30.0);
+    // Semi-axes: the radius across, longer by the cosine of the cut along.
+    assert!((w.seam.length() - perimeter(90.0 / axis.dot(cut), 90.0)).abs() < 1e-8);
+    for i in 0..500 {
+        let p = w.seam.at(w.seam.length() * f64::from(i) / 500.0);
+        let phi = p.phi.unwrap();
+        let out = phi.cos() * zero + phi.sin() * axis.cross(zero);
+        let foot = centre + 90.0 * out;
+        let expected = foot - (foot - centre).dot(cut) / axis.dot(cut) * axis;
+        assert!((p.point - expected).length() < 1e-9);
+        assert!((p.n1 - out).length() + (p.n2 - out).length() + (p.bisector - out).length() < 1e-12);
+        assert!((p.dihedral - std::f64::consts::PI).abs() < 1e-12);
+        // The first part is where the tube's direction points; the torch leans there along the surface.
+        assert!(p.towards_first.dot(axis) > 0.1 && p.towards_first.dot(out).abs() < 1e-12);
+        assert!(p.towards_first.dot(p.tangent).abs() < 1e-12 && (p.towards_first.length() - 1.0).abs() < 1e-12);
+        assert!(p.tangent.dot(axis.cross(out)) > 0.0);
+    }
+    // The sign of the cut's normal and the default of a square cut.
+    let back = read(&GIRTH.replace("cut_normal = [1, 1, 1]", "cut_normal = [-1, -1, -1]"));
+    assert_eq!(back.seam.at(50.0), w.seam.at(50.0));
+    let square = read(&GIRTH.replace("cut_normal = [1, 1, 1]\n", ""));
+    assert!((square.seam.length() - 180.0 * std::f64::consts::PI).abs() < 1e-9);
+    let clockwise = read(&(GIRTH.to_owned() + "[start]\ndirection = \"clockwise\"\n"));
+    assert!(clockwise.seam.at(10.0).towards_first.dot(axis) > 0.1);
+}
+
+#[test]
+fn girths_that_cannot_be_have_an_address() {
+    let error = |from: &str, to: &str| Welding::read("job.toml", &GIRTH.replace(from, to)).unwrap_err();
+    let along = error("cut_normal = [1, 1, 1]", "cut_normal = [0, 1, -1]");
+    assert_eq!((along.key.as_str(), along.line), ("seam.girth.cut_normal", 9));
+    assert!(along.message.contains("90.0 degrees off the axis"));
+    assert_eq!(error("zero_direction = [2, 1, -2]", "zero_direction = [1, 2, 2]").key, "seam.girth.zero_direction");
+    assert_eq!(error("radius_mm = 90", "radius_mm = 0").key, "seam.girth.radius_mm");
+}

@@ -1,8 +1,9 @@
 use super::graph::Graph;
 use super::{HoldError, Task};
 use crate::limits::Runs;
-use seamwright_machine::Joints;
+use seamwright_machine::{AxisKind, Joints};
 use seamwright_program::Finding;
+use std::f64::consts::TAU;
 
 /// An axis is held that cannot be.
 pub(super) fn hold(error: &HoldError, length: f64, pass: usize) -> Finding {
@@ -78,10 +79,14 @@ fn worst(task: &Task, q: &Joints) -> (usize, f64, f64) {
 fn jump(task: &Task, graph: &Graph, pass: usize) -> Option<Finding> {
     let reached = |k: usize| graph.nodes[k].iter().filter(|n| n.total.is_finite());
     let k = (1..graph.nodes.len()).find(|&k| reached(k).next().is_none())?;
+    // Where rotary axes jump, the linear ones only follow them.
+    let rotary = task.machine.axes.iter().any(|axis| axis.kind == AxisKind::Rotary);
     let farthest = |a: &Joints, b: &Joints| {
-        let ways = task.machine.axes.iter().enumerate().map(|(i, axis)| {
+        let may = task.machine.axes.iter().enumerate().filter(|(_, axis)| !rotary || axis.kind == AxisKind::Rotary);
+        let ways = may.map(|(i, axis)| {
             let d = task.way(i, a[i], b[i]).abs();
-            (d / axis.max_speed, i, d)
+            // As a part of what it has.
+            (d / axis.range.map_or(TAU, |(low, high)| high - low), i, d)
         });
         ways.fold((0.0, 0, 0.0), |most, way| if way.0 > most.0 { way } else { most })
     };

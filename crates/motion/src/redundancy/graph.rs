@@ -6,10 +6,14 @@ use std::f64::consts::{FRAC_PI_3, TAU};
 /// Spacing of samples of a rotary axis (rad) and number over a linear one, if there is room for as many.
 const ROTARY_STEP: f64 = 15.0 * std::f64::consts::PI / 180.0;
 const LINEAR_SAMPLES: usize = 9;
-/// Free axes move by at most this many samples from one station to the next.
+/// Free axes move by at most this many samples from one station to the next, or as far as the others.
 const WINDOW: f64 = 3.01;
-/// Other rotary axes turn by at most this, rad: farther is another branch.
+/// Rotary axes turn by at most this, rad: farther is another branch.
 const MOST_TURN: f64 = FRAC_PI_3;
+/// Different ways that are refined, if they cost no more than so many times the best and so much more at each station.
+const WAYS: usize = 16;
+const MORE: f64 = 3.0;
+const MORE_A_STATION: f64 = 0.02;
 /// Ways that prove not to be continuous are struck out, up to this many edges.
 const MOST_STRUCK: usize = 60;
 /// Steps between two stations that such a proof takes.
@@ -20,10 +24,15 @@ pub(super) struct Node {
     pub(super) q: Joints,
     /// Cost of standing here.
     place: f64,
+    /// Least cost of going on from here to the end, and over which node of the next station.
+    onward: (f64, usize),
     /// Least cost of coming here from the start, and over which node of the station before; infinite if there is no way.
     pub(super) total: f64,
     from: usize,
 }
+
+/// Edges: station, from, to.
+type Struck = HashSet<(usize, usize, usize)>;
 
 /// Nodes station by station.
 pub(super) struct Graph<'t, 'a> {
@@ -34,7 +43,7 @@ pub(super) struct Graph<'t, 'a> {
     grids: Vec<Vec<f64>>,
     pub(super) steps: Vec<f64>,
     /// Edges (station, from, to) that look short but are not continuous.
-    struck: HashSet<(usize, usize, usize)>,
+    struck: Struck,
 }
 
 impl<'t, 'a> Graph<'t, 'a> {
@@ -57,9 +66,50 @@ impl<'t, 'a> Graph<'t, 'a> {
         graph
     }
 
-    /// Positions along the best way, axes that turn without end counted on; none if there is no way.
-    pub(super) fn best(&self) -> Option<Vec<Joints>> {
-        let way = self.way()?;
+    /// Positions along the best way, and along others that cost little more and are the best through places as far from
+    /// each other as can be: samples cannot show the cost of acceleration, by which one of these may turn out best.
+    /// Empty if there is no way.
+    pub(super) fn ways(&mut self) -> Vec<Vec<Joints>> {
+        let Some(best) = self.way() else { return Vec::new() };
+        self.solve_onward();
+        let middle = self.nodes.len() / 2;
+        let nodes = &self.nodes[middle];
+        let through = |i: usize| nodes[i].total + nodes[i].onward.0;
+        let most = MORE * through(best[middle]) + MORE_A_STATION * self.nodes.len() as f64;
+        let close: Vec<usize> = (0..nodes.len()).filter(|&i| through(i) <= most).collect();
+        let apart = |a: usize, b: usize| -> f64 {
+            let parts = self.task.free.iter().map(|&axis| {
+                let span = self.task.machine.axes[axis].range.map_or(0.5 * TAU, |(low, high)| high - low);
+                (self.task.way(axis, nodes[a].q[axis], nodes[b].q[axis]) / span).powi(2)
+            });
+            parts.sum()
+        };
+        let mut chosen = vec![best[middle]];
+        // The farthest from all that are chosen is next.
+        let mut nearest: Vec<f64> = close.iter().map(|&i| apart(chosen[0], i)).collect();
+        while chosen.len() < WAYS {
+            let Some(next) = (0..close.len()).max_by(|&a, &b| nearest[a].total_cmp(&nearest[b])) else { break };
+            if nearest[next] <= 0.0 {
+                break;
+            }
+            chosen.push(close[next]);
+            close.iter().zip(&mut nearest).for_each(|(&i, d)| *d = d.min(apart(close[next], i)));
+        }
+        let mut ways = vec![self.positions(&best)];
+        for &start in &chosen[1..] {
+            let mut way = vec![start];
+            (1..=middle).rev().for_each(|k| way.push(self.nodes[k][way[way.len() - 1]].from));
+            way.reverse();
+            (middle..self.nodes.len() - 1).for_each(|k| way.push(self.nodes[k][way[way.len() - 1]].onward.1));
+            if (1..way.len()).all(|k| self.continuous(k, way[k - 1], way[k])) {
+                ways.push(self.positions(&way));
+            }
+        }
+        ways
+    }
+
+    /// Positions along a way, axes that turn without end counted on.
+    fn positions(&self, way: &[usize]) -> Vec<Joints> {
         let mut rows: Vec<Joints> = Vec::with_capacity(way.len());
         for (k, &i) in way.iter().enumerate() {
             let mut q = self.nodes[k][i].q;
@@ -70,7 +120,7 @@ impl<'t, 'a> Graph<'t, 'a> {
             }
             rows.push(q);
         }
-        Some(rows)
+        rows
     }
 
     /// Calls `f` with home and each combination of samples in it.
@@ -90,12 +140,35 @@ impl<'t, 'a> Graph<'t, 'a> {
                     if from.total + node.place >= node.total {
                         continue;
                     }
-                    let Some(edge) = edge(self.task, &self.places[k - 1..=k], &self.steps, &from.q, &node.q) else {
-                        continue;
-                    };
-                    let total = from.total + edge + node.place;
-                    if total < node.total && (self.struck.is_empty() || !self.struck.contains(&(k, i, j))) {
+                    let edge = edge(self.task, &self.places[k - 1..=k], &self.steps, &from.q, &node.q);
+                    let total = from.total + edge.unwrap_or(f64::INFINITY) + node.place;
+                    if total < node.total && !Self::is_struck(&self.struck, k, i, j) {
                         (node.total, node.from) = (total, i);
+                    }
+                }
+            }
+        }
+    }
+
+    fn is_struck(struck: &Struck, k: usize, i: usize, j: usize) -> bool {
+        !struck.is_empty() && struck.contains(&(k, i, j))
+    }
+
+    /// The same from the end: the least cost of going on at every node.
+    fn solve_onward(&mut self) {
+        let end = self.nodes.len() - 1;
+        self.nodes[end].iter_mut().for_each(|n| n.onward.0 = 0.0);
+        for k in (1..=end).rev() {
+            let (before, here) = self.nodes.split_at_mut(k);
+            for (i, node) in before[k - 1].iter_mut().enumerate().filter(|(_, n)| n.total.is_finite()) {
+                for (j, to) in here[0].iter().enumerate() {
+                    if to.onward.0 + to.place >= node.onward.0 {
+                        continue;
+                    }
+                    let edge = edge(self.task, &self.places[k - 1..=k], &self.steps, &node.q, &to.q);
+                    let cost = to.onward.0 + to.place + edge.unwrap_or(f64::INFINITY);
+                    if cost < node.onward.0 && !Self::is_struck(&self.struck, k, i, j) {
+                        node.onward = (cost, j);
                     }
                 }
             }
@@ -159,7 +232,7 @@ pub(super) fn finer(task: &Task, rough: &[Joints], steps: &[f64]) -> Option<Vec<
     if (1..way.len()).any(|k| !graph.continuous(k, way[k - 1], way[k])) {
         return None;
     }
-    graph.best()
+    Some(graph.positions(&way))
 }
 
 /// Samples of each free axis: some `samples` combinations in all.
@@ -195,7 +268,7 @@ fn nodes(task: &Task, place: &Place, near: &Joints, grids: &[Vec<f64>]) -> Vec<N
         for branch in branches.iter() {
             for q in turns(task, &branch.joints) {
                 let cost = task.cost.place(&q, place.face).iter().map(|r| r * r).sum();
-                nodes.push(Node { q, place: cost, total: f64::INFINITY, from: 0 });
+                nodes.push(Node { q, place: cost, onward: (f64::INFINITY, 0), total: f64::INFINITY, from: 0 });
             }
         }
     });
@@ -241,7 +314,11 @@ fn turns(task: &Task, q: &Joints) -> Vec<Joints> {
 /// Cost of the motion from `a` to `b`, divided as the places' own; none if it is too far.
 fn edge(task: &Task, places: &[Place], steps: &[f64], a: &Joints, b: &Joints) -> Option<f64> {
     for (&axis, step) in task.free.iter().zip(steps) {
-        if task.way(axis, a[axis], b[axis]).abs() > WINDOW * step {
+        let most = match task.machine.axes[axis].kind {
+            AxisKind::Linear => WINDOW * step,
+            AxisKind::Rotary => MOST_TURN.max(WINDOW * step),
+        };
+        if task.way(axis, a[axis], b[axis]).abs() > most {
             return None;
         }
     }

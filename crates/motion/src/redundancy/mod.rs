@@ -25,7 +25,8 @@ use thiserror::Error;
 const EFFORTS: [(usize, usize); 2] = [(24, 216), (48, 800)];
 /// Levels of the graph after the first.
 const FINER: usize = 2;
-/// Stations and spline intervals of the two stages of refinement.
+/// Stations and spline intervals of the refinement of every way, and of the best one after that.
+const FIRST_STAGE: (usize, usize) = (40, 8);
 const STAGES: [(usize, usize); 2] = [(120, 16), (1000, 48)];
 
 /// Distance to obstacles, for the choice of the free axes.
@@ -124,18 +125,13 @@ pub fn resolve(
     let mut best: Option<FreeAxes> = None;
     let mut last = None;
     for (stations, samples) in EFFORTS {
-        let graph = graph::Graph::new(&task, stations, samples);
-        let Some(mut way) = graph.best() else {
-            last = Some(graph);
-            continue;
-        };
-        let mut steps = graph.steps.clone();
-        for _ in 0..FINER {
-            way = graph::finer(&task, &way, &steps).unwrap_or(way);
-            steps.iter_mut().for_each(|s| *s *= 0.5);
+        let mut graph = graph::Graph::new(&task, stations, samples);
+        let mut ways = graph.ways();
+        if let Some(best) = ways.first() {
+            ways.push(task.closer(best.clone(), graph.steps.clone()));
         }
-        task.turn_home(&mut way);
-        if let Some((free, inside)) = refine::refine(&task, &way, still.clone()) {
+        ways.iter_mut().for_each(|way| task.turn_home(way));
+        if let Some((free, inside)) = refine::refine(&task, &ways, still.clone()) {
             if inside {
                 return Ok(free);
             }
@@ -193,6 +189,15 @@ impl<'a> Task<'a> {
 
     fn place(&self, s: f64) -> Place {
         Place { s, target: self.path.pose(s).into(), face: self.path.face(s) }
+    }
+
+    /// The way through nodes ever closer about `way`, whose own are `steps` apart.
+    fn closer(&self, mut way: Vec<Joints>, mut steps: Vec<f64>) -> Vec<Joints> {
+        for _ in 0..FINER {
+            way = graph::finer(self, &way, &steps).unwrap_or(way);
+            steps.iter_mut().for_each(|s| *s *= 0.5);
+        }
+        way
     }
 
     /// True if `axis` turns without end.

@@ -1,7 +1,7 @@
 use super::banded::Banded;
 use super::cost::{Cost, ROWS};
 use super::free_axes::{Basis, FreeAxes};
-use super::{Place, STAGES, Task};
+use super::{FIRST_STAGE, Place, STAGES, Task};
 use seamwright_machine::{AxisKind, Joints, MAX_AXES};
 
 /// Most steps of a stage.
@@ -17,19 +17,21 @@ const DIFFERENCE: f64 = 1e-6;
 /// Coefficients that a row can touch: those at three neighbouring stations.
 const SPAN: usize = 5;
 
-/// The free axes of least cost near the way `rough` at equal stations, and whether all axes stay in their ranges; none
-/// if no axis positions follow the splines.
-pub(super) fn refine(task: &Task, rough: &[Joints], still: Vec<(usize, f64)>) -> Option<(FreeAxes, bool)> {
-    let mut way = rough.to_vec();
-    let mut spline = None;
-    for (stations, intervals) in STAGES {
-        let coefficients = through(task, &way, intervals);
-        let mut stage = Stage::new(task, stations, intervals, coefficients, &way)?;
+/// The free axes of least cost near any of `ways`, which are positions at equal stations, and whether all axes stay in
+/// their ranges; none if no axis positions follow the splines.
+pub(super) fn refine(task: &Task, ways: &[Vec<Joints>], still: Vec<(usize, f64)>) -> Option<(FreeAxes, bool)> {
+    let stage = |(stations, intervals): (usize, usize), way: &[Joints]| {
+        let mut stage = Stage::new(task, stations, intervals, through(task, way, intervals), way)?;
         stage.run();
-        way = stage.rows.iter().map(|r| r.q).collect();
-        spline = Some(stage.coefficients);
+        let way: Vec<Joints> = stage.rows.iter().map(|r| r.q).collect();
+        Some((stage.cost, way, stage.coefficients))
+    };
+    let first = ways.iter().filter_map(|way| stage(FIRST_STAGE, way));
+    let mut best = first.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    for size in STAGES {
+        best = stage(size, &best.1)?;
     }
-    let coefficients = spline?;
+    let (_, way, coefficients) = best;
     let count = task.free.len();
     let of = |a: usize| coefficients.iter().skip(a).step_by(count).copied().collect();
     let moving = task.free.iter().enumerate().map(|(a, &axis)| (axis, of(a))).collect();
