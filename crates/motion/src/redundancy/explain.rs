@@ -13,7 +13,7 @@ pub(super) fn hold(error: &HoldError, length: f64, pass: usize) -> Finding {
         pass,
         from_mm: 0.0,
         to_mm: length,
-        cure: format!("hold one of: {}", error.allowed()),
+        cure: format!("allowed: {}", error.allowed()),
         allowed: false,
     }
 }
