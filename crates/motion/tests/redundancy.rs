@@ -155,7 +155,7 @@ fn least_cost(machine: &Machine, path: &dyn TorchPath, free: &[usize], stations:
     let (mut least, way) = exhaustive(machine, &nodes, h, v, motion);
     let mut best: Vec<Joints> = way.iter().enumerate().map(|(k, &i)| nodes[k][i]).collect();
     let most = if free.len() == 1 { 4 } else { 2 };
-    while steps[0] > 1e-5 {
+    while steps[0] > if free.len() == 1 { 1e-5 } else { 3e-5 } {
         let near = |k: usize| {
             let around =
                 combine(&best[k], &|f| (-most..=most).map(|o| best[k][free[f]] + steps[f] * f64::from(o)).collect());
@@ -409,6 +409,9 @@ fn two_torches_leave_nothing_to_spare() {
     let machine = machine("dual-laser-10axis");
     let mut pass = read(EXAMPLE).program.value.passes.remove(0);
     pass.on_limit = seamwright_program::OnLimit::Slow;
+    pass.spare_axes.hold.insert("c".to_owned(), seamwright_document::Finite::new(0.0).unwrap());
+    assert!(PassMotion::plan(&machine, &BothSides, &pass, 1).unwrap_err()[0].kind == "hold");
+    pass.spare_axes.hold.clear();
     let motion = PassMotion::plan(&machine, &BothSides, &pass, 1).unwrap_or_else(|f| panic!("{f:#?}"));
     for i in 0..=200 {
         let s = f64::from(i);

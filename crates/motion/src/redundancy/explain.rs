@@ -13,7 +13,7 @@ pub(super) fn hold(error: &HoldError, length: f64, pass: usize) -> Finding {
         pass,
         from_mm: 0.0,
         to_mm: length,
-        cure: format!("hold one of: {}", error.allowed()),
+        cure: format!("allowed: {}", error.allowed()),
         allowed: false,
     }
 }
@@ -34,7 +34,26 @@ pub(super) fn no_way(task: &Task, graph: &Graph, pass: usize) -> Vec<Finding> {
         cure: "change the placement of the work, the torch angles or the axes held".to_owned(),
         allowed: false,
     });
-    if unreachable.is_empty() { jump(task, graph, pass).into_iter().collect() } else { unreachable }
+    if unreachable.is_empty() {
+        return vec![jump(task, graph, pass).unwrap_or_else(|| not_smooth(task, pass))];
+    }
+    unreachable
+}
+
+/// Stations can be joined, but what lies between them not.
+fn not_smooth(task: &Task, pass: usize) -> Finding {
+    Finding {
+        kind: "singular",
+        message: format!(
+            "wherever the axes to spare of {} stand, the others cannot follow the torch smoothly: it passes a singular attitude or leaves their reach",
+            task.machine.name
+        ),
+        pass,
+        from_mm: 0.0,
+        to_mm: task.path.length(),
+        cure: "change the torch angles a little or place the work otherwise".to_owned(),
+        allowed: false,
+    }
 }
 
 /// Of all places of the free axes the one that comes nearest to reaching path length `s`: which axis lacks how much
@@ -77,7 +96,7 @@ fn worst(task: &Task, q: &Joints) -> (usize, f64, f64) {
 
 /// Where the ways end, and which axis would have to jump to go on.
 fn jump(task: &Task, graph: &Graph, pass: usize) -> Option<Finding> {
-    let reached = |k: usize| graph.nodes[k].iter().filter(|n| n.total.is_finite());
+    let reached = |k: usize| graph.nodes[k].iter().enumerate().filter(|(_, n)| n.total.is_finite());
     let k = (1..graph.nodes.len()).find(|&k| reached(k).next().is_none())?;
     // Where rotary axes jump, the linear ones only follow them.
     let rotary = task.machine.axes.iter().any(|axis| axis.kind == AxisKind::Rotary);
@@ -90,7 +109,11 @@ fn jump(task: &Task, graph: &Graph, pass: usize) -> Option<Finding> {
         });
         ways.fold((0.0, 0, 0.0), |most, way| if way.0 > most.0 { way } else { most })
     };
-    let pairs = reached(k - 1).flat_map(|a| graph.nodes[k].iter().map(|b| farthest(&a.q, &b.q)));
+    // What is near and was struck out only looks as if it could be joined.
+    let pairs = reached(k - 1).flat_map(|(i, a)| {
+        let ahead = graph.nodes[k].iter().enumerate().filter(move |(j, _)| !graph.is_struck(k, i, *j));
+        ahead.map(|(_, b)| farthest(&a.q, &b.q)).collect::<Vec<_>>()
+    });
     let (_, axis, by) = pairs.min_by(|a, b| a.0.total_cmp(&b.0))?;
     let axis = &task.machine.axes[axis];
     let (from_mm, to_mm) = (graph.places[k - 1].s, graph.places[k].s);

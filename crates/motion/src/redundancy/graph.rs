@@ -142,7 +142,7 @@ impl<'t, 'a> Graph<'t, 'a> {
                     }
                     let edge = edge(self.task, &self.places[k - 1..=k], &self.steps, &from.q, &node.q);
                     let total = from.total + edge.unwrap_or(f64::INFINITY) + node.place;
-                    if total < node.total && !Self::is_struck(&self.struck, k, i, j) {
+                    if total < node.total && !struck(&self.struck, k, i, j) {
                         (node.total, node.from) = (total, i);
                     }
                 }
@@ -150,8 +150,9 @@ impl<'t, 'a> Graph<'t, 'a> {
         }
     }
 
-    fn is_struck(struck: &Struck, k: usize, i: usize, j: usize) -> bool {
-        !struck.is_empty() && struck.contains(&(k, i, j))
+    /// True if the edge to node `j` of station `k` from node `i` of the one before proved not to be continuous.
+    pub(super) fn is_struck(&self, k: usize, i: usize, j: usize) -> bool {
+        struck(&self.struck, k, i, j)
     }
 
     /// The same from the end: the least cost of going on at every node.
@@ -167,7 +168,7 @@ impl<'t, 'a> Graph<'t, 'a> {
                     }
                     let edge = edge(self.task, &self.places[k - 1..=k], &self.steps, &node.q, &to.q);
                     let cost = to.onward.0 + to.place + edge.unwrap_or(f64::INFINITY);
-                    if cost < node.onward.0 && !Self::is_struck(&self.struck, k, i, j) {
+                    if cost < node.onward.0 && !struck(&self.struck, k, i, j) {
                         node.onward = (cost, j);
                     }
                 }
@@ -206,6 +207,10 @@ impl<'t, 'a> Graph<'t, 'a> {
         }
         (0..task.machine.axes.len()).all(|axis| task.way(axis, q[axis], end[axis]).abs() < 1e-5)
     }
+}
+
+fn struck(all: &Struck, k: usize, i: usize, j: usize) -> bool {
+    !all.is_empty() && all.contains(&(k, i, j))
 }
 
 /// The best way through nodes closer together about the way `rough`: half the spacing `steps`, twice the stations. None

@@ -115,7 +115,13 @@ pub fn resolve(
     pass: usize,
 ) -> Result<FreeAxes, Vec<Finding>> {
     let still = held(machine, wishes).map_err(|e| vec![explain::hold(&e, path.length(), pass)])?;
-    if machine.free().is_empty() || path.second(0.0).is_some() {
+    let two = path.second(0.0).is_some();
+    if let (true, Some(&(axis, _))) = (two, still.first()) {
+        // Two torches decide every axis.
+        let error = HoldError::NotFree { axis: machine.axes[axis].name.clone(), free: String::new() };
+        return Err(vec![explain::hold(&error, path.length(), pass)]);
+    }
+    if machine.free().is_empty() || two {
         return Ok(FreeAxes::default());
     }
     let task = Task::new(machine, path, speed, wishes, clearance, &still);
