@@ -273,8 +273,8 @@ impl Machine {
     /// A violated range as a reason, in the units of the file.
     pub fn range_error(&self, v: &RangeViolation) -> Unreachable {
         let axis = &self.axes[v.axis];
-        let (by, limit) = (axis.to_file(v.by()), axis.to_file(v.limit));
-        Unreachable::Range { axis: axis.name.clone(), by, limit, unit: axis.unit() }
+        let (value, by, limit) = (axis.to_file(v.value), axis.to_file(v.by()), axis.to_file(v.limit));
+        Unreachable::Range { axis: axis.name.clone(), value, by, limit, unit: axis.unit() }
     }
 
     /// The `k`-th of positions spread evenly over the axes' ranges, one turn of each rotary axis: an additive recurrence.

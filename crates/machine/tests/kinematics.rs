@@ -16,14 +16,14 @@ fn machines() -> Vec<Machine> {
 /// pose is far enough from a singular one for the axes to be compared.
 fn round_trip(machine: &Machine, q: &Joints) -> (f64, f64, f64) {
     let pose = machine.forward(q);
-    let branches = machine.inverse(&pose, q).unwrap();
+    let branches = machine.inverse(pose, q).unwrap();
     let mut worst = (0.0f64, 0.0f64);
     for s in branches.iter().filter(|s| s.attitude_error < 1e-9) {
         let again = machine.forward(&s.joints);
         worst.0 = worst.0.max((again.point - pose.point).length());
         worst.1 = worst.1.max((again.direction - pose.direction).length());
     }
-    let nearest = machine.inverse_near(&pose, q).unwrap();
+    let nearest = machine.inverse_near(pose, q).unwrap();
     let off = machine.axes.iter().zip(nearest.joints.iter().zip(q)).map(|(axis, (a, b))| {
         let scale = if axis.kind == AxisKind::Rotary { 1f64.to_degrees() } else { 1.0 };
         (a - b).abs() * scale
@@ -124,7 +124,7 @@ fn the_trunnion_agrees_with_linuxcnc() {
     assert!((pose.point - DVec3::new(35.0, 12.0, 30.0)).length() < 1e-4, "{}", pose.point);
     // Inverse: the pose with that direction gives LinuxCNC's joints.
     let pose = Pose { point: DVec3::new(35.0, 12.0, 30.0), direction: pose.direction };
-    let found = machine.inverse_near(&pose, &near).unwrap();
+    let found = machine.inverse_near(pose, &near).unwrap();
     for (name, value) in expected {
         assert!((found.joints[index(name)] - value).abs() < 1e-4, "{name}: {}", found.joints[index(name)]);
     }
@@ -135,14 +135,14 @@ fn what_cannot_be_reached_says_why() {
     let read = |name| Machine::read(name, shipped(name).unwrap().text).unwrap();
     let up = Pose { point: DVec3::new(1.0, 2.0, 3.0), direction: DVec3::NEG_Z };
     let xy = read("ellipse-xy");
-    assert!(matches!(xy.inverse(&up, &Joints::default()), Err(Unreachable::Point { by }) if (by - 3.0).abs() < 1e-12));
+    assert!(matches!(xy.inverse(up, &Joints::default()), Err(Unreachable::Point { by }) if (by - 3.0).abs() < 1e-12));
     let tilted = Pose { point: DVec3::new(1.0, 2.0, 0.0), direction: DVec3::new(0.6, 0.0, -0.8) };
-    let s = xy.inverse_near(&tilted, &Joints::default()).unwrap();
+    let s = xy.inverse_near(tilted, &Joints::default()).unwrap();
     assert!((s.attitude_error - 0.6f64.asin()).abs() < 1e-12);
     let q = s.joints;
     assert!(xy.outside(&q).is_none());
     let far = Pose { point: DVec3::new(700.0, 0.0, 0.0), ..tilted };
-    let v = xy.outside(&xy.inverse_near(&far, &Joints::default()).unwrap().joints).unwrap();
+    let v = xy.outside(&xy.inverse_near(far, &Joints::default()).unwrap().joints).unwrap();
     assert!(v.axis == 0 && (v.by() - 100.0).abs() < 1e-9);
 }
 
@@ -152,7 +152,7 @@ fn a_free_axis_stays_where_it_is() {
     let c = machine.axis("c").unwrap();
     let mut near = Joints::default();
     near[c] = 1.25;
-    let s = machine.inverse_near(&Pose { point: DVec3::ONE, direction: DVec3::NEG_Z }, &near).unwrap();
+    let s = machine.inverse_near(Pose { point: DVec3::ONE, direction: DVec3::NEG_Z }, &near).unwrap();
     assert!(s.singular && (s.joints[c] - 1.25).abs() < 1e-15);
 }
 
@@ -162,7 +162,7 @@ fn turns_are_counted_from_where_the_axis_is() {
     let mut q = Joints::default();
     for turns in [-7.1, -6.2, 0.0, 6.3, 6.9] {
         q[0] = turns;
-        let found = machine.inverse_near(&machine.forward(&q), &q).unwrap();
+        let found = machine.inverse_near(machine.forward(&q), &q).unwrap();
         assert!((found.joints[0] - turns).abs() < 1e-12);
     }
 }
@@ -205,7 +205,7 @@ proptest! {
         let q = random_joints(&machine, &mut random);
         check_jacobian(&machine, &q);
         let pose = machine.forward(&q);
-        match machine.inverse(&pose, &q) {
+        match machine.inverse(pose, &q) {
             Ok(branches) => {
                 for s in branches.iter() {
                     let again = machine.forward(&s.joints);
@@ -213,7 +213,7 @@ proptest! {
                     prop_assert!((again.point - pose.point).length() < 1e-11 * big.max(100.0) * 10.0);
                     prop_assert!((again.direction - pose.direction).length() < 1e-7);
                 }
-                let near = machine.inverse_near(&pose, &q).unwrap();
+                let near = machine.inverse_near(pose, &q).unwrap();
                 let worst = near.joints.iter().zip(&q).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                 let conditioned = sine_to_singular(&machine, &q) > 0.05;
                 let spanned = near.joints.iter().all(|v| v.abs() < 1e4);

@@ -191,11 +191,11 @@ impl Course for JointPath {
             let (a, b) = (from.max(panel.start), to.min(panel.end));
             let (x, half) = (panel.local(0.5 * (a + b)), (b - a) / (panel.end - panel.start));
             let scale = 2.0 / (panel.end - panel.start);
-            for axis in 0..self.axes {
+            for (axis, rate) in rates.iter_mut().enumerate().take(self.axes) {
                 let d1 = self.series(i, axis).derivative();
                 // A Chebyshev polynomial is at most 1: the coefficients' sum bounds the series.
                 let d2: f64 = d1.derivative().c.iter().map(|c| c.abs()).sum();
-                rates[axis] = rates[axis].max(scale * (d1.at(x).abs() + half.max(0.0) * d2));
+                *rate = rate.max(scale * (d1.at(x).abs() + half.max(0.0) * d2));
             }
         }
         rates

@@ -62,7 +62,7 @@ impl WeldMotion {
         let after = self.passes.get(i).map(|p| &p.path);
         let end = before.map(|p| (p.at(p.length()), i));
         let start = after.map(|p| (p.at(0.0), i + 1));
-        let (pass, s) = if i == 0 { (1, 0.0) } else { (i, before.map_or(0.0, |p| p.length())) };
+        let (pass, s) = if i == 0 { (1, 0.0) } else { (i, before.map_or(0.0, super::joint_path::JointPath::length)) };
         let finding = |kind, message: String, cure: &str, allowed| Finding {
             kind,
             message,
@@ -213,17 +213,17 @@ impl Air<'_> {
     /// Positions to go through from the end of a weld (or home) to the start of the next (or home).
     fn way(&self, end: Option<Joints>, start: Option<Joints>) -> Result<Vec<Joints>, Blocked> {
         let home = self.machine.home();
-        let (above_end, above_start) = (end.map(|q| self.back_from(&q)), start.map(|q| self.back_from(&q)));
-        let (from, to) = (above_end.unwrap_or(home), above_start.unwrap_or(home));
+        let (back_end, back_start) = (end.and_then(|q| self.back_from(&q)), start.and_then(|q| self.back_from(&q)));
+        let (from, to) = (back_end.or(end).unwrap_or(home), back_start.or(start).unwrap_or(home));
         // An endless axis goes home by the shortest way.
         let to = if start.is_none() { self.nearest_turn(&to, &from) } else { to };
         let mut points = Vec::new();
-        if let Some(q) = end.filter(|q| *q != from) {
+        if let (Some(q), Some(_)) = (end, back_end) {
             self.straight("the retract", &q, &from)?;
             points.push(q);
         }
         points.extend(route(self.machine, self.around, &from, &to, AxisSet::default())?);
-        if let Some(q) = start.filter(|q| *q != to) {
+        if let (Some(q), Some(_)) = (start, back_start) {
             self.straight("the approach", &to, &q)?;
             points.push(q);
         }
@@ -245,8 +245,8 @@ impl Air<'_> {
     }
 
     /// Where the torch stands back along itself (two torches: along the middle of both): as far as asked, or as far as
-    /// the axes reach.
-    fn back_from(&self, q: &Joints) -> Joints {
+    /// the axes reach. None if they cannot move it that way.
+    fn back_from(&self, q: &Joints) -> Option<Joints> {
         let machine = self.machine;
         for part in [1.0, 0.5, 0.25] {
             let poses: Vec<Pose> = (0..machine.heads.len()).map(|head| machine.forward_of(head, q)).collect();
@@ -258,10 +258,10 @@ impl Air<'_> {
             if let Ok(solution) = machine.inverse_near(target, q)
                 && machine.outside(&solution.joints).is_none()
             {
-                return solution.joints;
+                return Some(solution.joints);
             }
         }
-        *q
+        None
     }
 
     /// True if the pair of heads can be moved as one from `q`.

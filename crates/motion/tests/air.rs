@@ -1,5 +1,7 @@
 //! Air moves: clear all along by dense sampling, or refused with the reason; legs within every limit.
 
+#![allow(clippy::float_cmp, reason = "ends of legs are met without rounding")]
+
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Shape, Solid};
 use seamwright_machine::{AxisSet, Clamped, Course, Joints, Machine, Surroundings, shipped};

@@ -189,7 +189,7 @@ impl Writer<'_> {
         // The direction that the axes reach, so that a machine with few axes can do it too.
         let pose = Pose { point: path.pose(s).point, direction: self.machine.forward(&q).direction };
         let back = Pose { point: pose.point - self.options.retract_mm * pose.direction, ..pose };
-        let Ok(there) = self.machine.inverse_near(&back, &q) else { return Ok(None) };
+        let Ok(there) = self.machine.inverse_near(back, &q) else { return Ok(None) };
         if let Some(out) = self.machine.outside(&there.joints) {
             let axis = self.machine.axes[out.axis].name.clone();
             return Err(Error::Retract { retract_mm: self.options.retract_mm, s, axis });

@@ -92,10 +92,12 @@ pub enum Unreachable {
     #[error("the linear axes are parallel to a plane at these rotary positions")]
     Flat,
     /// Every branch puts an axis beyond its range.
-    #[error("axis {axis} would have to go {by:.4} {unit} beyond its limit of {limit:.4} {unit}")]
+    #[error("axis {axis} would be at {value:.6} {unit}, {by:.6} {unit} beyond its limit {limit} {unit}")]
     Range {
         /// Name of the axis.
         axis: String,
+        /// Where it would have to go, in the file's unit.
+        value: f64,
         /// How far beyond, in the file's unit.
         by: f64,
         /// The limit, in the file's unit.

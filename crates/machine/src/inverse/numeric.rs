@@ -263,27 +263,25 @@ fn moved(chain: &Chain, q: &Joints, step: &Joints) -> Joints {
     let mut next = *q;
     for screw in &chain.screws {
         let value = q[screw.axis] + part * step[screw.axis];
-        let near = |v: f64| if screw.kind == AxisKind::Rotary && v.abs() > 4.0 * PI { v.rem_euclid(TAU) } else { v };
-        next[screw.axis] = near(value);
+        // Long ways round come back to the turn they are on.
+        let far = screw.kind == AxisKind::Rotary && value.abs() > 4.0 * PI;
+        next[screw.axis] = if far { value.rem_euclid(TAU) } else { value };
     }
     next
 }
 
 /// Gauss's elimination with pivots on the diagonal (symmetric, positive); none without full rank.
 fn eliminate<const N: usize, const M: usize>(system: &mut [[f64; M]; N]) -> Option<[f64; N]> {
-    let mut greatest = 0.0f64;
+    let greatest = (0..N).map(|i| system[i][i].abs()).fold(0.0, f64::max);
     for i in 0..N {
-        greatest = greatest.max(system[i][i].abs());
-    }
-    for i in 0..N {
-        if system[i][i].abs() <= 1e-14 * greatest {
+        let (above, below) = system.split_at_mut(i + 1);
+        let pivot = &above[i];
+        if pivot[i].abs() <= 1e-14 * greatest {
             return None;
         }
-        for k in i + 1..N {
-            let factor = system[k][i] / system[i][i];
-            for j in i..M {
-                system[k][j] -= factor * system[i][j];
-            }
+        for row in below {
+            let factor = row[i] / pivot[i];
+            row[i..].iter_mut().zip(&pivot[i..]).for_each(|(a, b)| *a -= factor * b);
         }
     }
     let mut x = [0.0; N];

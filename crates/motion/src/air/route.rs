@@ -56,7 +56,7 @@ pub fn route(
     let search = Search { machine, around, held, turns: turns(machine, from, to) };
     let Some(obstacle) = search.obstacle(from, to) else { return Ok(vec![*from, *to]) };
     let way = search.grow(from, to).ok_or(Blocked::NoWay { what: obstacle })?;
-    Ok(search.cut_short(way))
+    Ok(search.cut_short(&way))
 }
 
 /// Who is too near to whom.
@@ -182,7 +182,7 @@ impl Search<'_> {
     }
 
     /// Leaves out every place that need not be passed, and pulls the others in.
-    fn cut_short(&self, way: Vec<Joints>) -> Vec<Joints> {
+    fn cut_short(&self, way: &[Joints]) -> Vec<Joints> {
         let mut short = vec![way[0]];
         let mut at = 0;
         while at + 1 < way.len() {
