@@ -20,7 +20,7 @@ pub struct Sample {
     pub tip_speed: f64,
     /// Planned speed over the same period, mm/s: how far the set-point moved along the seam in it.
     pub planned_speed: f64,
-    /// Distance of the true tip from the seam, normal to it, mm.
+    /// Distance of the true tip from the seam, normal to it, mm; of two torches that weld at once the greater.
     pub path_error: f64,
     /// Angle between the true torch direction and the one asked for there, rad.
     pub attitude_error: f64,

@@ -67,10 +67,19 @@ fn measure(machine: &Machine, path: &dyn TorchPath, sample: &mut Sample) {
     let s = path.foot(tip.point, sample.set.law.s, (0.0, path.length()));
     let there = path.pose(s);
     sample.tip_s = s;
-    let off = tip.point - there.point;
     let along = path.tangent(s);
-    sample.path_error = (off - off.dot(along) * along).length();
+    let beside = |tip: &Pose, there: &Pose| {
+        let off = tip.point - there.point;
+        (off - off.dot(along) * along).length()
+    };
+    sample.path_error = beside(&tip, &there);
     sample.attitude_error = angle(&tip, &there);
+    // Of two torches the one that is farther off counts.
+    if let Some(there) = path.second(s) {
+        let tip = machine.forward_of(1, &sample.q);
+        sample.path_error = sample.path_error.max(beside(&tip, &there));
+        sample.attitude_error = sample.attitude_error.max(angle(&tip, &there));
+    }
 }
 
 fn angle(a: &Pose, b: &Pose) -> f64 {

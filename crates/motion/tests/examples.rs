@@ -6,12 +6,13 @@ use seamwright_motion::{PassMotion, Phase, SetPoint};
 use seamwright_program::{Finding, TorchPath};
 use seamwright_weld::Welding;
 
-const EXAMPLES: [(&str, &str); 5] = [
+const EXAMPLES: [(&str, &str); 6] = [
     ("saddle", include_str!("../../../examples/saddle.toml")),
     ("head-nozzle", include_str!("../../../examples/head-nozzle.toml")),
     ("ellipse", include_str!("../../../examples/ellipse.toml")),
     ("trunnion-saddle", include_str!("../../../examples/trunnion-saddle.toml")),
     ("oblique-girth", include_str!("../../../examples/oblique-girth.toml")),
+    ("t-joint", include_str!("../../../examples/t-joint.toml")),
 ];
 
 struct Case {
