@@ -14,6 +14,7 @@
 
 mod along;
 mod boxes;
+mod clamped;
 mod convex;
 mod distance;
 mod error;
@@ -25,6 +26,7 @@ mod stl;
 mod zone;
 
 pub use along::{Cell, Limits, Motion, Profile, Stretch, Trace};
+pub use clamped::Clamped;
 pub use distance::{Near, nearest};
 pub use error::ClearanceError;
 pub use file::{ShapeFile, SolidFile};

@@ -44,7 +44,7 @@ pub(crate) fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded,
     }
     check_held(&welding, &machine)?;
     let machine_file = shipped(wanted).is_none().then(|| folder.join(wanted));
-    let clamped = Clamped::default();
+    let clamped = welding.clamped(&|name| std::fs::read(folder.join(name)))?;
     Ok(Loaded { welding, machine, machine_file, clamped })
 }
 

@@ -50,6 +50,16 @@ impl Arc {
         self.axis
     }
 
+    /// Centre, mm.
+    pub fn centre(&self) -> DVec3 {
+        self.centre
+    }
+
+    /// Radius, mm.
+    pub fn radius(&self) -> f64 {
+        self.start.length()
+    }
+
     /// The arc that starts `shift` from this one's start and turns with it about the same axis.
     ///
     /// # Errors

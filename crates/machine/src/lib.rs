@@ -30,6 +30,7 @@ pub use inverse::{Branches, MAX_BRANCHES, Solution, Unreachable};
 pub use links::{LinkFrames, Links, MAX_LINKS, NamedFrame};
 pub use machine::{Machine, Target};
 pub use pitch_error::PitchError;
+pub use seamwright_clearance::Clamped;
 pub use shipped::{SHIPPED, Shipped, shipped};
 pub use solids::{LinkSolids, Zone};
-pub use surroundings::{Clamped, Course, Surroundings};
+pub use surroundings::{Course, Surroundings};

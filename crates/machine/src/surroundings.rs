@@ -2,19 +2,8 @@
 
 use crate::{AxisKind, Joints, LinkFrames, Machine, ZoneKind};
 use glam::{DAffine3, DVec3};
-use seamwright_clearance::{ClearanceError, Evaluation, Group, Limits, Motion, Profile, Scene, Solid, Watch};
+use seamwright_clearance::{Clamped, ClearanceError, Evaluation, Group, Limits, Motion, Profile, Scene, Solid, Watch};
 use std::collections::BTreeMap;
-
-/// What a job puts into the machine, in the work frame, mm.
-#[derive(Debug, Clone, Default)]
-pub struct Clamped {
-    /// The part.
-    pub part: Vec<Solid>,
-    /// What holds it.
-    pub fixtures: Vec<Solid>,
-    /// Least distance of the machine from both, mm.
-    pub least_mm: f64,
-}
 
 /// Positions of the axes along a parameter.
 pub trait Course {

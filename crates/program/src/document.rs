@@ -1,6 +1,7 @@
-use crate::{Air, Offsets, Pass, Seam, SeamStart, check_offset, check_process};
+use crate::{Air, Clearance, Offsets, Part, Pass, Seam, SeamStart, check_offset, check_process};
 use glam::DAffine3;
 use schemars::JsonSchema;
+use seamwright_clearance::SolidFile;
 use seamwright_document::{Document, DocumentError, SchemaVersion, Transform};
 use serde::{Deserialize, Serialize};
 
@@ -28,6 +29,15 @@ pub struct Program {
     /// Where on the seam welding starts.
     #[serde(default)]
     pub start: SeamStart,
+    /// The part as a solid.
+    #[serde(default, skip_serializing_if = "Part::is_usual")]
+    pub part: Part,
+    /// Solids that hold the part, in the machine's work frame.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub fixtures: Vec<SolidFile>,
+    /// How far the machine keeps from part and fixtures.
+    #[serde(default, skip_serializing_if = "Clearance::is_usual")]
+    pub clearance: Clearance,
     /// Moves with the arc off.
     #[serde(default, skip_serializing_if = "Air::is_usual")]
     pub air: Air,

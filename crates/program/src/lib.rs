@@ -9,6 +9,7 @@ mod air;
 mod document;
 mod finding;
 mod offsets;
+mod part;
 mod pass;
 mod process;
 mod seam;
@@ -20,6 +21,7 @@ pub use air::Air;
 pub use document::Program;
 pub use finding::Finding;
 pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};
+pub use part::{Clearance, Part};
 pub use pass::{OnLimit, Pass, Sequence, Span};
 pub use process::{ProcessValues, check_process};
 pub use seam::{

@@ -1,9 +1,10 @@
 use crate::SeamCurve;
 use schemars::JsonSchema;
+use seamwright_clearance::SolidFile;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_program::{
-    Air, Offsets, OnLimit, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span, SpareAxes, Tolerance, Torch,
-    check_offset, check_process,
+    Air, Clearance, Offsets, OnLimit, Part, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span, SpareAxes,
+    Tolerance, Torch, check_offset, check_process,
 };
 use serde::{Deserialize, Serialize};
 
@@ -43,6 +44,15 @@ pub struct Job {
     /// Times before and after the travel.
     #[serde(default)]
     pub sequence: Sequence,
+    /// The part as a solid.
+    #[serde(default, skip_serializing_if = "Part::is_usual")]
+    pub part: Part,
+    /// Solids that hold the part, in the machine's work frame.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub fixtures: Vec<SolidFile>,
+    /// How far the machine keeps from part and fixtures.
+    #[serde(default, skip_serializing_if = "Clearance::is_usual")]
+    pub clearance: Clearance,
     /// Moves with the arc off.
     #[serde(default)]
     pub air: Air,
@@ -110,6 +120,9 @@ impl Job {
             placement: j.placement,
             seam: j.seam.clone(),
             start: j.start,
+            part: j.part.clone(),
+            fixtures: j.fixtures.clone(),
+            clearance: j.clearance,
             air: j.air,
             passes: vec![pass],
         })

@@ -8,6 +8,7 @@
 mod attitude;
 mod girth;
 mod job;
+mod part;
 mod pass_path;
 mod seam;
 mod surfaces;

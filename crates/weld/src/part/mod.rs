@@ -1,0 +1,115 @@
+//! The part as solids, made from its own seam: what the torch has to keep clear of.
+
+mod plates;
+mod swept;
+mod tubes;
+
+use crate::t_joint::Middle;
+use crate::{SeamCurve, Welding};
+use glam::{DAffine3, DMat3, DVec3};
+use seamwright_clearance::{Clamped, ClearanceError, Shape, Solid, SolidFile};
+use seamwright_document::{Document, DocumentError, Positive};
+use seamwright_program::{Part, Seam};
+
+/// How far nozzle, tube or web go on if the job does not say, mm.
+const NOZZLE_MM: f64 = 100.0;
+/// Thickness of plates, mm: nobody comes near their other side.
+const PLATE_MM: f64 = 10.0;
+
+/// How the bytes of an STL file are got.
+type Load<'a> = &'a dyn Fn(&str) -> std::io::Result<Vec<u8>>;
+
+/// What solids are made from.
+struct Making<'a> {
+    seam: &'a SeamCurve,
+    nozzle_mm: f64,
+    /// Length of the body, if the job says.
+    body_mm: Option<f64>,
+}
+
+impl Welding {
+    /// Part and fixtures in the machine's work frame; `load` gets the bytes of the STL files that are named.
+    ///
+    /// The part is made from the seam unless its solids are given: exact cylinders, spheres, cones and boxes; elliptic
+    /// tubes and curved T-joints as meshes within 0.02 mm, ellipsoidal heads within 0.1 mm. Tubes are solid: the torch
+    /// stays outside.
+    ///
+    /// # Errors
+    /// With the key's address: everything that can be wrong with a solid or an STL file.
+    pub fn clamped(&self, load: Load) -> Result<Clamped, DocumentError> {
+        let program = &self.program.value;
+        let fixtures = given(&self.program, "fixtures", &program.fixtures, load)?;
+        let mut part = match &program.part {
+            Part { watched: false, .. } => Vec::new(),
+            Part { solids, .. } if !solids.is_empty() => given(&self.program, "part.solids", solids, load)?,
+            part => {
+                let making = Making {
+                    seam: &self.seam,
+                    nozzle_mm: part.nozzle_length_mm.map_or(NOZZLE_MM, Positive::get),
+                    body_mm: part.body_length_mm.map(Positive::get),
+                };
+                making.solids(&self.program, &program.seam)?
+            }
+        };
+        let placement = program.seam_in_work();
+        for solid in &mut part {
+            let placed = Solid::new(solid.name(), solid.shape().clone(), placement * *solid.pose());
+            *solid = placed.map_err(|e| self.program.error_at("placement", e.to_string(), "a rigid placement"))?;
+        }
+        Ok(Clamped { part, fixtures, least_mm: program.clearance.least_mm.get() })
+    }
+}
+
+fn given<T>(file: &Document<T>, path: &str, solids: &[SolidFile], load: Load) -> Result<Vec<Solid>, DocumentError> {
+    solids.iter().enumerate().map(|(i, s)| s.build(file, &format!("{path}[{i}]"), load)).collect()
+}
+
+impl Making<'_> {
+    fn solids<T>(&self, file: &Document<T>, seam: &Seam) -> Result<Vec<Solid>, DocumentError> {
+        let made = match seam {
+            Seam::Nozzle(nozzle) => self.nozzle(nozzle),
+            Seam::Girth(girth) => self.girth(girth),
+            Seam::Ellipse(ellipse) => self.ellipse(ellipse),
+            Seam::Line(line) => self.line(line),
+            Seam::TJoint(joint) => self.t_joint(joint, &Middle::new(file, joint)?),
+        };
+        made.map_err(|e| file.error_at("part", e.to_string(), "lengths that make a solid"))
+    }
+
+    /// Points along the whole seam.
+    fn points(&self) -> impl Iterator<Item = DVec3> + '_ {
+        let length = self.seam.weld_length().max(self.seam.length());
+        (0..=360).map(move |i| self.seam.at(length * f64::from(i) / 360.0).point)
+    }
+
+    /// Least and greatest height of the seam along a direction.
+    fn heights(&self, from: DVec3, along: DVec3) -> (f64, f64) {
+        let heights = self.points().map(|p| (p - from).dot(along));
+        heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)))
+    }
+
+    /// The middle of the seam's extent.
+    fn middle(&self) -> DVec3 {
+        let (low, high) = self.points().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
+        0.5 * (low + high)
+    }
+
+    /// The body's length, or `size` times six.
+    fn body(&self, size: f64) -> f64 {
+        self.body_mm.unwrap_or(6.0 * size)
+    }
+
+    /// A plate whose outer face, with outward `normal`, is a square about `centre`.
+    fn plate(&self, name: &str, centre: DVec3, normal: DVec3, side: f64) -> Result<Solid, ClearanceError> {
+        let x = normal.any_orthonormal_vector();
+        let axes = DMat3::from_cols(x, normal.cross(x), normal);
+        let shape = Shape::Box { size: DVec3::new(side, side, PLATE_MM) };
+        Solid::new(name, shape, DAffine3::from_mat3_translation(axes, centre - 0.5 * PLATE_MM * normal))
+    }
+}
+
+/// The frame at `origin` with its z along a unit vector.
+fn standing(origin: DVec3, along: DVec3) -> DAffine3 {
+    let x = along.any_orthonormal_vector();
+    DAffine3::from_mat3_translation(DMat3::from_cols(x, along.cross(x), along), origin)
+}

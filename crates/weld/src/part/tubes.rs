@@ -1,0 +1,101 @@
+use super::{Making, standing};
+use glam::{DAffine3, DMat3, DVec3};
+use seamwright_clearance::{ClearanceError, Mesh, Shape, Solid};
+use seamwright_document::Positive;
+use seamwright_program::{Body, Girth, Nozzle};
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+/// How far a dome's mesh may lie outside the ellipsoid, mm.
+const DOME_MM: f64 = 0.1;
+
+/// The upper half of an ellipsoid as a mesh around it.
+fn dome(semi_axes: DVec3) -> Result<Shape, ClearanceError> {
+    let step = 2.0 * (DOME_MM / semi_axes.max_element()).sqrt();
+    let rings = (0.5 * PI / step).ceil().max(6.0) as usize;
+    let around = 4 * rings;
+    // Flat sides between points of the unit sphere come nearer to its middle by the cosines of half the steps.
+    let (d, e) = (0.25 * PI / rings as f64, PI / around as f64);
+    let outside = semi_axes / (d.cos() * e.cos());
+    let point = |ring: usize, i: usize| {
+        let (up, out) = (0.5 * PI * ring as f64 / rings as f64).sin_cos();
+        let (sin, cos) = (2.0 * PI * (i % around) as f64 / around as f64).sin_cos();
+        outside * DVec3::new(out * cos, out * sin, up)
+    };
+    let top = outside * DVec3::Z;
+    let mut triangles = Vec::with_capacity(2 * rings * around);
+    for i in 0..around {
+        for ring in 0..rings - 1 {
+            let [a, b] = [point(ring, i), point(ring, i + 1)];
+            let [c, d] = [point(ring + 1, i), point(ring + 1, i + 1)];
+            triangles.extend([[a, b, d], [a, d, c]]);
+        }
+        triangles.push([point(rings - 1, i), point(rings - 1, i + 1), top]);
+        triangles.push([point(0, i + 1), point(0, i), DVec3::ZERO]);
+    }
+    Mesh::new(&triangles).map(|mesh| Shape::Mesh(Arc::new(mesh)))
+}
+
+impl Making<'_> {
+    /// A nozzle's tube from the seam's lowest point on, and its body.
+    pub(super) fn nozzle(&self, nozzle: &Nozzle) -> Result<Vec<Solid>, ClearanceError> {
+        let (origin, along, radius) = (nozzle.origin_mm.get(), nozzle.direction.unit(), nozzle.radius_mm.get());
+        let (low, high) = self.heights(origin, along);
+        let length = high - low + self.nozzle_mm;
+        let tube = Solid::new("nozzle", Shape::Cylinder { radius, length }, standing(origin + low * along, along))?;
+        Ok(vec![tube, self.nozzle_body(&nozzle.body, radius)?])
+    }
+
+    fn nozzle_body(&self, body: &Body, nozzle_radius: f64) -> Result<Solid, ClearanceError> {
+        let middle = self.middle();
+        let length = self.body(nozzle_radius);
+        match body {
+            Body::Cylinder { radius_mm, point_mm, axis } => {
+                let (point, axis) = (point_mm.get(), axis.unit());
+                let start = point + ((middle - point).dot(axis) - 0.5 * length) * axis;
+                Solid::new("shell", Shape::Cylinder { radius: radius_mm.get(), length }, standing(start, axis))
+            }
+            Body::Cone { half_angle_deg, apex_mm, axis } => {
+                let (apex, axis) = (apex_mm.get(), axis.unit());
+                let slope = half_angle_deg.get().to_radians().tan();
+                let (low, high) = self.heights(apex, axis);
+                let more = 0.5 * (length - (high - low)).max(0.0);
+                let (from, to) = ((low - more).max(0.0), high + more);
+                let shape = Shape::Cone { radius: from * slope, top_radius: to * slope, length: to - from };
+                Solid::new("cone", shape, standing(apex + from * axis, axis))
+            }
+            Body::Sphere { radius_mm, centre_mm } => {
+                let pose = DAffine3::from_translation(centre_mm.get());
+                Solid::new("sphere", Shape::Sphere { radius: radius_mm.get() }, pose)
+            }
+            Body::Ellipsoid { semi_axes_mm, centre_mm, axis, x_direction } => {
+                let z = axis.unit();
+                let x = x_direction.unit();
+                // The seam was made from the same directions: they are not parallel.
+                let x = (x - x.dot(z) * z).normalize();
+                let semi_axes = DVec3::from_array(semi_axes_mm.map(Positive::get));
+                // A head is half an ellipsoid, unless the seam goes over its rim.
+                let (low, high) = self.heights(centre_mm.get(), z);
+                let z = if high < 0.0 { -z } else { z };
+                let axes = DMat3::from_cols(x, z.cross(x), z);
+                let pose = DAffine3::from_mat3_translation(axes, centre_mm.get());
+                let shape = if low * high > 0.0 { dome(semi_axes)? } else { Shape::Ellipsoid { semi_axes } };
+                Solid::new("head", shape, pose)
+            }
+            Body::Plane { point_mm, normal } => {
+                let normal = normal.unit();
+                let centre = middle - (middle - point_mm.get()).dot(normal) * normal;
+                self.plate("plate", centre, normal, length)
+            }
+        }
+    }
+
+    /// A tube that goes on to both sides of the cut.
+    pub(super) fn girth(&self, girth: &Girth) -> Result<Vec<Solid>, ClearanceError> {
+        let (radius, along) = (girth.radius_mm.get(), girth.direction.unit());
+        let (low, high) = self.heights(girth.origin_mm.get(), along);
+        let length = self.body(radius).max(high - low + 2.0);
+        let start = girth.origin_mm.get() + (0.5 * (low + high - length)) * along;
+        Ok(vec![Solid::new("tube", Shape::Cylinder { radius, length }, standing(start, along))?])
+    }
+}
