@@ -88,11 +88,19 @@ impl Output {
 
     /// Takes a copy of the file at `from` under `name`, unless it is that file; another file of that name is not touched.
     pub(crate) fn copy(&mut self, name: &str, from: &Path) -> Result<(), Failure> {
-        let text = read(from)?;
+        let bytes = fs::read(from).map_err(|e| Failure::Input(format!("{}: cannot be read: {e}", from.display())))?;
         let to = self.folder.join(name);
-        match fs::read_to_string(&to) {
-            Ok(there) if there == text => Ok(()),
-            Err(e) if e.kind() == std::io::ErrorKind::NotFound => self.text(name, &text),
+        match fs::read(&to) {
+            Ok(there) if there == bytes => Ok(()),
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => {
+                // The name may lead into a folder of its own.
+                let folder = to.parent().unwrap_or(&self.folder);
+                fs::create_dir_all(folder).map_err(|e| not_writable(folder, &e))?;
+                let mut file = temporary(folder).map_err(|e| not_writable(folder, &e))?;
+                file.write_all(&bytes).map_err(|e| not_writable(folder, &e))?;
+                self.add(name, file);
+                Ok(())
+            }
             _ => Err(Failure::Input(format!(
                 "{}: another file stands where the copy of {} should go\n   allowed: another output folder",
                 to.display(),

@@ -8,6 +8,7 @@ use seamwright_machine::{Clamped, Machine, MachineFile, SHIPPED, Surroundings, s
 use seamwright_motion::{PassMotion, WeldMotion, redundancy};
 use seamwright_program::{Finding, Pass, Program, TorchPath};
 use seamwright_weld::{PassPath, Welding};
+use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
 /// A job or program with its machine.
@@ -18,6 +19,8 @@ pub(crate) struct Loaded {
     pub(crate) clamped: Clamped,
     /// The machine file, if it is not one that ships.
     pub(crate) machine_file: Option<PathBuf>,
+    /// STL files that job and machine file name: the name, and where the file is.
+    pub(crate) stl_files: Vec<(String, PathBuf)>,
 }
 
 /// Reads a job or program file and its machine.
@@ -29,7 +32,8 @@ pub(crate) fn load(path: &Path) -> Result<Loaded, Failure> {
 pub(crate) fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded, Failure> {
     let welding = Welding::read(name, text)?;
     let wanted = &welding.program.value.machine;
-    let machine = match machine_from(wanted, folder)? {
+    let stl = StlFiles::default();
+    let machine = match machine_from(wanted, folder, &stl)? {
         Some(machine) => machine,
         None => {
             let allowed = format!("{}, or the path of a machine file", names());
@@ -44,8 +48,8 @@ pub(crate) fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded,
     }
     check_held(&welding, &machine)?;
     let machine_file = shipped(wanted).is_none().then(|| folder.join(wanted));
-    let clamped = welding.clamped(&|name| std::fs::read(folder.join(name)))?;
-    Ok(Loaded { welding, machine, machine_file, clamped })
+    let clamped = welding.clamped(&|name| stl.read(folder, name))?;
+    Ok(Loaded { welding, machine, machine_file, clamped, stl_files: stl.0.into_inner() })
 }
 
 /// Refuses axes held that the machine does not have to spare, or outside their ranges.
@@ -62,27 +66,40 @@ fn check_held(welding: &Welding, machine: &Machine) -> Result<(), Failure> {
     Ok(())
 }
 
+/// STL files read so far: the name by which a file names them, and where they are.
+#[derive(Default)]
+struct StlFiles(RefCell<Vec<(String, PathBuf)>>);
+
+impl StlFiles {
+    fn read(&self, folder: &Path, name: &str) -> std::io::Result<Vec<u8>> {
+        let path = folder.join(name);
+        let bytes = std::fs::read(&path)?;
+        self.0.borrow_mut().push((name.to_owned(), path));
+        Ok(bytes)
+    }
+}
+
 fn names() -> String {
     SHIPPED.iter().map(|s| s.name).collect::<Vec<_>>().join(", ")
 }
 
 /// The machine called `name`, or in the file `name` from `folder`; none if there is neither.
-fn machine_from(name: &str, folder: &Path) -> Result<Option<Machine>, Failure> {
+fn machine_from(name: &str, folder: &Path, stl: &StlFiles) -> Result<Option<Machine>, Failure> {
     if let Some(shipped) = shipped(name) {
-        return checked(shipped.name, shipped.text, folder).map(Some);
+        return checked(shipped.name, shipped.text, folder, stl).map(Some);
     }
     let path = folder.join(name);
     if !path.is_file() {
         return Ok(None);
     }
     let folder = path.parent().unwrap_or(Path::new("."));
-    checked(&path.display().to_string(), &files::read(&path)?, folder).map(Some)
+    checked(&path.display().to_string(), &files::read(&path)?, folder, stl).map(Some)
 }
 
 /// A machine file with its drives checked too, so that no later step is the first to stumble over them; STL files are
 /// looked for from `folder`.
-fn checked(file: &str, text: &str, folder: &Path) -> Result<Machine, Failure> {
-    let machine = Machine::read_with(file, text, &|name| std::fs::read(folder.join(name)))?;
+fn checked(file: &str, text: &str, folder: &Path, stl: &StlFiles) -> Result<Machine, Failure> {
+    let machine = Machine::read_with(file, text, &|name| stl.read(folder, name))?;
     if let Err(Error::Drive { axis, reason }) = check_drives(&machine) {
         let document = Document::<MachineFile>::read(file, text)?;
         return Err(document.error_at(&format!("drives.{axis}"), reason, "").into());
@@ -92,7 +109,7 @@ fn checked(file: &str, text: &str, folder: &Path) -> Result<Machine, Failure> {
 
 /// The machine that a command line names.
 pub(crate) fn machine(name: &str) -> Result<Machine, Failure> {
-    machine_from(name, Path::new("."))?.ok_or_else(|| {
+    machine_from(name, Path::new("."), &StlFiles::default())?.ok_or_else(|| {
         Failure::Input(format!(
             "{name}: there is no such machine\n   allowed: {}, or the path of a machine file",
             names()

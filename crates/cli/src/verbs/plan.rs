@@ -7,7 +7,7 @@ use crate::rows::{print_json, print_text};
 use seamwright_report::{Plots, WeldReport};
 use seamwright_weld::Welding;
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Component, Path, PathBuf};
 
 pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
@@ -26,13 +26,21 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     finish(output, &report, args.json)
 }
 
-/// Adds program.toml, and the machine file beside it if it is not one that ships, so that the folder stands alone.
+/// Adds program.toml, and beside it the machine file if it is not one that ships and the STL files that are named, so
+/// that the folder stands alone.
 pub(super) fn write_program(output: &mut Output, loaded: &Loaded) -> Result<(), Failure> {
     let mut program = loaded.welding.program.value.clone();
     if let Some(path) = &loaded.machine_file {
         let name = path.file_name().map_or("machine.toml".into(), |n| n.to_string_lossy().into_owned());
         output.copy(&name, path)?;
         program.machine = name;
+    }
+    for (name, path) in &loaded.stl_files {
+        // A name that leads elsewhere is found from nowhere else.
+        let stays = Path::new(name).components().all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
+        if stays {
+            output.copy(name, path)?;
+        }
     }
     let text = program.to_toml().map_err(|e| Failure::Environment(e.to_string()))?;
     output.text("program.toml", &text)
