@@ -1,4 +1,5 @@
 use crate::Error;
+use crate::knots::knots;
 
 /// A cubic spline through values at increasing positions: twice continuously differentiable. Either level (slope 0) at its
 /// ends and constant beyond them, or repeating with a period (de Boor, A Practical Guide to Splines, chapter IV).
@@ -31,20 +32,7 @@ impl CubicSpline {
     }
 
     fn build(points: &[(f64, f64)], period: Option<f64>) -> Result<Self, Error> {
-        if let Some(index) = (1..points.len()).find(|&i| points[i].0 <= points[i - 1].0 || !points[i].0.is_finite()) {
-            return Err(Error::Knots { index });
-        }
-        let (Some(first), Some(last)) = (points.first(), points.last()) else {
-            return Err(Error::Knots { index: 0 });
-        };
-        let (mut x, mut y): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
-        if let Some(period) = period {
-            if last.0 - first.0 >= period {
-                return Err(Error::Knots { index: points.len() - 1 });
-            }
-            x.push(first.0 + period);
-            y.push(first.1);
-        }
+        let (x, y) = knots(points, period)?;
         let slope = if period.is_some() { periodic_slopes(&x, &y) } else { level_slopes(&x, &y) };
         Ok(Self { x, y, slope, period })
     }

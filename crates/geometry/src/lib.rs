@@ -21,6 +21,7 @@ mod edge;
 mod ellipse;
 mod error;
 pub mod fit;
+mod knots;
 mod line;
 mod monotone;
 mod pose;

@@ -1,4 +1,5 @@
 use crate::Error;
+use crate::knots::knots;
 
 /// A smooth curve through values at increasing positions that never leaves the range of two neighbouring values:
 /// cubic pieces with the slopes of Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5, 1984). Either level at its ends and
@@ -34,21 +35,7 @@ impl MonotoneCurve {
     }
 
     fn build(points: &[(f64, f64)], period: Option<f64>) -> Result<Self, Error> {
-        if let Some(index) = (1..points.len()).find(|&i| points[i].0 <= points[i - 1].0 || !points[i].0.is_finite()) {
-            return Err(Error::Knots { index });
-        }
-        let (Some(first), Some(last)) = (points.first(), points.last()) else {
-            return Err(Error::Knots { index: 0 });
-        };
-        let mut x: Vec<f64> = points.iter().map(|p| p.0).collect();
-        let mut y: Vec<f64> = points.iter().map(|p| p.1).collect();
-        if let Some(period) = period {
-            if last.0 - first.0 >= period {
-                return Err(Error::Knots { index: points.len() - 1 });
-            }
-            x.push(first.0 + period);
-            y.push(first.1);
-        }
+        let (x, y) = knots(points, period)?;
         let slope = slopes(&x, &y, period.is_some());
         Ok(Self { x, y, slope, period })
     }

@@ -30,20 +30,25 @@ pub(crate) fn pass_clearance(
     pass: usize,
 ) -> (Option<PassClearance>, Vec<Finding>) {
     let limits = Limits { cutoff_mm: CUTOFF_MM, precision_mm: 0.2, smallest: 1e-6 * path.length() };
-    // Limits are positive, so that the walk has nothing to refuse.
-    let Some(profile) = (!around.is_empty()).then(|| around.along(path, STATIONS, &limits).ok()).flatten() else {
+    if around.is_empty() {
         return (None, Vec::new());
-    };
-    let findings = profile.stretches.iter().map(|stretch| Finding {
+    }
+    let finding = |message, from_mm, to_mm| Finding {
         kind: "clearance",
-        message: too_near(around, stretch.watch, &stretch.nearest),
+        message,
         pass,
-        from_mm: stretch.from,
-        to_mm: stretch.to,
+        from_mm,
+        to_mm,
         cure: "change the torch angles or the placement, or allow less with clearance.least_mm if the shapes are right"
             .to_owned(),
         allowed: false,
-    });
+    };
+    let profile = match around.along(path, STATIONS, &limits) {
+        Ok(profile) => profile,
+        // What cannot be looked at is not clear.
+        Err(e) => return (None, vec![finding(e.to_string(), 0.0, path.length())]),
+    };
+    let findings = profile.stretches.iter().map(|s| finding(too_near(around, s.watch, &s.nearest), s.from, s.to));
     let at_least = (0..STATIONS).filter_map(|i| {
         let (_, cell) = profile.nearest(i)?;
         Some((profile.edges[i + 1], cell.at_least_mm))

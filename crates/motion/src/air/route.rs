@@ -68,10 +68,11 @@ pub(crate) fn too_near(around: &Surroundings, watch: usize, found: &Evaluation) 
 
 /// What stands in the way of a leg, if anything does.
 pub(crate) fn obstacle(around: &Surroundings, leg: &Leg) -> Option<String> {
-    // Limits are positive, so that the walk has nothing to refuse.
-    let profile = around.along(leg, 1, &LIMITS).ok()?;
-    let stretch = profile.stretches.first()?;
-    Some(too_near(around, stretch.watch, &stretch.nearest))
+    match around.along(leg, 1, &LIMITS) {
+        Ok(profile) => profile.stretches.first().map(|stretch| too_near(around, stretch.watch, &stretch.nearest)),
+        // What cannot be looked at is not clear.
+        Err(e) => Some(e.to_string()),
+    }
 }
 
 struct Search<'a> {
