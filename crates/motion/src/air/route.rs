@@ -63,7 +63,11 @@ pub fn route(
 pub(crate) fn too_near(around: &Surroundings, watch: usize, found: &Evaluation) -> String {
     let (a, b) = around.solids(watch, found).unwrap_or_else(|| around.names(watch));
     let least = around.scene().watches()[watch].least_mm();
-    format!("{a} comes within {:.2} mm of {b} (least {least} mm)", found.distance.max(0.0))
+    if found.distance > 0.005 {
+        format!("{a} comes within {:.2} mm of {b} (least {least} mm)", found.distance)
+    } else {
+        format!("{a} runs into {b} (least {least} mm)")
+    }
 }
 
 /// What stands in the way of a leg, if anything does.
