@@ -192,7 +192,7 @@ fn axes_that_cannot_be_held() {
         let (code, text) = plan(hold);
         println!("{text}");
         assert_eq!(code, Some(2));
-        assert!(text.contains("job.toml:28"), "{text}");
+        assert!(text.contains("job.toml:31"), "{text}");
         words.iter().for_each(|word| assert!(text.contains(word), "{word} in {text}"));
     }
     // On a machine without axes to spare wishes do nothing, but there is nothing to hold.

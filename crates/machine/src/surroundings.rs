@@ -97,6 +97,11 @@ impl<'a> Surroundings<'a> {
             .min_by(|a, b| margin(a.0, &a.1).total_cmp(&margin(b.0, &b.1)))
     }
 
+    /// The least distance of anything watched at positions `q`, up to `limit`, mm.
+    pub fn least(&self, q: &Joints, limit: f64) -> f64 {
+        self.scene.nearest(&self.frames(q), limit).map_or(limit, |(_, e)| e.distance.min(limit))
+    }
+
     /// True if every watch holds at positions `q`.
     pub fn is_clear(&self, q: &Joints) -> bool {
         let frames = self.frames(q);

@@ -7,8 +7,10 @@ use seamwright_program::Finding;
 /// How near things come along a pass.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PassClearance {
-    /// For each stretch of the pass: where it ends (mm), and a distance (mm) that nothing watched falls below in it, up to
-    /// the cut-off.
+    /// The least distance (mm) of anything watched at places along the pass (mm), up to the cut-off.
+    pub found: Vec<(f64, f64)>,
+    /// For each stretch of the pass: where it ends (mm), and a distance (mm) that nothing watched falls below anywhere in
+    /// it, up to the cut-off: proven, and so up to a tenth less than what is found.
     pub at_least: Vec<(f64, f64)>,
     /// The least distance found: mm, path length, and who is near to whom.
     pub nearest: Option<(f64, f64, String)>,
@@ -52,6 +54,7 @@ pub(crate) fn pass_clearance(
         let (a, b) = around.solids(watch, &found).unwrap_or_else(|| around.names(watch));
         (found.distance, s, format!("{a} and {b}"))
     });
-    let clearance = PassClearance { at_least: at_least.collect(), nearest, cutoff_mm: CUTOFF_MM };
+    let found = profile.edges.iter().map(|&s| (s, around.least(&path.at(s), CUTOFF_MM))).collect();
+    let clearance = PassClearance { found, at_least: at_least.collect(), nearest, cutoff_mm: CUTOFF_MM };
     (Some(clearance), findings.collect())
 }

@@ -1,6 +1,6 @@
 use super::SimulationCurves;
 use super::samples::Sample;
-use crate::{Axis, Band, Chart, ChartGrid, LimitLine, Mark, Series, ThreeViews};
+use crate::{Axis, Band, Chart, ChartGrid, LimitLine, Mark, Series, Style, ThreeViews};
 use seamwright_machine::Machine;
 use seamwright_motion::{PassClearance, PassMotion};
 use seamwright_weld::Welding;
@@ -112,14 +112,15 @@ fn views(welding: &Welding, pass: usize) -> ThreeViews {
 
 fn clearance_chart(clearance: &PassClearance) -> Chart {
     let first = clearance.at_least.first().map(|c| (0.0, c.1));
+    let proven = first.into_iter().chain(clearance.at_least.iter().copied()).collect();
     Chart {
-        title: format!("Clearance: nothing watched comes nearer than this (told up to {} mm)", clearance.cutoff_mm),
+        title: format!("Least distance of anything watched (told up to {} mm)", clearance.cutoff_mm),
         x: along(),
         y: Axis::new("distance", "mm"),
-        series: vec![Series::line(
-            "least distance",
-            first.into_iter().chain(clearance.at_least.iter().copied()).collect(),
-        )],
+        series: vec![
+            Series::line("least distance", clearance.found.clone()),
+            Series::line("proven between the places looked at", proven).styled(Style::Dashed),
+        ],
         ..Chart::default()
     }
 }

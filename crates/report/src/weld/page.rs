@@ -74,7 +74,7 @@ impl WeldReport {
             }
             blocks.push(figure(
                 clearance.to_svg(),
-                "Least distance of torch, links, part, fixtures and zones from one another; it holds between the places looked at too.",
+                "Least distance of torch, links, part, fixtures and zones from one another, and the bound below which none falls anywhere.",
             ));
         }
         blocks.push(heading("Speed"));
