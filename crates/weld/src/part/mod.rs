@@ -16,6 +16,19 @@ const NOZZLE_MM: f64 = 100.0;
 /// Thickness of plates, mm: nobody comes near their other side.
 const PLATE_MM: f64 = 10.0;
 
+/// Places along the seam that are looked at for its extent.
+const PLACES: i32 = 360;
+
+/// Why no part can be made.
+#[derive(Debug, thiserror::Error)]
+enum Impossible {
+    #[error(transparent)]
+    Solid(#[from] ClearanceError),
+    /// The body as long as the job says ends within the seam: the least length, mm.
+    #[error("the body would end within the seam")]
+    Short(f64),
+}
+
 /// How the bytes of an STL file are got.
 type Load<'a> = &'a dyn Fn(&str) -> std::io::Result<Vec<u8>>;
 
@@ -31,11 +44,13 @@ impl Welding {
     /// Part and fixtures in the machine's work frame; `load` gets the bytes of the STL files that are named.
     ///
     /// The part is made from the seam unless its solids are given: exact cylinders, spheres, cones and boxes; elliptic
-    /// tubes and curved T-joints as meshes within 0.02 mm, ellipsoidal heads within 0.1 mm. Tubes are solid: the torch
-    /// stays outside.
+    /// tubes and curved T-joints as meshes up to 0.02 mm outside the true surface, ellipsoidal heads up to 0.1 mm. It is
+    /// nowhere smaller than the true one, nor larger near the seam; the end of a slanting nozzle may stand out of the far
+    /// side of its body. Tubes are solid: the torch stays outside.
     ///
     /// # Errors
-    /// With the key's address: everything that can be wrong with a solid or an STL file.
+    /// With the key's address: everything that can be wrong with a solid or an STL file, a body that ends within the
+    /// seam.
     pub fn clamped(&self, load: Load) -> Result<Clamped, DocumentError> {
         let program = &self.program.value;
         let fixtures = given(&self.program, "fixtures", &program.fixtures, load)?;
@@ -73,30 +88,47 @@ impl Making<'_> {
             Seam::Line(line) => self.line(line),
             Seam::TJoint(joint) => self.t_joint(joint, &Middle::new(file, joint)?),
         };
-        made.map_err(|e| file.error_at("part", e.to_string(), "lengths that make a solid"))
+        made.map_err(|e| match e {
+            Impossible::Short(least) => {
+                file.error_at("part.body_length_mm", e.to_string(), format!("more than {least:.3}"))
+            }
+            Impossible::Solid(_) => {
+                let message = format!("the part made from the seam: {e}");
+                file.error_at("seam", message, "sizes up to 1e7 mm, those of [part] too; or [[part.solids]]")
+            }
+        })
     }
 
-    /// Points along the whole seam.
-    fn points(&self) -> impl Iterator<Item = DVec3> + '_ {
-        let length = self.seam.weld_length().max(self.seam.length());
-        (0..=360).map(move |i| self.seam.at(length * f64::from(i) / 360.0).point)
+    /// The least value of `f` over the seam: the least of many places, then of ever nearer ones around it.
+    fn least(&self, f: impl Fn(DVec3) -> f64) -> f64 {
+        let length = self.seam.length();
+        let (mut step, mut best) = (length / f64::from(PLACES), (f64::INFINITY, 0.5 * length));
+        for half in [PLACES / 2, 10, 10, 10, 10] {
+            let places = (-half..=half).map(|i| (best.1 + f64::from(i) * step).clamp(0.0, length));
+            let values = places.map(|s| (f(self.seam.at(s).point), s));
+            best = values.fold(best, |b, v| if v.0 < b.0 { v } else { b });
+            step *= 0.1;
+        }
+        best.0
     }
 
     /// Least and greatest height of the seam along a direction.
     fn heights(&self, from: DVec3, along: DVec3) -> (f64, f64) {
-        let heights = self.points().map(|p| (p - from).dot(along));
-        heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)))
+        (self.least(|p| (p - from).dot(along)), -self.least(|p| -(p - from).dot(along)))
     }
 
     /// The middle of the seam's extent.
     fn middle(&self) -> DVec3 {
-        let (low, high) = self.points().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
-        0.5 * (low + high)
+        DVec3::from_array(DVec3::AXES.map(|n| self.heights(DVec3::ZERO, n)).map(|(low, high)| 0.5 * (low + high)))
     }
 
-    /// The body's length, or `size` times six.
-    fn body(&self, size: f64) -> f64 {
-        self.body_mm.unwrap_or(6.0 * size)
+    /// The body's length: as the job says, or the usual one, but beyond the seam (`least`) by no less than the nozzle.
+    fn body(&self, usual: f64, least: f64) -> Result<f64, Impossible> {
+        match self.body_mm {
+            Some(length) if length <= least => Err(Impossible::Short(least)),
+            Some(length) => Ok(length),
+            None => Ok(usual.max(least + 2.0 * self.nozzle_mm)),
+        }
     }
 
     /// A plate whose outer face, with outward `normal`, is a square about `centre`.

@@ -1,18 +1,18 @@
-use super::{Making, PLATE_MM};
+use super::{Impossible, Making, PLATE_MM};
 use glam::{DAffine3, DMat3, DVec3};
 use seamwright_clearance::{ClearanceError, Shape, Solid};
 use seamwright_program::Line;
 
-/// Faces nearer to one plane than this (sine) are a butt joint.
-const BUTT: f64 = 0.02;
+/// Faces whose normals differ by no more than this are a butt joint.
+const BUTT: f64 = 1e-6;
 
 impl Making<'_> {
     /// The plates behind the two faces of a straight seam, or the one plate of a butt joint.
-    pub(super) fn line(&self, line: &Line) -> Result<Vec<Solid>, ClearanceError> {
+    pub(super) fn line(&self, line: &Line) -> Result<Vec<Solid>, Impossible> {
         let (start, end) = (line.start_mm.get(), line.end_mm.get());
         let (n1, n2) = (line.first_normal.unit(), line.second_normal.unit());
         let width = self.body_mm.unwrap_or(2.0 * self.nozzle_mm);
-        if n1.cross(n2).length() < BUTT {
+        if (n1 - n2).length() <= BUTT {
             return Ok(vec![strip("plate", (start, end), (n1 + n2).normalize(), (-0.5 * width, 0.5 * width))?]);
         }
         // The first part stands on the second: its face goes up from the seam, the second's to both sides of it.

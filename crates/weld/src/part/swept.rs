@@ -1,4 +1,4 @@
-use super::{Making, PLATE_MM};
+use super::{Impossible, Making, PLATE_MM};
 use crate::t_joint::Middle;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 use seamwright_clearance::{ClearanceError, Mesh, Shape, Solid};
@@ -11,10 +11,10 @@ const WITHIN_MM: f64 = 0.01;
 
 impl Making<'_> {
     /// An elliptic tube on a plate, or the plate alone.
-    pub(super) fn ellipse(&self, e: &Ellipse) -> Result<Vec<Solid>, ClearanceError> {
+    pub(super) fn ellipse(&self, e: &Ellipse) -> Result<Vec<Solid>, Impossible> {
         let (centre, normal) = (e.centre_mm.get(), e.normal.unit());
         let (a, b) = (e.a_mm.get(), e.b_mm.get());
-        let plate = self.plate("plate", centre, normal, self.body(a.max(b)))?;
+        let plate = self.plate("plate", centre, normal, self.body(6.0 * a.max(b), 2.0 * a.max(b))?)?;
         if e.joint == FilletOrButt::Butt {
             return Ok(vec![plate]);
         }
@@ -30,51 +30,84 @@ impl Making<'_> {
         };
         let sections: Vec<Vec<DVec3>> =
             [0.0, self.nozzle_mm].iter().map(|&z| (0..count).map(|i| corner(i, z)).collect()).collect();
-        Ok(vec![plate, Solid::new("tube", Shape::Mesh(Arc::new(sweep(&sections)?)), frame)?])
+        Ok(vec![plate, Solid::new("tube", Shape::Mesh(Arc::new(sweep_through(&sections)?)), frame)?])
     }
 
     /// The skin, and the web on it.
-    pub(super) fn t_joint(&self, joint: &TJoint, along: &Middle) -> Result<Vec<Solid>, ClearanceError> {
-        let width = self.body_mm.unwrap_or(2.0 * self.nozzle_mm);
-        let half = 0.5 * joint.web_mm.get();
-        // Corners of the cross-sections: to the left, and out of the skin.
-        let skin = [(-0.5 * width, -PLATE_MM), (0.5 * width, -PLATE_MM), (0.5 * width, 0.0), (-0.5 * width, 0.0)];
-        let web = [(-half, 0.0), (half, 0.0), (half, self.nozzle_mm), (-half, self.nozzle_mm)];
-        let farthest = width.max(self.nozzle_mm);
-        let solid = |name: &str, corners: [(f64, f64); 4]| {
-            let section = |u: f64| corners.iter().map(|(left, out)| along.corner(u, *left, *out)).collect::<Vec<_>>();
-            let pieces = along.pieces(farthest);
-            let sections: Vec<_> = (0..=pieces).map(|i| section(i as f64 / pieces as f64)).collect();
-            Solid::new(name, Shape::Mesh(Arc::new(sweep(&sections)?)), DAffine3::IDENTITY)
-        };
-        Ok(vec![solid("skin", skin)?, solid("web", web)?])
+    pub(super) fn t_joint(&self, joint: &TJoint, along: &Middle) -> Result<Vec<Solid>, Impossible> {
+        let web_mm = joint.web_mm.get();
+        let width = self.body(2.0 * self.nozzle_mm, web_mm)?;
+        let skin = Section { left: (-0.5 * width, 0.5 * width), out: (-PLATE_MM, 0.0) };
+        // The web's foot is within the skin, so that no gap is between them where both are meshes.
+        let web = Section { left: (-0.5 * web_mm, 0.5 * web_mm), out: (-0.5 * PLATE_MM, self.nozzle_mm) };
+        Ok(vec![along.solid("skin", skin)?, along.solid("web", web)?])
+    }
+}
+
+/// A rectangle across the middle line, mm: from where to where to the left, and out of the skin.
+#[derive(Clone, Copy)]
+struct Section {
+    left: (f64, f64),
+    out: (f64, f64),
+}
+
+impl Section {
+    /// The same with each side moved outwards by its part of `more` mm along a direction with these components.
+    fn grown(self, more: f64, left: f64, out: f64) -> Self {
+        let wider = |(low, high): (f64, f64), c: f64| (low - more * (-c).max(0.0), high + more * c.max(0.0));
+        Self { left: wider(self.left, left), out: wider(self.out, out) }
+    }
+
+    fn corners(self) -> [(f64, f64); 4] {
+        let ((l, r), (low, high)) = (self.left, self.out);
+        [(l, low), (r, low), (r, high), (l, high)]
     }
 }
 
 impl Middle {
-    /// A point of the cross-section in the part `u` of the middle line, mm.
-    fn corner(&self, u: f64, left: f64, out: f64) -> DVec3 {
-        let at_start = self.start + left * self.left + out * self.skin;
-        match &self.arc {
-            None => at_start + u * (self.end - self.start),
-            Some((arc, sweep)) => {
-                let turn = DQuat::from_axis_angle(arc.axis(), u * sweep);
-                arc.centre() + turn * (at_start - arc.centre())
-            }
-        }
-    }
-
-    /// Pieces that keep flat sides near enough to round ones.
-    fn pieces(&self, farthest: f64) -> usize {
-        let Some((arc, sweep)) = &self.arc else { return 1 };
-        let radius = arc.radius() + farthest;
-        let angle = 2.0 * (1.0 - WITHIN_MM / radius).acos();
-        (sweep / angle).ceil().max(1.0) as usize
+    /// The solid with this cross-section: a box, or a mesh around the arc's.
+    fn solid(&self, name: &str, section: Section) -> Result<Solid, ClearanceError> {
+        let Some((arc, sweep)) = &self.arc else {
+            let length = self.start.distance(self.end);
+            let axes = DMat3::from_cols((self.end - self.start) / length, self.left, self.skin);
+            let (low, high) =
+                (DVec3::new(0.0, section.left.0, section.out.0), DVec3::new(length, section.left.1, section.out.1));
+            let pose = DAffine3::from_mat3_translation(axes, self.start + axes * (0.5 * (low + high)));
+            return Solid::new(name, Shape::Box { size: high - low }, pose);
+        };
+        let outward = (self.start - arc.centre()).normalize();
+        let (left, out) = (self.left.dot(outward), self.skin.dot(outward));
+        // Far from the weld it ends before the arc's axis, where it would meet itself.
+        let room = 0.45 * arc.radius();
+        let section = Section { left: short_of(section.left, left, room), out: short_of(section.out, out, room) };
+        let farthest =
+            section.corners().map(|(l, o)| arc.radius() + l * left + o * out).into_iter().fold(0.0, f64::max);
+        // Between two cross-sections a flat side lies nearer to the axis by up to the cosine of half the angle between
+        // them. So the outer faces are moved out by that, and the solid is nowhere smaller than the true one.
+        let most = WITHIN_MM / farthest;
+        let pieces = (sweep / (2.0 * (most * (2.0 + most)).sqrt().atan())).ceil().max(1.0);
+        let half = 0.5 * sweep / pieces;
+        let more = farthest * 2.0 * (0.5 * half).sin().powi(2) / half.cos();
+        let corners = section.grown(more, left, out).corners();
+        let at = |i: usize| {
+            let turn = DQuat::from_axis_angle(arc.axis(), sweep * i as f64 / pieces);
+            let corner =
+                |(l, o): (f64, f64)| arc.centre() + turn * (self.start - arc.centre() + l * self.left + o * self.skin);
+            corners.map(corner).to_vec()
+        };
+        let sections: Vec<Vec<DVec3>> = (0..=pieces as usize).map(at).collect();
+        Solid::new(name, Shape::Mesh(Arc::new(sweep_through(&sections)?)), DAffine3::IDENTITY)
     }
 }
 
+/// The part of a range that goes no more than `room` mm towards the axis, which one mm of it does by `-outward`.
+fn short_of((low, high): (f64, f64), outward: f64, room: f64) -> (f64, f64) {
+    let end = room / outward.abs();
+    if outward > 0.0 { (low.max(-end), high) } else { (low, high.min(end)) }
+}
+
 /// The closed mesh through cross-sections with as many corners each.
-fn sweep(sections: &[Vec<DVec3>]) -> Result<Mesh, ClearanceError> {
+fn sweep_through(sections: &[Vec<DVec3>]) -> Result<Mesh, ClearanceError> {
     let mut triangles = Vec::new();
     for pair in sections.windows(2) {
         for i in 0..pair[0].len() {

@@ -1,4 +1,4 @@
-use super::{Making, standing};
+use super::{Impossible, Making, standing};
 use glam::{DAffine3, DMat3, DVec3};
 use seamwright_clearance::{ClearanceError, Mesh, Shape, Solid};
 use seamwright_document::Positive;
@@ -8,6 +8,8 @@ use std::sync::Arc;
 
 /// How far a dome's mesh may lie outside the ellipsoid, mm.
 const DOME_MM: f64 = 0.1;
+/// Larger ellipsoids stay whole, mm: their domes would take millions of triangles.
+const LARGEST_DOME_MM: f64 = 5_000.0;
 
 /// The upper half of an ellipsoid as a mesh around it.
 fn dome(semi_axes: DVec3) -> Result<Shape, ClearanceError> {
@@ -36,30 +38,48 @@ fn dome(semi_axes: DVec3) -> Result<Shape, ClearanceError> {
     Mesh::new(&triangles).map(|mesh| Shape::Mesh(Arc::new(mesh)))
 }
 
+/// The end of a nozzle inside its body: a disc.
+struct Foot {
+    centre: DVec3,
+    along: DVec3,
+    radius: f64,
+}
+
+impl Foot {
+    /// The seam's heights along a direction, and this end's too.
+    fn with(&self, (low, high): (f64, f64), from: DVec3, axis: DVec3) -> (f64, f64) {
+        let middle = (self.centre - from).dot(axis);
+        let half = self.radius * self.along.cross(axis).length();
+        (low.min(middle - half), high.max(middle + half))
+    }
+}
+
 impl Making<'_> {
     /// A nozzle's tube from the seam's lowest point on, and its body.
-    pub(super) fn nozzle(&self, nozzle: &Nozzle) -> Result<Vec<Solid>, ClearanceError> {
+    pub(super) fn nozzle(&self, nozzle: &Nozzle) -> Result<Vec<Solid>, Impossible> {
         let (origin, along, radius) = (nozzle.origin_mm.get(), nozzle.direction.unit(), nozzle.radius_mm.get());
         let (low, high) = self.heights(origin, along);
         let length = high - low + self.nozzle_mm;
-        let tube = Solid::new("nozzle", Shape::Cylinder { radius, length }, standing(origin + low * along, along))?;
-        Ok(vec![tube, self.nozzle_body(&nozzle.body, radius)?])
+        let foot = Foot { centre: origin + low * along, along, radius };
+        let tube = Solid::new("nozzle", Shape::Cylinder { radius, length }, standing(foot.centre, along))?;
+        Ok(vec![tube, self.nozzle_body(&nozzle.body, &foot)?])
     }
 
-    fn nozzle_body(&self, body: &Body, nozzle_radius: f64) -> Result<Solid, ClearanceError> {
-        let middle = self.middle();
-        let length = self.body(nozzle_radius);
-        match body {
+    fn nozzle_body(&self, body: &Body, foot: &Foot) -> Result<Solid, Impossible> {
+        let usual = 6.0 * foot.radius;
+        let solid = match body {
             Body::Cylinder { radius_mm, point_mm, axis } => {
                 let (point, axis) = (point_mm.get(), axis.unit());
-                let start = point + ((middle - point).dot(axis) - 0.5 * length) * axis;
+                let (low, high) = foot.with(self.heights(point, axis), point, axis);
+                let length = self.body(usual, high - low)?;
+                let start = point + 0.5 * (low + high - length) * axis;
                 Solid::new("shell", Shape::Cylinder { radius: radius_mm.get(), length }, standing(start, axis))
             }
             Body::Cone { half_angle_deg, apex_mm, axis } => {
                 let (apex, axis) = (apex_mm.get(), axis.unit());
                 let slope = half_angle_deg.get().to_radians().tan();
-                let (low, high) = self.heights(apex, axis);
-                let more = 0.5 * (length - (high - low)).max(0.0);
+                let (low, high) = foot.with(self.heights(apex, axis), apex, axis);
+                let more = 0.5 * (self.body(usual, high - low)? - (high - low));
                 let (from, to) = ((low - more).max(0.0), high + more);
                 let shape = Shape::Cone { radius: from * slope, top_radius: to * slope, length: to - from };
                 Solid::new("cone", shape, standing(apex + from * axis, axis))
@@ -79,22 +99,25 @@ impl Making<'_> {
                 let z = if high < 0.0 { -z } else { z };
                 let axes = DMat3::from_cols(x, z.cross(x), z);
                 let pose = DAffine3::from_mat3_translation(axes, centre_mm.get());
-                let shape = if low * high > 0.0 { dome(semi_axes)? } else { Shape::Ellipsoid { semi_axes } };
+                let head = low * high > 0.0 && semi_axes.max_element() <= LARGEST_DOME_MM;
+                let shape = if head { dome(semi_axes)? } else { Shape::Ellipsoid { semi_axes } };
                 Solid::new("head", shape, pose)
             }
             Body::Plane { point_mm, normal } => {
-                let normal = normal.unit();
+                let (middle, normal) = (self.middle(), normal.unit());
                 let centre = middle - (middle - point_mm.get()).dot(normal) * normal;
-                self.plate("plate", centre, normal, length)
+                let farthest = -self.least(|p| -p.distance(centre));
+                self.plate("plate", centre, normal, self.body(usual, 2.0 * farthest)?)
             }
-        }
+        };
+        Ok(solid?)
     }
 
     /// A tube that goes on to both sides of the cut.
-    pub(super) fn girth(&self, girth: &Girth) -> Result<Vec<Solid>, ClearanceError> {
+    pub(super) fn girth(&self, girth: &Girth) -> Result<Vec<Solid>, Impossible> {
         let (radius, along) = (girth.radius_mm.get(), girth.direction.unit());
         let (low, high) = self.heights(girth.origin_mm.get(), along);
-        let length = self.body(radius).max(high - low + 2.0);
+        let length = self.body(6.0 * radius, high - low)?;
         let start = girth.origin_mm.get() + (0.5 * (low + high - length)) * along;
         Ok(vec![Solid::new("tube", Shape::Cylinder { radius, length }, standing(start, along))?])
     }
