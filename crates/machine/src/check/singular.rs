@@ -52,8 +52,11 @@ pub struct SingularPlace {
 impl SingularPlace {
     /// The place in one sentence.
     pub fn sentence(&self, unit: impl Fn(&str) -> &'static str) -> String {
-        let at: Vec<String> =
-            self.at.iter().map(|(axis, v)| format!("{axis} = {:.3} {}", v + 0.0, unit(axis))).collect();
+        let at: Vec<String> = self
+            .at
+            .iter()
+            .map(|(axis, v)| format!("{axis} = {} {}", (v * 1e3).round() / 1e3 + 0.0, unit(axis)))
+            .collect();
         let joint = if self.family { "for example at" } else { "at" };
         if at.is_empty() { self.what.clone() } else { format!("{}, {joint} {}", self.what, at.join(", ")) }
     }
@@ -104,7 +107,9 @@ pub(super) fn find(task: &Task, seed: u64, step: &mut dyn FnMut()) -> Singularit
 fn same(a: &SingularPlace, b: &SingularPlace) -> bool {
     let axes = |p: &SingularPlace| p.at.iter().map(|x| x.0.clone()).collect::<Vec<_>>();
     let near = a.at.iter().zip(&b.at).all(|(x, y)| (x.1 - y.1).abs() < 0.01);
-    a.what == b.what && axes(a) == axes(b) && (a.family || near)
+    // Which linear axes follow depends on where they are.
+    let what = |p: &SingularPlace| p.what.split(", with").next().unwrap_or_default().to_owned();
+    what(a) == what(b) && axes(a) == axes(b) && (a.family || near)
 }
 
 fn describe(task: &Task, q: &Joints) -> SingularPlace {
@@ -165,11 +170,9 @@ fn freedom_lost(task: &Task, q: &Joints, rotary: &[usize], linear: &[usize]) -> 
     match rotary {
         [] => format!("the linear axes {} lie in one plane: the tip cannot leave it", names(linear)),
         [one] => {
-            let (direction, at) = line(task, q, *one);
+            let direction = line(task, q, *one).0;
             let name = task.name(*one);
-            let on_axis = direction.cross(tip.point - at).length() < 1e-3;
             match direction.cross(tip.direction).length() < 1e-5 {
-                true if on_axis => format!("the torch lies along axis {name} and its tip on it: {name} is free there"),
                 true => format!("the torch lies along axis {name}: {name} is free there{following}"),
                 false => format!("what axis {name} does, {} can undo: {name} is free there", names(linear)),
             }

@@ -27,8 +27,8 @@ pub(super) struct Canvas<'a> {
     svg: &'a mut Svg,
     map: Map,
     frame: Rect,
-    /// Names to be set, each with its place and how much room its symbol takes.
-    labels: Vec<(String, Point)>,
+    /// Names to be set, each with its place and colour (0: none).
+    labels: Vec<(String, Point, u8)>,
     taken: Vec<Rect>,
     ink: Vec<Point>,
     bars: Vec<(Point, Point)>,
@@ -53,7 +53,10 @@ impl<'a> Canvas<'a> {
             points.windows(2).for_each(|w| self.note(w[0], w[1]));
         }
         self.corners(drawing);
-        // Bars first: rings, beams and marks stand on them.
+        // Beams end at their tips: bars keep off them. Bars are drawn first: rings, beams and marks stand on them.
+        for (_, tip, direction) in &drawing.heads {
+            self.bars.extend(self.beam_line(*tip, *direction));
+        }
         let (rotary, linear): (Vec<&DrawnAxis>, Vec<&DrawnAxis>) = drawing.axes.iter().partition(|a| a.rotary);
         linear.into_iter().for_each(|axis| self.linear(axis));
         rotary.into_iter().for_each(|axis| self.rotary(axis));
@@ -88,7 +91,7 @@ impl<'a> Canvas<'a> {
         if seen.0.hypot(seen.1) < OUT_OF_PLANE {
             let p = self.free_dot(at);
             self.dot(p, colour, seen.2 > 0.0);
-            self.labels.push((axis.label.clone(), p));
+            self.labels.push((axis.label.clone(), p, colour));
             return;
         }
         let way = unit((seen.0, -seen.1));
@@ -121,7 +124,7 @@ impl<'a> Canvas<'a> {
         }
         self.note(low, high);
         self.taken.push(square(shifted(high, way, -5.0), 6.0));
-        self.labels.push((axis.label.clone(), shifted(high, way, -3.0)));
+        self.labels.push((axis.label.clone(), shifted(high, way, -3.0), colour));
     }
 
     fn rotary(&mut self, axis: &DrawnAxis) {
@@ -158,27 +161,31 @@ impl<'a> Canvas<'a> {
             self.svg.circle(&format!("mark c{colour}"), centre.0, centre.1, 1.6);
         }
         self.taken.push(square(tip, 6.0));
-        self.labels.push((axis.label.clone(), points[points.len() / 2]));
+        self.labels.push((axis.label.clone(), points[points.len() / 2], colour));
+    }
+
+    /// Back end and tip of a beam, px; none if it points towards or away.
+    fn beam_line(&self, tip: [f64; 3], direction: [f64; 3]) -> Option<(Point, Point)> {
+        let seen = self.seen(direction);
+        let flat = seen.0.hypot(seen.1);
+        let at = self.map.px(tip);
+        (flat >= OUT_OF_PLANE).then(|| (shifted(at, unit((seen.0, -seen.1)), -BEAM * flat), at))
     }
 
     fn beam(&mut self, name: &str, tip: [f64; 3], direction: [f64; 3]) {
-        let seen = self.seen(direction);
-        let at = self.map.px(tip);
-        let flat = seen.0.hypot(seen.1);
-        if flat < OUT_OF_PLANE {
-            let p = self.free_dot(at);
-            self.dot(p, 3, seen.2 > 0.0);
-            self.labels.push((name.to_owned(), p));
+        let Some((back, at)) = self.beam_line(tip, direction) else {
+            let p = self.free_dot(self.map.px(tip));
+            self.dot(p, 3, self.seen(direction).2 > 0.0);
+            self.labels.push((name.to_owned(), p, 3));
             return;
-        }
-        let way = unit((seen.0, -seen.1));
-        let back = shifted(at, way, -BEAM * flat);
+        };
+        let way = unit((at.0 - back.0, at.1 - back.1));
         let neck = shifted(at, way, -8.0);
         self.svg.line("line fat c3", back.0, back.1, neck.0, neck.1);
         self.svg.path("f3", &glyph::arrow_head(at, way, ARROW));
         self.note(back, at);
         self.taken.push(square(shifted(at, way, -5.0), 6.0));
-        self.labels.push((name.to_owned(), back));
+        self.labels.push((name.to_owned(), back, 3));
     }
 
     /// Base and work: where the machine's numbers count from.
@@ -192,7 +199,7 @@ impl<'a> Canvas<'a> {
         for (name, p) in marks {
             self.svg.path("origin", &glyph::polyline(&[(p.0 - 5.0, p.1), (p.0 + 5.0, p.1)]));
             self.svg.path("origin", &glyph::polyline(&[(p.0, p.1 - 5.0), (p.0, p.1 + 5.0)]));
-            self.labels.push((name.to_owned(), p));
+            self.labels.push((name.to_owned(), p, 0));
         }
     }
 
@@ -269,13 +276,13 @@ impl<'a> Canvas<'a> {
     /// Names beside their symbols, the crowded ones with a line to them.
     fn names(&mut self) {
         let bounds = self.frame.inset(3.0);
-        for (name, p) in std::mem::take(&mut self.labels) {
+        for (name, p, colour) in std::mem::take(&mut self.labels) {
             let size = (width(&name, 12.0) + 4.0, 15.0);
             let at = (p.0.clamp(bounds.x, bounds.right()), p.1.clamp(bounds.y, bounds.bottom()));
             let label = place::beside(at, size, bounds, &self.taken, &self.ink);
             let near = (p.0.clamp(label.x, label.right()), p.1.clamp(label.y, label.bottom()));
             if distance(near, p) > 12.0 {
-                self.svg.line("leader", p.0, p.1, near.0, near.1);
+                self.svg.line(&format!("lead c{colour}"), p.0, p.1, near.0, near.1);
             }
             self.svg.text("halo", label.x + 0.5 * label.w, label.y + 11.5, Anchor::Middle, &name);
             self.taken.push(label);

@@ -127,13 +127,14 @@ impl MachineDrawing {
                 }
             }
         }
-        // Room for symbols and names around, and in a flat direction.
-        let widest = (0..3).map(|i| high[i] - low[i]).fold(1e-3, f64::max);
-        for i in 0..3 {
-            let room = (0.1 * widest).max(0.5 * (0.55 * widest - (high[i] - low[i])));
-            (low[i], high[i]) = (low[i] - room, high[i] + room);
-        }
         [low, high]
+    }
+
+    /// The same with room for symbols and names around it, and in a flat direction.
+    fn with_room([low, high]: [[f64; 3]; 2]) -> [[f64; 3]; 2] {
+        let widest = (0..3).map(|i| high[i] - low[i]).fold(1e-3, f64::max);
+        let room = |i: usize| (0.07 * widest).max(0.5 * (0.5 * widest - (high[i] - low[i])));
+        [std::array::from_fn(|i| low[i] - room(i)), std::array::from_fn(|i| high[i] + room(i))]
     }
 
     fn draw(&self) -> (Svg, f64) {
@@ -144,9 +145,10 @@ impl MachineDrawing {
         let legend = Legend::new(self.entries(), f64::INFINITY, WIDTH);
         legend.draw(&mut svg, 0.0, top + 12.0 - ROW);
         top += legend.height();
-        symbols(&mut svg, top + 8.0);
-        top += ROW + 4.0 + HEAD;
-        let [low, high] = self.extent();
+        symbols(&mut svg, top + 12.0);
+        top += ROW + 8.0 + HEAD;
+        let extent = self.extent();
+        let [low, high] = Self::with_room(extent);
         let corners =
             move || (0..8).map(move |k| std::array::from_fn(|i| if k >> i & 1 == 1 { high[i] } else { low[i] }));
         let layout = Layout::new(corners(), top);
@@ -154,7 +156,7 @@ impl MachineDrawing {
             svg.text("head", frame.x, frame.y - 7.0, Anchor::Start, view.name());
             svg.rect("area", frame);
             let map = match view {
-                Pictorial => Map::fitting(view, corners(), frame.inset(6.0)),
+                Pictorial => Map::fitting(view, self.seen_in(extent), frame.inset(52.0)),
                 _ => layout.map(view, frame),
             };
             if view != Pictorial {
@@ -166,6 +168,13 @@ impl MachineDrawing {
             svg.close_clip();
         }
         (svg, layout.bottom())
+    }
+
+    /// Points that the pictorial view must hold: structure and strokes within the extent.
+    fn seen_in(&self, [low, high]: [[f64; 3]; 2]) -> impl Iterator<Item = [f64; 3]> {
+        let ends = self.axes.iter().flat_map(|a| [a.stroke.0, a.stroke.1].map(|by| along(a.at, a.direction, by)));
+        let ends = ends.map(move |p| std::array::from_fn(|i| p[i].clamp(low[i], high[i])));
+        self.structure().chain(ends)
     }
 
     fn entries(&self) -> Vec<Entry> {
@@ -201,5 +210,7 @@ fn symbols(svg: &mut Svg, baseline: f64) {
     svg.line("bar symbol-bar", next, y, next + 26.0, y);
     let next = entry(svg, 34.0, "stroke, its arrow at the highest position");
     svg.path("symbol", &super::glyph::zigzag((next + 8.0, y), (1.0, 0.0)));
-    entry(svg, 20.0, "goes on");
+    let next = entry(svg, 20.0, "goes on");
+    svg.circle("mark", next + 4.0, y, 2.8);
+    entry(svg, 13.0, "home");
 }
