@@ -38,7 +38,7 @@ pub(crate) enum Verb {
     Kinematics(KinematicsArgs),
     /// The textbook interpolators beside the exact one
     Interpolate(InterpolateArgs),
-    /// The machine and the work in it: place the work from touched points
+    /// The machine and the work in it: place the work from touched points, check a machine file
     Machine(machine::MachineArgs),
     /// List the machines that ship, or print one's file
     Machines(ListArgs),

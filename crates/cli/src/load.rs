@@ -85,6 +85,11 @@ fn names() -> String {
 
 /// The machine called `name`, or in the file `name` from `folder`; none if there is neither.
 fn machine_from(name: &str, folder: &Path, stl: &StlFiles) -> Result<Option<Machine>, Failure> {
+    Ok(described(name, folder, stl)?.map(|(machine, _)| machine))
+}
+
+/// The same with its file.
+fn described(name: &str, folder: &Path, stl: &StlFiles) -> Result<Option<(Machine, Document<MachineFile>)>, Failure> {
     if let Some(shipped) = shipped(name) {
         return checked(shipped.name, shipped.text, folder, stl).map(Some);
     }
@@ -98,18 +103,23 @@ fn machine_from(name: &str, folder: &Path, stl: &StlFiles) -> Result<Option<Mach
 
 /// A machine file with its drives checked too, so that no later step is the first to stumble over them; STL files are
 /// looked for from `folder`.
-fn checked(file: &str, text: &str, folder: &Path, stl: &StlFiles) -> Result<Machine, Failure> {
+fn checked(file: &str, text: &str, folder: &Path, stl: &StlFiles) -> Result<(Machine, Document<MachineFile>), Failure> {
     let machine = Machine::read_with(file, text, &|name| stl.read(folder, name))?;
-    if let Err(Error::Drive { axis, reason }) = check_drives(&machine) {
-        let document = Document::<MachineFile>::read(file, text)?;
-        return Err(document.error_at(&format!("drives.{axis}"), reason, "").into());
+    let document = Document::<MachineFile>::read(file, text)?;
+    match check_drives(&machine) {
+        Err(Error::Drive { axis, reason }) => Err(document.error_at(&format!("drives.{axis}"), reason, "").into()),
+        _ => Ok((machine, document)),
     }
-    Ok(machine)
 }
 
 /// The machine that a command line names.
 pub(crate) fn machine(name: &str) -> Result<Machine, Failure> {
-    machine_from(name, Path::new("."), &StlFiles::default())?.ok_or_else(|| {
+    machine_and_file(name).map(|(machine, _)| machine)
+}
+
+/// The machine that a command line names, with its file.
+pub(crate) fn machine_and_file(name: &str) -> Result<(Machine, Document<MachineFile>), Failure> {
+    described(name, Path::new("."), &StlFiles::default())?.ok_or_else(|| {
         Failure::Input(format!(
             "{name}: there is no such machine\n   allowed: {}, or the path of a machine file",
             names()

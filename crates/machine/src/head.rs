@@ -1,5 +1,6 @@
 use crate::chain::{AxisSet, Chain};
 use crate::inverse::Inverse;
+use crate::{Axis, AxisKind};
 
 /// A torch, beam or laser head with the axes that carry it.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,4 +20,26 @@ impl Head {
     pub fn free(&self) -> AxisSet {
         self.inverse.held
     }
+
+    /// True if positions are found by Newton's method: the arrangement of the axes has no closed form.
+    pub fn is_numeric(&self) -> bool {
+        self.inverse.is_numeric()
+    }
+
+    /// How positions are found for a pose, in words; `axes` are the machine's.
+    pub fn structure(&self, axes: &[Axis]) -> String {
+        let named = |set: AxisSet| set.iter().map(|axis| axes[axis].name.as_str()).collect::<Vec<_>>().join(", ");
+        let decided = self.chain.axes().different(self.free());
+        let of_kind = |kind| decided.iter().filter(|&axis| axes[axis].kind == kind).collect::<AxisSet>();
+        let (linear, rotary) = (of_kind(AxisKind::Linear), of_kind(AxisKind::Rotary));
+        let parts = [("linear", linear), ("rotary", rotary)].into_iter().filter(|(_, set)| !set.is_empty());
+        let parts = parts.map(|(kind, set)| format!("{} {kind} ({})", counted(set.iter().count()), named(set)));
+        let free = if self.free().is_empty() { String::new() } else { format!("; free: {}", named(self.free())) };
+        format!("{}: {}{free}", self.inverse.words(), parts.collect::<Vec<_>>().join(" + "))
+    }
+}
+
+fn counted(n: usize) -> String {
+    let words = ["no", "one", "two", "three", "four", "five", "six"];
+    words.get(n).map_or_else(|| n.to_string(), |w| (*w).to_owned())
 }

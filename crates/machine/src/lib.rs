@@ -9,6 +9,7 @@
 mod assemble;
 mod axis;
 mod chain;
+pub mod check;
 mod file;
 mod head;
 mod inverse;

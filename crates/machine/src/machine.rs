@@ -87,6 +87,11 @@ impl Machine {
         self
     }
 
+    /// True if both heads can be brought to two poses at once.
+    pub fn can_pair(&self) -> bool {
+        self.pair.is_some()
+    }
+
     /// Index of the axis called `name`.
     pub fn axis(&self, name: &str) -> Option<usize> {
         self.axes.iter().position(|a| a.name == name)

@@ -34,6 +34,16 @@ impl Projection {
         }
     }
 
+    /// The unit vector towards the viewer.
+    pub(crate) fn toward(self) -> [f64; 3] {
+        let unit = |i: usize| self.project(std::array::from_fn(|k| if k == i { 1.0 } else { 0.0 }));
+        let (right, up): (Vec<f64>, Vec<f64>) = (0..3).map(unit).unzip();
+        std::array::from_fn(|i| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            right[j] * up[k] - right[k] * up[j]
+        })
+    }
+
     /// Name of the view.
     pub(crate) fn name(self) -> &'static str {
         match self {
@@ -82,6 +92,7 @@ mod tests {
                 let (j, k) = ((i + 1) % 3, (i + 2) % 3);
                 let towards = up[j] * right[k] - up[k] * right[j];
                 assert!((towards - along).abs() < 1e-12, "{view:?}");
+                assert!((view.toward()[i] + along).abs() < 1e-12, "{view:?}");
             }
         }
     }

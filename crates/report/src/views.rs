@@ -167,7 +167,7 @@ fn draw_triad(svg: &mut Svg, frame: Rect, ink: &[(f64, f64)]) {
 }
 
 /// The symbol of first-angle projection (ISO 5456-2): a cone's frustum, and its view from the left.
-fn first_angle(svg: &mut Svg, x: f64, y: f64) {
+pub(crate) fn first_angle(svg: &mut Svg, x: f64, y: f64) {
     svg.path("symbol", &format!("M{x},{}l18,-4v16l-18,-4z", y - 4.0));
     svg.circle("symbol", x + 34.0, y, 8.0);
     svg.circle("symbol", x + 34.0, y, 4.0);

@@ -13,6 +13,28 @@ pub(crate) struct MachineArgs {
 pub(crate) enum MachineVerb {
     /// The work offset from touched points: where the part stands in the machine
     Place(PlaceArgs),
+    /// Test a machine file on itself: inverse, Jacobian, units, singular places, reach; draw its axes
+    Check(CheckMachineArgs),
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright machine check machines/torch-5axis.toml -o out/torch-5axis
+Exit code 1 if a test fails; remarks on unusual values do not count.")]
+pub(crate) struct CheckMachineArgs {
+    /// Machine that ships, or a machine file
+    pub(crate) machine: String,
+    /// Folder for check.html, check.json and machine.svg; made if missing
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+    /// Print check.json instead of a summary
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Seed of the random positions: the same seed gives the same result
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// Random positions of the round trip, for each head
+    #[arg(long, default_value_t = 20_000, value_name = "N")]
+    pub(crate) poses: u32,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -148,6 +148,21 @@ impl Inverse {
         Self { held, form: Form::of(&active, axes) }
     }
 
+    /// True for Newton's method.
+    pub(crate) fn is_numeric(&self) -> bool {
+        matches!(self.form, Form::Numeric(_))
+    }
+
+    /// The form in words.
+    pub(crate) fn words(&self) -> &'static str {
+        match self.form {
+            Form::ThreeLinear(_) => "closed form",
+            Form::PlaneOnRotary(_) => "closed form, a plane on a rotary axis",
+            Form::TwoLinear(_) => "closed form, in a plane",
+            Form::Numeric(_) => "numeric (Newton's method)",
+        }
+    }
+
     /// Adds every branch, or the one nearest to `near`, to `branches`; held axes stand as in `near`.
     pub(crate) fn solve(
         &self,

@@ -1,5 +1,6 @@
 //! Verbs about the machine and the work in it.
 
+mod check;
 mod offset;
 mod place;
 mod placed;
@@ -11,5 +12,6 @@ use crate::failure::Failure;
 pub(crate) fn run(args: &MachineArgs) -> Result<(), Failure> {
     match &args.verb {
         MachineVerb::Place(a) => place::run(a),
+        MachineVerb::Check(a) => check::run(a),
     }
 }

@@ -1,0 +1,41 @@
+use crate::args::machine::CheckMachineArgs;
+use crate::clock;
+use crate::failure::Failure;
+use crate::files::Output;
+use crate::load::machine_and_file;
+use crate::progress::Progress;
+use crate::rows::{print_json, print_text};
+use seamwright_machine::check::{Check, CheckOptions};
+use seamwright_report::{MachineDrawing, check_page, check_text};
+
+/// Most positions of a round trip: ten million take minutes, more is a slip.
+const MOST_POSES: u32 = 10_000_000;
+
+pub(crate) fn run(args: &CheckMachineArgs) -> Result<(), Failure> {
+    if !(1..=MOST_POSES).contains(&args.poses) {
+        return Err(Failure::Input(format!("--poses {}: not allowed\n   allowed: 1 to {MOST_POSES}", args.poses)));
+    }
+    let (machine, file) = machine_and_file(&args.machine)?;
+    let mut output = args.output.as_deref().map(Output::new).transpose()?;
+    let options = CheckOptions { seed: args.seed, poses: args.poses };
+    let mut progress = Progress::new("checking the machine", Check::steps(&machine, &options));
+    let check = Check::run(&file, &machine, &options, &mut || progress.step());
+    drop(progress);
+    let mut text = check_text(&check);
+    if let Some(mut output) = output.take() {
+        let drawing = MachineDrawing::new(&machine);
+        let json = serde_json::to_string_pretty(&check).map_err(|e| Failure::Environment(e.to_string()))?;
+        output.text("check.html", &check_page(&check, &drawing, file.file(), file.text(), &clock::now()))?;
+        output.text("check.json", &(json + "\n"))?;
+        output.text("machine.svg", &drawing.to_svg_standalone())?;
+        for path in output.finish()? {
+            text += &format!("  wrote        {}\n", path.display());
+        }
+    }
+    if args.json {
+        print_json(&check)?
+    } else {
+        print_text(&text)?
+    }
+    if check.passed { Ok(()) } else { Err(Failure::Printed) }
+}

@@ -1,0 +1,199 @@
+//! Tests of a machine file on itself: does the inverse come back, does the Jacobian agree with differences, are the
+//! limits of a usual size, where is the machine singular, what does it reach. Seeded, without I/O.
+
+mod climb;
+mod jacobian;
+mod random;
+mod reach;
+mod round_trip;
+mod sanity;
+mod singular;
+mod skeleton;
+mod svd;
+mod task;
+mod usual;
+mod voxels;
+
+pub use jacobian::JacobianCheck;
+pub use reach::Reach;
+pub use round_trip::RoundTrip;
+pub use sanity::Remark;
+pub use singular::{SingularPlace, Singularities};
+pub use skeleton::{AxisPlace, Side, Skeleton};
+pub use task::{TYPICAL_RADIUS_MM, TYPICAL_SPEED_MM_S};
+pub use voxels::Volume;
+
+use crate::{Axis, AxisKind, Machine, MachineFile};
+use seamwright_document::Document;
+use serde::Serialize;
+use task::Task;
+
+/// How much is tried, and with which random numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CheckOptions {
+    /// The same seed gives the same result.
+    pub seed: u64,
+    /// Random positions of the round trip, for each head and for the pair.
+    pub poses: u32,
+}
+
+/// Everything that the tests found; lengths in mm, angles in degrees, as in the file.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Check {
+    /// Short name of the machine.
+    pub name: String,
+    /// Its title.
+    pub title: String,
+    /// Seed of the random positions.
+    pub seed: u64,
+    /// True if every test passed; remarks do not count.
+    pub passed: bool,
+    /// What failed, in words.
+    pub failures: Vec<String>,
+    /// Values that are not usual.
+    pub remarks: Vec<Remark>,
+    /// The axes with their limits.
+    pub axes: Vec<AxisFigures>,
+    /// Each head alone.
+    pub heads: Vec<HeadCheck>,
+    /// Both heads at once, on machines that can do that.
+    pub pair: Option<RoundTrip>,
+}
+
+/// One axis in file units.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AxisFigures {
+    /// Name.
+    pub name: String,
+    /// Letter in part programs.
+    pub letter: Option<char>,
+    /// `linear` or `rotary`.
+    pub kind: &'static str,
+    /// mm or deg.
+    pub unit: &'static str,
+    /// `torch` or `work`.
+    pub moves: &'static str,
+    /// Lowest and highest position; none without end stops.
+    pub range: Option<(f64, f64)>,
+    /// Position after homing.
+    pub home: f64,
+    /// Highest speed, 1/s.
+    pub max_speed: f64,
+    /// Highest acceleration, 1/s^2.
+    pub max_acceleration: f64,
+    /// Highest jerk, 1/s^3, if there is one.
+    pub max_jerk: Option<f64>,
+    /// Time from rest to the highest speed at the highest acceleration, s.
+    pub to_speed_s: f64,
+}
+
+/// The tests of one head.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct HeadCheck {
+    /// Name of the head.
+    pub name: String,
+    /// How positions are found for a pose, in words.
+    pub structure: String,
+    /// Forward, inverse, forward.
+    pub round_trip: RoundTrip,
+    /// Jacobian and differences.
+    pub jacobian: JacobianCheck,
+    /// Singular places.
+    pub singular: Singularities,
+    /// Reach.
+    pub reach: Reach,
+}
+
+impl Check {
+    /// Steps that a check takes at most, for a progress bar.
+    pub fn steps(machine: &Machine, options: &CheckOptions) -> u64 {
+        let others = u64::from(singular::LOOKED_AT + reach::LOOKED_AT) + voxels::SIDE.pow(3) as u64;
+        let pair = u64::from(machine.can_pair()) * u64::from(options.poses);
+        machine.heads.len() as u64 * (u64::from(options.poses) + others) + pair
+    }
+
+    /// Runs all tests; `step` is called for every position tried.
+    pub fn run(
+        file: &Document<MachineFile>,
+        machine: &Machine,
+        options: &CheckOptions,
+        step: &mut dyn FnMut(),
+    ) -> Self {
+        let heads: Vec<HeadCheck> = (0..machine.heads.len())
+            .map(|head| one_head(&machine.clone().with_first_head(head), options, step))
+            .collect();
+        let pair = machine.can_pair().then(|| round_trip::pair(machine, options.seed, options.poses, step));
+        let failures = failures(&heads, pair.as_ref());
+        let skeleton = machine.skeleton(&machine.home());
+        let axes = machine.axes.iter().zip(&skeleton.axes).map(|(axis, place)| figures(axis, place.side)).collect();
+        Self {
+            name: machine.name.clone(),
+            title: machine.title.clone(),
+            seed: options.seed,
+            passed: failures.is_empty(),
+            failures,
+            remarks: sanity::remarks(file, machine),
+            axes,
+            heads,
+            pair,
+        }
+    }
+}
+
+fn one_head(machine: &Machine, options: &CheckOptions, step: &mut dyn FnMut()) -> HeadCheck {
+    let task = Task::new(machine);
+    HeadCheck {
+        name: machine.heads[0].name.clone(),
+        structure: machine.heads[0].structure(&machine.axes),
+        round_trip: round_trip::one_head(&task, options.seed, options.poses, step),
+        jacobian: jacobian::check(machine, options.seed),
+        singular: singular::find(&task, options.seed, step),
+        reach: reach::find(machine, options.seed, step),
+    }
+}
+
+fn failures(heads: &[HeadCheck], pair: Option<&RoundTrip>) -> Vec<String> {
+    let mut failures = Vec::new();
+    for head in heads {
+        if !head.round_trip.passed {
+            failures.push(format!("head {}: {}", head.name, round_trip_words(&head.round_trip)));
+        }
+        if !head.jacobian.passed {
+            failures.push(format!(
+                "head {}: the Jacobian is off by {:.1e} of the column of axis {}",
+                head.name, head.jacobian.relative, head.jacobian.axis
+            ));
+        }
+    }
+    if let Some(pair) = pair.filter(|p| !p.passed) {
+        failures.push(format!("both heads at once: {}", round_trip_words(pair)));
+    }
+    failures
+}
+
+fn round_trip_words(r: &RoundTrip) -> String {
+    format!(
+        "the round trip is off by {:.1e} mm, {:.1e} deg and {:.1e} in an axis; {} poses unsolved, {} without their own branch",
+        r.point_mm,
+        r.direction_deg,
+        r.axes_mm_or_deg,
+        r.unsolved - r.off_centre,
+        r.branch_missed
+    )
+}
+
+fn figures(axis: &Axis, side: Side) -> AxisFigures {
+    AxisFigures {
+        name: axis.name.clone(),
+        letter: axis.letter,
+        kind: if axis.kind == AxisKind::Linear { "linear" } else { "rotary" },
+        unit: axis.unit(),
+        moves: if side == Side::Tool { "torch" } else { "work" },
+        range: axis.range.map(|(low, high)| (axis.to_file(low), axis.to_file(high))),
+        home: axis.to_file(axis.home),
+        max_speed: axis.to_file(axis.max_speed),
+        max_acceleration: axis.to_file(axis.max_acceleration),
+        max_jerk: axis.max_jerk.is_finite().then(|| axis.to_file(axis.max_jerk)),
+        to_speed_s: axis.max_speed / axis.max_acceleration,
+    }
+}

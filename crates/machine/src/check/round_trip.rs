@@ -1,0 +1,220 @@
+use super::random::Random;
+use super::task::Task;
+use crate::inverse::angle_between;
+use crate::{AxisKind, Joints, Machine, Solution, Target};
+use seamwright_geometry::Pose;
+use serde::Serialize;
+use std::f64::consts::{PI, TAU};
+
+/// Below this conditioning the pose is near a singular one: in doubles it no longer determines every axis to 1e-9.
+pub(super) const NEAR_SINGULAR: f64 = 1e-3;
+/// Most that a tip may be off, mm for each metre of the machine.
+pub(super) const POINT: f64 = 1e-9;
+/// Most that a direction may be off, rad; near singular poses.
+const DIRECTION: (f64, f64) = (1e-9, 1e-6);
+/// Most that axes may be off, mm or deg for each metre: closed form, Newton's method.
+const AXES: (f64, f64) = (1e-9, 1e-6);
+/// With Newton's method every so-many-th pose is solved from elsewhere too: that takes hundreds of starts.
+const NUMERIC_STRIDE: u32 = 500;
+
+/// How well positions come back from their own poses.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct RoundTrip {
+    /// Random positions tried.
+    pub poses: u32,
+    /// Solutions compared: nearest ones, and all branches from elsewhere.
+    pub solutions: u64,
+    /// Worst distance of the tip, mm.
+    pub point_mm: f64,
+    /// Worst difference of the direction from what the solution says of itself, degrees.
+    pub direction_deg: f64,
+    /// Worst difference of an axis, mm or degrees, away from singular poses.
+    pub axes_mm_or_deg: f64,
+    /// Poses near a singular one, where axes are not compared.
+    pub near_singular: u32,
+    /// Poses that no positions were found for.
+    pub unsolved: u32,
+    /// Poses whose own positions are not among the branches found from elsewhere.
+    pub branch_missed: u32,
+    /// Of [`RoundTrip::unsolved`], those that are no fault: both tips with slides off centre turn the pair.
+    pub off_centre: u32,
+    /// Positions of the worst tip or direction, in file units.
+    pub worst_at: Vec<f64>,
+    /// True if everything came back.
+    pub passed: bool,
+    #[serde(skip)]
+    regular_direction: f64,
+}
+
+impl RoundTrip {
+    /// Tips and direction at `solution` against the poses it is for.
+    fn compare(&mut self, machine: &Machine, poses: &[Pose], q: &Joints, solution: &Solution, regular: bool) {
+        self.solutions += 1;
+        let mut off = 0.0f64;
+        let mut point = 0.0f64;
+        for (head, pose) in poses.iter().enumerate() {
+            let again = machine.forward_of(head, &solution.joints);
+            point = point.max((again.point - pose.point).length());
+            off = off.max(angle_between(again.direction, pose.direction));
+        }
+        let direction = (off - solution.attitude_error).abs();
+        // A pose that is no number is the worst of all.
+        let point = if point.is_finite() { point } else { f64::INFINITY };
+        let direction = if direction.is_finite() { direction } else { f64::INFINITY };
+        if point > self.point_mm || direction.to_degrees() > self.direction_deg {
+            self.worst_at = file_units(machine, q);
+        }
+        self.point_mm = self.point_mm.max(point);
+        self.direction_deg = self.direction_deg.max(direction.to_degrees());
+        if regular {
+            self.regular_direction = self.regular_direction.max(direction);
+        }
+    }
+
+    fn judge(&mut self, numeric: bool, size_m: f64) {
+        let axes = if numeric { AXES.1 } else { AXES.0 };
+        self.passed = self.point_mm <= POINT * size_m
+            && self.regular_direction <= DIRECTION.0
+            && self.direction_deg.to_radians() <= DIRECTION.1
+            && self.axes_mm_or_deg <= axes * size_m
+            && self.unsolved == self.off_centre
+            && (numeric || self.branch_missed == 0);
+    }
+}
+
+/// Positions in file units.
+pub(super) fn file_units(machine: &Machine, q: &Joints) -> Vec<f64> {
+    machine.axes.iter().zip(q).map(|(a, v)| a.to_file(*v)).collect()
+}
+
+/// Greatest difference of the axes in `of`, mm or degrees; `turns`: whole turns count.
+fn difference(machine: &Machine, of: &Task, a: &Joints, b: &Joints, turns: bool) -> f64 {
+    let off = of.axes.iter().map(|&axis| {
+        let d = a[axis] - b[axis];
+        match machine.axes[axis].kind {
+            AxisKind::Linear => d.abs(),
+            AxisKind::Rotary if turns => d.abs().to_degrees(),
+            AxisKind::Rotary => ((d + PI).rem_euclid(TAU) - PI).abs().to_degrees(),
+        }
+    });
+    off.fold(0.0, f64::max)
+}
+
+/// How large the machine is, m, at least 1: what rounding of its positions grows with.
+fn size_m(machine: &Machine) -> f64 {
+    let strokes = machine.axes.iter().filter(|a| a.kind == AxisKind::Linear).filter_map(|a| a.range);
+    let far = strokes.map(|(low, high)| low.abs().max(high.abs())).fold(0.0, f64::max);
+    let tip = machine.heads.iter().map(|h| h.chain.zero.point.length()).fold(0.0, f64::max);
+    (1e-3 * far.max(tip)).max(1.0)
+}
+
+/// The first head alone: forward, inverse near the positions and from elsewhere, forward again.
+pub(super) fn one_head(task: &Task, seed: u64, poses: u32, step: &mut dyn FnMut()) -> RoundTrip {
+    let machine = task.machine;
+    let numeric = machine.heads[0].is_numeric();
+    let free = machine.heads[0].free();
+    let mut random = Random::new(seed, 1);
+    let mut found = RoundTrip { poses, ..RoundTrip::default() };
+    for k in 0..poses {
+        step();
+        let (q, mut elsewhere) = (random.joints(machine), random.joints(machine));
+        free.iter().for_each(|axis| elsewhere[axis] = q[axis]);
+        let pose = machine.forward(&q);
+        let regular = task.conditioning(&q) > NEAR_SINGULAR;
+        found.near_singular += u32::from(!regular);
+        match machine.inverse_near(&pose, &q) {
+            Ok(solution) => {
+                found.compare(machine, &[pose], &q, &solution, regular);
+                if regular {
+                    found.axes_mm_or_deg =
+                        found.axes_mm_or_deg.max(difference(machine, task, &solution.joints, &q, true));
+                }
+            }
+            Err(_) => found.unsolved += 1,
+        }
+        if numeric && k % NUMERIC_STRIDE != 0 {
+            continue;
+        }
+        let Ok(branches) = machine.inverse(&pose, &elsewhere) else {
+            found.branch_missed += u32::from(regular);
+            continue;
+        };
+        for solution in branches.iter() {
+            found.compare(machine, &[pose], &q, solution, regular && !solution.singular);
+        }
+        let own = branches.iter().any(|s| difference(machine, task, &s.joints, &q, false) < 1e-5);
+        found.branch_missed += u32::from(regular && !own);
+    }
+    found.judge(numeric, size_m(machine));
+    found
+}
+
+/// Both heads at once. With slides centred the positions must come back; off centre they turn the pair against its
+/// carrier, and some pairs of tips cannot be met: those that are, must be met exactly.
+pub(super) fn pair(machine: &Machine, seed: u64, poses: u32, step: &mut dyn FnMut()) -> RoundTrip {
+    let mut random = Random::new(seed, 2);
+    let slides = machine.heads[0].slides.union(machine.heads[1].slides);
+    let mut found = RoundTrip { poses, ..RoundTrip::default() };
+    let everything = Task::new(machine);
+    for k in 0..poses {
+        step();
+        let mut q = random.joints(machine);
+        let centred = k % 2 == 0;
+        if centred {
+            slides.iter().for_each(|axis| q[axis] = 0.0);
+        }
+        let tips = [0, 1].map(|head| machine.forward_of(head, &q));
+        let target = Target { first: tips[0], second: Some(tips[1]) };
+        let Ok(branches) = machine.inverse(target, &q) else {
+            found.unsolved += 1;
+            found.off_centre += u32::from(!centred);
+            continue;
+        };
+        for solution in branches.iter() {
+            found.near_singular += u32::from(solution.singular);
+            found.compare(machine, &tips, &q, solution, !solution.singular);
+        }
+        if centred && branches.iter().all(|s| !s.singular) {
+            let off = branches.iter().map(|s| difference(machine, &everything, &s.joints, &q, false));
+            found.axes_mm_or_deg = found.axes_mm_or_deg.max(off.fold(f64::INFINITY, f64::min));
+        }
+    }
+    // The frame between the tips is as long as they are apart: a hair of a tip turns it by much.
+    let apart = (machine.heads[0].chain.zero.point - machine.heads[1].chain.zero.point).length().max(1e-3);
+    let axes = found.axes_mm_or_deg;
+    found.axes_mm_or_deg = 0.0;
+    found.judge(false, size_m(machine));
+    found.axes_mm_or_deg = axes;
+    found.passed &= axes <= AXES.0 * size_m(machine) * (1e3 / apart).max(1.0);
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shipped;
+
+    /// A solution that is off by more than it may be is not passed, whichever part of it is off.
+    #[test]
+    fn what_does_not_come_back_fails() {
+        let machine = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
+        let q = machine.spread(3);
+        let pose = machine.forward(&q);
+        let judged = |change: &dyn Fn(&mut RoundTrip, &mut Solution)| {
+            let mut found = RoundTrip { poses: 1, ..RoundTrip::default() };
+            let mut solution = machine.inverse_near(pose, &q).unwrap();
+            change(&mut found, &mut solution);
+            found.compare(&machine, &[pose], &q, &solution, true);
+            found.judge(false, 1.0);
+            found.passed
+        };
+        assert!(judged(&|_, _| ()));
+        assert!(!judged(&|_, s| s.joints[0] += 3e-9));
+        assert!(!judged(&|_, s| s.joints[3] += 3e-9));
+        assert!(!judged(&|_, s| s.joints[2] = f64::NAN));
+        assert!(!judged(&|_, s| s.attitude_error = 1e-6));
+        assert!(!judged(&|f, _| f.unsolved = 1));
+        assert!(!judged(&|f, _| f.branch_missed = 1));
+        assert!(!judged(&|f, _| f.axes_mm_or_deg = 2e-9));
+    }
+}

@@ -1,0 +1,246 @@
+use super::climb::climb;
+use super::random::{Random, ranges};
+use super::round_trip::file_units;
+use super::svd::svd;
+use super::task::Task;
+use crate::{AxisKind, Joints};
+use glam::DVec3;
+use serde::Serialize;
+use std::f64::consts::FRAC_PI_2;
+
+/// Below this conditioning a place is singular: the search ends there.
+const SINGULAR: f64 = 1e-7;
+/// Random positions looked at.
+pub(super) const LOOKED_AT: u32 = 3000;
+/// Searches from the worst of them, and from any of them.
+const SEARCHES: (usize, usize) = (24, 16);
+/// How far an axis is moved to see whether the place depends on it: rad, or part of a stroke.
+const MOVED: (f64, f64) = (0.05, 0.05);
+/// A place depends on an axis if moving it makes the conditioning better than this.
+const DEPENDS: f64 = 1e-4;
+
+/// Where some axis is left free, and how near to it welding is possible.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Singularities {
+    /// Singular places inside the ranges, each kind once.
+    pub places: Vec<SingularPlace>,
+    /// Conditioning of the best and the worst positions found: how much of a motion the worst way of moving the decided
+    /// axes leaves, a rad counting like 100 mm; 0 is singular.
+    pub conditioning: (f64, f64),
+    /// The worst-conditioned positions, in file units.
+    pub worst_at: Vec<f64>,
+    /// Part of the ranges in which a rotary axis must turn faster than it can for some typical weld.
+    pub too_fast: f64,
+    /// The typical weld: speed, mm/s, and radius of its bend, mm.
+    pub typical: (f64, f64),
+}
+
+/// A singular place, or a family of them.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SingularPlace {
+    /// What happens there.
+    pub what: String,
+    /// Axes whose positions make it, with one set of such positions in file units.
+    pub at: Vec<(String, f64)>,
+    /// True if other positions of these axes together do the same.
+    pub family: bool,
+    /// How far from it the axis in `at` must be for a typical weld (mm or degrees), and the axis that is too slow nearer
+    /// by; none if no single axis tells the distance.
+    pub margin: Option<(f64, String)>,
+}
+
+impl SingularPlace {
+    /// The place in one sentence.
+    pub fn sentence(&self, unit: impl Fn(&str) -> &'static str) -> String {
+        let at: Vec<String> = self
+            .at
+            .iter()
+            .map(|(axis, v)| format!("{axis} = {} {}", (v * 1e3).round() / 1e3 + 0.0, unit(axis)))
+            .collect();
+        let joint = if self.family { "for example at" } else { "at" };
+        if at.is_empty() { self.what.clone() } else { format!("{}, {joint} {}", self.what, at.join(", ")) }
+    }
+}
+
+/// Looks for singular places of a task inside the ranges.
+pub(super) fn find(task: &Task, seed: u64, step: &mut dyn FnMut()) -> Singularities {
+    let machine = task.machine;
+    let mut random = Random::new(seed, 4);
+    let mut looked: Vec<(f64, Joints)> = Vec::new();
+    let mut too_fast = 0u32;
+    for k in 0..LOOKED_AT {
+        step();
+        let q = if k == 0 { machine.home() } else { random.joints(machine) };
+        looked.push((task.conditioning(&q), q));
+        let need = task.need(&q);
+        too_fast += u32::from((0..need.len()).any(|i| task.is_rotary(i) && need[i] > 1.0));
+    }
+    let any: Vec<Joints> = looked.iter().take(SEARCHES.1).map(|l| l.1).collect();
+    looked.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let best = looked.last().map_or(0.0, |l| l.0);
+    let starts = looked.iter().take(SEARCHES.0).map(|l| l.1).chain(any);
+    let mut places: Vec<SingularPlace> = Vec::new();
+    let mut worst = looked[0];
+    for start in starts {
+        let (q, height) = climb(machine, &start, -SINGULAR, |q| -task.conditioning(q));
+        if -height < worst.0 {
+            worst = (-height, q);
+        }
+        if -height <= SINGULAR {
+            let place = describe(task, &q);
+            if !places.iter().any(|p| same(p, &place)) {
+                places.push(place);
+            }
+        }
+    }
+    places.sort_by(|a, b| a.at.iter().map(|x| x.1).sum::<f64>().total_cmp(&b.at.iter().map(|x| x.1).sum::<f64>()));
+    Singularities {
+        places,
+        conditioning: (best, worst.0),
+        worst_at: file_units(machine, &worst.1),
+        too_fast: f64::from(too_fast) / f64::from(LOOKED_AT),
+        typical: (super::TYPICAL_SPEED_MM_S, super::TYPICAL_RADIUS_MM),
+    }
+}
+
+/// The same kind of place; a family at other positions counts as the same.
+fn same(a: &SingularPlace, b: &SingularPlace) -> bool {
+    let axes = |p: &SingularPlace| p.at.iter().map(|x| x.0.clone()).collect::<Vec<_>>();
+    let near = a.at.iter().zip(&b.at).all(|(x, y)| (x.1 - y.1).abs() < 0.01);
+    // Which linear axes follow depends on where they are.
+    let what = |p: &SingularPlace| p.what.split(", with").next().unwrap_or_default().to_owned();
+    what(a) == what(b) && axes(a) == axes(b) && (a.family || near)
+}
+
+fn describe(task: &Task, q: &Joints) -> SingularPlace {
+    let machine = task.machine;
+    let lost = task.lost(q);
+    let greatest = |rotary: bool| {
+        let rates = (0..lost.len()).filter(|&i| task.is_rotary(i) == rotary).map(|i| lost[i].abs());
+        rates.fold(0.0, f64::max)
+    };
+    // A rad moves what is 100 mm away by 100 mm.
+    let (turns, moves) = (super::TYPICAL_RADIUS_MM * greatest(true), greatest(false));
+    let all = turns.max(moves);
+    let part = |i: &usize| {
+        let scale = if task.is_rotary(*i) { super::TYPICAL_RADIUS_MM } else { 1.0 };
+        scale * lost[*i].abs() > 1e-4 * all
+    };
+    let involved: Vec<usize> = (0..lost.len()).filter(part).collect();
+    let (rotary, linear): (Vec<usize>, Vec<usize>) = involved.into_iter().partition(|&i| task.is_rotary(i));
+    let what = match task.axes.len() < 5 && task.point_conditioning(q) <= SINGULAR {
+        true => point_lost(task, q),
+        false => freedom_lost(task, q, &rotary, &linear),
+    };
+    let defining: Vec<usize> = machine.heads[0].chain.axes().iter().filter(|&axis| depends(task, q, axis)).collect();
+    let margin = match defining.as_slice() {
+        [axis] => margin(task, q, *axis),
+        _ => None,
+    };
+    let value = |&axis: &usize| (machine.axes[axis].name.clone(), machine.axes[axis].to_file(q[axis]));
+    SingularPlace { what, at: defining.iter().map(value).collect(), family: defining.len() > 1, margin }
+}
+
+/// True if the place is no longer singular with the axis a little elsewhere.
+fn depends(task: &Task, q: &Joints, axis: usize) -> bool {
+    let (low, high) = ranges(task.machine)[axis];
+    let by = match task.machine.axes[axis].kind {
+        AxisKind::Rotary => MOVED.0.min(0.4 * (high - low)),
+        AxisKind::Linear => MOVED.1 * (high - low),
+    };
+    let mut moved = *q;
+    moved[axis] += if q[axis] + by <= high { by } else { -by };
+    task.conditioning(&moved) > DEPENDS
+}
+
+/// Direction and a point of a decided axis, in the work frame.
+fn line(task: &Task, q: &Joints, i: usize) -> (DVec3, DVec3) {
+    let motion = task.machine.link_frames(q);
+    task.machine.links.screw_at(task.axes[i], &motion).map_or((DVec3::ZERO, DVec3::ZERO), |s| (s.direction, s.at))
+}
+
+/// A motion of the decided axes that moves nothing, in words.
+fn freedom_lost(task: &Task, q: &Joints, rotary: &[usize], linear: &[usize]) -> String {
+    let tip = task.machine.forward(q);
+    let names = |of: &[usize]| of.iter().map(|&i| task.name(i)).collect::<Vec<_>>().join(", ");
+    let following = match linear {
+        [] => String::new(),
+        _ => format!(", with {} following", names(linear)),
+    };
+    match rotary {
+        [] => format!("the linear axes {} lie in one plane: the tip cannot leave it", names(linear)),
+        [one] => {
+            let direction = line(task, q, *one).0;
+            let name = task.name(*one);
+            match direction.cross(tip.direction).length() < 1e-5 {
+                true => format!("the torch lies along axis {name}: {name} is free there{following}"),
+                false => format!("what axis {name} does, {} can undo: {name} is free there", names(linear)),
+            }
+        }
+        [a, b] => {
+            let [u, v] = [a, b].map(|&i| line(task, q, i).0);
+            let (a, b) = (task.name(*a), task.name(*b));
+            if u.cross(v).length() < 1e-5 {
+                format!("axes {a} and {b} are parallel: one undoes the other{following}")
+            } else {
+                format!("the torch lies in the plane of axes {a} and {b}: both tilt it the same way{following}")
+            }
+        }
+        _ => format!("axes {} undo one another{following}", names(rotary)),
+    }
+}
+
+/// A way that the tip of a machine with few axes cannot go, in words.
+fn point_lost(task: &Task, q: &Joints) -> String {
+    let tip = task.machine.forward(q).point;
+    let on = (0..task.axes.len()).filter(|&i| task.is_rotary(i)).find(|&i| {
+        let (direction, at) = line(task, q, i);
+        direction.cross(tip - at).length() < 1e-3
+    });
+    if let Some(i) = on {
+        return format!("the tip lies on axis {}, which cannot move it", task.name(i));
+    }
+    let columns = task.columns(q);
+    let points = columns.iter().map(|c| [c[0], c[1], c[2], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).collect();
+    let found = svd(&points);
+    // Across the two ways that are left.
+    let way = |k: usize| found.left.get(k).map_or(DVec3::ZERO, |l| DVec3::new(l[0], l[1], l[2])).normalize_or_zero();
+    let lost = way(0).cross(way(1));
+    format!("the tip cannot move along ({:.2}, {:.2}, {:.2}) of the work", lost.x, lost.y, lost.z)
+}
+
+/// How far the axis must be from the place before no rotary axis has to be faster than it can, in file units, and the
+/// axis that is too slow nearer by.
+fn margin(task: &Task, q: &Joints, axis: usize) -> Option<(f64, String)> {
+    let rotary: Vec<usize> = (0..task.axes.len()).filter(|&i| task.is_rotary(i)).collect();
+    let judged: Vec<usize> = if rotary.is_empty() { (0..task.axes.len()).collect() } else { rotary };
+    let at = |by: f64| {
+        let mut moved = *q;
+        moved[axis] += by;
+        let need = task.need(&moved);
+        let worst = judged.iter().max_by(|a, b| need[**a].total_cmp(&need[**b]));
+        worst.map_or((0.0, String::new()), |&i| (need[i], task.name(i).to_owned()))
+    };
+    let (low, high) = ranges(task.machine)[axis];
+    let linear = task.machine.axes[axis].kind == AxisKind::Linear;
+    let mut widest: Option<(f64, String)> = None;
+    for (sense, room) in [(1.0, high - q[axis]), (-1.0, q[axis] - low)] {
+        let far = if linear { room } else { room.min(FRAC_PI_2) };
+        if far < 1e-6 {
+            continue;
+        }
+        let (mut near, mut clear) = (1e-9, far);
+        let (need, name) = at(sense * near);
+        if need <= 1.0 || at(sense * far).0 > 1.0 {
+            continue;
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (near + clear);
+            if at(sense * middle).0 > 1.0 { near = middle } else { clear = middle }
+        }
+        if widest.as_ref().is_none_or(|w| clear > w.0) {
+            widest = Some((clear, name));
+        }
+    }
+    widest.map(|(by, name)| (task.machine.axes[axis].to_file(by), name))
+}

@@ -1,0 +1,119 @@
+use super::svd::{Columns, Svd, svd};
+use crate::{AxisKind, Joints, MAX_AXES, Machine};
+use arrayvec::ArrayVec;
+
+/// A weld speed and a radius that are typical: the tip goes 10 mm/s round a bend of 100 mm, so that the torch turns by
+/// 0.1 rad/s.
+pub const TYPICAL_SPEED_MM_S: f64 = 10.0;
+/// See [`TYPICAL_SPEED_MM_S`].
+pub const TYPICAL_RADIUS_MM: f64 = 100.0;
+
+/// With fewer axes than a pose needs the point comes first, and the direction as well as it can be.
+const FEW: f64 = 1e-3;
+
+/// What one head's pose asks of the axes that decide it.
+#[derive(Debug, Clone)]
+pub(super) struct Task<'a> {
+    /// With the head in question as the first.
+    pub(super) machine: &'a Machine,
+    /// Axes that the pose decides.
+    pub(super) axes: ArrayVec<usize, MAX_AXES>,
+    /// Freedoms of the tip's point that the axes give at most places.
+    freedoms: usize,
+}
+
+impl<'a> Task<'a> {
+    /// The task of the machine's first head.
+    pub(super) fn new(machine: &'a Machine) -> Self {
+        let head = &machine.heads[0];
+        let axes = head.chain.axes().iter().filter(|&axis| !head.free().has(axis)).collect();
+        let mut task = Self { machine, axes, freedoms: 0 };
+        let rank = |k| svd(&task.point_part(&machine.spread(k))).values.iter().filter(|&&v| v > 1e-6).count();
+        task.freedoms = (1..=40).map(rank).max().unwrap_or(0);
+        task
+    }
+
+    fn is_few(&self) -> bool {
+        self.axes.len() < 5
+    }
+
+    /// Change of the tip (mm) and of the direction (as mm at the typical radius) per mm or rad of each axis.
+    pub(super) fn columns(&self, q: &Joints) -> Columns {
+        let jacobian = self.machine.jacobian(q);
+        let column = |&axis: &usize| {
+            let (p, d) = (jacobian[axis].0, TYPICAL_RADIUS_MM * jacobian[axis].1);
+            [p.x, p.y, p.z, d.x, d.y, d.z, 0.0, 0.0, 0.0]
+        };
+        self.axes.iter().map(column).collect()
+    }
+
+    /// The columns with rad and mm made alike: a rad counts like the typical radius.
+    fn scaled(&self, q: &Joints) -> Columns {
+        let mut columns = self.columns(q);
+        for (i, c) in columns.iter_mut().enumerate() {
+            let scale = self.scale(i);
+            c.iter_mut().for_each(|x| *x /= scale);
+        }
+        columns
+    }
+
+    fn scale(&self, i: usize) -> f64 {
+        if self.is_rotary(i) { TYPICAL_RADIUS_MM } else { 1.0 }
+    }
+
+    fn point_part(&self, q: &Joints) -> Columns {
+        let mut columns = self.scaled(q);
+        columns.iter_mut().for_each(|c| c[3..].fill(0.0));
+        columns
+    }
+
+    /// Which motion of the axes is lost next, and how near: at 0 some motion of the decided axes moves nothing, or the
+    /// tip cannot go some way that it can go elsewhere. At most 1.
+    pub(super) fn conditioning(&self, q: &Joints) -> f64 {
+        let all = svd(&self.scaled(q)).values.last().copied().unwrap_or(1.0);
+        if self.is_few() { all.min(self.point_conditioning(q)) } else { all }
+    }
+
+    /// The same for the tip's point alone: 0 where it has lost a freedom.
+    pub(super) fn point_conditioning(&self, q: &Joints) -> f64 {
+        match self.freedoms {
+            0 => 1.0,
+            n => svd(&self.point_part(q)).values[n - 1],
+        }
+    }
+
+    /// Rates of the axes (mm or rad, not scaled) that together move nothing, or next to nothing.
+    pub(super) fn lost(&self, q: &Joints) -> ArrayVec<f64, MAX_AXES> {
+        let found = svd(&self.scaled(q));
+        let Some(last) = found.right.last() else { return ArrayVec::new() };
+        (0..self.axes.len()).map(|i| last[i] / self.scale(i)).collect()
+    }
+
+    /// For each decided axis, the part of its highest speed that the typical weld needs at most, whichever way it goes.
+    pub(super) fn need(&self, q: &Joints) -> ArrayVec<f64, MAX_AXES> {
+        let weight = if self.is_few() { FEW } else { 1.0 };
+        let mut columns = self.columns(q);
+        for (c, &axis) in columns.iter_mut().zip(&self.axes) {
+            let speed = self.machine.axes[axis].max_speed;
+            c[..3].iter_mut().for_each(|x| *x *= speed);
+            c[3..].iter_mut().for_each(|x| *x *= weight * speed);
+        }
+        let Svd { values, right, left } = svd(&columns);
+        // Rows of the inverse, those of a direction back in their own measure.
+        let row = |i: usize, r: usize| -> f64 {
+            (0..values.len()).map(|k| right[k][i] * left[k][r] / (values[k] * values[k]).max(1e-200)).sum()
+        };
+        let length = |i: usize, from: usize| (from..from + 3).map(|r| row(i, r).powi(2)).sum::<f64>().sqrt();
+        (0..self.axes.len()).map(|i| TYPICAL_SPEED_MM_S * (length(i, 0) + weight * length(i, 3))).collect()
+    }
+
+    /// True if axis `i` of the decided ones is rotary.
+    pub(super) fn is_rotary(&self, i: usize) -> bool {
+        self.machine.axes[self.axes[i]].kind == AxisKind::Rotary
+    }
+
+    /// Name of decided axis `i`.
+    pub(super) fn name(&self, i: usize) -> &str {
+        &self.machine.axes[self.axes[i]].name
+    }
+}

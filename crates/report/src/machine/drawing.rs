@@ -1,0 +1,216 @@
+use super::canvas::Canvas;
+use crate::layout::{HEAD, Layout, Map, whole};
+use crate::legend::{Entry, Legend, ROW};
+use crate::projection::Projection::Pictorial;
+use crate::svg::{Anchor, Svg, WIDTH};
+use crate::text::{fit, width};
+use crate::views::first_angle;
+use seamwright_machine::check::Side;
+use seamwright_machine::{AxisKind, Machine};
+
+/// A machine at home in its base frame: every axis where it is, with its positive sense, in three views in first-angle
+/// projection and a small pictorial one.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct MachineDrawing {
+    /// Heading; may be empty.
+    pub title: String,
+    /// Further polylines in the base frame, mm, drawn thin below everything else: outlines of shapes.
+    pub outlines: Vec<Vec<[f64; 3]>>,
+    pub(super) axes: Vec<DrawnAxis>,
+    /// Lines from the base through the axes to the tips and to the work.
+    pub(super) links: Vec<Vec<[f64; 3]>>,
+    /// Name, tip and beam of each head.
+    pub(super) heads: Vec<(String, [f64; 3], [f64; 3])>,
+    /// Origin of the work frame.
+    pub(super) work: [f64; 3],
+    /// Against gravity.
+    pub(super) up: [f64; 3],
+}
+
+/// One axis.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct DrawnAxis {
+    /// Name, and letter if that is another.
+    pub(super) label: String,
+    /// Whether it carries the work.
+    pub(super) moves_work: bool,
+    pub(super) rotary: bool,
+    pub(super) at: [f64; 3],
+    /// Positive motion or turn of what it carries.
+    pub(super) direction: [f64; 3],
+    /// Both ends of the stroke from `at`, mm; only of linear axes.
+    pub(super) stroke: (f64, f64),
+}
+
+crate::svg::both_forms!(MachineDrawing);
+
+/// Strokes are drawn up to this many times the size of the structure, where that is not small beside them.
+const STROKES: f64 = 1.15;
+
+/// Below this part of the strokes the structure is small.
+const SMALL: f64 = 0.25;
+
+pub(super) fn along(at: [f64; 3], direction: [f64; 3], by: f64) -> [f64; 3] {
+    std::array::from_fn(|i| at[i] + by * direction[i])
+}
+
+impl MachineDrawing {
+    /// The machine with its axes at home.
+    pub fn new(machine: &Machine) -> Self {
+        let home = machine.home();
+        let skeleton = machine.skeleton(&home);
+        let drawn = skeleton.axes.iter().map(|place| {
+            let axis = &machine.axes[place.axis];
+            let letter = axis.letter.filter(|l| axis.name != l.to_lowercase().to_string());
+            let stroke = match (axis.kind, axis.range) {
+                (AxisKind::Linear, Some((low, high))) => (low - home[place.axis], high - home[place.axis]),
+                _ => (0.0, 0.0),
+            };
+            DrawnAxis {
+                label: letter.map_or_else(|| axis.name.clone(), |l| format!("{} ({l})", axis.name)),
+                moves_work: place.side == Side::Work,
+                rotary: axis.kind == AxisKind::Rotary,
+                at: place.at.to_array(),
+                direction: place.direction.to_array(),
+                stroke,
+            }
+        });
+        Self {
+            title: format!("{}: axes at home, in the base frame", machine.title),
+            outlines: Vec::new(),
+            axes: drawn.collect(),
+            links: skeleton.links.iter().map(|l| l.iter().map(|p| p.to_array()).collect()).collect(),
+            heads: skeleton
+                .heads
+                .iter()
+                .map(|(name, tip)| (name.clone(), tip.point.to_array(), tip.direction.to_array()))
+                .collect(),
+            work: skeleton.work.translation.to_array(),
+            up: machine.up.to_array(),
+        }
+    }
+
+    fn label(&self) -> String {
+        if self.title.is_empty() { "machine".into() } else { self.title.clone() }
+    }
+
+    fn structure(&self) -> impl Iterator<Item = [f64; 3]> {
+        self.links.iter().flatten().chain(self.outlines.iter().flatten()).copied().filter(whole)
+    }
+
+    /// Lowest and highest corner of what is drawn. Strokes that are long beside the structure are cut, so that one long
+    /// gantry does not make everything else too small to see.
+    fn extent(&self) -> [[f64; 3]; 2] {
+        let mut low = [f64::INFINITY; 3];
+        let mut high = [f64::NEG_INFINITY; 3];
+        let mut take = |p: [f64; 3]| {
+            for i in 0..3 {
+                (low[i], high[i]) = (low[i].min(p[i]), high[i].max(p[i]));
+            }
+        };
+        self.structure().for_each(&mut take);
+        let size = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
+        let strokes = |a: &DrawnAxis| a.stroke.0.abs().max(a.stroke.1.abs());
+        let mut halves: Vec<f64> = self.axes.iter().map(strokes).collect();
+        halves.sort_by(f64::total_cmp);
+        let longest = halves.last().copied().unwrap_or(0.0);
+        let second = halves.iter().rev().nth(1).copied().unwrap_or(longest);
+        let most = if size < SMALL * second { STROKES * second } else { STROKES * size };
+        let (from, to) = (low, high);
+        for axis in &self.axes {
+            for end in [axis.stroke.0, axis.stroke.1] {
+                let p = along(axis.at, axis.direction, end);
+                let cut: [f64; 3] =
+                    std::array::from_fn(|i| p[i].clamp(0.5 * (from[i] + to[i]) - most, 0.5 * (from[i] + to[i]) + most));
+                for i in 0..3 {
+                    (low[i], high[i]) = (low[i].min(cut[i]), high[i].max(cut[i]));
+                }
+            }
+        }
+        [low, high]
+    }
+
+    /// The same with room for symbols and names around it, and in a flat direction.
+    fn with_room([low, high]: [[f64; 3]; 2]) -> [[f64; 3]; 2] {
+        let widest = (0..3).map(|i| high[i] - low[i]).fold(1e-3, f64::max);
+        let room = |i: usize| (0.07 * widest).max(0.5 * (0.5 * widest - (high[i] - low[i])));
+        [std::array::from_fn(|i| low[i] - room(i)), std::array::from_fn(|i| high[i] + room(i))]
+    }
+
+    fn draw(&self) -> (Svg, f64) {
+        let mut svg = Svg::default();
+        svg.text("title", 0.0, 14.0, Anchor::Start, &fit(&self.title, 16.0, WIDTH - 60.0));
+        first_angle(&mut svg, WIDTH - 46.0, 9.0);
+        let mut top = 26.0;
+        let legend = Legend::new(self.entries(), f64::INFINITY, WIDTH);
+        legend.draw(&mut svg, 0.0, top + 12.0 - ROW);
+        top += legend.height();
+        symbols(&mut svg, top + 12.0);
+        top += ROW + 8.0 + HEAD;
+        let extent = self.extent();
+        let [low, high] = Self::with_room(extent);
+        let corners =
+            move || (0..8).map(move |k| std::array::from_fn(|i| if k >> i & 1 == 1 { high[i] } else { low[i] }));
+        let layout = Layout::new(corners(), top);
+        for (view, frame) in layout.frames() {
+            svg.text("head", frame.x, frame.y - 7.0, Anchor::Start, view.name());
+            svg.rect("area", frame);
+            let map = match view {
+                Pictorial => Map::fitting(view, self.seen_in(extent), frame.inset(52.0)),
+                _ => layout.map(view, frame),
+            };
+            if view != Pictorial {
+                layout.draw_axes(&mut svg, view, frame, &map);
+            }
+            svg.rect("edge", frame);
+            svg.open_clip(frame);
+            Canvas::new(&mut svg, map, frame).draw(self);
+            svg.close_clip();
+        }
+        (svg, layout.bottom())
+    }
+
+    /// Points that the pictorial view must hold: structure and strokes within the extent.
+    fn seen_in(&self, [low, high]: [[f64; 3]; 2]) -> impl Iterator<Item = [f64; 3]> {
+        let ends = self.axes.iter().flat_map(|a| [a.stroke.0, a.stroke.1].map(|by| along(a.at, a.direction, by)));
+        let ends = ends.map(move |p| std::array::from_fn(|i| p[i].clamp(low[i], high[i])));
+        self.structure().chain(ends)
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let curve = |class: &str, name: &str| Entry::Curve { class: class.into(), dots: false, name: name.into() };
+        let mut entries = Vec::new();
+        if self.axes.iter().any(|a| !a.moves_work) {
+            entries.push(curve("line fat c1", "positive moves the torch"));
+        }
+        if self.axes.iter().any(|a| a.moves_work) {
+            entries.push(curve("line fat c2", "positive moves the work"));
+        }
+        entries.push(curve("line fat c3", "beam or wire, ending at the tip"));
+        entries.push(curve("line outline", "links"));
+        entries
+    }
+}
+
+/// What the symbols mean.
+fn symbols(svg: &mut Svg, baseline: f64) {
+    let y = baseline - 4.5;
+    let mut x = 0.0;
+    let mut entry = |svg: &mut Svg, lead: f64, text: &str| {
+        svg.text("quiet", x + lead, baseline, Anchor::Start, text);
+        x += lead + width(text, 12.0) + 18.0;
+        x
+    };
+    svg.circle("symbol", 7.0, y, 5.5);
+    svg.circle("symbol-dot", 7.0, y, 1.8);
+    let next = entry(svg, 20.0, "positive towards you");
+    svg.circle("symbol", next + 7.0, y, 5.5);
+    svg.path("symbol", &super::glyph::cross(next + 7.0, y, 3.9));
+    let next = entry(svg, 20.0, "positive away from you");
+    svg.line("bar symbol-bar", next, y, next + 26.0, y);
+    let next = entry(svg, 34.0, "stroke, its arrow at the highest position");
+    svg.path("symbol", &super::glyph::zigzag((next + 8.0, y), (1.0, 0.0)));
+    let next = entry(svg, 20.0, "goes on");
+    svg.circle("mark", next + 4.0, y, 2.8);
+    entry(svg, 13.0, "home");
+}

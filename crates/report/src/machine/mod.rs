@@ -1,0 +1,10 @@
+//! A machine file's check: drawing and page.
+
+mod canvas;
+mod drawing;
+mod glyph;
+mod page;
+mod tables;
+
+pub use drawing::MachineDrawing;
+pub use page::{check_page, check_text};
