@@ -184,7 +184,7 @@ fn tilt_is_the_greatest_over_the_ranges() {
     assert!((check.heads[0].reach.tilt_deg - expected).abs() < 1e-6, "{}", check.heads[0].reach.tilt_deg);
 }
 
-/// Axes that can undo one another wherever they are fail no test, and are told.
+/// Five rotary axes: Newton's method, and its singular places.
 #[test]
 fn arrangements_without_a_closed_form_are_checked_too() {
     let turn = |branch: &str, name: &str, way: &str, at: &str| {

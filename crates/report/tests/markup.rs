@@ -3,9 +3,11 @@
 #![allow(clippy::unwrap_used)] // helpers of tests
 
 use roxmltree::{Document, Node, ParsingOptions};
+use seamwright_machine::check::{Check, CheckOptions};
+use seamwright_machine::{Machine, SHIPPED};
 use seamwright_report::{
-    Axis, Band, Block, Chart, ChartGrid, Finding, LimitLine, Mark, Page, Series, Severity, Style, Table, ThreeViews,
-    Tile, Verdict,
+    Axis, Band, Block, Chart, ChartGrid, Finding, LimitLine, MachineDrawing, Mark, Page, Series, Severity, Style,
+    Table, ThreeViews, Tile, Verdict, check_page,
 };
 
 const EVIL: &str = "</text></style><script>alert('x')</script> \"a\" & <b> ]]> \u{0}\u{7}";
@@ -252,4 +254,81 @@ fn a_page_holds_what_it_was_given() {
     for text in ["Not in order", "Table 1.", "Figure 1.", "No findings.", "Warning:"] {
         assert!(html.contains(text), "{text}");
     }
+}
+
+/// Boxes of the names in a drawing's views, estimated; those in the clipped frames only.
+fn names_in_views(svg: &str) -> Vec<Vec<(f64, f64, f64, f64)>> {
+    let document = Document::parse(svg).unwrap();
+    let views = document.root_element().children().filter(|n| n.tag_name().name() == "svg");
+    let boxes = |view: Node| -> Vec<(f64, f64, f64, f64)> {
+        let names = view.descendants().filter(|n| n.attribute("class") == Some("halo"));
+        let number = |n: &Node, a: &str| n.attribute(a).unwrap().parse::<f64>().unwrap();
+        let one = |n: Node| {
+            let half = 0.26 * 12.0 * n.text().unwrap().chars().count() as f64;
+            let (x, y) = (number(&n, "x"), number(&n, "y"));
+            (x - half, y - 9.0, x + half, y + 2.0)
+        };
+        names.map(one).collect()
+    };
+    views.map(boxes).collect()
+}
+
+#[test]
+fn machines_are_drawn_with_every_axis_and_no_name_on_another() {
+    for s in SHIPPED {
+        let machine = Machine::read(s.name, s.text).unwrap();
+        let drawing = MachineDrawing::new(&machine);
+        check(&drawing.to_svg_standalone());
+        let svg = drawing.to_svg();
+        check(&svg);
+        let views = names_in_views(&svg);
+        assert_eq!(views.len(), 4, "{}", s.name);
+        for names in views {
+            // Axes, heads, base and work.
+            assert!(names.len() > machine.axes.len() + machine.heads.len(), "{}", s.name);
+            for (i, a) in names.iter().enumerate() {
+                for b in &names[..i] {
+                    let apart = a.2 <= b.0 || b.2 <= a.0 || a.3 <= b.1 || b.3 <= a.1;
+                    assert!(apart, "{}: {a:?} {b:?}", s.name);
+                }
+            }
+        }
+    }
+}
+
+/// Arrow heads of bars point the way that the axis moves what it carries: seen in the page's own numbers.
+#[test]
+fn arrows_of_a_machine_point_the_positive_way() {
+    let file = |moved: &str, branch: &str| {
+        format!(
+            "schema = 1\nname = \"m\"\ntitle = \"m\"\n[[{branch}]]\naxis = \"x\"\nmove = {moved}\nrange_mm = [-100, 200]\n\
+             max_speed_mm_s = 50\nmax_acceleration_mm_s2 = 500\n[torch]\ndirection = [0, 0, -1]\n"
+        )
+    };
+    for (moved, branch, class, sense) in
+        [("[1, 0, 0]", "tool", "f1", 1.0), ("[1, 0, 0]", "work", "f2", 1.0), ("[-1, 0, 0]", "work", "f2", -1.0)]
+    {
+        let machine = Machine::read("m", &file(moved, branch)).unwrap();
+        let svg = MachineDrawing::new(&machine).to_svg();
+        let front = Document::parse(&svg).unwrap();
+        let front = front.root_element().children().find(|n| n.tag_name().name() == "svg").unwrap();
+        let head = front.descendants().find(|n| n.attribute("class") == Some(class)).unwrap();
+        let d = head.attribute("d").unwrap().replace(['M', 'z', ','], " ");
+        let x: Vec<f64> = d.split_whitespace().step_by(2).map(|n| n.parse().unwrap()).collect();
+        // The tip first, then the two corners of the foot.
+        assert!(sense * (x[0] - x[1]) > 5.0 && sense * (x[0] - x[2]) > 5.0, "{moved} {branch}: {x:?}");
+    }
+}
+
+#[test]
+fn a_check_makes_a_page_that_is_well_formed_whatever_the_file_says() {
+    let text = SHIPPED[5].text.replacen("title = \"", "title = \"</title><script>&", 1);
+    let file = seamwright_document::Document::<seamwright_machine::MachineFile>::read("m", &text).unwrap();
+    let machine = Machine::read("m", &text).unwrap();
+    let options = CheckOptions { seed: 1, poses: 50 };
+    let result = Check::run(&file, &machine, &options, &mut || ());
+    let page = check_page(&result, &MachineDrawing::new(&machine), EVIL, &text, "now");
+    let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+    Document::parse_with_options(&page, options).unwrap();
+    assert!(!page.contains("<script>") && page.contains("the torch lies along axis c"));
 }

@@ -54,13 +54,12 @@ impl RoundTrip {
         let mut point = 0.0f64;
         for (head, pose) in poses.iter().enumerate() {
             let again = machine.forward_of(head, &solution.joints);
-            point = point.max((again.point - pose.point).length());
-            off = off.max(angle_between(again.direction, pose.direction));
+            // `max` passes over what is no number; here that is the worst of all.
+            let worst = |v: f64| if v.is_finite() { v } else { f64::INFINITY };
+            point = point.max(worst((again.point - pose.point).length()));
+            off = off.max(worst(angle_between(again.direction, pose.direction)));
         }
         let direction = (off - solution.attitude_error).abs();
-        // A pose that is no number is the worst of all.
-        let point = if point.is_finite() { point } else { f64::INFINITY };
-        let direction = if direction.is_finite() { direction } else { f64::INFINITY };
         if point > self.point_mm || direction.to_degrees() > self.direction_deg {
             self.worst_at = file_units(machine, q);
         }

@@ -52,7 +52,6 @@ impl<'a> Canvas<'a> {
             self.svg.path("line outline", &glyph::polyline(&points));
             points.windows(2).for_each(|w| self.note(w[0], w[1]));
         }
-        self.corners(drawing);
         // Beams end at their tips: bars keep off them. Bars are drawn first: rings, beams and marks stand on them.
         for (_, tip, direction) in &drawing.heads {
             self.bars.extend(self.beam_line(*tip, *direction));
@@ -64,6 +63,7 @@ impl<'a> Canvas<'a> {
             self.beam(name, *tip, *direction);
         }
         self.origins(drawing);
+        self.corners(drawing);
         self.names();
     }
 
@@ -203,19 +203,26 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    /// Directions of the base frame, and up, in the lower corners.
+    /// Directions of the base frame, and up, each in the emptiest corner that is left.
     fn corners(&mut self, drawing: &MachineDrawing) {
-        let left = (self.frame.x + 34.0, self.frame.bottom() - 34.0);
+        let (left, right) = (self.frame.x + 34.0, self.frame.right() - 34.0);
+        let (top, bottom) = (self.frame.y + 36.0, self.frame.bottom() - 34.0);
+        let mut places = vec![(left, bottom), (right, bottom), (right, top), (left, top)];
+        let mut emptiest = |ink: &[Point]| {
+            let near = |c: &Point| ink.iter().filter(|p| (p.0 - c.0).abs() < 42.0 && (p.1 - c.1).abs() < 42.0).count();
+            let best = (0..places.len()).min_by_key(|&i| near(&places[i])).unwrap_or(0);
+            places.remove(best)
+        };
+        let (frame, up) = (emptiest(&self.ink), emptiest(&self.ink));
         for (direction, name) in [([1.0, 0.0, 0.0], "x"), ([0.0, 1.0, 0.0], "y"), ([0.0, 0.0, 1.0], "z")] {
-            self.compass(left, direction, name, "symbol", "symbol-dot");
+            self.compass(frame, direction, name);
         }
-        self.taken.push(square(left, 33.0));
-        let right = (self.frame.right() - 20.0, self.frame.bottom() - 24.0);
-        self.compass(right, drawing.up, "up", "symbol", "symbol-dot");
-        self.taken.push(square(right, 24.0));
+        self.compass(up, drawing.up, "up");
+        self.taken.extend([square(frame, 34.0), square(up, 30.0)]);
     }
 
-    fn compass(&mut self, at: Point, direction: [f64; 3], name: &str, line: &str, fill: &str) {
+    fn compass(&mut self, at: Point, direction: [f64; 3], name: &str) {
+        let (line, fill) = ("symbol", "symbol-dot");
         let seen = self.seen(direction);
         let flat = seen.0.hypot(seen.1);
         if flat < 0.1 {
