@@ -1,4 +1,5 @@
 use super::canvas::Canvas;
+use super::outlines::outlines;
 use crate::layout::{HEAD, Layout, Map, whole};
 use crate::legend::{Entry, Legend, ROW};
 use crate::projection::Projection::Pictorial;
@@ -77,7 +78,7 @@ impl MachineDrawing {
         });
         Self {
             title: format!("{}: axes at home, in the base frame", machine.title),
-            outlines: Vec::new(),
+            outlines: outlines(machine),
             axes: drawn.collect(),
             links: skeleton.links.iter().map(|l| l.iter().map(|p| p.to_array()).collect()).collect(),
             heads: skeleton
@@ -187,7 +188,7 @@ impl MachineDrawing {
             entries.push(curve("line fat c2", "positive moves the work"));
         }
         entries.push(curve("line fat c3", "beam or wire, ending at the tip"));
-        entries.push(curve("line outline", "links"));
+        entries.push(curve("line outline", "links and shapes"));
         entries
     }
 }

@@ -3,6 +3,7 @@
 mod canvas;
 mod drawing;
 mod glyph;
+mod outlines;
 mod page;
 mod tables;
 
