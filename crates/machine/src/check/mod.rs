@@ -17,7 +17,7 @@ mod voxels;
 pub use jacobian::JacobianCheck;
 pub use reach::Reach;
 pub use round_trip::RoundTrip;
-pub use sanity::Remark;
+pub use sanity::{Remark, remarks};
 pub use singular::{SingularPlace, Singularities};
 pub use skeleton::{AxisPlace, Side, Skeleton};
 pub use task::{TYPICAL_RADIUS_MM, TYPICAL_SPEED_MM_S};
@@ -132,7 +132,7 @@ impl Check {
             seed: options.seed,
             passed: failures.is_empty(),
             failures,
-            remarks: sanity::remarks(file, machine),
+            remarks: remarks(file, machine),
             axes,
             heads,
             pair,

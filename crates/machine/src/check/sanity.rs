@@ -33,8 +33,9 @@ impl Remarks<'_> {
     }
 }
 
-/// Everything unusual in a machine file.
-pub(super) fn remarks(file: &Document<MachineFile>, machine: &Machine) -> Vec<Remark> {
+/// Everything unusual in a machine file: values that are likely another unit or a slip. The thresholds stand in
+/// `check/usual.rs`, each with its reason.
+pub fn remarks(file: &Document<MachineFile>, machine: &Machine) -> Vec<Remark> {
     let mut remarks = Remarks { file, all: Vec::new() };
     let period = machine.servo_period_s;
     if !(SHORT_PERIOD_S..=LONG_PERIOD_S).contains(&period) {
