@@ -173,7 +173,7 @@ fn failures(heads: &[HeadCheck], pair: Option<&RoundTrip>) -> Vec<String> {
 
 fn round_trip_words(r: &RoundTrip) -> String {
     format!(
-        "the round trip is off by {:.1e} mm, {:.1e} deg and {:.1e} in an axis; {} poses unsolved, {} without their own branch",
+        "round trip off by {:.1e} mm, {:.1e} deg, {:.1e} in an axis; {} poses unsolved, {} without their own branch",
         r.point_mm,
         r.direction_deg,
         r.axes_mm_or_deg,
