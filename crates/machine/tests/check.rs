@@ -1,7 +1,7 @@
 //! Tests of machine files on themselves: what ships passes, planted mistakes are found, reach against closed forms.
 
 use seamwright_document::Document;
-use seamwright_machine::check::{Check, CheckOptions, Side};
+use seamwright_machine::check::{Check, CheckOptions, Remark, Side, remarks};
 use seamwright_machine::{Machine, MachineFile, SHIPPED, shipped};
 use std::f64::consts::PI;
 
@@ -13,6 +13,10 @@ fn checked(text: &str, poses: u32) -> Check {
     let check = Check::run(&file, &machine, &options, &mut || steps += 1);
     assert!(steps <= Check::steps(&machine, &options) && steps >= u64::from(poses));
     check
+}
+
+fn remarked(text: &str) -> Vec<Remark> {
+    remarks(&Document::<MachineFile>::read("m.toml", text).unwrap(), &Machine::read("m.toml", text).unwrap())
 }
 
 /// A shipped file with one value changed.
@@ -75,7 +79,7 @@ fn planted_slips_are_found() {
         if to.contains('#') {
             text = text.replacen("\npeak_force_n = 2500\n", "\n", 1);
         }
-        let remarks = checked(&text, 1).remarks;
+        let remarks = remarked(&text);
         let found: Vec<_> = remarks.iter().filter(|r| r.key == key).collect();
         assert!(found.len() == 1 && found[0].why.contains(why), "{to}: {remarks:?}");
         let line = text.lines().nth(found[0].line - 1).unwrap();
@@ -85,10 +89,10 @@ fn planted_slips_are_found() {
     // No drives at all: one remark an axis.
     let text = shipped(torch).unwrap().text;
     let without = &text[..text.find("[drives.y]").unwrap()];
-    let remarks = checked(without, 1).remarks;
+    let remarks = remarked(without);
     assert_eq!(remarks.iter().filter(|r| r.why.contains("has no drive")).count(), 5, "{remarks:?}");
     let table = "\n[pitch_error.y]\nat_mm = [-800, 0, 800]\nerror_mm = [0, 5, 0]\n";
-    let remarks = checked(&format!("{text}{table}"), 1).remarks;
+    let remarks = remarked(&format!("{text}{table}"));
     assert!(remarks.len() == 1 && remarks[0].key == "pitch_error.y.error_mm", "{remarks:?}");
 }
 

@@ -14,7 +14,7 @@ pub(super) fn climb(machine: &Machine, start: &Joints, enough: f64, height: impl
     let mut part = 0.25;
     for _ in 0..HALVINGS {
         for _ in 0..ROUNDS {
-            let before = q;
+            let (before, level) = (q, best);
             for (axis, (low, high)) in ranges.iter().enumerate() {
                 for sense in [1.0, -1.0] {
                     let mut next = q;
@@ -26,7 +26,7 @@ pub(super) fn climb(machine: &Machine, start: &Joints, enough: f64, height: impl
                     }
                 }
             }
-            if q == before || best > enough {
+            if best <= level || best > enough {
                 break;
             }
             // The way that all axes went together once more.

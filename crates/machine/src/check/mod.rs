@@ -17,7 +17,7 @@ mod voxels;
 pub use jacobian::JacobianCheck;
 pub use reach::Reach;
 pub use round_trip::RoundTrip;
-pub use sanity::Remark;
+pub use sanity::{Remark, remarks};
 pub use singular::{SingularPlace, Singularities};
 pub use skeleton::{AxisPlace, Side, Skeleton};
 pub use task::{TYPICAL_RADIUS_MM, TYPICAL_SPEED_MM_S};
@@ -132,7 +132,7 @@ impl Check {
             seed: options.seed,
             passed: failures.is_empty(),
             failures,
-            remarks: sanity::remarks(file, machine),
+            remarks: remarks(file, machine),
             axes,
             heads,
             pair,
@@ -173,7 +173,7 @@ fn failures(heads: &[HeadCheck], pair: Option<&RoundTrip>) -> Vec<String> {
 
 fn round_trip_words(r: &RoundTrip) -> String {
     format!(
-        "the round trip is off by {:.1e} mm, {:.1e} deg and {:.1e} in an axis; {} poses unsolved, {} without their own branch",
+        "round trip off by {:.1e} mm, {:.1e} deg, {:.1e} in an axis; {} poses unsolved, {} without their own branch",
         r.point_mm,
         r.direction_deg,
         r.axes_mm_or_deg,

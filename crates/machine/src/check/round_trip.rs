@@ -121,7 +121,7 @@ pub(super) fn one_head(task: &Task, seed: u64, poses: u32, step: &mut dyn FnMut(
         let pose = machine.forward(&q);
         let regular = task.conditioning(&q) > NEAR_SINGULAR;
         found.near_singular += u32::from(!regular);
-        match machine.inverse_near(&pose, &q) {
+        match machine.inverse_near(pose, &q) {
             Ok(solution) => {
                 found.compare(machine, &[pose], &q, &solution, regular);
                 if regular {
@@ -134,7 +134,7 @@ pub(super) fn one_head(task: &Task, seed: u64, poses: u32, step: &mut dyn FnMut(
         if numeric && k % NUMERIC_STRIDE != 0 {
             continue;
         }
-        let Ok(branches) = machine.inverse(&pose, &elsewhere) else {
+        let Ok(branches) = machine.inverse(pose, &elsewhere) else {
             found.branch_missed += u32::from(regular);
             continue;
         };

@@ -33,8 +33,9 @@ impl Remarks<'_> {
     }
 }
 
-/// Everything unusual in a machine file.
-pub(super) fn remarks(file: &Document<MachineFile>, machine: &Machine) -> Vec<Remark> {
+/// Everything unusual in a machine file: values that are likely another unit or a slip. The thresholds stand in
+/// `check/usual.rs`, each with its reason.
+pub fn remarks(file: &Document<MachineFile>, machine: &Machine) -> Vec<Remark> {
     let mut remarks = Remarks { file, all: Vec::new() };
     let period = machine.servo_period_s;
     if !(SHORT_PERIOD_S..=LONG_PERIOD_S).contains(&period) {
@@ -67,21 +68,7 @@ fn about_axis(remarks: &mut Remarks, path: &str, axis: &Axis, period: f64) {
     about_range(remarks, &key("range", ""), axis);
     about_speed(remarks, &key("max_speed", "_s"), axis);
     about_acceleration(remarks, &key("max_acceleration", "_s2"), axis);
-    let jerk = key("max_jerk", "_s3");
-    if axis.max_jerk.is_infinite() {
-        let key = path.to_owned();
-        remarks.add(
-            &key,
-            format!("axis {} has no jerk limit", axis.name),
-            format!(
-                "`{jerk_key}`; ten times the acceleration is usual",
-                jerk_key = jerk.rsplit('.').next().unwrap_or_default()
-            ),
-        );
-    } else if axis.max_acceleration / axis.max_jerk > LONG_JERK_S {
-        let time = number(axis.max_acceleration / axis.max_jerk);
-        remarks.add(&jerk, format!("the acceleration takes {time} s to build up"), format!("a jerk in {unit}/s^3"));
-    }
+    about_jerk(remarks, path, &key("max_jerk", "_s3"), axis);
     about_drive(remarks, axis, period);
     about_pitch(remarks, axis);
 }
@@ -167,6 +154,17 @@ fn about_acceleration(remarks: &mut Remarks, key: &str, axis: &Axis) {
         let why =
             format!("{} times gravity is more than such an axis can stand", number(axis.max_acceleration / 9807.0));
         remarks.add(key, why, cure);
+    }
+}
+
+fn about_jerk(remarks: &mut Remarks, path: &str, key: &str, axis: &Axis) {
+    let (unit, time) = (axis.unit(), axis.max_acceleration / axis.max_jerk);
+    if axis.max_jerk.is_infinite() {
+        let why = format!("axis {} has no jerk limit", axis.name);
+        remarks.add(path, why, format!("max_jerk_{unit}_s3; ten times the acceleration is usual"));
+    } else if time > LONG_JERK_S {
+        let why = format!("the acceleration takes {} s to build up", number(time));
+        remarks.add(key, why, format!("a jerk in {unit}/s^3"));
     }
 }
 

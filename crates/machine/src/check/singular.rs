@@ -44,8 +44,8 @@ pub struct SingularPlace {
     pub at: Vec<(String, f64)>,
     /// True if other positions of these axes together do the same.
     pub family: bool,
-    /// How far from it the axis in `at` must be for a typical weld (mm or degrees), and the axis that is too slow nearer
-    /// by; none if no single axis tells the distance.
+    /// How far from it the axis in `at` must be for a typical weld (mm or degrees), and the axis that is too slow
+    /// nearer by; none if no single axis tells the distance.
     pub margin: Option<(f64, String)>,
 }
 

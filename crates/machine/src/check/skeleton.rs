@@ -20,7 +20,7 @@ pub struct AxisPlace {
     pub side: Side,
     /// A point on it, mm: on a linear axis where its carriage is, of one that moves the work where the work is.
     pub at: DVec3,
-    /// Unit direction of positive motion of what it carries, or of the axis that this turns about by the right-hand rule.
+    /// Unit direction: of positive motion of what it carries, or of the axis that this turns about (right-hand rule).
     pub direction: DVec3,
 }
 

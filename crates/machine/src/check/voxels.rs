@@ -75,7 +75,7 @@ impl Grid {
     }
 }
 
-/// One random point in each voxel is sought from the nearest voxel with known positions; then once more from neighbours.
+/// One random point in each voxel is sought from the nearest voxel with known positions; then again from neighbours.
 pub(super) fn volume(
     machine: &Machine,
     samples: &[(Joints, DVec3)],
@@ -126,8 +126,8 @@ fn measured(grid: &Grid, reached: &[bool]) -> Volume {
     }
 }
 
-/// Goes from `start` towards `point` within the ranges: damped Gauss-Newton steps, axes that push against the end of their
-/// range being left out. Where it ends, and the distance left.
+/// Goes from `start` towards `point` within the ranges: damped Gauss-Newton steps, axes that push against the end of
+/// their range being left out. Where it ends, and the distance left.
 fn towards(machine: &Machine, start: &Joints, point: DVec3, enough: f64) -> (Joints, f64) {
     let ranges = ranges(machine);
     let mut q = *start;

@@ -48,6 +48,9 @@ crate::svg::both_forms!(MachineDrawing);
 /// Strokes are drawn up to this many times the size of the structure, where that is not small beside them.
 const STROKES: f64 = 1.15;
 
+/// Strokes up to this many times what they would be cut to are drawn whole.
+const WHOLE: f64 = 1.8;
+
 /// Below this part of the strokes the structure is small.
 const SMALL: f64 = 0.25;
 
@@ -80,7 +83,7 @@ impl MachineDrawing {
             title: format!("{}: axes at home, in the base frame", machine.title),
             outlines: outlines(machine),
             axes: drawn.collect(),
-            links: skeleton.links.iter().map(|l| l.iter().map(|p| p.to_array()).collect()).collect(),
+            links: skeleton.links.iter().map(|l| l.iter().copied().map(Into::into).collect()).collect(),
             heads: skeleton
                 .heads
                 .iter()
@@ -117,6 +120,8 @@ impl MachineDrawing {
         let longest = halves.last().copied().unwrap_or(0.0);
         let second = halves.iter().rev().nth(1).copied().unwrap_or(longest);
         let most = if size < SMALL * second { STROKES * second } else { STROKES * size };
+        // A little more is not worth a break.
+        let most = if longest < WHOLE * most { f64::INFINITY } else { most };
         let (from, to) = (low, high);
         for axis in &self.axes {
             for end in [axis.stroke.0, axis.stroke.1] {

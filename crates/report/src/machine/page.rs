@@ -9,7 +9,7 @@ pub fn check_page(check: &Check, drawing: &MachineDrawing, file: &str, source: &
     let mut blocks = vec![Block::Tiles(tiles(check))];
     if !check.failures.is_empty() {
         blocks.push(Block::Heading("Failed tests".to_owned()));
-        blocks.push(Block::Findings(check.failures.iter().map(failure).collect()));
+        blocks.push(Block::Findings(check.failures.iter().map(|f| failure(f)).collect()));
     }
     blocks.push(Block::Heading("Axes".to_owned()));
     blocks.push(Block::Figure {
@@ -95,8 +95,8 @@ fn tiles(check: &Check) -> Vec<Tile> {
     ]
 }
 
-fn failure(text: &String) -> Finding {
-    Finding { severity: Severity::Error, text: text.clone(), place: String::new(), cure: String::new() }
+fn failure(text: &str) -> Finding {
+    Finding { severity: Severity::Error, text: text.to_owned(), place: String::new(), cure: String::new() }
 }
 
 fn remark(r: &Remark, file: &str) -> Finding {
@@ -182,7 +182,11 @@ pub fn check_text(check: &Check) -> String {
         for p in &h.singular.places {
             let margin = p.margin.as_ref().map_or_else(String::new, |(by, axis)| {
                 let unit = p.at.first().map_or("", |a| unit(check, &a.0));
-                format!("; nearer than {} {unit} {axis} is too slow for 10 mm/s on 100 mm", format_number(*by, 3))
+                let (speed, radius) = h.singular.typical;
+                format!(
+                    "; nearer than {} {unit} {axis} is too slow for {speed} mm/s on {radius} mm",
+                    format_number(*by, 3)
+                )
             });
             line("  singular", p.sentence(|name| unit(check, name)) + &margin);
         }
