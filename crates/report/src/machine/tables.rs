@@ -151,7 +151,10 @@ pub(super) fn reach(check: &Check) -> Table {
 /// The measure of a head's reach with its deviation.
 pub(super) fn measure(head: &HeadCheck) -> String {
     let v = &head.reach.volume;
-    // Litres and square metres are easier to grasp than mm.
+    if v.part_of_box <= 0.0 {
+        return "no volume: the tip stays on a surface or a line".to_owned();
+    }
+    // Cubic and square metres are easier to grasp than mm.
     let (value, deviation, unit) = match v.dimensions {
         3 => (v.measure * 1e-9, v.deviation * 1e-9, "m³"),
         2 => (v.measure * 1e-6, v.deviation * 1e-6, "m²"),
