@@ -19,13 +19,14 @@ pub(super) fn unit(check: &Check, name: &str) -> &'static str {
 
 pub(super) fn axes(check: &Check) -> Table {
     let row = |a: &AxisFigures| {
-        let range = a.range.map_or("no end stops".to_owned(), |(l, h)| format!("{} to {}", number(l), number(h)));
+        let range =
+            a.range.map_or("no end stops".to_owned(), |(l, h)| format!("{} to {} {}", number(l), number(h), a.unit));
         vec![
             a.name.clone(),
             a.letter.map_or("–".to_owned(), String::from),
             a.kind.to_owned(),
             a.moves.to_owned(),
-            format!("{range} {}", a.unit),
+            range,
             number(a.home),
             number(a.max_speed),
             number(a.max_acceleration),
