@@ -8,7 +8,7 @@ use serde::Serialize;
 pub struct Remark {
     /// Path of the key.
     pub key: String,
-    /// Its line in the file; 0 if it is not there.
+    /// Its line in the file; 0 if it is missing.
     pub line: usize,
     /// The value as written; empty if it is missing.
     pub value: String,
@@ -30,6 +30,11 @@ impl Remarks<'_> {
         let value = if place.value.len() < 60 { place.value } else { String::new() };
         let (why, cure) = (why.into(), cure.into());
         self.all.push(Remark { key: key.to_owned(), line: place.line, value, why, cure });
+    }
+
+    /// About a table that the file does not have.
+    fn missing(&mut self, key: &str, why: String, cure: String) {
+        self.all.push(Remark { key: key.to_owned(), line: 0, value: String::new(), why, cure });
     }
 }
 
@@ -172,7 +177,7 @@ fn about_drive(remarks: &mut Remarks, axis: &Axis, period: f64) {
     let table = format!("drives.{}", axis.name);
     let Some(drive) = &axis.drive else {
         let why = format!("axis {} has no drive: it is simulated with an assumed one", axis.name);
-        return remarks.add(&table, why, format!("[drives.{}]", axis.name));
+        return remarks.missing(&table, why, format!("[drives.{}]", axis.name));
     };
     // Forces are in N and kg m/s^2, limits in mm.
     let (scale, peak_key, inertia_key, force) = match axis.kind {

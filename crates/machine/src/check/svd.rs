@@ -84,9 +84,9 @@ mod tests {
             }
             let found = svd(&columns);
             for (k, column) in columns.iter().enumerate() {
-                for r in 0..ROWS {
+                for (r, value) in column.iter().enumerate() {
                     let whole: f64 = (0..n).map(|i| found.left[i][r] * found.right[i][k]).sum();
-                    assert!((whole - column[r]).abs() < 1e-13);
+                    assert!((whole - value).abs() < 1e-13);
                 }
             }
             for i in 0..n {
@@ -95,7 +95,7 @@ mod tests {
                 }
             }
             assert!(found.values.windows(2).all(|w| w[0] >= w[1]));
-            assert!(n < 3 || n > 7 || (found.values[n - 1] < 1e-14 && found.values[n - 2] > 1e-6));
+            assert!(n < 3 || (found.values[n - 1] < 1e-14 && found.values[n - 2] > 1e-6));
         }
     }
 }

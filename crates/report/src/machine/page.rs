@@ -146,7 +146,7 @@ fn reach_words(h: &HeadCheck) -> String {
     };
     let part = format_number(100.0 * h.reach.volume.part_of_box, 3);
     format!(
-        "Head {}: the tip reaches a {what} of {} in the work frame, {part} % of its box. The torch stands up to {} degrees off where it points at home, seen from the work.",
+        "Head {}: {what} reached by the tip in the work frame: {}, {part} % of its box. The torch stands up to {} degrees off where it points at home, seen from the work.",
         h.name,
         measure(h),
         format_number(h.reach.tilt_deg, 4)

@@ -19,13 +19,14 @@ pub(super) fn unit(check: &Check, name: &str) -> &'static str {
 
 pub(super) fn axes(check: &Check) -> Table {
     let row = |a: &AxisFigures| {
-        let range = a.range.map_or("no end stops".to_owned(), |(l, h)| format!("{} to {}", number(l), number(h)));
+        let range =
+            a.range.map_or("no end stops".to_owned(), |(l, h)| format!("{} to {} {}", number(l), number(h), a.unit));
         vec![
             a.name.clone(),
             a.letter.map_or("–".to_owned(), String::from),
             a.kind.to_owned(),
             a.moves.to_owned(),
-            format!("{range} {}", a.unit),
+            range,
             number(a.home),
             number(a.max_speed),
             number(a.max_acceleration),
@@ -151,7 +152,10 @@ pub(super) fn reach(check: &Check) -> Table {
 /// The measure of a head's reach with its deviation.
 pub(super) fn measure(head: &HeadCheck) -> String {
     let v = &head.reach.volume;
-    // Litres and square metres are easier to grasp than mm.
+    if v.part_of_box <= 0.0 {
+        return "no volume: the tip stays on a surface or a line".to_owned();
+    }
+    // Cubic and square metres are easier to grasp than mm.
     let (value, deviation, unit) = match v.dimensions {
         3 => (v.measure * 1e-9, v.deviation * 1e-9, "m³"),
         2 => (v.measure * 1e-6, v.deviation * 1e-6, "m²"),

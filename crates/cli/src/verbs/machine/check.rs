@@ -33,9 +33,9 @@ pub(crate) fn run(args: &CheckMachineArgs) -> Result<(), Failure> {
         }
     }
     if args.json {
-        print_json(&check)?
+        print_json(&check)?;
     } else {
-        print_text(&text)?
+        print_text(&text)?;
     }
     if check.passed { Ok(()) } else { Err(Failure::Printed) }
 }
