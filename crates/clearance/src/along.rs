@@ -154,7 +154,8 @@ impl<'a, M: Motion> Walk<'a, M> {
             watch,
             limits,
             edges,
-            limit: limits.cutoff_mm.max(scene.watches()[watch].least_mm()),
+            // Beyond what is required with room to prove it, or every place would look as near as the limit.
+            limit: limits.cutoff_mm.max(2.0 * scene.watches()[watch].least_mm() + limits.precision_mm),
             frames: vec![DAffine3::IDENTITY; scene.groups().len()],
             memory: Memory::default(),
             cells: vec![nothing; edges.len() - 1],

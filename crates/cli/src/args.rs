@@ -162,9 +162,9 @@ pub(crate) struct PostArgs {
     /// Greatest distance of the blocks' path from the seam, mm
     #[arg(long, default_value_t = 0.01, value_name = "MM")]
     pub(crate) tolerance_mm: f64,
-    /// How far the torch stands back along its axis before and after the weld, mm
-    #[arg(long, default_value_t = 30.0, value_name = "MM")]
-    pub(crate) retract_mm: f64,
+    /// How far the torch stands back along its axis before and after the weld, mm [default: the job's air.retract_mm]
+    #[arg(long, value_name = "MM")]
+    pub(crate) retract_mm: Option<f64>,
     /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,

@@ -37,6 +37,20 @@ impl CubicSpline {
         Ok(Self { x, y, slope, period })
     }
 
+    /// The greatest slope anywhere, up or down.
+    pub fn steepest(&self) -> f64 {
+        let piece = |i: usize| {
+            let h = self.x[i] - self.x[i - 1];
+            let (m0, m1, mean) = (self.slope[i - 1], self.slope[i], (self.y[i] - self.y[i - 1]) / h);
+            // The slope is m0 + b t + a t^2 over the part t of the interval.
+            let (a, b) = (3.0 * (m0 + m1 - 2.0 * mean), 2.0 * (3.0 * mean - 2.0 * m0 - m1));
+            let vertex = -b / (2.0 * a);
+            let between = if vertex > 0.0 && vertex < 1.0 { m0 + 0.5 * b * vertex } else { m0 };
+            m0.abs().max(m1.abs()).max(between.abs())
+        };
+        (1..self.x.len()).map(piece).fold(0.0, f64::max)
+    }
+
     /// Value, first and second derivative at `x`.
     pub fn at(&self, x: f64) -> (f64, f64, f64) {
         let n = self.x.len();
@@ -153,6 +167,8 @@ mod tests {
                 assert!((l.2 - r.2).abs() < 1e-4 * (1.0 + l.2.abs()), "{x}: {l:?} {r:?}");
             }
         }
+        let steepest = (0..20_000).map(|k| spline.at(points[0].0 + 0.001 * f64::from(k)).1.abs()).fold(0.0, f64::max);
+        assert!(steepest <= spline.steepest() * (1.0 + 1e-12), "{steepest} {}", spline.steepest());
         for k in 0..200 {
             let x = points[0].0 + 0.0371 * f64::from(k);
             let h = 1e-6;

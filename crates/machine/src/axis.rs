@@ -117,6 +117,14 @@ impl Axis {
         }
     }
 
+    /// The indicated position `turns` whole turns on: an axis with a pitch error truly turns whole turns there.
+    pub fn turned(&self, value: f64, turns: f64) -> f64 {
+        match &self.pitch_error {
+            Some(error) if turns != 0.0 => error.indicated_at(error.true_at(value).0 + TAU * turns),
+            _ => value + TAU * turns,
+        }
+    }
+
     /// Unit of positions in files and columns.
     pub fn unit(&self) -> &'static str {
         match self.kind {

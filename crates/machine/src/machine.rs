@@ -194,13 +194,15 @@ impl Machine {
         pair.solve(&self.heads, [&target.first, second], near, branches)
     }
 
-    /// From true to indicated positions, each within half a turn of `near`.
+    /// From true to indicated positions, each within half a true turn of `near`: a table of pitch errors need not come
+    /// round.
     fn as_indicated(&self, branches: &mut Branches, near: &Joints) {
+        let near = self.true_positions(near);
         for solution in branches.iter_mut() {
-            self.indicated(&mut solution.joints);
-            for (axis, (value, near)) in self.axes.iter().zip(solution.joints.iter_mut().zip(near)) {
+            for (axis, (value, near)) in self.axes.iter().zip(solution.joints.iter_mut().zip(&near)) {
                 *value = axis.turn_near(*value, *near);
             }
+            self.indicated(&mut solution.joints);
         }
     }
 
@@ -292,13 +294,10 @@ impl Machine {
         let mut turned = *q;
         for (value, axis) in turned.iter_mut().zip(&self.axes) {
             if let (AxisKind::Rotary, Some((low, high))) = (axis.kind, axis.range) {
-                let up = TAU * ((low - *value) / TAU).ceil();
-                if *value < low && *value + up <= high {
-                    *value += up;
-                }
-                let down = TAU * ((*value - high) / TAU).ceil();
-                if *value > high && *value - down >= low {
-                    *value -= down;
+                let turns = if *value < low { ((low - *value) / TAU).ceil() } else { -((*value - high) / TAU).ceil() };
+                let there = axis.turned(*value, turns);
+                if (*value < low || *value > high) && there >= low && there <= high {
+                    *value = there;
                 }
             }
         }

@@ -50,7 +50,8 @@ impl Pair {
                 attitude_error =
                     attitude_error.max(angle_between(head.chain.forward(&joints).direction, pose.direction));
             }
-            if rest > MET_MM {
+            // Also what is no number.
+            if !(rest <= MET_MM) {
                 missed = Some(Unreachable::Point { by: rest });
                 continue;
             }
@@ -68,6 +69,9 @@ fn slide(head: &Head, pose: &Pose, joints: &mut Joints) -> f64 {
     let mut slides = head.slides.iter();
     match (slides.next(), slides.next()) {
         (Some(a), Some(b)) => {
+            if columns[a].0.cross(columns[b].0).length() < 1e-6 {
+                return f64::INFINITY;
+            }
             let (x, y, rest) = in_plane(columns[a].0, columns[b].0, shift);
             (joints[a], joints[b]) = (joints[a] + x, joints[b] + y);
             rest.length()

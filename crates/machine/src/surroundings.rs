@@ -58,6 +58,14 @@ impl<'a> Surroundings<'a> {
         self.scene.watches().is_empty()
     }
 
+    /// Names of everything that is watched: links, part, fixtures and zones.
+    pub fn watched(&self) -> Vec<String> {
+        let mut groups: Vec<usize> = self.scene.watches().iter().flat_map(|w| [w.groups().0, w.groups().1]).collect();
+        groups.sort_unstable();
+        groups.dedup();
+        groups.into_iter().map(|g| self.scene.groups()[g].name.clone()).collect()
+    }
+
     /// The greatest of the least distances that are asked for, mm.
     pub fn greatest_least_mm(&self) -> f64 {
         self.scene.watches().iter().map(Watch::least_mm).fold(0.0, f64::max)

@@ -72,3 +72,30 @@ fn mistakes_have_an_address() {
     assert_eq!(wrong("at_deg = [0, 90, 180, 270]", "at_deg = [0, 90, 180, 360]"), "pitch_error.c.at_deg");
     assert_eq!(wrong("error_deg = [0.01, 0, -0.02]", "error_deg = [0.01, nan, -0.02]"), "pitch_error.a.error_deg[1]");
 }
+
+/// An axis of several turns whose table does not come round: every turn has its own error.
+#[test]
+fn turns_of_a_limited_axis_are_not_alike() {
+    let text = plain().replacen("continuous = true", "range_deg = [-720, 720]", 1)
+        + "[pitch_error.c]\nat_deg = [-720, 0, 720]\nerror_deg = [-0.2, 0, 0.3]\n";
+    let machine = Machine::read("m", &text).unwrap();
+    let a = machine.axis("a").unwrap();
+    let mut random = Uniform::new(8);
+    for _ in 0..5000 {
+        let q = random_joints(&machine, &mut random);
+        if q[a].sin().abs() < 1e-2 {
+            continue;
+        }
+        let pose = machine.forward(&q);
+        let near = machine.inverse_near(pose, &q).unwrap();
+        let worst = near.joints.iter().zip(&q).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(worst < 1e-9, "{worst:e}");
+        for s in machine.reach(pose, &q).unwrap() {
+            assert!((machine.forward(&s.joints).point - pose.point).length() < 1e-9);
+            assert!(machine.outside(&s.joints).is_none());
+        }
+    }
+    // Too steep where the table of an endless axis comes round.
+    let steep = plain() + "[pitch_error.c]\nat_deg = [0, 350]\nerror_deg = [0, 2]\n";
+    assert_eq!(Machine::read("m", &steep).unwrap_err().key, "pitch_error.c.error_deg");
+}

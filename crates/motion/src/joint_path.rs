@@ -1,4 +1,5 @@
 use crate::follower::Follower;
+use crate::survey::PLACES;
 use seamwright_geometry::{NODES, Series, nodes};
 use seamwright_machine::{AxisKind, Course, Joints, MAX_AXES, Machine};
 use std::f64::consts::TAU;
@@ -150,9 +151,9 @@ impl JointPath {
         }
     }
 
-    /// Least and greatest position of axis `i`, at the ends and in the middle of every panel.
+    /// Least and greatest position of axis `i` at many places.
     fn extremes(&self, i: usize) -> (f64, f64) {
-        let places = self.panels.iter().flat_map(|p| [p.start, 0.5 * (p.start + p.end), p.end]);
+        let places = (0..=PLACES).map(|k| self.length * k as f64 / PLACES as f64);
         places.map(|s| self.at(s)[i]).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), q| (l.min(q), h.max(q)))
     }
 
@@ -245,7 +246,8 @@ fn fit(follower: Follower, a: f64, b: f64, near: &Joints, blocks: usize) -> Opti
                 AxisKind::Rotary => TOLERANCE_RAD,
             };
             let rounding = 32.0 * f64::EPSILON * q.abs();
-            if (s.at(x) - q).abs() > tolerance.max(rounding) {
+            // Also what is no number.
+            if !((s.at(x) - q).abs() <= tolerance.max(rounding)) {
                 return None;
             }
         }

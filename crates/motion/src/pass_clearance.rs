@@ -14,6 +14,8 @@ pub struct PassClearance {
     pub at_least: Vec<(f64, f64)>,
     /// The least distance found: mm, path length, and who is near to whom.
     pub nearest: Option<(f64, f64, String)>,
+    /// Everything that is watched.
+    pub watched: Vec<String>,
     /// Distances are only told up to this, mm.
     pub cutoff_mm: f64,
 }
@@ -60,6 +62,7 @@ pub(crate) fn pass_clearance(
         (found.distance, s, format!("{a} and {b}"))
     });
     let found = profile.edges.iter().map(|&s| (s, around.least(&path.at(s), CUTOFF_MM))).collect();
-    let clearance = PassClearance { found, at_least: at_least.collect(), nearest, cutoff_mm: CUTOFF_MM };
+    let clearance =
+        PassClearance { found, at_least: at_least.collect(), nearest, watched: around.watched(), cutoff_mm: CUTOFF_MM };
     (Some(clearance), findings.collect())
 }

@@ -3,7 +3,7 @@ use crate::limits::{never_reached, speed_findings};
 use crate::redundancy::{Clearance, resolve};
 use crate::set_points::SetPoints;
 use crate::singular;
-use crate::survey::{range_between, survey};
+use crate::survey::{range_between, range_on_path, survey};
 use crate::{JointPath, SpeedLaw};
 use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_program::{Finding, Pass, Sequence, TorchPath};
@@ -67,6 +67,9 @@ impl PassMotion {
         };
         if let Some(last) = before.last {
             joints.turn_towards(machine, last);
+            // The survey looked at the path before it was turned.
+            findings.retain(|f| f.kind != "range");
+            findings.extend(range_on_path(machine, &joints, number));
         }
         let asked = |s: f64| pass.span_at(s).map_or(0.0, |span| span.speed_mm_s.get());
         let breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();

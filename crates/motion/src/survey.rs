@@ -8,7 +8,7 @@ use seamwright_program::{Finding, Tolerance};
 use std::f64::consts::TAU;
 
 /// Places along the path that are looked at.
-const PLACES: usize = 1440;
+pub(crate) const PLACES: usize = 1440;
 
 /// Attitude errors above this are listed as findings, rad.
 const ATTITUDE_WORTH_SAYING: f64 = 0.5 * std::f64::consts::PI / 180.0;
@@ -132,7 +132,9 @@ fn turns_into_range(follower: Follower, rows: &[Joints]) -> Joints {
     let mut shift = Joints::default();
     for (i, axis) in follower.machine.axes.iter().enumerate() {
         // Axes to spare are on their turn already.
-        if axis.kind == AxisKind::Linear || follower.free.has(i) {
+        // A limited axis with a table of pitch errors is no copy of itself a turn on: it stays on the turn next to home.
+        let alike = axis.pitch_error.is_none() || axis.range.is_none();
+        if axis.kind == AxisKind::Linear || follower.free.has(i) || !alike {
             continue;
         }
         let (low, high) = extremes(rows, i);
@@ -174,6 +176,13 @@ fn range_findings(machine: &Machine, places: &[f64], rows: &[Joints], pass: usiz
         findings.extend(run.map(|(from, to, worst, limit)| range_finding(axis, worst, limit, (from, to), pass)));
     }
     findings
+}
+
+/// Ranges that the axes' path leaves at its places, once it has been turned.
+pub(crate) fn range_on_path(machine: &Machine, path: &JointPath, pass: usize) -> Vec<Finding> {
+    let places: Vec<f64> = (0..=PLACES).map(|i| path.length() * i as f64 / PLACES as f64).collect();
+    let rows: Vec<Joints> = places.iter().map(|&s| path.at(s)).collect();
+    range_findings(machine, &places, &rows, pass)
 }
 
 /// Ranges that the survey's places missed: the axes' extremes between them, where an axis turns back.

@@ -50,18 +50,22 @@ impl WeldMotion {
             planned.clearance.push(clearance);
         }
         let air = Air { machine, around, retract_mm };
+        if around.is_empty() {
+            planned.findings.push(unchecked(machine));
+        }
+        let both: Vec<bool> = passes.iter().map(|(path, _)| path.second(0.0).is_some()).collect();
         for i in 0..=passes.len() {
-            planned.air_move(&air, i);
+            planned.air_move(&air, i, &both);
         }
         if planned.findings.iter().any(|f| !f.allowed) { Err(planned.findings) } else { Ok(planned) }
     }
 
     /// The air move before pass `i`, counted from 0, or home after the last.
-    fn air_move(&mut self, air: &Air, i: usize) {
+    fn air_move(&mut self, air: &Air, i: usize, both: &[bool]) {
         let before = i.checked_sub(1).map(|k| &self.passes[k].path);
         let after = self.passes.get(i).map(|p| &p.path);
-        let end = before.map(|p| (p.at(p.length()), i));
-        let start = after.map(|p| (p.at(0.0), i + 1));
+        let end = before.map(|p| (p.at(p.length()), both[i - 1]));
+        let start = after.map(|p| (p.at(0.0), both[i]));
         let (pass, s) = if i == 0 { (1, 0.0) } else { (i, before.map_or(0.0, super::joint_path::JointPath::length)) };
         let finding = |kind, message: String, cure: &str, allowed| Finding {
             kind,
@@ -77,14 +81,22 @@ impl WeldMotion {
             _ if start.is_none() => "from the weld back home".to_owned(),
             _ => format!("from pass {i} to pass {}", i + 1),
         };
-        match air.way(end.map(|e| e.0), start.map(|s| s.0)) {
-            Ok(points) => {
+        match air.way(end, start) {
+            Ok((planned, retracts)) => {
+                for back in retracts {
+                    let message = match back {
+                        Some(mm) => format!("the torch can only stand back {mm:.1} of {} mm {what}", air.retract_mm),
+                        None => format!("no axis can take the torch back along itself {what}: it leaves sideways"),
+                    };
+                    let cure = "none needed if nothing stands beside the seam";
+                    self.findings.push(finding("retract", message, cure, true));
+                }
                 if let (Some((from, _)), Some((to, _))) = (&end, &start) {
                     for note in unwound(air.machine, from, to) {
                         self.findings.push(finding("unwind", format!("{note} {what}"), "none needed", true));
                     }
                 }
-                self.air.push(AirMove::new(air.machine, &points));
+                self.air.push(planned);
             }
             Err(blocked) => {
                 let cure = "move the part, the fixture or home, or give the weld another start";
@@ -103,7 +115,7 @@ impl WeldMotion {
         })
     }
 
-    /// Number of set-points of [`WeldMotion::play`], and the time they take, s.
+    /// Number of set-points of [`WeldMotion::play`].
     pub fn count(&self, period: f64, home: bool) -> u64 {
         self.stages(home).map(|stage| stage.count(period)).sum()
     }
@@ -210,25 +222,44 @@ struct Air<'a> {
 }
 
 impl Air<'_> {
-    /// Positions to go through from the end of a weld (or home) to the start of the next (or home).
-    fn way(&self, end: Option<Joints>, start: Option<Joints>) -> Result<Vec<Joints>, Blocked> {
+    /// The move from the end of a weld (or home) to the start of the next (or home), each with whether two torches weld
+    /// there; and how far the torch stands back (mm) where that is less than asked, if at all.
+    fn way(
+        &self,
+        end: Option<(Joints, bool)>,
+        start: Option<(Joints, bool)>,
+    ) -> Result<(AirMove, Vec<Option<f64>>), Blocked> {
         let home = self.machine.home();
-        let (back_end, back_start) = (end.and_then(|q| self.back_from(&q)), start.and_then(|q| self.back_from(&q)));
-        let (from, to) = (back_end.or(end).unwrap_or(home), back_start.or(start).unwrap_or(home));
+        let [back_end, back_start] = [end, start].map(|e| e.and_then(|(q, both)| self.back_from(&q, both)));
+        let place = |back: Option<(Joints, f64)>, weld: Option<(Joints, bool)>| {
+            back.map(|b| b.0).or(weld.map(|w| w.0)).unwrap_or(home)
+        };
+        let (from, to) = (place(back_end, end), place(back_start, start));
         // An endless axis goes home by the shortest way.
         let to = if start.is_none() { self.nearest_turn(&to, &from) } else { to };
         let mut points = Vec::new();
-        if let (Some(q), Some(_)) = (end, back_end) {
+        if let (Some((q, _)), Some(_)) = (end, back_end) {
             self.straight("the retract", &q, &from)?;
             points.push(q);
         }
         points.extend(route(self.machine, self.around, &from, &to, AxisSet::default())?);
-        if let (Some(q), Some(_)) = (start, back_start) {
+        if let (Some((q, _)), Some(_)) = (start, back_start) {
             self.straight("the approach", &to, &q)?;
             points.push(q);
         }
         points.dedup();
-        Ok(points)
+        let short = |weld: Option<(Joints, bool)>, back: Option<(Joints, f64)>| match (weld, back) {
+            (Some(_), None) => Some(None),
+            (Some(_), Some((_, part))) if part < 1.0 => Some(Some(part * self.retract_mm)),
+            _ => None,
+        };
+        let shorter = [short(end, back_end), short(start, back_start)].into_iter().flatten().collect();
+        let planned = AirMove {
+            retracts: back_end.is_some(),
+            approaches: back_start.is_some(),
+            ..AirMove::new(self.machine, &points)
+        };
+        Ok((planned, shorter))
     }
 
     fn nearest_turn(&self, q: &Joints, near: &Joints) -> Joints {
@@ -246,28 +277,38 @@ impl Air<'_> {
 
     /// Where the torch stands back along itself (two torches: along the middle of both): as far as asked, or as far as
     /// the axes reach. None if they cannot move it that way.
-    fn back_from(&self, q: &Joints) -> Option<Joints> {
+    fn back_from(&self, q: &Joints, both: bool) -> Option<(Joints, f64)> {
         let machine = self.machine;
         for part in [1.0, 0.5, 0.25] {
             let poses: Vec<Pose> = (0..machine.heads.len()).map(|head| machine.forward_of(head, q)).collect();
             let first = poses[0];
-            let both = poses.get(1).filter(|_| self.machine.heads.len() == 2 && self.welds_with_both(q));
+            let both = poses.get(1).filter(|_| both);
             let along = both.map_or(first.direction, |second| (first.direction + second.direction).normalize());
             let back = |p: Pose| Pose { point: p.point - part * self.retract_mm * along, ..p };
             let target = Target { first: back(first), second: both.map(|p| back(*p)) };
             if let Ok(solution) = machine.inverse_near(target, q)
                 && machine.outside(&solution.joints).is_none()
             {
-                return Some(solution.joints);
+                return Some((solution.joints, part));
             }
         }
         None
     }
+}
 
-    /// True if the pair of heads can be moved as one from `q`.
-    fn welds_with_both(&self, q: &Joints) -> bool {
-        let target = Target { first: self.machine.forward_of(0, q), second: Some(self.machine.forward_of(1, q)) };
-        self.machine.inverse_near(target, q).is_ok()
+/// What is to be said where nothing has a shape.
+fn unchecked(machine: &Machine) -> Finding {
+    Finding {
+        kind: "unchecked",
+        message: format!(
+            "{} has no shapes: nothing is checked for collisions, and air moves go straight",
+            machine.name
+        ),
+        pass: 1,
+        from_mm: 0.0,
+        to_mm: 0.0,
+        cure: "describe torch and links with [[shapes.<link>]] in the machine file".to_owned(),
+        allowed: true,
     }
 }
 

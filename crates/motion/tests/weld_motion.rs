@@ -132,6 +132,9 @@ fn what_is_too_near_is_told() {
     let nearest = clear.clearance[0].as_ref().unwrap();
     assert!(nearest.nearest.is_some() && free.clearance[0].is_some());
     assert!(nearest.at_least.iter().all(|c| c.1 >= 2.0));
+    // Asking for more than the distances that are told is no fault.
+    let wide = Clamped { fixtures: ball(500.0), least_mm: 100.0, ..Clamped::default() };
+    assert!(plan(&machine, &welding, &wide).is_ok());
     // A ball round home blocks the air moves.
     let home = machine.forward(&machine.home()).point + DVec3::new(0.0, 0.0, 100.0);
     let at_home = Solid::new("hook", Shape::Sphere { radius: 5.0 }, DAffine3::from_translation(home)).unwrap();

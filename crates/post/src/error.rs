@@ -33,18 +33,9 @@ pub enum Error {
     /// The planned air moves between passes are straight in axis space.
     #[error("the air moves between passes are planned for the axes: use joint level, or post one pass at a time")]
     TipPasses,
-    /// The torch cannot stand back as far as asked.
-    #[error(
-        "the torch cannot stand back {retract_mm} mm from s = {s:.3} mm: axis {axis} would pass its limit; ask for less"
-    )]
-    Retract {
-        /// Distance asked for, mm.
-        retract_mm: f64,
-        /// Path length of the end of the weld, mm.
-        s: f64,
-        /// Name of the axis.
-        axis: String,
-    },
+    /// Blocks are cut for one torch.
+    #[error("two torches that weld at once cannot be posted: blocks are checked for one of them only")]
+    TwoTorches,
     /// The tolerance cannot be kept.
     #[error("the tolerance needs blocks too short for the control near s = {s:.3} mm: allow more")]
     TooFine {

@@ -1,10 +1,8 @@
 use crate::Error;
 use crate::blocks::{Block, HELD_BACK, Level, Linearisation, linearise};
 use crate::number::{fixed, significant};
-use glam::DVec3;
-use seamwright_geometry::Pose;
-use seamwright_machine::{AxisKind, Machine};
-use seamwright_motion::air::AirMove;
+use seamwright_machine::{AxisKind, Joints, Machine};
+use seamwright_motion::air::{AirMove, Leg};
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::{Program, Span, TorchPath};
 use std::fmt::Write;
@@ -16,13 +14,11 @@ pub struct Options {
     pub level: Level,
     /// Greatest distance of the blocks' path from the seam, mm.
     pub tolerance_mm: f64,
-    /// How far the torch stands back along its axis before and after the weld, mm.
-    pub retract_mm: f64,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { level: Level::Joint, tolerance_mm: 0.01, retract_mm: 30.0 }
+        Self { level: Level::Joint, tolerance_mm: 0.01 }
     }
 }
 
@@ -52,6 +48,9 @@ pub fn linuxcnc(
     if options.level == Level::Tip && motion.passes.len() > 1 {
         return Err(Error::TipPasses);
     }
+    if paths.iter().any(|path| path.second(0.0).is_some()) {
+        return Err(Error::TwoTorches);
+    }
     // Rounding of corners by the control, and linear motion left to the next block, count against the tolerance too.
     let tolerance = (1.0 - ROUNDING - HELD_BACK) * options.tolerance_mm;
     let mut writer = Writer { out: String::new(), machine, options, letters };
@@ -62,14 +61,15 @@ pub fn linuxcnc(
             writer.header(program);
         }
         writer.pass_header(&pass.name, planned, &cut);
-        let before = writer.back_from(*path, planned, 0.0)?;
-        let after = writer.back_from(*path, planned, path.length())?;
+        let before = writer.stands_back(motion.air[i].approaches, motion.air[i].legs.last().map(Leg::start));
+        let after = writer.stands_back(motion.air[i + 1].retracts, motion.air[i + 1].legs.first().map(Leg::end));
         if i > 0 {
             writer.air(&motion.air[i]);
         }
         writer.start(&cut.start, before.as_ref(), planned, &pass.spans[0], i == 0);
         writer.weld(&cut, &pass.spans);
-        writer.end(after.as_ref(), planned, &pass.spans[0]);
+        let end = cut.blocks.last().unwrap_or(&cut.start);
+        writer.end(end, after.as_ref(), planned, &pass.spans[0]);
     }
     writer.line("M2");
     Ok(writer.out)
@@ -157,10 +157,17 @@ impl Writer<'_> {
     /// The planned way from where the torch stands back after one pass to where it does before the next.
     fn air(&mut self, air: &AirMove) {
         self.comment("the planned way to the next pass");
-        // Its first leg goes back from the end of the weld, its last down to the start: both are written elsewhere.
-        let inner = air.legs.len().saturating_sub(1);
-        for leg in air.legs.iter().take(inner) {
-            let place = Block { s: 0.0, q: *leg.end(), tip: DVec3::ZERO, duration: 0.0, turns_only: false };
+        // The retract and the approach are written with their welds; the last place is where the approach begins.
+        let skip = usize::from(air.retracts);
+        let inner = air.legs.len().saturating_sub(usize::from(air.approaches));
+        for leg in air.legs.iter().take(inner).skip(skip) {
+            let place = Block {
+                s: 0.0,
+                q: *leg.end(),
+                tip: self.machine.forward(leg.end()).point,
+                duration: 0.0,
+                turns_only: false,
+            };
             self.line(&format!("G0 {}", self.words(&place, false)));
         }
     }
@@ -182,20 +189,10 @@ impl Writer<'_> {
         texts.join(" ")
     }
 
-    /// Where the torch stands back from path length `s` along its own axis; none on a machine whose axes cannot move it
-    /// that way at all.
-    fn back_from(&self, path: &dyn TorchPath, motion: &PassMotion, s: f64) -> Result<Option<Block>, Error> {
-        let q = motion.path.at(s);
-        // The direction that the axes reach, so that a machine with few axes can do it too.
-        let pose = Pose { point: path.pose(s).point, direction: self.machine.forward(&q).direction };
-        let back = Pose { point: pose.point - self.options.retract_mm * pose.direction, ..pose };
-        let Ok(there) = self.machine.inverse_near(back, &q) else { return Ok(None) };
-        if let Some(out) = self.machine.outside(&there.joints) {
-            let axis = self.machine.axes[out.axis].name.clone();
-            return Err(Error::Retract { retract_mm: self.options.retract_mm, s, axis });
-        }
-        let tip: DVec3 = self.machine.forward(&there.joints).point;
-        Ok(Some(Block { s, q: there.joints, tip, duration: 0.0, turns_only: false }))
+    /// Where the torch stands back by the plan, which has checked it; none where no axis can take it back.
+    fn stands_back(&self, does: bool, q: Option<&Joints>) -> Option<Block> {
+        let q = q.filter(|_| does)?;
+        Some(Block { s: 0.0, q: *q, tip: self.machine.forward(q).point, duration: 0.0, turns_only: false })
     }
 
     fn start(&mut self, start: &Block, back: Option<&Block>, motion: &PassMotion, span: &Span, first: bool) {
@@ -207,8 +204,7 @@ impl Writer<'_> {
                     );
                 }
                 self.line(&format!("G0 {}", self.words(back, false)));
-                let feed = fixed(APPROACH_MM_MIN / self.options.retract_mm, DECIMALS);
-                self.line(&format!("G93 G1 {} F{feed}", self.words(start, false)));
+                self.line(&format!("G93 G1 {} F{}", self.words(start, false), approach_feed(back, start)));
             }
             None => {
                 if first {
@@ -269,7 +265,7 @@ impl Writer<'_> {
         }
     }
 
-    fn end(&mut self, back: Option<&Block>, motion: &PassMotion, span: &Span) {
+    fn end(&mut self, end: &Block, back: Option<&Block>, motion: &PassMotion, span: &Span) {
         let io = self.machine.io.clone();
         let sequence = motion.sequence;
         self.dwell(sequence.crater_s.get(), "crater fill");
@@ -289,9 +285,13 @@ impl Writer<'_> {
             if let Some(arc) = io.arc {
                 self.line(&format!("M63 P{arc} (arc stays off)"));
             }
-            let feed = fixed(APPROACH_MM_MIN / self.options.retract_mm, DECIMALS);
-            self.line(&format!("G1 {} F{feed}", self.words(back, false)));
+            self.line(&format!("G1 {} F{}", self.words(back, false), approach_feed(end, back)));
         }
         self.line("G94");
     }
+}
+
+/// Inverse-time feed of an approach or retract, 1/min.
+fn approach_feed(a: &Block, b: &Block) -> String {
+    fixed(APPROACH_MM_MIN / (a.tip - b.tip).length().max(1.0), DECIMALS)
 }

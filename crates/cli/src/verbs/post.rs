@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::load::load;
 use crate::rows::print_text;
+use seamwright_document::Positive;
 use seamwright_post::{Error, Level, Options, linuxcnc};
 use seamwright_program::TorchPath;
 
@@ -17,13 +18,16 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
             LevelArg::Tip => Level::Tip,
         },
         tolerance_mm: positive("--tolerance-mm", args.tolerance_mm)?,
-        retract_mm: positive("--retract-mm", args.retract_mm)?,
     };
     if options.tolerance_mm > WIDEST_MM {
         let message = format!("--tolerance-mm {}: too coarse\n   allowed: up to {WIDEST_MM}", options.tolerance_mm);
         return Err(Failure::Input(message));
     }
-    let loaded = load(&args.job)?;
+    let mut loaded = load(&args.job)?;
+    if let Some(mm) = args.retract_mm {
+        loaded.welding.program.value.air.retract_mm =
+            Positive::new(positive("--retract-mm", mm)?).unwrap_or(Positive::TEN);
+    }
     let motion = loaded.plan()?;
     let paths = loaded.paths();
     let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
@@ -32,7 +36,6 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
     };
     let text = text.map_err(|e| match &e {
         Error::TooFine { .. } => Failure::Input(format!("--tolerance-mm {}: {e}", args.tolerance_mm)),
-        Error::Retract { .. } => Failure::Input(format!("--retract-mm {}: {e}", args.retract_mm)),
         _ => Failure::Input(e.to_string()),
     })?;
     match &args.output {

@@ -32,9 +32,7 @@ pub(super) fn pitch_error(file: &File, axis: &Axis, table: &PitchErrorFile) -> R
         let allowed = if axis.range.is_some() { "increasing places" } else { "increasing places within one turn" };
         file.error_at(&key(&format!("at_{unit}")), "the places do not fit", allowed)
     })?;
-    let (first, last) = (points[0].0, points[points.len() - 1].0);
-    let steepest =
-        (0..=2000).map(|i| spline.at(first + (last - first) * f64::from(i) / 2000.0).1.abs()).fold(0.0, f64::max);
+    let steepest = spline.steepest();
     if steepest > STEEPEST {
         let message = format!("the error changes by {steepest:.3} {unit} per {unit}: that is no pitch error");
         return Err(file.error_at(&key(&format!("error_{unit}")), message, format!("up to {STEEPEST} per {unit}")));

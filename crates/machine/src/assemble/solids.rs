@@ -48,6 +48,11 @@ pub(super) fn solids(file: &File, links: &Links, load: Load) -> Result<LinkSolid
             if links.frame(name).is_none() && !FROM_JOB.contains(&name.as_str()) {
                 return Err(unknown(file, links, &format!("{path}.watch[{k}]"), &FROM_JOB));
             }
+            let bare = |f: &crate::NamedFrame| !all.solids.iter().any(|(link, _)| *link == f.link);
+            if links.frame(name).is_some_and(bare) {
+                let message = format!("`{name}` has no shapes: the zone would watch nothing");
+                return Err(file.error_at(&format!("{path}.watch[{k}]"), message, format!("[[shapes.{name}]] first")));
+            }
         }
         if zone.solids.is_empty() {
             return Err(file.error_at(

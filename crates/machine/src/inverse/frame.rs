@@ -67,8 +67,10 @@ impl FrameInverse {
                 .iter()
                 .rev()
                 .fold(from.point, |p, &r| self.screws[r].turn_point(turns[self.screws[r].axis], p));
-            move_linear(&self.screws, self.linear, &self.rotary, &turns, to.point - at_zero, &mut joints)?;
-            found.push((joints, singular));
+            let shift = to.point - at_zero;
+            if move_linear(&self.screws, self.linear, &self.rotary, &turns, shift, &mut joints).is_ok() {
+                found.push((joints, singular));
+            }
         }
         Ok(found)
     }

@@ -60,6 +60,18 @@ impl Branches {
     }
 }
 
+impl Branches {
+    /// Takes back the solution added last: its linear axes are flat.
+    fn take_back(&mut self) {
+        self.0.pop();
+    }
+
+    /// Nothing left of several branches is the reason of the last.
+    fn any(&self, reason: Option<Unreachable>) -> Result<(), Unreachable> {
+        if self.0.is_empty() { Err(reason.unwrap_or(Unreachable::Flat)) } else { Ok(()) }
+    }
+}
+
 impl Deref for Branches {
     type Target = [Solution];
     fn deref(&self) -> &[Solution] {

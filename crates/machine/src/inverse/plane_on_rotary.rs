@@ -64,13 +64,18 @@ impl PlaneOnRotary {
             Which::Nearest if second_is_nearer => &turns[1..],
             Which::Nearest => &turns[..1],
         };
+        let mut flat = None;
         for &about in turns {
             let solution = branches.add();
-            self.in_plane(chain, pose, near, about, solution)?;
+            if let Err(reason) = self.in_plane(chain, pose, near, about, solution) {
+                branches.take_back();
+                flat = Some(reason);
+                continue;
+            }
             solution.joints[turn.axis] = if singular { near[turn.axis] } else { about.angle() };
             solution.singular |= singular;
         }
-        Ok(())
+        branches.any(flat)
     }
 
     /// The solution with the rotary axis turned by `about`, whose own position is left to the caller.

@@ -45,6 +45,7 @@ impl ThreeLinear {
             _ => pairs,
         };
         let exact = self.rotary.len() == 2;
+        let mut flat = None;
         for (first, second) in pairs.into_iter().flatten() {
             let mut turns = [Turn::NONE; MAX_AXES];
             let solution = branches.add();
@@ -54,12 +55,16 @@ impl ThreeLinear {
                 solution.joints[at] = turn.map_or(near[at], Turn::angle);
                 solution.singular |= turn.is_none();
             }
-            let reached = self.solve_linear(chain, pose.point, &turns, &mut solution.joints)?;
-            if !exact {
-                solution.attitude_error = angle_between(reached, pose.direction);
+            match self.solve_linear(chain, pose.point, &turns, &mut solution.joints) {
+                Ok(reached) if !exact => solution.attitude_error = angle_between(reached, pose.direction),
+                Ok(_) => {}
+                Err(reason) => {
+                    branches.take_back();
+                    flat = Some(reason);
+                }
             }
         }
-        Ok(())
+        branches.any(flat)
     }
 
     /// The pair of turns that is less far from `near`, by the chords of the angles between.

@@ -92,12 +92,17 @@ impl Course for Leg {
 pub struct AirMove {
     /// The legs.
     pub legs: Vec<Leg>,
+    /// True if the first leg takes the torch straight back from the end of a weld.
+    pub retracts: bool,
+    /// True if the last leg brings it straight down to the start of the next.
+    pub approaches: bool,
 }
 
 impl AirMove {
-    /// The move through `points`.
+    /// The move through `points`, with neither retract nor approach.
     pub fn new(machine: &Machine, points: &[Joints]) -> Self {
-        Self { legs: points.windows(2).map(|w| Leg::new(machine, &w[0], &w[1])).collect() }
+        let legs = points.windows(2).map(|w| Leg::new(machine, &w[0], &w[1])).collect();
+        Self { legs, retracts: false, approaches: false }
     }
 
     /// Time from rest to rest, s.

@@ -175,7 +175,7 @@ impl Search<'_> {
         let from = tree.places[nearest].0;
         let distance = self.apart(&from, target);
         if distance < 1e-9 {
-            return None;
+            return Some(nearest);
         }
         let part = (STEP / distance).min(1.0);
         let to = if part < 1.0 { std::array::from_fn(|i| from[i] + part * (target[i] - from[i])) } else { *target };

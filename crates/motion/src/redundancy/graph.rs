@@ -307,7 +307,7 @@ fn turns(task: &Task, q: &Joints) -> Vec<Joints> {
             .flat_map(|k| {
                 all.iter().map(move |q| {
                     let mut turned = *q;
-                    turned[i] += TAU * f64::from(k);
+                    turned[i] = axis.turned(q[i], f64::from(k));
                     turned
                 })
             })

@@ -83,6 +83,8 @@ pub struct ClearanceFigures {
     pub at_mm: Option<f64>,
     /// Who and who.
     pub between: Option<String>,
+    /// Everything that is watched.
+    pub watched: Vec<String>,
 }
 
 impl WeldReport {
@@ -145,8 +147,9 @@ impl WeldReport {
 }
 
 fn clearance(c: &PassClearance) -> ClearanceFigures {
-    match &c.nearest {
-        Some((mm, s, between)) => ClearanceFigures { nearest_mm: *mm, at_mm: Some(*s), between: Some(between.clone()) },
-        None => ClearanceFigures { nearest_mm: c.cutoff_mm, at_mm: None, between: None },
-    }
+    let (nearest_mm, at_mm, between) = match &c.nearest {
+        Some((mm, s, between)) => (*mm, Some(*s), Some(between.clone())),
+        None => (c.cutoff_mm, None, None),
+    };
+    ClearanceFigures { nearest_mm, at_mm, between, watched: c.watched.clone() }
 }

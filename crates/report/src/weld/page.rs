@@ -107,11 +107,12 @@ impl WeldReport {
 
     /// What was looked at, and what not.
     fn checked(&self) -> String {
-        let watched = self.passes.iter().all(|p| p.clearance.is_some());
-        let clearance = if watched {
-            "the distances of torch, links, part and fixtures along the passes and in the air moves, as far as the files give their shapes. Not checked: what has no shape in the files, such as cables and hoses."
-        } else {
-            "nothing about collisions: the machine file has no shapes."
+        let watched = self.passes.iter().find_map(|p| p.clearance.as_ref()).map(|c| c.watched.join(", "));
+        let clearance = match watched {
+            Some(names) => format!(
+                "the distances from one another of {names}, along the passes and in the air moves, as far as the files give their shapes. Not checked: what is not in this list, parts beyond the lengths that the job gives them, cables and hoses."
+            ),
+            None => "nothing about collisions: the machine file has no shapes.".to_owned(),
         };
         format!(
             "Checked: reach, ranges, speeds and accelerations of the axes, that the torch axis stays clear of both faces, and {clearance}"
