@@ -50,8 +50,7 @@ impl Pair {
                 attitude_error =
                     attitude_error.max(angle_between(head.chain.forward(&joints).direction, pose.direction));
             }
-            // Also what is no number.
-            if !(rest <= MET_MM) {
+            if rest.is_nan() || rest > MET_MM {
                 missed = Some(Unreachable::Point { by: rest });
                 continue;
             }

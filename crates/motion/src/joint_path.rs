@@ -246,8 +246,8 @@ fn fit(follower: Follower, a: f64, b: f64, near: &Joints, blocks: usize) -> Opti
                 AxisKind::Rotary => TOLERANCE_RAD,
             };
             let rounding = 32.0 * f64::EPSILON * q.abs();
-            // Also what is no number.
-            if !((s.at(x) - q).abs() <= tolerance.max(rounding)) {
+            let off = (s.at(x) - q).abs();
+            if off.is_nan() || off > tolerance.max(rounding) {
                 return None;
             }
         }
