@@ -100,7 +100,7 @@ fn distance(path: &dyn TorchPath, point: DVec3, s: &mut f64) -> f64 {
 }
 
 fn check(job: &str, level: Level, tolerance_mm: f64) -> usize {
-    let p = post(job, &Options { level, tolerance_mm, ..Options::default() }).unwrap();
+    let p = post(job, &Options { level, tolerance_mm }).unwrap();
     let (points, time) = read(&p.text);
     assert!((time / p.motion.arc_on_s() - 1.0).abs() < 1e-5, "{time} {}", p.motion.arc_on_s());
     let path = p.welding.path(0);
@@ -178,7 +178,7 @@ fn letters_must_fit_the_axes() {
     };
     assert!(matches!(written(&text.replace("letter = \"C\"\n", "")), Err(Error::NoLetter { .. })));
     assert!(matches!(written(&text.replace("letter = \"C\"", "letter = \"U\"")), Err(Error::WrongLetter { .. })));
-    let tip = post(EXAMPLES[0], &Options { level: Level::Tip, ..Options::default() });
+    let tip = post(EXAMPLES[0], &Options { level: Level::Tip });
     assert!(matches!(tip, Err(Error::NoTip)));
 }
 
