@@ -178,7 +178,7 @@ fn letters_must_fit_the_axes() {
     };
     assert!(matches!(written(&text.replace("letter = \"C\"\n", "")), Err(Error::NoLetter { .. })));
     assert!(matches!(written(&text.replace("letter = \"C\"", "letter = \"U\"")), Err(Error::WrongLetter { .. })));
-    let tip = post(EXAMPLES[0], &Options { level: Level::Tip });
+    let tip = post(EXAMPLES[0], &Options { level: Level::Tip, ..Options::default() });
     assert!(matches!(tip, Err(Error::NoTip)));
 }
 
