@@ -10,6 +10,7 @@
 pub mod air;
 mod follower;
 mod joint_path;
+pub mod law;
 mod limits;
 mod pass_clearance;
 mod pass_motion;

@@ -1,0 +1,122 @@
+use super::channels::{Channels, Limits};
+use super::rest::RestToRest;
+
+/// Places in each cell where the path is looked at, as parts of its width.
+pub(crate) const PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+
+/// Weights of a cell's three coefficients in the squared speed, its first and its second derivative by `tau`.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Weights {
+    pub(crate) value: [f64; 3],
+    pub(crate) first: [f64; 3],
+    pub(crate) second: [f64; 3],
+}
+
+/// A piece of path from rest to rest, cut in cells, with the derivatives of all channels by `tau` in them.
+pub(crate) struct Cells {
+    pub(crate) map: RestToRest,
+    /// Stations between cells, from 0 to the map's length.
+    pub(crate) tau: Vec<f64>,
+    pub(crate) limits: Vec<Limits>,
+    /// Channels' derivatives at [`PARTS`] of every cell.
+    derivatives: Vec<[f64; 3]>,
+    /// Asked squared speed by `tau` at the same places.
+    asked: Vec<f64>,
+}
+
+impl Cells {
+    /// The piece of `path` that `map` covers, with stations at `tau`, which must contain the map's borders and the
+    /// path's breaks.
+    pub(crate) fn new(path: &dyn Channels, map: RestToRest, tau: Vec<f64>, limits: Vec<Limits>) -> Self {
+        let (channels, cells) = (limits.len(), tau.len() - 1);
+        let mut derivatives = vec![[0.0; 3]; cells * PARTS.len() * channels];
+        let mut asked = Vec::with_capacity(cells * PARTS.len());
+        for (i, row) in derivatives.chunks_exact_mut(channels).enumerate() {
+            let (cell, part) = (i / PARTS.len(), PARTS[i % PARTS.len()]);
+            asked.push(place(path, &map, (tau[cell], tau[cell + 1]), part, row));
+        }
+        Self { map, tau, limits, derivatives, asked }
+    }
+
+    /// Number of cells.
+    pub(crate) fn count(&self) -> usize {
+        self.tau.len() - 1
+    }
+
+    /// Width of cell `i`, by `tau`.
+    pub(crate) fn width(&self, i: usize) -> f64 {
+        self.tau[i + 1] - self.tau[i]
+    }
+
+    /// Derivatives of all channels by `tau` at [`PARTS`]`[part]` of `cell`.
+    pub(crate) fn derivatives(&self, cell: usize, part: usize) -> &[[f64; 3]] {
+        let n = self.limits.len();
+        &self.derivatives[(cell * PARTS.len() + part) * n..][..n]
+    }
+
+    /// Highest squared speed by `tau` that the channels' speeds allow there.
+    pub(crate) fn speed_cap(&self, cell: usize, part: usize) -> f64 {
+        let rows = self.derivatives(cell, part).iter().zip(&self.limits);
+        let ratio = rows.map(|(d, l)| d[0].abs() / l.speed).fold(0.0, f64::max);
+        1.0 / (ratio * ratio)
+    }
+
+    /// Asked squared speed by `tau` there; infinite if none.
+    pub(crate) fn asked(&self, cell: usize, part: usize) -> f64 {
+        self.asked[cell * PARTS.len() + part]
+    }
+
+    /// Highest value of coefficient `k` so that the tip is nowhere faster than asked: a squared speed is nowhere above the
+    /// greatest of its coefficients.
+    pub(crate) fn upper(&self, k: usize) -> f64 {
+        let cells = k.saturating_sub(2)..=k.min(self.count() - 1);
+        let asked = cells.flat_map(|cell| (0..PARTS.len()).map(move |part| self.asked(cell, part)));
+        asked.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Weights at the start of `cell`: of the squared speed and its derivatives by `tau`.
+    pub(crate) fn weights(&self, cell: usize) -> Weights {
+        let last = self.count() - 1;
+        let width = |i: usize| self.width(i.min(last));
+        let (before, own, after) = (width(cell.saturating_sub(1)), width(cell), width(cell + 1));
+        let (left, right) = (before + own, own + after);
+        let (first_left, first_right) = ([-2.0 / left, 2.0 / left, 0.0], [0.0, -2.0 / right, 2.0 / right]);
+        Weights {
+            value: [own / left, before / left, 0.0],
+            first: first_left,
+            second: std::array::from_fn(|i| (first_right[i] - first_left[i]) / own),
+        }
+    }
+
+    /// Weights at [`PARTS`]`[part]` of `cell`.
+    pub(crate) fn weights_at(&self, cell: usize, part: usize) -> Weights {
+        let (w, x) = (self.weights(cell), PARTS[part] * self.width(cell));
+        Weights {
+            value: std::array::from_fn(|i| w.value[i] + x * (w.first[i] + 0.5 * x * w.second[i])),
+            first: std::array::from_fn(|i| w.first[i] + x * w.second[i]),
+            second: w.second,
+        }
+    }
+}
+
+/// The channels' derivatives by `tau` at the `part` of a cell, into `row`; and the asked squared speed there.
+pub(crate) fn place(
+    path: &dyn Channels,
+    map: &RestToRest,
+    (from, to): (f64, f64),
+    part: f64,
+    row: &mut [[f64; 3]],
+) -> f64 {
+    let before = part > 0.5;
+    let tau = if part >= 1.0 { to } else { from + part * (to - from) };
+    // A part inside a cell may round to its end.
+    let [u, m1, m2, m3] = map.at(tau, before);
+    let middle = map.at(0.5 * (from + to), before)[0];
+    let tip = path.derivatives(u, before, row) * m1;
+    for d in row.iter_mut() {
+        let [q1, q2, q3] = *d;
+        *d = [q1 * m1, q2 * m1 * m1 + q1 * m2, q3 * m1 * m1 * m1 + 3.0 * q2 * m1 * m2 + q1 * m3];
+    }
+    let speed = path.asked(middle) / tip.abs();
+    if speed.is_nan() { f64::INFINITY } else { speed * speed }
+}

@@ -1,0 +1,45 @@
+/// What a speed law has to know of a path: how everything that has limits moves with the path's parameter `u`.
+///
+/// A channel is an axis, or anything else whose speed, acceleration and jerk are bounded (a coordinate of the torch tip,
+/// say). Positions must be twice continuously differentiable by `u` between [`Channels::stops`] and have a bounded third
+/// derivative, which may jump at [`Channels::breaks`].
+pub trait Channels {
+    /// First and last parameter.
+    fn range(&self) -> (f64, f64);
+
+    /// Limits of every channel, always the same number.
+    fn limits(&self) -> &[Limits];
+
+    /// First, second and third derivative of every channel at `u`, from the piece before it if `before`, into `out`; and
+    /// the tip's speed by `u`, mm.
+    fn derivatives(&self, u: f64, before: bool, out: &mut [[f64; 3]]) -> f64;
+
+    /// Highest speed of the tip asked for around `u`, mm/s; constant between breaks. Infinite if nothing is asked.
+    fn asked(&self, u: f64) -> f64;
+
+    /// Parameters inside the range where a third derivative or the asked speed may jump, increasing.
+    fn breaks(&self) -> Vec<f64>;
+
+    /// Parameters inside the range where the motion comes to rest: corners and cusps, increasing. They are breaks too.
+    fn stops(&self) -> Vec<f64> {
+        Vec::new()
+    }
+}
+
+/// Symmetric limits of one channel, in its unit per s, s^2 and s^3. The jerk may be infinite.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Highest speed.
+    pub speed: f64,
+    /// Highest acceleration.
+    pub acceleration: f64,
+    /// Highest jerk.
+    pub jerk: f64,
+}
+
+impl Limits {
+    /// The same limits, each smaller by `factor`.
+    pub(crate) fn scaled(self, factor: f64) -> Self {
+        Self { speed: self.speed * factor, acceleration: self.acceleration * factor, jerk: self.jerk * factor }
+    }
+}

@@ -1,0 +1,83 @@
+//! Where the cells of a speed law lie.
+
+use super::channels::{Channels, Limits};
+use super::rest::RestToRest;
+
+/// Cells of the run-up and of the run-down.
+const CELLS_AT_REST: usize = 16;
+/// Neighbouring cells grow by this factor away from rest.
+const GROWTH: f64 = 1.12;
+/// Least number of cells between two breaks.
+const CELLS_BETWEEN_BREAKS: f64 = 6.0;
+/// Least and greatest part of the path that a run-up or run-down may be.
+const PART_AT_REST: (f64, f64) = (1e-6, 0.25);
+
+/// The map and the stations (by `tau`) of the piece of `path` between two stops, with about `count` cells if they were
+/// even.
+pub(crate) fn stations(path: &dyn Channels, limits: &[Limits], (from, to): (f64, f64), count: f64) -> (RestToRest, Vec<f64>) {
+    let length = to - from;
+    let [least, most] = [PART_AT_REST.0 * length, PART_AT_REST.1 * length];
+    let zone = |u: f64, before: bool| (0.5 * run_up(path, limits, u, before)).clamp(least, most);
+    let map = RestToRest::new(from, to, zone(from, false), zone(to, true));
+    let [up, down] = map.borders();
+    let mut fixed: Vec<f64> = path.breaks().into_iter().filter(|u| *u > from && *u < to).map(|u| map.tau(u)).collect();
+    fixed.extend([0.0, up, down, map.length()]);
+    fixed.sort_by(f64::total_cmp);
+    fixed.dedup_by(|a, b| *a - *b < 1e-9 * map.length());
+    if let Some(last) = fixed.last_mut() {
+        *last = map.length();
+    }
+    let widest = length / count;
+    let finest = [up, map.length() - down].map(|zone| zone / CELLS_AT_REST as f64);
+    let width = |tau: f64| {
+        let near = |away: f64, finest: f64| finest + (GROWTH - 1.0) * away.max(0.0);
+        near(tau - up, finest[0]).min(near(down - tau, finest[1])).min(widest)
+    };
+    let mut tau = vec![0.0];
+    for w in fixed.windows(2) {
+        divide(&mut tau, (w[0], w[1]), |t| width(t).min((w[1] - w[0]) / CELLS_BETWEEN_BREAKS));
+    }
+    (map, tau)
+}
+
+/// Adds stations in (from, to], about as far apart as `width` says.
+fn divide(tau: &mut Vec<f64>, (from, to): (f64, f64), width: impl Fn(f64) -> f64) {
+    let begin = tau.len();
+    let mut at = from;
+    while at < to {
+        let step = width(at);
+        let step = step.min(width(at + step) * GROWTH).max((to - from) * 1e-6);
+        at += step;
+        tau.push(at);
+    }
+    // The last one is beyond: all of them shrink a little.
+    let last = tau.len() - 1;
+    let scale = (to - from) / (tau[last] - from);
+    tau[begin..].iter_mut().for_each(|t| *t = from + scale * (*t - from));
+    tau[last] = to;
+}
+
+/// Distance in which the highest speed at `u` can be reached from rest, if the path went on as it is there.
+fn run_up(path: &dyn Channels, limits: &[Limits], u: f64, before: bool) -> f64 {
+    let mut derivatives = vec![[0.0; 3]; limits.len()];
+    let tip = path.derivatives(u, before, &mut derivatives);
+    let (from, to) = path.range();
+    let inside = u + 1e-6 * if before { from - to } else { to - from };
+    let mut least = Limits { speed: path.asked(inside) / tip.abs(), acceleration: f64::INFINITY, jerk: f64::INFINITY };
+    for ([q1, ..], l) in derivatives.iter().zip(limits) {
+        let by = |limit: f64, now: f64| now.min(limit / q1.abs());
+        least = Limits {
+            speed: by(l.speed, least.speed),
+            acceleration: by(l.acceleration, least.acceleration),
+            jerk: by(l.jerk, least.jerk),
+        };
+    }
+    let Limits { speed, acceleration, jerk } = least;
+    let time = if speed * jerk > acceleration * acceleration {
+        speed / acceleration + acceleration / jerk
+    } else {
+        2.0 * (speed / jerk).sqrt()
+    };
+    let distance = 0.5 * speed * time;
+    if distance.is_nan() { f64::INFINITY } else { distance }
+}

@@ -1,0 +1,14 @@
+//! The speed along a path, as fast as every limit allows.
+
+mod cells;
+mod channels;
+mod grid;
+mod interior;
+mod jerk_limited;
+mod pentadiagonal;
+mod problem;
+mod rest;
+mod speed_law;
+
+pub use channels::{Channels, Limits};
+pub use speed_law::{LawPoint, SpeedLaw};

@@ -1,0 +1,4 @@
+//! The jerk-limited speed law on paths that are not made by our own kinematics.
+
+mod curves;
+mod timing;
