@@ -54,24 +54,31 @@ impl Cells {
         &self.derivatives[(cell * PARTS.len() + part) * n..][..n]
     }
 
-    /// Highest squared speed by `tau` that the channels' speeds allow there.
+    /// Highest squared speed by `tau` that the channels' speeds allow there; and the asked one, where that is not constant
+    /// in the cell.
     pub(crate) fn speed_cap(&self, cell: usize, part: usize) -> f64 {
         let rows = self.derivatives(cell, part).iter().zip(&self.limits);
         let ratio = rows.map(|(d, l)| d[0].abs() / l.speed).fold(0.0, f64::max);
-        1.0 / (ratio * ratio)
+        let asked = if self.is_steady(cell) { f64::INFINITY } else { self.asked(cell)[part] };
+        asked.min(1.0 / (ratio * ratio))
     }
 
-    /// Asked squared speed by `tau` there; infinite if none.
-    pub(crate) fn asked(&self, cell: usize, part: usize) -> f64 {
-        self.asked[cell * PARTS.len() + part]
+    /// Asked squared speeds by `tau` at [`PARTS`] of `cell`; infinite if none.
+    fn asked(&self, cell: usize) -> &[f64] {
+        &self.asked[cell * PARTS.len()..][..PARTS.len()]
     }
 
-    /// Highest value of coefficient `k` so that the tip is nowhere faster than asked: a squared speed is nowhere above the
-    /// greatest of its coefficients.
+    /// True if the asked squared speed by `tau` is the same all over `cell`.
+    fn is_steady(&self, cell: usize) -> bool {
+        let asked = self.asked(cell);
+        asked.iter().all(|a| (a - asked[0]).abs() <= 1e-9 * asked[0])
+    }
+
+    /// Highest value of coefficient `k` so that the tip is nowhere faster than asked in cells where that is steady: a squared
+    /// speed is nowhere above the greatest of its coefficients.
     pub(crate) fn upper(&self, k: usize) -> f64 {
-        let cells = k.saturating_sub(2)..=k.min(self.count() - 1);
-        let asked = cells.flat_map(|cell| (0..PARTS.len()).map(move |part| self.asked(cell, part)));
-        asked.fold(f64::INFINITY, f64::min)
+        let cells = (k.saturating_sub(2)..=k.min(self.count() - 1)).filter(|cell| self.is_steady(*cell));
+        cells.flat_map(|cell| self.asked(cell)).copied().fold(f64::INFINITY, f64::min)
     }
 
     /// Weights at the start of `cell`: of the squared speed and its derivatives by `tau`.
@@ -96,6 +103,43 @@ impl Cells {
             first: std::array::from_fn(|i| w.first[i] + x * w.second[i]),
             second: w.second,
         }
+    }
+}
+
+impl Cells {
+    /// Stations with every cell halved for which `split` says so.
+    pub(crate) fn halved(&self, split: impl Fn(usize) -> bool) -> Vec<f64> {
+        let mut tau = vec![self.tau[0]];
+        for (i, w) in self.tau.windows(2).enumerate() {
+            if split(i) {
+                tau.push(0.5 * (w[0] + w[1]));
+            }
+            tau.push(w[1]);
+        }
+        tau
+    }
+
+    /// The spline with coefficients `c` in these cells as coefficients in `finer` ones, which divide these: each is the
+    /// blossom of the spline's piece at the two stations beside it.
+    pub(crate) fn carried(&self, c: &[f64], finer: &Self) -> Vec<f64> {
+        let last = finer.count();
+        let mut cell = 0;
+        let coefficient = |k: usize| {
+            // Between stations k - 1 and k, outside the first and last as wide as the cell beside.
+            let (left, right) = match k {
+                0 => (finer.tau[0] - finer.width(0), finer.tau[0]),
+                _ if k > last => (finer.tau[last], finer.tau[last] + finer.width(last - 1)),
+                _ => (finer.tau[k - 1], finer.tau[k]),
+            };
+            while cell + 1 < self.count() && self.tau[cell + 1] <= left {
+                cell += 1;
+            }
+            let w = self.weights(cell);
+            let dot = |w: &[f64; 3]| w[0] * c[cell] + w[1] * c[cell + 1] + w[2] * c[cell + 2];
+            let (x, y) = (left - self.tau[cell], right - self.tau[cell]);
+            dot(&w.value) + 0.5 * dot(&w.first) * (x + y) + 0.5 * dot(&w.second) * x * y
+        };
+        (0..finer.count() + 2).map(coefficient).collect()
     }
 }
 

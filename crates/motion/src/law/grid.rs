@@ -4,9 +4,9 @@ use super::channels::{Channels, Limits};
 use super::rest::RestToRest;
 
 /// Cells of the run-up and of the run-down.
-const CELLS_AT_REST: usize = 16;
+const CELLS_AT_REST: usize = 6;
 /// Neighbouring cells grow by this factor away from rest.
-const GROWTH: f64 = 1.12;
+const GROWTH: f64 = 1.4;
 /// Least number of cells between two breaks.
 const CELLS_BETWEEN_BREAKS: f64 = 6.0;
 /// Least and greatest part of the path that a run-up or run-down may be.
@@ -14,7 +14,12 @@ const PART_AT_REST: (f64, f64) = (1e-6, 0.25);
 
 /// The map and the stations (by `tau`) of the piece of `path` between two stops, with about `count` cells if they were
 /// even.
-pub(crate) fn stations(path: &dyn Channels, limits: &[Limits], (from, to): (f64, f64), count: f64) -> (RestToRest, Vec<f64>) {
+pub(crate) fn stations(
+    path: &dyn Channels,
+    limits: &[Limits],
+    (from, to): (f64, f64),
+    count: f64,
+) -> (RestToRest, Vec<f64>) {
     let length = to - from;
     let [least, most] = [PART_AT_REST.0 * length, PART_AT_REST.1 * length];
     let zone = |u: f64, before: bool| (0.5 * run_up(path, limits, u, before)).clamp(least, most);

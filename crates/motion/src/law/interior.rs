@@ -32,6 +32,8 @@ struct Iterate {
     upper: Pair,
     newton: Newton,
     factors: Pentadiagonal,
+    /// Multipliers by slacks, of the rows.
+    ratio: Vec<f64>,
 }
 
 /// Slacks, their multipliers, and changes of both.
@@ -99,6 +101,7 @@ impl Iterate {
             upper: Pair::new(above, product),
             newton: Newton { slope: vec![0.0; n], matrix: Pentadiagonal::zero(n), concave: Pentadiagonal::zero(n) },
             factors: Pentadiagonal::zero(n),
+            ratio: vec![0.0; problem.slacks],
             c,
         }
     }
@@ -133,7 +136,10 @@ impl Iterate {
 
     /// Factors of the Newton matrix, with as much of the concave part as leaves it positive.
     fn factorise(&mut self, problem: &Problem) -> bool {
-        problem.newton(&self.c, &self.rows.g, &self.rows.z, &mut self.newton);
+        for (r, (g, z)) in self.ratio.iter_mut().zip(self.rows.g.iter().zip(&self.rows.z)) {
+            *r = z / g;
+        }
+        problem.newton(&self.c, &self.ratio, &self.rows.z, &mut self.newton);
         for i in 0..self.c.len() {
             self.newton.matrix.diagonals[0][i] += self.zero.z[i] / self.zero.g[i] + self.upper.z[i] / self.upper.g[i];
         }
@@ -168,7 +174,9 @@ impl Iterate {
         loop {
             (0..next.len()).for_each(|i| next[i] = self.c[i] + slack * step[i]);
             let inside = next.iter().zip(&problem.upper).all(|(c, u)| *c > 0.0 && c < u);
-            if inside && problem.slacks(&next, &mut g) && g.iter().zip(&self.rows.g).all(|(new, old)| *new > 0.005 * old)
+            if inside
+                && problem.slacks(&next, &mut g)
+                && g.iter().zip(&self.rows.g).all(|(new, old)| *new > 0.005 * old)
             {
                 break;
             }

@@ -1,8 +1,10 @@
 //! The coefficients of a piece's law, with what lies between the places where rows were imposed checked.
 
 use super::cells::{Cells, PARTS};
+use super::channels::{Channels, Limits};
 use super::interior::fastest;
 use super::problem::Problem;
+use super::rest::RestToRest;
 
 /// The law is planned with limits smaller by this part: for what lies between the places checked, and so that a hold has
 /// room to begin (see `pace`).
@@ -10,58 +12,135 @@ pub(crate) const RESERVE: f64 = 1e-3;
 /// Times the law is solved again with less room where a limit was passed.
 const ROUNDS: usize = 4;
 /// The law is this part of its time within the best that the method can find.
-const GAP: f64 = 1e-6;
+const GAP: f64 = 1e-5;
 /// Coefficients nearer to the asked speed than this part are put on it.
 const SNAP: f64 = 1e-5;
 
-/// Coefficients of the squared speed by `tau`, see [`Problem`].
-pub(crate) fn coefficients(cells: &Cells) -> Vec<f64> {
-    let count = cells.count();
-    let [up, down] = cells.map.borders();
-    let mut room = vec![1.0 - RESERVE; count];
-    let mut dense: Vec<bool> = (0..count).map(|i| cells.tau[i] < up || cells.tau[i + 1] > down).collect();
-    let mut before: Option<Vec<f64>> = None;
-    for round in 0..=ROUNDS {
-        let problem = Problem::new(cells, &room, &dense);
-        let start = match before.take() {
-            Some(c) => slowed(&problem, c),
-            None => vec![0.5 * problem.greatest_constant(); problem.unknowns],
+/// Cells are halved until that changes the time by less than this part.
+const SETTLED: f64 = 5e-4;
+/// Use of a limit between the places of rows from which on cells are halved rather than given less room.
+const ROUGH: f64 = 1.003;
+/// The law cruises where it is within this part of the asked squared speed.
+const CRUISING: f64 = 3e-3;
+/// What may be used of a limit in the end.
+const ALLOWED: f64 = 1.0 - 0.5 * RESERVE;
+/// A law that uses this much of a limit is no place to begin at.
+const WILD: f64 = 1.1;
+/// Room is not lessened by more than this factor at once.
+const LEAST_AT_ONCE: f64 = 0.9;
+/// Cells beyond which nothing is halved any more.
+const MOST_CELLS: usize = 4000;
+/// Gap to which laws on grids that will be refined are solved.
+const COARSE_GAP: f64 = 1e-3;
+
+/// The cells of a piece of `path` and the coefficients of the fastest law in them, see [`Problem`].
+///
+/// Solved on the cells between `tau` first, then with every cell halved in which the law does not just cruise at the asked
+/// speed: what was found before is a spline on the finer cells too and a good start there. Guarantee: no limit is exceeded
+/// anywhere (speeds, accelerations and jerks are bounded between the places where rows were imposed, and a thousandth is
+/// kept in reserve); nowhere faster than asked.
+pub(crate) fn plan(path: &dyn Channels, map: RestToRest, tau: Vec<f64>, limits: &[Limits]) -> (Cells, Vec<f64>) {
+    let mut cells = Cells::new(path, map, tau, limits.to_vec());
+    let mut c: Option<Vec<f64>> = None;
+    let mut time = f64::INFINITY;
+    loop {
+        let room = Room::new(&cells);
+        let problem = Problem::new(&cells, &room, c.as_deref());
+        let found = fastest(&problem, start(&problem, c.take()), COARSE_GAP);
+        let before = std::mem::replace(&mut time, problem.time(&found));
+        let settled = (time - before).abs() < SETTLED * time;
+        let rough = (0..cells.count()).any(|i| peak(&cells, &found, i) > ROUGH);
+        let cruising = |i: usize| {
+            let around = i.saturating_sub(2)..(i + 5).min(found.len());
+            around.into_iter().all(|k| found[k] > (1.0 - CRUISING) * problem.upper[k])
         };
-        let mut c = fastest(&problem, start, GAP);
+        let tau = cells.halved(|i| (rough || !settled) && !cruising(i));
+        if cells.count() > MOST_CELLS || tau.len() == cells.tau.len() {
+            let c = certified(&cells, found);
+            return (cells, c);
+        }
+        let finer = Cells::new(path, map, tau, limits.to_vec());
+        c = Some(cells.carried(&found, &finer));
+        cells = finer;
+    }
+}
+
+/// The law in its final cells, beginning at one found before, solved until no limit is exceeded between the places of its
+/// rows.
+fn certified(cells: &Cells, mut c: Vec<f64>) -> Vec<f64> {
+    let mut room = Room::new(cells);
+    let mut worst = room.lessen(cells, &c);
+    for _ in 0..ROUNDS {
+        let problem = Problem::new(cells, &room, Some(&c));
+        let begin = if worst < WILD { slowed(&problem, c) } else { slow(&problem) };
+        c = fastest(&problem, begin, GAP);
         snap(&mut c, &problem.upper);
+        worst = room.lessen(cells, &c);
+        if worst <= ALLOWED {
+            return c;
+        }
+    }
+    // Slowing the whole law by a part lessens its accelerations by as much, and its jerks by more.
+    c.iter_mut().for_each(|c| *c *= ALLOWED / worst);
+    c
+}
+
+/// What each cell may use of the limits.
+pub(crate) struct Room {
+    /// The part of them.
+    pub(crate) part: Vec<f64>,
+    /// Whether the cell needs rows at more places.
+    pub(crate) dense: Vec<bool>,
+}
+
+impl Room {
+    /// All but the reserve; more rows in run-up and run-down.
+    fn new(cells: &Cells) -> Self {
+        let [up, down] = cells.map.borders();
+        let dense = (0..cells.count()).map(|i| cells.tau[i] < up || cells.tau[i + 1] > down).collect();
+        Self { part: vec![1.0 - RESERVE; cells.count()], dense }
+    }
+
+    /// Lessens it where the law with coefficients `c` uses more than is allowed, and beside; the greatest use.
+    fn lessen(&mut self, cells: &Cells, c: &[f64]) -> f64 {
         let mut worst: f64 = 0.0;
-        for i in 0..count {
-            let most = peak(cells, &c, i);
+        for i in 0..cells.count() {
+            let most = peak(cells, c, i);
             worst = worst.max(most);
-            if most > 1.0 - 0.5 * RESERVE {
-                let around = i.saturating_sub(1)..(i + 2).min(count);
-                let less = (1.0 - RESERVE) / most;
-                room[around.clone()].iter_mut().for_each(|r| *r = r.min((1.0 - RESERVE) * less * less));
-                dense[around].iter_mut().for_each(|d| *d = true);
+            if most > ALLOWED {
+                let less = ((1.0 - RESERVE) / most).max(LEAST_AT_ONCE);
+                let around = i.saturating_sub(1)..(i + 2).min(cells.count());
+                self.part[around.clone()].iter_mut().for_each(|r| *r = r.min((1.0 - RESERVE) * less * less));
+                self.dense[around].iter_mut().for_each(|d| *d = true);
             }
         }
-        if worst <= 1.0 - 0.5 * RESERVE {
-            return c;
-        }
-        if round == ROUNDS {
-            // Slowing the whole law never violates a symmetric limit.
-            c.iter_mut().for_each(|c| *c *= (1.0 - RESERVE) / (worst * worst));
-            return c;
-        }
-        before = Some(c);
+        worst
     }
-    Vec::new()
+}
+
+/// Where to begin: at a law known before, slowed, or at a slow constant one.
+fn start(problem: &Problem, before: Option<Vec<f64>>) -> Vec<f64> {
+    match before {
+        Some(c) => slowed(problem, c),
+        None => slow(problem),
+    }
+}
+
+/// Half the greatest constant.
+fn slow(problem: &Problem) -> Vec<f64> {
+    vec![0.5 * problem.greatest_constant(); problem.unknowns]
 }
 
 /// The law slowed as a whole until it satisfies every row with some room.
 fn slowed(problem: &Problem, mut c: Vec<f64>) -> Vec<f64> {
     let mut g = vec![0.0; problem.slacks];
-    loop {
+    for _ in 0..40 {
         c.iter_mut().zip(&problem.upper).for_each(|(c, u)| *c = (0.95 * *c).min(0.95 * u));
-        if problem.slacks(&c, &mut g) && g.iter().all(|g| *g > 0.0) {
+        if c.iter().all(|c| *c > 0.0) && problem.slacks(&c, &mut g) && g.iter().all(|g| *g > 0.0) {
             return c;
         }
     }
+    slow(problem)
 }
 
 /// Coefficients all but at the asked speed are put on it: a constant speed is to be exactly that.

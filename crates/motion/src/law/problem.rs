@@ -1,11 +1,13 @@
 use super::cells::{Cells, PARTS, Weights};
+use super::jerk_limited::Room;
 use super::pentadiagonal::Pentadiagonal;
 
 /// The rows that a law's coefficients must satisfy, each as a slack that is to stay positive.
 ///
 /// The squared speed `b` by `tau` is a quadratic B-spline with coefficients `c`, the unknowns. At every site, with `b`, `b'`
-/// and `b''` weighted sums of three of them (derivatives by `tau`, each channel divided by its limit):
-/// `1 - cap b`, `1 -+ (q'' b + q' b' / 2)`, and `1 / sqrt(b) -+ (q''' b + 3/2 q'' b' + 1/2 q' b'')`.
+/// and `b''` weighted sums of three of them (derivatives by `tau`, each channel divided by its limit, with
+/// either sign):
+/// `1 - cap b`, `1 - (q'' b + q' b' / 2)`, and `1 / sqrt(b) - (q''' b + 3/2 q'' b' + 1/2 q' b'')`.
 pub(crate) struct Problem {
     /// Number of unknowns.
     pub(crate) unknowns: usize,
@@ -51,9 +53,17 @@ pub(crate) struct Newton {
     pub(crate) concave: Pentadiagonal,
 }
 
+/// How much of a limit a law known before must use in a cell or near it for its rows to be imposed on the next one.
+const WORTH_A_ROW: f64 = 0.3;
+/// Rows of jerk are always imposed on channels that move this part of the fastest one, by their limits.
+const STIFF: f64 = 0.5;
+/// Cells before and after that count as near.
+const NEAR: usize = 3;
+
 impl Problem {
-    /// The rows of `cells`, limits in each cell multiplied by `room`; cells with `dense` get rows at more places.
-    pub(crate) fn new(cells: &Cells, room: &[f64], dense: &[bool]) -> Self {
+    /// The rows of `cells`, within the `room` of each. With the
+    /// coefficients `near` of a law near to the one wanted, rows that it is far from are left out of the other cells.
+    pub(crate) fn new(cells: &Cells, room: &Room, near: Option<&[f64]>) -> Self {
         let unknowns = cells.count() + 2;
         let upper = (0..unknowns).map(|k| cells.upper(k)).collect();
         let simpson = (0..cells.count())
@@ -61,57 +71,88 @@ impl Problem {
             .collect();
         let mut built =
             Self { unknowns, upper, sites: Vec::new(), acceleration: Vec::new(), jerk: Vec::new(), slacks: 0, simpson };
+        let channels = cells.limits.len();
+        let used = near.map(|c| uses(cells, c));
+        let mut worth = vec![[true; 2]; channels];
         for cell in 0..cells.count() {
             let last = cell + 1 == cells.count();
+            if let Some(used) = &used {
+                let around = cell.saturating_sub(NEAR)..(cell + NEAR + 1).min(cells.count());
+                let stiffness =
+                    |channel: usize| cells.derivatives(cell, 2)[channel][0].abs() / cells.limits[channel].jerk;
+                let stiffest = (0..channels).map(stiffness).fold(0.0, f64::max);
+                let stiff = |channel: usize| stiffness(channel) > STIFF * stiffest;
+                for (channel, worth) in worth.iter_mut().enumerate() {
+                    let most = |k: usize| around.clone().map(|i| used[i * channels + channel][k]).fold(0.0, f64::max);
+                    *worth = [0, 1].map(|k| room.dense[cell] || most(k) > WORTH_A_ROW);
+                    // Those that bound the change of acceleration are always needed.
+                    worth[1] |= stiff(channel);
+                }
+            }
             for part in 0..PARTS.len() {
                 // Acceleration is continuous between cells, jerk is not.
                 let (begin, end) = (part == 0, part + 1 == PARTS.len());
-                if begin || end || dense[cell] {
-                    built.add(cells, (cell, part), room[cell], begin || dense[cell] || (end && last));
+                let dense = room.dense[cell];
+                if begin || end || dense {
+                    built.add(cells, (cell, part), room.part[cell], begin || dense || (end && last), &worth);
                 }
             }
         }
         built
     }
 
-    fn add(&mut self, cells: &Cells, (cell, part): (usize, usize), room: f64, accelerations: bool) {
-        let (first_acceleration, first_jerk) = (self.acceleration.len(), self.jerk.len());
-        for ([q1, q2, q3], limits) in cells.derivatives(cell, part).iter().zip(&cells.limits) {
-            if accelerations && (*q1 != 0.0 || *q2 != 0.0) {
-                let scale = 1.0 / (room * limits.acceleration);
-                self.acceleration.push([q2 * scale, 0.5 * q1 * scale]);
-            }
-            if limits.jerk.is_finite() && (*q1 != 0.0 || *q2 != 0.0 || *q3 != 0.0) {
-                let scale = 1.0 / (room * limits.jerk);
-                self.jerk.push([q3 * scale, 1.5 * q2 * scale, 0.5 * q1 * scale]);
-            }
-        }
-        let site = Site {
+    fn add(
+        &mut self,
+        cells: &Cells,
+        (cell, part): (usize, usize),
+        room: f64,
+        accelerations: bool,
+        worth: &[[bool; 2]],
+    ) {
+        let begin = (self.acceleration.len(), self.jerk.len());
+        let mut site = Site {
             cell,
             weights: cells.weights_at(cell, part),
             cap: 1.0 / (cells.speed_cap(cell, part) * room * room),
-            acceleration: (first_acceleration, self.acceleration.len()),
-            jerk: (first_jerk, self.jerk.len()),
+            acceleration: begin,
+            jerk: begin,
             slack: self.slacks,
         };
-        self.slacks += 1 + 2 * (self.acceleration.len() - first_acceleration + self.jerk.len() - first_jerk);
+        let channels = cells.derivatives(cell, part).iter().zip(&cells.limits).zip(worth);
+        for (([q1, q2, q3], limits), worth) in channels {
+            if accelerations && worth[0] && (*q1 != 0.0 || *q2 != 0.0) {
+                let scale = 1.0 / (room * limits.acceleration);
+                let row = [q2 * scale, 0.5 * q1 * scale];
+                self.acceleration.extend([row, row.map(|x| -x)]);
+            }
+            if worth[1] && limits.jerk.is_finite() && (*q1 != 0.0 || *q2 != 0.0 || *q3 != 0.0) {
+                let scale = 1.0 / (room * limits.jerk);
+                let row = [q3 * scale, 1.5 * q2 * scale, 0.5 * q1 * scale];
+                self.jerk.extend([row, row.map(|x| -x)]);
+            }
+        }
+        site.acceleration = (begin.0, self.acceleration.len());
+        site.jerk = (begin.1, self.jerk.len());
+        self.slacks += 1 + self.acceleration.len() - begin.0 + self.jerk.len() - begin.1;
         self.sites.push(site);
     }
 
-    fn rows(&self, site: &Site) -> (&[[f64; 2]], &[[f64; 3]]) {
-        (&self.acceleration[site.acceleration.0..site.acceleration.1], &self.jerk[site.jerk.0..site.jerk.1])
+    /// A site's rows and, of a list of one value a slack, those of its cap, its accelerations and its jerks.
+    fn rows<'a>(&'a self, site: &Site, values: &'a [f64]) -> Rows<'a> {
+        let acceleration = &self.acceleration[site.acceleration.0..site.acceleration.1];
+        let jerk = &self.jerk[site.jerk.0..site.jerk.1];
+        let (own, rest) = values[site.slack..].split_at(1);
+        let (of_acceleration, rest) = rest.split_at(acceleration.len());
+        Rows { acceleration, jerk, values: (own[0], of_acceleration, &rest[..jerk.len()]) }
     }
 
     /// The greatest constant for all coefficients that satisfies every row.
     pub(crate) fn greatest_constant(&self) -> f64 {
-        let mut k = self.upper.iter().copied().fold(f64::INFINITY, f64::min);
-        for site in &self.sites {
-            let (acceleration, jerk) = self.rows(site);
-            let by_acceleration = acceleration.iter().map(|a| a[0].abs()).fold(site.cap, f64::max);
-            let by_jerk = jerk.iter().map(|j| j[0].abs()).fold(0.0, f64::max);
-            k = k.min(1.0 / by_acceleration).min(by_jerk.cbrt().powi(-2));
-        }
-        k
+        let upper = self.upper.iter().copied().fold(f64::INFINITY, f64::min);
+        let by_cap = self.sites.iter().map(|s| s.cap).fold(0.0, f64::max);
+        let by_acceleration = self.acceleration.iter().map(|a| a[0].abs()).fold(by_cap, f64::max);
+        let by_jerk = self.jerk.iter().map(|j| j[0].abs()).fold(0.0, f64::max);
+        upper.min(1.0 / by_acceleration).min(by_jerk.cbrt().powi(-2))
     }
 
     /// Time along the path, s, by Simpson's rule.
@@ -126,25 +167,11 @@ impl Problem {
     /// The slacks at `c`; false if the squared speed is not positive somewhere.
     pub(crate) fn slacks(&self, c: &[f64], out: &mut [f64]) -> bool {
         for site in &self.sites {
-            let [b, d, e] = site.law(c);
-            if b.is_nan() || b <= 0.0 {
+            let law = site.law(c);
+            if law[0].is_nan() || law[0] <= 0.0 {
                 return false;
             }
-            let (acceleration, jerk) = self.rows(site);
-            let (own, rest) = out[site.slack..].split_at_mut(1);
-            own[0] = 1.0 - site.cap * b;
-            let (plus, rest) = rest.split_at_mut(acceleration.len());
-            let (minus, rest) = rest.split_at_mut(acceleration.len());
-            for ((a, p), m) in acceleration.iter().zip(plus).zip(minus) {
-                let used = a[0] * b + a[1] * d;
-                (*p, *m) = (1.0 - used, 1.0 + used);
-            }
-            let (plus, rest) = rest.split_at_mut(jerk.len());
-            let room = 1.0 / b.sqrt();
-            for ((j, p), m) in jerk.iter().zip(plus).zip(&mut rest[..jerk.len()]) {
-                let used = j[0] * b + j[1] * d + j[2] * e;
-                (*p, *m) = (room - used, room + used);
-            }
+            self.left(site, law, [1.0, 1.0, 1.0 / law[0].sqrt()], out);
         }
         true
     }
@@ -152,23 +179,22 @@ impl Problem {
     /// How the slacks change with `step` at `c`.
     pub(crate) fn change(&self, c: &[f64], step: &[f64], out: &mut [f64]) {
         for site in &self.sites {
-            let [b, ..] = site.law(c);
-            let [db, dd, de] = site.law(step);
-            let (acceleration, jerk) = self.rows(site);
-            let (own, rest) = out[site.slack..].split_at_mut(1);
-            own[0] = -site.cap * db;
-            let (plus, rest) = rest.split_at_mut(acceleration.len());
-            let (minus, rest) = rest.split_at_mut(acceleration.len());
-            for ((a, p), m) in acceleration.iter().zip(plus).zip(minus) {
-                let used = a[0] * db + a[1] * dd;
-                (*p, *m) = (-used, used);
-            }
-            let (plus, rest) = rest.split_at_mut(jerk.len());
-            let room = -0.5 * db / (b * b.sqrt());
-            for ((j, p), m) in jerk.iter().zip(plus).zip(&mut rest[..jerk.len()]) {
-                let used = j[0] * db + j[1] * dd + j[2] * de;
-                (*p, *m) = (room - used, room + used);
-            }
+            let ([b, ..], change) = (site.law(c), site.law(step));
+            self.left(site, change, [0.0, 0.0, -0.5 * change[0] / (b * b.sqrt())], out);
+        }
+    }
+
+    /// `room` of cap, accelerations and jerks, less what the squared speed and its derivatives use.
+    fn left(&self, site: &Site, [b, d, e]: [f64; 3], room: [f64; 3], out: &mut [f64]) {
+        let (own, rest) = out[site.slack..].split_at_mut(1);
+        own[0] = room[0] - site.cap * b;
+        let acceleration = &self.acceleration[site.acceleration.0..site.acceleration.1];
+        let (of_acceleration, rest) = rest.split_at_mut(acceleration.len());
+        for (a, out) in acceleration.iter().zip(of_acceleration) {
+            *out = room[1] - (a[0] * b + a[1] * d);
+        }
+        for (j, out) in self.jerk[site.jerk.0..site.jerk.1].iter().zip(rest) {
+            *out = room[2] - (j[0] * b + j[1] * d + j[2] * e);
         }
     }
 
@@ -176,34 +202,27 @@ impl Problem {
     pub(crate) fn weighted_slopes(&self, c: &[f64], weight: &[f64], out: &mut [f64]) {
         for site in &self.sites {
             let [b, ..] = site.law(c);
-            let (acceleration, jerk) = self.rows(site);
-            let y = &weight[site.slack..];
-            let (mut by_value, mut by_first, mut by_second) = (-site.cap * y[0], 0.0, 0.0);
-            let (n, m) = (acceleration.len(), jerk.len());
-            for (i, a) in acceleration.iter().enumerate() {
-                let w = y[1 + n + i] - y[1 + i];
-                by_value += w * a[0];
-                by_first += w * a[1];
+            let Rows { acceleration, jerk, values: (own, of_acceleration, of_jerk) } = self.rows(site, weight);
+            let mut by = [-site.cap * own, 0.0, 0.0];
+            for (a, w) in acceleration.iter().zip(of_acceleration) {
+                by[0] -= w * a[0];
+                by[1] -= w * a[1];
             }
-            let y = &y[1 + 2 * n..];
-            let mut both = 0.0;
-            for (i, j) in jerk.iter().enumerate() {
-                let w = y[m + i] - y[i];
-                both += y[m + i] + y[i];
-                by_value += w * j[0];
-                by_first += w * j[1];
-                by_second += w * j[2];
+            let mut sum = 0.0;
+            for (j, w) in jerk.iter().zip(of_jerk) {
+                sum += w;
+                (0..3).for_each(|k| by[k] -= w * j[k]);
             }
-            by_value -= 0.5 * both / (b * b.sqrt());
+            by[0] -= 0.5 * sum / (b * b.sqrt());
             let w = &site.weights;
             for k in 0..3 {
-                out[site.cell + k] += by_value * w.value[k] + by_first * w.first[k] + by_second * w.second[k];
+                out[site.cell + k] += by[0] * w.value[k] + by[1] * w.first[k] + by[2] * w.second[k];
             }
         }
     }
 
-    /// Slopes and curvatures at `c` with slacks `g` and their multipliers `z`.
-    pub(crate) fn newton(&self, c: &[f64], g: &[f64], z: &[f64], out: &mut Newton) {
+    /// Slopes and curvatures at `c` with multipliers `z` and their quotients `ratio` by the slacks.
+    pub(crate) fn newton(&self, c: &[f64], ratio: &[f64], z: &[f64], out: &mut Newton) {
         out.slope.iter_mut().for_each(|x| *x = 0.0);
         out.matrix.clear();
         out.concave.clear();
@@ -217,7 +236,7 @@ impl Problem {
         }
         for site in &self.sites {
             let [b, ..] = site.law(c);
-            let (m, concave) = self.curvature(site, b, g, z);
+            let m = self.squares(site, b, ratio);
             let w = &site.weights;
             let parts = [&w.value, &w.first, &w.second];
             for i in 0..3 {
@@ -225,42 +244,60 @@ impl Problem {
                     out.matrix.add(site.cell, if i == j { m[i][j] } else { 2.0 * m[i][j] }, parts[i], parts[j]);
                 }
             }
-            out.concave.add(site.cell, concave, &w.value, &w.value);
+            let multipliers: f64 = self.rows(site, z).values.2.iter().sum();
+            out.concave.add(site.cell, 0.75 * multipliers / (b * b * b.sqrt()), &w.value, &w.value);
         }
     }
 
-    /// The weighted squares of the rows' slopes by (b, b', b''), and the curvature of `1 / sqrt(b)` that works against
-    /// them.
-    fn curvature(&self, site: &Site, b: f64, g: &[f64], z: &[f64]) -> ([[f64; 3]; 3], f64) {
-        let (acceleration, jerk) = self.rows(site);
-        let (g, z) = (&g[site.slack..], &z[site.slack..]);
+    /// The squares of a site's rows' slopes by the squared speed and its derivatives, weighted with `ratio`: the upper
+    /// triangle.
+    fn squares(&self, site: &Site, b: f64, ratio: &[f64]) -> [[f64; 3]; 3] {
+        let Rows { acceleration, jerk, values: (own, of_acceleration, of_jerk) } = self.rows(site, ratio);
         let mut m = [[0.0; 3]; 3];
-        m[0][0] = site.cap * site.cap * z[0] / g[0];
-        let n = acceleration.len();
-        for (i, a) in acceleration.iter().enumerate() {
-            let w = z[1 + i] / g[1 + i] + z[1 + n + i] / g[1 + n + i];
+        m[0][0] = site.cap * site.cap * own;
+        for (a, w) in acceleration.iter().zip(of_acceleration) {
             m[0][0] += w * a[0] * a[0];
             m[0][1] += w * a[0] * a[1];
             m[1][1] += w * a[1] * a[1];
         }
-        let (g, z, n) = (&g[1 + 2 * n..], &z[1 + 2 * n..], jerk.len());
-        let slope = -0.5 / (b * b.sqrt());
-        let (mut sum, mut multipliers, mut cross) = (0.0, 0.0, [0.0; 3]);
-        for (i, j) in jerk.iter().enumerate() {
-            let (plus, minus) = (z[i] / g[i], z[n + i] / g[n + i]);
-            let (w, difference) = (plus + minus, plus - minus);
-            multipliers += z[i] + z[n + i];
-            sum += w;
+        let slope = 0.5 / (b * b.sqrt());
+        for (j, w) in jerk.iter().zip(of_jerk) {
+            let j = [j[0] + slope, j[1], j[2]];
             for k in 0..3 {
-                cross[k] += difference * j[k];
-                for l in k..3 {
-                    m[k][l] += w * j[k] * j[l];
-                }
+                (k..3).for_each(|l| m[k][l] += w * j[k] * j[l]);
             }
         }
-        m[0][0] += sum * slope * slope - 2.0 * slope * cross[0];
-        m[0][1] -= slope * cross[1];
-        m[0][2] -= slope * cross[2];
-        (m, 0.75 * multipliers / (b * b * b.sqrt()))
+        m
     }
+}
+
+/// Rows of a site, and one value for its cap, each acceleration and each jerk.
+struct Rows<'a> {
+    acceleration: &'a [[f64; 2]],
+    jerk: &'a [[f64; 3]],
+    values: (f64, &'a [f64], &'a [f64]),
+}
+
+/// The part of its acceleration and jerk that each channel uses in each cell, at the cell's ends and middle.
+fn uses(cells: &Cells, c: &[f64]) -> Vec<[f64; 2]> {
+    let mut used = Vec::with_capacity(cells.count() * cells.limits.len());
+    for cell in 0..cells.count() {
+        let laws = [0, 2, 4].map(|part| {
+            let w = cells.weights_at(cell, part);
+            (part, [&w.value, &w.first, &w.second].map(|w| dot(w, &c[cell..cell + 3])))
+        });
+        for (channel, limits) in cells.limits.iter().enumerate() {
+            let mut most: [f64; 2] = [0.0; 2];
+            for (part, [b, d, e]) in laws {
+                let [q1, q2, q3] = cells.derivatives(cell, part)[channel];
+                let jerk = b.max(0.0).sqrt() * (q3 * b + 1.5 * q2 * d + 0.5 * q1 * e);
+                most = [
+                    most[0].max((q2 * b + 0.5 * q1 * d).abs() / limits.acceleration),
+                    most[1].max(jerk.abs() / limits.jerk),
+                ];
+            }
+            used.push(most);
+        }
+    }
+    used
 }

@@ -35,7 +35,12 @@ impl RestToRest {
     pub(crate) fn at(&self, tau: f64, before: bool) -> [f64; 4] {
         let end = self.length();
         let zone = |x: f64, l: f64| {
-            [l * x * x * x * (1.0 - 0.5 * x), x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x) / l, (6.0 - 12.0 * x) / (l * l)]
+            [
+                l * x * x * x * (1.0 - 0.5 * x),
+                x * x * (3.0 - 2.0 * x),
+                6.0 * x * (1.0 - x) / l,
+                (6.0 - 12.0 * x) / (l * l),
+            ]
         };
         if tau < self.up || (tau <= self.up && before) {
             let [u, d1, d2, d3] = zone((tau / self.up).clamp(0.0, 1.0), self.up);
@@ -70,7 +75,11 @@ fn inverse(y: f64) -> f64 {
     let mut x = y.cbrt().min(1.0);
     for _ in 0..60 {
         let f = x * x * x * (1.0 - 0.5 * x) - y;
-        if f > 0.0 { high = x } else { low = x }
+        if f > 0.0 {
+            high = x
+        } else {
+            low = x
+        }
         let newton = x - f / (x * x * (3.0 - 2.0 * x));
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
         if (next - x).abs() <= 1e-16 * next {

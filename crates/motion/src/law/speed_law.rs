@@ -1,7 +1,7 @@
 use super::cells::Cells;
 use super::channels::{Channels, Limits};
 use super::grid::stations;
-use super::jerk_limited::coefficients;
+use super::jerk_limited::plan;
 use super::rest::RestToRest;
 
 /// The law at one instant.
@@ -53,9 +53,8 @@ impl SpeedLaw {
 
     fn add(&mut self, path: &dyn Channels, piece: (f64, f64)) {
         let limits: Vec<Limits> = path.limits().to_vec();
-        let (map, tau) = stations(path, &limits, piece, 250.0);
-        let cells = Cells::new(path, map, tau, limits);
-        let c = coefficients(&cells);
+        let (map, tau) = stations(path, &limits, piece, 60.0);
+        let (cells, c) = plan(path, map, tau, &limits);
         self.append(&cells, &c);
     }
 

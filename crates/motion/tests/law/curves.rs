@@ -15,9 +15,8 @@ impl Spline {
     pub fn reference(jerk: f64) -> Vec<(Self, f64)> {
         let text = include_str!("../../../../tests/data/path_timing.json");
         let all: serde_json::Value = serde_json::from_str(text).unwrap();
-        let numbers = |v: &serde_json::Value| -> Vec<f64> {
-            v.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect()
-        };
+        let numbers =
+            |v: &serde_json::Value| -> Vec<f64> { v.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect() };
         let path = |p: &serde_json::Value| {
             let pieces = p["coefficients_highest_first"].as_array().unwrap().iter();
             let (speed, acceleration) = (numbers(&p["max_speed"]), numbers(&p["max_acceleration"]));

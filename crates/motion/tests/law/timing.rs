@@ -32,7 +32,13 @@ fn try_it() {
         for (spline, t0) in Spline::reference(jerk) {
             let t = Instant::now();
             let law = SpeedLaw::new(&spline);
-            println!("{} {} {t0} {:?} {:?}", spline.limits.len(), law.duration(), t.elapsed(), use_of_limits(&spline, &law, 200_000));
+            println!(
+                "{} {} {t0} {:?} {:?}",
+                spline.limits.len(),
+                law.duration(),
+                t.elapsed(),
+                use_of_limits(&spline, &law, 200_000)
+            );
         }
     }
 }
