@@ -29,7 +29,7 @@ pub struct Sample {
 impl Sample {
     /// A sample of nothing: no numbers along the seam, everything else at 0.
     pub(crate) fn nowhere() -> Self {
-        let law = LawPoint { s: f64::NAN, v: f64::NAN, a: f64::NAN };
+        let law = LawPoint { s: f64::NAN, v: f64::NAN, a: f64::NAN, j: f64::NAN };
         let none = Joints::default();
         Self {
             pass: 0,

@@ -103,12 +103,16 @@ fn plan_and_simulate_leave_whole_files() {
     let motion = |file: &str| good(&["motion", file, "--period-ms", "50"]);
     assert_eq!(motion(&program), motion(&example("ellipse")));
     let report: Value = serde_json::from_str(&good(&["simulate", &program, "-o", &shown, "--json"])).unwrap();
-    assert!((report["plan"]["weld_s"].as_f64().unwrap() - 23.699).abs() < 1e-3);
+    // Length by speed, and what run-up and run-down lose.
+    let weld_s = report["plan"]["weld_s"].as_f64().unwrap();
+    let cruise_s = report["seam"]["weld_length_mm"].as_f64().unwrap() / 5.0;
+    assert!(weld_s > cruise_s + 0.005 && weld_s < cruise_s + 0.2, "{weld_s} {cruise_s}");
     assert!(report["simulation"]["path_error_mm"]["max"].as_f64().unwrap() < 0.05);
     let file = fs::File::open(out.join("trace.parquet")).unwrap();
     let reader = parquet::file::reader::SerializedFileReader::new(file).unwrap();
     let metadata = parquet::file::reader::FileReader::metadata(&reader);
-    assert_eq!(metadata.file_metadata().num_rows(), 30_201);
+    let total_s = report["plan"]["total_s"].as_f64().unwrap();
+    assert_eq!(metadata.file_metadata().num_rows(), (total_s / 1e-3).ceil() as i64 + 1);
     assert!(metadata.file_metadata().key_value_metadata().unwrap().iter().any(|p| p.key == "unit:tip_speed_mm_s"));
     let html = fs::read_to_string(out.join("report.html")).unwrap();
     assert!(html.starts_with("<!DOCTYPE html>") && html.trim_end().ends_with("</html>"));

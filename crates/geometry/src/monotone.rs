@@ -2,9 +2,9 @@ use crate::Error;
 use crate::knots::knots;
 
 /// A smooth curve through values at increasing positions that never leaves the range of two neighbouring values:
-/// cubic pieces with the slopes of Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5, 1984). Either level at its ends and
-/// constant beyond them, or repeating with a period. Continuously differentiable; the second derivative jumps at the
-/// knots.
+/// quintic pieces without curvature at the knots, with the slopes of Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5,
+/// 1984), at most twice the smaller one beside. Either level at its ends and constant beyond them, or repeating with a
+/// period. Twice continuously differentiable, so that an axis that follows it needs no jump in its acceleration.
 ///
 /// Used for what an operator gives at a few places along a path: an overshoot between the places would be an angle that
 /// nobody asked for.
@@ -63,10 +63,11 @@ impl MonotoneCurve {
         let i = self.x.partition_point(|k| *k <= x).clamp(1, self.x.len() - 1);
         let h = self.x[i] - self.x[i - 1];
         let (a, b) = ((self.x[i] - x) / h, (x - self.x[i - 1]) / h);
-        // Cubic Hermite form.
-        a * a * (1.0 + 2.0 * b) * self.y[i - 1]
-            + b * b * (1.0 + 2.0 * a) * self.y[i]
-            + a * b * h * (a * self.slope[i - 1] - b * self.slope[i])
+        // Quintic Hermite form with second derivatives zero. Its slope is a weighted sum of the mean slope and those at the
+        // ends, whose weights are negative by less than the mean's is positive if they are at most twice the mean.
+        let step = |x: f64| x * x * x * (10.0 + x * (6.0 * x - 15.0));
+        let lean = |x: f64| x * (1.0 + x * x * (x * (8.0 - 3.0 * x) - 6.0));
+        self.y[i - 1] * step(a) + self.y[i] * step(b) + h * (self.slope[i - 1] * lean(b) - self.slope[i] * lean(a))
     }
 }
 
@@ -79,7 +80,8 @@ fn slopes(x: &[f64], y: &[f64], periodic: bool) -> Vec<f64> {
             return 0.0;
         }
         let (w0, w1) = (2.0 * h1 + h0, h1 + 2.0 * h0);
-        (w0 + w1) / (w0 / s0 + w1 / s1)
+        let mean = (w0 + w1) / (w0 / s0 + w1 / s1);
+        mean.signum() * mean.abs().min(2.0 * s0.abs().min(s1.abs()))
     };
     let mut slopes = vec![0.0; n];
     for (i, slope) in slopes.iter_mut().enumerate() {
@@ -128,12 +130,12 @@ mod tests {
     }
 
     #[test]
-    fn one_point_is_a_constant_and_two_are_the_cubic_step() {
+    fn one_point_is_a_constant_and_two_are_the_quintic_step() {
         assert!((MonotoneCurve::level(&[(3.0, 7.0)]).unwrap().at(100.0) - 7.0).abs() < 1e-15);
         assert!((MonotoneCurve::periodic(&[(3.0, 7.0)], 10.0).unwrap().at(100.0) - 7.0).abs() < 1e-15);
         let s = MonotoneCurve::level(&[(0.0, 0.0), (2.0, 1.0)]).unwrap();
         let x: f64 = 0.3;
-        assert!((s.at(2.0 * x) - (3.0 * x * x - 2.0 * x * x * x)).abs() < 1e-15);
+        assert!((s.at(2.0 * x) - x.powi(3) * (10.0 - 15.0 * x + 6.0 * x * x)).abs() < 1e-15);
         assert!((s.at(-5.0)).abs() < 1e-15 && (s.at(9.0) - 1.0).abs() < 1e-15);
     }
 

@@ -26,6 +26,8 @@ pub struct JointPoint {
     pub d1: Joints,
     /// Second derivative by path length.
     pub d2: Joints,
+    /// Third derivative by path length.
+    pub d3: Joints,
 }
 
 /// The axes' positions by path length, `q(s)`, with derivatives.
@@ -161,18 +163,39 @@ impl JointPath {
     pub fn point(&self, s: f64, before: bool) -> JointPoint {
         let i = self.panel(s, before);
         let panel = self.panels[i];
-        let x = panel.local(s);
         let scale = 2.0 / (panel.end - panel.start);
-        let mut p = JointPoint { q: Joints::default(), d1: Joints::default(), d2: Joints::default() };
-        for axis in 0..self.axes {
-            let series = self.series(i, axis);
-            let d1 = series.derivative();
-            p.q[axis] = series.at(x);
-            p.d1[axis] = d1.at(x) * scale;
-            p.d2[axis] = d1.derivative().at(x) * scale * scale;
+        let table = chebyshev(panel.local(s));
+        let mut p = [Joints::default(); 4];
+        for (b, block) in self.blocks[i * self.blocks_a_panel..][..self.blocks_a_panel].iter().enumerate() {
+            let mut sums = [[0.0; LANES]; 4];
+            for (c, t) in block.iter().zip(&table) {
+                for (sum, t) in sums.iter_mut().zip(t) {
+                    (0..LANES).for_each(|l| sum[l] += c[l] * t);
+                }
+            }
+            let mut factor = 1.0;
+            for (p, sum) in p.iter_mut().zip(sums) {
+                (0..LANES).for_each(|l| p[b * LANES + l] = factor * sum[l]);
+                factor *= scale;
+            }
         }
-        p
+        let [q, d1, d2, d3] = p;
+        JointPoint { q, d1, d2, d3 }
     }
+}
+
+/// All Chebyshev polynomials at `x` with three derivatives, by differentiating their recurrence.
+fn chebyshev(x: f64) -> [[f64; 4]; NODES] {
+    let mut t = [[0.0; 4]; NODES];
+    t[0][0] = 1.0;
+    t[1] = [x, 1.0, 0.0, 0.0];
+    for k in 2..NODES {
+        t[k][0] = 2.0 * x * t[k - 1][0] - t[k - 2][0];
+        for d in 1..4 {
+            t[k][d] = 2.0 * (d as f64 * t[k - 1][d - 1] + x * t[k - 1][d]) - t[k - 2][d];
+        }
+    }
+    t
 }
 
 /// Where the path goes, and how fast at most: from the middle of each panel touched, and a bound of the second derivative.

@@ -1,99 +1,78 @@
 //! What the axes allow along a path, and how to say where they do not.
 
-use crate::{JointPath, SpeedLaw};
+use crate::SpeedLaw;
+use crate::law::{Bound, Certificate, Interval};
 use seamwright_machine::Machine;
-use seamwright_program::{Finding, OnLimit};
+use seamwright_program::{Finding, OnLimit, Pass};
 
-/// The planned speed away from run-up and run-down: the certificate of the band that is reached.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SpeedReport {
-    /// Path length where the run-up ends, mm.
-    pub run_up_end: f64,
-    /// Path length where the run-down begins, mm.
-    pub run_down_start: f64,
-    /// Least planned speed between them, mm/s.
-    pub least: f64,
-    /// Greatest planned speed between them, mm/s.
-    pub greatest: f64,
+/// An axis asked for exactly its limit falls short by the law's reserve only: that is no finding.
+const WORTH_SAYING: f64 = 2e-3;
+
+/// A limit in words: which axis, which of its limits, how much that is.
+fn limit(machine: &Machine, bound: Bound) -> Option<(usize, String)> {
+    let (i, what, value, per) = match bound {
+        Bound::Asked => return None,
+        Bound::Speed(i) => (i, "speed", machine.axes[i].max_speed, "/s"),
+        Bound::Acceleration(i) => (i, "acceleration", machine.axes[i].max_acceleration, "/s^2"),
+        Bound::Jerk(i) => (i, "jerk", machine.axes[i].jerk(), "/s^3"),
+    };
+    let axis = &machine.axes[i];
+    Some((i, format!("its {what} limit of {:.3} {}{per}", axis.to_file(value), axis.unit())))
 }
 
-/// Which limit of which axis bounds the steady speed at `s`: the axis, and true if it is its acceleration.
-fn binding(machine: &Machine, path: &JointPath, s: f64, before: bool) -> (usize, bool) {
-    let p = path.point(s, before);
-    let mut best = (f64::INFINITY, 0, false);
-    for (i, axis) in machine.axes.iter().enumerate() {
-        let by_speed = axis.max_speed / p.d1[i].abs();
-        let by_acceleration = (axis.max_acceleration / p.d2[i].abs()).sqrt();
-        for (v, acceleration) in [(by_speed, false), (by_acceleration, true)] {
-            if v < best.0 {
-                best = (v, i, acceleration);
-            }
+/// Where the tip is slower than asked between run-up and run-down, and what keeps it from being faster.
+pub(crate) fn speed_findings(machine: &Machine, certificate: &Certificate, pass: &Pass, number: usize) -> Vec<Finding> {
+    let mut runs: Vec<Vec<&Interval>> = vec![Vec::new()];
+    for interval in &certificate.intervals {
+        let slow = interval.bound != Bound::Asked && interval.between;
+        match runs.last_mut() {
+            Some(run) if slow => run.push(interval),
+            _ => runs.push(Vec::new()),
         }
     }
-    (best.1, best.2)
-}
-
-/// Where an axis cannot keep the asked speed, and which speed it could hold: exactly where the law slows down for it.
-pub(crate) fn speed_findings(
-    machine: &Machine,
-    path: &JointPath,
-    law: &SpeedLaw,
-    on_limit: OnLimit,
-    pass: usize,
-) -> Vec<Finding> {
-    let everywhere = law.everywhere;
-    let mut runs = Runs::default();
-    // Places farther apart than this along the path are runs of their own.
-    let gap = path.length() / 400.0;
-    let mut last = f64::NEG_INFINITY;
-    for slow in &law.slow {
-        if slow.s > last + gap {
-            runs.add(last, None);
+    let asked = |s: f64| pass.span_at(s).map_or(0.0, |span| span.speed_mm_s.get());
+    let finding = |run: &Vec<&Interval>| {
+        let slowest = run.iter().min_by(|a, b| a.speed.0.total_cmp(&b.speed.0))?;
+        let (wanted, reached) = (asked(slowest.least_at), slowest.speed.0);
+        if reached > wanted * (1.0 - WORTH_SAYING) {
+            return None;
         }
-        last = slow.s;
-        let (index, acceleration) = binding(machine, path, slow.s, slow.cell_end);
-        let axis = &machine.axes[index];
-        let what = if acceleration { "acceleration" } else { "speed" };
-        let limit = axis.to_file(if acceleration { axis.max_acceleration } else { axis.max_speed });
-        let per = if acceleration { "/s^2" } else { "/s" };
-        let message = format!(
-            "axis {} cannot keep {:.3} mm/s: its {what} limit of {limit:.3} {}{per} allows {:.3} mm/s",
-            axis.name,
-            slow.asked,
-            axis.unit(),
-            slow.holds
-        );
-        runs.add(slow.s, Some((index, slow.asked - slow.holds, message)));
-    }
-    runs.findings(|run| Finding {
-        kind: "speed",
-        message: run.message.clone(),
-        pass,
-        from_mm: run.from,
-        to_mm: run.to,
-        cure: match on_limit {
-            OnLimit::Refuse => format!(
-                "ask for {:.3} mm/s, which every axis can keep everywhere, or set weld.on_limit = \"slow\" to slow down there",
-                // Rounded down, so that the number printed can be asked for.
-                (everywhere * 1e3).floor() * 1e-3
+        let (axis, limit) = limit(machine, slowest.bound)?;
+        Some(Finding {
+            kind: "speed",
+            message: format!(
+                "axis {} cannot keep {wanted:.3} mm/s: {limit} allows {reached:.3} mm/s",
+                machine.axes[axis].name
             ),
-            OnLimit::Slow => "none needed: the weld slows down there, as asked".to_owned(),
-        },
-        allowed: on_limit == OnLimit::Slow,
-    })
+            pass: number,
+            from_mm: run[0].from,
+            to_mm: run[run.len() - 1].to,
+            cure: match pass.on_limit {
+                OnLimit::Refuse => format!(
+                    "ask for {:.3} mm/s, which every axis can keep everywhere, or set weld.on_limit = \"slow\" to slow down there",
+                    // Rounded down, so that the number printed can be asked for.
+                    (certificate.everywhere * 1e3).floor() * 1e-3
+                ),
+                OnLimit::Slow => "none needed: the weld slows down there, as asked".to_owned(),
+            },
+            allowed: pass.on_limit == OnLimit::Slow,
+        })
+    };
+    runs.iter().filter_map(finding).collect()
 }
 
 /// A weld too short to reach the asked speed at all.
 pub(crate) fn never_reached(law: &SpeedLaw, asked: f64, on_limit: OnLimit, pass: usize) -> Option<Finding> {
-    let reached = law.report().greatest;
-    (reached < asked * (1.0 - 1e-6) && law.slow.is_empty()).then(|| Finding {
+    let band = law.report();
+    let reached = band.greatest;
+    (reached < asked * (1.0 - WORTH_SAYING) && band.run_up_end >= band.run_down_start).then(|| Finding {
         kind: "speed",
         message: format!(
             "the weld is too short: between run-up and run-down it reaches {reached:.3} of {asked:.3} mm/s"
         ),
         pass,
         from_mm: 0.0,
-        to_mm: law.report().run_up_end,
+        to_mm: band.run_up_end,
         cure: format!("ask for {:.3} mm/s or less, or set weld.on_limit = \"slow\"", (reached * 1e3).floor() * 1e-3),
         allowed: on_limit == OnLimit::Slow,
     })

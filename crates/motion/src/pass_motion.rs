@@ -1,5 +1,7 @@
 use crate::follower::Follower;
+use crate::law::Certificate;
 use crate::limits::{never_reached, speed_findings};
+use crate::pass_channels::PassChannels;
 use crate::redundancy::{Clearance, resolve};
 use crate::set_points::SetPoints;
 use crate::singular;
@@ -15,6 +17,8 @@ pub struct PassMotion {
     pub path: JointPath,
     /// The speed along it.
     pub law: SpeedLaw,
+    /// What the law reaches, and what bounds it where; channels are the machine's axes.
+    pub certificate: Certificate,
     /// Times before and after the travel.
     pub sequence: Sequence,
     /// Largest angle (rad) between the torch attitude asked for and the one reached, and where (mm).
@@ -72,9 +76,10 @@ impl PassMotion {
             findings.extend(range_on_path(machine, &joints, number));
         }
         let asked = |s: f64| pass.span_at(s).map_or(0.0, |span| span.speed_mm_s.get());
-        let breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
-        let law = SpeedLaw::new(machine, &joints, &breaks, &asked);
-        findings.extend(speed_findings(machine, &joints, &law, pass.on_limit, number));
+        let channels = PassChannels::new(machine, &joints, pass);
+        let law = SpeedLaw::new(&channels);
+        let certificate = Certificate::new(&channels, &law);
+        findings.extend(speed_findings(machine, &certificate, pass, number));
         findings.extend(never_reached(&law, fastest, pass.on_limit, number));
         let decided: AxisSet = (0..machine.axes.len()).filter(|&i| !free.has(i)).collect();
         findings.extend(singular::margins(machine, &joints, decided, &asked, number));
@@ -82,7 +87,14 @@ impl PassMotion {
         if findings.iter().any(|f| !f.allowed) {
             return Err(findings);
         }
-        Ok(Self { path: joints, law, sequence: pass.sequence, attitude_error: survey.attitude_error, findings })
+        Ok(Self {
+            path: joints,
+            law,
+            certificate,
+            sequence: pass.sequence,
+            attitude_error: survey.attitude_error,
+            findings,
+        })
     }
 
     /// Time before the torch travels, s.

@@ -73,7 +73,7 @@ impl<'a> SetPoints<'a> {
         } else {
             Phase::Postflow
         };
-        if travel < 0.0 { (phase, LawPoint { s: 0.0, v: 0.0, a: 0.0 }) } else { (phase, law) }
+        if travel < 0.0 { (phase, LawPoint::default()) } else { (phase, law) }
     }
 }
 

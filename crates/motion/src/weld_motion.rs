@@ -143,7 +143,7 @@ impl WeldMotion {
                 Stage::Air(air) => {
                     for k in 0..air.count(period) {
                         let Some((leg, t)) = air.leg(k as f64 * period) else { break };
-                        let law = LawPoint { s: f64::NAN, v: f64::NAN, a: f64::NAN };
+                        let law = LawPoint { s: f64::NAN, v: f64::NAN, a: f64::NAN, j: f64::NAN };
                         let set = SetPoint { t: at(k), phase: Phase::Air, law, q: leg.at_time(t) };
                         each(0, set, leg.rates(t))?;
                     }

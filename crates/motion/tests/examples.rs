@@ -162,10 +162,12 @@ fn leaning(speed: f64) -> String {
 #[test]
 fn a_short_bend_is_refused_and_the_cure_cures() {
     let findings = Case::new("bend", &leaning(12.5)).motion().unwrap_err();
-    assert!(findings.iter().all(|f| f.kind == "speed" && f.from_mm > 700.0 && f.to_mm < 705.0), "{findings:#?}");
+    // It brakes before the bend and gains speed after it.
+    assert!(findings.iter().all(|f| f.kind == "speed" && f.from_mm > 699.0 && f.to_mm < 705.0), "{findings:#?}");
+    assert!(findings[0].message.contains("jerk"), "{findings:#?}");
     let cure = findings[0].cure.split_whitespace().nth(2).unwrap().parse().unwrap();
     let motion = Case::new("bend", &leaning(cure)).motion().unwrap();
-    assert!(motion.law.report().least >= cure * (1.0 - 1e-9) && cure > 12.0, "{:?}", motion.law.report());
+    assert!(motion.law.report().least >= cure * (1.0 - 1e-9) && cure > 8.0, "{:?}", motion.law.report());
 }
 
 #[test]
@@ -173,7 +175,11 @@ fn too_short_to_reach_the_speed_is_said() {
     let short = leaning(100.0).replace("[-700, 0, 0]", "[-2.5, 0, 0]").replace("[700, 0, 0]", "[2.5, 0, 0]");
     let short = short.split("[torch]").next().unwrap().to_owned() + "[weld]\nspeed_mm_s = 100\n";
     let findings = Case::new("short", &short).motion().unwrap_err();
-    assert!(findings[0].message.contains("too short") && findings[0].message.contains("49.99"), "{findings:#?}");
+    assert!(findings[0].message.contains("too short"), "{findings:#?}");
+    // Four parts of constant jerk j over 5 mm reach j t^2 with 2 j t^3 = 5 mm; 397 mm/s^2 are no limit then.
+    let reached: f64 = findings[0].message.split_whitespace().nth(11).unwrap().parse().unwrap();
+    let most = 5000.0 * (5.0 / 1e4f64).powf(2.0 / 3.0);
+    assert!(reached < most && reached > 0.98 * most, "{reached} {most}");
 }
 
 #[test]

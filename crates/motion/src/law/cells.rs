@@ -71,7 +71,7 @@ impl Cells {
     /// True if the asked squared speed by `tau` is the same all over `cell`.
     fn is_steady(&self, cell: usize) -> bool {
         let asked = self.asked(cell);
-        asked.iter().all(|a| (a - asked[0]).abs() <= 1e-9 * asked[0])
+        asked[0].is_finite() && asked.iter().all(|a| (a - asked[0]).abs() <= 1e-9 * asked[0])
     }
 
     /// Highest value of coefficient `k` so that the tip is nowhere faster than asked in cells where that is steady: a squared

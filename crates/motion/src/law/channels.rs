@@ -36,10 +36,3 @@ pub struct Limits {
     /// Highest jerk.
     pub jerk: f64,
 }
-
-impl Limits {
-    /// The same limits, each smaller by `factor`.
-    pub(crate) fn scaled(self, factor: f64) -> Self {
-        Self { speed: self.speed * factor, acceleration: self.acceleration * factor, jerk: self.jerk * factor }
-    }
-}

@@ -3,23 +3,19 @@
 use super::channels::{Channels, Limits};
 use super::rest::RestToRest;
 
+/// Cells of a path without breaks, if they were even.
+const CELLS: f64 = 60.0;
 /// Cells of the run-up and of the run-down.
 const CELLS_AT_REST: usize = 6;
 /// Neighbouring cells grow by this factor away from rest.
 const GROWTH: f64 = 1.4;
 /// Least number of cells between two breaks.
-const CELLS_BETWEEN_BREAKS: f64 = 6.0;
+const CELLS_BETWEEN_BREAKS: f64 = 3.0;
 /// Least and greatest part of the path that a run-up or run-down may be.
 const PART_AT_REST: (f64, f64) = (1e-6, 0.25);
 
-/// The map and the stations (by `tau`) of the piece of `path` between two stops, with about `count` cells if they were
-/// even.
-pub(crate) fn stations(
-    path: &dyn Channels,
-    limits: &[Limits],
-    (from, to): (f64, f64),
-    count: f64,
-) -> (RestToRest, Vec<f64>) {
+/// The map and the first stations (by `tau`) of the piece of `path` between two stops.
+pub(crate) fn stations(path: &dyn Channels, limits: &[Limits], (from, to): (f64, f64)) -> (RestToRest, Vec<f64>) {
     let length = to - from;
     let [least, most] = [PART_AT_REST.0 * length, PART_AT_REST.1 * length];
     let zone = |u: f64, before: bool| (0.5 * run_up(path, limits, u, before)).clamp(least, most);
@@ -32,7 +28,7 @@ pub(crate) fn stations(
     if let Some(last) = fixed.last_mut() {
         *last = map.length();
     }
-    let widest = length / count;
+    let widest = length / CELLS;
     let finest = [up, map.length() - down].map(|zone| zone / CELLS_AT_REST as f64);
     let width = |tau: f64| {
         let near = |away: f64, finest: f64| finest + (GROWTH - 1.0) * away.max(0.0);

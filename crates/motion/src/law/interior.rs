@@ -8,7 +8,7 @@ const MOST: usize = 120;
 /// Part of the way to the next row that a step may go.
 const SHORT_OF: f64 = 0.99;
 
-/// Coefficients of the fastest law, to within the part `gap` of its time, beginning at `start` (every row satisfied).
+/// Coefficients of the fastest law, to within the part `gap` of the time it loses against the asked speed, beginning at `start` (every row satisfied).
 ///
 /// Mehrotra's predictor and corrector on the time with the rows of [`Problem`] as logarithmic barriers. The rows of jerk
 /// are not convex (`1 / sqrt(b)` curves the wrong way): their curvature is kept as long as the matrix stays positive, and
@@ -17,7 +17,7 @@ const SHORT_OF: f64 = 0.99;
 pub(crate) fn fastest(problem: &Problem, start: Vec<f64>, gap: f64) -> Vec<f64> {
     let mut at = Iterate::new(problem, start);
     for _ in 0..MOST {
-        if at.complementarity() < gap * problem.time(&at.c) || !at.improve(problem) {
+        if at.complementarity() < gap * problem.lost(&at.c) || !at.improve(problem) {
             break;
         }
     }
@@ -66,8 +66,7 @@ impl Pair {
         sum
     }
 
-    /// Sets the multipliers' changes for the slacks' changes so that the products become `target` each, less the
-    /// corrector `part` of the products of the changes before.
+    /// Sets the multipliers' changes for the slacks' changes, `weights` being those of [`Pair::wanted`].
     fn follow(&mut self, weights: &[f64]) {
         for (i, w) in weights.iter().enumerate() {
             self.dz[i] = w - self.z[i] - self.z[i] / self.g[i] * self.dg[i];
@@ -76,8 +75,8 @@ impl Pair {
 
     /// What the right side gets of each slack: `(target - part dg dz) / g`.
     fn wanted(&self, target: f64, part: f64, out: &mut [f64]) {
-        for i in 0..self.g.len() {
-            out[i] = (target - part * self.dg[i] * self.dz[i]) / self.g[i];
+        for (i, out) in out.iter_mut().enumerate() {
+            *out = (target - part * self.dg[i] * self.dz[i]) / self.g[i];
         }
     }
 }

@@ -11,17 +11,15 @@ use super::rest::RestToRest;
 pub(crate) const RESERVE: f64 = 1e-3;
 /// Times the law is solved again with less room where a limit was passed.
 const ROUNDS: usize = 4;
-/// The law is this part of its time within the best that the method can find.
+/// How near the law comes to the best that the method can find, as a part of the time lost against the asked speed.
 const GAP: f64 = 1e-5;
 /// Coefficients nearer to the asked speed than this part are put on it.
 const SNAP: f64 = 1e-5;
 
-/// Cells are halved until that changes the time by less than this part.
-const SETTLED: f64 = 5e-4;
+/// Cells that could change the time lost by more than this part are halved.
+const SHARE: f64 = 5e-5;
 /// Use of a limit between the places of rows from which on cells are halved rather than given less room.
 const ROUGH: f64 = 1.003;
-/// The law cruises where it is within this part of the asked squared speed.
-const CRUISING: f64 = 3e-3;
 /// What may be used of a limit in the end.
 const ALLOWED: f64 = 1.0 - 0.5 * RESERVE;
 /// A law that uses this much of a limit is no place to begin at.
@@ -42,19 +40,12 @@ const COARSE_GAP: f64 = 1e-3;
 pub(crate) fn plan(path: &dyn Channels, map: RestToRest, tau: Vec<f64>, limits: &[Limits]) -> (Cells, Vec<f64>) {
     let mut cells = Cells::new(path, map, tau, limits.to_vec());
     let mut c: Option<Vec<f64>> = None;
-    let mut time = f64::INFINITY;
     loop {
         let room = Room::new(&cells);
         let problem = Problem::new(&cells, &room, c.as_deref());
         let found = fastest(&problem, start(&problem, c.take()), COARSE_GAP);
-        let before = std::mem::replace(&mut time, problem.time(&found));
-        let settled = (time - before).abs() < SETTLED * time;
-        let rough = (0..cells.count()).any(|i| peak(&cells, &found, i) > ROUGH);
-        let cruising = |i: usize| {
-            let around = i.saturating_sub(2)..(i + 5).min(found.len());
-            around.into_iter().all(|k| found[k] > (1.0 - CRUISING) * problem.upper[k])
-        };
-        let tau = cells.halved(|i| (rough || !settled) && !cruising(i));
+        let coarse = SHARE * problem.lost(&found);
+        let tau = cells.halved(|i| bend(&cells, &found, i) > coarse || peak(&cells, &found, i) > ROUGH);
         if cells.count() > MOST_CELLS || tau.len() == cells.tau.len() {
             let c = certified(&cells, found);
             return (cells, c);
@@ -63,6 +54,20 @@ pub(crate) fn plan(path: &dyn Channels, map: RestToRest, tau: Vec<f64>, limits: 
         c = Some(cells.carried(&found, &finer));
         cells = finer;
     }
+}
+
+/// About the time (s) that cell `i` could gain or lose by being finer: from the jump of the squared speed's second
+/// derivative at its ends, where a quadratic spline is too stiff.
+fn bend(cells: &Cells, c: &[f64], i: usize) -> f64 {
+    let second = |i: usize| {
+        let w = cells.weights(i).second;
+        w[0] * c[i] + w[1] * c[i + 1] + w[2] * c[i + 2]
+    };
+    let (own, width) = (second(i), cells.width(i));
+    let before = if i > 0 { (own - second(i - 1)).abs() } else { 0.0 };
+    let after = if i + 1 < cells.count() { (own - second(i + 1)).abs() } else { 0.0 };
+    let b = c[i + 1];
+    before.max(after) * width.powi(3) / (8.0 * b * b.sqrt())
 }
 
 /// The law in its final cells, beginning at one found before, solved until no limit is exceeded between the places of its

@@ -1,6 +1,7 @@
 //! The speed along a path, as fast as every limit allows.
 
 mod cells;
+mod certificate;
 mod channels;
 mod grid;
 mod interior;
@@ -10,5 +11,6 @@ mod problem;
 mod rest;
 mod speed_law;
 
+pub use certificate::{Bound, Certificate, Interval, Use};
 pub use channels::{Channels, Limits};
-pub use speed_law::{LawPoint, SpeedLaw};
+pub use speed_law::{LawPoint, SpeedLaw, SpeedReport};

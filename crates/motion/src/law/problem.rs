@@ -93,8 +93,10 @@ impl Problem {
                 // Acceleration is continuous between cells, jerk is not.
                 let (begin, end) = (part == 0, part + 1 == PARTS.len());
                 let dense = room.dense[cell];
-                if begin || end || dense {
-                    built.add(cells, (cell, part), room.part[cell], begin || dense || (end && last), &worth);
+                if begin || end || dense || part == 2 {
+                    // Speed is bounded in the middle too: else the law would bulge there.
+                    let wanted = [begin || dense || (end && last), begin || end || dense];
+                    built.add(cells, (cell, part), room.part[cell], wanted, &worth);
                 }
             }
         }
@@ -106,7 +108,7 @@ impl Problem {
         cells: &Cells,
         (cell, part): (usize, usize),
         room: f64,
-        accelerations: bool,
+        [accelerations, jerks]: [bool; 2],
         worth: &[[bool; 2]],
     ) {
         let begin = (self.acceleration.len(), self.jerk.len());
@@ -125,7 +127,7 @@ impl Problem {
                 let row = [q2 * scale, 0.5 * q1 * scale];
                 self.acceleration.extend([row, row.map(|x| -x)]);
             }
-            if worth[1] && limits.jerk.is_finite() && (*q1 != 0.0 || *q2 != 0.0 || *q3 != 0.0) {
+            if jerks && worth[1] && limits.jerk.is_finite() && (*q1 != 0.0 || *q2 != 0.0 || *q3 != 0.0) {
                 let scale = 1.0 / (room * limits.jerk);
                 let row = [q3 * scale, 1.5 * q2 * scale, 0.5 * q1 * scale];
                 self.jerk.extend([row, row.map(|x| -x)]);
@@ -162,6 +164,14 @@ impl Problem {
             width / 6.0 * (v[0] + 4.0 * v[1] + v[2])
         };
         self.simpson.iter().enumerate().map(cell).sum()
+    }
+
+    /// The part of the time that is lost against a law that is everywhere as fast as asked, s.
+    pub(crate) fn lost(&self, c: &[f64]) -> f64 {
+        let asked = |i: usize| self.upper[i].min(self.upper[i + 1]).min(self.upper[i + 2]);
+        let cruising: f64 = self.simpson.iter().enumerate().map(|(i, (width, _))| width / asked(i).sqrt()).sum();
+        // Never nothing, or no law would be near enough to it.
+        (self.time(c) - cruising).max(1e-9 * cruising)
     }
 
     /// The slacks at `c`; false if the squared speed is not positive somewhere.

@@ -21,6 +21,11 @@ impl RestToRest {
         Self { from, to, up: 2.0 * up, down: 2.0 * down }
     }
 
+    /// First `u`.
+    pub(crate) fn start(&self) -> f64 {
+        self.from
+    }
+
     /// Length in `tau`.
     pub(crate) fn length(&self) -> f64 {
         self.to - self.from + 0.5 * (self.up + self.down)
@@ -75,11 +80,7 @@ fn inverse(y: f64) -> f64 {
     let mut x = y.cbrt().min(1.0);
     for _ in 0..60 {
         let f = x * x * x * (1.0 - 0.5 * x) - y;
-        if f > 0.0 {
-            high = x
-        } else {
-            low = x
-        }
+        (low, high) = if f > 0.0 { (low, x) } else { (x, high) };
         let newton = x - f / (x * x * (3.0 - 2.0 * x));
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
         if (next - x).abs() <= 1e-16 * next {

@@ -1,5 +1,4 @@
-use super::cells::Cells;
-use super::channels::{Channels, Limits};
+use super::channels::Channels;
 use super::grid::stations;
 use super::jerk_limited::plan;
 use super::rest::RestToRest;
@@ -17,7 +16,15 @@ pub struct LawPoint {
     pub j: f64,
 }
 
-/// The speed along a path by its parameter and by time, from rest to rest.
+/// The speed along a path by its parameter and by time, from rest to rest: the fastest one under the asked speed and
+/// within the speed, acceleration and jerk of every channel.
+///
+/// The squared speed by a parameter in which rest is nothing special is a quadratic B-spline, so accelerations are
+/// continuous and jerks bounded, and time follows in closed form in every cell. Its coefficients come from an interior-point
+/// method (the fastest law under limits of jerk is not a convex problem; see [`super`]).
+///
+/// Guarantee: no channel exceeds its speed, acceleration or jerk at any time; the tip is never faster than asked, and exactly
+/// as fast where it is not slowed down. A thousandth of each limit is kept in reserve.
 #[derive(Debug, Clone)]
 pub struct SpeedLaw {
     pieces: Vec<RestToRest>,
@@ -35,6 +42,8 @@ struct Cell {
     v: f64,
     a: f64,
     w: f64,
+    /// True if the tip cruises at the asked speed all through it.
+    cruises: bool,
 }
 
 impl SpeedLaw {
@@ -52,21 +61,31 @@ impl SpeedLaw {
     }
 
     fn add(&mut self, path: &dyn Channels, piece: (f64, f64)) {
-        let limits: Vec<Limits> = path.limits().to_vec();
-        let (map, tau) = stations(path, &limits, piece, 60.0);
-        let (cells, c) = plan(path, map, tau, &limits);
-        self.append(&cells, &c);
-    }
-
-    fn append(&mut self, cells: &Cells, c: &[f64]) {
-        let piece = self.pieces.len() as u32;
-        self.pieces.push(cells.map);
+        let (map, tau) = stations(path, path.limits(), piece);
+        let (cells, c) = plan(path, map, tau, path.limits());
+        let number = self.pieces.len() as u32;
+        self.pieces.push(map);
+        let upper: Vec<f64> = (0..c.len()).map(|k| cells.upper(k)).collect();
         for i in 0..cells.count() {
             let w = cells.weights(i);
             let dot = |w: &[f64; 3]| w[0] * c[i] + w[1] * c[i + 1] + w[2] * c[i + 2];
-            let (b, d, e, h) = (dot(&w.value), dot(&w.first), dot(&w.second), cells.width(i));
-            let cell = Cell { piece, tau: cells.tau[i], t: self.duration, v: b.sqrt(), a: 0.5 * d, w: 0.5 * e };
+            let cruises = (i..i + 3).all(|k| c[k] >= upper[k]);
+            // All coefficients alike: no rounding is to change the speed.
+            let constant = cruises && (i..i + 3).all(|k| c[k].to_bits() == c[i].to_bits());
+            let (b, d, e, h) = match constant {
+                true => (c[i], 0.0, 0.0, cells.width(i)),
+                false => (dot(&w.value), dot(&w.first), dot(&w.second), cells.width(i)),
+            };
             let end = (b + h * (d + 0.5 * h * e)).max(0.0).sqrt();
+            let cell = Cell {
+                piece: number,
+                tau: cells.tau[i],
+                t: self.duration,
+                v: b.max(0.0).sqrt(),
+                a: 0.5 * d,
+                w: 0.5 * e,
+                cruises,
+            };
             self.duration += crossing(cell.w, h / (cell.v + end));
             self.cells.push(cell);
         }
@@ -89,12 +108,99 @@ impl SpeedLaw {
         while self.cells.get(*cursor + 1).is_some_and(|c| c.t <= t) {
             *cursor += 1;
         }
-        let c = &self.cells[*cursor];
-        let (travelled, v) = c.after(t - c.t);
+        self.point(*cursor, t - self.cells[*cursor].t, false)
+    }
+
+    /// The law `t` after the start of cell `i`.
+    fn point(&self, i: usize, t: f64, before: bool) -> LawPoint {
+        let c = &self.cells[i];
+        let (travelled, v) = c.after(t);
         let (a, j) = (c.a + c.w * travelled, c.w * v);
-        let [u, m1, m2, m3] = self.pieces[c.piece as usize].at(c.tau + travelled, false);
+        let [u, m1, m2, m3] = self.pieces[c.piece as usize].at(c.tau + travelled, before);
         LawPoint { s: u, v: m1 * v, a: m2 * v * v + m1 * a, j: m3 * v * v * v + 3.0 * m2 * v * a + m1 * j }
     }
+
+    /// Number of cells, in which the law is smooth; its jerk may jump between them.
+    pub fn cells(&self) -> usize {
+        self.cells.len()
+    }
+
+    /// First and last instant of cell `i`, s.
+    pub fn cell_times(&self, i: usize) -> (f64, f64) {
+        (self.cells[i].t, self.cells.get(i + 1).map_or(self.duration, |c| c.t))
+    }
+
+    /// The law in cell `i` at the `part` of its time, from 0 to 1; at its ends as it is inside it.
+    pub fn in_cell(&self, i: usize, part: f64) -> LawPoint {
+        let (from, to) = self.cell_times(i);
+        self.point(i, part * (to - from), part > 0.5)
+    }
+
+    /// True if the tip moves at the asked speed all through cell `i`.
+    pub fn cruises(&self, i: usize) -> bool {
+        self.cells[i].cruises
+    }
+
+    /// Speed at the parameter `s`, 1/s.
+    pub fn speed(&self, s: f64) -> f64 {
+        let (cell, v, tau) = self.passing(s);
+        v * self.pieces[cell.piece as usize].at(tau, false)[1]
+    }
+
+    /// Time at which the parameter `s` is reached, s.
+    pub fn time(&self, s: f64) -> f64 {
+        if s >= self.end {
+            return self.duration;
+        }
+        let (cell, v, tau) = self.passing(s);
+        if tau > cell.tau { cell.t + crossing(cell.w, (tau - cell.tau) / (cell.v + v)) } else { cell.t }
+    }
+
+    /// The cell in which the parameter `s` is passed, the speed by `tau` there, and `tau`.
+    fn passing(&self, s: f64) -> (&Cell, f64, f64) {
+        let piece = self.pieces.partition_point(|p| p.start() <= s).saturating_sub(1);
+        let tau = self.pieces[piece].tau(s);
+        let before = |c: &Cell| (c.piece as usize, c.tau) <= (piece, tau);
+        let cell = &self.cells[self.cells.partition_point(before).saturating_sub(1)];
+        let x = tau - cell.tau;
+        // The squared speed is `v^2 + 2 a x + w x^2`.
+        (cell, (cell.v * cell.v + x * (2.0 * cell.a + cell.w * x)).max(0.0).sqrt(), tau)
+    }
+
+    /// The band of the planned speed between run-up and run-down.
+    pub fn report(&self) -> SpeedReport {
+        let last = self.cells.len() - 1;
+        let rises = |i: &usize| !self.cells[*i].cruises && self.in_cell(*i, 1.0).v > self.in_cell(*i, 0.0).v;
+        let falls = |i: &usize| !self.cells[*i].cruises && self.in_cell(*i, 1.0).v < self.in_cell(*i, 0.0).v;
+        let first = (0..=last).take_while(rises).count();
+        let end = last + 1 - (0..=last).rev().take_while(falls).count();
+        let speeds = |i: usize| [0.0, 0.5, 1.0].map(|part| self.in_cell(i, part).v);
+        // A law without anything between has its highest speed where it turns.
+        let between: Vec<f64> = match first < end {
+            true => (first..end).flat_map(speeds).collect(),
+            false => vec![self.in_cell(first.min(last), 0.0).v],
+        };
+        let at = |i: usize| if i > last { self.end } else { self.in_cell(i, 0.0).s };
+        SpeedReport {
+            run_up_end: at(first),
+            run_down_start: at(end.max(first)),
+            least: between.iter().copied().fold(f64::INFINITY, f64::min),
+            greatest: between.iter().copied().fold(0.0, f64::max),
+        }
+    }
+}
+
+/// The planned speed away from run-up and run-down.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpeedReport {
+    /// Path length where the run-up ends, mm.
+    pub run_up_end: f64,
+    /// Path length where the run-down begins, mm.
+    pub run_down_start: f64,
+    /// Least planned speed between them, mm/s.
+    pub least: f64,
+    /// Greatest planned speed between them, mm/s.
+    pub greatest: f64,
 }
 
 impl Cell {

@@ -1,0 +1,157 @@
+use super::channels::Channels;
+use super::jerk_limited::RESERVE;
+use super::speed_law::{LawPoint, SpeedLaw};
+
+/// What keeps the tip from going faster.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Bound {
+    /// Nothing: the tip is as fast as asked.
+    Asked,
+    /// The speed of a channel.
+    Speed(usize),
+    /// The acceleration of a channel.
+    Acceleration(usize),
+    /// The jerk of a channel.
+    Jerk(usize),
+}
+
+/// A stretch of the path with one bound.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Interval {
+    /// Parameter at which it begins and ends.
+    pub from: f64,
+    /// See [`Interval::from`].
+    pub to: f64,
+    /// Least and greatest speed of the tip in it, mm/s.
+    pub speed: (f64, f64),
+    /// Where the least is.
+    pub least_at: f64,
+    /// What binds.
+    pub bound: Bound,
+    /// False in run-up and run-down.
+    pub between: bool,
+}
+
+/// The greatest part of each limit that a channel uses, over the whole path.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Use {
+    /// Of its speed.
+    pub speed: f64,
+    /// Of its acceleration.
+    pub acceleration: f64,
+    /// Of its jerk.
+    pub jerk: f64,
+}
+
+/// What a speed law reached, and what bound it where: to be checked by anybody who knows the set-points and the limits.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Certificate {
+    /// Stretches in order, from the first parameter to the last.
+    pub intervals: Vec<Interval>,
+    /// For every channel.
+    pub uses: Vec<Use>,
+    /// The part of the path on which the tip is as fast as asked.
+    pub at_asked: f64,
+    /// A speed of the tip (mm/s) that no channel keeps from being held everywhere.
+    pub everywhere: f64,
+}
+
+/// Places in every cell of the law that are looked at, as parts of its time.
+const PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+/// The tip counts as fast as asked within this part.
+const AS_ASKED: f64 = 1e-6;
+
+impl Certificate {
+    /// The certificate of `law` along `path`.
+    pub fn new(path: &dyn Channels, law: &SpeedLaw) -> Self {
+        let channels = path.limits().len();
+        let mut built = Self {
+            intervals: Vec::new(),
+            uses: vec![Use::default(); channels],
+            at_asked: 0.0,
+            everywhere: f64::INFINITY,
+        };
+        let mut derivatives = vec![[0.0; 3]; channels];
+        let band = law.report();
+        for cell in 0..law.cells() {
+            let (begin, end) = (law.in_cell(cell, 0.0), law.in_cell(cell, 1.0));
+            let asked = path.asked(0.5 * (begin.s + end.s));
+            let mut worst = (f64::NEG_INFINITY, Bound::Asked);
+            let (mut least, mut greatest) = ((f64::INFINITY, begin.s), 0.0f64);
+            for part in PARTS {
+                let p = law.in_cell(cell, part);
+                let tip = path.derivatives(p.s, part > 0.5, &mut derivatives);
+                let speed = tip * p.v;
+                if speed < least.0 {
+                    least = (speed, p.s);
+                }
+                greatest = greatest.max(speed);
+                built.steady(path, &derivatives, tip);
+                let bound = built.at(path, &derivatives, p);
+                if bound.0 > worst.0 {
+                    worst = bound;
+                }
+            }
+            let bound = if least.0 >= (1.0 - AS_ASKED) * asked { Bound::Asked } else { worst.1 };
+            let between = begin.s >= band.run_up_end && end.s <= band.run_down_start;
+            let speed = (least.0, greatest);
+            built.add(Interval { from: begin.s, to: end.s, speed, least_at: least.1, bound, between });
+        }
+        let (from, to) = path.range();
+        let asked = built.intervals.iter().filter(|i| i.bound == Bound::Asked);
+        built.at_asked = asked.map(|i| i.to - i.from).sum::<f64>() / (to - from);
+        built
+    }
+
+    /// Takes in what the channels use at one place; the greatest part and whose it is.
+    fn at(&mut self, path: &dyn Channels, derivatives: &[[f64; 3]], p: LawPoint) -> (f64, Bound) {
+        let mut worst = (0.0, Bound::Asked);
+        for (i, (([q1, q2, q3], limits), used)) in derivatives.iter().zip(path.limits()).zip(&mut self.uses).enumerate()
+        {
+            let (v, a) = (p.v, p.a);
+            let here = Use {
+                speed: (q1 * v / limits.speed).abs(),
+                acceleration: ((q2 * v * v + q1 * a) / limits.acceleration).abs(),
+                jerk: ((q3 * v * v * v + 3.0 * q2 * v * a + q1 * p.j) / limits.jerk).abs(),
+            };
+            used.speed = used.speed.max(here.speed);
+            used.acceleration = used.acceleration.max(here.acceleration);
+            used.jerk = used.jerk.max(here.jerk);
+            let bounds = [
+                (here.speed, Bound::Speed(i)),
+                (here.acceleration, Bound::Acceleration(i)),
+                (here.jerk, Bound::Jerk(i)),
+            ];
+            for bound in bounds {
+                if bound.0 > worst.0 {
+                    worst = bound;
+                }
+            }
+        }
+        worst
+    }
+
+    /// Takes in the speed of the tip that the channels can hold steadily at one place.
+    fn steady(&mut self, path: &dyn Channels, derivatives: &[[f64; 3]], tip: f64) {
+        for ([q1, q2, q3], limits) in derivatives.iter().zip(path.limits()) {
+            let speed = (limits.speed / q1.abs())
+                .min((limits.acceleration / q2.abs()).sqrt())
+                .min((limits.jerk / q3.abs()).cbrt());
+            self.everywhere = self.everywhere.min(tip * speed * (1.0 - 1.5 * RESERVE));
+        }
+    }
+
+    /// Appends a stretch, to the last one if that has the same bound.
+    fn add(&mut self, next: Interval) {
+        match self.intervals.last_mut().filter(|last| (last.bound, last.between) == (next.bound, next.between)) {
+            Some(last) => {
+                last.to = next.to;
+                if next.speed.0 < last.speed.0 {
+                    (last.speed.0, last.least_at) = (next.speed.0, next.least_at);
+                }
+                last.speed.1 = last.speed.1.max(next.speed.1);
+            }
+            None => self.intervals.push(next),
+        }
+    }
+}

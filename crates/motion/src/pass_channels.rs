@@ -1,0 +1,75 @@
+use crate::JointPath;
+use crate::law::{Channels, Limits};
+use seamwright_machine::Machine;
+use seamwright_program::Pass;
+
+/// Part of an axis' acceleration by which it may jump between two panels of a path: more is a corner.
+const JUMP: f64 = 1e-3;
+
+/// The axes along a pass, by path length, as a speed law sees them.
+pub(crate) struct PassChannels<'a> {
+    path: &'a JointPath,
+    pass: &'a Pass,
+    limits: Vec<Limits>,
+    breaks: Vec<f64>,
+    stops: Vec<f64>,
+}
+
+impl<'a> PassChannels<'a> {
+    pub(crate) fn new(machine: &Machine, path: &'a JointPath, pass: &'a Pass) -> Self {
+        let limits: Vec<Limits> = machine.axes.iter().map(limits).collect();
+        let length = path.length();
+        let mut breaks = path.edges();
+        breaks.extend(pass.spans.iter().skip(1).map(|s| s.from_mm.get()));
+        breaks.retain(|s| *s > 0.0 && *s < length);
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup_by(|a, b| *a - *b < 1e-9 * length);
+        let mut built = Self { path, pass, limits, breaks, stops: Vec::new() };
+        built.stops = built.breaks.iter().copied().filter(|s| built.is_corner(*s)).collect();
+        built
+    }
+
+    /// Whether an axis' speed or acceleration would jump at `s` at the asked speed.
+    fn is_corner(&self, s: f64) -> bool {
+        let (before, after) = (self.path.point(s, true), self.path.point(s, false));
+        let speed = self.asked(s);
+        self.limits.iter().enumerate().any(|(i, limits)| {
+            let jump = ((after.d1[i] - before.d1[i]).abs(), (after.d2[i] - before.d2[i]).abs());
+            // A jump of the speed within one ms is one of the acceleration.
+            (jump.0 * speed * 1e3).max(jump.1 * speed * speed) > JUMP * limits.acceleration
+        })
+    }
+}
+
+/// An axis' limits.
+pub(crate) fn limits(axis: &seamwright_machine::Axis) -> Limits {
+    Limits { speed: axis.max_speed, acceleration: axis.max_acceleration, jerk: axis.jerk() }
+}
+
+impl Channels for PassChannels<'_> {
+    fn range(&self) -> (f64, f64) {
+        (0.0, self.path.length())
+    }
+
+    fn limits(&self) -> &[Limits] {
+        &self.limits
+    }
+
+    fn derivatives(&self, s: f64, before: bool, out: &mut [[f64; 3]]) -> f64 {
+        let p = self.path.point(s, before);
+        out.iter_mut().enumerate().for_each(|(i, out)| *out = [p.d1[i], p.d2[i], p.d3[i]]);
+        1.0
+    }
+
+    fn asked(&self, s: f64) -> f64 {
+        self.pass.span_at(s).map_or(f64::INFINITY, |span| span.speed_mm_s.get())
+    }
+
+    fn breaks(&self) -> Vec<f64> {
+        self.breaks.clone()
+    }
+
+    fn stops(&self) -> Vec<f64> {
+        self.stops.clone()
+    }
+}
