@@ -119,9 +119,9 @@ impl Cells {
         tau
     }
 
-    /// The spline with coefficients `c` in these cells as coefficients in `finer` ones, which divide these: each is the
-    /// blossom of the spline's piece at the two stations beside it.
-    pub(crate) fn carried(&self, c: &[f64], finer: &Self) -> Vec<f64> {
+    /// The spline with coefficients `c` in these cells as coefficients in `finer` ones, which divide a range of these and
+    /// count `tau` from `offset` of these: each is the blossom of the spline's piece at the two stations beside it.
+    pub(crate) fn carried(&self, c: &[f64], finer: &Self, offset: f64) -> Vec<f64> {
         let last = finer.count();
         let mut cell = 0;
         let coefficient = |k: usize| {
@@ -131,12 +131,17 @@ impl Cells {
                 _ if k > last => (finer.tau[last], finer.tau[last] + finer.width(last - 1)),
                 _ => (finer.tau[k - 1], finer.tau[k]),
             };
-            while cell + 1 < self.count() && self.tau[cell + 1] <= left {
+            // The piece is that over the finer cell between them, or over the one beside at the ends.
+            let inside = offset + 0.5 * (finer.tau[k.clamp(1, last) - 1] + finer.tau[k.clamp(1, last)]);
+            while cell + 1 < self.count() && self.tau[cell + 1] <= inside {
                 cell += 1;
+            }
+            if c[cell].to_bits() == c[cell + 1].to_bits() && c[cell].to_bits() == c[cell + 2].to_bits() {
+                return c[cell];
             }
             let w = self.weights(cell);
             let dot = |w: &[f64; 3]| w[0] * c[cell] + w[1] * c[cell + 1] + w[2] * c[cell + 2];
-            let (x, y) = (left - self.tau[cell], right - self.tau[cell]);
+            let (x, y) = (left + offset - self.tau[cell], right + offset - self.tau[cell]);
             dot(&w.value) + 0.5 * dot(&w.first) * (x + y) + 0.5 * dot(&w.second) * x * y
         };
         (0..finer.count() + 2).map(coefficient).collect()

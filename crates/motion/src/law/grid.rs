@@ -21,7 +21,10 @@ pub(crate) fn stations(path: &dyn Channels, limits: &[Limits], (from, to): (f64,
     let zone = |u: f64, before: bool| (0.5 * run_up(path, limits, u, before)).clamp(least, most);
     let map = RestToRest::new(from, to, zone(from, false), zone(to, true));
     let [up, down] = map.borders();
-    let mut fixed: Vec<f64> = path.breaks().into_iter().filter(|u| *u > from && *u < to).map(|u| map.tau(u)).collect();
+    // A break this near to rest is passed so slowly that it does not matter.
+    let near = 1e-7 * length;
+    let mut fixed: Vec<f64> =
+        path.breaks().into_iter().filter(|u| *u > from + near && *u < to - near).map(|u| map.tau(u)).collect();
     fixed.extend([0.0, up, down, map.length()]);
     fixed.sort_by(f64::total_cmp);
     fixed.dedup_by(|a, b| *a - *b < 1e-9 * map.length());

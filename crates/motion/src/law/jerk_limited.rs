@@ -51,7 +51,7 @@ pub(crate) fn plan(path: &dyn Channels, map: RestToRest, tau: Vec<f64>, limits: 
             return (cells, c);
         }
         let finer = Cells::new(path, map, tau, limits.to_vec());
-        c = Some(cells.carried(&found, &finer));
+        c = Some(cells.carried(&found, &finer, 0.0));
         cells = finer;
     }
 }

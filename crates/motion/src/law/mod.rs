@@ -10,7 +10,9 @@ mod pentadiagonal;
 mod problem;
 mod rest;
 mod speed_law;
+mod stream;
 
 pub use certificate::{Bound, Certificate, Interval, Use};
 pub use channels::{Channels, Limits};
 pub use speed_law::{LawPoint, SpeedLaw, SpeedReport};
+pub use stream::{Feed, LawStream};

@@ -1,3 +1,4 @@
+use super::cells::Cells;
 use super::channels::Channels;
 use super::grid::stations;
 use super::jerk_limited::plan;
@@ -35,10 +36,10 @@ pub struct SpeedLaw {
 
 /// A cell of the law: `d2 tau / dt2 = a + w tau` from its start on.
 #[derive(Debug, Clone, Copy)]
-struct Cell {
+pub(super) struct Cell {
     piece: u32,
     tau: f64,
-    t: f64,
+    pub(super) t: f64,
     v: f64,
     a: f64,
     w: f64,
@@ -65,29 +66,10 @@ impl SpeedLaw {
         let (cells, c) = plan(path, map, tau, path.limits());
         let number = self.pieces.len() as u32;
         self.pieces.push(map);
-        let upper: Vec<f64> = (0..c.len()).map(|k| cells.upper(k)).collect();
         for i in 0..cells.count() {
-            let w = cells.weights(i);
-            let dot = |w: &[f64; 3]| w[0] * c[i] + w[1] * c[i + 1] + w[2] * c[i + 2];
-            let cruises = (i..i + 3).all(|k| c[k] >= upper[k]);
-            // All coefficients alike: no rounding is to change the speed.
-            let constant = cruises && (i..i + 3).all(|k| c[k].to_bits() == c[i].to_bits());
-            let (b, d, e, h) = match constant {
-                true => (c[i], 0.0, 0.0, cells.width(i)),
-                false => (dot(&w.value), dot(&w.first), dot(&w.second), cells.width(i)),
-            };
-            let end = (b + h * (d + 0.5 * h * e)).max(0.0).sqrt();
-            let cell = Cell {
-                piece: number,
-                tau: cells.tau[i],
-                t: self.duration,
-                v: b.max(0.0).sqrt(),
-                a: 0.5 * d,
-                w: 0.5 * e,
-                cruises,
-            };
-            self.duration += crossing(cell.w, h / (cell.v + end));
-            self.cells.push(cell);
+            let (cell, time) = Cell::new(&cells, &c, i);
+            self.cells.push(Cell { piece: number, t: self.duration, ..cell });
+            self.duration += time;
         }
     }
 
@@ -113,11 +95,8 @@ impl SpeedLaw {
 
     /// The law `t` after the start of cell `i`.
     fn point(&self, i: usize, t: f64, before: bool) -> LawPoint {
-        let c = &self.cells[i];
-        let (travelled, v) = c.after(t);
-        let (a, j) = (c.a + c.w * travelled, c.w * v);
-        let [u, m1, m2, m3] = self.pieces[c.piece as usize].at(c.tau + travelled, before);
-        LawPoint { s: u, v: m1 * v, a: m2 * v * v + m1 * a, j: m3 * v * v * v + 3.0 * m2 * v * a + m1 * j }
+        let cell = &self.cells[i];
+        cell.point(&self.pieces[cell.piece as usize], t, before)
     }
 
     /// Number of cells, in which the law is smooth; its jerk may jump between them.
@@ -204,6 +183,33 @@ pub struct SpeedReport {
 }
 
 impl Cell {
+    /// Cell `i` of a law with coefficients `c` in `cells`, as if it began at time 0, and how long it takes, s.
+    pub(super) fn new(cells: &Cells, c: &[f64], i: usize) -> (Self, f64) {
+        let (w, h) = (cells.weights(i), cells.width(i));
+        let dot = |w: &[f64; 3]| w[0] * c[i] + w[1] * c[i + 1] + w[2] * c[i + 2];
+        let cruises = (i..i + 3).all(|k| c[k] >= cells.upper(k));
+        // All coefficients alike: no rounding is to change the speed.
+        let constant = (i..i + 3).all(|k| c[k].to_bits() == c[i].to_bits());
+        let (b, d, e) = if constant { (c[i], 0.0, 0.0) } else { (dot(&w.value), dot(&w.first), dot(&w.second)) };
+        let end = (b + h * (d + 0.5 * h * e)).max(0.0).sqrt();
+        let v = b.max(0.0).sqrt();
+        let cell = Self { piece: 0, tau: cells.tau[i], t: 0.0, v, a: 0.5 * d, w: 0.5 * e, cruises };
+        (cell, crossing(cell.w, h / (v + end)))
+    }
+
+    /// The same cell, beginning at time `t`.
+    pub(super) fn at(self, t: f64) -> Self {
+        Self { t, ..self }
+    }
+
+    /// The law `t` after the cell's start, `map` being that of its piece; at a border of the map from the side `before`.
+    pub(super) fn point(&self, map: &RestToRest, t: f64, before: bool) -> LawPoint {
+        let (travelled, v) = self.after(t);
+        let (a, j) = (self.a + self.w * travelled, self.w * v);
+        let [u, m1, m2, m3] = map.at(self.tau + travelled, before);
+        LawPoint { s: u, v: m1 * v, a: m2 * v * v + m1 * a, j: m3 * v * v * v + 3.0 * m2 * v * a + m1 * j }
+    }
+
     /// How far it has gone `t` after its start, and how fast it is then.
     fn after(&self, t: f64) -> (f64, f64) {
         let x = self.w * t * t;

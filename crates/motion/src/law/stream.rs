@@ -1,0 +1,267 @@
+use super::cells::Cells;
+use super::channels::Channels;
+use super::grid::stations;
+use super::jerk_limited::{peak, plan};
+use super::rest::RestToRest;
+use super::speed_law::{Cell, LawPoint};
+use std::collections::VecDeque;
+
+/// A path that is read as it is needed: its channels are known over the part that is loaded, which
+/// [`Channels::range`] tells.
+pub trait Feed: Channels {
+    /// Loads the path until at least `seconds` beyond `beyond` at the highest speeds allowed, or to its end, and forgets what
+    /// lies before `from`.
+    fn load(&mut self, from: f64, beyond: f64, seconds: f64);
+
+    /// True if the loaded part reaches the path's end.
+    fn is_complete(&self) -> bool;
+}
+
+/// The speed law of a path of any length, from a window that slides along it, in memory and work for each set-point that do
+/// not grow with the path.
+///
+/// Each window is planned from rest to rest as a whole path is. Far from their ends two laws that overlap are the same law
+/// (what comes later than a stopping distance does not matter), so one passes into the next there: a weighted mean of their
+/// coefficients, checked against all limits. Guarantee: what is given out is always the beginning of a law that stops within
+/// its window; if the next window cannot be joined to it within the limits, the motion comes to that stop and goes on
+/// from there.
+pub struct LawStream<F> {
+    feed: F,
+    horizon_s: f64,
+    plan: Plan,
+    /// Cells given out and not passed yet, with the map they belong to.
+    ready: VecDeque<(Cell, RestToRest)>,
+    /// Instants at which the first of them begins and the last ends.
+    begin: f64,
+    end: f64,
+    stops: usize,
+    done: bool,
+    last: f64,
+}
+
+/// The law over one window, and its first cell that has not been given out.
+struct Plan {
+    from: f64,
+    to: f64,
+    cells: Cells,
+    c: Vec<f64>,
+    next: usize,
+}
+
+/// Parts of a window that overlap the one before, tried one after the other.
+const OVERLAPS: [f64; 3] = [0.5, 0.7, 0.9];
+/// What a law may use of a limit where it passes into the next.
+const ALLOWED: f64 = 0.9999;
+/// Zones that are tried for that in an overlap.
+const ZONES: usize = 6;
+
+impl Plan {
+    fn new(path: &dyn Channels, from: f64, to: f64) -> Self {
+        let (map, tau) = stations(path, path.limits(), (from, to));
+        let (cells, c) = plan(path, map, tau, path.limits());
+        Self { from, to, cells, c, next: 0 }
+    }
+
+    /// Parameters between run-up and run-down.
+    fn between(&self) -> (f64, f64) {
+        let [up, down] = self.cells.map.borders().map(|tau| self.cells.map.at(tau, false)[0]);
+        (up, down)
+    }
+
+    /// The station at or after the parameter `u`, between run-up and run-down.
+    fn station(&self, u: f64) -> usize {
+        let tau = self.cells.map.tau(u);
+        self.cells.tau.partition_point(|t| *t < tau - 1e-9 * self.cells.map.length())
+    }
+
+    /// The parameter at station `i`.
+    fn at(&self, i: usize) -> f64 {
+        self.cells.map.at(self.cells.tau[i], false)[0]
+    }
+}
+
+impl<F: Feed> LawStream<F> {
+    /// A law along `feed` with windows that take `horizon_s` seconds at the highest speeds allowed: some times the longest
+    /// time to stop.
+    pub fn new(mut feed: F, horizon_s: f64) -> Self {
+        let from = feed.range().0;
+        feed.load(from, from, horizon_s);
+        let to = window_end(&feed, from);
+        let plan = Plan::new(&feed, from, to);
+        Self { feed, horizon_s, plan, ready: VecDeque::new(), begin: 0.0, end: 0.0, stops: 0, done: false, last: from }
+    }
+
+    /// The path, as far as it is loaded.
+    pub fn path(&self) -> &F {
+        &self.feed
+    }
+
+    /// How often the motion had to stop because two windows did not fit.
+    pub fn stops(&self) -> usize {
+        self.stops
+    }
+
+    /// The law at time `t` (s), which must not fall; nothing after the end.
+    pub fn at(&mut self, t: f64) -> Option<LawPoint> {
+        while t >= self.end && !self.done {
+            self.extend();
+        }
+        while let Some((cell, map)) = self.ready.front() {
+            let next = self.ready.get(1).map_or(self.end, |(cell, _)| cell.t);
+            if t < next {
+                let point = cell.point(map, (t - cell.t).max(0.0), false);
+                self.last = self.last.max(point.s);
+                return Some(point);
+            }
+            self.begin = next;
+            self.ready.pop_front();
+        }
+        None
+    }
+
+    /// Time until the end, s, known once everything is planned.
+    pub fn duration(&self) -> Option<f64> {
+        self.done.then_some(self.end)
+    }
+
+    /// Gives out more of the law.
+    fn extend(&mut self) {
+        eprintln!(
+            "extend plan {} {} next {}/{} end {} loaded {:?} {}",
+            self.plan.from,
+            self.plan.to,
+            self.plan.next,
+            self.plan.cells.count(),
+            self.end,
+            self.feed.range(),
+            self.feed.is_complete()
+        );
+        let path_end = self.feed.range().1;
+        let ends_path = self.feed.is_complete() && self.plan.to >= path_end;
+        if ends_path || self.feed.stops().iter().any(|u| (u - self.plan.to).abs() <= f64::EPSILON * u.abs()) {
+            self.come_to_rest(ends_path);
+            return;
+        }
+        for overlap in OVERLAPS {
+            let from = self.plan.to - overlap * (self.plan.to - self.plan.from);
+            let from = from.max(self.plan.from);
+            if self.join(from) {
+                return;
+            }
+        }
+        self.stops += 1;
+        self.come_to_rest(false);
+    }
+
+    /// Gives out the rest of the plan; a new one begins where it ends, unless that is the end of the path.
+    fn come_to_rest(&mut self, is_end: bool) {
+        self.give_out(self.plan.cells.count());
+        if is_end {
+            self.done = true;
+            return;
+        }
+        let from = self.plan.to;
+        self.feed.load(from, from, self.horizon_s);
+        self.plan = Plan::new(&self.feed, from, window_end(&self.feed, from));
+    }
+
+    /// Plans the window that begins at `from` and passes into it; false if the limits do not allow that.
+    fn join(&mut self, from: f64) -> bool {
+        let keep = self.plan.at(self.plan.next.min(self.plan.cells.count())).min(from);
+        self.feed.load(keep, self.plan.to, 0.5 * self.horizon_s);
+        let to = window_end_after(&self.feed, self.plan.to);
+        let mut next = Plan::new(&self.feed, from, to);
+        let begin = next.between().0.max(self.plan.at(self.plan.next));
+        let end = self.plan.between().1;
+        if end <= begin {
+            return false;
+        }
+        let width = (end - begin) / (ZONES as f64 / 2.0);
+        let step = (end - begin - width) / (ZONES - 1) as f64;
+        // The middle of the overlap first: farthest from both ends.
+        let mut order: Vec<usize> = (0..ZONES).collect();
+        order.sort_by_key(|i| (2 * i).abs_diff(ZONES - 1));
+        for i in order {
+            let zone = (begin + step * i as f64, begin + step * i as f64 + width);
+            if let Some((cells, c, first, after)) = self.passage(&next, zone) {
+                self.give_out(first);
+                for k in 0..cells.count() {
+                    self.push(&cells, &c, k);
+                }
+                next.next = after;
+                self.plan = next;
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The law that passes from the plan to `next` in about `zone`: its cells and coefficients, the plan's station where it
+    /// begins and the next one's where it ends.
+    fn passage(&self, next: &Plan, zone: (f64, f64)) -> Option<(Cells, Vec<f64>, usize, usize)> {
+        let (first, after) = (self.plan.station(zone.0), next.station(zone.1));
+        let (from, to) = (self.plan.at(first), next.at(after));
+        let inside = |u: f64| u > from && u < to;
+        let mut u: Vec<f64> = vec![from];
+        u.extend((first..self.plan.cells.tau.len()).map(|i| self.plan.at(i)).filter(|u| inside(*u)));
+        u.extend((0..after).map(|i| next.at(i)).filter(|u| inside(*u)));
+        u.push(to);
+        u.sort_by(f64::total_cmp);
+        u.dedup_by(|b, a| *b - *a < 1e-7 * (to - from));
+        if let Some(last) = u.last_mut() {
+            *last = to;
+        }
+        if u.len() < 5 || first < self.plan.next {
+            return None;
+        }
+        let tau = u.iter().map(|u| u - from).collect();
+        let cells = Cells::new(&self.feed, RestToRest::new(from, to, 0.0, 0.0), tau, self.feed.limits().to_vec());
+        let mine = self.plan.cells.carried(&self.plan.c, &cells, self.plan.cells.map.tau(from));
+        let theirs = next.cells.carried(&next.c, &cells, next.cells.map.tau(from));
+        let count = mine.len();
+        let c: Vec<f64> = (0..count)
+            .map(|k| {
+                let at = |i: usize| cells.tau[i.min(cells.count())];
+                let x = 0.5 * (at(k.saturating_sub(1)) + at(k)) / (to - from);
+                // Speed and acceleration at the ends are those of either law: two coefficients each.
+                let x = if k < 2 {
+                    0.0
+                } else if k + 2 >= count {
+                    1.0
+                } else {
+                    x
+                };
+                let w = x * x * (3.0 - 2.0 * x);
+                if mine[k].to_bits() == theirs[k].to_bits() { mine[k] } else { (1.0 - w) * mine[k] + w * theirs[k] }
+            })
+            .collect();
+        (0..cells.count()).all(|i| peak(&cells, &c, i) <= ALLOWED).then_some((cells, c, first, after))
+    }
+
+    /// Gives out the plan's cells up to station `until`.
+    fn give_out(&mut self, until: usize) {
+        for i in self.plan.next..until {
+            let (cell, time) = Cell::new(&self.plan.cells, &self.plan.c, i);
+            self.ready.push_back((cell.at(self.end), self.plan.cells.map));
+            self.end += time;
+        }
+        self.plan.next = until;
+    }
+
+    fn push(&mut self, cells: &Cells, c: &[f64], i: usize) {
+        let (cell, time) = Cell::new(cells, c, i);
+        self.ready.push_back((cell.at(self.end), cells.map));
+        self.end += time;
+    }
+}
+
+/// Where a window ends that begins at `from`: the first stop after it, or all that is loaded.
+fn window_end(feed: &impl Feed, from: f64) -> f64 {
+    window_end_after(feed, from)
+}
+
+/// The first stop after `u`, or the end of what is loaded.
+fn window_end_after(feed: &impl Feed, u: f64) -> f64 {
+    let end = feed.range().1;
+    feed.stops().into_iter().find(|s| *s > u * (1.0 + f64::EPSILON) && *s > u).unwrap_or(end)
+}
