@@ -1,7 +1,10 @@
 use crate::Error;
 use crate::disturbance::Disturbance;
 use seamwright_machine::{Axis, AxisKind, Drive, Load, Machine};
-use seamwright_servo::{AxisState, DriveParameters, DriveTuning, Gains, LinearLoad, RotaryLoad, ServoAxis, SetPoint};
+use seamwright_servo::{
+    AxisState, BacklashCompensation, DriveParameters, DriveTuning, EncoderSide, FrictionCompensation, Gains,
+    LinearLoad, Notch, PositionLoop, RotaryLoad, ServoAxis, SetPoint, Transmission, Tuned, tune,
+};
 
 /// All drives of a machine in simulation.
 #[derive(Debug, Clone)]
@@ -38,7 +41,8 @@ impl Drives {
     pub(crate) fn step(&mut self, i: usize, set: SetPoint) -> AxisState {
         let (servo, disturbance) = &mut self.axes[i];
         let force = disturbance.next(servo.drive().position());
-        servo.step(set, force)
+        // Cogging is the motor's.
+        servo.step(set, seamwright_servo::Disturbance { motor: force, load: 0.0 })
     }
 }
 
@@ -57,21 +61,39 @@ fn assumed(axis: &Axis) -> Drive {
     let counts = if axis.kind == AxisKind::Linear { 1000.0 } else { 10_000f64 * 1f64.to_degrees() };
     Drive {
         load: Load { inertia: 1.0, peak, coulomb: 0.05 * peak, viscous: 0.0 },
+        force_limit: None,
         encoder_counts_per_unit: counts,
         velocity_bandwidth_hz: 40.0,
         current_time_constant_s: 2e-4,
+        current_delay_s: 0.0,
+        transmission: None,
         gains: None,
+        notches: Vec::new(),
+        friction_compensation: None,
+        backlash_compensation: None,
     }
 }
 
-fn servo(axis: &Axis, drive: &Drive, period: f64) -> Result<ServoAxis, seamwright_servo::Error> {
+/// Tunes the position loop of `axis` on its drive in simulation, or on the assumed one if the file describes none.
+///
+/// # Errors
+/// [`Error::Drive`] if its values make no drive, or one that cannot be tuned.
+pub fn tune_axis(axis: &Axis, period_s: f64) -> Result<Tuned, Error> {
+    let drive = axis.drive.clone().unwrap_or_else(|| assumed(axis));
+    parameters(axis, &drive)
+        .and_then(|parameters| tune(&parameters, period_s, axis.max_speed))
+        .map_err(|e| Error::Drive { axis: axis.name.clone(), reason: e.to_string() })
+}
+
+fn parameters(axis: &Axis, drive: &Drive) -> Result<DriveParameters, seamwright_servo::Error> {
     let Load { inertia, peak, coulomb, viscous } = drive.load;
     let tuning = DriveTuning {
         velocity_bandwidth_hz: drive.velocity_bandwidth_hz,
         current_time_constant_s: drive.current_time_constant_s,
+        current_delay_s: drive.current_delay_s,
         encoder_counts_per_unit: drive.encoder_counts_per_unit,
     };
-    let parameters = match axis.kind {
+    let mut parameters = match axis.kind {
         AxisKind::Linear => DriveParameters::linear(
             LinearLoad { mass_kg: inertia, peak_force_n: peak, coulomb_n: coulomb, viscous_n_s_per_m: viscous },
             tuning,
@@ -86,9 +108,38 @@ fn servo(axis: &Axis, drive: &Drive, period: f64) -> Result<ServoAxis, seamwrigh
             tuning,
         ),
     }?;
+    if let Some(limit) = drive.force_limit {
+        parameters = parameters.with_force_limit(limit)?;
+    }
+    let Some(t) = drive.transmission else { return Ok(parameters) };
+    parameters.with_transmission(Transmission {
+        resonance_hz: t.resonance_hz,
+        damping: t.damping,
+        load_ratio: t.load_ratio,
+        backlash: t.backlash,
+        motor_friction: t.motor_friction,
+        encoder_on: match t.encoder_on {
+            seamwright_machine::EncoderSide::Motor => EncoderSide::Motor,
+            seamwright_machine::EncoderSide::Load => EncoderSide::Load,
+        },
+    })
+}
+
+fn servo(axis: &Axis, drive: &Drive, period: f64) -> Result<ServoAxis, seamwright_servo::Error> {
     let gains = match drive.gains {
         Some(g) => Gains { kp: g.kp, ki: g.ki, kd: g.kd, kvff: g.kvff, kaff: g.kaff },
         None => Gains::suggested(drive.velocity_bandwidth_hz, period),
     };
-    ServoAxis::new(gains, SPEED_RESERVE * axis.max_speed, parameters, period)
+    let mut position_loop = PositionLoop::new(gains, period, SPEED_RESERVE * axis.max_speed)?;
+    for n in &drive.notches {
+        position_loop = position_loop.with_notch(Notch::new(n.frequency_hz, n.depth, n.width_hz, period)?)?;
+    }
+    if let Some(f) = drive.friction_compensation {
+        let friction = FrictionCompensation { force: f.force, smoothing: f.smoothing };
+        position_loop = position_loop.with_friction(friction)?;
+    }
+    if let Some(b) = drive.backlash_compensation {
+        position_loop = position_loop.with_backlash(BacklashCompensation { width: b.width, time_s: b.time_s })?;
+    }
+    ServoAxis::with_loop(position_loop, parameters(axis, drive)?)
 }

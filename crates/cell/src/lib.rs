@@ -13,7 +13,7 @@ mod sample;
 mod simulate;
 mod summary;
 
-pub use drives::check_drives;
+pub use drives::{check_drives, tune_axis};
 pub use error::Error;
 pub use sample::Sample;
 pub use simulate::simulate;

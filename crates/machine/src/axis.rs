@@ -1,4 +1,4 @@
-use crate::PitchError;
+use crate::{EncoderSide, PitchError};
 use std::f64::consts::{PI, TAU};
 
 /// Linear or rotary.
@@ -46,8 +46,66 @@ pub struct Drive {
     pub velocity_bandwidth_hz: f64,
     /// Time constant of the current loop, s.
     pub current_time_constant_s: f64,
+    /// Dead time of the current loop, s.
+    pub current_delay_s: f64,
+    /// Force or torque that it is limited to; none: its peak.
+    pub force_limit: Option<f64>,
+    /// What is between motor and load; none: they are one.
+    pub transmission: Option<Transmission>,
     /// Gains of the position loop; none: to follow from the velocity loop.
     pub gains: Option<Gains>,
+    /// Notch filters of the position loop, two at most.
+    pub notches: Vec<Notch>,
+    /// Friction fed forward.
+    pub friction_compensation: Option<FrictionCompensation>,
+    /// Lost motion made up for.
+    pub backlash_compensation: Option<BacklashCompensation>,
+}
+
+/// An elastic transmission with a gap; mm or rad.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Transmission {
+    /// Frequency at which motor and load swing against each other, Hz.
+    pub resonance_hz: f64,
+    /// Damping of that swing, a part of the critical one.
+    pub damping: f64,
+    /// Inertia of the load over that of the motor.
+    pub load_ratio: f64,
+    /// Whole width of the gap.
+    pub backlash: f64,
+    /// Part of the friction that is at the motor.
+    pub motor_friction: f64,
+    /// Which side the encoder measures.
+    pub encoder_on: EncoderSide,
+}
+
+/// A notch filter on the speed command.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Notch {
+    /// Centre, Hz.
+    pub frequency_hz: f64,
+    /// Gain at the centre.
+    pub depth: f64,
+    /// Width, Hz.
+    pub width_hz: f64,
+}
+
+/// Coulomb friction fed forward.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FrictionCompensation {
+    /// Force or torque, N or N m.
+    pub force: f64,
+    /// Set speed at which it has risen to 76 %; mm/s or rad/s.
+    pub smoothing: f64,
+}
+
+/// Lost motion made up for on reversal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BacklashCompensation {
+    /// Whole lost motion, mm or rad.
+    pub width: f64,
+    /// Time that a reversal is spread over, s.
+    pub time_s: f64,
 }
 
 /// Gains of a position loop (DUALBEAM-2013).

@@ -187,6 +187,8 @@ pub struct DriveFile {
     pub mass_kg: Option<Positive>,
     /// Peak force of a linear axis' drive, N.
     pub peak_force_n: Option<Positive>,
+    /// Force that a linear axis' drive is limited to, N; the peak if missing.
+    pub force_limit_n: Option<Positive>,
     /// Coulomb friction of a linear axis, N.
     pub friction_n: Option<NonNegative>,
     /// Viscous friction of a linear axis, N s/m.
@@ -195,6 +197,8 @@ pub struct DriveFile {
     pub inertia_kg_m2: Option<Positive>,
     /// Peak torque of a rotary axis' drive, N m.
     pub peak_torque_n_m: Option<Positive>,
+    /// Torque that a rotary axis' drive is limited to, N m; the peak if missing.
+    pub torque_limit_n_m: Option<Positive>,
     /// Coulomb friction of a rotary axis, N m.
     pub friction_n_m: Option<NonNegative>,
     /// Viscous friction of a rotary axis, N m s/rad.
@@ -203,10 +207,26 @@ pub struct DriveFile {
     pub encoder_counts_per_mm: Option<Positive>,
     /// Encoder counts per degree.
     pub encoder_counts_per_deg: Option<Positive>,
+    /// Frequency at which motor and load swing against each other, both free, Hz; one rigid mass if missing.
+    pub resonance_hz: Option<Positive>,
+    /// Damping of that swing as a part of the critical one; 0.02 if missing.
+    pub resonance_damping: Option<NonNegative>,
+    /// Inertia of the load over that of the motor; needed with `resonance_hz`.
+    pub load_ratio: Option<Positive>,
+    /// Gap between motor and load of a linear axis, mm.
+    pub backlash_mm: Option<NonNegative>,
+    /// Gap between motor and load of a rotary axis, degrees.
+    pub backlash_deg: Option<NonNegative>,
+    /// Part of the friction that is at the motor, 0 to 1; the rest is at the load. 0 if missing.
+    pub motor_friction: Option<NonNegative>,
+    /// Where the position encoder is; `motor` if missing.
+    pub encoder_on: Option<EncoderSide>,
     /// Bandwidth of the velocity loop, Hz.
     pub velocity_bandwidth_hz: Positive,
     /// Time constant of the current loop, ms; 0.2 if missing.
     pub current_time_constant_ms: Option<Positive>,
+    /// Dead time from the velocity loop's measurement to the current, ms; 0 if missing.
+    pub current_delay_ms: Option<NonNegative>,
     /// Position loop: proportional gain, 1/s. With all gains missing they follow from the velocity loop.
     pub kp_per_s: Option<NonNegative>,
     /// Position loop: integral gain, 1/s^2.
@@ -217,6 +237,46 @@ pub struct DriveFile {
     pub kvff: Option<NonNegative>,
     /// Acceleration feed-forward, s.
     pub kaff_s: Option<NonNegative>,
+    /// Position loop: notch filters of the speed command, two at most.
+    #[serde(default)]
+    pub notches: Vec<NotchFile>,
+    /// Coulomb friction fed forward on a linear axis, N.
+    pub friction_compensation_n: Option<NonNegative>,
+    /// Coulomb friction fed forward on a rotary axis, N m.
+    pub friction_compensation_n_m: Option<NonNegative>,
+    /// Set speed at which it has risen to 76 %, mm/s; 0.2 % of the highest speed if missing.
+    pub friction_smoothing_mm_s: Option<Positive>,
+    /// Set speed at which it has risen to 76 %, degrees/s; 0.2 % of the highest speed if missing.
+    pub friction_smoothing_deg_s: Option<Positive>,
+    /// Lost motion made up for on a linear axis, mm: half of it is added in the direction of motion.
+    pub backlash_compensation_mm: Option<NonNegative>,
+    /// Lost motion made up for on a rotary axis, degrees.
+    pub backlash_compensation_deg: Option<NonNegative>,
+    /// Time that a reversal is spread over, ms; 20 if missing.
+    pub backlash_compensation_ms: Option<Positive>,
+}
+
+/// Which side of the transmission an encoder measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum EncoderSide {
+    /// The motor.
+    #[default]
+    Motor,
+    /// The load.
+    Load,
+}
+
+/// A notch filter.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct NotchFile {
+    /// Centre, Hz; below half the rate of the position loop.
+    pub frequency_hz: Positive,
+    /// Gain at the centre, 0 to 1.
+    pub depth: NonNegative,
+    /// Width between the edges, Hz.
+    pub width_hz: Positive,
 }
 
 /// Outputs of the control, by number.

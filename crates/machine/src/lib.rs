@@ -21,10 +21,13 @@ mod shipped;
 mod solids;
 mod surroundings;
 
-pub use axis::{Axis, AxisKind, Drive, Gains, Load, RangeViolation};
+pub use axis::{
+    Axis, AxisKind, BacklashCompensation, Drive, FrictionCompensation, Gains, Load, Notch, RangeViolation, Transmission,
+};
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
 pub use file::{
-    DriveFile, HeadFile, Io, LinkClearanceFile, MachineFile, PitchErrorFile, StepFile, TorchFile, ZoneFile, ZoneKind,
+    DriveFile, EncoderSide, HeadFile, Io, LinkClearanceFile, MachineFile, NotchFile, PitchErrorFile, StepFile,
+    TorchFile, ZoneFile, ZoneKind,
 };
 pub use head::Head;
 pub use inverse::{Branches, MAX_BRANCHES, Solution, Unreachable};

@@ -1,6 +1,6 @@
 //! Mistakes in machine files are refused with their address.
 
-use seamwright_machine::{Machine, shipped};
+use seamwright_machine::{EncoderSide, Machine, shipped};
 
 fn saddle() -> &'static str {
     shipped("saddle-4axis").unwrap().text
@@ -39,6 +39,63 @@ fn mistakes_have_an_address() {
     assert_eq!(key("[drives.theta]", "[drives.tetha]"), "drives.tetha");
     assert_eq!(key("inertia_kg_m2 = 30", "mass_kg = 30"), "drives.theta");
     assert!(wrong("max_speed_deg_s = 30", "max_sped_deg_s = 30").1.contains("did you mean `max_speed_deg_s`?"));
+}
+
+#[test]
+fn mistakes_in_a_drive_have_an_address() {
+    // The first velocity loop is theta's, a rotary axis.
+    let theta = |more: &str| {
+        let (key, _) = wrong("velocity_bandwidth_hz = 25", &format!("velocity_bandwidth_hz = 25\n{more}"));
+        key.strip_prefix("drives.theta").unwrap_or(&key).to_owned()
+    };
+    assert_eq!(theta("resonance_hz = 0\nload_ratio = 2"), ".resonance_hz");
+    assert_eq!(theta("resonance_hz = nan\nload_ratio = 2"), ".resonance_hz");
+    assert_eq!(theta("resonance_hz = 20"), ".resonance_hz");
+    assert_eq!(theta("load_ratio = 2"), ".load_ratio");
+    assert_eq!(theta("backlash_deg = 0.01"), ".backlash_deg");
+    assert_eq!(theta("encoder_on = \"load\""), ".encoder_on");
+    let elastic = |more: &str| theta(&format!("resonance_hz = 20\nload_ratio = 2\n{more}"));
+    assert_eq!(elastic("resonance_damping = 1.2"), ".resonance_damping");
+    assert_eq!(elastic("motor_friction = 1.01"), ".motor_friction");
+    assert_eq!(elastic("backlash_deg = -0.1"), ".backlash_deg");
+    assert_eq!(elastic("encoder_on = \"gear\""), ".encoder_on");
+    // Lengths on a rotary axis.
+    for key in ["backlash_mm = 0.1", "force_limit_n = 10", "friction_compensation_n = 3", "encoder_counts_per_mm = 1"] {
+        assert_eq!(elastic(key), "");
+    }
+    assert_eq!(theta("torque_limit_n_m = 151"), ".torque_limit_n_m");
+    assert_eq!(theta("torque_limit_n_m = 8"), ".torque_limit_n_m");
+    assert_eq!(theta("current_delay_ms = -1"), ".current_delay_ms");
+    assert_eq!(theta("friction_smoothing_deg_s = 1"), ".friction_smoothing_deg_s");
+    assert_eq!(theta("friction_compensation_n_m = 5\nfriction_smoothing_deg_s = 0"), ".friction_smoothing_deg_s");
+    assert_eq!(theta("backlash_compensation_ms = 5"), ".backlash_compensation_ms");
+    assert_eq!(theta("backlash_compensation_deg = nan"), ".backlash_compensation_deg");
+    let notch = |n: &str| theta(&format!("notches = [{n}]"));
+    assert_eq!(notch("{ frequency_hz = 600, depth = 0.1, width_hz = 20 }"), ".notches[0].frequency_hz");
+    assert_eq!(notch("{ frequency_hz = 60, depth = 1.1, width_hz = 20 }"), ".notches[0].depth");
+    assert_eq!(notch("{ frequency_hz = 60, depth = 0.1, width_hz = 0 }"), ".notches[0].width_hz");
+    let good = "{ frequency_hz = 60, depth = 0.1, width_hz = 20 }";
+    assert_eq!(notch(&[good; 3].join(", ")), ".notches");
+}
+
+#[test]
+fn a_drive_is_read_in_mm_and_rad() {
+    let more =
+        "velocity_bandwidth_hz = 25\nresonance_hz = 20\nload_ratio = 2\nbacklash_deg = 0.01\nencoder_on = \"load\"
+torque_limit_n_m = 100\ncurrent_delay_ms = 0.25\nfriction_compensation_n_m = 7\nbacklash_compensation_deg = 0.02
+notches = [{ frequency_hz = 60, depth = 0.1, width_hz = 20 }]";
+    let machine = Machine::read("m.toml", &saddle().replacen("velocity_bandwidth_hz = 25", more, 1)).unwrap();
+    let drive = machine.axes[0].drive.clone().unwrap();
+    let transmission = drive.transmission.unwrap();
+    assert!((transmission.backlash - 0.01f64.to_radians()).abs() < 1e-15);
+    assert!((transmission.damping - 0.02).abs() < 1e-15 && transmission.encoder_on == EncoderSide::Load);
+    assert!(drive.force_limit == Some(100.0) && (drive.current_delay_s - 2.5e-4).abs() < 1e-15);
+    let friction = drive.friction_compensation.unwrap();
+    assert!((friction.force - 7.0).abs() < 1e-15 && (friction.smoothing - 0.06f64.to_radians()).abs() < 1e-15);
+    let backlash = drive.backlash_compensation.unwrap();
+    assert!((backlash.width - 0.02f64.to_radians()).abs() < 1e-15 && (backlash.time_s - 0.02).abs() < 1e-15);
+    assert_eq!(drive.notches.len(), 1);
+    assert!((drive.encoder_counts_per_unit - 20_000f64 * 1f64.to_degrees()).abs() < 1e-6);
 }
 
 /// Mistakes with two heads.

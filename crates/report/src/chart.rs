@@ -67,6 +67,9 @@ pub struct Chart {
     /// One unit of x is as long as one of y, as for a path in a plane. Ignored in a
     /// [`ChartGrid`](crate::ChartGrid).
     pub equal_aspect: bool,
+    /// The x axis is logarithmic: what is not above zero is a gap. In a [`ChartGrid`](crate::ChartGrid) that of the
+    /// first chart counts.
+    pub log_x: bool,
     /// Lowest and highest y shown, instead of a range that fits.
     pub y_range: Option<(f64, f64)>,
     /// Height of the plot area in px at a width of 920 px; 220 (with equal aspect: what the data
@@ -88,11 +91,13 @@ impl Chart {
     }
 
     fn drawn(&self) -> impl Iterator<Item = (f64, f64)> {
-        self.series.iter().flat_map(|s| &s.points).copied().filter(|p| usable(p.0) && usable(p.1))
+        let visible = |p: &(f64, f64)| usable(p.0) && usable(p.1) && (!self.log_x || p.0 > 0.0);
+        self.series.iter().flat_map(|s| &s.points).copied().filter(visible)
     }
 
+    /// Range of x, of its decimal logarithm if the axis is logarithmic.
     pub(crate) fn x_extent(&self) -> Option<Domain> {
-        Domain::of(self.drawn().map(|p| p.0))
+        Domain::of(self.drawn().map(|p| if self.log_x { p.0.log10() } else { p.0 }))
     }
 
     pub(crate) fn y_extent(&self) -> Option<Domain> {

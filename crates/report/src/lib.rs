@@ -5,6 +5,7 @@
 //! Only the folder `weld` knows of welding and machines: it fills the page with a weld.
 //!
 //! - [`Chart`] plots series over one axis, against limits; [`ChartGrid`] sets several on one x axis.
+//! - [`Bode`] makes them a frequency response with its margins.
 //! - [`ThreeViews`] draws a curve in space in first-angle projection.
 //! - [`Page`] gathers figures, tables, findings and listings into one HTML file.
 //!
@@ -14,6 +15,7 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
 mod block;
+mod bode;
 mod chart;
 mod domain;
 mod grid;
@@ -38,6 +40,7 @@ mod views;
 mod weld;
 
 pub use block::{Block, Finding, Severity, Table, Tile};
+pub use bode::Bode;
 pub use chart::{Axis, Band, Chart};
 pub use grid::ChartGrid;
 pub use limit::LimitLine;

@@ -15,17 +15,32 @@ const SMALL: f64 = 11.0;
 
 /// A vertical or horizontal scale.
 pub(crate) struct Scale {
+    /// Of decimal logarithms on a logarithmic scale.
     pub(crate) domain: Domain,
     ticks: Ticks,
+    logarithmic: bool,
 }
 
 impl Scale {
     /// The x scale shared by `charts`, for a plot `length` px wide.
-    pub(crate) fn x<'a>(charts: impl IntoIterator<Item = &'a Chart>, length: f64) -> Self {
+    pub(crate) fn x<'a>(charts: impl IntoIterator<Item = &'a Chart> + Clone, length: f64) -> Self {
+        let logarithmic = charts.clone().into_iter().next().is_some_and(|c| c.log_x);
         match charts.into_iter().filter_map(Chart::x_extent).reduce(Domain::union) {
+            Some(domain) if logarithmic => Self::decades(domain.settled(), length),
             Some(domain) => Self::across(domain.settled(), length),
             None => Self::blank(),
         }
+    }
+
+    /// A logarithmic x scale over `domain`, which is one of decimal logarithms.
+    fn decades(domain: Domain, length: f64) -> Self {
+        let most = ((length / 45.0) as usize).clamp(3, 14);
+        Self { domain, ticks: Ticks::decades(domain, most), logarithmic: true }
+    }
+
+    /// Where `value` is in the domain.
+    fn place(&self, value: f64) -> f64 {
+        if self.logarithmic { value.log10() } else { value }
     }
 
     /// An x scale over `domain`, with ticks as close as their labels allow.
@@ -36,7 +51,7 @@ impl Scale {
             (widest + 10.0) * t.values.len() as f64 <= length
         };
         let ticks = (3..=most).rev().map(|n| Ticks::new(domain, n)).find(fits);
-        Self { domain, ticks: ticks.unwrap_or_else(|| Ticks::new(domain, 3)) }
+        Self { domain, ticks: ticks.unwrap_or_else(|| Ticks::new(domain, 3)), logarithmic: false }
     }
 
     /// The y scale of `chart`, for a plot `length` px high.
@@ -46,12 +61,12 @@ impl Scale {
 
     /// A y scale over `domain`.
     pub(crate) fn upward(domain: Domain, length: f64) -> Self {
-        Self { domain, ticks: Ticks::new(domain, ((length / 36.0) as usize).clamp(3, 8)) }
+        Self { domain, ticks: Ticks::new(domain, ((length / 36.0) as usize).clamp(3, 8)), logarithmic: false }
     }
 
     /// A scale on which nothing is shown, and so without numbers.
     fn blank() -> Self {
-        Self { domain: Domain { lo: 0.0, hi: 1.0 }, ticks: Ticks::default() }
+        Self { domain: Domain { lo: 0.0, hi: 1.0 }, ticks: Ticks::default(), logarithmic: false }
     }
 
     /// Room for tick labels left of the plot, px.
@@ -103,9 +118,11 @@ impl Plot<'_> {
     }
 
     fn px(&self, (x, y): (f64, f64)) -> (f64, f64) {
+        let x = self.x.place(x);
         if usable(x) && usable(y) { (self.at_x(x), self.at_y(y)) } else { (f64::NAN, f64::NAN) }
     }
 
+    /// Px of a place in the domain of the x scale.
     fn at_x(&self, x: f64) -> f64 {
         self.x.domain.map(x, self.frame.x, self.frame.right())
     }
@@ -190,11 +207,12 @@ impl Plot<'_> {
 
     /// Left and right edge of a band inside the frame, px.
     fn band(&self, band: &Band) -> Option<(f64, f64)> {
-        if band.from.is_nan() || band.to.is_nan() {
+        let (from, to) = (self.x.place(band.from), self.x.place(band.to));
+        if from.is_nan() || to.is_nan() {
             return None;
         }
         let d = self.x.domain;
-        let (from, to) = (band.from.min(band.to).max(d.lo), band.from.max(band.to).min(d.hi));
+        let (from, to) = (from.min(to).max(d.lo), from.max(to).min(d.hi));
         (from < to).then(|| (self.at_x(from), self.at_x(to)))
     }
 }

@@ -8,6 +8,8 @@ use crate::number::{format_fixed, format_number};
 pub(crate) struct Ticks {
     pub(crate) values: Vec<f64>,
     step: f64,
+    /// The values are decimal logarithms of what the labels say.
+    logarithmic: bool,
 }
 
 impl Ticks {
@@ -27,7 +29,10 @@ impl Ticks {
                 }
             }
         }
-        best.map_or_else(|| Self { values: vec![domain.lo, domain.hi], step: domain.span() }, |(_, ticks)| ticks)
+        best.map_or_else(
+            || Self { values: vec![domain.lo, domain.hi], step: domain.span(), logarithmic: false },
+            |(_, ticks)| ticks,
+        )
     }
 
     /// The ticks of step `mantissa * 10^exponent` inside `domain`; possibly none.
@@ -40,7 +45,7 @@ impl Ticks {
         let count = (domain.hi / step + 1e-9).floor() - first + 1.0;
         let count = if count > 0.0 { count.min(200.0) as u32 } else { 0 };
         let values = (0..count).map(|k| value(first + f64::from(k)).clamp(domain.lo, domain.hi) + 0.0).collect();
-        Self { values, step }
+        Self { values, step, logarithmic: false }
     }
 
     /// The ticks inside `domain` with the least round step not under `least`, for views that
@@ -53,8 +58,24 @@ impl Ticks {
         Self::stepped(domain, mantissa, exponent)
     }
 
-    /// The labels, all with the same number of decimals.
+    /// Ticks for a domain of decimal logarithms: 1, 2 and 5 times powers of ten, or the powers alone if those are `most` or
+    /// more; the values are logarithms.
+    pub(crate) fn decades(domain: Domain, most: usize) -> Self {
+        let powers = domain.lo.floor() as i32..=domain.hi.ceil() as i32;
+        let ticks = |mantissas: &[f64]| -> Vec<f64> {
+            let all = powers.clone().flat_map(|p| mantissas.iter().map(move |m| f64::from(p) + m.log10()));
+            all.filter(|v| domain.contains(*v)).collect()
+        };
+        let fine = ticks(&[1.0, 2.0, 5.0]);
+        let values = if fine.len() < most { fine } else { ticks(&[1.0]) };
+        Self { values, step: 1.0, logarithmic: true }
+    }
+
+    /// The labels, all with the same number of decimals; on a logarithmic scale with as many as they need.
     pub(crate) fn labels(&self) -> Vec<String> {
+        if self.logarithmic {
+            return self.values.iter().map(|v| format_number(10f64.powf(*v), 3)).collect();
+        }
         let largest = self.values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
         let decimals = -(self.step.log10() + 1e-9).floor();
         if largest >= 1e7 || decimals > 5.0 {
@@ -109,6 +130,15 @@ mod tests {
             assert!(labels.iter().all(|l| l.len() < 20), "{labels:?}");
             assert!(labels.windows(2).all(|w| w[0] != w[1]), "{lo:e}..{hi:e}: {labels:?}");
         }
+    }
+
+    #[test]
+    fn decades_are_divided_if_there_is_room() {
+        assert_eq!(
+            Ticks::decades(Domain { lo: 0.1, hi: 2.4 }, 12).labels(),
+            ["2", "5", "10", "20", "50", "100", "200"]
+        );
+        assert_eq!(Ticks::decades(Domain { lo: -2.5, hi: 3.0 }, 9).labels(), ["0.01", "0.1", "1", "10", "100", "1000"]);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! One simulated servo axis: position loop, drive and encoder.
 
-use crate::drive::Drive;
+use crate::drive::{Disturbance, Drive};
 use crate::error::Error;
 use crate::notch::Notch;
 use crate::parameters::DriveParameters;
@@ -12,13 +12,13 @@ use crate::position_loop::{Gains, PositionLoop, SetPoint};
 /// command, current and saturation are those of the period that follows, `t_k` to `t_k+1`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct AxisState {
-    /// True position at `t_k` (u).
+    /// True position of the load at `t_k` (u).
     pub position: f64,
-    /// True speed at `t_k` (u/s).
+    /// True speed of the load at `t_k` (u/s).
     pub velocity: f64,
     /// The encoder's reading at `t_k` (u).
     pub measured: f64,
-    /// Set position minus true position, both at `t_k` (u).
+    /// Set position minus true position of the load, both at `t_k` (u).
     pub following_error: f64,
     /// Speed command held from `t_k` to `t_k+1` (u/s).
     pub command: f64,
@@ -41,6 +41,7 @@ pub struct AxisState {
 /// let tuning = DriveTuning {
 ///     velocity_bandwidth_hz: 80.0,
 ///     current_time_constant_s: 3e-4,
+///     current_delay_s: 0.0,
 ///     encoder_counts_per_unit: 1000.0,
 /// };
 /// let parameters = DriveParameters::linear(load, tuning)?;
@@ -66,10 +67,15 @@ impl ServoAxis {
     /// # Errors
     /// Those of [`PositionLoop::new`] and [`Drive::new`].
     pub fn new(gains: Gains, max_speed: f64, parameters: DriveParameters, period_s: f64) -> Result<Self, Error> {
-        Ok(Self {
-            position_loop: PositionLoop::new(gains, period_s, max_speed)?,
-            drive: Drive::new(parameters, period_s)?,
-        })
+        Self::with_loop(PositionLoop::new(gains, period_s, max_speed)?, parameters)
+    }
+
+    /// An axis at rest at 0 with a position loop that has been made before, stepped with that loop's period.
+    ///
+    /// # Errors
+    /// Those of [`Drive::new`].
+    pub fn with_loop(position_loop: PositionLoop, parameters: DriveParameters) -> Result<Self, Error> {
+        Ok(Self { position_loop, drive: Drive::new(parameters, position_loop.period_s())? })
     }
 
     /// The same axis with its speed command sent through `notch`.
@@ -80,15 +86,15 @@ impl ServoAxis {
         Ok(Self { position_loop: self.position_loop.with_notch(notch)?, ..self })
     }
 
-    /// Runs one servo period, from the set-point's instant to the next, with an outside force
-    /// `disturbance` (N or N m, positive towards positive positions) over all of it.
+    /// Runs one servo period, from the set-point's instant to the next, with outside forces `disturbance` over all of it:
+    /// a number is a force on the load (N or N m, positive towards positive positions).
     ///
     /// Guarantee: `|command| <= max_speed` and `|current| <= 1`, whatever the inputs.
-    pub fn step(&mut self, set: SetPoint, disturbance: f64) -> AxisState {
+    pub fn step(&mut self, set: SetPoint, disturbance: impl Into<Disturbance>) -> AxisState {
         let (position, velocity) = (self.drive.position(), self.drive.velocity());
-        let measured = self.drive.parameters().encoder.read(position);
+        let measured = self.drive.measured();
         let command = self.position_loop.update(set, measured);
-        self.drive.step(command, disturbance);
+        self.drive.step(command, self.position_loop.force(), disturbance);
         AxisState {
             position,
             velocity,
@@ -100,7 +106,7 @@ impl ServoAxis {
         }
     }
 
-    /// Puts the axis at rest at `position` (u), with nothing pushing on it and no memory.
+    /// Puts the axis at rest with its encoder at `position` (u), with nothing pushing on it and no memory.
     pub fn settle_at(&mut self, position: f64) {
         self.settle_loaded_at(position, 0.0);
     }

@@ -1,46 +1,75 @@
 //! The simulated servo drive: speed command in, motion of the load out.
 
+use std::f64::consts::TAU;
+
 use crate::error::{Error, servo_period, within};
-use crate::load::Load;
+use crate::mechanism::Mechanism;
 use crate::parameters::DriveParameters;
 
 /// Largest product of velocity gain and sub-step chosen by [`Drive::new`].
 ///
 /// The velocity loop then runs at 20 times its bandwidth in rad/s (126 times that in Hz).
 const FINEST: f64 = 0.1;
+/// Largest part of a swing of the transmission (rad) in a sub-step: its frequency is then high by 0.04 % at most.
+const FINEST_SWING: f64 = 0.1;
 /// Fewest and most sub-steps in a servo period.
 const SUB_STEPS: (f64, f64) = (8.0, 20_000.0);
+/// Most sub-steps of dead time, plus one for the part of a sub-step.
+const PENDING: usize = 128;
+
+/// Outside forces on an axis (N or N m), positive towards positive positions. A plain number acts on the load.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Disturbance {
+    /// On the motor: ripple of its torque.
+    pub motor: f64,
+    /// On the load: its weight, the process.
+    pub load: f64,
+}
+
+impl From<f64> for Disturbance {
+    fn from(load: f64) -> Self {
+        Self { motor: 0.0, load }
+    }
+}
 
 /// A vector-controlled servo drive with its load (DUALBEAM-2013), in simulation.
 ///
-/// Speed command -> velocity loop -> current demand, limited to the peak -> current loop (first-order
-/// lag) -> [`Load`] with friction and an outside force. Current is counted as the acceleration
-/// (u/s^2) it gives the load.
+/// Speed command -> velocity loop -> current demand, limited -> current loop (dead time and first-order
+/// lag) -> one mass, or motor and load with a spring and a gap between ([`Transmission`](crate::Transmission)), with
+/// friction and an outside force on the load. Current is counted as the acceleration (u/s^2) it gives both together.
 ///
 /// **Velocity loop.** `demand = Kv (r/2 - v) + Kv (w/2) * integral(r - v)` with `w` the bandwidth
 /// (rad/s) and `Kv = 2 w`: a PI controller that weighs its set-point `r` by one half. The weight
 /// puts the zero on one of the two poles at `-w`, so the speed follows its command as the plain
 /// lag `1 / (1 + s/w)`, without overshoot, while a force `d` (u/s^2) is rejected as `s / (s + w)^2`.
 /// The integrator stops while the demand is limited and the error would only push it further.
-/// The speed fed back is the true one: drives interpolate their resolver far below a count.
+/// The speed fed back is the motor's true one: drives interpolate their resolver far below a count.
 ///
 /// **Accuracy.** Each servo period is cut in a fixed number of sub-steps. The velocity loop runs
 /// once in each, as the loop of a digital drive does, which brings a first-order error in the sub-step
-/// against a continuous loop. Between, the current's lag is exact and the load moves in closed form
+/// against a continuous loop. Between, the current's lag is exact and a single mass moves in closed form
 /// under the current's exact mean over the sub-step: exact for a steady current, second order
-/// otherwise, stops included to first order.
+/// otherwise, stops included to first order. A spring is integrated to second order as well. Of a demand
+/// that changes within a sub-step, as dead time makes it, the mean acts.
 ///
 /// **Guarantee.** `|current()| <= 1` always; inputs of any physical size give finite states.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drive {
     parameters: DriveParameters,
-    load: Load,
+    mechanism: Mechanism,
     sub_steps: u32,
     step_s: f64,
     /// Part of the current's distance to its demand left at the end of a sub-step, and on average.
     lag_end: f64,
     lag_mean: f64,
+    /// Dead time in whole sub-steps and the part of one.
+    delay: (usize, f64),
+    /// The last demands, newest at `newest`, going back round the array.
+    pending: [f64; PENDING],
+    newest: usize,
     current: f64,
+    /// Mean of the current over the last period.
+    mean: f64,
     integral: f64,
     limited: bool,
 }
@@ -49,11 +78,12 @@ impl Drive {
     /// A drive at rest at 0, with as many sub-steps per `period_s` (s) as its bandwidth needs.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a period outside 1e-6 to 1 s, or so long against the bandwidth that
-    /// it would take more than 20 000 sub-steps.
+    /// [`Error::OutOfRange`] for a period outside 1e-6 to 1 s, or so long against bandwidth or resonance that
+    /// it would take more than 20 000 sub-steps; for a dead time of more than 127 sub-steps.
     pub fn new(parameters: DriveParameters, period_s: f64) -> Result<Self, Error> {
-        let needed = (servo_period(period_s)? * 2.0 * parameters.bandwidth / FINEST).ceil();
-        let allowed = "at most 20000 sub-steps of 1 / (40 pi * velocity_bandwidth_hz)";
+        let swing = parameters.transmission.map_or(0.0, |t| TAU * t.resonance_hz / FINEST_SWING);
+        let needed = (servo_period(period_s)? * swing.max(2.0 * parameters.bandwidth / FINEST)).ceil();
+        let allowed = "at most 20000 sub-steps of 1 / (40 pi * velocity_bandwidth_hz) or 1 / (20 pi * resonance_hz)";
         within("period_s", needed, (0.0, SUB_STEPS.1), allowed).map_err(|_| Error::OutOfRange {
             name: "period_s",
             value: period_s,
@@ -68,46 +98,69 @@ impl Drive {
     /// Far below what [`Drive::new`] takes, the sampled velocity loop becomes unstable.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a period outside 1e-6 to 1 s or a number of sub-steps outside 1 to 1e6.
+    /// [`Error::OutOfRange`] for a period outside 1e-6 to 1 s, a number of sub-steps outside 1 to 1e6 or a dead time
+    /// of more than 127 sub-steps.
     pub fn with_sub_steps(parameters: DriveParameters, period_s: f64, sub_steps: u32) -> Result<Self, Error> {
         let count = within("sub_steps", f64::from(sub_steps), (1.0, 1e6), "1 to 1e6")?;
         let step_s = servo_period(period_s)? / count;
+        let delay = parameters.current_delay / step_s;
+        let most = (PENDING - 1) as f64;
+        within(
+            "current_delay_s",
+            parameters.current_delay,
+            (0.0, most * step_s),
+            "at most 127 sub-steps of the drive",
+        )?;
         let lags = step_s / parameters.current_time_constant;
         let (lag_end, lag_mean) = if lags.is_finite() { ((-lags).exp(), -(-lags).exp_m1() / lags) } else { (0.0, 0.0) };
         Ok(Self {
             parameters,
-            load: Load::new(parameters.coulomb, parameters.viscous),
+            mechanism: Mechanism::new(parameters.friction(), parameters.transmission),
             sub_steps,
             step_s,
             lag_end,
             lag_mean,
+            // In range by the line above, so the cast is exact.
+            delay: (delay as usize, delay.fract()),
+            pending: [0.0; PENDING],
+            newest: 0,
             current: 0.0,
+            mean: 0.0,
             integral: 0.0,
             limited: false,
         })
     }
 
-    /// Runs one servo period under a speed `command` (u/s) and an outside force `disturbance`
-    /// (N or N m, positive towards positive positions), both constant over the period.
+    /// Runs one servo period under a speed `command` (u/s), a force `feed_forward` (N or N m) that the velocity loop
+    /// adds to its own demand, and outside forces `disturbance`, all constant over the period.
     ///
-    /// A command or disturbance that is not a finite number counts as zero.
-    pub fn step(&mut self, command: f64, disturbance: f64) {
+    /// An input that is not a finite number counts as zero.
+    pub fn step(&mut self, command: f64, feed_forward: f64, disturbance: impl Into<Disturbance>) {
+        let Disturbance { motor, load } = disturbance.into();
         let command = finite_or_zero(command);
-        let outside = finite_or_zero(disturbance) * self.parameters.per_force;
+        let ahead = finite_or_zero(feed_forward) * self.parameters.per_force;
+        let ripple = finite_or_zero(motor) * self.parameters.per_force;
+        let outside = finite_or_zero(load) * self.parameters.per_force;
         self.limited = false;
+        let mut sum = 0.0;
         for _ in 0..self.sub_steps {
-            let demand = self.velocity_loop(command);
+            let demand = self.velocity_loop(command, ahead);
+            let demand = self.delayed(demand);
             let distance = self.current - demand;
-            self.load.advance(demand + distance * self.lag_mean + outside, self.step_s);
+            let push = demand + distance * self.lag_mean;
+            self.mechanism.advance(push + ripple, outside, self.step_s);
+            sum += push;
             self.current = demand + distance * self.lag_end;
         }
+        self.mean = sum / f64::from(self.sub_steps);
     }
 
-    fn velocity_loop(&mut self, command: f64) -> f64 {
-        let peak = self.parameters.peak;
+    fn velocity_loop(&mut self, command: f64, ahead: f64) -> f64 {
+        let peak = self.parameters.limit;
         let gain = 2.0 * self.parameters.bandwidth;
-        let error = command - self.load.velocity;
-        let proportional = gain * (0.5 * command - self.load.velocity);
+        let velocity = self.mechanism.motor().velocity;
+        let error = command - velocity;
+        let proportional = gain * (0.5 * command - velocity) + ahead;
         let integral = self.integral + gain * 0.5 * self.parameters.bandwidth * error * self.step_s;
         let wanted = proportional + integral;
         if wanted.abs() <= peak || wanted * error < 0.0 {
@@ -118,28 +171,49 @@ impl Drive {
         demand.clamp(-peak, peak)
     }
 
-    /// Puts the load at rest at `position` (u), the drive holding against `disturbance` (N or N m)
-    /// as far as its peak allows. A value that is not a finite number counts as zero.
+    /// Takes the demand of this sub-step and gives the mean of what has come through the dead time.
+    fn delayed(&mut self, demand: f64) -> f64 {
+        let (whole, part) = self.delay;
+        self.newest = (self.newest + 1) % PENDING;
+        self.pending[self.newest] = demand;
+        let before = |steps: usize| self.pending[(self.newest + PENDING - steps) % PENDING];
+        if part == 0.0 { before(whole) } else { before(whole) * (1.0 - part) + before(whole + 1) * part }
+    }
+
+    /// Puts the axis at rest with its encoder at `position` (u), the drive holding against `disturbance` (N or N m)
+    /// as far as its limit allows. A value that is not a finite number counts as zero.
     pub fn settle_at(&mut self, position: f64, disturbance: f64) {
-        let peak = self.parameters.peak;
+        let peak = self.parameters.limit;
         let disturbance = finite_or_zero(disturbance);
-        self.load.position = finite_or_zero(position);
-        self.load.velocity = 0.0;
         self.current = (-disturbance * self.parameters.per_force).clamp(-peak, peak);
-        self.integral = self.current;
+        self.mechanism.settle_at(finite_or_zero(position), self.current);
+        (self.mean, self.integral) = (self.current, self.current);
+        self.pending = [self.current; PENDING];
         self.limited = false;
     }
 
-    /// True position (u).
+    /// True position of the load (u).
     #[must_use]
     pub fn position(&self) -> f64 {
-        self.load.position
+        self.mechanism.load().position
     }
 
-    /// True speed (u/s).
+    /// True speed of the load (u/s).
     #[must_use]
     pub fn velocity(&self) -> f64 {
-        self.load.velocity
+        self.mechanism.load().velocity
+    }
+
+    /// True speed of the motor, as of the axis (u/s).
+    #[must_use]
+    pub fn motor_velocity(&self) -> f64 {
+        self.mechanism.motor().velocity
+    }
+
+    /// The encoder's reading (u).
+    #[must_use]
+    pub fn measured(&self) -> f64 {
+        self.parameters.encoder.read(self.mechanism.measured().position)
     }
 
     /// Current as a fraction of peak current, -1 to 1.
@@ -148,7 +222,13 @@ impl Drive {
         self.current / self.parameters.peak
     }
 
-    /// Whether the current demand was cut to the peak anywhere in the last period.
+    /// Mean of the current over the last period, as a fraction of peak current.
+    #[must_use]
+    pub fn mean_current(&self) -> f64 {
+        self.mean / self.parameters.peak
+    }
+
+    /// Whether the current demand was cut to its limit anywhere in the last period.
     #[must_use]
     pub fn limited(&self) -> bool {
         self.limited

@@ -24,6 +24,33 @@ pub enum Error {
         /// Peak force (N) or torque (N m).
         peak: f64,
     },
+    /// More notches than the loop has places for.
+    TooManyNotches {
+        /// How many it has.
+        places: usize,
+    },
+    /// The velocity loop does not settle at any bandwidth that was tried: nothing to build a position loop on.
+    VelocityLoopSwings {
+        /// The slowest that was tried (Hz).
+        bandwidth_hz: f64,
+    },
+    /// No frequency response can be measured: limits or standstills are met with every sine.
+    NotMeasurable {
+        /// The speed (u/s) at which it was tried.
+        speed: f64,
+    },
+    /// The best loop found does not have the margins that are required.
+    MarginsNotReached {
+        /// Gain margin (dB).
+        gain_db: f64,
+        /// Phase margin (degrees).
+        phase_deg: f64,
+    },
+    /// The tuned loop swings at constant speed.
+    Swings {
+        /// Greatest following error (counts of the encoder).
+        counts: f64,
+    },
     /// The current loop is too slow for the velocity loop asked: it would ring.
     VelocityLoopTooFast {
         /// What was asked (Hz).
@@ -43,6 +70,22 @@ impl fmt::Display for Error {
                 f,
                 "Coulomb friction {coulomb} is not below the peak force or torque {peak}: the axis could not move"
             ),
+            Self::TooManyNotches { places } => write!(f, "the position loop has places for {places} notches"),
+            Self::VelocityLoopSwings { bandwidth_hz } => write!(
+                f,
+                "the velocity loop does not settle down to {bandwidth_hz:.2} Hz: a stiffer transmission, a faster current loop, or more force over friction"
+            ),
+            Self::NotMeasurable { speed } => write!(
+                f,
+                "no frequency response can be measured at a speed of {speed}: the drive meets a limit or stands still with every sine"
+            ),
+            Self::MarginsNotReached { gain_db, phase_deg } => write!(
+                f,
+                "the best loop has a gain margin of {gain_db:.1} dB and a phase margin of {phase_deg:.0} degrees, short of 6 dB and 35 degrees"
+            ),
+            Self::Swings { counts } => {
+                write!(f, "the tuned loop swings: a following error of {counts:.1} counts at constant speed, above 1")
+            }
             Self::VelocityLoopTooFast { bandwidth_hz, limit_hz } => {
                 write!(f, "velocity_bandwidth_hz is {bandwidth_hz}, the current loop carries at most {limit_hz}")
             }

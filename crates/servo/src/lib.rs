@@ -18,19 +18,33 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
 mod axis;
+mod compensation;
+mod design;
 mod drive;
 mod encoder;
 mod error;
 mod load;
+mod margins;
+mod mechanism;
 mod notch;
 mod parameters;
 mod position_loop;
+mod response;
+mod sweep;
+mod trial;
+mod tune;
 
 pub use axis::{AxisState, ServoAxis};
-pub use drive::Drive;
+pub use compensation::{BacklashCompensation, FrictionCompensation};
+pub use design::NotchSettings;
+pub use drive::{Disturbance, Drive};
 pub use encoder::Encoder;
 pub use error::Error;
 pub use load::Load;
+pub use margins::{Margins, decibels, unwrapped};
 pub use notch::Notch;
-pub use parameters::{DriveParameters, DriveTuning, LinearLoad, RotaryLoad};
+pub use parameters::{DriveParameters, DriveTuning, EncoderSide, LinearLoad, RotaryLoad, Transmission};
 pub use position_loop::{Gains, PositionLoop, SetPoint};
+pub use response::loop_response;
+pub use sweep::Line;
+pub use tune::{REQUIRED, Tuned, tune};

@@ -19,6 +19,15 @@ pub struct Load {
     viscous: f64,
 }
 
+/// How a [`Load`] answers a push.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Mobility {
+    /// 1 if it moves, 0 if it is held.
+    pub(crate) part: f64,
+    /// Friction (u/s^2), with the sign of the speed.
+    pub(crate) drag: f64,
+}
+
 impl Load {
     /// A load at rest at 0 with Coulomb friction `coulomb` (u/s^2) and viscous rate `viscous` (1/s).
     ///
@@ -52,6 +61,14 @@ impl Load {
             self.position += net * self.travel(left);
             self.velocity = net * self.gain(left);
         }
+    }
+
+    /// How it answers a push: `part * push - drag` (u/s^2). Held by friction it does not, whether the push is enough or not.
+    pub(crate) fn mobility(&self) -> Mobility {
+        if self.velocity == 0.0 {
+            return Mobility { part: if self.coulomb > 0.0 { 0.0 } else { 1.0 }, drag: 0.0 };
+        }
+        Mobility { part: 1.0, drag: self.velocity.signum() * self.coulomb + self.viscous * self.velocity }
     }
 
     /// Time until the speed is zero, with `net` the acceleration now; `None` if it never is.

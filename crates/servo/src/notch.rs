@@ -2,6 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
+use num_complex::Complex64;
+
 use crate::error::{Error, servo_period, within};
 
 /// A second-order notch, the bilinear image of
@@ -61,13 +63,14 @@ impl Notch {
     /// Gain at `frequency_hz`: the analytic magnitude of the sampled filter.
     #[must_use]
     pub fn gain(&self, frequency_hz: f64) -> f64 {
-        let angle = TAU * frequency_hz * self.period_s;
-        let magnitude = |c: [f64; 3]| {
-            let real = c[0] + c[1] * angle.cos() + c[2] * (2.0 * angle).cos();
-            let imaginary = c[1] * angle.sin() + c[2] * (2.0 * angle).sin();
-            real.hypot(imaginary)
-        };
-        magnitude(self.b) / magnitude([1.0, self.a[0], self.a[1]])
+        self.response(Complex64::from_polar(1.0, TAU * frequency_hz * self.period_s)).norm()
+    }
+
+    /// Complex response at `z`, the sampled filter's variable: `e^(j w T)` for a frequency `w` (rad/s).
+    #[must_use]
+    pub fn response(&self, z: Complex64) -> Complex64 {
+        let of = |c: [f64; 3]| (c[0] * z + c[1]) * z + c[2];
+        of(self.b) / of([1.0, self.a[0], self.a[1]])
     }
 
     /// The sampling period it was built for (s).

@@ -4,8 +4,9 @@ use std::f64::consts::TAU;
 
 use crate::encoder::Encoder;
 use crate::error::{Error, non_negative, positive, within};
+use crate::mechanism::Friction;
 
-/// Largest product of velocity bandwidth (rad/s) and current time constant (s).
+/// Largest product of velocity bandwidth (rad/s) and the current loop's lag: time constant and dead time (s).
 ///
 /// With the gains of [`Drive`](crate::Drive) the velocity loop's poles solve
 /// `tau s^3 + s^2 + 2 w s + w^2 = 0`. At `tau w = 1/4` the complex pair has a damping of 0.69 and
@@ -45,8 +46,38 @@ pub struct DriveTuning {
     pub velocity_bandwidth_hz: f64,
     /// Time constant (s) of the current loop, a first-order lag; 0 for none.
     pub current_time_constant_s: f64,
+    /// Dead time (s) from the velocity loop's measurement to the current; 0 for none.
+    pub current_delay_s: f64,
     /// Counts per mm (linear) or per rad (rotary).
     pub encoder_counts_per_unit: f64,
+}
+
+/// Which side of the transmission the position encoder measures. The velocity loop always has the motor's speed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum EncoderSide {
+    /// The motor: what the transmission winds up by is not seen.
+    #[default]
+    Motor,
+    /// The load.
+    Load,
+}
+
+/// What is between motor and load: a spring with damping, and a gap.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Transmission {
+    /// Frequency (Hz) at which motor and load swing against each other, both free. With the motor held, the load swings
+    /// at this over `sqrt(1 + load_ratio)`.
+    pub resonance_hz: f64,
+    /// Damping of that swing, as a part of the critical one.
+    pub damping: f64,
+    /// Inertia of the load over that of the motor.
+    pub load_ratio: f64,
+    /// Whole width of the gap (u).
+    pub backlash: f64,
+    /// Part of the friction that is at the motor, 0 to 1; the rest is at the load.
+    pub motor_friction: f64,
+    /// Where the encoder is.
+    pub encoder_on: EncoderSide,
 }
 
 /// What [`Drive`](crate::Drive) needs to know, with forces divided by the inertia.
@@ -62,7 +93,11 @@ pub struct DriveParameters {
     pub(crate) per_force: f64,
     pub(crate) bandwidth: f64,
     pub(crate) current_time_constant: f64,
+    pub(crate) current_delay: f64,
+    /// Most acceleration that may be demanded; the peak or less.
+    pub(crate) limit: f64,
     pub(crate) encoder: Encoder,
+    pub(crate) transmission: Option<Transmission>,
 }
 
 impl DriveParameters {
@@ -101,21 +136,77 @@ impl DriveParameters {
         if coulomb >= peak {
             return Err(Error::FrictionBeyondPeak { coulomb, peak });
         }
-        let hz = within("velocity_bandwidth_hz", tuning.velocity_bandwidth_hz, (1e-3, 1e5), "0.001 to 1e5 Hz")?;
         let lag = within("current_time_constant_s", tuning.current_time_constant_s, (0.0, 1.0), "0 to 1 s")?;
-        if TAU * hz * lag > LARGEST_LAG {
-            return Err(Error::VelocityLoopTooFast { bandwidth_hz: hz, limit_hz: LARGEST_LAG / (TAU * lag) });
-        }
+        let delay = within("current_delay_s", tuning.current_delay_s, (0.0, 1.0), "0 to 1 s")?;
         let per_force = units_per_si / inertia;
-        Ok(Self {
+        let drive = Self {
             peak: peak * per_force,
             coulomb: coulomb * per_force,
             viscous: viscous / inertia,
             per_force,
-            bandwidth: TAU * hz,
+            bandwidth: 0.0,
             current_time_constant: lag,
+            current_delay: delay,
+            limit: peak * per_force,
             encoder: Encoder::new(tuning.encoder_counts_per_unit)?,
-        })
+            transmission: None,
+        };
+        drive.with_velocity_bandwidth(tuning.velocity_bandwidth_hz)
+    }
+
+    /// The same drive with its load behind an elastic transmission; inertia and friction are those of both together.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless the resonance is 0.1 to 10 000 Hz, the damping and the motor's part of the friction
+    /// 0 to 1, the ratio 0.001 to 1000 and the backlash 0 or above.
+    pub fn with_transmission(self, transmission: Transmission) -> Result<Self, Error> {
+        let t = &transmission;
+        within("resonance_hz", t.resonance_hz, (0.1, 1e4), "0.1 to 10000 Hz")?;
+        within("resonance_damping", t.damping, (0.0, 1.0), "0 to 1")?;
+        within("load_ratio", t.load_ratio, (1e-3, 1e3), "0.001 to 1000")?;
+        non_negative("backlash", t.backlash)?;
+        within("motor_friction", t.motor_friction, (0.0, 1.0), "0 to 1")?;
+        Ok(Self { transmission: Some(transmission), ..self })
+    }
+
+    /// The same drive that is allowed no more than `limit` (N or N m) of its peak.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a limit that is not above zero or beyond the peak, [`Error::FrictionBeyondPeak`] for one
+    /// not above the Coulomb friction.
+    pub fn with_force_limit(self, limit: f64) -> Result<Self, Error> {
+        let allowed = "above 0, up to the peak force or torque";
+        // A limit equal to the peak passes in spite of rounding.
+        let most = self.peak / self.per_force * (1.0 + 1e-12);
+        within("force_limit", limit, (f64::MIN_POSITIVE, most), allowed)?;
+        let coulomb = self.coulomb / self.per_force;
+        if coulomb >= limit {
+            return Err(Error::FrictionBeyondPeak { coulomb, peak: limit });
+        }
+        Ok(Self { limit: (limit * self.per_force).min(self.peak), ..self })
+    }
+
+    /// The same drive with its velocity loop set to `hz`.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless `hz` is 0.001 to 1e5, [`Error::VelocityLoopTooFast`] if the current loop cannot carry it.
+    pub fn with_velocity_bandwidth(self, hz: f64) -> Result<Self, Error> {
+        within("velocity_bandwidth_hz", hz, (1e-3, 1e5), "0.001 to 1e5 Hz")?;
+        let lag = self.current_time_constant + self.current_delay;
+        if TAU * hz * lag > LARGEST_LAG {
+            return Err(Error::VelocityLoopTooFast { bandwidth_hz: hz, limit_hz: LARGEST_LAG / (TAU * lag) });
+        }
+        Ok(Self { bandwidth: TAU * hz, ..self })
+    }
+
+    /// The same drive with a velocity loop faster by `factor`, whether the current loop can carry it or not: to see how far
+    /// it is from swinging.
+    pub(crate) fn faster(&self, factor: f64) -> Self {
+        Self { bandwidth: factor * self.bandwidth, ..*self }
+    }
+
+    pub(crate) fn friction(&self) -> Friction {
+        Friction { coulomb: self.coulomb, viscous: self.viscous }
     }
 
     /// Acceleration at peak current without friction (u/s^2).
@@ -148,6 +239,12 @@ impl DriveParameters {
         self.bandwidth / TAU
     }
 
+    /// What is between motor and load, if they are not one.
+    #[must_use]
+    pub fn transmission(&self) -> Option<Transmission> {
+        self.transmission
+    }
+
     /// The encoder.
     #[must_use]
     pub fn encoder(&self) -> Encoder {
@@ -159,8 +256,12 @@ impl DriveParameters {
 mod tests {
     use super::*;
 
-    const TUNING: DriveTuning =
-        DriveTuning { velocity_bandwidth_hz: 100.0, current_time_constant_s: 2e-4, encoder_counts_per_unit: 1000.0 };
+    const TUNING: DriveTuning = DriveTuning {
+        velocity_bandwidth_hz: 100.0,
+        current_time_constant_s: 2e-4,
+        current_delay_s: 0.0,
+        encoder_counts_per_unit: 1000.0,
+    };
     const LINEAR: LinearLoad =
         LinearLoad { mass_kg: 40.0, peak_force_n: 400.0, coulomb_n: 20.0, viscous_n_s_per_m: 80.0 };
 

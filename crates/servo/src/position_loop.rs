@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use crate::compensation::{BacklashCompensation, BacklashOffset, FrictionCompensation};
 use crate::error::{Error, positive, servo_period, within};
 use crate::notch::Notch;
 
@@ -10,6 +11,8 @@ use crate::notch::Notch;
 /// One encoder count then shows in the derivative as a fifth of a count per period instead of a
 /// whole one, at the cost of four periods of lag.
 const DERIVATIVE_FILTER_PERIODS: f64 = 4.0;
+/// Notches that a loop has places for.
+pub(crate) const NOTCHES: usize = 2;
 /// Position errors are cut to this many units: far beyond any machine, and sums stay finite.
 const LARGEST_ERROR: f64 = 1e9;
 
@@ -57,7 +60,8 @@ impl Gains {
     }
 }
 
-/// Discrete position loop of one axis (DUALBEAM-2013), with an optional notch (SADDLE-2020).
+/// Discrete position loop of one axis (DUALBEAM-2013), with up to two notches (SADDLE-2020) and compensation of friction
+/// and backlash.
 ///
 /// With `e = set position - measured position` at the same instant and the period `T`,
 /// `command = kp e + ki * sum(e T) + kd * rate(e) + kvff * set speed + kaff * set acceleration`, to be held until the
@@ -76,7 +80,11 @@ pub struct PositionLoop {
     max_speed: f64,
     integral: f64,
     filtered: Option<f64>,
-    notch: Option<Notch>,
+    notches: [Option<Notch>; NOTCHES],
+    friction: Option<FrictionCompensation>,
+    backlash: Option<BacklashOffset>,
+    error: f64,
+    force: f64,
     limited: bool,
 }
 
@@ -97,21 +105,44 @@ impl PositionLoop {
             max_speed: positive("max_speed", max_speed)?,
             integral: 0.0,
             filtered: None,
-            notch: None,
+            notches: [None; NOTCHES],
+            friction: None,
+            backlash: None,
+            error: 0.0,
+            force: 0.0,
             limited: false,
         })
     }
 
-    /// The same loop with its speed command sent through `notch`.
+    /// The same loop with its speed command sent through `notch` too, after the one it may have.
     ///
-    /// The notch also delays the feed-forward: add [`Notch::delay_s`] to `kaff`.
+    /// A notch also delays the feed-forward: add [`Notch::delay_s`] to `kaff`.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if the notch was built for another period: it would sit at another frequency.
-    pub fn with_notch(self, notch: Notch) -> Result<Self, Error> {
+    /// [`Error::OutOfRange`] if the notch was built for another period: it would sit at another frequency;
+    /// [`Error::TooManyNotches`] for a third one.
+    pub fn with_notch(mut self, notch: Notch) -> Result<Self, Error> {
         let same = (self.period_s * (1.0 - 1e-9), self.period_s * (1.0 + 1e-9));
         within("notch period_s", notch.period_s(), same, "the period of the position loop")?;
-        Ok(Self { notch: Some(notch), ..self })
+        let free = self.notches.iter_mut().find(|place| place.is_none());
+        *free.ok_or(Error::TooManyNotches { places: NOTCHES })? = Some(notch);
+        Ok(self)
+    }
+
+    /// The same loop with `friction` fed forward: see [`PositionLoop::force`].
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a negative force or a smoothing speed that is not above 0.
+    pub fn with_friction(self, friction: FrictionCompensation) -> Result<Self, Error> {
+        Ok(Self { friction: Some(friction.checked()?), ..self })
+    }
+
+    /// The same loop with `backlash` made up for.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a negative width or a time that is not above 0.
+    pub fn with_backlash(self, backlash: BacklashCompensation) -> Result<Self, Error> {
+        Ok(Self { backlash: Some(BacklashOffset::new(backlash.checked()?)), ..self })
     }
 
     /// Speed command (u/s) for the set-point and the measurement (u) of one instant.
@@ -120,9 +151,14 @@ impl PositionLoop {
         let feed_forward = self.gains.kvff * set.velocity + self.gains.kaff * set.acceleration;
         if !error.is_finite() || !feed_forward.is_finite() {
             self.limited = true;
+            self.force = 0.0;
             return 0.0;
         }
-        let error = error.clamp(-LARGEST_ERROR, LARGEST_ERROR);
+        let (offset, rate) = self.backlash.as_mut().map_or((0.0, 0.0), |b| b.update(set.velocity, self.period_s));
+        self.force = self.friction.map_or(0.0, |f| f.force_at(set.velocity));
+        let error = (error + offset).clamp(-LARGEST_ERROR, LARGEST_ERROR);
+        self.error = error;
+        let feed_forward = feed_forward + self.gains.kvff * rate;
         let rest = self.gains.kp * error + self.gains.kd * self.error_rate(error) + feed_forward;
 
         let integral = self.integral + self.gains.ki * error * self.period_s;
@@ -132,12 +168,21 @@ impl PositionLoop {
         }
         let command = rest + self.integral;
         self.limited = command.abs() > self.max_speed;
-        let command = command.clamp(-self.max_speed, self.max_speed);
-        match &mut self.notch {
-            // A notch overshoots on a step, so the limit holds on both sides of it.
-            Some(notch) => notch.update(command).clamp(-self.max_speed, self.max_speed),
-            None => command,
-        }
+        let limit = |command: f64| command.clamp(-self.max_speed, self.max_speed);
+        // A notch overshoots on a step, so the limit holds on both sides of it.
+        self.notches.iter_mut().flatten().fold(limit(command), |command, notch| limit(notch.update(command)))
+    }
+
+    /// Following error (u) that the last update worked on: set position, with the offset for backlash, less measurement.
+    #[must_use]
+    pub fn error(&self) -> f64 {
+        self.error
+    }
+
+    /// Force (N or N m) that the drive is to add to its own demand until the next update: the friction fed forward.
+    #[must_use]
+    pub fn force(&self) -> f64 {
+        self.force
     }
 
     fn error_rate(&mut self, error: f64) -> f64 {
@@ -148,13 +193,15 @@ impl PositionLoop {
         rate
     }
 
-    /// Forgets the past: integral, derivative filter and notch. Gains and limits stay.
+    /// Forgets the past: integral, derivative filter, notches and direction. Gains and limits stay.
     pub fn reset(&mut self) {
         self.integral = 0.0;
         self.filtered = None;
         self.limited = false;
-        if let Some(notch) = &mut self.notch {
-            notch.reset();
+        (self.error, self.force) = (0.0, 0.0);
+        self.notches.iter_mut().flatten().for_each(Notch::reset);
+        if let Some(backlash) = &mut self.backlash {
+            backlash.reset();
         }
     }
 
@@ -168,6 +215,11 @@ impl PositionLoop {
     #[must_use]
     pub fn gains(&self) -> &Gains {
         &self.gains
+    }
+
+    /// The notches, in the order in which the command goes through them.
+    pub fn notches(&self) -> impl Iterator<Item = &Notch> {
+        self.notches.iter().flatten()
     }
 
     /// The servo period (s).

@@ -17,6 +17,7 @@ fn axis(gains: Gains, load: LinearLoad, count: f64) -> ServoAxis {
     let tuning = DriveTuning {
         velocity_bandwidth_hz: BANDWIDTH,
         current_time_constant_s: 3e-4,
+        current_delay_s: 0.0,
         encoder_counts_per_unit: 1.0 / count,
     };
     ServoAxis::new(gains, 300.0, DriveParameters::linear(load, tuning).unwrap(), PERIOD).unwrap()

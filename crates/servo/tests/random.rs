@@ -28,6 +28,7 @@ fn drives() -> impl Strategy<Value = DriveParameters> {
             let tuning = DriveTuning {
                 velocity_bandwidth_hz: hz,
                 current_time_constant_s: 0.999 * lag / (TAU * hz),
+                current_delay_s: 0.0,
                 encoder_counts_per_unit: 10.0_f64.powf(counts),
             };
             DriveParameters::linear(load, tuning).unwrap()

@@ -15,6 +15,25 @@ pub(crate) enum MachineVerb {
     Place(PlaceArgs),
     /// Test a machine file on itself: inverse, Jacobian, units, singular places, reach; draw its axes
     Check(CheckMachineArgs),
+    /// Tune the position loops on the drives of a machine file, in simulation, and measure their margins
+    Tune(TuneArgs),
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright machine tune machines/saddle-4axis.toml -o out/tuning
+Exit code 1 if an axis cannot be tuned to a gain margin of 6 dB and a phase margin of 35 degrees.")]
+pub(crate) struct TuneArgs {
+    /// Machine that ships, or a machine file
+    pub(crate) machine: String,
+    /// Only this axis
+    #[arg(long, value_name = "NAME")]
+    pub(crate) axis: Option<String>,
+    /// Folder for tuning.toml and a Bode plot of each axis, bode-<axis>.svg; made if missing
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+    /// JSON instead of a table
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 #[derive(Debug, Args)]

@@ -5,6 +5,8 @@ mod offset;
 mod place;
 mod placed;
 mod touched;
+mod tune;
+mod tuning;
 
 use crate::args::machine::{MachineArgs, MachineVerb};
 use crate::failure::Failure;
@@ -13,5 +15,6 @@ pub(crate) fn run(args: &MachineArgs) -> Result<(), Failure> {
     match &args.verb {
         MachineVerb::Place(a) => place::run(a),
         MachineVerb::Check(a) => check::run(a),
+        MachineVerb::Tune(a) => tune::run(a),
     }
 }

@@ -1,0 +1,50 @@
+use super::tuning::{AxisTuning, snippet, table};
+use crate::args::machine::TuneArgs;
+use crate::failure::Failure;
+use crate::files::Output;
+use crate::load::machine_and_file;
+use crate::progress::Progress;
+use crate::rows::{print_json, print_text};
+use seamwright_cell::tune_axis;
+use seamwright_machine::{Axis, Machine};
+
+pub(crate) fn run(args: &TuneArgs) -> Result<(), Failure> {
+    let (machine, file) = machine_and_file(&args.machine)?;
+    let axes = chosen(&machine, args.axis.as_deref())?;
+    let mut output = args.output.as_deref().map(Output::new).transpose()?;
+    let mut progress = Progress::new("tuning the axes", axes.len() as u64);
+    let mut tunings = Vec::with_capacity(axes.len());
+    for axis in axes {
+        tunings.push(AxisTuning::new(axis, tune_axis(axis, machine.servo_period_s)));
+        progress.step();
+    }
+    drop(progress);
+    let mut text = table(&machine.name, &tunings);
+    if let Some(mut output) = output.take() {
+        for tuning in &tunings {
+            if let Some(bode) = tuning.bode() {
+                output.text(&format!("bode-{}.svg", tuning.axis), &bode.grid().to_svg_standalone())?;
+            }
+        }
+        output.text("tuning.toml", &snippet(file.file(), &tunings))?;
+        for path in output.finish()? {
+            text += &format!("  wrote        {}\n", path.display());
+        }
+    }
+    if args.json {
+        print_json(&tunings)?;
+    } else {
+        print_text(&text)?;
+    }
+    if tunings.iter().all(|t| t.tuned.is_some()) { Ok(()) } else { Err(Failure::Printed) }
+}
+
+fn chosen<'a>(machine: &'a Machine, name: Option<&str>) -> Result<Vec<&'a Axis>, Failure> {
+    let all: Vec<&Axis> = machine.axes.iter().collect();
+    let Some(name) = name else { return Ok(all) };
+    let names = || all.iter().map(|a| a.name.as_str()).collect::<Vec<_>>().join(", ");
+    match all.iter().find(|a| a.name == name) {
+        Some(axis) => Ok(vec![axis]),
+        None => Err(Failure::Input(format!("--axis {name}: there is no such axis\n   allowed: {}", names()))),
+    }
+}

@@ -1,0 +1,103 @@
+//! A Bode plot: magnitude and phase over logarithmic frequency, with the margins drawn in.
+
+use crate::{Axis, Chart, ChartGrid, LimitLine, Series, Style, format_number};
+
+/// Magnitude and phase of an open loop, and where its margins are.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Bode {
+    /// Heading.
+    pub title: String,
+    /// Frequency (Hz), magnitude (dB) and phase (degrees), in order of frequency.
+    pub lines: Vec<(f64, f64, f64)>,
+    /// Gain margin (dB) and the frequency (Hz) where the phase crosses -180 degrees; not finite if there is none.
+    pub gain_margin: (f64, f64),
+    /// Phase margin (degrees) and the frequency (Hz) where the magnitude crosses 1; not finite if there is none.
+    pub phase_margin: (f64, f64),
+}
+
+/// Height of each plot area, px.
+const HIGH: f64 = 200.0;
+/// Colours of response, gain margin and phase margin.
+const COLOURS: [usize; 3] = [0, 1, 2];
+/// What is lower than this (dB) tells nothing about the loop and would squash the rest.
+const LOWEST_DB: f64 = -60.0;
+
+impl Bode {
+    /// The two plots, on one axis of frequency.
+    pub fn grid(&self) -> ChartGrid {
+        // Beyond the last line that tells something there is noise alone.
+        let count = self.lines.iter().rposition(|l| l.1 >= LOWEST_DB).map_or(0, |i| i + 1);
+        Self { lines: self.lines[..count].to_vec(), ..self.clone() }.shown()
+    }
+
+    fn shown(&self) -> ChartGrid {
+        let top = self.lines.iter().map(|l| l.1).fold(0.0, f64::max);
+        let low = self.lines.iter().map(|l| l.1).fold(0.0, f64::min).max(LOWEST_DB);
+        let phases = || self.lines.iter().map(|l| l.2);
+        let steps = |v: f64, up: f64| 45.0 * ((v / 45.0 + up).floor());
+        let (lowest, highest) = (phases().fold(-180.0, f64::min), phases().fold(-90.0, f64::max));
+        let chart = |label: &str, unit: &str, range, series, limit| Chart {
+            x: Axis::new("frequency", "Hz"),
+            y: Axis::new(label, unit),
+            series,
+            limits: vec![limit],
+            y_range: Some(range),
+            log_x: true,
+            height: Some(HIGH),
+            ..Chart::default()
+        };
+        let magnitude = chart(
+            "magnitude of the open loop",
+            "dB",
+            (10.0 * (low / 10.0 - 0.2).floor(), 10.0 * (top / 10.0 + 0.2).ceil()),
+            self.magnitudes(),
+            LimitLine::new("crossover", 0.0),
+        );
+        let range = (steps(lowest, 0.0).max(-540.0), steps(highest, 1.0));
+        let phase = chart("phase of the open loop", "deg", range, self.phases(), LimitLine::new("", -180.0));
+        ChartGrid { title: self.title.clone(), columns: 1, charts: vec![magnitude, phase] }
+    }
+
+    /// A dashed line up or down at a frequency, if there is one.
+    fn marker(name: String, colour: usize, at_hz: f64, ends: (f64, f64)) -> Series {
+        let finite = at_hz.is_finite() && ends.0.is_finite() && ends.1.is_finite();
+        let points = if finite { vec![(at_hz, ends.0), (at_hz, ends.1)] } else { Vec::new() };
+        Series::line(name, points).styled(Style::Dashed).coloured(colour)
+    }
+
+    fn names(&self) -> [String; 2] {
+        let text = |what: &str, (margin, hz): (f64, f64), unit: &str, digits| match margin.is_finite() {
+            true => format!("{what} {} {unit} at {} Hz", format_number(margin, digits), format_number(hz, 3)),
+            false => format!("{what}: not bounded"),
+        };
+        [text("gain margin", self.gain_margin, "dB", 3), text("phase margin", self.phase_margin, "deg", 3)]
+    }
+
+    fn magnitudes(&self) -> Vec<Series> {
+        let [gain, phase] = self.names();
+        let (margin, at) = self.gain_margin;
+        vec![
+            Series::line("open loop", self.lines.iter().map(|l| (l.0, l.1)).collect()).coloured(COLOURS[0]),
+            Self::marker(gain, COLOURS[1], at, (-margin, 0.0)),
+            // Named in both plots, drawn in the other one.
+            Self::marker(phase, COLOURS[2], f64::NAN, (0.0, 0.0)),
+        ]
+    }
+
+    fn phases(&self) -> Vec<Series> {
+        let [gain, phase] = self.names();
+        let (margin, at) = self.phase_margin;
+        // The phase of the curve there: from the side of -180 degrees, or of the turn before, that it is on.
+        let reached = self.lines.windows(2).find(|w| w[0].0 <= at && at <= w[1].0).map_or(f64::NAN, |w| {
+            let part = (at / w[0].0).ln() / (w[1].0 / w[0].0).ln();
+            w[0].2 + part * (w[1].2 - w[0].2)
+        });
+        let half_turn = 360.0 * ((reached + 180.0) / 360.0).round() - 180.0;
+        let ends = if margin.is_finite() { (reached, half_turn) } else { (f64::NAN, f64::NAN) };
+        vec![
+            Series::line("open loop", self.lines.iter().map(|l| (l.0, l.2)).collect()).coloured(COLOURS[0]),
+            Self::marker(gain, COLOURS[1], f64::NAN, (0.0, 0.0)),
+            Self::marker(phase, COLOURS[2], at, ends),
+        ]
+    }
+}

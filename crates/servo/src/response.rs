@@ -1,0 +1,112 @@
+//! Frequency responses of a simulated axis, measured while it moves.
+//!
+//! The axis runs at a constant speed, as friction does not change its sign then, and a sine is laid over it.
+
+use std::f64::consts::TAU;
+
+use crate::axis::ServoAxis;
+use crate::drive::Drive;
+use crate::error::Error;
+use crate::parameters::DriveParameters;
+use crate::position_loop::{Gains, SetPoint};
+use crate::sweep::{Line, Measured, Range, Signals, sweep};
+
+/// Lines in a decade, before those that are added where the response changes fast.
+const PER_DECADE: f64 = 20.0;
+/// Highest frequency, as a part of half the sampling rate.
+const HIGHEST: f64 = 0.9;
+/// Lowest frequency, as a part of the velocity loop's bandwidth, and of the loop's gain where that is lower.
+const LOWEST: f64 = 0.05;
+/// Differences of the open loop's response that do not matter: under 0.1 dB at the gain margin.
+const FLOOR: f64 = 0.004;
+/// Amplitudes of the speed that the sine asks for, as parts of the constant speed, without and with the position loop.
+const OPEN_AMPLITUDE: f64 = 0.3;
+const CLOSED_AMPLITUDE: f64 = 0.2;
+/// A speed further off than this part of the constant one spoils a measurement: the axis nearly stands or turns.
+const SPOILED: f64 = 0.9;
+
+/// Acceleration used to reach a speed: a part of what the drive has beyond friction.
+pub(crate) fn gentle(drive: &DriveParameters) -> f64 {
+    0.2 * (drive.limit - drive.coulomb)
+}
+
+/// Whether a drive at `speed` is so far off it that friction may change its sign, or is limited.
+fn spoiled(drive: &Drive, speed: f64) -> bool {
+    let off = |v: f64| (v - speed).abs() > SPOILED * speed;
+    drive.limited() || off(drive.velocity()) || off(drive.motor_velocity())
+}
+
+/// Lines for a loop of gain `kp` (1/s) on the drive.
+fn range(drive: &DriveParameters, kp: f64, period_s: f64) -> Range {
+    Range {
+        low: LOWEST * drive.velocity_bandwidth_hz().min(kp),
+        high: HIGHEST * 0.5 / period_s,
+        per_decade: PER_DECADE,
+        period_s,
+        resolution: drive.encoder().count(),
+        floor: FLOOR,
+    }
+}
+
+/// The drive alone: from the speed command to the encoder, and from its current to the encoder.
+///
+/// # Errors
+/// Those of [`Drive::new`]; [`Error::NotMeasurable`] if the drive does not get along without its limits.
+pub(crate) fn drive_response(parameters: &DriveParameters, period_s: f64, speed: f64) -> Result<Vec<Measured>, Error> {
+    let mut drive = Drive::new(*parameters, period_s)?;
+    let mut command = 0.0;
+    while command < speed {
+        drive.step(command, 0.0, 0.0);
+        command += gentle(parameters) * period_s;
+    }
+    let start = drive.measured();
+    let mut k = 0u64;
+    let system = |excitation: f64| {
+        let output = drive.measured() - start - speed * period_s * k as f64;
+        k += 1;
+        drive.step(speed + excitation, 0.0, 0.0);
+        Signals { input: excitation, output, effort: drive.mean_current(), spoiled: spoiled(&drive, speed) }
+    };
+    // The position loop that will be closed about it has a gain of this order.
+    let kp = Gains::suggested(parameters.velocity_bandwidth_hz(), period_s).kp;
+    let range = Range { floor: FLOOR / kp, ..range(parameters, kp, period_s) };
+    sweep(system, |_| OPEN_AMPLITUDE * speed, &range).ok_or(Error::NotMeasurable { speed })
+}
+
+/// Open-loop response of a position loop, measured with the loop closed: `axis`, at rest, is brought to `speed` (u/s),
+/// sines are laid over its set position, and the ratio is that of the encoder's reading to the position error.
+/// Feed-forwards know nothing of the sines. In order of frequency, up to 0.9 of half the sampling rate.
+///
+/// Everything is in it: friction, backlash, whole counts, sampling, filters. The sines are made smaller until neither a
+/// limit nor a standstill is met.
+///
+/// # Errors
+/// [`Error::OutOfRange`] for a speed that is not above 0, [`Error::NotMeasurable`] if limits or standstills are met with
+/// every sine, as in a loop that is not stable.
+pub fn loop_response(axis: &ServoAxis, speed: f64) -> Result<Vec<Line>, Error> {
+    crate::error::positive("speed", speed)?;
+    let mut axis = *axis;
+    let parameters = *axis.drive().parameters();
+    let (period_s, kp) = (axis.position_loop().period_s(), axis.position_loop().gains().kp);
+    let (mut position, mut velocity) = (axis.drive().measured(), 0.0);
+    let acceleration = gentle(&parameters).min(speed / (10.0 * period_s));
+    while velocity < speed {
+        axis.step(SetPoint { position, velocity, acceleration }, 0.0);
+        position += (velocity + 0.5 * acceleration * period_s) * period_s;
+        velocity += acceleration * period_s;
+    }
+    let mut k = 0u64;
+    let system = |excitation: f64| {
+        let base = speed * period_s * k as f64;
+        k += 1;
+        let set = SetPoint { position: position + base + excitation, velocity: speed, acceleration: 0.0 };
+        let state = axis.step(set, 0.0);
+        let output = state.measured - position - base;
+        let spoiled = spoiled(axis.drive(), speed) || axis.position_loop().limited();
+        Signals { input: set.position - state.measured, output, effort: axis.drive().mean_current(), spoiled }
+    };
+    // Below the crossover the axis follows the sine, above it the loop makes it a speed of kp times the sine.
+    let amplitude = |hz: f64| CLOSED_AMPLITUDE * speed / (TAU * hz).min(kp);
+    let lines = sweep(system, amplitude, &range(&parameters, kp, period_s)).ok_or(Error::NotMeasurable { speed })?;
+    Ok(lines.into_iter().map(|measured| measured.line).collect())
+}

@@ -1,0 +1,141 @@
+//! Short trial runs of a drive, as one commissions a machine.
+
+use crate::axis::ServoAxis;
+use crate::drive::Drive;
+use crate::error::Error;
+use crate::parameters::DriveParameters;
+use crate::position_loop::SetPoint;
+use crate::response::gentle;
+
+/// How long a swing is watched (s), in windows of this length (s).
+const WATCHED_S: f64 = 10.0;
+const WINDOW_S: f64 = 0.5;
+/// A swing is over when the speed is within this part of the one asked for.
+const STILL: f64 = 0.01;
+
+/// Steps `drive` up to `speed` (u/s, either sign) with the gentle acceleration.
+fn run_up(drive: &mut Drive, period_s: f64, speed: f64) {
+    let step = gentle(drive.parameters()) * period_s;
+    for k in 0..(speed.abs() / step).ceil() as u64 {
+        drive.step(speed.signum() * step * k as f64, 0.0, 0.0);
+    }
+}
+
+/// Whether the velocity loop comes to rest at `speed` (u/s) after a step of a fifth of it: swings of motor and load die down.
+pub(crate) fn settles(parameters: &DriveParameters, period_s: f64, speed: f64) -> Result<bool, Error> {
+    let mut drive = Drive::new(*parameters, period_s)?;
+    run_up(&mut drive, period_s, 0.8 * speed);
+    let window = (WINDOW_S / period_s).ceil() as u64;
+    let mut swing = || {
+        (0..window).fold(0.0_f64, |worst, _| {
+            drive.step(speed, 0.0, 0.0);
+            let off = |v: f64| (v - speed).abs();
+            worst.max(off(drive.velocity())).max(off(drive.motor_velocity()))
+        })
+    };
+    // The first window has the step itself in it.
+    swing();
+    let first = swing();
+    let mut last = first;
+    for _ in 2..(WATCHED_S / WINDOW_S) as u32 {
+        if last < STILL * speed {
+            return Ok(true);
+        }
+        last = swing();
+    }
+    Ok(last < 0.5 * first)
+}
+
+/// Coulomb friction (N or N m): what two constant speeds, one half of the other, leave of the current at standstill.
+pub(crate) fn friction(parameters: &DriveParameters, period_s: f64, speed: f64) -> Result<f64, Error> {
+    let hold = |speed: f64| -> Result<f64, Error> {
+        let mut drive = Drive::new(*parameters, period_s)?;
+        run_up(&mut drive, period_s, speed);
+        let count = (1.0 / period_s).ceil() as u64;
+        let mut sum = 0.0;
+        for k in 0..2 * count {
+            drive.step(speed, 0.0, 0.0);
+            sum += if k >= count { drive.mean_current() } else { 0.0 };
+        }
+        Ok(sum / count as f64 * parameters.peak / parameters.per_force)
+    };
+    let coulomb = 2.0 * hold(0.5 * speed)? - hold(speed)?;
+    // A thousandth of the peak is nothing worth feeding forward.
+    Ok(if coulomb > 1e-3 * parameters.peak / parameters.per_force { coulomb } else { 0.0 })
+}
+
+/// Lost motion (u): by how much the load's place at one reading of the encoder differs between both directions, as a dial
+/// gauge at the load shows it when the axis creeps at `speed` (u/s).
+pub(crate) fn lost_motion(parameters: &DriveParameters, period_s: f64, speed: f64) -> Result<f64, Error> {
+    let behind = |speed: f64| -> Result<f64, Error> {
+        let mut drive = Drive::new(*parameters, period_s)?;
+        run_up(&mut drive, period_s, speed);
+        let count = (1.0 / period_s).ceil() as u64;
+        let mut sum = 0.0;
+        for k in 0..2 * count {
+            drive.step(speed, 0.0, 0.0);
+            sum += if k >= count { drive.measured() - drive.position() } else { 0.0 };
+        }
+        Ok(sum / count as f64)
+    };
+    Ok(behind(speed)? - behind(-speed)?)
+}
+
+/// How far an axis is behind at a constant speed.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Following {
+    /// Greatest following error that the loop sees (counts).
+    pub(crate) counts: f64,
+    /// Greatest distance of the load from the set position (u).
+    pub(crate) load: f64,
+}
+
+impl Following {
+    fn worst(self, other: Self) -> Self {
+        Self { counts: self.counts.max(other.counts), load: self.load.max(other.load) }
+    }
+}
+
+/// Following over a second at constant `speed` (u/s), after a smooth run-up and as many seconds for swings to die down as it
+/// takes to be within one count, ten at most.
+pub(crate) fn following(axis: &ServoAxis, speed: f64) -> Following {
+    let mut axis = *axis;
+    let parameters = *axis.drive().parameters();
+    let (period_s, count) = (axis.position_loop().period_s(), parameters.encoder().count());
+    // Half a cosine: its greatest acceleration is the gentle one.
+    let ramp = std::f64::consts::FRAC_PI_2 * speed / gentle(&parameters);
+    let ramp = ramp.max(0.1);
+    let w = std::f64::consts::PI / ramp;
+    let start = axis.drive().measured();
+    let mut step = |k: u64| {
+        let t = k as f64 * period_s;
+        let set = if t < ramp {
+            let (sine, cosine) = (w * t).sin_cos();
+            SetPoint {
+                position: start + 0.5 * speed * (t - sine / w),
+                velocity: 0.5 * speed * (1.0 - cosine),
+                acceleration: 0.5 * speed * w * sine,
+            }
+        } else {
+            SetPoint { position: start + speed * (t - 0.5 * ramp), velocity: speed, acceleration: 0.0 }
+        };
+        let load = axis.step(set, 0.0).following_error.abs();
+        Following { counts: axis.position_loop().error().abs() / count, load }
+    };
+    let (up, second) = ((ramp / period_s).ceil() as u64, (1.0 / period_s).ceil() as u64);
+    (0..up).for_each(|k| {
+        step(k);
+    });
+    let mut seconds =
+        (0..11).map(|i| (0..second).map(|k| step(up + i * second + k)).fold(Following::default(), Following::worst));
+    let mut worst = seconds.next().unwrap_or_default();
+    for next in seconds {
+        // The second after the one that settled is the one that counts.
+        let settled = worst.counts <= 1.0;
+        worst = next;
+        if settled {
+            break;
+        }
+    }
+    worst
+}
