@@ -19,6 +19,7 @@ pub mod redundancy;
 mod set_points;
 mod singular;
 mod survey;
+pub mod taught;
 pub mod textbook;
 mod weld_motion;
 

@@ -10,7 +10,7 @@ const CELLS_AT_REST: usize = 6;
 /// Neighbouring cells grow by this factor away from rest.
 const GROWTH: f64 = 1.4;
 /// Least number of cells between two breaks.
-const CELLS_BETWEEN_BREAKS: f64 = 3.0;
+const CELLS_BETWEEN_BREAKS: f64 = 1.0;
 /// Least and greatest part of the path that a run-up or run-down may be.
 const PART_AT_REST: (f64, f64) = (1e-6, 0.25);
 

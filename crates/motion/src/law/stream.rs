@@ -126,16 +126,6 @@ impl<F: Feed> LawStream<F> {
 
     /// Gives out more of the law.
     fn extend(&mut self) {
-        eprintln!(
-            "extend plan {} {} next {}/{} end {} loaded {:?} {}",
-            self.plan.from,
-            self.plan.to,
-            self.plan.next,
-            self.plan.cells.count(),
-            self.end,
-            self.feed.range(),
-            self.feed.is_complete()
-        );
         let path_end = self.feed.range().1;
         let ends_path = self.feed.is_complete() && self.plan.to >= path_end;
         if ends_path || self.feed.stops().iter().any(|u| (u - self.plan.to).abs() <= f64::EPSILON * u.abs()) {

@@ -1,0 +1,257 @@
+use super::spline::{Piece, slopes};
+use super::thin::{SAME, Taught, Thinned};
+use crate::law::{Channels, Feed, Limits};
+use crate::pass_channels::limits;
+use seamwright_machine::{AxisKind, Joints, MAX_AXES, Machine};
+use std::collections::VecDeque;
+
+/// What happens at a corner of the taught points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Corner {
+    /// The motion stops exactly there.
+    Stop,
+    /// It goes through a blend, twice continuously differentiable, that passes the corner within this distance of the
+    /// tip (mm).
+    Blend(f64),
+}
+
+/// The axes' path through taught points, loaded as it is needed.
+///
+/// The parameter is the length of the tip's chords (mm) where the tip moves at the asked speed; where an axis would have to
+/// move faster than it can, or the tip stands still, it counts the time that axis needs, times the asked speed. Guarantee:
+/// passes through every point kept; those left out are within the tolerance of the chords of those kept.
+pub struct TaughtPath<'a, I: Iterator<Item = Joints>> {
+    machine: &'a Machine,
+    limits: Vec<Limits>,
+    speed: f64,
+    corner: Corner,
+    points: std::iter::Peekable<Thinned<Tips<'a, I>>>,
+    pieces: VecDeque<Piece>,
+    /// Points of the run being read with their parameters, the first one's slope if pieces end there already.
+    run: Vec<(f64, Taught)>,
+    slope: Option<Joints>,
+    /// The last piece before a corner, until it is known what follows.
+    held: Option<Piece>,
+    stops: Vec<f64>,
+    complete: bool,
+}
+
+/// Pieces made at once, and points that must be known after the last of them: slopes beyond have no influence left
+/// (each point passes on less than 0.27 of it).
+const AT_ONCE: usize = 64;
+const AHEAD: usize = 32;
+/// Turn of the path (in axis space, axes by their speeds) that makes a point a corner.
+const CORNER_COS: f64 = 0.866;
+/// A blend takes at most this part of the pieces beside it.
+const PART_OF_PIECE: f64 = 0.45;
+
+impl<'a, I: Iterator<Item = Joints>> TaughtPath<'a, I> {
+    /// The path of `machine` through the axis positions `points` at `speed` (mm/s) of the tip; points may be left out that
+    /// are within `tolerance` (mm; rotary axes: as much at 100 mm) of the way.
+    pub fn new(machine: &'a Machine, points: I, speed: f64, corner: Corner, tolerance: f64) -> Self {
+        let near = |i: usize| match machine.axes.get(i).map(|a| a.kind) {
+            Some(AxisKind::Rotary) => tolerance / 100.0,
+            _ => tolerance,
+        };
+        let tips = Tips { machine, points };
+        Self {
+            machine,
+            limits: machine.axes.iter().map(limits).collect(),
+            speed,
+            corner,
+            points: Thinned::new(tips, (tolerance, std::array::from_fn(near))).peekable(),
+            pieces: VecDeque::new(),
+            run: Vec::new(),
+            slope: None,
+            held: None,
+            stops: Vec::new(),
+            complete: false,
+        }
+    }
+}
+
+/// Points with the places of their tips.
+struct Tips<'a, I> {
+    machine: &'a Machine,
+    points: I,
+}
+
+impl<I: Iterator<Item = Joints>> Iterator for Tips<'_, I> {
+    type Item = Taught;
+
+    fn next(&mut self) -> Option<Taught> {
+        let q = self.points.next()?;
+        Some(Taught { q, tip: self.machine.forward(&q).point })
+    }
+}
+
+impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
+    /// Positions of the axes at `u`, mm or rad.
+    pub fn position(&self, u: f64) -> Joints {
+        self.piece(u, false).derivatives(u)[0]
+    }
+
+    /// Speed of the tip by the parameter at `u`.
+    pub fn tip_rate(&self, u: f64) -> f64 {
+        self.rate(&self.piece(u, false).derivatives(u))
+    }
+
+    /// True if there is a way to go at all: two different points.
+    pub fn is_empty(&mut self) -> bool {
+        if self.pieces.is_empty() {
+            self.load(0.0, 0.0, 0.0);
+        }
+        self.pieces.is_empty()
+    }
+
+    fn piece(&self, u: f64, before: bool) -> &Piece {
+        let i = self.pieces.partition_point(|p| if before { p.from < u } else { p.from <= u });
+        &self.pieces[i.saturating_sub(1)]
+    }
+
+    fn rate(&self, [q, d1, ..]: &[Joints; 4]) -> f64 {
+        let columns = self.machine.jacobian(q);
+        columns.iter().zip(d1).map(|((tip, _), d)| *tip * *d).sum::<glam::DVec3>().length()
+    }
+
+    /// The parameter's step from one point to another.
+    fn step(&self, a: &Taught, b: &Taught) -> f64 {
+        let axes = self.limits.iter().enumerate().map(|(i, l)| (a.q[i] - b.q[i]).abs() / l.speed);
+        axes.fold(a.tip.distance(b.tip) / self.speed, f64::max) * self.speed
+    }
+
+    /// Whether the way turns sharply at `at`.
+    fn is_corner(&self, before: &Taught, at: &Taught, after: &Taught) -> bool {
+        let way = |a: &Taught, b: &Taught| -> Joints {
+            std::array::from_fn(|i| self.limits.get(i).map_or(0.0, |l| (b.q[i] - a.q[i]) / l.speed))
+        };
+        let (a, b) = (way(before, at), way(at, after));
+        let dot = |a: &Joints, b: &Joints| (0..MAX_AXES).map(|i| a[i] * b[i]).sum::<f64>();
+        dot(&a, &b) < CORNER_COS * (dot(&a, &a) * dot(&b, &b)).sqrt()
+    }
+
+    /// Reads points until pieces can be made, and makes them.
+    fn extend(&mut self) {
+        let mut ended = false;
+        while self.run.len() < AT_ONCE + AHEAD {
+            let Some(point) = self.points.next() else {
+                (ended, self.complete) = (true, true);
+                break;
+            };
+            let u = match self.run.last() {
+                Some((u, last)) => u + self.step(last, &point).max(SAME),
+                None => 0.0,
+            };
+            let next = self.points.peek().copied();
+            let corner = match (self.run.last(), next) {
+                (Some((_, last)), Some(next)) => self.is_corner(last, &point, &next),
+                _ => false,
+            };
+            self.run.push((u, point));
+            if corner {
+                ended = true;
+                break;
+            }
+        }
+        if self.run.len() > 1 {
+            self.make_pieces(ended);
+        }
+        if self.complete {
+            self.pieces.extend(self.held.take());
+        }
+    }
+
+    /// Turns the run into pieces: all of it if it has ended, else all but what later points still change.
+    fn make_pieces(&mut self, ended: bool) {
+        let u: Vec<f64> = self.run.iter().map(|r| r.0).collect();
+        let q: Vec<Joints> = self.run.iter().map(|r| r.1.q).collect();
+        let d = slopes(&u, &q, self.slope.as_ref());
+        let begins = self.slope.is_none();
+        let count = if ended { u.len() - 1 } else { AT_ONCE.min(u.len() - 1) };
+        for i in 0..count {
+            let piece = Piece::cubic((u[i], u[i + 1]), [&q[i], &q[i + 1]], [&d[i], &d[i + 1]]);
+            if begins && i == 0 {
+                self.begin_run(piece);
+            } else {
+                self.pieces.extend(self.held.replace(piece));
+            }
+        }
+        self.run.drain(..count);
+        self.slope = (!ended).then(|| d[count]);
+    }
+
+    /// The first piece after a corner, or of all.
+    fn begin_run(&mut self, mut after: Piece) {
+        let Some(mut before) = self.held.replace(after) else { return };
+        let Corner::Blend(distance) = self.corner else {
+            self.stops.push(before.to);
+            self.pieces.push_back(before);
+            return;
+        };
+        let u = before.to;
+        let room = PART_OF_PIECE * (before.to - before.from).min(after.to - after.from);
+        let corner = self.machine.forward(&before.derivatives(u)[0]).point;
+        // The tip passes a corner of straight lines at 3/16 of what their slopes differ by: less room until it does.
+        let mut half = room;
+        for _ in 0..60 {
+            (before.to, after.from) = (u - half, u + half);
+            let blend = Piece::blend(&before, &after);
+            let off = self.machine.forward(&blend.derivatives(u)[0]).point.distance(corner);
+            if off <= distance {
+                self.pieces.push_back(before);
+                self.pieces.push_back(blend);
+                self.held = Some(after);
+                return;
+            }
+            half *= (distance / off).clamp(0.3, 0.95);
+        }
+        self.stops.push(u);
+        before.to = u;
+        self.pieces.push_back(before);
+    }
+}
+
+impl<I: Iterator<Item = Joints>> Channels for TaughtPath<'_, I> {
+    fn range(&self) -> (f64, f64) {
+        (self.pieces.front().map_or(0.0, |p| p.from), self.pieces.back().map_or(0.0, |p| p.to))
+    }
+
+    fn limits(&self) -> &[Limits] {
+        &self.limits
+    }
+
+    fn derivatives(&self, u: f64, before: bool, out: &mut [[f64; 3]]) -> f64 {
+        let d = self.piece(u, before).derivatives(u);
+        out.iter_mut().enumerate().for_each(|(i, out)| *out = [d[1][i], d[2][i], d[3][i]]);
+        self.rate(&d)
+    }
+
+    fn asked(&self, _u: f64) -> f64 {
+        self.speed
+    }
+
+    fn breaks(&self) -> Vec<f64> {
+        self.pieces.iter().skip(1).map(|p| p.from).collect()
+    }
+
+    fn stops(&self) -> Vec<f64> {
+        let (from, to) = self.range();
+        self.stops.iter().copied().filter(|u| *u > from && *u < to).collect()
+    }
+}
+
+impl<I: Iterator<Item = Joints>> Feed for TaughtPath<'_, I> {
+    fn load(&mut self, from: f64, beyond: f64, seconds: f64) {
+        while !self.complete && self.range().1 < beyond + seconds * self.speed {
+            self.extend();
+        }
+        while self.pieces.front().is_some_and(|p| p.to < from) {
+            self.pieces.pop_front();
+        }
+        self.stops.retain(|u| *u >= from);
+    }
+
+    fn is_complete(&self) -> bool {
+        self.complete
+    }
+}

@@ -1,0 +1,147 @@
+use seamwright_machine::{Joints, MAX_AXES};
+
+/// A polynomial of all axes over a range of the parameter.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Piece {
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+    /// Where its own parameter is zero.
+    origin: f64,
+    /// Coefficients, lowest power first.
+    c: [Joints; 6],
+}
+
+impl Piece {
+    /// The cubic from `q0` to `q1` with slopes `d0` and `d1` by the parameter.
+    pub(crate) fn cubic((from, to): (f64, f64), q: [&Joints; 2], d: [&Joints; 2]) -> Self {
+        let h = to - from;
+        let mut c = [Joints::default(); 6];
+        for i in 0..MAX_AXES {
+            let mean = (q[1][i] - q[0][i]) / h;
+            c[0][i] = q[0][i];
+            c[1][i] = d[0][i];
+            c[2][i] = (3.0 * mean - 2.0 * d[0][i] - d[1][i]) / h;
+            c[3][i] = (d[0][i] + d[1][i] - 2.0 * mean) / (h * h);
+        }
+        Self { from, to, origin: from, c }
+    }
+
+    /// The quintic that goes on from `before` at its end and into `after` at its start, twice continuously
+    /// differentiable.
+    pub(crate) fn blend(before: &Self, after: &Self) -> Self {
+        let (from, to) = (before.to, after.from);
+        let h = to - from;
+        let (a, b) = (before.derivatives(from), after.derivatives(to));
+        let mut c = [Joints::default(); 6];
+        for i in 0..MAX_AXES {
+            let [q0, d0, e0] = [a[0][i], a[1][i] * h, a[2][i] * h * h];
+            let [q1, d1, e1] = [b[0][i], b[1][i] * h, b[2][i] * h * h];
+            let rise = q1 - q0;
+            let scaled = [
+                q0,
+                d0,
+                0.5 * e0,
+                10.0 * rise - 6.0 * d0 - 4.0 * d1 - 1.5 * e0 + 0.5 * e1,
+                -15.0 * rise + 8.0 * d0 + 7.0 * d1 + 1.5 * e0 - e1,
+                6.0 * rise - 3.0 * (d0 + d1) - 0.5 * (e0 - e1),
+            ];
+            (0..6).for_each(|k| c[k][i] = scaled[k] / h.powi(k as i32));
+        }
+        Self { from, to, origin: from, c }
+    }
+
+    /// Positions and three derivatives at `u`.
+    pub(crate) fn derivatives(&self, u: f64) -> [Joints; 4] {
+        let x = u - self.origin;
+        let mut out = [Joints::default(); 4];
+        for i in 0..MAX_AXES {
+            let c = |k: usize| self.c[k][i];
+            out[0][i] = c(0) + x * (c(1) + x * (c(2) + x * (c(3) + x * (c(4) + x * c(5)))));
+            out[1][i] = c(1) + x * (2.0 * c(2) + x * (3.0 * c(3) + x * (4.0 * c(4) + x * 5.0 * c(5))));
+            out[2][i] = 2.0 * c(2) + x * (6.0 * c(3) + x * (12.0 * c(4) + x * 20.0 * c(5)));
+            out[3][i] = 6.0 * c(3) + x * (24.0 * c(4) + x * 60.0 * c(5));
+        }
+        out
+    }
+}
+
+/// Slopes at the knots of the cubic spline through `q` at the parameters `u` (at least two): twice continuously
+/// differentiable, without curvature at its ends, or with the slope `first` at its start.
+pub(crate) fn slopes(u: &[f64], q: &[Joints], first: Option<&Joints>) -> Vec<Joints> {
+    let n = u.len();
+    let width = |i: usize| u[i + 1] - u[i];
+    // Rows of the tridiagonal system (below, diagonal, above), eliminated as they are made.
+    let mut above = vec![0.0; n];
+    let mut slopes = vec![Joints::default(); n];
+    for i in 0..n {
+        let (below, diagonal, over, right): (f64, f64, f64, Joints) = if i == 0 {
+            match first {
+                Some(slope) => (0.0, 1.0, 0.0, *slope),
+                None => (0.0, 2.0, 1.0, std::array::from_fn(|k| 3.0 * (q[1][k] - q[0][k]) / width(0))),
+            }
+        } else if i + 1 == n {
+            (1.0, 2.0, 0.0, std::array::from_fn(|k| 3.0 * (q[i][k] - q[i - 1][k]) / width(i - 1)))
+        } else {
+            let (a, b) = (width(i - 1), width(i));
+            let mean = |k: usize, i: usize| (q[i + 1][k] - q[i][k]) / width(i);
+            (b, 2.0 * (a + b), a, std::array::from_fn(|k| 3.0 * (b * mean(k, i - 1) + a * mean(k, i))))
+        };
+        let pivot = diagonal - if i > 0 { below * above[i - 1] } else { 0.0 };
+        above[i] = over / pivot;
+        for k in 0..MAX_AXES {
+            let known = if i > 0 { below * slopes[i - 1][k] } else { 0.0 };
+            slopes[i][k] = (right[k] - known) / pivot;
+        }
+    }
+    for i in (0..n - 1).rev() {
+        for k in 0..MAX_AXES {
+            slopes[i][k] -= above[i] * slopes[i + 1][k];
+        }
+    }
+    slopes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(x: f64) -> Joints {
+        std::array::from_fn(|i| (x * (1.0 + i as f64 * 0.2)).sin())
+    }
+
+    #[test]
+    fn pieces_join_with_two_derivatives_and_follow_a_smooth_curve() {
+        let u: Vec<f64> = (0..60).map(|i| 0.05 * f64::from(i) + 0.02 * f64::from(i % 3)).collect();
+        let q: Vec<Joints> = u.iter().map(|u| at(*u)).collect();
+        let slopes = slopes(&u, &q, None);
+        let piece = |i: usize| Piece::cubic((u[i], u[i + 1]), [&q[i], &q[i + 1]], [&slopes[i], &slopes[i + 1]]);
+        for i in 1..u.len() - 1 {
+            let (a, b) = (piece(i - 1).derivatives(u[i]), piece(i).derivatives(u[i]));
+            for k in 0..MAX_AXES {
+                assert!((0..3).all(|d| (a[d][k] - b[d][k]).abs() < 1e-10 * 10f64.powi(d as i32)));
+            }
+            let middle = 0.5 * (u[i] + u[i + 1]);
+            if i > 10 && i < 50 {
+                assert!((piece(i).derivatives(middle)[0][3] - at(middle)[3]).abs() < 1e-6);
+            }
+        }
+        // A window that goes on with a slope known is the same spline.
+        let later = super::slopes(&u[20..], &q[20..], Some(&slopes[20]));
+        assert!((0..40).all(|i| (0..MAX_AXES).all(|k| (later[i][k] - slopes[20 + i][k]).abs() < 1e-12)));
+    }
+
+    #[test]
+    fn a_blend_goes_on_from_one_piece_into_the_other() {
+        let (a, b, c) = ([0.0; MAX_AXES], [1.0; MAX_AXES], std::array::from_fn(|i| 1.0 + i as f64 * 0.1));
+        let slope = |p: &Joints, q: &Joints| std::array::from_fn::<f64, MAX_AXES, _>(|i| q[i] - p[i]);
+        let mut first = Piece::cubic((0.0, 1.0), [&a, &b], [&slope(&a, &b); 2]);
+        let mut second = Piece::cubic((1.0, 2.0), [&b, &c], [&slope(&b, &c); 2]);
+        (first.to, second.from) = (0.8, 1.2);
+        let blend = Piece::blend(&first, &second);
+        for (own, beside) in
+            [(blend.derivatives(0.8), first.derivatives(0.8)), (blend.derivatives(1.2), second.derivatives(1.2))]
+        {
+            assert!((0..3).all(|d| (0..MAX_AXES).all(|k| (own[d][k] - beside[d][k]).abs() < 1e-11)));
+        }
+    }
+}
