@@ -72,7 +72,11 @@ pub fn remarks(file: &Document<MachineFile>, machine: &Machine) -> Vec<Remark> {
 fn about_clearance(remarks: &mut Remarks, machine: &Machine) {
     if machine.solids.solids.is_empty() {
         let why = "the machine has no shapes: nothing can be checked for collisions";
-        return remarks.missing("shapes", why.to_owned(), "[[shapes.torch]], and so on for what may collide".to_owned());
+        return remarks.missing(
+            "shapes",
+            why.to_owned(),
+            "[[shapes.torch]], and so on for what may collide".to_owned(),
+        );
     }
     // What a scene cannot be made of is an error elsewhere.
     let Ok(around) = Surroundings::new(machine, &Clamped::default()) else { return };
