@@ -68,11 +68,15 @@ impl PointToPoint {
             let (low, high) = (low + ROOM, (high - ROOM).max(low + ROOM));
             *goal = Goal::Position { at: at.clamp(low, high), speed: override_share * limits.speed };
         }
-        self.plan_goals(from, &goals, Synchronization::Time)
-            .or_else(|_| self.plan_goals(from, &goals, Synchronization::None))
+        for synchronization in [Synchronization::Time, Synchronization::None] {
+            if self.plan_goals(from, &goals, synchronization).is_ok() && self.stays_in_range(from) {
+                return Ok(());
+            }
+        }
+        Err(JogError::NoMotion)
     }
 
-    /// Plans to one goal an axis.
+    /// Plans to one goal an axis; ranges are not looked at.
     pub(super) fn plan_goals(
         &mut self,
         from: &State,
@@ -105,17 +109,18 @@ impl PointToPoint {
         }
         // Errors the library ignores are in its result.
         match self.ruckig.calculate(input, &mut self.trajectory) {
-            Ok(RuckigResult::Working | RuckigResult::Finished) if self.stays_in_range(from) => Ok(()),
+            Ok(RuckigResult::Working | RuckigResult::Finished) => Ok(()),
             _ => Err(JogError::NoMotion),
         }
     }
 
-    /// True if no axis goes farther beyond its range than it is already.
+    /// True if no axis goes farther beyond its range than it is already. Not for speeds as goals: the library's extremes
+    /// are wrong there.
     fn stays_in_range(&mut self, from: &State) -> bool {
         let reach = self.trajectory.get_position_extrema();
-        let (goes_on, ends) = (self.goes_on, self.limits.iter().zip(from.q.iter().zip(reach.iter())));
+        let mut ends = self.limits.iter().zip(from.q.iter().zip(reach.iter()));
         let inside = |range: (f64, f64), q: f64, low: f64, high: f64| low >= range.0.min(q) && high <= range.1.max(q);
-        goes_on || ends.into_iter().all(|(limits, (q, reach))| inside(limits.range, *q, reach.min, reach.max))
+        ends.all(|(limits, (q, reach))| inside(limits.range, *q, reach.min, reach.max))
     }
 
     /// Time from the start of what is planned to its end, s.

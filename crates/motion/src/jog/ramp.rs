@@ -93,3 +93,72 @@ impl Ramp {
         if turn > from && turn < to && turn < self.ends[0] { ends.max(self.at(turn).1.abs()) } else { ends }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use rsruckig::prelude::*;
+
+    proptest! {
+        /// The library finds the same fastest change of speed; extremes are those of dense samples.
+        #[test]
+        fn is_as_fast_as_the_librarys(
+            v in -50.0..50.0f64, a in -1.0..1.0f64, to in prop::sample::select(vec![0.0, 0.0, -20.0, 7.5, 50.0]),
+            acceleration in 1.0..1000.0f64, jerk in 10.0..20000.0f64,
+        ) {
+            let range = (f64::NEG_INFINITY, f64::INFINITY);
+            let limits = AxisLimits { speed: 50.0, acceleration, jerk, range };
+            let a = a * acceleration;
+            let ramp = Ramp::new(&limits, (3.0, v, a), to);
+            let mut ruckig = Ruckig::<1, ThrowErrorHandler>::new(None, 1e-3);
+            let mut input = InputParameter::new(None);
+            let mut found = Trajectory::new(None);
+            input.control_interface = ControlInterface::Velocity;
+            (input.current_position[0], input.current_velocity[0], input.current_acceleration[0]) = (3.0, v, a);
+            input.target_velocity[0] = to;
+            (input.max_acceleration[0], input.max_jerk[0]) = (acceleration, jerk);
+            ruckig.calculate(&input, &mut found).unwrap();
+            prop_assert!((found.get_duration() - ramp.duration()).abs() < 1e-7 * (1.0 + ramp.duration()));
+            let (low, high) = ramp.reach();
+            let (begin, end) = (0.2 * ramp.duration(), 0.7 * ramp.duration());
+            let most = ramp.greatest_speed(begin, end);
+            let mut sampled = 0.0f64;
+            let mut last = ramp.at(0.0);
+            let (mut least, mut most_far) = (f64::INFINITY, f64::NEG_INFINITY);
+            for i in 0..=1000 {
+                let t = f64::from(i) * 1e-3 * ramp.duration();
+                let (q, v, a) = ramp.at(t);
+                prop_assert!(q >= low - 1e-9 && q <= high + 1e-9 && a.abs() <= acceleration * (1.0 + 1e-9));
+                let mut theirs = DataArrayOrVec::new(None, 0.0);
+                found.at_time(t, &mut Some(&mut theirs), &mut None, &mut None, &mut None, &mut None);
+                prop_assert!((theirs[0] - q).abs() < 1e-7 * (1.0 + high - low));
+                (least, most_far) = (least.min(q), most_far.max(q));
+                let jumps = jerk * 1e-3 * ramp.duration() * (1.0 + 1e-6) + 1e-9;
+                prop_assert!((a - last.2).abs() <= jumps);
+                last = (q, v, a);
+                if t >= begin && t <= end {
+                    prop_assert!(v.abs() <= most * (1.0 + 1e-12) + 1e-12);
+                    sampled = sampled.max(v.abs());
+                }
+            }
+            // A turn between two samples is a parabola.
+            let missed = acceleration * (1e-3 * ramp.duration()).powi(2) + 1e-9;
+            prop_assert!(least - low < missed && high - most_far < missed);
+            prop_assert!(most <= sampled + 2e-3 * acceleration * ramp.duration());
+            prop_assert!(ramp.at(ramp.duration()) == (ramp.end(), to, 0.0));
+        }
+    }
+
+    /// An acceleration beyond its limit, as after a lower limit was set, is taken back first.
+    #[test]
+    fn takes_back_what_is_too_much() {
+        let range = (f64::NEG_INFINITY, f64::INFINITY);
+        let limits = AxisLimits { speed: 50.0, acceleration: 10.0, jerk: 100.0, range };
+        for (v, to) in [(5.0, 40.0), (5.0, 0.0), (-5.0, 0.0)] {
+            let ramp = Ramp::new(&limits, (0.0, v, 20.0), to);
+            let (_, reached, a) = ramp.at(ramp.duration() * (1.0 - 1e-12));
+            assert!((reached - to).abs() < 1e-6 && a.abs() < 1e-3, "{v} {to}: {reached} {a}");
+        }
+    }
+}

@@ -13,8 +13,13 @@ fn farthest(limits: &AxisLimits, v: f64, a: f64) -> f64 {
     (input.current_velocity[0], input.current_acceleration[0]) = (v, a);
     (input.max_acceleration[0], input.max_jerk[0]) = (limits.acceleration, limits.jerk);
     ruckig.calculate(&input, &mut found).unwrap();
-    let reach = &found.get_position_extrema()[0];
-    reach.max.max(-reach.min)
+    let (duration, mut farthest, mut at) = (found.get_duration(), 0.0f64, DataArrayOrVec::new(None, 0.0));
+    for i in 0..=200 {
+        let t = duration * f64::from(i) / 200.0;
+        found.at_time(t, &mut Some(&mut at), &mut None, &mut None, &mut None, &mut None);
+        farthest = farthest.max(at[0].abs());
+    }
+    farthest
 }
 
 #[test]
