@@ -6,6 +6,7 @@
 //! the set-point before is followed, which was verified when that one was taken. So there is always a verified way to
 //! rest, whatever is commanded, lost, or too late.
 
+mod clearance;
 mod error;
 mod jogging;
 mod limits;
@@ -15,6 +16,7 @@ mod state;
 mod stop;
 mod tip;
 
+pub use clearance::MotionClearance;
 pub use error::JogError;
 pub use jogging::{Command, Halt, Jog, JogPoint, JogSettings, Signals};
 pub use limits::AxisLimits;

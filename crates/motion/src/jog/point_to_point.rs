@@ -39,7 +39,9 @@ impl PointToPoint {
         Self::with_limits(machine.axes.iter().map(AxisLimits::from).collect())
     }
 
-    fn with_limits(limits: Vec<AxisLimits>) -> Self {
+    /// For axes with these limits, at most [`MAX_AXES`].
+    pub fn with_limits(mut limits: Vec<AxisLimits>) -> Self {
+        limits.truncate(MAX_AXES);
         let axes = Some(limits.len());
         let mut input = InputParameter::new(axes);
         for (i, limits) in limits.iter().enumerate() {
