@@ -36,7 +36,7 @@ fn what_would_collide_is_refused_and_mistakes_are_named() {
     assert!(told.contains("finding (clearance)") && told.contains("torch") && told.contains("where: t ="), "{told}");
     for (arguments, words) in [
         (vec!["--to", "x=9000"], vec!["--to x=9000", "axis x cannot be there", "allowed: -800 to 800 mm"]),
-        (vec!["--to", "q=1"], vec!["no such axis", "x, z, a, b, y"]),
+        (vec!["--to", "q=1"], vec!["no such axis", "y, z, a, b, x"]),
         (vec!["--to", "x"], vec!["axis x is not a number", "-800 to 800 mm"]),
         (vec!["--to", "x=nan"], vec!["axis x is not a number"]),
         (vec!["--to", "x=1,x=2"], vec!["given twice"]),

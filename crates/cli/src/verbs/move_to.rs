@@ -103,11 +103,12 @@ fn write(machine: &Machine, plan: &PointToPoint, period: f64, count: u64, json: 
         // The last one is at rest at the target, up to a period after it is reached.
         let t = i as f64 * period;
         let state = plan.at(t);
-        let tip = machine.jacobian(&state.q).iter().zip(&state.speed).map(|(c, v)| *v * c.0);
+        let columns = machine.jacobian(&state.q);
+        let tip: glam::DVec3 = columns.iter().zip(&state.speed).map(|(c, v)| *v * c.0).sum();
         cells.clear();
         cells.push(Cell::Number(t));
         cells.extend(machine.axes.iter().zip(&state.q).map(|(axis, q)| Cell::Number(axis.to_file(*q))));
-        cells.push(Cell::Number(tip.sum::<glam::DVec3>().length()));
+        cells.push(Cell::Number(tip.length()));
         rows.row(&cells)?;
     }
     rows.finish()

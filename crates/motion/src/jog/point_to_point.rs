@@ -39,7 +39,7 @@ impl PointToPoint {
         Self::with_limits(machine.axes.iter().map(AxisLimits::from).collect())
     }
 
-    /// For axes with these limits, at most [`MAX_AXES`].
+    /// For axes with these limits; those beyond [`MAX_AXES`] are left out.
     pub fn with_limits(mut limits: Vec<AxisLimits>) -> Self {
         limits.truncate(MAX_AXES);
         let axes = Some(limits.len());
