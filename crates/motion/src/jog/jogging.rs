@@ -342,7 +342,7 @@ impl<'a> Jog<'a> {
                 && next.acceleration[i].abs() <= limits.acceleration * (1.0 + SLACK)
                 && stop.ramps()[i].greatest_speed(0.0, stop.duration()) <= limits.speed * (1.0 + SLACK);
             let (low, high) = stop.ramps()[i].reach();
-            if !fits || !(low >= limits.range.0 && high <= limits.range.1) {
+            if !(fits && low >= limits.range.0 && high <= limits.range.1) {
                 return Err(Halt::Limit(i));
             }
         }

@@ -29,10 +29,10 @@ impl AxisLimits {
     /// farther backwards: then that is the worst.
     pub fn stopping_distance(&self, speed: f64) -> f64 {
         let (v, top, a, j) = (speed.abs().min(self.speed), self.speed, self.acceleration, self.jerk);
-        let onwards = self.from_acceleration(v, a.min((2.0 * j * (top - v)).sqrt()));
+        let onwards = self.accelerating(v, a.min((2.0 * j * (top - v)).sqrt()));
         // Against the motion: what is left of the acceleration where the axis turns round.
         let back = (0.5 * a * a / j - v).clamp(0.0, top);
-        onwards.max(self.from_acceleration(0.0, (2.0 * j * back).sqrt()))
+        onwards.max(self.accelerating(0.0, (2.0 * j * back).sqrt()))
     }
 
     /// The same at the highest speed or any lower one.
@@ -43,7 +43,7 @@ impl AxisLimits {
     }
 
     /// Distance of the fastest stop from speed `v` and acceleration `a`, both forwards.
-    fn from_acceleration(&self, v: f64, a: f64) -> f64 {
+    fn accelerating(&self, v: f64, a: f64) -> f64 {
         let (most, j) = (self.acceleration, self.jerk);
         let rise = a / j;
         let risen = v * rise + a * rise * rise / 3.0;
