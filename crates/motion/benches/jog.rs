@@ -22,7 +22,7 @@ fn benches(c: &mut Criterion) {
         // To and fro, so that it keeps moving.
         c.bench_function(&format!("jog step, 10 axes, {what}"), |b| {
             b.iter(|| {
-                let way = if i / 300 % 2 == 0 { 0.1 } else { -0.1 };
+                let way = if (i / 300).is_multiple_of(2) { 0.1 } else { -0.1 };
                 i += 1;
                 there.command(&Command::Speeds(speeds(way))).ok();
                 black_box(there.step(&on))
@@ -32,7 +32,7 @@ fn benches(c: &mut Criterion) {
         let mut there = jog();
         c.bench_function(&format!("jog step with a new command, 10 axes, {what}"), |b| {
             b.iter(|| {
-                let way = if i / 300 % 2 == 0 { 0.1 } else { -0.1 } + 1e-6 * f64::from(i % 100);
+                let way = if (i / 300).is_multiple_of(2) { 0.1 } else { -0.1 } + 1e-6 * f64::from(i % 100);
                 i += 1;
                 there.command(&Command::Speeds(speeds(way))).ok();
                 black_box(there.step(&on))
@@ -46,7 +46,7 @@ fn benches(c: &mut Criterion) {
     c.bench_function("point to point, new target, 10 axes", |b| {
         b.iter(|| {
             i += 1;
-            let by = if i / 500 % 2 == 0 { 1.0 } else { -1.0 } + 1e-4 * f64::from(i % 100);
+            let by = if (i / 500).is_multiple_of(2) { 1.0 } else { -1.0 } + 1e-4 * f64::from(i % 100);
             let mut target = home;
             (0..machine.axes.len().min(MAX_AXES)).for_each(|k| target[k] += 0.05 * by);
             plan.plan(&state, &target, 1.0).ok();

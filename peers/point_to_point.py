@@ -5,7 +5,7 @@ For every number of axes from 3 to 7, half of the cases from rest, half from a m
 - ours stays within the limits and ends at the target.
 The times of planning are measured in the same run, each the best of five, and printed as a ratio.
 
-Usage: ruckig.py PROGRAM (of peers/point-to-point)
+Usage: point_to_point.py PROGRAM (of peers/point-to-point)
 """
 
 import random
