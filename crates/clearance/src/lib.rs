@@ -31,6 +31,6 @@ pub use distance::{Near, nearest};
 pub use error::ClearanceError;
 pub use file::{ShapeFile, SolidFile};
 pub use mesh::Mesh;
-pub use scene::{Evaluation, Group, Place, Scene, Watch};
+pub use scene::{Evaluation, Group, Memory, Place, Scene, Watch};
 pub use shape::{Shape, Solid};
 pub use stl::read_stl;

@@ -86,9 +86,9 @@ pub struct Scene {
     watches: Vec<Watch>,
 }
 
-/// What a watch found last time: the first to look at the next time.
+/// What a watch found last time: the first to look at the next time. One for each watch; it grows once.
 #[derive(Debug, Default)]
-pub(crate) struct Memory {
+pub struct Memory {
     nearest: usize,
     last: Vec<Last>,
     gaps: Vec<f64>,
@@ -153,13 +153,9 @@ impl Scene {
         least
     }
 
-    pub(crate) fn evaluate_near(
-        &self,
-        watch: usize,
-        frames: &[DAffine3],
-        limit: f64,
-        memory: &mut Memory,
-    ) -> Evaluation {
+    /// As [`Scene::evaluate`], faster where little has moved since `memory` was used last for this watch. Once `memory`
+    /// has been used with an infinite limit this costs no allocation, except on meshes.
+    pub fn evaluate_near(&self, watch: usize, frames: &[DAffine3], limit: f64, memory: &mut Memory) -> Evaluation {
         match &self.watches[watch] {
             Watch::Apart { a, b, .. } => self.apart(*a, *b, frames, limit, memory),
             Watch::Inside { group, of, zones, .. } => self.inside(*group, *of, zones, frames),

@@ -1,6 +1,7 @@
 //! The command line, as in the contract of `docs/cli.md`.
 
 pub(crate) mod machine;
+pub(crate) mod move_to;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -38,6 +39,8 @@ pub(crate) enum Verb {
     Kinematics(KinematicsArgs),
     /// The textbook interpolators beside the exact one
     Interpolate(InterpolateArgs),
+    /// Set-points of all axes from one place to another, jerk-limited, arriving at once, if nothing comes too near
+    Move(move_to::MoveArgs),
     /// The machine and the work in it: place the work from touched points, check a machine file
     Machine(machine::MachineArgs),
     /// List the machines that ship, or print one's file

@@ -43,6 +43,7 @@ fn run(verb: Option<Verb>) -> Result<(), Failure> {
         Some(Verb::Post(a)) => verbs::post::run(&a),
         Some(Verb::Kinematics(a)) => verbs::kinematics::run(&a),
         Some(Verb::Interpolate(a)) => verbs::interpolate::run(&a),
+        Some(Verb::Move(a)) => verbs::move_to::run(&a),
         Some(Verb::Machine(a)) => verbs::machine::run(&a),
         Some(Verb::Machines(a)) => verbs::lists::machines(&a),
         Some(Verb::Examples(a)) => verbs::lists::examples(&a),

@@ -27,7 +27,7 @@ pub struct Axis {
     pub max_speed: f64,
     /// Highest acceleration.
     pub max_acceleration: f64,
-    /// Highest jerk, infinite if not given.
+    /// Highest jerk, infinite if not given: motion is planned with [`Axis::jerk`].
     pub max_jerk: f64,
     /// Measured pitch error, if the file has one.
     pub pitch_error: Option<PitchError>,
@@ -155,6 +155,13 @@ impl RangeViolation {
 }
 
 impl Axis {
+    /// The jerk that motion is planned with: the highest one, or, where the file gives none, the one that builds up the
+    /// full acceleration in 20 ms. No drive's torque jumps, so no set-points ask for that.
+    pub fn jerk(&self) -> f64 {
+        const WITHOUT_LIMIT_PER_S: f64 = 50.0;
+        if self.max_jerk.is_finite() { self.max_jerk } else { WITHOUT_LIMIT_PER_S * self.max_acceleration }
+    }
+
     /// How far `value` is outside the range (0 inside), and the limit it passes.
     pub fn outside(&self, value: f64) -> Option<f64> {
         let (low, high) = self.range?;

@@ -13,6 +13,7 @@ pub mod check;
 mod file;
 mod head;
 mod inverse;
+mod keeper;
 mod links;
 mod machine;
 mod pair;
@@ -31,6 +32,7 @@ pub use file::{
 };
 pub use head::Head;
 pub use inverse::{Branches, MAX_BRANCHES, Solution, Unreachable};
+pub use keeper::Keeper;
 pub use links::{LinkFrames, Links, MAX_LINKS, NamedFrame};
 pub use machine::{Machine, Target};
 pub use pitch_error::PitchError;

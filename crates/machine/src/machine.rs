@@ -1,9 +1,12 @@
 use crate::inverse::{self, Branches, Solution, Unreachable, Which};
+use crate::keeper::{Lever, travel};
 use crate::pair::Pair;
+use crate::surroundings::PITCH;
 use crate::{
     Axis, AxisKind, AxisSet, Head, Io, Joints, LinkFrames, LinkSolids, Links, MAX_AXES, MachineFile, RangeViolation,
     assemble,
 };
+use arrayvec::ArrayVec;
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::Pose;
@@ -144,6 +147,20 @@ impl Machine {
             *column = (slope * column.0, slope * column.1);
         }
         columns
+    }
+
+    /// The farthest that the first head's tip moves against the work while each axis moves by up to `by` (mm or rad, of
+    /// either sign) from indicated positions `q`, mm: levers at `q`, and what the axes between add to them.
+    pub fn tip_travel(&self, q: &Joints, by: &Joints) -> f64 {
+        let chain = &self.heads[0].chain;
+        let columns = chain.jacobian(&self.true_positions(q));
+        let lever = |axis: usize| {
+            let Axis { kind, pitch_error, .. } = &self.axes[axis];
+            let pitch = if pitch_error.is_some() { PITCH } else { 1.0 };
+            Lever { axis, kind: *kind, arm: columns[axis].0.length(), pitch }
+        };
+        let levers: ArrayVec<Lever, MAX_AXES> = chain.screws.iter().rev().map(|s| lever(s.axis)).collect();
+        travel(&levers, |i| by[i].abs())
     }
 
     /// Frames of the links in the work frame at indicated positions `q`: see [`Links::motion`].

@@ -1,6 +1,8 @@
 //! Machine, part and fixtures as one scene, and how it moves with the axes.
 
-use crate::{AxisKind, Joints, LinkFrames, Machine, ZoneKind};
+use crate::keeper::{Lever, travel};
+use crate::{Axis, AxisKind, Joints, LinkFrames, MAX_AXES, Machine, ZoneKind};
+use arrayvec::ArrayVec;
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Clamped, ClearanceError, Evaluation, Group, Limits, Motion, Profile, Scene, Solid, Watch};
 use std::collections::BTreeMap;
@@ -27,7 +29,7 @@ pub struct Surroundings<'a> {
 }
 
 /// Pitch errors change a rate by up to this factor.
-const PITCH: f64 = 1.0 + crate::pitch_error::STEEPEST;
+pub(crate) const PITCH: f64 = 1.0 + crate::pitch_error::STEEPEST;
 
 impl<'a> Surroundings<'a> {
     /// The machine with what is clamped in it.
@@ -129,8 +131,15 @@ impl<'a> Surroundings<'a> {
 
     /// Frames of the groups in the work frame.
     fn frames(&self, q: &Joints) -> Vec<DAffine3> {
+        let mut frames = vec![DAffine3::IDENTITY; self.links.len()];
+        self.frames_into(q, &mut frames);
+        frames
+    }
+
+    /// The same into `frames`, one for each group.
+    pub(crate) fn frames_into(&self, q: &Joints, frames: &mut [DAffine3]) {
         let motion = self.machine.link_frames(q);
-        self.links.iter().map(|&l| motion[l]).collect()
+        frames.iter_mut().zip(&self.links).for_each(|(f, &l)| *f = motion[l]);
     }
 
     /// An upper bound of the speed of any point of group `a` seen from group `b` while the axes move from `q` at up to
@@ -139,18 +148,22 @@ impl<'a> Surroundings<'a> {
     /// Each axis between the two contributes its rate, a rotary one times the greatest distance of the group from the
     /// axis: that at `q`, and what the axes between group and axis can add over the stretch.
     fn greatest_speed(&self, a: usize, b: usize, q: &Joints, rates: &Joints, length: f64) -> f64 {
+        let levers = self.levers(a, b, q);
+        if length > 0.0 { travel(&levers, |i| rates[i] * length) / length } else { travel(&levers, |i| rates[i]) }
+    }
+
+    /// What the axes between two groups do to the points of the first at positions `q`, in the order in which they are
+    /// met on the way from it.
+    pub(crate) fn levers(&self, a: usize, b: usize, q: &Joints) -> ArrayVec<Lever, MAX_AXES> {
         let motion = self.machine.link_frames(q);
         let (centre, radius) = self.spheres[a];
         let centre = motion[self.links[a]].transform_point3(centre);
-        let mut speed = 0.0;
-        for axis in self.axes_from(a, b) {
-            let rate = rates[axis] * if self.machine.axes[axis].pitch_error.is_some() { PITCH } else { 1.0 };
-            speed += match self.machine.axes[axis].kind {
-                AxisKind::Linear => rate,
-                AxisKind::Rotary => rate * (self.lever(axis, centre, &motion) + radius + speed * length),
-            };
-        }
-        speed
+        let of = |axis: usize| {
+            let Axis { kind, pitch_error, .. } = &self.machine.axes[axis];
+            let arm = if *kind == AxisKind::Linear { 1.0 } else { self.lever(axis, centre, &motion) + radius };
+            Lever { axis, kind: *kind, arm, pitch: if pitch_error.is_some() { PITCH } else { 1.0 } }
+        };
+        self.axes_from(a, b).map(of).collect()
     }
 
     fn lever(&self, axis: usize, point: DVec3, motion: &LinkFrames) -> f64 {
@@ -186,8 +199,7 @@ impl<C: Course> Motion for Follow<'_, C> {
     }
 
     fn frames(&self, s: f64, frames: &mut [DAffine3]) {
-        let motion = self.surroundings.machine.link_frames(&self.course.at(s));
-        frames.iter_mut().zip(&self.surroundings.links).for_each(|(f, &l)| *f = motion[l]);
+        self.surroundings.frames_into(&self.course.at(s), frames);
     }
 
     fn greatest_speed(&self, a: usize, b: usize, from: f64, to: f64) -> f64 {

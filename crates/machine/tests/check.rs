@@ -2,7 +2,7 @@
 
 use seamwright_document::Document;
 use seamwright_machine::check::{Check, CheckOptions, Remark, Side, remarks};
-use seamwright_machine::{Machine, MachineFile, SHIPPED, shipped};
+use seamwright_machine::{Clamped, Machine, MachineFile, SHIPPED, Surroundings, shipped};
 use std::f64::consts::PI;
 
 fn checked(text: &str, poses: u32) -> Check {
@@ -95,6 +95,27 @@ fn planted_slips_are_found() {
     let table = "\n[pitch_error.y]\nat_mm = [-800, 0, 800]\nerror_mm = [0, 5, 0]\n";
     let remarks = remarked(&format!("{text}{table}"));
     assert!(remarks.len() == 1 && remarks[0].key == "pitch_error.y.error_mm", "{remarks:?}");
+}
+
+/// Without shapes nothing can be checked; a home position that is too near names what is too near.
+#[test]
+fn collisions_that_cannot_be_seen_or_are_there_from_the_start_are_remarked_upon() {
+    let text = shipped("saddle-4axis").unwrap().text;
+    let (before, rest) = text.split_once("[[shapes.").unwrap();
+    let (_, after) = rest.split_once("[drives.").unwrap();
+    let remarks = remarked(&format!("{before}[drives.{after}"));
+    assert!(remarks.len() == 1 && remarks[0].key == "shapes" && remarks[0].line == 0, "{remarks:?}");
+    assert!(remarks[0].why.contains("nothing can be checked"));
+    // The torch driven down into the work's table.
+    let low = changed("table-tilting-xyzac", "home_mm = 400", "home_mm = -290");
+    let machine = Machine::read("m.toml", &low).unwrap();
+    let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
+    assert!(!around.is_clear(&machine.home()));
+    let remarks = remarked(&low);
+    assert!(remarks.len() == 1 && remarks[0].key == "home", "{remarks:?}");
+    assert!(remarks[0].why.contains("torch") && remarks[0].why.contains("0 mm apart"), "{remarks:?}");
+    // Just as near as what was moved: the remark goes when the home position is clear.
+    assert!(remarked(shipped("table-tilting-xyzac").unwrap().text).is_empty());
 }
 
 /// The tilting table is singular where the torch lies along C; the distance that a weld needs is in closed form.

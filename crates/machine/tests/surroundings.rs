@@ -6,7 +6,7 @@ mod common;
 use common::{Uniform, cases, random_joints};
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Limits, Shape, Solid, Watch};
-use seamwright_machine::{Clamped, Course, Joints, Machine, SHIPPED, Surroundings, shipped};
+use seamwright_machine::{Clamped, Course, Joints, Keeper, Machine, SHIPPED, Surroundings, shipped};
 
 fn read(name: &str) -> Machine {
     Machine::read(name, shipped(name).unwrap().text).unwrap()
@@ -190,5 +190,72 @@ fn stl_files_are_checked() {
         println!("{e}");
         assert_eq!(e.key, "shapes.b[0].shape.stl.file");
         assert!(e.to_string().contains(what), "{what}: {e}");
+    }
+}
+
+/// A curved motion of all axes: where it goes for `s` from 0 to 1.
+struct Bend {
+    from: Joints,
+    by: Joints,
+    rates: Joints,
+}
+
+impl Course for Bend {
+    fn range(&self) -> (f64, f64) {
+        (0.0, 1.0)
+    }
+    fn at(&self, s: f64) -> Joints {
+        std::array::from_fn(|i| self.from[i] + self.by[i] * s + 0.3 * self.by[i] * (3.0 * s + i as f64).sin())
+    }
+    fn greatest_rates(&self, _from: f64, _to: f64) -> Joints {
+        self.rates
+    }
+}
+
+/// What a keeper proves is clear is so at every place, and most that is clear with room to spare it proves.
+#[test]
+fn keepers_prove_only_what_is_so() {
+    let block = Solid::new("block", Shape::Box { size: DVec3::splat(90.0) }, DAffine3::IDENTITY).unwrap();
+    let clamped = Clamped { part: vec![block], least_mm: 2.0, ..Clamped::default() };
+    for name in ["torch-5axis", "table-tilting-xyzac", "ebw-7axis", "dual-laser-10axis"] {
+        let machine = read(name);
+        let around = Surroundings::new(&machine, &clamped).unwrap();
+        let mut keeper = Keeper::new(&around, &machine.home());
+        let mut random = Uniform::new(17);
+        let (mut proven, mut missed, mut touching) = (0, 0, 0);
+        let mut from = random_joints(&machine, &mut random);
+        for case in 0..cases(1200) {
+            if case % 8 == 0 {
+                from = random_joints(&machine, &mut random);
+            }
+            let far = random_joints(&machine, &mut random);
+            // From a hair to a tenth of the way.
+            let part = 10f64.powi(-1 - (case % 5) as i32);
+            let by: Joints = std::array::from_fn(|i| part * (far[i] - from[i]));
+            let bend = Bend { from, by, rates: by.map(|b| 1.9 * b.abs()) };
+            let places: Vec<Joints> = (0..=60).map(|i| bend.at(f64::from(i) / 60.0)).collect();
+            let ends = |pick: fn(f64, f64) -> f64| -> Joints {
+                // Between the samples it goes a little farther.
+                let more = |i: usize| pick(-1.0, 1.0) * 0.02 * by[i].abs();
+                std::array::from_fn(|i| places.iter().map(|q| q[i]).reduce(pick).unwrap() + more(i))
+            };
+            let clear = places.iter().all(|q| around.is_clear(q));
+            match keeper.prove(&bend, &ends(f64::min), &ends(f64::max), 16) {
+                Ok(()) => {
+                    assert!(clear, "{name}: {case}");
+                    proven += 1;
+                }
+                Err(watch) => {
+                    assert!(watch < around.scene().watches().len());
+                    if clear { missed += 1 } else { touching += 1 }
+                }
+            }
+            from = places[60];
+            if !around.is_clear(&from) {
+                from = random_joints(&machine, &mut random);
+            }
+        }
+        println!("{name}: {proven} proven, {missed} missed, {touching} not clear");
+        assert!(proven > 200 && missed * 10 < proven && touching > 0);
     }
 }

@@ -9,6 +9,7 @@
 
 pub mod air;
 mod follower;
+pub mod jog;
 mod joint_path;
 pub mod law;
 mod limits;

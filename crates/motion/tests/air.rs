@@ -78,24 +78,35 @@ fn legs_keep_every_limit_and_end_where_they_should() {
             let leg = Leg::new(&machine, &from, &to);
             assert_eq!(leg.at_time(0.0), from);
             assert_eq!(leg.at_time(leg.duration()), to);
+            // The rates are those of the positions and within the limits, and so are their differences.
             let (mut full, h) = (0.0f64, leg.duration() / 4000.0);
             for i in 1..4000 {
                 let t = f64::from(i) * h;
-                let [a, b, c] = [t - h, t, t + h].map(|t| leg.at_time(t));
+                let [a, b, c] = [t - h, t, t + h].map(|t| (leg.at_time(t), leg.rates(t)));
                 for (i, axis) in machine.axes.iter().enumerate() {
-                    let (v, w) = ((c[i] - a[i]) / (2.0 * h), (c[i] - 2.0 * b[i] + a[i]) / (h * h));
-                    let rounding = 1e-12 * b[i].abs().max(1.0) / (h * h);
-                    assert!(
-                        v.abs() <= axis.max_speed * (1.0 + 1e-9)
-                            && w.abs() <= axis.max_acceleration * (1.0 + 1e-6) + rounding
-                    );
-                    full = full.max(v.abs() / axis.max_speed).max(w.abs() / axis.max_acceleration);
+                    let (v, w, j) = (axis.max_speed, axis.max_acceleration, axis.jerk());
+                    let rounding = 1e-12 * b.0[i].abs().max(1.0) / h;
+                    let slope = |a: f64, c: f64| (c - a) / (2.0 * h);
+                    let (speed, acceleration) = (b.1.0[i], b.1.1[i]);
+                    assert!((slope(a.0[i], c.0[i]) - speed).abs() <= j * h * h + rounding);
+                    assert!((slope(a.1.0[i], c.1.0[i]) - acceleration).abs() <= j * h + 1e-9 * w);
+                    let jerk = slope(a.1.1[i], c.1.1[i]).abs();
+                    let uses = [speed.abs() / v, acceleration.abs() / w, jerk / j];
+                    assert!(uses.iter().all(|u| *u <= 1.0 + 1e-6), "{name} {k}: {} {uses:?}", axis.name);
+                    full = uses.into_iter().fold(full, f64::max);
                 }
             }
             assert!(full > 0.99, "{name}: some limit is used");
         }
     }
-    let machine = read("ellipse-xy");
+    // Without a highest jerk the full acceleration takes 20 ms.
+    let mut machine = read("ellipse-xy");
+    let (from, mut to) = (machine.home(), machine.home());
+    to[0] += 100.0;
+    machine.axes[0].max_jerk = f64::INFINITY;
+    let leg = Leg::new(&machine, &from, &to);
+    let highest = machine.axes[0].max_acceleration;
+    assert!((leg.rates(0.01).1[0] / highest - 0.5).abs() < 1e-9 && (leg.rates(0.02).1[0] / highest - 1.0).abs() < 1e-9);
     let still = Leg::new(&machine, &machine.home(), &machine.home());
     assert!(still.duration() == 0.0 && still.at_time(0.3) == machine.home());
 }

@@ -7,6 +7,7 @@ pub(crate) mod kinematics;
 pub(crate) mod lists;
 pub(crate) mod machine;
 pub(crate) mod motion;
+pub(crate) mod move_to;
 pub(crate) mod plan;
 pub(crate) mod post;
 pub(crate) mod schema;

@@ -1,5 +1,5 @@
 use super::usual::*;
-use crate::{Axis, AxisKind, Machine, MachineFile, StepFile};
+use crate::{Axis, AxisKind, Clamped, Machine, MachineFile, StepFile, Surroundings};
 use seamwright_document::Document;
 use serde::Serialize;
 
@@ -64,7 +64,35 @@ pub fn remarks(file: &Document<MachineFile>, machine: &Machine) -> Vec<Remark> {
             }
         }
     }
+    about_clearance(&mut remarks, machine);
     remarks.all
+}
+
+/// A machine that nothing can be checked for collisions on, or that is not clear of itself where it homes.
+fn about_clearance(remarks: &mut Remarks, machine: &Machine) {
+    if machine.solids.solids.is_empty() {
+        let why = "the machine has no shapes: nothing can be checked for collisions";
+        return remarks.missing(
+            "shapes",
+            why.to_owned(),
+            "[[shapes.torch]], and so on for what may collide".to_owned(),
+        );
+    }
+    // What a scene cannot be made of is an error elsewhere.
+    let Ok(around) = Surroundings::new(machine, &Clamped::default()) else { return };
+    let home = machine.home();
+    if around.is_clear(&home) {
+        return;
+    }
+    let Some((watch, found)) = around.nearest(&home, around.greatest_least_mm() + 1.0) else { return };
+    let (a, b) = around.names(watch);
+    let least = around.scene().watches()[watch].least_mm();
+    let why = format!(
+        "at the home position {a} and {b} are {} mm apart, and {} mm are asked for",
+        number(found.distance),
+        number(least)
+    );
+    remarks.missing("home", why, "home_mm or home_deg of an axis, or the shapes".to_owned());
 }
 
 fn about_axis(remarks: &mut Remarks, path: &str, axis: &Axis, period: f64) {

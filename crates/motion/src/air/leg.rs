@@ -1,34 +1,30 @@
-use seamwright_machine::{Course, Joints, Machine};
+use super::rest_to_rest::RestToRest;
+use seamwright_machine::{Axis, Course, Joints, Machine};
 
 /// All axes from one set of positions to another at once, straight in axis space, from rest to rest as fast as the
-/// slowest axis can: full acceleration, full speed, full deceleration.
+/// slowest axis can within its speed, acceleration and jerk.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Leg {
     from: Joints,
     to: Joints,
-    /// Highest speed and acceleration of the part that is done, 1/s and 1/s^2.
-    speed: f64,
-    acceleration: f64,
-    duration: f64,
+    /// The part that is done, over time.
+    part: RestToRest,
 }
 
 impl Leg {
-    /// The leg on `machine`.
+    /// The leg on `machine`. An axis without a highest jerk has that of [`Axis::jerk`].
     pub fn new(machine: &Machine, from: &Joints, to: &Joints) -> Self {
-        let least = |limit: fn(&seamwright_machine::Axis) -> f64| {
+        let least = |limit: fn(&Axis) -> f64| {
             let parts = machine.axes.iter().zip(from.iter().zip(to)).map(|(a, (p, q))| limit(a) / (p - q).abs());
             parts.fold(f64::INFINITY, f64::min)
         };
-        let (speed, acceleration) = (least(|a| a.max_speed), least(|a| a.max_acceleration));
-        // Short legs never reach the full speed.
-        let speed = speed.min(acceleration.sqrt());
-        let duration = if speed.is_finite() { 1.0 / speed + speed / acceleration } else { 0.0 };
-        Self { from: *from, to: *to, speed, acceleration, duration }
+        let part = RestToRest::new(least(|a| a.max_speed), least(|a| a.max_acceleration), least(Axis::jerk));
+        Self { from: *from, to: *to, part }
     }
 
     /// Time from rest to rest, s.
     pub fn duration(&self) -> f64 {
-        self.duration
+        self.part.duration()
     }
 
     /// Where it begins.
@@ -44,29 +40,12 @@ impl Leg {
     /// Positions at time `t` (s) from its start, mm or rad.
     pub fn at_time(&self, t: f64) -> Joints {
         // At rest the ends themselves, without rounding.
-        if t >= self.duration { self.to } else { self.at(self.part(t).0) }
-    }
-
-    /// The part that is done at time `t`, its speed (1/s) and acceleration (1/s^2).
-    fn part(&self, t: f64) -> (f64, f64, f64) {
-        let (v, a, left) = (self.speed, self.acceleration, self.duration - t);
-        let ramp = v / a;
-        if left <= 0.0 || self.duration <= 0.0 {
-            (1.0, 0.0, 0.0)
-        } else if t <= 0.0 {
-            (0.0, 0.0, 0.0)
-        } else if t < ramp {
-            (0.5 * a * t * t, a * t, a)
-        } else if left < ramp {
-            (1.0 - 0.5 * a * left * left, a * left, -a)
-        } else {
-            (v * (t - 0.5 * ramp), v, 0.0)
-        }
+        if t >= self.duration() { self.to } else { self.at(self.part.at(t).0) }
     }
 
     /// Speeds and accelerations at time `t` (s) from its start, mm or rad per s and s^2.
     pub fn rates(&self, t: f64) -> (Joints, Joints) {
-        let (_, speed, acceleration) = self.part(t);
+        let (_, speed, acceleration) = self.part.at(t);
         let times = |f: f64| std::array::from_fn(|i| f * (self.to[i] - self.from[i]));
         (times(speed), times(acceleration))
     }
@@ -114,12 +93,12 @@ impl AirMove {
     pub fn leg(&self, t: f64) -> Option<(&Leg, f64)> {
         let mut begun = 0.0;
         for leg in &self.legs {
-            if t < begun + leg.duration {
+            if t < begun + leg.duration() {
                 return Some((leg, t - begun));
             }
-            begun += leg.duration;
+            begun += leg.duration();
         }
-        self.legs.last().map(|leg| (leg, leg.duration))
+        self.legs.last().map(|leg| (leg, leg.duration()))
     }
 
     /// Number of set-points, one a period from its start to its end.

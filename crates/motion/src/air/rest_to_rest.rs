@@ -1,0 +1,68 @@
+/// From 0 to 1, from rest to rest, in the least time within a speed, an acceleration and a jerk: up to seven stretches
+/// of constant jerk, the same forwards and backwards.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct RestToRest {
+    jerk: f64,
+    /// Speed of the middle, 1/s.
+    speed: f64,
+    /// Durations: of constant jerk (four times), of constant acceleration (twice), of constant speed.
+    times: [f64; 3],
+}
+
+impl RestToRest {
+    /// With the limits `v` (1/s), `a` (1/s^2) and `j` (1/s^3), all greater than 0; infinite ones give no motion, in no
+    /// time.
+    pub(super) fn new(v: f64, a: f64, j: f64) -> Self {
+        if !(v.is_finite() && a.is_finite() && j.is_finite()) {
+            return Self { jerk: 0.0, speed: 0.0, times: [0.0; 3] };
+        }
+        // Run-up to a speed w and the same run-down cover w (w / a + a / j) if the full acceleration is reached, that is
+        // if w > a^2 / j, and 2 w sqrt(w / j) if not. Short ways never reach the full speed.
+        let ramp = a / j;
+        let full = 0.5 * a * ((ramp * ramp + 4.0 / a).sqrt() - ramp);
+        let highest = if full > a * ramp { full } else { (0.25 * j).cbrt() };
+        let speed = v.min(highest);
+        let (with_jerk, with_acceleration) =
+            if speed > a * ramp { (ramp, speed / a - ramp) } else { ((speed / j).sqrt(), 0.0) };
+        let with_speed = (1.0 / speed - 2.0 * with_jerk - with_acceleration).max(0.0);
+        Self { jerk: j, speed, times: [with_jerk, with_acceleration, with_speed] }
+    }
+
+    /// Time from 0 to 1, s.
+    pub(super) fn duration(&self) -> f64 {
+        let [with_jerk, with_acceleration, with_speed] = self.times;
+        4.0 * with_jerk + 2.0 * with_acceleration + with_speed
+    }
+
+    /// Where it is at time `t` (s), its speed (1/s) and acceleration (1/s^2).
+    pub(super) fn at(&self, t: f64) -> (f64, f64, f64) {
+        let left = self.duration() - t;
+        if left <= 0.0 {
+            (1.0, 0.0, 0.0)
+        } else if t <= 0.0 {
+            (0.0, 0.0, 0.0)
+        } else if left < t {
+            let (s, v, a) = self.first_half(left);
+            (1.0 - s, v, -a)
+        } else {
+            self.first_half(t)
+        }
+    }
+
+    fn first_half(&self, t: f64) -> (f64, f64, f64) {
+        let ([t1, t2, _], j, v) = (self.times, self.jerk, self.speed);
+        let run_up = 2.0 * t1 + t2;
+        if t < t1 {
+            (j * t.powi(3) / 6.0, 0.5 * j * t * t, j * t)
+        } else if t < t1 + t2 {
+            // Twice integrated from the middle of the build-up, where a straight rise would have begun.
+            let (a, u) = (j * t1, t - 0.5 * t1);
+            (0.5 * a * (u * u + t1 * t1 / 12.0), a * u, a)
+        } else if t < run_up {
+            let u = run_up - t;
+            (v * (0.5 * run_up - u) + j * u.powi(3) / 6.0, v - 0.5 * j * u * u, j * u)
+        } else {
+            (v * (t - 0.5 * run_up), v, 0.0)
+        }
+    }
+}

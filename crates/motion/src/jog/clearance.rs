@@ -1,0 +1,62 @@
+use super::PointToPoint;
+use crate::air::too_near;
+use seamwright_clearance::{ClearanceError, Limits};
+use seamwright_machine::{Course, Joints, Surroundings};
+
+/// How near things come on a point-to-point motion; times in s from its start.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionClearance {
+    /// The least distance found (mm), when, and who is near to whom; none if nothing comes nearer than the cut-off.
+    pub nearest: Option<(f64, f64, String)>,
+    /// Where a watch does not hold or cannot be shown to: from when to when, and what is too near.
+    pub too_near: Vec<(f64, f64, String)>,
+    /// Distances are only told up to this, mm.
+    pub cutoff_mm: f64,
+}
+
+const STATIONS: usize = 200;
+const CUTOFF_MM: f64 = 200.0;
+
+/// Positions over time, s.
+impl Course for PointToPoint {
+    fn range(&self) -> (f64, f64) {
+        (0.0, self.duration())
+    }
+
+    fn at(&self, s: f64) -> Joints {
+        PointToPoint::at(self, s).q
+    }
+
+    /// Between two times a speed grows at most by its acceleration from the one and falls by it to the other.
+    fn greatest_rates(&self, from: f64, to: f64) -> Joints {
+        let (first, last) = (PointToPoint::at(self, from), PointToPoint::at(self, to));
+        let mut rates = Joints::default();
+        for (i, limits) in self.limits().iter().enumerate() {
+            let ends = first.speed[i].abs() + last.speed[i].abs();
+            rates[i] = 0.5 * (ends + limits.acceleration * (1.0 + 1e-9) * (to - from));
+        }
+        rates
+    }
+}
+
+impl PointToPoint {
+    /// Distances all along what is planned: nothing is nearer anywhere than its watch allows unless it is listed.
+    ///
+    /// # Errors
+    /// Those of [`Surroundings::along`]; none is to be expected.
+    pub fn clearance(&self, around: &Surroundings) -> Result<MotionClearance, ClearanceError> {
+        let smallest = (1e-5 * self.duration()).max(1e-9);
+        let limits = Limits { cutoff_mm: CUTOFF_MM, precision_mm: 0.2, smallest };
+        let profile = around.along(self, STATIONS, &limits)?;
+        let near = profile.traces.iter().enumerate().filter(|(_, t)| t.nearest.1.place.is_some());
+        let nearest = near.min_by(|a, b| a.1.nearest.1.distance.total_cmp(&b.1.nearest.1.distance));
+        let nearest = nearest.map(|(watch, trace)| {
+            let (t, found) = trace.nearest;
+            let (a, b) = around.solids(watch, &found).unwrap_or_else(|| around.names(watch));
+            (found.distance, t, format!("{a} and {b}"))
+        });
+        let stretches = profile.stretches.iter();
+        let too_near = stretches.map(|s| (s.from, s.to, too_near(around, s.watch, &s.nearest))).collect();
+        Ok(MotionClearance { nearest, too_near, cutoff_mm: CUTOFF_MM })
+    }
+}

@@ -1,0 +1,406 @@
+use super::point_to_point::Goal;
+use super::stop::{Commitment, Stop};
+use super::tip::TipLine;
+use super::{JogError, PointToPoint, State, TipFrame};
+use glam::DVec3;
+use rsruckig::prelude::Synchronization;
+use seamwright_machine::{Joints, Keeper, MAX_AXES, Machine, RangeViolation, Surroundings};
+
+/// What the operator wants; replaces what was wanted before.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Command {
+    /// Nothing: to rest by the fastest stop. Acknowledges a halt.
+    Rest,
+    /// Every axis at its speed (mm or rad per s, of either sign) as far as its range: keys or a stick.
+    Speeds(Joints),
+    /// One axis on by a distance (mm or rad, of either sign) from where it is going, or from where it will rest.
+    Step {
+        /// Index of the axis.
+        axis: usize,
+        /// By how much.
+        by: f64,
+    },
+    /// All axes to positions, arriving at once.
+    To(Joints),
+    /// The tip of the first head's torch along a straight line at a velocity (mm/s), its direction kept.
+    Tip {
+        /// What the velocity is given in.
+        frame: TipFrame,
+        /// Velocity of the tip against the work.
+        velocity: DVec3,
+    },
+}
+
+/// What is known in a period.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Signals {
+    /// The enabling switch is held.
+    pub enabled: bool,
+    /// The stream of commands is alive: something has come from the panel since the period before.
+    pub alive: bool,
+    /// Stand still, and go on when this is off again.
+    pub hold: bool,
+}
+
+/// Why the jog stopped by itself. Nothing moves again before [`Command::Rest`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Halt {
+    /// The enabling switch was let go.
+    NotEnabled,
+    /// No sign of life from the panel for the time of [`JogSettings::silence_s`].
+    Silent,
+    /// Going on would lead nearer than a watch allows, or cannot be shown not to: its index in the surroundings' scene.
+    TooNear(usize),
+    /// Going on would pass the speed, acceleration, jerk or range of this axis.
+    Limit(usize),
+    /// There is no motion to what is wanted, or no positions for the tip's line.
+    NoMotion,
+}
+
+/// One set-point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct JogPoint {
+    /// Where the axes are to be.
+    pub state: State,
+    /// Why the jog stopped or stops by itself.
+    pub halt: Option<Halt>,
+}
+
+/// Fixed settings of a jog.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct JogSettings {
+    /// From one set-point to the next, s.
+    pub period_s: f64,
+    /// The jog halts after this long without a sign of life, s: 0.1 is usual.
+    pub silence_s: f64,
+    /// Distances that are computed for a watch in one period, at most, where the neighbourhood of the last one is not
+    /// enough: 16 is much.
+    pub looks: u32,
+}
+
+impl Default for JogSettings {
+    fn default() -> Self {
+        Self { period_s: 1e-3, silence_s: 0.1, looks: 16 }
+    }
+}
+
+/// What is being followed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Mode {
+    Rest,
+    Speeds(Joints),
+    To(Joints),
+    Tip { frame: TipFrame, velocity: DVec3, line: Option<TipLine> },
+}
+
+/// Jogging behind a shield.
+///
+/// Guarantee, if the start is at rest, in range and clear: every set-point, the straight way from the one before to it,
+/// and the fastest stop of every axis from it are within all ranges and clear of everything watched, and speeds,
+/// accelerations and jerks are within their limits. A set-point for which that is not shown is not taken; then the stop
+/// from the last one is followed, in the same period. A lost switch or a silent panel does the same: no computation is
+/// needed to stop. No step allocates (exceptions: distances of meshes, and where no motion is found) or reads a clock.
+#[derive(Debug)]
+pub struct Jog<'a> {
+    machine: &'a Machine,
+    keeper: Option<Keeper<'a>>,
+    settings: JogSettings,
+    plan: PointToPoint,
+    /// Time since the start of what is planned; none if it has to be planned first.
+    planned_for: Option<f64>,
+    mode: Mode,
+    override_share: f64,
+    state: State,
+    /// The verified stop, and how much of it has been followed.
+    stop: Stop,
+    stopped_for: f64,
+    silent_for: f64,
+    halt: Option<Halt>,
+}
+
+impl<'a> Jog<'a> {
+    /// A jog that rests at positions `start`. Without surroundings nothing is watched.
+    ///
+    /// # Errors
+    /// A start that is out of range or not clear; settings that cannot be.
+    pub fn new(
+        machine: &'a Machine,
+        surroundings: Option<&'a Surroundings<'a>>,
+        start: &Joints,
+        settings: JogSettings,
+    ) -> Result<Self, JogError> {
+        for (what, value) in [("the period", settings.period_s), ("the time of silence", settings.silence_s)] {
+            if !(value > 0.0 && value <= 1.0) {
+                return Err(JogError::Setting { what, value, allowed: "greater than 0 and at most 1 s" });
+            }
+        }
+        check_positions(machine, start)?;
+        if let Some(around) = surroundings
+            && !around.is_clear(start)
+            && let Some((watch, found)) = around.nearest(start, around.greatest_least_mm() + 1.0)
+        {
+            let ((first, second), least_mm) = (around.names(watch), around.scene().watches()[watch].least_mm());
+            return Err(JogError::NotClear { first, second, distance_mm: found.distance, least_mm });
+        }
+        let (plan, state) = (PointToPoint::new(machine), State::at_rest(start));
+        let stop = Stop::new(plan.limits(), &state);
+        Ok(Self {
+            machine,
+            keeper: surroundings.map(|s| Keeper::new(s, start)),
+            settings,
+            plan,
+            planned_for: None,
+            mode: Mode::Rest,
+            override_share: 1.0,
+            state,
+            stop,
+            stopped_for: 0.0,
+            silent_for: 0.0,
+            halt: None,
+        })
+    }
+
+    /// The last set-point.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Why it stopped by itself, until that is acknowledged.
+    pub fn halt(&self) -> Option<Halt> {
+        self.halt
+    }
+
+    /// The share of the axes' speeds that is used at most, above 0 and up to 1; wanted speeds are multiplied by it.
+    ///
+    /// # Errors
+    /// Other values; nothing is changed then.
+    pub fn set_override(&mut self, share: f64) -> Result<(), JogError> {
+        if !(share > 0.0 && share <= 1.0) {
+            return Err(JogError::Setting { what: "the override", value: share, allowed: "above 0 and at most 1" });
+        }
+        if (share - self.override_share).abs() > 0.0 {
+            (self.override_share, self.planned_for) = (share, None);
+        }
+        Ok(())
+    }
+
+    /// Replaces what is wanted. Between two commands of the same kind the motion is carried on; a tip's line begins at
+    /// rest.
+    ///
+    /// # Errors
+    /// Values that are no numbers, targets out of range, and anything but [`Command::Rest`] after a halt; what was wanted
+    /// before stays then.
+    pub fn command(&mut self, command: &Command) -> Result<(), JogError> {
+        let mode = match *command {
+            Command::Rest => {
+                self.halt = None;
+                Mode::Rest
+            }
+            _ if self.halt.is_some() => return Err(JogError::Halted),
+            Command::Speeds(speeds) => Mode::Speeds(self.checked_speeds(&speeds)?),
+            Command::To(target) => {
+                check_positions(self.machine, &target)?;
+                Mode::To(target)
+            }
+            Command::Step { axis, by } => {
+                let axes = self.machine.axes.len();
+                if axis >= axes {
+                    return Err(JogError::NoSuchAxis { axis, axes });
+                }
+                let mut target = if let Mode::To(target) = self.mode { target } else { self.stop.end() };
+                target[axis] += by;
+                check_positions(self.machine, &target)?;
+                Mode::To(target)
+            }
+            Command::Tip { frame, velocity } => self.tip(frame, velocity)?,
+        };
+        if mode != self.mode {
+            (self.mode, self.planned_for) = (mode, None);
+        }
+        Ok(())
+    }
+
+    fn checked_speeds(&self, speeds: &Joints) -> Result<Joints, JogError> {
+        let mut checked = Joints::default();
+        for (i, axis) in self.machine.axes.iter().enumerate() {
+            if !speeds[i].is_finite() {
+                return Err(JogError::NotFinite { what: format!("the speed of axis {}", axis.name) });
+            }
+            checked[i] = speeds[i].clamp(-axis.max_speed, axis.max_speed);
+        }
+        Ok(checked)
+    }
+
+    /// A line goes on if only its speed changes.
+    fn tip(&self, frame: TipFrame, velocity: DVec3) -> Result<Mode, JogError> {
+        if !velocity.is_finite() {
+            return Err(JogError::NotFinite { what: "the velocity of the tip".to_owned() });
+        }
+        let line = match self.mode {
+            Mode::Tip { frame: f, velocity: v, line } if f == frame && v.angle_between(velocity) < 1e-9 => line,
+            _ => None,
+        };
+        Ok(Mode::Tip { frame, velocity, line })
+    }
+
+    /// The next set-point, a period after the last.
+    pub fn step(&mut self, signals: &Signals) -> JogPoint {
+        self.silent_for = if signals.alive { 0.0 } else { self.silent_for + self.settings.period_s };
+        let moves = self.mode != Mode::Rest;
+        if moves && !signals.enabled {
+            self.stop_for(Halt::NotEnabled);
+        } else if moves && self.silent_for >= self.settings.silence_s {
+            self.stop_for(Halt::Silent);
+        }
+        if signals.hold {
+            self.planned_for = None;
+            self.forget_line();
+        }
+        let next = if signals.hold { Ok(None) } else { self.candidate() };
+        match next.and_then(|next| next.map(|next| self.verified(&next).map(|stop| (next, stop))).transpose()) {
+            Ok(Some((state, stop))) => (self.state, self.stop, self.stopped_for) = (state, stop, 0.0),
+            Ok(None) => self.follow_stop(),
+            Err(halt) => {
+                self.stop_for(halt);
+                self.follow_stop();
+            }
+        }
+        JogPoint { state: self.state, halt: self.halt }
+    }
+
+    fn stop_for(&mut self, halt: Halt) {
+        (self.mode, self.planned_for) = (Mode::Rest, None);
+        self.halt = self.halt.or(Some(halt));
+    }
+
+    fn follow_stop(&mut self) {
+        self.stopped_for += self.settings.period_s;
+        self.state = self.stop.at(self.stopped_for);
+    }
+
+    fn forget_line(&mut self) {
+        if let Mode::Tip { line, .. } = &mut self.mode {
+            *line = None;
+        }
+    }
+
+    /// Where what is wanted leads in a period; none for the stop.
+    fn candidate(&mut self) -> Result<Option<State>, Halt> {
+        match self.mode {
+            Mode::Rest => Ok(None),
+            Mode::Tip { frame, velocity, line } => self.on_line(frame, velocity, line),
+            Mode::Speeds(_) | Mode::To(_) => {
+                let time = match self.planned_for.filter(|t| *t < Goal::RENEW_S) {
+                    Some(time) => time,
+                    None => {
+                        self.plan().map_err(|_| Halt::NoMotion)?;
+                        0.0
+                    }
+                };
+                let time = time + self.settings.period_s;
+                self.planned_for = Some(time);
+                Ok(Some(self.plan.at(time)))
+            }
+        }
+    }
+
+    fn plan(&mut self) -> Result<(), JogError> {
+        let speeds = match self.mode {
+            Mode::To(target) => return self.plan.plan(&self.state, &target, self.override_share),
+            Mode::Speeds(speeds) => speeds,
+            _ => Joints::default(),
+        };
+        let mut goals = [Goal::Speed(0.0); MAX_AXES];
+        for (i, limits) in self.plan.limits().iter().enumerate() {
+            goals[i] = Goal::jog(limits, self.state.q[i], self.override_share * speeds[i]);
+        }
+        self.plan.plan_goals(&self.state, &goals, Synchronization::None)
+    }
+
+    fn on_line(&mut self, frame: TipFrame, velocity: DVec3, line: Option<TipLine>) -> Result<Option<State>, Halt> {
+        let speed = self.override_share * velocity.length();
+        let mut line = match line {
+            Some(line) => line,
+            // A line begins at rest.
+            None if speed <= 0.0 || !self.state.rests() => return Ok(None),
+            None => {
+                let along = frame.to_work(&self.machine.forward(&self.state.q), velocity).normalize_or_zero();
+                TipLine::new(self.machine, &self.state.q, along)
+            }
+        };
+        let next = line.next(self.machine, self.plan.limits(), &self.state, speed, self.settings.period_s);
+        self.mode = Mode::Tip { frame, velocity, line: Some(line) };
+        next.map(Some).ok_or(Halt::NoMotion)
+    }
+
+    /// The stop from a set-point, if the set-point may be taken.
+    fn verified(&mut self, next: &State) -> Result<Stop, Halt> {
+        let period = self.settings.period_s;
+        let stop = Stop::new(self.plan.limits(), next);
+        for (i, limits) in self.plan.limits().iter().enumerate() {
+            let fits = follows(self.state.axis(i), next.axis(i), limits.jerk, period)
+                && next.acceleration[i].abs() <= limits.acceleration * (1.0 + SLACK)
+                && stop.ramps()[i].greatest_speed(0.0, stop.duration()) <= limits.speed * (1.0 + SLACK);
+            let (low, high) = stop.ramps()[i].reach();
+            if !(fits && low >= limits.range.0 && high <= limits.range.1) {
+                return Err(Halt::Limit(i));
+            }
+        }
+        if let Some(keeper) = &mut self.keeper {
+            let way = Commitment { before: &self.state.q, period, stop: &stop };
+            let (low, high) = way.reach();
+            keeper.prove(&way, &low, &high, self.settings.looks).map_err(Halt::TooNear)?;
+        }
+        Ok(stop)
+    }
+
+    /// The promised stopping distance of an axis from where it is, mm or rad: see [`super::AxisLimits::stopping_distance`].
+    /// It counts from the set-point at which the loss is seen; a silent panel adds the time of silence at its speed.
+    ///
+    /// # Errors
+    /// No such axis.
+    pub fn stopping_distance(&self, axis: usize) -> Result<f64, JogError> {
+        let limits = self.plan.limits();
+        let limits = limits.get(axis).ok_or(JogError::NoSuchAxis { axis, axes: limits.len() })?;
+        Ok(limits.stopping_distance(self.state.speed[axis]))
+    }
+
+    /// The promised stopping distance of the torch tip against the work from where it is, mm.
+    pub fn tip_stopping_distance(&self) -> f64 {
+        let mut by = Joints::default();
+        for (i, limits) in self.plan.limits().iter().enumerate() {
+            // An axis at rest with no acceleration does not move.
+            let (_, v, a) = self.state.axis(i);
+            by[i] = if v == 0.0 && a == 0.0 { 0.0 } else { limits.stopping_distance(v) };
+        }
+        self.machine.tip_travel(&self.state.q, &by)
+    }
+}
+
+/// Shares of a limit that rounding may add.
+const SLACK: f64 = 1e-9;
+
+/// True if `next` can follow `now` after a period with no more than a jerk.
+fn follows(now: (f64, f64, f64), next: (f64, f64, f64), jerk: f64, t: f64) -> bool {
+    let (q, v, a) = (now.0 + t * (now.1 + 0.5 * t * now.2), now.1 + t * now.2, now.2);
+    let near = |x: f64, y: f64, share: f64, size: f64| {
+        (x - y).abs() <= share * (1.0 + 1e-6) + 1e-12 * (size.abs() + now.0.abs())
+    };
+    near(next.2, a, jerk * t, a) && near(next.1, v, jerk * t * t / 2.0, v) && near(next.0, q, jerk * t.powi(3) / 6.0, q)
+}
+
+/// Positions that are numbers within the ranges.
+fn check_positions(machine: &Machine, q: &Joints) -> Result<(), JogError> {
+    if let Some(axis) = machine.axes.iter().zip(q).find(|(_, q)| !q.is_finite()).map(|(axis, _)| axis) {
+        return Err(JogError::NotFinite { what: format!("the position of axis {}", axis.name) });
+    }
+    match machine.outside(q) {
+        None => Ok(()),
+        Some(RangeViolation { axis, value, .. }) => {
+            let axis = &machine.axes[axis];
+            let (low, high) = axis.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+            let [value, low, high] = [value, low, high].map(|v| axis.to_file(v));
+            Err(JogError::Range { axis: axis.name.clone(), value, low, high, unit: axis.unit() })
+        }
+    }
+}

@@ -1,0 +1,165 @@
+use super::{AxisLimits, JogError, State};
+use rsruckig::prelude::*;
+use seamwright_machine::{Joints, MAX_AXES, Machine};
+
+/// Soft ends are this much (mm or rad) inside the range, so that rounding never puts an axis beyond.
+pub(super) const ROOM: f64 = 1e-7;
+
+/// Ruckig refuses motions of more than 7,600 s; no axis is sent on one of more than about this.
+const LONGEST_S: f64 = 3000.0;
+
+/// Motion of all axes from any state to rest at a target, within every axis' speed, acceleration, jerk and range, all
+/// arriving at once; the target can be replaced at any time. Ruckig's algorithm (`rsruckig`) finds it.
+///
+/// What is not finite never reaches the library, nor do infinite limits, which it would take for a lower order. What it
+/// returns is checked against the ranges, which it does not know: where all arriving at once would leave a range on the
+/// way, each axis takes its own least time.
+#[derive(Debug)]
+pub struct PointToPoint {
+    limits: Vec<AxisLimits>,
+    ruckig: Ruckig<0, IgnoreErrorHandler>,
+    input: InputParameter<0>,
+    trajectory: Trajectory<0>,
+    /// True for axes that go on at their speed at the end.
+    goes_on: bool,
+}
+
+/// What one axis is to do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Goal {
+    /// To rest at a position, no faster than a speed greater than 0.
+    Position { at: f64, speed: f64 },
+    /// To a speed.
+    Speed(f64),
+}
+
+impl PointToPoint {
+    /// For a machine's axes.
+    pub fn new(machine: &Machine) -> Self {
+        Self::with_limits(machine.axes.iter().map(AxisLimits::from).collect())
+    }
+
+    /// For axes with these limits; those beyond [`MAX_AXES`] are left out.
+    pub fn with_limits(mut limits: Vec<AxisLimits>) -> Self {
+        limits.truncate(MAX_AXES);
+        let axes = Some(limits.len());
+        let mut input = InputParameter::new(axes);
+        for (i, limits) in limits.iter().enumerate() {
+            input.max_acceleration[i] = limits.acceleration;
+            input.max_jerk[i] = limits.jerk;
+        }
+        input.per_dof_control_interface = Some(DataArrayOrVec::new(axes, ControlInterface::Position));
+        Self { limits, ruckig: Ruckig::new(axes, 1e-3), input, trajectory: Trajectory::new(axes), goes_on: false }
+    }
+
+    /// What the axes can do.
+    pub fn limits(&self) -> &[AxisLimits] {
+        &self.limits
+    }
+
+    /// Plans from `from` to rest at `target`, at up to the share `override_share` (above 0, up to 1) of the axes' speeds.
+    /// No allocation, except where the library finds no motion.
+    ///
+    /// # Errors
+    /// [`JogError::NoMotion`]; what was planned before is lost then.
+    pub fn plan(&mut self, from: &State, target: &Joints, override_share: f64) -> Result<(), JogError> {
+        let mut goals = [Goal::Speed(0.0); MAX_AXES];
+        for ((goal, limits), at) in goals.iter_mut().zip(&self.limits).zip(target) {
+            let (low, high) = limits.range;
+            // A range narrower than its room: its middle.
+            let (low, high) = (low + ROOM, (high - ROOM).max(low + ROOM));
+            *goal = Goal::Position { at: at.clamp(low, high), speed: override_share * limits.speed };
+        }
+        for synchronization in [Synchronization::Time, Synchronization::None] {
+            if self.plan_goals(from, &goals, synchronization).is_ok() && self.stays_in_range(from) {
+                return Ok(());
+            }
+        }
+        Err(JogError::NoMotion)
+    }
+
+    /// Plans to one goal an axis; ranges are not looked at.
+    pub(super) fn plan_goals(
+        &mut self,
+        from: &State,
+        goals: &[Goal; MAX_AXES],
+        synchronization: Synchronization,
+    ) -> Result<(), JogError> {
+        let input = &mut self.input;
+        input.synchronization = synchronization;
+        self.goes_on = goals.iter().any(|g| matches!(g, Goal::Speed(v) if *v != 0.0));
+        let mut finite = true;
+        for (i, limits) in self.limits.iter().enumerate() {
+            let (q, v, a) = from.axis(i);
+            let (interface, at, speed, to) = match goals[i] {
+                Goal::Position { at, speed } => (ControlInterface::Position, at, speed, 0.0),
+                Goal::Speed(v) => (ControlInterface::Velocity, q, limits.speed, v),
+            };
+            finite &= [q, v, a, at, to].iter().all(|x| x.is_finite()) && speed > 0.0 && speed.is_finite();
+            input.current_position[i] = q;
+            input.current_velocity[i] = v;
+            input.current_acceleration[i] = a;
+            input.target_position[i] = at;
+            input.target_velocity[i] = to;
+            input.max_velocity[i] = speed;
+            if let Some(interfaces) = &mut input.per_dof_control_interface {
+                interfaces[i] = interface;
+            }
+        }
+        if !finite {
+            return Err(JogError::NoMotion);
+        }
+        // Errors the library ignores are in its result.
+        match self.ruckig.calculate(input, &mut self.trajectory) {
+            Ok(RuckigResult::Working | RuckigResult::Finished) => Ok(()),
+            _ => Err(JogError::NoMotion),
+        }
+    }
+
+    /// True if no axis goes farther beyond its range than it is already. Not for speeds as goals: the library's extremes
+    /// are wrong there.
+    fn stays_in_range(&mut self, from: &State) -> bool {
+        let reach = self.trajectory.get_position_extrema();
+        let mut ends = self.limits.iter().zip(from.q.iter().zip(reach.iter()));
+        let inside = |range: (f64, f64), q: f64, low: f64, high: f64| low >= range.0.min(q) && high <= range.1.max(q);
+        ends.all(|(limits, (q, reach))| inside(limits.range, *q, reach.min, reach.max))
+    }
+
+    /// Time from the start of what is planned to its end, s.
+    pub fn duration(&self) -> f64 {
+        self.trajectory.get_duration()
+    }
+
+    /// The state at time `t` (s) from the start of what is planned; at rest after its end.
+    pub fn at(&self, t: f64) -> State {
+        let mut state = State::default();
+        let set = |i: usize, t: f64, p: f64, v: f64, a: f64, j: f64| {
+            state.q[i] = p + t * (v + t * (a / 2.0 + t * j / 6.0));
+            state.speed[i] = v + t * (a + t * j / 2.0);
+            state.acceleration[i] = a + t * j;
+        };
+        let t = if self.goes_on { t } else { t.min(self.duration()) };
+        self.trajectory.state_to_integrate_from(t, &mut 0, set);
+        state
+    }
+}
+
+impl Goal {
+    /// The goal of an axis at `q` that is to go on at speed `wanted`: as far as its range, slowing down in time.
+    pub(super) fn jog(limits: &AxisLimits, q: f64, wanted: f64) -> Self {
+        let end = if wanted > 0.0 { limits.range.1 - ROOM } else { limits.range.0 + ROOM };
+        let speed = wanted.abs();
+        if speed < 1e-6 * limits.speed || (end - q) * wanted.signum() <= ROOM {
+            return Self::Speed(0.0);
+        }
+        if end.is_infinite() {
+            return Self::Speed(wanted);
+        }
+        // Far ends at low speeds would take too long for the library: a place on the way, to be replaced in time.
+        let farthest = speed * LONGEST_S;
+        Self::Position { at: if (end - q).abs() > farthest { q + farthest.copysign(wanted) } else { end }, speed }
+    }
+
+    /// After this time goals of [`Goal::jog`] must be renewed, s.
+    pub(super) const RENEW_S: f64 = 0.5 * LONGEST_S;
+}

@@ -1,0 +1,104 @@
+use super::ramp::Ramp;
+use super::{AxisLimits, State};
+use glam::DVec3;
+use seamwright_geometry::Pose;
+use seamwright_machine::{Joints, Machine};
+
+/// What directions of a tip jog are given in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TipFrame {
+    /// The work's.
+    Work,
+    /// The torch's: z along its axis from the torch to the work, x across it as near to the work's x as can be (the
+    /// work's y where the torch lies along x), y across both.
+    Torch,
+}
+
+impl TipFrame {
+    /// A vector of the frame in the work frame.
+    pub fn to_work(self, pose: &Pose, v: DVec3) -> DVec3 {
+        if self == Self::Work {
+            return v;
+        }
+        let z = pose.direction;
+        let across = |u: DVec3| (u - z * z.dot(u)).try_normalize();
+        let near = if z.x.abs() < 0.9 { DVec3::X } else { DVec3::Y };
+        let x = across(near).unwrap_or(DVec3::Z);
+        v.x * x + v.y * z.cross(x) + v.z * z
+    }
+}
+
+/// The torch tip along a straight line in the work frame, its direction kept as well as the machine can: the positions
+/// are those of the inverse, so the line is exact; how fast it is followed is decided period by period.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct TipLine {
+    start: Pose,
+    /// Unit vector.
+    along: DVec3,
+    /// Length, speed and acceleration along it: mm and s.
+    at: (f64, f64, f64),
+}
+
+/// Positions are compared this far (mm) ahead and back on the line for their derivatives: rounding is then some
+/// 1e-9 of a mm per mm^2, and the fourth derivative far below what matters.
+const APART_MM: f64 = 0.02;
+
+impl TipLine {
+    /// A line from rest at positions `q`.
+    pub(super) fn new(machine: &Machine, q: &Joints, along: DVec3) -> Self {
+        Self { start: machine.forward(q), along, at: (0.0, 0.0, 0.0) }
+    }
+
+    /// A period on towards the speed `wanted` (mm/s), no faster than the axes at `now` let it: the state there. None where
+    /// the inverse has no answer.
+    pub(super) fn next(
+        &mut self,
+        machine: &Machine,
+        limits: &[AxisLimits],
+        now: &State,
+        wanted: f64,
+        period: f64,
+    ) -> Option<State> {
+        let (first, second) = self.derivatives(machine, &now.q, self.at.0)?;
+        let most = along_limits(limits, &first, &second);
+        let ramp = Ramp::new(&most, self.at, wanted.min(most.speed));
+        self.at = ramp.at(period);
+        let (s, v, a) = self.at;
+        let q = self.inverse(machine, &now.q, s)?;
+        let (first, second) = self.derivatives(machine, &q, s)?;
+        let mut state = State::at_rest(&q);
+        for i in 0..limits.len() {
+            state.speed[i] = first[i] * v;
+            state.acceleration[i] = first[i] * a + second[i] * v * v;
+        }
+        Some(state)
+    }
+
+    fn inverse(&self, machine: &Machine, near: &Joints, s: f64) -> Option<Joints> {
+        let pose = Pose { point: self.start.point + s * self.along, direction: self.start.direction };
+        machine.inverse_near(pose, near).ok().map(|solution| solution.joints)
+    }
+
+    /// First and second derivatives of the positions by length.
+    fn derivatives(&self, machine: &Machine, near: &Joints, s: f64) -> Option<(Joints, Joints)> {
+        let h = APART_MM;
+        let [a, b, c] = [s - h, s, s + h].map(|s| self.inverse(machine, near, s));
+        let (a, b, c) = (a?, b?, c?);
+        let first = std::array::from_fn(|i| (c[i] - a[i]) / (2.0 * h));
+        let second = std::array::from_fn(|i| (c[i] - 2.0 * b[i] + a[i]) / (h * h));
+        Some((first, second))
+    }
+}
+
+/// What the axes let the tip do along a line: half of their acceleration and jerk for its own changes of speed, a
+/// quarter of the acceleration for the bends of the axes' path.
+fn along_limits(limits: &[AxisLimits], first: &Joints, second: &Joints) -> AxisLimits {
+    let infinite = f64::INFINITY;
+    let mut most = AxisLimits { speed: infinite, acceleration: infinite, jerk: infinite, range: (-infinite, infinite) };
+    for (limits, (d, dd)) in limits.iter().zip(first.iter().zip(second)) {
+        most.speed = most.speed.min(0.9 * limits.speed / d.abs()).min((0.25 * limits.acceleration / dd.abs()).sqrt());
+        most.acceleration = most.acceleration.min(0.5 * limits.acceleration / d.abs());
+        most.jerk = most.jerk.min(0.5 * limits.jerk / d.abs());
+    }
+    most
+}
