@@ -107,7 +107,15 @@ fn run(seed: u32) -> Seen {
         1 => assert!(last.theta == 0.0 && last.rates.tip.s == 0.0, "seed {seed}: {last:?}"),
         _ => {}
     }
+    if std::env::var("VERBOSE").is_ok() { println!("{seed} {:?}", seen); }
     seen
+}
+
+#[test]
+fn one() {
+    if let Ok(s) = std::env::var("SEED") {
+        run(s.parse().unwrap());
+    }
 }
 
 #[test]

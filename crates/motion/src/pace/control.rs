@@ -6,9 +6,17 @@ use super::{Command, PaceError};
 /// Greatest override.
 const GREATEST: f64 = 1.5;
 /// Courses tried in a period; if none holds, the one before goes on.
-const ATTEMPTS: usize = 6;
+const ATTEMPTS: usize = 8;
 /// A stop that may take this much longer than the axes need at least is not looked at yet.
 const FAR: f64 = 3.0;
+/// Most of what the axes allow that a course uses on its way back to steady: laws change while it is under way.
+const BOLDEST: f64 = 0.98;
+/// Paces this near to each other are the same.
+const NEAR: f64 = 1e-15;
+/// A border this near in the law's time is passed, s.
+const BEYOND: f64 = 1e-9;
+/// Longest time to wait for a border, s.
+const LONGEST_DELAY: f64 = 0.2;
 /// Durations of a hop that are tried, each twice the one before.
 const HOPS: u32 = 12;
 /// Relative rounding when one law takes over from another.
@@ -86,7 +94,7 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
             wanted: 1.0,
             sense: 0.0,
             stop: None,
-            boldness: 1.0,
+            boldness: BOLDEST,
         })
     }
 
@@ -209,6 +217,9 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
     pub fn step(&mut self) -> Played {
         self.change_law();
         let now = self.now();
+        if self.elapsed >= self.course.duration() && !self.course.segments.is_empty() {
+            self.follow(Course::steady(now.theta, now.pace.phi));
+        }
         let goal = self.goal();
         let settled = now.pace.d1.abs() <= 0.0 && (now.pace.phi - goal).abs() <= 0.0;
         let stopping = self.stop.is_some_and(|s| !s.begun);
@@ -252,18 +263,24 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
         }
         let rates = self.law().at(now.theta, now.pace.phi < 0.0);
         let strength = self.shield.strength(&rates);
-        let mut part = 1.0;
+        let (mut part, mut delay) = (1.0, 0.0);
         for _ in 0..ATTEMPTS {
-            let Some(course) = self.candidate(now, goal, &rates, strength * self.boldness, part) else { break };
-            match self.check(course, place, strength) {
+            let back = strength * self.boldness;
+            let Some(course) = self.candidate(now, goal, &rates, (delay, back), part) else { break };
+            let checked = self.check(&course, place, strength);
+            match checked {
                 Ok(course) => {
                     self.follow(course);
-                    self.boldness = (self.boldness * 1.25).min(1.0);
+                    self.boldness = (self.boldness * 1.25).min(BOLDEST);
                     return;
                 }
-                Err(breach) if breach.jerk && breach.t > self.period => {
+                // The law's own jerk leaves no room for the way back: that can wait until the jerk jumps.
+                Err(breach) if breach.jerk && breach.segment > 0 && delay <= 0.0 => {
+                    delay = self.delay(&course, breach.t);
+                }
+                Err(breach) if breach.jerk && breach.segment > 0 => {
                     self.boldness = (self.boldness * 0.6).max(1e-3);
-                    part *= 0.8;
+                    (part, delay) = (part * 0.8, 0.0);
                 }
                 Err(_) => part *= 0.4,
             }
@@ -273,21 +290,35 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
         }
     }
 
+    /// How long after its first period a course must go straight on to be past the border after its time `t`, s.
+    fn delay(&self, course: &Course, t: f64) -> f64 {
+        let at = course.at(t);
+        let forward = at.pace.phi > 0.0;
+        // A border that it is at already is not the next one.
+        let past = at.theta + if forward { BEYOND } else { -BEYOND };
+        let border = self.law().next_border(past, forward);
+        let wait = t - self.period + (border - at.theta) / at.pace.phi;
+        // Beyond all sense it is better to try less.
+        if wait.is_finite() && wait > 0.0 && wait < LONGEST_DELAY { wait + 0.5 * self.period } else { self.period }
+    }
+
     /// True if the course followed already ends at the goal, and heading there again would hardly be quicker.
     fn follows(&self, now: State, goal: f64) -> bool {
-        let ends = self.course.stop.is_none() && (self.course.steady - goal).abs() <= 0.0;
+        let ends = (self.course.steady - goal).abs() <= 0.0;
         let left = self.course.duration() - self.elapsed;
         let rates = self.law().at(now.theta, now.pace.phi < 0.0);
         ends && left <= now.pace.d1.abs() / (self.shield.strength(&rates) * self.boldness) + 2.0 * self.period
     }
 
     /// The course that heads for the goal for one period, as fast as the axes allow here (or `part` of that), and then
-    /// back to steady with `back`, so that it does not end beyond the goal.
-    fn candidate(&self, now: State, goal: f64, rates: &Rates, back: f64, part: f64) -> Option<Course> {
+    /// back to steady `home` (after a delay, and how strongly), so that it does not end beyond the goal.
+    fn candidate(&self, now: State, goal: f64, rates: &Rates, home: (f64, f64), part: f64) -> Option<Course> {
+        let (delay, back) = home;
         let (period, Pacing { phi, d1, .. }) = (self.period, now.pace);
         // Where d1 must be at the end of the period to come out at the goal exactly.
         let way = goal - phi - 0.5 * period * d1;
-        let root = (0.25 * period * period + 2.0 * way.abs() / back).sqrt() - 0.5 * period;
+        let straight = 0.5 * period + delay;
+        let root = (straight * straight + 2.0 * way.abs() / back).sqrt() - straight;
         let exact = (back * root).copysign(way);
         let next = self.law().at(now.theta + phi * period, phi > 0.0);
         let steepest = self.shield.accelerations(&next, phi + period * d1);
@@ -297,26 +328,33 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
         let d2 = (d1 + d2 * period).clamp(steepest.0.min(0.0), steepest.1.max(0.0)) / period - d1 / period;
         let cut = (d2 - wanted).abs() > 1e-9 * back || part < 1.0;
         // A part of the way from going back to steady at once.
-        let home = -back.min(d1.abs() / period).copysign(d1);
-        let d2 = if part < 1.0 { home + part * (d2 - home) } else { d2 };
-        let course = Course::heading(now, d2, period, back, (!cut).then_some(goal));
-        // Nothing that comes out farther from the goal than the course followed already does.
-        let off = (self.course.cruise() - goal).abs() + 1e-15;
-        (course.steady.abs() <= 1.0 && (course.steady - goal).abs() <= off).then_some(course)
+        let straight_home = -back.min(d1.abs() / period).copysign(d1);
+        let d2 = if part < 1.0 { straight_home + part * (d2 - straight_home) } else { d2 };
+        let course = Course::heading(now, d2, period, home, (!cut).then_some(goal));
+        (course.steady.abs() <= 1.0 && self.better(&course, goal)).then_some(course)
+    }
+
+    /// True if a course comes out nearer to the goal than the one followed, or as near and sooner.
+    fn better(&self, course: &Course, goal: f64) -> bool {
+        if self.stop.is_some() {
+            return (course.steady - goal).abs() <= (self.course.cruise() - goal).abs() + NEAR;
+        }
+        let gained = (self.course.steady - goal).abs() - (course.steady - goal).abs();
+        let sooner = course.duration() < self.course.duration() - self.elapsed;
+        gained > NEAR || (gained > -NEAR && sooner)
     }
 
     /// The course if it holds; with a stop at `place` added if that is not far.
-    fn check(&self, course: Course, place: Option<f64>, strength: f64) -> Result<Course, Breach> {
-        let Some(place) = place else {
-            return self.shield.check(self.law(), &course).map(|()| course);
-        };
-        let end = course.end();
-        let way = (place - end.theta) / end.pace.phi;
-        let shortest = 2.0 * (end.pace.phi.abs() / strength).sqrt();
-        if self.course.stop.is_none() && way > FAR * shortest + 4.0 * self.period {
-            return self.shield.check(self.law(), &course).map(|()| course);
+    fn check(&self, course: &Course, place: Option<f64>, strength: f64) -> Result<Course, Breach> {
+        let mut course = course.clone();
+        if let Some(place) = place {
+            let end = course.end();
+            let way = (place - end.theta) / end.pace.phi;
+            let shortest = 2.0 * (end.pace.phi.abs() / strength).sqrt();
+            if self.course.stop.is_some() || way <= FAR * shortest + 4.0 * self.period {
+                course = course.with_stop(place).ok_or(Breach { t: 0.0, segment: 0, jerk: false })?;
+            }
         }
-        let course = course.with_stop(place).ok_or(Breach { t: 0.0, jerk: false })?;
         self.shield.check(self.law(), &course).map(|()| course)
     }
 
@@ -324,7 +362,7 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
     /// a place that cannot be stopped at any more is given up.
     fn wait_or_stop(&mut self, place: f64, strength: f64) {
         if let Some(rest) = self.course.rest_before_stop(self.elapsed)
-            && let Ok(course) = self.check(rest.then_steady(self.period), Some(place), strength)
+            && let Ok(course) = self.check(&rest.then_steady(self.period), Some(place), strength)
         {
             self.follow(course);
         } else if self.course.stop.is_some() {
@@ -378,7 +416,7 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
         }
         let state = State { theta, pace: Pacing { phi, d1, d2: 0.0 } };
         let back = self.shield.strength(&other.at(theta, false)) * self.boldness;
-        let course = Course::heading(state, 0.0, 0.0, back, None);
+        let course = Course::heading(state, 0.0, 0.0, (0.0, back), None);
         if course.steady.abs() <= 1.0 && self.shield.check(other, &course).is_ok() {
             self.on_faster = !self.on_faster;
             self.follow(course);

@@ -27,8 +27,11 @@ pub(crate) struct Segment {
     pub(crate) duration: f64,
 }
 
-/// Most segments of a course: one period, back to steady, one period steady, two of a stop, and one to spare.
-pub(crate) const SEGMENTS: usize = 6;
+/// Most segments of a course: one period, straight on, back to steady, a few periods steady, two of a stop, and one to spare.
+pub(crate) const SEGMENTS: usize = 8;
+
+/// What is left of a segment and shorter is rounding, s.
+const BRIEF: f64 = 1e-12;
 
 /// How the pace goes on from a state: a few segments, and then steady for ever. All times are from its start.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,14 +51,18 @@ impl Course {
         Self { start: State { theta, pace }, segments: ArrayVec::new(), steady: phi, stop: None }
     }
 
-    /// `d2` for a time and then straight back to a steady pace with `back` either way; steady at `end` if that is
-    /// where it comes out but for rounding.
-    pub(crate) fn heading(start: State, d2: f64, duration: f64, back: f64, end: Option<f64>) -> Self {
+    /// `d2` for a time, straight on for `delay`, and then back to a steady pace with `back` either way; steady at `end`
+    /// if that is where it comes out but for rounding.
+    pub(crate) fn heading(start: State, d2: f64, duration: f64, (delay, back): (f64, f64), end: Option<f64>) -> Self {
         let mut segments = ArrayVec::new();
         let mut now = start;
         if duration > 0.0 {
             segments.push(Segment { d2, duration });
             now = start.after(duration, d2);
+        }
+        if delay > 0.0 {
+            segments.push(Segment { d2: 0.0, duration: delay });
+            now = now.after(delay, 0.0);
         }
         let rest = now.pace.d1.abs() / back;
         if rest > 0.0 {
@@ -126,7 +133,7 @@ impl Course {
         let mut left = Self { start: self.at(t), segments: ArrayVec::new(), steady: self.cruise(), stop: None };
         let mut passed = t;
         for s in &self.segments[..count] {
-            if passed < s.duration {
+            if passed < s.duration - BRIEF {
                 left.segments.push(Segment { d2: s.d2, duration: s.duration - passed });
             }
             passed = (passed - s.duration).max(0.0);
@@ -136,9 +143,9 @@ impl Course {
         (!begun).then_some(left)
     }
 
-    /// Adds a steady stretch.
+    /// Adds a steady stretch, if there is room.
     pub(crate) fn then_steady(mut self, duration: f64) -> Self {
-        self.segments.push(Segment { d2: 0.0, duration });
+        self.segments.try_push(Segment { d2: 0.0, duration }).ok();
         self
     }
 

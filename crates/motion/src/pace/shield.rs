@@ -14,6 +14,8 @@ const CROSSING_STEPS: usize = 3;
 pub(crate) struct Breach {
     /// Time from the start of the course, s.
     pub(crate) t: f64,
+    /// The segment in which it does.
+    pub(crate) segment: usize,
     /// True for the jerk, false for speed or acceleration.
     pub(crate) jerk: bool,
 }
@@ -49,9 +51,9 @@ impl Shield {
     pub(crate) fn check<L: Timed + ?Sized>(&self, law: &L, course: &Course) -> Result<(), Breach> {
         let mut state = course.start;
         let mut t = 0.0;
-        for segment in &course.segments {
+        for (i, segment) in course.segments.iter().enumerate() {
             self.check_segment(law, state, segment.d2, segment.duration)
-                .map_err(|b| Breach { t: t + b.t, jerk: b.jerk })?;
+                .map_err(|b| Breach { t: t + b.t, segment: i, ..b })?;
             state = state.after(segment.duration, segment.d2);
             t += segment.duration;
         }
@@ -115,7 +117,7 @@ impl Shield {
             let slow = v.abs() <= ACCEPTED * l.speed && a.abs() <= ACCEPTED * l.acceleration;
             let smooth = j.abs() <= ACCEPTED * l.jerk;
             if !(slow && smooth) {
-                return Err(Breach { t, jerk: slow });
+                return Err(Breach { t, segment: 0, jerk: slow });
             }
         }
         Ok(())

@@ -199,7 +199,7 @@ fn law(axes: &[Wave], length: f64, v: f64, a: f64, j: f64, busy: Option<&mut Uni
     change(&mut down, -v, a, j);
     let mut middle = Vec::new();
     if let Some(random) = busy {
-        while distance(v, &middle) < 0.6 * length {
+        while distance(v, &middle) < 0.4 * length {
             let tau = random.in_range(0.2, 1.0) * (a / j).min((0.3 * v / j).sqrt());
             // The speed goes down and comes back.
             middle.extend([(-j, tau), (j, 2.0 * tau), (-j, tau), (j, tau), (-j, 2.0 * tau), (j, tau)]);
@@ -239,7 +239,7 @@ impl Case {
         let rise = random.in_range(0.03, 0.1);
         let a = v / rise;
         let j = a / (rise * random.in_range(0.15, 1.0));
-        let length = v * random.in_range(0.3, 0.6) + 3.0 * v * rise * 2.0;
+        let length = v * (random.in_range(0.1, 0.4) + 10.0 * rise);
         let busy = random.below(2) == 0;
         let base = law(&axes, length, v, a, j, busy.then_some(&mut *random));
         let faster = law(&axes, length, 1.5 * v, a, j, None);
