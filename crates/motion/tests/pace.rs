@@ -27,6 +27,10 @@ impl Seen {
             self.off_path = self.off_path.max((on[i] - p.rates.q[i]).abs());
             self.speed = self.speed.max(p.rates.v[i].abs() / l.speed);
             self.acceleration = self.acceleration.max(p.rates.a[i].abs() / l.acceleration);
+            if std::env::var("OVER").is_ok() && ((p.rates.j[i].abs() / l.jerk) > 1.0 + 1e-9 || (p.rates.a[i].abs() / l.acceleration) > 1.0 + 1e-9) {
+                let b = if p.faster { &case.faster } else { &case.base };
+                println!("OVER axis {i} theta {} phi {} faster {} inf {} j {} a {} borders {} {} per {}", p.theta, p.phi, p.faster, l.jerk.is_infinite(), p.rates.j[i].abs() / l.jerk, p.rates.a[i].abs() / l.acceleration, b.next_border(p.theta, false), b.next_border(p.theta, true), self.periods);
+            }
             self.jerk = self.jerk.max(p.rates.j[i].abs() / l.jerk);
         }
     }

@@ -1,5 +1,6 @@
 use super::course::{Course, State};
 use super::timed::{AxisLimits, Limits, Pacing, Rates, Timed};
+use seamwright_machine::Joints;
 
 /// Part of the machine's limits up to which a course is accepted where it is checked. Laws use a little less by
 /// themselves; what is left covers what happens between the places.
@@ -8,6 +9,38 @@ const ACCEPTED: f64 = 0.9995;
 const PLACES: f64 = 32.0;
 /// Steps of Newton's method for the time at which a border is crossed: start and curve are good.
 const CROSSING_STEPS: usize = 3;
+
+/// Times nearer to each other than this are the same, s.
+const BRIEF: f64 = 1e-10;
+
+/// Accelerations and jerks of the axes as played at a time.
+#[derive(Debug, Clone, Copy, Default)]
+struct Seen {
+    t: f64,
+    a: Joints,
+    j: Joints,
+}
+
+/// A stretch over which all is smooth: within a segment and between two borders of the law.
+#[derive(Debug, Clone)]
+struct Piece {
+    start: State,
+    t: f64,
+    /// Places seen, and the last two of them.
+    count: usize,
+    seen: [Seen; 2],
+}
+
+impl Piece {
+    fn new(start: State, t: f64) -> Self {
+        Self { start, t, count: 0, seen: Default::default() }
+    }
+
+    fn add(&mut self, new: Seen) {
+        self.seen = [self.seen[1], new];
+        self.count += 1;
+    }
+}
 
 /// What a course violates first.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,65 +94,97 @@ impl Shield {
     }
 
     fn check_segment<L: Timed + ?Sized>(&self, law: &L, start: State, d2: f64, duration: f64) -> Result<(), Breach> {
-        let count = (duration / self.spacing).ceil().max(1.0);
-        let step = duration / count;
-        let mut now = start.after(0.0, d2);
-        self.check_at(law, now, now.pace.phi < 0.0, 0.0)?;
-        for k in 1..=count as u32 {
-            let t = step * f64::from(k);
-            let next = start.after(t, d2);
-            self.check_borders(law, now, next, step, t - step)?;
-            self.check_at(law, next, next.pace.phi > 0.0, t)?;
-            now = next;
+        let step = duration / (duration / self.spacing).ceil().max(1.0);
+        let first = start.after(0.0, d2);
+        let mut piece = Piece::new(first, 0.0);
+        self.see(law, &mut piece, first, 0.0, false)?;
+        let mut t = 0.0;
+        while t < duration - BRIEF {
+            let next = if t + 1.5 * step > duration { duration } else { t + step };
+            let (mut now, then) = (start.after(t, d2), start.after(next, d2));
+            while let Some((border, dt)) = self.crossing(law, now, then, next - t) {
+                t += dt;
+                now = State { theta: border, ..now.after(dt, d2) };
+                self.finish(law, &mut piece, now, t)?;
+                piece = Piece::new(now, t);
+                self.see(law, &mut piece, now, t, false)?;
+            }
+            if next < duration {
+                self.see(law, &mut piece, then, next, true)?;
+            }
+            t = next;
         }
-        Ok(())
+        self.finish(law, &mut piece, start.after(duration, d2), duration)
     }
 
-    /// Checks both sides of the borders that the law crosses between two states `step` apart. Where it turns round
-    /// between them the law's acceleration and jerk count for nothing, being multiplied by squares of the pace.
-    fn check_borders<L: Timed + ?Sized>(
+    /// The first of the law's borders between two states `step` apart, and the time from the first. Where the law turns
+    /// round between them its acceleration and jerk count for nothing, being multiplied by squares of the pace.
+    fn crossing<L: Timed + ?Sized>(&self, law: &L, now: State, then: State, step: f64) -> Option<(f64, f64)> {
+        let forward = then.theta > now.theta;
+        let border = law.next_border(now.theta, forward);
+        let within = border.is_finite() && (border - then.theta).abs() > 0.0 && (border < then.theta) == forward;
+        if !within || now.pace.phi * then.pace.phi < 0.0 {
+            return None;
+        }
+        let mut dt = step * (border - now.theta) / (then.theta - now.theta);
+        let mut at = now.after(dt, then.pace.d2);
+        for _ in 0..CROSSING_STEPS {
+            let to = dt + (border - at.theta) / at.pace.phi;
+            // Newton's method only helps while it stays between the two.
+            if !(to >= 0.0 && to <= step) {
+                break;
+            }
+            dt = to;
+            at = now.after(dt, then.pace.d2);
+        }
+        Some((border, dt))
+    }
+
+    /// The last place of a piece; one between, if it has only two.
+    fn finish<L: Timed + ?Sized>(&self, law: &L, piece: &mut Piece, end: State, t: f64) -> Result<(), Breach> {
+        if piece.count == 1 && t - piece.t > BRIEF {
+            let half = 0.5 * (t - piece.t);
+            let middle = piece.start.after(half, piece.start.pace.d2);
+            self.see(law, piece, middle, piece.t + half, true)?;
+        }
+        self.see(law, piece, end, t, true)
+    }
+
+    /// Checks one place, at the end of what is before it (or at the start of what comes after), and what lies between it
+    /// and the two before it in the same piece: a parabola is above the greatest of three places by at most an eighth
+    /// of its curvature times the square of their distance.
+    fn see<L: Timed + ?Sized>(
         &self,
         law: &L,
-        now: State,
-        next: State,
-        step: f64,
+        piece: &mut Piece,
+        state: State,
         t: f64,
+        end: bool,
     ) -> Result<(), Breach> {
-        if now.pace.phi * next.pace.phi < 0.0 {
-            return Ok(());
-        }
-        let forward = next.theta > now.theta;
-        let mut border = law.next_border(now.theta, forward);
-        while border != next.theta && (border < next.theta) == forward && border.is_finite() {
-            let mut dt = step * (border - now.theta) / (next.theta - now.theta);
-            let mut at = now.after(dt, next.pace.d2);
-            for _ in 0..CROSSING_STEPS {
-                let to = dt + (border - at.theta) / at.pace.phi;
-                // Newton's method only helps while it stays between the two.
-                if !(to >= 0.0 && to <= step) {
-                    break;
-                }
-                dt = to;
-                at = now.after(dt, next.pace.d2);
-            }
-            at.theta = border;
-            self.check_at(law, at, true, t + dt)?;
-            self.check_at(law, at, false, t + dt)?;
-            border = law.next_border(border, forward);
-        }
-        Ok(())
-    }
-
-    fn check_at<L: Timed + ?Sized>(&self, law: &L, state: State, before: bool, t: f64) -> Result<(), Breach> {
-        let rates = law.at(state.theta, before);
+        let rates = law.at(state.theta, end == (state.pace.phi > 0.0));
+        let [t0, t1] = [piece.seen[0].t, piece.seen[1].t];
+        let curved = piece.count >= 2 && t - t1 > BRIEF && t1 - t0 > BRIEF;
+        let widest = (t - t1).max(t1 - t0);
+        let eighth = 0.25 * widest * widest / (t - t0);
+        let mut new = Seen { t, a: Joints::default(), j: Joints::default() };
         for (i, l) in self.limits.0.iter().enumerate() {
             let (v, a, j) = state.pace.played(rates.v[i], rates.a[i], rates.j[i]);
-            let slow = v.abs() <= ACCEPTED * l.speed && a.abs() <= ACCEPTED * l.acceleration;
-            let smooth = j.abs() <= ACCEPTED * l.jerk;
+            (new.a[i], new.j[i]) = (a, j);
+            let between = |f0: f64, f1: f64, f2: f64| {
+                if curved { eighth * ((f2 - f1) / (t - t1) - (f1 - f0) / (t1 - t0)).abs() } else { 0.0 }
+            };
+            let [p, q] = &piece.seen;
+            let greatest = |f0: f64, f1: f64, f2: f64| {
+                let all = if curved { f0.abs().max(f1.abs()).max(f2.abs()) } else { f2.abs() };
+                all + between(f0, f1, f2)
+            };
+            let slow = v.abs() <= ACCEPTED * l.speed && greatest(p.a[i], q.a[i], a) <= ACCEPTED * l.acceleration;
+            let smooth = greatest(p.j[i], q.j[i], j) <= ACCEPTED * l.jerk;
             if !(slow && smooth) {
                 return Err(Breach { t, segment: 0, jerk: slow });
             }
         }
+        piece.add(new);
         Ok(())
     }
 
