@@ -7,6 +7,8 @@ use super::{Command, PaceError};
 const GREATEST: f64 = 1.5;
 /// Courses tried in a period; if none holds, the one before goes on.
 const ATTEMPTS: usize = 8;
+/// Periods before looking again when none held.
+const PAUSE: u32 = 2;
 /// A stop that may take this much longer than the axes need at least is not looked at yet.
 const FAR: f64 = 3.0;
 /// Most of what the axes allow that a course uses on its way back to steady: laws change while it is under way.
@@ -64,12 +66,16 @@ pub struct Pace<'a, L: Timed + ?Sized> {
     stop: Option<Stop>,
     /// How strongly a course goes back to steady, as part of what the axes allow just now: learned from what held.
     boldness: f64,
+    /// Periods to wait before looking for a better course again.
+    pause: u32,
 }
 
 /// A place to stop at.
 #[derive(Debug, Clone, Copy)]
 struct Stop {
     s: f64,
+    /// The law's time there, s.
+    theta: f64,
     /// Nothing is decided any more: the stop has begun.
     begun: bool,
 }
@@ -95,6 +101,7 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
             sense: 0.0,
             stop: None,
             boldness: BOLDEST,
+            pause: 0,
         })
     }
 
@@ -159,7 +166,7 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
                 let there = now.pace.phi.abs() <= 0.0 && (place - now.theta).abs() <= 1e-12;
                 // At both ends the law rests by itself.
                 let inside = s > 0.0 && s < length;
-                self.stop = (inside || there).then_some(Stop { s, begun: there });
+                self.stop = (inside || there).then_some(Stop { s, theta: place, begun: there });
                 return Ok(());
             }
             Command::Hold => self.sense = 0.0,
@@ -167,6 +174,7 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
             Command::Reverse => self.sense = -1.0,
         }
         self.stop = None;
+        self.pause = 0;
         Ok(())
     }
 
@@ -256,9 +264,10 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
         if self.stop.is_some_and(|s| s.begun) {
             return;
         }
-        let place = self.stop.map(|s| self.law().time_of(s.s));
+        let place = self.stop.map(|s| s.theta);
         let follows = self.follows(now, goal);
-        if place.is_none() && follows {
+        if place.is_none() && (follows || self.pause > 0) {
+            self.pause = self.pause.saturating_sub(1);
             return;
         }
         let rates = self.law().at(now.theta, now.pace.phi < 0.0);
@@ -285,6 +294,8 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
                 Err(_) => part *= 0.4,
             }
         }
+        // Nothing holds just now: looks again a little later.
+        self.pause = PAUSE;
         if let Some(place) = place {
             self.wait_or_stop(place, strength);
         }

@@ -4,9 +4,9 @@ use seamwright_machine::Joints;
 
 /// Part of the machine's limits up to which a course is accepted where it is checked. Laws use a little less by
 /// themselves; what is left covers what happens between the places.
-const ACCEPTED: f64 = 0.9995;
+const ACCEPTED: f64 = 0.9999;
 /// Places checked in the shortest time in which an axis can come from rest to its greatest acceleration or speed.
-const PLACES: f64 = 32.0;
+const PLACES: f64 = 16.0;
 /// Steps of Newton's method for the time at which a border is crossed: start and curve are good.
 const CROSSING_STEPS: usize = 3;
 

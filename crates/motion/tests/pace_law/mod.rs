@@ -107,8 +107,8 @@ impl Law {
                 *m = [m[0].max(r.v[i].abs()), m[1].max(r.a[i].abs()), m[2].max(r.j[i].abs())];
             }
         };
-        for k in 0..=4000 {
-            see(self.duration * f64::from(k) / 4000.0, true);
+        for k in 0..=2000 {
+            see(self.duration * f64::from(k) / 2000.0, true);
         }
         for t in self.borders() {
             see(t, true);
@@ -227,7 +227,7 @@ impl Case {
 
     pub fn random(random: &mut Uniform) -> Self {
         let straight = random.below(4) == 0;
-        let axes: Vec<Wave> = (0..2 + random.below(5))
+        let axes: Vec<Wave> = (0..2 + random.below(3))
             .map(|_| Wave {
                 slope: random.in_range(-1.0, 1.0),
                 size: if straight { 0.0 } else { random.in_range(0.0, 3.0) },
