@@ -5,6 +5,8 @@ use seamwright_machine::Joints;
 /// Part of the machine's limits up to which a course is accepted where it is checked. Laws use a little less by
 /// themselves; what is left covers what happens between the places.
 const ACCEPTED: f64 = 0.9999;
+/// Part of the limits that a course is aimed at: less than accepted, for rounding and what changes in a period.
+const AIMED: f64 = 0.9995;
 /// Places checked in the shortest time in which an axis can come from rest to its greatest acceleration or speed.
 const PLACES: f64 = 16.0;
 /// Steps of Newton's method for the time at which a border is crossed: start and curve are good.
@@ -85,8 +87,11 @@ impl Shield {
         let mut state = course.start;
         let mut t = 0.0;
         for (i, segment) in course.segments.iter().enumerate() {
-            self.check_segment(law, state, segment.d2, segment.duration)
-                .map_err(|b| Breach { t: t + b.t, segment: i, ..b })?;
+            self.check_segment(law, state, segment.d2, segment.duration).map_err(|b| Breach {
+                t: t + b.t,
+                segment: i,
+                ..b
+            })?;
             state = state.after(segment.duration, segment.d2);
             t += segment.duration;
         }
@@ -194,7 +199,7 @@ impl Shield {
         let still = Pacing { d2: 0.0, ..pace };
         let mut range = (-self.most.1, self.most.1);
         for (i, l) in self.limits.0.iter().enumerate().filter(|(_, l)| l.jerk.is_finite()) {
-            narrow(&mut range, still.played(rates.v[i], rates.a[i], rates.j[i]).2, rates.v[i], ACCEPTED * l.jerk);
+            narrow(&mut range, still.played(rates.v[i], rates.a[i], rates.j[i]).2, rates.v[i], AIMED * l.jerk);
         }
         range
     }
@@ -203,14 +208,14 @@ impl Shield {
     pub(crate) fn accelerations(&self, rates: &Rates, phi: f64) -> Interval {
         let mut range = (-self.most.0, self.most.0);
         for (i, l) in self.limits.0.iter().enumerate() {
-            narrow(&mut range, rates.a[i] * phi * phi, rates.v[i], ACCEPTED * l.acceleration);
+            narrow(&mut range, rates.a[i] * phi * phi, rates.v[i], AIMED * l.acceleration);
         }
         range
     }
 
     /// The second derivative of a pace that every axis' jerk allows where the law's own acceleration and jerk are zero.
     pub(crate) fn strength(&self, rates: &Rates) -> f64 {
-        let of_axis = |(i, l): (usize, &AxisLimits)| ACCEPTED * l.jerk / rates.v[i].abs();
+        let of_axis = |(i, l): (usize, &AxisLimits)| AIMED * l.jerk / rates.v[i].abs();
         self.limits.0.iter().enumerate().map(of_axis).fold(self.most.1, f64::min)
     }
 }

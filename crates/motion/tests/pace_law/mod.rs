@@ -48,6 +48,7 @@ struct Stretch {
 pub struct Law {
     pub axes: Vec<Wave>,
     stretches: Vec<Stretch>,
+    down: f64,
     pub duration: f64,
     pub length: f64,
 }
@@ -64,7 +65,7 @@ impl Law {
             now = Stretch { t: now.t + d, s: now.s + d * (now.v + d * (0.5 * now.a + d * j / 6.0)), v, a, j };
         }
         assert!(now.v.abs() < 1e-9 && now.a.abs() < 1e-7, "not at rest: {now:?}");
-        Self { axes: axes.to_vec(), stretches: all, duration: now.t, length: now.s }
+        Self { axes: axes.to_vec(), stretches: all, down: 0.0, duration: now.t, length: now.s }
     }
 
     fn tip(&self, t: f64, before: bool) -> Tip {
@@ -96,6 +97,11 @@ impl Law {
 
     pub fn borders(&self) -> Vec<f64> {
         self.stretches.iter().map(|s| s.t).collect()
+    }
+
+    /// Time of the last three stretches, which stop it.
+    pub fn run_down(&self) -> f64 {
+        self.duration - self.down
     }
 
     /// Greatest speed, acceleration and jerk of each axis on a dense grid with both sides of the borders.
@@ -207,10 +213,13 @@ fn law(axes: &[Wave], length: f64, v: f64, a: f64, j: f64, busy: Option<&mut Uni
     }
     let left = length - distance(0.0, &up) - distance(v, &middle) - distance(v, &down);
     assert!(left >= 0.0, "too short");
+    let run_down: f64 = down.iter().map(|d| d.1).sum();
     middle.push((0.0, left / v));
     up.extend(middle);
     up.extend(down);
-    Law::new(axes, &up)
+    let mut law = Law::new(axes, &up);
+    law.down = law.duration - run_down;
+    law
 }
 
 /// A base law, one for 1.5 times its speed, and limits of which they use at most 0.999.
