@@ -324,13 +324,13 @@ fn welded(log: &[Instant], at_hold: AtHold, seed: u32) -> f64 {
         match w[1].phase {
             RunPhase::Travel => {
                 assert!(v >= 0.0 && w[0].played.rates.tip.s <= welded + 1e-9, "gap, {here}");
-                welded = welded.max(s);
             }
             RunPhase::RunOut => assert!(at_hold == AtHold::Off, "{here}"),
             RunPhase::Move => {}
             _ => assert!(v == 0.0, "moves, {here}"),
         }
-        if w[1].phase == RunPhase::Crater && w[0].phase == RunPhase::Travel {
+        // What was on in the period that ends here.
+        if w[0].phase == RunPhase::Travel {
             welded = welded.max(s);
         }
     }

@@ -181,8 +181,13 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
     /// True if nothing moves and nothing will without a command.
     pub fn at_rest(&self) -> bool {
         let now = self.now();
-        let steady = self.elapsed >= self.course.duration() && now.pace.phi.abs() <= 0.0;
+        let steady = (self.over() || self.elapsed >= self.course.duration()) && now.pace.phi.abs() <= 0.0;
         steady && (self.goal().abs() <= 0.0 || self.at_end_of(self.sense))
+    }
+
+    /// True if the course followed has run into an end of the law.
+    fn over(&self) -> bool {
+        self.course.at(self.elapsed) != self.now()
     }
 
     /// True if the law cannot be played any further in the direction of `sense`.
@@ -210,7 +215,14 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
     }
 
     fn now(&self) -> State {
-        self.course.at(self.elapsed)
+        self.resting(self.course.at(self.elapsed))
+    }
+
+    /// The law rests at both ends, whatever its pace there.
+    fn resting(&self, state: State) -> State {
+        let duration = self.law().duration();
+        let over = (state.theta >= duration && state.pace.phi > 0.0) || (state.theta <= 0.0 && state.pace.phi < 0.0);
+        if over { State { theta: state.theta.clamp(0.0, duration), pace: Pacing::default() } } else { state }
     }
 
     /// The wanted pace on the law that is played.
@@ -225,8 +237,12 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
     pub fn step(&mut self) -> Played {
         self.change_law();
         let now = self.now();
-        if self.elapsed >= self.course.duration() && !self.course.segments.is_empty() {
+        let over = self.over();
+        if over || (self.elapsed >= self.course.duration() && !self.course.segments.is_empty()) {
             self.follow(Course::steady(now.theta, now.pace.phi));
+        }
+        if over {
+            self.stop = self.stop.map(|s| Stop { begun: true, ..s });
         }
         let goal = self.goal();
         let settled = now.pace.d1.abs() <= 0.0 && (now.pace.phi - goal).abs() <= 0.0;
@@ -235,26 +251,18 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
             self.decide(now, goal);
         }
         self.elapsed += self.period;
-        let end = self.now();
-        let law = self.law();
-        if (end.theta >= law.duration() && end.pace.phi > 0.0) || (end.theta <= 0.0 && end.pace.phi < 0.0) {
-            // The law rests at both ends, whatever its pace there.
-            self.course = Course::steady(end.theta.clamp(0.0, law.duration()), 0.0);
-            self.elapsed = 0.0;
-            self.stop = self.stop.map(|s| Stop { begun: true, ..s });
-        }
-        self.played(self.now(), true)
+        self.played(self.now())
     }
 
     /// What is played `before` s before the end of the period last played (0 to a period).
     pub fn earlier(&self, before: f64) -> Played {
-        self.played(self.course.at(self.elapsed - before), true)
+        self.played(self.resting(self.course.at(self.elapsed - before)))
     }
 
-    fn played(&self, state: State, before: bool) -> Played {
+    fn played(&self, state: State) -> Played {
         let law = self.law();
         let theta = state.theta.clamp(0.0, law.duration());
-        let rates = law.at(theta, before == (state.pace.phi > 0.0));
+        let rates = law.at(theta, state.pace.phi > 0.0);
         let rates = rates.paced(self.shield.limits.0.len(), state.pace);
         Played { theta, phi: state.pace.phi, faster: self.on_faster, rates }
     }
@@ -276,7 +284,7 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
         for _ in 0..ATTEMPTS {
             let back = strength * self.boldness;
             let Some(course) = self.candidate(now, goal, &rates, (delay, back), part) else { break };
-            let checked = self.check(&course, place, strength);
+            let checked = self.check(&course, place);
             match checked {
                 Ok(course) => {
                     self.follow(course);
@@ -297,7 +305,7 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
         // Nothing holds just now: looks again a little later.
         self.pause = PAUSE;
         if let Some(place) = place {
-            self.wait_or_stop(place, strength);
+            self.wait_or_stop(place);
         }
     }
 
@@ -356,13 +364,12 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
     }
 
     /// The course if it holds; with a stop at `place` added if that is not far.
-    fn check(&self, course: &Course, place: Option<f64>, strength: f64) -> Result<Course, Breach> {
+    fn check(&self, course: &Course, place: Option<f64>) -> Result<Course, Breach> {
         let mut course = course.clone();
         if let Some(place) = place {
             let end = course.end();
             let way = (place - end.theta) / end.pace.phi;
-            let shortest = 2.0 * (end.pace.phi.abs() / strength).sqrt();
-            if self.course.stop.is_some() || way <= FAR * shortest + 4.0 * self.period {
+            if self.course.stop.is_some() || way <= FAR * self.shield.stop_time(end.pace.phi) + 4.0 * self.period {
                 course = course.with_stop(place).ok_or(Breach { t: 0.0, segment: 0, jerk: false })?;
             }
         }
@@ -371,9 +378,9 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
 
     /// No quicker course can stop at `place`: waits a period at a steady pace if it can stop after that, else stops now;
     /// a place that cannot be stopped at any more is given up.
-    fn wait_or_stop(&mut self, place: f64, strength: f64) {
+    fn wait_or_stop(&mut self, place: f64) {
         if let Some(rest) = self.course.rest_before_stop(self.elapsed)
-            && let Ok(course) = self.check(&rest.then_steady(self.period), Some(place), strength)
+            && let Ok(course) = self.check(&rest.then_steady(self.period), Some(place))
         {
             self.follow(course);
         } else if self.course.stop.is_some() {

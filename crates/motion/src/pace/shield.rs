@@ -213,6 +213,16 @@ impl Shield {
         range
     }
 
+    /// Time for a stop from pace `phi` that the axes can make even at their greatest speeds, if the law needs nothing of
+    /// their accelerations, s.
+    pub(crate) fn stop_time(&self, phi: f64) -> f64 {
+        let of_axis = |l: &AxisLimits| {
+            let v = phi.abs() * l.speed;
+            2.0 * (v / l.jerk).sqrt() + v / l.acceleration
+        };
+        self.limits.0.iter().map(of_axis).fold(0.0, f64::max)
+    }
+
     /// The second derivative of a pace that every axis' jerk allows where the law's own acceleration and jerk are zero.
     pub(crate) fn strength(&self, rates: &Rates) -> f64 {
         let of_axis = |(i, l): (usize, &AxisLimits)| AIMED * l.jerk / rates.v[i].abs();
