@@ -350,11 +350,16 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
         let straight_home = -back.min(d1.abs() / period).copysign(d1);
         let d2 = if part < 1.0 { straight_home + part * (d2 - straight_home) } else { d2 };
         let course = Course::heading(now, d2, period, home, (!cut).then_some(goal));
-        (course.steady.abs() <= 1.0 && self.better(&course, goal)).then_some(course)
+        (course.steady.abs() <= 1.0 && self.better(&course, phi, goal)).then_some(course)
     }
 
-    /// True if a course comes out nearer to the goal than the one followed, or as near and sooner.
-    fn better(&self, course: &Course, goal: f64) -> bool {
+    /// True if a course from pace `phi` comes out nearer to the goal than the one followed, or as near and sooner; not
+    /// beyond the goal if that can be helped: a hold does not go back.
+    fn better(&self, course: &Course, phi: f64, goal: f64) -> bool {
+        let beyond = |end: f64| (end - goal) * (phi - goal) < 0.0;
+        if beyond(course.steady) && !beyond(self.course.cruise()) {
+            return false;
+        }
         if self.stop.is_some() {
             return (course.steady - goal).abs() <= (self.course.cruise() - goal).abs() + NEAR;
         }
