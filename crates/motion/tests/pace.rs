@@ -223,29 +223,36 @@ fn a_hold_anywhere_on_a_curved_path_stands_still() {
     assert!(of(0.5) < 2.0, "{ratios:?}");
 }
 
+/// It stops at a place exactly or says that it does not: hardly ever at a pace that leaves room.
 #[test]
 fn a_stop_at_a_place_is_exact_from_both_sides() {
-    for seed in 0..200 {
+    let mut given_up = [0, 0];
+    for seed in 0..cases(200) {
         let random = &mut Uniform::new(seed);
         let case = Case::random(random);
         let mut pace = Pace::new(&case.limits(), PERIOD, &case.base).unwrap();
+        let full = seed % 2 == 0;
+        pace.command(Command::Override(if full { 1.0 } else { 0.6 })).unwrap();
         for _ in 0..4 {
             let s = random.in_range(0.0, case.base.length);
             pace.command(Command::StopAt(s)).unwrap();
             let mut last = pace.step();
-            for _ in 0..20_000 {
+            let mut left = 20_000;
+            while !pace.at_rest() && pace.stop().is_some() && left > 0 {
                 last = pace.step();
-                if pace.at_rest() {
-                    break;
-                }
-                if pace.stop().is_none() && s > 0.0 {
-                    // Given up: the law left no room on the way.
-                    pace.command(Command::Hold).unwrap();
-                }
+                left -= 1;
             }
-            assert!((last.rates.tip.s - s).abs() <= 1e-9 && last.phi == 0.0, "seed {seed}: {s} {last:?}");
+            let stops = pace.stop().is_some();
+            assert!(left > 0, "seed {seed}: {s} {last:?}");
+            given_up[usize::from(full)] += u32::from(!stops);
+            assert!(!stops || ((last.rates.tip.s - s).abs() <= 1e-9 && last.phi == 0.0), "seed {seed}: {s} {last:?}");
+            if !stops {
+                periods_to_stand(&mut pace);
+            }
         }
     }
+    println!("places given up at pace 0.6 and 1: {given_up:?} of {} each", 2 * cases(200));
+    assert!(given_up[0] < cases(200) / 20 && given_up[1] < cases(200) / 2, "{given_up:?}");
 }
 
 #[test]

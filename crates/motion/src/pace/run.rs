@@ -88,9 +88,15 @@ pub struct Run<'a, L: Timed + ?Sized> {
     left: u64,
     /// Path length welded to, mm.
     welded: f64,
+    /// Override asked for; moves with the process off are no faster than [`MOVE`].
+    asked: f64,
     zero: bool,
     last: Played,
 }
+
+/// Greatest pace of moves with the process off: at this pace a law at its limits leaves half of its accelerations and more
+/// of its jerks, so that a stop at a place always has room.
+const MOVE: f64 = 0.6;
 
 impl<'a, L: Timed + ?Sized> Run<'a, L> {
     /// A run of `pace` from where it stands, waiting for [`Order::Resume`] or [`Order::Step`]. Steps end at `places`
@@ -110,6 +116,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
             stepping: false,
             left: 0,
             welded: last.rates.tip.s,
+            asked: 1.0,
             zero: false,
             last,
         }
@@ -139,7 +146,10 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
             }
             Order::Override(value) => {
                 self.pace.command(Command::Override(value))?;
-                self.zero = false;
+                (self.asked, self.zero) = (value, false);
+                if self.phase == RunPhase::Move {
+                    self.calm();
+                }
                 return Ok(());
             }
             Order::Resume | Order::Step if self.zero => return Err(PaceError::Zero),
@@ -206,6 +216,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
 
     /// Travels with the process on, to the end or to the next place.
     fn travel(&mut self, step: bool) -> Result<(), PaceError> {
+        self.pace.command(Command::Override(self.asked))?;
         self.phase = RunPhase::Travel;
         self.stopping = false;
         self.stepping = step;
@@ -218,6 +229,11 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
 
     fn next_place(&self, here: f64) -> Option<f64> {
         self.places.iter().copied().find(|s| *s > here + 1e-9 && *s < self.pace.length())
+    }
+
+    /// Moves without process at a pace that leaves room to stop anywhere.
+    fn calm(&mut self) {
+        self.pace.command(Command::Override(self.asked.min(MOVE))).ok();
     }
 
     /// Begins a phase at rest.
@@ -295,6 +311,11 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         Ok(())
     }
 
+    /// Where the process starts again, mm.
+    fn restart_place(&self) -> f64 {
+        (self.welded - self.sequence.overlap_mm.get()).max(0.0)
+    }
+
     /// The torch rests and the process is off: what follows?
     fn off_at_rest(&mut self) {
         let s = self.last.rates.tip.s;
@@ -304,16 +325,18 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
             Then::Back => {
                 self.phase = RunPhase::Move;
                 self.then = Then::Wait;
+                self.calm();
                 self.pace.command(Command::Reverse).ok();
             }
             Then::Start { step } => {
-                let place = (self.welded - self.sequence.overlap_mm.get()).max(0.0);
+                let place = self.restart_place();
                 if (s - place).abs() <= 1e-9 {
                     self.then = Then::Wait;
                     self.stepping = step;
                     self.rest(RunPhase::Preflow);
                 } else {
                     self.phase = RunPhase::Move;
+                    self.calm();
                     self.pace.command(Command::StopAt(place)).ok();
                 }
             }
