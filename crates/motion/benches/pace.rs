@@ -34,8 +34,8 @@ fn benches(c: &mut Criterion) {
                 pace = fresh();
             }
             periods += 1;
-            if periods % 20 == 0 {
-                pace.command(if periods % 40 == 0 { Command::Resume } else { Command::Hold }).unwrap();
+            if periods.is_multiple_of(20) {
+                pace.command(if periods.is_multiple_of(40) { Command::Resume } else { Command::Hold }).unwrap();
             }
             black_box(pace.step())
         });

@@ -47,7 +47,7 @@ pub struct Played {
 /// predictive control; the course back to steady is the backup.)
 ///
 /// Guarantee: every course played was checked at places close together and on both sides of the law's borders, against
-/// 0.9995 of the limits. A period costs no allocation, and no search while the pace is the wanted one.
+/// 0.9999 of the limits. A period costs no allocation, and no search while the pace is the wanted one.
 #[derive(Debug)]
 pub struct Pace<'a, L: Timed + ?Sized> {
     base: &'a L,
