@@ -21,7 +21,7 @@ const BEYOND: f64 = 1e-9;
 const LONGEST_DELAY: f64 = 0.2;
 /// Durations of a hop that are tried, each twice the one before.
 const HOPS: u32 = 12;
-/// Relative rounding when one law takes over from another.
+/// Rounding of a pace, as when one law takes over from another.
 const ROUNDING: f64 = 1e-12;
 
 /// What is played at an instant.
@@ -236,7 +236,7 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
     /// Plays the next period and says what is reached at its end.
     pub fn step(&mut self) -> Played {
         self.change_law();
-        let now = self.now();
+        let mut now = self.now();
         let over = self.over();
         if over || (self.elapsed >= self.course.duration() && !self.course.segments.is_empty()) {
             self.follow(Course::steady(now.theta, now.pace.phi));
@@ -245,6 +245,12 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
             self.stop = self.stop.map(|s| Stop { begun: true, ..s });
         }
         let goal = self.goal();
+        // What is left to the goal may be rounding alone: standing still is zero exactly.
+        let rounding = (now.pace.phi - goal).abs();
+        if self.course.segments.is_empty() && rounding > 0.0 && rounding <= ROUNDING {
+            now.pace.phi = goal;
+            self.follow(Course::steady(now.theta, goal));
+        }
         let settled = now.pace.d1.abs() <= 0.0 && (now.pace.phi - goal).abs() <= 0.0;
         let stopping = self.stop.is_some_and(|s| !s.begun);
         if (!settled || stopping || self.elapsed < self.course.duration()) && !self.at_end_of(now.pace.phi + goal) {
