@@ -190,11 +190,6 @@ impl Axis {
         }
     }
 
-    /// The jerk that motion is planned with: the highest one, or, where none is given, full acceleration within 20 ms.
-    pub fn jerk(&self) -> f64 {
-        if self.max_jerk.is_finite() { self.max_jerk } else { 50.0 * self.max_acceleration }
-    }
-
     /// Unit of positions in files and columns.
     pub fn unit(&self) -> &'static str {
         match self.kind {

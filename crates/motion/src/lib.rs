@@ -1,9 +1,10 @@
 //! From a torch path and a machine to set-points in time.
 //!
 //! Floor 2. [`JointPath`] is the exact path of the axes by path length; [`SpeedLaw`] the fastest speed along it up to
-//! the asked one within every axis' speed and acceleration; [`PassMotion`] puts both together with the process
-//! sequence, and [`SetPoints`] plays it period by period in constant memory, without allocation. [`textbook`] has the
-//! interpolators of the papers, for comparison.
+//! the asked one within every axis' speed, acceleration and jerk; [`PassMotion`] puts both together with the process
+//! sequence, and [`SetPoints`] plays it period by period in constant memory, without allocation. [`pace`] plays a
+//! law under an operator's orders, [`jog`] moves axes without a path, [`taught`] follows points of any number. [`textbook`]
+//! has the interpolators of the papers, for comparison.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
@@ -13,6 +14,7 @@ pub mod jog;
 mod joint_path;
 pub mod law;
 mod limits;
+pub mod pace;
 mod pass_channels;
 mod pass_clearance;
 mod pass_motion;

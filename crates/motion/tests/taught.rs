@@ -47,7 +47,9 @@ fn saddle(machine: &Machine, step: f64) -> Vec<Joints> {
 #[test]
 fn any_segmentation_is_the_same_weld() {
     let machine = machine();
-    for (step, tol) in [(2.0, 0.01), (2.0, 0.002), (0.5, 0.01), (0.5, 0.002), (0.02, 0.01), (0.02, 0.002), (0.02, 0.0005)] {
+    for (step, tol) in
+        [(2.0, 0.01), (2.0, 0.002), (0.5, 0.01), (0.5, 0.002), (0.02, 0.01), (0.02, 0.002), (0.02, 0.0005)]
+    {
         let points = saddle(&machine, step);
         let count = points.len();
         let path = TaughtPath::new(&machine, points.into_iter(), 20.0, Corner::Stop, tol);

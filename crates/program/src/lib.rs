@@ -22,7 +22,7 @@ pub use document::Program;
 pub use finding::Finding;
 pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};
 pub use part::{Clearance, Part};
-pub use pass::{OnLimit, Pass, Sequence, Span};
+pub use pass::{AtHold, OnLimit, Pass, Sequence, Span};
 pub use process::{ProcessValues, check_process};
 pub use seam::{
     Body, Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Nozzle, Seam, SeamStart, Side, TJoint,

@@ -54,7 +54,7 @@ pub enum OnLimit {
     Slow,
 }
 
-/// Times before and after the travel, s.
+/// What happens before and after the travel.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sequence {
@@ -70,6 +70,33 @@ pub struct Sequence {
     /// Gas flows after the arc is off, s.
     #[serde(default)]
     pub postflow_s: NonNegative,
+    /// A restart after a hold begins this far before the end of the bead, mm.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub overlap_mm: NonNegative,
+    /// What the process does when the torch is held on the seam.
+    #[serde(default, skip_serializing_if = "AtHold::is_usual")]
+    pub at_hold: AtHold,
+}
+
+/// What the process does when the torch is held on the seam.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum AtHold {
+    /// The arc stays on until the torch stands still and fills the crater for `crater_s`.
+    #[default]
+    Crater,
+    /// The beam goes off as soon as the torch slows down.
+    Off,
+}
+
+impl AtHold {
+    fn is_usual(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+fn is_zero(value: &NonNegative) -> bool {
+    value.get() <= 0.0
 }
 
 impl Pass {

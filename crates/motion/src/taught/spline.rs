@@ -54,12 +54,13 @@ impl Piece {
     pub(crate) fn derivatives(&self, u: f64) -> [Joints; 4] {
         let x = u - self.origin;
         let mut out = [Joints::default(); 4];
+        let [position, first, second, third] = &mut out;
         for i in 0..MAX_AXES {
             let c = |k: usize| self.c[k][i];
-            out[0][i] = c(0) + x * (c(1) + x * (c(2) + x * (c(3) + x * (c(4) + x * c(5)))));
-            out[1][i] = c(1) + x * (2.0 * c(2) + x * (3.0 * c(3) + x * (4.0 * c(4) + x * 5.0 * c(5))));
-            out[2][i] = 2.0 * c(2) + x * (6.0 * c(3) + x * (12.0 * c(4) + x * 20.0 * c(5)));
-            out[3][i] = 6.0 * c(3) + x * (24.0 * c(4) + x * 60.0 * c(5));
+            position[i] = c(0) + x * (c(1) + x * (c(2) + x * (c(3) + x * (c(4) + x * c(5)))));
+            first[i] = c(1) + x * (2.0 * c(2) + x * (3.0 * c(3) + x * (4.0 * c(4) + x * 5.0 * c(5))));
+            second[i] = 2.0 * c(2) + x * (6.0 * c(3) + x * (12.0 * c(4) + x * 20.0 * c(5)));
+            third[i] = 6.0 * c(3) + x * (24.0 * c(4) + x * 60.0 * c(5));
         }
         out
     }
@@ -88,15 +89,12 @@ pub(crate) fn slopes(u: &[f64], q: &[Joints], first: Option<&Joints>) -> Vec<Joi
         };
         let pivot = diagonal - if i > 0 { below * above[i - 1] } else { 0.0 };
         above[i] = over / pivot;
-        for k in 0..MAX_AXES {
-            let known = if i > 0 { below * slopes[i - 1][k] } else { 0.0 };
-            slopes[i][k] = (right[k] - known) / pivot;
-        }
+        let before = if i > 0 { slopes[i - 1] } else { Joints::default() };
+        slopes[i] = std::array::from_fn(|k| (right[k] - below * before[k]) / pivot);
     }
     for i in (0..n - 1).rev() {
-        for k in 0..MAX_AXES {
-            slopes[i][k] -= above[i] * slopes[i + 1][k];
-        }
+        let after = slopes[i + 1];
+        slopes[i].iter_mut().zip(after).for_each(|(slope, next)| *slope -= above[i] * next);
     }
     slopes
 }

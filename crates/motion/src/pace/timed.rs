@@ -1,0 +1,111 @@
+use super::PaceError;
+use arrayvec::ArrayVec;
+use seamwright_machine::{Joints, MAX_AXES};
+
+/// A motion in time that can be played at another pace.
+///
+/// From rest to rest: at 0 and at `duration` every speed and acceleration is zero, and so are they outside.
+pub trait Timed {
+    /// Time from rest to rest, s.
+    fn duration(&self) -> f64;
+    /// Where everything is at time `t` (s) and how it moves; where the jerk jumps, from the side before or after.
+    fn at(&self, t: f64, before: bool) -> Rates;
+    /// The first time after `t` (or the last one before it, if not `forward`) at which the jerk (or the acceleration,
+    /// if jerk is not limited) may jump; infinite (negative infinite) if there is none.
+    fn next_border(&self, t: f64, forward: bool) -> f64;
+    /// The time at which path length `s` (mm) is reached, as exact as doubles allow.
+    fn time_of(&self, s: f64) -> f64;
+}
+
+/// Position, speed, acceleration and jerk at one instant: of the axes (mm or rad per s, s^2, s^3) and along the path.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Rates {
+    /// Positions of the axes.
+    pub q: Joints,
+    /// Their speeds.
+    pub v: Joints,
+    /// Their accelerations.
+    pub a: Joints,
+    /// Their jerks.
+    pub j: Joints,
+    /// The same along the path.
+    pub tip: Tip,
+}
+
+/// Path length and its rates, mm per s, s^2, s^3.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Tip {
+    /// Path length, mm.
+    pub s: f64,
+    /// Speed.
+    pub v: f64,
+    /// Acceleration.
+    pub a: f64,
+    /// Jerk.
+    pub j: f64,
+}
+
+/// Pace of a law and its derivatives by time, 1, 1/s and 1/s^2.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Pacing {
+    pub(crate) phi: f64,
+    pub(crate) d1: f64,
+    pub(crate) d2: f64,
+}
+
+impl Pacing {
+    /// Speed, acceleration and jerk of what the law moves with `v`, `a`, `j`: derivatives of L(theta(t)).
+    pub(crate) fn played(self, v: f64, a: f64, j: f64) -> (f64, f64, f64) {
+        let Self { phi, d1, d2 } = self;
+        (v * phi, a * phi * phi + v * d1, j * phi * phi * phi + 3.0 * a * phi * d1 + v * d2)
+    }
+}
+
+impl Rates {
+    /// The rates of the first `axes` axes and of the tip when the law is played at the pace.
+    pub(crate) fn paced(&self, axes: usize, pace: Pacing) -> Self {
+        let mut out = *self;
+        for i in 0..axes {
+            (out.v[i], out.a[i], out.j[i]) = pace.played(self.v[i], self.a[i], self.j[i]);
+        }
+        (out.tip.v, out.tip.a, out.tip.j) = pace.played(self.tip.v, self.tip.a, self.tip.j);
+        out
+    }
+}
+
+/// What an axis allows either way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AxisLimits {
+    /// Greatest speed, mm/s or rad/s.
+    pub speed: f64,
+    /// Greatest acceleration, mm/s^2 or rad/s^2.
+    pub acceleration: f64,
+    /// Greatest jerk, mm/s^3 or rad/s^3; may be infinite.
+    pub jerk: f64,
+}
+
+/// Limits of all axes of a machine.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Limits(pub(crate) ArrayVec<AxisLimits, MAX_AXES>);
+
+impl Limits {
+    /// Limits of the axes in the machine's order.
+    ///
+    /// # Errors
+    /// More axes than a machine may have; speed or acceleration that is not finite and positive; jerk that is not
+    /// positive.
+    pub fn new(axes: &[AxisLimits]) -> Result<Self, PaceError> {
+        let mut limits = ArrayVec::new();
+        for (axis, l) in axes.iter().enumerate() {
+            for (what, value, finite) in
+                [("speed", l.speed, true), ("acceleration", l.acceleration, true), ("jerk", l.jerk, false)]
+            {
+                if value.is_nan() || value <= 0.0 || (finite && value.is_infinite()) {
+                    return Err(PaceError::Limit { axis, what, value });
+                }
+            }
+            limits.try_push(*l).map_err(|_| PaceError::TooManyAxes { axes: axes.len(), most: MAX_AXES })?;
+        }
+        Ok(Self(limits))
+    }
+}
