@@ -19,12 +19,13 @@ mod pair;
 mod pitch_error;
 mod shipped;
 mod solids;
+mod stepper;
 mod surroundings;
 
 pub use axis::{Axis, AxisKind, Drive, Gains, Load, RangeViolation};
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
 pub use file::{
-    DriveFile, HeadFile, Io, LinkClearanceFile, MachineFile, PitchErrorFile, StepFile, TorchFile, ZoneFile, ZoneKind,
+    DriveFile, HeadFile, Io, LinkClearanceFile, MachineFile, PitchErrorFile, StepFile, StepperFile, TorchFile, ZoneFile, ZoneKind,
 };
 pub use head::Head;
 pub use inverse::{Branches, MAX_BRANCHES, Solution, Unreachable};
@@ -34,4 +35,5 @@ pub use pitch_error::PitchError;
 pub use seamwright_clearance::Clamped;
 pub use shipped::{SHIPPED, Shipped, shipped};
 pub use solids::{LinkSolids, Zone};
+pub use stepper::{Stepper, StepperMotor};
 pub use surroundings::{Course, Surroundings};

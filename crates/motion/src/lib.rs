@@ -2,8 +2,8 @@
 //!
 //! Floor 2. [`JointPath`] is the exact path of the axes by path length; [`SpeedLaw`] the fastest speed along it up to
 //! the asked one within every axis' speed and acceleration; [`PassMotion`] puts both together with the process
-//! sequence, and [`SetPoints`] plays it period by period in constant memory, without allocation. [`textbook`] has the
-//! interpolators of the papers, for comparison.
+//! sequence, and [`SetPoints`] plays it period by period in constant memory, without allocation. [`pulses`] makes step
+//! and direction pulses of them; [`textbook`] has the interpolators of the papers, for comparison.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
@@ -13,6 +13,7 @@ mod joint_path;
 mod limits;
 mod pass_clearance;
 mod pass_motion;
+pub mod pulses;
 pub mod redundancy;
 mod set_points;
 mod singular;
