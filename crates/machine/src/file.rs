@@ -247,6 +247,8 @@ pub struct StepperFile {
     pub direction_hold_us: NonNegative,
     /// Inertia of the rotor, kg m^2; for the model that shows lost steps.
     pub rotor_inertia_kg_m2: Option<Positive>,
+    /// Coulomb friction of the rotor, bearings and hysteresis of the iron, N m; 0 if missing.
+    pub rotor_friction_n_m: Option<NonNegative>,
     /// Speeds of the torque curve, rpm: increasing, the first 0.
     pub torque_rpm: Option<Vec<NonNegative>>,
     /// Pull-out torque at each of them, N m; at 0 rpm the holding torque.

@@ -26,6 +26,8 @@ pub struct Stepper {
 pub struct StepperMotor {
     /// Inertia of the rotor, kg m^2.
     pub inertia: f64,
+    /// Coulomb friction of the rotor, N m.
+    pub friction: f64,
     /// Pull-out torque (N m) at speeds of the motor (rad/s): increasing, the first 0 with the holding torque.
     pub torque: Vec<(f64, f64)>,
 }

@@ -160,7 +160,7 @@ fn random_streams_of_several_axes() {
             }
             begin += first.period;
         }
-        for event in lines.finish() {
+        while let Some(event) = lines.last_event() {
             drivers[event.axis].edge(event.tick, event.edge);
         }
         assert!(drivers.iter().all(|d| d.fall >= d.rise));

@@ -25,6 +25,7 @@ mod load;
 mod notch;
 mod parameters;
 mod position_loop;
+mod stepper;
 
 pub use axis::{AxisState, ServoAxis};
 pub use drive::Drive;
@@ -34,3 +35,4 @@ pub use load::Load;
 pub use notch::Notch;
 pub use parameters::{DriveParameters, DriveTuning, LinearLoad, RotaryLoad};
 pub use position_loop::{Gains, PositionLoop, SetPoint};
+pub use stepper::{StepperMotor, StepperParameters};

@@ -63,20 +63,20 @@ fn of_kind(
     Ok(axis.from_file(value.get()))
 }
 
-/// The motor, if its three keys are there.
+/// The motor, if its keys are there.
 fn motor(file: &File, axis: &Axis, s: &StepperFile) -> Result<Option<StepperMotor>, DocumentError> {
     let path = format!("drives.{}.stepper", axis.name);
     let (inertia, rpm, torque) = match (&s.rotor_inertia_kg_m2, &s.torque_rpm, &s.torque_n_m) {
-        (None, None, None) => return Ok(None),
+        (None, None, None) if s.rotor_friction_n_m.is_none() => return Ok(None),
         (Some(inertia), Some(rpm), Some(torque)) => (inertia, rpm, torque),
         _ => {
             let keys = "rotor_inertia_kg_m2, torque_rpm and torque_n_m, or none of them";
             return Err(file.error_at(&path, "the motor lacks a key", keys));
         }
     };
-    if rpm.len() != torque.len() || rpm.is_empty() {
+    if rpm.len() != torque.len() || rpm.len() < 2 {
         let message = format!("{} speeds and {} torques", rpm.len(), torque.len());
-        return Err(file.error_at(&format!("{path}.torque_n_m"), message, "as many torques as speeds, at least 1"));
+        return Err(file.error_at(&format!("{path}.torque_n_m"), message, "as many torques as speeds, at least 2"));
     }
     if rpm[0].get() > 0.0 || rpm.windows(2).any(|w| w[0] >= w[1]) {
         let message = "the torque curve does not begin at rest and go up in speed";
@@ -88,5 +88,6 @@ fn motor(file: &File, axis: &Axis, s: &StepperFile) -> Result<Option<StepperMoto
     }
     let points = rpm.iter().zip(torque.iter().copied().map(NonNegative::get));
     let torque = points.map(|(rpm, torque)| (rpm.get() / 60.0 * TAU, torque)).collect();
-    Ok(Some(StepperMotor { inertia: inertia.get(), torque }))
+    let friction = s.rotor_friction_n_m.map_or(0.0, NonNegative::get);
+    Ok(Some(StepperMotor { inertia: inertia.get(), friction, torque }))
 }

@@ -23,6 +23,7 @@ const FARTHEST: f64 = 1e11;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Generator {
     timing: Timing,
+    start: i64,
     /// Position at the end of the last period, of `STEP` a step, even.
     at: i64,
     /// What the direction line says; none before the first pulse.
@@ -41,7 +42,7 @@ impl Generator {
     /// [`Error::Position`], [`Error::Period`].
     pub fn new(timing: Timing, start: f64) -> Result<Self, Error> {
         let at = fixed(start)?;
-        Ok(Self { timing, at, positive: None, last: i64::MIN / 2, fastest: 0, pulses: 0 })
+        Ok(Self { timing, start: count(at), at, positive: None, last: i64::MIN / 2, fastest: 0, pulses: 0 })
     }
 
     /// The pulses of the next period, at whose end the axis is at `to` steps.
@@ -98,6 +99,11 @@ impl Generator {
     /// Where the pulses so far have brought the axis, steps.
     pub fn count(&self) -> i64 {
         count(self.at)
+    }
+
+    /// The count at the start, steps.
+    pub fn start(&self) -> i64 {
+        self.start
     }
 
     /// Pulses made so far, in both directions.

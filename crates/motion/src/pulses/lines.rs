@@ -1,7 +1,7 @@
 use super::{Error, Generator, Timing, Train};
 
 /// What a line does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Edge {
     /// The step line goes low.
     Fall,
@@ -35,9 +35,20 @@ pub struct Lines {
 struct Line {
     generator: Generator,
     train: Train,
-    fall: Option<u64>,
-    turn: Option<u64>,
-    rise: Option<u64>,
+    /// Tick from the start of the first period of its next fall, turn and rise.
+    fall: u64,
+    turn: u64,
+    rise: u64,
+    /// The earliest of them, as [`key`].
+    next: u64,
+}
+
+/// The tick of what does not come.
+const NEVER: u64 = u64::MAX >> 2;
+
+/// A tick and, below it, the order of edges in a tick.
+const fn key(tick: u64, order: u64) -> u64 {
+    tick << 2 | order
 }
 
 impl Lines {
@@ -48,7 +59,8 @@ impl Lines {
     pub fn new(axes: &[(Timing, f64)]) -> Result<Self, (usize, Error)> {
         let line = |(i, &(timing, start)): (usize, &(Timing, f64))| {
             let generator = Generator::new(timing, start).map_err(|e| (i, e))?;
-            Ok(Line { generator, train: Train::default(), fall: None, turn: None, rise: None })
+            let (fall, turn, rise, next) = (NEVER, NEVER, NEVER, key(NEVER, 0));
+            Ok(Line { generator, train: Train::default(), fall, turn, rise, next })
         };
         let lines = axes.iter().enumerate().map(line).collect::<Result<_, _>>()?;
         Ok(Self { lines, period: axes.first().map_or(0, |(t, _)| t.period), begin: 0, end: 0 })
@@ -63,8 +75,9 @@ impl Lines {
         (self.begin, self.end) = (self.end, self.end + self.period);
         for (i, (line, to)) in self.lines.iter_mut().zip(to).enumerate() {
             line.train = line.generator.period(to).map_err(|e| (i, e))?;
-            line.turn = line.train.turn;
-            line.rise = line.train.next();
+            line.turn = line.train.turn.map_or(NEVER, |tick| self.begin + tick);
+            line.next_rise(self.begin);
+            line.find_next();
         }
         Ok(())
     }
@@ -72,26 +85,31 @@ impl Lines {
     /// The next event of this period in the order of time; in one tick falling edges come first, then directions.
     #[inline]
     pub fn event(&mut self) -> Option<Event> {
-        let (tick, edge, axis) = self.lines.iter().enumerate().filter_map(|(i, l)| l.next(self.begin, i)).min()?;
+        let (axis, next) = self.lines.iter().map(|l| l.next).enumerate().min_by_key(|(_, next)| *next)?;
+        let tick = next >> 2;
         if tick >= self.end {
             return None;
         }
         let line = &mut self.lines[axis];
-        match edge {
-            Edge::Fall => line.fall = None,
-            Edge::Direction(_) => line.turn = None,
-            Edge::Rise => {
-                line.fall = Some(tick + line.generator.timing().width);
-                line.rise = line.train.next();
-            }
-        }
+        let edge = if next == key(line.fall, 0) {
+            line.fall = NEVER;
+            Edge::Fall
+        } else if next == key(line.turn, 1) {
+            line.turn = NEVER;
+            Edge::Direction(line.train.positive)
+        } else {
+            line.fall = tick + line.generator.timing().width;
+            line.next_rise(self.begin);
+            Edge::Rise
+        };
+        line.find_next();
         Some(Event { tick, axis, edge })
     }
 
-    /// The last falling edges, after the last period.
-    pub fn finish(&mut self) -> impl Iterator<Item = Event> + '_ {
-        self.end = u64::MAX;
-        std::iter::from_fn(|| self.event())
+    /// The last falling edges, after the last period: the next one, until there is none.
+    pub fn last_event(&mut self) -> Option<Event> {
+        self.end = NEVER;
+        self.event()
     }
 
     /// The generators of the axes, in their order.
@@ -101,12 +119,13 @@ impl Lines {
 }
 
 impl Line {
-    /// Its next change, if there is one.
     #[inline]
-    fn next(&self, begin: u64, axis: usize) -> Option<(u64, Edge, usize)> {
-        let fall = self.fall.map(|t| (t, Edge::Fall, axis));
-        let turn = self.turn.map(|t| (begin + t, Edge::Direction(self.train.positive), axis));
-        let rise = self.rise.map(|t| (begin + t, Edge::Rise, axis));
-        [fall, turn, rise].into_iter().flatten().min()
+    fn next_rise(&mut self, begin: u64) {
+        self.rise = self.train.next().map_or(NEVER, |tick| begin + tick);
+    }
+
+    #[inline]
+    fn find_next(&mut self) {
+        self.next = key(self.fall, 0).min(key(self.turn, 1)).min(key(self.rise, 2));
     }
 }

@@ -47,6 +47,6 @@ impl Timing {
     /// Highest frequency that pulses are made with, Hz, with ticks of `tick_s` (s): the driver's, or less on a coarse
     /// timer.
     pub fn max_hz(&self, tick_s: f64) -> f64 {
-        1.0 / (self.spacing as f64 * tick_s)
+        1.0 / tick_s / self.spacing as f64
     }
 }
