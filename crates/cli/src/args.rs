@@ -95,10 +95,23 @@ pub(crate) struct CheckArgs {
     pub(crate) json: bool,
 }
 
+/// What a control with a fine level of its own gets.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ExportArg {
+    /// Control points of a uniform cubic B-spline, as PMAC's SPLINE1 mode takes them: its curve then passes through our
+    /// set-points. 24 points at rest lead in, from t_s below 0, and out
+    Spline1,
+    /// Positions, and the axes' speeds at them in columns of their own, for moves by position, velocity and time (PVT)
+    Pvt,
+}
+
 #[derive(Debug, Args)]
 #[command(
     allow_negative_numbers = true,
-    after_help = "Example: seamwright motion examples/ellipse.toml --period-ms 10 > set-points.csv"
+    after_help = "Examples:
+  seamwright motion examples/ellipse.toml --period-ms 10 > set-points.csv
+  seamwright motion examples/saddle.toml --period-ms 0.1 --coarse-ms 10 > fine.csv
+  seamwright motion examples/saddle.toml --period-ms 10 --export spline1 > spline1.csv"
 )]
 pub(crate) struct MotionArgs {
     /// Job or program file
@@ -106,6 +119,13 @@ pub(crate) struct MotionArgs {
     /// Period of the set-points, ms [default: the machine's servo period]
     #[arg(long, value_name = "T")]
     pub(crate) period_ms: Option<f64>,
+    /// Exact set-points only every so many ms, a whole multiple of the period; those between by a cubic spline without
+    /// jumps in speed or acceleration
+    #[arg(long, value_name = "C")]
+    pub(crate) coarse_ms: Option<f64>,
+    /// Set-points for a control that joins them by a fine level of its own
+    #[arg(long, value_enum, conflicts_with = "coarse_ms")]
+    pub(crate) export: Option<ExportArg>,
     /// Also the air moves from home to the first weld and from the last back home
     #[arg(long)]
     pub(crate) air: bool,

@@ -163,7 +163,8 @@ fn changed(changes: &[(&str, &str)], arguments: &[&str]) -> (i32, String, bool) 
     fs::write(folder.path().join("job.toml"), job).unwrap();
     fs::write(folder.path().join("mine.toml"), machine).unwrap();
     let path = |name: &str| folder.path().join(name).display().to_string();
-    let output = run(&[&["pulses", &path("job.toml"), "--period-ms", "20", "-o", &path("weld.vcd")], arguments].concat());
+    let output =
+        run(&[&["pulses", &path("job.toml"), "--period-ms", "20", "-o", &path("weld.vcd")], arguments].concat());
     let text = [output.stdout, output.stderr].map(|b| String::from_utf8(b).unwrap()).concat();
     println!("{text}");
     (output.status.code().unwrap(), text, Path::new(&path("weld.vcd")).exists())

@@ -25,7 +25,8 @@ mod surroundings;
 pub use axis::{Axis, AxisKind, Drive, Gains, Load, RangeViolation};
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
 pub use file::{
-    DriveFile, HeadFile, Io, LinkClearanceFile, MachineFile, PitchErrorFile, StepFile, StepperFile, TorchFile, ZoneFile, ZoneKind,
+    DriveFile, HeadFile, Io, LinkClearanceFile, MachineFile, PitchErrorFile, StepFile, StepperFile, TorchFile,
+    ZoneFile, ZoneKind,
 };
 pub use head::Head;
 pub use inverse::{Branches, MAX_BRANCHES, Solution, Unreachable};

@@ -89,10 +89,7 @@ fn steppers_say_what_does_not_fit() {
     }
     assert_eq!(wrong("max_pulse_hz = 200000", "max_pulse_hz = 200001"), "drives.y.stepper.max_pulse_hz");
     assert_eq!(wrong("min_pulse_us = 2.5", "min_pulse_us = 0"), "drives.y.stepper.min_pulse_us");
-    assert_eq!(
-        wrong("direction_setup_us = 5", "direction_setup_us = -5"),
-        "drives.y.stepper.direction_setup_us"
-    );
+    assert_eq!(wrong("direction_setup_us = 5", "direction_setup_us = -5"), "drives.y.stepper.direction_setup_us");
     assert_eq!(wrong("rotor_inertia_kg_m2 = 2.7e-4", ""), "drives.y.stepper");
     let rpm = "torque_rpm = [0, 150, 300, 600, 900, 1200]";
     assert_eq!(wrong(rpm, "torque_rpm = [0, 150]"), "drives.y.stepper.torque_n_m");

@@ -108,8 +108,7 @@ fn random_streams_of_several_axes() {
             .collect();
         let mut lines = Lines::new(&start).unwrap();
         let mut at: Vec<f64> = start.iter().map(|s| s.1).collect();
-        let mut drivers: Vec<Driver> =
-            start.iter().map(|(t, p)| Driver::new(*t, (p + 0.5).floor() as i64)).collect();
+        let mut drivers: Vec<Driver> = start.iter().map(|(t, p)| Driver::new(*t, (p + 0.5).floor() as i64)).collect();
         let (mut begin, mut before, mut whole) = (0, 0, true);
         for _ in 0..40 {
             // Speeds up to a little beyond the driver's, often slow, often turning round.

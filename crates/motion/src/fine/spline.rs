@@ -122,7 +122,8 @@ impl CoarseSpline {
         }
         let (_, way) = self.ways(k);
         let is_last = self.finished && k + 1 == end;
-        let curve = |i: usize| if is_last { 12.0 * way[i] - 6.0 * m[i] } else { 6.0 * way[i] - 4.0 * m[i] - 2.0 * after[i] };
+        let curve =
+            |i: usize| if is_last { 12.0 * way[i] - 6.0 * m[i] } else { 6.0 * way[i] - 4.0 * m[i] - 2.0 * after[i] };
         let (h, hh) = (self.period, self.period * self.period);
         Knot { q, v: m.map(|m| m / h), a: std::array::from_fn(|i| curve(i) / hh) }
     }

@@ -93,14 +93,6 @@ impl Place {
     /// What stands against the pulses here; air moves count to the start of the first pass.
     fn finding(&self, kind: &'static str, message: String, cure: &str) -> Finding {
         let s = if self.s_mm.is_finite() { self.s_mm } else { 0.0 };
-        Finding {
-            kind,
-            message,
-            pass: self.pass.max(1),
-            from_mm: s,
-            to_mm: s,
-            cure: cure.to_owned(),
-            allowed: false,
-        }
+        Finding { kind, message, pass: self.pass.max(1), from_mm: s, to_mm: s, cure: cure.to_owned(), allowed: false }
     }
 }

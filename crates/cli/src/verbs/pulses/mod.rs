@@ -179,13 +179,7 @@ fn csv(play: &mut Play, stepped: &[Stepped]) -> Result<(), Failure> {
 }
 
 /// The lines as a value change dump.
-fn vcd(
-    path: &Path,
-    play: &mut Play,
-    stepped: &[Stepped],
-    checked: &Checked,
-    summary: &Summary,
-) -> Result<(), Failure> {
+fn vcd(path: &Path, play: &mut Play, stepped: &[Stepped], checked: &Checked, summary: &Summary) -> Result<(), Failure> {
     let clock = play.clock;
     let axes: Vec<VcdAxis> = stepped
         .iter()

@@ -35,8 +35,8 @@ impl Motor {
             viscous: viscous * lever * lever,
             torque: motor.torque.clone(),
         };
-        let model = StepperMotor::new(&parameters)
-            .map_err(|e| Failure::Input(format!("drives.{}.stepper: {e}", axis.name)))?;
+        let model =
+            StepperMotor::new(&parameters).map_err(|e| Failure::Input(format!("drives.{}.stepper: {e}", axis.name)))?;
         Ok(Some(Self { model, positive: true, tick: 0, since: None }))
     }
 

@@ -49,7 +49,9 @@ impl Summary {
             let allowed_hz = axis.timing.max_hz(clock.tick_s());
             let (decided_by, why) = match choice.bound {
                 Bound::Resolution => ("resolution", None),
-                Bound::Frequency => ("frequency", Some(format!("more would need over {allowed_hz:.0} pulses a second"))),
+                Bound::Frequency => {
+                    ("frequency", Some(format!("more would need over {allowed_hz:.0} pulses a second")))
+                }
                 Bound::Driver => ("driver", Some("the driver has no finer setting".to_owned())),
                 Bound::None => ("frequency", Some("even these are too fast".to_owned())),
             };
