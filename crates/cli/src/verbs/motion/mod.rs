@@ -44,7 +44,7 @@ fn parts(coarse_ms: f64, period: f64) -> Result<u32, Failure> {
     let coarse = positive("--coarse-ms", coarse_ms)? * 1e-3;
     let parts = coarse / period;
     let whole = parts.round();
-    if whole < 1.0 || whole > 1e6 || (parts - whole).abs() > 1e-9 * parts {
+    if !(1.0..=1e6).contains(&whole) || (parts - whole).abs() > 1e-9 * parts {
         return Err(Failure::Input(format!(
             "--coarse-ms {coarse_ms}: {parts} periods of {} ms\n   allowed: a whole multiple of the period, up to 1e6 times",
             period * 1e3

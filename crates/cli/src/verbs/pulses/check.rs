@@ -12,8 +12,16 @@ pub(super) struct Checked {
     pub(super) positive: Vec<bool>,
     /// The generators as they are at the end.
     pub(super) generators: Vec<Generator>,
-    /// Full steps lost by each motor, and since when (s) and where, if it was asked for and the file has the motor.
-    pub(super) motors: Vec<Option<(i64, Option<(f64, Place)>)>>,
+    /// What each motor lost, if it was asked for and the file has the motor.
+    pub(super) motors: Vec<Option<Loss>>,
+}
+
+/// Full steps lost for good.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Loss {
+    pub(super) steps: i64,
+    /// Up to when (s) and where nothing was lost; none if there were no pulses.
+    held: Option<(f64, Place)>,
 }
 
 /// Makes all pulses once, for no one but the motors.
@@ -34,7 +42,7 @@ pub(super) fn check(play: &mut Play, stepped: &[Stepped], with_motors: bool) -> 
     let lost = |motor: &mut Option<Motor>| {
         let motor = motor.as_mut()?;
         let steps = motor.lost();
-        Some((steps, motor.since.map(|(tick, place)| (clock.seconds(tick), place))))
+        Some(Loss { steps, held: motor.held.map(|(tick, place)| (clock.seconds(tick), place)) })
     };
     Ok(Checked {
         periods: play.motion.count(clock.period_s(), play.home).saturating_sub(1),
@@ -49,7 +57,7 @@ impl Checked {
     pub(super) fn lost(&self, stepped: &[Stepped]) -> Vec<Finding> {
         let mut findings = Vec::new();
         for (axis, motor) in stepped.iter().zip(&self.motors) {
-            let Some((steps, Some((t, place)))) = motor.filter(|m| m.0 != 0) else { continue };
+            let Some(Loss { steps, held: Some((t, place)) }) = motor.filter(|m| m.steps != 0) else { continue };
             let message = format!("the motor of axis {} loses {steps} full steps, from t = {t:.3} s on", axis.name);
             let cure = "a lower speed or acceleration, more microsteps, or a motor with more torque";
             findings.push(place.finding("steps", message, cure));

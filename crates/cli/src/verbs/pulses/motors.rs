@@ -14,8 +14,8 @@ pub(super) struct Motor {
     model: StepperMotor,
     positive: bool,
     tick: u64,
-    /// When and where the steps began to be lost that are lost now: the tick of a pulse.
-    pub(super) since: Option<(u64, Place)>,
+    /// Tick and place of the last pulse up to which nothing was lost.
+    pub(super) held: Option<(u64, Place)>,
 }
 
 impl Motor {
@@ -37,7 +37,7 @@ impl Motor {
         };
         let model =
             StepperMotor::new(&parameters).map_err(|e| Failure::Input(format!("drives.{}.stepper: {e}", axis.name)))?;
-        Ok(Some(Self { model, positive: true, tick: 0, since: None }))
+        Ok(Some(Self { model, positive: true, tick: 0, held: None }))
     }
 
     pub(super) fn hear(&mut self, event: Event, place: &Place, clock: &Clock) {
@@ -48,10 +48,8 @@ impl Motor {
                 self.model.advance(clock.seconds(event.tick - self.tick), 0.0);
                 self.model.pulse(self.positive);
                 self.tick = event.tick;
-                if self.model.lost_full_steps() == 0 {
-                    self.since = None;
-                } else if self.since.is_none() {
-                    self.since = Some((event.tick, *place));
+                if self.held.is_none() || self.model.lost_full_steps() == 0 {
+                    self.held = Some((event.tick, *place));
                 }
             }
         }

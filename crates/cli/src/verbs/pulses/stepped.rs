@@ -14,7 +14,7 @@ impl Clock {
     pub(super) fn new(period_ms: f64, tick_ns: u32) -> Result<Self, Failure> {
         let ticks = period_ms * 1e6 / f64::from(tick_ns);
         let whole = ticks.round();
-        if whole < 1.0 || whole > 1e11 || (ticks - whole).abs() > 1e-9 * ticks {
+        if !(1.0..=1e11).contains(&whole) || (ticks - whole).abs() > 1e-9 * ticks {
             return Err(Failure::Input(format!(
                 "a period of {period_ms} ms is {ticks} ticks of {tick_ns} ns\n   allowed: a whole number of ticks, up to 1e11; see --period-ms and --tick-ns"
             )));

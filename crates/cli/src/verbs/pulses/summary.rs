@@ -76,7 +76,7 @@ impl Summary {
                 end_steps: generator.count(),
                 pulses: generator.pulses(),
                 remark,
-                lost_full_steps: motor.map(|m| m.0),
+                lost_full_steps: motor.map(|m| m.steps),
             });
         }
         let without = loaded.machine.axes.iter().filter(|a| a.stepper.is_none());
