@@ -31,6 +31,8 @@ pub(crate) enum Verb {
     Check(CheckArgs),
     /// The timed set-points of every axis, streamed
     Motion(MotionArgs),
+    /// Step and direction pulses for steppers, with the microstepping chosen
+    Pulses(PulsesArgs),
     /// Weld in simulation: drives, friction, encoders; trace and report
     Simulate(SimulateArgs),
     /// A part program for another control
@@ -96,10 +98,23 @@ pub(crate) struct CheckArgs {
     pub(crate) json: bool,
 }
 
+/// What a control with a fine level of its own gets.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ExportArg {
+    /// Control points of a uniform cubic B-spline, as PMAC's SPLINE1 mode takes them: its curve then passes through our
+    /// set-points. 24 points at rest lead in, from t_s below 0, and out
+    Spline1,
+    /// Positions, and the axes' speeds at them in columns of their own, for moves by position, velocity and time (PVT)
+    Pvt,
+}
+
 #[derive(Debug, Args)]
 #[command(
     allow_negative_numbers = true,
-    after_help = "Example: seamwright motion examples/ellipse.toml --period-ms 10 > set-points.csv"
+    after_help = "Examples:
+  seamwright motion examples/ellipse.toml --period-ms 10 > set-points.csv
+  seamwright motion examples/saddle.toml --period-ms 0.1 --coarse-ms 10 > fine.csv
+  seamwright motion examples/saddle.toml --period-ms 10 --export spline1 > spline1.csv"
 )]
 pub(crate) struct MotionArgs {
     /// Job or program file
@@ -107,6 +122,13 @@ pub(crate) struct MotionArgs {
     /// Period of the set-points, ms [default: the machine's servo period]
     #[arg(long, value_name = "T")]
     pub(crate) period_ms: Option<f64>,
+    /// Exact set-points only every so many ms, a whole multiple of the period; those between by a cubic spline without
+    /// jumps in speed or acceleration
+    #[arg(long, value_name = "C")]
+    pub(crate) coarse_ms: Option<f64>,
+    /// Set-points for a control that joins them by a fine level of its own
+    #[arg(long, value_enum, conflicts_with = "coarse_ms")]
+    pub(crate) export: Option<ExportArg>,
     /// Also the air moves from home to the first weld and from the last back home
     #[arg(long)]
     pub(crate) air: bool,
@@ -130,6 +152,37 @@ pub(crate) struct SimulateArgs {
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,
     /// Print report.json instead of a summary
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(
+    allow_negative_numbers = true,
+    after_help = "Examples:
+  seamwright pulses examples/head-nozzle.toml --period-ms 1 -o head-nozzle.vcd
+  seamwright pulses examples/head-nozzle.toml --period-ms 1 > pulses.csv
+  seamwright pulses examples/head-nozzle.toml --motors --json"
+)]
+pub(crate) struct PulsesArgs {
+    /// Job or program file
+    pub(crate) job: PathBuf,
+    /// Period of the set-points, ms, a whole number of ticks [default: the machine's servo period]
+    #[arg(long, value_name = "T")]
+    pub(crate) period_ms: Option<f64>,
+    /// Tick of the timer that makes the pulses, ns
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub(crate) tick_ns: u32,
+    /// Also the air moves from home to the first weld and from the last back home
+    #[arg(long)]
+    pub(crate) air: bool,
+    /// Also play the pulses on a model of the motors; exit code 1 if one loses steps
+    #[arg(long)]
+    pub(crate) motors: bool,
+    /// Write the lines as a value change dump (GTKWave) to this file and print a summary, instead of pulses as CSV
+    #[arg(short, long, value_name = "FILE.vcd")]
+    pub(crate) output: Option<PathBuf>,
+    /// Print the summary as JSON instead of pulses or text
     #[arg(long)]
     pub(crate) json: bool,
 }

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use std::fs;
-use std::io::Write;
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
@@ -24,6 +24,17 @@ pub(crate) fn write(path: &Path, text: &str) -> Result<(), Failure> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut file = temporary(folder).map_err(|e| not_writable(folder, &e))?;
     file.write_all(text.as_bytes()).map_err(|e| not_writable(path, &e))?;
+    keep(file, path)
+}
+
+/// The same piece by piece: `fill` writes it.
+pub(crate) fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Result<(), Failure> {
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut file = temporary(folder).map_err(|e| not_writable(folder, &e))?;
+    let mut out = BufWriter::with_capacity(1 << 16, &mut file);
+    fill(&mut out)?;
+    out.flush().map_err(|e| not_writable(path, &e))?;
+    drop(out);
     keep(file, path)
 }
 

@@ -39,6 +39,7 @@ fn run(verb: Option<Verb>) -> Result<(), Failure> {
         Some(Verb::Plan(a)) => verbs::plan::run(&a),
         Some(Verb::Check(a)) => verbs::check::run(&a),
         Some(Verb::Motion(a)) => verbs::motion::run(&a),
+        Some(Verb::Pulses(a)) => verbs::pulses::run(&a),
         Some(Verb::Simulate(a)) => verbs::simulate::run(&a),
         Some(Verb::Post(a)) => verbs::post::run(&a),
         Some(Verb::Kinematics(a)) => verbs::kinematics::run(&a),

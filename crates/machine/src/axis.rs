@@ -1,4 +1,4 @@
-use crate::{EncoderSide, PitchError};
+use crate::{EncoderSide, PitchError, Stepper};
 use std::f64::consts::{PI, TAU};
 
 /// Linear or rotary.
@@ -33,6 +33,8 @@ pub struct Axis {
     pub pitch_error: Option<PitchError>,
     /// Drive for the simulation, if the file describes one.
     pub drive: Option<Drive>,
+    /// The stepper that moves it, if the file describes one.
+    pub stepper: Option<Stepper>,
 }
 
 /// A drive with its load and position loop, in the units of the file (N, kg, N m, kg m^2, counts per mm or rad).

@@ -254,6 +254,8 @@ pub struct DriveFile {
     pub backlash_compensation_deg: Option<NonNegative>,
     /// Time that a reversal is spread over, ms; 20 if missing.
     pub backlash_compensation_ms: Option<Positive>,
+    /// The stepper that moves the axis, if one does; for pulses.
+    pub stepper: Option<StepperFile>,
 }
 
 /// Which side of the transmission an encoder measures.
@@ -277,6 +279,40 @@ pub struct NotchFile {
     pub depth: NonNegative,
     /// Width between the edges, Hz.
     pub width_hz: Positive,
+}
+
+/// A two-phase stepper with its driver, fed with step and direction pulses.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StepperFile {
+    /// Full steps of a turn of the motor: 200 for a step angle of 1.8 degrees.
+    pub full_steps_per_turn: u32,
+    /// What a turn of the motor moves a linear axis by (the lead, through all gears), mm.
+    pub mm_per_turn: Option<Positive>,
+    /// What a turn of the motor turns a rotary axis by, degrees.
+    pub deg_per_turn: Option<Positive>,
+    /// Pulses of a full step that the driver can be set to, increasing.
+    pub microsteps: Vec<u32>,
+    /// Length of a pulse that is wanted of a linear axis, mm.
+    pub resolution_mm: Option<Positive>,
+    /// Angle of a pulse that is wanted of a rotary axis, degrees.
+    pub resolution_deg: Option<Positive>,
+    /// Highest pulse frequency of the driver, Hz.
+    pub max_pulse_hz: Positive,
+    /// Shortest time that the driver needs the step line to be high, and to be low, us.
+    pub min_pulse_us: Positive,
+    /// Time from a change of the direction line to the next pulse's rising edge, us.
+    pub direction_setup_us: NonNegative,
+    /// Time from a pulse's falling edge to a change of the direction line, us.
+    pub direction_hold_us: NonNegative,
+    /// Inertia of the rotor, kg m^2; for the model that shows lost steps.
+    pub rotor_inertia_kg_m2: Option<Positive>,
+    /// Coulomb friction of the rotor, bearings and hysteresis of the iron, N m; 0 if missing.
+    pub rotor_friction_n_m: Option<NonNegative>,
+    /// Speeds of the torque curve, rpm: increasing, the first 0.
+    pub torque_rpm: Option<Vec<NonNegative>>,
+    /// Pull-out torque at each of them, N m; at 0 rpm the holding torque.
+    pub torque_n_m: Option<Vec<NonNegative>>,
 }
 
 /// Outputs of the control, by number.

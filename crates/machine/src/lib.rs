@@ -20,6 +20,7 @@ mod pair;
 mod pitch_error;
 mod shipped;
 mod solids;
+mod stepper;
 mod surroundings;
 
 pub use axis::{
@@ -28,7 +29,7 @@ pub use axis::{
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
 pub use file::{
     DriveFile, EncoderSide, HeadFile, Io, LinkClearanceFile, MachineFile, NotchFile, PitchErrorFile, StepFile,
-    TorchFile, ZoneFile, ZoneKind,
+    StepperFile, TorchFile, ZoneFile, ZoneKind,
 };
 pub use head::Head;
 pub use inverse::{Branches, MAX_BRANCHES, Solution, Unreachable};
@@ -39,4 +40,5 @@ pub use pitch_error::PitchError;
 pub use seamwright_clearance::Clamped;
 pub use shipped::{SHIPPED, Shipped, shipped};
 pub use solids::{LinkSolids, Zone};
+pub use stepper::{Stepper, StepperMotor};
 pub use surroundings::{Course, Surroundings};

@@ -122,3 +122,49 @@ fn heads_have_names_and_tails_of_their_own() {
     let empty = "schema = 1\nname = \"m\"\ntitle = \"m\"\n[torch]\ndirection = [0, 0, -1]\n";
     assert!(Machine::read("m.toml", empty).unwrap_err().to_string().contains("0 axes"));
 }
+
+#[test]
+fn steppers_say_what_does_not_fit() {
+    let torch = shipped("torch-5axis").unwrap().text;
+    let wrong = |from: &str, to: &str| {
+        assert!(torch.contains(from), "{from}");
+        let e = Machine::read("m.toml", &torch.replacen(from, to, 1)).unwrap_err();
+        println!("{e}");
+        assert!(e.line > 0);
+        e.key
+    };
+    assert_eq!(wrong("full_steps_per_turn = 200", "full_steps_per_turn = 201"), "drives.y.stepper.full_steps_per_turn");
+    assert_eq!(wrong("full_steps_per_turn = 200", "full_steps_per_turn = 0"), "drives.y.stepper.full_steps_per_turn");
+    assert_eq!(wrong("full_steps_per_turn = 200", "full_steps_per_turn = -4"), "drives.y.stepper.full_steps_per_turn");
+    assert_eq!(wrong("mm_per_turn = 10", "deg_per_turn = 10"), "drives.y.stepper.deg_per_turn");
+    assert_eq!(wrong("mm_per_turn = 10", ""), "drives.y.stepper");
+    assert_eq!(wrong("deg_per_turn = 5", "deg_per_turn = 0"), "drives.a.stepper.deg_per_turn");
+    assert_eq!(wrong("resolution_deg = 0.002", "resolution_mm = 0.002"), "drives.a.stepper.resolution_mm");
+    for microsteps in ["[]", "[0, 1]", "[2, 1]", "[1, 1]", "[5000]"] {
+        let to = format!("microsteps = {microsteps}");
+        assert_eq!(wrong("microsteps = [1, 2, 4, 8, 16, 32, 64, 128]", &to), "drives.y.stepper.microsteps");
+    }
+    assert_eq!(wrong("max_pulse_hz = 200000", "max_pulse_hz = 200001"), "drives.y.stepper.max_pulse_hz");
+    assert_eq!(wrong("min_pulse_us = 2.5", "min_pulse_us = 0"), "drives.y.stepper.min_pulse_us");
+    assert_eq!(wrong("direction_setup_us = 5", "direction_setup_us = -5"), "drives.y.stepper.direction_setup_us");
+    assert_eq!(wrong("rotor_inertia_kg_m2 = 2.7e-4", ""), "drives.y.stepper");
+    let rpm = "torque_rpm = [0, 150, 300, 600, 900, 1200]";
+    assert_eq!(wrong(rpm, "torque_rpm = [0, 150]"), "drives.y.stepper.torque_n_m");
+    assert_eq!(wrong(rpm, "torque_rpm = [1, 150, 300, 600, 900, 1200]"), "drives.y.stepper.torque_rpm");
+    assert_eq!(wrong(rpm, "torque_rpm = [0, 300, 150, 600, 900, 1200]"), "drives.y.stepper.torque_rpm");
+    assert_eq!(wrong("torque_n_m = [8.5,", "torque_n_m = [0,"), "drives.y.stepper.torque_n_m");
+    assert_eq!(wrong("[drives.x.stepper]", "[drives.x.steppper]"), "drives.x.steppper");
+}
+
+#[test]
+fn steppers_are_in_mm_and_rad() {
+    let machine = Machine::read("m", shipped("torch-5axis").unwrap().text).unwrap();
+    let of = |name: &str| machine.axes[machine.axis(name).unwrap()].stepper.clone().unwrap();
+    assert!((of("x").full_steps_per_unit() - 20.0).abs() < 1e-12);
+    // 200 steps for 5 degrees.
+    assert!((of("a").full_steps_per_unit() - 40.0 * 1f64.to_degrees()).abs() < 1e-9);
+    assert!((of("a").resolution - 0.002f64.to_radians()).abs() < 1e-15);
+    let motor = of("b").motor.unwrap();
+    assert!((motor.torque[3].0 - 20.0 * std::f64::consts::PI).abs() < 1e-12 && (motor.torque[3].1 - 1.4).abs() < 1e-12);
+    assert!(Machine::read("m", saddle()).unwrap().axes.iter().all(|a| a.stepper.is_none()));
+}

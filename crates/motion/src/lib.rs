@@ -3,12 +3,13 @@
 //! Floor 2. [`JointPath`] is the exact path of the axes by path length; [`SpeedLaw`] the fastest speed along it up to
 //! the asked one within every axis' speed, acceleration and jerk; [`PassMotion`] puts both together with the process
 //! sequence, and [`SetPoints`] plays it period by period in constant memory, without allocation. [`pace`] plays a
-//! law under an operator's orders, [`jog`] moves axes without a path, [`taught`] follows points of any number. [`textbook`]
-//! has the interpolators of the papers, for comparison.
+//! law under an operator's orders, [`jog`] moves axes without a path, [`taught`] follows points of any number. [`fine`]
+//! makes fine set-points of coarse ones, [`pulses`] step and direction pulses. [`textbook`] has the interpolators of the papers, for comparison.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
 pub mod air;
+pub mod fine;
 mod follower;
 pub mod jog;
 mod joint_path;
@@ -18,6 +19,7 @@ pub mod pace;
 mod pass_channels;
 mod pass_clearance;
 mod pass_motion;
+pub mod pulses;
 pub mod redundancy;
 mod set_points;
 mod singular;

@@ -10,6 +10,7 @@ pub(crate) mod motion;
 pub(crate) mod move_to;
 pub(crate) mod plan;
 pub(crate) mod post;
+pub(crate) mod pulses;
 pub(crate) mod schema;
 pub(crate) mod seam;
 pub(crate) mod simulate;

@@ -67,6 +67,7 @@ pub(super) fn axis(file: &File, path: &str, step: &StepFile) -> Result<Option<Ax
         max_jerk,
         pitch_error: None,
         drive: None,
+        stepper: None,
     };
     axis.letter = letter(file, &at("letter"), step)?;
     axis.range = range.map(|[low, high]| (axis.from_file(low), axis.from_file(high)));

@@ -4,6 +4,7 @@ mod axis;
 mod drive;
 mod pitch_error;
 mod solids;
+mod stepper;
 mod tree;
 
 use crate::chain::MAX_AXES;
@@ -35,6 +36,8 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
     }
     for axis in &mut axes {
         axis.drive = m.drives.get(&axis.name).map(|d| drive::drive(file, axis, d)).transpose()?;
+        let stepper = m.drives.get(&axis.name).and_then(|d| d.stepper.as_ref());
+        axis.stepper = stepper.map(|s| stepper::stepper(file, axis, s)).transpose()?;
         axis.pitch_error =
             m.pitch_error.get(&axis.name).map(|t| pitch_error::pitch_error(file, axis, t)).transpose()?;
     }

@@ -1,0 +1,54 @@
+//! The timed set-points: exact ones, fine ones by way of coarse ones, or coarse ones for a control with a fine level.
+
+mod table;
+mod two_level;
+
+use super::positive;
+use crate::args::MotionArgs;
+use crate::failure::Failure;
+use crate::load::load;
+use crate::progress::Progress;
+use table::{Along, Row, Table};
+use two_level::TwoLevel;
+
+pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
+    let loaded = load(&args.job)?;
+    let period = match args.period_ms {
+        Some(ms) => positive("--period-ms", ms)? * 1e-3,
+        None => loaded.machine.servo_period_s,
+    };
+    let parts = args.coarse_ms.map(|coarse| parts(coarse, period)).transpose()?;
+    let motion = loaded.plan()?;
+    loaded.check_count(&motion, period)?;
+    let coarse = period * f64::from(parts.unwrap_or(1));
+    let mut progress = Progress::new("set-points", motion.count(coarse, args.air));
+    let mut table = Table::new(&loaded, args.export, args.json)?;
+    if parts.is_none() && args.export.is_none() {
+        motion.play(period, args.air, |pass, p, _| {
+            progress.step();
+            table.row(&Row { t: p.t, along: Along::new(pass, &p), q: p.q, speeds: None })
+        })?;
+    } else {
+        let mut level = TwoLevel::new(table, period, parts.unwrap_or(1), args.export);
+        motion.play(coarse, args.air, |pass, p, _| {
+            progress.step();
+            level.point(Along::new(pass, &p), &p.q)
+        })?;
+        table = level.finish()?;
+    }
+    table.finish()
+}
+
+/// Fine periods in a coarse one.
+fn parts(coarse_ms: f64, period: f64) -> Result<u32, Failure> {
+    let coarse = positive("--coarse-ms", coarse_ms)? * 1e-3;
+    let parts = coarse / period;
+    let whole = parts.round();
+    if !(1.0..=1e6).contains(&whole) || (parts - whole).abs() > 1e-9 * parts {
+        return Err(Failure::Input(format!(
+            "--coarse-ms {coarse_ms}: {parts} periods of {} ms\n   allowed: a whole multiple of the period, up to 1e6 times",
+            period * 1e3
+        )));
+    }
+    Ok(whole as u32)
+}

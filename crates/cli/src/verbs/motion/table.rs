@@ -1,0 +1,80 @@
+use crate::args::ExportArg;
+use crate::failure::Failure;
+use crate::load::Loaded;
+use crate::rows::{Cell, Rows};
+use crate::verbs::simulate::{process_names, process_value};
+use seamwright_machine::Joints;
+use seamwright_motion::SetPoint;
+
+/// The place along the seam at an instant.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Along {
+    /// Counted from 1; 0 in the air.
+    pub(super) pass: usize,
+    /// Path length, mm; no number in the air, like the speed.
+    pub(super) s: f64,
+    /// Speed along it, mm/s.
+    pub(super) speed: f64,
+    pub(super) arc: bool,
+}
+
+impl Along {
+    pub(super) fn new(pass: usize, set: &SetPoint) -> Self {
+        Self { pass, s: set.law.s, speed: set.law.v, arc: set.phase.arc() }
+    }
+}
+
+/// A row of the table.
+pub(super) struct Row {
+    pub(super) t: f64,
+    pub(super) along: Along,
+    /// Positions, or control points.
+    pub(super) q: Joints,
+    /// Speeds of the axes, with positions for moves by position, velocity and time.
+    pub(super) speeds: Option<Joints>,
+}
+
+/// Set-points as rows on standard output.
+pub(super) struct Table<'a> {
+    loaded: &'a Loaded,
+    process: Vec<String>,
+    rows: Rows,
+    /// Of the row being written.
+    cells: Vec<Cell<'static>>,
+}
+
+impl<'a> Table<'a> {
+    pub(super) fn new(loaded: &'a Loaded, export: Option<ExportArg>, json: bool) -> Result<Self, Failure> {
+        let axes = &loaded.machine.axes;
+        let process = process_names(&loaded.welding.program.value);
+        let mut columns: Vec<String> = ["t_s", "pass", "s_mm"].map(str::to_owned).into();
+        columns.extend(axes.iter().map(|a| a.name.clone()));
+        if export == Some(ExportArg::Pvt) {
+            columns.extend(axes.iter().map(|a| format!("{}_{}_s", a.name, a.unit())));
+        }
+        columns.extend(["speed_mm_s".to_owned(), "arc".to_owned()]);
+        columns.extend(process.iter().cloned());
+        Ok(Self { loaded, process, rows: Rows::new(columns, json)?, cells: Vec::new() })
+    }
+
+    pub(super) fn row(&mut self, row: &Row) -> Result<(), Failure> {
+        let Along { pass, s, speed, arc } = row.along;
+        let number = |v: f64| if v.is_finite() { Cell::Number(v) } else { Cell::Empty };
+        let axes = &self.loaded.machine.axes;
+        let cells = &mut self.cells;
+        cells.clear();
+        cells.extend([Cell::Number(row.t), Cell::Count(pass as u64), number(s)]);
+        for values in [Some(&row.q), row.speeds.as_ref()].into_iter().flatten() {
+            cells.extend(axes.iter().zip(values).map(|(axis, value)| Cell::Number(axis.to_file(*value))));
+        }
+        cells.extend([number(speed), Cell::Count(u64::from(arc))]);
+        let passes = &self.loaded.welding.program.value.passes;
+        let values = pass.checked_sub(1).and_then(|i| passes[i].span_at(s)).map(|span| &span.process);
+        cells.extend(self.process.iter().map(|name| Cell::Number(process_value(values, name, arc))));
+        self.rows.row(cells)
+    }
+
+    pub(super) fn finish(self) -> Result<(), Failure> {
+        self.rows.finish()
+    }
+}

@@ -1,0 +1,203 @@
+//! Step and direction pulses of a job. The motion is played up to three times, since nothing of it is kept: for the speeds
+//! that decide the microstepping, to check every pulse before anything is written, and to write.
+
+mod check;
+mod motors;
+mod stepped;
+mod summary;
+
+use super::positive;
+use crate::args::PulsesArgs;
+use crate::failure::Failure;
+use crate::files;
+use crate::load::load;
+use crate::progress::Progress;
+use crate::rows::{Cell, Rows, print_json, print_text};
+use check::{Checked, check, crowded};
+use seamwright_machine::Joints;
+use seamwright_motion::WeldMotion;
+use seamwright_motion::pulses::{Edge, Event, Lines};
+use seamwright_record::{VcdAxis, VcdWriter, Wire};
+use std::io::Write;
+use std::path::Path;
+use stepped::{Clock, Stepped};
+use summary::Summary;
+
+pub(crate) fn run(args: &PulsesArgs) -> Result<(), Failure> {
+    if let Some(path) = args.output.as_deref().filter(|p| p.extension().is_none_or(|e| e != "vcd")) {
+        let message = format!("-o {}: not a value change dump\n   allowed: a name that ends in .vcd", path.display());
+        return Err(Failure::Input(message));
+    }
+    let loaded = load(&args.job)?;
+    let period = args.period_ms.map_or(Ok(loaded.machine.servo_period_s * 1e3), |ms| positive("--period-ms", ms))?;
+    let clock = Clock::new(period, args.tick_ns)?;
+    let Some(mut stepped) = Stepped::all(&loaded.machine, &clock)? else {
+        let message = format!("no axis of {} has a stepper", loaded.machine.name);
+        let allowed = "a machine with [drives.<axis>.stepper] in its file, like torch-5axis";
+        return Err(loaded.welding.program.error_at("machine", message, allowed).into());
+    };
+    let motion = loaded.plan()?;
+    loaded.check_count(&motion, clock.period_s())?;
+    let writes = args.output.is_some() || !args.json;
+    let mut play = Play {
+        motion: &motion,
+        clock,
+        home: args.air,
+        progress: Progress::new("pulses", motion.count(clock.period_s(), args.air) * if writes { 3 } else { 2 }),
+    };
+    play.choose(&mut stepped)?;
+    let checked = check(&mut play, &stepped, args.motors)?;
+    let summary = Summary::new(&loaded, &clock, &stepped, &checked);
+    match &args.output {
+        Some(path) => vcd(path, &mut play, &stepped, &checked, &summary)?,
+        None if !args.json => csv(&mut play, &stepped)?,
+        None => {}
+    }
+    drop(play);
+    if args.json {
+        print_json(&summary)?;
+    } else if args.output.is_some() {
+        print_text(&summary.text())?;
+    } else {
+        // Standard output has the pulses; what is to be said of them goes beside.
+        summary.remarks().for_each(note);
+    }
+    let lost = checked.lost(&stepped);
+    if lost.is_empty() { Ok(()) } else { Err(Failure::Findings(lost)) }
+}
+
+/// A remark on standard error; nothing can be done if that is closed.
+fn note(remark: &str) {
+    let _ = writeln!(std::io::stderr().lock(), "note (resolution): {remark}");
+}
+
+/// Plays the motion for those who ask, and counts.
+pub(super) struct Play<'a> {
+    motion: &'a WeldMotion,
+    clock: Clock,
+    home: bool,
+    progress: Progress,
+}
+
+/// A set-point: the pass (0 in the air), path length, and all axes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place {
+    pass: usize,
+    s_mm: f64,
+    q: Joints,
+}
+
+impl Play<'_> {
+    fn each(&mut self, mut each: impl FnMut(&Place) -> Result<(), Failure>) -> Result<(), Failure> {
+        self.motion.play(self.clock.period_s(), self.home, |pass, set, _| {
+            self.progress.step();
+            each(&Place { pass, s_mm: set.law.s, q: set.q })
+        })
+    }
+
+    /// The microstepping of every axis, for the fastest period of the motion.
+    fn choose(&mut self, stepped: &mut [Stepped]) -> Result<(), Failure> {
+        let mut last: Option<Joints> = None;
+        let mut longest = vec![0.0f64; stepped.len()];
+        self.each(|place| {
+            let before = last.replace(place.q).unwrap_or(place.q);
+            for (way, axis) in longest.iter_mut().zip(stepped.iter()) {
+                *way = way.max((place.q[axis.index] - before[axis.index]).abs());
+            }
+            Ok(())
+        })?;
+        let period = self.clock.period_s();
+        stepped.iter_mut().zip(longest).for_each(|(axis, way)| axis.choose(way / period, &self.clock));
+        Ok(())
+    }
+
+    /// Makes the pulses; `each` gets every event in the order of time, with the end of its period.
+    fn pulses(
+        &mut self,
+        stepped: &[Stepped],
+        mut each: impl FnMut(&Place, &Lines, Event) -> Result<(), Failure>,
+    ) -> Result<Option<Lines>, Failure> {
+        let mut lines: Option<Lines> = None;
+        let clock = self.clock;
+        let (mut periods, mut end) = (0u64, None);
+        self.each(|place| {
+            end = Some(*place);
+            let Some(lines) = &mut lines else {
+                let start: Vec<_> = stepped.iter().map(|a| (a.timing, a.steps(&place.q))).collect();
+                lines = Some(Lines::new(&start).map_err(|e| crowded(stepped, &clock, place, 0, e))?);
+                return Ok(());
+            };
+            let to = stepped.iter().map(|a| a.steps(&place.q));
+            lines.advance(to).map_err(|e| crowded(stepped, &clock, place, periods, e))?;
+            periods += 1;
+            while let Some(event) = lines.event() {
+                each(place, lines, event)?;
+            }
+            Ok(())
+        })?;
+        if let (Some(lines), Some(end)) = (&mut lines, end) {
+            while let Some(event) = lines.last_event() {
+                each(&end, lines, event)?;
+            }
+        }
+        Ok(lines)
+    }
+}
+
+/// Pulses and changes of direction as rows on standard output.
+fn csv(play: &mut Play, stepped: &[Stepped]) -> Result<(), Failure> {
+    let columns = ["t_s", "axis", "event", "direction", "steps"].map(str::to_owned);
+    let mut rows = Rows::new(columns.into(), false)?;
+    let clock = play.clock;
+    let mut state: Vec<(f64, f64)> = Vec::new();
+    play.pulses(stepped, |_, lines, event| {
+        if state.is_empty() {
+            state = lines.generators().map(|g| (0.0, g.start() as f64)).collect();
+        }
+        let (direction, steps) = &mut state[event.axis];
+        let name = match event.edge {
+            Edge::Fall => return Ok(()),
+            Edge::Direction(positive) => {
+                *direction = if positive { 1.0 } else { -1.0 };
+                "direction"
+            }
+            Edge::Rise => {
+                *steps += *direction;
+                "step"
+            }
+        };
+        let cells = [
+            Cell::Number(clock.seconds(event.tick)),
+            Cell::Text(&stepped[event.axis].name),
+            Cell::Text(name),
+            Cell::Number(*direction),
+            Cell::Number(*steps),
+        ];
+        rows.row(&cells)
+    })?;
+    rows.finish()
+}
+
+/// The lines as a value change dump.
+fn vcd(path: &Path, play: &mut Play, stepped: &[Stepped], checked: &Checked, summary: &Summary) -> Result<(), Failure> {
+    let clock = play.clock;
+    let axes: Vec<VcdAxis> = stepped
+        .iter()
+        .zip(summary.texts())
+        .zip(&checked.positive)
+        .map(|((axis, about), positive)| VcdAxis { name: axis.name.clone(), positive: *positive, about })
+        .collect();
+    files::write_with(path, |out| {
+        let mut vcd = VcdWriter::new(out, summary.job(), &axes)?;
+        play.pulses(stepped, |_, _, event| {
+            let (wire, value) = match event.edge {
+                Edge::Fall => (Wire::Step, false),
+                Edge::Direction(positive) => (Wire::Direction, positive),
+                Edge::Rise => (Wire::Step, true),
+            };
+            Ok(vcd.change(clock.nanoseconds(event.tick), event.axis, wire, value)?)
+        })?;
+        vcd.finish(clock.nanoseconds(checked.periods * clock.ticks))?;
+        Ok(())
+    })
+}

@@ -1,0 +1,93 @@
+use super::File;
+use crate::{Axis, AxisKind, Stepper, StepperFile, StepperMotor};
+use seamwright_document::{DocumentError, NonNegative, Positive};
+use std::f64::consts::TAU;
+
+/// The finest microstepping there is.
+const MOST_MICROSTEPS: u32 = 4096;
+/// Full steps of an electrical period of a two-phase motor.
+const PERIOD: u32 = 4;
+
+/// The stepper of `axis`.
+pub(super) fn stepper(file: &File, axis: &Axis, s: &StepperFile) -> Result<Stepper, DocumentError> {
+    let key = |k: &str| format!("drives.{}.stepper.{k}", axis.name);
+    let per_turn = of_kind(file, axis, s.mm_per_turn, s.deg_per_turn, ["mm_per_turn", "deg_per_turn"])?;
+    let resolution = of_kind(file, axis, s.resolution_mm, s.resolution_deg, ["resolution_mm", "resolution_deg"])?;
+    if s.full_steps_per_turn == 0 || !s.full_steps_per_turn.is_multiple_of(PERIOD) {
+        let message = "a two-phase motor makes 4 full steps a tooth of its rotor";
+        return Err(file.error_at(&key("full_steps_per_turn"), message, "a multiple of 4, most often 200"));
+    }
+    let increasing = s.microsteps.windows(2).all(|w| w[0] < w[1]);
+    if s.microsteps.is_empty() || !increasing || s.microsteps.iter().any(|m| !(1..=MOST_MICROSTEPS).contains(m)) {
+        let allowed = format!("whole numbers from 1 to {MOST_MICROSTEPS}, increasing, at least one");
+        return Err(file.error_at(&key("microsteps"), "the driver cannot be set so", allowed));
+    }
+    let (max_pulse_hz, min_pulse_s) = (s.max_pulse_hz.get(), s.min_pulse_us.get() * 1e-6);
+    if max_pulse_hz * 2.0 * min_pulse_s > 1.0 + 1e-9 {
+        let message = format!("pulses high and low for {} us cannot come so often", s.min_pulse_us.get());
+        return Err(file.error_at(&key("max_pulse_hz"), message, format!("up to {}", 0.5 / min_pulse_s)));
+    }
+    Ok(Stepper {
+        full_steps_per_turn: s.full_steps_per_turn,
+        per_turn,
+        microsteps: s.microsteps.clone(),
+        resolution,
+        max_pulse_hz,
+        min_pulse_s,
+        direction_setup_s: s.direction_setup_us.get() * 1e-6,
+        direction_hold_s: s.direction_hold_us.get() * 1e-6,
+        motor: motor(file, axis, s)?,
+    })
+}
+
+/// The one of two values that belongs to the axis' kind, in mm or rad; the other must be missing.
+fn of_kind(
+    file: &File,
+    axis: &Axis,
+    mm: Option<Positive>,
+    deg: Option<Positive>,
+    keys: [&str; 2],
+) -> Result<f64, DocumentError> {
+    let path = format!("drives.{}.stepper", axis.name);
+    let (value, wrong, [key, wrong_key], unit) = match axis.kind {
+        AxisKind::Linear => (mm, deg, keys, "mm"),
+        AxisKind::Rotary => (deg, mm, [keys[1], keys[0]], "degrees"),
+    };
+    if wrong.is_some() {
+        let message = format!("axis `{}` is in {unit}", axis.name);
+        return Err(file.error_at(&format!("{path}.{wrong_key}"), message, key));
+    }
+    let value = value.ok_or_else(|| {
+        file.error_at(&path, format!("the stepper lacks `{key}`"), format!("{key} = a number greater than 0"))
+    })?;
+    Ok(axis.from_file(value.get()))
+}
+
+/// The motor, if its keys are there.
+fn motor(file: &File, axis: &Axis, s: &StepperFile) -> Result<Option<StepperMotor>, DocumentError> {
+    let path = format!("drives.{}.stepper", axis.name);
+    let (inertia, rpm, torque) = match (&s.rotor_inertia_kg_m2, &s.torque_rpm, &s.torque_n_m) {
+        (None, None, None) if s.rotor_friction_n_m.is_none() => return Ok(None),
+        (Some(inertia), Some(rpm), Some(torque)) => (inertia, rpm, torque),
+        _ => {
+            let keys = "rotor_inertia_kg_m2, torque_rpm and torque_n_m, or none of them";
+            return Err(file.error_at(&path, "the motor lacks a key", keys));
+        }
+    };
+    if rpm.len() != torque.len() || rpm.len() < 2 {
+        let message = format!("{} speeds and {} torques", rpm.len(), torque.len());
+        return Err(file.error_at(&format!("{path}.torque_n_m"), message, "as many torques as speeds, at least 2"));
+    }
+    if rpm[0].get() > 0.0 || rpm.windows(2).any(|w| w[0] >= w[1]) {
+        let message = "the torque curve does not begin at rest and go up in speed";
+        return Err(file.error_at(&format!("{path}.torque_rpm"), message, "0 first, then increasing"));
+    }
+    if torque[0].get() <= 0.0 {
+        let message = "the motor does not hold";
+        return Err(file.error_at(&format!("{path}.torque_n_m"), message, "a holding torque greater than 0 first"));
+    }
+    let points = rpm.iter().zip(torque.iter().copied().map(NonNegative::get));
+    let torque = points.map(|(rpm, torque)| (rpm.get() / 60.0 * TAU, torque)).collect();
+    let friction = s.rotor_friction_n_m.map_or(0.0, NonNegative::get);
+    Ok(Some(StepperMotor { inertia: inertia.get(), friction, torque }))
+}

@@ -1,0 +1,52 @@
+use super::Error;
+use seamwright_machine::Stepper;
+
+/// Most ticks of a period: products with a step's fractions stay within 64 bits.
+const MOST_TICKS: u64 = 1 << 38;
+
+/// Longer times of a driver than this many ticks count as this many: no pulse fits beside them anyway.
+const LONGEST: f64 = 1e12;
+
+/// A driver's times in ticks of the timer, each rounded so that the driver's limit holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Timing {
+    /// Ticks of a period.
+    pub period: u64,
+    /// The step line is high for this long, and low for at least as long.
+    pub width: u64,
+    /// Rising edges are at least so far apart.
+    pub spacing: u64,
+    /// From a change of direction to the next rising edge.
+    pub setup: u64,
+    /// From a falling edge to a change of direction.
+    pub hold: u64,
+}
+
+impl Timing {
+    /// Of `stepper` on a timer with ticks of `tick_s` (s), for periods of `period` ticks.
+    ///
+    /// # Errors
+    /// [`Error::Period`].
+    pub fn new(stepper: &Stepper, tick_s: f64, period: u64) -> Result<Self, Error> {
+        if !(1..=MOST_TICKS).contains(&period) {
+            return Err(Error::Period { ticks: period });
+        }
+        // Up, but not by a rounding of the quotient.
+        let ticks = |s: f64| (s / tick_s * (1.0 - 1e-12)).ceil().clamp(0.0, LONGEST) as u64;
+        let width = ticks(stepper.min_pulse_s).max(1);
+        let spacing = ticks(1.0 / stepper.max_pulse_hz).max(2 * width);
+        Ok(Self {
+            period,
+            width,
+            spacing,
+            setup: ticks(stepper.direction_setup_s),
+            hold: ticks(stepper.direction_hold_s),
+        })
+    }
+
+    /// Highest frequency that pulses are made with, Hz, with ticks of `tick_s` (s): the driver's, or less on a coarse
+    /// timer.
+    pub fn max_hz(&self, tick_s: f64) -> f64 {
+        1.0 / tick_s / self.spacing as f64
+    }
+}

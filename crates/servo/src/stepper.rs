@@ -1,0 +1,318 @@
+//! A stepper motor that loses steps when more is asked of it than its torque curve has.
+
+use crate::Error;
+use std::f64::consts::{PI, TAU};
+
+/// Full steps of an electrical period: a rotor that slips, slips by so many.
+const PERIOD: i64 = 4;
+/// Longest time step, as an angle of the rotor's own oscillation, rad.
+const FINEST: f64 = 0.05;
+
+/// What the model of a stepper needs to know; all at the motor's shaft.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StepperParameters {
+    /// Full steps of a turn, a multiple of 4.
+    pub full_steps_per_turn: u32,
+    /// Pulses of a full step.
+    pub microsteps: u32,
+    /// Inertia of rotor and load, kg m^2.
+    pub inertia: f64,
+    /// Coulomb friction, N m; static friction is the same.
+    pub coulomb: f64,
+    /// Viscous friction, N m s/rad.
+    pub viscous: f64,
+    /// Pull-out torque (N m) at speeds (rad/s): increasing, the first 0 with the holding torque.
+    pub torque: Vec<(f64, f64)>,
+}
+
+/// A two-phase hybrid stepper with microstepping driver, in simulation.
+///
+/// The field stands at the pulses counted so far. It pulls the rotor, with `n` full steps a turn, by
+/// `T(|w|) sin(n/4 (field - rotor))`: a spring that is stiff within a full step, strongest one full step away, and
+/// that pulls to the next tooth beyond two. `T` is the pull-out torque at the rotor's speed `w`: straight between the
+/// points of the curve, nothing beyond its last, so that a curve should go as far as the motor is used. Against it
+/// stand inertia, friction and an outside torque. Detent torque and the currents' own dynamics are not modelled.
+///
+/// **What it shows.** A rotor that is asked for more torque than `T` falls behind by whole electrical periods, 4 full steps
+/// each, and stays behind: [`StepperMotor::lost_full_steps`].
+///
+/// **Accuracy.** Time steps of at most a twentieth of a radian of the rotor's own oscillation, by the midpoint's torque:
+/// without friction the oscillation neither grows nor decays; friction is of first order in the step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StepperMotor {
+    curve: Vec<(f64, f64)>,
+    inertia: f64,
+    coulomb: f64,
+    viscous: f64,
+    microsteps_per_turn: f64,
+    teeth: f64,
+    longest_s: f64,
+    pulses: i64,
+    angle: f64,
+    speed: f64,
+}
+
+impl StepperMotor {
+    /// A motor at rest at 0, its rotor in line with the field.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a value that no motor has: steps that are no multiple of 4, no inertia, negative friction
+    /// or torque, a curve that does not begin at rest with a holding torque and go up in speed.
+    pub fn new(parameters: &StepperParameters) -> Result<Self, Error> {
+        let p = parameters;
+        let check = |name, value, good: bool, allowed| {
+            if good { Ok(()) } else { Err(Error::OutOfRange { name, value, allowed }) }
+        };
+        let whole = p.full_steps_per_turn > 0 && p.full_steps_per_turn.is_multiple_of(4);
+        check("full_steps_per_turn", f64::from(p.full_steps_per_turn), whole, "a multiple of 4")?;
+        check("microsteps", f64::from(p.microsteps), p.microsteps > 0, "1 or more")?;
+        let fits = |v: f64| v > 0.0 && v <= 1e12;
+        check("inertia", p.inertia, fits(p.inertia), "above 0, up to 1e12")?;
+        for (name, v) in [("coulomb", p.coulomb), ("viscous", p.viscous)] {
+            check(name, v, (0.0..=1e12).contains(&v), "0 to 1e12")?;
+        }
+        let holding = p.torque.first().copied().unwrap_or((f64::NAN, f64::NAN));
+        check("torque", holding.0, holding.0.abs() <= 0.0, "a curve that begins at rest")?;
+        check("torque", holding.1, fits(holding.1), "a holding torque above 0, up to 1e12")?;
+        for pair in p.torque.windows(2) {
+            check("torque", pair[1].0, pair[1].0 > pair[0].0 && fits(pair[1].0), "a curve that goes up in speed")?;
+            check("torque", pair[1].1, pair[1].1 >= 0.0 && pair[1].1 <= 1e12, "torques of 0 or more")?;
+        }
+        let teeth = f64::from(p.full_steps_per_turn) / PERIOD as f64;
+        let most = p.torque.iter().map(|t| t.1).fold(0.0, f64::max);
+        Ok(Self {
+            curve: p.torque.clone(),
+            inertia: p.inertia,
+            coulomb: p.coulomb,
+            viscous: p.viscous,
+            microsteps_per_turn: f64::from(p.full_steps_per_turn) * f64::from(p.microsteps),
+            teeth,
+            longest_s: FINEST / (teeth * most / p.inertia).sqrt(),
+            pulses: 0,
+            angle: 0.0,
+            speed: 0.0,
+        })
+    }
+
+    /// A pulse of the driver: the field moves by a microstep.
+    pub fn pulse(&mut self, positive: bool) {
+        self.pulses += if positive { 1 } else { -1 };
+    }
+
+    /// Lets `duration` (s) pass without a pulse, under a torque from outside (N m, positive towards positive angles). What
+    /// is no finite number counts as zero.
+    pub fn advance(&mut self, duration: f64, outside: f64) {
+        let [duration, outside] = [duration, outside].map(|v| if v.is_finite() { v } else { 0.0 });
+        let steps = (duration / self.longest_s).ceil().max(0.0) as u64;
+        let step = duration / steps as f64;
+        let field = self.field_angle();
+        for _ in 0..steps {
+            self.step(step, field, outside);
+        }
+    }
+
+    fn step(&mut self, h: f64, field: f64, outside: f64) {
+        let middle = self.angle + 0.5 * h * self.speed;
+        let torque = self.pull_out_torque(self.speed) * (self.teeth * (field - middle)).sin() + outside;
+        let free = (self.speed + torque / self.inertia * h) / (1.0 + self.viscous / self.inertia * h);
+        // Friction takes what it can of the speed, and no more than all.
+        let braked = (free.abs() - self.coulomb / self.inertia * h).max(0.0).copysign(free);
+        self.angle += 0.5 * h * (self.speed + braked);
+        self.speed = braked;
+    }
+
+    /// The torque curve at `speed` (rad/s), N m.
+    pub fn pull_out_torque(&self, speed: f64) -> f64 {
+        let speed = speed.abs();
+        let above = self.curve.partition_point(|p| p.0 <= speed);
+        let (Some(a), Some(b)) = (self.curve.get(above.wrapping_sub(1)), self.curve.get(above)) else { return 0.0 };
+        a.1 + (b.1 - a.1) * (speed - a.0) / (b.0 - a.0)
+    }
+
+    /// Angle of the rotor, rad.
+    #[must_use]
+    pub fn angle(&self) -> f64 {
+        self.angle
+    }
+
+    /// Speed of the rotor, rad/s.
+    #[must_use]
+    pub fn speed(&self) -> f64 {
+        self.speed
+    }
+
+    /// Angle that the pulses ask for, rad.
+    #[must_use]
+    pub fn field_angle(&self) -> f64 {
+        self.pulses as f64 / self.microsteps_per_turn * TAU
+    }
+
+    /// Full steps that the rotor is behind the pulses for good: a multiple of 4, positive if it stands too low.
+    #[must_use]
+    pub fn lost_full_steps(&self) -> i64 {
+        let periods = self.teeth * (self.field_angle() - self.angle) / (2.0 * PI);
+        PERIOD * periods.round() as i64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 200 steps, 2 N m, J = 1e-4 kg m^2: its own oscillation has 1000 rad/s.
+    fn parameters() -> StepperParameters {
+        StepperParameters {
+            full_steps_per_turn: 200,
+            microsteps: 16,
+            inertia: 1e-4,
+            coulomb: 0.0,
+            viscous: 0.0,
+            torque: vec![(0.0, 2.0), (500.0, 2.0)],
+        }
+    }
+
+    fn motor(change: impl FnOnce(&mut StepperParameters)) -> StepperMotor {
+        let mut p = parameters();
+        change(&mut p);
+        StepperMotor::new(&p).unwrap()
+    }
+
+    /// Pulses at `speed(t)` (rad/s of the shaft) for `duration`, under a torque.
+    fn run(m: &mut StepperMotor, duration: f64, outside: f64, speed: impl Fn(f64) -> f64) {
+        let (tick, step) = (5e-6, TAU / m.microsteps_per_turn);
+        let (mut way, mut made) = (0.0, 0i64);
+        for k in 0..(duration / tick) as u64 {
+            way += tick * speed(k as f64 * tick);
+            while (way / step).round() as i64 != made {
+                let positive = way / step > made as f64;
+                made += if positive { 1 } else { -1 };
+                m.pulse(positive);
+            }
+            m.advance(tick, outside);
+        }
+    }
+
+    #[test]
+    fn leans_on_its_spring() {
+        for part in [0.1, -0.5, 0.9] {
+            // Loaded slowly: by 1000 small parts.
+            let mut m = motor(|p| p.viscous = 0.05);
+            (1..=1000).for_each(|i| m.advance(1e-3, 2.0 * part * f64::from(i) / 1000.0));
+            m.advance(0.5, 2.0 * part);
+            assert!((m.angle() - part.asin() / 50.0).abs() < 1e-9, "{part}: {}", m.angle());
+            assert_eq!(m.lost_full_steps(), 0);
+        }
+    }
+
+    #[test]
+    fn swings_at_its_frequency_and_keeps_its_energy() {
+        let mut m = motor(|_| ());
+        m.pulse(true);
+        // Released a 16th of a step away: a swing of small angles. Half a minute of it.
+        let (amplitude, mut last, mut crossings, mut highest) = (TAU / 3200.0, 0.0, Vec::new(), 0.0f64);
+        for k in 0..1_000_000u32 {
+            m.advance(3e-5, 0.0);
+            let now = m.angle() - amplitude;
+            if last < 0.0 && now >= 0.0 {
+                crossings.push(f64::from(k));
+            }
+            highest = if k > 990_000 { highest.max(now) } else { 0.0 };
+            last = now;
+        }
+        let period = (crossings[crossings.len() - 1] - crossings[0]) / (crossings.len() - 1) as f64 * 3e-5;
+        // The pendulum's period for this amplitude (0.098 rad electrical) is longer by a 16th of its square.
+        let expected = TAU / 1000.0 * (1.0 + (PI / 32.0).powi(2) / 16.0);
+        assert!((period / expected - 1.0).abs() < 2e-4, "{period} {expected}");
+        assert!((highest / amplitude - 1.0).abs() < 1e-3, "{highest} {amplitude}");
+    }
+
+    /// A torque that comes at once throws the rotor over where the pendulum's energy says: the root m of
+    /// m (pi - asin m) - sqrt(1 - m^2) = 1, 0.7246 of the holding torque; one that comes slowly, at the holding torque.
+    #[test]
+    fn slips_where_energy_says() {
+        let excess = |m: f64| m * (PI - m.asin()) - (1.0 - m * m).sqrt() - 1.0;
+        let (mut low, mut high) = (0.5, 1.0);
+        while high - low > 1e-12 {
+            let middle = 0.5 * (low + high);
+            if excess(middle) < 0.0 { low = middle } else { high = middle }
+        }
+        assert!((low - 0.7246).abs() < 1e-4);
+        let lost = |part: f64| {
+            let mut m = motor(|p| p.torque[1].0 = 1e6);
+            m.advance(0.2, 2.0 * part);
+            m.lost_full_steps()
+        };
+        assert_eq!(lost(0.999 * low), 0);
+        // The rotor runs away forwards: too high, so negative.
+        assert!(lost(1.001 * low) < -100);
+        let slowly = |part: f64| {
+            let mut m = motor(|p| (p.viscous, p.coulomb) = (0.05, 0.0));
+            (1..=2000).for_each(|i| m.advance(1e-3, -2.0 * part * f64::from(i) / 2000.0));
+            m.advance(1.0, -2.0 * part);
+            m.lost_full_steps()
+        };
+        assert_eq!(slowly(0.995), 0);
+        assert!(slowly(1.005) > 0);
+    }
+
+    /// The ramp goes up until the motor falls out: where its curve meets the load and the friction.
+    #[test]
+    fn falls_out_where_its_curve_ends() {
+        for load in [0.4, 0.8, 1.2] {
+            // 2 N m at rest, straight down to 0 at 200 rad/s.
+            let mut m = motor(|p| {
+                p.torque = vec![(0.0, 2.0), (200.0, 0.0)];
+                p.coulomb = 0.1;
+            });
+            let expected = 200.0 * (1.0 - (load + 0.1) / 2.0);
+            // 20 rad/s^2: 0.002 N m for the inertia.
+            let mut at = 0.0;
+            while m.lost_full_steps() == 0 && at < 220.0 {
+                let from = at;
+                run(&mut m, 0.1, -load, |t| from + 20.0 * t);
+                at += 2.0;
+            }
+            assert!((at / expected - 1.0).abs() < 0.05, "load {load}: {at} rad/s, curve {expected}");
+            assert!(m.lost_full_steps() > 0);
+        }
+    }
+
+    /// Up, along and back down in time: with 60 % of the torque that the inertia needs to spare nothing is lost; a start at
+    /// once to the same speed loses it all, by multiples of four steps.
+    #[test]
+    fn a_ramp_keeps_what_a_jump_loses() {
+        for microsteps in [1, 4, 16, 64] {
+            let new = || motor(|p| (p.microsteps, p.coulomb, p.viscous) = (microsteps, 0.05, 1e-3));
+            let ramp = |t: f64| (8e3 * t).min(120.0).min(8e3 * (0.3 - t)).max(0.0);
+            let mut m = new();
+            run(&mut m, 0.5, 0.0, ramp);
+            assert_eq!(m.lost_full_steps(), 0, "{microsteps}");
+            assert!((m.angle() - m.field_angle()).abs() < TAU / 800.0 && m.field_angle() > 30.0);
+            let mut m = new();
+            run(&mut m, 0.5, 0.0, |t| if t < 0.3 { 120.0 } else { 0.0 });
+            let lost = m.lost_full_steps();
+            assert!(lost > 100 && lost % 4 == 0, "{lost}");
+            let stands = m.angle() + lost as f64 / 200.0 * TAU - m.field_angle();
+            assert!(stands.abs() < TAU / 800.0 && m.speed().abs() < 1e-9, "{stands}");
+        }
+    }
+
+    #[test]
+    fn values_that_no_motor_has() {
+        let wrong = |change: fn(&mut StepperParameters)| {
+            let mut p = parameters();
+            change(&mut p);
+            assert!(StepperMotor::new(&p).is_err(), "{p:?}");
+        };
+        wrong(|p| p.full_steps_per_turn = 201);
+        wrong(|p| p.microsteps = 0);
+        wrong(|p| p.inertia = f64::NAN);
+        wrong(|p| p.coulomb = -1.0);
+        wrong(|p| p.viscous = f64::INFINITY);
+        wrong(|p| p.torque.clear());
+        wrong(|p| p.torque[0].0 = 1.0);
+        wrong(|p| p.torque[0].1 = 0.0);
+        wrong(|p| p.torque[1].0 = 0.0);
+        wrong(|p| p.torque[1].1 = f64::NAN);
+    }
+}
