@@ -119,6 +119,11 @@ impl<F: Feed> LawStream<F> {
         None
     }
 
+    /// Where the last point asked for was; at rest there once there are no more.
+    pub fn end(&self) -> LawPoint {
+        LawPoint { s: if self.done { self.feed.range().1 } else { self.last }, ..LawPoint::default() }
+    }
+
     /// Time until the end, s, known once everything is planned.
     pub fn duration(&self) -> Option<f64> {
         self.done.then_some(self.end)
