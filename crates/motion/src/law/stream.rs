@@ -162,9 +162,8 @@ impl<F: Feed> LawStream<F> {
 
     /// Plans the window that begins at `from` and passes into it; false if the limits do not allow that.
     fn join(&mut self, from: f64) -> bool {
-        let keep = self.plan.at(self.plan.next.min(self.plan.cells.count())).min(from);
-        self.feed.load(keep, self.plan.to, 0.5 * self.horizon_s);
-        let to = window_end_after(&self.feed, self.plan.to);
+        self.feed.load(self.plan.from, self.plan.to, 0.5 * self.horizon_s);
+        let to = window_end(&self.feed, self.plan.to);
         let mut next = Plan::new(&self.feed, from, to);
         let begin = next.between().0.max(self.plan.at(self.plan.next));
         let end = self.plan.between().1;
@@ -250,13 +249,8 @@ impl<F: Feed> LawStream<F> {
     }
 }
 
-/// Where a window ends that begins at `from`: the first stop after it, or all that is loaded.
-fn window_end(feed: &impl Feed, from: f64) -> f64 {
-    window_end_after(feed, from)
-}
-
 /// The first stop after `u`, or the end of what is loaded.
-fn window_end_after(feed: &impl Feed, u: f64) -> f64 {
+fn window_end(feed: &impl Feed, u: f64) -> f64 {
     let end = feed.range().1;
     feed.stops().into_iter().find(|s| *s > u * (1.0 + f64::EPSILON) && *s > u).unwrap_or(end)
 }
