@@ -2,6 +2,7 @@
 
 use super::cells::{Cells, PARTS};
 use super::channels::{Channels, Limits};
+use super::error::LawError;
 use super::interior::fastest;
 use super::problem::Problem;
 use super::rest::RestToRest;
@@ -37,8 +38,16 @@ const COARSE_GAP: f64 = 1e-3;
 /// speed: what was found before is a spline on the finer cells too and a good start there. Guarantee: no limit is exceeded
 /// anywhere (speeds, accelerations and jerks are bounded between the places where rows were imposed, and a thousandth is
 /// kept in reserve); nowhere faster than asked.
-pub(crate) fn plan(path: &dyn Channels, map: RestToRest, tau: Vec<f64>, limits: &[Limits]) -> (Cells, Vec<f64>) {
-    let mut cells = Cells::new(path, map, tau, limits.to_vec());
+///
+/// # Errors
+/// As [`Cells::new`].
+pub(crate) fn plan(
+    path: &dyn Channels,
+    map: RestToRest,
+    tau: Vec<f64>,
+    limits: &[Limits],
+) -> Result<(Cells, Vec<f64>), LawError> {
+    let mut cells = Cells::new(path, map, tau, limits.to_vec())?;
     let mut c: Option<Vec<f64>> = None;
     loop {
         let room = Room::new(&cells);
@@ -48,9 +57,9 @@ pub(crate) fn plan(path: &dyn Channels, map: RestToRest, tau: Vec<f64>, limits: 
         let tau = cells.halved(|i| bend(&cells, &found, i) > coarse || peak(&cells, &found, i) > ROUGH);
         if cells.count() > MOST_CELLS || tau.len() == cells.tau.len() {
             let c = certified(&cells, found);
-            return (cells, c);
+            return Ok((cells, c));
         }
-        let finer = Cells::new(path, map, tau, limits.to_vec());
+        let finer = Cells::new(path, map, tau, limits.to_vec())?;
         c = Some(cells.carried(&found, &finer));
         cells = finer;
     }

@@ -1,7 +1,15 @@
-use super::channels::Channels;
-use super::grid::stations;
+use super::cells::Cells;
+use super::channels::{Channels, ends};
+use super::error::LawError;
+use super::grid::{even, stations};
 use super::jerk_limited::plan;
+use super::reach;
 use super::rest::RestToRest;
+
+/// Cells of a law without limits of jerk.
+const CELLS_WITHOUT_JERK: usize = 1000;
+/// Squared speeds nearer to the asked one than this part are a cruise.
+const AS_ASKED: f64 = 1e-9;
 
 /// The law at one instant.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -47,24 +55,49 @@ struct Cell {
 }
 
 impl SpeedLaw {
-    /// The fastest law along `path`.
-    pub fn new(path: &dyn Channels) -> Self {
-        let (from, to) = path.range();
-        let mut ends = vec![from];
-        ends.extend(path.stops().into_iter().filter(|u| *u > from && *u < to));
-        ends.push(to);
-        let mut law = Self { pieces: Vec::new(), cells: Vec::new(), duration: 0.0, end: to };
-        for w in ends.windows(2) {
-            law.add(path, (w[0], w[1]));
+    /// The fastest law along `path`. Without a finite jerk among the limits the acceleration may jump, see
+    /// [`SpeedLaw::without_jerk`].
+    ///
+    /// # Errors
+    /// Limits that are zero, negative or no numbers; a range without length; derivatives that are not finite; a piece
+    /// between stops in which nothing moves.
+    pub fn new(path: &dyn Channels) -> Result<Self, LawError> {
+        if path.limits().iter().all(|l| l.jerk.is_infinite()) {
+            return Self::without_jerk(path, CELLS_WITHOUT_JERK);
         }
-        law
+        let ends = ends(path)?;
+        let mut law = Self::empty(path);
+        for w in ends.windows(2) {
+            let (map, tau) = stations(path, path.limits(), (w[0], w[1]));
+            let (cells, c) = plan(path, map, tau, path.limits())?;
+            law.add(&cells, &c);
+        }
+        Ok(law)
     }
 
-    fn add(&mut self, path: &dyn Channels, piece: (f64, f64)) {
-        let (map, tau) = stations(path, path.limits(), piece);
-        let (cells, c) = plan(path, map, tau, path.limits());
-        let number = self.pieces.len() as u32;
-        self.pieces.push(map);
+    /// The fastest law along `path` if limits of jerk are left out: the squared speed by path length is linear in each of
+    /// about `cells` cells between two stops, so the acceleration along the path is constant there.
+    ///
+    /// # Errors
+    /// As [`SpeedLaw::new`].
+    pub fn without_jerk(path: &dyn Channels, cells: usize) -> Result<Self, LawError> {
+        let ends = ends(path)?;
+        let mut law = Self::empty(path);
+        for w in ends.windows(2) {
+            let stations = even(path, (w[0], w[1]), cells);
+            let (b, asked) = reach::fastest(path, &stations)?;
+            law.add_linear(&stations, &b, &asked);
+        }
+        Ok(law)
+    }
+
+    fn empty(path: &dyn Channels) -> Self {
+        Self { pieces: Vec::new(), cells: Vec::new(), duration: 0.0, end: path.range().1 }
+    }
+
+    /// Appends a piece whose squared speed is a quadratic spline with coefficients `c`.
+    fn add(&mut self, cells: &Cells, c: &[f64]) {
+        self.pieces.push(cells.map);
         let upper: Vec<f64> = (0..c.len()).map(|k| cells.upper(k)).collect();
         for i in 0..cells.count() {
             let w = cells.weights(i);
@@ -72,23 +105,29 @@ impl SpeedLaw {
             let cruises = (i..i + 3).all(|k| c[k] >= upper[k]);
             // All coefficients alike: no rounding is to change the speed.
             let constant = cruises && (i..i + 3).all(|k| c[k].to_bits() == c[i].to_bits());
-            let (b, d, e, h) = match constant {
-                true => (c[i], 0.0, 0.0, cells.width(i)),
-                false => (dot(&w.value), dot(&w.first), dot(&w.second), cells.width(i)),
-            };
-            let end = (b + h * (d + 0.5 * h * e)).max(0.0).sqrt();
-            let cell = Cell {
-                piece: number,
-                tau: cells.tau[i],
-                t: self.duration,
-                v: b.max(0.0).sqrt(),
-                a: 0.5 * d,
-                w: 0.5 * e,
-                cruises,
-            };
-            self.duration += crossing(cell.w, h / (cell.v + end));
-            self.cells.push(cell);
+            let law = if constant { [c[i], 0.0, 0.0] } else { [dot(&w.value), dot(&w.first), dot(&w.second)] };
+            self.push(cells.tau[i], cells.width(i), law, cruises);
         }
+    }
+
+    /// Appends a piece whose squared speed is linear between its values `b` at stations.
+    fn add_linear(&mut self, stations: &[f64], b: &[f64], asked: &[[f64; 2]]) {
+        let from = stations[0];
+        self.pieces.push(RestToRest::new(from, stations[stations.len() - 1], 0.0, 0.0));
+        for (i, asked) in asked.iter().enumerate() {
+            let width = stations[i + 1] - stations[i];
+            let cruises = (0..2).all(|end| b[i + end] >= (1.0 - AS_ASKED) * asked[end]);
+            self.push(stations[i] - from, width, [b[i], (b[i + 1] - b[i]) / width, 0.0], cruises);
+        }
+    }
+
+    /// Appends a cell of the last piece from `tau` on, with the squared speed and its derivatives there.
+    fn push(&mut self, tau: f64, width: f64, [b, d, e]: [f64; 3], cruises: bool) {
+        let end = (b + width * (d + 0.5 * width * e)).max(0.0).sqrt();
+        let piece = self.pieces.len() as u32 - 1;
+        let cell = Cell { piece, tau, t: self.duration, v: b.max(0.0).sqrt(), a: 0.5 * d, w: 0.5 * e, cruises };
+        self.duration += crossing(cell.w, width / (cell.v + end));
+        self.cells.push(cell);
     }
 
     /// Time from rest to rest, s.
@@ -218,7 +257,7 @@ impl Cell {
             let r = (-x).sqrt();
             (r.sin() / r, (r.cos() - 1.0) / x)
         };
-        (t * (self.v * s + self.a * t * c), self.v * (1.0 + x * c) + self.a * t * s)
+        (t * (self.v * s + self.a * t * c), (self.v * (1.0 + x * c) + self.a * t * s).max(0.0))
     }
 }
 

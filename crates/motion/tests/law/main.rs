@@ -1,4 +1,7 @@
 //! The jerk-limited speed law on paths that are not made by our own kinematics.
 
+#![allow(unreachable_pub, clippy::float_cmp, reason = "one test program; exact ends are exact")]
+
+mod check;
 mod curves;
 mod timing;
