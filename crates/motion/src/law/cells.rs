@@ -79,12 +79,12 @@ impl Cells {
     }
 
     /// Asked squared speeds by `tau` at [`PARTS`] of `cell`; infinite if none.
-    fn asked(&self, cell: usize) -> &[f64] {
+    pub(crate) fn asked(&self, cell: usize) -> &[f64] {
         &self.asked[cell * PARTS.len()..][..PARTS.len()]
     }
 
     /// True if the asked squared speed by `tau` is the same all over `cell`.
-    fn is_steady(&self, cell: usize) -> bool {
+    pub(crate) fn is_steady(&self, cell: usize) -> bool {
         let asked = self.asked(cell);
         asked[0].is_finite() && asked.iter().all(|a| (a - asked[0]).abs() <= 1e-9 * asked[0])
     }

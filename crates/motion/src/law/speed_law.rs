@@ -45,8 +45,12 @@ pub struct SpeedLaw {
 #[derive(Debug, Clone, Copy)]
 struct Cell {
     piece: u32,
+    /// Where it begins and ends.
     tau: f64,
+    end: f64,
+    /// When it begins and how long it takes: the difference of two instants would have lost digits.
     t: f64,
+    time: f64,
     v: f64,
     a: f64,
     w: f64,
@@ -106,7 +110,7 @@ impl SpeedLaw {
             // All coefficients alike: no rounding is to change the speed.
             let constant = cruises && (i..i + 3).all(|k| c[k].to_bits() == c[i].to_bits());
             let law = if constant { [c[i], 0.0, 0.0] } else { [dot(&w.value), dot(&w.first), dot(&w.second)] };
-            self.push(cells.tau[i], cells.width(i), law, cruises);
+            self.push((cells.tau[i], cells.tau[i + 1]), law, cruises);
         }
     }
 
@@ -117,16 +121,19 @@ impl SpeedLaw {
         for (i, asked) in asked.iter().enumerate() {
             let width = stations[i + 1] - stations[i];
             let cruises = (0..2).all(|end| b[i + end] >= (1.0 - AS_ASKED) * asked[end]);
-            self.push(stations[i] - from, width, [b[i], (b[i + 1] - b[i]) / width, 0.0], cruises);
+            self.push((stations[i] - from, stations[i + 1] - from), [b[i], (b[i + 1] - b[i]) / width, 0.0], cruises);
         }
     }
 
-    /// Appends a cell of the last piece from `tau` on, with the squared speed and its derivatives there.
-    fn push(&mut self, tau: f64, width: f64, [b, d, e]: [f64; 3], cruises: bool) {
-        let end = (b + width * (d + 0.5 * width * e)).max(0.0).sqrt();
+    /// Appends a cell of the last piece between these `tau`, with the squared speed and its derivatives at its start.
+    fn push(&mut self, (tau, end): (f64, f64), [b, d, e]: [f64; 3], cruises: bool) {
+        let width = end - tau;
+        let v_end = (b + width * (d + 0.5 * width * e)).max(0.0).sqrt();
         let piece = self.pieces.len() as u32 - 1;
-        let cell = Cell { piece, tau, t: self.duration, v: b.max(0.0).sqrt(), a: 0.5 * d, w: 0.5 * e, cruises };
-        self.duration += crossing(cell.w, width / (cell.v + end));
+        let (v, a, w) = (b.max(0.0).sqrt(), 0.5 * d, 0.5 * e);
+        let time = crossing(w, width / (v + v_end));
+        let cell = Cell { piece, tau, end, t: self.duration, time, v, a, w, cruises };
+        self.duration += time;
         self.cells.push(cell);
     }
 
@@ -155,7 +162,7 @@ impl SpeedLaw {
         let c = &self.cells[i];
         let (travelled, v) = c.after(t);
         let (a, j) = (c.a + c.w * travelled, c.w * v);
-        let [u, m1, m2, m3] = self.pieces[c.piece as usize].at(c.tau + travelled, before);
+        let [u, m1, m2, m3] = self.pieces[c.piece as usize].at((c.tau + travelled).min(c.end), before);
         LawPoint { s: u, v: m1 * v, a: m2 * v * v + m1 * a, j: m3 * v * v * v + 3.0 * m2 * v * a + m1 * j }
     }
 
@@ -171,8 +178,7 @@ impl SpeedLaw {
 
     /// The law in cell `i` at the `part` of its time, from 0 to 1; at its ends as it is inside it.
     pub fn in_cell(&self, i: usize, part: f64) -> LawPoint {
-        let (from, to) = self.cell_times(i);
-        self.point(i, part * (to - from), part > 0.5)
+        self.point(i, part * self.cells[i].time, part > 0.5)
     }
 
     /// True if the tip moves at the asked speed all through cell `i`.

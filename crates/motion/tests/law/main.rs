@@ -2,6 +2,8 @@
 
 #![allow(unreachable_pub, clippy::float_cmp, reason = "one test program; exact ends are exact")]
 
+mod campaign;
 mod check;
 mod curves;
+mod random;
 mod timing;
