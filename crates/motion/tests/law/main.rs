@@ -5,5 +5,7 @@
 mod campaign;
 mod check;
 mod curves;
+mod odd;
+mod optimum;
 mod random;
 mod timing;
