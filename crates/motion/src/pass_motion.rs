@@ -1,5 +1,5 @@
 use crate::follower::Follower;
-use crate::law::Certificate;
+use crate::law::{Certificate, LawError};
 use crate::limits::{never_reached, speed_findings};
 use crate::pass_channels::PassChannels;
 use crate::redundancy::{Clearance, resolve};
@@ -77,7 +77,13 @@ impl PassMotion {
         }
         let asked = |s: f64| pass.span_at(s).map_or(0.0, |span| span.speed_mm_s.get());
         let channels = PassChannels::new(machine, &joints, pass);
-        let law = SpeedLaw::new(&channels);
+        let law = match SpeedLaw::new(&channels) {
+            Ok(law) => law,
+            Err(error) => {
+                findings.push(no_law(machine, path.length(), error, number));
+                return Err(findings);
+            }
+        };
         let certificate = Certificate::new(&channels, &law);
         findings.extend(speed_findings(machine, &certificate, pass, number));
         findings.extend(never_reached(&law, fastest, pass.on_limit, number));
@@ -115,6 +121,22 @@ impl PassMotion {
     /// The set-points every `period` s, from the first gas to the last.
     pub fn set_points(&self, period: f64) -> SetPoints<'_> {
         SetPoints::new(self, period)
+    }
+}
+
+fn no_law(machine: &Machine, length: f64, error: LawError, pass: usize) -> Finding {
+    let (from_mm, to_mm) = match error {
+        LawError::NotSmooth { at, .. } | LawError::Asked { at, .. } => (at, at),
+        _ => (0.0, length),
+    };
+    Finding {
+        kind: "speed",
+        message: format!("there is no speed law for the axes of {}: {error}", machine.name),
+        pass,
+        from_mm,
+        to_mm,
+        cure: "give the machine's axes finite limits above zero, and the pass a speed and a length".to_owned(),
+        allowed: false,
     }
 }
 

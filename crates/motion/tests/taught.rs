@@ -60,12 +60,12 @@ struct Run {
 
 fn run(machine: &Machine, points: Vec<Joints>, speed: f64, corner: Corner, period: f64) -> Run {
     let path = TaughtPath::new(machine, points.into_iter(), speed, corner, 0.01);
-    let mut law = LawStream::new(path, 4.0);
+    let mut law = LawStream::new(path, 4.0).unwrap();
     let (mut rows, mut used) = (Vec::new(), [0.0f64; 3]);
     let mut d = vec![[0.0; 3]; machine.axes.len()];
     for k in 0.. {
         let t = f64::from(k) * period;
-        let Some(p) = law.at(t) else { break };
+        let Some(p) = law.at(t).unwrap() else { break };
         let tip = law.path().derivatives(p.s, false, &mut d);
         for ([q1, q2, q3], axis) in d.iter().zip(&machine.axes) {
             let rates = [

@@ -51,7 +51,8 @@ pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
     columns.extend(machine.axes.iter().map(|a| a.name.clone()));
     columns.push("speed_mm_s".to_owned());
     let mut rows = Rows::new(columns, args.json)?;
-    play(&machine, LawStream::new(path, window), period, &mut rows)?;
+    let law = LawStream::new(path, window).map_err(|e| Failure::Input(format!("{source}: {e}")))?;
+    play(&machine, &source, law, period, &mut rows)?;
     rows.finish()?;
     failed.take().map_or(Ok(()), Err)
 }
@@ -59,6 +60,7 @@ pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
 /// Writes a row a period, until the first one at or after the end.
 fn play<I: Iterator<Item = Joints>>(
     machine: &Machine,
+    source: &str,
     mut law: LawStream<TaughtPath<'_, I>>,
     period: f64,
     rows: &mut Rows,
@@ -66,7 +68,7 @@ fn play<I: Iterator<Item = Joints>>(
     let mut cells = Vec::new();
     for k in 0u64.. {
         let t = k as f64 * period;
-        let point = law.at(t);
+        let point = law.at(t).map_err(|e| Failure::Input(format!("{source}: {e}")))?;
         let p = point.unwrap_or_else(|| law.end());
         let q = law.path().position(p.s);
         cells.clear();

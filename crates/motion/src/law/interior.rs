@@ -5,6 +5,8 @@ use super::problem::{Newton, Problem};
 
 /// Iterations after which the law reached is taken as it is: it satisfies every row at any time.
 const MOST: usize = 120;
+/// Complementarity to begin with, as a part of the time.
+const BEGIN: f64 = 0.1;
 /// Part of the way to the next row that a step may go.
 const SHORT_OF: f64 = 0.99;
 
@@ -92,7 +94,7 @@ impl Iterate {
         let n = problem.unknowns;
         let mut g = vec![0.0; problem.slacks];
         problem.slacks(&c, &mut g);
-        let product = problem.time(&c) / g.len() as f64;
+        let product = BEGIN * problem.time(&c) / g.len() as f64;
         let above = c.iter().zip(&problem.upper).map(|(c, u)| u - c).collect();
         Self {
             rows: Pair::new(g, product),

@@ -57,12 +57,12 @@ impl<P: Channels> Feed for Window<P> {
 
 /// Plays a stream to its end at a period; every point is within the limits, and the law goes on smoothly.
 fn play<P: Channels>(path: P, horizon: f64) -> (f64, usize) {
-    let mut stream = LawStream::new(Window::new(path), horizon);
+    let mut stream = LawStream::new(Window::new(path), horizon).unwrap();
     let mut d = vec![[0.0; 3]; stream.path().limits().len()];
     let period = 1e-3;
     let mut last: Option<LawPoint> = None;
     for k in 0.. {
-        let Some(p) = stream.at(f64::from(k) * period) else { break };
+        let Some(p) = stream.at(f64::from(k) * period).unwrap() else { break };
         stream.path().derivatives(p.s, false, &mut d);
         for ([q1, q2, q3], l) in d.iter().zip(stream.path().limits()) {
             let used = [
@@ -87,14 +87,14 @@ fn play<P: Channels>(path: P, horizon: f64) -> (f64, usize) {
 
 #[test]
 fn a_sliding_window_gives_the_law_of_the_whole_path() {
-    let whole = SpeedLaw::new(&Saddle::new(10.0)).duration();
+    let whole = SpeedLaw::new(&Saddle::new(10.0)).unwrap().duration();
     for horizon in [2.0, 4.0] {
         let (duration, stops) = play(Saddle::new(10.0), horizon);
         assert!((duration / whole - 1.0).abs() < 1e-3 && stops == 0, "{horizon}: {duration} {whole}");
     }
     for i in 0..6 {
         let path = || Spline::reference(10.0).swap_remove(i).0;
-        let whole = SpeedLaw::new(&path()).duration();
+        let whole = SpeedLaw::new(&path()).unwrap().duration();
         let (duration, stops) = play(path(), 6.0);
         assert!((duration / whole - 1.0).abs() < 1e-3 && stops == 0, "{i}: {duration} {whole}");
     }
