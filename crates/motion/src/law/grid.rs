@@ -9,6 +9,8 @@ const CELLS: f64 = 60.0;
 const CELLS_AT_REST: usize = 6;
 /// Neighbouring cells grow by this factor away from rest.
 const GROWTH: f64 = 1.4;
+/// Cells widen by this part of the way from breaks that are near to each other.
+const WIDENING: f64 = 1.5;
 /// Least number of cells between two breaks.
 const CELLS_BETWEEN_BREAKS: f64 = 3.0;
 /// Least and greatest part of the path that a run-up or run-down may be.
@@ -34,11 +36,29 @@ pub(crate) fn stations(path: &dyn Channels, limits: &[Limits], (from, to): (f64,
         let near = |away: f64, finest: f64| finest + (GROWTH - 1.0) * away.max(0.0);
         near(tau - up, finest[0]).min(near(down - tau, finest[1])).min(widest)
     };
+    let widths = widths_at(&fixed);
     let mut tau = vec![0.0];
-    for w in fixed.windows(2) {
-        divide(&mut tau, (w[0], w[1]), |t| width(t).min((w[1] - w[0]) / CELLS_BETWEEN_BREAKS));
+    for (w, ends) in fixed.windows(2).zip(widths.windows(2)) {
+        // Towards the end a cell must be as narrow as where it ends.
+        let narrowing = |t: f64| (ends[1] + WIDENING * (w[1] - t).max(0.0)) / (1.0 + WIDENING);
+        let beside = |t: f64| (ends[0] + WIDENING * (t - w[0])).min(narrowing(t));
+        divide(&mut tau, (w[0], w[1]), |t| width(t).min(beside(t)).min((w[1] - w[0]) / CELLS_BETWEEN_BREAKS));
     }
     (map, tau)
+}
+
+/// How wide cells may be at each of the places `fixed`: a narrow one beside a wide one would cost digits.
+fn widths_at(fixed: &[f64]) -> Vec<f64> {
+    let apart = |i: usize| (fixed[i + 1] - fixed[i]) / CELLS_BETWEEN_BREAKS;
+    let last = fixed.len() - 1;
+    let mut widths: Vec<f64> = (0..=last).map(|i| apart(i.max(1) - 1).min(apart(i.min(last - 1)))).collect();
+    for i in 1..=last {
+        widths[i] = widths[i].min(widths[i - 1] + WIDENING * (fixed[i] - fixed[i - 1]));
+    }
+    for i in (0..last).rev() {
+        widths[i] = widths[i].min(widths[i + 1] + WIDENING * (fixed[i + 1] - fixed[i]));
+    }
+    widths
 }
 
 /// Stations (by `u`) of the piece of `path` between two stops for a law that needs nothing special at rest: `count` cells

@@ -18,8 +18,14 @@ const SHORT_OF: f64 = 0.99;
 /// rows. A local method: no bad local optimum is known, none is excluded.
 pub(crate) fn fastest(problem: &Problem, start: Vec<f64>, gap: f64) -> Vec<f64> {
     let mut at = Iterate::new(problem, start);
-    for _ in 0..MOST {
-        if at.complementarity() < gap * problem.lost(&at.c) || !at.improve(problem) {
+    let mut it = 0; if std::env::var("DBG").is_ok() { println!("  begin time {:e} cells {}", problem.time(&at.c), problem.unknowns); }
+    for _ in 0..MOST { it += 1; if std::env::var("DBG").is_ok() { println!("  {it} {:e} {:e}", problem.time(&at.c), at.complementarity()); }
+
+        let enough = gap * problem.lost(&at.c);
+        let there = at.complementarity() < enough && at.residual(problem) < enough;
+        if std::env::var("DBG").is_ok() { let r = at.residual(problem); println!("     res {r:e} enough {enough:e}"); }
+        if there || !at.improve(problem) {
+if std::env::var("DBG").is_ok() { println!("end there {there}"); }
             break;
         }
     }
@@ -113,6 +119,15 @@ impl Iterate {
 
     fn complementarity(&self) -> f64 {
         self.pairs().iter().map(|p| p.complementarity()).sum()
+    }
+
+    /// How far the law is from one that no change betters, as a time: what changing every coefficient by itself gains.
+    fn residual(&mut self, problem: &Problem) -> f64 {
+        let slope = &mut self.newton.slope;
+        problem.slopes(&self.c, slope);
+        slope.iter_mut().for_each(|s| *s = -*s);
+        problem.weighted_slopes(&self.c, &self.rows.z, slope);
+        (0..self.c.len()).map(|i| (slope[i] + self.zero.z[i] - self.upper.z[i]).abs() * self.c[i]).sum()
     }
 
     /// One step; false if it could not be made.
