@@ -19,7 +19,8 @@ const SHORT_OF: f64 = 0.99;
 pub(crate) fn fastest(problem: &Problem, start: Vec<f64>, gap: f64) -> Vec<f64> {
     let mut at = Iterate::new(problem, start);
     for _ in 0..MOST {
-        if at.complementarity() < gap * problem.lost(&at.c) || !at.improve(problem) {
+        let enough = gap * problem.lost(&at.c);
+        if (at.complementarity() < enough && at.residual(problem) < enough) || !at.improve(problem) {
             break;
         }
     }
@@ -113,6 +114,15 @@ impl Iterate {
 
     fn complementarity(&self) -> f64 {
         self.pairs().iter().map(|p| p.complementarity()).sum()
+    }
+
+    /// How far the law is from one that no change betters, as a time: what changing every coefficient by itself gains.
+    fn residual(&mut self, problem: &Problem) -> f64 {
+        let slope = &mut self.newton.slope;
+        problem.slopes(&self.c, slope);
+        slope.iter_mut().for_each(|s| *s = -*s);
+        problem.weighted_slopes(&self.c, &self.rows.z, slope);
+        (0..self.c.len()).map(|i| (slope[i] + self.zero.z[i] - self.upper.z[i]).abs() * self.c[i]).sum()
     }
 
     /// One step; false if it could not be made.

@@ -234,17 +234,27 @@ impl Problem {
         }
     }
 
+    /// Slopes of the time at `c`.
+    pub(crate) fn slopes(&self, c: &[f64], out: &mut [f64]) {
+        out.iter_mut().for_each(|x| *x = 0.0);
+        for (i, (width, at)) in self.simpson.iter().enumerate() {
+            for (w, part) in at.iter().zip([1.0, 4.0, 1.0]) {
+                let b = dot(w, &c[i..i + 3]);
+                let by = part * width / (12.0 * b * b.sqrt());
+                (0..3).for_each(|k| out[i + k] -= by * w[k]);
+            }
+        }
+    }
+
     /// Slopes and curvatures at `c` with multipliers `z` and their quotients `ratio` by the slacks.
     pub(crate) fn newton(&self, c: &[f64], ratio: &[f64], z: &[f64], out: &mut Newton) {
-        out.slope.iter_mut().for_each(|x| *x = 0.0);
+        self.slopes(c, &mut out.slope);
         out.matrix.clear();
         out.concave.clear();
         for (i, (width, at)) in self.simpson.iter().enumerate() {
             for (w, part) in at.iter().zip([1.0, 4.0, 1.0]) {
                 let b = dot(w, &c[i..i + 3]);
-                let root = part * width / 6.0 / (b * b.sqrt());
-                (0..3).for_each(|k| out.slope[i + k] -= 0.5 * root * w[k]);
-                out.matrix.add(i, 0.75 * root / b, w);
+                out.matrix.add(i, 0.125 * part * width / (b * b * b.sqrt()), w);
             }
         }
         for site in &self.sites {

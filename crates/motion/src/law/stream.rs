@@ -98,7 +98,17 @@ impl<F: Feed> LawStream<F> {
         feed.load(from, from, horizon_s);
         let to = window_end(&feed, from);
         let plan = Plan::new(&feed, from, to)?;
-        Ok(Self { feed, horizon_s, plan, ready: VecDeque::new(), end: 0.0, stops: 0, done: false, failed: None, last: from })
+        Ok(Self {
+            feed,
+            horizon_s,
+            plan,
+            ready: VecDeque::new(),
+            end: 0.0,
+            stops: 0,
+            done: false,
+            failed: None,
+            last: from,
+        })
     }
 
     /// The path, as far as it is loaded.
