@@ -1,5 +1,6 @@
 //! The machine file as written, before its steps are put together.
 
+use crate::TipLimits;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Direction, Finite, NonNegative, Point, Positive, SchemaVersion, Transform};
@@ -29,6 +30,9 @@ pub struct MachineFile {
     /// Two heads, each at the end of steps of its own after the tool steps, instead of `torch`.
     #[serde(default)]
     pub heads: Vec<HeadFile>,
+    /// Limits of the torch tip's motion against the work, beside those of the axes.
+    #[serde(default)]
+    pub tip: TipFile,
     /// Direction against gravity in the base frame; z if missing.
     pub up: Option<Direction>,
     /// Drive of each axis, by the axis' name; used by the simulation.
@@ -58,6 +62,29 @@ pub struct MachineFile {
 pub struct TorchFile {
     /// Direction of wire or beam, from the torch to the work, in the last frame of the tool steps.
     pub direction: Direction,
+}
+
+/// Limits of the torch tip's motion against the work, along seams and taught points.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TipFile {
+    /// Highest speed, mm/s.
+    pub max_speed_mm_s: Option<Positive>,
+    /// Greatest acceleration in whatever direction, mm/s^2.
+    pub max_acceleration_mm_s2: Option<Positive>,
+    /// Greatest jerk in whatever direction, mm/s^3.
+    pub max_jerk_mm_s3: Option<Positive>,
+}
+
+impl TipFile {
+    pub(crate) fn limits(self) -> TipLimits {
+        let limit = |value: Option<Positive>| value.map_or(f64::INFINITY, Positive::get);
+        TipLimits {
+            speed: limit(self.max_speed_mm_s),
+            acceleration: limit(self.max_acceleration_mm_s2),
+            jerk: limit(self.max_jerk_mm_s3),
+        }
+    }
 }
 
 /// One of two heads.

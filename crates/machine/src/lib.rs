@@ -22,6 +22,7 @@ mod shipped;
 mod solids;
 mod stepper;
 mod surroundings;
+mod tip_motion;
 
 pub use axis::{
     Axis, AxisKind, BacklashCompensation, Drive, FrictionCompensation, Gains, Load, Notch, RangeViolation, Transmission,
@@ -29,7 +30,7 @@ pub use axis::{
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
 pub use file::{
     DriveFile, EncoderSide, HeadFile, Io, LinkClearanceFile, MachineFile, NotchFile, PitchErrorFile, StepFile,
-    StepperFile, TorchFile, ZoneFile, ZoneKind,
+    StepperFile, TipFile, TorchFile, ZoneFile, ZoneKind,
 };
 pub use head::Head;
 pub use inverse::{Branches, MAX_BRANCHES, Solution, Unreachable};
@@ -42,3 +43,4 @@ pub use shipped::{SHIPPED, Shipped, shipped};
 pub use solids::{LinkSolids, Zone};
 pub use stepper::{Stepper, StepperMotor};
 pub use surroundings::{Course, Surroundings};
+pub use tip_motion::TipLimits;

@@ -4,7 +4,7 @@ use crate::pair::Pair;
 use crate::surroundings::PITCH;
 use crate::{
     Axis, AxisKind, AxisSet, Head, Io, Joints, LinkFrames, LinkSolids, Links, MAX_AXES, MachineFile, RangeViolation,
-    assemble,
+    TipLimits, assemble,
 };
 use arrayvec::ArrayVec;
 use glam::DVec3;
@@ -34,6 +34,8 @@ pub struct Machine {
     pub links: Links,
     /// What is solid on the links, and zones.
     pub solids: LinkSolids,
+    /// Limits of the first head's torch tip against the work.
+    pub tip: TipLimits,
     /// Unit vector against gravity in the machine's base frame.
     pub up: DVec3,
     pub(crate) pair: Option<Pair>,

@@ -26,6 +26,7 @@ mod singular;
 mod survey;
 pub mod taught;
 pub mod textbook;
+mod tip_channels;
 mod weld_motion;
 
 pub use joint_path::{JointPath, JointPoint};

@@ -49,6 +49,7 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
         title: m.title.clone(),
         servo_period_s: m.servo_period_ms.map_or(1e-3, |p| p.get() * 1e-3),
         io: m.io.clone(),
+        tip: m.tip.limits(),
         up: m.up.map_or(DVec3::Z, Direction::unit),
         pair: Pair::new(&heads),
         has_pitch_error: axes.iter().any(|a| a.pitch_error.is_some()),

@@ -2,6 +2,7 @@ use super::spline::{Piece, slopes};
 use super::thin::{SAME, Taught, Thinned};
 use crate::law::{Channels, Feed, Limits};
 use crate::pass_channels::limits;
+use crate::tip_channels::TipChannels;
 use seamwright_machine::{AxisKind, Joints, MAX_AXES, Machine};
 use std::collections::VecDeque;
 
@@ -22,6 +23,7 @@ pub enum Corner {
 /// passes through every point kept; those left out are within the tolerance of the chords of those kept.
 pub struct TaughtPath<'a, I: Iterator<Item = Joints>> {
     machine: &'a Machine,
+    /// Of the axes, then of the tip if it has any.
     limits: Vec<Limits>,
     speed: f64,
     corner: Corner,
@@ -56,7 +58,7 @@ impl<'a, I: Iterator<Item = Joints>> TaughtPath<'a, I> {
         let tips = Tips { machine, points };
         Self {
             machine,
-            limits: machine.axes.iter().map(limits).collect(),
+            limits: machine.axes.iter().map(limits).chain(TipChannels::limits(machine)).collect(),
             speed,
             corner,
             points: Thinned::new(tips, (tolerance, std::array::from_fn(near))).peekable(),
@@ -93,7 +95,7 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
 
     /// Speed of the tip by the parameter at `u`.
     pub fn tip_rate(&self, u: f64) -> f64 {
-        self.rate(&self.piece(u, false).derivatives(u))
+        self.machine.tip_derivatives(&self.piece(u, false).derivatives(u))[0].length()
     }
 
     /// True if there is a way to go at all: two different points.
@@ -109,21 +111,16 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         &self.pieces[i.saturating_sub(1)]
     }
 
-    fn rate(&self, [q, d1, ..]: &[Joints; 4]) -> f64 {
-        let columns = self.machine.jacobian(q);
-        columns.iter().zip(d1).map(|((tip, _), d)| *tip * *d).sum::<glam::DVec3>().length()
-    }
-
     /// The parameter's step from one point to another.
     fn step(&self, a: &Taught, b: &Taught) -> f64 {
-        let axes = self.limits.iter().enumerate().map(|(i, l)| (a.q[i] - b.q[i]).abs() / l.speed);
+        let axes = self.machine.axes.iter().enumerate().map(|(i, axis)| (a.q[i] - b.q[i]).abs() / axis.max_speed);
         axes.fold(a.tip.distance(b.tip) / self.speed, f64::max) * self.speed
     }
 
     /// Whether the way turns sharply at `at`.
     fn is_corner(&self, before: &Taught, at: &Taught, after: &Taught) -> bool {
         let way = |a: &Taught, b: &Taught| -> Joints {
-            std::array::from_fn(|i| self.limits.get(i).map_or(0.0, |l| (b.q[i] - a.q[i]) / l.speed))
+            std::array::from_fn(|i| self.machine.axes.get(i).map_or(0.0, |axis| (b.q[i] - a.q[i]) / axis.max_speed))
         };
         let (a, b) = (way(before, at), way(at, after));
         let dot = |a: &Joints, b: &Joints| (0..MAX_AXES).map(|i| a[i] * b[i]).sum::<f64>();
@@ -222,8 +219,11 @@ impl<I: Iterator<Item = Joints>> Channels for TaughtPath<'_, I> {
 
     fn derivatives(&self, u: f64, before: bool, out: &mut [[f64; 3]]) -> f64 {
         let d = self.piece(u, before).derivatives(u);
-        out.iter_mut().enumerate().for_each(|(i, out)| *out = [d[1][i], d[2][i], d[3][i]]);
-        self.rate(&d)
+        let (axes, tip) = out.split_at_mut(self.machine.axes.len());
+        axes.iter_mut().enumerate().for_each(|(i, out)| *out = [d[1][i], d[2][i], d[3][i]]);
+        let tip_motion = self.machine.tip_derivatives(&d);
+        TipChannels::derivatives(tip_motion, tip);
+        tip_motion[0].length()
     }
 
     fn asked(&self, _u: f64) -> f64 {

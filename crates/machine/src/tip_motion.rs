@@ -1,0 +1,116 @@
+//! How the torch tip moves while the axes move: derivatives up to the third.
+
+use crate::chain::Chain;
+use crate::{AxisKind, Joints, Machine};
+use glam::DVec3;
+
+/// Limits of the torch tip's motion against the work along a path. Infinite where the machine file has none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TipLimits {
+    /// Highest speed, mm/s.
+    pub speed: f64,
+    /// Greatest acceleration, mm/s^2, in whatever direction: turning counts as well as speeding up.
+    pub acceleration: f64,
+    /// Greatest jerk, mm/s^3, in whatever direction.
+    pub jerk: f64,
+}
+
+impl TipLimits {
+    /// No limits.
+    pub const NONE: Self = Self { speed: f64::INFINITY, acceleration: f64::INFINITY, jerk: f64::INFINITY };
+}
+
+/// Coefficients of a power series, lowest power first.
+type Series<T> = [T; 4];
+
+impl Machine {
+    /// First, second and third derivative of the first head's tip in the work frame by a parameter, from positions (mm or
+    /// rad) and the same derivatives of the indicated axes. Slopes of pitch errors count, their changes do not.
+    pub fn tip_derivatives(&self, motion: &[Joints; 4]) -> [DVec3; 3] {
+        let [q, d1, d2, d3] = motion;
+        let start = self.true_positions(q);
+        let axis = |i: usize| -> Series<f64> {
+            let slope = self.axes[i].pitch_error.as_ref().map_or(1.0, |e| e.true_at(q[i]).1);
+            [start[i], slope * d1[i], slope * d2[i] / 2.0, slope * d3[i] / 6.0]
+        };
+        let [_, c1, c2, c3] = tip(&self.heads[0].chain, axis);
+        [c1, 2.0 * c2, 6.0 * c3]
+    }
+}
+
+/// The tip as a power series, from those of the axes.
+fn tip(chain: &Chain, axis: impl Fn(usize) -> Series<f64>) -> Series<DVec3> {
+    let mut p = [chain.zero.point, DVec3::ZERO, DVec3::ZERO, DVec3::ZERO];
+    for screw in chain.screws.iter().rev() {
+        let q = axis(screw.axis);
+        match screw.kind {
+            AxisKind::Linear => (0..4).for_each(|k| p[k] += q[k] * screw.direction),
+            AxisKind::Rotary => {
+                p[0] -= screw.at;
+                let along = p.map(|p| screw.direction.dot(p) * screw.direction);
+                let across: Series<DVec3> = std::array::from_fn(|k| p[k] - along[k]);
+                let (sin, cos) = sin_cos(&q);
+                let turned = across.map(|a| screw.direction.cross(a));
+                p = std::array::from_fn(|k| {
+                    (0..=k).fold(along[k], |sum, j| sum + cos[j] * across[k - j] + sin[j] * turned[k - j])
+                });
+                p[0] += screw.at;
+            }
+        }
+    }
+    p
+}
+
+/// Sine and cosine of a power series, by `sin' = cos q'` and `cos' = -sin q'`.
+fn sin_cos(q: &Series<f64>) -> (Series<f64>, Series<f64>) {
+    let (mut sin, mut cos) = ([0.0; 4], [0.0; 4]);
+    (sin[0], cos[0]) = q[0].sin_cos();
+    for k in 1..4 {
+        for j in 1..=k {
+            let slope = j as f64 * q[j] / k as f64;
+            sin[k] += slope * cos[k - j];
+            cos[k] -= slope * sin[k - j];
+        }
+    }
+    (sin, cos)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::SHIPPED;
+
+    #[test]
+    fn derivatives_are_those_of_differences_of_the_forward_kinematics() {
+        for shipped in SHIPPED {
+            let machine = Machine::read(shipped.name, shipped.text).unwrap();
+            for case in 0..200 {
+                let random = |i: usize, k: usize| (f64::from(case) * 1.7 + i as f64 * 2.3 + k as f64 * 0.9).sin();
+                let scale = |i: usize| if machine.axes[i].kind == AxisKind::Rotary { 0.3 } else { 20.0 };
+                let count = machine.axes.len();
+                let motion: [Joints; 4] = std::array::from_fn(|k| {
+                    std::array::from_fn(|i| if i < count { scale(i) * random(i, k) } else { 0.0 })
+                });
+                let at = |u: f64| {
+                    let place = |i: usize| {
+                        let [q, d1, d2, d3] = motion.map(|m| m[i]);
+                        q + u * (d1 + u / 2.0 * (d2 + u / 3.0 * d3))
+                    };
+                    machine.forward(&std::array::from_fn(place)).point
+                };
+                let h = 2e-3;
+                let [m3, m2, m1, p0, p1, p2, p3] = [-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0].map(|k| at(k * h));
+                let wanted = [
+                    (8.0 * (p1 - m1) - (p2 - m2)) / (12.0 * h),
+                    (16.0 * (p1 + m1) - (p2 + m2) - 30.0 * p0) / (12.0 * h * h),
+                    (-13.0 * (p1 - m1) + 8.0 * (p2 - m2) - (p3 - m3)) / (8.0 * h * h * h),
+                ];
+                let found = machine.tip_derivatives(&motion);
+                for (k, (found, wanted)) in found.iter().zip(wanted).enumerate() {
+                    let off = found.distance(wanted) / (1.0 + wanted.length());
+                    assert!(off < [1e-8, 1e-6, 1e-4][k], "{}: derivative {}: {found} {wanted}", machine.name, k + 1);
+                }
+            }
+        }
+    }
+}
