@@ -6,12 +6,14 @@
 mod control;
 mod course;
 mod error;
+mod pass;
 mod run;
 mod shield;
 mod timed;
 
 pub use control::{Pace, Played};
 pub use error::PaceError;
+pub use pass::PassTimed;
 pub use run::{Instant, Order, Run, RunPhase};
 pub use timed::{AxisLimits, Limits, Rates, Timed, Tip};
 
