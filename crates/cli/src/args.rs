@@ -1,5 +1,6 @@
 //! The command line, as in the contract of `docs/cli.md`.
 
+pub(crate) mod follow;
 pub(crate) mod machine;
 pub(crate) mod move_to;
 
@@ -41,6 +42,8 @@ pub(crate) enum Verb {
     Kinematics(KinematicsArgs),
     /// The textbook interpolators beside the exact one
     Interpolate(InterpolateArgs),
+    /// Set-points along taught points of any number, at constant speed
+    Follow(follow::FollowArgs),
     /// Set-points of all axes from one place to another, jerk-limited, arriving at once, if nothing comes too near
     Move(move_to::MoveArgs),
     /// The machine and the work in it: place the work from touched points, check a machine file

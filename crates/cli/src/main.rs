@@ -4,6 +4,7 @@
 
 mod args;
 mod clock;
+mod csv;
 mod examples;
 mod failure;
 mod files;
@@ -44,6 +45,7 @@ fn run(verb: Option<Verb>) -> Result<(), Failure> {
         Some(Verb::Post(a)) => verbs::post::run(&a),
         Some(Verb::Kinematics(a)) => verbs::kinematics::run(&a),
         Some(Verb::Interpolate(a)) => verbs::interpolate::run(&a),
+        Some(Verb::Follow(a)) => verbs::follow::run(&a),
         Some(Verb::Move(a)) => verbs::move_to::run(&a),
         Some(Verb::Machine(a)) => verbs::machine::run(&a),
         Some(Verb::Machines(a)) => verbs::lists::machines(&a),

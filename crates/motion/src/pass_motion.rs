@@ -1,7 +1,7 @@
 use crate::follower::Follower;
-use crate::law::Certificate;
-use crate::pace::PassTimed;
+use crate::law::{Certificate, LawError};
 use crate::limits::{never_reached, speed_findings};
+use crate::pace::PassTimed;
 use crate::pass_channels::PassChannels;
 use crate::redundancy::{Clearance, resolve};
 use crate::set_points::SetPoints;
@@ -78,7 +78,13 @@ impl PassMotion {
         }
         let asked = |s: f64| pass.span_at(s).map_or(0.0, |span| span.speed_mm_s.get());
         let channels = PassChannels::new(machine, &joints, pass, 1.0);
-        let law = SpeedLaw::new(&channels);
+        let law = match SpeedLaw::new(&channels) {
+            Ok(law) => law,
+            Err(error) => {
+                findings.push(no_law(machine, path.length(), error, number));
+                return Err(findings);
+            }
+        };
         let certificate = Certificate::new(&channels, &law);
         findings.extend(speed_findings(machine, &certificate, pass, number));
         findings.extend(never_reached(&law, fastest, pass.on_limit, number));
@@ -120,13 +126,32 @@ impl PassMotion {
 
     /// The law along the same path for `factor` times the speeds that `pass` asks for, slower where `machine` cannot keep
     /// them: overrides above 1 play it.
-    pub fn faster(&self, machine: &Machine, pass: &Pass, factor: f64) -> SpeedLaw {
+    ///
+    /// # Errors
+    /// A factor that is not finite and above zero; none else, since the path has a law already.
+    pub fn faster(&self, machine: &Machine, pass: &Pass, factor: f64) -> Result<SpeedLaw, LawError> {
         SpeedLaw::new(&PassChannels::new(machine, &self.path, pass, factor))
     }
 
     /// The set-points every `period` s, from the first gas to the last.
     pub fn set_points(&self, period: f64) -> SetPoints<'_> {
         SetPoints::new(self, period)
+    }
+}
+
+fn no_law(machine: &Machine, length: f64, error: LawError, pass: usize) -> Finding {
+    let (from_mm, to_mm) = match error {
+        LawError::NotSmooth { at, .. } | LawError::Asked { at, .. } => (at, at),
+        _ => (0.0, length),
+    };
+    Finding {
+        kind: "speed",
+        message: format!("there is no speed law for the axes of {}: {error}", machine.name),
+        pass,
+        from_mm,
+        to_mm,
+        cure: "give the machine's axes finite limits above zero, and the pass a speed and a length".to_owned(),
+        allowed: false,
     }
 }
 

@@ -1,10 +1,11 @@
 use crate::args::KinematicsArgs;
+use crate::csv::CsvReader;
 use crate::failure::Failure;
 use crate::load;
 use crate::rows::{Cell, Rows};
 use glam::DVec3;
 use seamwright_machine::{Joints, Machine, Solution};
-use std::io::{self, BufRead};
+use std::io;
 
 const POSE: [&str; 6] = ["x_mm", "y_mm", "z_mm", "ax", "ay", "az"];
 
@@ -106,41 +107,9 @@ fn write_solution(machine: &Machine, solution: Result<Solution, String>, rows: &
 
 /// Reads CSV with the columns `names` (in any order, others ignored) from standard input.
 fn each_row(names: &[&str], mut row: impl FnMut(&[f64]) -> Result<(), Failure>) -> Result<(), Failure> {
-    let mut lines = io::stdin().lock().lines();
-    let allowed = || format!("   allowed: a header line with {}, then numbers", names.join(","));
-    let header = lines.next().transpose()?.unwrap_or_default();
-    let header: Vec<&str> = header.trim_start_matches('\u{feff}').split(',').map(str::trim).collect();
-    let mut places = Vec::new();
-    for name in names {
-        match header.iter().position(|h| h == name) {
-            Some(place) => places.push(place),
-            None => {
-                let found = header.join(",");
-                return Err(Failure::Input(format!(
-                    "standard input:1: there is no column `{name}` in `{found}`\n{}",
-                    allowed()
-                )));
-            }
-        }
-    }
-    let mut values = vec![0.0; names.len()];
-    for (number, line) in lines.enumerate() {
-        let line = line?;
-        if line.trim().is_empty() {
-            continue;
-        }
-        let fields: Vec<&str> = line.split(',').map(str::trim).collect();
-        for ((value, place), name) in values.iter_mut().zip(&places).zip(names) {
-            let field = fields.get(*place).copied().unwrap_or_default();
-            *value = field.parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| {
-                Failure::Input(format!(
-                    "standard input:{}: {name} = `{field}` is not a finite number\n{}",
-                    number + 2,
-                    allowed()
-                ))
-            })?;
-        }
-        row(&values)?;
+    let (mut reader, _) = CsvReader::open("standard input", io::stdin().lock(), &[names])?;
+    while let Some(values) = reader.row() {
+        row(values?)?;
     }
     Ok(())
 }

@@ -1,4 +1,5 @@
 use super::channels::{Channels, Limits};
+use super::error::LawError;
 use super::rest::RestToRest;
 
 /// Places in each cell where the path is looked at, as parts of its width.
@@ -27,15 +28,29 @@ pub(crate) struct Cells {
 impl Cells {
     /// The piece of `path` that `map` covers, with stations at `tau`, which must contain the map's borders and the
     /// path's breaks.
-    pub(crate) fn new(path: &dyn Channels, map: RestToRest, tau: Vec<f64>, limits: Vec<Limits>) -> Self {
+    ///
+    /// # Errors
+    /// A derivative that is not finite, an asked speed that is none, or nothing that moves.
+    pub(crate) fn new(
+        path: &dyn Channels,
+        map: RestToRest,
+        tau: Vec<f64>,
+        limits: Vec<Limits>,
+    ) -> Result<Self, LawError> {
         let (channels, cells) = (limits.len(), tau.len() - 1);
         let mut derivatives = vec![[0.0; 3]; cells * PARTS.len() * channels];
         let mut asked = Vec::with_capacity(cells * PARTS.len());
         for (i, row) in derivatives.chunks_exact_mut(channels).enumerate() {
             let (cell, part) = (i / PARTS.len(), PARTS[i % PARTS.len()]);
-            asked.push(place(path, &map, (tau[cell], tau[cell + 1]), part, row));
+            let here = place(path, &map, (tau[cell], tau[cell + 1]), part, row);
+            if here.is_nan() || row.iter().flatten().any(|d| !d.is_finite()) {
+                return Err(broken(path, map.at(tau[cell] + part * (tau[cell + 1] - tau[cell]), part > 0.5)[0], row));
+            }
+            asked.push(here);
         }
-        Self { map, tau, limits, derivatives, asked }
+        let built = Self { map, tau, limits, derivatives, asked };
+        let moves = built.derivatives.iter().any(|d| d[0] != 0.0) || built.asked.iter().any(|a| a.is_finite());
+        if moves { Ok(built) } else { Err(LawError::Still { from: map.start(), to: map.end() }) }
     }
 
     /// Number of cells.
@@ -64,12 +79,12 @@ impl Cells {
     }
 
     /// Asked squared speeds by `tau` at [`PARTS`] of `cell`; infinite if none.
-    fn asked(&self, cell: usize) -> &[f64] {
+    pub(crate) fn asked(&self, cell: usize) -> &[f64] {
         &self.asked[cell * PARTS.len()..][..PARTS.len()]
     }
 
     /// True if the asked squared speed by `tau` is the same all over `cell`.
-    fn is_steady(&self, cell: usize) -> bool {
+    pub(crate) fn is_steady(&self, cell: usize) -> bool {
         let asked = self.asked(cell);
         asked[0].is_finite() && asked.iter().all(|a| (a - asked[0]).abs() <= 1e-9 * asked[0])
     }
@@ -148,7 +163,8 @@ impl Cells {
     }
 }
 
-/// The channels' derivatives by `tau` at the `part` of a cell, into `row`; and the asked squared speed there.
+/// The channels' derivatives by `tau` at the `part` of a cell, into `row`; and the asked squared speed there: infinite if
+/// none, NaN if it is no speed.
 pub(crate) fn place(
     path: &dyn Channels,
     map: &RestToRest,
@@ -161,11 +177,26 @@ pub(crate) fn place(
     // A part inside a cell may round to its end.
     let [u, m1, m2, m3] = map.at(tau, before);
     let middle = map.at(0.5 * (from + to), before)[0];
+    // A break must not be passed by rounding: the other side's third derivative is another one.
+    let inside = 1e-9 * (middle - u).abs() + 4.0 * f64::EPSILON * u.abs().max(middle.abs());
+    let u = u + inside.min((middle - u).abs()) * (middle - u).signum();
     let tip = path.derivatives(u, before, row) * m1;
     for d in row.iter_mut() {
         let [q1, q2, q3] = *d;
         *d = [q1 * m1, q2 * m1 * m1 + q1 * m2, q3 * m1 * m1 * m1 + 3.0 * q2 * m1 * m2 + q1 * m3];
     }
-    let speed = path.asked(middle) / tip.abs();
+    let asked = path.asked(middle);
+    if !(asked > 0.0 && tip.is_finite()) {
+        return f64::NAN;
+    }
+    let speed = asked / tip.abs();
     if speed.is_nan() { f64::INFINITY } else { speed * speed }
+}
+
+/// What is wrong with the path at `u`, whose channels have the derivatives `row` there.
+pub(crate) fn broken(path: &dyn Channels, u: f64, row: &[[f64; 3]]) -> LawError {
+    match row.iter().position(|d| d.iter().any(|d| !d.is_finite())) {
+        Some(channel) => LawError::NotSmooth { channel, at: u },
+        None => LawError::Asked { at: u, value: path.asked(u) },
+    }
 }

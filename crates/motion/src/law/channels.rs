@@ -1,3 +1,5 @@
+use super::error::LawError;
+
 /// What a speed law has to know of a path: how everything that has limits moves with the path's parameter `u`.
 ///
 /// A channel is an axis, or anything else whose speed, acceleration and jerk are bounded (a coordinate of the torch tip,
@@ -35,4 +37,26 @@ pub struct Limits {
     pub acceleration: f64,
     /// Highest jerk.
     pub jerk: f64,
+}
+
+/// The parameters at which `path` begins, rests and ends.
+///
+/// # Errors
+/// A range or limits that are none.
+pub(crate) fn ends(path: &dyn Channels) -> Result<Vec<f64>, LawError> {
+    let (from, to) = path.range();
+    if !(from.is_finite() && to.is_finite() && to > from) {
+        return Err(LawError::Range { from, to });
+    }
+    for (channel, l) in path.limits().iter().enumerate() {
+        for (what, value) in [("speed", l.speed), ("acceleration", l.acceleration), ("jerk", l.jerk)] {
+            if !(value > 0.0 && (value.is_finite() || what == "jerk")) {
+                return Err(LawError::Limit { channel, what, value });
+            }
+        }
+    }
+    let mut ends = vec![from];
+    ends.extend(path.stops().into_iter().filter(|u| *u > from && *u < to));
+    ends.push(to);
+    Ok(ends)
 }

@@ -5,6 +5,8 @@ use super::problem::{Newton, Problem};
 
 /// Iterations after which the law reached is taken as it is: it satisfies every row at any time.
 const MOST: usize = 120;
+/// Complementarity to begin with, as a part of the time.
+const BEGIN: f64 = 0.1;
 /// Part of the way to the next row that a step may go.
 const SHORT_OF: f64 = 0.99;
 
@@ -17,7 +19,8 @@ const SHORT_OF: f64 = 0.99;
 pub(crate) fn fastest(problem: &Problem, start: Vec<f64>, gap: f64) -> Vec<f64> {
     let mut at = Iterate::new(problem, start);
     for _ in 0..MOST {
-        if at.complementarity() < gap * problem.lost(&at.c) || !at.improve(problem) {
+        let enough = gap * problem.lost(&at.c);
+        if (at.complementarity() < enough && at.residual(problem) < enough) || !at.improve(problem) {
             break;
         }
     }
@@ -92,7 +95,7 @@ impl Iterate {
         let n = problem.unknowns;
         let mut g = vec![0.0; problem.slacks];
         problem.slacks(&c, &mut g);
-        let product = problem.time(&c) / g.len() as f64;
+        let product = BEGIN * problem.time(&c) / g.len() as f64;
         let above = c.iter().zip(&problem.upper).map(|(c, u)| u - c).collect();
         Self {
             rows: Pair::new(g, product),
@@ -111,6 +114,15 @@ impl Iterate {
 
     fn complementarity(&self) -> f64 {
         self.pairs().iter().map(|p| p.complementarity()).sum()
+    }
+
+    /// How far the law is from one that no change betters, as a time: what changing every coefficient by itself gains.
+    fn residual(&mut self, problem: &Problem) -> f64 {
+        let slope = &mut self.newton.slope;
+        problem.slopes(&self.c, slope);
+        slope.iter_mut().for_each(|s| *s = -*s);
+        problem.weighted_slopes(&self.c, &self.rows.z, slope);
+        (0..self.c.len()).map(|i| (slope[i] + self.zero.z[i] - self.upper.z[i]).abs() * self.c[i]).sum()
     }
 
     /// One step; false if it could not be made.

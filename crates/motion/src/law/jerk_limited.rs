@@ -2,6 +2,7 @@
 
 use super::cells::{Cells, PARTS};
 use super::channels::{Channels, Limits};
+use super::error::LawError;
 use super::interior::fastest;
 use super::problem::Problem;
 use super::rest::RestToRest;
@@ -18,6 +19,8 @@ const SNAP: f64 = 1e-5;
 
 /// Cells that could change the time lost by more than this part are halved.
 const SHARE: f64 = 5e-5;
+/// All of them together are worth halving from this part on.
+const ENOUGH: f64 = 3e-4;
 /// Use of a limit between the places of rows from which on cells are halved rather than given less room.
 const ROUGH: f64 = 1.003;
 /// What may be used of a limit in the end.
@@ -37,8 +40,16 @@ const COARSE_GAP: f64 = 1e-3;
 /// speed: what was found before is a spline on the finer cells too and a good start there. Guarantee: no limit is exceeded
 /// anywhere (speeds, accelerations and jerks are bounded between the places where rows were imposed, and a thousandth is
 /// kept in reserve); nowhere faster than asked.
-pub(crate) fn plan(path: &dyn Channels, map: RestToRest, tau: Vec<f64>, limits: &[Limits]) -> (Cells, Vec<f64>) {
-    let mut cells = Cells::new(path, map, tau, limits.to_vec());
+///
+/// # Errors
+/// As [`Cells::new`].
+pub(crate) fn plan(
+    path: &dyn Channels,
+    map: RestToRest,
+    tau: Vec<f64>,
+    limits: &[Limits],
+) -> Result<(Cells, Vec<f64>), LawError> {
+    let mut cells = Cells::new(path, map, tau, limits.to_vec())?;
     let mut c: Option<Vec<f64>> = None;
     loop {
         let room = Room::new(&cells);
@@ -46,11 +57,16 @@ pub(crate) fn plan(path: &dyn Channels, map: RestToRest, tau: Vec<f64>, limits: 
         let found = fastest(&problem, start(&problem, c.take()), COARSE_GAP);
         let coarse = SHARE * problem.lost(&found);
         let tau = cells.halved(|i| bend(&cells, &found, i) > coarse || peak(&cells, &found, i) > ROUGH);
-        if cells.count() > MOST_CELLS || tau.len() == cells.tau.len() {
+        let gain: f64 = (0..cells.count()).map(|i| bend(&cells, &found, i)).filter(|b| *b > coarse).sum();
+        let rough = (0..cells.count()).any(|i| peak(&cells, &found, i) > ROUGH);
+        if (!rough && gain < ENOUGH * problem.lost(&found))
+            || cells.count() > MOST_CELLS
+            || tau.len() == cells.tau.len()
+        {
             let c = certified(&cells, found);
-            return (cells, c);
+            return Ok((cells, c));
         }
-        let finer = Cells::new(path, map, tau, limits.to_vec());
+        let finer = Cells::new(path, map, tau, limits.to_vec())?;
         c = Some(cells.carried(&found, &finer, 0.0));
         cells = finer;
     }
@@ -67,7 +83,8 @@ fn bend(cells: &Cells, c: &[f64], i: usize) -> f64 {
     let before = if i > 0 { (own - second(i - 1)).abs() } else { 0.0 };
     let after = if i + 1 < cells.count() { (own - second(i + 1)).abs() } else { 0.0 };
     let b = c[i + 1];
-    before.max(after) * width.powi(3) / (8.0 * b * b.sqrt())
+    // Not more than the time it takes as it is.
+    (before.max(after) * width.powi(3) / (8.0 * b * b.sqrt())).min(width / b.sqrt())
 }
 
 /// The law in its final cells, beginning at one found before, solved until no limit is exceeded between the places of its
@@ -155,7 +172,7 @@ fn snap(c: &mut [f64], upper: &[f64]) {
     }
 }
 
-/// The greatest use of a limit in cell `i`: of a speed (squared), an acceleration or a jerk. Between the [`PARTS`] a
+/// The greatest use of a limit in cell `i`: of a speed (squared, the asked one too), an acceleration or a jerk. Between the [`PARTS`] a
 /// parabola through three neighbours each, and what their third differences leave open.
 pub(crate) fn peak(cells: &Cells, c: &[f64], i: usize) -> f64 {
     let law: [[f64; 3]; PARTS.len()] = std::array::from_fn(|part| {
@@ -174,22 +191,24 @@ pub(crate) fn peak(cells: &Cells, c: &[f64], i: usize) -> f64 {
         }
         most = used.iter().map(greatest).fold(most, f64::max);
     }
+    if !cells.is_steady(i) {
+        let asked = cells.asked(i);
+        most = most.max(greatest(&std::array::from_fn(|part| law[part][0] / asked[part])));
+    }
     most
 }
 
 /// Greatest size of a smooth function known at five evenly spaced places, between them too.
 fn greatest(f: &[f64; PARTS.len()]) -> f64 {
     let mut most = f.iter().map(|v| v.abs()).fold(0.0, f64::max);
-    let mut bend: f64 = 0.0;
     for i in 1..PARTS.len() - 1 {
         let (slope, second) = (0.5 * (f[i + 1] - f[i - 1]), f[i + 1] - 2.0 * f[i] + f[i - 1]);
         let vertex = -slope / second;
         if vertex.abs() <= 1.0 {
             most = most.max((f[i] + 0.5 * slope * vertex).abs());
         }
-        if i > 1 {
-            bend = bend.max((f[i + 1] - 3.0 * f[i] + 3.0 * f[i - 1] - f[i - 2]).abs());
-        }
     }
-    most + 0.07 * bend
+    let thirds = [0, 1].map(|i| f[i + 3] - 3.0 * f[i + 2] + 3.0 * f[i + 1] - f[i]);
+    // A cubic is off its parabola by 0.065 of the third difference, which changes by the fourth one.
+    most + 0.07 * (thirds[0].abs().max(thirds[1].abs()) + (thirds[1] - thirds[0]).abs())
 }

@@ -16,15 +16,16 @@ impl Pentadiagonal {
         self.diagonals.iter_mut().flatten().for_each(|x| *x = 0.0);
     }
 
-    /// Adds `factor (u v^T + v u^T) / 2` at rows `first` to `first + 2`.
-    pub(crate) fn add(&mut self, first: usize, factor: f64, u: &[f64; 3], v: &[f64; 3]) {
-        for i in 0..3 {
-            self.diagonals[0][first + i] += factor * u[i] * v[i];
-        }
-        for i in 0..2 {
-            self.diagonals[1][first + i] += 0.5 * factor * (u[i] * v[i + 1] + u[i + 1] * v[i]);
-        }
-        self.diagonals[2][first] += 0.5 * factor * (u[0] * v[2] + u[2] * v[0]);
+    /// Adds `factor u u^T` at rows `first` to `first + 2`.
+    pub(crate) fn add(&mut self, first: usize, factor: f64, u: &[f64; 3]) {
+        self.add_square(first, &u.map(|row| u.map(|column| factor * row * column)));
+    }
+
+    /// Adds a symmetric matrix, of which the upper triangle is looked at, at rows `first` to `first + 2`.
+    pub(crate) fn add_square(&mut self, first: usize, m: &[[f64; 3]; 3]) {
+        (0..3).for_each(|i| self.diagonals[0][first + i] += m[i][i]);
+        (0..2).for_each(|i| self.diagonals[1][first + i] += m[i][i + 1]);
+        self.diagonals[2][first] += m[0][2];
     }
 
     /// Makes this the factors `L` (unit lower triangle) and `D` of `a - part b`; false if a pivot is not positive.
@@ -89,7 +90,7 @@ mod tests {
             let mut a = Pentadiagonal::zero(n);
             for first in (0..n - 2).flat_map(|f| [f; 4]) {
                 let u = [random(), random(), random()];
-                a.add(first, 1.0, &u, &u);
+                a.add(first, 1.0, &u);
             }
             let x: Vec<f64> = (0..n).map(|_| random()).collect();
             let dense = |i: usize, j: usize| {

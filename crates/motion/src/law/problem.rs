@@ -60,6 +60,9 @@ const STIFF: f64 = 0.5;
 /// Cells before and after that count as near.
 const NEAR: usize = 3;
 
+/// Part of the time that counts as lost at least.
+const LEAST_LOST: f64 = 1e-3;
+
 impl Problem {
     /// The rows of `cells`, within the `room` of each. With the
     /// coefficients `near` of a law near to the one wanted, rows that it is far from are left out of the other cells.
@@ -171,7 +174,7 @@ impl Problem {
         let asked = |i: usize| self.upper[i].min(self.upper[i + 1]).min(self.upper[i + 2]);
         let cruising: f64 = self.simpson.iter().enumerate().map(|(i, (width, _))| width / asked(i).sqrt()).sum();
         // Never nothing, or no law would be near enough to it.
-        (self.time(c) - cruising).max(1e-9 * cruising)
+        (self.time(c) - cruising).max(LEAST_LOST * cruising)
     }
 
     /// The slacks at `c`; false if the squared speed is not positive somewhere.
@@ -231,17 +234,27 @@ impl Problem {
         }
     }
 
+    /// Slopes of the time at `c`.
+    pub(crate) fn slopes(&self, c: &[f64], out: &mut [f64]) {
+        out.iter_mut().for_each(|x| *x = 0.0);
+        for (i, (width, at)) in self.simpson.iter().enumerate() {
+            for (w, part) in at.iter().zip([1.0, 4.0, 1.0]) {
+                let b = dot(w, &c[i..i + 3]);
+                let by = part * width / (12.0 * b * b.sqrt());
+                (0..3).for_each(|k| out[i + k] -= by * w[k]);
+            }
+        }
+    }
+
     /// Slopes and curvatures at `c` with multipliers `z` and their quotients `ratio` by the slacks.
     pub(crate) fn newton(&self, c: &[f64], ratio: &[f64], z: &[f64], out: &mut Newton) {
-        out.slope.iter_mut().for_each(|x| *x = 0.0);
+        self.slopes(c, &mut out.slope);
         out.matrix.clear();
         out.concave.clear();
         for (i, (width, at)) in self.simpson.iter().enumerate() {
             for (w, part) in at.iter().zip([1.0, 4.0, 1.0]) {
                 let b = dot(w, &c[i..i + 3]);
-                let root = part * width / 6.0 / (b * b.sqrt());
-                (0..3).for_each(|k| out.slope[i + k] -= 0.5 * root * w[k]);
-                out.matrix.add(i, 0.75 * root / b, w, w);
+                out.matrix.add(i, 0.125 * part * width / (b * b * b.sqrt()), w);
             }
         }
         for site in &self.sites {
@@ -249,18 +262,17 @@ impl Problem {
             let m = self.squares(site, b, ratio);
             let w = &site.weights;
             let parts = [&w.value, &w.first, &w.second];
-            for i in 0..3 {
-                for j in i..3 {
-                    out.matrix.add(site.cell, if i == j { m[i][j] } else { 2.0 * m[i][j] }, parts[i], parts[j]);
-                }
-            }
+            // By coefficients: of the rows' weights first, then of both.
+            let half: [[f64; 3]; 3] =
+                m.map(|m| std::array::from_fn(|k| m[0] * parts[0][k] + m[1] * parts[1][k] + m[2] * parts[2][k]));
+            let by_coefficient = |i: usize, k: usize| (0..3).map(|j| parts[j][i] * half[j][k]).sum::<f64>();
+            out.matrix.add_square(site.cell, &std::array::from_fn(|i| std::array::from_fn(|k| by_coefficient(i, k))));
             let multipliers: f64 = self.rows(site, z).values.2.iter().sum();
-            out.concave.add(site.cell, 0.75 * multipliers / (b * b * b.sqrt()), &w.value, &w.value);
+            out.concave.add(site.cell, 0.75 * multipliers / (b * b * b.sqrt()), &w.value);
         }
     }
 
-    /// The squares of a site's rows' slopes by the squared speed and its derivatives, weighted with `ratio`: the upper
-    /// triangle.
+    /// The squares of a site's rows' slopes by the squared speed and its derivatives, weighted with `ratio`.
     fn squares(&self, site: &Site, b: f64, ratio: &[f64]) -> [[f64; 3]; 3] {
         let Rows { acceleration, jerk, values: (own, of_acceleration, of_jerk) } = self.rows(site, ratio);
         let mut m = [[0.0; 3]; 3];
@@ -277,7 +289,7 @@ impl Problem {
                 (k..3).for_each(|l| m[k][l] += w * j[k] * j[l]);
             }
         }
-        m
+        [[m[0][0], m[0][1], m[0][2]], [m[0][1], m[1][1], m[1][2]], [m[0][2], m[1][2], m[2][2]]]
     }
 }
 

@@ -16,7 +16,7 @@ pub(crate) struct RestToRest {
 
 impl RestToRest {
     /// The map of [`from`, `to`] with the first `up` and the last `down` of it as run-up and run-down, together at most
-    /// all of it.
+    /// all of it; the identity without them.
     pub(crate) fn new(from: f64, to: f64, up: f64, down: f64) -> Self {
         Self { from, to, up: 2.0 * up, down: 2.0 * down }
     }
@@ -24,6 +24,11 @@ impl RestToRest {
     /// First `u`.
     pub(crate) fn start(&self) -> f64 {
         self.from
+    }
+
+    /// Last `u`.
+    pub(crate) fn end(&self) -> f64 {
+        self.to
     }
 
     /// Length in `tau`.
@@ -47,15 +52,15 @@ impl RestToRest {
                 (6.0 - 12.0 * x) / (l * l),
             ]
         };
-        if tau < self.up || (tau <= self.up && before) {
+        if self.up > 0.0 && (tau < self.up || (tau <= self.up && before)) {
             let [u, d1, d2, d3] = zone((tau / self.up).clamp(0.0, 1.0), self.up);
             return [(self.from + u).min(self.to), d1, d2, d3];
         }
-        if tau > end - self.down || (tau >= end - self.down && !before) {
+        if self.down > 0.0 && (tau > end - self.down || (tau >= end - self.down && !before)) {
             let [u, d1, d2, d3] = zone(((end - tau) / self.down).clamp(0.0, 1.0), self.down);
             return [(self.to - u).max(self.from), d1, -d2, d3];
         }
-        [self.from + tau - 0.5 * self.up, 1.0, 0.0, 0.0]
+        [(self.from + tau - 0.5 * self.up).min(self.to), 1.0, 0.0, 0.0]
     }
 
     /// `tau` at `u`.

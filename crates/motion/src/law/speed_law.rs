@@ -1,8 +1,16 @@
+use super::cell::Cell;
 use super::cells::Cells;
-use super::channels::Channels;
-use super::grid::stations;
+use super::channels::{Channels, ends};
+use super::error::LawError;
+use super::grid::{even, stations};
 use super::jerk_limited::plan;
+use super::reach;
 use super::rest::RestToRest;
+
+/// Cells of a law without limits of jerk.
+const CELLS_WITHOUT_JERK: usize = 1000;
+/// Squared speeds nearer to the asked one than this part are a cruise.
+const AS_ASKED: f64 = 1e-9;
 
 /// The law at one instant.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -30,47 +38,78 @@ pub struct LawPoint {
 pub struct SpeedLaw {
     pieces: Vec<RestToRest>,
     cells: Vec<Cell>,
+    /// The piece that each cell belongs to.
+    owner: Vec<u32>,
     duration: f64,
     end: f64,
 }
 
-/// A cell of the law: `d2 tau / dt2 = a + w tau` from its start on.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Cell {
-    piece: u32,
-    tau: f64,
-    pub(super) t: f64,
-    v: f64,
-    a: f64,
-    w: f64,
-    /// True if the tip cruises at the asked speed all through it.
-    cruises: bool,
-}
-
 impl SpeedLaw {
-    /// The fastest law along `path`.
-    pub fn new(path: &dyn Channels) -> Self {
-        let (from, to) = path.range();
-        let mut ends = vec![from];
-        ends.extend(path.stops().into_iter().filter(|u| *u > from && *u < to));
-        ends.push(to);
-        let mut law = Self { pieces: Vec::new(), cells: Vec::new(), duration: 0.0, end: to };
-        for w in ends.windows(2) {
-            law.add(path, (w[0], w[1]));
+    /// The fastest law along `path`. Without a finite jerk among the limits the acceleration may jump, see
+    /// [`SpeedLaw::without_jerk`].
+    ///
+    /// # Errors
+    /// Limits that are zero, negative or no numbers; a range without length; derivatives that are not finite; a piece
+    /// between stops in which nothing moves.
+    pub fn new(path: &dyn Channels) -> Result<Self, LawError> {
+        if path.limits().iter().all(|l| l.jerk.is_infinite()) {
+            return Self::without_jerk(path, CELLS_WITHOUT_JERK);
         }
-        law
+        let ends = ends(path)?;
+        let mut law = Self::empty(path);
+        for w in ends.windows(2) {
+            let (map, tau) = stations(path, path.limits(), (w[0], w[1]));
+            let (cells, c) = plan(path, map, tau, path.limits())?;
+            law.add(&cells, &c);
+        }
+        Ok(law)
     }
 
-    fn add(&mut self, path: &dyn Channels, piece: (f64, f64)) {
-        let (map, tau) = stations(path, path.limits(), piece);
-        let (cells, c) = plan(path, map, tau, path.limits());
-        let number = self.pieces.len() as u32;
-        self.pieces.push(map);
-        for i in 0..cells.count() {
-            let (cell, time) = Cell::new(&cells, &c, i);
-            self.cells.push(Cell { piece: number, t: self.duration, ..cell });
-            self.duration += time;
+    /// The fastest law along `path` if limits of jerk are left out: the squared speed by path length is linear in each of
+    /// about `cells` cells between two stops, so the acceleration along the path is constant there.
+    ///
+    /// # Errors
+    /// As [`SpeedLaw::new`].
+    pub fn without_jerk(path: &dyn Channels, cells: usize) -> Result<Self, LawError> {
+        let ends = ends(path)?;
+        let mut law = Self::empty(path);
+        for w in ends.windows(2) {
+            let stations = even(path, (w[0], w[1]), cells);
+            let (b, asked) = reach::fastest(path, &stations)?;
+            law.add_linear(&stations, &b, &asked);
         }
+        Ok(law)
+    }
+
+    fn empty(path: &dyn Channels) -> Self {
+        Self { pieces: Vec::new(), cells: Vec::new(), owner: Vec::new(), duration: 0.0, end: path.range().1 }
+    }
+
+    /// Appends a piece whose squared speed is a quadratic spline with coefficients `c`.
+    fn add(&mut self, cells: &Cells, c: &[f64]) {
+        self.pieces.push(cells.map);
+        for i in 0..cells.count() {
+            self.push(Cell::of_spline(cells, c, i, self.duration));
+        }
+    }
+
+    /// Appends a piece whose squared speed is linear between its values `b` at stations.
+    fn add_linear(&mut self, stations: &[f64], b: &[f64], asked: &[[f64; 2]]) {
+        let from = stations[0];
+        self.pieces.push(RestToRest::new(from, stations[stations.len() - 1], 0.0, 0.0));
+        for (i, asked) in asked.iter().enumerate() {
+            let width = stations[i + 1] - stations[i];
+            let cruises = (0..2).all(|end| b[i + end] >= (1.0 - AS_ASKED) * asked[end]);
+            let range = (stations[i] - from, stations[i + 1] - from);
+            self.push(Cell::new(range, self.duration, [b[i], (b[i + 1] - b[i]) / width, 0.0], cruises));
+        }
+    }
+
+    /// Appends a cell of the last piece.
+    fn push(&mut self, cell: Cell) {
+        self.duration += cell.time;
+        self.owner.push(self.pieces.len() as u32 - 1);
+        self.cells.push(cell);
     }
 
     /// Time from rest to rest, s.
@@ -95,8 +134,7 @@ impl SpeedLaw {
 
     /// The law `t` after the start of cell `i`.
     fn point(&self, i: usize, t: f64, before: bool) -> LawPoint {
-        let cell = &self.cells[i];
-        cell.point(&self.pieces[cell.piece as usize], t, before)
+        self.cells[i].point(&self.pieces[self.owner[i] as usize], t, before)
     }
 
     /// Number of cells, in which the law is smooth; its jerk may jump between them.
@@ -111,8 +149,7 @@ impl SpeedLaw {
 
     /// The law in cell `i` at the `part` of its time, from 0 to 1; at its ends as it is inside it.
     pub fn in_cell(&self, i: usize, part: f64) -> LawPoint {
-        let (from, to) = self.cell_times(i);
-        self.point(i, part * (to - from), part > 0.5)
+        self.point(i, part * self.cells[i].time, part > 0.5)
     }
 
     /// True if the tip moves at the asked speed all through cell `i`.
@@ -122,8 +159,8 @@ impl SpeedLaw {
 
     /// Speed at the parameter `s`, 1/s.
     pub fn speed(&self, s: f64) -> f64 {
-        let (cell, v, tau) = self.passing(s);
-        v * self.pieces[cell.piece as usize].at(tau, false)[1]
+        let (i, v, tau) = self.passing(s);
+        v * self.pieces[self.owner[i] as usize].at(tau, false)[1]
     }
 
     /// Time at which the parameter `s` is reached, s.
@@ -131,19 +168,18 @@ impl SpeedLaw {
         if s >= self.end {
             return self.duration;
         }
-        let (cell, v, tau) = self.passing(s);
-        if tau > cell.tau { cell.t + crossing(cell.w, (tau - cell.tau) / (cell.v + v)) } else { cell.t }
+        let (i, v, tau) = self.passing(s);
+        self.cells[i].passed(tau, v)
     }
 
     /// The cell in which the parameter `s` is passed, the speed by `tau` there, and `tau`.
-    fn passing(&self, s: f64) -> (&Cell, f64, f64) {
+    fn passing(&self, s: f64) -> (usize, f64, f64) {
         let piece = self.pieces.partition_point(|p| p.start() <= s).saturating_sub(1);
         let tau = self.pieces[piece].tau(s);
-        let before = |c: &Cell| (c.piece as usize, c.tau) <= (piece, tau);
-        let cell = &self.cells[self.cells.partition_point(before).saturating_sub(1)];
-        let x = tau - cell.tau;
-        // The squared speed is `v^2 + 2 a x + w x^2`.
-        (cell, (cell.v * cell.v + x * (2.0 * cell.a + cell.w * x)).max(0.0).sqrt(), tau)
+        let first = self.owner.partition_point(|owner| (*owner as usize) < piece);
+        let end = self.owner.partition_point(|owner| (*owner as usize) <= piece);
+        let i = first + self.cells[first..end].partition_point(|c| c.tau <= tau).saturating_sub(1);
+        (i, self.cells[i].speed(tau), tau)
     }
 
     /// The band of the planned speed between run-up and run-down.
@@ -180,65 +216,4 @@ pub struct SpeedReport {
     pub least: f64,
     /// Greatest planned speed between them, mm/s.
     pub greatest: f64,
-}
-
-impl Cell {
-    /// Cell `i` of a law with coefficients `c` in `cells`, as if it began at time 0, and how long it takes, s.
-    pub(super) fn new(cells: &Cells, c: &[f64], i: usize) -> (Self, f64) {
-        let (w, h) = (cells.weights(i), cells.width(i));
-        let dot = |w: &[f64; 3]| w[0] * c[i] + w[1] * c[i + 1] + w[2] * c[i + 2];
-        let cruises = (i..i + 3).all(|k| c[k] >= cells.upper(k));
-        // All coefficients alike: no rounding is to change the speed.
-        let constant = (i..i + 3).all(|k| c[k].to_bits() == c[i].to_bits());
-        let (b, d, e) = if constant { (c[i], 0.0, 0.0) } else { (dot(&w.value), dot(&w.first), dot(&w.second)) };
-        let end = (b + h * (d + 0.5 * h * e)).max(0.0).sqrt();
-        let v = b.max(0.0).sqrt();
-        let cell = Self { piece: 0, tau: cells.tau[i], t: 0.0, v, a: 0.5 * d, w: 0.5 * e, cruises };
-        (cell, crossing(cell.w, h / (v + end)))
-    }
-
-    /// The same cell, beginning at time `t`.
-    pub(super) fn at(self, t: f64) -> Self {
-        Self { t, ..self }
-    }
-
-    /// The law `t` after the cell's start, `map` being that of its piece; at a border of the map from the side `before`.
-    pub(super) fn point(&self, map: &RestToRest, t: f64, before: bool) -> LawPoint {
-        let (travelled, v) = self.after(t);
-        let (a, j) = (self.a + self.w * travelled, self.w * v);
-        let [u, m1, m2, m3] = map.at(self.tau + travelled, before);
-        LawPoint { s: u, v: m1 * v, a: m2 * v * v + m1 * a, j: m3 * v * v * v + 3.0 * m2 * v * a + m1 * j }
-    }
-
-    /// How far it has gone `t` after its start, and how fast it is then.
-    fn after(&self, t: f64) -> (f64, f64) {
-        let x = self.w * t * t;
-        // sinh(sqrt(x)) / sqrt(x) and (cosh(sqrt(x)) - 1) / x, for either sign of x.
-        let (s, c) = if x.abs() < 1e-2 {
-            let s = 1.0 + x / 6.0 * (1.0 + x / 20.0 * (1.0 + x / 42.0 * (1.0 + x / 72.0)));
-            (s, 0.5 + x / 24.0 * (1.0 + x / 30.0 * (1.0 + x / 56.0 * (1.0 + x / 90.0))))
-        } else if x > 0.0 {
-            let r = x.sqrt();
-            (r.sinh() / r, (r.cosh() - 1.0) / x)
-        } else {
-            let r = (-x).sqrt();
-            (r.sin() / r, (r.cos() - 1.0) / x)
-        };
-        (t * (self.v * s + self.a * t * c), self.v * (1.0 + x * c) + self.a * t * s)
-    }
-}
-
-/// Time over a cell whose width is `mean` times the sum of the speeds at its ends, where the acceleration grows by `w` a
-/// unit of way: both ways of moving, `sinh` and `cosh` about its middle, cover `tanh(sqrt(w) t / 2) / sqrt(w)` a unit of
-/// that sum.
-fn crossing(w: f64, mean: f64) -> f64 {
-    let x = w * mean * mean;
-    if x.abs() < 1e-4 {
-        // atanh(y) / y with y^2 = x.
-        2.0 * mean * (1.0 + x * (1.0 / 3.0 + x * (0.2 + x / 7.0)))
-    } else if x > 0.0 {
-        2.0 * x.sqrt().atanh() / w.sqrt()
-    } else {
-        2.0 * (-x).sqrt().atan() / (-w).sqrt()
-    }
 }

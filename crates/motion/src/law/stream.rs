@@ -1,9 +1,11 @@
+use super::cell::Cell;
 use super::cells::Cells;
 use super::channels::Channels;
+use super::error::LawError;
 use super::grid::stations;
 use super::jerk_limited::{peak, plan};
 use super::rest::RestToRest;
-use super::speed_law::{Cell, LawPoint};
+use super::speed_law::LawPoint;
 use std::collections::VecDeque;
 
 /// A path that is read as it is needed: its channels are known over the part that is loaded, which
@@ -31,11 +33,12 @@ pub struct LawStream<F> {
     plan: Plan,
     /// Cells given out and not passed yet, with the map they belong to.
     ready: VecDeque<(Cell, RestToRest)>,
-    /// Instants at which the first of them begins and the last ends.
-    begin: f64,
+    /// When the last of them ends, s.
     end: f64,
     stops: usize,
     done: bool,
+    /// Why nothing can be planned beyond what was given out, which ends at rest then.
+    failed: Option<LawError>,
     last: f64,
 }
 
@@ -48,6 +51,10 @@ struct Plan {
     next: usize,
 }
 
+/// The law between two windows: its cells and coefficients, the first one's station where it begins and the next one's where
+/// it ends.
+type Passage = (Cells, Vec<f64>, usize, usize);
+
 /// Parts of a window that overlap the one before, tried one after the other.
 const OVERLAPS: [f64; 3] = [0.5, 0.7, 0.9];
 /// What a law may use of a limit where it passes into the next.
@@ -56,10 +63,10 @@ const ALLOWED: f64 = 0.9999;
 const ZONES: usize = 6;
 
 impl Plan {
-    fn new(path: &dyn Channels, from: f64, to: f64) -> Self {
+    fn new(path: &dyn Channels, from: f64, to: f64) -> Result<Self, LawError> {
         let (map, tau) = stations(path, path.limits(), (from, to));
-        let (cells, c) = plan(path, map, tau, path.limits());
-        Self { from, to, cells, c, next: 0 }
+        let (cells, c) = plan(path, map, tau, path.limits())?;
+        Ok(Self { from, to, cells, c, next: 0 })
     }
 
     /// Parameters between run-up and run-down.
@@ -83,12 +90,25 @@ impl Plan {
 impl<F: Feed> LawStream<F> {
     /// A law along `feed` with windows that take `horizon_s` seconds at the highest speeds allowed: some times the longest
     /// time to stop.
-    pub fn new(mut feed: F, horizon_s: f64) -> Self {
+    ///
+    /// # Errors
+    /// As [`SpeedLaw::new`](super::SpeedLaw::new).
+    pub fn new(mut feed: F, horizon_s: f64) -> Result<Self, LawError> {
         let from = feed.range().0;
         feed.load(from, from, horizon_s);
         let to = window_end(&feed, from);
-        let plan = Plan::new(&feed, from, to);
-        Self { feed, horizon_s, plan, ready: VecDeque::new(), begin: 0.0, end: 0.0, stops: 0, done: false, last: from }
+        let plan = Plan::new(&feed, from, to)?;
+        Ok(Self {
+            feed,
+            horizon_s,
+            plan,
+            ready: VecDeque::new(),
+            end: 0.0,
+            stops: 0,
+            done: false,
+            failed: None,
+            last: from,
+        })
     }
 
     /// The path, as far as it is loaded.
@@ -102,21 +122,32 @@ impl<F: Feed> LawStream<F> {
     }
 
     /// The law at time `t` (s), which must not fall; nothing after the end.
-    pub fn at(&mut self, t: f64) -> Option<LawPoint> {
+    ///
+    /// # Errors
+    /// As [`SpeedLaw::new`](super::SpeedLaw::new), for a part of the path that is planned later: once what was planned before
+    /// has come to rest.
+    pub fn at(&mut self, t: f64) -> Result<Option<LawPoint>, LawError> {
         while t >= self.end && !self.done {
-            self.extend();
+            match self.failed {
+                Some(reason) => return Err(reason),
+                None => self.extend(),
+            }
         }
         while let Some((cell, map)) = self.ready.front() {
             let next = self.ready.get(1).map_or(self.end, |(cell, _)| cell.t);
             if t < next {
                 let point = cell.point(map, (t - cell.t).max(0.0), false);
                 self.last = self.last.max(point.s);
-                return Some(point);
+                return Ok(Some(point));
             }
-            self.begin = next;
             self.ready.pop_front();
         }
-        None
+        Ok(None)
+    }
+
+    /// Where the last point asked for was; at rest there once there are no more.
+    pub fn end(&self) -> LawPoint {
+        LawPoint { s: if self.done { self.feed.range().1 } else { self.last }, ..LawPoint::default() }
     }
 
     /// Time until the end, s, known once everything is planned.
@@ -124,47 +155,53 @@ impl<F: Feed> LawStream<F> {
         self.done.then_some(self.end)
     }
 
-    /// Gives out more of the law.
+    /// Gives out more of the law, to a stop at least if it cannot go on.
     fn extend(&mut self) {
+        if let Err(reason) = self.go_on() {
+            self.give_out(self.plan.cells.count());
+            self.failed = Some(reason);
+        }
+    }
+
+    fn go_on(&mut self) -> Result<(), LawError> {
         let path_end = self.feed.range().1;
         let ends_path = self.feed.is_complete() && self.plan.to >= path_end;
         if ends_path || self.feed.stops().iter().any(|u| (u - self.plan.to).abs() <= f64::EPSILON * u.abs()) {
-            self.come_to_rest(ends_path);
-            return;
+            return self.come_to_rest(ends_path);
         }
         for overlap in OVERLAPS {
             let from = self.plan.to - overlap * (self.plan.to - self.plan.from);
             let from = from.max(self.plan.from);
-            if self.join(from) {
-                return;
+            if self.join(from)? {
+                return Ok(());
             }
         }
         self.stops += 1;
-        self.come_to_rest(false);
+        self.come_to_rest(false)
     }
 
     /// Gives out the rest of the plan; a new one begins where it ends, unless that is the end of the path.
-    fn come_to_rest(&mut self, is_end: bool) {
+    fn come_to_rest(&mut self, is_end: bool) -> Result<(), LawError> {
         self.give_out(self.plan.cells.count());
         if is_end {
             self.done = true;
-            return;
+            return Ok(());
         }
         let from = self.plan.to;
-        self.feed.load(from, from, self.horizon_s);
-        self.plan = Plan::new(&self.feed, from, window_end(&self.feed, from));
+        self.feed.load(self.last, from, self.horizon_s);
+        self.plan = Plan::new(&self.feed, from, window_end(&self.feed, from))?;
+        Ok(())
     }
 
     /// Plans the window that begins at `from` and passes into it; false if the limits do not allow that.
-    fn join(&mut self, from: f64) -> bool {
-        let keep = self.plan.at(self.plan.next.min(self.plan.cells.count())).min(from);
-        self.feed.load(keep, self.plan.to, 0.5 * self.horizon_s);
-        let to = window_end_after(&self.feed, self.plan.to);
-        let mut next = Plan::new(&self.feed, from, to);
+    fn join(&mut self, from: f64) -> Result<bool, LawError> {
+        self.feed.load(self.last.min(self.plan.from), self.plan.to, 0.5 * self.horizon_s);
+        let to = window_end(&self.feed, self.plan.to);
+        let mut next = Plan::new(&self.feed, from, to)?;
         let begin = next.between().0.max(self.plan.at(self.plan.next));
         let end = self.plan.between().1;
         if end <= begin {
-            return false;
+            return Ok(false);
         }
         let width = (end - begin) / (ZONES as f64 / 2.0);
         let step = (end - begin - width) / (ZONES - 1) as f64;
@@ -173,22 +210,23 @@ impl<F: Feed> LawStream<F> {
         order.sort_by_key(|i| (2 * i).abs_diff(ZONES - 1));
         for i in order {
             let zone = (begin + step * i as f64, begin + step * i as f64 + width);
-            if let Some((cells, c, first, after)) = self.passage(&next, zone) {
+            if let Some((cells, c, first, after)) = self.passage(&next, zone)? {
                 self.give_out(first);
                 for k in 0..cells.count() {
-                    self.push(&cells, &c, k);
+                    let cell = Cell::of_spline(&cells, &c, k, self.end);
+                    self.ready.push_back((cell, cells.map));
+                    self.end += cell.time;
                 }
                 next.next = after;
                 self.plan = next;
-                return true;
+                return Ok(true);
             }
         }
-        false
+        Ok(false)
     }
 
-    /// The law that passes from the plan to `next` in about `zone`: its cells and coefficients, the plan's station where it
-    /// begins and the next one's where it ends.
-    fn passage(&self, next: &Plan, zone: (f64, f64)) -> Option<(Cells, Vec<f64>, usize, usize)> {
+    /// The law that passes from the plan to `next` in about `zone`, if the limits allow one.
+    fn passage(&self, next: &Plan, zone: (f64, f64)) -> Result<Option<Passage>, LawError> {
         let (first, after) = (self.plan.station(zone.0), next.station(zone.1));
         let (from, to) = (self.plan.at(first), next.at(after));
         let inside = |u: f64| u > from && u < to;
@@ -202,10 +240,10 @@ impl<F: Feed> LawStream<F> {
             *last = to;
         }
         if u.len() < 5 || first < self.plan.next {
-            return None;
+            return Ok(None);
         }
         let tau = u.iter().map(|u| u - from).collect();
-        let cells = Cells::new(&self.feed, RestToRest::new(from, to, 0.0, 0.0), tau, self.feed.limits().to_vec());
+        let cells = Cells::new(&self.feed, RestToRest::new(from, to, 0.0, 0.0), tau, self.feed.limits().to_vec())?;
         let mine = self.plan.cells.carried(&self.plan.c, &cells, self.plan.cells.map.tau(from));
         let theirs = next.cells.carried(&next.c, &cells, next.cells.map.tau(from));
         let count = mine.len();
@@ -225,33 +263,22 @@ impl<F: Feed> LawStream<F> {
                 if mine[k].to_bits() == theirs[k].to_bits() { mine[k] } else { (1.0 - w) * mine[k] + w * theirs[k] }
             })
             .collect();
-        (0..cells.count()).all(|i| peak(&cells, &c, i) <= ALLOWED).then_some((cells, c, first, after))
+        Ok((0..cells.count()).all(|i| peak(&cells, &c, i) <= ALLOWED).then_some((cells, c, first, after)))
     }
 
     /// Gives out the plan's cells up to station `until`.
     fn give_out(&mut self, until: usize) {
         for i in self.plan.next..until {
-            let (cell, time) = Cell::new(&self.plan.cells, &self.plan.c, i);
-            self.ready.push_back((cell.at(self.end), self.plan.cells.map));
-            self.end += time;
+            let cell = Cell::of_spline(&self.plan.cells, &self.plan.c, i, self.end);
+            self.ready.push_back((cell, self.plan.cells.map));
+            self.end += cell.time;
         }
         self.plan.next = until;
     }
-
-    fn push(&mut self, cells: &Cells, c: &[f64], i: usize) {
-        let (cell, time) = Cell::new(cells, c, i);
-        self.ready.push_back((cell.at(self.end), cells.map));
-        self.end += time;
-    }
-}
-
-/// Where a window ends that begins at `from`: the first stop after it, or all that is loaded.
-fn window_end(feed: &impl Feed, from: f64) -> f64 {
-    window_end_after(feed, from)
 }
 
 /// The first stop after `u`, or the end of what is loaded.
-fn window_end_after(feed: &impl Feed, u: f64) -> f64 {
+fn window_end(feed: &impl Feed, u: f64) -> f64 {
     let end = feed.range().1;
     feed.stops().into_iter().find(|s| *s > u * (1.0 + f64::EPSILON) && *s > u).unwrap_or(end)
 }

@@ -98,8 +98,8 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
 
     /// True if there is a way to go at all: two different points.
     pub fn is_empty(&mut self) -> bool {
-        if self.pieces.is_empty() {
-            self.load(0.0, 0.0, 0.0);
+        while self.pieces.is_empty() && !self.complete {
+            self.extend();
         }
         self.pieces.is_empty()
     }

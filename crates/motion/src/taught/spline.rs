@@ -67,29 +67,21 @@ impl Piece {
 }
 
 /// Slopes at the knots of the cubic spline through `q` at the parameters `u` (at least two): twice continuously
-/// differentiable, without curvature at its ends, or with the slope `first` at its start.
+/// differentiable. Its first two and its last two pieces are one cubic each (de Boor's "not a knot"; with fewer than four
+/// knots it has no curvature at its ends), or its slope at the start is `first`.
 pub(crate) fn slopes(u: &[f64], q: &[Joints], first: Option<&Joints>) -> Vec<Joints> {
     let n = u.len();
-    let width = |i: usize| u[i + 1] - u[i];
-    // Rows of the tridiagonal system (below, diagonal, above), eliminated as they are made.
+    // Rows of the tridiagonal system, eliminated as they are made.
     let mut above = vec![0.0; n];
     let mut slopes = vec![Joints::default(); n];
     for i in 0..n {
-        let (below, diagonal, over, right): (f64, f64, f64, Joints) = if i == 0 {
-            match first {
-                Some(slope) => (0.0, 1.0, 0.0, *slope),
-                None => (0.0, 2.0, 1.0, std::array::from_fn(|k| 3.0 * (q[1][k] - q[0][k]) / width(0))),
-            }
-        } else if i + 1 == n {
-            (1.0, 2.0, 0.0, std::array::from_fn(|k| 3.0 * (q[i][k] - q[i - 1][k]) / width(i - 1)))
-        } else {
-            let (a, b) = (width(i - 1), width(i));
-            let mean = |k: usize, i: usize| (q[i + 1][k] - q[i][k]) / width(i);
-            (b, 2.0 * (a + b), a, std::array::from_fn(|k| 3.0 * (b * mean(k, i - 1) + a * mean(k, i))))
+        let Row { below, diagonal, over, right } = match first {
+            Some(slope) if i == 0 => Row { below: 0.0, diagonal: 1.0, over: 0.0, right: *slope },
+            _ => Row::new(u, q, i),
         };
+        let before = if i > 0 { slopes[i - 1] } else { Joints::default() };
         let pivot = diagonal - if i > 0 { below * above[i - 1] } else { 0.0 };
         above[i] = over / pivot;
-        let before = if i > 0 { slopes[i - 1] } else { Joints::default() };
         slopes[i] = std::array::from_fn(|k| (right[k] - below * before[k]) / pivot);
     }
     for i in (0..n - 1).rev() {
@@ -97,6 +89,50 @@ pub(crate) fn slopes(u: &[f64], q: &[Joints], first: Option<&Joints>) -> Vec<Joi
         slopes[i].iter_mut().zip(after).for_each(|(slope, next)| *slope -= above[i] * next);
     }
     slopes
+}
+
+/// An equation for the slopes at three neighbouring knots.
+struct Row {
+    below: f64,
+    diagonal: f64,
+    over: f64,
+    right: Joints,
+}
+
+impl Row {
+    /// That of knot `i`.
+    fn new(u: &[f64], q: &[Joints], i: usize) -> Self {
+        let n = u.len();
+        let width = |i: usize| u[i + 1] - u[i];
+        let mean = |k: usize, i: usize| (q[i + 1][k] - q[i][k]) / width(i);
+        // The end's own piece and the one beside it.
+        let end = |own: usize, beside: usize| {
+            let (a, b) = (width(own), width(beside));
+            let right = |k: usize| ((3.0 * a + 2.0 * b) * b * mean(k, own) + a * a * mean(k, beside)) / (a + b);
+            (b, a + b, std::array::from_fn(right))
+        };
+        match i {
+            0 if n < 4 => {
+                Self { below: 0.0, diagonal: 2.0, over: 1.0, right: std::array::from_fn(|k| 3.0 * mean(k, 0)) }
+            }
+            _ if i + 1 == n && n < 4 => {
+                Self { below: 1.0, diagonal: 2.0, over: 0.0, right: std::array::from_fn(|k| 3.0 * mean(k, n - 2)) }
+            }
+            0 => {
+                let (diagonal, over, right) = end(0, 1);
+                Self { below: 0.0, diagonal, over, right }
+            }
+            _ if i + 1 == n => {
+                let (diagonal, below, right) = end(n - 2, n - 3);
+                Self { below, diagonal, over: 0.0, right }
+            }
+            _ => {
+                let (a, b) = (width(i - 1), width(i));
+                let right = |k: usize| 3.0 * (b * mean(k, i - 1) + a * mean(k, i));
+                Self { below: b, diagonal: 2.0 * (a + b), over: a, right: std::array::from_fn(right) }
+            }
+        }
+    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Laws from a sliding window against the law of the whole path.
 
 use crate::curves::{Saddle, Spline};
-use seamwright_motion::law::{Channels, Feed, LawStream, Limits, SpeedLaw};
+use seamwright_motion::law::{Channels, Feed, LawPoint, LawStream, Limits, SpeedLaw};
 
 /// A path repeated, known only over a window.
 struct Window<P> {
@@ -55,29 +55,55 @@ impl<P: Channels> Feed for Window<P> {
     }
 }
 
-#[test]
-fn try_stream() {
-    let saddle = Saddle::new(10.0);
-    let whole = SpeedLaw::new(&saddle).duration();
-    for horizon in [1.5, 3.0] {
-        let mut stream = LawStream::new(Window::new(Saddle::new(10.0)), horizon);
-        let mut t = 0.0;
-        while stream.at(t).is_some() {
-            t += 1e-3;
+/// Plays a stream to its end at a period; every point is within the limits, and the law goes on smoothly.
+fn play<P: Channels>(path: P, horizon: f64) -> (f64, usize) {
+    let mut stream = LawStream::new(Window::new(path), horizon).unwrap();
+    let mut d = vec![[0.0; 3]; stream.path().limits().len()];
+    let period = 1e-3;
+    let mut last: Option<LawPoint> = None;
+    for k in 0.. {
+        let Some(p) = stream.at(f64::from(k) * period).unwrap() else { break };
+        stream.path().derivatives(p.s, false, &mut d);
+        for ([q1, q2, q3], l) in d.iter().zip(stream.path().limits()) {
+            let used = [
+                q1 * p.v / l.speed,
+                (q2 * p.v * p.v + q1 * p.a) / l.acceleration,
+                (q3 * p.v.powi(3) + 3.0 * q2 * p.v * p.a + q1 * p.j) / l.jerk,
+            ];
+            assert!(used.iter().all(|u| u.abs() <= 1.0 + 1e-9), "{k}: {used:?}");
         }
-        println!("saddle {horizon}: {:?} {whole} stops {}", stream.duration(), stream.stops());
+        if let Some(last) = last {
+            // Speed is the mean of the way, by Simpson's rule with the accelerations at both ends.
+            let mean = 0.5 * (last.v + p.v) + period / 12.0 * (last.a - p.a);
+            let jerk = last.j.abs().max(p.j.abs()) + 1e-3;
+            assert!((p.s - last.s - mean * period).abs() < 0.5 * period.powi(3) * jerk, "{k} {p:?} {last:?}");
+        }
+        last = Some(p);
     }
-    for (spline, _) in Spline::reference(10.0) {
-        let whole = SpeedLaw::new(&spline).duration();
-        for horizon in [12.0, 3.0, 6.0] {
-            let copy =
-                Spline { knots: spline.knots.clone(), pieces: spline.pieces.clone(), limits: spline.limits.clone() };
-            let mut stream = LawStream::new(Window::new(copy), horizon);
-            let mut t = 0.0;
-            while stream.at(t).is_some() {
-                t += 1e-3;
-            }
-            println!("{horizon}: {:?} {whole} stops {}", stream.duration(), stream.stops());
-        }
+    let end = stream.end();
+    assert!((end.s - stream.path().range().1).abs() < 1e-12);
+    (stream.duration().unwrap(), stream.stops())
+}
+
+#[test]
+fn a_sliding_window_gives_the_law_of_the_whole_path() {
+    let whole = SpeedLaw::new(&Saddle::new(10.0)).unwrap().duration();
+    for horizon in [2.0, 4.0] {
+        let (duration, stops) = play(Saddle::new(10.0), horizon);
+        assert!((duration / whole - 1.0).abs() < 1e-3 && stops == 0, "{horizon}: {duration} {whole}");
+    }
+    for i in 0..6 {
+        let path = || Spline::reference(10.0).swap_remove(i).0;
+        let whole = SpeedLaw::new(&path()).unwrap().duration();
+        let (duration, stops) = play(path(), 6.0);
+        assert!((duration / whole - 1.0).abs() < 1e-3 && stops == 0, "{i}: {duration} {whole}");
+    }
+}
+
+#[test]
+fn a_window_too_short_stops_but_never_breaks_a_limit() {
+    for i in 0..6 {
+        let (duration, _) = play(Spline::reference(2.0).swap_remove(i).0, 0.8);
+        assert!(duration.is_finite());
     }
 }

@@ -1,44 +1,49 @@
+use crate::check::{check, check_ends};
 use crate::curves::{Saddle, Spline};
-use seamwright_motion::law::{Channels, SpeedLaw};
-use std::time::Instant;
+use seamwright_motion::law::SpeedLaw;
 
-/// Greatest use of speeds, accelerations, jerks at many instants.
-pub fn use_of_limits(path: &dyn Channels, law: &SpeedLaw, count: usize) -> [f64; 3] {
-    let mut worst = [0.0f64; 3];
-    let mut d = vec![[0.0; 3]; path.limits().len()];
-    let mut cursor = 0;
-    for i in 0..=count {
-        let p = law.at(law.duration() * i as f64 / count as f64, &mut cursor);
-        path.derivatives(p.s, false, &mut d);
-        for ([q1, q2, q3], l) in d.iter().zip(path.limits()) {
-            let used = [
-                q1 * p.v / l.speed,
-                (q2 * p.v * p.v + q1 * p.a) / l.acceleration,
-                (q3 * p.v.powi(3) + 3.0 * q2 * p.v * p.a + q1 * p.j) / l.jerk,
-            ];
-            (0..3).for_each(|k| worst[k] = worst[k].max(used[k].abs()));
-        }
+/// Part by which a law may be slower than the fine grid of toppra.
+const WITHIN: f64 = 1e-3;
+
+#[test]
+fn without_jerk_as_fast_as_the_fine_grid_of_toppra() {
+    for (i, (spline, best)) in Spline::reference(f64::INFINITY).into_iter().enumerate() {
+        let law = SpeedLaw::new(&spline).unwrap();
+        check_ends(&spline, &law);
+        let found = check(&spline, &law, 20);
+        let slower = law.duration() / best - 1.0;
+        println!("{i}: {slower:.1e} slower, {found:?}");
+        assert!(slower.abs() < WITHIN && found.used[0] <= 1.0 && found.used[1] <= 1.0);
+        // A coarse grid is slower, but not beyond the limits either.
+        let coarse = SpeedLaw::without_jerk(&spline, 100).unwrap();
+        let found = check(&spline, &coarse, 20);
+        assert!(coarse.duration() >= law.duration() && coarse.duration() < 1.05 * best);
+        assert!(found.used[0] <= 1.0 && found.used[1] <= 1.0, "{found:?}");
     }
-    worst
 }
 
 #[test]
-fn try_it() {
+fn with_jerk_within_limits_and_little_slower() {
     for jerk in [10.0, 1.5] {
-        let saddle = Saddle::new(jerk);
-        let t = Instant::now();
-        let law = SpeedLaw::new(&saddle);
-        println!("saddle {} {:?} {:?}", law.duration(), t.elapsed(), use_of_limits(&saddle, &law, 200_000));
-        for (spline, t0) in Spline::reference(jerk) {
-            let t = Instant::now();
-            let law = SpeedLaw::new(&spline);
-            println!(
-                "{} {} {t0} {:?} {:?}",
-                spline.limits.len(),
-                law.duration(),
-                t.elapsed(),
-                use_of_limits(&spline, &law, 200_000)
-            );
+        for (spline, best) in Spline::reference(jerk) {
+            let law = SpeedLaw::new(&spline).unwrap();
+            check_ends(&spline, &law);
+            let found = check(&spline, &law, 20);
+            let slower = law.duration() / best - 1.0;
+            println!("jerk {jerk}: {slower:.4} slower, {found:?}");
+            // Limits of jerk can only slow it.
+            assert!(slower > -1e-4 && slower < if jerk > 5.0 { 0.015 } else { 0.1 });
+            assert!(found.used.iter().all(|u| *u <= 1.0) && found.jump.iter().all(|j| *j < 1e-9), "{found:?}");
         }
     }
+}
+
+#[test]
+fn the_saddle_as_fast_as_by_another_method() {
+    let law = SpeedLaw::new(&Saddle::new(10.0)).unwrap();
+    // By IPOPT in time, 400 steps; and by reachability without jerk.
+    assert!((law.duration() / 8.1225 - 1.0).abs() < 2e-3, "{}", law.duration());
+    let law = SpeedLaw::new(&Saddle::new(f64::INFINITY)).unwrap();
+    assert!((law.duration() / 8.023 - 1.0).abs() < 1e-3, "{}", law.duration());
+    check_ends(&Saddle::new(f64::INFINITY), &law);
 }

@@ -7,21 +7,19 @@ use seamwright_program::TorchPath;
 use seamwright_weld::Welding;
 use std::sync::OnceLock;
 
-const EXAMPLES: [(&str, &str); 6] = [
-    ("saddle", include_str!("../../../../examples/saddle.toml")),
-    ("head-nozzle", include_str!("../../../../examples/head-nozzle.toml")),
-    ("ellipse", include_str!("../../../../examples/ellipse.toml")),
-    ("trunnion-saddle", include_str!("../../../../examples/trunnion-saddle.toml")),
-    ("oblique-girth", include_str!("../../../../examples/oblique-girth.toml")),
-    ("t-joint", include_str!("../../../../examples/t-joint.toml")),
+/// Name, text, and how many times its speed the axes are asked for where their limits are to bind.
+const EXAMPLES: [(&str, &str, f64); 6] = [
+    ("saddle", include_str!("../../../../examples/saddle.toml"), 40.0),
+    ("head-nozzle", include_str!("../../../../examples/head-nozzle.toml"), 40.0),
+    ("ellipse", include_str!("../../../../examples/ellipse.toml"), 40.0),
+    ("trunnion-saddle", include_str!("../../../../examples/trunnion-saddle.toml"), 40.0),
+    ("oblique-girth", include_str!("../../../../examples/oblique-girth.toml"), 4.0),
+    ("t-joint", include_str!("../../../../examples/t-joint.toml"), 40.0),
 ];
 
-/// How many times the examples' speeds the axes are asked for where limits are to bind.
-const FAST: f64 = 40.0;
-
-pub struct Weld {
-    pub name: String,
-    pub machine: Machine,
+pub(crate) struct Weld {
+    pub(crate) name: String,
+    pub(crate) machine: Machine,
     welding: Welding,
     motion: PassMotion,
     faster: SpeedLaw,
@@ -40,41 +38,41 @@ impl Weld {
         let machine = Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap();
         let pass = &welding.program.value.passes[0];
         let motion = PassMotion::plan(&machine, &welding.path(0), pass, 1).unwrap_or_else(|f| panic!("{name}: {f:#?}"));
-        let faster = motion.faster(&machine, pass, 1.5);
+        let faster = motion.faster(&machine, pass, 1.5).unwrap();
         Self { name: format!("{name} at {times} times its speed"), machine, welding, motion, faster }
     }
 
-    pub fn limits(&self) -> Limits {
+    pub(crate) fn limits(&self) -> Limits {
         Limits::of(&self.machine)
     }
 
-    pub fn base(&self) -> PassTimed<'_> {
+    pub(crate) fn base(&self) -> PassTimed<'_> {
         self.motion.timed()
     }
 
-    pub fn faster(&self) -> PassTimed<'_> {
+    pub(crate) fn faster(&self) -> PassTimed<'_> {
         PassTimed::new(&self.motion.path, &self.faster)
     }
 
-    pub fn law(&self) -> &SpeedLaw {
+    pub(crate) fn law(&self) -> &SpeedLaw {
         &self.motion.law
     }
 
-    pub fn length(&self) -> f64 {
+    pub(crate) fn length(&self) -> f64 {
         self.motion.path.length()
     }
 
-    pub fn position(&self, s: f64) -> Joints {
+    pub(crate) fn position(&self, s: f64) -> Joints {
         self.motion.path.at(s)
     }
 
     /// How far the tip, by the machine's forward kinematics, is from the seam's own place at the path length, mm.
-    pub fn off_seam(&self, r: &Rates) -> f64 {
+    pub(crate) fn off_seam(&self, r: &Rates) -> f64 {
         (self.machine.forward(&r.q).point - self.welding.path(0).pose(r.tip.s).point).length()
     }
 
     /// Greatest speed, acceleration and jerk of any axis as part of its limit.
-    pub fn use_of_limits(&self, r: &Rates) -> f64 {
+    pub(crate) fn use_of_limits(&self, r: &Rates) -> f64 {
         let axes = self.machine.axes.iter().enumerate();
         let parts = axes.map(|(i, axis)| {
             let (v, a, j) = (r.v[i] / axis.max_speed, r.a[i] / axis.max_acceleration, r.j[i] / axis.jerk());
@@ -85,10 +83,10 @@ impl Weld {
 }
 
 /// All examples, slow and fast.
-pub fn all() -> &'static [Weld] {
+pub(crate) fn all() -> &'static [Weld] {
     static WELDS: OnceLock<Vec<Weld>> = OnceLock::new();
     WELDS.get_or_init(|| {
-        let speeds = [1.0, FAST].into_iter();
-        speeds.flat_map(|times| EXAMPLES.iter().map(move |(name, text)| Weld::new(name, text, times))).collect()
+        let both = |&(name, text, fast): &(&str, &str, f64)| [1.0, fast].map(|times| Weld::new(name, text, times));
+        EXAMPLES.iter().flat_map(both).collect()
     })
 }

@@ -1,0 +1,48 @@
+//! Arguments of `seamwright follow`.
+
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright seam examples/trunnion-saddle.toml --every-mm 0.5 > seam.csv
+         seamwright follow seam.csv --machine table-tilting-xyzac --speed-mm-s 10 > set-points.csv
+Points are axis positions (one column an axis, mm or degrees) or places of the tip (x_mm,y_mm,z_mm and, if the torch
+is not to point straight down, its direction ax,ay,az). Read and planned as it goes, in constant memory: a file of
+any length will do. If a point cannot be reached, the motion ends at rest before it and the exit code is 1.")]
+pub(crate) struct FollowArgs {
+    /// CSV of points, or - for standard input
+    pub(crate) points: PathBuf,
+    /// Machine that ships, or a machine file
+    #[arg(long)]
+    pub(crate) machine: String,
+    /// Speed of the torch tip relative to the work, mm/s
+    #[arg(long, value_name = "V")]
+    pub(crate) speed_mm_s: f64,
+    /// Period of the set-points, ms [default: the machine's servo period]
+    #[arg(long, value_name = "T")]
+    pub(crate) period_ms: Option<f64>,
+    /// At corners
+    #[arg(long, value_enum, default_value_t = CornerArg::Stop)]
+    pub(crate) corner: CornerArg,
+    /// How far from a corner a blend may pass, mm
+    #[arg(long, value_name = "D", default_value_t = 0.1)]
+    pub(crate) corner_mm: f64,
+    /// How far from the way a point may be to be left out, mm
+    #[arg(long, value_name = "D", default_value_t = 0.01)]
+    pub(crate) tolerance_mm: f64,
+    /// Time over which the speed is planned ahead, s
+    #[arg(long, value_name = "S", default_value_t = 5.0)]
+    pub(crate) window_s: f64,
+    /// JSON instead of CSV
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// What to do at a corner.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum CornerArg {
+    /// Come to rest exactly there
+    Stop,
+    /// Go through smoothly, within --corner-mm
+    Blend,
+}

@@ -1,0 +1,71 @@
+use crate::failure::Failure;
+use std::io::{BufRead, Lines};
+
+/// Rows of numbers from CSV with a header line; columns in any order, others ignored. One line at a time is kept.
+pub(crate) struct CsvReader<R> {
+    source: String,
+    lines: Lines<R>,
+    names: Vec<String>,
+    /// Where each name stands in a line.
+    places: Vec<usize>,
+    values: Vec<f64>,
+    line: u64,
+}
+
+impl<R: BufRead> CsvReader<R> {
+    /// A reader of `source` (its name, for messages) with the first of the sets of columns `wanted` that its header has;
+    /// and which set that is.
+    pub(crate) fn open(source: &str, reader: R, wanted: &[&[&str]]) -> Result<(Self, usize), Failure> {
+        let mut lines = reader.lines();
+        let header = lines.next().transpose()?.unwrap_or_default();
+        let header: Vec<&str> = header.trim_start_matches('\u{feff}').split(',').map(str::trim).collect();
+        let place = |name: &&str| header.iter().position(|h| h == name);
+        for (set, names) in wanted.iter().enumerate() {
+            if let Some(places) = names.iter().map(place).collect::<Option<Vec<usize>>>() {
+                let names: Vec<String> = names.iter().map(|n| (*n).to_owned()).collect();
+                let values = vec![0.0; names.len()];
+                return Ok((Self { source: source.to_owned(), lines, names, places, values, line: 1 }, set));
+            }
+        }
+        let missing = wanted.first().and_then(|names| names.iter().find(|n| place(n).is_none())).unwrap_or(&"");
+        let allowed: Vec<String> = wanted.iter().map(|names| names.join(",")).collect();
+        Err(Failure::Input(format!(
+            "{source}:1: there is no column `{missing}` in `{}`\n   allowed: a header line with {}, then numbers",
+            header.join(","),
+            allowed.join(" or ")
+        )))
+    }
+
+    /// The number of the last line read.
+    pub(crate) fn line(&self) -> u64 {
+        self.line
+    }
+
+    /// The next row, if there is one; empty lines are passed over.
+    pub(crate) fn row(&mut self) -> Option<Result<&[f64], Failure>> {
+        let line = loop {
+            self.line += 1;
+            match self.lines.next()? {
+                Ok(line) if line.trim().is_empty() => {}
+                Ok(line) => break line,
+                Err(error) => return Some(Err(error.into())),
+            }
+        };
+        let field = |place: usize| line.split(',').nth(place).map(str::trim).unwrap_or_default();
+        for ((value, place), name) in self.values.iter_mut().zip(&self.places).zip(&self.names) {
+            match field(*place).parse().ok().filter(|v: &f64| v.is_finite()) {
+                Some(number) => *value = number,
+                None => {
+                    return Some(Err(Failure::Input(format!(
+                        "{}:{}: {name} = `{}` is not a finite number\n   allowed: a header line with {}, then numbers",
+                        self.source,
+                        self.line,
+                        field(*place),
+                        self.names.join(",")
+                    ))));
+                }
+            }
+        }
+        Some(Ok(&self.values))
+    }
+}

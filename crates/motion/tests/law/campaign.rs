@@ -1,0 +1,63 @@
+//! Random paths and limits by the ten thousand: limits hold, the end is reached exactly, nothing gets stuck.
+
+use crate::check::{check, check_ends};
+use crate::random::{Path, Uniform, path};
+use seamwright_motion::law::SpeedLaw;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Cases of a property test; `make soak` multiplies them.
+fn cases(usual: u32) -> u32 {
+    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
+}
+
+fn passes(path: &Path) {
+    let law = SpeedLaw::new(path).unwrap();
+    check_ends(path, &law);
+    let found = check(path, &law, 10);
+    assert!(found.used.iter().all(|u| *u <= 1.0 + 1e-9), "limits: {found:?}");
+    assert!(found.jump.iter().all(|j| *j <= 1e-9), "jumps: {found:?}");
+}
+
+/// Runs `count` paths of these sizes; which ones fail is said by their seeds.
+fn run(first: u32, count: u32, most_axes: u32, most_pieces: u32) {
+    let mut failed = Vec::new();
+    for seed in first..first + cases(count) {
+        let path = path(&mut Uniform::new(seed), most_axes, most_pieces);
+        if catch_unwind(AssertUnwindSafe(|| passes(&path))).is_err() {
+            failed.push(seed);
+        }
+    }
+    assert!(
+        failed.is_empty(),
+        "{} of {} failed, seeds {:?}",
+        failed.len(),
+        cases(count),
+        &failed[..failed.len().min(50)]
+    );
+}
+
+// In two halves, one for each core.
+#[test]
+fn smallest_paths() {
+    run(0, 7_000, 2, 1);
+}
+
+#[test]
+fn smallest_paths_more() {
+    run(50_000_000, 7_000, 2, 1);
+}
+
+#[test]
+fn small_paths() {
+    run(100_000_000, 4_900, 3, 2);
+}
+
+#[test]
+fn middling_paths() {
+    run(200_000_000, 1_000, 6, 4);
+}
+
+#[test]
+fn large_paths() {
+    run(300_000_000, 100, 10, 16);
+}

@@ -1,0 +1,87 @@
+"""Our speed law next to toppra's, on the paths of tests/data/path_timing.json.
+
+Speed and acceleration limits: our duration at 1000 cells must be within 0.1 % of toppra's on its finest grid. Both are timed
+in this run, each the least of several; ours with jerk limits too, which toppra has not. The aim of at least 50 times less
+time is printed, not enforced: a busy machine is no failure.
+
+Usage: toppra.py LAW_TIMES (the built example `law_times`)
+"""
+
+import json
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import toppra
+from scipy.interpolate import PPoly
+
+toppra.setup_logging("ERROR")
+ROOT = Path(__file__).resolve().parent.parent
+PATHS = json.loads((ROOT / "tests/data/path_timing.json").read_text())["paths"]
+TOLERANCE = 1e-3
+
+
+class Spline(toppra.interpolator.AbstractGeometricPath):
+    """Piecewise cubics given by their coefficients."""
+
+    def __init__(self, path):
+        # (segments, powers, axes) to (powers, segments, axes).
+        self.poly = PPoly(np.array(path["coefficients_highest_first"]).transpose(1, 0, 2), np.array(path["knots"]))
+
+    @property
+    def dof(self):
+        return self.poly.c.shape[2]
+
+    @property
+    def path_interval(self):
+        return np.array([self.poly.x[0], self.poly.x[-1]])
+
+    @property
+    def waypoints(self):
+        return None
+
+    def __call__(self, s, order=0):
+        return self.poly(s, order)
+
+
+def solve(path, count):
+    """Duration, and the least time of a few solutions."""
+    speed, acceleration = np.array(path["max_speed"]), np.array(path["max_acceleration"])
+    least, duration = float("inf"), None
+    for _ in range(3):
+        spline = Spline(path)
+        limits = [
+            toppra.constraint.JointVelocityConstraint(np.stack([-speed, speed], axis=1)),
+            toppra.constraint.JointAccelerationConstraint(
+                np.stack([-acceleration, acceleration], axis=1),
+                discretization_scheme=toppra.constraint.DiscretizationType.Interpolation,
+            ),
+        ]
+        grid = np.linspace(*spline.path_interval, count + 1)
+        begin = time.perf_counter()
+        solver = toppra.algorithm.TOPPRA(limits, spline, gridpoints=grid, solver_wrapper="seidel")
+        _, speeds, _ = solver.compute_parameterization(0, 0)
+        least = min(least, time.perf_counter() - begin)
+        duration = float(np.sum(2 * np.diff(grid) / (speeds[1:] + speeds[:-1])))
+    return duration, least
+
+
+ours = json.loads(subprocess.run([sys.argv[1]], check=True, capture_output=True, text=True).stdout)
+good = 0
+for number, (path, own) in enumerate(zip(PATHS, ours)):
+    best = path["duration_s_grid_4000"]
+    for count in (100, 1000):
+        duration, taken = solve(path, count)
+        mine = own[str(count)]
+        print(
+            f"path {number}, {len(path['max_speed'])} axes, N = {count}: toppra {duration:.4f} s in {1e3 * taken:.2f} ms; "
+            f"ours {mine['duration_s']:.4f} s in {1e3 * mine['time_s']:.3f} ms, {taken / mine['time_s']:.0f} times less; "
+            f"ours by the finest grid {100 * (mine['duration_s'] / best - 1):+.3f} %"
+        )
+    jerk = own["jerk"]
+    print(f"  with jerk limits, which toppra has not: {jerk['duration_s']:.4f} s in {1e3 * jerk['time_s']:.1f} ms ({own['jerk_cells']} cells)")
+    good += abs(own["1000"]["duration_s"] / best - 1) <= TOLERANCE
+print(f"{'ok' if good == len(PATHS) else 'FAILED'}: toppra: {good} of {len(PATHS)} durations within 0.1 % of its finest grid")
+sys.exit(0 if good == len(PATHS) else 1)
