@@ -6,7 +6,7 @@ use seamwright_machine::Joints;
 use seamwright_motion::pace::{Command, Pace, PassTimed, Played, Timed};
 
 /// Places looked at in a period.
-const PLACES: u32 = 4;
+const PLACES: u32 = 3;
 
 /// What was seen over runs.
 #[derive(Debug, Default, Clone, Copy)]
@@ -97,8 +97,8 @@ fn command(random: &mut Uniform, here: f64, length: f64) -> Command {
         4 => Command::Override(random.in_range(0.0, 1.0)),
         5 => Command::Override(random.in_range(1.0, 1.5)),
         6 => Command::Override(1.0),
-        7 => Command::StopAt((here + random.in_range(-5.0, 5.0)).clamp(0.0, length)),
-        _ => Command::StopAt(random.in_range(0.0, length)),
+        7 => Command::StopAt((here + random.in_range(-0.5, 0.5)).clamp(0.0, length)),
+        _ => Command::StopAt((here + random.in_range(-5.0, 5.0)).clamp(0.0, length)),
     }
 }
 
@@ -107,9 +107,9 @@ fn run(seed: u32, welds: &[(&Weld, PassTimed, PassTimed)]) -> Seen {
     let random = &mut Uniform::new(seed);
     let (weld, base, faster) = &welds[random.below(welds.len() as u32) as usize];
     let (back, duration) = (random.below(3) == 0, base.duration());
-    let away = random.in_range(0.0, duration.min(1.0));
+    let away = random.in_range(0.0, duration.min(0.4));
     let start = base.at(if back { away } else { duration - away }, false);
-    let period = random.in_range(0.001, 0.004);
+    let period = random.in_range(0.002, 0.004);
     let pace = Pace::new(&weld.limits(), period, base).unwrap().with_faster(faster, 1.5).unwrap();
     let pace = pace.from_place(start.tip.s.min(weld.length())).unwrap();
     let first = pace.earlier(0.0).rates.q;
@@ -117,7 +117,7 @@ fn run(seed: u32, welds: &[(&Weld, PassTimed, PassTimed)]) -> Seen {
     watched.pace.command(Command::Resume).unwrap();
     let mut given = format!("{}, seed {seed}, period {period}, from {}:", weld.name, start.tip.s);
     for _ in 0..1 + random.below(6) {
-        let periods = random.below(60);
+        let periods = random.below(30);
         let now = (0..periods).map(|_| watched.step()).last().unwrap_or_else(|| watched.pace.earlier(0.0));
         let command = command(random, now.rates.tip.s, weld.length());
         given += &format!(" {periods} {command:?}");
