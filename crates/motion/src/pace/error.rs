@@ -53,4 +53,10 @@ pub enum PaceError {
     /// Going on with an override of 0.
     #[error("the override is 0: set one above 0 before going on")]
     Zero,
+    /// Nothing moves although it should: the law's rates are no numbers there, or not within the limits.
+    #[error("the motion cannot go on at {s} mm: what the law asks for there is not within the axes' limits")]
+    Stuck {
+        /// Where it stands, mm.
+        s: f64,
+    },
 }

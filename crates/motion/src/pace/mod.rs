@@ -6,6 +6,7 @@
 mod control;
 mod course;
 mod error;
+mod order;
 mod pass;
 mod run;
 mod shield;
@@ -13,8 +14,9 @@ mod timed;
 
 pub use control::{Pace, Played};
 pub use error::PaceError;
+pub use order::{Instant, Order, RunPhase};
 pub use pass::PassTimed;
-pub use run::{Instant, Order, Run, RunPhase};
+pub use run::Run;
 pub use timed::{AxisLimits, Limits, Rates, Timed, Tip};
 
 /// What the pace shall do from the next period on.

@@ -1,54 +1,8 @@
 use super::control::{Pace, Played};
+use super::order::{Instant, Order, RunPhase};
 use super::timed::Timed;
 use super::{Command, PaceError};
 use seamwright_program::{AtHold, Sequence};
-
-/// What the operator asks for.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Order {
-    /// Part of the planned speed, 0 to 1, or up to 1.5 with a law for a greater speed. 0 holds.
-    Override(f64),
-    /// Stop on the path with the process as the sequence says.
-    Hold,
-    /// Start, or go on after a hold: with overlap, if the process was on.
-    Resume,
-    /// Stop, and go back along the path with the process off.
-    Reverse,
-    /// Weld on (or start) and hold at the next place.
-    Step,
-    /// Stop, switch the process off and end the run.
-    Abort,
-}
-
-/// What the process does at an instant of a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RunPhase {
-    /// At rest, process off, waiting for an order.
-    Held,
-    /// Gas flows at rest, nothing else.
-    Preflow,
-    /// The arc (or beam) is on and the torch rests before it travels.
-    TravelDelay,
-    /// The torch travels with the arc (or beam) on; it may be slowing down.
-    Travel,
-    /// The beam is off and the torch slows down.
-    RunOut,
-    /// The torch rests with the arc on.
-    Crater,
-    /// The arc (or beam) is off, gas still flows.
-    Postflow,
-    /// The torch moves along the path with everything off.
-    Move,
-    /// The run is over.
-    Ended,
-}
-
-impl RunPhase {
-    /// True if arc or beam is on.
-    pub fn arc(self) -> bool {
-        matches!(self, Self::TravelDelay | Self::Travel | Self::Crater)
-    }
-}
 
 /// What follows when the torch rests with the process off.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,15 +11,6 @@ enum Then {
     Back,
     Start { step: bool },
     End,
-}
-
-/// One instant of a run.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Instant {
-    /// What the process does from now on.
-    pub phase: RunPhase,
-    /// Where the axes shall be and how they move.
-    pub played: Played,
 }
 
 /// A pass that runs under an operator's orders: the pace with the process around it.
@@ -91,26 +36,47 @@ pub struct Run<'a, L: Timed + ?Sized> {
     /// Override asked for; moves with the process off are no faster than [`MOVE`].
     asked: f64,
     zero: bool,
+    /// True while a move heads for a place to stop at.
+    seeks: bool,
+    /// How often moves to one place have missed it.
+    missed: u32,
+    /// Periods that nothing has moved in although it should.
+    still: u64,
     last: Played,
 }
 
 /// Greatest pace of moves with the process off: at this pace a law at its limits leaves half of its accelerations and more
 /// of its jerks, so that a stop at a place always has room.
 const MOVE: f64 = 0.6;
+/// Overrides below it hold.
+const LEAST: f64 = 0.001;
+/// How long nothing may move that should, s: the search for a course pauses for a few periods at most.
+const PATIENCE: f64 = 0.1;
+/// Moves to one place, each at half the pace of the one before.
+const MOVES: u32 = 6;
 
 impl<'a, L: Timed + ?Sized> Run<'a, L> {
     /// A run of `pace` from where it stands, waiting for [`Order::Resume`] or [`Order::Step`]. Steps end at `places`
-    /// (mm, those on the path count). A pace that stands inside the path goes back by the overlap first.
+    /// (mm, those on the path count). A pace that stands inside the path goes back by the overlap first: with
+    /// [`Pace::from_place`] at [`Run::welded_to`] an aborted run goes on. A pace that moves is stopped first; one that
+    /// stands at the end leaves nothing to do, and the run has ended.
     pub fn new(mut pace: Pace<'a, L>, sequence: Sequence, places: &[f64]) -> Self {
         let mut places = places.to_vec();
         places.retain(|s| s.is_finite());
         places.sort_by(f64::total_cmp);
+        // Hold is always allowed.
+        pace.command(Command::Hold).ok();
         let last = pace.step();
+        let phase = match (pace.at_end(), pace.at_rest()) {
+            (true, _) => RunPhase::Ended,
+            (_, true) => RunPhase::Held,
+            _ => RunPhase::Move,
+        };
         Self {
             pace,
             sequence,
             places,
-            phase: RunPhase::Held,
+            phase,
             then: Then::Wait,
             stopping: false,
             stepping: false,
@@ -118,6 +84,9 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
             welded: last.rates.tip.s,
             asked: 1.0,
             zero: false,
+            seeks: false,
+            missed: 0,
+            still: 0,
             last,
         }
     }
@@ -139,7 +108,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
     /// An override that is not allowed; going on at an override of 0. Then everything goes on as before.
     pub fn order(&mut self, order: Order) -> Result<(), PaceError> {
         match order {
-            Order::Override(value) if value.abs() <= 0.0 => {
+            Order::Override(value) if (0.0..LEAST).contains(&value) => {
                 self.zero = true;
                 self.stop_for(Then::Wait);
                 return Ok(());
@@ -176,12 +145,9 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         match self.phase {
             RunPhase::Travel => {
                 self.stopping = true;
-                // Hold is always allowed.
-                self.pace.command(Command::Hold).ok();
+                self.halt();
             }
-            RunPhase::Move => {
-                self.pace.command(Command::Hold).ok();
-            }
+            RunPhase::Move => self.halt(),
             RunPhase::Preflow => self.rest(RunPhase::Postflow),
             RunPhase::TravelDelay => self.rest(RunPhase::Crater),
             RunPhase::Held => self.off_at_rest(),
@@ -202,7 +168,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
             RunPhase::Preflow | RunPhase::TravelDelay => self.stepping = step,
             RunPhase::Move => {
                 self.then = Then::Start { step };
-                self.pace.command(Command::Hold)?;
+                self.halt();
             }
             RunPhase::Held => {
                 self.then = Then::Start { step };
@@ -231,9 +197,10 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         self.places.iter().copied().find(|s| *s > here + 1e-9 && *s < self.pace.length())
     }
 
-    /// Moves without process at a pace that leaves room to stop anywhere.
+    /// Moves without process at a pace that leaves room to stop anywhere; slower if that was not enough.
     fn calm(&mut self) {
-        self.pace.command(Command::Override(self.asked.min(MOVE))).ok();
+        let pace = MOVE / f64::from(1u32 << self.missed.min(MOVES));
+        self.pace.command(Command::Override(self.asked.min(pace))).ok();
     }
 
     /// Begins a phase at rest.
@@ -252,10 +219,12 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
     /// Plays the next period.
     ///
     /// # Errors
-    /// None that orders can bring about: places come from the path itself.
+    /// [`PaceError::Stuck`] if the motion cannot go on: then the process goes off as at a hold, and the run waits, held.
+    /// Never with a law that is planned for the limits of the pace.
     pub fn step(&mut self) -> Result<Instant, PaceError> {
         let before = self.last.phi;
         self.last = self.pace.step();
+        self.watch()?;
         match self.phase {
             RunPhase::Held | RunPhase::Ended => {}
             RunPhase::Preflow | RunPhase::TravelDelay | RunPhase::Crater | RunPhase::Postflow => {
@@ -264,10 +233,40 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
             RunPhase::Travel => self.while_travelling(before),
             RunPhase::RunOut if self.pace.at_rest() => self.rest(RunPhase::Postflow),
             RunPhase::Move if self.pace.at_rest() => self.off_at_rest(),
+            RunPhase::Move if self.seeks && self.pace.stop().is_none() => self.miss()?,
             RunPhase::RunOut | RunPhase::Move => {}
         }
         self.pass_over()?;
         Ok(Instant { phase: self.phase, played: self.last })
+    }
+
+    /// Stops what should move and does not.
+    fn watch(&mut self) -> Result<(), PaceError> {
+        let moves = matches!(self.phase, RunPhase::Travel | RunPhase::RunOut | RunPhase::Move);
+        self.still = if moves && self.last.phi.abs() <= 0.0 { self.still + 1 } else { 0 };
+        if (self.still as f64) * self.pace.period() <= PATIENCE {
+            return Ok(());
+        }
+        self.still = 0;
+        self.stop_for(Then::Wait);
+        Err(PaceError::Stuck { s: self.last.rates.tip.s })
+    }
+
+    /// A move cannot stop at its place any more: it stops where it can and comes again, slower, a few times.
+    fn miss(&mut self) -> Result<(), PaceError> {
+        self.halt();
+        self.missed += 1;
+        if self.missed <= MOVES {
+            return Ok(());
+        }
+        (self.missed, self.then) = (0, Then::Wait);
+        Err(PaceError::Stuck { s: self.last.rates.tip.s })
+    }
+
+    /// Holds the pace, which is always allowed.
+    fn halt(&mut self) {
+        self.seeks = false;
+        self.pace.command(Command::Hold).ok();
     }
 
     fn while_travelling(&mut self, before: f64) {
@@ -330,14 +329,17 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
             }
             Then::Start { step } => {
                 let place = self.restart_place();
-                if (s - place).abs() <= 1e-9 {
-                    self.then = Then::Wait;
+                self.calm();
+                self.pace.command(Command::StopAt(place)).ok();
+                if (s - place).abs() <= 1e-9 || self.pace.at_rest() {
+                    (self.then, self.missed) = (Then::Wait, 0);
+                    self.halt();
                     self.stepping = step;
                     self.rest(RunPhase::Preflow);
                 } else {
                     self.phase = RunPhase::Move;
-                    self.calm();
-                    self.pace.command(Command::StopAt(place)).ok();
+                    // At both ends of the path it stops by itself.
+                    self.seeks = self.pace.stop().is_some();
                 }
             }
         }
