@@ -3,11 +3,7 @@
 mod pace_law;
 
 use pace_law::{Case, Uniform, cases};
-use seamwright_document::NonNegative;
-use seamwright_motion::pace::{
-    AxisLimits, Command, Instant, Limits, Order, Pace, PaceError, Played, Run, RunPhase, Timed,
-};
-use seamwright_program::{AtHold, Sequence};
+use seamwright_motion::pace::{AxisLimits, Command, Limits, Pace, PaceError, Played, Timed};
 
 const PERIOD: f64 = 0.002;
 /// Places looked at in a period.
@@ -290,79 +286,4 @@ fn bad_values_are_refused_and_change_nothing() {
         assert!(Limits::new(&[AxisLimits { speed: bad, acceleration: 1.0, jerk: 1.0 }]).is_err());
         assert!(Limits::new(&[AxisLimits { speed: 1.0, acceleration: 1.0, jerk: bad }]).is_err());
     }
-}
-
-fn sequence(at_hold: AtHold) -> Sequence {
-    let s = |v: f64| NonNegative::new(v).unwrap();
-    Sequence {
-        preflow_s: s(0.02),
-        travel_delay_s: s(0.03),
-        crater_s: s(0.04),
-        postflow_s: s(0.05),
-        overlap_mm: s(0.7),
-        at_hold,
-    }
-}
-
-/// Random orders: the arc rests only where it is meant to, the whole seam is welded, a beam never slows down to rest.
-#[test]
-fn runs_weld_the_whole_seam_and_never_burn_at_rest() {
-    let mut aborted = 0;
-    for seed in 0..cases(80) {
-        let random = &mut Uniform::new(90_000 + seed);
-        let at_hold = if random.below(2) == 0 { AtHold::Crater } else { AtHold::Off };
-        let case = Case::random(random);
-        let pace = Pace::new(&case.limits(), PERIOD, &case.base).unwrap();
-        let places = [0.3, 0.6].map(|part| part * case.base.length);
-        let mut run = Run::new(pace, sequence(at_hold), &places);
-        run.order(Order::Resume).unwrap();
-        let mut log: Vec<Instant> = vec![];
-        for k in 0..60_000 {
-            let i = run.step().unwrap();
-            log.push(i);
-            if i.phase == RunPhase::Ended {
-                break;
-            }
-            let late = k > 3000;
-            if late && i.phase == RunPhase::Held {
-                run.order(Order::Override(1.0)).unwrap();
-                run.order(Order::Resume).unwrap();
-            } else if !late && random.below(60) == 0 {
-                let orders = [Order::Hold, Order::Resume, Order::Reverse, Order::Step, Order::Override(0.0)];
-                let order = match random.below(120) {
-                    0 => Order::Abort,
-                    n if n % 6 == 5 => Order::Override(random.in_range(0.2, 1.0)),
-                    n => orders[(n % 6) as usize],
-                };
-                run.order(order).or_else(|e| if e == PaceError::Zero { Ok(()) } else { Err(e) }).unwrap();
-            }
-        }
-        assert_eq!(log.last().unwrap().phase, RunPhase::Ended, "seed {seed}");
-        let welded = welded(&log, at_hold, seed);
-        assert!((welded - run.welded_to()).abs() < 1e-9, "seed {seed}: {welded} {}", run.welded_to());
-        aborted += u32::from(welded < case.base.length - 1e-9);
-    }
-    assert!(aborted > 1, "{aborted}");
-}
-
-/// Path length welded without a gap; checks the phases on the way.
-fn welded(log: &[Instant], at_hold: AtHold, seed: u32) -> f64 {
-    let mut welded = 0.0f64;
-    for w in log.windows(2) {
-        let (s, v) = (w[1].played.rates.tip.s, w[1].played.rates.tip.v);
-        let here = format!("seed {seed}: {:?} to {:?} at {s}, speed {v:e}", w[0].phase, w[1].phase);
-        match w[1].phase {
-            RunPhase::Travel => {
-                assert!(v >= 0.0 && w[0].played.rates.tip.s <= welded + 1e-9, "gap, {here}");
-            }
-            RunPhase::RunOut => assert!(at_hold == AtHold::Off, "{here}"),
-            RunPhase::Move => {}
-            _ => assert!(v == 0.0, "moves, {here}"),
-        }
-        // What was on in the period that ends here.
-        if w[0].phase == RunPhase::Travel {
-            welded = welded.max(s);
-        }
-    }
-    welded
 }

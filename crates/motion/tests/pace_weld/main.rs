@@ -3,6 +3,7 @@
 #![allow(clippy::float_cmp, reason = "what rests does not move at all")]
 
 mod fuzz;
+mod orders;
 #[path = "../pace_law/mod.rs"]
 mod pace_law;
 mod rates;
