@@ -184,3 +184,49 @@ fn what_cannot_go_on_is_an_error_and_the_arc_goes_off() {
     }
     assert_eq!(stuck, 3);
 }
+
+/// It holds at the very place, or just behind one that is too near; what is welded already is refused.
+#[test]
+fn steps_to_places_hold_there() {
+    let (mut exact, mut steps) = (0, 0);
+    for seed in 0..cases(100) {
+        let random = &mut Uniform::new(60_000 + seed);
+        let case = Case::random(random);
+        let at_hold = if random.below(2) == 0 { AtHold::Crater } else { AtHold::Off };
+        let mut run = Run::new(Pace::new(&case.limits(), PERIOD, &case.base).unwrap(), sequence(at_hold), &[]);
+        let length = case.base.length;
+        let mut log = vec![run.now()];
+        for _ in 0..6 {
+            let welded = run.welded_to();
+            for bad in [f64::NAN, -1.0, welded, length + 1e-9] {
+                let error = run.order(Order::StepTo(bad));
+                assert!(matches!(error, Err(PaceError::StepTo { .. })), "seed {seed}: {bad} {error:?}");
+            }
+            let place = welded + random.in_range(0.0, 1.0) * (length - welded);
+            if run.order(Order::StepTo(place)).is_err() {
+                assert!(place <= welded + 1e-6);
+                continue;
+            }
+            for _ in 0..1 + random.below(200) {
+                log.push(run.step().unwrap());
+            }
+            // Once more from anywhere in the restart or the travel.
+            run.order(Order::StepTo(place)).ok();
+            while !matches!(log.last().unwrap().phase, RunPhase::Held | RunPhase::Ended) {
+                log.push(run.step().unwrap());
+                assert!(log.len() < 60_000, "seed {seed}: it goes on without end");
+            }
+            // A beam is off before.
+            let s = log.last().unwrap().played.rates.tip.s;
+            assert!(run.welded_to() >= welded && (s - place).abs() < 0.3 * length, "seed {seed}: {s} {place}");
+            exact += u32::from((s - place).abs() < 1e-9);
+            steps += 1;
+            if log.last().unwrap().phase == RunPhase::Ended {
+                break;
+            }
+        }
+        assert!((welded(0.0, &log, at_hold, seed) - run.welded_to()).abs() < 1e-9, "seed {seed}");
+    }
+    println!("{exact} of {steps} steps are exact");
+    assert!(exact > steps * 9 / 10 && steps > 3 * cases(100), "{exact} of {steps}");
+}

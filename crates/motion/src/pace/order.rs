@@ -14,6 +14,8 @@ pub enum Order {
     Reverse,
     /// Weld on (or start) and hold at the next place.
     Step,
+    /// Weld on (or start) and hold at path length s (mm), beyond what is welded; as soon as can be if that is too near.
+    StepTo(f64),
     /// Stop, switch the process off and end the run.
     Abort,
 }

@@ -1,16 +1,26 @@
+mod take;
+
 use super::control::{Pace, Played};
-use super::order::{Instant, Order, RunPhase};
+use super::order::{Instant, RunPhase};
 use super::timed::Timed;
 use super::{Command, PaceError};
 use seamwright_program::{AtHold, Sequence};
 
 /// What follows when the torch rests with the process off.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Then {
     Wait,
     Back,
-    Start { step: bool },
+    Start(Goal),
     End,
+}
+
+/// How far to weld.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Goal {
+    End,
+    NextPlace,
+    Place(f64),
 }
 
 /// A pass that runs under an operator's orders: the pace with the process around it.
@@ -28,7 +38,7 @@ pub struct Run<'a, L: Timed + ?Sized> {
     then: Then,
     /// True while the torch is to stop with the process on.
     stopping: bool,
-    stepping: bool,
+    goal: Goal,
     /// Periods left in a phase at rest.
     left: u64,
     /// Path length welded to, mm.
@@ -48,8 +58,8 @@ pub struct Run<'a, L: Timed + ?Sized> {
 /// Greatest pace of moves with the process off: at this pace a law at its limits leaves half of its accelerations and more
 /// of its jerks, so that a stop at a place always has room.
 const MOVE: f64 = 0.6;
-/// Overrides below it hold.
-const LEAST: f64 = 0.001;
+/// Places nearer to each other than this are one to a step, mm.
+const NEAR: f64 = 1e-6;
 /// How long nothing may move that should, s: the search for a course pauses for a few periods at most.
 const PATIENCE: f64 = 0.1;
 /// Moves to one place, each at half the pace of the one before.
@@ -79,7 +89,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
             phase,
             then: Then::Wait,
             stopping: false,
-            stepping: false,
+            goal: Goal::End,
             left: 0,
             welded: last.rates.tip.s,
             asked: 1.0,
@@ -96,101 +106,28 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         self.welded
     }
 
+    /// What it does just now.
+    pub fn now(&self) -> Instant {
+        Instant { phase: self.phase, played: self.last }
+    }
+
     /// What is played in the period last played, `before` s before its end.
     pub fn earlier(&self, before: f64) -> Played {
         self.pace.earlier(before)
     }
 
-    /// Takes an order; it works from the next period on. Orders after the end, or while the end of the pass is being
-    /// filled, have no effect; after an abort only its completion follows.
-    ///
-    /// # Errors
-    /// An override that is not allowed; going on at an override of 0. Then everything goes on as before.
-    pub fn order(&mut self, order: Order) -> Result<(), PaceError> {
-        match order {
-            Order::Override(value) if (0.0..LEAST).contains(&value) => {
-                self.zero = true;
-                self.stop_for(Then::Wait);
-                return Ok(());
-            }
-            Order::Override(value) => {
-                self.pace.command(Command::Override(value))?;
-                (self.asked, self.zero) = (value, false);
-                if self.phase == RunPhase::Move {
-                    self.calm();
-                }
-                return Ok(());
-            }
-            Order::Resume | Order::Step if self.zero => return Err(PaceError::Zero),
-            Order::Hold => self.stop_for(Then::Wait),
-            Order::Reverse => self.stop_for(Then::Back),
-            Order::Abort => self.stop_for(Then::End),
-            Order::Resume => self.go(false)?,
-            Order::Step => self.go(true)?,
-        }
-        Ok(())
-    }
-
-    /// True if no order can change what comes any more.
-    fn closed(&self) -> bool {
-        self.phase == RunPhase::Ended || self.then == Then::End
-    }
-
-    /// Stops, if anything moves, and does `then` when the torch rests with the process off.
-    fn stop_for(&mut self, then: Then) {
-        if self.closed() {
-            return;
-        }
-        self.then = then;
-        match self.phase {
-            RunPhase::Travel => {
-                self.stopping = true;
-                self.halt();
-            }
-            RunPhase::Move => self.halt(),
-            RunPhase::Preflow => self.rest(RunPhase::Postflow),
-            RunPhase::TravelDelay => self.rest(RunPhase::Crater),
-            RunPhase::Held => self.off_at_rest(),
-            RunPhase::RunOut | RunPhase::Crater | RunPhase::Postflow | RunPhase::Ended => {}
-        }
-    }
-
-    fn go(&mut self, step: bool) -> Result<(), PaceError> {
-        if self.closed() {
-            return Ok(());
-        }
-        match self.phase {
-            // Still welding: it only has to go on.
-            RunPhase::Travel => {
-                self.then = Then::Wait;
-                self.travel(step)?;
-            }
-            RunPhase::Preflow | RunPhase::TravelDelay => self.stepping = step,
-            RunPhase::Move => {
-                self.then = Then::Start { step };
-                self.halt();
-            }
-            RunPhase::Held => {
-                self.then = Then::Start { step };
-                self.off_at_rest();
-            }
-            RunPhase::RunOut | RunPhase::Crater | RunPhase::Postflow => self.then = Then::Start { step },
-            RunPhase::Ended => {}
-        }
-        Ok(())
-    }
-
-    /// Travels with the process on, to the end or to the next place.
-    fn travel(&mut self, step: bool) -> Result<(), PaceError> {
+    /// Travels with the process on, as far as asked.
+    fn travel(&mut self, goal: Goal) -> Result<(), PaceError> {
         self.pace.command(Command::Override(self.asked))?;
         self.phase = RunPhase::Travel;
         self.stopping = false;
-        self.stepping = step;
-        let here = self.last.rates.tip.s.max(self.welded);
-        match self.next_place(here).filter(|_| step) {
-            Some(place) => self.pace.command(Command::StopAt(place)),
-            None => self.pace.command(Command::Resume),
-        }
+        self.goal = goal;
+        let place = match goal {
+            Goal::End => None,
+            Goal::NextPlace => self.next_place(self.last.rates.tip.s.max(self.welded)),
+            Goal::Place(s) => Some(s),
+        };
+        self.pace.command(place.map_or(Command::Resume, Command::StopAt))
     }
 
     fn next_place(&self, here: f64) -> Option<f64> {
@@ -237,7 +174,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
             RunPhase::RunOut | RunPhase::Move => {}
         }
         self.pass_over()?;
-        Ok(Instant { phase: self.phase, played: self.last })
+        Ok(self.now())
     }
 
     /// Stops what should move and does not.
@@ -252,8 +189,13 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         Err(PaceError::Stuck { s: self.last.rates.tip.s })
     }
 
-    /// A move cannot stop at its place any more: it stops where it can and comes again, slower, a few times.
+    /// A move has given up its place. If that is still ahead it may hold now; else it stops where it can and comes again,
+    /// slower, a few times.
     fn miss(&mut self) -> Result<(), PaceError> {
+        let place = self.restart_place();
+        if (place - self.last.rates.tip.s) * self.last.phi > 0.0 {
+            return self.pace.command(Command::StopAt(place));
+        }
         self.halt();
         self.missed += 1;
         if self.missed <= MOVES {
@@ -282,12 +224,25 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
             let slows = self.stopping || self.pace.stop().is_some_and(|(_, begun)| begun);
             if slows && self.sequence.at_hold == AtHold::Off && self.last.phi < before {
                 self.phase = RunPhase::RunOut;
-            } else if self.stepping && !self.stopping && self.pace.stop().is_none() {
-                // The place was too near: the one after.
-                if let Some(place) = self.next_place(s + 1e-6) {
-                    self.pace.command(Command::StopAt(place)).ok();
-                }
+            } else if !self.stopping && self.pace.stop().is_none() {
+                self.after_missed_place(s);
             }
+        }
+    }
+
+    /// The place to stop at has been given up, if there was one: while it is ahead a stop may hold now, then the one after
+    /// counts, or as soon as can be.
+    fn after_missed_place(&mut self, s: f64) {
+        let next = match self.goal {
+            Goal::End => return,
+            Goal::NextPlace => self.next_place(s + NEAR),
+            Goal::Place(place) if place >= self.pace.length() => return,
+            Goal::Place(place) => Some(place).filter(|place| *place > s + NEAR),
+        };
+        match (next, self.goal) {
+            (Some(place), _) => self.pace.command(Command::StopAt(place)).unwrap_or_default(),
+            (None, Goal::Place(_)) => self.stop_for(Then::Wait),
+            (None, _) => {}
         }
     }
 
@@ -296,7 +251,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         while self.left == 0 {
             match self.phase {
                 RunPhase::Preflow => self.rest(RunPhase::TravelDelay),
-                RunPhase::TravelDelay => return self.travel(self.stepping),
+                RunPhase::TravelDelay => return self.travel(self.goal),
                 RunPhase::Crater => self.rest(RunPhase::Postflow),
                 RunPhase::Postflow => {
                     self.off_at_rest();
@@ -327,14 +282,14 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
                 self.calm();
                 self.pace.command(Command::Reverse).ok();
             }
-            Then::Start { step } => {
+            Then::Start(goal) => {
                 let place = self.restart_place();
                 self.calm();
                 self.pace.command(Command::StopAt(place)).ok();
                 if (s - place).abs() <= 1e-9 || self.pace.at_rest() {
                     (self.then, self.missed) = (Then::Wait, 0);
                     self.halt();
-                    self.stepping = step;
+                    self.goal = goal;
                     self.rest(RunPhase::Preflow);
                 } else {
                     self.phase = RunPhase::Move;
