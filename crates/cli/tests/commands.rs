@@ -12,8 +12,10 @@ fn commanded(job: &str, commands: &str, more: &[&str]) -> Output {
     run(&[&["motion", &example(job), "--period-ms", "4", "--commands", &file], more].concat())
 }
 
+type Table = (Vec<String>, Vec<Vec<f64>>);
+
 /// Its table, the column of phases, and what was said beside.
-fn ran(job: &str, commands: &str) -> ((Vec<String>, Vec<Vec<f64>>), Vec<String>, String) {
+fn ran(job: &str, commands: &str) -> (Table, Vec<String>, String) {
     let output = commanded(job, commands, &[]);
     let (text, note) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
     assert_eq!(output.status.code(), Some(0), "{note}");
