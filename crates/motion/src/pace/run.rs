@@ -66,7 +66,7 @@ const PATIENCE: f64 = 0.1;
 const MOVES: u32 = 6;
 
 impl<'a, L: Timed + ?Sized> Run<'a, L> {
-    /// A run of `pace` from where it stands, waiting for [`Order::Resume`] or [`Order::Step`]. Steps end at `places`
+    /// A run of `pace` from where it stands, waiting for [`super::Order::Resume`] or [`super::Order::Step`]. Steps end at `places`
     /// (mm, those on the path count). A pace that stands inside the path goes back by the overlap first: with
     /// [`Pace::from_place`] at [`Run::welded_to`] an aborted run goes on. A pace that moves is stopped first; one that
     /// stands at the end leaves nothing to do, and the run has ended.
