@@ -28,7 +28,7 @@ pub(crate) struct TuneArgs {
     /// Only this axis
     #[arg(long, value_name = "NAME")]
     pub(crate) axis: Option<String>,
-    /// Folder for tuning.toml and a Bode plot of each axis, bode-<axis>.svg; made if missing
+    /// Folder for tuning.toml and a Bode plot of each axis, bode-AXIS.svg; made if missing
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
     /// JSON instead of a table

@@ -9,12 +9,12 @@ use crate::rows::{Cell, Rows};
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine};
-use seamwright_motion::law::LawStream;
+use seamwright_motion::law::{LawPoint, LawStream};
 use seamwright_motion::taught::{Corner, TaughtPath};
 use seamwright_program::Finding;
 use std::cell::RefCell;
 use std::fs::File;
-use std::io::{self, BufRead, BufReader};
+use std::io::{self, BufRead, BufReader, Write as _};
 
 const PLACE: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 const POSE: [&str; 6] = ["x_mm", "y_mm", "z_mm", "ax", "ay", "az"];
@@ -52,35 +52,59 @@ pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
     columns.push("speed_mm_s".to_owned());
     let mut rows = Rows::new(columns, args.json)?;
     let law = LawStream::new(path, window).map_err(|e| Failure::Input(format!("{source}: {e}")))?;
-    play(&machine, &source, law, period, &mut rows)?;
+    play(&machine, &source, law, (speed, period), &mut rows)?;
     rows.finish()?;
     failed.take().map_or(Ok(()), Err)
 }
 
-/// Writes a row a period, until the first one at or after the end.
+/// Writes a row a period, until the first one at or after the end; then a summary to standard error.
 fn play<I: Iterator<Item = Joints>>(
     machine: &Machine,
     source: &str,
     mut law: LawStream<TaughtPath<'_, I>>,
-    period: f64,
+    (speed, period): (f64, f64),
     rows: &mut Rows,
 ) -> Result<(), Failure> {
     let mut cells = Vec::new();
+    let (mut way, mut last, mut fastest) = (0.0, 0.0, 0.0f64);
     for k in 0u64.. {
         let t = k as f64 * period;
-        let point = law.at(t).map_err(|e| Failure::Input(format!("{source}: {e}")))?;
-        let p = point.unwrap_or_else(|| law.end());
-        let q = law.path().position(p.s);
+        // The tip's way is the integral of its speed, by Simpson's rule.
+        let between = if k > 0 { tip(&mut law, source, t - 0.5 * period)?.1 } else { 0.0 };
+        let (point, now) = tip(&mut law, source, t)?;
+        way += period / 6.0 * (last + 4.0 * between + now);
+        (last, fastest) = (now, fastest.max(now));
+        let q = law.path().position(point.unwrap_or_else(|| law.end()).s);
         cells.clear();
-        cells.extend([Cell::Number(t), Cell::Number(p.s)]);
+        cells.extend([Cell::Number(t), Cell::Number(way)]);
         cells.extend(machine.axes.iter().zip(&q).map(|(axis, q)| Cell::Number(axis.to_file(*q))));
-        cells.push(Cell::Number(law.path().tip_rate(p.s) * p.v));
+        cells.push(Cell::Number(now));
         rows.row(&cells)?;
         if point.is_none() {
             break;
         }
     }
+    let mut told = format!("{:.3} s, {way:.3} mm, fastest {fastest:.3} mm/s", law.duration().unwrap_or_default());
+    if fastest < 0.999 * speed {
+        told +=
+            &format!("; the {speed} mm/s asked for are never reached: the axes' limits or the way's length forbid it");
+    }
+    if law.stops() > 0 {
+        told += &format!("; {} stops to plan ahead: a longer --window-s would avoid them", law.stops());
+    }
+    // Nothing can be done if standard error is closed.
+    let _ = writeln!(io::stderr(), "{told}");
     Ok(())
+}
+
+/// The law at time `t`, and how fast the tip is then (mm/s).
+fn tip<I: Iterator<Item = Joints>>(
+    law: &mut LawStream<TaughtPath<'_, I>>,
+    source: &str,
+    t: f64,
+) -> Result<(Option<LawPoint>, f64), Failure> {
+    let point = law.at(t).map_err(|e| Failure::Input(format!("{source}: {e}")))?;
+    Ok((point, point.map_or(0.0, |p| law.path().tip_rate(p.s) * p.v)))
 }
 
 /// Axis positions of the rows of a file, each nearest to the one before; ends at the first that is no good.

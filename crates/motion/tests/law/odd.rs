@@ -63,7 +63,7 @@ fn tiny_displacements_and_near_duplicate_way_points() {
         let mut points: Vec<Vec<f64>> = Vec::new();
         for _ in 0..axes {
             let mut at = random.in_range(-3.0, 3.0);
-            let step = |i: usize| if far && i % 2 == 0 { 1.0 } else { tiny };
+            let step = |i: usize| if far && i.is_multiple_of(2) { 1.0 } else { tiny };
             points.push(
                 (0..count)
                     .map(|i| {

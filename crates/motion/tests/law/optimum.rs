@@ -22,14 +22,14 @@ fn excess(path: &Path, duration: f64, start: impl Fn(f64) -> f64) -> f64 {
             (at(2.0) - 3.0 * at(1.0) + 3.0 * at(0.0) - at(-1.0)) / h.powi(3)
         })
         .collect();
-    let (mut now, mut damping) = (Excess::new(path, duration, &jerk, true), 1e-3);
+    let (mut now, mut damping) = (Excess::new(path, duration, &jerk), 1e-3);
     for _ in 0..150 {
         if now.worst < FOUND || damping > 1e9 {
             break;
         }
         let step = now.step(damping);
         let next: Vec<f64> = jerk.iter().zip(&step).map(|(j, s)| j + s).collect();
-        let then = Excess::new(path, duration, &next, true);
+        let then = Excess::new(path, duration, &next);
         if then.sum < now.sum {
             (jerk, now, damping) = (next, then, damping * 0.3);
         } else {
@@ -50,15 +50,14 @@ struct Excess {
 }
 
 impl Excess {
-    fn new(path: &Path, duration: f64, jerk: &[f64], slopes: bool) -> Self {
+    fn new(path: &Path, duration: f64, jerk: &[f64]) -> Self {
         let (h, (from, to)) = (duration / STEPS as f64, path.range());
         let length = to - from;
         let scale = length / duration.powi(3);
         let mut built = Self { sum: 0.0, worst: 0.0, matrix: vec![0.0; STEPS * STEPS], right: vec![0.0; STEPS], scale };
         let mut q = vec![[0.0; 3]; path.limits().len()];
         let (mut s, mut v, mut a) = (from, 0.0, 0.0);
-        for k in 0..STEPS {
-            let j = jerk[k];
+        for (k, &j) in jerk.iter().enumerate() {
             // At its start with this step's jerk, at its end too.
             for (end, t) in [(false, 0.0), (true, h)] {
                 let (s, v, a) = (s + t * (v + t * (a / 2.0 + t * j / 6.0)), v + t * (a + t * j / 2.0), a + t * j);
@@ -66,7 +65,7 @@ impl Excess {
                 let count = if end { k + 1 } else { k };
                 let mut beyond = |value: f64, by: [f64; 4]| {
                     if value.abs() > 1.0 {
-                        built.add(value.abs() - 1.0, by.map(|x| x * value.signum()), k, count, h, slopes);
+                        built.add(value.abs() - 1.0, by.map(|x| x * value.signum()), k, count, h);
                     }
                 };
                 for ([q1, q2, q3], l) in q.iter().zip(path.limits()) {
@@ -78,7 +77,7 @@ impl Excess {
                     beyond(value / l.jerk, by.map(|x| x / l.jerk));
                 }
                 if v < 0.0 {
-                    built.add(-v * duration / length, [0.0, -duration / length, 0.0, 0.0], k, count, h, slopes);
+                    built.add(-v * duration / length, [0.0, -duration / length, 0.0, 0.0], k, count, h);
                 }
             }
             (s, v, a) = (s + h * (v + h * (a / 2.0 + h * j / 6.0)), v + h * (a + h * j / 2.0), a + h * j);
@@ -90,18 +89,15 @@ impl Excess {
             (v * one, [0.0, one, 0.0, 0.0]),
             (a * two, [0.0, 0.0, two, 0.0]),
         ] {
-            built.add(10.0 * value, by.map(|x| 10.0 * x), STEPS - 1, STEPS, h, slopes);
+            built.add(10.0 * value, by.map(|x| 10.0 * x), STEPS - 1, STEPS, h);
         }
         built
     }
 
     /// Adds an excess with its slopes by parameter, speed, acceleration and jerk after `count` steps, in step `own`.
-    fn add(&mut self, value: f64, by: [f64; 4], own: usize, count: usize, h: f64, slopes: bool) {
+    fn add(&mut self, value: f64, by: [f64; 4], own: usize, count: usize, h: f64) {
         self.sum += value * value;
         self.worst = self.worst.max(value.abs());
-        if !slopes {
-            return;
-        }
         let mut row = [0.0; STEPS];
         for (m, row) in row.iter_mut().enumerate().take(count) {
             // The jerk of step m lasts h and ends `rest` before.

@@ -1,0 +1,27 @@
+//! Cost of the speed law along the reference splines: with limits of jerk (aim: 30 ms for 7 axes), and without them over
+//! 1000 cells (aim: 0.3 ms).
+
+#![allow(missing_docs, reason = "the benchmark macros make public items")]
+
+#[path = "../tests/law/curves.rs"]
+#[allow(dead_code, unreachable_pub, reason = "it has more kinds of paths")]
+mod curves;
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use curves::Spline;
+use seamwright_motion::law::{Channels, SpeedLaw};
+use std::hint::black_box;
+
+fn laws(c: &mut Criterion) {
+    for (name, jerk) in [("without jerk", f64::INFINITY), ("with jerk", 10.0)] {
+        for (i, (spline, _)) in Spline::reference(jerk).iter().enumerate() {
+            let axes = spline.limits().len();
+            c.bench_function(&format!("law {name}, path {i} of {axes} axes"), |b| {
+                b.iter(|| black_box(SpeedLaw::new(black_box(spline)).map(|law| law.duration())));
+            });
+        }
+    }
+}
+
+criterion_group!(group, laws);
+criterion_main!(group);
