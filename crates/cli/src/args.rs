@@ -117,7 +117,9 @@ pub(crate) enum ExportArg {
     after_help = "Examples:
   seamwright motion examples/ellipse.toml --period-ms 10 > set-points.csv
   seamwright motion examples/saddle.toml --period-ms 0.1 --coarse-ms 10 > fine.csv
-  seamwright motion examples/saddle.toml --period-ms 10 --export spline1 > spline1.csv"
+  seamwright motion examples/saddle.toml --period-ms 10 --export spline1 > spline1.csv
+  printf 't_s,command,value\\n8,override,60\\n12,hold,\\n20,resume,\\n' > commands.csv
+  seamwright motion examples/saddle.toml --commands commands.csv > run.csv"
 )]
 pub(crate) struct MotionArgs {
     /// Job or program file
@@ -132,6 +134,10 @@ pub(crate) struct MotionArgs {
     /// Set-points for a control that joins them by a fine level of its own
     #[arg(long, value_enum, conflicts_with = "coarse_ms")]
     pub(crate) export: Option<ExportArg>,
+    /// The run under an operator's commands from this CSV: t_s,command,value, where command is override (value: percent,
+    /// 0 to 150), hold, resume, reverse, step (value: mm to weld) or abort
+    #[arg(long, value_name = "FILE.csv", conflicts_with_all = ["coarse_ms", "export"])]
+    pub(crate) commands: Option<PathBuf>,
     /// Also the air moves from home to the first weld and from the last back home
     #[arg(long)]
     pub(crate) air: bool,

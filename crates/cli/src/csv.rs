@@ -1,7 +1,7 @@
 use crate::failure::Failure;
 use std::io::{BufRead, Lines};
 
-/// Rows of numbers from CSV with a header line; columns in any order, others ignored. One line at a time is kept.
+/// Rows of numbers (or texts) from CSV with a header line; columns in any order, others ignored. One line at a time is kept.
 pub(crate) struct CsvReader<R> {
     source: String,
     lines: Lines<R>,
@@ -41,28 +41,46 @@ impl<R: BufRead> CsvReader<R> {
         self.line
     }
 
-    /// The next row, if there is one; empty lines are passed over.
-    pub(crate) fn row(&mut self) -> Option<Result<&[f64], Failure>> {
-        let line = loop {
+    /// The next line that is not empty, if there is one.
+    fn next_line(&mut self) -> Option<Result<String, Failure>> {
+        loop {
             self.line += 1;
             match self.lines.next()? {
                 Ok(line) if line.trim().is_empty() => {}
-                Ok(line) => break line,
+                Ok(line) => return Some(Ok(line)),
                 Err(error) => return Some(Err(error.into())),
             }
+        }
+    }
+
+    /// The next row as texts, empty where the line has no such column.
+    pub(crate) fn texts(&mut self) -> Option<Result<Vec<String>, Failure>> {
+        let line = match self.next_line()? {
+            Ok(line) => line,
+            Err(failure) => return Some(Err(failure)),
+        };
+        let field = |place: &usize| line.split(',').nth(*place).map(str::trim).unwrap_or_default().to_owned();
+        Some(Ok(self.places.iter().map(field).collect()))
+    }
+
+    /// What is wrong in a column of the line read last, and what is allowed there.
+    pub(crate) fn error(&self, column: &str, value: &str, wrong: &str, allowed: &str) -> Failure {
+        Failure::Input(format!("{}:{}: {column} = `{value}` {wrong}\n   allowed: {allowed}", self.source, self.line))
+    }
+
+    /// The next row, if there is one; empty lines are passed over.
+    pub(crate) fn row(&mut self) -> Option<Result<&[f64], Failure>> {
+        let line = match self.next_line()? {
+            Ok(line) => line,
+            Err(failure) => return Some(Err(failure)),
         };
         let field = |place: usize| line.split(',').nth(place).map(str::trim).unwrap_or_default();
         for ((value, place), name) in self.values.iter_mut().zip(&self.places).zip(&self.names) {
             match field(*place).parse().ok().filter(|v: &f64| v.is_finite()) {
                 Some(number) => *value = number,
                 None => {
-                    return Some(Err(Failure::Input(format!(
-                        "{}:{}: {name} = `{}` is not a finite number\n   allowed: a header line with {}, then numbers",
-                        self.source,
-                        self.line,
-                        field(*place),
-                        self.names.join(",")
-                    ))));
+                    let allowed = format!("a header line with {}, then numbers", self.names.join(","));
+                    return Some(Err(self.error(name, field(*place), "is not a finite number", &allowed)));
                 }
             }
         }

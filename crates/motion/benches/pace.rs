@@ -1,4 +1,4 @@
-//! Cost of a period: while nothing changes (aim: a few microseconds) and while the pace changes (aim: tens).
+//! Cost of a period: while nothing changes (aim: a few microseconds) and while the pace changes (aim: tens); the same of a run on a real weld.
 
 #![allow(missing_docs, reason = "the benchmark macros make public items")]
 
@@ -6,8 +6,13 @@
 mod pace_law;
 
 use criterion::{Criterion, criterion_group, criterion_main};
+use pace_law::orders::sequence;
 use pace_law::{Case, Uniform};
-use seamwright_motion::pace::{Command, Pace};
+use seamwright_machine::{Machine, shipped};
+use seamwright_motion::PassMotion;
+use seamwright_motion::pace::{Command, Limits, Order, Pace, Run, RunPhase};
+use seamwright_program::AtHold;
+use seamwright_weld::Welding;
 use std::hint::black_box;
 
 fn benches(c: &mut Criterion) {
@@ -42,5 +47,43 @@ fn benches(c: &mut Criterion) {
     });
 }
 
-criterion_group!(group, benches);
+/// One step of a run along the example saddle, on its machine with four axes.
+fn runs(c: &mut Criterion) {
+    let welding = Welding::read("saddle", include_str!("../../../examples/saddle.toml")).unwrap();
+    let program = &welding.program.value;
+    let machine = Machine::read("m", shipped(&program.machine).unwrap().text).unwrap();
+    let motion = PassMotion::plan(&machine, &welding.path(0), &program.passes[0], 1).unwrap();
+    let (law, limits) = (motion.timed(), Limits::of(&machine));
+    let fresh = || {
+        let mut run = Run::new(Pace::new(&limits, 1e-3, &law).unwrap(), sequence(AtHold::Crater), &[]);
+        run.order(Order::Resume).unwrap();
+        run
+    };
+    let mut run = fresh();
+    c.bench_function("step of a run, welding", |b| {
+        b.iter(|| {
+            if run.now().phase == RunPhase::Ended {
+                run = fresh();
+            }
+            black_box(run.step().unwrap())
+        });
+    });
+    let mut run = fresh();
+    let mut periods = 0usize;
+    c.bench_function("step of a run, orders every 20", |b| {
+        b.iter(|| {
+            if run.now().phase == RunPhase::Ended {
+                run = fresh();
+            }
+            periods += 1;
+            if periods.is_multiple_of(20) {
+                let orders = [Order::Override(0.4), Order::Resume, Order::Override(1.0), Order::Hold, Order::Resume];
+                run.order(orders[periods / 20 % orders.len()]).unwrap();
+            }
+            black_box(run.step().unwrap())
+        });
+    });
+}
+
+criterion_group!(group, benches, runs);
 criterion_main!(group);

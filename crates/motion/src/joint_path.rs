@@ -98,7 +98,7 @@ impl JointPath {
     }
 
     /// The panel at `s`: the later one where two meet, unless `before`.
-    fn panel(&self, s: f64, before: bool) -> usize {
+    pub(crate) fn panel(&self, s: f64, before: bool) -> usize {
         let after = |p: &Panel| if before { p.start < s } else { p.start <= s };
         self.panels.partition_point(after).saturating_sub(1)
     }
@@ -163,8 +163,14 @@ impl JointPath {
     pub fn point(&self, s: f64, before: bool) -> JointPoint {
         let i = self.panel(s, before);
         let panel = self.panels[i];
+        self.point_in(i, s.clamp(panel.start, panel.end))
+    }
+
+    /// The same from panel `i`, continued where `s` is beyond its ends by rounding.
+    pub(crate) fn point_in(&self, i: usize, s: f64) -> JointPoint {
+        let panel = self.panels[i];
         let scale = 2.0 / (panel.end - panel.start);
-        let table = chebyshev(panel.local(s));
+        let table = chebyshev(scale * (s - panel.start) - 1.0);
         let mut p = [Joints::default(); 4];
         for (b, block) in self.blocks[i * self.blocks_a_panel..][..self.blocks_a_panel].iter().enumerate() {
             let mut sums = [[0.0; LANES]; 4];

@@ -10,13 +10,15 @@ const JUMP: f64 = 1e-3;
 pub(crate) struct PassChannels<'a> {
     path: &'a JointPath,
     pass: &'a Pass,
+    /// How many times the pass' speeds are asked for.
+    times: f64,
     limits: Vec<Limits>,
     breaks: Vec<f64>,
     stops: Vec<f64>,
 }
 
 impl<'a> PassChannels<'a> {
-    pub(crate) fn new(machine: &Machine, path: &'a JointPath, pass: &'a Pass) -> Self {
+    pub(crate) fn new(machine: &Machine, path: &'a JointPath, pass: &'a Pass, times: f64) -> Self {
         let limits: Vec<Limits> = machine.axes.iter().map(limits).collect();
         let length = path.length();
         let mut breaks = path.edges();
@@ -24,7 +26,7 @@ impl<'a> PassChannels<'a> {
         breaks.retain(|s| *s > 0.0 && *s < length);
         breaks.sort_by(f64::total_cmp);
         breaks.dedup_by(|a, b| *a - *b < 1e-9 * length);
-        let mut built = Self { path, pass, limits, breaks, stops: Vec::new() };
+        let mut built = Self { path, pass, times, limits, breaks, stops: Vec::new() };
         built.stops = built.breaks.iter().copied().filter(|s| built.is_corner(*s)).collect();
         built
     }
@@ -62,7 +64,7 @@ impl Channels for PassChannels<'_> {
     }
 
     fn asked(&self, s: f64) -> f64 {
-        self.pass.span_at(s).map_or(f64::INFINITY, |span| span.speed_mm_s.get())
+        self.pass.span_at(s).map_or(f64::INFINITY, |span| self.times * span.speed_mm_s.get())
     }
 
     fn breaks(&self) -> Vec<f64> {

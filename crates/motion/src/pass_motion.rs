@@ -1,6 +1,7 @@
 use crate::follower::Follower;
 use crate::law::{Certificate, LawError};
 use crate::limits::{never_reached, speed_findings};
+use crate::pace::PassTimed;
 use crate::pass_channels::PassChannels;
 use crate::redundancy::{Clearance, resolve};
 use crate::set_points::SetPoints;
@@ -76,7 +77,7 @@ impl PassMotion {
             findings.extend(range_on_path(machine, &joints, number));
         }
         let asked = |s: f64| pass.span_at(s).map_or(0.0, |span| span.speed_mm_s.get());
-        let channels = PassChannels::new(machine, &joints, pass);
+        let channels = PassChannels::new(machine, &joints, pass, 1.0);
         let law = match SpeedLaw::new(&channels) {
             Ok(law) => law,
             Err(error) => {
@@ -116,6 +117,20 @@ impl PassMotion {
     /// Time the arc (or beam) is on, s.
     pub fn arc_on_s(&self) -> f64 {
         self.sequence.travel_delay_s.get() + self.law.duration() + self.sequence.crater_s.get()
+    }
+
+    /// The motion in time, to be played at another pace.
+    pub fn timed(&self) -> PassTimed<'_> {
+        PassTimed::new(&self.path, &self.law)
+    }
+
+    /// The law along the same path for `factor` times the speeds that `pass` asks for, slower where `machine` cannot keep
+    /// them: overrides above 1 play it.
+    ///
+    /// # Errors
+    /// A factor that is not finite and above zero; none else, since the path has a law already.
+    pub fn faster(&self, machine: &Machine, pass: &Pass, factor: f64) -> Result<SpeedLaw, LawError> {
+        SpeedLaw::new(&PassChannels::new(machine, &self.path, pass, factor))
     }
 
     /// The set-points every `period` s, from the first gas to the last.

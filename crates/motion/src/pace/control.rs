@@ -1,26 +1,14 @@
+mod search;
+
 use super::course::{Course, State};
-use super::shield::{Breach, Shield};
+use super::shield::Shield;
 use super::timed::{Limits, Pacing, Rates, Timed};
 use super::{Command, PaceError};
 
 /// Greatest override.
 const GREATEST: f64 = 1.5;
-/// Courses tried in a period; if none holds, the one before goes on.
-const ATTEMPTS: usize = 8;
-/// Periods before looking again when none held.
-const PAUSE: u32 = 2;
-/// A stop that may take this much longer than the axes need at least is not looked at yet.
-const FAR: f64 = 3.0;
 /// Most of what the axes allow that a course uses on its way back to steady: laws change while it is under way.
 const BOLDEST: f64 = 0.98;
-/// Paces this near to each other are the same.
-const NEAR: f64 = 1e-15;
-/// A border this near in the law's time is passed, s.
-const BEYOND: f64 = 1e-9;
-/// Longest time to wait for a border, s.
-const LONGEST_DELAY: f64 = 0.2;
-/// Durations of a hop that are tried, each twice the one before.
-const HOPS: u32 = 12;
 /// Rounding of a pace, as when one law takes over from another.
 const ROUNDING: f64 = 1e-12;
 
@@ -271,149 +259,6 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
         let rates = law.at(theta, state.pace.phi > 0.0);
         let rates = rates.paced(self.shield.limits.0.len(), state.pace);
         Played { theta, phi: state.pace.phi, faster: self.on_faster, rates }
-    }
-
-    /// Looks for a better course than the one that is followed.
-    fn decide(&mut self, now: State, goal: f64) {
-        if self.stop.is_some_and(|s| s.begun) {
-            return;
-        }
-        let place = self.stop.map(|s| s.theta);
-        let follows = self.follows(now, goal);
-        if place.is_none() && (follows || self.pause > 0) {
-            self.pause = self.pause.saturating_sub(1);
-            return;
-        }
-        let rates = self.law().at(now.theta, now.pace.phi < 0.0);
-        let strength = self.shield.strength(&rates);
-        let (mut part, mut delay) = (1.0, 0.0);
-        for _ in 0..ATTEMPTS {
-            let back = strength * self.boldness;
-            let Some(course) = self.candidate(now, goal, &rates, (delay, back), part) else { break };
-            let checked = self.check(&course, place);
-            match checked {
-                Ok(course) => {
-                    self.follow(course);
-                    self.boldness = (self.boldness * 1.25).min(BOLDEST);
-                    return;
-                }
-                // The law's own jerk leaves no room for the way back: that can wait until the jerk jumps.
-                Err(breach) if breach.jerk && breach.segment > 0 && delay <= 0.0 => {
-                    delay = self.delay(&course, breach.t);
-                }
-                Err(breach) if breach.jerk && breach.segment > 0 => {
-                    self.boldness = (self.boldness * 0.6).max(1e-3);
-                    (part, delay) = (part * 0.8, 0.0);
-                }
-                Err(_) => part *= 0.4,
-            }
-        }
-        // Nothing holds just now: looks again a little later.
-        self.pause = PAUSE;
-        if let Some(place) = place {
-            self.wait_or_stop(place);
-        }
-    }
-
-    /// How long after its first period a course must go straight on to be past the border after its time `t`, s.
-    fn delay(&self, course: &Course, t: f64) -> f64 {
-        let at = course.at(t);
-        let forward = at.pace.phi > 0.0;
-        // A border that it is at already is not the next one.
-        let past = at.theta + if forward { BEYOND } else { -BEYOND };
-        let border = self.law().next_border(past, forward);
-        let wait = t - self.period + (border - at.theta) / at.pace.phi;
-        // Beyond all sense it is better to try less.
-        if wait.is_finite() && wait > 0.0 && wait < LONGEST_DELAY { wait + 0.5 * self.period } else { self.period }
-    }
-
-    /// True if the course followed already ends at the goal, and heading there again would hardly be quicker.
-    fn follows(&self, now: State, goal: f64) -> bool {
-        let ends = (self.course.steady - goal).abs() <= 0.0;
-        let left = self.course.duration() - self.elapsed;
-        let rates = self.law().at(now.theta, now.pace.phi < 0.0);
-        ends && left <= now.pace.d1.abs() / (self.shield.strength(&rates) * self.boldness) + 2.0 * self.period
-    }
-
-    /// The course that heads for the goal for one period, as fast as the axes allow here (or `part` of that), and then
-    /// back to steady `home` (after a delay, and how strongly), so that it does not end beyond the goal.
-    fn candidate(&self, now: State, goal: f64, rates: &Rates, home: (f64, f64), part: f64) -> Option<Course> {
-        let (delay, back) = home;
-        let (period, Pacing { phi, d1, .. }) = (self.period, now.pace);
-        // Where d1 must be at the end of the period to come out at the goal exactly.
-        let way = goal - phi - 0.5 * period * d1;
-        let straight = 0.5 * period + delay;
-        let root = (straight * straight + 2.0 * way.abs() / back).sqrt() - straight;
-        let exact = (back * root).copysign(way);
-        let next = self.law().at(now.theta + phi * period, phi > 0.0);
-        let steepest = self.shield.accelerations(&next, phi + period * d1);
-        let range = self.shield.jerks(rates, now.pace);
-        let wanted = (exact - d1) / period;
-        let d2 = wanted.clamp(range.0.min(0.0), range.1.max(0.0));
-        let d2 = (d1 + d2 * period).clamp(steepest.0.min(0.0), steepest.1.max(0.0)) / period - d1 / period;
-        let cut = (d2 - wanted).abs() > 1e-9 * back || part < 1.0;
-        // A part of the way from going back to steady at once.
-        let straight_home = -back.min(d1.abs() / period).copysign(d1);
-        let d2 = if part < 1.0 { straight_home + part * (d2 - straight_home) } else { d2 };
-        let course = Course::heading(now, d2, period, home, (!cut).then_some(goal));
-        (course.steady.abs() <= 1.0 && self.better(&course, phi, goal)).then_some(course)
-    }
-
-    /// True if a course from pace `phi` comes out nearer to the goal than the one followed, or as near and sooner; not
-    /// beyond the goal if that can be helped: a hold does not go back.
-    fn better(&self, course: &Course, phi: f64, goal: f64) -> bool {
-        let beyond = |end: f64| (end - goal) * (phi - goal) < 0.0;
-        if beyond(course.steady) && !beyond(self.course.cruise()) {
-            return false;
-        }
-        if self.stop.is_some() {
-            return (course.steady - goal).abs() <= (self.course.cruise() - goal).abs() + NEAR;
-        }
-        let gained = (self.course.steady - goal).abs() - (course.steady - goal).abs();
-        let sooner = course.duration() < self.course.duration() - self.elapsed;
-        gained > NEAR || (gained > -NEAR && sooner)
-    }
-
-    /// The course if it holds; with a stop at `place` added if that is not far.
-    fn check(&self, course: &Course, place: Option<f64>) -> Result<Course, Breach> {
-        let mut course = course.clone();
-        if let Some(place) = place {
-            let end = course.end();
-            let way = (place - end.theta) / end.pace.phi;
-            if self.course.stop.is_some() || way <= FAR * self.shield.stop_time(end.pace.phi) + 4.0 * self.period {
-                course = course.with_stop(place).ok_or(Breach { t: 0.0, segment: 0, jerk: false })?;
-            }
-        }
-        self.shield.check(self.law(), &course).map(|()| course)
-    }
-
-    /// No quicker course can stop at `place`: waits a period at a steady pace if it can stop after that, else stops now;
-    /// a place that cannot be stopped at any more is given up.
-    fn wait_or_stop(&mut self, place: f64) {
-        if let Some(rest) = self.course.rest_before_stop(self.elapsed)
-            && let Ok(course) = self.check(&rest.then_steady(self.period), Some(place))
-        {
-            self.follow(course);
-        } else if self.course.stop.is_some() {
-            self.stop = self.stop.map(|s| Stop { begun: true, ..s });
-        } else if self.now().pace.phi.abs() > 0.0 {
-            self.stop = None;
-        } else {
-            self.hop(place);
-        }
-    }
-
-    /// From standing to a place so near that there is no steady pace between: up and down, as quickly as holds.
-    fn hop(&mut self, place: f64) {
-        let here = self.now().theta;
-        for doublings in 0..HOPS {
-            let hop = Course::hop(here, place, self.period * f64::from(1 << doublings));
-            if hop.peak() <= 1.0 && self.shield.check(self.law(), &hop).is_ok() {
-                self.follow(hop);
-                self.stop = self.stop.map(|s| Stop { begun: true, ..s });
-                return;
-            }
-        }
     }
 
     fn follow(&mut self, course: Course) {

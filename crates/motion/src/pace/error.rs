@@ -50,7 +50,23 @@ pub enum PaceError {
         /// The value given.
         value: f64,
     },
+    /// A step to a place that is welded already, or off the path.
+    #[error("a step must end beyond {welded} mm, where the seam is welded to, and at most at {length} mm, not {value}")]
+    StepTo {
+        /// The value given, mm.
+        value: f64,
+        /// Path length welded to, mm.
+        welded: f64,
+        /// Length of the path, mm.
+        length: f64,
+    },
     /// Going on with an override of 0.
     #[error("the override is 0: set one above 0 before going on")]
     Zero,
+    /// Nothing moves although it should: the law's rates are no numbers there, or not within the limits.
+    #[error("the motion cannot go on at {s} mm: what the law asks for there is not within the axes' limits")]
+    Stuck {
+        /// Where it stands, mm.
+        s: f64,
+    },
 }

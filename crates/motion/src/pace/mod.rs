@@ -6,13 +6,17 @@
 mod control;
 mod course;
 mod error;
+mod order;
+mod pass;
 mod run;
 mod shield;
 mod timed;
 
 pub use control::{Pace, Played};
 pub use error::PaceError;
-pub use run::{Instant, Order, Run, RunPhase};
+pub use order::{Instant, Order, RunPhase};
+pub use pass::PassTimed;
+pub use run::Run;
 pub use timed::{AxisLimits, Limits, Rates, Timed, Tip};
 
 /// What the pace shall do from the next period on.

@@ -1,71 +1,26 @@
+mod take;
+
 use super::control::{Pace, Played};
+use super::order::{Instant, RunPhase};
 use super::timed::Timed;
 use super::{Command, PaceError};
 use seamwright_program::{AtHold, Sequence};
 
-/// What the operator asks for.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Order {
-    /// Part of the planned speed, 0 to 1, or up to 1.5 with a law for a greater speed. 0 holds.
-    Override(f64),
-    /// Stop on the path with the process as the sequence says.
-    Hold,
-    /// Start, or go on after a hold: with overlap, if the process was on.
-    Resume,
-    /// Stop, and go back along the path with the process off.
-    Reverse,
-    /// Weld on (or start) and hold at the next place.
-    Step,
-    /// Stop, switch the process off and end the run.
-    Abort,
-}
-
-/// What the process does at an instant of a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RunPhase {
-    /// At rest, process off, waiting for an order.
-    Held,
-    /// Gas flows at rest, nothing else.
-    Preflow,
-    /// The arc (or beam) is on and the torch rests before it travels.
-    TravelDelay,
-    /// The torch travels with the arc (or beam) on; it may be slowing down.
-    Travel,
-    /// The beam is off and the torch slows down.
-    RunOut,
-    /// The torch rests with the arc on.
-    Crater,
-    /// The arc (or beam) is off, gas still flows.
-    Postflow,
-    /// The torch moves along the path with everything off.
-    Move,
-    /// The run is over.
-    Ended,
-}
-
-impl RunPhase {
-    /// True if arc or beam is on.
-    pub fn arc(self) -> bool {
-        matches!(self, Self::TravelDelay | Self::Travel | Self::Crater)
-    }
-}
-
 /// What follows when the torch rests with the process off.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Then {
     Wait,
     Back,
-    Start { step: bool },
+    Start(Goal),
     End,
 }
 
-/// One instant of a run.
+/// How far to weld.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Instant {
-    /// What the process does from now on.
-    pub phase: RunPhase,
-    /// Where the axes shall be and how they move.
-    pub played: Played,
+enum Goal {
+    End,
+    NextPlace,
+    Place(f64),
 }
 
 /// A pass that runs under an operator's orders: the pace with the process around it.
@@ -83,7 +38,7 @@ pub struct Run<'a, L: Timed + ?Sized> {
     then: Then,
     /// True while the torch is to stop with the process on.
     stopping: bool,
-    stepping: bool,
+    goal: Goal,
     /// Periods left in a phase at rest.
     left: u64,
     /// Path length welded to, mm.
@@ -91,33 +46,57 @@ pub struct Run<'a, L: Timed + ?Sized> {
     /// Override asked for; moves with the process off are no faster than [`MOVE`].
     asked: f64,
     zero: bool,
+    /// True while a move heads for a place to stop at.
+    seeks: bool,
+    /// How often moves to one place have missed it.
+    missed: u32,
+    /// Periods that nothing has moved in although it should.
+    still: u64,
     last: Played,
 }
 
 /// Greatest pace of moves with the process off: at this pace a law at its limits leaves half of its accelerations and more
 /// of its jerks, so that a stop at a place always has room.
 const MOVE: f64 = 0.6;
+/// Places nearer to each other than this are one to a step, mm.
+const NEAR: f64 = 1e-6;
+/// How long nothing may move that should, s: the search for a course pauses for a few periods at most.
+const PATIENCE: f64 = 0.1;
+/// Moves to one place, each at half the pace of the one before.
+const MOVES: u32 = 6;
 
 impl<'a, L: Timed + ?Sized> Run<'a, L> {
-    /// A run of `pace` from where it stands, waiting for [`Order::Resume`] or [`Order::Step`]. Steps end at `places`
-    /// (mm, those on the path count). A pace that stands inside the path goes back by the overlap first.
+    /// A run of `pace` from where it stands, waiting for [`super::Order::Resume`] or [`super::Order::Step`]. Steps end at `places`
+    /// (mm, those on the path count). A pace that stands inside the path goes back by the overlap first: with
+    /// [`Pace::from_place`] at [`Run::welded_to`] an aborted run goes on. A pace that moves is stopped first; one that
+    /// stands at the end leaves nothing to do, and the run has ended.
     pub fn new(mut pace: Pace<'a, L>, sequence: Sequence, places: &[f64]) -> Self {
         let mut places = places.to_vec();
         places.retain(|s| s.is_finite());
         places.sort_by(f64::total_cmp);
+        // Hold is always allowed.
+        pace.command(Command::Hold).ok();
         let last = pace.step();
+        let phase = match (pace.at_end(), pace.at_rest()) {
+            (true, _) => RunPhase::Ended,
+            (_, true) => RunPhase::Held,
+            _ => RunPhase::Move,
+        };
         Self {
             pace,
             sequence,
             places,
-            phase: RunPhase::Held,
+            phase,
             then: Then::Wait,
             stopping: false,
-            stepping: false,
+            goal: Goal::End,
             left: 0,
             welded: last.rates.tip.s,
             asked: 1.0,
             zero: false,
+            seeks: false,
+            missed: 0,
+            still: 0,
             last,
         }
     }
@@ -127,113 +106,38 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         self.welded
     }
 
+    /// What it does just now.
+    pub fn now(&self) -> Instant {
+        Instant { phase: self.phase, played: self.last }
+    }
+
     /// What is played in the period last played, `before` s before its end.
     pub fn earlier(&self, before: f64) -> Played {
         self.pace.earlier(before)
     }
 
-    /// Takes an order; it works from the next period on. Orders after the end, or while the end of the pass is being
-    /// filled, have no effect; after an abort only its completion follows.
-    ///
-    /// # Errors
-    /// An override that is not allowed; going on at an override of 0. Then everything goes on as before.
-    pub fn order(&mut self, order: Order) -> Result<(), PaceError> {
-        match order {
-            Order::Override(value) if value.abs() <= 0.0 => {
-                self.zero = true;
-                self.stop_for(Then::Wait);
-                return Ok(());
-            }
-            Order::Override(value) => {
-                self.pace.command(Command::Override(value))?;
-                (self.asked, self.zero) = (value, false);
-                if self.phase == RunPhase::Move {
-                    self.calm();
-                }
-                return Ok(());
-            }
-            Order::Resume | Order::Step if self.zero => return Err(PaceError::Zero),
-            Order::Hold => self.stop_for(Then::Wait),
-            Order::Reverse => self.stop_for(Then::Back),
-            Order::Abort => self.stop_for(Then::End),
-            Order::Resume => self.go(false)?,
-            Order::Step => self.go(true)?,
-        }
-        Ok(())
-    }
-
-    /// True if no order can change what comes any more.
-    fn closed(&self) -> bool {
-        self.phase == RunPhase::Ended || self.then == Then::End
-    }
-
-    /// Stops, if anything moves, and does `then` when the torch rests with the process off.
-    fn stop_for(&mut self, then: Then) {
-        if self.closed() {
-            return;
-        }
-        self.then = then;
-        match self.phase {
-            RunPhase::Travel => {
-                self.stopping = true;
-                // Hold is always allowed.
-                self.pace.command(Command::Hold).ok();
-            }
-            RunPhase::Move => {
-                self.pace.command(Command::Hold).ok();
-            }
-            RunPhase::Preflow => self.rest(RunPhase::Postflow),
-            RunPhase::TravelDelay => self.rest(RunPhase::Crater),
-            RunPhase::Held => self.off_at_rest(),
-            RunPhase::RunOut | RunPhase::Crater | RunPhase::Postflow | RunPhase::Ended => {}
-        }
-    }
-
-    fn go(&mut self, step: bool) -> Result<(), PaceError> {
-        if self.closed() {
-            return Ok(());
-        }
-        match self.phase {
-            // Still welding: it only has to go on.
-            RunPhase::Travel => {
-                self.then = Then::Wait;
-                self.travel(step)?;
-            }
-            RunPhase::Preflow | RunPhase::TravelDelay => self.stepping = step,
-            RunPhase::Move => {
-                self.then = Then::Start { step };
-                self.pace.command(Command::Hold)?;
-            }
-            RunPhase::Held => {
-                self.then = Then::Start { step };
-                self.off_at_rest();
-            }
-            RunPhase::RunOut | RunPhase::Crater | RunPhase::Postflow => self.then = Then::Start { step },
-            RunPhase::Ended => {}
-        }
-        Ok(())
-    }
-
-    /// Travels with the process on, to the end or to the next place.
-    fn travel(&mut self, step: bool) -> Result<(), PaceError> {
+    /// Travels with the process on, as far as asked.
+    fn travel(&mut self, goal: Goal) -> Result<(), PaceError> {
         self.pace.command(Command::Override(self.asked))?;
         self.phase = RunPhase::Travel;
         self.stopping = false;
-        self.stepping = step;
-        let here = self.last.rates.tip.s.max(self.welded);
-        match self.next_place(here).filter(|_| step) {
-            Some(place) => self.pace.command(Command::StopAt(place)),
-            None => self.pace.command(Command::Resume),
-        }
+        self.goal = goal;
+        let place = match goal {
+            Goal::End => None,
+            Goal::NextPlace => self.next_place(self.last.rates.tip.s.max(self.welded)),
+            Goal::Place(s) => Some(s),
+        };
+        self.pace.command(place.map_or(Command::Resume, Command::StopAt))
     }
 
     fn next_place(&self, here: f64) -> Option<f64> {
         self.places.iter().copied().find(|s| *s > here + 1e-9 && *s < self.pace.length())
     }
 
-    /// Moves without process at a pace that leaves room to stop anywhere.
+    /// Moves without process at a pace that leaves room to stop anywhere; slower if that was not enough.
     fn calm(&mut self) {
-        self.pace.command(Command::Override(self.asked.min(MOVE))).ok();
+        let pace = MOVE / f64::from(1u32 << self.missed.min(MOVES));
+        self.pace.command(Command::Override(self.asked.min(pace))).ok();
     }
 
     /// Begins a phase at rest.
@@ -252,10 +156,12 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
     /// Plays the next period.
     ///
     /// # Errors
-    /// None that orders can bring about: places come from the path itself.
+    /// [`PaceError::Stuck`] if the motion cannot go on: then the process goes off as at a hold, and the run waits, held.
+    /// Never with a law that is planned for the limits of the pace.
     pub fn step(&mut self) -> Result<Instant, PaceError> {
         let before = self.last.phi;
         self.last = self.pace.step();
+        self.watch()?;
         match self.phase {
             RunPhase::Held | RunPhase::Ended => {}
             RunPhase::Preflow | RunPhase::TravelDelay | RunPhase::Crater | RunPhase::Postflow => {
@@ -264,10 +170,45 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
             RunPhase::Travel => self.while_travelling(before),
             RunPhase::RunOut if self.pace.at_rest() => self.rest(RunPhase::Postflow),
             RunPhase::Move if self.pace.at_rest() => self.off_at_rest(),
+            RunPhase::Move if self.seeks && self.pace.stop().is_none() => self.miss()?,
             RunPhase::RunOut | RunPhase::Move => {}
         }
         self.pass_over()?;
-        Ok(Instant { phase: self.phase, played: self.last })
+        Ok(self.now())
+    }
+
+    /// Stops what should move and does not.
+    fn watch(&mut self) -> Result<(), PaceError> {
+        let moves = matches!(self.phase, RunPhase::Travel | RunPhase::RunOut | RunPhase::Move);
+        self.still = if moves && self.last.phi.abs() <= 0.0 { self.still + 1 } else { 0 };
+        if (self.still as f64) * self.pace.period() <= PATIENCE {
+            return Ok(());
+        }
+        self.still = 0;
+        self.stop_for(Then::Wait);
+        Err(PaceError::Stuck { s: self.last.rates.tip.s })
+    }
+
+    /// A move has given up its place. If that is still ahead it may hold now; else it stops where it can and comes again,
+    /// slower, a few times.
+    fn miss(&mut self) -> Result<(), PaceError> {
+        let place = self.restart_place();
+        if (place - self.last.rates.tip.s) * self.last.phi > 0.0 {
+            return self.pace.command(Command::StopAt(place));
+        }
+        self.halt();
+        self.missed += 1;
+        if self.missed <= MOVES {
+            return Ok(());
+        }
+        (self.missed, self.then) = (0, Then::Wait);
+        Err(PaceError::Stuck { s: self.last.rates.tip.s })
+    }
+
+    /// Holds the pace, which is always allowed.
+    fn halt(&mut self) {
+        self.seeks = false;
+        self.pace.command(Command::Hold).ok();
     }
 
     fn while_travelling(&mut self, before: f64) {
@@ -283,12 +224,25 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
             let slows = self.stopping || self.pace.stop().is_some_and(|(_, begun)| begun);
             if slows && self.sequence.at_hold == AtHold::Off && self.last.phi < before {
                 self.phase = RunPhase::RunOut;
-            } else if self.stepping && !self.stopping && self.pace.stop().is_none() {
-                // The place was too near: the one after.
-                if let Some(place) = self.next_place(s + 1e-6) {
-                    self.pace.command(Command::StopAt(place)).ok();
-                }
+            } else if !self.stopping && self.pace.stop().is_none() {
+                self.after_missed_place(s);
             }
+        }
+    }
+
+    /// The place to stop at has been given up, if there was one: while it is ahead a stop may hold now, then the one after
+    /// counts, or as soon as can be.
+    fn after_missed_place(&mut self, s: f64) {
+        let next = match self.goal {
+            Goal::End => return,
+            Goal::NextPlace => self.next_place(s + NEAR),
+            Goal::Place(place) if place >= self.pace.length() => return,
+            Goal::Place(place) => Some(place).filter(|place| *place > s + NEAR),
+        };
+        match (next, self.goal) {
+            (Some(place), _) => self.pace.command(Command::StopAt(place)).unwrap_or_default(),
+            (None, Goal::Place(_)) => self.stop_for(Then::Wait),
+            (None, _) => {}
         }
     }
 
@@ -297,7 +251,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         while self.left == 0 {
             match self.phase {
                 RunPhase::Preflow => self.rest(RunPhase::TravelDelay),
-                RunPhase::TravelDelay => return self.travel(self.stepping),
+                RunPhase::TravelDelay => return self.travel(self.goal),
                 RunPhase::Crater => self.rest(RunPhase::Postflow),
                 RunPhase::Postflow => {
                     self.off_at_rest();
@@ -328,16 +282,19 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
                 self.calm();
                 self.pace.command(Command::Reverse).ok();
             }
-            Then::Start { step } => {
+            Then::Start(goal) => {
                 let place = self.restart_place();
-                if (s - place).abs() <= 1e-9 {
-                    self.then = Then::Wait;
-                    self.stepping = step;
+                self.calm();
+                self.pace.command(Command::StopAt(place)).ok();
+                if (s - place).abs() <= 1e-9 || self.pace.at_rest() {
+                    (self.then, self.missed) = (Then::Wait, 0);
+                    self.halt();
+                    self.goal = goal;
                     self.rest(RunPhase::Preflow);
                 } else {
                     self.phase = RunPhase::Move;
-                    self.calm();
-                    self.pace.command(Command::StopAt(place)).ok();
+                    // At both ends of the path it stops by itself.
+                    self.seeks = self.pace.stop().is_some();
                 }
             }
         }

@@ -1,6 +1,6 @@
 use super::PaceError;
 use arrayvec::ArrayVec;
-use seamwright_machine::{Joints, MAX_AXES};
+use seamwright_machine::{Axis, Joints, MAX_AXES, Machine};
 
 /// A motion in time that can be played at another pace.
 ///
@@ -89,6 +89,12 @@ pub struct AxisLimits {
 pub struct Limits(pub(crate) ArrayVec<AxisLimits, MAX_AXES>);
 
 impl Limits {
+    /// What the axes of `machine` allow, as motions are planned with it.
+    pub fn of(machine: &Machine) -> Self {
+        let limits = |a: &Axis| AxisLimits { speed: a.max_speed, acceleration: a.max_acceleration, jerk: a.jerk() };
+        Self(machine.axes.iter().map(limits).collect())
+    }
+
     /// Limits of the axes in the machine's order.
     ///
     /// # Errors

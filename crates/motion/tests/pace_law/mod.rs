@@ -2,6 +2,8 @@
 
 #![allow(dead_code, unreachable_pub, reason = "each user has its own part")]
 
+pub mod orders;
+
 use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 use seamwright_machine::Joints;

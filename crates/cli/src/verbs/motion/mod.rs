@@ -1,5 +1,7 @@
 //! The timed set-points: exact ones, fine ones by way of coarse ones, or coarse ones for a control with a fine level.
 
+mod commands;
+mod run;
 mod table;
 mod two_level;
 
@@ -17,6 +19,9 @@ pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
         Some(ms) => positive("--period-ms", ms)? * 1e-3,
         None => loaded.machine.servo_period_s,
     };
+    if let Some(file) = &args.commands {
+        return run::run(&loaded, &commands::read(file)?, period, args);
+    }
     let parts = args.coarse_ms.map(|coarse| parts(coarse, period)).transpose()?;
     let motion = loaded.plan()?;
     loaded.check_count(&motion, period)?;

@@ -1,0 +1,98 @@
+//! An operator's commands from a file.
+
+use crate::csv::CsvReader;
+use crate::failure::Failure;
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+
+const COLUMNS: [&str; 3] = ["t_s", "command", "value"];
+/// Overrides below it hold, percent.
+pub(super) const LEAST_OVERRIDE: f64 = 0.1;
+
+/// What an operator may command.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Command {
+    /// Percent of the planned speed.
+    Override(f64),
+    Hold,
+    Resume,
+    Reverse,
+    /// Weld on by so many mm and hold.
+    Step(f64),
+    Abort,
+}
+
+/// A command and when it is given, s from the first set-point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Timed {
+    pub(super) t: f64,
+    pub(super) command: Command,
+}
+
+/// Reads commands in the order of time.
+pub(super) fn read(file: &Path) -> Result<Vec<Timed>, Failure> {
+    let source = file.display().to_string();
+    let input = File::open(file).map_err(|e| Failure::Input(format!("{source}: cannot be read: {e}")))?;
+    parse(&source, BufReader::new(input))
+}
+
+fn parse(source: &str, input: impl BufRead) -> Result<Vec<Timed>, Failure> {
+    let (mut reader, _) = CsvReader::open(source, input, &[&COLUMNS])?;
+    let mut all: Vec<Timed> = Vec::new();
+    let mut stopped = false;
+    while let Some(row) = reader.texts() {
+        let row = row?;
+        let [time, name, value] = [&row[0], &row[1], &row[2]];
+        let last = all.last().map_or(0.0, |c| c.t);
+        let t = number(time).filter(|t| *t >= last).ok_or_else(|| {
+            let allowed = format!("a finite number of seconds, at least {last}: rows come in the order of time");
+            reader.error("t_s", time, "is not allowed", &allowed)
+        })?;
+        let command = command(name, value).map_err(|wrong| match wrong {
+            Wrong::Command => {
+                reader.error("command", name, "is no command", "override, hold, resume, reverse, step, abort")
+            }
+            Wrong::Value(allowed) => reader.error("value", value, &format!("does not go with {name}"), allowed),
+        })?;
+        match command {
+            Command::Override(percent) => stopped = percent < LEAST_OVERRIDE,
+            Command::Resume | Command::Step(_) if stopped => {
+                let allowed = format!("an override of at least {LEAST_OVERRIDE} percent before it");
+                return Err(reader.error("command", name, "cannot go on at an override of 0", &allowed));
+            }
+            _ => {}
+        }
+        all.push(Timed { t, command });
+    }
+    Ok(all)
+}
+
+/// What is wrong with a row: the command, or its value (with what is allowed).
+enum Wrong {
+    Command,
+    Value(&'static str),
+}
+
+fn command(name: &str, value: &str) -> Result<Command, Wrong> {
+    let plain = match name {
+        "override" => {
+            let percent = number(value).filter(|v| (0.0..=150.0).contains(v));
+            return percent.map(Command::Override).ok_or(Wrong::Value("0 to 150 percent"));
+        }
+        "step" => {
+            let mm = number(value).filter(|v| *v >= 0.001);
+            return mm.map(Command::Step).ok_or(Wrong::Value("a finite number of mm, at least 0.001"));
+        }
+        "hold" => Command::Hold,
+        "resume" => Command::Resume,
+        "reverse" => Command::Reverse,
+        "abort" => Command::Abort,
+        _ => return Err(Wrong::Command),
+    };
+    if value.is_empty() { Ok(plain) } else { Err(Wrong::Value("nothing")) }
+}
+
+fn number(text: &str) -> Option<f64> {
+    text.parse().ok().filter(|v: &f64| v.is_finite())
+}

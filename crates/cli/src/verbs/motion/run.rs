@@ -1,0 +1,226 @@
+//! The motion as it runs under an operator's commands.
+
+use super::commands::{Command, LEAST_OVERRIDE, Timed};
+use crate::args::MotionArgs;
+use crate::failure::Failure;
+use crate::load::Loaded;
+use crate::rows::{Cell, Rows};
+use crate::verbs::simulate::{process_names, process_value};
+use seamwright_machine::Joints;
+use seamwright_motion::pace::{Instant, Limits, Order, Pace, PaceError, Run, RunPhase};
+use seamwright_motion::{PassMotion, SpeedLaw, Stage};
+use seamwright_program::{Finding, Pass};
+use std::io::Write;
+
+/// Greatest override, for which a law of its own is planned if it is asked for.
+const FASTER: f64 = 1.5;
+
+/// Plays all stages under `commands`, one set-point every `period` s, and writes them.
+pub(super) fn run(loaded: &Loaded, commands: &[Timed], period: f64, args: &MotionArgs) -> Result<(), Failure> {
+    if !(0.00025..=0.004).contains(&period) {
+        let ms = period * 1e3;
+        return Err(Failure::Input(format!("--period-ms {ms}: not allowed with --commands\n   allowed: 0.25 to 4")));
+    }
+    let motion = loaded.plan()?;
+    loaded.check_count(&motion, period)?;
+    let mut player = Player::new(loaded, commands, period, args.json)?;
+    for stage in motion.stages(args.air) {
+        match stage {
+            Stage::Pass(i, pass) => player.pass(i, pass)?,
+            Stage::Air(air) => {
+                for k in 0..air.count(period) {
+                    let Some((leg, t)) = air.leg(k as f64 * period) else { break };
+                    player.wait_in_air();
+                    player.row(&Point { pass: 0, s: f64::NAN, speed: f64::NAN, q: leg.at_time(t), phase: None })?;
+                }
+            }
+        }
+        if player.over {
+            break;
+        }
+    }
+    player.rows.finish()
+}
+
+/// A set-point to write.
+struct Point {
+    /// Counted from 1; 0 in the air.
+    pass: usize,
+    s: f64,
+    speed: f64,
+    q: Joints,
+    /// None in the air.
+    phase: Option<RunPhase>,
+}
+
+struct Player<'a> {
+    loaded: &'a Loaded,
+    /// Those to come.
+    commands: &'a [Timed],
+    period: f64,
+    /// Set-points written.
+    count: u64,
+    /// Part of the planned speed.
+    pace: f64,
+    /// What starts the next pass, if that does not wait.
+    first: Option<Command>,
+    /// Nothing comes after this stage.
+    over: bool,
+    process: Vec<String>,
+    rows: Rows,
+}
+
+impl<'a> Player<'a> {
+    fn new(loaded: &'a Loaded, commands: &'a [Timed], period: f64, json: bool) -> Result<Self, Failure> {
+        let process = process_names(&loaded.welding.program.value);
+        let mut columns: Vec<String> = ["t_s", "pass", "s_mm"].map(str::to_owned).into();
+        columns.extend(loaded.machine.axes.iter().map(|a| a.name.clone()));
+        columns.extend(["speed_mm_s", "arc", "phase"].map(str::to_owned));
+        columns.extend(process.iter().cloned());
+        let rows = Rows::new(columns, json)?;
+        Ok(Self {
+            loaded,
+            commands,
+            period,
+            count: 0,
+            pace: 1.0,
+            first: Some(Command::Resume),
+            over: false,
+            process,
+            rows,
+        })
+    }
+
+    /// The next command, if it is due before the next set-point.
+    fn due(&mut self) -> Option<Command> {
+        let (first, rest) = self.commands.split_first()?;
+        if first.t > self.count as f64 * self.period * (1.0 + 1e-12) {
+            return None;
+        }
+        self.commands = rest;
+        match first.command {
+            Command::Override(percent) => self.pace = percent / 100.0,
+            Command::Abort => self.over = true,
+            _ => {}
+        }
+        Some(first.command)
+    }
+
+    /// Commands in the air: the move goes on to its end, the next pass waits or starts as told.
+    fn wait_in_air(&mut self) {
+        while let Some(command) = self.due() {
+            match command {
+                Command::Hold | Command::Reverse => self.first = None,
+                Command::Resume | Command::Step(_) => self.first = Some(command),
+                Command::Override(_) | Command::Abort => {}
+            }
+        }
+    }
+
+    /// Plays a pass until it has ended, or is held and no command is left.
+    fn pass(&mut self, i: usize, motion: &PassMotion) -> Result<(), Failure> {
+        let program = &self.loaded.welding.program.value;
+        let faster = self.faster(motion, &program.passes[i]).map_err(|e| Failure::Input(e.to_string()))?;
+        let base = motion.timed();
+        let faster = faster.as_ref().map(|law| seamwright_motion::pace::PassTimed::new(&motion.path, law));
+        let stuck = |e: PaceError| Failure::Findings(vec![finding(&e, i + 1)]);
+        let mut pace = Pace::new(&Limits::of(&self.loaded.machine), self.period, &base).map_err(stuck)?;
+        if let Some(law) = &faster {
+            pace = pace.with_faster(law, FASTER).map_err(stuck)?;
+        }
+        let mut run = Run::new(pace, motion.sequence, &[]);
+        run.order(Order::Override(self.pace)).map_err(stuck)?;
+        let first = self.first.replace(Command::Resume);
+        if let Some(first) = first.filter(|_| self.pace * 100.0 >= LEAST_OVERRIDE) {
+            run.order(order(first, 0.0, motion.path.length())).map_err(stuck)?;
+        }
+        loop {
+            while let Some(command) = self.due() {
+                let order = order(command, run.welded_to(), motion.path.length());
+                run.order(order).map_err(stuck)?;
+            }
+            let now = run.now();
+            self.instant(i + 1, &now)?;
+            let waits = now.phase == RunPhase::Held && self.commands.is_empty();
+            if waits {
+                held(i + 1, &now);
+                self.over = true;
+            }
+            if waits || now.phase == RunPhase::Ended {
+                return Ok(());
+            }
+            run.step().map_err(stuck)?;
+        }
+    }
+
+    /// The law for overrides above 100 %, if one comes or is in force.
+    fn faster(&self, motion: &PassMotion, pass: &Pass) -> Result<Option<SpeedLaw>, seamwright_motion::law::LawError> {
+        let above = |c: &Timed| matches!(c.command, Command::Override(percent) if percent > 100.0);
+        let wanted = self.pace > 1.0 || self.commands.iter().any(above);
+        wanted.then(|| motion.faster(&self.loaded.machine, pass, FASTER)).transpose()
+    }
+
+    fn instant(&mut self, pass: usize, now: &Instant) -> Result<(), Failure> {
+        let r = &now.played.rates;
+        self.row(&Point { pass, s: r.tip.s, speed: r.tip.v, q: r.q, phase: Some(now.phase) })
+    }
+
+    fn row(&mut self, point: &Point) -> Result<(), Failure> {
+        let number = |v: f64| if v.is_finite() { Cell::Number(v) } else { Cell::Empty };
+        let t = self.count as f64 * self.period;
+        self.count += 1;
+        let mut cells = vec![Cell::Number(t), Cell::Count(point.pass as u64), number(point.s)];
+        let axes = self.loaded.machine.axes.iter().zip(&point.q);
+        cells.extend(axes.map(|(axis, value)| Cell::Number(axis.to_file(*value))));
+        let arc = point.phase.is_some_and(RunPhase::arc);
+        let phase = point.phase.map_or("air", name);
+        cells.extend([number(point.speed), Cell::Count(u64::from(arc)), Cell::Text(phase)]);
+        let passes = &self.loaded.welding.program.value.passes;
+        let values = point.pass.checked_sub(1).and_then(|i| passes[i].span_at(point.s)).map(|span| &span.process);
+        cells.extend(self.process.iter().map(|name| Cell::Number(process_value(values, name, arc))));
+        self.rows.row(&cells)
+    }
+}
+
+/// The order of a command when the seam is welded up to a path length.
+fn order(command: Command, welded: f64, length: f64) -> Order {
+    match command {
+        Command::Override(percent) => Order::Override(percent / 100.0),
+        Command::Hold => Order::Hold,
+        Command::Resume => Order::Resume,
+        Command::Reverse => Order::Reverse,
+        Command::Step(mm) if welded + mm < length => Order::StepTo(welded + mm),
+        Command::Step(_) => Order::Resume,
+        Command::Abort => Order::Abort,
+    }
+}
+
+fn name(phase: RunPhase) -> &'static str {
+    match phase {
+        RunPhase::Held => "held",
+        RunPhase::Preflow => "preflow",
+        RunPhase::TravelDelay => "travel_delay",
+        RunPhase::Travel => "travel",
+        RunPhase::RunOut => "run_out",
+        RunPhase::Crater => "crater",
+        RunPhase::Postflow => "postflow",
+        RunPhase::Move => "move",
+        RunPhase::Ended => "ended",
+    }
+}
+
+/// Says on standard error where the run waits; nothing can be done if that is closed.
+fn held(pass: usize, now: &Instant) {
+    let s = now.played.rates.tip.s;
+    let _ =
+        writeln!(std::io::stderr().lock(), "note (held): pass {pass} waits at s = {s:.3} mm, and no command is left");
+}
+
+fn finding(error: &PaceError, pass: usize) -> Finding {
+    let (from_mm, to_mm) = match error {
+        PaceError::Stuck { s } => (*s, *s),
+        _ => (0.0, 0.0),
+    };
+    let cure = "change the commands, or the job's speed".to_owned();
+    Finding { kind: "pace", message: error.to_string(), pass, from_mm, to_mm, cure, allowed: false }
+}

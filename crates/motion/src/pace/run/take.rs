@@ -1,0 +1,95 @@
+//! What orders do, by the phase in which they come.
+
+use super::{Goal, NEAR, Run, Then};
+use crate::pace::{Command, Order, PaceError, RunPhase, Timed};
+
+/// Overrides below it hold.
+const LEAST: f64 = 0.001;
+
+impl<L: Timed + ?Sized> Run<'_, L> {
+    /// Takes an order; it works from the next period on. Orders after the end, or while the end of the pass is being
+    /// filled, have no effect; after an abort only its completion follows.
+    ///
+    /// # Errors
+    /// An override that is not allowed; going on at an override of 0. Then everything goes on as before.
+    pub fn order(&mut self, order: Order) -> Result<(), PaceError> {
+        match order {
+            Order::Override(value) if (0.0..LEAST).contains(&value) => {
+                self.zero = true;
+                self.stop_for(Then::Wait);
+                return Ok(());
+            }
+            Order::Override(value) => {
+                self.pace.command(Command::Override(value))?;
+                (self.asked, self.zero) = (value, false);
+                if self.phase == RunPhase::Move {
+                    self.calm();
+                }
+                return Ok(());
+            }
+            Order::Resume | Order::Step | Order::StepTo(_) if self.zero => return Err(PaceError::Zero),
+            Order::Hold => self.stop_for(Then::Wait),
+            Order::Reverse => self.stop_for(Then::Back),
+            Order::Abort => self.stop_for(Then::End),
+            Order::Resume => self.go(Goal::End)?,
+            Order::Step => self.go(Goal::NextPlace)?,
+            Order::StepTo(s) => {
+                let length = self.pace.length();
+                if !(s > self.welded + NEAR && s <= length) {
+                    return Err(PaceError::StepTo { value: s, welded: self.welded, length });
+                }
+                self.go(Goal::Place(s))?;
+            }
+        }
+        self.pass_over()
+    }
+
+    /// True if no order can change what comes any more.
+    fn closed(&self) -> bool {
+        self.phase == RunPhase::Ended || self.then == Then::End
+    }
+
+    /// Stops, if anything moves, and does `then` when the torch rests with the process off.
+    pub(super) fn stop_for(&mut self, then: Then) {
+        if self.closed() {
+            return;
+        }
+        self.then = then;
+        match self.phase {
+            RunPhase::Travel => {
+                self.stopping = true;
+                self.halt();
+            }
+            RunPhase::Move => self.halt(),
+            RunPhase::Preflow => self.rest(RunPhase::Postflow),
+            RunPhase::TravelDelay => self.rest(RunPhase::Crater),
+            RunPhase::Held => self.off_at_rest(),
+            RunPhase::RunOut | RunPhase::Crater | RunPhase::Postflow | RunPhase::Ended => {}
+        }
+    }
+
+    fn go(&mut self, goal: Goal) -> Result<(), PaceError> {
+        if self.closed() {
+            return Ok(());
+        }
+        match self.phase {
+            // Still welding: it only has to go on.
+            RunPhase::Travel => {
+                self.then = Then::Wait;
+                self.travel(goal)?;
+            }
+            RunPhase::Preflow | RunPhase::TravelDelay => self.goal = goal,
+            RunPhase::Move => {
+                self.then = Then::Start(goal);
+                self.halt();
+            }
+            RunPhase::Held => {
+                self.then = Then::Start(goal);
+                self.off_at_rest();
+            }
+            RunPhase::RunOut | RunPhase::Crater | RunPhase::Postflow => self.then = Then::Start(goal),
+            RunPhase::Ended => {}
+        }
+        Ok(())
+    }
+}
