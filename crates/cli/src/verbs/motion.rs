@@ -2,9 +2,14 @@ use super::positive;
 use super::simulate::{process_names, process_value};
 use crate::args::MotionArgs;
 use crate::failure::Failure;
-use crate::load::load;
+use crate::files;
+use crate::load::{Loaded, load};
 use crate::progress::Progress;
 use crate::rows::{Cell, Rows};
+use seamwright_motion::WeldMotion;
+use seamwright_report::CertificateFigures;
+use serde::Serialize;
+use std::path::Path;
 
 pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
@@ -15,6 +20,9 @@ pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
     };
     let motion = loaded.plan()?;
     loaded.check_count(&motion, period)?;
+    if let Some(path) = &args.certificate {
+        write_certificate(path, &loaded, &motion)?;
+    }
     let program = &loaded.welding.program.value;
     let process = process_names(program);
     let mut columns: Vec<String> = ["t_s", "pass", "s_mm"].map(str::to_owned).into();
@@ -37,4 +45,26 @@ pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
         rows.row(&cells)
     })?;
     rows.finish()
+}
+
+/// The certificates of all passes, in order.
+#[derive(Serialize)]
+struct Certificates<'a> {
+    seamwright: &'static str,
+    file: &'a str,
+    machine: &'a str,
+    passes: Vec<CertificateFigures>,
+}
+
+fn write_certificate(path: &Path, loaded: &Loaded, motion: &WeldMotion) -> Result<(), Failure> {
+    let (program, machine) = (&loaded.welding.program, &loaded.machine);
+    let passes = program.value.passes.iter().zip(&motion.passes);
+    let certificates = Certificates {
+        seamwright: env!("CARGO_PKG_VERSION"),
+        file: program.file(),
+        machine: &machine.name,
+        passes: passes.map(|(pass, planned)| CertificateFigures::new(machine, pass, planned)).collect(),
+    };
+    let json = serde_json::to_string_pretty(&certificates).map_err(|e| Failure::Environment(e.to_string()))?;
+    files::write(path, &(json + "\n"))
 }

@@ -1,5 +1,6 @@
-use super::SimulationCurves;
+use super::certificate::IntervalFigures;
 use super::samples::Sample;
+use super::{CertificateFigures, SimulationCurves};
 use crate::{Axis, Band, Chart, ChartGrid, LimitLine, Mark, Series, Style, ThreeViews};
 use seamwright_machine::Machine;
 use seamwright_motion::{PassClearance, PassMotion};
@@ -12,7 +13,7 @@ pub struct Plots {
     pub seam: ThreeViews,
     /// Torch angles over path length.
     pub torch: Chart,
-    /// Axis positions, speeds and accelerations against their limits.
+    /// Axis positions, speeds, accelerations and jerks against their limits.
     pub axes: ChartGrid,
     /// Tip speed: planned, and true if simulated.
     pub speed: Chart,
@@ -36,7 +37,7 @@ impl Plots {
         machine: &Machine,
         welding: &Welding,
         (pass, motion, clearance): (usize, &PassMotion, Option<&PassClearance>),
-        samples: &[Sample],
+        (samples, certificate): (&[Sample], &CertificateFigures),
         curves: Option<&SimulationCurves>,
     ) -> Self {
         Self {
@@ -44,7 +45,7 @@ impl Plots {
             clearance: clearance.map(clearance_chart),
             torch: torch(samples),
             axes: axes(machine, samples),
-            speed: speed(motion, samples, curves),
+            speed: speed(motion, samples, certificate, curves),
             deviation: curves.map(|c| deviation(motion, c)),
             following: curves.map(|c| following(machine, c)),
             path_error: curves.map(|c| Chart {
@@ -144,13 +145,14 @@ fn axes(machine: &Machine, samples: &[Sample]) -> ChartGrid {
     let mut charts = Vec::new();
     for (i, axis) in machine.axes.iter().enumerate() {
         let unit = axis.unit();
-        let curve = |f: fn(&(f64, f64, f64)) -> f64| samples.iter().map(|s| (s.s, f(&s.axes[i]))).collect::<Vec<_>>();
+        let curve = |k: usize| samples.iter().map(|s| (s.s, s.axes[i][k])).collect::<Vec<_>>();
         let range = axis.range.map_or(Vec::new(), |(l, h)| vec![axis.to_file(l), axis.to_file(h)]);
         let both = |limit: f64| vec![-axis.to_file(limit), axis.to_file(limit)];
         let rows = [
-            ("position", unit.to_owned(), curve(|a| a.0), range),
-            ("speed", format!("{unit}/s"), curve(|a| a.1), both(axis.max_speed)),
-            ("acceleration", format!("{unit}/s²"), curve(|a| a.2), both(axis.max_acceleration)),
+            ("position", unit.to_owned(), curve(0), range),
+            ("speed", format!("{unit}/s"), curve(1), both(axis.max_speed)),
+            ("acceleration", format!("{unit}/s²"), curve(2), both(axis.max_acceleration)),
+            ("jerk", format!("{unit}/s³"), curve(3), both(axis.jerk())),
         ];
         for (what, unit, points, limits) in rows {
             charts.push(Chart {
@@ -163,20 +165,42 @@ fn axes(machine: &Machine, samples: &[Sample]) -> ChartGrid {
             });
         }
     }
-    ChartGrid { title: "Axes against their limits".to_owned(), columns: 3, charts }
+    ChartGrid { title: "Axes against their limits".to_owned(), columns: 4, charts }
 }
 
-fn speed(motion: &PassMotion, samples: &[Sample], curves: Option<&SimulationCurves>) -> Chart {
+/// Stretches between run-up and run-down on which the tip is slower than asked, each named by what binds at its slowest.
+fn slowed(certificate: &CertificateFigures) -> Vec<Band> {
+    let mut runs: Vec<Vec<&IntervalFigures>> = vec![Vec::new()];
+    for interval in &certificate.intervals {
+        match runs.last_mut() {
+            Some(run) if interval.between && interval.axis.is_some() => run.push(interval),
+            _ => runs.push(Vec::new()),
+        }
+    }
+    let band = |run: &Vec<&IntervalFigures>| {
+        let slowest = run.iter().min_by(|a, b| a.least_speed_mm_s.total_cmp(&b.least_speed_mm_s))?;
+        Some(Band { label: slowest.binds(), from: run[0].from_mm, to: run[run.len() - 1].to_mm })
+    };
+    runs.iter().filter_map(band).collect()
+}
+
+fn speed(
+    motion: &PassMotion,
+    samples: &[Sample],
+    certificate: &CertificateFigures,
+    curves: Option<&SimulationCurves>,
+) -> Chart {
     let band = motion.law.report();
     let mut series = Vec::new();
     if let Some(c) = curves {
         series.push(Series::line("true tip, simulated", c.tip_speed()));
     }
     series.push(Series::line("planned", samples.iter().map(|s| (s.s, s.speed)).collect()));
-    let bands = vec![
+    let mut bands = vec![
         Band { label: "run-up".to_owned(), from: 0.0, to: band.run_up_end },
         Band { label: "run-down".to_owned(), from: band.run_down_start, to: motion.path.length() },
     ];
+    bands.extend(slowed(certificate));
     // Bands too narrow to see would only put their names over the curve.
     let wide = 0.01 * motion.path.length();
     Chart {
