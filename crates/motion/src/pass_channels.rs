@@ -32,7 +32,9 @@ impl<'a> PassChannels<'a> {
     /// Whether an axis' speed or acceleration would jump at `s` at the asked speed.
     fn is_corner(&self, s: f64) -> bool {
         let (before, after) = (self.path.point(s, true), self.path.point(s, false));
-        let speed = self.asked(s);
+        // No faster than the axes' speeds allow: however much is asked for, rounding is no corner.
+        let held = self.limits.iter().zip(before.d1).map(|(limits, d1)| limits.speed / d1.abs());
+        let speed = held.fold(self.asked(s), f64::min);
         self.limits.iter().enumerate().any(|(i, limits)| {
             let jump = ((after.d1[i] - before.d1[i]).abs(), (after.d2[i] - before.d2[i]).abs());
             // A jump of the speed within one ms is one of the acceleration.

@@ -1,6 +1,6 @@
 use crate::follower::Follower;
 use crate::law::Certificate;
-use crate::limits::{never_reached, speed_findings};
+use crate::limits::{least_speed_findings, never_reached, speed_findings};
 use crate::pass_channels::PassChannels;
 use crate::redundancy::{Clearance, resolve};
 use crate::set_points::SetPoints;
@@ -80,6 +80,7 @@ impl PassMotion {
         let law = SpeedLaw::new(&channels);
         let certificate = Certificate::new(&channels, &law);
         findings.extend(speed_findings(machine, &certificate, pass, number));
+        findings.extend(least_speed_findings(machine, &certificate, &law, pass, number));
         findings.extend(never_reached(&law, fastest, pass.on_limit, number));
         let decided: AxisSet = (0..machine.axes.len()).filter(|&i| !free.has(i)).collect();
         findings.extend(singular::margins(machine, &joints, decided, &asked, number));
@@ -91,7 +92,7 @@ impl PassMotion {
             path: joints,
             law,
             certificate,
-            sequence: pass.sequence,
+            sequence: pass.sequence.clone(),
             attitude_error: survey.attitude_error,
             findings,
         })
@@ -110,6 +111,12 @@ impl PassMotion {
     /// Time the arc (or beam) is on, s.
     pub fn arc_on_s(&self) -> f64 {
         self.sequence.travel_delay_s.get() + self.law.duration() + self.sequence.crater_s.get()
+    }
+
+    /// Time since the arc went on and until it goes off, s, at `t` s after the first set-point.
+    pub fn arc_clock(&self, t: f64) -> (f64, f64) {
+        let since_on = t - self.sequence.preflow_s.get();
+        (since_on, self.arc_on_s() - since_on)
     }
 
     /// The set-points every `period` s, from the first gas to the last.

@@ -9,6 +9,7 @@ pub(crate) mod machine;
 pub(crate) mod motion;
 pub(crate) mod plan;
 pub(crate) mod post;
+mod process;
 pub(crate) mod schema;
 pub(crate) mod seam;
 pub(crate) mod simulate;

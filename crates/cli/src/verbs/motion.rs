@@ -1,5 +1,5 @@
 use super::positive;
-use super::simulate::{process_names, process_value};
+use super::process::ProcessColumns;
 use crate::args::MotionArgs;
 use crate::failure::Failure;
 use crate::files;
@@ -24,11 +24,11 @@ pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
         write_certificate(path, &loaded, &motion)?;
     }
     let program = &loaded.welding.program.value;
-    let process = process_names(program);
+    let mut process = ProcessColumns::new(program, &motion);
     let mut columns: Vec<String> = ["t_s", "pass", "s_mm"].map(str::to_owned).into();
     columns.extend(machine.axes.iter().map(|a| a.name.clone()));
     columns.extend(["speed_mm_s".to_owned(), "arc".to_owned()]);
-    columns.extend(process.iter().cloned());
+    columns.extend_from_slice(process.names());
     let mut rows = Rows::new(columns, args.json)?;
     let mut progress = Progress::new("set-points", motion.count(period, args.air));
     let mut cells = Vec::new();
@@ -40,8 +40,7 @@ pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
         cells.extend(machine.axes.iter().zip(&p.q).map(|(axis, q)| Cell::Number(axis.to_file(*q))));
         let arc = p.phase.arc();
         cells.extend([number(p.law.v), Cell::Count(u64::from(arc))]);
-        let values = pass.checked_sub(1).and_then(|i| program.passes[i].span_at(p.law.s)).map(|s| &s.process);
-        cells.extend(process.iter().map(|name| Cell::Number(process_value(values, name, arc))));
+        cells.extend(process.values(pass, &p).map(Cell::Number));
         rows.row(&cells)
     })?;
     rows.finish()

@@ -87,7 +87,8 @@ impl CertificateFigures {
             greatest_speed_mm_s: greatest,
             run_up_end_mm: report.run_up_end,
             run_down_start_mm: report.run_down_start,
-            at_asked_percent: 100.0 * certificate.at_asked,
+            // `+ 0.0` turns the negative zero of an empty sum into zero.
+            at_asked_percent: 100.0 * certificate.at_asked + 0.0,
             everywhere_mm_s: certificate.everywhere,
             intervals: certificate.intervals.iter().map(|i| IntervalFigures::new(machine, i)).collect(),
             uses: machine.axes.iter().zip(&certificate.uses).map(|(axis, used)| UseFigures::new(axis, used)).collect(),

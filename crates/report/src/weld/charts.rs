@@ -13,8 +13,10 @@ pub struct Plots {
     pub seam: ThreeViews,
     /// Torch angles over path length.
     pub torch: Chart,
-    /// Axis positions, speeds, accelerations and jerks against their limits.
+    /// Axis positions, speeds and accelerations against their limits.
     pub axes: ChartGrid,
+    /// Jerk of each axis against its limit.
+    pub jerks: ChartGrid,
     /// Tip speed: planned, and true if simulated.
     pub speed: Chart,
     /// How near anything watched comes, if the machine file has shapes.
@@ -45,6 +47,7 @@ impl Plots {
             clearance: clearance.map(clearance_chart),
             torch: torch(samples),
             axes: axes(machine, samples),
+            jerks: jerks(machine, samples),
             speed: speed(motion, samples, certificate, curves),
             deviation: curves.map(|c| deviation(motion, c)),
             following: curves.map(|c| following(machine, c)),
@@ -71,6 +74,7 @@ impl Plots {
             ("seam.svg", self.seam.to_svg_standalone()),
             ("torch.svg", self.torch.to_svg_standalone()),
             ("axes.svg", self.axes.to_svg_standalone()),
+            ("jerk.svg", self.jerks.to_svg_standalone()),
             ("speed.svg", self.speed.to_svg_standalone()),
         ];
         files.extend(self.clearance.as_ref().map(|c| ("clearance.svg", c.to_svg_standalone())));
@@ -145,27 +149,45 @@ fn axes(machine: &Machine, samples: &[Sample]) -> ChartGrid {
     let mut charts = Vec::new();
     for (i, axis) in machine.axes.iter().enumerate() {
         let unit = axis.unit();
-        let curve = |k: usize| samples.iter().map(|s| (s.s, s.axes[i][k])).collect::<Vec<_>>();
         let range = axis.range.map_or(Vec::new(), |(l, h)| vec![axis.to_file(l), axis.to_file(h)]);
-        let both = |limit: f64| vec![-axis.to_file(limit), axis.to_file(limit)];
         let rows = [
-            ("position", unit.to_owned(), curve(0), range),
-            ("speed", format!("{unit}/s"), curve(1), both(axis.max_speed)),
-            ("acceleration", format!("{unit}/s²"), curve(2), both(axis.max_acceleration)),
-            ("jerk", format!("{unit}/s³"), curve(3), both(axis.jerk())),
+            ("position", unit.to_owned(), range),
+            ("speed", format!("{unit}/s"), both_ways(axis.to_file(axis.max_speed))),
+            ("acceleration", format!("{unit}/s²"), both_ways(axis.to_file(axis.max_acceleration))),
         ];
-        for (what, unit, points, limits) in rows {
-            charts.push(Chart {
-                title: format!("{} {what}", axis.name),
-                x: along(),
-                y: Axis::new(what, unit),
-                series: vec![Series::line(axis.name.clone(), points)],
-                limits: limits.into_iter().map(|v| LimitLine::new("limit", v)).collect(),
-                ..Chart::default()
-            });
+        for (order, (what, unit, limits)) in rows.into_iter().enumerate() {
+            charts.push(axis_chart(&axis.name, Axis::new(what, unit), curve(samples, i, order), limits));
         }
     }
-    ChartGrid { title: "Axes against their limits".to_owned(), columns: 4, charts }
+    ChartGrid { title: "Axes against their limits".to_owned(), columns: 3, charts }
+}
+
+fn jerks(machine: &Machine, samples: &[Sample]) -> ChartGrid {
+    let charts = machine.axes.iter().enumerate().map(|(i, axis)| {
+        let y = Axis::new("jerk", format!("{}/s³", axis.unit()));
+        axis_chart(&axis.name, y, curve(samples, i, 3), both_ways(axis.to_file(axis.jerk())))
+    });
+    ChartGrid { title: "Jerk of the axes against its limits".to_owned(), columns: 3, charts: charts.collect() }
+}
+
+/// Position (order 0), speed, acceleration or jerk of axis `i` over path length.
+fn curve(samples: &[Sample], i: usize, order: usize) -> Vec<(f64, f64)> {
+    samples.iter().map(|s| (s.s, s.axes[i][order])).collect()
+}
+
+fn both_ways(limit: f64) -> Vec<f64> {
+    vec![-limit, limit]
+}
+
+fn axis_chart(name: &str, y: Axis, points: Vec<(f64, f64)>, limits: Vec<f64>) -> Chart {
+    Chart {
+        title: format!("{name} {}", y.label),
+        x: along(),
+        y,
+        series: vec![Series::line(name.to_owned(), points)],
+        limits: limits.into_iter().map(|v| LimitLine::new("limit", v)).collect(),
+        ..Chart::default()
+    }
 }
 
 /// Stretches between run-up and run-down on which the tip is slower than asked, each named by what binds at its slowest.

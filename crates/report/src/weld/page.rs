@@ -106,8 +106,9 @@ impl WeldReport {
         blocks.push(heading("Axes"));
         blocks.push(figure(
             plots.axes.to_svg(),
-            "Planned position, speed, acceleration and jerk of each axis against its limits.",
+            "Planned position, speed and acceleration of each axis against its limits.",
         ));
+        blocks.push(figure(plots.jerks.to_svg(), "Planned jerk of each axis against its limit."));
         blocks.push(axes_table(&pass.plan.axes));
         blocks.push(uses_table(&pass.certificate));
     }
@@ -237,10 +238,19 @@ impl WeldReport {
         }
         rows.push(row("Gas before the arc", sequence.preflow_s.get(), "s"));
         rows.push(row("Arc on before travel", sequence.travel_delay_s.get(), "s"));
+        let slopes = [("Upslope from", &sequence.upslope), ("Downslope to", &sequence.downslope)];
+        for (what, slope) in slopes {
+            for (name, value) in slope.iter().flat_map(|s| &s.process) {
+                rows.push(row(&format!("{what} {name}"), value.get(), "as named"));
+            }
+            rows.extend(slope.iter().map(|s| row(&format!("{what}: time"), s.time_s.get(), "s")));
+        }
         rows.push(row("Crater fill", sequence.crater_s.get(), "s"));
         rows.push(row("Gas after the arc", sequence.postflow_s.get(), "s"));
         for (name, value) in &self.plan.process {
-            rows.push(row(name, value.get(), "as named"));
+            let (from, to) = value.ends();
+            let value = if from == to { number(from) } else { format!("{} to {}", number(from), number(to)) };
+            rows.push(vec![name.clone(), value, "as named".to_owned()]);
         }
         table("Job data", &["", "Value", "Unit"], rows, 1..2)
     }

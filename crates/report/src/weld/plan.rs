@@ -76,8 +76,8 @@ pub struct AxisFigures {
 fn arc_energy(pass: &Pass, samples: &[Sample], steady: (f64, f64)) -> Option<(f64, f64)> {
     let inside = samples.iter().filter(|s| s.s > steady.0 && s.s < steady.1 && s.speed > 0.0);
     let energies = inside.map(|s| {
-        let process = &pass.span_at(s.s)?.process;
-        let power = process.get("current_a")?.get() * process.get("voltage_v")?.get();
+        let value = |name: &str| pass.process_at(name, s.s, (f64::INFINITY, f64::INFINITY));
+        let power = value("current_a")? * value("voltage_v")?;
         Some(power / s.speed / 1000.0)
     });
     let energies = energies.collect::<Option<Vec<f64>>>().filter(|e| !e.is_empty())?;
@@ -114,7 +114,7 @@ impl PlanFigures {
             attitude_error_at_mm: motion.attitude_error.1,
             arc_energy_kj_mm: arc_energy(pass, samples, (band.run_up_end, band.run_down_start)),
             start: program.start,
-            sequence: pass.sequence,
+            sequence: pass.sequence.clone(),
             tolerance: pass.tolerance,
             process: pass.spans[0].process.clone(),
             axes: axes(machine, motion, samples),
