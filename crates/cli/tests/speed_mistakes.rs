@@ -26,11 +26,16 @@ fn changed(name: &str, machine: &str, job: &[(&str, &str)], limits: &[(&str, &st
     (folder, path)
 }
 
-fn findings(job: &str) -> (i32, Vec<Value>) {
+/// Findings of a kind.
+fn findings_of(kind: &str, job: &str) -> (i32, Vec<Value>) {
     let output = run(&["check", job, "--json"]);
     let found: Value = serde_json::from_slice(&output.stdout).unwrap();
-    let speed = found.as_array().unwrap().iter().filter(|f| f["kind"] == "speed").cloned().collect();
-    (output.status.code().unwrap(), speed)
+    let of_kind = found.as_array().unwrap().iter().filter(|f| f["kind"] == kind).cloned().collect();
+    (output.status.code().unwrap(), of_kind)
+}
+
+fn findings(job: &str) -> (i32, Vec<Value>) {
+    findings_of("speed", job)
 }
 
 #[test]
@@ -118,10 +123,9 @@ fn the_procedure_s_least_speed() {
     let (_folder, path) = job("speed_mm_s = 60\non_limit = \"slow\"\nleast_speed_mm_s = 44");
     assert_eq!(findings(&path).0, 0);
     let (_folder, path) = job("speed_mm_s = 60\non_limit = \"slow\"\nleast_speed_mm_s = 50");
-    let (code, found) = findings(&path);
+    let (code, found) = findings_of("least_speed", &path);
     assert_eq!(code, 1);
     let forbidding: Vec<&Value> = found.iter().filter(|f| f["allowed"] == false).collect();
-    println!("{forbidding:#?}");
     assert_eq!(forbidding.len(), 5);
     for (f, axis) in forbidding.iter().zip(["x", "y", "x", "y", "x"]) {
         let text = f["message"].as_str().unwrap();
@@ -137,11 +141,23 @@ fn the_procedure_s_least_speed() {
     let (s, v) = (common::column(&rows, "s_mm"), common::column(&rows, "speed_mm_s"));
     for end in ends {
         let i = s.partition_point(|s| *s < end);
+        // Within the millisecond that lies before the row.
+        assert!((v[i] - 50.0).abs() < 0.05, "{end}: {}", v[i]);
+    }
+    // Run-up and run-down are told, not forbidden: there too the tip has that speed where they end.
+    let notes: Vec<&Value> = found.iter().filter(|f| f["allowed"] == true).collect();
+    assert_eq!(notes.len(), 2);
+    for (note, key) in notes.iter().zip(["to_mm", "from_mm"]) {
+        let end = note[key].as_f64().unwrap();
+        let i = s.partition_point(|s| *s < end);
         assert!((v[i] - 50.0).abs() < 0.5, "{end}: {}", v[i]);
     }
+    assert_eq!((notes[0]["from_mm"].as_f64(), notes[1]["to_mm"].as_f64()), (Some(0.0), s.last().copied()));
     // A weld that keeps its speed has nothing to fear, however near the least one is.
     let (_folder, path) = job("speed_mm_s = 6\nleast_speed_mm_s = 5.999");
     assert_eq!(findings(&path), (0, vec![]));
+    let (_, notes) = findings_of("least_speed", &path);
+    assert!(notes.len() == 2 && notes.iter().all(|f| f["allowed"] == true), "{notes:?}");
     for least in ["6", "7", "0", "-1", "nan"] {
         let (_folder, path) = job(&format!("speed_mm_s = 6\nleast_speed_mm_s = {least}"));
         let output = run(&["check", &path]);
@@ -153,14 +169,11 @@ fn the_procedure_s_least_speed() {
 
 #[test]
 fn welds_too_short_for_the_least_speed() {
-    let short =
-        [("speed_mm_s = 5", "speed_mm_s = 50\non_limit = \"slow\"\nleast_speed_mm_s = 45"), ("[weld]", "[weld]")];
-    let (_folder, path) =
-        changed("ellipse", "ellipse-xy", &short, &[("max_acceleration_mm_s2 = 500", "max_acceleration_mm_s2 = 5")]);
-    let (code, found) = findings(&path);
-    println!("{found:#?}");
+    let fast = [("speed_mm_s = 5", "speed_mm_s = 50\non_limit = \"slow\"\nleast_speed_mm_s = 45")];
+    let weak = [("max_acceleration_mm_s2 = 500", "max_acceleration_mm_s2 = 5")];
+    let (_folder, path) = changed("ellipse", "ellipse-xy", &fast, &weak);
+    let (code, found) = findings_of("least_speed", &path);
     assert_eq!(code, 1);
-    assert!(
-        found.iter().any(|f| f["allowed"] == false && f["message"].as_str().unwrap().contains("least speed is 45.000"))
-    );
+    let told = |f: &Value| f["allowed"] == false && f["message"].as_str().unwrap().contains("least speed is 45.000");
+    assert!(found.iter().any(told), "{found:#?}");
 }

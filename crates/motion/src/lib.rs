@@ -8,6 +8,7 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
 pub mod air;
+mod arc_limits;
 mod follower;
 mod joint_path;
 pub mod law;

@@ -8,11 +8,8 @@ use seamwright_program::{Finding, OnLimit, Pass};
 /// An axis asked for exactly its limit falls short by the law's reserve only: that is no finding.
 const WORTH_SAYING: f64 = 2e-3;
 
-/// A tip as fast as the procedure's least speed but for rounding is not too slow.
-const ROUNDING: f64 = 1e-9;
-
 /// A limit in words: which axis, which of its limits, how much that is.
-fn limit(machine: &Machine, bound: Bound) -> Option<(usize, String)> {
+pub(crate) fn limit(machine: &Machine, bound: Bound) -> Option<(usize, String)> {
     let (i, what, value, per) = match bound {
         Bound::Asked => return None,
         Bound::Speed(i) => (i, "speed", machine.axes[i].max_speed, "/s"),
@@ -62,79 +59,6 @@ pub(crate) fn speed_findings(machine: &Machine, certificate: &Certificate, pass:
         })
     };
     runs.iter().filter_map(finding).collect()
-}
-
-/// Where, between run-up and run-down, the tip is slower than the procedure lets it be with the arc on.
-pub(crate) fn least_speed_findings(
-    machine: &Machine,
-    certificate: &Certificate,
-    law: &SpeedLaw,
-    pass: &Pass,
-    number: usize,
-) -> Vec<Finding> {
-    let Some(least) = pass.least_speed_mm_s else { return Vec::new() };
-    let least = least.get();
-    let band = law.report();
-    let too_slow = |v: f64| v < least * (1.0 - ROUNDING);
-    if band.run_up_end >= band.run_down_start {
-        let turn = (band.run_up_end, band.run_up_end, band.greatest, band.run_up_end);
-        return if too_slow(band.greatest) {
-            vec![too_slow_at(machine, None, least, turn, number)]
-        } else {
-            Vec::new()
-        };
-    }
-    // Stretches as (from, to, least speed, where it is), cell by cell of the law.
-    let mut runs: Vec<(f64, f64, f64, f64)> = Vec::new();
-    let mut open = false;
-    for cell in 0..law.cells() {
-        let points = [0.0, 0.25, 0.5, 0.75, 1.0].map(|part| law.in_cell(cell, part));
-        let between = points[0].s >= band.run_up_end && points[4].s <= band.run_down_start;
-        for p in points {
-            let slow = between && too_slow(p.v);
-            match runs.last_mut().filter(|_| open) {
-                Some(run) if slow => *run = (run.0, p.s, run.2.min(p.v), if p.v < run.2 { p.s } else { run.3 }),
-                None if slow => runs.push((p.s, p.s, p.v, p.s)),
-                _ => {}
-            }
-            open = slow;
-        }
-    }
-    let binds = |s: f64| certificate.intervals.iter().find(|i| i.from <= s && s <= i.to && i.bound != Bound::Asked);
-    runs.into_iter().map(|run| too_slow_at(machine, binds(run.3), least, run, number)).collect()
-}
-
-/// A stretch (from, to, least speed, where it is) below the procedure's `least` speed, and what `binds` there.
-fn too_slow_at(
-    machine: &Machine,
-    binds: Option<&Interval>,
-    least: f64,
-    (from_mm, to_mm, reached, at): (f64, f64, f64, f64),
-    pass: usize,
-) -> Finding {
-    let (why, cure) = match binds.and_then(|i| limit(machine, i.bound)) {
-        Some((axis, limit)) => {
-            let name = &machine.axes[axis].name;
-            (
-                format!("axis {name} with {limit} does not allow more"),
-                format!("place the work or turn the torch so that axis {name} has less to do there"),
-            )
-        }
-        None => ("the weld is too short to go faster".to_owned(), "make the weld longer".to_owned()),
-    };
-    Finding {
-        kind: "speed",
-        message: format!(
-            "the tip slows down to {reached:.3} mm/s at s = {at:.3} mm with the arc on, the procedure's least speed is {least:.3} mm/s: {why}"
-        ),
-        pass,
-        from_mm,
-        to_mm,
-        cure: format!(
-            "{cure}; or end the weld before it and begin another after it; or lower least_speed_mm_s if the procedure is qualified for that"
-        ),
-        allowed: false,
-    }
 }
 
 /// A weld too short to reach the asked speed at all.

@@ -1,6 +1,7 @@
+use crate::arc_limits::{least_speed_findings, stop_findings};
 use crate::follower::Follower;
 use crate::law::Certificate;
-use crate::limits::{least_speed_findings, never_reached, speed_findings};
+use crate::limits::{never_reached, speed_findings};
 use crate::pass_channels::PassChannels;
 use crate::redundancy::{Clearance, resolve};
 use crate::set_points::SetPoints;
@@ -80,7 +81,8 @@ impl PassMotion {
         let law = SpeedLaw::new(&channels);
         let certificate = Certificate::new(&channels, &law);
         findings.extend(speed_findings(machine, &certificate, pass, number));
-        findings.extend(least_speed_findings(machine, &certificate, &law, pass, number));
+        findings.extend(stop_findings(machine, channels.corners(), number));
+        findings.extend(least_speed_findings(machine, &certificate, &law, (pass, joints.length()), number));
         findings.extend(never_reached(&law, fastest, pass.on_limit, number));
         let decided: AxisSet = (0..machine.axes.len()).filter(|&i| !free.has(i)).collect();
         findings.extend(singular::margins(machine, &joints, decided, &asked, number));

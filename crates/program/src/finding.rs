@@ -3,7 +3,8 @@ use serde::Serialize;
 /// Something that keeps a weld from being made as asked, where on the seam, and what would cure it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Finding {
-    /// Short kind, stable for programs: `reach`, `range`, `speed`, `attitude`, `access`, `singular`, `jump`, `hold`.
+    /// Short kind, stable for programs: `reach`, `range`, `speed`, `attitude`, `access`, `singular`, `jump`, `hold`,
+    /// `stop`, `least_speed`.
     pub kind: &'static str,
     /// What is wrong, with the value found and the value allowed.
     pub message: String,
