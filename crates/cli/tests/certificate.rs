@@ -79,6 +79,7 @@ fn the_checker_sees_what_is_wrong() {
     complains("jerk", &|m| m.limits.values_mut().for_each(|l| l[2] = 1.0));
     complains("claimed", &|m| m.claim["uses"][0]["acceleration_percent"] = 0.1.into());
     complains("claimed", &|m| m.claim["uses"][1]["speed_percent"] = 99.0.into());
+    complains("jerk claimed", &|m| m.claim["uses"][1]["jerk_percent"] = 23.0.into());
     complains("tip", &|m| m.claim["least_speed_mm_s"] = 5.01.into());
     complains("tip: only", &|m| m.claim["least_speed_mm_s"] = 4.9.into());
     complains("tip", &|m| m.tip[3000][0] += 1e-3);

@@ -43,7 +43,8 @@ pub(crate) fn least_speed_findings(
     (pass, length): (&Pass, f64),
     number: usize,
 ) -> Vec<Finding> {
-    let Some(least) = pass.least_speed_mm_s.map(|least| least.get()) else { return Vec::new() };
+    let Some(least) = pass.least_speed_mm_s else { return Vec::new() };
+    let least = least.get();
     let band = law.report();
     let (up, down) = (band.run_up_end, band.run_down_start);
     if up >= down && too_slow(band.greatest, least) {

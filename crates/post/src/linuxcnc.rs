@@ -281,7 +281,7 @@ impl Writer<'_> {
             // A block has the values of its middle: of the one span that it lies in, and half a step off a ramp's at most.
             let middle = 0.5 * (before.s + block.s);
             let span = pass.spans.partition_point(|span| span.to_mm.get() <= middle).min(pass.spans.len() - 1);
-            let ramps = pass.spans[span].process.values().any(|value| matches!(value, ProcessValue::Ramp(_)));
+            let ramps = pass.spans[span].process.values().any(ProcessValue::is_ramp);
             if i > 0 && (span != last || ramps) {
                 self.process_values(pass, "M67", (middle, WELDING));
                 last = span;

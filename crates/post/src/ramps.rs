@@ -11,8 +11,7 @@ const SHORTEST_S: f64 = 0.02;
 
 /// Where blocks end within a span so that its ramps change in small steps, mm.
 pub(crate) fn ramp_breaks(span: &Span) -> Vec<f64> {
-    let ramps = |value: &ProcessValue| value.ends().0 != value.ends().1;
-    if !span.process.values().any(ramps) {
+    if !span.process.values().any(ProcessValue::is_ramp) {
         return Vec::new();
     }
     let (from, to) = (span.from_mm.get(), span.to_mm.get());

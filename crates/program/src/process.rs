@@ -30,6 +30,11 @@ pub struct Ramp {
 }
 
 impl ProcessValue {
+    /// Whether it is given as a ramp.
+    pub fn is_ramp(&self) -> bool {
+        matches!(self, Self::Ramp(_))
+    }
+
     /// Where the span begins, and where it ends.
     pub fn ends(self) -> (f64, f64) {
         match self {
@@ -87,10 +92,9 @@ pub fn check_process<T>(file: &Document<T>, path: &str, values: &ProcessValues) 
             return Err(file.error_at(&key, "another column has this name", "a name of its own"));
         }
         let (from, to) = value.ends();
-        let ramp = matches!(value, ProcessValue::Ramp(_));
-        for (end, value) in [("from", from), ("to", to)] {
-            if value < 0.0 {
-                let key = if ramp { format!("{key}.{end}") } else { key };
+        for (end, found) in [("from", from), ("to", to)] {
+            if found < 0.0 {
+                let key = if value.is_ramp() { format!("{key}.{end}") } else { key };
                 return Err(file.error_at(&key, "a process value is not negative", "0 or greater"));
             }
         }

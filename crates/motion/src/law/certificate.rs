@@ -58,6 +58,9 @@ pub struct Certificate {
 
 /// Places in every cell of the law that are looked at, as parts of its time.
 const PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+/// Limits are looked at this part of a cell within its borders: at a border, where jerk may jump, rounding would decide on
+/// which side of it path and law are.
+const INSET: f64 = 1e-6;
 /// The tip counts as fast as asked within this part.
 const AS_ASKED: f64 = 1e-6;
 
@@ -80,11 +83,12 @@ impl Certificate {
             let (mut least, mut greatest) = ((f64::INFINITY, begin.s), 0.0f64);
             let turn = turning(law, cell);
             for part in PARTS.into_iter().chain(turn) {
-                let p = law.in_cell(cell, part);
+                let p = law.in_cell(cell, part.clamp(INSET, 1.0 - INSET));
                 let tip = path.derivatives(p.s, part > 0.5, &mut derivatives);
-                let speed = tip * p.v;
+                let here = law.in_cell(cell, part);
+                let speed = tip * here.v;
                 if speed < least.0 {
-                    least = (speed, p.s);
+                    least = (speed, here.s);
                 }
                 greatest = greatest.max(speed);
                 built.steady(path, &derivatives, tip);

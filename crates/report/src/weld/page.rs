@@ -249,7 +249,7 @@ impl WeldReport {
         rows.push(row("Gas after the arc", sequence.postflow_s.get(), "s"));
         for (name, value) in &self.plan.process {
             let (from, to) = value.ends();
-            let value = if from == to { number(from) } else { format!("{} to {}", number(from), number(to)) };
+            let value = if value.is_ramp() { format!("{} to {}", number(from), number(to)) } else { number(from) };
             rows.push(vec![name.clone(), value, "as named".to_owned()]);
         }
         table("Job data", &["", "Value", "Unit"], rows, 1..2)
