@@ -141,6 +141,9 @@ pub(crate) struct MotionArgs {
     /// Also the air moves from home to the first weld and from the last back home
     #[arg(long)]
     pub(crate) air: bool,
+    /// Write what each pass reaches and which limit binds where to this file, as JSON
+    #[arg(long, value_name = "FILE")]
+    pub(crate) certificate: Option<PathBuf>,
     /// JSON instead of CSV
     #[arg(long)]
     pub(crate) json: bool,

@@ -131,10 +131,20 @@ pub(crate) fn machine_and_file(name: &str) -> Result<(Machine, Document<MachineF
 const MOST_SET_POINTS: f64 = 1e11;
 
 impl Loaded {
-    /// Refuses motions with more set-points than any weld has.
+    /// Refuses motions with more set-points than any weld has, and periods that step over a whole pass.
     pub(crate) fn check_count(&self, motion: &WeldMotion, period_s: f64) -> Result<(), Failure> {
         let total: f64 = motion.passes.iter().map(PassMotion::total_s).sum();
         let count = total / period_s;
+        let short = motion.passes.iter().position(|p| p.law.duration() < period_s);
+        if let Some(i) = short {
+            let travel = motion.passes[i].law.duration();
+            return Err(Failure::Input(format!(
+                "a period of {} ms is longer than the travel of pass {}\n   allowed: up to {:.3} ms, in which it is over",
+                period_s * 1e3,
+                i + 1,
+                travel * 1e3
+            )));
+        }
         if count <= MOST_SET_POINTS {
             return Ok(());
         }

@@ -90,6 +90,7 @@ fn plan_and_simulate_leave_whole_files() {
     let plan = [
         "axes.svg",
         "clearance.svg",
+        "jerk.svg",
         "program.toml",
         "report.html",
         "report.json",

@@ -9,6 +9,7 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
 pub mod air;
+mod arc_limits;
 pub mod fine;
 mod follower;
 pub mod jog;

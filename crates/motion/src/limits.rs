@@ -9,7 +9,7 @@ use seamwright_program::{Finding, OnLimit, Pass};
 const WORTH_SAYING: f64 = 2e-3;
 
 /// A limit in words: which axis, which of its limits, how much that is.
-fn limit(machine: &Machine, bound: Bound) -> Option<(usize, String)> {
+pub(crate) fn limit(machine: &Machine, bound: Bound) -> Option<(usize, String)> {
     let (i, what, value, per) = match bound {
         Bound::Asked => return None,
         Bound::Speed(i) => (i, "speed", machine.axes[i].max_speed, "/s"),

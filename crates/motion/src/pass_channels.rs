@@ -14,7 +14,8 @@ pub(crate) struct PassChannels<'a> {
     times: f64,
     limits: Vec<Limits>,
     breaks: Vec<f64>,
-    stops: Vec<f64>,
+    /// Places at which the torch has to stop, and an axis that would jump there otherwise.
+    stops: Vec<(f64, usize)>,
 }
 
 impl<'a> PassChannels<'a> {
@@ -27,19 +28,27 @@ impl<'a> PassChannels<'a> {
         breaks.sort_by(f64::total_cmp);
         breaks.dedup_by(|a, b| *a - *b < 1e-9 * length);
         let mut built = Self { path, pass, times, limits, breaks, stops: Vec::new() };
-        built.stops = built.breaks.iter().copied().filter(|s| built.is_corner(*s)).collect();
+        built.stops = built.breaks.iter().filter_map(|s| Some((*s, built.corner(*s)?))).collect();
         built
     }
 
-    /// Whether an axis' speed or acceleration would jump at `s` at the asked speed.
-    fn is_corner(&self, s: f64) -> bool {
+    /// Places at which the torch has to stop, and an axis that would jump there otherwise.
+    pub(crate) fn corners(&self) -> &[(f64, usize)] {
+        &self.stops
+    }
+
+    /// An axis whose speed or acceleration would jump at `s` at the asked speed.
+    fn corner(&self, s: f64) -> Option<usize> {
         let (before, after) = (self.path.point(s, true), self.path.point(s, false));
-        let speed = self.asked(s);
-        self.limits.iter().enumerate().any(|(i, limits)| {
+        // No faster than the axes' speeds allow: however much is asked for, rounding is no corner.
+        let held = self.limits.iter().zip(before.d1).map(|(limits, d1)| limits.speed / d1.abs());
+        let speed = held.fold(self.asked(s), f64::min);
+        let jumps = |(i, limits): (usize, &Limits)| {
             let jump = ((after.d1[i] - before.d1[i]).abs(), (after.d2[i] - before.d2[i]).abs());
             // A jump of the speed within one ms is one of the acceleration.
             (jump.0 * speed * 1e3).max(jump.1 * speed * speed) > JUMP * limits.acceleration
-        })
+        };
+        self.limits.iter().enumerate().position(jumps)
     }
 }
 
@@ -72,6 +81,6 @@ impl Channels for PassChannels<'_> {
     }
 
     fn stops(&self) -> Vec<f64> {
-        self.stops.clone()
+        self.stops.iter().map(|stop| stop.0).collect()
     }
 }

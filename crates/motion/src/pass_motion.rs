@@ -1,3 +1,4 @@
+use crate::arc_limits::{least_speed_findings, stop_findings};
 use crate::follower::Follower;
 use crate::law::{Certificate, LawError};
 use crate::limits::{never_reached, speed_findings};
@@ -87,6 +88,8 @@ impl PassMotion {
         };
         let certificate = Certificate::new(&channels, &law);
         findings.extend(speed_findings(machine, &certificate, pass, number));
+        findings.extend(stop_findings(machine, channels.corners(), number));
+        findings.extend(least_speed_findings(machine, &certificate, &law, (pass, joints.length()), number));
         findings.extend(never_reached(&law, fastest, pass.on_limit, number));
         let decided: AxisSet = (0..machine.axes.len()).filter(|&i| !free.has(i)).collect();
         findings.extend(singular::margins(machine, &joints, decided, &asked, number));
@@ -98,7 +101,7 @@ impl PassMotion {
             path: joints,
             law,
             certificate,
-            sequence: pass.sequence,
+            sequence: pass.sequence.clone(),
             attitude_error: survey.attitude_error,
             findings,
         })
@@ -131,6 +134,12 @@ impl PassMotion {
     /// A factor that is not finite and above zero; none else, since the path has a law already.
     pub fn faster(&self, machine: &Machine, pass: &Pass, factor: f64) -> Result<SpeedLaw, LawError> {
         SpeedLaw::new(&PassChannels::new(machine, &self.path, pass, factor))
+    }
+
+    /// Time since the arc went on and until it goes off, s, at `t` s after the first set-point.
+    pub fn arc_clock(&self, t: f64) -> (f64, f64) {
+        let since_on = t - self.sequence.preflow_s.get();
+        (since_on, self.arc_on_s() - since_on)
     }
 
     /// The set-points every `period` s, from the first gas to the last.

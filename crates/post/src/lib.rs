@@ -9,6 +9,7 @@ mod blocks;
 mod error;
 mod linuxcnc;
 mod number;
+mod ramps;
 
 pub use blocks::{Block, Level, Linearisation, linearise};
 pub use error::Error;

@@ -1,10 +1,12 @@
 use crate::Error;
 use crate::blocks::{Block, HELD_BACK, Level, Linearisation, linearise};
 use crate::number::{fixed, significant};
+use crate::ramps::{ramp_breaks, rest_steps};
 use seamwright_machine::{AxisKind, Joints, Machine};
 use seamwright_motion::air::{AirMove, Leg};
 use seamwright_motion::{PassMotion, WeldMotion};
-use seamwright_program::{Program, Span, TorchPath};
+use seamwright_program::{Pass, ProcessValue, Program, TorchPath};
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// How to write a part program.
@@ -22,6 +24,8 @@ impl Default for Options {
     }
 }
 
+/// During the travel neither upslope nor downslope.
+const WELDING: (f64, f64) = (f64::INFINITY, f64::INFINITY);
 /// Decimals of positions in mm and degrees.
 const DECIMALS: usize = 6;
 /// Part of the tolerance that is left to the control for rounding corners (G64 P).
@@ -53,9 +57,11 @@ pub fn linuxcnc(
     }
     // Rounding of corners by the control, and linear motion left to the next block, count against the tolerance too.
     let tolerance = (1.0 - ROUNDING - HELD_BACK) * options.tolerance_mm;
-    let mut writer = Writer { out: String::new(), machine, options, letters };
+    let mut writer = Writer { out: String::new(), machine, options, letters, written: BTreeMap::new() };
     for (i, ((pass, path), planned)) in program.passes.iter().zip(paths).zip(&motion.passes).enumerate() {
-        let breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
+        let mut breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
+        breaks.extend(pass.spans.iter().flat_map(ramp_breaks));
+        breaks.sort_by(f64::total_cmp);
         let cut = linearise(machine, *path, planned, &breaks, options.level, tolerance)?;
         if i == 0 {
             writer.header(program);
@@ -66,10 +72,11 @@ pub fn linuxcnc(
         if i > 0 {
             writer.air(&motion.air[i]);
         }
-        writer.start(&cut.start, before.as_ref(), planned, &pass.spans[0], i == 0);
-        writer.weld(&cut, &pass.spans);
+        let first_middle = cut.blocks.first().map_or(0.0, |block| 0.5 * block.s);
+        writer.start(&cut.start, before.as_ref(), pass, (i == 0, first_middle));
+        writer.weld(&cut, pass);
         let end = cut.blocks.last().unwrap_or(&cut.start);
-        writer.end(end, after.as_ref(), planned, &pass.spans[0]);
+        writer.end(end, after.as_ref(), pass);
     }
     writer.line("M2");
     Ok(writer.out)
@@ -100,6 +107,8 @@ struct Writer<'a> {
     machine: &'a Machine,
     options: &'a Options,
     letters: Vec<char>,
+    /// Process values written since the pass began: the last line of each word and name.
+    written: BTreeMap<(&'static str, String), String>,
 }
 
 impl Writer<'_> {
@@ -195,7 +204,7 @@ impl Writer<'_> {
         Some(Block { s: 0.0, q: *q, tip: self.machine.forward(q).point, duration: 0.0, turns_only: false })
     }
 
-    fn start(&mut self, start: &Block, back: Option<&Block>, motion: &PassMotion, span: &Span, first: bool) {
+    fn start(&mut self, start: &Block, back: Option<&Block>, pass: &Pass, (first, first_middle): (bool, f64)) {
         match back {
             Some(back) => {
                 if first {
@@ -214,7 +223,8 @@ impl Writer<'_> {
             }
         }
         let io = self.machine.io.clone();
-        let sequence = motion.sequence;
+        let sequence = &pass.sequence;
+        self.written.clear();
         if let Some(gas) = io.gas {
             self.line(&format!("M64 P{gas} (gas on)"));
         }
@@ -222,24 +232,37 @@ impl Writer<'_> {
         let delay = sequence.travel_delay_s.get();
         if delay > 0.0 {
             // Nothing moves yet: immediate outputs, repeated below in step with the motion.
-            self.process_values(span, "M68");
-            if let Some(arc) = io.arc {
-                self.line(&format!("M64 P{arc} (arc on)"));
+            let steps = rest_steps(delay, (sequence.upslope.as_ref().map_or(0.0, |s| s.time_s.get()), 0.0));
+            for (i, step) in steps.iter().enumerate() {
+                self.process_values(pass, "M68", (0.0, (step.middle, f64::INFINITY)));
+                if let Some(arc) = io.arc.filter(|_| i == 0) {
+                    self.line(&format!("M64 P{arc} (arc on)"));
+                }
+                self.dwell(step.time, if step.slopes { "upslope" } else { "travel delay" });
             }
-            self.dwell(delay, "travel delay");
         }
-        self.process_values(span, "M67");
+        self.process_values(pass, "M67", (first_middle, WELDING));
         if let Some(arc) = io.arc {
             self.line(&format!("M62 P{arc} (arc on with the motion)"));
         }
     }
 
-    /// Analogue outputs of the span's process values, with `word` M67 (in step with the motion) or M68 (at once).
-    fn process_values(&mut self, span: &Span, word: &str) {
-        for (name, value) in &span.process {
+    /// Analogue outputs of the process values at path length `s` and a time since the arc went on and until it goes off,
+    /// with `word` M67 (in step with the motion) or M68 (at once), where they changed.
+    fn process_values(&mut self, pass: &Pass, word: &'static str, (s, clock): (f64, (f64, f64))) {
+        for name in pass.spans[0].process.keys() {
+            let value = pass.process_at(name, s, clock).unwrap_or(0.0);
             match self.machine.io.analog.get(name) {
-                Some(output) => self.line(&format!("{word} E{output} Q{} ({name})", fixed(value.get(), 4))),
-                None => self.comment(&format!("{name} = {}: the machine file has no output for it", value.get())),
+                Some(output) => {
+                    let line = format!("{word} E{output} Q{} ({name})", fixed(value, 4));
+                    if self.written.insert((word, name.clone()), line.clone()).as_ref() != Some(&line) {
+                        self.line(&line);
+                    }
+                }
+                None if self.written.insert(("", name.clone()), String::new()).is_none() => {
+                    self.comment(&format!("{name}, {value} at first: the machine file has no output for it"));
+                }
+                None => {}
             }
         }
     }
@@ -250,14 +273,18 @@ impl Writer<'_> {
         }
     }
 
-    fn weld(&mut self, cut: &Linearisation, spans: &[Span]) {
+    fn weld(&mut self, cut: &Linearisation, pass: &Pass) {
         self.line("G93");
         let mut before = cut.start;
-        let mut span = 0;
-        for block in &cut.blocks {
-            while span + 1 < spans.len() && before.s >= spans[span + 1].from_mm.get() - 1e-9 {
-                span += 1;
-                self.process_values(&spans[span], "M67");
+        let mut last = 0;
+        for (i, block) in cut.blocks.iter().enumerate() {
+            // A block has the values of its middle: of the one span that it lies in, and half a step off a ramp's at most.
+            let middle = 0.5 * (before.s + block.s);
+            let span = pass.spans.partition_point(|span| span.to_mm.get() <= middle).min(pass.spans.len() - 1);
+            let ramps = pass.spans[span].process.values().any(ProcessValue::is_ramp);
+            if i > 0 && (span != last || ramps) {
+                self.process_values(pass, "M67", (middle, WELDING));
+                last = span;
             }
             let feed = significant(60.0 / block.duration, 9);
             self.line(&format!("G1 {} F{feed}", self.words(block, block.turns_only)));
@@ -265,14 +292,21 @@ impl Writer<'_> {
         }
     }
 
-    fn end(&mut self, end: &Block, back: Option<&Block>, motion: &PassMotion, span: &Span) {
+    fn end(&mut self, end: &Block, back: Option<&Block>, pass: &Pass) {
         let io = self.machine.io.clone();
-        let sequence = motion.sequence;
-        self.dwell(sequence.crater_s.get(), "crater fill");
+        let sequence = &pass.sequence;
+        let crater = sequence.crater_s.get();
+        let downslope = sequence.downslope.as_ref().map_or(0.0, |s| s.time_s.get());
+        for step in rest_steps(crater, (0.0, downslope)) {
+            if step.slopes {
+                self.process_values(pass, "M68", (pass.length(), (f64::INFINITY, crater - step.middle)));
+            }
+            self.dwell(step.time, if step.slopes { "downslope" } else { "crater fill" });
+        }
         if let Some(arc) = io.arc {
             self.line(&format!("M65 P{arc} (arc off)"));
         }
-        for name in span.process.keys() {
+        for name in pass.spans[0].process.keys() {
             if let Some(output) = io.analog.get(name) {
                 self.line(&format!("M68 E{output} Q0 ({name} off)"));
             }

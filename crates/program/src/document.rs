@@ -67,6 +67,7 @@ impl Program {
                 let path = format!("passes[{p}].spans");
                 return Err(document.error_at(&path, "the pass has no spans", "at least one [[passes.spans]]"));
             }
+            pass.sequence.check(&document, &format!("passes[{p}].sequence"), &pass.spans[0].process)?;
             for (i, span) in pass.spans.iter().enumerate() {
                 let path = |key: &str| format!("passes[{p}].spans[{i}].{key}");
                 if (span.from_mm.get() - end).abs() > 1e-9 {
@@ -78,6 +79,11 @@ impl Program {
                     let names: Vec<&str> = pass.spans[0].process.keys().map(String::as_str).collect();
                     let message = "the span sets other process values than the first one";
                     return Err(document.error_at(&path("process"), message, names.join(", ")));
+                }
+                if pass.least_speed_mm_s.is_some_and(|least| least >= span.speed_mm_s) {
+                    let allowed = format!("less than speed_mm_s = {} of every span", span.speed_mm_s.get());
+                    let message = "the least speed is not below the asked one";
+                    return Err(document.error_at(&format!("passes[{p}].least_speed_mm_s"), message, allowed));
                 }
                 end = span.to_mm.get();
                 if end <= span.from_mm.get() {
@@ -139,6 +145,10 @@ mod tests {
         assert_eq!(e.key, "passes[0].spans[1].to_mm");
         let e = Program::read("p.toml", &TEXT.replace("current_a = 200", "voltage_v = 20")).unwrap_err();
         assert_eq!((e.key.as_str(), e.allowed.as_deref()), ("passes[0].spans[1].process", Some("current_a")));
+        let least = TEXT.replace("name = \"root\"", "name = \"root\"\nleast_speed_mm_s = 6");
+        let e = Program::read("p.toml", &least).unwrap_err();
+        assert_eq!((e.key.as_str(), e.value.as_str()), ("passes[0].least_speed_mm_s", "6"));
+        assert!(Program::read("p.toml", &least.replace("= 6", "= 4.9")).is_ok());
         let none = TEXT.split("[[passes.spans]]").next().unwrap().to_owned() + "spans = []\n";
         assert!(Program::read("p.toml", &none).unwrap_err().message.contains("no spans"));
     }

@@ -13,6 +13,7 @@ mod part;
 mod pass;
 mod process;
 mod seam;
+mod sequence;
 mod spare_axes;
 mod tolerance;
 mod torch;
@@ -22,11 +23,12 @@ pub use document::Program;
 pub use finding::Finding;
 pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};
 pub use part::{Clearance, Part};
-pub use pass::{AtHold, OnLimit, Pass, Sequence, Span};
-pub use process::{ProcessValues, check_process};
+pub use pass::{OnLimit, Pass, Span};
+pub use process::{ProcessValue, ProcessValues, Ramp, check_process};
 pub use seam::{
     Body, Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Nozzle, Seam, SeamStart, Side, TJoint,
 };
+pub use sequence::{AtHold, Sequence, Slope};
 pub use spare_axes::{Position, SpareAxes, Weights};
 pub use tolerance::Tolerance;
 pub use torch::{Torch, TorchAt, TorchPath};

@@ -1,4 +1,4 @@
-use crate::{ProcessValues, SpareAxes, Tolerance, Torch};
+use crate::{ProcessValues, Sequence, SpareAxes, Tolerance, Torch};
 use schemars::JsonSchema;
 use seamwright_document::{NonNegative, Positive};
 use serde::{Deserialize, Serialize};
@@ -12,6 +12,10 @@ pub struct Pass {
     /// What to do where an axis cannot keep the asked speed.
     #[serde(default)]
     pub on_limit: OnLimit,
+    /// The procedure's least speed while the arc is on, mm/s; less than the asked speed. Run-up and run-down are not held
+    /// against it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub least_speed_mm_s: Option<Positive>,
     /// What happens before and after the travel.
     #[serde(default)]
     pub sequence: Sequence,
@@ -38,7 +42,7 @@ pub struct Span {
     pub to_mm: Positive,
     /// Speed of the torch tip along the seam, relative to the work, mm/s.
     pub speed_mm_s: Positive,
-    /// Process values that hold over the span.
+    /// Process values over the span, each a number or a ramp `{ from = .., to = .. }` linear in path length.
     #[serde(default, skip_serializing_if = "ProcessValues::is_empty")]
     pub process: ProcessValues,
 }
@@ -54,51 +58,6 @@ pub enum OnLimit {
     Slow,
 }
 
-/// What happens before and after the travel.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Sequence {
-    /// Gas flows before the arc (or beam) is switched on, s.
-    #[serde(default)]
-    pub preflow_s: NonNegative,
-    /// The arc (or beam) is on before the torch travels, s.
-    #[serde(default)]
-    pub travel_delay_s: NonNegative,
-    /// The torch rests at the end with the arc on, to fill the crater, s.
-    #[serde(default)]
-    pub crater_s: NonNegative,
-    /// Gas flows after the arc is off, s.
-    #[serde(default)]
-    pub postflow_s: NonNegative,
-    /// A restart after a hold begins this far before the end of the bead, mm.
-    #[serde(default, skip_serializing_if = "is_zero")]
-    pub overlap_mm: NonNegative,
-    /// What the process does when the torch is held on the seam.
-    #[serde(default, skip_serializing_if = "AtHold::is_usual")]
-    pub at_hold: AtHold,
-}
-
-/// What the process does when the torch is held on the seam.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum AtHold {
-    /// The arc stays on until the torch stands still and fills the crater for `crater_s`.
-    #[default]
-    Crater,
-    /// The beam goes off as soon as the torch slows down.
-    Off,
-}
-
-impl AtHold {
-    fn is_usual(&self) -> bool {
-        *self == Self::default()
-    }
-}
-
-fn is_zero(value: &NonNegative) -> bool {
-    value.get() <= 0.0
-}
-
 impl Pass {
     /// Length of the pass, mm.
     pub fn length(&self) -> f64 {
@@ -109,5 +68,17 @@ impl Pass {
     pub fn span_at(&self, s: f64) -> Option<&Span> {
         let i = self.spans.partition_point(|span| span.to_mm.get() <= s);
         self.spans.get(i).or(self.spans.last())
+    }
+
+    /// The process value `name` while the arc is on: at path length `s`, `since_on` s after the arc went on and `until_off` s
+    /// before it goes off (infinite where only the travel is meant). None if the pass has no such value.
+    pub fn process_at(&self, name: &str, s: f64, (since_on, until_off): (f64, f64)) -> Option<f64> {
+        let span = self.span_at(s)?;
+        let (from, to) = (span.from_mm.get(), span.to_mm.get());
+        let mut value = span.process.get(name)?.at(((s - from) / (to - from)).clamp(0.0, 1.0));
+        for (slope, away) in [(&self.sequence.upslope, since_on), (&self.sequence.downslope, until_off)] {
+            value = slope.as_ref().map_or(value, |slope| slope.at(name, value, away));
+        }
+        Some(value)
     }
 }

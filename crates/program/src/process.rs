@@ -1,9 +1,80 @@
-use seamwright_document::Finite;
-use seamwright_document::{Document, DocumentError};
+use schemars::JsonSchema;
+use seamwright_document::{Document, DocumentError, Finite};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::BTreeMap;
+use std::fmt;
 
 /// Process values by name; the name ends in the unit, like `current_a`, `voltage_v`, `wire_feed_m_min`.
-pub type ProcessValues = BTreeMap<String, Finite>;
+pub type ProcessValues = BTreeMap<String, ProcessValue>;
+
+/// A process value over a span.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum ProcessValue {
+    /// The same all along.
+    Steady(Finite),
+    /// From one value to another, linear in path length.
+    Ramp(Ramp),
+}
+
+/// A value that changes evenly with path length over a span.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Ramp {
+    /// Where the span begins.
+    pub from: Finite,
+    /// Where it ends.
+    pub to: Finite,
+}
+
+impl ProcessValue {
+    /// Whether it is given as a ramp.
+    pub fn is_ramp(&self) -> bool {
+        matches!(self, Self::Ramp(_))
+    }
+
+    /// Where the span begins, and where it ends.
+    pub fn ends(self) -> (f64, f64) {
+        match self {
+            Self::Steady(value) => (value.get(), value.get()),
+            Self::Ramp(Ramp { from, to }) => (from.get(), to.get()),
+        }
+    }
+
+    /// At a part of the span's length from 0 to 1.
+    pub fn at(self, part: f64) -> f64 {
+        let (from, to) = self.ends();
+        from + part * (to - from)
+    }
+}
+
+impl<'de> Deserialize<'de> for ProcessValue {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Value;
+        impl<'de> Visitor<'de> for Value {
+            type Value = ProcessValue;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("a finite number, or { from = .., to = .. }")
+            }
+            fn visit_f64<E: serde::de::Error>(self, v: f64) -> Result<ProcessValue, E> {
+                let found = serde::de::Unexpected::Float(v);
+                Finite::new(v).map(ProcessValue::Steady).ok_or_else(|| E::invalid_value(found, &self))
+            }
+            fn visit_i64<E: serde::de::Error>(self, v: i64) -> Result<ProcessValue, E> {
+                self.visit_f64(v as f64)
+            }
+            fn visit_u64<E: serde::de::Error>(self, v: u64) -> Result<ProcessValue, E> {
+                self.visit_f64(v as f64)
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<ProcessValue, A::Error> {
+                Ramp::deserialize(MapAccessDeserializer::new(map)).map(ProcessValue::Ramp)
+            }
+        }
+        deserializer.deserialize_any(Value)
+    }
+}
 
 /// Checks the process values at `path` of a file: a name becomes a column and ends in a unit, a value is not negative.
 ///
@@ -20,9 +91,76 @@ pub fn check_process<T>(file: &Document<T>, path: &str, values: &ProcessValues) 
         if seamwright_document::RESERVED_COLUMNS.contains(&name.as_str()) {
             return Err(file.error_at(&key, "another column has this name", "a name of its own"));
         }
-        if value.get() < 0.0 {
-            return Err(file.error_at(&key, "a process value is not negative", "0 or greater"));
+        let (from, to) = value.ends();
+        for (end, found) in [("from", from), ("to", to)] {
+            if found < 0.0 {
+                let key = if value.is_ramp() { format!("{key}.{end}") } else { key };
+                return Err(file.error_at(&key, "a process value is not negative", "0 or greater"));
+            }
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Program;
+
+    const TEXT: &str = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 250\n\
+        [seam.nozzle.body.cylinder]\nradius_mm = 800\n[[passes]]\nname = \"root\"\n[passes.sequence]\n\
+        travel_delay_s = 0.5\nupslope = { time_s = 0.4, process = { beam_ma = 10 } }\n\
+        crater_s = 1\ndownslope = { time_s = 0.5, process = { beam_ma = 5 } }\n\
+        [[passes.spans]]\nfrom_mm = 0\nto_mm = 10\nspeed_mm_s = 5\n\
+        process = { beam_ma = { from = 20, to = 60 }, lens_ma = 700 }\n\
+        [[passes.spans]]\nfrom_mm = 10\nto_mm = 20\nspeed_mm_s = 8\nprocess = { beam_ma = 60, lens_ma = 700 }\n";
+
+    #[test]
+    fn ramps_and_slopes_have_their_values() {
+        let program = Program::read("p.toml", TEXT).unwrap().value;
+        assert_eq!(Program::read("p.toml", &program.to_toml().unwrap()).unwrap().value, program);
+        let pass = &program.passes[0];
+        let at = |s: f64, since: f64, until: f64| pass.process_at("beam_ma", s, (since, until)).unwrap();
+        let far = f64::INFINITY;
+        for (s, value) in [(0.0, 20.0), (2.5, 30.0), (10.0 - 1e-12, 60.0), (10.0, 60.0), (15.0, 60.0), (20.0, 60.0)] {
+            assert!((at(s, far, far) - value).abs() < 1e-9, "{s}");
+        }
+        // Upslope: from 10 when the arc goes on to the 20 that the weld begins with, after 0.4 s.
+        for (since, value) in [(0.0, 10.0), (0.1, 12.5), (0.4, 20.0), (0.5, 20.0)] {
+            assert!((at(0.0, since, far) - value).abs() < 1e-12);
+        }
+        // Downslope: the last half second down to 5.
+        for (until, value) in [(1.0, 60.0), (0.5, 60.0), (0.25, 32.5), (0.0, 5.0)] {
+            assert!((at(20.0, far, until) - value).abs() < 1e-12);
+        }
+        assert_eq!(pass.process_at("lens_ma", 3.0, (0.0, 0.0)), Some(700.0));
+        assert_eq!(pass.process_at("voltage_v", 3.0, (0.0, 0.0)), None);
+    }
+
+    #[test]
+    fn wrong_ramps_have_an_address() {
+        let wrong = |from: &str, to: &str| {
+            assert!(TEXT.contains(from));
+            let e = Program::read("p.toml", &TEXT.replacen(from, to, 1)).unwrap_err();
+            println!("{e}");
+            (e.key, e.allowed.unwrap_or_default())
+        };
+        let key = |from: &str, to: &str| wrong(from, to).0;
+        assert_eq!(key("from = 20, to", "from = -20, to"), "passes[0].spans[0].process.beam_ma.from");
+        assert_eq!(key("to = 60 }", "to = -60 }"), "passes[0].spans[0].process.beam_ma.to");
+        assert_eq!(key("beam_ma = 60,", "beam_ma = -60,"), "passes[0].spans[1].process.beam_ma");
+        let (at, allowed) = wrong("{ from = 20, to = 60 }", "\"20\"");
+        assert!(at.ends_with("beam_ma") && allowed.contains("{ from = .., to = .. }"), "{at} {allowed}");
+        assert!(key("to = 60 }", "to = nan }").ends_with("beam_ma.to"));
+        assert!(key("to = 60 }", "too = 60 }").contains("beam_ma"));
+        assert!(key(", to = 60 }", " }").contains("beam_ma"));
+        assert_eq!(key("time_s = 0.4", "time_s = 0.6"), "passes[0].sequence.upslope.time_s");
+        assert_eq!(key("time_s = 0.5", "time_s = 1.1"), "passes[0].sequence.downslope.time_s");
+        assert_eq!(key("time_s = 0.4", "time_s = 0"), "passes[0].sequence.upslope.time_s");
+        let (at, allowed) = wrong("process = { beam_ma = 5 }", "process = { current_a = 5 }");
+        assert_eq!(
+            (at.as_str(), allowed.as_str()),
+            ("passes[0].sequence.downslope.process.current_a", "beam_ma, lens_ma")
+        );
+        assert!(key("beam_ma = 10 }", "beam_ma = -10 }").contains("upslope"));
+    }
 }

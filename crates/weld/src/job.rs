@@ -69,7 +69,12 @@ pub struct Weld {
     /// What to do where an axis cannot keep that speed.
     #[serde(default)]
     pub on_limit: OnLimit,
-    /// Process values by name; the name ends in its unit: `current_a`, `voltage_v`, `wire_feed_m_min` and so on.
+    /// The procedure's least speed while the arc is on, mm/s; less than `speed_mm_s`. Run-up and run-down are not held
+    /// against it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub least_speed_mm_s: Option<Positive>,
+    /// Process values by name; the name ends in its unit: `current_a`, `voltage_v`, `wire_feed_m_min` and so on. Each is a
+    /// number, or a ramp `{ from = .., to = .. }` linear in path length over the weld.
     #[serde(default)]
     pub process: ProcessValues,
 }
@@ -83,6 +88,11 @@ impl Job {
         let job = Document::<Self>::read(file, text)?;
         check_offset(&job, job.value.offset.as_deref(), &job.value.offsets)?;
         check_process(&job, "weld.process", &job.value.weld.process)?;
+        job.value.sequence.check(&job, "sequence", &job.value.weld.process)?;
+        if job.value.weld.least_speed_mm_s.is_some_and(|least| least >= job.value.weld.speed_mm_s) {
+            let allowed = format!("less than speed_mm_s = {}", job.value.weld.speed_mm_s.get());
+            return Err(job.error_at("weld.least_speed_mm_s", "the least speed is not below the asked one", allowed));
+        }
         Ok(job)
     }
 
@@ -105,7 +115,8 @@ impl Job {
         let pass = Pass {
             name: "pass 1".to_owned(),
             on_limit: j.weld.on_limit,
-            sequence: j.sequence,
+            least_speed_mm_s: j.weld.least_speed_mm_s,
+            sequence: j.sequence.clone(),
             torch: j.torch.clone(),
             tolerance: j.tolerance,
             spare_axes: j.spare_axes.clone(),

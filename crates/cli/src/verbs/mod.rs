@@ -11,6 +11,7 @@ pub(crate) mod motion;
 pub(crate) mod move_to;
 pub(crate) mod plan;
 pub(crate) mod post;
+mod process;
 pub(crate) mod pulses;
 pub(crate) mod schema;
 pub(crate) mod seam;

@@ -1,4 +1,5 @@
 use super::plan::{finish, write_report};
+use super::process::{ArcClock, ProcessColumns};
 use crate::args::SimulateArgs;
 use crate::failure::Failure;
 use crate::files::Output;
@@ -7,7 +8,7 @@ use crate::progress::Progress;
 use seamwright_cell::{Sample, Summary, simulate};
 use seamwright_machine::Machine;
 use seamwright_motion::{PassMotion, WeldMotion};
-use seamwright_program::{ProcessValues, Program, TorchPath};
+use seamwright_program::TorchPath;
 use seamwright_record::TraceWriter;
 use seamwright_report::{SimulationCurves, WeldReport};
 use std::io::{BufWriter, Write};
@@ -52,9 +53,9 @@ fn trace(
 ) -> Result<(Vec<Summary>, Vec<SimulationCurves>), Failure> {
     let Loaded { welding, machine, .. } = loaded;
     let program = &welding.program.value;
-    let process: Vec<String> = process_names(program);
+    let (process, mut clock) = (ProcessColumns::new(program), ArcClock::new(motion));
     let about = [("title", program.title.clone()), ("machine", machine.name.clone()), ("seed", seed.to_string())];
-    let mut trace = TraceWriter::new(out, &columns(machine, &process), &about)?;
+    let mut trace = TraceWriter::new(out, &columns(machine, process.names()), &about)?;
     let curves = |p: &PassMotion| SimulationCurves::new(machine.axes.len(), p.path.length());
     let mut curves: Vec<SimulationCurves> = motion.passes.iter().map(curves).collect();
     let mut progress = Progress::new("welding in simulation", motion.count(machine.servo_period_s, false));
@@ -62,24 +63,14 @@ fn trace(
     let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
     let summaries = simulate(machine, &paths, motion, seed, |sample| {
         progress.step();
-        let pass = sample.pass.checked_sub(1);
-        if let Some(pass) = pass {
+        if let Some(pass) = sample.pass.checked_sub(1) {
             curves[pass].add(machine, sample);
         }
-        let values = pass.and_then(|i| program.passes[i].span_at(sample.set.law.s)).map(|s| &s.process);
-        trace.row(row(machine, sample, &process, values)).map_err(Failure::from)
+        let values = process.values(sample.pass, sample.set.law.s, clock.at(sample.pass, &sample.set));
+        trace.row(row(machine, sample).into_iter().chain(values)).map_err(Failure::from)
     })?;
     trace.finish()?.flush()?;
     Ok((summaries, curves))
-}
-
-/// Names of the process values, in the order of their columns.
-pub(super) fn process_names(program: &Program) -> Vec<String> {
-    let mut names: Vec<String> =
-        program.passes.iter().flat_map(|p| &p.spans).flat_map(|s| s.process.keys().cloned()).collect();
-    names.sort();
-    names.dedup();
-    names
 }
 
 fn columns(machine: &Machine, process: &[String]) -> Vec<(String, &'static str)> {
@@ -106,7 +97,8 @@ fn columns(machine: &Machine, process: &[String]) -> Vec<(String, &'static str)>
     columns
 }
 
-fn row(machine: &Machine, sample: &Sample, process: &[String], values: Option<&ProcessValues>) -> Vec<f64> {
+/// All columns but those of the process.
+fn row(machine: &Machine, sample: &Sample) -> Vec<f64> {
     let law = sample.set.law;
     let arc = sample.arc();
     let mut row = vec![
@@ -126,11 +118,5 @@ fn row(machine: &Machine, sample: &Sample, process: &[String], values: Option<&P
         row.push(axis.to_file(sample.following_error[i]));
         row.push(sample.current[i]);
     }
-    row.extend(process.iter().map(|name| process_value(values, name, arc)));
     row
-}
-
-/// A process value: as set while the arc is on, 0 otherwise.
-pub(super) fn process_value(values: Option<&ProcessValues>, name: &str, arc: bool) -> f64 {
-    values.and_then(|v| v.get(name)).filter(|_| arc).map_or(0.0, |v| v.get())
 }

@@ -58,6 +58,9 @@ pub struct Certificate {
 
 /// Places in every cell of the law that are looked at, as parts of its time.
 const PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+/// Limits are looked at this part of a cell within its borders: at a border, where jerk may jump, rounding would decide on
+/// which side of it path and law are.
+const INSET: f64 = 1e-6;
 /// The tip counts as fast as asked within this part.
 const AS_ASKED: f64 = 1e-6;
 
@@ -78,12 +81,14 @@ impl Certificate {
             let asked = path.asked(0.5 * (begin.s + end.s));
             let mut worst = (f64::NEG_INFINITY, Bound::Asked);
             let (mut least, mut greatest) = ((f64::INFINITY, begin.s), 0.0f64);
-            for part in PARTS {
-                let p = law.in_cell(cell, part);
+            let turn = turning(law, cell);
+            for part in PARTS.into_iter().chain(turn) {
+                let p = law.in_cell(cell, part.clamp(INSET, 1.0 - INSET));
                 let tip = path.derivatives(p.s, part > 0.5, &mut derivatives);
-                let speed = tip * p.v;
+                let here = law.in_cell(cell, part);
+                let speed = tip * here.v;
                 if speed < least.0 {
-                    least = (speed, p.s);
+                    least = (speed, here.s);
                 }
                 greatest = greatest.max(speed);
                 built.steady(path, &derivatives, tip);
@@ -101,6 +106,12 @@ impl Certificate {
         let asked = built.intervals.iter().filter(|i| i.bound == Bound::Asked);
         built.at_asked = asked.map(|i| i.to - i.from).sum::<f64>() / (to - from);
         built
+    }
+
+    /// Least and greatest speed of the tip between run-up and run-down, mm/s; none if nothing lies between them.
+    pub fn band(&self) -> Option<(f64, f64)> {
+        let speeds = self.intervals.iter().filter(|i| i.between).map(|i| i.speed);
+        speeds.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
     }
 
     /// Takes in what the channels use at one place; the greatest part and whose it is.
@@ -151,7 +162,27 @@ impl Certificate {
                 }
                 last.speed.1 = last.speed.1.max(next.speed.1);
             }
-            None => self.intervals.push(next),
+            None => {
+                // The end of a cell and the start of the next differ by rounding.
+                let from = self.intervals.last().map_or(next.from, |last| last.to);
+                self.intervals.push(Interval { from, ..next });
+            }
         }
     }
+}
+
+/// The part of a cell's time at which its speed turns, if it does: the acceleration changes its sign once at most in a cell.
+fn turning(law: &SpeedLaw, cell: usize) -> Option<f64> {
+    let sign = |part: f64| law.in_cell(cell, part).a;
+    let (mut low, mut high) = (0.0, 1.0);
+    let first = sign(low);
+    if first * sign(high) >= 0.0 {
+        return None;
+    }
+    // Halved until the speed, which hardly changes where it turns, is known to rounding.
+    for _ in 0..30 {
+        let middle = 0.5 * (low + high);
+        if first * sign(middle) > 0.0 { low = middle } else { high = middle }
+    }
+    Some(low)
 }

@@ -55,6 +55,8 @@ impl RunPhase {
 pub struct Instant {
     /// What the process does from now on.
     pub phase: RunPhase,
+    /// How long a phase at rest goes on, s.
+    pub left_s: f64,
     /// Where the axes shall be and how they move.
     pub played: Played,
 }

@@ -108,7 +108,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
 
     /// What it does just now.
     pub fn now(&self) -> Instant {
-        Instant { phase: self.phase, played: self.last }
+        Instant { phase: self.phase, left_s: self.left as f64 * self.pace.period(), played: self.last }
     }
 
     /// What is played in the period last played, `before` s before its end.

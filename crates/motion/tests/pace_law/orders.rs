@@ -14,6 +14,7 @@ pub fn sequence(at_hold: AtHold) -> Sequence {
         postflow_s: s(0.05),
         overlap_mm: s(0.7),
         at_hold,
+        ..Sequence::default()
     }
 }
 

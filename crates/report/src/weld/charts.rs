@@ -1,5 +1,6 @@
-use super::SimulationCurves;
+use super::certificate::IntervalFigures;
 use super::samples::Sample;
+use super::{CertificateFigures, SimulationCurves};
 use crate::{Axis, Band, Chart, ChartGrid, LimitLine, Mark, Series, Style, ThreeViews};
 use seamwright_machine::Machine;
 use seamwright_motion::{PassClearance, PassMotion};
@@ -14,6 +15,8 @@ pub struct Plots {
     pub torch: Chart,
     /// Axis positions, speeds and accelerations against their limits.
     pub axes: ChartGrid,
+    /// Jerk of each axis against its limit.
+    pub jerks: ChartGrid,
     /// Tip speed: planned, and true if simulated.
     pub speed: Chart,
     /// How near anything watched comes, if the machine file has shapes.
@@ -36,7 +39,7 @@ impl Plots {
         machine: &Machine,
         welding: &Welding,
         (pass, motion, clearance): (usize, &PassMotion, Option<&PassClearance>),
-        samples: &[Sample],
+        (samples, certificate): (&[Sample], &CertificateFigures),
         curves: Option<&SimulationCurves>,
     ) -> Self {
         Self {
@@ -44,7 +47,8 @@ impl Plots {
             clearance: clearance.map(clearance_chart),
             torch: torch(samples),
             axes: axes(machine, samples),
-            speed: speed(motion, samples, curves),
+            jerks: jerks(machine, samples),
+            speed: speed(motion, samples, certificate, curves),
             deviation: curves.map(|c| deviation(motion, c)),
             following: curves.map(|c| following(machine, c)),
             path_error: curves.map(|c| Chart {
@@ -70,6 +74,7 @@ impl Plots {
             ("seam.svg", self.seam.to_svg_standalone()),
             ("torch.svg", self.torch.to_svg_standalone()),
             ("axes.svg", self.axes.to_svg_standalone()),
+            ("jerk.svg", self.jerks.to_svg_standalone()),
             ("speed.svg", self.speed.to_svg_standalone()),
         ];
         files.extend(self.clearance.as_ref().map(|c| ("clearance.svg", c.to_svg_standalone())));
@@ -144,39 +149,80 @@ fn axes(machine: &Machine, samples: &[Sample]) -> ChartGrid {
     let mut charts = Vec::new();
     for (i, axis) in machine.axes.iter().enumerate() {
         let unit = axis.unit();
-        let curve = |f: fn(&(f64, f64, f64)) -> f64| samples.iter().map(|s| (s.s, f(&s.axes[i]))).collect::<Vec<_>>();
         let range = axis.range.map_or(Vec::new(), |(l, h)| vec![axis.to_file(l), axis.to_file(h)]);
-        let both = |limit: f64| vec![-axis.to_file(limit), axis.to_file(limit)];
         let rows = [
-            ("position", unit.to_owned(), curve(|a| a.0), range),
-            ("speed", format!("{unit}/s"), curve(|a| a.1), both(axis.max_speed)),
-            ("acceleration", format!("{unit}/s²"), curve(|a| a.2), both(axis.max_acceleration)),
+            ("position", unit.to_owned(), range),
+            ("speed", format!("{unit}/s"), both_ways(axis.to_file(axis.max_speed))),
+            ("acceleration", format!("{unit}/s²"), both_ways(axis.to_file(axis.max_acceleration))),
         ];
-        for (what, unit, points, limits) in rows {
-            charts.push(Chart {
-                title: format!("{} {what}", axis.name),
-                x: along(),
-                y: Axis::new(what, unit),
-                series: vec![Series::line(axis.name.clone(), points)],
-                limits: limits.into_iter().map(|v| LimitLine::new("limit", v)).collect(),
-                ..Chart::default()
-            });
+        for (order, (what, unit, limits)) in rows.into_iter().enumerate() {
+            charts.push(axis_chart(&axis.name, Axis::new(what, unit), curve(samples, i, order), limits));
         }
     }
     ChartGrid { title: "Axes against their limits".to_owned(), columns: 3, charts }
 }
 
-fn speed(motion: &PassMotion, samples: &[Sample], curves: Option<&SimulationCurves>) -> Chart {
+fn jerks(machine: &Machine, samples: &[Sample]) -> ChartGrid {
+    let charts = machine.axes.iter().enumerate().map(|(i, axis)| {
+        let y = Axis::new("jerk", format!("{}/s³", axis.unit()));
+        axis_chart(&axis.name, y, curve(samples, i, 3), both_ways(axis.to_file(axis.jerk())))
+    });
+    ChartGrid { title: "Jerk of the axes against its limits".to_owned(), columns: 3, charts: charts.collect() }
+}
+
+/// Position (order 0), speed, acceleration or jerk of axis `i` over path length.
+fn curve(samples: &[Sample], i: usize, order: usize) -> Vec<(f64, f64)> {
+    samples.iter().map(|s| (s.s, s.axes[i][order])).collect()
+}
+
+fn both_ways(limit: f64) -> Vec<f64> {
+    vec![-limit, limit]
+}
+
+fn axis_chart(name: &str, y: Axis, points: Vec<(f64, f64)>, limits: Vec<f64>) -> Chart {
+    Chart {
+        title: format!("{name} {}", y.label),
+        x: along(),
+        y,
+        series: vec![Series::line(name.to_owned(), points)],
+        limits: limits.into_iter().map(|v| LimitLine::new("limit", v)).collect(),
+        ..Chart::default()
+    }
+}
+
+/// Stretches between run-up and run-down on which the tip is slower than asked, each named by what binds at its slowest.
+fn slowed(certificate: &CertificateFigures) -> Vec<Band> {
+    let mut runs: Vec<Vec<&IntervalFigures>> = vec![Vec::new()];
+    for interval in &certificate.intervals {
+        match runs.last_mut() {
+            Some(run) if interval.between && interval.axis.is_some() => run.push(interval),
+            _ => runs.push(Vec::new()),
+        }
+    }
+    let band = |run: &Vec<&IntervalFigures>| {
+        let slowest = run.iter().min_by(|a, b| a.least_speed_mm_s.total_cmp(&b.least_speed_mm_s))?;
+        Some(Band { label: slowest.binds(), from: run[0].from_mm, to: run[run.len() - 1].to_mm })
+    };
+    runs.iter().filter_map(band).collect()
+}
+
+fn speed(
+    motion: &PassMotion,
+    samples: &[Sample],
+    certificate: &CertificateFigures,
+    curves: Option<&SimulationCurves>,
+) -> Chart {
     let band = motion.law.report();
     let mut series = Vec::new();
     if let Some(c) = curves {
         series.push(Series::line("true tip, simulated", c.tip_speed()));
     }
     series.push(Series::line("planned", samples.iter().map(|s| (s.s, s.speed)).collect()));
-    let bands = vec![
+    let mut bands = vec![
         Band { label: "run-up".to_owned(), from: 0.0, to: band.run_up_end },
         Band { label: "run-down".to_owned(), from: band.run_down_start, to: motion.path.length() },
     ];
+    bands.extend(slowed(certificate));
     // Bands too narrow to see would only put their names over the curve.
     let wide = 0.01 * motion.path.length();
     Chart {

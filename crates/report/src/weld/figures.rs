@@ -1,3 +1,4 @@
+use super::CertificateFigures;
 use super::plan::PlanFigures;
 use super::samples::samples;
 use super::{Plots, SimulationCurves};
@@ -68,6 +69,8 @@ pub struct PassFigures {
     pub name: String,
     /// The plan.
     pub plan: PlanFigures,
+    /// What it reaches and what bounds it where.
+    pub certificate: CertificateFigures,
     /// How near things come, if the machine file has shapes.
     pub clearance: Option<ClearanceFigures>,
     /// The simulated pass, if it was simulated.
@@ -102,16 +105,19 @@ impl WeldReport {
         let (mut passes, mut plots) = (Vec::new(), Vec::new());
         for (i, (pass, planned)) in program.passes.iter().zip(&motion.passes).enumerate() {
             let samples = samples(machine, welding, i, planned);
+            let certificate = CertificateFigures::new(machine, pass, planned);
             let summary = summaries.as_ref().and_then(|s| s.get(i)).cloned();
             findings.extend(summary.iter().flat_map(|s| s.findings(&pass.tolerance, i + 1)));
+            let curves = curves.as_ref().and_then(|c| c.get(i));
+            let around = motion.clearance[i].as_ref();
+            plots.push(Plots::new(machine, welding, (i, planned, around), (&samples, &certificate), curves));
             passes.push(PassFigures {
                 name: pass.name.clone(),
                 plan: PlanFigures::new(machine, welding, i, planned, &samples),
-                clearance: motion.clearance[i].as_ref().map(clearance),
+                certificate,
+                clearance: around.map(clearance),
                 simulation: summary,
             });
-            let curves = curves.as_ref().and_then(|c| c.get(i));
-            plots.push(Plots::new(machine, welding, (i, planned, motion.clearance[i].as_ref()), &samples, curves));
         }
         let report = Self {
             seamwright: env!("CARGO_PKG_VERSION"),

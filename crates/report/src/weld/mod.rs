@@ -1,12 +1,15 @@
 //! The report of one weld: its numbers ([`WeldReport`], which is also `report.json`), its plots and its page.
 
+mod certificate;
 mod charts;
 mod curves;
 mod figures;
+mod limits;
 mod page;
 mod plan;
 mod samples;
 
+pub use certificate::CertificateFigures;
 pub use charts::Plots;
 pub use curves::SimulationCurves;
 pub use figures::WeldReport;

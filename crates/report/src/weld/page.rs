@@ -1,6 +1,7 @@
 use super::Plots;
 use super::figures::{ClearanceFigures, PassFigures, WeldReport};
-use super::plan::{AxisFigures, PlanFigures};
+use super::limits::{axes_table, bounds_table, speed_text, uses_table};
+use super::plan::PlanFigures;
 use crate::{Block, Finding, Page, Severity, Table, Tile, Verdict, format_number};
 use seamwright_cell::Summary;
 use seamwright_program::WeldDirection;
@@ -78,7 +79,12 @@ impl WeldReport {
             ));
         }
         blocks.push(heading("Speed"));
-        blocks.push(figure(plots.speed.to_svg(), "Speed of the tip along the seam, relative to the work."));
+        blocks.push(Block::Paragraph(speed_text(&pass.certificate)));
+        blocks.push(figure(
+            plots.speed.to_svg(),
+            "Speed of the tip along the seam, relative to the work; shaded where it is slower than asked, with the limit that binds.",
+        ));
+        blocks.push(bounds_table(&pass.certificate));
         if let Some(deviation) = &plots.deviation {
             blocks.push(figure(
                 deviation.to_svg(),
@@ -102,7 +108,9 @@ impl WeldReport {
             plots.axes.to_svg(),
             "Planned position, speed and acceleration of each axis against its limits.",
         ));
+        blocks.push(figure(plots.jerks.to_svg(), "Planned jerk of each axis against its limit."));
         blocks.push(axes_table(&pass.plan.axes));
+        blocks.push(uses_table(&pass.certificate));
     }
 
     /// What was looked at, and what not.
@@ -115,7 +123,7 @@ impl WeldReport {
             None => "nothing about collisions: the machine file has no shapes.".to_owned(),
         };
         format!(
-            "Checked: reach, ranges, speeds and accelerations of the axes, that the torch axis stays clear of both faces, and {clearance}"
+            "Checked: reach, ranges, speeds, accelerations and jerks of the axes, that the torch axis stays clear of both faces, and {clearance}"
         )
     }
 
@@ -230,10 +238,19 @@ impl WeldReport {
         }
         rows.push(row("Gas before the arc", sequence.preflow_s.get(), "s"));
         rows.push(row("Arc on before travel", sequence.travel_delay_s.get(), "s"));
+        let slopes = [("Upslope from", &sequence.upslope), ("Downslope to", &sequence.downslope)];
+        for (what, slope) in slopes {
+            for (name, value) in slope.iter().flat_map(|s| &s.process) {
+                rows.push(row(&format!("{what} {name}"), value.get(), "as named"));
+            }
+            rows.extend(slope.iter().map(|s| row(&format!("{what}: time"), s.time_s.get(), "s")));
+        }
         rows.push(row("Crater fill", sequence.crater_s.get(), "s"));
         rows.push(row("Gas after the arc", sequence.postflow_s.get(), "s"));
         for (name, value) in &self.plan.process {
-            rows.push(row(name, value.get(), "as named"));
+            let (from, to) = value.ends();
+            let value = if value.is_ramp() { format!("{} to {}", number(from), number(to)) } else { number(from) };
+            rows.push(vec![name.clone(), value, "as named".to_owned()]);
         }
         table("Job data", &["", "Value", "Unit"], rows, 1..2)
     }
@@ -248,7 +265,7 @@ impl PlanFigures {
 }
 
 /// Lengths, times and positions.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     format_number(value, 5)
 }
 
@@ -300,7 +317,7 @@ fn nearest_text(c: &ClearanceFigures) -> Option<String> {
     Some(format!("Nearest: {between}, {} mm apart at s = {} mm.", number(c.nearest_mm), number(at)))
 }
 
-fn table(caption: &str, head: &[&str], rows: Vec<Vec<String>>, numeric: std::ops::Range<usize>) -> Block {
+pub(super) fn table(caption: &str, head: &[&str], rows: Vec<Vec<String>>, numeric: std::ops::Range<usize>) -> Block {
     Block::Table(Table {
         caption: caption.to_owned(),
         head: head.iter().map(|h| (*h).to_owned()).collect(),
@@ -323,23 +340,4 @@ fn following_table(summary: &Summary) -> Block {
     });
     let head = ["Axis", "Unit", "Least", "Greatest", "RMS", "Peak load, %"];
     table("Following error while the arc is on", &head, rows.collect(), 2..6)
-}
-
-fn axes_table(axes: &[AxisFigures]) -> Block {
-    let rows = axes.iter().map(|a| {
-        let range = a.range.map_or("continuous".to_owned(), |(l, h)| format!("{} to {}", number(l), number(h)));
-        vec![
-            a.axis.clone(),
-            a.unit.to_owned(),
-            number(a.min),
-            number(a.max),
-            range,
-            number(a.speed),
-            number(a.max_speed),
-            number(a.acceleration),
-            number(a.max_acceleration),
-        ]
-    });
-    let head = ["Axis", "Unit", "Least", "Greatest", "Range", "Speed", "limit", "Acceleration", "limit"];
-    table("Extremes of the plan against the limits (speeds per s, accelerations per s²)", &head, rows.collect(), 2..9)
 }

@@ -66,14 +66,18 @@ pub struct AxisFigures {
     pub acceleration: f64,
     /// Its limit.
     pub max_acceleration: f64,
+    /// Greatest jerk, per s^3.
+    pub jerk: f64,
+    /// Its limit.
+    pub max_jerk: f64,
 }
 
 /// Least and greatest arc energy (kJ/mm) at the planned speed within `steady`, if current and voltage are given there.
 fn arc_energy(pass: &Pass, samples: &[Sample], steady: (f64, f64)) -> Option<(f64, f64)> {
     let inside = samples.iter().filter(|s| s.s > steady.0 && s.s < steady.1 && s.speed > 0.0);
     let energies = inside.map(|s| {
-        let process = &pass.span_at(s.s)?.process;
-        let power = process.get("current_a")?.get() * process.get("voltage_v")?.get();
+        let value = |name: &str| pass.process_at(name, s.s, (f64::INFINITY, f64::INFINITY));
+        let power = value("current_a")? * value("voltage_v")?;
         Some(power / s.speed / 1000.0)
     });
     let energies = energies.collect::<Option<Vec<f64>>>().filter(|e| !e.is_empty())?;
@@ -93,13 +97,14 @@ impl PlanFigures {
         let program = &welding.program.value;
         let pass = &program.passes[pass];
         let band = motion.law.report();
+        let (least, greatest) = motion.certificate.band().unwrap_or((band.least, band.greatest));
         let speeds = || pass.spans.iter().map(|s| s.speed_mm_s.get());
         let asked = |better: fn(f64, f64) -> f64| speeds().reduce(better).unwrap_or(0.0);
         Self {
             asked_speed_mm_s: (asked(f64::min), asked(f64::max)),
             speed_held: !motion.findings.iter().any(|f| f.kind == "speed"),
-            least_speed_mm_s: band.least,
-            greatest_speed_mm_s: band.greatest,
+            least_speed_mm_s: least,
+            greatest_speed_mm_s: greatest,
             run_up_mm: band.run_up_end,
             run_down_mm: motion.path.length() - band.run_down_start,
             weld_s: motion.law.duration(),
@@ -109,27 +114,32 @@ impl PlanFigures {
             attitude_error_at_mm: motion.attitude_error.1,
             arc_energy_kj_mm: arc_energy(pass, samples, (band.run_up_end, band.run_down_start)),
             start: program.start,
-            sequence: pass.sequence,
+            sequence: pass.sequence.clone(),
             tolerance: pass.tolerance,
             process: pass.spans[0].process.clone(),
-            axes: axes(machine, samples),
+            axes: axes(machine, motion, samples),
         }
     }
 }
 
-fn axes(machine: &Machine, samples: &[Sample]) -> Vec<AxisFigures> {
+fn axes(machine: &Machine, motion: &PassMotion, samples: &[Sample]) -> Vec<AxisFigures> {
     let figures = |(i, axis): (usize, &seamwright_machine::Axis)| {
-        let greatest = |f: fn(&(f64, f64, f64)) -> f64| samples.iter().map(|s| f(&s.axes[i])).fold(f64::MIN, f64::max);
+        let positions = || samples.iter().map(|s| s.axes[i][0]);
+        let used = motion.certificate.uses[i];
+        let (max_speed, max_acceleration) = (axis.to_file(axis.max_speed), axis.to_file(axis.max_acceleration));
+        let max_jerk = axis.to_file(axis.jerk());
         AxisFigures {
             axis: axis.name.clone(),
             unit: axis.unit(),
-            min: -greatest(|a| -a.0),
-            max: greatest(|a| a.0),
+            min: positions().fold(f64::INFINITY, f64::min),
+            max: positions().fold(f64::NEG_INFINITY, f64::max),
             range: axis.range.map(|(l, h)| (axis.to_file(l), axis.to_file(h))),
-            speed: greatest(|a| a.1.abs()),
-            max_speed: axis.to_file(axis.max_speed),
-            acceleration: greatest(|a| a.2.abs()),
-            max_acceleration: axis.to_file(axis.max_acceleration),
+            speed: used.speed * max_speed,
+            max_speed,
+            acceleration: used.acceleration * max_acceleration,
+            max_acceleration,
+            jerk: used.jerk * max_jerk,
+            max_jerk,
         }
     };
     machine.axes.iter().enumerate().map(figures).collect()

@@ -1,4 +1,4 @@
-use seamwright_machine::{Joints, Machine};
+use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
 use seamwright_weld::Welding;
 
@@ -12,8 +12,8 @@ pub(crate) struct Sample {
     pub(crate) s: f64,
     /// Planned speed of the tip.
     pub(crate) speed: f64,
-    /// Each axis' position, speed and acceleration, in mm or degrees.
-    pub(crate) axes: Vec<(f64, f64, f64)>,
+    /// Each axis' position, speed, acceleration and jerk, in mm or degrees.
+    pub(crate) axes: Vec<[f64; 4]>,
     /// Work angle (offset from the bisector), travel angle and dihedral angle.
     pub(crate) angles: (f64, f64, f64),
 }
@@ -34,11 +34,11 @@ fn sample(machine: &Machine, welding: &Welding, pass: usize, motion: &PassMotion
     let law = motion.law.at(motion.law.time(s), &mut 0);
     let p = motion.path.point(s, false);
     let (v, a) = (law.v, law.a);
-    let rate = |q: &Joints, i: usize| machine.axes[i].to_file(q[i]);
-    let axes = (0..machine.axes.len()).map(|i| {
+    let axes = machine.axes.iter().enumerate().map(|(i, axis)| {
         let speed = p.d1[i] * v;
         let acceleration = p.d2[i] * v * v + p.d1[i] * a;
-        (rate(&p.q, i), machine.axes[i].to_file(speed), machine.axes[i].to_file(acceleration))
+        let jerk = p.d3[i] * v * v * v + 3.0 * p.d2[i] * v * a + p.d1[i] * law.j;
+        [p.q[i], speed, acceleration, jerk].map(|value| axis.to_file(value))
     });
     let (work, travel) = welding.attitudes[pass].angles(s);
     let dihedral = welding.seam.at(s).dihedral;

@@ -6,10 +6,16 @@ mod table;
 mod two_level;
 
 use super::positive;
+use super::process::ArcClock;
 use crate::args::MotionArgs;
 use crate::failure::Failure;
-use crate::load::load;
+use crate::files;
+use crate::load::{Loaded, load};
 use crate::progress::Progress;
+use seamwright_motion::WeldMotion;
+use seamwright_report::CertificateFigures;
+use serde::Serialize;
+use std::path::Path;
 use table::{Along, Row, Table};
 use two_level::TwoLevel;
 
@@ -25,23 +31,49 @@ pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
     let parts = args.coarse_ms.map(|coarse| parts(coarse, period)).transpose()?;
     let motion = loaded.plan()?;
     loaded.check_count(&motion, period)?;
+    if let Some(path) = &args.certificate {
+        write_certificate(path, &loaded, &motion)?;
+    }
     let coarse = period * f64::from(parts.unwrap_or(1));
     let mut progress = Progress::new("set-points", motion.count(coarse, args.air));
+    let mut arc = ArcClock::new(&motion);
     let mut table = Table::new(&loaded, args.export, args.json)?;
     if parts.is_none() && args.export.is_none() {
         motion.play(period, args.air, |pass, p, _| {
             progress.step();
-            table.row(&Row { t: p.t, along: Along::new(pass, &p), q: p.q, speeds: None })
+            table.row(&Row { t: p.t, along: Along::new(pass, &p, arc.at(pass, &p)), q: p.q, speeds: None })
         })?;
     } else {
         let mut level = TwoLevel::new(table, period, parts.unwrap_or(1), args.export);
         motion.play(coarse, args.air, |pass, p, _| {
             progress.step();
-            level.point(Along::new(pass, &p), &p.q)
+            level.point(Along::new(pass, &p, arc.at(pass, &p)), &p.q)
         })?;
         table = level.finish()?;
     }
     table.finish()
+}
+
+/// The certificates of all passes, in order.
+#[derive(Serialize)]
+struct Certificates<'a> {
+    seamwright: &'static str,
+    file: &'a str,
+    machine: &'a str,
+    passes: Vec<CertificateFigures>,
+}
+
+fn write_certificate(path: &Path, loaded: &Loaded, motion: &WeldMotion) -> Result<(), Failure> {
+    let (program, machine) = (&loaded.welding.program, &loaded.machine);
+    let passes = program.value.passes.iter().zip(&motion.passes);
+    let certificates = Certificates {
+        seamwright: env!("CARGO_PKG_VERSION"),
+        file: program.file(),
+        machine: &machine.name,
+        passes: passes.map(|(pass, planned)| CertificateFigures::new(machine, pass, planned)).collect(),
+    };
+    let json = serde_json::to_string_pretty(&certificates).map_err(|e| Failure::Environment(e.to_string()))?;
+    files::write(path, &(json + "\n"))
 }
 
 /// Fine periods in a coarse one.

@@ -5,7 +5,7 @@ use crate::args::MotionArgs;
 use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::rows::{Cell, Rows};
-use crate::verbs::simulate::{process_names, process_value};
+use crate::verbs::process::{Clock, ProcessColumns};
 use seamwright_machine::Joints;
 use seamwright_motion::pace::{Instant, Limits, Order, Pace, PaceError, Run, RunPhase};
 use seamwright_motion::{PassMotion, SpeedLaw, Stage};
@@ -31,7 +31,14 @@ pub(super) fn run(loaded: &Loaded, commands: &[Timed], period: f64, args: &Motio
                 for k in 0..air.count(period) {
                     let Some((leg, t)) = air.leg(k as f64 * period) else { break };
                     player.wait_in_air();
-                    player.row(&Point { pass: 0, s: f64::NAN, speed: f64::NAN, q: leg.at_time(t), phase: None })?;
+                    player.row(&Point {
+                        pass: 0,
+                        s: f64::NAN,
+                        speed: f64::NAN,
+                        q: leg.at_time(t),
+                        phase: None,
+                        arc: None,
+                    })?;
                 }
             }
         }
@@ -51,6 +58,8 @@ struct Point {
     q: Joints,
     /// None in the air.
     phase: Option<RunPhase>,
+    /// None while the arc is off.
+    arc: Option<Clock>,
 }
 
 struct Player<'a> {
@@ -66,17 +75,19 @@ struct Player<'a> {
     first: Option<Command>,
     /// Nothing comes after this stage.
     over: bool,
-    process: Vec<String>,
+    /// How long the arc has been on, s.
+    burning: f64,
+    process: ProcessColumns<'a>,
     rows: Rows,
 }
 
 impl<'a> Player<'a> {
     fn new(loaded: &'a Loaded, commands: &'a [Timed], period: f64, json: bool) -> Result<Self, Failure> {
-        let process = process_names(&loaded.welding.program.value);
+        let process = ProcessColumns::new(&loaded.welding.program.value);
         let mut columns: Vec<String> = ["t_s", "pass", "s_mm"].map(str::to_owned).into();
         columns.extend(loaded.machine.axes.iter().map(|a| a.name.clone()));
         columns.extend(["speed_mm_s", "arc", "phase"].map(str::to_owned));
-        columns.extend(process.iter().cloned());
+        columns.extend_from_slice(process.names());
         let rows = Rows::new(columns, json)?;
         Ok(Self {
             loaded,
@@ -86,6 +97,7 @@ impl<'a> Player<'a> {
             pace: 1.0,
             first: Some(Command::Resume),
             over: false,
+            burning: 0.0,
             process,
             rows,
         })
@@ -128,7 +140,7 @@ impl<'a> Player<'a> {
         if let Some(law) = &faster {
             pace = pace.with_faster(law, FASTER).map_err(stuck)?;
         }
-        let mut run = Run::new(pace, motion.sequence, &[]);
+        let mut run = Run::new(pace, motion.sequence.clone(), &[]);
         run.order(Order::Override(self.pace)).map_err(stuck)?;
         let first = self.first.replace(Command::Resume);
         if let Some(first) = first.filter(|_| self.pace * 100.0 >= LEAST_OVERRIDE) {
@@ -162,7 +174,10 @@ impl<'a> Player<'a> {
 
     fn instant(&mut self, pass: usize, now: &Instant) -> Result<(), Failure> {
         let r = &now.played.rates;
-        self.row(&Point { pass, s: r.tip.s, speed: r.tip.v, q: r.q, phase: Some(now.phase) })
+        let until_off = if now.phase == RunPhase::Crater { now.left_s } else { f64::INFINITY };
+        let arc = now.phase.arc().then_some((self.burning, until_off));
+        self.burning = arc.map_or(0.0, |(burning, _)| burning + self.period);
+        self.row(&Point { pass, s: r.tip.s, speed: r.tip.v, q: r.q, phase: Some(now.phase), arc })
     }
 
     fn row(&mut self, point: &Point) -> Result<(), Failure> {
@@ -172,12 +187,9 @@ impl<'a> Player<'a> {
         let mut cells = vec![Cell::Number(t), Cell::Count(point.pass as u64), number(point.s)];
         let axes = self.loaded.machine.axes.iter().zip(&point.q);
         cells.extend(axes.map(|(axis, value)| Cell::Number(axis.to_file(*value))));
-        let arc = point.phase.is_some_and(RunPhase::arc);
         let phase = point.phase.map_or("air", name);
-        cells.extend([number(point.speed), Cell::Count(u64::from(arc)), Cell::Text(phase)]);
-        let passes = &self.loaded.welding.program.value.passes;
-        let values = point.pass.checked_sub(1).and_then(|i| passes[i].span_at(point.s)).map(|span| &span.process);
-        cells.extend(self.process.iter().map(|name| Cell::Number(process_value(values, name, arc))));
+        cells.extend([number(point.speed), Cell::Count(u64::from(point.arc.is_some())), Cell::Text(phase)]);
+        cells.extend(self.process.values(point.pass, point.s, point.arc).map(Cell::Number));
         self.rows.row(&cells)
     }
 }

@@ -2,7 +2,7 @@ use crate::args::ExportArg;
 use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::rows::{Cell, Rows};
-use crate::verbs::simulate::{process_names, process_value};
+use crate::verbs::process::{Clock, ProcessColumns};
 use seamwright_machine::Joints;
 use seamwright_motion::SetPoint;
 
@@ -15,12 +15,13 @@ pub(super) struct Along {
     pub(super) s: f64,
     /// Speed along it, mm/s.
     pub(super) speed: f64,
-    pub(super) arc: bool,
+    /// None while the arc is off.
+    pub(super) arc: Option<Clock>,
 }
 
 impl Along {
-    pub(super) fn new(pass: usize, set: &SetPoint) -> Self {
-        Self { pass, s: set.law.s, speed: set.law.v, arc: set.phase.arc() }
+    pub(super) fn new(pass: usize, set: &SetPoint, arc: Option<Clock>) -> Self {
+        Self { pass, s: set.law.s, speed: set.law.v, arc }
     }
 }
 
@@ -37,7 +38,7 @@ pub(super) struct Row {
 /// Set-points as rows on standard output.
 pub(super) struct Table<'a> {
     loaded: &'a Loaded,
-    process: Vec<String>,
+    process: ProcessColumns<'a>,
     rows: Rows,
     /// Of the row being written.
     cells: Vec<Cell<'static>>,
@@ -46,14 +47,14 @@ pub(super) struct Table<'a> {
 impl<'a> Table<'a> {
     pub(super) fn new(loaded: &'a Loaded, export: Option<ExportArg>, json: bool) -> Result<Self, Failure> {
         let axes = &loaded.machine.axes;
-        let process = process_names(&loaded.welding.program.value);
+        let process = ProcessColumns::new(&loaded.welding.program.value);
         let mut columns: Vec<String> = ["t_s", "pass", "s_mm"].map(str::to_owned).into();
         columns.extend(axes.iter().map(|a| a.name.clone()));
         if export == Some(ExportArg::Pvt) {
             columns.extend(axes.iter().map(|a| format!("{}_{}_s", a.name, a.unit())));
         }
         columns.extend(["speed_mm_s".to_owned(), "arc".to_owned()]);
-        columns.extend(process.iter().cloned());
+        columns.extend_from_slice(process.names());
         Ok(Self { loaded, process, rows: Rows::new(columns, json)?, cells: Vec::new() })
     }
 
@@ -67,10 +68,8 @@ impl<'a> Table<'a> {
         for values in [Some(&row.q), row.speeds.as_ref()].into_iter().flatten() {
             cells.extend(axes.iter().zip(values).map(|(axis, value)| Cell::Number(axis.to_file(*value))));
         }
-        cells.extend([number(speed), Cell::Count(u64::from(arc))]);
-        let passes = &self.loaded.welding.program.value.passes;
-        let values = pass.checked_sub(1).and_then(|i| passes[i].span_at(s)).map(|span| &span.process);
-        cells.extend(self.process.iter().map(|name| Cell::Number(process_value(values, name, arc))));
+        cells.extend([number(speed), Cell::Count(u64::from(arc.is_some()))]);
+        cells.extend(self.process.values(pass, s, arc).map(Cell::Number));
         self.rows.row(cells)
     }
 

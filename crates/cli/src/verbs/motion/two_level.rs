@@ -60,7 +60,7 @@ impl<'a> TwoLevel<'a> {
 
     /// At rest in `q`, the arc off.
     fn rest(&mut self, along: Along, q: &Joints) -> Result<(), Failure> {
-        (0..REST).try_for_each(|_| self.push(Along { speed: 0.0, arc: false, ..along }, q))
+        (0..REST).try_for_each(|_| self.push(Along { speed: 0.0, arc: None, ..along }, q))
     }
 
     fn push(&mut self, along: Along, q: &Joints) -> Result<(), Failure> {
@@ -98,8 +98,11 @@ impl<'a> TwoLevel<'a> {
     }
 }
 
-/// Path length and speed at a part of the period: the cubic with those of both ends; at rest between two passes.
+/// Path length and speed at a part of the period: the cubic with those of both ends; at rest between two passes. What the
+/// arc does is that of the coarse point before, but its clock goes on.
 fn between(from: &Along, to: &Along, period: f64, part: f64) -> Along {
+    let later = |(since_on, until_off)| (since_on + part * period, until_off - part * period);
+    let from = &Along { arc: from.arc.map(later), ..*from };
     if from.pass != to.pass || !from.s.is_finite() {
         return *from;
     }

@@ -1,0 +1,70 @@
+//! Process values that change evenly, as steps that a control can be given.
+
+use seamwright_program::{ProcessValue, Span};
+
+/// Steps of a ramp or slope: each is one part in this many of the change.
+const STEPS: u32 = 50;
+/// Steps of a ramp are no shorter than this, mm.
+const SHORTEST_MM: f64 = 0.5;
+/// Steps of a slope are no shorter than this, s.
+const SHORTEST_S: f64 = 0.02;
+
+/// Where blocks end within a span so that its ramps change in small steps, mm.
+pub(crate) fn ramp_breaks(span: &Span) -> Vec<f64> {
+    if !span.process.values().any(ProcessValue::is_ramp) {
+        return Vec::new();
+    }
+    let (from, to) = (span.from_mm.get(), span.to_mm.get());
+    let count = steps((to - from) / SHORTEST_MM);
+    (1..count).map(|i| from + (to - from) * f64::from(i) / f64::from(count)).collect()
+}
+
+/// The number of steps of which there is room for `most`.
+fn steps(most: f64) -> u32 {
+    (most.floor() as u32).clamp(1, STEPS)
+}
+
+/// Part of a time in which the torch rests with the arc on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct RestStep {
+    /// How long it is, s.
+    pub(crate) time: f64,
+    /// Its middle, from the begin of the rest, s.
+    pub(crate) middle: f64,
+    /// True within a slope.
+    pub(crate) slopes: bool,
+}
+
+/// A rest of `time` s that begins with a slope of `slopes.0` s and ends with one of `slopes.1` s, in steps.
+pub(crate) fn rest_steps(time: f64, slopes: (f64, f64)) -> Vec<RestStep> {
+    let parts = [(slopes.0, true), (time - slopes.0 - slopes.1, false), (slopes.1, true)];
+    let mut begin = 0.0;
+    let mut all = Vec::new();
+    for (length, slopes) in parts.into_iter().filter(|(length, _)| *length > 0.0) {
+        let count = if slopes { steps(length / SHORTEST_S) } else { 1 };
+        let step = length / f64::from(count);
+        all.extend((0..count).map(|i| RestStep { time: step, middle: begin + step * (f64::from(i) + 0.5), slopes }));
+        begin += length;
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_fill_the_rest() {
+        for (time, slopes) in [(1.0, (0.4, 0.0)), (0.8, (0.0, 0.8)), (0.01, (0.01, 0.0)), (2.0, (0.0, 0.0))] {
+            let steps = rest_steps(time, slopes);
+            assert!((steps.iter().map(|s| s.time).sum::<f64>() - time).abs() < 1e-12);
+            let sloping: f64 = steps.iter().filter(|s| s.slopes).map(|s| s.time).sum();
+            assert!((sloping - slopes.0 - slopes.1).abs() < 1e-12);
+            let mut begin = 0.0;
+            for step in steps {
+                assert!((step.middle - begin - 0.5 * step.time).abs() < 1e-12);
+                begin += step.time;
+            }
+        }
+    }
+}

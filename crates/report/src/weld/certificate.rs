@@ -1,0 +1,141 @@
+use seamwright_machine::Machine;
+use seamwright_motion::PassMotion;
+use seamwright_motion::law::{Bound, Interval, Use};
+use seamwright_program::Pass;
+use serde::Serialize;
+
+/// What a pass reaches and what bounds it where, for machines to read: mm, s, and mm or degrees for the axes. Whoever knows
+/// the set-points and the machine's limits can check it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CertificateFigures {
+    /// Least and greatest speed asked for, mm/s; they differ where spans do.
+    pub asked_speed_mm_s: (f64, f64),
+    /// Least planned speed of the tip between run-up and run-down, mm/s.
+    pub least_speed_mm_s: f64,
+    /// Greatest planned speed of the tip there, mm/s.
+    pub greatest_speed_mm_s: f64,
+    /// Where the run-up ends, mm.
+    pub run_up_end_mm: f64,
+    /// Where the run-down begins, mm.
+    pub run_down_start_mm: f64,
+    /// Part of the path's length on which the tip is as fast as asked, %; run-up and run-down count as slower.
+    pub at_asked_percent: f64,
+    /// A speed of the tip that every axis can hold everywhere, mm/s.
+    pub everywhere_mm_s: f64,
+    /// Stretches of the path in order, each with what bounds its speed.
+    pub intervals: Vec<IntervalFigures>,
+    /// The greatest use of each axis' limits over the whole path.
+    pub uses: Vec<UseFigures>,
+}
+
+/// A stretch of the path with one bound.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct IntervalFigures {
+    /// Path length at which it begins, mm.
+    pub from_mm: f64,
+    /// Path length at which it ends, mm.
+    pub to_mm: f64,
+    /// Least planned speed of the tip in it, mm/s.
+    pub least_speed_mm_s: f64,
+    /// Where that is, mm.
+    pub least_at_mm: f64,
+    /// Greatest planned speed of the tip in it, mm/s.
+    pub greatest_speed_mm_s: f64,
+    /// False in run-up and run-down.
+    pub between: bool,
+    /// `asked` (nothing else binds), `speed`, `acceleration` or `jerk`.
+    pub bound: &'static str,
+    /// The axis whose limit binds.
+    pub axis: Option<String>,
+    /// The limit that binds, in mm or degrees per s, s^2 or s^3.
+    pub limit: Option<f64>,
+    /// Its unit.
+    pub unit: Option<String>,
+}
+
+/// The greatest use that a pass makes of one axis' limits; limits in mm or degrees per s, s^2 and s^3.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct UseFigures {
+    /// Name of the axis.
+    pub axis: String,
+    /// `mm` or `deg`.
+    pub unit: &'static str,
+    /// Of its speed, %.
+    pub speed_percent: f64,
+    /// Its limit.
+    pub max_speed: f64,
+    /// Of its acceleration, %.
+    pub acceleration_percent: f64,
+    /// Its limit.
+    pub max_acceleration: f64,
+    /// Of its jerk, %.
+    pub jerk_percent: f64,
+    /// Its limit.
+    pub max_jerk: f64,
+}
+
+impl CertificateFigures {
+    /// The certificate of `pass`, planned as `motion` on `machine`.
+    pub fn new(machine: &Machine, pass: &Pass, motion: &PassMotion) -> Self {
+        let (certificate, report) = (&motion.certificate, motion.law.report());
+        let (least, greatest) = certificate.band().unwrap_or((report.least, report.greatest));
+        let speeds = || pass.spans.iter().map(|s| s.speed_mm_s.get());
+        let asked = |better: fn(f64, f64) -> f64| speeds().reduce(better).unwrap_or(0.0);
+        Self {
+            asked_speed_mm_s: (asked(f64::min), asked(f64::max)),
+            least_speed_mm_s: least,
+            greatest_speed_mm_s: greatest,
+            run_up_end_mm: report.run_up_end,
+            run_down_start_mm: report.run_down_start,
+            // `+ 0.0` turns the negative zero of an empty sum into zero.
+            at_asked_percent: 100.0 * certificate.at_asked + 0.0,
+            everywhere_mm_s: certificate.everywhere,
+            intervals: certificate.intervals.iter().map(|i| IntervalFigures::new(machine, i)).collect(),
+            uses: machine.axes.iter().zip(&certificate.uses).map(|(axis, used)| UseFigures::new(axis, used)).collect(),
+        }
+    }
+}
+
+impl IntervalFigures {
+    fn new(machine: &Machine, i: &Interval) -> Self {
+        let (bound, limit) = match i.bound {
+            Bound::Asked => ("asked", None),
+            Bound::Speed(k) => ("speed", Some((k, machine.axes[k].max_speed, "/s"))),
+            Bound::Acceleration(k) => ("acceleration", Some((k, machine.axes[k].max_acceleration, "/s^2"))),
+            Bound::Jerk(k) => ("jerk", Some((k, machine.axes[k].jerk(), "/s^3"))),
+        };
+        let axis = |k: usize| &machine.axes[k];
+        Self {
+            from_mm: i.from,
+            to_mm: i.to,
+            least_speed_mm_s: i.speed.0,
+            least_at_mm: i.least_at,
+            greatest_speed_mm_s: i.speed.1,
+            between: i.between,
+            bound,
+            axis: limit.map(|(k, ..)| axis(k).name.clone()),
+            limit: limit.map(|(k, value, _)| axis(k).to_file(value)),
+            unit: limit.map(|(k, _, per)| format!("{}{per}", axis(k).unit())),
+        }
+    }
+
+    /// What binds, shortly: `axis c, jerk`.
+    pub(crate) fn binds(&self) -> String {
+        self.axis.as_ref().map_or("asked speed".to_owned(), |axis| format!("axis {axis}, {}", self.bound))
+    }
+}
+
+impl UseFigures {
+    fn new(axis: &seamwright_machine::Axis, used: &Use) -> Self {
+        Self {
+            axis: axis.name.clone(),
+            unit: axis.unit(),
+            speed_percent: 100.0 * used.speed,
+            max_speed: axis.to_file(axis.max_speed),
+            acceleration_percent: 100.0 * used.acceleration,
+            max_acceleration: axis.to_file(axis.max_acceleration),
+            jerk_percent: 100.0 * used.jerk,
+            max_jerk: axis.to_file(axis.jerk()),
+        }
+    }
+}
