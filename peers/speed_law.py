@@ -4,7 +4,7 @@ Speed and acceleration limits: our duration at 1000 cells must be within 0.1 % o
 in this run, each the least of several; ours with jerk limits too, which toppra has not. The aim of at least 50 times less
 time is printed, not enforced: a busy machine is no failure.
 
-Usage: toppra.py LAW_TIMES (the built example `law_times`)
+Usage: speed_law.py LAW_TIMES (the built example `law_times`)
 """
 
 import json
