@@ -85,21 +85,44 @@ impl Line {
     }
 }
 
+/// Some channels at a place; those that fill up the last lanes never move.
+struct Lanes {
+    /// First derivatives by the channels' accelerations.
+    first: [f64; LANES],
+    /// The second ones likewise.
+    second: [f64; LANES],
+    /// The slabs `|a - slope x| <= half`: their half heights,
+    half: [f64; LANES],
+    /// and their slopes.
+    slope: [f64; LANES],
+}
+
+impl Lanes {
+    /// Of channels with these derivatives, `along` twice the distance from the start of the cell; and the greatest second
+    /// derivative of those that do not bound the acceleration.
+    fn new(first: [f64; LANES], second: [f64; LANES], along: f64) -> (Self, f64) {
+        let mut lanes = Self { first, second, half: [f64::INFINITY; LANES], slope: [0.0; LANES] };
+        let mut steepest = [0.0; LANES];
+        for k in 0..LANES {
+            // |q'' (x + along a) + q' a| <= 1; if that does not depend on a, it bounds x.
+            let a = first[k] + along * second[k];
+            let by = 1.0 / a;
+            let bounds = a.abs() > 1e-12 * (along * second[k]).abs();
+            lanes.half[k] = if bounds { by.abs() } else { f64::INFINITY };
+            lanes.slope[k] = if bounds { -second[k] * by } else { 0.0 };
+            steepest[k] = if bounds { 0.0 } else { second[k].abs() };
+        }
+        (lanes, steepest.into_iter().fold(0.0, larger))
+    }
+}
+
 /// What bounds squared speeds at stations and accelerations in cells.
 struct Slabs {
     widths: Vec<f64>,
-    /// Number of channels, filled up to a multiple of [`LANES`] with some that never move.
-    channels: usize,
-    /// Square of every channel's acceleration by its speed.
-    by_speed: Vec<f64>,
-    /// First derivative of every channel at every place of every cell, by its acceleration.
-    first: Vec<f64>,
-    /// The second one likewise.
-    second: Vec<f64>,
-    /// As many slabs `|a - slope x| <= half`: their half heights,
-    halves: Vec<f64>,
-    /// and their slopes.
-    slopes: Vec<f64>,
+    /// Square of every channel's acceleration by its speed, in lanes.
+    by_speed: Vec<[f64; LANES]>,
+    /// Of all channels at every place of each cell. One piece of memory, which repeated laws get back without zeroed pages.
+    lanes: Vec<Lanes>,
     /// Highest squared speed by the channels at every place of each cell.
     caps: Vec<[f64; 3]>,
     /// Asked squared speed at both ends of each cell.
@@ -110,22 +133,21 @@ struct Slabs {
 
 impl Slabs {
     fn new(path: &dyn Channels, u: &[f64]) -> Result<Self, LawError> {
-        let (count, channels) = (u.len() - 1, path.limits().len().next_multiple_of(LANES));
+        let count = u.len() - 1;
         let rates: Vec<[f64; 2]> = path.limits().iter().map(|l| [1.0 / l.speed, 1.0 / l.acceleration]).collect();
-        let rows = vec![0.0; count * PLACES.len() * channels];
+        let by_speed = path
+            .limits()
+            .chunks(LANES)
+            .map(|limits| std::array::from_fn(|k| limits.get(k).map_or(0.0, |l| (l.acceleration / l.speed).powi(2))));
+        let by_speed: Vec<_> = by_speed.collect();
         let mut built = Self {
             widths: u.windows(2).map(|w| w[1] - w[0]).collect(),
-            channels,
-            by_speed: path.limits().iter().map(|l| (l.acceleration / l.speed).powi(2)).collect(),
-            first: rows.clone(),
-            second: rows.clone(),
-            halves: rows.clone(),
-            slopes: rows,
+            lanes: Vec::with_capacity(count * PLACES.len() * by_speed.len()),
+            by_speed,
             caps: vec![[f64::INFINITY; 3]; count],
             asked: vec![[f64::INFINITY; 2]; count],
             room: vec![1.0 - RESERVE; count],
         };
-        built.by_speed.resize(channels, 0.0);
         let breaks = path.breaks();
         let mut row = vec![[0.0; 3]; rates.len()];
         let mut tip = 0.0;
@@ -154,33 +176,25 @@ impl Slabs {
     /// Adds the channels' derivatives `row` at a place; `rates` are one by their speeds and accelerations.
     fn add(&mut self, cell: usize, place: usize, row: &[[f64; 3]], rates: &[[f64; 2]]) {
         let along = 2.0 * PLACES[place] * self.widths[cell];
-        let here = (cell * PLACES.len() + place) * self.channels..;
-        let (first, second) =
-            (&mut self.first[here.clone()][..self.channels], &mut self.second[here.clone()][..self.channels]);
-        let mut speed: f64 = 0.0;
-        for (k, ([q1, q2, _], [by_speed, by_acceleration])) in row.iter().zip(rates).enumerate() {
-            speed = speed.max(q1.abs() * by_speed);
-            (first[k], second[k]) = (q1 * by_acceleration, q2 * by_acceleration);
-        }
-        // |q'' (x + along a) + q' a| <= 1; if that does not depend on a, it bounds x.
-        let mut steepest: f64 = 0.0;
-        let slabs = self.halves[here.clone()].iter_mut().zip(&mut self.slopes[here]);
-        for ((q1, q2), (half, slope)) in first.iter().zip(second.iter()).zip(slabs) {
-            let a = q1 + along * q2;
-            let by = 1.0 / a;
-            let bounds = a.abs() > 1e-12 * (along * q2).abs();
-            *half = if bounds { by.abs() } else { f64::INFINITY };
-            *slope = if bounds { -q2 * by } else { 0.0 };
-            steepest = if bounds { steepest } else { steepest.max(q2.abs()) };
+        let (mut speed, mut steepest) = (0.0, 0.0);
+        for (row, rates) in row.chunks(LANES).zip(rates.chunks(LANES)) {
+            let (mut first, mut second) = ([0.0; LANES], [0.0; LANES]);
+            for (k, ([q1, q2, _], [by_speed, by_acceleration])) in row.iter().zip(rates).enumerate() {
+                speed = larger(speed, q1.abs() * by_speed);
+                (first[k], second[k]) = (q1 * by_acceleration, q2 * by_acceleration);
+            }
+            let (lanes, flat) = Lanes::new(first, second, along);
+            self.lanes.push(lanes);
+            steepest = larger(steepest, flat);
         }
         self.caps[cell][0] = self.caps[cell][0].min(1.0 / steepest);
         self.caps[cell][place] = self.caps[cell][place].min(1.0 / (speed * speed));
     }
 
-    /// What `all` has at the places of cell `i`.
-    fn places<'a>(&self, all: &'a [f64], i: usize) -> [&'a [f64]; 3] {
-        let each = PLACES.len() * self.channels;
-        std::array::from_fn(|place| &all[i * each + place * self.channels..][..self.channels])
+    /// All channels at all places of cell `i`.
+    fn cell(&self, i: usize) -> &[Lanes] {
+        let each = PLACES.len() * self.by_speed.len();
+        &self.lanes[i * each..][..each]
     }
 
     /// Number of cells.
@@ -210,18 +224,13 @@ impl Slabs {
     /// The least upper and the greatest lower bound on the acceleration in cell `i` from the squared speed `x` on, with
     /// `ends` by the ends.
     fn extent(&self, i: usize, (upper, lower): &([Line; 2], Line), x: f64) -> [f64; 2] {
-        let each = PLACES.len() * self.channels;
         let room = self.room[i];
-        let halves = self.halves[i * each..][..each].as_chunks::<LANES>().0;
-        let slopes = self.slopes[i * each..][..each].as_chunks::<LANES>().0;
         let (mut least, mut most) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
-        for (halves, slopes) in halves.iter().zip(slopes) {
-            // Not `min` and `max`, which look after NaN: so that four lanes are one instruction or two.
+        for Lanes { half, slope, .. } in self.cell(i) {
             for k in 0..LANES {
-                let (middle, half) = (slopes[k] * x, halves[k] * room);
-                let (high, low) = (middle + half, middle - half);
-                least[k] = if high < least[k] { high } else { least[k] };
-                most[k] = if low > most[k] { low } else { most[k] };
+                let (middle, half) = (slope[k] * x, half[k] * room);
+                least[k] = smaller(least[k], middle + half);
+                most[k] = larger(most[k], middle - half);
             }
         }
         let least = least.into_iter().chain(upper.iter().map(|line| line.at(x))).fold(f64::INFINITY, f64::min);
@@ -230,8 +239,7 @@ impl Slabs {
 
     /// The lines that are these bounds at `x`.
     fn lines(&self, i: usize, (upper, lower): &([Line; 2], Line), x: f64, [least, most]: [f64; 2]) -> (Line, Line) {
-        let each = PLACES.len() * self.channels;
-        let slabs = self.slopes[i * each..][..each].iter().zip(&self.halves[i * each..][..each]);
+        let slabs = self.cell(i).iter().flat_map(|lanes| lanes.slope.iter().zip(&lanes.half));
         let mut lines = slabs.map(|(slope, half)| (Line { at0: half * self.room[i], slope: *slope }, slope * x));
         let by_end = |line: &Line| line.at(x) <= least;
         let slab = lines.clone().find(|(line, middle)| middle + line.at0 <= least).map(|(line, _)| line);
@@ -309,33 +317,40 @@ impl Slabs {
     fn peak(&self, i: usize, from: f64, to: f64) -> f64 {
         let width = self.widths[i];
         let (a, b) = (0.5 * (to - from) / width, [from, 0.5 * (from + to), to]);
-        let ([f0, f1, f2], [s0, s1, s2]) = (self.places(&self.first, i), self.places(&self.second, i));
-        // Uses of its acceleration at the places, and a bound on that of its speed.
-        let uses = |k: usize| {
-            let [u0, u1, u2] = [s0[k] * b[0] + f0[k] * a, s1[k] * b[1] + f1[k] * a, s2[k] * b[2] + f2[k] * a];
-            let by = self.by_speed[k];
-            let speeds = [f0[k] * f0[k] * b[0] * by, f1[k] * f1[k] * b[1] * by, f2[k] * f2[k] * b[2] * by];
-            // The slope of its square, times a third of half a cell; a cubic stays below its Bernstein coefficients.
-            let third = by * width / 3.0;
-            let [t0, t1, t2] = [f0[k] * u0 * third, f1[k] * u1 * third, f2[k] * u2 * third];
-            let beside = [speeds[0] + t0, speeds[1] - t1, speeds[1] + t1, speeds[2] - t2];
-            ([u0, u1, u2], speeds.into_iter().chain(beside).fold(0.0, larger))
-        };
-        let mut bounds = [0.0; LANES];
-        for k in (0..self.channels).step_by(LANES) {
-            for (lane, bound) in bounds.iter_mut().enumerate() {
-                let ([u0, u1, u2], speed) = uses(k + lane);
-                // A parabola too.
-                let beside = 2.0 * u1 - 0.5 * (u0 + u2);
-                *bound = [u0.abs(), beside.abs(), u2.abs(), speed].into_iter().fold(*bound, larger);
+        let groups = self.by_speed.len();
+        let (start, rest) = self.cell(i).split_at(groups);
+        let (middle, end) = rest.split_at(groups);
+        let mut most = 0.0;
+        for (((l0, l1), l2), by_speed) in start.iter().zip(middle).zip(end).zip(&self.by_speed) {
+            let (mut used, mut speed, mut bound) = ([[0.0; 3]; LANES], [0.0; LANES], [0.0; LANES]);
+            for k in 0..LANES {
+                let [f0, f1, f2] = [l0.first[k], l1.first[k], l2.first[k]];
+                let u0 = l0.second[k] * b[0] + f0 * a;
+                let u1 = l1.second[k] * b[1] + f1 * a;
+                let u2 = l2.second[k] * b[2] + f2 * a;
+                used[k] = [u0, u1, u2];
+                // The slope of the speed's square, times a third of half a cell; a cubic stays below its Bernstein coefficients.
+                let by = by_speed[k];
+                let third = by * width / 3.0;
+                let [t0, t1, t2] = [f0 * u0 * third, (f1 * u1 * third).abs(), f2 * u2 * third];
+                let speeds = [f0 * f0 * b[0] * by, f1 * f1 * b[1] * by, f2 * f2 * b[2] * by];
+                let ends = larger(speeds[0] + larger(t0, 0.0), speeds[2] - smaller(t2, 0.0));
+                speed[k] = larger(ends, speeds[1] + t1);
+                // Of the parabola of accelerations likewise.
+                let beside = (2.0 * u1 - 0.5 * (u0 + u2)).abs();
+                bound[k] = larger(larger(speed[k], beside), larger(u0.abs(), u2.abs()));
             }
+            let bound = bound.into_iter().fold(0.0, larger);
+            let exact = || used.into_iter().map(greatest).chain(speed).fold(0.0, larger);
+            most = larger(most, if bound <= ALLOWED { bound } else { exact() });
         }
-        let bound = bounds.into_iter().fold(0.0, larger);
-        if bound <= ALLOWED {
-            return bound;
-        }
-        (0..self.channels).map(uses).fold(0.0, |most, (used, speed)| larger(larger(most, speed), greatest(used)))
+        most
     }
+}
+
+/// The smaller of two numbers, none of them NaN.
+fn smaller(a: f64, b: f64) -> f64 {
+    if b < a { b } else { a }
 }
 
 /// The larger of two numbers, none of them NaN: unlike `max` one instruction, for some lanes at once.
