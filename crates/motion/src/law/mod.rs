@@ -8,6 +8,7 @@ mod error;
 mod grid;
 mod interior;
 mod jerk_limited;
+mod lanes;
 mod pentadiagonal;
 mod problem;
 mod reach;

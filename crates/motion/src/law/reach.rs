@@ -3,6 +3,7 @@
 use super::cells::broken;
 use super::channels::Channels;
 use super::error::LawError;
+use super::lanes::{LANES, Lanes, larger, smaller};
 
 /// Places in each cell where limits are imposed, as parts of its width.
 const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
@@ -12,8 +13,6 @@ const RESERVE: f64 = 1e-4;
 const ALLOWED: f64 = 1.0 - 0.2 * RESERVE;
 /// Times the law is solved again with less room where a limit was passed.
 const ROUNDS: usize = 6;
-/// Channels that are looked at together.
-const LANES: usize = 4;
 /// Most steps of Newton's method for one station: it descends to its zero in two or three.
 const STEPS: usize = 60;
 
@@ -82,37 +81,6 @@ struct Line {
 impl Line {
     fn at(self, x: f64) -> f64 {
         self.at0 + self.slope * x
-    }
-}
-
-/// Some channels at a place; those that fill up the last lanes never move.
-struct Lanes {
-    /// First derivatives by the channels' accelerations.
-    first: [f64; LANES],
-    /// The second ones likewise.
-    second: [f64; LANES],
-    /// The slabs `|a - slope x| <= half`: their half heights,
-    half: [f64; LANES],
-    /// and their slopes.
-    slope: [f64; LANES],
-}
-
-impl Lanes {
-    /// Of channels with these derivatives, `along` twice the distance from the start of the cell; and the greatest second
-    /// derivative of those that do not bound the acceleration.
-    fn new(first: [f64; LANES], second: [f64; LANES], along: f64) -> (Self, f64) {
-        let mut lanes = Self { first, second, half: [f64::INFINITY; LANES], slope: [0.0; LANES] };
-        let mut steepest = [0.0; LANES];
-        for k in 0..LANES {
-            // |q'' (x + along a) + q' a| <= 1; if that does not depend on a, it bounds x.
-            let a = first[k] + along * second[k];
-            let by = 1.0 / a;
-            let bounds = a.abs() > 1e-12 * (along * second[k]).abs();
-            lanes.half[k] = if bounds { by.abs() } else { f64::INFINITY };
-            lanes.slope[k] = if bounds { -second[k] * by } else { 0.0 };
-            steepest[k] = if bounds { 0.0 } else { second[k].abs() };
-        }
-        (lanes, steepest.into_iter().fold(0.0, larger))
     }
 }
 
@@ -256,7 +224,7 @@ impl Slabs {
             law.changed[0][i] = false;
             if lessened || law.changed[0][i + 1] {
                 let x = self.highest(i, law.reach[i + 1]);
-                law.changed[0][i] = x != law.reach[i];
+                law.changed[0][i] = x.to_bits() != law.reach[i].to_bits();
                 law.reach[i] = x;
             }
         }
@@ -294,7 +262,7 @@ impl Slabs {
                 let cruises = next > (1.0 - 1e-12) * law.reach[i + 1];
                 law.b[i + 1] = if cruises { law.reach[i + 1] } else { next };
             }
-            law.changed[1][i + 1] = law.b[i + 1] != old;
+            law.changed[1][i + 1] = law.b[i + 1].to_bits() != old.to_bits();
         }
     }
 
@@ -346,16 +314,6 @@ impl Slabs {
         }
         most
     }
-}
-
-/// The smaller of two numbers, none of them NaN.
-fn smaller(a: f64, b: f64) -> f64 {
-    if b < a { b } else { a }
-}
-
-/// The larger of two numbers, none of them NaN: unlike `max` one instruction, for some lanes at once.
-fn larger(a: f64, b: f64) -> f64 {
-    if b > a { b } else { a }
 }
 
 /// Greatest size of the parabola through three evenly spaced values, from the first to the last.
