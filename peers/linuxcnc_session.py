@@ -1,4 +1,5 @@
-"""LinuxCNC without hardware or window: configured for a kinematics module, sent to poses, asked for its joints.
+"""LinuxCNC without hardware or window: configured for a kinematics module, sent to poses or given a part program, and
+asked for its joints: at rest at every pose, or in every servo period of the program.
 
 LinuxCNC is only run: it starts this file as its display program, and that drives it through its Python module.
 
@@ -22,9 +23,9 @@ class NotStarted(Exception):
 
 
 def write_configuration(folder, module, display):
-    """INI and HAL files of a machine without limits whose joints follow at once."""
+    """INI and HAL files of a machine whose joints follow at once, with the module's limits (speed and acceleration an
+    axis) or none."""
     axes = module["axes"]
-    fast = "MAX_VELOCITY = 1e6\nMAX_ACCELERATION = 1e9\nMIN_LIMIT = -1e6\nMAX_LIMIT = 1e6\n"
     ini = f"""[EMC]\nMACHINE = peer\nVERSION = 1.1
 [DISPLAY]\nDISPLAY = {display}
 [RS274NGC]\nPARAMETER_FILE = {folder}/peer.var
@@ -36,22 +37,27 @@ def write_configuration(folder, module, display):
 [TRAJ]\nCOORDINATES = {axes}\nLINEAR_UNITS = mm\nANGULAR_UNITS = degree
 DEFAULT_LINEAR_VELOCITY = 1e6\nMAX_LINEAR_VELOCITY = 1e6\nMAX_LINEAR_ACCELERATION = 1e9
 DEFAULT_ANGULAR_VELOCITY = 1e6\nMAX_ANGULAR_VELOCITY = 1e6\nMAX_ANGULAR_ACCELERATION = 1e9\n"""
-    hal = """loadrt [KINS]KINEMATICS
+    hal = f"""loadrt [KINS]KINEMATICS
 loadrt [EMCMOT]EMCMOT servo_period_nsec=[EMCMOT]SERVO_PERIOD num_joints=[KINS]JOINTS
 addf motion-command-handler servo-thread\naddf motion-controller servo-thread
-net enable iocontrol.0.user-enable-out iocontrol.0.emc-enable-in\n"""
+net enable iocontrol.0.user-enable-out iocontrol.0.emc-enable-in
+loadrt sampler depth=16000 cfg={"f" * len(axes)}
+setp sampler.0.enable 0
+addf sampler.0 servo-thread\n"""
     for joint, axis in enumerate(axes):
         kind = "ANGULAR" if axis in "ABC" else "LINEAR"
+        speed, acceleration = module.get("limits", {}).get(axis, (1e6, 1e9))
+        fast = f"MAX_VELOCITY = {speed}\nMAX_ACCELERATION = {acceleration}\nMIN_LIMIT = -1e6\nMAX_LIMIT = 1e6\n"
         ini += f"[AXIS_{axis}]\n{fast}[JOINT_{joint}]\nTYPE = {kind}\n{fast}FERROR = 1e9\nMIN_FERROR = 1e9\nHOME = 0\n"
         ini += "HOME_SEARCH_VEL = 0\nHOME_LATCH_VEL = 0\nHOME_SEQUENCE = 0\n"
-        hal += f"net joint{joint} joint.{joint}.motor-pos-cmd joint.{joint}.motor-pos-fb\n"
+        hal += f"net joint{joint} joint.{joint}.motor-pos-cmd joint.{joint}.motor-pos-fb sampler.0.pin.{joint}\n"
     (folder / "peer.ini").write_text(ini)
     (folder / "peer.hal").write_text(hal)
     (folder / "peer.tbl").touch()
 
 
 def drive(task, result):
-    """Inside LinuxCNC: sends it to every pose and writes its joints at rest, or why it could not."""
+    """Inside LinuxCNC: sends it to every pose, plays the program, and writes its joints, or why it could not."""
     import linuxcnc
 
     # What is left standing if it is stopped from outside.
@@ -60,8 +66,8 @@ def drive(task, result):
     places = ["XYZABCUVW".index(axis) for axis in task["axes"]]
     command, status, errors = linuxcnc.command(), linuxcnc.stat(), linuxcnc.error_channel()
 
-    def wait(ready, what):
-        deadline = time.monotonic() + 10
+    def wait(ready, what, seconds=10):
+        deadline = time.monotonic() + seconds
         while not ready():
             message = errors.poll()
             if message or time.monotonic() > deadline:
@@ -91,6 +97,28 @@ def drive(task, result):
         wait(settled, "come to rest")
         return outputs()
 
+    def play():
+        """Joints in every servo period of the program, and a few at rest around it."""
+        rows = Path(result).with_name("rows")
+        with open(rows, "w") as file:
+            sampler = subprocess.Popen(["halsampler"], stdout=file)
+        subprocess.run(["halcmd", "setp", "sampler.0.enable", "1"], check=True)
+        time.sleep(0.2)
+        command.mode(linuxcnc.MODE_AUTO)
+        wait(lambda: status.task_mode == linuxcnc.MODE_AUTO, "take programs")
+        command.program_open(str(Path(result).with_name("program.ngc")))
+        command.auto(linuxcnc.AUTO_RUN, 0)
+        wait(lambda: status.interp_state != linuxcnc.INTERP_IDLE, "begin the program")
+        wait(lambda: status.interp_state == linuxcnc.INTERP_IDLE and status.inpos, "end the program", task["seconds"])
+        wait(settled, "come to rest")
+        time.sleep(0.2)
+        sampler.send_signal(signal.SIGINT)
+        sampler.wait(timeout=10)
+        text = rows.read_text()
+        if "overrun" in text:
+            raise RuntimeError("LinuxCNC's sampler lost set-points")
+        return [[float(word) for word in line.split()] for line in text.splitlines()]
+
     try:
         for pin, value in task["pins"].items():
             subprocess.run(["halcmd", "setp", f"{task['kinematics']}.{pin}", str(value)], check=True)
@@ -103,6 +131,8 @@ def drive(task, result):
         command.mode(linuxcnc.MODE_MDI)
         wait(lambda: status.task_mode == linuxcnc.MODE_MDI, "take commands")
         answer = {"joints": [go(pose) for pose in task["poses"]]}
+        if task["program"]:
+            answer["joints"] = play()
     except Exception as error:
         answer = {"error": str(error)}
     Path(result).write_text(json.dumps(answer))
@@ -119,6 +149,17 @@ def python_of_linuxcnc():
 
 def joints_at(module, poses, python):
     """LinuxCNC's joints at these poses; each has a word for each of the module's axes, in their order."""
+    return session(module, poses, "", 0.1 * len(poses), python)
+
+
+def joints_along(module, start, program, seconds, python):
+    """LinuxCNC's joints in every servo period (1 ms) of a part program that begins at the pose `start` and takes at most
+    `seconds`; at rest for a while before and after."""
+    return session(module, [start], program, seconds, python)
+
+
+def session(module, poses, program, seconds, python):
+    """Joints after every pose, or those of the program if there is one."""
     # HAL refuses root: it runs as nobody, who may not be able to read this file where it is.
     user = {}
     if os.geteuid() == 0:
@@ -131,7 +172,9 @@ def joints_at(module, poses, python):
         display.write_text(f"#!/bin/sh\nexec {python} {folder}/drive.py {folder}/task {folder}/result\n")
         display.chmod(0o755)
         write_configuration(folder, module, display)
-        (folder / "task").write_text(json.dumps({**module, "poses": poses}))
+        (folder / "program.ngc").write_text(program)
+        task = {**module, "poses": poses, "program": bool(program), "seconds": seconds}
+        (folder / "task").write_text(json.dumps(task))
         if user:
             for path in [folder, *folder.iterdir()]:
                 shutil.chown(path, user["user"], user["group"])
@@ -143,7 +186,7 @@ def joints_at(module, poses, python):
                 env=environment, start_new_session=True, cwd=name, **user,
             )
             try:
-                process.wait(timeout=20 + 0.1 * len(poses))
+                process.wait(timeout=30 + seconds)
             except subprocess.TimeoutExpired:
                 pass
             finally:

@@ -33,6 +33,7 @@ mod error;
 mod grid;
 mod interior;
 mod jerk_limited;
+mod lanes;
 mod pentadiagonal;
 mod problem;
 mod reach;

@@ -3,6 +3,7 @@
 use super::cells::broken;
 use super::channels::Channels;
 use super::error::LawError;
+use super::lanes::{LANES, Lanes, larger, smaller};
 
 /// Places in each cell where limits are imposed, as parts of its width.
 const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
@@ -27,18 +28,47 @@ const STEPS: usize = 60;
 /// As [`super::cells::Cells::new`].
 pub(crate) fn fastest(path: &dyn Channels, u: &[f64]) -> Result<(Vec<f64>, Vec<[f64; 2]>), LawError> {
     let mut slabs = Slabs::new(path, u)?;
-    let mut b = Vec::new();
-    let mut worst = 1.0;
+    let mut law = Law::new(slabs.count());
     for _ in 0..ROUNDS {
-        b = slabs.forward(&slabs.backward());
-        worst = slabs.lessen(&b);
-        if worst <= ALLOWED {
-            return Ok((b, slabs.asked));
+        slabs.backward(&mut law);
+        slabs.forward(&mut law);
+        if !slabs.lessen(&mut law) {
+            return Ok((law.b, slabs.asked));
         }
     }
     // Slowing the whole law lessens its squared speeds and accelerations alike.
-    b.iter_mut().for_each(|b| *b *= ALLOWED / worst);
-    Ok((b, slabs.asked))
+    let worst = law.peaks.iter().copied().fold(ALLOWED, f64::max);
+    law.b.iter_mut().for_each(|b| *b *= ALLOWED / worst);
+    Ok((law.b, slabs.asked))
+}
+
+/// A law, and what of it has to be found again: a round changes few cells.
+struct Law {
+    /// The highest squared speed at each station from which the path can be finished.
+    reach: Vec<f64>,
+    /// Squared speeds at stations.
+    b: Vec<f64>,
+    /// The stations where the two have just changed.
+    changed: [Vec<bool>; 2],
+    /// The cells that have just got less room.
+    lessened: Vec<bool>,
+    /// The greatest use of a limit in each cell; of at most [`ALLOWED`] only a bound.
+    peaks: Vec<f64>,
+}
+
+impl Law {
+    /// Nothing is known yet, except that it ends and begins at rest.
+    fn new(cells: usize) -> Self {
+        let mut law = Self {
+            reach: vec![f64::NAN; cells + 1],
+            b: vec![f64::NAN; cells + 1],
+            changed: [vec![false; cells + 1], vec![false; cells + 1]],
+            lessened: vec![true; cells],
+            peaks: vec![0.0; cells],
+        };
+        (law.reach[cells], law.b[0]) = (0.0, 0.0);
+        law
+    }
 }
 
 /// A bound of the acceleration from one side: `at0 + slope x`.
@@ -57,13 +87,10 @@ impl Line {
 /// What bounds squared speeds at stations and accelerations in cells.
 struct Slabs {
     widths: Vec<f64>,
-    channels: usize,
-    /// Square of every channel's acceleration by its speed.
-    by_speed: Vec<f64>,
-    /// First and second derivative of every channel at every place of every cell, by its acceleration.
-    derivatives: Vec<[f64; 2]>,
-    /// As many slabs: `|a - slope x| <= at0`.
-    slabs: Vec<Line>,
+    /// Square of every channel's acceleration by its speed, in lanes.
+    by_speed: Vec<[f64; LANES]>,
+    /// Of all channels at every place of each cell. One piece of memory, which repeated laws get back without zeroed pages.
+    lanes: Vec<Lanes>,
     /// Highest squared speed by the channels at every place of each cell.
     caps: Vec<[f64; 3]>,
     /// Asked squared speed at both ends of each cell.
@@ -74,24 +101,32 @@ struct Slabs {
 
 impl Slabs {
     fn new(path: &dyn Channels, u: &[f64]) -> Result<Self, LawError> {
-        let (count, channels) = (u.len() - 1, path.limits().len());
+        let count = u.len() - 1;
         let rates: Vec<[f64; 2]> = path.limits().iter().map(|l| [1.0 / l.speed, 1.0 / l.acceleration]).collect();
+        let by_speed = path
+            .limits()
+            .chunks(LANES)
+            .map(|limits| std::array::from_fn(|k| limits.get(k).map_or(0.0, |l| (l.acceleration / l.speed).powi(2))));
+        let by_speed: Vec<_> = by_speed.collect();
         let mut built = Self {
             widths: u.windows(2).map(|w| w[1] - w[0]).collect(),
-            channels,
-            by_speed: path.limits().iter().map(|l| (l.acceleration / l.speed).powi(2)).collect(),
-            derivatives: Vec::with_capacity(count * PLACES.len() * channels),
-            slabs: Vec::with_capacity(count * PLACES.len() * channels),
+            lanes: Vec::with_capacity(count * PLACES.len() * by_speed.len()),
+            by_speed,
             caps: vec![[f64::INFINITY; 3]; count],
             asked: vec![[f64::INFINITY; 2]; count],
             room: vec![1.0 - RESERVE; count],
         };
-        let mut row = vec![[0.0; 3]; channels];
+        let breaks = path.breaks();
+        let mut row = vec![[0.0; 3]; rates.len()];
+        let mut tip = 0.0;
         for cell in 0..count {
             let asked = path.asked(0.5 * (u[cell] + u[cell + 1]));
             for (place, part) in PLACES.into_iter().enumerate() {
                 let at = if place == 2 { u[cell + 1] } else { u[cell] + part * built.widths[cell] };
-                let tip = path.derivatives(at, place > 0, &mut row).abs();
+                // Most cells begin with what the one before ended with.
+                if place > 0 || cell == 0 || breaks.binary_search_by(|b| b.total_cmp(&at)).is_ok() {
+                    tip = path.derivatives(at, place > 0, &mut row).abs();
+                }
                 let good = asked > 0.0 && tip.is_finite() && row.iter().all(|d| (d[0] + d[1]).is_finite());
                 if !good {
                     return Err(broken(path, at, &row));
@@ -109,22 +144,25 @@ impl Slabs {
     /// Adds the channels' derivatives `row` at a place; `rates` are one by their speeds and accelerations.
     fn add(&mut self, cell: usize, place: usize, row: &[[f64; 3]], rates: &[[f64; 2]]) {
         let along = 2.0 * PLACES[place] * self.widths[cell];
-        let mut speed: f64 = 0.0;
-        for ([q1, q2, _], [by_speed, by_acceleration]) in row.iter().zip(rates) {
-            speed = speed.max(q1.abs() * by_speed);
-            let (q1, q2) = (q1 * by_acceleration, q2 * by_acceleration);
-            self.derivatives.push([q1, q2]);
-            // |q'' (x + along a) + q' a| <= 1.
-            let a = q1 + along * q2;
-            if a.abs() > 1e-12 * (along * q2).abs() {
-                let by = 1.0 / a;
-                self.slabs.push(Line { at0: by.abs(), slope: -q2 * by });
-            } else {
-                self.slabs.push(Line { at0: f64::INFINITY, slope: 0.0 });
-                self.caps[cell][0] = self.caps[cell][0].min(1.0 / q2.abs());
+        let (mut speed, mut steepest) = (0.0, 0.0);
+        for (row, rates) in row.chunks(LANES).zip(rates.chunks(LANES)) {
+            let (mut first, mut second) = ([0.0; LANES], [0.0; LANES]);
+            for (k, ([q1, q2, _], [by_speed, by_acceleration])) in row.iter().zip(rates).enumerate() {
+                speed = larger(speed, q1.abs() * by_speed);
+                (first[k], second[k]) = (q1 * by_acceleration, q2 * by_acceleration);
             }
+            let (lanes, flat) = Lanes::new(first, second, along);
+            self.lanes.push(lanes);
+            steepest = larger(steepest, flat);
         }
+        self.caps[cell][0] = self.caps[cell][0].min(1.0 / steepest);
         self.caps[cell][place] = self.caps[cell][place].min(1.0 / (speed * speed));
+    }
+
+    /// All channels at all places of cell `i`.
+    fn cell(&self, i: usize) -> &[Lanes] {
+        let each = PLACES.len() * self.by_speed.len();
+        &self.lanes[i * each..][..each]
     }
 
     /// Number of cells.
@@ -142,98 +180,137 @@ impl Slabs {
         before.min(if i < self.count() { of(i, 0) } else { f64::INFINITY }).min(f64::MAX.sqrt())
     }
 
-    /// The tightest upper and lower bound on the acceleration in cell `i` from the squared speed `x` on, if the next
-    /// station's is to be at most `next`.
-    fn bounds(&self, i: usize, next: f64, x: f64) -> (Line, Line) {
+    /// Upper bounds on the acceleration in cell `i` by the next station's squared speed, which is to be at most `next`, and
+    /// by the cap in the middle; and the lower bound, that it is not negative.
+    fn ends(&self, i: usize, next: f64) -> ([Line; 2], Line) {
         let (slope, room) = (-0.5 / self.widths[i], self.room[i]);
-        let lower = Line { at0: 0.0, slope };
-        let ends = Line { at0: -slope * next, slope };
+        let end = Line { at0: -slope * next, slope };
         let middle = Line { at0: -2.0 * slope * room * room * self.caps[i][1], slope: 2.0 * slope };
-        let mut upper = if middle.at(x) < ends.at(x) { middle } else { ends };
-        let (mut lower, mut least, mut most) = (lower, upper.at(x), lower.at(x));
-        let each = PLACES.len() * self.channels;
-        for slab in &self.slabs[i * each..][..each] {
-            let (middle, half) = (slab.slope * x, slab.at0 * room);
-            if middle + half < least {
-                least = middle + half;
-                upper = Line { at0: half, slope: slab.slope };
-            }
-            if middle - half > most {
-                most = middle - half;
-                lower = Line { at0: -half, slope: slab.slope };
-            }
-        }
-        (upper, lower)
+        ([middle, end], Line { at0: 0.0, slope })
     }
 
-    /// The highest squared speed at each station from which the path can be finished.
-    fn backward(&self) -> Vec<f64> {
-        let n = self.count();
-        let mut reach = vec![0.0; n + 1];
-        for i in (0..n).rev() {
-            let mut x = self.cap(i);
-            // Upper less lower bound is concave in x: Newton's method descends to its zero without passing it.
-            for _ in 0..STEPS {
-                let (upper, lower) = self.bounds(i, reach[i + 1], x);
-                let closing = lower.slope - upper.slope;
-                if upper.at(x) >= lower.at(x) || closing <= 0.0 {
-                    break;
-                }
-                let next = ((upper.at0 - lower.at0) / closing).max(0.0);
-                if next >= x {
-                    break;
-                }
-                x = next;
+    /// The least upper and the greatest lower bound on the acceleration in cell `i` from the squared speed `x` on, with
+    /// `ends` by the ends.
+    fn extent(&self, i: usize, (upper, lower): &([Line; 2], Line), x: f64) -> [f64; 2] {
+        let room = self.room[i];
+        let (mut least, mut most) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
+        for Lanes { half, slope, .. } in self.cell(i) {
+            for k in 0..LANES {
+                let (middle, half) = (slope[k] * x, half[k] * room);
+                least[k] = smaller(least[k], middle + half);
+                most[k] = larger(most[k], middle - half);
             }
-            reach[i] = x;
         }
-        reach
+        let least = least.into_iter().chain(upper.iter().map(|line| line.at(x))).fold(f64::INFINITY, f64::min);
+        [least, most.into_iter().fold(lower.at(x), f64::max)]
     }
 
-    /// From rest, the highest acceleration in each cell.
-    fn forward(&self, reach: &[f64]) -> Vec<f64> {
-        let mut b = vec![0.0; reach.len()];
+    /// The lines that are these bounds at `x`.
+    fn lines(&self, i: usize, (upper, lower): &([Line; 2], Line), x: f64, [least, most]: [f64; 2]) -> (Line, Line) {
+        let slabs = self.cell(i).iter().flat_map(|lanes| lanes.slope.iter().zip(&lanes.half));
+        let mut lines = slabs.map(|(slope, half)| (Line { at0: half * self.room[i], slope: *slope }, slope * x));
+        let by_end = |line: &Line| line.at(x) <= least;
+        let slab = lines.clone().find(|(line, middle)| middle + line.at0 <= least).map(|(line, _)| line);
+        let upper = upper.iter().find(|line| by_end(line)).copied().or(slab).unwrap_or(upper[1]);
+        let slab = lines.find(|(line, middle)| middle - line.at0 >= most);
+        let slab = slab.filter(|_| lower.at(x) < most).map(|(line, _)| Line { at0: -line.at0, ..line });
+        (upper, slab.unwrap_or(*lower))
+    }
+
+    /// Finds the highest squared speed at each station from which the path can be finished.
+    fn backward(&self, law: &mut Law) {
+        for i in (0..self.count()).rev() {
+            let lessened = law.lessened[i] || (i > 0 && law.lessened[i - 1]);
+            law.changed[0][i] = false;
+            if lessened || law.changed[0][i + 1] {
+                let x = self.highest(i, law.reach[i + 1]);
+                law.changed[0][i] = x.to_bits() != law.reach[i].to_bits();
+                law.reach[i] = x;
+            }
+        }
+    }
+
+    /// The highest squared speed at station `i` from which the next one can be reached with at most `next`.
+    fn highest(&self, i: usize, next: f64) -> f64 {
+        let ends = self.ends(i, next);
+        let mut x = self.cap(i);
+        // Upper less lower bound is concave in x: Newton's method descends to its zero without passing it.
+        for _ in 0..STEPS {
+            let extent = self.extent(i, &ends, x);
+            if extent[0] >= extent[1] {
+                break;
+            }
+            let (upper, lower) = self.lines(i, &ends, x, extent);
+            let closing = lower.slope - upper.slope;
+            let next = ((upper.at0 - lower.at0) / closing).max(0.0);
+            if closing <= 0.0 || next >= x {
+                break;
+            }
+            x = next;
+        }
+        x
+    }
+
+    /// From rest, takes the highest acceleration in each cell.
+    fn forward(&self, law: &mut Law) {
         for i in 0..self.count() {
-            let (upper, lower) = self.bounds(i, reach[i + 1], b[i]);
-            let a = upper.at(b[i]).max(lower.at(b[i]));
-            let next = (b[i] + 2.0 * self.widths[i] * a).max(0.0);
-            // A cruise stays exactly at its speed.
-            b[i + 1] = if next > (1.0 - 1e-12) * reach[i + 1] { reach[i + 1] } else { next };
+            let old = law.b[i + 1];
+            if law.lessened[i] || law.changed[0][i + 1] || law.changed[1][i] {
+                let [least, most] = self.extent(i, &self.ends(i, law.reach[i + 1]), law.b[i]);
+                let next = (law.b[i] + 2.0 * self.widths[i] * least.max(most)).max(0.0);
+                // A cruise stays exactly at its speed.
+                let cruises = next > (1.0 - 1e-12) * law.reach[i + 1];
+                law.b[i + 1] = if cruises { law.reach[i + 1] } else { next };
+            }
+            law.changed[1][i + 1] = law.b[i + 1].to_bits() != old.to_bits();
         }
-        b
     }
 
-    /// Lessens the room of cells in which the law with squared speeds `b` uses more than is allowed; the greatest use.
-    fn lessen(&mut self, b: &[f64]) -> f64 {
-        let mut worst: f64 = 0.0;
+    /// Lessens the room of cells in which the law uses more than is allowed; whether there are any.
+    fn lessen(&mut self, law: &mut Law) -> bool {
         for i in 0..self.count() {
-            let most = self.peak(i, b[i], b[i + 1]);
-            worst = worst.max(most);
-            if most > ALLOWED {
-                self.room[i] *= (1.0 - RESERVE) / most;
+            if law.changed[1][i] || law.changed[1][i + 1] {
+                law.peaks[i] = self.peak(i, law.b[i], law.b[i + 1]);
+            }
+            law.lessened[i] = law.peaks[i] > ALLOWED;
+            if law.lessened[i] {
+                self.room[i] *= (1.0 - RESERVE) / law.peaks[i];
             }
         }
-        worst
+        law.lessened.contains(&true)
     }
 
-    /// The greatest use of a limit in cell `i` with squared speeds `from` and `to` at its ends.
+    /// The greatest use of a limit in cell `i` with squared speeds `from` and `to` at its ends; if none is passed, a bound
+    /// of it.
     fn peak(&self, i: usize, from: f64, to: f64) -> f64 {
         let width = self.widths[i];
         let (a, b) = (0.5 * (to - from) / width, [from, 0.5 * (from + to), to]);
-        let each = PLACES.len() * self.channels;
-        let (start, rest) = self.derivatives[i * each..][..each].split_at(self.channels);
-        let (middle, end) = rest.split_at(self.channels);
-        let mut most: f64 = 0.0;
-        for (((d0, d1), d2), by_speed) in start.iter().zip(middle).zip(end).zip(&self.by_speed) {
-            let used = |d: &[f64; 2], b: f64| d[1] * b + d[0] * a;
-            let [u0, u1, u2] = [used(d0, b[0]), used(d1, b[1]), used(d2, b[2])];
-            let speed = |d: &[f64; 2], b: f64| d[0] * d[0] * b * by_speed;
-            let speeds = [speed(d0, b[0]), speed(d1, b[1]), speed(d2, b[2])];
-            // The slope of its square, times a third of half a cell; a cubic stays below its Bernstein coefficients.
-            let third = |d: &[f64; 2], used: f64| d[0] * used * by_speed * width / 3.0;
-            let [t0, t1, t2] = [third(d0, u0), third(d1, u1), third(d2, u2)];
-            let beside = [speeds[0] + t0, speeds[1] - t1, speeds[1] + t1, speeds[2] - t2];
-            most = speeds.into_iter().chain(beside).fold(most, f64::max).max(greatest([u0, u1, u2]));
+        let groups = self.by_speed.len();
+        let (start, rest) = self.cell(i).split_at(groups);
+        let (middle, end) = rest.split_at(groups);
+        let mut most = 0.0;
+        for (((l0, l1), l2), by_speed) in start.iter().zip(middle).zip(end).zip(&self.by_speed) {
+            let (mut used, mut speed, mut bound) = ([[0.0; 3]; LANES], [0.0; LANES], [0.0; LANES]);
+            for k in 0..LANES {
+                let [f0, f1, f2] = [l0.first[k], l1.first[k], l2.first[k]];
+                let u0 = l0.second[k] * b[0] + f0 * a;
+                let u1 = l1.second[k] * b[1] + f1 * a;
+                let u2 = l2.second[k] * b[2] + f2 * a;
+                used[k] = [u0, u1, u2];
+                // The slope of the speed's square, times a third of half a cell; a cubic stays below its Bernstein coefficients.
+                let by = by_speed[k];
+                let third = by * width / 3.0;
+                let [t0, t1, t2] = [f0 * u0 * third, (f1 * u1 * third).abs(), f2 * u2 * third];
+                let speeds = [f0 * f0 * b[0] * by, f1 * f1 * b[1] * by, f2 * f2 * b[2] * by];
+                let ends = larger(speeds[0] + larger(t0, 0.0), speeds[2] - smaller(t2, 0.0));
+                speed[k] = larger(ends, speeds[1] + t1);
+                // Of the parabola of accelerations likewise.
+                let beside = (2.0 * u1 - 0.5 * (u0 + u2)).abs();
+                bound[k] = larger(larger(speed[k], beside), larger(u0.abs(), u2.abs()));
+            }
+            let bound = bound.into_iter().fold(0.0, larger);
+            let exact = || used.into_iter().map(greatest).chain(speed).fold(0.0, larger);
+            most = larger(most, if bound <= ALLOWED { bound } else { exact() });
         }
         most
     }

@@ -97,6 +97,8 @@ impl SpeedLaw {
     fn add_linear(&mut self, stations: &[f64], b: &[f64], asked: &[[f64; 2]]) {
         let from = stations[0];
         self.pieces.push(RestToRest::new(from, stations[stations.len() - 1], 0.0, 0.0));
+        self.cells.reserve(asked.len());
+        self.owner.reserve(asked.len());
         for (i, asked) in asked.iter().enumerate() {
             let width = stations[i + 1] - stations[i];
             let cruises = (0..2).all(|end| b[i + end] >= (1.0 - AS_ASKED) * asked[end]);

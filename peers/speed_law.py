@@ -1,10 +1,10 @@
 """Our speed law next to toppra's, on the paths of tests/data/path_timing.json.
 
 Speed and acceleration limits: our duration at 1000 cells must be within 0.1 % of toppra's on its finest grid. Both are timed
-in this run, each the least of several; ours with jerk limits too, which toppra has not. The aim of at least 50 times less
+in this run, each the least of many; ours with jerk limits too, which toppra has not. The aim of at least 50 times less
 time is printed, not enforced: a busy machine is no failure.
 
-Usage: toppra.py LAW_TIMES (the built example `law_times`)
+Usage: speed_law.py LAW_TIMES (the built example `law_times`)
 """
 
 import json
@@ -21,6 +21,7 @@ toppra.setup_logging("ERROR")
 ROOT = Path(__file__).resolve().parent.parent
 PATHS = json.loads((ROOT / "tests/data/path_timing.json").read_text())["paths"]
 TOLERANCE = 1e-3
+REPEATS = 20
 
 
 class Spline(toppra.interpolator.AbstractGeometricPath):
@@ -47,10 +48,10 @@ class Spline(toppra.interpolator.AbstractGeometricPath):
 
 
 def solve(path, count):
-    """Duration, and the least time of a few solutions."""
+    """Duration, and the least time of some solutions."""
     speed, acceleration = np.array(path["max_speed"]), np.array(path["max_acceleration"])
     least, duration = float("inf"), None
-    for _ in range(3):
+    for _ in range(REPEATS):
         spline = Spline(path)
         limits = [
             toppra.constraint.JointVelocityConstraint(np.stack([-speed, speed], axis=1)),

@@ -1,0 +1,45 @@
+//! Channels some at a time, so that one instruction serves two or more.
+
+/// Channels that are looked at together.
+pub(super) const LANES: usize = 4;
+
+/// Some channels at a place; those that fill up the last lanes never move.
+pub(super) struct Lanes {
+    /// First derivatives by the channels' accelerations.
+    pub(super) first: [f64; LANES],
+    /// The second ones likewise.
+    pub(super) second: [f64; LANES],
+    /// The slabs `|a - slope x| <= half`: their half heights,
+    pub(super) half: [f64; LANES],
+    /// and their slopes.
+    pub(super) slope: [f64; LANES],
+}
+
+impl Lanes {
+    /// Of channels with these derivatives, `along` twice the distance from the start of the cell; and the greatest second
+    /// derivative of those that do not bound the acceleration.
+    pub(super) fn new(first: [f64; LANES], second: [f64; LANES], along: f64) -> (Self, f64) {
+        let mut lanes = Self { first, second, half: [f64::INFINITY; LANES], slope: [0.0; LANES] };
+        let mut steepest = [0.0; LANES];
+        for k in 0..LANES {
+            // |q'' (x + along a) + q' a| <= 1; if that does not depend on a, it bounds x.
+            let a = first[k] + along * second[k];
+            let by = 1.0 / a;
+            let bounds = a.abs() > 1e-12 * (along * second[k]).abs();
+            lanes.half[k] = if bounds { by.abs() } else { f64::INFINITY };
+            lanes.slope[k] = if bounds { -second[k] * by } else { 0.0 };
+            steepest[k] = if bounds { 0.0 } else { second[k].abs() };
+        }
+        (lanes, steepest.into_iter().fold(0.0, larger))
+    }
+}
+
+/// The smaller of two numbers, none of them NaN.
+pub(super) fn smaller(a: f64, b: f64) -> f64 {
+    if b < a { b } else { a }
+}
+
+/// The larger of two numbers, none of them NaN: unlike `max` one instruction, for some lanes at once.
+pub(super) fn larger(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
+}
