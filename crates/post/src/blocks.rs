@@ -92,6 +92,7 @@ pub fn linearise(
             if next - here.s < SHORTEST_MM && next < end {
                 return Err(Error::TooFine { s: here.s });
             }
+            let next = cutter.turned_back(&here, &written, next);
             let mut block = cutter.end_at(next, here.s);
             block.turns_only = cutter.below_least_feed(&written, &block) && cutter.turns(&here, &block);
             if !block.turns_only {
@@ -142,6 +143,15 @@ impl Cutter<'_> {
             if good(middle) { ok = middle } else { bad = middle }
         }
         ok
+    }
+
+    /// The middle of a block to `end`, if linear motion goes out and back in it and would be left out as too small though
+    /// either half has enough; otherwise `end`.
+    fn turned_back(&self, here: &Block, written: &Block, end: f64) -> f64 {
+        let middle = self.end_at(0.5 * (here.s + end), here.s);
+        let lost = self.below_least_feed(written, &self.end_at(end, here.s));
+        let halved = lost && middle.s - here.s > SHORTEST_MM && !self.below_least_feed(written, &middle);
+        if halved && self.good(here, &middle) { middle.s } else { end }
     }
 
     fn good(&self, a: &Block, b: &Block) -> bool {
