@@ -53,7 +53,7 @@ fn runs(c: &mut Criterion) {
     let program = &welding.program.value;
     let machine = Machine::read("m", shipped(&program.machine).unwrap().text).unwrap();
     let motion = PassMotion::plan(&machine, &welding.path(0), &program.passes[0], 1).unwrap();
-    let (law, limits) = (motion.timed(), Limits::of(&machine));
+    let (law, limits) = (motion.timed(&machine), Limits::of(&machine));
     let fresh = || {
         let mut run = Run::new(Pace::new(&limits, 1e-3, &law).unwrap(), sequence(AtHold::Crater), &[]);
         run.order(Order::Resume).unwrap();

@@ -2,7 +2,7 @@
 
 use crate::SpeedLaw;
 use crate::law::{Bound, Certificate, Interval};
-use crate::limits::limit;
+use crate::limits::Binding;
 use seamwright_machine::Machine;
 use seamwright_program::{Finding, Pass};
 
@@ -104,14 +104,14 @@ fn crossing(law: &SpeedLaw, mut slow: f64, mut fast: f64, least: f64) -> f64 {
 
 /// A finding: a stretch below the procedure's `least` speed, and what `binds` there.
 fn too_slow_in(machine: &Machine, binds: Option<&Interval>, least: f64, slow: &Slow, pass: usize) -> Finding {
-    let (why, cure) = match binds.and_then(|i| limit(machine, i.bound)) {
-        Some((axis, limit)) => {
-            let name = &machine.axes[axis].name;
-            (
-                format!("axis {name} with {limit} does not allow more"),
-                format!("place the work or turn the torch so that axis {name} has less to do there"),
-            )
-        }
+    let (why, cure) = match binds.and_then(|i| Binding::new(machine, i.bound)) {
+        Some(binding) => (
+            format!("{} with {} does not allow more", binding.whose(), binding.limit()),
+            match &binding.axis {
+                Some(name) => format!("place the work or turn the torch so that axis {name} has less to do there"),
+                None => "allow the tip more in the machine file, if the torch can bear it".to_owned(),
+            },
+        ),
         None => ("the weld is too short to go faster".to_owned(), "make the weld longer".to_owned()),
     };
     let (reached, at) = slow.least;

@@ -2,22 +2,56 @@
 
 use crate::SpeedLaw;
 use crate::law::{Bound, Certificate, Interval};
-use seamwright_machine::Machine;
+use seamwright_machine::{Machine, TipLimits};
 use seamwright_program::{Finding, OnLimit, Pass};
 
 /// An axis asked for exactly its limit falls short by the law's reserve only: that is no finding.
 const WORTH_SAYING: f64 = 2e-3;
 
-/// A limit in words: which axis, which of its limits, how much that is.
-pub(crate) fn limit(machine: &Machine, bound: Bound) -> Option<(usize, String)> {
-    let (i, what, value, per) = match bound {
-        Bound::Asked => return None,
-        Bound::Speed(i) => (i, "speed", machine.axes[i].max_speed, "/s"),
-        Bound::Acceleration(i) => (i, "acceleration", machine.axes[i].max_acceleration, "/s^2"),
-        Bound::Jerk(i) => (i, "jerk", machine.axes[i].jerk(), "/s^3"),
-    };
-    let axis = &machine.axes[i];
-    Some((i, format!("its {what} limit of {:.3} {}{per}", axis.to_file(value), axis.unit())))
+/// A limit that bounds the speed, in the units of files.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Binding {
+    /// Name of the axis, or none for the torch tip.
+    pub axis: Option<String>,
+    /// `speed`, `acceleration` or `jerk`.
+    pub what: &'static str,
+    /// The limit.
+    pub value: f64,
+    /// Its unit.
+    pub unit: String,
+}
+
+impl Binding {
+    /// What `bound` stands for on a path of `machine`: channels are its axes, then the tip.
+    pub fn new(machine: &Machine, bound: Bound) -> Option<Self> {
+        let (channel, what, per) = match bound {
+            Bound::Asked => return None,
+            Bound::Speed(i) => (i, "speed", "/s"),
+            Bound::Acceleration(i) => (i, "acceleration", "/s^2"),
+            Bound::Jerk(i) => (i, "jerk", "/s^3"),
+        };
+        let of = |speed: f64, acceleration: f64, jerk: f64| match bound {
+            Bound::Asked | Bound::Speed(_) => speed,
+            Bound::Acceleration(_) => acceleration,
+            Bound::Jerk(_) => jerk,
+        };
+        let Some(axis) = machine.axes.get(channel) else {
+            let TipLimits { speed, acceleration, jerk } = machine.tip;
+            return Some(Self { axis: None, what, value: of(speed, acceleration, jerk), unit: format!("mm{per}") });
+        };
+        let value = axis.to_file(of(axis.max_speed, axis.max_acceleration, axis.jerk()));
+        Some(Self { axis: Some(axis.name.clone()), what, value, unit: format!("{}{per}", axis.unit()) })
+    }
+
+    /// Whose limit it is.
+    pub fn whose(&self) -> String {
+        self.axis.as_ref().map_or("the torch tip".to_owned(), |name| format!("axis {name}"))
+    }
+
+    /// The limit in words.
+    pub(crate) fn limit(&self) -> String {
+        format!("its {} limit of {:.3} {}", self.what, self.value, self.unit)
+    }
 }
 
 /// Where the tip is slower than asked between run-up and run-down, and what keeps it from being faster.
@@ -37,12 +71,13 @@ pub(crate) fn speed_findings(machine: &Machine, certificate: &Certificate, pass:
         if reached > wanted * (1.0 - WORTH_SAYING) {
             return None;
         }
-        let (axis, limit) = limit(machine, slowest.bound)?;
+        let binding = Binding::new(machine, slowest.bound)?;
         Some(Finding {
             kind: "speed",
             message: format!(
-                "axis {} cannot keep {wanted:.3} mm/s: {limit} allows {reached:.3} mm/s",
-                machine.axes[axis].name
+                "{} cannot keep {wanted:.3} mm/s: {} allows {reached:.3} mm/s",
+                binding.whose(),
+                binding.limit()
             ),
             pass: number,
             from_mm: run[0].from,

@@ -1,13 +1,15 @@
 use crate::JointPath;
 use crate::law::{Channels, Limits};
+use crate::tip_channels::TipChannels;
 use seamwright_machine::Machine;
 use seamwright_program::Pass;
 
 /// Part of an axis' acceleration by which it may jump between two panels of a path: more is a corner.
 const JUMP: f64 = 1e-3;
 
-/// The axes along a pass, by path length, as a speed law sees them.
+/// The axes along a pass, by path length, as a speed law sees them; after them the tip if it has limits of its own.
 pub(crate) struct PassChannels<'a> {
+    machine: &'a Machine,
     path: &'a JointPath,
     pass: &'a Pass,
     /// How many times the pass' speeds are asked for.
@@ -19,15 +21,15 @@ pub(crate) struct PassChannels<'a> {
 }
 
 impl<'a> PassChannels<'a> {
-    pub(crate) fn new(machine: &Machine, path: &'a JointPath, pass: &'a Pass, times: f64) -> Self {
-        let limits: Vec<Limits> = machine.axes.iter().map(limits).collect();
+    pub(crate) fn new(machine: &'a Machine, path: &'a JointPath, pass: &'a Pass, times: f64) -> Self {
+        let limits: Vec<Limits> = machine.axes.iter().map(limits).chain(TipChannels::limits(machine)).collect();
         let length = path.length();
         let mut breaks = path.edges();
         breaks.extend(pass.spans.iter().skip(1).map(|s| s.from_mm.get()));
         breaks.retain(|s| *s > 0.0 && *s < length);
         breaks.sort_by(f64::total_cmp);
         breaks.dedup_by(|a, b| *a - *b < 1e-9 * length);
-        let mut built = Self { path, pass, times, limits, breaks, stops: Vec::new() };
+        let mut built = Self { machine, path, pass, times, limits, breaks, stops: Vec::new() };
         built.stops = built.breaks.iter().filter_map(|s| Some((*s, built.corner(*s)?))).collect();
         built
     }
@@ -41,14 +43,15 @@ impl<'a> PassChannels<'a> {
     fn corner(&self, s: f64) -> Option<usize> {
         let (before, after) = (self.path.point(s, true), self.path.point(s, false));
         // No faster than the axes' speeds allow: however much is asked for, rounding is no corner.
-        let held = self.limits.iter().zip(before.d1).map(|(limits, d1)| limits.speed / d1.abs());
+        let axes = &self.limits[..self.machine.axes.len()];
+        let held = axes.iter().zip(before.d1).map(|(limits, d1)| limits.speed / d1.abs());
         let speed = held.fold(self.asked(s), f64::min);
         let jumps = |(i, limits): (usize, &Limits)| {
             let jump = ((after.d1[i] - before.d1[i]).abs(), (after.d2[i] - before.d2[i]).abs());
             // A jump of the speed within one ms is one of the acceleration.
             (jump.0 * speed * 1e3).max(jump.1 * speed * speed) > JUMP * limits.acceleration
         };
-        self.limits.iter().enumerate().position(jumps)
+        axes.iter().enumerate().position(jumps)
     }
 }
 
@@ -68,7 +71,11 @@ impl Channels for PassChannels<'_> {
 
     fn derivatives(&self, s: f64, before: bool, out: &mut [[f64; 3]]) -> f64 {
         let p = self.path.point(s, before);
-        out.iter_mut().enumerate().for_each(|(i, out)| *out = [p.d1[i], p.d2[i], p.d3[i]]);
+        let (axes, tip) = out.split_at_mut(self.machine.axes.len());
+        axes.iter_mut().enumerate().for_each(|(i, out)| *out = [p.d1[i], p.d2[i], p.d3[i]]);
+        if !tip.is_empty() {
+            TipChannels::derivatives(self.machine.tip_derivatives(&[p.q, p.d1, p.d2, p.d3]), tip);
+        }
         1.0
     }
 

@@ -122,9 +122,9 @@ impl PassMotion {
         self.sequence.travel_delay_s.get() + self.law.duration() + self.sequence.crater_s.get()
     }
 
-    /// The motion in time, to be played at another pace.
-    pub fn timed(&self) -> PassTimed<'_> {
-        PassTimed::new(&self.path, &self.law)
+    /// The motion of `machine` in time, to be played at another pace.
+    pub fn timed<'a>(&'a self, machine: &'a Machine) -> PassTimed<'a> {
+        PassTimed::new(machine, &self.path, &self.law)
     }
 
     /// The law along the same path for `factor` times the speeds that `pass` asks for, slower where `machine` cannot keep

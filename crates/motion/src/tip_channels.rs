@@ -7,6 +7,8 @@ use std::f64::consts::{FRAC_PI_4, FRAC_PI_8};
 
 /// Directions in the plane in which the tip turns; one more is across it.
 const IN_PLANE: usize = 4;
+/// Number of channels.
+pub(crate) const COUNT: usize = IN_PLANE + 1;
 /// What no machine reaches, in mm and s: stands for a limit that there is not.
 const UNBOUNDED: f64 = 1e12;
 /// Part of the jerk that the direction across may have, and what that leaves to the others: together they make 1.
@@ -41,9 +43,6 @@ impl TipChannels {
 
     /// The channels' derivatives, from those of the tip by the same parameter.
     pub(crate) fn derivatives([d1, d2, d3]: [DVec3; 3], out: &mut [[f64; 3]]) {
-        if out.is_empty() {
-            return;
-        }
         let tangent = d1.normalize_or_zero();
         let aside = |v: DVec3| v - v.dot(tangent) * tangent;
         // Where the path is straight its third derivative says where it is about to turn.

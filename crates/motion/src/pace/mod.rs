@@ -17,7 +17,7 @@ pub use error::PaceError;
 pub use order::{Instant, Order, RunPhase};
 pub use pass::PassTimed;
 pub use run::Run;
-pub use timed::{AxisLimits, Limits, Rates, Timed, Tip};
+pub use timed::{AxisLimits, CHANNELS, Limits, Rates, Timed, Tip};
 
 /// What the pace shall do from the next period on.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,5 +1,7 @@
 use super::timed::{Rates, Timed, Tip};
+use crate::tip_channels::{self, TipChannels};
 use crate::{JointPath, LawPoint, SpeedLaw};
+use seamwright_machine::{Machine, TipLimits};
 
 /// A pass in time: the axes' path, passed as a speed law says.
 ///
@@ -7,6 +9,7 @@ use crate::{JointPath, LawPoint, SpeedLaw};
 /// Borders are those of the law's cells, among which are all places where the path's third derivatives jump.
 #[derive(Debug, Clone)]
 pub struct PassTimed<'a> {
+    machine: &'a Machine,
     path: &'a JointPath,
     law: &'a SpeedLaw,
     /// Start (s) of each of the law's cells, and the panel of the path in which the cell lies.
@@ -14,10 +17,10 @@ pub struct PassTimed<'a> {
 }
 
 impl<'a> PassTimed<'a> {
-    /// `law` must be one along `path`.
-    pub fn new(path: &'a JointPath, law: &'a SpeedLaw) -> Self {
+    /// `law` must be one along `path`, the axes of `machine`.
+    pub fn new(machine: &'a Machine, path: &'a JointPath, law: &'a SpeedLaw) -> Self {
         let cell = |i| (law.cell_times(i).0, path.panel(law.in_cell(i, 0.5).s, false));
-        Self { path, law, cells: (0..law.cells()).map(cell).collect() }
+        Self { machine, path, law, cells: (0..law.cells()).map(cell).collect() }
     }
 
     /// The cell in which time `t` is: the later one where two meet, unless `before`.
@@ -52,13 +55,20 @@ impl Timed for PassTimed<'_> {
         let LawPoint { s, v, a, j } = law;
         // Path lengths round: the cell knows on which side of a border they are.
         let p = self.path.point_in(self.cells[cell].1, s);
-        Rates {
-            q: p.q,
-            v: std::array::from_fn(|i| p.d1[i] * v),
-            a: std::array::from_fn(|i| p.d2[i] * v * v + p.d1[i] * a),
-            j: std::array::from_fn(|i| p.d3[i] * v * v * v + 3.0 * p.d2[i] * v * a + p.d1[i] * j),
-            tip: Tip { s, v, a, j },
+        let mut rates = Rates { q: p.q, tip: Tip { s, v, a, j }, ..Rates::default() };
+        let mut channel = |i: usize, [d1, d2, d3]: [f64; 3]| {
+            rates.v[i] = d1 * v;
+            rates.a[i] = d2 * v * v + d1 * a;
+            rates.j[i] = d3 * v * v * v + 3.0 * d2 * v * a + d1 * j;
+        };
+        let axes = self.machine.axes.len();
+        (0..axes).for_each(|i| channel(i, [p.d1[i], p.d2[i], p.d3[i]]));
+        if self.machine.tip != TipLimits::NONE {
+            let mut tip = [[0.0; 3]; tip_channels::COUNT];
+            TipChannels::derivatives(self.machine.tip_derivatives(&[p.q, p.d1, p.d2, p.d3]), &mut tip);
+            tip.into_iter().enumerate().for_each(|(i, d)| channel(axes + i, d));
         }
+        rates
     }
 
     fn next_border(&self, t: f64, forward: bool) -> f64 {

@@ -1,6 +1,5 @@
 use super::course::{Course, State};
-use super::timed::{AxisLimits, Limits, Pacing, Rates, Timed};
-use seamwright_machine::Joints;
+use super::timed::{AxisLimits, CHANNELS, Limits, Pacing, Rates, Timed};
 
 /// Part of the machine's limits up to which a course is accepted where it is checked. Laws use a little less by
 /// themselves; what is left covers what happens between the places.
@@ -19,8 +18,8 @@ const BRIEF: f64 = 1e-10;
 #[derive(Debug, Clone, Copy, Default)]
 struct Seen {
     t: f64,
-    a: Joints,
-    j: Joints,
+    a: [f64; CHANNELS],
+    j: [f64; CHANNELS],
 }
 
 /// A stretch over which all is smooth: within a segment and between two borders of the law.
@@ -171,7 +170,7 @@ impl Shield {
         let curved = piece.count >= 2 && t - t1 > BRIEF && t1 - t0 > BRIEF;
         let widest = (t - t1).max(t1 - t0);
         let eighth = 0.25 * widest * widest / (t - t0);
-        let mut new = Seen { t, a: Joints::default(), j: Joints::default() };
+        let mut new = Seen { t, ..Seen::default() };
         for (i, l) in self.limits.0.iter().enumerate() {
             let (v, a, j) = state.pace.played(rates.v[i], rates.a[i], rates.j[i]);
             (new.a[i], new.j[i]) = (a, j);

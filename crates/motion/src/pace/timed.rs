@@ -1,6 +1,9 @@
 use super::PaceError;
+use crate::law;
+use crate::pass_channels::limits;
+use crate::tip_channels::{self, TipChannels};
 use arrayvec::ArrayVec;
-use seamwright_machine::{Axis, Joints, MAX_AXES, Machine};
+use seamwright_machine::{Joints, MAX_AXES, Machine};
 
 /// A motion in time that can be played at another pace.
 ///
@@ -17,17 +20,20 @@ pub trait Timed {
     fn time_of(&self, s: f64) -> f64;
 }
 
-/// Position, speed, acceleration and jerk at one instant: of the axes (mm or rad per s, s^2, s^3) and along the path.
+/// Most channels with limits: axes, then directions in which the tip has limits of its own.
+pub const CHANNELS: usize = MAX_AXES + tip_channels::COUNT;
+
+/// Position, speed, acceleration and jerk at one instant: of the channels (mm or rad per s, s^2, s^3) and along the path.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Rates {
     /// Positions of the axes.
     pub q: Joints,
-    /// Their speeds.
-    pub v: Joints,
+    /// Their speeds, then those of the tip's own channels.
+    pub v: [f64; CHANNELS],
     /// Their accelerations.
-    pub a: Joints,
+    pub a: [f64; CHANNELS],
     /// Their jerks.
-    pub j: Joints,
+    pub j: [f64; CHANNELS],
     /// The same along the path.
     pub tip: Tip,
 }
@@ -62,10 +68,10 @@ impl Pacing {
 }
 
 impl Rates {
-    /// The rates of the first `axes` axes and of the tip when the law is played at the pace.
-    pub(crate) fn paced(&self, axes: usize, pace: Pacing) -> Self {
+    /// The rates of the first `channels` channels and of the tip when the law is played at the pace.
+    pub(crate) fn paced(&self, channels: usize, pace: Pacing) -> Self {
         let mut out = *self;
-        for i in 0..axes {
+        for i in 0..channels {
             (out.v[i], out.a[i], out.j[i]) = pace.played(self.v[i], self.a[i], self.j[i]);
         }
         (out.tip.v, out.tip.a, out.tip.j) = pace.played(self.tip.v, self.tip.a, self.tip.j);
@@ -84,15 +90,16 @@ pub struct AxisLimits {
     pub jerk: f64,
 }
 
-/// Limits of all axes of a machine.
+/// Limits of all axes of a machine, then of its tip.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Limits(pub(crate) ArrayVec<AxisLimits, MAX_AXES>);
+pub struct Limits(pub(crate) ArrayVec<AxisLimits, CHANNELS>);
 
 impl Limits {
-    /// What the axes of `machine` allow, as motions are planned with it.
+    /// What the axes and the tip of `machine` allow, as motions are planned with it.
     pub fn of(machine: &Machine) -> Self {
-        let limits = |a: &Axis| AxisLimits { speed: a.max_speed, acceleration: a.max_acceleration, jerk: a.jerk() };
-        Self(machine.axes.iter().map(limits).collect())
+        let all = machine.axes.iter().map(limits).chain(TipChannels::limits(machine));
+        let own = |l: law::Limits| AxisLimits { speed: l.speed, acceleration: l.acceleration, jerk: l.jerk };
+        Self(all.map(own).collect())
     }
 
     /// Limits of the axes in the machine's order.
@@ -101,6 +108,9 @@ impl Limits {
     /// More axes than a machine may have; speed or acceleration that is not finite and positive; jerk that is not
     /// positive.
     pub fn new(axes: &[AxisLimits]) -> Result<Self, PaceError> {
+        if axes.len() > MAX_AXES {
+            return Err(PaceError::TooManyAxes { axes: axes.len(), most: MAX_AXES });
+        }
         let mut limits = ArrayVec::new();
         for (axis, l) in axes.iter().enumerate() {
             for (what, value, finite) in
@@ -110,7 +120,7 @@ impl Limits {
                     return Err(PaceError::Limit { axis, what, value });
                 }
             }
-            limits.try_push(*l).map_err(|_| PaceError::TooManyAxes { axes: axes.len(), most: MAX_AXES })?;
+            limits.push(*l);
         }
         Ok(Self(limits))
     }

@@ -222,7 +222,9 @@ impl<I: Iterator<Item = Joints>> Channels for TaughtPath<'_, I> {
         let (axes, tip) = out.split_at_mut(self.machine.axes.len());
         axes.iter_mut().enumerate().for_each(|(i, out)| *out = [d[1][i], d[2][i], d[3][i]]);
         let tip_motion = self.machine.tip_derivatives(&d);
-        TipChannels::derivatives(tip_motion, tip);
+        if !tip.is_empty() {
+            TipChannels::derivatives(tip_motion, tip);
+        }
         tip_motion[0].length()
     }
 

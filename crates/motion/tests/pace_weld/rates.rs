@@ -2,8 +2,7 @@
 
 use crate::pace_law::{Uniform, cases};
 use crate::welds::{self, Weld};
-use seamwright_machine::MAX_AXES;
-use seamwright_motion::pace::{PassTimed, Rates, Timed};
+use seamwright_motion::pace::{CHANNELS, PassTimed, Rates, Timed};
 
 /// Rates at `t` against differences over `h` and half of it, the error of which falls with the fourth power of `h`, as parts
 /// of the axes' limits: speeds, accelerations, jerks.
@@ -74,7 +73,7 @@ fn at_borders_both_sides_are_what_is_near_them() {
             [(-1.0, false, 0.0), (0.0, true, 0.0), (t, false, weld.length()), (t + 1.0, true, weld.length())]
         {
             let r = timed.at(t, before);
-            assert!(r.v == [0.0; MAX_AXES] && r.a == r.v && r.j == r.v && r.tip.s == s, "{}: {r:?}", weld.name);
+            assert!(r.v == [0.0; CHANNELS] && r.a == r.v && r.j == r.v && r.tip.s == s, "{}: {r:?}", weld.name);
             assert!(r.q.iter().zip(weld.position(s)).all(|(a, b)| (a - b).abs() < 1e-11), "{}: {r:?}", weld.name);
         }
     }

@@ -47,11 +47,11 @@ impl Weld {
     }
 
     pub(crate) fn base(&self) -> PassTimed<'_> {
-        self.motion.timed()
+        self.motion.timed(&self.machine)
     }
 
     pub(crate) fn faster(&self) -> PassTimed<'_> {
-        PassTimed::new(&self.motion.path, &self.faster)
+        PassTimed::new(&self.machine, &self.motion.path, &self.faster)
     }
 
     pub(crate) fn law(&self) -> &SpeedLaw {

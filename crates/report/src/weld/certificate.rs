@@ -1,6 +1,6 @@
 use seamwright_machine::Machine;
-use seamwright_motion::PassMotion;
-use seamwright_motion::law::{Bound, Interval, Use};
+use seamwright_motion::law::{Interval, Use};
+use seamwright_motion::{Binding, PassMotion};
 use seamwright_program::Pass;
 use serde::Serialize;
 
@@ -26,6 +26,47 @@ pub struct CertificateFigures {
     pub intervals: Vec<IntervalFigures>,
     /// The greatest use of each axis' limits over the whole path.
     pub uses: Vec<UseFigures>,
+    /// The greatest use of the torch tip's own limits, if it has any.
+    pub tip: Option<TipFigures>,
+}
+
+/// What stands for an axis where a limit of the torch tip binds.
+const TIP: &str = "torch tip";
+
+/// The greatest use that a pass makes of the torch tip's limits, seen from the directions in which they are imposed; a limit
+/// that there is not is missing.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TipFigures {
+    /// Of its speed, %.
+    pub speed_percent: Option<f64>,
+    /// Its limit, mm/s.
+    pub max_speed: Option<f64>,
+    /// Of its acceleration, %.
+    pub acceleration_percent: Option<f64>,
+    /// Its limit, mm/s^2.
+    pub max_acceleration: Option<f64>,
+    /// Of its jerk, %.
+    pub jerk_percent: Option<f64>,
+    /// Its limit, mm/s^3.
+    pub max_jerk: Option<f64>,
+}
+
+impl TipFigures {
+    fn new(machine: &Machine, uses: &[Use]) -> Option<Self> {
+        let given = |limit: f64| limit.is_finite().then_some(limit);
+        let used = |limit: f64, part: fn(&Use) -> f64| {
+            given(limit).map(|_| uses.iter().map(|used| 100.0 * part(used)).fold(0.0, f64::max))
+        };
+        let limits = machine.tip;
+        (!uses.is_empty()).then(|| Self {
+            speed_percent: used(limits.speed, |u| u.speed),
+            max_speed: given(limits.speed),
+            acceleration_percent: used(limits.acceleration, |u| u.acceleration),
+            max_acceleration: given(limits.acceleration),
+            jerk_percent: used(limits.jerk, |u| u.jerk),
+            max_jerk: given(limits.jerk),
+        })
+    }
 }
 
 /// A stretch of the path with one bound.
@@ -45,7 +86,7 @@ pub struct IntervalFigures {
     pub between: bool,
     /// `asked` (nothing else binds), `speed`, `acceleration` or `jerk`.
     pub bound: &'static str,
-    /// The axis whose limit binds.
+    /// The axis whose limit binds, or `torch tip`.
     pub axis: Option<String>,
     /// The limit that binds, in mm or degrees per s, s^2 or s^3.
     pub limit: Option<f64>,
@@ -92,19 +133,14 @@ impl CertificateFigures {
             everywhere_mm_s: certificate.everywhere,
             intervals: certificate.intervals.iter().map(|i| IntervalFigures::new(machine, i)).collect(),
             uses: machine.axes.iter().zip(&certificate.uses).map(|(axis, used)| UseFigures::new(axis, used)).collect(),
+            tip: TipFigures::new(machine, certificate.uses.get(machine.axes.len()..).unwrap_or_default()),
         }
     }
 }
 
 impl IntervalFigures {
     fn new(machine: &Machine, i: &Interval) -> Self {
-        let (bound, limit) = match i.bound {
-            Bound::Asked => ("asked", None),
-            Bound::Speed(k) => ("speed", Some((k, machine.axes[k].max_speed, "/s"))),
-            Bound::Acceleration(k) => ("acceleration", Some((k, machine.axes[k].max_acceleration, "/s^2"))),
-            Bound::Jerk(k) => ("jerk", Some((k, machine.axes[k].jerk(), "/s^3"))),
-        };
-        let axis = |k: usize| &machine.axes[k];
+        let binding = Binding::new(machine, i.bound);
         Self {
             from_mm: i.from,
             to_mm: i.to,
@@ -112,17 +148,26 @@ impl IntervalFigures {
             least_at_mm: i.least_at,
             greatest_speed_mm_s: i.speed.1,
             between: i.between,
-            bound,
-            axis: limit.map(|(k, ..)| axis(k).name.clone()),
-            limit: limit.map(|(k, value, _)| axis(k).to_file(value)),
-            unit: limit.map(|(k, _, per)| format!("{}{per}", axis(k).unit())),
+            bound: binding.as_ref().map_or("asked", |b| b.what),
+            axis: binding.as_ref().map(|b| b.axis.clone().unwrap_or_else(|| TIP.to_owned())),
+            limit: binding.as_ref().map(|b| b.value),
+            unit: binding.map(|b| b.unit),
         }
     }
 
     /// What binds, shortly: `axis c, jerk`.
     pub(crate) fn binds(&self) -> String {
-        self.axis.as_ref().map_or("asked speed".to_owned(), |axis| format!("axis {axis}, {}", self.bound))
+        self.axis.as_ref().map_or("asked speed".to_owned(), |axis| format!("{}, {}", whose(axis), self.bound))
     }
+
+    /// Whose limit binds, in words.
+    pub(crate) fn whose(&self) -> Option<String> {
+        self.axis.as_deref().map(whose)
+    }
+}
+
+fn whose(axis: &str) -> String {
+    if axis == TIP { format!("the {axis}") } else { format!("axis {axis}") }
 }
 
 impl UseFigures {

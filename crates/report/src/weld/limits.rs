@@ -47,10 +47,10 @@ pub(super) fn bounds_table(c: &CertificateFigures) -> Block {
 }
 
 fn what_binds(interval: &IntervalFigures) -> String {
-    match (&interval.axis, interval.limit, &interval.unit) {
-        (Some(axis), Some(limit), Some(unit)) => {
+    match (interval.whose(), interval.limit, &interval.unit) {
+        (Some(whose), Some(limit), Some(unit)) => {
             format!(
-                "the {} of axis {axis}, {} {}",
+                "the {} of {whose}, {} {}",
                 interval.bound,
                 number(limit),
                 unit.replace("^2", "²").replace("^3", "³")

@@ -133,8 +133,9 @@ impl<'a> Player<'a> {
     fn pass(&mut self, i: usize, motion: &PassMotion) -> Result<(), Failure> {
         let program = &self.loaded.welding.program.value;
         let faster = self.faster(motion, &program.passes[i]).map_err(|e| Failure::Input(e.to_string()))?;
-        let base = motion.timed();
-        let faster = faster.as_ref().map(|law| seamwright_motion::pace::PassTimed::new(&motion.path, law));
+        let base = motion.timed(&self.loaded.machine);
+        let faster =
+            faster.as_ref().map(|law| seamwright_motion::pace::PassTimed::new(&self.loaded.machine, &motion.path, law));
         let stuck = |e: PaceError| Failure::Findings(vec![finding(&e, i + 1)]);
         let mut pace = Pace::new(&Limits::of(&self.loaded.machine), self.period, &base).map_err(stuck)?;
         if let Some(law) = &faster {
