@@ -61,6 +61,8 @@ const PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 /// Limits are looked at this part of a cell within its borders: at a border, where jerk may jump, rounding would decide on
 /// which side of it path and law are.
 const INSET: f64 = 1e-6;
+/// A limit binds where this part of it is used.
+const BINDS: f64 = 0.9;
 /// The tip counts as fast as asked within this part.
 const AS_ASKED: f64 = 1e-6;
 
@@ -76,6 +78,7 @@ impl Certificate {
         };
         let mut derivatives = vec![[0.0; 3]; channels];
         let band = law.report();
+        let mut cells = Vec::with_capacity(law.cells());
         for cell in 0..law.cells() {
             let (begin, end) = (law.in_cell(cell, 0.0), law.in_cell(cell, 1.0));
             let asked = path.asked(0.5 * (begin.s + end.s));
@@ -100,7 +103,11 @@ impl Certificate {
             let bound = if least.0 >= (1.0 - AS_ASKED) * asked { Bound::Asked } else { worst.1 };
             let between = begin.s >= band.run_up_end && end.s <= band.run_down_start;
             let speed = (least.0, greatest);
-            built.add(Interval { from: begin.s, to: end.s, speed, least_at: least.1, bound, between });
+            cells.push((Interval { from: begin.s, to: end.s, speed, least_at: least.1, bound, between }, worst.0));
+        }
+        for i in 0..cells.len() {
+            let bound = binding(&cells, i);
+            built.add(Interval { bound, ..cells[i].0 });
         }
         let (from, to) = path.range();
         let asked = built.intervals.iter().filter(|i| i.bound == Bound::Asked);
@@ -168,6 +175,25 @@ impl Certificate {
                 self.intervals.push(Interval { from, ..next });
             }
         }
+    }
+}
+
+/// What binds in cell `i` of stretches with the greatest use of a limit in each: where no limit is used up the speed is on its
+/// way to or from where one is.
+fn binding(cells: &[(Interval, f64)], i: usize) -> Bound {
+    let own = cells[i].0.bound;
+    if own == Bound::Asked || cells[i].1 >= BINDS {
+        return own;
+    }
+    let strong = |c: &&(Interval, f64)| c.1 >= BINDS;
+    let slowed = |c: &&(Interval, f64)| c.0.bound != Bound::Asked;
+    let before = cells[..i].iter().rev().take_while(slowed).position(|c| strong(&c));
+    let after = cells[i + 1..].iter().take_while(slowed).position(|c| strong(&c));
+    match (before, after) {
+        (Some(b), Some(a)) if a < b => cells[i + 1 + a].0.bound,
+        (Some(b), _) => cells[i - 1 - b].0.bound,
+        (None, Some(a)) => cells[i + 1 + a].0.bound,
+        (None, None) => own,
     }
 }
 
