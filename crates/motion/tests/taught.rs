@@ -149,6 +149,76 @@ fn corners_are_met_exactly_or_passed_within_the_tolerance() {
     }
 }
 
+#[test]
+fn corners_are_stopped_at_however_long_the_way_between_them() {
+    let machine = machine();
+    // From a part of a window to many times one (4 s at 20 mm/s).
+    for length in [20.0, 79.0, 80.0, 81.0, 160.0, 200.0, 390.0] {
+        let corners: Vec<Joints> = [[0.0, 0.0], [length, 0.0], [length, -length], [0.0, -length], [0.0, 0.0]]
+            .map(|[x, y]| axes([x, y, 50.0, 0.0, 0.0]))
+            .to_vec();
+        for corner in [Corner::Stop, Corner::Blend(0.3)] {
+            let period = 2e-3;
+            let run = run(&machine, corners.clone(), 20.0, corner, period);
+            // By differences of positions: the derivatives at either side of a corner would not show it.
+            for w in run.rows.windows(3) {
+                for (i, axis) in machine.axes.iter().enumerate() {
+                    let a = (w[2].2[i] - 2.0 * w[1].2[i] + w[0].2[i]) / (period * period);
+                    assert!(a.abs() <= axis.max_acceleration * (1.0 + 1e-6), "{length} {corner:?}: {a} at {}", w[1].0);
+                }
+            }
+            assert_eq!(run.stops, 0, "{length} {corner:?}");
+            let end = run.rows[run.rows.len() - 1].2;
+            assert!((0..2).all(|i| (end[i] - corners[4][i]).abs() < 1e-3), "{length}: {end:?}");
+        }
+    }
+}
+
+#[test]
+fn the_way_is_kept_where_points_are_left_out() {
+    let machine = machine();
+    // Straight on, then turned by an angle less than a corner's, or into an arc.
+    let bend = |angle: f64| {
+        move |w: f64| if w < 80.0 { [w, 0.0] } else { [80.0 + (w - 80.0) * angle.cos(), (w - 80.0) * angle.sin()] }
+    };
+    let arc = |r: f64| {
+        move |w: f64| {
+            if w < 80.0 { [w, 0.0] } else { [80.0 + r * ((w - 80.0) / r).sin(), r * (1.0 - ((w - 80.0) / r).cos())] }
+        }
+    };
+    let ways: [Box<dyn Fn(f64) -> [f64; 2]>; 5] = [
+        Box::new(bend(25f64.to_radians())),
+        Box::new(bend(10f64.to_radians())),
+        Box::new(bend(1f64.to_radians())),
+        Box::new(arc(30.0)),
+        Box::new(arc(100.0)),
+    ];
+    for (case, way) in ways.iter().enumerate() {
+        for step in [0.02, 0.1, 1.0, 5.0] {
+            let count = (160.0 / step) as usize;
+            let points: Vec<[f64; 2]> = (0..=count).map(|i| way(i as f64 * step)).collect();
+            let taught: Vec<Joints> = points.iter().map(|[x, y]| axes([*x, *y, 50.0, 0.0, 0.0])).collect();
+            let run = run(&machine, taught, 20.0, Corner::Stop, 2e-3);
+            let driven: Vec<[f64; 2]> = run.rows.iter().map(|r| [r.2[0], r.2[1]]).collect();
+            let away = |p: &[f64; 2], line: &[[f64; 2]]| {
+                let one = |w: &[[f64; 2]]| {
+                    let (d, e) = ([w[1][0] - w[0][0], w[1][1] - w[0][1]], [p[0] - w[0][0], p[1] - w[0][1]]);
+                    let part = ((d[0] * e[0] + d[1] * e[1]) / (d[0] * d[0] + d[1] * d[1]).max(1e-12)).clamp(0.0, 1.0);
+                    (e[0] - part * d[0]).hypot(e[1] - part * d[1])
+                };
+                line.windows(2).map(one).fold(f64::MAX, f64::min)
+            };
+            // Every point is passed within the tolerance.
+            let few = points.iter().step_by((count / 160).max(1));
+            let missed = few.map(|p| away(p, &driven)).fold(0.0, f64::max);
+            assert!(missed < 0.0101, "case {case}, points every {step} mm: {missed}");
+            // And between points the way is not left by more than the rounding of a bend there.
+            let off = driven.iter().step_by(7).map(|p| away(p, &points)).fold(0.0, f64::max);
+            assert!(off < 0.0101 + 0.1 * step, "case {case}, points every {step} mm: {off}");
+        }
+    }
+}
+
 /// A walk with steps of very different lengths: some of nothing, some of a nanometre, some straight back, some of one
 /// axis only while the tip stands still.
 fn walk(rng: &mut TestRng, count: usize) -> Vec<Joints> {
@@ -191,11 +261,18 @@ fn rough_walks_are_followed_within_limits_to_their_end() {
         let end = run.rows[run.rows.len() - 1];
         assert!(end.1 < 1.0, "{case}: {} mm/s at the end", end.1);
         assert!((0..MAX_AXES).all(|i| (end.2[i] - last[i]).abs() < 0.02), "{case}");
-        // Never far from what was taught.
+        // Never far from the way between the points.
+        let tips: Vec<DVec3> = points.iter().map(|p| machine.forward(p).point).collect();
+        let mut worst = 0.0f64;
         for (_, _, q) in run.rows.iter().step_by(7) {
             let tip = machine.forward(q).point;
-            let near = points.iter().map(|p| machine.forward(p).point.distance(tip)).fold(f64::MAX, f64::min);
-            assert!(near < 3.0, "{case}: {near} mm from every point");
+            let away = |w: &[DVec3]| {
+                let (d, e) = (w[1] - w[0], tip - w[0]);
+                let part = (d.dot(e) / d.length_squared().max(1e-12)).clamp(0.0, 1.0);
+                (e - part * d).length()
+            };
+            worst = worst.max(tips.windows(2).map(away).fold(f64::MAX, f64::min));
         }
+        assert!(worst < 0.6, "{case}: {worst} mm from the way");
     }
 }

@@ -164,6 +164,8 @@ impl<F: Feed> LawStream<F> {
     }
 
     fn go_on(&mut self) -> Result<(), LawError> {
+        // Only what is loaded beyond the plan's end tells whether that is a stop.
+        self.feed.load(self.last.min(self.plan.from), self.plan.to, 0.5 * self.horizon_s);
         let path_end = self.feed.range().1;
         let ends_path = self.feed.is_complete() && self.plan.to >= path_end;
         if ends_path || self.feed.stops().iter().any(|u| (u - self.plan.to).abs() <= f64::EPSILON * u.abs()) {
@@ -195,7 +197,6 @@ impl<F: Feed> LawStream<F> {
 
     /// Plans the window that begins at `from` and passes into it; false if the limits do not allow that.
     fn join(&mut self, from: f64) -> Result<bool, LawError> {
-        self.feed.load(self.last.min(self.plan.from), self.plan.to, 0.5 * self.horizon_s);
         let to = window_end(&self.feed, self.plan.to);
         let mut next = Plan::new(&self.feed, from, to)?;
         let begin = next.between().0.max(self.plan.at(self.plan.next));

@@ -1,5 +1,5 @@
 use super::spline::{Piece, slopes};
-use super::thin::{SAME, Taught, Thinned};
+use super::thin::{Kept, SAME, Taught, Thinned};
 use crate::law::{Channels, Feed, Limits};
 use crate::pass_channels::limits;
 use crate::tip_channels::TipChannels;
@@ -20,7 +20,9 @@ pub enum Corner {
 ///
 /// The parameter is the length of the tip's chords (mm) where the tip moves at the asked speed; where an axis would have to
 /// move faster than it can, or the tip stands still, it counts the time that axis needs, times the asked speed. Guarantee:
-/// passes through every point kept; those left out are within the tolerance of the chords of those kept.
+/// passes through every point kept, and within the tolerance of those left out, but for blends at corners. Between points
+/// it is the cubic spline through them: a bend too small for a corner is rounded over the distance of the points there. Where
+/// the spline would swing by more than a tenth of that distance, points between are added.
 pub struct TaughtPath<'a, I: Iterator<Item = Joints>> {
     machine: &'a Machine,
     /// Of the axes, then of the tip if it has any.
@@ -30,7 +32,9 @@ pub struct TaughtPath<'a, I: Iterator<Item = Joints>> {
     points: std::iter::Peekable<Thinned<Tips<'a, I>>>,
     pieces: VecDeque<Piece>,
     /// Points of the run being read with their parameters, the first one's slope if pieces end there already.
-    run: Vec<(f64, Taught)>,
+    run: Vec<(f64, Kept)>,
+    /// How far the tip (mm) and each axis (mm or rad) may be from a point left out.
+    tolerance: (f64, Joints),
     slope: Option<Joints>,
     /// The last piece before a corner, until it is known what follows.
     held: Option<Piece>,
@@ -39,11 +43,13 @@ pub struct TaughtPath<'a, I: Iterator<Item = Joints>> {
 }
 
 /// Pieces made at once, and points that must be known after the last of them: slopes beyond have no influence left
-/// (each point passes on less than 0.27 of it).
+/// (each point passes on about 0.4 of it at most).
 const AT_ONCE: usize = 64;
 const AHEAD: usize = 32;
 /// Turn of the path (in axis space, axes by their speeds) that makes a point a corner.
 const CORNER_COS: f64 = 0.866;
+/// A piece may leave the straight way between its ends by this part of it: an even turn by 30 degrees takes 0.065.
+const SWING: f64 = 0.1;
 /// A blend takes at most this part of the pieces beside it.
 const PART_OF_PIECE: f64 = 0.45;
 
@@ -62,6 +68,7 @@ impl<'a, I: Iterator<Item = Joints>> TaughtPath<'a, I> {
             speed,
             corner,
             points: Thinned::new(tips, (tolerance, std::array::from_fn(near))).peekable(),
+            tolerance: (tolerance, std::array::from_fn(near)),
             pieces: VecDeque::new(),
             run: Vec::new(),
             slope: None,
@@ -131,20 +138,21 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
     fn extend(&mut self) {
         let mut ended = false;
         while self.run.len() < AT_ONCE + AHEAD {
-            let Some(point) = self.points.next() else {
+            let Some(kept) = self.points.next() else {
                 (ended, self.complete) = (true, true);
                 break;
             };
+            let point = kept.point;
             let u = match self.run.last() {
-                Some((u, last)) => u + self.step(last, &point).max(SAME),
+                Some((u, last)) => u + self.step(&last.point, &point).max(SAME),
                 None => 0.0,
             };
-            let next = self.points.peek().copied();
+            let next = self.points.peek().map(|next| next.point);
             let corner = match (self.run.last(), next) {
-                (Some((_, last)), Some(next)) => self.is_corner(last, &point, &next),
+                (Some((_, last)), Some(next)) => self.is_corner(&last.point, &point, &next),
                 _ => false,
             };
-            self.run.push((u, point));
+            self.run.push((u, kept));
             if corner {
                 ended = true;
                 break;
@@ -160,13 +168,26 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
 
     /// Turns the run into pieces: all of it if it has ended, else all but what later points still change.
     fn make_pieces(&mut self, ended: bool) {
-        let u: Vec<f64> = self.run.iter().map(|r| r.0).collect();
-        let q: Vec<Joints> = self.run.iter().map(|r| r.1.q).collect();
-        let d = slopes(&u, &q, self.slope.as_ref());
+        let pieces = loop {
+            let pieces = self.spline();
+            let mut good = true;
+            for (i, piece) in pieces.iter().enumerate().rev() {
+                if let Some(k) = self.farthest(i, piece) {
+                    self.take_back(i, k);
+                    good = false;
+                } else if self.swings(piece) {
+                    self.halve(i, piece);
+                    good = false;
+                }
+            }
+            if good {
+                break pieces;
+            }
+        };
         let begins = self.slope.is_none();
-        let count = if ended { u.len() - 1 } else { AT_ONCE.min(u.len() - 1) };
-        for i in 0..count {
-            let piece = Piece::cubic((u[i], u[i + 1]), [&q[i], &q[i + 1]], [&d[i], &d[i + 1]]);
+        let count = if ended { pieces.len() } else { AT_ONCE.min(pieces.len()) };
+        for (i, piece) in pieces.into_iter().take(count).enumerate() {
+            self.slope = Some(piece.derivatives(piece.to)[1]);
             if begins && i == 0 {
                 self.begin_run(piece);
             } else {
@@ -174,7 +195,91 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
             }
         }
         self.run.drain(..count);
-        self.slope = (!ended).then(|| d[count]);
+        if ended {
+            self.slope = None;
+        }
+        // What was left out before the first point belongs to pieces that are made.
+        self.run.first_mut().into_iter().for_each(|(_, first)| first.left_out.clear());
+    }
+
+    /// The spline through the run as it is.
+    fn spline(&self) -> Vec<Piece> {
+        let u: Vec<f64> = self.run.iter().map(|r| r.0).collect();
+        let q: Vec<Joints> = self.run.iter().map(|r| r.1.point.q).collect();
+        let d = slopes(&u, &q, self.slope.as_ref());
+        let piece = |i: usize| Piece::cubic((u[i], u[i + 1]), [&q[i], &q[i + 1]], [&d[i], &d[i + 1]]);
+        (0..u.len() - 1).map(piece).collect()
+    }
+
+    /// The point left out in piece `i` that is farthest from it, if that is beyond the tolerance.
+    fn farthest(&self, i: usize, piece: &Piece) -> Option<usize> {
+        let left_out = &self.run[i + 1].1.left_out;
+        let away = left_out.iter().enumerate().map(|(k, point)| (k, self.away(piece, point, k, left_out.len())));
+        let (k, most) = away.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        (most > 1.0).then_some(k)
+    }
+
+    /// How far `point` (number `k` of `count` left out) is from a piece, as a part of the tolerance.
+    fn away(&self, piece: &Piece, point: &Taught, k: usize, count: usize) -> f64 {
+        let (tip, axes) = &self.tolerance;
+        let off = |q: &Joints, i: usize| (point.q[i] - q[i]) / axes[i];
+        // The place on it that is nearest, by Newton's method without the curvature.
+        let mut u = piece.from + (piece.to - piece.from) * (k + 1) as f64 / (count + 1) as f64;
+        for _ in 0..3 {
+            let [q, d1, ..] = piece.derivatives(u);
+            let along: f64 = (0..MAX_AXES).map(|i| off(&q, i) * d1[i] / axes[i]).sum();
+            let square: f64 = (0..MAX_AXES).map(|i| (d1[i] / axes[i]).powi(2)).sum();
+            if square > 0.0 {
+                u = (u + along / square).clamp(piece.from, piece.to);
+            }
+        }
+        let q = piece.derivatives(u)[0];
+        let by_axes = (0..MAX_AXES).map(|i| off(&q, i).abs()).fold(0.0, f64::max);
+        by_axes.max(self.machine.forward(&q).point.distance(point.tip) / tip)
+    }
+
+    /// Whether a piece swings farther from the straight way between its ends than an even turn would, and the tolerance.
+    fn swings(&self, piece: &Piece) -> bool {
+        let axes = &self.tolerance.1;
+        let between = |a: &Joints, b: &Joints| -> Joints { std::array::from_fn(|i| (b[i] - a[i]) / axes[i]) };
+        let dot = |a: &Joints, b: &Joints| (0..MAX_AXES).map(|i| a[i] * b[i]).sum::<f64>();
+        let at = |part: f64| piece.derivatives(piece.from + part * (piece.to - piece.from))[0];
+        let start = at(0.0);
+        let chord = between(&start, &at(1.0));
+        let square = dot(&chord, &chord);
+        let off = |part: f64| {
+            let way = between(&start, &at(part));
+            let along = if square > 0.0 { (dot(&way, &chord) / square).clamp(0.0, 1.0) } else { 0.0 };
+            let aside: Joints = std::array::from_fn(|i| way[i] - along * chord[i]);
+            dot(&aside, &aside).sqrt()
+        };
+        piece.to - piece.from > 4.0 * SAME
+            && [0.25, 0.5, 0.75].into_iter().any(|p| off(p) > 1.0 + SWING * square.sqrt())
+    }
+
+    /// Makes two pieces of one: at the middle one of the points left out, or halfway between its ends.
+    fn halve(&mut self, i: usize, piece: &Piece) {
+        let [a, b] = [piece.from, piece.to].map(|u| piece.derivatives(u)[0]);
+        let left_out = &mut self.run[i + 1].1.left_out;
+        if left_out.is_empty() {
+            let q: Joints = std::array::from_fn(|k| 0.5 * (a[k] + b[k]));
+            left_out.push(Taught { q, tip: self.machine.forward(&q).point });
+        }
+        let middle = left_out.len() / 2;
+        self.take_back(i, middle);
+    }
+
+    /// Puts point `k` left out in piece `i` back into the run.
+    fn take_back(&mut self, i: usize, k: usize) {
+        let mut before = std::mem::take(&mut self.run[i + 1].1.left_out);
+        let after = before.split_off(k + 1);
+        let Some(point) = before.pop() else { return };
+        let (u, to) = (self.run[i].0, self.run[i + 1].0);
+        let begin = u + self.step(&self.run[i].1.point, &point).max(SAME);
+        let longer = begin + self.step(&point, &self.run[i + 1].1.point).max(SAME) - to;
+        self.run[i + 1..].iter_mut().for_each(|r| r.0 += longer);
+        self.run[i + 1].1.left_out = after;
+        self.run.insert(i + 1, (begin, Kept { point, left_out: before }));
     }
 
     /// The first piece after a corner, or of all.

@@ -8,6 +8,13 @@ pub(crate) struct Taught {
     pub(crate) tip: DVec3,
 }
 
+/// A point that is kept, and those left out since the one kept before.
+#[derive(Debug, Clone)]
+pub(crate) struct Kept {
+    pub(crate) point: Taught,
+    pub(crate) left_out: Vec<Taught>,
+}
+
 /// Points whose tips are nearer than this (mm) and whose axes too (mm or rad) are the same point: the length that counts
 /// as nothing in all rooms.
 pub(crate) const SAME: f64 = 1e-6;
@@ -28,7 +35,7 @@ pub(crate) struct Thinned<I> {
     kept: Option<Taught>,
     run: Vec<Taught>,
     /// Points to be given, in order.
-    ready: std::collections::VecDeque<Taught>,
+    ready: std::collections::VecDeque<Kept>,
     /// Points left out between the last two kept, and the first of the two.
     before: Option<(Taught, Vec<Taught>)>,
     ended: bool,
@@ -70,23 +77,28 @@ impl<I> Thinned<I> {
 
     /// Keeps `point`; where the way to it is much shorter than the one before, points left out before come back.
     fn keep(&mut self, point: Taught, left_out: Vec<Taught>) {
-        if let (Some((first, skipped)), Some(last)) = (self.before.take(), self.kept) {
+        let Some(last) = self.kept.replace(point) else { return };
+        let mut since = Vec::new();
+        if let Some((first, skipped)) = self.before.take() {
             let mut reach = SHRINK * apart(&last, &point).max(SAME);
-            let mut back = Vec::new();
+            let mut back = vec![false; skipped.len()];
             let mut beside = last;
-            for p in skipped.iter().rev() {
+            for (p, back) in skipped.iter().zip(&mut back).rev() {
                 if apart(&beside, p) >= reach && apart(p, &first) > 0.5 * reach {
-                    back.push(*p);
+                    *back = true;
                     (beside, reach) = (*p, SHRINK * apart(&beside, p));
                 }
             }
-            self.ready.extend(back.into_iter().rev());
-            self.ready.push_back(last);
-        } else if let Some(last) = self.kept {
-            self.ready.push_back(last);
+            for (point, back) in skipped.into_iter().zip(back) {
+                if back {
+                    self.ready.push_back(Kept { point, left_out: std::mem::take(&mut since) });
+                } else {
+                    since.push(point);
+                }
+            }
         }
-        self.before = self.kept.map(|last| (last, left_out));
-        self.kept = Some(point);
+        self.ready.push_back(Kept { point: last, left_out: since });
+        self.before = Some((last, left_out));
     }
 }
 
@@ -100,15 +112,16 @@ fn apart(a: &Taught, b: &Taught) -> f64 {
 }
 
 impl<I: Iterator<Item = Taught>> Iterator for Thinned<I> {
-    type Item = Taught;
+    type Item = Kept;
 
-    fn next(&mut self) -> Option<Taught> {
+    fn next(&mut self) -> Option<Kept> {
         loop {
             if let Some(ready) = self.ready.pop_front() {
                 return Some(ready);
             }
             if self.ended {
-                return self.kept.take();
+                let left_out = self.before.take().map(|(_, left_out)| left_out).unwrap_or_default();
+                return self.kept.take().map(|point| Kept { point, left_out });
             }
             let Some(point) = self.points.next() else {
                 self.ended = true;
