@@ -1,5 +1,5 @@
-//! One cycle of a machine with ten axes: the set-point from the plan with its feed-forward, the inverse of its pose moved by
-//! a correction, and ten position loops. Aim: 5 us in the median, 20 us for 999 of 1000.
+//! One cycle of a machine with ten axes: the set-point from the plan with its feed-forward, the inverse of its pose
+//! moved by a correction, and ten position loops. Aim: 5 us in the median, 20 us for 999 of 1000.
 
 use seamwright_machine::{Machine, Target, shipped};
 use seamwright_motion::PassMotion;

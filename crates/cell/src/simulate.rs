@@ -6,8 +6,8 @@ use seamwright_machine::{Joints, Machine};
 use seamwright_motion::{SetPoint, WeldMotion};
 use seamwright_program::TorchPath;
 
-/// Plays `motion`, whose passes follow `paths`, on simulated drives, one set-point a servo period, from the start of the
-/// first weld to the end of the last, and shows every period's [`Sample`] to `observer`. A summary of each pass.
+/// Plays `motion`, whose passes follow `paths`, on simulated drives, one set-point a servo period, from the start of
+/// the first weld to the end of the last, and shows every period's [`Sample`] to `observer`. A summary of each pass.
 ///
 /// The observer's errors end the simulation. The same seed gives the same weld, bit for bit.
 ///

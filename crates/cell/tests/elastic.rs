@@ -1,4 +1,5 @@
-//! The example saddle on drives with resonance, backlash, friction and dead time, all axes tuned: how far the torch strays.
+//! The example saddle on drives with resonance, backlash, friction and dead time, all axes tuned: how far the torch
+//! strays.
 
 // Helpers of tests are tests too, but clippy.toml lets only the #[test] functions unwrap.
 #![allow(clippy::unwrap_used)]

@@ -115,8 +115,8 @@ impl Solid {
     /// A solid; `pose` maps the shape's frame to the frame the solid is given in (its group's).
     ///
     /// # Errors
-    /// Sizes that are not finite or not positive, a capsule shorter than its ends, a pose that is not rigid or displaces
-    /// by more than 1e7 mm.
+    /// Sizes that are not finite or not positive, a capsule shorter than its ends, a pose that is not rigid or
+    /// displaces by more than 1e7 mm.
     pub fn new(name: impl Into<String>, shape: Shape, pose: DAffine3) -> Result<Self, ClearanceError> {
         shape.check()?;
         check_rigid(&pose)?;

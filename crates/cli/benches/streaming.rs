@@ -1,5 +1,5 @@
-//! Peak memory and time of streaming: `seamwright motion` with one and ten million set-points, `seamwright follow` along as
-//! many points. Aim: 50 MB, cost linear.
+//! Peak memory and time of streaming: `seamwright motion` with one and ten million set-points, `seamwright follow`
+//! along as many points. Aim: 50 MB, cost linear.
 
 use std::f64::consts::TAU;
 use std::io::{BufWriter, Write};

@@ -134,8 +134,8 @@ pub(crate) struct MotionArgs {
     /// Set-points for a control that joins them by a fine level of its own
     #[arg(long, value_enum, conflicts_with = "coarse_ms")]
     pub(crate) export: Option<ExportArg>,
-    /// The run under an operator's commands from this CSV: t_s,command,value, where command is override (value: percent,
-    /// 0 to 150), hold, resume, reverse, step (value: mm to weld) or abort
+    /// The run under an operator's commands from this CSV: t_s,command,value, where command is override (value:
+    /// percent, 0 to 150), hold, resume, reverse, step (value: mm to weld) or abort
     #[arg(long, value_name = "FILE.csv", conflicts_with_all = ["coarse_ms", "export"])]
     pub(crate) commands: Option<PathBuf>,
     /// Also the air moves from home to the first weld and from the last back home

@@ -1,7 +1,8 @@
 use crate::failure::Failure;
 use std::io::{BufRead, Lines};
 
-/// Rows of numbers (or texts) from CSV with a header line; columns in any order, others ignored. One line at a time is kept.
+/// Rows of numbers (or texts) from CSV with a header line; columns in any order, others ignored. One line at a time
+/// is kept.
 pub(crate) struct CsvReader<R> {
     source: String,
     lines: Lines<R>,
@@ -13,8 +14,8 @@ pub(crate) struct CsvReader<R> {
 }
 
 impl<R: BufRead> CsvReader<R> {
-    /// A reader of `source` (its name, for messages) with the first of the sets of columns `wanted` that its header has;
-    /// and which set that is.
+    /// A reader of `source` (its name, for messages) with the first of the sets of columns `wanted` that its header
+    /// has; and which set that is.
     pub(crate) fn open(source: &str, reader: R, wanted: &[&[&str]]) -> Result<(Self, usize), Failure> {
         let mut lines = reader.lines();
         let header = lines.next().transpose()?.unwrap_or_default();

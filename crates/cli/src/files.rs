@@ -97,7 +97,8 @@ impl Output {
         Ok(())
     }
 
-    /// Takes a copy of the file at `from` under `name`, unless it is that file; another file of that name is not touched.
+    /// Takes a copy of the file at `from` under `name`, unless it is that file; another file of that name is not
+    /// touched.
     pub(crate) fn copy(&mut self, name: &str, from: &Path) -> Result<(), Failure> {
         let bytes = fs::read(from).map_err(|e| Failure::Input(format!("{}: cannot be read: {e}", from.display())))?;
         let to = self.folder.join(name);

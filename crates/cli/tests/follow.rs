@@ -1,4 +1,5 @@
-//! `seamwright follow`: points of any spacing become the same motion, within limits; what is wrong is named with its line.
+//! `seamwright follow`: points of any spacing become the same motion, within limits; what is wrong is named with its
+//! line.
 
 mod common;
 
@@ -88,7 +89,7 @@ fn what_is_wrong_is_named() {
         ("x,y,z,a,c\n0,0,50,0,0\n10,bad,50,0,0\n", vec![], 2, vec!["-:3:", "y = `bad`"]),
         ("x,y,z,a,c\n0,0,50,0,0\n10,0,50,0\n", vec![], 2, vec!["-:3:", "c = ``"]),
         ("x,y,z,a,c\n0,0,50,0,0\n9000,0,50,0,0\n", vec![], 1, vec!["line 3", "axis x", "beyond its limit"]),
-        (&format!("{head}10,0,50,0,0\n"), vec!["--speed-mm-s", "0"], 2, vec!["--speed-mm-s 0", "greater than 0"]),
+        (&format!("{head}10,0,50,0,0\n"), vec!["--speed-mm-s", "0"], 2, vec!["--speed-mm-s 0", "1e-4 to 1e6"]),
         (&format!("{head}10,0,50,0,0\n"), vec!["--window-s", "nan"], 2, vec!["--window-s NaN"]),
         (&format!("{head}10,0,50,0,0\n"), vec!["--period-ms", "0"], 2, vec!["--period-ms 0"]),
     ] {

@@ -136,7 +136,8 @@ fn the_job_written_again_keeps_its_words_and_stands_where_it_was_touched() {
     let kept: Vec<&str> = after.lines().filter(|l| before.lines().any(|b| b == *l)).collect();
     assert!(before.lines().all(|l| kept.contains(&l)), "{after}");
     assert!(after.contains("offset = \"table-1\"") && after.contains("[offsets.table-1]"), "{after}");
-    // The seam stands shifted in the machine: its set-points through forward kinematics, away from those of the old job.
+    // The seam stands shifted in the machine: its set-points through forward kinematics, away from those of the old
+    // job.
     let tip = |job: &str| -> Vec<f64> {
         let motion = good(&["motion", job, "--period-ms", "1000"]);
         let table = common::table(&motion);

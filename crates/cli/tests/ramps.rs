@@ -1,4 +1,5 @@
-//! Process values that ramp with path length and slope with time, at every set-point, in posted programs and in reports.
+//! Process values that ramp with path length and slope with time, at every set-point, in posted programs and in
+//! reports.
 
 mod common;
 
@@ -7,8 +8,8 @@ use serde_json::Value;
 use std::fs;
 use tempfile::TempDir;
 
-/// The saddle with a current that ramps from 120 to 240 A over the weld, up from 60 A in 0.2 s of its travel delay of 0.3 s,
-/// down to 40 A in the last 0.5 s of its crater fill of 0.8 s.
+/// The saddle with a current that ramps from 120 to 240 A over the weld, up from 60 A in 0.2 s of its travel delay of
+/// 0.3 s, down to 40 A in the last 0.5 s of its crater fill of 0.8 s.
 fn ramped() -> (TempDir, String) {
     let folder = tempfile::tempdir().unwrap();
     let text = fs::read_to_string(example("saddle")).unwrap();

@@ -16,9 +16,9 @@ const SMALLEST_PANEL: f64 = 1e-9;
 /// until both hold the accuracy at check points between the nodes.
 ///
 /// Guarantee, for `accuracy_mm` not below the rounding of the curve's own evaluation:
-/// `|length(u) - true arc length| <= accuracy_mm` over the whole curve, and `|length(parameter(s)) - s| <= accuracy_mm`.
-/// Lengths count from the start of the curve's domain. On a closed curve any `s` and `u` may be asked for; they
-/// repeat with the curve.
+/// `|length(u) - true arc length| <= accuracy_mm` over the whole curve, and `|length(parameter(s)) - s| <=
+/// accuracy_mm`. Lengths count from the start of the curve's domain. On a closed curve any `s` and `u` may be asked
+/// for; they repeat with the curve.
 #[derive(Debug, Clone)]
 pub struct ByLength<C> {
     curve: C,

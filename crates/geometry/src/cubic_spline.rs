@@ -1,8 +1,9 @@
 use crate::Error;
 use crate::knots::knots;
 
-/// A cubic spline through values at increasing positions: twice continuously differentiable. Either level (slope 0) at its
-/// ends and constant beyond them, or repeating with a period (de Boor, A Practical Guide to Splines, chapter IV).
+/// A cubic spline through values at increasing positions: twice continuously differentiable. Either level (slope 0)
+/// at its ends and constant beyond them, or repeating with a period (de Boor, A Practical Guide to Splines, chapter
+/// IV).
 ///
 /// Used for measured tables, where a jump in the second derivative would be a jump in an axis' acceleration.
 #[derive(Debug, Clone, PartialEq)]

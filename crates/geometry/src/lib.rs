@@ -6,7 +6,8 @@
 //!   [`TubeIntersection`] implement it.
 //! - [`Edge`] is a curve where two faces meet; it also knows their outward normals.
 //! - [`ByLength`] re-parametrises any curve by arc length, to a stated accuracy.
-//! - [`Quadric`] is an implicit surface with gradient and Hessian; [`QuadricDistance`] knows how far points are from it.
+//! - [`Quadric`] is an implicit surface with gradient and Hessian; [`QuadricDistance`] knows how far points are from
+//!   it.
 //! - [`fit`] finds the rigid motion that brings nominal geometry to measured points.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]

@@ -63,8 +63,9 @@ impl MonotoneCurve {
         let i = self.x.partition_point(|k| *k <= x).clamp(1, self.x.len() - 1);
         let h = self.x[i] - self.x[i - 1];
         let (a, b) = ((self.x[i] - x) / h, (x - self.x[i - 1]) / h);
-        // Quintic Hermite form with second derivatives zero. Its slope is a weighted sum of the mean slope and those at the
-        // ends, whose weights are negative by less than the mean's is positive if they are at most twice the mean.
+        // Quintic Hermite form with second derivatives zero. Its slope is a weighted sum of the mean slope and those
+        // at the ends, whose weights are negative by less than the mean's is positive if they are at most twice the
+        // mean.
         let step = |x: f64| x * x * x * (10.0 + x * (6.0 * x - 15.0));
         let lean = |x: f64| x * (1.0 + x * x * (x * (8.0 - 3.0 * x) - 6.0));
         self.y[i - 1] * step(a) + self.y[i] * step(b) + h * (self.slope[i - 1] * lean(b) - self.slope[i] * lean(a))

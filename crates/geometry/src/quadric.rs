@@ -71,8 +71,8 @@ impl Quadric {
         Self::checked(Self { centre: point, a, b: DVec3::ZERO, c: -0.5 * r, nappe: None })
     }
 
-    /// A cylinder without end over an ellipse: semi-axis `a` (mm) along `x_direction`, made perpendicular to `axis`, and
-    /// `b` across it.
+    /// A cylinder without end over an ellipse: semi-axis `a` (mm) along `x_direction`, made perpendicular to `axis`,
+    /// and `b` across it.
     ///
     /// # Errors
     /// [`Error::Size`], [`Error::Direction`], [`Error::Parallel`].

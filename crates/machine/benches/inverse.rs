@@ -28,7 +28,8 @@ fn inverse(c: &mut Criterion) {
     }
 }
 
-/// An arm of seven rotary axes, each across the one before it; the pose is asked for from 0.01 rad away, as along a path.
+/// An arm of seven rotary axes, each across the one before it; the pose is asked for from 0.01 rad away, as along a
+/// path.
 fn numeric(c: &mut Criterion) {
     let mut text = String::from("schema = 1\nname = \"arm\"\ntitle = \"7R arm\"\n");
     for (k, z) in [0.0, 340.0, 340.0, 740.0, 740.0, 1140.0, 1140.0].iter().enumerate() {

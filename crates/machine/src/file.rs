@@ -41,8 +41,8 @@ pub struct MachineFile {
     /// Measured pitch error of axes, by the axis' name.
     #[serde(default)]
     pub pitch_error: BTreeMap<String, PitchErrorFile>,
-    /// Solids of each link, by the link's name: an axis (what it moves), `base`, `work`, `torch` or a head. Given in the
-    /// frame that the steps up to that axis lead to.
+    /// Solids of each link, by the link's name: an axis (what it moves), `base`, `work`, `torch` or a head. Given in
+    /// the frame that the steps up to that axis lead to.
     #[serde(default)]
     pub shapes: BTreeMap<String, Vec<SolidFile>>,
     /// How far the machine's own links keep from each other.
@@ -127,8 +127,8 @@ pub struct LinkClearanceFile {
 pub struct ZoneFile {
     /// Name, for people.
     pub name: String,
-    /// Whether to stay in it or keep out of it. Permitted zones with the same `watch` and `on` count together: everything
-    /// watched must be wholly inside one of their solids.
+    /// Whether to stay in it or keep out of it. Permitted zones with the same `watch` and `on` count together:
+    /// everything watched must be wholly inside one of their solids.
     pub kind: ZoneKind,
     /// The link that it is fixed to; `base` if missing.
     pub on: Option<String>,

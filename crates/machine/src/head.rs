@@ -15,7 +15,8 @@ pub struct Head {
 }
 
 impl Head {
-    /// Axes of this head's chain that a point and a direction leave free: the machine has more axes than the pose needs.
+    /// Axes of this head's chain that a point and a direction leave free: the machine has more axes than the pose
+    /// needs.
     /// [`Machine::inverse`](crate::Machine::inverse) holds them where they are in `near`.
     pub fn free(&self) -> AxisSet {
         self.inverse.held

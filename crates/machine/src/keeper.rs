@@ -75,8 +75,8 @@ impl<'a> Keeper<'a> {
 
     /// Shows that every watch holds everywhere on `course`, whose positions are all within `low..=high`.
     ///
-    /// Guarantee: `Ok` only if no distance (or room) is anywhere less than its watch asks for. At most `looks` distances
-    /// are computed for each watch after the first. No allocation, except on meshes.
+    /// Guarantee: `Ok` only if no distance (or room) is anywhere less than its watch asks for. At most `looks`
+    /// distances are computed for each watch after the first. No allocation, except on meshes.
     ///
     /// # Errors
     /// The first watch that does not hold, or cannot be shown to with so many looks.

@@ -85,8 +85,8 @@ impl Links {
         self.links[a].axes.different(self.links[b].axes).iter()
     }
 
-    /// How far each link has moved from where it is with all axes at zero, seen in the work frame, at the true positions
-    /// `q`: a point `p` of a link at zero is at `frames[link] * p`.
+    /// How far each link has moved from where it is with all axes at zero, seen in the work frame, at the true
+    /// positions `q`: a point `p` of a link at zero is at `frames[link] * p`.
     pub fn motion(&self, q: &Joints) -> LinkFrames {
         let mut frames = [DAffine3::IDENTITY; MAX_LINKS];
         for (i, link) in self.links.iter().enumerate() {

@@ -182,8 +182,8 @@ impl Machine {
     }
 
     /// All branches of positions that bring the torches to `target`, rotary axes within half a turn of `near`. Axes to
-    /// spare ([`Head::free`]) stay where they are in `near`, which also decides what a singular pose leaves free. Ranges
-    /// are not looked at: see [`Machine::reach`].
+    /// spare ([`Head::free`]) stay where they are in `near`, which also decides what a singular pose leaves free.
+    /// Ranges are not looked at: see [`Machine::reach`].
     ///
     /// # Errors
     /// The reason there is none.
@@ -250,8 +250,8 @@ impl Machine {
         Ok(branches[best])
     }
 
-    /// The branches within all ranges, nearest to `near` first, rotary axes turned by whole turns as needed. If there is
-    /// none and axes are to spare, other places of these are tried.
+    /// The branches within all ranges, nearest to `near` first, rotary axes turned by whole turns as needed. If there
+    /// is none and axes are to spare, other places of these are tried.
     ///
     /// # Errors
     /// The reason there is none: of the branch that comes nearest, the axis and by how far.
@@ -303,7 +303,8 @@ impl Machine {
         Unreachable::Range { axis: axis.name.clone(), value, by, limit, unit: axis.unit() }
     }
 
-    /// The `k`-th of positions spread evenly over the axes' ranges, one turn of each rotary axis: an additive recurrence.
+    /// The `k`-th of positions spread evenly over the axes' ranges, one turn of each rotary axis: an additive
+    /// recurrence.
     pub fn spread(&self, k: u32) -> Joints {
         inverse::spread(&self.axes, k)
     }

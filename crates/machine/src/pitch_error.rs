@@ -2,8 +2,8 @@ use seamwright_geometry::CubicSpline;
 
 /// What an axis really does against what its control believes: the table of its measured pitch error, mm or rad.
 ///
-/// The error is the true position less the indicated one. Between the table's places it follows a cubic spline, so that the
-/// compensation adds no jumps to an axis' acceleration; beyond them it stays as at the last.
+/// The error is the true position less the indicated one. Between the table's places it follows a cubic spline, so
+/// that the compensation adds no jumps to an axis' acceleration; beyond them it stays as at the last.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PitchError {
     error: CubicSpline,

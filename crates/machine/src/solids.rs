@@ -1,8 +1,8 @@
 use crate::ZoneKind;
 use seamwright_clearance::Solid;
 
-/// Everything solid that the machine file describes. Solids are given in the work frame with all axes at zero; a point of
-/// link `l` is then at `link_frames(q)[l] * point`.
+/// Everything solid that the machine file describes. Solids are given in the work frame with all axes at zero; a
+/// point of link `l` is then at `link_frames(q)[l] * point`.
 #[derive(Debug, Clone, Default)]
 pub struct LinkSolids {
     /// Each with its link.

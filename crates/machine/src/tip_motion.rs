@@ -24,8 +24,9 @@ impl TipLimits {
 type Series<T> = [T; 4];
 
 impl Machine {
-    /// First, second and third derivative of the first head's tip in the work frame by a parameter, from positions (mm or
-    /// rad) and the same derivatives of the indicated axes. Slopes of pitch errors count, their changes do not.
+    /// First, second and third derivative of the first head's tip in the work frame by a parameter, from positions
+    /// (mm or rad) and the same derivatives of the indicated axes. Slopes of pitch errors count, their changes do
+    /// not.
     pub fn tip_derivatives(&self, motion: &[Joints; 4]) -> [DVec3; 3] {
         let [q, d1, d2, d3] = motion;
         let start = self.true_positions(q);

@@ -234,8 +234,8 @@ fn arrangements_without_a_closed_form_are_checked_too() {
     assert!(!head.singular.places.is_empty());
 }
 
-/// Positive motion in the base frame against forward kinematics: a tool-side axis moves the tip that way, a work-side one
-/// moves the tip the other way when seen from the work.
+/// Positive motion in the base frame against forward kinematics: a tool-side axis moves the tip that way, a work-side
+/// one moves the tip the other way when seen from the work.
 #[test]
 fn places_of_axes_are_those_of_the_kinematics() {
     for s in SHIPPED {

@@ -11,8 +11,8 @@ fn dual() -> Machine {
     Machine::read("m", shipped("dual-laser-10axis").unwrap().text).unwrap()
 }
 
-/// A web of thickness `t` on a skin curved both ways: the two fillets' points and beam directions at `u`. The frame is made
-/// here from a formula for the web's middle line, with no help from the code under test.
+/// A web of thickness `t` on a skin curved both ways: the two fillets' points and beam directions at `u`. The frame
+/// is made here from a formula for the web's middle line, with no help from the code under test.
 fn fillets(u: f64, t: f64, above_skin: f64) -> [Pose; 2] {
     let line = |u: f64| DVec3::new(1500.0 * (u / 1500.0).sin(), 300.0 * (u / 900.0).sin(), 40.0 * (u / 700.0).cos());
     let h = 1e-4;

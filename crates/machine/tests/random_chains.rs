@@ -67,8 +67,8 @@ fn jacobian_error(machine: &Machine, q: &Joints) -> f64 {
     worst
 }
 
-/// Every branch is there: the positions that made the pose are among those that the inverse finds from elsewhere, and all
-/// that it finds reach the pose.
+/// Every branch is there: the positions that made the pose are among those that the inverse finds from elsewhere, and
+/// all that it finds reach the pose.
 #[test]
 fn the_branch_a_pose_was_made_with_is_found() {
     let (mut asked, mut missing) = (0, Vec::new());

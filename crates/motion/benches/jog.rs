@@ -1,5 +1,5 @@
-//! Cost of one step of a jog of ten axes, two heads and all their shapes: with the same command, with a new one in every
-//! period, and point to point with a new target in every period. A period is 1 ms.
+//! Cost of one step of a jog of ten axes, two heads and all their shapes: with the same command, with a new one in
+//! every period, and point to point with a new target in every period. A period is 1 ms.
 
 #![allow(missing_docs, reason = "the benchmark macros make public items")]
 

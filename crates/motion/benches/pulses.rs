@@ -1,5 +1,5 @@
-//! Pulses of one axis a second on one core (aim: 50 million a second, 20 ns each): many and few in a period of 1 ms, and
-//! three axes with their lines in the order of time.
+//! Pulses of one axis a second on one core (aim: 50 million a second, 20 ns each): many and few in a period of 1 ms,
+//! and three axes with their lines in the order of time.
 
 #![allow(missing_docs, reason = "the benchmark macros make public items")]
 

@@ -34,8 +34,8 @@ pub(crate) fn stop_findings(machine: &Machine, stops: &[(f64, usize)], number: u
     stops.iter().map(finding).collect()
 }
 
-/// Where the tip is slower than the procedure lets it be with the arc on: findings between run-up and run-down, notes in
-/// them.
+/// Where the tip is slower than the procedure lets it be with the arc on: findings between run-up and run-down, notes
+/// in them.
 pub(crate) fn least_speed_findings(
     machine: &Machine,
     certificate: &Certificate,

@@ -132,7 +132,8 @@ impl JointPath {
         Series { c: std::array::from_fn(|k| block[k][axis % LANES]) }
     }
 
-    /// Turns rotary axes by whole turns so that the path begins as near as can be to `before` and stays in their ranges.
+    /// Turns rotary axes by whole turns so that the path begins as near as can be to `before` and stays in their
+    /// ranges.
     pub(crate) fn turn_towards(&mut self, machine: &Machine, before: &Joints) {
         let start = self.at(0.0);
         for (i, axis) in machine.axes.iter().enumerate().filter(|(_, a)| a.kind == AxisKind::Rotary) {
@@ -204,7 +205,8 @@ fn chebyshev(x: f64) -> [[f64; 4]; NODES] {
     t
 }
 
-/// Where the path goes, and how fast at most: from the middle of each panel touched, and a bound of the second derivative.
+/// Where the path goes, and how fast at most: from the middle of each panel touched, and a bound of the second
+/// derivative.
 impl Course for JointPath {
     fn range(&self) -> (f64, f64) {
         (0.0, self.length)

@@ -4,7 +4,8 @@
 //! the asked one within every axis' speed, acceleration and jerk; [`PassMotion`] puts both together with the process
 //! sequence, and [`SetPoints`] plays it period by period in constant memory, without allocation. [`pace`] plays a
 //! law under an operator's orders, [`jog`] moves axes without a path, [`taught`] follows points of any number. [`fine`]
-//! makes fine set-points of coarse ones, [`pulses`] step and direction pulses. [`textbook`] has the interpolators of the papers, for comparison.
+//! makes fine set-points of coarse ones, [`pulses`] step and direction pulses. [`textbook`] has the interpolators of
+//! the papers, for comparison.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 

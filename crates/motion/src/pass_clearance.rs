@@ -9,8 +9,8 @@ use seamwright_program::Finding;
 pub struct PassClearance {
     /// The least distance (mm) of anything watched at places along the pass (mm), up to the cut-off.
     pub found: Vec<(f64, f64)>,
-    /// For each stretch of the pass: where it ends (mm), and a distance (mm) that nothing watched falls below anywhere in
-    /// it, up to the cut-off: proven, and so up to a tenth less than what is found.
+    /// For each stretch of the pass: where it ends (mm), and a distance (mm) that nothing watched falls below
+    /// anywhere in it, up to the cut-off: proven, and so up to a tenth less than what is found.
     pub at_least: Vec<(f64, f64)>,
     /// The least distance found: mm, path length, and who is near to whom.
     pub nearest: Option<(f64, f64, String)>,

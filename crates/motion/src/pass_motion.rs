@@ -127,8 +127,8 @@ impl PassMotion {
         PassTimed::new(machine, &self.path, &self.law)
     }
 
-    /// The law along the same path for `factor` times the speeds that `pass` asks for, slower where `machine` cannot keep
-    /// them: overrides above 1 play it.
+    /// The law along the same path for `factor` times the speeds that `pass` asks for, slower where `machine` cannot
+    /// keep them: overrides above 1 play it.
     ///
     /// # Errors
     /// A factor that is not finite and above zero; none else, since the path has a law already.

@@ -23,8 +23,8 @@ pub(crate) struct Survey {
     pub(crate) findings: Vec<Finding>,
 }
 
-/// Walks the path on every branch and returns the one that fits best. Where axes to spare are chosen for the whole path,
-/// the branch is chosen with them.
+/// Walks the path on every branch and returns the one that fits best. Where axes to spare are chosen for the whole
+/// path, the branch is chosen with them.
 pub(crate) fn survey(follower: Follower, tolerance: &Tolerance, pass: usize) -> Result<Survey, Vec<Finding>> {
     let machine = follower.machine;
     let length = follower.path.length();
@@ -132,7 +132,8 @@ fn turns_into_range(follower: Follower, rows: &[Joints]) -> Joints {
     let mut shift = Joints::default();
     for (i, axis) in follower.machine.axes.iter().enumerate() {
         // Axes to spare are on their turn already.
-        // A limited axis with a table of pitch errors is no copy of itself a turn on: it stays on the turn next to home.
+        // A limited axis with a table of pitch errors is no copy of itself a turn on: it stays on the turn next to
+        // home.
         let alike = axis.pitch_error.is_none() || axis.range.is_none();
         if axis.kind == AxisKind::Linear || follower.free.has(i) || !alike {
             continue;

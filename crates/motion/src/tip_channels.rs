@@ -16,10 +16,10 @@ const ACROSS: f64 = 0.25;
 
 /// The tip's acceleration and jerk seen from directions in its own frame: tangent and normal, and across both.
 ///
-/// Acceleration lies in the plane of tangent and normal, the jerk nearly so. Four directions there, at 22.5 degrees and every
-/// 45 from it, each bounded by the limit times cos 22.5 degrees, make an octagon with corners on tangent and normal. So
-/// neither acceleration nor jerk exceeds its limit in any direction; speeding up and turning alone may use all of the
-/// acceleration, both at once at least 92 % of it, and 89 % of the jerk.
+/// Acceleration lies in the plane of tangent and normal, the jerk nearly so. Four directions there, at 22.5 degrees
+/// and every 45 from it, each bounded by the limit times cos 22.5 degrees, make an octagon with corners on tangent
+/// and normal. So neither acceleration nor jerk exceeds its limit in any direction; speeding up and turning alone may
+/// use all of the acceleration, both at once at least 92 % of it, and 89 % of the jerk.
 pub(crate) struct TipChannels;
 
 impl TipChannels {

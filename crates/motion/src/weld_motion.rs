@@ -30,8 +30,8 @@ impl WeldMotion {
     /// unwind in the air moves; axes without end stops need not.
     ///
     /// # Errors
-    /// Every finding that stands against it: those of [`PassMotion::plan`], too little clearance, an air move that has no
-    /// clear way.
+    /// Every finding that stands against it: those of [`PassMotion::plan`], too little clearance, an air move that
+    /// has no clear way.
     pub fn plan(
         machine: &Machine,
         around: &Surroundings,
@@ -120,8 +120,9 @@ impl WeldMotion {
         self.stages(home).map(|stage| stage.count(period)).sum()
     }
 
-    /// Plays the whole motion, one set-point a period: the pass (counted from 1; 0 in the air), the set-point, and speeds
-    /// and accelerations of the axes. The arc is off in the air, and path length and speed along it are no number.
+    /// Plays the whole motion, one set-point a period: the pass (counted from 1; 0 in the air), the set-point, and
+    /// speeds and accelerations of the axes. The arc is off in the air, and path length and speed along it are no
+    /// number.
     ///
     /// # Errors
     /// The first of `each`, which ends it.

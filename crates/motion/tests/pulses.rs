@@ -172,8 +172,8 @@ fn random_streams_of_several_axes() {
     assert!(pulses > 1_000_000 && turns > 50_000 && waited > 10_000 && refused > 100);
 }
 
-/// Every pulse is in the tick in which the straight line between the positions passes half a step, and the next one is as
-/// far away across the border of a period.
+/// Every pulse is in the tick in which the straight line between the positions passes half a step, and the next one
+/// is as far away across the border of a period.
 #[test]
 fn pulses_lie_on_the_straight_line() {
     let timing = Timing { period: 10_000, width: 25, spacing: 50, setup: 0, hold: 50 };

@@ -7,8 +7,8 @@ use seamwright_motion::law::{Channels, LawStream};
 use seamwright_motion::taught::{Corner, TaughtPath};
 use std::f64::consts::TAU;
 
-/// A machine with the limits of a measurement of rivals: 50 mm/s, 500 mm/s^2; 60 deg/s, 600 deg/s^2; jerk ten times that;
-/// both rotary axes through the origin, as there.
+/// A machine with the limits of a measurement of rivals: 50 mm/s, 500 mm/s^2; 60 deg/s, 600 deg/s^2; jerk ten times
+/// that; both rotary axes through the origin, as there.
 fn machine() -> Machine {
     let text = shipped("table-tilting-xyzac").unwrap().text.replace("at_mm = [0, 20, 10]", "at_mm = [0, 0, 0]");
     let mut machine = Machine::read("machine", &text).unwrap();

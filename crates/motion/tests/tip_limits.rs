@@ -1,4 +1,5 @@
-//! Limits of the torch tip's own: kept in every direction along a weld, whatever an operator commands; said where they bind.
+//! Limits of the torch tip's own: kept in every direction along a weld, whatever an operator commands; said where
+//! they bind.
 
 use glam::DVec3;
 use seamwright_machine::{Joints, Machine, TipLimits, shipped};

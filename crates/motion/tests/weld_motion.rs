@@ -1,5 +1,5 @@
-//! Programs of several passes: axes unwind between them, every set-point of the whole within every limit, no jump; what is
-//! in the way is told or gone round.
+//! Programs of several passes: axes unwind between them, every set-point of the whole within every limit, no jump;
+//! what is in the way is told or gone round.
 
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Shape, Solid};

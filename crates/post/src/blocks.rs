@@ -52,16 +52,16 @@ const LAG: f64 = 20.0;
 const ATTITUDE: f64 = 0.1 * std::f64::consts::PI / 180.0;
 /// Shortest block, mm.
 const SHORTEST_MM: f64 = 1e-4;
-/// Linear motion that may be left to a later block, as a part of the tolerance. The cutter's own tolerance is smaller by
-/// as much.
+/// Linear motion that may be left to a later block, as a part of the tolerance. The cutter's own tolerance is smaller
+/// by as much.
 pub(crate) const HELD_BACK: f64 = 0.05;
 /// Turns smaller than this (rad) are lost in the words' decimals.
 const TURN: f64 = 1e-7;
 /// LinuxCNC's interpreter raises any lower feed to this, in mm/min or deg/min, without a word.
 const LEAST_FEED: f64 = 0.1;
 
-/// Cuts `motion` along `path` into few blocks whose path stays within `tolerance_mm` of the seam: greedily, each block as
-/// long as tolerance, timing, attitude and the control's least feed let it be.
+/// Cuts `motion` along `path` into few blocks whose path stays within `tolerance_mm` of the seam: greedily, each
+/// block as long as tolerance, timing, attitude and the control's least feed let it be.
 ///
 /// Places where spans end (`breaks`, mm) always end a block.
 ///
@@ -145,8 +145,8 @@ impl Cutter<'_> {
         ok
     }
 
-    /// The middle of a block to `end`, if linear motion goes out and back in it and would be left out as too small though
-    /// either half has enough; otherwise `end`.
+    /// The middle of a block to `end`, if linear motion goes out and back in it and would be left out as too small
+    /// though either half has enough; otherwise `end`.
     fn turned_back(&self, here: &Block, written: &Block, end: f64) -> f64 {
         let middle = self.end_at(0.5 * (here.s + end), here.s);
         let lost = self.below_least_feed(written, &self.end_at(end, here.s));

@@ -33,8 +33,8 @@ const ROUNDING: f64 = 0.1;
 /// Feed of the approach from where the torch stands back to the start of the weld, mm/min.
 const APPROACH_MM_MIN: f64 = 600.0;
 
-/// The program as a part program for LinuxCNC: G93 inverse-time blocks, outputs switched with the motion; between passes
-/// the planned air moves, whose straight lines in axis space are those of G0 at joint level.
+/// The program as a part program for LinuxCNC: G93 inverse-time blocks, outputs switched with the motion; between
+/// passes the planned air moves, whose straight lines in axis space are those of G0 at joint level.
 ///
 /// Joint level needs identity kinematics in the control (trivkins); tip level needs kinematics that match the machine
 /// (for example xyzac-trt-kins), with X Y Z the torch tip in the work frame.
@@ -247,8 +247,8 @@ impl Writer<'_> {
         }
     }
 
-    /// Analogue outputs of the process values at path length `s` and a time since the arc went on and until it goes off,
-    /// with `word` M67 (in step with the motion) or M68 (at once), where they changed.
+    /// Analogue outputs of the process values at path length `s` and a time since the arc went on and until it goes
+    /// off, with `word` M67 (in step with the motion) or M68 (at once), where they changed.
     fn process_values(&mut self, pass: &Pass, word: &'static str, (s, clock): (f64, (f64, f64))) {
         for name in pass.spans[0].process.keys() {
             let value = pass.process_at(name, s, clock).unwrap_or(0.0);
@@ -278,7 +278,8 @@ impl Writer<'_> {
         let mut before = cut.start;
         let mut last = 0;
         for (i, block) in cut.blocks.iter().enumerate() {
-            // A block has the values of its middle: of the one span that it lies in, and half a step off a ramp's at most.
+            // A block has the values of its middle: of the one span that it lies in, and half a step off a ramp's at
+            // most.
             let middle = 0.5 * (before.s + block.s);
             let span = pass.spans.partition_point(|span| span.to_mm.get() <= middle).min(pass.spans.len() - 1);
             let ramps = pass.spans[span].process.values().any(ProcessValue::is_ramp);

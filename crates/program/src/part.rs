@@ -10,8 +10,8 @@ pub struct Part {
     /// How far nozzle, tube or web go on beyond the seam's highest point, mm; 100 if missing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub nozzle_length_mm: Option<Positive>,
-    /// Length of a cylindrical or conical body along its axis, side of a plate, length of a welded tube, width of a skin,
-    /// mm; from the seam's size if missing. Spheres and ellipsoids are whole.
+    /// Length of a cylindrical or conical body along its axis, side of a plate, length of a welded tube, width of a
+    /// skin, mm; from the seam's size if missing. Spheres and ellipsoids are whole.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub body_length_mm: Option<Positive>,
     /// Solids in the seam's frame, instead of those made from the seam.

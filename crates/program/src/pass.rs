@@ -12,8 +12,8 @@ pub struct Pass {
     /// What to do where an axis cannot keep the asked speed.
     #[serde(default)]
     pub on_limit: OnLimit,
-    /// The procedure's least speed while the arc is on, mm/s; less than the asked speed. Run-up and run-down are not held
-    /// against it.
+    /// The procedure's least speed while the arc is on, mm/s; less than the asked speed. Run-up and run-down are not
+    /// held against it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub least_speed_mm_s: Option<Positive>,
     /// What happens before and after the travel.
@@ -70,8 +70,9 @@ impl Pass {
         self.spans.get(i).or(self.spans.last())
     }
 
-    /// The process value `name` while the arc is on: at path length `s`, `since_on` s after the arc went on and `until_off` s
-    /// before it goes off (infinite where only the travel is meant). None if the pass has no such value.
+    /// The process value `name` while the arc is on: at path length `s`, `since_on` s after the arc went on and
+    /// `until_off` s before it goes off (infinite where only the travel is meant). None if the pass has no such
+    /// value.
     pub fn process_at(&self, name: &str, s: f64, (since_on, until_off): (f64, f64)) -> Option<f64> {
         let span = self.span_at(s)?;
         let (from, to) = (span.from_mm.get(), span.to_mm.get());

@@ -189,7 +189,8 @@ pub struct Girth {
     /// Direction of the axis; z if missing.
     #[serde(default = "Vector::z")]
     pub direction: Vector,
-    /// Where the angle phi about the axis is 0, made perpendicular to `direction`; if missing x, or y on a tube along x.
+    /// Where the angle phi about the axis is 0, made perpendicular to `direction`; if missing x, or y on a tube along
+    /// x.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub zero_direction: Option<Vector>,
     /// Normal of the cut's plane, within 85 degrees of the axis; if missing `direction`: a square cut.

@@ -75,8 +75,8 @@ impl Slope {
 }
 
 impl Sequence {
-    /// Checks the slopes at `path` of a file: they fit into travel delay and crater fill, and their values are among those
-    /// of the weld.
+    /// Checks the slopes at `path` of a file: they fit into travel delay and crater fill, and their values are among
+    /// those of the weld.
     ///
     /// # Errors
     /// With the key's address.

@@ -44,8 +44,8 @@ pub trait TorchPath {
     /// continuously differentiable, and smooth between knots; the tip's speed by `s` is 1.
     fn pose(&self, s: f64) -> Pose;
 
-    /// Unit vector from the root of the joint out to its face at path length `s`: what should point up for a weld in the
-    /// flat position (ISO 6947). Against the torch's direction if nothing better is known.
+    /// Unit vector from the root of the joint out to its face at path length `s`: what should point up for a weld in
+    /// the flat position (ISO 6947). Against the torch's direction if nothing better is known.
     fn face(&self, s: f64) -> DVec3 {
         -self.pose(s).direction
     }

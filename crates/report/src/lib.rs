@@ -1,8 +1,8 @@
 //! Reports: plots as SVG and one self-contained HTML page.
 //!
-//! Pure data in, `String` out: numbers and curves set so that an engineer can judge them at a glance, on a screen (light
-//! or dark), on a telephone and on A4 paper. Nothing it writes loads a script, a font or an image from elsewhere.
-//! Only the folder `weld` knows of welding and machines: it fills the page with a weld.
+//! Pure data in, `String` out: numbers and curves set so that an engineer can judge them at a glance, on a screen
+//! (light or dark), on a telephone and on A4 paper. Nothing it writes loads a script, a font or an image from
+//! elsewhere. Only the folder `weld` knows of welding and machines: it fills the page with a weld.
 //!
 //! - [`Chart`] plots series over one axis, against limits; [`ChartGrid`] sets several on one x axis.
 //! - [`Bode`] makes them a frequency response with its margins.

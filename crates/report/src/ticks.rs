@@ -58,8 +58,8 @@ impl Ticks {
         Self::stepped(domain, mantissa, exponent)
     }
 
-    /// Ticks for a domain of decimal logarithms: 1, 2 and 5 times powers of ten, or the powers alone if those are `most` or
-    /// more; the values are logarithms.
+    /// Ticks for a domain of decimal logarithms: 1, 2 and 5 times powers of ten, or the powers alone if those are
+    /// `most` or more; the values are logarithms.
     pub(crate) fn decades(domain: Domain, most: usize) -> Self {
         let powers = domain.lo.floor() as i32..=domain.hi.ceil() as i32;
         let ticks = |mantissas: &[f64]| -> Vec<f64> {

@@ -86,8 +86,8 @@ impl ServoAxis {
         Ok(Self { position_loop: self.position_loop.with_notch(notch)?, ..self })
     }
 
-    /// Runs one servo period, from the set-point's instant to the next, with outside forces `disturbance` over all of it:
-    /// a number is a force on the load (N or N m, positive towards positive positions).
+    /// Runs one servo period, from the set-point's instant to the next, with outside forces `disturbance` over all of
+    /// it: a number is a force on the load (N or N m, positive towards positive positions).
     ///
     /// Guarantee: `|command| <= max_speed` and `|current| <= 1`, whatever the inputs.
     pub fn step(&mut self, set: SetPoint, disturbance: impl Into<Disturbance>) -> AxisState {

@@ -53,7 +53,8 @@ pub(crate) struct Design {
 
 /// The highest gain that has the margins aimed at on `drive`, and where the response binds it (Hz).
 ///
-/// The Nyquist curve of the loop must stay inside the unit circle as long as it is in the sector of the phase margin about
+/// The Nyquist curve of the loop must stay inside the unit circle as long as it is in the sector of the phase margin
+/// about
 /// -180 degrees, and inside the gain margin where it crosses the real axis. That is enough for both margins and for
 /// stability, and less gain is stable too.
 fn highest_gain(drive: &[Line]) -> (f64, f64) {
@@ -92,8 +93,8 @@ fn through(drive: &[Line], notch: &Notch, period_s: f64) -> Vec<Line> {
 
 /// Gain and notches for a drive with the response `drive` from speed command to encoder, and where they are bound (Hz).
 ///
-/// Notches are tried about the frequency that binds the gain, the best is kept if it is worth it, and then a second one.
-/// The gain is infinite if nothing binds it.
+/// Notches are tried about the frequency that binds the gain, the best is kept if it is worth it, and then a second
+/// one. The gain is infinite if nothing binds it.
 pub(crate) fn design(drive: &[Line], period_s: f64, places: usize) -> Design {
     let mut response = dense(drive);
     let mut best = Design { kp: highest_gain(&response).0, notches: Vec::new() };

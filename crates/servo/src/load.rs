@@ -63,7 +63,8 @@ impl Load {
         }
     }
 
-    /// How it answers a push: `part * push - drag` (u/s^2). Held by friction it does not, whether the push is enough or not.
+    /// How it answers a push: `part * push - drag` (u/s^2). Held by friction it does not, whether the push is enough
+    /// or not.
     pub(crate) fn mobility(&self) -> Mobility {
         if self.velocity == 0.0 {
             return Mobility { part: if self.coulomb > 0.0 { 0.0 } else { 1.0 }, drag: 0.0 };

@@ -17,15 +17,15 @@ pub(crate) struct Friction {
 /// Motor and load. Forces come divided by the whole inertia, so they are accelerations (u/s^2).
 ///
 /// Without a transmission it is one [`Load`], exact for a constant push. With one it is two of them: `xm`, `vm` and
-/// the part `m` of the inertia at the motor, `xl`, `vl` and the part `l = 1 - m` at the load, and between them the force
-/// `k z + c dz/dt` of what the spring is wound up by, `z = xm - xl` less the gap, with
-/// `k = w^2 m l`, `c = 2 zeta w m l` for a free swing of `w` (rad/s) and damping `zeta`. In the gap there is no force, and
-/// a contact does not pull.
+/// the part `m` of the inertia at the motor, `xl`, `vl` and the part `l = 1 - m` at the load, and between them the
+/// force `k z + c dz/dt` of what the spring is wound up by, `z = xm - xl` less the gap, with `k = w^2 m l`, `c = 2
+/// zeta w m l` for a free swing of `w` (rad/s) and damping `zeta`. In the gap there is no force, and a contact does
+/// not pull.
 ///
 /// **Accuracy.** The force of a call is that at half way, the masses then move in closed form under it. For a
 /// spring alone this is the symplectic method of Verlet: second order, no drift of the energy, frequency
-/// high by the part `(w h)^2 / 24`. The damper is taken at half way as well. Coming into contact and sticking cost first
-/// order in the duration of the one call in which they happen.
+/// high by the part `(w h)^2 / 24`. The damper is taken at half way as well. Coming into contact and sticking cost
+/// first order in the duration of the one call in which they happen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Mechanism {
     motor: Load,

@@ -172,8 +172,8 @@ impl DriveParameters {
     /// The same drive that is allowed no more than `limit` (N or N m) of its peak.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a limit that is not above zero or beyond the peak, [`Error::FrictionBeyondPeak`] for one
-    /// not above the Coulomb friction.
+    /// [`Error::OutOfRange`] for a limit that is not above zero or beyond the peak, [`Error::FrictionBeyondPeak`] for
+    /// one not above the Coulomb friction.
     pub fn with_force_limit(self, limit: f64) -> Result<Self, Error> {
         let allowed = "above 0, up to the peak force or torque";
         // A limit equal to the peak passes in spite of rounding.
@@ -189,7 +189,8 @@ impl DriveParameters {
     /// The same drive with its velocity loop set to `hz`.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless `hz` is 0.001 to 1e5, [`Error::VelocityLoopTooFast`] if the current loop cannot carry it.
+    /// [`Error::OutOfRange`] unless `hz` is 0.001 to 1e5, [`Error::VelocityLoopTooFast`] if the current loop cannot
+    /// carry it.
     pub fn with_velocity_bandwidth(self, hz: f64) -> Result<Self, Error> {
         within("velocity_bandwidth_hz", hz, (1e-3, 1e5), "0.001 to 1e5 Hz")?;
         let lag = self.current_time_constant + self.current_delay;
@@ -199,8 +200,8 @@ impl DriveParameters {
         Ok(Self { bandwidth: TAU * hz, ..self })
     }
 
-    /// The same drive with a velocity loop faster by `factor`, whether the current loop can carry it or not: to see how far
-    /// it is from swinging.
+    /// The same drive with a velocity loop faster by `factor`, whether the current loop can carry it or not: to see
+    /// how far it is from swinging.
     pub(crate) fn faster(&self, factor: f64) -> Self {
         Self { bandwidth: factor * self.bandwidth, ..*self }
     }

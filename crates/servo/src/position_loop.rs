@@ -60,8 +60,8 @@ impl Gains {
     }
 }
 
-/// Discrete position loop of one axis (DUALBEAM-2013), with up to two notches (SADDLE-2020) and compensation of friction
-/// and backlash.
+/// Discrete position loop of one axis (DUALBEAM-2013), with up to two notches (SADDLE-2020) and compensation of
+/// friction and backlash.
 ///
 /// With `e = set position - measured position` at the same instant and the period `T`,
 /// `command = kp e + ki * sum(e T) + kd * rate(e) + kvff * set speed + kaff * set acceleration`, to be held until the
@@ -173,7 +173,8 @@ impl PositionLoop {
         self.notches.iter_mut().flatten().fold(limit(command), |command, notch| limit(notch.update(command)))
     }
 
-    /// Following error (u) that the last update worked on: set position, with the offset for backlash, less measurement.
+    /// Following error (u) that the last update worked on: set position, with the offset for backlash, less
+    /// measurement.
     #[must_use]
     pub fn error(&self) -> f64 {
         self.error

@@ -30,6 +30,14 @@ pub(crate) fn gentle(drive: &DriveParameters) -> f64 {
     0.2 * (drive.limit - drive.coulomb)
 }
 
+/// Longest run-up of a measurement, s.
+const RUN_UP_S: f64 = 60.0;
+
+/// Refuses to measure a drive with so little force beyond friction that reaching `speed` (u/s) takes too long.
+pub(crate) fn check_run_up(drive: &DriveParameters, speed: f64) -> Result<(), Error> {
+    if speed.abs() > RUN_UP_S * gentle(drive) { Err(Error::NotMeasurable { speed }) } else { Ok(()) }
+}
+
 /// Whether a drive at `speed` is so far off it that friction may change its sign, or is limited.
 fn spoiled(drive: &Drive, speed: f64) -> bool {
     let off = |v: f64| (v - speed).abs() > SPOILED * speed;
@@ -53,6 +61,7 @@ fn range(drive: &DriveParameters, kp: f64, period_s: f64) -> Range {
 /// # Errors
 /// Those of [`Drive::new`]; [`Error::NotMeasurable`] if the drive does not get along without its limits.
 pub(crate) fn drive_response(parameters: &DriveParameters, period_s: f64, speed: f64) -> Result<Vec<Measured>, Error> {
+    check_run_up(parameters, speed)?;
     let mut drive = Drive::new(*parameters, period_s)?;
     let mut command = 0.0;
     while command < speed {
@@ -81,8 +90,8 @@ pub(crate) fn drive_response(parameters: &DriveParameters, period_s: f64, speed:
 /// limit nor a standstill is met.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for a speed that is not above 0, [`Error::NotMeasurable`] if limits or standstills are met with
-/// every sine, as in a loop that is not stable.
+/// [`Error::OutOfRange`] for a speed that is not above 0, [`Error::NotMeasurable`] if limits or standstills are met
+/// with every sine, as in a loop that is not stable.
 pub fn loop_response(axis: &ServoAxis, speed: f64) -> Result<Vec<Line>, Error> {
     crate::error::positive("speed", speed)?;
     let mut axis = *axis;

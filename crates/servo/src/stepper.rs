@@ -33,11 +33,11 @@ pub struct StepperParameters {
 /// points of the curve, nothing beyond its last, so that a curve should go as far as the motor is used. Against it
 /// stand inertia, friction and an outside torque. Detent torque and the currents' own dynamics are not modelled.
 ///
-/// **What it shows.** A rotor that is asked for more torque than `T` falls behind by whole electrical periods, 4 full steps
-/// each, and stays behind: [`StepperMotor::lost_full_steps`].
+/// **What it shows.** A rotor that is asked for more torque than `T` falls behind by whole electrical periods, 4 full
+/// steps each, and stays behind: [`StepperMotor::lost_full_steps`].
 ///
-/// **Accuracy.** Time steps of at most a twentieth of a radian of the rotor's own oscillation, by the midpoint's torque:
-/// without friction the oscillation neither grows nor decays; friction is of first order in the step.
+/// **Accuracy.** Time steps of at most a twentieth of a radian of the rotor's own oscillation, by the midpoint's
+/// torque: without friction the oscillation neither grows nor decays; friction is of first order in the step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepperMotor {
     curve: Vec<(f64, f64)>,
@@ -56,8 +56,8 @@ impl StepperMotor {
     /// A motor at rest at 0, its rotor in line with the field.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a value that no motor has: steps that are no multiple of 4, no inertia, negative friction
-    /// or torque, a curve that does not begin at rest with a holding torque and go up in speed.
+    /// [`Error::OutOfRange`] for a value that no motor has: steps that are no multiple of 4, no inertia, negative
+    /// friction or torque, a curve that does not begin at rest with a holding torque and go up in speed.
     pub fn new(parameters: &StepperParameters) -> Result<Self, Error> {
         let p = parameters;
         let check = |name, value, good: bool, allowed| {
@@ -99,8 +99,8 @@ impl StepperMotor {
         self.pulses += if positive { 1 } else { -1 };
     }
 
-    /// Lets `duration` (s) pass without a pulse, under a torque from outside (N m, positive towards positive angles). What
-    /// is no finite number counts as zero.
+    /// Lets `duration` (s) pass without a pulse, under a torque from outside (N m, positive towards positive angles).
+    /// What is no finite number counts as zero.
     pub fn advance(&mut self, duration: f64, outside: f64) {
         let [duration, outside] = [duration, outside].map(|v| if v.is_finite() { v } else { 0.0 });
         let steps = (duration / self.longest_s).ceil().max(0.0) as u64;
@@ -277,8 +277,8 @@ mod tests {
         }
     }
 
-    /// Up, along and back down in time: with 60 % of the torque that the inertia needs to spare nothing is lost; a start at
-    /// once to the same speed loses it all, by multiples of four steps.
+    /// Up, along and back down in time: with 60 % of the torque that the inertia needs to spare nothing is lost; a
+    /// start at once to the same speed loses it all, by multiples of four steps.
     #[test]
     fn a_ramp_keeps_what_a_jump_loses() {
         for microsteps in [1, 4, 16, 64] {

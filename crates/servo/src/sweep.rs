@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-/// Two successive windows must agree to this part of the response before a line counts as settled: 0.03 dB, 0.2 degrees.
+/// Two successive windows must agree to this part of the response before a line counts as settled: 0.03 dB, 0.2
+/// degrees.
 const SETTLED: f64 = 0.003;
 /// Shortest first window, in samples and in cycles.
 const FIRST_WINDOW: (usize, f64) = (96, 2.0);
@@ -64,8 +65,8 @@ pub(crate) struct Measured {
     pub(crate) per_effort: Complex64,
 }
 
-/// Measures `system`, stepped once a period with the excitation's value, over `range`, with more lines where the response
-/// changes fast. `amplitude` is that of the excitation at a frequency. In order of frequency. `None` if some
+/// Measures `system`, stepped once a period with the excitation's value, over `range`, with more lines where the
+/// response changes fast. `amplitude` is that of the excitation at a frequency. In order of frequency. `None` if some
 /// frequency could not be measured: limits were met with every sine.
 pub(crate) fn sweep(
     mut system: impl FnMut(f64) -> Signals,

@@ -5,7 +5,7 @@ use crate::drive::Drive;
 use crate::error::Error;
 use crate::parameters::DriveParameters;
 use crate::position_loop::SetPoint;
-use crate::response::gentle;
+use crate::response::{check_run_up, gentle};
 
 /// How long a swing is watched (s), in windows of this length (s).
 const WATCHED_S: f64 = 10.0;
@@ -21,8 +21,10 @@ fn run_up(drive: &mut Drive, period_s: f64, speed: f64) {
     }
 }
 
-/// Whether the velocity loop comes to rest at `speed` (u/s) after a step of a fifth of it: swings of motor and load die down.
+/// Whether the velocity loop comes to rest at `speed` (u/s) after a step of a fifth of it: swings of motor and load
+/// die down.
 pub(crate) fn settles(parameters: &DriveParameters, period_s: f64, speed: f64) -> Result<bool, Error> {
+    check_run_up(parameters, speed)?;
     let mut drive = Drive::new(*parameters, period_s)?;
     run_up(&mut drive, period_s, 0.8 * speed);
     let window = (WINDOW_S / period_s).ceil() as u64;
@@ -64,8 +66,8 @@ pub(crate) fn friction(parameters: &DriveParameters, period_s: f64, speed: f64) 
     Ok(if coulomb > 1e-3 * parameters.peak / parameters.per_force { coulomb } else { 0.0 })
 }
 
-/// Lost motion (u): by how much the load's place at one reading of the encoder differs between both directions, as a dial
-/// gauge at the load shows it when the axis creeps at `speed` (u/s).
+/// Lost motion (u): by how much the load's place at one reading of the encoder differs between both directions, as a
+/// dial gauge at the load shows it when the axis creeps at `speed` (u/s).
 pub(crate) fn lost_motion(parameters: &DriveParameters, period_s: f64, speed: f64) -> Result<f64, Error> {
     let behind = |speed: f64| -> Result<f64, Error> {
         let mut drive = Drive::new(*parameters, period_s)?;
@@ -96,8 +98,8 @@ impl Following {
     }
 }
 
-/// Following over a second at constant `speed` (u/s), after a smooth run-up and as many seconds for swings to die down as it
-/// takes to be within one count, ten at most.
+/// Following over a second at constant `speed` (u/s), after a smooth run-up and as many seconds for swings to die
+/// down as it takes to be within one count, ten at most.
 pub(crate) fn following(axis: &ServoAxis, speed: f64) -> Following {
     let mut axis = *axis;
     let parameters = *axis.drive().parameters();

@@ -49,7 +49,8 @@ pub struct Tuned {
     pub velocity_bandwidth_hz: f64,
     /// Coulomb friction fed forward, as measured; `None` if there is none.
     pub friction: Option<FrictionCompensation>,
-    /// Lost motion made up for, as measured at the load; `None` if it is below an encoder count, or seen by the encoder.
+    /// Lost motion made up for, as measured at the load; `None` if it is below an encoder count, or seen by the
+    /// encoder.
     pub backlash: Option<BacklashCompensation>,
     /// Where current and motion of the drive resonate (Hz), if that stands out.
     pub resonance_hz: Option<f64>,
@@ -87,7 +88,8 @@ impl Tuned {
 
 /// Tunes a position loop for `drive`, to run every `period_s` (s) on an axis that goes up to `max_speed` (u/s).
 ///
-/// 1. The velocity loop is slowed down, in steps, until it settles on the transmission even with half as much bandwidth again.
+/// 1. The velocity loop is slowed down, in steps, until it settles on the transmission even with half as much
+/// bandwidth again.
 /// 2. Stepped sines over a constant speed give the response from speed command to encoder.
 /// 3. `kp` is the highest gain with margins of 8 dB and 50 degrees, behind up to two notches where they raise it.
 ///    Where a resonance keeps it low, slower velocity loops, which damp it more, are tried as well.

@@ -24,9 +24,9 @@ fn tuning(hz: f64, lag: f64, delay: f64) -> DriveTuning {
     }
 }
 
-/// From speed command to position: the continuous drive with the `lag` and the `delay` of its current loop, and the velocity
-/// loop's `step`. To first order in that, the speed fed back is late by half a step, as the demand is held over one,
-/// while the integral, whose step ends where it is used, is early by half a step.
+/// From speed command to position: the continuous drive with the `lag` and the `delay` of its current loop, and the
+/// velocity loop's `step`. To first order in that, the speed fed back is late by half a step, as the demand is held
+/// over one, while the integral, whose step ends where it is used, is early by half a step.
 fn drive(s: Complex64, hz: f64, (lag, delay, step): (f64, f64, f64), t: Option<Transmission>) -> Complex64 {
     let w = TAU * hz;
     let current = (-s * delay).exp() / (1.0 + s * lag);
@@ -122,7 +122,8 @@ fn an_elastic_axis_with_a_notch_is_measured_as_its_transfer_function() {
 
 #[test]
 fn the_measured_gain_margin_is_where_the_loop_becomes_unstable() {
-    // Independent of any response: raise kp by the margin less and more 5 %, kick the axis, and look whether it calms down.
+    // Independent of any response: raise kp by the margin less and more 5 %, kick the axis, and look whether it calms
+    // down.
     let parameters = DriveParameters::linear(FREE, tuning(40.0, 3e-4, 2e-4)).unwrap();
     let gains = |kp: f64| Gains { kp, kvff: 1.0, ..Gains::default() };
     let base = ServoAxis::new(gains(KP), 300.0, parameters, PERIOD).unwrap();

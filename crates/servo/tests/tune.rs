@@ -143,7 +143,8 @@ fn what_it_measures_is_what_is_there() {
 
     let elastic = tune(&drive.with_transmission(ELASTIC).unwrap(), PERIOD, MAX_SPEED).unwrap();
     assert!((elastic.resonance_hz.unwrap() / 60.0 - 1.0).abs() < 0.03, "{:?}", elastic.resonance_hz);
-    // Gap, and the wind-up under the load's half of the friction, once either way; 50 N s/m at the creeping 1 mm/s is nothing.
+    // Gap, and the wind-up under the load's half of the friction, once either way; 50 N s/m at the creeping 1 mm/s is
+    // nothing.
     let w = TAU * 60.0;
     let stiffness_n_per_mm = 40.0 * w * w * 2.0 / 9.0 / 1000.0;
     let lost = 0.01 + 2.0 * 15.0 / stiffness_n_per_mm;

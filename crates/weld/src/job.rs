@@ -73,8 +73,8 @@ pub struct Weld {
     /// against it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub least_speed_mm_s: Option<Positive>,
-    /// Process values by name; the name ends in its unit: `current_a`, `voltage_v`, `wire_feed_m_min` and so on. Each is a
-    /// number, or a ramp `{ from = .., to = .. }` linear in path length over the weld.
+    /// Process values by name; the name ends in its unit: `current_a`, `voltage_v`, `wire_feed_m_min` and so on. Each
+    /// is a number, or a ramp `{ from = .., to = .. }` linear in path length over the weld.
     #[serde(default)]
     pub process: ProcessValues,
 }

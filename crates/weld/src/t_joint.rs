@@ -48,8 +48,8 @@ impl Middle {
     }
 }
 
-/// The left fillet's edge, or the right one's: the web's middle line moved sideways by half its thickness. First face the
-/// web, second the skin.
+/// The left fillet's edge, or the right one's: the web's middle line moved sideways by half its thickness. First face
+/// the web, second the skin.
 pub(crate) fn edge<T>(file: &Document<T>, joint: &TJoint) -> Result<Box<dyn Edge + Send + Sync>, DocumentError> {
     let Middle { start, end, left, skin, arc } = Middle::new(file, joint)?;
     let web = if joint.fillet == Side::Right { -left } else { left };

@@ -100,7 +100,8 @@ proptest! {
              [seam.nozzle]\nradius_mm = {radius}\norigin_mm = [0, {offset}, 0]\ndirection = [{lean}, 0, 1]\n\
              [seam.nozzle.body.cylinder]\nradius_mm = {shell}\n[weld]\nspeed_mm_s = 5\n"
         );
-        // The whole wall must meet the shell, and not at a glancing angle, where curvature is more than flat faces stand for.
+        // The whole wall must meet the shell, and not at a glancing angle, where curvature is more than flat faces
+        // stand for.
         prop_assume!(offset.abs() + radius < 0.8 * shell);
         check(&Welding::read("job.toml", &text).unwrap(), 0.03);
     }

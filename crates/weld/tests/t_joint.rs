@@ -12,7 +12,8 @@ fn read(text: &str) -> Welding {
     Welding::read("j.toml", text).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// The middle line is the circle of radius R about (0, 0, -R); the fillets lie 1 mm beside it, in planes y = 1 and y = -1.
+/// The middle line is the circle of radius R about (0, 0, -R); the fillets lie 1 mm beside it, in planes y = 1 and y
+/// = -1.
 #[test]
 fn both_fillets_lie_beside_the_web() {
     let welding = read(&text());

@@ -1,8 +1,8 @@
 //! Our inverse of a 6R arm, expressed as a chain like any other, beside rs-opw-kinematics, which knows such arms only:
 //! the same positions come back, and both times in one run.
 //!
-//! Theirs answers a whole frame in closed form with all branches; ours a point and a direction (the torch may turn about
-//! itself) by Newton's method from the neighbour, with the axis to spare held.
+//! Theirs answers a whole frame in closed form with all branches; ours a point and a direction (the torch may turn
+//! about itself) by Newton's method from the neighbour, with the axis to spare held.
 
 use rs_opw_kinematics::kinematic_traits::{Kinematics, Pose};
 use rs_opw_kinematics::kinematics_impl::OPWKinematics;

@@ -16,6 +16,8 @@ use std::cell::RefCell;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write as _};
 
+/// Speeds that somebody could mean, mm/s.
+const SPEEDS: std::ops::RangeInclusive<f64> = 1e-4..=1e6;
 const PLACE: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 const POSE: [&str; 6] = ["x_mm", "y_mm", "z_mm", "ax", "ay", "az"];
 
@@ -25,7 +27,11 @@ pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
         Some(ms) => positive("--period-ms", ms)? * 1e-3,
         None => machine.servo_period_s,
     };
-    let speed = positive("--speed-mm-s", args.speed_mm_s)?;
+    let speed = args.speed_mm_s;
+    if !SPEEDS.contains(&speed) {
+        let (least, most) = (SPEEDS.start(), SPEEDS.end());
+        return Err(Failure::Input(format!("--speed-mm-s {speed}: not allowed\n   allowed: {least:e} to {most:e}")));
+    }
     let window = positive("--window-s", args.window_s)?;
     let tolerance = positive("--tolerance-mm", args.tolerance_mm)?;
     let corner = match args.corner {

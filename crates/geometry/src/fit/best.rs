@@ -120,8 +120,8 @@ impl State {
         trace > 1.0 + 2.0 * FARTHEST_TURN.cos()
     }
 
-    /// How the residuals change when the part moves; the first three unknowns are the move, three more the turn, and the
-    /// seventh is the growth.
+    /// How the residuals change when the part moves; the first three unknowns are the move, three more the turn, and
+    /// the seventh is the growth.
     fn rows<const N: usize>(&self, touches: &[Touch], twists: &Twists) -> Vec<[f64; N]> {
         let row = |(touch, normal): (&Touch, &DVec3)| {
             // The part moves under a point that stays.

@@ -10,8 +10,8 @@ pub struct PairFit {
     pub transform: DAffine3,
     /// Measured less mapped nominal point, mm.
     pub residuals: Vec<DVec3>,
-    /// With three points: by how much the measured triangle's sides from point 1 to 2, 2 to 3 and 3 to 1 are longer than
-    /// the nominal ones, mm.
+    /// With three points: by how much the measured triangle's sides from point 1 to 2, 2 to 3 and 3 to 1 are longer
+    /// than the nominal ones, mm.
     pub sides: Option<[f64; 3]>,
     /// Standard deviations; none with three points, which leave nothing over to judge them by in this construction.
     pub deviation: Option<Deviation>,
@@ -22,8 +22,8 @@ const FLAT: f64 = 1e-3;
 
 /// The rigid motion that maps the nominal (first) to the measured (second) points of `pairs`, mm.
 ///
-/// Three pairs: frame to frame, exact in point 1, in the direction from 1 to 2 and in the plane of the three. More: least
-/// squares of the distances (Kabsch 1976, by singular value decomposition, never a reflection).
+/// Three pairs: frame to frame, exact in point 1, in the direction from 1 to 2 and in the plane of the three. More:
+/// least squares of the distances (Kabsch 1976, by singular value decomposition, never a reflection).
 ///
 /// # Errors
 /// [`Error::TooFewPoints`]; [`Error::Gathered`] if either set lies nearly on one line; [`Error::NoFit`] if

@@ -73,8 +73,8 @@ impl Seen {
         self.svd.singular_values.iter().filter(|s| **s > self.least).count()
     }
 
-    /// The shortest step that brings `residuals` nearest to zero, damped (Levenberg-Marquardt): `damping` is relative to
-    /// the strongest direction.
+    /// The shortest step that brings `residuals` nearest to zero, damped (Levenberg-Marquardt): `damping` is relative
+    /// to the strongest direction.
     pub(crate) fn step(&self, residuals: &[f64], damping: f64) -> Vec<f64> {
         let (Some(u), Some(vt)) = (&self.svd.u, &self.svd.v_t) else { return vec![0.0; self.unknowns()] };
         let r = DVector::from_fn(u.nrows(), |i, _| residuals.get(i).copied().unwrap_or(0.0));

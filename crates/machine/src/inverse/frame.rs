@@ -5,8 +5,9 @@ use crate::chain::{AxisSet, Chain, Joints, MAX_AXES, Screw, Turn};
 use arrayvec::ArrayVec;
 use glam::{DMat3, DVec3};
 
-/// Three linear and three rotary axes that put a whole frame (a point and three directions) where it is wanted: two heads
-/// on one carrier need that. The rotary axes follow from the frame's directions, the linear ones from its point.
+/// Three linear and three rotary axes that put a whole frame (a point and three directions) where it is wanted: two
+/// heads on one carrier need that. The rotary axes follow from the frame's directions, the linear ones from its
+/// point.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FrameInverse {
     /// Screws from the work to the carrier.
@@ -34,8 +35,8 @@ impl FrameInverse {
         (independent(a, b) && independent(b, c)).then_some(Self { screws, linear, rotary })
     }
 
-    /// Positions of the shared axes that bring `from`, a frame fixed to the carrier and given where it is with all axes at
-    /// zero, to `to`; up to two branches. `near` decides what is left free. The other axes are as in `near`.
+    /// Positions of the shared axes that bring `from`, a frame fixed to the carrier and given where it is with all
+    /// axes at zero, to `to`; up to two branches. `near` decides what is left free. The other axes are as in `near`.
     pub(crate) fn solve(
         &self,
         from: &Frame,

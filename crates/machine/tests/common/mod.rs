@@ -39,8 +39,8 @@ pub fn random_joints(machine: &Machine, random: &mut Uniform) -> Joints {
     q
 }
 
-/// How far the pose is from a singular one: the volume that the decided axes' columns span, each of length 1, over all of
-/// point and direction (as many as there are axes for).
+/// How far the pose is from a singular one: the volume that the decided axes' columns span, each of length 1, over
+/// all of point and direction (as many as there are axes for).
 pub fn conditioning(machine: &Machine, q: &Joints) -> f64 {
     let columns = machine.jacobian(q);
     let head = &machine.heads[0];

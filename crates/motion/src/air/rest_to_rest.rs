@@ -16,8 +16,8 @@ impl RestToRest {
         if !(v.is_finite() && a.is_finite() && j.is_finite()) {
             return Self { jerk: 0.0, speed: 0.0, times: [0.0; 3] };
         }
-        // Run-up to a speed w and the same run-down cover w (w / a + a / j) if the full acceleration is reached, that is
-        // if w > a^2 / j, and 2 w sqrt(w / j) if not. Short ways never reach the full speed.
+        // Run-up to a speed w and the same run-down cover w (w / a + a / j) if the full acceleration is reached, that
+        // is if w > a^2 / j, and 2 w sqrt(w / j) if not. Short ways never reach the full speed.
         let ramp = a / j;
         let full = 0.5 * a * ((ramp * ramp + 4.0 / a).sqrt() - ramp);
         let highest = if full > a * ramp { full } else { (0.25 * j).cbrt() };

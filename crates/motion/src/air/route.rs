@@ -32,10 +32,10 @@ const LIMITS: Limits = Limits { cutoff_mm: 50.0, precision_mm: 1.0, smallest: 1e
 /// A way from `from` to `to` (mm or rad) that keeps clear of everything watched, as positions to go straight between;
 /// axes in `held` do not move.
 ///
-/// The straight way if it is clear; otherwise two trees that grow towards each other through the axes' ranges (RRT-Connect,
-/// Kuffner and LaValle 2000), with the random places of that method taken from an evenly spread sequence, so that the same
-/// question has the same answer; then every detour that can be cut short is. Every leg is checked by the conservative walk
-/// of [`Surroundings::along`]: nothing thin is jumped over.
+/// The straight way if it is clear; otherwise two trees that grow towards each other through the axes' ranges
+/// (RRT-Connect, Kuffner and LaValle 2000), with the random places of that method taken from an evenly spread
+/// sequence, so that the same question has the same answer; then every detour that can be cut short is. Every leg is
+/// checked by the conservative walk of [`Surroundings::along`]: nothing thin is jumped over.
 ///
 /// # Errors
 /// What stands in the way.

@@ -15,8 +15,8 @@ pub struct Knot {
 }
 
 impl Knot {
-    /// The control point of the uniform cubic B-spline with this curve, for knots `period` (s) apart: the curve passes a
-    /// knot at a sixth of the sum of the control points before and after it and four times its own.
+    /// The control point of the uniform cubic B-spline with this curve, for knots `period` (s) apart: the curve
+    /// passes a knot at a sixth of the sum of the control points before and after it and four times its own.
     pub fn control_point(&self, period: f64) -> Joints {
         std::array::from_fn(|i| self.q[i] - period * period / 6.0 * self.a[i])
     }

@@ -1,6 +1,6 @@
 use super::point_to_point::Goal;
 use super::stop::{Commitment, Stop};
-use super::tip::TipLine;
+use super::tip::{TipLine, same_way};
 use super::{JogError, PointToPoint, State, TipFrame};
 use glam::DVec3;
 use rsruckig::prelude::Synchronization;
@@ -188,8 +188,8 @@ impl<'a> Jog<'a> {
     /// rest.
     ///
     /// # Errors
-    /// Values that are no numbers, targets out of range, and anything but [`Command::Rest`] after a halt; what was wanted
-    /// before stays then.
+    /// Values that are no numbers, targets out of range, and anything but [`Command::Rest`] after a halt; what was
+    /// wanted before stays then.
     pub fn command(&mut self, command: &Command) -> Result<(), JogError> {
         let mode = match *command {
             Command::Rest => {
@@ -237,7 +237,7 @@ impl<'a> Jog<'a> {
             return Err(JogError::NotFinite { what: "the velocity of the tip".to_owned() });
         }
         let line = match self.mode {
-            Mode::Tip { frame: f, velocity: v, line } if f == frame && v.angle_between(velocity) < 1e-9 => line,
+            Mode::Tip { frame: f, velocity: v, line } if f == frame && same_way(v, velocity) => line,
             _ => None,
         };
         Ok(Mode::Tip { frame, velocity, line })
@@ -354,8 +354,9 @@ impl<'a> Jog<'a> {
         Ok(stop)
     }
 
-    /// The promised stopping distance of an axis from where it is, mm or rad: see [`super::AxisLimits::stopping_distance`].
-    /// It counts from the set-point at which the loss is seen; a silent panel adds the time of silence at its speed.
+    /// The promised stopping distance of an axis from where it is, mm or rad: see
+    /// [`super::AxisLimits::stopping_distance`]. It counts from the set-point at which the loss is seen; a silent
+    /// panel adds the time of silence at its speed.
     ///
     /// # Errors
     /// No such axis.

@@ -2,9 +2,9 @@
 //!
 //! [`PointToPoint`] takes all axes from any state to rest at a target within speed, acceleration, jerk and range;
 //! [`Jog`] turns commands into set-points, one a period, behind a shield: with every set-point goes the fastest stop
-//! from it, and a set-point is only taken if this stop stays within all limits and clear of everything. Else the stop of
-//! the set-point before is followed, which was verified when that one was taken. So there is always a verified way to
-//! rest, whatever is commanded, lost, or too late.
+//! from it, and a set-point is only taken if this stop stays within all limits and clear of everything. Else the stop
+//! of the set-point before is followed, which was verified when that one was taken. So there is always a verified way
+//! to rest, whatever is commanded, lost, or too late.
 
 mod clearance;
 mod error;

@@ -57,8 +57,8 @@ impl PointToPoint {
         &self.limits
     }
 
-    /// Plans from `from` to rest at `target`, at up to the share `override_share` (above 0, up to 1) of the axes' speeds.
-    /// No allocation, except where the library finds no motion.
+    /// Plans from `from` to rest at `target`, at up to the share `override_share` (above 0, up to 1) of the axes'
+    /// speeds. No allocation, except where the library finds no motion.
     ///
     /// # Errors
     /// [`JogError::NoMotion`]; what was planned before is lost then.
@@ -116,8 +116,8 @@ impl PointToPoint {
         }
     }
 
-    /// True if no axis goes farther beyond its range than it is already. Not for speeds as goals: the library's extremes
-    /// are wrong there.
+    /// True if no axis goes farther beyond its range than it is already. Not for speeds as goals: the library's
+    /// extremes are wrong there.
     fn stays_in_range(&mut self, from: &State) -> bool {
         let reach = self.trajectory.get_position_extrema();
         let mut ends = self.limits.iter().zip(from.q.iter().zip(reach.iter()));

@@ -49,8 +49,8 @@ impl TipLine {
         Self { start: machine.forward(q), along, at: (0.0, 0.0, 0.0) }
     }
 
-    /// A period on towards the speed `wanted` (mm/s), no faster than the axes at `now` let it: the state there. None where
-    /// the inverse has no answer.
+    /// A period on towards the speed `wanted` (mm/s), no faster than the axes at `now` let it: the state there. None
+    /// where the inverse has no answer.
     pub(super) fn next(
         &mut self,
         machine: &Machine,
@@ -101,4 +101,26 @@ fn along_limits(limits: &[AxisLimits], first: &Joints, second: &Joints) -> AxisL
         most.jerk = most.jerk.min(0.5 * limits.jerk / d.abs());
     }
     most
+}
+
+/// Whether two velocities differ by nothing but rounding and their lengths; an angle near zero would not be known
+/// well enough.
+pub(super) fn same_way(a: DVec3, b: DVec3) -> bool {
+    a.dot(b) > 0.0 && a.cross(b).length() <= 1e-9 * a.length() * b.length()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_scaled_velocity_goes_the_same_way_and_a_turned_one_does_not() {
+        for k in 0..100_000 {
+            let random = |n: f64| (f64::from(k) * 0.731 + n * 2.17).sin();
+            let v = 100.0 * DVec3::new(random(1.0), random(2.0), random(3.0));
+            let scale = 10f64.powf(3.0 * random(4.0));
+            assert!(same_way(v, scale * v) && !same_way(v, -scale * v) && !same_way(v, DVec3::ZERO), "{v}");
+            assert!(!same_way(v, v + 1e-7 * v.length() * v.any_orthonormal_vector()), "{v}");
+        }
+    }
 }

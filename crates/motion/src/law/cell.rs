@@ -50,7 +50,8 @@ impl Cell {
         if tau > self.tau { self.t + crossing(self.w, (tau - self.tau) / (self.v + v)) } else { self.t }
     }
 
-    /// The law `t` after the cell's start, `map` being that of its piece; at a border of the map from the side `before`.
+    /// The law `t` after the cell's start, `map` being that of its piece; at a border of the map from the side
+    /// `before`.
     pub(super) fn point(&self, map: &RestToRest, t: f64, before: bool) -> LawPoint {
         let (travelled, v) = self.after(t);
         let (a, j) = (self.a + self.w * travelled, self.w * v);
@@ -76,9 +77,9 @@ impl Cell {
     }
 }
 
-/// Time over a cell whose width is `mean` times the sum of the speeds at its ends, where the acceleration grows by `w` a
-/// unit of way: both ways of moving, `sinh` and `cosh` about its middle, cover `tanh(sqrt(w) t / 2) / sqrt(w)` a unit of
-/// that sum.
+/// Time over a cell whose width is `mean` times the sum of the speeds at its ends, where the acceleration grows by
+/// `w` a unit of way: both ways of moving, `sinh` and `cosh` about its middle, cover `tanh(sqrt(w) t / 2) / sqrt(w)`
+/// a unit of that sum.
 fn crossing(w: f64, mean: f64) -> f64 {
     let x = w * mean * mean;
     if x.abs() < 1e-4 {

@@ -69,8 +69,8 @@ impl Cells {
         &self.derivatives[(cell * PARTS.len() + part) * n..][..n]
     }
 
-    /// Highest squared speed by `tau` that the channels' speeds allow there; and the asked one, where that is not constant
-    /// in the cell.
+    /// Highest squared speed by `tau` that the channels' speeds allow there; and the asked one, where that is not
+    /// constant in the cell.
     pub(crate) fn speed_cap(&self, cell: usize, part: usize) -> f64 {
         let rows = self.derivatives(cell, part).iter().zip(&self.limits);
         let ratio = rows.map(|(d, l)| d[0].abs() / l.speed).fold(0.0, f64::max);
@@ -89,8 +89,8 @@ impl Cells {
         asked[0].is_finite() && asked.iter().all(|a| (a - asked[0]).abs() <= 1e-9 * asked[0])
     }
 
-    /// Highest value of coefficient `k` so that the tip is nowhere faster than asked in cells where that is steady: a squared
-    /// speed is nowhere above the greatest of its coefficients.
+    /// Highest value of coefficient `k` so that the tip is nowhere faster than asked in cells where that is steady: a
+    /// squared speed is nowhere above the greatest of its coefficients.
     pub(crate) fn upper(&self, k: usize) -> f64 {
         let cells = (k.saturating_sub(2)..=k.min(self.count() - 1)).filter(|cell| self.is_steady(*cell));
         cells.flat_map(|cell| self.asked(cell)).copied().fold(f64::INFINITY, f64::min)
@@ -134,8 +134,9 @@ impl Cells {
         tau
     }
 
-    /// The spline with coefficients `c` in these cells as coefficients in `finer` ones, which divide a range of these and
-    /// count `tau` from `offset` of these: each is the blossom of the spline's piece at the two stations beside it.
+    /// The spline with coefficients `c` in these cells as coefficients in `finer` ones, which divide a range of these
+    /// and count `tau` from `offset` of these: each is the blossom of the spline's piece at the two stations beside
+    /// it.
     pub(crate) fn carried(&self, c: &[f64], finer: &Self, offset: f64) -> Vec<f64> {
         let last = finer.count();
         let mut cell = 0;
@@ -163,8 +164,8 @@ impl Cells {
     }
 }
 
-/// The channels' derivatives by `tau` at the `part` of a cell, into `row`; and the asked squared speed there: infinite if
-/// none, NaN if it is no speed.
+/// The channels' derivatives by `tau` at the `part` of a cell, into `row`; and the asked squared speed there:
+/// infinite if none, NaN if it is no speed.
 pub(crate) fn place(
     path: &dyn Channels,
     map: &RestToRest,

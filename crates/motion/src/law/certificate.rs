@@ -58,8 +58,8 @@ pub struct Certificate {
 
 /// Places in every cell of the law that are looked at, as parts of its time.
 const PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
-/// Limits are looked at this part of a cell within its borders: at a border, where jerk may jump, rounding would decide on
-/// which side of it path and law are.
+/// Limits are looked at this part of a cell within its borders: at a border, where jerk may jump, rounding would
+/// decide on which side of it path and law are.
 const INSET: f64 = 1e-6;
 /// A limit binds where this part of it is used.
 const BINDS: f64 = 0.9;
@@ -178,8 +178,8 @@ impl Certificate {
     }
 }
 
-/// What binds in cell `i` of stretches with the greatest use of a limit in each: where no limit is used up the speed is on its
-/// way to or from where one is.
+/// What binds in cell `i` of stretches with the greatest use of a limit in each: where no limit is used up the speed
+/// is on its way to or from where one is.
 fn binding(cells: &[(Interval, f64)], i: usize) -> Bound {
     let own = cells[i].0.bound;
     if own == Bound::Asked || cells[i].1 >= BINDS {
@@ -197,7 +197,8 @@ fn binding(cells: &[(Interval, f64)], i: usize) -> Bound {
     }
 }
 
-/// The part of a cell's time at which its speed turns, if it does: the acceleration changes its sign once at most in a cell.
+/// The part of a cell's time at which its speed turns, if it does: the acceleration changes its sign once at most in
+/// a cell.
 fn turning(law: &SpeedLaw, cell: usize) -> Option<f64> {
     let sign = |part: f64| law.in_cell(cell, part).a;
     let (mut low, mut high) = (0.0, 1.0);

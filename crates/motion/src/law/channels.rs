@@ -2,9 +2,11 @@ use super::error::LawError;
 
 /// What a speed law has to know of a path: how everything that has limits moves with the path's parameter `u`.
 ///
-/// A channel is an axis, or anything else whose speed, acceleration and jerk are bounded (a coordinate of the torch tip,
-/// say). Positions must be twice continuously differentiable by `u` between [`Channels::stops`] and have a bounded third
-/// derivative, which may jump at [`Channels::breaks`].
+/// A channel is an axis, or anything else whose speed, acceleration and jerk are bounded (a coordinate of the torch
+/// tip, say). Positions must be twice continuously differentiable by `u` between [`Channels::stops`] and have a
+/// bounded third derivative, which may jump at [`Channels::breaks`]. Between breaks derivatives are looked at in five
+/// places of every cell, and cells are a sixtieth of the path or less: what happens within less than a thousandth of
+/// the path needs breaks around it, as the pieces of a spline have them, or the law does not know of it.
 pub trait Channels {
     /// First and last parameter.
     fn range(&self) -> (f64, f64);
@@ -12,8 +14,8 @@ pub trait Channels {
     /// Limits of every channel, always the same number.
     fn limits(&self) -> &[Limits];
 
-    /// First, second and third derivative of every channel at `u`, from the piece before it if `before`, into `out`; and
-    /// the tip's speed by `u`, mm.
+    /// First, second and third derivative of every channel at `u`, from the piece before it if `before`, into `out`;
+    /// and the tip's speed by `u`, mm.
     fn derivatives(&self, u: f64, before: bool, out: &mut [[f64; 3]]) -> f64;
 
     /// Highest speed of the tip asked for around `u`, mm/s; constant between breaks. Infinite if nothing is asked.

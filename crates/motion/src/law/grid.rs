@@ -44,8 +44,11 @@ pub(crate) fn stations(path: &dyn Channels, limits: &[Limits], (from, to): (f64,
     (map, tau)
 }
 
-/// Stations (by `u`) of the piece of `path` between two stops for a law that needs nothing special at rest: `count` cells
-/// or more, evenly between breaks.
+/// Least number of even cells between two breaks: a single one could not leave rest and come back to it.
+const LEAST_EVEN: f64 = 2.0;
+
+/// Stations (by `u`) of the piece of `path` between two stops for a law that needs nothing special at rest: `count`
+/// cells or more, evenly between breaks.
 pub(crate) fn even(path: &dyn Channels, (from, to): (f64, f64), count: usize) -> Vec<f64> {
     let length = to - from;
     let inside = |u: &f64| *u > from + 1e-9 * length && *u < to - 1e-9 * length;
@@ -55,7 +58,7 @@ pub(crate) fn even(path: &dyn Channels, (from, to): (f64, f64), count: usize) ->
     let mut stations = vec![from];
     let mut begin = from;
     for end in fixed {
-        let parts = (count as f64 * (end - begin) / length - 1e-9).ceil().max(1.0);
+        let parts = (count as f64 * (end - begin) / length - 1e-9).ceil().max(LEAST_EVEN);
         stations.extend((1..parts as usize).map(|i| begin + (end - begin) * i as f64 / parts));
         stations.push(end);
         begin = end;

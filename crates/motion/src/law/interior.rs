@@ -10,12 +10,13 @@ const BEGIN: f64 = 0.1;
 /// Part of the way to the next row that a step may go.
 const SHORT_OF: f64 = 0.99;
 
-/// Coefficients of the fastest law, to within the part `gap` of the time it loses against the asked speed, beginning at `start` (every row satisfied).
+/// Coefficients of the fastest law, to within the part `gap` of the time it loses against the asked speed, beginning
+/// at `start` (every row satisfied).
 ///
-/// Mehrotra's predictor and corrector on the time with the rows of [`Problem`] as logarithmic barriers. The rows of jerk
-/// are not convex (`1 / sqrt(b)` curves the wrong way): their curvature is kept as long as the matrix stays positive, and
-/// halved until it is. Every step is shortened until the true slacks are positive, so that each iterate satisfies the
-/// rows. A local method: no bad local optimum is known, none is excluded.
+/// Mehrotra's predictor and corrector on the time with the rows of [`Problem`] as logarithmic barriers. The rows of
+/// jerk are not convex (`1 / sqrt(b)` curves the wrong way): their curvature is kept as long as the matrix stays
+/// positive, and halved until it is. Every step is shortened until the true slacks are positive, so that each iterate
+/// satisfies the rows. A local method: no bad local optimum is known, none is excluded.
 pub(crate) fn fastest(problem: &Problem, start: Vec<f64>, gap: f64) -> Vec<f64> {
     let mut at = Iterate::new(problem, start);
     for _ in 0..MOST {

@@ -7,8 +7,8 @@ use super::interior::fastest;
 use super::problem::Problem;
 use super::rest::RestToRest;
 
-/// The law is planned with limits smaller by this part: for what lies between the places checked, and so that a hold has
-/// room to begin (see `pace`).
+/// The law is planned with limits smaller by this part: for what lies between the places checked, and so that a hold
+/// has room to begin (see `pace`).
 pub(crate) const RESERVE: f64 = 1e-3;
 /// Times the law is solved again with less room where a limit was passed.
 const ROUNDS: usize = 4;
@@ -36,10 +36,10 @@ const COARSE_GAP: f64 = 1e-3;
 
 /// The cells of a piece of `path` and the coefficients of the fastest law in them, see [`Problem`].
 ///
-/// Solved on the cells between `tau` first, then with every cell halved in which the law does not just cruise at the asked
-/// speed: what was found before is a spline on the finer cells too and a good start there. Guarantee: no limit is exceeded
-/// anywhere (speeds, accelerations and jerks are bounded between the places where rows were imposed, and a thousandth is
-/// kept in reserve); nowhere faster than asked.
+/// Solved on the cells between `tau` first, then with every cell halved in which the law does not just cruise at the
+/// asked speed: what was found before is a spline on the finer cells too and a good start there. Guarantee: no limit
+/// is exceeded anywhere (speeds, accelerations and jerks are bounded between the places where rows were imposed, and
+/// half a thousandth is kept in reserve); nowhere faster than asked.
 ///
 /// # Errors
 /// As [`Cells::new`].
@@ -87,8 +87,8 @@ fn bend(cells: &Cells, c: &[f64], i: usize) -> f64 {
     (before.max(after) * width.powi(3) / (8.0 * b * b.sqrt())).min(width / b.sqrt())
 }
 
-/// The law in its final cells, beginning at one found before, solved until no limit is exceeded between the places of its
-/// rows.
+/// The law in its final cells, beginning at one found before, solved until no limit is exceeded between the places of
+/// its rows.
 fn certified(cells: &Cells, mut c: Vec<f64>) -> Vec<f64> {
     let mut room = Room::new(cells);
     let mut worst = room.lessen(cells, &c);
@@ -172,8 +172,8 @@ fn snap(c: &mut [f64], upper: &[f64]) {
     }
 }
 
-/// The greatest use of a limit in cell `i`: of a speed (squared, the asked one too), an acceleration or a jerk. Between the [`PARTS`] a
-/// parabola through three neighbours each, and what their third differences leave open.
+/// The greatest use of a limit in cell `i`: of a speed (squared, the asked one too), an acceleration or a jerk.
+/// Between the [`PARTS`] a parabola through three neighbours each, and what their third differences leave open.
 pub(crate) fn peak(cells: &Cells, c: &[f64], i: usize) -> f64 {
     let law: [[f64; 3]; PARTS.len()] = std::array::from_fn(|part| {
         let w = cells.weights_at(i, part);

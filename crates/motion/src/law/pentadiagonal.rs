@@ -1,4 +1,5 @@
-/// A symmetric matrix with two diagonals beside its own: of a problem whose terms each touch three neighbouring unknowns.
+/// A symmetric matrix with two diagonals beside its own: of a problem whose terms each touch three neighbouring
+/// unknowns.
 #[derive(Debug, Clone)]
 pub(crate) struct Pentadiagonal {
     /// The diagonal and the two beside it: `[i]` of the second holds (i, i + 1), of the third (i, i + 2).

@@ -4,10 +4,9 @@ use super::pentadiagonal::Pentadiagonal;
 
 /// The rows that a law's coefficients must satisfy, each as a slack that is to stay positive.
 ///
-/// The squared speed `b` by `tau` is a quadratic B-spline with coefficients `c`, the unknowns. At every site, with `b`, `b'`
-/// and `b''` weighted sums of three of them (derivatives by `tau`, each channel divided by its limit, with
-/// either sign):
-/// `1 - cap b`, `1 - (q'' b + q' b' / 2)`, and `1 / sqrt(b) - (q''' b + 3/2 q'' b' + 1/2 q' b'')`.
+/// The squared speed `b` by `tau` is a quadratic B-spline with coefficients `c`, the unknowns. At every site, with
+/// `b`, `b'` and `b''` weighted sums of three of them (derivatives by `tau`, each channel divided by its limit, with
+/// either sign): `1 - cap b`, `1 - (q'' b + q' b' / 2)`, and `1 / sqrt(b) - (q''' b + 3/2 q'' b' + 1/2 q' b'')`.
 pub(crate) struct Problem {
     /// Number of unknowns.
     pub(crate) unknowns: usize,

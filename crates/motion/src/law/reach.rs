@@ -16,13 +16,14 @@ const ROUNDS: usize = 6;
 /// Most steps of Newton's method for one station: it descends to its zero in two or three.
 const STEPS: usize = 60;
 
-/// Squared speeds at the stations `u` of `path`, linear between them, of the fastest law from rest to rest under speeds and
-/// accelerations; and the asked ones at both ends of each cell.
+/// Squared speeds at the stations `u` of `path`, linear between them, of the fastest law from rest to rest under
+/// speeds and accelerations; and the asked ones at both ends of each cell.
 ///
-/// In each cell the acceleration `a` is constant, and with `x` the squared speed at its start every limit at every place
-/// bounds the two by a slab. A backward pass finds the highest `x` from which the rest of the path can be finished, a
-/// forward pass takes the most. Guarantee: no speed and acceleration is exceeded (between the places accelerations by a
-/// parabola, which is exact on cubic splines, squared speeds by cubics, and a reserve); nowhere faster than asked.
+/// In each cell the acceleration `a` is constant, and with `x` the squared speed at its start every limit at every
+/// place bounds the two by a slab. A backward pass finds the highest `x` from which the rest of the path can be
+/// finished, a forward pass takes the most. Guarantee: no speed and acceleration is exceeded (between the places
+/// accelerations by a parabola, which is exact on cubic splines, squared speeds by cubics, and a reserve); nowhere
+/// faster than asked.
 ///
 /// # Errors
 /// As [`super::cells::Cells::new`].
@@ -89,7 +90,8 @@ struct Slabs {
     widths: Vec<f64>,
     /// Square of every channel's acceleration by its speed, in lanes.
     by_speed: Vec<[f64; LANES]>,
-    /// Of all channels at every place of each cell. One piece of memory, which repeated laws get back without zeroed pages.
+    /// Of all channels at every place of each cell. One piece of memory, which repeated laws get back without zeroed
+    /// pages.
     lanes: Vec<Lanes>,
     /// Highest squared speed by the channels at every place of each cell.
     caps: Vec<[f64; 3]>,
@@ -180,8 +182,8 @@ impl Slabs {
         before.min(if i < self.count() { of(i, 0) } else { f64::INFINITY }).min(f64::MAX.sqrt())
     }
 
-    /// Upper bounds on the acceleration in cell `i` by the next station's squared speed, which is to be at most `next`, and
-    /// by the cap in the middle; and the lower bound, that it is not negative.
+    /// Upper bounds on the acceleration in cell `i` by the next station's squared speed, which is to be at most
+    /// `next`, and by the cap in the middle; and the lower bound, that it is not negative.
     fn ends(&self, i: usize, next: f64) -> ([Line; 2], Line) {
         let (slope, room) = (-0.5 / self.widths[i], self.room[i]);
         let end = Line { at0: -slope * next, slope };
@@ -280,8 +282,8 @@ impl Slabs {
         law.lessened.contains(&true)
     }
 
-    /// The greatest use of a limit in cell `i` with squared speeds `from` and `to` at its ends; if none is passed, a bound
-    /// of it.
+    /// The greatest use of a limit in cell `i` with squared speeds `from` and `to` at its ends; if none is passed, a
+    /// bound of it.
     fn peak(&self, i: usize, from: f64, to: f64) -> f64 {
         let width = self.widths[i];
         let (a, b) = (0.5 * (to - from) / width, [from, 0.5 * (from + to), to]);
@@ -297,7 +299,8 @@ impl Slabs {
                 let u1 = l1.second[k] * b[1] + f1 * a;
                 let u2 = l2.second[k] * b[2] + f2 * a;
                 used[k] = [u0, u1, u2];
-                // The slope of the speed's square, times a third of half a cell; a cubic stays below its Bernstein coefficients.
+                // The slope of the speed's square, times a third of half a cell; a cubic stays below its Bernstein
+                // coefficients.
                 let by = by_speed[k];
                 let third = by * width / 3.0;
                 let [t0, t1, t2] = [f0 * u0 * third, (f1 * u1 * third).abs(), f2 * u2 * third];

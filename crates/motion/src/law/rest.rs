@@ -1,10 +1,11 @@
 /// A parameter `tau` of a piece of path that begins and ends at rest, in which rest is nothing special.
 ///
-/// A start from rest with constant jerk has `s ~ t^3`, so the squared speed by path length goes with the power 4/3 and its
-/// second derivative is unbounded at rest. With `u = u0 + L (x^3 - x^4 / 2)`, `x = tau / L`, over the run-up `tau` in
-/// [0, L] (and mirrored over the run-down) the squared speed `b = (dtau/dt)^2` is positive at rest, and constant `b` there is
-/// a start with constant jerk and no acceleration. Between them `du/dtau` is 1; the map is twice continuously
-/// differentiable with a bounded third derivative, which jumps at `tau = L`.
+/// A start from rest with constant jerk has `s ~ t^3`, so the squared speed by path length goes with the power 4/3
+/// and its second derivative is unbounded at rest. With `u = u0 + L (x^3 - x^4 / 2)`, `x = tau / L`, over the run-up
+/// `tau` in
+/// [0, L] (and mirrored over the run-down) the squared speed `b = (dtau/dt)^2` is positive at rest, and constant `b`
+/// there is a start with constant jerk and no acceleration. Between them `du/dtau` is 1; the map is twice
+/// continuously differentiable with a bounded third derivative, which jumps at `tau = L`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RestToRest {
     from: f64,

@@ -29,11 +29,12 @@ pub struct LawPoint {
 /// within the speed, acceleration and jerk of every channel.
 ///
 /// The squared speed by a parameter in which rest is nothing special is a quadratic B-spline, so accelerations are
-/// continuous and jerks bounded, and time follows in closed form in every cell. Its coefficients come from an interior-point
-/// method (the fastest law under limits of jerk is not a convex problem; see [`super`]).
+/// continuous and jerks bounded, and time follows in closed form in every cell. Its coefficients come from an
+/// interior-point method (the fastest law under limits of jerk is not a convex problem; see [`super`]).
 ///
-/// Guarantee: no channel exceeds its speed, acceleration or jerk at any time; the tip is never faster than asked, and exactly
-/// as fast where it is not slowed down. A thousandth of each limit is kept in reserve.
+/// Guarantee: no channel exceeds its speed, acceleration or jerk at any time; the tip is never faster than asked, and
+/// exactly as fast where it is not slowed down. At least half a thousandth of each limit is kept in reserve (without
+/// limits of jerk 2e-5).
 #[derive(Debug, Clone)]
 pub struct SpeedLaw {
     pieces: Vec<RestToRest>,
@@ -65,8 +66,8 @@ impl SpeedLaw {
         Ok(law)
     }
 
-    /// The fastest law along `path` if limits of jerk are left out: the squared speed by path length is linear in each of
-    /// about `cells` cells between two stops, so the acceleration along the path is constant there.
+    /// The fastest law along `path` if limits of jerk are left out: the squared speed by path length is linear in
+    /// each of about `cells` cells between two stops, so the acceleration along the path is constant there.
     ///
     /// # Errors
     /// As [`SpeedLaw::new`].

@@ -1,6 +1,6 @@
 use super::cell::Cell;
 use super::cells::Cells;
-use super::channels::Channels;
+use super::channels::{Channels, ends};
 use super::error::LawError;
 use super::grid::stations;
 use super::jerk_limited::{peak, plan};
@@ -11,22 +11,22 @@ use std::collections::VecDeque;
 /// A path that is read as it is needed: its channels are known over the part that is loaded, which
 /// [`Channels::range`] tells.
 pub trait Feed: Channels {
-    /// Loads the path until at least `seconds` beyond `beyond` at the highest speeds allowed, or to its end, and forgets what
-    /// lies before `from`.
+    /// Loads the path until at least `seconds` beyond `beyond` at the highest speeds allowed, or to its end, and
+    /// forgets what lies before `from`.
     fn load(&mut self, from: f64, beyond: f64, seconds: f64);
 
     /// True if the loaded part reaches the path's end.
     fn is_complete(&self) -> bool;
 }
 
-/// The speed law of a path of any length, from a window that slides along it, in memory and work for each set-point that do
-/// not grow with the path.
+/// The speed law of a path of any length, from a window that slides along it, in memory and work for each set-point
+/// that do not grow with the path.
 ///
-/// Each window is planned from rest to rest as a whole path is. Far from their ends two laws that overlap are the same law
-/// (what comes later than a stopping distance does not matter), so one passes into the next there: a weighted mean of their
-/// coefficients, checked against all limits. Guarantee: what is given out is always the beginning of a law that stops within
-/// its window; if the next window cannot be joined to it within the limits, the motion comes to that stop and goes on
-/// from there.
+/// Each window is planned from rest to rest as a whole path is. Far from their ends two laws that overlap are the
+/// same law (what comes later than a stopping distance does not matter), so one passes into the next there: a
+/// weighted mean of their coefficients, checked against all limits. Guarantee: what is given out is always the
+/// beginning of a law that stops within its window; if the next window cannot be joined to it within the limits, the
+/// motion comes to that stop and goes on from there.
 pub struct LawStream<F> {
     feed: F,
     horizon_s: f64,
@@ -51,8 +51,8 @@ struct Plan {
     next: usize,
 }
 
-/// The law between two windows: its cells and coefficients, the first one's station where it begins and the next one's where
-/// it ends.
+/// The law between two windows: its cells and coefficients, the first one's station where it begins and the next
+/// one's where it ends.
 type Passage = (Cells, Vec<f64>, usize, usize);
 
 /// Parts of a window that overlap the one before, tried one after the other.
@@ -88,14 +88,15 @@ impl Plan {
 }
 
 impl<F: Feed> LawStream<F> {
-    /// A law along `feed` with windows that take `horizon_s` seconds at the highest speeds allowed: some times the longest
-    /// time to stop.
+    /// A law along `feed` with windows that take `horizon_s` seconds at the highest speeds allowed: some times the
+    /// longest time to stop.
     ///
     /// # Errors
     /// As [`SpeedLaw::new`](super::SpeedLaw::new).
     pub fn new(mut feed: F, horizon_s: f64) -> Result<Self, LawError> {
         let from = feed.range().0;
         feed.load(from, from, horizon_s);
+        ends(&feed)?;
         let to = window_end(&feed, from);
         let plan = Plan::new(&feed, from, to)?;
         Ok(Self {
@@ -124,8 +125,8 @@ impl<F: Feed> LawStream<F> {
     /// The law at time `t` (s), which must not fall; nothing after the end.
     ///
     /// # Errors
-    /// As [`SpeedLaw::new`](super::SpeedLaw::new), for a part of the path that is planned later: once what was planned before
-    /// has come to rest.
+    /// As [`SpeedLaw::new`](super::SpeedLaw::new), for a part of the path that is planned later: once what was
+    /// planned before has come to rest.
     pub fn at(&mut self, t: f64) -> Result<Option<LawPoint>, LawError> {
         while t >= self.end && !self.done {
             match self.failed {

@@ -28,11 +28,11 @@ pub struct Played {
 /// A law played at a pace that changes as fast as the axes allow.
 ///
 /// The law L(theta) is exact on the path, and so is L(theta(t)). At a steady pace phi in [-1, 1] every symmetric limit
-/// holds for ever, because it holds for L. In each period the second derivative of phi that heads fastest for the wanted
-/// pace is tried, followed by a way back to a steady pace; the whole course is checked against the limits of all axes.
-/// If it holds it is followed, else smaller ones are tried, else the last one that held goes on: the next period always
-/// has a course that holds. (A safety filter with a backup, as in
-/// predictive control; the course back to steady is the backup.)
+/// holds for ever, because it holds for L. In each period the second derivative of phi that heads fastest for the
+/// wanted pace is tried, followed by a way back to a steady pace; the whole course is checked against the limits of
+/// all axes. If it holds it is followed, else smaller ones are tried, else the last one that held goes on: the next
+/// period always has a course that holds. (A safety filter with a backup, as in predictive control; the course back
+/// to steady is the backup.)
 ///
 /// Guarantee: every course played was checked at places close together and on both sides of the law's borders, against
 /// 0.9999 of the limits. A period costs no allocation, and no search while the pace is the wanted one.
@@ -93,8 +93,8 @@ impl<'a, L: Timed + ?Sized> Pace<'a, L> {
         })
     }
 
-    /// With a law for the same path planned for `factor` (more than 1, up to 1.5) times the asked speeds: overrides up to
-    /// it can be played.
+    /// With a law for the same path planned for `factor` (more than 1, up to 1.5) times the asked speeds: overrides
+    /// up to it can be played.
     ///
     /// # Errors
     /// A factor outside that range.

@@ -27,7 +27,8 @@ pub(crate) struct Segment {
     pub(crate) duration: f64,
 }
 
-/// Most segments of a course: one period, straight on, back to steady, a few periods steady, two of a stop, and one to spare.
+/// Most segments of a course: one period, straight on, back to steady, a few periods steady, two of a stop, and one
+/// to spare.
 pub(crate) const SEGMENTS: usize = 8;
 
 /// What is left of a segment and shorter is rounding, s.

@@ -1,7 +1,7 @@
 //! Time control while running: override, hold, resume, reverse and stops at places, always on the path and in limits.
 //!
-//! [`Pace`] plays a law of motion ([`Timed`]) at a pace that changes within every axis' limits; [`Run`] puts the process
-//! around it: arc or beam off before standing still, crater fill, restart with overlap.
+//! [`Pace`] plays a law of motion ([`Timed`]) at a pace that changes within every axis' limits; [`Run`] puts the
+//! process around it: arc or beam off before standing still, crater fill, restart with overlap.
 
 mod control;
 mod course;

@@ -5,8 +5,9 @@ use seamwright_machine::{Machine, TipLimits};
 
 /// A pass in time: the axes' path, passed as a speed law says.
 ///
-/// Rates follow by the chain rule from the path's derivatives by path length and the law's by time, without differences.
-/// Borders are those of the law's cells, among which are all places where the path's third derivatives jump.
+/// Rates follow by the chain rule from the path's derivatives by path length and the law's by time, without
+/// differences. Borders are those of the law's cells, among which are all places where the path's third derivatives
+/// jump.
 #[derive(Debug, Clone)]
 pub struct PassTimed<'a> {
     machine: &'a Machine,

@@ -25,10 +25,10 @@ enum Goal {
 
 /// A pass that runs under an operator's orders: the pace with the process around it.
 ///
-/// The process follows what the tip really does, not the order: the crater is filled once the tip stands still; a beam is
-/// off from the first set-point at which the pace falls. A restart goes to the place where the process went off less
-/// the overlap, with the process off and stops there exactly; then gas, ignition and travel come as at the start.
-/// Invariant: arc or beam is on at rest only in the phases that are meant for it, travel delay and crater.
+/// The process follows what the tip really does, not the order: the crater is filled once the tip stands still; a
+/// beam is off from the first set-point at which the pace falls. A restart goes to the place where the process went
+/// off less the overlap, with the process off and stops there exactly; then gas, ignition and travel come as at the
+/// start. Invariant: arc or beam is on at rest only in the phases that are meant for it, travel delay and crater.
 #[derive(Debug)]
 pub struct Run<'a, L: Timed + ?Sized> {
     pace: Pace<'a, L>,
@@ -55,8 +55,8 @@ pub struct Run<'a, L: Timed + ?Sized> {
     last: Played,
 }
 
-/// Greatest pace of moves with the process off: at this pace a law at its limits leaves half of its accelerations and more
-/// of its jerks, so that a stop at a place always has room.
+/// Greatest pace of moves with the process off: at this pace a law at its limits leaves half of its accelerations and
+/// more of its jerks, so that a stop at a place always has room.
 const MOVE: f64 = 0.6;
 /// Places nearer to each other than this are one to a step, mm.
 const NEAR: f64 = 1e-6;
@@ -66,8 +66,9 @@ const PATIENCE: f64 = 0.1;
 const MOVES: u32 = 6;
 
 impl<'a, L: Timed + ?Sized> Run<'a, L> {
-    /// A run of `pace` from where it stands, waiting for [`super::Order::Resume`] or [`super::Order::Step`]. Steps end at `places`
-    /// (mm, those on the path count). A pace that stands inside the path goes back by the overlap first: with
+    /// A run of `pace` from where it stands, waiting for [`super::Order::Resume`] or [`super::Order::Step`]. Steps
+    /// end at `places` (mm, those on the path count). A pace that stands inside the path goes back by the overlap
+    /// first: with
     /// [`Pace::from_place`] at [`Run::welded_to`] an aborted run goes on. A pace that moves is stopped first; one that
     /// stands at the end leaves nothing to do, and the run has ended.
     pub fn new(mut pace: Pace<'a, L>, sequence: Sequence, places: &[f64]) -> Self {
@@ -156,8 +157,8 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
     /// Plays the next period.
     ///
     /// # Errors
-    /// [`PaceError::Stuck`] if the motion cannot go on: then the process goes off as at a hold, and the run waits, held.
-    /// Never with a law that is planned for the limits of the pace.
+    /// [`PaceError::Stuck`] if the motion cannot go on: then the process goes off as at a hold, and the run waits,
+    /// held. Never with a law that is planned for the limits of the pace.
     pub fn step(&mut self) -> Result<Instant, PaceError> {
         let before = self.last.phi;
         self.last = self.pace.step();
@@ -189,8 +190,8 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         Err(PaceError::Stuck { s: self.last.rates.tip.s })
     }
 
-    /// A move has given up its place. If that is still ahead it may hold now; else it stops where it can and comes again,
-    /// slower, a few times.
+    /// A move has given up its place. If that is still ahead it may hold now; else it stops where it can and comes
+    /// again, slower, a few times.
     fn miss(&mut self) -> Result<(), PaceError> {
         let place = self.restart_place();
         if (place - self.last.rates.tip.s) * self.last.phi > 0.0 {
@@ -230,8 +231,8 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         }
     }
 
-    /// The place to stop at has been given up, if there was one: while it is ahead a stop may hold now, then the one after
-    /// counts, or as soon as can be.
+    /// The place to stop at has been given up, if there was one: while it is ahead a stop may hold now, then the one
+    /// after counts, or as soon as can be.
     fn after_missed_place(&mut self, s: f64) {
         let next = match self.goal {
             Goal::End => return,

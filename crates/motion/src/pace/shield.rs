@@ -154,9 +154,9 @@ impl Shield {
         self.see(law, piece, end, t, true)
     }
 
-    /// Checks one place, at the end of what is before it (or at the start of what comes after), and what lies between it
-    /// and the two before it in the same piece: a parabola is above the greatest of three places by at most an eighth
-    /// of its curvature times the square of their distance.
+    /// Checks one place, at the end of what is before it (or at the start of what comes after), and what lies between
+    /// it and the two before it in the same piece: a parabola is above the greatest of three places by at most an
+    /// eighth of its curvature times the square of their distance.
     fn see<L: Timed + ?Sized>(
         &self,
         law: &L,
@@ -212,8 +212,8 @@ impl Shield {
         range
     }
 
-    /// Time for a stop from pace `phi` that the axes can make even at their greatest speeds, if the law needs nothing of
-    /// their accelerations, s.
+    /// Time for a stop from pace `phi` that the axes can make even at their greatest speeds, if the law needs nothing
+    /// of their accelerations, s.
     pub(crate) fn stop_time(&self, phi: f64) -> f64 {
         let of_axis = |l: &AxisLimits| {
             let v = phi.abs() * l.speed;

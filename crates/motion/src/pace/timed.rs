@@ -23,7 +23,8 @@ pub trait Timed {
 /// Most channels with limits: axes, then directions in which the tip has limits of its own.
 pub const CHANNELS: usize = MAX_AXES + tip_channels::COUNT;
 
-/// Position, speed, acceleration and jerk at one instant: of the channels (mm or rad per s, s^2, s^3) and along the path.
+/// Position, speed, acceleration and jerk at one instant: of the channels (mm or rad per s, s^2, s^3) and along the
+/// path.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Rates {
     /// Positions of the axes.

@@ -74,7 +74,8 @@ impl Generator {
         let after = |ticks: u64| self.last.saturating_add_unsigned(ticks).max(0) as u64;
         let turn = (self.positive != Some(positive)).then(|| after(width + hold));
         let earliest = after(spacing).max(turn.map_or(0, |turn| turn + setup));
-        // Ways to the first place of a pulse and from the last to the end: less than a step, so times a period they fit.
+        // Ways to the first place of a pulse and from the last to the end: less than a step, so times a period they
+        // fit.
         let step = STEP.unsigned_abs();
         let first = if positive { place(count(self.at)) - self.at } else { self.at - place(count(self.at) - 1) };
         let rest = if positive { to - place(count(to) - 1) } else { place(count(to)) - to };

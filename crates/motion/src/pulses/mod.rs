@@ -1,8 +1,8 @@
 //! Step and direction pulses for steppers (INTERSECT-2006).
 //!
-//! [`Microstepping`] chooses how many pulses a full step has. A [`Generator`] turns the positions of one axis at the ends
-//! of equal periods into a [`Train`] of pulses a period; [`Lines`] puts the trains of all axes in the order of time.
-//! Time is counted in ticks of a timer.
+//! [`Microstepping`] chooses how many pulses a full step has. A [`Generator`] turns the positions of one axis at the
+//! ends of equal periods into a [`Train`] of pulses a period; [`Lines`] puts the trains of all axes in the order of
+//! time. Time is counted in ticks of a timer.
 //!
 //! **Where the pulses lie.** Between two positions the axis moves evenly. A pulse comes in the tick in which this
 //! straight line passes half a step, so the count of the pulses is the position in steps, rounded, at all times and
@@ -12,7 +12,8 @@
 //!
 //! **Guarantees**, tested on random positions with reversals:
 //! - after each period the count is the position rounded to whole steps;
-//! - rising edges are never closer than the driver's highest frequency allows, and the step line is high, and low, for its
+//! - rising edges are never closer than the driver's highest frequency allows, and the step line is high, and low,
+//!   for its
 //!   shortest time at least;
 //! - within a period a pulse is less than one tick before its place among equally spaced ones;
 //! - the direction line changes `direction_hold` after a falling edge or later, and `direction_setup` before a rising

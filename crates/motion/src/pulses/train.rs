@@ -18,8 +18,8 @@ pub struct Train {
 }
 
 impl Train {
-    /// `count` pulses, the first in tick `first` and a `part` of `whole`, each `gap / whole` ticks after the one before,
-    /// rounded down.
+    /// `count` pulses, the first in tick `first` and a `part` of `whole`, each `gap / whole` ticks after the one
+    /// before, rounded down.
     pub(super) fn new(
         (positive, turn): (bool, Option<u64>),
         count: u64,

@@ -26,7 +26,8 @@ pub(super) struct Node {
     place: f64,
     /// Least cost of going on from here to the end, and over which node of the next station.
     onward: (f64, usize),
-    /// Least cost of coming here from the start, and over which node of the station before; infinite if there is no way.
+    /// Least cost of coming here from the start, and over which node of the station before; infinite if there is no
+    /// way.
     pub(super) total: f64,
     from: usize,
 }

@@ -3,8 +3,9 @@
 //!
 //! First a graph: at stations along the path the free axes are sampled, every branch of the inverse is a node, and
 //! dynamic programming finds the way of least cost through the nodes; then again with nodes closer together about that
-//! way. Then the free axes become uniform cubic B-splines, and Levenberg and Marquardt's method moves their coefficients
-//! to the least of the true cost at 1,000 stations. Nothing is random: the same path gives the same motion.
+//! way. Then the free axes become uniform cubic B-splines, and Levenberg and Marquardt's method moves their
+//! coefficients to the least of the true cost at 1,000 stations. Nothing is random: the same path gives the same
+//! motion.
 
 mod banded;
 mod cost;

@@ -18,11 +18,12 @@ pub enum Corner {
 
 /// The axes' path through taught points, loaded as it is needed.
 ///
-/// The parameter is the length of the tip's chords (mm) where the tip moves at the asked speed; where an axis would have to
-/// move faster than it can, or the tip stands still, it counts the time that axis needs, times the asked speed. Guarantee:
-/// passes through every point kept, and within the tolerance of those left out, but for blends at corners. Between points
-/// it is the cubic spline through them: a bend too small for a corner is rounded over the distance of the points there. Where
-/// the spline would swing by more than a tenth of that distance, points between are added.
+/// The parameter is the length of the tip's chords (mm) where the tip moves at the asked speed; where an axis would
+/// have to move faster than it can, or the tip stands still, it counts the time that axis needs, times the asked
+/// speed. Guarantee: passes through every point kept, and within the tolerance of those left out, but for blends at
+/// corners. Between points it is the cubic spline through them: a bend too small for a corner is rounded over the
+/// distance of the points there. Where the spline would swing by more than a tenth of that distance, points between
+/// are added.
 pub struct TaughtPath<'a, I: Iterator<Item = Joints>> {
     machine: &'a Machine,
     /// Of the axes, then of the tip if it has any.
@@ -54,8 +55,8 @@ const SWING: f64 = 0.1;
 const PART_OF_PIECE: f64 = 0.45;
 
 impl<'a, I: Iterator<Item = Joints>> TaughtPath<'a, I> {
-    /// The path of `machine` through the axis positions `points` at `speed` (mm/s) of the tip; points may be left out that
-    /// are within `tolerance` (mm; rotary axes: as much at 100 mm) of the way.
+    /// The path of `machine` through the axis positions `points` at `speed` (mm/s) of the tip; points may be left out
+    /// that are within `tolerance` (mm; rotary axes: as much at 100 mm) of the way.
     pub fn new(machine: &'a Machine, points: I, speed: f64, corner: Corner, tolerance: f64) -> Self {
         let near = |i: usize| match machine.axes.get(i).map(|a| a.kind) {
             Some(AxisKind::Rotary) => tolerance / 100.0,
@@ -238,7 +239,8 @@ impl<I: Iterator<Item = Joints>> TaughtPath<'_, I> {
         by_axes.max(self.machine.forward(&q).point.distance(point.tip) / tip)
     }
 
-    /// Whether a piece swings farther from the straight way between its ends than an even turn would, and the tolerance.
+    /// Whether a piece swings farther from the straight way between its ends than an even turn would, and the
+    /// tolerance.
     fn swings(&self, piece: &Piece) -> bool {
         let axes = &self.tolerance.1;
         let between = |a: &Joints, b: &Joints| -> Joints { std::array::from_fn(|i| (b[i] - a[i]) / axes[i]) };

@@ -67,8 +67,8 @@ impl Piece {
 }
 
 /// Slopes at the knots of the cubic spline through `q` at the parameters `u` (at least two): twice continuously
-/// differentiable. Its first two and its last two pieces are one cubic each (de Boor's "not a knot"; with fewer than four
-/// knots it has no curvature at its ends), or its slope at the start is `first`.
+/// differentiable. Its first two and its last two pieces are one cubic each (de Boor's "not a knot"; with fewer than
+/// four knots it has no curvature at its ends), or its slope at the start is `first`.
 pub(crate) fn slopes(u: &[f64], q: &[Joints], first: Option<&Joints>) -> Vec<Joints> {
     let n = u.len();
     // Rows of the tridiagonal system, eliminated as they are made.

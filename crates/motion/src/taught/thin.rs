@@ -15,8 +15,8 @@ pub(crate) struct Kept {
     pub(crate) left_out: Vec<Taught>,
 }
 
-/// Points whose tips are nearer than this (mm) and whose axes too (mm or rad) are the same point: the length that counts
-/// as nothing in all rooms.
+/// Points whose tips are nearer than this (mm) and whose axes too (mm or rad) are the same point: the length that
+/// counts as nothing in all rooms.
 pub(crate) const SAME: f64 = 1e-6;
 
 /// Most points left out one after the other.

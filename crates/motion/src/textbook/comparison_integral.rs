@@ -5,13 +5,13 @@ use super::grid::Grid;
 ///
 /// On the ellipse the integrals of `b^2 x dx` and of `-a^2 y dy` from the start are equal. A pulse from x to x + s
 /// adds the trapezoid `b^2 (x s + 1/2)`, which is the integral without error. The faster axis is x where
-/// `b^2 |x| < a^2 |y|` (tangent at most 45 degrees from x), else y. Each clock it makes one pulse; the slower axis makes one
-/// too if, with half a pulse more, its integral would still not have gone past the faster axis' one. In the deviation
-/// function, twice the sum of both integrals, that is the sign of F half a pulse ahead on the slower axis; it is
-/// computed from the position in integers, so that nothing adds up.
+/// `b^2 |x| < a^2 |y|` (tangent at most 45 degrees from x), else y. Each clock it makes one pulse; the slower axis
+/// makes one too if, with half a pulse more, its integral would still not have gone past the faster axis' one. In the
+/// deviation function, twice the sum of both integrals, that is the sign of F half a pulse ahead on the slower axis;
+/// it is computed from the position in integers, so that nothing adds up.
 ///
-/// An axis that is more than half a pulse behind before the clock, as it may be next to the start, where the faster axis
-/// changes and at an end of the ellipse that is sharper than a pulse, catches up alone first.
+/// An axis that is more than half a pulse behind before the clock, as it may be next to the start, where the faster
+/// axis changes and at an end of the ellipse that is sharper than a pulse, catches up alone first.
 ///
 /// Guarantee: the slower axis is right within half a pulse, since the ellipse moves by at most one pulse on it in a
 /// clock. So every point is at most half a pulse from the ellipse, except next to the start and the end, which are the

@@ -80,8 +80,8 @@ impl Grid {
     }
 
     /// The pulse of z, -1, 0 or 1, that brings z nearest to the saddle over the lattice point: the third comparison,
-    /// of `z^2` with `R^2 - y^2` where y is the faster axis and with `R^2 - r^2 + x^2`, which is the same on the circle,
-    /// where x is: the faster axis says best how far along the path the point is.
+    /// of `z^2` with `R^2 - y^2` where y is the faster axis and with `R^2 - r^2 + x^2`, which is the same on the
+    /// circle, where x is: the faster axis says best how far along the path the point is.
     pub(super) fn height_pulse(&self, at: [i64; 3]) -> i64 {
         let Some((shell2, difference)) = self.shell else { return 0 };
         let square = |v: i64| i128::from(v).pow(2) << (2 * self.fraction);

@@ -36,8 +36,8 @@ impl Method {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EqualStep {
     /// The length along the curve: constant speed. Every full step is speed times period within 1e-9 of it for paths
-    /// of up to 1e5 steps, beyond that within 1e-14 times the number of steps (rounding of the angle and the length; measured
-    /// 4e-10 at 2.3e6 steps).
+    /// of up to 1e5 steps, beyond that within 1e-14 times the number of steps (rounding of the angle and the length;
+    /// measured 4e-10 at 2.3e6 steps).
     Arc,
     /// The straight distance from point to point: the next point is the first one along the curve at that distance, to
     /// 1e-12 of it or the rounding of the coordinates (some 1e-15 of the shape's size), whichever is more.
@@ -53,9 +53,9 @@ pub enum AngleRule {
     /// the b axis to `b/a` times at those of the a axis. On a saddle, where |OM| seen along the nozzle's axis is its
     /// radius r, this is equal angles `dL / r`: the uneven speed that SADDLE-2020 warns of.
     Printed,
-    /// `dpsi = dL / |OM|` of the polar angle, `tan(psi) = (b/a) tan(t)`, as ELLIPSE-2015 derives it: the step across the
-    /// radius is right, the one along it comes on top; the speed is up to `(a/b + b/a)/2` times nominal. On a saddle,
-    /// whose plan is a circle, the same as [`AngleRule::Printed`].
+    /// `dpsi = dL / |OM|` of the polar angle, `tan(psi) = (b/a) tan(t)`, as ELLIPSE-2015 derives it: the step across
+    /// the radius is right, the one along it comes on top; the speed is up to `(a/b + b/a)/2` times nominal. On a
+    /// saddle, whose plan is a circle, the same as [`AngleRule::Printed`].
     Polar,
     /// `dt = dL / sqrt(a^2 sin(t)^2 + b^2 cos(t)^2)`, on a saddle `dL / |dP/dt|` (SADDLE-2020): along the tangent. What
     /// is left is of first order in `dL` over the shape's size and of either sign.

@@ -47,8 +47,8 @@ fn no_stop_takes_longer_than_promised_and_some_take_as_long() {
     assert!(tightest > 1.0 - 1e-9, "{tightest}");
 }
 
-/// The switch let go, or the panel silent, at thousands of states of a jog: the axes and the tip come to rest within what
-/// was promised, and nothing moves again before it is acknowledged.
+/// The switch let go, or the panel silent, at thousands of states of a jog: the axes and the tip come to rest within
+/// what was promised, and nothing moves again before it is acknowledged.
 #[test]
 fn a_lost_signal_stops_within_the_promised_distance() {
     for name in ["torch-5axis", "ebw-7axis"] {

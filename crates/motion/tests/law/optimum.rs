@@ -10,9 +10,9 @@ const STEPS: usize = 100;
 /// A law that breaks no limit by more than this part counts as found.
 const FOUND: f64 = 1.5e-3;
 
-/// Looks for a law from rest to rest in the time `duration` within all limits of `path`, a single piece: the jerks along
-/// the path in equal steps of time that minimise the sum of squares of what is beyond a limit (Levenberg and Marquardt's
-/// method). Returns the greatest excess left.
+/// Looks for a law from rest to rest in the time `duration` within all limits of `path`, a single piece: the jerks
+/// along the path in equal steps of time that minimise the sum of squares of what is beyond a limit (Levenberg and
+/// Marquardt's method). Returns the greatest excess left.
 fn excess(path: &Path, duration: f64, start: impl Fn(f64) -> f64) -> f64 {
     let h = duration / STEPS as f64;
     // Jerks from third differences of the start.

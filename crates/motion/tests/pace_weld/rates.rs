@@ -4,8 +4,8 @@ use crate::pace_law::{Uniform, cases};
 use crate::welds::{self, Weld};
 use seamwright_motion::pace::{CHANNELS, PassTimed, Rates, Timed};
 
-/// Rates at `t` against differences over `h` and half of it, the error of which falls with the fourth power of `h`, as parts
-/// of the axes' limits: speeds, accelerations, jerks.
+/// Rates at `t` against differences over `h` and half of it, the error of which falls with the fourth power of `h`,
+/// as parts of the axes' limits: speeds, accelerations, jerks.
 fn off(weld: &Weld, timed: &PassTimed, t: f64, h: f64) -> f64 {
     let near = [-h, -0.5 * h, 0.5 * h, h].map(|dt| timed.at(t + dt, false));
     let at = timed.at(t, false);

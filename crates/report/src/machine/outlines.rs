@@ -6,8 +6,8 @@ use std::f64::consts::TAU;
 /// Points of a drawn circle.
 const AROUND: u32 = 36;
 
-/// Lines that show the machine's solids where they are at home, in the base frame, mm: edges of boxes, rims and sides of
-/// round shapes. Half-spaces, which have no end, are left out; of a mesh the box around it is shown.
+/// Lines that show the machine's solids where they are at home, in the base frame, mm: edges of boxes, rims and sides
+/// of round shapes. Half-spaces, which have no end, are left out; of a mesh the box around it is shown.
 pub(super) fn outlines(machine: &Machine) -> Vec<Vec<[f64; 3]>> {
     let motion = machine.link_frames(&machine.home());
     let base = machine.links.frame("base").map_or(DAffine3::IDENTITY, |f| motion[f.link] * f.zero);

@@ -4,8 +4,8 @@ use seamwright_motion::{Binding, PassMotion};
 use seamwright_program::Pass;
 use serde::Serialize;
 
-/// What a pass reaches and what bounds it where, for machines to read: mm, s, and mm or degrees for the axes. Whoever knows
-/// the set-points and the machine's limits can check it.
+/// What a pass reaches and what bounds it where, for machines to read: mm, s, and mm or degrees for the axes. Whoever
+/// knows the set-points and the machine's limits can check it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CertificateFigures {
     /// Least and greatest speed asked for, mm/s; they differ where spans do.
@@ -33,8 +33,8 @@ pub struct CertificateFigures {
 /// What stands for an axis where a limit of the torch tip binds.
 const TIP: &str = "torch tip";
 
-/// The greatest use that a pass makes of the torch tip's limits, seen from the directions in which they are imposed; a limit
-/// that there is not is missing.
+/// The greatest use that a pass makes of the torch tip's limits, seen from the directions in which they are imposed;
+/// a limit that there is not is missing.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TipFigures {
     /// Of its speed, %.

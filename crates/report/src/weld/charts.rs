@@ -190,7 +190,8 @@ fn axis_chart(name: &str, y: Axis, points: Vec<(f64, f64)>, limits: Vec<f64>) ->
     }
 }
 
-/// Stretches between run-up and run-down on which the tip is slower than asked, each named by what binds at its slowest.
+/// Stretches between run-up and run-down on which the tip is slower than asked, each named by what binds at its
+/// slowest.
 fn slowed(certificate: &CertificateFigures) -> Vec<Band> {
     let mut runs: Vec<Vec<&IntervalFigures>> = vec![Vec::new()];
     for interval in &certificate.intervals {

@@ -44,9 +44,9 @@ impl Welding {
     /// Part and fixtures in the machine's work frame; `load` gets the bytes of the STL files that are named.
     ///
     /// The part is made from the seam unless its solids are given: exact cylinders, spheres, cones and boxes; elliptic
-    /// tubes and curved T-joints as meshes up to 0.02 mm outside the true surface, ellipsoidal heads up to 0.1 mm. It is
-    /// nowhere smaller than the true one, nor larger near the seam; the end of a slanting nozzle may stand out of the far
-    /// side of its body. Tubes are solid: the torch stays outside.
+    /// tubes and curved T-joints as meshes up to 0.02 mm outside the true surface, ellipsoidal heads up to 0.1 mm. It
+    /// is nowhere smaller than the true one, nor larger near the seam; the end of a slanting nozzle may stand out of
+    /// the far side of its body. Tubes are solid: the torch stays outside.
     ///
     /// # Errors
     /// With the key's address: everything that can be wrong with a solid or an STL file, a body that ends within the

@@ -6,6 +6,8 @@ use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 
+/// Latest command, s: a day.
+const LATEST_S: f64 = 86_400.0;
 const COLUMNS: [&str; 3] = ["t_s", "command", "value"];
 /// Overrides below it hold, percent.
 pub(super) const LEAST_OVERRIDE: f64 = 0.1;
@@ -45,8 +47,8 @@ fn parse(source: &str, input: impl BufRead) -> Result<Vec<Timed>, Failure> {
         let row = row?;
         let [time, name, value] = [&row[0], &row[1], &row[2]];
         let last = all.last().map_or(0.0, |c| c.t);
-        let t = number(time).filter(|t| *t >= last).ok_or_else(|| {
-            let allowed = format!("a finite number of seconds, at least {last}: rows come in the order of time");
+        let t = number(time).filter(|t| *t >= last && *t <= LATEST_S).ok_or_else(|| {
+            let allowed = format!("a number of seconds from {last} to {LATEST_S}: rows come in the order of time");
             reader.error("t_s", time, "is not allowed", &allowed)
         })?;
         let command = command(name, value).map_err(|wrong| match wrong {

@@ -25,14 +25,18 @@ pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
         Some(ms) => positive("--period-ms", ms)? * 1e-3,
         None => loaded.machine.servo_period_s,
     };
-    if let Some(file) = &args.commands {
-        return run::run(&loaded, &commands::read(file)?, period, args);
+    let commands = args.commands.as_deref().map(commands::read).transpose()?;
+    if commands.is_some() {
+        run::check_period(period)?;
     }
     let parts = args.coarse_ms.map(|coarse| parts(coarse, period)).transpose()?;
     let motion = loaded.plan()?;
     loaded.check_count(&motion, period)?;
     if let Some(path) = &args.certificate {
         write_certificate(path, &loaded, &motion)?;
+    }
+    if let Some(commands) = commands {
+        return run::run(&loaded, &motion, &commands, period, args);
     }
     let coarse = period * f64::from(parts.unwrap_or(1));
     let mut progress = Progress::new("set-points", motion.count(coarse, args.air));

@@ -7,22 +7,24 @@ use crate::load::Loaded;
 use crate::rows::{Cell, Rows};
 use crate::verbs::process::{Clock, ProcessColumns};
 use seamwright_machine::Joints;
-use seamwright_motion::pace::{Instant, Limits, Order, Pace, PaceError, Run, RunPhase};
-use seamwright_motion::{PassMotion, SpeedLaw, Stage};
+use seamwright_motion::pace::{Instant, Limits, Order, Pace, PaceError, Run, RunPhase, Timed as Moves};
+use seamwright_motion::{PassMotion, SpeedLaw, Stage, WeldMotion};
 use seamwright_program::{Finding, Pass};
 use std::io::Write;
 
 /// Greatest override, for which a law of its own is planned if it is asked for.
 const FASTER: f64 = 1.5;
+/// Longest time from where a run cannot go on until it rests with the process off, s.
+const WIND_DOWN_S: f64 = 600.0;
 
 /// Plays all stages under `commands`, one set-point every `period` s, and writes them.
-pub(super) fn run(loaded: &Loaded, commands: &[Timed], period: f64, args: &MotionArgs) -> Result<(), Failure> {
-    if !(0.00025..=0.004).contains(&period) {
-        let ms = period * 1e3;
-        return Err(Failure::Input(format!("--period-ms {ms}: not allowed with --commands\n   allowed: 0.25 to 4")));
-    }
-    let motion = loaded.plan()?;
-    loaded.check_count(&motion, period)?;
+pub(super) fn run(
+    loaded: &Loaded,
+    motion: &WeldMotion,
+    commands: &[Timed],
+    period: f64,
+    args: &MotionArgs,
+) -> Result<(), Failure> {
     let mut player = Player::new(loaded, commands, period, args.json)?;
     for stage in motion.stages(args.air) {
         match stage {
@@ -47,6 +49,15 @@ pub(super) fn run(loaded: &Loaded, commands: &[Timed], period: f64, args: &Motio
         }
     }
     player.rows.finish()
+}
+
+/// Refuses periods that no control runs at.
+pub(super) fn check_period(period: f64) -> Result<(), Failure> {
+    if !(0.00025..=0.004).contains(&period) {
+        let ms = period * 1e3;
+        return Err(Failure::Input(format!("--period-ms {ms}: not allowed with --commands\n   allowed: 0.25 to 4")));
+    }
+    Ok(())
 }
 
 /// A set-point to write.
@@ -162,8 +173,26 @@ impl<'a> Player<'a> {
             if waits || now.phase == RunPhase::Ended {
                 return Ok(());
             }
-            run.step().map_err(stuck)?;
+            if let Err(reason) = run.step() {
+                self.wind_down(i + 1, &mut run)?;
+                return Err(stuck(reason));
+            }
         }
+    }
+
+    /// Writes a run that cannot go on until it rests with the process off, as it does by itself.
+    fn wind_down<L: Moves>(&mut self, pass: usize, run: &mut Run<'_, L>) -> Result<(), Failure> {
+        let most = (WIND_DOWN_S / self.period) as u64;
+        for _ in 0..most {
+            let now = run.now();
+            self.instant(pass, &now)?;
+            if matches!(now.phase, RunPhase::Held | RunPhase::Ended) {
+                break;
+            }
+            // Stuck again is no news.
+            run.step().ok();
+        }
+        Ok(())
     }
 
     /// The law for overrides above 100 %, if one comes or is in force.

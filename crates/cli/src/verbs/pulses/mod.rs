@@ -1,5 +1,5 @@
-//! Step and direction pulses of a job. The motion is played up to three times, since nothing of it is kept: for the speeds
-//! that decide the microstepping, to check every pulse before anything is written, and to write.
+//! Step and direction pulses of a job. The motion is played up to three times, since nothing of it is kept: for the
+//! speeds that decide the microstepping, to check every pulse before anything is written, and to write.
 
 mod check;
 mod motors;

@@ -135,8 +135,8 @@ impl<L: Timed + ?Sized> Pace<'_, L> {
         self.shield.check(self.law(), &course).map(|()| course)
     }
 
-    /// No quicker course can stop at `place`: waits a period at a steady pace if it can stop after that, else stops now;
-    /// a place that cannot be stopped at any more is given up.
+    /// No quicker course can stop at `place`: waits a period at a steady pace if it can stop after that, else stops
+    /// now; a place that cannot be stopped at any more is given up.
     fn wait_or_stop(&mut self, place: f64) {
         if let Some(rest) = self.course.rest_before_stop(self.elapsed)
             && let Ok(course) = self.check(&rest.then_steady(self.period), Some(place))
