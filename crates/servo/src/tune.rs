@@ -89,7 +89,7 @@ impl Tuned {
 /// Tunes a position loop for `drive`, to run every `period_s` (s) on an axis that goes up to `max_speed` (u/s).
 ///
 /// 1. The velocity loop is slowed down, in steps, until it settles on the transmission even with half as much
-/// bandwidth again.
+///    bandwidth again.
 /// 2. Stepped sines over a constant speed give the response from speed command to encoder.
 /// 3. `kp` is the highest gain with margins of 8 dB and 50 degrees, behind up to two notches where they raise it.
 ///    Where a resonance keeps it low, slower velocity loops, which damp it more, are tried as well.
