@@ -99,6 +99,10 @@ fn what_is_wrong_is_named() {
         assert_eq!(output.status.code(), Some(code), "{points}: {told}");
         assert!(words.iter().all(|w| told.contains(w)), "{points}: {told}");
     }
+    // The torch into the table: the motion ends before.
+    let output = follow("x_mm,y_mm,z_mm\n0,0,200\n0,0,-150\n", &["--speed-mm-s", "20"]);
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.code() == Some(1) && told.contains("comes too near to"), "{told}");
     let output = run(&["follow", "nowhere.csv", "--machine", "ellipse-xy", "--speed-mm-s", "5"]);
     assert!(output.status.code() == Some(2) && output.stdout.is_empty());
     // More than can be: said, and within the limits (250 mm/s).
@@ -111,4 +115,14 @@ fn what_is_wrong_is_named() {
     let output = follow(&format!("{head}10,0,50,0,0\n"), &["--speed-mm-s", "5", "--period-ms", "1e6"]);
     let x = column(&table(&String::from_utf8(output.stdout).unwrap()), "x");
     assert_eq!(x, [0.0, 10.0]);
+}
+
+#[test]
+fn points_as_seam_writes_them_keep_the_torch_on_the_bisector() {
+    let seam = common::good(&["seam", &common::example("trunnion-saddle"), "--every-mm", "1"]);
+    let output = follow(&seam, &["--speed-mm-s", "8", "--period-ms", "20"]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let t = table(&String::from_utf8(output.stdout).unwrap());
+    let tilt = column(&t, "a").into_iter().fold(0.0f64, |m, a| m.max(a.abs()));
+    assert!(tilt > 20.0, "{tilt}");
 }

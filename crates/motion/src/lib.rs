@@ -33,7 +33,7 @@ mod weld_motion;
 
 pub use joint_path::{JointPath, JointPoint};
 pub use law::{LawPoint, SpeedLaw, SpeedReport};
-pub use limits::Binding;
+pub use limits::{Binding, plain};
 pub use pass_clearance::PassClearance;
 pub use pass_motion::PassMotion;
 pub use set_points::{Phase, SetPoint, SetPoints};

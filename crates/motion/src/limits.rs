@@ -39,7 +39,7 @@ impl Binding {
             let TipLimits { speed, acceleration, jerk } = machine.tip;
             return Some(Self { axis: None, what, value: of(speed, acceleration, jerk), unit: format!("mm{per}") });
         };
-        let value = axis.to_file(of(axis.max_speed, axis.max_acceleration, axis.jerk()));
+        let value = plain(axis.to_file(of(axis.max_speed, axis.max_acceleration, axis.jerk())));
         Some(Self { axis: Some(axis.name.clone()), what, value, unit: format!("{}{per}", axis.unit()) })
     }
 
@@ -52,6 +52,12 @@ impl Binding {
     pub(crate) fn limit(&self) -> String {
         format!("its {} limit of {:.3} {}", self.what, self.value, self.unit)
     }
+}
+
+/// A limit as it stands in the file: without what degrees lose on their way through radians.
+pub fn plain(limit: f64) -> f64 {
+    let scale = 1e12 / 10f64.powf(limit.abs().max(f64::MIN_POSITIVE).log10().ceil());
+    if scale.is_finite() { (limit * scale).round() / scale } else { limit }
 }
 
 /// Where the tip is slower than asked between run-up and run-down, and what keeps it from being faster.

@@ -38,4 +38,7 @@ fn jog_steps_do_not_allocate() {
     });
     assert_eq!(violation_count(), 0);
     assert!(halts > 5);
+    // The count counts.
+    assert_no_alloc(|| black_box(vec![1]));
+    assert!(violation_count() > 0);
 }

@@ -247,3 +247,11 @@ fn halves_and_standing_still() {
     assert_eq!((axis.period(1.5).unwrap().len(), axis.count()), (1, 2));
     assert_eq!((axis.period(-0.5).unwrap().len(), axis.count()), (2, 0));
 }
+
+#[test]
+fn periods_of_nothing_and_endless_ones_are_refused() {
+    for period in [0, u64::MAX] {
+        let timing = Timing { period, width: 1, spacing: 2, setup: 1, hold: 1 };
+        assert_eq!(Generator::new(timing, 0.0).err(), Some(Error::Period { ticks: period }));
+    }
+}

@@ -8,7 +8,7 @@ use crate::load;
 use crate::rows::{Cell, Rows};
 use glam::DVec3;
 use seamwright_geometry::Pose;
-use seamwright_machine::{Joints, Machine};
+use seamwright_machine::{Clamped, Joints, Machine, Surroundings};
 use seamwright_motion::law::{LawPoint, LawStream};
 use seamwright_motion::taught::{Corner, TaughtPath};
 use seamwright_program::Finding;
@@ -20,6 +20,12 @@ use std::io::{self, BufRead, BufReader, Write as _};
 const SPEEDS: std::ops::RangeInclusive<f64> = 1e-4..=1e6;
 const PLACE: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 const POSE: [&str; 6] = ["x_mm", "y_mm", "z_mm", "ax", "ay", "az"];
+/// As `seam` writes it: the bisector points from the joint to the torch.
+const SEAM: [&str; 6] = ["x_mm", "y_mm", "z_mm", "bx", "by", "bz"];
+/// Distance between places at which clearance is looked at: mm, or degrees of a rotary axis.
+const LOOKED_AT: f64 = 1.0;
+/// Steps in which the way of the tip is measured are no longer than this, s.
+const MEASURED_S: f64 = 0.01;
 
 pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
     let machine = load::machine(&args.machine)?;
@@ -46,7 +52,9 @@ pub(crate) fn run(args: &FollowArgs) -> Result<(), Failure> {
         )),
     };
     let failed = RefCell::new(None);
-    let points = Points::open(&machine, &source, input, &failed)?;
+    let around = Surroundings::new(&machine, &Clamped::default())
+        .map_err(|e| Failure::Input(format!("{}: {e}", args.machine)))?;
+    let points = Points::open(&machine, &around, &source, input, &failed)?;
     let mut path = TaughtPath::new(&machine, points, speed, corner, tolerance);
     if path.is_empty() {
         return Err(failed.take().unwrap_or_else(|| {
@@ -75,23 +83,33 @@ fn play<I: Iterator<Item = Joints>>(
     let (mut way, mut last, mut fastest) = (0.0, 0.0, 0.0f64);
     for k in 0u64.. {
         let t = k as f64 * period;
-        // The tip's way is the integral of its speed, by Simpson's rule.
-        let between = if k > 0 { tip(&mut law, source, t - 0.5 * period)?.1 } else { 0.0 };
-        let (point, now) = tip(&mut law, source, t)?;
-        way += period / 6.0 * (last + 4.0 * between + now);
-        (last, fastest) = (now, fastest.max(now));
+        let parts = if k > 0 { (period / MEASURED_S).ceil() } else { 0.0 };
+        let step = period / parts.max(1.0);
+        let mut point = if k > 0 { None } else { tip(&mut law, source, 0.0)?.0 };
+        for part in 1..=parts as u64 {
+            // The tip's way is the integral of its speed, by Simpson's rule.
+            let at = t - period + part as f64 * step;
+            let between = tip(&mut law, source, at - 0.5 * step)?.1;
+            let now;
+            (point, now) = tip(&mut law, source, if part == parts as u64 { t } else { at })?;
+            way += step / 6.0 * (last + 4.0 * between + now);
+            (last, fastest) = (now, fastest.max(now));
+            if point.is_none() {
+                break;
+            }
+        }
         let q = law.path().position(point.unwrap_or_else(|| law.end()).s);
         cells.clear();
         cells.extend([Cell::Number(t), Cell::Number(way)]);
         cells.extend(machine.axes.iter().zip(&q).map(|(axis, q)| Cell::Number(axis.to_file(*q))));
-        cells.push(Cell::Number(now));
+        cells.push(Cell::Number(if point.is_some() { last } else { 0.0 }));
         rows.row(&cells)?;
         if point.is_none() {
             break;
         }
     }
     let mut told = format!("{:.3} s, {way:.3} mm, fastest {fastest:.3} mm/s", law.duration().unwrap_or_default());
-    if fastest < 0.999 * speed {
+    if fastest < 0.99 * speed {
         told +=
             &format!("; the {speed} mm/s asked for are never reached: the axes' limits or the way's length forbid it");
     }
@@ -120,6 +138,9 @@ struct Points<'a, R> {
     /// Whether rows are axis positions, places, or places with directions.
     kind: Kind,
     near: Joints,
+    around: &'a Surroundings<'a>,
+    /// Where clearance was looked at last.
+    clear: Option<Joints>,
     failed: &'a RefCell<Option<Failure>>,
 }
 
@@ -127,20 +148,22 @@ struct Points<'a, R> {
 enum Kind {
     Axes,
     Poses,
+    Seam,
     Places,
 }
 
 impl<'a, R: BufRead> Points<'a, R> {
     fn open(
         machine: &'a Machine,
+        around: &'a Surroundings<'a>,
         source: &str,
         input: R,
         failed: &'a RefCell<Option<Failure>>,
     ) -> Result<Self, Failure> {
         let axes: Vec<&str> = machine.axes.iter().map(|a| a.name.as_str()).collect();
-        let (reader, set) = CsvReader::open(source, input, &[&axes, &POSE, &PLACE])?;
-        let kind = [Kind::Axes, Kind::Poses, Kind::Places][set];
-        Ok(Self { machine, reader, kind, near: machine.home(), failed })
+        let (reader, set) = CsvReader::open(source, input, &[&axes, &POSE, &SEAM, &PLACE])?;
+        let kind = [Kind::Axes, Kind::Poses, Kind::Seam, Kind::Places][set];
+        Ok(Self { machine, reader, kind, near: machine.home(), around, clear: None, failed })
     }
 
     /// The next row's positions.
@@ -159,6 +182,7 @@ impl<'a, R: BufRead> Points<'a, R> {
         } else {
             let direction = match self.kind {
                 Kind::Poses => DVec3::new(values[3], values[4], values[5]).normalize_or_zero(),
+                Kind::Seam => -DVec3::new(values[3], values[4], values[5]).normalize_or_zero(),
                 _ => DVec3::NEG_Z,
             };
             let pose = Pose { point: DVec3::new(values[0], values[1], values[2]), direction };
@@ -171,9 +195,34 @@ impl<'a, R: BufRead> Points<'a, R> {
                 Err(reason) => Some(reason.to_string()),
             }
         };
-        let problem = problem.or_else(|| machine.outside(&q).map(|v| machine.range_error(&v).to_string()));
+        let problem = problem
+            .or_else(|| machine.outside(&q).map(|v| machine.range_error(&v).to_string()))
+            .or_else(|| self.too_near(&q));
         self.near = q;
         Some(problem.map_or(Ok(q), |message| Err(self.unreachable(&message))))
+    }
+
+    /// What of the machine comes too near to something else on the straight way of the axes to `q`, looked at every mm or
+    /// degree.
+    fn too_near(&mut self, q: &Joints) -> Option<String> {
+        let from = self.clear.unwrap_or(*q);
+        let axes = self.machine.axes.iter().zip(from.iter().zip(q));
+        let far = axes.map(|(axis, (a, b))| (axis.to_file(*b) - axis.to_file(*a)).abs()).fold(0.0, f64::max);
+        if self.clear.is_some() && far < LOOKED_AT {
+            return None;
+        }
+        let steps = (far / LOOKED_AT).ceil().max(1.0);
+        self.clear = Some(*q);
+        (1..=steps as u64).find_map(|k| {
+            let part = k as f64 / steps;
+            let at: Joints = std::array::from_fn(|i| from[i] + part * (q[i] - from[i]));
+            if self.around.is_clear(&at) {
+                return None;
+            }
+            let nearest = self.around.nearest(&at, self.around.greatest_least_mm() + 1.0);
+            let names = nearest.map(|(watch, _)| self.around.names(watch));
+            Some(names.map_or("something comes too near".to_owned(), |(a, b)| format!("{a} comes too near to {b}")))
+        })
     }
 
     fn unreachable(&self, message: &str) -> Failure {

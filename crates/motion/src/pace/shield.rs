@@ -1,5 +1,6 @@
 use super::course::{Course, State};
-use super::timed::{AxisLimits, CHANNELS, Limits, Pacing, Rates, Timed};
+use super::timed::{CHANNELS, Limits, Pacing, Rates, Timed};
+use crate::law::Limits as AxisLimits;
 
 /// Part of the machine's limits up to which a course is accepted where it is checked. Laws use a little less by
 /// themselves; what is left covers what happens between the places.

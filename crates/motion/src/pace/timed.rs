@@ -1,5 +1,5 @@
 use super::PaceError;
-use crate::law;
+pub use crate::law::Limits as AxisLimits;
 use crate::pass_channels::limits;
 use crate::tip_channels::{self, TipChannels};
 use arrayvec::ArrayVec;
@@ -80,17 +80,6 @@ impl Rates {
     }
 }
 
-/// What an axis allows either way.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AxisLimits {
-    /// Greatest speed, mm/s or rad/s.
-    pub speed: f64,
-    /// Greatest acceleration, mm/s^2 or rad/s^2.
-    pub acceleration: f64,
-    /// Greatest jerk, mm/s^3 or rad/s^3; may be infinite.
-    pub jerk: f64,
-}
-
 /// Limits of all axes of a machine, then of its tip.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limits(pub(crate) ArrayVec<AxisLimits, CHANNELS>);
@@ -99,8 +88,7 @@ impl Limits {
     /// What the axes and the tip of `machine` allow, as motions are planned with it.
     pub fn of(machine: &Machine) -> Self {
         let all = machine.axes.iter().map(limits).chain(TipChannels::limits(machine));
-        let own = |l: law::Limits| AxisLimits { speed: l.speed, acceleration: l.acceleration, jerk: l.jerk };
-        Self(all.map(own).collect())
+        Self(all.collect())
     }
 
     /// Limits of the axes in the machine's order.

@@ -1,3 +1,4 @@
+use super::timing::check_period;
 use super::{Error, Timing, Train};
 
 /// Fraction bits of a position in steps. Positions are even numbers of half these fractions and places of pulses odd
@@ -41,6 +42,7 @@ impl Generator {
     /// # Errors
     /// [`Error::Position`], [`Error::Period`].
     pub fn new(timing: Timing, start: f64) -> Result<Self, Error> {
+        check_period(timing.period)?;
         let at = fixed(start)?;
         Ok(Self { timing, start: count(at), at, positive: None, last: i64::MIN / 2, fastest: 0, pulses: 0 })
     }

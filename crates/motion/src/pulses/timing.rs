@@ -28,9 +28,7 @@ impl Timing {
     /// # Errors
     /// [`Error::Period`].
     pub fn new(stepper: &Stepper, tick_s: f64, period: u64) -> Result<Self, Error> {
-        if !(1..=MOST_TICKS).contains(&period) {
-            return Err(Error::Period { ticks: period });
-        }
+        check_period(period)?;
         // Up, but not by a rounding of the quotient.
         let ticks = |s: f64| (s / tick_s * (1.0 - 1e-12)).ceil().clamp(0.0, LONGEST) as u64;
         let width = ticks(stepper.min_pulse_s).max(1);
@@ -49,4 +47,9 @@ impl Timing {
     pub fn max_hz(&self, tick_s: f64) -> f64 {
         1.0 / tick_s / self.spacing as f64
     }
+}
+
+/// Refuses a period (ticks) of nothing, and one whose products would not stay exact.
+pub(super) fn check_period(ticks: u64) -> Result<(), Error> {
+    if (1..=MOST_TICKS).contains(&ticks) { Ok(()) } else { Err(Error::Period { ticks }) }
 }

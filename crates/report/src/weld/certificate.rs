@@ -1,6 +1,6 @@
 use seamwright_machine::Machine;
 use seamwright_motion::law::{Interval, Use};
-use seamwright_motion::{Binding, PassMotion};
+use seamwright_motion::{Binding, PassMotion, plain};
 use seamwright_program::Pass;
 use serde::Serialize;
 
@@ -176,11 +176,11 @@ impl UseFigures {
             axis: axis.name.clone(),
             unit: axis.unit(),
             speed_percent: 100.0 * used.speed,
-            max_speed: axis.to_file(axis.max_speed),
+            max_speed: plain(axis.to_file(axis.max_speed)),
             acceleration_percent: 100.0 * used.acceleration,
-            max_acceleration: axis.to_file(axis.max_acceleration),
+            max_acceleration: plain(axis.to_file(axis.max_acceleration)),
             jerk_percent: 100.0 * used.jerk,
-            max_jerk: axis.to_file(axis.jerk()),
+            max_jerk: plain(axis.to_file(axis.jerk())),
         }
     }
 }
