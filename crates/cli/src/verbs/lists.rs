@@ -55,10 +55,11 @@ fn list(
     if args.json {
         return print_json(&entries);
     }
-    let mut text = format!("{what:<22}{detail:<22}title\n");
+    let width = entries.iter().map(|e| e.detail.len() + 2).fold(22, usize::max);
+    let mut text = format!("{what:<22}{detail:<width$}title\n");
     for e in &entries {
         // Writing to a String cannot fail.
-        let _ = writeln!(text, "{:<22}{:<22}{}", e.name, e.detail, e.title);
+        let _ = writeln!(text, "{:<22}{:<width$}{}", e.name, e.detail, e.title);
     }
     print_text(&text)
 }

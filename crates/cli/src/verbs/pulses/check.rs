@@ -58,8 +58,9 @@ impl Checked {
         let mut findings = Vec::new();
         for (axis, motor) in stepped.iter().zip(&self.motors) {
             let Some(Loss { steps, held: Some((t, place)) }) = motor.filter(|m| m.steps != 0) else { continue };
+            let steps = steps.unsigned_abs();
             let message = format!("the motor of axis {} loses {steps} full steps, from t = {t:.3} s on", axis.name);
-            let cure = "a lower speed or acceleration, more microsteps, or a motor with more torque";
+            let cure = "a lower speed or acceleration, or a motor with more torque";
             findings.push(place.finding("steps", message, cure));
         }
         findings
