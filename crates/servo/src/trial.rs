@@ -48,18 +48,29 @@ pub(crate) fn settles(parameters: &DriveParameters, period_s: f64, speed: f64) -
     Ok(last < 0.5 * first)
 }
 
+/// Mean of `value` over the second second at constant `speed` (u/s).
+fn mean_at(
+    parameters: &DriveParameters,
+    period_s: f64,
+    speed: f64,
+    value: impl Fn(&Drive) -> f64,
+) -> Result<f64, Error> {
+    let mut drive = Drive::new(*parameters, period_s)?;
+    run_up(&mut drive, period_s, speed);
+    let count = (1.0 / period_s).ceil() as u64;
+    let mut sum = 0.0;
+    for k in 0..2 * count {
+        drive.step(speed, 0.0, 0.0);
+        sum += if k >= count { value(&drive) } else { 0.0 };
+    }
+    Ok(sum / count as f64)
+}
+
 /// Coulomb friction (N or N m): what two constant speeds, one half of the other, leave of the current at standstill.
 pub(crate) fn friction(parameters: &DriveParameters, period_s: f64, speed: f64) -> Result<f64, Error> {
     let hold = |speed: f64| -> Result<f64, Error> {
-        let mut drive = Drive::new(*parameters, period_s)?;
-        run_up(&mut drive, period_s, speed);
-        let count = (1.0 / period_s).ceil() as u64;
-        let mut sum = 0.0;
-        for k in 0..2 * count {
-            drive.step(speed, 0.0, 0.0);
-            sum += if k >= count { drive.mean_current() } else { 0.0 };
-        }
-        Ok(sum / count as f64 * parameters.peak / parameters.per_force)
+        let current = mean_at(parameters, period_s, speed, Drive::mean_current)?;
+        Ok(current * parameters.peak / parameters.per_force)
     };
     let coulomb = 2.0 * hold(0.5 * speed)? - hold(speed)?;
     // A thousandth of the peak is nothing worth feeding forward.
@@ -69,17 +80,7 @@ pub(crate) fn friction(parameters: &DriveParameters, period_s: f64, speed: f64) 
 /// Lost motion (u): by how much the load's place at one reading of the encoder differs between both directions, as a
 /// dial gauge at the load shows it when the axis creeps at `speed` (u/s).
 pub(crate) fn lost_motion(parameters: &DriveParameters, period_s: f64, speed: f64) -> Result<f64, Error> {
-    let behind = |speed: f64| -> Result<f64, Error> {
-        let mut drive = Drive::new(*parameters, period_s)?;
-        run_up(&mut drive, period_s, speed);
-        let count = (1.0 / period_s).ceil() as u64;
-        let mut sum = 0.0;
-        for k in 0..2 * count {
-            drive.step(speed, 0.0, 0.0);
-            sum += if k >= count { drive.measured() - drive.position() } else { 0.0 };
-        }
-        Ok(sum / count as f64)
-    };
+    let behind = |speed: f64| mean_at(parameters, period_s, speed, |drive| drive.measured() - drive.position());
     Ok(behind(speed)? - behind(-speed)?)
 }
 
