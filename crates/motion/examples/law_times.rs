@@ -1,8 +1,7 @@
 //! Times and durations of the speed law along paths given as splines, as JSON: for the comparison with toppra.
 //!
-//! The paths of `tests/data/path_timing.json`. Writes a list with one object a path: for 100 and 1000
-//! cells without jerk, and with jerk limits of ten times the accelerations, the duration (s) and the time taken (s,
-//! the least of many).
+//! The paths of `tests/data/path_timing.json`. Writes a list with one object a path: for some numbers of cells without
+//! jerk, and with jerk limits of ten times the accelerations, the duration (s) and the time taken (s, the least of many).
 
 #![allow(clippy::print_stdout, clippy::unwrap_used, reason = "a program for a script")]
 
@@ -28,9 +27,10 @@ fn timed(repeats: u32, law: impl Fn() -> SpeedLaw) -> serde_json::Value {
 fn main() {
     let (free, jerky) = (Spline::reference(f64::INFINITY), Spline::reference(10.0));
     let paths = free.iter().zip(&jerky).map(|((free, _), (jerky, _))| {
+        let by_cells =
+            [100, 200, 400, 1000].map(|n| (n.to_string(), timed(50, || SpeedLaw::without_jerk(free, n).unwrap())));
         serde_json::json!({
-            "100": timed(50, || SpeedLaw::without_jerk(free, 100).unwrap()),
-            "1000": timed(50, || SpeedLaw::without_jerk(free, 1000).unwrap()),
+            "by_cells": serde_json::Value::Object(by_cells.into_iter().collect()),
             "jerk": timed(10, || SpeedLaw::new(jerky).unwrap()),
             "jerk_cells": SpeedLaw::new(jerky).unwrap().cells(),
         })

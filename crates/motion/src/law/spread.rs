@@ -1,0 +1,118 @@
+//! Where the cells of a law without limits of jerk lie: close where the tip will be slow.
+
+use super::channels::{Channels, Limits};
+
+/// Cells that one probe of the speed stands for.
+const CELLS_A_PROBE: usize = 2;
+/// Least number of probes.
+const LEAST_PROBES: usize = 8;
+/// Parts by which the bins at rest are cut, again and again.
+const GRADE: f64 = 0.25;
+/// How often.
+const GRADES: i32 = 6;
+/// Share of the cells that is spread evenly by the path, not by time.
+const EVEN: f64 = 0.1;
+/// Least number of cells between two breaks.
+const LEAST_CELLS: f64 = 2.0;
+
+/// Stations (by `u`) of the piece of `path` between two stops: `count` cells or more, a station at each break, most of
+/// them even by the time that the path would take if there were no limits but those of speed, of the accelerations that
+/// turning takes, and of run-up and run-down.
+///
+/// What a law with few cells loses, it loses where it is slow.
+pub(super) fn spread(path: &dyn Channels, (from, to): (f64, f64), count: usize) -> Vec<f64> {
+    let length = to - from;
+    let inside = |u: &f64| *u > from + 1e-9 * length && *u < to - 1e-9 * length;
+    let mut fixed: Vec<f64> = path.breaks().into_iter().filter(inside).collect();
+    fixed.dedup_by(|a, b| *a - *b < 1e-9 * length);
+    fixed.push(to);
+    let bins = Bins::new(path, (from, to), count.div_ceil(CELLS_A_PROBE).max(LEAST_PROBES));
+    let mut stations = Vec::with_capacity(count + 2 * fixed.len() + 1);
+    stations.push(from);
+    let (mut begin, mut bin) = (0.0, 0);
+    for end in fixed {
+        let until = bins.measure(end);
+        let parts = (count as f64 * (until - begin) - 1e-9).ceil().max(LEAST_CELLS);
+        let step = (until - begin) / parts;
+        for i in 1..parts as usize {
+            stations.push(bins.place(begin + i as f64 * step, &mut bin));
+        }
+        stations.push(end);
+        begin = until;
+    }
+    stations
+}
+
+/// A measure of the path, from 0 to 1: linear in bins.
+struct Bins {
+    edges: Vec<f64>,
+    measure: Vec<f64>,
+}
+
+impl Bins {
+    fn new(path: &dyn Channels, (from, to): (f64, f64), probes: usize) -> Self {
+        let limits = path.limits();
+        let mut row = vec![[0.0; 3]; limits.len()];
+        let mut highest = |u: f64, before: bool| {
+            let tip = path.derivatives(u, before, &mut row).abs();
+            squared_speed_and_acceleration(&row, limits, path.asked(u) / tip)
+        };
+        let width = (to - from) / probes as f64;
+        let ramps = [highest(from, false).1, highest(to, true).1];
+        let mut edges = vec![from];
+        edges.extend((1..=GRADES).rev().map(|k| from + width * GRADE.powi(k)));
+        edges.extend((1..probes).map(|i| from + width * i as f64));
+        edges.extend((1..=GRADES).map(|k| to - width * GRADE.powi(k)));
+        edges.push(to);
+        let mut times = Vec::with_capacity(edges.len());
+        let (mut probe, mut by_probe) = (f64::NAN, f64::NAN);
+        for w in edges.windows(2) {
+            let middle = 0.5 * (w[0] + w[1]);
+            let nearest = ((middle - from) / width).floor();
+            if nearest != probe {
+                (probe, by_probe) = (nearest, highest(from + width * (nearest + 0.5), false).0);
+            }
+            let squared = by_probe.min(2.0 * ramps[0] * (middle - from)).min(2.0 * ramps[1] * (to - middle));
+            times.push((w[1] - w[0]) / squared.sqrt());
+        }
+        let time: f64 = times.iter().sum();
+        let even = if time > 0.0 && time.is_finite() { EVEN } else { 1.0 };
+        let mut sum = 0.0;
+        let mut measure = vec![0.0];
+        for (w, t) in edges.windows(2).zip(times) {
+            sum += even * (w[1] - w[0]) / (to - from) + if even < 1.0 { (1.0 - even) * t / time } else { 0.0 };
+            measure.push(sum);
+        }
+        measure.iter_mut().for_each(|m| *m /= sum);
+        Self { edges, measure }
+    }
+
+    /// The measure of the path up to `u`.
+    fn measure(&self, u: f64) -> f64 {
+        let i = self.edges.partition_point(|e| *e <= u).clamp(1, self.edges.len() - 1) - 1;
+        let part = (u - self.edges[i]) / (self.edges[i + 1] - self.edges[i]);
+        self.measure[i] + part * (self.measure[i + 1] - self.measure[i])
+    }
+
+    /// The place up to which the path measures `m`, which rises from call to call with `bin`.
+    fn place(&self, m: f64, bin: &mut usize) -> f64 {
+        while *bin + 2 < self.edges.len() && self.measure[*bin + 1] <= m {
+            *bin += 1;
+        }
+        let part = (m - self.measure[*bin]) / (self.measure[*bin + 1] - self.measure[*bin]);
+        self.edges[*bin] + part * (self.edges[*bin + 1] - self.edges[*bin])
+    }
+}
+
+/// The highest squared speed where channels have the derivatives `row`, `asked` being the highest speed by the tip, and
+/// the highest acceleration from rest.
+fn squared_speed_and_acceleration(row: &[[f64; 3]], limits: &[Limits], asked: f64) -> (f64, f64) {
+    let (mut speed, mut first, mut second) = (0.0f64, 0.0f64, 0.0f64);
+    for ([q1, q2, _], l) in row.iter().zip(limits) {
+        speed = speed.max(q1.abs() / l.speed);
+        first = first.max(q1.abs() / l.acceleration);
+        second = second.max(q2.abs() / l.acceleration);
+    }
+    let asked = if asked.is_nan() { f64::INFINITY } else { asked * asked };
+    (asked.min(1.0 / (speed * speed)).min(1.0 / second), 1.0 / first)
+}
