@@ -3,7 +3,7 @@
 use super::channels::{Channels, Limits};
 
 /// Cells that one probe of the speed stands for.
-const CELLS_A_PROBE: usize = 2;
+const CELLS_A_PROBE: usize = 4;
 /// Least number of probes.
 const LEAST_PROBES: usize = 8;
 /// Parts by which the bins at rest are cut, again and again.
