@@ -18,6 +18,7 @@ pub(super) struct Lanes {
 impl Lanes {
     /// Of channels with these derivatives, `along` twice the distance from the start of the cell; and the greatest
     /// second derivative of those that do not bound the acceleration.
+    #[inline(always)]
     pub(super) fn new(first: [f64; LANES], second: [f64; LANES], along: f64) -> (Self, f64) {
         let mut lanes = Self { first, second, half: [f64::INFINITY; LANES], slope: [0.0; LANES] };
         let mut steepest = [0.0; LANES];

@@ -1,7 +1,7 @@
 //! The fastest law under limits of speed and acceleration alone, by reachability (Pham and Pham, T-RO 2018).
 
 use super::cells::broken;
-use super::channels::Channels;
+use super::channels::{Channels, Limits};
 use super::error::LawError;
 use super::lanes::{LANES, Lanes, larger, smaller};
 
@@ -104,7 +104,15 @@ struct Slabs {
 impl Slabs {
     fn new(path: &dyn Channels, u: &[f64]) -> Result<Self, LawError> {
         let count = u.len() - 1;
-        let rates: Vec<[f64; 2]> = path.limits().iter().map(|l| [1.0 / l.speed, 1.0 / l.acceleration]).collect();
+        let rates: Vec<[[f64; LANES]; 2]> = path
+            .limits()
+            .chunks(LANES)
+            .map(|limits| {
+                let by =
+                    |limit: fn(&Limits) -> f64| std::array::from_fn(|k| limits.get(k).map_or(0.0, |l| 1.0 / limit(l)));
+                [by(|l| l.speed), by(|l| l.acceleration)]
+            })
+            .collect();
         let by_speed = path
             .limits()
             .chunks(LANES)
@@ -119,7 +127,7 @@ impl Slabs {
             room: vec![1.0 - RESERVE; count],
         };
         let breaks = path.breaks();
-        let mut row = vec![[0.0; 3]; rates.len()];
+        let mut row = vec![[0.0; 3]; path.limits().len()];
         let mut tip = 0.0;
         for cell in 0..count {
             let asked = path.asked(0.5 * (u[cell] + u[cell + 1]));
@@ -144,19 +152,23 @@ impl Slabs {
     }
 
     /// Adds the channels' derivatives `row` at a place; `rates` are one by their speeds and accelerations.
-    fn add(&mut self, cell: usize, place: usize, row: &[[f64; 3]], rates: &[[f64; 2]]) {
+    fn add(&mut self, cell: usize, place: usize, row: &[[f64; 3]], rates: &[[[f64; LANES]; 2]]) {
         let along = 2.0 * PLACES[place] * self.widths[cell];
-        let (mut speed, mut steepest) = (0.0, 0.0);
-        for (row, rates) in row.chunks(LANES).zip(rates.chunks(LANES)) {
-            let (mut first, mut second) = ([0.0; LANES], [0.0; LANES]);
-            for (k, ([q1, q2, _], [by_speed, by_acceleration])) in row.iter().zip(rates).enumerate() {
-                speed = larger(speed, q1.abs() * by_speed);
-                (first[k], second[k]) = (q1 * by_acceleration, q2 * by_acceleration);
+        let (mut speeds, mut steepest) = ([0.0; LANES], 0.0);
+        for (row, [by_speed, by_acceleration]) in row.chunks(LANES).zip(rates) {
+            // Arrays of a known length stay in registers.
+            let lanes = |d: usize| std::array::from_fn::<f64, LANES, _>(|k| row.get(k).map_or(0.0, |row| row[d]));
+            let (mut first, mut second) = (lanes(0), lanes(1));
+            for k in 0..LANES {
+                speeds[k] = larger(speeds[k], first[k].abs() * by_speed[k]);
+                first[k] *= by_acceleration[k];
+                second[k] *= by_acceleration[k];
             }
             let (lanes, flat) = Lanes::new(first, second, along);
             self.lanes.push(lanes);
             steepest = larger(steepest, flat);
         }
+        let speed = speeds.into_iter().fold(0.0, larger);
         self.caps[cell][0] = self.caps[cell][0].min(1.0 / steepest);
         self.caps[cell][place] = self.caps[cell][place].min(1.0 / (speed * speed));
     }

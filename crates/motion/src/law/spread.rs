@@ -65,12 +65,12 @@ impl Bins {
         edges.extend((1..=GRADES).map(|k| to - width * GRADE.powi(k)));
         edges.push(to);
         let mut times = Vec::with_capacity(edges.len());
-        let (mut probe, mut by_probe) = (f64::NAN, f64::NAN);
+        let (mut probe, mut by_probe) = (usize::MAX, f64::NAN);
         for w in edges.windows(2) {
             let middle = 0.5 * (w[0] + w[1]);
-            let nearest = ((middle - from) / width).floor();
+            let nearest = ((middle - from) / width) as usize;
             if nearest != probe {
-                (probe, by_probe) = (nearest, highest(from + width * (nearest + 0.5), false).0);
+                (probe, by_probe) = (nearest, highest(from + width * (nearest as f64 + 0.5), false).0);
             }
             let squared = by_probe.min(2.0 * ramps[0] * (middle - from)).min(2.0 * ramps[1] * (to - middle));
             times.push((w[1] - w[0]) / squared.sqrt());
