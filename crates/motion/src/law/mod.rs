@@ -37,10 +37,12 @@ mod grid;
 mod interior;
 mod jerk_limited;
 mod lanes;
+mod peak;
 mod pentadiagonal;
 mod problem;
 mod reach;
 mod rest;
+mod rows;
 mod speed_law;
 mod stream;
 
