@@ -24,7 +24,7 @@ const SHARE: f64 = 5e-5;
 /// All of them together are worth halving from this part on.
 const ENOUGH: f64 = 3e-4;
 /// Use of a limit between the places of rows from which on cells are halved rather than given less room.
-const ROUGH: f64 = 1.003;
+const ROUGH: f64 = 1.001;
 /// What may be used of a limit in the end.
 const ALLOWED: f64 = 1.0 - 0.5 * RESERVE;
 /// A law that uses this much of a limit is no place to begin at.
