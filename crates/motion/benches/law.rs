@@ -1,5 +1,5 @@
-//! Cost of the speed law along the reference splines: with limits of jerk (aim: 30 ms for 7 axes), and without them
-//! over 1000 cells (aim: 0.3 ms).
+//! Cost of the speed law along the reference splines: with limits of jerk, on cells that the law chooses and on 1000 even
+//! ones (aim: 30 ms for 7 axes), and without them over 1000 cells (aim: 0.3 ms).
 
 #![allow(missing_docs, reason = "the benchmark macros make public items")]
 
@@ -8,7 +8,7 @@
 mod curves;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use curves::Spline;
+use curves::{Finely, Spline};
 use seamwright_motion::law::{Channels, SpeedLaw};
 use std::hint::black_box;
 
@@ -23,5 +23,15 @@ fn laws(c: &mut Criterion) {
     }
 }
 
-criterion_group!(group, laws);
+fn finely(c: &mut Criterion) {
+    for (i, (spline, _)) in Spline::reference(10.0).into_iter().enumerate() {
+        let axes = spline.limits().len();
+        let path = Finely::new(spline, 1000);
+        c.bench_function(&format!("law with jerk, 1000 cells, path {i} of {axes} axes"), |b| {
+            b.iter(|| black_box(SpeedLaw::new(black_box(&path)).map(|law| law.duration())));
+        });
+    }
+}
+
+criterion_group!(group, laws, finely);
 criterion_main!(group);

@@ -23,6 +23,8 @@ pub(crate) struct Cells {
     derivatives: Vec<[f64; 3]>,
     /// Asked squared speed by `tau` at the same places.
     asked: Vec<f64>,
+    /// Highest squared speed by `tau` that the channels' speeds allow there.
+    caps: Vec<f64>,
 }
 
 impl Cells {
@@ -48,7 +50,12 @@ impl Cells {
             }
             asked.push(here);
         }
-        let built = Self { map, tau, limits, derivatives, asked };
+        let cap = |row: &[[f64; 3]]| {
+            let ratio = row.iter().zip(&limits).map(|(d, l)| d[0].abs() / l.speed).fold(0.0, f64::max);
+            1.0 / (ratio * ratio)
+        };
+        let caps = derivatives.chunks_exact(channels).map(cap).collect();
+        let built = Self { map, tau, limits, derivatives, asked, caps };
         let moves = built.derivatives.iter().any(|d| d[0] != 0.0) || built.asked.iter().any(|a| a.is_finite());
         if moves { Ok(built) } else { Err(LawError::Still { from: map.start(), to: map.end() }) }
     }
@@ -72,10 +79,8 @@ impl Cells {
     /// Highest squared speed by `tau` that the channels' speeds allow there; and the asked one, where that is not
     /// constant in the cell.
     pub(crate) fn speed_cap(&self, cell: usize, part: usize) -> f64 {
-        let rows = self.derivatives(cell, part).iter().zip(&self.limits);
-        let ratio = rows.map(|(d, l)| d[0].abs() / l.speed).fold(0.0, f64::max);
         let asked = if self.is_steady(cell) { f64::INFINITY } else { self.asked(cell)[part] };
-        asked.min(1.0 / (ratio * ratio))
+        asked.min(self.caps[cell * PARTS.len() + part])
     }
 
     /// Asked squared speeds by `tau` at [`PARTS`] of `cell`; infinite if none.
@@ -110,6 +115,14 @@ impl Cells {
         }
     }
 
+    /// The squared speed and its derivatives by `tau` at the `part` of `cell`, with coefficients `c`.
+    pub(crate) fn law(&self, c: &[f64], cell: usize, part: f64) -> [f64; 3] {
+        let w = self.weights(cell);
+        let dot = |w: &[f64; 3]| w[0] * c[cell] + w[1] * c[cell + 1] + w[2] * c[cell + 2];
+        let (x, [b, d, e]) = (part * self.width(cell), [dot(&w.value), dot(&w.first), dot(&w.second)]);
+        [b + x * (d + 0.5 * x * e), d + x * e, e]
+    }
+
     /// Weights at [`PARTS`]`[part]` of `cell`.
     pub(crate) fn weights_at(&self, cell: usize, part: usize) -> Weights {
         let (w, x) = (self.weights(cell), PARTS[part] * self.width(cell));
@@ -130,6 +143,21 @@ impl Cells {
                 tau.push(0.5 * (w[0] + w[1]));
             }
             tau.push(w[1]);
+        }
+        tau
+    }
+
+    /// Stations with neighbouring cells made one, but not over the map's borders.
+    pub(crate) fn merged(&self) -> Vec<f64> {
+        let borders = self.map.borders();
+        let mut tau = vec![self.tau[0]];
+        let mut odd = false;
+        for t in &self.tau[1..] {
+            let is_border = borders.contains(t) || *t >= self.map.length();
+            if odd || is_border {
+                tau.push(*t);
+            }
+            odd = !odd && !is_border;
         }
         tau
     }

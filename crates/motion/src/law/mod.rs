@@ -10,8 +10,11 @@
 //! nothing special (`rest`). There `b` is a quadratic B-spline: accelerations are continuous, time follows in closed
 //! form (`cell`). Its coefficients come from a primal-dual interior-point method (Mehrotra, 1992) with the jerk
 //! divided by `sqrt(b)`, whose only part that is not convex, `1 / sqrt(b)`, stays in the Newton matrix as far as it
-//! remains positive (`interior`, `problem`). Each iterate satisfies all rows. Cells in which the law bends are halved
-//! and the law is solved again from where it was (`jerk_limited`). The matrix has five diagonals, so the cost grows
+//! remains positive (`interior`, `problem`; `rows` says which rows there are). Each iterate satisfies all rows. The law
+//! is first solved in few wide cells, each made of some of those wanted, and from there in finer and finer ones; then
+//! cells in which it bends are halved and it is solved again from where it was (`jerk_limited`). Rows that a law known
+//! before is far from are left out; all limits are looked at afterwards (`peak`), and what is then missing is added
+//! to the problem, whose multipliers are kept. The matrix has five diagonals, so the cost grows
 //! with the number of cells. Without limits of jerk the problem is solved by reachability instead (Pham and Pham,
 //! 2018; `reach`), in cells that are small where the tip will be slow (`spread`).
 //!
@@ -37,10 +40,12 @@ mod grid;
 mod interior;
 mod jerk_limited;
 mod lanes;
+mod peak;
 mod pentadiagonal;
 mod problem;
 mod reach;
 mod rest;
+mod rows;
 mod speed_law;
 mod spread;
 mod stream;

@@ -29,13 +29,14 @@ impl Pentadiagonal {
         self.diagonals[2][first] += m[0][2];
     }
 
-    /// Makes this the factors `L` (unit lower triangle) and `D` of `a - part b`; false if a pivot is not positive.
-    pub(crate) fn factor(&mut self, a: &Self, b: &Self, part: f64) -> bool {
+    /// Makes this the factors `L` (unit lower triangle) and `D` of `a - part b`, with `a`'s own diagonal times
+    /// `diagonal`; false if a pivot is not positive.
+    pub(crate) fn factor(&mut self, a: &Self, diagonal: f64, b: &Self, part: f64) -> bool {
         let count = a.diagonals[0].len();
         let [pivot, one, two] = &mut self.diagonals;
         let at = |k: usize, i: usize| a.diagonals[k][i] - part * b.diagonals[k][i];
         for i in 0..count {
-            let (mut d, mut e) = (at(0, i), at(1, i));
+            let (mut d, mut e) = (diagonal * a.diagonals[0][i] - part * b.diagonals[0][i], at(1, i));
             if i > 0 {
                 d -= one[i - 1] * one[i - 1] * pivot[i - 1];
                 e -= two[i - 1] * one[i - 1] * pivot[i - 1];
@@ -100,10 +101,10 @@ mod tests {
             };
             let mut y: Vec<f64> = (0..n).map(|i| (0..n).map(|j| dense(i, j) * x[j]).sum()).collect();
             let mut factors = Pentadiagonal::zero(n);
-            assert!(factors.factor(&a, &Pentadiagonal::zero(n), 0.0));
+            assert!(factors.factor(&a, 1.0, &Pentadiagonal::zero(n), 0.0));
             factors.solve(&mut y);
             assert!(y.iter().zip(&x).all(|(y, x)| (y - x).abs() < 1e-7), "{y:?} {x:?}");
-            assert!(!factors.factor(&a, &a, 1.0));
+            assert!(!factors.factor(&a, 1.0, &a, 1.0));
         }
     }
 }

@@ -1,324 +1,353 @@
-use super::cells::{Cells, PARTS, Weights};
-use super::jerk_limited::Room;
+use super::cells::{Cells, Weights};
 use super::pentadiagonal::Pentadiagonal;
+use super::rows::{Forms, Room};
 
 /// The rows that a law's coefficients must satisfy, each as a slack that is to stay positive.
 ///
-/// The squared speed `b` by `tau` is a quadratic B-spline with coefficients `c`, the unknowns. At every site, with
-/// `b`, `b'` and `b''` weighted sums of three of them (derivatives by `tau`, each channel divided by its limit, with
-/// either sign): `1 - cap b`, `1 - (q'' b + q' b' / 2)`, and `1 / sqrt(b) - (q''' b + 3/2 q'' b' + 1/2 q' b'')`.
+/// The squared speed `b` by `tau` is a quadratic B-spline with coefficients `c`, the unknowns. In a cell it and its
+/// derivatives follow from those at the cell's start, so every row is a form of these three: with each channel
+/// divided by its limit `1 - cap b`, `1 - (q'' b + q' b' / 2)` and `1 / sqrt(b) - (q''' b + 3/2 q'' b' + 1/2 q' b'')`,
+/// the last two with either sign, which share their form. Beside the rows, coefficients are positive and bounded by
+/// the asked speed.
 pub(crate) struct Problem {
     /// Number of unknowns.
     pub(crate) unknowns: usize,
-    /// Highest value of each unknown, from the asked speed.
-    pub(crate) upper: Vec<f64>,
-    sites: Vec<Site>,
-    acceleration: Vec<[f64; 2]>,
-    jerk: Vec<[f64; 3]>,
-    /// Number of slacks.
-    pub(crate) slacks: usize,
-    /// Widths of the cells and weights of the squared speed at their starts, middles and ends, for the time.
-    simpson: Vec<(f64, [[f64; 3]; 3])>,
+    /// Highest value of each unknown, from the asked speed; infinite if none.
+    pub(super) upper: Vec<f64>,
+    /// The unknowns that have one.
+    pub(super) bounded: Vec<usize>,
+    pub(super) caps: Forms,
+    pub(super) accelerations: Forms,
+    pub(super) jerks: Forms,
+    pub(super) places: Vec<Place>,
+    pub(super) groups: Vec<Group>,
+    /// Where the time looks at the law: first unknown, weights in the squared speed, and the part of the way.
+    points: Vec<(usize, [f64; 3], f64)>,
+    /// The time at the asked speed everywhere, s.
+    cruising: f64,
+    /// The room that the rows leave, and the cells that have all rows.
+    pub(super) room: Room,
+    /// Whether the accelerations and jerks of each channel have rows in each cell that is not dense,
+    pub(super) worth: Vec<[bool; 2]>,
+    /// and the speeds of any.
+    pub(super) worth_cap: Vec<bool>,
 }
 
-/// A place in a cell where rows are imposed.
-struct Site {
-    cell: usize,
-    weights: Weights,
-    cap: f64,
-    /// First and last of its rows of accelerations and of jerks.
-    acceleration: (usize, usize),
-    jerk: (usize, usize),
-    /// Its first slack.
-    slack: usize,
+/// Rows of one cell.
+pub(super) struct Group {
+    pub(super) cell: usize,
+    /// At the cell's start.
+    pub(super) weights: Weights,
+    /// First and last of its caps, accelerations, and places with jerks.
+    pub(super) caps: (usize, usize),
+    pub(super) accelerations: (usize, usize),
+    pub(super) places: (usize, usize),
 }
 
-impl Site {
-    /// The squared speed and its derivatives.
-    fn law(&self, c: &[f64]) -> [f64; 3] {
-        let c = &c[self.cell..self.cell + 3];
-        [dot(&self.weights.value, c), dot(&self.weights.first, c), dot(&self.weights.second, c)]
-    }
+/// A place in a cell with rows of jerks.
+pub(super) struct Place {
+    /// Weights of the squared speed at the cell's start and its derivatives in that here.
+    pub(super) along: [f64; 3],
+    pub(super) jerks: (usize, usize),
 }
 
-fn dot(w: &[f64; 3], c: &[f64]) -> f64 {
-    w[0] * c[0] + w[1] * c[1] + w[2] * c[2]
-}
+/// One value for each slack: of accelerations and of jerks with either sign, of caps, and of the unknowns' lower and
+/// upper bounds.
+pub(crate) type Lists = [Vec<f64>; 7];
 
-/// Slopes of the time, the rows' part of the Newton matrix, and its part that is not convex.
+/// Slopes and curvatures at a law.
 pub(crate) struct Newton {
+    pub(crate) time: f64,
+    /// Slopes of the time,
     pub(crate) slope: Vec<f64>,
+    /// and what the rows with their multipliers leave of them.
+    pub(crate) left: Vec<f64>,
+    /// The Newton matrix, and its part that is not convex.
     pub(crate) matrix: Pentadiagonal,
     pub(crate) concave: Pentadiagonal,
+    /// Slope of `1 / sqrt(b)` by `b` at every place.
+    pub(crate) steep: Vec<f64>,
 }
-
-/// How much of a limit a law known before must use in a cell or near it for its rows to be imposed on the next one.
-const WORTH_A_ROW: f64 = 0.3;
-/// Rows of jerk are always imposed on channels that move this part of the fastest one, by their limits.
-const STIFF: f64 = 0.5;
-/// Cells before and after that count as near.
-const NEAR: usize = 3;
 
 /// Part of the time that counts as lost at least.
 const LEAST_LOST: f64 = 1e-3;
 
+fn dot(w: &[f64; 3], c: &[f64; 3]) -> f64 {
+    w[0] * c[0] + w[1] * c[1] + w[2] * c[2]
+}
+
+/// The three values from `first` on.
+fn three(c: &[f64], first: usize) -> [f64; 3] {
+    [c[first], c[first + 1], c[first + 2]]
+}
+
+impl Group {
+    /// The squared speed and its derivatives at the cell's start.
+    fn law(&self, c: &[f64]) -> [f64; 3] {
+        let c = three(c, self.cell);
+        [dot(&self.weights.value, &c), dot(&self.weights.first, &c), dot(&self.weights.second, &c)]
+    }
+
+    /// What slopes by the squared speed and its derivatives are by the coefficients.
+    fn by_coefficients(&self, by: [f64; 3]) -> [f64; 3] {
+        let w = &self.weights;
+        std::array::from_fn(|k| by[0] * w.value[k] + by[1] * w.first[k] + by[2] * w.second[k])
+    }
+
+    /// Adds a symmetric matrix by the squared speed and its derivatives, of which the upper triangle is looked at.
+    fn add(&self, m: &Square, to: &mut Pentadiagonal) {
+        let m = [[m.0[0], m.0[1], m.0[2]], [m.0[1], m.0[3], m.0[4]], [m.0[2], m.0[4], m.0[5]]];
+        let half = m.map(|row| self.by_coefficients(row));
+        let w = [&self.weights.value, &self.weights.first, &self.weights.second];
+        let element = |i: usize, k: usize| w[0][i] * half[0][k] + w[1][i] * half[1][k] + w[2][i] * half[2][k];
+        to.add_square(self.cell, &std::array::from_fn(|i| std::array::from_fn(|k| element(i, k))));
+    }
+}
+
+/// Upper triangle of a symmetric matrix of three rows, row by row.
+#[derive(Default, Clone, Copy)]
+struct Square([f64; 6]);
+
+impl Square {
+    /// Adds `factor (x y^T + y x^T) / 2`.
+    fn add(&mut self, factor: f64, x: &[f64; 3], y: &[f64; 3]) {
+        let half = 0.5 * factor;
+        self.0[0] += factor * x[0] * y[0];
+        self.0[1] += half * (x[0] * y[1] + x[1] * y[0]);
+        self.0[2] += half * (x[0] * y[2] + x[2] * y[0]);
+        self.0[3] += factor * x[1] * y[1];
+        self.0[4] += half * (x[1] * y[2] + x[2] * y[1]);
+        self.0[5] += factor * x[2] * y[2];
+    }
+
+    fn add_own(&mut self, factor: f64, x: &[f64; 3]) {
+        let [a, b, c] = x.map(|x| factor * x);
+        self.0[0] += a * x[0];
+        self.0[1] += a * x[1];
+        self.0[2] += a * x[2];
+        self.0[3] += b * x[1];
+        self.0[4] += b * x[2];
+        self.0[5] += c * x[2];
+    }
+}
+
 impl Problem {
-    /// The rows of `cells`, within the `room` of each. With the
-    /// coefficients `near` of a law near to the one wanted, rows that it is far from are left out of the other cells.
-    pub(crate) fn new(cells: &Cells, room: &Room, near: Option<&[f64]>) -> Self {
-        let unknowns = cells.count() + 2;
-        let upper = (0..unknowns).map(|k| cells.upper(k)).collect();
-        let simpson = (0..cells.count())
-            .map(|i| (cells.width(i), [0, 2, 4].map(|part| cells.weights_at(i, part).value)))
-            .collect();
-        let mut built =
-            Self { unknowns, upper, sites: Vec::new(), acceleration: Vec::new(), jerk: Vec::new(), slacks: 0, simpson };
-        let channels = cells.limits.len();
-        let used = near.map(|c| uses(cells, c));
-        let mut worth = vec![[true; 2]; channels];
-        for cell in 0..cells.count() {
-            let last = cell + 1 == cells.count();
-            if let Some(used) = &used {
-                let around = cell.saturating_sub(NEAR)..(cell + NEAR + 1).min(cells.count());
-                let stiffness =
-                    |channel: usize| cells.derivatives(cell, 2)[channel][0].abs() / cells.limits[channel].jerk;
-                let stiffest = (0..channels).map(stiffness).fold(0.0, f64::max);
-                let stiff = |channel: usize| stiffness(channel) > STIFF * stiffest;
-                for (channel, worth) in worth.iter_mut().enumerate() {
-                    let most = |k: usize| around.clone().map(|i| used[i * channels + channel][k]).fold(0.0, f64::max);
-                    *worth = [0, 1].map(|k| room.dense[cell] || most(k) > WORTH_A_ROW);
-                    // Those that bound the change of acceleration are always needed.
-                    worth[1] |= stiff(channel);
-                }
-            }
-            for part in 0..PARTS.len() {
-                // Acceleration is continuous between cells, jerk is not.
-                let (begin, end) = (part == 0, part + 1 == PARTS.len());
-                let dense = room.dense[cell];
-                if begin || end || dense || part == 2 {
-                    // Speed is bounded in the middle too: else the law would bulge there.
-                    let wanted = [begin || dense || (end && last), begin || end || dense];
-                    built.add(cells, (cell, part), room.part[cell], wanted, &worth);
-                }
+    /// The points of Simpson's rule for the time, and the time at the asked speeds.
+    pub(super) fn measure(&mut self, cells: &Cells) {
+        let count = cells.count();
+        for i in 0..=count {
+            let (cell, part) = if i < count { (i, 0) } else { (i - 1, 4) };
+            let before = if i > 0 { cells.width(i - 1) } else { 0.0 };
+            let own = if i < count { cells.width(i) } else { 0.0 };
+            self.points.push((cell, cells.weights_at(cell, part).value, (before + own) / 6.0));
+            if i < count {
+                self.points.push((cell, cells.weights_at(cell, 2).value, own / 1.5));
             }
         }
-        built
+        let asked = |i: usize| self.upper[i].min(self.upper[i + 1]).min(self.upper[i + 2]);
+        self.cruising = (0..count).map(|i| cells.width(i) / asked(i).sqrt()).sum();
     }
 
-    fn add(
-        &mut self,
-        cells: &Cells,
-        (cell, part): (usize, usize),
-        room: f64,
-        [accelerations, jerks]: [bool; 2],
-        worth: &[[bool; 2]],
-    ) {
-        let begin = (self.acceleration.len(), self.jerk.len());
-        let mut site = Site {
-            cell,
-            weights: cells.weights_at(cell, part),
-            cap: 1.0 / (cells.speed_cap(cell, part) * room * room),
-            acceleration: begin,
-            jerk: begin,
-            slack: self.slacks,
-        };
-        let channels = cells.derivatives(cell, part).iter().zip(&cells.limits).zip(worth);
-        for (([q1, q2, q3], limits), worth) in channels {
-            if accelerations && worth[0] && (*q1 != 0.0 || *q2 != 0.0) {
-                let scale = 1.0 / (room * limits.acceleration);
-                let row = [q2 * scale, 0.5 * q1 * scale];
-                self.acceleration.extend([row, row.map(|x| -x)]);
-            }
-            if jerks && worth[1] && limits.jerk.is_finite() && (*q1 != 0.0 || *q2 != 0.0 || *q3 != 0.0) {
-                let scale = 1.0 / (room * limits.jerk);
-                let row = [q3 * scale, 1.5 * q2 * scale, 0.5 * q1 * scale];
-                self.jerk.extend([row, row.map(|x| -x)]);
-            }
+    /// A problem with these bounds of the unknowns and no rows yet.
+    pub(super) fn bare(upper: Vec<f64>, room: Room, worth: Vec<[bool; 2]>, worth_cap: Vec<bool>) -> Self {
+        Self {
+            unknowns: upper.len(),
+            bounded: (0..upper.len()).filter(|k| upper[*k].is_finite()).collect(),
+            upper,
+            caps: Forms::default(),
+            accelerations: Forms::default(),
+            jerks: Forms::default(),
+            places: Vec::new(),
+            groups: Vec::new(),
+            points: Vec::new(),
+            cruising: 0.0,
+            room,
+            worth,
+            worth_cap,
         }
-        site.acceleration = (begin.0, self.acceleration.len());
-        site.jerk = (begin.1, self.jerk.len());
-        self.slacks += 1 + self.acceleration.len() - begin.0 + self.jerk.len() - begin.1;
-        self.sites.push(site);
     }
 
-    /// A site's rows and, of a list of one value a slack, those of its cap, its accelerations and its jerks.
-    fn rows<'a>(&'a self, site: &Site, values: &'a [f64]) -> Rows<'a> {
-        let acceleration = &self.acceleration[site.acceleration.0..site.acceleration.1];
-        let jerk = &self.jerk[site.jerk.0..site.jerk.1];
-        let (own, rest) = values[site.slack..].split_at(1);
-        let (of_acceleration, rest) = rest.split_at(acceleration.len());
-        Rows { acceleration, jerk, values: (own[0], of_acceleration, &rest[..jerk.len()]) }
+    /// A list of each kind of slacks, with `value` everywhere.
+    pub(crate) fn lists(&self, value: f64) -> Lists {
+        let (accelerations, jerks) = (self.accelerations.count(), self.jerks.count());
+        [accelerations, accelerations, jerks, jerks, self.caps.count(), self.unknowns, self.bounded.len()]
+            .map(|count| vec![value; count])
+    }
+
+    /// No slopes and curvatures yet.
+    pub(crate) fn flat(&self) -> Newton {
+        let n = self.unknowns;
+        Newton {
+            time: 0.0,
+            slope: vec![0.0; n],
+            left: vec![0.0; n],
+            matrix: Pentadiagonal::zero(n),
+            concave: Pentadiagonal::zero(n),
+            steep: vec![0.0; self.places.len()],
+        }
     }
 
     /// The greatest constant for all coefficients that satisfies every row.
     pub(crate) fn greatest_constant(&self) -> f64 {
         let upper = self.upper.iter().copied().fold(f64::INFINITY, f64::min);
-        let by_cap = self.sites.iter().map(|s| s.cap).fold(0.0, f64::max);
-        let by_acceleration = self.acceleration.iter().map(|a| a[0].abs()).fold(by_cap, f64::max);
-        let by_jerk = self.jerk.iter().map(|j| j[0].abs()).fold(0.0, f64::max);
-        upper.min(1.0 / by_acceleration).min(by_jerk.cbrt().powi(-2))
+        let by_acceleration = self.accelerations.greatest_value().max(self.caps.greatest_value());
+        upper.min(1.0 / by_acceleration).min(self.jerks.greatest_value().cbrt().powi(-2))
     }
 
     /// Time along the path, s, by Simpson's rule.
     pub(crate) fn time(&self, c: &[f64]) -> f64 {
-        let cell = |(i, (width, at)): (usize, &(f64, [[f64; 3]; 3]))| {
-            let v = at.map(|w| 1.0 / dot(&w, &c[i..i + 3]).sqrt());
-            width / 6.0 * (v[0] + 4.0 * v[1] + v[2])
-        };
-        self.simpson.iter().enumerate().map(cell).sum()
+        self.points.iter().map(|(first, w, way)| way / dot(w, &three(c, *first)).sqrt()).sum()
     }
 
-    /// The part of the time that is lost against a law that is everywhere as fast as asked, s.
-    pub(crate) fn lost(&self, c: &[f64]) -> f64 {
-        let asked = |i: usize| self.upper[i].min(self.upper[i + 1]).min(self.upper[i + 2]);
-        let cruising: f64 = self.simpson.iter().enumerate().map(|(i, (width, _))| width / asked(i).sqrt()).sum();
+    /// The part of a time that is lost against a law that is everywhere as fast as asked, s.
+    pub(crate) fn lost(&self, time: f64) -> f64 {
         // Never nothing, or no law would be near enough to it.
-        (self.time(c) - cruising).max(LEAST_LOST * cruising)
+        (time - self.cruising).max(LEAST_LOST * self.cruising)
     }
 
     /// The slacks at `c`; false if the squared speed is not positive somewhere.
-    pub(crate) fn slacks(&self, c: &[f64], out: &mut [f64]) -> bool {
-        for site in &self.sites {
-            let law = site.law(c);
-            if law[0].is_nan() || law[0] <= 0.0 {
-                return false;
+    pub(crate) fn slacks(&self, c: &[f64], out: &mut Lists) -> bool {
+        let [faster, slower, up, down, caps, zero, upper] = out;
+        for group in &self.groups {
+            let law = group.law(c);
+            self.caps.left(group.caps, law, caps);
+            self.accelerations.both(group.accelerations, law, 1.0, faster, slower);
+            for place in &self.places[group.places.0..group.places.1] {
+                let b = dot(&place.along, &law);
+                if b.is_nan() || b <= 0.0 {
+                    return false;
+                }
+                self.jerks.both(place.jerks, law, 1.0 / b.sqrt(), up, down);
             }
-            self.left(site, law, [1.0, 1.0, 1.0 / law[0].sqrt()], out);
         }
+        zero.copy_from_slice(c);
+        upper.iter_mut().zip(&self.bounded).for_each(|(g, k)| *g = self.upper[*k] - c[*k]);
         true
     }
 
-    /// How the slacks change with `step` at `c`.
-    pub(crate) fn change(&self, c: &[f64], step: &[f64], out: &mut [f64]) {
-        for site in &self.sites {
-            let ([b, ..], change) = (site.law(c), site.law(step));
-            self.left(site, change, [0.0, 0.0, -0.5 * change[0] / (b * b.sqrt())], out);
-        }
-    }
-
-    /// `room` of cap, accelerations and jerks, less what the squared speed and its derivatives use.
-    fn left(&self, site: &Site, [b, d, e]: [f64; 3], room: [f64; 3], out: &mut [f64]) {
-        let (own, rest) = out[site.slack..].split_at_mut(1);
-        own[0] = room[0] - site.cap * b;
-        let acceleration = &self.acceleration[site.acceleration.0..site.acceleration.1];
-        let (of_acceleration, rest) = rest.split_at_mut(acceleration.len());
-        for (a, out) in acceleration.iter().zip(of_acceleration) {
-            *out = room[1] - (a[0] * b + a[1] * d);
-        }
-        for (j, out) in self.jerk[site.jerk.0..site.jerk.1].iter().zip(rest) {
-            *out = room[2] - (j[0] * b + j[1] * d + j[2] * e);
-        }
-    }
-
-    /// Adds the slacks' slopes at `c`, weighted with `weight`, to `out`.
-    pub(crate) fn weighted_slopes(&self, c: &[f64], weight: &[f64], out: &mut [f64]) {
-        for site in &self.sites {
-            let [b, ..] = site.law(c);
-            let Rows { acceleration, jerk, values: (own, of_acceleration, of_jerk) } = self.rows(site, weight);
-            let mut by = [-site.cap * own, 0.0, 0.0];
-            for (a, w) in acceleration.iter().zip(of_acceleration) {
-                by[0] -= w * a[0];
-                by[1] -= w * a[1];
+    /// How the slacks change with `step` at the law of `newton`.
+    pub(crate) fn change(&self, newton: &Newton, step: &[f64], out: &mut Lists) {
+        let [faster, slower, up, down, caps, zero, upper] = out;
+        for group in &self.groups {
+            let law = group.law(step);
+            self.caps.left(group.caps, law, caps);
+            caps[group.caps.0..group.caps.1].iter_mut().for_each(|g| *g -= 1.0);
+            self.accelerations.both(group.accelerations, law, 0.0, faster, slower);
+            for i in group.places.0..group.places.1 {
+                let place = &self.places[i];
+                self.jerks.both(place.jerks, law, newton.steep[i] * dot(&place.along, &law), up, down);
             }
+        }
+        zero.copy_from_slice(step);
+        upper.iter_mut().zip(&self.bounded).for_each(|(g, k)| *g = -step[*k]);
+    }
+
+    /// Adds the slacks' slopes at the law of `newton`, weighted with `weight`, to `out`.
+    pub(crate) fn weighted_slopes(&self, steep: &[f64], weight: &Lists, out: &mut [f64]) {
+        for group in &self.groups {
+            let by = group.by_coefficients(self.weighted(group, steep, weight));
+            (0..3).for_each(|k| out[group.cell + k] += by[k]);
+        }
+        let [.., zero, upper] = weight;
+        out.iter_mut().zip(zero).for_each(|(out, w)| *out += w);
+        self.bounded.iter().zip(upper).for_each(|(k, w)| out[*k] -= w);
+    }
+
+    /// The slopes of a group's slacks by the squared speed and its derivatives, weighted with `weight`.
+    fn weighted(&self, group: &Group, steep: &[f64], weight: &Lists) -> [f64; 3] {
+        let [faster, slower, up, down, caps, ..] = weight;
+        let mut by = [0.0; 3];
+        let mut add = |w: f64, form: [f64; 3]| (0..3).for_each(|k| by[k] += w * form[k]);
+        for i in group.caps.0..group.caps.1 {
+            add(-caps[i], self.caps.at(i));
+        }
+        for i in group.accelerations.0..group.accelerations.1 {
+            add(slower[i] - faster[i], self.accelerations.at(i));
+        }
+        for p in group.places.0..group.places.1 {
+            let place = &self.places[p];
             let mut sum = 0.0;
-            for (j, w) in jerk.iter().zip(of_jerk) {
-                sum += w;
-                (0..3).for_each(|k| by[k] -= w * j[k]);
+            for i in place.jerks.0..place.jerks.1 {
+                sum += up[i] + down[i];
+                add(down[i] - up[i], self.jerks.at(i));
             }
-            by[0] -= 0.5 * sum / (b * b.sqrt());
-            let w = &site.weights;
-            for k in 0..3 {
-                out[site.cell + k] += by[0] * w.value[k] + by[1] * w.first[k] + by[2] * w.second[k];
-            }
+            add(sum * steep[p], place.along);
         }
-    }
-
-    /// Slopes of the time at `c`.
-    pub(crate) fn slopes(&self, c: &[f64], out: &mut [f64]) {
-        out.iter_mut().for_each(|x| *x = 0.0);
-        for (i, (width, at)) in self.simpson.iter().enumerate() {
-            for (w, part) in at.iter().zip([1.0, 4.0, 1.0]) {
-                let b = dot(w, &c[i..i + 3]);
-                let by = part * width / (12.0 * b * b.sqrt());
-                (0..3).for_each(|k| out[i + k] -= by * w[k]);
-            }
-        }
+        by
     }
 
     /// Slopes and curvatures at `c` with multipliers `z` and their quotients `ratio` by the slacks.
-    pub(crate) fn newton(&self, c: &[f64], ratio: &[f64], z: &[f64], out: &mut Newton) {
-        self.slopes(c, &mut out.slope);
+    pub(crate) fn newton(&self, c: &[f64], ratio: &Lists, z: &Lists, out: &mut Newton) {
         out.matrix.clear();
         out.concave.clear();
-        for (i, (width, at)) in self.simpson.iter().enumerate() {
-            for (w, part) in at.iter().zip([1.0, 4.0, 1.0]) {
-                let b = dot(w, &c[i..i + 3]);
-                out.matrix.add(i, 0.125 * part * width / (b * b * b.sqrt()), w);
+        out.slope.fill(0.0);
+        out.time = 0.0;
+        for (first, w, way) in &self.points {
+            let by = 1.0 / dot(w, &three(c, *first)).sqrt();
+            let (time, square) = (way * by, by * by);
+            out.time += time;
+            (0..3).for_each(|k| out.slope[first + k] -= 0.5 * time * square * w[k]);
+            out.matrix.add(*first, 0.75 * time * square * square, w);
+        }
+        for group in &self.groups {
+            let law = group.law(c);
+            let mut m = self.squares(group, ratio);
+            let mut concave = Square::default();
+            for p in group.places.0..group.places.1 {
+                self.add_jerks(p, &law, (ratio, z), (&mut m, &mut concave), &mut out.steep[p]);
+            }
+            group.add(&m, &mut out.matrix);
+            if group.places.0 < group.places.1 {
+                group.add(&concave, &mut out.concave);
             }
         }
-        for site in &self.sites {
-            let [b, ..] = site.law(c);
-            let m = self.squares(site, b, ratio);
-            let w = &site.weights;
-            let parts = [&w.value, &w.first, &w.second];
-            // By coefficients: of the rows' weights first, then of both.
-            let half: [[f64; 3]; 3] =
-                m.map(|m| std::array::from_fn(|k| m[0] * parts[0][k] + m[1] * parts[1][k] + m[2] * parts[2][k]));
-            let by_coefficient = |i: usize, k: usize| (0..3).map(|j| parts[j][i] * half[j][k]).sum::<f64>();
-            out.matrix.add_square(site.cell, &std::array::from_fn(|i| std::array::from_fn(|k| by_coefficient(i, k))));
-            let multipliers: f64 = self.rows(site, z).values.2.iter().sum();
-            out.concave.add(site.cell, 0.75 * multipliers / (b * b * b.sqrt()), &w.value);
-        }
+        let [.., zero, upper] = ratio;
+        let diagonal = &mut out.matrix.diagonals[0];
+        diagonal.iter_mut().zip(zero).for_each(|(d, r)| *d += r);
+        self.bounded.iter().zip(upper).for_each(|(k, r)| diagonal[*k] += r);
+        out.left.iter_mut().zip(&out.slope).for_each(|(left, slope)| *left = -slope);
+        self.weighted_slopes(&out.steep, z, &mut out.left);
     }
 
-    /// The squares of a site's rows' slopes by the squared speed and its derivatives, weighted with `ratio`.
-    fn squares(&self, site: &Site, b: f64, ratio: &[f64]) -> [[f64; 3]; 3] {
-        let Rows { acceleration, jerk, values: (own, of_acceleration, of_jerk) } = self.rows(site, ratio);
-        let mut m = [[0.0; 3]; 3];
-        m[0][0] = site.cap * site.cap * own;
-        for (a, w) in acceleration.iter().zip(of_acceleration) {
-            m[0][0] += w * a[0] * a[0];
-            m[0][1] += w * a[0] * a[1];
-            m[1][1] += w * a[1] * a[1];
+    /// The squares of the slopes of a group's caps and accelerations, weighted with `ratio`.
+    fn squares(&self, group: &Group, ratio: &Lists) -> Square {
+        let [faster, slower, _, _, caps, ..] = ratio;
+        let mut m = Square::default();
+        for i in group.caps.0..group.caps.1 {
+            m.add_own(caps[i], &self.caps.at(i));
         }
-        let slope = 0.5 / (b * b.sqrt());
-        for (j, w) in jerk.iter().zip(of_jerk) {
-            let j = [j[0] + slope, j[1], j[2]];
-            for k in 0..3 {
-                (k..3).for_each(|l| m[k][l] += w * j[k] * j[l]);
-            }
+        for i in group.accelerations.0..group.accelerations.1 {
+            m.add_own(faster[i] + slower[i], &self.accelerations.at(i));
         }
-        [[m[0][0], m[0][1], m[0][2]], [m[0][1], m[1][1], m[1][2]], [m[0][2], m[1][2], m[2][2]]]
+        m
     }
-}
 
-/// Rows of a site, and one value for its cap, each acceleration and each jerk.
-struct Rows<'a> {
-    acceleration: &'a [[f64; 2]],
-    jerk: &'a [[f64; 3]],
-    values: (f64, &'a [f64], &'a [f64]),
-}
-
-/// The part of its acceleration and jerk that each channel uses in each cell, at the cell's ends and middle.
-fn uses(cells: &Cells, c: &[f64]) -> Vec<[f64; 2]> {
-    let mut used = Vec::with_capacity(cells.count() * cells.limits.len());
-    for cell in 0..cells.count() {
-        let laws = [0, 2, 4].map(|part| {
-            let w = cells.weights_at(cell, part);
-            (part, [&w.value, &w.first, &w.second].map(|w| dot(w, &c[cell..cell + 3])))
-        });
-        for (channel, limits) in cells.limits.iter().enumerate() {
-            let mut most: [f64; 2] = [0.0; 2];
-            for (part, [b, d, e]) in laws {
-                let [q1, q2, q3] = cells.derivatives(cell, part)[channel];
-                let jerk = b.max(0.0).sqrt() * (q3 * b + 1.5 * q2 * d + 0.5 * q1 * e);
-                most = [
-                    most[0].max((q2 * b + 0.5 * q1 * d).abs() / limits.acceleration),
-                    most[1].max(jerk.abs() / limits.jerk),
-                ];
-            }
-            used.push(most);
+    /// Adds the squares of the slopes of a place's jerks, and how `1 / sqrt(b)` curves.
+    fn add_jerks(
+        &self,
+        place: usize,
+        law: &[f64; 3],
+        (ratio, z): (&Lists, &Lists),
+        (m, concave): (&mut Square, &mut Square),
+        steep: &mut f64,
+    ) {
+        let Place { along, jerks } = &self.places[place];
+        let ([_, _, up, down, ..], [_, _, up_z, down_z, ..]) = (ratio, z);
+        let b = dot(along, law);
+        let cube = 1.0 / (b * b.sqrt());
+        *steep = -0.5 * cube;
+        let (mut sum, mut multipliers, mut uneven) = (0.0, 0.0, [0.0; 3]);
+        for i in jerks.0..jerks.1 {
+            let form = self.jerks.at(i);
+            let both = up[i] + down[i];
+            sum += both;
+            multipliers += up_z[i] + down_z[i];
+            (0..3).for_each(|k| uneven[k] += (down[i] - up[i]) * form[k]);
+            m.add_own(both, &form);
         }
+        // (steep along - form)(..)^T and (steep along + form)(..)^T.
+        m.add_own(sum * *steep * *steep, along);
+        m.add(2.0 * *steep, along, &uneven);
+        concave.add_own(0.75 * multipliers * cube / b, along);
     }
-    used
 }

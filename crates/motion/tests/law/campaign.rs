@@ -61,3 +61,9 @@ fn middling_paths() {
 fn large_paths() {
     run(300_000_000, 100, 10, 16);
 }
+
+/// Once a jerk was 0.4 % above its limit: near rest, where the squared speed changes much in a cell.
+#[test]
+fn found_by_a_longer_run() {
+    passes(&path(&mut Uniform::new(200_047_217), 6, 4));
+}

@@ -61,6 +61,51 @@ impl Channels for Spline {
     }
 }
 
+/// A path with breaks added evenly between its own ones: a law with limits of jerk has a cell's border at each, so
+/// about `cells` cells at least.
+pub struct Finely<P> {
+    path: P,
+    breaks: Vec<f64>,
+}
+
+impl<P: Channels> Finely<P> {
+    pub fn new(path: P, cells: usize) -> Self {
+        let (from, to) = path.range();
+        let mut breaks = vec![from];
+        for end in path.breaks().into_iter().chain([to]) {
+            let begin = breaks[breaks.len() - 1];
+            let parts = (cells as f64 * (end - begin) / (to - from)).round().max(1.0);
+            breaks.extend((1..parts as usize).map(|i| begin + (end - begin) * i as f64 / parts));
+            breaks.push(end);
+        }
+        breaks.pop();
+        breaks.remove(0);
+        Self { path, breaks }
+    }
+}
+
+impl<P: Channels> Channels for Finely<P> {
+    fn range(&self) -> (f64, f64) {
+        self.path.range()
+    }
+
+    fn limits(&self) -> &[Limits] {
+        self.path.limits()
+    }
+
+    fn derivatives(&self, u: f64, before: bool, out: &mut [[f64; 3]]) -> f64 {
+        self.path.derivatives(u, before, out)
+    }
+
+    fn asked(&self, u: f64) -> f64 {
+        self.path.asked(u)
+    }
+
+    fn breaks(&self) -> Vec<f64> {
+        self.breaks.clone()
+    }
+}
+
 /// The saddle of a nozzle of radius 25 on a shell of radius 60 with a trunnion that tilts by 20 sin(phi) degrees, in
 /// closed form by phi: X Y Z in mm, A C in degrees; the same as in the table of rivals' measurements.
 pub struct Saddle {

@@ -1,5 +1,5 @@
 use crate::check::{check, check_ends};
-use crate::curves::{Saddle, Spline};
+use crate::curves::{Finely, Saddle, Spline};
 use seamwright_motion::law::SpeedLaw;
 
 /// Part by which a law may be slower than the fine grid of toppra.
@@ -37,6 +37,20 @@ fn with_jerk_within_limits_and_little_slower() {
             assert!(slower > -1e-4 && slower < if jerk > 5.0 { 0.015 } else { 0.1 });
             assert!(found.used.iter().all(|u| *u <= 1.0) && found.jump.iter().all(|j| *j < 1e-9), "{found:?}");
         }
+    }
+}
+
+#[test]
+fn cells_chosen_by_the_law_lose_little_against_a_thousand() {
+    let fine = Spline::reference(10.0).into_iter().map(|(spline, _)| Finely::new(spline, 1000));
+    for (fine, (spline, _)) in fine.zip(Spline::reference(10.0)) {
+        let (few, many) = (SpeedLaw::new(&spline).unwrap(), SpeedLaw::new(&fine).unwrap());
+        check_ends(&fine, &many);
+        let found = check(&fine, &many, 20);
+        let slower = few.duration() / many.duration() - 1.0;
+        println!("{} cells {slower:.1e} slower than {}", few.cells(), many.cells());
+        assert!(many.cells() >= 1000 && slower > -2e-4 && slower < 1e-3);
+        assert!(found.used.iter().all(|u| *u <= 1.0) && found.jump.iter().all(|j| *j < 1e-9), "{found:?}");
     }
 }
 

@@ -1,0 +1,109 @@
+//! How much of the limits a law uses, between the places where rows are imposed too.
+
+use super::cells::{Cells, PARTS};
+use super::lanes::larger;
+
+/// Places looked at in a cell in which the law changes much.
+const CLOSE: usize = 9;
+/// Squared speeds in a cell that differ by more than this factor change much.
+const MUCH: f64 = 1.5;
+
+/// The greatest use of a limit in cell `i`: of a speed (squared, the asked one too), an acceleration or a jerk.
+/// Between the places looked at a parabola through three neighbours each, and what their third differences leave open.
+pub(crate) fn peak(cells: &Cells, c: &[f64], i: usize) -> f64 {
+    let law = PARTS.map(|part| cells.law(c, i, part));
+    let (least, most) = law.iter().fold((f64::INFINITY, 0.0), |(l, m), [b, ..]| (b.min(l), larger(*b, m)));
+    let of_channels = if most > MUCH * least {
+        let law = std::array::from_fn(|k| cells.law(c, i, k as f64 / (CLOSE - 1) as f64));
+        of_channels::<CLOSE>(cells, i, &law, closer)
+    } else {
+        of_channels(cells, i, &law, |q| *q)
+    };
+    if cells.is_steady(i) {
+        return of_channels;
+    }
+    let asked = cells.asked(i);
+    larger(of_channels, greatest(&std::array::from_fn::<_, { PARTS.len() }, _>(|part| law[part][0] / asked[part])))
+}
+
+/// The greatest use of a channel's limit where the law is known at `N` places, at which `at` gives a derivative known
+/// at the [`PARTS`].
+fn of_channels<const N: usize>(
+    cells: &Cells,
+    i: usize,
+    law: &[[f64; 3]; N],
+    at: impl Fn(&[f64; PARTS.len()]) -> [f64; N],
+) -> f64 {
+    let roots = law.map(|[b, ..]| b.max(0.0).sqrt());
+    let mut most: f64 = 0.0;
+    for (channel, limits) in cells.limits.iter().enumerate() {
+        let by = [1.0 / (limits.speed * limits.speed), 1.0 / limits.acceleration, 1.0 / limits.jerk];
+        let q: [[f64; N]; 3] =
+            std::array::from_fn(|k| at(&std::array::from_fn(|part| cells.derivatives(i, part)[channel][k])));
+        let mut used = [[0.0; N]; 3];
+        for (place, [b, d, e]) in law.iter().enumerate() {
+            let [q1, q2, q3] = q.map(|q| q[place]);
+            used[0][place] = q1 * q1 * b * by[0];
+            used[1][place] = (q2 * b + 0.5 * q1 * d) * by[1];
+            used[2][place] = roots[place] * (q3 * b + 1.5 * q2 * d + 0.5 * q1 * e) * by[2];
+        }
+        most = used.iter().map(greatest).fold(most, larger);
+    }
+    most
+}
+
+/// A function known at five evenly spaced places, and by the quartic through them between these.
+fn closer(f: &[f64; PARTS.len()]) -> [f64; CLOSE] {
+    const BETWEEN: [[f64; PARTS.len()]; 2] = [[35.0, 140.0, -70.0, 28.0, -5.0], [-5.0, 60.0, 90.0, -20.0, 3.0]];
+    let between = |w: &[f64; 5], k: [usize; 5]| (0..5).map(|j| w[j] * f[k[j]]).sum::<f64>() / 128.0;
+    let (ahead, back) = ([0, 1, 2, 3, 4], [4, 3, 2, 1, 0]);
+    let [outer, inner] = &BETWEEN;
+    [
+        f[0],
+        between(outer, ahead),
+        f[1],
+        between(inner, ahead),
+        f[2],
+        between(inner, back),
+        f[3],
+        between(outer, back),
+        f[4],
+    ]
+}
+
+/// Greatest size of a smooth function known at evenly spaced places, between them too.
+fn greatest<const N: usize>(f: &[f64; N]) -> f64 {
+    let mut most = f.iter().map(|v| v.abs()).fold(0.0, larger);
+    for w in f.windows(3) {
+        let (slope, second) = (0.5 * (w[2] - w[0]), w[2] - 2.0 * w[1] + w[0]);
+        if slope.abs() < second.abs() {
+            most = larger(most, (w[1] - 0.5 * slope * slope / second).abs());
+        }
+    }
+    let third = |w: &[f64]| w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0];
+    // A cubic is off its parabola by 0.065 of the third difference, which changes by the fourth one.
+    let open = |w: &[f64]| larger(third(w).abs(), third(&w[1..]).abs()) + (third(&w[1..]) - third(w)).abs();
+    most + 0.07 * f.windows(5).map(open).fold(0.0, larger)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quartic_is_known_between_its_places() {
+        let quartic = |x: f64| 1.0 - 2.0 * x + 3.0 * x * x - 7.0 * x.powi(3) + 5.0 * x.powi(4);
+        let found = closer(&PARTS.map(quartic));
+        assert!((0..CLOSE).all(|k| (found[k] - quartic(k as f64 / 8.0)).abs() < 1e-14), "{found:?}");
+    }
+
+    #[test]
+    fn waves_are_not_higher_than_the_greatest() {
+        for (frequency, phase) in (0..2000).map(|i| (f64::from(i % 40) * 0.1, f64::from(i) * 0.37)) {
+            let wave = |x: f64| (frequency * x + phase).sin();
+            let top = (0..=1000).map(|i| wave(f64::from(i) * 1e-3).abs()).fold(0.0, f64::max);
+            let found = [greatest(&PARTS.map(wave)), greatest::<CLOSE>(&std::array::from_fn(|k| wave(k as f64 / 8.0)))];
+            assert!(found.iter().all(|f| *f >= top - 1e-6 && *f < top + 0.1), "{frequency} {phase}: {found:?} {top}");
+        }
+    }
+}
