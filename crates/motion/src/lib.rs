@@ -11,16 +11,19 @@
 
 pub mod air;
 mod arc_limits;
+mod corners;
 pub mod fine;
 mod follower;
 pub mod jog;
 mod joint_path;
 pub mod law;
+mod legs;
 mod limits;
 pub mod pace;
 mod pass_channels;
 mod pass_clearance;
 mod pass_motion;
+mod planned;
 pub mod pulses;
 pub mod redundancy;
 mod set_points;
@@ -33,6 +36,7 @@ mod weld_motion;
 
 pub use joint_path::{JointPath, JointPoint};
 pub use law::{LawPoint, SpeedLaw, SpeedReport};
+pub use legs::Leg;
 pub use limits::{Binding, plain};
 pub use pass_clearance::PassClearance;
 pub use pass_motion::PassMotion;

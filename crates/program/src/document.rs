@@ -67,6 +67,8 @@ impl Program {
                 let path = format!("passes[{p}].spans");
                 return Err(document.error_at(&path, "the pass has no spans", "at least one [[passes.spans]]"));
             }
+            let within = format!("passes[{p}].tolerance");
+            pass.corner.check(&document, &format!("passes[{p}].corner"), (&within, &pass.tolerance))?;
             pass.sequence.check(&document, &format!("passes[{p}].sequence"), &pass.spans[0].process)?;
             for (i, span) in pass.spans.iter().enumerate() {
                 let path = |key: &str| format!("passes[{p}].spans[{i}].{key}");
