@@ -240,8 +240,17 @@ fn nearest(pose: impl Fn(f64) -> Pose, torch: Pose, sides: [(f64, f64); 2]) -> A
     Away { tip: there.point.distance(torch.point), direction: angle(there.direction, torch.direction) }
 }
 
+/// Path length of the place nearest to `point` (mm, near `s`) of the seam that `pose` runs along, if `s` lies in a blend
+/// of the axes' path `joints`: nearest on either side of the corner.
+pub fn foot_in_blend(joints: &JointPath, pose: impl Fn(f64) -> Pose, point: DVec3, s: f64) -> Option<f64> {
+    let &(from, to) = joints.blends().iter().find(|(from, to)| *from <= s && s <= *to)?;
+    let (corner, half) = (0.5 * (from + to), 0.5 * (to - from));
+    let ends = ((from - half).max(0.0), (to + half).min(joints.length()));
+    Some(foot_at_corner(pose, point, [(ends.0, corner), (corner, ends.1)]))
+}
+
 /// Path length of the place nearest to `point` of a seam that runs smoothly on both `sides` of a corner.
-pub(crate) fn foot_at_corner(pose: impl Fn(f64) -> Pose, point: DVec3, sides: [(f64, f64); 2]) -> f64 {
+fn foot_at_corner(pose: impl Fn(f64) -> Pose, point: DVec3, sides: [(f64, f64); 2]) -> f64 {
     let feet = [foot(&pose, point, sides[0], sides[0].1), foot(&pose, point, sides[1], sides[1].0)];
     let [before, after] = feet.map(|s| pose(s).point.distance(point));
     if before <= after { feet[0] } else { feet[1] }

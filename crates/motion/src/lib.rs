@@ -11,7 +11,7 @@
 
 pub mod air;
 mod arc_limits;
-mod corners;
+pub mod corners;
 pub mod fine;
 mod follower;
 pub mod jog;
@@ -32,6 +32,7 @@ mod survey;
 pub mod taught;
 pub mod textbook;
 mod tip_channels;
+mod tip_path;
 mod weld_motion;
 
 pub use joint_path::{JointPath, JointPoint};
@@ -41,4 +42,5 @@ pub use limits::{Binding, plain};
 pub use pass_clearance::PassClearance;
 pub use pass_motion::PassMotion;
 pub use set_points::{Phase, SetPoint, SetPoints};
+pub use tip_path::TipPath;
 pub use weld_motion::{Stage, WeldMotion};
