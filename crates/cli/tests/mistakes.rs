@@ -53,10 +53,10 @@ fn corners() {
     }
     refuse("{ blend_mm = 0.6 }", &["weld.corner.blend_mm = 0.6", "up to tolerance.path_mm = 0.5"]);
     refuse("{ blend_mm = 1e9 }", &["weld.corner.blend_mm = 1e9", "up to tolerance.path_mm = 0.5"]);
-    refuse("\"halt\"", &["weld.corner", "refuse", "stop", "blend_mm"]);
+    for bad in ["\"halt\"", "\"blend_mm\"", "0.2", "true"] {
+        refuse(bad, &[&format!("weld.corner = {bad}"), "\"refuse\", \"stop\" or { blend_mm = 0.2 }"]);
+    }
     refuse("{ blend = 0.2 }", &["weld.corner", "blend_mm"]);
-    refuse("\"blend_mm\"", &["weld.corner"]);
-    refuse("0.2", &["weld.corner"]);
     refuse("{ blend_mm = 0.2, stop = true }", &["weld.corner"]);
     for good in ["\"refuse\"", "\"stop\"", "{ blend_mm = 0.5 }"] {
         let (code, _, written) = plan_slow(&[("[weld]\n", &format!("[weld]\ncorner = {good}\n"))]);
