@@ -37,7 +37,7 @@ pub(crate) struct Left {
     pub(crate) why: Option<String>,
 }
 
-/// A blend that fits: what it is, and how far it takes the tip from the seam (mm) and the torch from its direction (rad).
+/// A blend that fits: what it is, and how far it takes the tip from the seam and the torch from its direction.
 struct Fitting {
     piece: Piece,
     away: Away,
