@@ -14,11 +14,11 @@ pub struct Sample {
     pub following_error: Joints,
     /// Current of each drive as a part of its peak, -1 to 1.
     pub current: Joints,
-    /// Path length of the seam's point nearest to the true tip, mm.
+    /// Place nearest to the true tip on the planned path, by path length along the seam, mm.
     pub tip_s: f64,
-    /// Speed of the true tip along the seam since the period before, mm/s.
+    /// Speed of the true tip along the planned path since the period before, mm/s.
     pub tip_speed: f64,
-    /// Planned speed over the same period, mm/s: how far the set-point moved along the seam in it.
+    /// Planned speed over the same period, mm/s: how far the set-point's tip moved in it.
     pub planned_speed: f64,
     /// Distance of the true tip from the seam, normal to it, mm; of two torches that weld at once the greater.
     pub path_error: f64,

@@ -3,7 +3,8 @@ use crate::summary::{Summary, Tally};
 use crate::{Error, Sample};
 use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine};
-use seamwright_motion::{SetPoint, WeldMotion};
+use seamwright_motion::corners::foot_in_blend;
+use seamwright_motion::{PassMotion, SetPoint, WeldMotion};
 use seamwright_program::TorchPath;
 
 /// Plays `motion`, whose passes follow `paths`, on simulated drives, one set-point a servo period, from the start of
@@ -37,11 +38,13 @@ pub fn simulate<E: From<Error>>(
             sample.current[i] = state.current;
         }
         if pass > 0 {
-            measure(machine, paths[pass - 1], &mut sample);
+            let planned = &motion.passes[pass - 1];
+            measure(machine, paths[pass - 1], planned, &mut sample);
             match last.filter(|l| l.pass == pass) {
                 Some(last) => {
-                    sample.tip_speed = (sample.tip_s - last.tip_s) / machine.servo_period_s;
-                    sample.planned_speed = (set.law.s - last.set.law.s) / machine.servo_period_s;
+                    let way = |from: f64, to: f64| (to - from) * planned.path.tip_rate(machine, 0.5 * (from + to));
+                    sample.tip_speed = way(last.tip_s, sample.tip_s) / machine.servo_period_s;
+                    sample.planned_speed = way(last.set.law.s, set.law.s) / machine.servo_period_s;
                 }
                 None => {
                     begun = set.t;
@@ -61,24 +64,30 @@ fn servo_set_point(set: &SetPoint, rates: &(Joints, Joints), i: usize) -> seamwr
     seamwright_servo::SetPoint { position: set.q[i], velocity: rates.0[i], acceleration: rates.1[i] }
 }
 
-/// Finds the seam's point nearest to the true tip and how far the tip is from it.
-fn measure(machine: &Machine, path: &dyn TorchPath, sample: &mut Sample) {
+/// Finds the place of the planned path nearest to the true tip, and how far the tip is from the seam.
+fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMotion, sample: &mut Sample) {
     let tip = machine.forward(&sample.q);
-    let s = path.foot(tip.point, sample.set.law.s, (0.0, path.length()));
-    let there = path.pose(s);
+    let whole = (0.0, path.length());
+    // Where the planned path is blended it is not the seam: a place on the seam would jump at the corner.
+    let s = match planned.path.blends().is_empty() {
+        true => path.foot(tip.point, sample.set.law.s, whole),
+        false => planned.tip_path(machine).foot(tip.point, sample.set.law.s, whole),
+    };
     sample.tip_s = s;
     let along = path.tangent(s);
-    let beside = |tip: &Pose, there: &Pose| {
-        let off = tip.point - there.point;
-        (off - off.dot(along) * along).length()
+    let errors = |tip: &Pose, pose: &dyn Fn(f64) -> Pose| match foot_in_blend(&planned.path, pose, tip.point, s) {
+        Some(foot) => (tip.point.distance(pose(foot).point), angle(tip, &pose(foot))),
+        None => {
+            let off = tip.point - pose(s).point;
+            ((off - off.dot(along) * along).length(), angle(tip, &pose(s)))
+        }
     };
-    sample.path_error = beside(&tip, &there);
-    sample.attitude_error = angle(&tip, &there);
+    (sample.path_error, sample.attitude_error) = errors(&tip, &|s| path.pose(s));
     // Of two torches the one that is farther off counts.
-    if let Some(there) = path.second(s) {
-        let tip = machine.forward_of(1, &sample.q);
-        sample.path_error = sample.path_error.max(beside(&tip, &there));
-        sample.attitude_error = sample.attitude_error.max(angle(&tip, &there));
+    if path.second(s).is_some() {
+        let second = errors(&machine.forward_of(1, &sample.q), &|s| path.second(s).unwrap_or_else(|| path.pose(s)));
+        sample.path_error = sample.path_error.max(second.0);
+        sample.attitude_error = sample.attitude_error.max(second.1);
     }
 }
 

@@ -87,7 +87,7 @@ pub struct Summary {
     pub path_error_mm: Extremes,
     /// Path length where that is greatest, mm.
     pub path_error_at_mm: f64,
-    /// Speed of the true tip along the seam from half a second after run-up to the run-down; `rms` is that of the
+    /// Speed of the true tip along the seam from half a second after each run-up to the next run-down; `rms` is that of the
     /// deviation from the planned speed. None if the weld is too short for that.
     pub tip_speed_mm_s: Option<Extremes>,
     /// Greatest deviation of that speed from the planned one over the same servo period, as a part of it; none if the
@@ -157,14 +157,14 @@ pub(crate) struct Tally {
     acceleration: Vec<f64>,
     following: Vec<Gather>,
     current: Vec<f64>,
-    steady: (f64, f64),
+    /// From when to when (s) the steady speed is judged.
+    steady: Vec<(f64, f64)>,
 }
 
 impl Tally {
     pub(crate) fn new(axes: usize, motion: &PassMotion) -> Self {
-        let report = motion.law.report();
-        let begin = motion.before_s() + motion.law.time(report.run_up_end) + SETTLING_S;
-        let end = motion.before_s() + motion.law.time(report.run_down_start);
+        let time = |s: f64| motion.before_s() + motion.law.time(s);
+        let steady = motion.legs.iter().map(|leg| (time(leg.run_up_end) + SETTLING_S, time(leg.run_down_start)));
         Self {
             path_error: Gather::new(),
             tip_speed: Gather::new(),
@@ -177,7 +177,7 @@ impl Tally {
             acceleration: vec![0.0; axes],
             following: vec![Gather::new(); axes],
             current: vec![0.0; axes],
-            steady: (begin, end),
+            steady: steady.collect(),
         }
     }
 
@@ -188,7 +188,7 @@ impl Tally {
             self.worst = greater(self.worst, (sample.path_error, sample.set.law.s));
             self.attitude.add(sample.attitude_error.to_degrees());
         }
-        if t > self.steady.0 && t < self.steady.1 {
+        if self.steady.iter().any(|(from, to)| t > *from && t < *to) {
             let asked = sample.planned_speed;
             self.tip_speed.add(sample.tip_speed);
             self.deviation.add(sample.tip_speed - asked);

@@ -46,6 +46,25 @@ fn sizes() {
 }
 
 #[test]
+fn corners() {
+    let refuse = |value: &str, words: &[&str]| refused("[weld]\n", &format!("[weld]\ncorner = {value}\n"), words);
+    for bad in ["0", "-0.2", "nan", "inf", "\"wide\""] {
+        refuse(&format!("{{ blend_mm = {bad} }}"), &["weld.corner.blend_mm", "greater than 0"]);
+    }
+    refuse("{ blend_mm = 0.6 }", &["weld.corner.blend_mm = 0.6", "up to tolerance.path_mm = 0.5"]);
+    refuse("{ blend_mm = 1e9 }", &["weld.corner.blend_mm = 1e9", "up to tolerance.path_mm = 0.5"]);
+    for bad in ["\"halt\"", "\"blend_mm\"", "0.2", "true"] {
+        refuse(bad, &[&format!("weld.corner = {bad}"), "\"refuse\", \"stop\" or { blend_mm = 0.2 }"]);
+    }
+    refuse("{ blend = 0.2 }", &["weld.corner", "blend_mm"]);
+    refuse("{ blend_mm = 0.2, stop = true }", &["weld.corner"]);
+    for good in ["\"refuse\"", "\"stop\"", "{ blend_mm = 0.5 }"] {
+        let (code, _, written) = plan_slow(&[("[weld]\n", &format!("[weld]\ncorner = {good}\n"))]);
+        assert!(code == 0 && written, "{good}");
+    }
+}
+
+#[test]
 fn keys_and_units() {
     refused("overlap_mm = 20", "overlap = 20", &["start.overlap", "did you mean `overlap_mm`?"]);
     refused("radius_mm = 250", "radius_inch = 10", &["did you mean `radius_mm`? This value is given in mm"]);

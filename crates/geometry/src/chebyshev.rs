@@ -58,6 +58,15 @@ impl Series {
         even + x * odd
     }
 
+    /// The series of a polynomial of lower degree, without the last coefficients that are nothing but rounding: they
+    /// would show in derivatives.
+    pub fn without_rounding(mut self) -> Self {
+        let rounding = 8.0 * f64::EPSILON * self.c.iter().fold(0.0, |m: f64, c| m.max(c.abs()));
+        let last = self.c.iter().rposition(|c| c.abs() > rounding).unwrap_or(0);
+        self.c[last + 1..].fill(0.0);
+        self
+    }
+
     /// Size of the last three coefficients: an estimate of what the series leaves out.
     pub fn tail(&self) -> f64 {
         self.c[NODES - 3..].iter().map(|c| c.abs()).sum()

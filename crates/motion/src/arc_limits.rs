@@ -1,10 +1,11 @@
 //! What the process asks of the motion while the arc is on: no stop on the way, no speed below the procedure's least.
 
-use crate::SpeedLaw;
-use crate::law::{Bound, Certificate, Interval};
+use crate::corners::Left;
+use crate::law::{Bound, Interval};
 use crate::limits::Binding;
+use crate::planned::Planned;
 use seamwright_machine::Machine;
-use seamwright_program::{Finding, Pass};
+use seamwright_program::{AtCorner, Finding, Pass};
 
 /// A tip as fast as the procedure's least speed but for rounding is not too slow.
 const ROUNDING: f64 = 1e-9;
@@ -17,46 +18,53 @@ struct Slow {
     least: (f64, f64),
 }
 
-/// Places inside the pass (path length, axis) at which the torch has to stop since that axis would jump there.
-pub(crate) fn stop_findings(machine: &Machine, stops: &[(f64, usize)], number: usize) -> Vec<Finding> {
-    let finding = |&(s, axis): &(f64, usize)| Finding {
+/// Corners that the torch stops at: findings, unless the pass asks for stops.
+pub(crate) fn stop_findings(machine: &Machine, corners: &[Left], pass: &Pass, number: usize) -> Vec<Finding> {
+    let cure = match pass.corner {
+        AtCorner::Refuse => {
+            "set weld.corner = \"stop\" to stop there with the arc on, or weld.corner = { blend_mm = 0.2 } to go round \
+             within that distance of the seam; or round the seam off; or end the weld there and begin another after it"
+        }
+        AtCorner::Stop => "none needed: the torch stops at corners, as asked",
+        AtCorner::BlendMm(_) => {
+            "set weld.corner = \"stop\" to stop at corners; or round the seam off; or end the weld there and begin \
+             another after it"
+        }
+    };
+    let finding = |corner: &Left| Finding {
         kind: "stop",
         message: format!(
-            "the torch stops at s = {s:.3} mm with the arc on: the speed or acceleration of axis {} would jump there",
-            machine.axes[axis].name
+            "the torch stops at s = {:.3} mm with the arc on: the speed or acceleration of axis {} would jump there{}",
+            corner.s,
+            machine.axes[corner.axis].name,
+            corner.why.as_ref().map_or(String::new(), |why| format!("; {why}"))
         ),
         pass: number,
-        from_mm: s,
-        to_mm: s,
-        cure: "round the seam off there; or end the weld there and begin another after it".to_owned(),
-        allowed: false,
+        from_mm: corner.s,
+        to_mm: corner.s,
+        cure: cure.to_owned(),
+        allowed: pass.corner == AtCorner::Stop,
     };
-    stops.iter().map(finding).collect()
+    corners.iter().map(finding).collect()
 }
 
 /// Where the tip is slower than the procedure lets it be with the arc on: findings between run-up and run-down, notes
 /// in them.
-pub(crate) fn least_speed_findings(
-    machine: &Machine,
-    certificate: &Certificate,
-    law: &SpeedLaw,
-    (pass, length): (&Pass, f64),
-    number: usize,
-) -> Vec<Finding> {
+pub(crate) fn least_speed_findings(planned: Planned, pass: &Pass, number: usize) -> Vec<Finding> {
     let Some(least) = pass.least_speed_mm_s else { return Vec::new() };
     let least = least.get();
-    let band = law.report();
+    let length = planned.joints.length();
+    let band = planned.law.report();
     let (up, down) = (band.run_up_end, band.run_down_start);
-    if up >= down && too_slow(band.greatest, least) {
-        let all = Slow { from: 0.0, to: length, least: (band.greatest, up) };
-        return vec![too_slow_in(machine, None, least, &all, number)];
+    let at_up = planned.tip_speed_at(up);
+    if up >= down && too_slow(at_up, least) {
+        let all = Slow { from: 0.0, to: length, least: (at_up, up) };
+        return vec![too_slow_in(planned, least, &all, number)];
     }
-    let binds = |s: f64| certificate.intervals.iter().find(|i| i.from <= s && s <= i.to && i.bound != Bound::Asked);
-    let slow = slow_between(law, (up, down), least);
-    let mut findings: Vec<Finding> =
-        slow.iter().map(|slow| too_slow_in(machine, binds(slow.least.1), least, slow, number)).collect();
-    findings.push(slow_end("starts from rest", (0.0, crossing(law, 0.0, up, least)), least, number));
-    findings.push(slow_end("comes to rest", (crossing(law, length, down, least), length), least, number));
+    let slow = slow_between(planned, (up, down), least);
+    let mut findings: Vec<Finding> = slow.iter().map(|slow| too_slow_in(planned, least, slow, number)).collect();
+    findings.push(slow_end("starts from rest", (0.0, crossing(planned, 0.0, up, least)), least, number));
+    findings.push(slow_end("comes to rest", (crossing(planned, length, down, least), length), least, number));
     findings
 }
 
@@ -65,22 +73,23 @@ fn too_slow(v: f64, least: f64) -> bool {
 }
 
 /// The stretches between run-up and run-down on which the tip is slower than `least`, cell by cell of the law.
-fn slow_between(law: &SpeedLaw, (up, down): (f64, f64), least: f64) -> Vec<Slow> {
+fn slow_between(planned: Planned, (up, down): (f64, f64), least: f64) -> Vec<Slow> {
     let mut all: Vec<Slow> = Vec::new();
     let (mut open, mut before) = (false, up);
-    for cell in 0..law.cells() {
-        let points = [0.0, 0.25, 0.5, 0.75, 1.0].map(|part| law.in_cell(cell, part));
+    for cell in 0..planned.law.cells() {
+        let points = [0.0, 0.25, 0.5, 0.75, 1.0].map(|part| planned.law.in_cell(cell, part));
         let between = points[0].s >= up && points[4].s <= down;
         for p in points {
-            let slow = between && too_slow(p.v, least);
+            let v = planned.tip_speed(p);
+            let slow = between && too_slow(v, least);
             match all.last_mut().filter(|_| open) {
                 Some(run) if slow => {
                     run.to = p.s;
-                    run.least = if p.v < run.least.0 { (p.v, p.s) } else { run.least };
+                    run.least = if v < run.least.0 { (v, p.s) } else { run.least };
                 }
-                Some(run) if between => run.to = crossing(law, run.to, p.s, least),
+                Some(run) if between => run.to = crossing(planned, run.to, p.s, least),
                 None if slow => {
-                    all.push(Slow { from: crossing(law, p.s, before, least), to: p.s, least: (p.v, p.s) });
+                    all.push(Slow { from: crossing(planned, p.s, before, least), to: p.s, least: (v, p.s) });
                 }
                 _ => {}
             }
@@ -91,20 +100,30 @@ fn slow_between(law: &SpeedLaw, (up, down): (f64, f64), least: f64) -> Vec<Slow>
 }
 
 /// Where the speed passes `least` on the way from `slow`, where it is less, to `fast`; `fast` if it is less there too.
-fn crossing(law: &SpeedLaw, mut slow: f64, mut fast: f64, least: f64) -> f64 {
-    if too_slow(law.speed(fast), least) {
+fn crossing(planned: Planned, mut slow: f64, mut fast: f64, least: f64) -> f64 {
+    if too_slow(planned.tip_speed_at(fast), least) {
         return fast;
     }
     for _ in 0..60 {
         let middle = 0.5 * (slow + fast);
-        if too_slow(law.speed(middle), least) { slow = middle } else { fast = middle }
+        if too_slow(planned.tip_speed_at(middle), least) { slow = middle } else { fast = middle }
     }
     slow
 }
 
-/// A finding: a stretch below the procedure's `least` speed, and what `binds` there.
-fn too_slow_in(machine: &Machine, binds: Option<&Interval>, least: f64, slow: &Slow, pass: usize) -> Finding {
-    let (why, cure) = match binds.and_then(|i| Binding::new(machine, i.bound)) {
+/// A finding: a stretch below the procedure's `least` speed, and what binds there.
+fn too_slow_in(planned: Planned, least: f64, slow: &Slow, pass: usize) -> Finding {
+    let (reached, at) = slow.least;
+    let Planned { machine, certificate, legs, .. } = planned;
+    let binds = |i: &&Interval| i.from <= at && at <= i.to && i.bound != Bound::Asked;
+    let bound =
+        certificate.intervals.iter().find(binds).filter(|_| slow.from > 0.0 || slow.to < planned.joints.length());
+    let stops = legs.iter().skip(1).any(|leg| slow.from <= leg.from && leg.from <= slow.to);
+    let (why, cure) = match bound.and_then(|i| Binding::new(machine, i.bound)) {
+        _ if stops => (
+            "it stops at a corner there".to_owned(),
+            "set weld.corner = { blend_mm = 0.2 } to go round corners within that distance of the seam".to_owned(),
+        ),
         Some(binding) => (
             format!("{} with {} does not allow more", binding.whose(), binding.limit()),
             match &binding.axis {
@@ -114,7 +133,6 @@ fn too_slow_in(machine: &Machine, binds: Option<&Interval>, least: f64, slow: &S
         ),
         None => ("the weld is too short to go faster".to_owned(), "make the weld longer".to_owned()),
     };
-    let (reached, at) = slow.least;
     Finding {
         kind: "least_speed",
         message: format!(

@@ -1,3 +1,5 @@
+mod blended;
+
 use crate::follower::Follower;
 use crate::survey::PLACES;
 use seamwright_geometry::{NODES, Series, nodes};
@@ -34,7 +36,8 @@ pub struct JointPoint {
 ///
 /// Panels of Chebyshev series fitted to the closed-form inverse kinematics at their nodes and halved until they agree
 /// with it between the nodes. Guarantee (checked at 33 places a panel): within 1e-10 mm and 1e-12 rad of the exact
-/// inverse. Evaluation allocates nothing and costs the same on any machine with as many axes.
+/// inverse, but for blends round corners. Evaluation allocates nothing and costs the same on any machine with as many
+/// axes.
 #[derive(Debug, Clone)]
 pub struct JointPath {
     panels: Vec<Panel>,
@@ -43,6 +46,8 @@ pub struct JointPath {
     blocks_a_panel: usize,
     length: f64,
     axes: usize,
+    /// Stretches that go round corners, in order.
+    blends: Vec<(f64, f64)>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -63,8 +68,7 @@ impl JointPath {
     pub(crate) fn new(follower: Follower, start: &Joints) -> Result<Self, NotSmooth> {
         let axes = follower.machine.axes.len();
         let length = follower.path.length();
-        let mut built =
-            Self { panels: Vec::new(), blocks: Vec::new(), blocks_a_panel: axes.div_ceil(LANES), length, axes };
+        let mut built = Self::empty(axes, length);
         let mut near = *start;
         let mut todo: Vec<(f64, f64)> = Vec::new();
         let mut edges = vec![0.0];
@@ -85,6 +89,11 @@ impl JointPath {
             }
         }
         Ok(built)
+    }
+
+    fn empty(axes: usize, length: f64) -> Self {
+        let blocks_a_panel = axes.div_ceil(LANES);
+        Self { panels: Vec::new(), blocks: Vec::new(), blocks_a_panel, length, axes, blends: Vec::new() }
     }
 
     /// Length of the path, mm.
@@ -241,7 +250,7 @@ impl Panel {
 }
 
 /// Fits one panel; its coefficients and the positions at its end, or nothing if it is too long.
-fn fit(follower: Follower, a: f64, b: f64, near: &Joints, blocks: usize) -> Option<(Vec<Block>, Joints)> {
+fn fit(follower: Follower, a: f64, b: f64, near: &Joints, count: usize) -> Option<(Vec<Block>, Joints)> {
     let at = |x: f64| a + 0.5 * (b - a) * (1.0 + x);
     let mut last = *near;
     let mut exact = |s: f64| -> Option<Joints> {
@@ -258,15 +267,7 @@ fn fit(follower: Follower, a: f64, b: f64, near: &Joints, blocks: usize) -> Opti
     }
     let end = exact(b)?;
     let machine = follower.machine;
-    let mut fitted = vec![[[0.0; LANES]; NODES]; blocks];
-    let mut series = Vec::with_capacity(machine.axes.len());
-    for axis in 0..machine.axes.len() {
-        let s = Series::fit(&values[axis]);
-        for (row, c) in fitted[axis / LANES].iter_mut().zip(s.c) {
-            row[axis % LANES] = c;
-        }
-        series.push(s);
-    }
+    let series: Vec<Series> = values[..machine.axes.len()].iter().map(Series::fit).collect();
     let mut last = *near;
     for i in 0..=2 * NODES {
         let x = i as f64 / NODES as f64 - 1.0;
@@ -284,5 +285,15 @@ fn fit(follower: Follower, a: f64, b: f64, near: &Joints, blocks: usize) -> Opti
         }
         last = q;
     }
-    Some((fitted, end))
+    Some((blocks(series.into_iter(), count), end))
+}
+
+/// The coefficients of the axes' series, in `count` blocks.
+fn blocks(series: impl Iterator<Item = Series>, count: usize) -> Vec<Block> {
+    let mut blocks = vec![[[0.0; LANES]; NODES]; count];
+    for (axis, series) in series.enumerate() {
+        let rows = blocks[axis / LANES].iter_mut().zip(series.c);
+        rows.for_each(|(row, c)| row[axis % LANES] = c);
+    }
+    blocks
 }

@@ -11,16 +11,19 @@
 
 pub mod air;
 mod arc_limits;
+pub mod corners;
 pub mod fine;
 mod follower;
 pub mod jog;
 mod joint_path;
 pub mod law;
+mod legs;
 mod limits;
 pub mod pace;
 mod pass_channels;
 mod pass_clearance;
 mod pass_motion;
+mod planned;
 pub mod pulses;
 pub mod redundancy;
 mod set_points;
@@ -29,12 +32,15 @@ mod survey;
 pub mod taught;
 pub mod textbook;
 mod tip_channels;
+mod tip_path;
 mod weld_motion;
 
 pub use joint_path::{JointPath, JointPoint};
 pub use law::{LawPoint, SpeedLaw, SpeedReport};
+pub use legs::Leg;
 pub use limits::{Binding, plain};
 pub use pass_clearance::PassClearance;
 pub use pass_motion::PassMotion;
 pub use set_points::{Phase, SetPoint, SetPoints};
+pub use tip_path::TipPath;
 pub use weld_motion::{Stage, WeldMotion};

@@ -1,7 +1,8 @@
 //! What the axes allow along a path, and how to say where they do not.
 
-use crate::SpeedLaw;
-use crate::law::{Bound, Certificate, Interval};
+use crate::law::{Bound, Interval};
+use crate::legs::Leg;
+use crate::planned::Planned;
 use seamwright_machine::{Machine, TipLimits};
 use seamwright_program::{Finding, OnLimit, Pass};
 
@@ -61,17 +62,17 @@ pub fn plain(limit: f64) -> f64 {
 }
 
 /// Where the tip is slower than asked between run-up and run-down, and what keeps it from being faster.
-pub(crate) fn speed_findings(machine: &Machine, certificate: &Certificate, pass: &Pass, number: usize) -> Vec<Finding> {
-    let mut runs: Vec<Vec<&Interval>> = vec![Vec::new()];
-    for interval in &certificate.intervals {
-        let slow = interval.bound != Bound::Asked && interval.between;
+pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Vec<Finding> {
+    let Planned { machine, certificate, .. } = planned;
+    let mut runs: Vec<Vec<Interval>> = vec![Vec::new()];
+    for interval in between(planned) {
         match runs.last_mut() {
-            Some(run) if slow => run.push(interval),
+            Some(run) if interval.bound != Bound::Asked => run.push(interval),
             _ => runs.push(Vec::new()),
         }
     }
     let asked = |s: f64| pass.span_at(s).map_or(0.0, |span| span.speed_mm_s.get());
-    let finding = |run: &Vec<&Interval>| {
+    let finding = |run: &Vec<Interval>| {
         let slowest = run.iter().min_by(|a, b| a.speed.0.total_cmp(&b.speed.0))?;
         let (wanted, reached) = (asked(slowest.least_at), slowest.speed.0);
         if reached > wanted * (1.0 - WORTH_SAYING) {
@@ -90,9 +91,14 @@ pub(crate) fn speed_findings(machine: &Machine, certificate: &Certificate, pass:
             to_mm: run[run.len() - 1].to,
             cure: match pass.on_limit {
                 OnLimit::Refuse => format!(
-                    "ask for {:.3} mm/s, which every axis can keep everywhere, or set weld.on_limit = \"slow\" to slow down there",
+                    "ask for {:.3} mm/s, which every axis can keep everywhere, or set weld.on_limit = \"slow\" to slow down there{}",
                     // Rounded down, so that the number printed can be asked for.
-                    (certificate.everywhere * 1e3).floor() * 1e-3
+                    (certificate.everywhere * 1e3).floor() * 1e-3,
+                    if planned.joints.in_blend(slowest.least_at) {
+                        ", or allow the blend more of the seam"
+                    } else {
+                        ""
+                    }
                 ),
                 OnLimit::Slow => "none needed: the weld slows down there, as asked".to_owned(),
             },
@@ -102,21 +108,44 @@ pub(crate) fn speed_findings(machine: &Machine, certificate: &Certificate, pass:
     runs.iter().filter_map(finding).collect()
 }
 
-/// A weld too short to reach the asked speed at all.
-pub(crate) fn never_reached(law: &SpeedLaw, asked: f64, on_limit: OnLimit, pass: usize) -> Option<Finding> {
-    let band = law.report();
-    let reached = band.greatest;
-    (reached < asked * (1.0 - WORTH_SAYING) && band.run_up_end >= band.run_down_start).then(|| Finding {
-        kind: "speed",
-        message: format!(
-            "the weld is too short: between run-up and run-down it reaches {reached:.3} of {asked:.3} mm/s"
-        ),
-        pass,
-        from_mm: 0.0,
-        to_mm: band.run_up_end,
-        cure: format!("ask for {:.3} mm/s or less, or set weld.on_limit = \"slow\"", (reached * 1e3).floor() * 1e-3),
-        allowed: on_limit == OnLimit::Slow,
-    })
+/// The certificate's stretches without the run-up and run-down of each leg.
+fn between(planned: Planned) -> Vec<Interval> {
+    let mut all = Vec::new();
+    let rounding = 1e-9 * planned.joints.length();
+    for i in planned.certificate.intervals.iter().filter(|i| i.between) {
+        for leg in planned.legs {
+            let (from, to) = (i.from.max(leg.run_up_end), i.to.min(leg.run_down_start));
+            if from - i.from <= rounding && i.to - to <= rounding {
+                all.push(*i);
+            } else if let Some((least, greatest)) = planned.tip_band(from, to).filter(|_| to - from > rounding) {
+                all.push(Interval { from, to, speed: (least.0, greatest), least_at: least.1, ..*i });
+            }
+        }
+    }
+    all
+}
+
+/// Legs too short to reach the speed of any span at all.
+pub(crate) fn never_reached(planned: Planned, asked: f64, on_limit: OnLimit, pass: usize) -> Vec<Finding> {
+    let finding = |leg: &Leg| {
+        let reached = planned.tip_speed_at(leg.run_up_end);
+        let what = if planned.legs.len() > 1 { "way between two stops" } else { "weld" };
+        (reached < asked * (1.0 - WORTH_SAYING) && leg.run_up_end >= leg.run_down_start).then(|| Finding {
+            kind: "speed",
+            message: format!(
+                "the {what} is too short: between run-up and run-down it reaches {reached:.3} of {asked:.3} mm/s"
+            ),
+            pass,
+            from_mm: leg.from,
+            to_mm: if planned.legs.len() > 1 { leg.to } else { leg.run_up_end },
+            cure: format!(
+                "ask for {:.3} mm/s or less, or set weld.on_limit = \"slow\"",
+                (reached * 1e3).floor() * 1e-3
+            ),
+            allowed: on_limit == OnLimit::Slow,
+        })
+    };
+    planned.legs.iter().filter_map(finding).collect()
 }
 
 /// Joins neighbouring places with the same complaint into runs, keeping the worst message of each.

@@ -1,7 +1,8 @@
 use crate::JointPath;
 use crate::law::{Channels, Limits};
 use crate::tip_channels::TipChannels;
-use seamwright_machine::Machine;
+use glam::DVec3;
+use seamwright_machine::{Joints, Machine};
 use seamwright_program::Pass;
 
 /// Part of an axis' acceleration by which it may jump between two panels of a path: more is a corner.
@@ -39,6 +40,17 @@ impl<'a> PassChannels<'a> {
         &self.stops
     }
 
+    /// Derivatives of all channels where the axes have the positions and derivatives `d`, into `out`; and those of the tip.
+    pub(crate) fn along(&self, d: &[Joints; 4], out: &mut [[f64; 3]]) -> [DVec3; 3] {
+        let (axes, tip) = out.split_at_mut(self.machine.axes.len());
+        axes.iter_mut().enumerate().for_each(|(i, out)| *out = [d[1][i], d[2][i], d[3][i]]);
+        let motion = self.machine.tip_derivatives(d);
+        if !tip.is_empty() {
+            TipChannels::derivatives(motion, tip);
+        }
+        motion
+    }
+
     /// An axis whose speed or acceleration would jump at `s` at the asked speed.
     fn corner(&self, s: f64) -> Option<usize> {
         let (before, after) = (self.path.point(s, true), self.path.point(s, false));
@@ -71,11 +83,12 @@ impl Channels for PassChannels<'_> {
 
     fn derivatives(&self, s: f64, before: bool, out: &mut [[f64; 3]]) -> f64 {
         let p = self.path.point(s, before);
-        let (axes, tip) = out.split_at_mut(self.machine.axes.len());
-        axes.iter_mut().enumerate().for_each(|(i, out)| *out = [p.d1[i], p.d2[i], p.d3[i]]);
-        if !tip.is_empty() {
-            TipChannels::derivatives(self.machine.tip_derivatives(&[p.q, p.d1, p.d2, p.d3]), tip);
+        let blend = self.path.in_blend(s);
+        if blend || out.len() > self.machine.axes.len() {
+            let [d1, ..] = self.along(&[p.q, p.d1, p.d2, p.d3], out);
+            return if blend { d1.length() } else { 1.0 };
         }
+        out.iter_mut().enumerate().for_each(|(i, out)| *out = [p.d1[i], p.d2[i], p.d3[i]]);
         1.0
     }
 

@@ -1,14 +1,17 @@
 use crate::arc_limits::{least_speed_findings, stop_findings};
+use crate::corners::rounded;
 use crate::follower::Follower;
 use crate::law::{Certificate, LawError};
+use crate::legs::{Leg, legs};
 use crate::limits::{never_reached, speed_findings};
 use crate::pace::PassTimed;
 use crate::pass_channels::PassChannels;
+use crate::planned::Planned;
 use crate::redundancy::{Clearance, resolve};
 use crate::set_points::SetPoints;
 use crate::singular;
 use crate::survey::{range_between, range_on_path, survey};
-use crate::{JointPath, SpeedLaw};
+use crate::{JointPath, LawPoint, SpeedLaw};
 use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_program::{Finding, Pass, Sequence, TorchPath};
 
@@ -21,6 +24,8 @@ pub struct PassMotion {
     pub law: SpeedLaw,
     /// What the law reaches, and what bounds it where; channels are the machine's axes.
     pub certificate: Certificate,
+    /// The stretches between rests: one, unless the torch stops at corners.
+    pub legs: Vec<Leg>,
     /// Times before and after the travel.
     pub sequence: Sequence,
     /// Largest angle (rad) between the torch attitude asked for and the one reached, and where (mm).
@@ -77,6 +82,8 @@ impl PassMotion {
             findings.retain(|f| f.kind != "range");
             findings.extend(range_on_path(machine, &joints, number));
         }
+        let (joints, left, notes) = rounded(follower, joints, pass, number);
+        findings.extend(notes);
         let asked = |s: f64| pass.span_at(s).map_or(0.0, |span| span.speed_mm_s.get());
         let channels = PassChannels::new(machine, &joints, pass, 1.0);
         let law = match SpeedLaw::new(&channels) {
@@ -87,10 +94,13 @@ impl PassMotion {
             }
         };
         let certificate = Certificate::new(&channels, &law);
-        findings.extend(speed_findings(machine, &certificate, pass, number));
-        findings.extend(stop_findings(machine, channels.corners(), number));
-        findings.extend(least_speed_findings(machine, &certificate, &law, (pass, joints.length()), number));
-        findings.extend(never_reached(&law, fastest, pass.on_limit, number));
+        let stops: Vec<f64> = channels.corners().iter().map(|corner| corner.0).collect();
+        let legs = legs(&law, &stops, joints.length());
+        let planned = Planned { machine, joints: &joints, law: &law, certificate: &certificate, legs: &legs };
+        findings.extend(speed_findings(planned, pass, number));
+        findings.extend(stop_findings(machine, &left, pass, number));
+        findings.extend(least_speed_findings(planned, pass, number));
+        findings.extend(never_reached(planned, fastest, pass.on_limit, number));
         let decided: AxisSet = (0..machine.axes.len()).filter(|&i| !free.has(i)).collect();
         findings.extend(singular::margins(machine, &joints, decided, &asked, number));
         findings.extend(range_between(machine, &joints, number));
@@ -101,6 +111,7 @@ impl PassMotion {
             path: joints,
             law,
             certificate,
+            legs,
             sequence: pass.sequence.clone(),
             attitude_error: survey.attitude_error,
             findings,
@@ -120,6 +131,12 @@ impl PassMotion {
     /// Time the arc (or beam) is on, s.
     pub fn arc_on_s(&self) -> f64 {
         self.sequence.travel_delay_s.get() + self.law.duration() + self.sequence.crater_s.get()
+    }
+
+    /// Speed of the torch tip of `machine`, whose motion this is, where the law is at `p`, mm/s: that of the path length but
+    /// in blends.
+    pub fn tip_speed(&self, machine: &Machine, p: LawPoint) -> f64 {
+        p.v * self.path.tip_rate(machine, p.s)
     }
 
     /// The motion of `machine` in time, to be played at another pace.

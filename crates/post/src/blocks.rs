@@ -2,7 +2,7 @@ use crate::Error;
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, Joints, Machine};
-use seamwright_motion::PassMotion;
+use seamwright_motion::{PassMotion, TipPath};
 use seamwright_program::TorchPath;
 
 /// What the control interpolates linearly.
@@ -37,7 +37,7 @@ pub struct Linearisation {
     pub start: Block,
     /// The blocks.
     pub blocks: Vec<Block>,
-    /// Greatest distance found between the path of the blocks and the seam, mm.
+    /// Greatest distance found between the path of the blocks and the planned one of the tip, mm.
     pub chord_error_mm: f64,
 }
 
@@ -60,21 +60,21 @@ const TURN: f64 = 1e-7;
 /// LinuxCNC's interpreter raises any lower feed to this, in mm/min or deg/min, without a word.
 const LEAST_FEED: f64 = 0.1;
 
-/// Cuts `motion` along `path` into few blocks whose path stays within `tolerance_mm` of the seam: greedily, each
-/// block as long as tolerance, timing, attitude and the control's least feed let it be.
+/// Cuts `motion` into few blocks whose path stays within `tolerance_mm` of the planned one of the tip (the seam, but for
+/// blends at corners): greedily, each block as long as tolerance, timing, attitude and the control's least feed let it be.
 ///
-/// Places where spans end (`breaks`, mm) always end a block.
+/// Places where spans end (`breaks`, mm) and corners at which the torch stops always end a block.
 ///
 /// # Errors
 /// [`Error::TooFine`], [`Error::NoTip`].
 pub fn linearise(
     machine: &Machine,
-    path: &dyn TorchPath,
     motion: &PassMotion,
     breaks: &[f64],
     level: Level,
     tolerance_mm: f64,
 ) -> Result<Linearisation, Error> {
+    let path = motion.tip_path(machine);
     let cutter = Cutter { machine, path, motion, level, tolerance: USED * tolerance_mm };
     if level == Level::Tip && !["x", "y", "z"].iter().all(|n| machine.axis(n).is_some()) {
         return Err(Error::NoTip);
@@ -83,7 +83,9 @@ pub fn linearise(
     // The last place whose linear words were written.
     let mut written = here;
     let mut cut = Linearisation { start: here, blocks: Vec::new(), chord_error_mm: 0.0 };
-    let mut ends: Vec<f64> = breaks.iter().copied().filter(|s| *s > 0.0 && *s < path.length()).collect();
+    let stops = motion.legs.iter().skip(1).map(|leg| leg.from);
+    let mut ends: Vec<f64> = breaks.iter().copied().chain(stops).filter(|s| *s > 0.0 && *s < path.length()).collect();
+    ends.sort_by(f64::total_cmp);
     ends.push(path.length());
     let mut length = 1.0;
     for end in ends {
@@ -109,7 +111,7 @@ pub fn linearise(
 
 struct Cutter<'a> {
     machine: &'a Machine,
-    path: &'a dyn TorchPath,
+    path: TipPath<'a>,
     motion: &'a PassMotion,
     level: Level,
     tolerance: f64,
@@ -169,7 +171,7 @@ impl Cutter<'_> {
         }
     }
 
-    /// Worst distance from the seam (mm), lead or lag along it (mm) and attitude deviation (rad) inside a block.
+    /// Worst distance from the planned path (mm), lead or lag along it (mm) and attitude deviation (rad) inside a block.
     fn chord_error(&self, a: &Block, b: &Block) -> (f64, f64, f64) {
         let begin = self.motion.law.time(a.s);
         let mut worst = (0.0f64, 0.0f64, 0.0f64);

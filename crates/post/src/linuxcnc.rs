@@ -14,7 +14,7 @@ use std::fmt::Write;
 pub struct Options {
     /// What the control interpolates.
     pub level: Level,
-    /// Greatest distance of the blocks' path from the seam, mm.
+    /// Greatest distance of the blocks' path from the planned one of the tip, mm.
     pub tolerance_mm: f64,
 }
 
@@ -58,11 +58,11 @@ pub fn linuxcnc(
     // Rounding of corners by the control, and linear motion left to the next block, count against the tolerance too.
     let tolerance = (1.0 - ROUNDING - HELD_BACK) * options.tolerance_mm;
     let mut writer = Writer { out: String::new(), machine, options, letters, written: BTreeMap::new() };
-    for (i, ((pass, path), planned)) in program.passes.iter().zip(paths).zip(&motion.passes).enumerate() {
+    for (i, (pass, planned)) in program.passes.iter().zip(&motion.passes).enumerate() {
         let mut breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
         breaks.extend(pass.spans.iter().flat_map(ramp_breaks));
         breaks.sort_by(f64::total_cmp);
-        let cut = linearise(machine, *path, planned, &breaks, options.level, tolerance)?;
+        let cut = linearise(machine, planned, &breaks, options.level, tolerance)?;
         if i == 0 {
             writer.header(program);
         }

@@ -67,6 +67,8 @@ impl Program {
                 let path = format!("passes[{p}].spans");
                 return Err(document.error_at(&path, "the pass has no spans", "at least one [[passes.spans]]"));
             }
+            let within = format!("passes[{p}].tolerance");
+            pass.corner.check(&document, &format!("passes[{p}].corner"), (&within, &pass.tolerance))?;
             pass.sequence.check(&document, &format!("passes[{p}].sequence"), &pass.spans[0].process)?;
             for (i, span) in pass.spans.iter().enumerate() {
                 let path = |key: &str| format!("passes[{p}].spans[{i}].{key}");
@@ -149,6 +151,12 @@ mod tests {
         let e = Program::read("p.toml", &least).unwrap_err();
         assert_eq!((e.key.as_str(), e.value.as_str()), ("passes[0].least_speed_mm_s", "6"));
         assert!(Program::read("p.toml", &least.replace("= 6", "= 4.9")).is_ok());
+        let corner = TEXT.replace("name = \"root\"", "name = \"root\"\ncorner = { blend_mm = 0.4 }");
+        let blended = Program::read("p.toml", &corner).unwrap().value;
+        assert_eq!(Program::read("p.toml", &blended.to_toml().unwrap()).unwrap().value, blended);
+        let e = Program::read("p.toml", &corner.replace("0.4", "0.7")).unwrap_err();
+        assert_eq!((e.key.as_str(), e.value.as_str()), ("passes[0].corner.blend_mm", "0.7"));
+        assert_eq!(e.allowed.as_deref(), Some("more than 0, up to passes[0].tolerance.path_mm = 0.5"));
         let none = TEXT.split("[[passes.spans]]").next().unwrap().to_owned() + "spans = []\n";
         assert!(Program::read("p.toml", &none).unwrap_err().message.contains("no spans"));
     }

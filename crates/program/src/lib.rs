@@ -6,6 +6,7 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
 mod air;
+mod at_corner;
 mod document;
 mod finding;
 mod offsets;
@@ -19,6 +20,7 @@ mod tolerance;
 mod torch;
 
 pub use air::Air;
+pub use at_corner::AtCorner;
 pub use document::Program;
 pub use finding::Finding;
 pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};

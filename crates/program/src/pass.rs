@@ -1,4 +1,4 @@
-use crate::{ProcessValues, Sequence, SpareAxes, Tolerance, Torch};
+use crate::{AtCorner, ProcessValues, Sequence, SpareAxes, Tolerance, Torch};
 use schemars::JsonSchema;
 use seamwright_document::{NonNegative, Positive};
 use serde::{Deserialize, Serialize};
@@ -16,6 +16,9 @@ pub struct Pass {
     /// held against it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub least_speed_mm_s: Option<Positive>,
+    /// What to do at a corner inside the weld.
+    #[serde(default, skip_serializing_if = "AtCorner::is_usual")]
+    pub corner: AtCorner,
     /// What happens before and after the travel.
     #[serde(default)]
     pub sequence: Sequence,

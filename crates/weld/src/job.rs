@@ -3,8 +3,8 @@ use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_program::{
-    Air, Clearance, Offsets, OnLimit, Part, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span, SpareAxes,
-    Tolerance, Torch, check_offset, check_process,
+    Air, AtCorner, Clearance, Offsets, OnLimit, Part, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span,
+    SpareAxes, Tolerance, Torch, check_offset, check_process,
 };
 use serde::{Deserialize, Serialize};
 
@@ -73,6 +73,9 @@ pub struct Weld {
     /// against it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub least_speed_mm_s: Option<Positive>,
+    /// What to do at a corner inside the weld.
+    #[serde(default, skip_serializing_if = "AtCorner::is_usual")]
+    pub corner: AtCorner,
     /// Process values by name; the name ends in its unit: `current_a`, `voltage_v`, `wire_feed_m_min` and so on. Each
     /// is a number, or a ramp `{ from = .., to = .. }` linear in path length over the weld.
     #[serde(default)]
@@ -88,6 +91,7 @@ impl Job {
         let job = Document::<Self>::read(file, text)?;
         check_offset(&job, job.value.offset.as_deref(), &job.value.offsets)?;
         check_process(&job, "weld.process", &job.value.weld.process)?;
+        job.value.weld.corner.check(&job, "weld.corner", ("tolerance", &job.value.tolerance))?;
         job.value.sequence.check(&job, "sequence", &job.value.weld.process)?;
         if job.value.weld.least_speed_mm_s.is_some_and(|least| least >= job.value.weld.speed_mm_s) {
             let allowed = format!("less than speed_mm_s = {}", job.value.weld.speed_mm_s.get());
@@ -116,6 +120,7 @@ impl Job {
             name: "pass 1".to_owned(),
             on_limit: j.weld.on_limit,
             least_speed_mm_s: j.weld.least_speed_mm_s,
+            corner: j.weld.corner,
             sequence: j.sequence.clone(),
             torch: j.torch.clone(),
             tolerance: j.tolerance,

@@ -67,7 +67,8 @@ fn trace(
             curves[pass].add(machine, sample);
         }
         let values = process.values(sample.pass, sample.set.law.s, clock.at(sample.pass, &sample.set));
-        trace.row(row(machine, sample).into_iter().chain(values)).map_err(Failure::from)
+        let speed = motion.tip_speed(machine, sample.pass, &sample.set);
+        trace.row(row(machine, sample, speed).into_iter().chain(values)).map_err(Failure::from)
     })?;
     trace.finish()?.flush()?;
     Ok((summaries, curves))
@@ -97,8 +98,8 @@ fn columns(machine: &Machine, process: &[String]) -> Vec<(String, &'static str)>
     columns
 }
 
-/// All columns but those of the process.
-fn row(machine: &Machine, sample: &Sample) -> Vec<f64> {
+/// All columns but those of the process, with the planned `speed` of the tip.
+fn row(machine: &Machine, sample: &Sample, speed: f64) -> Vec<f64> {
     let law = sample.set.law;
     let arc = sample.arc();
     let mut row = vec![
@@ -106,7 +107,7 @@ fn row(machine: &Machine, sample: &Sample) -> Vec<f64> {
         sample.pass as f64,
         law.s,
         if arc { 1.0 } else { 0.0 },
-        law.v,
+        speed,
         sample.tip_s,
         sample.tip_speed,
         sample.path_error,

@@ -7,4 +7,6 @@ mod path;
 mod spline;
 mod thin;
 
+pub(crate) use spline::Piece;
+
 pub use path::{Corner, TaughtPath};

@@ -30,8 +30,13 @@ impl Piece {
     /// differentiable.
     pub(crate) fn blend(before: &Self, after: &Self) -> Self {
         let (from, to) = (before.to, after.from);
+        let start = |[q, d1, d2, _]: [Joints; 4]| [q, d1, d2];
+        Self::quintic((from, to), start(before.derivatives(from)), start(after.derivatives(to)))
+    }
+
+    /// The quintic with the positions and two derivatives `a` at its start and `b` at its end.
+    pub(crate) fn quintic((from, to): (f64, f64), a: [Joints; 3], b: [Joints; 3]) -> Self {
         let h = to - from;
-        let (a, b) = (before.derivatives(from), after.derivatives(to));
         let mut c = [Joints::default(); 6];
         for i in 0..MAX_AXES {
             let [q0, d0, e0] = [a[0][i], a[1][i] * h, a[2][i] * h * h];

@@ -3,7 +3,7 @@ use super::samples::Sample;
 use super::{CertificateFigures, SimulationCurves};
 use crate::{Axis, Band, Chart, ChartGrid, LimitLine, Mark, Series, Style, ThreeViews};
 use seamwright_machine::Machine;
-use seamwright_motion::{PassClearance, PassMotion};
+use seamwright_motion::{Leg, PassClearance, PassMotion};
 use seamwright_weld::Welding;
 
 /// The plots of a weld.
@@ -49,7 +49,7 @@ impl Plots {
             axes: axes(machine, samples),
             jerks: jerks(machine, samples),
             speed: speed(motion, samples, certificate, curves),
-            deviation: curves.map(|c| deviation(motion, c)),
+            deviation: curves.map(|c| deviation(machine, motion, c)),
             following: curves.map(|c| following(machine, c)),
             path_error: curves.map(|c| Chart {
                 title: "Distance of the true torch tip from the seam".to_owned(),
@@ -213,16 +213,18 @@ fn speed(
     certificate: &CertificateFigures,
     curves: Option<&SimulationCurves>,
 ) -> Chart {
-    let band = motion.law.report();
     let mut series = Vec::new();
     if let Some(c) = curves {
         series.push(Series::line("true tip, simulated", c.tip_speed()));
     }
     series.push(Series::line("planned", samples.iter().map(|s| (s.s, s.speed)).collect()));
-    let mut bands = vec![
-        Band { label: "run-up".to_owned(), from: 0.0, to: band.run_up_end },
-        Band { label: "run-down".to_owned(), from: band.run_down_start, to: motion.path.length() },
-    ];
+    let ends = |leg: &Leg| {
+        [
+            Band { label: "run-up".to_owned(), from: leg.from, to: leg.run_up_end },
+            Band { label: "run-down".to_owned(), from: leg.run_down_start, to: leg.to },
+        ]
+    };
+    let mut bands: Vec<Band> = motion.legs.iter().flat_map(ends).collect();
     bands.extend(slowed(certificate));
     // Bands too narrow to see would only put their names over the curve.
     let wide = 0.01 * motion.path.length();
@@ -237,10 +239,10 @@ fn speed(
 }
 
 /// The speed's deviation in percent, between run-up and run-down.
-fn deviation(motion: &PassMotion, curves: &SimulationCurves) -> Chart {
-    let band = motion.law.report();
-    let steady = |s: f64| s > band.run_up_end && s < band.run_down_start;
-    let percent = |(s, v): (f64, f64)| (s, 100.0 * (v / motion.law.speed(s) - 1.0));
+fn deviation(machine: &Machine, motion: &PassMotion, curves: &SimulationCurves) -> Chart {
+    let steady = |s: f64| motion.legs.iter().any(|leg| s > leg.run_up_end && s < leg.run_down_start);
+    let planned = |s: f64| motion.law.speed(s) * motion.path.tip_rate(machine, s);
+    let percent = |(s, v): (f64, f64)| (s, 100.0 * (v / planned(s) - 1.0));
     Chart {
         title: "Speed of the true tip against the planned speed".to_owned(),
         x: along(),

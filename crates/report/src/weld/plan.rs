@@ -1,6 +1,6 @@
 use super::samples::Sample;
 use seamwright_machine::Machine;
-use seamwright_motion::PassMotion;
+use seamwright_motion::{Leg, PassMotion};
 use seamwright_program::{Pass, ProcessValues, SeamStart, Sequence, Tolerance};
 use seamwright_weld::Welding;
 use serde::Serialize;
@@ -73,8 +73,9 @@ pub struct AxisFigures {
 }
 
 /// Least and greatest arc energy (kJ/mm) at the planned speed within `steady`, if current and voltage are given there.
-fn arc_energy(pass: &Pass, samples: &[Sample], steady: (f64, f64)) -> Option<(f64, f64)> {
-    let inside = samples.iter().filter(|s| s.s > steady.0 && s.s < steady.1 && s.speed > 0.0);
+fn arc_energy(pass: &Pass, samples: &[Sample], legs: &[Leg]) -> Option<(f64, f64)> {
+    let steady = |s: f64| legs.iter().any(|leg| s > leg.run_up_end && s < leg.run_down_start);
+    let inside = samples.iter().filter(|s| steady(s.s) && s.speed > 0.0);
     let energies = inside.map(|s| {
         let value = |name: &str| pass.process_at(name, s.s, (f64::INFINITY, f64::INFINITY));
         let power = value("current_a")? * value("voltage_v")?;
@@ -112,7 +113,7 @@ impl PlanFigures {
             total_s: motion.total_s(),
             attitude_error_deg: motion.attitude_error.0.to_degrees(),
             attitude_error_at_mm: motion.attitude_error.1,
-            arc_energy_kj_mm: arc_energy(pass, samples, (band.run_up_end, band.run_down_start)),
+            arc_energy_kj_mm: arc_energy(pass, samples, &motion.legs),
             start: program.start,
             sequence: pass.sequence.clone(),
             tolerance: pass.tolerance,

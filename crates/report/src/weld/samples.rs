@@ -44,7 +44,7 @@ fn sample(machine: &Machine, welding: &Welding, pass: usize, motion: &PassMotion
     let dihedral = welding.seam.at(s).dihedral;
     Sample {
         s,
-        speed: v,
+        speed: motion.tip_speed(machine, law),
         axes: axes.collect(),
         angles: (work.to_degrees(), travel.to_degrees(), dihedral.to_degrees()),
     }

@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::load::{Loaded, load};
 use crate::progress::Progress;
-use seamwright_motion::WeldMotion;
+use seamwright_motion::{SetPoint, WeldMotion};
 use seamwright_report::CertificateFigures;
 use serde::Serialize;
 use std::path::Path;
@@ -41,17 +41,19 @@ pub(crate) fn run(args: &MotionArgs) -> Result<(), Failure> {
     let coarse = period * f64::from(parts.unwrap_or(1));
     let mut progress = Progress::new("set-points", motion.count(coarse, args.air));
     let mut arc = ArcClock::new(&motion);
+    let speed = |pass, set: &SetPoint| motion.tip_speed(&loaded.machine, pass, set);
     let mut table = Table::new(&loaded, args.export, args.json)?;
     if parts.is_none() && args.export.is_none() {
         motion.play(period, args.air, |pass, p, _| {
             progress.step();
-            table.row(&Row { t: p.t, along: Along::new(pass, &p, arc.at(pass, &p)), q: p.q, speeds: None })
+            let along = Along::new(pass, &p, speed(pass, &p), arc.at(pass, &p));
+            table.row(&Row { t: p.t, along, q: p.q, speeds: None })
         })?;
     } else {
         let mut level = TwoLevel::new(table, period, parts.unwrap_or(1), args.export);
         motion.play(coarse, args.air, |pass, p, _| {
             progress.step();
-            level.point(Along::new(pass, &p, arc.at(pass, &p)), &p.q)
+            level.point(Along::new(pass, &p, speed(pass, &p), arc.at(pass, &p)), &p.q)
         })?;
         table = level.finish()?;
     }

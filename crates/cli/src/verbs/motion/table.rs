@@ -13,15 +13,15 @@ pub(super) struct Along {
     pub(super) pass: usize,
     /// Path length, mm; no number in the air, like the speed.
     pub(super) s: f64,
-    /// Speed along it, mm/s.
+    /// Speed of the tip, mm/s.
     pub(super) speed: f64,
     /// None while the arc is off.
     pub(super) arc: Option<Clock>,
 }
 
 impl Along {
-    pub(super) fn new(pass: usize, set: &SetPoint, arc: Option<Clock>) -> Self {
-        Self { pass, s: set.law.s, speed: set.law.v, arc }
+    pub(super) fn new(pass: usize, set: &SetPoint, speed: f64, arc: Option<Clock>) -> Self {
+        Self { pass, s: set.law.s, speed, arc }
     }
 }
 

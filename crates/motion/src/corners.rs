@@ -1,0 +1,287 @@
+//! Corners of a pass: places inside it where the speed or acceleration of an axis would jump. The torch stops there, or
+//! goes round them on a blend.
+
+use crate::JointPath;
+use crate::follower::Follower;
+use crate::law::{Channels, Limits};
+use crate::pass_channels::PassChannels;
+use crate::taught::Piece;
+use glam::DVec3;
+use seamwright_geometry::Pose;
+use seamwright_machine::Joints;
+use seamwright_program::{AtCorner, Finding, Pass};
+
+/// Places in a blend that are looked at; the worst of them is then looked for between its neighbours.
+const PLACES: u32 = 64;
+const REFINED: usize = 24;
+/// Blends are made for this part of the tolerances, since places are only looked at so closely.
+const USED: f64 = 0.999;
+/// Part of every limit that is used in a blend wide enough for the asked speed.
+const AT_EASE: f64 = 0.9;
+/// How closely the width of a blend is found.
+const CLOSE: f64 = 1e-5;
+/// A blend reaches at least so far to each side (mm, and as a part of the path): shorter ones cost the law digits.
+const SHORTEST: (f64, f64) = (1e-3, 1e-5);
+/// The tip's way in a blend is at least this part of the seam's: a blend at a turn by more than 168 degrees would stand
+/// nearly still in its middle.
+const LEAST_RATE: f64 = 0.1;
+
+/// A corner that is left.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Left {
+    /// Path length, mm.
+    pub(crate) s: f64,
+    /// An axis that would jump there.
+    pub(crate) axis: usize,
+    /// Why there is no blend, if one was asked for.
+    pub(crate) why: Option<String>,
+}
+
+/// A blend that fits: what it is, and how far it takes the tip from the seam and the torch from its direction.
+struct Fitting {
+    piece: Piece,
+    away: Away,
+}
+
+/// How far the torch is from what is asked.
+#[derive(Debug, Clone, Copy, Default)]
+struct Away {
+    /// Distance of the tip from the seam, mm.
+    tip: f64,
+    /// Angle of the direction from that asked for at the nearest place of the seam, rad.
+    direction: f64,
+}
+
+/// What keeps a blend from being made.
+enum Unfit {
+    /// The tip would (nearly) stand still: the path turns back.
+    TurnsBack,
+    /// Too far from the seam.
+    TooFar,
+}
+
+/// The path with its corners rounded as `pass` wants them, the corners left, and notes of those that are rounded.
+pub(crate) fn rounded(
+    follower: Follower,
+    joints: JointPath,
+    pass: &Pass,
+    number: usize,
+) -> (JointPath, Vec<Left>, Vec<Finding>) {
+    let machine = follower.machine;
+    let channels = PassChannels::new(machine, &joints, pass, 1.0);
+    let corners = channels.corners().to_vec();
+    let AtCorner::BlendMm(distance) = pass.corner else {
+        let left = corners.into_iter().map(|(s, axis)| Left { s, axis, why: None });
+        return (joints, left.collect(), Vec::new());
+    };
+    let most = Away { tip: distance.get(), direction: pass.tolerance.attitude_deg.get().to_radians() };
+    let (mut blends, mut left, mut notes) = (Vec::new(), Vec::new(), Vec::new());
+    for (i, &(s, axis)) in corners.iter().enumerate() {
+        let before = if i > 0 { corners[i - 1].0 } else { 0.0 };
+        let after = corners.get(i + 1).map_or(joints.length(), |c| c.0);
+        let corner = Corner { follower, joints: &joints, channels: &channels, s, reach: (before, after) };
+        match corner.blend(&most) {
+            Ok(Fitting { piece, away }) => {
+                notes.push(note((&piece, &away), s, number));
+                blends.push(piece);
+            }
+            Err(why) => left.push(Left { s, axis, why: Some(why) }),
+        }
+    }
+    if blends.is_empty() { (joints, left, notes) } else { (joints.blended(&blends), left, notes) }
+}
+
+/// What is to be said of a blend.
+fn note((piece, away): (&Piece, &Away), s: f64, pass: usize) -> Finding {
+    let turned = away.direction.to_degrees();
+    let direction = if turned < 0.05 { String::new() } else { format!(", its direction by up to {turned:.1} degrees") };
+    Finding {
+        kind: "blend",
+        message: format!(
+            "the torch goes round the corner at s = {s:.3} mm: over {:.3} mm its tip leaves the seam by up to {:.3} mm{direction}",
+            piece.to - piece.from,
+            away.tip
+        ),
+        pass,
+        from_mm: piece.from,
+        to_mm: piece.to,
+        cure: "none needed: corners are blended, as asked".to_owned(),
+        allowed: true,
+    }
+}
+
+/// A corner and what is around it.
+struct Corner<'a> {
+    follower: Follower<'a>,
+    joints: &'a JointPath,
+    channels: &'a PassChannels<'a>,
+    s: f64,
+    /// The corners beside it, or the ends of the path, mm.
+    reach: (f64, f64),
+}
+
+impl Corner<'_> {
+    /// The blend that lets the torch pass fastest within `most` and half the way to what is beside, or why there is
+    /// none: as wide as may be, but no wider than the asked speed needs.
+    fn blend(&self, most: &Away) -> Result<Fitting, String> {
+        let room = 0.5 * (self.s - self.reach.0).min(self.reach.1 - self.s);
+        let shortest = SHORTEST.0.max(SHORTEST.1 * self.joints.length());
+        if room < shortest {
+            return Err(format!("there is no room for a blend: the next corner or end is {:.4} mm away", 2.0 * room));
+        }
+        let mut best = self.fitting(shortest, most);
+        let (mut low, mut high, mut half) = (shortest, room, room);
+        while best.is_ok() && high - low > CLOSE * low {
+            match self.fitting(half, most) {
+                Ok(blend) if !self.at_ease(&blend.piece) => (low, best) = (half, Ok(blend)),
+                Ok(blend) => (high, best) = (half, Ok(blend)),
+                Err(_) => high = half,
+            }
+            half = (low * high).sqrt();
+        }
+        best.map_err(|unfit| match unfit {
+            Unfit::TurnsBack => "the path turns back on itself there, and no blend goes round that".to_owned(),
+            Unfit::TooFar => format!(
+                "the shortest blend, over {:.4} mm, takes the tip more than {} mm from the seam, or the torch more than \
+                 {:.1} degrees from the direction asked for",
+                2.0 * shortest,
+                most.tip,
+                most.direction.to_degrees()
+            ),
+        })
+    }
+
+    /// The blend `half` mm to each side, if it stays within `most`.
+    fn fitting(&self, half: f64, most: &Away) -> Result<Fitting, Unfit> {
+        let (from, to) = (self.s - half, self.s + half);
+        let end = |s: f64, before: bool| {
+            let p = self.joints.point(s, before);
+            [p.q, p.d1, p.d2]
+        };
+        let piece = Piece::quintic((from, to), end(from, true), end(to, false));
+        let at = |i: f64| from + (to - from) * i / f64::from(PLACES);
+        let mut away = Away::default();
+        let mut worst = [(0.0, 0.0); 2];
+        for i in 1..PLACES {
+            let d = piece.derivatives(at(f64::from(i)));
+            if self.follower.machine.tip_derivatives(&d)[0].length() < LEAST_RATE {
+                return Err(Unfit::TurnsBack);
+            }
+            let here = self.away(&d[0], half);
+            for (worst, here) in worst.iter_mut().zip([here.tip, here.direction]) {
+                *worst = if here > worst.1 { (f64::from(i), here) } else { *worst };
+            }
+            away = away.greater(here);
+            if !away.within(most) {
+                return Err(Unfit::TooFar);
+            }
+        }
+        for (kind, (i, _)) in worst.into_iter().enumerate() {
+            let value = |i: f64| self.away(&piece.derivatives(at(i))[0], half);
+            let greatest = greatest((i - 1.0, i + 1.0), |i| [value(i).tip, value(i).direction][kind]);
+            away = away.greater(value(greatest));
+        }
+        if away.within(most) { Ok(Fitting { piece, away }) } else { Err(Unfit::TooFar) }
+    }
+
+    /// True if the torch goes through `blend` at the asked speed with every limit to spare: at constant speed `v` of the tip
+    /// the squared speed by path length is `v^2 / rate^2`, and its derivatives follow from those of the tip.
+    fn at_ease(&self, blend: &Piece) -> bool {
+        let asked = self.channels.asked(blend.from).max(self.channels.asked(blend.to));
+        let mut rows = vec![[0.0; 3]; self.channels.limits().len()];
+        (0..=PLACES).all(|i| {
+            let u = blend.from + (blend.to - blend.from) * f64::from(i) / f64::from(PLACES);
+            let d = blend.derivatives(u);
+            let [r1, r2, r3] = self.channels.along(&d, &mut rows);
+            let (square, mixed) = (r1.length_squared(), r1.dot(r2));
+            let b = asked * asked / square;
+            let b1 = -2.0 * b * mixed / square;
+            let b2 = 2.0 * b * (4.0 * mixed * mixed / square - r2.length_squared() - r1.dot(r3)) / square;
+            let within = |([q1, q2, q3], l): (&[f64; 3], &Limits)| {
+                let speed = q1.abs() * b.sqrt() / l.speed;
+                let acceleration = (q2 * b + 0.5 * q1 * b1).abs() / l.acceleration;
+                let jerk = b.sqrt() * (q3 * b + 1.5 * q2 * b1 + 0.5 * q1 * b2).abs() / l.jerk;
+                speed.max(acceleration).max(jerk) <= AT_EASE
+            };
+            rows.iter().zip(self.channels.limits()).all(within)
+        })
+    }
+
+    /// How far the torches at `q`, in a blend `half` mm to each side, are from what is asked.
+    fn away(&self, q: &Joints, half: f64) -> Away {
+        let Follower { machine, path, .. } = self.follower;
+        let sides =
+            [((self.s - 2.0 * half).max(self.reach.0), self.s), (self.s, (self.s + 2.0 * half).min(self.reach.1))];
+        let first = nearest(|s| path.pose(s), machine.forward(q), sides);
+        match path.second(self.s) {
+            // The path says which of its places have a second torch: all or none.
+            Some(_) => {
+                let pose = |s: f64| path.second(s).unwrap_or_else(|| path.pose(s));
+                first.greater(nearest(pose, machine.forward_of(1, q), sides))
+            }
+            None => first,
+        }
+    }
+}
+
+impl Away {
+    fn greater(self, other: Self) -> Self {
+        Self { tip: self.tip.max(other.tip), direction: self.direction.max(other.direction) }
+    }
+
+    fn within(&self, most: &Self) -> bool {
+        self.tip <= USED * most.tip && self.direction <= USED * most.direction
+    }
+}
+
+/// How far `torch` is from the nearest place of the seam, which runs smoothly on both `sides` of a corner.
+fn nearest(pose: impl Fn(f64) -> Pose, torch: Pose, sides: [(f64, f64); 2]) -> Away {
+    let there = pose(foot_at_corner(&pose, torch.point, sides));
+    Away { tip: there.point.distance(torch.point), direction: angle(there.direction, torch.direction) }
+}
+
+/// Path length of the place nearest to `point` (mm, near `s`) of the seam that `pose` runs along, if `s` lies in a blend
+/// of the axes' path `joints`: nearest on either side of the corner.
+pub fn foot_in_blend(joints: &JointPath, pose: impl Fn(f64) -> Pose, point: DVec3, s: f64) -> Option<f64> {
+    let &(from, to) = joints.blends().iter().find(|(from, to)| *from <= s && s <= *to)?;
+    let (corner, half) = (0.5 * (from + to), 0.5 * (to - from));
+    let ends = ((from - half).max(0.0), (to + half).min(joints.length()));
+    Some(foot_at_corner(pose, point, [(ends.0, corner), (corner, ends.1)]))
+}
+
+/// Path length of the place nearest to `point` of a seam that runs smoothly on both `sides` of a corner.
+fn foot_at_corner(pose: impl Fn(f64) -> Pose, point: DVec3, sides: [(f64, f64); 2]) -> f64 {
+    let feet = [foot(&pose, point, sides[0], sides[0].1), foot(&pose, point, sides[1], sides[1].0)];
+    let [before, after] = feet.map(|s| pose(s).point.distance(point));
+    if before <= after { feet[0] } else { feet[1] }
+}
+
+/// Path length in `side` of the seam's place nearest to `point`, by Newton's method without the curvature: where that
+/// is not at its end yet, the distance found is a little too great, never too small.
+fn foot(pose: impl Fn(f64) -> Pose, point: DVec3, (from, to): (f64, f64), start: f64) -> f64 {
+    let h = 1e-4 * (to - from);
+    let mut s = start;
+    for _ in 0..5 {
+        let (behind, ahead) = ((s - h).max(from), (s + h).min(to));
+        let tangent = (pose(ahead).point - pose(behind).point) / (ahead - behind);
+        let next = (s + (point - pose(s).point).dot(tangent) / tangent.length_squared()).clamp(from, to);
+        if (next - s).abs() < 1e-9 * (to - from) {
+            return next;
+        }
+        s = next;
+    }
+    s
+}
+
+/// Where between `low` and `high` a value is greatest that rises and then falls.
+fn greatest((mut low, mut high): (f64, f64), value: impl Fn(f64) -> f64) -> f64 {
+    for _ in 0..REFINED {
+        let [a, b] = [low + (high - low) * 0.45, low + (high - low) * 0.55];
+        if value(a) < value(b) { low = a } else { high = b }
+    }
+    0.5 * (low + high)
+}
+
+fn angle(a: DVec3, b: DVec3) -> f64 {
+    2.0 * (a - b).length().atan2((a + b).length())
+}

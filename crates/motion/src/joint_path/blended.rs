@@ -1,0 +1,68 @@
+use super::{JointPath, JointPoint, Panel, blocks};
+use crate::taught::Piece;
+use seamwright_geometry::{NODES, Series, nodes};
+use seamwright_machine::{Joints, Machine};
+
+/// Shorter parts of the path than this one are none.
+const ROUNDING: f64 = 1e-12;
+
+impl JointPath {
+    /// This path with `blends`, in order and apart, in place of its own stretches; the rest of it stays as it is.
+    pub(crate) fn blended(&self, blends: &[Piece]) -> Self {
+        let mut built = Self::empty(self.axes, self.length);
+        built.blends = blends.iter().map(|b| (b.from, b.to)).collect();
+        let mut blends = blends.iter().peekable();
+        for (i, panel) in self.panels.iter().enumerate() {
+            // The blend before may reach into this panel, or beyond it.
+            let mut from = built.panels.last().map_or(0.0, |last| last.end).max(panel.start);
+            while let Some(blend) = blends.next_if(|b| b.from < panel.end) {
+                built.part(self, i, (from, blend.from));
+                built.add((blend.from, blend.to), |s| blend.derivatives(s)[0]);
+                from = blend.to;
+            }
+            built.part(self, i, (from, panel.end));
+        }
+        built
+    }
+
+    /// Appends a part of panel `i` of another path: the same polynomial.
+    fn part(&mut self, of: &Self, i: usize, (from, to): (f64, f64)) {
+        let whole = of.panels[i];
+        if from <= whole.start && to >= whole.end {
+            self.panels.push(whole);
+            self.blocks.extend_from_slice(&of.blocks[i * of.blocks_a_panel..][..of.blocks_a_panel]);
+        } else if to - from > ROUNDING * self.length {
+            self.add((from, to), |s| of.point_in(i, s).q);
+        }
+    }
+
+    /// Appends a panel that is the polynomial `q`, of a degree below [`NODES`].
+    fn add(&mut self, (start, end): (f64, f64), q: impl Fn(f64) -> Joints) {
+        let places = nodes().map(|x| q(start + 0.5 * (end - start) * (1.0 + x)));
+        let values: Vec<[f64; NODES]> = (0..self.axes).map(|axis| places.map(|q| q[axis])).collect();
+        let series = values.iter().map(|values| Series::fit(values).without_rounding());
+        self.panels.push(Panel { start, end });
+        self.blocks.extend(blocks(series, self.blocks_a_panel));
+    }
+
+    /// Stretches in which the axes go round a corner of the seam, in order, mm.
+    pub fn blends(&self) -> &[(f64, f64)] {
+        &self.blends
+    }
+
+    /// True if `s` lies in a blend.
+    pub(crate) fn in_blend(&self, s: f64) -> bool {
+        let i = self.blends.partition_point(|b| b.1 < s);
+        self.blends.get(i).is_some_and(|b| b.0 <= s)
+    }
+
+    /// Way of the torch tip of `machine`, whose path this is, by path length at `s`: 1 but in blends, where `s` is the
+    /// place on the seam and the tip's way is another.
+    pub fn tip_rate(&self, machine: &Machine, s: f64) -> f64 {
+        if !self.in_blend(s) {
+            return 1.0;
+        }
+        let JointPoint { q, d1, d2, d3 } = self.point(s, false);
+        machine.tip_derivatives(&[q, d1, d2, d3])[0].length()
+    }
+}

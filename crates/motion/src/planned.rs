@@ -1,0 +1,38 @@
+use crate::law::Certificate;
+use crate::legs::Leg;
+use crate::{JointPath, LawPoint, SpeedLaw};
+use seamwright_machine::Machine;
+
+/// A speed law along the path of a machine's axes, with what it reaches: what findings are made from.
+#[derive(Clone, Copy)]
+pub(crate) struct Planned<'a> {
+    pub(crate) machine: &'a Machine,
+    pub(crate) joints: &'a JointPath,
+    pub(crate) law: &'a SpeedLaw,
+    pub(crate) certificate: &'a Certificate,
+    pub(crate) legs: &'a [Leg],
+}
+
+impl Planned<'_> {
+    /// Speed of the tip where the law is at `p`, mm/s.
+    pub(crate) fn tip_speed(&self, p: LawPoint) -> f64 {
+        p.v * self.joints.tip_rate(self.machine, p.s)
+    }
+
+    /// Speed of the tip at path length `s`, mm/s.
+    pub(crate) fn tip_speed_at(&self, s: f64) -> f64 {
+        self.law.speed(s) * self.joints.tip_rate(self.machine, s)
+    }
+
+    /// The slowest (mm/s) and its place, and the fastest the tip goes between two path lengths, by the places of the
+    /// law's cells there; none if there are none.
+    pub(crate) fn tip_band(&self, from: f64, to: f64) -> Option<((f64, f64), f64)> {
+        let cells = 0..self.law.cells();
+        let points = cells.flat_map(|cell| [0.0, 0.25, 0.5, 0.75, 1.0].map(|part| self.law.in_cell(cell, part)));
+        let inside = points.filter(|p| p.s >= from && p.s <= to).map(|p| (self.tip_speed(p), p.s));
+        inside.fold(None, |band: Option<((f64, f64), f64)>, (v, s)| match band {
+            Some((least, greatest)) => Some((if v < least.0 { (v, s) } else { least }, greatest.max(v))),
+            None => Some(((v, s), v)),
+        })
+    }
+}

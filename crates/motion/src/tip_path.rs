@@ -1,0 +1,46 @@
+use crate::{JointPath, JointPoint, PassMotion};
+use glam::DVec3;
+use seamwright_geometry::Pose;
+use seamwright_machine::{Joints, Machine};
+use seamwright_program::TorchPath;
+
+/// The way of the first torch as the axes are planned to go it: that along the seam, but for blends round corners. `s` is
+/// the place on the seam; in blends the tip's own way by `s` is another.
+#[derive(Debug, Clone, Copy)]
+pub struct TipPath<'a> {
+    machine: &'a Machine,
+    joints: &'a JointPath,
+}
+
+impl PassMotion {
+    /// The way of the torch of `machine`, whose motion this is.
+    pub fn tip_path<'a>(&'a self, machine: &'a Machine) -> TipPath<'a> {
+        TipPath { machine, joints: &self.path }
+    }
+}
+
+impl TipPath<'_> {
+    /// Tip and its derivative by `s`.
+    fn tip(&self, s: f64) -> (DVec3, DVec3) {
+        let JointPoint { q, d1, .. } = self.joints.point(s, false);
+        let rest = Joints::default();
+        (self.machine.forward(&q).point, self.machine.tip_derivatives(&[q, d1, rest, rest])[0])
+    }
+}
+
+impl TorchPath for TipPath<'_> {
+    fn length(&self) -> f64 {
+        self.joints.length()
+    }
+
+    fn pose(&self, s: f64) -> Pose {
+        self.machine.forward(&self.joints.at(s))
+    }
+
+    fn foot(&self, point: DVec3, guess: f64, (from, to): (f64, f64)) -> f64 {
+        (0..3).fold(guess, |s, _| {
+            let (tip, d1) = self.tip(s);
+            (s + (point - tip).dot(d1) / d1.length_squared()).clamp(from, to)
+        })
+    }
+}

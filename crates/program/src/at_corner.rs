@@ -1,0 +1,121 @@
+use crate::Tolerance;
+use schemars::JsonSchema;
+use seamwright_document::{Document, DocumentError, Positive};
+use serde::de::{Error, MapAccess, Unexpected, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+use std::fmt;
+
+/// Key of a blend's distance.
+const KEY: &str = "blend_mm";
+
+/// What to do at a corner: a place inside the weld where the speed or acceleration of an axis would jump.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum AtCorner {
+    /// Do not weld; list the corners.
+    #[default]
+    Refuse,
+    /// Stop exactly there with the arc on.
+    Stop,
+    /// Go round it without a stop; the torch tip stays within this distance of the seam, mm. Not more than
+    /// `tolerance.path_mm`.
+    BlendMm(Positive),
+}
+
+/// By hand, so that whatever else stands there the error says all that may.
+impl<'de> Deserialize<'de> for AtCorner {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Choice;
+        impl<'de> Visitor<'de> for Choice {
+            type Value = AtCorner;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("\"refuse\", \"stop\" or { blend_mm = 0.2 }")
+            }
+            fn visit_str<E: Error>(self, word: &str) -> Result<AtCorner, E> {
+                match word {
+                    "refuse" => Ok(AtCorner::Refuse),
+                    "stop" => Ok(AtCorner::Stop),
+                    _ => Err(E::invalid_value(Unexpected::Str(word), &self)),
+                }
+            }
+            fn visit_map<M: MapAccess<'de>>(self, mut map: M) -> Result<AtCorner, M::Error> {
+                let mut distance = None;
+                while let Some(key) = map.next_key::<String>()? {
+                    if key != KEY {
+                        return Err(M::Error::unknown_field(&key, &[KEY]));
+                    }
+                    distance = Some(map.next_value()?);
+                }
+                distance.map(AtCorner::BlendMm).ok_or_else(|| M::Error::missing_field(KEY))
+            }
+        }
+        deserializer.deserialize_any(Choice)
+    }
+}
+
+impl AtCorner {
+    /// Checks the choice at `path` of a file against the tolerance of the weld.
+    ///
+    /// # Errors
+    /// With the key's address: a blend that leaves the tolerance.
+    pub fn check<T>(
+        &self,
+        file: &Document<T>,
+        path: &str,
+        (from, tolerance): (&str, &Tolerance),
+    ) -> Result<(), DocumentError> {
+        let most = tolerance.path_mm;
+        match self {
+            Self::BlendMm(distance) if *distance > most => {
+                let message = "the torch would leave the tolerance of the weld";
+                let allowed = format!("more than 0, up to {from}.path_mm = {}", most.get());
+                Err(file.error_at(&format!("{path}.blend_mm"), message, allowed))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// True if corners are refused.
+    pub fn is_usual(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[derive(Debug, Serialize, Deserialize, JsonSchema)]
+    struct File {
+        corner: AtCorner,
+    }
+
+    fn read(value: &str) -> Result<AtCorner, DocumentError> {
+        Document::<File>::read("f.toml", &format!("corner = {value}\n")).map(|d| d.value.corner)
+    }
+
+    #[test]
+    fn choices_are_read_as_written() {
+        for corner in [AtCorner::Refuse, AtCorner::Stop, AtCorner::BlendMm(Positive::HALF)] {
+            let text = toml::to_string(&File { corner }).unwrap();
+            assert_eq!(Document::<File>::read("f.toml", &text).unwrap().value.corner, corner, "{text}");
+        }
+        assert_eq!(read("{ blend_mm = 0.25 }").unwrap(), AtCorner::BlendMm(Positive::new(0.25).unwrap()));
+    }
+
+    #[test]
+    fn whatever_else_is_refused_with_what_may_stand_there() {
+        for bad in ["\"halt\"", "\"blend_mm\"", "\"\"", "0.2", "1", "true", "[0.2]"] {
+            let e = read(bad).unwrap_err();
+            let allowed = e.allowed.clone().unwrap_or_default();
+            assert!(e.key == "corner" && allowed.contains("\"stop\" or { blend_mm = 0.2 }"), "{bad}: {e}");
+        }
+        for bad in ["0", "-1", "nan", "inf", "\"wide\"", "[1]"] {
+            let e = read(&format!("{{ blend_mm = {bad} }}")).unwrap_err();
+            assert!(e.key == "corner.blend_mm" && e.to_string().contains("greater than 0"), "{bad}: {e}");
+        }
+        for bad in ["{}", "{ blend = 1 }", "{ blend_mm = 1, stop = true }"] {
+            assert!(read(bad).unwrap_err().to_string().contains("blend_mm"), "{bad}");
+        }
+    }
+}
