@@ -123,7 +123,8 @@ impl Iterate {
                 *by = 1.0 / g;
                 *ratio = z * *by;
             }
-            self.complementarity += sum(&self.g[k], &self.z[k]);
+            let [products] = over([&self.g[k], &self.z[k]], |[g, z], [sum]| [sum + g * z]);
+            self.complementarity += products.iter().sum::<f64>();
         }
         problem.newton(&self.c, &self.ratio, &self.z, &mut self.newton);
     }
@@ -284,12 +285,6 @@ fn over<const N: usize, const K: usize>(
         add(i - whole, lists.map(|list| list[i]));
     }
     results
-}
-
-/// Sum of the products.
-fn sum(x: &Vec<f64>, y: &Vec<f64>) -> f64 {
-    let [sums] = over([x, y], |[x, y], [sum]| [sum + x * y]);
-    sums.iter().sum()
 }
 
 fn larger_of(lanes: [f64; LANES]) -> f64 {
