@@ -127,10 +127,10 @@ fn certified(cells: &Cells, mut problem: Problem, mut room: Room, mut law: Itera
     for _ in 0..ROUNDS {
         problem.tighten(cells, &room);
         if worst < WILD {
-            law.resume(&problem)
+            law.resume(&problem);
         } else {
-            law = Iterate::slow(&problem)
-        };
+            law = Iterate::slow(&problem);
+        }
         law.solve(&problem, GAP);
         c = law.coefficients().to_vec();
         snap(&mut c, &problem.upper);

@@ -258,20 +258,20 @@ impl Problem {
         let [faster, slower, up, down, caps, ..] = weight;
         let mut by = [0.0; 3];
         let mut add = |w: f64, form: [f64; 3]| (0..3).for_each(|k| by[k] += w * form[k]);
-        for i in group.caps.0..group.caps.1 {
-            add(-caps[i], self.caps.at(i));
+        for (i, w) in (group.caps.0..group.caps.1).zip(&caps[group.caps.0..]) {
+            add(-w, self.caps.at(i));
         }
         for i in group.accelerations.0..group.accelerations.1 {
             add(slower[i] - faster[i], self.accelerations.at(i));
         }
-        for p in group.places.0..group.places.1 {
-            let place = &self.places[p];
+        let (from, to) = group.places;
+        for (place, steep) in self.places[from..to].iter().zip(&steep[from..to]) {
             let mut sum = 0.0;
             for i in place.jerks.0..place.jerks.1 {
                 sum += up[i] + down[i];
                 add(down[i] - up[i], self.jerks.at(i));
             }
-            add(sum * steep[p], place.along);
+            add(sum * steep, place.along);
         }
         by
     }
@@ -313,8 +313,8 @@ impl Problem {
     fn squares(&self, group: &Group, ratio: &Lists) -> Square {
         let [faster, slower, _, _, caps, ..] = ratio;
         let mut m = Square::default();
-        for i in group.caps.0..group.caps.1 {
-            m.add_own(caps[i], &self.caps.at(i));
+        for (i, w) in (group.caps.0..group.caps.1).zip(&caps[group.caps.0..]) {
+            m.add_own(*w, &self.caps.at(i));
         }
         for i in group.accelerations.0..group.accelerations.1 {
             m.add_own(faster[i] + slower[i], &self.accelerations.at(i));

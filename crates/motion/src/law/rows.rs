@@ -120,7 +120,7 @@ impl Problem {
         [
             acceleration && (begin || (end && cell + 1 == cells.count())),
             jerk && (begin || end),
-            self.worth_cap[cell] && part % 2 == 0,
+            self.worth_cap[cell] && part.is_multiple_of(2),
         ]
     }
 
