@@ -14,20 +14,31 @@ const CELLS_BETWEEN_BREAKS: f64 = 1.0;
 /// Least and greatest part of the path that a run-up or run-down may be.
 const PART_AT_REST: (f64, f64) = (1e-6, 0.25);
 
+/// Places nearer to each other than this part of the path are one.
+const SAME: f64 = 1e-9;
+
 /// The map and the first stations (by `tau`) of the piece of `path` between two stops.
 pub(crate) fn stations(path: &dyn Channels, limits: &[Limits], (from, to): (f64, f64)) -> (RestToRest, Vec<f64>) {
     let length = to - from;
     let [least, most] = [PART_AT_REST.0 * length, PART_AT_REST.1 * length];
-    let zone = |u: f64, before: bool| (0.5 * run_up(path, limits, u, before)).clamp(least, most);
+    let breaks = path.breaks();
+    let zone = |u: f64, before: bool| {
+        let zone = (0.5 * run_up(path, limits, u, before)).clamp(least, most);
+        // A break all but at its border is to be there.
+        let near = breaks.iter().map(|b| (b - u).abs()).find(|away| (away - zone).abs() < SAME * length);
+        near.unwrap_or(zone)
+    };
     let map = RestToRest::new(from, to, zone(from, false), zone(to, true));
     let [up, down] = map.borders();
     // A break this near to rest is passed so slowly that it does not matter.
     let near = 1e-7 * length;
-    let mut fixed: Vec<f64> =
-        path.breaks().into_iter().filter(|u| *u > from + near && *u < to - near).map(|u| map.tau(u)).collect();
+    let inside = breaks.iter().filter(|u| **u > from + near && **u < to - near).map(|u| map.tau(*u));
+    // The map changes exactly at its borders: breaks there must not stand in for them.
+    let at_border = |tau: f64| (tau - up).abs() < SAME * map.length() || (tau - down).abs() < SAME * map.length();
+    let mut fixed: Vec<f64> = inside.filter(|tau| !at_border(*tau)).collect();
     fixed.extend([0.0, up, down, map.length()]);
     fixed.sort_by(f64::total_cmp);
-    fixed.dedup_by(|a, b| *a - *b < 1e-9 * map.length());
+    fixed.dedup_by(|a, b| *a - *b < SAME * map.length());
     if let Some(last) = fixed.last_mut() {
         *last = map.length();
     }

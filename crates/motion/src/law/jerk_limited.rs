@@ -25,6 +25,8 @@ const SHARE: f64 = 5e-5;
 const ENOUGH: f64 = 3e-4;
 /// Use of a limit between the places of rows from which on cells are halved rather than given less room.
 const ROUGH: f64 = 1.001;
+/// Narrower cells than this part of the path get less room rather than being halved: they would cost digits.
+const NARROWEST: f64 = 1e-6;
 /// What may be used of a limit in the end.
 const ALLOWED: f64 = 1.0 - 0.5 * RESERVE;
 /// A law that uses this much of a limit is no place to begin at.
@@ -77,7 +79,8 @@ pub(crate) fn plan(
 /// much of a limit; none if they would hardly make it faster.
 fn refined(cells: &Cells, c: &[f64], lost: f64) -> Option<Vec<f64>> {
     let bends: Vec<f64> = (0..cells.count()).map(|i| bend(cells, c, i)).collect();
-    let rough: Vec<bool> = (0..cells.count()).map(|i| peak(cells, c, i) > ROUGH).collect();
+    let narrow = NARROWEST * cells.map.length();
+    let rough: Vec<bool> = (0..cells.count()).map(|i| cells.width(i) > narrow && peak(cells, c, i) > ROUGH).collect();
     let gain: f64 = bends.iter().filter(|bend| **bend > SHARE * lost).sum();
     if cells.count() > MOST_CELLS || (gain < ENOUGH * lost && !rough.contains(&true)) {
         return None;
