@@ -23,18 +23,23 @@ impl<R: BufRead> CsvReader<R> {
         let place = |name: &&str| header.iter().position(|h| h == name);
         for (set, names) in wanted.iter().enumerate() {
             if let Some(places) = names.iter().map(place).collect::<Option<Vec<usize>>>() {
+                // Some columns of a larger set beside a smaller one: the others must have been forgotten.
+                let partly = |larger: &&&[&str]| {
+                    let others = larger.iter().filter(|name| !names.contains(name));
+                    names.iter().all(|name| larger.contains(name)) && others.clone().any(|name| place(name).is_some())
+                };
+                if let Some(name) =
+                    wanted[..set].iter().find(partly).and_then(|l| l.iter().find(|n| place(n).is_none()))
+                {
+                    return Err(no_column(source, name, &header, wanted));
+                }
                 let names: Vec<String> = names.iter().map(|n| (*n).to_owned()).collect();
                 let values = vec![0.0; names.len()];
                 return Ok((Self { source: source.to_owned(), lines, names, places, values, line: 1 }, set));
             }
         }
         let missing = wanted.first().and_then(|names| names.iter().find(|n| place(n).is_none())).unwrap_or(&"");
-        let allowed: Vec<String> = wanted.iter().map(|names| names.join(",")).collect();
-        Err(Failure::Input(format!(
-            "{source}:1: there is no column `{missing}` in `{}`\n   allowed: a header line with {}, then numbers",
-            header.join(","),
-            allowed.join(" or ")
-        )))
+        Err(no_column(source, missing, &header, wanted))
     }
 
     /// The number of the last line read.
@@ -87,4 +92,15 @@ impl<R: BufRead> CsvReader<R> {
         }
         Some(Ok(&self.values))
     }
+}
+
+/// What to say of a header line without the column `missing`.
+fn no_column(source: &str, missing: &str, header: &[&str], wanted: &[&[&str]]) -> Failure {
+    let allowed: Vec<String> = wanted.iter().map(|names| names.join(",")).collect();
+    let apart = if header.len() == 1 && header[0].contains([';', '\t']) { ", apart by commas" } else { "" };
+    Failure::Input(format!(
+        "{source}:1: there is no column `{missing}` in `{}`\n   allowed: a header line with {}, then numbers{apart}",
+        header.join(","),
+        allowed.join(" or ")
+    ))
 }

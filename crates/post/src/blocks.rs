@@ -28,6 +28,8 @@ pub struct Block {
     /// True if the block only turns: its linear motion is too small for the control's least feed and is left to a later
     /// block.
     pub turns_only: bool,
+    /// True if the torch stops at its end, at a corner.
+    pub stops: bool,
 }
 
 /// A pass cut into blocks.
@@ -83,8 +85,8 @@ pub fn linearise(
     // The last place whose linear words were written.
     let mut written = here;
     let mut cut = Linearisation { start: here, blocks: Vec::new(), chord_error_mm: 0.0 };
-    let stops = motion.legs.iter().skip(1).map(|leg| leg.from);
-    let mut ends: Vec<f64> = breaks.iter().copied().chain(stops).filter(|s| *s > 0.0 && *s < path.length()).collect();
+    let stops: Vec<f64> = motion.legs.iter().skip(1).map(|leg| leg.from).collect();
+    let mut ends: Vec<f64> = breaks.iter().chain(&stops).copied().filter(|s| *s > 0.0 && *s < path.length()).collect();
     ends.sort_by(f64::total_cmp);
     ends.push(path.length());
     let mut length = 1.0;
@@ -100,6 +102,7 @@ pub fn linearise(
             if !block.turns_only {
                 written = block;
             }
+            block.stops = stops.contains(&next);
             cut.chord_error_mm = cut.chord_error_mm.max(cutter.chord_error(&here, &block).0);
             length = next - here.s;
             cut.blocks.push(block);
@@ -121,7 +124,7 @@ impl Cutter<'_> {
     fn end_at(&self, s: f64, before: f64) -> Block {
         let q = self.motion.path.at(s);
         let duration = self.motion.law.time(s) - self.motion.law.time(before);
-        Block { s, q, tip: self.machine.forward(&q).point, duration, turns_only: false }
+        Block { s, q, tip: self.machine.forward(&q).point, duration, turns_only: false, stops: false }
     }
 
     /// The farthest end of a good block from `here`, not beyond `end`; `guess` is the length of the last one.

@@ -144,6 +144,11 @@ impl Writer<'_> {
         self.comment("units mm, degrees; plane XY; absolute; inverse time feed G93");
         self.comment("work offsets and tool offsets must be zero");
         self.line("G21 G17 G90 G40 G49 G80 G94");
+        self.blends();
+    }
+
+    /// Lets the control round corners between blocks.
+    fn blends(&mut self) {
         let tolerance = significant(ROUNDING * self.options.tolerance_mm, 3);
         self.line(&format!("G64 P{tolerance} Q0"));
     }
@@ -176,6 +181,7 @@ impl Writer<'_> {
                 tip: self.machine.forward(leg.end()).point,
                 duration: 0.0,
                 turns_only: false,
+                stops: false,
             };
             self.line(&format!("G0 {}", self.words(&place, false)));
         }
@@ -201,7 +207,14 @@ impl Writer<'_> {
     /// Where the torch stands back by the plan, which has checked it; none where no axis can take it back.
     fn stands_back(&self, does: bool, q: Option<&Joints>) -> Option<Block> {
         let q = q.filter(|_| does)?;
-        Some(Block { s: 0.0, q: *q, tip: self.machine.forward(q).point, duration: 0.0, turns_only: false })
+        Some(Block {
+            s: 0.0,
+            q: *q,
+            tip: self.machine.forward(q).point,
+            duration: 0.0,
+            turns_only: false,
+            stops: false,
+        })
     }
 
     fn start(&mut self, start: &Block, back: Option<&Block>, pass: &Pass, (first, first_middle): (bool, f64)) {
@@ -288,7 +301,13 @@ impl Writer<'_> {
                 last = span;
             }
             let feed = significant(60.0 / block.duration, 9);
+            if block.stops {
+                self.line("G61.1 (exact stop)");
+            }
             self.line(&format!("G1 {} F{feed}", self.words(block, block.turns_only)));
+            if block.stops {
+                self.blends();
+            }
             before = *block;
         }
     }

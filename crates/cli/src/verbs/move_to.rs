@@ -85,7 +85,8 @@ fn clearance(machine: &Machine, file: &str, plan: &PointToPoint) -> Result<Strin
         });
     }
     let mut err = io::stderr().lock();
-    let _ = writeln!(err, "the move cannot be made as asked: {} findings", found.too_near.len());
+    let count = found.too_near.len();
+    let _ = writeln!(err, "the move cannot be made as asked: {count} finding{}", if count == 1 { "" } else { "s" });
     for (from, to, what) in &found.too_near {
         let _ = writeln!(err, "finding (clearance): {what}\n   where: t = {from:.3} to {to:.3} s");
         let _ = writeln!(err, "   cure: go by another place, in several moves");
