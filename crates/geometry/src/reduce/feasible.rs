@@ -23,6 +23,15 @@ pub(super) enum Ends {
     Free,
 }
 
+/// How much is looked at for a proof.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Care {
+    /// A few points.
+    Glance,
+    /// All points.
+    Full,
+}
+
 impl Track<'_> {
     /// The span for the points from `first` to `last`, if there is one: the line, else the arc of least squares, else the
     /// arc in the middle of those that are near enough to all points.
@@ -92,7 +101,9 @@ impl Track<'_> {
     /// `T |x - a| / |m - a|` if a stays, else by `T (1 + z^2)^(1/2)` with z the distance of x from the middle of a and m
     /// in units of half of theirs. So there must be an arc between the two points within T and that. Points that turn
     /// back over an end are within 3 T of it and left out.
-    pub(super) fn excluded(&self, first: usize, last: usize, ends: Ends, memory: &mut Memory) -> bool {
+    ///
+    /// At a glance only a few points are looked at, or many of a short run: a proof is still a proof.
+    pub(super) fn excluded(&self, (first, last): (usize, usize), ends: Ends, care: Care, memory: &mut Memory) -> bool {
         let growth = if ends == Ends::Free { (2.0, 0.0) } else { (1.0, 1.0) };
         if last < first + 2 {
             return false;
@@ -119,7 +130,11 @@ impl Track<'_> {
         if memory.witness.is_some_and(|w| run.excluded_by(&w)) {
             return true;
         }
-        let Found::None(witness) = run.search_any() else { return false };
+        let found = match care {
+            Care::Glance => run.sample(),
+            Care::Full => run.search_any(),
+        };
+        let Found::None(witness) = found else { return false };
         memory.witness = Some(witness);
         true
     }
@@ -131,23 +146,23 @@ impl Track<'_> {
         self.points[first..=last].iter().map(|p| p.distance_squared(middle)).fold(0.0, f64::max).sqrt()
     }
 
-    /// An end that no run from `first` (or before) goes beyond, at `least` or later: those proven excluded are found from
-    /// a `guess` by doubling, then by halving.
-    pub(super) fn reach(&self, first: usize, (least, guess): (usize, usize), ends: Ends, memory: &mut Memory) -> usize {
-        let (mut open, mut next) = (least, guess.max(least) + 1);
+    /// An end that no run from `first` (or before) goes beyond, at `least` or later: those proven excluded are found by
+    /// doubling, then by halving.
+    pub(super) fn reach(&self, first: usize, least: usize, ends: Ends, memory: &mut Memory) -> usize {
+        let (mut open, mut next) = (least, least + 1);
         let mut closed = loop {
             if open == self.end() {
                 return open;
             }
             next = next.min(self.end());
-            if self.excluded(first, next, ends, memory) {
+            if self.excluded((first, next), ends, Care::Full, memory) {
                 break next;
             }
             (open, next) = (next, next + (next - first));
         };
         while closed - open > 1 + (closed - first) / 128 {
             let middle = usize::midpoint(open, closed);
-            if self.excluded(first, middle, ends, memory) { closed = middle } else { open = middle }
+            if self.excluded((first, middle), ends, Care::Full, memory) { closed = middle } else { open = middle }
         }
         closed - 1
     }
@@ -164,7 +179,7 @@ impl Track<'_> {
             if let Some(back) = memory.back.filter(|back| turned != Some(*back) && *back > first) {
                 // Where points turn back, runs from there do not go far.
                 turned = Some(back);
-                last = last.min(self.reach(back, (back + 1, back + 1), Ends::Free, &mut Memory::default()));
+                last = last.min(self.reach(back, back + 1, Ends::Free, &mut Memory::default()));
             }
         }
         None
@@ -174,7 +189,7 @@ impl Track<'_> {
     pub(super) fn greedy(&self) -> Vec<Span> {
         let (mut spans, mut first) = (Vec::new(), 0);
         while first < self.end() {
-            let most = self.reach(first, (first + 1, first + 1), Ends::FixedStart, &mut Memory::default());
+            let most = self.reach(first, first + 1, Ends::FixedStart, &mut Memory::default());
             let Some(span) = self.longest(first, first, most, &mut Memory::default()) else { break };
             first = span.last;
             spans.push(span);

@@ -1,7 +1,7 @@
 //! The fewest spans: bounds from both ends, then dynamic programming over what they leave open.
 
 use super::Span;
-use super::feasible::{Ends, Memory};
+use super::feasible::{Care, Ends, Memory};
 use super::track::Track;
 
 /// Points looked at, for every point of the path, before the search for fewer spans ends.
@@ -37,7 +37,9 @@ fn bounds(track: &Track, effort: u64) -> Vec<usize> {
             // Now and then a proof for all points further back.
             if top - first >= step {
                 step *= 2;
-                if far < track.end() && track.excluded(first - 1, far + 1, Ends::Free, &mut Memory::default()) {
+                if far < track.end()
+                    && track.excluded((first - 1, far + 1), Ends::Free, Care::Full, &mut Memory::default())
+                {
                     break;
                 }
             }
@@ -64,14 +66,25 @@ impl Asked {
     /// cannot go beyond.
     fn furthest(&mut self, track: &Track, first: usize, far: usize, effort: u64) -> usize {
         let least = far.max(first + 1);
-        if least == track.end() || track.excluded(first, least + 1, Ends::FixedStart, &mut self.barrier) {
+        if least == track.end() || self.excluded(track, first, least + 1) {
             return least;
         }
-        self.most = track.reach(first, (least, self.most), Ends::FixedStart, &mut self.barrier);
+        if self.most > least && self.excluded(track, first, self.most + 1) {
+            // Nearly the start asked before: nearly the same end.
+            while self.excluded(track, first, self.most) {
+                self.most -= 1;
+            }
+        } else {
+            self.most = track.reach(first, least, Ends::FixedStart, &mut self.barrier);
+        }
         if track.work() > effort {
             return self.most;
         }
         track.longest(first, least, self.most, &mut self.runs).map_or(least, |span| span.last)
+    }
+
+    fn excluded(&mut self, track: &Track, first: usize, last: usize) -> bool {
+        last <= track.end() && track.excluded((first, last), Ends::FixedStart, Care::Glance, &mut self.barrier)
     }
 }
 
@@ -166,7 +179,7 @@ impl Search<'_> {
         let (mut closed, mut open) = (low, last - 1);
         while open > low {
             let next = open.saturating_sub(step).max(low);
-            if self.track.excluded(next, last, Ends::Free, &mut Memory::default()) {
+            if self.track.excluded((next, last), Ends::Free, Care::Full, &mut Memory::default()) {
                 closed = next + 1;
                 break;
             }
@@ -174,7 +187,7 @@ impl Search<'_> {
         }
         while open > closed + (last - closed) / 16 {
             let middle = usize::midpoint(open, closed);
-            if self.track.excluded(middle, last, Ends::Free, &mut Memory::default()) {
+            if self.track.excluded((middle, last), Ends::Free, Care::Full, &mut Memory::default()) {
                 closed = middle + 1;
             } else {
                 open = middle;

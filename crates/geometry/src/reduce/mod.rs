@@ -24,6 +24,8 @@ mod feasible;
 mod fewest;
 mod measure;
 mod run;
+#[cfg(test)]
+mod tests;
 mod track;
 
 use crate::Error;

@@ -169,24 +169,27 @@ impl<'a> Run<'a> {
     /// A direction that all places are near enough to, if there is one: that of least squares, if it will do.
     pub(super) fn search(&self) -> Found {
         match self.sample() {
-            Found::None(witness) => Found::None(witness),
-            _ => self.search_from(self.least_squares(1), 1),
+            Found::Direction(_) | Found::GivenUp if self.stride() > 1 => self.search_from(self.least_squares(1), 1),
+            found => found,
         }
     }
 
     /// The same in less time, with any direction that will do.
     pub(super) fn search_any(&self) -> Found {
         match self.sample() {
-            Found::Direction(direction) => self.search_from(direction, 1),
-            Found::None(witness) => Found::None(witness),
-            Found::GivenUp => self.search_from(self.least_squares(1), 1),
+            Found::Direction(direction) if self.stride() > 1 => self.search_from(direction, 1),
+            Found::GivenUp if self.stride() > 1 => self.search_from(self.least_squares(1), 1),
+            found => found,
         }
     }
 
-    /// A search among a few places: if these have nothing in common, all have not.
-    fn sample(&self) -> Found {
-        let stride = ((self.last - self.first) / SAMPLES).max(1);
-        if stride == 1 { Found::GivenUp } else { self.search_from(self.least_squares(stride), stride) }
+    /// A search among a few places, or all of a short run: if these have nothing in common, all have not.
+    pub(super) fn sample(&self) -> Found {
+        self.search_from(self.least_squares(self.stride()), self.stride())
+    }
+
+    fn stride(&self) -> usize {
+        ((self.last - self.first) / SAMPLES).max(1)
     }
 
     /// Starts at a direction and looks at the worst places until these have nothing in common or all places agree.
