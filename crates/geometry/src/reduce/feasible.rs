@@ -63,7 +63,8 @@ impl Track<'_> {
             }
             Found::GivenUp => return None,
         };
-        let bow = Bow::new(&run, tangent)?;
+        // Ends closer than that do not tell a short arc from nearly a full turn.
+        let bow = Bow::new(&run, tangent).filter(|_| run.length > self.near)?;
         match measure(self, &run, &Course::Arc(bow)) {
             Ok(max_error) => {
                 let normal = if run.flipped { -bow.normal } else { bow.normal };

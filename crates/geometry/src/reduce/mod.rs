@@ -9,7 +9,7 @@
 //!   path length along the span and by path length along the points.
 //!
 //! Two points next to each other always have their line. An arc sweeps less than a full turn, since equal ends tell no
-//! centre: a circle takes two. Its radius is at most 10 km ([`GREATEST_RADIUS_MM`]). A run that ends where it starts
+//! centre: a circle takes two. Its ends are further apart than T; its radius is at most 10 km ([`GREATEST_RADIUS_MM`]). A run that ends where it starts
 //! is a line without length, if all its points are within T of that place.
 //!
 //! [`Method::Greedy`] is the one of EBW-2004 (Paton and others): the longest run from the first point for which a line or

@@ -7,8 +7,9 @@
 //!
 //! `v = x - e (x^2 - near^2)`, d within the angle `asin(near / |v|)` of v, that is `|d x v| <= near` and `d . v > 0`.
 //!
-//! A point nearer than that to O or E asks for nothing. `|d x v|` is thus the distance from the arc, but for terms of second
-//! order: the sum of its squares is least for the eigenvector of the sum of v v' with the greatest eigenvalue.
+//! A point nearer than that to O or E asks for nothing. With `near` = 0 in v, `|d x v|` is thus the distance from the arc,
+//! but for terms of second order: the sum of its squares is least for the eigenvector of the sum of v v' with the greatest
+//! eigenvalue.
 
 use super::discs::{Chart, Disc, apart, common};
 use super::track::Track;
@@ -132,7 +133,11 @@ impl<'a> Run<'a> {
     /// The direction of the arc with the least sum of squared distances.
     fn least_squares(&self, stride: usize) -> DVec3 {
         let (mut sum, mut ahead) = (DMat3::ZERO, DVec3::ZERO);
-        self.each(stride, |_, v, _| {
+        self.each(stride, |number, v, near| {
+            if !number.is_multiple_of(2) {
+                return; // The middles of chords lie inside of an arc.
+            }
+            let v = v - near * near * self.way;
             sum.x_axis += v.x * v;
             sum.y_axis += v.y * v;
             sum.z_axis += v.z * v;

@@ -99,24 +99,18 @@ fn printed(table: &[Vec<bool>]) -> Vec<usize> {
 fn fewest_of_all(table: &[Vec<bool>]) -> usize {
     let end = table.len() - 1;
     let count = |partition: u32| {
-        let mut at = 0;
-        for k in 1..=end {
-            if k == end || partition >> (k - 1) & 1 == 1 {
-                if !table[at][k] {
-                    return usize::MAX;
-                }
-                at = k;
-            }
-        }
-        partition.count_ones() as usize + 1
+        let kept = (0..=end).filter(|k| *k == 0 || *k == end || partition >> (k - 1) & 1 == 1);
+        let kept: Vec<usize> = kept.collect();
+        if kept.windows(2).all(|run| table[run[0]][run[1]]) { kept.len() - 1 } else { usize::MAX }
     };
     (0..1u32 << (end - 1)).map(count).min().unwrap()
 }
 
 fn shortest_way(table: &[Vec<bool>]) -> usize {
     let mut least = vec![0];
-    for j in 1..table.len() {
-        least.push((0..j).filter(|i| table[*i][j]).map(|i| least[i] + 1).min().unwrap());
+    while least.len() < table.len() {
+        let last = least.len();
+        least.push((0..last).filter(|i| table[*i][last]).map(|i| least[i] + 1).min().unwrap());
     }
     least[table.len() - 1]
 }

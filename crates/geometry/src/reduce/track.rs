@@ -57,10 +57,15 @@ impl<'a> Track<'a> {
         self.work.get()
     }
 
-    /// Part of the way from `first` to `last` that lies before `k`, by path length along the points.
+    /// Part of the way from `first` to `last` that lies before `k`, by path length along the points; by their number if
+    /// they are all in one place.
     fn part(&self, first: usize, last: usize, k: usize) -> f64 {
         let whole = self.lengths[last] - self.lengths[first];
-        if whole > 0.0 { (self.lengths[k] - self.lengths[first]) / whole } else { 0.0 }
+        if whole > 0.0 {
+            (self.lengths[k] - self.lengths[first]) / whole
+        } else {
+            (k - first) as f64 / (last - first) as f64
+        }
     }
 
     /// How far the further columns at `k` are from the linear course between `first` and `last`, of which the part
