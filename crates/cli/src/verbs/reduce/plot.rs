@@ -1,0 +1,63 @@
+//! Points, lines, arcs and their ends, seen along the axes.
+
+use glam::DVec3;
+use seamwright_geometry::reduce::{Shape, Span};
+use seamwright_geometry::{Arc, Curve};
+use seamwright_report::{Axis, Chart, Series, Style, sheet};
+use std::f64::consts::TAU;
+
+/// Steps in which an arc is drawn, rad.
+const STEP: f64 = 0.02;
+
+/// The sheet: seen along z, and along y and x if there is something to see.
+pub(super) fn draw(points: &[DVec3], spans: &[Span]) -> String {
+    let (low, high) = points.iter().fold((points[0], points[0]), |(low, high), p| (low.min(*p), high.max(*p)));
+    let size = high - low;
+    let seen = |shape: fn(&Shape) -> bool| -> Vec<DVec3> {
+        spans.iter().filter(|s| shape(&s.shape)).flat_map(|s| drawn(points, s)).collect()
+    };
+    let lines = seen(|s| *s == Shape::Line);
+    let arcs = seen(|s| *s != Shape::Line);
+    let ends: Vec<DVec3> = spans.iter().map(|s| points[s.first]).chain(points.last().copied()).collect();
+    let chart = |along: &str, (across, up): (usize, usize)| {
+        let axis = |i: usize| Axis::new(["x", "y", "z"][i], "mm");
+        let flat = |space: &[DVec3]| space.iter().map(|p| (p[across], p[up])).collect();
+        let dots = |name: &str, space: &[DVec3]| Series::line(name, flat(space)).styled(Style::Points);
+        Chart {
+            title: format!("Seen along {along}"),
+            x: axis(across),
+            y: axis(up),
+            series: vec![
+                Series::line("lines", flat(&lines)).coloured(0),
+                Series::line("arcs", flat(&arcs)).coloured(1),
+                dots("points", points).coloured(2),
+                dots("ends", &ends).coloured(3),
+            ],
+            equal_aspect: true,
+            ..Chart::default()
+        }
+    };
+    let mut charts = vec![chart("z", (0, 1))];
+    // A plane path is seen whole at once.
+    if size.z > 1e-3 * size.max_element() {
+        charts.push(chart("y", (0, 2)));
+        charts.push(chart("x", (1, 2)));
+    }
+    sheet("Points as lines and arcs", &charts)
+}
+
+/// A span's points, and a gap after them.
+fn drawn(points: &[DVec3], span: &Span) -> Vec<DVec3> {
+    let (start, end) = (points[span.first], points[span.last]);
+    let mut drawn = vec![start];
+    if let Shape::Arc { centre, normal, .. } = span.shape {
+        let (from, to) = (start - centre, end - centre);
+        let sweep = normal.dot(from.cross(to)).atan2(from.dot(to)).rem_euclid(TAU);
+        let steps = (sweep / STEP).ceil().max(8.0) as u32;
+        if let Ok(arc) = Arc::new(centre, normal, start, sweep) {
+            drawn.extend((1..steps).map(|i| arc.point(sweep * f64::from(i) / f64::from(steps))));
+        }
+    }
+    drawn.extend([end, DVec3::NAN]);
+    drawn
+}
