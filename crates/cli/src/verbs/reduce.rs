@@ -101,8 +101,8 @@ fn rows(points: usize, reduction: &Reduction) -> Result<(), Failure> {
     rows.finish()?;
     let spans = &reduction.spans;
     let lines = spans.iter().filter(is_line).count();
-    let mut told = format!("{points} points, {lines} lines and {} arcs", spans.len() - lines);
-    told += &format!(", greatest error {:.3e} mm; no fewer than {} are proven", greatest(spans), reduction.at_least);
+    let mut told = format!("{points} points; lines: {lines}, arcs: {}", spans.len() - lines);
+    told += &format!("; greatest error {:.3e} mm; spans needed at least: {}", greatest(spans), reduction.at_least);
     // Nothing can be done if standard error is closed.
     let _ = writeln!(io::stderr(), "{told}");
     Ok(())

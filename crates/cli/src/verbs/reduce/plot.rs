@@ -9,6 +9,9 @@ use std::f64::consts::TAU;
 /// Steps in which an arc is drawn, rad.
 const STEP: f64 = 0.02;
 
+/// Arms of the crosses at ends, as a part of the drawing.
+const CROSS: f64 = 0.015;
+
 /// The sheet: seen along z, and along y and x if there is something to see.
 pub(super) fn draw(points: &[DVec3], spans: &[Span]) -> String {
     let (low, high) = points.iter().fold((points[0], points[0]), |(low, high), p| (low.min(*p), high.max(*p)));
@@ -18,20 +21,21 @@ pub(super) fn draw(points: &[DVec3], spans: &[Span]) -> String {
     };
     let lines = seen(|s| *s == Shape::Line);
     let arcs = seen(|s| *s != Shape::Line);
-    let ends: Vec<DVec3> = spans.iter().map(|s| points[s.first]).chain(points.last().copied()).collect();
+    let arm = CROSS * size.max_element();
+    let ends = spans.iter().map(|s| points[s.first]).chain(points.last().copied());
+    let crosses: Vec<DVec3> = ends.flat_map(|end| cross(end, arm)).collect();
     let chart = |along: &str, (across, up): (usize, usize)| {
         let axis = |i: usize| Axis::new(["x", "y", "z"][i], "mm");
         let flat = |space: &[DVec3]| space.iter().map(|p| (p[across], p[up])).collect();
-        let dots = |name: &str, space: &[DVec3]| Series::line(name, flat(space)).styled(Style::Points);
         Chart {
             title: format!("Seen along {along}"),
             x: axis(across),
             y: axis(up),
             series: vec![
+                Series::line("points", flat(points)).styled(Style::Points).coloured(2),
                 Series::line("lines", flat(&lines)).coloured(0),
                 Series::line("arcs", flat(&arcs)).coloured(1),
-                dots("points", points).coloured(2),
-                dots("ends", &ends).coloured(3),
+                Series::line("ends", flat(&crosses)).coloured(3),
             ],
             equal_aspect: true,
             ..Chart::default()
@@ -44,6 +48,12 @@ pub(super) fn draw(points: &[DVec3], spans: &[Span]) -> String {
         charts.push(chart("x", (1, 2)));
     }
     sheet("Points as lines and arcs", &charts)
+}
+
+/// A cross that is one in every view.
+fn cross(at: DVec3, arm: f64) -> [DVec3; 6] {
+    let (one, other) = (DVec3::splat(arm), DVec3::new(arm, -arm, arm));
+    [at - one, at + one, DVec3::NAN, at - other, at + other, DVec3::NAN]
 }
 
 /// A span's points, and a gap after them.
