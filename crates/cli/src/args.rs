@@ -3,6 +3,7 @@
 pub(crate) mod follow;
 pub(crate) mod machine;
 pub(crate) mod move_to;
+pub(crate) mod reduce;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -44,6 +45,8 @@ pub(crate) enum Verb {
     Interpolate(InterpolateArgs),
     /// Set-points along taught points of any number, at constant speed
     Follow(follow::FollowArgs),
+    /// Taught points to lines and arcs whose ends are points
+    Reduce(reduce::ReduceArgs),
     /// Set-points of all axes from one place to another, jerk-limited, arriving at once, if nothing comes too near
     Move(move_to::MoveArgs),
     /// The machine and the work in it: place the work from touched points, check a machine file

@@ -16,10 +16,16 @@ pub(crate) struct CsvReader<R> {
 impl<R: BufRead> CsvReader<R> {
     /// A reader of `source` (its name, for messages) with the first of the sets of columns `wanted` that its header
     /// has; and which set that is.
-    pub(crate) fn open(source: &str, reader: R, wanted: &[&[&str]]) -> Result<(Self, usize), Failure> {
-        let mut lines = reader.lines();
-        let header = lines.next().transpose()?.unwrap_or_default();
-        let header: Vec<&str> = header.trim_start_matches('\u{feff}').split(',').map(str::trim).collect();
+    pub(crate) fn open(source: &str, mut reader: R, wanted: &[&[&str]]) -> Result<(Self, usize), Failure> {
+        let mut header = String::new();
+        reader.read_line(&mut header)?;
+        Self::below(&header, source, reader, wanted)
+    }
+
+    /// The same below a header line that has been read.
+    fn below(header: &str, source: &str, reader: R, wanted: &[&[&str]]) -> Result<(Self, usize), Failure> {
+        let lines = reader.lines();
+        let header = names_in(header);
         let place = |name: &&str| header.iter().position(|h| h == name);
         for (set, names) in wanted.iter().enumerate() {
             if let Some(places) = names.iter().map(place).collect::<Option<Vec<usize>>>() {
@@ -40,6 +46,24 @@ impl<R: BufRead> CsvReader<R> {
         }
         let missing = wanted.first().and_then(|names| names.iter().find(|n| place(n).is_none())).unwrap_or(&"");
         Err(no_column(source, missing, &header, wanted))
+    }
+
+    /// A reader of `source` with the columns `wanted` first, then all others that have a name; the names of these.
+    pub(crate) fn open_with_others(
+        source: &str,
+        mut reader: R,
+        wanted: &[&str],
+    ) -> Result<(Self, Vec<String>), Failure> {
+        let mut header = String::new();
+        reader.read_line(&mut header)?;
+        let (mut table, _) = Self::below(&header, source, reader, &[wanted])?;
+        let names = names_in(&header);
+        let others = names.iter().enumerate().filter(|(place, n)| !n.is_empty() && !table.places.contains(place));
+        let (places, others): (Vec<usize>, Vec<String>) = others.map(|(place, n)| (place, (*n).to_owned())).unzip();
+        table.places.extend(places);
+        table.names.extend(others.iter().cloned());
+        table.values.resize(table.names.len(), 0.0);
+        Ok((table, others))
     }
 
     /// The number of the last line read.
@@ -103,4 +127,9 @@ fn no_column(source: &str, missing: &str, header: &[&str], wanted: &[&[&str]]) -
         header.join(","),
         allowed.join(" or ")
     ))
+}
+
+/// The names in a header line.
+fn names_in(header: &str) -> Vec<&str> {
+    header.trim_start_matches('\u{feff}').split(',').map(str::trim).collect()
 }

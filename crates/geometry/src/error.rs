@@ -84,6 +84,12 @@ pub enum Error {
     /// A search for a rigid motion came to no end.
     #[error("no place was found at which the part fits the points")]
     NoFit,
+    /// A point that is not finite or out of all proportion.
+    #[error("point {index} has a value that is not finite or too large")]
+    Place {
+        /// Its index.
+        index: usize,
+    },
     /// Knots of a spline must increase strictly.
     #[error("the positions of a spline's values must increase strictly (value {index})")]
     Knots {

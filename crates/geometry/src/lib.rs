@@ -9,6 +9,7 @@
 //! - [`Quadric`] is an implicit surface with gradient and Hessian; [`QuadricDistance`] knows how far points are from
 //!   it.
 //! - [`fit`] finds the rigid motion that brings nominal geometry to measured points.
+//! - [`reduce`] makes lines and arcs of polylines.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
@@ -27,6 +28,7 @@ mod line;
 mod monotone;
 mod pose;
 mod quadric;
+pub mod reduce;
 mod tube;
 mod tube_intersection;
 

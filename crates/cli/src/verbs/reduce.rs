@@ -1,0 +1,135 @@
+//! Taught points to lines and arcs whose ends are points (EBW-2004).
+
+mod plot;
+
+use super::positive;
+use crate::args::reduce::{MethodArg, ReduceArgs};
+use crate::csv::CsvReader;
+use crate::failure::Failure;
+use crate::files;
+use crate::rows::{Cell, Rows, print_json};
+use glam::DVec3;
+use seamwright_geometry::reduce::{GREATEST_COORDINATE_MM, Method, Reduction, Shape, Span, reduce};
+use serde_json::{Value, json};
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Write as _};
+
+const PLACE: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
+
+const COLUMNS: [&str; 11] =
+    ["kind", "first", "last", "cx_mm", "cy_mm", "cz_mm", "radius_mm", "nx", "ny", "nz", "max_error_mm"];
+
+pub(crate) fn run(args: &ReduceArgs) -> Result<(), Failure> {
+    let tolerance = positive("--tolerance-mm", args.tolerance_mm)?;
+    let axis_tolerance = positive("--axis-tolerance", args.axis_tolerance.unwrap_or(tolerance))?;
+    let source = args.points.display().to_string();
+    let input: Box<dyn BufRead> = match source.as_str() {
+        "-" => Box::new(io::stdin().lock()),
+        _ => Box::new(BufReader::new(
+            File::open(&args.points).map_err(|e| Failure::Input(format!("{source}: cannot be read: {e}")))?,
+        )),
+    };
+    let (points, axes) = read(&source, input)?;
+    let method = match args.method {
+        MethodArg::Greedy => Method::Greedy,
+        MethodArg::Fewest => Method::Fewest,
+    };
+    let reduction = reduce(&points, &axes, (tolerance, axis_tolerance), method)
+        .map_err(|e| Failure::Input(format!("{source}: {e}")))?;
+    if let Some(path) = &args.svg {
+        files::write(path, &plot::draw(&points, &reduction.spans))?;
+    }
+    if args.json { print(points.len(), &reduction) } else { rows(points.len(), &reduction) }
+}
+
+/// Places, and the further columns.
+fn read(source: &str, input: impl BufRead) -> Result<(Vec<DVec3>, Vec<Vec<f64>>), Failure> {
+    let (mut reader, others) = CsvReader::open_with_others(source, input, &PLACE)?;
+    let (mut points, mut axes) = (Vec::new(), vec![Vec::new(); others.len()]);
+    while let Some(row) = reader.row() {
+        let row =
+            row.map_err(|failure| cured(failure, "correct the line, or take a column of no axis out of the file"))?;
+        let point = DVec3::new(row[0], row[1], row[2]);
+        axes.iter_mut().zip(&row[3..]).for_each(|(column, value)| column.push(*value));
+        let far = |(_, value): &(&str, f64)| value.abs() > GREATEST_COORDINATE_MM;
+        if let Some((name, value)) = PLACE.into_iter().zip(point.to_array()).find(far) {
+            let allowed = format!("-{GREATEST_COORDINATE_MM:e} to {GREATEST_COORDINATE_MM:e}");
+            let error = reader.error(name, &value.to_string(), "is too far away", &allowed);
+            return Err(cured(error, "correct the line; coordinates are in mm"));
+        }
+        points.push(point);
+    }
+    if points.len() < 2 {
+        let found = points.len();
+        let error = Failure::Input(format!("{source}: {found} points\n   allowed: at least two"));
+        return Err(cured(error, "a line of numbers a point, below the header line"));
+    }
+    Ok((points, axes))
+}
+
+fn cured(failure: Failure, cure: &str) -> Failure {
+    match failure {
+        Failure::Input(message) => Failure::Input(format!("{message}\n   cure: {cure}")),
+        other => other,
+    }
+}
+
+fn greatest(spans: &[Span]) -> f64 {
+    spans.iter().map(|s| s.max_error).fold(0.0, f64::max)
+}
+
+fn is_line(span: &&Span) -> bool {
+    span.shape == Shape::Line
+}
+
+/// A row a span; a summary to standard error.
+fn rows(points: usize, reduction: &Reduction) -> Result<(), Failure> {
+    let mut rows = Rows::new(COLUMNS.map(str::to_owned).into(), false)?;
+    for span in &reduction.spans {
+        let mut cells = [Cell::Empty; 11];
+        cells[0] = Cell::Text("line");
+        cells[1] = Cell::Count(span.first as u64);
+        cells[2] = Cell::Count(span.last as u64);
+        if let Shape::Arc { centre, radius, normal } = span.shape {
+            cells[0] = Cell::Text("arc");
+            let numbers = [centre.x, centre.y, centre.z, radius, normal.x, normal.y, normal.z];
+            cells[3..10].copy_from_slice(&numbers.map(Cell::Number));
+        }
+        cells[10] = Cell::Number(span.max_error);
+        rows.row(&cells)?;
+    }
+    rows.finish()?;
+    let spans = &reduction.spans;
+    let lines = spans.iter().filter(is_line).count();
+    let mut told = format!("{points} points; lines: {lines}, arcs: {}", spans.len() - lines);
+    told += &format!("; greatest error {:.3e} mm; spans needed at least: {}", greatest(spans), reduction.at_least);
+    // Nothing can be done if standard error is closed.
+    let _ = writeln!(io::stderr(), "{told}");
+    Ok(())
+}
+
+/// The same as one JSON object.
+fn print(points: usize, reduction: &Reduction) -> Result<(), Failure> {
+    let spans = &reduction.spans;
+    let listed = |span: &Span| -> Value {
+        let (kind, arc) = match span.shape {
+            Shape::Line => {
+                ("line", [Value::Null, Value::Null, Value::Null, Value::Null, Value::Null, Value::Null, Value::Null])
+            }
+            Shape::Arc { centre: c, radius, normal: n } => {
+                ("arc", [c.x, c.y, c.z, radius, n.x, n.y, n.z].map(|v| Value::from(v + 0.0)))
+            }
+        };
+        let ends = [Value::from(kind), span.first.into(), span.last.into()];
+        let cells = ends.into_iter().chain(arc).chain([span.max_error.into()]);
+        COLUMNS.into_iter().map(str::to_owned).zip(cells).collect::<serde_json::Map<_, _>>().into()
+    };
+    print_json(&json!({
+        "points": points,
+        "lines": spans.iter().filter(is_line).count(),
+        "arcs": spans.len() - spans.iter().filter(is_line).count(),
+        "at_least": reduction.at_least,
+        "greatest_error_mm": greatest(spans),
+        "spans": spans.iter().map(listed).collect::<Vec<Value>>(),
+    }))
+}

@@ -1,0 +1,73 @@
+//! Points, lines, arcs and their ends, seen along the axes.
+
+use glam::DVec3;
+use seamwright_geometry::reduce::{Shape, Span};
+use seamwright_geometry::{Arc, Curve};
+use seamwright_report::{Axis, Chart, Series, Style, sheet};
+use std::f64::consts::TAU;
+
+/// Steps in which an arc is drawn, rad.
+const STEP: f64 = 0.02;
+
+/// Arms of the crosses at ends, as a part of the drawing.
+const CROSS: f64 = 0.015;
+
+/// The sheet: seen along z, and along y and x if there is something to see.
+pub(super) fn draw(points: &[DVec3], spans: &[Span]) -> String {
+    let (low, high) = points.iter().fold((points[0], points[0]), |(low, high), p| (low.min(*p), high.max(*p)));
+    let size = high - low;
+    let seen = |shape: fn(&Shape) -> bool| -> Vec<DVec3> {
+        spans.iter().filter(|s| shape(&s.shape)).flat_map(|s| drawn(points, s)).collect()
+    };
+    let lines = seen(|s| *s == Shape::Line);
+    let arcs = seen(|s| *s != Shape::Line);
+    let arm = CROSS * size.max_element();
+    let ends = spans.iter().map(|s| points[s.first]).chain(points.last().copied());
+    let crosses: Vec<DVec3> = ends.flat_map(|end| cross(end, arm)).collect();
+    let chart = |along: &str, (across, up): (usize, usize)| {
+        let axis = |i: usize| Axis::new(["x", "y", "z"][i], "mm");
+        let flat = |space: &[DVec3]| space.iter().map(|p| (p[across], p[up])).collect();
+        Chart {
+            title: format!("Seen along {along}"),
+            x: axis(across),
+            y: axis(up),
+            series: vec![
+                Series::line("points", flat(points)).styled(Style::Points).coloured(2),
+                Series::line("lines", flat(&lines)).coloured(0),
+                Series::line("arcs", flat(&arcs)).coloured(1),
+                Series::line("ends", flat(&crosses)).coloured(3),
+            ],
+            equal_aspect: true,
+            ..Chart::default()
+        }
+    };
+    let mut charts = vec![chart("z", (0, 1))];
+    // A plane path is seen whole at once.
+    if size.z > 1e-3 * size.max_element() {
+        charts.push(chart("y", (0, 2)));
+        charts.push(chart("x", (1, 2)));
+    }
+    sheet("Points as lines and arcs", &charts)
+}
+
+/// A cross that is one in every view.
+fn cross(at: DVec3, arm: f64) -> [DVec3; 6] {
+    let (one, other) = (DVec3::splat(arm), DVec3::new(arm, -arm, arm));
+    [at - one, at + one, DVec3::NAN, at - other, at + other, DVec3::NAN]
+}
+
+/// A span's points, and a gap after them.
+fn drawn(points: &[DVec3], span: &Span) -> Vec<DVec3> {
+    let (start, end) = (points[span.first], points[span.last]);
+    let mut drawn = vec![start];
+    if let Shape::Arc { centre, normal, .. } = span.shape {
+        let (from, to) = (start - centre, end - centre);
+        let sweep = normal.dot(from.cross(to)).atan2(from.dot(to)).rem_euclid(TAU);
+        let steps = (sweep / STEP).ceil().max(8.0) as u32;
+        if let Ok(arc) = Arc::new(centre, normal, start, sweep) {
+            drawn.extend((1..steps).map(|i| arc.point(sweep * f64::from(i) / f64::from(steps))));
+        }
+    }
+    drawn.extend([end, DVec3::NAN]);
+    drawn
+}

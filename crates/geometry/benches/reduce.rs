@@ -1,0 +1,115 @@
+//! Polylines of a million points to lines and arcs, by both methods.
+
+#![allow(missing_docs, reason = "the benchmark macros make public items")]
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use glam::DVec3;
+use seamwright_geometry::reduce::{Method, reduce};
+use std::hint::black_box;
+
+const POINTS: usize = 1_000_000;
+const TOLERANCE: f64 = 0.01;
+
+/// Numbers in (-1, 1) by Weyl's sequence, mixed.
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+
+    fn vector(&mut self) -> DVec3 {
+        DVec3::new(self.next(), self.next(), self.next())
+    }
+}
+
+/// Lines and arcs of a thousand points each, noise a fifth of the tolerance.
+fn mixed(count: usize) -> Vec<DVec3> {
+    let mut numbers = Numbers(1);
+    let (mut at, mut points) = (DVec3::ZERO, Vec::new());
+    while points.len() < count {
+        let (tangent, other) = (numbers.vector().normalize(), numbers.vector());
+        let inward = tangent.cross(other).normalize();
+        let radius = if numbers.next() > 0.0 { 1e9 } else { 40.0 + 20.0 * numbers.next() };
+        let from = at;
+        for i in 1..=1000 {
+            let way = 0.1 * f64::from(i);
+            let half = 0.5 * way / radius;
+            at = from + 2.0 * radius * half.sin() * (half.cos() * tangent + half.sin() * inward);
+            points.push(at + 0.2 * TOLERANCE / 3f64.sqrt() * numbers.vector());
+        }
+    }
+    points.truncate(count);
+    points
+}
+
+fn line(count: usize) -> Vec<DVec3> {
+    let mut numbers = Numbers(2);
+    (0..count).map(|i| DVec3::new(0.01 * i as f64, 0.0, 0.0) + 0.4 * TOLERANCE * numbers.vector()).collect()
+}
+
+fn circle(count: usize) -> Vec<DVec3> {
+    let mut numbers = Numbers(3);
+    let angle = |i: usize| std::f64::consts::TAU * i as f64 / (count - 1) as f64;
+    (0..count)
+        .map(|i| 500.0 * DVec3::new(angle(i).cos(), angle(i).sin(), 0.0) + 0.2 * TOLERANCE * numbers.vector())
+        .collect()
+}
+
+/// A spiral that opens by 5 mm a turn, of exact points.
+fn spiral(count: usize) -> Vec<DVec3> {
+    let mut angle: f64 = 10.0;
+    let next = |_| {
+        let radius = 5.0 / std::f64::consts::TAU * angle;
+        angle += 0.05 / radius;
+        radius * DVec3::new(angle.cos(), angle.sin(), 0.0)
+    };
+    (0..count).map(next).collect()
+}
+
+fn walk(count: usize) -> Vec<DVec3> {
+    let (mut numbers, mut at) = (Numbers(5), DVec3::ZERO);
+    let step = |_| {
+        at += numbers.vector();
+        at
+    };
+    (0..count).map(step).collect()
+}
+
+fn benches(c: &mut Criterion) {
+    let count = std::env::var("SEAMWRIGHT_POINTS").ok().and_then(|v| v.parse().ok()).unwrap_or(POINTS);
+    let mut group = c.benchmark_group("reduce");
+    group.sample_size(10);
+    let paths = [
+        ("mixed", mixed(count)),
+        ("line", line(count)),
+        ("circle", circle(count)),
+        ("spiral", spiral(count)),
+        ("walk", walk(count)),
+    ];
+    for (name, points) in paths {
+        for (method, called) in [(Method::Greedy, "greedy"), (Method::Fewest, "fewest")] {
+            if std::env::var("SEAMWRIGHT_POINTS").is_ok() {
+                let t = std::time::Instant::now();
+                let found = reduce(&points, &[], (TOLERANCE, 1.0), method).unwrap();
+                eprintln!(
+                    "{name} {called}: {} spans, at least {}, {:?}",
+                    found.spans.len(),
+                    found.at_least,
+                    t.elapsed()
+                );
+                continue;
+            }
+            group.bench_function(format!("{name}, {called}"), |b| {
+                b.iter(|| reduce(black_box(&points), &[], (TOLERANCE, 1.0), method));
+            });
+        }
+    }
+}
+
+criterion_group!(group, benches);
+criterion_main!(group);
