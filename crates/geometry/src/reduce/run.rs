@@ -21,6 +21,9 @@ const ROUNDS: usize = 40;
 /// Chords that a first search looks at.
 const SAMPLES: usize = 32;
 
+/// Effort of a look at a witness, in points.
+const GLANCE: usize = 32;
+
 /// How near the points must be to a span.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Near {
@@ -225,6 +228,7 @@ impl<'a> Run<'a> {
         if !witness.iter().all(inside) {
             return false;
         }
+        self.track.add_work(GLANCE);
         let demands = witness.map(|number| self.demand(number));
         let ahead: DVec3 = demands.iter().flatten().map(|(v, _)| v.normalize()).sum();
         let Some(pole) = ahead.try_normalize() else { return false };
