@@ -19,8 +19,8 @@ pub(super) struct Fewest {
 
 /// No more than k spans go further than to entry k from the start of the track.
 ///
-/// From every point up to the bound of one span less: how far could one more span go? Points before the bound before that
-/// were asked already.
+/// From every point up to the bound of one span less: how far could one more span go? Points before the bound before
+/// that were asked already.
 fn bounds(track: &Track, effort: u64) -> Vec<usize> {
     let mut bounds = vec![0];
     let (mut top, mut before) = (0, None);
