@@ -1,5 +1,5 @@
-//! Polylines to lines and arcs: what was drawn comes back; every promise is checked on the printed spans, by looking along
-//! them in small steps.
+//! Polylines to lines and arcs: what was drawn comes back; every promise is checked on the printed spans, by looking
+//! along them in small steps.
 
 mod common;
 

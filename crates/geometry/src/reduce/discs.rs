@@ -9,8 +9,8 @@ pub(super) struct Disc {
     radius: f64,
 }
 
-/// Stereographic projection of the sphere of directions from the point opposite to a pole: discs on the sphere are discs
-/// in the plane, exactly.
+/// Stereographic projection of the sphere of directions from the point opposite to a pole: discs on the sphere are
+/// discs in the plane, exactly.
 pub(super) struct Chart {
     pole: DVec3,
     right: DVec3,
@@ -24,8 +24,8 @@ impl Chart {
         Self { pole, right, up }
     }
 
-    /// The directions within the angle asin(`near` / |`v`|) of `v`, where `near` < |`v`|. None if they are not a disc in
-    /// this chart because they hold, or nearly hold, the point opposite to the pole.
+    /// The directions within the angle asin(`near` / |`v`|) of `v`, where `near` < |`v`|. None if they are not a disc
+    /// in this chart because they hold, or nearly hold, the point opposite to the pole.
     pub(super) fn disc(&self, v: DVec3, near: f64) -> Option<Disc> {
         let length = v.length();
         let (c, sine) = (v / length, near / length);

@@ -33,8 +33,8 @@ pub(super) enum Care {
 }
 
 impl Track<'_> {
-    /// The span for the points from `first` to `last`, if there is one: the line, else the arc of least squares, else the
-    /// arc in the middle of those that are near enough to all points.
+    /// The span for the points from `first` to `last`, if there is one: the line, else the arc of least squares, else
+    /// the arc in the middle of those that are near enough to all points.
     pub(super) fn span(&self, first: usize, last: usize, memory: &mut Memory) -> Option<Span> {
         memory.back = None;
         let line = |max_error| Span { first, last, shape: Shape::Line, max_error };
@@ -94,13 +94,13 @@ impl Track<'_> {
         Some(greatest)
     }
 
-    /// Whether it is proven that no span stands for any run that starts at `first` (or before, if free) and ends at `last`
-    /// or later.
+    /// Whether it is proven that no span stands for any run that starts at `first` (or before, if free) and ends at
+    /// `last` or later.
     ///
-    /// Let such a span pass the points at `first` and `last` at a and m, at most the tolerance T away. The piece from a to
-    /// m, moved, turned and scaled so that its ends come to the two points, moves no point x by more than
-    /// `T |x - a| / |m - a|` if a stays, else by `T (1 + z^2)^(1/2)` with z the distance of x from the middle of a and m
-    /// in units of half of theirs. So there must be an arc between the two points within T and that. Points that turn
+    /// Let such a span pass the points at `first` and `last` at a and m, at most the tolerance T away. The piece from
+    /// a to m, moved, turned and scaled so that its ends come to the two points, moves no point x by more than
+    /// `T |x - a| / |m - a|` if a stays, else by `T (1 + z^2)^(1/2)` with z the distance of x from the middle of a and
+    /// m in units of half of theirs. So there must be an arc between the two points within T and that. Points that turn
     /// back over an end are within 3 T of it and left out.
     ///
     /// At a glance only a few points are looked at, or many of a short run: a proof is still a proof.
@@ -168,8 +168,8 @@ impl Track<'_> {
         closed - 1
     }
 
-    /// The longest run from `first` that ends at most at `most` and beyond `least`, if there is one: every end is tried,
-    /// from the last one down.
+    /// The longest run from `first` that ends at most at `most` and beyond `least`, if there is one: every end is
+    /// tried, from the last one down.
     pub(super) fn longest(&self, first: usize, least: usize, most: usize, memory: &mut Memory) -> Option<Span> {
         let (mut last, mut turned) = (most, None);
         while last > least {

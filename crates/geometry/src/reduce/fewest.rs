@@ -19,8 +19,8 @@ pub(super) struct Fewest {
 
 /// No more than k spans go further than to entry k from the start of the track.
 ///
-/// From every point up to the bound of one span less: how far could one more span go? Points before the bound before that
-/// were asked already.
+/// From every point up to the bound of one span less: how far could one more span go? Points before the bound before
+/// that were asked already.
 fn bounds(track: &Track, effort: u64) -> Vec<usize> {
     let mut bounds = vec![0];
     let (mut top, mut before) = (0, None);
@@ -30,7 +30,12 @@ fn bounds(track: &Track, effort: u64) -> Vec<usize> {
         let least = before.map_or(0, |b: usize| b + 1);
         let (mut step, mut first) = (1, top);
         loop {
-            far = asked.furthest(track, first, far, effort);
+            if track.work() > effort {
+                // Nothing that starts at the top or before goes beyond this either.
+                far = track.reach(top, far.max(top + 1), Ends::Free, &mut Memory::default());
+                break;
+            }
+            far = asked.furthest(track, first, far);
             if first == least {
                 break;
             }
@@ -62,9 +67,8 @@ struct Asked {
 }
 
 impl Asked {
-    /// The furthest end of a run from `first`, or `far` if none goes beyond that. When the effort is spent, an end that it
-    /// cannot go beyond.
-    fn furthest(&mut self, track: &Track, first: usize, far: usize, effort: u64) -> usize {
+    /// The furthest end of a run from `first`, or `far` if none goes beyond that.
+    fn furthest(&mut self, track: &Track, first: usize, far: usize) -> usize {
         let least = far.max(first + 1);
         if least == track.end() || self.excluded(track, first, least + 1) {
             return least;
@@ -76,9 +80,6 @@ impl Asked {
             }
         } else {
             self.most = track.reach(first, least, Ends::FixedStart, &mut self.barrier);
-        }
-        if track.work() > effort {
-            return self.most;
         }
         track.longest(first, least, self.most, &mut self.runs).map_or(least, |span| span.last)
     }

@@ -104,8 +104,8 @@ pub(super) enum Fault {
     Axis,
 }
 
-/// The greatest distance (mm) of the run's points from the span, if all are near, passed in order, the span stays near the
-/// polyline and further columns are carried along.
+/// The greatest distance (mm) of the run's points from the span, if all are near, passed in order, the span stays near
+/// the polyline and further columns are carried along.
 pub(super) fn measure(track: &Track, run: &Run, course: &Course) -> Result<f64, Fault> {
     let near = track.near * (1.0 + 1e-12);
     let whole = course.length(run);

@@ -9,12 +9,13 @@
 //!   path length along the span and by path length along the points.
 //!
 //! Two points next to each other always have their line. An arc sweeps less than a full turn, since equal ends tell no
-//! centre: a circle takes two. Its ends are further apart than T; its radius is at most 10 km ([`GREATEST_RADIUS_MM`]). A run that ends where it starts
-//! is a line without length, if all its points are within T of that place.
+//! centre: a circle takes two. Its ends are further apart than T; its radius is at most 10 km
+//! ([`GREATEST_RADIUS_MM`]). A run that ends where it starts is a line without length, if all its points are within T
+//! of that place.
 //!
-//! [`Method::Greedy`] is the one of EBW-2004 (Paton and others): the longest run from the first point for which a line or
-//! an arc is found, and again from its last point. *Longest* is meant literally: all ends are tried from the last one
-//! down, except those for which it is proven that there is no span. [`Method::Fewest`] never has more spans.
+//! [`Method::Greedy`] is the one of EBW-2004 (Paton and others): the longest run from the first point for which a line
+//! or an arc is found, and again from its last point. *Longest* is meant literally: all ends are tried from the last
+//! one down, except those for which it is proven that there is no span. [`Method::Fewest`] never has more spans.
 //!
 //! How a span is found is told in `run.rs`; what makes it quick, in `feasible.rs`: three points that no arc comes near
 //! mostly exclude the next run too, and many at once.
@@ -82,8 +83,9 @@ pub enum Method {
 pub struct Reduction {
     /// From the first point to the last; none for fewer than two points.
     pub spans: Vec<Span>,
-    /// A proven bound: no reduction within the tolerance has fewer spans than this. [`Method::Fewest`] ends with as many
-    /// spans, unless the proof would take too long: on paths of very many points whose noise is near the tolerance.
+    /// A proven bound: no reduction within the tolerance has fewer spans than this. [`Method::Fewest`] ends with as
+    /// many spans, unless the proof would take too long: on paths of very many points whose noise is near the
+    /// tolerance.
     /// [`Method::Greedy`] proves nothing: 1, or 0 without spans.
     pub at_least: usize,
 }

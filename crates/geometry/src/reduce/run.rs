@@ -1,15 +1,15 @@
 //! All lines and arcs between two points: one direction each.
 //!
-//! An arc from a point O to a point E is told by its direction at O: the unit vector d, at the angle psi from the way e to
-//! E; it sweeps 2 psi, and psi = 0 is the line. Inversion about O with the radius L = |E - O| maps the arc to the ray that
-//! starts at E and goes along d, and a ball about a point q to a ball. So the arc is within `near` of q exactly if d is in
-//! a disc on the sphere of directions. In units of L, with x = q - O:
+//! An arc from a point O to a point E is told by its direction at O: the unit vector d, at the angle psi from the way
+//! e to E; it sweeps 2 psi, and psi = 0 is the line. Inversion about O with the radius L = |E - O| maps the arc to the
+//! ray that starts at E and goes along d, and a ball about a point q to a ball. So the arc is within `near` of q
+//! exactly if d is in a disc on the sphere of directions. In units of L, with x = q - O:
 //!
 //! `v = x - e (x^2 - near^2)`, d within the angle `asin(near / |v|)` of v, that is `|d x v| <= near` and `d . v > 0`.
 //!
-//! A point nearer than that to O or E asks for nothing. With `near` = 0 in v, `|d x v|` is thus the distance from the arc,
-//! but for terms of second order: the sum of its squares is least for the eigenvector of the sum of v v' with the greatest
-//! eigenvalue.
+//! A point nearer than that to O or E asks for nothing. With `near` = 0 in v, `|d x v|` is thus the distance from the
+//! arc, but for terms of second order: the sum of its squares is least for the eigenvector of the sum of v v' with the
+//! greatest eigenvalue.
 
 use super::discs::{Chart, Disc, apart, common};
 use super::track::Track;
@@ -20,6 +20,9 @@ const ROUNDS: usize = 40;
 
 /// Chords that a first search looks at.
 const SAMPLES: usize = 32;
+
+/// Effort of a look at a witness, in points.
+const GLANCE: usize = 32;
 
 /// How near the points must be to a span.
 #[derive(Debug, Clone, Copy)]
@@ -225,6 +228,7 @@ impl<'a> Run<'a> {
         if !witness.iter().all(inside) {
             return false;
         }
+        self.track.add_work(GLANCE);
         let demands = witness.map(|number| self.demand(number));
         let ahead: DVec3 = demands.iter().flatten().map(|(v, _)| v.normalize()).sum();
         let Some(pole) = ahead.try_normalize() else { return false };

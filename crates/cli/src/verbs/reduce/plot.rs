@@ -51,9 +51,9 @@ pub(super) fn draw(points: &[DVec3], spans: &[Span]) -> String {
 }
 
 /// A cross that is one in every view.
-fn cross(at: DVec3, arm: f64) -> [DVec3; 6] {
-    let (one, other) = (DVec3::splat(arm), DVec3::new(arm, -arm, arm));
-    [at - one, at + one, DVec3::NAN, at - other, at + other, DVec3::NAN]
+fn cross(at: DVec3, arm: f64) -> [DVec3; 9] {
+    let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::Z].map(|way| [at - arm * way, at + arm * way, DVec3::NAN]);
+    [x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]]
 }
 
 /// A span's points, and a gap after them.
