@@ -29,7 +29,7 @@ struct Zone {
 /// The surface of a zone.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Face {
-    Quadric(Quadric, QuadricDistance),
+    Quadric(Box<(Quadric, QuadricDistance)>),
     Torus(Torus),
 }
 
@@ -205,7 +205,7 @@ impl Head {
     }
 
     /// How far (mm) `p` is from the axis of a cone, which has a tip there; from that of other heads infinity.
-    pub(crate) fn from_tip(&self, p: DVec3) -> f64 {
+    pub(crate) fn off_tip(&self, p: DVec3) -> f64 {
         let pointed = matches!(self.zones[0].meridian, Meridian::Cone { .. });
         if pointed { self.meridional(p).0 } else { f64::INFINITY }
     }
@@ -268,7 +268,7 @@ impl SignedDistance for Head {
         let last = self.zones.len() - 1;
         let zone = self.beyond(p).take(last).take_while(|b| *b > 0.0).count();
         match &self.zones[zone].face {
-            Face::Quadric(_, distance) => distance.foot(p),
+            Face::Quadric(quadric) => quadric.1.foot(p),
             Face::Torus(torus) => torus.foot(p),
         }
     }
@@ -290,7 +290,7 @@ impl Meridian {
             Self::Knuckle { ring, radius } => return Ok(Face::Torus(Torus::new(centre, axis, ring, radius)?)),
         };
         let distance = QuadricDistance::new(&quadric);
-        Ok(Face::Quadric(quadric, distance))
+        Ok(Face::Quadric(Box::new((quadric, distance))))
     }
 
     /// A curved one as an ellipse: semi-axes across and along the head's axis, and the middle's distance from the axis

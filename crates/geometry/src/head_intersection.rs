@@ -20,7 +20,7 @@ pub struct HeadIntersection {
 /// The tube's wall and the surface of a zone.
 #[derive(Debug, Clone, PartialEq)]
 enum Wall {
-    Quadric(TubeIntersection),
+    Quadric(Box<TubeIntersection>),
     Torus(OnTorus),
 }
 
@@ -38,7 +38,7 @@ impl HeadIntersection {
     /// [`Error::BeyondHead`] if the curve does not exist, is not closed and smooth, or does not lie on the head.
     pub fn new(tube: Tube, head: Head) -> Result<Self, Error> {
         let wall = |face: &Face| match face {
-            Face::Quadric(q, _) => Wall::Quadric(TubeIntersection::unchecked(tube.clone(), q.clone())),
+            Face::Quadric(q) => Wall::Quadric(Box::new(TubeIntersection::unchecked(tube.clone(), q.0.clone()))),
             Face::Torus(torus) => Wall::Torus(OnTorus { tube: tube.clone(), torus: torus.clone() }),
         };
         let walls = head.faces().map(wall).collect();
@@ -71,8 +71,8 @@ impl HeadIntersection {
         };
         let axis_meets = self.head.way_out(self.tube.origin, self.tube.e3).is_some();
         check_margin(&|phi| self.leaving(phi).map_or(-1.0, steepness), axis_meets)?;
-        let from_tip = |phi| self.leaving(phi).map_or(f64::NAN, |p| self.head.from_tip(p).min(1.0));
-        check_margin(&from_tip, axis_meets)?;
+        let off_tip = |phi| self.leaving(phi).map_or(f64::NAN, |p| self.head.off_tip(p).min(1.0));
+        check_margin(&off_tip, axis_meets)?;
         let left = |p| -self.head.beyond(p).last().unwrap_or(f64::NAN);
         check_margin(&|phi| self.leaving(phi).map_or(f64::NAN, left).min(1.0), axis_meets).map_err(|e| match e {
             Error::NotClosed { from, to } => Error::BeyondHead { from, to },
