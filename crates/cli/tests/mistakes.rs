@@ -46,6 +46,37 @@ fn sizes() {
 }
 
 #[test]
+fn heads() {
+    let shell = "[seam.nozzle.body.cylinder]\nradius_mm = 800                   # outer radius of the shell\naxis = [1, 0, 0]\n";
+    let head = |keys: &str, words: &[&str]| {
+        let table = format!("[seam.nozzle.body.torispherical_head]\nouter_diameter_mm = 1600\n{keys}\n");
+        refused(shell, &table, words);
+    };
+    let at = |key: &str| format!("seam.nozzle.body.torispherical_head.{key}");
+    head(
+        "thickness_mm = 10\nstandard = \"din_28011\"\nknuckle_radius_mm = 790",
+        &[&at("knuckle_radius_mm = 790"), "does not fit", "less than the flange's, 790 mm"],
+    );
+    head(
+        "thickness_mm = 10\nstandard = \"din_28013\"\ncrown_radius_mm = 780",
+        &[&at("crown_radius_mm = 780"), "half a ball", "more than the flange's inside radius, 790 mm"],
+    );
+    head("thickness_mm = 800\nstandard = \"asme_fd\"", &[&at("thickness_mm = 800"), "outer_diameter_mm = 1600"]);
+    head("thickness_mm = 300\nstandard = \"asme_fd\"", &[&at("thickness_mm = 300"), "inside radius 900 mm"]);
+    head("thickness_mm = 10\ncrown_radius_mm = 1600", &["crown and knuckle are not known", "din_28011"]);
+    head("thickness_mm = 10\nstandard = \"din_28012\"", &[&at("standard"), "din_28011, din_28013, asme_fd"]);
+    head("standard = \"din_28011\"", &["thickness_mm"]);
+    // The head stands on its side: the nozzle leaves it over the end of the flange.
+    head(
+        "thickness_mm = 10\nstandard = \"din_28011\"\naxis = [1, 0, 0]\nflange_mm = 30",
+        &["seam.nozzle.origin_mm", "beyond the end of the head's flange", "1600 mm in diameter"],
+    );
+    let cone = "[seam.nozzle.body.conical_head]\nouter_diameter_mm = 1600\nthickness_mm = 10\nknuckle_radius_mm = 100\n\
+                half_angle_deg = 90\n";
+    refused(shell, cone, &["seam.nozzle.body.conical_head.half_angle_deg = 90", "less than 90"]);
+}
+
+#[test]
 fn corners() {
     let refuse = |value: &str, words: &[&str]| refused("[weld]\n", &format!("[weld]\ncorner = {value}\n"), words);
     for bad in ["0", "-0.2", "nan", "inf", "\"wide\""] {

@@ -11,7 +11,7 @@ const SMALLEST_PANEL: f64 = 1e-9;
 
 /// A curve together with its arc length and the inverse of it.
 ///
-/// The domain is cut into panels. On each, `|dp/du|` is a Chebyshev series whose integral is the arc length, and the
+/// The domain is cut into panels, at the curve's breaks first of all. On each, `|dp/du|` is a Chebyshev series whose integral is the arc length, and the
 /// inverse, parameter by arc length, is a second series obtained by Newton's method at the nodes. Panels are halved
 /// until both hold the accuracy at check points between the nodes.
 ///
@@ -54,7 +54,11 @@ impl<C: Curve> ByLength<C> {
         let mut panels = Vec::new();
         // Compensated sum of the panels' lengths.
         let (mut length, mut lost) = (0.0, 0.0);
-        let mut todo = vec![(start, end)];
+        let hair = SMALLEST_PANEL * (end - start);
+        let mut edges = vec![start];
+        edges.extend(curve.breaks().into_iter().filter(|u| *u > start + hair && *u < end - hair));
+        edges.push(end);
+        let mut todo: Vec<(f64, f64)> = edges.windows(2).rev().map(|w| (w[0], w[1])).collect();
         while let Some((a, b)) = todo.pop() {
             if let Some((panel, panel_length)) = Panel::fit(&curve, a, b, length, accuracy) {
                 panels.push(panel);

@@ -11,7 +11,8 @@ pub struct Jet {
     pub d2: DVec3,
 }
 
-/// A parametrised curve in space, twice continuously differentiable with a non-zero first derivative.
+/// A parametrised curve in space, twice continuously differentiable but for its [`breaks`](Curve::breaks), with a
+/// non-zero first derivative.
 pub trait Curve {
     /// First and last parameter, increasing.
     fn domain(&self) -> (f64, f64);
@@ -19,6 +20,11 @@ pub trait Curve {
     /// True if the end joins the start with equal derivatives; the curve may then be evaluated outside its
     /// domain, where it repeats.
     fn closed(&self) -> bool;
+
+    /// Parameters in the domain at which the second derivative jumps, increasing; the first is continuous there.
+    fn breaks(&self) -> Vec<f64> {
+        Vec::new()
+    }
 
     /// Point and exact first and second derivative at parameter `u`.
     fn jet(&self, u: f64) -> Jet;
@@ -43,6 +49,9 @@ macro_rules! behind {
             }
             fn closed(&self) -> bool {
                 (**self).closed()
+            }
+            fn breaks(&self) -> Vec<f64> {
+                (**self).breaks()
             }
             fn jet(&self, u: f64) -> Jet {
                 (**self).jet(u)

@@ -68,6 +68,9 @@ impl<C: Curve> Curve for CurvedEdge<C> {
     fn closed(&self) -> bool {
         self.curve.closed()
     }
+    fn breaks(&self) -> Vec<f64> {
+        self.curve.breaks()
+    }
     fn jet(&self, u: f64) -> Jet {
         self.curve.jet(u)
     }

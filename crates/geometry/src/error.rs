@@ -11,6 +11,18 @@ pub enum Error {
         /// The value given.
         value: f64,
     },
+    /// A size must lie between two others.
+    #[error("{what} must be more than {least} and less than {most} mm, not {value}")]
+    Range {
+        /// Which size.
+        what: &'static str,
+        /// The value given, mm.
+        value: f64,
+        /// It must be more than this, mm.
+        least: f64,
+        /// It must be less than this, mm.
+        most: f64,
+    },
     /// A direction has no length or is not finite.
     #[error("{what} must be a finite vector with a length greater than 0")]
     Direction {
@@ -41,6 +53,18 @@ pub enum Error {
         /// Start of the angle range that misses, rad.
         from: f64,
         /// End of the angle range that misses, rad, greater than `from`.
+        to: f64,
+    },
+    /// Part of the tube's wall leaves a head over the end of its flange.
+    #[error(
+        "the tube's wall is beyond the end of the head's flange between phi = {:.3} and {:.3} degrees",
+        from.to_degrees(),
+        to.to_degrees()
+    )]
+    BeyondHead {
+        /// Start of the angle range beyond the end, rad.
+        from: f64,
+        /// End of the angle range, rad, greater than `from`.
         to: f64,
     },
     /// The wall touches the body tangentially: the curve has a corner there.

@@ -2,12 +2,13 @@
 //!
 //! Floor 0: no welding words, no I/O. Lengths are mm, angles rad, all in one fixed frame that the caller chooses.
 //!
-//! - [`Curve`] is a parametrised curve with exact derivatives; [`Line`], [`Arc`], [`Ellipse`] and
-//!   [`TubeIntersection`] implement it.
+//! - [`Curve`] is a parametrised curve with exact derivatives; [`Line`], [`Arc`], [`Ellipse`], [`TubeIntersection`] and
+//!   [`HeadIntersection`] implement it.
 //! - [`Edge`] is a curve where two faces meet; it also knows their outward normals.
 //! - [`ByLength`] re-parametrises any curve by arc length, to a stated accuracy.
 //! - [`Quadric`] is an implicit surface with gradient and Hessian; [`QuadricDistance`] knows how far points are from
 //!   it.
+//! - [`Head`] is the head of a vessel: quadrics and a [`Torus`] that go over into each other.
 //! - [`fit`] finds the rigid motion that brings nominal geometry to measured points.
 //! - [`reduce`] makes lines and arcs of polylines.
 
@@ -23,12 +24,15 @@ mod edge;
 mod ellipse;
 mod error;
 pub mod fit;
+mod head;
+mod head_intersection;
 mod knots;
 mod line;
 mod monotone;
 mod pose;
 mod quadric;
 pub mod reduce;
+mod torus;
 mod tube;
 mod tube_intersection;
 
@@ -41,9 +45,12 @@ pub use distance::{Foot, QuadricDistance, SignedDistance};
 pub use edge::{CurvedEdge, Edge, EdgePoint, FaceRule};
 pub use ellipse::Ellipse;
 pub use error::Error;
+pub use head::Head;
+pub use head_intersection::HeadIntersection;
 pub use line::Line;
 pub use monotone::MonotoneCurve;
 pub use pose::Pose;
 pub use quadric::{Quadric, Surface};
+pub use torus::Torus;
 pub use tube::Tube;
 pub use tube_intersection::TubeIntersection;

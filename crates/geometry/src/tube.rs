@@ -53,4 +53,11 @@ impl Tube {
     pub fn radius(&self) -> f64 {
         self.radius
     }
+
+    /// The wall's point at height zero, its outward normal and its direction of increasing angle.
+    pub(crate) fn wall(&self, phi: f64) -> (DVec3, DVec3, DVec3) {
+        let (sin, cos) = phi.sin_cos();
+        let normal = cos * self.e1 + sin * self.e2;
+        (self.origin + self.radius * normal, normal, cos * self.e2 - sin * self.e1)
+    }
 }

@@ -18,7 +18,7 @@ pub struct TubeIntersection {
 }
 
 /// Samples used to search the discriminant, a trigonometric polynomial of degree two with at most four extrema.
-const SAMPLES: usize = 256;
+pub(crate) const SAMPLES: usize = 256;
 
 impl TubeIntersection {
     /// The closed curve where `tube` leaves `body`.
@@ -27,10 +27,15 @@ impl TubeIntersection {
     /// [`Error::TubeLargerThanBody`], [`Error::TubeBesideBody`], [`Error::NotClosed`], [`Error::Tangent`] or
     /// [`Error::NeverLeaves`] if the curve does not exist or is not closed and smooth.
     pub fn new(tube: Tube, body: Quadric) -> Result<Self, Error> {
-        let line = body.line_along(tube.e3);
-        let curve = Self { tube, body, line };
+        let curve = Self::unchecked(tube, body);
         curve.check()?;
         Ok(curve)
+    }
+
+    /// The same where only a part of the curve is of use.
+    pub(crate) fn unchecked(tube: Tube, body: Quadric) -> Self {
+        let line = body.line_along(tube.e3);
+        Self { tube, body, line }
     }
 
     /// The tube.
@@ -41,14 +46,6 @@ impl TubeIntersection {
     /// The body.
     pub fn body(&self) -> &Quadric {
         &self.body
-    }
-
-    /// The wall's point at height zero, its outward normal and its direction of increasing angle.
-    fn wall(&self, phi: f64) -> (DVec3, DVec3, DVec3) {
-        let t = &self.tube;
-        let (sin, cos) = phi.sin_cos();
-        let normal = cos * t.e1 + sin * t.e2;
-        (t.origin + t.radius * normal, normal, cos * t.e2 - sin * t.e1)
     }
 
     /// The outermost point of the wall's line through `foot`: its height (mm; NaN where the line misses the body), and
@@ -67,13 +64,13 @@ impl TubeIntersection {
     /// The discriminant of the wall's quadratic at `phi`: positive where the wall meets the body. A trigonometric
     /// polynomial of degree two.
     fn discriminant(&self, phi: f64) -> f64 {
-        let (k1, k0, _) = self.body.on_line(&self.line, self.wall(phi).0);
+        let (k1, k0, _) = self.body.on_line(&self.line, self.tube.wall(phi).0);
         k1 * k1 - self.line.k2 * k0
     }
 
     /// How far the wall's point lies on the body's own side of a cone's apex, mm (infinite for other bodies).
     fn nappe_margin(&self, phi: f64) -> f64 {
-        let foot = self.wall(phi).0;
+        let foot = self.tube.wall(phi).0;
         self.body.beyond_apex(foot + self.outermost(foot).height * self.tube.e3)
     }
 
@@ -82,7 +79,7 @@ impl TubeIntersection {
         let k2 = self.line.k2;
         // A line along a plane, or parallel to a cylinder's axis, crosses at most once: F must grow along it.
         let flat = k2.abs() * self.tube.radius < 1e-12;
-        let grows = |phi: f64| self.body.on_line(&self.line, self.wall(phi).0).0;
+        let grows = |phi: f64| self.body.on_line(&self.line, self.tube.wall(phi).0).0;
         if flat && samples().any(|phi| grows(phi) <= 1e-9) {
             return Err(Error::NeverLeaves);
         }
@@ -90,49 +87,49 @@ impl TubeIntersection {
         let scale = samples().map(|phi| self.discriminant(phi).abs()).fold(f64::MIN_POSITIVE, f64::max);
         let margin = |phi: f64| if flat { 1.0 } else { self.discriminant(phi) / scale };
         let axis_meets = k1 * k1 - k2 * k0 > 0.0;
-        self.check_margin(&margin, axis_meets)?;
-        self.check_margin(&|phi| self.nappe_margin(phi).min(1.0), axis_meets)
-    }
-
-    /// Checks that `margin` stays positive all around.
-    fn check_margin(&self, margin: &dyn Fn(f64) -> f64, axis_meets: bool) -> Result<(), Error> {
-        let step = TAU / SAMPLES as f64;
-        let good: Vec<bool> = samples().map(|phi| margin(phi) > 0.0).collect();
-        if good.iter().all(|g| !g) {
-            return Err(if axis_meets { Error::TubeLargerThanBody } else { Error::TubeBesideBody });
-        }
-        if let Some(first_bad) = (0..SAMPLES).find(|&i| !good[i] && good[(i + SAMPLES - 1) % SAMPLES]) {
-            let run = (0..SAMPLES).take_while(|k| !good[(first_bad + k) % SAMPLES]).count();
-            let start = first_bad as f64 * step;
-            let end = start + (run - 1) as f64 * step;
-            let from = bisect(margin, start, start - step);
-            let to = bisect(margin, end, end + step);
-            return Err(if to - from < 1e-6 {
-                Error::Tangent { at: 0.5 * (from + to) }
-            } else {
-                Error::NotClosed { from, to }
-            });
-        }
-        // No sample is bad; look between samples at each local minimum.
-        let values: Vec<f64> = samples().map(margin).collect();
-        for i in 0..SAMPLES {
-            let (l, m, r) = (values[(i + SAMPLES - 1) % SAMPLES], values[i], values[(i + 1) % SAMPLES]);
-            if m <= l && m <= r && m < 0.05 {
-                let at = minimum(margin, (i as f64 - 1.0) * step, (i as f64 + 1.0) * step);
-                if margin(at).is_nan() || margin(at) < -1e-12 {
-                    let from = bisect(margin, at, at - step);
-                    return Err(Error::NotClosed { from, to: bisect(margin, at, at + step) });
-                }
-                if margin(at) < 1e-10 {
-                    return Err(Error::Tangent { at: at.rem_euclid(TAU) });
-                }
-            }
-        }
-        Ok(())
+        check_margin(&margin, axis_meets)?;
+        check_margin(&|phi| self.nappe_margin(phi).min(1.0), axis_meets)
     }
 }
 
-fn samples() -> impl Iterator<Item = f64> {
+/// Checks that `margin` stays positive all around.
+pub(crate) fn check_margin(margin: &dyn Fn(f64) -> f64, axis_meets: bool) -> Result<(), Error> {
+    let step = TAU / SAMPLES as f64;
+    let good: Vec<bool> = samples().map(|phi| margin(phi) > 0.0).collect();
+    if good.iter().all(|g| !g) {
+        return Err(if axis_meets { Error::TubeLargerThanBody } else { Error::TubeBesideBody });
+    }
+    if let Some(first_bad) = (0..SAMPLES).find(|&i| !good[i] && good[(i + SAMPLES - 1) % SAMPLES]) {
+        let run = (0..SAMPLES).take_while(|k| !good[(first_bad + k) % SAMPLES]).count();
+        let start = first_bad as f64 * step;
+        let end = start + (run - 1) as f64 * step;
+        let from = bisect(margin, start, start - step);
+        let to = bisect(margin, end, end + step);
+        return Err(if to - from < 1e-6 {
+            Error::Tangent { at: 0.5 * (from + to) }
+        } else {
+            Error::NotClosed { from, to }
+        });
+    }
+    // No sample is bad; look between samples at each local minimum.
+    let values: Vec<f64> = samples().map(margin).collect();
+    for i in 0..SAMPLES {
+        let (l, m, r) = (values[(i + SAMPLES - 1) % SAMPLES], values[i], values[(i + 1) % SAMPLES]);
+        if m <= l && m <= r && m < 0.05 {
+            let at = minimum(margin, (i as f64 - 1.0) * step, (i as f64 + 1.0) * step);
+            if margin(at).is_nan() || margin(at) < -1e-12 {
+                let from = bisect(margin, at, at - step);
+                return Err(Error::NotClosed { from, to: bisect(margin, at, at + step) });
+            }
+            if margin(at) < 1e-10 {
+                return Err(Error::Tangent { at: at.rem_euclid(TAU) });
+            }
+        }
+    }
+    Ok(())
+}
+
+pub(crate) fn samples() -> impl Iterator<Item = f64> {
     (0..SAMPLES).map(|i| i as f64 * TAU / SAMPLES as f64)
 }
 
@@ -146,7 +143,7 @@ fn bisect(margin: &dyn Fn(f64) -> f64, mut bad: f64, mut good: f64) -> f64 {
 }
 
 /// Golden-section search for the minimum of `f` in [a, b].
-fn minimum(f: &dyn Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
+pub(crate) fn minimum(f: &dyn Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
     let g = 0.5 * (5f64.sqrt() - 1.0);
     for _ in 0..60 {
         let (l, r) = (b - g * (b - a), a + g * (b - a));
@@ -172,7 +169,7 @@ struct Tangency {
 
 impl TubeIntersection {
     fn tangency(&self, phi: f64) -> Tangency {
-        let (foot, n1, around) = self.wall(phi);
+        let (foot, n1, around) = self.tube.wall(phi);
         let outermost = self.outermost(foot);
         let w1 = self.tube.radius * around;
         let rise = -outermost.half_gradient.dot(w1) / outermost.half_along;
@@ -195,7 +192,7 @@ impl Curve for TubeIntersection {
         Jet { point, d1, d2: w2 - bend / outermost.half_along * self.tube.e3 }
     }
     fn point(&self, phi: f64) -> DVec3 {
-        let foot = self.wall(phi).0;
+        let foot = self.tube.wall(phi).0;
         foot + self.outermost(foot).height * self.tube.e3
     }
     fn speed(&self, phi: f64) -> f64 {

@@ -15,6 +15,9 @@ const EXAMPLES: [(&str, &str); 6] = [
     ("t-joint", include_str!("../../../examples/t-joint.toml")),
 ];
 
+/// Its corners are blended.
+const KNUCKLE: &str = include_str!("../../../examples/knuckle-nozzle.toml");
+
 struct Case {
     machine: Machine,
     welding: Welding,
@@ -68,7 +71,7 @@ impl LimitCheck<'_> {
 
 #[test]
 fn every_set_point_of_every_example_is_within_every_limit() {
-    for (name, text) in EXAMPLES {
+    for (name, text) in EXAMPLES.into_iter().chain([("knuckle-nozzle", KNUCKLE)]) {
         let case = Case::new(name, text);
         let motion = case.motion().unwrap_or_else(|f| panic!("{name}: {f:#?}"));
         for period in [1e-3, 4e-3, 0.02] {
@@ -114,6 +117,26 @@ fn the_tip_moves_along_the_seam_at_the_asked_speed() {
         let last = points.last().unwrap();
         assert!((last.law.s - path.length()).abs() < 1e-9 && last.phase == Phase::Postflow);
     }
+}
+
+#[test]
+fn a_nozzle_across_a_knuckle_needs_an_answer_to_its_corners() {
+    let with = |corner: &str| Case::new("knuckle", &KNUCKLE.replace("corner = { blend_mm = 0.2 }", corner));
+    let refused = with("").motion().unwrap_err();
+    let knots = with("").welding.path(0).knots();
+    assert!(knots.len() == 2 && refused.len() == 2, "{refused:#?}");
+    for (finding, s) in refused.iter().zip(&knots) {
+        assert!((finding.from_mm - s).abs() < 1e-6 && finding.kind == "stop", "{finding:?}");
+    }
+    let case = with("corner = { blend_mm = 0.05 }");
+    let (motion, path) = (case.motion().unwrap(), case.welding.path(0));
+    let mut farthest: f64 = 0.0;
+    for p in motion.set_points(0.01) {
+        let tip = case.machine.forward(&p.q);
+        let foot = path.foot(tip.point, p.law.s, (0.0, path.length()));
+        farthest = farthest.max(path.pose(foot).point.distance(tip.point));
+    }
+    assert!(farthest > 1e-7 && farthest < 0.05 + 1e-6, "{farthest}");
 }
 
 #[test]

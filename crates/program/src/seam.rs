@@ -1,3 +1,4 @@
+use crate::{ConicalHead, EllipsoidalHead, FlatHead, HemisphericalHead, TorisphericalHead};
 use schemars::JsonSchema;
 use seamwright_document::{Direction as Vector, Finite, NonNegative, Point, Positive};
 use serde::{Deserialize, Serialize};
@@ -38,7 +39,7 @@ pub struct Nozzle {
     pub body: Body,
 }
 
-/// A body with a quadric surface.
+/// A body with a quadric surface, or the head of a vessel: surfaces that go over into each other without an edge.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Body {
@@ -63,7 +64,7 @@ pub enum Body {
         /// Direction in which the cone opens.
         axis: Vector,
     },
-    /// A spherical shell or hemispherical head.
+    /// A spherical shell.
     Sphere {
         /// Outer radius, mm.
         radius_mm: Positive,
@@ -71,7 +72,7 @@ pub enum Body {
         #[serde(default, skip_serializing_if = "Point::is_zero")]
         centre_mm: Point,
     },
-    /// An ellipsoidal head.
+    /// An ellipsoid.
     Ellipsoid {
         /// Semi-axes along the body's x, y and z directions, mm.
         semi_axes_mm: [Positive; 3],
@@ -93,6 +94,16 @@ pub enum Body {
         /// Outward normal.
         normal: Vector,
     },
+    /// A head with a spherical crown, a knuckle and a flange.
+    TorisphericalHead(TorisphericalHead),
+    /// A head of half an ellipsoid and a flange.
+    EllipsoidalHead(EllipsoidalHead),
+    /// A head of half a ball and a flange.
+    HemisphericalHead(HemisphericalHead),
+    /// A flat head with a knuckle and a flange.
+    FlatHead(FlatHead),
+    /// A conical head with a knuckle and a flange.
+    ConicalHead(ConicalHead),
 }
 
 /// An elliptic seam in a plane (ELLIPSE-2015).

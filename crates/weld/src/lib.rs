@@ -7,7 +7,9 @@
 
 mod attitude;
 mod girth;
+mod head;
 mod job;
+mod nozzle;
 mod part;
 mod pass_path;
 mod seam;

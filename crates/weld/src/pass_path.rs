@@ -42,6 +42,9 @@ impl TorchPath for PassPath<'_> {
     }
 
     fn knots(&self) -> Vec<f64> {
-        self.attitude.knots(self.length())
+        let mut knots = self.seam.knots();
+        knots.extend(self.attitude.knots(self.length()));
+        knots.sort_by(f64::total_cmp);
+        knots
     }
 }

@@ -1,11 +1,11 @@
+use crate::nozzle::OnBody;
 use crate::{girth, t_joint};
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError};
 use seamwright_geometry::{
-    ByLength, Curve, CurvedEdge, DEFAULT_ACCURACY_MM, Edge, Ellipse, Error, FaceRule, Line, Quadric, Tube,
-    TubeIntersection,
+    ByLength, Curve, CurvedEdge, DEFAULT_ACCURACY_MM, Edge, Ellipse, Error, FaceRule, Line, Tube,
 };
-use seamwright_program::{Body, FilletOrButt, Nozzle, Seam, SeamStart, Side, WeldDirection};
+use seamwright_program::{FilletOrButt, Seam, SeamStart, Side, WeldDirection};
 
 /// A point of the seam with everything that torch attitude needs, in the seam's frame; mm and rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -138,6 +138,16 @@ impl SeamCurve {
         self.angular.then(|| (s - turns * self.length()).max(0.0))
     }
 
+    /// Path lengths inside the weld, increasing, at which the seam's curvature and the turning of its faces jump.
+    pub fn knots(&self) -> Vec<f64> {
+        let (length, end) = (self.length(), self.weld_length);
+        let once = self.curve.curve().breaks().into_iter();
+        let once = once.map(|u| (self.sense * (self.curve.length_at(u) - self.start)).rem_euclid(length));
+        let mut knots: Vec<f64> = once.flat_map(|s| [s, s + length]).filter(|s| *s > 1e-6 && *s < end - 1e-6).collect();
+        knots.sort_by(f64::total_cmp);
+        knots
+    }
+
     /// The seam at path length `s` (mm) from the start of the weld.
     pub fn at(&self, s: f64) -> SeamPoint {
         let u = self.curve.parameter(self.start + self.sense * s);
@@ -202,7 +212,7 @@ fn check_open<T>(file: &Document<T>, start: &SeamStart) -> Result<(), DocumentEr
 
 fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync>, DocumentError> {
     match seam {
-        Seam::Nozzle(nozzle) => Ok(Box::new(intersection(file, nozzle)?)),
+        Seam::Nozzle(nozzle) => Ok(OnBody::new(file, nozzle)?.edge),
         Seam::Girth(girth) => Ok(Box::new(girth::edge(file, girth)?)),
         Seam::Ellipse(e) => {
             let normal = e.normal.unit();
@@ -236,64 +246,9 @@ fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync
     }
 }
 
-pub(crate) fn intersection<T>(file: &Document<T>, n: &Nozzle) -> Result<TubeIntersection, DocumentError> {
-    let key = |k: &str| format!("seam.nozzle.{k}");
-    let tube = tube(n.origin_mm.get(), n.direction.unit(), n.zero_direction, n.radius_mm.get())
-        .map_err(|e| file.error_at(&key("zero_direction"), e.to_string(), "not along `direction`"))?;
-    let (name, size, body) = body(file, &n.body)?;
-    TubeIntersection::new(tube, body).map_err(|e| {
-        let radius = n.radius_mm.get();
-        let (at, allowed) = match e {
-            Error::TubeLargerThanBody => ("radius_mm", format!("a nozzle that fits the {name} ({size})")),
-            Error::TubeBesideBody => ("origin_mm", format!("an axis that meets the {name} ({size})")),
-            Error::NotClosed { .. } => (
-                "radius_mm",
-                format!("a radius and an axis with the whole wall ({radius} mm about it) on the {name} ({size})"),
-            ),
-            Error::Tangent { .. } => ("radius_mm", format!("a nozzle smaller than the {name} ({size})")),
-            _ => ("direction", format!("a direction out of the {name}")),
-        };
-        file.error_at(&key(at), e.to_string(), allowed)
-    })
-}
-
 /// A tube whose angle phi counts from `zero`; without one from x, or from y on a tube along x.
 pub(crate) fn tube(origin: DVec3, direction: DVec3, zero: Option<Direction>, radius: f64) -> Result<Tube, Error> {
     let along_x = direction.dot(DVec3::X).abs() > 1.0 - 1e-9;
     let zero = zero.map_or(if along_x { DVec3::Y } else { DVec3::X }, Direction::unit);
     Tube::new(origin, direction, zero, radius)
-}
-
-/// The body with its name and size in words.
-fn body<T>(file: &Document<T>, body: &Body) -> Result<(&'static str, String, Quadric), DocumentError> {
-    let (name, size, quadric) = match body {
-        Body::Cylinder { radius_mm, point_mm, axis } => {
-            let r = radius_mm.get();
-            ("cylinder", format!("radius {r} mm"), Quadric::cylinder(point_mm.get(), axis.unit(), r))
-        }
-        Body::Cone { half_angle_deg, apex_mm, axis } => {
-            let angle = half_angle_deg.get();
-            if angle >= 90.0 {
-                let path = "seam.nozzle.body.cone.half_angle_deg";
-                return Err(file.error_at(path, "not the half angle of a cone", "more than 0 and less than 90"));
-            }
-            let quadric = Quadric::cone(apex_mm.get(), axis.unit(), angle.to_radians());
-            ("cone", format!("half angle {angle} degrees"), quadric)
-        }
-        Body::Sphere { radius_mm, centre_mm } => {
-            let r = radius_mm.get();
-            ("sphere", format!("radius {r} mm"), Quadric::sphere(centre_mm.get(), r))
-        }
-        Body::Ellipsoid { semi_axes_mm, centre_mm, axis, x_direction } => {
-            let semi = DVec3::from_array(semi_axes_mm.map(seamwright_document::Positive::get));
-            let size = format!("semi-axes {} x {} x {} mm", semi.x, semi.y, semi.z);
-            ("ellipsoid", size, Quadric::ellipsoid(centre_mm.get(), axis.unit(), x_direction.unit(), semi))
-        }
-        Body::Plane { point_mm, normal } => {
-            ("plane", "its normal points out of the plate".to_owned(), Quadric::plane(point_mm.get(), normal.unit()))
-        }
-    };
-    let path = format!("seam.nozzle.body.{name}");
-    let quadric = quadric.map_err(|e| file.error_at(&path, e.to_string(), "see the job's schema"))?;
-    Ok((name, size, quadric))
 }

@@ -1,4 +1,5 @@
-use crate::seam::{intersection, tube};
+use crate::nozzle::OnBody;
+use crate::seam::tube;
 use crate::t_joint;
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError};
@@ -33,9 +34,8 @@ impl SeamSurfaces {
         };
         match seam {
             Seam::Nozzle(nozzle) => {
-                let both = intersection(file, nozzle)?;
-                let tube = both.tube().clone();
-                Ok(Self { first: Box::new(tube.clone()), second: boxed(both.body()), nozzle: Some(tube) })
+                let OnBody { tube, body, .. } = OnBody::new(file, nozzle)?;
+                Ok(Self { first: Box::new(tube.clone()), second: body, nozzle: Some(tube) })
             }
             Seam::Ellipse(e) => {
                 let (centre, normal) = (e.centre_mm.get(), e.normal.unit());

@@ -9,13 +9,14 @@ use seamwright_weld::Welding;
 
 const NO_STL: &dyn Fn(&str) -> std::io::Result<Vec<u8>> = &|_| Err(std::io::ErrorKind::NotFound.into());
 
-const EXAMPLES: [&str; 6] = [
+const EXAMPLES: [&str; 7] = [
     include_str!("../../../examples/saddle.toml"),
     include_str!("../../../examples/head-nozzle.toml"),
     include_str!("../../../examples/ellipse.toml"),
     include_str!("../../../examples/trunnion-saddle.toml"),
     include_str!("../../../examples/oblique-girth.toml"),
     include_str!("../../../examples/t-joint.toml"),
+    include_str!("../../../examples/knuckle-nozzle.toml"),
 ];
 
 /// Distance of a point from the part, by a tiny ball.
@@ -50,7 +51,7 @@ fn the_examples_seams_lie_on_their_parts() {
     for text in EXAMPLES {
         let welding = Welding::read("job.toml", text).unwrap();
         // The head is a mesh that lies up to 0.1 mm outside.
-        check(&welding, if text.contains("ellipsoid") { 0.15 } else { 0.03 });
+        check(&welding, if text.contains("ellipsoid") || text.contains("_head") { 0.15 } else { 0.03 });
         if text.contains("[seam.ellipse]") {
             check(&Welding::read("job.toml", &text.replace("\"butt\"", "\"fillet\"")).unwrap(), 0.03);
         }
@@ -83,6 +84,21 @@ fn the_examples_seams_lie_on_their_parts() {
             "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 60\norigin_mm = [0, 100, 0]\n{body}[weld]\nspeed_mm_s = 5\n"
         );
         check(&Welding::read("job.toml", &text).unwrap(), 0.01);
+    }
+    for head in [
+        "[seam.nozzle.body.flat_head]\nthickness_mm = 10\nknuckle_radius_mm = 40\n",
+        "[seam.nozzle.body.conical_head]\nthickness_mm = 10\nknuckle_radius_mm = 60\nhalf_angle_deg = 60\n",
+        "[seam.nozzle.body.hemispherical_head]\n",
+        "[seam.nozzle.body.ellipsoidal_head]\n",
+        "[seam.nozzle.body.torispherical_head]\nthickness_mm = 6\nstandard = \"din_28013\"\n",
+    ] {
+        for (lean, across) in [(0.0, 100.0), (0.8, 160.0), (1.2, 200.0)] {
+            let text = format!(
+                "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 40\norigin_mm = [{across}, 0, 0]\n\
+                 direction = [{lean}, 0, 1]\n{head}outer_diameter_mm = 500\nflange_mm = 100\n[weld]\nspeed_mm_s = 5\n"
+            );
+            check(&Welding::read("job.toml", &text).unwrap(), 0.15);
+        }
     }
 }
 

@@ -275,3 +275,56 @@ fn girths_that_cannot_be_have_an_address() {
     assert_eq!(error("zero_direction = [2, 1, -2]", "zero_direction = [1, 2, 2]").key, "seam.girth.zero_direction");
     assert_eq!(error("radius_mm = 90", "radius_mm = 0").key, "seam.girth.radius_mm");
 }
+
+/// Across the knuckle's border nothing jumps but rates, and only there.
+#[test]
+fn knots_are_where_the_faces_turn_at_another_rate() {
+    let knuckle = include_str!("../../../examples/knuckle-nozzle.toml");
+    let clockwise = knuckle.replace("[start]", "[start]\ndirection = \"clockwise\"");
+    let around = knuckle.replace("phi_deg = 180 ", "phi_deg = 60 ").replace("overlap_mm = 15", "overlap_mm = 60");
+    let part = knuckle.replace("overlap_mm = 15", "end_phi_deg = 300");
+    for (text, expected) in [(knuckle, 2), (&clockwise, 2), (&around, 3), (&part, 1)] {
+        let w = read(text);
+        let path = w.path(0);
+        let knots = path.knots();
+        assert_eq!(knots.len(), expected, "{knots:?}");
+        assert!(knots.windows(2).all(|k| k[0] < k[1]));
+        let h = 1e-4;
+        let rate = |s: f64| (path.pose(s + h).direction - path.pose(s - h).direction) / (2.0 * h);
+        for s in knots {
+            let (before, after) = (w.seam.at(s - 1e-10), w.seam.at(s + 1e-10));
+            assert!((after.tangent - before.tangent).length() < 1e-9 && (after.n2 - before.n2).length() < 1e-9);
+            assert!((after.point - before.point).length() < 1e-9);
+            assert!((rate(s + 2.0 * h) - rate(s - 2.0 * h)).length() > 1e-3, "no jump at {s}");
+            // Crown: inside radius 800 mm and 8 mm of wall; knuckle 80 and 8: they touch this far from the axis.
+            let border = 808.0 * 312.0 / 720.0;
+            let p = w.seam.at(s).point;
+            assert!((p.x.hypot(p.y) - border).abs() < 1e-9);
+        }
+    }
+    assert!(read(SADDLE).seam.knots().is_empty());
+}
+
+/// The standards' radii count unless others are given, and are those of the inside.
+#[test]
+fn standard_heads_have_their_radii() {
+    let top = |keys: &str| {
+        let text = format!(
+            "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 50\n\
+             [seam.nozzle.body.torispherical_head]\nouter_diameter_mm = 1000\n{keys}[weld]\nspeed_mm_s = 5\n"
+        );
+        read(&text).seam.at(0.0).point.z
+    };
+    // A nozzle on the axis: height of the crown's arc over the end of the knuckle.
+    let arc = |crown: f64, knuckle: f64, t: f64| {
+        let (crown, knuckle) = (crown + t, knuckle + t);
+        (crown * crown - 2500.0).sqrt() - ((crown - knuckle).powi(2) - (500.0 - knuckle).powi(2)).sqrt()
+    };
+    let close = |keys: &str, z: f64| assert!((top(keys) - z).abs() < 1e-9, "{keys}: {} {z}", top(keys));
+    close("thickness_mm = 10\nstandard = \"din_28011\"\n", arc(1000.0, 100.0, 10.0));
+    close("thickness_mm = 10\nstandard = \"din_28013\"\n", arc(800.0, 154.0, 10.0));
+    close("thickness_mm = 10\nstandard = \"asme_fd\"\n", arc(1000.0, 60.0, 10.0));
+    close("thickness_mm = 30\nstandard = \"asme_fd\"\n", arc(1000.0, 90.0, 30.0));
+    close("thickness_mm = 10\nstandard = \"asme_fd\"\ncrown_radius_mm = 900\n", arc(900.0, 60.0, 10.0));
+    close("thickness_mm = 10\ncrown_radius_mm = 900\nknuckle_radius_mm = 120\n", arc(900.0, 120.0, 10.0));
+}

@@ -1,5 +1,6 @@
 //! The part as solids, made from its own seam: what the torch has to keep clear of.
 
+mod heads;
 mod plates;
 mod swept;
 mod tubes;
@@ -27,6 +28,9 @@ enum Impossible {
     /// The body as long as the job says ends within the seam: the least length, mm.
     #[error("the body would end within the seam")]
     Short(f64),
+    /// The body cannot be read.
+    #[error(transparent)]
+    Document(#[from] DocumentError),
 }
 
 /// How the bytes of an STL file are got.
@@ -44,7 +48,7 @@ impl Welding {
     /// Part and fixtures in the machine's work frame; `load` gets the bytes of the STL files that are named.
     ///
     /// The part is made from the seam unless its solids are given: exact cylinders, spheres, cones and boxes; elliptic
-    /// tubes and curved T-joints as meshes up to 0.02 mm outside the true surface, ellipsoidal heads up to 0.1 mm. It
+    /// tubes and curved T-joints as meshes up to 0.02 mm outside the true surface, heads up to 0.1 mm. It
     /// is nowhere smaller than the true one, nor larger near the seam; the end of a slanting nozzle may stand out of
     /// the far side of its body. Tubes are solid: the torch stays outside.
     ///
@@ -82,7 +86,7 @@ fn given<T>(file: &Document<T>, path: &str, solids: &[SolidFile], load: Load) ->
 impl Making<'_> {
     fn solids<T>(&self, file: &Document<T>, seam: &Seam) -> Result<Vec<Solid>, DocumentError> {
         let made = match seam {
-            Seam::Nozzle(nozzle) => self.nozzle(nozzle),
+            Seam::Nozzle(nozzle) => self.nozzle(file, nozzle),
             Seam::Girth(girth) => self.girth(girth),
             Seam::Ellipse(ellipse) => self.ellipse(ellipse),
             Seam::Line(line) => self.line(line),
@@ -92,6 +96,7 @@ impl Making<'_> {
             Impossible::Short(least) => {
                 file.error_at("part.body_length_mm", e.to_string(), format!("more than {least:.3}"))
             }
+            Impossible::Document(e) => e,
             Impossible::Solid(_) => {
                 let message = format!("the part made from the seam: {e}");
                 file.error_at("seam", message, "sizes up to 1e7 mm, those of [part] too; or [[part.solids]]")

@@ -1,7 +1,8 @@
 use super::{Impossible, Making, standing};
+use crate::head;
 use glam::{DAffine3, DMat3, DVec3};
 use seamwright_clearance::{ClearanceError, Mesh, Shape, Solid};
-use seamwright_document::Positive;
+use seamwright_document::{Document, Positive};
 use seamwright_program::{Body, Girth, Nozzle};
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -56,16 +57,16 @@ impl Foot {
 
 impl Making<'_> {
     /// A nozzle's tube from the seam's lowest point on, and its body.
-    pub(super) fn nozzle(&self, nozzle: &Nozzle) -> Result<Vec<Solid>, Impossible> {
+    pub(super) fn nozzle<T>(&self, file: &Document<T>, nozzle: &Nozzle) -> Result<Vec<Solid>, Impossible> {
         let (origin, along, radius) = (nozzle.origin_mm.get(), nozzle.direction.unit(), nozzle.radius_mm.get());
         let (low, high) = self.heights(origin, along);
         let length = high - low + self.nozzle_mm;
         let foot = Foot { centre: origin + low * along, along, radius };
         let tube = Solid::new("nozzle", Shape::Cylinder { radius, length }, standing(foot.centre, along))?;
-        Ok(vec![tube, self.nozzle_body(&nozzle.body, &foot)?])
+        Ok(vec![tube, self.nozzle_body(file, &nozzle.body, &foot)?])
     }
 
-    fn nozzle_body(&self, body: &Body, foot: &Foot) -> Result<Solid, Impossible> {
+    fn nozzle_body<T>(&self, file: &Document<T>, body: &Body, foot: &Foot) -> Result<Solid, Impossible> {
         let usual = 6.0 * foot.radius;
         let solid = match body {
             Body::Cylinder { radius_mm, point_mm, axis } => {
@@ -109,6 +110,11 @@ impl Making<'_> {
                 let farthest = -self.least(|p| -p.distance(centre));
                 self.plate("plate", centre, normal, self.body(usual, 2.0 * farthest)?)
             }
+            Body::TorisphericalHead(h) => self.vessel_head(&head::torispherical(file, h)?),
+            Body::EllipsoidalHead(h) => self.vessel_head(&head::ellipsoidal(file, h)?),
+            Body::HemisphericalHead(h) => self.vessel_head(&head::hemispherical(file, h)?),
+            Body::FlatHead(h) => self.vessel_head(&head::flat(file, h)?),
+            Body::ConicalHead(h) => self.vessel_head(&head::conical(file, h)?),
         };
         Ok(solid?)
     }

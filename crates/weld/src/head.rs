@@ -1,0 +1,101 @@
+//! Heads of vessels from the keys of a job or program. Errors have the key's address: sizes that contradict each other.
+
+use seamwright_document::{Document, DocumentError, Positive};
+use seamwright_geometry::{Error, Head};
+use seamwright_program::{ConicalHead, EllipsoidalHead, FlatHead, HemisphericalHead, TorisphericalHead};
+
+/// A table of `seam.nozzle.body`.
+struct At<'a, T> {
+    file: &'a Document<T>,
+    key: &'static str,
+}
+
+impl<T> At<'_, T> {
+    fn error(&self, key: &str, message: &str, allowed: String) -> DocumentError {
+        self.file.error_at(&format!("seam.nozzle.body.{}.{key}", self.key), message, allowed)
+    }
+
+    fn made(&self, head: Result<Head, Error>) -> Result<Head, DocumentError> {
+        let path = format!("seam.nozzle.body.{}", self.key);
+        head.map_err(|e| self.file.error_at(&path, e.to_string(), "see the job's schema"))
+    }
+
+    /// Inside radius of the flange, mm.
+    fn inside(&self, diameter: Positive, thickness: Positive) -> Result<f64, DocumentError> {
+        let inside = 0.5 * diameter.get() - thickness.get();
+        if inside > 0.0 {
+            return Ok(inside);
+        }
+        let allowed = format!("less than half of outer_diameter_mm = {}", diameter.get());
+        Err(self.error("thickness_mm", "the wall leaves no room inside", allowed))
+    }
+
+    /// A knuckle must leave room for a crown.
+    fn knuckle(&self, inside: f64, knuckle: f64, key: &str) -> Result<(), DocumentError> {
+        if knuckle < inside {
+            return Ok(());
+        }
+        let message = format!("the knuckle, of inside radius {knuckle} mm, does not fit into the flange");
+        Err(self.error(key, &message, format!("an inside radius of the knuckle less than the flange's, {inside} mm")))
+    }
+}
+
+/// Half an ellipsoid.
+pub(crate) fn ellipsoidal<T>(file: &Document<T>, h: &EllipsoidalHead) -> Result<Head, DocumentError> {
+    let radius = 0.5 * h.outer_diameter_mm.get();
+    let depth = h.depth_mm.map_or(0.5 * radius, Positive::get);
+    let head = Head::ellipsoidal((h.centre_mm.get(), h.axis.unit()), radius, depth, h.flange_mm.get());
+    At { file, key: "ellipsoidal_head" }.made(head)
+}
+
+/// Half a ball.
+pub(crate) fn hemispherical<T>(file: &Document<T>, h: &HemisphericalHead) -> Result<Head, DocumentError> {
+    let radius = 0.5 * h.outer_diameter_mm.get();
+    let head = Head::hemispherical((h.centre_mm.get(), h.axis.unit()), radius, h.flange_mm.get());
+    At { file, key: "hemispherical_head" }.made(head)
+}
+
+/// A flat plate with a knuckle.
+pub(crate) fn flat<T>(file: &Document<T>, h: &FlatHead) -> Result<Head, DocumentError> {
+    let at = At { file, key: "flat_head" };
+    let inside = at.inside(h.outer_diameter_mm, h.thickness_mm)?;
+    at.knuckle(inside, h.knuckle_radius_mm.get(), "knuckle_radius_mm")?;
+    let (radius, knuckle) = (0.5 * h.outer_diameter_mm.get(), h.knuckle_radius_mm.get() + h.thickness_mm.get());
+    at.made(Head::flat((h.centre_mm.get(), h.axis.unit()), radius, knuckle, h.flange_mm.get()))
+}
+
+/// A cone with a knuckle.
+pub(crate) fn conical<T>(file: &Document<T>, h: &ConicalHead) -> Result<Head, DocumentError> {
+    let at = At { file, key: "conical_head" };
+    let inside = at.inside(h.outer_diameter_mm, h.thickness_mm)?;
+    at.knuckle(inside, h.knuckle_radius_mm.get(), "knuckle_radius_mm")?;
+    let angle = h.half_angle_deg.get();
+    if angle >= 90.0 {
+        let allowed = "more than 0 and less than 90".to_owned();
+        return Err(at.error("half_angle_deg", "not the half angle of a cone", allowed));
+    }
+    let cone = (angle.to_radians(), h.knuckle_radius_mm.get() + h.thickness_mm.get());
+    let place = (h.centre_mm.get(), h.axis.unit());
+    at.made(Head::conical(place, 0.5 * h.outer_diameter_mm.get(), cone, h.flange_mm.get()))
+}
+
+/// A spherical crown with a knuckle.
+pub(crate) fn torispherical<T>(file: &Document<T>, h: &TorisphericalHead) -> Result<Head, DocumentError> {
+    let at = At { file, key: "torispherical_head" };
+    let (diameter, thickness) = (h.outer_diameter_mm, h.thickness_mm.get());
+    let inside = at.inside(diameter, h.thickness_mm)?;
+    let (Some(crown), Some(knuckle)) = h.radii() else {
+        let message = "crown and knuckle are not known";
+        let allowed = "`standard` (\"din_28011\", \"din_28013\" or \"asme_fd\"), or both `crown_radius_mm` and \
+                       `knuckle_radius_mm`";
+        return Err(file.error_at("seam.nozzle.body.torispherical_head", message, allowed));
+    };
+    at.knuckle(inside, knuckle, if h.knuckle_radius_mm.is_some() { "knuckle_radius_mm" } else { "thickness_mm" })?;
+    if crown <= inside {
+        let allowed = format!("more than the flange's inside radius, {inside} mm");
+        return Err(at.error("crown_radius_mm", "the crown is no flatter than half a ball", allowed));
+    }
+    let place = (h.centre_mm.get(), h.axis.unit());
+    let outside = (crown + thickness, knuckle + thickness);
+    at.made(Head::torispherical(place, 0.5 * diameter.get(), outside, h.flange_mm.get()))
+}
