@@ -14,4 +14,4 @@ macro_rules! examples {
 
 /// All examples; the first is the one that runs without a verb.
 pub(crate) const EXAMPLES: &[Example] =
-    examples!["saddle", "head-nozzle", "ellipse", "trunnion-saddle", "oblique-girth", "t-joint"];
+    examples!["saddle", "head-nozzle", "ellipse", "tube-plate", "trunnion-saddle", "oblique-girth", "t-joint"];

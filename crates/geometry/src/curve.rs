@@ -11,17 +11,23 @@ pub struct Jet {
     pub d2: DVec3,
 }
 
-/// A parametrised curve in space, twice continuously differentiable with a non-zero first derivative.
+/// A parametrised curve in space, with a non-zero first derivative; twice continuously differentiable but at its breaks.
 pub trait Curve {
     /// First and last parameter, increasing.
     fn domain(&self) -> (f64, f64);
 
-    /// True if the end joins the start with equal derivatives; the curve may then be evaluated outside its
-    /// domain, where it repeats.
+    /// True if the end joins the start, with equal derivatives unless there is a break; the curve may then be evaluated
+    /// outside its domain, where it repeats.
     fn closed(&self) -> bool;
 
     /// Point and exact first and second derivative at parameter `u`.
     fn jet(&self, u: f64) -> Jet;
+
+    /// Parameters at which a derivative of any order may jump, increasing, within the domain; a closed curve may have
+    /// one at its start. There [`Curve::jet`] gives the derivatives behind the break.
+    fn breaks(&self) -> Vec<f64> {
+        Vec::new()
+    }
 
     /// Point at parameter `u`, mm.
     fn point(&self, u: f64) -> DVec3 {
@@ -46,6 +52,9 @@ macro_rules! behind {
             }
             fn jet(&self, u: f64) -> Jet {
                 (**self).jet(u)
+            }
+            fn breaks(&self) -> Vec<f64> {
+                (**self).breaks()
             }
             fn point(&self, u: f64) -> DVec3 {
                 (**self).point(u)

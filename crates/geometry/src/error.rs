@@ -84,6 +84,12 @@ pub enum Error {
     /// A search for a rigid motion came to no end.
     #[error("no place was found at which the part fits the points")]
     NoFit,
+    /// A piece of a chain does not begin where the one before ends.
+    #[error("piece {piece} of the chain does not begin where the one before it ends")]
+    Gap {
+        /// Which piece, counted from 0.
+        piece: usize,
+    },
     /// Knots of a spline must increase strictly.
     #[error("the positions of a spline's values must increase strictly (value {index})")]
     Knots {

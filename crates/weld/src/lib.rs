@@ -5,12 +5,15 @@
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
+mod angles;
 mod attitude;
 mod girth;
 mod job;
 mod part;
 mod pass_path;
+mod plane;
 mod seam;
+mod space;
 mod surfaces;
 mod t_joint;
 mod welding;
