@@ -13,5 +13,13 @@ macro_rules! examples {
 }
 
 /// All examples; the first is the one that runs without a verb.
-pub(crate) const EXAMPLES: &[Example] =
-    examples!["saddle", "head-nozzle", "ellipse", "trunnion-saddle", "oblique-girth", "t-joint", "knuckle-nozzle"];
+pub(crate) const EXAMPLES: &[Example] = examples![
+    "saddle",
+    "head-nozzle",
+    "ellipse",
+    "tube-plate",
+    "trunnion-saddle",
+    "oblique-girth",
+    "t-joint",
+    "knuckle-nozzle"
+];

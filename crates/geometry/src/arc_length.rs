@@ -13,7 +13,7 @@ const SMALLEST_PANEL: f64 = 1e-9;
 ///
 /// The domain is cut into panels, at the curve's breaks first of all. On each, `|dp/du|` is a Chebyshev series whose integral is the arc length, and the
 /// inverse, parameter by arc length, is a second series obtained by Newton's method at the nodes. Panels are halved
-/// until both hold the accuracy at check points between the nodes.
+/// until both hold the accuracy at check points between the nodes. No panel goes over a break of the curve.
 ///
 /// Guarantee, for `accuracy_mm` not below the rounding of the curve's own evaluation:
 /// `|length(u) - true arc length| <= accuracy_mm` over the whole curve, and `|length(parameter(s)) - s| <=
@@ -46,7 +46,7 @@ impl<C: Curve> ByLength<C> {
     /// that.
     ///
     /// # Errors
-    /// [`Error::ArcLength`] if the curve has a corner or its derivative is not finite.
+    /// [`Error::ArcLength`] if the curve has a corner that is no break, or its derivative is not finite.
     pub fn new(curve: C, accuracy_mm: f64) -> Result<Self, Error> {
         let (start, end) = curve.domain();
         let rough: f64 = (0..64).map(|i| curve.speed(start + (end - start) * (f64::from(i) + 0.5) / 64.0)).sum();
@@ -107,7 +107,10 @@ impl<C: Curve> ByLength<C> {
         let turns = if outside && self.curve.closed() { (s / self.length).floor() } else { 0.0 };
         let s = s - turns * self.length;
         let p = &self.panels[self.panel_at(s)];
-        turns * (end - start) + p.u0 + p.u_half + p.parameter.at((s - p.s0) / p.s_half - 1.0)
+        // Rounding must not lead to the other side of a break.
+        let u = p.u0 + p.u_half + p.parameter.at((s - p.s0) / p.s_half - 1.0);
+        let within = !outside || self.curve.closed();
+        turns * (end - start) + if within { u.clamp(p.u0, p.u0 + 2.0 * p.u_half) } else { u }
     }
 }
 

@@ -17,17 +17,18 @@ pub trait Curve {
     /// First and last parameter, increasing.
     fn domain(&self) -> (f64, f64);
 
-    /// True if the end joins the start with equal derivatives; the curve may then be evaluated outside its
-    /// domain, where it repeats.
+    /// True if the end joins the start, with equal derivatives unless there is a break; the curve may then be evaluated
+    /// outside its domain, where it repeats.
     fn closed(&self) -> bool;
-
-    /// Parameters in the domain at which the second derivative jumps, increasing; the first is continuous there.
-    fn breaks(&self) -> Vec<f64> {
-        Vec::new()
-    }
 
     /// Point and exact first and second derivative at parameter `u`.
     fn jet(&self, u: f64) -> Jet;
+
+    /// Parameters at which a derivative of any order may jump, increasing, within the domain; a closed curve may have
+    /// one at its start. There [`Curve::jet`] gives the derivatives behind the break.
+    fn breaks(&self) -> Vec<f64> {
+        Vec::new()
+    }
 
     /// Point at parameter `u`, mm.
     fn point(&self, u: f64) -> DVec3 {
@@ -50,11 +51,11 @@ macro_rules! behind {
             fn closed(&self) -> bool {
                 (**self).closed()
             }
-            fn breaks(&self) -> Vec<f64> {
-                (**self).breaks()
-            }
             fn jet(&self, u: f64) -> Jet {
                 (**self).jet(u)
+            }
+            fn breaks(&self) -> Vec<f64> {
+                (**self).breaks()
             }
             fn point(&self, u: f64) -> DVec3 {
                 (**self).point(u)

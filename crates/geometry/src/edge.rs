@@ -24,15 +24,35 @@ pub trait Edge: Curve {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FaceRule {
     /// The curve lies in a plate with this outward unit normal and a wall rises from it along that normal: first
-    /// face the wall (facing away from the curve's inside, for a counter-clockwise curve), second the plate.
+    /// face the wall, second the plate. The wall faces to the right of the curve with the plate below: away from the
+    /// inside of a counter-clockwise curve.
     WallOnPlate {
         /// Outward unit normal of the plate.
         plate: DVec3,
+        /// The wall faces to the left instead.
+        left: bool,
     },
     /// Both faces lie in one plane with this outward unit normal (a butt joint).
     Flat {
         /// Outward unit normal of both faces.
         normal: DVec3,
+    },
+    /// The curve lies on a cylinder and both faces are its outside (a butt joint).
+    Cylinder {
+        /// A point on the axis, mm.
+        about: DVec3,
+        /// Unit direction of the axis.
+        axis: DVec3,
+    },
+    /// The curve lies on a cylinder and a wall stands on it, square to it: first face the wall, second the cylinder. The
+    /// wall faces to the right of the curve with the cylinder below.
+    WallOnCylinder {
+        /// A point on the axis, mm.
+        about: DVec3,
+        /// Unit direction of the axis.
+        axis: DVec3,
+        /// The wall faces to the left instead.
+        left: bool,
     },
     /// Two flat faces with these outward unit normals.
     Fixed {
@@ -61,6 +81,17 @@ pub struct CurvedEdge<C> {
     pub faces: FaceRule,
 }
 
+/// The face of a wall along `d1` with the face of normal `below` under it: to the right, or to the left.
+fn wall(d1: DVec3, below: DVec3, left: bool) -> DVec3 {
+    let right = d1.cross(below).normalize();
+    if left { -right } else { right }
+}
+
+/// Unit vector out of a cylinder at a point, seen from a point of its axis.
+fn out_of_cylinder(point: DVec3, axis: DVec3) -> DVec3 {
+    (point - point.dot(axis) * axis).normalize()
+}
+
 impl<C: Curve> Curve for CurvedEdge<C> {
     fn domain(&self) -> (f64, f64) {
         self.curve.domain()
@@ -68,11 +99,11 @@ impl<C: Curve> Curve for CurvedEdge<C> {
     fn closed(&self) -> bool {
         self.curve.closed()
     }
-    fn breaks(&self) -> Vec<f64> {
-        self.curve.breaks()
-    }
     fn jet(&self, u: f64) -> Jet {
         self.curve.jet(u)
+    }
+    fn breaks(&self) -> Vec<f64> {
+        self.curve.breaks()
     }
 }
 
@@ -80,7 +111,15 @@ impl<C: Curve> Edge for CurvedEdge<C> {
     fn edge(&self, u: f64) -> EdgePoint {
         let jet = self.curve.jet(u);
         let (n1, n2) = match self.faces {
-            FaceRule::WallOnPlate { plate } => (jet.d1.cross(plate).normalize(), plate),
+            FaceRule::WallOnPlate { plate, left } => (wall(jet.d1, plate, left), plate),
+            FaceRule::Cylinder { about, axis } => {
+                let out = out_of_cylinder(jet.point - about, axis);
+                (out, out)
+            }
+            FaceRule::WallOnCylinder { about, axis, left } => {
+                let out = out_of_cylinder(jet.point - about, axis);
+                (wall(jet.d1, out, left), out)
+            }
             FaceRule::Flat { normal } => (normal, normal),
             FaceRule::Fixed { n1, n2 } => (n1, n2),
             FaceRule::Turning { axis, n1, n2 } => {
@@ -100,7 +139,7 @@ mod tests {
     #[test]
     fn the_wall_of_a_tube_faces_outward() {
         let curve = Ellipse::new(DVec3::ZERO, DVec3::Z, DVec3::X, 20.0, 16.0).unwrap();
-        let edge = CurvedEdge { curve, faces: FaceRule::WallOnPlate { plate: DVec3::Z } };
+        let edge = CurvedEdge { curve, faces: FaceRule::WallOnPlate { plate: DVec3::Z, left: false } };
         for i in 0..50 {
             let p = edge.edge(f64::from(i) * 0.13);
             assert!(p.n1.dot(p.point) > 0.0);

@@ -114,6 +114,12 @@ pub enum Error {
         /// Its index.
         index: usize,
     },
+    /// A piece of a chain does not begin where the one before ends.
+    #[error("piece {piece} of the chain does not begin where the one before it ends")]
+    Gap {
+        /// Which piece, counted from 0.
+        piece: usize,
+    },
     /// Knots of a spline must increase strictly.
     #[error("the positions of a spline's values must increase strictly (value {index})")]
     Knots {

@@ -2,8 +2,8 @@
 //!
 //! Floor 0: no welding words, no I/O. Lengths are mm, angles rad, all in one fixed frame that the caller chooses.
 //!
-//! - [`Curve`] is a parametrised curve with exact derivatives; [`Line`], [`Arc`], [`Ellipse`], [`TubeIntersection`] and
-//!   [`HeadIntersection`] implement it.
+//! - [`Curve`] is a parametrised curve with exact derivatives; [`Line`], [`Arc`], [`Chain`]s of both,
+//!   [`RoundedRectangle`], [`Ellipse`], [`Helix`], [`TubeIntersection`] and [`HeadIntersection`] implement it.
 //! - [`Edge`] is a curve where two faces meet; it also knows their outward normals.
 //! - [`ByLength`] re-parametrises any curve by arc length, to a stated accuracy.
 //! - [`Quadric`] is an implicit surface with gradient and Hessian; [`QuadricDistance`] knows how far points are from
@@ -16,6 +16,7 @@
 
 mod arc;
 mod arc_length;
+mod chain;
 mod chebyshev;
 mod cubic_spline;
 mod curve;
@@ -26,18 +27,21 @@ mod error;
 pub mod fit;
 mod head;
 mod head_intersection;
+mod helix;
 mod knots;
 mod line;
 mod monotone;
 mod pose;
 mod quadric;
 pub mod reduce;
+mod rounded_rectangle;
 mod torus;
 mod tube;
 mod tube_intersection;
 
 pub use arc::Arc;
 pub use arc_length::{ByLength, DEFAULT_ACCURACY_MM};
+pub use chain::{Chain, Piece};
 pub use chebyshev::{NODES, Series, nodes};
 pub use cubic_spline::CubicSpline;
 pub use curve::{Curve, Jet};
@@ -47,10 +51,12 @@ pub use ellipse::Ellipse;
 pub use error::Error;
 pub use head::Head;
 pub use head_intersection::HeadIntersection;
+pub use helix::Helix;
 pub use line::Line;
 pub use monotone::MonotoneCurve;
 pub use pose::Pose;
 pub use quadric::{Quadric, Surface};
+pub use rounded_rectangle::RoundedRectangle;
 pub use torus::Torus;
 pub use tube::Tube;
 pub use tube_intersection::TubeIntersection;

@@ -13,9 +13,11 @@ mod head;
 mod offsets;
 mod part;
 mod pass;
+mod plane_seam;
 mod process;
 mod seam;
 mod sequence;
+mod space_seam;
 mod spare_axes;
 mod tolerance;
 mod torch;
@@ -28,11 +30,13 @@ pub use head::{ConicalHead, EllipsoidalHead, FlatHead, HeadStandard, Hemispheric
 pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};
 pub use part::{Clearance, Part};
 pub use pass::{OnLimit, Pass, Span};
+pub use plane_seam::{Arc, Circle, Polyline, RoundedRectangle, WallFaces};
 pub use process::{ProcessValue, ProcessValues, Ramp, check_process};
 pub use seam::{
     Body, Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Nozzle, Seam, SeamStart, Side, TJoint,
 };
 pub use sequence::{AtHold, Sequence, Slope};
+pub use space_seam::Helix;
 pub use spare_axes::{Position, SpareAxes, Weights};
 pub use tolerance::Tolerance;
 pub use torch::{Torch, TorchAt, TorchPath};

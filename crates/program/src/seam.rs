@@ -1,3 +1,4 @@
+use crate::{Arc, Circle, Helix, Polyline, RoundedRectangle};
 use crate::{ConicalHead, EllipsoidalHead, FlatHead, HemisphericalHead, TorisphericalHead};
 use schemars::JsonSchema;
 use seamwright_document::{Direction as Vector, Finite, NonNegative, Point, Positive};
@@ -11,12 +12,40 @@ pub enum Seam {
     Nozzle(Nozzle),
     /// An ellipse in a plane: a tube on a plate, or a butt joint in the plate.
     Ellipse(Ellipse),
+    /// A circle in a plane: a round tube on a plate, or a butt joint in the plate.
+    Circle(Circle),
+    /// An arc in a plane, through three points.
+    Arc(Arc),
+    /// A rectangle in a plane, its corners rounded or sharp: a square tube on a plate, or a butt joint in the plate.
+    RoundedRectangle(RoundedRectangle),
+    /// Straight lines from point to point in a plane.
+    Polyline(Polyline),
+    /// A helix on a cylinder: the foot of a helical strip, or a butt joint such as that of a spiral-welded tube.
+    Helix(Helix),
     /// A straight seam between two flat faces.
     Line(Line),
     /// A web that stands on a skin, straight or along an arc: one fillet, or both at once (DUALBEAM-2013).
     TJoint(TJoint),
     /// A butt joint around a tube, cut square or obliquely.
     Girth(Girth),
+}
+
+impl Seam {
+    /// Which kind of seam it is, in words.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Nozzle(_) => "nozzle",
+            Self::Ellipse(_) => "ellipse",
+            Self::Circle(_) => "circle",
+            Self::Arc(_) => "arc",
+            Self::RoundedRectangle(_) => "rounded rectangle",
+            Self::Polyline(_) => "polyline",
+            Self::Helix(_) => "helix",
+            Self::Line(_) => "line",
+            Self::TJoint(_) => "T-joint",
+            Self::Girth(_) => "girth",
+        }
+    }
 }
 
 /// A nozzle: a circular tube that stands on a body.
@@ -224,7 +253,8 @@ pub enum Direction {
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SeamStart {
-    /// Angle phi of the start about the nozzle's axis (the eccentric angle of an ellipse), degrees; 0 if missing.
+    /// Angle phi of the start about the nozzle's or tube's axis or the normal of a circle or rectangle (the eccentric
+    /// angle of an ellipse), degrees; 0 if missing.
     #[serde(default)]
     pub phi_deg: Finite,
     /// Direction of welding.

@@ -1,3 +1,4 @@
+use crate::seam::SAME_MM;
 use crate::{SeamCurve, SeamPoint};
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
@@ -6,6 +7,9 @@ use seamwright_program::{Finding, Torch};
 
 /// Largest travel angle, degrees: beyond it the torch lies along the seam.
 const MAX_TRAVEL_DEG: f64 = 75.0;
+
+/// The torch's direction may turn by this at a place, rad: less is rounding.
+const JUMP: f64 = 1e-6;
 
 /// Torch angles along a weld: work angle as an offset from the bisector, and travel angle (AWS A3.0), rad.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,6 +83,28 @@ impl Attitude {
         inside.sort_by(f64::total_cmp);
         inside.dedup_by(|a, b| (*a - *b).abs() < 1e-6);
         inside
+    }
+
+    /// Corners of the seam at which the torch's direction would jump.
+    pub fn turn_findings(&self, seam: &SeamCurve, pass: usize) -> Vec<Finding> {
+        let jump = |s: f64| {
+            let [before, after] = [s - SAME_MM, s + SAME_MM].map(|s| self.torch_axis(&seam.at(s)));
+            2.0 * (before - after).length().atan2((before + after).length())
+        };
+        let turns = seam.knots().into_iter().map(|s| (s, jump(s))).filter(|(_, turn)| *turn > JUMP);
+        let finding = |(s, turn): (f64, f64)| Finding {
+            kind: "turn",
+            message: format!(
+                "the torch's direction would jump by {:.2} degrees at the corner at s = {s:.3} mm",
+                turn.to_degrees()
+            ),
+            pass,
+            from_mm: s,
+            to_mm: s,
+            cure: "round the corner in the seam; in a butt joint weld without work and travel angle".to_owned(),
+            allowed: false,
+        };
+        turns.map(finding).collect()
     }
 
     /// Where the torch would lie in one of the two faces.

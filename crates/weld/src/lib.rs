@@ -5,6 +5,7 @@
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
+mod angles;
 mod attitude;
 mod girth;
 mod head;
@@ -12,7 +13,9 @@ mod job;
 mod nozzle;
 mod part;
 mod pass_path;
+mod plane;
 mod seam;
+mod space;
 mod surfaces;
 mod t_joint;
 mod welding;

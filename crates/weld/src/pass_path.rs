@@ -3,6 +3,9 @@ use glam::{DAffine3, DVec3};
 use seamwright_geometry::Pose;
 use seamwright_program::TorchPath;
 
+/// Knots nearer to each other are one, mm.
+const NEAR_MM: f64 = 1e-6;
+
 /// The torch's path in one pass, in the machine's work frame.
 #[derive(Debug)]
 pub struct PassPath<'a> {
@@ -43,7 +46,10 @@ impl TorchPath for PassPath<'_> {
 
     fn knots(&self) -> Vec<f64> {
         let mut knots = self.seam.knots();
-        knots.extend(self.attitude.knots(self.length()));
+        // A place of the attitude next to one of the seam is that one.
+        let apart = |s: &f64| knots.iter().all(|knot| (knot - s).abs() > NEAR_MM);
+        let more: Vec<f64> = self.attitude.knots(self.length()).into_iter().filter(apart).collect();
+        knots.extend(more);
         knots.sort_by(f64::total_cmp);
         knots
     }

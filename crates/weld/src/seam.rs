@@ -1,18 +1,19 @@
+use crate::angles::Angles;
 use crate::nozzle::OnBody;
-use crate::{girth, t_joint};
+use crate::{girth, plane, space, t_joint};
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError};
 use seamwright_geometry::{
     ByLength, Curve, CurvedEdge, DEFAULT_ACCURACY_MM, Edge, Ellipse, Error, FaceRule, Line, Tube,
 };
-use seamwright_program::{FilletOrButt, Seam, SeamStart, Side, WeldDirection};
+use seamwright_program::{Seam, SeamStart, Side, WallFaces, WeldDirection};
 
 /// A point of the seam with everything that torch attitude needs, in the seam's frame; mm and rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SeamPoint {
     /// Path length from the start of the weld, mm.
     pub s: f64,
-    /// Angle about the nozzle's axis or eccentric angle, rad, counted on beyond a turn; none on a straight seam.
+    /// Angle about the nozzle's axis or eccentric angle, rad, counted on beyond a turn; none on seams without angles.
     pub phi: Option<f64>,
     /// Position, mm.
     pub point: DVec3,
@@ -37,12 +38,16 @@ pub struct SeamCurve {
     start: f64,
     sense: f64,
     weld_length: f64,
-    angular: bool,
+    closed: bool,
+    angles: Angles,
     /// 1 if the curve runs along n2 x n1, as on a nozzle or tube; -1 on a line that runs the other way.
     face_sense: f64,
     /// Thickness (mm) of the web whose other fillet is welded at the same time.
     web: Option<f64>,
 }
+
+/// Places on the seam that are nearer to each other are the same, mm.
+pub(crate) const SAME_MM: f64 = 1e-9;
 
 /// Largest angle of a start or end, degrees: ten turns.
 const MOST_PHI_DEG: f64 = 3600.0;
@@ -66,17 +71,19 @@ impl SeamCurve {
             WeldDirection::CounterClockwise => 1.0,
             WeldDirection::Clockwise => -1.0,
         };
-        let closed = !matches!(seam, Seam::Line(_) | Seam::TJoint(_));
+        let closed = curve.curve().closed();
+        let angles = Angles::new(file, seam, closed)?;
+        let length_at = |phi: f64| angles.parameter(phi.to_radians()).map_or(0.0, |u| curve.length_at(u));
         for (key, phi) in [("phi_deg", Some(start.phi_deg)), ("end_phi_deg", start.end_phi_deg)] {
             if phi.is_some_and(|p| p.get().abs() > MOST_PHI_DEG) {
                 let allowed = format!("-{MOST_PHI_DEG} to {MOST_PHI_DEG}");
                 return Err(file.error_at(&format!("start.{key}"), "this is many turns away", allowed));
             }
         }
-        if !closed {
-            check_open(file, start)?;
+        if !closed || matches!(angles, Angles::None) {
+            check_without_angles(file, start, closed)?;
         }
-        let at = if closed { curve.length_at(start.phi_deg.get().to_radians()) } else { 0.0 };
+        let at = length_at(start.phi_deg.get());
         let length = curve.length();
         let weld_length = match start.end_phi_deg {
             Some(end) => {
@@ -84,7 +91,7 @@ impl SeamCurve {
                     let message = "a weld that ends at `end_phi_deg` does not close, so it has no overlap";
                     return Err(file.error_at("start.overlap_mm", message, "either `overlap_mm` or `end_phi_deg`"));
                 }
-                let span = sense * (curve.length_at(end.get().to_radians()) - at);
+                let span = sense * (length_at(end.get()) - at);
                 if span <= 1e-9 || span > length * (1.0 + 1e-12) {
                     let message = "the weld would have no length, or more than one turn";
                     let more = if sense > 0.0 { "more" } else { "less" };
@@ -105,7 +112,7 @@ impl SeamCurve {
             Seam::TJoint(joint) if joint.fillet == Side::Both => Some(joint.web_mm.get()),
             _ => None,
         };
-        Ok(Self { curve, start: at, sense, weld_length, angular: closed, face_sense, web })
+        Ok(Self { curve, start: at, sense, weld_length, closed, angles, face_sense, web })
     }
 
     /// Length of the whole seam once, mm.
@@ -120,7 +127,7 @@ impl SeamCurve {
 
     /// True if the seam is closed and welded all round.
     pub fn all_round(&self) -> bool {
-        self.angular && self.weld_length >= self.length() * (1.0 - 1e-12)
+        self.closed && self.weld_length >= self.length() * (1.0 - 1e-12)
     }
 
     /// Least and greatest dihedral angle over the weld, rad, found at 720 places.
@@ -130,21 +137,31 @@ impl SeamCurve {
     }
 
     /// Path length of the angle `phi` (rad): the first one at or after the start of the weld on a closed seam. None on
-    /// a straight seam.
+    /// a seam without angles.
     pub fn s_of_phi(&self, phi: f64) -> Option<f64> {
-        let s = self.sense * (self.curve.length_at(phi) - self.start);
+        let s = self.sense * (self.curve.length_at(self.angles.parameter(phi)?) - self.start);
+        if !self.closed {
+            let within = (-1e-9..=self.length() + 1e-9).contains(&s);
+            return within.then_some(s.clamp(0.0, self.length()));
+        }
         // A hair before the start is the start, not a turn later.
         let turns = ((s + 1e-9) / self.length()).floor();
-        self.angular.then(|| (s - turns * self.length()).max(0.0))
+        Some((s - turns * self.length()).max(0.0))
     }
 
-    /// Path lengths inside the weld, increasing, at which the seam's curvature and the turning of its faces jump.
+    /// Path lengths inside the weld where a derivative of the seam or of its faces may jump, increasing.
     pub fn knots(&self) -> Vec<f64> {
         let (length, end) = (self.length(), self.weld_length);
-        let once = self.curve.curve().breaks().into_iter();
-        let once = once.map(|u| (self.sense * (self.curve.length_at(u) - self.start)).rem_euclid(length));
-        let mut knots: Vec<f64> = once.flat_map(|s| [s, s + length]).filter(|s| *s > 1e-6 && *s < end - 1e-6).collect();
+        let mut knots = Vec::new();
+        for u in self.curve.curve().breaks() {
+            let s = self.sense * (self.curve.length_at(u) - self.start);
+            let s = if self.closed { s.rem_euclid(length) } else { s };
+            // On a closed seam it comes again; one turn and the overlap have room for two of it and a rounding.
+            knots.extend((0..3).map(|turn| s + f64::from(turn) * length).take(if self.closed { 3 } else { 1 }));
+        }
+        knots.retain(|s| *s > SAME_MM && *s < end - SAME_MM);
         knots.sort_by(f64::total_cmp);
+        knots.dedup_by(|a, b| *a - *b < SAME_MM);
         knots
     }
 
@@ -158,7 +175,7 @@ impl SeamCurve {
         let bisector = sum / width;
         SeamPoint {
             s,
-            phi: self.angular.then_some(u),
+            phi: self.angles.at(u),
             point: e.point,
             tangent: self.sense * along,
             n1: e.n1,
@@ -193,21 +210,28 @@ impl SeamCurve {
     }
 }
 
-/// An open seam has no angles, no direction and no overlap.
-fn check_open<T>(file: &Document<T>, start: &SeamStart) -> Result<(), DocumentError> {
+/// An open seam, or one without angles, starts where it begins and goes on as it is given; an open one has no overlap.
+fn check_without_angles<T>(file: &Document<T>, start: &SeamStart, closed: bool) -> Result<(), DocumentError> {
     let wrong = if start.phi_deg.get() != 0.0 {
         "phi_deg"
     } else if start.end_phi_deg.is_some() {
         "end_phi_deg"
     } else if start.direction != WeldDirection::CounterClockwise {
         "direction"
-    } else if start.overlap_mm.get() > 0.0 {
+    } else if start.overlap_mm.get() > 0.0 && !closed {
         "overlap_mm"
     } else {
         return Ok(());
     };
-    let message = "this seam runs from `start_mm` to `end_mm` and does not close";
-    Err(file.error_at(&format!("start.{wrong}"), message, "no such key on an open seam"))
+    let (message, allowed) = if closed {
+        (
+            "this seam begins at its first point and goes on to the second",
+            "no such key; give the points in another order",
+        )
+    } else {
+        ("this seam runs from one end to the other and does not close", "no such key on an open seam")
+    };
+    Err(file.error_at(&format!("start.{wrong}"), message, allowed))
 }
 
 fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync>, DocumentError> {
@@ -219,12 +243,13 @@ fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync
             let (a, b) = (e.a_mm.get(), e.b_mm.get());
             let curve = Ellipse::new(e.centre_mm.get(), normal, e.a_direction.unit(), a, b)
                 .map_err(|error| file.error_at("seam.ellipse.a_direction", error.to_string(), "not along `normal`"))?;
-            let faces = match e.joint {
-                FilletOrButt::Fillet => FaceRule::WallOnPlate { plate: normal },
-                FilletOrButt::Butt => FaceRule::Flat { normal },
-            };
-            Ok(Box::new(CurvedEdge { curve, faces }))
+            Ok(Box::new(CurvedEdge { curve, faces: plane::faces(e.joint, WallFaces::Right, normal) }))
         }
+        Seam::Circle(circle) => Ok(Box::new(plane::circle(file, circle)?)),
+        Seam::Arc(arc) => Ok(Box::new(plane::arc(file, arc)?)),
+        Seam::RoundedRectangle(r) => Ok(Box::new(plane::rectangle(file, r)?)),
+        Seam::Helix(helix) => Ok(Box::new(space::helix(file, helix)?)),
+        Seam::Polyline(p) => Ok(Box::new(plane::polyline(file, p)?)),
         Seam::Line(line) => {
             let (n1, n2) = (line.first_normal.unit(), line.second_normal.unit());
             let curve = Line::new(line.start_mm.get(), line.end_mm.get())
@@ -248,7 +273,5 @@ fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync
 
 /// A tube whose angle phi counts from `zero`; without one from x, or from y on a tube along x.
 pub(crate) fn tube(origin: DVec3, direction: DVec3, zero: Option<Direction>, radius: f64) -> Result<Tube, Error> {
-    let along_x = direction.dot(DVec3::X).abs() > 1.0 - 1e-9;
-    let zero = zero.map_or(if along_x { DVec3::Y } else { DVec3::X }, Direction::unit);
-    Tube::new(origin, direction, zero, radius)
+    Tube::new(origin, direction, plane::zero(direction, zero), radius)
 }

@@ -43,6 +43,13 @@ impl SeamSurfaces {
                 let wall = wall.map_err(wrong("seam.ellipse"))?;
                 Ok(Self { first: boxed(&wall), second: plane(centre, normal, "seam.ellipse.normal")?, nozzle: None })
             }
+            Seam::Circle(c) => {
+                let (centre, normal) = (c.centre_mm.get(), c.normal.unit());
+                let tube = tube(centre, normal, c.zero_direction, c.radius_mm.get())
+                    .map_err(wrong("seam.circle.zero_direction"))?;
+                let second = plane(centre, normal, "seam.circle.normal")?;
+                Ok(Self { first: Box::new(tube.clone()), second, nozzle: Some(tube) })
+            }
             Seam::Girth(g) => {
                 let (centre, direction) = (g.origin_mm.get(), g.direction.unit());
                 let tube = tube(centre, direction, g.zero_direction, g.radius_mm.get())
@@ -59,11 +66,11 @@ impl SeamSurfaces {
                     nozzle: None,
                 })
             }
-            Seam::TJoint(_) => Err(file.error_at(
-                "seam.t_joint.via_mm",
-                "a curved T-joint has no surfaces here that points could be fitted to",
-                "the methods three-point and plane-line-point",
-            )),
+            Seam::TJoint(_) => Err(none(file, "seam.t_joint.via_mm", "a curved T-joint")),
+            Seam::Arc(_) => Err(none(file, "seam.arc", "an arc")),
+            Seam::RoundedRectangle(_) => Err(none(file, "seam.rounded_rectangle", "a rectangle")),
+            Seam::Helix(_) => Err(none(file, "seam.helix", "a helix")),
+            Seam::Polyline(_) => Err(none(file, "seam.polyline", "a polyline")),
             Seam::Line(line) => {
                 let face = |normal: Direction, path| plane(line.start_mm.get(), normal.unit(), path);
                 Ok(Self {
@@ -74,6 +81,12 @@ impl SeamSurfaces {
             }
         }
     }
+}
+
+/// There are no surfaces to be touched.
+fn none<T>(file: &Document<T>, path: &str, what: &str) -> DocumentError {
+    let message = format!("{what} has no surfaces here that points could be fitted to");
+    file.error_at(path, message, "the methods three-point and plane-line-point")
 }
 
 fn boxed(body: &Quadric) -> Box<dyn SignedDistance> {

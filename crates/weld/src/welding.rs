@@ -53,6 +53,11 @@ impl Welding {
     /// What stands against the weld before any machine is looked at.
     pub fn findings(&self) -> Vec<Finding> {
         let passes = self.attitudes.iter().enumerate();
-        passes.flat_map(|(i, attitude)| attitude.access_findings(&self.seam, i + 1)).collect()
+        let both = |(i, attitude): (usize, &Attitude)| {
+            let mut findings = attitude.access_findings(&self.seam, i + 1);
+            findings.extend(attitude.turn_findings(&self.seam, i + 1));
+            findings
+        };
+        passes.flat_map(both).collect()
     }
 }

@@ -9,7 +9,7 @@ use seamwright_weld::Welding;
 
 const NO_STL: &dyn Fn(&str) -> std::io::Result<Vec<u8>> = &|_| Err(std::io::ErrorKind::NotFound.into());
 
-const EXAMPLES: [&str; 7] = [
+const EXAMPLES: [&str; 8] = [
     include_str!("../../../examples/saddle.toml"),
     include_str!("../../../examples/head-nozzle.toml"),
     include_str!("../../../examples/ellipse.toml"),
@@ -17,6 +17,7 @@ const EXAMPLES: [&str; 7] = [
     include_str!("../../../examples/oblique-girth.toml"),
     include_str!("../../../examples/t-joint.toml"),
     include_str!("../../../examples/knuckle-nozzle.toml"),
+    include_str!("../../../examples/tube-plate.toml"),
 ];
 
 /// Distance of a point from the part, by a tiny ball.
@@ -52,7 +53,7 @@ fn the_examples_seams_lie_on_their_parts() {
         let welding = Welding::read("job.toml", text).unwrap();
         // The head is a mesh that lies up to 0.1 mm outside.
         check(&welding, if text.contains("ellipsoid") || text.contains("_head") { 0.15 } else { 0.03 });
-        if text.contains("[seam.ellipse]") {
+        if text.contains("joint = \"butt\"") {
             check(&Welding::read("job.toml", &text.replace("\"butt\"", "\"fillet\"")).unwrap(), 0.03);
         }
         let unwatched = if text.contains("[part]") {
@@ -61,6 +62,18 @@ fn the_examples_seams_lie_on_their_parts() {
             text.to_owned() + "[part]\nwatched = false\n"
         };
         assert!(Welding::read("job.toml", &unwatched).unwrap().clamped(NO_STL).unwrap().part.is_empty());
+    }
+    let seam = |seam: &str| format!("schema = 1\ntitle = \"t\"\nmachine = \"m\"\n{seam}[weld]\nspeed_mm_s = 5\n");
+    for text in [
+        "[seam.circle]\nradius_mm = 30\nnormal = [0, 1, 2]\n",
+        "[seam.circle]\nradius_mm = 30\ncentre_mm = [5, 6, 7]\njoint = \"butt\"\n",
+        "[seam.arc]\nstart_mm = [80, 0, 5]\nvia_mm = [0, 80, 5]\nend_mm = [-80, 0, 5]\n",
+        "[seam.arc]\nstart_mm = [80, 0, 5]\nvia_mm = [0, 80, 5]\nend_mm = [-80, 0, 5]\nwall_faces = \"left\"\n",
+        "[seam.arc]\nstart_mm = [80, 0, 5]\nvia_mm = [0, 80, 5]\nend_mm = [-80, 0, 5]\njoint = \"butt\"\n",
+        "[seam.rounded_rectangle]\nwidth_mm = 200\nheight_mm = 90\ncorner_mm = 45\nnormal = [1, 1, 1]\n",
+        "[seam.polyline]\npoints_mm = [[0, 0, 9], [70, 0, 9], [70, 90, 9]]\njoint = \"butt\"\n",
+    ] {
+        check(&Welding::read("job.toml", &seam(text)).unwrap(), 0.03);
     }
     let line = |normals: &str| {
         format!(

@@ -5,7 +5,7 @@ use super::{Plots, SimulationCurves};
 use seamwright_cell::Summary;
 use seamwright_machine::Machine;
 use seamwright_motion::{PassClearance, WeldMotion};
-use seamwright_program::{Finding, Seam};
+use seamwright_program::Finding;
 use seamwright_weld::Welding;
 use serde::Serialize;
 
@@ -129,13 +129,7 @@ impl WeldReport {
                 assumed_drives: machine.axes.iter().filter(|a| a.drive.is_none()).map(|a| a.name.clone()).collect(),
             },
             seam: SeamFigures {
-                kind: match program.seam {
-                    Seam::Nozzle(_) => "nozzle",
-                    Seam::Ellipse(_) => "ellipse",
-                    Seam::Line(_) => "line",
-                    Seam::TJoint(_) => "T-joint",
-                    Seam::Girth(_) => "girth",
-                },
+                kind: program.seam.kind(),
                 length_mm: welding.seam.length(),
                 weld_length_mm: welding.seam.weld_length(),
                 dihedral_min_deg: low.to_degrees(),

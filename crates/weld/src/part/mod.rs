@@ -1,12 +1,13 @@
 //! The part as solids, made from its own seam: what the torch has to keep clear of.
 
+mod flat;
 mod heads;
 mod plates;
 mod swept;
 mod tubes;
 
 use crate::t_joint::Middle;
-use crate::{SeamCurve, Welding};
+use crate::{SeamCurve, Welding, plane};
 use glam::{DAffine3, DMat3, DVec3};
 use seamwright_clearance::{Clamped, ClearanceError, Shape, Solid, SolidFile};
 use seamwright_document::{Document, DocumentError, Positive};
@@ -89,6 +90,11 @@ impl Making<'_> {
             Seam::Nozzle(nozzle) => self.nozzle(file, nozzle),
             Seam::Girth(girth) => self.girth(girth),
             Seam::Ellipse(ellipse) => self.ellipse(ellipse),
+            Seam::Circle(circle) => self.circle(circle),
+            Seam::Arc(arc) => self.arc(arc, &plane::arc(file, arc)?.curve),
+            Seam::RoundedRectangle(r) => self.rectangle(r),
+            Seam::Polyline(p) => self.plate_below(p.points_mm[0].get(), p.normal.unit()).map(|plate| vec![plate]),
+            Seam::Helix(helix) => self.helix(helix),
             Seam::Line(line) => self.line(line),
             Seam::TJoint(joint) => self.t_joint(joint, &Middle::new(file, joint)?),
         };

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// How far a mesh's flat sides may be from the round ones, mm.
-const WITHIN_MM: f64 = 0.01;
+pub(super) const WITHIN_MM: f64 = 0.01;
 
 impl Making<'_> {
     /// An elliptic tube on a plate, or the plate alone.
@@ -46,9 +46,9 @@ impl Making<'_> {
 
 /// A rectangle across the middle line, mm: from where to where to the left, and out of the skin.
 #[derive(Clone, Copy)]
-struct Section {
-    left: (f64, f64),
-    out: (f64, f64),
+pub(super) struct Section {
+    pub(super) left: (f64, f64),
+    pub(super) out: (f64, f64),
 }
 
 impl Section {
@@ -66,7 +66,7 @@ impl Section {
 
 impl Middle {
     /// The solid with this cross-section: a box, or a mesh around the arc's.
-    fn solid(&self, name: &str, section: Section) -> Result<Solid, ClearanceError> {
+    pub(super) fn solid(&self, name: &str, section: Section) -> Result<Solid, ClearanceError> {
         let Some((arc, sweep)) = &self.arc else {
             let length = self.start.distance(self.end);
             let axes = DMat3::from_cols((self.end - self.start) / length, self.left, self.skin);
@@ -107,7 +107,7 @@ fn short_of((low, high): (f64, f64), outward: f64, room: f64) -> (f64, f64) {
 }
 
 /// The closed mesh through cross-sections with as many corners each.
-fn sweep_through(sections: &[Vec<DVec3>]) -> Result<Mesh, ClearanceError> {
+pub(super) fn sweep_through(sections: &[Vec<DVec3>]) -> Result<Mesh, ClearanceError> {
     let mut triangles = Vec::new();
     for pair in sections.windows(2) {
         for i in 0..pair[0].len() {

@@ -3,7 +3,7 @@ use crate::head;
 use glam::{DAffine3, DMat3, DVec3};
 use seamwright_clearance::{ClearanceError, Mesh, Shape, Solid};
 use seamwright_document::{Document, Positive};
-use seamwright_program::{Body, Girth, Nozzle};
+use seamwright_program::{Body, Girth, Helix, Nozzle};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -117,6 +117,15 @@ impl Making<'_> {
             Body::ConicalHead(h) => self.vessel_head(&head::conical(file, h)?),
         };
         Ok(solid?)
+    }
+
+    /// The cylinder that a helix lies on, going on to both sides of it.
+    pub(super) fn helix(&self, helix: &Helix) -> Result<Vec<Solid>, Impossible> {
+        let (origin, radius, along) = (helix.origin_mm.get(), helix.radius_mm.get(), helix.direction.unit());
+        let (low, high) = self.heights(origin, along);
+        let length = self.body(0.0, high - low)?;
+        let start = origin + (0.5 * (low + high - length)) * along;
+        Ok(vec![Solid::new("cylinder", Shape::Cylinder { radius, length }, standing(start, along))?])
     }
 
     /// A tube that goes on to both sides of the cut.

@@ -1,0 +1,104 @@
+//! Seams in a plane: circles, arcs, rectangles and straight lines on plates.
+
+use glam::{DVec2, DVec3};
+use seamwright_document::{Direction, Document, DocumentError};
+use seamwright_geometry::{self as geometry, Chain, CurvedEdge, Ellipse, FaceRule};
+use seamwright_program::{Arc, Circle, FilletOrButt, Polyline, RoundedRectangle, WallFaces};
+
+/// Sine of the largest angle between a plate's normal as given and as its points have it.
+const TILTED: f64 = 1e-6;
+
+/// The faces along a curve in the plate with unit `normal`; the wall of a fillet stands on it.
+pub(crate) fn faces(joint: FilletOrButt, wall: WallFaces, normal: DVec3) -> FaceRule {
+    match joint {
+        FilletOrButt::Fillet => FaceRule::WallOnPlate { plate: normal, left: wall == WallFaces::Left },
+        FilletOrButt::Butt => FaceRule::Flat { normal },
+    }
+}
+
+/// Where the angle about `axis` is 0: as given, or x, or y about an axis along x.
+pub(crate) fn zero(axis: DVec3, given: Option<Direction>) -> DVec3 {
+    let along_x = axis.dot(DVec3::X).abs() > 1.0 - 1e-9;
+    given.map_or(if along_x { DVec3::Y } else { DVec3::X }, Direction::unit)
+}
+
+/// The edge of a circular seam, by the angle about its normal.
+pub(crate) fn circle<T>(file: &Document<T>, c: &Circle) -> Result<CurvedEdge<Ellipse>, DocumentError> {
+    let (normal, radius) = (c.normal.unit(), c.radius_mm.get());
+    let curve =
+        Ellipse::new(c.centre_mm.get(), normal, zero(normal, c.zero_direction), radius, radius).map_err(|_| {
+            let message = "the zero direction lies along the normal";
+            file.error_at("seam.circle.zero_direction", message, "not along `normal`")
+        })?;
+    Ok(CurvedEdge { curve, faces: faces(c.joint, WallFaces::Right, normal) })
+}
+
+/// The edge of a seam along an arc.
+pub(crate) fn arc<T>(file: &Document<T>, a: &Arc) -> Result<CurvedEdge<geometry::Arc>, DocumentError> {
+    let curve = geometry::Arc::through(a.start_mm.get(), a.via_mm.get(), a.end_mm.get()).map_err(|e| {
+        let allowed = "a point off the straight line from start to end; a straight seam is [seam.line]";
+        file.error_at("seam.arc.via_mm", e.to_string(), allowed)
+    })?;
+    let (normal, axis) = (a.normal.unit(), curve.axis());
+    if normal.cross(axis).length() > TILTED {
+        let off = normal.dot(axis).abs().acos().to_degrees();
+        let message = format!("the plane of the three points is {off:.4} degrees off this normal");
+        // Without the sign of a zero.
+        let [x, y, z] = axis.to_array().map(|x| (x * 1e9).round() / 1e9 + 0.0);
+        let allowed = format!("perpendicular to that plane: [{x}, {y}, {z}] or its opposite");
+        return Err(file.error_at("seam.arc.normal", message, allowed));
+    }
+    Ok(CurvedEdge { curve, faces: faces(a.joint, a.wall_faces, normal) })
+}
+
+/// The edge of a seam along a rectangle.
+pub(crate) fn rectangle<T>(
+    file: &Document<T>,
+    r: &RoundedRectangle,
+) -> Result<CurvedEdge<geometry::RoundedRectangle>, DocumentError> {
+    let normal = r.normal.unit();
+    let size = DVec2::new(r.width_mm.get(), r.height_mm.get());
+    let most = 0.5 * size.min_element();
+    if r.corner_mm.get() > most {
+        let message = "the corner's radius is more than half the smaller side";
+        return Err(file.error_at("seam.rounded_rectangle.corner_mm", message, format!("0 to {most}")));
+    }
+    let direction = zero(normal, r.width_direction);
+    let curve = geometry::RoundedRectangle::new(r.centre_mm.get(), normal, direction, size, r.corner_mm.get())
+        .map_err(|e| file.error_at("seam.rounded_rectangle.width_direction", e.to_string(), "not along `normal`"))?;
+    Ok(CurvedEdge { curve, faces: faces(r.joint, WallFaces::Right, normal) })
+}
+
+/// The edge of a seam along straight lines.
+pub(crate) fn polyline<T>(file: &Document<T>, p: &Polyline) -> Result<CurvedEdge<Chain>, DocumentError> {
+    let path = "seam.polyline.points_mm";
+    let (points, normal): (Vec<DVec3>, _) = (p.points_mm.iter().map(|p| p.get()).collect(), p.normal.unit());
+    let least = if p.closed { 3 } else { 2 };
+    if points.len() < least {
+        let message = format!("a seam of {} points", points.len());
+        return Err(file.error_at(path, message, format!("at least {least}")));
+    }
+    let size = points.iter().map(|p| p.distance(points[0])).fold(0.0, f64::max);
+    for (i, point) in points.iter().enumerate() {
+        let path = format!("{path}[{i}]");
+        let height = (point - points[0]).dot(normal);
+        if height.abs() > TILTED * size {
+            let message = format!("this point is {:.6} mm {} the plate", height.abs(), above(height));
+            return Err(file.error_at(&path, message, "a point in the plane through the first with this `normal`"));
+        }
+        if i > 0 && point.distance(points[i - 1]) <= TILTED * size {
+            return Err(file.error_at(&path, "this point is where the one before is", "points that are apart"));
+        }
+    }
+    let last = points.len() - 1;
+    if p.closed && points[last].distance(points[0]) <= TILTED * size {
+        let message = "the last point is where the first is, and the seam is closed anyway";
+        return Err(file.error_at(&format!("{path}[{last}]"), message, "leave this point out"));
+    }
+    let curve = Chain::through(&points, p.closed).map_err(|e| file.error_at(path, e.to_string(), "other points"))?;
+    Ok(CurvedEdge { curve, faces: faces(p.joint, p.wall_faces, normal) })
+}
+
+fn above(height: f64) -> &'static str {
+    if height > 0.0 { "above" } else { "below" }
+}
