@@ -2,8 +2,8 @@
 //!
 //! Floor 0: no welding words, no I/O. Lengths are mm, angles rad, all in one fixed frame that the caller chooses.
 //!
-//! - [`Curve`] is a parametrised curve with exact derivatives; [`Line`], [`Arc`], [`Ellipse`], [`TubeIntersection`] and
-//!   [`HeadIntersection`] implement it.
+//! - [`Curve`] is a parametrised curve with exact derivatives; [`Line`], [`Arc`], [`Ellipse`], [`TubeIntersection`],
+//!   [`TorusIntersection`] and [`HeadIntersection`] implement it.
 //! - [`Edge`] is a curve where two faces meet; it also knows their outward normals.
 //! - [`ByLength`] re-parametrises any curve by arc length, to a stated accuracy.
 //! - [`Quadric`] is an implicit surface with gradient and Hessian; [`QuadricDistance`] knows how far points are from
@@ -31,6 +31,7 @@ mod monotone;
 mod pose;
 mod quadric;
 mod torus;
+mod torus_intersection;
 mod tube;
 mod tube_intersection;
 
@@ -50,5 +51,6 @@ pub use monotone::MonotoneCurve;
 pub use pose::Pose;
 pub use quadric::{Quadric, Surface};
 pub use torus::Torus;
+pub use torus_intersection::TorusIntersection;
 pub use tube::Tube;
 pub use tube_intersection::TubeIntersection;
