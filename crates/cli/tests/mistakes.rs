@@ -65,12 +65,13 @@ fn heads() {
     head("thickness_mm = 300\nstandard = \"asme_fd\"", &[&at("thickness_mm = 300"), "inside radius 900 mm"]);
     head("thickness_mm = 10\ncrown_radius_mm = 1600", &["crown and knuckle are not known", "din_28011"]);
     head("thickness_mm = 10\nstandard = \"din_28012\"", &[&at("standard"), "din_28011, din_28013, asme_fd"]);
-    head("standard = \"din_28011\"", &["thickness_mm"]);
     // The head stands on its side: the nozzle leaves it over the end of the flange.
     head(
         "thickness_mm = 10\nstandard = \"din_28011\"\naxis = [1, 0, 0]\nflange_mm = 30",
         &["seam.nozzle.origin_mm", "beyond the end of the head's flange", "1600 mm in diameter"],
     );
+    let bend = "[seam.nozzle.body.torus]\nbend_radius_mm = 300\nradius_mm = 400\n";
+    refused(shell, bend, &["seam.nozzle.body.torus.bend_radius_mm = 300", "more than radius_mm = 400"]);
     let cone = "[seam.nozzle.body.conical_head]\nouter_diameter_mm = 1600\nthickness_mm = 10\nknuckle_radius_mm = 100\n\
                 half_angle_deg = 90\n";
     refused(shell, cone, &["seam.nozzle.body.conical_head.half_angle_deg = 90", "less than 90"]);

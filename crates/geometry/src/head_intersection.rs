@@ -1,6 +1,8 @@
 use crate::head::Face;
 use crate::tube_intersection::{SAMPLES, check_margin, minimum};
-use crate::{Curve, Edge, EdgePoint, Error, Foot, Head, Jet, SignedDistance, Surface, Torus, Tube, TubeIntersection};
+use crate::{
+    Curve, Edge, EdgePoint, Error, Foot, Head, Jet, SignedDistance, TorusIntersection, Tube, TubeIntersection,
+};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
@@ -21,7 +23,7 @@ pub struct HeadIntersection {
 #[derive(Debug, Clone, PartialEq)]
 enum Wall {
     Quadric(Box<TubeIntersection>),
-    Torus(OnTorus),
+    Torus(TorusIntersection),
 }
 
 /// Nearer to a border than this, mm, the curve does not go beyond it.
@@ -39,7 +41,7 @@ impl HeadIntersection {
     pub fn new(tube: Tube, head: Head) -> Result<Self, Error> {
         let wall = |face: &Face| match face {
             Face::Quadric(q) => Wall::Quadric(Box::new(TubeIntersection::unchecked(tube.clone(), q.0.clone()))),
-            Face::Torus(torus) => Wall::Torus(OnTorus { tube: tube.clone(), torus: torus.clone() }),
+            Face::Torus(torus) => Wall::Torus(TorusIntersection::on_outer_half(tube.clone(), torus.clone())),
         };
         let walls = head.faces().map(wall).collect();
         let mut curve = Self { tube, head, walls, pieces: Vec::new() };
@@ -181,13 +183,13 @@ impl Curve for HeadIntersection {
     fn point(&self, phi: f64) -> DVec3 {
         match self.wall(phi) {
             Wall::Quadric(wall) => wall.point(phi),
-            Wall::Torus(wall) => wall.edge(phi).point,
+            Wall::Torus(wall) => wall.point(phi),
         }
     }
     fn speed(&self, phi: f64) -> f64 {
         match self.wall(phi) {
             Wall::Quadric(wall) => wall.speed(phi),
-            Wall::Torus(wall) => wall.edge(phi).d1.length(),
+            Wall::Torus(wall) => wall.speed(phi),
         }
     }
 }
@@ -198,31 +200,5 @@ impl Edge for HeadIntersection {
             Wall::Quadric(wall) => wall.edge(phi),
             Wall::Torus(wall) => wall.edge(phi),
         }
-    }
-}
-
-/// The tube's wall on the outer half of a torus.
-#[derive(Debug, Clone, PartialEq)]
-struct OnTorus {
-    tube: Tube,
-    torus: Torus,
-}
-
-impl OnTorus {
-    fn edge(&self, phi: f64) -> EdgePoint {
-        let (foot, n1, around) = self.tube.wall(phi);
-        let e3 = self.tube.e3;
-        let point = foot + self.torus.leaves_outer_half(foot, e3) * e3;
-        let n2 = self.torus.gradient(point);
-        let w1 = self.tube.radius * around;
-        EdgePoint { point, d1: w1 - n2.dot(w1) / n2.dot(e3) * e3, n1, n2 }
-    }
-
-    /// Differentiating `F(p(phi)) = 0` twice.
-    fn jet(&self, phi: f64) -> Jet {
-        let EdgePoint { point, d1, n1, n2 } = self.edge(phi);
-        let w2 = -self.tube.radius * n1;
-        let bend = d1.dot(self.torus.hessian(point) * d1) + n2.dot(w2);
-        Jet { point, d1, d2: w2 - bend / n2.dot(self.tube.e3) * self.tube.e3 }
     }
 }

@@ -56,6 +56,43 @@ impl Torus {
         Seen { rho, out, distance, sin, cos }
     }
 
+    /// Radius of the tube, mm.
+    pub fn tube_radius(&self) -> f64 {
+        self.tube
+    }
+
+    /// Height over `foot`, along the unit vector `d`, of the last place of a line on the torus; NaN where it misses it.
+    ///
+    /// Along the line the torus is a quartic without a cubic term, `t^4 + c2 t^2 + c1 t + c0`, `t` counted from the place
+    /// nearest to the centre. It is convex beyond both its points of inflection and concave between them, so that Newton's
+    /// method or halving finds the last zero and no other. The torus' own distance then gives back the digits that the
+    /// fourth powers cost.
+    pub(crate) fn leaves(&self, foot: DVec3, d: DVec3) -> f64 {
+        let size = self.ring + self.tube;
+        let q = foot - self.centre;
+        let nearest = -q.dot(d);
+        let m = (q + nearest * d) / size;
+        let (ring, tube) = (self.ring / size, self.tube / size);
+        let (up, along) = (m.dot(self.axis), d.dot(self.axis));
+        let k = m.length_squared() + (ring - tube) * (ring + tube);
+        let four = 4.0 * ring * ring;
+        let quartic = Quartic {
+            c2: 2.0 * k - four * (1.0 - along * along),
+            c1: 2.0 * four * up * along,
+            c0: k * k - four * (m.length_squared() - up * up),
+        };
+        let mut h = nearest + size * quartic.last_zero();
+        for _ in 0..3 {
+            let s = self.seen(foot + h * d);
+            let step = (s.distance - self.tube) / (s.sin * s.out + s.cos * self.axis).dot(d);
+            // Where the line only touches the torus there is nothing to gain.
+            if step.abs() < 1e-3 * self.tube {
+                h -= step;
+            }
+        }
+        h
+    }
+
     /// Height over `foot`, along the unit vector `d`, at which a line leaves the torus' outer half (farther from the
     /// axis than the ring); NaN where it misses it. Meaningless on lines that leave within the ring.
     ///
@@ -82,6 +119,59 @@ impl Torus {
             return if distance - self.tube > 1e-9 * reach { f64::NAN } else { h };
         }
         h
+    }
+}
+
+/// `t^4 + c2 t^2 + c1 t + c0`, all of whose real zeros lie within 1 of 0.
+struct Quartic {
+    c2: f64,
+    c1: f64,
+    c0: f64,
+}
+
+impl Quartic {
+    fn value(&self, t: f64) -> f64 {
+        ((t * t + self.c2) * t + self.c1) * t + self.c0
+    }
+
+    /// Its greatest zero, or NaN if it has none.
+    fn last_zero(&self) -> f64 {
+        let bend = (-self.c2 / 6.0).max(0.0).sqrt();
+        let outer = self.descend(1.01, if bend > 0.0 { bend } else { f64::NEG_INFINITY });
+        if bend == 0.0 || !outer.is_nan() {
+            return outer;
+        }
+        // Positive from the upper point of inflection on; concave down to the lower one.
+        let (mut low, mut high) = (-bend, bend);
+        if self.value(low) >= 0.0 {
+            return self.descend(low, f64::NEG_INFINITY);
+        }
+        while high - low > 1e-9 {
+            let middle = 0.5 * (low + high);
+            if self.value(middle) > 0.0 { high = middle } else { low = middle }
+        }
+        0.5 * (low + high)
+    }
+
+    /// The first zero below `from`, not below `to`, in a range where the quartic is convex and positive at `from`: Newton's
+    /// method does not pass it.
+    fn descend(&self, from: f64, to: f64) -> f64 {
+        let mut t = from;
+        for _ in 0..MOST_STEPS {
+            let (value, slope) = (self.value(t), (4.0 * t * t + 2.0 * self.c2) * t + self.c1);
+            if value <= 0.0 {
+                return t;
+            }
+            let next = t - value / slope;
+            if slope <= 0.0 || next < to {
+                return f64::NAN;
+            }
+            if next >= t {
+                return t;
+            }
+            t = next;
+        }
+        t
     }
 }
 

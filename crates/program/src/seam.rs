@@ -68,7 +68,7 @@ pub struct Nozzle {
     pub body: Body,
 }
 
-/// A body with a quadric surface, or the head of a vessel: surfaces that go over into each other without an edge.
+/// A body with a quadric surface, a pipe bend, or the head of a vessel: surfaces that go over into each other without an edge.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Body {
@@ -122,6 +122,19 @@ pub enum Body {
         point_mm: Point,
         /// Outward normal.
         normal: Vector,
+    },
+    /// A torus: a pipe bend.
+    Torus {
+        /// Radius of the pipe's middle line, mm; more than `radius_mm`.
+        bend_radius_mm: Positive,
+        /// Outer radius of the pipe, mm.
+        radius_mm: Positive,
+        /// Centre of the middle line, mm.
+        #[serde(default, skip_serializing_if = "Point::is_zero")]
+        centre_mm: Point,
+        /// Normal of the middle line's plane; z if missing.
+        #[serde(default = "Vector::z")]
+        axis: Vector,
     },
     /// A head with a spherical crown, a knuckle and a flange.
     TorisphericalHead(TorisphericalHead),

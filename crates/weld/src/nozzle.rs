@@ -3,7 +3,8 @@ use crate::seam::tube;
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError, Positive};
 use seamwright_geometry::{
-    Edge, Error, Head, HeadIntersection, Quadric, QuadricDistance, SignedDistance, Tube, TubeIntersection,
+    Edge, Error, Head, HeadIntersection, Quadric, QuadricDistance, SignedDistance, Torus, TorusIntersection, Tube,
+    TubeIntersection,
 };
 use seamwright_program::{Body, Nozzle};
 
@@ -34,6 +35,10 @@ impl OnBody {
                 let curve = TubeIntersection::new(tube.clone(), body).map_err(unfit)?;
                 Self { edge: Box::new(curve), tube, body: distance }
             }
+            Surface::Torus(torus) => {
+                let curve = TorusIntersection::new(tube.clone(), torus.clone()).map_err(unfit)?;
+                Self { edge: Box::new(curve), tube, body: Box::new(torus) }
+            }
             Surface::Head(head) => {
                 let curve = HeadIntersection::new(tube.clone(), head.clone()).map_err(unfit)?;
                 Self { edge: Box::new(curve), tube, body: Box::new(head) }
@@ -45,6 +50,7 @@ impl OnBody {
 /// A body's outside.
 enum Surface {
     Quadric(Quadric),
+    Torus(Torus),
     Head(Head),
 }
 
@@ -96,6 +102,17 @@ fn body<T>(file: &Document<T>, body: &Body) -> Result<(&'static str, String, Sur
         }
         Body::Plane { point_mm, normal } => {
             ("plane", "its normal points out of the plate".to_owned(), Quadric::plane(point_mm.get(), normal.unit()))
+        }
+        Body::Torus { bend_radius_mm, radius_mm, centre_mm, axis } => {
+            let (ring, radius) = (bend_radius_mm.get(), radius_mm.get());
+            let path = "seam.nozzle.body.torus.bend_radius_mm";
+            if ring <= radius {
+                let message = "the pipe would meet itself in the middle of the bend";
+                return Err(file.error_at(path, message, format!("more than radius_mm = {radius}")));
+            }
+            let torus = Torus::new(centre_mm.get(), axis.unit(), ring, radius)
+                .map_err(|e| file.error_at(path, e.to_string(), "see the job's schema"))?;
+            return Ok(("torus", format!("radius {radius} mm"), Surface::Torus(torus)));
         }
         Body::TorisphericalHead(h) => {
             return of_head("torispherical head", h.outer_diameter_mm, head::torispherical(file, h)?);

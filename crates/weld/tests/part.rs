@@ -98,6 +98,14 @@ fn the_examples_seams_lie_on_their_parts() {
         );
         check(&Welding::read("job.toml", &text).unwrap(), 0.01);
     }
+    for (direction, origin) in [("[1, 0, 0]", "[0, 0, 0]"), ("[0.3, 0.2, 1]", "[330, 0, 0]")] {
+        let text = format!(
+            "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 40\norigin_mm = {origin}\n\
+             direction = {direction}\nzero_direction = [0, 1, 0]\n[seam.nozzle.body.torus]\nbend_radius_mm = 300\n\
+             radius_mm = 100\n[weld]\nspeed_mm_s = 5\n"
+        );
+        check(&Welding::read("job.toml", &text).unwrap(), 0.15);
+    }
     for head in [
         "[seam.nozzle.body.flat_head]\nthickness_mm = 10\nknuckle_radius_mm = 40\n",
         "[seam.nozzle.body.conical_head]\nthickness_mm = 10\nknuckle_radius_mm = 60\nhalf_angle_deg = 60\n",

@@ -36,3 +36,30 @@ impl Making<'_> {
         Solid::new("head", shape, standing(head.centre(), head.axis()))
     }
 }
+
+/// A closed mesh around a torus about z.
+pub(super) fn bend(ring: f64, tube: f64) -> Result<Shape, ClearanceError> {
+    let within = 0.5 * HEAD_MM.max(HEAD_PART * (ring + tube));
+    let count = |radius: f64| (PI * (radius / (2.0 * within)).sqrt()).ceil().max(24.0);
+    // A multiple of 4, so that flat sides lie on top and below.
+    let (about, around) = (4.0 * (count(tube) / 4.0).ceil(), count(ring + tube));
+    let (beside, outside) = (tube / (PI / about).cos(), 1.0 / (PI / around).cos());
+    let point = |k: usize, i: usize| {
+        let (up, out) = (2.0 * PI * (k as f64 + 0.5) / about).sin_cos();
+        let rho = ring + beside * out;
+        // Flat sides around come nearer to the axis: on the outside into the pipe, on the inside out of it.
+        let rho = if out > 0.0 { rho * outside } else { rho };
+        let (sin, cos) = (2.0 * PI * i as f64 / around).sin_cos();
+        DVec3::new(rho * cos, rho * sin, beside * up)
+    };
+    let (about, around) = (about as usize, around as usize);
+    let mut triangles = Vec::with_capacity(2 * about * around);
+    for i in 0..around {
+        for k in 0..about {
+            let (j, l) = ((i + 1) % around, (k + 1) % about);
+            let [a, b, c, d] = [point(k, i), point(k, j), point(l, i), point(l, j)];
+            triangles.extend([[a, b, d], [a, d, c]]);
+        }
+    }
+    Mesh::new(&triangles).map(|mesh| Shape::Mesh(Arc::new(mesh)))
+}

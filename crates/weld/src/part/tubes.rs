@@ -1,3 +1,4 @@
+use super::heads::bend;
 use super::{Impossible, Making, standing};
 use crate::head;
 use glam::{DAffine3, DMat3, DVec3};
@@ -109,6 +110,10 @@ impl Making<'_> {
                 let centre = middle - (middle - point_mm.get()).dot(normal) * normal;
                 let farthest = -self.least(|p| -p.distance(centre));
                 self.plate("plate", centre, normal, self.body(usual, 2.0 * farthest)?)
+            }
+            Body::Torus { bend_radius_mm, radius_mm, centre_mm, axis } => {
+                let pose = standing(centre_mm.get(), axis.unit());
+                Solid::new("bend", bend(bend_radius_mm.get(), radius_mm.get())?, pose)
             }
             Body::TorisphericalHead(h) => self.vessel_head(&head::torispherical(file, h)?),
             Body::EllipsoidalHead(h) => self.vessel_head(&head::ellipsoidal(file, h)?),
