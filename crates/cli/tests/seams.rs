@@ -72,7 +72,7 @@ fn the_tube_plate_welds_as_printed_and_with_every_choice() {
 
     let (code, _, text) = with("plan", &job(RECTANGLE, "\"refuse\""));
     assert!(code == 1 && text.contains("blend_mm"), "{text}");
-    assert_eq!(text.matches("s = ").count(), 8, "{text}");
+    assert_eq!(text.matches("finding (stop)").count(), 8, "{text}");
     let (code, _, text) = with("simulate", &job(RECTANGLE, "\"stop\""));
     assert_eq!(code, 0, "{text}");
     // Sharp corners the same, but the torch cannot turn at once over a fillet.

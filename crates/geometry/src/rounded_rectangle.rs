@@ -95,7 +95,7 @@ impl RoundedRectangle {
         let quadrant = (angle / FRAC_PI_2).floor().clamp(0.0, 3.0);
         // Within a quadrant: from the middle of one side to that of the next. One sum of the way along the first side, the
         // turn of the arc and the way along the second, each at its end or start elsewhere: no side has to be chosen.
-        let even = quadrant as u8 % 2 == 0;
+        let even = (quadrant as u8).is_multiple_of(2);
         let (p, straight) = if even { (p.abs(), straight) } else { (p.abs().yx(), straight.yx()) };
         let off = (p - straight).max(DVec2::ZERO);
         let length = p.y.min(straight.y) + self.corner * off.y.atan2(off.x) + (straight.x - p.x).max(0.0);
