@@ -123,7 +123,7 @@ fn the_tip_moves_along_the_seam_at_the_asked_speed() {
 fn a_nozzle_across_a_knuckle_needs_an_answer_to_its_corners() {
     let with = |corner: &str| Case::new("knuckle", &KNUCKLE.replace("corner = { blend_mm = 0.2 }", corner));
     let refused = with("").motion().unwrap_err();
-    let knots = with("").welding.path(0).knots();
+    let knots = with("").welding.seam.knots();
     assert!(knots.len() == 2 && refused.len() == 2, "{refused:#?}");
     for (finding, s) in refused.iter().zip(&knots) {
         assert!((finding.from_mm - s).abs() < 1e-6 && finding.kind == "stop", "{finding:?}");

@@ -281,13 +281,14 @@ fn girths_that_cannot_be_have_an_address() {
 fn knots_are_where_the_faces_turn_at_another_rate() {
     let knuckle = include_str!("../../../examples/knuckle-nozzle.toml");
     let clockwise = knuckle.replace("[start]", "[start]\ndirection = \"clockwise\"");
-    let around = knuckle.replace("phi_deg = 180 ", "phi_deg = 60 ").replace("overlap_mm = 15", "overlap_mm = 60");
-    let part = knuckle.replace("overlap_mm = 15", "end_phi_deg = 300");
+    let around = knuckle.replace("phi_deg = 180 ", "phi_deg = 40 ").replace("overlap_mm = 15", "overlap_mm = 60");
+    let part = knuckle.replace("overlap_mm = 15", "end_phi_deg = 330");
     for (text, expected) in [(knuckle, 2), (&clockwise, 2), (&around, 3), (&part, 1)] {
         let w = read(text);
         let path = w.path(0);
-        let knots = path.knots();
+        let knots = w.seam.knots();
         assert_eq!(knots.len(), expected, "{knots:?}");
+        assert!(knots.iter().all(|s| path.knots().contains(s)));
         assert!(knots.windows(2).all(|k| k[0] < k[1]));
         let h = 1e-4;
         let rate = |s: f64| (path.pose(s + h).direction - path.pose(s - h).direction) / (2.0 * h);
