@@ -87,8 +87,8 @@ pub struct Summary {
     pub path_error_mm: Extremes,
     /// Path length where that is greatest, mm.
     pub path_error_at_mm: f64,
-    /// Speed of the true tip along the seam from half a second after each run-up to the next run-down; `rms` is that of the
-    /// deviation from the planned speed. None if the weld is too short for that.
+    /// Speed of the true tip along the seam from half a second after each run-up to the next run-down; `rms` is that of
+    /// the deviation from the planned speed. None if the weld is too short for that.
     pub tip_speed_mm_s: Option<Extremes>,
     /// Greatest deviation of that speed from the planned one over the same servo period, as a part of it; none if the
     /// weld is too short to be judged.

@@ -1,4 +1,5 @@
-//! Seams in a plane and helices through the command line: welded with every choice at their corners; bad input with its address.
+//! Seams in a plane and helices through the command line: welded with every choice at their corners; bad input with its
+//! address.
 
 mod common;
 

@@ -11,9 +11,9 @@ const SMALLEST_PANEL: f64 = 1e-9;
 
 /// A curve together with its arc length and the inverse of it.
 ///
-/// The domain is cut into panels, at the curve's breaks first of all. On each, `|dp/du|` is a Chebyshev series whose integral is the arc length, and the
-/// inverse, parameter by arc length, is a second series obtained by Newton's method at the nodes. Panels are halved
-/// until both hold the accuracy at check points between the nodes. No panel goes over a break of the curve.
+/// The domain is cut into panels, at the curve's breaks first of all. On each, `|dp/du|` is a Chebyshev series whose
+/// integral is the arc length, and the inverse, parameter by arc length, is a second series obtained by Newton's method
+/// at the nodes. Panels are halved until both hold the accuracy at check points between the nodes.
 ///
 /// Guarantee, for `accuracy_mm` not below the rounding of the curve's own evaluation:
 /// `|length(u) - true arc length| <= accuracy_mm` over the whole curve, and `|length(parameter(s)) - s| <=

@@ -44,8 +44,8 @@ pub enum FaceRule {
         /// Unit direction of the axis.
         axis: DVec3,
     },
-    /// The curve lies on a cylinder and a wall stands on it, square to it: first face the wall, second the cylinder. The
-    /// wall faces to the right of the curve with the cylinder below.
+    /// The curve lies on a cylinder and a wall stands on it, square to it: first face the wall, second the cylinder.
+    /// The wall faces to the right of the curve with the cylinder below.
     WallOnCylinder {
         /// A point on the axis, mm.
         about: DVec3,

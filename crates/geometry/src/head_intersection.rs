@@ -6,10 +6,12 @@ use crate::{
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// The curve where a tube's wall leaves the [`Head`] of a vessel, parametrised by the angle about the tube's axis (rad).
+/// The curve where a tube's wall leaves the [`Head`] of a vessel, parametrised by the angle about the tube's axis
+/// (rad).
 ///
-/// In each zone it is the curve on that zone's surface: the closed form on a quadric, Newton's method on a torus. Point,
-/// tangent and normals are continuous from zone to zone; the second derivative jumps at the [`breaks`](Curve::breaks).
+/// In each zone it is the curve on that zone's surface: the closed form on a quadric, Newton's method on a torus.
+/// Point, tangent and normals are continuous from zone to zone; the second derivative jumps at the
+/// [`breaks`](Curve::breaks).
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeadIntersection {
     tube: Tube,

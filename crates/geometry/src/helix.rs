@@ -1,7 +1,8 @@
 use crate::{Curve, Error, Jet, Tube, error::positive};
 use std::f64::consts::TAU;
 
-/// A helix on a tube: `u` is the angle in rad about its axis, from 0 over a number of turns; each turn climbs by the pitch.
+/// A helix on a tube: `u` is the angle in rad about its axis, from 0 over a number of turns; each turn climbs by the
+/// pitch.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Helix {
     tube: Tube,
@@ -11,8 +12,8 @@ pub struct Helix {
 }
 
 impl Helix {
-    /// The helix on `tube` from its origin's height on, where its angle is 0: counter-clockwise about its direction over
-    /// `turns`, climbing by `pitch` mm a turn (negative: left-handed).
+    /// The helix on `tube` from its origin's height on, where its angle is 0: counter-clockwise about its direction
+    /// over `turns`, climbing by `pitch` mm a turn (negative: left-handed).
     ///
     /// # Errors
     /// [`Error::Size`] if there are no turns or the pitch is not finite.

@@ -20,12 +20,13 @@ pub struct RoundedRectangle {
 }
 
 impl RoundedRectangle {
-    /// The rectangle about `centre` in the plane with `normal`, as wide as `size.x` along `direction` (made perpendicular
-    /// to the normal) and as high as `size.y` across it, its corners arcs of radius `corner` (0: sharp), mm.
+    /// The rectangle about `centre` in the plane with `normal`, as wide as `size.x` along `direction` (made
+    /// perpendicular to the normal) and as high as `size.y` across it, its corners arcs of radius `corner` (0: sharp),
+    /// mm.
     ///
     /// # Errors
-    /// [`Error::Size`] for sizes not greater than 0 and a corner that is negative or greater than half the smaller side,
-    /// [`Error::Direction`] and [`Error::Parallel`] for directions that span no plane.
+    /// [`Error::Size`] for sizes not greater than 0 and a corner that is negative or greater than half the smaller
+    /// side, [`Error::Direction`] and [`Error::Parallel`] for directions that span no plane.
     pub fn new(centre: DVec3, normal: DVec3, direction: DVec3, size: DVec2, corner: f64) -> Result<Self, Error> {
         let half = 0.5 * DVec2::new(positive("the width", size.x)?, positive("the height", size.y)?);
         let smaller = half.min_element();
@@ -93,8 +94,9 @@ impl RoundedRectangle {
         let straight = self.half - self.corner;
         let quarter = FRAC_PI_2 * self.corner + straight.x + straight.y;
         let quadrant = (angle / FRAC_PI_2).floor().clamp(0.0, 3.0);
-        // Within a quadrant: from the middle of one side to that of the next. One sum of the way along the first side, the
-        // turn of the arc and the way along the second, each at its end or start elsewhere: no side has to be chosen.
+        // Within a quadrant: from the middle of one side to that of the next. One sum of the way along the first side,
+        // the turn of the arc and the way along the second, each at its end or start elsewhere: no side has to be
+        // chosen.
         let even = (quadrant as u8).is_multiple_of(2);
         let (p, straight) = if even { (p.abs(), straight) } else { (p.abs().yx(), straight.yx()) };
         let off = (p - straight).max(DVec2::ZERO);

@@ -63,10 +63,10 @@ impl Torus {
 
     /// Height over `foot`, along the unit vector `d`, of the last place of a line on the torus; NaN where it misses it.
     ///
-    /// Along the line the torus is a quartic without a cubic term, `t^4 + c2 t^2 + c1 t + c0`, `t` counted from the place
-    /// nearest to the centre. It is convex beyond both its points of inflection and concave between them, so that Newton's
-    /// method or halving finds the last zero and no other. The torus' own distance then gives back the digits that the
-    /// fourth powers cost.
+    /// Along the line the torus is a quartic without a cubic term, `t^4 + c2 t^2 + c1 t + c0`, `t` counted from the
+    /// place nearest to the centre. It is convex beyond both its points of inflection and concave between them, so that
+    /// Newton's method or halving finds the last zero and no other. The torus' own distance then gives back the digits
+    /// that the fourth powers cost.
     pub(crate) fn leaves(&self, foot: DVec3, d: DVec3) -> f64 {
         let size = self.ring + self.tube;
         let q = foot - self.centre;
@@ -153,8 +153,8 @@ impl Quartic {
         0.5 * (low + high)
     }
 
-    /// The first zero below `from`, not below `to`, in a range where the quartic is convex and positive at `from`: Newton's
-    /// method does not pass it.
+    /// The first zero below `from`, not below `to`, in a range where the quartic is convex and positive at `from`:
+    /// Newton's method does not pass it.
     fn descend(&self, from: f64, to: f64) -> f64 {
         let mut t = from;
         for _ in 0..MOST_STEPS {

@@ -3,11 +3,11 @@ use crate::{Curve, Edge, EdgePoint, Error, Jet, Surface, Torus, Tube};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// The curve where a tube's wall leaves a [`Torus`], such as a pipe bend, parametrised by the angle about the tube's axis
-/// (rad).
+/// The curve where a tube's wall leaves a [`Torus`], such as a pipe bend, parametrised by the angle about the tube's
+/// axis (rad).
 ///
-/// At each angle it is the outermost place of the wall's line on the torus, along the tube's direction: the last real root
-/// of a quartic. Derivatives follow from differentiating `F(p(phi)) = 0`, so they are exact.
+/// At each angle it is the outermost place of the wall's line on the torus, along the tube's direction: the last real
+/// root of a quartic. Derivatives follow from differentiating `F(p(phi)) = 0`, so they are exact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TorusIntersection {
     tube: Tube,
@@ -20,8 +20,8 @@ impl TorusIntersection {
     /// The closed curve where `tube` leaves `torus`.
     ///
     /// # Errors
-    /// [`Error::TubeLargerThanBody`], [`Error::TubeBesideBody`], [`Error::NotClosed`] or [`Error::Tangent`] if the curve
-    /// does not exist or is not closed and smooth: also where it would jump across the hole of the torus.
+    /// [`Error::TubeLargerThanBody`], [`Error::TubeBesideBody`], [`Error::NotClosed`] or [`Error::Tangent`] if the
+    /// curve does not exist or is not closed and smooth: also where it would jump across the hole of the torus.
     pub fn new(tube: Tube, torus: Torus) -> Result<Self, Error> {
         let curve = Self { tube, torus, outer_half: false };
         curve.check()?;

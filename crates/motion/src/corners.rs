@@ -184,8 +184,8 @@ impl Corner<'_> {
         if away.within(most) { Ok(Fitting { piece, away }) } else { Err(Unfit::TooFar) }
     }
 
-    /// True if the torch goes through `blend` at the asked speed with every limit to spare: at constant speed `v` of the tip
-    /// the squared speed by path length is `v^2 / rate^2`, and its derivatives follow from those of the tip.
+    /// True if the torch goes through `blend` at the asked speed with every limit to spare: at constant speed `v` of
+    /// the tip the squared speed by path length is `v^2 / rate^2`, and its derivatives follow from those of the tip.
     fn at_ease(&self, blend: &Piece) -> bool {
         let asked = self.channels.asked(blend.from).max(self.channels.asked(blend.to));
         let mut rows = vec![[0.0; 3]; self.channels.limits().len()];
@@ -240,8 +240,8 @@ fn nearest(pose: impl Fn(f64) -> Pose, torch: Pose, sides: [(f64, f64); 2]) -> A
     Away { tip: there.point.distance(torch.point), direction: angle(there.direction, torch.direction) }
 }
 
-/// Path length of the place nearest to `point` (mm, near `s`) of the seam that `pose` runs along, if `s` lies in a blend
-/// of the axes' path `joints`: nearest on either side of the corner.
+/// Path length of the place nearest to `point` (mm, near `s`) of the seam that `pose` runs along, if `s` lies in a
+/// blend of the axes' path `joints`: nearest on either side of the corner.
 pub fn foot_in_blend(joints: &JointPath, pose: impl Fn(f64) -> Pose, point: DVec3, s: f64) -> Option<f64> {
     let &(from, to) = joints.blends().iter().find(|(from, to)| *from <= s && s <= *to)?;
     let (corner, half) = (0.5 * (from + to), 0.5 * (to - from));

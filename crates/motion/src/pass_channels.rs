@@ -40,7 +40,8 @@ impl<'a> PassChannels<'a> {
         &self.stops
     }
 
-    /// Derivatives of all channels where the axes have the positions and derivatives `d`, into `out`; and those of the tip.
+    /// Derivatives of all channels where the axes have the positions and derivatives `d`, into `out`; and those of the
+    /// tip.
     pub(crate) fn along(&self, d: &[Joints; 4], out: &mut [[f64; 3]]) -> [DVec3; 3] {
         let (axes, tip) = out.split_at_mut(self.machine.axes.len());
         axes.iter_mut().enumerate().for_each(|(i, out)| *out = [d[1][i], d[2][i], d[3][i]]);

@@ -133,8 +133,8 @@ impl PassMotion {
         self.sequence.travel_delay_s.get() + self.law.duration() + self.sequence.crater_s.get()
     }
 
-    /// Speed of the torch tip of `machine`, whose motion this is, where the law is at `p`, mm/s: that of the path length but
-    /// in blends.
+    /// Speed of the torch tip of `machine`, whose motion this is, where the law is at `p`, mm/s: that of the path
+    /// length but in blends.
     pub fn tip_speed(&self, machine: &Machine, p: LawPoint) -> f64 {
         p.v * self.path.tip_rate(machine, p.s)
     }

@@ -4,8 +4,8 @@ use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine};
 use seamwright_program::TorchPath;
 
-/// The way of the first torch as the axes are planned to go it: that along the seam, but for blends round corners. `s` is
-/// the place on the seam; in blends the tip's own way by `s` is another.
+/// The way of the first torch as the axes are planned to go it: that along the seam, but for blends round corners. `s`
+/// is the place on the seam; in blends the tip's own way by `s` is another.
 #[derive(Debug, Clone, Copy)]
 pub struct TipPath<'a> {
     machine: &'a Machine,

@@ -155,8 +155,8 @@ impl WeldMotion {
         Ok(())
     }
 
-    /// Speed of the torch tip of `machine` at a set-point of pass `pass` as [`WeldMotion::play`] gives them, mm/s; no number
-    /// in the air.
+    /// Speed of the torch tip of `machine` at a set-point of pass `pass` as [`WeldMotion::play`] gives them, mm/s; no
+    /// number in the air.
     pub fn tip_speed(&self, machine: &Machine, pass: usize, set: &SetPoint) -> f64 {
         let planned = pass.checked_sub(1).and_then(|i| self.passes.get(i));
         planned.map_or(f64::NAN, |planned| planned.tip_speed(machine, set.law))

@@ -62,8 +62,9 @@ const TURN: f64 = 1e-7;
 /// LinuxCNC's interpreter raises any lower feed to this, in mm/min or deg/min, without a word.
 const LEAST_FEED: f64 = 0.1;
 
-/// Cuts `motion` into few blocks whose path stays within `tolerance_mm` of the planned one of the tip (the seam, but for
-/// blends at corners): greedily, each block as long as tolerance, timing, attitude and the control's least feed let it be.
+/// Cuts `motion` into few blocks whose path stays within `tolerance_mm` of the planned one of the tip (the seam, but
+/// for blends at corners): greedily, each block as long as tolerance, timing, attitude and the control's least feed let
+/// it be.
 ///
 /// Places where spans end (`breaks`, mm) and corners at which the torch stops always end a block.
 ///
@@ -174,7 +175,8 @@ impl Cutter<'_> {
         }
     }
 
-    /// Worst distance from the planned path (mm), lead or lag along it (mm) and attitude deviation (rad) inside a block.
+    /// Worst distance from the planned path (mm), lead or lag along it (mm) and attitude deviation (rad) inside a
+    /// block.
     fn chord_error(&self, a: &Block, b: &Block) -> (f64, f64, f64) {
         let begin = self.motion.law.time(a.s);
         let mut worst = (0.0f64, 0.0f64, 0.0f64);

@@ -2,8 +2,8 @@ use schemars::JsonSchema;
 use seamwright_document::{Direction as Vector, NonNegative, Point, Positive};
 use serde::{Deserialize, Serialize};
 
-/// A head with a spherical crown and a knuckle. The radii are those of its inside, as the standards give them; the nozzle
-/// stands on the outside, a thickness farther out.
+/// A head with a spherical crown and a knuckle. The radii are those of its inside, as the standards give them; the
+/// nozzle stands on the outside, a thickness farther out.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TorisphericalHead {
@@ -40,8 +40,8 @@ pub enum HeadStandard {
     /// DIN 28013 (Korbbogen): 0.8 and 0.154 of the outer diameter.
     #[serde(rename = "din_28013")]
     Din28013,
-    /// Flanged and dished, at the limits of ASME VIII-1, UG-32: the crown's radius is the outer diameter, the knuckle's 6 %
-    /// of it, and at least three times the thickness.
+    /// Flanged and dished, at the limits of ASME VIII-1, UG-32: the crown's radius is the outer diameter, the knuckle's
+    /// 6 % of it, and at least three times the thickness.
     #[serde(rename = "asme_fd")]
     AsmeFd,
 }

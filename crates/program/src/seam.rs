@@ -68,7 +68,8 @@ pub struct Nozzle {
     pub body: Body,
 }
 
-/// A body with a quadric surface, a pipe bend, or the head of a vessel: surfaces that go over into each other without an edge.
+/// A body with a quadric surface, a pipe bend, or the head of a vessel: surfaces that go over into each other without
+/// an edge.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Body {

@@ -41,7 +41,7 @@ pub trait TorchPath {
     fn length(&self) -> f64;
 
     /// The torch tip and the direction in which wire or beam points (from the torch to the work) at path length `s`;
-    /// continuous, the point continuously differentiable, both smooth between knots; the tip's speed by `s` is 1.
+    /// continuous, and smooth between knots; the tip's speed by `s` is 1.
     fn pose(&self, s: f64) -> Pose;
 
     /// Unit vector from the root of the joint out to its face at path length `s`: what should point up for a weld in
@@ -69,8 +69,7 @@ pub trait TorchPath {
         (0..2).fold(guess, |s, _| (s + (point - self.pose(s).point).dot(self.tangent(s))).clamp(from, to))
     }
 
-    /// Path lengths inside the path where a second or higher derivative of the point, or any of the direction, may jump,
-    /// increasing.
+    /// Path lengths inside the path where a derivative may jump, increasing.
     fn knots(&self) -> Vec<f64> {
         Vec::new()
     }

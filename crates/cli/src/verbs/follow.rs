@@ -205,8 +205,8 @@ impl<'a, R: BufRead> Points<'a, R> {
         Some(problem.map_or(Ok(q), |message| Err(self.unreachable(&message))))
     }
 
-    /// What of the machine comes too near to something else on the straight way of the axes to `q`, looked at every mm or
-    /// degree.
+    /// What of the machine comes too near to something else on the straight way of the axes to `q`, looked at every mm
+    /// or degree.
     fn too_near(&mut self, q: &Joints) -> Option<String> {
         let from = self.clear.unwrap_or(*q);
         let axes = self.machine.axes.iter().zip(from.iter().zip(q));

@@ -1,15 +1,16 @@
-//! A checker of certificates that knows only what a stranger does: the rows of `motion`, the machine file's limits, and the
-//! tip's place by `kinematics`. Nothing of the planner is called.
+//! A checker of certificates that knows only what a stranger does: the rows of `motion`, the machine file's limits, and
+//! the tip's place by `kinematics`. Nothing of the planner is called.
 //!
 //! What differences can and cannot say, over a period T:
-//! - A first, second or third difference by T, T^2 or T^3 is a weighted mean (weights of a B-spline, none negative) of the
-//!   speed, acceleration or jerk over one, two or three periods. So it never exceeds the greatest of them, nor the limit:
-//!   the only allowance upwards is rounding.
-//! - A number q in the table is off by a few units in its last place and by how far the axis moves within the rounding of
-//!   the time: `e`. Differences of order n then are off by `2^n e / T^n`.
+//! - A first, second or third difference by T, T^2 or T^3 is a weighted mean (weights of a B-spline, none negative) of
+//!   the speed, acceleration or jerk over one, two or three periods. So it never exceeds the greatest of them, nor the
+//!   limit: the only allowance upwards is rounding.
+//! - A number q in the table is off by a few units in its last place and by how far the axis moves within the rounding
+//!   of the time: `e`. Differences of order n then are off by `2^n e / T^n`.
 //! - Downwards, the greatest speed by differences falls short of the true one by at most `T/2` times the greatest
-//!   acceleration, the greatest acceleration by `T` times the greatest jerk. Jerk may jump, but in a weld it lasts for many
-//!   periods, and over one it changes little: [`jerk_short`] is what its means over three periods may fall short of it.
+//!   acceleration, the greatest acceleration by `T` times the greatest jerk. Jerk may jump, but in a weld it lasts for
+//!   many periods, and over one it changes little: [`jerk_short`] is what its means over three periods may fall short
+//!   of it.
 
 use super::{column, good, run_with, table};
 use serde_json::Value;
@@ -202,7 +203,8 @@ fn check_tip(m: &Motion, found: &mut Checked) {
     check_intervals(m, &speeds, found);
 }
 
-/// Stretches follow one another over the whole path; where only the asked speed binds it is kept; no speed leaves its band.
+/// Stretches follow one another over the whole path; where only the asked speed binds it is kept; no speed leaves its
+/// band.
 fn check_intervals(m: &Motion, speeds: &[f64], found: &mut Checked) {
     let mut end = 0.0;
     for interval in m.claim["intervals"].as_array().unwrap() {

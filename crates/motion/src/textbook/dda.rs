@@ -15,13 +15,14 @@ const QUOTIENT_BITS: u32 = 20;
 ///   axis and clock as long as the drift is below two pulses.
 /// - Pre-load: half of 2^w, which makes the truncation of the pulses a rounding.
 /// - Rate: a clock is a step of `du = a b / 2^w` (saddle `2^20 / 2^w`) of the eccentric angle; where an
-///   axis is fastest it makes between half a pulse and one a clock. The number of clocks is the path's span by du, rounded; their frequency is such that the
-///   whole path takes its length over the nominal speed. The speed varies as that of equal angles.
+///   axis is fastest it makes between half a pulse and one a clock. The number of clocks is the path's span by du,
+///   rounded; their frequency is such that the whole path takes its length over the nominal speed. The speed varies as
+///   that of equal angles.
 /// - Start: the lattice point nearest to the path's start; its rounding is never taken back.
 ///
 /// Weakness: nothing compares the result with the curve. The x and y before the clock are used for both axes (Euler's
-/// method), so that the path spirals outwards: at a radius of n pulses by `n u du / 2` after the angle u, which is 1.6 to
-/// 3.1 pulses a turn of a circle (the rounding of the pulses makes it 2 or 3). On a long ellipse the rounding of the
+/// method), so that the path spirals outwards: at a radius of n pulses by `n u du / 2` after the angle u, which is 1.6
+/// to 3.1 pulses a turn of a circle (the rounding of the pulses makes it 2 or 3). On a long ellipse the rounding of the
 /// start on the short axis comes on top, enlarged by the ratio of the axes. Neither the end nor the start of a full
 /// turn is met. It is not corrected here: it is what the method does.
 pub(super) struct Dda {

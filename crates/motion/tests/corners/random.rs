@@ -224,8 +224,8 @@ fn untouched(case: &Case, what: &str) {
 /// Speed of the tip and limits of the axes by differences of the set-points.
 fn in_time(case: &Case, what: &str) -> usize {
     let Case { machine, route, speed, motion, stopping, .. } = case;
-    // Hundredths of a millimetre at a high speed leave so little room that a stop, whose jerks do not overlap, may win by
-    // some milliseconds.
+    // Hundredths of a millimetre at a high speed leave so little room that a stop, whose jerks do not overlap, may win
+    // by some milliseconds.
     assert!(motion.law.duration() < stopping.law.duration() + 0.01, "{what}");
     let sets: Vec<SetPoint> = motion.set_points(PERIOD).collect();
     let asked =

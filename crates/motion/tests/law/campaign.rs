@@ -62,8 +62,8 @@ fn large_paths() {
     run(300_000_000, 100, 10, 16);
 }
 
-/// Once a jerk was 0.4 % above its limit, near rest, where the squared speed changes much in a cell; and laws were up to
-/// 28 % too slow, with cells that cost digits, where a break lies at the end of a run-up or begin of a run-down.
+/// Once a jerk was 0.4 % above its limit, near rest, where the squared speed changes much in a cell; and laws were up
+/// to 28 % too slow, with cells that cost digits, where a break lies at the end of a run-up or begin of a run-down.
 #[test]
 fn found_by_longer_runs() {
     passes(&path(&mut Uniform::new(200_047_217), 6, 4));
