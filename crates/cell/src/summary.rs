@@ -164,7 +164,8 @@ pub(crate) struct Tally {
 impl Tally {
     pub(crate) fn new(axes: usize, motion: &PassMotion) -> Self {
         let time = |s: f64| motion.before_s() + motion.law.time(s);
-        let steady = motion.legs.iter().map(|leg| (time(leg.run_up_end) + SETTLING_S, time(leg.run_down_start)));
+        let steady = motion.law.legs();
+        let steady = steady.iter().map(|leg| (time(leg.run_up_end) + SETTLING_S, time(leg.run_down_start)));
         Self {
             path_error: Gather::new(),
             tip_speed: Gather::new(),

@@ -17,7 +17,6 @@ mod follower;
 pub mod jog;
 mod joint_path;
 pub mod law;
-mod legs;
 mod limits;
 pub mod pace;
 mod pass_channels;
@@ -36,8 +35,7 @@ mod tip_path;
 mod weld_motion;
 
 pub use joint_path::{JointPath, JointPoint};
-pub use law::{LawPoint, SpeedLaw, SpeedReport};
-pub use legs::Leg;
+pub use law::{LawPoint, Leg, SpeedLaw, SpeedReport};
 pub use limits::{Binding, plain};
 pub use pass_clearance::PassClearance;
 pub use pass_motion::PassMotion;

@@ -1,7 +1,6 @@
 //! What the axes allow along a path, and how to say where they do not.
 
-use crate::law::{Bound, Interval};
-use crate::legs::Leg;
+use crate::law::{Bound, Interval, Leg};
 use crate::planned::Planned;
 use seamwright_machine::{Machine, TipLimits};
 use seamwright_program::{Finding, OnLimit, Pass};

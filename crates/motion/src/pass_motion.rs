@@ -2,7 +2,6 @@ use crate::arc_limits::{least_speed_findings, stop_findings};
 use crate::corners::rounded;
 use crate::follower::Follower;
 use crate::law::{Certificate, LawError};
-use crate::legs::{Leg, legs};
 use crate::limits::{never_reached, speed_findings};
 use crate::pace::PassTimed;
 use crate::pass_channels::PassChannels;
@@ -24,8 +23,6 @@ pub struct PassMotion {
     pub law: SpeedLaw,
     /// What the law reaches, and what bounds it where; channels are the machine's axes.
     pub certificate: Certificate,
-    /// The stretches between rests: one, unless the torch stops at corners.
-    pub legs: Vec<Leg>,
     /// Times before and after the travel.
     pub sequence: Sequence,
     /// Largest angle (rad) between the torch attitude asked for and the one reached, and where (mm).
@@ -94,8 +91,7 @@ impl PassMotion {
             }
         };
         let certificate = Certificate::new(&channels, &law);
-        let stops: Vec<f64> = channels.corners().iter().map(|corner| corner.0).collect();
-        let legs = legs(&law, &stops, joints.length());
+        let legs = law.legs();
         let planned = Planned { machine, joints: &joints, law: &law, certificate: &certificate, legs: &legs };
         findings.extend(speed_findings(planned, pass, number));
         findings.extend(stop_findings(machine, &left, pass, number));
@@ -111,7 +107,6 @@ impl PassMotion {
             path: joints,
             law,
             certificate,
-            legs,
             sequence: pass.sequence.clone(),
             attitude_error: survey.attitude_error,
             findings,

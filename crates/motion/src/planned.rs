@@ -1,5 +1,4 @@
-use crate::law::Certificate;
-use crate::legs::Leg;
+use crate::law::{Certificate, Leg};
 use crate::{JointPath, LawPoint, SpeedLaw};
 use seamwright_machine::Machine;
 

@@ -86,7 +86,7 @@ pub fn linearise(
     // The last place whose linear words were written.
     let mut written = here;
     let mut cut = Linearisation { start: here, blocks: Vec::new(), chord_error_mm: 0.0 };
-    let stops: Vec<f64> = motion.legs.iter().skip(1).map(|leg| leg.from).collect();
+    let stops: Vec<f64> = motion.law.legs().iter().skip(1).map(|leg| leg.from).collect();
     let mut ends: Vec<f64> = breaks.iter().chain(&stops).copied().filter(|s| *s > 0.0 && *s < path.length()).collect();
     ends.sort_by(f64::total_cmp);
     ends.push(path.length());

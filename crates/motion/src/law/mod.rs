@@ -53,5 +53,5 @@ mod stream;
 pub use certificate::{Bound, Certificate, Interval, Use};
 pub use channels::{Channels, Limits};
 pub use error::LawError;
-pub use speed_law::{LawPoint, SpeedLaw, SpeedReport};
+pub use speed_law::{LawPoint, Leg, SpeedLaw, SpeedReport};
 pub use stream::{Feed, LawStream};

@@ -7,6 +7,7 @@ use super::jerk_limited::plan;
 use super::reach;
 use super::rest::RestToRest;
 use super::spread::spread;
+use std::ops::Range;
 
 /// Cells of a law without limits of jerk.
 const CELLS_WITHOUT_JERK: usize = 1000;
@@ -181,33 +182,73 @@ impl SpeedLaw {
     fn passing(&self, s: f64) -> (usize, f64, f64) {
         let piece = self.pieces.partition_point(|p| p.start() <= s).saturating_sub(1);
         let tau = self.pieces[piece].tau(s);
-        let first = self.owner.partition_point(|owner| (*owner as usize) < piece);
-        let end = self.owner.partition_point(|owner| (*owner as usize) <= piece);
-        let i = first + self.cells[first..end].partition_point(|c| c.tau <= tau).saturating_sub(1);
+        let cells = self.cells_of(piece);
+        let i = cells.start + self.cells[cells].partition_point(|c| c.tau <= tau).saturating_sub(1);
         (i, self.cells[i].speed(tau), tau)
     }
 
-    /// The band of the planned speed between run-up and run-down.
+    /// The cells of a piece between two stops.
+    fn cells_of(&self, piece: usize) -> Range<usize> {
+        let first = self.owner.partition_point(|owner| (*owner as usize) < piece);
+        first..self.owner.partition_point(|owner| (*owner as usize) <= piece)
+    }
+
+    /// Those of `cells` between the run-up with which they begin and the run-down with which they end.
+    fn between(&self, cells: Range<usize>) -> Range<usize> {
+        let change = |i: usize| self.in_cell(i, 1.0).v - self.in_cell(i, 0.0).v;
+        let up = cells.clone().take_while(|i| !self.cells[*i].cruises && change(*i) > 0.0).count();
+        let down = cells.clone().rev().take_while(|i| !self.cells[*i].cruises && change(*i) < 0.0).count();
+        cells.start + up..(cells.end - down).max(cells.start + up)
+    }
+
+    /// The stretches from rest to rest: all of the path, or from one stop to the next.
+    pub fn legs(&self) -> Vec<Leg> {
+        let leg = |(piece, map): (usize, &RestToRest)| {
+            let cells = self.cells_of(piece);
+            let border = |cell: usize| if cell < cells.end { self.in_cell(cell, 0.0).s } else { map.end() };
+            let between = self.between(cells.clone());
+            Leg {
+                from: map.start(),
+                to: map.end(),
+                run_up_end: border(between.start),
+                run_down_start: border(between.end),
+            }
+        };
+        self.pieces.iter().enumerate().map(leg).collect()
+    }
+
+    /// The band of the planned speed between the first run-up and the last run-down.
     pub fn report(&self) -> SpeedReport {
         let last = self.cells.len() - 1;
-        let rises = |i: &usize| !self.cells[*i].cruises && self.in_cell(*i, 1.0).v > self.in_cell(*i, 0.0).v;
-        let falls = |i: &usize| !self.cells[*i].cruises && self.in_cell(*i, 1.0).v < self.in_cell(*i, 0.0).v;
-        let first = (0..=last).take_while(rises).count();
-        let end = last + 1 - (0..=last).rev().take_while(falls).count();
+        let cells = self.between(0..last + 1);
+        let at = |i: usize| if i > last { self.end } else { self.in_cell(i, 0.0).s };
+        let (run_up_end, run_down_start) = (at(cells.start), at(cells.end));
         let speeds = |i: usize| [0.0, 0.5, 1.0].map(|part| self.in_cell(i, part).v);
         // A law without anything between has its highest speed where it turns.
-        let between: Vec<f64> = match first < end {
-            true => (first..end).flat_map(speeds).collect(),
-            false => vec![self.in_cell(first.min(last), 0.0).v],
+        let between: Vec<f64> = match cells.is_empty() {
+            true => vec![self.in_cell(cells.start.min(last), 0.0).v],
+            false => cells.flat_map(speeds).collect(),
         };
-        let at = |i: usize| if i > last { self.end } else { self.in_cell(i, 0.0).s };
         SpeedReport {
-            run_up_end: at(first),
-            run_down_start: at(end.max(first)),
+            run_up_end,
+            run_down_start,
             least: between.iter().copied().fold(f64::INFINITY, f64::min),
             greatest: between.iter().copied().fold(0.0, f64::max),
         }
     }
+}
+
+/// A stretch of a law from rest to rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Leg {
+    /// Path length at which it begins, mm.
+    pub from: f64,
+    /// Path length at which it ends, mm.
+    pub to: f64,
+    /// Path length where its run-up ends, mm.
+    pub run_up_end: f64,
+    /// Path length where its run-down begins, mm; where the run-up ends if the two meet.
+    pub run_down_start: f64,
 }
 
 /// The planned speed away from run-up and run-down.

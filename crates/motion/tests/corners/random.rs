@@ -78,10 +78,10 @@ fn random_corners_are_smooth_near_to_the_seam_and_within_all_limits() {
         let motion = plan(machine, &route, speed, blend(mm)).unwrap_or_else(|f| panic!("{what}: {f:#?}"));
         let stopping = plan(machine, &route, speed, AtCorner::Stop).unwrap_or_else(|f| panic!("{what}: {f:#?}"));
         let case = Case { machine: machine.clone(), route, speed, mm, motion, stopping };
-        assert_eq!(case.motion.path.blends().len() + 1, case.stopping.legs.len(), "{what}");
+        assert_eq!(case.motion.path.blends().len() + 1, case.stopping.law.legs().len(), "{what}");
         faster += usize::from(case.motion.law.duration() < case.stopping.law.duration());
-        cornered += usize::from(case.stopping.legs.len() > 1);
-        assert!(case.motion.legs.len() == 1 && of_kind(&case.motion.findings, "stop").is_empty(), "{what}");
+        cornered += usize::from(case.stopping.law.legs().len() > 1);
+        assert!(case.motion.law.legs().len() == 1 && of_kind(&case.motion.findings, "stop").is_empty(), "{what}");
         smooth(&case, &what);
         (blends, wide) = (blends + case.motion.path.blends().len(), wide + near(&case, &what));
         untouched(&case, &what);
@@ -135,7 +135,7 @@ fn smooth(case: &Case, what: &str) {
 fn near(case: &Case, what: &str) -> usize {
     let Case { machine, route, mm, motion, .. } = case;
     let mut wide = 0;
-    for (&(from, to), corner) in motion.path.blends().iter().zip(&case.stopping.legs[1..]) {
+    for (&(from, to), corner) in motion.path.blends().iter().zip(&case.stopping.law.legs()[1..]) {
         let exact: Vec<DVec3> = (0..=1200)
             .map(|k| from - (to - from) + 3.0 * (to - from) * f64::from(k) / 1200.0)
             .map(|s| route.pose(s.clamp(0.0, route.length())).point)
@@ -156,7 +156,7 @@ fn near(case: &Case, what: &str) -> usize {
         assert!(turned < 10.1, "{what}: {turned}");
         // As wide as can be: up to the tolerance, or up to half the way to what is beside.
         let places: Vec<f64> = std::iter::once(0.0)
-            .chain(case.stopping.legs[1..].iter().map(|l| l.from))
+            .chain(case.stopping.law.legs()[1..].iter().map(|l| l.from))
             .chain(std::iter::once(route.length()))
             .collect();
         let i = places.iter().position(|s| (s - corner.from).abs() < 1e-9).unwrap();

@@ -224,7 +224,7 @@ fn speed(
             Band { label: "run-down".to_owned(), from: leg.run_down_start, to: leg.to },
         ]
     };
-    let mut bands: Vec<Band> = motion.legs.iter().flat_map(ends).collect();
+    let mut bands: Vec<Band> = motion.law.legs().iter().flat_map(ends).collect();
     bands.extend(slowed(certificate));
     // Bands too narrow to see would only put their names over the curve.
     let wide = 0.01 * motion.path.length();
@@ -240,7 +240,8 @@ fn speed(
 
 /// The speed's deviation in percent, between run-up and run-down.
 fn deviation(machine: &Machine, motion: &PassMotion, curves: &SimulationCurves) -> Chart {
-    let steady = |s: f64| motion.legs.iter().any(|leg| s > leg.run_up_end && s < leg.run_down_start);
+    let legs = motion.law.legs();
+    let steady = |s: f64| legs.iter().any(|leg| s > leg.run_up_end && s < leg.run_down_start);
     let planned = |s: f64| motion.law.speed(s) * motion.path.tip_rate(machine, s);
     let percent = |(s, v): (f64, f64)| (s, 100.0 * (v / planned(s) - 1.0));
     Chart {

@@ -113,7 +113,7 @@ impl PlanFigures {
             total_s: motion.total_s(),
             attitude_error_deg: motion.attitude_error.0.to_degrees(),
             attitude_error_at_mm: motion.attitude_error.1,
-            arc_energy_kj_mm: arc_energy(pass, samples, &motion.legs),
+            arc_energy_kj_mm: arc_energy(pass, samples, &motion.law.legs()),
             start: program.start,
             sequence: pass.sequence.clone(),
             tolerance: pass.tolerance,
