@@ -10,6 +10,7 @@ mod at_corner;
 mod document;
 mod finding;
 mod head;
+mod joint;
 mod offsets;
 mod part;
 mod pass;
@@ -27,6 +28,9 @@ pub use at_corner::AtCorner;
 pub use document::Program;
 pub use finding::Finding;
 pub use head::{ConicalHead, EllipsoidalHead, FlatHead, HeadStandard, HemisphericalHead, TorisphericalHead};
+pub use joint::{
+    Bevel, Fillet, FitUp, FlareBevel, FlareV, J, Joint, Member, Preparation, SingleV, Square, TBevel, TJ, U,
+};
 pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};
 pub use part::{Clearance, Part};
 pub use pass::{OnLimit, Pass, Span};

@@ -10,6 +10,7 @@ mod attitude;
 mod girth;
 mod head;
 mod job;
+mod joint;
 mod nozzle;
 mod part;
 mod pass_path;
@@ -22,6 +23,7 @@ mod welding;
 
 pub use attitude::Attitude;
 pub use job::{Job, Weld};
+pub use joint::{SeamJoint, Section};
 pub use pass_path::PassPath;
 pub use seam::{SeamCurve, SeamPoint};
 pub use surfaces::SeamSurfaces;

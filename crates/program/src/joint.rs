@@ -1,0 +1,424 @@
+//! Joints: how the edges are prepared and how they were fitted up.
+
+use schemars::JsonSchema;
+use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
+use serde::{Deserialize, Serialize};
+
+/// The joint along the seam.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Joint {
+    /// How the edges are prepared.
+    pub preparation: Preparation,
+    /// Height of the cap's middle over the line from toe to toe (excess weld metal, convexity), mm.
+    #[serde(default)]
+    pub cap_mm: NonNegative,
+    /// Gap and mismatch as measured, linear in between; without it those of the drawing.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub fit_up: Vec<FitUp>,
+}
+
+/// Joint preparation after ISO 9692-1, from the side that is welded.
+///
+/// In a butt joint both parts' surfaces lie (nearly) in one plane. In a fillet and the `t_` kinds one part's edge stands
+/// on the face of the other, at the seam's local dihedral angle; the prepared part is the one whose edge it is.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Preparation {
+    /// Square butt.
+    Square(Square),
+    /// Single V butt; with a broad root face a Y.
+    SingleV(SingleV),
+    /// Single bevel butt.
+    Bevel(Bevel),
+    /// Single U butt.
+    U(U),
+    /// Single J butt.
+    J(J),
+    /// Fillet.
+    Fillet(Fillet),
+    /// A round part beside a flat one: flare bevel.
+    FlareBevel(FlareBevel),
+    /// Two round parts side by side: flare V.
+    FlareV(FlareV),
+    /// Single bevel T: a bevelled edge on a face, as of a nozzle set on its shell or let into it.
+    TBevel(TBevel),
+    /// Single J on a face.
+    TJ(TJ),
+}
+
+/// One of the two parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Member {
+    /// The first part: nozzle, tube, wall.
+    #[default]
+    First,
+    /// The second part: body, plate.
+    Second,
+}
+
+/// Square butt preparation.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Square {
+    /// Thickness, mm.
+    pub thickness_mm: Positive,
+    /// Root gap, mm.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+}
+
+/// Single V preparation.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SingleV {
+    /// Thickness, mm.
+    pub thickness_mm: Positive,
+    /// Groove angle between the faces, degrees.
+    pub angle_deg: Positive,
+    /// Root gap, mm.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// Root face, mm.
+    #[serde(default)]
+    pub root_face_mm: NonNegative,
+}
+
+/// Single bevel preparation.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Bevel {
+    /// Thickness, mm.
+    pub thickness_mm: Positive,
+    /// Bevel angle from the square edge, degrees.
+    pub angle_deg: Positive,
+    /// Root gap, mm.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// Root face, mm.
+    #[serde(default)]
+    pub root_face_mm: NonNegative,
+    /// The part that is bevelled.
+    #[serde(default)]
+    pub prepared: Member,
+}
+
+/// Single U preparation.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct U {
+    /// Thickness, mm.
+    pub thickness_mm: Positive,
+    /// Bevel angle of each face, degrees.
+    pub angle_deg: NonNegative,
+    /// Radius at the bottom, mm.
+    pub radius_mm: Positive,
+    /// Land: level part between root face and radius on each side, mm.
+    #[serde(default)]
+    pub land_mm: NonNegative,
+    /// Root gap, mm.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// Root face, mm.
+    #[serde(default)]
+    pub root_face_mm: NonNegative,
+}
+
+/// Single J preparation.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct J {
+    /// Thickness, mm.
+    pub thickness_mm: Positive,
+    /// Bevel angle from the square edge, degrees.
+    pub angle_deg: NonNegative,
+    /// Radius at the bottom, mm.
+    pub radius_mm: Positive,
+    /// Land: level part between root face and radius, mm.
+    #[serde(default)]
+    pub land_mm: NonNegative,
+    /// Root gap, mm.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// Root face, mm.
+    #[serde(default)]
+    pub root_face_mm: NonNegative,
+    /// The part that is prepared.
+    #[serde(default)]
+    pub prepared: Member,
+}
+
+/// Fillet: give `leg_mm`, or both legs apart, or `throat_mm`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Fillet {
+    /// Leg length on both parts, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub leg_mm: Option<Positive>,
+    /// Leg length on the first part, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub first_leg_mm: Option<Positive>,
+    /// Leg length on the second part, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub second_leg_mm: Option<Positive>,
+    /// Throat, mm: equal legs that change with the dihedral angle so that the throat stays.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub throat_mm: Option<Positive>,
+    /// Root gap between the parts, mm; the leg on the part that stands is longer by it.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// The part that stands on the other.
+    #[serde(default)]
+    pub prepared: Member,
+}
+
+/// Flare bevel: a round part that touches a flat one, filled to the line square to the flat one that touches the round
+/// one. The seam is the line where those two meet.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FlareBevel {
+    /// Radius of the round part, mm.
+    pub radius_mm: Positive,
+    /// Depth next to the line of contact that is not filled, mm.
+    #[serde(default)]
+    pub unfilled_mm: NonNegative,
+    /// The round part.
+    #[serde(default)]
+    pub round: Member,
+}
+
+/// Flare V: two round parts that touch, filled to the line that touches both. The seam lies on that line, above the
+/// contact.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FlareV {
+    /// Radius of both parts, mm.
+    pub radius_mm: Positive,
+    /// Depth next to the line of contact that is not filled, mm.
+    #[serde(default)]
+    pub unfilled_mm: NonNegative,
+}
+
+/// Single bevel T: give the angle of the groove, or that of the cut.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TBevel {
+    /// Thickness of the part whose edge is prepared, mm.
+    pub thickness_mm: Positive,
+    /// Groove angle between its bevel and the other part's face, degrees: the same all along the seam.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub angle_deg: Option<Positive>,
+    /// Angle of the cut from the square edge, degrees: the same all along, so that the groove angle follows the
+    /// dihedral angle, groove = cut + (dihedral - 90).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cut_deg: Option<Finite>,
+    /// Root gap, mm.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// Root face, mm.
+    #[serde(default)]
+    pub root_face_mm: NonNegative,
+    /// Leg of the cover fillet on the other part's face, mm.
+    #[serde(default)]
+    pub leg_mm: NonNegative,
+    /// The part whose edge is prepared: `first` for a nozzle set on, `second` for one let into its shell.
+    #[serde(default)]
+    pub prepared: Member,
+}
+
+/// Single J on a face.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TJ {
+    /// Thickness of the part whose edge is prepared, mm.
+    pub thickness_mm: Positive,
+    /// Angle between the J's straight part and the other part's face, degrees.
+    pub angle_deg: NonNegative,
+    /// Radius at the bottom, mm.
+    pub radius_mm: Positive,
+    /// Land: level part between root face and radius, mm.
+    #[serde(default)]
+    pub land_mm: NonNegative,
+    /// Root gap, mm.
+    #[serde(default)]
+    pub root_gap_mm: NonNegative,
+    /// Root face, mm.
+    #[serde(default)]
+    pub root_face_mm: NonNegative,
+    /// Leg of the cover fillet on the other part's face, mm.
+    #[serde(default)]
+    pub leg_mm: NonNegative,
+    /// The part whose edge is prepared.
+    #[serde(default)]
+    pub prepared: Member,
+}
+
+/// How the parts lie at one place, as measured.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FitUp {
+    /// Path length from the start of the weld, mm.
+    pub s_mm: NonNegative,
+    /// Root gap there, mm.
+    pub root_gap_mm: NonNegative,
+    /// How far the second part's surface stands out beyond the first's, mm; negative: it lies back.
+    #[serde(default)]
+    pub mismatch_mm: Finite,
+}
+
+impl Preparation {
+    /// Its key.
+    pub fn key(&self) -> &'static str {
+        match self {
+            Self::Square(_) => "square",
+            Self::SingleV(_) => "single_v",
+            Self::Bevel(_) => "bevel",
+            Self::U(_) => "u",
+            Self::J(_) => "j",
+            Self::Fillet(_) => "fillet",
+            Self::FlareBevel(_) => "flare_bevel",
+            Self::FlareV(_) => "flare_v",
+            Self::TBevel(_) => "t_bevel",
+            Self::TJ(_) => "t_j",
+        }
+    }
+
+    /// In words.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Square(_) => "square butt",
+            Self::SingleV(_) => "single V",
+            Self::Bevel(_) => "single bevel",
+            Self::U(_) => "single U",
+            Self::J(_) => "single J",
+            Self::Fillet(_) => "fillet",
+            Self::FlareBevel(_) => "flare bevel",
+            Self::FlareV(_) => "flare V",
+            Self::TBevel(_) => "T with single bevel",
+            Self::TJ(_) => "T with single J",
+        }
+    }
+
+    /// True if both parts' surfaces lie in one plane, nearly.
+    pub fn is_butt(&self) -> bool {
+        matches!(self, Self::Square(_) | Self::SingleV(_) | Self::Bevel(_) | Self::U(_) | Self::J(_) | Self::FlareV(_))
+    }
+
+    /// Root gap of the drawing, mm.
+    pub fn root_gap_mm(&self) -> f64 {
+        match self {
+            Self::Square(p) => p.root_gap_mm.get(),
+            Self::SingleV(p) => p.root_gap_mm.get(),
+            Self::Bevel(p) => p.root_gap_mm.get(),
+            Self::U(p) => p.root_gap_mm.get(),
+            Self::J(p) => p.root_gap_mm.get(),
+            Self::Fillet(p) => p.root_gap_mm.get(),
+            Self::FlareBevel(_) | Self::FlareV(_) => 0.0,
+            Self::TBevel(p) => p.root_gap_mm.get(),
+            Self::TJ(p) => p.root_gap_mm.get(),
+        }
+    }
+}
+
+impl Joint {
+    /// Checks that the sizes at `path` of a file do not contradict each other.
+    ///
+    /// # Errors
+    /// With the key's address: a root face as high as the part, angles that are none, a radius that does not fit, a
+    /// fillet with none or several sizes, places that do not increase.
+    pub fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
+        let at = |key: &str| format!("{path}.preparation.{}.{key}", self.preparation.key());
+        let wrong = |key: &str, message: &str, allowed: String| Err(file.error_at(&at(key), message, allowed));
+        let face = |face: NonNegative, thickness: Positive| match face.get() < thickness.get() {
+            true => Ok(()),
+            false => wrong(
+                "root_face_mm",
+                "the root face leaves nothing of the thickness to be bevelled",
+                format!("less than thickness_mm = {}", thickness.get()),
+            ),
+        };
+        let angle = |degrees: f64, most: f64| match degrees < most {
+            true => Ok(()),
+            false => wrong("angle_deg", "no groove has this angle", format!("less than {most}")),
+        };
+        let curved = |angle: NonNegative, radius: Positive, depth: f64| {
+            let high = radius.get() * (1.0 - angle.get().to_radians().sin());
+            match high < depth {
+                true => Ok(()),
+                false => wrong(
+                    "radius_mm",
+                    "the radius is too large for the depth over the root face",
+                    format!("less than {:.3}", depth * radius.get() / high),
+                ),
+            }
+        };
+        let unfilled = |unfilled: NonNegative, radius: Positive| match unfilled.get() < radius.get() {
+            true => Ok(()),
+            false => wrong("unfilled_mm", "nothing would be filled", format!("less than radius_mm = {}", radius.get())),
+        };
+        match &self.preparation {
+            Preparation::Square(_) => {}
+            Preparation::SingleV(p) => {
+                face(p.root_face_mm, p.thickness_mm)?;
+                angle(p.angle_deg.get(), 170.0)?;
+            }
+            Preparation::Bevel(p) => {
+                face(p.root_face_mm, p.thickness_mm)?;
+                angle(p.angle_deg.get(), 85.0)?;
+            }
+            Preparation::U(p) => {
+                face(p.root_face_mm, p.thickness_mm)?;
+                angle(p.angle_deg.get(), 60.0)?;
+                curved(p.angle_deg, p.radius_mm, p.thickness_mm.get() - p.root_face_mm.get())?;
+            }
+            Preparation::J(p) => {
+                face(p.root_face_mm, p.thickness_mm)?;
+                angle(p.angle_deg.get(), 60.0)?;
+                curved(p.angle_deg, p.radius_mm, p.thickness_mm.get() - p.root_face_mm.get())?;
+            }
+            Preparation::Fillet(p) => {
+                let both = usize::from(p.first_leg_mm.is_some() && p.second_leg_mm.is_some());
+                let one = p.first_leg_mm.is_some() != p.second_leg_mm.is_some();
+                let given = usize::from(p.leg_mm.is_some()) + usize::from(p.throat_mm.is_some()) + both;
+                if given != 1 || one {
+                    let allowed = "one of leg_mm, throat_mm, or both first_leg_mm and second_leg_mm";
+                    let path = format!("{path}.preparation.fillet");
+                    return Err(file.error_at(&path, "the size of the fillet is not clear", allowed));
+                }
+            }
+            Preparation::FlareBevel(p) => unfilled(p.unfilled_mm, p.radius_mm)?,
+            Preparation::FlareV(p) => unfilled(p.unfilled_mm, p.radius_mm)?,
+            Preparation::TBevel(p) => {
+                face(p.root_face_mm, p.thickness_mm)?;
+                if p.angle_deg.is_some() == p.cut_deg.is_some() {
+                    let allowed = "either angle_deg (of the groove) or cut_deg (of the edge)";
+                    let path = format!("{path}.preparation.t_bevel");
+                    return Err(file.error_at(&path, "the bevel's angle is not clear", allowed));
+                }
+            }
+            Preparation::TJ(p) => {
+                face(p.root_face_mm, p.thickness_mm)?;
+                angle(p.angle_deg.get(), 60.0)?;
+                curved(p.angle_deg, p.radius_mm, p.thickness_mm.get() - p.root_face_mm.get())?;
+            }
+        }
+        self.check_fit_up(file, path)
+    }
+
+    fn check_fit_up<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
+        for (i, pair) in self.fit_up.windows(2).enumerate() {
+            if pair[1].s_mm <= pair[0].s_mm {
+                let key = format!("{path}.fit_up[{}].s_mm", i + 1);
+                let allowed = format!("more than {}", pair[0].s_mm.get());
+                return Err(file.error_at(&key, "the places must increase", allowed));
+            }
+        }
+        let flare = matches!(self.preparation, Preparation::FlareBevel(_) | Preparation::FlareV(_));
+        if flare && self.fit_up.iter().any(|f| f.root_gap_mm.get() > 0.0) {
+            let message = "round parts that touch have no root gap";
+            return Err(file.error_at(&format!("{path}.fit_up"), message, "root_gap_mm = 0"));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,98 @@
+//! The joint along the seam: its cross-section at any place, from both faces, the local dihedral angle and how the
+//! parts were fitted up.
+
+mod profile;
+mod section;
+#[cfg(test)]
+mod tests;
+
+pub use section::Section;
+
+use crate::{SeamCurve, SeamPoint};
+use seamwright_document::{Document, DocumentError};
+use seamwright_program::Joint;
+pub(crate) use section::NoGroove;
+use section::Place;
+
+/// The joint of a seam.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SeamJoint {
+    joint: Joint,
+    /// The seam's length if it is welded all round: then gap and mismatch come round too.
+    period: Option<f64>,
+}
+
+impl SeamJoint {
+    /// The joint at `joint` of a job or program file along its seam.
+    ///
+    /// # Errors
+    /// With the key's address: sizes that contradict each other, places that are not on the weld, a groove that
+    /// nowhere along the seam can be: where, and why.
+    pub fn new<T>(file: &Document<T>, joint: &Joint, seam: &SeamCurve) -> Result<Self, DocumentError> {
+        joint.check(file, "joint")?;
+        let end = if seam.all_round() { seam.length() } else { seam.weld_length() };
+        for (i, at) in joint.fit_up.iter().enumerate() {
+            if at.s_mm.get() > end {
+                let path = format!("joint.fit_up[{i}].s_mm");
+                return Err(file.error_at(&path, "this place is not on the weld", format!("from 0 to {end:.3}")));
+            }
+        }
+        let built = Self { joint: joint.clone(), period: seam.all_round().then(|| seam.length()) };
+        let places = 720;
+        for i in 0..=places {
+            let p = seam.at(end * f64::from(i) / f64::from(places));
+            built.try_section(&p).map_err(|why| built.refused(file, &why, &p))?;
+        }
+        Ok(built)
+    }
+
+    fn refused<T>(&self, file: &Document<T>, why: &NoGroove, p: &SeamPoint) -> DocumentError {
+        let (key, allowed) = why.cure();
+        let mut path = format!("joint.preparation.{}", self.joint.preparation.key());
+        if !key.is_empty() {
+            path = format!("{path}.{key}");
+        }
+        file.error_at(&path, format!("at s = {:.1} mm: {why}", p.s), allowed)
+    }
+
+    /// The joint as it is in the file.
+    pub fn joint(&self) -> &Joint {
+        &self.joint
+    }
+
+    /// Root gap and mismatch at path length `s`, mm.
+    pub fn fit_up(&self, s: f64) -> (f64, f64) {
+        let at = &self.joint.fit_up;
+        let value = |i: usize| (at[i].root_gap_mm.get(), at[i].mismatch_mm.get());
+        let (Some(first), Some(last)) = (at.first(), at.last()) else {
+            return (self.joint.preparation.root_gap_mm(), 0.0);
+        };
+        let mut s = s;
+        if let Some(period) = self.period {
+            s = first.s_mm.get() + (s - first.s_mm.get()).rem_euclid(period);
+        }
+        let i = at.partition_point(|f| f.s_mm.get() <= s);
+        let between = |a: (f64, f64), b: (f64, f64), from: f64, to: f64| {
+            let part = (s - from) / (to - from);
+            (a.0 + part * (b.0 - a.0), a.1 + part * (b.1 - a.1))
+        };
+        match (i.checked_sub(1), self.period) {
+            (None, _) => value(0),
+            (Some(k), _) if i < at.len() => between(value(k), value(i), at[k].s_mm.get(), at[i].s_mm.get()),
+            (Some(k), Some(period)) => between(value(k), value(0), last.s_mm.get(), first.s_mm.get() + period),
+            (Some(k), None) => value(k),
+        }
+    }
+
+    /// The section at a place of the seam, and why there is none.
+    pub(crate) fn try_section(&self, p: &SeamPoint) -> Result<Section, NoGroove> {
+        let (gap, mismatch) = self.fit_up(p.s);
+        let place = Place { dihedral: p.dihedral, gap, mismatch };
+        Section::new(&self.joint.preparation, self.joint.cap_mm.get(), place)
+    }
+
+    /// The section at a place of the seam; none where there is no groove.
+    pub fn section(&self, p: &SeamPoint) -> Option<Section> {
+        self.try_section(p).ok()
+    }
+}

@@ -1,0 +1,105 @@
+use glam::DVec2;
+use seamwright_program::{J, TJ, U};
+use std::f64::consts::FRAC_PI_2;
+
+/// Chords of an arc: its area is short by less than 0.1 % of the radius' square.
+const CHORDS: u32 = 24;
+
+/// How far the straight part of an edge is followed, as a multiple of the depth: it is cut off at the part's surface.
+const FAR: f64 = 1e3;
+
+/// Shape of one part's edge, from the root out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Profile {
+    /// Straight all the way.
+    Square,
+    /// Root face, then straight at this angle from the depth direction, rad.
+    Bevel { root_face: f64, angle: f64 },
+    /// Root face, land, an arc, then straight at this angle.
+    Curved { root_face: f64, angle: f64, radius: f64, land: f64 },
+    /// A round part that touches at depth `radius`; next to the contact `unfilled` is left.
+    Round { radius: f64, unfilled: f64 },
+}
+
+impl Profile {
+    /// Angle of its straight part from the depth direction, rad; none on a round part.
+    pub(crate) fn angle(self) -> Option<f64> {
+        match self {
+            Self::Square => Some(0.0),
+            Self::Bevel { angle, .. } | Self::Curved { angle, .. } => Some(angle),
+            Self::Round { .. } => None,
+        }
+    }
+
+    /// Corners of the edge in (lateral, depth), mm, from the root at lateral `gap` and depth `thickness` on, until far
+    /// outside of the part; a round edge ends where it touches the surface.
+    pub(crate) fn corners(self, gap: f64, thickness: f64) -> Vec<DVec2> {
+        let root = DVec2::new(gap, thickness);
+        let out = |from: DVec2, angle: f64| from + FAR * thickness * DVec2::new(angle.sin(), -angle.cos());
+        match self {
+            Self::Square => vec![root, out(root, 0.0)],
+            Self::Bevel { root_face, angle } => {
+                let edge = DVec2::new(gap, thickness - root_face);
+                let mut corners = vec![root, edge, out(edge, angle)];
+                corners.dedup();
+                corners
+            }
+            Self::Curved { root_face, angle, radius, land } => {
+                let edge = DVec2::new(gap, thickness - root_face);
+                let centre = edge + DVec2::new(land, -radius);
+                let sweep = FRAC_PI_2 - angle;
+                let on_arc = |k: u32| {
+                    let turn = sweep * f64::from(k) / f64::from(CHORDS);
+                    centre + radius * DVec2::new(turn.sin(), turn.cos())
+                };
+                let mut corners = vec![root, edge];
+                corners.extend((0..=CHORDS).map(on_arc));
+                corners.push(out(on_arc(CHORDS), angle));
+                corners.dedup();
+                corners
+            }
+            Self::Round { radius, unfilled } => {
+                // By the angle about the round part's axis, from that of the contact up to the surface.
+                let first = (unfilled / radius).asin();
+                let on_arc = |k: u32| {
+                    let turn = first + (FRAC_PI_2 - first) * f64::from(k) / f64::from(CHORDS);
+                    DVec2::new(gap, 0.0) + radius * DVec2::new(1.0 - turn.cos(), 1.0 - turn.sin())
+                };
+                (0..=CHORDS).map(on_arc).collect()
+            }
+        }
+    }
+}
+
+impl From<&U> for Profile {
+    fn from(p: &U) -> Self {
+        Self::Curved {
+            root_face: p.root_face_mm.get(),
+            angle: p.angle_deg.get().to_radians(),
+            radius: p.radius_mm.get(),
+            land: p.land_mm.get(),
+        }
+    }
+}
+
+impl From<&J> for Profile {
+    fn from(p: &J) -> Self {
+        Self::Curved {
+            root_face: p.root_face_mm.get(),
+            angle: p.angle_deg.get().to_radians(),
+            radius: p.radius_mm.get(),
+            land: p.land_mm.get(),
+        }
+    }
+}
+
+impl From<&TJ> for Profile {
+    fn from(p: &TJ) -> Self {
+        Self::Curved {
+            root_face: p.root_face_mm.get(),
+            angle: p.angle_deg.get().to_radians(),
+            radius: p.radius_mm.get(),
+            land: p.land_mm.get(),
+        }
+    }
+}
