@@ -16,6 +16,7 @@ mod part;
 mod pass;
 mod plane_seam;
 mod process;
+mod role;
 mod seam;
 mod sequence;
 mod space_seam;
@@ -36,6 +37,7 @@ pub use part::{Clearance, Part};
 pub use pass::{OnLimit, Pass, Span};
 pub use plane_seam::{Arc, Circle, Polyline, RoundedRectangle, WallFaces};
 pub use process::{ProcessValue, ProcessValues, Ramp, check_process};
+pub use role::Role;
 pub use seam::{
     Body, Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Nozzle, Seam, SeamStart, Side, TJoint,
 };

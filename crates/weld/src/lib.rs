@@ -7,6 +7,7 @@
 
 mod angles;
 mod attitude;
+mod beads;
 mod girth;
 mod head;
 mod job;
@@ -22,6 +23,7 @@ mod t_joint;
 mod welding;
 
 pub use attitude::Attitude;
+pub use beads::{Adapt, BeadAt, BeadPlan, Beads, Layer, Order, Run};
 pub use job::{Job, Weld};
 pub use joint::{SeamJoint, Section};
 pub use pass_path::PassPath;

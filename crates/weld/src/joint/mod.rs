@@ -1,6 +1,7 @@
 //! The joint along the seam: its cross-section at any place, from both faces, the local dihedral angle and how the
 //! parts were fitted up.
 
+mod outline;
 mod profile;
 mod section;
 #[cfg(test)]

@@ -1,0 +1,200 @@
+use crate::number::px;
+use crate::svg::{Anchor, Rect, Svg, WIDTH, both_forms};
+
+/// Room above each section for its title and notes, px.
+const HEAD: f64 = 54.0;
+/// Room between sections, px.
+const GAP: f64 = 14.0;
+/// Room around what is drawn, px.
+const ROOM: f64 = 10.0;
+/// Height of a section's drawing as a part of its width.
+const TALL: f64 = 0.72;
+
+/// Cross-sections side by side, at one scale, as macro-sections in a welding handbook.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Gallery {
+    /// Heading; may be empty.
+    pub title: String,
+    /// The sections.
+    pub sections: Vec<SectionDrawing>,
+}
+
+/// One cross-section, mm, y up.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct SectionDrawing {
+    /// What it is: where on the seam.
+    pub title: String,
+    /// A line below the title.
+    pub note: String,
+    /// Outlines of the parts.
+    pub parts: Vec<Vec<[f64; 2]>>,
+    /// The groove, from toe to toe around.
+    pub groove: Vec<[f64; 2]>,
+    /// Beads in the order of welding: outline, and a colour from 1.
+    pub beads: Vec<(Vec<[f64; 2]>, usize)>,
+    /// Where the wire of each bead points to, and the direction back to the torch.
+    pub torches: Vec<([f64; 2], [f64; 2])>,
+}
+
+both_forms!(Gallery);
+
+impl SectionDrawing {
+    /// Least and greatest place of the groove and the beads, with room for the parts beside them.
+    fn extent(&self) -> ([f64; 2], [f64; 2]) {
+        let points = self.groove.iter().chain(self.beads.iter().flat_map(|b| &b.0));
+        let grow = |(low, high): ([f64; 2], [f64; 2]), p: &[f64; 2]| {
+            ([low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])])
+        };
+        let (low, high) = points.fold(([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]), grow);
+        let more = 0.35 * (high[0] - low[0]).max(high[1] - low[1]);
+        ([low[0] - more, low[1] - more], [high[0] + more, high[1] + more])
+    }
+
+    fn middle(&self) -> [f64; 2] {
+        let (low, high) = self.extent();
+        [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])]
+    }
+}
+
+impl Gallery {
+    fn label(&self) -> String {
+        format!("{}: {} cross-sections", self.title, self.sections.len())
+    }
+
+    fn columns(&self) -> usize {
+        match self.sections.len() {
+            0 | 1 => 1,
+            2 | 4 => 2,
+            _ => 3,
+        }
+    }
+
+    fn draw(&self) -> (Svg, f64) {
+        let mut svg = Svg::default();
+        let columns = self.columns();
+        let w = (WIDTH - GAP * (columns as f64 - 1.0)) / columns as f64;
+        let h = if columns == 1 { 0.5 * w } else { TALL * w };
+        // One scale for all, px a mm.
+        let scale = self.sections.iter().map(SectionDrawing::extent).fold(f64::INFINITY, |scale, (low, high)| {
+            let fits = ((w - 2.0 * ROOM) / (high[0] - low[0])).min((h - 2.0 * ROOM) / (high[1] - low[1]));
+            scale.min(fits)
+        });
+        let top = if self.title.is_empty() { 0.0 } else { 26.0 };
+        svg.text("title", 0.0, 14.0, Anchor::Start, &self.title);
+        let mut bottom = top;
+        for (i, section) in self.sections.iter().enumerate() {
+            let x = (i % columns) as f64 * (w + GAP);
+            let y = top + (i / columns) as f64 * (HEAD + h + GAP);
+            svg.text("head", x, y + 16.0, Anchor::Start, &section.title);
+            svg.text("quiet", x, y + 34.0, Anchor::Start, &section.note);
+            let frame = Rect { x, y: y + HEAD - 10.0, w, h };
+            if scale.is_finite() {
+                section.draw(&mut svg, frame, scale);
+            }
+            bottom = y + HEAD - 10.0 + h;
+        }
+        (svg, bottom + 1.0)
+    }
+}
+
+impl SectionDrawing {
+    fn draw(&self, svg: &mut Svg, frame: Rect, scale: f64) {
+        let middle = self.middle();
+        let place = |p: &[f64; 2]| {
+            let (x, y) = (scale * (p[0] - middle[0]), scale * (p[1] - middle[1]));
+            (frame.x + 0.5 * frame.w + x, frame.y + 0.5 * frame.h - y)
+        };
+        let closed = |points: &[[f64; 2]]| {
+            let corners: Vec<String> = points.iter().map(place).map(|(x, y)| format!("{},{}", px(x), px(y))).collect();
+            if corners.is_empty() { String::new() } else { format!("M{}Z", corners.join(" ")) }
+        };
+        svg.rect("area", frame);
+        svg.open_clip(frame);
+        for part in &self.parts {
+            svg.path("metal", &closed(part));
+        }
+        svg.path("groove", &closed(&self.groove));
+        for (outline, colour) in &self.beads {
+            svg.path(&format!("bead f{colour}"), &closed(outline));
+        }
+        for (outline, _) in &self.beads {
+            svg.path("bead-edge", &closed(outline));
+        }
+        let long = 0.09 * frame.w;
+        for (tip, back) in &self.torches {
+            let (x, y) = place(tip);
+            svg.line("wire", x, y, x + long * back[0], y - long * back[1]);
+            svg.circle("wire-tip", x, y, 2.0);
+        }
+        for (number, (outline, _)) in self.beads.iter().enumerate() {
+            let (x, y) = place(&centroid(outline));
+            svg.text("bead-number", x, y + 4.0, Anchor::Middle, &(number + 1).to_string());
+        }
+        svg.close_clip();
+        svg.rect("edge", frame);
+        self.draw_scale(svg, frame, scale);
+    }
+
+    /// A bar of a round length.
+    fn draw_scale(&self, svg: &mut Svg, frame: Rect, scale: f64) {
+        let wanted = 0.2 * frame.w / scale;
+        let power = 10_f64.powf(wanted.log10().floor());
+        let mm = [5.0, 2.0, 1.0].into_iter().map(|k| k * power).find(|mm| *mm <= wanted).unwrap_or(power);
+        let (x, y) = (frame.x + 8.0, frame.bottom() - 8.0);
+        svg.line("line thin c6", x, y, x + mm * scale, y);
+        svg.text("tick halo", x + mm * scale + 5.0, y + 3.5, Anchor::Start, &format!("{mm} mm"));
+    }
+}
+
+/// Centroid of a polygon's area; of its corners if it has none.
+fn centroid(points: &[[f64; 2]]) -> [f64; 2] {
+    let (mut area, mut sum, mut plain) = (0.0, [0.0; 2], [0.0; 2]);
+    let from = points.first().copied().unwrap_or_default();
+    for (i, p) in points.iter().enumerate() {
+        let q = points[(i + 1) % points.len()];
+        let (a, b) = ([p[0] - from[0], p[1] - from[1]], [q[0] - from[0], q[1] - from[1]]);
+        let cross = a[0] * b[1] - a[1] * b[0];
+        area += cross;
+        (0..2).for_each(|k| sum[k] += cross * (a[k] + b[k]) / 3.0);
+        (0..2).for_each(|k| plain[k] += a[k] / points.len() as f64);
+    }
+    let middle = if area.abs() > 1e-12 { sum.map(|s| s / area) } else { plain };
+    [from[0] + middle[0], from[1] + middle[1]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square(x: f64, y: f64, side: f64) -> Vec<[f64; 2]> {
+        vec![[x, y], [x + side, y], [x + side, y + side], [x, y + side]]
+    }
+
+    #[test]
+    fn centroids_are_those_of_areas() {
+        let c = centroid(&square(3.0, -1.0, 2.0));
+        assert!((c[0] - 4.0).abs() < 1e-12 && c[1].abs() < 1e-12);
+        assert_eq!(centroid(&[[2.0, 5.0]]), [2.0, 5.0]);
+    }
+
+    #[test]
+    fn drawings_are_well_formed() {
+        let section = SectionDrawing {
+            title: "s = 10 < 20 mm".to_owned(),
+            note: "90 degrees".to_owned(),
+            parts: vec![square(0.0, 0.0, 20.0), square(-20.0, 0.0, 20.0)],
+            groove: square(-5.0, -10.0, 10.0),
+            beads: vec![(square(-5.0, -10.0, 5.0), 1), (square(0.0, -5.0, 5.0), 3)],
+            torches: vec![([0.0, -10.0], [0.0, 1.0])],
+        };
+        for n in [0, 1, 2, 7] {
+            let gallery = Gallery { title: "Beads".to_owned(), sections: vec![section.clone(); n] };
+            for svg in [gallery.to_svg(), gallery.to_svg_standalone()] {
+                let document = roxmltree::Document::parse(&svg).unwrap();
+                let numbers = document.descendants().filter(|e| e.attribute("class") == Some("bead-number"));
+                assert_eq!(numbers.count(), 2 * n);
+                assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+            }
+        }
+    }
+}

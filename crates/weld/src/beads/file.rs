@@ -1,0 +1,223 @@
+use schemars::JsonSchema;
+use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
+use seamwright_program::{ProcessValues, check_process};
+use serde::{Deserialize, Serialize};
+use std::f64::consts::FRAC_PI_4;
+
+/// Name of the process value that is the wire's feed.
+pub(crate) const WIRE_FEED: &str = "wire_feed_m_min";
+
+/// How the groove is filled with beads, layer by layer from the root out.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Beads {
+    /// Diameter of the wire, mm. A bead's area follows from it, `wire_feed_m_min`, `deposition` and the speed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wire_mm: Option<Positive>,
+    /// Deposition efficiency: the part of the wire that becomes weld metal (welding.md section 2: 0.92 to 0.99 with gas
+    /// and solid wire, 0.82 to 0.88 with cored wire).
+    #[serde(default = "deposition")]
+    pub deposition: Positive,
+    /// What follows the area of the groove along the seam.
+    #[serde(default)]
+    pub adapt: Adapt,
+    /// How far a bead's area may be from that of its run, percent.
+    #[serde(default = "most")]
+    pub most_percent: Positive,
+    /// Distance between places where the beads are laid out, mm.
+    #[serde(default = "station")]
+    pub station_mm: Positive,
+    /// Order of the beads in a layer.
+    #[serde(default)]
+    pub order: Order,
+    /// Distance of the wire from the walls in layers of several beads, mm; three quarters of the wire if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wall_mm: Option<NonNegative>,
+    /// How much the wire of the beads beside a wall is turned towards it, degrees.
+    #[serde(default = "tilt")]
+    pub wall_tilt_deg: NonNegative,
+    /// How far each pass begins after the one before it, on a seam welded all round, mm.
+    #[serde(default = "stagger")]
+    pub stagger_mm: NonNegative,
+    /// Every other pass runs against the direction of the weld.
+    #[serde(default)]
+    pub alternate: bool,
+    /// The shortest piece of the seam that gets a layer of its own, mm, with `adapt = "passes"`.
+    #[serde(default = "shortest")]
+    pub shortest_mm: Positive,
+    /// The root pass; without it the layers of `fill` begin at the root.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub root: Option<Run>,
+    /// The layers between.
+    pub fill: Run,
+    /// The last layer; as `fill` if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cap: Option<Run>,
+}
+
+/// What follows the area of the groove along the seam, so that the beads always fill it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Adapt {
+    /// The travel speed: slower where there is more to fill.
+    #[default]
+    Speed,
+    /// The wire feed.
+    WireFeed,
+    /// Layers over a part of the seam where there is more to fill; the speed takes up the rest.
+    Passes,
+}
+
+/// Order of the beads in a layer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Order {
+    /// Both walls, then what is between.
+    #[default]
+    WallsFirst,
+    /// From the first part to the second.
+    FromFirst,
+    /// From the second part to the first: where that one is below, each bead rests on the one before it.
+    FromSecond,
+}
+
+/// Values of the passes of a kind.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Run {
+    /// Speed, mm/s; that of `[weld]` if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speed_mm_s: Option<Positive>,
+    /// Process values that differ from those of `[weld.process]`.
+    #[serde(default, skip_serializing_if = "ProcessValues::is_empty")]
+    pub process: ProcessValues,
+    /// Area of a bead, mm^2, where it does not follow from a wire.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub area_mm2: Option<Positive>,
+    /// Wanted height of a layer, mm.
+    #[serde(default = "layer")]
+    pub layer_mm: Option<Positive>,
+    /// Travel angle, degrees; that of `[torch]` if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub travel_angle_deg: Option<Finite>,
+}
+
+fn number(value: f64) -> Positive {
+    Positive::new(value).unwrap_or(Positive::TEN)
+}
+
+fn deposition() -> Positive {
+    number(0.95)
+}
+
+fn most() -> Positive {
+    number(25.0)
+}
+
+fn station() -> Positive {
+    number(5.0)
+}
+
+fn tilt() -> NonNegative {
+    NonNegative::new(12.0).unwrap_or_default()
+}
+
+fn stagger() -> NonNegative {
+    NonNegative::new(20.0).unwrap_or_default()
+}
+
+fn shortest() -> Positive {
+    number(50.0)
+}
+
+fn layer() -> Option<Positive> {
+    Positive::new(3.0)
+}
+
+/// What a run asks for.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Asked {
+    /// Area of a bead, mm^2.
+    pub(crate) area: f64,
+    /// Height of a layer, mm.
+    pub(crate) layer: f64,
+    /// Speed, mm/s.
+    pub(crate) speed: Positive,
+    pub(crate) process: ProcessValues,
+    pub(crate) travel_angle_deg: Option<Finite>,
+}
+
+impl Beads {
+    /// What the run `name` asks for: its own values over those of the weld.
+    ///
+    /// # Errors
+    /// With the key's address: no area, or an area and a wire.
+    pub(crate) fn asked<T>(
+        &self,
+        file: &Document<T>,
+        (name, run): (&str, &Run),
+        (speed, process): (Positive, &ProcessValues),
+    ) -> Result<Asked, DocumentError> {
+        let path = format!("beads.{name}");
+        check_process(file, &format!("{path}.process"), &run.process)?;
+        for key in run.process.keys().filter(|key| !process.contains_key(*key)) {
+            let known: Vec<&str> = process.keys().map(String::as_str).collect();
+            return Err(file.unknown_name(&format!("{path}.process.{key}"), key, &known));
+        }
+        let mut all = process.clone();
+        all.extend(run.process.clone());
+        let speed = run.speed_mm_s.unwrap_or(speed);
+        let area = match (run.area_mm2, self.wire_mm) {
+            (Some(area), _) if self.adapt != Adapt::WireFeed => area.get(),
+            (Some(_), _) => {
+                let message = "a given area does not follow the wire feed";
+                return Err(file.error_at(
+                    &format!("{path}.area_mm2"),
+                    message,
+                    "no such key with adapt = \"wire_feed\"",
+                ));
+            }
+            (None, None) => {
+                let message = "the area of a bead is not known";
+                return Err(file.error_at(&path, message, "area_mm2, or beads.wire_mm and a wire_feed_m_min"));
+            }
+            (None, Some(wire)) => {
+                let feed = all.get(WIRE_FEED).map(|feed| feed.ends()).filter(|(from, to)| from == to && *from > 0.0);
+                let Some((feed, _)) = feed else {
+                    let message = "the area of a bead needs a steady wire feed";
+                    let allowed = "wire_feed_m_min greater than 0 in [weld.process] or here, or area_mm2";
+                    return Err(file.error_at(&path, message, allowed));
+                };
+                let wire_area = FRAC_PI_4 * wire.get() * wire.get();
+                wire_area * (feed * 1000.0 / 60.0) * self.deposition.get() / speed.get()
+            }
+        };
+        let layer = run.layer_mm.or(layer()).map_or(3.0, Positive::get);
+        Ok(Asked { area, layer, speed, process: all, travel_angle_deg: run.travel_angle_deg })
+    }
+
+    /// Checks what does not depend on the groove.
+    ///
+    /// # Errors
+    /// With the key's address.
+    pub(crate) fn check<T>(&self, file: &Document<T>) -> Result<(), DocumentError> {
+        if self.deposition.get() > 1.0 {
+            return Err(file.error_at("beads.deposition", "more metal than wire", "more than 0, up to 1"));
+        }
+        if self.most_percent.get() > 80.0 {
+            return Err(file.error_at("beads.most_percent", "no bead keeps its shape over this range", "up to 80"));
+        }
+        if self.wall_tilt_deg.get() > 45.0 {
+            return Err(file.error_at("beads.wall_tilt_deg", "the wire would lie against the wall", "0 to 45"));
+        }
+        if !(0.1..=100.0).contains(&self.station_mm.get()) {
+            return Err(file.error_at("beads.station_mm", "this is no distance for a layout", "0.1 to 100"));
+        }
+        Ok(())
+    }
+
+    /// Distance of the wire from the walls, mm.
+    pub(crate) fn wall(&self) -> f64 {
+        self.wall_mm.map_or(0.75 * self.wire_mm.map_or(1.2, Positive::get), NonNegative::get)
+    }
+}

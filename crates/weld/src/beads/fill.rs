@@ -1,0 +1,107 @@
+use super::layers::Layer;
+use crate::Section;
+use glam::DVec2;
+
+/// How beads lie in their layer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Laying {
+    /// Distance of the wire from the walls, mm.
+    pub(crate) wall: f64,
+    /// Turn of the wire towards a wall, rad.
+    pub(crate) tilt: f64,
+}
+
+/// A bead in a section.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BeadAt {
+    /// Its layer, counted from 0 at the root.
+    pub layer: usize,
+    /// Its place in the layer, counted from 0 at the second part.
+    pub index: usize,
+    /// Where the wire points to, mm, in the frame of the [`Section`].
+    pub tip: DVec2,
+    /// Angle from the bisector to the torch, rad; positive leans towards the first part.
+    pub lean: f64,
+    /// Area of the bead, mm^2.
+    pub area: f64,
+    /// Heights between which the bead's layer lies in the groove, mm.
+    pub heights: (f64, f64),
+    /// Parts of the layer's width between which the bead lies, from the second part to the first.
+    pub parts: (f64, f64),
+}
+
+/// The beads of `layers` in a section, layer by layer, each from the second part to the first; layers for which
+/// `present` is false are left out and their area goes to the others.
+///
+/// Guarantee: the areas sum to that of groove and cap; a bead's is its share of its layer's, and the layers' those of
+/// the groove between their heights, and of the cap for the last one.
+pub(crate) fn fill(
+    section: &Section,
+    layers: &[Layer],
+    present: impl Fn(usize) -> bool,
+    laying: Laying,
+    out: &mut Vec<BeadAt>,
+) {
+    out.clear();
+    let shares: f64 = layers.iter().enumerate().filter(|(k, _)| present(*k)).map(|(_, l)| l.share).sum();
+    let scale = section.total() / shares;
+    let base = section.up.x.atan2(section.up.y);
+    let mut below = 0.0;
+    for (k, layer) in layers.iter().enumerate().filter(|(k, _)| present(*k)) {
+        let low = section.slices.height_of(below);
+        below += layer.share * scale;
+        let high = section.slices.height_of(below);
+        let (left, right) = section.slices.edges(low);
+        let middle = section.slices.edges(0.5 * (low + high));
+        let n = layer.beads as f64;
+        for index in 0..layer.beads {
+            let centre = middle.0 + (middle.1 - middle.0) * (index as f64 + 0.5) / n;
+            let (from, to) = (left + laying.wall, right - laying.wall);
+            let across = if layer.beads == 1 || from >= to { 0.5 * (left + right) } else { centre.clamp(from, to) };
+            let towards = match index {
+                _ if layer.beads == 1 => 0.0,
+                0 => laying.tilt,
+                i if i + 1 == layer.beads => -laying.tilt,
+                _ => 0.0,
+            };
+            out.push(BeadAt {
+                layer: k,
+                index,
+                tip: section.place(across, low),
+                lean: base + towards,
+                area: layer.share * scale / n,
+                heights: (low, high),
+                parts: (index as f64 / n, (index as f64 + 1.0) / n),
+            });
+        }
+    }
+}
+
+impl Section {
+    /// Outline of a bead for drawing, mm: its part of the layer, with the cap over the line from toe to toe if it is one
+    /// of the last layer.
+    pub fn outline(&self, bead: &BeadAt) -> Vec<DVec2> {
+        let (low, high) = bead.heights;
+        let top = self.slices.heights().1;
+        let side = |part: f64, height: f64| {
+            let (left, right) = self.slices.edges(height);
+            self.place(left + part * (right - left), height)
+        };
+        let steps = 24;
+        let heights = |k: i32| low + (high - low) * f64::from(k) / f64::from(steps);
+        // Just below the top: there the edges are those of the toes.
+        let at = |part: f64, k: i32| side(part, heights(k).min(top - 1e-9 * (top - low)));
+        let mut outline: Vec<DVec2> = (0..=steps).map(|k| at(bead.parts.1, k)).collect();
+        let capped = high >= top - 1e-9 * (top - low);
+        if capped && self.cap_height > 0.0 {
+            let over = |k: i32| {
+                let part = bead.parts.1 + (bead.parts.0 - bead.parts.1) * f64::from(k) / f64::from(steps);
+                let rise = self.cap_height * 4.0 * part * (1.0 - part);
+                at(part, steps) + rise * self.up
+            };
+            outline.extend((1..steps).map(over));
+        }
+        outline.extend((0..=steps).rev().map(|k| at(bead.parts.0, k)));
+        outline
+    }
+}

@@ -1,0 +1,87 @@
+use super::file::Asked;
+use crate::Section;
+use seamwright_program::Role;
+
+/// A layer of beads, from the root out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Layer {
+    /// What its beads are for.
+    pub role: Role,
+    /// Number of beads side by side.
+    pub beads: usize,
+    /// Its part of the whole area, before layers that are left out.
+    pub share: f64,
+}
+
+/// What the three kinds of runs ask for.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Runs {
+    pub(crate) root: Option<Asked>,
+    pub(crate) fill: Asked,
+    pub(crate) cap: Asked,
+}
+
+impl Runs {
+    pub(crate) fn of(&self, role: Role) -> &Asked {
+        match role {
+            Role::Root => self.root.as_ref().unwrap_or(&self.fill),
+            Role::Fill => &self.fill,
+            Role::Cap => &self.cap,
+        }
+    }
+}
+
+/// Most beads in a layer.
+const MOST: f64 = 400.0;
+
+/// The layers that fill a section best: every bead of its run's area, but for one factor for all that is as near to 1 as
+/// whole numbers of beads allow.
+///
+/// One bead that is large enough is enough. Otherwise a root pass of its own, if there is one, then layers of as many
+/// beads side by side as give a height near to the wanted one, then the cap layer with what is above the line from toe to
+/// toe.
+pub(crate) fn layers(section: &Section, runs: &Runs) -> Vec<Layer> {
+    let (_, high) = section.slices.heights();
+    let total = section.total();
+    let (first, alone) = match &runs.root {
+        Some(root) => (Role::Root, root.area),
+        None => (Role::Cap, runs.cap.area),
+    };
+    if total <= 1.25 * alone {
+        return vec![Layer { role: first, beads: 1, share: 1.0 }];
+    }
+    let root = runs.root.as_ref().map_or(0.0, |root| root.area);
+    let top = (total - section.slices.area_below(high - runs.cap.layer)).min(total - root);
+    let wanted = whole(top / runs.cap.area);
+    let counts = [wanted, wanted + 1, wanted.saturating_sub(1).max(1)];
+    let all = counts.map(|cap| stack(section, runs, cap));
+    let off = |stack: &[Layer]| (total / stack.iter().map(|l| l.share).sum::<f64>()).ln().abs();
+    let best = all.into_iter().min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or_default();
+    let sum: f64 = best.iter().map(|l| l.share).sum();
+    best.into_iter().map(|l| Layer { share: l.share / sum, ..l }).collect()
+}
+
+/// The layers under and with a cap layer of `cap` beads; their shares are areas, mm^2.
+fn stack(section: &Section, runs: &Runs, cap: usize) -> Vec<Layer> {
+    let mut stack: Vec<Layer> = Vec::new();
+    let mut add = |role: Role, beads: usize| {
+        let share = beads as f64 * runs.of(role).area;
+        stack.push(Layer { role, beads, share });
+        share
+    };
+    let mut filled = if runs.root.is_some() { add(Role::Root, 1) } else { 0.0 };
+    let until = section.total() - cap as f64 * runs.cap.area;
+    let area = runs.fill.area;
+    while until - filled > 0.5 * area {
+        let low = section.slices.height_of(filled);
+        let slice = section.slices.area_below(low + runs.fill.layer) - filled.min(section.area());
+        filled += add(Role::Fill, whole(slice / area).min(whole((until - filled) / area)));
+    }
+    add(Role::Cap, cap);
+    stack
+}
+
+/// The number of beads nearest to `wanted`, at least one.
+fn whole(wanted: f64) -> usize {
+    wanted.round().clamp(1.0, MOST) as usize
+}

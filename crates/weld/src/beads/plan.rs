@@ -1,0 +1,252 @@
+use super::file::{Adapt, Asked, Beads, Order};
+use super::fill::{BeadAt, Laying, fill};
+use super::layers::{Layer, Runs, layers};
+use crate::joint::{NoGroove, SeamJoint};
+use crate::{SeamCurve, Section};
+use seamwright_program::{Finding, Role};
+
+/// Where all beads lie along a seam.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BeadPlan {
+    /// Layers from the root out.
+    pub layers: Vec<Layer>,
+    /// Places along the seam at which the beads were laid out, mm from the start of the weld; on a seam welded all
+    /// round evenly from 0 to less than its length, else with both ends.
+    pub stations: Vec<f64>,
+    /// Area of groove and cap at the stations, mm^2.
+    pub totals: Vec<f64>,
+    /// Parts of the seam on which a layer is, by layer: empty where it is all along.
+    pub parts: Vec<Vec<(f64, f64)>>,
+    /// The beads at all stations, station by station, [`BeadPlan::count`] each, also those that are not there (area 0).
+    pub(crate) beads: Vec<BeadAt>,
+    /// The beads in the order of welding, as they are counted at a station.
+    pub order: Vec<usize>,
+    laying: Laying,
+    /// The seam's length if it is welded all round.
+    period: Option<f64>,
+}
+
+/// A part of the seam for one layer may end this much of a station beyond the last station it is at.
+const HALF: f64 = 0.5;
+
+impl BeadPlan {
+    /// Lays out the beads that `beads` asks for along a seam with a joint: the layers are chosen for the mean area along
+    /// the seam (for the largest one where layers may be left out), and everywhere fill the groove there.
+    ///
+    /// Guarantee: at every station the beads' areas sum to that of groove and cap.
+    ///
+    /// # Errors
+    /// Where there is no groove: the place (mm), and why.
+    pub(crate) fn new(
+        seam: &SeamCurve,
+        joint: &SeamJoint,
+        beads: &Beads,
+        runs: &Runs,
+    ) -> Result<Self, (f64, NoGroove)> {
+        let period = seam.all_round().then(|| seam.length());
+        let length = period.unwrap_or_else(|| seam.weld_length());
+        let cells = (length / beads.station_mm.get()).ceil().max(1.0) as usize;
+        let count = if period.is_some() { cells } else { cells + 1 };
+        let stations: Vec<f64> = (0..count).map(|i| length * i as f64 / cells as f64).collect();
+        let section = |s: &f64| joint.try_section(&seam.at(*s)).map_err(|why| (*s, why));
+        let sections: Vec<Section> = stations.iter().map(section).collect::<Result<_, _>>()?;
+        let totals: Vec<f64> = sections.iter().map(Section::total).collect();
+        let (least, most) = totals.iter().fold((f64::INFINITY, 0.0), |(l, h), t| (f64::min(l, *t), f64::max(h, *t)));
+        let wanted = if beads.adapt == Adapt::Passes { most } else { (least * most).sqrt() };
+        let nearest = (0..count).min_by(|a, b| (totals[*a] - wanted).abs().total_cmp(&(totals[*b] - wanted).abs()));
+        let layers = layers(&sections[nearest.unwrap_or(0)], runs);
+        let laying = Laying { wall: beads.wall(), tilt: beads.wall_tilt_deg.get().to_radians() };
+        let mut plan = Self {
+            parts: vec![Vec::new(); layers.len()],
+            layers,
+            stations,
+            totals,
+            beads: Vec::new(),
+            order: Vec::new(),
+            laying,
+            period,
+        };
+        if beads.adapt == Adapt::Passes {
+            plan.leave_out(runs, beads.shortest_mm.get());
+        }
+        plan.order = plan.ordered(beads.order);
+        let mut here = Vec::new();
+        for (i, section) in sections.iter().enumerate() {
+            plan.lay(section, plan.stations[i], &mut here);
+            plan.beads.extend_from_slice(&here);
+        }
+        Ok(plan)
+    }
+
+    /// The beads layer by layer, each layer in the order asked for.
+    fn ordered(&self, order: Order) -> Vec<usize> {
+        let mut all = Vec::new();
+        for layer in &self.layers {
+            let (first, n) = (all.len(), layer.beads);
+            match order {
+                Order::FromSecond => all.extend(first..first + n),
+                Order::FromFirst => all.extend((first..first + n).rev()),
+                Order::WallsFirst if n < 3 => all.extend(first..first + n),
+                Order::WallsFirst => all.extend([first, first + n - 1].into_iter().chain(first + 1..first + n - 1)),
+            }
+        }
+        all
+    }
+
+    /// Number of beads at a station.
+    pub fn count(&self) -> usize {
+        self.layers.iter().map(|l| l.beads).sum()
+    }
+
+    /// The beads at station `i`; those of layers that are not there have no area.
+    pub fn at_station(&self, i: usize) -> &[BeadAt] {
+        &self.beads[i * self.count()..][..self.count()]
+    }
+
+    /// The beads of a section at any place of the seam in the order of welding, without those that are not there.
+    pub fn in_order(&self, section: &Section, s: f64) -> Vec<BeadAt> {
+        let mut beads = Vec::new();
+        self.lay(section, s, &mut beads);
+        self.order.iter().map(|b| beads[*b]).filter(|bead| bead.area > 0.0).collect()
+    }
+
+    fn lay(&self, section: &Section, s: f64, out: &mut Vec<BeadAt>) {
+        fill(section, &self.layers, |layer| self.is_there(layer, s), self.laying, out);
+        if out.len() < self.count() {
+            self.add_absent(s, out);
+        }
+    }
+
+    /// Layers that are left out, with no area, on top of what is below them: a pass that ends is led on smoothly.
+    fn add_absent(&self, s: f64, out: &mut Vec<BeadAt>) {
+        let mut first = 0;
+        for (k, layer) in self.layers.iter().enumerate() {
+            if !self.is_there(k, s) {
+                // The next layer lies where this one would.
+                let above: Vec<BeadAt> =
+                    out[first..].iter().take_while(|b| b.layer == out[first].layer).copied().collect();
+                let like = |index: usize| above[(index * above.len() / layer.beads).min(above.len() - 1)];
+                let absent = (0..layer.beads).map(|index| BeadAt { layer: k, index, area: 0.0, ..like(index) });
+                out.splice(first..first, absent.collect::<Vec<_>>());
+            }
+            first += layer.beads;
+        }
+    }
+
+    /// True if layer `layer` is there at path length `s`.
+    pub fn is_there(&self, layer: usize, s: f64) -> bool {
+        let parts = &self.parts[layer];
+        let s = self.period.map_or(s, |period| s.rem_euclid(period));
+        let within = |(from, to): &(f64, f64)| {
+            (*from..*to).contains(&s) || self.period.is_some_and(|period| (*from..*to).contains(&(s + period)))
+        };
+        parts.is_empty() || parts.iter().any(within)
+    }
+
+    /// Leaves out fill layers, the last first, where the beads would be nearer to their areas without.
+    fn leave_out(&mut self, runs: &Runs, shortest: f64) {
+        let fills: Vec<usize> = (0..self.layers.len()).filter(|k| self.layers[*k].role == Role::Fill).collect();
+        // Shares were made for the largest area: without some layers the others' beads are larger by this.
+        let whole = self.totals.iter().copied().fold(0.0, f64::max);
+        let off = |total: f64, left: usize| {
+            let there = |k: usize| !fills[fills.len() - left..].contains(&k);
+            let shares: f64 = (0..self.layers.len()).filter(|k| there(*k)).map(|k| self.layers[k].share).sum();
+            let worst = (0..self.layers.len()).filter(|k| there(*k)).map(|k| {
+                let l = self.layers[k];
+                (l.share * whole / l.beads as f64 / runs.of(l.role).area * (total / whole) / shares).ln().abs()
+            });
+            worst.fold(0.0, f64::max)
+        };
+        let best =
+            |total: &f64| (0..=fills.len()).min_by(|a, b| off(*total, *a).total_cmp(&off(*total, *b))).unwrap_or(0);
+        let left: Vec<usize> = self.totals.iter().map(best).collect();
+        for (rank, &layer) in fills.iter().rev().enumerate() {
+            let there: Vec<bool> = left.iter().map(|left| *left <= rank).collect();
+            self.parts[layer] = self.runs_of(&there, shortest);
+        }
+        // A layer that is nowhere does not exist.
+        let gone: Vec<usize> = fills.into_iter().filter(|k| self.parts[*k] == [(0.0, 0.0)]).collect();
+        let kept: f64 = (0..self.layers.len()).filter(|k| !gone.contains(k)).map(|k| self.layers[k].share).sum();
+        let keep = |k: &usize| !gone.contains(k);
+        self.parts = (0..self.layers.len()).filter(keep).map(|k| self.parts[k].clone()).collect();
+        self.layers = (0..self.layers.len()).filter(keep).map(|k| self.layers[k]).collect();
+        self.layers.iter_mut().for_each(|l| l.share /= kept);
+    }
+
+    /// Where a layer is: pieces of the seam, none if it is all along; those too short are made longer, gaps too short
+    /// are closed.
+    fn runs_of(&self, there: &[bool], shortest: f64) -> Vec<(f64, f64)> {
+        if there.iter().all(|t| *t) {
+            return Vec::new();
+        }
+        if there.iter().all(|t| !*t) {
+            return vec![(0.0, 0.0)];
+        }
+        let n = there.len();
+        let step = self.stations.get(1).copied().unwrap_or(0.0);
+        let end = self.period.unwrap_or_else(|| self.stations[n - 1]);
+        // On a closed seam begin where it is not, so that no piece goes over the start of the list.
+        let begin = if self.period.is_some() { there.iter().position(|t| !*t).unwrap_or(0) } else { 0 };
+        let at = |k: usize| self.stations[k % n] + if k >= n { end } else { 0.0 };
+        let mut runs: Vec<(f64, f64)> = Vec::new();
+        for k in begin..begin + n {
+            if there[k % n] {
+                let (from, to) = (at(k) - HALF * step, at(k) + HALF * step);
+                match runs.last_mut().filter(|run| from - run.1 < shortest) {
+                    Some(run) => run.1 = to,
+                    None => runs.push((from, to)),
+                }
+            }
+        }
+        for run in &mut runs {
+            let more = 0.5 * (shortest - (run.1 - run.0)).max(0.0);
+            *run = (run.0 - more, run.1 + more);
+            if self.period.is_none() {
+                *run = (run.0.max(0.0), run.1.min(end));
+            } else if run.0 < 0.0 {
+                *run = (run.0 + end, run.1 + end);
+            }
+        }
+        let whole = runs.iter().any(|run| run.1 - run.0 >= end);
+        if whole { Vec::new() } else { runs }
+    }
+
+    /// Beads that are more than `most` (a part) larger or smaller than their run asks for.
+    pub(crate) fn findings(&self, runs: &Runs, most: f64, pass_of: impl Fn(usize) -> usize) -> Vec<Finding> {
+        let mut findings: Vec<Finding> = Vec::new();
+        for b in 0..self.count() {
+            let bead = self.beads[b];
+            let asked: &Asked = runs.of(self.layers[bead.layer].role);
+            let ratio = |i: usize| Some(self.at_station(i)[b].area / asked.area).filter(|r| *r > 0.0);
+            let off = |i: usize| ratio(i).filter(|r| (r - 1.0).abs() > most + 1e-9);
+            let wrong: Vec<(usize, f64)> = (0..self.stations.len()).filter_map(|i| Some((i, off(i)?))).collect();
+            let Some(worst) = wrong.iter().copied().max_by(|a, b| a.1.ln().abs().total_cmp(&b.1.ln().abs())) else {
+                continue;
+            };
+            let cure = if worst.1 > 1.0 {
+                "layers that are thinner or wider runs (area, wire feed, slower), adapt = \"passes\", or a larger most_percent"
+            } else {
+                "smaller beads (faster, less wire), adapt = \"passes\", or a larger most_percent"
+            };
+            findings.push(Finding {
+                kind: "bead",
+                message: format!(
+                    "the bead would have {:.1} mm^2 at s = {:.0} mm to fill the groove, {:.0} % of the {:.1} mm^2 of its run; \
+                     allowed are {:.0} to {:.0} %",
+                    worst.1 * asked.area,
+                    self.stations[worst.0],
+                    100.0 * worst.1,
+                    asked.area,
+                    100.0 * (1.0 - most),
+                    100.0 * (1.0 + most)
+                ),
+                pass: pass_of(b),
+                from_mm: self.stations[wrong[0].0],
+                to_mm: self.stations[wrong[wrong.len() - 1].0],
+                cure: cure.to_owned(),
+                allowed: false,
+            });
+        }
+        findings
+    }
+}

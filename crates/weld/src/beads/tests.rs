@@ -1,0 +1,173 @@
+//! Beads over random grooves: areas, order and places, against sums made here.
+
+use super::layers::{Runs, layers};
+use super::{BeadPlan, Beads};
+use crate::joint::SeamJoint;
+use crate::{SeamCurve, Section};
+use proptest::prelude::*;
+use seamwright_document::{Document, Positive};
+use seamwright_program::{Joint, ProcessValues, Role, Seam, SeamStart};
+use serde::Deserialize;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    seam: Seam,
+    #[serde(default)]
+    start: SeamStart,
+    joint: Joint,
+    beads: Beads,
+}
+
+struct Planned {
+    seam: SeamCurve,
+    joint: SeamJoint,
+    plan: BeadPlan,
+    runs: Runs,
+    most: f64,
+}
+
+fn plan(text: &str) -> Planned {
+    let file = Document::<File>::read("f.toml", text).unwrap_or_else(|e| panic!("{e}"));
+    let f = &file.value;
+    let seam = SeamCurve::new(&file, &f.seam, &f.start).unwrap();
+    let joint = SeamJoint::new(&file, &f.joint, &seam).unwrap_or_else(|e| panic!("{e}"));
+    let speed = (Positive::TEN, &ProcessValues::new());
+    let run = |name, run| f.beads.asked(&file, (name, run), speed).unwrap();
+    let runs = Runs {
+        root: f.beads.root.as_ref().map(|r| run("root", r)),
+        fill: run("fill", &f.beads.fill),
+        cap: f.beads.cap.as_ref().map_or_else(|| run("fill", &f.beads.fill), |r| run("cap", r)),
+    };
+    let plan = BeadPlan::new(&seam, &joint, &f.beads, &runs).unwrap();
+    Planned { seam, joint, plan, runs, most: f.beads.most_percent.get() / 100.0 }
+}
+
+const HILLSIDE: &str = "[seam.nozzle]\nradius_mm = 250\n[seam.nozzle.body.cylinder]\nradius_mm = 800\n\
+    [joint]\ncap_mm = 1.5\n[joint.preparation.t_bevel]\nthickness_mm = 20\ncut_deg = 45\nroot_gap_mm = 2\n\
+    root_face_mm = 1\nleg_mm = 6\n[beads]\nroot = { area_mm2 = 15 }\nfill = { area_mm2 = 22 }\n\
+    cap = { area_mm2 = 18 }\n";
+
+fn shoelace(points: &[glam::DVec2]) -> f64 {
+    0.5 * (0..points.len()).map(|i| points[i].perp_dot(points[(i + 1) % points.len()])).sum::<f64>()
+}
+
+/// At the stations and between them the beads fill groove and cap, and are what their outlines enclose.
+fn fills(planned: &Planned) {
+    let Planned { seam, joint, plan, .. } = planned;
+    for (i, s) in plan.stations.iter().enumerate() {
+        let sum: f64 = plan.at_station(i).iter().map(|b| b.area).sum();
+        let section = joint.section(&seam.at(*s)).unwrap();
+        assert!((sum - section.area() - section.cap).abs() < 1e-9 * sum, "{s}: {sum}");
+        assert!((sum - plan.totals[i]).abs() < 1e-9 * sum);
+    }
+    for k in 0..37 {
+        let s = seam.weld_length() * f64::from(k) / 36.3;
+        let section = joint.section(&seam.at(s)).unwrap();
+        let beads = plan.in_order(&section, s);
+        let sum: f64 = beads.iter().map(|b| b.area).sum();
+        assert!((sum - section.total()).abs() < 1e-9 * sum);
+        for bead in &beads {
+            let enclosed = shoelace(&section.outline(bead));
+            // Layers of several beads share the cap by its width in the outline, by area in the plan.
+            let slack = if bead.layer + 1 == plan.layers.len() { 0.5 * section.cap } else { 0.0 };
+            assert!((enclosed - bead.area).abs() < slack + 0.02 * bead.area, "{s} {bead:?} {enclosed}");
+            let heights = (section.slices.area_below(bead.heights.0), section.slices.area_below(bead.heights.1));
+            assert!(heights.0 <= heights.1 + 1e-9);
+        }
+    }
+}
+
+#[test]
+fn a_hillside_nozzle_is_filled_everywhere_by_speed() {
+    let planned = plan(HILLSIDE);
+    assert!(planned.plan.count() > 10, "{:?}", planned.plan.layers);
+    fills(&planned);
+    let findings = planned.plan.findings(&planned.runs, planned.most, |b| b);
+    assert!(findings.is_empty(), "{findings:#?}");
+    // Mirror places of the nozzle have the same beads.
+    let half = 0.5 * planned.seam.length();
+    let n = planned.plan.stations.len();
+    assert!((planned.plan.stations[n / 2] - half).abs() < planned.plan.stations[1]);
+    assert!((planned.plan.totals[0] - planned.plan.totals[n / 2]).abs() < 0.02 * planned.plan.totals[0]);
+}
+
+#[test]
+fn where_there_is_less_to_fill_layers_are_left_out() {
+    let steep = HILLSIDE.replace("radius_mm = 250", "radius_mm = 600");
+    let planned = plan(&steep.replace("[beads]\n", "[beads]\nadapt = \"passes\"\n"));
+    fills(&planned);
+    let parts: Vec<_> = planned.plan.parts.iter().filter(|p| !p.is_empty()).collect();
+    assert!(!parts.is_empty(), "{:?}", planned.plan.layers);
+    for part in parts.iter().flat_map(|p| p.iter()) {
+        assert!(part.1 - part.0 >= 50.0 - 1e-9 && part.1 - part.0 < planned.seam.length(), "{part:?}");
+    }
+    // The beads' areas differ less along the seam than with speed alone.
+    let spread = |p: &Planned| {
+        let ratio = |i: usize, b: usize| p.plan.at_station(i)[b].area;
+        let all = (0..p.plan.stations.len()).map(|i| ratio(i, 0)).filter(|r| *r > 0.0);
+        let (low, high) = all.fold((f64::INFINITY, 0.0), |(l, h), r| (f64::min(l, r), f64::max(h, r)));
+        high / low
+    };
+    let by_speed = plan(&steep);
+    assert!(spread(&planned) < 0.8 * spread(&by_speed), "{} {}", spread(&planned), spread(&by_speed));
+    assert!(!by_speed.plan.findings(&by_speed.runs, by_speed.most, |b| b).is_empty());
+    let findings = planned.plan.findings(&planned.runs, planned.most, |b| b);
+    assert!(findings.is_empty(), "{findings:#?}");
+}
+
+#[test]
+fn beads_too_large_or_small_are_findings() {
+    let wide = HILLSIDE.replace("leg_mm = 6", "leg_mm = 0").replace("cut_deg = 45", "cut_deg = 35");
+    let planned = plan(&wide.replace("[beads]\n", "[beads]\nmost_percent = 4\n"));
+    let findings = planned.plan.findings(&planned.runs, planned.most, |b| b + 1);
+    assert!(!findings.is_empty() && findings.iter().all(|f| f.kind == "bead" && !f.allowed));
+    assert!(findings[0].message.contains("% of the") && findings[0].to_mm >= findings[0].from_mm);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+    /// Whatever the groove and the beads: areas sum up, layers go from root to cap, beads lie inside the groove.
+    #[test]
+    fn sections_are_filled_whatever_they_are(
+        t in 3.0..60.0f64, degrees in 20.0..90.0f64, gap in 0.0..4.0f64, root in proptest::option::of(4.0..20.0f64),
+        fill_area in 8.0..60.0f64, cap in 0.0..3.0f64, layer in 1.5..5.0f64, fillet in any::<bool>(), psi in 60.0..130.0f64,
+    ) {
+        let groove = if fillet { format!("fillet = {{ leg_mm = {t} }}") } else {
+            format!("single_v = {{ thickness_mm = {t}, angle_deg = {degrees}, root_gap_mm = {gap} }}")
+        };
+        let (n1, n2) = if fillet {
+            let a = psi.to_radians();
+            (format!("[0, {}, {}]", -a.sin(), -a.cos()), "[0, 0, 1]".to_owned())
+        } else { ("[0, 0, 1]".to_owned(), "[0, 0, 1]".to_owned()) };
+        let text = format!(
+            "[seam.line]\nstart_mm = [0, 0, 0]\nend_mm = [30, 0, 0]\nfirst_normal = {n1}\nsecond_normal = {n2}\n\
+             [joint]\ncap_mm = {cap}\npreparation.{groove}\n[beads]\nfill = {{ area_mm2 = {fill_area}, layer_mm = {layer} }}\n{}",
+            root.map_or(String::new(), |r| format!("root = {{ area_mm2 = {r} }}\n"))
+        );
+        let planned = plan(&text);
+        fills(&planned);
+        let roles: Vec<Role> = planned.plan.layers.iter().map(|l| l.role).collect();
+        let rank = |r: &Role| match r { Role::Root => 0, Role::Fill => 1, Role::Cap => 2 };
+        prop_assert!(roles.windows(2).all(|w| rank(&w[0]) <= rank(&w[1])));
+        let section: Section = planned.joint.section(&planned.seam.at(10.0)).unwrap();
+        let again = layers(&section, &planned.runs);
+        prop_assert_eq!(again.len(), planned.plan.layers.len());
+        let mut order = planned.plan.order.clone();
+        order.sort_unstable();
+        prop_assert!(order.into_iter().eq(0..planned.plan.count()));
+        for bead in planned.plan.in_order(&section, 10.0) {
+            let (x, y) = (bead.tip.dot(section.across()), bead.tip.dot(section.up));
+            let (left, right) = section.slices.edges(y);
+            prop_assert!(x >= left - 1e-6 && x <= right + 1e-6, "{bead:?} {left} {right}");
+        }
+        // A groove that the beads divide well is filled by beads near to what is asked.
+        if section.total() > 8.0 * fill_area {
+            let worst = planned.plan.at_station(0).iter().map(|b| {
+                let asked = planned.runs.of(planned.plan.layers[b.layer].role).area;
+                (b.area / asked).ln().abs()
+            }).fold(0.0, f64::max);
+            prop_assert!(worst < 0.5, "{worst} {:?}", planned.plan.layers);
+        }
+    }
+}
