@@ -27,6 +27,8 @@ pub(crate) struct Cli {
 pub(crate) enum Verb {
     /// The seam's geometry as a table: points, tangents, normals, bisector, dihedral angle
     Seam(SeamArgs),
+    /// Cross-sections of the joint with all beads: a table, and a drawing
+    Section(SectionArgs),
     /// Plan a job: weld program, checks, timing, report with plots
     Plan(PlanArgs),
     /// The checks alone; exit code 1 if the weld cannot be made as asked
@@ -67,7 +69,18 @@ pub(crate) enum Verb {
 pub(crate) struct SeamArgs {
     /// Job or program file
     pub(crate) job: PathBuf,
-    /// This many points at equal arc length from the start of the weld to its end, both included [default: 101]
+    #[command(flatten)]
+    pub(crate) places: PlacesArgs,
+    /// JSON instead of CSV
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Places along the seam.
+#[derive(Debug, Args)]
+pub(crate) struct PlacesArgs {
+    /// This many points at equal arc length from the start of the weld to its end, both included [default: 101; 9
+    /// sections]
     #[arg(long, group = "where", value_name = "N")]
     pub(crate) points: Option<u32>,
     /// A point every D mm from the start of the weld, and its end
@@ -76,6 +89,21 @@ pub(crate) struct SeamArgs {
     /// Points at these angles about the nozzle's axis (eccentric angles of an ellipse), in degrees
     #[arg(long, group = "where", value_name = "A,B,..", value_delimiter = ',', allow_hyphen_values = true)]
     pub(crate) phi_deg: Option<Vec<f64>>,
+}
+
+#[derive(Debug, Args)]
+#[command(
+    allow_negative_numbers = true,
+    after_help = "Example: seamwright section examples/hillside.toml --phi-deg 0,45,90 --svg sections.svg"
+)]
+pub(crate) struct SectionArgs {
+    /// Job file with a joint
+    pub(crate) job: PathBuf,
+    #[command(flatten)]
+    pub(crate) places: PlacesArgs,
+    /// Draw the sections to this file, all at one scale
+    #[arg(long, value_name = "FILE")]
+    pub(crate) svg: Option<PathBuf>,
     /// JSON instead of CSV
     #[arg(long)]
     pub(crate) json: bool,

@@ -37,6 +37,7 @@ fn run(verb: Option<Verb>) -> Result<(), Failure> {
     match verb {
         None => verbs::demo::run(),
         Some(Verb::Seam(a)) => verbs::seam::run(&a),
+        Some(Verb::Section(a)) => verbs::section::run(&a),
         Some(Verb::Plan(a)) => verbs::plan::run(&a),
         Some(Verb::Check(a)) => verbs::check::run(&a),
         Some(Verb::Motion(a)) => verbs::motion::run(&a),

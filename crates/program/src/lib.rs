@@ -23,6 +23,7 @@ mod space_seam;
 mod spare_axes;
 mod tolerance;
 mod torch;
+mod weave;
 
 pub use air::Air;
 pub use at_corner::AtCorner;
@@ -46,3 +47,4 @@ pub use space_seam::Helix;
 pub use spare_axes::{Position, SpareAxes, Weights};
 pub use tolerance::Tolerance;
 pub use torch::{Torch, TorchAt, TorchPath};
+pub use weave::{Figure, Swing, Weave};

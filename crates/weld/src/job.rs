@@ -1,10 +1,10 @@
-use crate::SeamCurve;
+use crate::{Beads, SeamCurve};
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_program::{
-    Air, AtCorner, Clearance, Offsets, OnLimit, Part, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span,
-    SpareAxes, Tolerance, Torch, check_offset, check_process,
+    Air, AtCorner, Clearance, Joint, Offsets, OnLimit, Part, Pass, ProcessValues, Program, Seam, SeamStart, Sequence,
+    Span, SpareAxes, Tolerance, Torch, check_offset, check_process,
 };
 use serde::{Deserialize, Serialize};
 
@@ -32,6 +32,12 @@ pub struct Job {
     /// Where on the seam welding starts, which way it goes, how far it overlaps.
     #[serde(default)]
     pub start: SeamStart,
+    /// The joint: how the edges are prepared and fitted up.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub joint: Option<Joint>,
+    /// How the joint is filled, in as many passes as it takes. Without it the weld is one pass along the seam.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub beads: Option<Beads>,
     /// Torch angles.
     #[serde(default)]
     pub torch: Torch,
@@ -97,6 +103,12 @@ impl Job {
             let allowed = format!("less than speed_mm_s = {}", job.value.weld.speed_mm_s.get());
             return Err(job.error_at("weld.least_speed_mm_s", "the least speed is not below the asked one", allowed));
         }
+        if let Some(beads) = &job.value.beads {
+            beads.check(&job)?;
+            if job.value.joint.is_none() {
+                return Err(job.error_at("beads", "there is no joint to be filled", "a [joint] with its preparation"));
+            }
+        }
         Ok(job)
     }
 
@@ -136,6 +148,7 @@ impl Job {
             placement: j.placement,
             seam: j.seam.clone(),
             start: j.start,
+            joint: j.joint.clone(),
             part: j.part.clone(),
             fixtures: j.fixtures.clone(),
             clearance: j.clearance,

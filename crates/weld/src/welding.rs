@@ -1,4 +1,4 @@
-use crate::{Attitude, Job, PassPath, SeamCurve};
+use crate::{Attitude, BeadPlan, Job, PassPath, SeamCurve, SeamJoint};
 use seamwright_document::{Document, DocumentError};
 use seamwright_program::{Finding, Program};
 
@@ -11,6 +11,12 @@ pub struct Welding {
     pub seam: SeamCurve,
     /// Torch angles along each pass.
     pub attitudes: Vec<Attitude>,
+    /// The joint along the seam, if the file has one.
+    pub joint: Option<SeamJoint>,
+    /// The beads that fill it, if they were planned: from a job, not from a program.
+    pub beads: Option<BeadPlan>,
+    /// What stands against the beads.
+    bead_findings: Vec<Finding>,
 }
 
 impl Welding {
@@ -25,8 +31,17 @@ impl Welding {
         let job = Job::read(file, text)?;
         let seam = SeamCurve::new(&job, &job.value.seam, &job.value.start)?;
         let attitude = Attitude::new(&job, "torch", &job.value.torch, &seam)?;
-        let program = Job::program(&job, &seam)?;
-        Ok(Self { program: job.with(program), seam, attitudes: vec![attitude] })
+        let mut program = Job::program(&job, &seam)?;
+        let joint = job.value.joint.as_ref().map(|joint| SeamJoint::new(&job, joint, &seam)).transpose()?;
+        let (mut plan, mut findings) = (None, Vec::new());
+        if let (Some(beads), Some(joint)) = (&job.value.beads, &joint) {
+            let weld = (job.value.weld.speed_mm_s, &job.value.weld.process);
+            let filled = beads.filled(&job, (&seam, joint), weld, &program.passes[0])?;
+            program.passes = filled.passes;
+            (plan, findings) = (Some(filled.plan), filled.findings);
+        }
+        let attitudes = vec![attitude; program.passes.len()];
+        Ok(Self { program: job.with(program), seam, attitudes, joint, beads: plan, bead_findings: findings })
     }
 
     fn from_program(program: Document<Program>) -> Result<Self, DocumentError> {
@@ -41,7 +56,8 @@ impl Welding {
             }
             attitudes.push(Attitude::new(&program, &format!("passes[{i}].torch"), &pass.torch, &seam)?);
         }
-        Ok(Self { seam, attitudes, program })
+        let joint = p.joint.as_ref().map(|joint| SeamJoint::new(&program, joint, &seam)).transpose()?;
+        Ok(Self { seam, attitudes, program, joint, beads: None, bead_findings: Vec::new() })
     }
 
     /// The torch's path in pass `pass`, counted from 0, in the machine's work frame.
@@ -58,6 +74,6 @@ impl Welding {
             findings.extend(attitude.turn_findings(&self.seam, i + 1));
             findings
         };
-        passes.flat_map(both).collect()
+        self.bead_findings.iter().cloned().chain(passes.flat_map(both)).collect()
     }
 }

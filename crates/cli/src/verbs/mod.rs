@@ -9,6 +9,7 @@ pub(crate) mod lists;
 pub(crate) mod machine;
 pub(crate) mod motion;
 pub(crate) mod move_to;
+mod places;
 pub(crate) mod plan;
 pub(crate) mod post;
 mod process;
@@ -16,6 +17,7 @@ pub(crate) mod pulses;
 pub(crate) mod reduce;
 pub(crate) mod schema;
 pub(crate) mod seam;
+pub(crate) mod section;
 pub(crate) mod simulate;
 
 use crate::failure::Failure;

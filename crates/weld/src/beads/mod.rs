@@ -1,8 +1,14 @@
 //! Beads: how a groove is filled, layer by layer, all along the seam.
+//!
+//! Layers are chosen once, from the areas that the runs of the job ask for and the groove at a place of middling area
+//! (`layers.rs`). At every place of the seam the beads then fill the groove as it is there (`fill.rs`): each keeps its
+//! share of the area, and speed or wire feed follows, or layers end where there is less to fill (`plan.rs`). Each bead
+//! becomes a pass of the program (`passes.rs`).
 
 mod file;
 mod fill;
 mod layers;
+mod passes;
 mod plan;
 #[cfg(test)]
 mod tests;
@@ -11,3 +17,52 @@ pub use file::{Adapt, Beads, Order, Run};
 pub use fill::BeadAt;
 pub use layers::Layer;
 pub use plan::BeadPlan;
+
+use crate::{SeamCurve, SeamJoint};
+use layers::Runs;
+use seamwright_document::{Document, DocumentError, Positive};
+use seamwright_program::{Finding, Pass, ProcessValues};
+
+/// A joint with its beads.
+#[derive(Debug)]
+pub(crate) struct Filled {
+    pub(crate) plan: BeadPlan,
+    pub(crate) passes: Vec<Pass>,
+    pub(crate) findings: Vec<Finding>,
+}
+
+impl Beads {
+    /// Fills the joint of `seam`; speed and process values that the runs do not give are those of the weld, everything
+    /// else that of `template`.
+    ///
+    /// # Errors
+    /// With the key's address: no area of a bead, ramps, a place without a groove.
+    pub(crate) fn filled<T>(
+        &self,
+        file: &Document<T>,
+        (seam, joint): (&SeamCurve, &SeamJoint),
+        (speed, process): (Positive, &ProcessValues),
+        template: &Pass,
+    ) -> Result<Filled, DocumentError> {
+        if let Some((name, _)) = process.iter().find(|(_, value)| value.is_ramp()) {
+            let message = "a ramp over the weld does not go with beads, whose values belong to runs";
+            return Err(file.error_at(&format!("weld.process.{name}"), message, "a number"));
+        }
+        let asked = |name, run| self.asked(file, (name, run), (speed, process));
+        let fill = asked("fill", &self.fill)?;
+        let runs = Runs {
+            root: self.root.as_ref().map(|run| asked("root", run)).transpose()?,
+            cap: self.cap.as_ref().map(|run| asked("cap", run)).transpose()?.unwrap_or_else(|| fill.clone()),
+            fill,
+        };
+        let plan = BeadPlan::new(seam, joint, self, &runs).map_err(|(s, why)| {
+            let path = format!("joint.preparation.{}", joint.joint().preparation.key());
+            file.error_at(&path, format!("at s = {s:.1} mm: {why}"), why.cure().1)
+        })?;
+        let all = passes::passes(&plan, self, &runs, seam, template);
+        let number = |bead: usize| all.iter().position(|(_, b)| *b == bead).map_or(1, |i| i + 1);
+        let findings = plan.findings(&runs, self.most_percent.get() / 100.0, number);
+        let passes = all.into_iter().map(|(pass, _)| pass).collect();
+        Ok(Filled { plan, passes, findings })
+    }
+}

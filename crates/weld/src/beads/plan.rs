@@ -103,6 +103,24 @@ impl BeadPlan {
         &self.beads[i * self.count()..][..self.count()]
     }
 
+    /// Area of a bead (as counted at a station) at path length `s`, linear between stations; from the nearest one where
+    /// its layer ends. None if it is at neither.
+    pub(crate) fn area(&self, bead: usize, s: f64) -> Option<f64> {
+        let n = self.stations.len();
+        let end = self.period.unwrap_or_else(|| self.stations[n - 1]);
+        let s = if self.period.is_some() { s.rem_euclid(end) } else { s.clamp(0.0, end) };
+        let before = self.stations.partition_point(|x| *x <= s).clamp(1, n) - 1;
+        let after = if self.period.is_some() { (before + 1) % n } else { (before + 1).min(n - 1) };
+        let at = |i: usize| Some(self.at_station(i)[bead].area).filter(|area| *area > 0.0);
+        match (at(before), at(after)) {
+            (Some(a), Some(b)) if before != after => {
+                let width = if after > before { self.stations[after] } else { end } - self.stations[before];
+                Some(a + (b - a) * (s - self.stations[before]) / width)
+            }
+            (a, b) => a.or(b),
+        }
+    }
+
     /// The beads of a section at any place of the seam in the order of welding, without those that are not there.
     pub fn in_order(&self, section: &Section, s: f64) -> Vec<BeadAt> {
         let mut beads = Vec::new();

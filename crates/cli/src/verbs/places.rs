@@ -1,0 +1,59 @@
+//! Places along the seam, as the command line gives them.
+
+use super::positive;
+use crate::args::PlacesArgs;
+use crate::failure::Failure;
+use seamwright_weld::SeamCurve;
+
+/// Where points are asked for.
+pub(super) enum Places {
+    /// Path lengths with their angles, degrees.
+    Angles(Vec<(f64, f64)>),
+    /// Every `step` mm, `whole` times, and the end.
+    Steps { step: f64, whole: u64 },
+    /// So many at equal distances.
+    Points(u32),
+}
+
+impl Places {
+    /// The places that `args` ask for; `points` of them if they do not say.
+    pub(super) fn new(args: &PlacesArgs, seam: &SeamCurve, points: u32) -> Result<Self, Failure> {
+        let length = seam.weld_length();
+        if let Some(angles) = &args.phi_deg {
+            let place = |phi: &f64| {
+                let s = Some(phi).filter(|p| p.is_finite()).and_then(|p| seam.s_of_phi(p.to_radians()));
+                let s = s.ok_or_else(|| Failure::Input(format!("--phi-deg {phi}: this seam has no such angle")))?;
+                if s > length + 1e-9 {
+                    let message = format!("--phi-deg {phi}: this angle is not on the part that is welded");
+                    return Err(Failure::Input(message));
+                }
+                Ok((s, *phi))
+            };
+            return angles.iter().map(place).collect::<Result<_, _>>().map(Self::Angles);
+        }
+        if let Some(step) = args.every_mm {
+            let step = positive("--every-mm", step)?;
+            return Ok(Self::Steps { step, whole: (length / step - 1e-9).floor() as u64 });
+        }
+        match args.points.unwrap_or(points) {
+            n @ 0..2 => Err(Failure::Input(format!("--points {n}: not allowed\n   allowed: 2 or more"))),
+            n => Ok(Self::Points(n)),
+        }
+    }
+
+    /// Calls `at` with every path length, and the angle as it was asked for (not counted on from the start).
+    pub(super) fn each(
+        &self,
+        length: f64,
+        mut at: impl FnMut(f64, Option<f64>) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        match self {
+            Self::Angles(angles) => angles.iter().try_for_each(|(s, phi)| at(*s, Some(*phi))),
+            Self::Steps { step, whole } => {
+                (0..=*whole).try_for_each(|i| at(i as f64 * step, None))?;
+                at(length, None)
+            }
+            Self::Points(n) => (0..*n).try_for_each(|i| at(length * f64::from(i) / f64::from(n - 1), None)),
+        }
+    }
+}

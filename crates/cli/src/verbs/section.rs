@@ -1,0 +1,73 @@
+use super::places::Places;
+use crate::args::SectionArgs;
+use crate::failure::Failure;
+use crate::files;
+use crate::load::load;
+use crate::rows::{Cell, Rows};
+use seamwright_report::sections;
+
+const COLUMNS: [&str; 14] = [
+    "s_mm",
+    "phi_deg",
+    "dihedral_deg",
+    "groove_mm2",
+    "cap_mm2",
+    "bead",
+    "role",
+    "layer",
+    "bead_in_layer",
+    "across_mm",
+    "out_mm",
+    "work_angle_deg",
+    "area_mm2",
+    "height_mm",
+];
+
+/// Sections when the command line does not say: every eighth of a seam welded all round, and its start again.
+const SECTIONS: u32 = 9;
+
+/// Most sections in one drawing.
+const DRAWN: usize = 60;
+
+pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
+    let loaded = load(&args.job)?;
+    let welding = &loaded.welding;
+    let Some(joint) = &welding.joint else {
+        let message = "the job has no joint, so there is nothing to be cut";
+        return Err(welding.program.error_at("joint", message, "a [joint] with its preparation").into());
+    };
+    let places = Places::new(&args.places, &welding.seam, SECTIONS)?;
+    let mut rows = Rows::new(COLUMNS.iter().map(|c| (*c).to_owned()).collect(), args.json)?;
+    let mut drawn = Vec::new();
+    places.each(welding.seam.weld_length(), |s, asked| {
+        if drawn.len() < DRAWN {
+            drawn.push(s);
+        }
+        let point = welding.seam.at(s);
+        let Some(section) = joint.section(&point) else { return Ok(()) };
+        let phi = asked.or(point.phi.map(f64::to_degrees)).map_or(Cell::Empty, Cell::Number);
+        let place = [Cell::Number(s), phi].into_iter();
+        let groove = [point.dihedral.to_degrees(), section.area(), section.cap].map(Cell::Number);
+        let head: Vec<Cell> = place.chain(groove).collect();
+        let beads = welding.beads.as_ref().map(|plan| (plan, plan.in_order(&section, s)));
+        let Some((plan, beads)) = beads else {
+            let empty = [Cell::Empty; COLUMNS.len() - 5];
+            return rows.row(&[head, empty.to_vec()].concat());
+        };
+        beads.iter().zip(1..).try_for_each(|(bead, number)| {
+            let mut cells = head.clone();
+            cells.extend([Cell::Count(number), Cell::Text(plan.layers[bead.layer].role.name())]);
+            cells.extend([bead.layer as u64 + 1, bead.index as u64 + 1].map(Cell::Count));
+            let (low, high) = bead.heights;
+            let values = [bead.tip.x, bead.tip.y, bead.lean.to_degrees(), bead.area, high - low];
+            cells.extend(values.map(Cell::Number));
+            rows.row(&cells)
+        })
+    })?;
+    if let Some(path) = &args.svg {
+        let mut gallery = sections(&welding.seam, joint, welding.beads.as_ref(), &drawn);
+        gallery.title.clone_from(&welding.program.value.title);
+        files::write(path, &gallery.to_svg_standalone())?;
+    }
+    rows.finish()
+}

@@ -1,0 +1,240 @@
+//! Weaving of the torch, and the figures that it or a deflected beam goes through.
+
+use crate::ProcessValues;
+use schemars::JsonSchema;
+use seamwright_document::{Document, DocumentError, NonNegative, Positive};
+use serde::{Deserialize, Serialize};
+use std::f64::consts::TAU;
+
+/// How sharp the tips of a triangle are: the sine of half the angle that its sides leave open to rounding.
+const SHARP: f64 = 0.97;
+
+/// Largest part of a period that may be spent in dwells.
+const MOST_DWELL: f64 = 0.9;
+
+/// A motion to and fro across the weld while it goes on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Figure {
+    /// Across as a sine.
+    #[default]
+    Sine,
+    /// Across at an even speed, with rounded tips.
+    Triangle,
+    /// Across and, at each side, a dwell.
+    Trapezoid,
+    /// Round and round.
+    Circle,
+    /// A lying eight: twice along for once across.
+    Eight,
+}
+
+/// Weaving of the torch.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Weave {
+    /// The figure.
+    #[serde(default)]
+    pub figure: Figure,
+    /// Width from side to side, mm.
+    pub width_mm: Positive,
+    /// Length along the seam of a circle or an eight, mm; as wide as it is long if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub length_mm: Option<Positive>,
+    /// Way along the seam for one period, mm. Either this or the frequency.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pitch_mm: Option<Positive>,
+    /// Periods a second at the asked speed along the seam.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub frequency_hz: Option<Positive>,
+    /// Dwell at the side of the first part, s; of a trapezoid.
+    #[serde(default)]
+    pub dwell_first_s: NonNegative,
+    /// Dwell at the side of the second part, s.
+    #[serde(default)]
+    pub dwell_second_s: NonNegative,
+    /// The weave widens and narrows over this way at the ends of the pass, mm.
+    #[serde(default = "fade")]
+    pub fade_mm: NonNegative,
+    /// Process values at the sides; between them they go over to those of the pass in the middle.
+    #[serde(default, skip_serializing_if = "ProcessValues::is_empty")]
+    pub at_sides: ProcessValues,
+}
+
+fn fade() -> NonNegative {
+    NonNegative::new(5.0).unwrap_or_default()
+}
+
+/// Where a figure is: 1 is the whole way to the side of the first part, or as far ahead as it goes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Swing {
+    /// Across the weld, towards the first part.
+    pub across: f64,
+    /// Along it, ahead.
+    pub along: f64,
+}
+
+impl Figure {
+    /// Where the figure is at a phase (1 is a period); `dwells` are the parts of the period at the side of the first
+    /// and the second part, of a trapezoid. Twice continuously differentiable, but for [`Figure::knots`] any number of
+    /// times.
+    pub fn at(self, phase: f64, dwells: (f64, f64)) -> Swing {
+        let phase = phase.rem_euclid(1.0);
+        let (sin, cos) = (TAU * phase).sin_cos();
+        let across = match self {
+            Self::Sine | Self::Circle | Self::Eight => sin,
+            Self::Triangle => (SHARP * sin).asin() / SHARP.asin(),
+            Self::Trapezoid => trapezoid(phase, dwells),
+        };
+        let along = match self {
+            Self::Circle => cos,
+            Self::Eight => 2.0 * sin * cos,
+            _ => 0.0,
+        };
+        Swing { across, along }
+    }
+
+    /// Phases within a period at which a third derivative jumps.
+    pub fn knots(self, (first, second): (f64, f64)) -> Vec<f64> {
+        let way = 0.5 * (1.0 - first - second);
+        match self {
+            Self::Trapezoid => vec![0.0, way, way + first, 2.0 * way + first],
+            _ => Vec::new(),
+        }
+    }
+
+    /// True if it goes along too.
+    pub fn is_round(self) -> bool {
+        matches!(self, Self::Circle | Self::Eight)
+    }
+}
+
+/// From the side of the second part across, a dwell, back, and a dwell.
+fn trapezoid(phase: f64, (first, second): (f64, f64)) -> f64 {
+    let way = 0.5 * (1.0 - first - second);
+    let smooth = |t: f64| t * t * t * (10.0 + t * (6.0 * t - 15.0));
+    if phase < way {
+        2.0 * smooth(phase / way) - 1.0
+    } else if phase < way + first {
+        1.0
+    } else if phase < 2.0 * way + first {
+        1.0 - 2.0 * smooth((phase - way - first) / way)
+    } else {
+        -1.0
+    }
+}
+
+impl Weave {
+    /// Checks the weave at `path` of a file; `process` are the values of the pass.
+    ///
+    /// # Errors
+    /// With the key's address: neither pitch nor frequency or both, dwells without a trapezoid or longer than the
+    /// period, values at the sides that the pass does not have.
+    pub fn check<T>(&self, file: &Document<T>, path: &str, process: &ProcessValues) -> Result<(), DocumentError> {
+        let wrong =
+            |key: &str, message: &str, allowed: String| Err(file.error_at(&format!("{path}.{key}"), message, allowed));
+        if self.pitch_mm.is_some() == self.frequency_hz.is_some() {
+            let allowed = "either pitch_mm or frequency_hz";
+            return Err(file.error_at(path, "how fast the weave goes is not clear", allowed));
+        }
+        let dwell = self.dwell_first_s.get() + self.dwell_second_s.get();
+        if dwell > 0.0 {
+            let key = if self.dwell_first_s.get() > 0.0 { "dwell_first_s" } else { "dwell_second_s" };
+            if self.figure != Figure::Trapezoid {
+                return wrong(key, "only a trapezoid dwells", "0, or figure = \"trapezoid\"".to_owned());
+            }
+            match self.frequency_hz {
+                None => {
+                    return wrong(
+                        key,
+                        "a dwell in seconds needs a frequency",
+                        "frequency_hz instead of pitch_mm".to_owned(),
+                    );
+                }
+                Some(frequency) if dwell * frequency.get() > MOST_DWELL => {
+                    let most = MOST_DWELL / frequency.get();
+                    return wrong(
+                        key,
+                        "the dwells leave no time to go across",
+                        format!("up to {most:.4} s both together"),
+                    );
+                }
+                _ => {}
+            }
+        }
+        if self.length_mm.is_some() && !self.figure.is_round() {
+            return wrong(
+                "length_mm",
+                "this figure has no length",
+                "no such key, or figure = \"circle\" or \"eight\"".to_owned(),
+            );
+        }
+        crate::check_process(file, &format!("{path}.at_sides"), &self.at_sides)?;
+        if let Some(name) = self.at_sides.keys().find(|name| !process.contains_key(*name)) {
+            let known: Vec<&str> = process.keys().map(String::as_str).collect();
+            return Err(file.unknown_name(&format!("{path}.at_sides.{name}"), name, &known));
+        }
+        Ok(())
+    }
+
+    /// Parts of a period in the dwells at the sides of the first and the second part.
+    pub fn dwells(&self) -> (f64, f64) {
+        let of = |dwell: NonNegative| dwell.get() * self.frequency_hz.map_or(0.0, Positive::get);
+        (of(self.dwell_first_s), of(self.dwell_second_s))
+    }
+
+    /// Half the width and half the length, mm.
+    pub fn reach(&self) -> (f64, f64) {
+        let width = self.width_mm.get();
+        (0.5 * width, 0.5 * self.length_mm.map_or(width, Positive::get))
+    }
+
+    /// How much of its width the weave has at `s` of a pass of this length: 0 at the ends, 1 between the fades; twice
+    /// continuously differentiable.
+    pub fn fade(&self, s: f64, length: f64) -> f64 {
+        let fade = self.fade_mm.get().min(0.5 * length);
+        let t = if fade > 0.0 { (s.min(length - s) / fade).clamp(0.0, 1.0) } else { 1.0 };
+        t * t * t * (10.0 + t * (6.0 * t - 15.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ALL: [Figure; 5] = [Figure::Sine, Figure::Triangle, Figure::Trapezoid, Figure::Circle, Figure::Eight];
+
+    #[test]
+    fn figures_reach_both_sides_and_come_round_smoothly() {
+        for figure in ALL {
+            let dwells = if figure == Figure::Trapezoid { (0.2, 0.1) } else { (0.0, 0.0) };
+            let at = |p: f64| figure.at(p, dwells);
+            let all: Vec<Swing> = (0..10_000).map(|i| at(f64::from(i) / 1e4)).collect();
+            let reach = |f: fn(&Swing) -> f64| {
+                all.iter().map(f).fold((1.0, -1.0), |(l, h): (f64, f64), x| (l.min(x), h.max(x)))
+            };
+            let (low, high) = reach(|s| s.across);
+            assert!((low + 1.0).abs() < 1e-6 && (high - 1.0).abs() < 1e-6, "{figure:?}");
+            let (low, high) = reach(|s| s.along);
+            let long = if figure.is_round() { 1.0 } else { 0.0 };
+            assert!((low + long).abs() < 1e-6 && (high - long).abs() < 1e-6, "{figure:?}");
+            // Second differences are those of a function twice continuously differentiable: no jumps.
+            let h = 1e-4;
+            let bend = |p: f64| (at(p + h).across - 2.0 * at(p).across + at(p - h).across) / (h * h);
+            for i in 0..10_000 {
+                let p = f64::from(i) / 1e4;
+                assert!((bend(p + h) - bend(p)).abs() < 1.2, "{figure:?} {p}: {} {}", bend(p), bend(p + h));
+            }
+        }
+    }
+
+    #[test]
+    fn dwells_last_as_asked() {
+        let dwells = (0.25, 0.1);
+        let at = |p: f64| Figure::Trapezoid.at(p, dwells).across;
+        let part = |side: f64| (0..100_000).filter(|i| at(f64::from(*i) / 1e5) == side).count() as f64 / 1e5;
+        assert!((part(1.0) - 0.25).abs() < 1e-3 && (part(-1.0) - 0.1).abs() < 1e-3);
+        let knots = Figure::Trapezoid.knots(dwells);
+        assert_eq!(knots.iter().map(|p| at(*p)).collect::<Vec<_>>(), [-1.0, 1.0, 1.0, -1.0]);
+    }
+}

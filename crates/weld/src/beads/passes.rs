@@ -1,0 +1,151 @@
+use super::file::{Adapt, Asked, Beads, WIRE_FEED};
+use super::layers::Runs;
+use super::plan::BeadPlan;
+use crate::SeamCurve;
+use seamwright_document::{Finite, NonNegative, Positive};
+use seamwright_program::{Bead, Pass, Ramp, Span, SpanValue};
+
+/// Speed or wire feed between the ends of a span may be off a straight line by this part.
+const STRAIGHT: f64 = 2e-3;
+
+/// A bead over a part of the seam, or all along it.
+struct Run {
+    /// The bead, as counted at a station.
+    bead: usize,
+    begin: f64,
+    length: f64,
+    reverse: bool,
+}
+
+/// The passes of a plan in the order of welding, and of which bead each is. What is the same for all is that of
+/// `template`.
+pub(crate) fn passes(
+    plan: &BeadPlan,
+    beads: &Beads,
+    runs: &Runs,
+    seam: &SeamCurve,
+    template: &Pass,
+) -> Vec<(Pass, usize)> {
+    let mut all = Vec::new();
+    for &bead in &plan.order {
+        let parts = &plan.parts[plan.at_station(0)[bead].layer];
+        let pieces: Vec<Option<(f64, f64)>> =
+            if parts.is_empty() { vec![None] } else { parts.iter().copied().map(Some).collect() };
+        for (i, part) in pieces.iter().enumerate() {
+            let number = all.len();
+            let reverse = beads.alternate && number % 2 == 1;
+            let stagger = number as f64 * beads.stagger_mm.get();
+            let (from, to) = match part {
+                Some(part) => *part,
+                None if seam.all_round() => (stagger % seam.length(), stagger % seam.length() + seam.weld_length()),
+                None => (0.0, seam.weld_length()),
+            };
+            let begin = match part {
+                None if reverse && seam.all_round() => from,
+                _ if reverse => to,
+                _ => from,
+            };
+            let run = Run { bead, begin, length: to - from, reverse };
+            let mut pass = pass(plan, beads, runs, &run, template);
+            if pieces.len() > 1 {
+                pass.name = format!("{}, part {}", pass.name, i + 1);
+            }
+            all.push((pass, bead));
+        }
+    }
+    all
+}
+
+fn pass(plan: &BeadPlan, beads: &Beads, runs: &Runs, run: &Run, template: &Pass) -> Pass {
+    let at = plan.at_station(0)[run.bead];
+    let layer = plan.layers[at.layer];
+    let asked = runs.of(layer.role);
+    let mut pass = template.clone();
+    pass.name = match layer.beads {
+        1 => format!("{} {}", layer.role.name(), at.layer + 1),
+        _ => format!("{} {}.{}", layer.role.name(), at.layer + 1, at.index + 1),
+    };
+    pass.role = Some(layer.role);
+    pass.begin_mm = NonNegative::new(run.begin).unwrap_or_default();
+    pass.reverse = run.reverse;
+    if let Some(travel) = asked.travel_angle_deg {
+        pass.torch.travel_angle_deg = travel;
+    }
+    pass.bead = Some(columns(plan, run.bead));
+    pass.spans = spans(plan, beads.adapt, asked, run);
+    pass
+}
+
+/// Where the bead lies at every station.
+fn columns(plan: &BeadPlan, bead: usize) -> Bead {
+    // To a tenth of a micrometre, a millionth of a degree: what a file needs.
+    let rounded = |value: f64, digits: f64| Finite::new((value * digits).round() / digits).unwrap_or_default();
+    let column = |value: &dyn Fn(usize) -> f64, digits: f64| {
+        (0..plan.stations.len()).map(|i| rounded(value(i), digits)).collect::<Vec<_>>()
+    };
+    let at = |i: usize| plan.at_station(i)[bead];
+    Bead {
+        s_mm: column(&|i| plan.stations[i], 1e9),
+        across_mm: column(&|i| at(i).tip.x, 1e4),
+        out_mm: column(&|i| at(i).tip.y, 1e4),
+        work_angle_deg: column(&|i| at(i).lean.to_degrees(), 1e6),
+        area_mm2: (0..plan.stations.len())
+            .map(|i| NonNegative::new((at(i).area * 1e4).round() / 1e4).unwrap_or_default())
+            .collect(),
+    }
+}
+
+/// Spans on which the value that follows the area is straight.
+fn spans(plan: &BeadPlan, adapt: Adapt, asked: &Asked, run: &Run) -> Vec<Span> {
+    let step = plan.stations.get(1).copied().unwrap_or(run.length);
+    let count = (run.length / step).ceil().max(1.0) as usize;
+    let places: Vec<f64> = (0..=count).map(|i| run.length * i as f64 / count as f64).collect();
+    let sense = if run.reverse { -1.0 } else { 1.0 };
+    let ratio = |s: &f64| plan.area(run.bead, run.begin + sense * s).map_or(1.0, |area| area / asked.area);
+    let value = |ratio: f64| if adapt == Adapt::WireFeed { ratio } else { 1.0 / ratio };
+    let values: Vec<f64> = places.iter().map(|s| value(ratio(s))).collect();
+    let mut spans = Vec::new();
+    let mut first = 0;
+    while first < count {
+        let last =
+            (first + 1..=count).take_while(|last| is_straight(&values[first..=*last])).last().unwrap_or(first + 1);
+        spans.push(span(adapt, asked, (places[first], values[first]), (places[last], values[last])));
+        first = last;
+    }
+    spans
+}
+
+fn is_straight(values: &[f64]) -> bool {
+    let last = values.len() - 1;
+    let line = |i: usize| values[0] + (values[last] - values[0]) * i as f64 / last as f64;
+    values.iter().enumerate().all(|(i, v)| (v - line(i)).abs() <= STRAIGHT * v)
+}
+
+fn span(adapt: Adapt, asked: &Asked, from: (f64, f64), to: (f64, f64)) -> Span {
+    // Six digits are more than any machine keeps.
+    let rounded = |value: f64| {
+        let digits = 10_f64.powf(5.0 - value.abs().log10().floor());
+        (value * digits).round() / digits
+    };
+    let mut span = Span {
+        from_mm: NonNegative::new(from.0).unwrap_or_default(),
+        to_mm: Positive::new(to.0).unwrap_or(Positive::TEN),
+        speed_mm_s: asked.speed.into(),
+        process: asked.process.clone(),
+    };
+    match adapt {
+        Adapt::Speed | Adapt::Passes => {
+            let ends = [from.1, to.1].map(|v| Positive::new(rounded(v * asked.speed.get())));
+            if let [Some(from), Some(to)] = ends {
+                span.speed_mm_s = if from == to { SpanValue::Steady(from) } else { SpanValue::Ramp(Ramp { from, to }) };
+            }
+        }
+        Adapt::WireFeed => {
+            if let Some(feed) = span.process.get_mut(WIRE_FEED) {
+                let of = |v: f64| Finite::new(rounded(v * feed.ends().0)).unwrap_or_default();
+                *feed = SpanValue::Ramp(Ramp { from: of(from.1), to: of(to.1) });
+            }
+        }
+    }
+    span
+}
