@@ -7,6 +7,9 @@
 
 mod angles;
 mod attitude;
+mod body;
+mod branch;
+mod cut;
 mod girth;
 mod head;
 mod job;
@@ -21,7 +24,9 @@ mod t_joint;
 mod welding;
 
 pub use attitude::Attitude;
+pub use cut::{Cut, CutPoint, Unrolled};
 pub use job::{Job, Weld};
+pub use nozzle::NozzleEdges;
 pub use pass_path::PassPath;
 pub use seam::{SeamCurve, SeamPoint};
 pub use surfaces::SeamSurfaces;

@@ -1,4 +1,4 @@
-use crate::{Attitude, Job, PassPath, SeamCurve};
+use crate::{Attitude, Cut, Job, PassPath, SeamCurve};
 use seamwright_document::{Document, DocumentError};
 use seamwright_program::{Finding, Program};
 
@@ -11,6 +11,8 @@ pub struct Welding {
     pub seam: SeamCurve,
     /// Torch angles along each pass.
     pub attitudes: Vec<Attitude>,
+    /// The end of the branch or nozzle as it is cut, where the file gives what it takes.
+    pub cut: Option<Cut>,
 }
 
 impl Welding {
@@ -25,8 +27,9 @@ impl Welding {
         let job = Job::read(file, text)?;
         let seam = SeamCurve::new(&job, &job.value.seam, &job.value.start)?;
         let attitude = Attitude::new(&job, "torch", &job.value.torch, &seam)?;
+        let cut = Cut::new(&job, &job.value.seam)?;
         let program = Job::program(&job, &seam)?;
-        Ok(Self { program: job.with(program), seam, attitudes: vec![attitude] })
+        Ok(Self { program: job.with(program), seam, attitudes: vec![attitude], cut })
     }
 
     fn from_program(program: Document<Program>) -> Result<Self, DocumentError> {
@@ -41,7 +44,8 @@ impl Welding {
             }
             attitudes.push(Attitude::new(&program, &format!("passes[{i}].torch"), &pass.torch, &seam)?);
         }
-        Ok(Self { seam, attitudes, program })
+        let cut = Cut::new(&program, &p.seam)?;
+        Ok(Self { seam, attitudes, program, cut })
     }
 
     /// The torch's path in pass `pass`, counted from 0, in the machine's work frame.
