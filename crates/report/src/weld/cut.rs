@@ -45,7 +45,7 @@ fn draw(body: &mut String, name: &str, side: &Unrolled, top: f64) -> f64 {
         let _ = write!(upright, "M{} L{} ", at(p.around, edge), at(p.around, p.height));
         let _ = writeln!(
             body,
-            "<text x=\"{}\" y=\"{}\" font-family=\"sans-serif\" font-size=\"2.6\" text-anchor=\"middle\">{:.0}\u{b0}</text>",
+            "<text x=\"{}\" y=\"{}\" style=\"font:2.6px sans-serif;fill:#000\" text-anchor=\"middle\">{:.0}\u{b0}</text>",
             mm(left + p.around),
             mm(head - 1.0),
             p.phi.to_degrees()
@@ -53,7 +53,7 @@ fn draw(body: &mut String, name: &str, side: &Unrolled, top: f64) -> f64 {
     }
     let _ = writeln!(
         body,
-        "<text x=\"{}\" y=\"{}\" font-family=\"sans-serif\" font-size=\"3.2\">{name}: radius {} mm, once around {:.2} \
+        "<text x=\"{}\" y=\"{}\" style=\"font:3.2px sans-serif;fill:#000\">{name}: radius {} mm, once around {:.2} \
          mm, cut {:.2} to {:.2} mm along the axis, edge at {:.2} mm</text>\n\
          <path d=\"{}\" fill=\"none\" stroke=\"#888\" stroke-width=\"0.1\"/>\n\
          <path d=\"{outline} Z\" fill=\"none\" stroke=\"#000\" stroke-width=\"0.25\"/>",
