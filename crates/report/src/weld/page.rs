@@ -71,7 +71,7 @@ impl WeldReport {
         if let Some(cut) = &plots.cut {
             blocks.push(figure(
                 cut.clone(),
-                "The tube's end as it is cut, unrolled; cut.svg has it at true size, to print and to wrap around the tube with 0 degrees at phi = 0, and cut.csv its points.",
+                "The tube's end as it is cut, unrolled; cut.svg has it at true size, seen from outside, to wrap around the tube, and cut.csv its points.",
             ));
         }
         if let Some(clearance) = &plots.clearance {
