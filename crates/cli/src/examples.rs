@@ -21,5 +21,7 @@ pub(crate) const EXAMPLES: &[Example] = examples![
     "trunnion-saddle",
     "oblique-girth",
     "t-joint",
-    "knuckle-nozzle"
+    "knuckle-nozzle",
+    "set-in-nozzle",
+    "y-branch"
 ];

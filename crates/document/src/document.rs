@@ -107,6 +107,8 @@ fn explain(file: &str, text: &str, error: &toml::de::Error) -> DocumentError {
         e.key = if e.key.is_empty() { name.to_owned() } else { format!("{}.{name}", e.key) };
         e.message = format!("the key `{name}` is missing");
         e.value = String::new();
+        let unit = stem(name).1.trim_start_matches('_').replacen('_', "/", 1);
+        e.allowed = Some(format!("`{name} = ...`, in {unit}")).filter(|_| !unit.is_empty());
         if name == "schema" {
             e.help = Some("begin the file with: schema = 1".to_owned());
         }

@@ -76,6 +76,12 @@ pub enum Error {
         /// Angle about the tube's axis, rad.
         at: f64,
     },
+    /// The tube's wall passes beside a body that trims it, above the body that it stands on: the curve would jump.
+    #[error("the tube's wall begins to pass beside the one that trims it at phi = {:.3} degrees", at.to_degrees())]
+    Beside {
+        /// Angle about the tube's axis, rad.
+        at: f64,
+    },
     /// The tube's direction points into the body and never leaves it.
     #[error("the tube's direction points into the body: it never leaves it along +direction")]
     NeverLeaves,

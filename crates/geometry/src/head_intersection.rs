@@ -1,5 +1,6 @@
 use crate::head::Face;
-use crate::tube_intersection::{SAMPLES, check_margin, minimum};
+use crate::pieces::{AT_BORDER_MM, Pieces};
+use crate::tube_intersection::check_margin;
 use crate::{
     Curve, Edge, EdgePoint, Error, Foot, Head, Jet, SignedDistance, TorusIntersection, Tube, TubeIntersection,
 };
@@ -17,8 +18,8 @@ pub struct HeadIntersection {
     tube: Tube,
     head: Head,
     walls: Vec<Wall>,
-    /// Where each piece begins, rad in [0, 2 pi), and its zone.
-    pieces: Vec<(f64, usize)>,
+    /// The zone at each angle.
+    pieces: Pieces,
 }
 
 /// The tube's wall and the surface of a zone.
@@ -27,12 +28,6 @@ enum Wall {
     Quadric(Box<TubeIntersection>),
     Torus(TorusIntersection),
 }
-
-/// Nearer to a border than this, mm, the curve does not go beyond it.
-const AT_BORDER_MM: f64 = 1e-9;
-/// Pieces shorter than this, rad, within another zone are left out: beyond the border by less than a part in 1e11 of
-/// their radius.
-const SHORTEST: f64 = 1e-5;
 
 impl HeadIntersection {
     /// The closed curve where `tube` leaves `head`.
@@ -46,9 +41,11 @@ impl HeadIntersection {
             Face::Torus(torus) => Wall::Torus(TorusIntersection::on_outer_half(tube.clone(), torus.clone())),
         };
         let walls = head.faces().map(wall).collect();
-        let mut curve = Self { tube, head, walls, pieces: Vec::new() };
+        let mut curve = Self { tube, head, walls, pieces: Pieces::whole(0) };
         curve.check()?;
-        curve.pieces = curve.found_pieces();
+        let zone = |phi| curve.beyond(phi).iter().filter(|b| **b > AT_BORDER_MM).count();
+        let pieces = Pieces::new(curve.walls.len() - 1, &|phi| curve.beyond(phi), &zone);
+        curve.pieces = pieces;
         Ok(curve)
     }
 
@@ -91,79 +88,9 @@ impl HeadIntersection {
         self.leaving(phi).map_or(vec![f64::NAN; borders], |p| self.head.beyond(p).take(borders).collect())
     }
 
-    /// The pieces of the curve, by where it crosses the borders.
-    fn found_pieces(&self) -> Vec<(f64, usize)> {
-        let step = TAU / SAMPLES as f64;
-        let samples: Vec<(f64, Vec<f64>)> =
-            (0..=SAMPLES).map(|i| i as f64 * step).map(|phi| (phi, self.beyond(phi))).collect();
-        let mut ends: Vec<f64> = Vec::new();
-        for border in 0..self.walls.len() - 1 {
-            let beyond = |phi: f64| self.beyond(phi)[border];
-            let mut places: Vec<(f64, f64)> = samples.iter().map(|(phi, b)| (*phi, b[border])).collect();
-            places.extend(turns(&places, step, &beyond));
-            places.sort_by(|a, b| a.0.total_cmp(&b.0));
-            ends.extend(places.windows(2).filter_map(|w| crossing(w[0], w[1], &beyond)));
-        }
-        ends.sort_by(f64::total_cmp);
-        let zone = |(i, &from): (usize, &f64)| {
-            let to = ends.get(i + 1).copied().unwrap_or(ends[0] + TAU);
-            let middle = self.beyond((0.5 * (from + to)).rem_euclid(TAU));
-            (from, to - from, middle.iter().filter(|b| **b > AT_BORDER_MM).count())
-        };
-        let pieces: Vec<(f64, f64, usize)> = ends.iter().enumerate().map(zone).collect();
-        let mut kept: Vec<(f64, usize)> = Vec::new();
-        for (i, &(from, width, zone)) in pieces.iter().enumerate() {
-            let around = [&pieces[(i + pieces.len() - 1) % pieces.len()], &pieces[(i + 1) % pieces.len()]];
-            let tiny = width < SHORTEST && around[0].2 == around[1].2;
-            if !tiny && kept.last().is_none_or(|last| last.1 != zone) {
-                kept.push((from, zone));
-            }
-        }
-        if kept.len() > 1 && kept[0].1 == kept[kept.len() - 1].1 {
-            kept.remove(0);
-        }
-        if kept.is_empty() {
-            kept.push((0.0, self.beyond(0.0).iter().filter(|b| **b > AT_BORDER_MM).count()));
-        }
-        kept
-    }
-
     fn wall(&self, phi: f64) -> &Wall {
-        let phi = phi.rem_euclid(TAU);
-        let after = self.pieces.partition_point(|piece| piece.0 <= phi);
-        // Before the first piece begins, the last goes on.
-        let piece = if after == 0 { self.pieces.len() - 1 } else { after - 1 };
-        &self.walls[self.pieces[piece].1]
+        &self.walls[self.pieces.zone(phi)]
     }
-}
-
-/// Places between samples `step` apart at which a function turns back towards 0 and may cross it, with its values.
-fn turns(places: &[(f64, f64)], step: f64, f: &dyn Fn(f64) -> f64) -> Vec<(f64, f64)> {
-    let count = places.len() - 1;
-    let turn = |i: usize| {
-        let [l, m, r] = [(i + count - 1) % count, i, i + 1].map(|k| places[k].1);
-        let sign = m.signum();
-        (sign * l > 0.0 && sign * r > 0.0 && sign * m <= sign * l && sign * m <= sign * r).then(|| {
-            let at = minimum(&|phi| sign * f(phi), places[i].0 - step, places[i].0 + step).rem_euclid(TAU);
-            (at, f(at))
-        })
-    };
-    (0..count).filter_map(turn).collect()
-}
-
-/// Where between two places a function crosses 0, to full precision.
-fn crossing(from: (f64, f64), to: (f64, f64), f: &dyn Fn(f64) -> f64) -> Option<f64> {
-    if (from.1 > AT_BORDER_MM) == (to.1 > AT_BORDER_MM) {
-        return None;
-    }
-    let (mut below, mut above) = if to.1 > AT_BORDER_MM { (from, to.0) } else { (to, from.0) };
-    // Where the curve lies along the border for a while, 0 is no place.
-    let level = if below.1 <= 0.0 { 0.0 } else { AT_BORDER_MM };
-    for _ in 0..60 {
-        let middle = 0.5 * (below.0 + above);
-        if f(middle) > level { above = middle } else { below.0 = middle }
-    }
-    Some((0.5 * (below.0 + above)).rem_euclid(TAU))
 }
 
 impl Curve for HeadIntersection {
@@ -174,7 +101,7 @@ impl Curve for HeadIntersection {
         true
     }
     fn breaks(&self) -> Vec<f64> {
-        if self.pieces.len() > 1 { self.pieces.iter().map(|piece| piece.0).collect() } else { Vec::new() }
+        self.pieces.breaks()
     }
     fn jet(&self, phi: f64) -> Jet {
         match self.wall(phi) {

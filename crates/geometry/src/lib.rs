@@ -3,8 +3,8 @@
 //! Floor 0: no welding words, no I/O. Lengths are mm, angles rad, all in one fixed frame that the caller chooses.
 //!
 //! - [`Curve`] is a parametrised curve with exact derivatives; [`Line`], [`Arc`], [`Chain`]s of both,
-//!   [`RoundedRectangle`], [`Ellipse`], [`Helix`], [`TubeIntersection`], [`TorusIntersection`] and [`HeadIntersection`]
-//!   implement it.
+//!   [`RoundedRectangle`], [`Ellipse`], [`Helix`], [`TubeIntersection`], [`TrimmedIntersection`], [`TorusIntersection`] and
+//!   [`HeadIntersection`] implement it.
 //! - [`Edge`] is a curve where two faces meet; it also knows their outward normals.
 //! - [`ByLength`] re-parametrises any curve by arc length, to a stated accuracy.
 //! - [`Quadric`] is an implicit surface with gradient and Hessian; [`QuadricDistance`] knows how far points are from
@@ -32,6 +32,7 @@ mod helix;
 mod knots;
 mod line;
 mod monotone;
+mod pieces;
 mod pose;
 mod quadric;
 pub mod reduce;
@@ -39,6 +40,7 @@ mod rounded_rectangle;
 mod slices;
 mod torus;
 mod torus_intersection;
+mod trimmed_intersection;
 mod tube;
 mod tube_intersection;
 
@@ -63,5 +65,6 @@ pub use rounded_rectangle::RoundedRectangle;
 pub use slices::Slices;
 pub use torus::Torus;
 pub use torus_intersection::TorusIntersection;
+pub use trimmed_intersection::TrimmedIntersection;
 pub use tube::Tube;
 pub use tube_intersection::TubeIntersection;

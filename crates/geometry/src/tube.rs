@@ -33,6 +33,11 @@ impl Tube {
         Ok(Self { origin, e1, e2: e3.cross(e1), e3, radius })
     }
 
+    /// The point of the axis at height 0, mm.
+    pub fn origin(&self) -> DVec3 {
+        self.origin
+    }
+
     /// Unit direction of the axis.
     pub fn direction(&self) -> DVec3 {
         self.e3

@@ -63,9 +63,14 @@ impl TubeIntersection {
 
     /// The discriminant of the wall's quadratic at `phi`: positive where the wall meets the body. A trigonometric
     /// polynomial of degree two.
-    fn discriminant(&self, phi: f64) -> f64 {
+    pub(crate) fn discriminant(&self, phi: f64) -> f64 {
         let (k1, k0, _) = self.body.on_line(&self.line, self.tube.wall(phi).0);
         k1 * k1 - self.line.k2 * k0
+    }
+
+    /// Height of the curve at `phi` along the tube's direction from its origin, mm; NaN where the wall misses the body.
+    pub(crate) fn height(&self, phi: f64) -> f64 {
+        self.outermost(self.tube.wall(phi).0).height
     }
 
     /// How far the wall's point lies on the body's own side of a cone's apex, mm (infinite for other bodies).

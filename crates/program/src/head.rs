@@ -92,6 +92,9 @@ pub struct EllipsoidalHead {
 pub struct HemisphericalHead {
     /// Outer diameter, mm.
     pub outer_diameter_mm: Positive,
+    /// Thickness of the wall, mm; needed for set-in nozzles.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub thickness_mm: Option<Positive>,
     /// Length of the cylindrical flange, mm.
     #[serde(default)]
     pub flange_mm: NonNegative,

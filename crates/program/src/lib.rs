@@ -7,10 +7,12 @@
 
 mod air;
 mod at_corner;
+mod branch;
 mod document;
 mod finding;
 mod head;
 mod joint;
+mod nozzle;
 mod offsets;
 mod part;
 mod pass;
@@ -27,21 +29,21 @@ mod weave;
 
 pub use air::Air;
 pub use at_corner::AtCorner;
+pub use branch::{Branch, OtherBranch};
 pub use document::Program;
 pub use finding::Finding;
 pub use head::{ConicalHead, EllipsoidalHead, FlatHead, HeadStandard, HemisphericalHead, TorisphericalHead};
 pub use joint::{
     Bevel, Fillet, FitUp, FlareBevel, FlareV, J, Joint, Member, Preparation, SingleV, Square, TBevel, TJ, U,
 };
+pub use nozzle::{Body, Mount, Nozzle, NozzleCurve};
 pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};
 pub use part::{Clearance, Part};
 pub use pass::{OnLimit, Pass, Span};
 pub use plane_seam::{Arc, Circle, Polyline, RoundedRectangle, WallFaces};
 pub use process::{ProcessValue, ProcessValues, Ramp, check_process};
 pub use role::Role;
-pub use seam::{
-    Body, Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Nozzle, Seam, SeamStart, Side, TJoint,
-};
+pub use seam::{Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Seam, SeamStart, Side, TJoint};
 pub use sequence::{AtHold, Sequence, Slope};
 pub use space_seam::Helix;
 pub use spare_axes::{Position, SpareAxes, Weights};

@@ -1,5 +1,4 @@
-use crate::{Arc, Circle, Helix, Polyline, RoundedRectangle};
-use crate::{ConicalHead, EllipsoidalHead, FlatHead, HemisphericalHead, TorisphericalHead};
+use crate::{Arc, Branch, Circle, Helix, Nozzle, Polyline, RoundedRectangle};
 use schemars::JsonSchema;
 use seamwright_document::{Direction as Vector, Finite, NonNegative, Point, Positive};
 use serde::{Deserialize, Serialize};
@@ -8,8 +7,10 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Seam {
-    /// A tubular nozzle on a body: the outer fillet where the nozzle's wall leaves the body.
+    /// A tubular nozzle on a body: where its wall, outside or inside, meets the body's.
     Nozzle(Nozzle),
+    /// A tube that branches off another: a T-, Y- or K-joint.
+    Branch(Branch),
     /// An ellipse in a plane: a tube on a plate, or a butt joint in the plate.
     Ellipse(Ellipse),
     /// A circle in a plane: a round tube on a plate, or a butt joint in the plate.
@@ -35,6 +36,7 @@ impl Seam {
     pub fn kind(&self) -> &'static str {
         match self {
             Self::Nozzle(_) => "nozzle",
+            Self::Branch(_) => "branch",
             Self::Ellipse(_) => "ellipse",
             Self::Circle(_) => "circle",
             Self::Arc(_) => "arc",
@@ -46,107 +48,6 @@ impl Seam {
             Self::Girth(_) => "girth",
         }
     }
-}
-
-/// A nozzle: a circular tube that stands on a body.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Nozzle {
-    /// Outer radius, mm.
-    pub radius_mm: Positive,
-    /// A point on the nozzle's axis, mm.
-    #[serde(default, skip_serializing_if = "Point::is_zero")]
-    pub origin_mm: Point,
-    /// Direction of the axis, away from the body; z if missing.
-    #[serde(default = "Vector::z")]
-    pub direction: Vector,
-    /// Where the angle phi about the nozzle's axis is 0, made perpendicular to `direction`; if missing x, or y on a
-    /// nozzle along x.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub zero_direction: Option<Vector>,
-    /// What the nozzle stands on.
-    pub body: Body,
-}
-
-/// A body with a quadric surface, a pipe bend, or the head of a vessel: surfaces that go over into each other without
-/// an edge.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case", deny_unknown_fields)]
-pub enum Body {
-    /// A cylindrical shell.
-    Cylinder {
-        /// Outer radius, mm.
-        radius_mm: Positive,
-        /// A point on the axis, mm.
-        #[serde(default, skip_serializing_if = "Point::is_zero")]
-        point_mm: Point,
-        /// Direction of the axis; x if missing.
-        #[serde(default = "Vector::x")]
-        axis: Vector,
-    },
-    /// A conical shell, opening along its axis from the apex.
-    Cone {
-        /// Angle between axis and wall, degrees, between 0 and 90.
-        half_angle_deg: Positive,
-        /// Apex, mm.
-        #[serde(default, skip_serializing_if = "Point::is_zero")]
-        apex_mm: Point,
-        /// Direction in which the cone opens.
-        axis: Vector,
-    },
-    /// A spherical shell.
-    Sphere {
-        /// Outer radius, mm.
-        radius_mm: Positive,
-        /// Centre, mm.
-        #[serde(default, skip_serializing_if = "Point::is_zero")]
-        centre_mm: Point,
-    },
-    /// An ellipsoid.
-    Ellipsoid {
-        /// Semi-axes along the body's x, y and z directions, mm.
-        semi_axes_mm: [Positive; 3],
-        /// Centre, mm.
-        #[serde(default, skip_serializing_if = "Point::is_zero")]
-        centre_mm: Point,
-        /// Direction of the third semi-axis; z if missing.
-        #[serde(default = "Vector::z")]
-        axis: Vector,
-        /// Direction of the first semi-axis; x if missing. Made perpendicular to `axis`.
-        #[serde(default = "Vector::x")]
-        x_direction: Vector,
-    },
-    /// A flat plate.
-    Plane {
-        /// A point of its surface, mm.
-        #[serde(default, skip_serializing_if = "Point::is_zero")]
-        point_mm: Point,
-        /// Outward normal.
-        normal: Vector,
-    },
-    /// A torus: a pipe bend.
-    Torus {
-        /// Radius of the pipe's middle line, mm; more than `radius_mm`.
-        bend_radius_mm: Positive,
-        /// Outer radius of the pipe, mm.
-        radius_mm: Positive,
-        /// Centre of the middle line, mm.
-        #[serde(default, skip_serializing_if = "Point::is_zero")]
-        centre_mm: Point,
-        /// Normal of the middle line's plane; z if missing.
-        #[serde(default = "Vector::z")]
-        axis: Vector,
-    },
-    /// A head with a spherical crown, a knuckle and a flange.
-    TorisphericalHead(TorisphericalHead),
-    /// A head of half an ellipsoid and a flange.
-    EllipsoidalHead(EllipsoidalHead),
-    /// A head of half a ball and a flange.
-    HemisphericalHead(HemisphericalHead),
-    /// A flat head with a knuckle and a flange.
-    FlatHead(FlatHead),
-    /// A conical head with a knuckle and a flange.
-    ConicalHead(ConicalHead),
 }
 
 /// An elliptic seam in a plane (ELLIPSE-2015).

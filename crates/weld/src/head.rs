@@ -1,4 +1,5 @@
-//! Heads of vessels from the keys of a job or program. Errors have the key's address: sizes that contradict each other.
+//! Heads of vessels from the keys of a job or program: the surface `depth` mm below their outside, 0 for the outside and
+//! their thickness for the inside. Errors have the key's address: sizes that contradict each other.
 
 use seamwright_document::{Document, DocumentError, Positive};
 use seamwright_geometry::{Error, Head};
@@ -49,23 +50,24 @@ pub(crate) fn ellipsoidal<T>(file: &Document<T>, h: &EllipsoidalHead) -> Result<
 }
 
 /// Half a ball.
-pub(crate) fn hemispherical<T>(file: &Document<T>, h: &HemisphericalHead) -> Result<Head, DocumentError> {
-    let radius = 0.5 * h.outer_diameter_mm.get();
+pub(crate) fn hemispherical<T>(file: &Document<T>, h: &HemisphericalHead, depth: f64) -> Result<Head, DocumentError> {
+    let radius = 0.5 * h.outer_diameter_mm.get() - depth;
     let head = Head::hemispherical((h.centre_mm.get(), h.axis.unit()), radius, h.flange_mm.get());
     At { file, key: "hemispherical_head" }.made(head)
 }
 
 /// A flat plate with a knuckle.
-pub(crate) fn flat<T>(file: &Document<T>, h: &FlatHead) -> Result<Head, DocumentError> {
+pub(crate) fn flat<T>(file: &Document<T>, h: &FlatHead, depth: f64) -> Result<Head, DocumentError> {
     let at = At { file, key: "flat_head" };
     let inside = at.inside(h.outer_diameter_mm, h.thickness_mm)?;
     at.knuckle(inside, h.knuckle_radius_mm.get(), "knuckle_radius_mm")?;
-    let (radius, knuckle) = (0.5 * h.outer_diameter_mm.get(), h.knuckle_radius_mm.get() + h.thickness_mm.get());
+    let knuckle = h.knuckle_radius_mm.get() + (h.thickness_mm.get() - depth);
+    let radius = 0.5 * h.outer_diameter_mm.get() - depth;
     at.made(Head::flat((h.centre_mm.get(), h.axis.unit()), radius, knuckle, h.flange_mm.get()))
 }
 
 /// A cone with a knuckle.
-pub(crate) fn conical<T>(file: &Document<T>, h: &ConicalHead) -> Result<Head, DocumentError> {
+pub(crate) fn conical<T>(file: &Document<T>, h: &ConicalHead, depth: f64) -> Result<Head, DocumentError> {
     let at = At { file, key: "conical_head" };
     let inside = at.inside(h.outer_diameter_mm, h.thickness_mm)?;
     at.knuckle(inside, h.knuckle_radius_mm.get(), "knuckle_radius_mm")?;
@@ -74,13 +76,13 @@ pub(crate) fn conical<T>(file: &Document<T>, h: &ConicalHead) -> Result<Head, Do
         let allowed = "more than 0 and less than 90".to_owned();
         return Err(at.error("half_angle_deg", "not the half angle of a cone", allowed));
     }
-    let cone = (angle.to_radians(), h.knuckle_radius_mm.get() + h.thickness_mm.get());
+    let cone = (angle.to_radians(), h.knuckle_radius_mm.get() + (h.thickness_mm.get() - depth));
     let place = (h.centre_mm.get(), h.axis.unit());
-    at.made(Head::conical(place, 0.5 * h.outer_diameter_mm.get(), cone, h.flange_mm.get()))
+    at.made(Head::conical(place, 0.5 * h.outer_diameter_mm.get() - depth, cone, h.flange_mm.get()))
 }
 
 /// A spherical crown with a knuckle.
-pub(crate) fn torispherical<T>(file: &Document<T>, h: &TorisphericalHead) -> Result<Head, DocumentError> {
+pub(crate) fn torispherical<T>(file: &Document<T>, h: &TorisphericalHead, depth: f64) -> Result<Head, DocumentError> {
     let at = At { file, key: "torispherical_head" };
     let (diameter, thickness) = (h.outer_diameter_mm, h.thickness_mm.get());
     let inside = at.inside(diameter, h.thickness_mm)?;
@@ -96,6 +98,7 @@ pub(crate) fn torispherical<T>(file: &Document<T>, h: &TorisphericalHead) -> Res
         return Err(at.error("crown_radius_mm", "the crown is no flatter than half a ball", allowed));
     }
     let place = (h.centre_mm.get(), h.axis.unit());
-    let outside = (crown + thickness, knuckle + thickness);
-    at.made(Head::torispherical(place, 0.5 * diameter.get(), outside, h.flange_mm.get()))
+    let more = thickness - depth;
+    let radius = 0.5 * diameter.get() - depth;
+    at.made(Head::torispherical(place, radius, (crown + more, knuckle + more), h.flange_mm.get()))
 }

@@ -8,6 +8,9 @@
 mod angles;
 mod attitude;
 mod beads;
+mod body;
+mod branch;
+mod cut;
 mod girth;
 mod head;
 mod job;
@@ -24,8 +27,10 @@ mod welding;
 
 pub use attitude::Attitude;
 pub use beads::{Adapt, BeadAt, BeadPlan, Beads, Layer, Order, Run};
+pub use cut::{Cut, CutPoint, Unrolled};
 pub use job::{Job, Weld};
 pub use joint::{SeamJoint, Section};
+pub use nozzle::NozzleEdges;
 pub use pass_path::PassPath;
 pub use seam::{SeamCurve, SeamPoint};
 pub use surfaces::SeamSurfaces;

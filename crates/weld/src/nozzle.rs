@@ -1,17 +1,68 @@
-use crate::head;
+use crate::body::Shell;
 use crate::seam::tube;
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError, Positive};
-use seamwright_geometry::{
-    Edge, Error, Head, HeadIntersection, Quadric, QuadricDistance, SignedDistance, Torus, TorusIntersection, Tube,
-    TubeIntersection,
-};
-use seamwright_program::{Body, Nozzle};
+use seamwright_geometry::{Curve, Edge, EdgePoint, Jet, SignedDistance, Tube};
+use seamwright_program::{Mount, Nozzle, NozzleCurve};
+
+/// A curve where two faces meet.
+type BoxedEdge = Box<dyn Edge + Send + Sync>;
+
+/// The two curves of a nozzle with a wall, both by the angle phi (rad) about the nozzle's axis, in the seam's frame: the
+/// root at phi belongs to the toe at phi. First face the nozzle's, second the body's; normals point out of the
+/// material, into the air that the torch comes through.
+pub struct NozzleEdges {
+    /// The nozzle's outside on the body's outside, welded from outside.
+    pub outer_toe: BoxedEdge,
+    /// The root, welded from inside.
+    ///
+    /// Set on: the bore on the body's outer surface. The air is in the bore: the bore's normal points to the nozzle's
+    /// axis, and the second face is the skin at the bore's foot, its normal out of the body, up the bore. Whether that
+    /// skin is still whole, or has a hole no wider than the bore, the bisector leads up the bore and towards its axis.
+    ///
+    /// Set in: the nozzle's outside on the body's inner surface. The air is in the body, around the nozzle's end: the
+    /// nozzle's normal points away from its axis as outside, the body's into the body. The nozzle is taken to stand out of
+    /// the wall inside, far enough for a fillet.
+    pub inner_root: BoxedEdge,
+}
+
+impl std::fmt::Debug for NozzleEdges {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.debug_struct("NozzleEdges").finish_non_exhaustive()
+    }
+}
+
+impl NozzleEdges {
+    /// Both curves of a job's or program's nozzle, whichever of them it welds.
+    ///
+    /// # Errors
+    /// With the key's address: a wall or thickness that is missing or too thick, a body whose inside is not known, a
+    /// nozzle that is not all round on the surfaces that it needs.
+    pub fn new<T>(file: &Document<T>, nozzle: &Nozzle) -> Result<Self, DocumentError> {
+        let outside = outside(file, nozzle)?;
+        let outer_toe = Shell::outside(file, &nozzle.body)?.edge(file, &outside)?;
+        let inner_root = match nozzle.mount {
+            Mount::SetOn => {
+                let bore = bore(file, nozzle)?.ok_or_else(|| {
+                    let message = "the root of a set-on nozzle is at its bore: the thickness of its wall is missing";
+                    file.error_at("seam.nozzle.wall_mm", message, thinner(nozzle))
+                })?;
+                let edge = Shell::outside(file, &nozzle.body)?.edge(file, &bore)?;
+                Turned { edge, first: -1.0, second: 1.0 }
+            }
+            Mount::SetIn => {
+                let edge = Shell::inside(file, &nozzle.body)?.edge(file, &outside)?;
+                Turned { edge, first: 1.0, second: -1.0 }
+            }
+        };
+        Ok(Self { outer_toe, inner_root: Box::new(inner_root) })
+    }
+}
 
 /// A nozzle where it stands on its body.
 pub(crate) struct OnBody {
     /// The seam.
-    pub(crate) edge: Box<dyn Edge + Send + Sync>,
+    pub(crate) edge: BoxedEdge,
     /// The nozzle's outside.
     pub(crate) tube: Tube,
     /// The body's outside.
@@ -24,109 +75,68 @@ impl OnBody {
     /// # Errors
     /// With the key's address: sizes that contradict each other, a nozzle whose wall is not on the body all round.
     pub(crate) fn new<T>(file: &Document<T>, n: &Nozzle) -> Result<Self, DocumentError> {
-        let radius = n.radius_mm.get();
-        let tube = tube(n.origin_mm.get(), n.direction.unit(), n.zero_direction, radius)
-            .map_err(|e| file.error_at("seam.nozzle.zero_direction", e.to_string(), "not along `direction`"))?;
-        let (name, size, surface) = body(file, &n.body)?;
-        let unfit = |e: Error| unfit(file, &e, radius, (name, &size));
-        Ok(match surface {
-            Surface::Quadric(body) => {
-                let distance = Box::new(QuadricDistance::new(&body));
-                let curve = TubeIntersection::new(tube.clone(), body).map_err(unfit)?;
-                Self { edge: Box::new(curve), tube, body: distance }
-            }
-            Surface::Torus(torus) => {
-                let curve = TorusIntersection::new(tube.clone(), torus.clone()).map_err(unfit)?;
-                Self { edge: Box::new(curve), tube, body: Box::new(torus) }
-            }
-            Surface::Head(head) => {
-                let curve = HeadIntersection::new(tube.clone(), head.clone()).map_err(unfit)?;
-                Self { edge: Box::new(curve), tube, body: Box::new(head) }
-            }
-        })
+        let tube = outside(file, n)?;
+        bore(file, n)?;
+        let body = Shell::outside(file, &n.body)?;
+        let edge = match (n.mount, n.curve) {
+            (Mount::SetOn, NozzleCurve::OuterToe) => body.edge(file, &tube)?,
+            (Mount::SetIn, NozzleCurve::OuterToe) => NozzleEdges::new(file, n)?.outer_toe,
+            (_, NozzleCurve::InnerRoot) => NozzleEdges::new(file, n)?.inner_root,
+        };
+        Ok(Self { edge, tube, body: body.distance() })
     }
 }
 
-/// A body's outside.
-enum Surface {
-    Quadric(Quadric),
-    Torus(Torus),
-    Head(Head),
+/// The nozzle's outside.
+pub(crate) fn outside<T>(file: &Document<T>, n: &Nozzle) -> Result<Tube, DocumentError> {
+    tube(n.origin_mm.get(), n.direction.unit(), n.zero_direction, n.radius_mm.get())
+        .map_err(|e| file.error_at("seam.nozzle.zero_direction", e.to_string(), "not along `direction`"))
 }
 
-/// Why a nozzle of `radius` does not stand on a body with this name and size.
-fn unfit<T>(file: &Document<T>, e: &Error, radius: f64, (name, size): (&str, &str)) -> DocumentError {
-    let (at, allowed) = match e {
-        Error::TubeLargerThanBody => ("radius_mm", format!("a nozzle that fits the {name} ({size})")),
-        Error::TubeBesideBody => ("origin_mm", format!("an axis that meets the {name} ({size})")),
-        Error::NotClosed { .. } => (
-            "radius_mm",
-            format!("a radius and an axis with the whole wall ({radius} mm about it) on the {name} ({size})"),
-        ),
-        Error::BeyondHead { .. } => (
-            "origin_mm",
-            format!("a nozzle with the whole wall ({radius} mm about its axis) on the {name} ({size}) and its flange"),
-        ),
-        Error::Tangent { .. } => ("radius_mm", format!("a nozzle smaller than the {name} ({size})")),
-        _ => ("direction", format!("a direction out of the {name}")),
-    };
-    file.error_at(&format!("seam.nozzle.{at}"), e.to_string(), allowed)
+/// The nozzle's bore as a tube, if its wall is known.
+pub(crate) fn bore<T>(file: &Document<T>, n: &Nozzle) -> Result<Option<Tube>, DocumentError> {
+    let Some(wall) = n.wall_mm.map(Positive::get) else { return Ok(None) };
+    let inside = n.radius_mm.get() - wall;
+    tube(n.origin_mm.get(), n.direction.unit(), n.zero_direction, inside)
+        .map(Some)
+        .map_err(|_| file.error_at("seam.nozzle.wall_mm", "the wall leaves no bore", thinner(n)))
 }
 
-/// The body with its name and size in words.
-fn body<T>(file: &Document<T>, body: &Body) -> Result<(&'static str, String, Surface), DocumentError> {
-    let across = |diameter: Positive| format!("{} mm in diameter", diameter.get());
-    let of_head = |name, diameter, head| Ok((name, across(diameter), Surface::Head(head)));
-    let (name, size, quadric) = match body {
-        Body::Cylinder { radius_mm, point_mm, axis } => {
-            let r = radius_mm.get();
-            ("cylinder", format!("radius {r} mm"), Quadric::cylinder(point_mm.get(), axis.unit(), r))
-        }
-        Body::Cone { half_angle_deg, apex_mm, axis } => {
-            let angle = half_angle_deg.get();
-            if angle >= 90.0 {
-                let path = "seam.nozzle.body.cone.half_angle_deg";
-                return Err(file.error_at(path, "not the half angle of a cone", "more than 0 and less than 90"));
-            }
-            let quadric = Quadric::cone(apex_mm.get(), axis.unit(), angle.to_radians());
-            ("cone", format!("half angle {angle} degrees"), quadric)
-        }
-        Body::Sphere { radius_mm, centre_mm } => {
-            let r = radius_mm.get();
-            ("sphere", format!("radius {r} mm"), Quadric::sphere(centre_mm.get(), r))
-        }
-        Body::Ellipsoid { semi_axes_mm, centre_mm, axis, x_direction } => {
-            let semi = DVec3::from_array(semi_axes_mm.map(Positive::get));
-            let size = format!("semi-axes {} x {} x {} mm", semi.x, semi.y, semi.z);
-            ("ellipsoid", size, Quadric::ellipsoid(centre_mm.get(), axis.unit(), x_direction.unit(), semi))
-        }
-        Body::Plane { point_mm, normal } => {
-            ("plane", "its normal points out of the plate".to_owned(), Quadric::plane(point_mm.get(), normal.unit()))
-        }
-        Body::Torus { bend_radius_mm, radius_mm, centre_mm, axis } => {
-            let (ring, radius) = (bend_radius_mm.get(), radius_mm.get());
-            let path = "seam.nozzle.body.torus.bend_radius_mm";
-            if ring <= radius {
-                let message = "the pipe would meet itself in the middle of the bend";
-                return Err(file.error_at(path, message, format!("more than radius_mm = {radius}")));
-            }
-            let torus = Torus::new(centre_mm.get(), axis.unit(), ring, radius)
-                .map_err(|e| file.error_at(path, e.to_string(), "see the job's schema"))?;
-            return Ok(("torus", format!("radius {radius} mm"), Surface::Torus(torus)));
-        }
-        Body::TorisphericalHead(h) => {
-            return of_head("torispherical head", h.outer_diameter_mm, head::torispherical(file, h)?);
-        }
-        Body::EllipsoidalHead(h) => {
-            return of_head("ellipsoidal head", h.outer_diameter_mm, head::ellipsoidal(file, h)?);
-        }
-        Body::HemisphericalHead(h) => {
-            return of_head("hemispherical head", h.outer_diameter_mm, head::hemispherical(file, h)?);
-        }
-        Body::FlatHead(h) => return of_head("flat head", h.outer_diameter_mm, head::flat(file, h)?),
-        Body::ConicalHead(h) => return of_head("conical head", h.outer_diameter_mm, head::conical(file, h)?),
-    };
-    let path = format!("seam.nozzle.body.{name}");
-    let quadric = quadric.map_err(|e| file.error_at(&path, e.to_string(), "see the job's schema"))?;
-    Ok((name, size, Surface::Quadric(quadric)))
+fn thinner(n: &Nozzle) -> String {
+    format!("more than 0 and less than radius_mm = {}", n.radius_mm.get())
+}
+
+/// An edge with its faces' normals turned over (-1) or not (1).
+struct Turned {
+    edge: BoxedEdge,
+    first: f64,
+    second: f64,
+}
+
+impl Curve for Turned {
+    fn domain(&self) -> (f64, f64) {
+        self.edge.domain()
+    }
+    fn closed(&self) -> bool {
+        self.edge.closed()
+    }
+    fn jet(&self, u: f64) -> Jet {
+        self.edge.jet(u)
+    }
+    fn breaks(&self) -> Vec<f64> {
+        self.edge.breaks()
+    }
+    fn point(&self, u: f64) -> DVec3 {
+        self.edge.point(u)
+    }
+    fn speed(&self, u: f64) -> f64 {
+        self.edge.speed(u)
+    }
+}
+
+impl Edge for Turned {
+    fn edge(&self, u: f64) -> EdgePoint {
+        let e = self.edge.edge(u);
+        EdgePoint { n1: self.first * e.n1, n2: self.second * e.n2, ..e }
+    }
 }

@@ -1,4 +1,5 @@
 use crate::angles::Angles;
+use crate::branch::Joint;
 use crate::nozzle::OnBody;
 use crate::{girth, plane, space, t_joint};
 use glam::DVec3;
@@ -237,6 +238,7 @@ fn check_without_angles<T>(file: &Document<T>, start: &SeamStart, closed: bool) 
 fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync>, DocumentError> {
     match seam {
         Seam::Nozzle(nozzle) => Ok(OnBody::new(file, nozzle)?.edge),
+        Seam::Branch(branch) => Joint::new(file, branch)?.edge(file),
         Seam::Girth(girth) => Ok(Box::new(girth::edge(file, girth)?)),
         Seam::Ellipse(e) => {
             let normal = e.normal.unit();

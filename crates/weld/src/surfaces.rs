@@ -1,3 +1,4 @@
+use crate::branch::Joint;
 use crate::nozzle::OnBody;
 use crate::seam::tube;
 use crate::t_joint;
@@ -8,9 +9,9 @@ use seamwright_program::Seam;
 
 /// The surfaces beside a seam that can be touched to find where the part stands, in the seam's frame.
 pub struct SeamSurfaces {
-    /// The first part: the nozzle's outside, the wall over an ellipse, the first face of a straight seam.
+    /// The first part: the nozzle's or branch's outside, the wall over an ellipse, the first face of a straight seam.
     pub first: Box<dyn SignedDistance>,
-    /// The second part: the body's outside, the plate, the second face.
+    /// The second part: the body's or chord's outside, the plate, the second face.
     pub second: Box<dyn SignedDistance>,
     /// The nozzle, if the seam is one.
     pub nozzle: Option<Tube>,
@@ -36,6 +37,11 @@ impl SeamSurfaces {
             Seam::Nozzle(nozzle) => {
                 let OnBody { tube, body, .. } = OnBody::new(file, nozzle)?;
                 Ok(Self { first: Box::new(tube.clone()), second: body, nozzle: Some(tube) })
+            }
+            Seam::Branch(branch) => {
+                let Joint { tube, chord, .. } = Joint::new(file, branch)?;
+                let chord = Quadric::cylinder(DVec3::ZERO, DVec3::X, chord).map_err(wrong("seam.branch"))?;
+                Ok(Self { first: Box::new(tube.clone()), second: boxed(&chord), nozzle: Some(tube) })
             }
             Seam::Ellipse(e) => {
                 let (centre, normal) = (e.centre_mm.get(), e.normal.unit());

@@ -1,4 +1,4 @@
-use crate::{Attitude, BeadPlan, Job, PassPath, SeamCurve, SeamJoint};
+use crate::{Attitude, BeadPlan, Cut, Job, PassPath, SeamCurve, SeamJoint};
 use seamwright_document::{Document, DocumentError};
 use seamwright_program::{Finding, Program};
 
@@ -17,6 +17,8 @@ pub struct Welding {
     pub beads: Option<BeadPlan>,
     /// What stands against the beads.
     bead_findings: Vec<Finding>,
+    /// The end of the branch or nozzle as it is cut, where the file gives what it takes.
+    pub cut: Option<Cut>,
 }
 
 impl Welding {
@@ -41,7 +43,8 @@ impl Welding {
             (plan, findings) = (Some(filled.plan), filled.findings);
         }
         let attitudes = vec![attitude; program.passes.len()];
-        Ok(Self { program: job.with(program), seam, attitudes, joint, beads: plan, bead_findings: findings })
+        let cut = Cut::new(&job, &job.value.seam)?;
+        Ok(Self { program: job.with(program), seam, attitudes, joint, beads: plan, bead_findings: findings, cut })
     }
 
     fn from_program(program: Document<Program>) -> Result<Self, DocumentError> {
@@ -57,7 +60,8 @@ impl Welding {
             attitudes.push(Attitude::new(&program, &format!("passes[{i}].torch"), &pass.torch, &seam)?);
         }
         let joint = p.joint.as_ref().map(|joint| SeamJoint::new(&program, joint, &seam)).transpose()?;
-        Ok(Self { seam, attitudes, program, joint, beads: None, bead_findings: Vec::new() })
+        let cut = Cut::new(&program, &p.seam)?;
+        Ok(Self { seam, attitudes, program, joint, beads: None, bead_findings: Vec::new(), cut })
     }
 
     /// The torch's path in pass `pass`, counted from 0, in the machine's work frame.

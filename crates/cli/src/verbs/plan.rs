@@ -5,7 +5,7 @@ use crate::files::Output;
 use crate::load::{Loaded, load};
 use crate::rows::{print_json, print_text};
 use seamwright_report::{Plots, WeldReport};
-use seamwright_weld::Welding;
+use seamwright_weld::{Cut, Welding};
 use std::fmt::Write;
 use std::path::{Component, Path, PathBuf};
 
@@ -23,7 +23,24 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
             output.text(&name, &svg)?;
         }
     }
+    if let Some(cut) = &loaded.welding.cut {
+        output.text("cut.csv", &cut_table(cut))?;
+    }
     finish(output, &report, args.json)
+}
+
+/// The end of a tube as it is cut, point by point.
+fn cut_table(cut: &Cut) -> String {
+    let mut text = "side,phi_deg,around_mm,height_mm,dihedral_deg\n".to_owned();
+    let sides = [Some(("outside", &cut.outside)), cut.inside.as_ref().map(|inside| ("inside", inside))];
+    for (side, unrolled) in sides.into_iter().flatten() {
+        for p in &unrolled.points {
+            let (phi, dihedral) = (p.phi.to_degrees(), p.dihedral.to_degrees());
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "{side},{phi},{},{},{dihedral}", p.around, p.height);
+        }
+    }
+    text
 }
 
 /// Adds program.toml, and beside it the machine file if it is not one that ships and the STL files that are named, so

@@ -1,6 +1,6 @@
 use super::certificate::IntervalFigures;
 use super::samples::Sample;
-use super::{CertificateFigures, SimulationCurves};
+use super::{CertificateFigures, SimulationCurves, cut};
 use crate::{Axis, Band, Chart, ChartGrid, LimitLine, Mark, Series, Style, ThreeViews};
 use seamwright_machine::Machine;
 use seamwright_motion::{Leg, PassClearance, PassMotion};
@@ -29,6 +29,8 @@ pub struct Plots {
     pub path_error: Option<Chart>,
     /// Attitude error of the true torch, if simulated.
     pub attitude: Option<Chart>,
+    /// With the first pass, the end of the branch or nozzle as it is cut, if that is known: an SVG at true size.
+    pub cut: Option<String>,
 }
 
 /// Torch vectors drawn along the seam.
@@ -65,6 +67,7 @@ impl Plots {
                 series: vec![Series::line("attitude error", c.attitude())],
                 ..Chart::default()
             }),
+            cut: welding.cut.as_ref().filter(|_| pass == 0).map(cut::template),
         }
     }
 
@@ -82,6 +85,7 @@ impl Plots {
         files.extend(self.following.as_ref().map(|c| ("following.svg", c.to_svg_standalone())));
         files.extend(self.path_error.as_ref().map(|c| ("path-error.svg", c.to_svg_standalone())));
         files.extend(self.attitude.as_ref().map(|c| ("attitude.svg", c.to_svg_standalone())));
+        files.extend(self.cut.clone().map(|svg| ("cut.svg", svg)));
         files
     }
 }

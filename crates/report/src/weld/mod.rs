@@ -3,6 +3,7 @@
 mod certificate;
 mod charts;
 mod curves;
+mod cut;
 mod figures;
 mod limits;
 mod page;

@@ -68,6 +68,12 @@ impl WeldReport {
             plots.torch.to_svg(),
             "Work angle from the bisector of the faces (positive towards the first part), travel angle, and half the angle between the faces.",
         ));
+        if let Some(cut) = &plots.cut {
+            blocks.push(figure(
+                cut.clone(),
+                "The tube's end as it is cut, unrolled; cut.svg has it at true size, seen from outside, to wrap around the tube, and cut.csv its points.",
+            ));
+        }
         if let Some(clearance) = &plots.clearance {
             blocks.push(heading("Clearance"));
             if let Some(text) = pass.clearance.as_ref().and_then(nearest_text) {

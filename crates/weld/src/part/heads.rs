@@ -13,28 +13,45 @@ const HEAD_PART: f64 = 2e-5;
 impl Making<'_> {
     /// A vessel's head as a closed mesh around it, down to the end of its flange.
     pub(super) fn vessel_head(&self, head: &Head) -> Result<Solid, ClearanceError> {
-        let within = 0.5 * HEAD_MM.max(HEAD_PART * head.radius());
+        let within = head_within(head);
         let line = head.outline(within);
-        let around = (PI * (head.radius() / (2.0 * within)).sqrt()).ceil().max(24.0) as usize;
-        let outside = 1.0 / (PI / around as f64).cos();
-        let point = |(rho, z): (f64, f64), i: usize| {
-            let (sin, cos) = (2.0 * PI * (i % around) as f64 / around as f64).sin_cos();
-            DVec3::new(outside * rho * cos, outside * rho * sin, z)
-        };
-        let bottom = DVec3::new(0.0, 0.0, line[line.len() - 1].1);
-        let mut triangles = Vec::with_capacity(2 * line.len() * around);
-        for i in 0..around {
-            // The first ring is a point on the axis.
-            triangles.push([point(line[0], 0), point(line[1], i), point(line[1], i + 1)]);
-            for pair in line[1..].windows(2) {
-                let [a, b, c, d] = [point(pair[0], i), point(pair[0], i + 1), point(pair[1], i), point(pair[1], i + 1)];
-                triangles.extend([[a, c, d], [a, d, b]]);
-            }
-            triangles.push([point(line[line.len() - 1], i + 1), point(line[line.len() - 1], i), bottom]);
-        }
-        let shape = Shape::Mesh(Arc::new(Mesh::new(&triangles)?));
-        Solid::new("head", shape, standing(head.centre(), head.axis()))
+        let bottom = (0.0, line[line.len() - 1].1);
+        Solid::new("head", turned(&line, &[bottom], within)?, standing(head.centre(), head.axis()))
     }
+}
+
+/// How far a head's mesh may be off, mm, along the meridian, and as much around.
+pub(super) fn head_within(head: &Head) -> f64 {
+    0.5 * HEAD_MM.max(HEAD_PART * head.radius())
+}
+
+/// The solid of revolution about z between an outer and an inner line of points (distance from the axis, height), the
+/// inner one going back from the end of the outer one. Around the axis the mesh lies at most `within` mm outside it, and
+/// nowhere inside.
+pub(super) fn turned(outer: &[(f64, f64)], inner: &[(f64, f64)], within: f64) -> Result<Shape, ClearanceError> {
+    let farthest = outer.iter().fold(0.0, |m: f64, p| m.max(p.0));
+    let count = (PI * (farthest / (2.0 * within)).sqrt()).ceil().max(24.0) as usize;
+    // Flat sides come nearer to the axis by the cosine: those of the outside are moved out, those of the inside stay.
+    let outside = 1.0 / (PI / count as f64).cos();
+    let line: Vec<(f64, f64)> = outer.iter().map(|p| (p.0 * outside, p.1)).chain(inner.iter().copied()).collect();
+    let point = |(rho, z): (f64, f64), i: usize| {
+        let (sin, cos) = (2.0 * PI * (i % count) as f64 / count as f64).sin_cos();
+        DVec3::new(rho * cos, rho * sin, z)
+    };
+    let mut triangles = Vec::with_capacity(2 * line.len() * count);
+    for (k, &a) in line.iter().enumerate() {
+        let b = line[(k + 1) % line.len()];
+        for i in 0..count {
+            // On the axis all points are one.
+            if a.0 > 0.0 {
+                triangles.push([point(a, i), point(b, i), point(a, i + 1)]);
+            }
+            if b.0 > 0.0 {
+                triangles.push([point(a, i + 1), point(b, i), point(b, i + 1)]);
+            }
+        }
+    }
+    Ok(Shape::Mesh(Arc::new(Mesh::new(&triangles)?)))
 }
 
 /// A closed mesh around a torus about z.

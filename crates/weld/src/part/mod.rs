@@ -2,6 +2,7 @@
 
 mod flat;
 mod heads;
+mod hollow;
 mod plates;
 mod swept;
 mod tubes;
@@ -51,7 +52,8 @@ impl Welding {
     /// The part is made from the seam unless its solids are given: exact cylinders, spheres, cones and boxes; elliptic
     /// tubes and curved T-joints as meshes up to 0.02 mm outside the true surface, heads up to 0.1 mm. It
     /// is nowhere smaller than the true one, nor larger near the seam; the end of a slanting nozzle may stand out of
-    /// the far side of its body. Tubes are solid: the torch stays outside.
+    /// the far side of its body. Tubes are solid: the torch stays outside; only what is around a root that is welded
+    /// from inside is hollow.
     ///
     /// # Errors
     /// With the key's address: everything that can be wrong with a solid or an STL file, a body that ends within the
@@ -88,6 +90,7 @@ impl Making<'_> {
     fn solids<T>(&self, file: &Document<T>, seam: &Seam) -> Result<Vec<Solid>, DocumentError> {
         let made = match seam {
             Seam::Nozzle(nozzle) => self.nozzle(file, nozzle),
+            Seam::Branch(branch) => self.branch(file, branch),
             Seam::Girth(girth) => self.girth(girth),
             Seam::Ellipse(ellipse) => self.ellipse(ellipse),
             Seam::Circle(circle) => self.circle(circle),

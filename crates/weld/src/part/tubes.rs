@@ -1,10 +1,11 @@
 use super::heads::bend;
 use super::{Impossible, Making, standing};
+use crate::branch::{Joint, Leg};
 use crate::head;
 use glam::{DAffine3, DMat3, DVec3};
 use seamwright_clearance::{ClearanceError, Mesh, Shape, Solid};
 use seamwright_document::{Document, Positive};
-use seamwright_program::{Body, Girth, Helix, Nozzle};
+use seamwright_program::{Body, Branch, Girth, Helix, Nozzle, NozzleCurve};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -41,10 +42,10 @@ fn dome(semi_axes: DVec3) -> Result<Shape, ClearanceError> {
 }
 
 /// The end of a nozzle inside its body: a disc.
-struct Foot {
-    centre: DVec3,
-    along: DVec3,
-    radius: f64,
+pub(super) struct Foot {
+    pub(super) centre: DVec3,
+    pub(super) along: DVec3,
+    pub(super) radius: f64,
 }
 
 impl Foot {
@@ -59,6 +60,9 @@ impl Foot {
 impl Making<'_> {
     /// A nozzle's tube from the seam's lowest point on, and its body.
     pub(super) fn nozzle<T>(&self, file: &Document<T>, nozzle: &Nozzle) -> Result<Vec<Solid>, Impossible> {
+        if nozzle.curve == NozzleCurve::InnerRoot {
+            return self.root(file, nozzle);
+        }
         let (origin, along, radius) = (nozzle.origin_mm.get(), nozzle.direction.unit(), nozzle.radius_mm.get());
         let (low, high) = self.heights(origin, along);
         let length = high - low + self.nozzle_mm;
@@ -67,17 +71,40 @@ impl Making<'_> {
         Ok(vec![tube, self.nozzle_body(file, &nozzle.body, &foot)?])
     }
 
-    fn nozzle_body<T>(&self, file: &Document<T>, body: &Body, foot: &Foot) -> Result<Solid, Impossible> {
+    /// A branch's tube from the seam's lowest point on, the chord, and the other branch if there is one.
+    pub(super) fn branch<T>(&self, file: &Document<T>, branch: &Branch) -> Result<Vec<Solid>, Impossible> {
+        let Joint { tube, chord, other, .. } = Joint::new(file, branch)?;
+        let (origin, along, radius) = (tube.origin(), tube.direction(), tube.radius());
+        let (low, high) = self.heights(origin, along);
+        let length = high - low + self.nozzle_mm;
+        let foot = Foot { centre: origin + low * along, along, radius };
+        let mut solids = vec![Solid::new("branch", Shape::Cylinder { radius, length }, standing(foot.centre, along))?];
+        let mut extent = foot.with(self.heights(DVec3::ZERO, DVec3::X), DVec3::ZERO, DVec3::X);
+        if let Some(Leg { origin, direction, radius }) = other {
+            // Above the chord on all sides, and beyond the seam.
+            let out = (chord + radius * direction.x.abs()) / direction.z;
+            let length = self.heights(origin, direction).1.max(out) + self.nozzle_mm;
+            solids.push(Solid::new("other branch", Shape::Cylinder { radius, length }, standing(origin, direction))?);
+            let beside = radius / direction.z + chord * (direction.x / direction.z).abs();
+            extent = (extent.0.min(origin.x - beside), extent.1.max(origin.x + beside));
+        }
+        let length = self.body(6.0 * radius, extent.1 - extent.0)?;
+        let start = 0.5 * (extent.0 + extent.1 - length) * DVec3::X;
+        solids.push(Solid::new("chord", Shape::Cylinder { radius: chord, length }, standing(start, DVec3::X))?);
+        Ok(solids)
+    }
+
+    pub(super) fn nozzle_body<T>(&self, file: &Document<T>, body: &Body, foot: &Foot) -> Result<Solid, Impossible> {
         let usual = 6.0 * foot.radius;
         let solid = match body {
-            Body::Cylinder { radius_mm, point_mm, axis } => {
+            Body::Cylinder { radius_mm, point_mm, axis, .. } => {
                 let (point, axis) = (point_mm.get(), axis.unit());
                 let (low, high) = foot.with(self.heights(point, axis), point, axis);
                 let length = self.body(usual, high - low)?;
                 let start = point + 0.5 * (low + high - length) * axis;
                 Solid::new("shell", Shape::Cylinder { radius: radius_mm.get(), length }, standing(start, axis))
             }
-            Body::Cone { half_angle_deg, apex_mm, axis } => {
+            Body::Cone { half_angle_deg, apex_mm, axis, .. } => {
                 let (apex, axis) = (apex_mm.get(), axis.unit());
                 let slope = half_angle_deg.get().to_radians().tan();
                 let (low, high) = foot.with(self.heights(apex, axis), apex, axis);
@@ -86,7 +113,7 @@ impl Making<'_> {
                 let shape = Shape::Cone { radius: from * slope, top_radius: to * slope, length: to - from };
                 Solid::new("cone", shape, standing(apex + from * axis, axis))
             }
-            Body::Sphere { radius_mm, centre_mm } => {
+            Body::Sphere { radius_mm, centre_mm, .. } => {
                 let pose = DAffine3::from_translation(centre_mm.get());
                 Solid::new("sphere", Shape::Sphere { radius: radius_mm.get() }, pose)
             }
@@ -105,21 +132,21 @@ impl Making<'_> {
                 let shape = if head { dome(semi_axes)? } else { Shape::Ellipsoid { semi_axes } };
                 Solid::new("head", shape, pose)
             }
-            Body::Plane { point_mm, normal } => {
+            Body::Plane { point_mm, normal, .. } => {
                 let (middle, normal) = (self.middle(), normal.unit());
                 let centre = middle - (middle - point_mm.get()).dot(normal) * normal;
                 let farthest = -self.least(|p| -p.distance(centre));
                 self.plate("plate", centre, normal, self.body(usual, 2.0 * farthest)?)
             }
-            Body::Torus { bend_radius_mm, radius_mm, centre_mm, axis } => {
+            Body::Torus { bend_radius_mm, radius_mm, centre_mm, axis, .. } => {
                 let pose = standing(centre_mm.get(), axis.unit());
                 Solid::new("bend", bend(bend_radius_mm.get(), radius_mm.get())?, pose)
             }
-            Body::TorisphericalHead(h) => self.vessel_head(&head::torispherical(file, h)?),
+            Body::TorisphericalHead(h) => self.vessel_head(&head::torispherical(file, h, 0.0)?),
             Body::EllipsoidalHead(h) => self.vessel_head(&head::ellipsoidal(file, h)?),
-            Body::HemisphericalHead(h) => self.vessel_head(&head::hemispherical(file, h)?),
-            Body::FlatHead(h) => self.vessel_head(&head::flat(file, h)?),
-            Body::ConicalHead(h) => self.vessel_head(&head::conical(file, h)?),
+            Body::HemisphericalHead(h) => self.vessel_head(&head::hemispherical(file, h, 0.0)?),
+            Body::FlatHead(h) => self.vessel_head(&head::flat(file, h, 0.0)?),
+            Body::ConicalHead(h) => self.vessel_head(&head::conical(file, h, 0.0)?),
         };
         Ok(solid?)
     }

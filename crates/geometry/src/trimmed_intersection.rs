@@ -1,0 +1,90 @@
+use crate::pieces::{AT_BORDER_MM, Pieces};
+use crate::{Curve, Edge, EdgePoint, Error, Jet, Quadric, Surface, Tube, TubeIntersection};
+use glam::DVec3;
+
+/// The curve where a tube's wall leaves two quadric bodies that overlap, parametrised by the angle about the tube's axis
+/// (rad): the end of a tube that stands on one body and is trimmed by the other.
+///
+/// At each angle it is on the body that the wall's line leaves last, there exactly the curve of [`TubeIntersection`].
+/// Where it goes over from one to the other, at the [`breaks`](Curve::breaks), the three surfaces meet and the curve has
+/// a corner: its tangent and the second face's normal jump, its point does not.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TrimmedIntersection {
+    /// On the body, and on the other one.
+    on: [TubeIntersection; 2],
+    pieces: Pieces,
+}
+
+/// The heights of both parts at a corner differ by no more than this part of the tube's radius.
+const SAME: f64 = 1e-6;
+
+impl TrimmedIntersection {
+    /// The closed curve where `tube`, which stands on `body` all round, leaves `body` and `other`.
+    ///
+    /// # Errors
+    /// Those of [`TubeIntersection::new`] for `body` alone; [`Error::Beside`] where the wall passes beside `other`
+    /// above `body`, so that the curve would jump; [`Error::NeverLeaves`] where it never leaves `other`.
+    pub fn new(tube: Tube, body: Quadric, other: Quadric) -> Result<Self, Error> {
+        let first = TubeIntersection::new(tube.clone(), body)?;
+        let on = [first, TubeIntersection::unchecked(tube, other)];
+        let heights = |phi: f64| [on[0].height(phi), on[1].height(phi)];
+        // Corners are where the curve on the body goes through the other's surface; where lines begin to miss the other
+        // the curve must not lie on it.
+        let [body_curve, other_curve] = &on;
+        let within = |phi: f64| other_curve.body().value(body_curve.point(phi));
+        let beyond = |phi: f64| vec![within(phi), other_curve.discriminant(phi)];
+        let zone = |phi: f64| {
+            let [first, second] = heights(phi);
+            usize::from(second > first)
+        };
+        let pieces = Pieces::new(2, &beyond, &zone);
+        if pieces.middles().into_iter().any(|phi| pieces.zone(phi) == 0 && within(phi) < -AT_BORDER_MM) {
+            return Err(Error::NeverLeaves);
+        }
+        let radius = on[0].tube().radius;
+        let apart = |phi: f64| {
+            let [first, second] = heights(phi);
+            (first - second).abs()
+        };
+        match pieces.breaks().into_iter().find(|&phi| apart(phi).is_nan() || apart(phi) > SAME * radius) {
+            Some(at) => Err(Error::Beside { at }),
+            None => Ok(Self { on, pieces }),
+        }
+    }
+
+    /// True if the curve at `phi` (rad) lies on the other body, which trims the tube.
+    pub fn on_other(&self, phi: f64) -> bool {
+        self.pieces.zone(phi) == 1
+    }
+
+    fn at(&self, phi: f64) -> &TubeIntersection {
+        &self.on[self.pieces.zone(phi)]
+    }
+}
+
+impl Curve for TrimmedIntersection {
+    fn domain(&self) -> (f64, f64) {
+        self.on[0].domain()
+    }
+    fn closed(&self) -> bool {
+        true
+    }
+    fn breaks(&self) -> Vec<f64> {
+        self.pieces.breaks()
+    }
+    fn jet(&self, phi: f64) -> Jet {
+        self.at(phi).jet(phi)
+    }
+    fn point(&self, phi: f64) -> DVec3 {
+        self.at(phi).point(phi)
+    }
+    fn speed(&self, phi: f64) -> f64 {
+        self.at(phi).speed(phi)
+    }
+}
+
+impl Edge for TrimmedIntersection {
+    fn edge(&self, phi: f64) -> EdgePoint {
+        self.at(phi).edge(phi)
+    }
+}

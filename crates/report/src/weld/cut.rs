@@ -1,0 +1,81 @@
+//! The end of a tube as it is cut, unrolled and drawn at its true size: a template to wrap around the tube.
+
+use seamwright_weld::{Cut, Unrolled};
+use std::fmt::Write;
+
+/// Free space around the drawing, mm.
+const MARGIN_MM: f64 = 12.0;
+/// The template's square edge is so far above the cut's highest point, mm.
+const ABOVE_MM: f64 = 20.0;
+/// Upright lines, degrees apart.
+const EVERY_DEG: u32 = 30;
+
+/// The drawing at true size (its units are mm): outside and, if known, inside, each with the cut below and a square edge
+/// above. Heights at the left count from the tube's origin.
+pub(crate) fn template(cut: &Cut) -> String {
+    let sides = [Some(("outside", &cut.outside)), cut.inside.as_ref().map(|inside| ("inside", inside))];
+    let mut body = String::new();
+    let (mut width, mut y) = (0.0f64, MARGIN_MM);
+    for (name, side) in sides.into_iter().flatten() {
+        width = width.max(side.points.last().map_or(0.0, |p| p.around));
+        y = draw(&mut body, name, side, y) + MARGIN_MM;
+    }
+    let (w, h) = (mm(width + 2.0 * MARGIN_MM), mm(y));
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}mm\" height=\"{h}mm\" \
+         class=\"plot\" role=\"img\" aria-label=\"Template of the cut\">\n\
+         <rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n{body}</svg>\n"
+    )
+}
+
+/// One side from `top` on; returns where it ends.
+fn draw(body: &mut String, name: &str, side: &Unrolled, top: f64) -> f64 {
+    let heights = side.points.iter().map(|p| p.height);
+    let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(z), h.max(z)));
+    let length = side.points.last().map_or(0.0, |p| p.around);
+    let edge = high + ABOVE_MM;
+    let (head, left) = (top + 6.0, MARGIN_MM);
+    let at = |around: f64, height: f64| format!("{},{}", mm(left + around), mm(head + edge - height));
+    let mut outline = format!("M{} L{}", at(0.0, edge), at(length, edge));
+    for p in side.points.iter().rev() {
+        let _ = write!(outline, " L{}", at(p.around, p.height));
+    }
+    let mut upright = String::new();
+    for p in side.points.iter().filter(|p| is_drawn(p.phi)) {
+        let _ = write!(upright, "M{} L{} ", at(p.around, edge), at(p.around, p.height));
+        let _ = writeln!(
+            body,
+            "<text x=\"{}\" y=\"{}\" style=\"font:2.6px sans-serif;fill:#000\" text-anchor=\"middle\">{:.0}\u{b0}</text>",
+            mm(left + p.around),
+            mm(head - 1.0),
+            p.phi.to_degrees()
+        );
+    }
+    let _ = writeln!(
+        body,
+        "<text x=\"{}\" y=\"{}\" style=\"font:3.2px sans-serif;fill:#000\">{name}: radius {} mm, once around {:.2} \
+         mm, cut {:.2} to {:.2} mm along the axis, edge at {:.2} mm</text>\n\
+         <path d=\"{}\" fill=\"none\" stroke=\"#888\" stroke-width=\"0.1\"/>\n\
+         <path d=\"{outline} Z\" fill=\"none\" stroke=\"#000\" stroke-width=\"0.25\"/>",
+        mm(left),
+        mm(top),
+        side.radius,
+        length,
+        low,
+        high,
+        edge,
+        upright.trim_end()
+    );
+    head + edge - low
+}
+
+/// True at multiples of [`EVERY_DEG`].
+fn is_drawn(phi: f64) -> bool {
+    let turns = phi.to_degrees() / f64::from(EVERY_DEG);
+    (turns - turns.round()).abs() < 1e-9
+}
+
+/// A length to a thousandth.
+fn mm(value: f64) -> String {
+    format!("{value:.3}")
+}
