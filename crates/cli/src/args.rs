@@ -399,6 +399,7 @@ pub(crate) struct ListArgs {
 pub(crate) enum Format {
     Job,
     Machine,
+    Procedure,
     Program,
 }
 

@@ -14,6 +14,7 @@ mod offsets;
 mod part;
 mod pass;
 mod plane_seam;
+mod procedure;
 mod process;
 mod seam;
 mod sequence;
@@ -31,7 +32,11 @@ pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};
 pub use part::{Clearance, Part};
 pub use pass::{OnLimit, Pass, Span};
 pub use plane_seam::{Arc, Circle, Polyline, RoundedRectangle, WallFaces};
-pub use process::{ProcessValue, ProcessValues, Ramp, check_process};
+pub use procedure::{
+    ButtLimits, FilletLimits, Inclination, Outside, PROCEDURES, PassNumbers, PositionLimits, PositionStretch, Procedure,
+    Run, RunName, ShippedProcedure, WeldingPosition, WeldingProcess, Window, shipped_procedure,
+};
+pub use process::{ProcessValue, ProcessValues, Ramp, check_process, check_process_name};
 pub use seam::{
     Body, Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Nozzle, Seam, SeamStart, Side, TJoint,
 };
@@ -39,4 +44,4 @@ pub use sequence::{AtHold, Sequence, Slope};
 pub use space_seam::Helix;
 pub use spare_axes::{Position, SpareAxes, Weights};
 pub use tolerance::Tolerance;
-pub use torch::{Torch, TorchAt, TorchPath};
+pub use torch::{Groove, Torch, TorchAt, TorchPath};

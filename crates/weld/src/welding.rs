@@ -1,4 +1,4 @@
-use crate::{Attitude, Job, PassPath, SeamCurve};
+use crate::{Attitude, Job, PassPath, SeamCurve, procedure};
 use seamwright_document::{Document, DocumentError};
 use seamwright_program::{Finding, Program};
 
@@ -14,18 +14,31 @@ pub struct Welding {
 }
 
 impl Welding {
-    /// Reads a job file, or a program file (one with `passes`).
+    /// Reads a job file that names no other files, or a program file (one with `passes`).
     ///
     /// # Errors
     /// The first thing wrong, with its address.
     pub fn read(file: &str, text: &str) -> Result<Self, DocumentError> {
+        Self::read_with(file, text, &|_| Err(std::io::ErrorKind::NotFound.into()))
+    }
+
+    /// The same; `load` gets the bytes of the procedure file that a job names.
+    ///
+    /// # Errors
+    /// The first thing wrong, with its address.
+    pub fn read_with(
+        file: &str,
+        text: &str,
+        load: &dyn Fn(&str) -> std::io::Result<Vec<u8>>,
+    ) -> Result<Self, DocumentError> {
         if Program::is_in(text) {
             return Self::from_program(Program::read(file, text)?);
         }
         let job = Job::read(file, text)?;
         let seam = SeamCurve::new(&job, &job.value.seam, &job.value.start)?;
         let attitude = Attitude::new(&job, "torch", &job.value.torch, &seam)?;
-        let program = Job::program(&job, &seam)?;
+        let mut program = Job::program(&job, &seam)?;
+        program.procedure = procedure::of_job(&job, &program, load)?;
         Ok(Self { program: job.with(program), seam, attitudes: vec![attitude] })
     }
 
