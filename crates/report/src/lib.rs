@@ -41,7 +41,7 @@ mod weld;
 
 pub use block::{Block, Finding, Severity, Table, Tile};
 pub use bode::Bode;
-pub use chart::{Axis, Band, Chart};
+pub use chart::{Axis, Band, Chart, Stretch};
 pub use grid::ChartGrid;
 pub use limit::LimitLine;
 pub use machine::{MachineDrawing, check_page, check_text};

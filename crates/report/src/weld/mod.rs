@@ -7,6 +7,7 @@ mod figures;
 mod limits;
 mod page;
 mod plan;
+mod procedure;
 mod samples;
 
 pub use certificate::CertificateFigures;
