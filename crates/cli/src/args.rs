@@ -57,6 +57,8 @@ pub(crate) enum Verb {
     Machines(ListArgs),
     /// List the example jobs that ship, or print one to copy
     Examples(ListArgs),
+    /// List the welding procedures that ship, or print one to copy
+    Procedures(ListArgs),
     /// JSON Schema of a file format
     Schema(SchemaArgs),
 }
@@ -427,6 +429,7 @@ pub(crate) struct ListArgs {
 pub(crate) enum Format {
     Job,
     Machine,
+    Procedure,
     Program,
 }
 

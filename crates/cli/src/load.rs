@@ -30,7 +30,7 @@ pub(crate) fn load(path: &Path) -> Result<Loaded, Failure> {
 
 /// The same from text; machine files are looked for from `folder`.
 pub(crate) fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded, Failure> {
-    let welding = Welding::read(name, text)?;
+    let welding = Welding::read_with(name, text, &|name| std::fs::read(folder.join(name)))?;
     let wanted = &welding.program.value.machine;
     let stl = StlFiles::default();
     let machine = match machine_from(wanted, folder, &stl)? {
@@ -159,15 +159,17 @@ impl Loaded {
         (0..self.welding.attitudes.len()).map(|pass| self.welding.path(pass)).collect()
     }
 
-    /// Plans the weld.
+    /// Plans a weld that can be made as asked.
     pub(crate) fn plan(&self) -> Result<WeldMotion, Failure> {
         match self.try_plan()? {
-            Ok(motion) => Ok(motion),
+            Ok(motion) if motion.findings.iter().all(|f| f.allowed) => Ok(motion),
+            Ok(motion) => Err(Failure::Findings(motion.findings)),
             Err(findings) => Err(Failure::Findings(findings)),
         }
     }
 
-    /// Plans the weld, or says what stands against it.
+    /// Plans the weld, or says why the machine cannot make it. Findings against the procedure are among those of the
+    /// motion: the weld could be made, but not as it must be.
     pub(crate) fn try_plan(&self) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {
         let program = &self.welding.program.value;
         let around = Surroundings::new(&self.machine, &self.clamped)
@@ -182,6 +184,12 @@ impl Loaded {
             return Err(self.welding.program.error_at(path, message, "left, right").into());
         }
         let planned = WeldMotion::plan(&self.machine, &around, &passes, program.air.retract_mm.get());
+        let planned = planned.map(|mut motion| {
+            if let Some(procedure) = &program.procedure {
+                motion.hold_to(procedure, &self.machine, &passes);
+            }
+            motion
+        });
         Ok(match planned {
             Ok(motion) if findings.iter().all(|f| f.allowed) => Ok(motion),
             Ok(motion) => {

@@ -3,7 +3,8 @@
 //! Floor 2. [`JointPath`] is the exact path of the axes by path length; [`SpeedLaw`] the fastest speed along it up to
 //! the asked one within every axis' speed, acceleration and jerk; [`PassMotion`] puts both together with the process
 //! sequence, and [`SetPoints`] plays it period by period in constant memory, without allocation. [`pace`] plays a
-//! law under an operator's orders, [`jog`] moves axes without a path, [`taught`] follows points of any number. [`fine`]
+//! law under an operator's orders, [`jog`] moves axes without a path, [`taught`] follows points of any number. [`procedure`]
+//! holds the plan against the welding procedure. [`fine`]
 //! makes fine set-points of coarse ones, [`pulses`] step and direction pulses. [`textbook`] has the interpolators of
 //! the papers, for comparison.
 
@@ -23,6 +24,7 @@ mod pass_channels;
 mod pass_clearance;
 mod pass_motion;
 mod planned;
+pub mod procedure;
 pub mod pulses;
 pub mod redundancy;
 mod set_points;

@@ -1,11 +1,12 @@
 use crate::air::{AirMove, Blocked, Leg, route};
 use crate::pass_clearance::{PassClearance, pass_clearance};
 use crate::pass_motion::Before;
+use crate::procedure::PassProcedure;
 use crate::redundancy::Clearance;
 use crate::{LawPoint, PassMotion, Phase, SetPoint};
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, AxisSet, Joints, Machine, Surroundings, Target};
-use seamwright_program::{Finding, Pass, TorchPath};
+use seamwright_program::{Finding, Pass, Procedure, TorchPath};
 use std::f64::consts::PI;
 
 /// A whole program as motion: its passes, and the air moves before, between and after them.
@@ -17,6 +18,8 @@ pub struct WeldMotion {
     pub clearance: Vec<Option<PassClearance>>,
     /// Air moves, one more than passes: from home to the first, from each to the next, from the last back home.
     pub air: Vec<AirMove>,
+    /// Each pass against the welding procedure, if it is held to one.
+    pub procedure: Vec<PassProcedure>,
     /// What is to be said although the weld can be made.
     pub findings: Vec<Finding>,
 }
@@ -38,7 +41,7 @@ impl WeldMotion {
         passes: &[(&dyn TorchPath, &Pass)],
         retract_mm: f64,
     ) -> Result<Self, Vec<Finding>> {
-        let mut planned = Self { passes: Vec::new(), clearance: Vec::new(), air: Vec::new(), findings: Vec::new() };
+        let mut planned = Self { passes: Vec::new(), clearance: Vec::new(), air: Vec::new(), procedure: Vec::new(), findings: Vec::new() };
         for (i, &(path, pass)) in passes.iter().enumerate() {
             let last = planned.passes.last().map(|p| p.path.at(p.path.length()));
             let (motion, clearance) = one(machine, around, (path, pass, i + 1), last.as_ref()).map_err(|mut f| {
@@ -58,6 +61,18 @@ impl WeldMotion {
             planned.air_move(&air, i, &both);
         }
         if planned.findings.iter().any(|f| !f.allowed) { Err(planned.findings) } else { Ok(planned) }
+    }
+
+    /// Holds the planned `passes` of `machine` against `procedure`: where one leaves its window there is a finding that
+    /// stands against the weld.
+    pub fn hold_to(&mut self, procedure: &Procedure, machine: &Machine, passes: &[(&dyn TorchPath, &Pass)]) {
+        let held = (1..).zip(passes).zip(&self.passes);
+        self.procedure = held
+            .map(|((number, &(path, pass)), motion)| {
+                PassProcedure::new(procedure, machine, path, (pass, number, motion))
+            })
+            .collect();
+        self.findings.extend(self.procedure.iter().flat_map(|p| p.findings.iter().cloned()));
     }
 
     /// The air move before pass `i`, counted from 0, or home after the last.

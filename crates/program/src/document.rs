@@ -1,4 +1,4 @@
-use crate::{Air, Clearance, Joint, Offsets, Part, Pass, Seam, SeamStart, check_offset, check_process};
+use crate::{Air, Clearance, Joint, Offsets, Part, Pass, Procedure, Seam, SeamStart, check_offset, check_process};
 use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
@@ -44,6 +44,9 @@ pub struct Program {
     /// Moves with the arc off.
     #[serde(default, skip_serializing_if = "Air::is_usual")]
     pub air: Air,
+    /// The welding procedure that the passes must keep to.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub procedure: Option<Procedure>,
     /// Passes in the order of welding.
     pub passes: Vec<Pass>,
 }
@@ -63,6 +66,10 @@ impl Program {
         check_offset(&document, document.value.offset.as_deref(), &document.value.offsets)?;
         if document.value.passes.is_empty() {
             return Err(document.error_at("passes", "the program has no passes", "at least one [[passes]]"));
+        }
+        if let Some(procedure) = &document.value.procedure {
+            procedure.check(&document, "procedure")?;
+            procedure.check_passes(&document, "procedure", document.value.pass_names())?;
         }
         for (p, pass) in document.value.passes.iter().enumerate() {
             let mut end = 0.0;
@@ -98,6 +105,11 @@ impl Program {
             }
         }
         Ok(document)
+    }
+
+    /// Names of the passes in order.
+    pub fn pass_names(&self) -> impl Iterator<Item = &str> {
+        self.passes.iter().map(|pass| pass.name.as_str())
     }
 
     /// The work offset in force: maps the part's frame to the machine's work frame.

@@ -17,6 +17,7 @@ mod offsets;
 mod part;
 mod pass;
 mod plane_seam;
+mod procedure;
 mod process;
 mod role;
 mod seam;
@@ -41,12 +42,16 @@ pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};
 pub use part::{Clearance, Part};
 pub use pass::{OnLimit, Pass, Span};
 pub use plane_seam::{Arc, Circle, Polyline, RoundedRectangle, WallFaces};
-pub use process::{ProcessValue, ProcessValues, Ramp, check_process};
+pub use procedure::{
+    ButtLimits, FilletLimits, Inclination, Outside, PROCEDURES, PassNumbers, PositionLimits, PositionStretch, Procedure,
+    Run, RunName, ShippedProcedure, WeldingPosition, WeldingProcess, Window, shipped_procedure,
+};
+pub use process::{ProcessValue, ProcessValues, Ramp, check_process, check_process_name};
 pub use role::Role;
 pub use seam::{Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Seam, SeamStart, Side, TJoint};
 pub use sequence::{AtHold, Sequence, Slope};
 pub use space_seam::Helix;
 pub use spare_axes::{Position, SpareAxes, Weights};
 pub use tolerance::Tolerance;
-pub use torch::{Torch, TorchAt, TorchPath};
+pub use torch::{Groove, Torch, TorchAt, TorchPath};
 pub use weave::{Figure, Swing, Weave};

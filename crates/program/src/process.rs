@@ -76,21 +76,30 @@ impl<'de> Deserialize<'de> for ProcessValue {
     }
 }
 
-/// Checks the process values at `path` of a file: a name becomes a column and ends in a unit, a value is not negative.
+/// Checks a name of a process value, at `path` of a file: it becomes a column and ends in a unit.
+///
+/// # Errors
+/// With the key's address.
+pub fn check_process_name<T>(file: &Document<T>, path: &str, name: &str) -> Result<(), DocumentError> {
+    let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
+    if !name.chars().all(plain) || !name.contains('_') {
+        let allowed = "lower-case letters, digits and _, ending in the unit, like current_a";
+        return Err(file.error_at(path, "this is no name of a process value", allowed));
+    }
+    if seamwright_document::RESERVED_COLUMNS.contains(&name) {
+        return Err(file.error_at(path, "another column has this name", "a name of its own"));
+    }
+    Ok(())
+}
+
+/// Checks the process values at `path` of a file: their names, and that no value is negative.
 ///
 /// # Errors
 /// With the key's address.
 pub fn check_process<T>(file: &Document<T>, path: &str, values: &ProcessValues) -> Result<(), DocumentError> {
     for (name, value) in values {
         let key = format!("{path}.{name}");
-        let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
-        if !name.chars().all(plain) || !name.contains('_') {
-            let allowed = "lower-case letters, digits and _, ending in the unit, like current_a";
-            return Err(file.error_at(&key, "this is no name of a process value", allowed));
-        }
-        if seamwright_document::RESERVED_COLUMNS.contains(&name.as_str()) {
-            return Err(file.error_at(&key, "another column has this name", "a name of its own"));
-        }
+        check_process_name(file, &key, name)?;
         let (from, to) = value.ends();
         for (end, found) in [("from", from), ("to", to)] {
             if found < 0.0 {

@@ -35,6 +35,17 @@ pub struct TorchAt {
     pub travel_angle_deg: Finite,
 }
 
+/// The joint at one place, in the work frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Groove {
+    /// Unit tangent in the direction of welding.
+    pub tangent: DVec3,
+    /// Unit vector across the bisector of the faces, normal to the seam, towards the first part.
+    pub towards_first: DVec3,
+    /// Angle between the faces seen from the torch, rad.
+    pub dihedral: f64,
+}
+
 /// A path of the torch in the work frame by path length: what the rooms that know machines and time need of a pass.
 pub trait TorchPath {
     /// Length, mm: `s` runs from 0 to this.
@@ -48,6 +59,11 @@ pub trait TorchPath {
     /// the flat position (ISO 6947). Against the torch's direction if nothing better is known.
     fn face(&self, s: f64) -> DVec3 {
         -self.pose(s).direction
+    }
+
+    /// The joint at path length `s`, if its faces are known; without them there are no work angles.
+    fn groove(&self, _s: f64) -> Option<Groove> {
+        None
     }
 
     /// Tip and direction of a second torch that welds at the same time, at path length `s` of the first.

@@ -45,6 +45,21 @@ pub struct Band {
     pub to: f64,
 }
 
+/// A named range of x in the strip above a plot, for example a welding position.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Stretch {
+    /// Name, written in it where there is room.
+    pub label: String,
+    /// One end.
+    pub from: f64,
+    /// The other end.
+    pub to: f64,
+    /// Its place in the palette, from 0.
+    pub colour: usize,
+    /// It is not allowed: drawn in the colour of limits.
+    pub fault: bool,
+}
+
 /// Series over a common x axis. Fill what is needed and take the rest from [`Chart::default`].
 ///
 /// The y axis fits the data and those limits that do not squash them: a limit further away than
@@ -64,6 +79,8 @@ pub struct Chart {
     pub limits: Vec<LimitLine>,
     /// Shaded ranges of x.
     pub bands: Vec<Band>,
+    /// Ranges of x in a strip of their own above the plot. Not drawn in a [`ChartGrid`](crate::ChartGrid).
+    pub strip: Vec<Stretch>,
     /// One unit of x is as long as one of y, as for a path in a plane. Ignored in a
     /// [`ChartGrid`](crate::ChartGrid).
     pub equal_aspect: bool,
@@ -79,6 +96,9 @@ pub struct Chart {
 
 /// Most room for the label of a limit, px.
 const ASIDE: f64 = 150.0;
+
+/// Height of the strip, px.
+pub(crate) const STRIP: f64 = 17.0;
 
 /// Least room left of a plot, px, so that plots below each other align.
 const LEFT: f64 = 58.0;
@@ -118,6 +138,11 @@ impl Chart {
         self.bands.iter().any(|b| !b.label.is_empty())
     }
 
+    /// Room for the strip above the plot, px.
+    pub(crate) fn strip_height(&self) -> f64 {
+        if self.strip.is_empty() { 0.0 } else { STRIP + 5.0 }
+    }
+
     /// Scales and size of the plot area.
     fn measure(&self) -> (Scale, Scale, Rect) {
         let height = self.height.filter(|h| h.is_finite()).map(|h| h.clamp(40.0, 2000.0));
@@ -151,10 +176,12 @@ impl Chart {
         svg.text("quiet", 0.0, top + 12.0, Anchor::Start, &heading);
         legend.draw(&mut svg, 0.0, top + 12.0);
         top += ROW + legend.height() + if self.has_band_labels() { 17.0 } else { 2.0 };
+        top += self.strip_height();
         frame.y = top;
         let plot = Plot { chart: self, frame, x: &x, y: &y, aside: ASIDE };
         plot.draw(&mut svg);
         plot.draw_band_labels(&mut svg);
+        plot.draw_strip(&mut svg);
         plot.draw_x_labels(&mut svg);
         let label = fit(&self.x.text(), 12.0, frame.w);
         svg.text("quiet", frame.x + 0.5 * frame.w, frame.bottom() + 31.0, Anchor::Middle, &label);

@@ -42,7 +42,7 @@ mod weld;
 
 pub use block::{Block, Finding, Severity, Table, Tile};
 pub use bode::Bode;
-pub use chart::{Axis, Band, Chart};
+pub use chart::{Axis, Band, Chart, Stretch};
 pub use gallery::{Gallery, SectionDrawing};
 pub use grid::ChartGrid;
 pub use limit::LimitLine;

@@ -1,6 +1,6 @@
 //! The plot area of a chart: grid, bands, limits, curves and the labels around it.
 
-use crate::chart::{Band, Chart};
+use crate::chart::{Chart, STRIP};
 use crate::domain::{Domain, usable};
 use crate::limit::{self, LimitLine};
 use crate::number::format_number;
@@ -135,7 +135,7 @@ impl Plot<'_> {
     pub(crate) fn draw(&self, svg: &mut Svg) {
         let f = self.frame;
         svg.rect("area", f);
-        for (left, right) in self.chart.bands.iter().filter_map(|b| self.band(b)) {
+        for (left, right) in self.chart.bands.iter().filter_map(|b| self.range(b.from, b.to)) {
             svg.rect("band", Rect { x: left, w: right - left, ..f });
         }
         for (v, label) in self.y.ticks.values.iter().zip(self.y.ticks.labels()) {
@@ -191,7 +191,7 @@ impl Plot<'_> {
     /// The names of the bands, on one line above the plot; those without room there are left out.
     pub(crate) fn draw_band_labels(&self, svg: &mut Svg) {
         let f = self.frame;
-        let mut bands: Vec<_> = self.chart.bands.iter().filter_map(|b| Some((self.band(b)?, &b.label))).collect();
+        let mut bands: Vec<_> = self.chart.bands.iter().filter_map(|b| Some((self.range(b.from, b.to)?, &b.label))).collect();
         bands.sort_by(|a, b| a.0.0.total_cmp(&b.0.0));
         let mut free = f64::NEG_INFINITY;
         for ((left, right), label) in bands.into_iter().filter(|(_, label)| !label.is_empty()) {
@@ -199,15 +199,29 @@ impl Plot<'_> {
             let half = 0.5 * width(&text, SMALL);
             let x = (0.5 * (left + right)).min(f.right() - half).max(f.x + half);
             if x - half >= free {
-                svg.text("tick", x, f.y - 5.0, Anchor::Middle, &text);
+                svg.text("tick", x, f.y - 5.0 - self.chart.strip_height(), Anchor::Middle, &text);
                 free = x + half + 8.0;
             }
         }
     }
 
-    /// Left and right edge of a band inside the frame, px.
-    fn band(&self, band: &Band) -> Option<(f64, f64)> {
-        let (from, to) = (self.x.place(band.from), self.x.place(band.to));
+    /// The strip of named ranges above the plot.
+    pub(crate) fn draw_strip(&self, svg: &mut Svg) {
+        let y = self.frame.y - self.chart.strip_height();
+        let drawn = self.chart.strip.iter().filter_map(|s| Some((s, self.range(s.from, s.to)?)));
+        for (stretch, (left, right)) in drawn {
+            let class = if stretch.fault { "stretch fault".to_owned() } else { format!("stretch s{}", stretch.colour % 8 + 1) };
+            svg.rect(&class, Rect { x: left, y, w: right - left, h: STRIP });
+            if width(&stretch.label, SMALL) + 4.0 <= right - left {
+                let class = if stretch.fault { "limit-text" } else { "tick" };
+                svg.text(class, 0.5 * (left + right), y + 12.5, Anchor::Middle, &stretch.label);
+            }
+        }
+    }
+
+    /// Left and right edge of a range of x inside the frame, px.
+    fn range(&self, from: f64, to: f64) -> Option<(f64, f64)> {
+        let (from, to) = (self.x.place(from), self.x.place(to));
         if from.is_nan() || to.is_nan() {
             return None;
         }

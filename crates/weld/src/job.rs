@@ -27,6 +27,10 @@ pub struct Job {
     /// The seam's frame in the part's frame.
     #[serde(default)]
     pub placement: Transform,
+    /// The welding procedure that passes must keep to: a name of one that ships, or the path of a procedure file from the
+    /// job's folder.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub procedure: Option<String>,
     /// The seam.
     pub seam: Seam,
     /// Where on the seam welding starts, which way it goes, how far it overlaps.
@@ -112,7 +116,7 @@ impl Job {
         Ok(job)
     }
 
-    /// The program that welds `job` along its `seam`, in one pass.
+    /// The program that welds `job` along its `seam`, in one pass; without its procedure, which is a file of its own.
     ///
     /// # Errors
     /// With the key's address: a weld without length.
@@ -153,6 +157,7 @@ impl Job {
             fixtures: j.fixtures.clone(),
             clearance: j.clearance,
             air: j.air,
+            procedure: None,
             passes: vec![pass],
         })
     }

@@ -19,6 +19,7 @@ mod nozzle;
 mod part;
 mod pass_path;
 mod plane;
+mod procedure;
 mod seam;
 mod space;
 mod surfaces;

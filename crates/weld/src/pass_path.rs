@@ -1,7 +1,7 @@
 use crate::{Attitude, SeamCurve, SeamPoint};
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::Pose;
-use seamwright_program::TorchPath;
+use seamwright_program::{Groove, TorchPath};
 
 /// Knots nearer to each other are one, mm.
 const NEAR_MM: f64 = 1e-6;
@@ -42,6 +42,12 @@ impl TorchPath for PassPath<'_> {
 
     fn face(&self, s: f64) -> DVec3 {
         self.placement.transform_vector3(self.seam.at(s).bisector)
+    }
+
+    fn groove(&self, s: f64) -> Option<Groove> {
+        let p = self.seam.at(s);
+        let [tangent, towards_first] = [p.tangent, p.towards_first].map(|v| self.placement.transform_vector3(v));
+        Some(Groove { tangent, towards_first, dihedral: p.dihedral })
     }
 
     fn knots(&self) -> Vec<f64> {

@@ -1,4 +1,4 @@
-use crate::{Attitude, BeadPlan, Cut, Job, PassPath, SeamCurve, SeamJoint};
+use crate::{Attitude, BeadPlan, Cut, Job, PassPath, SeamCurve, SeamJoint, procedure};
 use seamwright_document::{Document, DocumentError};
 use seamwright_program::{Finding, Program};
 
@@ -22,11 +22,23 @@ pub struct Welding {
 }
 
 impl Welding {
-    /// Reads a job file, or a program file (one with `passes`).
+    /// Reads a job file that names no other files, or a program file (one with `passes`).
     ///
     /// # Errors
     /// The first thing wrong, with its address.
     pub fn read(file: &str, text: &str) -> Result<Self, DocumentError> {
+        Self::read_with(file, text, &|_| Err(std::io::ErrorKind::NotFound.into()))
+    }
+
+    /// The same; `load` gets the bytes of the procedure file that a job names.
+    ///
+    /// # Errors
+    /// The first thing wrong, with its address.
+    pub fn read_with(
+        file: &str,
+        text: &str,
+        load: &dyn Fn(&str) -> std::io::Result<Vec<u8>>,
+    ) -> Result<Self, DocumentError> {
         if Program::is_in(text) {
             return Self::from_program(Program::read(file, text)?);
         }
@@ -44,6 +56,7 @@ impl Welding {
         }
         let attitudes = vec![attitude; program.passes.len()];
         let cut = Cut::new(&job, &job.value.seam)?;
+        program.procedure = procedure::of_job(&job, &program, load)?;
         Ok(Self { program: job.with(program), seam, attitudes, joint, beads: plan, bead_findings: findings, cut })
     }
 

@@ -3,6 +3,7 @@ use crate::examples::EXAMPLES;
 use crate::failure::Failure;
 use crate::rows::{print_json, print_text};
 use seamwright_machine::{Machine, SHIPPED};
+use seamwright_program::{PROCEDURES, Procedure};
 use seamwright_weld::Welding;
 use serde::Serialize;
 use std::fmt::Write;
@@ -31,6 +32,15 @@ pub(crate) fn examples(args: &ListArgs) -> Result<(), Failure> {
         Ok((program.title, program.machine))
     };
     list(args, "example", "machine", &texts, describe)
+}
+
+pub(crate) fn procedures(args: &ListArgs) -> Result<(), Failure> {
+    let texts: Vec<_> = PROCEDURES.iter().map(|p| (p.name, p.text)).collect();
+    let describe = |name: &str, text: &str| -> Result<(String, String), Failure> {
+        let procedure = Procedure::read(name, text)?.value;
+        Ok((procedure.title, format!("{} {}", procedure.process.number, procedure.process.name)))
+    };
+    list(args, "procedure", "process", &texts, describe)
 }
 
 /// Prints the list, or the text of the one that is named.

@@ -1,3 +1,4 @@
+use super::simulate::judge;
 use crate::args::PlanArgs;
 use crate::clock;
 use crate::failure::Failure;
@@ -11,7 +12,8 @@ use std::path::{Component, Path, PathBuf};
 
 pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
-    let motion = loaded.plan()?;
+    // A plan that leaves its procedure is written all the same: its report shows where.
+    let motion = loaded.try_plan()?.map_err(Failure::Findings)?;
     let mut output = Output::new(&args.output)?;
     let (report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None);
     write_program(&mut output, &loaded)?;
@@ -26,7 +28,8 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     if let Some(cut) = &loaded.welding.cut {
         output.text("cut.csv", &cut_table(cut))?;
     }
-    finish(output, &report, args.json)
+    finish(output, &report, args.json)?;
+    judge(report)
 }
 
 /// The end of a tube as it is cut, point by point.

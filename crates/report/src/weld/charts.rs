@@ -1,4 +1,5 @@
 use super::certificate::IntervalFigures;
+use super::procedure::ProcedurePlots;
 use super::samples::Sample;
 use super::{CertificateFigures, SimulationCurves, cut};
 use crate::{Axis, Band, Chart, ChartGrid, LimitLine, Mark, Series, Style, ThreeViews};
@@ -19,6 +20,8 @@ pub struct Plots {
     pub jerks: ChartGrid,
     /// Tip speed: planned, and true if simulated.
     pub speed: Chart,
+    /// Heat input and welding positions, if there is a procedure.
+    pub procedure: Option<ProcedurePlots>,
     /// How near anything watched comes, if the machine file has shapes.
     pub clearance: Option<Chart>,
     /// Deviation of the true tip's speed from the planned one, if simulated.
@@ -46,6 +49,7 @@ impl Plots {
     ) -> Self {
         Self {
             seam: views(welding, pass),
+            procedure: None,
             clearance: clearance.map(clearance_chart),
             torch: torch(samples),
             axes: axes(machine, samples),
@@ -80,6 +84,10 @@ impl Plots {
             ("jerk.svg", self.jerks.to_svg_standalone()),
             ("speed.svg", self.speed.to_svg_standalone()),
         ];
+        if let Some(p) = &self.procedure {
+            files.extend(p.heat_input.as_ref().map(|c| ("heat-input.svg", c.to_svg_standalone())));
+            files.push(("position.svg", p.positions.to_svg_standalone()));
+        }
         files.extend(self.clearance.as_ref().map(|c| ("clearance.svg", c.to_svg_standalone())));
         files.extend(self.deviation.as_ref().map(|c| ("speed-deviation.svg", c.to_svg_standalone())));
         files.extend(self.following.as_ref().map(|c| ("following.svg", c.to_svg_standalone())));
@@ -90,7 +98,7 @@ impl Plots {
     }
 }
 
-fn along() -> Axis {
+pub(super) fn along() -> Axis {
     Axis::new("path length s", "mm")
 }
 

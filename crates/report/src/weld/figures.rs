@@ -1,5 +1,6 @@
 use super::CertificateFigures;
 use super::plan::PlanFigures;
+use super::procedure::{PassProcedureFigures, ProcedureFigures, ProcedurePlots};
 use super::samples::samples;
 use super::{Plots, SimulationCurves};
 use seamwright_cell::Summary;
@@ -20,6 +21,8 @@ pub struct WeldReport {
     pub file: String,
     /// The machine.
     pub machine: MachineFigures,
+    /// The welding procedure, if there is one.
+    pub procedure: Option<ProcedureFigures>,
     /// The seam.
     pub seam: SeamFigures,
     /// The plan of the first pass.
@@ -71,6 +74,8 @@ pub struct PassFigures {
     pub plan: PlanFigures,
     /// What it reaches and what bounds it where.
     pub certificate: CertificateFigures,
+    /// What it does, and what its procedure allows.
+    pub procedure: Option<PassProcedureFigures>,
     /// How near things come, if the machine file has shapes.
     pub clearance: Option<ClearanceFigures>,
     /// The simulated pass, if it was simulated.
@@ -110,11 +115,18 @@ impl WeldReport {
             findings.extend(summary.iter().flat_map(|s| s.findings(&pass.tolerance, i + 1)));
             let curves = curves.as_ref().and_then(|c| c.get(i));
             let around = motion.clearance[i].as_ref();
-            plots.push(Plots::new(machine, welding, (i, planned, around), (&samples, &certificate), curves));
+            let mut drawn = Plots::new(machine, welding, (i, planned, around), (&samples, &certificate), curves);
+            drawn.procedure = motion.procedure.get(i).zip(program.procedure.as_ref()).map(|(held, procedure)| {
+                ProcedurePlots::new(held, procedure.run_of(i + 1, &pass.name))
+            });
+            plots.push(drawn);
             passes.push(PassFigures {
                 name: pass.name.clone(),
                 plan: PlanFigures::new(machine, welding, i, planned, &samples),
                 certificate,
+                procedure: motion.procedure.get(i).zip(program.procedure.as_ref()).map(|(held, procedure)| {
+                    PassProcedureFigures::new(held, procedure.run_of(i + 1, &pass.name))
+                }),
                 clearance: around.map(clearance),
                 simulation: summary,
             });
@@ -128,6 +140,7 @@ impl WeldReport {
                 title: machine.title.clone(),
                 assumed_drives: machine.axes.iter().filter(|a| a.drive.is_none()).map(|a| a.name.clone()).collect(),
             },
+            procedure: program.procedure.as_ref().map(ProcedureFigures::new),
             seam: SeamFigures {
                 kind: program.seam.kind(),
                 length_mm: welding.seam.length(),

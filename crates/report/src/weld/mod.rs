@@ -8,6 +8,7 @@ mod figures;
 mod limits;
 mod page;
 mod plan;
+mod procedure;
 mod samples;
 mod sections;
 

@@ -2,6 +2,7 @@ use super::Plots;
 use super::figures::{ClearanceFigures, PassFigures, WeldReport};
 use super::limits::{axes_table, bounds_table, speed_text, uses_table};
 use super::plan::PlanFigures;
+use super::procedure::{positions_table, procedure_text, windows_table};
 use crate::{Block, Finding, Page, Severity, Table, Tile, Verdict, format_number};
 use seamwright_cell::Summary;
 use seamwright_program::WeldDirection;
@@ -74,6 +75,22 @@ impl WeldReport {
                 "The tube's end as it is cut, unrolled; cut.svg has it at true size, seen from outside, to wrap around the tube, and cut.csv its points.",
             ));
         }
+        if let (Some(figures), Some(drawn), Some(procedure)) = (&pass.procedure, &plots.procedure, &self.procedure) {
+            blocks.push(heading("Procedure"));
+            blocks.push(Block::Paragraph(procedure_text(procedure, figures)));
+            if let Some(heat_input) = &drawn.heat_input {
+                blocks.push(figure(
+                    heat_input.to_svg(),
+                    "Heat input at the planned speed between run-up and run-down, with its window; shaded where it is outside.",
+                ));
+            }
+            blocks.push(figure(
+                drawn.positions.to_svg(),
+                "Welding position (ISO 6947) by slope of the travel and rotation of the weld's face, as the machine's axes turn the part.",
+            ));
+            blocks.push(windows_table(figures));
+            blocks.push(positions_table(figures));
+        }
         if let Some(clearance) = &plots.clearance {
             blocks.push(heading("Clearance"));
             if let Some(text) = pass.clearance.as_ref().and_then(nearest_text) {
@@ -139,6 +156,12 @@ impl WeldReport {
             true => "the asked speed from run-up to run-down".to_owned(),
             false => format!("slowed to {} mm/s where an axis needs it", number(p.least_speed_mm_s)),
         };
+        let left = self.findings.iter().filter(|f| f.kind == "procedure").count();
+        let kept = match (&self.procedure, left) {
+            (None, _) => String::new(),
+            (Some(p), 0) => format!(" Within {}.", p.number),
+            (Some(p), n) => format!(" Outside {}: {n} finding{}.", p.number, if n == 1 { "" } else { "s" }),
+        };
         let simulated = self.simulation.as_ref().map_or(String::new(), |s| {
             format!(
                 " Simulated: path error at most {} mm of {} allowed, {}.",
@@ -155,7 +178,7 @@ impl WeldReport {
         });
         Verdict {
             ok: self.findings.iter().all(|f| f.allowed),
-            text: format!("Planned: all axes within their limits, {held}.{simulated}"),
+            text: format!("Planned: all axes within their limits, {held}.{kept}{simulated}"),
         }
     }
 

@@ -1,0 +1,145 @@
+//! Values along a planned pass against their windows.
+
+use super::Quantity;
+use super::lie::{self, Lie};
+use crate::PassMotion;
+use seamwright_machine::Machine;
+use seamwright_program::{Outside, Pass, Procedure, Run, Span, TorchPath, Window};
+
+/// A stretch over which every value is continuous: places in it, and the span that it lies in.
+struct Piece<'a> {
+    span: &'a Span,
+    places: Vec<f64>,
+}
+
+/// The pass between run-up and run-down, span by span, at the places of the law's cells.
+fn steady<'a>(pass: &'a Pass, motion: &PassMotion) -> Vec<Piece<'a>> {
+    let legs = motion.law.legs();
+    let (Some(first), Some(last)) = (legs.first(), legs.last()) else { return Vec::new() };
+    let (from, to) = (first.run_up_end, last.run_down_start);
+    let cells = (0..motion.law.cells()).flat_map(|i| [0.0, 0.25, 0.5, 0.75].map(|part| motion.law.in_cell(i, part).s));
+    let places: Vec<f64> = cells.collect();
+    let piece = |span: &'a Span| {
+        let (from, to) = (from.max(span.from_mm.get()), to.min(span.to_mm.get()));
+        let inside = places.iter().copied().filter(|s| *s > from && *s < to);
+        let mut places: Vec<f64> = std::iter::once(from).chain(inside).chain([to]).collect();
+        places.dedup();
+        (from <= to).then_some(Piece { span, places })
+    };
+    pass.spans.iter().filter_map(piece).collect()
+}
+
+/// Speed of the tip at path length `s`, mm/s.
+fn speed(machine: &Machine, motion: &PassMotion, s: f64) -> f64 {
+    motion.law.speed(s) * motion.path.tip_rate(machine, s)
+}
+
+/// Power of a span at path length `s`, W.
+fn power(procedure: &Procedure, span: &Span, s: f64) -> Option<f64> {
+    let (from, to) = (span.from_mm.get(), span.to_mm.get());
+    procedure.power_w(&span.process, (s - from) / (to - from))
+}
+
+/// Heat input between run-up and run-down, by path length.
+pub(super) fn heat_input(
+    procedure: &Procedure,
+    machine: &Machine,
+    (pass, motion): (&Pass, &PassMotion),
+) -> Vec<(f64, f64)> {
+    let mut curve = Vec::new();
+    for Piece { span, places } in steady(pass, motion) {
+        let heat = |s: f64| Some(procedure.heat_input_kj_mm(power(procedure, span, s)?, speed(machine, motion, s)));
+        curve.extend(places.iter().filter_map(|&s| Some((s, heat(s)?))));
+    }
+    curve
+}
+
+/// Everything along the pass that has a value, a window, or both.
+pub(super) fn quantities(
+    procedure: &Procedure,
+    run: Option<&Run>,
+    machine: &Machine,
+    (path, pass, motion): (&dyn TorchPath, &Pass, &PassMotion),
+    lies: &[Lie],
+) -> Vec<Quantity> {
+    let mut all = process_values(run, pass);
+    let window = |of: fn(&Run) -> Option<Window>| run.and_then(of);
+    let steady = steady(pass, motion);
+    all.push(quantity("speed_mm_s", window(|r| r.speed_mm_s), &steady, |_, s| Some(speed(machine, motion, s))));
+    all.push(quantity("heat_input_kj_mm", window(|r| r.heat_input_kj_mm), &steady, |span, s| {
+        Some(procedure.heat_input_kj_mm(power(procedure, span, s)?, speed(machine, motion, s)))
+    }));
+    let Some(span) = pass.spans.first() else { return all };
+    let whole = [Piece { span, places: lies.iter().map(|lie| lie.s).collect() }];
+    let at = |s: f64| lie::at(machine, path, motion, s);
+    all.push(quantity("travel_angle_deg", window(|r| r.travel_angle_deg), &whole, |_, s| Some(at(s).travel)));
+    all.push(quantity("work_angle_deg", window(|r| r.work_angle_deg), &whole, |_, s| at(s).work));
+    for (key, allowed) in [("preheat_c", window(|r| r.preheat_c)), ("interpass_c", window(|r| r.interpass_c))] {
+        let measured = |allowed| Quantity { key: key.to_owned(), found: None, allowed: Some(allowed), outside: Vec::new() };
+        all.extend(allowed.map(measured));
+    }
+    all
+}
+
+/// The pass's process values, and those that only the procedure has. They are linear in each span: its ends are enough.
+fn process_values(run: Option<&Run>, pass: &Pass) -> Vec<Quantity> {
+    let pieces: Vec<Piece> = pass
+        .spans
+        .iter()
+        .map(|span| Piece { span, places: vec![span.from_mm.get(), span.to_mm.get()] })
+        .collect();
+    let window = |name: &String| run.and_then(|r| r.ranges.get(name)).copied();
+    let has = |name: &String| pass.spans.first().is_some_and(|span| span.process.contains_key(name));
+    let lacking = run.iter().flat_map(|r| r.ranges.keys()).filter(|name| !has(name));
+    let names = pass.spans.first().into_iter().flat_map(|span| span.process.keys()).chain(lacking);
+    names
+        .map(|name| {
+            quantity(name, window(name), &pieces, |span, s| {
+                let (from, to) = (span.from_mm.get(), span.to_mm.get());
+                span.process.get(name).map(|value| value.at((s - from) / (to - from)))
+            })
+        })
+        .collect()
+}
+
+/// A quantity over `pieces`, whose value in a span at a path length is `value`.
+fn quantity(
+    key: &str,
+    allowed: Option<Window>,
+    pieces: &[Piece],
+    value: impl Fn(&Span, f64) -> Option<f64>,
+) -> Quantity {
+    let mut found: Option<(f64, f64)> = None;
+    let mut outside = Vec::new();
+    for Piece { span, places } in pieces {
+        let values: Option<Vec<f64>> = places.iter().map(|&s| value(span, s)).collect();
+        let Some(values) = values else {
+            return Quantity { key: key.to_owned(), found: None, allowed, outside: Vec::new() };
+        };
+        for v in values {
+            found = Some(found.map_or((v, v), |(least, greatest)| (v.min(least), v.max(greatest))));
+        }
+        // A value that the places have, those between have too.
+        outside.extend(allowed.into_iter().flat_map(|w| w.outside(places, |s| value(span, s).unwrap_or(f64::NAN))));
+    }
+    Quantity { key: key.to_owned(), found, allowed, outside: joined(outside) }
+}
+
+/// Stretches on the same side that go on from one span into the next are one; in the order of path length.
+fn joined(mut stretches: Vec<Outside>) -> Vec<Outside> {
+    stretches.sort_by(|a, b| a.above.cmp(&b.above).then(a.from_mm.total_cmp(&b.from_mm)));
+    let mut all: Vec<Outside> = Vec::new();
+    for next in stretches {
+        match all.last_mut().filter(|last| last.above == next.above && next.from_mm <= last.to_mm) {
+            Some(last) => {
+                last.to_mm = next.to_mm;
+                if (next.found > last.found) == last.above {
+                    (last.found, last.at_mm) = (next.found, next.at_mm);
+                }
+            }
+            None => all.push(next),
+        }
+    }
+    all.sort_by(|a, b| a.from_mm.total_cmp(&b.from_mm));
+    all
+}

@@ -1,0 +1,258 @@
+//! The welding procedure (WPS): what each pass must keep to.
+
+mod pass_numbers;
+mod position;
+mod power;
+mod shipped;
+mod welding_process;
+mod window;
+
+pub use pass_numbers::PassNumbers;
+pub use position::{
+    ButtLimits, FilletLimits, Inclination, PositionLimits, PositionStretch, WeldingPosition,
+};
+pub use shipped::{PROCEDURES, ShippedProcedure, shipped_procedure};
+pub use welding_process::WeldingProcess;
+pub use window::{Outside, Window};
+
+use crate::{FilletOrButt, check_process_name};
+use schemars::JsonSchema;
+use seamwright_document::{Document, DocumentError, Positive, SchemaVersion};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// A welding procedure: process, and the window that each pass must keep to. A file of its own, or the table
+/// `[procedure]` of a program.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Procedure {
+    /// Version of the file format.
+    pub schema: SchemaVersion,
+    /// Number of the procedure specification.
+    pub number: String,
+    /// Title, for people and for the report.
+    pub title: String,
+    /// Welding process by its number in ISO 4063.
+    pub process: WeldingProcess,
+    /// Part of the power that counts as heat input, up to 1; if missing that of EN 1011-1 for the process, 1 for beams.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub thermal_efficiency: Option<Positive>,
+    /// Process values whose product is the power: one in W or kW, or a current (A, mA, kA) and a voltage (V, kV). If
+    /// missing `current_a` and `voltage_v`; `beam_ma` and `accelerating_kv` of an electron beam; `laser_w` of a laser.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub power: Option<Vec<String>>,
+    /// Diameter of wire or electrode, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wire_diameter_mm: Option<Positive>,
+    /// Part of the wire that becomes weld metal, up to 1; if missing the usual one of the process.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub deposition_efficiency: Option<Positive>,
+    /// Kind of weld, for its positions: a groove on a nozzle is a butt weld. If missing by the angle between the faces.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub joint: Option<FilletOrButt>,
+    /// Where each welding position begins and ends.
+    #[serde(default, skip_serializing_if = "PositionLimits::is_usual")]
+    pub position_limits: PositionLimits,
+    /// What passes must keep to.
+    pub runs: Vec<Run>,
+}
+
+/// What some passes must keep to. Ranges are `[least, greatest]`; what has none is not looked at.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Run {
+    /// The passes whose name begins with this word; or give `passes`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<RunName>,
+    /// The passes of these numbers, counted from 1: `"1"`, `"2-5"`, `"1, 3-4"`; or give `name`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub passes: Option<PassNumbers>,
+    /// Welding positions allowed (ISO 6947); any if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub positions: Option<Vec<WeldingPosition>>,
+    /// Speed of the torch tip along the seam between run-up and run-down, mm/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speed_mm_s: Option<Window>,
+    /// Heat input between run-up and run-down, kJ/mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub heat_input_kj_mm: Option<Window>,
+    /// Travel angle of the torch as the axes reach it, degrees: positive drags, negative pushes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub travel_angle_deg: Option<Window>,
+    /// Work angle of the torch as the axes reach it, degrees from the faces' bisector, positive towards the first part.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub work_angle_deg: Option<Window>,
+    /// Temperature before the first pass, degrees Celsius: to be measured, not planned.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub preheat_c: Option<Window>,
+    /// Temperature before each further pass, degrees Celsius: to be measured, not planned.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub interpass_c: Option<Window>,
+    /// Ranges of the pass's process values, by the names that the job gives them, like `current_a`.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub ranges: BTreeMap<String, Window>,
+}
+
+/// Which passes a run is for, by the first word of their name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum RunName {
+    /// Root passes.
+    Root,
+    /// Fill passes.
+    Fill,
+    /// Cap passes.
+    Cap,
+}
+
+impl RunName {
+    /// The word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Root => "root",
+            Self::Fill => "fill",
+            Self::Cap => "cap",
+        }
+    }
+}
+
+/// Ranges with keys of their own: they cannot stand in `ranges`.
+const OWN_KEYS: [&str; 6] =
+    ["speed_mm_s", "heat_input_kj_mm", "travel_angle_deg", "work_angle_deg", "preheat_c", "interpass_c"];
+
+impl Run {
+    /// Which passes it is for, in words.
+    pub fn label(&self) -> String {
+        match (&self.name, &self.passes) {
+            (Some(name), _) => name.word().to_owned(),
+            (None, Some(passes)) => format!("passes {passes}"),
+            (None, None) => String::new(),
+        }
+    }
+
+    /// True if it is for pass `number` (from 1) called `name`.
+    fn is_for(&self, number: usize, name: &str) -> bool {
+        self.passes.as_ref().is_some_and(|p| p.has(number))
+            || self.name.is_some_and(|n| name.split_whitespace().next() == Some(n.word()))
+    }
+
+    fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
+        let message = match (&self.name, &self.passes) {
+            (None, None) => Some("the run names no passes"),
+            (Some(_), Some(_)) => Some("the run names its passes twice"),
+            _ => None,
+        };
+        if let Some(message) = message {
+            let allowed = "either name = \"root\", \"fill\" or \"cap\", or passes = \"1\", \"2-5\" and so on";
+            return Err(file.error_at(path, message, allowed));
+        }
+        if self.positions.as_ref().is_some_and(Vec::is_empty) {
+            let message = "the run allows no position at all";
+            return Err(file.error_at(&format!("{path}.positions"), message, "one or more; no key allows all"));
+        }
+        for name in self.ranges.keys() {
+            let key = format!("{path}.ranges.{name}");
+            if OWN_KEYS.contains(&name.as_str()) {
+                return Err(file.error_at(&key, "this is no process value", format!("{name} beside `ranges`")));
+            }
+            check_process_name(file, &key, name)?;
+        }
+        Ok(())
+    }
+}
+
+impl Procedure {
+    /// Reads a procedure file.
+    ///
+    /// # Errors
+    /// The first thing wrong, with its address.
+    pub fn read(file: &str, text: &str) -> Result<Document<Self>, DocumentError> {
+        let document = Document::<Self>::read(file, text).map_err(|mut e| {
+            if e.key.starts_with("runs[") && e.message.starts_with("there is no key") && e.help.is_none() {
+                e.help = Some("ranges of process values stand in [runs.ranges]".to_owned());
+            }
+            e
+        })?;
+        document.value.check(&document, "")?;
+        Ok(document)
+    }
+
+    /// Checks the procedure that stands in `file` in the table `table` (empty: it is the whole file).
+    ///
+    /// # Errors
+    /// With the key's address.
+    pub fn check<T>(&self, file: &Document<T>, table: &str) -> Result<(), DocumentError> {
+        let at = |key: &str| if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
+        let parts = [
+            ("thermal_efficiency", self.thermal_efficiency),
+            ("deposition_efficiency", self.deposition_efficiency),
+        ];
+        if let Some((key, _)) = parts.iter().find(|(_, part)| part.is_some_and(|p| p.get() > 1.0)) {
+            return Err(file.error_at(&at(key), "this is a part of the whole", "more than 0, up to 1"));
+        }
+        self.check_power(file, &at("power"))?;
+        self.position_limits.check(file, &at("position_limits"))?;
+        if self.runs.is_empty() {
+            return Err(file.error_at(&at("runs"), "the procedure has no runs", "at least one [[runs]]"));
+        }
+        for (i, run) in self.runs.iter().enumerate() {
+            let path = at(&format!("runs[{i}]"));
+            run.check(file, &path)?;
+            for (k, other) in self.runs[..i].iter().enumerate() {
+                if run.name.is_some() && run.name == other.name {
+                    let message = format!("runs[{k}] has this name already");
+                    return Err(file.error_at(&format!("{path}.name"), message, "one run of each name"));
+                }
+                let both = run.passes.as_ref().zip(other.passes.as_ref()).and_then(|(a, b)| a.first_in_both(b));
+                if let Some(number) = both {
+                    let message = format!("pass {number} is named by runs[{k}] already");
+                    return Err(file.error_at(&format!("{path}.passes"), message, "each pass in one run"));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks that no pass is in two runs, one by its name and one by its number; `names` are those of the passes in
+    /// order, `file` and `table` as in [`Procedure::check`].
+    ///
+    /// # Errors
+    /// With the second run's address.
+    pub fn check_passes<'a, T>(
+        &self,
+        file: &Document<T>,
+        table: &str,
+        names: impl IntoIterator<Item = &'a str>,
+    ) -> Result<(), DocumentError> {
+        for (number, name) in (1..).zip(names) {
+            let mut runs = (0..self.runs.len()).filter(|i| self.runs[*i].is_for(number, name));
+            if let (Some(first), Some(second)) = (runs.next(), runs.next()) {
+                let dot = if table.is_empty() { "" } else { "." };
+                let message = format!("pass {number} ({name}) is in runs[{first}] already");
+                return Err(file.error_at(&format!("{table}{dot}runs[{second}]"), message, "each pass in one run"));
+            }
+        }
+        Ok(())
+    }
+
+    /// The run for pass `number` (from 1) called `name`, if there is one.
+    pub fn run_of(&self, number: usize, name: &str) -> Option<&Run> {
+        self.runs.iter().find(|run| run.is_for(number, name))
+    }
+
+    /// Part of the power that counts as heat input: the procedure's, or the process' usual one.
+    pub fn thermal_efficiency(&self) -> f64 {
+        self.thermal_efficiency.map_or(self.process.thermal_efficiency, Positive::get)
+    }
+
+    /// Part of the wire that becomes weld metal: the procedure's, or the process' usual one.
+    pub fn deposition_efficiency(&self) -> f64 {
+        self.deposition_efficiency.map_or(self.process.deposition_efficiency, Positive::get)
+    }
+
+    /// The kind of weld where the least and the greatest angle between the faces (rad) along it are these.
+    pub fn joint(&self, (least, greatest): (f64, f64)) -> FilletOrButt {
+        let fillet = 0.5 * (least + greatest).to_degrees() <= self.position_limits.fillet_up_to_deg.get();
+        self.joint.unwrap_or(if fillet { FilletOrButt::Fillet } else { FilletOrButt::Butt })
+    }
+}

@@ -1,0 +1,264 @@
+use super::window::halve;
+use crate::FilletOrButt;
+use glam::DVec3;
+use schemars::JsonSchema;
+use seamwright_document::{Document, DocumentError, NonNegative};
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// A stretch is longer than this, mm.
+const SAME_MM: f64 = 1e-9;
+
+/// A welding position of ISO 6947.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "UPPERCASE")]
+pub enum WeldingPosition {
+    /// Flat.
+    Pa,
+    /// Horizontal-vertical.
+    Pb,
+    /// Horizontal.
+    Pc,
+    /// Horizontal overhead.
+    Pd,
+    /// Overhead.
+    Pe,
+    /// Vertical up.
+    Pf,
+    /// Vertical down.
+    Pg,
+}
+
+impl WeldingPosition {
+    /// All of them, in the order of their letters.
+    pub const ALL: [Self; 7] = [Self::Pa, Self::Pb, Self::Pc, Self::Pd, Self::Pe, Self::Pf, Self::Pg];
+}
+
+impl fmt::Display for WeldingPosition {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(["PA", "PB", "PC", "PD", "PE", "PF", "PG"][*self as usize])
+    }
+}
+
+/// How a weld lies against gravity at one place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Inclination {
+    /// Slope S of the direction of travel, rad: positive uphill.
+    pub slope: f64,
+    /// Rotation rho of the weld's face about its axis, rad: 0 with the face up, pi with the face down. 0 where the weld
+    /// is vertical and there is no rotation.
+    pub rotation: f64,
+}
+
+impl Inclination {
+    /// Of a weld with the unit vectors `tangent` (direction of travel), `face` (from the root to the middle of the
+    /// face) and `up` against gravity, all in one frame.
+    pub fn new(tangent: DVec3, face: DVec3, up: DVec3) -> Self {
+        let (rise, level) = (tangent.dot(up), tangent.cross(up).length());
+        let face = face.reject_from_normalized(tangent);
+        let up = up.reject_from_normalized(tangent);
+        Self { slope: rise.atan2(level), rotation: face.cross(up).length().atan2(face.dot(up)) }
+    }
+}
+
+/// Where each position begins and ends, degrees. What is missing is as in the production ranges of ISO 6947, which
+/// ASME IX (QW-461) has too.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct PositionLimits {
+    /// Up to this slope, uphill or downhill, the rotation alone decides; 15 if missing.
+    pub level_slope_deg: NonNegative,
+    /// From this slope on the weld is vertical, whatever its rotation, which means nothing there; 80 if missing.
+    pub vertical_slope_deg: NonNegative,
+    /// Rotations of butt welds.
+    pub butt: ButtLimits,
+    /// Rotations of fillet welds.
+    pub fillet: FilletLimits,
+    /// A position is kept along a weld until its limits are passed by more than this; 4 if missing.
+    pub hysteresis_deg: NonNegative,
+    /// Where the faces are up to this far apart the weld is a fillet, unless `joint` says which; 135 if missing.
+    pub fillet_up_to_deg: NonNegative,
+}
+
+/// Greatest rotation of the positions of butt welds, degrees. Overhead (PE) goes from there to 180.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct ButtLimits {
+    /// Of PA; 30 if missing.
+    pub pa_deg: NonNegative,
+    /// Of PC, and of sloping PF and PG; 100 if missing.
+    pub pc_deg: NonNegative,
+}
+
+/// Greatest rotation of the positions of fillet welds, degrees. Overhead (PE) goes from there to 180.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct FilletLimits {
+    /// Of PA; 30 if missing.
+    pub pa_deg: NonNegative,
+    /// Of PB; 55 if missing.
+    pub pb_deg: NonNegative,
+    /// Of PC, and of sloping PF and PG; 100 if missing.
+    pub pc_deg: NonNegative,
+    /// Of PD; 145 if missing.
+    pub pd_deg: NonNegative,
+}
+
+fn degrees(value: f64) -> NonNegative {
+    NonNegative::new(value).unwrap_or_default()
+}
+
+impl Default for PositionLimits {
+    fn default() -> Self {
+        Self {
+            level_slope_deg: degrees(15.0),
+            vertical_slope_deg: degrees(80.0),
+            butt: ButtLimits::default(),
+            fillet: FilletLimits::default(),
+            hysteresis_deg: degrees(4.0),
+            fillet_up_to_deg: degrees(135.0),
+        }
+    }
+}
+
+impl Default for ButtLimits {
+    fn default() -> Self {
+        Self { pa_deg: degrees(30.0), pc_deg: degrees(100.0) }
+    }
+}
+
+impl Default for FilletLimits {
+    fn default() -> Self {
+        Self { pa_deg: degrees(30.0), pb_deg: degrees(55.0), pc_deg: degrees(100.0), pd_deg: degrees(145.0) }
+    }
+}
+
+/// A stretch of a pass in one position.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct PositionStretch {
+    /// The position.
+    pub position: WeldingPosition,
+    /// Path length at which it begins, mm.
+    pub from_mm: f64,
+    /// Path length at which it ends, mm.
+    pub to_mm: f64,
+}
+
+impl PositionLimits {
+    /// True if nothing differs from the defaults.
+    pub fn is_usual(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// The range of rotation of `position`, degrees; none if welds of that joint have no such position.
+    fn rotations(&self, joint: FilletOrButt, position: WeldingPosition) -> Option<(f64, f64)> {
+        use WeldingPosition as P;
+        let (butt, fillet) = (&self.butt, &self.fillet);
+        let (low, high) = match (joint, position) {
+            (FilletOrButt::Butt, P::Pb | P::Pd) => return None,
+            (FilletOrButt::Butt, P::Pa) => (0.0, butt.pa_deg.get()),
+            (FilletOrButt::Butt, P::Pc) => (butt.pa_deg.get(), butt.pc_deg.get()),
+            (FilletOrButt::Butt, P::Pe) => (butt.pc_deg.get(), 180.0),
+            (FilletOrButt::Butt, P::Pf | P::Pg) => (0.0, butt.pc_deg.get()),
+            (FilletOrButt::Fillet, P::Pa) => (0.0, fillet.pa_deg.get()),
+            (FilletOrButt::Fillet, P::Pb) => (fillet.pa_deg.get(), fillet.pb_deg.get()),
+            (FilletOrButt::Fillet, P::Pc) => (fillet.pb_deg.get(), fillet.pc_deg.get()),
+            (FilletOrButt::Fillet, P::Pd) => (fillet.pc_deg.get(), fillet.pd_deg.get()),
+            (FilletOrButt::Fillet, P::Pe) => (fillet.pd_deg.get(), 180.0),
+            (FilletOrButt::Fillet, P::Pf | P::Pg) => (0.0, fillet.pc_deg.get()),
+        };
+        Some((low, high))
+    }
+
+    /// By how much (degrees) a weld is beyond the limits of `position`, the most of slope and rotation; negative or 0
+    /// within them, infinite if there is no such position.
+    pub fn beyond(&self, joint: FilletOrButt, position: WeldingPosition, at: Inclination) -> f64 {
+        use WeldingPosition as P;
+        let (slope, rotation) = (at.slope.to_degrees(), at.rotation.to_degrees());
+        let (level, vertical) = (self.level_slope_deg.get(), self.vertical_slope_deg.get());
+        let Some((low, high)) = self.rotations(joint, position) else { return f64::INFINITY };
+        let turned = (low - rotation).max(rotation - high);
+        match position {
+            P::Pa | P::Pb | P::Pc => turned.max(slope.abs() - level),
+            P::Pd | P::Pe => turned.max(slope.abs() - vertical),
+            P::Pf => turned.max(level - slope).min(vertical - slope),
+            P::Pg => turned.max(level + slope).min(vertical + slope),
+        }
+    }
+
+    /// The position of a weld; on a limit that of the earlier letter.
+    pub fn position(&self, joint: FilletOrButt, at: Inclination) -> WeldingPosition {
+        let beyond = |p: &WeldingPosition| self.beyond(joint, *p, at);
+        // The ranges meet without a gap: the least is 0 or below but for rounding.
+        let least = WeldingPosition::ALL.iter().map(beyond).fold(f64::INFINITY, f64::min).max(0.0);
+        WeldingPosition::ALL.into_iter().find(|p| beyond(p) <= least).unwrap_or(WeldingPosition::Pa)
+    }
+
+    /// The positions along a pass, one after the other: `at` is how it lies at a path length (mm), looked at at
+    /// `places`, which increase.
+    ///
+    /// A position goes on until its limits are passed by more than the hysteresis. The next one then begins where the
+    /// weld has come within its limits (found by halving, to rounding), so that no place is beyond the limits of its
+    /// position by more than the hysteresis.
+    pub fn along(
+        &self,
+        joint: FilletOrButt,
+        places: &[f64],
+        at: impl Fn(f64) -> Inclination,
+    ) -> Vec<PositionStretch> {
+        let (Some(&first), Some(&last)) = (places.first(), places.last()) else { return Vec::new() };
+        let lies: Vec<Inclination> = places.iter().map(|s| at(*s)).collect();
+        let mut all = Vec::new();
+        let mut now = PositionStretch { position: self.position(joint, lies[0]), from_mm: first, to_mm: last };
+        for (i, lie) in lies.iter().enumerate() {
+            if self.beyond(joint, now.position, *lie) <= self.hysteresis_deg.get() {
+                continue;
+            }
+            let position = self.position(joint, *lie);
+            let outside = |k: &usize| places[*k] <= now.from_mm || self.beyond(joint, position, lies[*k]) > 0.0;
+            let before = (0..i).rev().find(outside).unwrap_or(0);
+            let within = |s: f64| self.beyond(joint, position, at(s)) <= 0.0;
+            let from_mm = halve(places[before], places[before + 1], within).max(now.from_mm);
+            if from_mm - now.from_mm > SAME_MM {
+                all.push(PositionStretch { to_mm: from_mm, ..now });
+                now.from_mm = from_mm;
+            }
+            now.position = position;
+        }
+        all.push(now);
+        all
+    }
+
+    /// Checks the limits at `path` of a file: they increase and leave every position some room.
+    ///
+    /// # Errors
+    /// With the key's address.
+    pub(super) fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
+        let (butt, fillet) = (&self.butt, &self.fillet);
+        let rising: [&[(&str, NonNegative)]; 3] = [
+            &[("butt.pa_deg", butt.pa_deg), ("butt.pc_deg", butt.pc_deg)],
+            &[
+                ("fillet.pa_deg", fillet.pa_deg),
+                ("fillet.pb_deg", fillet.pb_deg),
+                ("fillet.pc_deg", fillet.pc_deg),
+                ("fillet.pd_deg", fillet.pd_deg),
+            ],
+            &[("level_slope_deg", self.level_slope_deg), ("vertical_slope_deg", self.vertical_slope_deg)],
+        ];
+        for (row, end) in rising.into_iter().zip([180.0, 180.0, 90.0]) {
+            for (i, (key, value)) in row.iter().enumerate() {
+                let after = i.checked_sub(1).map_or(0.0, |before| row[before].1.get());
+                if value.get() <= after || value.get() >= end {
+                    let allowed = format!("more than {after}, less than {end}");
+                    return Err(file.error_at(&format!("{path}.{key}"), "the limits must increase", allowed));
+                }
+            }
+        }
+        let room = 90.0 - self.vertical_slope_deg.get();
+        if self.hysteresis_deg.get() >= room {
+            let message = "no slope would be beyond vertical_slope_deg by that much";
+            return Err(file.error_at(&format!("{path}.hysteresis_deg"), message, format!("less than {room}")));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,267 @@
+//! The pass against its welding procedure: numbers, charts and tables.
+
+use super::charts::along;
+use super::page::{number, table};
+use crate::{Axis, Band, Block, Chart, LimitLine, Series, Stretch};
+use seamwright_motion::procedure::PassProcedure;
+use seamwright_program::{FilletOrButt, Outside, Procedure, Run, WeldingPosition, Window};
+use serde::Serialize;
+
+/// Which procedure.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ProcedureFigures {
+    /// Its number.
+    pub number: String,
+    /// Its title.
+    pub title: String,
+    /// Number of the process in ISO 4063.
+    pub process: u16,
+    /// Name of the process.
+    pub process_name: &'static str,
+    /// Part of the power that counts as heat input.
+    pub thermal_efficiency: f64,
+}
+
+impl ProcedureFigures {
+    pub(super) fn new(procedure: &Procedure) -> Self {
+        Self {
+            number: procedure.number.clone(),
+            title: procedure.title.clone(),
+            process: procedure.process.number,
+            process_name: procedure.process.name,
+            thermal_efficiency: procedure.thermal_efficiency(),
+        }
+    }
+}
+
+/// What a pass does, and what its procedure allows.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PassProcedureFigures {
+    /// The procedure's run that it belongs to; none if there is none.
+    pub run: Option<String>,
+    /// `fillet` or `butt`, for the positions.
+    pub joint: FilletOrButt,
+    /// Values along the pass.
+    pub quantities: Vec<QuantityFigures>,
+    /// Positions allowed; any if none are given.
+    pub positions_allowed: Option<Vec<WeldingPosition>>,
+    /// Positions one after the other.
+    pub positions: Vec<PositionFigures>,
+}
+
+/// A value along a pass.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct QuantityFigures {
+    /// Its key, which ends in its unit.
+    pub key: String,
+    /// Least and greatest value of the plan; none if it is to be measured or not known.
+    pub found: Option<(f64, f64)>,
+    /// Least and greatest value allowed.
+    pub allowed: Option<(f64, f64)>,
+    /// Where it is outside; a value without bound (a torch at rest) is null.
+    pub outside: Vec<Outside>,
+}
+
+/// A stretch in one welding position.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PositionFigures {
+    /// The position.
+    pub position: WeldingPosition,
+    /// Whether the procedure allows it.
+    pub allowed: bool,
+    /// Path length at which it begins, mm.
+    pub from_mm: f64,
+    /// Path length at which it ends, mm.
+    pub to_mm: f64,
+    /// Least and greatest slope in it, degrees.
+    pub slope_deg: Option<(f64, f64)>,
+    /// Least and greatest rotation in it, degrees.
+    pub rotation_deg: Option<(f64, f64)>,
+}
+
+fn allows(run: Option<&Run>, position: WeldingPosition) -> bool {
+    run.and_then(|r| r.positions.as_ref()).is_none_or(|allowed| allowed.contains(&position))
+}
+
+impl PassProcedureFigures {
+    pub(super) fn new(held: &PassProcedure, run: Option<&Run>) -> Self {
+        let degrees = |(least, greatest): (f64, f64)| (least.to_degrees(), greatest.to_degrees());
+        let positions = held.positions.iter().map(|stretch| {
+            let lie = held.inclination_in(stretch);
+            PositionFigures {
+                position: stretch.position,
+                allowed: allows(run, stretch.position),
+                from_mm: stretch.from_mm,
+                to_mm: stretch.to_mm,
+                slope_deg: lie.map(|lie| degrees(lie.0)),
+                rotation_deg: lie.map(|lie| degrees(lie.1)),
+            }
+        });
+        let quantities = held.quantities.iter().map(|q| QuantityFigures {
+            key: q.key.clone(),
+            found: q.found,
+            allowed: q.allowed.map(Window::ends),
+            outside: q.outside.clone(),
+        });
+        Self {
+            run: held.run.clone(),
+            joint: held.joint,
+            quantities: quantities.collect(),
+            positions_allowed: run.and_then(|r| r.positions.clone()),
+            positions: positions.collect(),
+        }
+    }
+}
+
+/// Charts of a pass against its procedure.
+#[derive(Debug, Clone)]
+pub struct ProcedurePlots {
+    /// Heat input over path length, if the pass says its power.
+    pub heat_input: Option<Chart>,
+    /// Slope and rotation over path length, with the positions above.
+    pub positions: Chart,
+}
+
+/// Heat input is shown up to this many times the greatest allowed: near a stop it has no bound.
+const SHOWN: f64 = 2.5;
+
+impl ProcedurePlots {
+    pub(super) fn new(held: &PassProcedure, run: Option<&Run>) -> Self {
+        let strip = held.positions.iter().map(|p| Stretch {
+            label: p.position.to_string(),
+            from: p.from_mm,
+            to: p.to_mm,
+            colour: p.position as usize,
+            fault: !allows(run, p.position),
+        });
+        let curve = |of: fn(&seamwright_program::Inclination) -> f64| {
+            held.inclinations.iter().map(|(s, at)| (*s, of(at).to_degrees())).collect()
+        };
+        Self {
+            heat_input: (!held.heat_input.is_empty()).then(|| heat_input(held)),
+            positions: Chart {
+                title: "Welding position".to_owned(),
+                x: along(),
+                y: Axis::new("angle", "deg"),
+                series: vec![
+                    Series::line("slope (+ uphill)", curve(|at| at.slope)),
+                    Series::line("rotation of the face (0 up, 180 down)", curve(|at| at.rotation)),
+                ],
+                strip: strip.collect(),
+                ..Chart::default()
+            },
+        }
+    }
+}
+
+fn heat_input(held: &PassProcedure) -> Chart {
+    let quantity = held.quantities.iter().find(|q| q.key == "heat_input_kj_mm");
+    let window = quantity.and_then(|q| q.allowed).map(Window::ends);
+    let values = || held.heat_input.iter().map(|p| p.1).filter(|v| v.is_finite());
+    let (least, greatest) = (values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max));
+    let y_range = window.map(|(low, high)| {
+        let (low, high) = (low.min(least), high.max(greatest.min(SHOWN * high)));
+        let room = 0.12 * (high - low).max(0.01 * high);
+        ((low - room).max(0.0), high + room)
+    });
+    let outside = quantity.into_iter().flat_map(|q| &q.outside);
+    let bands = outside.map(|o| Band {
+        label: if o.above { "too high" } else { "too low" }.to_owned(),
+        from: o.from_mm,
+        to: o.to_mm,
+    });
+    let limits = window.into_iter().flat_map(|(low, high)| {
+        [LimitLine::new("least", low), LimitLine::new("greatest", high)]
+    });
+    Chart {
+        title: "Heat input along the seam".to_owned(),
+        x: along(),
+        y: Axis::new("heat input", "kJ/mm"),
+        series: vec![Series::line("heat input", held.heat_input.clone())],
+        limits: limits.collect(),
+        bands: bands.collect(),
+        y_range,
+        height: Some(170.0),
+        ..Chart::default()
+    }
+}
+
+/// Which procedure and run, and how heat input is reckoned.
+pub(super) fn procedure_text(procedure: &ProcedureFigures, pass: &PassProcedureFigures) -> String {
+    let run = match &pass.run {
+        Some(run) => format!("run {run}"),
+        None => "no run of it is for this pass".to_owned(),
+    };
+    let joint = match pass.joint {
+        FilletOrButt::Fillet => "fillet",
+        FilletOrButt::Butt => "butt",
+    };
+    format!(
+        "{} ({}), {run}. Process {}: {}. Heat input is {} times the power over the planned speed. Positions are those of a {joint} weld.",
+        procedure.number,
+        procedure.title,
+        procedure.process,
+        procedure.process_name,
+        number(procedure.thermal_efficiency)
+    )
+}
+
+/// What was found against what is allowed.
+pub(super) fn windows_table(figures: &PassProcedureFigures) -> Block {
+    let rows = figures.quantities.iter().map(|q| {
+        let (least, greatest) = match q.found {
+            Some((least, greatest)) => (value(least), value(greatest)),
+            None => ("–".to_owned(), "–".to_owned()),
+        };
+        let allowed = q.allowed.map_or("not limited".to_owned(), |(l, g)| format!("{} to {}", number(l), number(g)));
+        vec![q.key.clone(), least, greatest, allowed, verdict(q)]
+    });
+    let head = ["Value", "Least", "Greatest", "Allowed", ""];
+    table("The plan against the procedure", &head, rows.collect(), 1..3)
+}
+
+/// Rounding about zero is zero.
+fn value(v: f64) -> String {
+    match v {
+        v if v.is_infinite() => "no bound".to_owned(),
+        v if v.abs() < 1e-6 => "0".to_owned(),
+        v => number(v),
+    }
+}
+
+fn verdict(q: &QuantityFigures) -> String {
+    let place = |o: &Outside| format!("{} to {}", number(o.from_mm), number(o.to_mm));
+    match (q.found, q.allowed, q.outside.as_slice()) {
+        (None, Some(_), _) if ["preheat_c", "interpass_c"].contains(&q.key.as_str()) => "to be measured".to_owned(),
+        (None, Some(_), _) => "not known: see the findings".to_owned(),
+        (_, None, _) => String::new(),
+        (_, _, []) => "within".to_owned(),
+        (_, _, [only]) => format!("outside: s = {} mm", place(only)),
+        (_, _, [first, more @ ..]) => format!("outside: s = {} mm and {} more stretches", place(first), more.len()),
+    }
+}
+
+/// The positions one after the other.
+pub(super) fn positions_table(figures: &PassProcedureFigures) -> Block {
+    let range = |ends: Option<(f64, f64)>| {
+        ends.map_or("–".to_owned(), |(least, greatest)| format!("{least:.1} to {greatest:.1}"))
+    };
+    let rows = figures.positions.iter().map(|p| {
+        vec![
+            p.position.to_string(),
+            number(p.from_mm),
+            number(p.to_mm),
+            range(p.slope_deg),
+            range(p.rotation_deg),
+            if p.allowed { "allowed" } else { "not allowed" }.to_owned(),
+        ]
+    });
+    let caption = match &figures.positions_allowed {
+        None => "Welding positions (mm, degrees); the procedure allows any".to_owned(),
+        Some(allowed) => {
+            let names: Vec<String> = allowed.iter().map(WeldingPosition::to_string).collect();
+            format!("Welding positions (mm, degrees); the procedure allows {}", names.join(", "))
+        }
+    };
+    table(&caption, &["Position", "From", "To", "Slope", "Rotation", ""], rows.collect(), 1..5)
+}

@@ -1,0 +1,35 @@
+//! The procedure that a job names.
+
+use crate::Job;
+use seamwright_document::{Document, DocumentError};
+use seamwright_program::{PROCEDURES, Procedure, Program, shipped_procedure};
+use std::path::Path;
+
+/// The procedure of `job`, checked against the passes of its `program`; `load` gets the bytes of a file by its path from
+/// the job's folder.
+///
+/// # Errors
+/// With the address in the job (no such procedure) or in the procedure file.
+pub(crate) fn of_job(
+    job: &Document<Job>,
+    program: &Program,
+    load: &dyn Fn(&str) -> std::io::Result<Vec<u8>>,
+) -> Result<Option<Procedure>, DocumentError> {
+    let Some(name) = &job.value.procedure else { return Ok(None) };
+    let document = match shipped_procedure(name) {
+        Some(shipped) => Procedure::read(shipped.name, shipped.text)?,
+        None => {
+            let bytes = load(name).map_err(|e| {
+                let names: Vec<&str> = PROCEDURES.iter().map(|p| p.name).collect();
+                let allowed = format!("{}, or the path of a procedure file from the job's folder", names.join(", "));
+                job.error_at("procedure", format!("the procedure cannot be read: {e}"), allowed)
+            })?;
+            let text = String::from_utf8(bytes)
+                .map_err(|_| job.error_at("procedure", "this is no text file", "a TOML file in UTF-8"))?;
+            let folder = Path::new(job.file()).parent().unwrap_or(Path::new(""));
+            Procedure::read(&folder.join(name).display().to_string(), &text)?
+        }
+    };
+    document.value.check_passes(&document, "", program.pass_names())?;
+    Ok(Some(document.value))
+}
