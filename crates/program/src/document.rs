@@ -1,4 +1,4 @@
-use crate::{Air, Clearance, Offsets, Part, Pass, Seam, SeamStart, check_offset, check_process};
+use crate::{Air, Clearance, Offsets, Part, Pass, Seam, SeamStart, Taught, check_offset, check_process};
 use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
@@ -29,6 +29,9 @@ pub struct Program {
     /// Where on the seam welding starts.
     #[serde(default)]
     pub start: SeamStart,
+    /// Parts of the seam replaced by taught points, in order.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub taught: Vec<Taught>,
     /// The part as a solid.
     #[serde(default, skip_serializing_if = "Part::is_usual")]
     pub part: Part,

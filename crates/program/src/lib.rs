@@ -19,6 +19,7 @@ mod seam;
 mod sequence;
 mod space_seam;
 mod spare_axes;
+mod taught;
 mod tolerance;
 mod torch;
 
@@ -36,7 +37,8 @@ pub use seam::{
     Body, Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Nozzle, Seam, SeamStart, Side, TJoint,
 };
 pub use sequence::{AtHold, Sequence, Slope};
-pub use space_seam::Helix;
+pub use space_seam::{Helix, Spline};
 pub use spare_axes::{Position, SpareAxes, Weights};
+pub use taught::Taught;
 pub use tolerance::Tolerance;
 pub use torch::{Torch, TorchAt, TorchPath};

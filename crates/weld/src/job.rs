@@ -1,10 +1,11 @@
 use crate::SeamCurve;
+use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_program::{
     Air, AtCorner, Clearance, Offsets, OnLimit, Part, Pass, ProcessValues, Program, Seam, SeamStart, Sequence, Span,
-    SpareAxes, Tolerance, Torch, check_offset, check_process,
+    SpareAxes, Taught, Tolerance, Torch, check_offset, check_process,
 };
 use serde::{Deserialize, Serialize};
 
@@ -32,6 +33,9 @@ pub struct Job {
     /// Where on the seam welding starts, which way it goes, how far it overlaps.
     #[serde(default)]
     pub start: SeamStart,
+    /// Parts of the seam replaced by taught points, in order.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub taught: Vec<Taught>,
     /// Torch angles.
     #[serde(default)]
     pub torch: Torch,
@@ -100,6 +104,12 @@ impl Job {
         Ok(job)
     }
 
+    /// Where the seam stands: maps the seam's frame to the machine's work frame, by way of the part's.
+    pub(crate) fn seam_in_work(&self) -> DAffine3 {
+        let chosen = self.offset.as_ref().and_then(|name| self.offsets.get(name));
+        chosen.map_or(DAffine3::IDENTITY, Transform::affine) * self.placement.affine()
+    }
+
     /// The program that welds `job` along its `seam`, in one pass.
     ///
     /// # Errors
@@ -136,6 +146,7 @@ impl Job {
             placement: j.placement,
             seam: j.seam.clone(),
             start: j.start,
+            taught: j.taught.clone(),
             part: j.part.clone(),
             fixtures: j.fixtures.clone(),
             clearance: j.clearance,

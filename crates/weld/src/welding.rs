@@ -1,4 +1,5 @@
-use crate::{Attitude, Job, PassPath, SeamCurve};
+use crate::outside::{fetch, forget};
+use crate::{Attitude, Job, NoFiles, Outside, PassPath, SeamCurve};
 use seamwright_document::{Document, DocumentError};
 use seamwright_program::{Finding, Program};
 
@@ -19,19 +20,43 @@ impl Welding {
     /// # Errors
     /// The first thing wrong, with its address.
     pub fn read(file: &str, text: &str) -> Result<Self, DocumentError> {
-        if Program::is_in(text) {
-            return Self::from_program(Program::read(file, text)?);
-        }
-        let job = Job::read(file, text)?;
-        let seam = SeamCurve::new(&job, &job.value.seam, &job.value.start)?;
-        let attitude = Attitude::new(&job, "torch", &job.value.torch, &seam)?;
-        let program = Job::program(&job, &seam)?;
+        Self::read_with(file, text, &NoFiles)
+    }
+
+    /// The same for one that names tables of points or recorded axis positions; the program holds these itself.
+    ///
+    /// # Errors
+    /// The first thing wrong, with its address.
+    pub fn read_with(file: &str, text: &str, outside: &dyn Outside) -> Result<Self, DocumentError> {
+        let mut welding = if Program::is_in(text) {
+            let mut program = Program::read(file, text)?;
+            let (mut seam, mut taught) = (program.value.seam.clone(), program.value.taught.clone());
+            let place = (program.value.machine.as_str(), program.value.seam_in_work());
+            fetch(&program, (&mut seam, &mut taught), place, outside)?;
+            (program.value.seam, program.value.taught) = (seam, taught);
+            Self::from_program(program)?
+        } else {
+            let mut job = Job::read(file, text)?;
+            let (mut seam, mut taught) = (job.value.seam.clone(), job.value.taught.clone());
+            fetch(&job, (&mut seam, &mut taught), (&job.value.machine, job.value.seam_in_work()), outside)?;
+            (job.value.seam, job.value.taught) = (seam, taught);
+            Self::from_job(&job)?
+        };
+        forget(&mut welding.program.value.seam, &mut welding.program.value.taught);
+        Ok(welding)
+    }
+
+    fn from_job(job: &Document<Job>) -> Result<Self, DocumentError> {
+        let j = &job.value;
+        let seam = SeamCurve::with_taught(job, (&j.seam, &j.start), &j.taught)?;
+        let attitude = Attitude::new(job, "torch", &j.torch, &seam)?;
+        let program = Job::program(job, &seam)?;
         Ok(Self { program: job.with(program), seam, attitudes: vec![attitude] })
     }
 
     fn from_program(program: Document<Program>) -> Result<Self, DocumentError> {
         let p = &program.value;
-        let seam = SeamCurve::new(&program, &p.seam, &p.start)?;
+        let seam = SeamCurve::with_taught(&program, (&p.seam, &p.start), &p.taught)?;
         let mut attitudes = Vec::new();
         for (i, pass) in p.passes.iter().enumerate() {
             if (pass.length() - seam.weld_length()).abs() > 1e-6 {
