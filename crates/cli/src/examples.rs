@@ -21,5 +21,6 @@ pub(crate) const EXAMPLES: &[Example] = examples![
     "trunnion-saddle",
     "oblique-girth",
     "t-joint",
-    "knuckle-nozzle"
+    "knuckle-nozzle",
+    "taught-saddle"
 ];
