@@ -50,4 +50,4 @@ pub use page::{Page, Verdict};
 pub use series::{Series, Style};
 pub use sheet::sheet;
 pub use views::{Mark, ThreeViews};
-pub use weld::{CertificateFigures, Plots, SimulationCurves, WeldReport};
+pub use weld::{CertificateFigures, Plots, SimulationCurves, TaughtPlot, WeldReport};

@@ -1,5 +1,6 @@
 use super::certificate::IntervalFigures;
 use super::samples::Sample;
+use super::taught::{TaughtPlot, taught};
 use super::{CertificateFigures, SimulationCurves};
 use crate::{Axis, Band, Chart, ChartGrid, LimitLine, Mark, Series, Style, ThreeViews};
 use seamwright_machine::Machine;
@@ -11,6 +12,8 @@ use seamwright_weld::Welding;
 pub struct Plots {
     /// The seam with torch vectors in three views.
     pub seam: ThreeViews,
+    /// The taught spans of the seam.
+    pub taught: Vec<TaughtPlot>,
     /// Torch angles over path length.
     pub torch: Chart,
     /// Axis positions, speeds and accelerations against their limits.
@@ -44,6 +47,7 @@ impl Plots {
     ) -> Self {
         Self {
             seam: views(welding, pass),
+            taught: taught(machine, &welding.seam, motion),
             clearance: clearance.map(clearance_chart),
             torch: torch(samples),
             axes: axes(machine, samples),
@@ -69,7 +73,7 @@ impl Plots {
     }
 
     /// The plots as files of their own: name and SVG.
-    pub fn files(&self) -> Vec<(&'static str, String)> {
+    pub fn files(&self) -> Vec<(String, String)> {
         let mut files = vec![
             ("seam.svg", self.seam.to_svg_standalone()),
             ("torch.svg", self.torch.to_svg_standalone()),
@@ -82,6 +86,9 @@ impl Plots {
         files.extend(self.following.as_ref().map(|c| ("following.svg", c.to_svg_standalone())));
         files.extend(self.path_error.as_ref().map(|c| ("path-error.svg", c.to_svg_standalone())));
         files.extend(self.attitude.as_ref().map(|c| ("attitude.svg", c.to_svg_standalone())));
+        let mut files: Vec<_> = files.into_iter().map(|(name, svg)| (name.to_owned(), svg)).collect();
+        let taught = self.taught.iter().enumerate();
+        files.extend(taught.map(|(i, t)| (format!("taught-{}.svg", i + 1), t.charts.to_svg_standalone())));
         files
     }
 }

@@ -8,8 +8,10 @@ mod limits;
 mod page;
 mod plan;
 mod samples;
+mod taught;
 
 pub use certificate::CertificateFigures;
 pub use charts::Plots;
 pub use curves::SimulationCurves;
 pub use figures::WeldReport;
+pub use taught::TaughtPlot;
