@@ -23,5 +23,6 @@ pub(crate) const EXAMPLES: &[Example] = examples![
     "t-joint",
     "knuckle-nozzle",
     "set-in-nozzle",
-    "y-branch"
+    "y-branch",
+    "taught-saddle"
 ];

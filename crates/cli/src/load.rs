@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::files;
+use crate::outside::Beside;
 use seamwright_cell::{Error, check_drives};
 use seamwright_document::Document;
 use seamwright_machine::{Clamped, Machine, MachineFile, SHIPPED, Surroundings, shipped};
@@ -30,7 +31,7 @@ pub(crate) fn load(path: &Path) -> Result<Loaded, Failure> {
 
 /// The same from text; machine files are looked for from `folder`.
 pub(crate) fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded, Failure> {
-    let welding = Welding::read_with(name, text, &|name| std::fs::read(folder.join(name)))?;
+    let welding = Welding::read_with(name, text, &Beside::new(folder))?;
     let wanted = &welding.program.value.machine;
     let stl = StlFiles::default();
     let machine = match machine_from(wanted, folder, &stl)? {
@@ -81,6 +82,11 @@ impl StlFiles {
 
 fn names() -> String {
     SHIPPED.iter().map(|s| s.name).collect::<Vec<_>>().join(", ")
+}
+
+/// The machine that a job in `folder` names; none if there is no such machine.
+pub(crate) fn machine_beside(name: &str, folder: &Path) -> Result<Option<Machine>, Failure> {
+    machine_from(name, folder, &StlFiles::default())
 }
 
 /// The machine called `name`, or in the file `name` from `folder`; none if there is neither.

@@ -9,6 +9,7 @@ mod examples;
 mod failure;
 mod files;
 mod load;
+mod outside;
 mod progress;
 mod rows;
 mod verbs;

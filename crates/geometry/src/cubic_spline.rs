@@ -1,5 +1,6 @@
 use crate::Error;
 use crate::knots::knots;
+use crate::slopes::{End, periodic_slopes, slopes};
 
 /// A cubic spline through values at increasing positions: twice continuously differentiable. Either level (slope 0)
 /// at its ends and constant beyond them, or repeating with a period (de Boor, A Practical Guide to Splines, chapter
@@ -34,7 +35,8 @@ impl CubicSpline {
 
     fn build(points: &[(f64, f64)], period: Option<f64>) -> Result<Self, Error> {
         let (x, y) = knots(points, period)?;
-        let slope = if period.is_some() { periodic_slopes(&x, &y) } else { level_slopes(&x, &y) };
+        let level = End::Slope(0.0);
+        let slope = if period.is_some() { periodic_slopes(&x, &y) } else { slopes(&x, &y, &level, &level) };
         Ok(Self { x, y, slope, period })
     }
 
@@ -71,87 +73,6 @@ impl CubicSpline {
         let value = self.y[i - 1] + t * (m0 + t * (c2 + t * c3));
         (value, (m0 + t * (2.0 * c2 + 3.0 * t * c3)) / h, (2.0 * c2 + 6.0 * t * c3) / (h * h))
     }
-}
-
-/// Right side of the condition that the second derivative is continuous at knot `i`, and its three coefficients.
-fn row(y: &[f64], (before, i, after): (usize, usize, usize), (h0, h1): (f64, f64)) -> ([f64; 3], f64) {
-    let right = 3.0 * ((y[i] - y[before]) / (h0 * h0) + (y[after] - y[i]) / (h1 * h1));
-    ([1.0 / h0, 2.0 / h0 + 2.0 / h1, 1.0 / h1], right)
-}
-
-fn level_slopes(x: &[f64], y: &[f64]) -> Vec<f64> {
-    let n = x.len();
-    let rows: Vec<_> =
-        (1..n.saturating_sub(1)).map(|i| row(y, (i - 1, i, i + 1), (x[i] - x[i - 1], x[i + 1] - x[i]))).collect();
-    let mut slopes = vec![0.0; n];
-    for (i, slope) in tridiagonal(&rows).into_iter().enumerate() {
-        slopes[i + 1] = slope;
-    }
-    slopes
-}
-
-/// Slopes of the closed spline: the cyclic system is the tridiagonal one with a correction of rank one (Sherman and
-/// Morrison).
-fn periodic_slopes(x: &[f64], y: &[f64]) -> Vec<f64> {
-    let n = x.len() - 1;
-    if n < 3 {
-        // One value, or two: solve the full cyclic system of at most two unknowns by symmetry.
-        return closed_by_symmetry(x, y, n);
-    }
-    let step = |i: usize| x[i + 1] - x[i];
-    let mut rows: Vec<_> = (0..n)
-        .map(|i| {
-            let before = (i + n - 1) % n;
-            row(y, (before, i, i + 1), (step(before), step(i)))
-        })
-        .collect();
-    let corner = 1.0 / step(n - 1);
-    let shift = -rows[0].0[1];
-    rows[0].0[1] -= shift;
-    rows[n - 1].0[1] -= corner * corner / shift;
-    let plain = tridiagonal(&rows);
-    for (i, r) in rows.iter_mut().enumerate() {
-        r.1 = if i == 0 {
-            shift
-        } else if i == n - 1 {
-            corner
-        } else {
-            0.0
-        };
-    }
-    let corrector = tridiagonal(&rows);
-    let factor = (plain[0] + corner / shift * plain[n - 1]) / (1.0 + corrector[0] + corner / shift * corrector[n - 1]);
-    let mut slopes: Vec<f64> = plain.iter().zip(&corrector).map(|(p, c)| p - factor * c).collect();
-    slopes.push(slopes[0]);
-    slopes
-}
-
-fn closed_by_symmetry(x: &[f64], y: &[f64], n: usize) -> Vec<f64> {
-    if n < 2 {
-        return vec![0.0; n + 1];
-    }
-    // Two knots a period: both conditions have the same coefficients and opposite right sides.
-    let (h0, h1) = (x[1] - x[0], x[2] - x[1]);
-    let right = 3.0 * (y[1] - y[0]) * (1.0 / (h0 * h0) - 1.0 / (h1 * h1));
-    let slope = right / (1.0 / h0 + 1.0 / h1) / 3.0;
-    vec![slope, slope, slope]
-}
-
-/// Solves a tridiagonal system (Thomas' algorithm; the matrices here are diagonally dominant).
-fn tridiagonal(rows: &[([f64; 3], f64)]) -> Vec<f64> {
-    let n = rows.len();
-    let mut above = vec![0.0; n];
-    let mut value = vec![0.0; n];
-    for (i, ([a, b, c], r)) in rows.iter().enumerate() {
-        let (last_above, last) = if i > 0 { (above[i - 1], value[i - 1]) } else { (0.0, 0.0) };
-        let pivot = b - if i > 0 { a * last_above } else { 0.0 };
-        above[i] = c / pivot;
-        value[i] = (r - if i > 0 { a * last } else { 0.0 }) / pivot;
-    }
-    for i in (0..n.saturating_sub(1)).rev() {
-        value[i] -= above[i] * value[i + 1];
-    }
-    value
 }
 
 #[cfg(test)]

@@ -18,6 +18,12 @@ pub struct EdgePoint {
 pub trait Edge: Curve {
     /// Point, first derivative and both faces' outward unit normals at parameter `u`.
     fn edge(&self, u: f64) -> EdgePoint;
+
+    /// Unit direction square to both faces at parameter `u`, where the edge is `at`: the tangent, or a smoother one near
+    /// it if the tangent's second derivative jumps.
+    fn along(&self, _u: f64, at: &EdgePoint) -> DVec3 {
+        at.d1.normalize()
+    }
 }
 
 /// How the faces' normals follow from a curve that lies in a plane or is straight.

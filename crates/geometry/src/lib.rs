@@ -3,8 +3,9 @@
 //! Floor 0: no welding words, no I/O. Lengths are mm, angles rad, all in one fixed frame that the caller chooses.
 //!
 //! - [`Curve`] is a parametrised curve with exact derivatives; [`Line`], [`Arc`], [`Chain`]s of both,
-//!   [`RoundedRectangle`], [`Ellipse`], [`Helix`], [`TubeIntersection`], [`TrimmedIntersection`], [`TorusIntersection`] and
-//!   [`HeadIntersection`] implement it.
+//!   [`RoundedRectangle`], [`Ellipse`], [`Helix`], [`Spline`], [`TubeIntersection`], [`TrimmedIntersection`],
+//!   [`TorusIntersection`] and [`HeadIntersection`] implement it.
+//! - [`fit_spline`] finds a spline with few knots near given points.
 //! - [`Edge`] is a curve where two faces meet; it also knows their outward normals.
 //! - [`ByLength`] re-parametrises any curve by arc length, to a stated accuracy.
 //! - [`Quadric`] is an implicit surface with gradient and Hessian; [`QuadricDistance`] knows how far points are from
@@ -38,6 +39,10 @@ mod quadric;
 pub mod reduce;
 mod rounded_rectangle;
 mod slices;
+mod slopes;
+mod spline;
+mod spline_edge;
+mod spline_fit;
 mod torus;
 mod torus_intersection;
 mod trimmed_intersection;
@@ -63,6 +68,10 @@ pub use pose::Pose;
 pub use quadric::{Quadric, Surface};
 pub use rounded_rectangle::RoundedRectangle;
 pub use slices::Slices;
+pub use slopes::End;
+pub use spline::{Ends, Spline, chord_lengths};
+pub use spline_edge::{Along, Normals, SplineEdge, SplineFaces};
+pub use spline_fit::fit_spline;
 pub use torus::Torus;
 pub use torus_intersection::TorusIntersection;
 pub use trimmed_intersection::TrimmedIntersection;

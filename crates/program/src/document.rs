@@ -1,4 +1,6 @@
-use crate::{Air, Clearance, Joint, Offsets, Part, Pass, Procedure, Seam, SeamStart, check_offset, check_process};
+use crate::{
+    Air, Clearance, Joint, Offsets, Part, Pass, Procedure, Seam, SeamStart, Taught, check_offset, check_process,
+};
 use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
@@ -32,6 +34,9 @@ pub struct Program {
     /// The joint along the seam.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub joint: Option<Joint>,
+    /// Parts of the seam replaced by taught points, in order.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub taught: Vec<Taught>,
     /// The part as a solid.
     #[serde(default, skip_serializing_if = "Part::is_usual")]
     pub part: Part,

@@ -24,6 +24,7 @@ mod seam;
 mod sequence;
 mod space_seam;
 mod spare_axes;
+mod taught;
 mod tolerance;
 mod torch;
 mod weave;
@@ -50,8 +51,9 @@ pub use process::{ProcessValue, ProcessValues, Ramp, check_process, check_proces
 pub use role::Role;
 pub use seam::{Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Seam, SeamStart, Side, TJoint};
 pub use sequence::{AtHold, Sequence, Slope};
-pub use space_seam::Helix;
+pub use space_seam::{Helix, Spline};
 pub use spare_axes::{Position, SpareAxes, Weights};
+pub use taught::Taught;
 pub use tolerance::Tolerance;
 pub use torch::{Groove, Torch, TorchAt, TorchPath};
 pub use weave::{Figure, Swing, Weave};

@@ -1,4 +1,4 @@
-use crate::{Arc, Branch, Circle, Helix, Nozzle, Polyline, RoundedRectangle};
+use crate::{Arc, Branch, Circle, Helix, Nozzle, Polyline, RoundedRectangle, Spline};
 use schemars::JsonSchema;
 use seamwright_document::{Direction as Vector, Finite, NonNegative, Point, Positive};
 use serde::{Deserialize, Serialize};
@@ -23,6 +23,8 @@ pub enum Seam {
     Polyline(Polyline),
     /// A helix on a cylinder: the foot of a helical strip, or a butt joint such as that of a spiral-welded tube.
     Helix(Helix),
+    /// A cubic spline through points, or near them.
+    Spline(Spline),
     /// A straight seam between two flat faces.
     Line(Line),
     /// A web that stands on a skin, straight or along an arc: one fillet, or both at once (DUALBEAM-2013).
@@ -43,6 +45,7 @@ impl Seam {
             Self::RoundedRectangle(_) => "rounded rectangle",
             Self::Polyline(_) => "polyline",
             Self::Helix(_) => "helix",
+            Self::Spline(_) => "spline",
             Self::Line(_) => "line",
             Self::TJoint(_) => "T-joint",
             Self::Girth(_) => "girth",

@@ -52,4 +52,4 @@ pub use page::{Page, Verdict};
 pub use series::{Series, Style};
 pub use sheet::sheet;
 pub use views::{Mark, ThreeViews};
-pub use weld::{CertificateFigures, Plots, SimulationCurves, WeldReport, sections};
+pub use weld::{CertificateFigures, Plots, SimulationCurves, TaughtPlot, WeldReport, sections};

@@ -21,7 +21,7 @@ impl Angles {
     pub(crate) fn new<T>(file: &Document<T>, seam: &Seam, closed: bool) -> Result<Self, DocumentError> {
         Ok(match seam {
             Seam::RoundedRectangle(r) => Self::Rectangle(Box::new(plane::rectangle(file, r)?.curve)),
-            Seam::Polyline(_) => Self::None,
+            Seam::Polyline(_) | Seam::Spline(_) => Self::None,
             Seam::Helix(_) => Self::Parameter,
             _ if closed => Self::Parameter,
             _ => Self::None,

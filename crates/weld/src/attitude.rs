@@ -70,7 +70,7 @@ impl Attitude {
     pub fn torch_axis(&self, p: &SeamPoint) -> DVec3 {
         let (work, travel) = self.angles(p.s);
         let across = work.cos() * p.bisector + work.sin() * p.towards_first;
-        travel.cos() * across + travel.sin() * p.tangent
+        travel.cos() * across + travel.sin() * p.along
     }
 
     /// Where a second derivative of the angles may jump, within (0, `end`) mm, increasing.

@@ -1,10 +1,11 @@
 use crate::{Beads, SeamCurve};
+use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_program::{
     Air, AtCorner, Clearance, Joint, Offsets, OnLimit, Part, Pass, ProcessValues, Program, Seam, SeamStart, Sequence,
-    Span, SpareAxes, Tolerance, Torch, check_offset, check_process,
+    Span, SpareAxes, Taught, Tolerance, Torch, check_offset, check_process,
 };
 use serde::{Deserialize, Serialize};
 
@@ -42,6 +43,9 @@ pub struct Job {
     /// How the joint is filled, in as many passes as it takes. Without it the weld is one pass along the seam.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub beads: Option<Beads>,
+    /// Parts of the seam replaced by taught points, in order.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub taught: Vec<Taught>,
     /// Torch angles.
     #[serde(default)]
     pub torch: Torch,
@@ -116,6 +120,12 @@ impl Job {
         Ok(job)
     }
 
+    /// Where the seam stands: maps the seam's frame to the machine's work frame, by way of the part's.
+    pub(crate) fn seam_in_work(&self) -> DAffine3 {
+        let chosen = self.offset.as_ref().and_then(|name| self.offsets.get(name));
+        chosen.map_or(DAffine3::IDENTITY, Transform::affine) * self.placement.affine()
+    }
+
     /// The program that welds `job` along its `seam`, in one pass; without its procedure, which is a file of its own.
     ///
     /// # Errors
@@ -153,6 +163,7 @@ impl Job {
             seam: j.seam.clone(),
             start: j.start,
             joint: j.joint.clone(),
+            taught: j.taught.clone(),
             part: j.part.clone(),
             fixtures: j.fixtures.clone(),
             clearance: j.clearance,

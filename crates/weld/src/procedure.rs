@@ -1,11 +1,11 @@
 //! The procedure that a job names.
 
-use crate::Job;
+use crate::{Job, Outside};
 use seamwright_document::{Document, DocumentError};
 use seamwright_program::{PROCEDURES, Procedure, Program, shipped_procedure};
 use std::path::Path;
 
-/// The procedure of `job`, checked against the passes of its `program`; `load` gets the bytes of a file by its path from
+/// The procedure of `job`, checked against the passes of its `program`; `outside` gets files by their paths from
 /// the job's folder.
 ///
 /// # Errors
@@ -13,13 +13,13 @@ use std::path::Path;
 pub(crate) fn of_job(
     job: &Document<Job>,
     program: &Program,
-    load: &dyn Fn(&str) -> std::io::Result<Vec<u8>>,
+    outside: &dyn Outside,
 ) -> Result<Option<Procedure>, DocumentError> {
     let Some(name) = &job.value.procedure else { return Ok(None) };
     let document = match shipped_procedure(name) {
         Some(shipped) => Procedure::read(shipped.name, shipped.text)?,
         None => {
-            let bytes = load(name).map_err(|e| {
+            let bytes = outside.bytes(name).map_err(|e| {
                 let names: Vec<&str> = PROCEDURES.iter().map(|p| p.name).collect();
                 let allowed = format!("{}, or the path of a procedure file from the job's folder", names.join(", "));
                 job.error_at("procedure", format!("the procedure cannot be read: {e}"), allowed)

@@ -1,13 +1,15 @@
 use crate::angles::Angles;
 use crate::branch::Joint;
 use crate::nozzle::OnBody;
-use crate::{girth, plane, space, t_joint};
+use crate::taught::{TaughtEdge, TaughtSpan};
+use crate::{girth, plane, space, spline, t_joint};
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError};
 use seamwright_geometry::{
     ByLength, Curve, CurvedEdge, DEFAULT_ACCURACY_MM, Edge, Ellipse, Error, FaceRule, Line, Tube,
 };
-use seamwright_program::{Seam, SeamStart, Side, WallFaces, WeldDirection};
+use seamwright_program::{Seam, SeamStart, Side, Taught, WallFaces, WeldDirection};
+use std::sync::Arc;
 
 /// A point of the seam with everything that torch attitude needs, in the seam's frame; mm and rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,6 +22,9 @@ pub struct SeamPoint {
     pub point: DVec3,
     /// Unit tangent in the direction of welding.
     pub tangent: DVec3,
+    /// Unit direction square to both faces, in the direction of welding: the tangent, or on splines a smoother direction
+    /// near it (see [`Edge::along`]).
+    pub along: DVec3,
     /// Outward unit normal of the first part (nozzle).
     pub n1: DVec3,
     /// Outward unit normal of the second part (body).
@@ -34,17 +39,19 @@ pub struct SeamPoint {
 
 /// A seam by path length, from the start of the weld and in its direction.
 pub struct SeamCurve {
-    curve: ByLength<Box<dyn Edge + Send + Sync>>,
+    pub(crate) curve: ByLength<Box<dyn Edge + Send + Sync>>,
     /// Arc length of the start of the weld on the curve, and the sense of welding.
-    start: f64,
-    sense: f64,
+    pub(crate) start: f64,
+    pub(crate) sense: f64,
     weld_length: f64,
-    closed: bool,
+    pub(crate) closed: bool,
     angles: Angles,
     /// 1 if the curve runs along n2 x n1, as on a nozzle or tube; -1 on a line that runs the other way.
     face_sense: f64,
     /// Thickness (mm) of the web whose other fillet is welded at the same time.
     web: Option<f64>,
+    /// The seam without its taught spans, and these.
+    pub(crate) taught: Option<(Arc<SeamCurve>, Vec<TaughtSpan>)>,
 }
 
 /// Places on the seam that are nearer to each other are the same, mm.
@@ -65,7 +72,38 @@ impl SeamCurve {
     /// # Errors
     /// With the key's address: shapes that do not meet, a start or overlap that does not fit the seam.
     pub fn new<T>(file: &Document<T>, seam: &Seam, start: &SeamStart) -> Result<Self, DocumentError> {
-        let edge = edge(file, seam)?;
+        Self::along(file, edge(file, seam)?, seam, start)
+    }
+
+    /// The same seam with some of its parts replaced by taught points.
+    ///
+    /// # Errors
+    /// With the key's address: spans that overlap or leave the weld, points that do not fit.
+    pub fn with_taught<T>(
+        file: &Document<T>,
+        (seam, start): (&Seam, &SeamStart),
+        taught: &[Taught],
+    ) -> Result<Self, DocumentError> {
+        let nominal = Self::new(file, seam, start)?;
+        if taught.is_empty() {
+            return Ok(nominal);
+        }
+        let nominal = Arc::new(nominal);
+        let edge = TaughtEdge::new(file, &nominal, taught)?;
+        let joins = edge.joins();
+        let mut whole = Self::along(file, Box::new(edge), seam, start)?;
+        let spans = joins.into_iter().map(|join| join.by_length(|u| whole.s_at(u)));
+        whole.taught = Some((nominal, spans.collect()));
+        Ok(whole)
+    }
+
+    /// The seam along `edge`.
+    fn along<T>(
+        file: &Document<T>,
+        edge: Box<dyn Edge + Send + Sync>,
+        seam: &Seam,
+        start: &SeamStart,
+    ) -> Result<Self, DocumentError> {
         let curve = ByLength::new(edge, DEFAULT_ACCURACY_MM)
             .map_err(|e| file.error_at("seam", e.to_string(), "a smooth seam"))?;
         let sense = match start.direction {
@@ -113,7 +151,7 @@ impl SeamCurve {
             Seam::TJoint(joint) if joint.fillet == Side::Both => Some(joint.web_mm.get()),
             _ => None,
         };
-        Ok(Self { curve, start: at, sense, weld_length, closed, angles, face_sense, web })
+        Ok(Self { curve, start: at, sense, weld_length, closed, angles, face_sense, web, taught: None })
     }
 
     /// Length of the whole seam once, mm.
@@ -166,11 +204,16 @@ impl SeamCurve {
         knots
     }
 
+    /// Path length from the start of the weld of the curve's parameter `u`, mm.
+    fn s_at(&self, u: f64) -> f64 {
+        self.sense * (self.curve.length_at(u) - self.start)
+    }
+
     /// The seam at path length `s` (mm) from the start of the weld.
     pub fn at(&self, s: f64) -> SeamPoint {
         let u = self.curve.parameter(self.start + self.sense * s);
         let e = self.curve.curve().edge(u);
-        let along = e.d1.normalize();
+        let along = self.curve.curve().along(u, &e);
         let sum = e.n1 + e.n2;
         let width = sum.length();
         let bisector = sum / width;
@@ -178,7 +221,8 @@ impl SeamCurve {
             s,
             phi: self.angles.at(u),
             point: e.point,
-            tangent: self.sense * along,
+            tangent: self.sense * e.d1.normalize(),
+            along: self.sense * along,
             n1: e.n1,
             n2: e.n2,
             bisector,
@@ -251,6 +295,7 @@ fn edge<T>(file: &Document<T>, seam: &Seam) -> Result<Box<dyn Edge + Send + Sync
         Seam::Arc(arc) => Ok(Box::new(plane::arc(file, arc)?)),
         Seam::RoundedRectangle(r) => Ok(Box::new(plane::rectangle(file, r)?)),
         Seam::Helix(helix) => Ok(Box::new(space::helix(file, helix)?)),
+        Seam::Spline(s) => Ok(Box::new(spline::edge(file, s)?)),
         Seam::Polyline(p) => Ok(Box::new(plane::polyline(file, p)?)),
         Seam::Line(line) => {
             let (n1, n2) = (line.first_normal.unit(), line.second_normal.unit());

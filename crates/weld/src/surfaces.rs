@@ -76,6 +76,7 @@ impl SeamSurfaces {
             Seam::Arc(_) => Err(none(file, "seam.arc", "an arc")),
             Seam::RoundedRectangle(_) => Err(none(file, "seam.rounded_rectangle", "a rectangle")),
             Seam::Helix(_) => Err(none(file, "seam.helix", "a helix")),
+            Seam::Spline(_) => Err(none(file, "seam.spline", "a spline")),
             Seam::Polyline(_) => Err(none(file, "seam.polyline", "a polyline")),
             Seam::Line(line) => {
                 let face = |normal: Direction, path| plane(line.start_mm.get(), normal.unit(), path);

@@ -1,4 +1,5 @@
-use crate::{Attitude, BeadPlan, Cut, Job, PassPath, SeamCurve, SeamJoint, procedure};
+use crate::outside::{fetch, forget};
+use crate::{Attitude, BeadPlan, Cut, Job, NoFiles, Outside, PassPath, SeamCurve, SeamJoint, procedure};
 use seamwright_document::{Document, DocumentError};
 use seamwright_program::{Finding, Program};
 
@@ -27,42 +28,55 @@ impl Welding {
     /// # Errors
     /// The first thing wrong, with its address.
     pub fn read(file: &str, text: &str) -> Result<Self, DocumentError> {
-        Self::read_with(file, text, &|_| Err(std::io::ErrorKind::NotFound.into()))
+        Self::read_with(file, text, &NoFiles)
     }
 
-    /// The same; `load` gets the bytes of the procedure file that a job names.
+    /// The same for one that names tables of points, recorded axis positions or a procedure file; the program holds
+    /// these itself.
     ///
     /// # Errors
     /// The first thing wrong, with its address.
-    pub fn read_with(
-        file: &str,
-        text: &str,
-        load: &dyn Fn(&str) -> std::io::Result<Vec<u8>>,
-    ) -> Result<Self, DocumentError> {
-        if Program::is_in(text) {
-            return Self::from_program(Program::read(file, text)?);
-        }
-        let job = Job::read(file, text)?;
-        let seam = SeamCurve::new(&job, &job.value.seam, &job.value.start)?;
-        let attitude = Attitude::new(&job, "torch", &job.value.torch, &seam)?;
-        let mut program = Job::program(&job, &seam)?;
-        let joint = job.value.joint.as_ref().map(|joint| SeamJoint::new(&job, joint, &seam)).transpose()?;
+    pub fn read_with(file: &str, text: &str, outside: &dyn Outside) -> Result<Self, DocumentError> {
+        let mut welding = if Program::is_in(text) {
+            let mut program = Program::read(file, text)?;
+            let (mut seam, mut taught) = (program.value.seam.clone(), program.value.taught.clone());
+            let place = (program.value.machine.as_str(), program.value.seam_in_work());
+            fetch(&program, (&mut seam, &mut taught), place, outside)?;
+            (program.value.seam, program.value.taught) = (seam, taught);
+            Self::from_program(program)?
+        } else {
+            let mut job = Job::read(file, text)?;
+            let (mut seam, mut taught) = (job.value.seam.clone(), job.value.taught.clone());
+            fetch(&job, (&mut seam, &mut taught), (&job.value.machine, job.value.seam_in_work()), outside)?;
+            (job.value.seam, job.value.taught) = (seam, taught);
+            Self::from_job(&job, outside)?
+        };
+        forget(&mut welding.program.value.seam, &mut welding.program.value.taught);
+        Ok(welding)
+    }
+
+    fn from_job(job: &Document<Job>, outside: &dyn Outside) -> Result<Self, DocumentError> {
+        let j = &job.value;
+        let seam = SeamCurve::with_taught(job, (&j.seam, &j.start), &j.taught)?;
+        let attitude = Attitude::new(job, "torch", &j.torch, &seam)?;
+        let mut program = Job::program(job, &seam)?;
+        let joint = j.joint.as_ref().map(|joint| SeamJoint::new(job, joint, &seam)).transpose()?;
         let (mut plan, mut findings) = (None, Vec::new());
-        if let (Some(beads), Some(joint)) = (&job.value.beads, &joint) {
-            let weld = (job.value.weld.speed_mm_s, &job.value.weld.process);
-            let filled = beads.filled(&job, (&seam, joint), weld, &program.passes[0])?;
+        if let (Some(beads), Some(joint)) = (&j.beads, &joint) {
+            let weld = (j.weld.speed_mm_s, &j.weld.process);
+            let filled = beads.filled(job, (&seam, joint), weld, &program.passes[0])?;
             program.passes = filled.passes;
             (plan, findings) = (Some(filled.plan), filled.findings);
         }
         let attitudes = vec![attitude; program.passes.len()];
-        let cut = Cut::new(&job, &job.value.seam)?;
-        program.procedure = procedure::of_job(&job, &program, load)?;
+        let cut = Cut::new(job, &j.seam)?;
+        program.procedure = procedure::of_job(job, &program, outside)?;
         Ok(Self { program: job.with(program), seam, attitudes, joint, beads: plan, bead_findings: findings, cut })
     }
 
     fn from_program(program: Document<Program>) -> Result<Self, DocumentError> {
         let p = &program.value;
-        let seam = SeamCurve::new(&program, &p.seam, &p.start)?;
+        let seam = SeamCurve::with_taught(&program, (&p.seam, &p.start), &p.taught)?;
         let mut attitudes = Vec::new();
         for (i, pass) in p.passes.iter().enumerate() {
             if (pass.length() - seam.weld_length()).abs() > 1e-6 {

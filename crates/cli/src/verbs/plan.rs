@@ -21,7 +21,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     for (i, plots) in plots.iter().enumerate() {
         for (name, svg) in plots.files() {
             // The first pass's plots have the plain names.
-            let name = if i == 0 { name.to_owned() } else { format!("pass-{}-{name}", i + 1) };
+            let name = if i == 0 { name } else { format!("pass-{}-{name}", i + 1) };
             output.text(&name, &svg)?;
         }
     }

@@ -1,6 +1,7 @@
 use super::certificate::IntervalFigures;
 use super::procedure::ProcedurePlots;
 use super::samples::Sample;
+use super::taught::{TaughtPlot, taught};
 use super::{CertificateFigures, SimulationCurves, cut};
 use crate::{Axis, Band, Chart, ChartGrid, LimitLine, Mark, Series, Style, ThreeViews};
 use seamwright_machine::Machine;
@@ -12,6 +13,8 @@ use seamwright_weld::Welding;
 pub struct Plots {
     /// The seam with torch vectors in three views.
     pub seam: ThreeViews,
+    /// The taught spans of the seam.
+    pub taught: Vec<TaughtPlot>,
     /// Torch angles over path length.
     pub torch: Chart,
     /// Axis positions, speeds and accelerations against their limits.
@@ -50,6 +53,7 @@ impl Plots {
         Self {
             seam: views(welding, pass),
             procedure: None,
+            taught: taught(machine, &welding.seam, motion),
             clearance: clearance.map(clearance_chart),
             torch: torch(samples),
             axes: axes(machine, samples),
@@ -76,7 +80,7 @@ impl Plots {
     }
 
     /// The plots as files of their own: name and SVG.
-    pub fn files(&self) -> Vec<(&'static str, String)> {
+    pub fn files(&self) -> Vec<(String, String)> {
         let mut files = vec![
             ("seam.svg", self.seam.to_svg_standalone()),
             ("torch.svg", self.torch.to_svg_standalone()),
@@ -94,6 +98,9 @@ impl Plots {
         files.extend(self.path_error.as_ref().map(|c| ("path-error.svg", c.to_svg_standalone())));
         files.extend(self.attitude.as_ref().map(|c| ("attitude.svg", c.to_svg_standalone())));
         files.extend(self.cut.clone().map(|svg| ("cut.svg", svg)));
+        let mut files: Vec<_> = files.into_iter().map(|(name, svg)| (name.to_owned(), svg)).collect();
+        let taught = self.taught.iter().enumerate();
+        files.extend(taught.map(|(i, t)| (format!("taught-{}.svg", i + 1), t.charts.to_svg_standalone())));
         files
     }
 }

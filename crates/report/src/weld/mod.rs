@@ -11,9 +11,11 @@ mod plan;
 mod procedure;
 mod samples;
 mod sections;
+mod taught;
 
 pub use certificate::CertificateFigures;
 pub use charts::Plots;
 pub use curves::SimulationCurves;
 pub use figures::WeldReport;
 pub use sections::sections;
+pub use taught::TaughtPlot;

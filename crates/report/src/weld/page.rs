@@ -91,6 +91,16 @@ impl WeldReport {
             blocks.push(windows_table(figures));
             blocks.push(positions_table(figures));
         }
+        if !plots.taught.is_empty() {
+            blocks.push(heading("Taught spans"));
+        }
+        for taught in &plots.taught {
+            blocks.push(Block::Paragraph(taught.text.clone()));
+            blocks.push(figure(
+                taught.charts.to_svg(),
+                "The seam as welded against the nominal one: at both joins the same place, direction and curvature.",
+            ));
+        }
         if let Some(clearance) = &plots.clearance {
             blocks.push(heading("Clearance"));
             if let Some(text) = pass.clearance.as_ref().and_then(nearest_text) {
@@ -256,7 +266,7 @@ impl WeldReport {
         ];
         let (start, sequence) = (&self.plan.start, &self.plan.sequence);
         let row = |label: &str, value: f64, unit: &str| vec![label.to_owned(), number(value), unit.to_owned()];
-        if !["line", "T-joint"].contains(&s.kind) {
+        if !["line", "T-joint", "spline"].contains(&s.kind) {
             let direction = match start.direction {
                 WeldDirection::CounterClockwise => "counter-clockwise",
                 WeldDirection::Clockwise => "clockwise",

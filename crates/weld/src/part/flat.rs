@@ -6,9 +6,13 @@ use crate::plane::zero;
 use crate::t_joint::Middle;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 use seamwright_clearance::{Shape, Solid};
+use seamwright_document::Direction;
 use seamwright_geometry::Curve;
-use seamwright_program::{Arc, Circle, FilletOrButt, RoundedRectangle, WallFaces};
+use seamwright_program::{Arc, Circle, FilletOrButt, RoundedRectangle, Spline, WallFaces};
 use std::f64::consts::PI;
+
+/// A seam that leaves a plane by no more than this part of its length lies in it.
+const FLAT: f64 = 1e-6;
 
 impl Making<'_> {
     /// A round tube on a plate, or the plate alone.
@@ -53,6 +57,15 @@ impl Making<'_> {
         // Its foot is within the plate, so that no gap is between them.
         let wall = Section { left: across, out: (-0.5 * PLATE_MM, self.nozzle_mm) };
         Ok(vec![plate, along.solid("wall", wall)?])
+    }
+
+    /// The plate under a spline that lies in the plane of its one normal; none under others.
+    pub(super) fn spline(&self, s: &Spline) -> Result<Vec<Solid>, Impossible> {
+        let (Some(first), true) = (s.points_mm.first(), s.first_normals.is_empty()) else { return Ok(Vec::new()) };
+        let (first, normal) = (first.get(), s.normal.unwrap_or_else(Direction::z).unit());
+        let (low, high) = self.heights(first, normal);
+        let flat = high - low <= FLAT * self.seam.length();
+        if flat { self.plate_below(first, normal).map(|plate| vec![plate]) } else { Ok(Vec::new()) }
     }
 
     /// The plate that a seam in a plane lies on, through `point` with outward `normal`.

@@ -98,6 +98,7 @@ impl Making<'_> {
             Seam::RoundedRectangle(r) => self.rectangle(r),
             Seam::Polyline(p) => self.plate_below(p.points_mm[0].get(), p.normal.unit()).map(|plate| vec![plate]),
             Seam::Helix(helix) => self.helix(helix),
+            Seam::Spline(s) => self.spline(s),
             Seam::Line(line) => self.line(line),
             Seam::TJoint(joint) => self.t_joint(joint, &Middle::new(file, joint)?),
         };

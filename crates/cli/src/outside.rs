@@ -1,0 +1,94 @@
+//! What a job names beside it: tables of points, and where its machine's axes put the torch.
+
+use crate::csv::CsvReader;
+use crate::failure::Failure;
+use crate::load;
+use glam::DVec3;
+use seamwright_machine::{Joints, Machine};
+use seamwright_weld::{Outside, Wrong};
+use std::cell::RefCell;
+use std::fs::File;
+use std::io::BufReader;
+use std::path::Path;
+
+const POINTS: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
+const ONE_NORMAL: [&str; 6] = ["x_mm", "y_mm", "z_mm", "n1x", "n1y", "n1z"];
+const NORMALS: [&str; 9] = ["x_mm", "y_mm", "z_mm", "n1x", "n1y", "n1z", "n2x", "n2y", "n2z"];
+
+/// Most rows of a table.
+const MOST: usize = 20_000;
+
+/// Files and machines as a job in `folder` names them.
+pub(crate) struct Beside<'a> {
+    folder: &'a Path,
+    /// The machine asked for last.
+    machine: RefCell<Option<(String, Machine)>>,
+}
+
+impl<'a> Beside<'a> {
+    pub(crate) fn new(folder: &'a Path) -> Self {
+        Self { folder, machine: RefCell::new(None) }
+    }
+
+    fn rows(&self, name: &str) -> Result<Vec<Vec<f64>>, Failure> {
+        let file = File::open(self.folder.join(name)).map_err(|e| {
+            let allowed = "a file that is there, its path seen from the job's folder";
+            Failure::Input(format!("{name}: the file cannot be read: {e}\n   allowed: {allowed}"))
+        })?;
+        let (mut reader, _) = CsvReader::open(name, BufReader::new(file), &[&NORMALS, &ONE_NORMAL, &POINTS])?;
+        let mut rows = Vec::new();
+        while let Some(row) = reader.row() {
+            if rows.len() == MOST {
+                return Err(Failure::Input(format!("{name}: the table is too long\n   allowed: up to {MOST} points")));
+            }
+            rows.push(row?.to_vec());
+        }
+        Ok(rows)
+    }
+}
+
+/// What is wrong and what is allowed, from a message that says both.
+fn wrong(failure: &Failure) -> Wrong {
+    let text = match failure {
+        Failure::Input(text) | Failure::Environment(text) => text.as_str(),
+        Failure::Findings(_) | Failure::Printed | Failure::ReaderGone => "it cannot be read",
+    };
+    let (message, allowed) = text.split_once("\n   allowed: ").unwrap_or((text, ""));
+    Wrong { message: message.to_owned(), allowed: allowed.to_owned() }
+}
+
+impl Outside for Beside<'_> {
+    fn bytes(&self, file: &str) -> std::io::Result<Vec<u8>> {
+        std::fs::read(self.folder.join(file))
+    }
+
+    fn table(&self, file: &str) -> Result<Vec<Vec<f64>>, Wrong> {
+        self.rows(file).map_err(|failure| wrong(&failure))
+    }
+
+    fn tip(&self, name: &str, axes: &[f64]) -> Result<DVec3, Wrong> {
+        let mut known = self.machine.borrow_mut();
+        if known.as_ref().is_none_or(|(last, _)| last != name) {
+            let machine = load::machine_beside(name, self.folder).map_err(|failure| wrong(&failure))?;
+            *known = machine.map(|machine| (name.to_owned(), machine));
+        }
+        let Some((_, machine)) = known.as_ref() else {
+            let message = format!("there is no machine `{name}` that could have recorded them");
+            return Err(Wrong { message, allowed: "`machine` as it was when they were recorded".to_owned() });
+        };
+        let names: Vec<&str> = machine.axes.iter().map(|a| a.name.as_str()).collect();
+        if axes.len() != names.len() {
+            let message = format!("{} positions, and {name} has {} axes", axes.len(), names.len());
+            return Err(Wrong { message, allowed: names.join(", ") });
+        }
+        let mut q = Joints::default();
+        for ((q, axis), value) in q.iter_mut().zip(&machine.axes).zip(axes) {
+            *q = axis.from_file(*value);
+        }
+        if let Some(violation) = machine.outside(&q) {
+            let message = machine.range_error(&violation).to_string();
+            return Err(Wrong { message, allowed: "positions within the axes' ranges".to_owned() });
+        }
+        Ok(machine.forward(&q).point)
+    }
+}

@@ -1,0 +1,145 @@
+//! Slopes at the knots of cubic splines: the conditions that make them twice continuously differentiable.
+
+use std::ops::{Add, Mul, Sub};
+
+/// What a spline has for values: numbers or vectors.
+pub(crate) trait Value: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self> {}
+impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>> Value for T {}
+
+/// How a cubic spline ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum End<V> {
+    /// Without a second derivative.
+    Natural,
+    /// With this first derivative.
+    Slope(V),
+    /// With this first and second derivative: an extra knot in the middle of the interval makes room for both.
+    Jet(V, V),
+}
+
+/// A row of the system for the slopes: coefficients of the one before, its own and the one after; right side.
+type Row<V> = ([f64; 3], V);
+
+/// The condition that the second derivative is continuous at a knot, from the intervals `(h, rise)` beside it.
+fn row<V: Value>((h0, rise0): (f64, V), (h1, rise1): (f64, V)) -> Row<V> {
+    let right = (rise0 * (1.0 / (h0 * h0)) + rise1 * (1.0 / (h1 * h1))) * 3.0;
+    ([1.0 / h0, 2.0 / h0 + 2.0 / h1, 1.0 / h1], right)
+}
+
+/// Half the second derivative at the inner end of an end interval `(h, rise)` with a knot in its middle, as it follows
+/// from slope `m` and second derivative `a` at the outer end: the factor of the slope at the inner end, and the rest.
+/// All derivatives are outward to inward.
+fn inner<V: Value>((h, rise): (f64, V), (m, a): (V, V)) -> (f64, V) {
+    let left = rise - m * h - a * (0.5 * h * h);
+    (3.0 / h, a * 0.5 - left * (6.0 / (h * h)) - (m + a * h) * (3.0 / h))
+}
+
+/// The same for a row: with an end that is a jet the interval at that side is none that a plain cubic fills.
+fn row_beside_jet<V: Value>(jet: (f64, V), (m, a): (V, V), other: (f64, V), last: bool) -> Row<V> {
+    let (h1, rise1) = other;
+    // Half the second derivative on the other side: (3 rise / h^2 - (2 m1 + m2) / h), seen away from the knot.
+    if last {
+        // Seen backwards slopes change their sign; second derivatives do not.
+        let (factor, rest) = inner((jet.0, jet.1 * -1.0), (m * -1.0, a));
+        // -3 rise1/h1^2 + (m0 + 2 m1)/h1 = -factor m1 + rest
+        ([1.0 / h1, 2.0 / h1 + factor, 0.0], rest + rise1 * (3.0 / (h1 * h1)))
+    } else {
+        let (factor, rest) = inner(jet, (m, a));
+        // factor m1 + rest = 3 rise1/h1^2 - (2 m1 + m2)/h1
+        ([0.0, 2.0 / h1 + factor, 1.0 / h1], rise1 * (3.0 / (h1 * h1)) - rest)
+    }
+}
+
+/// Slopes at the knots `x` (at least two, or three if an end is a jet) of the spline with values `y`.
+pub(crate) fn slopes<V: Value>(x: &[f64], y: &[V], start: &End<V>, end: &End<V>) -> Vec<V> {
+    let n = x.len();
+    let zero = y[0] - y[0];
+    if n < 2 {
+        return vec![zero; n];
+    }
+    let piece = |i: usize| (x[i + 1] - x[i], y[i + 1] - y[i]);
+    let fixed = |m: V| ([0.0, 1.0, 0.0], m);
+    let mut rows: Vec<Row<V>> = Vec::with_capacity(n);
+    for i in 0..n {
+        rows.push(match (i, start, end) {
+            (0, End::Slope(m) | End::Jet(m, _), _) => fixed(*m),
+            (0, End::Natural, _) => ([0.0, 2.0, 1.0], piece(0).1 * (3.0 / piece(0).0)),
+            (i, _, End::Slope(m) | End::Jet(m, _)) if i == n - 1 => fixed(*m),
+            (i, _, End::Natural) if i == n - 1 => ([1.0, 2.0, 0.0], piece(n - 2).1 * (3.0 / piece(n - 2).0)),
+            (1, End::Jet(m, a), End::Jet(m1, a1)) if n == 3 => {
+                let ((f0, r0), back) = (inner(piece(0), (*m, *a)), piece(1));
+                let (f1, r1) = inner((back.0, back.1 * -1.0), (*m1 * -1.0, *a1));
+                ([0.0, f0 + f1, 0.0], r1 - r0)
+            }
+            (1, End::Jet(m, a), _) => row_beside_jet(piece(0), (*m, *a), piece(1), false),
+            (i, _, End::Jet(m, a)) if i == n - 2 => row_beside_jet(piece(i), (*m, *a), piece(i - 1), true),
+            _ => row(piece(i - 1), piece(i)),
+        });
+    }
+    // The known slopes go to the right side, where they are exact.
+    tridiagonal(&rows)
+}
+
+/// The knot in the middle of an end interval of width `h` (negative backwards) from value `y` with derivatives `m` and
+/// `a` there, to value `y1` with slope `m1`: its value and slope.
+pub(crate) fn middle<V: Value>(h: f64, (y, m, a): (V, V, V), (y1, m1): (V, V)) -> (V, V) {
+    let left = y1 - y - m * h - a * (0.5 * h * h);
+    let turn = m1 - m - a * h;
+    let jerk = left * (12.0 / (h * h * h)) - turn * (2.0 / (h * h));
+    let x = 0.5 * h;
+    (y + m * x + a * (0.5 * x * x) + jerk * (x * x * x / 6.0), m + a * x + jerk * (0.5 * x * x))
+}
+
+/// Slopes of the closed spline through `y`, whose last value is the first: the cyclic system is the tridiagonal one
+/// with a correction of rank one (Sherman and Morrison).
+pub(crate) fn periodic_slopes<V: Value>(x: &[f64], y: &[V]) -> Vec<V> {
+    let n = x.len() - 1;
+    if n < 3 {
+        // One value, or two: solve the full cyclic system of at most two unknowns by symmetry.
+        return closed_by_symmetry(x, y, n);
+    }
+    let piece = |i: usize| (x[i + 1] - x[i], y[i + 1] - y[i]);
+    let mut rows: Vec<_> = (0..n).map(|i| row(piece((i + n - 1) % n), piece(i))).collect();
+    let corner = 1.0 / piece(n - 1).0;
+    let shift = -rows[0].0[1];
+    rows[0].0[1] -= shift;
+    rows[n - 1].0[1] -= corner * corner / shift;
+    let plain = tridiagonal(&rows);
+    let right = |i: usize| if i == 0 { shift } else { corner * f64::from(u8::from(i == n - 1)) };
+    let rows: Vec<Row<f64>> = rows.iter().enumerate().map(|(i, row)| (row.0, right(i))).collect();
+    let corrector = tridiagonal(&rows);
+    let factor =
+        (plain[0] + plain[n - 1] * (corner / shift)) * (1.0 / (1.0 + corrector[0] + corner / shift * corrector[n - 1]));
+    let mut slopes: Vec<V> = plain.iter().zip(&corrector).map(|(p, c)| *p - factor * *c).collect();
+    slopes.push(slopes[0]);
+    slopes
+}
+
+fn closed_by_symmetry<V: Value>(x: &[f64], y: &[V], n: usize) -> Vec<V> {
+    if n < 2 {
+        return vec![y[0] - y[0]; n + 1];
+    }
+    // Two knots a period: both conditions have the same coefficients and opposite right sides.
+    let (h0, h1) = (x[1] - x[0], x[2] - x[1]);
+    let right = (y[1] - y[0]) * (3.0 * (1.0 / (h0 * h0) - 1.0 / (h1 * h1)));
+    let slope = right * (1.0 / (1.0 / h0 + 1.0 / h1) / 3.0);
+    vec![slope, slope, slope]
+}
+
+/// Solves a tridiagonal system (Thomas' algorithm; the matrices here are diagonally dominant).
+fn tridiagonal<V: Value>(rows: &[Row<V>]) -> Vec<V> {
+    let mut above: Vec<f64> = Vec::with_capacity(rows.len());
+    let mut value: Vec<V> = Vec::with_capacity(rows.len());
+    for ([a, b, c], r) in rows {
+        let (pivot, r) = match (above.last(), value.last()) {
+            (Some(above), Some(value)) => (b - a * above, *r - *value * *a),
+            _ => (*b, *r),
+        };
+        above.push(c / pivot);
+        value.push(r * (1.0 / pivot));
+    }
+    for i in (0..rows.len().saturating_sub(1)).rev() {
+        value[i] = value[i] - value[i + 1] * above[i];
+    }
+    value
+}

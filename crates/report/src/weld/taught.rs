@@ -1,0 +1,129 @@
+//! Charts of the spans of a seam that are taught.
+
+use crate::{Axis, Band, Chart, ChartGrid, Series, Style, format_number};
+use seamwright_machine::Machine;
+use seamwright_motion::PassMotion;
+use seamwright_weld::{SeamCurve, TaughtSpan};
+
+/// Places of a span and of what is shown beside it.
+const PLACES: u32 = 600;
+/// How much of the seam is shown to each side, as a part of the span.
+const BESIDE: f64 = 0.2;
+
+/// One span: how it leaves the nominal seam and comes back, and how the torch goes along it.
+#[derive(Debug, Clone)]
+pub struct TaughtPlot {
+    /// What is seen, in words.
+    pub text: String,
+    /// Distance, direction, curvature and speed over path length.
+    pub charts: ChartGrid,
+}
+
+/// All taught spans of `seam` in one pass.
+pub(crate) fn taught(machine: &Machine, seam: &SeamCurve, motion: &PassMotion) -> Vec<TaughtPlot> {
+    let spans = seam.taught().iter().enumerate();
+    spans.map(|(i, span)| Shown { seam, span, number: i + 1 }.plot(machine, motion)).collect()
+}
+
+/// A span that is shown.
+struct Shown<'a> {
+    seam: &'a SeamCurve,
+    span: &'a TaughtSpan,
+    number: usize,
+}
+
+impl Shown<'_> {
+    fn plot(&self, machine: &Machine, motion: &PassMotion) -> TaughtPlot {
+        let (from, to) = self.span.seam;
+        let places = self.places();
+        let curve = |f: &dyn Fn(f64) -> f64| places.iter().map(|s| (*s, f(*s))).collect::<Vec<_>>();
+        let distance = |s: f64| self.seam.off_nominal(self.span, s).0;
+        let turn = |s: f64| self.seam.off_nominal(self.span, s).1.to_degrees();
+        let speed = |s: f64| motion.tip_speed(machine, motion.law.at(motion.law.time(s), &mut 0));
+        let bend = |s: f64| 1e3 * self.seam.curvature(s).length();
+        let nominal_bend = |s: f64| 1e3 * self.seam.nominal().curvature(self.nominal_s(s)).length();
+        let points = self.span.points.iter().map(|s| (*s, distance(*s))).collect();
+        let chart = |title: &str, y: Axis, series: Vec<Series>| Chart {
+            title: title.to_owned(),
+            x: Axis::new("path length s", "mm"),
+            y,
+            series,
+            bands: vec![Band { label: "taught".to_owned(), from, to }],
+            height: Some(96.0),
+            ..Chart::default()
+        };
+        let speeds = curve(&speed);
+        let fastest = speeds.iter().fold(0.0, |m: f64, p| m.max(p.1));
+        let charts = vec![
+            chart(
+                "Distance from the nominal seam",
+                Axis::new("distance", "mm"),
+                vec![
+                    Series::line("the seam as welded", curve(&distance)),
+                    Series::line("taught points", points).styled(Style::Points).coloured(2),
+                ],
+            ),
+            chart(
+                "Direction against the nominal seam's",
+                Axis::new("angle", "deg"),
+                vec![Series::line("the seam as welded", curve(&turn))],
+            ),
+            chart(
+                "Curvature",
+                Axis::new("curvature", "1/m"),
+                vec![
+                    Series::line("the seam as welded", curve(&bend)),
+                    Series::line("nominal seam", curve(&nominal_bend)).styled(Style::Dashed),
+                ],
+            ),
+            Chart {
+                y_range: Some((0.0, 1.2 * fastest)),
+                ..chart("Speed of the torch tip", Axis::new("speed", "mm/s"), vec![Series::line("planned", speeds)])
+            },
+        ];
+        let title = format!("Taught span {}", self.number);
+        TaughtPlot { text: self.text(&places), charts: ChartGrid { title, columns: 1, charts } }
+    }
+
+    /// Where the charts have values: evenly, with the joins and the points among them.
+    fn places(&self) -> Vec<f64> {
+        let (from, to) = self.span.seam;
+        let beside = BESIDE * (to - from);
+        let (low, high) = ((from - beside).max(0.0), (to + beside).min(self.seam.weld_length()));
+        let mut places: Vec<f64> =
+            (0..=PLACES).map(|i| low + (high - low) * f64::from(i) / f64::from(PLACES)).collect();
+        places.extend([from, to]);
+        places.extend(&self.span.points);
+        places.sort_by(f64::total_cmp);
+        places
+    }
+
+    /// The place on the nominal seam that goes along with `s`.
+    fn nominal_s(&self, s: f64) -> f64 {
+        let ((from, to), (a, b)) = (self.span.seam, self.span.nominal);
+        match (s - from) / (to - from) {
+            ..0.0 => a + s - from,
+            part @ 0.0..=1.0 => a + part * (b - a),
+            _ => b + s - to,
+        }
+    }
+
+    fn text(&self, places: &[f64]) -> String {
+        let (from, to) = self.span.seam;
+        let inside = places.iter().filter(|s| **s >= from && **s <= to);
+        let off = inside.map(|s| self.seam.off_nominal(self.span, *s));
+        let (away, turn) = off.fold((0.0, 0.0), |(a, t): (f64, f64), o| (a.max(o.0), t.max(o.1)));
+        let longer = (to - from) - (self.span.nominal.1 - self.span.nominal.0);
+        format!(
+            "Span {}: s = {} to {} mm ({} mm {} than the nominal seam there), {} taught points; up to {} mm beside the nominal seam and {} degrees off its direction.",
+            self.number,
+            format_number(from, 5),
+            format_number(to, 5),
+            format_number(longer.abs(), 3),
+            if longer < 0.0 { "shorter" } else { "longer" },
+            self.span.points.len(),
+            format_number(away, 3),
+            format_number(turn.to_degrees(), 3),
+        )
+    }
+}

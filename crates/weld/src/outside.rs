@@ -1,0 +1,126 @@
+//! What a job names but does not hold: tables in files, and where its machine's axes put the torch.
+
+use glam::{DAffine3, DVec3};
+use seamwright_document::{Direction, Document, DocumentError, Point};
+use seamwright_program::{Seam, Spline, Taught};
+
+/// Why something from outside cannot be had.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Wrong {
+    /// What is wrong.
+    pub message: String,
+    /// What would be right.
+    pub allowed: String,
+}
+
+/// Those who may read files and know machines, for a room that does neither.
+pub trait Outside {
+    /// The bytes of `file`, as the job names it.
+    ///
+    /// # Errors
+    /// Whatever keeps it from being read.
+    fn bytes(&self, file: &str) -> std::io::Result<Vec<u8>>;
+
+    /// Rows of the point table `file`, as the job names it: three numbers (mm), six or nine (with one or two normals).
+    ///
+    /// # Errors
+    /// A file that cannot be read, or has other columns.
+    fn table(&self, file: &str) -> Result<Vec<Vec<f64>>, Wrong>;
+
+    /// The torch tip (mm) in the work frame of `machine`, as the job names it, at axis positions in mm or degrees, in
+    /// the machine file's order.
+    ///
+    /// # Errors
+    /// No such machine, another number of axes, positions out of range.
+    fn tip(&self, machine: &str, axes: &[f64]) -> Result<DVec3, Wrong>;
+}
+
+/// Nothing outside: jobs that hold everything.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct NoFiles;
+
+impl Outside for NoFiles {
+    fn bytes(&self, _file: &str) -> std::io::Result<Vec<u8>> {
+        Err(std::io::ErrorKind::NotFound.into())
+    }
+
+    fn table(&self, _file: &str) -> Result<Vec<Vec<f64>>, Wrong> {
+        let (message, allowed) = ("no files can be read here", "`points_mm`");
+        Err(Wrong { message: message.to_owned(), allowed: allowed.to_owned() })
+    }
+
+    fn tip(&self, _machine: &str, _axes: &[f64]) -> Result<DVec3, Wrong> {
+        let (message, allowed) = ("no machine is known here", "`points_mm`");
+        Err(Wrong { message: message.to_owned(), allowed: allowed.to_owned() })
+    }
+}
+
+/// Gets the points that `file` does not hold itself. The keys that named them stay until [`forget`], for errors.
+///
+/// # Errors
+/// With the key's address: what is wrong outside, points given twice.
+pub(crate) fn fetch<T>(
+    file: &Document<T>,
+    (seam, taught): (&mut Seam, &mut [Taught]),
+    (machine, seam_in_work): (&str, DAffine3),
+    outside: &dyn Outside,
+) -> Result<(), DocumentError> {
+    if let Seam::Spline(spline) = seam {
+        table(file, spline, outside)?;
+    }
+    let to_seam = seam_in_work.inverse();
+    for (i, span) in taught.iter_mut().enumerate() {
+        if !span.axes.is_empty() && !span.points_mm.is_empty() {
+            let path = format!("taught[{i}].axes");
+            return Err(file.error_at(&path, "the points are given twice", "either `points_mm` or `axes`"));
+        }
+        for (k, row) in span.axes.iter().enumerate() {
+            let wrong = |w: Wrong| file.error_at(&format!("taught[{i}].axes[{k}]"), w.message, w.allowed);
+            let row: Vec<f64> = row.iter().map(|v| v.get()).collect();
+            let tip = outside.tip(machine, &row).map_err(wrong)?;
+            let point = Point::new(to_seam.transform_point3(tip));
+            span.points_mm.push(point.ok_or_else(|| wrong(infinite()))?);
+        }
+    }
+    Ok(())
+}
+
+fn infinite() -> Wrong {
+    Wrong { message: "this is no place".to_owned(), allowed: "finite numbers".to_owned() }
+}
+
+fn table<T>(file: &Document<T>, spline: &mut Spline, outside: &dyn Outside) -> Result<(), DocumentError> {
+    let Some(name) = &spline.file else { return Ok(()) };
+    let path = "seam.spline.file";
+    let given = [
+        ("points_mm", !spline.points_mm.is_empty()),
+        ("first_normals", !spline.first_normals.is_empty()),
+        ("second_normals", !spline.second_normals.is_empty()),
+    ];
+    if let Some((key, _)) = given.into_iter().find(|(_, given)| *given) {
+        let message = format!("both a file and `{key}` are given");
+        return Err(file.error_at(path, message, "points and their normals in the file, or in the job"));
+    }
+    let rows = outside.table(name).map_err(|w| file.error_at(path, w.message, w.allowed))?;
+    for (i, row) in rows.iter().enumerate() {
+        let wrong = |what: &str| {
+            let message = format!("{name}: point {}: {what}", i + 1);
+            file.error_at(path, message, "finite coordinates, and normals with a length")
+        };
+        let mut vectors = row.chunks_exact(3).map(DVec3::from_slice);
+        let point = vectors.next().and_then(Point::new).ok_or_else(|| wrong("no place"))?;
+        spline.points_mm.push(point);
+        for (normals, v) in [&mut spline.first_normals, &mut spline.second_normals].into_iter().zip(vectors) {
+            normals.push(Direction::new(v).ok_or_else(|| wrong("a normal without length"))?);
+        }
+    }
+    Ok(())
+}
+
+/// Leaves out the names of what has been fetched, so that a program file holds everything itself.
+pub(crate) fn forget(seam: &mut Seam, taught: &mut [Taught]) {
+    if let Seam::Spline(spline) = seam {
+        spline.file = None;
+    }
+    taught.iter_mut().for_each(|span| span.axes.clear());
+}
