@@ -6,7 +6,7 @@ use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 use seamwright_clearance::{Shape, Solid, nearest};
 use seamwright_document::{Document, DocumentError};
-use seamwright_geometry::{Edge, SignedDistance};
+use seamwright_geometry::Edge;
 use seamwright_program::Seam;
 use seamwright_weld::{Cut, Job, NozzleEdges, SeamSurfaces, Welding};
 use std::f64::consts::TAU;
@@ -187,9 +187,9 @@ fn toe_and_root_lie_on_their_surfaces_and_face_the_air() {
             made[k] += 1;
             for _ in 0..3 {
                 let phi = random.within(0.0, TAU);
-                on(&case, &pair.outer_toe, phi, case.radius, 0.0);
+                on(&case, pair.outer_toe.as_ref(), phi, case.radius, 0.0);
                 let root_radius = if set_in { case.radius } else { case.radius - case.wall };
-                on(&case, &pair.inner_root, phi, root_radius, if set_in { case.thickness } else { 0.0 });
+                on(&case, pair.inner_root.as_ref(), phi, root_radius, if set_in { case.thickness } else { 0.0 });
                 let (toe, root) = (pair.outer_toe.edge(phi), pair.inner_root.edge(phi));
                 let away = (root.point - case.origin).reject_from_normalized(case.direction).normalize();
                 let (n1, n2) =
