@@ -20,7 +20,7 @@ impl Along {
     /// Along `curve`, which turns at its ends as given (by the curve's parameter); not used if it is closed.
     ///
     /// # Errors
-    /// [`Error::Direction`] if the curve turns by 90 degrees or more from one knot to the next.
+    /// [`Error::Turn`] if the curve turns by 90 degrees or more from one knot to the next.
     pub fn of(curve: &Spline, ends: (End<DVec3>, End<DVec3>)) -> Result<Self, Error> {
         let knots = curve.knots();
         let places = knots
@@ -33,7 +33,7 @@ impl Along {
         let mut at_knots =
             tangents.iter().step_by(PARTS as usize).zip(tangents.iter().skip(PARTS as usize).step_by(PARTS as usize));
         if beside || at_knots.any(|(a, b)| turns_back(a, b)) {
-            return Err(Error::Direction { what: "a spline that turns by more than 90 degrees between two points" });
+            return Err(Error::Turn { what: "the curve through the points" });
         }
         let ends = if curve.closed() { Ends::Closed } else { Ends::Open(ends.0, ends.1) };
         tangents.truncate(places.len() - usize::from(curve.closed()));
@@ -80,11 +80,11 @@ impl Normals {
     /// The smooth way through `normals` (unit) at the parameters of `points` by chord length.
     ///
     /// # Errors
-    /// As [`chord_lengths`]; [`Error::Direction`] if a normal turns by 90 degrees or more from one point to the next.
+    /// As [`chord_lengths`]; [`Error::Turn`] if a normal turns by 90 degrees or more from one point to the next.
     pub fn through(points: &[DVec3], normals: &[DVec3], closed: bool) -> Result<Self, Error> {
         let next = normals.iter().skip(1).chain(normals.first().filter(|_| closed));
         if normals.iter().zip(next).any(|(a, b)| a.dot(*b) <= 0.0) {
-            return Err(Error::Direction { what: "a normal that turns by 90 degrees or more between two points" });
+            return Err(Error::Turn { what: "the normal" });
         }
         let ends = if closed { Ends::Closed } else { Ends::Open(End::Natural, End::Natural) };
         Ok(Self::Through(Spline::new(chord_lengths(points, closed)?, normals.to_vec(), ends)?))

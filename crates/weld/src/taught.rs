@@ -257,7 +257,10 @@ impl<T> Making<'_, T> {
         let count = all.len();
         (all[0], all[count - 1]) = (first.point, last.point);
         let span = self.build(&all, &lengths, (&first, &last));
-        let span = span.map_err(|e| self.wrong(0, &e.to_string(), "points that follow the seam"))?;
+        let span = span.map_err(|e| {
+            let path = format!("taught[{}]", self.number);
+            self.file.error_at(&path, e.to_string(), "points farther apart, or nearer to one smooth curve")
+        })?;
         self.check_turns(&span)?;
         Ok(span)
     }

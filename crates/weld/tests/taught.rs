@@ -168,13 +168,16 @@ fn mistakes_have_an_address() {
     let far = a + 10.5 * nominal.seam.at(340.0).bisector;
     refused(&with(&[far, b]), "taught[0].points_mm[0]", "11.500 mm from the nominal seam");
     read(&job(SADDLE, &with(&[far, b]).replace("to_mm", "within_mm = 12\nto_mm")));
-    let zigzag: Vec<DVec3> = (0..8)
-        .map(|i| {
-            let p = nominal.seam.at(400.0 + 2.0 * f64::from(i));
-            p.point + if i % 2 == 0 { 6.0 } else { -6.0 } * p.bisector
-        })
-        .collect();
-    refused(&with(&zigzag), "taught[0].points_mm[0]", "degrees off the seam");
+    for (step, high, words) in [(2.0, 6.0, "turns by 90 degrees"), (6.0, 4.0, "degrees off the seam")] {
+        let beside = |i: u32| {
+            let p = nominal.seam.at(400.0 + step * f64::from(i));
+            p.point + if i % 2 == 0 { high } else { -high } * p.bisector
+        };
+        let zigzag: Vec<DVec3> = (0..8).map(beside).collect();
+        let e = Welding::read("j.toml", &job(SADDLE, &with(&zigzag))).unwrap_err();
+        println!("{e}");
+        assert!(e.key.starts_with("taught[0]") && e.to_string().contains(words), "{words} in {e}");
+    }
     refused("[[taught]]\nfrom_mm = 300\nto_mm = 500\n", "taught[0]", "no points");
     refused(&good.replace("to_mm = 500.0", "to_mm = 300.0"), "taught[0].to_mm", "no length");
     refused(&good.replace("to_mm = 500.0", "to_mm = 5000.0"), "taught[0].to_mm", "beyond the nominal seam");
