@@ -126,6 +126,12 @@ pub enum Error {
         /// Which piece, counted from 0.
         piece: usize,
     },
+    /// Something turns too sharply along points.
+    #[error("{what} turns by 90 degrees or more from one point to the next")]
+    Turn {
+        /// What turns.
+        what: &'static str,
+    },
     /// Knots of a spline must increase strictly.
     #[error("the positions of a spline's values must increase strictly (value {index})")]
     Knots {

@@ -4,46 +4,45 @@ use crate::slopes::End;
 use crate::{Curve, Edge, EdgePoint, Ends, Error, Jet, Spline, chord_lengths};
 use glam::DVec3;
 
+/// Places of an interval of a spline through whose tangents [`Along`] goes: more would turn a frame more sharply at the
+/// knots, fewer let it leave the tangent farther.
+const PARTS: u32 = 4;
+
 /// The direction along a spline as a frame of faces needs it: twice continuously differentiable.
 ///
 /// The tangent of a cubic spline is that only once, since the third derivative jumps at the knots: a face square to it
-/// would turn with a jump in its acceleration. This is the cubic spline through the tangents at the knots, made unit:
-/// equal to the tangent there, and between them off by the fourth order of the knots' distance.
+/// would turn with a jump in its acceleration. This is the cubic spline through the tangents at the knots and at three
+/// places between them, made unit: equal to the tangent there, and near it elsewhere.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Along(Spline);
 
 impl Along {
-    /// Along a spline with knots and unit tangents there; its ends as given.
+    /// Along `curve`, which turns at its ends as given (by the curve's parameter); not used if it is closed.
     ///
     /// # Errors
-    /// [`Error::Direction`] if the tangent turns back from one knot to the next.
-    pub fn new(knots: &[f64], tangents: &[DVec3], ends: Ends) -> Result<Self, Error> {
-        if tangents.windows(2).any(|t| t[0].dot(t[1]) <= 0.0) {
-            return Err(Error::Direction { what: "a spline that turns by more than 90 degrees between two points" });
+    /// [`Error::Turn`] if the curve turns by 90 degrees or more from one knot to the next.
+    pub fn of(curve: &Spline, ends: (End<DVec3>, End<DVec3>)) -> Result<Self, Error> {
+        let knots = curve.knots();
+        let places = knots
+            .windows(2)
+            .flat_map(|k| (0..PARTS).map(move |i| k[0] + (k[1] - k[0]) * f64::from(i) / f64::from(PARTS)));
+        let places: Vec<f64> = places.chain([curve.domain().1]).collect();
+        let mut tangents: Vec<DVec3> = places.iter().map(|u| curve.jet(*u).d1.normalize_or_zero()).collect();
+        let turns_back = |a: &DVec3, b: &DVec3| a.dot(*b) <= 0.0;
+        let beside = tangents.windows(2).any(|t| turns_back(&t[0], &t[1]));
+        let mut at_knots =
+            tangents.iter().step_by(PARTS as usize).zip(tangents.iter().skip(PARTS as usize).step_by(PARTS as usize));
+        if beside || at_knots.any(|(a, b)| turns_back(a, b)) {
+            return Err(Error::Turn { what: "the curve through the points" });
         }
-        Ok(Self(Spline::new(knots.to_vec(), tangents.to_vec(), ends)?))
+        let ends = if curve.closed() { Ends::Closed } else { Ends::Open(ends.0, ends.1) };
+        tangents.truncate(places.len() - usize::from(curve.closed()));
+        Ok(Self(Spline::new(places, tangents, ends)?))
     }
 
-    /// Along `curve`, turning at its ends as it does.
-    ///
-    /// # Errors
-    /// As [`Along::new`].
-    pub fn of(curve: &Spline) -> Result<Self, Error> {
-        let mut tangents: Vec<DVec3> = curve.slopes().iter().map(|m| m.normalize_or_zero()).collect();
-        if curve.closed() {
-            if tangents.windows(2).any(|t| t[0].dot(t[1]) <= 0.0) {
-                return Self::new(curve.knots(), &tangents, Ends::Open(End::Natural, End::Natural));
-            }
-            tangents.pop();
-            return Ok(Self(Spline::new(curve.knots().to_vec(), tangents, Ends::Closed)?));
-        }
-        let (first, last) = curve.domain();
-        let turn = |u: f64| {
-            let jet = curve.jet(u);
-            let along = jet.d1.normalize_or_zero();
-            End::Slope((jet.d2 - jet.d2.dot(along) * along) / jet.d1.length())
-        };
-        Self::new(curve.knots(), &tangents, Ends::Open(turn(first), turn(last)))
+    /// Parameters at which the third derivative may jump; all knots of the curve among them.
+    pub fn breaks(&self) -> Vec<f64> {
+        self.0.breaks()
     }
 
     /// The unit direction at parameter `u`.
@@ -81,11 +80,11 @@ impl Normals {
     /// The smooth way through `normals` (unit) at the parameters of `points` by chord length.
     ///
     /// # Errors
-    /// As [`chord_lengths`]; [`Error::Direction`] if a normal turns by 90 degrees or more from one point to the next.
+    /// As [`chord_lengths`]; [`Error::Turn`] if a normal turns by 90 degrees or more from one point to the next.
     pub fn through(points: &[DVec3], normals: &[DVec3], closed: bool) -> Result<Self, Error> {
         let next = normals.iter().skip(1).chain(normals.first().filter(|_| closed));
         if normals.iter().zip(next).any(|(a, b)| a.dot(*b) <= 0.0) {
-            return Err(Error::Direction { what: "a normal that turns by 90 degrees or more between two points" });
+            return Err(Error::Turn { what: "the normal" });
         }
         let ends = if closed { Ends::Closed } else { Ends::Open(End::Natural, End::Natural) };
         Ok(Self::Through(Spline::new(chord_lengths(points, closed)?, normals.to_vec(), ends)?))
@@ -130,7 +129,13 @@ impl SplineEdge {
     /// # Errors
     /// As [`Along::of`]; [`Error::Parallel`] if a normal lies along the curve somewhere.
     pub fn new(curve: Spline, faces: SplineFaces) -> Result<Self, Error> {
-        let along = Along::of(&curve)?;
+        let (first, last) = curve.domain();
+        let turn = |u: f64| {
+            let jet = curve.jet(u);
+            let along = jet.d1.normalize_or_zero();
+            End::Slope((jet.d2 - jet.d2.dot(along) * along) / jet.d1.length())
+        };
+        let along = Along::of(&curve, (turn(first), turn(last)))?;
         let edge = Self { curve, along, faces };
         let places =
             edge.curve.knots().windows(2).flat_map(|k| (0..8).map(move |i| k[0] + (k[1] - k[0]) * f64::from(i) / 8.0));
@@ -160,7 +165,7 @@ impl Curve for SplineEdge {
         self.curve.jet(u)
     }
     fn breaks(&self) -> Vec<f64> {
-        let mut breaks = self.curve.breaks();
+        let mut breaks = self.along.breaks();
         match &self.faces {
             SplineFaces::Wall { plate: n, .. } | SplineFaces::Flat(n) => breaks.extend(n.breaks()),
             SplineFaces::Both(a, b) => breaks.extend(a.breaks().into_iter().chain(b.breaks())),

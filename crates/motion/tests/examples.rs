@@ -6,13 +6,14 @@ use seamwright_motion::{PassMotion, Phase, SetPoint};
 use seamwright_program::{Finding, TorchPath};
 use seamwright_weld::Welding;
 
-const EXAMPLES: [(&str, &str); 6] = [
+const EXAMPLES: [(&str, &str); 7] = [
     ("saddle", include_str!("../../../examples/saddle.toml")),
     ("head-nozzle", include_str!("../../../examples/head-nozzle.toml")),
     ("ellipse", include_str!("../../../examples/ellipse.toml")),
     ("trunnion-saddle", include_str!("../../../examples/trunnion-saddle.toml")),
     ("oblique-girth", include_str!("../../../examples/oblique-girth.toml")),
     ("t-joint", include_str!("../../../examples/t-joint.toml")),
+    ("taught-saddle", include_str!("../../../examples/taught-saddle.toml")),
 ];
 
 /// Its corners are blended.

@@ -188,7 +188,7 @@ impl Curve for TaughtEdge {
         }
         for span in &self.spans {
             breaks.extend([span.from, span.to]);
-            breaks.extend(span.curve.breaks().into_iter().map(|t| span.parameter(t)));
+            breaks.extend(span.along.breaks().into_iter().map(|t| span.parameter(t)));
         }
         if self.closed() {
             breaks.iter_mut().for_each(|u| *u = first + (*u - first).rem_euclid(last - first));
@@ -257,7 +257,10 @@ impl<T> Making<'_, T> {
         let count = all.len();
         (all[0], all[count - 1]) = (first.point, last.point);
         let span = self.build(&all, &lengths, (&first, &last));
-        let span = span.map_err(|e| self.wrong(0, &e.to_string(), "points that follow the seam"))?;
+        let span = span.map_err(|e| {
+            let path = format!("taught[{}]", self.number);
+            self.file.error_at(&path, e.to_string(), "points farther apart, or nearer to one smooth curve")
+        })?;
         self.check_turns(&span)?;
         Ok(span)
     }
@@ -275,8 +278,8 @@ impl<T> Making<'_, T> {
         };
         // Parameters are arc lengths at the joins: the first derivative is unit, the second the curvature.
         let curve = Spline::new(t.clone(), points.to_vec(), jets(|j| (j.tangent, j.curvature)))?;
-        let tangents: Vec<DVec3> = t.iter().map(|t| curve.jet(*t).d1.normalize()).collect();
-        let along = Along::new(&t, &tangents, jets(|j| (j.curvature, j.change)))?;
+        let turn = |join: &ByArc| End::Jet(join.curvature, join.change);
+        let along = Along::of(&curve, (turn(first), turn(last)))?;
         let places = lengths.iter().map(|l| DVec3::X * *l).collect();
         let place = Spline::new(t.clone(), places, jets(|_| (DVec3::X, DVec3::ZERO)))?;
         let [from, to] = [lengths[0], lengths[lengths.len() - 1]].map(|l| self.nominal.curve.parameter(l));

@@ -101,7 +101,7 @@ proptest! {
             let s = taught.seam.0 + (taught.seam.1 - taught.seam.0) * f64::from(i) / 60.0;
             let p = w.seam.at(s);
             prop_assert!(p.n1.dot(p.along).abs() < 1e-9 && p.n2.dot(p.along).abs() < 1e-9);
-            prop_assert!((p.n1.length() - 1.0).abs() < 1e-12 && p.tangent.dot(p.along) > 0.99);
+            prop_assert!((p.n1.length() - 1.0).abs() < 1e-12 && p.tangent.dot(p.along) > 0.999, "{}", p.tangent.dot(p.along));
             if s > 1.0 && s + 1.0 < w.seam.weld_length() {
                 let h = 1e-4;
                 let slope = (w.seam.at(s + h).point - w.seam.at(s - h).point) / (2.0 * h);
@@ -162,19 +162,22 @@ fn mistakes_have_an_address() {
     let [a, b, c, d] = points[..] else { unreachable!() };
     refused(&with(&[a, c, b, d]), "taught[0].points_mm[2]", "after the point before");
     refused(&with(&[a, b, b, d]), "taught[0].points_mm[2]", "after the point before");
-    refused(&with(&[nominal.seam.at(280.0).point, b]), "taught[0].points_mm[0]", "after the first join");
-    refused(&with(&[b, nominal.seam.at(510.0).point]), "taught[0].points_mm[1]", "mm from the nominal seam");
+    refused(&with(&[nominal.seam.at(295.0).point, b]), "taught[0].points_mm[0]", "after the first join");
+    refused(&with(&[b, nominal.seam.at(515.0).point]), "taught[0].points_mm[1]", "mm from the nominal seam");
     refused(&with(&[b, nominal.seam.at(500.0).point]), "taught[0].points_mm[1]", "before the second join");
     let far = a + 10.5 * nominal.seam.at(340.0).bisector;
     refused(&with(&[far, b]), "taught[0].points_mm[0]", "11.500 mm from the nominal seam");
     read(&job(SADDLE, &with(&[far, b]).replace("to_mm", "within_mm = 12\nto_mm")));
-    let zigzag: Vec<DVec3> = (0..8)
-        .map(|i| {
-            let p = nominal.seam.at(400.0 + 2.0 * f64::from(i));
-            p.point + if i % 2 == 0 { 6.0 } else { -6.0 } * p.bisector
-        })
-        .collect();
-    refused(&with(&zigzag), "taught[0].points_mm[0]", "degrees off the seam");
+    for (step, high, words) in [(2.0, 6.0, "turns by 90 degrees"), (6.0, 4.0, "degrees off the seam")] {
+        let beside = |i: u32| {
+            let p = nominal.seam.at(400.0 + step * f64::from(i));
+            p.point + if i % 2 == 0 { high } else { -high } * p.bisector
+        };
+        let zigzag: Vec<DVec3> = (0..8).map(beside).collect();
+        let e = Welding::read("j.toml", &job(SADDLE, &with(&zigzag))).unwrap_err();
+        println!("{e}");
+        assert!(e.key.starts_with("taught[0]") && e.to_string().contains(words), "{words} in {e}");
+    }
     refused("[[taught]]\nfrom_mm = 300\nto_mm = 500\n", "taught[0]", "no points");
     refused(&good.replace("to_mm = 500.0", "to_mm = 300.0"), "taught[0].to_mm", "no length");
     refused(&good.replace("to_mm = 500.0", "to_mm = 5000.0"), "taught[0].to_mm", "beyond the nominal seam");

@@ -60,7 +60,8 @@ impl Shown<'_> {
                 Axis::new("distance", "mm"),
                 vec![
                     Series::line("the seam as welded", curve(&distance)),
-                    Series::line("taught points", points).styled(Style::Points).coloured(2),
+                    Series::line("nominal seam", curve(&|_| 0.0)).styled(Style::Dashed),
+                    Series::line("taught points", points).styled(Style::Points),
                 ],
             ),
             chart(
