@@ -28,7 +28,7 @@ pub(super) fn findings(
         let cure = "add [[runs]] with the pass's name or number to the procedure file, or rename the pass";
         return vec![finding(whole, message, cure)];
     };
-    let allows = format!("run {} of {} allows", run.label(), procedure.number);
+    let allows = format!("{} allows ({})", procedure.number, run.label());
     let mut all = Vec::new();
     for quantity in &held.quantities {
         let Some(allowed) = quantity.allowed else { continue };

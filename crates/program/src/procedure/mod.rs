@@ -125,7 +125,11 @@ impl Run {
     pub fn label(&self) -> String {
         match (&self.name, &self.passes) {
             (Some(name), _) => name.word().to_owned(),
-            (None, Some(passes)) => format!("passes {passes}"),
+            (None, Some(passes)) => {
+                let text = passes.to_string();
+                let several = if text.contains(['-', ',']) { "es" } else { "" };
+                format!("pass{several} {text}")
+            }
             (None, None) => String::new(),
         }
     }
