@@ -49,8 +49,10 @@ fn findings(held: &Held) -> Vec<&Finding> {
     held.held.findings.iter().collect()
 }
 
-const RAMPS: [(&str, &str); 2] =
-    [("current_a = 240", "current_a = { from = 200, to = 290 }"), ("voltage_v = 27", "voltage_v = { from = 30, to = 20 }")];
+const RAMPS: [(&str, &str); 2] = [
+    ("current_a = 240", "current_a = { from = 200, to = 290 }"),
+    ("voltage_v = 27", "voltage_v = { from = 30, to = 20 }"),
+];
 
 #[test]
 fn heat_input_adds_up_to_the_energy_of_the_set_points() {
@@ -79,12 +81,12 @@ fn heat_input_adds_up_to_the_energy_of_the_set_points() {
 
 #[test]
 fn windows_on_ramps_end_where_the_ramps_cross_them() {
-    let window = "passes = \"1\"\nheat_input_kj_mm = [0.48, 0.49]\nranges = { current_a = [220, 260], voltage_v = [20, 28] }\n";
+    let window =
+        "passes = \"1\"\nheat_input_kj_mm = [0.48, 0.49]\nranges = { current_a = [220, 260], voltage_v = [20, 28] }\n";
     let held = hold(&RAMPS, &saddle_welder(""), window);
     let length = held.motion.path.length();
-    let stretches = |key: &str| -> Vec<(f64, f64)> {
-        quantity(&held, key).outside.iter().map(|o| (o.from_mm, o.to_mm)).collect()
-    };
+    let stretches =
+        |key: &str| -> Vec<(f64, f64)> { quantity(&held, key).outside.iter().map(|o| (o.from_mm, o.to_mm)).collect() };
     let near = |found: Vec<(f64, f64)>, wanted: &[(f64, f64)]| {
         assert_eq!(found.len(), wanted.len(), "{found:?} {wanted:?}");
         for (f, w) in found.iter().zip(wanted) {

@@ -103,7 +103,9 @@ fn unknown(key: &str, procedure: &Procedure, pass: &Pass) -> (String, String) {
             let lacking = lacking.join(" and ");
             (
                 format!("the pass does not give {lacking}, so its heat input is not known"),
-                format!("give {lacking} in weld.process, or set `power` in the procedure to the values that make the power"),
+                format!(
+                    "give {lacking} in weld.process, or set `power` in the procedure to the values that make the power"
+                ),
             )
         }
         "work_angle_deg" => (
