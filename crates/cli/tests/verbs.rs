@@ -191,7 +191,7 @@ fn lists_and_copies() {
 
 #[test]
 fn schemas_in_docs_are_those_of_the_types() {
-    for name in ["job", "machine", "program"] {
+    for name in ["job", "machine", "procedure", "program"] {
         let path = root().join(format!("docs/schema/{name}.json"));
         let kept = fs::read_to_string(&path).unwrap();
         assert_eq!(good(&["schema", name]), kept, "run: seamwright schema {name} > {}", path.display());

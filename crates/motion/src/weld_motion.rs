@@ -41,7 +41,13 @@ impl WeldMotion {
         passes: &[(&dyn TorchPath, &Pass)],
         retract_mm: f64,
     ) -> Result<Self, Vec<Finding>> {
-        let mut planned = Self { passes: Vec::new(), clearance: Vec::new(), air: Vec::new(), procedure: Vec::new(), findings: Vec::new() };
+        let mut planned = Self {
+            passes: Vec::new(),
+            clearance: Vec::new(),
+            air: Vec::new(),
+            procedure: Vec::new(),
+            findings: Vec::new(),
+        };
         for (i, &(path, pass)) in passes.iter().enumerate() {
             let last = planned.passes.last().map(|p| p.path.at(p.path.length()));
             let (motion, clearance) = one(machine, around, (path, pass, i + 1), last.as_ref()).map_err(|mut f| {

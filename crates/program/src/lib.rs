@@ -44,8 +44,8 @@ pub use part::{Clearance, Part};
 pub use pass::{OnLimit, Pass, Span};
 pub use plane_seam::{Arc, Circle, Polyline, RoundedRectangle, WallFaces};
 pub use procedure::{
-    ButtLimits, FilletLimits, Inclination, Outside, PROCEDURES, PassNumbers, PositionLimits, PositionStretch, Procedure,
-    Run, RunName, ShippedProcedure, WeldingPosition, WeldingProcess, Window, shipped_procedure,
+    ButtLimits, FilletLimits, Inclination, Outside, PROCEDURES, PassNumbers, PositionLimits, PositionStretch,
+    Procedure, Run, RunName, ShippedProcedure, WeldingPosition, WeldingProcess, Window, shipped_procedure,
 };
 pub use process::{ProcessValue, ProcessValues, Ramp, check_process, check_process_name};
 pub use role::Role;

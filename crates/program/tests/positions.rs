@@ -99,7 +99,8 @@ fn every_limit_parts_two_positions() {
         }
     }
     for (joint, rotation, overhead) in [(butt, 101.0, Pe), (fillet, 140.0, Pd), (fillet, 179.0, Pe)] {
-        for (slope, wanted) in [(80.0 - 1e-6, overhead), (80.0 + 1e-6, Pf), (1e-6 - 80.0, overhead), (-80.0 - 1e-6, Pg)] {
+        for (slope, wanted) in [(80.0 - 1e-6, overhead), (80.0 + 1e-6, Pf), (1e-6 - 80.0, overhead), (-80.0 - 1e-6, Pg)]
+        {
             assert_eq!(position(joint, slope, rotation), wanted, "{joint:?} {slope} {rotation}");
         }
     }

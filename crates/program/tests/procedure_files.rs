@@ -115,7 +115,9 @@ fn efficiencies_power_and_limits() {
     assert_eq!(key("thermal_efficiency = 1.2"), "thermal_efficiency");
     assert_eq!(key("deposition_efficiency = 95"), "deposition_efficiency");
     assert_eq!(key("thermal_efficiency = 0"), "thermal_efficiency");
-    for power in ["[]", "[\"current_a\"]", "[\"current_a\", \"laser_w\"]", "[\"current_a\", \"beam_ma\"]", "[\"speed_mm_s\"]"] {
+    for power in
+        ["[]", "[\"current_a\"]", "[\"current_a\", \"laser_w\"]", "[\"current_a\", \"beam_ma\"]", "[\"speed_mm_s\"]"]
+    {
         assert!(key(&format!("power = {power}")).starts_with("power"), "{power}");
     }
     assert_eq!(key("position_limits.fillet.pb_deg = 20"), "position_limits.fillet.pb_deg");

@@ -4,7 +4,7 @@ mod common;
 
 use common::{Uniform, cases};
 use seamwright_document::Finite;
-use seamwright_program::{Outside, Procedure, ProcessValue, ProcessValues, Ramp, Window, WeldingProcess};
+use seamwright_program::{Outside, Procedure, ProcessValue, ProcessValues, Ramp, WeldingProcess, Window};
 
 fn window(least: f64, greatest: f64) -> Window {
     let text = format!("w = [{least:?}, {greatest:?}]");
@@ -60,7 +60,9 @@ fn a_value_on_its_limit_is_within() {
     let steps = [0.0, 1.0, 2.0, 3.0];
     let found = w.outside(&steps, |s| if s < 1.5 { 100.0 } else { f64::INFINITY });
     assert_eq!(found.iter().map(|f| f.above).collect::<Vec<_>>(), [false, true]);
-    assert!(found[1].found.is_infinite() && (found[0].to_mm - 1.5).abs() < 1e-12 && (found[1].from_mm - 1.5).abs() < 1e-12);
+    assert!(
+        found[1].found.is_infinite() && (found[0].to_mm - 1.5).abs() < 1e-12 && (found[1].from_mm - 1.5).abs() < 1e-12
+    );
 }
 
 fn procedure(lines: &str) -> Procedure {

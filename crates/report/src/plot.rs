@@ -191,7 +191,8 @@ impl Plot<'_> {
     /// The names of the bands, on one line above the plot; those without room there are left out.
     pub(crate) fn draw_band_labels(&self, svg: &mut Svg) {
         let f = self.frame;
-        let mut bands: Vec<_> = self.chart.bands.iter().filter_map(|b| Some((self.range(b.from, b.to)?, &b.label))).collect();
+        let mut bands: Vec<_> =
+            self.chart.bands.iter().filter_map(|b| Some((self.range(b.from, b.to)?, &b.label))).collect();
         bands.sort_by(|a, b| a.0.0.total_cmp(&b.0.0));
         let mut free = f64::NEG_INFINITY;
         for ((left, right), label) in bands.into_iter().filter(|(_, label)| !label.is_empty()) {
@@ -210,7 +211,8 @@ impl Plot<'_> {
         let y = self.frame.y - self.chart.strip_height();
         let drawn = self.chart.strip.iter().filter_map(|s| Some((s, self.range(s.from, s.to)?)));
         for (stretch, (left, right)) in drawn {
-            let class = if stretch.fault { "stretch fault".to_owned() } else { format!("stretch s{}", stretch.colour % 8 + 1) };
+            let class =
+                if stretch.fault { "stretch fault".to_owned() } else { format!("stretch s{}", stretch.colour % 8 + 1) };
             svg.rect(&class, Rect { x: left, y, w: right - left, h: STRIP });
             if width(&stretch.label, SMALL) + 4.0 <= right - left {
                 let class = if stretch.fault { "limit-text" } else { "tick" };

@@ -28,7 +28,7 @@ pub(super) fn findings(
         let cure = "add [[runs]] with the pass's name or number to the procedure file, or rename the pass";
         return vec![finding(whole, message, cure)];
     };
-    let allows = format!("run {} of {} allows", run.label(), procedure.number);
+    let allows = format!("{} allows ({})", procedure.number, run.label());
     let mut all = Vec::new();
     for quantity in &held.quantities {
         let Some(allowed) = quantity.allowed else { continue };
@@ -103,7 +103,9 @@ fn unknown(key: &str, procedure: &Procedure, pass: &Pass) -> (String, String) {
             let lacking = lacking.join(" and ");
             (
                 format!("the pass does not give {lacking}, so its heat input is not known"),
-                format!("give {lacking} in weld.process, or set `power` in the procedure to the values that make the power"),
+                format!(
+                    "give {lacking} in weld.process, or set `power` in the procedure to the values that make the power"
+                ),
             )
         }
         "work_angle_deg" => (

@@ -75,7 +75,8 @@ pub(super) fn quantities(
     all.push(quantity("travel_angle_deg", window(|r| r.travel_angle_deg), &whole, |_, s| Some(at(s).travel)));
     all.push(quantity("work_angle_deg", window(|r| r.work_angle_deg), &whole, |_, s| at(s).work));
     for (key, allowed) in [("preheat_c", window(|r| r.preheat_c)), ("interpass_c", window(|r| r.interpass_c))] {
-        let measured = |allowed| Quantity { key: key.to_owned(), found: None, allowed: Some(allowed), outside: Vec::new() };
+        let measured =
+            |allowed| Quantity { key: key.to_owned(), found: None, allowed: Some(allowed), outside: Vec::new() };
         all.extend(allowed.map(measured));
     }
     all
@@ -83,11 +84,8 @@ pub(super) fn quantities(
 
 /// The pass's process values, and those that only the procedure has. They are linear in each span: its ends are enough.
 fn process_values(run: Option<&Run>, pass: &Pass) -> Vec<Quantity> {
-    let pieces: Vec<Piece> = pass
-        .spans
-        .iter()
-        .map(|span| Piece { span, places: vec![span.from_mm.get(), span.to_mm.get()] })
-        .collect();
+    let pieces: Vec<Piece> =
+        pass.spans.iter().map(|span| Piece { span, places: vec![span.from_mm.get(), span.to_mm.get()] }).collect();
     let window = |name: &String| run.and_then(|r| r.ranges.get(name)).copied();
     let has = |name: &String| pass.spans.first().is_some_and(|span| span.process.contains_key(name));
     let lacking = run.iter().flat_map(|r| r.ranges.keys()).filter(|name| !has(name));

@@ -8,9 +8,7 @@ mod welding_process;
 mod window;
 
 pub use pass_numbers::PassNumbers;
-pub use position::{
-    ButtLimits, FilletLimits, Inclination, PositionLimits, PositionStretch, WeldingPosition,
-};
+pub use position::{ButtLimits, FilletLimits, Inclination, PositionLimits, PositionStretch, WeldingPosition};
 pub use shipped::{PROCEDURES, ShippedProcedure, shipped_procedure};
 pub use welding_process::WeldingProcess;
 pub use window::{Outside, Window};
@@ -125,7 +123,11 @@ impl Run {
     pub fn label(&self) -> String {
         match (&self.name, &self.passes) {
             (Some(name), _) => name.word().to_owned(),
-            (None, Some(passes)) => format!("passes {passes}"),
+            (None, Some(passes)) => {
+                let text = passes.to_string();
+                let several = if text.contains(['-', ',']) { "es" } else { "" };
+                format!("pass{several} {text}")
+            }
             (None, None) => String::new(),
         }
     }
@@ -183,10 +185,8 @@ impl Procedure {
     /// With the key's address.
     pub fn check<T>(&self, file: &Document<T>, table: &str) -> Result<(), DocumentError> {
         let at = |key: &str| if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
-        let parts = [
-            ("thermal_efficiency", self.thermal_efficiency),
-            ("deposition_efficiency", self.deposition_efficiency),
-        ];
+        let parts =
+            [("thermal_efficiency", self.thermal_efficiency), ("deposition_efficiency", self.deposition_efficiency)];
         if let Some((key, _)) = parts.iter().find(|(_, part)| part.is_some_and(|p| p.get() > 1.0)) {
             return Err(file.error_at(&at(key), "this is a part of the whole", "more than 0, up to 1"));
         }

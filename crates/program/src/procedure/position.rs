@@ -200,12 +200,7 @@ impl PositionLimits {
     /// A position goes on until its limits are passed by more than the hysteresis. The next one then begins where the
     /// weld has come within its limits (found by halving, to rounding), so that no place is beyond the limits of its
     /// position by more than the hysteresis.
-    pub fn along(
-        &self,
-        joint: FilletOrButt,
-        places: &[f64],
-        at: impl Fn(f64) -> Inclination,
-    ) -> Vec<PositionStretch> {
+    pub fn along(&self, joint: FilletOrButt, places: &[f64], at: impl Fn(f64) -> Inclination) -> Vec<PositionStretch> {
         let (Some(&first), Some(&last)) = (places.first(), places.last()) else { return Vec::new() };
         let lies: Vec<Inclination> = places.iter().map(|s| at(*s)).collect();
         let mut all = Vec::new();

@@ -116,17 +116,21 @@ impl WeldReport {
             let curves = curves.as_ref().and_then(|c| c.get(i));
             let around = motion.clearance[i].as_ref();
             let mut drawn = Plots::new(machine, welding, (i, planned, around), (&samples, &certificate), curves);
-            drawn.procedure = motion.procedure.get(i).zip(program.procedure.as_ref()).map(|(held, procedure)| {
-                ProcedurePlots::new(held, procedure.run_of(i + 1, &pass.name))
-            });
+            drawn.procedure = motion
+                .procedure
+                .get(i)
+                .zip(program.procedure.as_ref())
+                .map(|(held, procedure)| ProcedurePlots::new(held, procedure.run_of(i + 1, &pass.name)));
             plots.push(drawn);
             passes.push(PassFigures {
                 name: pass.name.clone(),
                 plan: PlanFigures::new(machine, welding, i, planned, &samples),
                 certificate,
-                procedure: motion.procedure.get(i).zip(program.procedure.as_ref()).map(|(held, procedure)| {
-                    PassProcedureFigures::new(held, procedure.run_of(i + 1, &pass.name))
-                }),
+                procedure: motion
+                    .procedure
+                    .get(i)
+                    .zip(program.procedure.as_ref())
+                    .map(|(held, procedure)| PassProcedureFigures::new(held, procedure.run_of(i + 1, &pass.name))),
                 clearance: around.map(clearance),
                 simulation: summary,
             });

@@ -170,9 +170,8 @@ fn heat_input(held: &PassProcedure) -> Chart {
         from: o.from_mm,
         to: o.to_mm,
     });
-    let limits = window.into_iter().flat_map(|(low, high)| {
-        [LimitLine::new("least", low), LimitLine::new("greatest", high)]
-    });
+    let limits =
+        window.into_iter().flat_map(|(low, high)| [LimitLine::new("least", low), LimitLine::new("greatest", high)]);
     Chart {
         title: "Heat input along the seam".to_owned(),
         x: along(),
