@@ -48,7 +48,7 @@ impl Joint {
                 file.error_at("seam.branch.wall_mm", "the wall leaves no bore", allowed)
             })
         });
-        let other = branch.other.as_ref().map(|other| second(file, other, &leg, chord));
+        let other = branch.other.as_ref().map(|other| second(file, other, (&leg, branch.angle_deg), chord));
         Ok(Self { tube: outside, bore: bore.transpose()?, chord, other: other.transpose()? })
     }
 
@@ -89,16 +89,21 @@ impl Leg {
 }
 
 /// The other branch of a K-joint, placed beside the first.
-fn second<T>(file: &Document<T>, b: &OtherBranch, first: &Leg, chord: f64) -> Result<Leg, DocumentError> {
+fn second<T>(
+    file: &Document<T>,
+    b: &OtherBranch,
+    (first, first_angle): (&Leg, Option<Positive>),
+    chord: f64,
+) -> Result<Leg, DocumentError> {
     let keys = Keys { file, path: "seam.branch.other", chord };
     let angle = keys.angle(b.angle_deg)?;
     let radius = keys.radius(b.radius_mm)?;
     let sideways = keys.sideways(radius, b.eccentricity_mm)?;
     let direction = DVec3::new(-angle.cos(), 0.0, angle.sin());
-    let first_deg = first.direction.z.atan2(first.direction.x).to_degrees();
     if first.direction.cross(direction).y >= -1e-9 {
-        let message = "the two branches would run into each other: their axes must part";
-        let allowed = format!("less than {} with the first branch at {first_deg}", 180.0 - first_deg);
+        let message = "the two branches are parallel or run into each other: their axes must part";
+        let first = first_angle.map_or(90.0, Positive::get);
+        let allowed = format!("less than {} with the first branch at {first}", 180.0 - first);
         return Err(file.error_at("seam.branch.other.angle_deg", message, allowed));
     }
     let one =

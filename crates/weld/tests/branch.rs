@@ -269,18 +269,18 @@ fn mistakes_have_an_address_and_a_cure() {
     }
     let missing = read("[seam.branch]\nradius_mm = 40\n").unwrap_err();
     assert!(missing.to_string().contains("allowed: `chord_radius_mm = ...`, in mm"), "{missing}");
-    let other = |more: &str| format!("{keys}[seam.branch.other]\n{more}");
+    let other = |more: &str| format!("{keys}angle_deg = 80\n[seam.branch.other]\n{more}");
     check(&other("radius_mm = 30\n"), "seam.branch.other", "", "exactly one of `gap_mm`");
     let both = other("radius_mm = 30\ngap_mm = 5\noffset_mm = 100\n");
     check(&both, "seam.branch.other.offset_mm", "100", "exactly one of `gap_mm`");
     check(&other("radius_mm = 130\ngap_mm = 5\n"), "seam.branch.other.radius_mm", "130", "chord_radius_mm = 100");
     check(&other("radius_mm = 30\ngap_mm = 5\nangle_deg = 5\n"), "seam.branch.other.angle_deg", "5", "10 to 170");
-    // Both upright are parallel and would never part.
+    // Nearer to each other with height.
     check(
         &other("radius_mm = 30\ngap_mm = -5\nangle_deg = 120\n"),
         "seam.branch.other.angle_deg",
         "120",
-        "less than 90",
+        "less than 100 with the first branch at 80",
     );
     check(
         &other("radius_mm = 30\ngap_mm = 5\neccentricity_mm = 70\n"),

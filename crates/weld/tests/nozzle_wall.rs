@@ -178,7 +178,7 @@ fn on(case: &Case, edge: &dyn Edge, phi: f64, radius: f64, depth: f64) {
 fn toe_and_root_lie_on_their_surfaces_and_face_the_air() {
     let mut random = Random::new(71);
     let mut made = [0; 2];
-    for i in 0..cases(2500) {
+    for i in 0..cases(1000) {
         let case = Case::random(&mut random, i % 5);
         for (k, mount) in ["set_on", "set_in"].into_iter().enumerate() {
             let set_in = k == 1;
@@ -207,7 +207,7 @@ fn toe_and_root_lie_on_their_surfaces_and_face_the_air() {
         }
     }
     println!("{made:?} nozzles");
-    assert!(made.iter().all(|m| *m > cases(1500)), "{made:?}");
+    assert!(made.iter().all(|m| *m > cases(600)), "{made:?}");
 }
 
 #[test]
@@ -248,7 +248,7 @@ const HEADS: [&str; 5] = [
 fn roots_in_heads_are_a_thickness_below_the_outside() {
     let mut random = Random::new(73);
     let mut made = 0;
-    for i in 0..cases(1000) {
+    for i in 0..cases(500) {
         let body = HEADS[i % HEADS.len()];
         let thickness: f64 = body.split("thickness_mm = ").nth(1).unwrap().split('\n').next().unwrap().parse().unwrap();
         let (x, y, tilt) = (random.within(-330.0, 330.0), random.within(-150.0, 150.0), random.within(-0.3, 0.3));
@@ -268,7 +268,7 @@ fn roots_in_heads_are_a_thickness_below_the_outside() {
             assert!((foot.normal + e.n2).length() < 1e-9);
         }
     }
-    assert!(made > cases(800), "{made}");
+    assert!(made > cases(400), "{made}");
 }
 
 /// Distance of a point from solids.
@@ -303,8 +303,8 @@ fn the_part_is_hollow_around_a_root() {
             let no_stl = |_: &str| Err(std::io::ErrorKind::NotFound.into());
             let part = welding.clamped(&no_stl).unwrap_or_else(|e| panic!("{e}")).part;
             assert_eq!(part.len(), 2);
-            for i in 0..40 {
-                let p = welding.seam.at(welding.seam.length() * f64::from(i) / 40.0);
+            for i in 0..16 {
+                let p = welding.seam.at(welding.seam.length() * f64::from(i) / 16.0);
                 assert!(distance(&part, p.point) < 0.15, "{body}");
                 for d in [1.0, 4.0] {
                     let (free, wide) = (distance(&part, p.point + d * p.bisector), d * (0.5 * p.dihedral).sin());
@@ -314,7 +314,8 @@ fn the_part_is_hollow_around_a_root() {
             }
             // A long way up the bore, or in the middle of the vessel, there is room.
             let middle = DVec3::new(20.0, 10.0, if mount == "set_on" { 1.0 } else { 0.0 });
-            let high = welding.seam.at(0.0).point.z + 30.0;
+            let heights = (0..90).map(|i| welding.seam.at(welding.seam.length() * f64::from(i) / 90.0).point.z);
+            let high = heights.fold(f64::NEG_INFINITY, f64::max) + 30.0;
             let at = if mount == "set_on" { middle.with_z(high) } else { DVec3::new(250.0, 0.0, -60.0) };
             let room = distance(&part, at);
             let inside_vessel = mount == "set_in" && !body.starts_with("cone") && !body.starts_with("sphere");
