@@ -7,6 +7,7 @@
 
 mod air;
 mod at_corner;
+mod bead;
 mod document;
 mod finding;
 mod head;
@@ -18,25 +19,28 @@ mod process;
 mod seam;
 mod sequence;
 mod space_seam;
+mod span_value;
 mod spare_axes;
 mod tolerance;
 mod torch;
 
 pub use air::Air;
 pub use at_corner::AtCorner;
+pub use bead::Bead;
 pub use document::Program;
 pub use finding::Finding;
 pub use head::{ConicalHead, EllipsoidalHead, FlatHead, HeadStandard, HemisphericalHead, TorisphericalHead};
 pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};
 pub use part::{Clearance, Part};
-pub use pass::{OnLimit, Pass, Span};
+pub use pass::{OnLimit, Pass, Role, Span};
 pub use plane_seam::{Arc, Circle, Polyline, RoundedRectangle, WallFaces};
-pub use process::{ProcessValue, ProcessValues, Ramp, check_process};
+pub use process::{ProcessValue, ProcessValues, check_process};
 pub use seam::{
     Body, Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Nozzle, Seam, SeamStart, Side, TJoint,
 };
 pub use sequence::{AtHold, Sequence, Slope};
 pub use space_seam::Helix;
+pub use span_value::{Ramp, SpanValue};
 pub use spare_axes::{Position, SpareAxes, Weights};
 pub use tolerance::Tolerance;
 pub use torch::{Torch, TorchAt, TorchPath};

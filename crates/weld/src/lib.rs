@@ -7,22 +7,27 @@
 
 mod angles;
 mod attitude;
+mod bead_line;
 mod girth;
 mod head;
 mod job;
 mod nozzle;
 mod part;
+mod pass_findings;
 mod pass_path;
 mod plane;
 mod seam;
 mod space;
+mod stretch;
 mod surfaces;
 mod t_joint;
 mod welding;
 
 pub use attitude::Attitude;
+pub use bead_line::BeadLine;
 pub use job::{Job, Weld};
 pub use pass_path::PassPath;
 pub use seam::{SeamCurve, SeamPoint};
+pub use stretch::Stretch;
 pub use surfaces::SeamSurfaces;
 pub use welding::Welding;

@@ -1,4 +1,4 @@
-use crate::{Attitude, Job, PassPath, SeamCurve};
+use crate::{Attitude, BeadLine, Job, PassPath, SeamCurve, Stretch};
 use seamwright_document::{Document, DocumentError};
 use seamwright_program::{Finding, Program};
 
@@ -9,8 +9,12 @@ pub struct Welding {
     pub program: Document<Program>,
     /// The seam by path length from the start of the weld.
     pub seam: SeamCurve,
-    /// Torch angles along each pass.
+    /// The part of the seam that each pass runs over.
+    pub stretches: Vec<Stretch>,
+    /// Torch angles along each pass, by the seam's path length; without what its bead adds to them.
     pub attitudes: Vec<Attitude>,
+    /// Where the bead of each pass lies beside the seam, if it does.
+    pub beads: Vec<Option<BeadLine>>,
 }
 
 impl Welding {
@@ -26,38 +30,38 @@ impl Welding {
         let seam = SeamCurve::new(&job, &job.value.seam, &job.value.start)?;
         let attitude = Attitude::new(&job, "torch", &job.value.torch, &seam)?;
         let program = Job::program(&job, &seam)?;
-        Ok(Self { program: job.with(program), seam, attitudes: vec![attitude] })
+        let stretches = vec![Stretch::whole(&seam)];
+        Ok(Self { program: job.with(program), seam, stretches, attitudes: vec![attitude], beads: vec![None] })
     }
 
     fn from_program(program: Document<Program>) -> Result<Self, DocumentError> {
         let p = &program.value;
         let seam = SeamCurve::new(&program, &p.seam, &p.start)?;
-        let mut attitudes = Vec::new();
+        let (mut stretches, mut attitudes, mut beads) = (Vec::new(), Vec::new(), Vec::new());
         for (i, pass) in p.passes.iter().enumerate() {
-            if (pass.length() - seam.weld_length()).abs() > 1e-6 {
-                let path = format!("passes[{i}].spans[{}].to_mm", pass.spans.len() - 1);
-                let message = "the pass does not end where the weld ends";
-                return Err(program.error_at(&path, message, format!("{}", seam.weld_length())));
-            }
-            attitudes.push(Attitude::new(&program, &format!("passes[{i}].torch"), &pass.torch, &seam)?);
+            let path = |key: &str| format!("passes[{i}]{key}");
+            let stretch = Stretch::new(&program, &path(""), pass, &seam)?;
+            let bead = |bead| BeadLine::new(&program, &path(".bead"), bead, (&seam, &stretch));
+            attitudes.push(Attitude::new(&program, &path(".torch"), &pass.torch, &seam)?);
+            beads.push(pass.bead.as_ref().map(bead).transpose()?);
+            stretches.push(stretch);
         }
-        Ok(Self { seam, attitudes, program })
+        Ok(Self { seam, stretches, attitudes, beads, program })
     }
 
     /// The torch's path in pass `pass`, counted from 0, in the machine's work frame.
     pub fn path(&self, pass: usize) -> PassPath<'_> {
-        let placement = self.program.value.seam_in_work();
-        PassPath { seam: &self.seam, attitude: self.attitudes[pass].clone(), placement }
+        PassPath {
+            seam: &self.seam,
+            stretch: self.stretches[pass],
+            attitude: self.attitudes[pass].clone(),
+            bead: self.beads[pass].as_ref(),
+            placement: self.program.value.seam_in_work(),
+        }
     }
 
     /// What stands against the weld before any machine is looked at.
     pub fn findings(&self) -> Vec<Finding> {
-        let passes = self.attitudes.iter().enumerate();
-        let both = |(i, attitude): (usize, &Attitude)| {
-            let mut findings = attitude.access_findings(&self.seam, i + 1);
-            findings.extend(attitude.turn_findings(&self.seam, i + 1));
-            findings
-        };
-        passes.flat_map(both).collect()
+        (0..self.attitudes.len()).flat_map(|i| self.path(i).findings(i + 1)).collect()
     }
 }
