@@ -113,7 +113,7 @@ fn seams() -> [String; 4] {
 }
 
 fn case() -> impl Strategy<Value = Case> {
-    let row = (0.01..1.0f64, -4.0..4.0f64, -1.0..6.0f64, -15.0..15.0f64);
+    let row = (0.2..1.0f64, -4.0..4.0f64, -1.0..6.0f64, -15.0..15.0f64);
     let place = (0.0..1.0f64, 0.0..1.0f64, any::<bool>());
     (0..4usize, place, prop::collection::vec(row, 1..9)).prop_map(|(seam, (a, b, reverse), steps)| {
         let welding = read(&seams()[seam]);
@@ -147,7 +147,7 @@ fn welding_of(case: &Case) -> Welding {
 }
 
 proptest! {
-    #![proptest_config(cases(300))]
+    #![proptest_config(cases(800))]
 
     #[test]
     fn poses_are_those_of_the_formula(case in case(), parts in prop::collection::vec(0.0..1.0f64, 8)) {
@@ -194,7 +194,7 @@ proptest! {
             // Of the fourth order, over another way than the path's own difference.
             let tip = |k: f64| path.pose(s + k * h).point;
             let rate = (8.0 * (tip(1.0) - tip(-1.0)) - (tip(2.0) - tip(-2.0))).length() / (12.0 * h);
-            prop_assert!((path.rate(s) - rate).abs() < 2e-7 * (1.0 + rate), "{} {}", path.rate(s), rate);
+            prop_assert!((path.rate(s) - rate).abs() < 1e-6 * (1.0 + rate), "{} {}", path.rate(s), rate);
         }
     }
 
@@ -255,24 +255,21 @@ proptest! {
 /// A bead round a tube in a plate is a circle of another radius: the rate is their ratio.
 #[test]
 fn beside_a_circle_the_rate_is_that_of_radii() {
-    let plate = include_str!("../../../examples/tube-plate.toml");
-    let centre = {
-        let w = read(plate);
-        let (p, q) = (w.seam.at(0.0), w.seam.at(0.5 * w.seam.length()));
-        0.5 * (p.point + q.point)
-    };
-    let axis = {
-        let p = read(plate).seam.at(0.0);
-        (p.point - centre).cross(p.tangent).normalize()
-    };
-    let radius = |p: DVec3| ((p - centre) - (p - centre).dot(axis) * axis).length();
-    for (across, out) in [(0.0, 0.0), (-3.0, 0.0), (0.0, 4.0), (2.0, 5.0), (-2.5, 7.0)] {
-        let w = changed(plate, |pass| pass.bead = Some(bead(&[[0.0, across, out, 0.0]]))).unwrap();
-        let path = w.path(0);
-        let seam = radius(w.seam.at(1.0).point);
-        for s in [0.0, 3.0, 50.0, path.length()] {
-            let tip = path.torch_at(&path.seam_point(s)).0;
-            assert!((path.rate(s) - radius(tip) / seam).abs() < 1e-8, "{across} {out}: {}", path.rate(s));
+    for joint in ["butt", "fillet"] {
+        let text = format!(
+            "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.circle]\ncentre_mm = [10, 20, 30]\nradius_mm = 60\n\
+             normal = [0, 0, 1]\njoint = \"{joint}\"\n[weld]\nspeed_mm_s = 5\n"
+        );
+        let radius = |p: DVec3| (p - DVec3::new(10.0, 20.0, p.z)).length();
+        for (across, out) in [(0.0, 0.0), (-3.0, 0.0), (0.0, 4.0), (2.0, 5.0), (-2.5, 7.0)] {
+            let w = changed(&text, |pass| pass.bead = Some(bead(&[[0.0, across, out, 0.0]]))).unwrap();
+            let path = w.path(0);
+            for s in [0.0, 3.0, 50.0, path.length()] {
+                let tip = path.torch_at(&path.seam_point(s)).0;
+                let moved = across != 0.0 || (out != 0.0 && joint == "fillet");
+                assert_eq!((radius(tip) - 60.0).abs() > 1.0, moved);
+                assert!((path.rate(s) - radius(tip) / 60.0).abs() < 1e-8, "{across} {out}: {}", path.rate(s));
+            }
         }
     }
 }
@@ -353,8 +350,8 @@ fn mistakes_in_beads_have_an_address() {
     assert_eq!((key.as_str(), allowed.as_str()), ("passes[0].bead.s_mm[0]", "up to 0"));
     assert!(message.contains("reach over"));
     assert_eq!(edited("s_mm = [0, 200, 400]", "s_mm = [0, 200, 399]").0, "passes[0].bead.s_mm[2]");
-    let none = "s_mm = []\nacross_mm = []\nout_mm = []\nwork_angle_deg = []\narea_mm2 = []\n#";
-    assert!(edited("s_mm = [0, 200, 400]", none).0.starts_with("passes[0].bead.s_mm") || none.is_empty());
+    let (key, message, _) = wrong(LINE, |pass| pass.bead = Some(bead(&[])), |text| text);
+    assert!(key == "passes[0].bead.s_mm" && message.contains("no rows"), "{key} {message}");
     assert!(edited("s_mm = [0, 200, 400]", "x_mm = [0, 200, 400]").0.contains("bead"));
     // Within a turn of a closed seam.
     let length = read(SADDLE).seam.length();
@@ -411,18 +408,14 @@ fn mistakes_in_where_a_pass_runs_have_an_address() {
 fn findings_look_at_the_pass_as_it_is() {
     let kinds = |w: &Welding| w.findings().iter().map(|f| f.kind).collect::<Vec<_>>();
     let square = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.polyline]\n\
-        points_mm = [[0, 0, 0], [100, 0, 0], [100, 100, 0]]\nclosed = false\nnormal = [0, 0, 1]\n[weld]\nspeed_mm_s = 5\n";
-    let square = match Welding::read("j", square) {
-        Ok(_) => square.to_owned(),
-        Err(e) => panic!("{e}"),
-    };
-    assert!(kinds(&read(&square)).is_empty());
-    let beside = changed(&square, |pass| pass.bead = Some(bead(&[[0.0, 2.0, 1.0, 0.0]]))).unwrap();
+        points_mm = [[0, 0, 0], [100, 0, 0], [100, 100, 0]]\nclosed = false\nnormal = [0, 0, 1]\njoint = \"butt\"\n[weld]\nspeed_mm_s = 5\n";
+    assert!(kinds(&read(square)).is_empty());
+    let beside = changed(square, |pass| pass.bead = Some(bead(&[[0.0, 2.0, 1.0, 0.0]]))).unwrap();
     let findings = beside.findings();
     assert_eq!(kinds(&beside), ["turn"], "{findings:?}");
     // At a right angle 2 mm aside: the corner of a square.
     assert!(findings[0].message.contains(&format!("tip would jump by {:.3} mm", 8f64.sqrt())), "{findings:?}");
-    let above = changed(&square, |pass| pass.bead = Some(bead(&[[0.0, 0.0, 1.0, 0.0]]))).unwrap();
+    let above = changed(square, |pass| pass.bead = Some(bead(&[[0.0, 0.0, 1.0, 0.0]]))).unwrap();
     assert!(kinds(&above).is_empty());
     // The part before the corner has none; and where it is counts along the pass.
     let part = |begin: f64, length: f64, reverse: bool| {
@@ -430,7 +423,7 @@ fn findings_look_at_the_pass_as_it_is() {
             run(pass, begin, length, reverse);
             pass.bead = Some(bead(&[[0.0, 2.0, 1.0, 0.0]]));
         };
-        changed(&square, change).unwrap().findings()
+        changed(square, change).unwrap().findings()
     };
     assert!(part(0.0, 99.0, false).is_empty() && part(200.0, 99.0, true).is_empty());
     assert!((part(150.0, 120.0, true)[0].from_mm - 50.0).abs() < 1e-6);
@@ -448,7 +441,7 @@ fn findings_look_at_the_pass_as_it_is() {
     assert!(kinds(&back.unwrap()).is_empty(), "sideways it may go");
     // Inside a bend of 20 mm a bead 25 mm inward runs backwards.
     let circle = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.circle]\ncentre_mm = [0, 0, 0]\nradius_mm = 20\n\
-        normal = [0, 0, 1]\n[weld]\nspeed_mm_s = 5\n";
+        normal = [0, 0, 1]\njoint = \"butt\"\n[weld]\nspeed_mm_s = 5\n";
     let at = |across: f64| kinds(&changed(circle, |pass| pass.bead = Some(bead(&[[0.0, across, 0.0, 0.0]]))).unwrap());
     let one_way = [at(25.0), at(-25.0)];
     assert!(one_way.contains(&vec!["turn"]) && one_way.contains(&vec![]), "{one_way:?}");
