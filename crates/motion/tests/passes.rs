@@ -9,11 +9,10 @@ use seamwright_motion::law::Bound;
 use seamwright_program::{Bead, OnLimit, Pass, Ramp, Span, SpanValue, TorchPath};
 use seamwright_weld::Welding;
 
-const EXAMPLES: [&str; 4] = [
+const EXAMPLES: [&str; 3] = [
     include_str!("../../../examples/saddle.toml"),
     include_str!("../../../examples/trunnion-saddle.toml"),
-    include_str!("../../../examples/ellipse.toml"),
-    include_str!("../../../examples/tube-plate.toml"),
+    include_str!("../../../examples/head-nozzle.toml"),
 ];
 
 /// How far below the asked speed the law may stay where nothing but that holds it back.
@@ -123,7 +122,7 @@ proptest! {
     #[test]
     fn the_tip_has_the_asked_speed(case in case()) {
         let Planned { welding, machine, motion } = case.planned();
-        let (path, pass) = (welding.path(0), &welding.program.value.passes[0]);
+        let pass = &welding.program.value.passes[0];
         let period = 2e-3;
         let sets: Vec<_> = motion.set_points(period).filter(|set| set.law.v > 0.0).collect();
         let legs = motion.law.legs();
@@ -145,8 +144,11 @@ proptest! {
             let speed = chord / period;
             prop_assert!(speed <= before.max(after) * (1.0 + 1e-7), "at {}: {} of {}", ends[0], speed, before);
             // What is told is what the tip does.
-            let told = 0.5 * (motion.tip_speed(&machine, w[0].law) + motion.tip_speed(&machine, w[1].law));
-            prop_assert!((told - speed).abs() < 2e-5 * before + 1e-4 * speed, "told {} is {}", told, speed);
+            let middle = motion.law.at(w[0].t - motion.before_s() + 0.5 * period, &mut 0);
+            let [v0, v1, v2] = [w[0].law, middle, w[1].law].map(|law| motion.tip_speed(&machine, law));
+            let told = (v0 + 4.0 * v1 + v2) / 6.0;
+            let runs = speed > 0.5 * before;
+            prop_assert!(!runs || (told - speed).abs() < 1e-4 * speed, "told {} is {}", told, speed);
             if free(ends[0]) && free(ends[1]) {
                 judged += chord;
                 least = f64::min(least, speed / before.min(after));
@@ -155,7 +157,6 @@ proptest! {
         prop_assert!(judged == 0.0 || least >= 1.0 - NEARLY, "{} over {} mm", least, judged);
         println!("{} {}: {:.5} over {:.1} % of {:.0} mm", case.example, case.speeds.len(), least, 100.0 * judged / length, length);
         // Not all of it can be held back.
-        prop_assert!(case.example == 0 || judged > 0.3 * length, "{} of {}", judged, length);
-        let _ = path;
+        prop_assert!(judged > 0.8 * length, "{} of {}", judged, length);
     }
 }
