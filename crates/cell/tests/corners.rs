@@ -34,7 +34,7 @@ fn weld(corner: AtCorner) -> (WeldMotion, Summary, Vec<Sample>, Pass) {
     pass.spans.truncate(1);
     let span = &mut pass.spans[0];
     (span.from_mm, span.to_mm) = (NonNegative::default(), Positive::new(2.0 * SIDE).unwrap());
-    span.speed_mm_s = Positive::new(10.0).unwrap();
+    span.speed_mm_s = Positive::new(10.0).unwrap().into();
     let machine = Machine::read("m", shipped("ellipse-xy").unwrap().text).unwrap();
     let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
     let motion = WeldMotion::plan(&machine, &around, &[(&RightAngle, &pass)], 30.0).unwrap();

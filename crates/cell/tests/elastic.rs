@@ -57,7 +57,7 @@ fn tuned(mut machine: Machine) -> Machine {
 
 fn weld(machine: &Machine) -> Summary {
     let welding = Welding::read("saddle", include_str!("../../../examples/saddle.toml")).unwrap();
-    assert!((welding.program.value.passes[0].spans[0].speed_mm_s.get() - 10.0).abs() < 1e-9);
+    assert!((welding.program.value.passes[0].speed_at(0.0) - 10.0).abs() < 1e-9);
     let around = Surroundings::new(machine, &Clamped::default()).unwrap();
     let path = welding.path(0);
     let motion = WeldMotion::plan(machine, &around, &[(&path, &welding.program.value.passes[0])], 30.0).unwrap();

@@ -3,15 +3,12 @@
 use seamwright_cell::{Error, Sample, Summary, simulate};
 use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
-use seamwright_weld::{Attitude, Job, PassPath, SeamCurve};
+use seamwright_weld::Welding;
 
 fn run(machine_text: &str, seed: u64) -> Result<(Summary, Vec<Sample>), Error> {
-    let job = Job::read("saddle.toml", include_str!("../../../examples/ellipse.toml")).unwrap();
+    let welding = Welding::read("saddle.toml", include_str!("../../../examples/ellipse.toml")).unwrap();
+    let (program, path) = (&welding.program.value, welding.path(0));
     let machine = Machine::read("m.toml", machine_text).unwrap();
-    let seam = SeamCurve::new(&job, &job.value.seam, &job.value.start).unwrap();
-    let program = Job::program(&job, &seam).unwrap();
-    let attitude = Attitude::new(&job, "torch", &job.value.torch, &seam).unwrap();
-    let path = PassPath { seam: &seam, attitude, placement: program.placement.affine() };
     let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
     let motion = WeldMotion::plan(&machine, &around, &[(&path, &program.passes[0])], 30.0).unwrap();
     let mut samples = Vec::new();

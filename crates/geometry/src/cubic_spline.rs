@@ -2,11 +2,11 @@ use crate::Error;
 use crate::knots::knots;
 use crate::slopes::{End, periodic_slopes, slopes};
 
-/// A cubic spline through values at increasing positions: twice continuously differentiable. Either level (slope 0)
-/// at its ends and constant beyond them, or repeating with a period (de Boor, A Practical Guide to Splines, chapter
-/// IV).
+/// A cubic spline through values at increasing positions: twice continuously differentiable. Level (slope 0) at its
+/// ends and constant beyond them, or natural (no curvature at its ends) and straight beyond them, or repeating with a
+/// period (de Boor, A Practical Guide to Splines, chapter IV).
 ///
-/// Used for measured tables, where a jump in the second derivative would be a jump in an axis' acceleration.
+/// Used for tables, where a jump in the second derivative would be a jump in an axis' acceleration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CubicSpline {
     x: Vec<f64>,
@@ -22,7 +22,20 @@ impl CubicSpline {
     /// # Errors
     /// [`Error::Knots`] if positions do not increase strictly or there is no point.
     pub fn level(points: &[(f64, f64)]) -> Result<Self, Error> {
-        Self::build(points, None)
+        let (x, y) = knots(points, None)?;
+        let level = End::Slope(0.0);
+        Ok(Self { slope: slopes(&x, &y, &level, &level), x, y, period: None })
+    }
+
+    /// The natural spline through `points` (position, value): without curvature at the first and last and straight
+    /// beyond them, so it is twice continuously differentiable there too. Of all smooth curves through them it is the
+    /// one with the least curvature (in the mean square; Holladay, 1957).
+    ///
+    /// # Errors
+    /// As [`CubicSpline::level`].
+    pub fn natural(points: &[(f64, f64)]) -> Result<Self, Error> {
+        let (x, y) = knots(points, None)?;
+        Ok(Self { slope: slopes(&x, &y, &End::Natural, &End::Natural), x, y, period: None })
     }
 
     /// The spline through `points` that repeats every `period`; positions must lie within one period.
@@ -30,14 +43,8 @@ impl CubicSpline {
     /// # Errors
     /// As [`CubicSpline::level`], and if the points span a period or more.
     pub fn periodic(points: &[(f64, f64)], period: f64) -> Result<Self, Error> {
-        Self::build(points, Some(period))
-    }
-
-    fn build(points: &[(f64, f64)], period: Option<f64>) -> Result<Self, Error> {
-        let (x, y) = knots(points, period)?;
-        let level = End::Slope(0.0);
-        let slope = if period.is_some() { periodic_slopes(&x, &y) } else { slopes(&x, &y, &level, &level) };
-        Ok(Self { x, y, slope, period })
+        let (x, y) = knots(points, Some(period))?;
+        Ok(Self { slope: periodic_slopes(&x, &y), x, y, period: Some(period) })
     }
 
     /// The greatest slope anywhere, up or down.
@@ -60,8 +67,9 @@ impl CubicSpline {
         let (first, last) = (self.x[0], self.x[n - 1]);
         let x = match self.period {
             Some(period) => first + (x - first).rem_euclid(period),
-            None if x < first || n == 1 => return (self.y[0], 0.0, 0.0),
-            None if x > last => return (self.y[n - 1], 0.0, 0.0),
+            None if n == 1 => return (self.y[0], 0.0, 0.0),
+            None if x < first => return (self.y[0] + self.slope[0] * (x - first), self.slope[0], 0.0),
+            None if x > last => return (self.y[n - 1] + self.slope[n - 1] * (x - last), self.slope[n - 1], 0.0),
             None => x,
         };
         let i = self.x.partition_point(|k| *k <= x).clamp(1, n - 1);
@@ -112,6 +120,12 @@ mod tests {
             check(&level, &points);
             let last = points[points.len() - 1];
             assert!((level.at(last.0 + 5.0).0 - last.1).abs() < 1e-15 && level.at(last.0).1.abs() < 1e-12);
+            let natural = CubicSpline::natural(&points).unwrap();
+            check(&natural, &points);
+            for (x, inside) in [(points[0].0, 1e-9), (last.0, -1e-9)] {
+                let (_, slope, second) = natural.at(x + inside);
+                assert!(second.abs() < 1e-6 && (natural.at(x - 1e9 * inside).1 - slope).abs() < 1e-6, "{x}");
+            }
             let periodic = CubicSpline::periodic(&points, last.0 - points[0].0 + 0.9).unwrap();
             check(&periodic, &points);
         }
@@ -119,6 +133,17 @@ mod tests {
         assert!((CubicSpline::periodic(&[(2.0, 7.0)], 1.0).unwrap().at(-3.4).0 - 7.0).abs() < 1e-15);
         assert!(CubicSpline::level(&[(1.0, 0.0), (1.0, 1.0)]).is_err());
         assert!(CubicSpline::periodic(&[(0.0, 0.0), (2.0, 1.0)], 2.0).is_err());
+    }
+
+    /// A straight line stays straight, inside and beyond.
+    #[test]
+    fn natural_splines_keep_lines() {
+        let spline = CubicSpline::natural(&[(0.0, 1.0), (0.5, 2.0), (3.0, 7.0), (4.0, 9.0)]).unwrap();
+        for x in [-2.0, 0.1, 1.7, 3.9, 8.0] {
+            let (y, slope, second) = spline.at(x);
+            assert!((y - 1.0 - 2.0 * x).abs() < 1e-13 && (slope - 2.0).abs() < 1e-13 && second.abs() < 1e-12, "{x}");
+        }
+        assert!((CubicSpline::natural(&[(2.0, 7.0)]).unwrap().at(-3.0).0 - 7.0).abs() < 1e-15);
     }
 
     /// A fine spline of a sine repeats it to the fourth order.

@@ -18,6 +18,8 @@ const TOLERANCE_MM: f64 = 1e-10;
 const TOLERANCE_RAD: f64 = 1e-12;
 /// Panels are not halved below this part of the path: there the inverse is not smooth.
 const SMALLEST_PANEL: f64 = 1e-6;
+/// Ways of the tip by path length nearer to 1 than this are 1.
+const SAME_RATE: f64 = 1e-9;
 
 /// Positions and derivatives by path length at one place; mm or rad per mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,6 +50,8 @@ pub struct JointPath {
     axes: usize,
     /// Stretches that go round corners, in order.
     blends: Vec<(f64, f64)>,
+    /// True if the tip's way by path length is not 1, as beside a seam.
+    beside: bool,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -77,6 +81,8 @@ impl JointPath {
         todo.extend(edges.windows(2).rev().map(|w| (w[0], w[1])));
         while let Some((a, b)) = todo.pop() {
             if let Some((blocks, end)) = fit(follower, a, b, &near, built.blocks_a_panel) {
+                let rates = nodes().map(|x| follower.path.rate(a + 0.5 * (b - a) * (1.0 + x)));
+                built.beside |= rates.iter().any(|rate| (rate - 1.0).abs() > SAME_RATE);
                 built.panels.push(Panel { start: a, end: b });
                 built.blocks.extend(blocks);
                 near = end;
@@ -93,7 +99,8 @@ impl JointPath {
 
     fn empty(axes: usize, length: f64) -> Self {
         let blocks_a_panel = axes.div_ceil(LANES);
-        Self { panels: Vec::new(), blocks: Vec::new(), blocks_a_panel, length, axes, blends: Vec::new() }
+        let (panels, blocks, blends) = (Vec::new(), Vec::new(), Vec::new());
+        Self { panels, blocks, blocks_a_panel, length, axes, blends, beside: false }
     }
 
     /// Length of the path, mm.

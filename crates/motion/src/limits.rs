@@ -1,7 +1,7 @@
 //! What the axes allow along a path, and how to say where they do not.
 
 use crate::law::{Bound, Interval, Leg};
-use crate::planned::Planned;
+use crate::planned::{Band, Planned};
 use seamwright_machine::{Machine, TipLimits};
 use seamwright_program::{Finding, OnLimit, Pass};
 
@@ -64,19 +64,20 @@ pub fn plain(limit: f64) -> f64 {
 pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Vec<Finding> {
     let Planned { machine, certificate, .. } = planned;
     let mut runs: Vec<Vec<Interval>> = vec![Vec::new()];
-    for interval in between(planned) {
+    let asked = |s: f64| pass.speed_at(s);
+    for interval in between(planned, &asked) {
         match runs.last_mut() {
             Some(run) if interval.bound != Bound::Asked => run.push(interval),
             _ => runs.push(Vec::new()),
         }
     }
-    let asked = |s: f64| pass.span_at(s).map_or(0.0, |span| span.speed_mm_s.get());
     let finding = |run: &Vec<Interval>| {
-        let slowest = run.iter().min_by(|a, b| a.speed.0.total_cmp(&b.speed.0))?;
-        let (wanted, reached) = (asked(slowest.least_at), slowest.speed.0);
-        if reached > wanted * (1.0 - WORTH_SAYING) {
+        let slowest = run.iter().min_by(|a, b| a.reached.0.total_cmp(&b.reached.0))?;
+        let (part, at) = slowest.reached;
+        if part > 1.0 - WORTH_SAYING {
             return None;
         }
+        let (wanted, reached) = (asked(at), part * asked(at));
         let binding = Binding::new(machine, slowest.bound)?;
         Some(Finding {
             kind: "speed",
@@ -93,11 +94,7 @@ pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Ve
                     "ask for {:.3} mm/s, which every axis can keep everywhere, or set weld.on_limit = \"slow\" to slow down there{}",
                     // Rounded down, so that the number printed can be asked for.
                     (certificate.everywhere * 1e3).floor() * 1e-3,
-                    if planned.joints.in_blend(slowest.least_at) {
-                        ", or allow the blend more of the seam"
-                    } else {
-                        ""
-                    }
+                    if planned.joints.in_blend(at) { ", or allow the blend more of the seam" } else { "" }
                 ),
                 OnLimit::Slow => "none needed: the weld slows down there, as asked".to_owned(),
             },
@@ -108,7 +105,7 @@ pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Ve
 }
 
 /// The certificate's stretches without the run-up and run-down of each leg.
-fn between(planned: Planned) -> Vec<Interval> {
+fn between(planned: Planned, asked: &dyn Fn(f64) -> f64) -> Vec<Interval> {
     let mut all = Vec::new();
     let rounding = 1e-9 * planned.joints.length();
     for i in planned.certificate.intervals.iter().filter(|i| i.between) {
@@ -116,8 +113,9 @@ fn between(planned: Planned) -> Vec<Interval> {
             let (from, to) = (i.from.max(leg.run_up_end), i.to.min(leg.run_down_start));
             if from - i.from <= rounding && i.to - to <= rounding {
                 all.push(*i);
-            } else if let Some((least, greatest)) = planned.tip_band(from, to).filter(|_| to - from > rounding) {
-                all.push(Interval { from, to, speed: (least.0, greatest), least_at: least.1, ..*i });
+            } else if let Some(band) = planned.tip_band((from, to), asked).filter(|_| to - from > rounding) {
+                let Band { least, greatest, reached } = band;
+                all.push(Interval { from, to, speed: (least.0, greatest), least_at: least.1, reached, ..*i });
             }
         }
     }

@@ -7,6 +7,8 @@ use seamwright_program::Pass;
 
 /// Part of an axis' acceleration by which it may jump between two panels of a path: more is a corner.
 const JUMP: f64 = 1e-3;
+/// Places nearer to each other than this part of the path are one.
+const SAME: f64 = 1e-9;
 
 /// The axes along a pass, by path length, as a speed law sees them; after them the tip if it has limits of its own.
 pub(crate) struct PassChannels<'a> {
@@ -16,6 +18,8 @@ pub(crate) struct PassChannels<'a> {
     /// How many times the pass' speeds are asked for.
     times: f64,
     limits: Vec<Limits>,
+    /// Where spans but the last end, exactly at one of the breaks.
+    borders: Vec<f64>,
     breaks: Vec<f64>,
     /// Places at which the torch has to stop, and an axis that would jump there otherwise.
     stops: Vec<(f64, usize)>,
@@ -26,11 +30,16 @@ impl<'a> PassChannels<'a> {
         let limits: Vec<Limits> = machine.axes.iter().map(limits).chain(TipChannels::limits(machine)).collect();
         let length = path.length();
         let mut breaks = path.edges();
-        breaks.extend(pass.spans.iter().skip(1).map(|s| s.from_mm.get()));
+        let last = pass.spans.len().saturating_sub(1);
+        let ends = pass.spans[..last].iter().map(|span| span.to_mm.get());
+        // A border next to a panel's end is there: which span a place is in and which panel must go together.
+        let there = |s: f64| breaks.iter().copied().find(|e| (e - s).abs() < SAME * length).unwrap_or(s);
+        let borders: Vec<f64> = ends.map(there).collect();
+        breaks.extend(&borders);
         breaks.retain(|s| *s > 0.0 && *s < length);
         breaks.sort_by(f64::total_cmp);
-        breaks.dedup_by(|a, b| *a - *b < 1e-9 * length);
-        let mut built = Self { machine, path, pass, times, limits, breaks, stops: Vec::new() };
+        breaks.dedup_by(|a, b| *a - *b < SAME * length);
+        let mut built = Self { machine, path, pass, times, limits, borders, breaks, stops: Vec::new() };
         built.stops = built.breaks.iter().filter_map(|s| Some((*s, built.corner(*s)?))).collect();
         built
     }
@@ -58,7 +67,7 @@ impl<'a> PassChannels<'a> {
         // No faster than the axes' speeds allow: however much is asked for, rounding is no corner.
         let axes = &self.limits[..self.machine.axes.len()];
         let held = axes.iter().zip(before.d1).map(|(limits, d1)| limits.speed / d1.abs());
-        let speed = held.fold(self.asked(s), f64::min);
+        let speed = held.fold(self.asked(s) / self.path.tip_rate(self.machine, s), f64::min);
         let jumps = |(i, limits): (usize, &Limits)| {
             let jump = ((after.d1[i] - before.d1[i]).abs(), (after.d2[i] - before.d2[i]).abs());
             // A jump of the speed within one ms is one of the acceleration.
@@ -84,17 +93,18 @@ impl Channels for PassChannels<'_> {
 
     fn derivatives(&self, s: f64, before: bool, out: &mut [[f64; 3]]) -> f64 {
         let p = self.path.point(s, before);
-        let blend = self.path.in_blend(s);
-        if blend || out.len() > self.machine.axes.len() {
+        let has_rate = self.path.has_rate(s);
+        if has_rate || out.len() > self.machine.axes.len() {
             let [d1, ..] = self.along(&[p.q, p.d1, p.d2, p.d3], out);
-            return if blend { d1.length() } else { 1.0 };
+            return if has_rate { d1.length() } else { 1.0 };
         }
         out.iter_mut().enumerate().for_each(|(i, out)| *out = [p.d1[i], p.d2[i], p.d3[i]]);
         1.0
     }
 
     fn asked(&self, s: f64) -> f64 {
-        self.pass.span_at(s).map_or(f64::INFINITY, |span| self.times * span.speed_mm_s.get())
+        let span = &self.pass.spans[self.borders.partition_point(|border| *border <= s)];
+        self.times * span.speed_mm_s.at(span.part(s))
     }
 
     fn breaks(&self) -> Vec<f64> {

@@ -14,6 +14,9 @@ use crate::{JointPath, LawPoint, SpeedLaw};
 use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_program::{Finding, Pass, Sequence, TorchPath};
 
+/// Places at which the tip's way by path length is looked at before there are axes.
+const RATES: u32 = 60;
+
 /// One pass as motion: the axes' path, the speed law and the process sequence around it.
 #[derive(Debug, Clone)]
 pub struct PassMotion {
@@ -61,8 +64,8 @@ impl PassMotion {
         number: usize,
         before: Before,
     ) -> Result<Self, Vec<Finding>> {
-        let fastest = pass.spans.iter().map(|s| s.speed_mm_s.get()).fold(0.0, f64::max);
-        let free = resolve(machine, path, fastest, &pass.spare_axes, before.clearance, number)?;
+        let (_, fastest) = pass.speeds();
+        let free = resolve(machine, path, fastest / least_rate(path), &pass.spare_axes, before.clearance, number)?;
         let follower = Follower { machine, path, free: &free };
         let survey = survey(follower, &pass.tolerance, number)?;
         let mut findings = survey.findings;
@@ -81,7 +84,7 @@ impl PassMotion {
         }
         let (joints, left, notes) = rounded(follower, joints, pass, number);
         findings.extend(notes);
-        let asked = |s: f64| pass.span_at(s).map_or(0.0, |span| span.speed_mm_s.get());
+        let asked = |s: f64| pass.speed_at(s);
         let channels = PassChannels::new(machine, &joints, pass, 1.0);
         let law = match SpeedLaw::new(&channels) {
             Ok(law) => law,
@@ -129,9 +132,19 @@ impl PassMotion {
     }
 
     /// Speed of the torch tip of `machine`, whose motion this is, where the law is at `p`, mm/s: that of the path
-    /// length but in blends.
+    /// length but beside the seam and in blends.
     pub fn tip_speed(&self, machine: &Machine, p: LawPoint) -> f64 {
         p.v * self.path.tip_rate(machine, p.s)
+    }
+
+    /// Least and greatest planned speed of the tip of `machine`, whose motion this is, between run-up and run-down, mm/s;
+    /// of a law without anything between the speed where it turns.
+    pub fn tip_band(&self, machine: &Machine) -> (f64, f64) {
+        self.certificate.band().unwrap_or_else(|| {
+            let band = self.law.report();
+            let rate = self.path.tip_rate(machine, band.run_up_end);
+            (rate * band.least, rate * band.greatest)
+        })
     }
 
     /// The motion of `machine` in time, to be played at another pace.
@@ -158,6 +171,12 @@ impl PassMotion {
     pub fn set_points(&self, period: f64) -> SetPoints<'_> {
         SetPoints::new(self, period)
     }
+}
+
+/// About the least way of the tip by path length.
+fn least_rate(path: &dyn TorchPath) -> f64 {
+    let places = (0..=RATES).map(|i| path.length() * f64::from(i) / f64::from(RATES));
+    places.map(|s| path.rate(s)).fold(f64::INFINITY, f64::min)
 }
 
 fn no_law(machine: &Machine, length: f64, error: LawError, pass: usize) -> Finding {

@@ -23,15 +23,30 @@ impl Planned<'_> {
         self.law.speed(s) * self.joints.tip_rate(self.machine, s)
     }
 
-    /// The slowest (mm/s) and its place, and the fastest the tip goes between two path lengths, by the places of the
-    /// law's cells there; none if there are none.
-    pub(crate) fn tip_band(&self, from: f64, to: f64) -> Option<((f64, f64), f64)> {
+    /// How fast the tip is between two path lengths, by the places of the law's cells there; none if there are none.
+    pub(crate) fn tip_band(&self, (from, to): (f64, f64), asked: &dyn Fn(f64) -> f64) -> Option<Band> {
         let cells = 0..self.law.cells();
         let points = cells.flat_map(|cell| [0.0, 0.25, 0.5, 0.75, 1.0].map(|part| self.law.in_cell(cell, part)));
         let inside = points.filter(|p| p.s >= from && p.s <= to).map(|p| (self.tip_speed(p), p.s));
-        inside.fold(None, |band: Option<((f64, f64), f64)>, (v, s)| match band {
-            Some((least, greatest)) => Some((if v < least.0 { (v, s) } else { least }, greatest.max(v))),
-            None => Some(((v, s), v)),
+        inside.fold(None, |band: Option<Band>, (v, s)| {
+            let here = Band { least: (v, s), greatest: v, reached: (v / asked(s), s) };
+            let lesser = |a: (f64, f64), b: (f64, f64)| if b.0 < a.0 { b } else { a };
+            Some(band.map_or(here, |band| Band {
+                least: lesser(band.least, here.least),
+                greatest: band.greatest.max(v),
+                reached: lesser(band.reached, here.reached),
+            }))
         })
     }
+}
+
+/// How fast the tip is on a stretch.
+#[derive(Clone, Copy)]
+pub(crate) struct Band {
+    /// Least speed, mm/s, and where.
+    pub(crate) least: (f64, f64),
+    /// Greatest speed, mm/s.
+    pub(crate) greatest: f64,
+    /// Least part of the asked speed, and where.
+    pub(crate) reached: (f64, f64),
 }

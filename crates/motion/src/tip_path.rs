@@ -4,8 +4,8 @@ use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine};
 use seamwright_program::TorchPath;
 
-/// The way of the first torch as the axes are planned to go it: that along the seam, but for blends round corners. `s`
-/// is the place on the seam; in blends the tip's own way by `s` is another.
+/// The way of the first torch as the axes are planned to go it: that along the seam, or the bead beside it, but for
+/// blends round corners. `s` is the place on the seam; beside it and in blends the tip's own way by `s` is another.
 #[derive(Debug, Clone, Copy)]
 pub struct TipPath<'a> {
     machine: &'a Machine,
@@ -35,6 +35,10 @@ impl TorchPath for TipPath<'_> {
 
     fn pose(&self, s: f64) -> Pose {
         self.machine.forward(&self.joints.at(s))
+    }
+
+    fn rate(&self, s: f64) -> f64 {
+        self.joints.tip_rate(self.machine, s)
     }
 
     fn foot(&self, point: DVec3, guess: f64, (from, to): (f64, f64)) -> f64 {

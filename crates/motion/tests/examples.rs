@@ -36,7 +36,7 @@ impl Case {
     }
 
     fn speed(&self) -> f64 {
-        self.welding.program.value.passes[0].spans[0].speed_mm_s.get()
+        self.welding.program.value.passes[0].speed_at(0.0)
     }
 }
 
@@ -297,13 +297,13 @@ proptest! {
         let (mut last, mut fastest) = (0.0, 0.0f64);
         for p in motion.set_points(1e-3) {
             check.add(&p.q);
-            prop_assert!(p.law.s >= last && p.law.v <= pass.spans[0].speed_mm_s.get() * (1.0 + 1e-9));
+            prop_assert!(p.law.s >= last && p.law.v <= pass.speed_at(0.0) * (1.0 + 1e-9));
             last = p.law.s;
             fastest = fastest.max(p.law.v);
         }
         prop_assert!(check.worst <= 1.0 + 1e-9, "{}", check.worst);
         // It runs at the asked speed somewhere, or at some axis' limit.
-        let full = fastest > 0.999 * pass.spans[0].speed_mm_s.get();
-        prop_assert!(full || check.worst > 0.95, "{} of {}: {}", fastest, pass.spans[0].speed_mm_s.get(), check.worst);
+        let full = fastest > 0.999 * pass.speed_at(0.0);
+        prop_assert!(full || check.worst > 0.95, "{} of {}: {}", fastest, pass.speed_at(0.0), check.worst);
     }
 }

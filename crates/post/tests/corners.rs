@@ -37,7 +37,7 @@ fn blocks_follow_the_blend_and_end_at_stops() {
         pass.spans.truncate(1);
         let span = &mut pass.spans[0];
         (span.from_mm, span.to_mm) = (NonNegative::default(), Positive::new(2.0 * SIDE).unwrap());
-        span.speed_mm_s = Positive::new(12.0).unwrap();
+        span.speed_mm_s = Positive::new(12.0).unwrap().into();
         let motion = PassMotion::plan(&machine, &RightAngle, &pass, 1).unwrap();
         let cut = linearise(&machine, &motion, &[], Level::Joint, TOLERANCE).unwrap();
         let ends: Vec<DVec3> = std::iter::once(&cut.start).chain(&cut.blocks).map(|b| b.tip).collect();

@@ -83,6 +83,9 @@ impl Program {
                 return Err(document.error_at(&path, "the pass has no spans", "at least one [[passes.spans]]"));
             }
             let within = format!("passes[{p}].tolerance");
+            if let Some(bead) = &pass.bead {
+                bead.check(&document, &format!("passes[{p}].bead"))?;
+            }
             pass.corner.check(&document, &format!("passes[{p}].corner"), (&within, &pass.tolerance))?;
             pass.sequence.check(&document, &format!("passes[{p}].sequence"), &pass.spans[0].process)?;
             for (i, span) in pass.spans.iter().enumerate() {
@@ -97,8 +100,9 @@ impl Program {
                     let message = "the span sets other process values than the first one";
                     return Err(document.error_at(&path("process"), message, names.join(", ")));
                 }
-                if pass.least_speed_mm_s.is_some_and(|least| least >= span.speed_mm_s) {
-                    let allowed = format!("less than speed_mm_s = {} of every span", span.speed_mm_s.get());
+                let (from, to) = span.speed_mm_s.ends();
+                if pass.least_speed_mm_s.is_some_and(|least| least.get() >= from.min(to)) {
+                    let allowed = format!("less than speed_mm_s = {} of every span", from.min(to));
                     let message = "the least speed is not below the asked one";
                     return Err(document.error_at(&format!("passes[{p}].least_speed_mm_s"), message, allowed));
                 }
@@ -155,8 +159,8 @@ mod tests {
         let again = Program::read("p.toml", &program.to_toml().unwrap()).unwrap().value;
         assert_eq!(program, again);
         assert!((program.passes[0].length() - 20.0).abs() < 1e-15);
-        assert!((program.passes[0].span_at(10.5).unwrap().speed_mm_s.get() - 8.0).abs() < 1e-15);
-        assert!((program.passes[0].span_at(25.0).unwrap().speed_mm_s.get() - 8.0).abs() < 1e-15);
+        assert!((program.passes[0].speed_at(10.5) - 8.0).abs() < 1e-15);
+        assert!((program.passes[0].speed_at(25.0) - 8.0).abs() < 1e-15);
     }
 
     #[test]

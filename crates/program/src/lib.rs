@@ -7,6 +7,7 @@
 
 mod air;
 mod at_corner;
+mod bead;
 mod branch;
 mod document;
 mod finding;
@@ -19,10 +20,10 @@ mod pass;
 mod plane_seam;
 mod procedure;
 mod process;
-mod role;
 mod seam;
 mod sequence;
 mod space_seam;
+mod span_value;
 mod spare_axes;
 mod taught;
 mod tolerance;
@@ -31,6 +32,7 @@ mod weave;
 
 pub use air::Air;
 pub use at_corner::AtCorner;
+pub use bead::Bead;
 pub use branch::{Branch, OtherBranch};
 pub use document::Program;
 pub use finding::Finding;
@@ -41,17 +43,17 @@ pub use joint::{
 pub use nozzle::{Body, Mount, Nozzle, NozzleCurve};
 pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};
 pub use part::{Clearance, Part};
-pub use pass::{OnLimit, Pass, Span};
+pub use pass::{OnLimit, Pass, Role, Span};
 pub use plane_seam::{Arc, Circle, Polyline, RoundedRectangle, WallFaces};
 pub use procedure::{
     ButtLimits, FilletLimits, Inclination, Outside, PROCEDURES, PassNumbers, PositionLimits, PositionStretch,
     Procedure, Run, RunName, ShippedProcedure, WeldingPosition, WeldingProcess, Window, shipped_procedure,
 };
-pub use process::{ProcessValue, ProcessValues, Ramp, check_process, check_process_name};
-pub use role::Role;
+pub use process::{ProcessValue, ProcessValues, check_process, check_process_name};
 pub use seam::{Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Seam, SeamStart, Side, TJoint};
 pub use sequence::{AtHold, Sequence, Slope};
 pub use space_seam::{Helix, Spline};
+pub use span_value::{Ramp, SpanValue};
 pub use spare_axes::{Position, SpareAxes, Weights};
 pub use taught::Taught;
 pub use tolerance::Tolerance;

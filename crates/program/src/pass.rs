@@ -1,14 +1,24 @@
-use crate::{AtCorner, ProcessValues, Sequence, SpareAxes, Tolerance, Torch};
+use crate::{AtCorner, Bead, ProcessValues, Sequence, SpanValue, SpareAxes, Tolerance, Torch};
 use schemars::JsonSchema;
 use seamwright_document::{NonNegative, Positive};
 use serde::{Deserialize, Serialize};
 
-/// One progression along the seam.
+/// One progression along the seam. Its own path length counts from where it begins, and is the way along the seam, also
+/// where its bead lies beside that.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Pass {
     /// Name, for people.
     pub name: String,
+    /// What it is for in a weld of several passes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub role: Option<Role>,
+    /// Path length on the seam at which it begins, mm from the start of the weld.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub begin_mm: NonNegative,
+    /// True if it runs against the weld's direction.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub reverse: bool,
     /// What to do where an axis cannot keep the asked speed.
     #[serde(default)]
     pub on_limit: OnLimit,
@@ -31,6 +41,9 @@ pub struct Pass {
     /// What to do with axes to spare.
     #[serde(default, skip_serializing_if = "SpareAxes::is_usual")]
     pub spare_axes: SpareAxes,
+    /// Where its bead lies beside the seam; none: on it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bead: Option<Bead>,
     /// Parts of the pass, one after the other without a gap.
     pub spans: Vec<Span>,
 }
@@ -39,15 +52,43 @@ pub struct Pass {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Span {
-    /// Path length at which it begins, mm from the start of the weld.
+    /// Path length at which it begins, mm from the start of the pass.
     pub from_mm: NonNegative,
     /// Path length at which it ends, mm.
     pub to_mm: Positive,
-    /// Speed of the torch tip along the seam, relative to the work, mm/s.
-    pub speed_mm_s: Positive,
+    /// Speed of the torch tip along its way, relative to the work, mm/s: a number or a ramp `{ from = .., to = .. }`
+    /// linear in path length.
+    pub speed_mm_s: SpanValue<Positive>,
     /// Process values over the span, each a number or a ramp `{ from = .., to = .. }` linear in path length.
     #[serde(default, skip_serializing_if = "ProcessValues::is_empty")]
     pub process: ProcessValues,
+}
+
+fn is_zero(number: &NonNegative) -> bool {
+    number.get() == 0.0
+}
+
+/// What a pass is for in a weld of several.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Role {
+    /// It joins the parts.
+    Root,
+    /// It fills the joint.
+    Fill,
+    /// It is the weld's surface.
+    Cap,
+}
+
+impl Role {
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Root => "root",
+            Self::Fill => "fill",
+            Self::Cap => "cap",
+        }
+    }
 }
 
 /// What to do where an axis cannot keep the asked speed.
@@ -73,16 +114,41 @@ impl Pass {
         self.spans.get(i).or(self.spans.last())
     }
 
+    /// Path length on the seam, from the start of the weld, at the pass' own path length `s`, mm. On a seam welded all
+    /// round it counts on beyond a turn, or back below 0.
+    pub fn seam_s(&self, s: f64) -> f64 {
+        let begin = self.begin_mm.get();
+        if self.reverse { begin - s } else { begin + s }
+    }
+
+    /// Asked speed of the torch tip at path length `s`, mm/s.
+    pub fn speed_at(&self, s: f64) -> f64 {
+        self.span_at(s).map_or(f64::INFINITY, |span| span.speed_mm_s.at(span.part(s)))
+    }
+
+    /// Least and greatest asked speed of the torch tip, mm/s.
+    pub fn speeds(&self) -> (f64, f64) {
+        let ends = self.spans.iter().flat_map(|span| <[f64; 2]>::from(span.speed_mm_s.ends()));
+        ends.fold((f64::INFINITY, 0.0), |(least, most), v| (v.min(least), v.max(most)))
+    }
+
     /// The process value `name` while the arc is on: at path length `s`, `since_on` s after the arc went on and
     /// `until_off` s before it goes off (infinite where only the travel is meant). None if the pass has no such
     /// value.
     pub fn process_at(&self, name: &str, s: f64, (since_on, until_off): (f64, f64)) -> Option<f64> {
         let span = self.span_at(s)?;
-        let (from, to) = (span.from_mm.get(), span.to_mm.get());
-        let mut value = span.process.get(name)?.at(((s - from) / (to - from)).clamp(0.0, 1.0));
+        let mut value = span.process.get(name)?.at(span.part(s));
         for (slope, away) in [(&self.sequence.upslope, since_on), (&self.sequence.downslope, until_off)] {
             value = slope.as_ref().map_or(value, |slope| slope.at(name, value, away));
         }
         Some(value)
+    }
+}
+
+impl Span {
+    /// The part of the span, from 0 to 1, that lies before path length `s`.
+    pub fn part(&self, s: f64) -> f64 {
+        let (from, to) = (self.from_mm.get(), self.to_mm.get());
+        ((s - from) / (to - from)).clamp(0.0, 1.0)
     }
 }

@@ -1,80 +1,12 @@
-use schemars::JsonSchema;
+use crate::SpanValue;
 use seamwright_document::{Document, DocumentError, Finite};
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{MapAccess, Visitor};
-use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::BTreeMap;
-use std::fmt;
 
 /// Process values by name; the name ends in the unit, like `current_a`, `voltage_v`, `wire_feed_m_min`.
 pub type ProcessValues = BTreeMap<String, ProcessValue>;
 
 /// A process value over a span.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-#[serde(untagged)]
-pub enum ProcessValue {
-    /// The same all along.
-    Steady(Finite),
-    /// From one value to another, linear in path length.
-    Ramp(Ramp),
-}
-
-/// A value that changes evenly with path length over a span.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Ramp {
-    /// Where the span begins.
-    pub from: Finite,
-    /// Where it ends.
-    pub to: Finite,
-}
-
-impl ProcessValue {
-    /// Whether it is given as a ramp.
-    pub fn is_ramp(&self) -> bool {
-        matches!(self, Self::Ramp(_))
-    }
-
-    /// Where the span begins, and where it ends.
-    pub fn ends(self) -> (f64, f64) {
-        match self {
-            Self::Steady(value) => (value.get(), value.get()),
-            Self::Ramp(Ramp { from, to }) => (from.get(), to.get()),
-        }
-    }
-
-    /// At a part of the span's length from 0 to 1.
-    pub fn at(self, part: f64) -> f64 {
-        let (from, to) = self.ends();
-        from + part * (to - from)
-    }
-}
-
-impl<'de> Deserialize<'de> for ProcessValue {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Value;
-        impl<'de> Visitor<'de> for Value {
-            type Value = ProcessValue;
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("a finite number, or { from = .., to = .. }")
-            }
-            fn visit_f64<E: serde::de::Error>(self, v: f64) -> Result<ProcessValue, E> {
-                let found = serde::de::Unexpected::Float(v);
-                Finite::new(v).map(ProcessValue::Steady).ok_or_else(|| E::invalid_value(found, &self))
-            }
-            fn visit_i64<E: serde::de::Error>(self, v: i64) -> Result<ProcessValue, E> {
-                self.visit_f64(v as f64)
-            }
-            fn visit_u64<E: serde::de::Error>(self, v: u64) -> Result<ProcessValue, E> {
-                self.visit_f64(v as f64)
-            }
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<ProcessValue, A::Error> {
-                Ramp::deserialize(MapAccessDeserializer::new(map)).map(ProcessValue::Ramp)
-            }
-        }
-        deserializer.deserialize_any(Value)
-    }
-}
+pub type ProcessValue = SpanValue<Finite>;
 
 /// Checks a name of a process value, at `path` of a file: it becomes a column and ends in a unit.
 ///

@@ -52,8 +52,14 @@ pub trait TorchPath {
     fn length(&self) -> f64;
 
     /// The torch tip and the direction in which wire or beam points (from the torch to the work) at path length `s`;
-    /// continuous, and smooth between knots; the tip's speed by `s` is 1.
+    /// continuous, and smooth between knots.
     fn pose(&self, s: f64) -> Pose;
+
+    /// Way of the tip by path length at `s`: exactly 1 all along where it goes on the line by whose length `s` counts,
+    /// another beside it. At a knot anything between the ways on either side.
+    fn rate(&self, _s: f64) -> f64 {
+        1.0
+    }
 
     /// Unit vector from the root of the joint out to its face at path length `s`: what should point up for a weld in
     /// the flat position (ISO 6947). Against the torch's direction if nothing better is known.
@@ -82,7 +88,8 @@ pub trait TorchPath {
     /// Path length within [`from`, `to`] of the path's point nearest to `point`, which must lie near the path at path
     /// length `guess`: two Newton steps on the foot of the perpendicular.
     fn foot(&self, point: DVec3, guess: f64, (from, to): (f64, f64)) -> f64 {
-        (0..2).fold(guess, |s, _| (s + (point - self.pose(s).point).dot(self.tangent(s))).clamp(from, to))
+        let along = |s: f64| (point - self.pose(s).point).dot(self.tangent(s)) / self.rate(s);
+        (0..2).fold(guess, |s, _| (s + along(s)).clamp(from, to))
     }
 
     /// Path lengths inside the path where a derivative may jump, increasing.

@@ -1,15 +1,15 @@
-use crate::seam::SAME_MM;
+use crate::stretch::repeated;
 use crate::{SeamCurve, SeamPoint};
 use glam::DVec3;
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::MonotoneCurve;
-use seamwright_program::{Finding, Torch};
+use seamwright_program::Torch;
 
 /// Largest travel angle, degrees: beyond it the torch lies along the seam.
 const MAX_TRAVEL_DEG: f64 = 75.0;
 
-/// The torch's direction may turn by this at a place, rad: less is rounding.
-const JUMP: f64 = 1e-6;
+/// Places where angles are given that are nearer to each other are one, mm.
+const NEAR_MM: f64 = 1e-6;
 
 /// Torch angles along a weld: work angle as an offset from the bisector, and travel angle (AWS A3.0), rad.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,79 +68,21 @@ impl Attitude {
     /// Unit vector from the joint to the torch at a point of the seam: the bisector turned about the tangent by the
     /// work angle, then in the plane of that and the tangent by the travel angle.
     pub fn torch_axis(&self, p: &SeamPoint) -> DVec3 {
+        self.leaning(p, 0.0, 1.0)
+    }
+
+    /// The same of a torch whose work angle is greater by `lean` rad, and that travels along the weld's direction
+    /// (`sense` 1) or against it (-1).
+    pub fn leaning(&self, p: &SeamPoint, lean: f64, sense: f64) -> DVec3 {
         let (work, travel) = self.angles(p.s);
+        let work = work + lean;
         let across = work.cos() * p.bisector + work.sin() * p.towards_first;
-        travel.cos() * across + travel.sin() * p.along
+        travel.cos() * across + travel.sin() * (sense * p.along)
     }
 
-    /// Where a second derivative of the angles may jump, within (0, `end`) mm, increasing.
-    pub(crate) fn knots(&self, end: f64) -> Vec<f64> {
-        let knots = self.work.knots();
-        let turns = self.work.period().map_or(0, |period| (end / period).ceil() as usize);
-        let period = self.work.period().unwrap_or(0.0);
-        let all = (0..=turns).flat_map(|k| knots.iter().map(move |x| x + k as f64 * period));
-        let mut inside: Vec<f64> = all.filter(|x| *x > 1e-6 && *x < end - 1e-6).collect();
-        inside.sort_by(f64::total_cmp);
-        inside.dedup_by(|a, b| (*a - *b).abs() < 1e-6);
-        inside
-    }
-
-    /// Corners of the seam at which the torch's direction would jump.
-    pub fn turn_findings(&self, seam: &SeamCurve, pass: usize) -> Vec<Finding> {
-        let jump = |s: f64| {
-            let [before, after] = [s - SAME_MM, s + SAME_MM].map(|s| self.torch_axis(&seam.at(s)));
-            2.0 * (before - after).length().atan2((before + after).length())
-        };
-        let turns = seam.knots().into_iter().map(|s| (s, jump(s))).filter(|(_, turn)| *turn > JUMP);
-        let finding = |(s, turn): (f64, f64)| Finding {
-            kind: "turn",
-            message: format!(
-                "the torch's direction would jump by {:.2} degrees at the corner at s = {s:.3} mm",
-                turn.to_degrees()
-            ),
-            pass,
-            from_mm: s,
-            to_mm: s,
-            cure: "round the corner in the seam; in a butt joint weld without work and travel angle".to_owned(),
-            allowed: false,
-        };
-        turns.map(finding).collect()
-    }
-
-    /// Where the torch would lie in one of the two faces.
-    pub fn access_findings(&self, seam: &SeamCurve, pass: usize) -> Vec<Finding> {
-        let n = 720;
-        let step = seam.weld_length() / f64::from(n);
-        let mut findings: Vec<Finding> = Vec::new();
-        let mut open = false;
-        for i in 0..=n {
-            let p = seam.at(f64::from(i) * step);
-            let axis = self.torch_axis(&p);
-            let (part, sine) =
-                if axis.dot(p.n1) < axis.dot(p.n2) { ("first", axis.dot(p.n1)) } else { ("second", axis.dot(p.n2)) };
-            if sine > 0.0 {
-                open = false;
-                continue;
-            }
-            match findings.last_mut().filter(|_| open) {
-                Some(last) => last.to_mm = p.s,
-                None => findings.push(Finding {
-                    kind: "access",
-                    message: format!(
-                        "the torch would lie {:.1} degrees inside the face of the {part} part (dihedral angle {:.1} degrees)",
-                        -sine.asin().to_degrees(),
-                        p.dihedral.to_degrees()
-                    ),
-                    pass,
-                    from_mm: p.s,
-                    to_mm: p.s,
-                    cure: "make the work angle smaller than half the dihedral angle".to_owned(),
-                    allowed: false,
-                }),
-            }
-            open = true;
-        }
-        findings
+    /// Where a second derivative of the angles may jump, inside `range` of the seam, mm.
+    pub(crate) fn knots_within(&self, range: (f64, f64)) -> Vec<f64> {
+        repeated(self.work.knots().iter().copied(), self.work.period(), range, NEAR_MM)
     }
 }
 

@@ -139,11 +139,14 @@ impl Job {
         let span = Span {
             from_mm: NonNegative::default(),
             to_mm: whole("weld", seam.weld_length())?,
-            speed_mm_s: j.weld.speed_mm_s,
+            speed_mm_s: j.weld.speed_mm_s.into(),
             process: j.weld.process.clone(),
         };
         let pass = Pass {
             name: "pass 1".to_owned(),
+            role: None,
+            begin_mm: NonNegative::default(),
+            reverse: false,
             on_limit: j.weld.on_limit,
             least_speed_mm_s: j.weld.least_speed_mm_s,
             corner: j.weld.corner,
@@ -151,6 +154,7 @@ impl Job {
             torch: j.torch.clone(),
             tolerance: j.tolerance,
             spare_axes: j.spare_axes.clone(),
+            bead: None,
             spans: vec![span],
         };
         Ok(Program {

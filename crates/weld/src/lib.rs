@@ -7,6 +7,7 @@
 
 mod angles;
 mod attitude;
+mod bead_line;
 mod beads;
 mod body;
 mod branch;
@@ -18,18 +19,21 @@ mod joint;
 mod nozzle;
 mod outside;
 mod part;
+mod pass_findings;
 mod pass_path;
 mod plane;
 mod procedure;
 mod seam;
 mod space;
 mod spline;
+mod stretch;
 mod surfaces;
 mod t_joint;
 mod taught;
 mod welding;
 
 pub use attitude::Attitude;
+pub use bead_line::BeadLine;
 pub use beads::{Adapt, BeadAt, BeadPlan, Beads, Layer, Order, Run};
 pub use cut::{Cut, CutPoint, Unrolled};
 pub use job::{Job, Weld};
@@ -38,6 +42,7 @@ pub use nozzle::NozzleEdges;
 pub use outside::{NoFiles, Outside, Wrong};
 pub use pass_path::PassPath;
 pub use seam::{SeamCurve, SeamPoint};
+pub use stretch::Stretch;
 pub use surfaces::SeamSurfaces;
 pub use taught::TaughtSpan;
 pub use welding::Welding;

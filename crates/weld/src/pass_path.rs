@@ -1,4 +1,4 @@
-use crate::{Attitude, SeamCurve, SeamPoint};
+use crate::{Attitude, BeadLine, SeamCurve, SeamPoint, Stretch};
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::Pose;
 use seamwright_program::{Groove, TorchPath};
@@ -6,57 +6,94 @@ use seamwright_program::{Groove, TorchPath};
 /// Knots nearer to each other are one, mm.
 const NEAR_MM: f64 = 1e-6;
 
-/// The torch's path in one pass, in the machine's work frame.
+/// Half the way over which the tip's rate is a difference, mm: small against any bend that can be welded.
+const HALF_MM: f64 = 1e-3;
+
+/// The torch's path in one pass, in the machine's work frame. Its path length is that of the seam over which it runs,
+/// counted from where it begins, also where the bead lies beside the seam.
 #[derive(Debug)]
 pub struct PassPath<'a> {
     /// The seam.
     pub seam: &'a SeamCurve,
-    /// Torch angles.
+    /// The part of it that the pass runs over, and which way.
+    pub stretch: Stretch,
+    /// Torch angles by the seam's path length.
     pub attitude: Attitude,
+    /// Where the bead lies beside the seam, if it does.
+    pub bead: Option<&'a BeadLine>,
     /// The seam's frame in the work frame: work offset and placement.
     pub placement: DAffine3,
 }
 
 impl PassPath<'_> {
-    /// The torch over a point of the seam.
-    fn torch_at(&self, p: &SeamPoint) -> Pose {
-        Pose {
-            point: self.placement.transform_point3(p.point),
-            direction: self.placement.transform_vector3(-self.attitude.torch_axis(p)),
-        }
+    /// The point of the seam at the pass' path length `s`.
+    pub fn seam_point(&self, s: f64) -> SeamPoint {
+        self.seam.at(self.stretch.seam_s(s))
+    }
+
+    /// Work angle (offset from the bisector) and travel angle of the torch at path length `s`, rad.
+    pub fn angles(&self, s: f64) -> (f64, f64) {
+        let s = self.stretch.seam_s(s);
+        let (work, travel) = self.attitude.angles(s);
+        (work + self.bead.map_or(0.0, |bead| bead.lean(s)), travel)
+    }
+
+    /// The torch over a point of the seam, in the seam's frame: its tip, and the unit vector from there to the torch.
+    pub fn torch_at(&self, p: &SeamPoint) -> (DVec3, DVec3) {
+        let (tip, lean) = self.bead.map_or((p.point, 0.0), |bead| (bead.tip(p), bead.lean(p.s)));
+        (tip, self.attitude.leaning(p, lean, self.stretch.sense))
+    }
+
+    /// The same as a pose in the work frame.
+    fn placed(&self, p: &SeamPoint) -> Pose {
+        let (tip, axis) = self.torch_at(p);
+        Pose { point: self.placement.transform_point3(tip), direction: self.placement.transform_vector3(-axis) }
     }
 }
 
 impl TorchPath for PassPath<'_> {
     fn length(&self) -> f64 {
-        self.seam.weld_length()
+        self.stretch.length
     }
 
     fn pose(&self, s: f64) -> Pose {
-        self.torch_at(&self.seam.at(s))
+        self.placed(&self.seam_point(s))
+    }
+
+    fn rate(&self, s: f64) -> f64 {
+        let Some(bead) = self.bead else { return 1.0 };
+        let (behind, ahead) = ((s - HALF_MM).max(0.0), (s + HALF_MM).min(self.length()));
+        let tip = |s: f64| bead.tip(&self.seam_point(s));
+        (tip(ahead) - tip(behind)).length() / (ahead - behind)
     }
 
     fn second(&self, s: f64) -> Option<Pose> {
-        self.seam.across(&self.seam.at(s)).map(|p| self.torch_at(&p))
+        self.seam.across(&self.seam_point(s)).map(|p| self.placed(&p))
     }
 
     fn face(&self, s: f64) -> DVec3 {
-        self.placement.transform_vector3(self.seam.at(s).bisector)
+        self.placement.transform_vector3(self.seam_point(s).bisector)
     }
 
     fn groove(&self, s: f64) -> Option<Groove> {
-        let p = self.seam.at(s);
-        let [tangent, towards_first] = [p.tangent, p.towards_first].map(|v| self.placement.transform_vector3(v));
+        let p = self.seam_point(s);
+        let [tangent, towards_first] =
+            [self.stretch.sense * p.tangent, p.towards_first].map(|v| self.placement.transform_vector3(v));
         Some(Groove { tangent, towards_first, dihedral: p.dihedral })
     }
 
     fn knots(&self) -> Vec<f64> {
-        let mut knots = self.seam.knots();
-        // A place of the attitude next to one of the seam is that one.
-        let apart = |s: &f64| knots.iter().all(|knot| (knot - s).abs() > NEAR_MM);
-        let more: Vec<f64> = self.attitude.knots(self.length()).into_iter().filter(apart).collect();
-        knots.extend(more);
-        knots.sort_by(f64::total_cmp);
-        knots
+        let range = self.stretch.range();
+        let mut knots = self.seam.knots_within(range);
+        // A place of the attitude or of the bead next to one of the seam is that one.
+        let more = [self.attitude.knots_within(range), self.bead.map_or(Vec::new(), |bead| bead.knots_within(range))];
+        for place in more.into_iter().flatten() {
+            if knots.iter().all(|knot| (knot - place).abs() > NEAR_MM) {
+                knots.push(place);
+            }
+        }
+        let mut own: Vec<f64> = knots.into_iter().map(|s| self.stretch.own_s(s)).collect();
+        own.sort_by(f64::total_cmp);
+        own
     }
 }

@@ -1,6 +1,7 @@
 use crate::angles::Angles;
 use crate::branch::Joint;
 use crate::nozzle::OnBody;
+use crate::stretch::repeated;
 use crate::taught::{TaughtEdge, TaughtSpan};
 use crate::{girth, plane, space, spline, t_joint};
 use glam::DVec3;
@@ -190,18 +191,18 @@ impl SeamCurve {
 
     /// Path lengths inside the weld where a derivative of the seam or of its faces may jump, increasing.
     pub fn knots(&self) -> Vec<f64> {
-        let (length, end) = (self.length(), self.weld_length);
-        let mut knots = Vec::new();
-        for u in self.curve.curve().breaks() {
+        self.knots_within((0.0, self.weld_length))
+    }
+
+    /// Those inside `range`; on a closed seam it may be of more than a turn, and begin before the start of the weld.
+    pub fn knots_within(&self, range: (f64, f64)) -> Vec<f64> {
+        let length = self.length();
+        let place = |u: f64| {
             let s = self.sense * (self.curve.length_at(u) - self.start);
-            let s = if self.closed { s.rem_euclid(length) } else { s };
-            // On a closed seam it comes again; one turn and the overlap have room for two of it and a rounding.
-            knots.extend((0..3).map(|turn| s + f64::from(turn) * length).take(if self.closed { 3 } else { 1 }));
-        }
-        knots.retain(|s| *s > SAME_MM && *s < end - SAME_MM);
-        knots.sort_by(f64::total_cmp);
-        knots.dedup_by(|a, b| *a - *b < SAME_MM);
-        knots
+            if self.closed { s.rem_euclid(length) } else { s }
+        };
+        let places = self.curve.curve().breaks().into_iter().map(place);
+        repeated(places, self.closed.then_some(length), range, SAME_MM)
     }
 
     /// Path length from the start of the weld of the curve's parameter `u`, mm.

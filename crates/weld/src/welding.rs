@@ -1,5 +1,7 @@
 use crate::outside::{fetch, forget};
-use crate::{Attitude, BeadPlan, Cut, Job, NoFiles, Outside, PassPath, SeamCurve, SeamJoint, procedure};
+use crate::{
+    Attitude, BeadLine, BeadPlan, Cut, Job, NoFiles, Outside, PassPath, SeamCurve, SeamJoint, Stretch, procedure,
+};
 use seamwright_document::{Document, DocumentError};
 use seamwright_program::{Finding, Program};
 
@@ -10,14 +12,18 @@ pub struct Welding {
     pub program: Document<Program>,
     /// The seam by path length from the start of the weld.
     pub seam: SeamCurve,
-    /// Torch angles along each pass.
+    /// The part of the seam that each pass runs over.
+    pub stretches: Vec<Stretch>,
+    /// Torch angles along each pass, by the seam's path length; without what its bead adds to them.
     pub attitudes: Vec<Attitude>,
+    /// Where the bead of each pass lies beside the seam, if it does.
+    pub beads: Vec<Option<BeadLine>>,
     /// The joint along the seam, if the file has one.
     pub joint: Option<SeamJoint>,
-    /// The beads that fill it, if they were planned: from a job, not from a program.
-    pub beads: Option<BeadPlan>,
-    /// What stands against the beads.
-    bead_findings: Vec<Finding>,
+    /// How beads fill it, if that was planned: from a job, not from a program.
+    pub plan: Option<BeadPlan>,
+    /// What stands against the plan.
+    plan_findings: Vec<Finding>,
     /// The end of the branch or nozzle as it is cut, where the file gives what it takes.
     pub cut: Option<Cut>,
 }
@@ -58,53 +64,69 @@ impl Welding {
     fn from_job(job: &Document<Job>, outside: &dyn Outside) -> Result<Self, DocumentError> {
         let j = &job.value;
         let seam = SeamCurve::with_taught(job, (&j.seam, &j.start), &j.taught)?;
-        let attitude = Attitude::new(job, "torch", &j.torch, &seam)?;
         let mut program = Job::program(job, &seam)?;
         let joint = j.joint.as_ref().map(|joint| SeamJoint::new(job, joint, &seam)).transpose()?;
-        let (mut plan, mut findings) = (None, Vec::new());
+        let (mut plan, mut plan_findings) = (None, Vec::new());
         if let (Some(beads), Some(joint)) = (&j.beads, &joint) {
             let weld = (j.weld.speed_mm_s, &j.weld.process);
             let filled = beads.filled(job, (&seam, joint), weld, &program.passes[0])?;
             program.passes = filled.passes;
-            (plan, findings) = (Some(filled.plan), filled.findings);
+            (plan, plan_findings) = (Some(filled.plan), filled.findings);
         }
-        let attitudes = vec![attitude; program.passes.len()];
         let cut = Cut::new(job, &j.seam)?;
         program.procedure = procedure::of_job(job, &program, outside)?;
-        Ok(Self { program: job.with(program), seam, attitudes, joint, beads: plan, bead_findings: findings, cut })
+        let program = job.with(program);
+        let Lines { stretches, attitudes, beads } = Lines::new(&program, &seam, |_| String::new())?;
+        Ok(Self { program, seam, stretches, attitudes, beads, joint, plan, plan_findings, cut })
     }
 
     fn from_program(program: Document<Program>) -> Result<Self, DocumentError> {
         let p = &program.value;
         let seam = SeamCurve::with_taught(&program, (&p.seam, &p.start), &p.taught)?;
-        let mut attitudes = Vec::new();
-        for (i, pass) in p.passes.iter().enumerate() {
-            if (pass.length() - seam.weld_length()).abs() > 1e-6 {
-                let path = format!("passes[{i}].spans[{}].to_mm", pass.spans.len() - 1);
-                let message = "the pass does not end where the weld ends";
-                return Err(program.error_at(&path, message, format!("{}", seam.weld_length())));
-            }
-            attitudes.push(Attitude::new(&program, &format!("passes[{i}].torch"), &pass.torch, &seam)?);
-        }
+        let Lines { stretches, attitudes, beads } = Lines::new(&program, &seam, |i| format!("passes[{i}]."))?;
         let joint = p.joint.as_ref().map(|joint| SeamJoint::new(&program, joint, &seam)).transpose()?;
         let cut = Cut::new(&program, &p.seam)?;
-        Ok(Self { seam, attitudes, program, joint, beads: None, bead_findings: Vec::new(), cut })
+        let (plan, plan_findings) = (None, Vec::new());
+        Ok(Self { program, seam, stretches, attitudes, beads, joint, plan, plan_findings, cut })
     }
 
     /// The torch's path in pass `pass`, counted from 0, in the machine's work frame.
     pub fn path(&self, pass: usize) -> PassPath<'_> {
-        let placement = self.program.value.seam_in_work();
-        PassPath { seam: &self.seam, attitude: self.attitudes[pass].clone(), placement }
+        PassPath {
+            seam: &self.seam,
+            stretch: self.stretches[pass],
+            attitude: self.attitudes[pass].clone(),
+            bead: self.beads[pass].as_ref(),
+            placement: self.program.value.seam_in_work(),
+        }
     }
 
     /// What stands against the weld before any machine is looked at.
     pub fn findings(&self) -> Vec<Finding> {
-        let passes = self.attitudes.iter().enumerate();
-        let both = |(i, attitude): (usize, &Attitude)| {
-            let mut findings = attitude.access_findings(&self.seam, i + 1);
-            findings.extend(attitude.turn_findings(&self.seam, i + 1));
-            findings
-        };
-        self.bead_findings.iter().cloned().chain(passes.flat_map(both)).collect()
+        let passes = (0..self.attitudes.len()).flat_map(|i| self.path(i).findings(i + 1));
+        self.plan_findings.iter().cloned().chain(passes).collect()
+    }
+}
+
+/// Where the passes of a program run.
+struct Lines {
+    stretches: Vec<Stretch>,
+    attitudes: Vec<Attitude>,
+    beads: Vec<Option<BeadLine>>,
+}
+
+impl Lines {
+    /// The passes of `program` along its seam; `at` is where in the file the keys of a pass are.
+    fn new(program: &Document<Program>, seam: &SeamCurve, at: impl Fn(usize) -> String) -> Result<Self, DocumentError> {
+        let mut lines = Self { stretches: Vec::new(), attitudes: Vec::new(), beads: Vec::new() };
+        for (i, pass) in program.value.passes.iter().enumerate() {
+            let path = |key: &str| format!("{}{key}", at(i));
+            let stretch = Stretch::new(program, at(i).trim_end_matches('.'), pass, seam)?;
+            let bead = |bead| BeadLine::new(program, &path("bead"), bead, (seam, &stretch));
+            lines.attitudes.push(Attitude::new(program, &path("torch"), &pass.torch, seam)?);
+            lines.beads.push(pass.bead.as_ref().map(bead).transpose()?);
+            lines.stretches.push(stretch);
+        }
+        Ok(lines)
     }
 }

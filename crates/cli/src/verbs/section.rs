@@ -49,7 +49,7 @@ pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
         let place = [Cell::Number(s), phi].into_iter();
         let groove = [point.dihedral.to_degrees(), section.area(), section.cap].map(Cell::Number);
         let head: Vec<Cell> = place.chain(groove).collect();
-        let beads = welding.beads.as_ref().map(|plan| (plan, plan.in_order(&section, s)));
+        let beads = welding.plan.as_ref().map(|plan| (plan, plan.in_order(&section, s)));
         let Some((plan, beads)) = beads else {
             let empty = [Cell::Empty; COLUMNS.len() - 5];
             return rows.row(&[head, empty.to_vec()].concat());
@@ -65,7 +65,7 @@ pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
         })
     })?;
     if let Some(path) = &args.svg {
-        let mut gallery = sections(&welding.seam, joint, welding.beads.as_ref(), &drawn);
+        let mut gallery = sections(&welding.seam, joint, welding.plan.as_ref(), &drawn);
         gallery.title.clone_from(&welding.program.value.title);
         files::write(path, &gallery.to_svg_standalone())?;
     }

@@ -10,6 +10,7 @@ impl JointPath {
     /// This path with `blends`, in order and apart, in place of its own stretches; the rest of it stays as it is.
     pub(crate) fn blended(&self, blends: &[Piece]) -> Self {
         let mut built = Self::empty(self.axes, self.length);
+        built.beside = self.beside;
         built.blends = blends.iter().map(|b| (b.from, b.to)).collect();
         let mut blends = blends.iter().peekable();
         for (i, panel) in self.panels.iter().enumerate() {
@@ -56,10 +57,16 @@ impl JointPath {
         self.blends.get(i).is_some_and(|b| b.0 <= s)
     }
 
-    /// Way of the torch tip of `machine`, whose path this is, by path length at `s`: 1 but in blends, where `s` is the
-    /// place on the seam and the tip's way is another.
+    /// True if the tip's way by path length may be another than 1 at `s`: beside the seam and in blends, where `s` is the
+    /// place on the seam.
+    pub(crate) fn has_rate(&self, s: f64) -> bool {
+        self.beside || self.in_blend(s)
+    }
+
+    /// Way of the torch tip of `machine`, whose path this is, by path length at `s`: 1 on the seam; beside it and in
+    /// blends that of the axes.
     pub fn tip_rate(&self, machine: &Machine, s: f64) -> f64 {
-        if !self.in_blend(s) {
+        if !self.has_rate(s) {
             return 1.0;
         }
         let JointPoint { q, d1, d2, d3 } = self.point(s, false);

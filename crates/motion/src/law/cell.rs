@@ -15,7 +15,7 @@ pub(super) struct Cell {
     pub(super) v: f64,
     pub(super) a: f64,
     pub(super) w: f64,
-    /// True if the tip cruises at the asked speed all through it.
+    /// True if the tip cruises at the asked speed all through it, see [`Cells::cruises`].
     pub(super) cruises: bool,
 }
 
@@ -32,7 +32,7 @@ impl Cell {
     pub(super) fn of_spline(cells: &Cells, c: &[f64], i: usize, t: f64) -> Self {
         let w = cells.weights(i);
         let dot = |w: &[f64; 3]| w[0] * c[i] + w[1] * c[i + 1] + w[2] * c[i + 2];
-        let cruises = (i..i + 3).all(|k| c[k] >= cells.upper(k));
+        let cruises = cells.cruises(c, i);
         // All coefficients alike: no rounding is to change the speed.
         let constant = cruises && (i..i + 3).all(|k| c[k].to_bits() == c[i].to_bits());
         let law = if constant { [c[i], 0.0, 0.0] } else { [dot(&w.value), dot(&w.first), dot(&w.second)] };

@@ -5,6 +5,9 @@ use super::rest::RestToRest;
 /// Places in each cell where the path is looked at, as parts of its width.
 pub(crate) const PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
+/// Where the asked speed by the parameter changes within a cell, the law counts as a cruise within this part of it.
+pub(crate) const NEARLY: f64 = 3e-3;
+
 /// Weights of a cell's three coefficients in the squared speed, its first and its second derivative by `tau`.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Weights {
@@ -92,6 +95,16 @@ impl Cells {
     pub(crate) fn is_steady(&self, cell: usize) -> bool {
         let asked = self.asked(cell);
         asked[0].is_finite() && asked.iter().all(|a| (a - asked[0]).abs() <= 1e-9 * asked[0])
+    }
+
+    /// True if the law with coefficients `c` is as fast as asked all over `cell`: exactly where the asked speed is
+    /// steady, else within [`NEARLY`].
+    pub(crate) fn cruises(&self, c: &[f64], cell: usize) -> bool {
+        if self.is_steady(cell) {
+            return (cell..cell + 3).all(|k| c[k] >= self.upper(k));
+        }
+        let least = (1.0 - NEARLY) * (1.0 - NEARLY);
+        PARTS.iter().zip(self.asked(cell)).all(|(part, asked)| self.law(c, cell, *part)[0] >= least * asked)
     }
 
     /// Highest value of coefficient `k` so that the tip is nowhere faster than asked in cells where that is steady: a
@@ -214,7 +227,7 @@ pub(crate) fn place(
         let [q1, q2, q3] = *d;
         *d = [q1 * m1, q2 * m1 * m1 + q1 * m2, q3 * m1 * m1 * m1 + 3.0 * q2 * m1 * m2 + q1 * m3];
     }
-    let asked = path.asked(middle);
+    let asked = path.asked(u);
     if !(asked > 0.0 && tip.is_finite()) {
         return f64::NAN;
     }

@@ -1,3 +1,4 @@
+use super::cells::NEARLY;
 use super::channels::Channels;
 use super::jerk_limited::RESERVE;
 use super::speed_law::{LawPoint, SpeedLaw};
@@ -26,6 +27,8 @@ pub struct Interval {
     pub speed: (f64, f64),
     /// Where the least is.
     pub least_at: f64,
+    /// Least part of the asked speed that the tip reaches in it, and where that is.
+    pub reached: (f64, f64),
     /// What binds.
     pub bound: Bound,
     /// False in run-up and run-down.
@@ -63,7 +66,7 @@ const PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 const INSET: f64 = 1e-6;
 /// A limit binds where this part of it is used.
 const BINDS: f64 = 0.9;
-/// The tip counts as fast as asked within this part.
+/// The tip counts as fast as asked within this part; within [`NEARLY`] where the asked speed by the parameter changes.
 const AS_ASKED: f64 = 1e-6;
 
 impl Certificate {
@@ -81,29 +84,32 @@ impl Certificate {
         let mut cells = Vec::with_capacity(law.cells());
         for cell in 0..law.cells() {
             let (begin, end) = (law.in_cell(cell, 0.0), law.in_cell(cell, 1.0));
-            let asked = path.asked(0.5 * (begin.s + end.s));
             let mut worst = (f64::NEG_INFINITY, Bound::Asked);
-            let (mut least, mut greatest) = ((f64::INFINITY, begin.s), 0.0f64);
+            let (mut least, mut greatest, mut reached) = ((f64::INFINITY, begin.s), 0.0f64, (f64::INFINITY, begin.s));
+            let (mut slowest, mut fastest) = (f64::INFINITY, 0.0f64);
             let turn = turning(law, cell);
             for part in PARTS.into_iter().chain(turn) {
                 let p = law.in_cell(cell, part.clamp(INSET, 1.0 - INSET));
                 let tip = path.derivatives(p.s, part > 0.5, &mut derivatives);
                 let here = law.in_cell(cell, part);
-                let speed = tip * here.v;
-                if speed < least.0 {
-                    least = (speed, here.s);
-                }
+                let (speed, asked) = (tip * here.v, path.asked(p.s));
+                least = lesser(least, (speed, here.s));
+                reached = lesser(reached, (speed / asked, here.s));
                 greatest = greatest.max(speed);
+                (slowest, fastest) = (slowest.min(asked / tip), fastest.max(asked / tip));
                 built.steady(path, &derivatives, tip);
                 let bound = built.at(path, &derivatives, p);
                 if bound.0 > worst.0 {
                     worst = bound;
                 }
             }
-            let bound = if least.0 >= (1.0 - AS_ASKED) * asked { Bound::Asked } else { worst.1 };
+            let changes = slowest < (1.0 - AS_ASKED) * fastest;
+            let nearly = changes && worst.0 < BINDS && reached.0 >= 1.0 - NEARLY;
+            let bound = if nearly || reached.0 >= 1.0 - AS_ASKED { Bound::Asked } else { worst.1 };
             let between = begin.s >= band.run_up_end && end.s <= band.run_down_start;
             let speed = (least.0, greatest);
-            cells.push((Interval { from: begin.s, to: end.s, speed, least_at: least.1, bound, between }, worst.0));
+            let (from, to, least_at) = (begin.s, end.s, least.1);
+            cells.push((Interval { from, to, speed, least_at, reached, bound, between }, worst.0));
         }
         for i in 0..cells.len() {
             let bound = binding(&cells, i);
@@ -168,6 +174,7 @@ impl Certificate {
                     (last.speed.0, last.least_at) = (next.speed.0, next.least_at);
                 }
                 last.speed.1 = last.speed.1.max(next.speed.1);
+                last.reached = lesser(last.reached, next.reached);
             }
             None => {
                 // The end of a cell and the start of the next differ by rounding.
@@ -176,6 +183,11 @@ impl Certificate {
             }
         }
     }
+}
+
+/// Of two values with their places the lesser.
+fn lesser(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    if b.0 < a.0 { b } else { a }
 }
 
 /// What binds in cell `i` of stretches with the greatest use of a limit in each: where no limit is used up the speed

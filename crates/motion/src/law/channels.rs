@@ -18,10 +18,12 @@ pub trait Channels {
     /// and the tip's speed by `u`, mm.
     fn derivatives(&self, u: f64, before: bool, out: &mut [[f64; 3]]) -> f64;
 
-    /// Highest speed of the tip asked for around `u`, mm/s; constant between breaks. Infinite if nothing is asked.
+    /// Highest speed of the tip asked for at `u`, mm/s; smooth between breaks, and only asked for inside them. Infinite
+    /// if nothing is asked. Where it or the tip's speed by `u` changes, the law stays below it by a thousandth, and by
+    /// three at most where nothing else holds it back; without limits of jerk it heeds it at the ends of cells only.
     fn asked(&self, u: f64) -> f64;
 
-    /// Parameters inside the range where a third derivative or the asked speed may jump, increasing.
+    /// Parameters inside the range where a third derivative or the asked speed may jump or bend, increasing.
     fn breaks(&self) -> Vec<f64>;
 
     /// Parameters inside the range where the motion comes to rest: corners and cusps, increasing. They are breaks too.

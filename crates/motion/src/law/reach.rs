@@ -7,6 +7,8 @@ use super::lanes::{LANES, Lanes, larger, smaller};
 
 /// Places in each cell where limits are imposed, as parts of its width.
 const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
+/// Asked speeds are looked at this part of the way to the cell's middle within its ends.
+const INSET: f64 = 1e-6;
 /// Part of each limit kept in reserve for what lies between those places.
 const RESERVE: f64 = 1e-4;
 /// What may be used of a limit in the end.
@@ -130,9 +132,11 @@ impl Slabs {
         let mut row = vec![[0.0; 3]; path.limits().len()];
         let mut tip = 0.0;
         for cell in 0..count {
-            let asked = path.asked(0.5 * (u[cell] + u[cell + 1]));
+            let middle = 0.5 * (u[cell] + u[cell + 1]);
             for (place, part) in PLACES.into_iter().enumerate() {
                 let at = if place == 2 { u[cell + 1] } else { u[cell] + part * built.widths[cell] };
+                // Not on the other side of a break.
+                let asked = path.asked(at + INSET * (middle - at));
                 // Most cells begin with what the one before ended with.
                 if place > 0 || cell == 0 || breaks.binary_search_by(|b| b.total_cmp(&at)).is_ok() {
                     tip = path.derivatives(at, place > 0, &mut row).abs();

@@ -158,7 +158,7 @@ impl SpeedLaw {
         self.point(i, part * self.cells[i].time, part > 0.5)
     }
 
-    /// True if the tip moves at the asked speed all through cell `i`.
+    /// True if the tip moves at the asked speed all through cell `i`; where that changes, within three thousandths.
     pub fn cruises(&self, i: usize) -> bool {
         self.cells[i].cruises
     }

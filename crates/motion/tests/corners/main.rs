@@ -27,7 +27,7 @@ fn pass(length: f64, speed: f64, corner: AtCorner) -> Pass {
     pass.spans.truncate(1);
     let span = &mut pass.spans[0];
     (span.from_mm, span.to_mm) = (NonNegative::new(0.0).unwrap(), Positive::new(length).unwrap());
-    span.speed_mm_s = Positive::new(speed).unwrap();
+    span.speed_mm_s = Positive::new(speed).unwrap().into();
     pass
 }
 

@@ -8,7 +8,7 @@ use serde::Serialize;
 /// knows the set-points and the machine's limits can check it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CertificateFigures {
-    /// Least and greatest speed asked for, mm/s; they differ where spans do.
+    /// Least and greatest speed asked for, mm/s; they differ where spans do and in ramps.
     pub asked_speed_mm_s: (f64, f64),
     /// Least planned speed of the tip between run-up and run-down, mm/s.
     pub least_speed_mm_s: f64,
@@ -119,11 +119,9 @@ impl CertificateFigures {
     /// The certificate of `pass`, planned as `motion` on `machine`.
     pub fn new(machine: &Machine, pass: &Pass, motion: &PassMotion) -> Self {
         let (certificate, report) = (&motion.certificate, motion.law.report());
-        let (least, greatest) = certificate.band().unwrap_or((report.least, report.greatest));
-        let speeds = || pass.spans.iter().map(|s| s.speed_mm_s.get());
-        let asked = |better: fn(f64, f64) -> f64| speeds().reduce(better).unwrap_or(0.0);
+        let (least, greatest) = motion.tip_band(machine);
         Self {
-            asked_speed_mm_s: (asked(f64::min), asked(f64::max)),
+            asked_speed_mm_s: pass.speeds(),
             least_speed_mm_s: least,
             greatest_speed_mm_s: greatest,
             run_up_end_mm: report.run_up_end,

@@ -6,6 +6,7 @@ use super::{CertificateFigures, SimulationCurves, cut};
 use crate::{Axis, Band, Chart, ChartGrid, LimitLine, Mark, Series, Style, ThreeViews};
 use seamwright_machine::Machine;
 use seamwright_motion::{Leg, PassClearance, PassMotion};
+use seamwright_program::TorchPath;
 use seamwright_weld::Welding;
 
 /// The plots of a weld.
@@ -110,23 +111,24 @@ pub(super) fn along() -> Axis {
 }
 
 fn views(welding: &Welding, pass: usize) -> ThreeViews {
-    let seam = &welding.seam;
-    let length = seam.weld_length();
+    let (seam, path) = (&welding.seam, welding.path(pass));
+    let length = path.length();
     let drawn = length.min(seam.length());
-    let at = |s: f64| seam.at(s).point.to_array();
+    let torch = |s: f64| path.torch_at(&path.seam_point(s));
+    let at = |s: f64| torch(s).0.to_array();
     // Torch vectors long enough to read on the seam's scale.
-    let size = (0..=64).map(|i| (seam.at(drawn * f64::from(i) / 64.0).point - seam.at(0.0).point).length());
+    let size = (0..=64).map(|i| (torch(drawn * f64::from(i) / 64.0).0 - torch(0.0).0).length());
     let vector = 0.18 * size.fold(0.0, f64::max);
     let vectors = (0..VECTORS).map(|i| {
-        let p = seam.at(drawn * f64::from(i) / f64::from(VECTORS));
-        (p.point.to_array(), (p.point + vector * welding.attitudes[pass].torch_axis(&p)).to_array())
+        let (tip, axis) = torch(drawn * f64::from(i) / f64::from(VECTORS));
+        (tip.to_array(), (tip + vector * axis).to_array())
     });
     let label = if length > seam.length() { "end of overlap" } else { "end" };
     ThreeViews {
         title: "Seam and torch".to_owned(),
         path: (0..=720).map(|i| at(drawn * f64::from(i) / 720.0)).collect(),
         closed: false,
-        path_name: "seam".to_owned(),
+        path_name: if path.bead.is_some() { "bead" } else { "seam" }.to_owned(),
         vectors: vectors.collect(),
         vectors_name: "torch axis".to_owned(),
         marks: vec![Mark { label: "start".to_owned(), at: at(0.0) }, Mark { label: label.to_owned(), at: at(length) }],

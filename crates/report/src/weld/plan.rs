@@ -8,7 +8,7 @@ use serde::Serialize;
 /// The plan in numbers.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlanFigures {
-    /// Least and greatest speed asked for, mm/s; they differ where spans do.
+    /// Least and greatest speed asked for, mm/s; they differ where spans do and in ramps.
     pub asked_speed_mm_s: (f64, f64),
     /// True if every axis can hold the asked speed everywhere.
     pub speed_held: bool,
@@ -98,11 +98,9 @@ impl PlanFigures {
         let program = &welding.program.value;
         let pass = &program.passes[pass];
         let band = motion.law.report();
-        let (least, greatest) = motion.certificate.band().unwrap_or((band.least, band.greatest));
-        let speeds = || pass.spans.iter().map(|s| s.speed_mm_s.get());
-        let asked = |better: fn(f64, f64) -> f64| speeds().reduce(better).unwrap_or(0.0);
+        let (least, greatest) = motion.tip_band(machine);
         Self {
-            asked_speed_mm_s: (asked(f64::min), asked(f64::max)),
+            asked_speed_mm_s: pass.speeds(),
             speed_held: !motion.findings.iter().any(|f| f.kind == "speed"),
             least_speed_mm_s: least,
             greatest_speed_mm_s: greatest,

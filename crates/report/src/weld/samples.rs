@@ -40,8 +40,9 @@ fn sample(machine: &Machine, welding: &Welding, pass: usize, motion: &PassMotion
         let jerk = p.d3[i] * v * v * v + 3.0 * p.d2[i] * v * a + p.d1[i] * law.j;
         [p.q[i], speed, acceleration, jerk].map(|value| axis.to_file(value))
     });
-    let (work, travel) = welding.attitudes[pass].angles(s);
-    let dihedral = welding.seam.at(s).dihedral;
+    let path = welding.path(pass);
+    let (work, travel) = path.angles(s);
+    let dihedral = path.seam_point(s).dihedral;
     Sample {
         s,
         speed: motion.tip_speed(machine, law),

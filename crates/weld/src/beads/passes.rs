@@ -85,7 +85,7 @@ fn columns(plan: &BeadPlan, bead: usize) -> Bead {
     };
     let at = |i: usize| plan.at_station(i)[bead];
     Bead {
-        s_mm: column(&|i| plan.stations[i], 1e9),
+        s_mm: plan.stations.iter().map(|s| Finite::new(*s).unwrap_or_default()).collect(),
         across_mm: column(&|i| at(i).tip.x, 1e4),
         out_mm: column(&|i| at(i).tip.y, 1e4),
         work_angle_deg: column(&|i| at(i).lean.to_degrees(), 1e6),

@@ -1,0 +1,89 @@
+use crate::stretch::repeated;
+use crate::{SeamCurve, SeamPoint, Stretch};
+use glam::DVec3;
+use seamwright_document::{Document, DocumentError, Finite};
+use seamwright_geometry::CubicSpline;
+use seamwright_program::Bead;
+
+/// Rows nearer than this to an end or to each other are no knots of their own, mm.
+const NEAR_MM: f64 = 1e-6;
+
+/// Where a bead lies beside the seam, by the seam's path length: cubic splines through the rows of a [`Bead`], periodic
+/// on a seam welded all round, natural on any other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BeadLine {
+    across: CubicSpline,
+    out: CubicSpline,
+    /// What it adds to the work angle, rad.
+    lean: CubicSpline,
+    rows: Vec<f64>,
+    period: Option<f64>,
+}
+
+impl BeadLine {
+    /// The line of `bead`, which stands at `path` in `file`, of a pass over `stretch` of `seam`.
+    ///
+    /// # Errors
+    /// With the key's address: rows beside the weld, or rows that do not reach over the pass.
+    pub fn new<T>(
+        file: &Document<T>,
+        path: &str,
+        bead: &Bead,
+        (seam, stretch): (&SeamCurve, &Stretch),
+    ) -> Result<Self, DocumentError> {
+        let rows: Vec<f64> = bead.s_mm.iter().map(|s| s.get()).collect();
+        let last = rows.len().saturating_sub(1);
+        let wrong = |i: usize, message: &str, allowed: String| {
+            Err(file.error_at(&format!("{path}.s_mm[{i}]"), message, allowed))
+        };
+        let period = seam.all_round().then(|| seam.length());
+        let end = period.unwrap_or(seam.weld_length());
+        let beside = |s: f64| s < 0.0 || s > end || (period.is_some() && s >= end);
+        if let Some(i) = rows.iter().position(|s| beside(*s)) {
+            let or_end = if period.is_some() { "less than" } else { "up to" };
+            return wrong(i, "this place is not on the weld", format!("from 0 {or_end} {end}"));
+        }
+        let (from, to) = stretch.range();
+        if period.is_none() && rows.len() > 1 {
+            let message = "the rows do not reach over the whole pass";
+            if rows[0] > from + NEAR_MM {
+                return wrong(0, message, format!("up to {from}"));
+            }
+            if rows[last] < to - NEAR_MM {
+                return wrong(last, message, format!("from {to} up to {end}"));
+            }
+        }
+        let spline = |column: &[Finite], unit: f64| {
+            let points: Vec<_> = rows.iter().zip(column).map(|(s, v)| (*s, unit * v.get())).collect();
+            let spline = match period {
+                Some(period) => CubicSpline::periodic(&points, period),
+                None => CubicSpline::natural(&points),
+            };
+            spline.map_err(|e| file.error_at(&format!("{path}.s_mm"), e.to_string(), "path lengths that increase"))
+        };
+        Ok(Self {
+            across: spline(&bead.across_mm, 1.0)?,
+            out: spline(&bead.out_mm, 1.0)?,
+            lean: spline(&bead.work_angle_deg, 1f64.to_radians())?,
+            rows,
+            period,
+        })
+    }
+
+    /// The bead's place at a point of the seam, in the seam's frame, mm.
+    pub fn tip(&self, p: &SeamPoint) -> DVec3 {
+        p.point + self.across.at(p.s).0 * p.towards_first + self.out.at(p.s).0 * p.bisector
+    }
+
+    /// What it adds to the work angle at path length `s` on the seam, rad.
+    pub fn lean(&self, s: f64) -> f64 {
+        self.lean.at(s).0
+    }
+
+    /// Rows inside `range` of the seam, where third derivatives may jump, mm.
+    pub(crate) fn knots_within(&self, range: (f64, f64)) -> Vec<f64> {
+        // One row is no knot: it is the same all along.
+        let rows = self.rows.iter().copied().filter(|_| self.rows.len() > 1);
+        repeated(rows, self.period, range, NEAR_MM)
+    }
+}

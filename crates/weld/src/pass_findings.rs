@@ -1,0 +1,136 @@
+//! What stands against a pass before any machine is looked at.
+
+use crate::PassPath;
+use crate::seam::SAME_MM;
+use glam::DVec3;
+use seamwright_program::{Finding, TorchPath};
+
+/// Places along a pass that are looked at.
+const PLACES: u32 = 720;
+/// The torch's direction may turn by this at a place, rad: less is rounding.
+const TURN: f64 = 1e-6;
+/// The torch's tip may jump by this at a place, mm: less is rounding.
+const JUMP_MM: f64 = 1e-6;
+/// A bead goes on by at least this part of the way along the seam: one that lies beyond the centre of a bend goes back.
+const LEAST_PROGRESS: f64 = 0.1;
+
+impl PassPath<'_> {
+    /// Everything that stands against the pass, the `number`-th from 1.
+    pub fn findings(&self, number: usize) -> Vec<Finding> {
+        let mut findings = self.access_findings(number);
+        let turns = self.turn_findings(number);
+        // Where the tip jumps it may jump back.
+        if turns.is_empty() {
+            findings.extend(self.progress_findings(number));
+        }
+        findings.extend(turns);
+        findings
+    }
+
+    /// Where the torch would lie in one of the two faces.
+    fn access_findings(&self, number: usize) -> Vec<Finding> {
+        let complaint = |s: f64| {
+            let p = self.seam_point(s);
+            let (_, axis) = self.torch_at(&p);
+            let (part, sine) =
+                if axis.dot(p.n1) < axis.dot(p.n2) { ("first", axis.dot(p.n1)) } else { ("second", axis.dot(p.n2)) };
+            (sine <= 0.0).then(|| {
+                format!(
+                    "the torch would lie {:.1} degrees inside the face of the {part} part (dihedral angle {:.1} degrees)",
+                    -sine.asin().to_degrees(),
+                    p.dihedral.to_degrees()
+                )
+            })
+        };
+        self.stretches(("access", number), "make the work angle smaller than half the dihedral angle", complaint)
+    }
+
+    /// Where the bead would not go on along the seam.
+    fn progress_findings(&self, number: usize) -> Vec<Finding> {
+        if self.bead.is_none() {
+            return Vec::new();
+        }
+        let tip = |s: f64| self.torch_at(&self.seam_point(s)).0;
+        let complaint = |s: f64| {
+            let h = 1e-3_f64.min(0.25 * self.length());
+            let (behind, ahead) = ((s - h).max(0.0), (s + h).min(self.length()));
+            let way = (tip(ahead) - tip(behind)) / (ahead - behind);
+            let progress = way.dot(self.stretch.sense * self.seam_point(s).tangent);
+            let backwards = || {
+                "the bead would (nearly) stand still or go back: it lies beyond the centre of the seam's bend, or its \
+                 rows change too quickly"
+                    .to_owned()
+            };
+            (progress < LEAST_PROGRESS).then(backwards)
+        };
+        self.stretches(("turn", number), "lay the bead nearer to the seam there", complaint)
+    }
+
+    /// Stretches of neighbouring places with a complaint, each a finding with the first one's.
+    fn stretches(
+        &self,
+        (kind, pass): (&'static str, usize),
+        cure: &str,
+        complaint: impl Fn(f64) -> Option<String>,
+    ) -> Vec<Finding> {
+        let step = self.length() / f64::from(PLACES);
+        let mut findings: Vec<Finding> = Vec::new();
+        let mut open = false;
+        for s in (0..=PLACES).map(|i| f64::from(i) * step) {
+            let Some(message) = complaint(s) else {
+                open = false;
+                continue;
+            };
+            match findings.last_mut().filter(|_| open) {
+                Some(last) => last.to_mm = s,
+                None => findings.push(Finding {
+                    kind,
+                    message,
+                    pass,
+                    from_mm: s,
+                    to_mm: s,
+                    cure: cure.to_owned(),
+                    allowed: false,
+                }),
+            }
+            open = true;
+        }
+        findings
+    }
+
+    /// Corners of the seam at which the torch's direction or its tip would jump.
+    fn turn_findings(&self, pass: usize) -> Vec<Finding> {
+        let finding = |s: f64, message: String, cure: &str| Finding {
+            kind: "turn",
+            message,
+            pass,
+            from_mm: s,
+            to_mm: s,
+            cure: cure.to_owned(),
+            allowed: false,
+        };
+        let mut findings = Vec::new();
+        for corner in self.seam.knots_within(self.stretch.range()) {
+            let [before, after] = [corner - SAME_MM, corner + SAME_MM].map(|s| self.torch_at(&self.seam.at(s)));
+            let (jump, turn) = ((before.0 - after.0).length(), angle(before.1, after.1));
+            let s = self.stretch.own_s(corner);
+            if turn > TURN {
+                let turn = turn.to_degrees();
+                let message =
+                    format!("the torch's direction would jump by {turn:.2} degrees at the corner at s = {s:.3} mm");
+                let cure = "round the corner in the seam; in a butt joint weld without work and travel angle";
+                findings.push(finding(s, message, cure));
+            }
+            if jump > JUMP_MM {
+                let message = format!("the torch's tip would jump by {jump:.3} mm at the corner at s = {s:.3} mm");
+                let cure = "round the corner in the seam; or let the pass end there and another begin after it";
+                findings.push(finding(s, message, cure));
+            }
+        }
+        findings
+    }
+}
+
+fn angle(a: DVec3, b: DVec3) -> f64 {
+    2.0 * (a - b).length().atan2((a + b).length())
+}

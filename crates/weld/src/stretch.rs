@@ -1,0 +1,91 @@
+use crate::SeamCurve;
+use seamwright_document::{Document, DocumentError};
+use seamwright_program::Pass;
+
+/// A pass longer than this many turns is a slip.
+const MOST_TURNS: f64 = 2.0;
+
+/// Lengths in files are rounded: what is too long by this is not, mm.
+const ROUNDED_MM: f64 = 1e-6;
+
+/// The part of a seam that a pass runs over, one way or the other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stretch {
+    /// Path length on the seam at which the pass begins, mm from the start of the weld.
+    pub begin: f64,
+    /// 1 along the weld's direction, -1 against it.
+    pub sense: f64,
+    /// Length of the pass along the seam, mm.
+    pub length: f64,
+}
+
+impl Stretch {
+    /// The stretch of `pass`, which stands at `path` in `file`, on `seam`.
+    ///
+    /// # Errors
+    /// With the key's address: a pass that begins beside the weld or goes on beyond its ends, or goes round a closed
+    /// seam more than twice.
+    pub fn new<T>(file: &Document<T>, path: &str, pass: &Pass, seam: &SeamCurve) -> Result<Self, DocumentError> {
+        let (begin, length, weld) = (pass.begin_mm.get(), pass.length(), seam.weld_length());
+        let sense = if pass.reverse { -1.0 } else { 1.0 };
+        if begin > weld + ROUNDED_MM {
+            let message = "the pass begins beyond the end of the weld";
+            return Err(file.error_at(&format!("{path}.begin_mm"), message, format!("0 to {weld}")));
+        }
+        let (room, message) = match (seam.all_round(), pass.reverse) {
+            (true, _) => (MOST_TURNS * seam.length(), "the pass goes round the seam more than twice"),
+            (false, false) => (weld - begin, "the pass goes on beyond the end of the weld"),
+            (false, true) => (begin, "the pass runs back beyond the start of the weld"),
+        };
+        if length > room + ROUNDED_MM {
+            let last = pass.spans.len().saturating_sub(1);
+            return Err(file.error_at(&format!("{path}.spans[{last}].to_mm"), message, format!("up to {room}")));
+        }
+        Ok(Self { begin, sense, length: length.min(room) })
+    }
+
+    /// All of the weld, in its direction.
+    pub fn whole(seam: &SeamCurve) -> Self {
+        Self { begin: 0.0, sense: 1.0, length: seam.weld_length() }
+    }
+
+    /// Path length on the seam at the pass' own path length `s`, mm; on a closed seam it counts on beyond its ends.
+    pub fn seam_s(&self, s: f64) -> f64 {
+        self.begin + self.sense * s
+    }
+
+    /// The pass' own path length at path length `seam_s` on the seam, mm.
+    pub fn own_s(&self, seam_s: f64) -> f64 {
+        self.sense * (seam_s - self.begin)
+    }
+
+    /// Where it lies on the seam: from the lesser path length to the greater, mm.
+    pub fn range(&self) -> (f64, f64) {
+        let end = self.seam_s(self.length);
+        (self.begin.min(end), self.begin.max(end))
+    }
+}
+
+/// All of `places` inside (`from`, `to`), and again every `period`, increasing; those nearer than `near` to each other
+/// are one, those so near to an end are none.
+pub(crate) fn repeated(
+    places: impl Iterator<Item = f64>,
+    period: Option<f64>,
+    (from, to): (f64, f64),
+    near: f64,
+) -> Vec<f64> {
+    let mut all = Vec::new();
+    for place in places {
+        match period {
+            None => all.push(place),
+            Some(period) => {
+                let (first, last) = (((from - place) / period).floor() as i64, ((to - place) / period).ceil() as i64);
+                all.extend((first..=last).map(|turn| place + turn as f64 * period));
+            }
+        }
+    }
+    all.retain(|place| *place > from + near && *place < to - near);
+    all.sort_by(f64::total_cmp);
+    all.dedup_by(|a, b| *a - *b < near);
+    all
+}
