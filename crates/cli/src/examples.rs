@@ -24,5 +24,6 @@ pub(crate) const EXAMPLES: &[Example] = examples![
     "knuckle-nozzle",
     "set-in-nozzle",
     "y-branch",
-    "taught-saddle"
+    "taught-saddle",
+    "hillside"
 ];

@@ -47,6 +47,9 @@ pub struct SpeedLaw {
     end: f64,
 }
 
+/// A run-up that comes down onto a falling speed takes up to these parts of its time again and of its speed less.
+const SETTLING: (f64, f64) = (1.0, 0.02);
+
 impl SpeedLaw {
     /// The fastest law along `path`. Without a finite jerk among the limits the acceleration may jump, see
     /// [`SpeedLaw::without_jerk`].
@@ -198,7 +201,27 @@ impl SpeedLaw {
         let change = |i: usize| self.in_cell(i, 1.0).v - self.in_cell(i, 0.0).v;
         let up = cells.clone().take_while(|i| !self.cells[*i].cruises && change(*i) > 0.0).count();
         let down = cells.clone().rev().take_while(|i| !self.cells[*i].cruises && change(*i) < 0.0).count();
+        let (up, down) = (up + self.settling(cells.clone(), up), down + self.settling(cells.clone().rev(), down));
         cells.start + up..(cells.end - down).max(cells.start + up)
+    }
+
+    /// How many cells after the first `ramp` still belong to a run-up (or, seen backwards, a run-down): where the asked
+    /// speed falls, the law comes down onto it from a peak just below. No more than [`SETTLING`].
+    fn settling(&self, cells: impl Iterator<Item = usize> + Clone, ramp: usize) -> usize {
+        let time: f64 = cells.clone().take(ramp).map(|i| self.cells[i].time).sum();
+        let speed = |i: usize| self.in_cell(i, 0.5).v;
+        let peak = cells.clone().take(ramp).map(speed).fold(0.0, f64::max);
+        let mut left = SETTLING.0 * time;
+        for (count, i) in cells.skip(ramp).enumerate() {
+            if self.cells[i].cruises {
+                return count;
+            }
+            left -= self.cells[i].time;
+            if left < 0.0 || speed(i) < (1.0 - SETTLING.1) * peak {
+                break;
+            }
+        }
+        0
     }
 
     /// The stretches from rest to rest: all of the path, or from one stop to the next.

@@ -30,6 +30,9 @@ pub struct BeadAt {
     pub parts: (f64, f64),
 }
 
+/// How far over the bottom of the groove the wire points in the first layer, as a part of the layer's height.
+const ROOT_RISE: f64 = 0.35;
+
 /// The beads of `layers` in a section, layer by layer, each from the second part to the first; layers for which
 /// `present` is false are left out and their area goes to the others.
 ///
@@ -45,13 +48,15 @@ pub(crate) fn fill(
     out.clear();
     let shares: f64 = layers.iter().enumerate().filter(|(k, _)| present(*k)).map(|(_, l)| l.share).sum();
     let scale = section.total() / shares;
-    let base = section.up.x.atan2(section.up.y);
+    let square = section.up.x.atan2(section.up.y);
     let mut below = 0.0;
     for (k, layer) in layers.iter().enumerate().filter(|(k, _)| present(*k)) {
         let low = section.slices.height_of(below);
         below += layer.share * scale;
         let high = section.slices.height_of(below);
-        let (left, right) = section.slices.edges(low);
+        // At the root the parts leave little room, and the wire points above it.
+        let base = if below <= layer.share * scale { low + ROOT_RISE * (high - low) } else { low };
+        let (left, right) = section.slices.edges(base);
         let middle = section.slices.edges(0.5 * (low + high));
         let n = layer.beads as f64;
         for index in 0..layer.beads {
@@ -67,8 +72,8 @@ pub(crate) fn fill(
             out.push(BeadAt {
                 layer: k,
                 index,
-                tip: section.place(across, low),
-                lean: base + towards,
+                tip: section.place(across, base),
+                lean: square + towards,
                 area: layer.share * scale / n,
                 heights: (low, high),
                 parts: (index as f64 / n, (index as f64 + 1.0) / n),
@@ -99,7 +104,7 @@ impl Section {
                 let rise = self.cap_height * 4.0 * part * (1.0 - part);
                 at(part, steps) + rise * self.up
             };
-            outline.extend((1..steps).map(over));
+            outline.extend((0..=steps).map(over));
         }
         outline.extend((0..=steps).rev().map(|k| at(bead.parts.0, k)));
         outline

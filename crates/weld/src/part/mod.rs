@@ -1,5 +1,6 @@
 //! The part as solids, made from its own seam: what the torch has to keep clear of.
 
+mod bevelled;
 mod flat;
 mod heads;
 mod hollow;
@@ -8,7 +9,7 @@ mod swept;
 mod tubes;
 
 use crate::t_joint::Middle;
-use crate::{SeamCurve, Welding, plane};
+use crate::{SeamCurve, SeamJoint, Welding, plane};
 use glam::{DAffine3, DMat3, DVec3};
 use seamwright_clearance::{Clamped, ClearanceError, Shape, Solid, SolidFile};
 use seamwright_document::{Document, DocumentError, Positive};
@@ -44,6 +45,7 @@ struct Making<'a> {
     nozzle_mm: f64,
     /// Length of the body, if the job says.
     body_mm: Option<f64>,
+    joint: Option<&'a SeamJoint>,
 }
 
 impl Welding {
@@ -52,7 +54,8 @@ impl Welding {
     /// The part is made from the seam unless its solids are given: exact cylinders, spheres, cones and boxes; elliptic
     /// tubes and curved T-joints as meshes up to 0.02 mm outside the true surface, heads up to 0.1 mm. It
     /// is nowhere smaller than the true one, nor larger near the seam; the end of a slanting nozzle may stand out of
-    /// the far side of its body. Tubes are solid: the torch stays outside; only what is around a root that is welded
+    /// the far side of its body. Of the edges that a joint prepares only that of a nozzle set on is cut away. Tubes are
+    /// solid: the torch stays outside; only what is around a root that is welded
     /// from inside is hollow.
     ///
     /// # Errors
@@ -69,6 +72,7 @@ impl Welding {
                     seam: &self.seam,
                     nozzle_mm: part.nozzle_length_mm.map_or(NOZZLE_MM, Positive::get),
                     body_mm: part.body_length_mm.map(Positive::get),
+                    joint: self.joint.as_ref(),
                 };
                 making.solids(&self.program, &program.seam)?
             }

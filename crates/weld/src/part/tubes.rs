@@ -67,7 +67,10 @@ impl Making<'_> {
         let (low, high) = self.heights(origin, along);
         let length = high - low + self.nozzle_mm;
         let foot = Foot { centre: origin + low * along, along, radius };
-        let tube = Solid::new("nozzle", Shape::Cylinder { radius, length }, standing(foot.centre, along))?;
+        let tube = match self.joint.filter(|joint| joint.cuts_first()) {
+            Some(joint) => self.bevelled(nozzle, joint, low + length)?,
+            None => Solid::new("nozzle", Shape::Cylinder { radius, length }, standing(foot.centre, along))?,
+        };
         Ok(vec![tube, self.nozzle_body(file, &nozzle.body, &foot)?])
     }
 
