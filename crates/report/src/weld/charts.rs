@@ -2,12 +2,12 @@ use super::certificate::IntervalFigures;
 use super::procedure::ProcedurePlots;
 use super::samples::Sample;
 use super::taught::{TaughtPlot, taught};
-use super::{CertificateFigures, SimulationCurves, cut};
-use crate::{Axis, Band, Chart, ChartGrid, LimitLine, Mark, Series, Style, ThreeViews};
+use super::{CertificateFigures, SimulationCurves, cut, sections};
+use crate::{Axis, Band, Chart, ChartGrid, Gallery, LimitLine, Mark, Series, Style, ThreeViews};
 use seamwright_machine::Machine;
 use seamwright_motion::{Leg, PassClearance, PassMotion};
 use seamwright_program::TorchPath;
-use seamwright_weld::Welding;
+use seamwright_weld::{SeamJoint, Welding};
 
 /// The plots of a weld.
 #[derive(Debug, Clone)]
@@ -38,6 +38,8 @@ pub struct Plots {
     pub attitude: Option<Chart>,
     /// With the first pass, the end of the branch or nozzle as it is cut, if that is known: an SVG at true size.
     pub cut: Option<String>,
+    /// With the first pass, cross-sections of the joint along the seam, if the file has one.
+    pub sections: Option<Gallery>,
 }
 
 /// Torch vectors drawn along the seam.
@@ -77,6 +79,7 @@ impl Plots {
                 ..Chart::default()
             }),
             cut: welding.cut.as_ref().filter(|_| pass == 0).map(cut::template),
+            sections: welding.joint.as_ref().filter(|_| pass == 0).map(|joint| gallery(welding, joint)),
         }
     }
 
@@ -99,11 +102,20 @@ impl Plots {
         files.extend(self.path_error.as_ref().map(|c| ("path-error.svg", c.to_svg_standalone())));
         files.extend(self.attitude.as_ref().map(|c| ("attitude.svg", c.to_svg_standalone())));
         files.extend(self.cut.clone().map(|svg| ("cut.svg", svg)));
+        files.extend(self.sections.as_ref().map(|g| ("sections.svg", g.to_svg_standalone())));
         let mut files: Vec<_> = files.into_iter().map(|(name, svg)| (name.to_owned(), svg)).collect();
         let taught = self.taught.iter().enumerate();
         files.extend(taught.map(|(i, t)| (format!("taught-{}.svg", i + 1), t.charts.to_svg_standalone())));
         files
     }
+}
+
+/// Cross-sections at nine places: on a seam welded all round every ninth of it.
+fn gallery(welding: &Welding, joint: &SeamJoint) -> Gallery {
+    let seam = &welding.seam;
+    let step = if seam.all_round() { seam.length() / 9.0 } else { seam.weld_length() / 8.0 };
+    let places: Vec<f64> = (0..9).map(|i| f64::from(i) * step).collect();
+    sections(seam, joint, welding.plan.as_ref(), &places)
 }
 
 pub(super) fn along() -> Axis {

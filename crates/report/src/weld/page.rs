@@ -75,6 +75,13 @@ impl WeldReport {
                 "The tube's end as it is cut, unrolled; cut.svg has it at true size, seen from outside, to wrap around the tube, and cut.csv its points.",
             ));
         }
+        if let Some(sections) = &plots.sections {
+            blocks.push(Block::Heading("Joint".to_owned()));
+            blocks.push(figure(
+                sections.to_svg(),
+                "Cross-sections along the seam, all at one scale, the second part's face level or a butt joint's face up: beads in the order of welding, and where the wire points in each; the area is that of the groove and of the cap over it.",
+            ));
+        }
         if let (Some(figures), Some(drawn), Some(procedure)) = (&pass.procedure, &plots.procedure, &self.procedure) {
             blocks.push(heading("Procedure"));
             blocks.push(Block::Paragraph(procedure_text(procedure, figures)));

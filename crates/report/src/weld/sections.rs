@@ -23,11 +23,11 @@ fn section(seam: &SeamCurve, joint: &SeamJoint, beads: Option<&BeadPlan>, s: f64
         Role::Cap => 3,
     };
     let angle = point.phi.map(|phi| format!(", {} deg", format_number(phi.to_degrees().rem_euclid(360.0), 4)));
-    let cap = if section.cap > 0.0 { format!(" + {} mm² cap", format_number(section.cap, 3)) } else { String::new() };
+    let cap = if section.cap > 0.0 { format!(" + {}", format_number(section.cap, 3)) } else { String::new() };
     Some(SectionDrawing {
         title: format!("s = {} mm{}", format_number(s, 5), angle.unwrap_or_default()),
         note: format!(
-            "dihedral {} deg, groove {} mm²{cap}",
+            "dihedral {} deg, area {}{cap} mm²",
             format_number(point.dihedral.to_degrees(), 4),
             format_number(section.area(), 4)
         ),
