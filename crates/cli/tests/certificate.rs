@@ -3,7 +3,7 @@
 mod common;
 
 use common::checker::{Motion, check, motion};
-use common::{example, root};
+use common::{example, free_example, root};
 use std::fs;
 
 const EXAMPLES: [(&str, &str); 6] = [
@@ -22,7 +22,7 @@ fn machine_text(name: &str) -> String {
 /// The example, as it is or at another speed and slowed down where an axis needs it.
 fn of_example(name: &str, machine: &str, speed: Option<(&str, &str)>, period_ms: &str) -> Motion {
     let Some((from, to)) = speed else { return motion(&example(name), machine, &machine_text(machine), period_ms) };
-    let text = fs::read_to_string(example(name)).unwrap();
+    let text = free_example(name);
     assert!(text.contains(from));
     let folder = tempfile::tempdir().unwrap();
     let job = folder.path().join("job.toml");

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{example, run, run_with};
+use common::{example, free_example, run, run_with};
 use std::fs;
 use std::path::Path;
 
@@ -216,7 +216,7 @@ fn what_cannot_be_welded_lists_every_finding() {
 /// As [`plan`], for jobs that succeed and print.
 fn plan_slow(change: &[(&str, &str)]) -> (i32, String, bool) {
     let folder = tempfile::tempdir().unwrap();
-    let text = change.iter().fold(fs::read_to_string(example("saddle")).unwrap(), |t, (a, b)| t.replacen(a, b, 1));
+    let text = change.iter().fold(free_example("saddle"), |t, (a, b)| t.replacen(a, b, 1));
     let (job, out) = (folder.path().join("job.toml"), folder.path().join("out"));
     fs::write(&job, text).unwrap();
     let output = run(&["plan", &job.display().to_string(), "-o", &out.display().to_string()]);

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{column, example, good, table};
+use common::{column, free_example, good, table};
 use serde_json::Value;
 use std::fs;
 use tempfile::TempDir;
@@ -12,7 +12,7 @@ use tempfile::TempDir;
 /// 0.3 s, down to 40 A in the last 0.5 s of its crater fill of 0.8 s.
 fn ramped() -> (TempDir, String) {
     let folder = tempfile::tempdir().unwrap();
-    let text = fs::read_to_string(example("saddle")).unwrap();
+    let text = free_example("saddle");
     let slopes = "upslope = { time_s = 0.2, process = { current_a = 60 } }\n\
         downslope = { time_s = 0.5, process = { current_a = 40 } }\n[weld]\n";
     let text = text.replacen("[weld]\n", slopes, 1);

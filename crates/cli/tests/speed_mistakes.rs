@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{example, root, run};
+use common::{example, free_example, root, run};
 use serde_json::Value;
 use std::fs;
 use tempfile::TempDir;
@@ -17,7 +17,7 @@ fn changed(name: &str, machine: &str, job: &[(&str, &str)], limits: &[(&str, &st
         }
         text
     };
-    let text = fs::read_to_string(example(name)).unwrap().replace(&format!("\"{machine}\""), "\"mine.toml\"");
+    let text = free_example(name).replace(&format!("\"{machine}\""), "\"mine.toml\"");
     let path = folder.path().join("job.toml");
     fs::write(&path, swap(text, job)).unwrap();
     let text = fs::read_to_string(root().join(format!("machines/{machine}.toml"))).unwrap();

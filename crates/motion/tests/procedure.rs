@@ -25,7 +25,11 @@ fn hold(changes: &[(&str, &str)], machine: &Machine, procedure: &str) -> Held {
         assert!(text.contains(from), "{from}");
         text = text.replacen(from, to, 1);
     }
-    let welding = Welding::read("job.toml", &text).unwrap_or_else(|e| panic!("{e}"));
+    hold_job(&text, machine, procedure)
+}
+
+fn hold_job(text: &str, machine: &Machine, procedure: &str) -> Held {
+    let welding = Welding::read("job.toml", text).unwrap_or_else(|e| panic!("{e}"));
     let procedure = Procedure::read("w.toml", &format!("{HEAD}{procedure}")).unwrap_or_else(|e| panic!("{e}")).value;
     let path = welding.path(0);
     let pass = &welding.program.value.passes[0];
@@ -76,7 +80,7 @@ fn heat_input_adds_up_to_the_energy_of_the_set_points() {
         .sum();
     assert!((area / energy - 1.0).abs() < 1e-6, "{area} kJ, {energy} kJ");
     let (least, greatest) = quantity(&held, "heat_input_kj_mm").found.unwrap();
-    assert!(greatest - least > 0.05 && curve.iter().all(|p| p.1 >= least && p.1 <= greatest));
+    assert!(greatest - least > 0.02 && curve.iter().all(|p| p.1 >= least && p.1 <= greatest));
 }
 
 #[test]
@@ -120,31 +124,32 @@ fn windows_on_ramps_end_where_the_ramps_cross_them() {
     assert_eq!(findings(&held).len(), 3 + heat.len());
 }
 
-/// Rotation that takes the work's coordinates with the axes at `q` to those with all axes at zero: from where the torch
-/// tip is, seen from the work, at three displacements of the tool.
+/// Rotation that takes the work's coordinates with the axes at `q` to those with the work's axes `a` and `c` at zero: the
+/// tool's slides point where they point, and where that is in the work the torch tip shows.
 fn work_to_zero(machine: &Machine, q: &Joints) -> DMat3 {
-    let turn = machine.axes.iter().position(|a| a.range.is_none()).unwrap();
-    let offsets = |c: f64| {
-        let at = |axis: usize, by: f64| {
-            let mut p = *q;
-            p[turn] = c;
-            p[axis] += by;
-            machine.forward(&p).point
+    let axis = |name: &str| machine.axis(name).unwrap();
+    let slides = |q: &Joints| {
+        let along = |name: &str| {
+            let mut moved = *q;
+            moved[axis(name)] += 100.0;
+            (machine.forward(&moved).point - machine.forward(q).point).normalize()
         };
-        let linear: Vec<usize> = (0..machine.axes.len())
-            .filter(|i| *i != turn && machine.axes[*i].kind == seamwright_machine::AxisKind::Linear)
-            .collect();
-        let [a, b] = [linear[0], linear[1]].map(|axis| (at(axis, 100.0) - at(axis, 0.0)).normalize());
-        DMat3::from_cols(a, b, a.cross(b))
+        let (x, y) = (along("x"), along("y"));
+        DMat3::from_cols(x, y, x.cross(y))
     };
-    offsets(0.0) * offsets(q[turn]).transpose()
+    let mut zero = *q;
+    zero[axis("a")] = 0.0;
+    zero[axis("c")] = 0.0;
+    slides(&zero) * slides(q).transpose()
 }
 
 #[test]
 fn positions_are_seen_from_the_part_as_the_machine_turns_it() {
-    let machine = saddle_welder("up = [0.6, 0, 0.8]");
     let up = DVec3::new(0.6, 0.0, 0.8);
-    let held = hold(&[], &machine, "passes = \"1\"\npositions = [\"PB\", \"PC\"]\n");
+    let text = shipped("table-tilting-xyzac").unwrap().text.replacen("schema = 1", "schema = 1\nup = [0.6, 0, 0.8]", 1);
+    let machine = Machine::read("m.toml", &text).unwrap_or_else(|e| panic!("{e}"));
+    let trunnion = include_str!("../../../examples/trunnion-saddle.toml");
+    let held = hold_job(trunnion, &machine, "passes = \"1\"\npositions = [\"PB\", \"PC\"]\n");
     let path = held.welding.path(0);
     for (s, found) in held.held.inclinations.iter().step_by(7) {
         let turn = work_to_zero(&held.machine, &held.motion.path.at(*s));

@@ -18,6 +18,12 @@ pub fn example(name: &str) -> String {
     root().join("examples").join(format!("{name}.toml")).display().to_string()
 }
 
+/// An example job without its procedure, to be changed beyond it.
+pub fn free_example(name: &str) -> String {
+    let text = std::fs::read_to_string(example(name)).unwrap();
+    text.lines().filter(|line| !line.starts_with("procedure = ")).map(|line| format!("{line}\n")).collect()
+}
+
 /// Runs `seamwright` with standard input.
 pub fn run_with(arguments: &[&str], input: &str) -> Output {
     let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
