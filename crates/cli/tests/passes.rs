@@ -47,7 +47,9 @@ fn four_passes_go_through_every_verb() {
     let findings = report["findings"].as_array().unwrap();
     assert!(findings.iter().all(|f| f["allowed"] == true), "{findings:#?}");
     let part = good(&["post", &program, "--dialect", "linuxcnc"]);
-    assert!(part.contains("(fill, nozzle side: travel") && part.matches("the planned way to the next pass").count() == 3);
+    assert!(
+        part.contains("(fill, nozzle side: travel") && part.matches("the planned way to the next pass").count() == 3
+    );
 }
 
 #[test]
@@ -55,8 +57,10 @@ fn the_tip_runs_along_each_bead_as_asked() {
     let program = root().join("tests/data/passes.toml").display().to_string();
     let csv = good(&["motion", &program, "--period-ms", "2"]);
     let rows = table(&csv);
-    let (pass, s, v, t) = (column(&rows, "pass"), column(&rows, "s_mm"), column(&rows, "speed_mm_s"), column(&rows, "t_s"));
-    let poses = table(&String::from_utf8(run_with(&["kinematics", "table-tilting-xyzac", "--forward"], &csv).stdout).unwrap());
+    let (pass, s, v, t) =
+        (column(&rows, "pass"), column(&rows, "s_mm"), column(&rows, "speed_mm_s"), column(&rows, "t_s"));
+    let poses =
+        table(&String::from_utf8(run_with(&["kinematics", "table-tilting-xyzac", "--forward"], &csv).stdout).unwrap());
     let tip: Vec<[f64; 3]> = poses.1.iter().map(|p| [p[0], p[1], p[2]]).collect();
     // One turn of the root: the seam itself.
     let root: Vec<usize> = (0..tip.len()).filter(|&i| pass[i] == 1.0).collect();
@@ -96,7 +100,10 @@ fn the_tip_runs_along_each_bead_as_asked() {
         (0..tip.len()).filter(|&i| pass[i] as usize == p).min_by(|a, b| near(a).total_cmp(&near(b))).unwrap()
     };
     let seam = good(&["seam", &program, "--every-mm", "1"]);
-    let length = { let rows = table(&seam); column(&rows, "s_mm").into_iter().fold(0.0, f64::max) - 15.0 };
+    let length = {
+        let rows = table(&seam);
+        column(&rows, "s_mm").into_iter().fold(0.0, f64::max) - 15.0
+    };
     let (two, three) = (at(2, length - 120.0 + 30.0), at(3, 20.0));
     let between = distance(&tip[two], &tip[three]);
     assert!(between > 4.0 && between < 6.5, "{between}");

@@ -94,11 +94,7 @@ pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Ve
                     "ask for {:.3} mm/s, which every axis can keep everywhere, or set weld.on_limit = \"slow\" to slow down there{}",
                     // Rounded down, so that the number printed can be asked for.
                     (certificate.everywhere * 1e3).floor() * 1e-3,
-                    if planned.joints.in_blend(at) {
-                        ", or allow the blend more of the seam"
-                    } else {
-                        ""
-                    }
+                    if planned.joints.in_blend(at) { ", or allow the blend more of the seam" } else { "" }
                 ),
                 OnLimit::Slow => "none needed: the weld slows down there, as asked".to_owned(),
             },
