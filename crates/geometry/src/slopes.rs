@@ -53,7 +53,7 @@ fn row_beside_jet<V: Value>(jet: (f64, V), (m, a): (V, V), other: (f64, V), last
 /// Slopes at the knots `x` (at least two, or three if an end is a jet) of the spline with values `y`.
 pub(crate) fn slopes<V: Value>(x: &[f64], y: &[V], start: &End<V>, end: &End<V>) -> Vec<V> {
     let n = x.len();
-    let zero = y[0] - y[0];
+    let zero = y[0] * 0.0;
     if n < 2 {
         return vec![zero; n];
     }
@@ -117,7 +117,7 @@ pub(crate) fn periodic_slopes<V: Value>(x: &[f64], y: &[V]) -> Vec<V> {
 
 fn closed_by_symmetry<V: Value>(x: &[f64], y: &[V], n: usize) -> Vec<V> {
     if n < 2 {
-        return vec![y[0] - y[0]; n + 1];
+        return vec![y[0] * 0.0; n + 1];
     }
     // Two knots a period: both conditions have the same coefficients and opposite right sides.
     let (h0, h1) = (x[1] - x[0], x[2] - x[1]);

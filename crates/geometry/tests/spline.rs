@@ -69,7 +69,7 @@ fn pass_through_their_points_smoothly_with_their_ends() {
                 End::Natural => assert!(jet.d2.length() < 1e-9, "{}", jet.d2),
                 End::Slope(m) => assert!((jet.d1 - m).length() < 1e-10),
                 End::Jet(m, a) => {
-                    assert!((jet.d1 - m).length() < 1e-10 && (jet.d2 - a).length() < 1e-9, "{} {a}", jet.d2)
+                    assert!((jet.d1 - m).length() < 1e-10 && (jet.d2 - a).length() < 1e-9, "{} {a}", jet.d2);
                 }
             }
         }

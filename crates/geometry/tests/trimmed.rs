@@ -136,9 +136,9 @@ fn trimmed_tubes_lie_on_both_bodies_with_their_corners_where_three_surfaces_meet
         };
         let breaks = curve.breaks();
         if breaks.is_empty() {
-            plain += 1
+            plain += 1;
         } else {
-            trimmed += 1
+            trimmed += 1;
         }
         for _ in 0..4 {
             let phi = random.within(0.0, TAU);

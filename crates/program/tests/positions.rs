@@ -191,7 +191,7 @@ fn positions_of_random_swings_change_on_limits_and_for_a_reason() {
         let limits = PositionLimits::default();
         let places: Vec<f64> = (0..=3000).map(|i| 6.0 * f64::from(i) / 3000.0).collect();
         let found = limits.along(joint, &places, swing);
-        assert!(found[0].from_mm == 0.0 && found[found.len() - 1].to_mm == 6.0);
+        assert!(found[0].from_mm.abs() < 1e-12 && (found[found.len() - 1].to_mm - 6.0).abs() < 1e-12);
         // Every place is within its position's limits and the hysteresis.
         for &s in &places {
             let beyond = limits.beyond(joint, position_of(&found, s), swing(s));
@@ -199,7 +199,11 @@ fn positions_of_random_swings_change_on_limits_and_for_a_reason() {
         }
         for pair in found.windows(2) {
             let [before, after] = pair else { unreachable!() };
-            assert!(before.position != after.position && before.to_mm == after.from_mm && after.to_mm > after.from_mm);
+            assert!(
+                before.position != after.position
+                    && (before.to_mm - after.from_mm).abs() < 1e-12
+                    && after.to_mm > after.from_mm
+            );
             // It changes on a limit of the new position, and somewhere in that the old one would be too far off.
             let entered = limits.beyond(joint, after.position, swing(after.from_mm));
             assert!(entered.abs() < 1e-6, "{entered} {pair:?}");

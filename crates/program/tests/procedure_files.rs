@@ -24,7 +24,7 @@ fn wrong(from: &str, to: &str) -> DocumentError {
 #[test]
 fn runs_are_found_by_name_and_by_number() {
     let p = Procedure::read("w.toml", TEXT).unwrap().value;
-    let run = |number, name| p.run_of(number, name).map(|r| r.label());
+    let run = |number, name| p.run_of(number, name).map(seamwright_program::Run::label);
     assert_eq!(run(1, "root").as_deref(), Some("root"));
     assert_eq!(run(1, "root 1.2").as_deref(), Some("root"));
     assert_eq!(run(1, "rooted"), None);

@@ -25,7 +25,7 @@ fn a_ramp_leaves_its_window_exactly_where_it_crosses() {
         let place = |v: f64| a + (v - from) / (to - from) * (b - a);
         let mut wanted: Vec<(f64, f64, f64, bool)> = Vec::new();
         let (low, high) = (from.min(to), from.max(to));
-        let end = |v: f64| if v == from { a } else { b };
+        let end = |v: f64| if v.to_bits() == from.to_bits() { a } else { b };
         for (limit, worst, out, above) in [(least, low, low < least, false), (greatest, high, high > greatest, true)] {
             let back = if above { low > greatest } else { high < least };
             let (one, other) = (end(worst), if back { a + b - end(worst) } else { place(limit) });

@@ -64,7 +64,7 @@ impl PassProcedure {
         let at = |s: f64| lie::at(machine, path, motion, s).inclination;
         let heat_input = windows::heat_input(procedure, machine, (pass, motion));
         let mut held = Self {
-            run: run.map(|run| run.label()),
+            run: run.map(seamwright_program::Run::label),
             joint,
             quantities: windows::quantities(procedure, run, machine, (path, pass, motion), &lies),
             heat_input,

@@ -160,7 +160,7 @@ impl Beads {
     ) -> Result<Asked, DocumentError> {
         let path = format!("beads.{name}");
         check_process(file, &format!("{path}.process"), &run.process)?;
-        for key in run.process.keys().filter(|key| !process.contains_key(*key)) {
+        if let Some(key) = run.process.keys().find(|key| !process.contains_key(*key)) {
             let known: Vec<&str> = process.keys().map(String::as_str).collect();
             return Err(file.unknown_name(&format!("{path}.process.{key}"), key, &known));
         }
@@ -182,8 +182,12 @@ impl Beads {
                 return Err(file.error_at(&path, message, "area_mm2, or beads.wire_mm and a wire_feed_m_min"));
             }
             (None, Some(wire)) => {
-                let feed = all.get(WIRE_FEED).map(|feed| feed.ends()).filter(|(from, to)| from == to && *from > 0.0);
-                let Some((feed, _)) = feed else {
+                let feed = all
+                    .get(WIRE_FEED)
+                    .filter(|feed| !feed.is_ramp())
+                    .map(|feed| feed.ends().0)
+                    .filter(|feed| *feed > 0.0);
+                let Some(feed) = feed else {
                     let message = "the area of a bead needs a steady wire feed";
                     let allowed = "wire_feed_m_min greater than 0 in [weld.process] or here, or area_mm2";
                     return Err(file.error_at(&path, message, allowed));

@@ -257,6 +257,7 @@ fn butt(faces: &Faces, place: Place, sides: [(Profile, f64); 2], thickness: f64)
 }
 
 /// A prepared edge on the other part's face.
+#[derive(Clone, Copy)]
 struct Corner {
     edge: Profile,
     prepared: Member,
