@@ -1,3 +1,4 @@
+use crate::stations::{Station, spans};
 use crate::{Beads, SeamCurve};
 use glam::DAffine3;
 use schemars::JsonSchema;
@@ -5,7 +6,7 @@ use seamwright_clearance::SolidFile;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_program::{
     Air, AtCorner, Clearance, Joint, Offsets, OnLimit, Part, Pass, ProcessValues, Program, Seam, SeamStart, Sequence,
-    Span, SpareAxes, Taught, Tolerance, Torch, check_offset, check_process,
+    SpareAxes, Taught, Tolerance, Torch, check_offset, check_process,
 };
 use serde::{Deserialize, Serialize};
 
@@ -94,6 +95,9 @@ pub struct Weld {
     /// is a number, or a ramp `{ from = .., to = .. }` linear in path length over the weld.
     #[serde(default)]
     pub process: ProcessValues,
+    /// Speed and process values at several places, linear in between.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub at: Vec<Station>,
 }
 
 impl Job {
@@ -116,6 +120,10 @@ impl Job {
             if job.value.joint.is_none() {
                 return Err(job.error_at("beads", "there is no joint to be filled", "a [joint] with its preparation"));
             }
+            if !job.value.weld.at.is_empty() {
+                let message = "with beads, values belong to runs";
+                return Err(job.error_at("weld.at", message, "no such table, or no [beads]"));
+            }
         }
         Ok(job)
     }
@@ -129,19 +137,9 @@ impl Job {
     /// The program that welds `job` along its `seam`, in one pass; without its procedure, which is a file of its own.
     ///
     /// # Errors
-    /// With the key's address: a weld without length.
+    /// With the key's address: a weld without length, stations that are wrong.
     pub fn program(job: &Document<Self>, seam: &SeamCurve) -> Result<Program, DocumentError> {
         let j = &job.value;
-        let whole = |what: &str, value: f64| {
-            let message = format!("the {what} has no length");
-            Positive::new(value).ok_or_else(|| job.error_at("seam", message, "a seam with a length"))
-        };
-        let span = Span {
-            from_mm: NonNegative::default(),
-            to_mm: whole("weld", seam.weld_length())?,
-            speed_mm_s: j.weld.speed_mm_s.into(),
-            process: j.weld.process.clone(),
-        };
         let pass = Pass {
             name: "pass 1".to_owned(),
             role: None,
@@ -155,7 +153,7 @@ impl Job {
             tolerance: j.tolerance,
             spare_axes: j.spare_axes.clone(),
             bead: None,
-            spans: vec![span],
+            spans: spans(job, seam)?,
         };
         Ok(Program {
             schema: SchemaVersion,

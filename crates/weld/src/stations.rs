@@ -1,0 +1,118 @@
+use crate::{Job, SeamCurve};
+use schemars::JsonSchema;
+use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
+use seamwright_program::{Ramp, Span, SpanValue, check_process_name};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// Values of the weld at one place; between places they are linear in path length, before the first and after the last
+/// one they stay.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Station {
+    /// Path length from the start of the weld, mm.
+    pub s_mm: NonNegative,
+    /// Speed there, mm/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speed_mm_s: Option<Positive>,
+    /// Process values there, of those in `[weld.process]`.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub process: BTreeMap<String, Finite>,
+}
+
+/// The spans of the one pass of `job` over all of its weld: from station to station.
+///
+/// # Errors
+/// With the key's address: a weld without length, stations that do not increase or are not on the weld, values that the
+/// weld does not have or that ramp over all of it.
+pub(crate) fn spans(job: &Document<Job>, seam: &SeamCurve) -> Result<Vec<Span>, DocumentError> {
+    let (weld, length) = (&job.value.weld, seam.weld_length());
+    let whole =
+        Positive::new(length).ok_or_else(|| job.error_at("seam", "the weld has no length", "a seam with a length"))?;
+    check(job, length)?;
+    let stations = &weld.at;
+    let mut places: Vec<f64> = stations.iter().map(|at| at.s_mm.get()).collect();
+    places.insert(0, 0.0);
+    places.push(length);
+    places.dedup_by(|later, earlier| *later - *earlier < 1e-9);
+    let speeds: Vec<_> = stations.iter().filter_map(|at| Some((at.s_mm.get(), at.speed_mm_s?.get()))).collect();
+    let span = |ends: &[f64]| {
+        let mut span = Span {
+            from_mm: NonNegative::new(ends[0]).unwrap_or_default(),
+            to_mm: Positive::new(ends[1]).unwrap_or(whole),
+            speed_mm_s: weld.speed_mm_s.into(),
+            process: weld.process.clone(),
+        };
+        if !speeds.is_empty()
+            && let [Some(from), Some(to)] = [0, 1].map(|i| Positive::new(linear(&speeds, ends[i])))
+        {
+            span.speed_mm_s = between(from, to);
+        }
+        for (name, value) in &mut span.process {
+            let given = |at: &Station| Some((at.s_mm.get(), at.process.get(name)?.get()));
+            let rows: Vec<_> = stations.iter().filter_map(given).collect();
+            if !rows.is_empty() {
+                let [from, to] = [0, 1].map(|i| Finite::new(linear(&rows, ends[i])).unwrap_or_default());
+                *value = between(from, to);
+            }
+        }
+        span
+    };
+    Ok(places.windows(2).map(span).collect())
+}
+
+fn check(job: &Document<Job>, length: f64) -> Result<(), DocumentError> {
+    let weld = &job.value.weld;
+    let mut last = None;
+    for (i, at) in weld.at.iter().enumerate() {
+        let (s, key) = (at.s_mm.get(), |key: &str| format!("weld.at[{i}].{key}"));
+        if s > length {
+            return Err(job.error_at(&key("s_mm"), "this place is not on the weld", format!("0 to {length:.6}")));
+        }
+        if last.is_some_and(|last| s <= last) {
+            return Err(job.error_at(&key("s_mm"), "the places must increase", "more than the one before"));
+        }
+        last = Some(s);
+        if let (Some(least), Some(speed)) = (weld.least_speed_mm_s, at.speed_mm_s)
+            && speed <= least
+        {
+            let allowed = format!("more than least_speed_mm_s = {}", least.get());
+            return Err(job.error_at(&key("speed_mm_s"), "the asked speed is not above the least one", allowed));
+        }
+        for (name, value) in &at.process {
+            let path = key(&format!("process.{name}"));
+            check_process_name(job, &path, name)?;
+            match weld.process.get(name) {
+                None => {
+                    let known: Vec<&str> = weld.process.keys().map(String::as_str).collect();
+                    return Err(job.unknown_name(&path, name, &known));
+                }
+                Some(whole) if whole.is_ramp() => {
+                    let message = "this value ramps over the whole weld already";
+                    return Err(job.error_at(&path, message, "a number in [weld.process], or no value here"));
+                }
+                Some(_) if value.get() < 0.0 => {
+                    return Err(job.error_at(&path, "a process value is not negative", "0 or greater"));
+                }
+                Some(_) => {}
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Linear between rows (place, value), constant beyond the first and the last.
+fn linear(rows: &[(f64, f64)], s: f64) -> f64 {
+    let i = rows.partition_point(|row| row.0 <= s);
+    match (i.checked_sub(1).map(|k| rows[k]), rows.get(i)) {
+        (Some((a, v)), Some((b, w))) => v + (w - v) * (s - a) / (b - a),
+        (Some((_, v)), None) => v,
+        (None, Some((_, w))) => *w,
+        (None, None) => f64::NAN,
+    }
+}
+
+fn between<T: Into<f64> + Copy>(from: T, to: T) -> SpanValue<T> {
+    let (a, b): (f64, f64) = (from.into(), to.into());
+    if (a - b).abs() > 0.0 { SpanValue::Ramp(Ramp { from, to }) } else { SpanValue::Steady(from) }
+}
