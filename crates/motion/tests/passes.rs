@@ -157,6 +157,7 @@ proptest! {
         prop_assert!(judged == 0.0 || least >= 1.0 - NEARLY, "{} over {} mm", least, judged);
         println!("{} {}: {:.5} over {:.1} % of {:.0} mm", case.example, case.speeds.len(), least, 100.0 * judged / length, length);
         // Not all of it can be held back.
-        prop_assert!(judged > 0.8 * length, "{} of {}", judged, length);
+        let uses = &motion.certificate.uses;
+        prop_assert!(judged > 0.8 * length, "{} of {}, {:?} {:#?}", judged, length, uses, motion.findings);
     }
 }
