@@ -93,7 +93,8 @@ impl Case {
             let v = pass.speed_at(0.0);
             let speeds: Vec<_> = self.speeds.iter().map(|(a, b)| (a * v, b * v)).collect();
             (pass.begin_mm, pass.reverse) = (NonNegative::new(self.begin * seam).unwrap(), self.reverse);
-            pass.on_limit = OnLimit::Slow;
+            // At these speeds no axis is at its limit for long: a run-up is no finding.
+            pass.on_limit = if self.example == 0 { OnLimit::Slow } else { OnLimit::Refuse };
             spans(pass, self.turns * seam, &speeds);
             let at = |i: usize| seam * i as f64 / self.rows.len() as f64;
             let rows = self.rows.iter().enumerate().map(|(i, r)| [at(i), r.0, r.1, r.2]);

@@ -107,7 +107,7 @@ impl SpeedLaw {
             let width = stations[i + 1] - stations[i];
             let cruises = (0..2).all(|end| b[i + end] >= (1.0 - AS_ASKED) * asked[end]);
             let range = (stations[i] - from, stations[i + 1] - from);
-            self.push(Cell::new(range, self.duration, [b[i], (b[i + 1] - b[i]) / width, 0.0], cruises));
+            self.push(Cell::new(range, self.duration, [b[i], (b[i + 1] - b[i]) / width, 0.0], (cruises, *asked)));
         }
     }
 
@@ -193,9 +193,13 @@ impl SpeedLaw {
         first..self.owner.partition_point(|owner| (*owner as usize) <= piece)
     }
 
-    /// Those of `cells` between the run-up with which they begin and the run-down with which they end.
+    /// Those of `cells` between the run-up with which they begin and the run-down with which they end: in these the speed
+    /// comes nearer to the asked one, or goes away from it.
     fn between(&self, cells: Range<usize>) -> Range<usize> {
-        let change = |i: usize| self.in_cell(i, 1.0).v - self.in_cell(i, 0.0).v;
+        let change = |i: usize| match self.cells[i].parts {
+            [before, after] if before + after > 0.0 => after - before,
+            _ => self.in_cell(i, 1.0).v - self.in_cell(i, 0.0).v,
+        };
         let up = cells.clone().take_while(|i| !self.cells[*i].cruises && change(*i) > 0.0).count();
         let down = cells.clone().rev().take_while(|i| !self.cells[*i].cruises && change(*i) < 0.0).count();
         cells.start + up..(cells.end - down).max(cells.start + up)
