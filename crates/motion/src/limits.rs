@@ -7,6 +7,8 @@ use seamwright_program::{Finding, OnLimit, Pass};
 
 /// An axis asked for exactly its limit falls short by the law's reserve only: that is no finding.
 const WORTH_SAYING: f64 = 2e-3;
+/// Where the asked speed or the tip's way by path length changes, the law stays below it by up to three thousandths.
+const WORTH_SAYING_CHANGING: f64 = 4e-3;
 
 /// A limit that bounds the speed, in the units of files.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,10 +73,12 @@ pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Ve
             _ => runs.push(Vec::new()),
         }
     }
+    let changes = planned.joints.is_beside() || pass.spans.iter().any(|span| span.speed_mm_s.is_ramp());
+    let worth_saying = if changes { WORTH_SAYING_CHANGING } else { WORTH_SAYING };
     let finding = |run: &Vec<Interval>| {
         let slowest = run.iter().min_by(|a, b| a.reached.0.total_cmp(&b.reached.0))?;
         let (part, at) = slowest.reached;
-        if part > 1.0 - WORTH_SAYING {
+        if part > 1.0 - worth_saying {
             return None;
         }
         let (wanted, reached) = (asked(at), part * asked(at));

@@ -57,6 +57,11 @@ impl JointPath {
         self.blends.get(i).is_some_and(|b| b.0 <= s)
     }
 
+    /// True if the tip's way by path length is not 1 even outside blends.
+    pub(crate) fn is_beside(&self) -> bool {
+        self.beside
+    }
+
     /// True if the tip's way by path length may be another than 1 at `s`: beside the seam and in blends, where `s` is the
     /// place on the seam.
     pub(crate) fn has_rate(&self, s: f64) -> bool {

@@ -17,15 +17,20 @@ pub(super) struct Cell {
     pub(super) w: f64,
     /// True if the tip cruises at the asked speed all through it, see [`Cells::cruises`].
     pub(super) cruises: bool,
+    /// The squared speed at its start and end as parts of the asked one; nothing if none is asked.
+    pub(super) parts: [f64; 2],
 }
 
 impl Cell {
-    /// The cell between these `tau` that begins at time `t`, with the squared speed and its derivatives at its start.
-    pub(super) fn new((tau, end): (f64, f64), t: f64, [b, d, e]: [f64; 3], cruises: bool) -> Self {
+    /// The cell between these `tau` that begins at time `t`, with the squared speed and its derivatives at its start,
+    /// and the squared speeds asked at its ends.
+    pub(super) fn new((tau, end): (f64, f64), t: f64, [b, d, e]: [f64; 3], (cruises, asked): (bool, [f64; 2])) -> Self {
         let width = end - tau;
-        let v_end = (b + width * (d + 0.5 * width * e)).max(0.0).sqrt();
+        let b_end = b + width * (d + 0.5 * width * e);
+        let v_end = b_end.max(0.0).sqrt();
         let (v, a, w) = (b.max(0.0).sqrt(), 0.5 * d, 0.5 * e);
-        Self { tau, end, t, time: crossing(w, width / (v + v_end)), v, a, w, cruises }
+        let parts = [b / asked[0], b_end / asked[1]];
+        Self { tau, end, t, time: crossing(w, width / (v + v_end)), v, a, w, cruises, parts }
     }
 
     /// Cell `i` of a law with coefficients `c` in `cells`, beginning at time `t`.
@@ -36,7 +41,8 @@ impl Cell {
         // All coefficients alike: no rounding is to change the speed.
         let constant = cruises && (i..i + 3).all(|k| c[k].to_bits() == c[i].to_bits());
         let law = if constant { [c[i], 0.0, 0.0] } else { [dot(&w.value), dot(&w.first), dot(&w.second)] };
-        Self::new((cells.tau[i], cells.tau[i + 1]), t, law, cruises)
+        let asked = cells.asked(i);
+        Self::new((cells.tau[i], cells.tau[i + 1]), t, law, (cruises, [asked[0], asked[asked.len() - 1]]))
     }
 
     /// Speed by `tau` there: the squared speed is `v^2 + 2 a x + w x^2`.

@@ -97,11 +97,15 @@ impl Cells {
         asked[0].is_finite() && asked.iter().all(|a| (a - asked[0]).abs() <= 1e-9 * asked[0])
     }
 
-    /// True if the law with coefficients `c` is as fast as asked all over `cell`: exactly where the asked speed is
-    /// steady, else within [`NEARLY`].
+    /// True if the law with coefficients `c` is as fast as asked all over `cell`: exactly where the asked speed by the
+    /// parameter is steady, within [`NEARLY`] where it changes. Near rest, where it is the map that changes, never.
     pub(crate) fn cruises(&self, c: &[f64], cell: usize) -> bool {
         if self.is_steady(cell) {
             return (cell..cell + 3).all(|k| c[k] >= self.upper(k));
+        }
+        let [up, down] = self.map.borders();
+        if self.tau[cell] < up || self.tau[cell + 1] > down {
+            return false;
         }
         let least = (1.0 - NEARLY) * (1.0 - NEARLY);
         PARTS.iter().zip(self.asked(cell)).all(|(part, asked)| self.law(c, cell, *part)[0] >= least * asked)

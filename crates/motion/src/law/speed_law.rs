@@ -47,9 +47,6 @@ pub struct SpeedLaw {
     end: f64,
 }
 
-/// A run-up that comes down onto a falling speed takes up to these parts of its time again and of its speed less.
-const SETTLING: (f64, f64) = (1.0, 0.02);
-
 impl SpeedLaw {
     /// The fastest law along `path`. Without a finite jerk among the limits the acceleration may jump, see
     /// [`SpeedLaw::without_jerk`].
@@ -110,7 +107,7 @@ impl SpeedLaw {
             let width = stations[i + 1] - stations[i];
             let cruises = (0..2).all(|end| b[i + end] >= (1.0 - AS_ASKED) * asked[end]);
             let range = (stations[i] - from, stations[i + 1] - from);
-            self.push(Cell::new(range, self.duration, [b[i], (b[i + 1] - b[i]) / width, 0.0], cruises));
+            self.push(Cell::new(range, self.duration, [b[i], (b[i + 1] - b[i]) / width, 0.0], (cruises, *asked)));
         }
     }
 
@@ -196,32 +193,16 @@ impl SpeedLaw {
         first..self.owner.partition_point(|owner| (*owner as usize) <= piece)
     }
 
-    /// Those of `cells` between the run-up with which they begin and the run-down with which they end.
+    /// Those of `cells` between the run-up with which they begin and the run-down with which they end: in these the speed
+    /// comes nearer to the asked one, or goes away from it.
     fn between(&self, cells: Range<usize>) -> Range<usize> {
-        let change = |i: usize| self.in_cell(i, 1.0).v - self.in_cell(i, 0.0).v;
+        let change = |i: usize| match self.cells[i].parts {
+            [before, after] if before + after > 0.0 => after - before,
+            _ => self.in_cell(i, 1.0).v - self.in_cell(i, 0.0).v,
+        };
         let up = cells.clone().take_while(|i| !self.cells[*i].cruises && change(*i) > 0.0).count();
         let down = cells.clone().rev().take_while(|i| !self.cells[*i].cruises && change(*i) < 0.0).count();
-        let (up, down) = (up + self.settling(cells.clone(), up), down + self.settling(cells.clone().rev(), down));
         cells.start + up..(cells.end - down).max(cells.start + up)
-    }
-
-    /// How many cells after the first `ramp` still belong to a run-up (or, seen backwards, a run-down): where the asked
-    /// speed falls, the law comes down onto it from a peak just below. No more than [`SETTLING`].
-    fn settling(&self, cells: impl Iterator<Item = usize> + Clone, ramp: usize) -> usize {
-        let time: f64 = cells.clone().take(ramp).map(|i| self.cells[i].time).sum();
-        let speed = |i: usize| self.in_cell(i, 0.5).v;
-        let peak = cells.clone().take(ramp).map(speed).fold(0.0, f64::max);
-        let mut left = SETTLING.0 * time;
-        for (count, i) in cells.skip(ramp).enumerate() {
-            if self.cells[i].cruises {
-                return count;
-            }
-            left -= self.cells[i].time;
-            if left < 0.0 || speed(i) < (1.0 - SETTLING.1) * peak {
-                break;
-            }
-        }
-        0
     }
 
     /// The stretches from rest to rest: all of the path, or from one stop to the next.
