@@ -90,7 +90,7 @@ fn tables_weld_and_programs_hold_their_points() {
     let path = write(folder.path(), "job.toml", job);
     write(folder.path(), "joint.csv", TABLE);
     let out = folder.path().join("out").display().to_string();
-    let (code, text) = with(folder.path(), &["simulate", &path, "-o", &out]);
+    let (code, text) = with(folder.path(), &["plan", &path, "-o", &out]);
     assert_eq!(code, 0, "{text}");
     let alone = tempfile::tempdir().unwrap();
     let program = fs::read_to_string(folder.path().join("out/program.toml")).unwrap();

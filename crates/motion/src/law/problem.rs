@@ -144,13 +144,8 @@ impl Problem {
                 self.points.push((cell, cells.weights_at(cell, 2).value, own / 1.5));
             }
         }
-        let steady = |i: usize| 1.0 / self.upper[i].min(self.upper[i + 1]).min(self.upper[i + 2]).sqrt();
-        let changing = |asked: &[f64]| {
-            let [begin, middle, end] = [0, 2, 4].map(|part| 1.0 / asked[part].sqrt());
-            (begin + 4.0 * middle + end) / 6.0
-        };
-        let time = |i: usize| if cells.is_steady(i) { steady(i) } else { changing(cells.asked(i)) };
-        self.cruising = (0..count).map(|i| cells.width(i) * time(i)).sum();
+        let asked = |i: usize| self.upper[i].min(self.upper[i + 1]).min(self.upper[i + 2]);
+        self.cruising = (0..count).map(|i| cells.width(i) / asked(i).sqrt()).sum();
     }
 
     /// A problem with these bounds of the unknowns and no rows yet.
