@@ -43,7 +43,7 @@ fn four_passes_go_through_every_verb() {
         assert!(pass["certificate"]["at_asked_percent"].as_f64().unwrap() > 98.0, "{}", pass["certificate"]);
     }
     assert_eq!(passes[1]["plan"]["asked_speed_mm_s"], serde_json::json!([6.0, 8.0]));
-    assert!((passes[1]["plan"]["least_speed_mm_s"].as_f64().unwrap() / 6.0 - 1.0).abs() < 3e-3);
+    assert!((passes[1]["plan"]["least_speed_mm_s"].as_f64().unwrap() / 6.0 - 1.0).abs() < 1.5e-2);
     let findings = report["findings"].as_array().unwrap();
     assert!(findings.iter().all(|f| f["allowed"] == true), "{findings:#?}");
     let part = good(&["post", &program, "--dialect", "linuxcnc"]);
