@@ -14,8 +14,8 @@ pub struct Beads {
     /// Diameter of the wire, mm. A bead's area follows from it, `wire_feed_m_min`, `deposition` and the speed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wire_mm: Option<Positive>,
-    /// Deposition efficiency: the part of the wire that becomes weld metal (welding.md section 2: 0.92 to 0.99 with gas
-    /// and solid wire, 0.82 to 0.88 with cored wire).
+    /// Deposition efficiency: the part of the wire that becomes weld metal, usually 0.92 to 0.99 with gas and solid wire,
+    /// 0.82 to 0.88 with cored wire.
     #[serde(default = "deposition")]
     pub deposition: Positive,
     /// What follows the area of the groove along the seam.
@@ -82,7 +82,7 @@ pub enum Order {
 }
 
 /// Values of the passes of a kind.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Run {
     /// Speed, mm/s; that of `[weld]` if missing.
@@ -96,7 +96,7 @@ pub struct Run {
     pub area_mm2: Option<Positive>,
     /// Wanted height of a layer, mm.
     #[serde(default = "layer")]
-    pub layer_mm: Option<Positive>,
+    pub layer_mm: Positive,
     /// Travel angle, degrees; that of `[torch]` if missing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub travel_angle_deg: Option<Finite>,
@@ -130,8 +130,8 @@ fn shortest() -> Positive {
     number(50.0)
 }
 
-fn layer() -> Option<Positive> {
-    Positive::new(3.0)
+fn layer() -> Positive {
+    number(3.0)
 }
 
 /// What a run asks for.
@@ -196,8 +196,7 @@ impl Beads {
                 wire_area * (feed * 1000.0 / 60.0) * self.deposition.get() / speed.get()
             }
         };
-        let layer = run.layer_mm.or(layer()).map_or(3.0, Positive::get);
-        Ok(Asked { area, layer, speed, process: all, travel_angle_deg: run.travel_angle_deg })
+        Ok(Asked { area, layer: run.layer_mm.get(), speed, process: all, travel_angle_deg: run.travel_angle_deg })
     }
 
     /// Checks what does not depend on the groove.

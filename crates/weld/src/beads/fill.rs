@@ -26,6 +26,8 @@ pub struct BeadAt {
     pub area: f64,
     /// Heights between which the bead's layer lies in the groove, mm.
     pub heights: (f64, f64),
+    /// Parts of the cap's height between which it lies over the line from toe to toe.
+    pub cap: (f64, f64),
     /// Parts of the layer's width between which the bead lies, from the second part to the first.
     pub parts: (f64, f64),
 }
@@ -51,7 +53,11 @@ pub(crate) fn fill(
     let square = section.up.x.atan2(section.up.y);
     let mut below = 0.0;
     for (k, layer) in layers.iter().enumerate().filter(|(k, _)| present(*k)) {
-        let low = section.slices.height_of(below);
+        let over = |area: f64| {
+            let part = if section.cap > 0.0 { (area - section.area()) / section.cap } else { 0.0 };
+            part.clamp(0.0, 1.0)
+        };
+        let (low, under) = (section.slices.height_of(below), over(below));
         below += layer.share * scale;
         let high = section.slices.height_of(below);
         // At the root the parts leave little room, and the wire points above it.
@@ -76,6 +82,7 @@ pub(crate) fn fill(
                 lean: square + towards,
                 area: layer.share * scale / n,
                 heights: (low, high),
+                cap: (under, over(below)),
                 parts: (index as f64 / n, (index as f64 + 1.0) / n),
             });
         }
@@ -83,8 +90,7 @@ pub(crate) fn fill(
 }
 
 impl Section {
-    /// Outline of a bead for drawing, mm: its part of the layer, with the cap over the line from toe to toe if it is one
-    /// of the last layer.
+    /// Outline of a bead for drawing, mm: its part of the layer in the groove, and of the cap.
     pub fn outline(&self, bead: &BeadAt) -> Vec<DVec2> {
         let (low, high) = bead.heights;
         let top = self.slices.heights().1;
@@ -97,16 +103,21 @@ impl Section {
         // Just below the top: there the edges are those of the toes.
         let at = |part: f64, k: i32| side(part, heights(k).min(top - 1e-9 * (top - low)));
         let mut outline: Vec<DVec2> = (0..=steps).map(|k| at(bead.parts.1, k)).collect();
-        let capped = high >= top - 1e-9 * (top - low);
-        if capped && self.cap_height > 0.0 {
-            let over = |k: i32| {
-                let part = bead.parts.1 + (bead.parts.0 - bead.parts.1) * f64::from(k) / f64::from(steps);
-                let rise = self.cap_height * 4.0 * part * (1.0 - part);
-                at(part, steps) + rise * self.up
-            };
-            outline.extend((0..=steps).map(over));
+        // The cap is a parabola from toe to toe; layers in it lie between flatter ones.
+        let curve = |rise: f64, from: f64, to: f64| {
+            (0..=steps).map(move |k| from + (to - from) * f64::from(k) / f64::from(steps)).map(move |part| {
+                let height = self.cap_height * rise * 4.0 * part * (1.0 - part);
+                at(part, steps) + height * self.up
+            })
+        };
+        let (first, last) = bead.parts;
+        if bead.cap.1 > 0.0 {
+            outline.extend(curve(bead.cap.1, last, first));
         }
-        outline.extend((0..=steps).rev().map(|k| at(bead.parts.0, k)));
+        outline.extend((0..=steps).rev().map(|k| at(first, k)));
+        if bead.cap.0 > 0.0 {
+            outline.extend(curve(bead.cap.0, first, last));
+        }
         outline
     }
 }

@@ -1,4 +1,5 @@
 use glam::DVec2;
+use seamwright_document::{NonNegative, Positive};
 use seamwright_program::{J, TJ, U};
 use std::f64::consts::FRAC_PI_2;
 
@@ -22,6 +23,11 @@ pub(crate) enum Profile {
 }
 
 impl Profile {
+    fn curved(root_face: NonNegative, degrees: NonNegative, radius: Positive, land: NonNegative) -> Self {
+        let angle = degrees.get().to_radians();
+        Self::Curved { root_face: root_face.get(), angle, radius: radius.get(), land: land.get() }
+    }
+
     /// Angle of its straight part from the depth direction, rad; none on a round part.
     pub(crate) fn angle(self) -> Option<f64> {
         match self {
@@ -73,33 +79,18 @@ impl Profile {
 
 impl From<&U> for Profile {
     fn from(p: &U) -> Self {
-        Self::Curved {
-            root_face: p.root_face_mm.get(),
-            angle: p.angle_deg.get().to_radians(),
-            radius: p.radius_mm.get(),
-            land: p.land_mm.get(),
-        }
+        Self::curved(p.root_face_mm, p.angle_deg, p.radius_mm, p.land_mm)
     }
 }
 
 impl From<&J> for Profile {
     fn from(p: &J) -> Self {
-        Self::Curved {
-            root_face: p.root_face_mm.get(),
-            angle: p.angle_deg.get().to_radians(),
-            radius: p.radius_mm.get(),
-            land: p.land_mm.get(),
-        }
+        Self::curved(p.root_face_mm, p.angle_deg, p.radius_mm, p.land_mm)
     }
 }
 
 impl From<&TJ> for Profile {
     fn from(p: &TJ) -> Self {
-        Self::Curved {
-            root_face: p.root_face_mm.get(),
-            angle: p.angle_deg.get().to_radians(),
-            radius: p.radius_mm.get(),
-            land: p.land_mm.get(),
-        }
+        Self::curved(p.root_face_mm, p.angle_deg, p.radius_mm, p.land_mm)
     }
 }
