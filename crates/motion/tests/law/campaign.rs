@@ -18,12 +18,16 @@ fn passes(path: &Path) {
     assert!(found.jump.iter().all(|j| *j <= 1e-9), "jumps: {found:?}");
 }
 
-/// Runs `count` paths of these sizes; which ones fail is said by their seeds.
+/// Runs `count` paths of these sizes; which ones fail is said by their seeds, at once. A long run says how far it is.
 fn run(first: u32, count: u32, most_axes: u32, most_pieces: u32) {
     let mut failed = Vec::new();
-    for seed in first..first + cases(count) {
+    for (done, seed) in (first..first + cases(count)).enumerate() {
+        if done > 0 && done % 10_000 == 0 {
+            eprintln!("{done} of {} paths from seed {first}, {} failed", cases(count), failed.len());
+        }
         let path = path(&mut Uniform::new(seed), most_axes, most_pieces);
         if catch_unwind(AssertUnwindSafe(|| passes(&path))).is_err() {
+            eprintln!("seed {seed} failed");
             failed.push(seed);
         }
     }
