@@ -71,6 +71,10 @@ pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Ve
             _ => runs.push(Vec::new()),
         }
     }
+    if planned.joints.is_woven() {
+        // At every swing there is one: they are told as one.
+        runs = vec![runs.concat()];
+    }
     let finding = |run: &Vec<Interval>| {
         let slowest = run.iter().min_by(|a, b| a.reached.0.total_cmp(&b.reached.0))?;
         let (part, at) = slowest.reached;

@@ -4,8 +4,8 @@ use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_program::{
-    Air, AtCorner, Clearance, Joint, Offsets, OnLimit, Part, Pass, ProcessValues, Program, Seam, SeamStart, Sequence,
-    Span, SpareAxes, Taught, Tolerance, Torch, check_offset, check_process,
+    Air, AtCorner, Clearance, Joint, Offsets, OnLimit, Oscillation, Part, Pass, ProcessValues, Program, Seam, SeamStart,
+    Sequence, Span, SpareAxes, Taught, Tolerance, Torch, Weave, check_offset, check_process,
 };
 use serde::{Deserialize, Serialize};
 
@@ -94,6 +94,13 @@ pub struct Weld {
     /// is a number, or a ramp `{ from = .., to = .. }` linear in path length over the weld.
     #[serde(default)]
     pub process: ProcessValues,
+    /// How the torch weaves while it goes along; none: it does not. In several passes, what those of `[beads]` do that
+    /// have no weave of their own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub weave: Option<Weave>,
+    /// How the beam is deflected to and fro while it goes along.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub oscillation: Option<Oscillation>,
 }
 
 impl Job {
@@ -106,6 +113,13 @@ impl Job {
         check_offset(&job, job.value.offset.as_deref(), &job.value.offsets)?;
         check_process(&job, "weld.process", &job.value.weld.process)?;
         job.value.weld.corner.check(&job, "weld.corner", ("tolerance", &job.value.tolerance))?;
+        if let Some(weave) = &job.value.weld.weave {
+            let corner = ("weld.corner", &job.value.weld.corner);
+            weave.check(&job, "weld.weave", &job.value.weld.process, corner)?;
+        }
+        if let Some(oscillation) = &job.value.weld.oscillation {
+            oscillation.check(&job, "weld.oscillation")?;
+        }
         job.value.sequence.check(&job, "sequence", &job.value.weld.process)?;
         if job.value.weld.least_speed_mm_s.is_some_and(|least| least >= job.value.weld.speed_mm_s) {
             let allowed = format!("less than speed_mm_s = {}", job.value.weld.speed_mm_s.get());
@@ -142,6 +156,10 @@ impl Job {
             speed_mm_s: j.weld.speed_mm_s.into(),
             process: j.weld.process.clone(),
         };
+        if let Some(weave) = &j.weld.weave {
+            let speed = |_| "weld.speed_mm_s".to_owned();
+            weave.check_speeds(job, "weld.weave", (std::slice::from_ref(&span), speed))?;
+        }
         let pass = Pass {
             name: "pass 1".to_owned(),
             role: None,
@@ -155,6 +173,8 @@ impl Job {
             tolerance: j.tolerance,
             spare_axes: j.spare_axes.clone(),
             bead: None,
+            weave: j.weld.weave.clone(),
+            oscillation: j.weld.oscillation,
             spans: vec![span],
         };
         Ok(Program {
