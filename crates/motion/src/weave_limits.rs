@@ -32,7 +32,8 @@ pub(crate) fn tell(findings: &mut [Finding], pass: &Pass, fits: impl Fn(f64) -> 
             f.message,
             weave.width_mm.get()
         );
-        f.cure = format!("{allowed}, a smaller width or less speed, or set weld.on_limit = \"slow\" to slow down there");
+        f.cure =
+            format!("{allowed}, a smaller width or less speed, or set weld.on_limit = \"slow\" to slow down there");
     }
 }
 

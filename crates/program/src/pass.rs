@@ -1,6 +1,4 @@
-use crate::{
-    AtCorner, Bead, Oscillation, ProcessValues, Sequence, SpanValue, SpareAxes, Tolerance, Torch, Weave,
-};
+use crate::{AtCorner, Bead, Oscillation, ProcessValues, Sequence, SpanValue, SpareAxes, Tolerance, Torch, Weave};
 use schemars::JsonSchema;
 use seamwright_document::{NonNegative, Positive};
 use serde::{Deserialize, Serialize};
