@@ -25,7 +25,7 @@ fn text(arc: bool, weave: &str) -> String {
     let text = match arc {
         true => text.replace(
             "[seam.polyline]\npoints_mm = [[-60, 0, 0], [60, 0, 0]]",
-            "[seam.circle]\ncenter_mm = [0, 0, 0]\nradius_mm = 20",
+            "[seam.circle]\nradius_mm = 20",
         ),
         false => text.to_owned(),
     };
@@ -101,8 +101,6 @@ fn the_frequency_stays_over_a_ramp_of_the_speed() {
     let (job, _) = plan(WEAVE);
     let mut program = job.program.value;
     let pass = &mut program.passes[0];
-    let mut keys = pass.to_owned();
-    keys.weave = None;
     let weave = "[passes.weave]\nwidth_mm = 6\nfrequency_hz = 1.25\nfade_mm = 4\n";
     pass.weave = None;
     let text = program.to_toml().unwrap();

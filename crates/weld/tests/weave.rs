@@ -118,7 +118,7 @@ fn jobs_put_the_weave_into_their_passes() {
         assert_eq!(again.path(0).pose(s), job.path(0).pose(s));
     }
     // In a weld of several passes a run has its own, or that of the weld.
-    let own = HILLSIDE.replacen("[weld]", "[beads.cap.weave]\nwidth_mm = 5\npitch_mm = 3\n[weld]", 1);
+    let own = HILLSIDE.replacen("layer_mm = 2.5 }", "layer_mm = 2.5, weave = { width_mm = 5, pitch_mm = 3 } }", 1);
     let text = format!("{own}\n[weld.weave]\nwidth_mm = 2\npitch_mm = 2\n");
     let Ok(job) = Welding::read("job.toml", &text) else {
         panic!("{}", Welding::read("job.toml", &text).unwrap_err());
