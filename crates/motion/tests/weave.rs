@@ -58,7 +58,7 @@ fn worst(machine: &Machine, motion: &PassMotion, period: f64) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(cases(12))]
+    #![proptest_config(cases(8))]
 
     /// Whatever the weave, slowed down where it has to be: every set-point is within every limit, the tip is where the
     /// woven path is, and the line is never passed faster than asked.
@@ -130,6 +130,8 @@ fn the_frequency_stays_over_a_ramp_of_the_speed() {
 /// What a finding says is possible, is; a little more is not.
 #[test]
 fn the_highest_frequency_told_can_be_planned_and_not_much_more() {
+    // A short seam: it is planned a dozen times for every figure.
+    let text = |arc, keys: &str| text(arc, keys).replace("[[-60, 0, 0], [60, 0, 0]]", "[[-15, 0, 0], [15, 0, 0]]");
     for (figure, width) in [("sine", 8.0), ("triangle", 5.0), ("circle", 6.0), ("trapezoid", 8.0)] {
         let keys = |hz: f64| format!("figure = \"{figure}\"\nwidth_mm = {width}\nfrequency_hz = {hz}\n");
         let findings = plan(&text(false, &keys(3.0))).1.unwrap_err();

@@ -77,7 +77,7 @@ mod tests {
 
     fn text(oscillation: &str) -> String {
         format!(
-            "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.line]\nto_mm = [100, 0, 0]\n\
+            "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.circle]\nradius_mm = 100\n\
              [[passes]]\nname = \"beam\"\n[passes.oscillation]\n{oscillation}\n\
              [[passes.spans]]\nfrom_mm = 0\nto_mm = 100\nspeed_mm_s = 10\n"
         )
