@@ -23,10 +23,7 @@ fn machine() -> Machine {
 fn text(arc: bool, weave: &str) -> String {
     let text = WEAVE.split("[weld.weave]").next().unwrap();
     let text = match arc {
-        true => text.replace(
-            "[seam.polyline]\npoints_mm = [[-60, 0, 0], [60, 0, 0]]",
-            "[seam.circle]\nradius_mm = 20",
-        ),
+        true => text.replace("[seam.polyline]\npoints_mm = [[-60, 0, 0], [60, 0, 0]]", "[seam.circle]\nradius_mm = 20"),
         false => text.to_owned(),
     };
     format!("{text}[weld.weave]\n{weave}\n")
