@@ -107,7 +107,7 @@ fn nearest(place: impl Fn(f64) -> DVec3, point: DVec3, guess: f64, (from, to): (
     for sense in [-1.0, 1.0] {
         let (mut s, mut step, mut last) = (guess, start.sqrt() / 16.0, start);
         while let next = (s + sense * step).clamp(from, to)
-            && next != s
+            && (next - s).abs() > 0.0
             && away(next) < last
         {
             (s, last) = (next, away(next));
