@@ -1,6 +1,7 @@
 use crate::drives::Drives;
 use crate::summary::{Summary, Tally};
 use crate::{Error, Sample};
+use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine};
 use seamwright_motion::corners::foot_in_blend;
@@ -75,8 +76,13 @@ fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMotion, sample
     };
     sample.tip_s = s;
     let along = path.tangent(s);
+    let woven = planned.path.is_woven();
     let errors = |tip: &Pose, pose: &dyn Fn(f64) -> Pose| match foot_in_blend(&planned.path, pose, tip.point, s) {
         Some(foot) => (tip.point.distance(pose(foot).point), angle(tip, &pose(foot))),
+        None if woven => {
+            let foot = nearest(|s| pose(s).point, tip.point, sample.set.law.s, whole);
+            (tip.point.distance(pose(foot).point), angle(tip, &pose(foot)))
+        }
         None => {
             let off = tip.point - pose(s).point;
             ((off - off.dot(along) * along).length(), angle(tip, &pose(s)))
@@ -89,6 +95,38 @@ fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMotion, sample
         sample.path_error = sample.path_error.max(second.0);
         sample.attitude_error = sample.attitude_error.max(second.1);
     }
+}
+
+/// Where the path that `place` goes along, near `guess`, is nearest to `point`: from there both ways while it comes
+/// nearer, in steps that the distance there allows and that grow, then by thirds. What is found is never nearer than
+/// the nearest.
+fn nearest(place: impl Fn(f64) -> DVec3, point: DVec3, guess: f64, (from, to): (f64, f64)) -> f64 {
+    let away = |s: f64| place(s).distance_squared(point);
+    let start = away(guess);
+    let mut best = (start, guess, start.sqrt() / 16.0);
+    for sense in [-1.0, 1.0] {
+        let (mut s, mut step, mut last) = (guess, start.sqrt() / 16.0, start);
+        while let next = (s + sense * step).clamp(from, to)
+            && (next - s).abs() > 0.0
+            && away(next) < last
+        {
+            (s, last) = (next, away(next));
+            if last < best.0 {
+                best = (last, s, step);
+            }
+            step *= 1.5;
+        }
+    }
+    let (mut low, mut high) = ((best.1 - best.2).max(from), (best.1 + 1.5 * best.2).min(to));
+    if best.1 < guess {
+        (low, high) = ((best.1 - 1.5 * best.2).max(from), (best.1 + best.2).min(to));
+    }
+    for _ in 0..24 {
+        let [a, b] = [low + (high - low) * 0.4, low + (high - low) * 0.6];
+        if away(a) < away(b) { high = b } else { low = a }
+    }
+    let found = 0.5 * (low + high);
+    if away(found) < best.0 { found } else { best.1 }
 }
 
 fn angle(a: &Pose, b: &Pose) -> f64 {

@@ -3,10 +3,15 @@
 use seamwright_cell::{Error, Sample, Summary, simulate};
 use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
+use seamwright_program::TorchPath;
 use seamwright_weld::Welding;
 
 fn run(machine_text: &str, seed: u64) -> Result<(Summary, Vec<Sample>), Error> {
-    let welding = Welding::read("saddle.toml", include_str!("../../../examples/ellipse.toml")).unwrap();
+    run_job(include_str!("../../../examples/ellipse.toml"), machine_text, seed)
+}
+
+fn run_job(job: &str, machine_text: &str, seed: u64) -> Result<(Summary, Vec<Sample>), Error> {
+    let welding = Welding::read("job.toml", job).unwrap();
     let (program, path) = (&welding.program.value, welding.path(0));
     let machine = Machine::read("m.toml", machine_text).unwrap();
     let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
@@ -63,4 +68,22 @@ fn worse_drives_weld_worse() {
 fn impossible_drives_are_refused() {
     let text = shipped_text().replace("velocity_bandwidth_hz = 40", "velocity_bandwidth_hz = 4000");
     assert!(run(&text, 1).unwrap_err().to_string().starts_with("drive of axis x"));
+}
+
+/// A woven weld is judged by its distance from the woven path, found by brute force here, and by its speed along the seam.
+#[test]
+fn a_woven_weld_is_judged_by_its_woven_path() {
+    let (job, machine) = (include_str!("../../../examples/weave.toml"), shipped("torch-5axis").unwrap().text);
+    let (summary, samples) = run_job(job, machine, 1).unwrap();
+    let (welding, machine) = (Welding::read("job.toml", job).unwrap(), Machine::read("m", machine).unwrap());
+    let path = welding.path(0);
+    for sample in samples.iter().filter(|s| s.travels()).step_by(499) {
+        let tip = machine.forward(&sample.q).point;
+        let near = (-4000..=4000).map(|i| (sample.set.law.s + 5e-5 * f64::from(i)).clamp(0.0, path.length()));
+        let least = near.map(|s| path.pose(s).point.distance(tip)).fold(f64::INFINITY, f64::min);
+        assert!((sample.path_error - least).abs() < 1e-3, "{}: {} {least}", sample.set.law.s, sample.path_error);
+        assert!((sample.tip_s - sample.set.law.s).abs() < 0.05, "{sample:?}");
+    }
+    let speed = summary.tip_speed_mm_s.unwrap();
+    assert!(speed.min > 2.2 && speed.max < 2.8 && summary.path_error_mm.max < 0.05, "{summary:#?}");
 }

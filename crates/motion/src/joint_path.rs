@@ -52,6 +52,8 @@ pub struct JointPath {
     blends: Vec<(f64, f64)>,
     /// True if the tip's way by path length is not 1, as beside a seam.
     beside: bool,
+    /// Where the torch weaves, the way of its line by path length, panel by panel: what is asked of the speed.
+    line: Option<Vec<Series>>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -73,6 +75,7 @@ impl JointPath {
         let axes = follower.machine.axes.len();
         let length = follower.path.length();
         let mut built = Self::empty(axes, length);
+        built.line = follower.path.swing(0.0).map(|_| Vec::new());
         let mut near = *start;
         let mut todo: Vec<(f64, f64)> = Vec::new();
         let mut edges = vec![0.0];
@@ -82,6 +85,9 @@ impl JointPath {
         while let Some((a, b)) = todo.pop() {
             if let Some((blocks, end)) = fit(follower, a, b, &near, built.blocks_a_panel) {
                 let rates = nodes().map(|x| follower.path.rate(a + 0.5 * (b - a) * (1.0 + x)));
+                if let Some(line) = &mut built.line {
+                    line.push(Series::fit(&rates));
+                }
                 built.beside |= rates.iter().any(|rate| (rate - 1.0).abs() > SAME_RATE);
                 built.panels.push(Panel { start: a, end: b });
                 built.blocks.extend(blocks);
@@ -100,7 +106,7 @@ impl JointPath {
     fn empty(axes: usize, length: f64) -> Self {
         let blocks_a_panel = axes.div_ceil(LANES);
         let (panels, blocks, blends) = (Vec::new(), Vec::new(), Vec::new());
-        Self { panels, blocks, blocks_a_panel, length, axes, blends, beside: false }
+        Self { panels, blocks, blocks_a_panel, length, axes, blends, beside: false, line: None }
     }
 
     /// Length of the path, mm.

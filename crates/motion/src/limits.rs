@@ -76,6 +76,10 @@ pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Ve
     }
     let changes = planned.joints.is_beside() || pass.spans.iter().any(|span| span.speed_mm_s.is_ramp());
     let worth_saying = if changes { WORTH_SAYING_CHANGING } else { WORTH_SAYING };
+    if planned.joints.is_woven() {
+        // At every swing there is one: they are told as one.
+        runs = vec![runs.concat()];
+    }
     let finding = |run: &Vec<Interval>| {
         let slowest = run.iter().min_by(|a, b| a.reached.0.total_cmp(&b.reached.0))?;
         let (part, at) = slowest.reached;

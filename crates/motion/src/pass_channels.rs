@@ -96,7 +96,8 @@ impl Channels for PassChannels<'_> {
         let has_rate = self.path.has_rate(s);
         if has_rate || out.len() > self.machine.axes.len() {
             let [d1, ..] = self.along(&[p.q, p.d1, p.d2, p.d3], out);
-            return if has_rate { d1.length() } else { 1.0 };
+            let line = self.path.line_rate(self.path.panel(s, before), s);
+            return if has_rate { line.unwrap_or(d1.length()) } else { 1.0 };
         }
         out.iter_mut().enumerate().for_each(|(i, out)| *out = [p.d1[i], p.d2[i], p.d3[i]]);
         1.0

@@ -10,7 +10,7 @@ use crate::redundancy::{Clearance, resolve};
 use crate::set_points::SetPoints;
 use crate::singular;
 use crate::survey::{range_between, range_on_path, survey};
-use crate::{JointPath, LawPoint, SpeedLaw};
+use crate::{JointPath, LawPoint, SpeedLaw, weave_limits};
 use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_program::{Finding, Pass, Sequence, TorchPath};
 
@@ -64,8 +64,32 @@ impl PassMotion {
         number: usize,
         before: Before,
     ) -> Result<Self, Vec<Finding>> {
+        let mut all = match Self::plan_once(machine, path, pass, number, before) {
+            Err(all) if path.swing(0.0).is_some() => all,
+            planned => return planned,
+        };
+        let at = |factor: f64| {
+            let slower = path.slower(factor)?;
+            let refused = Self::plan_once(machine, &*slower, pass, number, before).err();
+            Some(refused.iter().flatten().all(|f| f.kind != "speed" || f.allowed))
+        };
+        weave_limits::tell(&mut all, pass, at);
+        Err(all)
+    }
+
+    /// Plans it as it is: without what a slower weave could do.
+    fn plan_once(
+        machine: &Machine,
+        path: &dyn TorchPath,
+        pass: &Pass,
+        number: usize,
+        before: Before,
+    ) -> Result<Self, Vec<Finding>> {
         let (_, fastest) = pass.speeds();
-        let free = resolve(machine, path, fastest / least_rate(path), &pass.spare_axes, before.clearance, number)?;
+        // Axes to spare do not weave.
+        let line = path.slower(0.0);
+        let line = line.as_deref().unwrap_or(path);
+        let free = resolve(machine, line, fastest / least_rate(line), &pass.spare_axes, before.clearance, number)?;
         let follower = Follower { machine, path, free: &free };
         let survey = survey(follower, &pass.tolerance, number)?;
         let mut findings = survey.findings;

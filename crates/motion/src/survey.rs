@@ -189,9 +189,14 @@ pub(crate) fn range_on_path(machine: &Machine, path: &JointPath, pass: usize) ->
 /// Ranges that the survey's places missed: the axes' extremes between them, where an axis turns back.
 pub(crate) fn range_between(machine: &Machine, path: &JointPath, pass: usize) -> Vec<Finding> {
     let mut findings = Vec::new();
-    let step = path.length() / PLACES as f64;
-    for i in 0..PLACES {
-        let (a, b) = (step * i as f64, step * (i + 1) as f64);
+    let mut places: Vec<f64> = (0..=PLACES).map(|i| path.length() * i as f64 / PLACES as f64).collect();
+    // A weave turns back more often than that, but hardly twice in a panel's half.
+    if path.is_woven() {
+        places.extend(path.edges().windows(2).flat_map(|w| [w[0], 0.5 * (w[0] + w[1])]));
+    }
+    places.sort_by(f64::total_cmp);
+    for ends in places.windows(2) {
+        let (a, b) = (ends[0], ends[1]);
         let (start, end) = (path.point(a, false), path.point(b, true));
         for (k, axis) in machine.axes.iter().enumerate() {
             if start.d1[k] * end.d1[k] >= 0.0 {

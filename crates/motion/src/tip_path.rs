@@ -20,6 +20,11 @@ impl PassMotion {
 }
 
 impl TipPath<'_> {
+    /// Way by `s` of what lead and lag are measured along: 1, but where the torch weaves that of the tip itself.
+    pub fn pace(&self, s: f64) -> f64 {
+        if self.joints.is_woven() { self.tip(s).1.length() } else { 1.0 }
+    }
+
     /// Tip and its derivative by `s`.
     fn tip(&self, s: f64) -> (DVec3, DVec3) {
         let JointPoint { q, d1, .. } = self.joints.point(s, false);

@@ -86,6 +86,15 @@ impl Program {
             if let Some(bead) = &pass.bead {
                 bead.check(&document, &format!("passes[{p}].bead"))?;
             }
+            if let Some(weave) = &pass.weave {
+                let (path, process) = (format!("passes[{p}].weave"), &pass.spans[0].process);
+                weave.check(&document, &path, process, (&format!("passes[{p}].corner"), &pass.corner))?;
+                let speed_at = |i: usize| format!("passes[{p}].spans[{i}].speed_mm_s");
+                weave.check_speeds(&document, &path, (&pass.spans, speed_at))?;
+            }
+            if let Some(oscillation) = &pass.oscillation {
+                oscillation.check(&document, &format!("passes[{p}].oscillation"))?;
+            }
             pass.corner.check(&document, &format!("passes[{p}].corner"), (&within, &pass.tolerance))?;
             pass.sequence.check(&document, &format!("passes[{p}].sequence"), &pass.spans[0].process)?;
             for (i, span) in pass.spans.iter().enumerate() {

@@ -15,6 +15,7 @@ mod head;
 mod joint;
 mod nozzle;
 mod offsets;
+mod oscillation;
 mod part;
 mod pass;
 mod plane_seam;
@@ -29,6 +30,7 @@ mod taught;
 mod tolerance;
 mod torch;
 mod weave;
+mod weaving;
 
 pub use air::Air;
 pub use at_corner::AtCorner;
@@ -42,6 +44,7 @@ pub use joint::{
 };
 pub use nozzle::{Body, Mount, Nozzle, NozzleCurve};
 pub use offsets::{OFFSET_NAMES, Offsets, check_offset, is_offset_name};
+pub use oscillation::Oscillation;
 pub use part::{Clearance, Part};
 pub use pass::{OnLimit, Pass, Role, Span};
 pub use plane_seam::{Arc, Circle, Polyline, RoundedRectangle, WallFaces};
@@ -59,3 +62,4 @@ pub use taught::Taught;
 pub use tolerance::Tolerance;
 pub use torch::{Groove, Torch, TorchAt, TorchPath};
 pub use weave::{Figure, Swing, Weave};
+pub use weaving::Weaving;

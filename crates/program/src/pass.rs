@@ -1,4 +1,4 @@
-use crate::{AtCorner, Bead, ProcessValues, Sequence, SpanValue, SpareAxes, Tolerance, Torch};
+use crate::{AtCorner, Bead, Oscillation, ProcessValues, Sequence, SpanValue, SpareAxes, Tolerance, Torch, Weave};
 use schemars::JsonSchema;
 use seamwright_document::{NonNegative, Positive};
 use serde::{Deserialize, Serialize};
@@ -44,6 +44,12 @@ pub struct Pass {
     /// Where its bead lies beside the seam; none: on it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bead: Option<Bead>,
+    /// How the torch weaves while it goes along; none: it does not.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub weave: Option<Weave>,
+    /// How the beam is deflected to and fro while it goes along.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub oscillation: Option<Oscillation>,
     /// Parts of the pass, one after the other without a gap.
     pub spans: Vec<Span>,
 }
@@ -132,12 +138,16 @@ impl Pass {
         ends.fold((f64::INFINITY, 0.0), |(least, most), v| (v.min(least), v.max(most)))
     }
 
-    /// The process value `name` while the arc is on: at path length `s`, `since_on` s after the arc went on and
+    /// The process value `name` while the arc is on, at a side of the weave that of the side: at path length `s`, `since_on` s after the arc went on and
     /// `until_off` s before it goes off (infinite where only the travel is meant). None if the pass has no such
     /// value.
     pub fn process_at(&self, name: &str, s: f64, (since_on, until_off): (f64, f64)) -> Option<f64> {
         let span = self.span_at(s)?;
         let mut value = span.process.get(name)?.at(span.part(s));
+        if let Some(side) = self.weave.as_ref().and_then(|weave| weave.at_sides.get(name)) {
+            let out = self.swing_at(s).powi(2);
+            value = (1.0 - out) * value + out * side.at(span.part(s));
+        }
         for (slope, away) in [(&self.sequence.upslope, since_on), (&self.sequence.downslope, until_off)] {
             value = slope.as_ref().map_or(value, |slope| slope.at(name, value, away));
         }

@@ -55,7 +55,7 @@ pub trait TorchPath {
     /// continuous, and smooth between knots.
     fn pose(&self, s: f64) -> Pose;
 
-    /// Way of the tip by path length at `s`: exactly 1 all along where it goes on the line by whose length `s` counts,
+    /// Way of the tip by path length at `s`, without its weave: exactly 1 all along where it goes on the line by whose length `s` counts,
     /// another beside it. At a knot anything between the ways on either side.
     fn rate(&self, _s: f64) -> f64 {
         1.0
@@ -77,18 +77,37 @@ pub trait TorchPath {
         None
     }
 
-    /// Unit tangent at path length `s`, by a difference of 1e-3 mm to each side: small against any bend that can be
-    /// welded.
+    /// Where the torch weaves: how far its tip is from its line, as a vector. The line is what `rate` and `tangent` speak
+    /// of, and along which speeds count. None if the tip is on its line all along.
+    fn swing(&self, _s: f64) -> Option<DVec3> {
+        None
+    }
+
+    /// Where the torch weaves: the same path with a weave that goes only `factor` times as fast, below 1;
+    /// with 0 without it.
+    fn slower(&self, _factor: f64) -> Option<Box<dyn TorchPath + '_>> {
+        None
+    }
+
+    /// The place at `s` on the line along which the tip goes, from which it weaves.
+    fn centre(&self, s: f64) -> DVec3 {
+        self.pose(s).point - self.swing(s).unwrap_or_default()
+    }
+
+    /// Unit tangent of the line at path length `s`, by a difference of 1e-3 mm to each side: small against any bend that
+    /// can be welded.
     fn tangent(&self, s: f64) -> DVec3 {
         let h = 1e-3_f64.min(0.25 * self.length());
         let (behind, ahead) = ((s - h).max(0.0), (s + h).min(self.length()));
-        (self.pose(ahead).point - self.pose(behind).point).normalize()
+        (self.centre(ahead) - self.centre(behind)).normalize()
     }
 
     /// Path length within [`from`, `to`] of the path's point nearest to `point`, which must lie near the path at path
-    /// length `guess`: two Newton steps on the foot of the perpendicular.
+    /// length `guess`: two Newton steps on the foot of the perpendicular. Where the torch weaves, that of the line's
+    /// point nearest to where `point` would be without the swing that is asked for at `guess`.
     fn foot(&self, point: DVec3, guess: f64, (from, to): (f64, f64)) -> f64 {
-        let along = |s: f64| (point - self.pose(s).point).dot(self.tangent(s)) / self.rate(s);
+        let point = point - self.swing(guess).unwrap_or_default();
+        let along = |s: f64| (point - self.centre(s)).dot(self.tangent(s)) / self.rate(s);
         (0..2).fold(guess, |s, _| (s + along(s)).clamp(from, to))
     }
 

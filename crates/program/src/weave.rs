@@ -1,6 +1,6 @@
 //! Weaving of the torch, and the figures that it or a deflected beam goes through.
 
-use crate::ProcessValues;
+use crate::{AtCorner, ProcessValues, Span};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive};
 use serde::{Deserialize, Serialize};
@@ -11,6 +11,12 @@ const SHARP: f64 = 0.97;
 
 /// Largest part of a period that may be spent in dwells.
 const MOST_DWELL: f64 = 0.9;
+
+/// Least way along the seam for one period, mm: less is a slip, no weave.
+const LEAST_PITCH_MM: f64 = 0.1;
+
+/// Speeds of spans that meet differ by less than this part: rounding.
+const SAME_SPEED: f64 = 1e-9;
 
 /// A motion to and fro across the weld while it goes on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
@@ -125,12 +131,23 @@ fn trapezoid(phase: f64, (first, second): (f64, f64)) -> f64 {
 }
 
 impl Weave {
-    /// Checks the weave at `path` of a file; `process` are the values of the pass.
+    /// Checks the weave at `path` of a file; `process` are the values of the pass, `corner` is what it does at corners,
+    /// and where in the file that stands.
     ///
     /// # Errors
     /// With the key's address: neither pitch nor frequency or both, dwells without a trapezoid or longer than the
-    /// period, values at the sides that the pass does not have.
-    pub fn check<T>(&self, file: &Document<T>, path: &str, process: &ProcessValues) -> Result<(), DocumentError> {
+    /// period, values at the sides that the pass does not have, corners that are to be blended.
+    pub fn check<T>(
+        &self,
+        file: &Document<T>,
+        path: &str,
+        process: &ProcessValues,
+        (corner, at_corner): (&str, &AtCorner),
+    ) -> Result<(), DocumentError> {
+        if matches!(at_corner, AtCorner::BlendMm(_)) {
+            let message = "corners cannot be blended where the torch weaves";
+            return Err(file.error_at(corner, message, "\"refuse\" or \"stop\", or no weave"));
+        }
         let wrong =
             |key: &str, message: &str, allowed: String| Err(file.error_at(&format!("{path}.{key}"), message, allowed));
         if self.pitch_mm.is_some() == self.frequency_hz.is_some() {
@@ -177,6 +194,80 @@ impl Weave {
         Ok(())
     }
 
+    /// Checks the weave at `path` of a file against the speeds of a pass' spans, which stand at the addresses that
+    /// `speed_at` gives.
+    ///
+    /// # Errors
+    /// With the key's address: periods that are too short, a speed that jumps between spans though the weave goes by a
+    /// frequency.
+    pub fn check_speeds<T>(
+        &self,
+        file: &Document<T>,
+        path: &str,
+        (spans, speed_at): (&[Span], impl Fn(usize) -> String),
+    ) -> Result<(), DocumentError> {
+        let slowest = spans.iter().map(|span| span.speed_mm_s.ends()).fold(f64::INFINITY, |v, (a, b)| v.min(a).min(b));
+        let (key, pitch, allowed) = match (self.frequency_hz, self.pitch_mm) {
+            (Some(frequency), _) => {
+                let most = slowest / LEAST_PITCH_MM;
+                ("frequency_hz", slowest / frequency.get(), format!("up to {most:.4} Hz at {slowest} mm/s"))
+            }
+            (None, pitch) => ("pitch_mm", pitch.map_or(slowest, Positive::get), format!("{LEAST_PITCH_MM} or more")),
+        };
+        if pitch < LEAST_PITCH_MM {
+            let message = format!("a period of the weave would take only {pitch:.4} mm of the seam");
+            return Err(file.error_at(&format!("{path}.{key}"), message, allowed));
+        }
+        let jump = (1..spans.len()).find(|&i| {
+            let (before, after) = (spans[i - 1].speed_mm_s.ends().1, spans[i].speed_mm_s.ends().0);
+            (after - before).abs() > SAME_SPEED * before
+        });
+        match jump.filter(|_| self.frequency_hz.is_some()) {
+            None => Ok(()),
+            Some(i) => {
+                let before = spans[i - 1].speed_mm_s.ends().1;
+                let message = "the speed jumps where the span begins, and with it a weave that goes by its frequency";
+                let allowed = format!("a span that begins with {before}, or a weave with pitch_mm");
+                Err(file.error_at(&speed_at(i), message, allowed))
+            }
+        }
+    }
+
+    /// Periods from the beginning of `span`, part of a pass, to path length `s` of that: by the pitch, or at the
+    /// frequency and the asked speed `v`, the integral of `f / v(s)`.
+    pub(crate) fn periods(&self, span: &Span, s: f64) -> f64 {
+        let (from, to) = (span.from_mm.get(), span.to_mm.get());
+        let way = s - from;
+        let Some(frequency) = self.frequency_hz else {
+            return way / self.pitch_mm.map_or(f64::INFINITY, Positive::get);
+        };
+        let (v, end) = span.speed_mm_s.ends();
+        let growth = (end - v) / (v * (to - from)) * way;
+        frequency.get() * way / v * log_part(growth)
+    }
+
+    /// Path length at which `periods` have passed since the beginning of `span`: the inverse of [`Weave::periods`].
+    pub(crate) fn place(&self, span: &Span, periods: f64) -> f64 {
+        let (from, to) = (span.from_mm.get(), span.to_mm.get());
+        let Some(frequency) = self.frequency_hz else {
+            return from + periods * self.pitch_mm.map_or(f64::INFINITY, Positive::get);
+        };
+        let (v, end) = span.speed_mm_s.ends();
+        let (time, slope) = (periods / frequency.get(), (end - v) / (to - from));
+        let x = slope * time;
+        // (e^x - 1) / x, by its series where the quotient would lose digits.
+        let part = if x.abs() < 1e-5 { 1.0 + x * (0.5 + x / 6.0) } else { x.exp_m1() / x };
+        from + v * time * part
+    }
+
+    /// The same weave, `factor` times as fast; dwells take the seconds that they take.
+    #[must_use]
+    pub fn faster(&self, factor: f64) -> Self {
+        let times = |value: Option<Positive>, factor: f64| value.and_then(|v| Positive::new(v.get() * factor));
+        let (frequency_hz, pitch_mm) = (times(self.frequency_hz, factor), times(self.pitch_mm, 1.0 / factor));
+        Self { frequency_hz, pitch_mm, ..self.clone() }
+    }
+
     /// Parts of a period in the dwells at the sides of the first and the second part.
     pub fn dwells(&self) -> (f64, f64) {
         let of = |dwell: NonNegative| dwell.get() * self.frequency_hz.map_or(0.0, Positive::get);
@@ -196,6 +287,11 @@ impl Weave {
         let t = if fade > 0.0 { (s.min(length - s) / fade).clamp(0.0, 1.0) } else { 1.0 };
         t * t * t * (10.0 + t * (6.0 * t - 15.0))
     }
+}
+
+/// `ln(1 + x) / x`, by its series where the quotient would lose digits.
+fn log_part(x: f64) -> f64 {
+    if x.abs() < 1e-5 { 1.0 - x * (0.5 - x / 3.0) } else { x.ln_1p() / x }
 }
 
 #[cfg(test)]

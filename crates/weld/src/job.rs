@@ -5,8 +5,8 @@ use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_program::{
-    Air, AtCorner, Clearance, Joint, Offsets, OnLimit, Part, Pass, ProcessValues, Program, Seam, SeamStart, Sequence,
-    SpareAxes, Taught, Tolerance, Torch, check_offset, check_process,
+    Air, AtCorner, Clearance, Joint, Offsets, OnLimit, Oscillation, Part, Pass, ProcessValues, Program, Seam,
+    SeamStart, Sequence, SpareAxes, Taught, Tolerance, Torch, Weave, check_offset, check_process,
 };
 use serde::{Deserialize, Serialize};
 
@@ -98,6 +98,13 @@ pub struct Weld {
     /// Speed and process values at several places, linear in between.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub at: Vec<Station>,
+    /// How the torch weaves while it goes along; none: it does not. In several passes, what those of `[beads]` do that
+    /// have no weave of their own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub weave: Option<Weave>,
+    /// How the beam is deflected to and fro while it goes along.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub oscillation: Option<Oscillation>,
 }
 
 impl Job {
@@ -110,6 +117,13 @@ impl Job {
         check_offset(&job, job.value.offset.as_deref(), &job.value.offsets)?;
         check_process(&job, "weld.process", &job.value.weld.process)?;
         job.value.weld.corner.check(&job, "weld.corner", ("tolerance", &job.value.tolerance))?;
+        if let Some(weave) = &job.value.weld.weave {
+            let corner = ("weld.corner", &job.value.weld.corner);
+            weave.check(&job, "weld.weave", &job.value.weld.process, corner)?;
+        }
+        if let Some(oscillation) = &job.value.weld.oscillation {
+            oscillation.check(&job, "weld.oscillation")?;
+        }
         job.value.sequence.check(&job, "sequence", &job.value.weld.process)?;
         if job.value.weld.least_speed_mm_s.is_some_and(|least| least >= job.value.weld.speed_mm_s) {
             let allowed = format!("less than speed_mm_s = {}", job.value.weld.speed_mm_s.get());
@@ -140,6 +154,10 @@ impl Job {
     /// With the key's address: a weld without length, stations that are wrong.
     pub fn program(job: &Document<Self>, seam: &SeamCurve) -> Result<Program, DocumentError> {
         let j = &job.value;
+        let spans = spans(job, seam)?;
+        if let Some(weave) = &j.weld.weave {
+            weave.check_speeds(job, "weld.weave", (&spans, |_| "weld.speed_mm_s".to_owned()))?;
+        }
         let pass = Pass {
             name: "pass 1".to_owned(),
             role: None,
@@ -153,7 +171,9 @@ impl Job {
             tolerance: j.tolerance,
             spare_axes: j.spare_axes.clone(),
             bead: None,
-            spans: spans(job, seam)?,
+            weave: j.weld.weave.clone(),
+            oscillation: j.weld.oscillation,
+            spans,
         };
         Ok(Program {
             schema: SchemaVersion,

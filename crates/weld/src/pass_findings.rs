@@ -111,7 +111,11 @@ impl PassPath<'_> {
         };
         let mut findings = Vec::new();
         for corner in self.seam.knots_within(self.stretch.range()) {
-            let [before, after] = [corner - SAME_MM, corner + SAME_MM].map(|s| self.torch_at(&self.seam.at(s)));
+            let [before, after] = [corner - SAME_MM, corner + SAME_MM].map(|s| {
+                let p = self.seam.at(s);
+                let (tip, axis) = self.torch_at(&p);
+                (tip + self.swing_at(&p, axis, self.stretch.own_s(corner)), axis)
+            });
             let (jump, turn) = ((before.0 - after.0).length(), angle(before.1, after.1));
             let s = self.stretch.own_s(corner);
             if turn > TURN {

@@ -1,7 +1,7 @@
 use crate::{Attitude, BeadLine, SeamCurve, SeamPoint, Stretch};
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::Pose;
-use seamwright_program::{Groove, TorchPath};
+use seamwright_program::{Groove, TorchPath, Weaving};
 
 /// Knots nearer to each other are one, mm.
 const NEAR_MM: f64 = 1e-6;
@@ -21,6 +21,8 @@ pub struct PassPath<'a> {
     pub attitude: Attitude,
     /// Where the bead lies beside the seam, if it does.
     pub bead: Option<&'a BeadLine>,
+    /// How the torch weaves about the bead's line, if it does.
+    pub weaving: Option<Weaving>,
     /// The seam's frame in the work frame: work offset and placement.
     pub placement: DAffine3,
 }
@@ -38,15 +40,27 @@ impl PassPath<'_> {
         (work + self.bead.map_or(0.0, |bead| bead.lean(s)), travel)
     }
 
-    /// The torch over a point of the seam, in the seam's frame: its tip, and the unit vector from there to the torch.
+    /// The torch over a point of the seam, in the seam's frame: its tip, without a weave, and the unit vector from there
+    /// to the torch.
     pub fn torch_at(&self, p: &SeamPoint) -> (DVec3, DVec3) {
         let (tip, lean) = self.bead.map_or((p.point, 0.0), |bead| (bead.tip(p), bead.lean(p.s)));
         (tip, self.attitude.leaning(p, lean, self.stretch.sense))
     }
 
-    /// The same as a pose in the work frame.
-    fn placed(&self, p: &SeamPoint) -> Pose {
+    /// How far the weave takes the tip from there at path length `s`, in the seam's frame: across in the plane square to
+    /// the seam, square to the torch's `axis`, towards the first part; and along the seam.
+    pub(crate) fn swing_at(&self, p: &SeamPoint, axis: DVec3, s: f64) -> DVec3 {
+        let Some(weaving) = &self.weaving else { return DVec3::ZERO };
+        let (across, along) = weaving.offset(s);
+        let aside = p.along.cross(axis).normalize();
+        let aside = if aside.dot(p.towards_first) < 0.0 { -aside } else { aside };
+        across * aside + along * self.stretch.sense * p.along
+    }
+
+    /// The woven torch over a point of the seam as a pose in the work frame.
+    fn placed(&self, p: &SeamPoint, s: f64) -> Pose {
         let (tip, axis) = self.torch_at(p);
+        let tip = tip + self.swing_at(p, axis, s);
         Pose { point: self.placement.transform_point3(tip), direction: self.placement.transform_vector3(-axis) }
     }
 }
@@ -57,7 +71,7 @@ impl TorchPath for PassPath<'_> {
     }
 
     fn pose(&self, s: f64) -> Pose {
-        self.placed(&self.seam_point(s))
+        self.placed(&self.seam_point(s), s)
     }
 
     fn rate(&self, s: f64) -> f64 {
@@ -68,7 +82,20 @@ impl TorchPath for PassPath<'_> {
     }
 
     fn second(&self, s: f64) -> Option<Pose> {
-        self.seam.across(&self.seam_point(s)).map(|p| self.placed(&p))
+        self.seam.across(&self.seam_point(s)).map(|p| self.placed(&p, s))
+    }
+
+    fn swing(&self, s: f64) -> Option<DVec3> {
+        self.weaving.as_ref()?;
+        let p = self.seam_point(s);
+        let (_, axis) = self.torch_at(&p);
+        Some(self.placement.transform_vector3(self.swing_at(&p, axis, s)))
+    }
+
+    fn slower(&self, factor: f64) -> Option<Box<dyn TorchPath + '_>> {
+        let weaving = self.weaving.as_ref()?;
+        let weaving = (factor > 0.0).then(|| weaving.faster(factor));
+        Some(Box::new(PassPath { attitude: self.attitude.clone(), weaving, ..*self }))
     }
 
     fn face(&self, s: f64) -> DVec3 {
@@ -93,7 +120,10 @@ impl TorchPath for PassPath<'_> {
             }
         }
         let mut own: Vec<f64> = knots.into_iter().map(|s| self.stretch.own_s(s)).collect();
+        let woven = self.weaving.as_ref().map_or(Vec::new(), Weaving::knots);
+        own.extend(woven);
         own.sort_by(f64::total_cmp);
+        own.dedup_by(|a, b| *a - *b < NEAR_MM);
         own
     }
 }

@@ -3,7 +3,7 @@ use crate::{
     Attitude, BeadLine, BeadPlan, Cut, Job, NoFiles, Outside, PassPath, SeamCurve, SeamJoint, Stretch, procedure,
 };
 use seamwright_document::{Document, DocumentError};
-use seamwright_program::{Finding, Program};
+use seamwright_program::{Finding, Pass, Program, Weaving};
 
 /// A weld read from a job or a program file: the program, the seam, and the torch angles along it.
 #[derive(Debug)]
@@ -97,6 +97,7 @@ impl Welding {
             stretch: self.stretches[pass],
             attitude: self.attitudes[pass].clone(),
             bead: self.beads[pass].as_ref(),
+            weaving: Weaving::new(&self.program.value.passes[pass]),
             placement: self.program.value.seam_in_work(),
         }
     }
@@ -104,8 +105,16 @@ impl Welding {
     /// What stands against the weld before any machine is looked at.
     pub fn findings(&self) -> Vec<Finding> {
         let passes = (0..self.attitudes.len()).flat_map(|i| self.path(i).findings(i + 1));
-        self.plan_findings.iter().cloned().chain(passes).collect()
+        let gaps = self.program.value.passes.iter().enumerate().filter_map(|(i, pass)| gaps(pass, i + 1));
+        self.plan_findings.iter().cloned().chain(passes).chain(gaps).collect()
     }
+}
+
+/// Where the oscillation of the beam leaves gaps in pass `number`.
+fn gaps(pass: &Pass, number: usize) -> Option<Finding> {
+    let (message, cure) = pass.oscillation.as_ref()?.gaps(pass)?;
+    let (from_mm, to_mm) = (0.0, pass.length());
+    Some(Finding { kind: "oscillation", message, pass: number, from_mm, to_mm, cure, allowed: false })
 }
 
 /// Where the passes of a program run.

@@ -5,10 +5,14 @@ use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::{Loaded, load};
 use crate::rows::{print_json, print_text};
+use seamwright_program::Oscillation;
 use seamwright_report::{Plots, WeldReport};
 use seamwright_weld::{Cut, Welding};
 use std::fmt::Write;
 use std::path::{Component, Path, PathBuf};
+
+/// Points in the table of a beam's oscillation.
+const OSCILLATION_POINTS: u32 = 256;
 
 pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
@@ -28,6 +32,12 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     if let Some(cut) = &loaded.welding.cut {
         output.text("cut.csv", &cut_table(cut))?;
     }
+    for (i, pass) in loaded.welding.program.value.passes.iter().enumerate() {
+        if let Some(oscillation) = &pass.oscillation {
+            let name = if i == 0 { "oscillation.csv".to_owned() } else { format!("pass-{}-oscillation.csv", i + 1) };
+            output.text(&name, &oscillation_table(oscillation))?;
+        }
+    }
     finish(output, &report, args.json)?;
     judge(report)
 }
@@ -42,6 +52,18 @@ fn cut_table(cut: &Cut) -> String {
             // Writing to a String cannot fail.
             let _ = writeln!(text, "{side},{phi},{},{},{dihedral}", p.around, p.height);
         }
+    }
+    text
+}
+
+/// One period of a beam's deflection, for a function generator.
+fn oscillation_table(oscillation: &Oscillation) -> String {
+    let mut text = "t_us,across_mm,along_mm\n".to_owned();
+    for i in 0..OSCILLATION_POINTS {
+        let phase = f64::from(i) / f64::from(OSCILLATION_POINTS);
+        let (across, along) = oscillation.at(phase);
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "{:.4},{across:.6},{along:.6}", 1e6 * phase / oscillation.frequency_hz.get());
     }
     text
 }

@@ -68,11 +68,24 @@ impl JointPath {
         self.beside || self.in_blend(s)
     }
 
+    /// True if the torch weaves about its line.
+    pub fn is_woven(&self) -> bool {
+        self.line.is_some()
+    }
+
+    /// Where the torch weaves beside a seam, the way of its line by path length at `s` of panel `i`.
+    pub(crate) fn line_rate(&self, i: usize, s: f64) -> Option<f64> {
+        self.line.as_ref().map(|line| line[i].at(self.panels[i].local(s)))
+    }
+
     /// Way of the torch tip of `machine`, whose path this is, by path length at `s`: 1 on the seam; beside it and in
-    /// blends that of the axes.
+    /// blends that of the axes. Where the torch weaves that of its line.
     pub fn tip_rate(&self, machine: &Machine, s: f64) -> f64 {
         if !self.has_rate(s) {
             return 1.0;
+        }
+        if let Some(rate) = self.line_rate(self.panel(s, false), s) {
+            return rate;
         }
         let JointPoint { q, d1, d2, d3 } = self.point(s, false);
         machine.tip_derivatives(&[q, d1, d2, d3])[0].length()

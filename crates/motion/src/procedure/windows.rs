@@ -92,12 +92,25 @@ fn process_values(run: Option<&Run>, pass: &Pass) -> Vec<Quantity> {
     let names = pass.spans.first().into_iter().flat_map(|span| span.process.keys()).chain(lacking);
     names
         .map(|name| {
-            quantity(name, window(name), &pieces, |span, s| {
+            let middle = quantity(name, window(name), &pieces, |span, s| {
                 let (from, to) = (span.from_mm.get(), span.to_mm.get());
                 span.process.get(name).map(|value| value.at((s - from) / (to - from)))
-            })
+            });
+            // Between the middle of a weave and its sides lies what lies between their values.
+            match pass.weave.as_ref().and_then(|weave| weave.at_sides.get(name)) {
+                Some(side) => {
+                    both(middle, quantity(name, window(name), &pieces, |span, s| Some(side.at(span.part(s)))))
+                }
+                None => middle,
+            }
         })
         .collect()
+}
+
+/// A quantity that has the values of two.
+fn both(a: Quantity, b: Quantity) -> Quantity {
+    let found = a.found.zip(b.found).map(|(a, b)| (a.0.min(b.0), a.1.max(b.1)));
+    Quantity { found, outside: joined(a.outside.into_iter().chain(b.outside).collect()), ..a }
 }
 
 /// A quantity over `pieces`, whose value in a span at a path length is `value`.

@@ -2,7 +2,7 @@ use super::certificate::IntervalFigures;
 use super::procedure::ProcedurePlots;
 use super::samples::Sample;
 use super::taught::{TaughtPlot, taught};
-use super::{CertificateFigures, SimulationCurves, cut, sections};
+use super::{CertificateFigures, SimulationCurves, cut, sections, woven};
 use crate::{Axis, Band, Chart, ChartGrid, Gallery, LimitLine, Mark, Series, Style, ThreeViews};
 use seamwright_machine::Machine;
 use seamwright_motion::{Leg, PassClearance, PassMotion};
@@ -18,6 +18,10 @@ pub struct Plots {
     pub taught: Vec<TaughtPlot>,
     /// Torch angles over path length.
     pub torch: Chart,
+    /// The woven path of the tip, if the torch weaves.
+    pub weave: Option<Chart>,
+    /// The path of the oscillating beam on the work, if it does.
+    pub oscillation: Option<Chart>,
     /// Axis positions, speeds and accelerations against their limits.
     pub axes: ChartGrid,
     /// Jerk of each axis against its limit.
@@ -59,6 +63,8 @@ impl Plots {
             taught: taught(machine, &welding.seam, motion),
             clearance: clearance.map(clearance_chart),
             torch: torch(samples),
+            weave: woven::weave(&welding.program.value.passes[pass]),
+            oscillation: woven::oscillation(&welding.program.value.passes[pass]),
             axes: axes(machine, samples),
             jerks: jerks(machine, samples),
             speed: speed(motion, samples, certificate, curves),
@@ -96,6 +102,8 @@ impl Plots {
             files.extend(p.heat_input.as_ref().map(|c| ("heat-input.svg", c.to_svg_standalone())));
             files.push(("position.svg", p.positions.to_svg_standalone()));
         }
+        files.extend(self.weave.as_ref().map(|c| ("weave.svg", c.to_svg_standalone())));
+        files.extend(self.oscillation.as_ref().map(|c| ("oscillation.svg", c.to_svg_standalone())));
         files.extend(self.clearance.as_ref().map(|c| ("clearance.svg", c.to_svg_standalone())));
         files.extend(self.deviation.as_ref().map(|c| ("speed-deviation.svg", c.to_svg_standalone())));
         files.extend(self.following.as_ref().map(|c| ("following.svg", c.to_svg_standalone())));

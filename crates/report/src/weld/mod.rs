@@ -12,6 +12,7 @@ mod procedure;
 mod samples;
 mod sections;
 mod taught;
+mod woven;
 
 pub use certificate::CertificateFigures;
 pub use charts::Plots;

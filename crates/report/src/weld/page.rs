@@ -69,6 +69,18 @@ impl WeldReport {
             plots.torch.to_svg(),
             "Work angle from the bisector of the faces (positive towards the first part), travel angle, and half the angle between the faces.",
         ));
+        if let Some(weave) = &plots.weave {
+            blocks.push(figure(
+                weave.to_svg(),
+                "The woven path as asked, seen along the torch with the seam laid straight, the same scale along and across; the way goes to the right.",
+            ));
+        }
+        if let Some(oscillation) = &plots.oscillation {
+            blocks.push(figure(
+                oscillation.to_svg(),
+                "Where the deflected beam goes on the work, the same scale along and across; oscillation.csv has one period of the deflection.",
+            ));
+        }
         if let Some(cut) = &plots.cut {
             blocks.push(figure(
                 cut.clone(),

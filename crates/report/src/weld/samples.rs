@@ -1,10 +1,13 @@
 use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
+use seamwright_program::Weaving;
 use seamwright_weld::Welding;
 
 /// Evenly spaced places along the weld, and places closing in on each end, where the speed changes quickly.
 const EVEN: u32 = 1200;
 const NEAR_ENDS: i32 = 60;
+/// Places in a period of a weave, at least.
+const A_PERIOD: f64 = 32.0;
 
 /// The plan at one place along the weld; mm, deg, s.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,7 +24,10 @@ pub(crate) struct Sample {
 /// The plan along the whole of pass `pass`, counted from 0.
 pub(crate) fn samples(machine: &Machine, welding: &Welding, pass: usize, motion: &PassMotion) -> Vec<Sample> {
     let length = motion.path.length();
-    let mut places: Vec<f64> = (0..=EVEN).map(|i| length * f64::from(i) / f64::from(EVEN)).collect();
+    let pass_as_asked = &welding.program.value.passes[pass];
+    let periods = Weaving::new(pass_as_asked).map_or(0.0, |weaving| weaving.phase(length));
+    let even = EVEN.max((A_PERIOD * periods).ceil() as u32);
+    let mut places: Vec<f64> = (0..=even).map(|i| length * f64::from(i) / f64::from(even)).collect();
     for i in 0..NEAR_ENDS {
         let d = length / f64::from(EVEN) * 0.85f64.powi(i);
         places.extend([d, length - d]);

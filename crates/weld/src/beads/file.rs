@@ -1,6 +1,6 @@
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
-use seamwright_program::{ProcessValues, check_process};
+use seamwright_program::{Pass, ProcessValues, Role, Weave, check_process};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_4;
 
@@ -100,6 +100,9 @@ pub struct Run {
     /// Travel angle, degrees; that of `[torch]` if missing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub travel_angle_deg: Option<Finite>,
+    /// How the torch weaves; as in `[weld]` if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub weave: Option<Weave>,
 }
 
 fn number(value: f64) -> Positive {
@@ -145,6 +148,7 @@ pub(crate) struct Asked {
     pub(crate) speed: Positive,
     pub(crate) process: ProcessValues,
     pub(crate) travel_angle_deg: Option<Finite>,
+    pub(crate) weave: Option<Weave>,
 }
 
 impl Beads {
@@ -196,7 +200,26 @@ impl Beads {
                 wire_area * (feed * 1000.0 / 60.0) * self.deposition.get() / speed.get()
             }
         };
-        Ok(Asked { area, layer: run.layer_mm.get(), speed, process: all, travel_angle_deg: run.travel_angle_deg })
+        let layer = run.layer_mm.get();
+        Ok(Asked { area, layer, speed, process: all, travel_angle_deg: run.travel_angle_deg, weave: run.weave.clone() })
+    }
+
+    /// Checks the weave of a finished pass against its own process values and speeds.
+    ///
+    /// # Errors
+    /// With the key's address.
+    pub(crate) fn check_weave<T>(&self, file: &Document<T>, pass: &Pass) -> Result<(), DocumentError> {
+        let (Some(weave), Some(role)) = (&pass.weave, pass.role) else { return Ok(()) };
+        let run = match role {
+            Role::Root => self.root.as_ref().map(|run| ("root", run)),
+            Role::Cap => self.cap.as_ref().map(|run| ("cap", run)),
+            Role::Fill => None,
+        };
+        let (name, run) = run.unwrap_or(("fill", &self.fill));
+        let own = run.weave.is_some().then(|| format!("beads.{name}.weave"));
+        let path = own.unwrap_or_else(|| "weld.weave".to_owned());
+        weave.check(file, &path, &pass.spans[0].process, ("weld.corner", &pass.corner))?;
+        weave.check_speeds(file, &path, (&pass.spans, |_| path.clone()))
     }
 
     /// Checks what does not depend on the groove.

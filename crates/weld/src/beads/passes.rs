@@ -71,6 +71,9 @@ fn pass(plan: &BeadPlan, beads: &Beads, runs: &Runs, run: &Run, template: &Pass)
     if let Some(travel) = asked.travel_angle_deg {
         pass.torch.travel_angle_deg = travel;
     }
+    if let Some(weave) = &asked.weave {
+        pass.weave = Some(weave.clone());
+    }
     pass.bead = Some(columns(plan, run.bead));
     pass.spans = spans(plan, beads.adapt, asked, run);
     pass

@@ -1,0 +1,126 @@
+use crate::{Figure, Pass};
+use schemars::JsonSchema;
+use seamwright_document::{Document, DocumentError, Positive};
+use serde::{Deserialize, Serialize};
+
+/// Oscillation of a beam by its deflection: no axis moves.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Oscillation {
+    /// The figure.
+    #[serde(default)]
+    pub figure: Figure,
+    /// Width from side to side, mm.
+    pub across_mm: Positive,
+    /// Length along the seam of a circle or an eight, mm; as long as it is wide if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub along_mm: Option<Positive>,
+    /// Periods a second.
+    pub frequency_hz: Positive,
+    /// Diameter of the beam on the work, mm: if it goes on by more than this in a period it leaves gaps.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spot_mm: Option<Positive>,
+}
+
+impl Oscillation {
+    /// Checks the oscillation at `path` of a file.
+    ///
+    /// # Errors
+    /// With the key's address: a length of a figure that has none.
+    pub fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
+        if self.along_mm.is_some() && !self.figure.is_round() {
+            let allowed = "no such key, or figure = \"circle\" or \"eight\"";
+            return Err(file.error_at(&format!("{path}.along_mm"), "this figure has no length", allowed));
+        }
+        Ok(())
+    }
+
+    /// Deflection at `phase` (1 is a period), mm: across towards the first part, and along in the direction of travel.
+    pub fn at(&self, phase: f64) -> (f64, f64) {
+        let swing = self.figure.at(phase, (0.0, 0.0));
+        let long = self.along_mm.unwrap_or(self.across_mm).get();
+        (0.5 * self.across_mm.get() * swing.across, 0.5 * long * swing.along)
+    }
+
+    /// How far the beam goes on in a period at `speed` mm/s, mm.
+    pub fn advance(&self, speed: f64) -> f64 {
+        speed / self.frequency_hz.get()
+    }
+
+    /// Where the beam is on the work after `periods` at `speed` mm/s, mm: across, and along from where it began.
+    pub fn on_work(&self, periods: f64, speed: f64) -> (f64, f64) {
+        let (across, along) = self.at(periods);
+        (across, along + periods * self.advance(speed))
+    }
+
+    /// What stands against the oscillation in `pass`, in words, and what helps.
+    pub fn gaps(&self, pass: &Pass) -> Option<(String, String)> {
+        let (spot, (_, fastest)) = (self.spot_mm?.get(), pass.speeds());
+        let advance = self.advance(fastest);
+        (advance > spot).then(|| {
+            (
+                format!(
+                    "the beam goes on by {advance:.4} mm in a period of its oscillation, more than its spot of {spot} mm: it \
+                     leaves gaps"
+                ),
+                format!("ask for a frequency_hz of {:.4} or more, or weld slower", (1e4 * fastest / spot).ceil() * 1e-4),
+            )
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Program;
+    use std::f64::consts::TAU;
+
+    fn text(oscillation: &str) -> String {
+        format!(
+            "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.circle]\nradius_mm = 100\n\
+             [[passes]]\nname = \"beam\"\n[passes.oscillation]\n{oscillation}\n\
+             [[passes.spans]]\nfrom_mm = 0\nto_mm = 100\nspeed_mm_s = 10\n"
+        )
+    }
+
+    fn pass(oscillation: &str) -> Result<Pass, DocumentError> {
+        Program::read("p.toml", &text(oscillation)).map(|mut p| p.value.passes.remove(0))
+    }
+
+    #[test]
+    fn the_beam_draws_its_figure_on_the_moving_work() {
+        let circle = pass("figure = \"circle\"\nacross_mm = 2\nalong_mm = 1\nfrequency_hz = 500").unwrap();
+        let circle = circle.oscillation.unwrap();
+        for i in 0..100 {
+            let periods = 0.03 * f64::from(i);
+            let (across, along) = circle.on_work(periods, 10.0);
+            let (sin, cos) = (TAU * periods).sin_cos();
+            assert!((across - sin).abs() < 1e-12 && (along - 0.5 * cos - 0.02 * periods).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn gaps_are_told_with_the_frequency_that_closes_them() {
+        let with = |spot: &str| pass(&format!("across_mm = 2\nfrequency_hz = 500\n{spot}")).unwrap();
+        let gaps = |pass: &Pass| pass.oscillation.unwrap().gaps(pass);
+        assert!(gaps(&with("")).is_none() && gaps(&with("spot_mm = 0.02")).is_none());
+        let (message, cure) = gaps(&with("spot_mm = 0.0199")).unwrap();
+        assert!(message.contains("0.0200 mm") && cure.contains("502.5126"), "{message} {cure}");
+    }
+
+    #[test]
+    fn wrong_oscillations_have_an_address() {
+        for (keys, key) in [
+            ("across_mm = 0\nfrequency_hz = 1", "across_mm"),
+            ("across_mm = 1\nfrequency_hz = -1", "frequency_hz"),
+            ("across_mm = 1\nalong_mm = 1\nfrequency_hz = 1", "along_mm"),
+            ("figure = \"zigzag\"\nacross_mm = 1\nfrequency_hz = 1", "figure"),
+            ("across_mm = 1\nfrequency_hz = 1\nspot_mm = 0", "spot_mm"),
+        ] {
+            let e = pass(keys).unwrap_err();
+            assert_eq!(e.key, format!("passes[0].oscillation.{key}"), "{e}");
+        }
+        let e = pass("across_mm = 1").unwrap_err();
+        assert!(e.to_string().contains("frequency_hz"), "{e}");
+    }
+}

@@ -1,0 +1,60 @@
+use crate::{Axis, Chart, LimitLine, Series, format_number};
+use seamwright_program::{Pass, Weaving};
+
+/// Periods of a weave that are drawn, within these lengths (mm), and places a period.
+const PERIODS: f64 = 6.0;
+const DRAWN_MM: (f64, f64) = (20.0, 60.0);
+const PLACES: f64 = 96.0;
+
+/// Periods of an oscillation that are drawn.
+const TURNS: u32 = 5;
+
+/// The woven path of the first centimetres of a pass, seen along the torch with the seam laid straight, at one scale both
+/// ways; none without a weave.
+pub(super) fn weave(pass: &Pass) -> Option<Chart> {
+    let (weave, weaving) = (pass.weave.as_ref()?, Weaving::new(pass)?);
+    let length = pass.length();
+    let start = 1e-3 * length;
+    let pitch = start / weaving.phase(start);
+    let drawn = (weave.fade_mm.get() + PERIODS * pitch).clamp(DRAWN_MM.0, DRAWN_MM.1).min(length);
+    let places = (PLACES * weaving.phase(drawn)).ceil().max(PLACES);
+    let place = |i: u32| {
+        let s = drawn * f64::from(i) / places;
+        let (across, along) = weaving.offset(s);
+        (s + along, across)
+    };
+    let (wide, _) = weave.reach();
+    Some(Chart {
+        title: format!("Woven path of the tip over the first {} mm", format_number(drawn, 3)),
+        x: Axis::new("along the seam", "mm"),
+        y: Axis::new("across", "mm"),
+        series: vec![Series::line("tip", (0..=places as u32).map(place).collect())],
+        limits: [("first part", wide), ("second part", -wide)].map(|(name, y)| LimitLine::new(name, y)).to_vec(),
+        equal_aspect: true,
+        ..Chart::default()
+    })
+}
+
+/// The beam's path on the work over several periods at the pass' first speed, at one scale both ways; none without an
+/// oscillation.
+pub(super) fn oscillation(pass: &Pass) -> Option<Chart> {
+    let oscillation = pass.oscillation.as_ref()?;
+    let speed = pass.speed_at(0.0);
+    let places = TURNS * 128;
+    let place = |i: u32| {
+        let (across, along) = oscillation.on_work(f64::from(TURNS) * f64::from(i) / f64::from(places), speed);
+        (along, across)
+    };
+    Some(Chart {
+        title: format!(
+            "Path of the beam on the work over {TURNS} periods: {} mm a period at {} mm/s",
+            format_number(oscillation.advance(speed), 4),
+            format_number(speed, 4)
+        ),
+        x: Axis::new("along the seam", "mm"),
+        y: Axis::new("across", "mm"),
+        series: vec![Series::line("beam", (0..=places).map(place).collect())],
+        equal_aspect: true,
+        ..Chart::default()
+    })
+}

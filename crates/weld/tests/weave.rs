@@ -1,0 +1,169 @@
+//! Woven passes against formulas of their own, and what is wrong with weaves in jobs.
+
+use glam::DVec3;
+use proptest::prelude::*;
+use seamwright_document::Positive;
+use seamwright_program::{Figure, TorchPath, Weave};
+use seamwright_weld::Welding;
+use std::f64::consts::TAU;
+
+const SADDLE: &str = include_str!("../../../examples/saddle.toml");
+const TRUNNION: &str = include_str!("../../../examples/trunnion-saddle.toml");
+const WEAVE: &str = include_str!("../../../examples/weave.toml");
+const HILLSIDE: &str = include_str!("../../../examples/hillside.toml");
+
+/// More cases with `SEAMWRIGHT_SOAK`.
+fn cases(count: u32) -> ProptestConfig {
+    let times = std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|t| t.parse().ok()).unwrap_or(1);
+    ProptestConfig { cases: count * times, ..ProptestConfig::default() }
+}
+
+fn read(text: &str) -> Welding {
+    Welding::read("job.toml", text).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn woven(text: &str, reverse: bool, weave: Option<Weave>) -> Welding {
+    let mut program = read(text).program.value;
+    let pass = &mut program.passes[0];
+    pass.weave = weave;
+    if reverse {
+        (pass.begin_mm, pass.reverse) = (seamwright_document::NonNegative::new(pass.length()).unwrap(), true);
+    }
+    Welding::read("program.toml", &program.to_toml().unwrap()).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn number(value: f64) -> Positive {
+    Positive::new(value).unwrap()
+}
+
+fn weave(figure: Figure, width: f64, pitch: f64, fade: f64) -> Weave {
+    Weave {
+        figure,
+        width_mm: number(width),
+        length_mm: None,
+        pitch_mm: Some(number(pitch)),
+        frequency_hz: None,
+        dwell_first_s: Default::default(),
+        dwell_second_s: Default::default(),
+        fade_mm: seamwright_document::NonNegative::new(fade).unwrap(),
+        at_sides: Default::default(),
+    }
+}
+
+/// Where the figure is, in parts, by formulas of its own.
+fn figure(figure: Figure, phase: f64) -> (f64, f64) {
+    let angle = TAU * phase;
+    match figure {
+        Figure::Circle => (angle.sin(), angle.cos()),
+        Figure::Eight => (angle.sin(), (2.0 * angle).sin()),
+        _ => (angle.sin(), 0.0),
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(60))]
+
+    /// The pose is the unwoven one, moved in the plane square to the seam and to the torch and along the seam; the
+    /// line, its tangent and its rate are those of the unwoven path; the foot of a place beside it is found.
+    #[test]
+    fn poses_are_those_of_a_formula(
+        job in 0..2usize,
+        reverse in any::<bool>(),
+        kind in 0..3usize,
+        (width, pitch, fade) in (0.5..12.0f64, 0.5..15.0f64, 0.0..30.0f64),
+        parts in prop::collection::vec(0.0..1.0f64, 40),
+    ) {
+        let text = [SADDLE, TRUNNION][job];
+        let asked = [Figure::Sine, Figure::Circle, Figure::Eight][kind];
+        let (plain, other) =
+            (woven(text, reverse, None), woven(text, reverse, Some(weave(asked, width, pitch, fade))));
+        let (plain, path) = (plain.path(0), other.path(0));
+        let length = path.length();
+        for s in parts.iter().map(|part| part * length) {
+            let (bare, pose) = (plain.pose(s), path.pose(s));
+            prop_assert!(bare.direction == pose.direction);
+            let groove = plain.groove(s).unwrap();
+            let tangent: DVec3 = groove.tangent;
+            let mut aside = bare.direction.cross(tangent).normalize();
+            if aside.dot(groove.towards_first) < 0.0 {
+                aside = -aside;
+            }
+            let (across, along) = figure(asked, s / pitch);
+            let t = if fade > 0.0 { (s.min(length - s) / fade.min(0.5 * length)).min(1.0) } else { 1.0 };
+            let full = 0.5 * width * (6.0 * t.powi(5) - 15.0 * t.powi(4) + 10.0 * t.powi(3));
+            let exact = bare.point + full * (across * aside + along * tangent);
+            prop_assert!(pose.point.distance(exact) < 1e-9 * (1.0 + width), "{} {}", pose.point, exact);
+            prop_assert!(path.centre(s).distance(bare.point) < 1e-9);
+            prop_assert!(path.tangent(s).distance(plain.tangent(s)) < 1e-6 && path.rate(s) == plain.rate(s));
+            let inside = s.clamp(1.0, length - 1.0);
+            let ahead = path.pose(inside).point + 0.01 * path.tangent(inside);
+            prop_assert!((path.foot(ahead, inside, (0.0, length)) - inside - 0.01).abs() < 1e-4);
+        }
+        // Half as fast, and not at all.
+        let (half, none) = (path.slower(0.5).unwrap(), path.slower(0.0).unwrap());
+        let s = parts[0] * length;
+        prop_assert!(none.pose(s) == plain.pose(s) && plain.slower(0.5).is_none());
+        let twice = woven(text, reverse, Some(weave(asked, width, 2.0 * pitch, fade)));
+        prop_assert!(half.pose(s).point.distance(twice.path(0).pose(s).point) < 1e-9);
+    }
+}
+
+#[test]
+fn jobs_put_the_weave_into_their_passes() {
+    let job = read(WEAVE);
+    let pass = &job.program.value.passes[0];
+    assert_eq!(pass.weave.as_ref().unwrap().figure, Figure::Trapezoid);
+    let again = Welding::read("program.toml", &job.program.value.to_toml().unwrap()).unwrap();
+    for s in [0.0, 3.0, 17.3, 60.0, 119.0] {
+        assert_eq!(again.path(0).pose(s), job.path(0).pose(s));
+    }
+    // In a weld of several passes a run has its own, or that of the weld.
+    let own = HILLSIDE.replacen("layer_mm = 2.5 }", "layer_mm = 2.5, weave = { width_mm = 5, pitch_mm = 3 } }", 1);
+    let text = format!("{own}\n[weld.weave]\nwidth_mm = 2\npitch_mm = 2\n");
+    let Ok(job) = Welding::read("job.toml", &text) else {
+        panic!("{}", Welding::read("job.toml", &text).unwrap_err());
+    };
+    for pass in &job.program.value.passes {
+        let width = pass.weave.as_ref().unwrap().width_mm.get();
+        let cap = pass.role == Some(seamwright_program::Role::Cap);
+        assert_eq!(width, if cap { 5.0 } else { 2.0 }, "{}", pass.name);
+    }
+}
+
+#[test]
+fn wrong_weaves_in_jobs_have_an_address() {
+    let wrong = |from: &str, to: &str| {
+        assert!(WEAVE.contains(from), "{from}");
+        let e = Welding::read("job.toml", &WEAVE.replacen(from, to, 1)).unwrap_err();
+        (e.key.clone(), e.message.clone())
+    };
+    for (from, to, key, message) in [
+        ("frequency_hz = 0.75 ", "pitch_mm = 2\nfrequency_hz = 0.75 ", "weld.weave", "not clear"),
+        ("\"trapezoid\"", "\"circle\"", "weld.weave.dwell_first_s", "only a trapezoid dwells"),
+        ("{ current_a = 170 }", "{ amps_a = 170 }", "weld.weave.at_sides.amps_a", ""),
+        ("speed_mm_s = 2.5", "speed_mm_s = 2.5\ncorner = { blend_mm = 0.2 }", "weld.corner", "cannot be blended"),
+        ("speed_mm_s = 2.5", "speed_mm_s = 0.07", "weld.weave.frequency_hz", "would take only 0.0933 mm"),
+        (
+            "speed_mm_s = 2.5",
+            "speed_mm_s = 2.5\noscillation = { across_mm = 1, along_mm = 1, frequency_hz = 1 }",
+            "weld.oscillation.along_mm",
+            "has no length",
+        ),
+    ] {
+        let (found, said) = wrong(from, to);
+        assert!(found == key && said.contains(message), "{found}: {said}");
+    }
+}
+
+#[test]
+fn gaps_of_an_oscillation_are_findings() {
+    let with = |spot: &str| {
+        let keys =
+            format!("oscillation = {{ figure = \"circle\", across_mm = 1, frequency_hz = 100, spot_mm = {spot} }}");
+        read(&WEAVE.replacen("speed_mm_s = 2.5", &format!("speed_mm_s = 2.5\n{keys}"), 1)).findings()
+    };
+    assert!(with("0.03").iter().all(|f| f.kind != "oscillation"));
+    let found = with("0.02");
+    let gap = found.iter().find(|f| f.kind == "oscillation").unwrap();
+    assert!(!gap.allowed && gap.message.contains("0.0250 mm") && gap.cure.contains("125.0000"), "{gap:?}");
+}
