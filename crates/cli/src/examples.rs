@@ -25,5 +25,6 @@ pub(crate) const EXAMPLES: &[Example] = examples![
     "set-in-nozzle",
     "y-branch",
     "taught-saddle",
-    "hillside"
+    "hillside",
+    "radiator"
 ];

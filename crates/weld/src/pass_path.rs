@@ -21,7 +21,7 @@ pub struct PassPath<'a> {
     pub attitude: Attitude,
     /// Where the bead lies beside the seam, if it does.
     pub bead: Option<&'a BeadLine>,
-    /// The seam's frame in the work frame: work offset and placement.
+    /// The frame of the pass' copy of the seam in the work frame: work offset and placement.
     pub placement: DAffine3,
 }
 

@@ -2,8 +2,8 @@ use super::certificate::IntervalFigures;
 use super::procedure::ProcedurePlots;
 use super::samples::Sample;
 use super::taught::{TaughtPlot, taught};
-use super::{CertificateFigures, SimulationCurves, cut};
-use crate::{Axis, Band, Chart, ChartGrid, LimitLine, Mark, Series, Style, ThreeViews};
+use super::{CertificateFigures, SimulationCurves, cut, order};
+use crate::{Axis, Band, Chart, ChartGrid, LimitLine, Mark, OrderDrawing, Series, Style, ThreeViews};
 use seamwright_machine::Machine;
 use seamwright_motion::{Leg, PassClearance, PassMotion};
 use seamwright_program::TorchPath;
@@ -38,6 +38,8 @@ pub struct Plots {
     pub attitude: Option<Chart>,
     /// With the first pass, the end of the branch or nozzle as it is cut, if that is known: an SVG at true size.
     pub cut: Option<String>,
+    /// With the first pass of several, all passes in the order of welding.
+    pub order: Option<OrderDrawing>,
 }
 
 /// Torch vectors drawn along the seam.
@@ -77,6 +79,7 @@ impl Plots {
                 ..Chart::default()
             }),
             cut: welding.cut.as_ref().filter(|_| pass == 0).map(cut::template),
+            order: if pass == 0 { order::order(welding) } else { None },
         }
     }
 
@@ -98,6 +101,7 @@ impl Plots {
         files.extend(self.following.as_ref().map(|c| ("following.svg", c.to_svg_standalone())));
         files.extend(self.path_error.as_ref().map(|c| ("path-error.svg", c.to_svg_standalone())));
         files.extend(self.attitude.as_ref().map(|c| ("attitude.svg", c.to_svg_standalone())));
+        files.extend(self.order.as_ref().map(|o| ("order.svg", o.to_svg_standalone())));
         files.extend(self.cut.clone().map(|svg| ("cut.svg", svg)));
         let mut files: Vec<_> = files.into_iter().map(|(name, svg)| (name.to_owned(), svg)).collect();
         let taught = self.taught.iter().enumerate();
