@@ -41,11 +41,6 @@ pub(crate) fn tour(stops: &[Stop], rule: Rule, from: Option<DVec3>) -> Vec<Leg> 
     search.ways(&order)
 }
 
-/// Length of a way through the stops, from `from` if that is known, mm.
-pub(crate) fn air_way(stops: &[Stop], legs: &[Leg], from: Option<DVec3>) -> f64 {
-    Search { stops, from, same_row: 0.0 }.cost(None, legs, None)
-}
-
 /// The stops of each row, as listed.
 pub(crate) fn in_rows(stops: &[Stop]) -> Vec<Vec<usize>> {
     let mut rows: Vec<u32> = stops.iter().map(|stop| stop.row).collect();
