@@ -30,7 +30,7 @@ fn length(stops: &[Stop], legs: &[Leg], from: Option<DVec3>) -> f64 {
     sum
 }
 
-/// The least length of all orders and ways, by trying all; with the most changes of row if asked.
+/// The least length of all orders and ways, by trying all.
 fn least(stops: &[Stop], from: Option<DVec3>) -> f64 {
     fn go(stops: &[Stop], left: &[usize], at: Option<DVec3>) -> f64 {
         let mut best = if left.is_empty() { 0.0 } else { f64::INFINITY };
