@@ -30,8 +30,10 @@ pub struct OrderDrawing {
 pub struct OrderedLine {
     /// Its points, mm to the right and up.
     pub points: Vec<[f64; 2]>,
-    /// The middle of what it goes around or stands at, mm: its number stands on this side.
+    /// The middle of what it goes around or stands at, mm.
     pub middle: [f64; 2],
+    /// Its number stands on the other side than the middle, and the line above all that are not so.
+    pub outside: bool,
     /// Its colour, from 1 to 3.
     pub colour: usize,
 }
@@ -63,11 +65,14 @@ impl OrderDrawing {
         svg.rect("area", frame);
         let lines: Vec<Vec<Point>> = self.lines.iter().map(|line| line.points.iter().map(place).collect()).collect();
         ways(&mut svg, &lines);
-        for (line, points) in self.lines.iter().zip(&lines) {
-            followed(&mut svg, points, line.colour);
+        for outside in [false, true] {
+            for (line, points) in self.lines.iter().zip(&lines).filter(|(line, _)| line.outside == outside) {
+                followed(&mut svg, points, line.colour);
+            }
         }
-        let middles = self.lines.iter().map(|line| place(&line.middle));
-        numbers(&mut svg, lines.iter().zip(middles).map(|(points, middle)| beside(points, middle)));
+        let places =
+            self.lines.iter().zip(&lines).map(|(line, points)| beside(points, place(&line.middle), line.outside));
+        numbers(&mut svg, places);
         svg.rect("edge", frame);
         svg.scale_bar(frame, scale);
         (svg, frame.bottom() + 1.0)
@@ -93,7 +98,8 @@ fn followed(svg: &mut Svg, points: &[Point], colour: usize) {
     svg.path(&format!("line fat c{colour}"), &format!("M{}", corners.join(" ")));
     let k = (points.len() / 2).clamp(1, points.len() - 1);
     let (a, b) = (points[k - 1], points[k]);
-    svg.path(&format!("f{colour}"), &arrow(b, (b.0 - a.0, b.1 - a.1), 6.0));
+    let size = (0.2 * long(points)).clamp(3.0, 6.0);
+    svg.path(&format!("f{colour}"), &arrow(b, (b.0 - a.0, b.1 - a.1), size));
     svg.circle(&format!("f{colour}"), first.0, first.1, 3.2);
 }
 
@@ -109,10 +115,9 @@ fn arrow((x, y): Point, along: Point, size: f64) -> String {
 }
 
 /// Where a line's number stands: in the middle of a closed one, else beside its middle.
-fn beside(points: &[Point], middle: Point) -> Point {
+fn beside(points: &[Point], middle: Point, outside: bool) -> Point {
     let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return middle };
-    let length: f64 = points.windows(2).map(|w| distance(w[0], w[1])).sum();
-    if distance(first, last) < CLOSED * length {
+    if distance(first, last) < CLOSED * long(points) {
         return middle;
     }
     let at = points[points.len() / 2];
@@ -124,7 +129,8 @@ fn beside(points: &[Point], middle: Point) -> Point {
         let along = distance(first, last).max(1e-9);
         ((last.1 - first.1) / along, (first.0 - last.0) / along)
     };
-    (at.0 + 1.4 * BESIDE * x, at.1 + 1.4 * BESIDE * y)
+    let away = if outside { -1.3 * BESIDE } else { 1.4 * BESIDE };
+    (at.0 + away * x, at.1 + away * y)
 }
 
 /// Numbers from 1, those of one place together.
@@ -142,6 +148,11 @@ fn numbers(svg: &mut Svg, places: impl Iterator<Item = Point>) {
     }
 }
 
+/// Length of a line.
+fn long(points: &[Point]) -> f64 {
+    points.windows(2).map(|w| distance(w[0], w[1])).sum()
+}
+
 fn distance(a: Point, b: Point) -> f64 {
     (a.0 - b.0).hypot(a.1 - b.1)
 }
@@ -152,7 +163,7 @@ mod tests {
 
     fn ring(x: f64, y: f64) -> OrderedLine {
         let point = |i: i32| [x + f64::from(i).sin(), y + f64::from(i).cos()];
-        OrderedLine { points: (0..=6).map(point).collect(), middle: [x, y], colour: 1 }
+        OrderedLine { points: (0..=6).map(point).collect(), middle: [x, y], outside: false, colour: 1 }
     }
 
     #[test]

@@ -2,7 +2,7 @@ use super::WeldReport;
 use super::page::{number, table};
 use crate::{Block, OrderDrawing, OrderedLine};
 use glam::DVec3;
-use seamwright_program::{Role, TorchPath};
+use seamwright_program::{Pass, Role, TorchPath};
 use seamwright_weld::Welding;
 
 /// Places at which each pass is drawn.
@@ -33,14 +33,17 @@ pub(crate) fn order(welding: &Welding) -> Option<OrderDrawing> {
         let middle = places.sum::<DVec3>() / f64::from(PLACES);
         flat(welding.program.value.copy_in_work(copy).transform_point3(middle))
     };
-    let line = |(pass, tips): (&seamwright_program::Pass, &Vec<DVec3>)| OrderedLine {
+    let tack = |pass: &Pass| pass.role == Some(Role::Tack);
+    let tacks = if passes.iter().any(tack) { " Orange, numbers outside: tacks." } else { "" };
+    let line = |(pass, tips): (&Pass, &Vec<DVec3>)| OrderedLine {
         points: tips.iter().map(|p| flat(*p)).collect(),
         middle: middle(pass.copy),
-        colour: if pass.role == Some(Role::Tack) { 2 } else { 1 },
+        outside: tack(pass),
+        colour: if tack(pass) { 2 } else { 1 },
     };
     Some(OrderDrawing {
-        title: format!("Order of welding: {} passes, seen from above their faces", passes.len()),
-        key: "Dot: start. Arrow: direction of welding. Dashed: torch in the air, drawn straight.".to_owned(),
+        title: format!("Order of welding: {} passes, seen from above", passes.len()),
+        key: format!("Dot: start. Arrow: direction of welding. Dashed: torch in the air, drawn straight.{tacks}"),
         lines: passes.iter().zip(&tips).map(line).collect(),
     })
 }
