@@ -95,6 +95,8 @@ pub struct Run {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum RunName {
+    /// Tacks.
+    Tack,
     /// Root passes.
     Root,
     /// Fill passes.
@@ -107,6 +109,7 @@ impl RunName {
     /// The word.
     pub fn word(self) -> &'static str {
         match self {
+            Self::Tack => "tack",
             Self::Root => "root",
             Self::Fill => "fill",
             Self::Cap => "cap",
@@ -145,7 +148,7 @@ impl Run {
             _ => None,
         };
         if let Some(message) = message {
-            let allowed = "either name = \"root\", \"fill\" or \"cap\", or passes = \"1\", \"2-5\" and so on";
+            let allowed = "either name = \"tack\", \"root\", \"fill\" or \"cap\", or passes = \"1\", \"2-5\" and so on";
             return Err(file.error_at(path, message, allowed));
         }
         if self.positions.as_ref().is_some_and(Vec::is_empty) {
