@@ -12,6 +12,9 @@ use glam::DVec3;
 const STARTS: usize = 12;
 /// Longest window that is looked at: time grows with its square.
 const LONGEST: usize = 48;
+/// In a window of up to this many stops any number of them is moved on, in a longer one a few.
+const SHORT: usize = 12;
+const MOVED: usize = 3;
 /// A change that wins less, mm, is rounding.
 const LEAST_GAIN: f64 = 1e-9;
 
@@ -123,7 +126,8 @@ impl Search<'_> {
     /// The best way found.
     fn best(&self) -> Vec<Leg> {
         let n = self.stops.len();
-        let starts = (0..n.min(STARTS)).map(|i| self.nearest(i * n / n.min(STARTS)));
+        let starts = (0..n.min(STARTS)).map(|i| i * n / n.min(STARTS));
+        let starts = starts.flat_map(|i| (0..self.stops[i].ways.len()).map(move |way| self.nearest((i, way))));
         let listed: Vec<usize> = (0..n).collect();
         let mut best: (f64, Vec<Leg>) = (f64::INFINITY, Vec::new());
         for mut legs in starts.chain([self.ways(&listed)]) {
@@ -136,11 +140,11 @@ impl Search<'_> {
         best.1
     }
 
-    /// From stop `first` always to the nearest; where rows must change to one of the row of which most are left, so
+    /// From leg `first` always to the nearest; where rows must change to one of the row of which most are left, so
     /// that none is left over that need not be.
-    fn nearest(&self, first: usize) -> Vec<Leg> {
-        let mut left: Vec<usize> = (0..self.stops.len()).filter(|i| *i != first).collect();
-        let mut legs = vec![(first, 0)];
+    fn nearest(&self, first: Leg) -> Vec<Leg> {
+        let mut left: Vec<usize> = (0..self.stops.len()).filter(|i| *i != first.0).collect();
+        let mut legs = vec![first];
         while let Some(&last) = legs.last().filter(|_| !left.is_empty()) {
             let row = self.stops[last.0].row;
             let in_row = |i: usize| left.iter().filter(|k| self.stops[**k].row == self.stops[i].row).count();
@@ -178,8 +182,8 @@ impl Search<'_> {
         let window = &mut legs[low..=high];
         let old = window.to_vec();
         let cost = self.cost(before, window, after);
-        for change in CHANGES {
-            change(window);
+        for number in 0..changes(window.len()) {
+            change(window, number);
             for leg in window.iter_mut() {
                 leg.1 = leg.1.min(self.stops[leg.0].ways.len() - 1);
             }
@@ -219,21 +223,34 @@ impl Search<'_> {
     }
 }
 
-/// What is tried with a window: reversed as it is, reversed with every stop welded the other way, its first or last
-/// stops moved to its other end, its ends swapped.
-const CHANGES: [fn(&mut [Leg]); 8] = [
-    <[Leg]>::reverse,
-    |window| {
-        window.reverse();
-        window.iter_mut().for_each(|leg| leg.1 = 1 - leg.1);
-    },
-    |window| window.rotate_left(1),
-    |window| window.rotate_right(1),
-    |window| window.rotate_left(2.min(window.len())),
-    |window| window.rotate_right(2.min(window.len())),
-    |window| window.rotate_left(3.min(window.len())),
-    |window| {
-        let last = window.len() - 1;
-        window.swap(0, last);
-    },
-];
+/// The number of things that [`change`] does with a window of `length` stops.
+fn changes(length: usize) -> usize {
+    5 + if length <= SHORT { length - 1 } else { 2 * MOVED }
+}
+
+/// The `number`-th thing that is tried with a window: reversed as it is, reversed with every stop welded the other way, its
+/// ends swapped, its first or last stop moved to its other end and welded the other way, its first stops moved to its
+/// end (in a long window a few, or the last few to its start).
+fn change(window: &mut [Leg], number: usize) {
+    let last = window.len() - 1;
+    let other_way = |leg: &mut Leg| leg.1 = 1 - leg.1;
+    match number {
+        0 => window.reverse(),
+        1 => {
+            window.reverse();
+            window.iter_mut().for_each(other_way);
+        }
+        2 => window.swap(0, last),
+        3 => {
+            window.rotate_left(1);
+            other_way(&mut window[last]);
+        }
+        4 => {
+            window.rotate_right(1);
+            other_way(&mut window[0]);
+        }
+        _ if last < SHORT => window.rotate_left(number - 4),
+        _ if number < 5 + MOVED => window.rotate_left(number - 4),
+        _ => window.rotate_right(number - 4 - MOVED),
+    }
+}
