@@ -1,6 +1,5 @@
 use schemars::JsonSchema;
-use seamwright_document::NonNegative;
-use seamwright_document::Positive;
+use seamwright_document::{NonNegative, Positive};
 use serde::{Deserialize, Serialize};
 
 /// The order in which copies of the seam, and the parts of each, are welded.

@@ -1,6 +1,6 @@
 use crate::SeamCurve;
 use schemars::JsonSchema;
-use seamwright_document::{Document, DocumentError, NonNegative, Positive};
+use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_program::{Pass, ProcessValues, Role, Span, SpanValue, check_process};
 use serde::{Deserialize, Serialize};
 
@@ -78,7 +78,7 @@ impl Tacks {
             let mut process = weld.span_at(begin).map(|span| span.process.clone()).unwrap_or_default();
             for (name, value) in &mut process {
                 let there = weld.process_at(name, begin, (f64::INFINITY, f64::INFINITY));
-                *value = there.and_then(seamwright_document::Finite::new).map_or(*value, SpanValue::Steady);
+                *value = there.and_then(Finite::new).map_or(*value, SpanValue::Steady);
             }
             process.extend(self.process.clone());
             Pass {
