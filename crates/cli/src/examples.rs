@@ -26,5 +26,6 @@ pub(crate) const EXAMPLES: &[Example] = examples![
     "y-branch",
     "taught-saddle",
     "hillside",
-    "weave"
+    "weave",
+    "radiator"
 ];

@@ -1,5 +1,6 @@
 use crate::{
-    Air, Clearance, Joint, Offsets, Part, Pass, Procedure, Seam, SeamStart, Taught, check_offset, check_process,
+    Air, Clearance, Joint, Offsets, Part, Pass, Procedure, Seam, SeamCopy, SeamStart, Taught, check_offset,
+    check_process,
 };
 use glam::DAffine3;
 use schemars::JsonSchema;
@@ -26,6 +27,9 @@ pub struct Program {
     /// The seam's frame in the part's frame.
     #[serde(default, skip_serializing_if = "Transform::is_identity")]
     pub placement: Transform,
+    /// The places at which the seam is welded, if it is welded at several; they replace `placement`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub copies: Vec<SeamCopy>,
     /// The seam.
     pub seam: Seam,
     /// Where on the seam welding starts.
@@ -69,15 +73,23 @@ impl Program {
     pub fn read(file: &str, text: &str) -> Result<Document<Self>, DocumentError> {
         let document = Document::<Self>::read(file, text)?;
         check_offset(&document, document.value.offset.as_deref(), &document.value.offsets)?;
+        SeamCopy::check(&document, &document.value.copies, &document.value.placement)?;
         if document.value.passes.is_empty() {
             return Err(document.error_at("passes", "the program has no passes", "at least one [[passes]]"));
         }
         if let Some(procedure) = &document.value.procedure {
             procedure.check(&document, "procedure")?;
-            procedure.check_passes(&document, "procedure", document.value.pass_names())?;
+            procedure.check_passes(&document, "procedure", &document.value.passes)?;
         }
         for (p, pass) in document.value.passes.iter().enumerate() {
             let mut end = 0.0;
+            if pass.copy >= document.value.copy_count() {
+                let allowed = match document.value.copies.len() {
+                    0 => "0: the program has no [[copies]]".to_owned(),
+                    count => format!("0 to {}, the place in [[copies]]", count - 1),
+                };
+                return Err(document.error_at(&format!("passes[{p}].copy"), "there is no such copy", allowed));
+            }
             if pass.spans.is_empty() {
                 let path = format!("passes[{p}].spans");
                 return Err(document.error_at(&path, "the pass has no spans", "at least one [[passes.spans]]"));
@@ -125,20 +137,10 @@ impl Program {
         Ok(document)
     }
 
-    /// Names of the passes in order.
-    pub fn pass_names(&self) -> impl Iterator<Item = &str> {
-        self.passes.iter().map(|pass| pass.name.as_str())
-    }
-
     /// The work offset in force: maps the part's frame to the machine's work frame.
     pub fn work_offset(&self) -> DAffine3 {
         let chosen = self.offset.as_ref().and_then(|name| self.offsets.get(name));
         chosen.map_or(DAffine3::IDENTITY, Transform::affine)
-    }
-
-    /// Where the seam stands: maps the seam's frame to the machine's work frame, by way of the part's.
-    pub fn seam_in_work(&self) -> DAffine3 {
-        self.work_offset() * self.placement.affine()
     }
 
     /// The program as a file.

@@ -9,6 +9,7 @@ mod air;
 mod at_corner;
 mod bead;
 mod branch;
+mod copies;
 mod document;
 mod finding;
 mod head;
@@ -18,6 +19,7 @@ mod offsets;
 mod oscillation;
 mod part;
 mod pass;
+mod piece;
 mod plane_seam;
 mod procedure;
 mod process;
@@ -36,6 +38,7 @@ pub use air::Air;
 pub use at_corner::AtCorner;
 pub use bead::Bead;
 pub use branch::{Branch, OtherBranch};
+pub use copies::SeamCopy;
 pub use document::Program;
 pub use finding::Finding;
 pub use head::{ConicalHead, EllipsoidalHead, FlatHead, HeadStandard, HemisphericalHead, TorisphericalHead};
@@ -50,7 +53,7 @@ pub use pass::{OnLimit, Pass, Role, Span};
 pub use plane_seam::{Arc, Circle, Polyline, RoundedRectangle, WallFaces};
 pub use procedure::{
     ButtLimits, FilletLimits, Inclination, Outside, PROCEDURES, PassNumbers, PositionLimits, PositionStretch,
-    Procedure, Run, RunName, ShippedProcedure, WeldingPosition, WeldingProcess, Window, shipped_procedure,
+    Procedure, Run, ShippedProcedure, WeldingPosition, WeldingProcess, Window, shipped_procedure,
 };
 pub use process::{ProcessValue, ProcessValues, check_process, check_process_name};
 pub use seam::{Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Seam, SeamStart, Side, TJoint};

@@ -13,6 +13,9 @@ pub struct Pass {
     /// What it is for in a weld of several passes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub role: Option<Role>,
+    /// The copy of the seam that it is welded on, counted from 0 in `copies`.
+    #[serde(default, skip_serializing_if = "is_first")]
+    pub copy: usize,
     /// Path length on the seam at which it begins, mm from the start of the weld.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub begin_mm: NonNegative,
@@ -70,6 +73,10 @@ pub struct Span {
     pub process: ProcessValues,
 }
 
+fn is_first(copy: &usize) -> bool {
+    *copy == 0
+}
+
 fn is_zero(number: &NonNegative) -> bool {
     number.get() == 0.0
 }
@@ -78,6 +85,8 @@ fn is_zero(number: &NonNegative) -> bool {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Role {
+    /// It holds the parts together until they are welded.
+    Tack,
     /// It joins the parts.
     Root,
     /// It fills the joint.
@@ -87,9 +96,12 @@ pub enum Role {
 }
 
 impl Role {
+    const ALL: [Self; 4] = [Self::Tack, Self::Root, Self::Fill, Self::Cap];
+
     /// In words.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Tack => "tack",
             Self::Root => "root",
             Self::Fill => "fill",
             Self::Cap => "cap",
@@ -109,6 +121,12 @@ pub enum OnLimit {
 }
 
 impl Pass {
+    /// What the pass is for: its role, or what the first word of its name says.
+    pub fn known_role(&self) -> Option<Role> {
+        let word = self.name.split_whitespace().next();
+        self.role.or_else(|| Role::ALL.into_iter().find(|role| word == Some(role.name())))
+    }
+
     /// Length of the pass, mm.
     pub fn length(&self) -> f64 {
         self.spans.last().map_or(0.0, |s| s.to_mm.get())

@@ -1,7 +1,7 @@
 //! Procedure files: what is read, and what each mistake says.
 
 use seamwright_document::DocumentError;
-use seamwright_program::{PROCEDURES, Procedure, Program, RunName};
+use seamwright_program::{PROCEDURES, Pass, Procedure, Program, Role};
 
 const TEXT: &str = "schema = 1\nnumber = \"WPS 7\"\ntitle = \"t\"\nprocess = 135\nwire_diameter_mm = 1.2\n\
     [[runs]]\nname = \"root\"\npositions = [\"PA\", \"PB\"]\nspeed_mm_s = [4, 6]\nheat_input_kj_mm = [0.4, 0.8]\n\
@@ -21,18 +21,31 @@ fn wrong(from: &str, to: &str) -> DocumentError {
     e
 }
 
+/// A pass of this name and role.
+fn pass(name: &str, role: Option<Role>) -> Pass {
+    let text = format!(
+        "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 250\n[seam.nozzle.body.cylinder]\n\
+         radius_mm = 800\n[[passes]]\nname = \"{name}\"\n[[passes.spans]]\nfrom_mm = 0\nto_mm = 40\nspeed_mm_s = 3\n"
+    );
+    Pass { role, ..Program::read("p.toml", &text).unwrap().value.passes.remove(0) }
+}
+
 #[test]
 fn runs_are_found_by_name_and_by_number() {
     let p = Procedure::read("w.toml", TEXT).unwrap().value;
-    let run = |number, name| p.run_of(number, name).map(seamwright_program::Run::label);
+    let run = |number, name| p.run_of(number, &pass(name, None)).map(seamwright_program::Run::label);
     assert_eq!(run(1, "root").as_deref(), Some("root"));
     assert_eq!(run(1, "root 1.2").as_deref(), Some("root"));
     assert_eq!(run(1, "rooted"), None);
     assert_eq!(run(3, "fill 2.1").as_deref(), Some("passes 2-4, 7"));
     assert_eq!((run(5, "fill 2.4"), run(1, "pass 1")), (None, None));
+    // What a pass is for counts before its name.
+    let of = |name, role| p.run_of(9, &pass(name, Some(role))).map(seamwright_program::Run::label);
+    assert_eq!(of("north, part 1", Role::Root).as_deref(), Some("root"));
+    assert_eq!(of("root, part 1", Role::Fill), None);
     let again = toml::to_string(&p).unwrap();
     assert_eq!(Procedure::read("w.toml", &again).unwrap().value, p);
-    assert_eq!(p.runs[0].name, Some(RunName::Root));
+    assert_eq!(p.runs[0].name, Some(Role::Root));
     assert_eq!(p.runs[0].ranges["voltage_v"].ends(), (18.0, 20.5));
     for shipped in PROCEDURES {
         Procedure::read(shipped.name, shipped.text).unwrap_or_else(|e| panic!("{e}"));
@@ -62,7 +75,7 @@ fn names_that_are_not_known() {
     assert!(e.key.contains("runs[0].positions") && e.message.contains("`PH`"), "{e}");
     assert_eq!(e.allowed.as_deref(), Some("PA, PB, PC, PD, PE, PF, PG"));
     assert_eq!(wrong("[\"PA\", \"PB\"]", "[]").key, "runs[0].positions");
-    assert_eq!(wrong("name = \"root\"", "name = \"hot\"").allowed.as_deref(), Some("root, fill, cap"));
+    assert_eq!(wrong("name = \"root\"", "name = \"hot\"").allowed.as_deref(), Some("tack, root, fill, cap"));
 }
 
 #[test]

@@ -132,17 +132,7 @@ impl SectionDrawing {
         }
         svg.close_clip();
         svg.rect("edge", frame);
-        self.draw_scale(svg, frame, scale);
-    }
-
-    /// A bar of a round length.
-    fn draw_scale(&self, svg: &mut Svg, frame: Rect, scale: f64) {
-        let wanted = 0.2 * frame.w / scale;
-        let power = 10_f64.powf(wanted.log10().floor());
-        let mm = [5.0, 2.0, 1.0].into_iter().map(|k| k * power).find(|mm| *mm <= wanted).unwrap_or(power);
-        let (x, y) = (frame.x + 8.0, frame.bottom() - 8.0);
-        svg.line("line thin c6", x, y, x + mm * scale, y);
-        svg.text("tick halo", x + mm * scale + 5.0, y + 3.5, Anchor::Start, &format!("{mm} mm"));
+        svg.scale_bar(frame, scale);
     }
 }
 

@@ -1,11 +1,11 @@
 use crate::stations::{Station, spans};
-use crate::{Beads, SeamCurve};
+use crate::{Beads, Rows, SeamCurve, Tacks, WeldOrder, order};
 use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_program::{
-    Air, AtCorner, Clearance, Joint, Offsets, OnLimit, Oscillation, Part, Pass, ProcessValues, Program, Seam,
+    Air, AtCorner, Clearance, Joint, Offsets, OnLimit, Oscillation, Part, Pass, ProcessValues, Program, Seam, SeamCopy,
     SeamStart, Sequence, SpareAxes, Taught, Tolerance, Torch, Weave, check_offset, check_process,
 };
 use serde::{Deserialize, Serialize};
@@ -29,6 +29,18 @@ pub struct Job {
     /// The seam's frame in the part's frame.
     #[serde(default)]
     pub placement: Transform,
+    /// The places at which the seam is welded, if it is welded at several; they replace `placement`. Or `rows`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub copies: Vec<SeamCopy>,
+    /// The seam at many places, in rows.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rows: Option<Rows>,
+    /// The order of welding.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub order: Option<WeldOrder>,
+    /// Tacks, welded before everything else.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tacks: Option<Tacks>,
     /// The welding procedure that passes must keep to: a name of one that ships, or the path of a procedure file from the
     /// job's folder.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -129,6 +141,10 @@ impl Job {
             let allowed = format!("less than speed_mm_s = {}", job.value.weld.speed_mm_s.get());
             return Err(job.error_at("weld.least_speed_mm_s", "the least speed is not below the asked one", allowed));
         }
+        if let Some(tacks) = &job.value.tacks {
+            tacks.check(&job, &job.value.weld.process)?;
+        }
+        order::copies(&job)?;
         if let Some(beads) = &job.value.beads {
             beads.check(&job)?;
             if job.value.joint.is_none() {
@@ -142,10 +158,12 @@ impl Job {
         Ok(job)
     }
 
-    /// Where the seam stands: maps the seam's frame to the machine's work frame, by way of the part's.
+    /// Where the seam stands, or the first of its copies: maps the seam's frame to the machine's work frame, by way of
+    /// the part's.
     pub(crate) fn seam_in_work(&self) -> DAffine3 {
         let chosen = self.offset.as_ref().and_then(|name| self.offsets.get(name));
-        chosen.map_or(DAffine3::IDENTITY, Transform::affine) * self.placement.affine()
+        let placement = self.copies.first().map_or(&self.placement, |copy| &copy.placement);
+        chosen.map_or(DAffine3::IDENTITY, Transform::affine) * placement.affine()
     }
 
     /// The program that welds `job` along its `seam`, in one pass; without its procedure, which is a file of its own.
@@ -161,6 +179,7 @@ impl Job {
         let pass = Pass {
             name: "pass 1".to_owned(),
             role: None,
+            copy: 0,
             begin_mm: NonNegative::default(),
             reverse: false,
             on_limit: j.weld.on_limit,
@@ -175,13 +194,15 @@ impl Job {
             oscillation: j.weld.oscillation,
             spans,
         };
+        let copies = order::copies(job)?;
         Ok(Program {
             schema: SchemaVersion,
             title: j.title.clone(),
             machine: j.machine.clone(),
             offset: j.offset.clone(),
             offsets: j.offsets.clone(),
-            placement: j.placement,
+            placement: if copies.is_empty() { j.placement } else { Transform::default() },
+            copies,
             seam: j.seam.clone(),
             start: j.start,
             joint: j.joint.clone(),

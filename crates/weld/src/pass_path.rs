@@ -23,7 +23,7 @@ pub struct PassPath<'a> {
     pub bead: Option<&'a BeadLine>,
     /// How the torch weaves about the bead's line, if it does.
     pub weaving: Option<Weaving>,
-    /// The seam's frame in the work frame: work offset and placement.
+    /// The frame of the pass' copy of the seam in the work frame: work offset and placement.
     pub placement: DAffine3,
 }
 

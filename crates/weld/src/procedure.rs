@@ -30,6 +30,6 @@ pub(crate) fn of_job(
             Procedure::read(&folder.join(name).display().to_string(), &text)?
         }
     };
-    document.value.check_passes(&document, "", program.pass_names())?;
+    document.value.check_passes(&document, "", &program.passes)?;
     Ok(Some(document.value))
 }

@@ -1,6 +1,6 @@
 use crate::outside::{fetch, forget};
 use crate::{
-    Attitude, BeadLine, BeadPlan, Cut, Job, NoFiles, Outside, PassPath, SeamCurve, SeamJoint, Stretch, procedure,
+    Attitude, BeadLine, BeadPlan, Cut, Job, NoFiles, Outside, PassPath, SeamCurve, SeamJoint, Stretch, order, procedure,
 };
 use seamwright_document::{Document, DocumentError};
 use seamwright_program::{Finding, Pass, Program, Weaving};
@@ -66,12 +66,26 @@ impl Welding {
         let seam = SeamCurve::with_taught(job, (&j.seam, &j.start), &j.taught)?;
         let mut program = Job::program(job, &seam)?;
         let joint = j.joint.as_ref().map(|joint| SeamJoint::new(job, joint, &seam)).transpose()?;
+        let weld = program.passes[0].clone();
         let (mut plan, mut plan_findings) = (None, Vec::new());
         if let (Some(beads), Some(joint)) = (&j.beads, &joint) {
-            let weld = (j.weld.speed_mm_s, &j.weld.process);
-            let filled = beads.filled(job, (&seam, joint), weld, &program.passes[0])?;
+            let asked = (j.weld.speed_mm_s, &j.weld.process);
+            let filled = beads.filled(job, (&seam, joint), asked, &weld)?;
             program.passes = filled.passes;
             (plan, plan_findings) = (Some(filled.plan), filled.findings);
+        }
+        let ordered = order::ordered(job, &seam, (program.passes, &weld), &program.copies)?;
+        for finding in &mut plan_findings {
+            // A finding against a bead is told of the first pass that lays it.
+            let first = ordered.iter().position(|(_, from)| *from == finding.pass.checked_sub(1));
+            finding.pass = first.map_or(finding.pass, |i| i + 1);
+        }
+        program.passes = ordered.into_iter().map(|(pass, _)| pass).collect();
+        for pass in &program.passes {
+            // Quarters that go on over the start of the weld may bring speeds together that did not meet before.
+            if let Some(weave) = &pass.weave {
+                weave.check_speeds(job, "weld.weave", (&pass.spans, |_| "weld.speed_mm_s".to_owned()))?;
+            }
         }
         let cut = Cut::new(job, &j.seam)?;
         program.procedure = procedure::of_job(job, &program, outside)?;
@@ -98,7 +112,7 @@ impl Welding {
             attitude: self.attitudes[pass].clone(),
             bead: self.beads[pass].as_ref(),
             weaving: Weaving::new(&self.program.value.passes[pass]),
-            placement: self.program.value.seam_in_work(),
+            placement: self.program.value.copy_in_work(self.program.value.passes[pass].copy),
         }
     }
 

@@ -56,7 +56,7 @@ impl PassProcedure {
         path: &dyn TorchPath,
         (pass, number, motion): (&Pass, usize, &PassMotion),
     ) -> Self {
-        let run = procedure.run_of(number, &pass.name);
+        let run = procedure.run_of(number, pass);
         let lies = lie::along(machine, path, motion);
         let joint = procedure.joint(lie::dihedrals(path, &lies));
         let limits = &procedure.position_limits;

@@ -13,7 +13,7 @@ pub use shipped::{PROCEDURES, ShippedProcedure, shipped_procedure};
 pub use welding_process::WeldingProcess;
 pub use window::{Outside, Window};
 
-use crate::{FilletOrButt, check_process_name};
+use crate::{FilletOrButt, Pass, Role, check_process_name};
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Positive, SchemaVersion};
 use serde::{Deserialize, Serialize};
@@ -59,9 +59,9 @@ pub struct Procedure {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Run {
-    /// The passes whose name begins with this word; or give `passes`.
+    /// The passes that are for this: by their role, without one by the first word of their name. Or give `passes`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub name: Option<RunName>,
+    pub name: Option<Role>,
     /// The passes of these numbers, counted from 1: `"1"`, `"2-5"`, `"1, 3-4"`; or give `name`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub passes: Option<PassNumbers>,
@@ -91,29 +91,6 @@ pub struct Run {
     pub ranges: BTreeMap<String, Window>,
 }
 
-/// Which passes a run is for, by the first word of their name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum RunName {
-    /// Root passes.
-    Root,
-    /// Fill passes.
-    Fill,
-    /// Cap passes.
-    Cap,
-}
-
-impl RunName {
-    /// The word.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Root => "root",
-            Self::Fill => "fill",
-            Self::Cap => "cap",
-        }
-    }
-}
-
 /// Ranges with keys of their own: they cannot stand in `ranges`.
 const OWN_KEYS: [&str; 6] =
     ["speed_mm_s", "heat_input_kj_mm", "travel_angle_deg", "work_angle_deg", "preheat_c", "interpass_c"];
@@ -122,7 +99,7 @@ impl Run {
     /// Which passes it is for, in words.
     pub fn label(&self) -> String {
         match (&self.name, &self.passes) {
-            (Some(name), _) => name.word().to_owned(),
+            (Some(role), _) => role.name().to_owned(),
             (None, Some(passes)) => {
                 let text = passes.to_string();
                 let several = if text.contains(['-', ',']) { "es" } else { "" };
@@ -132,10 +109,9 @@ impl Run {
         }
     }
 
-    /// True if it is for pass `number` (from 1) called `name`.
-    fn is_for(&self, number: usize, name: &str) -> bool {
-        self.passes.as_ref().is_some_and(|p| p.has(number))
-            || self.name.is_some_and(|n| name.split_whitespace().next() == Some(n.word()))
+    /// True if it is for `pass`, the program's `number`th.
+    fn is_for(&self, number: usize, pass: &Pass) -> bool {
+        self.passes.as_ref().is_some_and(|p| p.has(number)) || (self.name.is_some() && self.name == pass.known_role())
     }
 
     fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
@@ -145,7 +121,7 @@ impl Run {
             _ => None,
         };
         if let Some(message) = message {
-            let allowed = "either name = \"root\", \"fill\" or \"cap\", or passes = \"1\", \"2-5\" and so on";
+            let allowed = "either name = \"tack\", \"root\", \"fill\" or \"cap\", or passes = \"1\", \"2-5\" and so on";
             return Err(file.error_at(path, message, allowed));
         }
         if self.positions.as_ref().is_some_and(Vec::is_empty) {
@@ -213,31 +189,26 @@ impl Procedure {
         Ok(())
     }
 
-    /// Checks that no pass is in two runs, one by its name and one by its number; `names` are those of the passes in
-    /// order, `file` and `table` as in [`Procedure::check`].
+    /// Checks that none of a program's passes is in two runs, one by what it is for and one by its number; `file` and
+    /// `table` as in [`Procedure::check`].
     ///
     /// # Errors
     /// With the second run's address.
-    pub fn check_passes<'a, T>(
-        &self,
-        file: &Document<T>,
-        table: &str,
-        names: impl IntoIterator<Item = &'a str>,
-    ) -> Result<(), DocumentError> {
-        for (number, name) in (1..).zip(names) {
-            let mut runs = (0..self.runs.len()).filter(|i| self.runs[*i].is_for(number, name));
+    pub fn check_passes<T>(&self, file: &Document<T>, table: &str, passes: &[Pass]) -> Result<(), DocumentError> {
+        for (number, pass) in (1..).zip(passes) {
+            let mut runs = (0..self.runs.len()).filter(|i| self.runs[*i].is_for(number, pass));
             if let (Some(first), Some(second)) = (runs.next(), runs.next()) {
                 let dot = if table.is_empty() { "" } else { "." };
-                let message = format!("pass {number} ({name}) is in runs[{first}] already");
+                let message = format!("pass {number} ({}) is in runs[{first}] already", pass.name);
                 return Err(file.error_at(&format!("{table}{dot}runs[{second}]"), message, "each pass in one run"));
             }
         }
         Ok(())
     }
 
-    /// The run for pass `number` (from 1) called `name`, if there is one.
-    pub fn run_of(&self, number: usize, name: &str) -> Option<&Run> {
-        self.runs.iter().find(|run| run.is_for(number, name))
+    /// The run for `pass`, a program's `number`th (from 1), if there is one.
+    pub fn run_of(&self, number: usize, pass: &Pass) -> Option<&Run> {
+        self.runs.iter().find(|run| run.is_for(number, pass))
     }
 
     /// Part of the power that counts as heat input: the procedure's, or the process' usual one.

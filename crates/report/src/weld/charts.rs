@@ -2,8 +2,8 @@ use super::certificate::IntervalFigures;
 use super::procedure::ProcedurePlots;
 use super::samples::Sample;
 use super::taught::{TaughtPlot, taught};
-use super::{CertificateFigures, SimulationCurves, cut, sections, woven};
-use crate::{Axis, Band, Chart, ChartGrid, Gallery, LimitLine, Mark, Series, Style, ThreeViews};
+use super::{CertificateFigures, SimulationCurves, cut, order, sections, woven};
+use crate::{Axis, Band, Chart, ChartGrid, Gallery, LimitLine, Mark, OrderDrawing, Series, Style, ThreeViews};
 use seamwright_machine::Machine;
 use seamwright_motion::{Leg, PassClearance, PassMotion};
 use seamwright_program::TorchPath;
@@ -44,6 +44,8 @@ pub struct Plots {
     pub cut: Option<String>,
     /// With the first pass, cross-sections of the joint along the seam, if the file has one.
     pub sections: Option<Gallery>,
+    /// With the first pass of several, all passes in the order of welding.
+    pub order: Option<OrderDrawing>,
 }
 
 /// Torch vectors drawn along the seam.
@@ -86,6 +88,7 @@ impl Plots {
             }),
             cut: welding.cut.as_ref().filter(|_| pass == 0).map(cut::template),
             sections: welding.joint.as_ref().filter(|_| pass == 0).map(|joint| gallery(welding, joint)),
+            order: if pass == 0 { order::order(welding) } else { None },
         }
     }
 
@@ -109,6 +112,7 @@ impl Plots {
         files.extend(self.following.as_ref().map(|c| ("following.svg", c.to_svg_standalone())));
         files.extend(self.path_error.as_ref().map(|c| ("path-error.svg", c.to_svg_standalone())));
         files.extend(self.attitude.as_ref().map(|c| ("attitude.svg", c.to_svg_standalone())));
+        files.extend(self.order.as_ref().map(|o| ("order.svg", o.to_svg_standalone())));
         files.extend(self.cut.clone().map(|svg| ("cut.svg", svg)));
         files.extend(self.sections.as_ref().map(|g| ("sections.svg", g.to_svg_standalone())));
         let mut files: Vec<_> = files.into_iter().map(|(name, svg)| (name.to_owned(), svg)).collect();

@@ -70,6 +70,11 @@ pub struct SeamFigures {
 pub struct PassFigures {
     /// Its name.
     pub name: String,
+    /// Name of the copy of the seam that it is welded on, if there are copies.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub copy: Option<String>,
+    /// Time of the air move before it, s.
+    pub air_before_s: f64,
     /// The plan.
     pub plan: PlanFigures,
     /// What it reaches and what bounds it where.
@@ -120,17 +125,19 @@ impl WeldReport {
                 .procedure
                 .get(i)
                 .zip(program.procedure.as_ref())
-                .map(|(held, procedure)| ProcedurePlots::new(held, procedure.run_of(i + 1, &pass.name)));
+                .map(|(held, procedure)| ProcedurePlots::new(held, procedure.run_of(i + 1, pass)));
             plots.push(drawn);
             passes.push(PassFigures {
                 name: pass.name.clone(),
+                copy: program.copy_name(pass.copy).map(str::to_owned),
+                air_before_s: motion.air[i].duration(),
                 plan: PlanFigures::new(machine, welding, i, planned, &samples),
                 certificate,
                 procedure: motion
                     .procedure
                     .get(i)
                     .zip(program.procedure.as_ref())
-                    .map(|(held, procedure)| PassProcedureFigures::new(held, procedure.run_of(i + 1, &pass.name))),
+                    .map(|(held, procedure)| PassProcedureFigures::new(held, procedure.run_of(i + 1, pass))),
                 clearance: around.map(clearance),
                 simulation: summary,
             });

@@ -6,6 +6,7 @@ mod curves;
 mod cut;
 mod figures;
 mod limits;
+mod order;
 mod page;
 mod plan;
 mod procedure;

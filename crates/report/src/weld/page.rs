@@ -17,6 +17,14 @@ impl WeldReport {
             true => Block::Paragraph("None: the weld can be made as asked on this machine.".to_owned()),
             false => Block::Findings(self.findings.iter().map(finding).collect()),
         });
+        if let Some(order) = plots.first().and_then(|plots| plots.order.as_ref()) {
+            blocks.push(Block::Heading("Order of welding".to_owned()));
+            blocks.push(figure(
+                order.to_svg(),
+                "Passes numbered in the order of welding. Dashed: the torch in the air, drawn straight from end to start.",
+            ));
+            blocks.push(self.order_table());
+        }
         for (i, (pass, plots)) in self.passes.iter().zip(plots).enumerate() {
             self.pass(i, pass, plots, &mut blocks);
         }

@@ -18,7 +18,7 @@ fn section(seam: &SeamCurve, joint: &SeamJoint, beads: Option<&BeadPlan>, s: f64
     let outline = |points: Vec<DVec2>| points.iter().map(place).collect::<Vec<_>>();
     let here = beads.map(|plan| (plan, plan.in_order(&section, s)));
     let colour = |role: Role| match role {
-        Role::Root => 2,
+        Role::Root | Role::Tack => 2,
         Role::Fill => 1,
         Role::Cap => 3,
     };

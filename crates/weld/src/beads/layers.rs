@@ -25,7 +25,7 @@ impl Runs {
     pub(crate) fn of(&self, role: Role) -> &Asked {
         match role {
             Role::Root => self.root.as_ref().unwrap_or(&self.fill),
-            Role::Fill => &self.fill,
+            Role::Fill | Role::Tack => &self.fill,
             Role::Cap => &self.cap,
         }
     }

@@ -51,7 +51,7 @@ struct Making<'a> {
 impl Welding {
     /// Part and fixtures in the machine's work frame; `load` gets the bytes of the STL files that are named.
     ///
-    /// The part is made from the seam unless its solids are given: exact cylinders, spheres, cones and boxes; elliptic
+    /// The part, once at every copy of the seam, is made from the seam unless its solids are given: exact cylinders, spheres, cones and boxes; elliptic
     /// tubes and curved T-joints as meshes up to 0.02 mm outside the true surface, heads up to 0.1 mm. It
     /// is nowhere smaller than the true one, nor larger near the seam; the end of a slanting nozzle may stand out of
     /// the far side of its body. Of the edges that a joint prepares only that of a nozzle set on is cut away. Tubes are
@@ -64,7 +64,7 @@ impl Welding {
     pub fn clamped(&self, load: Load) -> Result<Clamped, DocumentError> {
         let program = &self.program.value;
         let fixtures = given(&self.program, "fixtures", &program.fixtures, load)?;
-        let mut part = match &program.part {
+        let part = match &program.part {
             Part { watched: false, .. } => Vec::new(),
             Part { solids, .. } if !solids.is_empty() => given(&self.program, "part.solids", solids, load)?,
             part => {
@@ -77,12 +77,17 @@ impl Welding {
                 making.solids(&self.program, &program.seam)?
             }
         };
-        let placement = program.seam_in_work();
-        for solid in &mut part {
-            let placed = Solid::new(solid.name(), solid.shape().clone(), placement * *solid.pose());
-            *solid = placed.map_err(|e| self.program.error_at("placement", e.to_string(), "a rigid placement"))?;
+        let mut parts = Vec::new();
+        for copy in 0..program.copy_count() {
+            let placement = program.copy_in_work(copy);
+            for solid in &part {
+                let of = program.copy_name(copy).map_or(String::new(), |name| format!(" of {name}"));
+                let name = format!("{}{of}", solid.name());
+                let placed = Solid::new(&name, solid.shape().clone(), placement * *solid.pose());
+                parts.push(placed.map_err(|e| self.program.error_at("placement", e.to_string(), "a rigid placement"))?);
+            }
         }
-        Ok(Clamped { part, fixtures, least_mm: program.clearance.least_mm.get() })
+        Ok(Clamped { part: parts, fixtures, least_mm: program.clearance.least_mm.get() })
     }
 }
 

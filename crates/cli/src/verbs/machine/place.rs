@@ -103,7 +103,8 @@ fn fitted(args: &PlaceArgs, loaded: &Loaded, rows: &[Touched]) -> Result<Fitted,
             };
             let touches: Vec<Touch> = rows.iter().map(touch).collect();
             let fit = best_fit(&touches, &program.value.seam_in_work(), false)?;
-            let offset = fit.transform * program.value.placement.affine().inverse();
+            let placed = program.value.work_offset().inverse() * program.value.seam_in_work();
+            let offset = fit.transform * placed.inverse();
             let mut fitted = Fitted { free: fit.free, deviation: fit.deviation, ..Fitted::new(offset, fit.residuals) };
             if fitted.deviation.is_none() {
                 fitted.warnings.push("there are no more points than unknowns: nothing would show a bad one".to_owned());
@@ -136,7 +137,8 @@ fn faces(args: &PlaceArgs, rows: &[Touched], nominal: &DAffine3) -> Result<Fitte
 fn chuck(args: &PlaceArgs, loaded: &Loaded, rows: &[Touched], nozzle: &Tube) -> Result<Fitted, Error> {
     let points: Vec<DVec3> = rows.iter().map(|r| r.point).collect();
     // Without the offset in force: the part turns about the axis that the job meant it to have.
-    let placement = loaded.welding.program.value.placement.affine();
+    let program = &loaded.welding.program.value;
+    let placement = program.work_offset().inverse() * program.seam_in_work();
     let tube = nozzle.moved(&placement);
     let seam = &loaded.welding.seam;
     let step = seam.length() / f64::from(SAMPLES);

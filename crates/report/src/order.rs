@@ -1,0 +1,187 @@
+use crate::number::px;
+use crate::svg::{Anchor, Rect, Svg, WIDTH, both_forms};
+
+/// Height of title and key above the drawing, px.
+const HEAD: f64 = 44.0;
+/// Room around what is drawn, px.
+const ROOM: f64 = 34.0;
+/// Greatest height of what is drawn, px.
+const TALLEST: f64 = 620.0;
+/// Distance of a number from its line, px.
+const BESIDE: f64 = 12.0;
+/// Ways shorter than this are not seen, px.
+const SHORTEST: f64 = 4.0;
+/// Ends nearer than this part of a line's length to each other: it is closed.
+const CLOSED: f64 = 0.1;
+
+/// Lines in a plane in the order in which they are followed: numbered, with arrows, and the ways between them dashed.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct OrderDrawing {
+    /// Heading.
+    pub title: String,
+    /// A line below it.
+    pub key: String,
+    /// The lines in order.
+    pub lines: Vec<OrderedLine>,
+}
+
+/// A line of an [`OrderDrawing`].
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct OrderedLine {
+    /// Its points, mm to the right and up.
+    pub points: Vec<[f64; 2]>,
+    /// The middle of what it goes around or stands at, mm.
+    pub middle: [f64; 2],
+    /// Its number stands on the other side than the middle, and the line above all that are not so.
+    pub outside: bool,
+    /// Its colour, from 1 to 3.
+    pub colour: usize,
+}
+
+type Point = (f64, f64);
+
+both_forms!(OrderDrawing);
+
+impl OrderDrawing {
+    fn label(&self) -> String {
+        format!("{}: {} lines in order", self.title, self.lines.len())
+    }
+
+    fn draw(&self) -> (Svg, f64) {
+        let mut svg = Svg::default();
+        svg.text("title", 0.0, 14.0, Anchor::Start, &self.title);
+        svg.text("quiet", 0.0, 33.0, Anchor::Start, &self.key);
+        let points = || self.lines.iter().flat_map(|line| &line.points);
+        let low: [f64; 2] = std::array::from_fn(|k| points().map(|p| p[k]).fold(f64::INFINITY, f64::min));
+        let high: [f64; 2] = std::array::from_fn(|k| points().map(|p| p[k]).fold(f64::NEG_INFINITY, f64::max));
+        let size: [f64; 2] = std::array::from_fn(|k| (high[k] - low[k]).max(1e-6));
+        let scale = ((WIDTH - 2.0 * ROOM) / size[0]).min((TALLEST - 2.0 * ROOM) / size[1]);
+        if !scale.is_finite() {
+            return (svg, HEAD);
+        }
+        let frame = Rect { x: 0.0, y: HEAD, w: WIDTH - 1.0, h: scale * size[1] + 2.0 * ROOM + 14.0 };
+        let left = 0.5 * (WIDTH - scale * size[0]);
+        let place = |p: &[f64; 2]| (left + scale * (p[0] - low[0]), HEAD + ROOM + scale * (high[1] - p[1]));
+        svg.rect("area", frame);
+        let lines: Vec<Vec<Point>> = self.lines.iter().map(|line| line.points.iter().map(place).collect()).collect();
+        ways(&mut svg, &lines);
+        for outside in [false, true] {
+            for (line, points) in self.lines.iter().zip(&lines).filter(|(line, _)| line.outside == outside) {
+                followed(&mut svg, points, line.colour);
+            }
+        }
+        let places =
+            self.lines.iter().zip(&lines).map(|(line, points)| beside(points, place(&line.middle), line.outside));
+        numbers(&mut svg, places);
+        svg.rect("edge", frame);
+        svg.scale_bar(frame, scale);
+        (svg, frame.bottom() + 1.0)
+    }
+}
+
+/// The way from each line's end to the next one's start.
+fn ways(svg: &mut Svg, lines: &[Vec<Point>]) {
+    for pair in lines.windows(2) {
+        let (Some(&from), Some(&to)) = (pair[0].last(), pair[1].first()) else { continue };
+        if distance(from, to) > SHORTEST {
+            svg.line("leader dashed", from.0, from.1, to.0, to.1);
+            let middle = (0.5 * (from.0 + to.0), 0.5 * (from.1 + to.1));
+            svg.path("symbol-dot", &arrow(middle, (to.0 - from.0, to.1 - from.1), 3.5));
+        }
+    }
+}
+
+/// A line with a dot at its start and an arrow in its middle.
+fn followed(svg: &mut Svg, points: &[Point], colour: usize) {
+    let (Some(first), true) = (points.first(), points.len() > 1) else { return };
+    let corners: Vec<String> = points.iter().map(|(x, y)| format!("{},{}", px(*x), px(*y))).collect();
+    svg.path(&format!("line fat c{colour}"), &format!("M{}", corners.join(" ")));
+    let k = (points.len() / 2).clamp(1, points.len() - 1);
+    let (a, b) = (points[k - 1], points[k]);
+    let size = (0.2 * long(points)).clamp(3.0, 6.0);
+    svg.path(&format!("f{colour}"), &arrow(b, (b.0 - a.0, b.1 - a.1), size));
+    svg.circle(&format!("f{colour}"), first.0, first.1, 3.2);
+}
+
+/// A triangle about a point.
+fn arrow((x, y): Point, along: Point, size: f64) -> String {
+    let length = along.0.hypot(along.1);
+    if length < 1e-9 {
+        return String::new();
+    }
+    let (u, v) = (size * along.0 / length, size * along.1 / length);
+    let corners = [(x + u, y + v), (x - u - 0.8 * v, y - v + 0.8 * u), (x - u + 0.8 * v, y - v - 0.8 * u)];
+    format!("M{}Z", corners.map(|(x, y)| format!("{},{}", px(x), px(y))).join(" "))
+}
+
+/// Where a line's number stands: in the middle of a closed one, else beside its middle.
+fn beside(points: &[Point], middle: Point, outside: bool) -> Point {
+    let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return middle };
+    if distance(first, last) < CLOSED * long(points) {
+        return middle;
+    }
+    let at = points[points.len() / 2];
+    let away = distance(at, middle);
+    // On a line that goes around nothing, to its left.
+    let (x, y) = if away > BESIDE {
+        ((middle.0 - at.0) / away, (middle.1 - at.1) / away)
+    } else {
+        let along = distance(first, last).max(1e-9);
+        ((last.1 - first.1) / along, (first.0 - last.0) / along)
+    };
+    let away = if outside { -1.3 * BESIDE } else { 1.4 * BESIDE };
+    (at.0 + away * x, at.1 + away * y)
+}
+
+/// Numbers from 1, those of one place together.
+fn numbers(svg: &mut Svg, places: impl Iterator<Item = Point>) {
+    let mut together: Vec<(Point, Vec<String>)> = Vec::new();
+    for (place, number) in places.zip(1..) {
+        let number: i32 = number;
+        match together.iter_mut().find(|(other, _)| distance(*other, place) < 0.5 * BESIDE) {
+            Some((_, numbers)) => numbers.push(number.to_string()),
+            None => together.push((place, vec![number.to_string()])),
+        }
+    }
+    for ((x, y), numbers) in together {
+        svg.text("head halo", x, y + 4.0, Anchor::Middle, &numbers.join(", "));
+    }
+}
+
+/// Length of a line.
+fn long(points: &[Point]) -> f64 {
+    points.windows(2).map(|w| distance(w[0], w[1])).sum()
+}
+
+fn distance(a: Point, b: Point) -> f64 {
+    (a.0 - b.0).hypot(a.1 - b.1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ring(x: f64, y: f64) -> OrderedLine {
+        let point = |i: i32| [x + f64::from(i).sin(), y + f64::from(i).cos()];
+        OrderedLine { points: (0..=6).map(point).collect(), middle: [x, y], outside: false, colour: 1 }
+    }
+
+    #[test]
+    fn every_line_has_its_number_and_numbers_of_one_place_stand_together() {
+        let drawing = |lines| OrderDrawing { title: "Order".to_owned(), key: "a < b".to_owned(), lines };
+        let texts = |svg: &str| {
+            let document = roxmltree::Document::parse(svg).unwrap();
+            let heads = document.descendants().filter(|e| e.attribute("class") == Some("head halo"));
+            heads.filter_map(|e| e.text().map(str::to_owned)).collect::<Vec<_>>()
+        };
+        let apart = drawing(vec![ring(0.0, 0.0), ring(5.0, 0.0), ring(5.0, 5.0)]);
+        assert_eq!(texts(&apart.to_svg()), ["1", "2", "3"]);
+        assert_eq!(apart.to_svg().matches("leader dashed").count(), 2);
+        let twice = drawing(vec![ring(0.0, 0.0), ring(5.0, 0.0), ring(0.0, 0.0)]);
+        assert_eq!(texts(&twice.to_svg_standalone()), ["1, 3", "2"]);
+        for lines in [vec![], vec![OrderedLine::default()]] {
+            let svg = drawing(lines).to_svg();
+            assert!(roxmltree::Document::parse(&svg).is_ok() && !svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+        }
+    }
+}

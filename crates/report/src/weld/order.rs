@@ -1,0 +1,84 @@
+use super::WeldReport;
+use super::page::{number, table};
+use crate::{Block, OrderDrawing, OrderedLine};
+use glam::DVec3;
+use seamwright_program::{Pass, Role, TorchPath};
+use seamwright_weld::Welding;
+
+/// Places at which each pass is drawn.
+const PLACES: i32 = 96;
+
+/// The passes of a weld in their order, seen against the mean direction in which the faces look; none of a weld in one
+/// pass.
+pub(crate) fn order(welding: &Welding) -> Option<OrderDrawing> {
+    let passes = &welding.program.value.passes;
+    if passes.len() < 2 {
+        return None;
+    }
+    let paths: Vec<_> = (0..passes.len()).map(|i| welding.path(i)).collect();
+    let at = |i: usize, k: i32| paths[i].length() * f64::from(k) / f64::from(PLACES);
+    let tips: Vec<Vec<DVec3>> =
+        (0..paths.len()).map(|i| (0..=PLACES).map(|k| paths[i].pose(at(i, k)).point).collect()).collect();
+    let faces = (0..paths.len()).flat_map(|i| (0..PLACES).map(move |k| (i, k)));
+    let mean: DVec3 = faces.map(|(i, k)| paths[i].face(at(i, k))).sum();
+    let out = mean.try_normalize().filter(|_| mean.length() > 1e-6).unwrap_or(DVec3::Z);
+    let right = [DVec3::X, DVec3::Y].map(|axis| axis - axis.dot(out) * out);
+    let right = if right[0].length() > 0.5 { right[0] } else { right[1] }.normalize();
+    let up = out.cross(right);
+    let flat = |p: DVec3| [p.dot(right), p.dot(up)];
+    // Each number stands towards the middle of the seam it belongs to.
+    let middle = |copy: usize| {
+        let seam = &welding.seam;
+        let places = (0..PLACES).map(|k| seam.at(seam.length() * f64::from(k) / f64::from(PLACES)).point);
+        let middle = places.sum::<DVec3>() / f64::from(PLACES);
+        flat(welding.program.value.copy_in_work(copy).transform_point3(middle))
+    };
+    let tack = |pass: &Pass| pass.role == Some(Role::Tack);
+    let tacks = if passes.iter().any(tack) { " Orange, numbers outside: tacks." } else { "" };
+    let line = |(pass, tips): (&Pass, &Vec<DVec3>)| OrderedLine {
+        points: tips.iter().map(|p| flat(*p)).collect(),
+        middle: middle(pass.copy),
+        outside: tack(pass),
+        colour: if tack(pass) { 2 } else { 1 },
+    };
+    Some(OrderDrawing {
+        title: format!("Order of welding: {} passes, seen from above", passes.len()),
+        key: format!("Dot: start. Arrow: direction of welding. Dashed: torch in the air, drawn straight.{tacks}"),
+        lines: passes.iter().zip(&tips).map(line).collect(),
+    })
+}
+
+impl WeldReport {
+    /// Passes in the order of welding with their times.
+    pub(super) fn order_table(&self) -> Block {
+        let mut begun = 0.0;
+        let rows = self.passes.iter().enumerate().map(|(i, pass)| {
+            let p = &pass.plan;
+            begun += pass.air_before_s;
+            let row = vec![
+                (i + 1).to_string(),
+                pass.name.clone(),
+                number(pass.air_before_s),
+                number(begun),
+                number(p.weld_s),
+                number(p.arc_on_s),
+                number(p.total_s),
+            ];
+            begun += p.total_s;
+            row
+        });
+        let mut rows: Vec<Vec<String>> = rows.collect();
+        let sum = |f: fn(&super::figures::PassFigures) -> f64| number(self.passes.iter().map(f).sum());
+        rows.push(vec![
+            String::new(),
+            "all, home to home".to_owned(),
+            number(self.air_s),
+            String::new(),
+            sum(|p| p.plan.weld_s),
+            sum(|p| p.plan.arc_on_s),
+            number(self.total_s),
+        ]);
+        let head = ["", "Pass", "Air move before, s", "Begins at, s", "Travel, s", "Arc on, s", "In all, s"];
+        table("Passes in the order of welding", &head, rows, 2..7)
+    }
+}

@@ -1,0 +1,183 @@
+//! Order of welding: copies of a seam, tacks, the parts of each pass, and what comes after what.
+//!
+//! A job's passes are those along one seam. Each is cut into its parts (`parts.rs`), and what is welded on a copy in one
+//! visit is put in order with the other copies by a rule (`tour.rs`). Tacks (`tacks.rs`) come before everything else.
+
+mod file;
+mod parts;
+mod rows;
+mod tacks;
+#[cfg(test)]
+mod tests;
+mod tour;
+
+pub use file::{Parts, Rule, Turns, WeldOrder};
+pub use rows::Rows;
+pub use tacks::Tacks;
+
+use crate::{Job, SeamCurve};
+use glam::{DAffine3, DVec3};
+use seamwright_document::{Document, DocumentError, Transform};
+use seamwright_program::{Pass, SeamCopy};
+use tour::{Leg, Stop, in_rows, tour};
+
+/// What is welded on a copy before the torch goes on to the next one: passes, each with its parts.
+type Visit = Vec<Vec<Pass>>;
+
+impl WeldOrder {
+    /// Checks the rule against the copies.
+    ///
+    /// # Errors
+    /// With the key's address: rows to go back and forth between that are not there, a skip over none or all.
+    pub(crate) fn check_rule<T>(&self, file: &Document<T>, copies: &[SeamCopy]) -> Result<(), DocumentError> {
+        let rows = in_rows(&copies.iter().map(|copy| Stop { row: row(copy), ways: Vec::new() }).collect::<Vec<_>>());
+        match self.rule {
+            Rule::BackAndForth if rows.len() < 2 => {
+                let message = "there are no rows to go back and forth between";
+                Err(file.error_at("order.rule", message, "two rows: [rows], or `row` in each of [[copies]]"))
+            }
+            Rule::Skip(every) => {
+                let most = rows.iter().map(Vec::len).max().unwrap_or(1).saturating_sub(1);
+                if (2..=most).contains(&every) {
+                    return Ok(());
+                }
+                let allowed = match most {
+                    0 | 1 => "no skip: there are too few copies in a row".to_owned(),
+                    _ => format!("2 to {most}: the longest row has {} copies", most + 1),
+                };
+                Err(file.error_at("order.rule.skip", "nothing is skipped, or all", allowed))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+fn row(copy: &SeamCopy) -> u32 {
+    copy.row.map_or(1, std::num::NonZeroU32::get)
+}
+
+/// The copies of a job: listed or in rows; none if the seam is welded at one place.
+///
+/// # Errors
+/// With the key's address: copies given twice, and everything that is wrong with them.
+pub(crate) fn copies(job: &Document<Job>) -> Result<Vec<SeamCopy>, DocumentError> {
+    let j = &job.value;
+    let copies = match &j.rows {
+        Some(_) if !j.copies.is_empty() => {
+            return Err(job.error_at("rows", "the copies are given twice", "either [rows] or [[copies]]"));
+        }
+        Some(rows) => {
+            rows.check(job)?;
+            rows.copies(&j.placement)
+        }
+        None => {
+            SeamCopy::check(job, &j.copies, &j.placement)?;
+            j.copies.clone()
+        }
+    };
+    if let Some(order) = &j.order {
+        order.check_rule(job, &copies)?;
+    }
+    Ok(copies)
+}
+
+/// The passes of `job` on all its copies in the order of welding, each with the number (from 0) among `passes` (those
+/// along one seam) from which it comes; tacks come from none. `weld` is the pass along the whole seam.
+///
+/// # Errors
+/// With the key's address: parts or tacks that the seam has no room for.
+pub(crate) fn ordered(
+    job: &Document<Job>,
+    seam: &SeamCurve,
+    (passes, weld): (Vec<Pass>, &Pass),
+    copies: &[SeamCopy],
+) -> Result<Vec<(Pass, Option<usize>)>, DocumentError> {
+    let j = &job.value;
+    let order = j.order.unwrap_or_default();
+    order.check_parts(job, seam)?;
+    let named = Naming { copies, one: passes.len() == 1 };
+    let mut ordering = Ordering { seam, order, places: places(copies), named, last: None, done: Vec::new() };
+    if let Some(tacks) = &j.tacks {
+        let tacks = tacks.passes(job, seam, weld)?.into_iter().map(|tack| vec![tack]).collect();
+        ordering.add(&tacks, None);
+    }
+    let welds: Visit = passes.iter().map(|pass| order.parts_of(pass, seam)).collect();
+    match order.passes {
+        Turns::CopyByCopy => ordering.add(&welds, Some(0)),
+        Turns::PassByPass => {
+            for (i, pass) in welds.into_iter().enumerate() {
+                ordering.add(&vec![pass], Some(i));
+            }
+        }
+    }
+    Ok(ordering.done)
+}
+
+/// Row and place of each copy, in the part's frame; one alone where there are no copies.
+fn places(copies: &[SeamCopy]) -> Vec<(u32, DAffine3)> {
+    match copies {
+        [] => vec![(1, Transform::default().affine())],
+        copies => copies.iter().map(|copy| (row(copy), copy.placement.affine())).collect(),
+    }
+}
+
+/// Passes being put in order.
+struct Ordering<'a> {
+    seam: &'a SeamCurve,
+    order: WeldOrder,
+    places: Vec<(u32, DAffine3)>,
+    named: Naming<'a>,
+    /// Where the torch is, in the part's frame.
+    last: Option<DVec3>,
+    done: Vec<(Pass, Option<usize>)>,
+}
+
+impl Ordering<'_> {
+    /// Adds a visit to every copy; its first pass comes from number `origin`, if from any.
+    fn add(&mut self, visit: &Visit, origin: Option<usize>) {
+        let turn = self.seam.all_round().then(|| self.seam.length());
+        let turned = |parts: &Vec<Pass>| parts.iter().rev().map(|part| part.turned(turn)).collect();
+        let mut ways = vec![visit.clone()];
+        if self.order.either_end && origin.is_some() {
+            ways.push(visit.iter().map(turned).collect());
+        }
+        let ends: Vec<(DVec3, DVec3)> = ways.iter().filter_map(|visit| self.ends(visit)).collect();
+        let stop = |(row, place): &(u32, DAffine3)| {
+            let placed = |p: &(DVec3, DVec3)| (place.transform_point3(p.0), place.transform_point3(p.1));
+            Stop { row: *row, ways: ends.iter().map(placed).collect() }
+        };
+        let stops: Vec<Stop> = self.places.iter().map(stop).collect();
+        let legs: Vec<Leg> = tour(&stops, self.order.rule, self.last);
+        for &(copy, way) in &legs {
+            for (i, parts) in ways[way].iter().enumerate() {
+                for (k, part) in parts.iter().enumerate() {
+                    let name = self.named.name(part, copy, (parts.len() > 1).then_some(k + 1));
+                    self.done.push((Pass { name, copy, ..part.clone() }, origin.map(|origin| origin + i)));
+                }
+            }
+        }
+        self.last = legs.last().map(|&(copy, way)| stops[copy].ways[way].1);
+    }
+
+    /// Where a visit begins and ends on the seam.
+    fn ends(&self, visit: &Visit) -> Option<(DVec3, DVec3)> {
+        let (first, last) = (visit.first()?.first()?, visit.last()?.last()?);
+        Some((self.seam.at(first.seam_s(0.0)).point, self.seam.at(last.seam_s(last.length())).point))
+    }
+}
+
+/// Names of passes: what it is, on which copy, which part.
+struct Naming<'a> {
+    copies: &'a [SeamCopy],
+    /// True if a copy has one pass, which the copy's name says.
+    one: bool,
+}
+
+impl Naming<'_> {
+    fn name(&self, pass: &Pass, copy: usize, part: Option<usize>) -> String {
+        let copy = self.copies.get(copy).map(|copy| copy.name.clone());
+        let own = (!self.one || copy.is_none() || pass.role.is_some()).then(|| pass.name.clone());
+        let words = [own, copy, part.map(|k| format!("part {k}"))];
+        words.into_iter().flatten().collect::<Vec<_>>().join(", ")
+    }
+}

@@ -1,0 +1,71 @@
+use super::file::{Parts, WeldOrder};
+use crate::SeamCurve;
+use seamwright_document::{Document, DocumentError};
+use seamwright_program::Pass;
+
+/// Quarters in the order of welding: each followed by the one opposite it.
+const QUARTERS: [usize; 4] = [0, 2, 1, 3];
+/// Lengths of files are rounded: what is too short by this is not, mm.
+const ROUNDED_MM: f64 = 1e-6;
+
+impl WeldOrder {
+    /// Checks the parts against the seam.
+    ///
+    /// # Errors
+    /// With the key's address: quarters of a seam that is not welded all round, pieces longer than the weld, a tie-in
+    /// as long as a part, two ends on a seam that has none.
+    pub(crate) fn check_parts<T>(&self, file: &Document<T>, seam: &SeamCurve) -> Result<(), DocumentError> {
+        let part = match self.parts {
+            Parts::Whole => f64::INFINITY,
+            Parts::Quadrants if !seam.all_round() => {
+                let message = "a seam that is not welded all round has no opposite quarters";
+                return Err(file.error_at("order.parts", message, "\"whole\" or { back_step_mm = 150 }"));
+            }
+            Parts::Quadrants => 0.25 * seam.length(),
+            Parts::BackStepMm(step) if step.get() >= seam.weld_length() => {
+                let message = "the pieces would be longer than the weld";
+                let allowed = format!("less than {}", seam.weld_length());
+                return Err(file.error_at("order.parts.back_step_mm", message, allowed));
+            }
+            Parts::BackStepMm(step) => seam.weld_length() / pieces(seam.weld_length(), step.get()) as f64,
+        };
+        if self.tie_in_mm.get() >= part {
+            let message = "the parts would lie on one another from end to end";
+            return Err(file.error_at("order.tie_in_mm", message, format!("less than a part: {part:.3}")));
+        }
+        if self.either_end && seam.all_round() {
+            let message = "a seam that is welded all round ends where it begins";
+            return Err(file.error_at("order.either_end", message, "false"));
+        }
+        Ok(())
+    }
+
+    /// The parts of `pass` on `seam` in the order of welding.
+    pub(crate) fn parts_of(&self, pass: &Pass, seam: &SeamCurve) -> Vec<Pass> {
+        let turn = seam.all_round().then(|| seam.length());
+        let (length, tie_in) = (pass.length(), self.tie_in_mm.get());
+        match self.parts {
+            Parts::Whole => vec![pass.clone()],
+            // A layer over a part of the seam has no quarters.
+            Parts::Quadrants if length < seam.length() - ROUNDED_MM => vec![pass.clone()],
+            Parts::Quadrants => {
+                let quarter = 0.25 * seam.length();
+                let piece = |q: usize| pass.piece((quarter * q as f64, quarter * (q + 1) as f64 + tie_in), turn);
+                QUARTERS.into_iter().map(piece).collect()
+            }
+            Parts::BackStepMm(step) => {
+                let count = pieces(length, step.get());
+                let piece = |i: usize| {
+                    let (from, to) = (length * i as f64 / count as f64, length * (i + 1) as f64 / count as f64);
+                    pass.piece(((from - tie_in).max(0.0), to), turn).turned(turn)
+                };
+                if count == 1 { vec![pass.clone()] } else { (0..count).map(piece).collect() }
+            }
+        }
+    }
+}
+
+/// The number of equal pieces of at most `step` in `length`.
+fn pieces(length: f64, step: f64) -> usize {
+    ((length - ROUNDED_MM) / step).ceil().max(1.0) as usize
+}

@@ -1,0 +1,84 @@
+use glam::DVec3;
+use schemars::JsonSchema;
+use seamwright_document::{Document, DocumentError, Point, Transform};
+use seamwright_program::SeamCopy;
+use serde::{Deserialize, Serialize};
+use std::num::NonZeroU32;
+
+/// More copies than this are a slip.
+const MOST: u32 = 1000;
+
+/// Copies of the seam in parallel rows.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Rows {
+    /// Number of rows.
+    pub rows: u32,
+    /// Number of copies in a row.
+    pub columns: u32,
+    /// From a copy to the next in its row, in the part's frame, mm.
+    #[serde(default, skip_serializing_if = "Point::is_zero")]
+    pub step_mm: Point,
+    /// From a row to the next, in the part's frame, mm.
+    #[serde(default, skip_serializing_if = "Point::is_zero")]
+    pub row_step_mm: Point,
+}
+
+impl Rows {
+    /// Checks the table `rows` of a job.
+    ///
+    /// # Errors
+    /// With the key's address: no copies or very many, copies at one place.
+    pub(crate) fn check<T>(&self, file: &Document<T>) -> Result<(), DocumentError> {
+        for (key, count) in [("rows.rows", self.rows), ("rows.columns", self.columns)] {
+            if count == 0 || count > MOST {
+                return Err(file.error_at(key, "this gives no copies, or very many", format!("1 to {MOST}")));
+            }
+        }
+        if u64::from(self.rows) * u64::from(self.columns) > u64::from(MOST) {
+            let allowed = format!("1 to {}: {MOST} copies in all", MOST / self.rows);
+            return Err(file.error_at("rows.columns", "these are very many copies", allowed));
+        }
+        let step = |step: Point| !step.is_zero() && (step.get() * f64::from(MOST)).is_finite();
+        let message = "the copies would stand at one place";
+        let allowed = "three numbers that are not all 0, of a size";
+        if self.columns > 1 && !step(self.step_mm) {
+            return Err(file.error_at("rows.step_mm", message, allowed));
+        }
+        if self.rows > 1 && !step(self.row_step_mm) {
+            return Err(file.error_at("rows.row_step_mm", message, allowed));
+        }
+        let places: Vec<DVec3> = self.places().map(|(_, _, place)| place).collect();
+        let twice = |(i, place): (usize, &DVec3)| places[..i].contains(place);
+        if places.iter().enumerate().any(twice) {
+            return Err(file.error_at(
+                "rows.row_step_mm",
+                message,
+                "a step off the line of the row, or beyond its end",
+            ));
+        }
+        Ok(())
+    }
+
+    /// The copies, row by row, the seam's own placement being that of the first.
+    pub(crate) fn copies(&self, placement: &Transform) -> Vec<SeamCopy> {
+        let copy = |(row, column, step): (u32, u32, DVec3)| SeamCopy {
+            name: format!("row {row}, {column}"),
+            row: NonZeroU32::new(row),
+            placement: Transform {
+                move_mm: Point::new(placement.move_mm.get() + step).unwrap_or(placement.move_mm),
+                ..*placement
+            },
+        };
+        self.places().map(copy).collect()
+    }
+
+    /// Row and number in it, from 1, and how far from the first copy.
+    fn places(&self) -> impl Iterator<Item = (u32, u32, DVec3)> {
+        let (step, row_step) = (self.step_mm.get(), self.row_step_mm.get());
+        (0..self.rows).flat_map(move |row| {
+            (0..self.columns)
+                .map(move |column| (row + 1, column + 1, f64::from(row) * row_step + f64::from(column) * step))
+        })
+    }
+}

@@ -1,0 +1,179 @@
+use crate::SeamCurve;
+use schemars::JsonSchema;
+use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
+use seamwright_program::{Pass, ProcessValues, Role, Span, SpanValue, check_process};
+use serde::{Deserialize, Serialize};
+
+/// More tacks than this on a seam are a slip.
+const MOST: f64 = 1000.0;
+
+/// Short welds that hold the parts together before anything else is welded.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Tacks {
+    /// Length of a tack, mm.
+    pub length_mm: Positive,
+    /// Number of tacks on the seam, at least 2; or `pitch_mm`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub count: Option<u32>,
+    /// Greatest distance from a tack's middle to the next one's, mm; or `count`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pitch_mm: Option<Positive>,
+    /// How far tacks stay away from the weld's start, and on a seam that is not welded all round from its end, mm.
+    #[serde(default = "clear")]
+    pub clear_mm: NonNegative,
+    /// Speed, mm/s; that of `[weld]` if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speed_mm_s: Option<Positive>,
+    /// Process values that differ from those of `[weld.process]`.
+    #[serde(default, skip_serializing_if = "ProcessValues::is_empty")]
+    pub process: ProcessValues,
+}
+
+fn clear() -> NonNegative {
+    NonNegative::new(5.0).unwrap_or_default()
+}
+
+impl Tacks {
+    /// Checks what does not depend on the seam; `process` are the weld's process values.
+    ///
+    /// # Errors
+    /// With the key's address: neither number nor pitch or both, fewer than two, a process value that the weld has not.
+    pub(crate) fn check<T>(&self, file: &Document<T>, process: &ProcessValues) -> Result<(), DocumentError> {
+        if self.count.is_some() == self.pitch_mm.is_some() {
+            let message = "the number of tacks follows from one of two keys";
+            return Err(file.error_at("tacks", message, "either `count` or `pitch_mm`"));
+        }
+        if self.count.is_some_and(|count| !(2.0..=MOST).contains(&f64::from(count))) {
+            return Err(file.error_at("tacks.count", "these tacks hold nothing", format!("2 to {MOST}")));
+        }
+        check_process(file, "tacks.process", &self.process)?;
+        for (key, value) in &self.process {
+            let path = format!("tacks.process.{key}");
+            if !process.contains_key(key) {
+                let known: Vec<&str> = process.keys().map(String::as_str).collect();
+                return Err(file.unknown_name(&path, key, &known));
+            }
+            if value.is_ramp() {
+                return Err(file.error_at(&path, "a tack has steady values", "a number"));
+            }
+        }
+        Ok(())
+    }
+
+    /// The tacks on `seam` in the order of welding: each far from all before it, then the one opposite. What is not
+    /// their own they have from `weld`, the pass along the whole seam.
+    ///
+    /// # Errors
+    /// With the key's address: tacks longer than the pitch or nearer to the start than they may be.
+    pub(crate) fn passes<T>(
+        &self,
+        file: &Document<T>,
+        seam: &SeamCurve,
+        weld: &Pass,
+    ) -> Result<Vec<Pass>, DocumentError> {
+        let places = self.places(file, seam)?;
+        let pass = |(number, place): (usize, usize)| {
+            let begin = places[place];
+            let mut process = weld.span_at(begin).map(|span| span.process.clone()).unwrap_or_default();
+            for (name, value) in &mut process {
+                let there = weld.process_at(name, begin, (f64::INFINITY, f64::INFINITY));
+                *value = there.and_then(Finite::new).map_or(*value, SpanValue::Steady);
+            }
+            process.extend(self.process.clone());
+            Pass {
+                name: format!("tack {}", number + 1),
+                role: Some(Role::Tack),
+                begin_mm: NonNegative::new(begin).unwrap_or_default(),
+                reverse: false,
+                least_speed_mm_s: None,
+                bead: None,
+                weave: None,
+                spans: vec![Span {
+                    from_mm: NonNegative::default(),
+                    to_mm: self.length_mm,
+                    speed_mm_s: self.speed_mm_s.map_or(weld.spans[0].speed_mm_s, SpanValue::Steady),
+                    process,
+                }],
+                ..weld.clone()
+            }
+        };
+        Ok(opposite_first(places.len(), seam.all_round()).into_iter().enumerate().map(pass).collect())
+    }
+
+    /// Path lengths at which the tacks begin, increasing, mm: evenly, with the start in the middle between two on a seam
+    /// welded all round, else from end to end.
+    fn places<T>(&self, file: &Document<T>, seam: &SeamCurve) -> Result<Vec<f64>, DocumentError> {
+        let (length, clear) = (self.length_mm.get(), self.clear_mm.get());
+        let round = seam.all_round();
+        // From the first tack's beginning to the last one's, or all round.
+        let way = if round { seam.length() } else { seam.weld_length() - 2.0 * clear - length };
+        let least = |pitches: f64| if round { pitches.max(2.0) } else { pitches.max(1.0) + 1.0 };
+        let count = match (self.count, self.pitch_mm) {
+            (Some(count), _) => f64::from(count),
+            (None, pitch) => least((way / pitch.map_or(way, Positive::get) - 1e-9).ceil()),
+        };
+        if count > MOST {
+            let allowed = format!("at least {:.3}: {MOST} tacks", way / MOST);
+            return Err(file.error_at("tacks.pitch_mm", "these are very many tacks", allowed));
+        }
+        let pitch = if round { way / count } else { way / (count - 1.0) };
+        let asked = self.pitch_mm.map_or(pitch, |asked| asked.get().min(pitch));
+        if length >= asked {
+            let allowed = match (self.pitch_mm, round) {
+                (Some(pitch), _) if pitch.get() <= length => format!("less than pitch_mm = {}", pitch.get()),
+                _ => format!("less than the way from a tack to the next: {count} on {:.3} mm of seam", seam.length()),
+            };
+            return Err(file.error_at("tacks.length_mm", "the tacks would meet", allowed));
+        }
+        let first = if round { 0.5 * (pitch - length) } else { clear };
+        if first < clear - 1e-9 {
+            let message = format!("tacks would begin {first:.3} mm from the weld's start");
+            return Err(file.error_at("tacks.clear_mm", message, format!("up to {first:.3}, or fewer tacks")));
+        }
+        Ok((0..count as usize).map(|i| first + pitch * i as f64).collect())
+    }
+}
+
+/// An order of `count` places on a ring or a line: the one farthest from all before it, then the one that is left
+/// nearest to its opposite, and again.
+fn opposite_first(count: usize, ring: bool) -> Vec<usize> {
+    let apart = |a: usize, b: usize| {
+        let d = a.abs_diff(b);
+        if ring { d.min(count - d) } else { d }
+    };
+    let mut order: Vec<usize> = Vec::with_capacity(count);
+    while order.len() < count {
+        let left = || (0..count).filter(|i| !order.contains(i));
+        let from_all = |i: usize| order.iter().map(|k| apart(i, *k)).min().unwrap_or(0);
+        let Some(next) = left().max_by_key(|i| (from_all(*i), usize::MAX - i)) else { break };
+        let opposite = if ring { (next + count / 2) % count } else { count - 1 - next };
+        let second = left().filter(|i| *i != next).min_by_key(|i| (apart(*i, opposite), *i));
+        order.push(next);
+        order.extend(second);
+    }
+    order
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn opposite_places_follow_each_other() {
+        assert_eq!(opposite_first(4, true), [0, 2, 1, 3]);
+        assert_eq!(opposite_first(2, false), [0, 1]);
+        assert_eq!(opposite_first(5, false), [0, 4, 2, 1, 3]);
+        for count in 2..60 {
+            for ring in [true, false] {
+                let order = opposite_first(count, ring);
+                let mut sorted = order.clone();
+                sorted.sort_unstable();
+                assert!(sorted.into_iter().eq(0..count), "{count} {order:?}");
+                if ring && count % 2 == 0 {
+                    assert!(order.chunks(2).all(|p| p[0].abs_diff(p[1]) == count / 2), "{count} {order:?}");
+                }
+            }
+        }
+    }
+}
