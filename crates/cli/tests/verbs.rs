@@ -194,7 +194,8 @@ fn schemas_in_docs_are_those_of_the_types() {
     for name in ["job", "machine", "procedure", "program"] {
         let path = root().join(format!("docs/schema/{name}.json"));
         let kept = fs::read_to_string(&path).unwrap();
-        assert_eq!(good(&["schema", name]), kept, "run: seamwright schema {name} > {}", path.display());
+        // Not assert_eq: nobody wants to see both in full.
+        assert!(good(&["schema", name]) == kept, "run: seamwright schema {name} > {}", path.display());
     }
 }
 

@@ -44,7 +44,14 @@ fn planned(example: &str, change: impl FnOnce(&mut Pass, f64)) -> Planned {
 fn bead(rows: &[[f64; 4]]) -> Bead {
     let column = |k: usize| rows.iter().map(|r| Finite::new(r[k]).unwrap()).collect();
     let area_mm2 = vec![NonNegative::new(12.0).unwrap(); rows.len()];
-    Bead { s_mm: column(0), across_mm: column(1), out_mm: column(2), work_angle_deg: column(3), area_mm2 }
+    Bead {
+        s_mm: column(0),
+        across_mm: column(1),
+        out_mm: column(2),
+        work_angle_deg: column(3),
+        weave_part: Vec::new(),
+        area_mm2,
+    }
 }
 
 fn positive(value: f64) -> Positive {

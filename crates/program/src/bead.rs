@@ -21,6 +21,9 @@ pub struct Bead {
     pub out_mm: Vec<Finite>,
     /// What the bead adds to the torch's work angle, degrees.
     pub work_angle_deg: Vec<Finite>,
+    /// Width of the weave as a part of that of the pass' weave, 0 to 1; empty if it is the same all along.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub weave_part: Vec<NonNegative>,
     /// Area of the bead's cross-section, mm^2; 0 where there is to be no metal.
     pub area_mm2: Vec<NonNegative>,
 }
@@ -41,6 +44,7 @@ impl Bead {
             ("out_mm", self.out_mm.len()),
             ("work_angle_deg", self.work_angle_deg.len()),
             ("area_mm2", self.area_mm2.len()),
+            ("weave_part", if self.weave_part.is_empty() { rows } else { self.weave_part.len() }),
         ];
         if let Some((key, found)) = columns.into_iter().find(|(_, found)| *found != rows) {
             let message = format!("the column has {found} rows, s_mm has {rows}");
@@ -54,6 +58,10 @@ impl Bead {
             let allowed = format!("more than -{MAX_WORK_DEG} and less than {MAX_WORK_DEG}");
             let message = "the torch would lie behind a face";
             return Err(file.error_at(&format!("{path}.work_angle_deg[{i}]"), message, allowed));
+        }
+        if let Some(i) = self.weave_part.iter().position(|part| part.get() > 1.0) {
+            let message = "the weave would be wider than it is";
+            return Err(file.error_at(&format!("{path}.weave_part[{i}]"), message, "0 to 1"));
         }
         Ok(())
     }

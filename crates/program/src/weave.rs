@@ -2,7 +2,7 @@
 
 use crate::{AtCorner, ProcessValues, Span};
 use schemars::JsonSchema;
-use seamwright_document::{Document, DocumentError, NonNegative, Positive};
+use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
@@ -11,6 +11,9 @@ const SHARP: f64 = 0.97;
 
 /// Largest part of a period that may be spent in dwells.
 const MOST_DWELL: f64 = 0.9;
+
+/// Steepest plane of a weave, degrees: steeper ones go along the torch rather than across.
+const MOST_PLANE_DEG: f64 = 80.0;
 
 /// Least way along the seam for one period, mm: less is a slip, no weave.
 const LEAST_PITCH_MM: f64 = 0.1;
@@ -44,6 +47,10 @@ pub struct Weave {
     pub figure: Figure,
     /// Width from side to side, mm.
     pub width_mm: Positive,
+    /// Angle of the plane in which it goes to and fro, degrees: 0 is square to the torch; positive lifts the side of the
+    /// first part towards the torch.
+    #[serde(default)]
+    pub plane_deg: Finite,
     /// Length along the seam of a circle or an eight, mm; as wide as it is long if missing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length_mm: Option<Positive>,
@@ -178,6 +185,10 @@ impl Weave {
                 }
                 _ => {}
             }
+        }
+        if self.plane_deg.get().abs() > MOST_PLANE_DEG {
+            let allowed = format!("-{MOST_PLANE_DEG} to {MOST_PLANE_DEG}");
+            return wrong("plane_deg", "the weave would go to and fro along the torch", allowed);
         }
         if self.length_mm.is_some() && !self.figure.is_round() {
             return wrong(

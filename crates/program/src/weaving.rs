@@ -46,6 +46,11 @@ impl Weaving {
         (fade * wide * across, fade * long * along)
     }
 
+    /// Angle of the plane across the seam in which the torch weaves, rad, as [`Weave::plane_deg`].
+    pub fn plane(&self) -> f64 {
+        self.weave.plane_deg.get().to_radians()
+    }
+
     /// Path lengths inside the pass at which a third derivative of the offset may jump, increasing, mm.
     pub fn knots(&self) -> Vec<f64> {
         let length = self.length();

@@ -52,13 +52,13 @@ impl OrderDrawing {
         svg.text("title", 0.0, 14.0, Anchor::Start, &self.title);
         svg.text("quiet", 0.0, 33.0, Anchor::Start, &self.key);
         let points = || self.lines.iter().flat_map(|line| &line.points);
+        if points().next().is_none() {
+            return (svg, HEAD);
+        }
         let low: [f64; 2] = std::array::from_fn(|k| points().map(|p| p[k]).fold(f64::INFINITY, f64::min));
         let high: [f64; 2] = std::array::from_fn(|k| points().map(|p| p[k]).fold(f64::NEG_INFINITY, f64::max));
         let size: [f64; 2] = std::array::from_fn(|k| (high[k] - low[k]).max(1e-6));
         let scale = ((WIDTH - 2.0 * ROOM) / size[0]).min((TALLEST - 2.0 * ROOM) / size[1]);
-        if !scale.is_finite() {
-            return (svg, HEAD);
-        }
         let frame = Rect { x: 0.0, y: HEAD, w: WIDTH - 1.0, h: scale * size[1] + 2.0 * ROOM + 14.0 };
         let left = 0.5 * (WIDTH - scale * size[0]);
         let place = |p: &[f64; 2]| (left + scale * (p[0] - low[0]), HEAD + ROOM + scale * (high[1] - p[1]));

@@ -16,6 +16,8 @@ pub struct BeadLine {
     out: CubicSpline,
     /// What it adds to the work angle, rad.
     lean: CubicSpline,
+    /// Width of the weave as a part of its own.
+    weave_part: Option<CubicSpline>,
     rows: Vec<f64>,
     period: Option<f64>,
 }
@@ -61,10 +63,12 @@ impl BeadLine {
             };
             spline.map_err(|e| file.error_at(&format!("{path}.s_mm"), e.to_string(), "path lengths that increase"))
         };
+        let parts: Vec<Finite> = bead.weave_part.iter().filter_map(|part| Finite::new(part.get())).collect();
         Ok(Self {
             across: spline(&bead.across_mm, 1.0)?,
             out: spline(&bead.out_mm, 1.0)?,
             lean: spline(&bead.work_angle_deg, 1f64.to_radians())?,
+            weave_part: (!parts.is_empty()).then(|| spline(&parts, 1.0)).transpose()?,
             rows,
             period,
         })
@@ -78,6 +82,11 @@ impl BeadLine {
     /// What it adds to the work angle at path length `s` on the seam, rad.
     pub fn lean(&self, s: f64) -> f64 {
         self.lean.at(s).0
+    }
+
+    /// Width of the weave at path length `s` on the seam, as a part of its own.
+    pub fn weave_part(&self, s: f64) -> f64 {
+        self.weave_part.as_ref().map_or(1.0, |part| part.at(s).0.clamp(0.0, 1.0))
     }
 
     /// Rows inside `range` of the seam, where third derivatives may jump, mm.

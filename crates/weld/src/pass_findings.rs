@@ -122,12 +122,13 @@ impl PassPath<'_> {
                 let turn = turn.to_degrees();
                 let message =
                     format!("the torch's direction would jump by {turn:.2} degrees at the corner at s = {s:.3} mm");
-                let cure = "round the corner in the seam; in a butt joint weld without work and travel angle";
+                let cure = "order.parts = \"at_corners\"; or round the corner in the seam; in a butt joint weld without work and \
+                            travel angle";
                 findings.push(finding(s, message, cure));
             }
             if jump > JUMP_MM {
                 let message = format!("the torch's tip would jump by {jump:.3} mm at the corner at s = {s:.3} mm");
-                let cure = "round the corner in the seam; or let the pass end there and another begin after it";
+                let cure = "order.parts = \"at_corners\", or round the corner in the seam";
                 findings.push(finding(s, message, cure));
             }
         }

@@ -47,14 +47,22 @@ impl PassPath<'_> {
         (tip, self.attitude.leaning(p, lean, self.stretch.sense))
     }
 
-    /// How far the weave takes the tip from there at path length `s`, in the seam's frame: across in the plane square to
-    /// the seam, square to the torch's `axis`, towards the first part; and along the seam.
+    /// How far the weave takes the tip from its line at path length `s`, mm: across towards the first part, and along in
+    /// the direction of travel. None without a weave.
+    pub fn woven(&self, s: f64) -> Option<(f64, f64)> {
+        let (across, along) = self.weaving.as_ref()?.offset(s);
+        let part = self.bead.map_or(1.0, |bead| bead.weave_part(self.stretch.seam_s(s)));
+        Some((part * across, along))
+    }
+
+    /// The same as a vector in the seam's frame: across in the plane square to the seam, which is square to the torch's
+    /// `axis` but for the angle of the weave's plane; and along the seam.
     pub(crate) fn swing_at(&self, p: &SeamPoint, axis: DVec3, s: f64) -> DVec3 {
-        let Some(weaving) = &self.weaving else { return DVec3::ZERO };
-        let (across, along) = weaving.offset(s);
+        let (Some(weaving), Some((across, along))) = (&self.weaving, self.woven(s)) else { return DVec3::ZERO };
         let aside = p.along.cross(axis).normalize();
         let aside = if aside.dot(p.towards_first) < 0.0 { -aside } else { aside };
-        across * aside + along * self.stretch.sense * p.along
+        let (sin, cos) = weaving.plane().sin_cos();
+        across * (cos * aside + sin * axis) + along * self.stretch.sense * p.along
     }
 
     /// The woven torch over a point of the seam as a pose in the work frame.

@@ -37,7 +37,14 @@ fn finite(values: impl IntoIterator<Item = f64>) -> Vec<Finite> {
 fn bead(rows: &[[f64; 4]]) -> Bead {
     let column = |k: usize| finite(rows.iter().map(|r| r[k]));
     let area_mm2 = vec![NonNegative::new(12.0).unwrap(); rows.len()];
-    Bead { s_mm: column(0), across_mm: column(1), out_mm: column(2), work_angle_deg: column(3), area_mm2 }
+    Bead {
+        s_mm: column(0),
+        across_mm: column(1),
+        out_mm: column(2),
+        work_angle_deg: column(3),
+        weave_part: Vec::new(),
+        area_mm2,
+    }
 }
 
 /// Sets where a pass runs.

@@ -45,6 +45,7 @@ fn weave(figure: Figure, width: f64, pitch: f64, fade: f64) -> Weave {
         frequency_hz: None,
         dwell_first_s: Default::default(),
         dwell_second_s: Default::default(),
+        plane_deg: Default::default(),
         fade_mm: seamwright_document::NonNegative::new(fade).unwrap(),
         at_sides: Default::default(),
     }
@@ -71,12 +72,16 @@ proptest! {
         reverse in any::<bool>(),
         kind in 0..3usize,
         (width, pitch, fade) in (0.5..12.0f64, 0.5..15.0f64, 0.0..30.0f64),
+        plane in -80.0..80.0f64,
         parts in prop::collection::vec(0.0..1.0f64, 40),
     ) {
         let text = [SADDLE, TRUNNION][job];
         let asked = [Figure::Sine, Figure::Circle, Figure::Eight][kind];
-        let (plain, other) =
-            (woven(text, reverse, None), woven(text, reverse, Some(weave(asked, width, pitch, fade))));
+        let weave = |pitch| {
+            let plane_deg = seamwright_document::Finite::new(plane).unwrap();
+            Some(Weave { plane_deg, ..weave(asked, width, pitch, fade) })
+        };
+        let (plain, other) = (woven(text, reverse, None), woven(text, reverse, weave(pitch)));
         let (plain, path) = (plain.path(0), other.path(0));
         let length = path.length();
         for s in parts.iter().map(|part| part * length) {
@@ -88,6 +93,8 @@ proptest! {
             if aside.dot(groove.towards_first) < 0.0 {
                 aside = -aside;
             }
+            // Lifted towards the torch.
+            let aside = plane.to_radians().cos() * aside - plane.to_radians().sin() * bare.direction;
             let (across, along) = figure(asked, s / pitch);
             let t = if fade > 0.0 { (s.min(length - s) / fade.min(0.5 * length)).min(1.0) } else { 1.0 };
             let full = 0.5 * width * (6.0 * t.powi(5) - 15.0 * t.powi(4) + 10.0 * t.powi(3));
@@ -103,7 +110,7 @@ proptest! {
         let (half, none) = (path.slower(0.5).unwrap(), path.slower(0.0).unwrap());
         let s = parts[0] * length;
         prop_assert!(none.pose(s) == plain.pose(s) && plain.slower(0.5).is_none());
-        let twice = woven(text, reverse, Some(weave(asked, width, 2.0 * pitch, fade)));
+        let twice = woven(text, reverse, weave(2.0 * pitch));
         prop_assert!(half.pose(s).point.distance(twice.path(0).pose(s).point) < 1e-9);
     }
 }
@@ -128,6 +135,42 @@ fn jobs_put_the_weave_into_their_passes() {
         let cap = pass.role == Some(seamwright_program::Role::Cap);
         assert_eq!(width, if cap { 5.0 } else { 2.0 }, "{}", pass.name);
     }
+}
+
+/// With `adapt = "weave_width"` weaves are as wide as the groove is there but for the walls, up to their own width; what is
+/// deposited is as without.
+#[test]
+fn weaves_are_as_wide_as_the_groove() {
+    let weave = "\n[weld.weave]\nwidth_mm = 9\npitch_mm = 3\nfade_mm = 0\n";
+    let text = HILLSIDE.replacen("adapt = \"speed\"", "adapt = \"weave_width\"", 1) + weave;
+    let (job, plain) = (read(&text), read(&(HILLSIDE.to_owned() + weave)));
+    let (joint, plan) = (job.joint.as_ref().unwrap(), job.plan.as_ref().unwrap());
+    let (mut narrow, mut wide) = (f64::INFINITY, 0.0_f64);
+    for (k, pass) in job.program.value.passes.iter().enumerate() {
+        let path = job.path(k);
+        let layer = plan.at_station(0)[plan.order[k]].layer;
+        let beads = plan.layers[layer].beads as f64;
+        // Where it is farthest out to a side: a quarter of a period on.
+        for s in (0..200).map(|i| f64::from(i) * 3.0 + 0.75).filter(|s| *s < pass.length()) {
+            let at = pass.seam_s(s).rem_euclid(job.seam.length());
+            let section = joint.section(&job.seam.at(at)).unwrap();
+            let bead = plan.in_order(&section, at)[k];
+            let (left, right) = section.slices.edges(0.5 * (bead.heights.0 + bead.heights.1));
+            // Three quarters of the wire's 1.2 mm from each wall.
+            let room = ((right - left - 1.8) / beads).clamp(0.0, 9.0);
+            let (across, along) = path.woven(s).unwrap();
+            assert!((2.0 * across - room).abs() < 0.02 && along == 0.0, "{} for {room} at {s}", 2.0 * across);
+            (narrow, wide) = (narrow.min(room), wide.max(room));
+        }
+        let other = &plain.program.value.passes[k];
+        assert_eq!((pass.spans.len(), pass.length()), (other.spans.len(), other.length()));
+        assert_eq!(pass.speed_at(100.0), other.speed_at(100.0));
+        assert!(other.bead.as_ref().unwrap().weave_part.is_empty());
+    }
+    assert!(wide - narrow > 1.0, "{narrow} {wide}");
+    let text = HILLSIDE.replacen("adapt = \"speed\"", "adapt = \"weave_width\"", 1);
+    let e = Welding::read("job.toml", &text).unwrap_err();
+    assert!(e.key == "beads.adapt" && e.message == "no bead is woven", "{e}");
 }
 
 #[test]

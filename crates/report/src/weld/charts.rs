@@ -65,7 +65,7 @@ impl Plots {
             taught: taught(machine, &welding.seam, motion),
             clearance: clearance.map(clearance_chart),
             torch: torch(samples),
-            weave: woven::weave(&welding.program.value.passes[pass]),
+            weave: woven::weave(&welding.program.value.passes[pass], &welding.path(pass)),
             oscillation: woven::oscillation(&welding.program.value.passes[pass]),
             axes: axes(machine, samples),
             jerks: jerks(machine, samples),

@@ -1,5 +1,6 @@
 use crate::{Axis, Chart, LimitLine, Series, format_number};
-use seamwright_program::{Pass, Weaving};
+use seamwright_program::Pass;
+use seamwright_weld::PassPath;
 
 /// Periods of a weave that are drawn, within these lengths (mm), and places a period.
 const PERIODS: f64 = 6.0;
@@ -11,8 +12,8 @@ const TURNS: u32 = 5;
 
 /// The woven path of the first centimetres of a pass, seen along the torch with the seam laid straight, at one scale both
 /// ways; none without a weave.
-pub(super) fn weave(pass: &Pass) -> Option<Chart> {
-    let (weave, weaving) = (pass.weave.as_ref()?, Weaving::new(pass)?);
+pub(super) fn weave(pass: &Pass, path: &PassPath) -> Option<Chart> {
+    let (weave, weaving) = (pass.weave.as_ref()?, path.weaving.as_ref()?);
     let length = pass.length();
     let start = 1e-3 * length;
     let pitch = start / weaving.phase(start);
@@ -20,7 +21,7 @@ pub(super) fn weave(pass: &Pass) -> Option<Chart> {
     let places = (PLACES * weaving.phase(drawn)).ceil().max(PLACES);
     let place = |i: u32| {
         let s = drawn * f64::from(i) / places;
-        let (across, along) = weaving.offset(s);
+        let (across, along) = path.woven(s).unwrap_or_default();
         (s + along, across)
     };
     let (wide, _) = weave.reach();

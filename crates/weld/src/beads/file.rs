@@ -64,6 +64,9 @@ pub enum Adapt {
     Speed,
     /// The wire feed.
     WireFeed,
+    /// The width of the weaves: as wide as the bead's room between the walls, up to the weave's `width_mm`; the speed
+    /// takes up the rest.
+    WeaveWidth,
     /// Layers over a part of the seam where there is more to fill; the speed takes up the rest.
     Passes,
 }

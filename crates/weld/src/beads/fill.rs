@@ -22,6 +22,8 @@ pub struct BeadAt {
     pub tip: DVec2,
     /// Angle from the bisector to the torch, rad; positive leans towards the first part.
     pub lean: f64,
+    /// How wide the wire may weave: the bead's part of the layer between the walls' distances, mm.
+    pub room: f64,
     /// Area of the bead, mm^2.
     pub area: f64,
     /// Heights between which the bead's layer lies in the groove, mm.
@@ -80,6 +82,7 @@ pub(crate) fn fill(
                 index,
                 tip: section.place(across, base),
                 lean: square + towards,
+                room: ((middle.1 - middle.0 - 2.0 * laying.wall) / n).max(0.0),
                 area: layer.share * scale / n,
                 heights: (low, high),
                 cap: (under, over(below)),

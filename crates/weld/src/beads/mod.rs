@@ -60,6 +60,10 @@ impl Beads {
             file.error_at(&path, format!("at s = {s:.1} mm: {why}"), why.cure().1)
         })?;
         let all = passes::passes(&plan, self, &runs, seam, template);
+        if self.adapt == Adapt::WeaveWidth && all.iter().all(|(pass, _)| pass.weave.is_none()) {
+            let allowed = "a [weld.weave] or a weave in a run, or another value";
+            return Err(file.error_at("beads.adapt", "no bead is woven", allowed));
+        }
         all.iter().try_for_each(|(pass, _)| self.check_weave(file, pass))?;
         let number = |bead: usize| all.iter().position(|(_, b)| *b == bead).map_or(1, |i| i + 1);
         let findings = plan.findings(&runs, self.most_percent.get() / 100.0, number);

@@ -3,7 +3,7 @@ use super::layers::Runs;
 use super::plan::BeadPlan;
 use crate::SeamCurve;
 use seamwright_document::{Finite, NonNegative, Positive};
-use seamwright_program::{Bead, Pass, Ramp, Span, SpanValue};
+use seamwright_program::{Bead, Pass, Ramp, Span, SpanValue, Weave};
 
 /// Speed or wire feed between the ends of a span may be off a straight line by this part.
 const STRAIGHT: f64 = 2e-3;
@@ -74,20 +74,24 @@ fn pass(plan: &BeadPlan, beads: &Beads, runs: &Runs, run: &Run, template: &Pass)
     if let Some(weave) = &asked.weave {
         pass.weave = Some(weave.clone());
     }
-    pass.bead = Some(columns(plan, run.bead));
+    let follows = pass.weave.as_ref().filter(|_| beads.adapt == Adapt::WeaveWidth);
+    pass.bead = Some(columns(plan, run.bead, follows));
     pass.spans = spans(plan, beads.adapt, asked, run);
     pass
 }
 
-/// Where the bead lies at every station.
-fn columns(plan: &BeadPlan, bead: usize) -> Bead {
+/// Where the bead lies at every station, and how wide a weave is that `follows` the groove.
+fn columns(plan: &BeadPlan, bead: usize, follows: Option<&Weave>) -> Bead {
     // To a tenth of a micrometre, a millionth of a degree: what a file needs.
     let rounded = |value: f64, digits: f64| Finite::new((value * digits).round() / digits).unwrap_or_default();
     let column = |value: &dyn Fn(usize) -> f64, digits: f64| {
         (0..plan.stations.len()).map(|i| rounded(value(i), digits)).collect::<Vec<_>>()
     };
     let at = |i: usize| plan.at_station(i)[bead];
+    let part = |width: f64| column(&|i| (at(i).room / width).min(1.0), 1e4);
+    let parts = follows.map_or(Vec::new(), |weave| part(weave.width_mm.get()));
     Bead {
+        weave_part: parts.iter().filter_map(|part| NonNegative::new(part.get())).collect(),
         s_mm: plan.stations.iter().map(|s| Finite::new(*s).unwrap_or_default()).collect(),
         across_mm: column(&|i| at(i).tip.x, 1e4),
         out_mm: column(&|i| at(i).tip.y, 1e4),
@@ -137,7 +141,7 @@ fn span(adapt: Adapt, asked: &Asked, from: (f64, f64), to: (f64, f64)) -> Span {
         process: asked.process.clone(),
     };
     match adapt {
-        Adapt::Speed | Adapt::Passes => {
+        Adapt::Speed | Adapt::WeaveWidth | Adapt::Passes => {
             let ends = [from.1, to.1].map(|v| Positive::new(rounded(v * asked.speed.get())));
             if let [Some(from), Some(to)] = ends {
                 span.speed_mm_s = if from == to { SpanValue::Steady(from) } else { SpanValue::Ramp(Ramp { from, to }) };

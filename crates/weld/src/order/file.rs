@@ -12,7 +12,7 @@ pub struct WeldOrder {
     pub passes: Turns,
     /// The parts in which each pass is welded.
     pub parts: Parts,
-    /// How far a part goes on over the one that it meets, mm.
+    /// How far a part goes on over the one that it meets, mm; not at corners.
     pub tie_in_mm: NonNegative,
     /// True: where that makes the air moves shorter, a copy is welded from the seam's end to its start. On seams that
     /// are not welded all round.
@@ -68,6 +68,8 @@ pub enum Parts {
     Whole,
     /// Quarters of the seam's length, each followed by the one opposite it. On seams welded all round.
     Quadrants,
+    /// Pieces from corner to corner: at a corner the torch's direction may jump with the arc off.
+    AtCorners,
     /// Equal pieces of at most this length, mm, one after the other along the weld, each welded against its direction.
     BackStepMm(Positive),
 }

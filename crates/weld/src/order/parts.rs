@@ -1,10 +1,15 @@
 use super::file::{Parts, WeldOrder};
 use crate::SeamCurve;
+use crate::seam::SAME_MM;
 use seamwright_document::{Document, DocumentError};
 use seamwright_program::Pass;
 
 /// Quarters in the order of welding: each followed by the one opposite it.
 const QUARTERS: [usize; 4] = [0, 2, 1, 3];
+/// Parts keep this away from the corners between them, mm: it is not seen, and the torch stands as the part has it.
+const CORNER_MM: f64 = 1e-4;
+/// Cosine of the largest turn of a seam that is no corner: 0.1 degrees.
+const STRAIGHT: f64 = 1.0 - 1.5e-6;
 /// Lengths of files are rounded: what is too short by this is not, mm.
 const ROUNDED_MM: f64 = 1e-6;
 
@@ -17,6 +22,15 @@ impl WeldOrder {
     pub(crate) fn check_parts<T>(&self, file: &Document<T>, seam: &SeamCurve) -> Result<(), DocumentError> {
         let part = match self.parts {
             Parts::Whole => f64::INFINITY,
+            Parts::AtCorners if corners(seam, (0.0, seam.weld_length())).is_empty() => {
+                let message = "the seam has no corners";
+                return Err(file.error_at(
+                    "order.parts",
+                    message,
+                    "\"whole\", \"quadrants\" or { back_step_mm = 150 }",
+                ));
+            }
+            Parts::AtCorners => f64::INFINITY,
             Parts::Quadrants if !seam.all_round() => {
                 let message = "a seam that is not welded all round has no opposite quarters";
                 return Err(file.error_at("order.parts", message, "\"whole\" or { back_step_mm = 150 }"));
@@ -53,6 +67,10 @@ impl WeldOrder {
                 let piece = |q: usize| pass.piece((quarter * q as f64, quarter * (q + 1) as f64 + tie_in), turn);
                 QUARTERS.into_iter().map(piece).collect()
             }
+            Parts::AtCorners => {
+                let ends = ends_at_corners(pass, seam, turn);
+                ends.windows(2).map(|end| pass.piece((end[0] + CORNER_MM, end[1] - CORNER_MM), turn)).collect()
+            }
             Parts::BackStepMm(step) => {
                 let count = pieces(length, step.get());
                 let piece = |i: usize| {
@@ -63,6 +81,36 @@ impl WeldOrder {
             }
         }
     }
+}
+
+/// Where the parts of `pass` from corner to corner end, by its own path length, mm; `turn` is the length of a seam that
+/// is welded all round.
+fn ends_at_corners(pass: &Pass, seam: &SeamCurve, turn: Option<f64>) -> Vec<f64> {
+    let (from, to) = (pass.seam_s(0.0), pass.seam_s(pass.length()));
+    let low = from.min(to);
+    let all_round = turn.filter(|turn| pass.length() >= turn - ROUNDED_MM);
+    // All round one of every corner, also of one at the start.
+    let range = all_round.map_or((low, from.max(to)), |turn| (low - ROUNDED_MM, low + turn - ROUNDED_MM));
+    let mut ends: Vec<f64> = corners(seam, range).iter().map(|s| (s - from).abs()).collect();
+    ends.sort_by(f64::total_cmp);
+    match all_round.zip(ends.first().copied()) {
+        // From a corner on, so that no part begins between two.
+        Some((turn, first)) => ends.push(first + turn),
+        None => {
+            ends.insert(0, -CORNER_MM);
+            ends.push(pass.length() + CORNER_MM);
+        }
+    }
+    ends
+}
+
+/// Places inside a range of the seam at which it or the direction between its faces turns, mm.
+fn corners(seam: &SeamCurve, range: (f64, f64)) -> Vec<f64> {
+    let turns = |s: &f64| {
+        let (before, after) = (seam.at(s - SAME_MM), seam.at(s + SAME_MM));
+        before.tangent.dot(after.tangent) < STRAIGHT || before.bisector.dot(after.bisector) < STRAIGHT
+    };
+    seam.knots_within(range).into_iter().filter(turns).collect()
 }
 
 /// The number of equal pieces of at most `step` in `length`.

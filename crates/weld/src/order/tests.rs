@@ -186,6 +186,44 @@ fn back_steps_cover_the_weld_against_their_progress() {
     }
 }
 
+/// A K-joint: where its branches overlap, the seam has two corners, at which the torch's direction jumps.
+const K_JOINT: &str = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.branch]\nradius_mm = 60\nchord_radius_mm = 120\n\
+    angle_deg = 60\n[seam.branch.other]\nradius_mm = 60\nangle_deg = 60\ngap_mm = -30\n\
+    [weld]\nspeed_mm_s = 5\nprocess = { current_a = { from = 100, to = 200 } }\n";
+
+#[test]
+fn from_corner_to_corner_no_direction_jumps() {
+    let turns = |welding: &Welding| welding.findings().into_iter().filter(|f| f.kind == "turn").collect::<Vec<_>>();
+    let whole = read(K_JOINT);
+    let found = turns(&whole);
+    assert!(found.len() == 2 && found[0].cure.contains("at_corners"), "{found:#?}");
+    let length = whole.seam.length();
+    let corner = found[0].from_mm;
+    let [before, after] = [corner - 1e-3, corner + 1e-3].map(|s| whole.path(0).pose(s).direction);
+    for start in ["", "[start]\noverlap_mm = 15\n", "[start]\nphi_deg = 70\ndirection = \"clockwise\"\n"] {
+        let welding = read(&format!("{K_JOINT}{start}[order]\nparts = \"at_corners\"\n"));
+        assert!(turns(&welding).is_empty(), "{:#?}", turns(&welding));
+        let passes = &welding.program.value.passes;
+        assert_eq!(passes.len(), 2);
+        // Each begins where the other ends.
+        let sum: f64 = passes.iter().map(Pass::length).sum();
+        assert!((sum + 4e-4 - length).abs() < 1e-6, "{sum} of {length}");
+        for i in 0..2 {
+            let (this, other) = (welding.path(i), welding.path(1 - i));
+            assert!(this.pose(0.0).point.distance(other.pose(other.length()).point) < 3e-4);
+            // Continuous up to the very ends.
+            for s in [0.0, this.length()] {
+                let near = this.pose((s - 1e-3).abs().min(this.length() - 1e-3));
+                assert!(near.direction.distance(this.pose(s).direction) < 1e-4);
+            }
+        }
+    }
+    assert!(before.distance(after) > 0.1, "{before} {after}");
+    // A start at a corner is one of the corners.
+    let program = whole.program.value.to_toml().unwrap();
+    assert!(Welding::read("p.toml", &program).is_ok());
+}
+
 #[test]
 fn an_open_seam_is_welded_from_either_end_if_it_may_be() {
     let rows = "[rows]\nrows = 5\ncolumns = 1\nrow_step_mm = [0, 30, 0]\n[order]\n";
@@ -242,6 +280,7 @@ fn what_cannot_be_ordered_is_refused_with_its_key() {
     assert_eq!(error(rule, "rule = { skip = 1 }"), "order.rule.skip");
     assert_eq!(error(rule, "parts = { back_step_mm = 119 }"), "order.parts.back_step_mm");
     assert_eq!(error(rule, "parts = \"quadrants\"\ntie_in_mm = 29"), "order.tie_in_mm");
+    assert_eq!(error(rule, "parts = \"at_corners\""), "order.parts");
     assert_eq!(error(rule, "either_end = true"), "order.either_end");
     assert_eq!(error(rule, "[[copies]]\nname = \"a\""), "rows");
     assert_eq!(error(rule, "[tacks]\nlength_mm = 20\npitch_mm = 15"), "tacks.length_mm");
