@@ -26,6 +26,7 @@ pub(crate) const EXAMPLES: &[Example] = examples![
     "y-branch",
     "taught-saddle",
     "hillside",
+    "thick-saddle",
     "weave",
     "radiator"
 ];

@@ -1,6 +1,6 @@
 //! Jobs with beads as programs: what the passes deposit, from their speeds and wire feeds alone, fills the joint.
 
-use seamwright_program::{Pass, Program};
+use seamwright_program::{Pass, Program, Role};
 use seamwright_weld::Welding;
 use std::f64::consts::FRAC_PI_4;
 
@@ -41,6 +41,23 @@ fn off(welding: &Welding) -> f64 {
         (sum / section.total() - 1.0).abs()
     };
     (0..1000).map(off).fold(0.0, f64::max)
+}
+
+#[test]
+fn every_example_with_beads_fills_its_joint() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let mut with_beads = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let text = std::fs::read_to_string(&path).unwrap_or_default();
+        if text.contains("\n[beads]") {
+            let mut welding = read(&text);
+            welding.program.value.passes.retain(|pass| pass.role != Some(Role::Tack));
+            assert!(off(&welding) < 0.01, "{}: {}", path.display(), off(&welding));
+            with_beads += 1;
+        }
+    }
+    assert!(with_beads >= 2);
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::cells::Cells;
 use super::channels::{Channels, Limits};
 use super::error::LawError;
 use super::interior::Iterate;
-use super::peak::peak;
+use super::peak::{peak, used};
 use super::problem::Problem;
 use super::rest::RestToRest;
 use super::rows::Room;
@@ -23,6 +23,11 @@ const SNAP: f64 = 1e-5;
 const SHARE: f64 = 5e-5;
 /// All of them together are worth halving from this part on.
 const ENOUGH: f64 = 3e-4;
+/// Cells in which the law is too stiff to follow an asked speed that changes are halved if that costs more than this
+/// part of the time,
+const STIFF: f64 = 4e-6;
+/// and no limit is used by more than this part.
+const SPARED: f64 = 0.9;
 /// Use of a limit between the places of rows from which on cells are halved rather than given less room.
 const ROUGH: f64 = 1.001;
 /// Narrower cells than this part of the path get less room rather than being halved: they would cost digits.
@@ -76,16 +81,20 @@ pub(crate) fn plan(
 }
 
 /// Stations of finer cells for the law with coefficients `c`, which loses the time `lost`, where it bends or uses too
-/// much of a limit; none if they would hardly make it faster.
+/// much of a limit, or is too stiff; none if they would hardly make it faster.
 fn refined(cells: &Cells, c: &[f64], lost: f64) -> Option<Vec<f64>> {
     let bends: Vec<f64> = (0..cells.count()).map(|i| bend(cells, c, i)).collect();
     let narrow = NARROWEST * cells.map.length();
     let rough: Vec<bool> = (0..cells.count()).map(|i| cells.width(i) > narrow && peak(cells, c, i) > ROUGH).collect();
+    let time: f64 = (0..cells.count()).map(|i| cells.width(i) / c[i + 1].sqrt()).sum();
+    let stiff: Vec<bool> = (0..cells.count())
+        .map(|i| cells.width(i) > narrow && cells.late(c, i) > STIFF * time && used(cells, c, i) < SPARED)
+        .collect();
     let gain: f64 = bends.iter().filter(|bend| **bend > SHARE * lost).sum();
-    if cells.count() > MOST_CELLS || (gain < ENOUGH * lost && !rough.contains(&true)) {
+    if cells.count() > MOST_CELLS || (gain < ENOUGH * lost && !rough.contains(&true) && !stiff.contains(&true)) {
         return None;
     }
-    let tau = cells.halved(|i| bends[i] > SHARE * lost || rough[i]);
+    let tau = cells.halved(|i| bends[i] > SHARE * lost || rough[i] || stiff[i]);
     (tau.len() > cells.tau.len()).then_some(tau)
 }
 

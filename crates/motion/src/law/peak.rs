@@ -11,19 +11,24 @@ const MUCH: f64 = 1.5;
 /// The greatest use of a limit in cell `i`: of a speed (squared, the asked one too), an acceleration or a jerk.
 /// Between the places looked at a parabola through three neighbours each, and what their third differences leave open.
 pub(crate) fn peak(cells: &Cells, c: &[f64], i: usize) -> f64 {
+    let of_channels = used(cells, c, i);
+    if cells.is_steady(i) {
+        return of_channels;
+    }
+    let (law, asked) = (PARTS.map(|part| cells.law(c, i, part)), cells.asked(i));
+    larger(of_channels, greatest(&std::array::from_fn::<_, { PARTS.len() }, _>(|part| law[part][0] / asked[part])))
+}
+
+/// The same without the asked speed.
+pub(crate) fn used(cells: &Cells, c: &[f64], i: usize) -> f64 {
     let law = PARTS.map(|part| cells.law(c, i, part));
     let (least, most) = law.iter().fold((f64::INFINITY, 0.0), |(l, m), [b, ..]| (b.min(l), larger(*b, m)));
-    let of_channels = if most > MUCH * least {
+    if most > MUCH * least {
         let law = std::array::from_fn(|k| cells.law(c, i, k as f64 / (CLOSE - 1) as f64));
         of_channels::<CLOSE>(cells, i, &law, closer)
     } else {
         of_channels(cells, i, &law, |q| *q)
-    };
-    if cells.is_steady(i) {
-        return of_channels;
     }
-    let asked = cells.asked(i);
-    larger(of_channels, greatest(&std::array::from_fn::<_, { PARTS.len() }, _>(|part| law[part][0] / asked[part])))
 }
 
 /// The greatest use of a channel's limit where the law is known at `N` places, at which `at` gives a derivative known

@@ -98,7 +98,8 @@ pub(crate) fn ordered(
     let named = Naming { copies, one: passes.len() == 1 };
     let mut ordering = Ordering { seam, order, places: places(copies), named, last: None, done: Vec::new() };
     if let Some(tacks) = &j.tacks {
-        let tacks = tacks.passes(job, seam, weld)?.into_iter().map(|tack| vec![tack]).collect();
+        let root = passes.first().and_then(|pass| pass.bead.as_ref());
+        let tacks = tacks.passes(job, seam, (weld, root))?.into_iter().map(|tack| vec![tack]).collect();
         ordering.add(&tacks, None);
     }
     let welds: Visit = passes.iter().map(|pass| order.parts_of(pass, seam)).collect();

@@ -1,7 +1,7 @@
 use crate::SeamCurve;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError, Finite, NonNegative, Positive};
-use seamwright_program::{Pass, ProcessValues, Role, Span, SpanValue, check_process};
+use seamwright_program::{Bead, Pass, ProcessValues, Role, Span, SpanValue, check_process};
 use serde::{Deserialize, Serialize};
 
 /// More tacks than this on a seam are a slip.
@@ -62,7 +62,7 @@ impl Tacks {
     }
 
     /// The tacks on `seam` in the order of welding: each far from all before it, then the one opposite. What is not
-    /// their own they have from `weld`, the pass along the whole seam.
+    /// their own they have from `weld`, the pass along the whole seam; they lie where the `root` bead of a groove does.
     ///
     /// # Errors
     /// With the key's address: tacks longer than the pitch or nearer to the start than they may be.
@@ -70,9 +70,12 @@ impl Tacks {
         &self,
         file: &Document<T>,
         seam: &SeamCurve,
-        weld: &Pass,
+        (weld, root): (&Pass, Option<&Bead>),
     ) -> Result<Vec<Pass>, DocumentError> {
         let places = self.places(file, seam)?;
+        // Their metal is not that of the bead, which comes on top.
+        let none = |root: &Bead| vec![NonNegative::default(); root.area_mm2.len()];
+        let bead = root.map(|root| Bead { area_mm2: none(root), weave_part: Vec::new(), ..root.clone() });
         let pass = |(number, place): (usize, usize)| {
             let begin = places[place];
             let mut process = weld.span_at(begin).map(|span| span.process.clone()).unwrap_or_default();
@@ -87,7 +90,7 @@ impl Tacks {
                 begin_mm: NonNegative::new(begin).unwrap_or_default(),
                 reverse: false,
                 least_speed_mm_s: None,
-                bead: None,
+                bead: bead.clone(),
                 weave: None,
                 spans: vec![Span {
                     from_mm: NonNegative::default(),

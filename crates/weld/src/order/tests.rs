@@ -256,6 +256,16 @@ fn tacks_come_first_in_opposite_pairs_and_stay_away_from_the_start() {
     let span = &passes[0].spans[0];
     assert_eq!((span.to_mm.get(), span.speed_mm_s.ends().0, span.process["current_a"].ends().0), (8.0, 3.0, 120.0));
     assert_eq!(passes[0].name, format!("tack 1, {}", welding.program.value.copies[passes[0].copy].name));
+    // In a groove where the root lies.
+    let hillside = include_str!("../../../../examples/hillside.toml");
+    let welding = read(&format!("{hillside}\n{tacks}"));
+    let passes = &welding.program.value.passes;
+    let root = passes.iter().find(|pass| pass.role == Some(Role::Root)).and_then(|pass| pass.bead.as_ref()).unwrap();
+    for tack in &passes[..4] {
+        let bead = tack.bead.as_ref().unwrap();
+        assert!(tack.role == Some(Role::Tack) && bead.out_mm == root.out_mm && bead.across_mm == root.across_mm);
+        assert!(bead.area_mm2.iter().all(|area| area.get() == 0.0) && bead.weave_part.is_empty());
+    }
     // On a line from end to end, clear of both.
     let line = read(&format!("{LINE}[tacks]\nlength_mm = 10\npitch_mm = 40\n"));
     let ranges: Vec<(f64, f64)> = line.program.value.passes.iter().map(range).collect();
