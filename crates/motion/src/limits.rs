@@ -9,7 +9,7 @@ use seamwright_program::{Finding, OnLimit, Pass};
 const WORTH_SAYING: f64 = 2e-3;
 /// Where the asked speed or the tip's way by path length changes, the law stays below it by up to three thousandths, and
 /// by more where a run-up goes over into a speed that falls.
-const WORTH_SAYING_CHANGING: f64 = 6e-3;
+const WORTH_SAYING_CHANGING: f64 = 1e-2;
 
 /// A limit that bounds the speed, in the units of files.
 #[derive(Debug, Clone, PartialEq)]

@@ -67,7 +67,8 @@ fn run(machine: &Machine, points: Vec<Joints>, speed: f64, corner: Corner, perio
     for k in 0.. {
         let t = f64::from(k) * period;
         let Some(p) = law.at(t).unwrap() else { break };
-        let tip = law.path().derivatives(p.s, false, &mut d);
+        // Within rounding of a stop: on the side where the torch is.
+        let tip = law.path().derivatives(p.s, p.a < 0.0, &mut d);
         for ([q1, q2, q3], axis) in d.iter().zip(&machine.axes) {
             let rates = [
                 q1 * p.v / axis.max_speed,

@@ -106,18 +106,23 @@ impl Cells {
         if self.is_steady(cell) {
             return (cell..cell + 3).all(|k| c[k] >= self.upper(k));
         }
-        let [up, down] = self.map.borders();
-        if self.tau[cell] < up || self.tau[cell + 1] > down {
+        if self.is_near_rest(cell) {
             return false;
         }
         let least = (1.0 - NEARLY) * (1.0 - NEARLY);
         PARTS.iter().zip(self.asked(cell)).all(|(part, asked)| self.law(c, cell, *part)[0] >= least * asked)
     }
 
+    /// True within the map's borders, where it is the map that changes.
+    pub(crate) fn is_near_rest(&self, cell: usize) -> bool {
+        let [up, down] = self.map.borders();
+        self.tau[cell] < up || self.tau[cell + 1] > down
+    }
+
     /// Time (s) by which the law with coefficients `c` is later over `cell` than asked, where the asked speed changes and
     /// the law is near it; 0 elsewhere.
     pub(crate) fn late(&self, c: &[f64], cell: usize) -> f64 {
-        if self.is_steady(cell) || self.cruises(c, cell) {
+        if self.is_near_rest(cell) || self.is_steady(cell) || self.cruises(c, cell) {
             return 0.0;
         }
         let ratio = |(part, asked): (&f64, &f64)| (self.law(c, cell, *part)[0] / asked).sqrt();

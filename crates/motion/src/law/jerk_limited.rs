@@ -159,8 +159,7 @@ fn certified(cells: &Cells, mut problem: Problem, mut room: Room, mut law: Itera
 impl Room {
     /// All but the reserve; more rows in run-up and run-down.
     fn new(cells: &Cells) -> Self {
-        let [up, down] = cells.map.borders();
-        let dense = (0..cells.count()).map(|i| cells.tau[i] < up || cells.tau[i + 1] > down).collect();
+        let dense = (0..cells.count()).map(|i| cells.is_near_rest(i)).collect();
         Self { part: vec![1.0 - RESERVE; cells.count()], dense }
     }
 
