@@ -70,7 +70,7 @@ pub(crate) fn rounded(
     let machine = follower.machine;
     let channels = PassChannels::new(machine, &joints, pass, 1.0);
     let corners = channels.corners().to_vec();
-    let AtCorner::BlendMm(distance) = pass.corner.for_path(joints.is_woven()) else {
+    let AtCorner::BlendMm(distance) = pass.corner else {
         let left = corners.into_iter().map(|(s, axis)| Left { s, axis, why: None });
         return (joints, left.collect(), Vec::new());
     };

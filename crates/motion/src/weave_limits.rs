@@ -18,12 +18,16 @@ pub(crate) fn tell(findings: &mut [Finding], pass: &Pass, fits: impl Fn(f64) -> 
     let Some(factor) = greatest(|factor| fits(factor) == Some(true)) else { return };
     let slower = weave.faster(factor);
     let (value, allowed) = match (slower.frequency_hz.map(f64::from), slower.pitch_mm.map(f64::from)) {
-        (Some(frequency), _) => {
-            (format!("{frequency:.4} Hz"), format!("ask for a frequency_hz of {:.4}", (frequency * 1e4).floor() * 1e-4))
-        }
+        (Some(frequency), _) => (
+            format!("{frequency:.4} Hz"),
+            format!("ask for a frequency_hz of {:.4} or a smaller width", (frequency * 1e4).floor() * 1e-4),
+        ),
         (None, pitch) => {
             let pitch = pitch.unwrap_or_default();
-            (format!("one in {pitch:.4} mm"), format!("ask for a pitch_mm of {:.4}", (pitch * 1e4).ceil() * 1e-4))
+            (
+                format!("one in {pitch:.4} mm"),
+                format!("ask for a pitch_mm of {:.4}, a smaller width or less speed", (pitch * 1e4).ceil() * 1e-4),
+            )
         }
     };
     for f in &mut too_fast {
@@ -32,8 +36,7 @@ pub(crate) fn tell(findings: &mut [Finding], pass: &Pass, fits: impl Fn(f64) -> 
             f.message,
             weave.width_mm.get()
         );
-        f.cure =
-            format!("{allowed}, a smaller width or less speed, or set weld.on_limit = \"slow\" to slow down there");
+        f.cure = format!("{allowed}, or set weld.on_limit = \"slow\" to slow down there");
     }
 }
 

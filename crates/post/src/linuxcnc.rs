@@ -1,7 +1,7 @@
 use crate::Error;
 use crate::blocks::{Block, HELD_BACK, Level, Linearisation, linearise};
 use crate::number::{fixed, significant};
-use crate::ramps::{ramp_breaks, rest_steps};
+use crate::ramps::{ramp_breaks, rest_steps, weave_breaks};
 use seamwright_machine::{AxisKind, Joints, Machine};
 use seamwright_motion::air::{AirMove, Leg};
 use seamwright_motion::{PassMotion, WeldMotion};
@@ -61,6 +61,7 @@ pub fn linuxcnc(
     for (i, (pass, planned)) in program.passes.iter().zip(&motion.passes).enumerate() {
         let mut breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
         breaks.extend(pass.spans.iter().flat_map(ramp_breaks));
+        breaks.extend(weave_breaks(pass));
         breaks.sort_by(f64::total_cmp);
         let cut = linearise(machine, planned, &breaks, options.level, tolerance)?;
         if i == 0 {
@@ -295,7 +296,8 @@ impl Writer<'_> {
             // most.
             let middle = 0.5 * (before.s + block.s);
             let span = pass.spans.partition_point(|span| span.to_mm.get() <= middle).min(pass.spans.len() - 1);
-            let ramps = pass.spans[span].process.values().any(ProcessValue::is_ramp);
+            let ramps = pass.spans[span].process.values().any(ProcessValue::is_ramp)
+                || pass.weave.as_ref().is_some_and(|weave| !weave.at_sides.is_empty());
             if i > 0 && (span != last || ramps) {
                 self.process_values(pass, "M67", (middle, WELDING));
                 last = span;

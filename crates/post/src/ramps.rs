@@ -1,9 +1,11 @@
 //! Process values that change evenly, as steps that a control can be given.
 
-use seamwright_program::{ProcessValue, Span};
+use seamwright_program::{Pass, ProcessValue, Span, Weaving};
 
 /// Steps of a ramp or slope: each is one part in this many of the change.
 const STEPS: u32 = 50;
+/// Steps of a weave's period.
+const SWING_STEPS: u32 = 24;
 /// Steps of a ramp are no shorter than this, mm.
 const SHORTEST_MM: f64 = 0.5;
 /// Steps of a slope are no shorter than this, s.
@@ -17,6 +19,17 @@ pub(crate) fn ramp_breaks(span: &Span) -> Vec<f64> {
     let (from, to) = (span.from_mm.get(), span.to_mm.get());
     let count = steps((to - from) / SHORTEST_MM);
     (1..count).map(|i| from + (to - from) * f64::from(i) / f64::from(count)).collect()
+}
+
+/// Where blocks end so that the values of a weave's sides change in small steps, mm; none without such values.
+pub(crate) fn weave_breaks(pass: &Pass) -> Vec<f64> {
+    let (Some(weave), Some(weaving)) = (&pass.weave, Weaving::new(pass)) else { return Vec::new() };
+    if weave.at_sides.is_empty() {
+        return Vec::new();
+    }
+    // All spans have much the same period.
+    let time = pass.length() / pass.speed_at(0.0) / weaving.phase(pass.length());
+    weaving.cuts(((time / SHORTEST_S / 4.0).floor() as u32).clamp(1, SWING_STEPS / 4) * 4)
 }
 
 /// The number of steps of which there is room for `most`.

@@ -196,3 +196,39 @@ fn comments_cannot_carry_commands() {
     assert!(p.text.lines().all(|l| l.matches('(').count() <= 1 && !l.starts_with("M4") && !l.starts_with("M3")));
     assert!(p.machine.axes.iter().all(|a| a.kind == AxisKind::Linear));
 }
+
+/// Values at the sides of a weave are written at every swing: each block has that of its middle, and the dwells have
+/// exactly theirs.
+#[test]
+fn values_follow_the_weave() {
+    let p = post(include_str!("../../../examples/weave.toml"), &Options::default()).unwrap();
+    let pass = &p.welding.program.value.passes[0];
+    let weld = p.text.split("(arc on with the motion)").nth(1).unwrap().split("M65 P0").next().unwrap();
+    let (mut current, mut time, mut before, mut cursor) = (0.0, 0.0, 0.0, 0);
+    let (mut at_sides, mut worst, mut most_step) = (0.0, 0.0_f64, 0.0_f64);
+    let head = p.text.split("(arc on with the motion)").next().unwrap();
+    for line in head.lines().rev().take(6).chain(weld.lines()) {
+        let number = |letter: char| {
+            let word = line.split('(').next()?.split_whitespace().find(|word| word.starts_with(letter))?;
+            word[1..].parse::<f64>().ok()
+        };
+        if line.starts_with("M67 E0 ") {
+            let next = number('Q').unwrap();
+            most_step = most_step.max(if time > 0.0 { f64::abs(next - current) } else { 0.0 });
+            current = next;
+        }
+        let Some(feed) = number('F').filter(|_| line.starts_with("G1 ")) else { continue };
+        time += 60.0 / feed;
+        let s = p.motion.law.at(time, &mut cursor).s;
+        let swing = pass.swing_at(0.5 * (before + s));
+        worst = worst.max((current - (190.0 - 20.0 * swing * swing)).abs());
+        if current == 170.0 {
+            at_sides += s - before;
+        }
+        before = s;
+    }
+    assert!(worst < 0.05 && most_step < 8.0, "{worst} A off, steps of {most_step} A");
+    // Between the fades 0.3 s of 1.333 s, and what is as good as there.
+    let share = at_sides / 110.0;
+    assert!(share > 0.2 && share < 0.4, "{share}");
+}

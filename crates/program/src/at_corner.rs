@@ -75,15 +75,6 @@ impl AtCorner {
         }
     }
 
-    /// What is done on a path that is `woven` or not: on one that is no corner is blended.
-    #[must_use]
-    pub fn for_path(self, woven: bool) -> Self {
-        match self {
-            Self::BlendMm(_) if woven => Self::Refuse,
-            _ => self,
-        }
-    }
-
     /// True if corners are refused.
     pub fn is_usual(&self) -> bool {
         *self == Self::default()

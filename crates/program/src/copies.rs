@@ -34,6 +34,10 @@ impl SeamCopy {
                 let message = format!("copies[{k}] has this name already");
                 return Err(file.error_at(&format!("copies[{i}].name"), message, "a name of its own"));
             }
+            if let Some(k) = copies[..i].iter().position(|other| other.placement == copy.placement) {
+                let message = format!("copies[{k}] stands at this place already");
+                return Err(file.error_at(&format!("copies[{i}].placement"), message, "a place of its own"));
+            }
         }
         Ok(())
     }

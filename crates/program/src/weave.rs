@@ -15,6 +15,9 @@ const MOST_DWELL: f64 = 0.9;
 /// Steepest plane of a weave, degrees: steeper ones go along the torch rather than across.
 const MOST_PLANE_DEG: f64 = 80.0;
 
+/// More periods in a pass are a slip.
+const MOST_PERIODS: f64 = 2e5;
+
 /// Least way along the seam for one period, mm: less is a slip, no weave.
 const LEAST_PITCH_MM: f64 = 0.1;
 
@@ -198,6 +201,9 @@ impl Weave {
             );
         }
         crate::check_process(file, &format!("{path}.at_sides"), &self.at_sides)?;
+        if let Some(name) = self.at_sides.iter().find_map(|(name, value)| value.is_ramp().then_some(name)) {
+            return wrong(&format!("at_sides.{name}"), "the sides have steady values", "a number".to_owned());
+        }
         if let Some(name) = self.at_sides.keys().find(|name| !process.contains_key(*name)) {
             let known: Vec<&str> = process.keys().map(String::as_str).collect();
             return Err(file.unknown_name(&format!("{path}.at_sides.{name}"), name, &known));
@@ -228,6 +234,11 @@ impl Weave {
         if pitch < LEAST_PITCH_MM {
             let message = format!("a period of the weave would take only {pitch:.4} mm of the seam");
             return Err(file.error_at(&format!("{path}.{key}"), message, allowed));
+        }
+        let periods: f64 = spans.iter().map(|span| self.periods(span, span.to_mm.get())).sum();
+        if periods > MOST_PERIODS {
+            let message = format!("the weave would have {periods:.0} periods in one pass");
+            return Err(file.error_at(&format!("{path}.{key}"), message, format!("up to {MOST_PERIODS} periods")));
         }
         let jump = (1..spans.len()).find(|&i| {
             let (before, after) = (spans[i - 1].speed_mm_s.ends().1, spans[i].speed_mm_s.ends().0);

@@ -46,6 +46,22 @@ impl Weaving {
         (fade * wide * across, fade * long * along)
     }
 
+    /// Path lengths inside the pass that cut every period in `parts`, so that the sides lie in the middle of one where
+    /// that is a multiple of four; and the ends of dwells. Increasing, mm.
+    pub fn cuts(&self, parts: u32) -> Vec<f64> {
+        let mut cuts = self.knots();
+        for (span, begun) in self.spans.iter().zip(&self.begun) {
+            let end = begun + self.weave.periods(span, span.to_mm.get());
+            let first = (begun * f64::from(parts) + 0.5).floor() as i64;
+            let phases = (first..).map(|k| (k as f64 + 0.5) / f64::from(parts));
+            let inside = phases.skip_while(|phase| phase <= begun).take_while(|phase| *phase < end);
+            cuts.extend(inside.map(|phase| self.weave.place(span, phase - begun)));
+        }
+        cuts.sort_by(f64::total_cmp);
+        cuts.dedup_by(|a, b| *a - *b < NEAR_MM);
+        cuts
+    }
+
     /// Angle of the plane across the seam in which the torch weaves, rad, as [`Weave::plane_deg`].
     pub fn plane(&self) -> f64 {
         self.weave.plane_deg.get().to_radians()
@@ -85,7 +101,7 @@ impl Pass {
     pub fn swing_at(&self, s: f64) -> f64 {
         let Some(weave) = &self.weave else { return 0.0 };
         let mut phase = 0.0;
-        for span in &self.spans {
+        for span in self.spans.iter().take_while(|span| span.from_mm.get() <= s) {
             phase += weave.periods(span, s.clamp(span.from_mm.get(), span.to_mm.get()));
         }
         weave.fade(s, self.length()) * weave.figure.at(phase, weave.dwells()).across

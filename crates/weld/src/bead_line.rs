@@ -86,7 +86,8 @@ impl BeadLine {
 
     /// Width of the weave at path length `s` on the seam, as a part of its own.
     pub fn weave_part(&self, s: f64) -> f64 {
-        self.weave_part.as_ref().map_or(1.0, |part| part.at(s).0.clamp(0.0, 1.0))
+        // Not clamped, which would make corners: where rows reach 0 or 1 it goes a hair beyond.
+        self.weave_part.as_ref().map_or(1.0, |part| part.at(s).0)
     }
 
     /// Rows inside `range` of the seam, where third derivatives may jump, mm.

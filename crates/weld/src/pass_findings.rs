@@ -122,13 +122,14 @@ impl PassPath<'_> {
                 let turn = turn.to_degrees();
                 let message =
                     format!("the torch's direction would jump by {turn:.2} degrees at the corner at s = {s:.3} mm");
-                let cure = "order.parts = \"at_corners\"; or round the corner in the seam; in a butt joint weld without work and \
-                            travel angle";
+                let cure = "let one pass end there and another begin after it (in a job order.parts = \"at_corners\", tacks \
+                            elsewhere); or round the corner in the seam; in a butt joint weld without work and travel angle";
                 findings.push(finding(s, message, cure));
             }
             if jump > JUMP_MM {
                 let message = format!("the torch's tip would jump by {jump:.3} mm at the corner at s = {s:.3} mm");
-                let cure = "order.parts = \"at_corners\", or round the corner in the seam";
+                let cure = "let one pass end there and another begin after it (in a job order.parts = \"at_corners\", tacks \
+                            elsewhere), or round the corner in the seam";
                 findings.push(finding(s, message, cure));
             }
         }

@@ -52,7 +52,7 @@ impl PassPath<'_> {
     pub fn woven(&self, s: f64) -> Option<(f64, f64)> {
         let (across, along) = self.weaving.as_ref()?.offset(s);
         let part = self.bead.map_or(1.0, |bead| bead.weave_part(self.stretch.seam_s(s)));
-        Some((part * across, along))
+        Some((part * across, part * along))
     }
 
     /// The same as a vector in the seam's frame: across in the plane square to the seam, which is square to the torch's

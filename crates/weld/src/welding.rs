@@ -76,15 +76,23 @@ impl Welding {
         }
         let ordered = order::ordered(job, &seam, (program.passes, &weld), &program.copies)?;
         for finding in &mut plan_findings {
-            // A finding against a bead is told of the first pass that lays it.
-            let first = ordered.iter().position(|(_, from)| *from == finding.pass.checked_sub(1));
-            finding.pass = first.map_or(finding.pass, |i| i + 1);
+            // A finding against a bead is told of the first pass that lays it there.
+            let bead = finding.pass.checked_sub(1);
+            let mut laid = ordered.iter().enumerate().filter(|(_, (_, from))| *from == bead);
+            let range = (finding.from_mm, finding.to_mm);
+            if let Some((i, (from, to))) = laid.find_map(|(i, (pass, _))| Some((i, on_pass(pass, &seam, range)?))) {
+                (finding.pass, finding.from_mm, finding.to_mm) = (i + 1, from, to);
+            }
         }
         program.passes = ordered.into_iter().map(|(pass, _)| pass).collect();
         for pass in &program.passes {
             // Quarters that go on over the start of the weld may bring speeds together that did not meet before.
-            if let Some(weave) = &pass.weave {
-                weave.check_speeds(job, "weld.weave", (&pass.spans, |_| "weld.speed_mm_s".to_owned()))?;
+            match (&j.beads, &pass.weave) {
+                (Some(beads), _) => beads.check_weave(job, pass)?,
+                (None, Some(weave)) => {
+                    weave.check_speeds(job, "weld.weave", (&pass.spans, |_| "weld.speed_mm_s".to_owned()))?;
+                }
+                (None, None) => {}
             }
         }
         let cut = Cut::new(job, &j.seam)?;
@@ -122,6 +130,21 @@ impl Welding {
         let gaps = self.program.value.passes.iter().enumerate().filter_map(|(i, pass)| gaps(pass, i + 1));
         self.plan_findings.iter().cloned().chain(passes).chain(gaps).collect()
     }
+}
+
+/// Places at which a range of the seam is looked at.
+const PLACES: u32 = 64;
+
+/// The path lengths of `pass` between which it runs over a range of the seam (mm from the start of the weld); none if it
+/// does not.
+fn on_pass(pass: &Pass, seam: &SeamCurve, (from, to): (f64, f64)) -> Option<(f64, f64)> {
+    let sense = if pass.reverse { -1.0 } else { 1.0 };
+    let own = |i: u32| {
+        let s = sense * (from + (to - from) * f64::from(i) / f64::from(PLACES) - pass.begin_mm.get());
+        if seam.all_round() { s.rem_euclid(seam.length()) } else { s }
+    };
+    let inside = (0..=PLACES).map(own).filter(|s| (0.0..=pass.length()).contains(s));
+    inside.fold(None, |range, s| Some(range.map_or((s, s), |(low, high): (f64, f64)| (low.min(s), high.max(s)))))
 }
 
 /// Where the oscillation of the beam leaves gaps in pass `number`.

@@ -38,7 +38,7 @@ const ALLOWED: f64 = 1.0 - 0.5 * RESERVE;
 const WILD: f64 = 1.1;
 /// Room is not lessened by more than this factor at once.
 const LEAST_AT_ONCE: f64 = 0.9;
-/// Cells beyond which nothing is halved any more.
+/// Cells beyond those to begin with, from which on nothing is halved any more.
 const MOST_CELLS: usize = 4000;
 /// Gap to which laws on grids that will be refined are solved,
 const COARSE_GAP: f64 = 1e-3;
@@ -64,13 +64,14 @@ pub(crate) fn plan(
 ) -> Result<(Cells, Vec<f64>), LawError> {
     let mut cells = Cells::new(path, map, tau, limits.to_vec())?;
     let mut near = guess(path, &cells);
+    let most = cells.count() + MOST_CELLS;
     loop {
         let room = Room::new(&cells);
         let problem = Problem::new(&cells, &room, near.as_deref());
         let mut law = begin(&problem, near.as_deref());
         law.solve(&problem, COARSE_GAP);
         let found = law.coefficients();
-        let Some(tau) = refined(&cells, found, problem.lost(problem.time(found))) else {
+        let Some(tau) = refined(&cells, most, (found, problem.lost(problem.time(found)))) else {
             let c = certified(&cells, problem, room, law);
             return Ok((cells, c));
         };
@@ -81,8 +82,8 @@ pub(crate) fn plan(
 }
 
 /// Stations of finer cells for the law with coefficients `c`, which loses the time `lost`, where it bends or uses too
-/// much of a limit, or is too stiff; none if they would hardly make it faster.
-fn refined(cells: &Cells, c: &[f64], lost: f64) -> Option<Vec<f64>> {
+/// much of a limit, or is too stiff; none if they would hardly make it faster, or there are the `most` already.
+fn refined(cells: &Cells, most: usize, (c, lost): (&[f64], f64)) -> Option<Vec<f64>> {
     let bends: Vec<f64> = (0..cells.count()).map(|i| bend(cells, c, i)).collect();
     let narrow = NARROWEST * cells.map.length();
     let rough: Vec<bool> = (0..cells.count()).map(|i| cells.width(i) > narrow && peak(cells, c, i) > ROUGH).collect();
@@ -91,7 +92,7 @@ fn refined(cells: &Cells, c: &[f64], lost: f64) -> Option<Vec<f64>> {
         .map(|i| cells.width(i) > narrow && cells.late(c, i) > STIFF * time && used(cells, c, i) < SPARED)
         .collect();
     let gain: f64 = bends.iter().filter(|bend| **bend > SHARE * lost).sum();
-    if cells.count() > MOST_CELLS || (gain < ENOUGH * lost && !rough.contains(&true) && !stiff.contains(&true)) {
+    if cells.count() > most || (gain < ENOUGH * lost && !rough.contains(&true) && !stiff.contains(&true)) {
         return None;
     }
     let tau = cells.halved(|i| bends[i] > SHARE * lost || rough[i] || stiff[i]);

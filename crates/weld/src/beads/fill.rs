@@ -22,7 +22,8 @@ pub struct BeadAt {
     pub tip: DVec2,
     /// Angle from the bisector to the torch, rad; positive leans towards the first part.
     pub lean: f64,
-    /// How wide the wire may weave: the bead's part of the layer between the walls' distances, mm.
+    /// How wide the wire may weave about its place, mm: not over the bead's part of the layer, nor nearer to a wall
+    /// than it may come.
     pub room: f64,
     /// Area of the bead, mm^2.
     pub area: f64,
@@ -82,7 +83,7 @@ pub(crate) fn fill(
                 index,
                 tip: section.place(across, base),
                 lean: square + towards,
-                room: ((middle.1 - middle.0 - 2.0 * laying.wall) / n).max(0.0),
+                room: (2.0 * (across - from).min(to - across)).min((right - left) / n).max(0.0),
                 area: layer.share * scale / n,
                 heights: (low, high),
                 cap: (under, over(below)),

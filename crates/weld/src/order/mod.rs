@@ -21,6 +21,9 @@ use seamwright_document::{Document, DocumentError, Transform};
 use seamwright_program::{Pass, SeamCopy};
 use tour::{Leg, Stop, in_rows, tour};
 
+/// More passes in a program are a slip.
+const MOST_PASSES: usize = 10_000;
+
 /// What is welded on a copy before the torch goes on to the next one: passes, each with its parts.
 type Visit = Vec<Vec<Pass>>;
 
@@ -99,10 +102,24 @@ pub(crate) fn ordered(
     let mut ordering = Ordering { seam, order, places: places(copies), named, last: None, done: Vec::new() };
     if let Some(tacks) = &j.tacks {
         let root = passes.first().and_then(|pass| pass.bead.as_ref());
-        let tacks = tacks.passes(job, seam, (weld, root))?.into_iter().map(|tack| vec![tack]).collect();
+        let tacks: Visit = tacks.passes(job, seam, (weld, root))?.into_iter().map(|tack| vec![tack]).collect();
+        let all = tacks.len() * copies.len().max(1);
+        if all > MOST_PASSES {
+            let message = format!("these are {all} tacks in all");
+            return Err(job.error_at("tacks", message, format!("up to {MOST_PASSES}")));
+        }
         ordering.add(&tacks, None);
     }
     let welds: Visit = passes.iter().map(|pass| order.parts_of(pass, seam)).collect();
+    let all = (welds.iter().map(Vec::len).sum::<usize>()) * copies.len().max(1) + ordering.done.len();
+    if all > MOST_PASSES {
+        let message = format!("these are {all} passes in all");
+        return Err(job.error_at(
+            "order",
+            message,
+            format!("up to {MOST_PASSES}: fewer copies, or fewer or longer parts"),
+        ));
+    }
     match order.passes {
         Turns::CopyByCopy => ordering.add(&welds, Some(0)),
         Turns::PassByPass => {

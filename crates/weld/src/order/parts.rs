@@ -8,6 +8,10 @@ use seamwright_program::Pass;
 const QUARTERS: [usize; 4] = [0, 2, 1, 3];
 /// Parts keep this away from the corners between them, mm: it is not seen, and the torch stands as the part has it.
 const CORNER_MM: f64 = 1e-4;
+/// Parts between corners are longer than this, mm.
+const LEAST_MM: f64 = 10.0 * CORNER_MM;
+/// More pieces of a weld are a slip.
+const MOST_PIECES: usize = 1000;
 /// Cosine of the largest turn of a seam that is no corner: 0.1 degrees.
 const STRAIGHT: f64 = 1.0 - 1.5e-6;
 /// Lengths of files are rounded: what is too short by this is not, mm.
@@ -30,6 +34,10 @@ impl WeldOrder {
                     "\"whole\", \"quadrants\" or { back_step_mm = 150 }",
                 ));
             }
+            Parts::AtCorners if seam.all_round() && seam.weld_length() > seam.length() + ROUNDED_MM => {
+                let message = "from corner to corner there is nothing to overlap";
+                return Err(file.error_at("start.overlap_mm", message, "0 with order.parts = \"at_corners\""));
+            }
             Parts::AtCorners => f64::INFINITY,
             Parts::Quadrants if !seam.all_round() => {
                 let message = "a seam that is not welded all round has no opposite quarters";
@@ -40,6 +48,10 @@ impl WeldOrder {
                 let message = "the pieces would be longer than the weld";
                 let allowed = format!("less than {}", seam.weld_length());
                 return Err(file.error_at("order.parts.back_step_mm", message, allowed));
+            }
+            Parts::BackStepMm(step) if pieces(seam.weld_length(), step.get()) > MOST_PIECES => {
+                let allowed = format!("at least {:.3}: {MOST_PIECES} pieces", seam.weld_length() / MOST_PIECES as f64);
+                return Err(file.error_at("order.parts.back_step_mm", "these are very many pieces", allowed));
             }
             Parts::BackStepMm(step) => seam.weld_length() / pieces(seam.weld_length(), step.get()) as f64,
         };
@@ -73,8 +85,13 @@ impl WeldOrder {
             }
             Parts::BackStepMm(step) => {
                 let count = pieces(length, step.get());
+                // Welded all round without an overlap, the last piece ties in with the first one.
+                let over = turn
+                    .filter(|turn| length < turn + ROUNDED_MM && length > turn - ROUNDED_MM)
+                    .map_or(0.0, |_| tie_in);
                 let piece = |i: usize| {
                     let (from, to) = (length * i as f64 / count as f64, length * (i + 1) as f64 / count as f64);
+                    let to = if i + 1 == count { to + over } else { to };
                     pass.piece(((from - tie_in).max(0.0), to), turn).turned(turn)
                 };
                 if count == 1 { vec![pass.clone()] } else { (0..count).map(piece).collect() }
@@ -93,10 +110,12 @@ fn ends_at_corners(pass: &Pass, seam: &SeamCurve, turn: Option<f64>) -> Vec<f64>
     let range = all_round.map_or((low, from.max(to)), |turn| (low - ROUNDED_MM, low + turn - ROUNDED_MM));
     let mut ends: Vec<f64> = corners(seam, range).iter().map(|s| (s - from).abs()).collect();
     ends.sort_by(f64::total_cmp);
+    ends.dedup_by(|later, earlier| *later - *earlier < LEAST_MM);
     match all_round.zip(ends.first().copied()) {
         // From a corner on, so that no part begins between two.
         Some((turn, first)) => ends.push(first + turn),
         None => {
+            ends.retain(|end| *end > LEAST_MM && *end < pass.length() - LEAST_MM);
             ends.insert(0, -CORNER_MM);
             ends.push(pass.length() + CORNER_MM);
         }

@@ -79,10 +79,11 @@ impl Tacks {
         let pass = |(number, place): (usize, usize)| {
             let begin = places[place];
             let mut process = weld.span_at(begin).map(|span| span.process.clone()).unwrap_or_default();
-            for (name, value) in &mut process {
-                let there = weld.process_at(name, begin, (f64::INFINITY, f64::INFINITY));
+            for value in process.values_mut() {
+                let there = weld.span_at(begin).map(|span| value.at(span.part(begin)));
                 *value = there.and_then(Finite::new).map_or(*value, SpanValue::Steady);
             }
+            let speed = self.speed_mm_s.or(Positive::new(weld.speed_at(begin)));
             process.extend(self.process.clone());
             Pass {
                 name: format!("tack {}", number + 1),
@@ -95,7 +96,7 @@ impl Tacks {
                 spans: vec![Span {
                     from_mm: NonNegative::default(),
                     to_mm: self.length_mm,
-                    speed_mm_s: self.speed_mm_s.map_or(weld.spans[0].speed_mm_s, SpanValue::Steady),
+                    speed_mm_s: speed.map_or(weld.spans[0].speed_mm_s, SpanValue::Steady),
                     process,
                 }],
                 ..weld.clone()

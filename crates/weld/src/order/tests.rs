@@ -200,7 +200,9 @@ fn from_corner_to_corner_no_direction_jumps() {
     let length = whole.seam.length();
     let corner = found[0].from_mm;
     let [before, after] = [corner - 1e-3, corner + 1e-3].map(|s| whole.path(0).pose(s).direction);
-    for start in ["", "[start]\noverlap_mm = 15\n", "[start]\nphi_deg = 70\ndirection = \"clockwise\"\n"] {
+    let e = Welding::read("j.toml", &format!("{K_JOINT}[start]\noverlap_mm = 15\n[order]\nparts = \"at_corners\"\n"));
+    assert_eq!(e.unwrap_err().key, "start.overlap_mm");
+    for start in ["", "[start]\nphi_deg = 70\ndirection = \"clockwise\"\n"] {
         let welding = read(&format!("{K_JOINT}{start}[order]\nparts = \"at_corners\"\n"));
         assert!(turns(&welding).is_empty(), "{:#?}", turns(&welding));
         let passes = &welding.program.value.passes;
@@ -222,6 +224,36 @@ fn from_corner_to_corner_no_direction_jumps() {
     // A start at a corner is one of the corners.
     let program = whole.program.value.to_toml().unwrap();
     assert!(Welding::read("p.toml", &program).is_ok());
+}
+
+#[test]
+fn back_steps_round_a_ring_tie_in_with_each_other() {
+    let steps = "[order]\nparts = { back_step_mm = 30 }\ntie_in_mm = 3\n";
+    let text =
+        RADIATOR.replace("overlap_mm = 5", "overlap_mm = 0").replace("[order]\nrule = \"back_and_forth\"", steps);
+    let welding = read(&text);
+    let turn = welding.seam.length();
+    let passes: Vec<&Pass> = welding.program.value.passes.iter().filter(|pass| pass.copy == 0).collect();
+    assert_eq!(passes.len(), 4);
+    // All round, and with the tie-in at each of the joints.
+    let sum: f64 = passes.iter().map(|pass| pass.length()).sum();
+    assert!((sum - turn - 4.0 * 3.0).abs() < 1e-6, "{sum} of {turn}");
+    assert!((passes[3].begin_mm.get() - 3.0).abs() < 1e-6 && passes.iter().all(|pass| pass.reverse));
+}
+
+/// Regular rows of very different lengths: many ways cost the same.
+#[test]
+fn large_regular_grids_come_to_an_end() {
+    for (long, short, ways) in [(200, 20, 1), (60, 60, 2), (400, 400, 1)] {
+        let stop = |row: u32, column: i32| {
+            let place = DVec3::new(50.0 * f64::from(column), 60.0 * f64::from(row), 0.0);
+            Stop { row, ways: [(place, place + 10.0 * DVec3::X), (place + 10.0 * DVec3::X, place)][..ways].to_vec() }
+        };
+        let stops: Vec<Stop> = (0..long).map(|i| stop(1, i)).chain((0..short).map(|i| stop(2, i))).collect();
+        let legs = tour(&stops, Rule::BackAndForth, None);
+        let within = legs.windows(2).filter(|w| stops[w[0].0].row == stops[w[1].0].row).count();
+        assert!(once(&legs, stops.len()) && within == (long - short).saturating_sub(1).max(0) as usize, "{within}");
+    }
 }
 
 #[test]
@@ -256,6 +288,13 @@ fn tacks_come_first_in_opposite_pairs_and_stay_away_from_the_start() {
     let span = &passes[0].spans[0];
     assert_eq!((span.to_mm.get(), span.speed_mm_s.ends().0, span.process["current_a"].ends().0), (8.0, 3.0, 120.0));
     assert_eq!(passes[0].name, format!("tack 1, {}", welding.program.value.copies[passes[0].copy].name));
+    // With the speed that the weld has there.
+    let at = "[[weld.at]]\ns_mm = 0\nspeed_mm_s = 3\n[[weld.at]]\ns_mm = 100\nspeed_mm_s = 6\n";
+    let slower = read(&format!("{LINE}{at}[tacks]\nlength_mm = 10\npitch_mm = 40\n"));
+    let speeds: Vec<(f64, f64)> = slower.program.value.passes[..3].iter().map(Pass::speeds).collect();
+    for ((least, most), begin) in speeds.into_iter().zip([5.0, 85.0, 45.0]) {
+        assert!((least - 3.0 - 0.03 * begin).abs() < 1e-9 && least == most, "{least} {most}");
+    }
     // In a groove where the root lies.
     let hillside = include_str!("../../../../examples/hillside.toml");
     let welding = read(&format!("{hillside}\n{tacks}"));
@@ -301,6 +340,11 @@ fn what_cannot_be_ordered_is_refused_with_its_key() {
     assert_eq!(error(rule, "[tacks]\nlength_mm = 5\ncount = 3\nprocess = { amps = 3 }"), "tacks.process.amps");
     let line = |more: &str| Welding::read("job.toml", &format!("{LINE}{more}")).unwrap_err().key;
     assert_eq!(line("[order]\nparts = \"quadrants\"\n"), "order.parts");
+    assert_eq!(line("[order]\nparts = { back_step_mm = 0.001 }\ntie_in_mm = 0\n"), "order.parts.back_step_mm");
+    let many = "[rows]\nrows = 100\ncolumns = 10\nstep_mm = [200, 0, 0]\nrow_step_mm = [0, 50, 0]\n";
+    assert_eq!(line(&format!("{many}[order]\nparts = {{ back_step_mm = 1 }}\ntie_in_mm = 0\n")), "order");
+    assert_eq!(line(&format!("{many}[tacks]\nlength_mm = 1\ncount = 30\n")), "tacks");
+    assert_eq!(line("[[copies]]\nname = \"a\"\n[[copies]]\nname = \"b\"\n"), "copies[1].placement");
     assert_eq!(line("[placement]\nmove_mm = [1, 0, 0]\n[[copies]]\nname = \"a\"\n"), "placement");
     assert_eq!(line("[[copies]]\nname = \"a\"\n[[copies]]\nname = \"a\"\n"), "copies[1].name");
 }

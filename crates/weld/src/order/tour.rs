@@ -2,21 +2,27 @@
 //!
 //! Under `shortest` a way starts at a copy and goes on to the nearest; windows of it are then reversed, moved on or
 //! swapped at their ends as long as that makes the air way shorter (2-opt and or-opt), from several copies and from the
-//! order of the list. `back_and_forth` is the same where a step within a row costs more than any way. Both are
+//! order of the list. `back_and_forth` is the same where steps within a row count first. Both are
 //! local optima, and never worse than what they start from.
 
 use super::file::Rule;
 use glam::DVec3;
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
 
 /// Ways started at this many copies are improved: more seldom find a better one.
 const STARTS: usize = 12;
+/// Of more stops in all fewer ways are started.
+const STOPS: usize = 2400;
+/// Times that all windows are gone through at most.
+const SWEEPS: usize = 100;
 /// Longest window that is looked at: time grows with its square.
 const LONGEST: usize = 48;
 /// In a window of up to this many stops any number of them is moved on, in a longer one a few.
 const SHORT: usize = 12;
 const MOVED: usize = 3;
-/// A change that wins less, mm, is rounding.
-const LEAST_GAIN: f64 = 1e-9;
+/// A change that wins less, mm and as a part of the way, is rounding.
+const LEAST_GAIN: (f64, f64) = (1e-9, 1e-11);
 
 /// A copy: where its weld begins and ends, mm, welded one way or (if it has two) the other.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,15 +37,11 @@ pub(crate) type Leg = (usize, usize);
 /// The stops in the order of `rule`, each with the way in which it is welded; ways and what the rule leaves open are
 /// chosen for a short air way from `from` (if that is known) to the end. Every stop is there once.
 pub(crate) fn tour(stops: &[Stop], rule: Rule, from: Option<DVec3>) -> Vec<Leg> {
-    let mut search = Search { stops, from, same_row: 0.0 };
+    let search = Search { stops, from, rows_count: rule == Rule::BackAndForth };
     let order: Vec<usize> = match rule {
         Rule::InTurn => (0..stops.len()).collect(),
         Rule::Skip(every) => in_rows(stops).iter().flat_map(|row| skipping(row, every)).collect(),
-        Rule::Shortest => return search.best(),
-        Rule::BackAndForth => {
-            search.same_row = search.penalty();
-            return search.best();
-        }
+        Rule::Shortest | Rule::BackAndForth => return search.best(),
     };
     search.ways(&order)
 }
@@ -84,60 +86,76 @@ fn choose(series: &[Vec<usize>], chosen: &mut Vec<usize>) -> bool {
     false
 }
 
+/// What a way costs: first by its steps within a row, where these count, then by its length.
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Default)]
+struct Cost {
+    within: usize,
+    /// mm.
+    way: f64,
+}
+
+impl std::ops::Add for Cost {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self { within: self.within + other.within, way: self.way + other.way }
+    }
+}
+
+impl Cost {
+    /// True if it is less by more than rounding.
+    fn wins(self, other: Self) -> bool {
+        let least = LEAST_GAIN.0 + LEAST_GAIN.1 * other.way;
+        self.within < other.within || (self.within == other.within && self.way < other.way - least)
+    }
+}
+
 /// Stops, and what a step between two of them costs.
 struct Search<'a> {
     stops: &'a [Stop],
     from: Option<DVec3>,
-    /// What a step within a row costs beyond its way.
-    same_row: f64,
+    /// Whether steps within a row count.
+    rows_count: bool,
 }
 
 impl Search<'_> {
-    /// More than any way through all stops.
-    fn penalty(&self) -> f64 {
-        let points = || self.stops.iter().flat_map(|s| s.ways.iter().flat_map(|w| [w.0, w.1])).chain(self.from);
-        let low = points().fold(DVec3::INFINITY, DVec3::min);
-        let high = points().fold(DVec3::NEG_INFINITY, DVec3::max);
-        (high - low).length() * (self.stops.len() + 1) as f64 + 1.0
-    }
-
-    fn step(&self, a: Leg, b: Leg) -> f64 {
+    fn step(&self, a: Leg, b: Leg) -> Cost {
         let (from, to) = (&self.stops[a.0], &self.stops[b.0]);
-        let same = if from.row == to.row { self.same_row } else { 0.0 };
-        from.ways[a.1].1.distance(to.ways[b.1].0) + same
+        let within = usize::from(self.rows_count && from.row == to.row);
+        Cost { within, way: from.ways[a.1].1.distance(to.ways[b.1].0) }
     }
 
     /// The way to the first of `legs`, from the leg before it or from where the torch is.
-    fn enter(&self, before: Option<Leg>, first: Leg) -> f64 {
+    fn enter(&self, before: Option<Leg>, first: Leg) -> Cost {
         match (before, self.from) {
             (Some(before), _) => self.step(before, first),
-            (None, Some(from)) => from.distance(self.stops[first.0].ways[first.1].0),
-            (None, None) => 0.0,
+            (None, Some(from)) => Cost { within: 0, way: from.distance(self.stops[first.0].ways[first.1].0) },
+            (None, None) => Cost::default(),
         }
     }
 
     /// What `legs` cost between the legs before and after them.
-    fn cost(&self, before: Option<Leg>, legs: &[Leg], after: Option<Leg>) -> f64 {
-        let (Some(first), Some(last)) = (legs.first(), legs.last()) else { return 0.0 };
-        let inside: f64 = legs.windows(2).map(|w| self.step(w[0], w[1])).sum();
-        self.enter(before, *first) + inside + after.map_or(0.0, |after| self.step(*last, after))
+    fn cost(&self, before: Option<Leg>, legs: &[Leg], after: Option<Leg>) -> Cost {
+        let (Some(first), Some(last)) = (legs.first(), legs.last()) else { return Cost::default() };
+        let steps = legs.windows(2).map(|w| self.step(w[0], w[1])).chain(after.map(|after| self.step(*last, after)));
+        steps.fold(self.enter(before, *first), |sum, step| sum + step)
     }
 
     /// The best way found.
     fn best(&self) -> Vec<Leg> {
         let n = self.stops.len();
-        let starts = (0..n.min(STARTS)).map(|i| i * n / n.min(STARTS));
+        let count = STARTS.min(STOPS / n.max(1)).clamp(1, n.max(1)).min(n);
+        let starts = (0..count).map(|i| i * n / count);
         let starts = starts.flat_map(|i| (0..self.stops[i].ways.len()).map(move |way| self.nearest((i, way))));
         let listed: Vec<usize> = (0..n).collect();
-        let mut best: (f64, Vec<Leg>) = (f64::INFINITY, Vec::new());
+        let mut best: Option<(Cost, Vec<Leg>)> = None;
         for mut legs in starts.chain([self.ways(&listed)]) {
             self.improve(&mut legs);
             let cost = self.cost(None, &legs, None);
-            if cost < best.0 - LEAST_GAIN {
-                best = (cost, legs);
+            if best.as_ref().is_none_or(|best| cost.wins(best.0)) {
+                best = Some((cost, legs));
             }
         }
-        best.1
+        best.map_or_else(Vec::new, |best| best.1)
     }
 
     /// From leg `first` always to the nearest; where rows must change to one of the row of which most are left, so
@@ -145,18 +163,20 @@ impl Search<'_> {
     fn nearest(&self, first: Leg) -> Vec<Leg> {
         let mut left: Vec<usize> = (0..self.stops.len()).filter(|i| *i != first.0).collect();
         let mut legs = vec![first];
+        let mut in_row: BTreeMap<u32, usize> = BTreeMap::new();
+        left.iter().for_each(|i| *in_row.entry(self.stops[*i].row).or_default() += 1);
         while let Some(&last) = legs.last().filter(|_| !left.is_empty()) {
             let row = self.stops[last.0].row;
-            let in_row = |i: usize| left.iter().filter(|k| self.stops[**k].row == self.stops[i].row).count();
-            let rank = |i: usize| match self.same_row > 0.0 {
-                true => (self.stops[i].row == row, usize::MAX - in_row(i)),
-                false => (false, 0),
+            let rank = |i: usize| match self.rows_count {
+                true => (self.stops[i].row == row, Reverse(in_row.get(&self.stops[i].row))),
+                false => (false, Reverse(None)),
             };
-            let next = left
-                .iter()
-                .flat_map(|i| (0..self.stops[*i].ways.len()).map(move |way| (*i, way)))
-                .min_by(|a, b| rank(a.0).cmp(&rank(b.0)).then(self.step(last, *a).total_cmp(&self.step(last, *b))));
+            let next =
+                left.iter().flat_map(|i| (0..self.stops[*i].ways.len()).map(move |way| (*i, way))).min_by(|a, b| {
+                    rank(a.0).cmp(&rank(b.0)).then(self.step(last, *a).way.total_cmp(&self.step(last, *b).way))
+                });
             let Some(next) = next else { break };
+            in_row.entry(self.stops[next.0].row).and_modify(|count| *count -= 1);
             left.retain(|i| *i != next.0);
             legs.push(next);
         }
@@ -166,13 +186,15 @@ impl Search<'_> {
     /// Changes windows of `legs` as long as one makes it shorter.
     fn improve(&self, legs: &mut [Leg]) {
         let n = legs.len();
-        let mut improved = true;
-        while improved {
-            improved = false;
+        for _ in 0..SWEEPS {
+            let mut improved = false;
             for low in 0..n {
                 for high in low..n.min(low + LONGEST) {
                     improved |= self.improve_window(legs, low, high);
                 }
+            }
+            if !improved {
+                break;
             }
         }
     }
@@ -187,7 +209,7 @@ impl Search<'_> {
             for leg in window.iter_mut() {
                 leg.1 = leg.1.min(self.stops[leg.0].ways.len() - 1);
             }
-            if self.cost(before, window, after) < cost - LEAST_GAIN {
+            if self.cost(before, window, after).wins(cost) {
                 return true;
             }
             window.copy_from_slice(&old);
@@ -199,20 +221,20 @@ impl Search<'_> {
     fn ways(&self, order: &[usize]) -> Vec<Leg> {
         let Some((&first, rest)) = order.split_first() else { return Vec::new() };
         let ways = |stop: usize| 0..self.stops[stop].ways.len();
-        let mut costs: Vec<f64> = ways(first).map(|way| self.enter(None, (first, way))).collect();
+        let mut costs: Vec<Cost> = ways(first).map(|way| self.enter(None, (first, way))).collect();
         let mut back: Vec<Vec<usize>> = Vec::new();
         let mut last = first;
         for &stop in rest {
             let reach = |way: usize| {
                 let all = ways(last).map(|w| (costs[w] + self.step((last, w), (stop, way)), w));
-                all.reduce(|a, b| if b.0 < a.0 { b } else { a }).unwrap_or((f64::INFINITY, 0))
+                all.reduce(|a, b| if b.0 < a.0 { b } else { a }).unwrap_or_default()
             };
-            let reached: Vec<(f64, usize)> = ways(stop).map(reach).collect();
+            let reached: Vec<(Cost, usize)> = ways(stop).map(reach).collect();
             back.push(reached.iter().map(|r| r.1).collect());
             costs = reached.iter().map(|r| r.0).collect();
             last = stop;
         }
-        let mut way = (0..costs.len()).min_by(|a, b| costs[*a].total_cmp(&costs[*b])).unwrap_or(0);
+        let mut way = (0..costs.len()).reduce(|a, b| if costs[b] < costs[a] { b } else { a }).unwrap_or(0);
         let mut legs = vec![(last, way)];
         for (from, &stop) in back.iter().rev().zip(order[..order.len() - 1].iter().rev()) {
             way = from[way];
