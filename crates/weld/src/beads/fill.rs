@@ -9,6 +9,8 @@ pub(crate) struct Laying {
     pub(crate) wall: f64,
     /// Turn of the wire towards a wall, rad.
     pub(crate) tilt: f64,
+    /// True if the wires share the way between the walls, each weaving over its part.
+    pub(crate) shared: bool,
 }
 
 /// A bead in a section.
@@ -22,8 +24,7 @@ pub struct BeadAt {
     pub tip: DVec2,
     /// Angle from the bisector to the torch, rad; positive leans towards the first part.
     pub lean: f64,
-    /// How wide the wire may weave about its place, mm: not over the bead's part of the layer, nor nearer to a wall
-    /// than it may come.
+    /// Its part of the way between the walls, mm: how wide a wire weaves that shares it with the others.
     pub room: f64,
     /// Area of the bead, mm^2.
     pub area: f64,
@@ -71,7 +72,13 @@ pub(crate) fn fill(
         for index in 0..layer.beads {
             let centre = middle.0 + (middle.1 - middle.0) * (index as f64 + 0.5) / n;
             let (from, to) = (left + laying.wall, right - laying.wall);
-            let across = if layer.beads == 1 || from >= to { 0.5 * (left + right) } else { centre.clamp(from, to) };
+            let across = if layer.beads == 1 || from >= to {
+                0.5 * (left + right)
+            } else if laying.shared {
+                from + (to - from) * (index as f64 + 0.5) / n
+            } else {
+                centre.clamp(from, to)
+            };
             let towards = match index {
                 _ if layer.beads == 1 => 0.0,
                 0 => laying.tilt,
@@ -83,7 +90,7 @@ pub(crate) fn fill(
                 index,
                 tip: section.place(across, base),
                 lean: square + towards,
-                room: (2.0 * (across - from).min(to - across)).min((right - left) / n).max(0.0),
+                room: ((to - from) / n).max(0.0),
                 area: layer.share * scale / n,
                 heights: (low, high),
                 cap: (under, over(below)),

@@ -55,7 +55,11 @@ impl BeadPlan {
         let wanted = if beads.adapt == Adapt::Passes { most } else { (least * most).sqrt() };
         let nearest = (0..count).min_by(|a, b| (totals[*a] - wanted).abs().total_cmp(&(totals[*b] - wanted).abs()));
         let layers = layers(&sections[nearest.unwrap_or(0)], runs);
-        let laying = Laying { wall: beads.wall(), tilt: beads.wall_tilt_deg.get().to_radians() };
+        let laying = Laying {
+            wall: beads.wall(),
+            tilt: beads.wall_tilt_deg.get().to_radians(),
+            shared: beads.adapt == Adapt::WeaveWidth,
+        };
         let mut plan = Self {
             parts: vec![Vec::new(); layers.len()],
             layers,
