@@ -60,9 +60,14 @@ impl Series {
 
     /// The series of a polynomial of lower degree, without the last coefficients that are nothing but rounding: they
     /// would show in derivatives.
-    pub fn without_rounding(mut self) -> Self {
+    pub fn without_rounding(self) -> Self {
         let rounding = 8.0 * f64::EPSILON * self.c.iter().fold(0.0, |m: f64, c| m.max(c.abs()));
-        let last = self.c.iter().rposition(|c| c.abs() > rounding).unwrap_or(0);
+        self.without_tail(rounding)
+    }
+
+    /// The series without the last coefficients that are all no greater than `least`.
+    pub fn without_tail(mut self, least: f64) -> Self {
+        let last = self.c.iter().rposition(|c| c.abs() > least).unwrap_or(0);
         self.c[last + 1..].fill(0.0);
         self
     }

@@ -21,6 +21,10 @@ struct Slow {
 /// Corners that the torch stops at: findings, unless the pass asks for stops.
 pub(crate) fn stop_findings(machine: &Machine, corners: &[Left], pass: &Pass, number: usize) -> Vec<Finding> {
     let cure = match pass.corner {
+        _ if pass.weave.is_some() && pass.corner != AtCorner::Stop => {
+            "set weld.corner = \"stop\" to stop there with the arc on; or weave by pitch_mm instead of a frequency; or \
+             round the seam off; or end the weld there and begin another after it"
+        }
         AtCorner::Refuse => {
             "set weld.corner = \"stop\" to stop there with the arc on, or weld.corner = { blend_mm = 0.2 } to go round \
              within that distance of the seam; or round the seam off; or end the weld there and begin another after it"

@@ -27,9 +27,17 @@ impl Follower<'_> {
         self.machine.inverse_near(self.target(s), &self.free.at(s, near))
     }
 
-    /// Path lengths inside the path where a second or higher derivative of the axes may jump, increasing.
+    /// Path lengths inside the path where a derivative of the axes may jump, increasing.
     pub(crate) fn knots(&self) -> Vec<f64> {
-        let mut knots = self.path.knots();
+        self.with_free(self.path.knots())
+    }
+
+    /// Those of them where the first or second may.
+    pub(crate) fn bends(&self) -> Vec<f64> {
+        self.with_free(self.path.bends())
+    }
+
+    fn with_free(&self, mut knots: Vec<f64>) -> Vec<f64> {
         knots.extend(self.free.knots());
         knots.sort_by(f64::total_cmp);
         knots.dedup_by(|a, b| *a - *b < 1e-9);

@@ -3,7 +3,7 @@ mod blended;
 use crate::follower::Follower;
 use crate::survey::PLACES;
 use seamwright_geometry::{NODES, Series, nodes};
-use seamwright_machine::{AxisKind, Course, Joints, MAX_AXES, Machine};
+use seamwright_machine::{Axis, AxisKind, Course, Joints, MAX_AXES, Machine};
 use std::f64::consts::TAU;
 
 /// Axes evaluated together, so that the compiler can use vector instructions.
@@ -16,6 +16,8 @@ type Block = [[f64; LANES]; NODES];
 const TOLERANCE_MM: f64 = 1e-10;
 /// The same for a rotary axis, rad.
 const TOLERANCE_RAD: f64 = 1e-12;
+/// Panels narrower than this have no coefficients below a part of the tolerance, mm.
+const NARROW_MM: f64 = 0.02;
 /// Panels are not halved below this part of the path: there the inverse is not smooth.
 const SMALLEST_PANEL: f64 = 1e-6;
 /// Ways of the tip by path length nearer to 1 than this are 1.
@@ -48,6 +50,8 @@ pub struct JointPath {
     blocks_a_panel: usize,
     length: f64,
     axes: usize,
+    /// Places inside it where the first or second derivative may jump, mm: others do not have to be looked at.
+    bends: Vec<f64>,
     /// Stretches that go round corners, in order.
     blends: Vec<(f64, f64)>,
     /// True if the tip's way by path length is not 1, as beside a seam.
@@ -75,6 +79,7 @@ impl JointPath {
         let axes = follower.machine.axes.len();
         let length = follower.path.length();
         let mut built = Self::empty(axes, length);
+        built.bends = follower.bends();
         built.line = follower.path.swing(0.0).map(|_| Vec::new());
         let mut near = *start;
         let mut todo: Vec<(f64, f64)> = Vec::new();
@@ -105,8 +110,8 @@ impl JointPath {
 
     fn empty(axes: usize, length: f64) -> Self {
         let blocks_a_panel = axes.div_ceil(LANES);
-        let (panels, blocks, blends) = (Vec::new(), Vec::new(), Vec::new());
-        Self { panels, blocks, blocks_a_panel, length, axes, blends, beside: false, line: None }
+        let (panels, blocks, bends, blends) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { panels, blocks, blocks_a_panel, length, axes, bends, blends, beside: false, line: None }
     }
 
     /// Length of the path, mm.
@@ -117,6 +122,11 @@ impl JointPath {
     /// Places where one panel ends and the next begins, with both ends of the path.
     pub(crate) fn edges(&self) -> Vec<f64> {
         self.panels.iter().map(|p| p.start).chain(std::iter::once(self.length)).collect()
+    }
+
+    /// Places inside it where the first or second derivative may jump, mm.
+    pub(crate) fn bends(&self) -> &[f64] {
+        &self.bends
     }
 
     /// The panel at `s`: the later one where two meet, unless `before`.
@@ -280,25 +290,34 @@ fn fit(follower: Follower, a: f64, b: f64, near: &Joints, count: usize) -> Optio
     }
     let end = exact(b)?;
     let machine = follower.machine;
-    let series: Vec<Series> = values[..machine.axes.len()].iter().map(Series::fit).collect();
+    let series = machine.axes.iter().zip(&values).map(|(axis, values)| match b - a < NARROW_MM {
+        // Divided by so small a width, rounding would show in the derivatives.
+        true => Series::fit(values).without_tail(0.25 * tolerance(axis)),
+        false => Series::fit(values),
+    });
+    let series: Vec<Series> = series.collect();
     let mut last = *near;
     for i in 0..=2 * NODES {
         let x = i as f64 / NODES as f64 - 1.0;
         let q = follower.near(at(x), &last).ok()?.joints;
         for (axis, (s, q)) in machine.axes.iter().zip(series.iter().zip(&q)) {
-            let tolerance = match axis.kind {
-                AxisKind::Linear => TOLERANCE_MM,
-                AxisKind::Rotary => TOLERANCE_RAD,
-            };
             let rounding = 32.0 * f64::EPSILON * q.abs();
             let off = (s.at(x) - q).abs();
-            if off.is_nan() || off > tolerance.max(rounding) {
+            if off.is_nan() || off > tolerance(axis).max(rounding) {
                 return None;
             }
         }
         last = q;
     }
     Some((blocks(series.into_iter(), count), end))
+}
+
+/// How far a panel's series may be from an axis' exact position.
+fn tolerance(axis: &Axis) -> f64 {
+    match axis.kind {
+        AxisKind::Linear => TOLERANCE_MM,
+        AxisKind::Rotary => TOLERANCE_RAD,
+    }
 }
 
 /// The coefficients of the axes' series, in `count` blocks.

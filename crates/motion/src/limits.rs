@@ -8,8 +8,10 @@ use seamwright_program::{Finding, OnLimit, Pass};
 /// An axis asked for exactly its limit falls short by the law's reserve only: that is no finding.
 const WORTH_SAYING: f64 = 2e-3;
 /// Where the asked speed or the tip's way by path length changes, the law stays below it by up to three thousandths, and
-/// by more where a run-up goes over into a speed that falls.
-const WORTH_SAYING_CHANGING: f64 = 1e-2;
+/// by more in the first and last half millimetre between run-up and run-down.
+const WORTH_SAYING_CHANGING: f64 = 5e-3;
+const WORTH_SAYING_NEAR_END: f64 = 3e-2;
+const NEAR_END_MM: f64 = 0.5;
 
 /// A limit that bounds the speed, in the units of files.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,7 +77,16 @@ pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Ve
         }
     }
     let changes = planned.joints.is_beside() || pass.spans.iter().any(|span| span.speed_mm_s.is_ramp());
-    let worth_saying = if changes { WORTH_SAYING_CHANGING } else { WORTH_SAYING };
+    let worth_saying = |run: &[Interval]| {
+        // A run-up that goes over smoothly into a speed that changes has no clear end.
+        let ends = |leg: &Leg| [run[0].from - leg.run_up_end, run[run.len() - 1].to - leg.run_down_start];
+        let near = |leg: &Leg| ends(leg).iter().any(|way| way.abs() < NEAR_END_MM);
+        match changes {
+            true if planned.legs.iter().any(near) => WORTH_SAYING_NEAR_END,
+            true => WORTH_SAYING_CHANGING,
+            false => WORTH_SAYING,
+        }
+    };
     if planned.joints.is_woven() {
         // At every swing there is one: they are told as one.
         runs = vec![runs.concat()];
@@ -83,7 +94,7 @@ pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Ve
     let finding = |run: &Vec<Interval>| {
         let slowest = run.iter().min_by(|a, b| a.reached.0.total_cmp(&b.reached.0))?;
         let (part, at) = slowest.reached;
-        if part > 1.0 - worth_saying {
+        if part > 1.0 - worth_saying(run) {
             return None;
         }
         let (wanted, reached) = (asked(at), part * asked(at));
@@ -122,7 +133,9 @@ fn between(planned: Planned, asked: &dyn Fn(f64) -> f64) -> Vec<Interval> {
             let (from, to) = (i.from.max(leg.run_up_end), i.to.min(leg.run_down_start));
             if from - i.from <= rounding && i.to - to <= rounding {
                 all.push(*i);
-            } else if let Some(band) = planned.tip_band((from, to), asked).filter(|_| to - from > rounding) {
+            } else if to - from > rounding
+                && let Some(band) = planned.tip_band((from, to), asked)
+            {
                 let Band { least, greatest, reached } = band;
                 all.push(Interval { from, to, speed: (least.0, greatest), least_at: least.1, reached, ..*i });
             }

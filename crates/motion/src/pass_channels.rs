@@ -40,7 +40,13 @@ impl<'a> PassChannels<'a> {
         breaks.sort_by(f64::total_cmp);
         breaks.dedup_by(|a, b| *a - *b < SAME * length);
         let mut built = Self { machine, path, pass, times, limits, borders, breaks, stops: Vec::new() };
-        built.stops = built.breaks.iter().filter_map(|s| Some((*s, built.corner(*s)?))).collect();
+        // A bend next to a break is there.
+        let bend = |s: &f64| {
+            let i = path.bends().partition_point(|bend| *bend < s - SAME * length);
+            path.bends().get(i).is_some_and(|bend| *bend <= s + SAME * length)
+        };
+        let bends = built.breaks.iter().filter(|s| bend(s));
+        built.stops = bends.filter_map(|s| Some((*s, built.corner(*s)?))).collect();
         built
     }
 

@@ -25,7 +25,9 @@ impl Planned<'_> {
 
     /// How fast the tip is between two path lengths, by the places of the law's cells there; none if there are none.
     pub(crate) fn tip_band(&self, (from, to): (f64, f64), asked: &dyn Fn(f64) -> f64) -> Option<Band> {
-        let cells = 0..self.law.cells();
+        let at = |cell: usize, part: f64| self.law.in_cell(cell, part).s;
+        let first = first_where(self.law.cells(), |cell| at(cell, 1.0) >= from);
+        let cells = (first..self.law.cells()).take_while(|cell| at(*cell, 0.0) <= to);
         let points = cells.flat_map(|cell| [0.0, 0.25, 0.5, 0.75, 1.0].map(|part| self.law.in_cell(cell, part)));
         let inside = points.filter(|p| p.s >= from && p.s <= to).map(|p| (self.tip_speed(p), p.s));
         inside.fold(None, |band: Option<Band>, (v, s)| {
@@ -38,6 +40,16 @@ impl Planned<'_> {
             }))
         })
     }
+}
+
+/// The first of `count` numbers from 0 on that is `good`, as all after it are; `count` if none is.
+fn first_where(count: usize, good: impl Fn(usize) -> bool) -> usize {
+    let (mut low, mut high) = (0, count);
+    while low < high {
+        let middle = usize::midpoint(low, high);
+        if good(middle) { high = middle } else { low = middle + 1 }
+    }
+    low
 }
 
 /// How fast the tip is on a stretch.

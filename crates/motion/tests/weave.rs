@@ -134,7 +134,7 @@ fn the_highest_frequency_told_can_be_planned_and_not_much_more() {
         let findings = plan(&text(false, &keys(3.0))).1.unwrap_err();
         let [finding] = &findings[..] else { panic!("{findings:#?}") };
         assert!(finding.kind == "speed" && finding.message.starts_with("the weave is too fast"), "{finding:?}");
-        let told = finding.cure.split("frequency_hz of ").nth(1).unwrap().split(',').next().unwrap();
+        let told = finding.cure.split("frequency_hz of ").nth(1).unwrap().split([',', ' ']).next().unwrap();
         let told: f64 = told.parse().unwrap();
         println!("{figure}: {told} Hz");
         assert!(plan(&text(false, &keys(0.97 * told))).1.is_ok(), "{figure}");

@@ -115,4 +115,9 @@ pub trait TorchPath {
     fn knots(&self) -> Vec<f64> {
         Vec::new()
     }
+
+    /// Those of them where the first or the second one may: elsewhere no axis has to stop.
+    fn bends(&self) -> Vec<f64> {
+        self.knots()
+    }
 }

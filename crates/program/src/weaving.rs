@@ -46,6 +46,12 @@ impl Weaving {
         (fade * wide * across, fade * long * along)
     }
 
+    /// Those of them at which its second derivative may jump: where spans meet, of a weave by frequency.
+    pub fn bends(&self) -> Vec<f64> {
+        let borders = self.spans.iter().skip(1).map(|span| span.from_mm.get());
+        borders.filter(|_| self.weave.frequency_hz.is_some()).collect()
+    }
+
     /// Path lengths inside the pass that cut every period in `parts`, so that the sides lie in the middle of one where
     /// that is a multiple of four; and the ends of dwells. Increasing, mm.
     pub fn cuts(&self, parts: u32) -> Vec<f64> {

@@ -118,6 +118,17 @@ impl TorchPath for PassPath<'_> {
     }
 
     fn knots(&self) -> Vec<f64> {
+        self.with_weave(Weaving::knots)
+    }
+
+    fn bends(&self) -> Vec<f64> {
+        self.with_weave(Weaving::bends)
+    }
+}
+
+impl PassPath<'_> {
+    /// Places of seam, attitude and bead where a derivative may jump, with those of the weave.
+    fn with_weave(&self, of: impl Fn(&Weaving) -> Vec<f64>) -> Vec<f64> {
         let range = self.stretch.range();
         let mut knots = self.seam.knots_within(range);
         // A place of the attitude or of the bead next to one of the seam is that one.
@@ -128,8 +139,7 @@ impl TorchPath for PassPath<'_> {
             }
         }
         let mut own: Vec<f64> = knots.into_iter().map(|s| self.stretch.own_s(s)).collect();
-        let woven = self.weaving.as_ref().map_or(Vec::new(), Weaving::knots);
-        own.extend(woven);
+        own.extend(self.weaving.as_ref().map_or(Vec::new(), of));
         own.sort_by(f64::total_cmp);
         own.dedup_by(|a, b| *a - *b < NEAR_MM);
         own

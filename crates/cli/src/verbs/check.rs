@@ -7,10 +7,14 @@ use std::io;
 pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
     let findings = loaded.try_plan()?.map_or_else(|findings| findings, |motion| motion.findings);
-    if args.json {
-        print_json(&findings)?;
+    let printed = if args.json {
+        print_json(&findings)
     } else {
-        write_findings(&mut io::stdout().lock(), &findings)?;
+        write_findings(&mut io::stdout().lock(), &findings).map_err(Failure::from)
+    };
+    match printed {
+        // The exit code is the answer, also to whoever reads no further.
+        Ok(()) | Err(Failure::ReaderGone) if findings.iter().any(|f| !f.allowed) => Err(Failure::Printed),
+        printed => printed,
     }
-    if findings.iter().all(|f| f.allowed) { Ok(()) } else { Err(Failure::Printed) }
 }

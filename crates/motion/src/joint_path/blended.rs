@@ -11,6 +11,7 @@ impl JointPath {
     pub(crate) fn blended(&self, blends: &[Piece]) -> Self {
         let mut built = Self::empty(self.axes, self.length);
         built.beside = self.beside;
+        built.bends.clone_from(&self.bends);
         built.blends = blends.iter().map(|b| (b.from, b.to)).collect();
         let mut blends = blends.iter().peekable();
         for (i, panel) in self.panels.iter().enumerate() {

@@ -3,8 +3,9 @@
 use super::Quantity;
 use super::lie::{self, Lie};
 use crate::PassMotion;
+use seamwright_document::Finite;
 use seamwright_machine::Machine;
-use seamwright_program::{Outside, Pass, Procedure, Run, Span, TorchPath, Window};
+use seamwright_program::{Outside, Pass, Procedure, Run, Span, SpanValue, TorchPath, Window};
 
 /// A stretch over which every value is continuous: places in it, and the span that it lies in.
 struct Piece<'a> {
@@ -34,10 +35,15 @@ fn speed(machine: &Machine, motion: &PassMotion, s: f64) -> f64 {
     motion.law.speed(s) * motion.path.tip_rate(machine, s)
 }
 
-/// Power of a span at path length `s`, W.
-fn power(procedure: &Procedure, span: &Span, s: f64) -> Option<f64> {
-    let (from, to) = (span.from_mm.get(), span.to_mm.get());
-    procedure.power_w(&span.process, (s - from) / (to - from))
+/// Power at path length `s` of a span of `pass`, W; where a weave has values of its own at the sides, those it has there.
+fn power(procedure: &Procedure, (pass, span): (&Pass, &Span), s: f64) -> Option<f64> {
+    if pass.weave.as_ref().is_none_or(|weave| weave.at_sides.is_empty()) {
+        return procedure.power_w(&span.process, span.part(s));
+    }
+    let welding = (f64::INFINITY, f64::INFINITY);
+    let there =
+        |name: &String| Some((name.clone(), SpanValue::Steady(Finite::new(pass.process_at(name, s, welding)?)?)));
+    procedure.power_w(&span.process.keys().filter_map(there).collect(), 0.0)
 }
 
 /// Heat input between run-up and run-down, by path length.
@@ -48,7 +54,8 @@ pub(super) fn heat_input(
 ) -> Vec<(f64, f64)> {
     let mut curve = Vec::new();
     for Piece { span, places } in steady(pass, motion) {
-        let heat = |s: f64| Some(procedure.heat_input_kj_mm(power(procedure, span, s)?, speed(machine, motion, s)));
+        let heat =
+            |s: f64| Some(procedure.heat_input_kj_mm(power(procedure, (pass, span), s)?, speed(machine, motion, s)));
         curve.extend(places.iter().filter_map(|&s| Some((s, heat(s)?))));
     }
     curve
@@ -67,7 +74,7 @@ pub(super) fn quantities(
     let steady = steady(pass, motion);
     all.push(quantity("speed_mm_s", window(|r| r.speed_mm_s), &steady, |_, s| Some(speed(machine, motion, s))));
     all.push(quantity("heat_input_kj_mm", window(|r| r.heat_input_kj_mm), &steady, |span, s| {
-        Some(procedure.heat_input_kj_mm(power(procedure, span, s)?, speed(machine, motion, s)))
+        Some(procedure.heat_input_kj_mm(power(procedure, (pass, span), s)?, speed(machine, motion, s)))
     }));
     let Some(span) = pass.spans.first() else { return all };
     let whole = [Piece { span, places: lies.iter().map(|lie| lie.s).collect() }];

@@ -8,8 +8,18 @@ use seamwright_weld::Welding;
 /// Places at which each pass is drawn.
 const PLACES: i32 = 96;
 
-/// The passes of a weld in their order, seen against the mean direction in which the faces look; none of a weld in one
-/// pass.
+/// From where the order is drawn.
+const VIEWS: [(DVec3, &str); 6] = [
+    (DVec3::Z, "seen from above"),
+    (DVec3::NEG_Z, "seen from below"),
+    (DVec3::X, "seen from +x"),
+    (DVec3::NEG_X, "seen from -x"),
+    (DVec3::Y, "seen from +y"),
+    (DVec3::NEG_Y, "seen from -y"),
+];
+
+/// The passes of a weld in their order, without weaves, seen from the side to which most faces look; none of a weld in
+/// one pass.
 pub(crate) fn order(welding: &Welding) -> Option<OrderDrawing> {
     let passes = &welding.program.value.passes;
     if passes.len() < 2 {
@@ -18,12 +28,15 @@ pub(crate) fn order(welding: &Welding) -> Option<OrderDrawing> {
     let paths: Vec<_> = (0..passes.len()).map(|i| welding.path(i)).collect();
     let at = |i: usize, k: i32| paths[i].length() * f64::from(k) / f64::from(PLACES);
     let tips: Vec<Vec<DVec3>> =
-        (0..paths.len()).map(|i| (0..=PLACES).map(|k| paths[i].pose(at(i, k)).point).collect()).collect();
+        (0..paths.len()).map(|i| (0..=PLACES).map(|k| paths[i].centre(at(i, k))).collect()).collect();
     let faces = (0..paths.len()).flat_map(|i| (0..PLACES).map(move |k| (i, k)));
     let mean: DVec3 = faces.map(|(i, k)| paths[i].face(at(i, k))).sum();
-    let out = mean.try_normalize().filter(|_| mean.length() > 1e-6).unwrap_or(DVec3::Z);
-    let right = [DVec3::X, DVec3::Y].map(|axis| axis - axis.dot(out) * out);
-    let right = if right[0].length() > 0.5 { right[0] } else { right[1] }.normalize();
+    // Where two are alike, the first of them.
+    let nearer = |a: (DVec3, &'static str), b: (DVec3, &'static str)| {
+        if mean.dot(b.0) > mean.dot(a.0) + 1e-6 * mean.length() { b } else { a }
+    };
+    let (out, view) = VIEWS.into_iter().fold(VIEWS[0], nearer);
+    let right = if out.x.abs() > 0.5 { DVec3::Y } else { DVec3::X };
     let up = out.cross(right);
     let flat = |p: DVec3| [p.dot(right), p.dot(up)];
     // Each number stands towards the middle of the seam it belongs to.
@@ -42,7 +55,7 @@ pub(crate) fn order(welding: &Welding) -> Option<OrderDrawing> {
         colour: if tack(pass) { 2 } else { 1 },
     };
     Some(OrderDrawing {
-        title: format!("Order of welding: {} passes, seen from above", passes.len()),
+        title: format!("Order of welding: {} passes, {view}", passes.len()),
         key: format!("Dot: start. Arrow: direction of welding. Dashed: torch in the air, drawn straight.{tacks}"),
         lines: passes.iter().zip(&tips).map(line).collect(),
     })
