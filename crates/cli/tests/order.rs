@@ -41,7 +41,7 @@ fn the_torch_goes_around_each_tube_at_its_place() {
     let [pass, x, y] = ["pass", "x", "y"].map(|name| column(&rows, name));
     let mut centres = Vec::new();
     for number in 1..=12 {
-        let on: Vec<usize> = (0..pass.len()).filter(|i| pass[*i] == f64::from(number)).collect();
+        let on: Vec<usize> = (0..pass.len()).filter(|i| (pass[*i] - f64::from(number)).abs() < 0.5).collect();
         let middle = |v: &[f64]| {
             let ends = on.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), i| (l.min(v[*i]), h.max(v[*i])));
             (0.5 * (ends.0 + ends.1)).round()
