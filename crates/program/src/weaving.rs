@@ -115,6 +115,7 @@ impl Pass {
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp, reason = "values at the sides are exactly those")]
 mod tests {
     use super::*;
     use crate::Program;

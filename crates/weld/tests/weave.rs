@@ -1,5 +1,7 @@
 //! Woven passes against formulas of their own, and what is wrong with weaves in jobs.
 
+#![allow(clippy::float_cmp, reason = "what is copied is the same to the last digit")]
+
 use glam::DVec3;
 use proptest::prelude::*;
 use seamwright_document::Positive;
