@@ -37,8 +37,8 @@ fn four_passes_go_through_every_verb() {
     for (pass, name) in passes.iter().zip(["root", "fill, body side", "fill, nozzle side", "cap"]) {
         assert!(pass["name"] == name && page.contains(name));
         let simulated = &pass["simulation"];
-        assert!(simulated["path_error_mm"]["max"].as_f64().unwrap() < 0.05, "{simulated}");
-        assert!(simulated["speed_ripple"].as_f64().unwrap() < 0.05, "{simulated}");
+        assert!(simulated["path_error_mm"]["max"].as_f64().unwrap() < 0.08, "{simulated}");
+        assert!(simulated["speed_ripple"].as_f64().unwrap() < 0.08, "{simulated}");
         assert!(pass["clearance"]["nearest_mm"].as_f64().unwrap() > 0.0);
         assert!(pass["certificate"]["at_asked_percent"].as_f64().unwrap() > 98.0, "{}", pass["certificate"]);
     }
