@@ -7,11 +7,11 @@ use seamwright_program::{Finding, OnLimit, Pass};
 
 /// An axis asked for exactly its limit falls short by the law's reserve only: that is no finding.
 const WORTH_SAYING: f64 = 2e-3;
-/// Where the asked speed or the tip's way by path length changes, the law stays below it by up to three thousandths, and
-/// by more in the first and last half millimetre between run-up and run-down.
+/// Where the asked speed or the tip's way by path length changes, the law stays a little below it, and by more
+/// in the first and last millimetre between run-up and run-down.
 const WORTH_SAYING_CHANGING: f64 = 5e-3;
 const WORTH_SAYING_NEAR_END: f64 = 3e-2;
-const NEAR_END_MM: f64 = 0.5;
+const NEAR_END_MM: f64 = 1.0;
 
 /// A limit that bounds the speed, in the units of files.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,8 +79,11 @@ pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Ve
     let changes = planned.joints.is_beside() || pass.spans.iter().any(|span| span.speed_mm_s.is_ramp());
     let worth_saying = |run: &[Interval]| {
         // A run-up that goes over smoothly into a speed that changes has no clear end.
-        let ends = |leg: &Leg| [run[0].from - leg.run_up_end, run[run.len() - 1].to - leg.run_down_start];
-        let near = |leg: &Leg| ends(leg).iter().any(|way| way.abs() < NEAR_END_MM);
+        let (from, to) = (run[0].from, run[run.len() - 1].to);
+        let near = |leg: &Leg| {
+            let inside = leg.from <= from && to <= leg.to;
+            inside && (to < leg.run_up_end + NEAR_END_MM || from > leg.run_down_start - NEAR_END_MM)
+        };
         match changes {
             true if planned.legs.iter().any(near) => WORTH_SAYING_NEAR_END,
             true => WORTH_SAYING_CHANGING,

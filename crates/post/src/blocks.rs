@@ -48,7 +48,8 @@ const CHECKS: usize = 16;
 /// What may be used of the tolerance at these places: between them the path of the blocks strays up to
 /// `(1/16)^2` of the tolerance more where the deviation has one hump, and four times that where it has two.
 const USED: f64 = 0.98;
-/// How far along the seam, or the way of a weaving tip, a block may run ahead of the plan or behind it, as a multiple of the chord tolerance.
+/// How far along the seam, or the way of a weaving tip, a block may run ahead of the plan or behind it, as a multiple of
+/// the chord tolerance.
 const LAG: f64 = 20.0;
 /// Largest deviation of the torch's attitude within a block, rad.
 const ATTITUDE: f64 = 0.1 * std::f64::consts::PI / 180.0;

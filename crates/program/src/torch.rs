@@ -55,8 +55,8 @@ pub trait TorchPath {
     /// continuous, and smooth between knots.
     fn pose(&self, s: f64) -> Pose;
 
-    /// Way of the tip by path length at `s`, without its weave: exactly 1 all along where it goes on the line by whose length `s` counts,
-    /// another beside it. At a knot anything between the ways on either side.
+    /// Way of the tip by path length at `s`, without its weave: exactly 1 all along where it goes on the line by whose
+    /// length `s` counts, another beside it. At a knot anything between the ways on either side.
     fn rate(&self, _s: f64) -> f64 {
         1.0
     }

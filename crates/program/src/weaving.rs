@@ -46,7 +46,7 @@ impl Weaving {
         (fade * wide * across, fade * long * along)
     }
 
-    /// Those of them at which its second derivative may jump: where spans meet, of a weave by frequency.
+    /// Those of the [`Weaving::knots`] at which the second derivative may jump: where spans meet, of a weave by frequency.
     pub fn bends(&self) -> Vec<f64> {
         let borders = self.spans.iter().skip(1).map(|span| span.from_mm.get());
         borders.filter(|_| self.weave.frequency_hz.is_some()).collect()

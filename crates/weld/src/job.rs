@@ -172,10 +172,6 @@ impl Job {
     /// With the key's address: a weld without length, stations that are wrong.
     pub fn program(job: &Document<Self>, seam: &SeamCurve) -> Result<Program, DocumentError> {
         let j = &job.value;
-        let spans = spans(job, seam)?;
-        if let Some(weave) = &j.weld.weave {
-            weave.check_speeds(job, "weld.weave", (&spans, |_| "weld.speed_mm_s".to_owned()))?;
-        }
         let pass = Pass {
             name: "pass 1".to_owned(),
             role: None,
@@ -192,7 +188,7 @@ impl Job {
             bead: None,
             weave: j.weld.weave.clone(),
             oscillation: j.weld.oscillation,
-            spans,
+            spans: spans(job, seam)?,
         };
         let copies = order::copies(job)?;
         Ok(Program {

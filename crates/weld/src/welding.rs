@@ -86,7 +86,7 @@ impl Welding {
         }
         program.passes = ordered.into_iter().map(|(pass, _)| pass).collect();
         for pass in &program.passes {
-            // Quarters that go on over the start of the weld may bring speeds together that did not meet before.
+            // Only here: quarters that go on over the start of the weld may bring speeds together that did not meet.
             match (&j.beads, &pass.weave) {
                 (Some(beads), _) => beads.check_weave(job, pass)?,
                 (None, Some(weave)) => {

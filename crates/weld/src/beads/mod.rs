@@ -64,7 +64,6 @@ impl Beads {
             let allowed = "a [weld.weave] or a weave in a run, or another value";
             return Err(file.error_at("beads.adapt", "no bead is woven", allowed));
         }
-        all.iter().try_for_each(|(pass, _)| self.check_weave(file, pass))?;
         let number = |bead: usize| all.iter().position(|(_, b)| *b == bead).map_or(1, |i| i + 1);
         let findings = plan.findings(&runs, self.most_percent.get() / 100.0, number);
         let passes = all.into_iter().map(|(pass, _)| pass).collect();

@@ -103,23 +103,12 @@ pub(crate) fn ordered(
     if let Some(tacks) = &j.tacks {
         let root = passes.first().and_then(|pass| pass.bead.as_ref());
         let tacks: Visit = tacks.passes(job, seam, (weld, root))?.into_iter().map(|tack| vec![tack]).collect();
-        let all = tacks.len() * copies.len().max(1);
-        if all > MOST_PASSES {
-            let message = format!("these are {all} tacks in all");
-            return Err(job.error_at("tacks", message, format!("up to {MOST_PASSES}")));
-        }
+        not_too_many(job, "tacks", tacks.len() * copies.len().max(1))?;
         ordering.add(&tacks, None);
     }
     let welds: Visit = passes.iter().map(|pass| order.parts_of(pass, seam)).collect();
-    let all = (welds.iter().map(Vec::len).sum::<usize>()) * copies.len().max(1) + ordering.done.len();
-    if all > MOST_PASSES {
-        let message = format!("these are {all} passes in all");
-        return Err(job.error_at(
-            "order",
-            message,
-            format!("up to {MOST_PASSES}: fewer copies, or fewer or longer parts"),
-        ));
-    }
+    let parts: usize = welds.iter().map(Vec::len).sum();
+    not_too_many(job, "order", parts * copies.len().max(1) + ordering.done.len())?;
     match order.passes {
         Turns::CopyByCopy => ordering.add(&welds, Some(0)),
         Turns::PassByPass => {
@@ -129,6 +118,15 @@ pub(crate) fn ordered(
         }
     }
     Ok(ordering.done)
+}
+
+/// Refuses `count` passes that the table `key` would give, if they are very many.
+fn not_too_many(job: &Document<Job>, key: &str, count: usize) -> Result<(), DocumentError> {
+    if count <= MOST_PASSES {
+        return Ok(());
+    }
+    let allowed = format!("up to {MOST_PASSES}: fewer copies or tacks, or fewer or longer parts");
+    Err(job.error_at(key, format!("these are {count} passes in all"), allowed))
 }
 
 /// Row and place of each copy, in the part's frame; one alone where there are no copies.

@@ -143,7 +143,7 @@ impl Search<'_> {
     /// The best way found.
     fn best(&self) -> Vec<Leg> {
         let n = self.stops.len();
-        let count = STARTS.min(STOPS / n.max(1)).clamp(1, n.max(1)).min(n);
+        let count = STARTS.min(STOPS / n.max(1)).max(1).min(n);
         let starts = (0..count).map(|i| i * n / count);
         let starts = starts.flat_map(|i| (0..self.stops[i].ways.len()).map(move |way| self.nearest((i, way))));
         let listed: Vec<usize> = (0..n).collect();

@@ -51,9 +51,9 @@ struct Making<'a> {
 impl Welding {
     /// Part and fixtures in the machine's work frame; `load` gets the bytes of the STL files that are named.
     ///
-    /// The part, once at every copy of the seam, is made from the seam unless its solids are given: exact cylinders, spheres, cones and boxes; elliptic
-    /// tubes and curved T-joints as meshes up to 0.02 mm outside the true surface, heads up to 0.1 mm. It
-    /// is nowhere smaller than the true one, nor larger near the seam; the end of a slanting nozzle may stand out of
+    /// The part, once at every copy of the seam, is made from the seam unless its solids are given: exact cylinders,
+    /// spheres, cones and boxes; elliptic tubes and curved T-joints as meshes up to 0.02 mm outside the true surface,
+    /// heads up to 0.1 mm. It is nowhere smaller than the true one, nor larger near the seam; the end of a slanting nozzle may stand out of
     /// the far side of its body. Of the edges that a joint prepares only that of a nozzle set on is cut away. Tubes are
     /// solid: the torch stays outside; only what is around a root that is welded
     /// from inside is hollow.
