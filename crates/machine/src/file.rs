@@ -54,6 +54,9 @@ pub struct MachineFile {
     /// Which outputs of the control switch and set the process.
     #[serde(default)]
     pub io: Io,
+    /// What controls call the axes and the process, for part programs.
+    #[serde(default)]
+    pub controls: ControlsFile,
 }
 
 /// The torch.
@@ -350,7 +353,53 @@ pub struct Io {
     pub arc: Option<u8>,
     /// Digital output of the gas valve.
     pub gas: Option<u8>,
+    /// Digital output of the wire feeder.
+    pub wire: Option<u8>,
     /// Analogue output of each process value, by the value's name (like `current_a`).
     #[serde(default)]
     pub analog: BTreeMap<String, u8>,
+}
+
+/// What each control calls the axes and the process.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ControlsFile {
+    /// Siemens Sinumerik 840D.
+    #[serde(default)]
+    pub sinumerik: ControlFile,
+    /// LinuxCNC.
+    #[serde(default)]
+    pub linuxcnc: ControlFile,
+    /// grblHAL.
+    #[serde(default)]
+    pub grblhal: ControlFile,
+    /// Delta Tau PMAC.
+    #[serde(default)]
+    pub pmac: ControlFile,
+}
+
+/// What a control calls the axes and the process.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ControlFile {
+    /// Addresses of axes by their names, where they are not the axis' letter (Sinumerik: its name in capitals).
+    #[serde(default)]
+    pub axes: BTreeMap<String, String>,
+    /// Addresses of process values by their names: Sinumerik interpolates them like axes, on grblHAL it can be `S`, on
+    /// PMAC it is an M-variable. The others are analogue outputs.
+    #[serde(default)]
+    pub process: BTreeMap<String, String>,
+    /// G- and M-codes of the machine's own, and what they do: `arc_on`, `arc_off`, `gas_on`, `gas_off`, `wire_on`,
+    /// `wire_off`, `exact_stop`, `continuous_path`, or a name of its own.
+    #[serde(default)]
+    pub codes: BTreeMap<String, String>,
+    /// True if numbers have a decimal comma.
+    #[serde(default)]
+    pub decimal_comma: bool,
+    /// Analogue output that switches the control's kinematics: 0 for the axes, 1 for the torch tip. LinuxCNC only.
+    pub kinematics_output: Option<u8>,
+    /// Lines at the beginning of every part program, instead of the usual ones.
+    pub header: Option<String>,
+    /// Lines at its end, instead of the usual ones.
+    pub footer: Option<String>,
 }

@@ -29,8 +29,8 @@ pub use axis::{
 };
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
 pub use file::{
-    DriveFile, EncoderSide, HeadFile, Io, LinkClearanceFile, MachineFile, NotchFile, PitchErrorFile, StepFile,
-    StepperFile, TipFile, TorchFile, ZoneFile, ZoneKind,
+    ControlFile, ControlsFile, DriveFile, EncoderSide, HeadFile, Io, LinkClearanceFile, MachineFile, NotchFile,
+    PitchErrorFile, StepFile, StepperFile, TipFile, TorchFile, ZoneFile, ZoneKind,
 };
 pub use head::Head;
 pub use inverse::{Branches, MAX_BRANCHES, Solution, Unreachable};

@@ -3,8 +3,8 @@ use crate::keeper::{Lever, travel};
 use crate::pair::Pair;
 use crate::surroundings::PITCH;
 use crate::{
-    Axis, AxisKind, AxisSet, Head, Io, Joints, LinkFrames, LinkSolids, Links, MAX_AXES, MachineFile, RangeViolation,
-    TipLimits, assemble,
+    Axis, AxisKind, AxisSet, ControlsFile, Head, Io, Joints, LinkFrames, LinkSolids, Links, MAX_AXES, MachineFile,
+    RangeViolation, TipLimits, assemble,
 };
 use arrayvec::ArrayVec;
 use glam::DVec3;
@@ -28,6 +28,8 @@ pub struct Machine {
     pub servo_period_s: f64,
     /// Outputs that drive the process.
     pub io: Io,
+    /// What controls call axes and process.
+    pub controls: ControlsFile,
     /// Heads, at least one: each with its chain from the work to its tip.
     pub heads: Vec<Head>,
     /// The rigid bodies.

@@ -1,18 +1,10 @@
-use crate::Error;
+use crate::feed::LEAST_FEED;
+use crate::{Error, Level};
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, Joints, Machine};
 use seamwright_motion::{PassMotion, TipPath};
 use seamwright_program::TorchPath;
-
-/// What the control interpolates linearly.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Level {
-    /// The axes themselves.
-    Joint,
-    /// The torch tip in the work frame, and the rotary axes.
-    Tip,
-}
 
 /// End of a block: where the axes are, where the tip is, and how long the block took.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,8 +52,6 @@ const SHORTEST_MM: f64 = 1e-4;
 pub(crate) const HELD_BACK: f64 = 0.05;
 /// Turns smaller than this (rad) are lost in the words' decimals.
 const TURN: f64 = 1e-7;
-/// LinuxCNC's interpreter raises any lower feed to this, in mm/min or deg/min, without a word.
-const LEAST_FEED: f64 = 0.1;
 
 /// Cuts `motion` into few blocks whose path stays within `tolerance_mm` of the planned one of the tip (the seam, but
 /// for blends at corners): greedily, each block as long as tolerance, timing, attitude and the control's least feed let

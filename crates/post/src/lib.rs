@@ -6,11 +6,17 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
 mod blocks;
+mod control;
 mod error;
+mod feed;
 mod linuxcnc;
 mod number;
+mod part_program;
 mod ramps;
 
-pub use blocks::{Block, Level, Linearisation, linearise};
+pub use blocks::{Block, Linearisation, linearise};
+pub use control::{Code, Control, Dialect};
 pub use error::Error;
+pub use feed::Group;
 pub use linuxcnc::{Options, linuxcnc};
+pub use part_program::{Arc, Channel, ChannelKind, Event, Level, Move, PartProgram, Path, Step, What};

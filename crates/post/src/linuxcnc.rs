@@ -1,7 +1,7 @@
-use crate::Error;
-use crate::blocks::{Block, HELD_BACK, Level, Linearisation, linearise};
+use crate::blocks::{Block, HELD_BACK, Linearisation, linearise};
 use crate::number::{fixed, significant};
 use crate::ramps::{ramp_breaks, rest_steps, weave_breaks};
+use crate::{Error, Level};
 use seamwright_machine::{AxisKind, Joints, Machine};
 use seamwright_motion::air::{AirMove, Leg};
 use seamwright_motion::{PassMotion, WeldMotion};

@@ -1,6 +1,7 @@
 //! From the file's steps to axes, links and heads, with an address for everything that does not fit.
 
 mod axis;
+mod controls;
 mod drive;
 mod pitch_error;
 mod solids;
@@ -42,6 +43,7 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
             m.pitch_error.get(&axis.name).map(|t| pitch_error::pitch_error(file, axis, t)).transpose()?;
     }
     check_io(file)?;
+    controls::check(file, &axes)?;
     let (links, heads) = tree::tree(m, &axes);
     let solids = solids::solids(file, &links, load)?;
     Ok(Machine {
@@ -49,6 +51,7 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
         title: m.title.clone(),
         servo_period_s: m.servo_period_ms.map_or(1e-3, |p| p.get() * 1e-3),
         io: m.io.clone(),
+        controls: m.controls.clone(),
         tip: m.tip.limits(),
         up: m.up.map_or(DVec3::Z, Direction::unit),
         pair: Pair::new(&heads),
@@ -125,8 +128,12 @@ fn axes(file: &File) -> Result<Vec<Axis>, DocumentError> {
 /// No two things on one output: the arc would strike with the gas.
 fn check_io(file: &File) -> Result<(), DocumentError> {
     let io = &file.value.io;
-    if io.arc.is_some() && io.arc == io.gas {
-        return Err(file.error_at("io.gas", "the arc has this output already", "an output of its own"));
+    let digital = [("arc", io.arc), ("gas", io.gas), ("wire", io.wire)];
+    for (i, (name, output)) in digital.iter().enumerate() {
+        if let Some((other, _)) = digital[..i].iter().find(|(_, o)| o.is_some() && o == output) {
+            let message = format!("`{other}` has this output already");
+            return Err(file.error_at(&format!("io.{name}"), message, "an output of its own"));
+        }
     }
     let mut taken = BTreeMap::new();
     for (name, output) in &io.analog {

@@ -1,0 +1,203 @@
+//! A part program as data: what a control is told, in order, in no dialect. Posts write it, readers make it, the proof
+//! plays it.
+
+use glam::{DQuat, DVec3};
+
+/// What one number of a row is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Channel {
+    /// Name of the axis (in the machine file) or of the process value.
+    pub name: String,
+    /// How the control takes it from one row to the next.
+    pub kind: ChannelKind,
+}
+
+/// How a control takes a channel from one row to the next.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ChannelKind {
+    /// A linear axis, mm, interpolated.
+    Linear,
+    /// A rotary axis, degrees, interpolated.
+    Rotary,
+    /// A process value that is interpolated like an axis and reaches its value at the block's end.
+    Interpolated,
+    /// A process value that has its value from the block's begin on.
+    Stepped,
+}
+
+/// A part program. Rows are positions of all axes in the machine file's order (mm, degrees), then process values; a row
+/// is complete: what a block does not say stays as it was.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PartProgram {
+    /// Title, for people.
+    pub title: String,
+    /// What the numbers of a row are.
+    pub channels: Vec<Channel>,
+    /// What is done, in order.
+    pub steps: Vec<Step>,
+    /// Arcs that moves go along.
+    pub arcs: Vec<Arc>,
+    rows: Vec<f64>,
+}
+
+/// A line of a part program.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Step {
+    /// Line of the text it was read from, counted from 1; 0 if it was not read.
+    pub line: u32,
+    /// Block number, if it has one.
+    pub number: Option<u32>,
+    /// What it does.
+    pub what: What,
+}
+
+/// What a line does.
+#[derive(Debug, Clone, PartialEq)]
+pub enum What {
+    /// A pass begins here, with its name: a place to start again from.
+    Pass(Box<str>),
+    /// The axes move.
+    Move(Move),
+    /// A process value is set: `at_once`, or with the begin of the next move.
+    Set {
+        /// Index of the channel.
+        channel: u16,
+        /// Its value.
+        value: f64,
+        /// Whether it is set without waiting for a move.
+        at_once: bool,
+    },
+    /// Something is switched or said: `at_once`, or with the begin of the next move.
+    Event {
+        /// What.
+        event: Event,
+        /// Whether it happens without waiting for a move.
+        at_once: bool,
+    },
+    /// Nothing moves for this long, s.
+    Dwell(f64),
+    /// A remark.
+    Comment(Box<str>),
+}
+
+/// What is switched or said.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Event {
+    /// Arc or beam on or off.
+    Arc(bool),
+    /// Shielding gas on or off.
+    Gas(bool),
+    /// Wire feeder on or off.
+    Wire(bool),
+    /// A digital output on or off.
+    Output(u16, bool),
+    /// Words for the operator.
+    Message(Box<str>),
+    /// A code of the machine's own, by the name that the machine file gives it.
+    Call(Box<str>),
+}
+
+/// One block of motion, from where the one before ended to its row.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Move {
+    /// The way there.
+    pub path: Path,
+    /// Index of the row it ends at.
+    pub row: u32,
+    /// How long it takes by the control's own rule for feeds, s; 0 for a rapid move.
+    pub seconds: f64,
+    /// What is interpolated.
+    pub level: Level,
+    /// Whether the control stops at its end.
+    pub exact_stop: bool,
+}
+
+/// What the control interpolates.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Level {
+    /// The axes themselves.
+    Joint,
+    /// The torch tip in the work frame, and the rotary axes: X, Y and Z of a row are the tip's place.
+    Tip,
+}
+
+/// The way from row to row.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Path {
+    /// All channels go at the axes' own speeds.
+    Rapid,
+    /// All channels go evenly.
+    Line,
+    /// X, Y and Z go along this arc of [`PartProgram::arcs`], evenly by its angle; all else goes evenly.
+    Arc(u32),
+    /// Each axis is a cubic in time with given speeds at both ends: this row has those at the end, per s; the speeds at
+    /// the begin are those at the end of the move before if that is one of these, else 0. PMAC's PVT.
+    Hermite(u32),
+    /// Uniform cubic B-spline: a run of these with equal times has their rows as its control points, the first and last
+    /// ones three times. PMAC's SPLINE1.
+    Spline,
+}
+
+/// An arc or helix of X, Y and Z.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arc {
+    /// A point on its axis, mm.
+    pub centre: DVec3,
+    /// Unit vector along its axis.
+    pub normal: DVec3,
+    /// Angle it turns by about the axis by the right-hand rule, rad; a full circle 2 pi, a helix may have more.
+    pub sweep: f64,
+}
+
+impl Arc {
+    /// Place at the part `f` of the way from `start` to `end`, which are both on it: round the axis by that part of the
+    /// angle, along the axis and outwards by that part of what the ends differ by.
+    pub fn at(&self, start: DVec3, end: DVec3, f: f64) -> DVec3 {
+        let across = |p: DVec3| {
+            let away = p - self.centre;
+            (away.dot(self.normal), away.reject_from_normalized(self.normal))
+        };
+        let ((h0, r0), (h1, r1)) = (across(start), across(end));
+        let (radius, last) = (r0.length(), r1.length());
+        let growth = if radius > 0.0 { 1.0 + f * (last / radius - 1.0) } else { 1.0 };
+        let turned = DQuat::from_axis_angle(self.normal, f * self.sweep) * r0;
+        self.centre + (h0 + f * (h1 - h0)) * self.normal + growth * turned
+    }
+}
+
+impl PartProgram {
+    /// An empty one with these channels.
+    pub fn new(title: &str, channels: Vec<Channel>) -> Self {
+        Self { title: title.to_owned(), channels, ..Self::default() }
+    }
+
+    /// Adds a row of all channels and gives its index.
+    pub fn add_row(&mut self, row: &[f64]) -> u32 {
+        debug_assert_eq!(row.len(), self.channels.len());
+        let index = self.rows.len() / self.channels.len().max(1);
+        self.rows.extend_from_slice(row);
+        u32::try_from(index).unwrap_or(u32::MAX)
+    }
+
+    /// Row number `index`.
+    pub fn row(&self, index: u32) -> &[f64] {
+        let width = self.channels.len();
+        &self.rows[index as usize * width..][..width]
+    }
+
+    /// Adds a step that was not read from a text.
+    pub fn push(&mut self, what: What) {
+        self.steps.push(Step { line: 0, number: None, what });
+    }
+
+    /// Number of axes: the channels before the process values.
+    pub fn axes(&self) -> usize {
+        self.channels.iter().take_while(|c| matches!(c.kind, ChannelKind::Linear | ChannelKind::Rotary)).count()
+    }
+
+    /// Indices of the channels X, Y and Z, if there are all three.
+    pub fn xyz(&self) -> Option<[usize; 3]> {
+        let find = |name: &str| self.channels.iter().position(|c| c.name == name);
+        Some([find("x")?, find("y")?, find("z")?])
+    }
+}
