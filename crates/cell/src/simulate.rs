@@ -43,7 +43,7 @@ pub fn simulate<E: From<Error>>(
             measure(machine, paths[pass - 1], planned, &mut sample);
             match last.filter(|l| l.pass == pass) {
                 Some(last) => {
-                    let way = |from: f64, to: f64| (to - from) * planned.path.tip_rate(machine, 0.5 * (from + to));
+                    let way = |from: f64, to: f64| (to - from) * planned.path.speed_rate(machine, 0.5 * (from + to));
                     sample.tip_speed = way(last.tip_s, sample.tip_s) / machine.servo_period_s;
                     sample.planned_speed = way(last.set.law.s, set.law.s) / machine.servo_period_s;
                 }
@@ -71,6 +71,8 @@ fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMotion, sample
     let whole = (0.0, path.length());
     // Where the planned path is blended it is not the seam: a place on the seam would jump at the corner.
     let s = match planned.path.blends().is_empty() {
+        // A tip may stand still or turn back while the axes go on: they tell the place.
+        _ if path.is_timed() => planned.path.foot(machine, &sample.q, sample.set.law.s),
         true => path.foot(tip.point, sample.set.law.s, whole),
         false => planned.tip_path(machine).foot(tip.point, sample.set.law.s, whole),
     };
@@ -78,6 +80,7 @@ fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMotion, sample
     let along = path.tangent(s);
     let woven = planned.path.is_woven();
     let errors = |tip: &Pose, pose: &dyn Fn(f64) -> Pose| match foot_in_blend(&planned.path, pose, tip.point, s) {
+        _ if path.is_timed() => (tip.point.distance(pose(s).point), angle(tip, &pose(s))),
         Some(foot) => (tip.point.distance(pose(foot).point), angle(tip, &pose(foot))),
         None if woven => {
             let foot = nearest(|s| pose(s).point, tip.point, sample.set.law.s, whole);

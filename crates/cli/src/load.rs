@@ -8,7 +8,7 @@ use seamwright_document::Document;
 use seamwright_machine::{Clamped, Machine, MachineFile, SHIPPED, Surroundings, shipped};
 use seamwright_motion::{PassMotion, WeldMotion, redundancy};
 use seamwright_program::{Finding, Pass, Program, TorchPath};
-use seamwright_weld::{PassPath, Welding};
+use seamwright_weld::{SeamCurve, WeldPath, Welding};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
@@ -160,9 +160,19 @@ impl Loaded {
         )))
     }
 
+    /// The seam.
+    ///
+    /// # Errors
+    /// A program whose passes all go through points has none.
+    pub(crate) fn seam(&self) -> Result<&SeamCurve, Failure> {
+        let program = &self.welding.program;
+        let allowed = "a job, or a program with [seam]";
+        self.welding.seam.as_ref().ok_or_else(|| program.error_at("", "the program has no seam", allowed).into())
+    }
+
     /// The paths of all passes.
-    pub(crate) fn paths(&self) -> Vec<PassPath<'_>> {
-        (0..self.welding.attitudes.len()).map(|pass| self.welding.path(pass)).collect()
+    pub(crate) fn paths(&self) -> Vec<WeldPath<'_>> {
+        (0..self.welding.program.value.passes.len()).map(|pass| self.welding.path(pass)).collect()
     }
 
     /// Plans a weld that can be made as asked.
@@ -184,7 +194,7 @@ impl Loaded {
         let passes: Vec<(&dyn TorchPath, &Pass)> =
             paths.iter().zip(&program.passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect();
         let mut findings = self.welding.findings();
-        if self.welding.seam.is_double() && self.machine.heads.len() < 2 {
+        if self.welding.seam.as_ref().is_some_and(SeamCurve::is_double) && self.machine.heads.len() < 2 {
             let path = "seam.t_joint.fillet";
             let message = format!("{} has one head: it cannot weld both fillets at once", self.machine.name);
             return Err(self.welding.program.error_at(path, message, "left, right").into());

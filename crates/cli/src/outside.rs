@@ -4,12 +4,16 @@ use crate::csv::CsvReader;
 use crate::failure::Failure;
 use crate::load;
 use glam::DVec3;
+use seamwright_geometry::Pose;
+use seamwright_machine::AxisKind;
 use seamwright_machine::{Joints, Machine};
-use seamwright_weld::{Outside, Wrong};
+use seamwright_program::AxisPositions;
+use seamwright_weld::{MachineAxes, MachineAxis, Outside, Wrong};
 use std::cell::RefCell;
 use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
+use std::sync::Arc;
 
 const POINTS: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 const ONE_NORMAL: [&str; 6] = ["x_mm", "y_mm", "z_mm", "n1x", "n1y", "n1z"];
@@ -90,5 +94,35 @@ impl Outside for Beside<'_> {
             return Err(Wrong { message, allowed: "positions within the axes' ranges".to_owned() });
         }
         Ok(machine.forward(&q).point)
+    }
+
+    fn axes(&self, name: &str) -> Result<Arc<dyn MachineAxes>, Wrong> {
+        match load::machine_beside(name, self.folder).map_err(|failure| wrong(&failure))? {
+            Some(machine) => Ok(Arc::new(Axes(machine))),
+            None => {
+                let message = format!("there is no machine `{name}`");
+                Err(Wrong { message, allowed: "a machine that ships, or the path of a machine file".to_owned() })
+            }
+        }
+    }
+}
+
+/// A machine as points given by its axes see it.
+#[derive(Debug)]
+struct Axes(Machine);
+
+impl MachineAxes for Axes {
+    fn axes(&self) -> Vec<MachineAxis> {
+        let axis = |a: &seamwright_machine::Axis| MachineAxis {
+            name: a.name.clone(),
+            rotary: a.kind == AxisKind::Rotary,
+            home: a.home,
+            max_speed: a.max_speed,
+        };
+        self.0.axes.iter().map(axis).collect()
+    }
+
+    fn torch(&self, positions: &AxisPositions) -> Pose {
+        self.0.forward(positions)
     }
 }

@@ -164,7 +164,8 @@ impl Corner<'_> {
         let mut worst = [(0.0, 0.0); 2];
         for i in 1..PLACES {
             let d = piece.derivatives(at(f64::from(i)));
-            if self.follower.machine.tip_derivatives(&d)[0].length() < LEAST_RATE {
+            // By time the axes go on evenly, whatever the tip does.
+            if !self.joints.is_timed() && self.follower.machine.tip_derivatives(&d)[0].length() < LEAST_RATE {
                 return Err(Unfit::TurnsBack);
             }
             let here = self.away(&d[0], half);
@@ -194,9 +195,13 @@ impl Corner<'_> {
             let d = blend.derivatives(u);
             let [r1, r2, r3] = self.channels.along(&d, &mut rows);
             let (square, mixed) = (r1.length_squared(), r1.dot(r2));
-            let b = asked * asked / square;
-            let b1 = -2.0 * b * mixed / square;
-            let b2 = 2.0 * b * (4.0 * mixed * mixed / square - r2.length_squared() - r1.dot(r3)) / square;
+            let [b, b1, b2] = if self.joints.is_timed() {
+                [asked * asked, 0.0, 0.0]
+            } else {
+                let b = asked * asked / square;
+                let b1 = -2.0 * b * mixed / square;
+                [b, b1, 2.0 * b * (4.0 * mixed * mixed / square - r2.length_squared() - r1.dot(r3)) / square]
+            };
             let within = |([q1, q2, q3], l): (&[f64; 3], &Limits)| {
                 let speed = q1.abs() * b.sqrt() / l.speed;
                 let acceleration = (q2 * b + 0.5 * q1 * b1).abs() / l.acceleration;
@@ -264,6 +269,9 @@ fn foot(pose: impl Fn(f64) -> Pose, point: DVec3, (from, to): (f64, f64), start:
     for _ in 0..5 {
         let (behind, ahead) = ((s - h).max(from), (s + h).min(to));
         let tangent = (pose(ahead).point - pose(behind).point) / (ahead - behind);
+        if tangent.length_squared() == 0.0 {
+            return s;
+        }
         let next = (s + (point - pose(s).point).dot(tangent) / tangent.length_squared()).clamp(from, to);
         if (next - s).abs() < 1e-9 * (to - from) {
             return next;

@@ -12,6 +12,11 @@ pub(crate) struct Follower<'a> {
 }
 
 impl Follower<'_> {
+    /// True if the path is one of the axes themselves: there is nothing to choose.
+    pub(crate) fn is_given(&self) -> bool {
+        self.path.axes(0.0).is_some()
+    }
+
     /// What the torches are to reach at `s`.
     pub(crate) fn target(&self, s: f64) -> Target {
         Target { first: self.path.pose(s), second: self.path.second(s) }
@@ -19,11 +24,17 @@ impl Follower<'_> {
 
     /// All branches at `s`, as [`Machine::inverse`].
     pub(crate) fn branches(&self, s: f64, near: &Joints) -> Result<Branches, Unreachable> {
+        if let Some(joints) = self.path.axes(s) {
+            return Ok(Branches::one(Solution { joints, ..Solution::default() }));
+        }
         self.machine.inverse(self.target(s), &self.free.at(s, near))
     }
 
     /// The branch at `s` that is nearest to `near`, as [`Machine::inverse_near`].
     pub(crate) fn near(&self, s: f64, near: &Joints) -> Result<Solution, Unreachable> {
+        if let Some(joints) = self.path.axes(s) {
+            return Ok(Solution { joints, ..Solution::default() });
+        }
         self.machine.inverse_near(self.target(s), &self.free.at(s, near))
     }
 

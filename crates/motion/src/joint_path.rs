@@ -52,6 +52,10 @@ pub struct JointPath {
     axes: usize,
     /// Places inside it where the first or second derivative may jump, mm: others do not have to be looked at.
     bends: Vec<f64>,
+    /// Places at which the path asks for a stop, mm.
+    stops: Vec<f64>,
+    /// True if path lengths count planned time and not the tip's way.
+    timed: bool,
     /// Stretches that go round corners, in order.
     blends: Vec<(f64, f64)>,
     /// True if the tip's way by path length is not 1, as beside a seam.
@@ -80,6 +84,8 @@ impl JointPath {
         let length = follower.path.length();
         let mut built = Self::empty(axes, length);
         built.bends = follower.bends();
+        built.stops = follower.path.stops();
+        built.timed = follower.path.is_timed();
         built.line = follower.path.swing(0.0).map(|_| Vec::new());
         let mut near = *start;
         let mut todo: Vec<(f64, f64)> = Vec::new();
@@ -110,8 +116,19 @@ impl JointPath {
 
     fn empty(axes: usize, length: f64) -> Self {
         let blocks_a_panel = axes.div_ceil(LANES);
-        let (panels, blocks, bends, blends) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { panels, blocks, blocks_a_panel, length, axes, bends, blends, beside: false, line: None }
+        Self {
+            panels: Vec::new(),
+            blocks: Vec::new(),
+            blocks_a_panel,
+            length,
+            axes,
+            bends: Vec::new(),
+            stops: Vec::new(),
+            timed: false,
+            blends: Vec::new(),
+            beside: false,
+            line: None,
+        }
     }
 
     /// Length of the path, mm.
@@ -122,6 +139,16 @@ impl JointPath {
     /// Places where one panel ends and the next begins, with both ends of the path.
     pub(crate) fn edges(&self) -> Vec<f64> {
         self.panels.iter().map(|p| p.start).chain(std::iter::once(self.length)).collect()
+    }
+
+    /// Places at which the path asks for a stop, mm.
+    pub(crate) fn stops(&self) -> &[f64] {
+        &self.stops
+    }
+
+    /// True if path lengths count planned time and not the tip's way.
+    pub(crate) fn is_timed(&self) -> bool {
+        self.timed
     }
 
     /// Places inside it where the first or second derivative may jump, mm.

@@ -22,7 +22,7 @@ pub(crate) struct PassChannels<'a> {
     borders: Vec<f64>,
     breaks: Vec<f64>,
     /// Places at which the torch has to stop, and an axis that would jump there otherwise.
-    stops: Vec<(f64, usize)>,
+    corners: Vec<(f64, usize)>,
 }
 
 impl<'a> PassChannels<'a> {
@@ -39,20 +39,26 @@ impl<'a> PassChannels<'a> {
         breaks.retain(|s| *s > 0.0 && *s < length);
         breaks.sort_by(f64::total_cmp);
         breaks.dedup_by(|a, b| *a - *b < SAME * length);
-        let mut built = Self { machine, path, pass, times, limits, borders, breaks, stops: Vec::new() };
+        let mut built = Self { machine, path, pass, times, limits, borders, breaks, corners: Vec::new() };
         // A bend next to a break is there.
         let bend = |s: &f64| {
             let i = path.bends().partition_point(|bend| *bend < s - SAME * length);
             path.bends().get(i).is_some_and(|bend| *bend <= s + SAME * length)
         };
         let bends = built.breaks.iter().filter(|s| bend(s));
-        built.stops = bends.filter_map(|s| Some((*s, built.corner(*s)?))).collect();
+        let corners = bends.filter_map(|s| Some((*s, built.corner(*s)?)));
+        built.corners = corners.filter(|(s, _)| !built.is_asked_stop(*s)).collect();
         built
     }
 
     /// Places at which the torch has to stop, and an axis that would jump there otherwise.
     pub(crate) fn corners(&self) -> &[(f64, usize)] {
-        &self.stops
+        &self.corners
+    }
+
+    /// True if the path asks for a stop at `s`.
+    fn is_asked_stop(&self, s: f64) -> bool {
+        self.path.stops().iter().any(|stop| (stop - s).abs() <= SAME * self.path.length())
     }
 
     /// Derivatives of all channels where the axes have the positions and derivatives `d`, into `out`; and those of the
@@ -73,7 +79,7 @@ impl<'a> PassChannels<'a> {
         // No faster than the axes' speeds allow: however much is asked for, rounding is no corner.
         let axes = &self.limits[..self.machine.axes.len()];
         let held = axes.iter().zip(before.d1).map(|(limits, d1)| limits.speed / d1.abs());
-        let speed = held.fold(self.asked(s) / self.path.tip_rate(self.machine, s), f64::min);
+        let speed = held.fold(self.asked(s) / self.path.speed_rate(self.machine, s), f64::min);
         let jumps = |(i, limits): (usize, &Limits)| {
             let jump = ((after.d1[i] - before.d1[i]).abs(), (after.d2[i] - before.d2[i]).abs());
             // A jump of the speed within one ms is one of the acceleration.
@@ -119,6 +125,9 @@ impl Channels for PassChannels<'_> {
     }
 
     fn stops(&self) -> Vec<f64> {
-        self.stops.iter().map(|stop| stop.0).collect()
+        let asked = self.breaks.iter().copied().filter(|s| self.is_asked_stop(*s));
+        let mut stops: Vec<f64> = self.corners.iter().map(|corner| corner.0).chain(asked).collect();
+        stops.sort_by(f64::total_cmp);
+        stops
     }
 }

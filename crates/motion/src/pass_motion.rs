@@ -28,6 +28,8 @@ pub struct PassMotion {
     pub certificate: Certificate,
     /// Times before and after the travel.
     pub sequence: Sequence,
+    /// Whether arc or beam is on.
+    pub arc: bool,
     /// Largest angle (rad) between the torch attitude asked for and the one reached, and where (mm).
     pub attitude_error: (f64, f64),
     /// What is to be said although the weld can be made.
@@ -100,7 +102,7 @@ impl PassMotion {
                 return Err(findings);
             }
         };
-        if let Some(last) = before.last {
+        if let Some(last) = before.last.filter(|_| !follower.is_given()) {
             joints.turn_towards(machine, last);
             // The survey looked at the path before it was turned.
             findings.retain(|f| f.kind != "range");
@@ -135,6 +137,7 @@ impl PassMotion {
             law,
             certificate,
             sequence: pass.sequence.clone(),
+            arc: pass.has_arc(),
             attitude_error: survey.attitude_error,
             findings,
         })
@@ -152,6 +155,9 @@ impl PassMotion {
 
     /// Time the arc (or beam) is on, s.
     pub fn arc_on_s(&self) -> f64 {
+        if !self.arc {
+            return 0.0;
+        }
         self.sequence.travel_delay_s.get() + self.law.duration() + self.sequence.crater_s.get()
     }
 
@@ -166,7 +172,7 @@ impl PassMotion {
     pub fn tip_band(&self, machine: &Machine) -> (f64, f64) {
         self.certificate.band().unwrap_or_else(|| {
             let band = self.law.report();
-            let rate = self.path.tip_rate(machine, band.run_up_end);
+            let rate = self.path.speed_rate(machine, band.run_up_end);
             (rate * band.least, rate * band.greatest)
         })
     }

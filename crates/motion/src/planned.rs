@@ -13,14 +13,14 @@ pub(crate) struct Planned<'a> {
 }
 
 impl Planned<'_> {
-    /// Speed of the tip where the law is at `p`, mm/s.
+    /// Speed that counts against the asked one where the law is at `p`, mm/s: that of the tip.
     pub(crate) fn tip_speed(&self, p: LawPoint) -> f64 {
-        p.v * self.joints.tip_rate(self.machine, p.s)
+        p.v * self.joints.speed_rate(self.machine, p.s)
     }
 
     /// Speed of the tip at path length `s`, mm/s.
     pub(crate) fn tip_speed_at(&self, s: f64) -> f64 {
-        self.law.speed(s) * self.joints.tip_rate(self.machine, s)
+        self.law.speed(s) * self.joints.speed_rate(self.machine, s)
     }
 
     /// How fast the tip is between two path lengths, by the places of the law's cells there; none if there are none.

@@ -65,9 +65,9 @@ impl<'a> SetPoints<'a> {
         let phase = if t < m.sequence.preflow_s.get() {
             Phase::Preflow
         } else if travel < 0.0 {
-            Phase::TravelDelay
+            if m.arc { Phase::TravelDelay } else { Phase::Preflow }
         } else if after < 0.0 {
-            Phase::Travel
+            if m.arc { Phase::Travel } else { Phase::Air }
         } else if after < m.sequence.crater_s.get() {
             Phase::Crater
         } else {

@@ -48,7 +48,7 @@ pub(crate) fn margins(
             (by_speed.min((axis.max_acceleration / p.d2[k].abs()).sqrt()), k)
         });
         let (holds, axis) = speeds.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, 0));
-        let holds = holds * path.tip_rate(machine, s);
+        let holds = holds * path.speed_rate(machine, s);
         let used = asked(s) / holds;
         runs.add(s, near.filter(|_| used > MUCH && used <= 1.0).map(|distance| {
             let message = format!(

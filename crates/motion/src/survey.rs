@@ -130,6 +130,9 @@ fn attitude_finding(machine: &Machine, walk: &Survey, tolerance: &Tolerance, pas
 /// Whole turns to add to each rotary axis so that its positions lie in its range, as near to home as possible.
 fn turns_into_range(follower: Follower, rows: &[Joints]) -> Joints {
     let mut shift = Joints::default();
+    if follower.is_given() {
+        return shift;
+    }
     for (i, axis) in follower.machine.axes.iter().enumerate() {
         // Axes to spare are on their turn already.
         // A limited axis with a table of pitch errors is no copy of itself a turn on: it stays on the turn next to

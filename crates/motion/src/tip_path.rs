@@ -49,6 +49,10 @@ impl TorchPath for TipPath<'_> {
     fn foot(&self, point: DVec3, guess: f64, (from, to): (f64, f64)) -> f64 {
         (0..3).fold(guess, |s, _| {
             let (tip, d1) = self.tip(s);
+            // A tip that stands still is nowhere nearer.
+            if d1.length_squared() == 0.0 {
+                return s;
+            }
             (s + (point - tip).dot(d1) / d1.length_squared()).clamp(from, to)
         })
     }

@@ -62,9 +62,9 @@ impl WeldMotion {
         if around.is_empty() {
             planned.findings.push(unchecked(machine));
         }
-        let both: Vec<bool> = passes.iter().map(|(path, _)| path.second(0.0).is_some()).collect();
+        let ends: Vec<Torches> = passes.iter().map(|&(path, pass)| Torches::new(path, pass)).collect();
         for i in 0..=passes.len() {
-            planned.air_move(&air, i, &both);
+            planned.air_move(&air, i, &ends);
         }
         if planned.findings.iter().any(|f| !f.allowed) { Err(planned.findings) } else { Ok(planned) }
     }
@@ -82,11 +82,18 @@ impl WeldMotion {
     }
 
     /// The air move before pass `i`, counted from 0, or home after the last.
-    fn air_move(&mut self, air: &Air, i: usize, both: &[bool]) {
+    fn air_move(&mut self, air: &Air, i: usize, torches: &[Torches]) {
         let before = i.checked_sub(1).map(|k| &self.passes[k].path);
         let after = self.passes.get(i).map(|p| &p.path);
-        let end = before.map(|p| (p.at(p.length()), both[i - 1]));
-        let start = after.map(|p| (p.at(0.0), both[i]));
+        let end = before.map(|p| (p.at(p.length()), torches[i - 1]));
+        let start = after.map(|p| (p.at(0.0), torches[i]));
+        if let (Some((end, Torches::Given)), Some((start, Torches::Given))) = (end, start)
+            && is_same(&end, &start)
+        {
+            // The second pass goes on where the first one ends.
+            self.air.push(AirMove::new(air.machine, &[start]));
+            return;
+        }
         let (pass, s) = if i == 0 { (1, 0.0) } else { (i, before.map_or(0.0, super::joint_path::JointPath::length)) };
         let finding = |kind, message: String, cure: &str, allowed| Finding {
             kind,
@@ -243,6 +250,34 @@ fn one(
     Err(all)
 }
 
+/// Positions nearer than this are the same, mm or rad.
+const SAME: f64 = 1e-9;
+
+fn is_same(a: &Joints, b: &Joints) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() < SAME)
+}
+
+/// What takes the torch back from the end of a pass.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Torches {
+    /// It goes back along itself.
+    One,
+    /// Two torches go back along the middle of both.
+    Two,
+    /// The pass says itself how it begins and ends.
+    Given,
+}
+
+impl Torches {
+    fn new(path: &dyn TorchPath, pass: &Pass) -> Self {
+        match path.second(0.0) {
+            _ if pass.points.is_some() => Self::Given,
+            Some(_) => Self::Two,
+            None => Self::One,
+        }
+    }
+}
+
 /// What the air moves need to know.
 struct Air<'a> {
     machine: &'a Machine,
@@ -251,16 +286,16 @@ struct Air<'a> {
 }
 
 impl Air<'_> {
-    /// The move from the end of a weld (or home) to the start of the next (or home), each with whether two torches weld
+    /// The move from the end of a weld (or home) to the start of the next (or home), each with what takes the torch back
     /// there; and how far the torch stands back (mm) where that is less than asked, if at all.
     fn way(
         &self,
-        end: Option<(Joints, bool)>,
-        start: Option<(Joints, bool)>,
+        end: Option<(Joints, Torches)>,
+        start: Option<(Joints, Torches)>,
     ) -> Result<(AirMove, Vec<Option<f64>>), Blocked> {
         let home = self.machine.home();
-        let [back_end, back_start] = [end, start].map(|e| e.and_then(|(q, both)| self.back_from(&q, both)));
-        let place = |back: Option<(Joints, f64)>, weld: Option<(Joints, bool)>| {
+        let [back_end, back_start] = [end, start].map(|e| e.and_then(|(q, torches)| self.back_from(&q, torches)));
+        let place = |back: Option<(Joints, f64)>, weld: Option<(Joints, Torches)>| {
             back.map(|b| b.0).or(weld.map(|w| w.0)).unwrap_or(home)
         };
         let (from, to) = (place(back_end, end), place(back_start, start));
@@ -277,7 +312,8 @@ impl Air<'_> {
             points.push(q);
         }
         points.dedup();
-        let short = |weld: Option<(Joints, bool)>, back: Option<(Joints, f64)>| match (weld, back) {
+        let short = |weld: Option<(Joints, Torches)>, back: Option<(Joints, f64)>| match (weld, back) {
+            (Some((_, Torches::Given)), None) => None,
             (Some(_), None) => Some(None),
             (Some(_), Some((_, part))) if part < 1.0 => Some(Some(part * self.retract_mm)),
             _ => None,
@@ -306,12 +342,15 @@ impl Air<'_> {
 
     /// Where the torch stands back along itself (two torches: along the middle of both): as far as asked, or as far as
     /// the axes reach. None if they cannot move it that way.
-    fn back_from(&self, q: &Joints, both: bool) -> Option<(Joints, f64)> {
+    fn back_from(&self, q: &Joints, torches: Torches) -> Option<(Joints, f64)> {
         let machine = self.machine;
+        if torches == Torches::Given {
+            return None;
+        }
         for part in [1.0, 0.5, 0.25] {
             let poses: Vec<Pose> = (0..machine.heads.len()).map(|head| machine.forward_of(head, q)).collect();
             let first = poses[0];
-            let both = poses.get(1).filter(|_| both);
+            let both = poses.get(1).filter(|_| torches == Torches::Two);
             let along = both.map_or(first.direction, |second| (first.direction + second.direction).normalize());
             let back = |p: Pose| Pose { point: p.point - part * self.retract_mm * along, ..p };
             let target = Target { first: back(first), second: both.map(|p| back(*p)) };

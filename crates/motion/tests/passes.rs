@@ -33,7 +33,7 @@ struct Planned {
 fn planned(example: &str, change: impl FnOnce(&mut Pass, f64)) -> Planned {
     let one = Welding::read("job.toml", example).unwrap();
     let mut program = one.program.value.clone();
-    change(&mut program.passes[0], one.seam.length());
+    change(&mut program.passes[0], one.seam.as_ref().unwrap().length());
     let welding = Welding::read("program.toml", &program.to_toml().unwrap()).unwrap_or_else(|e| panic!("{e}"));
     let machine = Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap();
     let motion = PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1)

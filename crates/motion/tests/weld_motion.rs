@@ -23,7 +23,7 @@ fn machine(welding: &Welding) -> Machine {
 
 fn plan(machine: &Machine, welding: &Welding, clamped: &Clamped) -> Result<WeldMotion, Vec<Finding>> {
     let around = Surroundings::new(machine, clamped).unwrap();
-    let paths: Vec<_> = (0..welding.attitudes.len()).map(|i| welding.path(i)).collect();
+    let paths: Vec<_> = (0..welding.program.value.passes.len()).map(|i| welding.path(i)).collect();
     let passes: Vec<(&dyn TorchPath, &Pass)> =
         paths.iter().zip(&welding.program.value.passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect();
     WeldMotion::plan(machine, &around, &passes, 30.0)

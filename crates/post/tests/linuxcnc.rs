@@ -25,7 +25,7 @@ struct Posted {
 
 fn plan(machine: &Machine, welding: &Welding) -> WeldMotion {
     let around = Surroundings::new(machine, &Clamped::default()).unwrap();
-    let paths: Vec<_> = (0..welding.attitudes.len()).map(|i| welding.path(i)).collect();
+    let paths: Vec<_> = (0..welding.program.value.passes.len()).map(|i| welding.path(i)).collect();
     let passes: Vec<(&dyn TorchPath, &Pass)> =
         paths.iter().zip(&welding.program.value.passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect();
     WeldMotion::plan(machine, &around, &passes, 30.0).unwrap()

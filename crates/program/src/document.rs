@@ -30,8 +30,9 @@ pub struct Program {
     /// The places at which the seam is welded, if it is welded at several; they replace `placement`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub copies: Vec<SeamCopy>,
-    /// The seam.
-    pub seam: Seam,
+    /// The seam; a program whose passes all go through points needs none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub seam: Option<Seam>,
     /// Where on the seam welding starts.
     #[serde(default)]
     pub start: SeamStart,
@@ -89,6 +90,16 @@ impl Program {
                     count => format!("0 to {}, the place in [[copies]]", count - 1),
                 };
                 return Err(document.error_at(&format!("passes[{p}].copy"), "there is no such copy", allowed));
+            }
+            if let Some(points) = &pass.points {
+                points.check(&document, &format!("passes[{p}].points"))?;
+                pass.check_through_points(&document, &format!("passes[{p}]"))?;
+                continue;
+            }
+            if document.value.seam.is_none() {
+                let path = format!("passes[{p}]");
+                let allowed = "[seam] in the program, or [passes.points]";
+                return Err(document.error_at(&path, "the pass runs along a seam, and there is none", allowed));
             }
             if pass.spans.is_empty() {
                 let path = format!("passes[{p}].spans");
@@ -148,11 +159,30 @@ impl Program {
     /// # Errors
     /// None in practice: every value in a program has a TOML form.
     pub fn to_toml(&self) -> Result<String, toml::ser::Error> {
-        let body = toml::to_string(self)?;
+        let mut written = self.clone();
+        written.passes.iter_mut().filter(|pass| pass.points.is_some()).for_each(|pass| pass.spans.clear());
+        let body = one_point_a_line(&toml::to_string(&written)?);
         Ok(format!(
             "# A Seamwright weld program. Lengths in mm, angles in degrees, times in s; s counts from the weld's start.\n{body}"
         ))
     }
+}
+
+/// Tables of points with a line for each, so that differences of files are those of points.
+fn one_point_a_line(text: &str) -> String {
+    let mut out = String::with_capacity(text.len() + text.len() / 8);
+    for line in text.lines() {
+        match line.strip_prefix("points = [[").and_then(|rest| rest.strip_suffix("]]")) {
+            Some(rows) => {
+                out.push_str("points = [\n");
+                rows.split("], [").for_each(|row| out.extend(["    [", row, "],\n"]));
+                out.push(']');
+            }
+            None => out.push_str(line),
+        }
+        out.push('\n');
+    }
+    out
 }
 
 #[cfg(test)]

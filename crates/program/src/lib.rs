@@ -21,6 +21,7 @@ mod part;
 mod pass;
 mod piece;
 mod plane_seam;
+mod points;
 mod procedure;
 mod process;
 mod seam;
@@ -51,6 +52,9 @@ pub use oscillation::Oscillation;
 pub use part::{Clearance, Part};
 pub use pass::{OnLimit, Pass, Role, Span};
 pub use plane_seam::{Arc, Circle, Polyline, RoundedRectangle, WallFaces};
+pub use points::{
+    Along, Columns, NUMBER_COLUMN, POSE_COLUMNS, PointEvent, PointSpan, Points, SPEED_COLUMN, TIME_COLUMN,
+};
 pub use procedure::{
     ButtLimits, FilletLimits, Inclination, Outside, PROCEDURES, PassNumbers, PositionLimits, PositionStretch,
     Procedure, Run, ShippedProcedure, WeldingPosition, WeldingProcess, Window, shipped_procedure,
@@ -63,6 +67,6 @@ pub use span_value::{Ramp, SpanValue};
 pub use spare_axes::{Position, SpareAxes, Weights};
 pub use taught::Taught;
 pub use tolerance::Tolerance;
-pub use torch::{Groove, Torch, TorchAt, TorchPath};
+pub use torch::{AxisPositions, Groove, MOST_AXES, Torch, TorchAt, TorchPath};
 pub use weave::{Figure, Swing, Weave};
 pub use weaving::Weaving;

@@ -1,4 +1,6 @@
-use crate::{AtCorner, Bead, Oscillation, ProcessValues, Sequence, SpanValue, SpareAxes, Tolerance, Torch, Weave};
+use crate::{
+    AtCorner, Bead, Oscillation, Points, ProcessValues, Sequence, SpanValue, SpareAxes, Tolerance, Torch, Weave,
+};
 use schemars::JsonSchema;
 use seamwright_document::{NonNegative, Positive};
 use serde::{Deserialize, Serialize};
@@ -53,7 +55,11 @@ pub struct Pass {
     /// How the beam is deflected to and fro while it goes along.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub oscillation: Option<Oscillation>,
-    /// Parts of the pass, one after the other without a gap.
+    /// The points it goes through, if it does not run along the seam.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub points: Option<Points>,
+    /// Parts of the pass, one after the other without a gap; of a pass through points they follow from these.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub spans: Vec<Span>,
 }
 
@@ -125,6 +131,11 @@ impl Pass {
     pub fn known_role(&self) -> Option<Role> {
         let word = self.name.split_whitespace().next();
         self.role.or_else(|| Role::ALL.into_iter().find(|role| word == Some(role.name())))
+    }
+
+    /// Whether arc or beam is on while it travels.
+    pub fn has_arc(&self) -> bool {
+        self.points.as_ref().is_none_or(|points| points.arc)
     }
 
     /// Length of the pass, mm.

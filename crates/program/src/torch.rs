@@ -46,6 +46,11 @@ pub struct Groove {
     pub dihedral: f64,
 }
 
+/// Most axes of a machine.
+pub const MOST_AXES: usize = 12;
+/// Positions of a machine's axes in its file's order, mm or rad; 0 beyond the last one.
+pub type AxisPositions = [f64; MOST_AXES];
+
 /// A path of the torch in the work frame by path length: what the rooms that know machines and time need of a pass.
 pub trait TorchPath {
     /// Length, mm: `s` runs from 0 to this.
@@ -59,6 +64,21 @@ pub trait TorchPath {
     /// length `s` counts, another beside it. At a knot anything between the ways on either side.
     fn rate(&self, _s: f64) -> f64 {
         1.0
+    }
+
+    /// True if `s` counts planned time and not the tip's way: speeds along it are those by `s`, whatever the tip does.
+    fn is_timed(&self) -> bool {
+        false
+    }
+
+    /// Path lengths at which the torch stops.
+    fn stops(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    /// Positions of the axes at path length `s`, of a path that is given by them.
+    fn axes(&self, _s: f64) -> Option<AxisPositions> {
+        None
     }
 
     /// Unit vector from the root of the joint out to its face at path length `s`: what should point up for a weld in

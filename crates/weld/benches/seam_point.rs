@@ -15,12 +15,13 @@ const EXAMPLES: [(&str, &str); 3] = [
 fn seam_point(c: &mut Criterion) {
     for (name, text) in EXAMPLES {
         let welding = Welding::read(name, text).unwrap();
-        let places: Vec<f64> = (0..997).map(|i| (f64::from(i) * 0.618).fract() * welding.seam.length()).collect();
+        let places: Vec<f64> =
+            (0..997).map(|i| (f64::from(i) * 0.618).fract() * welding.seam.as_ref().unwrap().length()).collect();
         let mut i = 0;
         c.bench_function(&format!("seam point with frame, {name}"), |b| {
             b.iter(|| {
                 i = (i + 1) % places.len();
-                black_box(welding.seam.at(black_box(places[i])))
+                black_box(welding.seam.as_ref().unwrap().at(black_box(places[i])))
             });
         });
     }

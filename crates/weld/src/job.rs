@@ -188,6 +188,7 @@ impl Job {
             bead: None,
             weave: j.weld.weave.clone(),
             oscillation: j.weld.oscillation,
+            points: None,
             spans: spans(job, seam)?,
         };
         let copies = order::copies(job)?;
@@ -199,7 +200,7 @@ impl Job {
             offsets: j.offsets.clone(),
             placement: if copies.is_empty() { j.placement } else { Transform::default() },
             copies,
-            seam: j.seam.clone(),
+            seam: Some(j.seam.clone()),
             start: j.start,
             joint: j.joint.clone(),
             taught: j.taught.clone(),

@@ -1,8 +1,10 @@
 //! What a job names but does not hold: tables in files, and where its machine's axes put the torch.
 
+use crate::MachineAxes;
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Direction, Document, DocumentError, Point};
 use seamwright_program::{Seam, Spline, Taught};
+use std::sync::Arc;
 
 /// Why something from outside cannot be had.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -33,6 +35,15 @@ pub trait Outside {
     /// # Errors
     /// No such machine, another number of axes, positions out of range.
     fn tip(&self, machine: &str, axes: &[f64]) -> Result<DVec3, Wrong>;
+
+    /// The axes of `machine`, as the job names it.
+    ///
+    /// # Errors
+    /// No such machine.
+    fn axes(&self, _machine: &str) -> Result<Arc<dyn MachineAxes>, Wrong> {
+        let (message, allowed) = ("no machine is known here", "tip coordinates x_mm, y_mm, z_mm");
+        Err(Wrong { message: message.to_owned(), allowed: allowed.to_owned() })
+    }
 }
 
 /// Nothing outside: jobs that hold everything.
@@ -61,11 +72,11 @@ impl Outside for NoFiles {
 /// With the key's address: what is wrong outside, points given twice.
 pub(crate) fn fetch<T>(
     file: &Document<T>,
-    (seam, taught): (&mut Seam, &mut [Taught]),
+    (seam, taught): (Option<&mut Seam>, &mut [Taught]),
     (machine, seam_in_work): (&str, DAffine3),
     outside: &dyn Outside,
 ) -> Result<(), DocumentError> {
-    if let Seam::Spline(spline) = seam {
+    if let Some(Seam::Spline(spline)) = seam {
         table(file, spline, outside)?;
     }
     let to_seam = seam_in_work.inverse();
@@ -118,8 +129,8 @@ fn table<T>(file: &Document<T>, spline: &mut Spline, outside: &dyn Outside) -> R
 }
 
 /// Leaves out the names of what has been fetched, so that a program file holds everything itself.
-pub(crate) fn forget(seam: &mut Seam, taught: &mut [Taught]) {
-    if let Seam::Spline(spline) = seam {
+pub(crate) fn forget(seam: Option<&mut Seam>, taught: &mut [Taught]) {
+    if let Some(Seam::Spline(spline)) = seam {
         spline.file = None;
     }
     taught.iter_mut().for_each(|span| span.axes.clear());

@@ -1,6 +1,7 @@
 use crate::outside::{fetch, forget};
 use crate::{
-    Attitude, BeadLine, BeadPlan, Cut, Job, NoFiles, Outside, PassPath, SeamCurve, SeamJoint, Stretch, order, procedure,
+    Attitude, BeadLine, BeadPlan, Cut, Job, NoFiles, Outside, PassPath, PointPath, SeamCurve, SeamJoint, Stretch,
+    WeldPath, order, procedure,
 };
 use seamwright_document::{Document, DocumentError};
 use seamwright_program::{Finding, Pass, Program, Weaving};
@@ -10,14 +11,10 @@ use seamwright_program::{Finding, Pass, Program, Weaving};
 pub struct Welding {
     /// The program, at the address of the file it came from.
     pub program: Document<Program>,
-    /// The seam by path length from the start of the weld.
-    pub seam: SeamCurve,
-    /// The part of the seam that each pass runs over.
-    pub stretches: Vec<Stretch>,
-    /// Torch angles along each pass, by the seam's path length; without what its bead adds to them.
-    pub attitudes: Vec<Attitude>,
-    /// Where the bead of each pass lies beside the seam, if it does.
-    pub beads: Vec<Option<BeadLine>>,
+    /// The seam by path length from the start of the weld; none where all passes go through points.
+    pub seam: Option<SeamCurve>,
+    /// Where each pass runs.
+    lines: Vec<PassLine>,
     /// The joint along the seam, if the file has one.
     pub joint: Option<SeamJoint>,
     /// How beads fill it, if that was planned: from a job, not from a program.
@@ -47,17 +44,18 @@ impl Welding {
             let mut program = Program::read(file, text)?;
             let (mut seam, mut taught) = (program.value.seam.clone(), program.value.taught.clone());
             let place = (program.value.machine.as_str(), program.value.seam_in_work());
-            fetch(&program, (&mut seam, &mut taught), place, outside)?;
+            fetch(&program, (seam.as_mut(), &mut taught), place, outside)?;
             (program.value.seam, program.value.taught) = (seam, taught);
-            Self::from_program(program)?
+            Self::from_program(program, outside)?
         } else {
             let mut job = Job::read(file, text)?;
             let (mut seam, mut taught) = (job.value.seam.clone(), job.value.taught.clone());
-            fetch(&job, (&mut seam, &mut taught), (&job.value.machine, job.value.seam_in_work()), outside)?;
+            fetch(&job, (Some(&mut seam), &mut taught), (&job.value.machine, job.value.seam_in_work()), outside)?;
             (job.value.seam, job.value.taught) = (seam, taught);
             Self::from_job(&job, outside)?
         };
-        forget(&mut welding.program.value.seam, &mut welding.program.value.taught);
+        let value = &mut welding.program.value;
+        forget(value.seam.as_mut(), &mut value.taught);
         Ok(welding)
     }
 
@@ -98,35 +96,51 @@ impl Welding {
         let cut = Cut::new(job, &j.seam)?;
         program.procedure = procedure::of_job(job, &program, outside)?;
         let program = job.with(program);
-        let Lines { stretches, attitudes, beads } = Lines::new(&program, &seam, |_| String::new())?;
-        Ok(Self { program, seam, stretches, attitudes, beads, joint, plan, plan_findings, cut })
+        let lines = pass_lines(&program, Some(&seam), |_| String::new(), outside)?;
+        Ok(Self { program, seam: Some(seam), lines, joint, plan, plan_findings, cut })
     }
 
-    fn from_program(program: Document<Program>) -> Result<Self, DocumentError> {
+    fn from_program(program: Document<Program>, outside: &dyn Outside) -> Result<Self, DocumentError> {
         let p = &program.value;
-        let seam = SeamCurve::with_taught(&program, (&p.seam, &p.start), &p.taught)?;
-        let Lines { stretches, attitudes, beads } = Lines::new(&program, &seam, |i| format!("passes[{i}]."))?;
-        let joint = p.joint.as_ref().map(|joint| SeamJoint::new(&program, joint, &seam)).transpose()?;
-        let cut = Cut::new(&program, &p.seam)?;
-        let (plan, plan_findings) = (None, Vec::new());
-        Ok(Self { program, seam, stretches, attitudes, beads, joint, plan, plan_findings, cut })
+        let seam = p.seam.as_ref().map(|seam| SeamCurve::with_taught(&program, (seam, &p.start), &p.taught));
+        let seam = seam.transpose()?;
+        let lines = pass_lines(&program, seam.as_ref(), |i| format!("passes[{i}]."), outside)?;
+        let joint = match (&p.joint, &seam) {
+            (Some(joint), Some(seam)) => Some(SeamJoint::new(&program, joint, seam)?),
+            _ => None,
+        };
+        let cut = p.seam.as_ref().map_or(Ok(None), |seam| Cut::new(&program, seam))?;
+        let mut value = program.value.clone();
+        for (pass, line) in value.passes.iter_mut().zip(&lines) {
+            if let PassLine::Points(points) = line {
+                pass.spans = points.spans().to_vec();
+            }
+        }
+        let program = program.with(value);
+        Ok(Self { program, seam, lines, joint, plan: None, plan_findings: Vec::new(), cut })
     }
 
     /// The torch's path in pass `pass`, counted from 0, in the machine's work frame.
-    pub fn path(&self, pass: usize) -> PassPath<'_> {
-        PassPath {
-            seam: &self.seam,
-            stretch: self.stretches[pass],
-            attitude: self.attitudes[pass].clone(),
-            bead: self.beads[pass].as_ref(),
-            weaving: Weaving::new(&self.program.value.passes[pass]),
-            placement: self.program.value.copy_in_work(self.program.value.passes[pass].copy),
+    pub fn path(&self, pass: usize) -> WeldPath<'_> {
+        match (&self.lines[pass], &self.seam) {
+            (PassLine::Points(points), _) => WeldPath::Points(points),
+            (PassLine::Seam { stretch, attitude, bead }, Some(seam)) => WeldPath::Seam(Box::new(PassPath {
+                seam,
+                stretch: *stretch,
+                attitude: attitude.clone(),
+                bead: bead.as_ref(),
+                weaving: Weaving::new(&self.program.value.passes[pass]),
+                placement: self.program.value.copy_in_work(self.program.value.passes[pass].copy),
+            })),
+            // Reading a program refuses it.
+            (PassLine::Seam { .. }, None) => unreachable!("a pass along a seam has one"),
         }
     }
 
     /// What stands against the weld before any machine is looked at.
     pub fn findings(&self) -> Vec<Finding> {
-        let passes = (0..self.attitudes.len()).flat_map(|i| self.path(i).findings(i + 1));
+        let paths = (0..self.lines.len()).map(|i| (i, self.path(i)));
+        let passes = paths.flat_map(|(i, path)| path.along_seam().map_or(Vec::new(), |path| path.findings(i + 1)));
         let gaps = self.program.value.passes.iter().enumerate().filter_map(|(i, pass)| gaps(pass, i + 1));
         self.plan_findings.iter().cloned().chain(passes).chain(gaps).collect()
     }
@@ -154,25 +168,44 @@ fn gaps(pass: &Pass, number: usize) -> Option<Finding> {
     Some(Finding { kind: "oscillation", message, pass: number, from_mm, to_mm, cure, allowed: false })
 }
 
-/// Where the passes of a program run.
-struct Lines {
-    stretches: Vec<Stretch>,
-    attitudes: Vec<Attitude>,
-    beads: Vec<Option<BeadLine>>,
+/// Where a pass runs.
+#[derive(Debug)]
+enum PassLine {
+    /// Along the seam.
+    Seam {
+        /// The part of the seam.
+        stretch: Stretch,
+        /// Torch angles by the seam's path length; without what the bead adds to them.
+        attitude: Attitude,
+        /// Where the bead lies beside the seam, if it does.
+        bead: Option<BeadLine>,
+    },
+    /// Through points.
+    Points(PointPath),
 }
 
-impl Lines {
-    /// The passes of `program` along its seam; `at` is where in the file the keys of a pass are.
-    fn new(program: &Document<Program>, seam: &SeamCurve, at: impl Fn(usize) -> String) -> Result<Self, DocumentError> {
-        let mut lines = Self { stretches: Vec::new(), attitudes: Vec::new(), beads: Vec::new() };
-        for (i, pass) in program.value.passes.iter().enumerate() {
-            let path = |key: &str| format!("{}{key}", at(i));
-            let stretch = Stretch::new(program, at(i).trim_end_matches('.'), pass, seam)?;
-            let bead = |bead| BeadLine::new(program, &path("bead"), bead, (seam, &stretch));
-            lines.attitudes.push(Attitude::new(program, &path("torch"), &pass.torch, seam)?);
-            lines.beads.push(pass.bead.as_ref().map(bead).transpose()?);
-            lines.stretches.push(stretch);
-        }
-        Ok(lines)
-    }
+/// Where the passes of `program` run; `at` is where in the file the keys of a pass are.
+fn pass_lines(
+    program: &Document<Program>,
+    seam: Option<&SeamCurve>,
+    at: impl Fn(usize) -> String,
+    outside: &dyn Outside,
+) -> Result<Vec<PassLine>, DocumentError> {
+    let machine = || {
+        let machine = outside.axes(&program.value.machine);
+        machine.map_err(|w| program.error_at("machine", w.message, w.allowed))
+    };
+    let line = |(i, pass): (usize, &Pass)| {
+        let path = |key: &str| format!("{}{key}", at(i));
+        let seam = match (&pass.points, seam) {
+            (None, Some(seam)) => seam,
+            (Some(points), _) => return Ok(PassLine::Points(PointPath::new(program, (i, points), &machine)?)),
+            (None, None) => return Err(program.error_at(&path(""), "the pass runs along no seam", "[seam]")),
+        };
+        let stretch = Stretch::new(program, at(i).trim_end_matches('.'), pass, seam)?;
+        let bead = |bead| BeadLine::new(program, &path("bead"), bead, (seam, &stretch));
+        let attitude = Attitude::new(program, &path("torch"), &pass.torch, seam)?;
+        Ok(PassLine::Seam { stretch, attitude, bead: pass.bead.as_ref().map(bead).transpose()? })
+    };
+    program.value.passes.iter().enumerate().map(line).collect()
 }

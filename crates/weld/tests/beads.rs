@@ -32,11 +32,11 @@ fn deposited(pass: &Pass, seam_s: f64, turn: f64) -> Option<f64> {
 /// The greatest part by which what the passes deposit is off groove and cap, along the seam.
 fn off(welding: &Welding) -> f64 {
     let joint = welding.joint.as_ref().unwrap();
-    let turn = welding.seam.length();
+    let turn = welding.seam.as_ref().unwrap().length();
     let passes = &welding.program.value.passes;
     let off = |i: i32| {
         let s = turn * (f64::from(i) + 0.37) / 1000.0;
-        let section = joint.section(&welding.seam.at(s)).unwrap();
+        let section = joint.section(&welding.seam.as_ref().unwrap().at(s)).unwrap();
         let sum: f64 = passes.iter().filter_map(|pass| deposited(pass, s, turn)).sum();
         (sum / section.total() - 1.0).abs()
     };
@@ -83,10 +83,10 @@ fn layers_that_end_leave_the_sum_right_but_at_their_ends() {
         ("adapt = \"speed\"", "adapt = \"passes\""),
     ]));
     let passes = &welding.program.value.passes;
-    let partial: Vec<&Pass> = passes.iter().filter(|p| p.length() < welding.seam.length()).collect();
+    let partial: Vec<&Pass> = passes.iter().filter(|p| p.length() < welding.seam.as_ref().unwrap().length()).collect();
     assert!(!partial.is_empty() && partial.iter().all(|p| p.length() >= 50.0 && p.name.starts_with("fill")));
     // Speeds of the others change over one station where a layer ends: apart from there all is filled.
-    let (joint, turn) = (welding.joint.as_ref().unwrap(), welding.seam.length());
+    let (joint, turn) = (welding.joint.as_ref().unwrap(), welding.seam.as_ref().unwrap().length());
     let ends: Vec<f64> = partial.iter().flat_map(|p| [p.begin_mm.get(), p.begin_mm.get() + p.length()]).collect();
     let mut looked = 0;
     for i in 0..1000 {
@@ -96,7 +96,7 @@ fn layers_that_end_leave_the_sum_right_but_at_their_ends() {
             continue;
         }
         looked += 1;
-        let total = joint.section(&welding.seam.at(s)).unwrap().total();
+        let total = joint.section(&welding.seam.as_ref().unwrap().at(s)).unwrap().total();
         let sum: f64 = passes.iter().filter_map(|pass| deposited(pass, s, turn)).sum();
         assert!((sum / total - 1.0).abs() < 0.01, "{s}: {sum} {total}");
     }
@@ -110,7 +110,7 @@ fn the_program_that_comes_out_is_read_back_the_same() {
     let again = Program::read("program.toml", &text).unwrap();
     assert_eq!(again.value, welding.program.value);
     let again = read(&text);
-    for pass in 0..welding.attitudes.len() {
+    for pass in 0..welding.program.value.passes.len() {
         for i in 0..50 {
             use seamwright_program::TorchPath;
             let s = welding.path(pass).length() * f64::from(i) / 49.0;

@@ -221,7 +221,11 @@ fn the_seam_is_the_curve_asked_for() {
             let welded = |curve: &str| Welding::read("job.toml", &job(&case.seam(mount, curve))).unwrap();
             for (welding, edge) in [(welded("outer_toe"), &pair.outer_toe), (welded("inner_root"), &pair.inner_root)] {
                 made += 1;
-                let p = welding.seam.at(random.within(0.0, 1.0) * welding.seam.length());
+                let p = welding
+                    .seam
+                    .as_ref()
+                    .unwrap()
+                    .at(random.within(0.0, 1.0) * welding.seam.as_ref().unwrap().length());
                 let e = edge.edge(p.phi.unwrap());
                 assert!(p.point.distance(e.point) < 1e-9);
                 assert!((p.dihedral - (std::f64::consts::PI - e.n1.angle_between(e.n2))).abs() < 1e-7);
@@ -304,7 +308,8 @@ fn the_part_is_hollow_around_a_root() {
             let part = welding.clamped(&no_stl).unwrap_or_else(|e| panic!("{e}")).part;
             assert_eq!(part.len(), 2);
             for i in 0..16 {
-                let p = welding.seam.at(welding.seam.length() * f64::from(i) / 16.0);
+                let p =
+                    welding.seam.as_ref().unwrap().at(welding.seam.as_ref().unwrap().length() * f64::from(i) / 16.0);
                 assert!(distance(&part, p.point) < 0.15, "{body}");
                 for d in [1.0, 4.0] {
                     let (free, wide) = (distance(&part, p.point + d * p.bisector), d * (0.5 * p.dihedral).sin());
@@ -314,7 +319,9 @@ fn the_part_is_hollow_around_a_root() {
             }
             // A long way up the bore, or in the middle of the vessel, there is room.
             let middle = DVec3::new(20.0, 10.0, if mount == "set_on" { 1.0 } else { 0.0 });
-            let heights = (0..90).map(|i| welding.seam.at(welding.seam.length() * f64::from(i) / 90.0).point.z);
+            let heights = (0..90).map(|i| {
+                welding.seam.as_ref().unwrap().at(welding.seam.as_ref().unwrap().length() * f64::from(i) / 90.0).point.z
+            });
             let high = heights.fold(f64::NEG_INFINITY, f64::max) + 30.0;
             let at = if mount == "set_on" { middle.with_z(high) } else { DVec3::new(250.0, 0.0, -60.0) };
             let room = distance(&part, at);

@@ -30,10 +30,14 @@ fn distance(part: &[Solid], at: DVec3) -> f64 {
 /// Checks the part along the seam. `within` is what its meshes may be off, mm.
 fn check(welding: &Welding, within: f64) {
     let clamped = welding.clamped(NO_STL).unwrap();
-    let placement = welding.path(0).placement;
+    let placement = welding.path(0).along_seam().unwrap().placement;
     for i in 0..24 {
         // Not at the very ends of an open seam, where the part ends too.
-        let p = welding.seam.at(welding.seam.weld_length() * (0.02 + 0.04 * f64::from(i)));
+        let p = welding
+            .seam
+            .as_ref()
+            .unwrap()
+            .at(welding.seam.as_ref().unwrap().weld_length() * (0.02 + 0.04 * f64::from(i)));
         let (at, out) = (placement.transform_point3(p.point), placement.transform_vector3(p.bisector));
         assert!((at - welding.path(0).pose(p.s).point).length() < 1e-9);
         let touched = distance(&clamped.part, at);

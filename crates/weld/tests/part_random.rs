@@ -97,9 +97,9 @@ fn places(p: &SeamPoint, along: DVec3, random: &mut Random) -> Vec<DVec3> {
 
 /// Checks the part along the seam: nowhere farther than it is, and at most `outside` mm nearer.
 fn check(welding: &Welding, bodies: &[&dyn SignedDistance], along: DVec3, outside: f64, random: &mut Random) {
-    let (solids, slack) = (part(welding), 1e-3 + SLACK * welding.seam.length());
+    let (solids, slack) = (part(welding), 1e-3 + SLACK * welding.seam.as_ref().unwrap().length());
     for _ in 0..10 {
-        let p = welding.seam.at(random.within(0.02, 0.98) * welding.seam.length());
+        let p = welding.seam.as_ref().unwrap().at(random.within(0.02, 0.98) * welding.seam.as_ref().unwrap().length());
         for (i, at) in places(&p, along, random).into_iter().enumerate() {
             let (found, truth) = (distance(&solids, at), true_distance(bodies, at));
             let good = found <= truth + 1e-6 && found >= truth - outside - slack;
@@ -164,7 +164,7 @@ fn random_nozzles_on_every_body() {
             continue;
         };
         made[kind] += 1;
-        let surfaces = SeamSurfaces::new(&welding.program, &welding.program.value.seam).unwrap();
+        let surfaces = SeamSurfaces::new(&welding.program, welding.program.value.seam.as_ref().unwrap()).unwrap();
         // A head is a mesh around the ellipsoid.
         let outside = if kind == 3 { 0.1 } else { 0.0 };
         check(&welding, &[&*surfaces.first, &*surfaces.second], direction, outside, &mut random);
@@ -187,7 +187,7 @@ fn random_girths() {
             cut.to_array()
         );
         let welding = read(&seam).unwrap_or_else(|e| panic!("{e}"));
-        let surfaces = SeamSurfaces::new(&welding.program, &welding.program.value.seam).unwrap();
+        let surfaces = SeamSurfaces::new(&welding.program, welding.program.value.seam.as_ref().unwrap()).unwrap();
         check(&welding, &[&*surfaces.first], DVec3::ZERO, 0.0, &mut random);
     }
 }
@@ -208,7 +208,7 @@ fn random_ellipses() {
             if fillet { "fillet" } else { "butt" }
         );
         let welding = read(&seam).unwrap_or_else(|e| panic!("{e}"));
-        let surfaces = SeamSurfaces::new(&welding.program, &welding.program.value.seam).unwrap();
+        let surfaces = SeamSurfaces::new(&welding.program, welding.program.value.seam.as_ref().unwrap()).unwrap();
         let (wall, plate) = (&*surfaces.first, &*surfaces.second);
         let bodies: &[&dyn SignedDistance] = if fillet { &[wall, plate] } else { &[plate] };
         check(&welding, bodies, if fillet { normal } else { DVec3::ZERO }, 0.02, &mut random);
@@ -238,7 +238,7 @@ fn random_straight_seams() {
             second.to_array()
         );
         let welding = read(&seam).unwrap_or_else(|e| panic!("{e}"));
-        let surfaces = SeamSurfaces::new(&welding.program, &welding.program.value.seam).unwrap();
+        let surfaces = SeamSurfaces::new(&welding.program, welding.program.value.seam.as_ref().unwrap()).unwrap();
         check(&welding, &[&*surfaces.first, &*surfaces.second], DVec3::ZERO, 0.0, &mut random);
     }
 }

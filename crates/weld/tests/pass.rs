@@ -124,16 +124,16 @@ fn case() -> impl Strategy<Value = Case> {
     let place = (0.0..1.0f64, 0.0..1.0f64, any::<bool>());
     (0..4usize, place, prop::collection::vec(row, 1..9)).prop_map(|(seam, (a, b, reverse), steps)| {
         let welding = read(&seams()[seam]);
-        let seam_length = welding.seam.length();
-        let weld = welding.seam.weld_length();
-        let (begin, length) = if welding.seam.all_round() {
+        let seam_length = welding.seam.as_ref().unwrap().length();
+        let weld = welding.seam.as_ref().unwrap().weld_length();
+        let (begin, length) = if welding.seam.as_ref().unwrap().all_round() {
             (a * weld, (0.01 + 1.98 * b) * seam_length)
         } else {
             let (low, high) = (a.min(b) * 0.98 * weld, (a.max(b) * 0.98 + 0.01) * weld);
             (if reverse { high } else { low }, high - low)
         };
         // Rows all over the weld, within a turn of a closed seam.
-        let end = if welding.seam.all_round() { 0.99 * seam_length } else { weld };
+        let end = if welding.seam.as_ref().unwrap().all_round() { 0.99 * seam_length } else { weld };
         let total: f64 = steps[1..].iter().map(|s| s.0).sum();
         let mut sum = 0.0;
         let mut rows: Vec<[f64; 4]> = Vec::new();
@@ -160,8 +160,9 @@ proptest! {
     fn poses_are_those_of_the_formula(case in case(), parts in prop::collection::vec(0.0..1.0f64, 8)) {
         let welding = welding_of(&case);
         let path = welding.path(0);
+        let path = path.along_seam().unwrap();
         let pass = &welding.program.value.passes[0];
-        let period = welding.seam.all_round().then(|| welding.seam.length());
+        let period = welding.seam.as_ref().unwrap().all_round().then(|| welding.seam.as_ref().unwrap().length());
         let row = |k: usize, s: f64| {
             let rows: Vec<_> = case.rows.iter().map(|r| (r[0], r[k])).collect();
             spline(&rows, period, s)
@@ -171,9 +172,9 @@ proptest! {
             let there = if case.reverse { case.begin - s } else { case.begin + s };
             prop_assert!((pass.seam_s(s) - there).abs() < 1e-12);
             // On a closed seam the same place a turn on or back.
-            let p = welding.seam.at(period.map_or(there, |turn| there.rem_euclid(turn)));
+            let p = welding.seam.as_ref().unwrap().at(period.map_or(there, |turn| there.rem_euclid(turn)));
             let tip = p.point + row(1, there) * p.towards_first + row(2, there) * p.bisector;
-            let (work, travel) = welding.attitudes[0].angles(p.s);
+            let (work, travel) = path.attitude.angles(p.s);
             let work = work + row(3, there).to_radians();
             let ahead = if case.reverse { -p.tangent } else { p.tangent };
             let leaning = DQuat::from_axis_angle(p.bisector.cross(p.towards_first).normalize(), work) * p.bisector;
@@ -192,6 +193,7 @@ proptest! {
     fn the_rate_is_that_of_the_tip(case in case(), parts in prop::collection::vec(0.01..0.99f64, 8)) {
         let welding = welding_of(&case);
         let path = welding.path(0);
+        let path = path.along_seam().unwrap();
         let knots = path.knots();
         for s in parts.iter().map(|part| part * path.length()) {
             let h = 0.05f64.min(0.004 * path.length());
@@ -209,17 +211,18 @@ proptest! {
     #[test]
     fn running_back_passes_the_same_places(case in case(), parts in prop::collection::vec(0.0..1.0f64, 8)) {
         let end = if case.reverse { case.begin - case.length } else { case.begin + case.length };
-        let turn = read(&seams()[case.seam]).seam.length();
+        let turn = read(&seams()[case.seam]).seam.as_ref().unwrap().length();
         let back = Case { begin: end.rem_euclid(turn), reverse: !case.reverse, ..case.clone() };
         let (there, again) = (welding_of(&case), welding_of(&back));
         let (a, b) = (there.path(0), again.path(0));
+        let (a, b) = (a.along_seam().unwrap(), b.along_seam().unwrap());
         for s in parts.iter().map(|part| part * case.length) {
             let (p, q) = (a.pose(s), b.pose(case.length - s));
             prop_assert!((p.point - q.point).length() < 1e-8);
             let along = a.tangent(s.clamp(0.01, case.length - 0.01));
             prop_assert!((a.rate(s) - b.rate(case.length - s)).abs() < 1e-6);
             let torch = |path: &PassPath, s: f64| path.torch_at(&path.seam_point(s)).1;
-            let (p, q) = (torch(&a, s), torch(&b, case.length - s));
+            let (p, q) = (torch(a, s), torch(b, case.length - s));
             let tangent = a.seam_point(s).tangent;
             prop_assert!((p - q - 2.0 * p.dot(tangent) * tangent).length() < 1e-8, "{along}");
         }
@@ -235,13 +238,14 @@ proptest! {
     fn knots_are_the_rows_and_breaks_passed(case in case()) {
         let welding = welding_of(&case);
         let path = welding.path(0);
-        let turn = welding.seam.all_round().then(|| welding.seam.length());
+        let path = path.along_seam().unwrap();
+        let turn = welding.seam.as_ref().unwrap().all_round().then(|| welding.seam.as_ref().unwrap().length());
         let mut places: Vec<f64> = if case.rows.len() > 1 { case.rows.iter().map(|r| r[0]).collect() } else { vec![] };
         let torch = &welding.program.value.passes[0].torch;
         places.extend(torch.at.iter().map(|at| at.s_mm.get()));
         // A single angle is a knot too where it comes again every turn.
         places.extend((torch.at.is_empty()).then_some(0.0));
-        places.extend(welding.seam.knots());
+        places.extend(welding.seam.as_ref().unwrap().knots());
         let mut own: Vec<f64> = Vec::new();
         for k in -3..=3 {
             let shift = turn.map_or(0.0, |turn| f64::from(k) * turn);
@@ -271,6 +275,7 @@ fn beside_a_circle_the_rate_is_that_of_radii() {
         for (across, out) in [(0.0, 0.0), (-3.0, 0.0), (0.0, 4.0), (2.0, 5.0), (-2.5, 7.0)] {
             let w = changed(&text, |pass| pass.bead = Some(bead(&[[0.0, across, out, 0.0]]))).unwrap();
             let path = w.path(0);
+            let path = path.along_seam().unwrap();
             for s in [0.0, 3.0, 50.0, path.length()] {
                 let tip = path.torch_at(&path.seam_point(s)).0;
                 let moved = across != 0.0 || (out != 0.0 && joint == "fillet");
@@ -291,8 +296,9 @@ fn old_programs_are_written_as_they_were() {
         assert_eq!(Program::read("p.toml", &written).unwrap().value.to_toml().unwrap(), written);
         // The pass is still the whole weld.
         let (job, program) = (read(text), Welding::read("p.toml", &written).unwrap());
-        assert_eq!(job.stretches, program.stretches);
-        assert_eq!(job.path(0).knots(), program.path(0).knots());
+        let (job, program) = (job.path(0), program.path(0));
+        assert_eq!(job.along_seam().unwrap().stretch, program.along_seam().unwrap().stretch);
+        assert_eq!(job.knots(), program.knots());
     }
 }
 
@@ -361,7 +367,7 @@ fn mistakes_in_beads_have_an_address() {
     assert!(key == "passes[0].bead.s_mm" && message.contains("no rows"), "{key} {message}");
     assert!(edited("s_mm = [0, 200, 400]", "x_mm = [0, 200, 400]").0.contains("bead"));
     // Within a turn of a closed seam.
-    let length = read(SADDLE).seam.length();
+    let length = read(SADDLE).seam.as_ref().unwrap().length();
     let late = [[0.0, 1.0, 2.0, 3.0], [length, -1.5, 2.5, -3.0]];
     let (key, message, allowed) = wrong(SADDLE, |pass| pass.bead = Some(bead(&late)), |text| text);
     assert!(key == "passes[0].bead.s_mm[1]" && message.contains("not on the weld"), "{key} {message}");
@@ -382,7 +388,7 @@ fn mistakes_in_where_a_pass_runs_have_an_address() {
     assert!(message.contains("runs back"));
     let (key, allowed, _) = on(LINE, 401.0, 1.0, true);
     assert_eq!((key.as_str(), allowed.as_str()), ("passes[0].begin_mm", "0 to 400"));
-    let length = read(SADDLE).seam.length();
+    let length = read(SADDLE).seam.as_ref().unwrap().length();
     let (key, _, message) = on(SADDLE, 10.0, 2.0 * length + 1.0, true);
     assert!(key == "passes[0].spans[0].to_mm" && message.contains("more than twice"));
     for (begin, length, reverse) in [(0.0, 400.0, false), (400.0, 400.0, true), (399.0, 1.0, false)] {

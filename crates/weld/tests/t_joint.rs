@@ -21,17 +21,17 @@ fn both_fillets_lie_beside_the_web() {
     let radius = (600.0f64.powi(2) + 60.6f64.powi(2)) / (2.0 * 60.6);
     let seam = &welding.seam;
     let angle = 2.0 * (600.0 / radius).asin();
-    assert!((seam.length() - radius * angle).abs() < 1e-6);
+    assert!((seam.as_ref().unwrap().length() - radius * angle).abs() < 1e-6);
     let path = welding.path(0);
     for i in 0..=100 {
-        let s = seam.length() * f64::from(i) / 100.0;
-        let p = seam.at(s);
+        let s = seam.as_ref().unwrap().length() * f64::from(i) / 100.0;
+        let p = seam.as_ref().unwrap().at(s);
         let out = DVec3::new(p.point.x, 0.0, p.point.z + radius).normalize();
         assert!((p.point.y - 1.0).abs() < 1e-9);
         assert!(((p.point - DVec3::new(0.0, 1.0, -radius)).length() - radius).abs() < 1e-7);
         assert!((p.n2 - out).length() < 1e-9 && (p.n1 - DVec3::Y).length() < 1e-9);
         assert!((p.dihedral.to_degrees() - 90.0).abs() < 1e-9);
-        let q = seam.across(&p).unwrap();
+        let q = seam.as_ref().unwrap().across(&p).unwrap();
         assert!((q.point - (p.point - 2.0 * DVec3::Y)).length() < 1e-9 && (q.n1 + DVec3::Y).length() < 1e-9);
         // The two torches are each other's mirror image in the plane y = 0, 30 degrees above the skin.
         let (first, second) = (path.pose(s), path.second(s).unwrap());
@@ -51,7 +51,7 @@ fn one_fillet_straight_or_curved_sideways() {
     let with = |seam: &str| read(&format!("{head}[seam.t_joint]\n{seam}[torch]{rest}"));
     let welding = with(straight);
     assert!(welding.path(0).second(3.0).is_none());
-    let p = welding.seam.at(250.0);
+    let p = welding.seam.as_ref().unwrap().at(250.0);
     assert!((p.point - DVec3::new(250.0, -2.0, 0.0)).length() < 1e-9 && (p.n1 + DVec3::Y).length() < 1e-12);
     // Curved to the left in a flat skin: the left fillet is the inner one.
     let welding = with(
@@ -62,8 +62,8 @@ fn one_fillet_straight_or_curved_sideways() {
             )
             .replace("right", "left"),
     );
-    assert!((welding.seam.length() - 498.0 * std::f64::consts::FRAC_PI_2).abs() < 1e-6);
-    let p = welding.seam.at(100.0);
+    assert!((welding.seam.as_ref().unwrap().length() - 498.0 * std::f64::consts::FRAC_PI_2).abs() < 1e-6);
+    let p = welding.seam.as_ref().unwrap().at(100.0);
     assert!(
         ((p.point - DVec3::new(0.0, 500.0, 0.0)).length() - 498.0).abs() < 1e-9 && (p.n2 - DVec3::Z).length() < 1e-12
     );

@@ -150,10 +150,11 @@ fn weaves_are_as_wide_as_the_groove() {
     let (mut narrow, mut wide, mut near) = (f64::INFINITY, 0.0_f64, 0);
     for (k, pass) in job.program.value.passes.iter().enumerate() {
         let path = job.path(k);
+        let path = path.along_seam().unwrap();
         // Where it is farthest out to a side: a quarter of a period on.
         for s in (0..200).map(|i| f64::from(i) * 3.0 + 0.75).filter(|s| *s < pass.length()) {
-            let at = pass.seam_s(s).rem_euclid(job.seam.length());
-            let section = joint.section(&job.seam.at(at)).unwrap();
+            let at = pass.seam_s(s).rem_euclid(job.seam.as_ref().unwrap().length());
+            let section = joint.section(&job.seam.as_ref().unwrap().at(at)).unwrap();
             let bead = plan.in_order(&section, at)[k];
             // The tip by place in the groove and height, and the walls there.
             let origin = section.place(0.0, 0.0);

@@ -110,7 +110,9 @@ fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
     let mut text = format!("{}\n", r.title);
     // Writing to a String cannot fail.
     let _ = writeln!(text, "  machine      {}", r.machine.title);
-    let _ = writeln!(text, "  seam         {:.3} mm, weld {:.3} mm", r.seam.length_mm, r.seam.weld_length_mm);
+    if let Some(seam) = &r.seam {
+        let _ = writeln!(text, "  seam         {:.3} mm, weld {:.3} mm", seam.length_mm, seam.weld_length_mm);
+    }
     for (i, pass) in r.passes.iter().enumerate() {
         let p = &pass.plan;
         if r.passes.len() > 1 {

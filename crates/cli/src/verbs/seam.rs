@@ -31,7 +31,7 @@ const POINTS: u32 = 101;
 
 pub(crate) fn run(args: &SeamArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
-    let seam = &loaded.welding.seam;
+    let seam = loaded.seam()?;
     let places = Places::new(&args.places, seam, POINTS)?;
     let mut rows = Rows::new(COLUMNS.iter().map(|c| (*c).to_owned()).collect(), args.json)?;
     places.each(seam.weld_length(), |s, phi| write(&mut rows, &seam.at(s), phi))?;

@@ -36,14 +36,15 @@ pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
         let message = "the job has no joint, so there is nothing to be cut";
         return Err(welding.program.error_at("joint", message, "a [joint] with its preparation").into());
     };
-    let places = Places::new(&args.places, &welding.seam, SECTIONS)?;
+    let seam = loaded.seam()?;
+    let places = Places::new(&args.places, seam, SECTIONS)?;
     let mut rows = Rows::new(COLUMNS.iter().map(|c| (*c).to_owned()).collect(), args.json)?;
     let mut drawn = Vec::new();
-    places.each(welding.seam.weld_length(), |s, asked| {
+    places.each(seam.weld_length(), |s, asked| {
         if drawn.len() < DRAWN {
             drawn.push(s);
         }
-        let point = welding.seam.at(s);
+        let point = seam.at(s);
         let Some(section) = joint.section(&point) else { return Ok(()) };
         let phi = asked.or(point.phi.map(f64::to_degrees)).map_or(Cell::Empty, Cell::Number);
         let place = [Cell::Number(s), phi].into_iter();
@@ -65,7 +66,7 @@ pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
         })
     })?;
     if let Some(path) = &args.svg {
-        let mut gallery = sections(&welding.seam, joint, welding.plan.as_ref(), &drawn);
+        let mut gallery = sections(seam, joint, welding.plan.as_ref(), &drawn);
         gallery.title.clone_from(&welding.program.value.title);
         files::write(path, &gallery.to_svg_standalone())?;
     }

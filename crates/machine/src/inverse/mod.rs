@@ -24,7 +24,7 @@ use three_linear::ThreeLinear;
 use two_linear::TwoLinear;
 
 /// Positions that bring the torch to a pose.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Solution {
     /// Positions in machine-file order, mm or rad.
     pub joints: Joints,
@@ -51,6 +51,11 @@ pub(crate) enum Which {
 pub struct Branches(ArrayVec<Solution, MAX_BRANCHES>);
 
 impl Branches {
+    /// The only one there is.
+    pub fn one(solution: Solution) -> Self {
+        Self(std::iter::once(solution).collect())
+    }
+
     /// Room for one more solution, all zero: filled in place, because copying costs as much as solving.
     pub(crate) fn add(&mut self) -> &mut Solution {
         let at = self.0.len().min(MAX_BRANCHES - 1);

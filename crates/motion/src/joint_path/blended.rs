@@ -12,6 +12,8 @@ impl JointPath {
         let mut built = Self::empty(self.axes, self.length);
         built.beside = self.beside;
         built.bends.clone_from(&self.bends);
+        built.stops.clone_from(&self.stops);
+        built.timed = self.timed;
         built.blends = blends.iter().map(|b| (b.from, b.to)).collect();
         let mut blends = blends.iter().peekable();
         for (i, panel) in self.panels.iter().enumerate() {
@@ -63,10 +65,16 @@ impl JointPath {
         self.beside
     }
 
-    /// True if the tip's way by path length may be another than 1 at `s`: beside the seam and in blends, where `s` is the
-    /// place on the seam.
+    /// True if speeds along it count the tip's way at `s` and that may be another than path length: beside the seam and in
+    /// blends, where `s` is the place on the seam.
     pub(crate) fn has_rate(&self, s: f64) -> bool {
-        self.beside || self.in_blend(s)
+        !self.timed && (self.beside || self.in_blend(s))
+    }
+
+    /// What speeds count by path length at `s`: the way of the tip of `machine`, whose path this is, but for a path that
+    /// counts time.
+    pub fn speed_rate(&self, machine: &Machine, s: f64) -> f64 {
+        if self.timed { 1.0 } else { self.tip_rate(machine, s) }
     }
 
     /// True if the torch weaves about its line.
@@ -79,10 +87,23 @@ impl JointPath {
         self.line.as_ref().map(|line| line[i].at(self.panels[i].local(s)))
     }
 
+    /// The place near `guess` where the axes are nearest to `q`, each counted by its highest speed on `machine`.
+    pub fn foot(&self, machine: &Machine, q: &Joints, guess: f64) -> f64 {
+        (0..3).fold(guess, |s, _| {
+            let p = self.point(s, false);
+            let (mut along, mut square) = (0.0, 0.0);
+            for (i, axis) in machine.axes.iter().enumerate() {
+                along += (q[i] - p.q[i]) * p.d1[i] / axis.max_speed.powi(2);
+                square += (p.d1[i] / axis.max_speed).powi(2);
+            }
+            if square > 0.0 { (s + along / square).clamp(0.0, self.length) } else { s }
+        })
+    }
+
     /// Way of the torch tip of `machine`, whose path this is, by path length at `s`: 1 on the seam; beside it and in
     /// blends that of the axes. Where the torch weaves that of its line.
     pub fn tip_rate(&self, machine: &Machine, s: f64) -> f64 {
-        if !self.has_rate(s) {
+        if !self.timed && !self.has_rate(s) {
             return 1.0;
         }
         if let Some(rate) = self.line_rate(self.panel(s, false), s) {

@@ -115,6 +115,9 @@ pub fn resolve(
     clearance: Option<Clearance>,
     pass: usize,
 ) -> Result<FreeAxes, Vec<Finding>> {
+    if path.axes(0.0).is_some() {
+        return Ok(FreeAxes::default());
+    }
     let still = held(machine, wishes).map_err(|e| vec![explain::hold(&e, path.length(), pass)])?;
     let two = path.second(0.0).is_some();
     if let (true, Some(&(axis, _))) = (two, still.first()) {

@@ -6,8 +6,8 @@ use super::{CertificateFigures, SimulationCurves, cut, order, sections, woven};
 use crate::{Axis, Band, Chart, ChartGrid, Gallery, LimitLine, Mark, OrderDrawing, Series, Style, ThreeViews};
 use seamwright_machine::Machine;
 use seamwright_motion::{Leg, PassClearance, PassMotion};
-use seamwright_program::TorchPath;
-use seamwright_weld::{SeamJoint, Welding};
+use seamwright_program::{Pass, Span, TorchPath};
+use seamwright_weld::{SeamCurve, SeamJoint, Welding};
 
 /// The plots of a weld.
 #[derive(Debug, Clone)]
@@ -16,8 +16,10 @@ pub struct Plots {
     pub seam: ThreeViews,
     /// The taught spans of the seam.
     pub taught: Vec<TaughtPlot>,
-    /// Torch angles over path length.
-    pub torch: Chart,
+    /// Torch angles over path length, along a seam.
+    pub torch: Option<Chart>,
+    /// Process values over path length, where they change.
+    pub process: Option<ChartGrid>,
     /// The woven path of the tip, if the torch weaves.
     pub weave: Option<Chart>,
     /// The path of the oscillating beam on the work, if it does.
@@ -62,10 +64,14 @@ impl Plots {
         Self {
             seam: views(welding, pass),
             procedure: None,
-            taught: taught(machine, &welding.seam, motion),
+            taught: welding.seam.as_ref().map_or(Vec::new(), |seam| taught(machine, seam, motion)),
             clearance: clearance.map(clearance_chart),
             torch: torch(samples),
-            weave: woven::weave(&welding.program.value.passes[pass], &welding.path(pass)),
+            process: process(&welding.program.value.passes[pass]),
+            weave: welding
+                .path(pass)
+                .along_seam()
+                .and_then(|path| woven::weave(&welding.program.value.passes[pass], path)),
             oscillation: woven::oscillation(&welding.program.value.passes[pass]),
             axes: axes(machine, samples),
             jerks: jerks(machine, samples),
@@ -87,7 +93,12 @@ impl Plots {
                 ..Chart::default()
             }),
             cut: welding.cut.as_ref().filter(|_| pass == 0).map(cut::template),
-            sections: welding.joint.as_ref().filter(|_| pass == 0).map(|joint| gallery(welding, joint)),
+            sections: welding
+                .joint
+                .as_ref()
+                .zip(welding.seam.as_ref())
+                .filter(|_| pass == 0)
+                .map(|of| gallery(welding, of)),
             order: if pass == 0 { order::order(welding) } else { None },
         }
     }
@@ -96,11 +107,12 @@ impl Plots {
     pub fn files(&self) -> Vec<(String, String)> {
         let mut files = vec![
             ("seam.svg", self.seam.to_svg_standalone()),
-            ("torch.svg", self.torch.to_svg_standalone()),
             ("axes.svg", self.axes.to_svg_standalone()),
             ("jerk.svg", self.jerks.to_svg_standalone()),
             ("speed.svg", self.speed.to_svg_standalone()),
         ];
+        files.extend(self.torch.as_ref().map(|c| ("torch.svg", c.to_svg_standalone())));
+        files.extend(self.process.as_ref().map(|c| ("process.svg", c.to_svg_standalone())));
         if let Some(p) = &self.procedure {
             files.extend(p.heat_input.as_ref().map(|c| ("heat-input.svg", c.to_svg_standalone())));
             files.push(("position.svg", p.positions.to_svg_standalone()));
@@ -123,8 +135,7 @@ impl Plots {
 }
 
 /// Cross-sections at nine places: on a seam welded all round every ninth of it.
-fn gallery(welding: &Welding, joint: &SeamJoint) -> Gallery {
-    let seam = &welding.seam;
+fn gallery(welding: &Welding, (joint, seam): (&SeamJoint, &SeamCurve)) -> Gallery {
     let step = if seam.all_round() { seam.length() / 9.0 } else { seam.weld_length() / 8.0 };
     let places: Vec<f64> = (0..9).map(|i| f64::from(i) * step).collect();
     sections(seam, joint, welding.plan.as_ref(), &places)
@@ -135,10 +146,16 @@ pub(super) fn along() -> Axis {
 }
 
 fn views(welding: &Welding, pass: usize) -> ThreeViews {
-    let (seam, path) = (&welding.seam, welding.path(pass));
+    let path = welding.path(pass);
     let length = path.length();
-    let drawn = length.min(seam.length());
-    let torch = |s: f64| path.torch_at(&path.seam_point(s));
+    let seam = path.along_seam();
+    // Once round, in the seam's frame and without a weave; points in the work frame.
+    let turn = seam.map_or(length, |path| path.seam.length());
+    let drawn = length.min(turn);
+    let torch = |s: f64| match seam {
+        Some(path) => path.torch_at(&path.seam_point(s)),
+        None => (path.pose(s).point, -path.pose(s).direction),
+    };
     let at = |s: f64| torch(s).0.to_array();
     // Torch vectors long enough to read on the seam's scale.
     let size = (0..=64).map(|i| (torch(drawn * f64::from(i) / 64.0).0 - torch(0.0).0).length());
@@ -147,12 +164,17 @@ fn views(welding: &Welding, pass: usize) -> ThreeViews {
         let (tip, axis) = torch(drawn * f64::from(i) / f64::from(VECTORS));
         (tip.to_array(), (tip + vector * axis).to_array())
     });
-    let label = if length > seam.length() { "end of overlap" } else { "end" };
+    let label = if length > turn { "end of overlap" } else { "end" };
     ThreeViews {
         title: "Seam and torch".to_owned(),
         path: (0..=720).map(|i| at(drawn * f64::from(i) / 720.0)).collect(),
         closed: false,
-        path_name: if path.bead.is_some() { "bead" } else { "seam" }.to_owned(),
+        path_name: match seam {
+            Some(path) if path.bead.is_some() => "bead",
+            Some(_) => "seam",
+            None => "path",
+        }
+        .to_owned(),
         vectors: vectors.collect(),
         vectors_name: "torch axis".to_owned(),
         marks: vec![Mark { label: "start".to_owned(), at: at(0.0) }, Mark { label: label.to_owned(), at: at(length) }],
@@ -175,19 +197,45 @@ fn clearance_chart(clearance: &PassClearance) -> Chart {
     }
 }
 
-fn torch(samples: &[Sample]) -> Chart {
-    let curve = |f: fn(&Sample) -> f64| samples.iter().map(|s| (s.s, f(s))).collect();
-    Chart {
+fn torch(samples: &[Sample]) -> Option<Chart> {
+    let curve = |f: fn((f64, f64, f64)) -> f64| -> Vec<(f64, f64)> {
+        samples.iter().filter_map(|s| Some((s.s, f(s.angles?)))).collect()
+    };
+    samples.first()?.angles?;
+    Some(Chart {
         title: "Torch angles and groove".to_owned(),
         x: along(),
         y: Axis::new("angle", "deg"),
         series: vec![
-            Series::line("work angle (offset from bisector)", curve(|s| s.angles.0)),
-            Series::line("travel angle (+ drag, − push)", curve(|s| s.angles.1)),
-            Series::line("half the dihedral angle", curve(|s| 0.5 * s.angles.2)),
+            Series::line("work angle (offset from bisector)", curve(|angles| angles.0)),
+            Series::line("travel angle (+ drag, − push)", curve(|angles| angles.1)),
+            Series::line("half the dihedral angle", curve(|angles| 0.5 * angles.2)),
         ],
         ..Chart::default()
-    }
+    })
+}
+
+/// Process values that are not the same all along; none of a pass without.
+fn process(pass: &Pass) -> Option<ChartGrid> {
+    let ends = |name: &String| -> Vec<(f64, f64)> {
+        let of = |span: &Span| {
+            let (from, to) = span.process.get(name)?.ends();
+            Some([(span.from_mm.get(), from), (span.to_mm.get(), to)])
+        };
+        pass.spans.iter().filter_map(of).flatten().collect()
+    };
+    let names = pass.spans.first()?.process.keys();
+    let curves = names.map(|name| (name, ends(name)));
+    let changing = curves.filter(|(_, curve)| curve.iter().any(|p| (p.1 - curve[0].1).abs() > 0.0));
+    let chart = |(name, curve): (&String, Vec<(f64, f64)>)| Chart {
+        title: name.clone(),
+        x: along(),
+        y: Axis::new(name, ""),
+        series: vec![Series::line(name.clone(), curve)],
+        ..Chart::default()
+    };
+    let charts: Vec<Chart> = changing.map(chart).collect();
+    (!charts.is_empty()).then(|| ChartGrid { title: "Process values as asked".to_owned(), columns: 2, charts })
 }
 
 fn axes(machine: &Machine, samples: &[Sample]) -> ChartGrid {

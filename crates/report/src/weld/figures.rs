@@ -6,8 +6,8 @@ use super::{Plots, SimulationCurves};
 use seamwright_cell::Summary;
 use seamwright_machine::Machine;
 use seamwright_motion::{PassClearance, WeldMotion};
-use seamwright_program::Finding;
-use seamwright_weld::Welding;
+use seamwright_program::{Finding, Seam};
+use seamwright_weld::{SeamCurve, Welding};
 use serde::Serialize;
 
 /// The numbers of one weld; mm, s, degrees. This is `report.json`.
@@ -23,8 +23,9 @@ pub struct WeldReport {
     pub machine: MachineFigures,
     /// The welding procedure, if there is one.
     pub procedure: Option<ProcedureFigures>,
-    /// The seam.
-    pub seam: SeamFigures,
+    /// The seam, if any pass runs along one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seam: Option<SeamFigures>,
     /// The plan of the first pass.
     pub plan: PlanFigures,
     /// The simulated first pass, if it was simulated.
@@ -63,6 +64,19 @@ pub struct SeamFigures {
     pub dihedral_min_deg: f64,
     /// Greatest angle between the faces over the weld, degrees.
     pub dihedral_max_deg: f64,
+}
+
+impl SeamFigures {
+    fn new((seam, curve): (&Seam, &SeamCurve)) -> Self {
+        let (low, high) = curve.dihedral_range();
+        Self {
+            kind: seam.kind(),
+            length_mm: curve.length(),
+            weld_length_mm: curve.weld_length(),
+            dihedral_min_deg: low.to_degrees(),
+            dihedral_max_deg: high.to_degrees(),
+        }
+    }
 }
 
 /// One pass in numbers.
@@ -109,7 +123,6 @@ impl WeldReport {
         simulation: Option<(Vec<Summary>, Vec<SimulationCurves>)>,
     ) -> (Self, Vec<Plots>) {
         let program = &welding.program.value;
-        let (low, high) = welding.seam.dihedral_range();
         let (summaries, curves) = simulation.unzip();
         let mut findings = motion.findings.clone();
         let (mut passes, mut plots) = (Vec::new(), Vec::new());
@@ -152,13 +165,7 @@ impl WeldReport {
                 assumed_drives: machine.axes.iter().filter(|a| a.drive.is_none()).map(|a| a.name.clone()).collect(),
             },
             procedure: program.procedure.as_ref().map(ProcedureFigures::new),
-            seam: SeamFigures {
-                kind: program.seam.kind(),
-                length_mm: welding.seam.length(),
-                weld_length_mm: welding.seam.weld_length(),
-                dihedral_min_deg: low.to_degrees(),
-                dihedral_max_deg: high.to_degrees(),
-            },
+            seam: program.seam.as_ref().zip(welding.seam.as_ref()).map(SeamFigures::new),
             plan: passes[0].plan.clone(),
             simulation: passes[0].simulation.clone(),
             passes,

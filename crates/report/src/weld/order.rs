@@ -41,7 +41,10 @@ pub(crate) fn order(welding: &Welding) -> Option<OrderDrawing> {
     let flat = |p: DVec3| [p.dot(right), p.dot(up)];
     // Each number stands towards the middle of the seam it belongs to.
     let middle = |copy: usize| {
-        let seam = &welding.seam;
+        let Some(seam) = &welding.seam else {
+            let all = tips.iter().flatten();
+            return flat(all.clone().sum::<DVec3>() / all.count() as f64);
+        };
         let places = (0..PLACES).map(|k| seam.at(seam.length() * f64::from(k) / f64::from(PLACES)).point);
         let middle = places.sum::<DVec3>() / f64::from(PLACES);
         flat(welding.program.value.copy_in_work(copy).transform_point3(middle))

@@ -73,10 +73,16 @@ impl WeldReport {
             plots.seam.to_svg(),
             "Seam with the torch axis asked for, in the job's frame, first-angle projection.",
         ));
-        blocks.push(figure(
-            plots.torch.to_svg(),
+        blocks.extend(plots.torch.as_ref().map(|torch| figure(
+            torch.to_svg(),
             "Work angle from the bisector of the faces (positive towards the first part), travel angle, and half the angle between the faces.",
-        ));
+        )));
+        blocks.extend(plots.process.as_ref().map(|process| {
+            figure(
+                process.to_svg(),
+                "Process values along the pass where they change; slopes at its ends are not in it.",
+            )
+        }));
         if let Some(weave) = &plots.weave {
             blocks.push(figure(
                 weave.to_svg(),
@@ -228,13 +234,12 @@ impl WeldReport {
             note,
             ..Tile::default()
         };
+        let length = match &self.seam {
+            Some(seam) => (seam.weld_length_mm, format!("seam {} mm", number(seam.length_mm))),
+            None => (p.length_mm, "through points".to_owned()),
+        };
         let mut tiles = vec![
-            tile(
-                "Weld length",
-                number(self.seam.weld_length_mm),
-                "mm",
-                format!("seam {} mm", number(self.seam.length_mm)),
-            ),
+            tile("Weld length", number(length.0), "mm", length.1),
             tile("Weld time", number(p.weld_s), "s", "travel, rest to rest".to_owned()),
             tile(
                 "Arc-on time",
@@ -281,19 +286,21 @@ impl WeldReport {
     }
 
     fn data_table(&self) -> Block {
-        let s = &self.seam;
-        let mut rows = vec![
-            vec!["Seam".to_owned(), s.kind.to_owned(), String::new()],
-            vec!["Seam length".to_owned(), number(s.length_mm), "mm".to_owned()],
-            vec!["Weld length".to_owned(), number(s.weld_length_mm), "mm".to_owned()],
-            vec!["Dihedral angle, least".to_owned(), number(s.dihedral_min_deg), "deg".to_owned()],
-            vec!["Dihedral angle, greatest".to_owned(), number(s.dihedral_max_deg), "deg".to_owned()],
-            vec!["Run-up".to_owned(), number(self.plan.run_up_mm), "mm".to_owned()],
-            vec!["Run-down".to_owned(), number(self.plan.run_down_mm), "mm".to_owned()],
-        ];
+        let length = |label: &str, value: f64| vec![label.to_owned(), number(value), "mm".to_owned()];
+        let mut rows = Vec::new();
+        if let Some(s) = &self.seam {
+            rows.extend([
+                vec!["Seam".to_owned(), s.kind.to_owned(), String::new()],
+                length("Seam length", s.length_mm),
+                length("Weld length", s.weld_length_mm),
+                vec!["Dihedral angle, least".to_owned(), number(s.dihedral_min_deg), "deg".to_owned()],
+                vec!["Dihedral angle, greatest".to_owned(), number(s.dihedral_max_deg), "deg".to_owned()],
+            ]);
+        }
+        rows.extend([length("Run-up", self.plan.run_up_mm), length("Run-down", self.plan.run_down_mm)]);
         let (start, sequence) = (&self.plan.start, &self.plan.sequence);
         let row = |label: &str, value: f64, unit: &str| vec![label.to_owned(), number(value), unit.to_owned()];
-        if !["line", "T-joint", "spline"].contains(&s.kind) {
+        if self.seam.as_ref().is_some_and(|s| !["line", "T-joint", "spline"].contains(&s.kind)) {
             let direction = match start.direction {
                 WeldDirection::CounterClockwise => "counter-clockwise",
                 WeldDirection::Clockwise => "clockwise",

@@ -12,6 +12,8 @@ pub struct PlanFigures {
     pub asked_speed_mm_s: (f64, f64),
     /// True if every axis can hold the asked speed everywhere.
     pub speed_held: bool,
+    /// Path length of the pass, mm.
+    pub length_mm: f64,
     /// Least planned speed between run-up and run-down, mm/s.
     pub least_speed_mm_s: f64,
     /// Greatest planned speed, mm/s.
@@ -104,6 +106,7 @@ impl PlanFigures {
             speed_held: !motion.findings.iter().any(|f| f.kind == "speed"),
             least_speed_mm_s: least,
             greatest_speed_mm_s: greatest,
+            length_mm: motion.path.length(),
             run_up_mm: band.run_up_end,
             run_down_mm: motion.path.length() - band.run_down_start,
             weld_s: motion.law.duration(),

@@ -17,8 +17,8 @@ pub(crate) struct Sample {
     pub(crate) speed: f64,
     /// Each axis' position, speed, acceleration and jerk, in mm or degrees.
     pub(crate) axes: Vec<[f64; 4]>,
-    /// Work angle (offset from the bisector), travel angle and dihedral angle.
-    pub(crate) angles: (f64, f64, f64),
+    /// Work angle (offset from the bisector), travel angle and dihedral angle, along a seam.
+    pub(crate) angles: Option<(f64, f64, f64)>,
 }
 
 /// The plan along the whole of pass `pass`, counted from 0.
@@ -47,12 +47,9 @@ fn sample(machine: &Machine, welding: &Welding, pass: usize, motion: &PassMotion
         [p.q[i], speed, acceleration, jerk].map(|value| axis.to_file(value))
     });
     let path = welding.path(pass);
-    let (work, travel) = path.angles(s);
-    let dihedral = path.seam_point(s).dihedral;
-    Sample {
-        s,
-        speed: motion.tip_speed(machine, law),
-        axes: axes.collect(),
-        angles: (work.to_degrees(), travel.to_degrees(), dihedral.to_degrees()),
-    }
+    let angles = path.along_seam().map(|path| {
+        let (work, travel) = path.angles(s);
+        (work.to_degrees(), travel.to_degrees(), path.seam_point(s).dihedral.to_degrees())
+    });
+    Sample { s, speed: motion.tip_speed(machine, law), axes: axes.collect(), angles }
 }

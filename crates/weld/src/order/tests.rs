@@ -152,7 +152,7 @@ fn opposite_quarters_follow_each_other_and_cover_the_seam() {
     for tie_in in [0.0, 5.0, 12.5] {
         let order = format!("rule = \"in_turn\"\nparts = \"quadrants\"\ntie_in_mm = {tie_in:?}");
         let welding = read(&RADIATOR.replace("rule = \"back_and_forth\"", &order));
-        let quarter = 0.25 * welding.seam.length();
+        let quarter = 0.25 * welding.seam.as_ref().unwrap().length();
         let passes = &welding.program.value.passes;
         assert_eq!(passes.len(), 48);
         for (k, four) in passes.chunks(4).enumerate() {
@@ -197,7 +197,7 @@ fn from_corner_to_corner_no_direction_jumps() {
     let whole = read(K_JOINT);
     let found = turns(&whole);
     assert!(found.len() == 2 && found[0].cure.contains("at_corners"), "{found:#?}");
-    let length = whole.seam.length();
+    let length = whole.seam.as_ref().unwrap().length();
     let corner = found[0].from_mm;
     let [before, after] = [corner - 1e-3, corner + 1e-3].map(|s| whole.path(0).pose(s).direction);
     let e = Welding::read("j.toml", &format!("{K_JOINT}[start]\noverlap_mm = 15\n[order]\nparts = \"at_corners\"\n"));
@@ -232,7 +232,7 @@ fn back_steps_round_a_ring_tie_in_with_each_other() {
     let text =
         RADIATOR.replace("overlap_mm = 5", "overlap_mm = 0").replace("[order]\nrule = \"back_and_forth\"", steps);
     let welding = read(&text);
-    let turn = welding.seam.length();
+    let turn = welding.seam.as_ref().unwrap().length();
     let passes: Vec<&Pass> = welding.program.value.passes.iter().filter(|pass| pass.copy == 0).collect();
     assert_eq!(passes.len(), 4);
     // All round, and with the tie-in at each of the joints.
@@ -275,7 +275,7 @@ fn tacks_come_first_in_opposite_pairs_and_stay_away_from_the_start() {
     let tacks = "[tacks]\nlength_mm = 8\ncount = 4\nclear_mm = 6\nspeed_mm_s = 3\nprocess = { current_a = 120 }\n";
     let welding = read(&format!("{RADIATOR}\n{tacks}"));
     let passes = &welding.program.value.passes;
-    let quarter = 0.25 * welding.seam.length();
+    let quarter = 0.25 * welding.seam.as_ref().unwrap().length();
     assert_eq!(passes.len(), 60);
     assert!(passes[..48].iter().all(|pass| pass.role == Some(Role::Tack)));
     assert!(passes[48..].iter().all(|pass| pass.role.is_none()));

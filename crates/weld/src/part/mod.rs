@@ -68,15 +68,24 @@ impl Welding {
             Part { watched: false, .. } => Vec::new(),
             Part { solids, .. } if !solids.is_empty() => given(&self.program, "part.solids", solids, load)?,
             part => {
+                let (Some(curve), Some(seam)) = (&self.seam, &program.seam) else {
+                    return self.clamped_as(Vec::new(), fixtures);
+                };
                 let making = Making {
-                    seam: &self.seam,
+                    seam: curve,
                     nozzle_mm: part.nozzle_length_mm.map_or(NOZZLE_MM, Positive::get),
                     body_mm: part.body_length_mm.map(Positive::get),
                     joint: self.joint.as_ref(),
                 };
-                making.solids(&self.program, &program.seam)?
+                making.solids(&self.program, seam)?
             }
         };
+        self.clamped_as(part, fixtures)
+    }
+
+    /// The `part` at every copy, and the fixtures.
+    fn clamped_as(&self, part: Vec<Solid>, fixtures: Vec<Solid>) -> Result<Clamped, DocumentError> {
+        let program = &self.program.value;
         let mut parts = Vec::new();
         for copy in 0..program.copy_count() {
             let placement = program.copy_in_work(copy);

@@ -13,7 +13,7 @@ use seamwright_geometry::fit::{Touch, best_fit, fit_pairs, plane_line_point, run
 use seamwright_geometry::{Error, Tube};
 use seamwright_machine::{AxisKind, Machine};
 use seamwright_program::{OFFSET_NAMES, is_offset_name};
-use seamwright_weld::SeamSurfaces;
+use seamwright_weld::{SeamCurve, SeamSurfaces};
 use std::path::Path;
 use toml_edit::DocumentMut;
 
@@ -87,7 +87,11 @@ impl From<Error> for NoPlace {
 
 fn fitted(args: &PlaceArgs, loaded: &Loaded, rows: &[Touched]) -> Result<Fitted, NoPlace> {
     let program = &loaded.welding.program;
-    let surfaces = SeamSurfaces::new(program, &program.value.seam).map_err(|e| NoPlace::Input(e.into()))?;
+    let Some(seam) = &program.value.seam else {
+        let message = "the program has no seam whose surfaces could have been touched";
+        return Err(NoPlace::Input(program.error_at("", message, "a job, or a program with [seam]").into()));
+    };
+    let surfaces = SeamSurfaces::new(program, seam).map_err(|e| NoPlace::Input(e.into()))?;
     match args.method {
         PlaceMethod::ThreePoint => {
             let pairs: Vec<(DVec3, DVec3)> = rows.iter().map(|r| (r.nominal, r.point)).collect();
@@ -118,7 +122,7 @@ fn fitted(args: &PlaceArgs, loaded: &Loaded, rows: &[Touched]) -> Result<Fitted,
                     program.error_at("seam", message, "[seam.nozzle], or another --method").into(),
                 ));
             };
-            Ok(chuck(args, loaded, rows, nozzle)?)
+            Ok(chuck(args, (loaded, loaded.seam().map_err(NoPlace::Input)?), rows, nozzle)?)
         }
     }
 }
@@ -134,13 +138,17 @@ fn faces(args: &PlaceArgs, rows: &[Touched], nominal: &DAffine3) -> Result<Fitte
     Ok(Fitted::new(fit.transform, residuals))
 }
 
-fn chuck(args: &PlaceArgs, loaded: &Loaded, rows: &[Touched], nozzle: &Tube) -> Result<Fitted, Error> {
+fn chuck(
+    args: &PlaceArgs,
+    (loaded, seam): (&Loaded, &SeamCurve),
+    rows: &[Touched],
+    nozzle: &Tube,
+) -> Result<Fitted, Error> {
     let points: Vec<DVec3> = rows.iter().map(|r| r.point).collect();
     // Without the offset in force: the part turns about the axis that the job meant it to have.
     let program = &loaded.welding.program.value;
     let placement = program.work_offset().inverse() * program.seam_in_work();
     let tube = nozzle.moved(&placement);
-    let seam = &loaded.welding.seam;
     let step = seam.length() / f64::from(SAMPLES);
     let on_seam = (0..SAMPLES).map(|i| placement.transform_point3(seam.at(step * f64::from(i)).point));
     let at = tube.on_axis(on_seam.sum::<DVec3>() / f64::from(SAMPLES));

@@ -1,0 +1,351 @@
+//! Passes through points: a table of poses or axis positions with times and process values, as part programs and taught
+//! programs have them.
+
+use crate::{Pass, SpanValue, Torch, check_process_name};
+use schemars::JsonSchema;
+use seamwright_document::{Direction, Document, DocumentError, Finite, Point};
+use serde::{Deserialize, Serialize};
+
+/// The columns of a pose: torch tip in the seam's frame (that of `placement`), mm, and the direction in which wire or beam points.
+pub const POSE_COLUMNS: [&str; 6] = ["x_mm", "y_mm", "z_mm", "ax", "ay", "az"];
+/// Time from the point before, s.
+pub const TIME_COLUMN: &str = "time_s";
+/// Mean speed of the torch tip on the way from the point before, mm/s.
+pub const SPEED_COLUMN: &str = "speed_mm_s";
+/// Block number.
+pub const NUMBER_COLUMN: &str = "n";
+
+/// Longest time from one point to the next, s.
+const LONGEST_S: f64 = 1e7;
+
+/// The points that a pass goes through.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Points {
+    /// What the numbers of a point are: `x_mm`, `y_mm`, `z_mm` (and `ax`, `ay`, `az`) of the torch in the seam's frame, or
+    /// names of the machine's axes (mm or degrees; the others stay at home); then names of process values; `n` for a
+    /// block number; last `time_s` or `speed_mm_s` from the point before.
+    pub columns: Vec<String>,
+    /// Whether arc or beam is on.
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    pub arc: bool,
+    /// Process values that have a point's value all the way to it, and not only when they reach it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub stepped: Vec<String>,
+    /// Where the pass begins; its time or speed is 0.
+    pub start: Vec<Finite>,
+    /// What is switched or said on the way.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub events: Vec<PointEvent>,
+    /// Runs of points reached in the same way, in order.
+    pub spans: Vec<PointSpan>,
+}
+
+/// A run of points reached in the same way.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PointSpan {
+    /// The way to each of its points.
+    pub along: Along,
+    /// Whether the torch stops at each of its points.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub stops: bool,
+    /// The point that an arc goes through on its way, mm: tip, or axes x, y and z.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub via_mm: Option<Point>,
+    /// Axis of a helix: the arc turns about it through the projections of its points, and goes along it evenly.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub normal: Option<Direction>,
+    /// The points: a number for each column.
+    pub points: Vec<Vec<Finite>>,
+}
+
+/// How a point is reached from the one before.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Along {
+    /// Every axis as fast as it can, arriving together; times and speeds are 0.
+    Rapid,
+    /// Straight.
+    Line,
+    /// An arc through `via_mm` to the span's one point.
+    Arc,
+    /// A cubic spline through the points of the span, from the one before it.
+    Spline,
+    /// Points recorded by hand or by a camera: a spline that leaves out those within the tolerance of the pass.
+    Taught,
+}
+
+impl Along {
+    /// As in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rapid => "rapid",
+            Self::Line => "line",
+            Self::Arc => "arc",
+            Self::Spline => "spline",
+            Self::Taught => "taught",
+        }
+    }
+}
+
+/// Something switched or said when a point is reached. Exactly one of its keys beside `after`, but for `on`, which goes
+/// with `output`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PointEvent {
+    /// Points reached before: 0 at the start.
+    #[serde(default)]
+    pub after: usize,
+    /// Shielding gas on or off.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gas: Option<bool>,
+    /// Wire feeder on or off.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wire: Option<bool>,
+    /// Number of a digital output, switched as `on` says.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub output: Option<u16>,
+    /// Whether `output` is on.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub on: Option<bool>,
+    /// Words for the operator.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub message: Option<String>,
+    /// A code of the machine's own, by its name in the machine file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub call: Option<String>,
+}
+
+/// Whether a column has a meaning of its own, the block number aside.
+fn known(name: &str) -> bool {
+    [TIME_COLUMN, SPEED_COLUMN].contains(&name) || POSE_COLUMNS.contains(&name)
+}
+
+fn yes() -> bool {
+    true
+}
+
+fn is_yes(value: &bool) -> bool {
+    *value
+}
+
+/// What the columns of points are.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Columns {
+    /// Number of columns that are tip coordinates: 0 (the points are axis positions), 3 or 6.
+    pub pose: usize,
+    /// Names of the axes with their columns, if the points are axis positions. Which names are axes only the machine
+    /// knows: names without a unit.
+    pub axes: Vec<(String, usize)>,
+    /// Names of the process values with their columns.
+    pub process: Vec<(String, usize)>,
+    /// Column of the block number.
+    pub number: Option<usize>,
+    /// The last column is a time and not a speed.
+    pub timed: bool,
+}
+
+impl Points {
+    /// Number of points after the start.
+    pub fn count(&self) -> usize {
+        self.spans.iter().map(|span| span.points.len()).sum()
+    }
+
+    /// All points in order, the start first.
+    pub fn rows(&self) -> impl Iterator<Item = &[Finite]> {
+        std::iter::once(&self.start).chain(self.spans.iter().flat_map(|span| &span.points)).map(Vec::as_slice)
+    }
+
+    /// What its columns are; they were checked when the program was read.
+    pub fn known_columns(&self) -> Columns {
+        let at = |name: &str| self.columns.iter().position(|c| c == name);
+        let pose = POSE_COLUMNS.iter().take_while(|name| at(name).is_some()).count();
+        let number = at(NUMBER_COLUMN);
+        let others = self.columns.iter().enumerate().filter(|(i, name)| !known(name) && Some(*i) != number);
+        let (process, axes) = others.map(|(i, name)| (name.clone(), i)).partition(|(name, _)| name.contains('_'));
+        Columns { pose, axes, process, number, timed: at(TIME_COLUMN).is_some() }
+    }
+
+    /// Checks the points at `path` of a file: columns, and every point.
+    ///
+    /// # Errors
+    /// The first thing wrong, with its address.
+    pub fn check<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
+        self.check_columns(file, path)?;
+        let columns = self.known_columns();
+        self.check_row(file, &format!("{path}.start"), &self.start, (&columns, None))?;
+        if self.count() == 0 {
+            let at = format!("{path}.spans");
+            return Err(file.error_at(&at, "the pass goes nowhere", "at least one span with at least one point"));
+        }
+        for (i, span) in self.spans.iter().enumerate() {
+            let at = |key: &str| format!("{path}.spans[{i}].{key}");
+            self.check_span(file, &at, span, &columns)?;
+            for (k, row) in span.points.iter().enumerate() {
+                self.check_row(file, &at(&format!("points[{k}]")), row, (&columns, Some(span.along)))?;
+            }
+        }
+        for (i, event) in self.events.iter().enumerate() {
+            event.check(file, &format!("{path}.events[{i}]"), self.count())?;
+        }
+        Ok(())
+    }
+
+    fn check_columns<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
+        let at = |i: usize| format!("{path}.columns[{i}]");
+        for (i, name) in self.columns.iter().enumerate() {
+            if self.columns[..i].contains(name) {
+                return Err(file.error_at(&at(i), format!("the column `{name}` is there twice"), "each column once"));
+            }
+            if name.contains('_') && !known(name) {
+                check_process_name(file, &at(i), name)?;
+            }
+        }
+        for (i, name) in self.stepped.iter().enumerate() {
+            let process: Vec<&str> =
+                self.columns.iter().map(String::as_str).filter(|c| c.contains('_') && !known(c)).collect();
+            if !process.contains(&name.as_str()) {
+                return Err(file.unknown_name(&format!("{path}.stepped[{i}]"), name, &process));
+            }
+        }
+        let has = |name: &&str| self.columns.iter().any(|c| c == name);
+        let last = self.columns.last().map_or("", String::as_str);
+        if has(&TIME_COLUMN) == has(&SPEED_COLUMN) || ![TIME_COLUMN, SPEED_COLUMN].contains(&last) {
+            let message = "the last column must say how long a point takes, and no other one";
+            return Err(file.error_at(&format!("{path}.columns"), message, "time_s or speed_mm_s last"));
+        }
+        let columns = self.known_columns();
+        let poses = POSE_COLUMNS.iter().filter(|name| has(name)).count();
+        let complete = [0, 3, 6].contains(&poses) && poses == columns.pose;
+        if !complete || (poses == 0) == columns.axes.is_empty() {
+            let message = "the columns say no place, or two";
+            let allowed = "x_mm, y_mm, z_mm, with ax, ay, az or without; or names of the machine's axes";
+            return Err(file.error_at(&format!("{path}.columns"), message, allowed));
+        }
+        Ok(())
+    }
+
+    fn check_span<T>(
+        &self,
+        file: &Document<T>,
+        at: &dyn Fn(&str) -> String,
+        span: &PointSpan,
+        columns: &Columns,
+    ) -> Result<(), DocumentError> {
+        if span.points.is_empty() {
+            return Err(file.error_at(&at("points"), "the span has no points", "at least one"));
+        }
+        if span.along == Along::Arc {
+            let has = |name: &str| columns.axes.iter().any(|(axis, _)| axis == name);
+            if span.via_mm.is_none() || span.points.len() != 1 {
+                let message = "an arc needs `via_mm`, and has one point";
+                return Err(file.error_at(&at("along"), message, "an arc a span, with `via_mm` halfway"));
+            }
+            if columns.pose == 0 && !(has("x") && has("y") && has("z")) {
+                let message = "axis positions go along an arc only if there are x, y and z";
+                return Err(file.error_at(&at("along"), message, "line, rapid, spline, taught"));
+            }
+        } else if span.via_mm.is_some() || span.normal.is_some() {
+            let key = if span.via_mm.is_some() { "via_mm" } else { "normal" };
+            return Err(file.error_at(&at(key), "only arcs have it", "`along = \"arc\"`, or leave it out"));
+        }
+        Ok(())
+    }
+
+    /// Checks a point; `along` is none for the start.
+    fn check_row<T>(
+        &self,
+        file: &Document<T>,
+        path: &str,
+        row: &[Finite],
+        (columns, along): (&Columns, Option<Along>),
+    ) -> Result<(), DocumentError> {
+        let names = self.columns.join(", ");
+        if row.len() != self.columns.len() {
+            let message = format!("{} numbers for {} columns", row.len(), self.columns.len());
+            return Err(file.error_at(path, message, format!("one for each of {names}")));
+        }
+        let wrong = |i: usize, allowed: &str| {
+            let message = format!("{} = {} is not allowed here", self.columns[i], row[i].get());
+            Err(file.error_at(&format!("{path}[{i}]"), message, allowed))
+        };
+        let last = row.len() - 1;
+        let pace = row[last].get();
+        let stands = matches!(along, None | Some(Along::Rapid));
+        if stands && pace != 0.0 {
+            return wrong(last, "0: it is the start, or as fast as the axes can");
+        }
+        if !stands && !(pace > 0.0 && pace <= LONGEST_S) {
+            return wrong(last, "more than 0, up to 1e7");
+        }
+        if let Some((_, i)) = columns.process.iter().find(|(_, i)| row[*i].get() < 0.0) {
+            return wrong(*i, "0 or greater");
+        }
+        if let Some(i) = columns.number.filter(|i| {
+            let n = row[*i].get();
+            n < 0.0 || n.fract() != 0.0 || n > 1e9
+        }) {
+            return wrong(i, "a whole number, 0 (none) or greater");
+        }
+        if columns.pose == 6 && (3..6).all(|k| row[self.column(POSE_COLUMNS[k])].get().abs() < 1e-12) {
+            return wrong(self.column("ax"), "a direction: ax, ay, az not all 0");
+        }
+        Ok(())
+    }
+
+    /// Index of a column that is there.
+    fn column(&self, name: &str) -> usize {
+        self.columns.iter().position(|c| c == name).unwrap_or(0)
+    }
+}
+
+impl Pass {
+    /// Refuses what only passes along a seam have, in a pass through points at `path` of a file.
+    ///
+    /// # Errors
+    /// With the key's address.
+    pub(crate) fn check_through_points<T>(&self, file: &Document<T>, path: &str) -> Result<(), DocumentError> {
+        let given = [
+            ("spans", !self.spans.is_empty()),
+            ("begin_mm", self.begin_mm.get() > 0.0),
+            ("reverse", self.reverse),
+            ("least_speed_mm_s", self.least_speed_mm_s.is_some()),
+            ("torch", self.torch != Torch::default()),
+            ("bead", self.bead.is_some()),
+            ("weave", self.weave.is_some()),
+            ("oscillation", self.oscillation.is_some()),
+        ];
+        if let Some((key, _)) = given.into_iter().find(|(_, given)| *given) {
+            let message = "the pass goes through points: this is of passes along a seam";
+            return Err(file.error_at(&format!("{path}.{key}"), message, "leave it out, or leave out `points`"));
+        }
+        let corner = (format!("{path}.corner"), format!("{path}.tolerance"));
+        self.corner.check(file, &corner.0, (&corner.1, &self.tolerance))?;
+        let columns = self.points.as_ref().map(Points::known_columns);
+        let process = columns.into_iter().flat_map(|c| c.process);
+        let process = process.map(|(name, _)| (name, SpanValue::Steady(Finite::default()))).collect();
+        self.sequence.check(file, &format!("{path}.sequence"), &process)
+    }
+}
+
+impl PointEvent {
+    fn check<T>(&self, file: &Document<T>, path: &str, points: usize) -> Result<(), DocumentError> {
+        if self.after > points {
+            let allowed = format!("0 (the start) to {points} (the last point)");
+            return Err(file.error_at(&format!("{path}.after"), "there are not so many points", allowed));
+        }
+        let given = [
+            self.gas.is_some(),
+            self.wire.is_some(),
+            self.output.is_some(),
+            self.message.is_some(),
+            self.call.is_some(),
+        ];
+        if given.iter().filter(|given| **given).count() != 1 || self.on.is_some() != self.output.is_some() {
+            let allowed = "one of gas, wire, output (with on), message, call";
+            return Err(file.error_at(path, "an event is one thing", allowed));
+        }
+        Ok(())
+    }
+}

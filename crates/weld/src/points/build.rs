@@ -1,0 +1,299 @@
+use super::block::{Block, Helix, Shape};
+use super::thin::kept;
+use super::{MachineAxes, Numbers, PointPath, Row};
+use glam::DVec3;
+use seamwright_document::{Direction, Document, DocumentError, Finite, NonNegative, Positive};
+use seamwright_geometry::CubicSpline;
+use seamwright_program::{
+    Along, Columns, Pass, PointSpan, Points, ProcessValue, ProcessValues, Program, Ramp, Span, SpanValue,
+};
+use std::sync::Arc;
+
+/// Parts of a block at whose ends the tip is looked at for the length of its way.
+const PARTS: u32 = 16;
+/// Way of the tip in rapid moves of poses, mm/s: the axes' limits bring it down.
+const RAPID_MM_S: f64 = 100.0;
+/// A block that takes less is none, s.
+const SHORTEST_S: f64 = 1e-9;
+
+/// A block before its place on the path is known.
+struct Timed {
+    block: Block,
+    /// How long it takes, s.
+    seconds: f64,
+    /// Index of the point it ends at.
+    point: usize,
+}
+
+impl PointPath {
+    /// The path of pass `number` (counted from 0) of `program`, which goes through points; `machine` gets the machine's
+    /// axes where the points are positions of them.
+    ///
+    /// # Errors
+    /// With the key's address: axes that the machine does not have, an arc through three places on a line, a pass
+    /// without any motion.
+    pub fn new(
+        program: &Document<Program>,
+        (number, points): (usize, &Points),
+        machine: &dyn Fn() -> Result<Arc<dyn MachineAxes>, DocumentError>,
+    ) -> Result<Self, DocumentError> {
+        let path = format!("passes[{number}].points");
+        let pass = &program.value.passes[number];
+        let columns = points.known_columns();
+        let (numbers, reader) = if columns.pose > 0 {
+            (Numbers::Poses(program.value.copy_in_work(pass.copy)), Reader::poses(points, &columns))
+        } else {
+            let machine = machine()?;
+            let reader = Reader::axes(program, &path, &columns, machine.as_ref())?;
+            (Numbers::Axes(machine), reader)
+        };
+        let builder = Builder { program, path: &path, pass, columns: &columns, numbers: &numbers, reader: &reader };
+        let mut timed = builder.blocks(points)?;
+        let seconds: f64 = timed.iter().map(|t| t.seconds).sum();
+        let way: f64 = timed.iter().map(|t| builder.way(&t.block)).sum();
+        if seconds <= SHORTEST_S {
+            return Err(program.error_at(&format!("{path}.spans"), "nothing moves in this pass", "a point elsewhere"));
+        }
+        let pace = if way > 0.0 { way / seconds } else { 1.0 };
+        let mut reached = vec![0.0; points.count() + 1];
+        let (mut at, mut point) = (0.0, 0);
+        for t in &mut timed {
+            (t.block.from, t.block.to) = (at, at + pace * t.seconds);
+            reached[point + 1..=t.point].fill(t.block.to);
+            (at, point) = (t.block.to, t.point);
+        }
+        reached[point + 1..].fill(at);
+        let spans = spans(points, &columns, (&reached, pace));
+        let blocks = timed.into_iter().map(|t| t.block).collect();
+        Ok(Self { blocks, numbers, pace, spans, reached })
+    }
+}
+
+/// Turns the numbers of a point into a row.
+struct Reader {
+    /// Where the row's numbers are among the columns, and what they are times.
+    from: Vec<(usize, f64)>,
+    /// What numbers are that are not among the columns.
+    rest: Row,
+    /// Highest speed of each number where it is an axis.
+    fastest: Option<Row>,
+    /// Which of the row's numbers are x, y and z.
+    places: [usize; 3],
+    /// Where in the row each of `from` goes.
+    to: Vec<usize>,
+}
+
+impl Reader {
+    fn poses(points: &Points, columns: &Columns) -> Self {
+        let at = |name: &str| points.columns.iter().position(|c| c == name).unwrap_or(0);
+        let names = &seamwright_program::POSE_COLUMNS[..columns.pose];
+        let mut rest = Row::default();
+        rest[5] = -1.0;
+        Self {
+            from: names.iter().map(|name| (at(name), 1.0)).collect(),
+            to: (0..columns.pose).collect(),
+            rest,
+            fastest: None,
+            places: [0, 1, 2],
+        }
+    }
+
+    fn axes(
+        program: &Document<Program>,
+        path: &str,
+        columns: &Columns,
+        machine: &dyn MachineAxes,
+    ) -> Result<Self, DocumentError> {
+        let axes = machine.axes();
+        let mut reader = Self {
+            from: Vec::new(),
+            to: Vec::new(),
+            rest: std::array::from_fn(|i| axes.get(i).map_or(0.0, |a| a.home)),
+            fastest: Some(std::array::from_fn(|i| axes.get(i).map_or(f64::INFINITY, |a| a.max_speed))),
+            places: ["x", "y", "z"].map(|name| axes.iter().position(|a| a.name == name).unwrap_or(0)),
+        };
+        for (name, column) in &columns.axes {
+            let Some(i) = axes.iter().position(|a| &a.name == name) else {
+                let names: Vec<&str> = axes.iter().map(|a| a.name.as_str()).collect();
+                return Err(program.unknown_name(&format!("{path}.columns[{column}]"), name, &names));
+            };
+            reader.from.push((*column, if axes[i].rotary { 1f64.to_radians() } else { 1.0 }));
+            reader.to.push(i);
+        }
+        Ok(reader)
+    }
+
+    fn row(&self, point: &[Finite]) -> Row {
+        let mut row = self.rest;
+        for ((column, factor), to) in self.from.iter().zip(&self.to) {
+            row[*to] = factor * point[*column].get();
+        }
+        row
+    }
+
+    fn place(&self, row: &Row) -> DVec3 {
+        DVec3::from_array(self.places.map(|i| row[i]))
+    }
+}
+
+struct Builder<'a> {
+    program: &'a Document<Program>,
+    path: &'a str,
+    pass: &'a Pass,
+    columns: &'a Columns,
+    numbers: &'a Numbers,
+    reader: &'a Reader,
+}
+
+impl Builder<'_> {
+    fn blocks(&self, points: &Points) -> Result<Vec<Timed>, DocumentError> {
+        let mut here = self.reader.row(&points.start);
+        let mut done = 0;
+        let mut blocks = Vec::new();
+        for (i, span) in points.spans.iter().enumerate() {
+            let rows: Vec<Row> = span.points.iter().map(|p| self.reader.row(p)).collect();
+            let new = match span.along {
+                Along::Rapid | Along::Line => self.lines(span, &here, &rows),
+                Along::Arc => vec![self.arc(i, span, &here, &rows[0])?],
+                Along::Spline | Along::Taught => self.spline(span, &here, &rows),
+            };
+            blocks.extend(new.into_iter().map(|t| Timed { point: done + t.point, ..t }));
+            done += rows.len();
+            here = rows[rows.len() - 1];
+        }
+        blocks.retain(|t| t.seconds > SHORTEST_S);
+        Ok(blocks)
+    }
+
+    fn lines(&self, span: &PointSpan, here: &Row, rows: &[Row]) -> Vec<Timed> {
+        let starts = std::iter::once(here).chain(rows);
+        let each = starts.zip(rows).zip(&span.points).enumerate();
+        each.map(|(k, ((start, end), point))| self.timed((start, end), Shape::Line, (point, k, span))).collect()
+    }
+
+    fn arc(&self, i: usize, span: &PointSpan, here: &Row, end: &Row) -> Result<Timed, DocumentError> {
+        let [start, stop] = [here, end].map(|row| self.reader.place(row));
+        let via = span.via_mm.map_or(start, seamwright_document::Point::get);
+        let Some(arc) = Helix::through(start, via, stop, span.normal.map(Direction::unit)) else {
+            let at = format!("{}.spans[{i}].via_mm", self.path);
+            let message = "the arc's begin, `via_mm` and end lie on a line, or two of them are one place";
+            return Err(self.program.error_at(&at, message, "three places not on a line; a full circle is two arcs"));
+        };
+        let shape = Shape::Arc(arc, self.reader.places);
+        Ok(self.timed((here, end), shape, (&span.points[0], 0, span)))
+    }
+
+    fn timed(
+        &self,
+        (start, end): (&Row, &Row),
+        shape: Shape,
+        (point, k, span): (&[Finite], usize, &PointSpan),
+    ) -> Timed {
+        let (from, to, stops) = (0.0, 0.0, span.stops);
+        let block = Block { from, to, start: *start, end: *end, shape, stops, is_continued: false };
+        let seconds = self.seconds(&block, point, span.along);
+        Timed { block, seconds, point: k + 1 }
+    }
+
+    /// How long the way to `point` takes, s.
+    fn seconds(&self, block: &Block, point: &[Finite], along: Along) -> f64 {
+        let last = point[point.len() - 1].get();
+        match (along, &self.reader.fastest) {
+            (Along::Rapid, Some(fastest)) => {
+                let times = fastest.iter().zip(block.start.iter().zip(&block.end)).map(|(v, (a, b))| (b - a).abs() / v);
+                times.fold(0.0, f64::max)
+            }
+            (Along::Rapid, None) => self.way(block) / RAPID_MM_S,
+            _ if self.columns.timed => last,
+            _ => self.way(block) / last,
+        }
+    }
+
+    /// Length of the tip's way, mm: by chords, with what they lack taken from half as many.
+    fn way(&self, block: &Block) -> f64 {
+        let tips: Vec<DVec3> = (0..=PARTS).map(|k| self.tip(block, f64::from(k) / f64::from(PARTS))).collect();
+        let chords = |step: usize| -> f64 {
+            let ends = tips.iter().step_by(step);
+            ends.clone().zip(ends.skip(1)).map(|(a, b)| a.distance(*b)).sum()
+        };
+        (4.0 * chords(1) - chords(2)) / 3.0
+    }
+
+    fn tip(&self, block: &Block, f: f64) -> DVec3 {
+        self.numbers.pose(&block.at(f)).point
+    }
+
+    /// The cubic spline through the points of a span, by time; of recorded ones through those that are needed.
+    fn spline(&self, span: &PointSpan, here: &Row, rows: &[Row]) -> Vec<Timed> {
+        let rows: Vec<Row> = std::iter::once(*here).chain(rows.iter().copied()).collect();
+        let mut at = vec![0.0];
+        for (k, point) in span.points.iter().enumerate() {
+            let way = self.timed((&rows[k], &rows[k + 1]), Shape::Line, (point, k, span));
+            at.push(at[k] + way.seconds.max(SHORTEST_S));
+        }
+        let kept = match span.along {
+            Along::Taught => kept(&at, &rows, &self.near()),
+            _ => (0..rows.len()).collect(),
+        };
+        let slopes = slopes(&at, &rows, &kept);
+        let piece = |(k, gap): (usize, &[usize])| {
+            let (a, b) = (gap[0], gap[1]);
+            let seconds = at[b] - at[a];
+            let cubic = [slopes[k], slopes[k + 1]].map(|row| row.map(|slope| slope * seconds));
+            let shape = Shape::Cubic(Box::new(cubic));
+            let (from, to, stops) = (0.0, 0.0, span.stops);
+            let block = Block { from, to, start: rows[a], end: rows[b], shape, stops, is_continued: k > 0 && !stops };
+            Timed { block, seconds, point: b }
+        };
+        kept.windows(2).enumerate().map(piece).collect()
+    }
+
+    /// How far from a recorded point its numbers may be: half the pass' tolerance, rotary axes and directions as much at
+    /// 100 mm.
+    fn near(&self) -> Row {
+        let half = 0.5 * self.pass.tolerance.path_mm.get();
+        let linear = |i: usize| match &self.numbers {
+            Numbers::Axes(machine) => machine.axes().get(i).is_none_or(|a| !a.rotary),
+            Numbers::Poses(_) => i < 3,
+        };
+        std::array::from_fn(|i| if linear(i) { half } else { half / 100.0 })
+    }
+}
+
+/// Slopes by time at the points `kept` of the natural spline through them.
+fn slopes(at: &[f64], rows: &[Row], kept: &[usize]) -> Vec<Row> {
+    let column = |k: usize| {
+        let points: Vec<(f64, f64)> = kept.iter().map(|&i| (at[i], rows[i][k])).collect();
+        CubicSpline::natural(&points).ok()
+    };
+    let columns: Vec<Option<CubicSpline>> = (0..Row::default().len()).map(column).collect();
+    let slope = |i: usize, k: usize| columns[k].as_ref().map_or(0.0, |spline| spline.at(at[i]).1);
+    kept.iter().map(|&i| std::array::from_fn(|k| slope(i, k))).collect()
+}
+
+/// The pass' spans: process values from point to point. Points between which nothing changes are one span.
+fn spans(points: &Points, columns: &Columns, (reached, pace): (&[f64], f64)) -> Vec<Span> {
+    let rows: Vec<&[Finite]> = points.rows().collect();
+    let mut spans: Vec<Span> = Vec::new();
+    for (i, ends) in rows.windows(2).enumerate() {
+        let (Some(from), Some(to)) = (NonNegative::new(reached[i]), Positive::new(reached[i + 1])) else { continue };
+        if to.get() <= from.get() {
+            continue;
+        }
+        let value = |(name, column): &(String, usize)| {
+            let (a, b) = (ends[0][*column], ends[1][*column]);
+            let steady = points.stepped.contains(name) || a == b;
+            let value = if steady { ProcessValue::Steady(b) } else { SpanValue::Ramp(Ramp { from: a, to: b }) };
+            (name.clone(), value)
+        };
+        let process: ProcessValues = columns.process.iter().map(value).collect();
+        match spans.last_mut() {
+            Some(last) if last.process == process && !process.values().any(ProcessValue::is_ramp) => last.to_mm = to,
+            _ => {
+                let speed = Positive::new(pace).unwrap_or(Positive::HALF);
+                spans.push(Span { from_mm: from, to_mm: to, speed_mm_s: SpanValue::Steady(speed), process });
+            }
+        }
+    }
+    spans
+}
