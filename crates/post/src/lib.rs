@@ -12,6 +12,7 @@ mod feed;
 mod linuxcnc;
 mod number;
 mod part_program;
+mod play;
 mod ramps;
 
 pub use blocks::{Block, Linearisation, linearise};
@@ -20,3 +21,4 @@ pub use error::Error;
 pub use feed::Group;
 pub use linuxcnc::{Options, linuxcnc};
 pub use part_program::{Arc, Channel, ChannelKind, Event, Level, Move, PartProgram, Path, Step, What};
+pub use play::{Segment, play};

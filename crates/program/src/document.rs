@@ -172,9 +172,13 @@ impl Program {
 fn one_point_a_line(text: &str) -> String {
     let mut out = String::with_capacity(text.len() + text.len() / 8);
     for line in text.lines() {
-        match line.strip_prefix("points = [[").and_then(|rest| rest.strip_suffix("]]")) {
-            Some(rows) => {
-                out.push_str("points = [\n");
+        let table = ["points", "speeds"].into_iter().find_map(|key| {
+            let rows = line.strip_prefix(key)?.strip_prefix(" = [[")?.strip_suffix("]]")?;
+            Some((key, rows))
+        });
+        match table {
+            Some((key, rows)) => {
+                out.extend([key, " = [\n"]);
                 rows.split("], [").for_each(|row| out.extend(["    [", row, "],\n"]));
                 out.push(']');
             }

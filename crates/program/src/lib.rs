@@ -6,6 +6,7 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
 mod air;
+mod arc_through;
 mod at_corner;
 mod bead;
 mod branch;
@@ -36,6 +37,7 @@ mod weave;
 mod weaving;
 
 pub use air::Air;
+pub use arc_through::{ArcThrough, tip_way};
 pub use at_corner::AtCorner;
 pub use bead::Bead;
 pub use branch::{Branch, OtherBranch};

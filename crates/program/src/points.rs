@@ -56,6 +56,9 @@ pub struct PointSpan {
     /// Axis of a helix: the arc turns about it through the projections of its points, and goes along it evenly.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub normal: Option<Direction>,
+    /// Speeds of a cubic at its begin and at each of its points: a number per s for each column that says the place.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub speeds: Vec<Vec<Finite>>,
     /// The points: a number for each column.
     pub points: Vec<Vec<Finite>>,
 }
@@ -72,6 +75,8 @@ pub enum Along {
     Arc,
     /// A cubic spline through the points of the span, from the one before it.
     Spline,
+    /// A cubic in time to each point, with the speeds given (PMAC's PVT).
+    Cubic,
     /// Points recorded by hand or by a camera: a spline that leaves out those within the tolerance of the pass.
     Taught,
 }
@@ -84,6 +89,7 @@ impl Along {
             Self::Line => "line",
             Self::Arc => "arc",
             Self::Spline => "spline",
+            Self::Cubic => "cubic",
             Self::Taught => "taught",
         }
     }
@@ -236,6 +242,7 @@ impl Points {
         if span.points.is_empty() {
             return Err(file.error_at(&at("points"), "the span has no points", "at least one"));
         }
+        self.check_speeds(file, at, span, columns)?;
         if span.along == Along::Arc {
             let has = |name: &str| columns.axes.iter().any(|(axis, _)| axis == name);
             if span.via_mm.is_none() || span.points.len() != 1 {
@@ -251,6 +258,32 @@ impl Points {
             return Err(file.error_at(&at(key), "only arcs have it", "`along = \"arc\"`, or leave it out"));
         }
         Ok(())
+    }
+
+    fn check_speeds<T>(
+        &self,
+        file: &Document<T>,
+        at: &dyn Fn(&str) -> String,
+        span: &PointSpan,
+        columns: &Columns,
+    ) -> Result<(), DocumentError> {
+        let places = columns.pose + columns.axes.len();
+        let wanted = if span.along == Along::Cubic { span.points.len() + 1 } else { 0 };
+        if span.speeds.len() != wanted {
+            let message = format!("{} rows of speeds", span.speeds.len());
+            let allowed = "for a cubic one more than points, the first at its begin; for anything else none";
+            return Err(file.error_at(&at("speeds"), message, allowed));
+        }
+        if wanted > 0 && !columns.timed {
+            return Err(file.error_at(&at("along"), "a cubic needs times", "the last column `time_s`"));
+        }
+        match span.speeds.iter().position(|row| row.len() != places) {
+            Some(k) => {
+                let message = format!("{} speeds for {places} columns that say the place", span.speeds[k].len());
+                Err(file.error_at(&at(&format!("speeds[{k}]")), message, "one for each"))
+            }
+            None => Ok(()),
+        }
     }
 
     /// Checks a point; `along` is none for the start.

@@ -1,6 +1,5 @@
 use super::Row;
-use glam::{DQuat, DVec3};
-use seamwright_geometry::{self as geometry, Curve};
+use seamwright_program::ArcThrough;
 
 /// The way from one point to the next, over a range of the path's parameter.
 #[derive(Debug, Clone)]
@@ -24,40 +23,9 @@ pub(crate) enum Shape {
     /// Evenly.
     Line,
     /// Three of them round an arc, the others evenly.
-    Arc(Helix, [usize; 3]),
+    Arc(ArcThrough, [usize; 3]),
     /// By cubics with these slopes by the part done, at begin and end.
     Cubic(Box<[Row; 2]>),
-}
-
-/// An arc, or one that also goes along its axis.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Helix {
-    centre: DVec3,
-    axis: DVec3,
-    /// From the centre to the start, across the axis.
-    out: DVec3,
-    sweep: f64,
-    /// Height over the centre at the start, and what is added on the way.
-    height: (f64, f64),
-}
-
-impl Helix {
-    /// The arc from `start` through `via` to `end`; about `normal` through their projections, if that is given. None if
-    /// they lie on a line.
-    pub(crate) fn through(start: DVec3, via: DVec3, end: DVec3, normal: Option<DVec3>) -> Option<Self> {
-        let flat = |p: DVec3| normal.map_or(p, |n| p - (p - start).dot(n) * n);
-        let arc = geometry::Arc::through(start, flat(via), flat(end)).ok()?;
-        let (centre, axis) = (arc.centre(), arc.axis());
-        let height = |p: DVec3| (p - centre).dot(axis);
-        let rise = height(end) - height(start);
-        let (_, sweep) = arc.domain();
-        Some(Self { centre, axis, out: start - centre, sweep, height: (0.0, rise) })
-    }
-
-    pub(crate) fn at(&self, f: f64) -> DVec3 {
-        let turned = DQuat::from_axis_angle(self.axis, f * self.sweep) * self.out;
-        self.centre + (self.height.0 + f * self.height.1) * self.axis + turned
-    }
 }
 
 impl Block {

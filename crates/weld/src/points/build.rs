@@ -1,16 +1,15 @@
-use super::block::{Block, Helix, Shape};
+use super::block::{Block, Shape};
 use super::thin::kept;
 use super::{MachineAxes, Numbers, PointPath, Row};
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_geometry::CubicSpline;
 use seamwright_program::{
-    Along, Columns, Pass, PointSpan, Points, ProcessValue, ProcessValues, Program, Ramp, Span, SpanValue,
+    Along, ArcThrough, Columns, Pass, PointSpan, Points, ProcessValue, ProcessValues, Program, Ramp, Span, SpanValue,
+    tip_way,
 };
 use std::sync::Arc;
 
-/// Parts of a block at whose ends the tip is looked at for the length of its way.
-const PARTS: u32 = 16;
 /// Way of the tip in rapid moves of poses, mm/s: the axes' limits bring it down.
 const RAPID_MM_S: f64 = 100.0;
 /// A block that takes less is none, s.
@@ -89,9 +88,11 @@ impl Reader {
         let names = &seamwright_program::POSE_COLUMNS[..columns.pose];
         let mut rest = Row::default();
         rest[5] = -1.0;
+        let mut order: Vec<(usize, usize)> = names.iter().enumerate().map(|(i, name)| (at(name), i)).collect();
+        order.sort_unstable();
         Self {
-            from: names.iter().map(|name| (at(name), 1.0)).collect(),
-            to: (0..columns.pose).collect(),
+            from: order.iter().map(|(column, _)| (*column, 1.0)).collect(),
+            to: order.iter().map(|(_, to)| *to).collect(),
             rest,
             fastest: None,
             places: [0, 1, 2],
@@ -131,6 +132,15 @@ impl Reader {
         row
     }
 
+    /// Speeds of the row's numbers from those of the columns that say the place.
+    fn speeds(&self, speeds: &[Finite]) -> Row {
+        let mut row = Row::default();
+        for ((speed, (_, factor)), to) in speeds.iter().zip(&self.from).zip(&self.to) {
+            row[*to] = factor * speed.get();
+        }
+        row
+    }
+
     fn place(&self, row: &Row) -> DVec3 {
         DVec3::from_array(self.places.map(|i| row[i]))
     }
@@ -156,6 +166,7 @@ impl Builder<'_> {
                 Along::Rapid | Along::Line => self.lines(span, &here, &rows),
                 Along::Arc => vec![self.arc(i, span, &here, &rows[0])?],
                 Along::Spline | Along::Taught => self.spline(span, &here, &rows),
+                Along::Cubic => self.cubics(span, &here, &rows),
             };
             blocks.extend(new.into_iter().map(|t| Timed { point: done + t.point, ..t }));
             done += rows.len();
@@ -174,7 +185,7 @@ impl Builder<'_> {
     fn arc(&self, i: usize, span: &PointSpan, here: &Row, end: &Row) -> Result<Timed, DocumentError> {
         let [start, stop] = [here, end].map(|row| self.reader.place(row));
         let via = span.via_mm.map_or(start, seamwright_document::Point::get);
-        let Some(arc) = Helix::through(start, via, stop, span.normal.map(Direction::unit)) else {
+        let Some(arc) = ArcThrough::new(start, via, stop, span.normal.map(Direction::unit)) else {
             let at = format!("{}.spans[{i}].via_mm", self.path);
             let message = "the arc's begin, `via_mm` and end lie on a line, or two of them are one place";
             return Err(self.program.error_at(&at, message, "three places not on a line; a full circle is two arcs"));
@@ -209,18 +220,22 @@ impl Builder<'_> {
         }
     }
 
-    /// Length of the tip's way, mm: by chords, with what they lack taken from half as many.
+    /// Length of the tip's way, mm.
     fn way(&self, block: &Block) -> f64 {
-        let tips: Vec<DVec3> = (0..=PARTS).map(|k| self.tip(block, f64::from(k) / f64::from(PARTS))).collect();
-        let chords = |step: usize| -> f64 {
-            let ends = tips.iter().step_by(step);
-            ends.clone().zip(ends.skip(1)).map(|(a, b)| a.distance(*b)).sum()
-        };
-        (4.0 * chords(1) - chords(2)) / 3.0
+        tip_way(|f| self.numbers.pose(&block.at(f)).point)
     }
 
-    fn tip(&self, block: &Block, f: f64) -> DVec3 {
-        self.numbers.pose(&block.at(f)).point
+    /// Cubics in time with given speeds.
+    fn cubics(&self, span: &PointSpan, here: &Row, rows: &[Row]) -> Vec<Timed> {
+        let speeds: Vec<Row> = span.speeds.iter().map(|speeds| self.reader.speeds(speeds)).collect();
+        let starts = std::iter::once(here).chain(rows);
+        let each = starts.zip(rows).zip(&span.points).enumerate();
+        each.map(|(k, ((start, end), point))| {
+            let seconds = point[point.len() - 1].get();
+            let slopes = [speeds[k], speeds[k + 1]].map(|row| row.map(|speed| speed * seconds));
+            self.timed((start, end), Shape::Cubic(Box::new(slopes)), (point, k, span))
+        })
+        .collect()
     }
 
     /// The cubic spline through the points of a span, by time; of recorded ones through those that are needed.

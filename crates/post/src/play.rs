@@ -1,0 +1,212 @@
+//! A part program as its control plays it: where every channel is at every time, by the control's own rules.
+
+use crate::part_program::{Arc, ChannelKind, Event, Level, Move, PartProgram, Path, What};
+use glam::DVec3;
+
+/// Part of a played program in which one thing goes on.
+#[derive(Debug, Clone)]
+pub struct Segment {
+    /// Time at its begin, s; rapid moves take none.
+    pub begin: f64,
+    /// How long it takes, s.
+    pub seconds: f64,
+    /// Index of the step it belongs to.
+    pub step: usize,
+    /// Whether the arc is on.
+    pub arc: bool,
+    /// What is interpolated; none while nothing moves.
+    pub level: Option<Level>,
+    from: Vec<f64>,
+    to: Vec<f64>,
+    way: Way,
+}
+
+/// How a segment goes from begin to end.
+#[derive(Debug, Clone)]
+enum Way {
+    Even,
+    Arc(Arc, [usize; 3]),
+    /// Cubics of the axes with these speeds per s at both ends.
+    Cubic(Vec<f64>, Vec<f64>),
+}
+
+impl Segment {
+    /// All channels at the part `f` of the segment, into `row`.
+    pub fn at(&self, f: f64, row: &mut Vec<f64>) {
+        row.clear();
+        row.extend(self.from.iter().zip(&self.to).map(|(a, b)| a + f * (b - a)));
+        match &self.way {
+            Way::Even => {}
+            Way::Arc(arc, xyz) => {
+                let [a, b] = [&self.from, &self.to].map(|row| DVec3::from_array(xyz.map(|i| row[i])));
+                let place = arc.at(a, b, f).to_array();
+                xyz.iter().zip(place).for_each(|(i, value)| row[*i] = value);
+            }
+            Way::Cubic(v0, v1) => {
+                for (i, (v0, v1)) in v0.iter().zip(v1).enumerate() {
+                    let (a, rise) = (self.from[i], self.to[i] - self.from[i]);
+                    let (m0, m1) = (v0 * self.seconds, v1 * self.seconds);
+                    row[i] = a + f * (m0 + f * (3.0 * rise - 2.0 * m0 - m1 + f * (m0 + m1 - 2.0 * rise)));
+                }
+            }
+        }
+    }
+
+    /// True if it moves an axis, or lets time pass by a feed.
+    pub fn is_move(&self) -> bool {
+        self.level.is_some()
+    }
+
+    /// Channels at its end.
+    pub fn end(&self) -> &[f64] {
+        &self.to
+    }
+
+    /// Channels at its begin.
+    pub fn start(&self) -> &[f64] {
+        &self.from
+    }
+}
+
+/// Plays `program` from `start` on (a row; what stands there before the first step). Moves of the spline are given as
+/// the cubics they are, with the two that the control adds.
+pub fn play(program: &PartProgram, start: &[f64]) -> Vec<Segment> {
+    let mut player = Player {
+        program,
+        axes: program.axes(),
+        now: 0.0,
+        here: start.to_vec(),
+        speeds: vec![0.0; program.axes()],
+        arc: false,
+        pending: Vec::new(),
+        segments: Vec::new(),
+    };
+    let mut i = 0;
+    while i < program.steps.len() {
+        i += player.step(i);
+    }
+    player.segments
+}
+
+struct Player<'a> {
+    program: &'a PartProgram,
+    axes: usize,
+    now: f64,
+    here: Vec<f64>,
+    /// Speeds that the last cubic left the axes with.
+    speeds: Vec<f64>,
+    arc: bool,
+    /// What waits for the next move.
+    pending: Vec<&'a What>,
+    segments: Vec<Segment>,
+}
+
+impl<'a> Player<'a> {
+    /// Plays step `i` and gives the number of steps it took.
+    fn step(&mut self, i: usize) -> usize {
+        let what = &self.program.steps[i].what;
+        match what {
+            What::Move(m) => {
+                std::mem::take(&mut self.pending).into_iter().for_each(|what| self.set(what));
+                if m.path == Path::Spline {
+                    return self.spline(i);
+                }
+                self.one(i, m);
+            }
+            What::Dwell(seconds) => {
+                let here = self.here.clone();
+                self.add(i, *seconds, None, here, Way::Even);
+                self.speeds.fill(0.0);
+            }
+            What::Set { at_once, .. } | What::Event { at_once, .. } => {
+                if *at_once {
+                    self.set(what)
+                } else {
+                    self.pending.push(what)
+                }
+            }
+            What::Pass(_) | What::Comment(_) => {}
+        }
+        1
+    }
+
+    fn set(&mut self, what: &What) {
+        match what {
+            What::Set { channel, value, .. } => self.here[usize::from(*channel)] = *value,
+            What::Event { event: Event::Arc(on), .. } => self.arc = *on,
+            _ => {}
+        }
+    }
+
+    fn one(&mut self, i: usize, m: &Move) {
+        let to = self.program.row(m.row).to_vec();
+        let way = match m.path {
+            Path::Arc(arc) => match self.program.xyz() {
+                Some(xyz) => Way::Arc(self.program.arcs[arc as usize], xyz),
+                None => Way::Even,
+            },
+            Path::Hermite(row) => {
+                let end = self.program.row(row)[..self.axes].to_vec();
+                Way::Cubic(std::mem::replace(&mut self.speeds, end.clone()), end)
+            }
+            _ => Way::Even,
+        };
+        if !matches!(m.path, Path::Hermite(_)) {
+            self.speeds.fill(0.0);
+        }
+        self.add(i, m.seconds, Some(m.level), to, way);
+    }
+
+    fn add(&mut self, step: usize, seconds: f64, level: Option<Level>, to: Vec<f64>, way: Way) {
+        let mut from = std::mem::replace(&mut self.here, to.clone());
+        // Stepped values have theirs from the begin on.
+        for (k, channel) in self.program.channels.iter().enumerate() {
+            if channel.kind == ChannelKind::Stepped {
+                from[k] = to[k];
+            }
+        }
+        self.segments.push(Segment { begin: self.now, seconds, step, arc: self.arc, level, from, to, way });
+        self.now += seconds;
+    }
+
+    /// The run of spline moves from step `i` on, as cubics: a uniform B-spline whose first and last control points count
+    /// three times, so that it takes two times more than there are moves.
+    fn spline(&mut self, i: usize) -> usize {
+        let moves: Vec<Move> = self.program.steps[i..]
+            .iter()
+            .map_while(|step| match step.what {
+                What::Move(m) if m.path == Path::Spline => Some(m),
+                _ => None,
+            })
+            .collect();
+        let time = moves[0].seconds;
+        let count = moves.iter().take_while(|m| (m.seconds - time).abs() <= 1e-9 * time).count();
+        let rows: Vec<&[f64]> = moves[..count].iter().map(|m| self.program.row(m.row)).collect();
+        let first = self.here.clone();
+        let control = |k: i64| -> &[f64] {
+            let k = k.clamp(0, count as i64);
+            if k == 0 { &first } else { rows[k as usize - 1] }
+        };
+        let last = count as i64;
+        let mut segments = Vec::new();
+        for k in -1..=last {
+            let knot = |k: i64| -> (Vec<f64>, Vec<f64>) {
+                let (a, b, c) = (control(k - 1), control(k), control(k + 1));
+                let place = a.iter().zip(b).zip(c).map(|((a, b), c)| (a + 4.0 * b + c) / 6.0).collect();
+                let speed = a.iter().zip(c).take(self.axes).map(|(a, c)| (c - a) / (2.0 * time)).collect();
+                (place, speed)
+            };
+            let ((_, v0), (mut to, v1)) = (knot(k), knot(k + 1));
+            // Process values have those of the move that is under way.
+            let row = control(k + 1);
+            to[self.axes..].copy_from_slice(&row[self.axes..]);
+            let step = i + (k.clamp(0, last - 1) as usize);
+            segments.push((step, to, Way::Cubic(v0, v1)));
+        }
+        for (step, to, way) in segments {
+            self.add(step, time, Some(moves[0].level), to, way);
+        }
+        self.speeds.fill(0.0);
+        count
+    }
+}

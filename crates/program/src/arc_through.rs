@@ -1,0 +1,75 @@
+use glam::{DQuat, DVec3};
+use seamwright_geometry::{Arc, Curve};
+
+/// Parts of a way at whose ends the tip is looked at for its length.
+const PARTS: u32 = 16;
+
+/// An arc through three places, or a helix through their projections.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ArcThrough {
+    /// A point on its axis, at the height of its start, mm.
+    pub centre: DVec3,
+    /// Unit vector along the axis, about which it turns by the right-hand rule.
+    pub axis: DVec3,
+    /// From the centre to the start, mm.
+    pub out: DVec3,
+    /// Angle it turns by, rad, in (0, 2 pi).
+    pub sweep: f64,
+    /// Way along the axis from start to end, mm; 0 for an arc.
+    pub rise: f64,
+}
+
+impl ArcThrough {
+    /// The arc from `start` through `via` to `end`; about `normal` through their projections, if that is given. None if
+    /// they lie on a line, or two of them are one.
+    pub fn new(start: DVec3, via: DVec3, end: DVec3, normal: Option<DVec3>) -> Option<Self> {
+        let flat = |p: DVec3| normal.map_or(p, |n| p - (p - start).dot(n) * n);
+        let arc = Arc::through(start, flat(via), flat(end)).ok()?;
+        let (centre, axis) = (arc.centre(), arc.axis());
+        let (_, sweep) = arc.domain();
+        Some(Self { centre, axis, out: start - centre, sweep, rise: (end - start).dot(axis) })
+    }
+
+    /// The place at the part `f` of the way.
+    pub fn at(&self, f: f64) -> DVec3 {
+        self.centre + f * self.rise * self.axis + DQuat::from_axis_angle(self.axis, f * self.sweep) * self.out
+    }
+}
+
+/// Length of a way whose tip is at `tip(f)` at the part `f` of it, mm: by chords, with what they lack taken from half as
+/// many.
+pub fn tip_way(tip: impl Fn(f64) -> DVec3) -> f64 {
+    let tips: Vec<DVec3> = (0..=PARTS).map(|k| tip(f64::from(k) / f64::from(PARTS))).collect();
+    let chords = |step: usize| -> f64 {
+        let ends = tips.iter().step_by(step);
+        ends.clone().zip(ends.skip(1)).map(|(a, b)| a.distance(*b)).sum()
+    };
+    (4.0 * chords(1) - chords(2)) / 3.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+        #[test]
+        fn three_places_of_a_helix_give_it_back(
+            centre in prop::array::uniform3(-500.0..500.0), axis in prop::array::uniform3(-1.0..1.0),
+            out in prop::array::uniform3(-100.0..100.0), sweep in 0.01..6.2, rise in -50.0..50.0,
+        ) {
+            let axis = DVec3::from(axis).try_normalize().unwrap_or(DVec3::Z);
+            let out = DVec3::from(out).reject_from_normalized(axis);
+            prop_assume!(out.length() > 1.0);
+            let helix = ArcThrough { centre: DVec3::from(centre), axis, out, sweep, rise };
+            let again = ArcThrough::new(helix.at(0.0), helix.at(0.5), helix.at(1.0), Some(axis)).unwrap();
+            for k in 0..=20 {
+                let f = f64::from(k) / 20.0;
+                prop_assert!(helix.at(f).distance(again.at(f)) < 1e-6, "{}", helix.at(f).distance(again.at(f)));
+            }
+            let length = (sweep * out.length()).hypot(rise);
+            prop_assert!((tip_way(|f| helix.at(f)) - length).abs() < 1e-3 * length);
+        }
+    }
+}
