@@ -135,6 +135,13 @@ impl Control {
         self.outputs.push(output);
     }
 
+    /// Whether arc or beam is switched by something of its own. A Sinumerik that interpolates process values switches it
+    /// by these, unless the machine file has a code for it.
+    pub fn switches_arc(&self) -> bool {
+        let interpolates = self.channels.iter().any(|c| c.kind == ChannelKind::Interpolated);
+        !interpolates || self.code(&Code::Event(Event::Arc(true))).is_some()
+    }
+
     /// Index of the channel called `name`.
     pub fn channel(&self, name: &str) -> Option<usize> {
         self.channels.iter().position(|c| c.name == name)

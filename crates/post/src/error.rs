@@ -36,6 +36,9 @@ pub enum Error {
     /// Blocks are cut for one torch.
     #[error("two torches that weld at once cannot be posted: blocks are checked for one of them only")]
     TwoTorches,
+    /// A part program without motion.
+    #[error("nothing moves in the part program: it needs at least one block with G1, G2, G3 or G0 that goes elsewhere")]
+    Nothing,
     /// The tolerance cannot be kept.
     #[error("the tolerance needs blocks too short for the control near s = {s:.3} mm: allow more")]
     TooFine {

@@ -13,6 +13,7 @@ mod linuxcnc;
 mod number;
 mod part_program;
 mod play;
+mod points;
 mod ramps;
 
 pub use blocks::{Block, Linearisation, linearise};
@@ -22,3 +23,4 @@ pub use feed::Group;
 pub use linuxcnc::{Options, linuxcnc};
 pub use part_program::{Arc, Channel, ChannelKind, Event, Level, Move, PartProgram, Path, Step, What};
 pub use play::{Segment, play};
+pub use points::to_program;

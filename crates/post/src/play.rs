@@ -57,6 +57,14 @@ impl Segment {
         self.level.is_some()
     }
 
+    /// Speeds of the axes at begin and end of a cubic, per s.
+    pub fn speeds(&self) -> Option<(&[f64], &[f64])> {
+        match &self.way {
+            Way::Cubic(begin, end) => Some((begin, end)),
+            _ => None,
+        }
+    }
+
     /// Channels at its end.
     pub fn end(&self) -> &[f64] {
         &self.to

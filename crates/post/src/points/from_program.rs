@@ -1,0 +1,187 @@
+use crate::part_program::{Arc, Event, Level, Move, PartProgram, Path, What};
+use crate::{Control, Dialect};
+use glam::DVec3;
+use seamwright_document::{Direction, Finite};
+use seamwright_machine::{Joints, Machine};
+use seamwright_program::{Along, ArcThrough, Pass, PointEvent, PointSpan, Points, tip_way};
+
+/// Whether a pass goes into a part program block by block: its points are axis positions, and the control has every way
+/// between them. The others are cut from the planned motion.
+pub(crate) fn is_posted_as_it_stands(control: &Control, pass: &Pass) -> bool {
+    let Some(points) = &pass.points else { return false };
+    let columns = points.known_columns();
+    let place = |row: &[Finite]| {
+        let of = |name: &str| columns.axes.iter().find(|(axis, _)| axis == name).map_or(0.0, |(_, i)| row[*i].get());
+        DVec3::new(of("x"), of("y"), of("z"))
+    };
+    let mut here = place(&points.start);
+    let mut can = |span: &PointSpan| {
+        let start = here;
+        here = span.points.last().map_or(here, |row| place(row));
+        match span.along {
+            Along::Rapid | Along::Line => true,
+            Along::Arc => arc(span, start, here).is_some_and(|arc| can_arc(control.dialect, &arc)),
+            Along::Cubic => control.dialect == Dialect::Pmac,
+            Along::Spline | Along::Taught => false,
+        }
+    };
+    columns.pose == 0 && points.spans.iter().all(&mut can)
+}
+
+/// LinuxCNC and grblHAL have arcs in the planes of two axes, PMAC any, a Sinumerik any that does not climb.
+fn can_arc(dialect: Dialect, arc: &ArcThrough) -> bool {
+    let upright = arc.axis.abs().max_element() > 1.0 - UPRIGHT;
+    match dialect {
+        Dialect::Pmac => true,
+        Dialect::Sinumerik => upright || arc.rise.abs() < 1e-9,
+        Dialect::Linuxcnc | Dialect::Grblhal => upright,
+    }
+}
+
+/// An arc's axis that is as near as this to that of a plane of two axes is along it: places have rounded coordinates.
+const UPRIGHT: f64 = 1e-12;
+
+/// The arc of a span that begins and ends at these places.
+fn arc(span: &PointSpan, start: DVec3, end: DVec3) -> Option<ArcThrough> {
+    ArcThrough::new(start, span.via_mm?.get(), end, span.normal.map(Direction::unit))
+}
+
+/// The steps of `pass` as it stands, appended to `program`; `here` is the row that the control is at, and is left where
+/// the pass ends.
+pub(crate) fn steps(
+    machine: &Machine,
+    control: &Control,
+    pass: &Pass,
+    (program, here): (&mut PartProgram, &mut Vec<f64>),
+) {
+    let Some(points) = &pass.points else { return };
+    let columns = points.known_columns();
+    let mut channels: Vec<(usize, usize)> = Vec::new();
+    for (name, column) in columns.axes.iter().chain(&columns.process) {
+        channels.extend(control.channel(name).map(|channel| (channel, *column)));
+    }
+    let home = machine.home();
+    let mut base = here.clone();
+    for (i, axis) in machine.axes.iter().enumerate() {
+        base[i] = axis.to_file(home[i]);
+    }
+    let mut writer = Steps { machine, points, channels, base, number: columns.number, timed: columns.timed, program };
+    writer.events(0);
+    let first = writer.row(&points.start);
+    for channel in writer.program.axes()..first.len() {
+        if (first[channel] - here[channel]).abs() > 0.0 {
+            let set = What::Set { channel: channel as u16, value: first[channel], at_once: true };
+            writer.program.push(set);
+        }
+    }
+    *here = first;
+    let mut reached = 0;
+    for span in &points.spans {
+        for (k, point) in span.points.iter().enumerate() {
+            let row = writer.row(point);
+            writer.block(span, k, (here, &row), point);
+            *here = row;
+            reached += 1;
+            writer.events(reached);
+        }
+    }
+}
+
+struct Steps<'a> {
+    machine: &'a Machine,
+    points: &'a Points,
+    /// Channels with the columns that say them.
+    channels: Vec<(usize, usize)>,
+    /// What the other channels are at.
+    base: Vec<f64>,
+    number: Option<usize>,
+    timed: bool,
+    program: &'a mut PartProgram,
+}
+
+impl Steps<'_> {
+    fn row(&self, point: &[Finite]) -> Vec<f64> {
+        let mut row = self.base.clone();
+        self.channels.iter().for_each(|(channel, column)| row[*channel] = point[*column].get());
+        row
+    }
+
+    fn events(&mut self, after: usize) {
+        for event in self.points.events.iter().filter(|event| event.after == after) {
+            let event = event_of(event);
+            self.program.steps.extend(event.map(|event| crate::Step {
+                line: 0,
+                number: None,
+                what: What::Event { event, at_once: true },
+            }));
+        }
+    }
+
+    fn block(&mut self, span: &PointSpan, k: usize, (from, to): (&[f64], &[f64]), point: &[Finite]) {
+        let path = match span.along {
+            Along::Rapid => Path::Rapid,
+            Along::Arc => self.arc(span, from, to).map_or(Path::Line, |arc| {
+                self.program.arcs.push(arc);
+                Path::Arc(self.program.arcs.len() as u32 - 1)
+            }),
+            Along::Cubic => {
+                let mut speeds = vec![0.0; to.len()];
+                let places = self.channels.iter().filter(|(channel, _)| *channel < self.program.axes());
+                for ((channel, _), speed) in places.zip(&span.speeds[k + 1]) {
+                    speeds[*channel] = speed.get();
+                }
+                Path::Hermite(self.program.add_row(&speeds))
+            }
+            Along::Line | Along::Spline | Along::Taught => Path::Line,
+        };
+        let last = point[point.len() - 1].get();
+        let seconds = match path {
+            Path::Rapid => 0.0,
+            _ if self.timed => last,
+            _ => self.way(path, from, to) / last,
+        };
+        let number = self.number.map(|column| point[column].get() as u32).filter(|n| *n > 0);
+        let row = self.program.add_row(to);
+        let m = Move { path, row, seconds, level: Level::Joint, exact_stop: span.stops };
+        self.program.steps.push(crate::Step { line: 0, number, what: What::Move(m) });
+    }
+
+    /// Way of the tip in a block, mm.
+    fn way(&self, path: Path, from: &[f64], to: &[f64]) -> f64 {
+        let arc = match path {
+            Path::Arc(i) => Some(self.program.arcs[i as usize]),
+            _ => None,
+        };
+        tip_way(|f| {
+            let mut q = Joints::default();
+            for (i, axis) in self.machine.axes.iter().enumerate() {
+                q[i] = axis.from_file(from[i] + f * (to[i] - from[i]));
+            }
+            if let (Some(arc), Some(xyz)) = (arc, self.program.xyz()) {
+                let [a, b] = [from, to].map(|row| DVec3::from_array(xyz.map(|i| row[i])));
+                xyz.iter().zip(arc.at(a, b, f).to_array()).for_each(|(i, value)| q[*i] = value);
+            }
+            self.machine.forward(&q).point
+        })
+    }
+
+    fn arc(&self, span: &PointSpan, from: &[f64], to: &[f64]) -> Option<Arc> {
+        let xyz = self.program.xyz()?;
+        let [start, end] = [from, to].map(|row| DVec3::from_array(xyz.map(|i| row[i])));
+        let arc = arc(span, start, end)?;
+        let axis = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().find(|n| arc.axis.dot(*n).abs() > 1.0 - UPRIGHT);
+        let normal = axis.map_or(arc.axis, |n| n * arc.axis.dot(n).signum());
+        Some(Arc { centre: arc.centre, normal, sweep: arc.sweep })
+    }
+}
+
+fn event_of(event: &PointEvent) -> Option<Event> {
+    Some(match event {
+        PointEvent { gas: Some(on), .. } => Event::Gas(*on),
+        PointEvent { wire: Some(on), .. } => Event::Wire(*on),
+        PointEvent { output: Some(number), on: Some(on), .. } => Event::Output(*number, *on),
+        PointEvent { message: Some(text), .. } => Event::Message(text.as_str().into()),
+        PointEvent { call: Some(name), .. } => Event::Call(name.as_str().into()),
+        _ => return None,
+    })
+}

@@ -1,0 +1,8 @@
+//! Passes through axis positions and part programs: one as the other, block by block.
+
+mod from_program;
+mod rests;
+mod to_program;
+
+pub(crate) use from_program::{is_posted_as_it_stands, steps};
+pub use to_program::to_program;

@@ -1,0 +1,334 @@
+use super::rests::Rests;
+use crate::part_program::{ChannelKind, Event, Level, Move, PartProgram, Path, Step, What};
+use crate::play::{Segment, play};
+use crate::{Control, Error};
+use glam::DVec3;
+use seamwright_document::{Direction, Finite, Point, Positive, SchemaVersion, Transform};
+use seamwright_machine::{Joints, Machine};
+use seamwright_program::{
+    Air, Along, AtCorner, Clearance, NUMBER_COLUMN, OnLimit, POSE_COLUMNS, Part, Pass, PointEvent, PointSpan, Points,
+    Program, SpareAxes, TIME_COLUMN, Tolerance, Torch,
+};
+use std::f64::consts::PI;
+
+/// A part program as a program of points: every block a point, equal in effect. `start` is the row before its first
+/// block. Corners that the control goes through without a stop are blended within `blend_mm`.
+///
+/// A new pass begins where the part program begins one, where the arc goes on or off, where the control rests, and where
+/// the control's kinematics are switched. Where the control's machine file gives no way to switch the arc, it is on in
+/// feed moves and off in rapid ones.
+///
+/// # Errors
+/// [`Error::Nothing`] if nothing moves.
+pub fn to_program(
+    machine: &Machine,
+    control: &Control,
+    read: &PartProgram,
+    start: &[f64],
+    (name, blend_mm): (&str, Positive),
+) -> Result<Program, Error> {
+    let segments = play(read, start);
+    let used = used(read, &segments);
+    let mut builder = Builder {
+        machine,
+        read,
+        used,
+        switches_arc: control.switches_arc() && read.steps.iter().any(is_arc),
+        numbered: read.steps.iter().any(|step| step.number.is_some() && matches!(step.what, What::Move(_))),
+        corner: AtCorner::BlendMm(blend_mm),
+        here: start.to_vec(),
+        done: Vec::new(),
+        open: None,
+        name: None,
+        rests: Rests::default(),
+        events: Vec::new(),
+    };
+    let mut segments = segments.into_iter().peekable();
+    for (i, step) in read.steps.iter().enumerate() {
+        let mut of_step = Vec::new();
+        while let Some(segment) = segments.next_if(|segment| segment.step <= i) {
+            of_step.push(segment);
+        }
+        builder.step(step, &of_step);
+    }
+    builder.close();
+    if builder.done.is_empty() {
+        return Err(Error::Nothing);
+    }
+    Ok(Program {
+        schema: SchemaVersion,
+        title: read.title.clone(),
+        machine: name.to_owned(),
+        offset: None,
+        offsets: Default::default(),
+        placement: Transform::default(),
+        copies: Vec::new(),
+        seam: None,
+        start: Default::default(),
+        joint: None,
+        taught: Vec::new(),
+        part: Part::default(),
+        fixtures: Vec::new(),
+        clearance: Clearance::default(),
+        air: Air::default(),
+        procedure: None,
+        passes: builder.done,
+    })
+}
+
+fn is_arc(step: &Step) -> bool {
+    matches!(step.what, What::Event { event: Event::Arc(_), .. })
+}
+
+/// Process channels that are ever other than 0.
+fn used(read: &PartProgram, segments: &[Segment]) -> Vec<usize> {
+    let mut used = vec![false; read.channels.len()];
+    for segment in segments {
+        for row in [segment.start(), segment.end()] {
+            used.iter_mut().zip(row).for_each(|(used, value)| *used |= *value != 0.0);
+        }
+    }
+    (read.axes()..used.len()).filter(|i| used[*i]).collect()
+}
+
+/// A pass that is being made.
+struct Open {
+    name: String,
+    arc: bool,
+    level: Level,
+    points: Points,
+    rests: Rests,
+}
+
+struct Builder<'a> {
+    machine: &'a Machine,
+    read: &'a PartProgram,
+    /// Process channels that are told.
+    used: Vec<usize>,
+    switches_arc: bool,
+    numbered: bool,
+    corner: AtCorner,
+    /// All channels where the last step ended.
+    here: Vec<f64>,
+    done: Vec<Pass>,
+    open: Option<Open>,
+    /// Name that the next pass has.
+    name: Option<String>,
+    /// Rests since the last move.
+    rests: Rests,
+    /// Events since the last move.
+    events: Vec<PointEvent>,
+}
+
+impl Builder<'_> {
+    fn step(&mut self, step: &Step, segments: &[Segment]) {
+        match &step.what {
+            What::Pass(name) => {
+                self.close();
+                self.name = Some(name.to_string());
+            }
+            What::Move(m) => segments.iter().for_each(|segment| self.segment(step, m, segment)),
+            What::Dwell(seconds) => {
+                for segment in segments {
+                    let values = self.used.iter().map(|i| segment.end()[*i]).collect();
+                    self.rests.add(segment.arc, *seconds, values);
+                    self.here = segment.end().to_vec();
+                }
+            }
+            What::Event { event, .. } => self.event(event),
+            What::Set { .. } | What::Comment(_) => {}
+        }
+    }
+
+    fn event(&mut self, event: &Event) {
+        let none = PointEvent { after: 0, gas: None, wire: None, output: None, on: None, message: None, call: None };
+        self.events.push(match event {
+            Event::Arc(_) => return,
+            Event::Gas(on) => PointEvent { gas: Some(*on), ..none },
+            Event::Wire(on) => PointEvent { wire: Some(*on), ..none },
+            Event::Output(number, on) => PointEvent { output: Some(*number), on: Some(*on), ..none },
+            Event::Message(text) => PointEvent { message: Some(text.to_string()), ..none },
+            Event::Call(name) => PointEvent { call: Some(name.to_string()), ..none },
+        });
+    }
+
+    fn segment(&mut self, step: &Step, m: &Move, segment: &Segment) {
+        let arc = if self.switches_arc { segment.arc } else { m.path != Path::Rapid };
+        let stands = segment.seconds == 0.0 && segment.start() == segment.end();
+        if stands && m.path != Path::Rapid {
+            return;
+        }
+        let goes_on = self.open.as_ref().is_some_and(|open| open.arc == arc && open.level == m.level);
+        if !goes_on || !self.rests.is_empty() {
+            self.close();
+            self.begin(arc, m.level, segment.start());
+        }
+        let Some(open) = &mut self.open else { return };
+        let reached = open.points.count();
+        open.points.events.extend(self.events.drain(..).map(|event| PointEvent { after: reached, ..event }));
+        let number = step.number.filter(|_| self.numbered);
+        self.add(m, segment, number);
+        self.here = segment.end().to_vec();
+    }
+
+    /// Adds the points of a segment to the open pass.
+    fn add(&mut self, m: &Move, segment: &Segment, number: Option<u32>) {
+        let level = m.level;
+        let arc = match (m.path, self.read.xyz()) {
+            (Path::Arc(arc), Some(_)) => Some(self.read.arcs[arc as usize]),
+            _ => None,
+        };
+        let along = match m.path {
+            Path::Rapid => Along::Rapid,
+            Path::Line | Path::Arc(_) if arc.is_none() => Along::Line,
+            Path::Line | Path::Arc(_) => Along::Arc,
+            Path::Hermite(_) | Path::Spline => Along::Cubic,
+        };
+        // Arcs of more than half a turn are told by several.
+        let parts = arc.map_or(1, |arc| (arc.sweep / (PI * (1.0 + 1e-9))).ceil().max(1.0) as u32);
+        let mut row = Vec::new();
+        for part in 0..parts {
+            let end = f64::from(part + 1) / f64::from(parts);
+            segment.at((f64::from(part) + 0.5) / f64::from(parts), &mut row);
+            let via = self.read.xyz().map(|xyz| DVec3::from_array(xyz.map(|i| row[i])));
+            if part + 1 == parts {
+                row.clone_from(&segment.end().to_vec())
+            } else {
+                segment.at(end, &mut row)
+            }
+            let seconds = segment.seconds / f64::from(parts);
+            let point = self.point(&row, level, number.filter(|_| part + 1 == parts), seconds);
+            let span = PointSpan {
+                along,
+                stops: m.exact_stop && part + 1 == parts && along != Along::Rapid,
+                via_mm: arc.and(via).and_then(Point::new),
+                normal: arc.filter(|_| self.climbs(segment)).and_then(|arc| Direction::new(arc.normal)),
+                speeds: self.speeds(segment, along),
+                points: vec![point],
+            };
+            if let Some(open) = &mut self.open {
+                push(&mut open.points.spans, span);
+            }
+        }
+    }
+
+    /// Whether an arc also goes along its axis: whatever else, its places do not tell its plane.
+    fn climbs(&self, segment: &Segment) -> bool {
+        let (Some(xyz), Some(arc)) = (self.read.xyz(), self.arc_of(segment)) else { return false };
+        let rise: f64 = (0..3).map(|k| (segment.end()[xyz[k]] - segment.start()[xyz[k]]) * arc.normal[k]).sum();
+        rise.abs() > 1e-9
+    }
+
+    fn arc_of(&self, segment: &Segment) -> Option<crate::part_program::Arc> {
+        match self.read.steps[segment.step].what {
+            What::Move(Move { path: Path::Arc(arc), .. }) => Some(self.read.arcs[arc as usize]),
+            _ => None,
+        }
+    }
+
+    /// Speeds of the axes at begin and end of a cubic.
+    fn speeds(&self, segment: &Segment, along: Along) -> Vec<Vec<Finite>> {
+        let Some((begin, end)) = segment.speeds().filter(|_| along == Along::Cubic) else { return Vec::new() };
+        [begin, end].map(|row| row.iter().take(self.read.axes()).map(|v| finite(*v)).collect()).into()
+    }
+
+    /// The numbers of a point where the channels are at `row`.
+    fn point(&self, row: &[f64], level: Level, number: Option<u32>, seconds: f64) -> Vec<Finite> {
+        let mut numbers = match level {
+            Level::Joint => row[..self.read.axes()].to_vec(),
+            Level::Tip => self.pose(row),
+        };
+        numbers.extend(self.used.iter().map(|i| row[*i]));
+        if self.numbered {
+            numbers.push(number.map_or(0.0, f64::from));
+        }
+        numbers.push(seconds);
+        numbers.into_iter().map(finite).collect()
+    }
+
+    /// Tip and direction where X, Y and Z of a row are the tip's place.
+    fn pose(&self, row: &[f64]) -> Vec<f64> {
+        let mut q = Joints::default();
+        for ((q, axis), value) in q.iter_mut().zip(&self.machine.axes).zip(row) {
+            *q = axis.from_file(*value);
+        }
+        let direction = self.machine.forward(&q).direction;
+        let tip = self.read.xyz().map_or([0.0; 3], |xyz| xyz.map(|i| row[i]));
+        tip.into_iter().chain(direction.to_array()).collect()
+    }
+
+    fn begin(&mut self, arc: bool, level: Level, start: &[f64]) {
+        let mut columns: Vec<String> = match level {
+            Level::Joint => self.read.channels[..self.read.axes()].iter().map(|c| c.name.clone()).collect(),
+            Level::Tip => POSE_COLUMNS.map(str::to_owned).to_vec(),
+        };
+        columns.extend(self.used.iter().map(|i| self.read.channels[*i].name.clone()));
+        columns.extend(self.numbered.then(|| NUMBER_COLUMN.to_owned()));
+        columns.push(TIME_COLUMN.to_owned());
+        let stepped = self.used.iter().map(|i| &self.read.channels[*i]);
+        let stepped = stepped.filter(|c| c.kind == ChannelKind::Stepped).map(|c| c.name.clone()).collect();
+        let name = self.name.take().unwrap_or_else(|| match arc {
+            true => format!("weld {}", self.done.iter().filter(|pass| pass.has_arc()).count() + 1),
+            false => format!("way {}", self.done.iter().filter(|pass| !pass.has_arc()).count() + 1),
+        });
+        let start = self.point(start, level, None, 0.0);
+        let points = Points { columns, arc, stepped, start, events: Vec::new(), spans: Vec::new() };
+        self.open = Some(Open { name, arc, level, points, rests: std::mem::take(&mut self.rests) });
+    }
+
+    /// Ends the open pass; what has rested since is its end if the arc burns on, and the next one's begin if not.
+    fn close(&mut self) {
+        let Some(mut open) = self.open.take() else { return };
+        let names: Vec<String> = self.used.iter().map(|i| self.read.channels[*i].name.clone()).collect();
+        let values = |row: Option<&[Finite]>| row.map_or(Vec::new(), |row| self.values(&open.points, row));
+        let (first, last) = (values(open.points.rows().nth(1)), values(open.points.rows().last()));
+        let end = self.rests.take_end(open.arc);
+        let sequence = open.rests.sequence(&names, (&first, &last), &end);
+        // What is switched before the pass ends belongs to its last point.
+        if !self.rests.is_empty() || self.rests.was_taken() {
+            let reached = open.points.count();
+            open.points.events.extend(self.events.drain(..).map(|event| PointEvent { after: reached, ..event }));
+        }
+        self.done.push(Pass {
+            name: open.name,
+            role: None,
+            copy: 0,
+            begin_mm: Default::default(),
+            reverse: false,
+            on_limit: OnLimit::Slow,
+            least_speed_mm_s: None,
+            corner: self.corner,
+            sequence,
+            torch: Torch::default(),
+            tolerance: Tolerance::default(),
+            spare_axes: SpareAxes::default(),
+            bead: None,
+            weave: None,
+            oscillation: None,
+            points: Some(open.points),
+            spans: Vec::new(),
+        });
+    }
+
+    /// Process values of a point.
+    fn values(&self, points: &Points, row: &[Finite]) -> Vec<f64> {
+        let first = points.columns.len() - 1 - usize::from(self.numbered) - self.used.len();
+        row[first..first + self.used.len()].iter().map(|v| v.get()).collect()
+    }
+}
+
+/// Adds a span of one point, to the last span if both are alike.
+fn push(spans: &mut Vec<PointSpan>, span: PointSpan) {
+    match spans.last_mut() {
+        Some(last) if last.along == span.along && last.stops == span.stops && span.via_mm.is_none() => {
+            last.speeds.extend(span.speeds.into_iter().skip(1));
+            last.points.extend(span.points);
+        }
+        _ => spans.push(span),
+    }
+}
+
+/// Values of a part program are finite: they were read so.
+fn finite(value: f64) -> Finite {
+    Finite::new(value).unwrap_or_default()
+}
