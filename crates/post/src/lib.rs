@@ -15,6 +15,7 @@ mod part_program;
 mod play;
 mod points;
 mod ramps;
+mod verify;
 
 pub use blocks::{Block, Linearisation, linearise};
 pub use control::{Code, Control, Dialect};
@@ -24,3 +25,4 @@ pub use linuxcnc::{Options, linuxcnc};
 pub use part_program::{Arc, Channel, ChannelKind, Event, Level, Move, PartProgram, Path, Step, What};
 pub use play::{Segment, play};
 pub use points::to_program;
+pub use verify::{PassVerification, Planned, Verification, verify};

@@ -1,0 +1,166 @@
+//! The proof of a post: its text is read back, played by the control's own rules, taken through the machine's forward
+//! kinematics and compared with what was asked: block by block with the part program that was written, and in time with
+//! the planned motion.
+
+mod plan;
+mod same;
+
+use crate::part_program::PartProgram;
+use crate::points::is_posted_as_it_stands;
+use crate::{Control, Level};
+use seamwright_machine::Machine;
+use seamwright_motion::WeldMotion;
+use seamwright_program::Program;
+use serde::Serialize;
+
+/// What a post is held against.
+#[derive(Debug, Clone, Copy)]
+pub struct Planned<'a> {
+    /// The machine.
+    pub machine: &'a Machine,
+    /// Its control.
+    pub control: &'a Control,
+    /// The program that was posted.
+    pub program: &'a Program,
+    /// Its motion.
+    pub motion: &'a WeldMotion,
+    /// Greatest distance of the blocks' path from the planned one of the tip, mm.
+    pub tolerance_mm: f64,
+}
+
+/// A proof.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Verification {
+    /// Blocks with motion.
+    pub moves: usize,
+    /// Greatest difference of an axis or process value between what was asked and what was read back, mm or degrees.
+    pub rounding: f64,
+    /// Each pass.
+    pub passes: Vec<PassVerification>,
+}
+
+/// The proof of one pass.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PassVerification {
+    /// Its name.
+    pub name: String,
+    /// Whether its blocks are the program's own points: there is nothing else that they could leave.
+    pub as_it_stands: bool,
+    /// Greatest distance of the tip from the planned path, mm.
+    pub tip_mm: f64,
+    /// Greatest deviation of a linear axis from the planned path, mm, and its name.
+    pub linear: Option<(f64, String)>,
+    /// Greatest deviation of a rotary axis, degrees, and its name.
+    pub rotary: Option<(f64, String)>,
+    /// Greatest deviation of the torch's direction, degrees.
+    pub direction_deg: f64,
+    /// How far the tip is ahead of the plan or behind it at most, mm.
+    pub lag_mm: f64,
+    /// Greatest deviation of the tip's mean speed in a block, percent of the planned one.
+    pub speed_percent: f64,
+    /// Time with the arc on, s, and its deviation from the planned one, percent.
+    pub arc_s: f64,
+    /// Deviation of that time, percent.
+    pub time_percent: f64,
+    /// Greatest deviation of a process value, percent of its greatest in the pass, and its name.
+    pub process: Option<(f64, String)>,
+}
+
+/// Deviation of a pass' time that is allowed, percent.
+const TIME_PERCENT: f64 = 0.1;
+/// Deviation of a process value that is allowed, percent of its greatest: ramps go in steps of a fiftieth.
+const PROCESS_PERCENT: f64 = 2.5;
+/// Rounding of six decimals.
+const ROUNDING: f64 = 1e-5;
+
+/// Holds `told`, read back from the text, against `asked`, from which it was written, and the plan; `start` is the row
+/// before the first block.
+///
+/// # Errors
+/// What is not as it must be, in words: blocks that are missing or differ, and deviations beyond the tolerance, 0.1 % of
+/// the time or 2.5 % of a process value.
+pub fn verify(
+    asked: &PartProgram,
+    told: &PartProgram,
+    start: &[f64],
+    planned: Planned,
+) -> Result<Verification, Vec<String>> {
+    let same = same::same(planned.control, asked, told, start).map_err(|wrong| vec![wrong])?;
+    let mut wrong = Vec::new();
+    if same.rounding > ROUNDING {
+        wrong.push(format!("a value read back is {:.2e} off the one asked for", same.rounding));
+    }
+    let mut passes = Vec::new();
+    for (i, pass) in planned.program.passes.iter().enumerate() {
+        let checked = match is_posted_as_it_stands(planned.control, pass) {
+            true => plan::as_it_stands(pass, &same.blocks, i),
+            false => plan::check(planned, (i, pass), &same.blocks),
+        };
+        wrong.extend(checked.complaints(planned.tolerance_mm, i + 1));
+        passes.push(checked);
+    }
+    let proof = Verification { moves: same.blocks.len(), rounding: same.rounding, passes };
+    if wrong.is_empty() { Ok(proof) } else { Err(wrong) }
+}
+
+impl PassVerification {
+    fn complaints(&self, tolerance_mm: f64, number: usize) -> Vec<String> {
+        let mut wrong = Vec::new();
+        let mut complain = |text: String| wrong.push(format!("pass {number} ({}): {text}", self.name));
+        if self.tip_mm > tolerance_mm + ROUNDING {
+            complain(format!(
+                "the tip leaves the planned path by {:.6} mm; {tolerance_mm} mm are allowed",
+                self.tip_mm
+            ));
+        }
+        if self.time_percent.is_nan() || self.time_percent.abs() > TIME_PERCENT {
+            complain(format!(
+                "its time is {:.3} % off the planned one; {TIME_PERCENT} % are allowed",
+                self.time_percent
+            ));
+        }
+        if let Some((percent, name)) = self.process.as_ref().filter(|(percent, _)| *percent > PROCESS_PERCENT) {
+            complain(format!("{name} is {percent:.2} % off the planned one; {PROCESS_PERCENT} % are allowed"));
+        }
+        wrong
+    }
+
+    /// The proof in a line of a header.
+    pub fn line(&self) -> String {
+        if self.as_it_stands {
+            return format!("{}: blocks as in the program, {:.3} s", self.name, self.arc_s);
+        }
+        let axis = |worst: &Option<(f64, String)>, unit: &str| {
+            worst.as_ref().map_or(String::new(), |(off, name)| format!(", {name} {off:.5} {unit}"))
+        };
+        let process = match &self.process {
+            Some((percent, name)) => format!(", {name} {percent:.2} %"),
+            None => String::new(),
+        };
+        format!(
+            "{}: tip {:.5} mm{}{}, speed {:.2} %, time {:.4} %{process}",
+            self.name,
+            self.tip_mm,
+            axis(&self.linear, "mm"),
+            axis(&self.rotary, "deg"),
+            self.speed_percent,
+            self.time_percent
+        )
+    }
+}
+
+impl Verification {
+    /// The proof in lines of a header.
+    pub fn lines(&self) -> Vec<String> {
+        let all = format!(
+            "proven by reading back: {} moves, rounding {:.1e}; greatest deviations:",
+            self.moves, self.rounding
+        );
+        std::iter::once(all).chain(self.passes.iter().map(PassVerification::line)).collect()
+    }
+}
+
+/// The level of a move, where X, Y and Z are the tip.
+fn is_tip(level: Option<Level>) -> bool {
+    level == Some(Level::Tip)
+}

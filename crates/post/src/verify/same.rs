@@ -1,0 +1,126 @@
+use crate::Control;
+use crate::part_program::{Event, PartProgram, Path, What};
+use crate::play::{Segment, play};
+
+/// A block of motion as read back, with what the program it was written from says of it.
+pub(super) struct Block {
+    pub(super) told: Segment,
+    /// Whether the arc is on, as asked.
+    pub(super) arc: bool,
+    /// The pass it belongs to, counted from 0.
+    pub(super) pass: usize,
+    /// Whether it is rapid.
+    pub(super) rapid: bool,
+}
+
+/// All blocks, and the greatest difference found.
+pub(super) struct Same {
+    pub(super) blocks: Vec<Block>,
+    pub(super) rounding: f64,
+}
+
+/// Times differ by the digits of feeds: this part, and this much, s.
+const TIME: (f64, f64) = (1e-6, 2e-6);
+/// Values further apart than this are others.
+const OTHER: f64 = 1e-3;
+
+/// Compares what was asked with what was read back: the same blocks in the same order, to the same places, at the same
+/// times, with the same outputs between them.
+///
+/// # Errors
+/// The first difference, in words.
+pub(super) fn same(control: &Control, asked: &PartProgram, told: &PartProgram, start: &[f64]) -> Result<Same, String> {
+    let [of_asked, of_told] = [asked, told].map(|program| moves(program, start));
+    let passes = passes(asked);
+    let arc = control.switches_arc();
+    let mut same = Same { blocks: Vec::new(), rounding: 0.0 };
+    for (k, (a, t)) in of_asked.iter().zip(&of_told).enumerate() {
+        let place = || {
+            let line = told.steps[t.step].line;
+            format!("block {} (line {line})", k + 1)
+        };
+        if a.level != t.level {
+            return Err(format!("{}: it moves where it should rest, or at another level", place()));
+        }
+        if arc && a.arc != t.arc {
+            return Err(format!("{}: the arc is {} there", place(), if t.arc { "on" } else { "off" }));
+        }
+        if (a.seconds - t.seconds).abs() > TIME.0 * a.seconds + TIME.1 {
+            return Err(format!("{}: it takes {} s, not {} s", place(), t.seconds, a.seconds));
+        }
+        for (i, channel) in asked.channels.iter().enumerate() {
+            let ends = [(a.start(), t.start()), (a.end(), t.end())];
+            for (a, t) in ends {
+                let off = (a[i] - t[i]).abs();
+                if off > OTHER {
+                    return Err(format!("{}: {} is {}, not {}", place(), channel.name, t[i], a[i]));
+                }
+                same.rounding = same.rounding.max(off);
+            }
+        }
+        if a.is_move() {
+            same.rounding = same.rounding.max(between(a, t));
+            if same.rounding > OTHER {
+                return Err(format!("{}: it goes another way between its ends", place()));
+            }
+        }
+        let rapid = matches!(asked.steps[a.step].what, What::Move(m) if m.path == Path::Rapid);
+        same.blocks.push(Block { told: t.clone(), arc: a.arc, pass: passes[a.step], rapid });
+    }
+    if of_asked.len() != of_told.len() {
+        return Err(format!("{} blocks are read back, not {}", of_told.len(), of_asked.len()));
+    }
+    let [a, t] = [asked, told].map(|program| events(control, program));
+    if a != t {
+        let differs = a.iter().zip(&t).find(|(a, t)| a != t);
+        return Err(match differs {
+            Some((a, t)) => format!("an output is read back as {t:?}, not {a:?}"),
+            None => format!("{} outputs are read back, not {}", t.len(), a.len()),
+        });
+    }
+    Ok(same)
+}
+
+/// Segments in which something moves or time passes.
+fn moves(program: &PartProgram, start: &[f64]) -> Vec<Segment> {
+    let all = play(program, start).into_iter();
+    all.filter(|s| s.seconds > 0.0 || s.start() != s.end()).collect()
+}
+
+/// The pass that each step belongs to.
+fn passes(program: &PartProgram) -> Vec<usize> {
+    let mut pass: Option<usize> = None;
+    let of = |step: &crate::Step| {
+        if matches!(step.what, What::Pass(_)) {
+            pass = Some(pass.map_or(0, |pass| pass + 1));
+        }
+        pass.unwrap_or(0)
+    };
+    program.steps.iter().map(of).collect()
+}
+
+/// What is switched, in order; words for people aside.
+fn events<'a>(control: &Control, program: &'a PartProgram) -> Vec<&'a Event> {
+    let of = |step: &'a crate::Step| match &step.what {
+        What::Event { event: Event::Message(_), .. } => None,
+        What::Event { event: Event::Arc(_), .. } if !control.switches_arc() => None,
+        What::Event { event, .. } => Some(event),
+        _ => None,
+    };
+    let mut events: Vec<&Event> = program.steps.iter().filter_map(of).collect();
+    // LinuxCNC is told at once and with the motion; what is said twice is one.
+    events.dedup();
+    events
+}
+
+/// Greatest difference between two segments inside them.
+fn between(a: &Segment, t: &Segment) -> f64 {
+    let (mut asked, mut told) = (Vec::new(), Vec::new());
+    let mut most = 0.0f64;
+    for f in [0.25, 0.5, 0.75] {
+        a.at(f, &mut asked);
+        t.at(f, &mut told);
+        most = asked.iter().zip(&told).map(|(a, t)| (a - t).abs()).fold(most, f64::max);
+    }
+    most
+}
