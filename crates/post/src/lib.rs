@@ -13,6 +13,7 @@ mod linuxcnc;
 mod number;
 mod part_program;
 mod ramps;
+mod read;
 
 pub use blocks::{Block, Linearisation, linearise};
 pub use control::{Code, Control, Dialect};
@@ -20,3 +21,4 @@ pub use error::Error;
 pub use feed::Group;
 pub use linuxcnc::{Options, linuxcnc};
 pub use part_program::{Arc, Channel, ChannelKind, Event, Level, Move, PartProgram, Path, Step, What};
+pub use read::{LeftOut, ReadError, ReadOptions, Reading, read};
