@@ -76,6 +76,18 @@ impl<'a> Cursor<'a> {
         Span { from: floor_char(self.text, self.at), to }
     }
 
+    /// No word begins with the character here.
+    pub(super) fn stray(&self) -> Box<Fault> {
+        match self.peek() {
+            b',' if !self.comma => Fault::new(self.here(), "no word begins with a comma")
+                .cure("if numbers have a decimal comma here, say decimal_comma = true in the machine file"),
+            b'0'..=b'9' | b'.' | b',' | b'+' | b'-' => {
+                Fault::new(self.here(), "this part of a number belongs to no word").cure("is the number right?")
+            }
+            _ => Fault::unknown(self.here(), "no word begins with this"),
+        }
+    }
+
     /// From byte `from` to here.
     #[inline]
     pub(super) fn since(&self, from: usize) -> Span {

@@ -12,6 +12,7 @@ mod lexer;
 mod motion;
 mod pmac;
 mod programs;
+mod round;
 mod rs274;
 mod sinumerik;
 mod state;

@@ -97,7 +97,7 @@ impl Words {
                 return c.whole().map(|_| ());
             }
             b'#' => return definition(state, c),
-            _ => return Err(Fault::unknown(c.here(), "no word begins with this")),
+            _ => return Err(c.stray()),
         }
         if c.look(1).is_ascii_alphabetic() {
             return self.keyword(block, state, c);

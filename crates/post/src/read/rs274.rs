@@ -144,10 +144,10 @@ impl Words {
         }
         c.at = from;
         let mark = c.here();
-        c.at = mark.to;
         if !letter.is_ascii_alphabetic() {
-            return Err(Fault::unknown(mark, "no word begins with this"));
+            return Err(c.stray());
         }
+        c.at = mark.to;
         c.skip_word();
         Err(no_address(state.control, mark, &char::from(letter).to_string()))
     }

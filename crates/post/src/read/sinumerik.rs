@@ -35,6 +35,7 @@ struct Line {
 }
 
 /// Words that steer the program: they are not read.
+#[rustfmt::skip]
 const STEERING: [&str; 23] = [
     "IF", "ELSE", "ENDIF", "GOTO", "GOTOF", "GOTOB", "GOTOC", "GOTOS", "FOR", "ENDFOR", "WHILE", "ENDWHILE", "LOOP",
     "ENDLOOP", "REPEAT", "REPEATB", "UNTIL", "CASE", "CALL", "PCALL", "MCALL", "PROC", "ID",
@@ -84,7 +85,7 @@ impl Line {
             }
             b'$' => return self.system_variable(state, c, true),
             b'/' => return Err(skipped(c)),
-            _ => return Err(Fault::unknown(c.here(), "no word begins with this")),
+            _ => return Err(c.stray()),
         }
         // The two forms that nearly all words have: X=1.5, and a letter with a number.
         if c.look(1) == b'=' && c.look(2) != b'=' {

@@ -10,20 +10,9 @@ use crate::read::state::{FeedMode, Motion, State};
 use glam::DVec3;
 
 /// Words that steer the program: they are not read.
+#[rustfmt::skip]
 const STEERING: [&str; 14] = [
-    "IF",
-    "ELSE",
-    "ENDIF",
-    "WHILE",
-    "ENDWHILE",
-    "ENDW",
-    "GOTO",
-    "GOSUB",
-    "CALL",
-    "AND",
-    "OR",
-    "STOP",
-    "BLOCKSTART",
+    "IF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "ENDW", "GOTO", "GOSUB", "CALL", "AND", "OR", "STOP", "BLOCKSTART",
     "BLOCKSTOP",
 ];
 const WORDS: &str =
