@@ -41,6 +41,8 @@ pub(crate) enum Verb {
     Simulate(SimulateArgs),
     /// A part program for another control
     Post(PostArgs),
+    /// A part program of a control as a weld program
+    Read(read::ReadArgs),
     /// Forward or inverse kinematics of rows on standard input
     Kinematics(KinematicsArgs),
     /// The textbook interpolators beside the exact one

@@ -45,6 +45,7 @@ fn run(verb: Option<Verb>) -> Result<(), Failure> {
         Some(Verb::Pulses(a)) => verbs::pulses::run(&a),
         Some(Verb::Simulate(a)) => verbs::simulate::run(&a),
         Some(Verb::Post(a)) => verbs::post::run(&a),
+        Some(Verb::Read(a)) => verbs::read::run(&a),
         Some(Verb::Kinematics(a)) => verbs::kinematics::run(&a),
         Some(Verb::Interpolate(a)) => verbs::interpolate::run(&a),
         Some(Verb::Follow(a)) => verbs::follow::run(&a),

@@ -18,38 +18,52 @@ pub(crate) const LEAST_FEED: f64 = 0.1;
 /// Which axes a feed counts: those of FGROUP or FRAX by channel; none: the control's usual ones.
 pub type Group<'a> = Option<&'a [usize]>;
 
-impl Control {
-    /// The way that the control counts a feed along, from one row to another, mm (or degrees); `arc` if X Y Z go round.
-    pub fn feed_way(&self, group: Group, arc: Option<&Arc>, from: &[f64], to: &[f64]) -> f64 {
-        let axes: Vec<usize> = match (self.dialect, group) {
-            (Dialect::Linuxcnc, _) => return self.linuxcnc_way(arc, from, to),
-            (Dialect::Grblhal, _) => (0..self.channels.len()).filter(|i| self.is_axis(*i)).collect(),
-            (_, Some(group)) => group.to_vec(),
-            (_, None) => ["x", "y", "z"].iter().filter_map(|name| self.channel(name)).collect(),
-        };
-        self.way_of(&axes, arc, from, to)
-    }
+/// A control's rule for what counts as the way, worked out once for many blocks.
+#[derive(Debug, Clone)]
+pub(crate) struct FeedRule {
+    /// Channels that count together: the first of these in which something moves.
+    sets: Vec<Vec<usize>>,
+    xyz: [Option<usize>; 3],
+}
 
-    fn linuxcnc_way(&self, arc: Option<&Arc>, from: &[f64], to: &[f64]) -> f64 {
-        let sets = ["XYZ", "UVW", "ABC"].map(|letters| {
-            let axes: Vec<usize> = (0..self.channels.len())
-                .filter(|i| self.is_axis(*i) && letters.contains(self.addresses[*i].as_str()))
-                .collect();
-            self.way_of(&axes, arc.filter(|_| letters == "XYZ"), from, to)
-        });
-        sets.into_iter().find(|way| *way > 0.0).unwrap_or(0.0)
+impl FeedRule {
+    /// The way from one row to another, mm (or degrees); `arc` if X Y Z go round.
+    pub(crate) fn way(&self, arc: Option<&Arc>, from: &[f64], to: &[f64]) -> f64 {
+        self.sets.iter().map(|axes| self.way_of(axes, arc, from, to)).find(|way| *way > 0.0).unwrap_or(0.0)
     }
 
     /// The root of the sum of squares of `axes`; X Y Z among them along `arc` if it is given.
     fn way_of(&self, axes: &[usize], arc: Option<&Arc>, from: &[f64], to: &[f64]) -> f64 {
         let square = |i: &usize| (to[*i] - from[*i]).powi(2);
-        let places: Vec<Option<usize>> = ["x", "y", "z"].iter().map(|name| self.channel(name)).collect();
-        let Some(arc) = arc.filter(|_| places.iter().flatten().any(|i| axes.contains(i))) else {
+        let Some(arc) = arc.filter(|_| self.xyz.iter().flatten().any(|i| axes.contains(i))) else {
             return axes.iter().map(square).sum::<f64>().sqrt();
         };
-        let place = |row: &[f64]| DVec3::from_array([0, 1, 2].map(|k| places[k].map_or(0.0, |i| row[i])));
-        let others = axes.iter().filter(|i| !places.contains(&Some(**i))).map(square).sum::<f64>();
+        let place = |row: &[f64]| DVec3::from_array(self.xyz.map(|channel| channel.map_or(0.0, |i| row[i])));
+        let others = axes.iter().filter(|i| !self.xyz.contains(&Some(**i))).map(square).sum::<f64>();
         (arc.length(place(from), place(to)).powi(2) + others).sqrt()
+    }
+}
+
+impl Control {
+    /// The way that the control counts a feed along, from one row to another, mm (or degrees); `arc` if X Y Z go round.
+    pub fn feed_way(&self, group: Group, arc: Option<&Arc>, from: &[f64], to: &[f64]) -> f64 {
+        self.feed_rule(group).way(arc, from, to)
+    }
+
+    pub(crate) fn feed_rule(&self, group: Group) -> FeedRule {
+        let xyz = ["x", "y", "z"].map(|name| self.channel(name));
+        let axes = |counts: &dyn Fn(usize) -> bool| -> Vec<usize> {
+            (0..self.channels.len()).filter(|i| self.is_axis(*i) && counts(*i)).collect()
+        };
+        let sets = match (self.dialect, group) {
+            (Dialect::Linuxcnc, _) => {
+                ["XYZ", "UVW", "ABC"].map(|letters| axes(&|i| letters.contains(self.addresses[i].as_str()))).to_vec()
+            }
+            (Dialect::Grblhal, _) => vec![axes(&|_| true)],
+            (_, Some(group)) => vec![group.to_vec()],
+            (_, None) => vec![xyz.iter().flatten().copied().collect()],
+        };
+        FeedRule { sets, xyz }
     }
 
     fn is_axis(&self, channel: usize) -> bool {

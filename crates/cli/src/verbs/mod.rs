@@ -14,6 +14,7 @@ pub(crate) mod plan;
 pub(crate) mod post;
 mod process;
 pub(crate) mod pulses;
+pub(crate) mod read;
 pub(crate) mod reduce;
 pub(crate) mod schema;
 pub(crate) mod seam;

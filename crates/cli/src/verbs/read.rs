@@ -1,0 +1,135 @@
+//! A part program as a weld program.
+
+use super::positive;
+use crate::args::LevelArg;
+use crate::args::read::ReadArgs;
+use crate::failure::Failure;
+use crate::files;
+use crate::load;
+use crate::rows::{print_json, print_text};
+use seamwright_document::Positive;
+use seamwright_machine::Machine;
+use seamwright_post::{Control, Dialect, Level, ReadOptions, Reading, What, read, to_program};
+use seamwright_program::Program;
+use serde::Serialize;
+use std::io::{self, Write as _};
+
+/// Most of a corner that a torch may cut off: the tolerance of a pass that does not say another.
+const WIDEST_MM: f64 = 0.5;
+
+/// What was read, for other programs.
+#[derive(Debug, Serialize)]
+struct Summary<'a> {
+    seamwright: &'static str,
+    file: &'a str,
+    dialect: &'static str,
+    machine: &'a str,
+    moves: usize,
+    seconds: f64,
+    passes: Vec<PassSummary<'a>>,
+    left_out: Vec<String>,
+    notes: &'a [String],
+}
+
+#[derive(Debug, Serialize)]
+struct PassSummary<'a> {
+    name: &'a str,
+    arc: bool,
+    points: usize,
+}
+
+pub(crate) fn run(args: &ReadArgs) -> Result<(), Failure> {
+    let blend = positive("--blend-mm", args.blend_mm)?;
+    let blend = Positive::new(blend).filter(|_| blend <= WIDEST_MM).ok_or_else(|| {
+        Failure::Input(format!("--blend-mm {blend}: too far\n   allowed: up to {WIDEST_MM}, the tolerance of a pass"))
+    })?;
+    let machine = load::machine(&args.machine)?;
+    let text = files::read(&args.file)?;
+    let file = args.file.display().to_string();
+    let dialect = args.dialect.map_or_else(|| Dialect::guess(&file, &text), Into::into);
+    let control = Control::new(&machine, dialect).map_err(|e| Failure::Input(format!("{}: {e}", args.machine)))?;
+    let start = start(&machine, &control);
+    let level = match args.level {
+        LevelArg::Joint => Level::Joint,
+        LevelArg::Tip => Level::Tip,
+    };
+    let options = ReadOptions { lenient: args.lenient, level, start: Some(start.clone()) };
+    let reading = read(&control, &file, &text, &options).map_err(|e| Failure::Input(e.to_string()))?;
+    let program = to_program(&machine, &control, &reading.program, &start, (&args.machine, blend))
+        .map_err(|e| Failure::Input(format!("{file}: {e}")))?;
+    let written = program.to_toml().map_err(|e| Failure::Environment(e.to_string()))?;
+    // What is written is read by all other verbs: a program that they refuse is none.
+    Program::read(&file, &written)?;
+    tell(&file, dialect, &reading, &program)?;
+    if let Some(path) = &args.output {
+        files::write(path, &written)?;
+    }
+    match (args.json, &args.output) {
+        (true, _) => print_json(&summary(args, &file, dialect, &reading, &program)),
+        (false, None) => print_text(&written),
+        (false, Some(_)) => Ok(()),
+    }
+}
+
+/// The row before the first block: all axes at home, nothing on.
+pub(super) fn start(machine: &Machine, control: &Control) -> Vec<f64> {
+    let home = machine.home();
+    let mut row = vec![0.0; control.channels.len()];
+    for (i, axis) in machine.axes.iter().enumerate() {
+        row[i] = axis.to_file(home[i]);
+    }
+    row
+}
+
+fn moves(reading: &Reading) -> (usize, f64) {
+    let moves = reading.program.steps.iter().filter_map(|step| match step.what {
+        What::Move(m) => Some(m.seconds),
+        _ => None,
+    });
+    moves.fold((0, 0.0), |(count, sum), seconds| (count + 1, sum + seconds))
+}
+
+/// Says to standard error what was read and what was not.
+fn tell(file: &str, dialect: Dialect, reading: &Reading, program: &Program) -> Result<(), Failure> {
+    let mut err = io::stderr().lock();
+    let (count, seconds) = moves(reading);
+    let passes = program.passes.len();
+    writeln!(err, "{file}: {} program, {count} moves, {seconds:.3} s by its feeds; passes: {passes}", dialect.name())?;
+    for note in &reading.notes {
+        writeln!(err, "note: {note}")?;
+    }
+    for left in &reading.left_out {
+        writeln!(err, "left out: {file}:{}:{}: {}: {}", left.line, left.column, left.text, left.why)?;
+    }
+    Ok(())
+}
+
+fn summary<'a>(
+    args: &'a ReadArgs,
+    file: &'a str,
+    dialect: Dialect,
+    reading: &'a Reading,
+    program: &'a Program,
+) -> Summary<'a> {
+    let (count, seconds) = moves(reading);
+    let left_out = reading.left_out.iter();
+    Summary {
+        seamwright: env!("CARGO_PKG_VERSION"),
+        file,
+        dialect: dialect.name(),
+        machine: &args.machine,
+        moves: count,
+        seconds,
+        passes: program
+            .passes
+            .iter()
+            .map(|pass| PassSummary {
+                name: &pass.name,
+                arc: pass.has_arc(),
+                points: pass.points.as_ref().map_or(0, seamwright_program::Points::count),
+            })
+            .collect(),
+        left_out: left_out.map(|l| format!("{}:{}: {}: {}", l.line, l.column, l.text, l.why)).collect(),
+        notes: &reading.notes,
+    }
+}

@@ -1,0 +1,47 @@
+use crate::Dialect;
+
+impl Dialect {
+    /// The dialect that a part program is most likely written in, by its file's name and what stands in it: words that
+    /// only one of them has.
+    pub fn guess(file: &str, text: &str) -> Self {
+        let ends = |endings: &[&str]| endings.iter().any(|ending| file.to_ascii_lowercase().ends_with(ending));
+        if ends(&[".mpf", ".spf", ".arc"]) {
+            return Self::Sinumerik;
+        }
+        if ends(&[".ngc"]) {
+            return Self::Linuxcnc;
+        }
+        if ends(&[".pmc", ".pma"]) {
+            return Self::Pmac;
+        }
+        let signs = [
+            (Self::Pmac, ["OPEN PROG", "PVT", "SPLINE1", "->"]),
+            (Self::Sinumerik, ["FGROUP", "X=", "%_N_", "TRAORI"]),
+            (Self::Linuxcnc, ["G64", "M67", "O<", "LINUXCNC"]),
+            (Self::Grblhal, ["GRBLHAL", "G4P0", "G4 P0", "M3 S"]),
+        ];
+        let begin: String = text.lines().take(200).collect::<Vec<_>>().join("\n").to_ascii_uppercase();
+        let found = signs.iter().find(|(_, words)| words.iter().any(|word| begin.contains(word)));
+        found.map_or(Self::Linuxcnc, |(dialect, _)| *dialect)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_tell_their_dialect() {
+        for (file, text, dialect) in [
+            ("a.mpf", "G1", Dialect::Sinumerik),
+            ("A.NGC", "G1", Dialect::Linuxcnc),
+            ("a.nc", "G84\nFGROUP(X,Y)", Dialect::Sinumerik),
+            ("a.nc", "&1\n#1->X\nOPEN PROG 1 CLEAR", Dialect::Pmac),
+            ("a.nc", "(Seamwright for grblHAL: t)\nG21", Dialect::Grblhal),
+            ("a.nc", "G21\nG64 P0.1\nG1 X1 F10", Dialect::Linuxcnc),
+            ("a.nc", "G1 X1 F10", Dialect::Linuxcnc),
+        ] {
+            assert_eq!(Dialect::guess(file, text), dialect, "{file} {text}");
+        }
+    }
+}

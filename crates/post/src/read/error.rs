@@ -1,0 +1,114 @@
+use std::fmt;
+
+/// Something in a part program that cannot be read, and where.
+///
+/// Its `Display` fits a screen: the address, what is wrong, the line with the place marked, what is allowed, and help.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ReadError {
+    /// File name as the caller gave it.
+    pub file: String,
+    /// Line, from 1.
+    pub line: usize,
+    /// Column in characters, from 1.
+    pub column: usize,
+    /// The line's text.
+    pub text: String,
+    /// What is wrong.
+    pub message: String,
+    /// What would be right.
+    pub allowed: Option<String>,
+    /// What to do about it.
+    pub cure: Option<String>,
+    marked: usize,
+}
+
+impl std::error::Error for ReadError {}
+
+impl fmt::Display for ReadError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(f, "{}:{}:{}: {}", self.file, self.line, self.column, self.message)?;
+        let number = self.line.to_string();
+        let margin = " ".repeat(number.len());
+        writeln!(f, " {margin} |")?;
+        writeln!(f, " {number} | {}", self.text)?;
+        writeln!(f, " {margin} | {}{}", " ".repeat(self.column.saturating_sub(1)), "^".repeat(self.marked.max(1)))?;
+        if let Some(allowed) = &self.allowed {
+            writeln!(f, "   allowed: {allowed}")?;
+        }
+        if let Some(cure) = &self.cure {
+            writeln!(f, "   help: {cure}")?;
+        }
+        Ok(())
+    }
+}
+
+/// A place in the text: from this byte up to that one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Span {
+    pub(super) from: usize,
+    pub(super) to: usize,
+}
+
+/// Something wrong at a place, before its line and column are counted.
+#[derive(Debug, Clone)]
+pub(super) struct Fault {
+    pub(super) span: Span,
+    pub(super) message: String,
+    allowed: Option<String>,
+    cure: Option<String>,
+    /// Whether it is only not understood, so that a lenient reader may leave it out.
+    pub(super) unknown: bool,
+}
+
+/// What reading a part of a line gives. Boxed, so that what goes well stays small.
+pub(super) type Read<T = ()> = Result<T, Box<Fault>>;
+
+impl Fault {
+    /// Something is wrong.
+    pub(super) fn new(span: Span, message: impl Into<String>) -> Box<Self> {
+        Box::new(Self { span, message: message.into(), allowed: None, cure: None, unknown: false })
+    }
+
+    /// Something is not understood.
+    pub(super) fn unknown(span: Span, message: impl Into<String>) -> Box<Self> {
+        let mut fault = Self::new(span, message);
+        fault.unknown = true;
+        fault
+    }
+
+    pub(super) fn allowed(mut self: Box<Self>, allowed: impl Into<String>) -> Box<Self> {
+        self.allowed = Some(allowed.into());
+        self
+    }
+
+    pub(super) fn cure(mut self: Box<Self>, cure: impl Into<String>) -> Box<Self> {
+        self.cure = Some(cure.into());
+        self
+    }
+
+    /// With line and column in `text`, which is called `file`.
+    pub(super) fn placed(self, file: &str, text: &str) -> ReadError {
+        let start = floor_char(text, self.span.from.min(text.len()));
+        let line_start = text[..start].rfind('\n').map_or(0, |i| i + 1);
+        let line_end = text[start..].find('\n').map_or(text.len(), |i| start + i);
+        let end = floor_char(text, self.span.to.clamp(start, line_end));
+        ReadError {
+            file: file.to_owned(),
+            line: text[..start].matches('\n').count() + 1,
+            column: text[line_start..start].chars().count() + 1,
+            text: text[line_start..line_end].trim_end_matches('\r').replace('\t', " "),
+            message: self.message,
+            allowed: self.allowed,
+            cure: self.cure,
+            marked: text[start..end].chars().count(),
+        }
+    }
+}
+
+/// The character boundary at or before byte `at`.
+pub(super) fn floor_char(text: &str, mut at: usize) -> usize {
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}

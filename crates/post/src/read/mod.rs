@@ -1,0 +1,216 @@
+//! Part programs read: text in a control's language to data, with everything checked that can be without the machine.
+//!
+//! A line is read byte by byte into the words of one block ([`target`], [`motion::Block`]), then done on the modal state
+//! ([`state`]); each dialect has a module for its words. What is not understood is an error with its place, or, for a
+//! lenient reader, listed as left out: nothing is skipped in silence.
+
+mod addresses;
+mod arcs;
+mod error;
+mod expression;
+mod lexer;
+mod motion;
+mod pmac;
+mod programs;
+mod round;
+mod rs274;
+mod sinumerik;
+mod state;
+mod target;
+
+pub use error::ReadError;
+
+use crate::{Control, Dialect, Level, PartProgram, What};
+use error::{Fault, Read, Span};
+use lexer::Cursor;
+use programs::Programs;
+use state::State;
+
+/// What a reader made of a text.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reading {
+    /// The program.
+    pub program: PartProgram,
+    /// What a lenient reader did not understand and left out, in order.
+    pub left_out: Vec<LeftOut>,
+    /// What people should know: what was taken for granted, and where.
+    pub notes: Vec<String>,
+}
+
+/// Something that a lenient reader left out.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Line, from 1.
+    pub line: usize,
+    /// Column in characters, from 1.
+    pub column: usize,
+    /// The words.
+    pub text: String,
+    /// Why they were not understood.
+    pub why: String,
+}
+
+/// How to read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReadOptions {
+    /// Whether words that are not understood are listed and left out, instead of being errors.
+    pub lenient: bool,
+    /// What the control interpolates at the start.
+    pub level: Level,
+    /// The row before the first block, as many numbers as the control has channels (mm, degrees); zeros if none.
+    pub start: Option<Vec<f64>>,
+}
+
+impl Default for ReadOptions {
+    fn default() -> Self {
+        Self { lenient: false, level: Level::Joint, start: None }
+    }
+}
+
+/// What comes after a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Flow {
+    /// The next one.
+    Next,
+    /// The sub-program with this index, so many times; then the next one.
+    Call(usize, u32),
+    /// Behind the sub-program with this index, which is only written down here.
+    Over(usize),
+    /// The caller.
+    Return,
+    /// Nothing more.
+    End,
+}
+
+/// A program that is being read.
+struct Frame {
+    at: usize,
+    to: usize,
+    line: u32,
+    /// The sub-program, and how often it is still to be read.
+    sub: Option<(usize, u32)>,
+}
+
+/// Calls within calls; LinuxCNC allows 10, Siemens 12.
+const DEEPEST: usize = 10;
+/// Lines of sub-programs that are read at most: a program that calls more is a mistake.
+const MOST_LINES: u64 = 5_000_000;
+
+/// Reads the part program `text` for `control`; `file` is its name in errors.
+///
+/// A row holds what is commanded: mm and degrees, absolute. Every move has its time by the control's rule for feeds, a
+/// rapid one 0. What is switched by outputs that the machine file names is arc, gas and wire.
+///
+/// # Errors
+/// [`ReadError`] at the first thing that is wrong, or that is not understood unless `options.lenient`.
+pub fn read(control: &Control, file: &str, text: &str, options: &ReadOptions) -> Result<Reading, ReadError> {
+    let mut state = State::new(control, options);
+    run(&mut state, text).map_err(|fault| fault.placed(file, text))?;
+    let State { mut program, left_out, notes, .. } = state;
+    if program.title.is_empty() {
+        file.clone_into(&mut program.title);
+    }
+    Ok(Reading { program, left_out, notes })
+}
+
+fn run(state: &mut State, text: &str) -> Read {
+    let start = Span { from: 0, to: 0 };
+    if state.control.dialect == Dialect::Grblhal && state.program.axes() > 8 {
+        let fault = Fault::new(start, format!("grblHAL has at most 8 axes, this machine {}", state.program.axes()));
+        return Err(fault.cure("choose another control"));
+    }
+    let programs = Programs::find(text, state.control.dialect)?;
+    match state.control.dialect {
+        Dialect::Sinumerik => run_lines(state, text, &programs, sinumerik::Words::default()),
+        Dialect::Linuxcnc | Dialect::Grblhal => run_lines(state, text, &programs, rs274::Words::default()),
+        Dialect::Pmac => run_lines(state, text, &programs, pmac::Words::default()),
+    }
+}
+
+/// A dialect: what its lines mean.
+trait Lines {
+    /// Reads one line.
+    fn line(&mut self, state: &mut State, c: &mut Cursor, programs: &Programs) -> Read<Flow>;
+}
+
+fn run_lines(state: &mut State, text: &str, programs: &Programs, mut words: impl Lines) -> Read {
+    let main = &programs.main;
+    let bom = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
+    let mut frames = vec![Frame { at: main.from.max(bom), to: main.to, line: main.line, sub: None }];
+    let mut called = 0u64;
+    while let Some(frame) = frames.last_mut() {
+        if frame.at >= frame.to {
+            leave(&mut frames, programs);
+            continue;
+        }
+        let from = frame.at;
+        let to = text[from..frame.to].find('\n').map_or(frame.to, |i| from + i);
+        (state.line, state.line_start) = (frame.line, from);
+        frame.at = to + 1;
+        frame.line += 1;
+        let inside = frame.sub.is_some();
+        state.inside = inside;
+        let mut c = Cursor::new(text, from, to, state.control.decimal_comma);
+        called += u64::from(inside);
+        if called > MOST_LINES {
+            return Err(Fault::new(
+                Span { from, to },
+                format!("more than {MOST_LINES} lines of sub-programs are called"),
+            ));
+        }
+        match words.line(state, &mut c, programs)? {
+            Flow::Next => {}
+            Flow::Over(sub) => (frame.at, frame.line) = programs.subs[sub].after,
+            Flow::Call(sub, times) => {
+                let program = &programs.subs[sub];
+                if frames.len() > DEEPEST {
+                    let message = format!("more than {DEEPEST} calls within each other");
+                    return Err(Fault::new(Span { from, to }, message).cure("does a sub-program call itself?"));
+                }
+                let sub = Some((sub, times));
+                frames.push(Frame { at: program.from, to: program.to, line: program.line, sub });
+            }
+            Flow::Return if inside => leave(&mut frames, programs),
+            Flow::Return | Flow::End => {
+                let Some(main) = frames.first() else { break };
+                rest(state, text, main);
+                break;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The end of a sub-program: once more, or back to the caller.
+fn leave(frames: &mut Vec<Frame>, programs: &Programs) {
+    let Some(frame) = frames.last_mut() else { return };
+    match &mut frame.sub {
+        Some((sub, times)) if *times > 1 => {
+            *times -= 1;
+            (frame.at, frame.line) = (programs.subs[*sub].from, programs.subs[*sub].line);
+        }
+        _ => drop(frames.pop()),
+    }
+}
+
+/// Says if there is something behind the end of the main program.
+fn rest(state: &mut State, text: &str, main: &Frame) {
+    let rest = text.get(main.at.min(main.to)..main.to).unwrap_or_default();
+    let something = rest.lines().position(|line| {
+        let line = line.trim();
+        !(line.is_empty() || line == "%" || line.starts_with(['(', ';']))
+    });
+    if let Some(lines) = something {
+        state.line = main.line + lines as u32;
+        state.note("behind the end", "what stands behind the program's end is not read");
+    }
+}
+
+impl State<'_> {
+    /// A pass begins here. Calls within sub-programs are no passes.
+    fn pass(&mut self, name: &str) {
+        if !self.inside {
+            self.push(What::Pass(name.into()));
+        }
+    }
+}

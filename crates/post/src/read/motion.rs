@@ -1,0 +1,203 @@
+//! Blocks that move: where to, along what, and for how long.
+
+use super::error::{Fault, Read, Span};
+use super::state::{FeedMode, Motion, State};
+use super::target::How;
+use crate::Dialect;
+use crate::part_program::{Arc, ChannelKind, Level, Move, Path, What};
+use glam::DVec3;
+
+/// What a block says beside the channels.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Block {
+    /// The block's first byte and the one behind it.
+    pub(super) span: Span,
+    /// Centre of an arc: I, J and K.
+    pub(super) centre: [Option<(f64, How, Span)>; 3],
+    /// Point in between.
+    pub(super) middle: [Option<(f64, How, Span)>; 3],
+    pub(super) radius: Option<(f64, Span)>,
+    /// Angle of an arc, degrees.
+    pub(super) angle: Option<(f64, Span)>,
+    /// Full turns beside the arc.
+    pub(super) turns: Option<(u32, Span)>,
+    /// Whether positions count from the machine's zero whatever the modal state is.
+    pub(super) machine_zero: bool,
+    /// Whether the control stops at its end.
+    pub(super) exact_stop: bool,
+    /// The axis that PMAC's arcs turn about, if it is none of the planes'.
+    pub(super) normal: Option<DVec3>,
+}
+
+pub(super) const INCH: f64 = 25.4;
+
+impl Block {
+    /// Place of the first word that only arcs have.
+    pub(super) fn arc_word(&self) -> Option<Span> {
+        let words = self.centre.iter().chain(&self.middle).flatten().map(|w| w.2);
+        let others = [self.radius.map(|r| r.1), self.angle.map(|a| a.1), self.turns.map(|t| t.1)];
+        words.chain(others.into_iter().flatten()).min_by_key(|s| s.from)
+    }
+
+    /// Whether anything is said of an arc.
+    #[inline]
+    pub(super) fn has_arc_word(&self) -> bool {
+        self.centre.iter().any(Option::is_some)
+            || self.radius.is_some()
+            || self.middle.iter().any(Option::is_some)
+            || self.angle.is_some()
+            || self.turns.is_some()
+    }
+}
+
+impl State<'_> {
+    /// The block's move, if it has one.
+    #[inline]
+    pub(super) fn go(&mut self, block: &Block) -> Read {
+        let arc_word = block.has_arc_word();
+        if self.target.count == 0 && !arc_word {
+            return Ok(());
+        }
+        let place = self.target.span().unwrap_or(block.span);
+        let Some(motion) = self.motion else {
+            let fault = Fault::new(place, "no G0, G1, G2 or G3 is in force for this");
+            return Err(fault.cure("say how the axes go there"));
+        };
+        if arc_word && !motion.is_arc() {
+            let span = block.arc_word().unwrap_or(block.span);
+            return Err(Fault::new(span, "only arcs have this word").allowed("with G2 or G3"));
+        }
+        self.resolve(block)?;
+        let lost = self.lost != [false; 3];
+        if lost {
+            self.find_again(motion, place)?;
+        }
+        let (path, seconds) = match motion {
+            Motion::Rapid => (Path::Rapid, 0.0),
+            Motion::Line => (Path::Line, self.seconds(None, place)?),
+            Motion::Hermite => (self.speeds(block)?, self.seconds(None, place)?),
+            Motion::Spline => (Path::Spline, self.seconds(None, place)?),
+            Motion::Clockwise | Motion::Counterclockwise | Motion::Through => {
+                let arc = self.arc(motion, block)?;
+                let seconds = self.seconds(Some(&arc), place)?;
+                self.program.arcs.push(arc);
+                (Path::Arc(self.program.arcs.len() as u32 - 1), seconds)
+            }
+        };
+        let row = self.program.add_row(&self.next);
+        let exact_stop = self.exact_stop || block.exact_stop;
+        self.push(What::Move(Move { path, row, seconds, level: self.level, exact_stop }));
+        std::mem::swap(&mut self.row, &mut self.next);
+        Ok(())
+    }
+
+    /// Where the block leads, by what it says and the modal state.
+    #[inline]
+    fn resolve(&mut self, block: &Block) -> Read {
+        for channel in 0..self.row.len() {
+            let here = self.row[channel];
+            let Some(word) = self.target.get(channel) else {
+                self.next[channel] = here;
+                continue;
+            };
+            let value = if self.inch && self.is_length(channel) { INCH * word.value } else { word.value };
+            let modal = if self.incremental && !block.machine_zero { How::Increment } else { How::Absolute };
+            let turn = |to: f64| (to - here).rem_euclid(360.0);
+            self.next[channel] = match if word.how == How::Modal { modal } else { word.how } {
+                How::Increment => here + value,
+                How::Nearest => here + (turn(value + 180.0) - 180.0),
+                How::Upwards => here + turn(value),
+                How::Downwards => here - (here - value).rem_euclid(360.0),
+                How::Absolute | How::Modal => value,
+            };
+            let turned = matches!(word.how, How::Nearest | How::Upwards | How::Downwards);
+            if turned && self.program.channels[channel].kind != ChannelKind::Rotary {
+                return Err(Fault::new(word.span, "only rotary axes have DC, ACP and ACN").allowed("AC or IC"));
+            }
+        }
+        Ok(())
+    }
+
+    /// After a change of the level X, Y and Z are where the kinematics say: a block must say all three.
+    fn find_again(&mut self, motion: Motion, place: Span) -> Read {
+        let said = |k: usize| {
+            let word = self.addresses.xyz[k].and_then(|channel| self.target.get(channel));
+            word.is_some_and(|w| match w.how {
+                How::Modal => !self.incremental,
+                how => how != How::Increment,
+            })
+        };
+        let all = (0..3).all(said);
+        let counted = self.mode == FeedMode::PerMinute && motion != Motion::Rapid;
+        if !all || counted || !matches!(motion, Motion::Rapid | Motion::Line) {
+            let what = if self.level == Level::Tip { "torch tip" } else { "axes" };
+            let message = format!("where the {what} stands at its begin is not known: the kinematics were switched");
+            let cure = "begin with a rapid or timed line to X, Y and Z, absolute";
+            return Err(Fault::new(place, message).cure(cure));
+        }
+        self.lost = [false; 3];
+        Ok(())
+    }
+
+    /// How long the block takes by the control's rule, s.
+    #[inline]
+    fn seconds(&mut self, arc: Option<&Arc>, place: Span) -> Read<f64> {
+        let Some(feed) = self.feed else { return Err(self.no_feed(place)) };
+        let moves = arc.is_some() || self.row != self.next;
+        let seconds = match self.mode {
+            FeedMode::Time => return Ok(feed.max(self.least_time)),
+            _ if !moves => 0.0,
+            FeedMode::InverseTime if self.control.dialect == Dialect::Linuxcnc => {
+                self.control.inverse_time(feed, self.way(arc))
+            }
+            FeedMode::InverseTime => self.control.inverse_time(feed, 0.0),
+            FeedMode::PerMinute => {
+                // LinuxCNC counts degrees alone when nothing linear moves: those are not in inches.
+                let linear = (0..self.row.len()).any(|i| self.is_length(i) && (self.row[i] - self.next[i]).abs() > 0.0);
+                let in_inches = self.inch_feed && (linear || self.control.dialect != Dialect::Linuxcnc);
+                self.control.per_minute(if in_inches { INCH * feed } else { feed }, self.way(arc))
+            }
+        };
+        Ok(seconds.max(self.least_time))
+    }
+
+    /// The way that the feed counts. Where none of the counted axes moves, that of all that do.
+    fn way(&mut self, arc: Option<&Arc>) -> f64 {
+        let way = self.rule.way(arc, &self.row, &self.next);
+        if way > 0.0 || self.control.dialect == Dialect::Linuxcnc {
+            return way;
+        }
+        self.note("beside", "F counts none of the axes that move in this block: it is taken for all of them");
+        let square = |i: usize| if self.is_interpolated(i) { (self.next[i] - self.row[i]).powi(2) } else { 0.0 };
+        (0..self.row.len()).map(square).sum::<f64>().sqrt()
+    }
+
+    #[cold]
+    fn no_feed(&self, place: Span) -> Box<Fault> {
+        match (self.control.dialect, self.mode) {
+            (Dialect::Pmac, _) => {
+                Fault::new(place, "how fast to go is not said").cure("say TM, F, TA or PVT before it")
+            }
+            (Dialect::Linuxcnc | Dialect::Grblhal, FeedMode::InverseTime) => {
+                Fault::new(place, "F is missing").cure("with G93 every block with G1, G2 or G3 needs its own F")
+            }
+            _ => Fault::new(place, "F is missing").cure("say F; it must be said anew after G93, G94 and G95"),
+        }
+    }
+
+    /// PVT's row of speeds at the block's end.
+    fn speeds(&mut self, block: &Block) -> Read<Path> {
+        let mut speeds = vec![0.0; self.row.len()];
+        for (channel, speed) in speeds.iter_mut().enumerate().take(self.program.axes()) {
+            let Some(word) = self.target.get(channel) else {
+                let address = &self.control.addresses[channel];
+                let fault =
+                    Fault::new(block.span, format!("PVT wants every axis in every block: {address} is missing"));
+                return Err(fault.allowed("a position and a speed of each axis, like X10:2.5"));
+            };
+            let missing = || Fault::new(word.span, "PVT wants a speed behind the position").allowed("like X10:2.5");
+            *speed = word.speed.ok_or_else(missing)?;
+        }
+        Ok(Path::Hermite(self.program.add_row(&speeds)))
+    }
+}

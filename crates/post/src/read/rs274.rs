@@ -1,0 +1,263 @@
+//! The words of LinuxCNC and grblHAL, which are those of NIST's RS274.
+
+mod codes;
+
+use super::addresses::no_address;
+use super::error::{Fault, Read, Span};
+use super::expression::Parameter;
+use super::lexer::{Cursor, same};
+use super::motion::Block;
+use super::programs::{Programs, o_word, remark};
+use super::state::State;
+use super::target::{How, twice};
+use super::{Flow, Lines};
+use crate::{Dialect, Event};
+
+/// grblHAL's buffer for a line has this many characters.
+const LONGEST: usize = 256;
+/// Letters beside axes, G, M and N, in the order of [`Line::values`].
+const LETTERS: &[u8; 10] = b"FPQELRSIJK";
+const F: usize = 0;
+const P: usize = 1;
+const Q: usize = 2;
+const E: usize = 3;
+const L: usize = 4;
+const R: usize = 5;
+const S: usize = 6;
+const I: usize = 7;
+
+/// What is known of the text so far.
+#[derive(Debug, Default)]
+pub(super) struct Words {
+    /// Whether a block was read: `%` is then the end.
+    begun: bool,
+    /// Parameters that get their values at the end of the line.
+    assigned: Vec<(Parameter, f64)>,
+}
+
+/// What a line says, beside the channels.
+#[derive(Debug, Default)]
+struct Line {
+    block: Block,
+    /// A bit for each modal group of which there was a code.
+    groups: u32,
+    values: [Option<(f64, Span)>; 10],
+    dwell: Option<Span>,
+    /// M62 to M68.
+    output: Option<(u32, Span)>,
+    /// M3 to M5.
+    spindle: Option<(u32, Span)>,
+    /// M0, M1, M2 and M30.
+    stop: Option<u32>,
+    path: bool,
+}
+
+impl Lines for Words {
+    fn line(&mut self, state: &mut State, c: &mut Cursor, programs: &Programs) -> Read<Flow> {
+        let whole = Span { from: c.at, to: c.end };
+        let grblhal = state.control.dialect == Dialect::Grblhal;
+        if grblhal && whole.to - whole.from > LONGEST && c.of(whole).trim_end().len() > LONGEST {
+            let span = Span { from: whole.from + LONGEST, to: whole.to };
+            return Err(Fault::new(span, "this line is too long for grblHAL").allowed("256 characters"));
+        }
+        state.number = None;
+        state.target.clear();
+        c.blanks();
+        match c.peek() {
+            b'%' if self.begun => return Ok(Flow::End),
+            b'%' => {
+                c.at += 1;
+                c.blanks();
+            }
+            b'o' | b'O' if !grblhal => return self.program_word(state, c, programs),
+            _ => {}
+        }
+        let mut line = Line { block: Block { span: whole, ..Block::default() }, ..Line::default() };
+        loop {
+            c.blanks();
+            if c.is_done() {
+                break;
+            }
+            if let Err(fault) = self.word(&mut line, state, c) {
+                state.leave_out(fault, c)?;
+            }
+        }
+        self.finish(line, state)
+    }
+}
+
+impl Words {
+    /// One word or remark.
+    #[inline]
+    fn word(&mut self, line: &mut Line, state: &mut State, c: &mut Cursor) -> Read {
+        let from = c.at;
+        let letter = c.peek().to_ascii_uppercase();
+        c.at += 1;
+        c.blanks();
+        match letter {
+            b'(' => return comment(state, c, from),
+            b';' => {
+                let text = c.rest();
+                state.comment(text);
+                return Ok(());
+            }
+            b'N' => return label(state, c),
+            b'G' => {
+                self.begun = true;
+                let code = c.code()?;
+                return line.g_code(code, state, c.since(from));
+            }
+            b'M' => {
+                self.begun = true;
+                let code = c.code()?;
+                return line.m_code(code, state, c.since(from));
+            }
+            b'#' if state.control.dialect == Dialect::Linuxcnc => return self.assign(state, c),
+            _ => {}
+        }
+        self.begun = true;
+        if let Some(channel) = state.addresses.letter(letter).filter(|_| letter.is_ascii_alphabetic()) {
+            let value = value(state, c)?;
+            let span = c.since(from);
+            if !state.is_interpolated(channel) {
+                // It is set when the line's end tells whether the line moves.
+                if letter == b'S' {
+                    return keep(&mut line.values[S], value, span);
+                }
+                state.set_later(channel, value);
+                return Ok(());
+            }
+            return state.target.put(channel, value, How::Modal, None, span);
+        }
+        if let Some(index) = LETTERS.iter().position(|l| *l == letter) {
+            let value = value(state, c)?;
+            let span = c.since(from);
+            if index >= I {
+                let word = &mut line.block.centre[index - I];
+                if word.is_some() {
+                    return Err(twice(span));
+                }
+                *word = Some((value, How::Modal, span));
+                return Ok(());
+            }
+            return keep(&mut line.values[index], value, span);
+        }
+        c.at = from;
+        let mark = c.here();
+        if !letter.is_ascii_alphabetic() {
+            return Err(c.stray());
+        }
+        c.at = mark.to;
+        c.skip_word();
+        Err(no_address(state.control, mark, &char::from(letter).to_string()))
+    }
+
+    /// A line with a word of LinuxCNC's programs within programs.
+    fn program_word(&mut self, state: &mut State, c: &mut Cursor, programs: &Programs) -> Read<Flow> {
+        self.begun = true;
+        let from = c.at;
+        let (name, keyword) = o_word(c)?;
+        let span = c.since(from);
+        let sub = programs.sub(name);
+        let flow = match sub {
+            Some(sub) if same(keyword, "sub") => return Ok(Flow::Over(sub)),
+            Some(sub) if same(keyword, "call") => Flow::Call(sub, 1),
+            None if same(keyword, "call") => {
+                let names: Vec<&str> = programs.subs.iter().map(|p| p.name).collect();
+                let fault = Fault::new(span, format!("there is no sub-program {name} in this text"));
+                return Err(fault.allowed(if names.is_empty() { "none".to_owned() } else { names.join(" ") }));
+            }
+            _ => {
+                let fault = Fault::new(span, format!("o{name} {keyword}: loops and branches are not read"));
+                return Err(fault.allowed("sub, endsub and call").cure("write the blocks out, one after the other"));
+            }
+        };
+        let title = remark(c);
+        c.blanks();
+        if !c.is_done() {
+            return Err(Fault::new(c.here(), "calls have no arguments here").allowed("a line like o101 call (root)"));
+        }
+        let named = sub.map_or("", |sub| programs.subs[sub].title);
+        let name = [title, named, name].into_iter().find(|n| !n.is_empty()).unwrap_or_default();
+        state.pass(name);
+        Ok(flow)
+    }
+
+    /// `#1=..`, `#<name>=..`; it counts from the next line on.
+    fn assign(&mut self, state: &mut State, c: &mut Cursor) -> Read {
+        let parameter = state.expressions.parameter_name(c, 0)?;
+        c.need(b'=')?;
+        c.blanks();
+        let value = state.expressions.word(c)?;
+        self.assigned.push((parameter, value));
+        Ok(())
+    }
+
+    /// Does what the line says.
+    #[inline]
+    fn finish(&mut self, line: Line, state: &mut State) -> Read<Flow> {
+        let flow = line.finish(state)?;
+        for (parameter, value) in self.assigned.drain(..) {
+            match parameter {
+                Parameter::Number(n) => state.expressions.set(b'#', n, value),
+                Parameter::Name(name) => state.expressions.set_named(&name, value),
+            }
+        }
+        Ok(flow)
+    }
+}
+
+/// The value behind a letter.
+#[inline]
+fn value(state: &State, c: &mut Cursor) -> Read<f64> {
+    if state.control.dialect == Dialect::Linuxcnc {
+        return state.expressions.word(c);
+    }
+    if matches!(c.peek(), b'#' | b'[') {
+        return Err(Fault::new(c.here(), "parameters and expressions are not for grblHAL").allowed("a number"));
+    }
+    c.number()
+}
+
+fn keep(place: &mut Option<(f64, Span)>, value: f64, span: Span) -> Read {
+    if place.is_some() {
+        return Err(twice(span));
+    }
+    *place = Some((value, span));
+    Ok(())
+}
+
+/// A remark in brackets, or a message.
+fn comment(state: &mut State, c: &mut Cursor, from: usize) -> Read {
+    let Some(text) = c.until(')') else {
+        return Err(Fault::new(Span { from, to: c.end }, "this remark has no end").allowed("( and ) in one line"));
+    };
+    let text = text.trim();
+    match text.split_once(',') {
+        Some((word, message)) if same(word.trim(), "MSG") => {
+            state.event(Event::Message(message.trim().into()), true);
+        }
+        _ => state.comment(text),
+    }
+    Ok(())
+}
+
+/// N and the block's number. On grblHAL one alone in its line, but for a remark, begins a pass.
+fn label(state: &mut State, c: &mut Cursor) -> Read {
+    let from = c.at - 1;
+    let number = c.whole()?;
+    if state.number.is_some() {
+        return Err(twice(c.since(from)));
+    }
+    state.number = Some(number);
+    if state.control.dialect == Dialect::Grblhal && state.target.count == 0 {
+        let mut ahead = *c;
+        let name = remark(&mut ahead);
+        ahead.blanks();
+        if ahead.is_done() {
+            *c = ahead;
+            state.pass(if name.is_empty() { c.of(Span { from, to: c.end }).trim() } else { name });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,193 @@
+//! Words with brackets, system variables, and variables of the program's own.
+
+use super::Line;
+use crate::Event;
+use crate::part_program::ChannelKind;
+use crate::read::addresses::no_address;
+use crate::read::error::{Fault, Read, Span};
+use crate::read::lexer::{Cursor, same};
+use crate::read::programs::Programs;
+use crate::read::state::State;
+
+/// `NAME(..)`; the cursor is at the bracket.
+pub(super) fn call(name: &str, state: &mut State, c: &mut Cursor, span: Span) -> Read {
+    match name.to_ascii_uppercase().as_str() {
+        "FGROUP" => feed_group(state, c),
+        "MSG" => message(state, c),
+        "PRESETON" => preset(state, c),
+        "TRAORI" => {
+            c.need(b'(')?;
+            let first = c.peek() == b'1';
+            c.at += usize::from(first);
+            c.need(b')')?;
+            state.switch_level(crate::Level::Tip, span)
+        }
+        "IF" | "WHILE" | "UNTIL" | "CASE" => {
+            let fault = Fault::new(span, format!("{name}: loops and branches are not read"));
+            Err(fault.cure("write the blocks out, one after the other"))
+        }
+        _ => {
+            c.skip_word();
+            let allowed = "FGROUP, MSG, PRESETON, TRAORI, and sub-programs of this text by their names alone";
+            Err(Fault::unknown(span, format!("{name}(..) is not known")).allowed(allowed))
+        }
+    }
+}
+
+/// The channel that is named here.
+fn channel(state: &State, c: &mut Cursor) -> Read<(usize, Span)> {
+    c.blanks();
+    let from = c.at;
+    let name = c.name();
+    let span = c.since(from);
+    if name.is_empty() {
+        return Err(Fault::new(c.here(), "an axis is missing here"));
+    }
+    // Who names what there is not means something else by what follows: this is not left out.
+    let mut fault = match state.addresses.name(name) {
+        Some(channel) => return Ok((channel, span)),
+        None => no_address(state.control, span, name),
+    };
+    fault.unknown = false;
+    Err(fault)
+}
+
+/// FGROUP(X, Y, ..): whose way the feed counts; none: the usual ones.
+fn feed_group(state: &mut State, c: &mut Cursor) -> Read {
+    c.need(b'(')?;
+    if c.take(b')') {
+        state.rule = state.control.feed_rule(None);
+        return Ok(());
+    }
+    let mut group = Vec::new();
+    loop {
+        let (axis, span) = channel(state, c)?;
+        if group.contains(&axis) {
+            return Err(Fault::new(span, "this axis stands twice in the group"));
+        }
+        if state.program.channels[axis].kind == ChannelKind::Stepped {
+            return Err(Fault::new(span, "only axes are in the group of the feed"));
+        }
+        group.push(axis);
+        if !c.take(b',') {
+            break;
+        }
+    }
+    c.need(b')')?;
+    state.rule = state.control.feed_rule(Some(&group));
+    Ok(())
+}
+
+/// MSG("..").
+fn message(state: &mut State, c: &mut Cursor) -> Read {
+    c.need(b'(')?;
+    let mut text = "";
+    if c.take(b'"') {
+        let from = c.at;
+        text = c.until('"').ok_or_else(|| Fault::new(c.since(from.saturating_sub(1)), "this text has no end"))?;
+    }
+    c.need(b')')?;
+    state.event(Event::Message(text.into()), true);
+    Ok(())
+}
+
+/// PRESETON(CW, 0, ..): a process value is set where it stands.
+fn preset(state: &mut State, c: &mut Cursor) -> Read {
+    c.need(b'(')?;
+    loop {
+        let (channel, span) = channel(state, c)?;
+        c.need(b',')?;
+        let value = state.expressions.expression(c)?;
+        if matches!(state.program.channels[channel].kind, ChannelKind::Linear | ChannelKind::Rotary) {
+            let fault = Fault::new(span, "PRESETON of an axis moves the zero of all that follows");
+            return Err(fault.allowed("process values").cure("write positions that count from zero"));
+        }
+        state.set(channel, value, true);
+        if !c.take(b',') {
+            break;
+        }
+    }
+    c.need(b')')
+}
+
+/// DEF REAL NAME=.., NAME=..
+pub(super) fn define(state: &mut State, c: &mut Cursor, programs: &Programs) -> Read {
+    let from = c.at;
+    let kind = c.name();
+    if !same(kind, "REAL") && !same(kind, "INT") {
+        return Err(Fault::unknown(c.since(from), "variables of this kind are not read").allowed("REAL and INT"));
+    }
+    loop {
+        c.blanks();
+        let from = c.at;
+        let name = c.name();
+        let span = c.since(from);
+        if name.len() < 2 || name.as_bytes()[0].is_ascii_digit() {
+            return Err(Fault::new(c.here(), "a name is missing here").allowed("two letters or more"));
+        }
+        if state.addresses.name(name).is_some() || programs.sub(name).is_some() {
+            return Err(Fault::new(span, format!("{name} is already something else")).cure("choose another name"));
+        }
+        let value = if c.take(b'=') { state.expressions.expression(c)? } else { 0.0 };
+        state.expressions.set_named(name, value);
+        if !c.take(b',') {
+            return Ok(());
+        }
+    }
+}
+
+impl Line {
+    /// `$A_OUT[1]=1` or `$A_OUTA[1]=2.5`; the cursor is at the `$`.
+    pub(super) fn system_variable(&mut self, state: &mut State, c: &mut Cursor, at_once: bool) -> Read {
+        self.begun = true;
+        let from = c.at;
+        c.at += 1;
+        let name = c.name();
+        let span = c.since(from);
+        let analogue = same(name, "A_OUTA");
+        if !analogue && !same(name, "A_OUT") {
+            c.skip_word();
+            return Err(Fault::unknown(span, format!("${name} is not read")).allowed("$A_OUT[n] and $A_OUTA[n]"));
+        }
+        c.need(b'[')?;
+        c.blanks();
+        let place = c.at;
+        let number = c.whole()?;
+        let number_span = c.since(place);
+        c.need(b']')?;
+        c.need(b'=')?;
+        c.blanks();
+        let place = c.at;
+        let value = state.expressions.expression(c)?;
+        if !(1..=256).contains(&number) {
+            return Err(Fault::new(number_span, "there is no such output").allowed("1 to 256"));
+        }
+        if analogue {
+            return state.set_output(number - 1, value, at_once, c.since(from));
+        }
+        let on = value > 0.5;
+        if (value - f64::from(u8::from(on))).abs() > 1e-9 {
+            return Err(Fault::new(c.since(place), "a digital output is on or off").allowed("0 and 1"));
+        }
+        state.switch((number - 1) as u16, on, at_once);
+        Ok(())
+    }
+
+    /// WHEN TRUE DO $A_OUT[1]=1: with the begin of the next move.
+    pub(super) fn when(&mut self, state: &mut State, c: &mut Cursor, span: Span) -> Read {
+        let condition = c.name();
+        c.blanks();
+        let then = c.name();
+        c.blanks();
+        if !same(condition, "TRUE") || !same(then, "DO") || c.peek() != b'$' {
+            c.at = c.end;
+            let fault = Fault::unknown(Span { from: span.from, to: c.end }, "this action is not read");
+            return Err(fault.allowed("WHEN TRUE DO $A_OUT[n]=.. or $A_OUTA[n]=.."));
+        }
+        while c.peek() == b'$' {
+            self.system_variable(state, c, false)?;
+            c.blanks();
+        }
+        Ok(())
+    }
+}

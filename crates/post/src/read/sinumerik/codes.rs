@@ -1,0 +1,131 @@
+//! What the codes of a line mean, and what is done at its end.
+
+use super::Line;
+use crate::Event;
+use crate::read::Flow;
+use crate::read::error::{Fault, Read, Span};
+use crate::read::state::{FeedMode, Motion, State};
+
+/// Siemens' G groups, as bits.
+pub(super) const MOTION: u32 = 1;
+const ONCE: u32 = 2;
+const PLANE: u32 = 4;
+const CUTTER: u32 = 8;
+const OFFSET: u32 = 16;
+const SUPPRESS: u32 = 32;
+const CONTROL: u32 = 64;
+const STOP_ONCE: u32 = 128;
+const UNITS: u32 = 256;
+const DISTANCE: u32 = 512;
+const FEED: u32 = 1024;
+const STOP: u32 = 2048;
+
+const G_CODES: &str =
+    "G0 G1 G2 G3 CIP G4 G9 G17 G18 G19 G40 G53 G54 to G57 G500 G60 G64 G641 to G645 G70 G71 G700 G710 G90 G91 G93 G94";
+const M_CODES: &str = "M0 M1 M2 M17 M30, and those in the machine file's codes";
+
+impl Line {
+    /// A code of this group: one a block.
+    pub(super) fn group(&mut self, group: u32, span: Span) -> Read {
+        if self.groups & group != 0 {
+            return Err(
+                Fault::new(span, "two codes of one modal group stand in this block").cure("leave one of them out")
+            );
+        }
+        self.groups |= group;
+        Ok(())
+    }
+
+    /// A G-code, in tenths.
+    #[inline]
+    pub(super) fn g_code(&mut self, code: u32, state: &mut State, span: Span) -> Read {
+        if state.own_code(b'G', code) {
+            return Ok(());
+        }
+        let number = if code.is_multiple_of(10) { code / 10 } else { u32::MAX };
+        let group = match number {
+            0..=3 => MOTION,
+            4 => ONCE,
+            9 => STOP_ONCE,
+            17..=19 => PLANE,
+            40 => CUTTER,
+            53 => SUPPRESS,
+            54..=57 | 500 => OFFSET,
+            60 | 64 | 641..=645 => CONTROL,
+            70 | 71 | 700 | 710 => UNITS,
+            90 | 91 => DISTANCE,
+            93 | 94 => FEED,
+            95 => {
+                let fault = Fault::unknown(span, "G95 is a feed for each turn of a spindle: this is not read");
+                return Err(fault.cure("use G93 or G94"));
+            }
+            _ => return Err(Fault::unknown(span, "this G-code is not known").allowed(G_CODES)),
+        };
+        self.group(group, span)?;
+        match number {
+            0 => state.motion = Some(Motion::Rapid),
+            1 => state.motion = Some(Motion::Line),
+            2 => state.motion = Some(Motion::Clockwise),
+            3 => state.motion = Some(Motion::Counterclockwise),
+            4 => self.dwell = Some(span),
+            9 => self.block.exact_stop = true,
+            17 => state.plane = 2,
+            18 => state.plane = 1,
+            19 => state.plane = 0,
+            54..=57 => state.note("offset", "work offsets are taken as zero"),
+            60 => state.exact_stop = true,
+            64 | 641..=645 => state.exact_stop = false,
+            70 | 71 | 700 | 710 => (state.inch, state.inch_feed) = (matches!(number, 70 | 700), number == 700),
+            90 | 91 => state.incremental = number == 91,
+            93 => state.set_mode(FeedMode::InverseTime),
+            94 => state.set_mode(FeedMode::PerMinute),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// An M-code, in tenths.
+    pub(super) fn m_code(&mut self, code: u32, state: &mut State, span: Span) -> Read {
+        if state.own_code(b'M', code) {
+            return Ok(());
+        }
+        if !matches!(code, 0 | 10 | 20 | 170 | 300) {
+            return Err(Fault::unknown(span, "this M-code is not known").allowed(M_CODES));
+        }
+        self.group(STOP, span)?;
+        self.stop = Some(code / 10);
+        Ok(())
+    }
+
+    /// Does what the line says.
+    #[inline]
+    pub(super) fn finish(self, state: &mut State) -> Read<Flow> {
+        let moves = state.target.count > 0 || self.block.has_arc_word();
+        state.flush(moves);
+        if let Some(code) = self.dwell {
+            if moves {
+                let place = state.target.span().unwrap_or(code);
+                return Err(Fault::new(place, "nothing moves in a block with G4").cure("write two blocks"));
+            }
+            let Some((seconds, span)) = self.feed else {
+                let fault = Fault::new(code, "G4 wants F, the time in seconds");
+                return Err(fault.cure("turns of a spindle, S, are not known here"));
+            };
+            state.dwell(seconds, false, span)?;
+        } else {
+            if let Some((value, span)) = self.feed {
+                State::check_feed(value, span)?;
+                state.feed = Some(value);
+            }
+            state.go(&self.block)?;
+        }
+        match self.stop {
+            Some(0) => state.event(Event::Message("stop".into()), true),
+            Some(1) => state.event(Event::Message("optional stop".into()), true),
+            Some(17) => return Ok(Flow::Return),
+            Some(_) => return Ok(Flow::End),
+            None => {}
+        }
+        Ok(self.flow.unwrap_or(Flow::Next))
+    }
+}

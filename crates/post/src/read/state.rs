@@ -1,0 +1,310 @@
+//! What a control has in mind between blocks, and the part program as far as it is read.
+
+use super::addresses::Addresses;
+use super::error::{Fault, Read, Span, floor_char};
+use super::expression::Expressions;
+use super::lexer::Cursor;
+use super::target::Target;
+use super::{LeftOut, ReadOptions};
+use crate::feed::FeedRule;
+use crate::part_program::ChannelKind;
+use crate::{Code, Control, Event, Level, PartProgram, Step, What};
+
+/// How the axes go.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Motion {
+    Rapid,
+    Line,
+    /// Clockwise, seen against the plane's normal.
+    Clockwise,
+    Counterclockwise,
+    /// Through a point in between.
+    Through,
+    /// PMAC's PVT.
+    Hermite,
+    /// PMAC's SPLINE1.
+    Spline,
+}
+
+impl Motion {
+    pub(super) fn is_arc(self) -> bool {
+        matches!(self, Self::Clockwise | Self::Counterclockwise | Self::Through)
+    }
+}
+
+/// What F means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum FeedMode {
+    /// Blocks a minute.
+    InverseTime,
+    /// mm a minute (PMAC: a second).
+    PerMinute,
+    /// The time itself, s: PMAC's TM.
+    Time,
+}
+
+/// Something that waits for the end of its line, where it is known whether the line moves.
+#[derive(Debug)]
+enum Pending {
+    Set(usize, f64),
+    Event(Event),
+}
+
+/// The state between blocks.
+pub(super) struct State<'a> {
+    pub(super) control: &'a Control,
+    pub(super) addresses: Addresses,
+    pub(super) expressions: Expressions,
+    pub(super) program: PartProgram,
+    pub(super) notes: Vec<String>,
+    pub(super) left_out: Vec<LeftOut>,
+    noted: Vec<&'static str>,
+    lenient: bool,
+    pending: Vec<Pending>,
+    /// Line that is read, and its first byte.
+    pub(super) line: u32,
+    pub(super) line_start: usize,
+    /// Whether that is one of a sub-program.
+    pub(super) inside: bool,
+    /// Block number of the line.
+    pub(super) number: Option<u32>,
+    /// Where the axes are commanded to be, and where the block leads.
+    pub(super) row: Vec<f64>,
+    pub(super) next: Vec<f64>,
+    pub(super) target: Target,
+    pub(super) motion: Option<Motion>,
+    /// X, Y or Z: the axis that the plane of arcs is square to.
+    pub(super) plane: usize,
+    pub(super) inch: bool,
+    /// Whether F is in inches too.
+    pub(super) inch_feed: bool,
+    pub(super) incremental: bool,
+    /// Whether I, J and K are absolute.
+    pub(super) absolute_centre: bool,
+    pub(super) mode: FeedMode,
+    pub(super) feed: Option<f64>,
+    /// Least time of a block, s: PMAC's TA and TS.
+    pub(super) least_time: f64,
+    pub(super) rule: FeedRule,
+    pub(super) exact_stop: bool,
+    pub(super) level: Level,
+    /// Which of X, Y and Z are not known since the level changed.
+    pub(super) lost: [bool; 3],
+}
+
+impl<'a> State<'a> {
+    pub(super) fn new(control: &'a Control, options: &ReadOptions) -> Self {
+        let width = control.channels.len();
+        let mut row = options.start.clone().unwrap_or_default();
+        row.resize(width, 0.0);
+        Self {
+            control,
+            addresses: Addresses::new(control),
+            expressions: Expressions::new(control.dialect),
+            program: PartProgram::new("", control.channels.clone()),
+            notes: Vec::new(),
+            left_out: Vec::new(),
+            noted: Vec::new(),
+            lenient: options.lenient,
+            pending: Vec::new(),
+            line: 1,
+            line_start: 0,
+            inside: false,
+            number: None,
+            next: row.clone(),
+            row,
+            target: Target::new(width),
+            motion: None,
+            plane: 2,
+            inch: false,
+            inch_feed: false,
+            incremental: false,
+            absolute_centre: false,
+            mode: FeedMode::PerMinute,
+            feed: None,
+            least_time: 0.0,
+            rule: control.feed_rule(None),
+            exact_stop: false,
+            level: options.level,
+            lost: [false; 3],
+        }
+    }
+
+    #[inline]
+    pub(super) fn push(&mut self, what: What) {
+        self.program.steps.push(Step { line: self.line, number: self.number, what });
+    }
+
+    /// A remark; the first one of the text, before anything else, is the title.
+    pub(super) fn comment(&mut self, text: &str) {
+        if text.is_empty() || text.starts_with("$PATH=") {
+            return;
+        }
+        if self.program.title.is_empty() && self.program.steps.is_empty() {
+            text.clone_into(&mut self.program.title);
+        } else {
+            self.push(What::Comment(text.into()));
+        }
+    }
+
+    /// Something that people should know, said once for each `key`.
+    pub(super) fn note(&mut self, key: &'static str, text: &str) {
+        if !self.noted.contains(&key) {
+            self.noted.push(key);
+            self.notes.push(format!("line {}: {text}", self.line));
+        }
+    }
+
+    /// What is not understood: left out if the reader is lenient, else it stays a fault. The cursor goes on behind it.
+    pub(super) fn leave_out(&mut self, fault: Box<Fault>, c: &mut Cursor) -> Read {
+        if !(self.lenient && fault.unknown) {
+            return Err(fault);
+        }
+        if c.at < fault.span.to {
+            c.at = fault.span.to;
+        }
+        let before = fault.span.from.min(c.at);
+        c.skip_word();
+        if c.at == before {
+            c.at = c.here().to.max(before);
+        }
+        let from = floor_char(c.text, fault.span.from);
+        self.left_out.push(LeftOut {
+            line: self.line as usize,
+            column: c.of(Span { from: self.line_start, to: from }).chars().count() + 1,
+            text: c.of(Span { from, to: c.at }).trim().to_owned(),
+            why: fault.message,
+        });
+        Ok(())
+    }
+
+    /// A process value is set: by channel.
+    pub(super) fn set(&mut self, channel: usize, value: f64, at_once: bool) {
+        self.row[channel] = value;
+        self.push(What::Set { channel: channel as u16, value, at_once });
+    }
+
+    pub(super) fn event(&mut self, event: Event, at_once: bool) {
+        self.push(What::Event { event, at_once });
+    }
+
+    /// A digital output is switched.
+    pub(super) fn switch(&mut self, output: u16, on: bool, at_once: bool) {
+        let io = &self.control.io;
+        let is = |named: Option<u8>| named.map(u16::from) == Some(output);
+        let event = match () {
+            () if is(io.arc) => Event::Arc(on),
+            () if is(io.gas) => Event::Gas(on),
+            () if is(io.wire) => Event::Wire(on),
+            () => Event::Output(output, on),
+        };
+        self.event(event, at_once);
+    }
+
+    /// An analogue output is set.
+    pub(super) fn set_output(&mut self, output: u32, value: f64, at_once: bool, span: Span) -> Read {
+        let channel = self.control.outputs.iter().position(|o| o.map(u32::from) == Some(output));
+        let Some(channel) = channel else {
+            let known: Vec<String> = self.control.outputs.iter().flatten().map(ToString::to_string).collect();
+            return Err(Fault::unknown(span, format!("no process value has the analogue output {output}"))
+                .allowed(if known.is_empty() { "none on this machine".to_owned() } else { known.join(" ") })
+                .cure("outputs of process values are set in the machine file, in io.analog"));
+        };
+        self.set(channel, value, at_once);
+        Ok(())
+    }
+
+    /// Sets a channel when the line's end has told whether it moves.
+    pub(super) fn set_later(&mut self, channel: usize, value: f64) {
+        self.pending.push(Pending::Set(channel, value));
+    }
+
+    pub(super) fn event_later(&mut self, event: Event) {
+        self.pending.push(Pending::Event(event));
+    }
+
+    /// What waited for the line's end: with its move if it `moves`, else at once.
+    #[inline]
+    pub(super) fn flush(&mut self, moves: bool) {
+        if self.pending.is_empty() {
+            return;
+        }
+        for pending in std::mem::take(&mut self.pending) {
+            match pending {
+                Pending::Set(channel, value) => self.set(channel, value, !moves),
+                Pending::Event(event) => self.event(event, !moves),
+            }
+        }
+    }
+
+    /// The machine's own code, if this is one: `number` in tenths.
+    pub(super) fn own_code(&mut self, letter: u8, number: u32) -> bool {
+        match self.addresses.code(letter, number) {
+            Some(Code::Event(event)) => {
+                let event = event.clone();
+                self.event_later(event);
+            }
+            Some(Code::ExactStop) => self.exact_stop = true,
+            Some(Code::ContinuousPath) => self.exact_stop = false,
+            None => return false,
+        }
+        true
+    }
+
+    /// The control switches to this level: where X, Y and Z are is known again when a block says them.
+    pub(super) fn switch_level(&mut self, level: Level, span: Span) -> Read {
+        if level != self.level {
+            if self.addresses.xyz.contains(&None) {
+                return Err(Fault::new(span, "this machine has no axes X, Y and Z to move the torch tip by"));
+            }
+            self.lost = [true; 3];
+        }
+        self.level = level;
+        Ok(())
+    }
+
+    /// A dwell; one of no time right behind a move is that move's exact stop if `marks`.
+    pub(super) fn dwell(&mut self, seconds: f64, marks: bool, span: Span) -> Read {
+        if !(0.0..=1e6).contains(&seconds) {
+            return Err(Fault::new(span, "this is no time to dwell").allowed("0 to 1000000 s"));
+        }
+        if marks
+            && seconds <= 0.0
+            && let Some(Step { what: What::Move(last), .. }) = self.program.steps.last_mut()
+        {
+            last.exact_stop = true;
+            return Ok(());
+        }
+        self.push(What::Dwell(seconds));
+        Ok(())
+    }
+
+    /// F, or TM: what it may be.
+    pub(super) fn check_feed(value: f64, span: Span) -> Read {
+        if value <= 0.0 {
+            return Err(Fault::new(span, "a feed must be greater than 0"));
+        }
+        if !(1e-6..=1e9).contains(&value) {
+            return Err(Fault::new(span, "this feed is out of all sense").allowed("0.000001 to 1000000000"));
+        }
+        Ok(())
+    }
+
+    /// Changes what F means; F must then be said anew, as all the controls want it.
+    pub(super) fn set_mode(&mut self, mode: FeedMode) {
+        if self.mode != mode {
+            self.feed = None;
+        }
+        self.mode = mode;
+    }
+
+    /// Whether lengths of this channel are in inches when the program is.
+    pub(super) fn is_length(&self, channel: usize) -> bool {
+        self.program.channels[channel].kind == ChannelKind::Linear
+    }
+
+    /// Whether this channel is an axis or a value that goes with the axes.
+    pub(super) fn is_interpolated(&self, channel: usize) -> bool {
+        self.program.channels[channel].kind != ChannelKind::Stepped
+    }
+}

@@ -1,0 +1,86 @@
+use super::error::{Fault, Read, Span};
+
+/// How a word's value counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum How {
+    /// As the modal state says.
+    Modal,
+    /// From zero.
+    Absolute,
+    /// From where the axis is.
+    Increment,
+    /// A rotary axis the shortest way to this angle.
+    Nearest,
+    /// A rotary axis to this angle in positive direction.
+    Upwards,
+    /// A rotary axis to this angle in negative direction.
+    Downwards,
+}
+
+/// What a block says of the channels. Used for all blocks; a stamp tells what belongs to this one.
+#[derive(Debug)]
+pub(super) struct Target {
+    words: Vec<Word>,
+    now: u32,
+    /// How many channels the block names.
+    pub(super) count: u32,
+}
+
+/// A channel's word.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Word {
+    pub(super) value: f64,
+    pub(super) how: How,
+    pub(super) span: Span,
+    /// Speed behind `:`, for PVT.
+    pub(super) speed: Option<f64>,
+    stamp: u32,
+}
+
+/// Positions beyond this are a mistake, mm or degrees.
+const FARTHEST: f64 = 1e7;
+
+impl Target {
+    pub(super) fn new(width: usize) -> Self {
+        let none = Word { value: 0.0, how: How::Modal, span: Span::default(), speed: None, stamp: 0 };
+        Self { words: vec![none; width], now: 1, count: 0 }
+    }
+
+    /// A new block begins.
+    #[inline]
+    pub(super) fn clear(&mut self) {
+        self.now = self.now.wrapping_add(1);
+        self.count = 0;
+    }
+
+    /// The block says `value` for a channel.
+    #[inline]
+    pub(super) fn put(&mut self, channel: usize, value: f64, how: How, speed: Option<f64>, span: Span) -> Read {
+        if self.words[channel].stamp == self.now {
+            return Err(twice(span));
+        }
+        if value.abs() > FARTHEST {
+            return Err(Fault::new(span, "this position is out of all sense").allowed("-10000000 to 10000000"));
+        }
+        self.words[channel] = Word { value, how, span, speed, stamp: self.now };
+        self.count += 1;
+        Ok(())
+    }
+
+    /// What the block says of a channel.
+    #[inline]
+    pub(super) fn get(&self, channel: usize) -> Option<&Word> {
+        let word = &self.words[channel];
+        if word.stamp == self.now { Some(word) } else { None }
+    }
+
+    /// Place of the first word.
+    pub(super) fn span(&self) -> Option<Span> {
+        self.words.iter().filter(|w| w.stamp == self.now).map(|w| w.span).min_by_key(|s| s.from)
+    }
+}
+
+/// The same word twice in a block.
+pub(super) fn twice(span: Span) -> Box<Fault> {
+    Fault::new(span, "this word stands twice in the block").cure("leave one of them out")
+}

@@ -1,0 +1,150 @@
+//! A machine for reader tests, and short ways to read.
+
+#![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
+
+use proptest::prelude::Rng;
+use proptest::test_runner::{RngAlgorithm, TestRng};
+use seamwright_machine::Machine;
+use seamwright_post::{Control, Dialect, Event, Move, PartProgram, ReadError, ReadOptions, Reading, What, read};
+
+/// Five axes, outputs for the process, and addresses that every dialect has its own way for.
+pub const MACHINE: &str = r#"
+schema = 1
+name = "test"
+title = "test"
+[[tool]]
+axis = "x"
+move = [1, 0, 0]
+range_mm = [-1000, 1000]
+max_speed_mm_s = 80
+max_acceleration_mm_s2 = 300
+[[tool]]
+axis = "y"
+move = [0, 1, 0]
+range_mm = [-1000, 1000]
+max_speed_mm_s = 80
+max_acceleration_mm_s2 = 300
+[[tool]]
+axis = "z"
+move = [0, 0, 1]
+range_mm = [-1000, 1000]
+max_speed_mm_s = 80
+max_acceleration_mm_s2 = 300
+[[tool]]
+axis = "b"
+turn = [0, 1, 0]
+range_deg = [-100, 100]
+max_speed_deg_s = 20
+max_acceleration_deg_s2 = 60
+[torch]
+direction = [0, 0, -1]
+[[work]]
+axis = "c"
+turn = [0, 0, 1]
+continuous = true
+max_speed_deg_s = 30
+max_acceleration_deg_s2 = 90
+[io]
+arc = 0
+gas = 1
+wire = 2
+analog = { current_a = 0, voltage_v = 1 }
+[controls.sinumerik]
+axes = { c = "C1" }
+process = { beam_ma = "CW" }
+codes = { M54 = "m54", G184 = "exact_stop", G164 = "continuous_path" }
+[controls.linuxcnc]
+kinematics_output = 3
+codes = { M101 = "gas_on" }
+[controls.grblhal]
+process = { power_w = "S" }
+codes = { M8 = "gas_on", M9 = "gas_off" }
+[controls.pmac]
+process = { focus_a = "M120" }
+codes = { M54 = "m54" }
+"#;
+
+pub fn control(dialect: Dialect) -> Control {
+    let machine = Machine::read("test.toml", MACHINE).unwrap_or_else(|e| panic!("{e}"));
+    Control::new(&machine, dialect).unwrap()
+}
+
+pub fn try_read(dialect: Dialect, text: &str) -> Result<Reading, ReadError> {
+    read(&control(dialect), "test", text, &ReadOptions::default())
+}
+
+pub fn good(dialect: Dialect, text: &str) -> PartProgram {
+    try_read(dialect, text).unwrap_or_else(|e| panic!("{text}\n{e}")).program
+}
+
+/// The error's place and message; checks that it prints whole.
+pub fn bad(dialect: Dialect, text: &str) -> (usize, usize, String) {
+    let error = try_read(dialect, text).expect_err(text);
+    let shown = error.to_string();
+    assert!(shown.starts_with(&format!("test:{}:{}: ", error.line, error.column)), "{shown}");
+    assert!(shown.contains('^') && shown.contains(&error.text), "{shown}");
+    assert_eq!(error.text, text.lines().nth(error.line - 1).unwrap_or_default().replace('\t', " "), "{shown}");
+    (error.line, error.column, error.message)
+}
+
+/// Checks an error's place and a part of its message.
+pub fn refused(dialect: Dialect, text: &str, line: usize, column: usize, part: &str) {
+    let (at_line, at_column, message) = bad(dialect, text);
+    assert!(message.contains(part), "{text:?}: {message}");
+    assert_eq!((at_line, at_column), (line, column), "{text:?}: {message}");
+}
+
+pub fn moves(program: &PartProgram) -> Vec<Move> {
+    program.steps.iter().filter_map(|s| if let What::Move(m) = &s.what { Some(*m) } else { None }).collect()
+}
+
+/// Rows of the moves, in order.
+pub fn rows(program: &PartProgram) -> Vec<Vec<f64>> {
+    moves(program).iter().map(|m| program.row(m.row).to_vec()).collect()
+}
+
+pub fn events(program: &PartProgram) -> Vec<(Event, bool)> {
+    let event =
+        |what: &What| if let What::Event { event, at_once } = what { Some((event.clone(), *at_once)) } else { None };
+    program.steps.iter().filter_map(|s| event(&s.what)).collect()
+}
+
+/// Channel, value and whether at once of all values that are set.
+pub fn sets(program: &PartProgram) -> Vec<(u16, f64, bool)> {
+    let set = |what: &What| {
+        if let What::Set { channel, value, at_once } = what { Some((*channel, *value, *at_once)) } else { None }
+    };
+    program.steps.iter().filter_map(|s| set(&s.what)).collect()
+}
+
+pub fn near(a: &[f64], b: &[f64], within: f64) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() <= within)
+}
+
+/// Seeded uniform numbers from proptest's own generator.
+pub struct Uniform(TestRng);
+
+impl Uniform {
+    pub fn new(seed: u32) -> Self {
+        let mut bytes = [11; 32];
+        bytes[..4].copy_from_slice(&seed.to_le_bytes());
+        Self(TestRng::from_seed(RngAlgorithm::ChaCha, &bytes))
+    }
+
+    pub fn in_range(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    pub fn below(&mut self, n: usize) -> usize {
+        (self.0.next_u64() % n as u64) as usize
+    }
+
+    pub fn chance(&mut self, part: f64) -> bool {
+        self.in_range(0.0, 1.0) < part
+    }
+}
+
+/// Cases of a test; `make soak` multiplies them.
+pub fn cases(usual: usize) -> usize {
+    usual * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse().ok()).unwrap_or(1)
+}
