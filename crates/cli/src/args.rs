@@ -233,9 +233,33 @@ pub(crate) struct PulsesArgs {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Dialect {
+pub(crate) enum DialectArg {
+    /// Siemens Sinumerik 840D
+    Sinumerik,
     /// LinuxCNC 2.8 or newer
     Linuxcnc,
+    /// grblHAL
+    Grblhal,
+    /// Turbo PMAC motion program
+    Pmac,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum FeedArg {
+    /// Times of blocks: G93; PMAC: TM
+    InverseTime,
+    /// mm/min along what the control counts: G94; PMAC: mm/s
+    PerMinute,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum InterpolationArg {
+    /// Positions and speeds in time
+    Pvt,
+    /// Splines with equal times
+    Spline1,
+    /// Lines and arcs
+    Linear,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -256,10 +280,16 @@ pub(crate) struct PostArgs {
     pub(crate) job: PathBuf,
     /// The control
     #[arg(long, value_enum)]
-    pub(crate) dialect: Dialect,
+    pub(crate) dialect: DialectArg,
     /// What the blocks' words mean
     #[arg(long, value_enum, default_value = "joint")]
     pub(crate) level: LevelArg,
+    /// How times of blocks are said
+    #[arg(long, value_enum, default_value = "inverse-time")]
+    pub(crate) feed: FeedArg,
+    /// What blocks of PMAC are [default: pvt]
+    #[arg(long, value_enum)]
+    pub(crate) interpolation: Option<InterpolationArg>,
     /// Greatest distance of the blocks' path from the seam, mm
     #[arg(long, default_value_t = 0.01, value_name = "MM")]
     pub(crate) tolerance_mm: f64,
