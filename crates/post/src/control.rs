@@ -135,11 +135,12 @@ impl Control {
         self.outputs.push(output);
     }
 
-    /// Whether arc or beam is switched by something of its own. A Sinumerik that interpolates process values switches it
-    /// by these, unless the machine file has a code for it.
+    /// Whether a part program switches arc or beam by something of its own: a code or an output. A Sinumerik that
+    /// interpolates process values switches it by these, unless the machine file has a code for it.
     pub fn switches_arc(&self) -> bool {
         let interpolates = self.channels.iter().any(|c| c.kind == ChannelKind::Interpolated);
-        !interpolates || self.code(&Code::Event(Event::Arc(true))).is_some()
+        let coded = self.code(&Code::Event(Event::Arc(true))).is_some();
+        coded || (!interpolates && (self.io.arc.is_some() || self.has_spindle_arc()))
     }
 
     /// Index of the channel called `name`.

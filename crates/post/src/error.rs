@@ -45,4 +45,16 @@ pub enum Error {
         /// Where, mm.
         s: f64,
     },
+    /// The control cannot take a step.
+    #[error("step {step}{pass}: {what}\n   cure: {cure}")]
+    Unwritable {
+        /// Number of the step, from 1.
+        step: usize,
+        /// The pass that it is in, if it is in one.
+        pass: String,
+        /// What the control cannot take.
+        what: String,
+        /// What to do.
+        cure: &'static str,
+    },
 }

@@ -1,31 +1,31 @@
 //! Weld programs as part programs of real controls.
 //!
-//! Floor 2. A planned pass is cut into straight blocks of the control's own axes (or of the torch tip) that stay within
-//! a chord tolerance of the exact path and keep its timing; a dialect writes them down. So far: LinuxCNC.
+//! Floor 2. [`part_program`] cuts planned passes into blocks (lines, arcs, cubics in time, splines) of the control's own
+//! axes or of the torch tip that stay within a tolerance of the exact path and keep its timing. [`write()`] puts such a
+//! [`PartProgram`], or one from elsewhere, down in the language of Sinumerik, LinuxCNC, grblHAL or PMAC; [`read()`] reads
+//! it back, and [`verify()`] proves that it is what was asked. [`to_program`] makes a weld program of what was read.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
-mod blocks;
 mod control;
 mod error;
 mod feed;
 mod guess;
-mod linuxcnc;
-mod number;
 mod part_program;
+mod plan;
 mod play;
 mod points;
-mod ramps;
 mod read;
 mod verify;
+mod write;
 
-pub use blocks::{Block, Linearisation, linearise};
 pub use control::{Code, Control, Dialect};
 pub use error::Error;
 pub use feed::Group;
-pub use linuxcnc::{Options, linuxcnc};
 pub use part_program::{Arc, Channel, ChannelKind, Event, Level, Move, PartProgram, Path, Step, What};
+pub use plan::{Block, Interpolation, Linearisation, Options, Shape, Speeds, linearise, part_program};
 pub use play::{Segment, play};
 pub use points::to_program;
 pub use read::{LeftOut, ReadError, ReadOptions, Reading, read};
 pub use verify::{PassVerification, Planned, Verification, verify};
+pub use write::{Feed, WriteOptions, write};

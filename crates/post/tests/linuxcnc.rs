@@ -4,8 +4,8 @@
 use glam::DVec3;
 use seamwright_machine::{AxisKind, Clamped, Joints, Machine, Surroundings, shipped};
 use seamwright_motion::{PassMotion, WeldMotion};
-use seamwright_post::{Error, Level, Options, linuxcnc};
-use seamwright_program::{Pass, TorchPath};
+use seamwright_post::{Control, Dialect, Error, Level, Options, WriteOptions, part_program, write};
+use seamwright_program::{Pass, Program, TorchPath};
 use seamwright_weld::Welding;
 use std::collections::BTreeMap;
 
@@ -29,6 +29,19 @@ fn plan(machine: &Machine, welding: &Welding) -> WeldMotion {
     let passes: Vec<(&dyn TorchPath, &Pass)> =
         paths.iter().zip(&welding.program.value.passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect();
     WeldMotion::plan(machine, &around, &passes, 30.0).unwrap()
+}
+
+fn linuxcnc(
+    machine: &Machine,
+    program: &Program,
+    paths: &[&dyn TorchPath],
+    motion: &WeldMotion,
+    options: &Options,
+) -> Result<String, Error> {
+    let control = Control::new(machine, Dialect::Linuxcnc)?;
+    let part = part_program(machine, &control, program, paths, motion, options)?;
+    let rounding_mm = options.rounding_mm();
+    write(&control, &part, &WriteOptions { machine: machine.title.clone(), rounding_mm, ..WriteOptions::default() })
 }
 
 fn post(job: &str, options: &Options) -> Result<Posted, Error> {
@@ -100,7 +113,7 @@ fn distance(path: &dyn TorchPath, point: DVec3, s: &mut f64) -> f64 {
 }
 
 fn check(job: &str, level: Level, tolerance_mm: f64) -> usize {
-    let p = post(job, &Options { level, tolerance_mm }).unwrap();
+    let p = post(job, &Options { level, tolerance_mm, ..Options::default() }).unwrap();
     let (points, time) = read(&p.text);
     assert!((time / p.motion.arc_on_s() - 1.0).abs() < 1e-5, "{time} {}", p.motion.arc_on_s());
     let path = p.welding.path(0);

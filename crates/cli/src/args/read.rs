@@ -1,6 +1,6 @@
 //! Arguments of `seamwright read`.
 
-use super::{Dialect, LevelArg};
+use super::{DialectArg, LevelArg};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -19,7 +19,7 @@ pub(crate) struct ReadArgs {
     pub(crate) machine: String,
     /// The control [default: by the file's name and what stands in it]
     #[arg(long, value_enum)]
-    pub(crate) dialect: Option<Dialect>,
+    pub(crate) dialect: Option<DialectArg>,
     /// What the words mean where the text does not say
     #[arg(long, value_enum, default_value = "joint")]
     pub(crate) level: LevelArg,

@@ -1,45 +1,117 @@
 use super::positive;
-use crate::args::{Dialect, LevelArg, PostArgs};
+use crate::args::{DialectArg, FeedArg, InterpolationArg, LevelArg, PostArgs};
 use crate::failure::Failure;
 use crate::files;
 use crate::load::load;
 use crate::rows::print_text;
 use seamwright_document::Positive;
-use seamwright_post::{Error, Level, Options, linuxcnc};
+use seamwright_post::{
+    Control, Dialect, Error, Feed, Interpolation, Level, Options, PartProgram, Planned, ReadOptions, Verification,
+    WriteOptions, part_program, read, verify, write,
+};
 use seamwright_program::TorchPath;
+use std::io::{self, Write as _};
 
 /// A weld that may stray further is none.
 const WIDEST_MM: f64 = 10.0;
 
 pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
-    let options = Options {
-        level: match args.level {
-            LevelArg::Joint => Level::Joint,
-            LevelArg::Tip => Level::Tip,
-        },
-        tolerance_mm: positive("--tolerance-mm", args.tolerance_mm)?,
-    };
-    if options.tolerance_mm > WIDEST_MM {
-        let message = format!("--tolerance-mm {}: too coarse\n   allowed: up to {WIDEST_MM}", options.tolerance_mm);
-        return Err(Failure::Input(message));
-    }
+    let options = options(args)?;
     let mut loaded = load(&args.job)?;
     if let Some(mm) = args.retract_mm {
         loaded.welding.program.value.air.retract_mm =
             Positive::new(positive("--retract-mm", mm)?).unwrap_or(Positive::TEN);
     }
+    let control = Control::new(&loaded.machine, args.dialect.into()).map_err(|e| Failure::Input(e.to_string()))?;
     let motion = loaded.plan()?;
     let paths = loaded.paths();
     let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
-    let text = match args.dialect {
-        Dialect::Linuxcnc => linuxcnc(&loaded.machine, &loaded.welding.program.value, &paths, &motion, &options),
-    };
-    let text = text.map_err(|e| match &e {
+    let program = &loaded.welding.program.value;
+    let part = part_program(&loaded.machine, &control, program, &paths, &motion, &options);
+    let part = part.map_err(|e| match &e {
         Error::TooFine { .. } => Failure::Input(format!("--tolerance-mm {}: {e}", args.tolerance_mm)),
         _ => Failure::Input(e.to_string()),
     })?;
+    let mut write_options = WriteOptions {
+        machine: loaded.machine.title.clone(),
+        feed: match args.feed {
+            FeedArg::InverseTime => Feed::InverseTime,
+            FeedArg::PerMinute => Feed::PerMinute,
+        },
+        rounding_mm: options.rounding_mm(),
+        remarks: Vec::new(),
+    };
+    let text = |options: &WriteOptions| write(&control, &part, options).map_err(|e| Failure::Input(e.to_string()));
+    let planned = Planned {
+        machine: &loaded.machine,
+        control: &control,
+        program,
+        motion: &motion,
+        tolerance_mm: options.tolerance_mm,
+    };
+    let proof = prove(&part, &text(&write_options)?, options.level, planned)?;
+    write_options.remarks = proof.lines();
+    let text = text(&write_options)?;
+    if let Some(path) = &args.proof {
+        let json = serde_json::to_string_pretty(&proof).map_err(|e| Failure::Environment(e.to_string()))?;
+        files::write(path, &(json + "\n"))?;
+    }
+    if args.verify {
+        let mut err = io::stderr().lock();
+        proof.lines().iter().try_for_each(|line| writeln!(err, "{line}"))?;
+    }
     match &args.output {
         Some(path) => files::write(path, &text),
         None => print_text(&text),
+    }
+}
+
+/// Reads `text` back and holds it against what it was written from and the plan: what does not hold is not written.
+fn prove(part: &PartProgram, text: &str, level: Level, planned: Planned) -> Result<Verification, Failure> {
+    let start = super::read::start(planned.machine, planned.control);
+    let options = ReadOptions { lenient: false, level, start: Some(start.clone()) };
+    let wrong = |lines: &[String]| {
+        let mut err = io::stderr().lock();
+        // Nothing can be done if standard error is closed.
+        let _ = writeln!(err, "the part program is not what was planned, and is not written:");
+        lines.iter().for_each(|line| drop(writeln!(err, "  {line}")));
+        Failure::Printed
+    };
+    let back = read(planned.control, "the part program", text, &options).map_err(|e| wrong(&[e.to_string()]))?;
+    verify(part, &back.program, &start, planned).map_err(|lines| wrong(&lines))
+}
+
+fn options(args: &PostArgs) -> Result<Options, Failure> {
+    let tolerance_mm = positive("--tolerance-mm", args.tolerance_mm)?;
+    if tolerance_mm > WIDEST_MM {
+        let message = format!("--tolerance-mm {tolerance_mm}: too coarse\n   allowed: up to {WIDEST_MM}");
+        return Err(Failure::Input(message));
+    }
+    if args.interpolation.is_some() && args.dialect != DialectArg::Pmac {
+        let message = "--interpolation: only PMAC has a choice; the other controls get lines and arcs";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    Ok(Options {
+        level: match args.level {
+            LevelArg::Joint => Level::Joint,
+            LevelArg::Tip => Level::Tip,
+        },
+        tolerance_mm,
+        interpolation: match args.interpolation {
+            None | Some(InterpolationArg::Pvt) => Interpolation::Pvt,
+            Some(InterpolationArg::Spline1) => Interpolation::Spline1,
+            Some(InterpolationArg::Linear) => Interpolation::Linear,
+        },
+    })
+}
+
+impl From<DialectArg> for Dialect {
+    fn from(arg: DialectArg) -> Self {
+        match arg {
+            DialectArg::Sinumerik => Self::Sinumerik,
+            DialectArg::Linuxcnc => Self::Linuxcnc,
+            DialectArg::Grblhal => Self::Grblhal,
+            DialectArg::Pmac => Self::Pmac,
+        }
     }
 }

@@ -47,12 +47,13 @@ fn arc(span: &PointSpan, start: DVec3, end: DVec3) -> Option<ArcThrough> {
 }
 
 /// The steps of `pass` as it stands, appended to `program`; `here` is the row that the control is at, and is left where
-/// the pass ends.
+/// they end. Part 0 is what is switched and set at its start, part 1 its blocks.
 pub(crate) fn steps(
     machine: &Machine,
     control: &Control,
     pass: &Pass,
     (program, here): (&mut PartProgram, &mut Vec<f64>),
+    part: u8,
 ) {
     let Some(points) = &pass.points else { return };
     let columns = points.known_columns();
@@ -66,15 +67,10 @@ pub(crate) fn steps(
         base[i] = axis.to_file(home[i]);
     }
     let mut writer = Steps { machine, points, channels, base, number: columns.number, timed: columns.timed, program };
-    writer.events(0);
-    let first = writer.row(&points.start);
-    for channel in writer.program.axes()..first.len() {
-        if (first[channel] - here[channel]).abs() > 0.0 {
-            let set = What::Set { channel: channel as u16, value: first[channel], at_once: true };
-            writer.program.push(set);
-        }
+    if part == 0 {
+        writer.begin(here);
+        return;
     }
-    *here = first;
     let mut reached = 0;
     for span in &points.spans {
         for (k, point) in span.points.iter().enumerate() {
@@ -104,6 +100,18 @@ impl Steps<'_> {
         let mut row = self.base.clone();
         self.channels.iter().for_each(|(channel, column)| row[*channel] = point[*column].get());
         row
+    }
+
+    fn begin(&mut self, here: &mut Vec<f64>) {
+        self.events(0);
+        let first = self.row(&self.points.start);
+        for channel in self.program.axes()..first.len() {
+            if (first[channel] - here[channel]).abs() > 0.0 {
+                let set = What::Set { channel: channel as u16, value: first[channel], at_once: true };
+                self.program.push(set);
+            }
+        }
+        *here = first;
     }
 
     fn events(&mut self, after: usize) {

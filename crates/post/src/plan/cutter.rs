@@ -1,0 +1,301 @@
+use super::arcs::{Arcs, Normal, through};
+use super::block::{Block, Linearisation, Shape, Speeds};
+use super::course::Course;
+use crate::feed::LEAST_FEED;
+use crate::{Error, Level};
+use glam::DVec3;
+use seamwright_machine::{AxisKind, Joints, Machine};
+use seamwright_motion::{PassMotion, TipPath};
+use seamwright_program::TorchPath;
+
+/// Parts of a block at whose ends it is compared with the exact path.
+pub(super) const CHECKS: usize = 16;
+/// What may be used of the tolerance at these places: between them the path of the blocks strays up to
+/// `(1/16)^2` of the tolerance more where the deviation has one hump, and four times that where it has two.
+const USED: f64 = 0.98;
+/// Shortest block, mm.
+const SHORTEST_MM: f64 = 1e-4;
+/// An arc is looked for if one this much longer than the line is good.
+const LONGER: f64 = 1.2;
+/// Linear motion that may be left to a later block, as a part of the tolerance. The cutter's own tolerance is smaller
+/// by as much.
+pub(crate) const HELD_BACK: f64 = 0.05;
+/// How far feeds stay above the least one.
+const MARGIN: f64 = 1.2;
+/// Turns smaller than this (rad) are lost in the words' decimals.
+const TURN: f64 = 1e-7;
+
+/// How a pass is cut.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Cutting<'a> {
+    /// What the control interpolates.
+    pub(crate) level: Level,
+    /// Greatest distance from the planned path, mm.
+    pub(crate) tolerance_mm: f64,
+    /// Whether the control raises feeds below [`LEAST_FEED`].
+    pub(crate) least_feed: bool,
+    /// Whether blocks are cubics in time instead of lines and arcs.
+    pub(crate) cubic: bool,
+    /// Arcs that the control has.
+    pub(crate) arcs: Arcs,
+    /// Axes X, Y and Z, for arcs at joint level.
+    pub(crate) xyz: [Option<usize>; 3],
+    /// Longest time of a block, s.
+    pub(crate) longest_s: f64,
+    /// Process values that go evenly within blocks.
+    pub(crate) course: Option<&'a Course<'a>>,
+    /// Whether a second torch welds too.
+    pub(crate) second: bool,
+}
+
+impl Cutting<'_> {
+    /// Lines for LinuxCNC.
+    fn lines(level: Level, tolerance_mm: f64) -> Self {
+        Self {
+            level,
+            tolerance_mm,
+            least_feed: true,
+            cubic: false,
+            arcs: Arcs::None,
+            xyz: [None; 3],
+            longest_s: f64::INFINITY,
+            course: None,
+            second: false,
+        }
+    }
+}
+
+/// Cuts `motion` into few straight blocks for LinuxCNC whose path stays within `tolerance_mm` of the planned one of the
+/// tip (the seam, but for blends at corners): greedily, each block as long as tolerance, timing, attitude and the
+/// control's least feed let it be.
+///
+/// Places where spans end (`breaks`, mm) and corners at which the torch stops always end a block.
+///
+/// # Errors
+/// [`Error::TooFine`], [`Error::NoTip`].
+pub fn linearise(
+    machine: &Machine,
+    motion: &PassMotion,
+    breaks: &[f64],
+    level: Level,
+    tolerance_mm: f64,
+) -> Result<Linearisation, Error> {
+    cut(machine, motion, breaks, &Cutting::lines(level, tolerance_mm))
+}
+
+/// The same in the blocks that `cutting` allows: at each place the longer of the farthest good line and arc.
+pub(crate) fn cut(
+    machine: &Machine,
+    motion: &PassMotion,
+    breaks: &[f64],
+    cutting: &Cutting,
+) -> Result<Linearisation, Error> {
+    let path = motion.tip_path(machine);
+    let mut cutter =
+        Cutter { machine, path, motion, cutting, tolerance: USED * cutting.tolerance_mm, ends: (0.0, 0.0) };
+    let mut here = cutter.end_at(0.0, 0.0);
+    // The last place whose linear words were written.
+    let mut written = here;
+    let mut cut = Linearisation { start: here, blocks: Vec::new(), chord_error_mm: 0.0 };
+    let stops: Vec<f64> = motion.law.legs().iter().skip(1).map(|leg| leg.from).collect();
+    let mut ends: Vec<f64> = breaks.iter().chain(&stops).copied().filter(|s| *s > 0.0 && *s < path.length()).collect();
+    ends.sort_by(f64::total_cmp);
+    ends.push(path.length());
+    let mut length = 1.0;
+    for end in ends {
+        let leg = stops.partition_point(|s| *s <= here.s);
+        let leg_end = stops.get(leg).copied().unwrap_or(path.length());
+        cutter.ends = (if leg == 0 { 0.0 } else { stops[leg - 1] }, leg_end);
+        while here.s < end {
+            let mut block = cutter.next(&here, &written, end, length);
+            if block.s - here.s < SHORTEST_MM && block.s < end {
+                return Err(Error::TooFine { s: here.s });
+            }
+            block.turns_only = cutting.least_feed
+                && block.shape == Shape::Line
+                && cutter.below_least_feed(&written, &block)
+                && cutter.turns(&here, &block);
+            if !block.turns_only {
+                written = block;
+            }
+            block.stops = stops.contains(&block.s);
+            cut.chord_error_mm = cut.chord_error_mm.max(cutter.chord_error(&here, &block));
+            if block.shape == Shape::Line || cutting.cubic {
+                length = block.s - here.s;
+            }
+            cut.blocks.push(block);
+            here = block;
+        }
+    }
+    Ok(cut)
+}
+
+/// What kind of block is tried.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    Line,
+    Cubic,
+    Arc(Normal),
+}
+
+pub(super) struct Cutter<'a> {
+    pub(super) machine: &'a Machine,
+    pub(super) path: TipPath<'a>,
+    pub(super) motion: &'a PassMotion,
+    pub(super) cutting: &'a Cutting<'a>,
+    pub(super) tolerance: f64,
+    /// Path lengths between which the torch does not stop.
+    ends: (f64, f64),
+}
+
+impl Cutter<'_> {
+    fn end_at(&self, s: f64, before: f64) -> Block {
+        let q = self.motion.path.at(s);
+        let duration = self.motion.law.time(s) - self.motion.law.time(before);
+        let tip = self.machine.forward(&q).point;
+        Block { s, q, tip, duration, turns_only: false, stops: false, shape: Shape::Line }
+    }
+
+    /// The block of a kind from `here` to `s`, if there is one.
+    fn block(&self, kind: Kind, here: &Block, s: f64) -> Option<Block> {
+        let mut block = self.end_at(s, here.s);
+        block.shape = match kind {
+            Kind::Line => Shape::Line,
+            Kind::Cubic => Shape::Hermite { from: self.speeds(here.s, false), to: self.speeds(s, true) },
+            Kind::Arc(normal) => {
+                let time = self.motion.law.time(here.s) + 0.5 * block.duration;
+                let middle = self.end_at(self.motion.law.at(time, &mut 0).s, here.s);
+                Shape::Arc(through(self.place(here), self.place(&middle), self.place(&block), normal)?)
+            }
+        };
+        Some(block)
+    }
+
+    /// Speeds by the plan at `s`, as they are before or behind it.
+    fn speeds(&self, s: f64, before: bool) -> Speeds {
+        if s <= self.ends.0 || s >= self.ends.1 {
+            return Speeds::default();
+        }
+        let (point, v) = (self.motion.path.point(s, before), self.motion.law.speed(s));
+        let rest = Joints::default();
+        let tip = self.machine.tip_derivatives(&[point.q, point.d1, rest, rest])[0];
+        Speeds { q: point.d1.map(|d| d * v), tip: tip * v }
+    }
+
+    /// X, Y and Z of what the control moves, mm.
+    pub(super) fn place(&self, at: &Block) -> DVec3 {
+        match self.cutting.level {
+            Level::Tip => at.tip,
+            Level::Joint => DVec3::from_array(self.cutting.xyz.map(|i| i.map_or(0.0, |i| at.q[i]))),
+        }
+    }
+
+    /// The longest good block from `here`, not beyond `end`; `guess` is the length of the last one.
+    fn next(&self, here: &Block, written: &Block, end: f64, guess: f64) -> Block {
+        let base = if self.cutting.cubic { Kind::Cubic } else { Kind::Line };
+        let (s, checks) = (self.farthest(base, here, written, (end, guess), CHECKS), CHECKS);
+        let line = self.turned_back(here, written, s);
+        // At rest nothing tells how it goes on: halves of a line so short are no good for an arc.
+        let length = (line - here.s).max(SHORTEST_MM);
+        let tried = (here.s + LONGER * length).min(end);
+        let mut best = (line, base);
+        for normal in self.cutting.arcs.normals().iter().filter(|_| tried > line) {
+            let kind = Kind::Arc(*normal);
+            if !self.tried(kind, here, written, tried, checks) {
+                continue;
+            }
+            // As many checks as there were within a line, so that no wave slips through between them.
+            let fine = |to: f64| (CHECKS as f64 / 4.0 * (to - here.s) / length).max(CHECKS as f64) as usize;
+            let mut far = tried;
+            while far < end {
+                let next = (here.s + 2.0 * (far - here.s)).min(end);
+                let reached = self.farthest(kind, here, written, (next, next - here.s), fine(next));
+                let stuck = reached < next;
+                far = far.max(reached);
+                if stuck {
+                    break;
+                }
+            }
+            if far > best.0 {
+                best = (far, kind);
+            }
+        }
+        self.block(best.1, here, best.0).unwrap_or_else(|| self.end_at(best.0, here.s))
+    }
+
+    fn tried(&self, kind: Kind, here: &Block, written: &Block, s: f64, checks: usize) -> bool {
+        self.block(kind, here, s)
+            .is_some_and(|block| self.good(here, &block, checks) && self.feed_is_kept(written, here, &block))
+    }
+
+    /// The farthest end of a good block from `here`, not beyond `end`; `guess` is the length of the last one.
+    fn farthest(&self, kind: Kind, here: &Block, written: &Block, (end, guess): (f64, f64), checks: usize) -> f64 {
+        let good = |s: f64| self.tried(kind, here, written, s, checks);
+        let mut length = guess.max(SHORTEST_MM);
+        // Grow until bad, or shrink until good, then halve the bracket.
+        while here.s + length < end && good(here.s + length) {
+            length *= 2.0;
+        }
+        let mut bad = (here.s + length).min(end);
+        if bad >= end && good(end) {
+            return end;
+        }
+        let mut ok = here.s;
+        while bad - ok > 1e-3 * (ok - here.s).max(SHORTEST_MM) {
+            let middle = 0.5 * (ok + bad);
+            if good(middle) { ok = middle } else { bad = middle }
+        }
+        ok
+    }
+
+    /// The middle of a block to `end`, if linear motion goes out and back in it and would be left out as too small
+    /// though either half has enough; otherwise `end`.
+    fn turned_back(&self, here: &Block, written: &Block, end: f64) -> f64 {
+        if !self.cutting.least_feed {
+            return end;
+        }
+        let middle = self.end_at(0.5 * (here.s + end), here.s);
+        let lost = self.below_least_feed(written, &self.end_at(end, here.s));
+        let halved = lost && middle.s - here.s > SHORTEST_MM && !self.below_least_feed(written, &middle);
+        if halved && self.good(here, &middle, CHECKS) { middle.s } else { end }
+    }
+
+    /// True if the control will not run the block faster than planned: its feed is above the least one, or its linear
+    /// motion is small enough to be left to a later block.
+    fn feed_is_kept(&self, written: &Block, here: &Block, b: &Block) -> bool {
+        if !self.cutting.least_feed {
+            return true;
+        }
+        match b.shape {
+            // From where the words left the axes an arc cannot begin elsewhere.
+            Shape::Arc(arc) => {
+                let way = arc.length(self.place(here), self.place(b));
+                written.s >= here.s && way / b.duration * 60.0 >= MARGIN * LEAST_FEED
+            }
+            _ => !self.below_least_feed(written, b) || self.linear(written, b) <= HELD_BACK * self.tolerance,
+        }
+    }
+
+    /// True if the control would raise the block's feed, counted from the last linear words `written`.
+    fn below_least_feed(&self, written: &Block, b: &Block) -> bool {
+        self.linear(written, b) / b.duration * 60.0 < MARGIN * LEAST_FEED
+    }
+
+    /// True if a rotary axis moves in the block by more than its words can say.
+    fn turns(&self, a: &Block, b: &Block) -> bool {
+        let axes = self.machine.axes.iter().zip(a.q.iter().zip(&b.q));
+        axes.filter(|(x, _)| x.kind == AxisKind::Rotary).any(|(_, (a, b))| (a - b).abs() > TURN)
+    }
+
+    /// Length of linear motion as the control will see it, mm.
+    fn linear(&self, a: &Block, b: &Block) -> f64 {
+        match self.cutting.level {
+            Level::Tip => (b.tip - a.tip).length(),
+            Level::Joint => {
+                let axes = self.machine.axes.iter().zip(a.q.iter().zip(&b.q));
+                let linear = axes.filter(|(x, _)| x.kind == AxisKind::Linear);
+                linear.map(|(_, (a, b))| (b - a).powi(2)).sum::<f64>().sqrt()
+            }
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! How far a block is from the plan.
+
+use super::block::{Block, Shape};
+use super::cutter::{CHECKS, Cutter};
+use crate::Level;
+use seamwright_geometry::Pose;
+use seamwright_machine::Joints;
+use seamwright_program::TorchPath;
+
+/// How far along the seam, or the way of a weaving tip, a block may run ahead of the plan or behind it, as a multiple of
+/// the chord tolerance.
+const LAG: f64 = 20.0;
+/// Largest deviation of the torch's attitude within a block, rad.
+const ATTITUDE: f64 = 0.1 * std::f64::consts::PI / 180.0;
+
+impl Cutter<'_> {
+    /// True if a block that ends at `b` keeps to tolerance, timing and attitude at so many places within it, and is not
+    /// too long.
+    pub(super) fn good(&self, a: &Block, b: &Block, checks: usize) -> bool {
+        if b.duration > self.cutting.longest_s {
+            return false;
+        }
+        // In an order that finds what is bad soon.
+        let n = checks.next_power_of_two();
+        let stride = (3 * n / 8) | 1;
+        let near = (1..n).map(|i| ((i * stride) % n) as f64 / n as f64).all(|f| {
+            let [chord, lag, attitude] = self.deviation(a, b, f);
+            chord <= self.tolerance && lag <= LAG * self.tolerance && attitude <= ATTITUDE
+        });
+        near && self.is_even(a, b)
+    }
+
+    /// Greatest distance from the planned path within a block, mm.
+    pub(super) fn chord_error(&self, a: &Block, b: &Block) -> f64 {
+        (1..CHECKS).map(|k| self.deviation(a, b, k as f64 / CHECKS as f64)[0]).fold(0.0, f64::max)
+    }
+
+    /// True if process values go evenly enough within the block.
+    fn is_even(&self, a: &Block, b: &Block) -> bool {
+        let Some(course) = self.cutting.course else { return true };
+        let begin = self.motion.law.time(a.s);
+        course.is_even((a.s, b.s), |f| self.motion.law.at(begin + f * b.duration, &mut 0).s)
+    }
+
+    /// Axes and pose that the control passes through at the part `f` of a block.
+    fn interpolated(&self, a: &Block, b: &Block, f: f64) -> (Joints, Pose) {
+        let (mut q, mut tip) = b.part(a, f);
+        if let Shape::Arc(arc) = b.shape {
+            tip = arc.at(self.place(a), self.place(b), f);
+            if self.cutting.level == Level::Joint {
+                let places = self.cutting.xyz.iter().zip(tip.to_array());
+                places.for_each(|(i, p)| i.iter().for_each(|i| q[*i] = p));
+            }
+        }
+        let pose = self.machine.forward(&q);
+        match self.cutting.level {
+            Level::Joint => (q, pose),
+            Level::Tip => (q, Pose { point: tip, ..pose }),
+        }
+    }
+
+    /// Distance from the planned path (mm), lead or lag along it (mm) and attitude deviation (rad) at the part `f` of a
+    /// block.
+    fn deviation(&self, a: &Block, b: &Block, f: f64) -> [f64; 3] {
+        let (q, passed) = self.interpolated(a, b, f);
+        let planned = self.motion.law.at(self.motion.law.time(a.s) + f * b.duration, &mut 0).s;
+        let s = self.path.foot(passed.point, planned, (a.s, b.s));
+        let there = self.motion.path.at(s);
+        // Compared with what the axes really reach, so that a missing freedom is not a chord error.
+        let reached = self.machine.forward(&there);
+        let mut chord = (passed.point - reached.point).length();
+        let mut attitude = (passed.direction - reached.direction).length();
+        if self.cutting.second {
+            let (passed, reached) = (self.machine.forward_of(1, &q), self.machine.forward_of(1, &there));
+            chord = chord.max((passed.point - reached.point).length());
+            attitude = attitude.max((passed.direction - reached.direction).length());
+        }
+        [chord, (s - planned).abs() * self.path.pace(planned), 2.0 * (0.5 * attitude).min(1.0).asin()]
+    }
+}

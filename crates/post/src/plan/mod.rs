@@ -1,0 +1,194 @@
+//! A planned weld as a part program.
+
+mod arcs;
+mod block;
+mod course;
+mod cutter;
+mod deviation;
+mod ramps;
+mod spline;
+mod stands;
+mod steps;
+
+pub use block::{Block, Linearisation, Shape, Speeds};
+pub use cutter::linearise;
+
+use crate::part_program::{Level, PartProgram, What};
+use crate::points::is_posted_as_it_stands;
+use crate::{Control, Dialect, Error};
+use arcs::Arcs;
+use course::Course;
+use cutter::{Cutting, HELD_BACK, cut};
+use ramps::{ramp_breaks, weave_breaks};
+use seamwright_machine::Machine;
+use seamwright_motion::{PassMotion, WeldMotion};
+use seamwright_program::{Pass, Program, TorchPath};
+use steps::Steps;
+
+/// How a weld is made a part program.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// What the control interpolates.
+    pub level: Level,
+    /// Greatest distance of the blocks' path from the planned one of the tip, mm.
+    pub tolerance_mm: f64,
+    /// PMAC: what blocks are. The other controls have lines and arcs.
+    pub interpolation: Interpolation,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { level: Level::Joint, tolerance_mm: 0.01, interpolation: Interpolation::Pvt }
+    }
+}
+
+impl Options {
+    /// What is left to a control that rounds corners between blocks, mm.
+    pub fn rounding_mm(&self) -> f64 {
+        ROUNDING * self.tolerance_mm
+    }
+}
+
+/// What blocks of PMAC are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Interpolation {
+    /// Cubics in time, with speeds: PVT.
+    Pvt,
+    /// Splines with equal times: SPLINE1.
+    Spline1,
+    /// Lines and arcs: LINEAR and CIRCLE.
+    Linear,
+}
+
+/// Part of the tolerance that is left to the control for rounding corners (LinuxCNC's G64 P).
+const ROUNDING: f64 = 0.1;
+/// Part of the tolerance that controls without a tolerance for blends, and rounding to decimals, may use.
+const SPARED: f64 = 0.05;
+/// Longest time of PMAC's cubics, s.
+const LONGEST_CUBIC_S: f64 = 4.095;
+
+/// The weld as a part program for `control`: blocks that keep to `options.tolerance_mm` and to the plan's timing, outputs
+/// switched with the motion; between passes the planned air moves, whose straight lines in axis space are those of
+/// rapid moves at joint level. `paths` are those of the passes that `motion` was planned of.
+///
+/// Rows are rounded to the six decimals that are written, so what is in them is what the control is told. At joint level
+/// the control must move axes as they are; tip level needs kinematics in the control that match the machine.
+///
+/// # Errors
+/// [`Error::TooFine`]; [`Error::NoTip`]; [`Error::TipPasses`] where the control cannot go over to its axes between
+/// passes; [`Error::TwoTorches`] at tip level.
+pub fn part_program(
+    machine: &Machine,
+    control: &Control,
+    program: &Program,
+    paths: &[&dyn TorchPath],
+    motion: &WeldMotion,
+    options: &Options,
+) -> Result<PartProgram, Error> {
+    let second = paths.iter().any(|path| path.second(0.0).is_some());
+    if options.level == Level::Tip {
+        check_tip(control, motion, second)?;
+    }
+    let mut steps = Steps::new(machine, control, program, options);
+    for (i, (pass, planned)) in program.passes.iter().zip(&motion.passes).enumerate() {
+        let course = Course::new(control, pass);
+        if is_posted_as_it_stands(control, pass) {
+            steps.program.push(What::Pass(pass.name.as_str().into()));
+            let next = program.passes.get(i + 1).filter(|_| motion.air[i + 1].legs.is_empty());
+            steps.stands((pass, &course), &motion.air[i], (i == 0, next.is_some_and(Pass::has_arc)));
+            continue;
+        }
+        let cut = blocks(machine, control, (pass, planned, &course), options, second)?;
+        steps.program.push(What::Pass(pass.name.as_str().into()));
+        steps.remarks(&pass.name, planned, &cut, options);
+        if i > 0 {
+            steps.air(&motion.air[i]);
+        }
+        steps.pass(&cut, pass, &course, (&motion.air[i], &motion.air[i + 1]), i == 0);
+    }
+    Ok(steps.program)
+}
+
+fn check_tip(control: &Control, motion: &WeldMotion, second: bool) -> Result<(), Error> {
+    if !["x", "y", "z"].iter().all(|n| control.channel(n).is_some()) {
+        return Err(Error::NoTip);
+    }
+    if motion.passes.len() > 1 && !control.switches_level() {
+        return Err(Error::TipPasses);
+    }
+    if second { Err(Error::TwoTorches) } else { Ok(()) }
+}
+
+/// The blocks of a pass in the shapes that the control has.
+fn blocks(
+    machine: &Machine,
+    control: &Control,
+    (pass, planned, course): (&Pass, &PassMotion, &Course),
+    options: &Options,
+    second: bool,
+) -> Result<Linearisation, Error> {
+    let mut breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
+    if pass.spans[0].process.keys().any(|name| control.is_stepped(name)) {
+        breaks.extend(pass.spans.iter().flat_map(ramp_breaks));
+        breaks.extend(weave_breaks(pass));
+    }
+    breaks.extend(course.breaks());
+    breaks.sort_by(f64::total_cmp);
+    let pmac = control.dialect == Dialect::Pmac;
+    let cubic = pmac && options.interpolation == Interpolation::Pvt;
+    let spline = pmac && options.interpolation == Interpolation::Spline1;
+    // Rounding of corners by the control, and linear motion left to the next block, count against the tolerance too.
+    let linuxcnc = control.dialect == Dialect::Linuxcnc;
+    let spared = if linuxcnc { ROUNDING + HELD_BACK } else { SPARED };
+    let cutting = Cutting {
+        level: options.level,
+        tolerance_mm: (1.0 - spared) * options.tolerance_mm,
+        least_feed: linuxcnc,
+        cubic,
+        arcs: if cubic { Arcs::None } else { arcs_of(control, options.level) },
+        xyz: control.axes_xyz(),
+        longest_s: if cubic || spline { LONGEST_CUBIC_S } else { f64::INFINITY },
+        course: Some(course),
+        second,
+    };
+    if spline { spline::splines(machine, planned, &breaks, &cutting) } else { cut(machine, planned, &breaks, &cutting) }
+}
+
+/// The arcs that the control has: none where its X, Y and Z are not the axes of these names.
+fn arcs_of(control: &Control, level: Level) -> Arcs {
+    let there = control.axes_xyz().iter().flatten().count();
+    if there < 2 || (level == Level::Tip && there < 3) {
+        return Arcs::None;
+    }
+    match control.dialect {
+        Dialect::Linuxcnc | Dialect::Grblhal => Arcs::Planes,
+        // Circles anywhere in space need all three.
+        Dialect::Sinumerik | Dialect::Pmac if there == 3 => Arcs::Any,
+        Dialect::Sinumerik | Dialect::Pmac => Arcs::Planes,
+    }
+}
+
+impl Control {
+    /// Whether `name` is a process value that changes in steps.
+    fn is_stepped(&self, name: &str) -> bool {
+        self.channel(name).is_some_and(|i| self.channels[i].kind == crate::ChannelKind::Stepped)
+    }
+
+    /// Whether a program can go over from axes to the tip and back.
+    pub(crate) fn switches_level(&self) -> bool {
+        match self.dialect {
+            Dialect::Sinumerik => true,
+            Dialect::Linuxcnc => self.kinematics_output.is_some(),
+            Dialect::Grblhal | Dialect::Pmac => false,
+        }
+    }
+
+    /// Channels of X, Y and Z whose addresses are these letters too: those that arcs can be in.
+    pub(crate) fn axes_xyz(&self) -> [Option<usize>; 3] {
+        ["x", "y", "z"].map(|name| {
+            self.channel(name).filter(|i| {
+                self.addresses[*i].eq_ignore_ascii_case(name) && self.channels[*i].kind == crate::ChannelKind::Linear
+            })
+        })
+    }
+}

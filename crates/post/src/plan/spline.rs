@@ -1,0 +1,167 @@
+//! Uniform cubic B-splines in time whose ends are at rest: PMAC's SPLINE1.
+
+use super::block::{Block, Linearisation, Shape};
+use super::cutter::Cutting;
+use crate::{Error, Level};
+use glam::DVec3;
+use seamwright_geometry::Pose;
+use seamwright_machine::{Joints, MAX_AXES, Machine};
+use seamwright_motion::PassMotion;
+use seamwright_program::TorchPath;
+
+/// Times are multiples of this, s.
+pub(crate) const TICK: f64 = 2.5e-7;
+/// Shortest time of a block that the control keeps up with, s.
+const SHORTEST_S: f64 = 5e-4;
+/// Blocks that a leg begins with, at least.
+const FEWEST: f64 = 6.0;
+/// Places checked within a block.
+const CHECKS: u32 = 4;
+/// What may be used of the tolerance at these places.
+const USED: f64 = 0.95;
+/// How far a block may run ahead of the plan or behind it, as a multiple of the tolerance.
+const LAG: f64 = 20.0;
+
+/// Axes and tip together: what the splines go through.
+type Row = [f64; MAX_AXES + 3];
+
+/// The pass as splines, one for every leg from rest to rest: through the planned places at the knots but the first and
+/// last, with times halved until all between is within the tolerance.
+///
+/// The spline has the place that a leg begins at and the ends of its blocks as control points, the first and the last
+/// three times, so that it takes two block times more than it has blocks.
+///
+/// # Errors
+/// [`Error::TooFine`].
+pub(crate) fn splines(
+    machine: &Machine,
+    motion: &PassMotion,
+    breaks: &[f64],
+    cutting: &Cutting,
+) -> Result<Linearisation, Error> {
+    let plan = Plan { machine, motion, cutting };
+    let start = plan.block(&plan.row(0.0), 0.0, 0.0);
+    let mut all = Linearisation { start, blocks: Vec::new(), chord_error_mm: 0.0 };
+    let legs = motion.law.legs();
+    let finest = least_step(motion, breaks).min(cutting.longest_s);
+    for (i, leg) in legs.iter().enumerate() {
+        let (begin, end) = (motion.law.time(leg.from), motion.law.time(leg.to));
+        let mut count = ((end - begin) / finest).max(FEWEST).ceil();
+        let (points, worst) = loop {
+            let step = (end - begin) / count;
+            if step < SHORTEST_S {
+                return Err(Error::TooFine { s: leg.from });
+            }
+            let points = plan.control_points(begin, step, count as usize - 2);
+            let worst = plan.deviation(&points, begin, step);
+            if worst <= USED * cutting.tolerance_mm {
+                break (points, worst);
+            }
+            count *= 2.0;
+        };
+        let step = (end - begin) / count;
+        all.chord_error_mm = all.chord_error_mm.max(worst);
+        let last = points.len() - 1;
+        for (k, point) in points.iter().enumerate().skip(1) {
+            let s = if k == last { leg.to } else { plan.s(begin + (k as f64 + 1.0) * step) };
+            let mut block = plan.block(point, s, (step / TICK).round() * TICK);
+            block.stops = k == last && i + 1 < legs.len();
+            all.blocks.push(block);
+        }
+    }
+    Ok(all)
+}
+
+/// Least time between places where values change, s.
+fn least_step(motion: &PassMotion, breaks: &[f64]) -> f64 {
+    breaks.windows(2).map(|w| motion.law.time(w[1]) - motion.law.time(w[0])).fold(f64::INFINITY, f64::min)
+}
+
+struct Plan<'a> {
+    machine: &'a Machine,
+    motion: &'a PassMotion,
+    cutting: &'a Cutting<'a>,
+}
+
+impl Plan<'_> {
+    fn s(&self, t: f64) -> f64 {
+        self.motion.law.at(t, &mut 0).s
+    }
+
+    fn row(&self, s: f64) -> Row {
+        let q = self.motion.path.at(s);
+        let tip = self.machine.forward(&q).point.to_array();
+        std::array::from_fn(|i| if i < MAX_AXES { q[i] } else { tip[i - MAX_AXES] })
+    }
+
+    fn block(&self, row: &Row, s: f64, duration: f64) -> Block {
+        let (q, tip) = split(row);
+        Block { s, q, tip, duration, turns_only: false, stops: false, shape: Shape::Spline }
+    }
+
+    /// Control points, the first of them where the leg begins: at each knot but the first and the last one the spline
+    /// `(p[i - 1] + 4 p[i] + p[i + 1]) / 6` is the planned place.
+    fn control_points(&self, begin: f64, step: f64, moves: usize) -> Vec<Row> {
+        let place = |i: usize| self.row(self.s(begin + (i as f64 + 1.0) * step));
+        let mut points = vec![self.row(self.s(begin)); moves + 1];
+        points[moves] = self.row(self.s(begin + (moves as f64 + 2.0) * step));
+        // Thomas' algorithm; its factors are the same in all columns.
+        let mut factors = vec![0.0; moves];
+        for i in 1..moves {
+            factors[i] = 1.0 / (4.0 - factors[i - 1]);
+            let (wanted, before) = (place(i), points[i - 1]);
+            let right = if i + 1 == moves { points[moves] } else { [0.0; MAX_AXES + 3] };
+            points[i] = std::array::from_fn(|k| (6.0 * wanted[k] - before[k] - right[k]) * factors[i]);
+        }
+        for i in (1..moves.saturating_sub(1)).rev() {
+            let next = points[i + 1];
+            points[i].iter_mut().zip(next).for_each(|(p, n)| *p -= factors[i] * n);
+        }
+        points
+    }
+
+    /// Greatest distance of the spline from the plan, mm; lead and lag count by what they may be more.
+    fn deviation(&self, points: &[Row], begin: f64, step: f64) -> f64 {
+        let last = points.len() - 1;
+        let point = |i: usize| &points[i.saturating_sub(2).min(last)];
+        let path = self.motion.tip_path(self.machine);
+        let mut worst = 0.0f64;
+        for k in 0..=last + 1 {
+            let near = [point(k), point(k + 1), point(k + 2), point(k + 3)];
+            for c in 0..CHECKS {
+                let f = (f64::from(c) + 0.5) / f64::from(CHECKS);
+                let w = weights(f);
+                let row: Row = std::array::from_fn(|i| (0..4).map(|j| w[j] * near[j][i]).sum());
+                let (q, tip) = split(&row);
+                let mut passed = self.machine.forward(&q);
+                if self.cutting.level == Level::Tip {
+                    passed = Pose { point: tip, ..passed };
+                }
+                let planned = self.s(begin + (k as f64 + f) * step);
+                let s = path.foot(passed.point, planned, (0.0, path.length()));
+                let there = self.motion.path.at(s);
+                worst = worst.max((passed.point - self.machine.forward(&there).point).length());
+                worst = worst.max((s - planned).abs() * path.pace(planned) / LAG);
+                if self.cutting.second {
+                    let second = self.machine.forward_of(1, &q).point - self.machine.forward_of(1, &there).point;
+                    worst = worst.max(second.length());
+                }
+            }
+            if worst > self.cutting.tolerance_mm {
+                break;
+            }
+        }
+        worst
+    }
+}
+
+fn split(row: &Row) -> (Joints, DVec3) {
+    let q = std::array::from_fn(|i| row[i]);
+    (q, DVec3::new(row[MAX_AXES], row[MAX_AXES + 1], row[MAX_AXES + 2]))
+}
+
+/// Weights of four control points at the part `f` of a segment of the uniform cubic B-spline.
+fn weights(f: f64) -> [f64; 4] {
+    let g = 1.0 - f;
+    [g * g * g, 3.0 * f * f * (f - 2.0) + 4.0, 3.0 * g * g * (g - 2.0) + 4.0, f * f * f].map(|w| w / 6.0)
+}

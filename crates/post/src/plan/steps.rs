@@ -1,0 +1,386 @@
+//! The steps of a pass around its blocks: gas, arc, slopes, values, and the ways there and back.
+
+use super::block::{Block, Linearisation, Shape};
+use super::course::{Course, WELDING};
+use super::ramps::{RestStep, rest_steps};
+use super::spline::TICK;
+use super::{Options, arcs};
+use crate::part_program::{ChannelKind, Event, Level, Move, PartProgram, Path, What};
+use crate::write::fixed;
+use crate::{Code, Control, Dialect};
+use glam::DVec3;
+use seamwright_machine::{AxisKind, Joints, Machine};
+use seamwright_motion::PassMotion;
+use seamwright_motion::air::{AirMove, Leg};
+use seamwright_program::{Pass, ProcessValue, Program};
+use std::collections::BTreeMap;
+
+/// Feed of the approach from where the torch stands back to the start of the weld, mm/min.
+const APPROACH_MM_MIN: f64 = 600.0;
+/// Decimals of what is written.
+const SCALE: f64 = 1e6;
+/// Steps of process values at outputs.
+const VALUE_SCALE: f64 = 1e4;
+
+/// A part program in the making.
+pub(super) struct Steps<'a> {
+    pub(super) machine: &'a Machine,
+    pub(super) control: &'a Control,
+    level: Level,
+    pub(super) program: PartProgram,
+    /// What the control has been told of each channel.
+    pub(super) row: Vec<f64>,
+    /// The last value of each channel that was set at once or not, since the pass began.
+    pub(super) set: BTreeMap<(u16, bool), f64>,
+    /// Whether the arc is on.
+    pub(super) arc: bool,
+}
+
+impl<'a> Steps<'a> {
+    pub(super) fn new(machine: &'a Machine, control: &'a Control, program: &Program, options: &Options) -> Self {
+        let part = PartProgram::new(&program.title, control.channels.clone());
+        let row = vec![0.0; control.channels.len()];
+        Self { machine, control, level: options.level, program: part, row, set: BTreeMap::new(), arc: false }
+    }
+
+    fn comment(&mut self, text: &str) {
+        self.program.push(What::Comment(text.into()));
+    }
+
+    /// What the pass is, in words.
+    pub(super) fn remarks(&mut self, name: &str, motion: &PassMotion, cut: &Linearisation, options: &Options) {
+        self.comment(&format!(
+            "{name}: travel {} mm in {} s; arc on {} s",
+            fixed(motion.path.length(), 3),
+            fixed(motion.law.duration(), 3),
+            fixed(motion.arc_on_s(), 3)
+        ));
+        let arcs = cut.blocks.iter().filter(|b| matches!(b.shape, Shape::Arc(_))).count();
+        let arcs = if arcs > 0 { format!(", {arcs} of them arcs") } else { String::new() };
+        self.comment(&format!(
+            "{} blocks{arcs}, chord error {} mm of {} mm allowed",
+            cut.blocks.len(),
+            fixed(cut.chord_error_mm, 6),
+            fixed(options.tolerance_mm, 6)
+        ));
+    }
+
+    /// The planned way from where the torch stands back after one pass to where it does before the next, for the axes.
+    pub(super) fn air(&mut self, air: &AirMove) {
+        self.comment("the planned way to the next pass");
+        // The retract and the approach are written with their welds; the last place is where the approach begins.
+        let skip = usize::from(air.retracts);
+        let inner = air.legs.len().saturating_sub(usize::from(air.approaches));
+        let level = std::mem::replace(&mut self.level, Level::Joint);
+        for leg in air.legs.iter().take(inner).skip(skip) {
+            self.go_to(&self.standing(leg.end()), false);
+            self.push(Path::Rapid, 0.0, false);
+        }
+        self.level = level;
+    }
+
+    /// A pass with the air moves before and after it.
+    pub(super) fn pass(
+        &mut self,
+        cut: &Linearisation,
+        pass: &Pass,
+        course: &Course,
+        (before, after): (&AirMove, &AirMove),
+        first: bool,
+    ) {
+        let from = before.legs.last().filter(|_| before.approaches).map(Leg::start);
+        let to = after.legs.first().filter(|_| after.retracts).map(Leg::end);
+        self.set.clear();
+        self.approach(&cut.start, from, first);
+        self.start(cut, pass, course);
+        self.weld(cut, pass, course);
+        self.end(pass, course);
+        let end = cut.blocks.last().unwrap_or(&cut.start);
+        if let Some(to) = to {
+            // LinuxCNC keeps what M62 said until a motion says otherwise.
+            if self.control.dialect == Dialect::Linuxcnc {
+                self.event(Event::Arc(false), false);
+            }
+            let back = self.standing(to);
+            self.go_to(&back, false);
+            self.push(Path::Line, approach_s(end, &back), false);
+        }
+    }
+
+    /// Where the torch stands with the axes at `q`.
+    pub(super) fn standing(&self, q: &Joints) -> Block {
+        let tip = self.machine.forward(q).point;
+        Block { s: 0.0, q: *q, tip, duration: 0.0, turns_only: false, stops: false, shape: Shape::Line }
+    }
+
+    fn approach(&mut self, start: &Block, back: Option<&Joints>, first: bool) {
+        match back.map(|q| self.standing(q)) {
+            Some(back) => {
+                if first {
+                    self.comment(
+                        "rapid to a place back from the start along the torch: make sure that the way there is clear",
+                    );
+                }
+                self.go_to(&back, false);
+                self.push(Path::Rapid, 0.0, false);
+                self.go_to(start, false);
+                // A PMAC does not blend into its cubics.
+                self.push(Path::Line, approach_s(&back, start), self.control.dialect == Dialect::Pmac);
+            }
+            None => {
+                if first {
+                    self.comment(
+                        "rapid to the start of the weld [no axis can lift the torch]: make sure that the way there is clear",
+                    );
+                }
+                self.go_to(start, false);
+                self.push(Path::Rapid, 0.0, false);
+            }
+        }
+    }
+
+    fn start(&mut self, cut: &Linearisation, pass: &Pass, course: &Course) {
+        let sequence = &pass.sequence;
+        self.missing(pass);
+        self.event(Event::Gas(true), true);
+        self.dwell(sequence.preflow_s.get(), "preflow");
+        let delay = sequence.travel_delay_s.get();
+        let at_first = if delay > 0.0 { (0.0, f64::INFINITY) } else { WELDING };
+        for (channel, value) in course.at_rest(0.0, at_first) {
+            self.set_interpolated(channel, value);
+        }
+        if delay > 0.0 {
+            // Nothing moves yet: immediate outputs, for LinuxCNC repeated below in step with the motion.
+            let upslope = sequence.upslope.as_ref().map_or(0.0, |s| s.time_s.get());
+            let mut time = 0.0;
+            for (i, step) in self.rests(delay, (upslope, 0.0), pass).into_iter().enumerate() {
+                self.values(pass, true, (0.0, (step.middle, f64::INFINITY)));
+                if i == 0 {
+                    self.event(Event::Arc(true), true);
+                }
+                time += step.time;
+                let ends = course.at_rest(0.0, (time, f64::INFINITY));
+                self.rest(step.time, ends, if step.slopes { "upslope" } else { "travel delay" });
+            }
+        }
+        let first_middle = cut.blocks.first().map_or(0.0, |block| 0.5 * block.s);
+        self.values(pass, false, (first_middle, WELDING));
+        if delay <= 0.0 || self.control.dialect == Dialect::Linuxcnc {
+            self.event(Event::Arc(true), false);
+        }
+    }
+
+    fn weld(&mut self, cut: &Linearisation, pass: &Pass, course: &Course) {
+        let mut before = cut.start;
+        let (mut last, mut time, mut ticks) = (0, 0.0, 0.0);
+        for (i, block) in cut.blocks.iter().enumerate() {
+            // A block has the values of its middle: of the one span that it lies in, and half a step off a ramp's at
+            // most.
+            let middle = 0.5 * (before.s + block.s);
+            let span = pass.spans.partition_point(|span| span.to_mm.get() <= middle).min(pass.spans.len() - 1);
+            let ramps = pass.spans[span].process.values().any(ProcessValue::is_ramp)
+                || pass.weave.as_ref().is_some_and(|weave| !weave.at_sides.is_empty());
+            if i > 0 && (span != last || ramps) {
+                self.values(pass, false, (middle, WELDING));
+                last = span;
+            }
+            for (channel, value) in course.row(block.s) {
+                self.row[channel] = rounded(value, SCALE);
+            }
+            let from = self.place();
+            self.go_to(block, block.turns_only);
+            // PMAC's times are multiples of a tick; what is lost in one is made up for in the next.
+            time += block.duration;
+            let seconds = match self.control.dialect {
+                Dialect::Pmac => (time / TICK).round() * TICK - ticks,
+                _ => block.duration,
+            };
+            ticks += seconds;
+            let path = self.path(&block.shape, from);
+            self.push(path, seconds, block.stops);
+            before = *block;
+        }
+    }
+
+    fn end(&mut self, pass: &Pass, course: &Course) {
+        let sequence = &pass.sequence;
+        let (crater, length) = (sequence.crater_s.get(), pass.length());
+        let downslope = sequence.downslope.as_ref().map_or(0.0, |s| s.time_s.get());
+        let mut time = 0.0;
+        for step in self.rests(crater, (0.0, downslope), pass) {
+            if step.slopes {
+                self.values(pass, true, (length, (f64::INFINITY, crater - step.middle)));
+            }
+            time += step.time;
+            let ends = course.at_rest(length, (f64::INFINITY, (crater - time).max(0.0)));
+            self.rest(step.time, ends, if step.slopes { "downslope" } else { "crater fill" });
+        }
+        self.event(Event::Arc(false), true);
+        for name in pass.spans[0].process.keys() {
+            if let Some(i) = self.control.channel(name) {
+                self.row[i] = 0.0;
+                self.program.push(What::Set { channel: i as u16, value: 0.0, at_once: true });
+            }
+        }
+        self.dwell(sequence.postflow_s.get(), "postflow");
+        self.event(Event::Gas(false), true);
+    }
+
+    /// The steps of a rest; slopes are one step if the control interpolates all that changes.
+    pub(super) fn rests(&self, time: f64, slopes: (f64, f64), pass: &Pass) -> Vec<RestStep> {
+        if pass.spans[0].process.keys().any(|name| self.control.is_stepped(name)) {
+            return rest_steps(time, slopes);
+        }
+        let parts = [(slopes.0, true), (time - slopes.0 - slopes.1, false), (slopes.1, true)];
+        let parts = parts.into_iter().filter(|(length, _)| *length > 0.0);
+        parts.map(|(time, slopes)| RestStep { time, middle: 0.0, slopes }).collect()
+    }
+
+    /// A part of a rest: a dwell, or a block in which only process values change.
+    pub(super) fn rest(&mut self, seconds: f64, ends: impl Iterator<Item = (usize, f64)>, why: &str) {
+        let mut changes = false;
+        for (channel, value) in ends {
+            let value = rounded(value, SCALE);
+            changes |= self.row[channel] != value;
+            self.row[channel] = value;
+        }
+        if changes {
+            self.comment(why);
+            self.push(Path::Line, seconds, false);
+        } else {
+            self.dwell(seconds, why);
+        }
+    }
+
+    pub(super) fn dwell(&mut self, seconds: f64, why: &str) {
+        if seconds > 0.0 {
+            self.comment(why);
+            self.program.push(What::Dwell(rounded(seconds, SCALE)));
+        }
+    }
+
+    /// Switches something, if the machine file says how.
+    pub(super) fn event(&mut self, event: Event, at_once: bool) {
+        if self.control.can(&event) {
+            self.program.push(What::Event { event, at_once });
+        }
+    }
+
+    /// Sets the process values that change in steps, as they are at path length `s` and a time since the arc went on and
+    /// until it goes off, where they changed.
+    pub(super) fn values(&mut self, pass: &Pass, at_once: bool, (s, clock): (f64, (f64, f64))) {
+        for name in pass.spans[0].process.keys() {
+            let value = rounded(pass.process_at(name, s, clock).unwrap_or(0.0), VALUE_SCALE);
+            match self.control.channel(name) {
+                Some(i) if self.control.channels[i].kind == ChannelKind::Stepped => {
+                    let channel = i as u16;
+                    self.row[i] = value;
+                    if self.set.insert((channel, at_once), value) != Some(value) {
+                        self.program.push(What::Set { channel, value, at_once });
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// Says which process values the control cannot be told.
+    fn missing(&mut self, pass: &Pass) {
+        for name in pass.spans[0].process.keys().filter(|name| self.control.channel(name).is_none()) {
+            let value = pass.process_at(name, 0.0, WELDING).unwrap_or(0.0);
+            self.comment(&format!("{name}, {value} at first: the machine file has no output for it"));
+        }
+    }
+
+    fn set_interpolated(&mut self, channel: usize, value: f64) {
+        let value = rounded(value, SCALE);
+        self.row[channel] = value;
+        self.program.push(What::Set { channel: channel as u16, value, at_once: true });
+    }
+
+    /// Puts a place into the row; linear axes stay as they are if `rotary_only`.
+    pub(super) fn go_to(&mut self, at: &Block, rotary_only: bool) {
+        for (i, axis) in self.machine.axes.iter().enumerate() {
+            let value = match (axis.kind, self.level) {
+                (AxisKind::Rotary, _) => axis.to_file(at.q[i]),
+                (AxisKind::Linear, _) if rotary_only => continue,
+                (AxisKind::Linear, Level::Joint) => axis.to_file(at.q[i]),
+                (AxisKind::Linear, Level::Tip) => match self.tip_part(i) {
+                    Some(k) => at.tip[k],
+                    None => continue,
+                },
+            };
+            self.row[i] = rounded(value, SCALE);
+        }
+    }
+
+    /// Which of X, Y and Z axis `i` is.
+    fn tip_part(&self, i: usize) -> Option<usize> {
+        ["x", "y", "z"].iter().position(|name| *name == self.machine.axes[i].name)
+    }
+
+    /// X, Y and Z of the row.
+    fn place(&self) -> DVec3 {
+        DVec3::from_array(self.control.axes_xyz().map(|i| i.map_or(0.0, |i| self.row[i])))
+    }
+
+    /// The way of a block from `from` to where the row is now.
+    fn path(&mut self, shape: &Shape, from: DVec3) -> Path {
+        match shape {
+            Shape::Line => Path::Line,
+            Shape::Spline => Path::Spline,
+            Shape::Hermite { to, .. } => {
+                let mut speeds = vec![0.0; self.row.len()];
+                for (i, axis) in self.machine.axes.iter().enumerate() {
+                    let tip = self.tip_part(i).filter(|_| self.level == Level::Tip);
+                    speeds[i] = rounded(tip.map_or_else(|| axis.to_file(to.q[i]), |k| to.tip[k]), SCALE);
+                }
+                Path::Hermite(self.program.add_row(&speeds))
+            }
+            Shape::Arc(arc) => {
+                // The centre as it will be written: from the start, with as many decimals.
+                let axis = (0..3).find(|k| arc.normal[*k].abs() > 1.0 - 1e-12);
+                let to_centre = (arc.centre - from).reject_from_normalized(arc.normal);
+                let centre = from + axis.map_or(to_centre, |_| (to_centre * SCALE).round() / SCALE);
+                match arcs::between(from, self.place(), centre, arc.normal) {
+                    Some(arc) => {
+                        self.program.arcs.push(arc);
+                        Path::Arc(self.program.arcs.len() as u32 - 1)
+                    }
+                    None => Path::Line,
+                }
+            }
+        }
+    }
+
+    /// A move to the row.
+    pub(super) fn push(&mut self, path: Path, seconds: f64, exact_stop: bool) {
+        let row = self.program.add_row(&self.row);
+        self.program.push(What::Move(Move { path, row, seconds, level: self.level, exact_stop }));
+    }
+}
+
+impl Control {
+    /// Whether the machine file says how `event` is brought about.
+    fn can(&self, event: &Event) -> bool {
+        let output = match event {
+            // Always said, and left out by the writer where the control has no word for it.
+            Event::Arc(_) => Some(0),
+            Event::Gas(_) => self.io.gas,
+            Event::Wire(_) => self.io.wire,
+            Event::Output(..) | Event::Message(_) => Some(0),
+            Event::Call(_) => None,
+        };
+        output.is_some() || self.code(&Code::Event(event.clone())).is_some()
+    }
+}
+
+/// `value` as it is written with so many parts of 1; never a negative zero.
+fn rounded(value: f64, scale: f64) -> f64 {
+    (value * scale).round() / scale + 0.0
+}
+
+/// Time of an approach or retract, s.
+fn approach_s(a: &Block, b: &Block) -> f64 {
+    60.0 * (a.tip - b.tip).length().max(1.0) / APPROACH_MM_MIN
+}

@@ -1,0 +1,83 @@
+use super::rs274::{self, Rs274, STATE};
+use super::tongue::Tongue;
+use super::writer::{Problem, Writer};
+use crate::part_program::{Event, Level, Move};
+
+/// grblHAL: no sub-programs; a spindle's words may switch the arc.
+#[derive(Default)]
+pub(super) struct Grblhal {
+    modal: Rs274,
+}
+
+impl Tongue for Grblhal {
+    const SUBS: Option<bool> = None;
+
+    fn head(&mut self, w: &mut Writer) {
+        w.text.line(STATE);
+    }
+
+    fn begin(&mut self, w: &mut Writer, number: u32, name: &str, _sub: bool) {
+        self.modal.forget();
+        w.text.counted("N", 1000 * number);
+        w.text.word(STATE);
+        w.text.remark(name);
+        w.text.end();
+    }
+
+    fn end(&mut self, w: &mut Writer, _number: u32, _sub: bool) {
+        self.modal.end(w);
+    }
+
+    fn tail(&mut self, w: &mut Writer) {
+        w.text.line("M2");
+    }
+
+    fn restart(&self, passes: u32) -> String {
+        format!("to start again at pass N send the lines from N1000 times N on; the last pass is N{}", 1000 * passes)
+    }
+
+    fn level(&mut self, _w: &mut Writer, _level: Level) {}
+
+    fn go(&mut self, w: &mut Writer, step: &Move, to: &[f64]) -> Result<(), Problem> {
+        self.modal.go(w, step, to)?;
+        if step.exact_stop {
+            w.text.word("G4 P0");
+            w.text.remark("exact stop");
+            w.text.end();
+        }
+        Ok(())
+    }
+
+    fn set(&mut self, w: &mut Writer, channel: usize, value: f64, at_once: bool) -> Result<(), Problem> {
+        rs274::set(w, channel, value, at_once)
+    }
+
+    fn output(&mut self, w: &mut Writer, output: u32, on: bool, at_once: bool) {
+        rs274::output(w, output, on, at_once);
+    }
+
+    fn own(&mut self, w: &mut Writer, event: &Event, at_once: bool) -> bool {
+        let Event::Arc(on) = event else { return false };
+        if !w.control.has_spindle_arc() {
+            return false;
+        }
+        let word = if *on { "M3" } else { "M5" };
+        if at_once {
+            w.text.word(word);
+            w.text.remark(if *on { "arc on" } else { "arc off" });
+            w.text.end();
+        } else {
+            w.pending.push(' ');
+            w.pending.push_str(word);
+        }
+        true
+    }
+
+    fn message(&mut self, w: &mut Writer, text: &str) {
+        rs274::message(w, text);
+    }
+
+    fn dwell(&mut self, w: &mut Writer, seconds: f64, why: Option<&str>) {
+        rs274::dwell(w, seconds, why);
+    }
+}

@@ -1,0 +1,110 @@
+use super::rs274::{self, Rs274, STATE};
+use super::tongue::Tongue;
+use super::writer::{Problem, Writer};
+use crate::part_program::{Level, Move};
+
+/// LinuxCNC, 2.8 or newer.
+#[derive(Default)]
+pub(super) struct Linuxcnc {
+    modal: Rs274,
+}
+
+/// Lets the control round corners between blocks.
+fn blends(w: &mut Writer) {
+    if w.options.rounding_mm > 0.0 {
+        w.text.valued("G64 P", w.options.rounding_mm);
+        w.text.line("Q0");
+    } else {
+        w.text.line("G64");
+    }
+}
+
+/// Number of the sub-program of a pass.
+fn sub_number(pass: u32) -> u32 {
+    100 + pass
+}
+
+impl Tongue for Linuxcnc {
+    const SUBS: Option<bool> = Some(true);
+
+    fn head(&mut self, w: &mut Writer) {
+        w.text.line(STATE);
+        blends(w);
+    }
+
+    fn begin(&mut self, w: &mut Writer, number: u32, name: &str, sub: bool) {
+        self.modal.forget();
+        if sub {
+            w.text.counted("o", sub_number(number));
+            w.text.word("sub");
+            w.text.remark(name);
+            w.text.end();
+        }
+    }
+
+    fn end(&mut self, w: &mut Writer, number: u32, sub: bool) {
+        self.modal.end(w);
+        if sub {
+            w.text.counted("o", sub_number(number));
+            w.text.line("endsub");
+        }
+    }
+
+    fn call(&mut self, w: &mut Writer, number: u32, name: &str) {
+        w.text.counted("o", sub_number(number));
+        w.text.word("call");
+        w.text.remark(name);
+        w.text.end();
+    }
+
+    fn tail(&mut self, w: &mut Writer) {
+        w.text.line("M2");
+    }
+
+    fn restart(&self, passes: u32) -> String {
+        let last = sub_number(passes);
+        format!("to start again at pass N take out the calls before o10N call; the last pass is o{last}")
+    }
+
+    fn level(&mut self, w: &mut Writer, level: Level) {
+        let Some(output) = w.control.kinematics_output else { return };
+        let (value, remark) = match level {
+            Level::Tip => (1.0, "words are the tip from here"),
+            Level::Joint => (0.0, "words are the axes from here"),
+        };
+        w.text.counted("M68 E", u32::from(output));
+        w.text.valued("Q", value);
+        w.text.remark(remark);
+        w.text.end();
+        w.text.line("M66 E0 L0");
+    }
+
+    fn go(&mut self, w: &mut Writer, step: &Move, to: &[f64]) -> Result<(), Problem> {
+        if step.exact_stop {
+            w.text.word("G61.1");
+            w.text.remark("exact stop");
+            w.text.end();
+        }
+        self.modal.go(w, step, to)?;
+        if step.exact_stop {
+            blends(w);
+        }
+        Ok(())
+    }
+
+    fn set(&mut self, w: &mut Writer, channel: usize, value: f64, at_once: bool) -> Result<(), Problem> {
+        rs274::set(w, channel, value, at_once)
+    }
+
+    fn output(&mut self, w: &mut Writer, output: u32, on: bool, at_once: bool) {
+        rs274::output(w, output, on, at_once);
+    }
+
+    fn message(&mut self, w: &mut Writer, text: &str) {
+        rs274::message(w, text);
+    }
+
+    fn dwell(&mut self, w: &mut Writer, seconds: f64, why: Option<&str>) {
+        rs274::dwell(w, seconds, why);
+    }
+}

@@ -1,0 +1,84 @@
+//! A part program as text.
+
+mod grblhal;
+mod linuxcnc;
+mod number;
+mod pmac;
+mod rs274;
+mod sinumerik;
+mod text;
+mod tongue;
+mod writer;
+
+pub(crate) use number::fixed;
+
+use crate::part_program::{Event, PartProgram};
+use crate::{Control, Dialect, Error};
+use writer::Writer;
+
+/// How a part program is written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WriteOptions {
+    /// The machine's title, for people.
+    pub machine: String,
+    /// How times of blocks are said.
+    pub feed: Feed,
+    /// How far the control may round corners between blocks, mm; 0: as it does by itself. LinuxCNC only.
+    pub rounding_mm: f64,
+    /// Remarks for the begin of the text.
+    pub remarks: Vec<String>,
+}
+
+impl Default for WriteOptions {
+    fn default() -> Self {
+        Self { machine: String::new(), feed: Feed::InverseTime, rounding_mm: 0.0, remarks: Vec::new() }
+    }
+}
+
+/// How times of blocks are said. PMAC: times, or a feed per second; its cubics and splines have times always.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Feed {
+    /// Blocks per minute, G93.
+    InverseTime,
+    /// mm/min along what the control counts, G94.
+    PerMinute,
+}
+
+/// The text of `program` in the language of `control`, whose channels must be those of the program.
+///
+/// Words that stay as they were are left out, but the first move of each pass says all axes. Times are those of the moves
+/// by the control's own rule for feeds. With several passes Sinumerik and LinuxCNC get a sub-program for each; on the
+/// others each pass has a number to start from. `control.header` and `control.footer` stand in place of the usual lines
+/// at the begin and the end; `{title}` and `{machine}` in them are filled in.
+///
+/// # Errors
+/// [`Error::Unwritable`]: what the control cannot take, with step, pass and cure.
+pub fn write(control: &Control, program: &PartProgram, options: &WriteOptions) -> Result<String, Error> {
+    let mut writer = Writer::new(control, program, options)?;
+    let result = match control.dialect {
+        Dialect::Sinumerik => writer.run(&mut sinumerik::Sinumerik::default()),
+        Dialect::Linuxcnc => writer.run(&mut linuxcnc::Linuxcnc::default()),
+        Dialect::Grblhal => writer.run(&mut grblhal::Grblhal::default()),
+        Dialect::Pmac => writer.run(&mut pmac::Pmac::default()),
+    };
+    result.and_then(|()| writer.finish())
+}
+
+impl Control {
+    /// Whether grblHAL's spindle words switch the arc: where a process value is its speed.
+    pub(crate) fn has_spindle_arc(&self) -> bool {
+        self.dialect == Dialect::Grblhal && self.addresses.iter().any(|a| a == "S")
+    }
+
+    /// Digital output that brings `event` about.
+    pub(crate) fn output(&self, event: &Event) -> Option<(u32, bool)> {
+        let (output, on) = match event {
+            Event::Arc(on) => (self.io.arc?, *on),
+            Event::Gas(on) => (self.io.gas?, *on),
+            Event::Wire(on) => (self.io.wire?, *on),
+            Event::Output(n, on) => return Some((u32::from(*n), *on)),
+            Event::Message(_) | Event::Call(_) => return None,
+        };
+        Some((u32::from(output), on))
+    }
+}

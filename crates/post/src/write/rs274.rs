@@ -1,0 +1,196 @@
+//! What LinuxCNC and grblHAL have in common.
+
+use super::writer::{Problem, Writer};
+use super::{Feed, fixed};
+use crate::part_program::{Arc, Move, Path};
+use std::f64::consts::TAU;
+
+/// The modal state that lasts from block to block.
+#[derive(Default)]
+pub(super) struct Rs274 {
+    /// Whether feeds are in inverse time, if that was said in this pass.
+    inverse: Option<bool>,
+    /// The axis square to the plane of arcs: X, Y or Z; unknown at the begin of a pass.
+    plane: Option<usize>,
+    /// The last feed per minute.
+    feed: Option<f64>,
+}
+
+/// The state that every program begins with.
+pub(super) const STATE: &str = "G21 G17 G90 G40 G49 G80 G94";
+
+impl Rs274 {
+    /// Forgets what the control may not know at the begin of a pass.
+    pub(super) fn forget(&mut self) {
+        *self = Self::default();
+    }
+
+    /// Back to feeds per minute.
+    pub(super) fn end(&mut self, w: &mut Writer) {
+        if self.inverse == Some(true) {
+            w.text.line("G94");
+        }
+        self.inverse = None;
+    }
+
+    /// Goes to a row.
+    pub(super) fn go(&mut self, w: &mut Writer, step: &Move, to: &[f64]) -> Result<(), Problem> {
+        let arc = match step.path {
+            Path::Rapid | Path::Line => None,
+            Path::Arc(index) => Some(w.arc(index)?),
+            Path::Hermite(_) | Path::Spline => {
+                let cure = "plan it again for this control, or write it for PMAC";
+                return Err(Problem::new("cubics in time, which only PMAC has", cure));
+            }
+        };
+        if step.path == Path::Rapid {
+            if w.order.iter().any(|i| w.changes(*i, to)) || !w.pending.is_empty() {
+                w.text.word("G0");
+                words(w, to, None);
+                flush(w);
+            }
+            return Ok(());
+        }
+        let feed = self.feed(w, step, arc.as_ref(), to);
+        match &arc {
+            None => {
+                w.text.word("G1");
+                words(w, to, None);
+            }
+            Some(arc) => self.arc(w, arc, to)?,
+        }
+        if let Some(feed) = feed {
+            w.text.valued("F", feed);
+        }
+        flush(w);
+        Ok(())
+    }
+
+    /// The feed to be said, after the mode that it is in.
+    fn feed(&mut self, w: &mut Writer, step: &Move, arc: Option<&Arc>, to: &[f64]) -> Option<f64> {
+        let per_minute = if w.options.feed == Feed::PerMinute { w.feed(step, arc, to) } else { None };
+        let inverse = per_minute.is_none();
+        if self.inverse != Some(inverse) {
+            w.text.line(if inverse { "G93" } else { "G94" });
+            (self.inverse, self.feed) = (Some(inverse), None);
+        }
+        match per_minute {
+            // It is not modal.
+            None => Some(60.0 / step.seconds),
+            feed if self.feed == feed => None,
+            feed => {
+                self.feed = feed;
+                feed
+            }
+        }
+    }
+
+    fn arc(&mut self, w: &mut Writer, arc: &Arc, to: &[f64]) -> Result<(), Problem> {
+        let square = (0..3).find(|k| arc.normal[*k].abs() > 1.0 - 1e-9).ok_or_else(|| {
+            let cure = "plan it again for this control: it gets lines there";
+            Problem::new("an arc that is in none of the planes G17, G18 and G19", cure)
+        })?;
+        if self.plane != Some(square) {
+            w.text.word(["G19", "G18", "G17"][square]);
+            self.plane = Some(square);
+        }
+        w.text.word(if arc.normal[square] * arc.sweep > 0.0 { "G3" } else { "G2" });
+        words(w, to, Some(square));
+        let to_centre = arc.centre - w.place(&w.here);
+        for k in (0..3).filter(|k| *k != square) {
+            w.text.valued(["I", "J", "K"][k], to_centre[k]);
+        }
+        let turns = whole_turns(arc);
+        if turns > 0 {
+            w.text.counted("P", turns + 1);
+        }
+        Ok(())
+    }
+}
+
+/// Full turns of an arc beyond its first one.
+pub(super) fn whole_turns(arc: &Arc) -> u32 {
+    ((arc.sweep.abs() / TAU - 1e-9).ceil() - 1.0).max(0.0) as u32
+}
+
+/// The words of a row that have changed; of an arc, whose plane has the axis `square` to it, those in the plane too.
+fn words(w: &mut Writer, to: &[f64], square: Option<usize>) {
+    let said = square.map(|square| {
+        let mut xyz = w.control.axes_xyz();
+        xyz[square] = None;
+        xyz
+    });
+    for k in 0..w.order.len() {
+        let i = w.order[k];
+        if w.changes(i, to) || said.is_some_and(|said| said.contains(&Some(i))) {
+            w.text.valued(&w.control.addresses[i], to[i]);
+        }
+    }
+}
+
+/// Adds what waits for the move, and ends the line.
+fn flush(w: &mut Writer) {
+    w.text.glue(&w.pending);
+    w.pending.clear();
+    w.text.end();
+}
+
+/// Sets a process value at its output or by its own word.
+pub(super) fn set(w: &mut Writer, channel: usize, value: f64, at_once: bool) -> Result<(), Problem> {
+    let control = w.control;
+    let address = &control.addresses[channel];
+    let name = &control.channels[channel].name;
+    if let Some(output) = control.outputs[channel] {
+        w.text.counted(if at_once { "M68 E" } else { "M67 E" }, u32::from(output));
+        w.text.valued("Q", value);
+    } else if address.len() == 1 && at_once {
+        w.text.valued(address, value);
+    } else if address.len() == 1 {
+        w.pending.push(' ');
+        w.pending.push_str(address);
+        w.pending.push_str(&fixed(value, 6));
+        return Ok(());
+    } else {
+        let cure = "give it an output in the machine file's io.analog, or one letter in [controls.*.process]";
+        return Err(Problem::new(format!("the process value {name} has no output"), cure));
+    }
+    match at_once && value == 0.0 {
+        true => w.text.remark(&format!("{name} off")),
+        false => w.text.remark(name),
+    }
+    w.text.end();
+    Ok(())
+}
+
+/// Switches a digital output.
+pub(super) fn output(w: &mut Writer, output: u32, on: bool, at_once: bool) {
+    let word = match (on, at_once) {
+        (true, false) => "M62 P",
+        (false, false) => "M63 P",
+        (true, true) => "M64 P",
+        (false, true) => "M65 P",
+    };
+    w.text.counted(word, output);
+}
+
+/// Words for the operator; the word `stop` stops the program.
+pub(super) fn message(w: &mut Writer, text: &str) {
+    match text {
+        "stop" => w.text.line("M0"),
+        text => {
+            w.text.word("(MSG, ");
+            w.text.clean(text, true);
+            w.text.glue(")");
+            w.text.end();
+        }
+    }
+}
+
+/// Waits.
+pub(super) fn dwell(w: &mut Writer, seconds: f64, why: Option<&str>) {
+    w.text.valued("G4 P", seconds);
+    if let Some(why) = why {
+        w.text.remark(why);
+    }
+    w.text.end();
+}

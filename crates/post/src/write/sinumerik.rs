@@ -1,0 +1,264 @@
+use super::Feed;
+use super::rs274::whole_turns;
+use super::tongue::Tongue;
+use super::writer::{Problem, Writer};
+use crate::part_program::{Arc, ChannelKind, Level, Move, Path};
+
+/// Siemens Sinumerik 840D.
+#[derive(Default)]
+pub(super) struct Sinumerik {
+    /// The last block number.
+    number: u32,
+    /// Whether feeds are in inverse time, if that was said in this pass.
+    inverse: Option<bool>,
+    /// The last feed per minute.
+    feed: Option<f64>,
+    /// The axis square to the plane of arcs: X, Y or Z.
+    plane: Option<usize>,
+}
+
+/// Where the programs are kept in the control.
+const FOLDER: &str = ";$PATH=/_N_WKS_DIR/_N_SEAMWRIGHT_WPD";
+
+impl Sinumerik {
+    /// Begins a block.
+    fn block(&mut self, w: &mut Writer) {
+        if w.numbered {
+            if let Some(number) = w.number.take() {
+                w.text.counted("N", number);
+            }
+            return;
+        }
+        self.number = self.number.saturating_add(10);
+        w.text.counted("N", self.number);
+    }
+
+    fn line(&mut self, w: &mut Writer, text: &str) {
+        self.block(w);
+        w.text.line(text);
+    }
+
+    /// The feed to be said, after the mode that it is in.
+    fn feed(&mut self, w: &mut Writer, step: &Move, arc: Option<&Arc>, to: &[f64]) -> Option<f64> {
+        let per_minute = if w.options.feed == Feed::PerMinute { w.feed(step, arc, to) } else { None };
+        let inverse = per_minute.is_none();
+        if self.inverse != Some(inverse) {
+            self.line(w, if inverse { "G93" } else { "G94" });
+            (self.inverse, self.feed) = (Some(inverse), None);
+        }
+        match per_minute {
+            None => Some(60.0 / step.seconds),
+            feed if self.feed == feed => None,
+            feed => {
+                self.feed = feed;
+                feed
+            }
+        }
+    }
+
+    /// The way of an arc: G2 or G3 in a plane, or CIP through its middle.
+    fn arc(&mut self, w: &mut Writer, arc: &Arc, to: &[f64]) -> Result<(), Problem> {
+        let Some(square) = (0..3).find(|k| arc.normal[*k].abs() > 1.0 - 1e-9) else {
+            if whole_turns(arc) > 0 {
+                let cure = "make it two arcs";
+                return Err(Problem::new("more than a turn of an arc in no plane of G17, G18 and G19", cure));
+            }
+            let (from, end) = (w.place(&w.here), w.place(to));
+            if (end - from).dot(arc.normal).abs() > 1e-4 {
+                let cure = "make it lines";
+                return Err(Problem::new("a helix whose axis is none of X, Y and Z", cure));
+            }
+            w.text.word("CIP");
+            self.words(w, to, [true; 3]);
+            let middle = arc.at(from, end, 0.5);
+            (0..3).for_each(|k| w.text.valued(["I1=", "J1=", "K1="][k], middle[k]));
+            return Ok(());
+        };
+        if self.plane != Some(square) {
+            w.text.word(["G19", "G18", "G17"][square]);
+            self.plane = Some(square);
+        }
+        w.text.word(if arc.normal[square] * arc.sweep > 0.0 { "G3" } else { "G2" });
+        self.words(w, to, std::array::from_fn(|k| k != square));
+        let to_centre = arc.centre - w.place(&w.here);
+        (0..3).filter(|k| *k != square).for_each(|k| w.text.valued(["I=", "J=", "K="][k], to_centre[k]));
+        if whole_turns(arc) > 0 {
+            w.text.counted("TURN=", whole_turns(arc));
+        }
+        Ok(())
+    }
+
+    /// The words of a row that have changed, and those of X, Y and Z that are asked for.
+    fn words(&self, w: &mut Writer, to: &[f64], asked: [bool; 3]) {
+        let xyz = w.control.axes_xyz();
+        for k in 0..w.order.len() {
+            let i = w.order[k];
+            // Process values have been set before the first move.
+            let process = w.control.channels[i].kind == ChannelKind::Interpolated;
+            let changes = if process { w.here.get(i) != Some(&to[i]) } else { w.changes(i, to) };
+            if changes || (0..3).any(|k| asked[k] && xyz[k] == Some(i)) {
+                w.text.word(&w.control.addresses[i]);
+                w.text.glue("=");
+                w.text.number(to[i]);
+            }
+        }
+    }
+
+    /// `$A_OUT[n]=` or `$A_OUTA[n]=` at once, or with the next move.
+    fn out(&mut self, w: &mut Writer, variable: &str, number: u32, at_once: bool) {
+        self.block(w);
+        if !at_once {
+            w.text.word("WHEN TRUE DO");
+        }
+        w.text.counted(variable, number);
+        w.text.glue("]=");
+    }
+}
+
+impl Tongue for Sinumerik {
+    const SUBS: Option<bool> = Some(false);
+
+    fn first(&mut self, w: &mut Writer) {
+        if w.passes() > 1 {
+            w.text.line("%_N_WELD_MPF");
+            w.text.line(FOLDER);
+        }
+    }
+
+    fn head(&mut self, w: &mut Writer) {
+        self.line(w, "G90 G71 G17 G40 G500 G64");
+        self.plane = Some(2);
+        self.block(w);
+        w.text.word("FGROUP(");
+        for k in 0..w.program.axes() {
+            w.text.glue(if k > 0 { "," } else { "" });
+            w.text.glue(&w.control.addresses[w.order[k]]);
+        }
+        w.text.glue(")");
+        w.text.end();
+    }
+
+    fn begin(&mut self, w: &mut Writer, number: u32, name: &str, sub: bool) {
+        if sub {
+            w.text.counted("%_N_PASS_", number);
+            w.text.glue("_SPF");
+            w.text.end();
+            w.text.line(FOLDER);
+            w.text.comment(name);
+        }
+        (self.inverse, self.feed, self.plane) = (None, None, None);
+    }
+
+    fn end(&mut self, w: &mut Writer, _number: u32, sub: bool) {
+        if self.inverse == Some(true) {
+            self.line(w, "G94");
+        }
+        self.inverse = None;
+        if sub {
+            self.line(w, "M17");
+        }
+    }
+
+    fn call(&mut self, w: &mut Writer, number: u32, name: &str) {
+        w.text.counted("PASS_", number);
+        w.text.remark(name);
+        w.text.end();
+    }
+
+    fn tail(&mut self, w: &mut Writer) {
+        self.line(w, "M30");
+    }
+
+    fn restart(&self, passes: u32) -> String {
+        format!("to start again at pass N take out the calls before PASS_N; the last pass is PASS_{passes}")
+    }
+
+    fn level(&mut self, w: &mut Writer, level: Level) {
+        self.line(w, if level == Level::Tip { "TRAORI" } else { "TRAFOOF" });
+    }
+
+    fn go(&mut self, w: &mut Writer, step: &Move, to: &[f64]) -> Result<(), Problem> {
+        let arc = match step.path {
+            Path::Rapid | Path::Line => None,
+            Path::Arc(index) => Some(w.arc(index)?),
+            Path::Hermite(_) | Path::Spline => {
+                let cure = "plan it again for this control, or write it for PMAC";
+                return Err(Problem::new("cubics in time, which only PMAC has", cure));
+            }
+        };
+        let rapid = step.path == Path::Rapid;
+        if rapid && w.pending.is_empty() && !w.order.iter().any(|i| w.changes(*i, to)) {
+            return Ok(());
+        }
+        let feed = if rapid { None } else { self.feed(w, step, arc.as_ref(), to) };
+        self.block(w);
+        if step.exact_stop {
+            w.text.word("G9");
+        }
+        match &arc {
+            None => {
+                w.text.word(if rapid { "G0" } else { "G1" });
+                self.words(w, to, [false; 3]);
+            }
+            Some(arc) => self.arc(w, arc, to)?,
+        }
+        if let Some(feed) = feed {
+            w.text.valued("F=", feed);
+        }
+        w.text.glue(&w.pending);
+        w.pending.clear();
+        w.text.end();
+        Ok(())
+    }
+
+    fn set(&mut self, w: &mut Writer, channel: usize, value: f64, at_once: bool) -> Result<(), Problem> {
+        let control = w.control;
+        if let Some(output) = control.outputs[channel] {
+            self.out(w, "$A_OUTA[", u32::from(output) + 1, at_once);
+            w.text.number(value);
+            w.text.remark(&control.channels[channel].name);
+            w.text.end();
+            return Ok(());
+        }
+        self.block(w);
+        w.text.word("PRESETON(");
+        w.text.glue(&control.addresses[channel]);
+        w.text.glue(",");
+        w.text.number(value);
+        w.text.glue(")");
+        w.text.end();
+        // What is set need not be said by the next block.
+        if w.here.is_empty() {
+            w.here = vec![f64::NAN; control.channels.len()];
+        }
+        w.here[channel] = value;
+        Ok(())
+    }
+
+    fn output(&mut self, w: &mut Writer, output: u32, on: bool, at_once: bool) {
+        self.out(w, "$A_OUT[", output + 1, at_once);
+        w.text.glue(if on { "1" } else { "0" });
+    }
+
+    fn message(&mut self, w: &mut Writer, text: &str) {
+        self.block(w);
+        match text {
+            "stop" => w.text.word("M0"),
+            text => {
+                w.text.word("MSG(\"");
+                w.text.clean(text, true);
+                w.text.glue("\")");
+            }
+        }
+        w.text.end();
+    }
+
+    fn dwell(&mut self, w: &mut Writer, seconds: f64, why: Option<&str>) {
+        self.block(w);
+        w.text.valued("G4 F=", seconds);
+        if let Some(why) = why {
+            w.text.remark(why);
+        }
+        w.text.end();
+    }
+}

@@ -1,0 +1,54 @@
+//! What the dialects say differently.
+
+use super::writer::{Problem, Writer};
+use crate::part_program::{Event, Level, Move};
+
+/// A dialect, with what it has to remember between lines.
+pub(super) trait Tongue {
+    /// Whether several passes become sub-programs, and whether these stand before the main part.
+    const SUBS: Option<bool>;
+
+    /// The very first lines, before the comments.
+    fn first(&mut self, _w: &mut Writer) {}
+
+    /// The usual lines at the begin of the main part.
+    fn head(&mut self, w: &mut Writer);
+
+    /// The begin of pass `number` (from 1), in a sub-program of its own or not.
+    fn begin(&mut self, w: &mut Writer, number: u32, name: &str, sub: bool);
+
+    /// Its end.
+    fn end(&mut self, w: &mut Writer, number: u32, sub: bool);
+
+    /// The line of the main part that runs pass `number`.
+    fn call(&mut self, _w: &mut Writer, _number: u32, _name: &str) {}
+
+    /// The usual lines at the end.
+    fn tail(&mut self, w: &mut Writer);
+
+    /// How to start again at a pass.
+    fn restart(&self, passes: u32) -> String;
+
+    /// Lines that make the control go over to axes or tip.
+    fn level(&mut self, w: &mut Writer, level: Level);
+
+    /// A block of motion to the row `to`; what changed is in `w`.
+    fn go(&mut self, w: &mut Writer, step: &Move, to: &[f64]) -> Result<(), Problem>;
+
+    /// Sets a process value.
+    fn set(&mut self, w: &mut Writer, channel: usize, value: f64, at_once: bool) -> Result<(), Problem>;
+
+    /// Switches a digital output.
+    fn output(&mut self, w: &mut Writer, output: u32, on: bool, at_once: bool);
+
+    /// Says something to the operator.
+    fn message(&mut self, w: &mut Writer, text: &str);
+
+    /// Switches what needs no output; false if that is none of the dialect's own.
+    fn own(&mut self, _w: &mut Writer, _event: &Event, _at_once: bool) -> bool {
+        false
+    }
+
+    /// Waits, s.
+    fn dwell(&mut self, w: &mut Writer, seconds: f64, why: Option<&str>);
+}
