@@ -22,7 +22,7 @@ mod write;
 pub use control::{Code, Control, Dialect};
 pub use error::Error;
 pub use feed::Group;
-pub use part_program::{Arc, Channel, ChannelKind, Event, Level, Move, PartProgram, Path, Step, What};
+pub use part_program::{Arc, Channel, ChannelKind, Event, Level, Move, PartProgram, Path, Step, What, Xyz};
 pub use plan::{Block, Interpolation, Linearisation, Options, Shape, Speeds, linearise, part_program};
 pub use play::{Segment, play};
 pub use points::to_program;

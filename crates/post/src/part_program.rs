@@ -195,9 +195,28 @@ impl PartProgram {
         self.channels.iter().take_while(|c| matches!(c.kind, ChannelKind::Linear | ChannelKind::Rotary)).count()
     }
 
-    /// Indices of the channels X, Y and Z, if there are all three.
-    pub fn xyz(&self) -> Option<[usize; 3]> {
-        let find = |name: &str| self.channels.iter().position(|c| c.name == name);
-        Some([find("x")?, find("y")?, find("z")?])
+    /// Channels of X, Y and Z, which arcs are in; a machine without one of them has 0 there.
+    pub fn xyz(&self) -> Xyz {
+        Xyz(["x", "y", "z"].map(|name| self.channels.iter().position(|c| c.name == name)))
+    }
+}
+
+/// Channels of X, Y and Z.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Xyz([Option<usize>; 3]);
+
+impl Xyz {
+    /// The place that a row is at, mm.
+    pub fn of(self, row: &[f64]) -> DVec3 {
+        DVec3::from_array(self.0.map(|channel| channel.map_or(0.0, |i| row[i])))
+    }
+
+    /// Puts a place into a row.
+    pub fn put(self, row: &mut [f64], place: DVec3) {
+        for (channel, value) in self.0.into_iter().zip(place.to_array()) {
+            if let Some(i) = channel {
+                row[i] = value;
+            }
+        }
     }
 }

@@ -1,7 +1,6 @@
 //! A part program as its control plays it: where every channel is at every time, by the control's own rules.
 
-use crate::part_program::{Arc, ChannelKind, Event, Level, Move, PartProgram, Path, What};
-use glam::DVec3;
+use crate::part_program::{Arc, ChannelKind, Event, Level, Move, PartProgram, Path, What, Xyz};
 
 /// Part of a played program in which one thing goes on.
 #[derive(Debug, Clone)]
@@ -25,7 +24,7 @@ pub struct Segment {
 #[derive(Debug, Clone)]
 enum Way {
     Even,
-    Arc(Arc, [usize; 3]),
+    Arc(Arc, Xyz),
     /// Cubics of the axes with these speeds per s at both ends.
     Cubic(Vec<f64>, Vec<f64>),
 }
@@ -38,9 +37,8 @@ impl Segment {
         match &self.way {
             Way::Even => {}
             Way::Arc(arc, xyz) => {
-                let [a, b] = [&self.from, &self.to].map(|row| DVec3::from_array(xyz.map(|i| row[i])));
-                let place = arc.at(a, b, f).to_array();
-                xyz.iter().zip(place).for_each(|(i, value)| row[*i] = value);
+                let [a, b] = [&self.from, &self.to].map(|row| xyz.of(row));
+                xyz.put(row, arc.at(a, b, f));
             }
             Way::Cubic(v0, v1) => {
                 for (i, (v0, v1)) in v0.iter().zip(v1).enumerate() {
@@ -149,10 +147,7 @@ impl<'a> Player<'a> {
     fn one(&mut self, i: usize, m: &Move) {
         let to = self.program.row(m.row).to_vec();
         let way = match m.path {
-            Path::Arc(arc) => match self.program.xyz() {
-                Some(xyz) => Way::Arc(self.program.arcs[arc as usize], xyz),
-                None => Way::Even,
-            },
+            Path::Arc(arc) => Way::Arc(self.program.arcs[arc as usize], self.program.xyz()),
             Path::Hermite(row) => {
                 let end = self.program.row(row)[..self.axes].to_vec();
                 Way::Cubic(std::mem::replace(&mut self.speeds, end.clone()), end)

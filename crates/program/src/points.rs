@@ -249,8 +249,8 @@ impl Points {
                 let message = "an arc needs `via_mm`, and has one point";
                 return Err(file.error_at(&at("along"), message, "an arc a span, with `via_mm` halfway"));
             }
-            if columns.pose == 0 && !(has("x") && has("y") && has("z")) {
-                let message = "axis positions go along an arc only if there are x, y and z";
+            if columns.pose == 0 && ["x", "y", "z"].iter().filter(|name| has(name)).count() < 2 {
+                let message = "axis positions go along an arc only if there are two of x, y and z";
                 return Err(file.error_at(&at("along"), message, "line, rapid, spline, taught"));
             }
         } else if span.via_mm.is_some() || span.normal.is_some() {

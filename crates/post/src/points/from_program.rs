@@ -165,17 +165,17 @@ impl Steps<'_> {
             for (i, axis) in self.machine.axes.iter().enumerate() {
                 q[i] = axis.from_file(from[i] + f * (to[i] - from[i]));
             }
-            if let (Some(arc), Some(xyz)) = (arc, self.program.xyz()) {
-                let [a, b] = [from, to].map(|row| DVec3::from_array(xyz.map(|i| row[i])));
-                xyz.iter().zip(arc.at(a, b, f).to_array()).for_each(|(i, value)| q[*i] = value);
+            if let Some(arc) = arc {
+                let xyz = self.program.xyz();
+                let [a, b] = [from, to].map(|row| xyz.of(row));
+                xyz.put(&mut q, arc.at(a, b, f));
             }
             self.machine.forward(&q).point
         })
     }
 
     fn arc(&self, span: &PointSpan, from: &[f64], to: &[f64]) -> Option<Arc> {
-        let xyz = self.program.xyz()?;
-        let [start, end] = [from, to].map(|row| DVec3::from_array(xyz.map(|i| row[i])));
+        let [start, end] = [from, to].map(|row| self.program.xyz().of(row));
         let arc = arc(span, start, end)?;
         let axis = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().find(|n| arc.axis.dot(*n).abs() > 1.0 - UPRIGHT);
         let normal = axis.map_or(arc.axis, |n| n * arc.axis.dot(n).signum());

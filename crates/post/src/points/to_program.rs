@@ -2,7 +2,6 @@ use super::rests::Rests;
 use crate::part_program::{ChannelKind, Event, Level, Move, PartProgram, Path, Step, What};
 use crate::play::{Segment, play};
 use crate::{Control, Error};
-use glam::DVec3;
 use seamwright_document::{Direction, Finite, Point, Positive, SchemaVersion, Transform};
 use seamwright_machine::{Joints, Machine};
 use seamwright_program::{
@@ -174,14 +173,14 @@ impl Builder<'_> {
     /// Adds the points of a segment to the open pass.
     fn add(&mut self, m: &Move, segment: &Segment, number: Option<u32>) {
         let level = m.level;
-        let arc = match (m.path, self.read.xyz()) {
-            (Path::Arc(arc), Some(_)) => Some(self.read.arcs[arc as usize]),
+        let arc = match m.path {
+            Path::Arc(arc) => Some(self.read.arcs[arc as usize]),
             _ => None,
         };
         let along = match m.path {
             Path::Rapid => Along::Rapid,
-            Path::Line | Path::Arc(_) if arc.is_none() => Along::Line,
-            Path::Line | Path::Arc(_) => Along::Arc,
+            Path::Line => Along::Line,
+            Path::Arc(_) => Along::Arc,
             Path::Hermite(_) | Path::Spline => Along::Cubic,
         };
         // Arcs of more than half a turn are told by several.
@@ -190,7 +189,7 @@ impl Builder<'_> {
         for part in 0..parts {
             let end = f64::from(part + 1) / f64::from(parts);
             segment.at((f64::from(part) + 0.5) / f64::from(parts), &mut row);
-            let via = self.read.xyz().map(|xyz| DVec3::from_array(xyz.map(|i| row[i])));
+            let via = self.read.xyz().of(&row);
             if part + 1 == parts {
                 row.clone_from(&segment.end().to_vec())
             } else {
@@ -201,7 +200,7 @@ impl Builder<'_> {
             let span = PointSpan {
                 along,
                 stops: m.exact_stop && part + 1 == parts && along != Along::Rapid,
-                via_mm: arc.and(via).and_then(Point::new),
+                via_mm: arc.and_then(|_| Point::new(via)),
                 normal: arc.filter(|_| self.climbs(segment)).and_then(|arc| Direction::new(arc.normal)),
                 speeds: self.speeds(segment, along),
                 points: vec![point],
@@ -214,9 +213,9 @@ impl Builder<'_> {
 
     /// Whether an arc also goes along its axis: whatever else, its places do not tell its plane.
     fn climbs(&self, segment: &Segment) -> bool {
-        let (Some(xyz), Some(arc)) = (self.read.xyz(), self.arc_of(segment)) else { return false };
-        let rise: f64 = (0..3).map(|k| (segment.end()[xyz[k]] - segment.start()[xyz[k]]) * arc.normal[k]).sum();
-        rise.abs() > 1e-9
+        let Some(arc) = self.arc_of(segment) else { return false };
+        let [start, end] = [segment.start(), segment.end()].map(|row| self.read.xyz().of(row));
+        (end - start).dot(arc.normal).abs() > 1e-9
     }
 
     fn arc_of(&self, segment: &Segment) -> Option<crate::part_program::Arc> {
@@ -253,7 +252,7 @@ impl Builder<'_> {
             *q = axis.from_file(*value);
         }
         let direction = self.machine.forward(&q).direction;
-        let tip = self.read.xyz().map_or([0.0; 3], |xyz| xyz.map(|i| row[i]));
+        let tip = self.read.xyz().of(row).to_array();
         tip.into_iter().chain(direction.to_array()).collect()
     }
 

@@ -23,7 +23,7 @@ pub(crate) enum Shape {
     /// Evenly.
     Line,
     /// Three of them round an arc, the others evenly.
-    Arc(ArcThrough, [usize; 3]),
+    Arc(ArcThrough, [Option<usize>; 3]),
     /// By cubics with these slopes by the part done, at begin and end.
     Cubic(Box<[Row; 2]>),
 }
@@ -38,7 +38,9 @@ impl Block {
             Shape::Arc(arc, columns) => {
                 let place = arc.at(f);
                 for (k, column) in columns.iter().enumerate() {
-                    row[*column] = place[k];
+                    if let Some(i) = column {
+                        row[*i] = place[k];
+                    }
                 }
             }
             Shape::Cubic(slopes) => {

@@ -77,7 +77,7 @@ struct Reader {
     /// Highest speed of each number where it is an axis.
     fastest: Option<Row>,
     /// Which of the row's numbers are x, y and z.
-    places: [usize; 3],
+    places: [Option<usize>; 3],
     /// Where in the row each of `from` goes.
     to: Vec<usize>,
 }
@@ -95,7 +95,7 @@ impl Reader {
             to: order.iter().map(|(_, to)| *to).collect(),
             rest,
             fastest: None,
-            places: [0, 1, 2],
+            places: [0, 1, 2].map(Some),
         }
     }
 
@@ -111,7 +111,7 @@ impl Reader {
             to: Vec::new(),
             rest: std::array::from_fn(|i| axes.get(i).map_or(0.0, |a| a.home)),
             fastest: Some(std::array::from_fn(|i| axes.get(i).map_or(f64::INFINITY, |a| a.max_speed))),
-            places: ["x", "y", "z"].map(|name| axes.iter().position(|a| a.name == name).unwrap_or(0)),
+            places: ["x", "y", "z"].map(|name| axes.iter().position(|a| a.name == name)),
         };
         for (name, column) in &columns.axes {
             let Some(i) = axes.iter().position(|a| &a.name == name) else {
@@ -142,7 +142,7 @@ impl Reader {
     }
 
     fn place(&self, row: &Row) -> DVec3 {
-        DVec3::from_array(self.places.map(|i| row[i]))
+        DVec3::from_array(self.places.map(|i| i.map_or(0.0, |i| row[i])))
     }
 }
 
