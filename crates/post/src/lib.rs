@@ -23,7 +23,9 @@ pub use control::{Code, Control, Dialect};
 pub use error::Error;
 pub use feed::Group;
 pub use part_program::{Arc, Channel, ChannelKind, Event, Level, Move, PartProgram, Path, Step, What, Xyz};
-pub use plan::{Block, Interpolation, Linearisation, Options, Shape, Speeds, linearise, part_program};
+pub use plan::{
+    Block, Interpolation, Linearisation, Options, Shape, Speeds, linearise, part_program, points_part_program,
+};
 pub use play::{Segment, play};
 pub use points::to_program;
 pub use read::{LeftOut, ReadError, ReadOptions, Reading, read};

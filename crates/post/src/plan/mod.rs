@@ -14,13 +14,13 @@ pub use block::{Block, Linearisation, Shape, Speeds};
 pub use cutter::linearise;
 
 use crate::part_program::{Level, PartProgram, What};
-use crate::points::is_posted_as_it_stands;
+use crate::points::{ends, is_posted_as_it_stands};
 use crate::{Control, Dialect, Error};
 use arcs::Arcs;
 use course::Course;
 use cutter::{Cutting, HELD_BACK, cut};
 use ramps::{ramp_breaks, weave_breaks};
-use seamwright_machine::Machine;
+use seamwright_machine::{Joints, Machine};
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::{Pass, Program, TorchPath};
 use steps::Steps;
@@ -91,13 +91,14 @@ pub fn part_program(
     }
     let mut steps = Steps::new(machine, control, program, options);
     for (i, (pass, planned)) in program.passes.iter().zip(&motion.passes).enumerate() {
-        let course = Course::new(control, pass);
         if is_posted_as_it_stands(control, pass) {
             steps.program.push(What::Pass(pass.name.as_str().into()));
             let next = program.passes.get(i + 1).filter(|_| motion.air[i + 1].legs.is_empty());
-            steps.stands((pass, &course), &motion.air[i], (i == 0, next.is_some_and(Pass::has_arc)));
+            let way: Vec<Joints> = motion.air[i].legs.iter().map(|leg| *leg.end()).collect();
+            steps.stands(pass, &way, (i == 0, next.is_some_and(Pass::has_arc)));
             continue;
         }
+        let course = Course::new(control, pass);
         let cut = blocks(machine, control, (pass, planned, &course), options, second)?;
         steps.program.push(What::Pass(pass.name.as_str().into()));
         steps.remarks(&pass.name, planned, &cut, options);
@@ -107,6 +108,26 @@ pub fn part_program(
         steps.pass(&cut, pass, &course, (&motion.air[i], &motion.air[i + 1]), i == 0);
     }
     Ok(steps.program)
+}
+
+/// A program of axis positions as a part program, without its planned motion: the way from one pass to the next is a
+/// straight one. None if a pass has to be planned for this control.
+pub fn points_part_program(machine: &Machine, control: &Control, program: &Program) -> Option<PartProgram> {
+    let mut steps = Steps::new(machine, control, program, &Options::default());
+    let mut here: Option<Joints> = None;
+    for (i, pass) in program.passes.iter().enumerate() {
+        if !is_posted_as_it_stands(control, pass) {
+            return None;
+        }
+        let (start, end) = ends(machine, pass)?;
+        let next = program.passes.get(i + 1).and_then(|next| Some((next, ends(machine, next)?.0)));
+        let way = if here == Some(start) { Vec::new() } else { vec![start] };
+        steps.program.push(What::Pass(pass.name.as_str().into()));
+        let burns_on = next.is_some_and(|(next, start)| next.has_arc() && start == end);
+        steps.stands(pass, &way, (i == 0, burns_on));
+        here = Some(end);
+    }
+    Some(steps.program)
 }
 
 fn check_tip(control: &Control, motion: &WeldMotion, second: bool) -> Result<(), Error> {

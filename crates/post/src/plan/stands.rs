@@ -5,35 +5,65 @@ use super::steps::Steps;
 use crate::Dialect;
 use crate::part_program::{Event, Path};
 use crate::points::steps as blocks;
-use seamwright_motion::air::{AirMove, Leg};
-use seamwright_program::{Along, Pass};
+use seamwright_document::{Finite, NonNegative, Positive};
+use seamwright_machine::Joints;
+use seamwright_program::{Along, Pass, Ramp, Span, SpanValue};
+
+/// The pass with no more than the process values of its first and its last block, in spans of 1 mm: what is needed for
+/// slopes before and after it.
+fn at_its_ends(pass: &Pass) -> Pass {
+    let Some(points) = &pass.points else { return pass.clone() };
+    let columns = points.known_columns();
+    let rows: Vec<&[Finite]> = points.rows().collect();
+    let span = |from: f64, before: &[Finite], after: &[Finite]| {
+        let value = |(name, column): &(String, usize)| {
+            let (a, b) = (before[*column], after[*column]);
+            let steady = points.stepped.contains(name) || a == b;
+            let ramp = SpanValue::Ramp(Ramp { from: a, to: b });
+            (name.clone(), if steady { SpanValue::Steady(b) } else { ramp })
+        };
+        Some(Span {
+            from_mm: NonNegative::new(from)?,
+            to_mm: Positive::new(from + 1.0)?,
+            speed_mm_s: SpanValue::Steady(Positive::TEN),
+            process: columns.process.iter().map(value).collect(),
+        })
+    };
+    let last = rows.len() - 1;
+    let spans = [span(0.0, rows[0], rows[1]), span(1.0, rows[last - 1], rows[last])];
+    Pass { spans: spans.into_iter().flatten().collect(), ..pass.clone() }
+}
 
 impl Steps<'_> {
-    /// The pass, after the air move to it; whether it is the first, and whether the arc burns on into the next.
-    pub(super) fn stands(
-        &mut self,
-        (pass, course): (&Pass, &Course),
-        before: &AirMove,
-        (first, burns_on): (bool, bool),
-    ) {
+    /// The pass, after the `way` to it, straight from place to place; whether it is the first, and whether the arc burns
+    /// on into the next.
+    pub(super) fn stands(&mut self, pass: &Pass, way: &[Joints], (first, burns_on): (bool, bool)) {
+        let ends = at_its_ends(pass);
+        let course = Course::new(self.control, &ends);
         self.set.clear();
-        let rapid = |points: &seamwright_program::Points| points.spans.first().is_some_and(|s| s.along == Along::Rapid);
+        let along = pass.points.as_ref().and_then(|points| points.spans.first()).map(|span| span.along);
         if !first {
-            before.legs.iter().map(Leg::end).for_each(|q| self.stand_at(q));
-        } else if !pass.points.as_ref().is_some_and(rapid)
-            && let Some(leg) = before.legs.last()
+            way.iter().for_each(|q| self.stand_at(q));
+        } else if along != Some(Along::Rapid)
+            && let Some(start) = way.last()
         {
-            self.stand_at(leg.end());
+            self.stand_at(start);
+        }
+        if along == Some(Along::Arc)
+            && let Some((start, _)) = crate::points::ends(self.machine, pass)
+        {
+            // Controls have to know where an arc begins, also if they start again here.
+            self.stand_at(&start);
         }
         let (machine, control) = (self.machine, self.control);
         // Switched at its start, and the values that it begins with.
         blocks(machine, control, pass, (&mut self.program, &mut self.row), 0);
-        self.begin(pass, course);
+        self.begin(&ends, &course);
         blocks(machine, control, pass, (&mut self.program, &mut self.row), 1);
-        self.finish(pass, course, burns_on);
+        self.finish(&ends, &course, burns_on);
     }
 
-    fn stand_at(&mut self, q: &seamwright_machine::Joints) {
+    fn stand_at(&mut self, q: &Joints) {
         let place = self.standing(q);
         self.go_to(&place, false);
         self.push(Path::Rapid, 0.0, false);

@@ -46,6 +46,22 @@ fn arc(span: &PointSpan, start: DVec3, end: DVec3) -> Option<ArcThrough> {
     ArcThrough::new(start, span.via_mm?.get(), end, span.normal.map(Direction::unit))
 }
 
+/// Axis positions at begin and end of a pass through them.
+pub(crate) fn ends(machine: &Machine, pass: &Pass) -> Option<(Joints, Joints)> {
+    let points = pass.points.as_ref()?;
+    let columns = points.known_columns();
+    let at = |row: &[Finite]| {
+        let mut q = machine.home();
+        for (name, column) in &columns.axes {
+            if let Some(i) = machine.axis(name) {
+                q[i] = machine.axes[i].from_file(row[*column].get());
+            }
+        }
+        q
+    };
+    Some((at(&points.start), at(points.rows().last()?)))
+}
+
 /// The steps of `pass` as it stands, appended to `program`; `here` is the row that the control is at, and is left where
 /// they end. Part 0 is what is switched and set at its start, part 1 its blocks.
 pub(crate) fn steps(

@@ -154,7 +154,7 @@ impl Builder<'_> {
     fn segment(&mut self, step: &Step, m: &Move, segment: &Segment) {
         let arc = if self.switches_arc { segment.arc } else { m.path != Path::Rapid };
         let stands = segment.seconds == 0.0 && segment.start() == segment.end();
-        if stands && m.path != Path::Rapid {
+        if stands {
             return;
         }
         let goes_on = self.open.as_ref().is_some_and(|open| open.arc == arc && open.level == m.level);

@@ -119,7 +119,7 @@ impl Tongue for Sinumerik {
     const SUBS: Option<bool> = Some(false);
 
     fn first(&mut self, w: &mut Writer) {
-        if w.passes() > 1 {
+        if w.has_subs() {
             w.text.line("%_N_WELD_MPF");
             w.text.line(FOLDER);
         }

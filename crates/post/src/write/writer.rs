@@ -126,7 +126,7 @@ impl<'a> Writer<'a> {
         let mut begins: Vec<usize> = (0..steps.len()).filter(|i| matches!(steps[*i].what, What::Pass(_))).collect();
         let passes = begins.len() as u32;
         begins.push(steps.len());
-        let sub_first = T::SUBS.filter(|_| passes > 1);
+        let sub_first = T::SUBS.filter(|_| self.has_subs());
         tongue.first(self);
         self.comments(tongue, passes);
         let each = begins.windows(2).zip(1..).map(|(w, number)| (w[0]..w[1], number));
@@ -191,7 +191,7 @@ impl<'a> Writer<'a> {
         self.text.comment("work offsets and tool offsets must be zero");
         let options = self.options;
         options.remarks.iter().for_each(|remark| self.text.comment(remark));
-        if passes > 1 {
+        if passes > 1 && (T::SUBS.is_none() || self.has_subs()) {
             let how = tongue.restart(passes);
             self.text.comment(&how);
         }
@@ -326,9 +326,20 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    /// How many passes there are.
-    pub(super) fn passes(&self) -> usize {
-        self.program.steps.iter().filter(|step| matches!(step.what, What::Pass(_))).count()
+    /// Whether passes are sub-programs: where there are several that do more than go somewhere.
+    pub(super) fn has_subs(&self) -> bool {
+        let (mut welds, mut told) = (0, true);
+        for step in &self.program.steps {
+            match &step.what {
+                What::Pass(_) => told = false,
+                What::Move(m) if m.path != Path::Rapid && !told => {
+                    told = true;
+                    welds += 1;
+                }
+                _ => {}
+            }
+        }
+        welds > 1
     }
 
     /// Whether channel `i` must be said to get it to its value in `to`.

@@ -1,0 +1,238 @@
+//! Random programs of points written for every control, read back and made programs again: equal in effect.
+
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::Rng;
+use seamwright_document::{Document, Positive};
+use seamwright_machine::{Machine, shipped};
+use seamwright_post::{
+    Control, Dialect, Event, PartProgram, ReadOptions, Segment, What, WriteOptions, play, points_part_program, read,
+    to_program, write,
+};
+use seamwright_program::Program;
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+
+/// Programs a dialect; SEAMWRIGHT_SOAK times as many.
+fn cases() -> u64 {
+    250 * std::env::var("SEAMWRIGHT_SOAK").map_or(1, |times| times.parse::<u64>().unwrap())
+}
+
+struct Random(Pcg64Mcg);
+
+impl Random {
+    fn part(&mut self) -> f64 {
+        (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        // Six decimals, as part programs have them.
+        ((low + (high - low) * self.part()) * 1e6).round() / 1e6
+    }
+
+    fn below(&mut self, count: u64) -> u64 {
+        self.0.next_u64() % count
+    }
+}
+
+/// A random program of points of the axes x, y, z and two rotary ones, as a document.
+fn program(random: &mut Random, dialect: Dialect, machine: &str, rotary: [&str; 2], process: [&str; 2]) -> String {
+    let mut text = format!("schema = 1\ntitle = \"random\"\nmachine = \"{machine}\"\n");
+    let numbered = dialect == Dialect::Sinumerik && random.below(2) == 0;
+    let mut here = [0.0; 7];
+    let mut number = 0.0;
+    for pass in 0..=random.below(3) {
+        let arc = random.below(4) > 0;
+        let _ =
+            write!(text, "[[passes]]\nname = \"pass {pass}\"\non_limit = \"slow\"\ncorner = {{ blend_mm = 0.1 }}\n");
+        let preflow = if random.below(2) == 0 { random.between(0.1, 2.0) } else { 0.0 };
+        let delay = if arc && random.below(2) == 0 { random.between(0.1, 2.0) } else { 0.0 };
+        let _ = write!(text, "sequence = {{ preflow_s = {preflow}, travel_delay_s = {delay} }}\n[passes.points]\n");
+        let n = if numbered { ", \"n\"" } else { "" };
+        let names = format!(
+            "\"x\", \"y\", \"z\", \"{}\", \"{}\", \"{}\", \"{}\"",
+            rotary[0], rotary[1], process[0], process[1]
+        );
+        let _ = writeln!(text, "columns = [{names}{n}, \"time_s\"]\narc = {arc}");
+        if dialect != Dialect::Sinumerik {
+            let _ = writeln!(text, "stepped = [\"{}\", \"{}\"]", process[0], process[1]);
+        }
+        let row = |values: &[f64; 7], number: f64, seconds: f64| {
+            let mut numbers: Vec<String> = values.iter().map(f64::to_string).collect();
+            numbers.extend(numbered.then(|| number.to_string()));
+            numbers.push(seconds.to_string());
+            format!("[{}]", numbers.join(", "))
+        };
+        let _ = writeln!(text, "start = {}", row(&here, 0.0, 0.0));
+        let _ = writeln!(text, "events = [{{ after = 0, output = {}, on = {} }}]", 5 + pass, random.below(2) == 0);
+        // With the arc off there is at least one rapid move, so that the pass is told from one with it.
+        let spans = 1 + random.below(6);
+        for span in 0..spans {
+            let mut next = here;
+            for (i, value) in next.iter_mut().enumerate() {
+                if random.below(3) > 0 {
+                    *value = if i < 5 { random.between(-80.0, 80.0) } else { random.between(0.0, 300.0) };
+                }
+            }
+            let seconds = random.between(0.05, 20.0);
+            number += 1.0;
+            let kind = random.below(if dialect == Dialect::Pmac { 5 } else { 4 });
+            let stops = kind != 0 && random.below(5) == 0;
+            match kind {
+                0 if span == 0 && !arc || dialect != Dialect::Sinumerik => {
+                    next[5..].copy_from_slice(&here[5..]);
+                    let _ = writeln!(
+                        text,
+                        "[[passes.points.spans]]\nalong = \"rapid\"\npoints = [{}]",
+                        row(&next, number, 0.0)
+                    );
+                }
+                1 | 2 => {
+                    // A circle or helix in one of the planes, or anywhere for those who can.
+                    let plane = random.below(3) as usize;
+                    let (u, v) = ((plane + 1) % 3, (plane + 2) % 3);
+                    let (radius, from) = (random.between(0.5, 60.0), TAU * random.part());
+                    let sweep = (0.02 + 0.96 * random.part()) * 6.0 * if random.below(2) == 0 { 1.0 } else { -1.0 };
+                    let rise = if random.below(2) == 0 { random.between(-20.0, 20.0) } else { 0.0 };
+                    let at = |f: f64| {
+                        let mut p = [here[0], here[1], here[2]];
+                        p[u] += radius * ((from + f * sweep).cos() - from.cos());
+                        p[v] += radius * ((from + f * sweep).sin() - from.sin());
+                        p[plane] += f * rise;
+                        p.map(|x| (x * 1e6).round() / 1e6)
+                    };
+                    let (via, end) = (at(0.5), at(1.0));
+                    next[..3].copy_from_slice(&end);
+                    let mut normal = [0.0; 3];
+                    normal[plane] = 1.0;
+                    let _ = writeln!(
+                        text,
+                        "[[passes.points.spans]]\nalong = \"arc\"\nvia_mm = {via:?}\nnormal = {normal:?}\npoints = [{}]",
+                        row(&next, number, seconds)
+                    );
+                }
+                4 => {
+                    let speeds = |random: &mut Random| {
+                        let v: Vec<String> = (0..5).map(|_| random.between(-5.0, 5.0).to_string()).collect();
+                        format!("[{}]", v.join(", "))
+                    };
+                    // Begins and ends at rest, so that blocks beside it fit.
+                    let _ = writeln!(
+                        text,
+                        "[[passes.points.spans]]\nalong = \"cubic\"\nspeeds = [[0, 0, 0, 0, 0], {}, [0, 0, 0, 0, 0]]\npoints = [{}, {}]",
+                        speeds(random),
+                        row(&next, number, (seconds * 1e3).round() / 1e3),
+                        row(&here, number, (seconds * 1e3).round() / 1e3 + 1.0)
+                    );
+                    next = here;
+                }
+                _ => {
+                    let _ = writeln!(
+                        text,
+                        "[[passes.points.spans]]\nalong = \"line\"\nstops = {stops}\npoints = [{}]",
+                        row(&next, number, seconds)
+                    );
+                }
+            }
+            here = next;
+        }
+    }
+    text
+}
+
+/// Everything that takes time or goes somewhere.
+fn moves(program: &PartProgram, start: &[f64]) -> Vec<Segment> {
+    play(program, start).into_iter().filter(|s| s.seconds > 0.0 || s.start() != s.end()).collect()
+}
+
+fn outputs(program: &PartProgram) -> Vec<Event> {
+    let event = |what: &What| match what {
+        What::Event { event, .. } => Some(event.clone()),
+        _ => None,
+    };
+    let mut all: Vec<Event> = program.steps.iter().filter_map(|s| event(&s.what)).collect();
+    all.dedup();
+    all
+}
+
+/// Greatest difference of two plays, sampled at the same times.
+fn difference(a: &[Segment], b: &[Segment]) -> f64 {
+    // Arcs of more than half a turn are two: the same times, more blocks.
+    let total = |all: &[Segment]| all.iter().map(|s| s.seconds).sum::<f64>();
+    assert!((total(a) - total(b)).abs() < 1e-5 * (1.0 + total(a)), "{} {}", total(a), total(b));
+    let at = |all: &[Segment], t: f64, row: &mut Vec<f64>| {
+        let i = all.partition_point(|s| s.begin + s.seconds < t).min(all.len() - 1);
+        let s = &all[i];
+        s.at(if s.seconds > 0.0 { ((t - s.begin) / s.seconds).clamp(0.0, 1.0) } else { 1.0 }, row);
+    };
+    let (mut one, mut other, mut most) = (Vec::new(), Vec::new(), 0.0f64);
+    for segment in a.iter().filter(|s| s.seconds > 0.0) {
+        for f in [0.11, 0.37, 0.5, 0.73, 0.94] {
+            let t = segment.begin + f * segment.seconds;
+            at(a, t, &mut one);
+            at(b, t, &mut other);
+            let here = one.iter().zip(&other).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+            assert!(here < 1e-6 * 1.001, "at {t} s: {one:?} {other:?}");
+            most = most.max(here);
+        }
+    }
+    most
+}
+
+fn round_trip(dialect: Dialect, name: &str, rotary: [&str; 2], process: [&str; 2]) {
+    let machine = Machine::read(name, shipped(name).unwrap().text).unwrap();
+    let control = Control::new(&machine, dialect).unwrap();
+    let mut start = vec![0.0; control.channels.len()];
+    for (i, axis) in machine.axes.iter().enumerate() {
+        start[i] = axis.to_file(axis.home);
+    }
+    let mut random = Random(Pcg64Mcg::new(0x5ea + dialect as u128));
+    let mut compared = 0;
+    for case in 0..cases() {
+        let text = program(&mut random, dialect, name, rotary, process);
+        let program: Document<Program> = Program::read("p.toml", &text).unwrap_or_else(|e| panic!("{e}\n{text}"));
+        let Some(part) = points_part_program(&machine, &control, &program.value) else {
+            panic!("case {case} is not posted as it stands\n{text}")
+        };
+        let written = write(&control, &part, &WriteOptions::default());
+        let written = written.unwrap_or_else(|e| panic!("case {case}: {e}\n{text}"));
+        let options = ReadOptions { start: Some(start.clone()), ..ReadOptions::default() };
+        let back = read(&control, "p", &written, &options).unwrap_or_else(|e| panic!("case {case}: {e}\n{written}"));
+        let blend = Positive::new(0.1).unwrap();
+        let again = to_program(&machine, &control, &back.program, &start, (name, blend));
+        let again = match again {
+            Ok(again) => again,
+            Err(_) => continue,
+        };
+        let toml = again.to_toml().unwrap();
+        let again = Program::read("q.toml", &toml).unwrap_or_else(|e| panic!("case {case}: {e}\n{written}")).value;
+        let part_again = points_part_program(&machine, &control, &again);
+        let part_again = part_again.unwrap_or_else(|| panic!("case {case}: not as it stands any more\n{toml}"));
+        let (a, b) = (moves(&part, &start), moves(&part_again, &start));
+        let off = difference(&a, &b);
+        assert!(off < 1e-6 * 1.001, "case {case}: {off:e}\n{text}\n{written}\n{toml}");
+        assert_eq!(a.last().map(Segment::end).map(<[f64]>::to_vec), b.last().map(Segment::end).map(<[f64]>::to_vec));
+        assert_eq!(outputs(&part), outputs(&part_again), "case {case}\n{written}\n{toml}");
+        compared += 1;
+    }
+    assert!(compared > cases() * 9 / 10);
+}
+
+#[test]
+fn sinumerik() {
+    round_trip(Dialect::Sinumerik, "ebw-7axis", ["u", "w"], ["beam_a", "focus_a"]);
+}
+
+#[test]
+fn linuxcnc() {
+    round_trip(Dialect::Linuxcnc, "table-tilting-xyzac", ["a", "c"], ["current_a", "voltage_v"]);
+}
+
+#[test]
+fn grblhal() {
+    round_trip(Dialect::Grblhal, "table-tilting-xyzac", ["a", "c"], ["current_a", "voltage_v"]);
+}
+
+#[test]
+fn pmac() {
+    round_trip(Dialect::Pmac, "table-tilting-xyzac", ["a", "c"], ["current_a", "voltage_v"]);
+}
