@@ -153,9 +153,11 @@ impl Tongue for Pmac {
         w.text.word("I5190=1000");
         w.text.remark("feeds per second");
         w.text.end();
-        w.text.counted("OPEN PROG", PROGRAM);
+        w.text.counted("OPEN PROG ", PROGRAM);
         w.text.line("CLEAR");
-        self.state(w);
+        if w.passes() == 0 {
+            self.state(w);
+        }
     }
 
     fn begin(&mut self, w: &mut Writer, number: u32, name: &str, _sub: bool) {

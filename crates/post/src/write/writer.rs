@@ -166,9 +166,12 @@ impl<'a> Writer<'a> {
             _ => None,
         });
         let tip = moves.into_iter().any(|level| level == Level::Tip);
-        self.text.comment(match tip {
-            false => "joint level: every word is an axis position, kinematics must be identity [trivkins on LinuxCNC]",
-            true => "tip level: X Y Z are the torch tip in the work frame, kinematics must match the machine",
+        self.text.comment(match (tip, self.control.dialect) {
+            (false, Dialect::Linuxcnc) => {
+                "joint level: every word is an axis position, kinematics must be identity [trivkins]"
+            }
+            (false, _) => "joint level: every word is an axis position, without transformations",
+            (true, _) => "tip level: X Y Z are the torch tip in the work frame, kinematics must match the machine",
         });
         let unit = |i: usize| if self.control.channels[i].kind == ChannelKind::Rotary { "degrees" } else { "mm" };
         let names: Vec<String> = (0..self.program.axes())
