@@ -53,7 +53,7 @@ fn follows(planned: &Planned, program: &PartProgram, head: usize) -> f64 {
             time += way.step.seconds;
             last = f64::max(last, way.step.seconds);
         }
-        assert!((time / motion.law.duration() - 1.0).abs() < 1e-6, "{time} {}", motion.law.duration());
+        assert!((time / motion.law.duration() - 1.0).abs() < 1e-5, "{time} {}", motion.law.duration());
         assert!(((time + dwells) / motion.arc_on_s() - 1.0).abs() < 1e-3, "{dwells}");
     }
     worst

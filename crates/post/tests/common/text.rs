@@ -2,6 +2,7 @@
 
 #![allow(dead_code, reason = "each test uses a part")]
 
+use glam::DVec3;
 use seamwright_post::{Control, Dialect};
 use std::f64::consts::TAU;
 
@@ -80,6 +81,7 @@ pub fn read(control: &Control, text: &str) -> Read {
     let mut read = Read::default();
     let mut row = vec![f64::NAN; control.channels.len()];
     let (mut inverse, mut mode, mut time, mut feed) = (None, String::new(), 0.0, f64::NAN);
+    let (mut vector, mut clockwise) = (DVec3::ZERO, true);
     for line in text.lines() {
         assert!(line.is_ascii() && line.len() <= longest && line.trim_end() == line, "{line}");
         let line = bare(control.dialect, line);
@@ -102,6 +104,14 @@ pub fn read(control: &Control, text: &str) -> Read {
                 inverse = Some(on);
             }
         }
+        if line.starts_with("NORMAL") {
+            vector = DVec3::from_array(["I", "J", "K"].map(|letter| value(letter).unwrap_or(0.0)));
+        }
+        if let Some(turn) = value("CIRCLE") {
+            clockwise = turn == 1.0;
+        }
+        // A right thumb along the vector has fingers that show clockwise.
+        let normal = Some(if clockwise { vector } else { -vector });
         if control.dialect == Dialect::Pmac {
             if let Some(word) = ["RAPID", "LINEAR", "CIRCLE", "PVT", "SPLINE"].iter().find(|m| line.starts_with(**m)) {
                 mode = (*word).to_owned();
@@ -141,7 +151,7 @@ pub fn read(control: &Control, text: &str) -> Read {
             continue;
         }
         let rapid = has("G", 0.0) || (control.dialect == Dialect::Pmac && mode == "RAPID");
-        let way = || way(control, &before, &row, &words, &value);
+        let way = || way(control, &before, &row, &words, normal.filter(|_| mode == "CIRCLE"), &value);
         let seconds = match (control.dialect, inverse) {
             _ if rapid => 0.0,
             (Dialect::Pmac, _) if feed.is_nan() => time,
@@ -164,6 +174,7 @@ fn way(
     before: &[f64],
     row: &[f64],
     words: &[(String, Vec<f64>)],
+    normal: Option<DVec3>,
     value: &dyn Fn(&str) -> Option<f64>,
 ) -> f64 {
     let is = |i: usize, letters: &str| {
@@ -172,31 +183,46 @@ fn way(
     };
     let sum =
         |letters: &str| (0..row.len()).filter(|i| is(*i, letters)).map(|i| (row[i] - before[i]).powi(2)).sum::<f64>();
-    let mut linear = sum("XYZ");
-    // A circle's radius and angle from the words.
-    let turn = |w: &(String, Vec<f64>)| w.0 == "G" && (w.1[0] == 2.0 || w.1[0] == 3.0);
-    if let Some(word) = words.iter().find(|w| turn(w)) {
+    let place = |row: &[f64]| {
         let axis = |letter: &str| control.addresses.iter().position(|a| a == letter);
-        let pairs = [("X", "I"), ("Y", "J"), ("Z", "K")].map(|(x, i)| (axis(x), value(i)));
-        let plane: Vec<(usize, f64)> = pairs.iter().filter_map(|(x, i)| Some(((*x)?, (*i)?))).collect();
-        assert_eq!(plane.len(), 2);
-        let (a, b) = (plane[0], plane[1]);
-        let from = (-a.1, -b.1);
-        let to = (row[a.0] - before[a.0] - a.1, row[b.0] - before[b.0] - b.1);
-        let mut angle = to.1.atan2(to.0) - from.1.atan2(from.0);
-        // X and Z are in turn the other way round.
-        let zx = value("I").is_some() && value("K").is_some();
-        if (word.1[0] == 2.0) != zx {
-            angle = -angle;
-        }
-        let radius = from.0.hypot(from.1);
-        let chord = (row[a.0] - before[a.0]).powi(2) + (row[b.0] - before[b.0]).powi(2);
-        linear += (radius * angle.rem_euclid(TAU)).powi(2) - chord;
-        assert!((radius - to.0.hypot(to.1)).abs() < 1e-5, "{words:?}");
-    }
-    let others = sum("ABCUVW");
+        DVec3::from_array(["X", "Y", "Z"].map(|letter| axis(letter).map_or(0.0, |i| row[i])))
+    };
+    let (from, to) = (place(before), place(row));
+    let centre = from + DVec3::from_array(["I", "J", "K"].map(|letter| value(letter).unwrap_or(0.0)));
+    let coded = |code: f64| words.iter().any(|w| w.0 == "G" && w.1[0] == code);
+    let square = ["I", "J", "K"].iter().position(|letter| value(letter).is_none()).map_or(DVec3::Z, |k| DVec3::AXES[k]);
+    let linear = if let Some(i) = value("I1") {
+        let middle = DVec3::new(i, value("J1").unwrap(), value("K1").unwrap());
+        through(from, middle, to).powi(2)
+    } else if coded(2.0) {
+        round(from, to, centre, -square).powi(2)
+    } else if coded(3.0) {
+        round(from, to, centre, square).powi(2)
+    } else if let Some(normal) = normal {
+        round(from, to, centre, normal).powi(2)
+    } else {
+        sum("XYZ")
+    };
+    let others = sum("ABCUVWQ");
     match control.dialect {
         Dialect::Linuxcnc if linear > 0.0 => linear.sqrt(),
         _ => (linear + others).sqrt(),
     }
+}
+
+/// Length of the arc or helix from `a` to `b` round `centre`, right-handed about `normal`.
+fn round(a: DVec3, b: DVec3, centre: DVec3, normal: DVec3) -> f64 {
+    let n = normal.normalize();
+    let (u, v) = ((a - centre).reject_from_normalized(n), (b - centre).reject_from_normalized(n));
+    assert!((u.length() - v.length()).abs() < 1e-5 * u.length().max(1.0), "{u} {v}");
+    let angle = u.cross(v).dot(n).atan2(u.dot(v)).rem_euclid(TAU);
+    (angle * u.length()).hypot((b - a).dot(n))
+}
+
+/// Length of the arc through three places: twice the radius times the angles over both parts' chords.
+fn through(a: DVec3, middle: DVec3, b: DVec3) -> f64 {
+    let (p, q, r) = (a.distance(middle), middle.distance(b), a.distance(b));
+    let radius = p * q * r / (2.0 * (middle - a).cross(b - a).length());
+    let part = |chord: f64| 2.0 * radius * (0.5 * chord / radius).min(1.0).asin();
+    part(p) + part(q)
 }
