@@ -32,12 +32,12 @@ impl Sinumerik {
         w.text.line(text);
     }
 
-    /// The feed to be said, after the mode that it is in.
+    /// The feed to be said, after its mode: in the same block, since what waits for the next block must meet the motion.
     fn feed(&mut self, w: &mut Writer, step: &Move, arc: Option<&Arc>, to: &[f64]) -> Option<f64> {
         let per_minute = if w.options.feed == Feed::PerMinute { w.feed(step, arc, to) } else { None };
         let inverse = per_minute.is_none();
         if self.inverse != Some(inverse) {
-            self.line(w, if inverse { "G93" } else { "G94" });
+            w.text.word(if inverse { "G93" } else { "G94" });
             (self.inverse, self.feed) = (Some(inverse), None);
         }
         match per_minute {
@@ -184,8 +184,8 @@ impl Tongue for Sinumerik {
         if rapid && w.pending.is_empty() && !w.order.iter().any(|i| w.changes(*i, to)) {
             return Ok(());
         }
-        let feed = if rapid { None } else { self.feed(w, step, arc.as_ref(), to) };
         self.block(w);
+        let feed = if rapid { None } else { self.feed(w, step, arc.as_ref(), to) };
         if step.exact_stop {
             w.text.word("G9");
         }

@@ -160,7 +160,9 @@ impl<'a> Writer<'a> {
         let name = self.control.dialect.title();
         let text = format!("Seamwright {} for {name}: {}", env!("CARGO_PKG_VERSION"), self.program.title);
         self.text.comment(&text);
-        self.text.comment(&format!("machine: {}", self.options.machine));
+        if !self.options.machine.is_empty() {
+            self.text.comment(&format!("machine: {}", self.options.machine));
+        }
         let moves = self.program.steps.iter().filter_map(|step| match &step.what {
             What::Move(m) => Some(m.level),
             _ => None,

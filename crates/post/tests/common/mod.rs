@@ -92,6 +92,13 @@ pub fn ways<'a>(program: &'a PartProgram, range: std::ops::Range<usize>) -> Vec<
     while k < moves.len() {
         let (i, step) = moves[k];
         let to = program.row(step.row);
+        // Values that are set between moves.
+        let before = if k > 0 { moves[k - 1].0 } else { 0 };
+        for step in &program.steps[before..i] {
+            if let What::Set { channel, value, .. } = step.what {
+                here[usize::from(channel)] = value;
+            }
+        }
         let shape = match step.path {
             Path::Rapid | Path::Line => Shape::Line,
             Path::Arc(arc) => Shape::Arc(program.arcs[arc as usize]),

@@ -133,7 +133,7 @@ pub fn read(control: &Control, text: &str) -> Read {
         for (address, values) in &words {
             let channel = (!address.is_empty()).then(|| control.addresses.iter().position(|a| a == address)).flatten();
             let known =
-                ["G", "F", "I", "J", "K", "I1", "J1", "K1", "TM", "TA", "TS", "TURN", "P", "PVT", "M", "E", "Q"];
+                ["G", "F", "I", "J", "K", "I1", "J1", "K1", "TM", "TA", "TS", "TURN", "P", "PVT", "M", "E", "Q", "L"];
             let modes = ["RAPID", "LINEAR", "CIRCLE", "SPLINE", "NORMAL", "DWELL", "S"];
             assert!(
                 channel.is_some() || known.contains(&address.as_str()) || modes.contains(&address.as_str()),
