@@ -308,7 +308,7 @@ impl<'a> Writer<'a> {
             let what = format!("a block that takes {} s", step.seconds);
             return Err(Problem::new(what, "give it a time above 0 and up to an hour, in parts if need be"));
         }
-        if step.path == Path::Line && self.known && self.order.iter().all(|i| to[*i] == self.here[*i]) {
+        if step.path == Path::Line && self.known && !self.order.iter().any(|i| self.changes(*i, to)) {
             tongue.dwell(self, step.seconds, None);
         } else {
             tongue.go(self, step, to)?;
@@ -326,7 +326,7 @@ impl<'a> Writer<'a> {
 
     /// Whether channel `i` must be said to get it to its value in `to`.
     pub(super) fn changes(&self, i: usize, to: &[f64]) -> bool {
-        !self.known || to[i] != self.here[i]
+        !self.known || to[i].to_bits() != self.here[i].to_bits()
     }
 
     /// X, Y and Z of a row as the control's arcs see them.
