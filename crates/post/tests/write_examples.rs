@@ -83,13 +83,12 @@ fn reads_back(control: &Control, program: &PartProgram, feed: Feed) -> usize {
     let mut k = 0;
     let mut most = 0.0f64;
     for (row, seconds) in rows {
-        let there = k > 0 && (0..program.axes()).all(|i| read.rows[k - 1][i] == row[i]);
+        let axes = program.axes();
+        let there = k > 0 && read.rows[k - 1][..axes] == row[..axes];
         if seconds == 0.0 && there {
             continue;
         }
-        for i in 0..program.axes() {
-            assert_eq!(read.rows[k][i], row[i], "move {k}, axis {i}");
-        }
+        assert_eq!(read.rows[k][..axes], row[..axes], "move {k}");
         most = most.max((read.times[k] / seconds - 1.0).abs());
         assert!(seconds == 0.0 || (read.times[k] / seconds - 1.0).abs() < 1e-4, "{} {seconds}", read.times[k]);
         k += 1;

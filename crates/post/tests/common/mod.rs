@@ -9,26 +9,26 @@ use seamwright_post::{Arc, Control, Level, Move, Options, PartProgram, Path, Wha
 use seamwright_program::{Pass, TorchPath};
 use seamwright_weld::{Outside, Welding};
 
-pub struct Planned {
-    pub machine: Machine,
-    pub welding: Welding,
-    pub motion: WeldMotion,
+pub(crate) struct Planned {
+    pub(crate) machine: Machine,
+    pub(crate) welding: Welding,
+    pub(crate) motion: WeldMotion,
 }
 
 struct Folder;
 
 impl Planned {
-    pub fn example(name: &str) -> Self {
+    pub(crate) fn example(name: &str) -> Self {
         let path = format!("{}/../../examples/{name}.toml", env!("CARGO_MANIFEST_DIR"));
         Self::job(&std::fs::read_to_string(path).unwrap())
     }
 
-    pub fn job(text: &str) -> Self {
-        Self::on(text, |machine| machine.to_owned())
+    pub(crate) fn job(text: &str) -> Self {
+        Self::on(text, str::to_owned)
     }
 
     /// With a changed machine file.
-    pub fn on(text: &str, change: impl Fn(&str) -> String) -> Self {
+    pub(crate) fn on(text: &str, change: impl Fn(&str) -> String) -> Self {
         let welding = Welding::read_with("job.toml", text, &Folder).unwrap();
         let file = change(shipped(&welding.program.value.machine).unwrap().text);
         let machine = Machine::read("m", &file).unwrap();
@@ -42,7 +42,7 @@ impl Planned {
         Self { machine, welding, motion }
     }
 
-    pub fn program(&self, control: &Control, options: &Options) -> Result<PartProgram, seamwright_post::Error> {
+    pub(crate) fn program(&self, control: &Control, options: &Options) -> Result<PartProgram, seamwright_post::Error> {
         let paths: Vec<_> = (0..self.welding.attitudes.len()).map(|i| self.welding.path(i)).collect();
         let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
         part_program(&self.machine, control, &self.welding.program.value, &paths, &self.motion, options)
@@ -50,7 +50,7 @@ impl Planned {
 }
 
 /// The steps of each pass, from its begin to the next one's.
-pub fn passes(program: &PartProgram) -> Vec<std::ops::Range<usize>> {
+pub(crate) fn passes(program: &PartProgram) -> Vec<std::ops::Range<usize>> {
     let mut begins: Vec<usize> =
         (0..program.steps.len()).filter(|i| matches!(program.steps[*i].what, What::Pass(_))).collect();
     begins.push(program.steps.len());
@@ -58,8 +58,8 @@ pub fn passes(program: &PartProgram) -> Vec<std::ops::Range<usize>> {
 }
 
 /// A way in time: rows at the part `f` of it.
-pub struct Way<'a> {
-    pub step: Move,
+pub(crate) struct Way<'a> {
+    pub(crate) step: Move,
     from: Vec<f64>,
     to: &'a [f64],
     shape: Shape<'a>,
@@ -77,7 +77,7 @@ enum Shape<'a> {
 
 /// All ways of the moves in a range of steps, in order; of splines each segment is one, also the two that the control
 /// adds to a run.
-pub fn ways<'a>(program: &'a PartProgram, range: std::ops::Range<usize>) -> Vec<(usize, Way<'a>)> {
+pub(crate) fn ways<'a>(program: &'a PartProgram, range: std::ops::Range<usize>) -> Vec<(usize, Way<'a>)> {
     let xyz = ["x", "y", "z"].map(|name| program.channels.iter().position(|c| c.name == name));
     let mut all: Vec<(usize, Way)> = Vec::new();
     let mut here = vec![0.0; program.channels.len()];
@@ -137,7 +137,7 @@ pub fn ways<'a>(program: &'a PartProgram, range: std::ops::Range<usize>) -> Vec<
 
 impl Way<'_> {
     /// The row at the part `f` of the time.
-    pub fn at(&self, f: f64) -> Vec<f64> {
+    pub(crate) fn at(&self, f: f64) -> Vec<f64> {
         let even = |i: usize| self.from[i] + f * (self.to[i] - self.from[i]);
         let n = self.from.len();
         match &self.shape {
@@ -182,7 +182,7 @@ impl Way<'_> {
     }
 
     /// Tip of head `head` at the part `f`.
-    pub fn tip(&self, machine: &Machine, head: usize, f: f64) -> DVec3 {
+    pub(crate) fn tip(&self, machine: &Machine, head: usize, f: f64) -> DVec3 {
         let row = self.at(f);
         if self.step.level == Level::Tip {
             return DVec3::from_array(self.xyz.map(|i| row[i.unwrap()]));

@@ -1,6 +1,7 @@
 //! A small reader of the four dialects, for tests: lines to words, words to rows and times.
 
 #![allow(dead_code, reason = "each test uses a part")]
+#![allow(clippy::float_cmp, reason = "codes are whole numbers")]
 
 use glam::DVec3;
 use seamwright_post::{Control, Dialect};
@@ -8,15 +9,15 @@ use std::f64::consts::TAU;
 
 /// What was read of a text.
 #[derive(Default)]
-pub struct Read {
+pub(crate) struct Read {
     /// The row after each line of motion.
-    pub rows: Vec<Vec<f64>>,
+    pub(crate) rows: Vec<Vec<f64>>,
     /// Time of each of them, s; 0 for rapid ones.
-    pub times: Vec<f64>,
+    pub(crate) times: Vec<f64>,
     /// All dwells, s.
-    pub dwells: f64,
+    pub(crate) dwells: f64,
     /// Lines that are neither comments nor empty.
-    pub lines: usize,
+    pub(crate) lines: usize,
 }
 
 /// The address and the value of each word: `X=1.5`, `X1.5`, `X1.5:2` (two values), `TM(5)`.
@@ -72,7 +73,7 @@ fn is_other(dialect: Dialect, line: &str) -> bool {
 }
 
 /// Reads a text and checks its form line by line.
-pub fn read(control: &Control, text: &str) -> Read {
+pub(crate) fn read(control: &Control, text: &str) -> Read {
     let longest = match control.dialect {
         Dialect::Linuxcnc | Dialect::Pmac => 255,
         Dialect::Grblhal => 256,
