@@ -4,10 +4,11 @@
 use glam::DVec3;
 use seamwright_machine::{AxisKind, Clamped, Joints, Machine, Surroundings, shipped};
 use seamwright_motion::{PassMotion, WeldMotion};
-use seamwright_post::{Control, Dialect, Error, Level, Options, WriteOptions, part_program, write};
+use seamwright_post::{Control, Dialect, Error, Level, Options, WriteOptions, linearise, part_program, write};
 use seamwright_program::{Pass, Program, TorchPath};
 use seamwright_weld::Welding;
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 
 const EXAMPLES: [&str; 4] = [
     include_str!("../../../examples/saddle.toml"),
@@ -53,8 +54,38 @@ fn post(job: &str, options: &Options) -> Result<Posted, Error> {
     Ok(Posted { machine, welding, motion, text })
 }
 
-/// Positions by letter after each G0 or G1 between arc on and arc off, the first being the start; and the arc's time.
-fn read(text: &str) -> (Vec<BTreeMap<char, f64>>, f64) {
+/// A line or an arc of the text: positions by letter at its end, and what an arc has more.
+#[derive(Clone)]
+struct Read {
+    at: BTreeMap<char, f64>,
+    /// Centre from the start by I J K, and whether it goes clockwise.
+    arc: Option<([f64; 3], bool)>,
+}
+
+impl Read {
+    /// Positions at the part `f` of the way from `before`.
+    fn part(&self, before: &BTreeMap<char, f64>, f: f64) -> BTreeMap<char, f64> {
+        let mut at: BTreeMap<char, f64> = before.iter().map(|(l, a)| (*l, a + f * (self.at[l] - a))).collect();
+        if let Some((to_centre, clockwise)) = self.arc {
+            // The two letters of the plane in the order of their turn: XY, ZX, YZ.
+            let plane = [('X', 'Y', 0, 1), ('Z', 'X', 2, 0), ('Y', 'Z', 1, 2)]
+                .into_iter()
+                .find(|p| !to_centre[p.2].is_nan() && !to_centre[p.3].is_nan());
+            let (u, v, i, j) = plane.unwrap();
+            let centre = (before[&u] + to_centre[i], before[&v] + to_centre[j]);
+            let angle = |p: &BTreeMap<char, f64>| (p[&v] - centre.1).atan2(p[&u] - centre.0);
+            let turn = (angle(&self.at) - angle(before)).rem_euclid(TAU);
+            let turn = if clockwise { turn - TAU } else { turn };
+            let (radius, now) = (to_centre[i].hypot(to_centre[j]), angle(before) + f * turn);
+            at.insert(u, centre.0 + radius * now.cos());
+            at.insert(v, centre.1 + radius * now.sin());
+        }
+        at
+    }
+}
+
+/// Lines and arcs between arc on and arc off, the first being the start; and the arc's time.
+fn read(text: &str) -> (Vec<Read>, f64) {
     let (mut here, mut points, mut time, mut on, mut inverse) = (BTreeMap::new(), Vec::new(), 0.0, false, false);
     for line in text.lines() {
         let line = line.split('(').next().unwrap_or_default().trim();
@@ -65,19 +96,22 @@ fn read(text: &str) -> (Vec<BTreeMap<char, f64>>, f64) {
         inverse = (inverse || has('G', 93.0)) && !has('G', 94.0);
         if (has('M', 64.0) || has('M', 62.0)) && has('P', 0.0) && !on {
             on = true;
-            points.push(here.clone());
+            points.push(Read { at: here.clone(), arc: None });
         }
         on &= !(has('M', 65.0) && has('P', 0.0));
         if has('G', 4.0) && on {
             time += value('P').unwrap();
         }
-        if has('G', 0.0) || has('G', 1.0) {
+        if (0..4).any(|g| has('G', f64::from(g))) {
             let before = here.clone();
             here.extend(words.iter().copied().filter(|w| "XYZABC".contains(w.0)));
             if on {
                 assert!(inverse);
-                time += duration(&before, &here, value('F').unwrap());
-                points.push(here.clone());
+                let centre = ['I', 'J', 'K'].map(|l| value(l).unwrap_or(f64::NAN));
+                let arc = (has('G', 2.0) || has('G', 3.0)).then_some((centre, has('G', 2.0)));
+                let read = Read { at: here.clone(), arc };
+                time += duration(&before, &read, value('F').unwrap());
+                points.push(read);
             }
         }
     }
@@ -86,7 +120,11 @@ fn read(text: &str) -> (Vec<BTreeMap<char, f64>>, f64) {
 
 /// Time of a G93 block, s: LinuxCNC makes a feed of it, counting X Y Z if they move and else A B C, and never goes
 /// below 0.1 per minute.
-fn duration(a: &BTreeMap<char, f64>, b: &BTreeMap<char, f64>, per_minute: f64) -> f64 {
+fn duration(a: &BTreeMap<char, f64>, read: &Read, per_minute: f64) -> f64 {
+    if read.arc.is_some() {
+        return 60.0 / per_minute;
+    }
+    let b = &read.at;
     let length =
         |letters: &str| letters.chars().filter_map(|l| Some((b.get(&l)? - a.get(&l)?).powi(2))).sum::<f64>().sqrt();
     let linear = length("XYZ");
@@ -122,7 +160,7 @@ fn check(job: &str, level: Level, tolerance_mm: f64) -> usize {
     for w in points.windows(2) {
         for k in 0..=20 {
             let f = f64::from(k) / 20.0;
-            let at: BTreeMap<char, f64> = w[0].iter().map(|(l, a)| (*l, a + f * (w[1][l] - a))).collect();
+            let at = w[1].part(&w[0].at, f);
             let tip = match level {
                 Level::Joint => p.machine.forward(&joints(&p.machine, &at)).point,
                 Level::Tip => DVec3::new(at[&'X'], at[&'Y'], at[&'Z']),
@@ -154,8 +192,13 @@ fn blocks_stay_on_the_seam_and_keep_the_time() {
 
 #[test]
 fn no_block_could_be_left_out() {
-    // Greedy blocks: doubling the tolerance must need fewer, by about the square root of two where chords decide.
-    let (fine, coarse) = (check(EXAMPLES[2], Level::Joint, 0.001), check(EXAMPLES[2], Level::Joint, 0.002));
+    // Greedy lines: doubling the tolerance must need fewer, by about the square root of two where chords decide.
+    let p = post(EXAMPLES[2], &Options::default()).unwrap();
+    let lines = |tolerance: f64| {
+        let used = (0.9 - 0.05) * tolerance;
+        linearise(&p.machine, &p.motion, &[], Level::Joint, used).unwrap().blocks.len()
+    };
+    let (fine, coarse) = (lines(0.001), lines(0.002));
     assert!((fine as f64 / coarse as f64 - 2f64.sqrt()).abs() < 0.1, "{fine} {coarse}");
     // An ellipse's blocks, counted from its curvature: ds = sqrt(8 tol / k), so n is the integral of sqrt(k / 8 tol).
     // A tenth of the tolerance is the control's, and 2 % of the rest is kept for what lies between the places checked.
@@ -171,6 +214,9 @@ fn no_block_could_be_left_out() {
         / 100_000.0;
     let with_overlap = n * 118.447 / 113.447;
     assert!((fine as f64 - with_overlap).abs() < 0.05 * n + 3.0, "{fine} blocks, {with_overlap} by curvature");
+    // Arcs: their distance goes with the cube of their length.
+    let (fine, coarse) = (check(EXAMPLES[2], Level::Joint, 0.001), check(EXAMPLES[2], Level::Joint, 0.008));
+    assert!((fine as f64 / coarse as f64 - 2.0).abs() < 0.4 && 2 * fine < lines(0.001), "{fine} {coarse}");
 }
 
 #[test]
@@ -230,7 +276,7 @@ fn values_follow_the_weave() {
             most_step = most_step.max(if time > 0.0 { f64::abs(next - current) } else { 0.0 });
             current = next;
         }
-        let Some(feed) = number('F').filter(|_| line.starts_with("G1 ")) else { continue };
+        let Some(feed) = number('F') else { continue };
         time += 60.0 / feed;
         let s = p.motion.law.at(time, &mut cursor).s;
         let swing = pass.swing_at(0.5 * (before + s));

@@ -93,9 +93,10 @@ pub fn part_program(
     for (i, (pass, planned)) in program.passes.iter().zip(&motion.passes).enumerate() {
         if is_posted_as_it_stands(control, pass) {
             steps.program.push(What::Pass(pass.name.as_str().into()));
-            let next = program.passes.get(i + 1).filter(|_| motion.air[i + 1].legs.is_empty());
+            let next =
+                program.passes.get(i + 1).filter(|next| motion.air[i + 1].legs.is_empty() && goes_on(pass, next));
             let way: Vec<Joints> = motion.air[i].legs.iter().map(|leg| *leg.end()).collect();
-            steps.stands(pass, &way, (i == 0, next.is_some_and(Pass::has_arc)));
+            steps.stands(pass, &way, (i == 0, next.is_some()));
             continue;
         }
         let course = Course::new(control, pass);
@@ -123,11 +124,16 @@ pub fn points_part_program(machine: &Machine, control: &Control, program: &Progr
         let next = program.passes.get(i + 1).and_then(|next| Some((next, ends(machine, next)?.0)));
         let way = if here == Some(start) { Vec::new() } else { vec![start] };
         steps.program.push(What::Pass(pass.name.as_str().into()));
-        let burns_on = next.is_some_and(|(next, start)| next.has_arc() && start == end);
+        let burns_on = next.is_some_and(|(next, start)| goes_on(pass, next) && start == end);
         steps.stands(pass, &way, (i == 0, burns_on));
         here = Some(end);
     }
     Some(steps.program)
+}
+
+/// Whether the arc burns on from one pass into the next, if they are in one place.
+fn goes_on(pass: &Pass, next: &Pass) -> bool {
+    next.has_arc() && pass.sequence.postflow_s.get() + next.sequence.preflow_s.get() <= 0.0
 }
 
 fn check_tip(control: &Control, motion: &WeldMotion, second: bool) -> Result<(), Error> {

@@ -13,6 +13,8 @@ use seamwright_program::TorchPath;
 pub(crate) const TICK: f64 = 2.5e-7;
 /// Shortest time of a block that the control keeps up with, s.
 const SHORTEST_S: f64 = 5e-4;
+/// Values that change sooner than this are late by half a block at most, s.
+const STEADY_S: f64 = 0.02;
 /// Blocks that a leg begins with, at least.
 const FEWEST: f64 = 6.0;
 /// Places checked within a block.
@@ -43,7 +45,7 @@ pub(crate) fn splines(
     let start = plan.block(&plan.row(0.0), 0.0, 0.0);
     let mut all = Linearisation { start, blocks: Vec::new(), chord_error_mm: 0.0 };
     let legs = motion.law.legs();
-    let finest = least_step(motion, breaks).min(cutting.longest_s);
+    let finest = least_step(motion, breaks).max(STEADY_S).min(cutting.longest_s);
     for (i, leg) in legs.iter().enumerate() {
         let (begin, end) = (motion.law.time(leg.from), motion.law.time(leg.to));
         let mut count = ((end - begin) / finest).max(FEWEST).ceil();

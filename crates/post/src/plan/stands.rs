@@ -2,9 +2,8 @@
 
 use super::course::Course;
 use super::steps::Steps;
-use crate::Dialect;
 use crate::part_program::{Event, Path};
-use crate::points::steps as blocks;
+use crate::points::{Part, steps as blocks};
 use seamwright_document::{Finite, NonNegative, Positive};
 use seamwright_machine::Joints;
 use seamwright_program::{Along, Pass, Ramp, Span, SpanValue};
@@ -57,10 +56,11 @@ impl Steps<'_> {
         }
         let (machine, control) = (self.machine, self.control);
         // Switched at its start, and the values that it begins with.
-        blocks(machine, control, pass, (&mut self.program, &mut self.row), 0);
+        blocks(machine, control, pass, (&mut self.program, &mut self.row), Part::Begin);
         self.begin(&ends, &course);
-        blocks(machine, control, pass, (&mut self.program, &mut self.row), 1);
+        blocks(machine, control, pass, (&mut self.program, &mut self.row), Part::Blocks);
         self.finish(&ends, &course, burns_on);
+        blocks(machine, control, pass, (&mut self.program, &mut self.row), Part::End);
     }
 
     fn stand_at(&mut self, q: &Joints) {
@@ -75,7 +75,8 @@ impl Steps<'_> {
         self.dwell(sequence.preflow_s.get(), "before");
         let delay = sequence.travel_delay_s.get();
         if pass.has_arc() && !self.arc {
-            self.event(Event::Arc(true), delay > 0.0);
+            // At once: what LinuxCNC switches with a motion it keeps until another motion says otherwise.
+            self.event(Event::Arc(true), true);
             self.arc = true;
         }
         let upslope = sequence.upslope.as_ref().map_or(0.0, |s| s.time_s.get());
@@ -106,10 +107,6 @@ impl Steps<'_> {
         }
         if self.arc && !burns_on {
             self.event(Event::Arc(false), true);
-            // LinuxCNC keeps what M62 said until a motion says otherwise.
-            if self.control.dialect == Dialect::Linuxcnc {
-                self.event(Event::Arc(false), false);
-            }
             self.arc = false;
         }
         self.dwell(sequence.postflow_s.get(), "after");

@@ -241,7 +241,7 @@ impl<'a> Steps<'a> {
         let mut changes = false;
         for (channel, value) in ends {
             let value = rounded(value, SCALE);
-            changes |= self.row[channel] != value;
+            changes |= self.row[channel].to_bits() != value.to_bits();
             self.row[channel] = value;
         }
         if changes {

@@ -1,4 +1,4 @@
-use crate::part_program::{Arc, Event, Level, Move, PartProgram, Path, What};
+use crate::part_program::{Arc, ChannelKind, Event, Level, Move, PartProgram, Path, What};
 use crate::{Control, Dialect};
 use glam::DVec3;
 use seamwright_document::{Direction, Finite};
@@ -62,14 +62,25 @@ pub(crate) fn ends(machine: &Machine, pass: &Pass) -> Option<(Joints, Joints)> {
     Some((at(&points.start), at(points.rows().last()?)))
 }
 
-/// The steps of `pass` as it stands, appended to `program`; `here` is the row that the control is at, and is left where
-/// they end. Part 0 is what is switched and set at its start, part 1 its blocks.
+/// A part of a pass.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Part {
+    /// What is switched and set at its start.
+    Begin,
+    /// Its blocks.
+    Blocks,
+    /// What is switched when it is over.
+    End,
+}
+
+/// Steps of `pass` as it stands, appended to `program`; `here` is the row that the control is at, and is left where they
+/// end.
 pub(crate) fn steps(
     machine: &Machine,
     control: &Control,
     pass: &Pass,
     (program, here): (&mut PartProgram, &mut Vec<f64>),
-    part: u8,
+    part: Part,
 ) {
     let Some(points) = &pass.points else { return };
     let columns = points.known_columns();
@@ -83,9 +94,10 @@ pub(crate) fn steps(
         base[i] = axis.to_file(home[i]);
     }
     let mut writer = Steps { machine, points, channels, base, number: columns.number, timed: columns.timed, program };
-    if part == 0 {
-        writer.begin(here);
-        return;
+    match part {
+        Part::Begin => return writer.begin(here),
+        Part::End => return writer.events(points.count()),
+        Part::Blocks => {}
     }
     let mut reached = 0;
     for span in &points.spans {
@@ -94,7 +106,9 @@ pub(crate) fn steps(
             writer.block(span, k, (here, &row), point);
             *here = row;
             reached += 1;
-            writer.events(reached);
+            if reached < points.count() {
+                writer.events(reached);
+            }
         }
     }
 }
@@ -158,6 +172,15 @@ impl Steps<'_> {
             }
             Along::Line | Along::Spline | Along::Taught => Path::Line,
         };
+        for channel in self.program.axes()..to.len() {
+            let stepped = self.program.channels[channel].kind == ChannelKind::Stepped;
+            if stepped && (to[channel] - from[channel]).abs() > 0.0 {
+                // Where nothing moves there is no motion to wait for.
+                let axes = self.program.axes();
+                let at_once = from[..axes] == to[..axes];
+                self.program.push(What::Set { channel: channel as u16, value: to[channel], at_once });
+            }
+        }
         let last = point[point.len() - 1].get();
         let seconds = match path {
             Path::Rapid => 0.0,

@@ -1,57 +1,93 @@
 use seamwright_document::{NonNegative, Positive};
-use seamwright_program::{Sequence, Slope};
+use seamwright_program::{PointEvent, Sequence, Slope};
 
-/// Times in which nothing moves, in order: whether the arc is on, how long, and the process values.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Rests {
-    all: Vec<(bool, f64, Vec<f64>)>,
-    taken: bool,
+/// Something between two moves.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Gap {
+    /// Nothing moves: whether the arc is on, how long, s, and the process values.
+    Rest(bool, f64, Vec<f64>),
+    /// Something is switched or said.
+    Event(PointEvent),
 }
 
-/// The rests at the end of a pass.
+/// What is between two moves, in order.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Rests(Vec<Gap>);
+
+/// What is at the end of a pass.
 #[derive(Debug, Clone, Default)]
 pub(super) struct End {
     burning: Vec<(f64, Vec<f64>)>,
     after_s: f64,
+    /// What is switched when it is over.
+    pub(super) events: Vec<PointEvent>,
 }
 
 impl Rests {
-    pub(super) fn add(&mut self, arc: bool, seconds: f64, values: Vec<f64>) {
-        self.all.push((arc, seconds, values));
+    pub(super) fn add(&mut self, gap: Gap) {
+        self.0.push(gap);
     }
 
-    pub(super) fn is_empty(&self) -> bool {
-        self.all.is_empty()
+    /// Whether the control rests.
+    pub(super) fn is_rest(&self) -> bool {
+        self.0.iter().any(|gap| matches!(gap, Gap::Rest(..)))
     }
 
-    /// Whether the last pass took any.
-    pub(super) fn was_taken(&self) -> bool {
-        self.taken
-    }
-
-    /// Takes those that end a pass with the arc on: while it burns on, and after it has gone off. A pass without the arc
-    /// leaves all to the next.
-    pub(super) fn take_end(&mut self, arc: bool) -> End {
-        self.taken = false;
-        if !arc {
-            return End::default();
+    /// Takes what belongs to the pass before: with the arc on, the time that it burns on and the time after it, and what
+    /// is switched then; or everything, if no pass follows.
+    pub(super) fn take_end(&mut self, arc: bool, last: bool) -> End {
+        let mut end = End::default();
+        let goes_on = |end: &End, gap: &Gap| match gap {
+            Gap::Event(_) => true,
+            Gap::Rest(true, ..) => arc && end.after_s <= 0.0 && end.events.is_empty(),
+            Gap::Rest(false, ..) => arc && end.events.is_empty(),
+        };
+        let mut taken = 0;
+        for gap in &self.0 {
+            if !last && !goes_on(&end, gap) {
+                break;
+            }
+            taken += 1;
+            match gap {
+                Gap::Event(event) => end.events.push(event.clone()),
+                Gap::Rest(true, seconds, values) => end.burning.push((*seconds, values.clone())),
+                Gap::Rest(false, seconds, _) => end.after_s += seconds,
+            }
         }
-        let burning = self.all.iter().take_while(|rest| rest.0).count();
-        let off = self.all[burning..].iter().take_while(|rest| !rest.0).count();
-        let mut all = self.all.drain(..burning + off);
-        let burning: Vec<(f64, Vec<f64>)> = all.by_ref().take(burning).map(|(_, s, values)| (s, values)).collect();
-        let end = End { burning, after_s: all.map(|rest| rest.1).sum() };
-        self.taken = !end.burning.is_empty() || end.after_s > 0.0;
+        self.0.drain(..taken);
         end
+    }
+
+    /// Everything, in order.
+    pub(super) fn take_all(&mut self) -> Vec<Gap> {
+        std::mem::take(&mut self.0)
+    }
+
+    /// What is switched before the next pass, which is left without it.
+    pub(super) fn take_events(&mut self) -> Vec<PointEvent> {
+        let mut events = Vec::new();
+        self.0.retain(|gap| match gap {
+            Gap::Event(event) => {
+                events.push(event.clone());
+                false
+            }
+            Gap::Rest(..) => true,
+        });
+        events
     }
 
     /// The sequence of a pass that begins with these rests and ends with `end`; `names` are those of the process values,
     /// `first` and `last` their values when it begins to travel and when it ends.
     pub(super) fn sequence(&self, names: &[String], (first, last): (&[f64], &[f64]), end: &End) -> Sequence {
-        let burning: Vec<(f64, Vec<f64>)> =
-            self.all.iter().filter(|rest| rest.0).map(|(_, seconds, values)| (*seconds, values.clone())).collect();
+        let of = |on: bool| {
+            self.0.iter().filter_map(move |gap| match gap {
+                Gap::Rest(arc, seconds, values) if *arc == on => Some((*seconds, values.clone())),
+                _ => None,
+            })
+        };
+        let burning: Vec<(f64, Vec<f64>)> = of(true).collect();
         let sum = |rests: &[(f64, Vec<f64>)]| seconds(rests.iter().map(|rest| rest.0).sum());
-        let preflow_s = seconds(self.all.iter().filter(|rest| !rest.0).map(|rest| rest.1).sum());
+        let preflow_s = seconds(of(false).map(|rest| rest.0).sum());
         let (travel_delay_s, crater_s) = (sum(&burning), sum(&end.burning));
         let upslope = slope(names, &burning, first);
         // From its end back a downslope is an upslope.
@@ -71,6 +107,10 @@ fn seconds(value: f64) -> NonNegative {
 fn slope(names: &[String], rests: &[(f64, Vec<f64>)], weld: &[f64]) -> Option<Slope> {
     let differs = |values: &[f64]| values.iter().zip(weld).any(|(a, b)| (a - b).abs() > 1e-9);
     let last = rests.iter().rposition(|(_, values)| differs(values))?;
+    // Values that stay are no slope: they jump when the torch begins to travel.
+    if last == 0 || rests[..=last].windows(2).all(|w| w[0].1 == w[1].1) {
+        return None;
+    }
     let time: f64 = rests[..=last].iter().map(|rest| rest.0).sum();
     let part = 0.5 * rests[0].0 / time;
     let outer = |(value, weld): (&f64, &f64)| if part < 0.5 { (value - part * weld) / (1.0 - part) } else { *value };
@@ -88,13 +128,13 @@ mod tests {
         let names = ["current_a".to_owned()];
         for (from, weld, time, steps) in [(20.0, 200.0, 0.5, 10), (150.0, 100.0, 2.0, 50), (0.0, 80.0, 1.0, 3)] {
             let mut rests = Rests::default();
-            rests.add(false, 0.7, vec![0.0]);
+            rests.add(Gap::Rest(false, 0.7, vec![0.0]));
             let step = time / f64::from(steps);
             for i in 0..steps {
                 let part = (f64::from(i) + 0.5) / f64::from(steps);
-                rests.add(true, step, vec![from + part * (weld - from)]);
+                rests.add(Gap::Rest(true, step, vec![from + part * (weld - from)]));
             }
-            rests.add(true, 0.3, vec![weld]);
+            rests.add(Gap::Rest(true, 0.3, vec![weld]));
             let sequence = rests.sequence(&names, (&[weld], &[weld]), &End::default());
             let slope = sequence.upslope.unwrap();
             assert!((sequence.preflow_s.get() - 0.7).abs() < 1e-12);

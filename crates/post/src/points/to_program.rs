@@ -1,4 +1,4 @@
-use super::rests::Rests;
+use super::rests::{Gap, Rests};
 use crate::part_program::{ChannelKind, Event, Level, Move, PartProgram, Path, Step, What};
 use crate::play::{Segment, play};
 use crate::{Control, Error};
@@ -14,8 +14,8 @@ use std::f64::consts::PI;
 /// block. Corners that the control goes through without a stop are blended within `blend_mm`.
 ///
 /// A new pass begins where the part program begins one, where the arc goes on or off, where the control rests, and where
-/// the control's kinematics are switched. Where the control's machine file gives no way to switch the arc, it is on in
-/// feed moves and off in rapid ones.
+/// the control's kinematics are switched. Where the machine file gives no way to switch the arc, it is on in feed moves
+/// and off in rapid ones.
 ///
 /// # Errors
 /// [`Error::Nothing`] if nothing moves.
@@ -32,15 +32,16 @@ pub fn to_program(
         machine,
         read,
         used,
-        switches_arc: control.switches_arc() && read.steps.iter().any(is_arc),
+        switches_arc: control.switches_arc(),
         numbered: read.steps.iter().any(|step| step.number.is_some() && matches!(step.what, What::Move(_))),
         corner: AtCorner::BlendMm(blend_mm),
         here: start.to_vec(),
+        before: start.to_vec(),
         done: Vec::new(),
         open: None,
         name: None,
         rests: Rests::default(),
-        events: Vec::new(),
+        switched: false,
     };
     let mut segments = segments.into_iter().peekable();
     for (i, step) in read.steps.iter().enumerate() {
@@ -50,7 +51,7 @@ pub fn to_program(
         }
         builder.step(step, &of_step);
     }
-    builder.close();
+    builder.close(true);
     if builder.done.is_empty() {
         return Err(Error::Nothing);
     }
@@ -73,10 +74,6 @@ pub fn to_program(
         procedure: None,
         passes: builder.done,
     })
-}
-
-fn is_arc(step: &Step) -> bool {
-    matches!(step.what, What::Event { event: Event::Arc(_), .. })
 }
 
 /// Process channels that are ever other than 0.
@@ -109,28 +106,34 @@ struct Builder<'a> {
     corner: AtCorner,
     /// All channels where the last step ended.
     here: Vec<f64>,
+    /// The same before the rests since the last move.
+    before: Vec<f64>,
     done: Vec<Pass>,
     open: Option<Open>,
     /// Name that the next pass has.
     name: Option<String>,
-    /// Rests since the last move.
+    /// What came since the last move.
     rests: Rests,
-    /// Events since the last move.
-    events: Vec<PointEvent>,
+    /// Whether the arc was switched since then.
+    switched: bool,
 }
 
 impl Builder<'_> {
     fn step(&mut self, step: &Step, segments: &[Segment]) {
         match &step.what {
             What::Pass(name) => {
-                self.close();
+                self.close(false);
                 self.name = Some(name.to_string());
             }
             What::Move(m) => segments.iter().for_each(|segment| self.segment(step, m, segment)),
+            What::Dwell(seconds) if *seconds <= 0.0 => {}
             What::Dwell(seconds) => {
+                if !self.rests.is_rest() {
+                    self.before.clone_from(&self.here);
+                }
                 for segment in segments {
                     let values = self.used.iter().map(|i| segment.end()[*i]).collect();
-                    self.rests.add(segment.arc, *seconds, values);
+                    self.rests.add(Gap::Rest(segment.arc, *seconds, values));
                     self.here = segment.end().to_vec();
                 }
             }
@@ -141,14 +144,17 @@ impl Builder<'_> {
 
     fn event(&mut self, event: &Event) {
         let none = PointEvent { after: 0, gas: None, wire: None, output: None, on: None, message: None, call: None };
-        self.events.push(match event {
-            Event::Arc(_) => return,
+        self.rests.add(Gap::Event(match event {
+            Event::Arc(on) => {
+                self.switched |= self.switches_arc && self.open.as_ref().is_some_and(|open| open.arc != *on);
+                return;
+            }
             Event::Gas(on) => PointEvent { gas: Some(*on), ..none },
             Event::Wire(on) => PointEvent { wire: Some(*on), ..none },
             Event::Output(number, on) => PointEvent { output: Some(*number), on: Some(*on), ..none },
             Event::Message(text) => PointEvent { message: Some(text.to_string()), ..none },
             Event::Call(name) => PointEvent { call: Some(name.to_string()), ..none },
-        });
+        }));
     }
 
     fn segment(&mut self, step: &Step, m: &Move, segment: &Segment) {
@@ -157,17 +163,50 @@ impl Builder<'_> {
         if stands {
             return;
         }
-        let goes_on = self.open.as_ref().is_some_and(|open| open.arc == arc && open.level == m.level);
-        if !goes_on || !self.rests.is_empty() {
-            self.close();
-            self.begin(arc, m.level, segment.start());
+        let same = |open: &Open| open.arc == arc && open.level == m.level;
+        let goes_on = !std::mem::take(&mut self.switched) && self.open.as_ref().is_some_and(same);
+        if goes_on && self.rests.is_rest() {
+            self.rest_within();
+        }
+        if !goes_on {
+            let mut start = segment.start().to_vec();
+            let before = if self.rests.is_rest() { &self.before } else { &self.here };
+            for (i, channel) in self.read.channels.iter().enumerate() {
+                if channel.kind == ChannelKind::Stepped {
+                    start[i] = before[i];
+                }
+            }
+            self.close(false);
+            self.begin(arc, m.level, &start);
         }
         let Some(open) = &mut self.open else { return };
         let reached = open.points.count();
-        open.points.events.extend(self.events.drain(..).map(|event| PointEvent { after: reached, ..event }));
+        let events = self.rests.take_events().into_iter();
+        open.points.events.extend(events.map(|event| PointEvent { after: reached, ..event }));
         let number = step.number.filter(|_| self.numbered);
         self.add(m, segment, number);
         self.here = segment.end().to_vec();
+    }
+
+    /// Adds rests within a pass to it: points where the torch is.
+    fn rest_within(&mut self) {
+        for gap in self.rests.take_all() {
+            let Some(open) = &mut self.open else { return };
+            match gap {
+                Gap::Event(event) => open.points.events.push(PointEvent { after: open.points.count(), ..event }),
+                Gap::Rest(_, seconds, values) => {
+                    let level = open.level;
+                    let mut row = self.here.clone();
+                    self.used.iter().zip(values).for_each(|(i, value)| row[*i] = value);
+                    let point = self.point(&row, level, None, seconds);
+                    let (along, stops, via_mm, normal) = (Along::Line, false, None, None);
+                    let span = PointSpan { along, stops, via_mm, normal, speeds: Vec::new(), points: vec![point] };
+                    if let Some(open) = &mut self.open {
+                        push(&mut open.points.spans, span);
+                    }
+                }
+            }
+        }
     }
 
     /// Adds the points of a segment to the open pass.
@@ -271,23 +310,21 @@ impl Builder<'_> {
             false => format!("way {}", self.done.iter().filter(|pass| !pass.has_arc()).count() + 1),
         });
         let start = self.point(start, level, None, 0.0);
-        let points = Points { columns, arc, stepped, start, events: Vec::new(), spans: Vec::new() };
+        let events = self.rests.take_events();
+        let points = Points { columns, arc, stepped, start, events, spans: Vec::new() };
         self.open = Some(Open { name, arc, level, points, rests: std::mem::take(&mut self.rests) });
     }
 
-    /// Ends the open pass; what has rested since is its end if the arc burns on, and the next one's begin if not.
-    fn close(&mut self) {
+    /// Ends the open pass, the last one or not.
+    fn close(&mut self, last: bool) {
         let Some(mut open) = self.open.take() else { return };
         let names: Vec<String> = self.used.iter().map(|i| self.read.channels[*i].name.clone()).collect();
         let values = |row: Option<&[Finite]>| row.map_or(Vec::new(), |row| self.values(&open.points, row));
-        let (first, last) = (values(open.points.rows().nth(1)), values(open.points.rows().last()));
-        let end = self.rests.take_end(open.arc);
-        let sequence = open.rests.sequence(&names, (&first, &last), &end);
-        // What is switched before the pass ends belongs to its last point.
-        if !self.rests.is_empty() || self.rests.was_taken() {
-            let reached = open.points.count();
-            open.points.events.extend(self.events.drain(..).map(|event| PointEvent { after: reached, ..event }));
-        }
+        let (first, ended) = (values(open.points.rows().nth(1)), values(open.points.rows().last()));
+        let end = self.rests.take_end(open.arc, last);
+        let sequence = open.rests.sequence(&names, (&first, &ended), &end);
+        let reached = open.points.count();
+        open.points.events.extend(end.events.into_iter().map(|event| PointEvent { after: reached, ..event }));
         self.done.push(Pass {
             name: open.name,
             role: None,

@@ -13,7 +13,9 @@ impl Tongue for Grblhal {
     const SUBS: Option<bool> = None;
 
     fn head(&mut self, w: &mut Writer) {
-        w.text.line(STATE);
+        if w.passes() == 0 {
+            w.text.line(STATE);
+        }
     }
 
     fn begin(&mut self, w: &mut Writer, number: u32, name: &str, _sub: bool) {

@@ -63,7 +63,7 @@ impl Tongue for Linuxcnc {
 
     fn restart(&self, passes: u32) -> String {
         let last = sub_number(passes);
-        format!("to start again at pass N take out the calls before o10N call; the last pass is o{last}")
+        format!("to start again at pass N take out the calls before that of o[100 + N]; the last pass is o{last}")
     }
 
     fn level(&mut self, w: &mut Writer, level: Level) {

@@ -99,7 +99,7 @@ impl Pmac {
         words(w, to, |i| xyz.contains(&Some(i)));
         let to_centre = arc.centre - w.place(&w.here);
         for (k, letter) in ["I", "J", "K"].iter().enumerate().filter(|(k, _)| xyz[*k].is_some() && axis != Some(*k)) {
-            w.text.valued(letter, to_centre[k]);
+            w.text.fine(letter, to_centre[k]);
         }
         Ok(())
     }
@@ -153,9 +153,11 @@ impl Tongue for Pmac {
         w.text.word("I5190=1000");
         w.text.remark("feeds per second");
         w.text.end();
-        w.text.counted("OPEN PROG", PROGRAM);
+        w.text.counted("OPEN PROG ", PROGRAM);
         w.text.line("CLEAR");
-        self.state(w);
+        if w.passes() == 0 {
+            self.state(w);
+        }
     }
 
     fn begin(&mut self, w: &mut Writer, number: u32, name: &str, _sub: bool) {

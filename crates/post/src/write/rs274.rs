@@ -60,7 +60,7 @@ impl Rs274 {
             Some(arc) => self.arc(w, arc, to)?,
         }
         if let Some(feed) = feed {
-            w.text.valued("F", feed);
+            w.text.fine("F", feed);
         }
         flush(w);
         Ok(())
@@ -98,7 +98,7 @@ impl Rs274 {
         words(w, to, Some(square));
         let to_centre = arc.centre - w.place(&w.here);
         for k in (0..3).filter(|k| *k != square) {
-            w.text.valued(["I", "J", "K"][k], to_centre[k]);
+            w.text.fine(["I", "J", "K"][k], to_centre[k]);
         }
         let turns = whole_turns(arc);
         if turns > 0 {

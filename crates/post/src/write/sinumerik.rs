@@ -38,12 +38,12 @@ impl Sinumerik {
         w.text.line(text);
     }
 
-    /// The feed to be said, after the mode that it is in.
+    /// The feed to be said, after its mode: in the same block, since what waits for the next block must meet the motion.
     fn feed(&mut self, w: &mut Writer, step: &Move, arc: Option<&Arc>, to: &[f64]) -> Option<f64> {
         let per_minute = if w.options.feed == Feed::PerMinute { w.feed(step, arc, to) } else { None };
         let inverse = per_minute.is_none();
         if self.inverse != Some(inverse) {
-            self.line(w, if inverse { "G93" } else { "G94" });
+            w.text.word(if inverse { "G93" } else { "G94" });
             (self.inverse, self.feed) = (Some(inverse), None);
         }
         match per_minute {
@@ -71,7 +71,7 @@ impl Sinumerik {
             w.text.word("CIP");
             self.words(w, to, [true; 3]);
             let middle = arc.at(from, end, 0.5);
-            (0..3).for_each(|k| w.text.valued(["I1=", "J1=", "K1="][k], middle[k]));
+            (0..3).for_each(|k| w.text.fine(["I1=", "J1=", "K1="][k], middle[k]));
             return Ok(());
         };
         if self.plane != Some(square) {
@@ -81,7 +81,7 @@ impl Sinumerik {
         w.text.word(if arc.normal[square] * arc.sweep > 0.0 { "G3" } else { "G2" });
         self.words(w, to, std::array::from_fn(|k| k != square));
         let to_centre = arc.centre - w.place(&w.here);
-        (0..3).filter(|k| *k != square).for_each(|k| w.text.valued(["I=", "J=", "K="][k], to_centre[k]));
+        (0..3).filter(|k| *k != square).for_each(|k| w.text.fine(["I=", "J=", "K="][k], to_centre[k]));
         if whole_turns(arc) > 0 {
             w.text.counted("TURN=", whole_turns(arc));
         }
@@ -190,8 +190,8 @@ impl Tongue for Sinumerik {
         if rapid && w.pending.is_empty() && !w.order.iter().any(|i| w.changes(*i, to)) {
             return Ok(());
         }
-        let feed = if rapid { None } else { self.feed(w, step, arc.as_ref(), to) };
         self.block(w);
+        let feed = if rapid { None } else { self.feed(w, step, arc.as_ref(), to) };
         if step.exact_stop {
             w.text.word("G9");
         }
@@ -203,7 +203,7 @@ impl Tongue for Sinumerik {
             Some(arc) => self.arc(w, arc, to)?,
         }
         if let Some(feed) = feed {
-            w.text.valued("F=", feed);
+            w.text.fine("F=", feed);
         }
         w.text.glue(&w.pending);
         w.pending.clear();

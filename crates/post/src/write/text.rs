@@ -44,6 +44,12 @@ impl Text {
         self.number(value);
     }
 
+    /// A word and a feed or a centre behind it, to nine decimals.
+    pub(super) fn fine(&mut self, word: &str, value: f64) {
+        self.word(word);
+        number::push_fine(&mut self.out, value, self.point);
+    }
+
     /// A value behind what is there.
     pub(super) fn number(&mut self, value: f64) {
         number::push(&mut self.out, value, self.point);

@@ -166,15 +166,20 @@ impl<'a> Writer<'a> {
         let name = self.control.dialect.title();
         let text = format!("Seamwright {} for {name}: {}", env!("CARGO_PKG_VERSION"), self.program.title);
         self.text.comment(&text);
-        self.text.comment(&format!("machine: {}", self.options.machine));
+        if !self.options.machine.is_empty() {
+            self.text.comment(&format!("machine: {}", self.options.machine));
+        }
         let moves = self.program.steps.iter().filter_map(|step| match &step.what {
             What::Move(m) => Some(m.level),
             _ => None,
         });
         let tip = moves.into_iter().any(|level| level == Level::Tip);
-        self.text.comment(match tip {
-            false => "joint level: every word is an axis position, kinematics must be identity [trivkins on LinuxCNC]",
-            true => "tip level: X Y Z are the torch tip in the work frame, kinematics must match the machine",
+        self.text.comment(match (tip, self.control.dialect) {
+            (false, Dialect::Linuxcnc) => {
+                "joint level: every word is an axis position, kinematics must be identity [trivkins]"
+            }
+            (false, _) => "joint level: every word is an axis position, without transformations",
+            (true, _) => "tip level: X Y Z are the torch tip in the work frame, kinematics must match the machine",
         });
         let unit = |i: usize| if self.control.channels[i].kind == ChannelKind::Rotary { "degrees" } else { "mm" };
         let names: Vec<String> = (0..self.program.axes())
@@ -315,7 +320,7 @@ impl<'a> Writer<'a> {
             let what = format!("a block that takes {} s", step.seconds);
             return Err(Problem::new(what, "give it a time above 0 and up to an hour, in parts if need be"));
         }
-        if step.path == Path::Line && self.known && self.order.iter().all(|i| to[*i] == self.here[*i]) {
+        if step.path == Path::Line && self.known && !self.order.iter().any(|i| self.changes(*i, to)) {
             tongue.dwell(self, step.seconds, None);
         } else {
             tongue.go(self, step, to)?;
@@ -324,6 +329,11 @@ impl<'a> Writer<'a> {
         self.here.extend_from_slice(to);
         self.known = true;
         Ok(())
+    }
+
+    /// How many passes there are.
+    pub(super) fn passes(&self) -> usize {
+        self.program.steps.iter().filter(|step| matches!(step.what, What::Pass(_))).count()
     }
 
     /// Whether passes are sub-programs: where there are several that do more than go somewhere.
@@ -344,7 +354,7 @@ impl<'a> Writer<'a> {
 
     /// Whether channel `i` must be said to get it to its value in `to`.
     pub(super) fn changes(&self, i: usize, to: &[f64]) -> bool {
-        !self.known || to[i] != self.here[i]
+        !self.known || to[i].to_bits() != self.here[i].to_bits()
     }
 
     /// X, Y and Z of a row as the control's arcs see them.
