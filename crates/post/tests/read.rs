@@ -1,5 +1,7 @@
 //! Part programs read, dialect by dialect: modal state, words, expressions, sub-programs; the printed program of EBW-2004.
 
+#![allow(clippy::float_cmp, reason = "numbers as written come back exactly")]
+
 mod reading;
 
 use reading::{events, good, moves, near, rows, sets};
