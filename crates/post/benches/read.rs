@@ -3,7 +3,6 @@
 #![allow(missing_docs, reason = "the benchmark macros make public items")]
 
 #[path = "../tests/reading/mod.rs"]
-#[allow(dead_code, unreachable_pub, reason = "it has more than speed")]
 mod reading;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};

@@ -171,6 +171,12 @@ impl PartProgram {
         Self { title: title.to_owned(), channels, ..Self::default() }
     }
 
+    /// Makes room for so many moves, so that a long program is not copied while it grows.
+    pub(crate) fn reserve(&mut self, moves: usize) {
+        self.steps.reserve(moves);
+        self.rows.reserve(moves * self.channels.len());
+    }
+
     /// Adds a row of all channels and gives its index.
     pub fn add_row(&mut self, row: &[f64]) -> u32 {
         debug_assert_eq!(row.len(), self.channels.len());

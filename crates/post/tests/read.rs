@@ -1,5 +1,7 @@
 //! Part programs read, dialect by dialect: modal state, words, expressions, sub-programs; the printed program of EBW-2004.
 
+#![allow(clippy::float_cmp, reason = "numbers as written come back exactly")]
+
 mod reading;
 
 use reading::{events, good, moves, near, rows, sets};
@@ -159,7 +161,7 @@ fn exact_stops() {
         [false, true, false, true, true, false, true, false]
     );
     assert_eq!(stops(Linuxcnc, "F9 G1 X1\nG61 X2\nG64 P0.1 Q0 X3\nG61.1 X4\nG4 P0\n"), [false, true, false, true]);
-    assert_eq!(stops(Grblhal, "F9 G1 X1\nG4 P0\nX2\nG4 P0.5\nG61 X3\n"), [true, false, false]);
+    assert_eq!(stops(Grblhal, "F9 G1 X1\nG4 P0 (exact stop)\nX2\nG4 P0.5\nG61 X3\n"), [true, false, false]);
     assert_eq!(stops(Pmac, "TM9 LINEAR X1\nDWELL0\nX2\nDELAY0\nX3 DWELL(100)\n"), [true, false, false]);
     let dwells: Vec<_> = good(Pmac, "TM9 X1\nDWELL0\nDELAY250\n")
         .steps
@@ -270,6 +272,11 @@ fn labels_begin_passes_where_there_are_no_sub_programs() {
         assert_eq!(*whats[2], What::Pass("N2000".into()));
         assert_eq!(program.steps[0].number, Some(1000));
     }
+    // grblHAL also where a numbered line says the whole modal state.
+    let text = "(title)\nN10 G90 (no pass)\nN1000 G21 G17 G90 G94 (root)\nN1010 G0 X1\nN2000 G21 G17 G90\n";
+    let passes: Vec<What> = good(Grblhal, text).steps.into_iter().map(|s| s.what).collect();
+    assert_eq!(passes[1], What::Pass("root".into()));
+    assert_eq!((&passes[3], passes.len()), (&What::Pass("N2000".into()), 4));
 }
 
 #[test]

@@ -175,11 +175,11 @@ fn steering_is_not_read() {
 /// Sub-programs that call each other many times over end in an error, not in a day's work.
 #[test]
 fn calls_that_multiply_are_refused() {
-    let mut text = "%_N_M_MPF\nS0 P9999\n".to_owned();
+    let mut text = "%_N_M_MPF\nSUB0 P9999\n".to_owned();
     for k in 0..4 {
-        text += &format!("%_N_S{k}_SPF\nS{} P9999\nM17\n", k + 1);
+        text += &format!("%_N_SUB{k}_SPF\nSUB{} P9999\nM17\n", k + 1);
     }
-    text += "%_N_S4_SPF\n;\nM17\n";
+    text += "%_N_SUB4_SPF\n;\nM17\n";
     assert!(bad(Sinumerik, &text).2.contains("lines of sub-programs"));
 }
 

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 const CORPUS: [&str; 6] = [
     include_str!("../../../examples/ebw-fig1.mpf"),
     "%_N_WELD_MPF\n;$PATH=/_N_WKS_DIR/_N_SEAMWRIGHT_WPD\nDEF REAL LEN=5.5\nG90 G71 G17 G40 G500 G64\nFGROUP(X,Y,Z,C1)\nG93\n\
-     R1=2*(LEN+1) R2=SIN(R1)+ATAN2(1,2)\nMSG(\"go\")\nPASS_1 P=2 ; root\nG94 F600 G2 X10 Y0 I5 J0 TURN=1\nG3 X0 CR=-6.5 C1=DC(30)\n\
+     R1=2*(LEN+1) R2=SIN(R1)+ATAN2(1,2)\nMSG(\"go\")\nPASS_1 P=2 ; root\nG94 F600 G0 X0 Y0\nG2 X10 Y0 I5 J0 TURN=1\nG3 X0 CR=-6.5 C1=DC(30)\n\
      CIP X10 Y5 I1=3 J1=4 K1=1\nTRAORI\nG0 X=AC(1) Y=2 Z=3 CW=0.5\nG3 AR=90 I5 J0\nM30\n%_N_PASS_1_SPF\nWHEN TRUE DO $A_OUT[1]=1\n\
      $A_OUTA[2]=22.5\nG60 G1 X=R1 F=30 CW=.5\nG4 F0.5\nPRESETON(CW,0,CW,1)\nM17\n",
     "%\n(title)\no101 sub (root)\nG93 G1 X[1+#1**2] Y#<len> F60\nG91 G2 X5 I2.5 P2 F2\nG90 M67 E0 Q120\nG18 G3 X0 Z3 R-9 F5\no101 endsub\n\

@@ -1,5 +1,7 @@
 //! Random programs written by a small writer of the test's own, and read back: rows, times, steps and their order.
 
+#![allow(clippy::float_cmp, reason = "numbers as written come back exactly")]
+
 mod reading;
 
 use reading::{Uniform, cases, near};

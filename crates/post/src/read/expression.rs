@@ -51,6 +51,17 @@ impl Expressions {
     pub(super) fn expression(&self, c: &mut Cursor) -> Read<f64> {
         c.blanks();
         let from = c.at;
+        if c.at_number() && c.look(1) != b'(' {
+            // Nearly always it is a number and nothing else.
+            let mut ahead = *c;
+            let value = ahead.number();
+            let behind = ahead.at;
+            ahead.blanks();
+            if value.is_ok() && !matches!(ahead.peek(), b'+' | b'-' | b'*' | b'/' | b'%' | b'M' | b'm' | b'D' | b'd') {
+                c.at = behind;
+                return value;
+            }
+        }
         let value = self.sum(c, 0)?;
         finite(value, c.since(from))
     }

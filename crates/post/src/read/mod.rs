@@ -91,6 +91,8 @@ struct Frame {
     sub: Option<(usize, u32)>,
 }
 
+/// Bytes of a usual block: room is made for so many moves.
+const USUAL_LINE: usize = 60;
 /// Calls within calls; LinuxCNC allows 10, Siemens 12.
 const DEEPEST: usize = 10;
 /// Lines of sub-programs that are read at most: a program that calls more is a mistake.
@@ -105,6 +107,7 @@ const MOST_LINES: u64 = 5_000_000;
 /// [`ReadError`] at the first thing that is wrong, or that is not understood unless `options.lenient`.
 pub fn read(control: &Control, file: &str, text: &str, options: &ReadOptions) -> Result<Reading, ReadError> {
     let mut state = State::new(control, options);
+    state.program.reserve(text.len() / USUAL_LINE);
     run(&mut state, text).map_err(|fault| fault.placed(file, text))?;
     let State { mut program, left_out, notes, .. } = state;
     if program.title.is_empty() {

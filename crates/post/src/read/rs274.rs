@@ -50,6 +50,8 @@ struct Line {
     /// M0, M1, M2 and M30.
     stop: Option<u32>,
     path: bool,
+    /// Number of steps before the line.
+    steps: usize,
 }
 
 impl Lines for Words {
@@ -72,7 +74,8 @@ impl Lines for Words {
             b'o' | b'O' if !grblhal => return self.program_word(state, c, programs),
             _ => {}
         }
-        let mut line = Line { block: Block { span: whole, ..Block::default() }, ..Line::default() };
+        let block = Block { span: whole, ..Block::default() };
+        let mut line = Line { block, steps: state.program.steps.len(), ..Line::default() };
         loop {
             c.blanks();
             if c.is_done() {

@@ -245,6 +245,9 @@ impl Line {
                 return Err(Fault::new(span, format!("{upper}: loops, branches and calls of others are not read"))
                     .cure("write the blocks out, one after the other"));
             }
+            _ if state.addresses.name(name).is_some() || "FGMIJKN".contains(&upper) => {
+                return Err(Fault::new(c.here(), format!("a value is missing behind {upper}")));
+            }
             _ => return Err(no_address(state.control, span, name)),
         }
         Ok(())

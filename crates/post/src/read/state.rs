@@ -268,9 +268,10 @@ impl<'a> State<'a> {
         if !(0.0..=1e6).contains(&seconds) {
             return Err(Fault::new(span, "this is no time to dwell").allowed("0 to 1000000 s"));
         }
+        let mut steps = self.program.steps.iter_mut().rev();
         if marks
             && seconds <= 0.0
-            && let Some(Step { what: What::Move(last), .. }) = self.program.steps.last_mut()
+            && let Some(Step { what: What::Move(last), .. }) = steps.find(|s| !matches!(s.what, What::Comment(_)))
         {
             last.exact_stop = true;
             return Ok(());

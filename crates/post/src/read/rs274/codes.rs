@@ -4,7 +4,7 @@ use super::{E, F, L, Line, P, Q, R, S};
 use crate::read::Flow;
 use crate::read::error::{Fault, Read, Span};
 use crate::read::state::{FeedMode, Motion, State};
-use crate::{Dialect, Event, Level};
+use crate::{Dialect, Event, Level, Step, What};
 
 /// Modal groups, as bits.
 const MOTION: u32 = 1;
@@ -126,6 +126,7 @@ impl Line {
     #[inline]
     pub(super) fn finish(mut self, state: &mut State) -> Read<Flow> {
         self.take_feed(state)?;
+        self.begin_pass(state);
         let moves = state.target.count > 0 || self.block.has_arc_word() || self.values[R].is_some();
         if let Some((value, _)) = self.values[S].take() {
             match state.addresses.letter(b'S') {
@@ -162,6 +163,21 @@ impl Line {
             None => {}
         }
         Ok(Flow::Next)
+    }
+
+    /// On grblHAL a numbered line that says the whole modal state and moves nothing begins a pass, named by its remark.
+    fn begin_pass(&self, state: &mut State) {
+        let all = PLANE | UNITS | DISTANCE;
+        let (Dialect::Grblhal, Some(number)) = (state.control.dialect, state.number) else { return };
+        if self.groups & all != all || state.target.count > 0 {
+            return;
+        }
+        let steps = &mut state.program.steps;
+        let here = steps.len() > self.steps;
+        match steps.pop_if(|step| here && matches!(step.what, What::Comment(_))) {
+            Some(Step { what: What::Comment(name), .. }) => state.pass(&name),
+            _ => state.pass(&format!("N{number}")),
+        }
     }
 
     fn take_feed(&mut self, state: &mut State) -> Read {
