@@ -40,7 +40,8 @@ def canonical(program):
         match = re.search(r"([A-Z_0-9]+)\(([^\"]*)\)\s*$", line)
         if match:
             numbers = [float(n) for n in re.findall(r"-?\d+\.?\d*", match.group(2))]
-            calls.append((match.group(1), numbers))
+            name = match.group(1)
+            calls.append((name + match.group(2)[-2:] if name == "SELECT_PLANE" else name, numbers))
     return calls
 
 
@@ -50,9 +51,27 @@ def block_length(a, b):
     return linear if linear > 0 else math.dist(a[3:6], b[3:6])
 
 
+# Places of the two axes of each plane and of the one square to it, in the interpreter's order.
+PLANES = {"XY": (0, 1, 2), "YZ": (1, 2, 0), "XZ": (2, 0, 1)}
+
+
+def arc_feed(here, plane, numbers):
+    """End of an arc or helix, and its length."""
+    u, v, w = PLANES[plane]
+    end_u, end_v, centre_u, centre_v, turns, end_w = numbers[:6]
+    end = list(here)
+    end[u], end[v], end[w] = end_u, end_v, end_w
+    end[3:] = numbers[6 : 6 + len(end) - 3]
+    radius = math.hypot(here[u] - centre_u, here[v] - centre_v)
+    begin = math.atan2(here[v] - centre_v, here[u] - centre_u)
+    angle = math.atan2(end_v - centre_v, end_u - centre_u) - begin
+    angle = angle % math.tau + math.tau * (turns - 1) if turns > 0 else -(-angle % math.tau) + math.tau * (turns + 1)
+    return end, math.hypot(radius * angle, end_w - here[w])
+
+
 def arc_path(calls):
     """Points with their times while output 0 (the arc) is on, and the time it is on."""
-    feed, here, time, on = 0.0, None, 0.0, False
+    feed, here, time, on, plane = 0.0, None, 0.0, False, "XY"
     points = []
     for name, numbers in calls:
         if name == "SET_FEED_RATE":
@@ -63,6 +82,13 @@ def arc_path(calls):
             on = False
         elif name == "DWELL" and on:
             time += numbers[0]
+        elif name.startswith("SELECT_PLANE"):
+            plane = name[-2:]
+        elif name == "ARC_FEED":
+            here, length = arc_feed(here, plane, numbers)
+            if on:
+                time += length / feed * 60
+                points.append((time, here))
         elif name in ("STRAIGHT_FEED", "STRAIGHT_TRAVERSE"):
             if on:
                 # Feeds are printed with four decimals.

@@ -73,6 +73,10 @@ fn program(random: &mut Random, dialect: Dialect, machine: &str, rotary: [&str; 
                     *value = if i < 5 { random.between(-80.0, 80.0) } else { random.between(0.0, 300.0) };
                 }
             }
+            // Passes that only rest are the rests of others.
+            if span == 0 {
+                next[0] = ((here[0] + random.between(0.1, 20.0)) * 1e6).round() / 1e6;
+            }
             let seconds = random.between(0.05, 20.0);
             number += 1.0;
             let kind = random.below(if dialect == Dialect::Pmac { 5 } else { 4 });

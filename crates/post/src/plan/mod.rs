@@ -13,9 +13,9 @@ mod steps;
 pub use block::{Block, Linearisation, Shape, Speeds};
 pub use cutter::linearise;
 
-use crate::part_program::{Level, PartProgram, What};
+use crate::part_program::{Event, Level, PartProgram, What};
 use crate::points::{ends, is_posted_as_it_stands};
-use crate::{Control, Dialect, Error};
+use crate::{Code, Control, Dialect, Error};
 use arcs::Arcs;
 use course::Course;
 use cutter::{Cutting, HELD_BACK, cut};
@@ -199,6 +199,19 @@ impl Control {
     /// Whether `name` is a process value that changes in steps.
     fn is_stepped(&self, name: &str) -> bool {
         self.channel(name).is_some_and(|i| self.channels[i].kind == crate::ChannelKind::Stepped)
+    }
+
+    /// Whether the machine file says how `event` is brought about.
+    fn can(&self, event: &Event) -> bool {
+        let output = match event {
+            // Always said, and left out by the writer where the control has no word for it.
+            Event::Arc(_) => Some(0),
+            Event::Gas(_) => self.io.gas,
+            Event::Wire(_) => self.io.wire,
+            Event::Output(..) | Event::Message(_) => Some(0),
+            Event::Call(_) => None,
+        };
+        output.is_some() || self.code(&Code::Event(event.clone())).is_some()
     }
 
     /// Whether a program can go over from axes to the tip and back.

@@ -3,7 +3,7 @@
 use super::course::Course;
 use super::steps::Steps;
 use crate::part_program::{Event, Path};
-use crate::points::{Part, steps as blocks};
+use crate::points::{Part, ends, steps as blocks};
 use seamwright_document::{Finite, NonNegative, Positive};
 use seamwright_machine::Joints;
 use seamwright_program::{Along, Pass, Ramp, Span, SpanValue};
@@ -33,12 +33,19 @@ fn at_its_ends(pass: &Pass) -> Pass {
     Pass { spans: spans.into_iter().flatten().collect(), ..pass.clone() }
 }
 
+/// Whether no axis moves to the first point of a pass.
+fn rests_first(pass: &Pass) -> bool {
+    let Some(points) = &pass.points else { return false };
+    let axes = points.known_columns().axes;
+    points.rows().nth(1).is_some_and(|first| axes.iter().all(|(_, i)| first[*i] == points.start[*i]))
+}
+
 impl Steps<'_> {
     /// The pass, after the `way` to it, straight from place to place; whether it is the first, and whether the arc burns
     /// on into the next.
     pub(super) fn stands(&mut self, pass: &Pass, way: &[Joints], (first, burns_on): (bool, bool)) {
-        let ends = at_its_ends(pass);
-        let course = Course::new(self.control, &ends);
+        let short = at_its_ends(pass);
+        let course = Course::new(self.control, &short);
         self.set.clear();
         let along = pass.points.as_ref().and_then(|points| points.spans.first()).map(|span| span.along);
         if !first {
@@ -48,18 +55,16 @@ impl Steps<'_> {
         {
             self.stand_at(start);
         }
-        if along == Some(Along::Arc)
-            && let Some((start, _)) = crate::points::ends(self.machine, pass)
-        {
-            // Controls have to know where an arc begins, also if they start again here.
-            self.stand_at(&start);
+        if along == Some(Along::Arc) || rests_first(pass) {
+            // Controls have to know where an arc or a rest begins, also if they start again here.
+            ends(self.machine, pass).into_iter().for_each(|(start, _)| self.stand_at(&start));
         }
         let (machine, control) = (self.machine, self.control);
         // Switched at its start, and the values that it begins with.
         blocks(machine, control, pass, (&mut self.program, &mut self.row), Part::Begin);
-        self.begin(&ends, &course);
+        self.begin(&short, &course);
         blocks(machine, control, pass, (&mut self.program, &mut self.row), Part::Blocks);
-        self.finish(&ends, &course, burns_on);
+        self.finish(&short, &course, burns_on);
         blocks(machine, control, pass, (&mut self.program, &mut self.row), Part::End);
     }
 

@@ -7,7 +7,7 @@ use super::spline::TICK;
 use super::{Options, arcs};
 use crate::part_program::{ChannelKind, Event, Level, Move, PartProgram, Path, What};
 use crate::write::fixed;
-use crate::{Code, Control, Dialect};
+use crate::{Control, Dialect};
 use glam::DVec3;
 use seamwright_machine::{AxisKind, Joints, Machine};
 use seamwright_motion::PassMotion;
@@ -357,21 +357,6 @@ impl<'a> Steps<'a> {
     pub(super) fn push(&mut self, path: Path, seconds: f64, exact_stop: bool) {
         let row = self.program.add_row(&self.row);
         self.program.push(What::Move(Move { path, row, seconds, level: self.level, exact_stop }));
-    }
-}
-
-impl Control {
-    /// Whether the machine file says how `event` is brought about.
-    fn can(&self, event: &Event) -> bool {
-        let output = match event {
-            // Always said, and left out by the writer where the control has no word for it.
-            Event::Arc(_) => Some(0),
-            Event::Gas(_) => self.io.gas,
-            Event::Wire(_) => self.io.wire,
-            Event::Output(..) | Event::Message(_) => Some(0),
-            Event::Call(_) => None,
-        };
-        output.is_some() || self.code(&Code::Event(event.clone())).is_some()
     }
 }
 

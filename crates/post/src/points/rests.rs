@@ -33,6 +33,27 @@ impl Rests {
         self.0.iter().any(|gap| matches!(gap, Gap::Rest(..)))
     }
 
+    /// Takes the rests with the arc as in the pass, if their values are neither those of `stays` nor make a slope from or
+    /// to `weld`: what happens then cannot be told by a sequence. `back` if they end a pass: then only those before
+    /// anything else.
+    pub(super) fn take_odd(&mut self, arc: bool, (stays, weld): (&[f64], &[f64]), back: bool) -> Vec<Gap> {
+        let is_on = |gap: &Gap| matches!(gap, Gap::Rest(on, ..) if *on == arc);
+        let from = if back { 0 } else { self.0.iter().position(is_on).unwrap_or(self.0.len()) };
+        let count = self.0[from..].iter().take_while(|gap| is_on(gap)).count();
+        let mut rests: Vec<(f64, Vec<f64>)> = Vec::new();
+        for gap in &self.0[from..from + count] {
+            if let Gap::Rest(_, seconds, values) = gap {
+                rests.push((*seconds, values.clone()));
+            }
+        }
+        if back {
+            rests.reverse();
+        }
+        let changes = rests.iter().any(|(_, values)| values != stays);
+        let odd = changes && (!arc || slope(&[], &rests, weld).is_none());
+        if odd { self.0.drain(from..from + count).collect() } else { Vec::new() }
+    }
+
     /// Takes what belongs to the pass before: with the arc on, the time that it burns on and the time after it, and what
     /// is switched then; or everything, if no pass follows.
     pub(super) fn take_end(&mut self, arc: bool, last: bool) -> End {
@@ -102,6 +123,9 @@ fn seconds(value: f64) -> NonNegative {
     NonNegative::new(value).unwrap_or_default()
 }
 
+/// How far a step may be from an even slope, as a part of what that spans.
+const EVEN: f64 = 1e-3;
+
 /// The slope whose steps these rests are: from the outer end to the weld, where values are `weld`. Steps have the values
 /// of their middles.
 fn slope(names: &[String], rests: &[(f64, Vec<f64>)], weld: &[f64]) -> Option<Slope> {
@@ -114,7 +138,19 @@ fn slope(names: &[String], rests: &[(f64, Vec<f64>)], weld: &[f64]) -> Option<Sl
     let time: f64 = rests[..=last].iter().map(|rest| rest.0).sum();
     let part = 0.5 * rests[0].0 / time;
     let outer = |(value, weld): (&f64, &f64)| if part < 0.5 { (value - part * weld) / (1.0 - part) } else { *value };
-    let values = rests[0].1.iter().zip(weld).map(outer);
+    let values: Vec<f64> = rests[0].1.iter().zip(weld).map(outer).collect();
+    let mut begun = 0.0;
+    for (seconds, steps) in &rests[..=last] {
+        let part = (begun + 0.5 * seconds) / time;
+        begun += seconds;
+        let off = |(i, step): (usize, &f64)| {
+            (step - values[i] - part * (weld[i] - values[i])).abs() > EVEN * (1.0 + (weld[i] - values[i]).abs())
+        };
+        if steps.iter().enumerate().any(off) {
+            return None;
+        }
+    }
+    let values = values.into_iter();
     let process = names.iter().zip(values).filter_map(|(name, v)| Some((name.clone(), NonNegative::new(v.max(0.0))?)));
     Some(Slope { time_s: Positive::new(time)?, process: process.collect() })
 }

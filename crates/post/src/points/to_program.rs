@@ -166,7 +166,8 @@ impl Builder<'_> {
         let same = |open: &Open| open.arc == arc && open.level == m.level;
         let goes_on = !std::mem::take(&mut self.switched) && self.open.as_ref().is_some_and(same);
         if goes_on && self.rests.is_rest() {
-            self.rest_within();
+            let rests = self.rests.take_all();
+            self.rest_within(rests);
         }
         if !goes_on {
             let mut start = segment.start().to_vec();
@@ -177,7 +178,11 @@ impl Builder<'_> {
                 }
             }
             self.close(false);
+            let told = |row: &[f64]| -> Vec<f64> { self.used.iter().map(|i| row[*i]).collect() };
+            let odd = (told(&start), told(segment.end()));
+            let odd = if arc { self.rests.take_odd(true, (&odd.0, &odd.1), false) } else { Vec::new() };
             self.begin(arc, m.level, &start);
+            self.rest_within(odd);
         }
         let Some(open) = &mut self.open else { return };
         let reached = open.points.count();
@@ -189,8 +194,8 @@ impl Builder<'_> {
     }
 
     /// Adds rests within a pass to it: points where the torch is.
-    fn rest_within(&mut self) {
-        for gap in self.rests.take_all() {
+    fn rest_within(&mut self, rests: Vec<Gap>) {
+        for gap in rests {
             let Some(open) = &mut self.open else { return };
             match gap {
                 Gap::Event(event) => open.points.events.push(PointEvent { after: open.points.count(), ..event }),
@@ -317,6 +322,10 @@ impl Builder<'_> {
 
     /// Ends the open pass, the last one or not.
     fn close(&mut self, last: bool) {
+        let Some(open) = &self.open else { return };
+        let ended = open.points.rows().last().map_or(Vec::new(), |row| self.values(&open.points, row));
+        let odd = self.rests.take_odd(open.arc, (&ended, &ended), true);
+        self.rest_within(odd);
         let Some(mut open) = self.open.take() else { return };
         let names: Vec<String> = self.used.iter().map(|i| self.read.channels[*i].name.clone()).collect();
         let values = |row: Option<&[Finite]>| row.map_or(Vec::new(), |row| self.values(&open.points, row));
