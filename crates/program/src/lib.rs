@@ -11,6 +11,7 @@ mod bead;
 mod branch;
 mod copies;
 mod document;
+pub mod edit;
 mod finding;
 mod head;
 mod joint;
@@ -24,6 +25,7 @@ mod plane_seam;
 mod points;
 mod procedure;
 mod process;
+mod repeat;
 mod seam;
 mod sequence;
 mod space_seam;
@@ -32,6 +34,7 @@ mod spare_axes;
 mod taught;
 mod tolerance;
 mod torch;
+mod variables;
 mod weave;
 mod weaving;
 
@@ -60,6 +63,7 @@ pub use procedure::{
     Procedure, Run, ShippedProcedure, WeldingPosition, WeldingProcess, Window, shipped_procedure,
 };
 pub use process::{ProcessValue, ProcessValues, check_process, check_process_name};
+pub use repeat::Repeat;
 pub use seam::{Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Seam, SeamStart, Side, TJoint};
 pub use sequence::{AtHold, Sequence, Slope};
 pub use space_seam::{Helix, Spline};
@@ -68,5 +72,6 @@ pub use spare_axes::{Position, SpareAxes, Weights};
 pub use taught::Taught;
 pub use tolerance::Tolerance;
 pub use torch::{AxisPositions, Groove, MOST_AXES, Torch, TorchAt, TorchPath};
+pub use variables::Variables;
 pub use weave::{Figure, Swing, Weave};
 pub use weaving::Weaving;
