@@ -183,7 +183,8 @@ fn text_comments(text: &str) -> Vec<String> {
     text.lines().filter_map(|line| line.find('#').map(|i| line[i..].trim_end().to_owned())).collect()
 }
 
-fn comments(decor: &Decor) -> Vec<String> {
+/// Comments above a key or header.
+pub(super) fn comments(decor: &Decor) -> Vec<String> {
     text_comments(decor.prefix().and_then(|raw| raw.as_str()).unwrap_or_default())
 }
 
@@ -205,12 +206,13 @@ fn set_above(decor: &mut Decor, above: &[String]) {
     decor.set_prefix(format!("{}{}", if blank { "\n" } else { "" }, lines(above, "")));
 }
 
-fn lines(comments: &[String], indent: &str) -> String {
+/// A line each.
+pub(super) fn lines(comments: &[String], indent: &str) -> String {
     comments.iter().map(|comment| format!("{indent}{comment}\n")).collect()
 }
 
 /// Every comment of an item.
-fn all_comments(item: &Item) -> Vec<String> {
+pub(super) fn all_comments(item: &Item) -> Vec<String> {
     let mut out = Vec::new();
     match item {
         Item::Value(value) => value_comments(value, &mut out),

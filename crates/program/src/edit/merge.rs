@@ -1,5 +1,6 @@
 //! Changed values into a document, the rest left as it is written.
 
+use super::format::{all_comments, comments, lines};
 use toml::Value as New;
 use toml_edit::{Array, InlineTable, Item, Table, TableLike, Value};
 
@@ -17,8 +18,21 @@ pub(super) fn merge_table(table: &mut dyn TableLike, before: &toml::Table, after
         }
     }
     for key in before.keys().filter(|key| !after.contains_key(*key)) {
-        table.remove(key);
+        let mut said = table.key(key).map(|key| comments(key.leaf_decor())).unwrap_or_default();
+        said.extend(table.remove(key).map(|item| all_comments(&item)).unwrap_or_default());
+        if !said.is_empty() {
+            keep(table, &said);
+        }
     }
+}
+
+/// Comments of a key that is gone above the first one that is there.
+fn keep(table: &mut dyn TableLike, said: &[String]) {
+    let first = table.iter().find(|(_, item)| item.is_value()).map(|(key, _)| key.to_owned());
+    let Some(mut key) = first.as_deref().and_then(|key| table.key_mut(key)) else { return };
+    let decor = key.leaf_decor_mut();
+    let there = decor.prefix().and_then(|raw| raw.as_str()).unwrap_or_default().to_owned();
+    decor.set_prefix(format!("{}{there}", lines(said, "")));
 }
 
 fn merge_item(item: &mut Item, old: Option<&New>, new: &New) {

@@ -221,7 +221,7 @@ impl Offset {
             add(&mut bead.work_angle_deg, beside[2]);
             return Ok(Report::new(words).pass(self.pass));
         }
-        if beside != [0.0; 3] {
+        if beside.iter().any(|by| by.abs() > 0.0) {
             let message = "the pass goes through points";
             return Err(draft.wrong_in(self.pass, message, "`dx_mm`, `dy_mm`, `dz_mm`"));
         }

@@ -77,7 +77,7 @@ impl PointsDraft {
         let stepped: Vec<usize> = self.stepped.iter().filter_map(|name| self.column(name)).collect();
         let is_kept = |i: &usize| {
             let event = self.events.iter().any(|event| event.event.after == *i);
-            event || stepped.iter().any(|c| rows[*i].numbers[*c] != rows[i + 1].numbers[*c])
+            event || stepped.iter().any(|c| (rows[*i].numbers[*c] - rows[i + 1].numbers[*c]).abs() > 0.0)
         };
         let mut ends = vec![first];
         ends.extend((first + 1..last).filter(is_kept));

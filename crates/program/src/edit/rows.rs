@@ -80,7 +80,7 @@ impl Written {
             behind = tail;
         }
         out.set_trailing(joined(&behind, &around.ending));
-        out.set_trailing_comma(array.trailing_comma() || around.ending.contains('\n'));
+        out.set_trailing_comma(array.trailing_comma() || array.is_empty());
         *array = out;
     }
 
