@@ -5,8 +5,8 @@ use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_program::{
-    Air, AtCorner, Clearance, Joint, Offsets, OnLimit, Oscillation, Part, Pass, ProcessValues, Program, Repeat, Seam, SeamCopy,
-    SeamStart, Sequence, SpareAxes, Taught, Tolerance, Torch, Variables, Weave, check_offset, check_process,
+    Air, AtCorner, Clearance, Joint, Offsets, OnLimit, Oscillation, Part, Pass, ProcessValues, Program, Repeat, Seam,
+    SeamCopy, SeamStart, Sequence, SpareAxes, Taught, Tolerance, Torch, Variables, Weave, check_offset, check_process,
 };
 use serde::{Deserialize, Serialize};
 

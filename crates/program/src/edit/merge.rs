@@ -2,7 +2,7 @@
 
 use super::format::{all_comments, comments, lines};
 use toml::Value as New;
-use toml_edit::{Array, InlineTable, Item, Table, TableLike, Value};
+use toml_edit::{Array, ArrayOfTables, InlineTable, Item, Table, TableLike, Value};
 
 /// Puts what is different in `after` from `before` into `table`; keys that are the same keep layout, comments and
 /// expressions.
@@ -50,6 +50,9 @@ fn merge_value(there: &mut Value, old: Option<&New>, new: &New) {
     if old == Some(new) {
         return;
     }
+    if let (Value::InlineTable(table), Some(New::Table(old)), New::Table(new)) = (&mut *there, old, new) {
+        return merge_table(table, old, new);
+    }
     if let (Value::Array(items), Some(New::Array(old)), New::Array(new)) = (&mut *there, old, new)
         && items.len() == new.len()
         && old.len() == new.len()
@@ -91,17 +94,43 @@ pub(super) fn table_of<T: serde::Serialize>(value: &T) -> toml::Table {
 }
 
 /// The tables at `key` of `table` as an array of tables, whatever way they are written; an empty one if there are none.
-pub(super) fn tables<'a>(table: &'a mut Table, key: &str) -> Option<&'a mut toml_edit::ArrayOfTables> {
-    let item = table.entry(key).or_insert(Item::None);
-    if !item.is_array_of_tables() {
-        let taken = std::mem::take(item).into_array_of_tables();
-        *item = Item::ArrayOfTables(taken.unwrap_or_default());
+pub(super) fn tables<'a>(table: &'a mut Table, key: &str) -> Option<&'a mut ArrayOfTables> {
+    if !table.get(key).is_some_and(Item::is_array_of_tables) {
+        let mut said = table.key(key).map(|key| comments(key.leaf_decor())).unwrap_or_default();
+        let item = table.entry(key).or_insert(Item::None);
+        let old = std::mem::take(item);
+        said.extend(all_comments(&old));
+        *item = Item::ArrayOfTables(old.into_array_of_tables().unwrap_or_default());
+        if let Some(mut key) = table.key_mut(key) {
+            key.leaf_decor_mut().clear();
+        }
+        if !said.is_empty() {
+            keep(table, &said);
+        }
     }
-    item.as_array_of_tables_mut()
+    table.get_mut(key).and_then(Item::as_array_of_tables_mut)
+}
+
+/// Gives each of the tables at `key` of `table` to `edit` with its index, in the order `from`: each is the one that was
+/// at its place, or a new one. Tables on one line stay so if their order does.
+pub(super) fn each_table(
+    table: &mut Table,
+    key: &str,
+    from: &[Option<usize>],
+    mut edit: impl FnMut(usize, &mut dyn TableLike),
+) {
+    let in_order = from.iter().enumerate().all(|(i, from)| *from == Some(i));
+    if let Some(array) = table.get_mut(key).and_then(Item::as_array_mut).filter(|a| in_order && a.len() == from.len()) {
+        let inline = array.iter_mut().filter_map(Value::as_inline_table_mut);
+        return inline.enumerate().for_each(|(i, table)| edit(i, table));
+    }
+    let Some(list) = tables(table, key) else { return };
+    rebuild(list, from);
+    list.iter_mut().enumerate().for_each(|(i, table)| edit(i, table));
 }
 
 /// The tables in a new order: each is a copy of the one at the place it came from, or a new one.
-pub(super) fn rebuild(list: &mut toml_edit::ArrayOfTables, from: &[Option<usize>]) {
+pub(super) fn rebuild(list: &mut ArrayOfTables, from: &[Option<usize>]) {
     if from.len() == list.len() && from.iter().enumerate().all(|(i, from)| *from == Some(i)) {
         return;
     }

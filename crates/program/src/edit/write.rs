@@ -1,11 +1,11 @@
 //! A draft into the text of its document.
 
 use super::draft::{Body, Draft, EventDraft, PassDraft, PointsDraft, SeamSpan};
-use super::merge::{forget_positions, merge_table, rebuild, table_of, tables};
+use super::merge::{each_table, forget_positions, merge_table, rebuild, table_of, tables};
 use super::rows::Written;
 use crate::{Pass, Points, Program};
 use seamwright_document::DocumentError;
-use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, TomlError};
+use toml_edit::{Array, DocumentMut, Item, Table, TomlError, Value};
 
 /// `text` with what the draft changed.
 pub(super) fn write(text: &str, draft: &Draft) -> Result<String, DocumentError> {
@@ -76,12 +76,14 @@ fn write_pass(table: &mut Table, before: &Pass, after: &PassDraft) {
 fn write_spans(table: &mut Table, before: &Pass, spans: &[SeamSpan]) {
     let is_same = spans.len() == before.spans.len()
         && spans.iter().enumerate().all(|(i, s)| s.from == Some(i) && s.span == before.spans[i]);
-    let Some(list) = (!is_same).then(|| tables(table, "spans")).flatten() else { return };
-    rebuild(list, &spans.iter().map(|span| span.from).collect::<Vec<_>>());
-    for (table, span) in list.iter_mut().zip(spans) {
-        let before = span.from.map(|i| table_of(&before.spans[i])).unwrap_or_default();
-        merge_table(table, &before, &table_of(&span.span));
+    if is_same {
+        return;
     }
+    let from: Vec<Option<usize>> = spans.iter().map(|span| span.from).collect();
+    each_table(table, "spans", &from, |i, table| {
+        let before = from[i].map(|i| table_of(&before.spans[i])).unwrap_or_default();
+        merge_table(table, &before, &table_of(&spans[i].span));
+    });
 }
 
 /// Keys of a pass' points but for the points themselves and the events.
@@ -95,40 +97,50 @@ fn head(points: &Points) -> toml::Table {
 fn write_points(table: &mut Table, before: &Points, after: &PointsDraft) {
     merge_table(table, &head(before), &head(&after.head()));
     write_events(table, before, &after.events);
-    let Some(list) = tables(table, "spans") else { return };
-    let arrays: Vec<Option<Array>> = list.iter().map(|t| t.get("points").and_then(Item::as_array).cloned()).collect();
-    rebuild(list, &after.spans.iter().map(|span| span.from).collect::<Vec<_>>());
+    let arrays = arrays(table);
     let numbers = before.rows().map(|row| row.iter().map(|n| n.get()).collect()).collect();
     let names = (before.columns.as_slice(), after.columns.as_slice());
     let written = Written::new(table.get("start").and_then(Item::as_value), &arrays, numbers, names);
     if let (Some(new), Some(item)) = (written.start(&after.start), table.get_mut("start")) {
         *item = Item::Value(new);
     }
-    let Some(list) = tables(table, "spans") else { return };
-    write_rows(list, before, after, &written);
+    write_rows(table, before, after, &written);
 }
 
-fn write_rows(list: &mut ArrayOfTables, before: &Points, after: &PointsDraft, written: &Written) {
+/// The points of each span as they are written.
+fn arrays(table: &Table) -> Vec<Option<Array>> {
+    let array = |item: Option<&Item>| item.and_then(Item::as_array).cloned();
+    match table.get("spans") {
+        Some(Item::ArrayOfTables(list)) => list.iter().map(|table| array(table.get("points"))).collect(),
+        Some(Item::Value(Value::Array(list))) => {
+            let points = |value: &Value| value.as_inline_table()?.get("points")?.as_array().cloned();
+            list.iter().map(points).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn write_rows(table: &mut Table, before: &Points, after: &PointsDraft, written: &Written) {
     let firsts = before.spans.iter().scan(1, |next, span| {
         let first = *next;
         *next += span.points.len();
         Some((first, span.points.len()))
     });
     let firsts: Vec<(usize, usize)> = firsts.collect();
-    for (table, span) in list.iter_mut().zip(&after.spans) {
-        let old = span.from.map(|i| {
-            let mut old = table_of(&before.spans[i]);
-            old.remove("points");
-            old
-        });
-        let mut new = span.head().map(|head| table_of(&head)).unwrap_or_default();
-        new.remove("points");
-        merge_table(table, &old.unwrap_or_default(), &new);
+    let head = |head: Option<toml::Table>| {
+        let mut head = head.unwrap_or_default();
+        head.remove("points");
+        head
+    };
+    let from: Vec<Option<usize>> = after.spans.iter().map(|span| span.from).collect();
+    each_table(table, "spans", &from, |i, table| {
+        let old = head(from[i].map(|i| table_of(&before.spans[i])));
+        merge_table(table, &old, &head(after.spans[i].head().map(|head| table_of(&head))));
         let points = table.entry("points").or_insert_with(|| Item::Value(Array::new().into()));
         if let Some(array) = points.as_array_mut() {
-            written.write(array, span, span.from.map(|i| firsts[i]));
+            written.write(array, &after.spans[i], from[i].map(|i| firsts[i]));
         }
-    }
+    });
 }
 
 fn write_events(table: &mut Table, before: &Points, events: &[EventDraft]) {
@@ -141,10 +153,9 @@ fn write_events(table: &mut Table, before: &Points, events: &[EventDraft]) {
         table.remove("events");
         return;
     }
-    let Some(list) = tables(table, "events") else { return };
-    rebuild(list, &events.iter().map(|event| event.from).collect::<Vec<_>>());
-    for (table, event) in list.iter_mut().zip(events) {
-        let before = event.from.map(|i| table_of(&before.events[i])).unwrap_or_default();
-        merge_table(table, &before, &table_of(&event.event));
-    }
+    let from: Vec<Option<usize>> = events.iter().map(|event| event.from).collect();
+    each_table(table, "events", &from, |i, table| {
+        let before = from[i].map(|i| table_of(&before.events[i])).unwrap_or_default();
+        merge_table(table, &before, &table_of(&events[i].event));
+    });
 }

@@ -57,7 +57,7 @@ fn without_events(program: &Program) -> Value {
 #[test]
 fn turned_twice_is_the_same() {
     let mut done = [0, 0];
-    for seed in 0..cases(1500) {
+    for seed in 0..cases(400) {
         let (text, _) = program(&mut Random::new(30_000 + seed));
         let mut editor = Editor::new("p.toml", &text).unwrap();
         let before = editor.program().clone();
@@ -82,7 +82,7 @@ fn turned_twice_is_the_same() {
         }
         assert!(same(&without_events(editor.program()), &without_events(&before)), "seed {seed}\n{text}");
     }
-    assert!(done.iter().all(|n| *n > 500), "{done:?}");
+    assert!(done.iter().all(|n| *n > 150), "{done:?}");
 }
 
 /// Every way the other way round: its ends, its time or speed, its number.
@@ -122,7 +122,7 @@ fn check_seam_turned(old: &Pass, new: &Pass) {
 #[test]
 fn mirrored_twice_and_scaled_back_is_the_same() {
     let mut mirrored = 0;
-    for seed in 0..cases(1500) {
+    for seed in 0..cases(400) {
         let mut random = Random::new(40_000 + seed);
         let (text, _) = program(&mut random);
         let mut editor = Editor::new("p.toml", &text).unwrap();
@@ -147,7 +147,7 @@ fn mirrored_twice_and_scaled_back_is_the_same() {
         apply(&mut editor, json!({"op": "scale_speed", "factor": 1.0 / factor})).unwrap();
         assert!(same(&value(editor.program()), &before), "seed {seed}\n{text}\n{}", editor.text());
     }
-    assert!(mirrored > 1000);
+    assert!(mirrored > 250);
 }
 
 /// Halfway between a place and its image is the plane; the way between them is along the normal.
@@ -181,7 +181,7 @@ fn check_scaled(old: &Program, new: &Program, factor: f64) {
 #[test]
 fn split_and_joined_is_the_same() {
     let mut done = [0, 0];
-    for seed in 0..cases(2000) {
+    for seed in 0..cases(700) {
         let mut random = Random::new(50_000 + seed);
         let (text, _) = program(&mut random);
         let mut editor = Editor::new("p.toml", &text).unwrap();
@@ -212,13 +212,13 @@ fn split_and_joined_is_the_same() {
         assert!(same(&value(editor.program()), &value(&before)), "seed {seed}\n{text}\n{}", editor.text());
         done[usize::from(pass.points.is_some())] += 1;
     }
-    assert!(done.iter().all(|n| *n > 100), "{done:?}");
+    assert!(done.iter().all(|n| *n > 40), "{done:?}");
 }
 
 #[test]
 fn a_process_value_changes_only_in_its_range() {
     let mut done = [0, 0];
-    for seed in 0..cases(1500) {
+    for seed in 0..cases(400) {
         let mut random = Random::new(60_000 + seed);
         let (text, _) = program(&mut random);
         let mut editor = Editor::new("p.toml", &text).unwrap();
@@ -264,13 +264,13 @@ fn a_process_value_changes_only_in_its_range() {
         }
         done[usize::from(old.points.is_some())] += 1;
     }
-    assert!(done.iter().all(|n| *n > 300), "{done:?}");
+    assert!(done.iter().all(|n| *n > 80), "{done:?}");
 }
 
 #[test]
 fn a_closed_run_goes_through_the_same_places_from_another_point() {
     let mut done = 0;
-    for seed in 0..cases(1500) {
+    for seed in 0..cases(400) {
         let mut random = Random::new(70_000 + seed);
         let (text, _) = program(&mut random);
         let mut editor = Editor::new("p.toml", &text).unwrap();
@@ -292,7 +292,7 @@ fn a_closed_run_goes_through_the_same_places_from_another_point() {
         assert_eq!(all_states(&editor.program().passes[i]), wanted, "seed {seed}");
         done += 1;
     }
-    assert!(done > 100, "{done}");
+    assert!(done > 25, "{done}");
 }
 
 #[test]

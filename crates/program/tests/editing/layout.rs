@@ -16,7 +16,7 @@ const TAKING: [&str; 7] =
 
 #[test]
 fn comments_survive_what_takes_nothing_away() {
-    for seed in 0..cases(1500) {
+    for seed in 0..cases(400) {
         let mut random = Random::new(10_000 + seed);
         let (text, comments) = program(&mut random);
         let mut editor = Editor::new("p.toml", &text).unwrap();
@@ -35,7 +35,7 @@ fn comments_survive_what_takes_nothing_away() {
 
 #[test]
 fn formatting_is_idempotent_and_keeps_program_and_comments() {
-    for seed in 0..cases(1500) {
+    for seed in 0..cases(400) {
         let (text, comments) = program(&mut Random::new(20_000 + seed));
         let mut editor = Editor::new("p.toml", &text).unwrap();
         let before = editor.program().clone();
@@ -92,20 +92,13 @@ fn only_what_is_edited_changes() {
     let rest = TEXT
         .replace("    [10, 0, 0.50, 100, 1.0], # first\n", "")
         .replace("\"= lift\", 100, 1]", "\"= lift\", 100, 2]");
-    assert_eq!(
-        deleted,
-        rest.replace("after = 1", "after = 0")
-            .replace("events = [{ after = 0, gas = true }]", "events = [{ after = 0, gas = true }]")
-    );
+    assert_eq!(deleted, rest.replace("after = 1", "after = 0"));
     let variable = edited(r#"{"op":"set_variable","name":"lift","value":4}"#);
     assert_eq!(variable, TEXT.replace("lift = 3", "lift = 4"));
     let inserted = edited(r#"{"op":"insert_point","pass":1,"after":1}"#);
     let between = "    [10, 0, 0.50, 100, 1.0], # first\n    [15, 0, 1.75, 100, 0.5],\n    # the clamp is here\n";
     let wanted = TEXT.replace("    [10, 0, 0.50, 100, 1.0], # first\n    # the clamp is here\n", between);
-    assert_eq!(
-        inserted,
-        wanted.replace("\"= lift\", 100, 1]", "\"= lift\", 100, 0.5]").replace("100, 1] # third", "100, 1], # third")
-    );
+    assert_eq!(inserted, wanted.replace("\"= lift\", 100, 1]", "\"= lift\", 100, 0.5]"));
 }
 
 #[test]
@@ -114,7 +107,7 @@ fn comments_go_with_their_points() {
     for line in [
         "    [20, 0, \"= lift\", 100, 1], # second\n",
         "    # the clamp is here\n    [20,",
-        "    [10, 0, 0.50, 100, 1], # first\n",
+        "    [10, 0, 0.50, 100, 1.0], # first\n",
     ] {
         assert!(turned.contains(line), "{turned}");
     }
