@@ -131,7 +131,7 @@ fn wrong_use_is_told_and_writes_nothing() {
         (&["mirror", "--normal", "0,0,0"], "not all 0"),
         (&["scale-speed", "--factor", "0"], "greater than 0"),
         (&["set-pass", "--pass", "1", "--repeat", "1001"], "1 to 1000"),
-        (&["set-variable", "--name", "far"], "p.toml:22"),
+        (&["set-variable", "--name", "far"], "`far` is not known"),
         (&["undo"], "nothing to be undone"),
     ];
     for (arguments, message) in cases {

@@ -40,6 +40,7 @@ pub(crate) enum EditVerb {
     /// Set numbers of a point
     #[command(after_help = "Example: seamwright edit p.toml set-point --pass 1 --point 3 --set x_mm=12.5,time_s=2")]
     SetPoint {
+        /// The pass, from 1
         #[arg(long)]
         pass: usize,
         /// 0 is the start
@@ -52,6 +53,7 @@ pub(crate) enum EditVerb {
     /// Insert a point: with its numbers, or halfway to the next
     #[command(after_help = "Example: seamwright edit p.toml insert-point --pass 1 --after 3 --numbers 10,0,5,180,2")]
     InsertPoint {
+        /// The pass, from 1
         #[arg(long)]
         pass: usize,
         #[arg(long)]
@@ -63,6 +65,7 @@ pub(crate) enum EditVerb {
     /// Delete points; their times go to the next one left
     #[command(after_help = "Example: seamwright edit p.toml delete-points --pass 1 --from 3 --to 5")]
     DeletePoints {
+        /// The pass, from 1
         #[arg(long)]
         pass: usize,
         #[arg(long)]
@@ -74,8 +77,10 @@ pub(crate) enum EditVerb {
     /// Change the way to the points of a span: rapid, line, arc, spline, taught
     #[command(after_help = "Example: seamwright edit p.toml interpolate --pass 1 --span 2 --along arc --via-mm 10,5,0")]
     Interpolate {
+        /// The pass, from 1
         #[arg(long)]
         pass: usize,
+        /// The span, from 1
         #[arg(long)]
         span: usize,
         #[arg(long, value_parser = ["rapid", "line", "arc", "spline", "taught"])]
@@ -93,25 +98,29 @@ pub(crate) enum EditVerb {
     /// Split a span, behind a point or at a path length
     #[command(after_help = "Example: seamwright edit p.toml split-span --pass 1 --s-mm 120")]
     SplitSpan {
+        /// The pass, from 1
         #[arg(long)]
         pass: usize,
         #[arg(long, conflicts_with = "s_mm")]
         point: Option<usize>,
         /// From the start of the pass
-        #[arg(long, value_parser = finite)]
+        #[arg(long, value_parser = finite, allow_hyphen_values = true)]
         s_mm: Option<Finite>,
     },
     /// Join a span with the next one
     #[command(after_help = "Example: seamwright edit p.toml join-spans --pass 1 --span 2")]
     JoinSpans {
+        /// The pass, from 1
         #[arg(long)]
         pass: usize,
+        /// The span, from 1
         #[arg(long)]
         span: usize,
     },
     /// Turn a pass to run from its end to its start
     #[command(after_help = "Example: seamwright edit p.toml reverse-pass --pass 1 --seam-length-mm 1600.83")]
     ReversePass {
+        /// The pass, from 1
         #[arg(long)]
         pass: usize,
         /// Length of a seam welded all round
@@ -127,7 +136,7 @@ pub(crate) enum EditVerb {
         point: Option<usize>,
         #[arg(long, value_parser = non_negative)]
         begin_mm: Option<NonNegative>,
-        #[arg(long, value_parser = finite)]
+        #[arg(long, value_parser = finite, allow_hyphen_values = true)]
         phi_deg: Option<Finite>,
     },
     /// Mirror poses about a plane, or positions of an axis about a value
@@ -143,28 +152,30 @@ pub(crate) enum EditVerb {
         normal: Option<Direction>,
         #[arg(long)]
         axis: Option<String>,
-        #[arg(long, value_parser = finite)]
+        #[arg(long, value_parser = finite, allow_hyphen_values = true)]
         about: Option<Finite>,
     },
     /// Move points by the torch's frame (travel, across, torch), or a pass beside the seam
     #[command(after_help = "Examples: seamwright edit p.toml offset --pass 1 --dy-mm 0.5 --dz-mm=-1
           seamwright edit p.toml offset --pass 2 --across-mm 2 --work-angle-deg 5")]
     Offset {
+        /// The pass, from 1
         #[arg(long)]
         pass: usize,
+        /// First and last point, of a pass through points [default: all]
         #[arg(long, value_name = "FROM,TO", value_parser = whole_range)]
         points: Option<[usize; 2]>,
-        #[arg(long, value_parser = finite, default_value = "0")]
+        #[arg(long, value_parser = finite, allow_hyphen_values = true, default_value = "0")]
         dx_mm: Finite,
-        #[arg(long, value_parser = finite, default_value = "0")]
+        #[arg(long, value_parser = finite, allow_hyphen_values = true, default_value = "0")]
         dy_mm: Finite,
-        #[arg(long, value_parser = finite, default_value = "0")]
+        #[arg(long, value_parser = finite, allow_hyphen_values = true, default_value = "0")]
         dz_mm: Finite,
-        #[arg(long, value_parser = finite, default_value = "0")]
+        #[arg(long, value_parser = finite, allow_hyphen_values = true, default_value = "0")]
         across_mm: Finite,
-        #[arg(long, value_parser = finite, default_value = "0")]
+        #[arg(long, value_parser = finite, allow_hyphen_values = true, default_value = "0")]
         out_mm: Finite,
-        #[arg(long, value_parser = finite, default_value = "0")]
+        #[arg(long, value_parser = finite, allow_hyphen_values = true, default_value = "0")]
         work_angle_deg: Finite,
     },
     /// Travel faster or slower
@@ -173,8 +184,10 @@ pub(crate) enum EditVerb {
         /// The pass [default: all]
         #[arg(long)]
         pass: Option<usize>,
+        /// First and last point, of a pass through points [default: all]
         #[arg(long, value_name = "FROM,TO", value_parser = whole_range)]
         points: Option<[usize; 2]>,
+        /// Path lengths from the start of a pass along the seam, mm [default: all]
         #[arg(long, value_name = "FROM,TO", value_parser = length_range)]
         s_mm: Option<[NonNegative; 2]>,
         /// 2 is twice as fast
@@ -185,16 +198,19 @@ pub(crate) enum EditVerb {
     #[command(after_help = "Examples: seamwright edit p.toml set-process --pass 1 --name current_a --value 180
           seamwright edit p.toml set-process --pass 1 --s-mm 100,200 --name current_a --value 180,150")]
     SetProcess {
+        /// The pass, from 1
         #[arg(long)]
         pass: usize,
+        /// First and last point, of a pass through points [default: all]
         #[arg(long, value_name = "FROM,TO", value_parser = whole_range)]
         points: Option<[usize; 2]>,
+        /// Path lengths from the start of a pass along the seam, mm [default: all]
         #[arg(long, value_name = "FROM,TO", value_parser = length_range)]
         s_mm: Option<[NonNegative; 2]>,
         #[arg(long)]
         name: String,
         /// A number, or where a ramp begins and ends
-        #[arg(long, value_name = "V or FROM,TO", value_delimiter = ',', value_parser = finite, num_args = 1..=2)]
+        #[arg(long, value_name = "V or FROM,TO", value_delimiter = ',', value_parser = finite, allow_hyphen_values = true, num_args = 1..=2)]
         value: Vec<Finite>,
     },
     /// Number the points in column n
@@ -211,6 +227,7 @@ pub(crate) enum EditVerb {
     /// Points joined by lines become few lines and arcs
     #[command(after_help = "Example: seamwright edit p.toml reduce --pass 1 --tolerance-mm 0.05 --axis-tolerance 0.1")]
     Reduce {
+        /// The pass, from 1
         #[arg(long)]
         pass: usize,
         #[arg(long, value_parser = positive)]
@@ -232,12 +249,13 @@ pub(crate) enum EditVerb {
         #[arg(long)]
         name: String,
         /// Without it the variable is taken out
-        #[arg(long, value_parser = finite)]
+        #[arg(long, value_parser = finite, allow_hyphen_values = true)]
         value: Option<Finite>,
     },
     /// Set name, role, arc or repetitions of a pass
     #[command(after_help = "Example: seamwright edit p.toml set-pass --pass 2 --name cap --role cap --repeat 2")]
     SetPass {
+        /// The pass, from 1
         #[arg(long)]
         pass: usize,
         #[arg(long)]
@@ -262,12 +280,14 @@ pub(crate) enum EditVerb {
     /// Delete a pass
     #[command(after_help = "Example: seamwright edit p.toml delete-pass --pass 2")]
     DeletePass {
+        /// The pass, from 1
         #[arg(long)]
         pass: usize,
     },
     /// Move a pass to another place in the order
     #[command(after_help = "Example: seamwright edit p.toml move-pass --pass 3 --to 1")]
     MovePass {
+        /// The pass, from 1
         #[arg(long)]
         pass: usize,
         #[arg(long)]
@@ -276,6 +296,7 @@ pub(crate) enum EditVerb {
     /// Put a copy of a pass behind it
     #[command(after_help = "Example: seamwright edit p.toml duplicate-pass --pass 1 --name second")]
     DuplicatePass {
+        /// The pass, from 1
         #[arg(long)]
         pass: usize,
         #[arg(long)]
@@ -287,6 +308,7 @@ pub(crate) enum EditVerb {
     /// Delete an event
     #[command(after_help = "Example: seamwright edit p.toml delete-event --pass 1 --event 2")]
     DeleteEvent {
+        /// The pass, from 1
         #[arg(long)]
         pass: usize,
         #[arg(long)]
