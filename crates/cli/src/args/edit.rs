@@ -1,8 +1,11 @@
 //! Arguments of `seamwright edit`.
 
+mod values;
+
 use clap::{Args, Subcommand};
 use seamwright_document::{Direction, Finite, NonNegative, Point, Positive};
 use std::path::PathBuf;
+use values::{direction, finite, length_range, named, non_negative, place, positive, whole_range};
 
 #[derive(Debug, Args)]
 #[command(
@@ -355,49 +358,4 @@ pub(crate) struct StepArgs {
     /// Also if the file was changed by hand since, as far as it goes
     #[arg(long)]
     pub(crate) force: bool,
-}
-
-fn number<T>(text: &str, new: fn(f64) -> Option<T>, allowed: &str) -> Result<T, String> {
-    text.trim().parse().ok().and_then(new).ok_or_else(|| allowed.to_owned())
-}
-
-fn finite(text: &str) -> Result<Finite, String> {
-    number(text, Finite::new, "a finite number")
-}
-
-fn positive(text: &str) -> Result<Positive, String> {
-    number(text, Positive::new, "a finite number greater than 0")
-}
-
-fn non_negative(text: &str) -> Result<NonNegative, String> {
-    number(text, NonNegative::new, "a finite number, 0 or greater")
-}
-
-fn named(text: &str) -> Result<(String, Finite), String> {
-    let (name, value) = text.split_once('=').ok_or("NAME=NUMBER")?;
-    Ok((name.trim().to_owned(), finite(value)?))
-}
-
-fn vector(text: &str) -> Option<glam::DVec3> {
-    let numbers: Vec<f64> = text.split(',').map(|n| n.trim().parse().ok()).collect::<Option<_>>()?;
-    <[f64; 3]>::try_from(numbers).ok().map(glam::DVec3::from_array)
-}
-
-fn place(text: &str) -> Result<Point, String> {
-    vector(text).and_then(Point::new).ok_or_else(|| "three finite numbers X,Y,Z".to_owned())
-}
-
-fn direction(text: &str) -> Result<Direction, String> {
-    vector(text).and_then(Direction::new).ok_or_else(|| "three finite numbers X,Y,Z, not all 0".to_owned())
-}
-
-fn whole_range(text: &str) -> Result<[usize; 2], String> {
-    let parse = |n: &str| n.trim().parse().map_err(|_| "two whole numbers FROM,TO".to_owned());
-    let (from, to) = text.split_once(',').ok_or("two whole numbers FROM,TO")?;
-    Ok([parse(from)?, parse(to)?])
-}
-
-fn length_range(text: &str) -> Result<[NonNegative; 2], String> {
-    let (from, to) = text.split_once(',').ok_or("two lengths FROM,TO in mm")?;
-    Ok([non_negative(from)?, non_negative(to)?])
 }
