@@ -1,5 +1,6 @@
 //! The command line, as in the contract of `docs/cli.md`.
 
+pub(crate) mod edit;
 pub(crate) mod follow;
 pub(crate) mod machine;
 pub(crate) mod move_to;
@@ -52,6 +53,8 @@ pub(crate) enum Verb {
     Follow(follow::FollowArgs),
     /// Taught points to lines and arcs whose ends are points
     Reduce(reduce::ReduceArgs),
+    /// Edit a program file: points, spans, passes, speeds; undo and redo
+    Edit(edit::EditArgs),
     /// Set-points of all axes from one place to another, jerk-limited, arriving at once, if nothing comes too near
     Move(move_to::MoveArgs),
     /// The machine and the work in it: place the work from touched points, check a machine file
@@ -468,6 +471,7 @@ pub(crate) struct ListArgs {
 pub(crate) enum Format {
     Job,
     Machine,
+    Operation,
     Procedure,
     Program,
 }

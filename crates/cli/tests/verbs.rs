@@ -193,7 +193,7 @@ fn lists_and_copies() {
 
 #[test]
 fn schemas_in_docs_are_those_of_the_types() {
-    for name in ["job", "machine", "procedure", "program"] {
+    for name in ["job", "machine", "operation", "procedure", "program"] {
         let path = root().join(format!("docs/schema/{name}.json"));
         let kept = fs::read_to_string(&path).unwrap();
         // Not assert_eq: nobody wants to see both in full.

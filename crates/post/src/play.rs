@@ -172,19 +172,25 @@ impl<'a> Player<'a> {
         self.now += seconds;
     }
 
-    /// The run of spline moves from step `i` on, as cubics: a uniform B-spline whose first and last control points count
+    /// The run of spline moves from step `i` on, as cubics, and the number of steps that it takes: a uniform B-spline whose first and last control points count
     /// three times, so that it takes two times more than there are moves.
     fn spline(&mut self, i: usize) -> usize {
-        let moves: Vec<Move> = self.program.steps[i..]
-            .iter()
-            .map_while(|step| match step.what {
-                What::Move(m) if m.path == Path::Spline => Some(m),
-                _ => None,
-            })
-            .collect();
-        let time = moves[0].seconds;
-        let count = moves.iter().take_while(|m| (m.seconds - time).abs() <= 1e-9 * time).count();
-        let rows: Vec<&[f64]> = moves[..count].iter().map(|m| self.program.row(m.row)).collect();
+        // What is set with a motion does not interrupt it: the rows have it.
+        let mut moves: Vec<(usize, Move)> = Vec::new();
+        let mut steps = 0;
+        for (k, step) in self.program.steps.iter().enumerate().skip(i) {
+            match &step.what {
+                What::Move(m) if m.path == Path::Spline && goes_on(&moves, m) => {
+                    moves.push((k, *m));
+                    steps = k + 1 - i;
+                }
+                What::Set { at_once: false, .. } | What::Comment(_) => {}
+                _ => break,
+            }
+        }
+        let time = moves[0].1.seconds;
+        let count = moves.len();
+        let rows: Vec<&[f64]> = moves.iter().map(|(_, m)| self.program.row(m.row)).collect();
         let first = self.here.clone();
         let control = |k: i64| -> &[f64] {
             let k = k.clamp(0, count as i64);
@@ -203,13 +209,17 @@ impl<'a> Player<'a> {
             // Process values have those of the move that is under way.
             let row = control(k + 1);
             to[self.axes..].copy_from_slice(&row[self.axes..]);
-            let step = i + (k.clamp(0, last - 1) as usize);
-            segments.push((step, to, Way::Cubic(v0, v1)));
+            segments.push((moves[k.clamp(0, last - 1) as usize].0, to, Way::Cubic(v0, v1)));
         }
         for (step, to, way) in segments {
-            self.add(step, time, Some(moves[0].level), to, way);
+            self.add(step, time, Some(moves[0].1.level), to, way);
         }
         self.speeds.fill(0.0);
-        count
+        steps
     }
+}
+
+/// Whether a spline goes on with `next`: its times are equal.
+fn goes_on(moves: &[(usize, Move)], next: &Move) -> bool {
+    moves.first().is_none_or(|(_, first)| (first.seconds - next.seconds).abs() <= 1e-9 * first.seconds)
 }

@@ -7,7 +7,8 @@ mod text;
 
 use common::{Planned, passes, ways};
 use seamwright_post::{
-    Control, Dialect, Event, Feed, Interpolation, Level, Options, PartProgram, Path, What, WriteOptions, write,
+    Control, Dialect, Event, Feed, Interpolation, Level, Options, PartProgram, Path, ReadOptions, What, WriteOptions,
+    read, verify, write,
 };
 use seamwright_program::TorchPath;
 
@@ -59,13 +60,77 @@ fn follows(planned: &Planned, program: &PartProgram, head: usize) -> f64 {
     worst
 }
 
+/// The crate's own proof: read back by its reader, the same blocks, within tolerance of the plan.
+fn proven(planned: &Planned, control: &Control, program: &PartProgram, options: &Options) {
+    let written = write(control, program, &WriteOptions::default()).unwrap();
+    let start = vec![0.0; control.channels.len()];
+    let read_options = ReadOptions { level: options.level, ..ReadOptions::default() };
+    let back = read(control, "p", &written, &read_options).unwrap_or_else(|e| panic!("{e}"));
+    let machine = &planned.machine;
+    let of = seamwright_post::Planned {
+        machine,
+        control,
+        program: &planned.welding.program.value,
+        motion: &planned.motion,
+        tolerance_mm: options.tolerance_mm,
+    };
+    let proof = verify(program, &back.program, &start, of).unwrap_or_else(|wrong| panic!("{wrong:?}"));
+    assert_eq!(proof.passes.len(), planned.motion.passes.len());
+    for pass in &proof.passes {
+        assert!(pass.tip_mm <= TOLERANCE + 1e-5 && pass.time_percent.abs() < 0.1, "{pass:?}");
+    }
+}
+
+/// What is not as it was asked is found: a place, a feed, an output, a block less.
+#[test]
+fn a_wrong_text_is_no_proof() {
+    let planned = Planned::example("saddle");
+    let control = Control::new(&planned.machine, Dialect::Linuxcnc).unwrap();
+    let options = Options::default();
+    let program = planned.program(&control, &options).unwrap();
+    let written = write(&control, &program, &WriteOptions::default()).unwrap();
+    let start = vec![0.0; control.channels.len()];
+    let of = seamwright_post::Planned {
+        machine: &planned.machine,
+        control: &control,
+        program: &planned.welding.program.value,
+        motion: &planned.motion,
+        tolerance_mm: options.tolerance_mm,
+    };
+    let judged = |text: &str| {
+        let back = read(&control, "p", text, &ReadOptions::default()).unwrap();
+        verify(&program, &back.program, &start, of)
+    };
+    assert!(judged(&written).is_ok());
+    let lines: Vec<&str> = written.lines().collect();
+    let block = lines.iter().rposition(|line| line.starts_with("G1 ")).unwrap() - 20;
+    let changed = |line: &str| {
+        let mut lines = lines.clone();
+        lines[block] = line;
+        lines.join("\n")
+    };
+    let (head, feed) = lines[block].rsplit_once(" F").unwrap();
+    assert!(judged(&changed("")).is_err());
+    assert!(judged(&changed(&format!("{head} F{}", 1.01 * feed.parse::<f64>().unwrap()))).is_err());
+    let (word, rest) = lines[block].split_once(' ').unwrap();
+    let (place, rest) = rest.split_once(' ').unwrap();
+    let moved = format!("{word} {}{} {rest}", &place[..1], place[1..].parse::<f64>().unwrap() + 0.002);
+    assert!(judged(&changed(&moved)).is_err(), "{moved}");
+    assert!(judged(&written.replace("M65 P0 (arc off)", "")).is_err());
+    assert!(judged(&written.replace("M64 P1 (gas on)", "")).is_err());
+    // A coarser program than was allowed.
+    let strict = seamwright_post::Planned { tolerance_mm: 1e-4, ..of };
+    let back = read(&control, "p", &written, &ReadOptions::default()).unwrap();
+    assert!(verify(&program, &back.program, &start, strict).unwrap_err()[0].contains("leaves the planned path"));
+}
+
 fn is_arc(what: &What, on: bool) -> bool {
     matches!(what, What::Event { event: Event::Arc(is), .. } if *is == on)
 }
 
 /// Written and read back: the same rows, the same times.
 fn reads_back(control: &Control, program: &PartProgram, feed: Feed) -> usize {
-    let options = WriteOptions { machine: "m".to_owned(), feed, rounding_mm: 0.001 };
+    let options = WriteOptions { machine: "m".to_owned(), feed, rounding_mm: 0.001, remarks: Vec::new() };
     let written = write(control, program, &options).unwrap();
     let read = text::read(control, &written);
     let all = ways(program, 0..program.steps.len());
@@ -90,7 +155,12 @@ fn reads_back(control: &Control, program: &PartProgram, feed: Feed) -> usize {
         }
         assert_eq!(read.rows[k][..axes], row[..axes], "move {k}");
         most = most.max((read.times[k] / seconds - 1.0).abs());
-        assert!(seconds == 0.0 || (read.times[k] / seconds - 1.0).abs() < 1e-4, "{} {seconds}", read.times[k]);
+        assert!(
+            seconds == 0.0 || (read.times[k] / seconds - 1.0).abs() < 1e-4,
+            "{} {seconds} move {k} {:?} {feed:?}",
+            read.times[k],
+            control.dialect
+        );
         k += 1;
     }
     assert_eq!(k, read.rows.len());
@@ -111,6 +181,7 @@ fn check(name: &str) {
             let moves = reads_back(&control, &program, Feed::InverseTime);
             assert_eq!(moves, reads_back(&control, &program, Feed::PerMinute));
             println!("{name} {dialect:?} {:?}: {moves} moves, {worst:.5} mm", options.interpolation);
+            proven(&planned, &control, &program, &options);
             fits += 1;
         }
     }

@@ -1,6 +1,6 @@
 use crate::{
-    Air, Clearance, Joint, Offsets, Part, Pass, Procedure, Seam, SeamCopy, SeamStart, Taught, check_offset,
-    check_process,
+    Air, Clearance, Joint, Offsets, Part, Pass, Procedure, Seam, SeamCopy, SeamStart, Taught, Variables, check_offset,
+    check_process, variables,
 };
 use glam::DAffine3;
 use schemars::JsonSchema;
@@ -18,6 +18,9 @@ pub struct Program {
     pub title: String,
     /// The machine: a name of one that ships, or a path to a machine file from the program's folder.
     pub machine: String,
+    /// Numbers by name: any number in the file may be written `"= expression"` over them, with + - * / and parentheses.
+    #[serde(default, skip_serializing_if = "Variables::is_empty")]
+    pub variables: Variables,
     /// The work offset in force: a name among `offsets`. Without one the part's frame is the machine's work frame.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub offset: Option<String>,
@@ -67,12 +70,12 @@ impl Program {
         toml::from_str::<toml::Table>(text).is_ok_and(|t| t.contains_key("passes"))
     }
 
-    /// Reads a program file and checks that its passes hang together.
+    /// Reads a program file, with expressions over its variables, and checks that its passes hang together.
     ///
     /// # Errors
     /// The first thing wrong, with its address.
     pub fn read(file: &str, text: &str) -> Result<Document<Self>, DocumentError> {
-        let document = Document::<Self>::read(file, text)?;
+        let document = Document::<Self>::read(file, &variables::substituted(file, text)?)?;
         check_offset(&document, document.value.offset.as_deref(), &document.value.offsets)?;
         SeamCopy::check(&document, &document.value.copies, &document.value.placement)?;
         if document.value.passes.is_empty() {

@@ -12,6 +12,7 @@ mod bead;
 mod branch;
 mod copies;
 mod document;
+pub mod edit;
 mod finding;
 mod head;
 mod joint;
@@ -25,6 +26,7 @@ mod plane_seam;
 mod points;
 mod procedure;
 mod process;
+mod repeat;
 mod seam;
 mod sequence;
 mod space_seam;
@@ -33,6 +35,7 @@ mod spare_axes;
 mod taught;
 mod tolerance;
 mod torch;
+mod variables;
 mod weave;
 mod weaving;
 
@@ -62,6 +65,7 @@ pub use procedure::{
     Procedure, Run, ShippedProcedure, WeldingPosition, WeldingProcess, Window, shipped_procedure,
 };
 pub use process::{ProcessValue, ProcessValues, check_process, check_process_name};
+pub use repeat::Repeat;
 pub use seam::{Direction as WeldDirection, Ellipse, FilletOrButt, Girth, Line, Seam, SeamStart, Side, TJoint};
 pub use sequence::{AtHold, Sequence, Slope};
 pub use space_seam::{Helix, Spline};
@@ -70,5 +74,6 @@ pub use spare_axes::{Position, SpareAxes, Weights};
 pub use taught::Taught;
 pub use tolerance::Tolerance;
 pub use torch::{AxisPositions, Groove, MOST_AXES, Torch, TorchAt, TorchPath};
+pub use variables::Variables;
 pub use weave::{Figure, Swing, Weave};
 pub use weaving::Weaving;

@@ -1,5 +1,5 @@
 use crate::{
-    AtCorner, Bead, Oscillation, Points, ProcessValues, Sequence, SpanValue, SpareAxes, Tolerance, Torch, Weave,
+    AtCorner, Bead, Oscillation, Points, ProcessValues, Repeat, Sequence, SpanValue, SpareAxes, Tolerance, Torch, Weave,
 };
 use schemars::JsonSchema;
 use seamwright_document::{NonNegative, Positive};
@@ -15,6 +15,9 @@ pub struct Pass {
     /// What it is for in a weld of several passes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub role: Option<Role>,
+    /// How many times it is welded, one after the other.
+    #[serde(default, skip_serializing_if = "Repeat::is_once")]
+    pub repeat: Repeat,
     /// The copy of the seam that it is welded on, counted from 0 in `copies`.
     #[serde(default, skip_serializing_if = "is_first")]
     pub copy: usize,

@@ -309,7 +309,7 @@ impl Points {
         if stands && pace != 0.0 {
             return wrong(last, "0: it is the start, or as fast as the axes can");
         }
-        if !stands && !(pace > 0.0 && pace <= LONGEST_S) {
+        if !stands && (pace <= 0.0 || pace > LONGEST_S) {
             return wrong(last, "more than 0, up to 1e7");
         }
         if let Some((_, i)) = columns.process.iter().find(|(_, i)| row[*i].get() < 0.0) {

@@ -5,8 +5,8 @@ use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Document, DocumentError, NonNegative, Positive, SchemaVersion, Transform};
 use seamwright_program::{
-    Air, AtCorner, Clearance, Joint, Offsets, OnLimit, Oscillation, Part, Pass, ProcessValues, Program, Seam, SeamCopy,
-    SeamStart, Sequence, SpareAxes, Taught, Tolerance, Torch, Weave, check_offset, check_process,
+    Air, AtCorner, Clearance, Joint, Offsets, OnLimit, Oscillation, Part, Pass, ProcessValues, Program, Repeat, Seam,
+    SeamCopy, SeamStart, Sequence, SpareAxes, Taught, Tolerance, Torch, Variables, Weave, check_offset, check_process,
 };
 use serde::{Deserialize, Serialize};
 
@@ -175,6 +175,7 @@ impl Job {
         let pass = Pass {
             name: "pass 1".to_owned(),
             role: None,
+            repeat: Repeat::default(),
             copy: 0,
             begin_mm: NonNegative::default(),
             reverse: false,
@@ -196,6 +197,7 @@ impl Job {
             schema: SchemaVersion,
             title: j.title.clone(),
             machine: j.machine.clone(),
+            variables: Variables::new(),
             offset: j.offset.clone(),
             offsets: j.offsets.clone(),
             placement: if copies.is_empty() { j.placement } else { Transform::default() },

@@ -5,16 +5,17 @@ use crate::{
 };
 use seamwright_document::{Document, DocumentError};
 use seamwright_program::{Finding, Pass, Program, Weaving};
+use std::sync::Arc;
 
 /// A weld read from a job or a program file: the program, the seam, and the torch angles along it.
 #[derive(Debug)]
 pub struct Welding {
-    /// The program, at the address of the file it came from.
+    /// The program, at the address of the file it came from, each pass as often as it is welded.
     pub program: Document<Program>,
     /// The seam by path length from the start of the weld; none where all passes go through points.
     pub seam: Option<SeamCurve>,
     /// Where each pass runs.
-    lines: Vec<PassLine>,
+    lines: Vec<Arc<PassLine>>,
     /// The joint along the seam, if the file has one.
     pub joint: Option<SeamJoint>,
     /// How beads fill it, if that was planned: from a job, not from a program.
@@ -97,6 +98,7 @@ impl Welding {
         program.procedure = procedure::of_job(job, &program, outside)?;
         let program = job.with(program);
         let lines = pass_lines(&program, Some(&seam), |_| String::new(), outside)?;
+        let lines = lines.into_iter().map(Arc::new).collect();
         Ok(Self { program, seam: Some(seam), lines, joint, plan, plan_findings, cut })
     }
 
@@ -110,9 +112,14 @@ impl Welding {
             _ => None,
         };
         let cut = p.seam.as_ref().map_or(Ok(None), |seam| Cut::new(&program, seam))?;
-        let mut value = program.value.clone();
+        // The lines of the passes as they stand in the file, so that errors have their addresses; then a line for each
+        // time a pass is welded.
+        let times = p.passes.iter().map(|pass| usize::from(pass.repeat.get()));
+        let lines: Vec<Arc<PassLine>> =
+            lines.into_iter().map(Arc::new).zip(times).flat_map(|(line, n)| std::iter::repeat_n(line, n)).collect();
+        let mut value = program.value.expanded();
         for (pass, line) in value.passes.iter_mut().zip(&lines) {
-            if let PassLine::Points(points) = line {
+            if let PassLine::Points(points) = line.as_ref() {
                 pass.spans = points.spans().to_vec();
             }
         }
@@ -122,7 +129,7 @@ impl Welding {
 
     /// The torch's path in pass `pass`, counted from 0, in the machine's work frame.
     pub fn path(&self, pass: usize) -> WeldPath<'_> {
-        match (&self.lines[pass], &self.seam) {
+        match (self.lines[pass].as_ref(), &self.seam) {
             (PassLine::Points(points), _) => WeldPath::Points(points),
             (PassLine::Seam { stretch, attitude, bead }, Some(seam)) => WeldPath::Seam(Box::new(PassPath {
                 seam,

@@ -2,6 +2,7 @@
 
 pub(crate) mod check;
 pub(crate) mod demo;
+pub(crate) mod edit;
 pub(crate) mod follow;
 pub(crate) mod interpolate;
 pub(crate) mod kinematics;

@@ -2,6 +2,7 @@ use crate::args::{Format, SchemaArgs};
 use crate::failure::Failure;
 use crate::rows::print_json;
 use seamwright_machine::MachineFile;
+use seamwright_program::edit::Operation;
 use seamwright_program::{Procedure, Program};
 use seamwright_weld::Job;
 
@@ -9,6 +10,7 @@ pub(crate) fn run(args: &SchemaArgs) -> Result<(), Failure> {
     let schema = match args.format {
         Format::Job => schemars::schema_for!(Job),
         Format::Machine => schemars::schema_for!(MachineFile),
+        Format::Operation => schemars::schema_for!(Operation),
         Format::Procedure => schemars::schema_for!(Procedure),
         Format::Program => schemars::schema_for!(Program),
     };

@@ -64,6 +64,7 @@ pub fn to_program(
         placement: Transform::default(),
         copies: Vec::new(),
         seam: None,
+        variables: Default::default(),
         start: Default::default(),
         joint: None,
         taught: Vec::new(),
@@ -351,6 +352,7 @@ impl Builder<'_> {
             weave: None,
             oscillation: None,
             points: Some(open.points),
+            repeat: Default::default(),
             spans: Vec::new(),
         });
     }

@@ -34,7 +34,7 @@ impl Planned {
         let machine = Machine::read("m", &file).unwrap();
         let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
         let motion = {
-            let paths: Vec<_> = (0..welding.attitudes.len()).map(|i| welding.path(i)).collect();
+            let paths: Vec<_> = (0..welding.program.value.passes.len()).map(|i| welding.path(i)).collect();
             let passes: Vec<(&dyn TorchPath, &Pass)> =
                 paths.iter().zip(&welding.program.value.passes).map(|(p, pass)| (p as &dyn TorchPath, pass)).collect();
             WeldMotion::plan(&machine, &around, &passes, 30.0).unwrap()
@@ -43,7 +43,7 @@ impl Planned {
     }
 
     pub(crate) fn program(&self, control: &Control, options: &Options) -> Result<PartProgram, seamwright_post::Error> {
-        let paths: Vec<_> = (0..self.welding.attitudes.len()).map(|i| self.welding.path(i)).collect();
+        let paths: Vec<_> = (0..self.welding.program.value.passes.len()).map(|i| self.welding.path(i)).collect();
         let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
         part_program(&self.machine, control, &self.welding.program.value, &paths, &self.motion, options)
     }

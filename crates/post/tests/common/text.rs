@@ -26,7 +26,7 @@ fn words(line: &str, comma: bool) -> Vec<(String, Vec<f64>)> {
         let text = if comma { text.replace(',', ".") } else { text.to_owned() };
         let digits = text.trim_start_matches('-');
         assert!(digits.starts_with(|c: char| c.is_ascii_digit()) && !digits.ends_with('.'), "{line}");
-        assert!(digits.split('.').nth(1).is_none_or(|d| d.len() <= 6 && !d.ends_with('0')), "{line}");
+        assert!(digits.split('.').nth(1).is_none_or(|d| d.len() <= 9 && !d.ends_with('0')), "{line}");
         assert!(text != "-0" && !digits.contains(['e', 'E', '-', '+']), "{line}");
         text.parse().unwrap_or_else(|_| panic!("{text} in {line}"))
     };
@@ -204,7 +204,8 @@ fn way(
     } else {
         sum("XYZ")
     };
-    let others = sum("ABCUVWQ");
+    let axis = |i: usize| !matches!(control.addresses[i].as_str(), "X" | "Y" | "Z") && is(i, &control.addresses[i]);
+    let others = (0..row.len()).filter(|i| axis(*i)).map(|i| (row[i] - before[i]).powi(2)).sum::<f64>();
     match control.dialect {
         Dialect::Linuxcnc if linear > 0.0 => linear.sqrt(),
         _ => (linear + others).sqrt(),

@@ -1,0 +1,30 @@
+//! The history of a program file, beside it.
+
+use crate::failure::Failure;
+use crate::files;
+use seamwright_program::edit::{Editor, History};
+use std::path::{Path, PathBuf};
+
+/// Where the history of `file` is.
+pub(super) fn path(file: &Path) -> PathBuf {
+    let mut name = file.as_os_str().to_owned();
+    name.push(".edits");
+    name.into()
+}
+
+/// The history of `file`, which now has `text`, and whether it is that of this text; an empty one if there is none.
+pub(super) fn read(file: &Path, text: &str) -> Result<(History, bool), Failure> {
+    let path = path(file);
+    if !path.exists() {
+        return Ok((History::default(), true));
+    }
+    Ok(History::from_json_lines(&path.display().to_string(), &files::read(&path)?, text)?)
+}
+
+/// Writes the file and its history.
+pub(super) fn write(file: &Path, editor: &Editor) -> Result<(), Failure> {
+    let unwritable = |e: serde_json::Error| Failure::Environment(e.to_string());
+    let lines = editor.history().to_json_lines(editor.text()).map_err(unwritable)?;
+    files::write(file, editor.text())?;
+    files::write(&path(file), &lines)
+}

@@ -1,0 +1,128 @@
+//! Edits of a program file, and its history.
+
+mod journal;
+mod operation;
+
+use crate::args::edit::{EditArgs, EditVerb};
+use crate::failure::Failure;
+use crate::files;
+use crate::rows::{print_json, print_text};
+use seamwright_program::edit::{Editor, History, Operation, Patch, Report};
+use serde_json::{Value, json};
+use std::io::{self, Write as _};
+
+pub(crate) fn run(args: &EditArgs) -> Result<(), Failure> {
+    match (&args.operation, &args.script) {
+        (Some(EditVerb::History), None) => history(args),
+        (Some(EditVerb::Undo(step)), None) => back(args, step.force, "undone", Editor::undo),
+        (Some(EditVerb::Redo(step)), None) => back(args, step.force, "done again", Editor::redo),
+        (Some(verb), None) => edit(args, &operation::operation(verb)?.into_iter().collect::<Vec<_>>()),
+        (None, Some(script)) => edit(args, &operation::json::<Vec<Operation>>(script)?),
+        _ => {
+            let message = "what to do is not said, or twice";
+            let allowed = "one operation, undo, redo, history, or --script OPS.json; see `seamwright edit --help`";
+            Err(Failure::Input(format!("{message}\n   allowed: {allowed}")))
+        }
+    }
+}
+
+fn edit(args: &EditArgs, operations: &[Operation]) -> Result<(), Failure> {
+    let name = args.file.display().to_string();
+    let text = files::read(&args.file)?;
+    let (history, is_same) = journal::read(&args.file, &text)?;
+    if !is_same {
+        // Nothing can be done if standard error is closed.
+        let _ = writeln!(io::stderr(), "note: {name} was changed by hand since its last edit: a new history begins");
+    }
+    let mut editor = Editor::with_history(&name, &text, if is_same { history } else { History::default() })?;
+    let reports = editor.apply_all(operations).map_err(|(i, e)| {
+        let of = if operations.len() > 1 { format!("operation {}: ", i + 1) } else { String::new() };
+        Failure::Input(format!("{of}{e}"))
+    })?;
+    finish(args, &text, &editor, &reports)
+}
+
+/// Undoes an edit, or makes it again.
+fn back(
+    args: &EditArgs,
+    force: bool,
+    how: &str,
+    step: fn(&mut Editor) -> Result<Option<String>, seamwright_document::DocumentError>,
+) -> Result<(), Failure> {
+    let name = args.file.display().to_string();
+    let text = files::read(&args.file)?;
+    let (history, is_same) = journal::read(&args.file, &text)?;
+    if !is_same && !force {
+        let message = format!("{name}: the file was changed by hand since its last edit");
+        return Err(Failure::Input(format!("{message}\n   allowed: --force, which goes as far as it can")));
+    }
+    let mut editor = Editor::with_history(&name, &text, history)?;
+    let Some(words) = step(&mut editor)? else {
+        return Err(Failure::Input(format!("{name}: there is nothing to be {how}\n   allowed: see `history`")));
+    };
+    let report = Report { words: format!("{how}: {words}"), changed: true, touched: Vec::new() };
+    finish(args, &text, &editor, &[report])
+}
+
+/// Writes and tells what was done.
+fn finish(args: &EditArgs, before: &str, editor: &Editor, reports: &[Report]) -> Result<(), Failure> {
+    match &args.output {
+        _ if args.dry_run => {}
+        Some(path) => files::write(path, editor.text())?,
+        None if editor.text() != before => journal::write(&args.file, editor)?,
+        None => {}
+    }
+    if args.json {
+        let difference: Vec<String> = if args.dry_run { difference(before, editor.text()) } else { Vec::new() };
+        return print_json(&json!({
+            "file": args.output.as_ref().unwrap_or(&args.file),
+            "written": !args.dry_run && (args.output.is_some() || editor.text() != before),
+            "reports": reports,
+            "difference": difference,
+        }));
+    }
+    let told =
+        |report: &Report| format!("{}{}\n", report.words, if report.changed { "" } else { " (nothing changed)" });
+    let mut out: String = reports.iter().map(told).collect();
+    if args.dry_run {
+        difference(before, editor.text()).iter().for_each(|line| out.extend([line, "\n"]));
+    }
+    print_text(&out)
+}
+
+/// Lines that go and come, with their numbers; what is the same at both ends is left out.
+fn difference(before: &str, after: &str) -> Vec<String> {
+    let (old, new): (Vec<&str>, Vec<&str>) = (before.lines().collect(), after.lines().collect());
+    let first = old.iter().zip(&new).take_while(|(a, b)| a == b).count();
+    let (old, new) = (&old[first..], &new[first..]);
+    let last = old.iter().rev().zip(new.iter().rev()).take_while(|(a, b)| a == b).count();
+    let (old, new) = (&old[..old.len() - last], &new[..new.len() - last]);
+    let line = |sign: char, i: usize, text: &str| format!("{sign}{:>5} | {text}", first + i + 1);
+    if old.len() == new.len() {
+        let pairs = old.iter().zip(new).enumerate().filter(|(_, (a, b))| a != b);
+        return pairs.flat_map(|(i, (a, b))| [line('-', i, a), line('+', i, b)]).collect();
+    }
+    let gone = old.iter().enumerate().map(|(i, text)| line('-', i, text));
+    gone.chain(new.iter().enumerate().map(|(i, text)| line('+', i, text))).collect()
+}
+
+fn history(args: &EditArgs) -> Result<(), Failure> {
+    let text = files::read(&args.file)?;
+    let (history, is_same) = journal::read(&args.file, &text)?;
+    let names = |patches: &[Patch]| -> Vec<Value> { patches.iter().map(|p| p.name.as_str().into()).collect() };
+    if args.json {
+        let (done, undone) = (names(history.done()), names(history.undone()));
+        return print_json(&json!({ "done": done, "undone": undone, "changed_by_hand": !is_same }));
+    }
+    let mut out = String::new();
+    for (i, patch) in history.done().iter().enumerate() {
+        out += &format!("{:>4}  {}\n", i + 1, patch.name);
+    }
+    for patch in history.undone() {
+        out += &format!("   -  {} (undone)\n", patch.name);
+    }
+    if !is_same {
+        out += "the file was changed by hand since\n";
+    }
+    print_text(if out.is_empty() { "no edits\n" } else { &out })
+}

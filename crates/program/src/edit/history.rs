@@ -1,0 +1,158 @@
+//! What was done to a text, so that it can be undone: patches of what changed, not copies of the text.
+
+use seamwright_document::DocumentError;
+use serde::{Deserialize, Serialize};
+
+/// One edit: what stood at a place of the text, and what stands there instead.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Patch {
+    /// What was done, in words.
+    pub name: String,
+    /// Bytes before the place.
+    pub at: usize,
+    /// What stood there.
+    pub removed: String,
+    /// What stands there.
+    pub inserted: String,
+}
+
+impl Patch {
+    /// The edit that makes `after` of `before`: what they have in common at both ends is left out.
+    pub fn between(name: &str, before: &str, after: &str) -> Self {
+        let same = |(a, b): &(u8, u8)| a == b;
+        let mut at = before.bytes().zip(after.bytes()).take_while(same).count();
+        while !before.is_char_boundary(at) || !after.is_char_boundary(at) {
+            at -= 1;
+        }
+        let (old, new) = (&before[at..], &after[at..]);
+        let mut end = old.bytes().rev().zip(new.bytes().rev()).take_while(same).count();
+        while !old.is_char_boundary(old.len() - end) || !new.is_char_boundary(new.len() - end) {
+            end -= 1;
+        }
+        let (removed, inserted) = (&old[..old.len() - end], &new[..new.len() - end]);
+        Self { name: name.to_owned(), at, removed: removed.to_owned(), inserted: inserted.to_owned() }
+    }
+
+    /// `text` after the edit; none if what it removes does not stand there.
+    fn applied(&self, text: &str) -> Option<String> {
+        exchanged(text, self.at, (&self.removed, &self.inserted))
+    }
+
+    /// `text` before the edit; none if what it inserted does not stand there.
+    fn undone(&self, text: &str) -> Option<String> {
+        exchanged(text, self.at, (&self.inserted, &self.removed))
+    }
+}
+
+/// `text` with `to` for the `from` that stands at `at`; in a text that was changed since, for the only one there is.
+fn exchanged(text: &str, at: usize, (from, to): (&str, &str)) -> Option<String> {
+    let here = text.get(at..).is_some_and(|rest| rest.starts_with(from));
+    let alone = || text.find(from).filter(|i| !from.is_empty() && text.rfind(from) == Some(*i));
+    let at = if here { at } else { alone()? };
+    Some([&text[..at], to, &text[at + from.len()..]].concat())
+}
+
+/// Edits of a text in order, those undone last.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct History {
+    patches: Vec<Patch>,
+    pub(super) done: usize,
+}
+
+/// The first line of a history as a file.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Head {
+    /// Version of the format.
+    history: u32,
+    /// How many edits are done; the others are undone.
+    done: usize,
+    /// Of the text, as it is with these done.
+    checksum: String,
+}
+
+/// FNV-1a, 64 bits: tells a text that was changed by hand; nobody is to be fooled.
+fn checksum(text: &str) -> String {
+    let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    format!("{:016x}", text.bytes().fold(0xcbf2_9ce4_8422_2325, step))
+}
+
+impl History {
+    /// Adds an edit behind those that are done; those undone are forgotten.
+    pub fn push(&mut self, patch: Patch) {
+        self.patches.truncate(self.done);
+        self.patches.push(patch);
+        self.done += 1;
+    }
+
+    /// The edits that are done, the first one first.
+    pub fn done(&self) -> &[Patch] {
+        &self.patches[..self.done]
+    }
+
+    /// The edits undone, the next one to be done again first.
+    pub fn undone(&self) -> &[Patch] {
+        &self.patches[self.done..]
+    }
+
+    /// `text` before the last edit, and that edit's name; none if nothing is left to undo, or the text is not that of the
+    /// history.
+    pub fn undo(&mut self, text: &str) -> Option<(String, String)> {
+        let patch = self.patches.get(self.done.checked_sub(1)?)?;
+        let text = patch.undone(text)?;
+        self.done -= 1;
+        Some((text, patch.name.clone()))
+    }
+
+    /// `text` with the next edit done again, and that edit's name; none as for [`History::undo`].
+    pub fn redo(&mut self, text: &str) -> Option<(String, String)> {
+        let patch = self.patches.get(self.done)?;
+        let text = patch.applied(text)?;
+        self.done += 1;
+        Some((text, patch.name.clone()))
+    }
+
+    /// As JSON lines: a head with a checksum of `text`, the text with all edits that are done, and a line an edit.
+    ///
+    /// # Errors
+    /// None in practice: texts and numbers have a JSON form.
+    pub fn to_json_lines(&self, text: &str) -> Result<String, serde_json::Error> {
+        let head = Head { history: 1, done: self.done, checksum: checksum(text) };
+        let mut out = serde_json::to_string(&head)? + "\n";
+        for patch in &self.patches {
+            out += &serde_json::to_string(patch)?;
+            out.push('\n');
+        }
+        Ok(out)
+    }
+
+    /// Reads what [`History::to_json_lines`] wrote, calling it `file` in errors; and whether it is that of `text`: false
+    /// if the text was changed since.
+    ///
+    /// # Errors
+    /// What is wrong with a line.
+    pub fn from_json_lines(file: &str, lines: &str, text: &str) -> Result<(Self, bool), DocumentError> {
+        let empty = seamwright_document::Document::<toml::Table>::read(file, "")?;
+        let wrong = |line: usize, what: String| {
+            let allowed = "a history as `seamwright edit` writes it, one JSON object a line";
+            empty.error_at("", format!("line {line}: {what}"), allowed)
+        };
+        let mut rest = lines.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
+        let head = rest.next().ok_or_else(|| wrong(1, "the history is empty".to_owned()))?;
+        let head: Head = serde_json::from_str(head.1).map_err(|e| wrong(1, e.to_string()))?;
+        let patch = |(i, line): (usize, &str)| serde_json::from_str(line).map_err(|e| wrong(i + 1, e.to_string()));
+        let patches: Vec<Patch> = rest.map(patch).collect::<Result<_, _>>()?;
+        if head.history != 1 || head.done > patches.len() {
+            return Err(wrong(1, "the head of the history does not fit its edits".to_owned()));
+        }
+        let is_same = head.checksum == checksum(text);
+        Ok((Self { patches, done: head.done }, is_same))
+    }
+
+    /// Bytes that it keeps.
+    pub fn size(&self) -> usize {
+        let of = |patch: &Patch| patch.name.len() + patch.removed.len() + patch.inserted.len();
+        self.patches.iter().map(of).sum::<usize>() + self.patches.len() * size_of::<Patch>()
+    }
+}

@@ -1,0 +1,165 @@
+//! Edits of a program, as a panel and the command line make them: on the document, so that comments and layout stay, and
+//! checked, so that a program stays a program.
+//!
+//! An [`Operation`] is made in a draft of the typed program, in which each pass, span, point and event knows where in the
+//! document it came from; what is different is then written there. The text is read again: it must be a program, and
+//! the one that was meant. [`Editor::undo`] gives back the very bytes.
+
+mod arc;
+mod draft;
+mod format;
+mod history;
+mod merge;
+mod operation;
+mod passes;
+mod place;
+mod points;
+mod reduce;
+mod report;
+mod rows;
+mod spans;
+mod switches;
+mod turn;
+mod values;
+mod write;
+
+pub use history::{History, Patch};
+pub use operation::Operation;
+pub use passes::{
+    AddEvent, AddPass, DeleteEvent, DeletePass, DuplicatePass, MovePass, SetOffset, SetPass, SetVariable,
+};
+pub use place::{Mirror, Offset};
+pub use points::{DeletePoints, InsertPoint, SetPoint};
+pub use reduce::Reduce;
+pub use report::{Report, Touched};
+pub use spans::{Interpolate, JoinSpans, SplitSpan};
+pub use turn::{ReversePass, ShiftStart};
+pub use values::{Renumber, ScaleSpeed, SetProcess};
+
+use crate::Program;
+use draft::Draft;
+use seamwright_document::{Document, DocumentError};
+
+/// A program under edit: its text, what it says, and what was done to it.
+#[derive(Debug, Clone)]
+pub struct Editor {
+    file: String,
+    text: String,
+    program: Document<Program>,
+    history: History,
+}
+
+impl Editor {
+    /// Opens a program's text, calling it `file` in errors.
+    ///
+    /// # Errors
+    /// The first thing wrong with the program, with its address.
+    pub fn new(file: &str, text: &str) -> Result<Self, DocumentError> {
+        Self::with_history(file, text, History::default())
+    }
+
+    /// The same with what was done to the text before.
+    ///
+    /// # Errors
+    /// As for [`Editor::new`].
+    pub fn with_history(file: &str, text: &str, history: History) -> Result<Self, DocumentError> {
+        Ok(Self { file: file.to_owned(), text: text.to_owned(), program: Program::read(file, text)?, history })
+    }
+
+    /// The document.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// What it says, expressions as their numbers.
+    pub fn program(&self) -> &Program {
+        &self.program.value
+    }
+
+    /// What was done.
+    pub fn history(&self) -> &History {
+        &self.history
+    }
+
+    /// Makes an edit.
+    ///
+    /// # Errors
+    /// Why it is refused: the operation asks for what is not there, or the result would be no program. The document
+    /// stays as it was.
+    pub fn apply(&mut self, operation: &Operation) -> Result<Report, DocumentError> {
+        let (text, program, report) = self.edited(operation)?;
+        let changed = text != self.text;
+        if changed {
+            self.history.push(Patch::between(&report.words, &self.text, &text));
+            (self.text, self.program) = (text, program);
+        }
+        Ok(Report { changed, ..report })
+    }
+
+    /// Makes several edits one after the other; each stands in the history.
+    ///
+    /// # Errors
+    /// The index of the first one refused, and why; then none is made.
+    pub fn apply_all(&mut self, operations: &[Operation]) -> Result<Vec<Report>, (usize, DocumentError)> {
+        let mut edited = self.clone();
+        let reports = operations.iter().enumerate().map(|(i, o)| edited.apply(o).map_err(|e| (i, e)));
+        let reports = reports.collect::<Result<_, _>>()?;
+        *self = edited;
+        Ok(reports)
+    }
+
+    /// The text, the program and the report after an edit.
+    fn edited(&self, operation: &Operation) -> Result<(String, Document<Program>, Report), DocumentError> {
+        let mut draft = Draft::new(&self.program);
+        let report = operation.apply(&mut draft)?;
+        let meant = draft.program()?;
+        let text = match operation {
+            Operation::Format => format::formatted(&self.text, &self.program)?,
+            _ => write::write(&self.text, &draft)?,
+        };
+        let program = Program::read(&self.file, &text).map_err(|mut e| {
+            let help = "the edit is refused: the document stays as it was; the line is that of the result";
+            e.help = Some(e.help.map_or(help.to_owned(), |h| format!("{h}\n   help: {help}")));
+            e
+        })?;
+        if !draft.is_recomputed && program.value != meant {
+            let message = "the edit cannot be written into the layout of this document";
+            return Err(self.program.error_at("", message, "the layout that the operation `format` makes"));
+        }
+        Ok((text, program, report))
+    }
+
+    /// Undoes the last edit: the text is byte by byte what it was. What was undone; none if nothing was left.
+    ///
+    /// # Errors
+    /// The text is not that of the history.
+    pub fn undo(&mut self) -> Result<Option<String>, DocumentError> {
+        if self.history.done().is_empty() { Ok(None) } else { self.step(History::undo).map(Some) }
+    }
+
+    /// Makes the last edit undone again. What was made; none if nothing was left.
+    ///
+    /// # Errors
+    /// The text is not that of the history.
+    pub fn redo(&mut self) -> Result<Option<String>, DocumentError> {
+        if self.history.undone().is_empty() { Ok(None) } else { self.step(History::redo).map(Some) }
+    }
+
+    /// A step in the history; its name.
+    fn step(&mut self, step: fn(&mut History, &str) -> Option<(String, String)>) -> Result<String, DocumentError> {
+        let mut history = std::mem::take(&mut self.history);
+        let before = history.done;
+        let made = step(&mut history, &self.text).ok_or_else(|| {
+            let message = "what the edit left does not stand in the document any more: it was changed since";
+            self.program.error_at("", message, "the document as the last edit left it")
+        });
+        let read = made.and_then(|(text, name)| Ok((Program::read(&self.file, &text)?, text, name)));
+        if read.is_err() {
+            history.done = before;
+        }
+        self.history = history;
+        let name;
+        (self.program, self.text, name) = read?;
+        Ok(name)
+    }
+}

@@ -1,0 +1,257 @@
+//! Where points are: mirrored, or moved by the torch's frame.
+
+use super::arc::ArcWay;
+use super::draft::{Body, Draft, PointsDraft, Row};
+use super::report::Report;
+use crate::{Along, Bead};
+use glam::DVec3;
+use schemars::JsonSchema;
+use seamwright_document::{Direction, DocumentError, Finite, NonNegative, Point};
+use serde::{Deserialize, Serialize};
+
+/// Mirrors the points of a pass, or of all passes through points: poses about a plane (`at_mm` and `normal`), with the
+/// torch's direction; axis positions about the value `about` of one `axis`.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Mirror {
+    /// The pass, from 1; all through points if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pass: Option<usize>,
+    /// A point of the plane, mm; the origin if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_mm: Option<Point>,
+    /// Normal of the plane.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub normal: Option<Direction>,
+    /// The axis.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub axis: Option<String>,
+    /// Its position that stays, mm or degrees; 0 if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub about: Option<Finite>,
+}
+
+/// Moves a pass. Poses: by the frame of direction of travel x, torch direction z, and y across both (z cross x). At a
+/// point between two ways the direction of travel is the mean of both. A pass along the seam: its bead.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Offset {
+    /// The pass, from 1.
+    pub pass: usize,
+    /// The first and last point of a pass through points; all if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub points: Option<[usize; 2]>,
+    /// Along the direction of travel, mm.
+    #[serde(default)]
+    pub dx_mm: Finite,
+    /// Across, mm.
+    #[serde(default)]
+    pub dy_mm: Finite,
+    /// Along the torch's direction, mm: greater than 0 towards the work.
+    #[serde(default)]
+    pub dz_mm: Finite,
+    /// Along the seam: added to the bead's `across_mm`.
+    #[serde(default)]
+    pub across_mm: Finite,
+    /// Along the seam: added to its `out_mm`.
+    #[serde(default)]
+    pub out_mm: Finite,
+    /// Along the seam: added to its `work_angle_deg`.
+    #[serde(default)]
+    pub work_angle_deg: Finite,
+}
+
+impl Mirror {
+    pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
+        let mut report = Report::new("mirrored");
+        let plane = match (&self.axis, self.normal) {
+            (None, Some(normal)) if self.about.is_none() => Some((self.at_mm.unwrap_or_default().get(), normal.unit())),
+            (Some(_), None) if self.at_mm.is_none() => None,
+            _ => {
+                let message = "about what to mirror is not said, or twice";
+                return Err(
+                    draft.wrong(message, "`normal` with `at_mm` for poses, `axis` with `about` for axis positions")
+                );
+            }
+        };
+        for pass in draft.numbers(self.pass)? {
+            if self.pass.is_none() && matches!(draft.pass(pass)?.body, Body::Seam(_)) {
+                continue;
+            }
+            let points = draft.points(pass)?;
+            match (plane, &self.axis, points.places().filter(|_| points.known().pose > 0)) {
+                (Some(plane), _, Some(columns)) => points.mirror(plane, columns),
+                (None, Some(axis), None) if points.known().axes.iter().any(|(name, _)| name == axis) => {
+                    points.mirror_axis(axis, self.about.unwrap_or_default().get());
+                }
+                (None, Some(axis), None) => return Err(super::points::unknown_column(draft, pass, axis)),
+                (Some(_), ..) => {
+                    let message = format!("the points of pass {pass} are axis positions");
+                    return Err(draft.wrong_in(pass, message, "`axis` and `about`"));
+                }
+                _ => {
+                    let message = format!("the points of pass {pass} are poses");
+                    return Err(draft.wrong_in(pass, message, "`normal` and `at_mm`"));
+                }
+            }
+            report = report.pass(pass);
+        }
+        if report.touched.is_empty() {
+            return Err(draft.wrong("no pass goes through points", "a program with [passes.points]"));
+        }
+        Ok(report)
+    }
+}
+
+impl PointsDraft {
+    fn mirror(&mut self, (at, normal): (DVec3, DVec3), columns: [usize; 3]) {
+        let mirrored = |p: DVec3| p - 2.0 * (p - at).dot(normal) * normal;
+        let turned = |d: DVec3| d - 2.0 * d.dot(normal) * normal;
+        let directions = self.directions();
+        for row in self.rows_mut() {
+            row.set_place(columns, mirrored(row.place(columns)));
+            if let Some(columns) = directions {
+                row.set_place(columns, turned(row.place(columns)));
+            }
+        }
+        for span in &mut self.spans {
+            span.via = span.via.map(mirrored);
+            span.normal = span.normal.and_then(|normal| Direction::new(turned(normal.unit())));
+        }
+    }
+
+    fn mirror_axis(&mut self, axis: &str, about: f64) {
+        let Some(column) = self.column(axis) else { return };
+        self.rows_mut().for_each(|row| row.numbers[column] = 2.0 * about - row.numbers[column]);
+        let Some(k) = ["x", "y", "z"].iter().position(|name| *name == axis) else { return };
+        for span in &mut self.spans {
+            if let Some(via) = &mut span.via {
+                via[k] = 2.0 * about - via[k];
+            }
+            if let Some(normal) = span.normal {
+                let mut turned = normal.unit();
+                turned[k] = -turned[k];
+                span.normal = Direction::new(turned);
+            }
+        }
+    }
+
+    /// Directions of travel where the way to each point begins and ends, of unit length; none for a way without length.
+    fn tangents(&self, columns: [usize; 3]) -> Vec<Option<(DVec3, DVec3)>> {
+        let mut here = self.start.place(columns);
+        let mut out = Vec::new();
+        for span in &self.spans {
+            for row in &span.rows {
+                let there = row.place(columns);
+                let arc = span.via.and_then(|via| ArcWay::through(here, via, there, span.normal));
+                let ends = arc.map_or((there - here, there - here), |arc| (arc.tangent(0.0), arc.tangent(1.0)));
+                out.push(ends.0.try_normalize().zip(ends.1.try_normalize()));
+                here = there;
+            }
+        }
+        out
+    }
+
+    /// Direction of travel at each point: the mean of the way to it and the way from it.
+    fn travel(&self, columns: [usize; 3]) -> Vec<Option<DVec3>> {
+        let ways = self.tangents(columns);
+        let at = |point: usize| {
+            let behind = ways[..point].iter().rev().find_map(|way| way.map(|(_, end)| end));
+            let ahead = ways[point..].iter().find_map(|way| way.map(|(begin, _)| begin));
+            match (behind, ahead) {
+                (Some(a), Some(b)) => (a + b).try_normalize().or(Some(b)),
+                (a, b) => a.or(b),
+            }
+        };
+        (0..=ways.len()).map(at).collect()
+    }
+
+    /// Moves the points of a range; the number of a point that has no frame if there is one.
+    fn offset(&mut self, (from, to): (usize, usize), by: DVec3, columns: [usize; 3]) -> Result<(), usize> {
+        let travel = self.travel(columns);
+        let rows: Vec<Row> = self.rows().cloned().collect();
+        let moved = |place: DVec3, travel: DVec3, direction: DVec3| {
+            let across = direction.cross(travel).try_normalize()?;
+            Some(place + by.x * travel + by.y * across + by.z * direction)
+        };
+        let mut new = Vec::new();
+        for (i, row) in rows.iter().enumerate() {
+            let inside = (from..=to).contains(&i);
+            let place = row.place(columns);
+            let there = || moved(place, travel[i]?, self.direction(row));
+            new.push(if inside { there().ok_or(i)? } else { place });
+        }
+        let mut first = 0;
+        for span in 0..self.spans.len() {
+            let (start, end) = (&rows[first], &rows[first + 1]);
+            let inside = from <= first && first < to;
+            if let (Along::Arc, true, Some(via)) = (self.spans[span].along, inside, self.spans[span].via) {
+                let normal = self.spans[span].normal;
+                let way = ArcWay::through(start.place(columns), via, end.place(columns), normal).ok_or(first + 1)?;
+                let part = way.part_of(via);
+                let (a, b) = (self.direction(start), self.direction(end));
+                let direction = a.lerp(b, part).normalize_or(a);
+                let there = moved(via, way.tangent(part).normalize(), direction).ok_or(first + 1)?;
+                self.spans[span].via = Some(there);
+            }
+            first += self.spans[span].rows.len();
+        }
+        for (row, place) in self.rows_mut().zip(new) {
+            row.set_place(columns, place);
+        }
+        Ok(())
+    }
+}
+
+impl Offset {
+    pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
+        let by = DVec3::from_array([self.dx_mm, self.dy_mm, self.dz_mm].map(Finite::get));
+        let beside = [self.across_mm, self.out_mm, self.work_angle_deg].map(Finite::get);
+        let words = format!("pass {} moved", self.pass);
+        if matches!(draft.pass(self.pass)?.body, Body::Seam(_)) {
+            if by != DVec3::ZERO || self.points.is_some() {
+                let message = "the pass runs along the seam";
+                return Err(draft.wrong_in(self.pass, message, "`across_mm`, `out_mm`, `work_angle_deg`"));
+            }
+            let pass = &mut draft.pass(self.pass)?.pass;
+            let begin = Finite::new(pass.begin_mm.get()).unwrap_or_default();
+            let bead = pass.bead.get_or_insert_with(|| on_the_seam(begin));
+            add(&mut bead.across_mm, beside[0]);
+            add(&mut bead.out_mm, beside[1]);
+            add(&mut bead.work_angle_deg, beside[2]);
+            return Ok(Report::new(words).pass(self.pass));
+        }
+        if beside.iter().any(|by| by.abs() > 0.0) {
+            let message = "the pass goes through points";
+            return Err(draft.wrong_in(self.pass, message, "`dx_mm`, `dy_mm`, `dz_mm`"));
+        }
+        let (from, to) = draft.range(self.pass, self.points, 0)?;
+        let points = draft.points(self.pass)?;
+        let Some(columns) = points.places().filter(|_| points.known().pose > 0) else {
+            let message = "the points are axis positions: only the machine knows the torch's frame";
+            return Err(draft.wrong_in(self.pass, message, "points that are poses"));
+        };
+        if let Err(point) = points.offset((from, to), by, columns) {
+            let message = format!("the torch points along its way at point {point}, or nothing moves there");
+            return Err(draft.wrong_in(self.pass, message, "a torch across its way"));
+        }
+        Ok(Report::new(words).points(self.pass, from, to))
+    }
+}
+
+/// A bead that lies on the seam, with one row.
+fn on_the_seam(begin: Finite) -> Bead {
+    let zero = || vec![Finite::default()];
+    Bead {
+        s_mm: vec![begin],
+        across_mm: zero(),
+        out_mm: zero(),
+        work_angle_deg: zero(),
+        weave_part: Vec::new(),
+        area_mm2: vec![NonNegative::default()],
+    }
+}
+
+fn add(column: &mut [Finite], by: f64) {
+    column.iter_mut().for_each(|value| *value = Finite::new(value.get() + by).unwrap_or(*value));
+}

@@ -1,0 +1,52 @@
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// What an edit changed.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Report {
+    /// In words; also the edit's name in the history.
+    pub words: String,
+    /// False if the document was so already.
+    pub changed: bool,
+    /// Where.
+    pub touched: Vec<Touched>,
+}
+
+/// Part of a program that was edited, by its place after the edit.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Touched {
+    /// The pass, from 1.
+    pub pass: usize,
+    /// The first and last span, from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub spans: Option<[usize; 2]>,
+    /// The first and last point; 0 is the start.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub points: Option<[usize; 2]>,
+}
+
+impl Report {
+    pub(super) fn new(words: impl Into<String>) -> Self {
+        Self { words: words.into(), changed: true, touched: Vec::new() }
+    }
+
+    /// A whole pass.
+    pub(super) fn pass(self, pass: usize) -> Self {
+        self.at(Touched { pass, spans: None, points: None })
+    }
+
+    /// Spans of a pass.
+    pub(super) fn spans(self, pass: usize, first: usize, last: usize) -> Self {
+        self.at(Touched { pass, spans: Some([first, last]), points: None })
+    }
+
+    /// Points of a pass.
+    pub(super) fn points(self, pass: usize, first: usize, last: usize) -> Self {
+        self.at(Touched { pass, spans: None, points: Some([first, last]) })
+    }
+
+    pub(super) fn at(mut self, touched: Touched) -> Self {
+        self.touched.push(touched);
+        self
+    }
+}

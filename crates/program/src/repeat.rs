@@ -1,0 +1,70 @@
+//! Passes welded several times.
+
+use crate::{Pass, Program};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::{Error as _, Unexpected};
+use serde::{Deserialize, Deserializer, Serialize};
+use std::borrow::Cow;
+
+/// How many times one after the other a pass is welded: a whole number from 1 to 1000.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(transparent)]
+pub struct Repeat(u16);
+
+impl Repeat {
+    /// Most times.
+    pub const MOST: u16 = 1000;
+
+    /// So many times, if that is allowed.
+    pub fn new(times: u16) -> Option<Self> {
+        (1..=Self::MOST).contains(&times).then_some(Self(times))
+    }
+
+    /// How many times.
+    pub fn get(self) -> u16 {
+        self.0
+    }
+
+    pub(crate) fn is_once(&self) -> bool {
+        self.0 == 1
+    }
+}
+
+impl Default for Repeat {
+    fn default() -> Self {
+        Self(1)
+    }
+}
+
+impl<'de> Deserialize<'de> for Repeat {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let times = f64::deserialize(deserializer)?;
+        let whole = times.fract() == 0.0 && (0.0..=f64::from(Self::MOST)).contains(&times);
+        let wrong = || D::Error::invalid_value(Unexpected::Float(times), &"a whole number from 1 to 1000");
+        Some(times as u16).filter(|_| whole).and_then(Self::new).ok_or_else(wrong)
+    }
+}
+
+impl JsonSchema for Repeat {
+    fn schema_name() -> Cow<'static, str> {
+        "Repeat".into()
+    }
+    fn inline_schema() -> bool {
+        true
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "integer", "minimum": 1, "maximum": Self::MOST })
+    }
+}
+
+impl Program {
+    /// The program with each pass as many times as it is welded; the names of repeated ones end in " 1", " 2" and so on.
+    pub fn expanded(&self) -> Self {
+        let times = |pass: &Pass| {
+            let count = pass.repeat.get();
+            let name = |i: u16| if count == 1 { pass.name.clone() } else { format!("{} {i}", pass.name) };
+            (1..=count).map(|i| Pass { name: name(i), repeat: Repeat::default(), ..pass.clone() }).collect::<Vec<_>>()
+        };
+        Self { passes: self.passes.iter().flat_map(times).collect(), ..self.clone() }
+    }
+}

@@ -1,0 +1,270 @@
+//! Variables of a program: `[variables]`, and numbers written as `"= expression"` over them.
+//!
+//! Expressions are replaced in the text by their numbers before it is read as a program, each within its line: whatever
+//! is wrong later on has its own line and key. Texts for people (`title`, `name`, `message`) are left alone.
+
+use seamwright_document::{Document, DocumentError, Finite};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Variables by name.
+pub type Variables = BTreeMap<String, Finite>;
+
+/// Keys whose texts are for people.
+const WORDS: [&str; 3] = ["title", "name", "message"];
+/// What an expression may look like.
+const GRAMMAR: &str = "numbers, names of variables, + - * / and parentheses";
+/// What a name may look like.
+const NAMES: &str = "a letter or _, then letters, digits and _";
+/// Most parentheses and signs within each other.
+const DEEPEST: usize = 64;
+
+/// `text` with every `"= expression"` replaced by its number.
+///
+/// # Errors
+/// With the key's address: a bad name, a variable that is no number, and of expressions an unknown name, syntax, a
+/// number that is not finite.
+pub(crate) fn substituted<'a>(file: &str, text: &'a str) -> Result<Cow<'a, str>, DocumentError> {
+    if !["\"=", "'=", "variables"].iter().any(|mark| text.contains(mark)) {
+        return Ok(text.into());
+    }
+    // What is wrong with its syntax is told where it is read as a program.
+    let Ok(table) = DeTable::parse(text) else { return Ok(text.into()) };
+    let document = Document::<toml::Table>::read(file, text)?;
+    let variables = given(&document)?;
+    let mut found = Vec::new();
+    table_values(table.get_ref(), &mut String::new(), &mut |path, value, span| {
+        found.push((path.to_owned(), value.to_owned(), span));
+    });
+    let mut out = text.to_owned();
+    // From the last one on, so that the ranges of the others stay.
+    found.sort_by_key(|(_, _, span)| std::cmp::Reverse(span.start));
+    let mut numbers = Vec::new();
+    for (path, expression, span) in found {
+        if text[span.clone()].contains('\n') {
+            return Err(document.error_at(&path, "an expression stays on its line", "\"= expression\""));
+        }
+        numbers.push((span, evaluate(&document, &path, &expression, &variables)));
+    }
+    // The first thing wrong in the order of the file is the one to tell.
+    if let Some(i) = numbers.iter().rposition(|(_, number)| number.is_err()) {
+        return Err(numbers.swap_remove(i).1.err().unwrap_or_else(|| document.error_at("", "", "")));
+    }
+    for (span, number) in numbers {
+        out.replace_range(span, &written(number.unwrap_or_default()));
+    }
+    Ok(out.into())
+}
+
+/// A number as a file has it: whole ones without a fraction.
+pub(crate) fn written(number: f64) -> String {
+    if number.fract() == 0.0 && number.abs() < 1e15 { format!("{}", number as i64) } else { format!("{number:?}") }
+}
+
+/// Whether a text of a file is an expression.
+pub(crate) fn is_expression(text: &str) -> bool {
+    text.starts_with('=')
+}
+
+/// Whether a variable may have this name.
+fn is_name(name: &str) -> bool {
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    name.chars().all(plain) && name.chars().next().is_some_and(|c| !c.is_ascii_digit())
+}
+
+/// The table `[variables]` of a file.
+fn given(document: &Document<toml::Table>) -> Result<BTreeMap<String, f64>, DocumentError> {
+    let Some(value) = document.value.get("variables") else { return Ok(BTreeMap::new()) };
+    let Some(table) = value.as_table() else {
+        return Err(document.error_at("variables", "the variables are a table", "[variables] with name = number"));
+    };
+    let mut variables = BTreeMap::new();
+    for (name, value) in table {
+        let path = format!("variables.{name}");
+        if !is_name(name) {
+            return Err(document.error_at("variables", format!("`{name}` is no name of a variable"), NAMES));
+        }
+        let number = value.as_float().or(value.as_integer().map(|i| i as f64)).filter(|v| v.is_finite());
+        let number = number.ok_or_else(|| document.error_at(&path, "this is no number", "a finite number"))?;
+        variables.insert(name.clone(), number);
+    }
+    Ok(variables)
+}
+
+/// Calls `visit` for every expression with its key's path, its text after the equals sign, and its place.
+fn table_values(table: &DeTable, path: &mut String, visit: &mut dyn FnMut(&str, &str, Range<usize>)) {
+    for (key, value) in table {
+        let name: &str = key.get_ref();
+        if WORDS.contains(&name) && matches!(value.get_ref(), DeValue::String(_)) {
+            continue;
+        }
+        let before = path.len();
+        if before > 0 {
+            path.push('.');
+        } else if name == "variables" {
+            continue;
+        }
+        path.push_str(name);
+        values(value, path, visit);
+        path.truncate(before);
+    }
+}
+
+fn values(value: &Spanned<DeValue>, path: &mut String, visit: &mut dyn FnMut(&str, &str, Range<usize>)) {
+    match value.get_ref() {
+        DeValue::Table(table) => table_values(table, path, visit),
+        DeValue::Array(items) => {
+            let before = path.len();
+            for (i, item) in items.iter().enumerate() {
+                path.push_str(&format!("[{i}]"));
+                values(item, path, visit);
+                path.truncate(before);
+            }
+        }
+        DeValue::String(text) => {
+            if let Some(expression) = text.strip_prefix('=') {
+                visit(path, expression, value.span());
+            }
+        }
+        _ => {}
+    }
+}
+
+fn evaluate(
+    document: &Document<toml::Table>,
+    path: &str,
+    text: &str,
+    variables: &BTreeMap<String, f64>,
+) -> Result<f64, DocumentError> {
+    let mut reader = Reader { rest: text, variables, depth: 0 };
+    let value = reader.sum().and_then(|value| match reader.next() {
+        None => Ok(value),
+        Some(_) => Err(Wrong::Syntax(format!("`{}` is not understood", reader.rest.trim()))),
+    });
+    match value {
+        Ok(value) if value.is_finite() => Ok(value),
+        Ok(_) => Err(document.error_at(path, "the result is not finite", "no division by 0, no number beyond 1e308")),
+        Err(Wrong::Name(name)) => {
+            let known: Vec<&str> = variables.keys().map(String::as_str).collect();
+            let mut error = document.unknown_name(path, &name, &known);
+            if known.is_empty() {
+                error.help = Some("no variables are given: [variables] with name = number".to_owned());
+            }
+            Err(error)
+        }
+        Err(Wrong::Syntax(message)) => Err(document.error_at(path, message, GRAMMAR)),
+    }
+}
+
+enum Wrong {
+    Name(String),
+    Syntax(String),
+}
+
+/// Reads an expression from left to right.
+struct Reader<'a> {
+    rest: &'a str,
+    variables: &'a BTreeMap<String, f64>,
+    depth: usize,
+}
+
+impl Reader<'_> {
+    /// The next character that is no space.
+    fn next(&mut self) -> Option<char> {
+        self.rest = self.rest.trim_start();
+        self.rest.chars().next()
+    }
+
+    /// Takes `wanted` if it comes next.
+    fn take(&mut self, wanted: char) -> bool {
+        let there = self.next() == Some(wanted);
+        if there {
+            self.rest = &self.rest[wanted.len_utf8()..];
+        }
+        there
+    }
+
+    fn sum(&mut self) -> Result<f64, Wrong> {
+        let mut value = self.product()?;
+        loop {
+            if self.take('+') {
+                value += self.product()?;
+            } else if self.take('-') {
+                value -= self.product()?;
+            } else {
+                return Ok(value);
+            }
+        }
+    }
+
+    fn product(&mut self) -> Result<f64, Wrong> {
+        let mut value = self.factor()?;
+        loop {
+            if self.take('*') {
+                value *= self.factor()?;
+            } else if self.take('/') {
+                value /= self.factor()?;
+            } else {
+                return Ok(value);
+            }
+        }
+    }
+
+    fn factor(&mut self) -> Result<f64, Wrong> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return Err(Wrong::Syntax("too many parentheses or signs within each other".to_owned()));
+        }
+        let value = if self.take('-') {
+            -self.factor()?
+        } else if self.take('+') {
+            self.factor()?
+        } else if self.take('(') {
+            let value = self.sum()?;
+            if !self.take(')') {
+                return Err(Wrong::Syntax("a closing parenthesis is missing".to_owned()));
+            }
+            value
+        } else {
+            self.atom()?
+        };
+        self.depth -= 1;
+        Ok(value)
+    }
+
+    fn atom(&mut self) -> Result<f64, Wrong> {
+        let Some(first) = self.next() else {
+            return Err(Wrong::Syntax("the expression ends where a number or a name should come".to_owned()));
+        };
+        if first.is_ascii_digit() || first == '.' {
+            let length = number_length(self.rest);
+            let (number, rest) = self.rest.split_at(length);
+            self.rest = rest;
+            return number.parse().map_err(|_| Wrong::Syntax(format!("`{number}` is no number")));
+        }
+        let end = self.rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(self.rest.len());
+        if end == 0 {
+            return Err(Wrong::Syntax(format!("`{first}` stands where a number or a name should come")));
+        }
+        let (name, rest) = self.rest.split_at(end);
+        self.rest = rest;
+        self.variables.get(name).copied().ok_or_else(|| Wrong::Name(name.to_owned()))
+    }
+}
+
+/// How many bytes at the start of `text` are a number, with an exponent if one follows.
+fn number_length(text: &str) -> usize {
+    let digits = |from: usize| text[from..].find(|c: char| !c.is_ascii_digit()).map_or(text.len(), |n| from + n);
+    let mut end = digits(0);
+    if text[end..].starts_with('.') {
+        end = digits(end + 1);
+    }
+    if text[end..].starts_with(['e', 'E']) {
+        let sign = end + 1 + usize::from(text[end + 1..].starts_with(['+', '-']));
+        end = Some(digits(sign)).filter(|last| *last > sign).unwrap_or(end);
+    }
+    end
+}

@@ -1,0 +1,9 @@
+//! Editing of programs: thousands of random programs, operations and ways back.
+
+mod inverses;
+mod layout;
+mod random;
+mod reducing;
+mod refusals;
+mod sequences;
+mod variables;
