@@ -126,9 +126,9 @@ impl<'a> Player<'a> {
             }
             What::Set { at_once, .. } | What::Event { at_once, .. } => {
                 if *at_once {
-                    self.set(what)
+                    self.set(what);
                 } else {
-                    self.pending.push(what)
+                    self.pending.push(what);
                 }
             }
             What::Pass(_) | What::Comment(_) => {}

@@ -129,7 +129,7 @@ fn table<T>(file: &Document<T>, spline: &mut Spline, outside: &dyn Outside) -> R
 }
 
 /// Leaves out the names of what has been fetched, so that a program file holds everything itself.
-pub(crate) fn forget(seam: Option<&mut Seam>, taught: &mut [Taught]) {
+pub(crate) fn forget(seam: &mut Option<Seam>, taught: &mut [Taught]) {
     if let Some(Seam::Spline(spline)) = seam {
         spline.file = None;
     }

@@ -47,7 +47,7 @@ impl Welding {
             let place = (program.value.machine.as_str(), program.value.seam_in_work());
             fetch(&program, (seam.as_mut(), &mut taught), place, outside)?;
             (program.value.seam, program.value.taught) = (seam, taught);
-            Self::from_program(program, outside)?
+            Self::from_program(&program, outside)?
         } else {
             let mut job = Job::read(file, text)?;
             let (mut seam, mut taught) = (job.value.seam.clone(), job.value.taught.clone());
@@ -56,7 +56,7 @@ impl Welding {
             Self::from_job(&job, outside)?
         };
         let value = &mut welding.program.value;
-        forget(value.seam.as_mut(), &mut value.taught);
+        forget(&mut value.seam, &mut value.taught);
         Ok(welding)
     }
 
@@ -102,16 +102,16 @@ impl Welding {
         Ok(Self { program, seam: Some(seam), lines, joint, plan, plan_findings, cut })
     }
 
-    fn from_program(program: Document<Program>, outside: &dyn Outside) -> Result<Self, DocumentError> {
+    fn from_program(program: &Document<Program>, outside: &dyn Outside) -> Result<Self, DocumentError> {
         let p = &program.value;
-        let seam = p.seam.as_ref().map(|seam| SeamCurve::with_taught(&program, (seam, &p.start), &p.taught));
+        let seam = p.seam.as_ref().map(|seam| SeamCurve::with_taught(program, (seam, &p.start), &p.taught));
         let seam = seam.transpose()?;
-        let lines = pass_lines(&program, seam.as_ref(), |i| format!("passes[{i}]."), outside)?;
+        let lines = pass_lines(program, seam.as_ref(), |i| format!("passes[{i}]."), outside)?;
         let joint = match (&p.joint, &seam) {
-            (Some(joint), Some(seam)) => Some(SeamJoint::new(&program, joint, seam)?),
+            (Some(joint), Some(seam)) => Some(SeamJoint::new(program, joint, seam)?),
             _ => None,
         };
-        let cut = p.seam.as_ref().map_or(Ok(None), |seam| Cut::new(&program, seam))?;
+        let cut = p.seam.as_ref().map_or(Ok(None), |seam| Cut::new(program, seam))?;
         // The lines of the passes as they stand in the file, so that errors have their addresses; then a line for each
         // time a pass is welded.
         let times = p.passes.iter().map(|pass| usize::from(pass.repeat.get()));
@@ -131,16 +131,16 @@ impl Welding {
     pub fn path(&self, pass: usize) -> WeldPath<'_> {
         match (self.lines[pass].as_ref(), &self.seam) {
             (PassLine::Points(points), _) => WeldPath::Points(points),
-            (PassLine::Seam { stretch, attitude, bead }, Some(seam)) => WeldPath::Seam(Box::new(PassPath {
+            (PassLine::Seam(line), Some(seam)) => WeldPath::Seam(Box::new(PassPath {
                 seam,
-                stretch: *stretch,
-                attitude: attitude.clone(),
-                bead: bead.as_ref(),
+                stretch: line.stretch,
+                attitude: line.attitude.clone(),
+                bead: line.bead.as_ref(),
                 weaving: Weaving::new(&self.program.value.passes[pass]),
                 placement: self.program.value.copy_in_work(self.program.value.passes[pass].copy),
             })),
             // Reading a program refuses it.
-            (PassLine::Seam { .. }, None) => unreachable!("a pass along a seam has one"),
+            (PassLine::Seam(_), None) => unreachable!("a pass along a seam has one"),
         }
     }
 
@@ -179,16 +179,20 @@ fn gaps(pass: &Pass, number: usize) -> Option<Finding> {
 #[derive(Debug)]
 enum PassLine {
     /// Along the seam.
-    Seam {
-        /// The part of the seam.
-        stretch: Stretch,
-        /// Torch angles by the seam's path length; without what the bead adds to them.
-        attitude: Attitude,
-        /// Where the bead lies beside the seam, if it does.
-        bead: Option<BeadLine>,
-    },
+    Seam(Box<SeamLine>),
     /// Through points.
-    Points(PointPath),
+    Points(Box<PointPath>),
+}
+
+/// Where a pass along the seam runs.
+#[derive(Debug)]
+struct SeamLine {
+    /// The part of the seam.
+    stretch: Stretch,
+    /// Torch angles by the seam's path length; without what the bead adds to them.
+    attitude: Attitude,
+    /// Where the bead lies beside the seam, if it does.
+    bead: Option<BeadLine>,
 }
 
 /// Where the passes of `program` run; `at` is where in the file the keys of a pass are.
@@ -206,13 +210,16 @@ fn pass_lines(
         let path = |key: &str| format!("{}{key}", at(i));
         let seam = match (&pass.points, seam) {
             (None, Some(seam)) => seam,
-            (Some(points), _) => return Ok(PassLine::Points(PointPath::new(program, (i, points), &machine)?)),
+            (Some(points), _) => {
+                return Ok(PassLine::Points(Box::new(PointPath::new(program, (i, points), &machine)?)));
+            }
             (None, None) => return Err(program.error_at(&path(""), "the pass runs along no seam", "[seam]")),
         };
         let stretch = Stretch::new(program, at(i).trim_end_matches('.'), pass, seam)?;
         let bead = |bead| BeadLine::new(program, &path("bead"), bead, (seam, &stretch));
         let attitude = Attitude::new(program, &path("torch"), &pass.torch, seam)?;
-        Ok(PassLine::Seam { stretch, attitude, bead: pass.bead.as_ref().map(bead).transpose()? })
+        let bead = pass.bead.as_ref().map(bead).transpose()?;
+        Ok(PassLine::Seam(Box::new(SeamLine { stretch, attitude, bead })))
     };
     program.value.passes.iter().enumerate().map(line).collect()
 }

@@ -122,13 +122,20 @@ pub fn points_part_program(machine: &Machine, control: &Control, program: &Progr
         }
         let (start, end) = ends(machine, pass)?;
         let next = program.passes.get(i + 1).and_then(|next| Some((next, ends(machine, next)?.0)));
-        let way = if here == Some(start) { Vec::new() } else { vec![start] };
+        let way = if here.is_some_and(|here| is_same(&here, &start)) { Vec::new() } else { vec![start] };
         steps.program.push(What::Pass(pass.name.as_str().into()));
-        let burns_on = next.is_some_and(|(next, start)| goes_on(pass, next) && start == end);
+        let burns_on = next.is_some_and(|(next, start)| goes_on(pass, next) && is_same(&start, &end));
         steps.stands(pass, &way, (i == 0, burns_on));
         here = Some(end);
     }
     Some(steps.program)
+}
+
+/// Positions nearer than this are the same, mm or rad.
+const SAME: f64 = 1e-9;
+
+fn is_same(a: &Joints, b: &Joints) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() < SAME)
 }
 
 /// Whether the arc burns on from one pass into the next, if they are in one place.

@@ -236,9 +236,10 @@ impl Builder<'_> {
             segment.at((f64::from(part) + 0.5) / f64::from(parts), &mut row);
             let via = self.read.xyz().of(&row);
             if part + 1 == parts {
-                row.clone_from(&segment.end().to_vec())
+                row.clear();
+                row.extend_from_slice(segment.end());
             } else {
-                segment.at(end, &mut row)
+                segment.at(end, &mut row);
             }
             let seconds = segment.seconds / f64::from(parts);
             let point = self.point(&row, level, number.filter(|_| part + 1 == parts), seconds);

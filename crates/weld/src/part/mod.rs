@@ -69,7 +69,7 @@ impl Welding {
             Part { solids, .. } if !solids.is_empty() => given(&self.program, "part.solids", solids, load)?,
             part => {
                 let (Some(curve), Some(seam)) = (&self.seam, &program.seam) else {
-                    return self.clamped_as(Vec::new(), fixtures);
+                    return self.clamped_as(&[], fixtures);
                 };
                 let making = Making {
                     seam: curve,
@@ -80,16 +80,16 @@ impl Welding {
                 making.solids(&self.program, seam)?
             }
         };
-        self.clamped_as(part, fixtures)
+        self.clamped_as(&part, fixtures)
     }
 
     /// The `part` at every copy, and the fixtures.
-    fn clamped_as(&self, part: Vec<Solid>, fixtures: Vec<Solid>) -> Result<Clamped, DocumentError> {
+    fn clamped_as(&self, part: &[Solid], fixtures: Vec<Solid>) -> Result<Clamped, DocumentError> {
         let program = &self.program.value;
         let mut parts = Vec::new();
         for copy in 0..program.copy_count() {
             let placement = program.copy_in_work(copy);
-            for solid in &part {
+            for solid in part {
                 let of = program.copy_name(copy).map_or(String::new(), |name| format!(" of {name}"));
                 let name = format!("{}{of}", solid.name());
                 let placed = Solid::new(&name, solid.shape().clone(), placement * *solid.pose());
