@@ -4,6 +4,7 @@ pub(crate) mod edit;
 pub(crate) mod follow;
 pub(crate) mod machine;
 pub(crate) mod move_to;
+pub(crate) mod post;
 pub(crate) mod read;
 pub(crate) mod reduce;
 
@@ -42,7 +43,7 @@ pub(crate) enum Verb {
     /// Weld in simulation: drives, friction, encoders; trace and report
     Simulate(SimulateArgs),
     /// A part program for another control
-    Post(PostArgs),
+    Post(post::PostArgs),
     /// A part program of a control as a weld program
     Read(read::ReadArgs),
     /// Forward or inverse kinematics of rows on standard input
@@ -236,81 +237,6 @@ pub(crate) struct PulsesArgs {
     /// Print the summary as JSON instead of pulses or text
     #[arg(long)]
     pub(crate) json: bool,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum DialectArg {
-    /// Siemens Sinumerik 840D
-    Sinumerik,
-    /// LinuxCNC 2.8 or newer
-    Linuxcnc,
-    /// grblHAL
-    Grblhal,
-    /// Turbo PMAC motion program
-    Pmac,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum FeedArg {
-    /// Times of blocks: G93; PMAC: TM
-    InverseTime,
-    /// mm/min along what the control counts: G94; PMAC: mm/s
-    PerMinute,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum InterpolationArg {
-    /// Positions and speeds in time
-    Pvt,
-    /// Splines with equal times
-    Spline1,
-    /// Lines and arcs
-    Linear,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum LevelArg {
-    /// Axis positions; identity kinematics in the control
-    Joint,
-    /// Torch tip in the work frame and rotary axes; matching kinematics in the control
-    Tip,
-}
-
-#[derive(Debug, Args)]
-#[command(
-    allow_negative_numbers = true,
-    after_help = "Example: seamwright post examples/saddle.toml --dialect linuxcnc > saddle.ngc"
-)]
-pub(crate) struct PostArgs {
-    /// Program or job file
-    pub(crate) job: PathBuf,
-    /// The control
-    #[arg(long, value_enum)]
-    pub(crate) dialect: DialectArg,
-    /// What the blocks' words mean
-    #[arg(long, value_enum, default_value = "joint")]
-    pub(crate) level: LevelArg,
-    /// How times of blocks are said
-    #[arg(long, value_enum, default_value = "inverse-time")]
-    pub(crate) feed: FeedArg,
-    /// What blocks of PMAC are [default: pvt]
-    #[arg(long, value_enum)]
-    pub(crate) interpolation: Option<InterpolationArg>,
-    /// Greatest distance of the blocks' path from the seam, mm
-    #[arg(long, default_value_t = 0.01, value_name = "MM")]
-    pub(crate) tolerance_mm: f64,
-    /// How far the torch stands back along its axis before and after the weld, mm [default: the job's air.retract_mm]
-    #[arg(long, value_name = "MM")]
-    pub(crate) retract_mm: Option<f64>,
-    /// Print how the text read back compares with the plan; it is always read back, and not written if it does not hold
-    #[arg(long)]
-    pub(crate) verify: bool,
-    /// Write that comparison to this file, as JSON
-    #[arg(long, value_name = "FILE")]
-    pub(crate) proof: Option<PathBuf>,
-    /// Write to this file instead of standard output
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

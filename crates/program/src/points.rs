@@ -251,7 +251,7 @@ impl Points {
             }
             if columns.pose == 0 && ["x", "y", "z"].iter().filter(|name| has(name)).count() < 2 {
                 let message = "axis positions go along an arc only if there are two of x, y and z";
-                return Err(file.error_at(&at("along"), message, "line, rapid, spline, taught"));
+                return Err(file.error_at(&at("along"), message, "line, rapid, spline, cubic, taught"));
             }
         } else if span.via_mm.is_some() || span.normal.is_some() {
             let key = if span.via_mm.is_some() { "via_mm" } else { "normal" };

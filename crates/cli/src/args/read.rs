@@ -1,6 +1,6 @@
 //! Arguments of `seamwright read`.
 
-use super::{DialectArg, LevelArg};
+use super::post::{DialectArg, LevelArg};
 use clap::Args;
 use std::path::PathBuf;
 

@@ -1,5 +1,5 @@
 use super::positive;
-use crate::args::{DialectArg, FeedArg, InterpolationArg, LevelArg, PostArgs};
+use crate::args::post::{DialectArg, FeedArg, InterpolationArg, LevelArg, PostArgs};
 use crate::failure::Failure;
 use crate::files;
 use crate::load::load;

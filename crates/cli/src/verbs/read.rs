@@ -1,7 +1,7 @@
 //! A part program as a weld program.
 
 use super::positive;
-use crate::args::LevelArg;
+use crate::args::post::LevelArg;
 use crate::args::read::ReadArgs;
 use crate::failure::Failure;
 use crate::files;
@@ -54,7 +54,12 @@ pub(crate) fn run(args: &ReadArgs) -> Result<(), Failure> {
         LevelArg::Tip => Level::Tip,
     };
     let options = ReadOptions { lenient: args.lenient, level, start: Some(start.clone()) };
-    let reading = read(&control, &file, &text, &options).map_err(|e| Failure::Input(e.to_string()))?;
+    let mut reading = read(&control, &file, &text, &options).map_err(|e| Failure::Input(e.to_string()))?;
+    if reading.program.title == file {
+        // A text that does not say what it is has the name of its file.
+        let name = args.file.file_name().unwrap_or_default();
+        reading.program.title = name.to_string_lossy().into_owned();
+    }
     let program = to_program(&machine, &control, &reading.program, &start, (&args.machine, blend))
         .map_err(|e| Failure::Input(format!("{file}: {e}")))?;
     let written = program.to_toml().map_err(|e| Failure::Environment(e.to_string()))?;

@@ -99,17 +99,7 @@ impl Steps<'_> {
     /// Rests after it.
     fn finish(&mut self, pass: &Pass, course: &Course, burns_on: bool) {
         let sequence = &pass.sequence;
-        let (crater, length) = (sequence.crater_s.get(), pass.length());
-        let downslope = sequence.downslope.as_ref().map_or(0.0, |s| s.time_s.get());
-        let mut time = 0.0;
-        for step in self.rests(crater, (0.0, downslope), pass) {
-            if step.slopes {
-                self.values(pass, true, (length, (f64::INFINITY, crater - step.middle)));
-            }
-            time += step.time;
-            let ends = course.at_rest(length, (f64::INFINITY, (crater - time).max(0.0)));
-            self.rest(step.time, ends, if step.slopes { "downslope" } else { "crater fill" });
-        }
+        self.crater(pass, course);
         if self.arc && !burns_on {
             self.event(Event::Arc(false), true);
             self.arc = false;

@@ -204,6 +204,21 @@ impl<'a> Steps<'a> {
 
     fn end(&mut self, pass: &Pass, course: &Course) {
         let sequence = &pass.sequence;
+        self.crater(pass, course);
+        self.event(Event::Arc(false), true);
+        for name in pass.spans[0].process.keys() {
+            if let Some(i) = self.control.channel(name) {
+                self.row[i] = 0.0;
+                self.program.push(What::Set { channel: i as u16, value: 0.0, at_once: true });
+            }
+        }
+        self.dwell(sequence.postflow_s.get(), "postflow");
+        self.event(Event::Gas(false), true);
+    }
+
+    /// Rests at the end of a pass with the arc on.
+    pub(super) fn crater(&mut self, pass: &Pass, course: &Course) {
+        let sequence = &pass.sequence;
         let (crater, length) = (sequence.crater_s.get(), pass.length());
         let downslope = sequence.downslope.as_ref().map_or(0.0, |s| s.time_s.get());
         let mut time = 0.0;
@@ -215,15 +230,6 @@ impl<'a> Steps<'a> {
             let ends = course.at_rest(length, (f64::INFINITY, (crater - time).max(0.0)));
             self.rest(step.time, ends, if step.slopes { "downslope" } else { "crater fill" });
         }
-        self.event(Event::Arc(false), true);
-        for name in pass.spans[0].process.keys() {
-            if let Some(i) = self.control.channel(name) {
-                self.row[i] = 0.0;
-                self.program.push(What::Set { channel: i as u16, value: 0.0, at_once: true });
-            }
-        }
-        self.dwell(sequence.postflow_s.get(), "postflow");
-        self.event(Event::Gas(false), true);
     }
 
     /// The steps of a rest; slopes are one step if the control interpolates all that changes.

@@ -30,7 +30,7 @@ const CASES: &[(&str, &str)] = &[
     (r#"{"op":"interpolate","pass":2,"span":1,"along":"line"}"#, "no time or speed"),
     (r#"{"op":"interpolate","pass":2,"span":3,"along":"line"}"#, "there is no span 3"),
     (r#"{"op":"interpolate","pass":2,"span":2,"along":"spline","via_mm":[1,2,3]}"#, "are of arcs"),
-    (r#"{"op":"interpolate","pass":3,"span":1,"along":"arc","via_mm":[1,2,3]}"#, "only if there are x, y and z"),
+    (r#"{"op":"interpolate","pass":3,"span":1,"along":"arc","via_mm":[1,2,3]}"#, "only if there are two of x, y and z"),
     (r#"{"op":"split_span","pass":2,"point":1}"#, "no span can be split at point 1"),
     (r#"{"op":"split_span","pass":1,"s_mm":10}"#, "no span can be split at 10 mm"),
     (r#"{"op":"split_span","pass":1,"point":1}"#, "not as the pass runs"),
