@@ -2,6 +2,7 @@
 //! plays it.
 
 use glam::{DQuat, DVec3};
+use std::f64::consts::TAU;
 
 /// What one number of a row is.
 #[derive(Debug, Clone, PartialEq)]
@@ -150,6 +151,13 @@ pub struct Arc {
 }
 
 impl Arc {
+    /// Angle from `start` to `end` about the axis along `normal` through `centre` by the right-hand rule, rad, less than
+    /// a turn.
+    pub(crate) fn angle((start, end): (DVec3, DVec3), centre: DVec3, normal: DVec3) -> f64 {
+        let [from, to] = [start, end].map(|p| (p - centre).reject_from_normalized(normal));
+        from.cross(to).dot(normal).atan2(from.dot(to)).rem_euclid(TAU)
+    }
+
     /// Place at the part `f` of the way from `start` to `end`, which are both on it: round the axis by that part of the
     /// angle, along the axis and outwards by that part of what the ends differ by.
     pub fn at(&self, start: DVec3, end: DVec3, f: f64) -> DVec3 {

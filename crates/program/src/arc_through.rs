@@ -1,5 +1,6 @@
 use glam::{DQuat, DVec3};
 use seamwright_geometry::{Arc, Curve};
+use std::f64::consts::TAU;
 
 /// Parts of a way at whose ends the tip is looked at for its length.
 const PARTS: u32 = 16;
@@ -28,6 +29,23 @@ impl ArcThrough {
         let (centre, axis) = (arc.centre(), arc.axis());
         let (_, sweep) = arc.domain();
         Some(Self { centre, axis, out: start - centre, sweep, rise: (end - start).dot(axis) })
+    }
+
+    /// Length of the way, mm.
+    pub fn length(&self) -> f64 {
+        self.tangent(0.0).length()
+    }
+
+    /// Direction of travel at the part `f` of the way; not of unit length.
+    pub fn tangent(&self, f: f64) -> DVec3 {
+        let across = DQuat::from_axis_angle(self.axis, f * self.sweep) * self.axis.cross(self.out);
+        self.sweep * across + self.rise * self.axis
+    }
+
+    /// The part of the way at which it passes nearest to `place`, by its angle.
+    pub fn part_of(&self, place: DVec3) -> f64 {
+        let to = place - self.centre;
+        self.axis.dot(self.out.cross(to)).atan2(self.out.dot(to)).rem_euclid(TAU) / self.sweep
     }
 
     /// The place at the part `f` of the way.

@@ -1,7 +1,7 @@
 //! Passes through points: a table of poses or axis positions with times and process values, as part programs and taught
 //! programs have them.
 
-use crate::{Pass, SpanValue, Torch, check_process_name};
+use crate::{Pass, ProcessValues, Ramp, SpanValue, Torch, check_process_name};
 use schemars::JsonSchema;
 use seamwright_document::{Direction, Document, DocumentError, Finite, Point};
 use serde::{Deserialize, Serialize};
@@ -156,6 +156,18 @@ impl Points {
     /// Number of points after the start.
     pub fn count(&self) -> usize {
         self.spans.iter().map(|span| span.points.len()).sum()
+    }
+
+    /// Process values on the way between two points next to each other: ramps, or steady where they do not change or
+    /// are stepped.
+    pub fn process_between(&self, columns: &Columns, before: &[Finite], after: &[Finite]) -> ProcessValues {
+        let value = |(name, column): &(String, usize)| {
+            let (from, to) = (before[*column], after[*column]);
+            let steady = self.stepped.contains(name) || from == to;
+            let value = if steady { SpanValue::Steady(to) } else { SpanValue::Ramp(Ramp { from, to }) };
+            (name.clone(), value)
+        };
+        columns.process.iter().map(value).collect()
     }
 
     /// All points in order, the start first.

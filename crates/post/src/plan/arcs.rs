@@ -65,9 +65,7 @@ pub(crate) fn through(start: DVec3, middle: DVec3, end: DVec3, normal: Normal) -
 
 /// The arc from `start` to `end` about `normal` through `centre` by the right-hand rule, up to one turn.
 pub(crate) fn between(start: DVec3, end: DVec3, centre: DVec3, normal: DVec3) -> Option<Arc> {
-    let from = (start - centre).reject_from_normalized(normal);
-    let to = (end - centre).reject_from_normalized(normal);
-    let sweep = from.cross(to).dot(normal).atan2(from.dot(to)).rem_euclid(TAU);
+    let sweep = Arc::angle((start, end), centre, normal);
     (sweep > 0.0 && sweep.is_finite()).then_some(Arc { centre, normal, sweep })
 }
 

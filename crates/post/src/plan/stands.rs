@@ -6,7 +6,7 @@ use crate::part_program::{Event, Path};
 use crate::points::{Part, ends, steps as blocks};
 use seamwright_document::{Finite, NonNegative, Positive};
 use seamwright_machine::Joints;
-use seamwright_program::{Along, Pass, Ramp, Span, SpanValue};
+use seamwright_program::{Along, Pass, Span, SpanValue};
 
 /// The pass with no more than the process values of its first and its last block, in spans of 1 mm: what is needed for
 /// slopes before and after it.
@@ -15,17 +15,11 @@ fn at_its_ends(pass: &Pass) -> Pass {
     let columns = points.known_columns();
     let rows: Vec<&[Finite]> = points.rows().collect();
     let span = |from: f64, before: &[Finite], after: &[Finite]| {
-        let value = |(name, column): &(String, usize)| {
-            let (a, b) = (before[*column], after[*column]);
-            let steady = points.stepped.contains(name) || a == b;
-            let ramp = SpanValue::Ramp(Ramp { from: a, to: b });
-            (name.clone(), if steady { SpanValue::Steady(b) } else { ramp })
-        };
         Some(Span {
             from_mm: NonNegative::new(from)?,
             to_mm: Positive::new(from + 1.0)?,
             speed_mm_s: SpanValue::Steady(Positive::TEN),
-            process: columns.process.iter().map(value).collect(),
+            process: points.process_between(&columns, before, after),
         })
     };
     let last = rows.len() - 1;

@@ -13,8 +13,8 @@ use std::f64::consts::PI;
 /// A part program as a program of points: every block a point, equal in effect. `start` is the row before its first
 /// block. Corners that the control goes through without a stop are blended within `blend_mm`.
 ///
-/// A new pass begins where the part program begins one, where the arc goes on or off, where the control rests, and where
-/// the control's kinematics are switched. Where the machine file gives no way to switch the arc, it is on in feed moves
+/// A new pass begins where the part program begins one, where the arc goes on or off, and where the control's kinematics
+/// are switched. Where the machine file gives no way to switch the arc, it is on in feed moves
 /// and off in rapid ones.
 ///
 /// # Errors

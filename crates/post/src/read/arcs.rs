@@ -3,6 +3,7 @@
 
 use crate::Arc;
 use glam::DVec3;
+use seamwright_geometry::Curve;
 use std::f64::consts::TAU;
 
 /// How far an arc's end may be off its circle, or its radius too short, before a control refuses it.
@@ -37,9 +38,7 @@ pub(super) fn radii(start: DVec3, end: DVec3, centre: DVec3, normal: DVec3) -> (
 
 /// The arc about `centre` from `start` to `end`, with `turns` full turns more.
 pub(super) fn about(start: DVec3, end: DVec3, centre: DVec3, normal: DVec3, turns: u32, least_angle: f64) -> Arc {
-    let from = (start - centre).reject_from_normalized(normal);
-    let to = (end - centre).reject_from_normalized(normal);
-    let angle = from.cross(to).dot(normal).atan2(from.dot(to)).rem_euclid(TAU);
+    let angle = Arc::angle((start, end), centre, normal);
     let angle = if angle < least_angle { angle + TAU } else { angle };
     Arc { centre, normal, sweep: angle + f64::from(turns) * TAU }
 }
@@ -73,16 +72,9 @@ pub(super) fn turned(start: DVec3, centre: DVec3, angle: f64, normal: DVec3) -> 
 
 /// The arc from `start` through `middle` to `end`. Nothing if the three are on a line.
 pub(super) fn through(start: DVec3, middle: DVec3, end: DVec3) -> Option<Arc> {
-    let (a, b) = (middle - start, end - start);
-    let across = a.cross(b);
-    let size = across.length();
-    if size <= 1e-9 * a.length() * b.length() || size <= 0.0 {
-        return None;
-    }
-    let normal = across / size;
-    let to_centre = (a.length_squared() * b - b.length_squared() * a).cross(across) / (2.0 * size * size);
-    // Turning about the normal of start, middle and end meets the middle before the end.
-    Some(about(start, end, start + to_centre, normal, 0, 0.0))
+    let arc = seamwright_geometry::Arc::through(start, middle, end).ok()?;
+    let (_, sweep) = arc.domain();
+    Some(Arc { centre: arc.centre(), normal: arc.axis(), sweep })
 }
 
 #[cfg(test)]

@@ -112,3 +112,13 @@ pub(super) fn floor_char(text: &str, mut at: usize) -> usize {
     }
     at
 }
+
+/// A code of a modal group, of which a block may have one: marks it in `groups`.
+pub(super) fn once(groups: &mut u32, group: u32, span: Span) -> Read {
+    if *groups & group != 0 {
+        let fault = Fault::new(span, "two codes of one modal group stand in this block");
+        return Err(fault.cure("leave one of them out"));
+    }
+    *groups |= group;
+    Ok(())
+}

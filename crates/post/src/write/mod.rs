@@ -1,5 +1,6 @@
 //! A part program as text.
 
+mod feed_mode;
 mod grblhal;
 mod linuxcnc;
 mod number;

@@ -1,19 +1,17 @@
 //! What LinuxCNC and grblHAL have in common.
 
+use super::feed_mode::FeedMode;
+use super::fixed;
 use super::writer::{Problem, Writer};
-use super::{Feed, fixed};
 use crate::part_program::{Arc, Move, Path};
 use std::f64::consts::TAU;
 
 /// The modal state that lasts from block to block.
 #[derive(Default)]
 pub(super) struct Rs274 {
-    /// Whether feeds are in inverse time, if that was said in this pass.
-    inverse: Option<bool>,
+    mode: FeedMode,
     /// The axis square to the plane of arcs: X, Y or Z; unknown at the begin of a pass.
     plane: Option<usize>,
-    /// The last feed per minute.
-    feed: Option<f64>,
 }
 
 /// The state that every program begins with.
@@ -27,10 +25,10 @@ impl Rs274 {
 
     /// Back to feeds per minute.
     pub(super) fn end(&mut self, w: &mut Writer) {
-        if self.inverse == Some(true) {
+        if self.mode.inverse == Some(true) {
             w.text.line("G94");
         }
-        self.inverse = None;
+        self.mode = FeedMode::default();
     }
 
     /// Goes to a row.
@@ -68,21 +66,9 @@ impl Rs274 {
 
     /// The feed to be said, after the mode that it is in.
     fn feed(&mut self, w: &mut Writer, step: &Move, arc: Option<&Arc>, to: &[f64]) -> Option<f64> {
-        let per_minute = if w.options.feed == Feed::PerMinute { w.feed(step, arc, to) } else { None };
-        let inverse = per_minute.is_none();
-        if self.inverse != Some(inverse) {
-            w.text.line(if inverse { "G93" } else { "G94" });
-            (self.inverse, self.feed) = (Some(inverse), None);
-        }
-        match per_minute {
-            // It is not modal.
-            None => Some(60.0 / step.seconds),
-            feed if self.feed == feed => None,
-            feed => {
-                self.feed = feed;
-                feed
-            }
-        }
+        let (mode, feed) = self.mode.said(w, step, arc, to);
+        mode.into_iter().for_each(|mode| w.text.line(mode));
+        feed
     }
 
     fn arc(&mut self, w: &mut Writer, arc: &Arc, to: &[f64]) -> Result<(), Problem> {

@@ -1,4 +1,4 @@
-use super::Feed;
+use super::feed_mode::FeedMode;
 use super::rs274::whole_turns;
 use super::tongue::Tongue;
 use super::writer::{Problem, Writer};
@@ -9,10 +9,7 @@ use crate::part_program::{Arc, ChannelKind, Level, Move, Path};
 pub(super) struct Sinumerik {
     /// The last block number.
     number: u32,
-    /// Whether feeds are in inverse time, if that was said in this pass.
-    inverse: Option<bool>,
-    /// The last feed per minute.
-    feed: Option<f64>,
+    mode: FeedMode,
     /// The axis square to the plane of arcs: X, Y or Z.
     plane: Option<usize>,
 }
@@ -40,20 +37,9 @@ impl Sinumerik {
 
     /// The feed to be said, after its mode: in the same block, since what waits for the next block must meet the motion.
     fn feed(&mut self, w: &mut Writer, step: &Move, arc: Option<&Arc>, to: &[f64]) -> Option<f64> {
-        let per_minute = if w.options.feed == Feed::PerMinute { w.feed(step, arc, to) } else { None };
-        let inverse = per_minute.is_none();
-        if self.inverse != Some(inverse) {
-            w.text.word(if inverse { "G93" } else { "G94" });
-            (self.inverse, self.feed) = (Some(inverse), None);
-        }
-        match per_minute {
-            None => Some(60.0 / step.seconds),
-            feed if self.feed == feed => None,
-            feed => {
-                self.feed = feed;
-                feed
-            }
-        }
+        let (mode, feed) = self.mode.said(w, step, arc, to);
+        mode.into_iter().for_each(|mode| w.text.word(mode));
+        feed
     }
 
     /// The way of an arc: G2 or G3 in a plane, or CIP through its middle.
@@ -146,14 +132,14 @@ impl Tongue for Sinumerik {
             w.text.line(FOLDER);
             w.text.comment(name);
         }
-        (self.inverse, self.feed, self.plane) = (None, None, None);
+        (self.mode, self.plane) = (FeedMode::default(), None);
     }
 
     fn end(&mut self, w: &mut Writer, _number: u32, sub: bool) {
-        if self.inverse == Some(true) {
+        if self.mode.inverse == Some(true) {
             self.line(w, "G94");
         }
-        self.inverse = None;
+        self.mode = FeedMode::default();
         if sub {
             self.line(w, "M17");
         }

@@ -5,7 +5,6 @@
 //! document it came from; what is different is then written there. The text is read again: it must be a program, and
 //! the one that was meant. [`Editor::undo`] gives back the very bytes.
 
-mod arc;
 mod draft;
 mod format;
 mod history;

@@ -1,9 +1,8 @@
 //! Where points are: mirrored, or moved by the torch's frame.
 
-use super::arc::ArcWay;
 use super::draft::{Body, Draft, PointsDraft, Row};
 use super::report::Report;
-use crate::{Along, Bead};
+use crate::{Along, ArcThrough, Bead};
 use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_document::{Direction, DocumentError, Finite, NonNegative, Point};
@@ -143,7 +142,7 @@ impl PointsDraft {
         for span in &self.spans {
             for row in &span.rows {
                 let there = row.place(columns);
-                let arc = span.via.and_then(|via| ArcWay::through(here, via, there, span.normal));
+                let arc = span.via.and_then(|via| ArcThrough::new(here, via, there, span.normal.map(Direction::unit)));
                 let ends = arc.map_or((there - here, there - here), |arc| (arc.tangent(0.0), arc.tangent(1.0)));
                 out.push(ends.0.try_normalize().zip(ends.1.try_normalize()));
                 here = there;
@@ -187,7 +186,8 @@ impl PointsDraft {
             let inside = from <= first && first < to;
             if let (Along::Arc, true, Some(via)) = (self.spans[span].along, inside, self.spans[span].via) {
                 let normal = self.spans[span].normal;
-                let way = ArcWay::through(start.place(columns), via, end.place(columns), normal).ok_or(first + 1)?;
+                let way = ArcThrough::new(start.place(columns), via, end.place(columns), normal.map(Direction::unit))
+                    .ok_or(first + 1)?;
                 let part = way.part_of(via);
                 let (a, b) = (self.direction(start), self.direction(end));
                 let direction = a.lerp(b, part).normalize_or(a);

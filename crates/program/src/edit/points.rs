@@ -1,12 +1,11 @@
 //! Single points: their numbers, new ones, fewer of them.
 
-use super::arc::ArcWay;
 use super::draft::{Draft, PointsDraft, Row, RowSpan};
 use super::report::Report;
-use crate::Along;
+use crate::{Along, ArcThrough};
 use glam::DVec3;
 use schemars::JsonSchema;
-use seamwright_document::{DocumentError, Finite};
+use seamwright_document::{Direction, DocumentError, Finite};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -154,7 +153,8 @@ impl PointsDraft {
         let places = self.places();
         let there = &mut self.spans[span];
         let arc = places.zip(there.via).and_then(|(columns, via)| {
-            let way = ArcWay::through(before.place(columns), via, next.place(columns), there.normal)?;
+            let way =
+                ArcThrough::new(before.place(columns), via, next.place(columns), there.normal.map(Direction::unit))?;
             Some((columns, way))
         });
         match arc {

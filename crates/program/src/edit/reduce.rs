@@ -1,9 +1,8 @@
 //! Points joined by lines as lines and arcs.
 
-use super::arc::ArcWay;
 use super::draft::{Draft, PointsDraft, Row, RowSpan};
 use super::report::Report;
-use crate::Along;
+use crate::{Along, ArcThrough};
 use glam::{DQuat, DVec3};
 use schemars::JsonSchema;
 use seamwright_document::{DocumentError, Positive};
@@ -109,7 +108,7 @@ impl PointsDraft {
     ) {
         let (first, last) = (at + part.first, at + part.last);
         let [start, end] = [first, last].map(|i| rows[i].place(columns));
-        let arc = via(part.shape, start, end).and_then(|via| Some((via, ArcWay::through(start, via, end, None)?)));
+        let arc = via(part.shape, start, end).and_then(|via| Some((via, ArcThrough::new(start, via, end, None)?)));
         let length = arc.as_ref().map_or_else(|| (end - start).length(), |(_, way)| way.length());
         let mut row = rows[last].clone();
         if last > first + 1 {

@@ -5,8 +5,7 @@ use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError, Finite, NonNegative, Positive};
 use seamwright_geometry::CubicSpline;
 use seamwright_program::{
-    Along, ArcThrough, Columns, Pass, PointSpan, Points, ProcessValue, ProcessValues, Program, Ramp, Span, SpanValue,
-    tip_way,
+    Along, ArcThrough, Columns, Pass, PointSpan, Points, ProcessValue, Program, Span, SpanValue, tip_way,
 };
 use std::sync::Arc;
 
@@ -64,7 +63,7 @@ impl PointPath {
         reached[point + 1..].fill(at);
         let spans = spans(points, &columns, (&reached, pace));
         let blocks = timed.into_iter().map(|t| t.block).collect();
-        Ok(Self { blocks, numbers, pace, spans, reached })
+        Ok(Self { blocks, numbers, spans })
     }
 }
 
@@ -295,13 +294,7 @@ fn spans(points: &Points, columns: &Columns, (reached, pace): (&[f64], f64)) -> 
         if to.get() <= from.get() {
             continue;
         }
-        let value = |(name, column): &(String, usize)| {
-            let (a, b) = (ends[0][*column], ends[1][*column]);
-            let steady = points.stepped.contains(name) || a == b;
-            let value = if steady { ProcessValue::Steady(b) } else { SpanValue::Ramp(Ramp { from: a, to: b }) };
-            (name.clone(), value)
-        };
-        let process: ProcessValues = columns.process.iter().map(value).collect();
+        let process = points.process_between(columns, ends[0], ends[1]);
         match spans.last_mut() {
             Some(last) if last.process == process && !process.values().any(ProcessValue::is_ramp) => last.to_mm = to,
             _ => {

@@ -44,12 +44,8 @@ pub struct PointPath {
     blocks: Vec<Block>,
     /// Machine and frame of the numbers: axes of a machine, or poses in a frame that this maps to the work frame.
     numbers: Numbers,
-    /// What the parameter grows by in a second, mm/s.
-    pace: f64,
     /// The pass' spans as one along a seam has them: process values by path length.
     spans: Vec<Span>,
-    /// Block numbers of the points, 0 if they have none, and the parameter where each is reached.
-    reached: Vec<f64>,
 }
 
 #[derive(Debug, Clone)]
@@ -71,19 +67,9 @@ impl Numbers {
 }
 
 impl PointPath {
-    /// What the parameter grows by in a second, mm/s: the mean speed of the tip.
-    pub fn pace(&self) -> f64 {
-        self.pace
-    }
-
     /// Speed and process values by the parameter.
     pub fn spans(&self) -> &[Span] {
         &self.spans
-    }
-
-    /// The parameter where each point is reached, the start first, mm.
-    pub fn reached(&self) -> &[f64] {
-        &self.reached
     }
 
     /// The block at `s`: the later one where two meet.

@@ -2,7 +2,7 @@
 
 use super::{E, F, L, Line, P, Q, R, S};
 use crate::read::Flow;
-use crate::read::error::{Fault, Read, Span};
+use crate::read::error::{Fault, Read, Span, once};
 use crate::read::state::{FeedMode, Motion, State};
 use crate::{Dialect, Event, Level, Step, What};
 
@@ -26,15 +26,8 @@ const G_CODES: &str = "G0 G1 G2 G3 G4 G17 G18 G19 G20 G21 G40 G49 G53 G54 to G59
 const M_CODES: &str = "M0 M1 M2 M3 M4 M5 M30 M62 to M68, and those in the machine file's codes";
 
 impl Line {
-    /// A code of this group: one a block.
     fn group(&mut self, group: u32, span: Span) -> Read {
-        if self.groups & group != 0 {
-            return Err(
-                Fault::new(span, "two codes of one modal group stand in this block").cure("leave one of them out")
-            );
-        }
-        self.groups |= group;
-        Ok(())
+        once(&mut self.groups, group, span)
     }
 
     /// A G-code, in tenths.

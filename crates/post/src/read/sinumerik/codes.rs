@@ -3,7 +3,7 @@
 use super::Line;
 use crate::Event;
 use crate::read::Flow;
-use crate::read::error::{Fault, Read, Span};
+use crate::read::error::{Fault, Read, Span, once};
 use crate::read::state::{FeedMode, Motion, State};
 
 /// Siemens' G groups, as bits.
@@ -25,15 +25,8 @@ const G_CODES: &str =
 const M_CODES: &str = "M0 M1 M2 M17 M30, and those in the machine file's codes";
 
 impl Line {
-    /// A code of this group: one a block.
     pub(super) fn group(&mut self, group: u32, span: Span) -> Read {
-        if self.groups & group != 0 {
-            return Err(
-                Fault::new(span, "two codes of one modal group stand in this block").cure("leave one of them out")
-            );
-        }
-        self.groups |= group;
-        Ok(())
+        once(&mut self.groups, group, span)
     }
 
     /// A G-code, in tenths.

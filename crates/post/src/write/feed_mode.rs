@@ -1,0 +1,40 @@
+use super::Feed;
+use super::writer::Writer;
+use crate::part_program::{Arc, Move};
+
+/// How the control was told to take feeds, and the last one that stays in force.
+#[derive(Debug, Default, Clone, Copy, PartialEq)]
+pub(super) struct FeedMode {
+    /// Whether feeds are in inverse time, if that was said in this pass.
+    pub(super) inverse: Option<bool>,
+    /// The last feed per minute.
+    feed: Option<f64>,
+}
+
+impl FeedMode {
+    /// What must be said before a move: the mode, if it is another, and the feed, which in inverse time stays in no
+    /// block.
+    pub(super) fn said(
+        &mut self,
+        w: &Writer,
+        step: &Move,
+        arc: Option<&Arc>,
+        to: &[f64],
+    ) -> (Option<&'static str>, Option<f64>) {
+        let per_minute = if w.options.feed == Feed::PerMinute { w.feed(step, arc, to) } else { None };
+        let inverse = per_minute.is_none();
+        let mode = (self.inverse != Some(inverse)).then_some(if inverse { "G93" } else { "G94" });
+        if mode.is_some() {
+            *self = Self { inverse: Some(inverse), feed: None };
+        }
+        let feed = match per_minute {
+            None => Some(60.0 / step.seconds),
+            feed if self.feed == feed => None,
+            feed => {
+                self.feed = feed;
+                feed
+            }
+        };
+        (mode, feed)
+    }
+}
