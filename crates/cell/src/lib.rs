@@ -9,6 +9,7 @@
 mod disturbance;
 mod drives;
 mod error;
+pub mod eyes;
 mod sample;
 mod simulate;
 mod summary;

@@ -1,0 +1,1 @@
+//! Simulated eyes: frames and stripes as the cell's cameras would see them, with seeded disturbances.

@@ -1,0 +1,137 @@
+use thiserror::Error;
+
+/// Greatest width and height of a frame, pixels.
+pub const MAX_SIDE: usize = 16384;
+
+/// Why pixels do not make a frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum FrameError {
+    /// A side is 0 or beyond [`MAX_SIDE`].
+    #[error("a frame of {width} x {height} pixels: sides are 1 to {MAX_SIDE}")]
+    Size {
+        /// Pixels a row.
+        width: usize,
+        /// Rows.
+        height: usize,
+    },
+    /// Not width times height pixels.
+    #[error("{found} pixels for a frame of {width} x {height}, which has {}", width * height)]
+    Count {
+        /// Pixels a row.
+        width: usize,
+        /// Rows.
+        height: usize,
+        /// Pixels given.
+        found: usize,
+    },
+}
+
+/// Grey values of a frame, row after row from the top.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Pixels<'a> {
+    /// 8 bits a pixel.
+    U8(&'a [u8]),
+    /// 16 bits a pixel, of which 65535 is white, however many the camera has.
+    U16(&'a [u16]),
+}
+
+impl Pixels<'_> {
+    fn len(&self) -> usize {
+        match self {
+            Pixels::U8(pixels) => pixels.len(),
+            Pixels::U16(pixels) => pixels.len(),
+        }
+    }
+}
+
+/// A grey picture, borrowed. Pixel centres have whole coordinates, x to the right, y down, (0, 0) the first one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frame<'a> {
+    width: usize,
+    height: usize,
+    pixels: Pixels<'a>,
+}
+
+impl<'a> Frame<'a> {
+    /// A frame of `width` x `height` pixels.
+    ///
+    /// # Errors
+    /// If a side is 0 or above [`MAX_SIDE`], or the number of pixels is not width times height.
+    pub fn new(width: usize, height: usize, pixels: Pixels<'a>) -> Result<Self, FrameError> {
+        if !(1..=MAX_SIDE).contains(&width) || !(1..=MAX_SIDE).contains(&height) {
+            return Err(FrameError::Size { width, height });
+        }
+        if pixels.len() != width * height {
+            return Err(FrameError::Count { width, height, found: pixels.len() });
+        }
+        Ok(Self { width, height, pixels })
+    }
+
+    /// Pixels a row.
+    #[must_use]
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Rows.
+    #[must_use]
+    pub fn height(&self) -> usize {
+        self.height
+    }
+
+    /// The grey values.
+    #[must_use]
+    pub fn pixels(&self) -> Pixels<'a> {
+        self.pixels
+    }
+}
+
+/// A grey picture of its own.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Image {
+    /// 8 bits a pixel.
+    U8 {
+        /// Pixels a row.
+        width: usize,
+        /// Rows.
+        height: usize,
+        /// Grey values, row after row.
+        pixels: Vec<u8>,
+    },
+    /// 16 bits a pixel, 65535 is white.
+    U16 {
+        /// Pixels a row.
+        width: usize,
+        /// Rows.
+        height: usize,
+        /// Grey values, row after row.
+        pixels: Vec<u16>,
+    },
+}
+
+impl Image {
+    /// The picture as a frame.
+    ///
+    /// # Errors
+    /// As [`Frame::new`].
+    pub fn frame(&self) -> Result<Frame<'_>, FrameError> {
+        match self {
+            Self::U8 { width, height, pixels } => Frame::new(*width, *height, Pixels::U8(pixels)),
+            Self::U16 { width, height, pixels } => Frame::new(*width, *height, Pixels::U16(pixels)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pixels_fill_the_frame_or_are_refused() {
+        let pixels = [0u8; 12];
+        assert!(Frame::new(4, 3, Pixels::U8(&pixels)).is_ok());
+        assert_eq!(Frame::new(5, 3, Pixels::U8(&pixels)), Err(FrameError::Count { width: 5, height: 3, found: 12 }));
+        assert_eq!(Frame::new(0, 3, Pixels::U8(&[])), Err(FrameError::Size { width: 0, height: 3 }));
+        assert!(Frame::new(MAX_SIDE + 1, 1, Pixels::U16(&[])).is_err());
+    }
+}

@@ -1,0 +1,7 @@
+//! Frames and what is seen in them. Plain functions of pixels: no files, no clocks, no cameras.
+
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
+
+mod frame;
+
+pub use frame::{Frame, FrameError, Image, Pixels};
