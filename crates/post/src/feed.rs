@@ -27,6 +27,11 @@ pub(crate) struct FeedRule {
 }
 
 impl FeedRule {
+    /// Channels that count together, a bit for each; none: those of no set move.
+    pub(crate) fn counted(&self) -> u64 {
+        self.sets.first().into_iter().flatten().fold(0, |bits, channel| bits | 1 << channel)
+    }
+
     /// The way from one row to another, mm (or degrees); `arc` if X Y Z go round.
     pub(crate) fn way(&self, arc: Option<&Arc>, from: &[f64], to: &[f64]) -> f64 {
         self.sets.iter().map(|axes| self.way_of(axes, arc, from, to)).find(|way| *way > 0.0).unwrap_or(0.0)

@@ -15,6 +15,7 @@ mod part_program;
 mod plan;
 mod play;
 mod points;
+mod polynomial;
 mod read;
 mod verify;
 mod write;
@@ -22,12 +23,13 @@ mod write;
 pub use control::{Code, Control, Dialect};
 pub use error::Error;
 pub use feed::Group;
-pub use part_program::{Arc, Channel, ChannelKind, Event, Level, Move, PartProgram, Path, Step, What, Xyz};
+pub use part_program::{Arc, Channel, ChannelKind, Curve, Event, Level, Move, PartProgram, Path, Step, What, Xyz};
 pub use plan::{
     Block, Interpolation, Linearisation, Options, Shape, Speeds, linearise, part_program, points_part_program,
 };
 pub use play::{Segment, play};
 pub use points::to_program;
+pub use polynomial::{Evenly, POWERS};
 pub use read::{LeftOut, ReadError, ReadOptions, Reading, read};
 pub use verify::{PassVerification, Planned, Verification, verify};
 pub use write::{Feed, WriteOptions, write};

@@ -1,6 +1,7 @@
 //! A part program as data: what a control is told, in order, in no dialect. Posts write it, readers make it, the proof
 //! plays it.
 
+use crate::polynomial::{Evenly, POWERS, Polynomial};
 use glam::{DQuat, DVec3};
 use std::f64::consts::TAU;
 
@@ -38,6 +39,8 @@ pub struct PartProgram {
     pub steps: Vec<Step>,
     /// Arcs that moves go along.
     pub arcs: Vec<Arc>,
+    /// Curves that moves go along.
+    pub curves: Vec<Curve>,
     rows: Vec<f64>,
 }
 
@@ -137,6 +140,19 @@ pub enum Path {
     /// Uniform cubic B-spline: a run of these with equal times has their rows as its control points, the first and last
     /// ones three times. PMAC's SPLINE1.
     Spline,
+    /// The axes go along this curve of [`PartProgram::curves`]: polynomials of a parameter. Sinumerik's POLY.
+    Curve(u32),
+}
+
+/// Polynomials of all axes in a block. Of the rows from `row` on the first has the coefficients of the second power of the
+/// parameter (0 at the begin, 1 at the end), the next those of the third, up to the fifth; those below follow from begin
+/// and end. The control goes evenly by the way of the axes that the feed counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Curve {
+    /// Index of the first of its [`POWERS`] rows.
+    pub row: u32,
+    /// A bit for each channel that the feed counts.
+    pub counted: u64,
 }
 
 /// An arc or helix of X, Y and Z.
@@ -197,6 +213,25 @@ impl PartProgram {
     pub fn row(&self, index: u32) -> &[f64] {
         let width = self.channels.len();
         &self.rows[index as usize * width..][..width]
+    }
+
+    /// Axis `channel` along a curve between two rows.
+    pub(crate) fn polynomial(&self, curve: Curve, channel: usize, (from, to): (&[f64], &[f64])) -> Polynomial {
+        let higher = std::array::from_fn(|k| self.row(curve.row + k as u32)[channel]);
+        Polynomial { from: from[channel], to: to[channel], higher }
+    }
+
+    /// The parameter of a curve between two rows, by its even feed.
+    pub(crate) fn evenly(&self, curve: Curve, ends: (&[f64], &[f64])) -> Evenly {
+        let counted = (0..self.axes()).filter(|channel| curve.counted >> channel & 1 == 1);
+        Evenly::new(counted.map(|channel| self.polynomial(curve, channel, ends)))
+    }
+
+    /// Adds a curve: of each power from 2 on a row of all channels.
+    pub(crate) fn add_curve(&mut self, higher: &[Vec<f64>; POWERS], counted: u64) -> u32 {
+        let rows = higher.each_ref().map(|row| self.add_row(row));
+        self.curves.push(Curve { row: rows[0], counted });
+        self.curves.len() as u32 - 1
     }
 
     /// Adds a step that was not read from a text.

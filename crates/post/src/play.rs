@@ -1,6 +1,7 @@
 //! A part program as its control plays it: where every channel is at every time, by the control's own rules.
 
 use crate::part_program::{Arc, ChannelKind, Event, Level, Move, PartProgram, Path, What, Xyz};
+use crate::polynomial::{Evenly, Polynomial};
 
 /// Part of a played program in which one thing goes on.
 #[derive(Debug, Clone)]
@@ -27,6 +28,8 @@ enum Way {
     Arc(Arc, Xyz),
     /// Cubics of the axes with these speeds per s at both ends.
     Cubic(Vec<f64>, Vec<f64>),
+    /// Polynomials of the axes, evenly by their way.
+    Curve(Vec<Polynomial>, Box<Evenly>),
 }
 
 impl Segment {
@@ -39,6 +42,10 @@ impl Segment {
             Way::Arc(arc, xyz) => {
                 let [a, b] = [&self.from, &self.to].map(|row| xyz.of(row));
                 xyz.put(row, arc.at(a, b, f));
+            }
+            Way::Curve(axes, evenly) => {
+                let u = evenly.parameter(f);
+                row.iter_mut().zip(axes).for_each(|(value, axis)| *value = axis.at(u));
             }
             Way::Cubic(v0, v1) => {
                 for (i, (v0, v1)) in v0.iter().zip(v1).enumerate() {
@@ -55,11 +62,27 @@ impl Segment {
         self.level.is_some()
     }
 
-    /// Speeds of the axes at begin and end of a cubic, per s.
-    pub fn speeds(&self) -> Option<(&[f64], &[f64])> {
+    /// Speeds of the axes at the part `f` of the segment, per s, where it is a cubic or a curve.
+    pub(crate) fn speeds(&self, f: f64) -> Option<Vec<f64>> {
         match &self.way {
-            Way::Cubic(begin, end) => Some((begin, end)),
-            _ => None,
+            Way::Even | Way::Arc(..) => None,
+            Way::Cubic(begin, end) => {
+                let chord = |i: usize| (self.to[i] - self.from[i]) / self.seconds;
+                let weights = [6.0 * f * (1.0 - f), (1.0 - f) * (1.0 - 3.0 * f), f * (3.0 * f - 2.0)];
+                let speed =
+                    |(i, (v0, v1)): (usize, (&f64, &f64))| weights[0] * chord(i) + weights[1] * v0 + weights[2] * v1;
+                Some(begin.iter().zip(end).enumerate().map(speed).collect())
+            }
+            Way::Curve(axes, evenly) => {
+                // Where all slopes are 0 the way bends back: its direction is that of the place next to it.
+                let inward = if f < 0.5 { 1e-7 } else { -1e-7 };
+                let mut u = evenly.parameter(f);
+                if evenly.length() > 0.0 && evenly.speed(u) <= 1e-9 * evenly.length() {
+                    u += inward;
+                }
+                let rate = if evenly.length() > 0.0 { evenly.length() / evenly.speed(u) } else { 1.0 };
+                Some(axes.iter().map(|axis| axis.slope(u) * rate / self.seconds).collect())
+            }
         }
     }
 
@@ -152,7 +175,12 @@ impl<'a> Player<'a> {
                 let end = self.program.row(row)[..self.axes].to_vec();
                 Way::Cubic(std::mem::replace(&mut self.speeds, end.clone()), end)
             }
-            _ => Way::Even,
+            Path::Curve(curve) => {
+                let (curve, ends) = (self.program.curves[curve as usize], (&self.here[..], &to[..]));
+                let axes = (0..self.axes).map(|channel| self.program.polynomial(curve, channel, ends)).collect();
+                Way::Curve(axes, Box::new(self.program.evenly(curve, ends)))
+            }
+            Path::Rapid | Path::Line | Path::Spline => Way::Even,
         };
         if !matches!(m.path, Path::Hermite(_)) {
             self.speeds.fill(0.0);

@@ -19,7 +19,8 @@ fn variants(dialect: Dialect) -> Vec<Options> {
     let of = |interpolation| Options { tolerance_mm: TOLERANCE, interpolation, ..Options::default() };
     match dialect {
         Dialect::Pmac => vec![of(Interpolation::Pvt), of(Interpolation::Spline1), of(Interpolation::Linear)],
-        _ => vec![of(Interpolation::Pvt)],
+        Dialect::Sinumerik => vec![of(Interpolation::Linear), of(Interpolation::Poly)],
+        _ => vec![of(Interpolation::Linear)],
     }
 }
 
@@ -35,7 +36,7 @@ fn follows(planned: &Planned, program: &PartProgram, head: usize) -> f64 {
         let mut time = 0.0;
         let mut last = 0.0;
         for (step, way) in ways(program, range).iter().filter(|(i, _)| (welds..ends).contains(i)) {
-            let checks = if matches!(way.step.path, Path::Arc(_) | Path::Hermite(_)) { 64 } else { 5 };
+            let checks = if matches!(way.step.path, Path::Arc(_) | Path::Hermite(_) | Path::Curve(_)) { 64 } else { 5 };
             for k in 0..=checks {
                 let f = f64::from(k) / f64::from(checks);
                 let tip = way.tip(&planned.machine, head, f);

@@ -31,6 +31,8 @@ pub(crate) enum InterpolationArg {
     Spline1,
     /// Lines and arcs
     Linear,
+    /// Polynomials of the third degree: POLY
+    Poly,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -58,7 +60,7 @@ pub(crate) struct PostArgs {
     /// How times of blocks are said
     #[arg(long, value_enum, default_value = "inverse-time")]
     pub(crate) feed: FeedArg,
-    /// What blocks of PMAC are [default: pvt]
+    /// What blocks are: pvt, spline1 or linear for PMAC [default: pvt], linear or poly for Sinumerik [default: linear]
     #[arg(long, value_enum)]
     pub(crate) interpolation: Option<InterpolationArg>,
     /// Greatest distance of the blocks' path from the seam, mm

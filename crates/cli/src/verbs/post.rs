@@ -87,21 +87,24 @@ fn options(args: &PostArgs) -> Result<Options, Failure> {
         let message = format!("--tolerance-mm {tolerance_mm}: too coarse\n   allowed: up to {WIDEST_MM}");
         return Err(Failure::Input(message));
     }
-    if args.interpolation.is_some() && args.dialect != DialectArg::Pmac {
-        let message = "--interpolation: only PMAC has a choice; the other controls get lines and arcs";
-        return Err(Failure::Input(message.to_owned()));
-    }
+    let interpolation = match (args.dialect, args.interpolation) {
+        (DialectArg::Pmac, None | Some(InterpolationArg::Pvt)) => Interpolation::Pvt,
+        (DialectArg::Pmac, Some(InterpolationArg::Spline1)) => Interpolation::Spline1,
+        (DialectArg::Sinumerik, Some(InterpolationArg::Poly)) => Interpolation::Poly,
+        (_, None | Some(InterpolationArg::Linear)) => Interpolation::Linear,
+        (_, Some(_)) => {
+            let message = "--interpolation: this control has no such blocks\n   allowed: pvt, spline1, linear for PMAC; \
+                           linear, poly for Sinumerik; linear for LinuxCNC and grblHAL";
+            return Err(Failure::Input(message.to_owned()));
+        }
+    };
     Ok(Options {
         level: match args.level {
             LevelArg::Joint => Level::Joint,
             LevelArg::Tip => Level::Tip,
         },
         tolerance_mm,
-        interpolation: match args.interpolation {
-            None | Some(InterpolationArg::Pvt) => Interpolation::Pvt,
-            Some(InterpolationArg::Spline1) => Interpolation::Spline1,
-            Some(InterpolationArg::Linear) => Interpolation::Linear,
-        },
+        interpolation,
     })
 }
 

@@ -1,4 +1,5 @@
 use crate::part_program::Arc;
+use crate::polynomial::Evenly;
 use glam::DVec3;
 use seamwright_machine::Joints;
 
@@ -36,11 +37,20 @@ pub enum Shape {
         /// Speeds at its end.
         to: Speeds,
     },
+    /// Cubics of a parameter, gone along evenly.
+    Curve {
+        /// Derivatives by the part of the parameter at its begin.
+        from: Speeds,
+        /// The same at its end.
+        to: Speeds,
+        /// The parameter by the control's feed.
+        evenly: Evenly,
+    },
     /// Its end is a control point of a uniform cubic B-spline.
     Spline,
 }
 
-/// Speeds at one place, per s.
+/// Speeds at one place, per s, or derivatives by a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Speeds {
     /// Of the axes, mm or rad.
@@ -65,13 +75,14 @@ impl Block {
     /// an arc are left to the caller.
     pub(crate) fn part(&self, begin: &Self, f: f64) -> (Joints, DVec3) {
         let line = |a: f64, b: f64| a + f * (b - a);
+        let cubic = |from: Speeds, to: Speeds, w: [f64; 3]| {
+            let cubic = |a: f64, va: f64, b: f64, vb: f64| a + w[0] * (b - a) + w[1] * va + w[2] * vb;
+            let q = std::array::from_fn(|i| cubic(begin.q[i], from.q[i], self.q[i], to.q[i]));
+            (q, begin.tip + w[0] * (self.tip - begin.tip) + w[1] * from.tip + w[2] * to.tip)
+        };
         match self.shape {
-            Shape::Hermite { from, to } => {
-                let w = hermite(f, self.duration);
-                let cubic = |a: f64, va: f64, b: f64, vb: f64| a + w[0] * (b - a) + w[1] * va + w[2] * vb;
-                let q = std::array::from_fn(|i| cubic(begin.q[i], from.q[i], self.q[i], to.q[i]));
-                (q, begin.tip + w[0] * (self.tip - begin.tip) + w[1] * from.tip + w[2] * to.tip)
-            }
+            Shape::Hermite { from, to } => cubic(from, to, hermite(f, self.duration)),
+            Shape::Curve { from, to, evenly } => cubic(from, to, hermite(evenly.parameter(f), 1.0)),
             _ => (std::array::from_fn(|i| line(begin.q[i], self.q[i])), begin.tip.lerp(self.tip, f)),
         }
     }

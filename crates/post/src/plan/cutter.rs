@@ -2,6 +2,7 @@ use super::arcs::{Arcs, Normal, through};
 use super::block::{Block, Linearisation, Shape, Speeds};
 use super::course::Course;
 use crate::feed::LEAST_FEED;
+use crate::polynomial::{Evenly, Polynomial};
 use crate::{Error, Level};
 use glam::DVec3;
 use seamwright_machine::{AxisKind, Joints, Machine};
@@ -34,8 +35,8 @@ pub(crate) struct Cutting<'a> {
     pub(crate) tolerance_mm: f64,
     /// Whether the control raises feeds below [`LEAST_FEED`].
     pub(crate) least_feed: bool,
-    /// Whether blocks are cubics in time instead of lines and arcs.
-    pub(crate) cubic: bool,
+    /// What blocks are that are no arcs.
+    pub(crate) base: Kind,
     /// Arcs that the control has.
     pub(crate) arcs: Arcs,
     /// Axes X, Y and Z, for arcs at joint level.
@@ -55,7 +56,7 @@ impl Cutting<'_> {
             level,
             tolerance_mm,
             least_feed: true,
-            cubic: false,
+            base: Kind::Line,
             arcs: Arcs::None,
             xyz: [None; 3],
             longest_s: f64::INFINITY,
@@ -120,7 +121,7 @@ pub(crate) fn cut(
             }
             block.stops = stops.contains(&block.s);
             cut.chord_error_mm = cut.chord_error_mm.max(cutter.chord_error(&here, &block));
-            if block.shape == Shape::Line || cutting.cubic {
+            if !matches!(block.shape, Shape::Arc(_)) {
                 length = block.s - here.s;
             }
             cut.blocks.push(block);
@@ -130,11 +131,16 @@ pub(crate) fn cut(
     Ok(cut)
 }
 
-/// What kind of block is tried.
+/// A kind of blocks.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Kind {
+pub(crate) enum Kind {
+    /// Straight.
     Line,
+    /// Cubics in time.
     Cubic,
+    /// Cubics that are gone along evenly.
+    Curve,
+    /// Arcs.
     Arc(Normal),
 }
 
@@ -162,6 +168,7 @@ impl Cutter<'_> {
         block.shape = match kind {
             Kind::Line => Shape::Line,
             Kind::Cubic => Shape::Hermite { from: self.speeds(here.s, false), to: self.speeds(s, true) },
+            Kind::Curve => self.curve(here, &block),
             Kind::Arc(normal) => {
                 let time = self.motion.law.time(here.s) + 0.5 * block.duration;
                 let middle = self.end_at(self.motion.law.at(time, &mut 0).s, here.s);
@@ -171,15 +178,38 @@ impl Cutter<'_> {
         Some(block)
     }
 
+    /// The cubic with the path's directions at both ends; only what the control moves is bent.
+    fn curve(&self, here: &Block, block: &Block) -> Shape {
+        let slopes = |s: f64, before: bool| self.slopes(s, before, block.s - here.s);
+        let (from, to) = (slopes(here.s, false), slopes(block.s, true));
+        let tip = self.cutting.level == Level::Tip;
+        let cubic = |a: f64, va: f64, b: f64, vb: f64| {
+            let higher = [3.0 * (b - a) - 2.0 * va - vb, va + vb - 2.0 * (b - a), 0.0, 0.0];
+            Polynomial { from: a, to: b, higher }
+        };
+        let axes = self.machine.axes.iter().enumerate().filter(|(_, axis)| !tip || axis.kind == AxisKind::Rotary);
+        let axes = axes.map(|(i, axis)| {
+            let [a, va, b, vb] = [here.q[i], from.q[i], block.q[i], to.q[i]].map(|value| axis.to_file(value));
+            cubic(a, va, b, vb)
+        });
+        let place = (0..3).filter(|_| tip).map(|k| cubic(here.tip[k], from.tip[k], block.tip[k], to.tip[k]));
+        Shape::Curve { from, to, evenly: Evenly::new(axes.chain(place)) }
+    }
+
+    /// Derivatives by path length at `s`, as they are before or behind it, times `rate`.
+    fn slopes(&self, s: f64, before: bool, rate: f64) -> Speeds {
+        let point = self.motion.path.point(s, before);
+        let rest = Joints::default();
+        let tip = self.machine.tip_derivatives(&[point.q, point.d1, rest, rest])[0];
+        Speeds { q: point.d1.map(|d| d * rate), tip: tip * rate }
+    }
+
     /// Speeds by the plan at `s`, as they are before or behind it.
     fn speeds(&self, s: f64, before: bool) -> Speeds {
         if s <= self.ends.0 || s >= self.ends.1 {
             return Speeds::default();
         }
-        let (point, v) = (self.motion.path.point(s, before), self.motion.law.speed(s));
-        let rest = Joints::default();
-        let tip = self.machine.tip_derivatives(&[point.q, point.d1, rest, rest])[0];
-        Speeds { q: point.d1.map(|d| d * v), tip: tip * v }
+        self.slopes(s, before, self.motion.law.speed(s))
     }
 
     /// X, Y and Z of what the control moves, mm.
@@ -192,7 +222,7 @@ impl Cutter<'_> {
 
     /// The longest good block from `here`, not beyond `end`; `guess` is the length of the last one.
     fn next(&self, here: &Block, written: &Block, end: f64, guess: f64) -> Block {
-        let base = if self.cutting.cubic { Kind::Cubic } else { Kind::Line };
+        let base = self.cutting.base;
         let (s, checks) = (self.farthest(base, here, written, (end, guess), CHECKS), CHECKS);
         let line = self.turned_back(here, written, s);
         // At rest nothing tells how it goes on: halves of a line so short are no good for an arc.

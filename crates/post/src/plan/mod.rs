@@ -6,6 +6,7 @@ mod course;
 mod cutter;
 mod deviation;
 mod ramps;
+mod rows;
 mod spline;
 mod stands;
 mod steps;
@@ -18,7 +19,7 @@ use crate::points::{ends, is_posted_as_it_stands};
 use crate::{Code, Control, Dialect, Error};
 use arcs::Arcs;
 use course::Course;
-use cutter::{Cutting, HELD_BACK, cut};
+use cutter::{Cutting, HELD_BACK, Kind, cut};
 use ramps::{ramp_breaks, weave_breaks};
 use seamwright_machine::{Joints, Machine};
 use seamwright_motion::{PassMotion, WeldMotion};
@@ -32,7 +33,7 @@ pub struct Options {
     pub level: Level,
     /// Greatest distance of the blocks' path from the planned one of the tip, mm.
     pub tolerance_mm: f64,
-    /// PMAC: what blocks are. The other controls have lines and arcs.
+    /// What blocks are. LinuxCNC and grblHAL have lines and arcs alone, Sinumerik polynomials too.
     pub interpolation: Interpolation,
 }
 
@@ -49,7 +50,7 @@ impl Options {
     }
 }
 
-/// What blocks of PMAC are.
+/// What blocks are on controls that have more than lines and arcs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Interpolation {
     /// Cubics in time, with speeds: PVT.
@@ -58,6 +59,8 @@ pub enum Interpolation {
     Spline1,
     /// Lines and arcs: LINEAR and CIRCLE.
     Linear,
+    /// Sinumerik: polynomials of the third degree, POLY.
+    Poly,
 }
 
 /// Part of the tolerance that is left to the control for rounding corners (LinuxCNC's G64 P).
@@ -169,8 +172,12 @@ fn blocks(
     breaks.extend(course.breaks());
     breaks.sort_by(f64::total_cmp);
     let pmac = control.dialect == Dialect::Pmac;
-    let cubic = pmac && options.interpolation == Interpolation::Pvt;
     let spline = pmac && options.interpolation == Interpolation::Spline1;
+    let base = match (control.dialect, options.interpolation) {
+        (Dialect::Pmac, Interpolation::Pvt) => Kind::Cubic,
+        (Dialect::Sinumerik, Interpolation::Poly) => Kind::Curve,
+        _ => Kind::Line,
+    };
     // Rounding of corners by the control, and linear motion left to the next block, count against the tolerance too.
     let linuxcnc = control.dialect == Dialect::Linuxcnc;
     let spared = if linuxcnc { ROUNDING + HELD_BACK } else { SPARED };
@@ -178,10 +185,10 @@ fn blocks(
         level: options.level,
         tolerance_mm: (1.0 - spared) * options.tolerance_mm,
         least_feed: linuxcnc,
-        cubic,
-        arcs: if cubic { Arcs::None } else { arcs_of(control, options.level) },
+        base,
+        arcs: if base == Kind::Line { arcs_of(control, options.level) } else { Arcs::None },
         xyz: control.axes_xyz(),
-        longest_s: if cubic || spline { LONGEST_CUBIC_S } else { f64::INFINITY },
+        longest_s: if base == Kind::Cubic || spline { LONGEST_CUBIC_S } else { f64::INFINITY },
         course: Some(course),
         second,
     };

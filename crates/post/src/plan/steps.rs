@@ -1,15 +1,15 @@
 //! The steps of a pass around its blocks: gas, arc, slopes, values, and the ways there and back.
 
+use super::Options;
 use super::block::{Block, Linearisation, Shape};
 use super::course::{Course, WELDING};
 use super::ramps::{RestStep, rest_steps};
+use super::rows::{SCALE, rounded};
 use super::spline::TICK;
-use super::{Options, arcs};
-use crate::part_program::{ChannelKind, Event, Level, Move, PartProgram, Path, What};
+use crate::part_program::{ChannelKind, Event, Level, PartProgram, Path, What};
 use crate::write::fixed;
 use crate::{Control, Dialect};
-use glam::DVec3;
-use seamwright_machine::{AxisKind, Joints, Machine};
+use seamwright_machine::{Joints, Machine};
 use seamwright_motion::PassMotion;
 use seamwright_motion::air::{AirMove, Leg};
 use seamwright_program::{Pass, ProcessValue, Program};
@@ -17,8 +17,6 @@ use std::collections::BTreeMap;
 
 /// Feed of the approach from where the torch stands back to the start of the weld, mm/min.
 const APPROACH_MM_MIN: f64 = 600.0;
-/// Decimals of what is written.
-const SCALE: f64 = 1e6;
 /// Steps of process values at outputs.
 const VALUE_SCALE: f64 = 1e4;
 
@@ -26,10 +24,12 @@ const VALUE_SCALE: f64 = 1e4;
 pub(super) struct Steps<'a> {
     pub(super) machine: &'a Machine,
     pub(super) control: &'a Control,
-    level: Level,
+    pub(super) level: Level,
     pub(super) program: PartProgram,
     /// What the control has been told of each channel.
     pub(super) row: Vec<f64>,
+    /// The row before the block under way.
+    pub(super) before: Vec<f64>,
     /// The last value of each channel that was set at once or not, since the pass began.
     pub(super) set: BTreeMap<(u16, bool), f64>,
     /// Whether the arc is on.
@@ -40,7 +40,8 @@ impl<'a> Steps<'a> {
     pub(super) fn new(machine: &'a Machine, control: &'a Control, program: &Program, options: &Options) -> Self {
         let part = PartProgram::new(&program.title, control.channels.clone());
         let row = vec![0.0; control.channels.len()];
-        Self { machine, control, level: options.level, program: part, row, set: BTreeMap::new(), arc: false }
+        let before = row.clone();
+        Self { machine, control, level: options.level, program: part, row, before, set: BTreeMap::new(), arc: false }
     }
 
     fn comment(&mut self, text: &str) {
@@ -187,7 +188,7 @@ impl<'a> Steps<'a> {
             for (channel, value) in course.row(block.s) {
                 self.row[channel] = rounded(value, SCALE);
             }
-            let from = self.place();
+            self.before.clone_from(&self.row);
             self.go_to(block, block.turns_only);
             // PMAC's times are multiples of a tick; what is lost in one is made up for in the next.
             time += block.duration;
@@ -196,7 +197,7 @@ impl<'a> Steps<'a> {
                 _ => block.duration,
             };
             ticks += seconds;
-            let path = self.path(&block.shape, from);
+            let path = self.path(&block.shape);
             self.push(path, seconds, block.stops);
             before = *block;
         }
@@ -303,72 +304,6 @@ impl<'a> Steps<'a> {
         self.row[channel] = value;
         self.program.push(What::Set { channel: channel as u16, value, at_once: true });
     }
-
-    /// Puts a place into the row; linear axes stay as they are if `rotary_only`.
-    pub(super) fn go_to(&mut self, at: &Block, rotary_only: bool) {
-        for (i, axis) in self.machine.axes.iter().enumerate() {
-            let value = match (axis.kind, self.level) {
-                (AxisKind::Rotary, _) => axis.to_file(at.q[i]),
-                (AxisKind::Linear, _) if rotary_only => continue,
-                (AxisKind::Linear, Level::Joint) => axis.to_file(at.q[i]),
-                (AxisKind::Linear, Level::Tip) => match self.tip_part(i) {
-                    Some(k) => at.tip[k],
-                    None => continue,
-                },
-            };
-            self.row[i] = rounded(value, SCALE);
-        }
-    }
-
-    /// Which of X, Y and Z axis `i` is.
-    fn tip_part(&self, i: usize) -> Option<usize> {
-        ["x", "y", "z"].iter().position(|name| *name == self.machine.axes[i].name)
-    }
-
-    /// X, Y and Z of the row.
-    fn place(&self) -> DVec3 {
-        DVec3::from_array(self.control.axes_xyz().map(|i| i.map_or(0.0, |i| self.row[i])))
-    }
-
-    /// The way of a block from `from` to where the row is now.
-    fn path(&mut self, shape: &Shape, from: DVec3) -> Path {
-        match shape {
-            Shape::Line => Path::Line,
-            Shape::Spline => Path::Spline,
-            Shape::Hermite { to, .. } => {
-                let mut speeds = vec![0.0; self.row.len()];
-                for (i, axis) in self.machine.axes.iter().enumerate() {
-                    let tip = self.tip_part(i).filter(|_| self.level == Level::Tip);
-                    speeds[i] = rounded(tip.map_or_else(|| axis.to_file(to.q[i]), |k| to.tip[k]), SCALE);
-                }
-                Path::Hermite(self.program.add_row(&speeds))
-            }
-            Shape::Arc(arc) => {
-                // The centre as it will be written: from the start, with as many decimals.
-                let axis = (0..3).find(|k| arc.normal[*k].abs() > 1.0 - 1e-12);
-                let to_centre = (arc.centre - from).reject_from_normalized(arc.normal);
-                let centre = from + axis.map_or(to_centre, |_| (to_centre * SCALE).round() / SCALE);
-                match arcs::between(from, self.place(), centre, arc.normal) {
-                    Some(arc) => {
-                        self.program.arcs.push(arc);
-                        Path::Arc(self.program.arcs.len() as u32 - 1)
-                    }
-                    None => Path::Line,
-                }
-            }
-        }
-    }
-
-    /// A move to the row.
-    pub(super) fn push(&mut self, path: Path, seconds: f64, exact_stop: bool) {
-        let row = self.program.add_row(&self.row);
-        self.program.push(What::Move(Move { path, row, seconds, level: self.level, exact_stop }));
-    }
-}
-
-/// `value` as it is written with so many parts of 1; never a negative zero.
-fn rounded(value: f64, scale: f64) -> f64 {
-    (value * scale).round() / scale + 0.0
 }
 
 /// Time of an approach or retract, s.

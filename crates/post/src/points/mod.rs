@@ -1,5 +1,6 @@
 //! Passes through axis positions and part programs: one as the other, block by block.
 
+mod cubics;
 mod from_program;
 mod rests;
 mod to_program;

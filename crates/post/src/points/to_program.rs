@@ -1,3 +1,4 @@
+use super::cubics::Cubics;
 use super::rests::{Gap, Rests};
 use crate::part_program::{ChannelKind, Event, Level, Move, PartProgram, Path, Step, What};
 use crate::play::{Segment, play};
@@ -226,34 +227,46 @@ impl Builder<'_> {
             Path::Rapid => Along::Rapid,
             Path::Line => Along::Line,
             Path::Arc(_) => Along::Arc,
-            Path::Hermite(_) | Path::Spline => Along::Cubic,
+            Path::Hermite(_) | Path::Spline | Path::Curve(_) => Along::Cubic,
         };
         // Arcs of more than half a turn are told by several.
-        let parts = arc.map_or(1, |arc| (arc.sweep / (PI * (1.0 + 1e-9))).ceil().max(1.0) as u32);
+        let ends = match arc {
+            Some(arc) => {
+                let parts = (arc.sweep / (PI * (1.0 + 1e-9))).ceil().max(1.0) as u32;
+                (1..=parts).map(|k| f64::from(k) / f64::from(parts)).collect()
+            }
+            None if along == Along::Cubic => self.cubics(segment, level).ends(),
+            None => vec![1.0],
+        };
         let mut row = Vec::new();
-        for part in 0..parts {
-            let end = f64::from(part + 1) / f64::from(parts);
-            segment.at((f64::from(part) + 0.5) / f64::from(parts), &mut row);
+        let mut begin = 0.0;
+        for (part, end) in ends.iter().enumerate() {
+            segment.at(0.5 * (begin + end), &mut row);
             let via = self.read.xyz().of(&row);
-            if part + 1 == parts {
+            let last = part + 1 == ends.len();
+            if last {
                 row.clear();
                 row.extend_from_slice(segment.end());
             } else {
-                segment.at(end, &mut row);
+                segment.at(*end, &mut row);
             }
-            let seconds = segment.seconds / f64::from(parts);
-            let point = self.point(&row, level, number.filter(|_| part + 1 == parts), seconds);
+            let seconds = segment.seconds * (end - begin);
+            let point = self.point(&row, level, number.filter(|_| last), seconds);
             let span = PointSpan {
                 along,
-                stops: m.exact_stop && part + 1 == parts && along != Along::Rapid,
+                stops: m.exact_stop && last && along != Along::Rapid,
                 via_mm: arc.and_then(|_| Point::new(via)),
                 normal: arc.filter(|_| self.climbs(segment)).and_then(|arc| Direction::new(arc.normal)),
-                speeds: self.speeds(segment, along),
+                speeds: match along {
+                    Along::Cubic => [begin, *end].map(|f| self.cubics(segment, level).speeds(f)).into(),
+                    _ => Vec::new(),
+                },
                 points: vec![point],
             };
             if let Some(open) = &mut self.open {
                 push(&mut open.points.spans, span);
             }
+            begin = *end;
         }
     }
 
@@ -271,18 +284,23 @@ impl Builder<'_> {
         }
     }
 
-    /// Speeds of the axes at begin and end of a cubic.
-    fn speeds(&self, segment: &Segment, along: Along) -> Vec<Vec<Finite>> {
-        let Some((begin, end)) = segment.speeds().filter(|_| along == Along::Cubic) else { return Vec::new() };
-        [begin, end].map(|row| row.iter().take(self.read.axes()).map(|v| finite(*v)).collect()).into()
+    /// A cubic or a curve as cubics of the columns that say the place.
+    fn cubics<'s>(&'s self, segment: &'s Segment, level: Level) -> Cubics<'s> {
+        let xyz = (level == Level::Tip).then(|| self.read.xyz());
+        Cubics { segment, xyz, place: Box::new(move |row| self.place(row, level)) }
+    }
+
+    /// The columns of a row that say the place.
+    fn place(&self, row: &[f64], level: Level) -> Vec<f64> {
+        match level {
+            Level::Joint => row[..self.read.axes()].to_vec(),
+            Level::Tip => self.pose(row),
+        }
     }
 
     /// The numbers of a point where the channels are at `row`.
     fn point(&self, row: &[f64], level: Level, number: Option<u32>, seconds: f64) -> Vec<Finite> {
-        let mut numbers = match level {
-            Level::Joint => row[..self.read.axes()].to_vec(),
-            Level::Tip => self.pose(row),
-        };
+        let mut numbers = self.place(row, level);
         numbers.extend(self.used.iter().map(|i| row[*i]));
         if self.numbered {
             numbers.push(number.map_or(0.0, f64::from));
@@ -368,7 +386,13 @@ impl Builder<'_> {
 /// Adds a span of one point, to the last span if both are alike.
 fn push(spans: &mut Vec<PointSpan>, span: PointSpan) {
     match spans.last_mut() {
-        Some(last) if last.along == span.along && last.stops == span.stops && span.via_mm.is_none() => {
+        // A cubic that begins with other speeds than the last one ended with is another span.
+        Some(last)
+            if last.along == span.along
+                && last.stops == span.stops
+                && span.via_mm.is_none()
+                && last.speeds.last() == span.speeds.first() =>
+        {
             last.speeds.extend(span.speeds.into_iter().skip(1));
             last.points.extend(span.points);
         }

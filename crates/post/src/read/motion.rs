@@ -4,7 +4,8 @@ use super::error::{Fault, Read, Span};
 use super::state::{FeedMode, Motion, State};
 use super::target::How;
 use crate::Dialect;
-use crate::part_program::{Arc, ChannelKind, Level, Move, Path, What};
+use crate::part_program::{Arc, ChannelKind, Curve, Level, Move, Path, What};
+use crate::polynomial::POWERS;
 use glam::DVec3;
 
 /// What a block says beside the channels.
@@ -27,6 +28,10 @@ pub(super) struct Block {
     pub(super) exact_stop: bool,
     /// The axis that PMAC's arcs turn about, if it is none of the planes'.
     pub(super) normal: Option<DVec3>,
+    /// Coefficients from the second power on of axes that are polynomials, and where they stand.
+    pub(super) higher: Vec<(usize, [f64; POWERS], Span)>,
+    /// Length of the polynomials' parameter.
+    pub(super) parameter: Option<f64>,
 }
 
 pub(super) const INCH: f64 = 25.4;
@@ -67,6 +72,9 @@ impl State<'_> {
             let span = block.arc_word().unwrap_or(block.span);
             return Err(Fault::new(span, "only arcs have this word").allowed("with G2 or G3"));
         }
+        if let Some((_, _, span)) = block.higher.first().filter(|_| motion != Motion::Polynomial) {
+            return Err(Fault::new(*span, "only POLY has polynomials").cure("say POLY before PO"));
+        }
         self.resolve(block)?;
         let lost = self.lost != [false; 3];
         if lost {
@@ -77,6 +85,12 @@ impl State<'_> {
             Motion::Line => (Path::Line, self.seconds(None, place)?),
             Motion::Hermite => (self.speeds(block)?, self.seconds(None, place)?),
             Motion::Spline => (Path::Spline, self.seconds(None, place)?),
+            Motion::Polynomial if block.higher.is_empty() => (Path::Line, self.seconds(None, place)?),
+            Motion::Polynomial => {
+                let curve = self.curve(block);
+                let length = self.program.evenly(self.program.curves[curve as usize], (&self.row, &self.next)).length();
+                (Path::Curve(curve), self.timed(place, true, |_| length)?)
+            }
             Motion::Clockwise | Motion::Counterclockwise | Motion::Through => {
                 let arc = self.arc(motion, block)?;
                 let seconds = self.seconds(Some(&arc), place)?;
@@ -139,23 +153,32 @@ impl State<'_> {
         Ok(())
     }
 
-    /// How long the block takes by the control's rule, s.
+    /// How long a line or an arc takes by the control's rule, s.
     #[inline]
     fn seconds(&mut self, arc: Option<&Arc>, place: Span) -> Read<f64> {
-        let Some(feed) = self.feed else { return Err(self.no_feed(place)) };
         let moves = arc.is_some() || self.row != self.next;
+        self.timed(place, moves, |state| state.way(arc))
+    }
+
+    /// How long a block takes whose way is `way`, s.
+    #[inline]
+    fn timed(&mut self, place: Span, moves: bool, way: impl FnOnce(&mut Self) -> f64) -> Read<f64> {
+        let Some(feed) = self.feed else { return Err(self.no_feed(place)) };
         let seconds = match self.mode {
             FeedMode::Time => return Ok(feed.max(self.least_time)),
             _ if !moves => 0.0,
             FeedMode::InverseTime if self.control.dialect == Dialect::Linuxcnc => {
-                self.control.inverse_time(feed, self.way(arc))
+                let way = way(self);
+                self.control.inverse_time(feed, way)
             }
             FeedMode::InverseTime => self.control.inverse_time(feed, 0.0),
             FeedMode::PerMinute => {
                 // LinuxCNC counts degrees alone when nothing linear moves: those are not in inches.
                 let linear = (0..self.row.len()).any(|i| self.is_length(i) && (self.row[i] - self.next[i]).abs() > 0.0);
                 let in_inches = self.inch_feed && (linear || self.control.dialect != Dialect::Linuxcnc);
-                self.control.per_minute(if in_inches { INCH * feed } else { feed }, self.way(arc))
+                let feed = if in_inches { INCH * feed } else { feed };
+                let way = way(self);
+                self.control.per_minute(feed, way)
             }
         };
         Ok(seconds.max(self.least_time))
@@ -170,6 +193,26 @@ impl State<'_> {
         self.note("beside", "F counts none of the axes that move in this block: it is taken for all of them");
         let square = |i: usize| if self.is_interpolated(i) { (self.next[i] - self.row[i]).powi(2) } else { 0.0 };
         (0..self.row.len()).map(square).sum::<f64>().sqrt()
+    }
+
+    /// The polynomials of the block's axes. Where none of the counted axes moves, all that do are counted.
+    fn curve(&mut self, block: &Block) -> u32 {
+        let length = block.parameter.unwrap_or(1.0);
+        let mut rows: [Vec<f64>; POWERS] = std::array::from_fn(|_| vec![0.0; self.row.len()]);
+        for (channel, higher, _) in &block.higher {
+            let unit = if self.inch && self.is_length(*channel) { INCH } else { 1.0 };
+            for (k, row) in rows.iter_mut().enumerate() {
+                row[*channel] = unit * higher[k] * length.powi(k as i32 + 2);
+            }
+        }
+        let index = self.program.add_curve(&rows, self.rule.counted());
+        let curve = self.program.curves[index as usize];
+        if self.program.evenly(curve, (&self.row, &self.next)).length() <= 0.0 {
+            self.note("beside", "F counts none of the axes that move in this block: it is taken for all of them");
+            let all = (1u64 << self.program.axes()) - 1;
+            self.program.curves[index as usize] = Curve { counted: all, ..curve };
+        }
+        index
     }
 
     #[cold]

@@ -24,6 +24,8 @@ pub(super) enum Motion {
     Hermite,
     /// PMAC's SPLINE1.
     Spline,
+    /// Sinumerik's POLY.
+    Polynomial,
 }
 
 impl Motion {

@@ -38,7 +38,7 @@ pub(super) struct Word {
 }
 
 /// Positions beyond this are a mistake, mm or degrees.
-const FARTHEST: f64 = 1e7;
+pub(super) const FARTHEST: f64 = 1e7;
 
 impl Target {
     pub(super) fn new(width: usize) -> Self {

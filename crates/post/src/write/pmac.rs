@@ -207,6 +207,10 @@ impl Tongue for Pmac {
                     w.text.number(speeds[i]);
                 }
             }
+            Path::Curve(_) => {
+                let cure = "plan it again for this control, or write it for Sinumerik";
+                return Err(Problem::new("polynomials, which only Sinumerik has", cure));
+            }
             Path::Spline => {
                 self.mode(w, Mode::Spline);
                 // The one counts if I42 is 1, the other if it is 0.

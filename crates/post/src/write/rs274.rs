@@ -36,7 +36,7 @@ impl Rs274 {
         let arc = match step.path {
             Path::Rapid | Path::Line => None,
             Path::Arc(index) => Some(w.arc(index)?),
-            Path::Hermite(_) | Path::Spline => {
+            Path::Hermite(_) | Path::Spline | Path::Curve(_) => {
                 let cure = "plan it again for this control, or write it for PMAC";
                 return Err(Problem::new("cubics in time, which only PMAC has", cure));
             }

@@ -2,6 +2,7 @@ use super::feed_mode::FeedMode;
 use super::rs274::whole_turns;
 use super::tongue::Tongue;
 use super::writer::{Problem, Writer};
+use crate::POWERS;
 use crate::part_program::{Arc, ChannelKind, Level, Move, Path};
 
 /// Siemens Sinumerik 840D.
@@ -55,7 +56,7 @@ impl Sinumerik {
                 return Err(Problem::new("a helix whose axis is none of X, Y and Z", cure));
             }
             w.text.word("CIP");
-            self.words(w, to, [true; 3]);
+            Self::words(w, to, [true; 3]);
             let middle = arc.at(from, end, 0.5);
             (0..3).for_each(|k| w.text.fine(["I1=", "J1=", "K1="][k], middle[k]));
             return Ok(());
@@ -65,7 +66,7 @@ impl Sinumerik {
             self.plane = Some(square);
         }
         w.text.word(if arc.normal[square] * arc.sweep > 0.0 { "G3" } else { "G2" });
-        self.words(w, to, std::array::from_fn(|k| k != square));
+        Self::words(w, to, std::array::from_fn(|k| k != square));
         let to_centre = arc.centre - w.place(&w.here);
         (0..3).filter(|k| *k != square).for_each(|k| w.text.fine(["I=", "J=", "K="][k], to_centre[k]));
         if whole_turns(arc) > 0 {
@@ -74,20 +75,68 @@ impl Sinumerik {
         Ok(())
     }
 
+    /// The way of a curve: POLY with the axes that go evenly by their ends alone.
+    fn curve(w: &mut Writer, index: u32, to: &[f64]) -> Result<(), Problem> {
+        let (program, axes) = (w.program, w.program.axes());
+        let curve = program.curves[index as usize];
+        let problem = |what: &str, cure| Err(Problem::new(what, cure));
+        let all = (1 << axes) - 1;
+        if w.control.decimal_comma {
+            return problem("polynomials with decimal commas, which cannot be told apart", "use lines and arcs");
+        }
+        if curve.counted != all {
+            return problem("a polynomial whose feed does not count all axes", "make it lines");
+        }
+        if !w.known {
+            return problem("a polynomial whose start the control has not been told", "begin the pass with a line");
+        }
+        w.text.word("POLY");
+        let higher = |i: usize| (0..POWERS as u32).map(move |k| program.row(curve.row + k)[i]);
+        let bent = |i: usize| i < axes && higher(i).any(|c| c.abs() > 0.0);
+        for k in 0..w.order.len() {
+            let i = w.order[k];
+            if !bent(i) {
+                if Self::changes(w, i, to) {
+                    Self::put(w, i, to[i]);
+                }
+                continue;
+            }
+            w.text.word("PO[");
+            w.text.glue(&w.control.addresses[i]);
+            w.text.glue("]=(");
+            w.text.number(to[i]);
+            let last = higher(i).rposition(|c| c.abs() > 0.0).unwrap_or(0);
+            for c in higher(i).take(last + 1) {
+                w.text.glue(",");
+                w.text.fine_number(c);
+            }
+            w.text.glue(")");
+        }
+        Ok(())
+    }
+
     /// The words of a row that have changed, and those of X, Y and Z that are asked for.
-    fn words(&self, w: &mut Writer, to: &[f64], asked: [bool; 3]) {
+    fn words(w: &mut Writer, to: &[f64], asked: [bool; 3]) {
         let xyz = w.control.axes_xyz();
         for k in 0..w.order.len() {
             let i = w.order[k];
-            // Process values have been set before the first move.
-            let process = w.control.channels[i].kind == ChannelKind::Interpolated;
-            let changes = if process { w.here.get(i) != Some(&to[i]) } else { w.changes(i, to) };
-            if changes || (0..3).any(|k| asked[k] && xyz[k] == Some(i)) {
-                w.text.word(&w.control.addresses[i]);
-                w.text.glue("=");
-                w.text.number(to[i]);
+            if Self::changes(w, i, to) || (0..3).any(|k| asked[k] && xyz[k] == Some(i)) {
+                Self::put(w, i, to[i]);
             }
         }
+    }
+
+    /// Whether a channel must be said; process values have been set before the first move.
+    fn changes(w: &Writer, i: usize, to: &[f64]) -> bool {
+        let process = w.control.channels[i].kind == ChannelKind::Interpolated;
+        if process { w.here.get(i) != Some(&to[i]) } else { w.changes(i, to) }
+    }
+
+    /// A channel's word.
+    fn put(w: &mut Writer, i: usize, value: f64) {
+        w.text.word(&w.control.addresses[i]);
+        w.text.glue("=");
+        w.text.number(value);
     }
 
     /// `$A_OUT[n]=` or `$A_OUTA[n]=` at once, or with the next move.
@@ -165,7 +214,7 @@ impl Tongue for Sinumerik {
 
     fn go(&mut self, w: &mut Writer, step: &Move, to: &[f64]) -> Result<(), Problem> {
         let arc = match step.path {
-            Path::Rapid | Path::Line => None,
+            Path::Rapid | Path::Line | Path::Curve(_) => None,
             Path::Arc(index) => Some(w.arc(index)?),
             Path::Hermite(_) | Path::Spline => {
                 let cure = "plan it again for this control, or write it for PMAC";
@@ -181,12 +230,13 @@ impl Tongue for Sinumerik {
         if step.exact_stop {
             w.text.word("G9");
         }
-        match &arc {
-            None => {
+        match (&arc, step.path) {
+            (_, Path::Curve(index)) => Self::curve(w, index, to)?,
+            (None, _) => {
                 w.text.word(if rapid { "G0" } else { "G1" });
-                self.words(w, to, [false; 3]);
+                Self::words(w, to, [false; 3]);
             }
-            Some(arc) => self.arc(w, arc, to)?,
+            (Some(arc), _) => self.arc(w, arc, to)?,
         }
         if let Some(feed) = feed {
             w.text.fine("F=", feed);

@@ -47,6 +47,11 @@ impl Text {
     /// A word and a feed or a centre behind it, to nine decimals.
     pub(super) fn fine(&mut self, word: &str, value: f64) {
         self.word(word);
+        self.fine_number(value);
+    }
+
+    /// A value to nine decimals behind what is there.
+    pub(super) fn fine_number(&mut self, value: f64) {
         number::push_fine(&mut self.out, value, self.point);
     }
 

@@ -377,7 +377,10 @@ impl<'a> Writer<'a> {
         }
         let axes = &self.order[..self.program.axes()];
         let group = matches!(self.control.dialect, Dialect::Sinumerik | Dialect::Pmac).then_some(axes);
-        let way = self.control.feed_way(group, arc, &self.here, to);
+        let way = match step.path {
+            Path::Curve(index) => self.program.evenly(self.program.curves[index as usize], (&self.here, to)).length(),
+            _ => self.control.feed_way(group, arc, &self.here, to),
+        };
         let per = if self.control.dialect == Dialect::Pmac { 1.0 } else { 60.0 };
         (way > 0.0).then_some(per * way / step.seconds)
     }

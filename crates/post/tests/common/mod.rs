@@ -73,6 +73,8 @@ enum Shape<'a> {
     Hermite(Vec<f64>, &'a [f64]),
     /// Four control points.
     Spline([Vec<f64>; 4]),
+    /// Coefficients of second and third power, and the share of the way at even steps of the parameter.
+    Curve(&'a [f64], &'a [f64], Vec<f64>),
 }
 
 /// All ways of the moves in a range of steps, in order; of splines each segment is one, also the two that the control
@@ -103,6 +105,11 @@ pub(crate) fn ways<'a>(program: &'a PartProgram, range: std::ops::Range<usize>) 
             Path::Rapid | Path::Line => Shape::Line,
             Path::Arc(arc) => Shape::Arc(program.arcs[arc as usize]),
             Path::Hermite(row) => Shape::Hermite(speeds.clone(), program.row(row)),
+            Path::Curve(index) => {
+                let curve = program.curves[index as usize];
+                let [second, third] = [0, 1].map(|k| program.row(curve.row + k));
+                Shape::Curve(second, third, shares((&here, to), (second, third), curve.counted))
+            }
             Path::Spline => {
                 let run = moves[k..]
                     .iter()
@@ -133,6 +140,25 @@ pub(crate) fn ways<'a>(program: &'a PartProgram, range: std::ops::Range<usize>) 
         k += 1;
     }
     all
+}
+
+/// A cubic by its ends and its coefficients of second and third power.
+fn cubic((a, b): (f64, f64), (c, d): (f64, f64), u: f64) -> f64 {
+    a + u * (b - a - c - d + u * (c + u * d))
+}
+
+/// Share of the way of the counted axes at even steps of the parameter, by chords.
+fn shares((from, to): (&[f64], &[f64]), (second, third): (&[f64], &[f64]), counted: u64) -> Vec<f64> {
+    let steps = 4096;
+    let axes: Vec<usize> = (0..from.len()).filter(|i| counted >> i & 1 == 1).collect();
+    let at = |i: usize, k: usize| cubic((from[i], to[i]), (second[i], third[i]), k as f64 / steps as f64);
+    let mut ways = vec![0.0];
+    for k in 0..steps {
+        let chord = axes.iter().map(|i| (at(*i, k + 1) - at(*i, k)).powi(2)).sum::<f64>().sqrt();
+        ways.push(ways[k] + chord);
+    }
+    let whole = ways[steps];
+    ways.into_iter().map(|way| way / whole).collect()
 }
 
 impl Way<'_> {
@@ -167,6 +193,12 @@ impl Way<'_> {
                     a + f * (b + f * (c + f * d))
                 };
                 (0..n).map(value).collect()
+            }
+            Shape::Curve(second, third, shares) => {
+                let above = shares.partition_point(|share| *share <= f).clamp(1, shares.len() - 1);
+                let (low, high) = (shares[above - 1], shares[above]);
+                let u = (above as f64 - 1.0 + (f - low) / (high - low)) / (shares.len() - 1) as f64;
+                (0..n).map(|i| cubic((self.from[i], self.to[i]), (second[i], third[i]), u)).collect()
             }
             Shape::Spline(p) => {
                 // De Boor's steps on uniform knots.

@@ -22,20 +22,21 @@ pub(super) fn call(name: &str, state: &mut State, c: &mut Cursor, span: Span) ->
             c.need(b')')?;
             state.switch_level(crate::Level::Tip, span)
         }
+        "POLYPATH" => poly_path(c, span),
         "IF" | "WHILE" | "UNTIL" | "CASE" => {
             let fault = Fault::new(span, format!("{name}: loops and branches are not read"));
             Err(fault.cure("write the blocks out, one after the other"))
         }
         _ => {
             c.skip_word();
-            let allowed = "FGROUP, MSG, PRESETON, TRAORI, and sub-programs of this text by their names alone";
+            let allowed = "FGROUP, MSG, POLYPATH, PRESETON, TRAORI, and sub-programs of this text by their names alone";
             Err(Fault::unknown(span, format!("{name}(..) is not known")).allowed(allowed))
         }
     }
 }
 
 /// The channel that is named here.
-fn channel(state: &State, c: &mut Cursor) -> Read<(usize, Span)> {
+pub(super) fn channel(state: &State, c: &mut Cursor) -> Read<(usize, Span)> {
     c.blanks();
     let from = c.at;
     let name = c.name();
@@ -76,6 +77,22 @@ fn feed_group(state: &mut State, c: &mut Cursor) -> Read {
     c.need(b')')?;
     state.rule = state.control.feed_rule(Some(&group));
     Ok(())
+}
+
+/// POLYPATH("AXES", ..): which axes POLY is for.
+fn poly_path(c: &mut Cursor, span: Span) -> Read {
+    c.need(b'(')?;
+    let mut axes = false;
+    while c.take(b'"') {
+        axes |= c.until('"').is_some_and(|group| same(group, "AXES"));
+        c.take(b',');
+    }
+    c.need(b')')?;
+    if axes {
+        Ok(())
+    } else {
+        Err(Fault::new(span, "without AXES no axis is a polynomial").allowed("POLYPATH(\"AXES\")"))
+    }
 }
 
 /// MSG("..").

@@ -20,8 +20,7 @@ const DISTANCE: u32 = 512;
 const FEED: u32 = 1024;
 const STOP: u32 = 2048;
 
-const G_CODES: &str =
-    "G0 G1 G2 G3 CIP G4 G9 G17 G18 G19 G40 G53 G54 to G57 G500 G60 G64 G641 to G645 G70 G71 G700 G710 G90 G91 G93 G94";
+const G_CODES: &str = "G0 G1 G2 G3 CIP POLY G4 G9 G17 G18 G19 G40 G53 G54 to G57 G500 G60 G64 G641 to G645 G70 G71 G700 G710 G90 G91 G93 G94";
 const M_CODES: &str = "M0 M1 M2 M17 M30, and those in the machine file's codes";
 
 impl Line {
