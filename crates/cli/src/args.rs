@@ -126,6 +126,9 @@ pub(crate) struct PlanArgs {
     /// Folder for program.toml, report.json, report.html and the plots; made if missing
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: PathBuf,
+    /// Write the part program for this control too, with its proof in the report; may be given several times
+    #[arg(long, value_enum, value_name = "DIALECT")]
+    pub(crate) post: Vec<post::DialectArg>,
     /// Print report.json instead of a summary
     #[arg(long)]
     pub(crate) json: bool,

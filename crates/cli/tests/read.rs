@@ -145,3 +145,34 @@ fn posts_say_how_they_were_proven() {
     let refused = seamwright(&["post", example, "--dialect", "linuxcnc", "--interpolation", "pvt"]);
     assert!(refused.status.code() == Some(2) && text(&refused.stderr).contains("PMAC"));
 }
+
+/// `plan --post`: the text beside the plan, its proof in the report and on the page; Sinumerik's polynomials read back.
+#[test]
+fn a_plan_comes_with_its_part_programs() {
+    let dir = tempfile::tempdir().unwrap();
+    let example = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/trunnion-saddle.toml");
+    let folder = dir.path().join("plan");
+    let at = folder.to_str().unwrap();
+    let out = seamwright(&["plan", example, "-o", at, "--post", "sinumerik", "--post", "linuxcnc"]);
+    assert!(out.status.success(), "{}", text(&out.stderr));
+    let json: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(folder.join("report.json")).unwrap()).unwrap();
+    for (i, file) in ["sinumerik.mpf", "linuxcnc.ngc"].into_iter().enumerate() {
+        assert_eq!(json["posts"][i]["file"], file);
+        let tip = json["posts"][i]["proof"]["passes"][0]["tip_mm"].as_f64().unwrap();
+        assert!(tip > 0.001 && tip < 0.0101, "{tip}");
+        assert!(fs::read_to_string(folder.join(file)).unwrap().contains("proven by reading back"));
+    }
+    let page = fs::read_to_string(folder.join("report.html")).unwrap();
+    assert!(page.contains("Part programs") && page.contains("Greatest deviations of sinumerik.mpf"));
+
+    let file = dir.path().join("poly.mpf");
+    let path = file.to_str().unwrap();
+    let out = seamwright(&["post", example, "--dialect", "sinumerik", "--interpolation", "poly", "-o", path]);
+    assert!(out.status.success(), "{}", text(&out.stderr));
+    let count = |name: &str, word: &str| fs::read_to_string(name).unwrap().matches(word).count();
+    let (poly, plain) = (count(path, " POLY "), folder.join("sinumerik.mpf"));
+    assert!(poly > 10 && 2 * poly < count(plain.to_str().unwrap(), "F="), "{poly}");
+    let back = seamwright(&["read", path, "--machine", "table-tilting-xyzac"]);
+    assert!(back.status.success() && text(&back.stdout).contains("along = \"cubic\""), "{}", text(&back.stderr));
+}

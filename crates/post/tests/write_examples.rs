@@ -62,8 +62,8 @@ fn follows(planned: &Planned, program: &PartProgram, head: usize) -> f64 {
 }
 
 /// The crate's own proof: read back by its reader, the same blocks, within tolerance of the plan.
-fn proven(planned: &Planned, control: &Control, program: &PartProgram, options: &Options) {
-    let written = write(control, program, &WriteOptions::default()).unwrap();
+fn proven(planned: &Planned, control: &Control, program: &PartProgram, options: &Options, feed: Feed) {
+    let written = write(control, program, &WriteOptions { feed, ..WriteOptions::default() }).unwrap();
     let start = vec![0.0; control.channels.len()];
     let read_options = ReadOptions { level: options.level, ..ReadOptions::default() };
     let back = read(control, "p", &written, &read_options).unwrap_or_else(|e| panic!("{e}"));
@@ -179,10 +179,20 @@ fn check(name: &str) {
             let heads = planned.machine.heads.len();
             let worst = (0..heads).map(|head| follows(&planned, &program, head)).fold(0.0, f64::max);
             assert!(worst <= TOLERANCE + 2e-5, "{name} {dialect:?} {options:?}: {worst}");
-            let moves = reads_back(&control, &program, Feed::InverseTime);
-            assert_eq!(moves, reads_back(&control, &program, Feed::PerMinute));
-            println!("{name} {dialect:?} {:?}: {moves} moves, {worst:.5} mm", options.interpolation);
-            proven(&planned, &control, &program, &options);
+            if options.interpolation == Interpolation::Poly && control.decimal_comma {
+                let error = write(&control, &program, &WriteOptions::default()).unwrap_err().to_string();
+                assert!(error.contains("decimal commas"), "{error}");
+                continue;
+            }
+            // The reader of these tests knows no polynomials.
+            if options.interpolation != Interpolation::Poly {
+                let moves = reads_back(&control, &program, Feed::InverseTime);
+                assert_eq!(moves, reads_back(&control, &program, Feed::PerMinute));
+                println!("{name} {dialect:?} {:?}: {moves} moves, {worst:.5} mm", options.interpolation);
+            }
+            for feed in [Feed::InverseTime, Feed::PerMinute] {
+                proven(&planned, &control, &program, &options, feed);
+            }
             fits += 1;
         }
     }
@@ -212,7 +222,15 @@ fn tip_level() {
             let program = planned.program(&control, &options).unwrap();
             let worst = follows(&planned, &program, 0);
             assert!(worst <= TOLERANCE + 2e-5, "{dialect:?} {options:?}: {worst}");
-            println!("{dialect:?} {:?}: {}", options.interpolation, reads_back(&control, &program, Feed::InverseTime));
+            if options.interpolation == Interpolation::Poly {
+                proven(&planned, &control, &program, &options, Feed::InverseTime);
+            } else {
+                println!(
+                    "{dialect:?} {:?}: {}",
+                    options.interpolation,
+                    reads_back(&control, &program, Feed::InverseTime)
+                );
+            }
         }
     }
 }

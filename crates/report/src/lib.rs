@@ -54,4 +54,4 @@ pub use page::{Page, Verdict};
 pub use series::{Series, Style};
 pub use sheet::sheet;
 pub use views::{Mark, ThreeViews};
-pub use weld::{CertificateFigures, Plots, SimulationCurves, TaughtPlot, WeldReport, sections};
+pub use weld::{CertificateFigures, Plots, PostFigures, SimulationCurves, TaughtPlot, WeldReport, sections};

@@ -1,12 +1,12 @@
 use thiserror::Error;
 
 /// Greatest width and height of a frame, pixels.
-pub const MAX_SIDE: usize = 16384;
+pub(crate) const MAX_SIDE: usize = 16384;
 
 /// Why pixels do not make a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum FrameError {
-    /// A side is 0 or beyond [`MAX_SIDE`].
+    /// A side is 0 or beyond 16384.
     #[error("a frame of {width} x {height} pixels: sides are 1 to {MAX_SIDE}")]
     Size {
         /// Pixels a row.
@@ -56,7 +56,7 @@ impl<'a> Frame<'a> {
     /// A frame of `width` x `height` pixels.
     ///
     /// # Errors
-    /// If a side is 0 or above [`MAX_SIDE`], or the number of pixels is not width times height.
+    /// If a side is 0 or above 16384, or the number of pixels is not width times height.
     pub fn new(width: usize, height: usize, pixels: Pixels<'a>) -> Result<Self, FrameError> {
         if !(1..=MAX_SIDE).contains(&width) || !(1..=MAX_SIDE).contains(&height) {
             return Err(FrameError::Size { width, height });

@@ -1,3 +1,4 @@
+use super::post::proven;
 use super::simulate::judge;
 use crate::args::PlanArgs;
 use crate::clock;
@@ -5,8 +6,10 @@ use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::{Loaded, load};
 use crate::rows::{print_json, print_text};
+use seamwright_motion::WeldMotion;
+use seamwright_post::{Control, Dialect, Feed, Options};
 use seamwright_program::Oscillation;
-use seamwright_report::{Plots, WeldReport};
+use seamwright_report::{Plots, PostFigures, WeldReport};
 use seamwright_weld::{Cut, Welding};
 use std::fmt::Write;
 use std::path::{Component, Path, PathBuf};
@@ -19,7 +22,10 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     // A plan that leaves its procedure is written all the same: its report shows where.
     let motion = loaded.try_plan()?.map_err(Failure::Findings)?;
     let mut output = Output::new(&args.output)?;
-    let (report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None);
+    let (mut report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None);
+    for dialect in &args.post {
+        report.posts.push(write_post(&mut output, &loaded, &motion, (*dialect).into())?);
+    }
     write_program(&mut output, &loaded)?;
     write_report(&mut output, &report, &plots, &loaded.welding)?;
     for (i, plots) in plots.iter().enumerate() {
@@ -40,6 +46,26 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     }
     finish(output, &report, args.json)?;
     judge(report)
+}
+
+/// Adds the part program for a control, as `post` writes it without options.
+fn write_post(
+    output: &mut Output,
+    loaded: &Loaded,
+    motion: &WeldMotion,
+    dialect: Dialect,
+) -> Result<PostFigures, Failure> {
+    let control = Control::new(&loaded.machine, dialect).map_err(|e| Failure::Input(e.to_string()))?;
+    let options = Options::default();
+    let (text, proof) = proven(loaded, motion, &control, &options, Feed::InverseTime)?;
+    let name = match dialect {
+        Dialect::Sinumerik => "sinumerik.mpf",
+        Dialect::Linuxcnc => "linuxcnc.ngc",
+        Dialect::Grblhal => "grblhal.nc",
+        Dialect::Pmac => "pmac.pmc",
+    };
+    output.text(name, &text)?;
+    Ok(PostFigures::new(dialect, name, options.tolerance_mm, proof))
 }
 
 /// The end of a tube as it is cut, point by point.

@@ -2,9 +2,10 @@ use super::positive;
 use crate::args::post::{DialectArg, FeedArg, InterpolationArg, LevelArg, PostArgs};
 use crate::failure::Failure;
 use crate::files;
-use crate::load::load;
+use crate::load::{Loaded, load};
 use crate::rows::print_text;
 use seamwright_document::Positive;
+use seamwright_motion::WeldMotion;
 use seamwright_post::{
     Control, Dialect, Error, Feed, Interpolation, Level, Options, PartProgram, Planned, ReadOptions, Verification,
     WriteOptions, part_program, read, verify, write,
@@ -22,36 +23,13 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
         loaded.welding.program.value.air.retract_mm =
             Positive::new(positive("--retract-mm", mm)?).unwrap_or(Positive::TEN);
     }
+    let feed = match args.feed {
+        FeedArg::InverseTime => Feed::InverseTime,
+        FeedArg::PerMinute => Feed::PerMinute,
+    };
     let control = Control::new(&loaded.machine, args.dialect.into()).map_err(|e| Failure::Input(e.to_string()))?;
     let motion = loaded.plan()?;
-    let paths = loaded.paths();
-    let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
-    let program = &loaded.welding.program.value;
-    let part = part_program(&loaded.machine, &control, program, &paths, &motion, &options);
-    let part = part.map_err(|e| match &e {
-        Error::TooFine { .. } => Failure::Input(format!("--tolerance-mm {}: {e}", args.tolerance_mm)),
-        _ => Failure::Input(e.to_string()),
-    })?;
-    let mut write_options = WriteOptions {
-        machine: loaded.machine.title.clone(),
-        feed: match args.feed {
-            FeedArg::InverseTime => Feed::InverseTime,
-            FeedArg::PerMinute => Feed::PerMinute,
-        },
-        rounding_mm: options.rounding_mm(),
-        remarks: Vec::new(),
-    };
-    let text = |options: &WriteOptions| write(&control, &part, options).map_err(|e| Failure::Input(e.to_string()));
-    let planned = Planned {
-        machine: &loaded.machine,
-        control: &control,
-        program,
-        motion: &motion,
-        tolerance_mm: options.tolerance_mm,
-    };
-    let proof = prove(&part, &text(&write_options)?, options.level, planned)?;
-    write_options.remarks = proof.lines();
-    let text = text(&write_options)?;
+    let (text, proof) = proven(&loaded, &motion, &control, &options, feed)?;
     if let Some(path) = &args.proof {
         let json = serde_json::to_string_pretty(&proof).map_err(|e| Failure::Environment(e.to_string()))?;
         files::write(path, &(json + "\n"))?;
@@ -64,6 +42,35 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
         Some(path) => files::write(path, &text),
         None => print_text(&text),
     }
+}
+
+/// The part program of a planned weld, with its proof in the header.
+pub(super) fn proven(
+    loaded: &Loaded,
+    motion: &WeldMotion,
+    control: &Control,
+    options: &Options,
+    feed: Feed,
+) -> Result<(String, Verification), Failure> {
+    let paths = loaded.paths();
+    let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
+    let program = &loaded.welding.program.value;
+    let part = part_program(&loaded.machine, control, program, &paths, motion, options);
+    let part = part.map_err(|e| match &e {
+        Error::TooFine { .. } => Failure::Input(format!("--tolerance-mm {}: {e}", options.tolerance_mm)),
+        _ => Failure::Input(e.to_string()),
+    })?;
+    let mut write_options = WriteOptions {
+        machine: loaded.machine.title.clone(),
+        feed,
+        rounding_mm: options.rounding_mm(),
+        remarks: Vec::new(),
+    };
+    let text = |options: &WriteOptions| write(control, &part, options).map_err(|e| Failure::Input(e.to_string()));
+    let planned = Planned { machine: &loaded.machine, control, program, motion, tolerance_mm: options.tolerance_mm };
+    let proof = prove(&part, &text(&write_options)?, options.level, planned)?;
+    write_options.remarks = proof.lines();
+    Ok((text(&write_options)?, proof))
 }
 
 /// Reads `text` back and holds it against what it was written from and the plan: what does not hold is not written.

@@ -25,6 +25,7 @@ pub struct Block {
 
 /// The way of a block, from the end of the one before.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "blocks stay copies: thousands a pass, not millions")]
 pub enum Shape {
     /// All goes evenly.
     Line,

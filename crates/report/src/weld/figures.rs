@@ -2,7 +2,7 @@ use super::CertificateFigures;
 use super::plan::PlanFigures;
 use super::procedure::{PassProcedureFigures, ProcedureFigures, ProcedurePlots};
 use super::samples::samples;
-use super::{Plots, SimulationCurves};
+use super::{Plots, PostFigures, SimulationCurves};
 use seamwright_cell::Summary;
 use seamwright_machine::Machine;
 use seamwright_motion::{PassClearance, WeldMotion};
@@ -36,6 +36,9 @@ pub struct WeldReport {
     pub air_s: f64,
     /// Time from home to home, s.
     pub total_s: f64,
+    /// Part programs written with it, each proven.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub posts: Vec<PostFigures>,
     /// Everything to be said about the weld.
     pub findings: Vec<Finding>,
 }
@@ -171,6 +174,7 @@ impl WeldReport {
             passes,
             air_s: motion.air_s(),
             total_s: motion.total_s(),
+            posts: Vec::new(),
             findings,
         };
         (report, plots)

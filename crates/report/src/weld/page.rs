@@ -28,6 +28,10 @@ impl WeldReport {
         for (i, (pass, plots)) in self.passes.iter().zip(plots).enumerate() {
             self.pass(i, pass, plots, &mut blocks);
         }
+        if !self.posts.is_empty() {
+            blocks.push(Block::Heading("Part programs".to_owned()));
+            blocks.extend(self.posts.iter().flat_map(super::PostFigures::blocks));
+        }
         blocks.push(Block::Heading("Job".to_owned()));
         blocks.push(self.data_table());
         blocks.push(Block::Code { caption: self.file.clone(), text: source.to_owned() });

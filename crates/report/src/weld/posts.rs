@@ -1,0 +1,64 @@
+//! The proof of each part program that was written with the plan.
+
+use super::page::{number, table};
+use crate::Block;
+use seamwright_post::{Dialect, Verification};
+use serde::Serialize;
+
+/// A part program written with the plan.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PostFigures {
+    /// Name of the control's language.
+    pub dialect: &'static str,
+    /// The file.
+    pub file: String,
+    /// Greatest distance allowed between the blocks' path and the planned one of the tip, mm.
+    pub tolerance_mm: f64,
+    /// How the text, read back, compares with the plan.
+    pub proof: Verification,
+}
+
+impl PostFigures {
+    /// Of a part program in the file `file`.
+    pub fn new(dialect: Dialect, file: &str, tolerance_mm: f64, proof: Verification) -> Self {
+        Self { dialect: dialect.name(), file: file.to_owned(), tolerance_mm, proof }
+    }
+
+    /// Text and table for the page.
+    pub(super) fn blocks(&self) -> [Block; 2] {
+        let text = format!(
+            "{} for {}: {} moves, read back, played by the control's own rules for interpolation and feeds, taken through \
+             the machine's forward kinematics and compared with the plan; {} mm are allowed.",
+            self.file,
+            self.dialect,
+            self.proof.moves,
+            number(self.tolerance_mm)
+        );
+        let worst = |worst: &Option<(f64, String)>, unit: &str| match worst {
+            Some((off, name)) => format!("{name} {} {unit}", small(*off)),
+            None => "–".to_owned(),
+        };
+        let rows = self.proof.passes.iter().map(|pass| {
+            if pass.as_it_stands {
+                let none = || "as in the program".to_owned();
+                return vec![pass.name.clone(), none(), none(), none(), none(), number(pass.arc_s), none()];
+            }
+            vec![
+                pass.name.clone(),
+                small(pass.tip_mm),
+                worst(&pass.linear, "mm"),
+                worst(&pass.rotary, "deg"),
+                format!("{:.2} %", pass.speed_percent),
+                format!("{} ({:+.4} %)", number(pass.arc_s), pass.time_percent),
+                worst(&pass.process, "%"),
+            ]
+        });
+        let head = ["Pass", "Tip, mm", "Linear axis", "Rotary axis", "Tip speed", "Arc on, s", "Process value"];
+        let table = table(&format!("Greatest deviations of {}", self.file), &head, rows.collect(), 1..7);
+        [Block::Paragraph(text), table]
+    }
+}
+
+fn small(value: f64) -> String {
+    format!("{value:.5}")
+}
