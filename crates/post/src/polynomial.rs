@@ -104,9 +104,9 @@ impl Evenly {
         for _ in 0..60 {
             let off = self.ways[part] + self.way(begin, u) - wanted;
             if off > 0.0 {
-                high = u
+                high = u;
             } else {
-                low = u
+                low = u;
             }
             let next = u - off / self.speed(u);
             let next = if next > low && next < high { next } else { 0.5 * (low + high) };

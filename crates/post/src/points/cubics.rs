@@ -9,13 +9,16 @@ const STEP: f64 = 1e-4;
 /// Shortest part of a segment that is told by a cubic of its own.
 const SHORTEST: f64 = 1.0 / 4096.0;
 
+/// The columns that say the place of a row.
+pub(super) type Place<'a> = Box<dyn Fn(&[f64]) -> Vec<f64> + 'a>;
+
 /// A segment of a part program, a cubic or a curve, as cubics in time of the columns that say a point's place.
 pub(super) struct Cubics<'a> {
     pub(super) segment: &'a Segment,
     /// Channels of X, Y and Z where the columns are those of a pose.
     pub(super) xyz: Option<Xyz>,
     /// The columns of a row.
-    pub(super) place: Box<dyn Fn(&[f64]) -> Vec<f64> + 'a>,
+    pub(super) place: Place<'a>,
 }
 
 impl Cubics<'_> {
