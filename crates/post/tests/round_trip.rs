@@ -169,6 +169,9 @@ fn outputs(control: &Control, program: &PartProgram) -> Vec<Event> {
     };
     let mut all: Vec<Event> = program.steps.iter().filter_map(|s| event(&s.what)).collect();
     all.dedup();
+    // What is off is switched off at the begin of every pass.
+    let mut on = false;
+    all.retain(|event| !matches!(event, Event::Arc(arc) if std::mem::replace(&mut on, *arc) == *arc));
     all
 }
 

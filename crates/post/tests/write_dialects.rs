@@ -187,8 +187,8 @@ fn interpolated_values_need_no_steps() {
     let (mut time, mut worst, mut on) = (0.0, 0.0f64, false);
     let begin =
         program.steps.iter().position(|s| matches!(s.what, What::Event { event: Event::Arc(true), .. })).unwrap();
-    let end =
-        program.steps.iter().position(|s| matches!(s.what, What::Event { event: Event::Arc(false), .. })).unwrap();
+    let off = |s: &seamwright_post::Step| matches!(s.what, What::Event { event: Event::Arc(false), .. });
+    let end = begin + program.steps[begin..].iter().position(off).unwrap();
     for (i, way) in common::ways(&program, 0..program.steps.len()) {
         if !(begin..end).contains(&i) {
             continue;

@@ -30,7 +30,7 @@ fn follows(planned: &Planned, program: &PartProgram, head: usize) -> f64 {
     for (range, motion) in passes(program).into_iter().zip(&planned.motion.passes) {
         let path = motion.tip_path(&planned.machine);
         let welds = range.clone().find(|i| is_arc(&program.steps[*i].what, true)).unwrap();
-        let ends = range.clone().find(|i| is_arc(&program.steps[*i].what, false)).unwrap();
+        let ends = range.clone().find(|i| *i > welds && is_arc(&program.steps[*i].what, false)).unwrap();
         let dwells: f64 =
             program.steps[welds..ends].iter().map(|step| if let What::Dwell(s) = step.what { s } else { 0.0 }).sum();
         let mut time = 0.0;

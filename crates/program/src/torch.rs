@@ -71,6 +71,11 @@ pub trait TorchPath {
         false
     }
 
+    /// Path length at which this many points of a pass through points are reached.
+    fn reached(&self, _points: usize) -> Option<f64> {
+        None
+    }
+
     /// Path lengths at which the torch stops.
     fn stops(&self) -> Vec<f64> {
         Vec::new()

@@ -47,6 +47,10 @@ impl TorchPath for WeldPath<'_> {
         self.path().is_timed()
     }
 
+    fn reached(&self, points: usize) -> Option<f64> {
+        self.path().reached(points)
+    }
+
     fn stops(&self) -> Vec<f64> {
         self.path().stops()
     }

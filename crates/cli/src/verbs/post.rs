@@ -15,6 +15,8 @@ use std::io::{self, Write as _};
 
 /// A weld that may stray further is none.
 const WIDEST_MM: f64 = 10.0;
+/// Words have six decimals.
+const FINEST_MM: f64 = 0.000_02;
 
 pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
     let options = options(args)?;
@@ -29,6 +31,12 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
     };
     let control = Control::new(&loaded.machine, args.dialect.into()).map_err(|e| Failure::Input(e.to_string()))?;
     let motion = loaded.plan()?;
+    if let Some(mm) = args.retract_mm
+        && let Some(short) = motion.findings.iter().find(|f| f.kind == "retract")
+    {
+        let message = format!("--retract-mm {mm}: {}\n   allowed: as far as the axes reach", short.message);
+        return Err(Failure::Input(message));
+    }
     let (text, proof) = proven(&loaded, &motion, &control, &options, feed)?;
     if let Some(path) = &args.proof {
         let json = serde_json::to_string_pretty(&proof).map_err(|e| Failure::Environment(e.to_string()))?;
@@ -92,6 +100,12 @@ fn options(args: &PostArgs) -> Result<Options, Failure> {
     let tolerance_mm = positive("--tolerance-mm", args.tolerance_mm)?;
     if tolerance_mm > WIDEST_MM {
         let message = format!("--tolerance-mm {tolerance_mm}: too coarse\n   allowed: up to {WIDEST_MM}");
+        return Err(Failure::Input(message));
+    }
+    if tolerance_mm < FINEST_MM {
+        let message = format!(
+            "--tolerance-mm {tolerance_mm}: finer than the words' six decimals\n   allowed: {FINEST_MM} and more"
+        );
         return Err(Failure::Input(message));
     }
     let interpolation = match (args.dialect, args.interpolation) {

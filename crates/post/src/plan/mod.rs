@@ -14,8 +14,8 @@ mod steps;
 pub use block::{Block, Linearisation, Shape, Speeds};
 pub use cutter::linearise;
 
-use crate::part_program::{Event, Level, PartProgram, What};
-use crate::points::{ends, is_posted_as_it_stands};
+use crate::part_program::{Event, Level, PartProgram};
+use crate::points::{ends, event_of, is_posted_as_it_stands};
 use crate::{Code, Control, Dialect, Error};
 use arcs::Arcs;
 use course::Course;
@@ -24,6 +24,7 @@ use ramps::{ramp_breaks, weave_breaks};
 use seamwright_machine::{Joints, Machine};
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::{Pass, Program, TorchPath};
+use stands::Neighbours;
 use steps::Steps;
 
 /// How a weld is made a part program.
@@ -95,21 +96,26 @@ pub fn part_program(
     let mut steps = Steps::new(machine, control, program, options);
     for (i, (pass, planned)) in program.passes.iter().zip(&motion.passes).enumerate() {
         if is_posted_as_it_stands(control, pass) {
-            steps.program.push(What::Pass(pass.name.as_str().into()));
             let next =
                 program.passes.get(i + 1).filter(|next| motion.air[i + 1].legs.is_empty() && goes_on(pass, next));
             let way: Vec<Joints> = motion.air[i].legs.iter().map(|leg| *leg.end()).collect();
-            steps.stands(pass, &way, (i == 0, next.is_some()));
+            steps.begin_pass(&pass.name);
+            steps.stands(
+                pass,
+                &way,
+                Neighbours { first: i == 0, restarts: restarts(program), burns_on: next.is_some() },
+            );
             continue;
         }
         let course = Course::new(control, pass);
-        let cut = blocks(machine, control, (pass, planned, &course), options, second)?;
-        steps.program.push(What::Pass(pass.name.as_str().into()));
+        let events = point_events(pass, paths[i]);
+        let cut = blocks(machine, control, (pass, planned, &course), (options, &events), second)?;
+        steps.begin_pass(&pass.name);
         steps.remarks(&pass.name, planned, &cut, options);
         if i > 0 {
             steps.air(&motion.air[i]);
         }
-        steps.pass(&cut, pass, &course, (&motion.air[i], &motion.air[i + 1]), i == 0);
+        steps.pass(&cut, (pass, events), &course, (&motion.air[i], &motion.air[i + 1]), i == 0);
     }
     Ok(steps.program)
 }
@@ -126,12 +132,26 @@ pub fn points_part_program(machine: &Machine, control: &Control, program: &Progr
         let (start, end) = ends(machine, pass)?;
         let next = program.passes.get(i + 1).and_then(|next| Some((next, ends(machine, next)?.0)));
         let way = if here.is_some_and(|here| is_same(&here, &start)) { Vec::new() } else { vec![start] };
-        steps.program.push(What::Pass(pass.name.as_str().into()));
+        steps.begin_pass(&pass.name);
         let burns_on = next.is_some_and(|(next, start)| goes_on(pass, next) && is_same(&start, &end));
-        steps.stands(pass, &way, (i == 0, burns_on));
+        steps.stands(pass, &way, Neighbours { first: i == 0, restarts: restarts(program), burns_on });
         here = Some(end);
     }
     Some(steps.program)
+}
+
+/// Whether a control can start again at a pass: there are several to weld.
+fn restarts(program: &Program) -> bool {
+    program.passes.iter().filter(|pass| pass.has_arc()).count() > 1
+}
+
+/// What a pass through points switches and says, with the path length at which it does.
+fn point_events(pass: &Pass, path: &dyn TorchPath) -> Vec<(f64, Event)> {
+    let events = pass.points.iter().flat_map(|points| &points.events);
+    let mut events: Vec<(f64, Event)> =
+        events.filter_map(|event| Some((path.reached(event.after)?, event_of(event)?))).collect();
+    events.sort_by(|a, b| a.0.total_cmp(&b.0));
+    events
 }
 
 /// Positions nearer than this are the same, mm or rad.
@@ -161,7 +181,7 @@ fn blocks(
     machine: &Machine,
     control: &Control,
     (pass, planned, course): (&Pass, &PassMotion, &Course),
-    options: &Options,
+    (options, events): (&Options, &[(f64, Event)]),
     second: bool,
 ) -> Result<Linearisation, Error> {
     let mut breaks: Vec<f64> = pass.spans.iter().skip(1).map(|s| s.from_mm.get()).collect();
@@ -170,6 +190,7 @@ fn blocks(
         breaks.extend(weave_breaks(pass));
     }
     breaks.extend(course.breaks());
+    breaks.extend(events.iter().map(|(s, _)| *s));
     breaks.sort_by(f64::total_cmp);
     let pmac = control.dialect == Dialect::Pmac;
     let spline = pmac && options.interpolation == Interpolation::Spline1;

@@ -2,7 +2,7 @@
 
 use super::course::Course;
 use super::steps::Steps;
-use crate::part_program::{Event, Path};
+use crate::part_program::{ChannelKind, Event, Path, What};
 use crate::points::{Part, ends, steps as blocks};
 use seamwright_document::{Finite, NonNegative, Positive};
 use seamwright_machine::Joints;
@@ -34,10 +34,22 @@ fn rests_first(pass: &Pass) -> bool {
     points.rows().nth(1).is_some_and(|first| axes.iter().all(|(_, i)| first[*i] == points.start[*i]))
 }
 
+/// What is before and behind a pass.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Neighbours {
+    /// It is the first.
+    pub(super) first: bool,
+    /// The control may start again at it.
+    pub(super) restarts: bool,
+    /// The arc burns on into the next.
+    pub(super) burns_on: bool,
+}
+
 impl Steps<'_> {
-    /// The pass, after the `way` to it, straight from place to place; whether it is the first, and whether the arc burns
-    /// on into the next.
-    pub(super) fn stands(&mut self, pass: &Pass, way: &[Joints], (first, burns_on): (bool, bool)) {
+    /// The pass, after the `way` to it, straight from place to place.
+    pub(super) fn stands(&mut self, pass: &Pass, way: &[Joints], neighbours: Neighbours) {
+        let Neighbours { first, restarts, burns_on } = neighbours;
+        let again = restarts && !self.arc;
         let short = at_its_ends(pass);
         let course = Course::new(self.control, &short);
         self.set.clear();
@@ -49,13 +61,13 @@ impl Steps<'_> {
         {
             self.stand_at(start);
         }
-        if along == Some(Along::Arc) || rests_first(pass) {
-            // Controls have to know where an arc or a rest begins, also if they start again here.
+        if along == Some(Along::Arc) || rests_first(pass) || (again && !first && way.is_empty()) {
+            // Controls have to know where an arc or a rest begins, and go there if they start again here.
             ends(self.machine, pass).into_iter().for_each(|(start, _)| self.stand_at(&start));
         }
         let (machine, control) = (self.machine, self.control);
         // Switched at its start, and the values that it begins with.
-        blocks(machine, control, pass, (&mut self.program, &mut self.row), Part::Begin);
+        blocks(machine, control, pass, (&mut self.program, &mut self.row), Part::Begin { all: again });
         self.begin(&short, &course);
         blocks(machine, control, pass, (&mut self.program, &mut self.row), Part::Blocks);
         self.finish(&short, &course, burns_on);
@@ -97,6 +109,14 @@ impl Steps<'_> {
         if self.arc && !burns_on {
             self.event(Event::Arc(false), true);
             self.arc = false;
+            // What has its value until another is set has none without the arc.
+            for name in pass.spans.first().iter().flat_map(|span| span.process.keys()) {
+                let Some(i) = self.control.channel(name) else { continue };
+                if self.control.channels[i].kind == ChannelKind::Stepped && self.row[i].abs() > 0.0 {
+                    self.row[i] = 0.0;
+                    self.program.push(What::Set { channel: i as u16, value: 0.0, at_once: true });
+                }
+            }
         }
         self.dwell(sequence.postflow_s.get(), "after");
     }

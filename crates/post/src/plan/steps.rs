@@ -17,6 +17,8 @@ use std::collections::BTreeMap;
 
 /// Feed of the approach from where the torch stands back to the start of the weld, mm/min.
 const APPROACH_MM_MIN: f64 = 600.0;
+/// What is switched this near behind the begin of a block goes with it, mm.
+const NEAR: f64 = 1e-6;
 /// Steps of process values at outputs.
 const VALUE_SCALE: f64 = 1e4;
 
@@ -42,6 +44,14 @@ impl<'a> Steps<'a> {
         let row = vec![0.0; control.channels.len()];
         let before = row.clone();
         Self { machine, control, level: options.level, program: part, row, before, set: BTreeMap::new(), arc: false }
+    }
+
+    /// A pass begins: whatever was left on by what ran before, the arc is off, unless it burns on.
+    pub(super) fn begin_pass(&mut self, name: &str) {
+        self.program.push(What::Pass(name.into()));
+        if !self.arc {
+            self.event(Event::Arc(false), true);
+        }
     }
 
     fn comment(&mut self, text: &str) {
@@ -84,7 +94,7 @@ impl<'a> Steps<'a> {
     pub(super) fn pass(
         &mut self,
         cut: &Linearisation,
-        pass: &Pass,
+        (pass, events): (&Pass, Vec<(f64, Event)>),
         course: &Course,
         (before, after): (&AirMove, &AirMove),
         first: bool,
@@ -94,12 +104,13 @@ impl<'a> Steps<'a> {
         self.set.clear();
         self.approach(&cut.start, from, first);
         self.start(cut, pass, course);
-        self.weld(cut, pass, course);
+        let left = self.weld(cut, (pass, events), course);
         self.end(pass, course);
+        left.into_iter().for_each(|(_, event)| self.event(event, true));
         let end = cut.blocks.last().unwrap_or(&cut.start);
         if let Some(to) = to {
             // LinuxCNC keeps what M62 said until a motion says otherwise.
-            if self.control.dialect == Dialect::Linuxcnc {
+            if self.control.dialect == Dialect::Linuxcnc && pass.has_arc() {
                 self.event(Event::Arc(false), false);
             }
             let back = self.standing(to);
@@ -131,7 +142,7 @@ impl<'a> Steps<'a> {
             None => {
                 if first {
                     self.comment(
-                        "rapid to the start of the weld [no axis can lift the torch]: make sure that the way there is clear",
+                        "rapid to the start of the weld [the axes cannot take the torch back along itself]: make sure that the way there is clear",
                     );
                 }
                 self.go_to(start, false);
@@ -143,8 +154,11 @@ impl<'a> Steps<'a> {
     fn start(&mut self, cut: &Linearisation, pass: &Pass, course: &Course) {
         let sequence = &pass.sequence;
         self.missing(pass);
-        self.event(Event::Gas(true), true);
-        self.dwell(sequence.preflow_s.get(), "preflow");
+        // A pass through points says itself what is switched beside the arc.
+        if pass.points.is_none() {
+            self.event(Event::Gas(true), true);
+        }
+        self.dwell(sequence.preflow_s.get(), if pass.has_arc() { "preflow" } else { "before" });
         let delay = sequence.travel_delay_s.get();
         let at_first = if delay > 0.0 { (0.0, f64::INFINITY) } else { WELDING };
         for (channel, value) in course.at_rest(0.0, at_first) {
@@ -156,7 +170,7 @@ impl<'a> Steps<'a> {
             let mut time = 0.0;
             for (i, step) in self.rests(delay, (upslope, 0.0), pass).into_iter().enumerate() {
                 self.values(pass, true, (0.0, (step.middle, f64::INFINITY)));
-                if i == 0 {
+                if i == 0 && pass.has_arc() {
                     self.event(Event::Arc(true), true);
                 }
                 time += step.time;
@@ -166,13 +180,20 @@ impl<'a> Steps<'a> {
         }
         let first_middle = cut.blocks.first().map_or(0.0, |block| 0.5 * block.s);
         self.values(pass, false, (first_middle, WELDING));
-        if delay <= 0.0 || self.control.dialect == Dialect::Linuxcnc {
+        if pass.has_arc() && (delay <= 0.0 || self.control.dialect == Dialect::Linuxcnc) {
             self.event(Event::Arc(true), false);
         }
     }
 
-    fn weld(&mut self, cut: &Linearisation, pass: &Pass, course: &Course) {
+    /// The blocks, with what is switched on the way; what is left of that at the end.
+    fn weld(
+        &mut self,
+        cut: &Linearisation,
+        (pass, events): (&Pass, Vec<(f64, Event)>),
+        course: &Course,
+    ) -> Vec<(f64, Event)> {
         let mut before = cut.start;
+        let mut events = events.into_iter().peekable();
         let (mut last, mut time, mut ticks) = (0, 0.0, 0.0);
         for (i, block) in cut.blocks.iter().enumerate() {
             // A block has the values of its middle: of the one span that it lies in, and half a step off a ramp's at
@@ -184,6 +205,9 @@ impl<'a> Steps<'a> {
             if i > 0 && (span != last || ramps) {
                 self.values(pass, false, (middle, WELDING));
                 last = span;
+            }
+            while let Some((_, event)) = events.next_if(|(s, _)| *s <= before.s + NEAR) {
+                self.event(event, false);
             }
             for (channel, value) in course.row(block.s) {
                 self.row[channel] = rounded(value, SCALE);
@@ -201,20 +225,25 @@ impl<'a> Steps<'a> {
             self.push(path, seconds, block.stops);
             before = *block;
         }
+        events.collect()
     }
 
     fn end(&mut self, pass: &Pass, course: &Course) {
         let sequence = &pass.sequence;
         self.crater(pass, course);
-        self.event(Event::Arc(false), true);
+        if pass.has_arc() {
+            self.event(Event::Arc(false), true);
+        }
         for name in pass.spans[0].process.keys() {
             if let Some(i) = self.control.channel(name) {
                 self.row[i] = 0.0;
                 self.program.push(What::Set { channel: i as u16, value: 0.0, at_once: true });
             }
         }
-        self.dwell(sequence.postflow_s.get(), "postflow");
-        self.event(Event::Gas(false), true);
+        self.dwell(sequence.postflow_s.get(), if pass.has_arc() { "postflow" } else { "after" });
+        if pass.points.is_none() {
+            self.event(Event::Gas(false), true);
+        }
     }
 
     /// Rests at the end of a pass with the arc on.

@@ -65,8 +65,8 @@ pub(crate) fn ends(machine: &Machine, pass: &Pass) -> Option<(Joints, Joints)> {
 /// A part of a pass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Part {
-    /// What is switched and set at its start.
-    Begin,
+    /// What is switched and set at its start: of what is set `all`, or what is other than before.
+    Begin { all: bool },
     /// Its blocks.
     Blocks,
     /// What is switched when it is over.
@@ -95,7 +95,7 @@ pub(crate) fn steps(
     }
     let mut writer = Steps { machine, points, channels, base, number: columns.number, timed: columns.timed, program };
     match part {
-        Part::Begin => return writer.begin(here),
+        Part::Begin { all } => return writer.begin(here, all),
         Part::End => return writer.events(points.count()),
         Part::Blocks => {}
     }
@@ -132,11 +132,12 @@ impl Steps<'_> {
         row
     }
 
-    fn begin(&mut self, here: &mut Vec<f64>) {
+    fn begin(&mut self, here: &mut Vec<f64>, all: bool) {
         self.events(0);
         let first = self.row(&self.points.start);
         for channel in self.program.axes()..first.len() {
-            if (first[channel] - here[channel]).abs() > 0.0 {
+            let told = all && self.channels.iter().any(|(told, _)| *told == channel);
+            if told || (first[channel] - here[channel]).abs() > 0.0 {
                 let set = What::Set { channel: channel as u16, value: first[channel], at_once: true };
                 self.program.push(set);
             }
@@ -222,7 +223,8 @@ impl Steps<'_> {
     }
 }
 
-fn event_of(event: &PointEvent) -> Option<Event> {
+/// What is switched or said.
+pub(crate) fn event_of(event: &PointEvent) -> Option<Event> {
     Some(match event {
         PointEvent { gas: Some(on), .. } => Event::Gas(*on),
         PointEvent { wire: Some(on), .. } => Event::Wire(*on),

@@ -5,5 +5,5 @@ mod from_program;
 mod rests;
 mod to_program;
 
-pub(crate) use from_program::{Part, ends, is_posted_as_it_stands, steps};
+pub(crate) use from_program::{Part, ends, event_of, is_posted_as_it_stands, steps};
 pub use to_program::to_program;

@@ -141,6 +141,7 @@ fn run_lines(state: &mut State, text: &str, programs: &Programs, mut words: impl
     let bom = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
     let mut frames = vec![Frame { at: main.from.max(bom), to: main.to, line: main.line, sub: None }];
     let mut called = 0u64;
+    let mut ended = state.control.dialect == Dialect::Pmac;
     while let Some(frame) = frames.last_mut() {
         if frame.at >= frame.to {
             leave(&mut frames, programs);
@@ -175,11 +176,18 @@ fn run_lines(state: &mut State, text: &str, programs: &Programs, mut words: impl
             }
             Flow::Return if inside => leave(&mut frames, programs),
             Flow::Return | Flow::End => {
+                ended = true;
                 let Some(main) = frames.first() else { break };
                 rest(state, text, main);
                 break;
             }
         }
+    }
+    if !ended {
+        state.note("no end", "nothing says that the program ends here, as M30 does: is the file whole?");
+    }
+    if state.is_burning() {
+        state.note("burning", "the arc is on at the program's end");
     }
     Ok(())
 }

@@ -190,6 +190,15 @@ impl<'a> State<'a> {
         self.push(What::Event { event, at_once });
     }
 
+    /// Whether the arc was switched on last.
+    pub(super) fn is_burning(&self) -> bool {
+        let arc = self.program.steps.iter().rev().find_map(|step| match step.what {
+            What::Event { event: Event::Arc(on), .. } => Some(on),
+            _ => None,
+        });
+        arc == Some(true)
+    }
+
     /// A digital output is switched.
     pub(super) fn switch(&mut self, output: u16, on: bool, at_once: bool) {
         let io = &self.control.io;

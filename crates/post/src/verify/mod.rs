@@ -97,6 +97,11 @@ pub fn verify(
             false => plan::check(planned, (i, pass), &same.blocks),
         };
         wrong.extend(checked.complaints(planned.tolerance_mm, i + 1));
+        // What was asked for is not trusted here: a torch that burns where the program has no arc.
+        let burns = |block: &same::Block| block.pass == i && block.told.arc && planned.control.switches_arc();
+        if !pass.has_arc() && same.blocks.iter().any(burns) {
+            wrong.push(format!("pass {} ({}): the arc is on in a pass without one", i + 1, pass.name));
+        }
         passes.push(checked);
     }
     let proof = Verification { moves: same.blocks.len(), rounding: same.rounding, passes };

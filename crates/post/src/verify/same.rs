@@ -1,5 +1,5 @@
 use crate::Control;
-use crate::part_program::{Event, PartProgram, Path, What};
+use crate::part_program::{ChannelKind, Event, PartProgram, Path, What};
 use crate::play::{Segment, play};
 
 /// A block of motion as read back, with what the program it was written from says of it.
@@ -39,7 +39,9 @@ pub(super) fn same(control: &Control, asked: &PartProgram, told: &PartProgram, s
             let line = told.steps[t.step].line;
             format!("block {} (line {line})", k + 1)
         };
-        if a.level != t.level {
+        // A rest in which an output changes is a block that nothing moves in.
+        let level = |s: &Segment| s.level.filter(|_| goes(asked, s));
+        if level(a) != level(t) {
             return Err(format!("{}: it moves where it should rest, or at another level", place()));
         }
         if arc && a.arc != t.arc {
@@ -79,6 +81,12 @@ pub(super) fn same(control: &Control, asked: &PartProgram, told: &PartProgram, s
         });
     }
     Ok(same)
+}
+
+/// Whether an axis or a value that goes with the axes moves.
+fn goes(program: &PartProgram, segment: &Segment) -> bool {
+    let moves = |i: usize| segment.start()[i].to_bits() != segment.end()[i].to_bits();
+    (0..program.channels.len()).any(|i| program.channels[i].kind != ChannelKind::Stepped && moves(i))
 }
 
 /// Segments in which something moves or time passes.

@@ -13,6 +13,8 @@ pub(super) struct Pmac {
     feed: Option<f64>,
     /// The normal vector that was said last.
     normal: Option<[f64; 3]>,
+    /// Whether the last line that does something is a move.
+    moved: bool,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -104,6 +106,14 @@ impl Pmac {
         Ok(())
     }
 
+    /// Waits for the end of the move before: the control works out lines ahead of the motion, and what is set by `=` would
+    /// be set then.
+    fn rest(&mut self, w: &mut Writer) {
+        if std::mem::take(&mut self.moved) {
+            w.text.line("DWELL0");
+        }
+    }
+
     /// The state that a pass begins with.
     fn state(&mut self, w: &mut Writer) {
         w.text.word("ABS TA0 TS0");
@@ -180,6 +190,10 @@ impl Tongue for Pmac {
 
     fn level(&mut self, _w: &mut Writer, _level: Level) {}
 
+    fn wait(&mut self, w: &mut Writer) {
+        self.rest(w);
+    }
+
     fn go(&mut self, w: &mut Writer, step: &Move, to: &[f64]) -> Result<(), Problem> {
         match step.path {
             Path::Rapid => {
@@ -224,6 +238,7 @@ impl Tongue for Pmac {
             }
         }
         w.text.end();
+        self.moved = !step.exact_stop;
         if step.exact_stop {
             w.text.word("DWELL0");
             w.text.remark("exact stop");
@@ -234,6 +249,9 @@ impl Tongue for Pmac {
 
     fn set(&mut self, w: &mut Writer, channel: usize, value: f64, at_once: bool) -> Result<(), Problem> {
         let control = w.control;
+        if at_once {
+            self.rest(w);
+        }
         match control.outputs[channel] {
             Some(output) => w.text.counted("M", 101 + u32::from(output)),
             None => w.text.word(&control.addresses[channel]),
@@ -246,6 +264,9 @@ impl Tongue for Pmac {
     }
 
     fn output(&mut self, w: &mut Writer, output: u32, on: bool, at_once: bool) {
+        if at_once {
+            self.rest(w);
+        }
         w.text.counted("M", 1 + output);
         w.text.glue(if at_once { "=" } else { "==" });
         w.text.glue(if on { "1" } else { "0" });
@@ -259,6 +280,7 @@ impl Tongue for Pmac {
     }
 
     fn dwell(&mut self, w: &mut Writer, seconds: f64, why: Option<&str>) {
+        self.moved = false;
         bracketed(w, "DWELL", 1e3 * seconds);
         if let Some(why) = why {
             w.text.remark(why);

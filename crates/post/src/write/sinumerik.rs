@@ -161,7 +161,7 @@ impl Tongue for Sinumerik {
     }
 
     fn head(&mut self, w: &mut Writer) {
-        self.line(w, "G90 G71 G17 G40 G500 G64");
+        self.line(w, "G90 G710 G17 G40 G500 G64");
         self.plane = Some(2);
         self.block(w);
         w.text.word("FGROUP(");
@@ -210,6 +210,10 @@ impl Tongue for Sinumerik {
 
     fn level(&mut self, w: &mut Writer, level: Level) {
         self.line(w, if level == Level::Tip { "TRAORI" } else { "TRAFOOF" });
+        if level == Level::Tip {
+            // Rotary axes go evenly, as they do in the plan, whatever the control's usual way is.
+            self.line(w, "ORIMKS ORIAXES");
+        }
     }
 
     fn go(&mut self, w: &mut Writer, step: &Move, to: &[f64]) -> Result<(), Problem> {

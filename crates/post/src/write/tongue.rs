@@ -32,6 +32,9 @@ pub(super) trait Tongue {
     /// Lines that make the control go over to axes or tip.
     fn level(&mut self, w: &mut Writer, level: Level);
 
+    /// Called before what is to happen at once, with the machine at rest.
+    fn wait(&mut self, _w: &mut Writer) {}
+
     /// A block of motion to the row `to`; what changed is in `w`.
     fn go(&mut self, w: &mut Writer, step: &Move, to: &[f64]) -> Result<(), Problem>;
 

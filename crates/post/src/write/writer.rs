@@ -196,9 +196,13 @@ impl<'a> Writer<'a> {
         self.text.comment("work offsets and tool offsets must be zero");
         let options = self.options;
         options.remarks.iter().for_each(|remark| self.text.comment(remark));
-        if passes > 1 && (T::SUBS.is_none() || self.has_subs()) {
+        if passes > 1 && self.has_subs() {
             let how = tongue.restart(passes);
             self.text.comment(&how);
+            let burning = self.burning();
+            if !burning.is_empty() {
+                self.text.comment(&format!("but not at pass {}: the arc burns on into it", burning.join(", ")));
+            }
         }
     }
 
@@ -268,6 +272,7 @@ impl<'a> Writer<'a> {
         if let Some(code) = control.code(&Code::Event(event.clone())) {
             match at_once || control.dialect == Dialect::Pmac {
                 true => {
+                    tongue.wait(self);
                     self.text.word(code);
                     self.remark(event, true);
                 }
@@ -334,6 +339,24 @@ impl<'a> Writer<'a> {
     /// How many passes there are.
     pub(super) fn passes(&self) -> usize {
         self.program.steps.iter().filter(|step| matches!(step.what, What::Pass(_))).count()
+    }
+
+    /// Numbers of the passes that begin with the arc on.
+    fn burning(&self) -> Vec<String> {
+        let (mut on, mut number, mut burning) = (false, 0, Vec::new());
+        for step in &self.program.steps {
+            match &step.what {
+                What::Event { event: Event::Arc(arc), .. } => on = *arc,
+                What::Pass(_) => {
+                    number += 1;
+                    if on && self.control.switches_arc() {
+                        burning.push(number.to_string());
+                    }
+                }
+                _ => {}
+            }
+        }
+        burning
     }
 
     /// Whether passes are sub-programs: where there are several that do more than go somewhere.

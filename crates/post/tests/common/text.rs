@@ -62,9 +62,18 @@ fn bare(dialect: Dialect, line: &str) -> &str {
 /// Lines that are no words.
 fn is_other(dialect: Dialect, line: &str) -> bool {
     let starts: &[&str] = match dialect {
-        Dialect::Sinumerik => {
-            &["%_N_", "$A_OUT", "WHEN TRUE DO $A_OUT", "FGROUP(", "PRESETON(", "TRAORI", "TRAFOOF", "PASS_", "MSG("]
-        }
+        Dialect::Sinumerik => &[
+            "%_N_",
+            "$A_OUT",
+            "WHEN TRUE DO $A_OUT",
+            "FGROUP(",
+            "PRESETON(",
+            "TRAORI",
+            "TRAFOOF",
+            "ORIMKS",
+            "PASS_",
+            "MSG(",
+        ],
         Dialect::Linuxcnc => &["o1"],
         Dialect::Grblhal => &[],
         Dialect::Pmac => &["&1", "#", "I5190=", "OPEN PROG 1 CLEAR", "CLOSE", "M", "SEND", "ABS"],

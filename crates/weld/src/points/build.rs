@@ -63,7 +63,7 @@ impl PointPath {
         reached[point + 1..].fill(at);
         let spans = spans(points, &columns, (&reached, pace));
         let blocks = timed.into_iter().map(|t| t.block).collect();
-        Ok(Self { blocks, numbers, spans })
+        Ok(Self { blocks, numbers, spans, reached })
     }
 }
 

@@ -46,6 +46,8 @@ pub struct PointPath {
     numbers: Numbers,
     /// The pass' spans as one along a seam has them: process values by path length.
     spans: Vec<Span>,
+    /// Path length at each point, the start first, mm.
+    reached: Vec<f64>,
 }
 
 #[derive(Debug, Clone)]
@@ -109,6 +111,10 @@ impl TorchPath for PointPath {
 
     fn is_timed(&self) -> bool {
         true
+    }
+
+    fn reached(&self, points: usize) -> Option<f64> {
+        self.reached.get(points).copied()
     }
 
     fn stops(&self) -> Vec<f64> {

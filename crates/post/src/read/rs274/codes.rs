@@ -106,6 +106,12 @@ impl Line {
                 self.group(OUTPUT, span)?;
                 self.output = Some((code / 10, span));
             }
+            30 | 40 | 50 => {
+                let fault = Fault::unknown(span, "what the spindle's codes switch on this machine is not known");
+                return Err(
+                    fault.cure("give S in the control's `process`, or name it in its codes, as M3 = \"arc_on\"")
+                );
+            }
             70 | 80 | 90 => {
                 let fault = Fault::unknown(span, "what coolant switches here is not known");
                 return Err(fault.cure("name it in the machine file's codes, as M8 = \"gas_on\""));
