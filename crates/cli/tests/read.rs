@@ -176,3 +176,72 @@ fn a_plan_comes_with_its_part_programs() {
     let back = seamwright(&["read", path, "--machine", "table-tilting-xyzac"]);
     assert!(back.status.success() && text(&back.stdout).contains("along = \"cubic\""), "{}", text(&back.stderr));
 }
+
+/// Reads a part program for the trunnion machine and posts what came of it.
+fn reposted(text: &str, dialect: &str, edits: &[&[&str]]) -> String {
+    let dir = tempfile::tempdir().unwrap();
+    let (source, program) = (dir.path().join("a.nc"), dir.path().join("a.toml"));
+    fs::write(&source, text).unwrap();
+    let (source, program) = (source.to_str().unwrap(), program.to_str().unwrap());
+    let from = if text.contains("CIP") || text.contains("$A") { "sinumerik" } else { "linuxcnc" };
+    let out = seamwright(&["read", source, "--machine", "table-tilting-xyzac", "--dialect", from, "-o", program]);
+    assert!(out.status.success(), "{}", self::text(&out.stderr));
+    for edit in edits {
+        let out = seamwright(&[&["edit", program], *edit].concat());
+        assert!(out.status.success(), "{}", self::text(&out.stderr));
+    }
+    let out = seamwright(&["post", program, "--dialect", dialect]);
+    assert!(out.status.success(), "{}", self::text(&out.stderr));
+    self::text(&out.stdout)
+}
+
+/// A pass without the arc that has to be planned anew, since LinuxCNC has no such arc, burns nothing; what is switched on
+/// the way is.
+#[test]
+fn a_pass_without_the_arc_never_burns() {
+    let dry = "G0 X0 Y0 Z400 A0 C0\nG1 X10 F600\nCIP X20 Y10 Z395 I1=13 J1=7 K1=397\nG1 X30\nM30\n";
+    let dry = dry.replace("X10 F600", "X10 F600\n$A_OUT[8]=1\n");
+    for dialect in ["linuxcnc", "grblhal", "pmac", "sinumerik"] {
+        let text = reposted(&dry, dialect, &[]).replace("arc on 0 s", "");
+        assert!(!text.contains("arc on") && !text.contains("gas on"), "{dialect}\n{text}");
+    }
+    let text = reposted(&dry, "linuxcnc", &[&["add-event", "--pass", "1", "--after", "4", "--message", "halfway"]]);
+    assert!(text.contains("P7") && text.contains("halfway"), "{text}");
+}
+
+/// Every pass that a control can start again at goes to its start with the arc off, and sets its values.
+#[test]
+fn passes_start_again_with_the_arc_off() {
+    let source = "G0 X0 Y0 Z400 A0 C0\nM68 E0 Q90\nM64 P0\nG1 X20 F600\nX30\nM65 P0\nG0 Z450\nG0 X100\nM64 P0\nG1 X120\nM65 P0\nM68 E0 Q0\nM2\n";
+    let text = reposted(source, "linuxcnc", &[]);
+    let subs: Vec<&str> = text.split("o10").filter(|part| part.contains(" sub")).collect();
+    assert!(subs.len() > 1, "{text}");
+    for sub in &subs {
+        let at = |words: &str| sub.find(words);
+        let Some(burns) = at("M64 P0").or(at("M62 P0")) else { continue };
+        assert!(at("M65 P0").is_some_and(|off| off < burns), "{sub}");
+        let goes = at("G0 X").or(at("G0 C").or(at("G0 A"))).unwrap_or(usize::MAX);
+        assert!(goes < burns, "no way to its start before the arc: {sub}");
+        assert!(sub.contains("E0 Q90"), "{sub}");
+        assert!(sub.rfind("M68 E0 Q0").is_some_and(|off| off > burns), "{sub}");
+    }
+}
+
+/// A rest in which an output changes is read and written again.
+#[test]
+fn rests_with_values_come_back() {
+    let source = "G0 X0 Y0 Z400 A0 C0\n$A_OUTA[1]=180\n$A_OUT[1]=1\nG4 F0.3\nG1 X20 F600\n$A_OUT[1]=0\nM30\n";
+    for dialect in ["linuxcnc", "grblhal", "pmac", "sinumerik"] {
+        let text = reposted(source, dialect, &[]);
+        assert!(text.contains("arc on") || dialect == "grblhal", "{text}");
+    }
+}
+
+#[test]
+fn what_cannot_be_stood_back_is_said() {
+    let example = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/saddle.toml");
+    let out = seamwright(&["post", example, "--dialect", "sinumerik", "--retract-mm", "1000"]);
+    assert!(out.status.code() == Some(2) && text(&out.stderr).contains("--retract-mm 1000"), "{}", text(&out.stderr));
+    let out = seamwright(&["post", example, "--dialect", "sinumerik", "--tolerance-mm", "1e-9"]);
+    assert!(out.status.code() == Some(2) && text(&out.stderr).contains("six decimals"), "{}", text(&out.stderr));
+}

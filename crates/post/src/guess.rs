@@ -21,6 +21,18 @@ impl Dialect {
             (Self::Grblhal, ["GRBLHAL", "G4P0", "G4 P0", "M3 S"]),
         ];
         let begin: String = text.lines().take(200).collect::<Vec<_>>().join("\n").to_ascii_uppercase();
+        // Our own say whom they are for.
+        let said = [
+            ("FOR SINUMERIK", Self::Sinumerik),
+            ("FOR LINUXCNC", Self::Linuxcnc),
+            ("FOR GRBLHAL", Self::Grblhal),
+            ("FOR PMAC", Self::Pmac),
+        ];
+        if begin.contains("SEAMWRIGHT")
+            && let Some((_, dialect)) = said.iter().find(|(words, _)| begin.contains(words))
+        {
+            return *dialect;
+        }
         let found = signs.iter().find(|(_, words)| words.iter().any(|word| begin.contains(word)));
         found.map_or(Self::Linuxcnc, |(dialect, _)| *dialect)
     }
@@ -38,6 +50,7 @@ mod tests {
             ("a.nc", "G84\nFGROUP(X,Y)", Dialect::Sinumerik),
             ("a.nc", "&1\n#1->X\nOPEN PROG 1 CLEAR", Dialect::Pmac),
             ("a.nc", "(Seamwright for grblHAL: t)\nG21", Dialect::Grblhal),
+            ("a.nc", "(Seamwright 0.1.0 for grblHAL: t)\n(G64 of LinuxCNC)\nG21", Dialect::Grblhal),
             ("a.nc", "G21\nG64 P0.1\nG1 X1 F10", Dialect::Linuxcnc),
             ("a.nc", "G1 X1 F10", Dialect::Linuxcnc),
         ] {

@@ -289,7 +289,7 @@ impl<'a> Writer<'a> {
             return Ok(());
         }
         let cure = "give its output in the machine file's [io], or its code in [controls.*.codes]";
-        Err(Problem::new(format!("the machine file does not say how the control does {event:?}"), cure))
+        Err(Problem::new(format!("the machine file does not say how the control does {}", name(event)), cure))
     }
 
     /// Ends the line with what it does.
@@ -406,6 +406,19 @@ impl<'a> Writer<'a> {
         };
         let per = if self.control.dialect == Dialect::Pmac { 1.0 } else { 60.0 };
         (way > 0.0).then_some(per * way / step.seconds)
+    }
+}
+
+/// An event in words.
+fn name(event: &Event) -> String {
+    let switched = |what: &str, on: bool| format!("{what} {}", if on { "on" } else { "off" });
+    match event {
+        Event::Arc(on) => switched("arc", *on),
+        Event::Gas(on) => switched("gas", *on),
+        Event::Wire(on) => switched("wire", *on),
+        Event::Output(number, on) => switched(&format!("output {number}"), *on),
+        Event::Message(text) => format!("\"{text}\""),
+        Event::Call(name) => format!("\"{name}\""),
     }
 }
 

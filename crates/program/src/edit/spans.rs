@@ -71,6 +71,11 @@ impl Interpolate {
         let i = index(draft, self.pass, self.span, count)?;
         let span = &mut draft.points(self.pass)?.spans[i];
         let rapid = span.along == Along::Rapid;
+        if self.along == Along::Rapid && !rapid && draft.points(self.pass)?.arc {
+            let message = "the arc is on in this pass: nothing is welded in a rapid move";
+            return Err(draft.wrong_in(self.pass, message, "line, arc, spline; or a pass with `arc = false`"));
+        }
+        let span = &mut draft.points(self.pass)?.spans[i];
         if self.along == Along::Arc && (self.via_mm.is_none() || span.rows.len() != 1) {
             let message = format!("an arc needs `via_mm` and one point; the span has {}", span.rows.len());
             return Err(draft.wrong_in(self.pass, message, "split the span first; give `via_mm`"));
