@@ -205,7 +205,7 @@ fn a_pass_without_the_arc_never_burns() {
         let text = reposted(&dry, dialect, &[]).replace("arc on 0 s", "");
         assert!(!text.contains("arc on") && !text.contains("gas on"), "{dialect}\n{text}");
     }
-    let text = reposted(&dry, "linuxcnc", &[&["add-event", "--pass", "1", "--after", "4", "--message", "halfway"]]);
+    let text = reposted(&dry, "linuxcnc", &[&["add-event", "--pass", "1", "--after", "3", "--message", "halfway"]]);
     assert!(text.contains("P7") && text.contains("halfway"), "{text}");
 }
 
