@@ -9,10 +9,9 @@ use super::lexer::{Cursor, same};
 use super::motion::Block;
 use super::programs::{Programs, remark};
 use super::state::{Motion, State};
-use super::target::{FARTHEST, How, twice};
+use super::target::{How, twice};
 use super::{Flow, Lines};
 use crate::Level;
-use crate::polynomial::POWERS;
 
 /// What is known of the text so far.
 #[derive(Debug, Default)]
@@ -269,42 +268,6 @@ impl Line {
             _ => return Err(no_address(state.control, span, name)),
         }
         Ok(())
-    }
-
-    /// `PO[X]=(end, a2, a3, ..)`: an axis as a polynomial; the cursor is at the bracket.
-    fn polynomial(&mut self, state: &mut State, c: &mut Cursor, span: Span) -> Read {
-        c.need(b'[')?;
-        if c.take(b']') {
-            let fault = Fault::new(span, "PO[] is a denominator of polynomials: these are not read");
-            return Err(fault.cure("have it written with G2, G3 or CIP"));
-        }
-        let (channel, at) = calls::channel(state, c)?;
-        if channel >= state.program.axes() {
-            return Err(Fault::new(at, "only axes are polynomials").cure("give process values their ends alone"));
-        }
-        if state.control.decimal_comma {
-            let fault = Fault::new(span, "where decimals have a comma, nothing tells these numbers apart");
-            return Err(fault.cure("write decimal points, and take decimal_comma out of the machine file"));
-        }
-        [b']', b'=', b'('].into_iter().try_for_each(|byte| c.need(byte))?;
-        let end = state.expressions.expression(c)?;
-        let mut higher = [0.0; POWERS];
-        let mut powers = higher.iter_mut();
-        while c.take(b',') {
-            let place = c.here();
-            let value = state.expressions.expression(c)?;
-            let Some(power) = powers.next() else {
-                return Err(Fault::new(place, "a polynomial of more than the fifth degree"));
-            };
-            if value.abs() > FARTHEST {
-                return Err(Fault::new(place, "this coefficient is out of all sense").allowed("-10000000 to 10000000"));
-            }
-            *power = value;
-        }
-        c.need(b')')?;
-        let span = c.since(span.from);
-        self.block.higher.push((channel, higher, span));
-        state.target.put(channel, end, How::Modal, None, span)
     }
 
     /// A line with just a sub-program's name, and perhaps how often.

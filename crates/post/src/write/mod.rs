@@ -2,6 +2,7 @@
 
 mod feed_mode;
 mod grblhal;
+mod header;
 mod linuxcnc;
 mod number;
 mod pmac;

@@ -1,6 +1,6 @@
+use super::WriteOptions;
 use super::text::Text;
 use super::tongue::Tongue;
-use super::{Feed, WriteOptions};
 use crate::part_program::{Arc, ChannelKind, Event, Level, Move, PartProgram, Path, Step, What};
 use crate::{Code, Control, Dialect, Error};
 use glam::DVec3;
@@ -161,51 +161,6 @@ impl<'a> Writer<'a> {
         Ok(self.text.finish())
     }
 
-    /// The comments at the begin: what this is, and how to start again.
-    fn comments<T: Tongue>(&mut self, tongue: &T, passes: u32) {
-        let name = self.control.dialect.title();
-        let text = format!("Seamwright {} for {name}: {}", env!("CARGO_PKG_VERSION"), self.program.title);
-        self.text.comment(&text);
-        if !self.options.machine.is_empty() {
-            self.text.comment(&format!("machine: {}", self.options.machine));
-        }
-        let moves = self.program.steps.iter().filter_map(|step| match &step.what {
-            What::Move(m) => Some(m.level),
-            _ => None,
-        });
-        let tip = moves.into_iter().any(|level| level == Level::Tip);
-        self.text.comment(match (tip, self.control.dialect) {
-            (false, Dialect::Linuxcnc) => {
-                "joint level: every word is an axis position, kinematics must be identity [trivkins]"
-            }
-            (false, _) => "joint level: every word is an axis position, without transformations",
-            (true, _) => "tip level: X Y Z are the torch tip in the work frame, kinematics must match the machine",
-        });
-        let unit = |i: usize| if self.control.channels[i].kind == ChannelKind::Rotary { "degrees" } else { "mm" };
-        let names: Vec<String> = (0..self.program.axes())
-            .map(|i| format!("{} = {} [{}]", self.control.addresses[i], self.control.channels[i].name, unit(i)))
-            .collect();
-        self.text.comment(&format!("axes: {}", names.join(", ")));
-        let feed = match (self.control.dialect, self.options.feed) {
-            (Dialect::Pmac, Feed::InverseTime) => "times of blocks in ms",
-            (Dialect::Pmac, Feed::PerMinute) => "feed per second along all axes",
-            (_, Feed::InverseTime) => "inverse time feed G93",
-            (_, Feed::PerMinute) => "feed per minute G94",
-        };
-        self.text.comment(&format!("units mm, degrees; absolute; {feed}"));
-        self.text.comment("work offsets and tool offsets must be zero");
-        let options = self.options;
-        options.remarks.iter().for_each(|remark| self.text.comment(remark));
-        if passes > 1 && self.has_subs() {
-            let how = tongue.restart(passes);
-            self.text.comment(&how);
-            let burning = self.burning();
-            if !burning.is_empty() {
-                self.text.comment(&format!("but not at pass {}: the arc burns on into it", burning.join(", ")));
-            }
-        }
-    }
-
     /// The lines of a template, or the usual ones.
     fn template(&mut self, lines: &Option<String>, usual: impl FnOnce(&mut Self)) {
         let Some(lines) = lines else { return usual(self) };
@@ -341,24 +296,6 @@ impl<'a> Writer<'a> {
         self.program.steps.iter().filter(|step| matches!(step.what, What::Pass(_))).count()
     }
 
-    /// Numbers of the passes that begin with the arc on.
-    fn burning(&self) -> Vec<String> {
-        let (mut on, mut number, mut burning) = (false, 0, Vec::new());
-        for step in &self.program.steps {
-            match &step.what {
-                What::Event { event: Event::Arc(arc), .. } => on = *arc,
-                What::Pass(_) => {
-                    number += 1;
-                    if on && self.control.switches_arc() {
-                        burning.push(number.to_string());
-                    }
-                }
-                _ => {}
-            }
-        }
-        burning
-    }
-
     /// Whether passes are sub-programs: where there are several that do more than go somewhere.
     pub(super) fn has_subs(&self) -> bool {
         let (mut welds, mut told) = (0, true);
@@ -419,17 +356,5 @@ fn name(event: &Event) -> String {
         Event::Output(number, on) => switched(&format!("output {number}"), *on),
         Event::Message(text) => format!("\"{text}\""),
         Event::Call(name) => format!("\"{name}\""),
-    }
-}
-
-impl Dialect {
-    /// Its name, for people.
-    fn title(self) -> &'static str {
-        match self {
-            Self::Sinumerik => "Sinumerik 840D",
-            Self::Linuxcnc => "LinuxCNC",
-            Self::Grblhal => "grblHAL",
-            Self::Pmac => "PMAC",
-        }
     }
 }

@@ -3,11 +3,13 @@
 use super::Line;
 use crate::Event;
 use crate::part_program::ChannelKind;
+use crate::polynomial::POWERS;
 use crate::read::addresses::no_address;
 use crate::read::error::{Fault, Read, Span};
 use crate::read::lexer::{Cursor, same};
 use crate::read::programs::Programs;
 use crate::read::state::State;
+use crate::read::target::{FARTHEST, How};
 
 /// `NAME(..)`; the cursor is at the bracket.
 pub(super) fn call(name: &str, state: &mut State, c: &mut Cursor, span: Span) -> Read {
@@ -154,6 +156,42 @@ pub(super) fn define(state: &mut State, c: &mut Cursor, programs: &Programs) -> 
 }
 
 impl Line {
+    /// `PO[X]=(end, a2, a3, ..)`: an axis as a polynomial; the cursor is at the bracket.
+    pub(super) fn polynomial(&mut self, state: &mut State, c: &mut Cursor, span: Span) -> Read {
+        c.need(b'[')?;
+        if c.take(b']') {
+            let fault = Fault::new(span, "PO[] is a denominator of polynomials: these are not read");
+            return Err(fault.cure("have it written with G2, G3 or CIP"));
+        }
+        let (channel, at) = channel(state, c)?;
+        if channel >= state.program.axes() {
+            return Err(Fault::new(at, "only axes are polynomials").cure("give process values their ends alone"));
+        }
+        if state.control.decimal_comma {
+            let fault = Fault::new(span, "where decimals have a comma, nothing tells these numbers apart");
+            return Err(fault.cure("write decimal points, and take decimal_comma out of the machine file"));
+        }
+        [b']', b'=', b'('].into_iter().try_for_each(|byte| c.need(byte))?;
+        let end = state.expressions.expression(c)?;
+        let mut higher = [0.0; POWERS];
+        let mut powers = higher.iter_mut();
+        while c.take(b',') {
+            let place = c.here();
+            let value = state.expressions.expression(c)?;
+            let Some(power) = powers.next() else {
+                return Err(Fault::new(place, "a polynomial of more than the fifth degree"));
+            };
+            if value.abs() > FARTHEST {
+                return Err(Fault::new(place, "this coefficient is out of all sense").allowed("-10000000 to 10000000"));
+            }
+            *power = value;
+        }
+        c.need(b')')?;
+        let span = c.since(span.from);
+        self.block.higher.push((channel, higher, span));
+        state.target.put(channel, end, How::Modal, None, span)
+    }
+
     /// `$A_OUT[1]=1` or `$A_OUTA[1]=2.5`; the cursor is at the `$`.
     pub(super) fn system_variable(&mut self, state: &mut State, c: &mut Cursor, at_once: bool) -> Read {
         self.begun = true;
