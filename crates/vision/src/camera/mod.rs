@@ -1,0 +1,14 @@
+//! From pixels to mm and back, for a camera and for the raster of a beam.
+//!
+//! The camera's frame has x to the right in the picture, y down, and z away from the camera along its optical axis. A
+//! *height* is the z of a plane square to that axis, counted from the frame's origin, which is put where it is
+//! convenient: on the work, for a beam. On one such plane pixels and mm are joined by a [`PlaneMap`]; how that changes
+//! with height is a [`HeightTable`]; [`identify`] finds a map from one picture of a grid of dots.
+
+mod grid;
+mod heights;
+mod plane_map;
+
+pub use grid::{Grid, GridError, Identified, identify};
+pub use heights::{HeightError, HeightTable};
+pub use plane_map::{MapError, MapParameters, PlaneMap};
