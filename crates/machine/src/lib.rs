@@ -40,7 +40,7 @@ pub use links::{LinkFrames, Links, MAX_LINKS, NamedFrame};
 pub use machine::{Machine, Target};
 pub use pitch_error::PitchError;
 pub use seamwright_clearance::Clamped;
-pub use sensor::{PixelMapFile, Sensor, SensorFile, SensorKind, Sight, StripeSensor};
+pub use sensor::{CameraSensor, HeightRowFile, PixelMapFile, Sensor, SensorFile, SensorKind, Sight, StripeSensor};
 pub use shipped::{SHIPPED, Shipped, shipped};
 pub use solids::{LinkSolids, Zone};
 pub use stepper::{Stepper, StepperMotor};

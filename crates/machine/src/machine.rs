@@ -184,6 +184,12 @@ impl Machine {
         self.links.motion(&self.true_positions(q))
     }
 
+    /// The frame of `sensor` as a camera, in the work frame at indicated positions `q`: x to the right in the picture, y
+    /// down, z away from the camera.
+    pub fn camera_frame(&self, sensor: &Sensor, q: &Joints) -> DAffine3 {
+        self.sensor_frame(sensor, q) * DAffine3::from_rotation_x(std::f64::consts::PI)
+    }
+
     /// Unit vector against gravity, in the work frame at positions `q`.
     pub fn up_in_work(&self, q: &Joints) -> DVec3 {
         let base = self.link_frames(q)[self.links.base()];

@@ -217,7 +217,7 @@ fn sensors_see_ahead_of_the_beam() {
         assert!((lead - DVec3::new(20.0, 0.0, 0.0)).length() < 1e-12);
         let half = std::f64::consts::FRAC_1_SQRT_2;
         assert!((frame.transform_vector3(DVec3::Z) - DVec3::new(0.0, side * half, half)).length() < 1e-12);
-        let Sight::Stripe(stripe) = sensor.sight;
+        let Sight::Stripe(stripe) = &sensor.sight else { panic!("{name} is no stripe sensor") };
         // A pinhole camera 110 mm from the origin, 25 degrees from z towards x, x to the right, y down.
         let (sin, cos) = 25f64.to_radians().sin_cos();
         let (eye, ahead) = (110.0 * DVec3::new(sin, 0.0, cos), -DVec3::new(sin, 0.0, cos));
@@ -233,4 +233,49 @@ fn sensors_see_ahead_of_the_beam() {
         assert!((at(640.5, 511.5) - at(639.5, 511.5) - DVec2::new(0.03, 0.0)).length() < 1e-4);
         assert!((at(639.5, 511.0) - at(639.5, 512.0) - DVec2::new(0.0, 0.071)).length() < 1e-4);
     }
+}
+
+/// The beam of the EBW machine sees 0.1 mm a pixel at its focus, x of the picture along x of the gun, rows against y, and a
+/// wider field on deeper work; the camera of the saddle welder looks 60 mm ahead with its rows across the seam.
+#[test]
+fn cameras_see_the_work() {
+    let machine = Machine::read("m", shipped("ebw-7axis").unwrap().text).unwrap();
+    let sensor = machine.sensor("beam").unwrap();
+    let Sight::Camera(camera) = &sensor.sight else { panic!("the beam is no camera") };
+    assert!((sensor.period_s - 0.3).abs() < 1e-12 && camera.table.size_px() == (512, 512));
+    let q = machine.home();
+    let frame = machine.camera_frame(sensor, &q);
+    let tip = machine.forward(&q);
+    assert!((frame.translation - tip.point).length() < 1e-9);
+    assert!((frame.transform_vector3(DVec3::Z) - tip.direction).length() < 1e-12);
+    let seen =
+        |x, y, height| frame.transform_point3(camera.table.to_point(DVec2::new(x, y), height).unwrap()) - tip.point;
+    assert!((seen(265.5, 245.5, 0.0) - DVec3::new(1.0, 1.0, 0.0)).length() < 1e-9);
+    // 20 mm deeper the beam, deflected about a point 260 mm above, sees 280/260 as much.
+    assert!((seen(265.5, 255.5, 20.0) - DVec3::new(280.0 / 260.0, 0.0, -20.0)).length() < 1e-9);
+    assert!(camera.table.at(40.0).is_err());
+
+    let machine = Machine::read("m", shipped("saddle-4axis").unwrap().text).unwrap();
+    let sensor = machine.sensor("camera").unwrap();
+    let frame = machine.camera_frame(sensor, &Joints::default());
+    assert!(
+        (frame.translation - machine.forward(&Joints::default()).point - DVec3::new(0.0, 60.0, 0.0)).length() < 1e-9
+    );
+    assert!((frame.transform_vector3(DVec3::X) - DVec3::Y).length() < 1e-12);
+}
+
+#[test]
+fn cameras_that_are_none_are_refused() {
+    let text = shipped("ebw-7axis").unwrap().text;
+    let (before, rest) = text.split_once("[[sensors.beam.map.heights]]").unwrap();
+    let after = &rest[rest.find("[drives.x]").unwrap()..];
+    let key = |lines: &str| Machine::read("m", &format!("{before}{lines}\n{after}")).unwrap_err().key;
+    assert_eq!(key(""), "sensors.beam");
+    assert_eq!(key("map.scale = { mm_per_px = [1, 1] }"), "sensors.beam.map");
+    assert_eq!(key("map.heights = []"), "sensors.beam.map.heights");
+    assert_eq!(key("map.heights = [{ mm_per_px = [0.1, 0] }]"), "sensors.beam.map.heights[0].mm_per_px[1]");
+    assert_eq!(key("map.heights = [{ mm_per_px = [0.1, 0.1], barrel = -0.2 }]"), "sensors.beam.map.heights[0]");
+    let falling = "map.heights = [{ z_mm = 1, mm_per_px = [0.1, 0.1] }, { z_mm = 0, mm_per_px = [0.1, 0.1] }]";
+    assert_eq!(key(falling), "sensors.beam.map.heights[1].z_mm");
+    assert!(Machine::read("m", &format!("{before}map.heights = [{{ mm_per_px = [0.1, 0.1] }}]\n{after}")).is_ok());
 }

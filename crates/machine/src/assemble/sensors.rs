@@ -1,13 +1,16 @@
 //! Sensors, and how their pixels become mm.
 
 use super::File;
-use crate::{Links, PixelMapFile, Sensor, SensorFile, SensorKind, Sight, StripeSensor};
+use crate::{CameraSensor, Links, PixelMapFile, Sensor, SensorFile, SensorKind, Sight, StripeSensor};
 use glam::{DMat3, DVec2, DVec3};
-use seamwright_document::{DocumentError, Finite};
-use seamwright_geometry::Homography;
+use seamwright_document::{DocumentError, Finite, Positive};
+use seamwright_geometry::{HeightTable, Homography, MapParameters, PlaneMap};
 
 /// Most columns and rows of an image.
 const MOST_PX: u16 = 16384;
+
+/// Time from frame to frame if the file does not say, s.
+const USUAL_PERIOD_S: f64 = 0.1;
 
 /// All sensors of the file.
 pub(super) fn sensors(file: &File, links: &Links) -> Result<Vec<Sensor>, DocumentError> {
@@ -27,8 +30,17 @@ fn build(file: &File, links: &Links, name: &str, sensor: &SensorFile) -> Result<
     let size_px = sensor.size_px.map(usize::from);
     let sight = match sensor.kind {
         SensorKind::Stripe => Sight::Stripe(StripeSensor { to_mm: map(file, &path, sensor)? }),
+        SensorKind::Camera => Sight::Camera(CameraSensor { table: heights(file, &path, sensor)? }),
     };
-    Ok(Sensor { name: name.to_owned(), link: frame.link, zero: frame.zero * sensor.at.affine(), size_px, sight })
+    let period_s = sensor.period_ms.map_or(USUAL_PERIOD_S, |p| p.get() * 1e-3);
+    Ok(Sensor {
+        name: name.to_owned(),
+        link: frame.link,
+        zero: frame.zero * sensor.at.affine(),
+        size_px,
+        period_s,
+        sight,
+    })
 }
 
 fn map(file: &File, path: &str, sensor: &SensorFile) -> Result<Homography, DocumentError> {
@@ -54,6 +66,10 @@ fn map(file: &File, path: &str, sensor: &SensorFile) -> Result<Homography, Docum
             let origin = place(origin_px);
             ("scale", Homography::from_eight([y, 0.0, -y * origin.x, 0.0, -z, z * origin.y, 0.0, 0.0]))
         }
+        PixelMapFile::Heights(_) => {
+            let allowed = "`map.camera`, `map.homography` or `map.scale`";
+            return Err(file.error_at(&format!("{path}.map.heights"), "this is the map of a camera", allowed));
+        }
     };
     let key = format!("{path}.map.{key}");
     let Some(found) = found else {
@@ -66,6 +82,45 @@ fn map(file: &File, path: &str, sensor: &SensorFile) -> Result<Homography, Docum
         return Err(file.error_at(&key, message, "a map under which every pixel of the image has a place"));
     }
     Ok(found)
+}
+
+/// The map of a camera.
+fn heights(file: &File, path: &str, sensor: &SensorFile) -> Result<HeightTable, DocumentError> {
+    let Some(PixelMapFile::Heights(rows)) = &sensor.map else {
+        let path = if sensor.map.is_some() { format!("{path}.map") } else { path.to_owned() };
+        return Err(file.error_at(
+            &path,
+            "a camera needs `map.heights`",
+            "map.heights = [{ z_mm = .., mm_per_px = .. }]",
+        ));
+    };
+    let key = format!("{path}.map.heights");
+    let [columns, rows_px] = sensor.size_px.map(f64::from);
+    let size_px = (usize::from(sensor.size_px[0]), usize::from(sensor.size_px[1]));
+    let mut table = Vec::new();
+    for (i, row) in rows.iter().enumerate() {
+        let middle = DVec2::new(columns - 1.0, rows_px - 1.0) / 2.0;
+        let parameters = MapParameters {
+            size_px,
+            centre_px: row.centre_px.map_or(middle, |c| DVec2::from_array(c.map(Finite::get))),
+            mm_per_px: DVec2::from_array(row.mm_per_px.map(Positive::get)),
+            rotation: row.rotation_deg.get().to_radians(),
+            shear: row.shear.get(),
+            barrel: row.barrel.get(),
+        };
+        let map = PlaneMap::new(parameters).map_err(|e| file.error_at(&format!("{key}[{i}]"), e.to_string(), ""))?;
+        // The camera's z points away from it, that of the sensor towards it.
+        table.push((-row.z_mm.get(), map));
+    }
+    if let [(_, map)] = table.as_slice() {
+        return Ok(HeightTable::telecentric(*map));
+    }
+    if let Some(i) = (1..table.len()).find(|&i| table[i].0 >= table[i - 1].0) {
+        let message = "z does not increase from row to row";
+        return Err(file.error_at(&format!("{key}[{i}].z_mm"), message, "more than in the row before"));
+    }
+    table.reverse();
+    HeightTable::new(table).map_err(|e| file.error_at(&key, e.to_string(), "rows of one camera, at least one"))
 }
 
 /// From pixels to the plane x = 0 for a camera at `distance` (mm) from the origin in the plane y = 0, on the side of

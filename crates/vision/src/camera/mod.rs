@@ -6,9 +6,6 @@
 //! with height is a [`HeightTable`]; [`identify`] finds a map from one picture of a grid of dots.
 
 mod grid;
-mod heights;
-mod plane_map;
 
 pub use grid::{Grid, GridError, Identified, identify};
-pub use heights::{HeightError, HeightTable};
-pub use plane_map::{MapError, MapParameters, PlaneMap};
+pub use seamwright_geometry::{HeightError, HeightTable, MapError, MapParameters, PlaneMap};

@@ -149,7 +149,7 @@ impl PlaneMap {
     }
 
     /// The map between this one and `other`, of which it has the part `part`.
-    pub(super) fn mixed(&self, other: &Self, part: f64) -> Result<Self, MapError> {
+    pub(crate) fn mixed(&self, other: &Self, part: f64) -> Result<Self, MapError> {
         let (a, b) = (&self.parameters, &other.parameters);
         let mix = |from: f64, to: f64| from + part * (to - from);
         Self::new(MapParameters {

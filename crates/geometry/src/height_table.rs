@@ -1,4 +1,4 @@
-use super::{MapError, PlaneMap};
+use crate::{MapError, PlaneMap};
 use glam::{DVec2, DVec3};
 use thiserror::Error;
 
@@ -132,8 +132,8 @@ impl HeightTable {
 
 #[cfg(test)]
 mod tests {
-    use super::super::MapParameters;
     use super::*;
+    use crate::MapParameters;
 
     fn row(height: f64, scale: f64) -> (f64, PlaneMap) {
         let parameters = MapParameters {
