@@ -4,5 +4,7 @@
 
 pub mod camera;
 mod frame;
+mod ridge;
 
 pub use frame::{Frame, FrameError, Image, MAX_SIDE, Pixels};
+pub use ridge::{Ridge, RidgeEnd, RidgeRow, follow_ridge};

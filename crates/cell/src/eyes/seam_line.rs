@@ -49,7 +49,7 @@ impl SeamLine {
     }
 
     /// The seam through stations.
-    pub(super) fn through(stations: Vec<Station>, closed: bool) -> Self {
+    pub fn through(stations: Vec<Station>, closed: bool) -> Self {
         let mut ways = Vec::with_capacity(stations.len());
         let mut cubes: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
         let mut way = 0.0;

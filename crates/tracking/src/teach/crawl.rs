@@ -355,7 +355,9 @@ impl<'a> Crawl<'a> {
                     self.line.cut(way);
                     return Command::Done(End::Closed { gap_mm });
                 }
-                (None, FrameEnd::JointEnd) => return Command::Done(End::JointEnd),
+                (None, FrameEnd::JointEnd) if self.way >= self.settings.ends_after_mm => {
+                    return Command::Done(End::JointEnd);
+                }
                 _ => return self.look_again("the joint is not seen any further".to_owned()),
             }
         }

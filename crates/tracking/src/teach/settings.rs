@@ -19,6 +19,9 @@ pub struct Settings {
     pub close_angle: f64,
     /// Way after which it may be closed, mm.
     pub close_after_mm: f64,
+    /// Length before which the joint does not end: what looks like an end is then a long tack, and the operator is asked. mm;
+    /// infinity of a joint that is known to be closed.
+    pub ends_after_mm: f64,
     /// Longest joint, mm.
     pub longest_mm: f64,
     /// Frames looked at again where nothing was seen, before the operator is asked.
@@ -37,6 +40,7 @@ impl Default for Settings {
             close_mm: 1.5,
             close_angle: 0.26,
             close_after_mm: 40.0,
+            ends_after_mm: 0.0,
             longest_mm: 50_000.0,
             again: 1,
         }
