@@ -96,6 +96,9 @@ fn teach(
     );
     let run = run.unwrap();
     let a_frame = begun.elapsed() / frames.max(1) as u32;
+    if !run.asked.is_empty() {
+        walk.notes().iter().rev().take(4).for_each(|n| println!("{n:?}"));
+    }
     let closed = matches!(run.end, End::Closed { .. });
     let smooth = smoothed(walk.line(), 0.5, 2.5, closed);
     let truth = truth(&actual, &smooth);
@@ -134,6 +137,25 @@ fn check(name: &str, seed: u64, bench: &Bench, taught: &Taught) {
         program.max_error(),
     );
     assert!(taught.run.asked.is_empty(), "{name} seed {seed}: {:?}", taught.run.asked);
+    if t.across_max > 0.08 {
+        for p in &taught.smooth {
+            let foot = taught.actual.foot(p.point).unwrap();
+            let off = (p.point - foot.at.point).dot(foot.at.normal.cross(foot.along));
+            if off.abs() > 0.05 {
+                println!("  way {:.1} seam {:.1} off {off:.3} conf {:.2}", p.way, foot.way, p.confidence);
+            }
+        }
+        for (p, w) in taught.line.points().iter().zip(taught.line.ways()) {
+            let foot = taught.actual.foot(p.point).unwrap();
+            let off = (p.point - foot.at.point).dot(foot.at.normal.cross(foot.along));
+            if off.abs() > 0.12 {
+                println!(
+                    "  raw way {:.1} seam {:.1} off {off:.3} conf {:.2} frame {}",
+                    w, foot.way, p.confidence, p.frame
+                );
+            }
+        }
+    }
     assert!(t.across_rms <= 0.05 && t.across_max <= 0.1, "{name} seed {seed}: {t:?}");
     assert!(t.height_rms <= 0.05 && t.height_max <= 0.15, "{name} seed {seed}: {t:?}");
     assert!(t.start <= 0.8 && t.end <= 0.3 && t.bridged_max < 0.5, "{name} seed {seed}: {t:?}");
@@ -156,7 +178,7 @@ fn half_an_oblique_ring_on_a_cylinder() {
     let bench = Bench::new(&half_ring(), None);
     for seed in 1..=soak() {
         let taught = teach(&bench, (PLACED_WRONG, &[(80.0, 86.0), (200.0, 204.0)], seed), &mut no_one());
-        assert_eq!(taught.run.end, End::JointEnd);
+        assert_eq!(taught.run.end, End::JointEnd, "seed {seed}: {:?}", taught.run.asked);
         // At least four axes move, as in the paper.
         let range = |axis: usize| {
             let values = taught.run.axes.iter().map(|q| q[axis]);
@@ -200,7 +222,7 @@ fn an_s_with_tacks() {
     for seed in 1..=soak() {
         let taught =
             teach(&bench, (PLACED_WRONG, &[(30.0, 35.0), (120.0, 128.0), (220.0, 223.0)], seed), &mut no_one());
-        assert_eq!(taught.run.end, End::JointEnd);
+        assert_eq!(taught.run.end, End::JointEnd, "seed {seed}: {:?}", taught.run.asked);
         check("S", seed, &bench, &taught);
     }
 }
@@ -253,7 +275,10 @@ fn limits_and_zones_end_it() {
         let taught = teach(&bench, (PLACED_WRONG, &[], 1), &mut no_one());
         let End::Limit(why) = &taught.run.end else { panic!("{:?}", taught.run.end) };
         assert!(why.contains(what), "{why}");
-        assert!(taught.line.length() > 100.0 && taught.line.length() < 220.0, "{}", taught.line.length());
+        // The last frame sees some way beyond it.
+        assert!(taught.line.length() > 100.0 && taught.line.length() < 250.0, "{}", taught.line.length());
+        let x = bench.machine.axis("x").unwrap();
+        assert!(taught.run.axes.iter().all(|q| bench.machine.axes[x].outside(q[x]).is_none()));
         assert!(taught.truth.across_max <= 0.1, "{:?}", taught.truth);
     }
     drop(bench);

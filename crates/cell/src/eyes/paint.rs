@@ -41,11 +41,16 @@ impl Canvas {
         let clamp = |v: f64, size: usize| v.clamp(0.0, size as f64) as usize;
         let (low, high) = (a.min(b) - reach, a.max(b) + reach + 1.0);
         let along = b - a;
+        let length = along.length();
         for y in clamp(low.y, self.height)..clamp(high.y, self.height) {
             for x in clamp(low.x, self.width)..clamp(high.x, self.width) {
                 let off = DVec2::new(x as f64, y as f64) - a;
-                let part = (off.dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-                let d = (off - part * along).length() / wide;
+                let part = off.dot(along) / along.length_squared().max(f64::MIN_POSITIVE);
+                // Square ends, half a pixel over so that pieces join: the joint ends where it ends.
+                if (part - 0.5).abs() * length > 0.5 * length + 0.5 {
+                    continue;
+                }
+                let d = (off - part.clamp(0.0, 1.0) * along).length() / wide;
                 let pixel = &mut self.dark[y * self.width + x];
                 *pixel = pixel.max((-4.0 * std::f64::consts::LN_2 * d * d).exp() as f32);
             }

@@ -5,10 +5,14 @@ use seamwright_geometry::Pose;
 use seamwright_machine::{Joints, Machine, Sensor, Surroundings};
 use seamwright_tracking::teach::EyePose;
 
-/// Steps in which axes are found that bring the eye somewhere; each is ten times nearer or more.
+/// Steps in which axes are found that bring the eye somewhere.
 const STEPS: usize = 40;
 /// The eye is there when its axis passes so near, mm.
 const THERE_MM: f64 = 1e-3;
+/// Cosine of half the angle by which it may look elsewhere without another step.
+const TURNED: f64 = 1.0 - 1e-9;
+/// What may remain on machines that only come near to a direction, mm: the next frame shows where the eye truly is.
+const NEAR_MM: f64 = 0.5;
 /// Places at which a move is looked at: every so many mm or degrees of the axis that goes furthest.
 const LOOKED_AT: f64 = 2.0;
 
@@ -67,27 +71,27 @@ impl<'a> Carrier<'a> {
     fn solve(&self, eye: &EyePose) -> Result<Joints, String> {
         let guided = self.guide.and_then(|guide| guide(eye.point));
         let mut q = guided.unwrap_or(self.axes);
-        let mut last = f64::INFINITY;
         for _ in 0..STEPS {
             let camera = self.machine.camera_frame(self.sensor, &q);
             let torch = self.machine.forward(&q);
-            let looks = camera.transform_vector3(DVec3::Z);
             let at = camera.transform_point3(DVec3::Z * self.height);
-            let off = at.distance(eye.point);
-            if off < THERE_MM {
+            let off = eye.point - at;
+            let turn = DQuat::from_rotation_arc(camera.transform_vector3(DVec3::Z), -eye.normal);
+            if off.length() < THERE_MM && turn.w.abs() > TURNED {
                 return Ok(self.machine.turned_into_range(&q));
             }
-            // Where the machine cannot look as asked the turn is tried once; then only the place counts.
-            let turn = DQuat::from_rotation_arc(looks, -eye.normal);
-            let turn = if off < 0.9 * last { turn } else { turn.slerp(DQuat::IDENTITY, 0.5) };
-            last = off;
-            let pose =
-                Pose { point: eye.point + turn * (torch.point - at), direction: (turn * torch.direction).normalize() };
-            q = self.machine.inverse_near(pose, &q).map_err(|e| e.to_string())?.joints;
+            // Shifted and turned apart: a machine with too few axes turns as far as it can, and the place still comes true.
+            let pose = Pose { point: torch.point + off, direction: (turn * torch.direction).normalize() };
+            let next = self.machine.inverse_near(pose, &q).map_err(|e| e.to_string())?.joints;
+            let stands = next.iter().zip(&q).all(|(a, b)| (a - b).abs() < 1e-6);
+            q = next;
+            if stands {
+                break;
+            }
         }
         let at = self.machine.camera_frame(self.sensor, &q).transform_point3(DVec3::Z * self.height);
         let off = at.distance(eye.point);
-        if off < 0.5 {
+        if off < NEAR_MM {
             return Ok(self.machine.turned_into_range(&q));
         }
         Err(format!("no positions of the axes bring the eye there: {off:.2} mm remain"))

@@ -217,7 +217,7 @@ impl<'a> Crawl<'a> {
         // Onto a stretch with points: back before a gap.
         let seen = |i: usize| {
             let (from, to) = (i.saturating_sub(FEWEST), (i + FEWEST).min(ways.len() - 1));
-            ways[to] - ways[from] <= GAP_MM * (to - from) as f64
+            ways[to] - ways[from] <= 2.0 * GAP_MM
                 && surface.px(self.line.points()[i].point).is_ok_and(|px| surface.in_frame(px, MARGIN_PX))
         };
         let behind =

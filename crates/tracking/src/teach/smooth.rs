@@ -1,5 +1,5 @@
 use super::Source;
-use super::line::{RawPoint, TaughtLine};
+use super::line::{GAP_MM, RawPoint, TaughtLine};
 use glam::DVec3;
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
@@ -18,10 +18,12 @@ pub struct LinePoint {
 
 /// Fewest points that a parabola goes through the middle of.
 const FEWEST: usize = 7;
+/// Part of a window that must have points: where it has fewer, beside a gap or at an end, it is widened.
+const COVERED: f64 = 0.7;
 
 /// The line through `line`'s points, every `every` mm and at both ends: at each place the parabola by way that is nearest to
-/// the points within `window` mm to both sides, weighted by confidence and nearness. Where there are too few (a tack that was
-/// coasted over) the window widens to both sides until there are some beyond the gap.
+/// the points within `window` mm to both sides, weighted by confidence and nearness. Over a gap (a tack that was coasted over),
+/// beside one and at the ends the window is wider, so that there are always as many.
 ///
 /// A line that closes is smoothed over its start: then give `closed`.
 pub fn smoothed(line: &TaughtLine, every: f64, window: f64, closed: bool) -> Vec<LinePoint> {
@@ -43,6 +45,8 @@ pub fn smoothed(line: &TaughtLine, every: f64, window: f64, closed: bool) -> Vec
 struct Track {
     ways: Vec<f64>,
     points: Vec<RawPoint>,
+    /// Way up to each without gaps.
+    covered: Vec<f64>,
 }
 
 impl Track {
@@ -54,30 +58,32 @@ impl Track {
             ways.extend(line.ways().iter().map(|w| w + turn * line.length()));
             points.extend_from_slice(line.points());
         }
-        Self { ways, points }
+        let mut sum = 0.0;
+        let steps = ways.iter().enumerate().map(|(i, way)| {
+            let step = i.checked_sub(1).map_or(0.0, |before| way - ways[before]);
+            sum += if step > GAP_MM { 0.0 } else { step };
+            sum
+        });
+        let covered = steps.collect();
+        Self { ways, points, covered }
     }
 
     fn at(&self, way: f64, window: f64) -> LinePoint {
-        let range = |reach: f64| {
-            (self.ways.partition_point(|w| *w < way - reach), self.ways.partition_point(|w| *w <= way + reach))
-        };
-        let (mut reach, mut bridged) = (window, false);
-        let (ends, most) =
-            ((self.ways[0], self.ways[self.ways.len() - 1]), self.ways[self.ways.len() - 1] - self.ways[0]);
-        let (mut first, mut last) = range(reach);
-        // Points to both sides, or to one at an end of the line.
-        let enough = |first: usize, last: usize| {
-            let here = self.ways.partition_point(|w| *w < way);
-            let (before, after) = (here.saturating_sub(first), last.saturating_sub(here));
-            let near_end = (way - ends.0 < 0.5 * window, ends.1 - way < 0.5 * window);
-            last - first >= FEWEST && (before > 1 || near_end.0) && (after > 1 || near_end.1)
-        };
-        while !enough(first, last) && reach < most {
-            reach *= 1.25;
-            bridged = true;
-            (first, last) = range(reach);
+        let here = self.ways.partition_point(|w| *w < way).min(self.ways.len() - 1);
+        let (before, after) = (self.ways[here.saturating_sub(1)], self.ways[here]);
+        let bridged = after - before > GAP_MM;
+        // Into the points on both sides of a gap, and over as much of the line as elsewhere.
+        let mut reach = if bridged { (way - before).max(after - way) + COVERED * window } else { window };
+        let whole = self.ways[self.ways.len() - 1] - self.ways[0];
+        loop {
+            let first = self.ways.partition_point(|w| *w < way - reach);
+            let last = self.ways.partition_point(|w| *w <= way + reach);
+            let covered = if last > first { self.covered[last - 1] - self.covered[first] } else { 0.0 };
+            if reach > whole || (covered >= 2.0 * COVERED * window && last - first >= FEWEST) {
+                return self.parabola(way, reach, (first, last), bridged);
+            }
+            reach *= 1.2;
         }
-        self.parabola(way, reach, (first, last), bridged)
     }
 
     fn parabola(&self, way: f64, reach: f64, (first, last): (usize, usize), bridged: bool) -> LinePoint {
