@@ -3,5 +3,6 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
 mod frame;
+pub mod joint;
 
-pub use frame::{Frame, FrameError, Image, Pixels};
+pub use frame::{Frame, FrameError, Image, MAX_SIDE, Pixels};
