@@ -3,7 +3,9 @@
 use glam::DVec3;
 use seamwright_cell::eyes::{Appearance, Distortion, Eye, SeamLine, Station};
 use seamwright_cell::frames::FrameError;
-use seamwright_cell::teach::{Carrier, NoOperator, Operator, RidgeFollower, TaughtRun, Truth, crawl, truth};
+use seamwright_cell::teach::{
+    Carrier, JointFollower, Midline, NoOperator, Operator, RidgeFollower, TaughtRun, Truth, crawl, truth,
+};
 use seamwright_geometry::reduce::Method;
 use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
 use seamwright_motion::PassMotion;
@@ -15,6 +17,13 @@ use std::time::{Duration, Instant};
 const LONGEST_GAP_PX: f64 = 100.0;
 
 const PLACED_WRONG: Distortion = Distortion { shift_mm: 1.5, turn: 0.005, bend_mm: 1.5 };
+
+fn midline() -> Box<dyn Midline> {
+    if std::env::var_os("RIDGE").is_some() {
+        return Box::new(RidgeFollower { longest_gap_px: LONGEST_GAP_PX });
+    }
+    Box::new(JointFollower::new(LONGEST_GAP_PX))
+}
 
 struct Bench {
     welding: Welding,
@@ -85,15 +94,11 @@ fn teach(
     let mut walk = Crawl::new(settings, &camera.table, nominal, start);
     let begun = Instant::now();
     let mut frames = 0;
-    let run = crawl(
-        (machine, sensor),
-        (&mut walk, &mut carrier, &mut eye),
-        (&mut RidgeFollower { longest_gap_px: LONGEST_GAP_PX }, operator),
-        &mut |_, _| {
+    let run =
+        crawl((machine, sensor), (&mut walk, &mut carrier, &mut eye), (&mut *midline(), operator), &mut |_, _| {
             frames += 1;
             Ok::<(), FrameError>(())
-        },
-    );
+        });
     let run = run.unwrap();
     let a_frame = begun.elapsed() / frames.max(1) as u32;
     if !run.asked.is_empty() {

@@ -8,3 +8,6 @@ mod ridge;
 
 pub use frame::{Frame, FrameError, Image, MAX_SIDE, Pixels};
 pub use ridge::{Ridge, RidgeEnd, RidgeRow, follow_ridge};
+pub mod joint;
+
+pub use frame::{Frame, FrameError, Image, MAX_SIDE, Pixels};

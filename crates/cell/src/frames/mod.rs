@@ -5,7 +5,7 @@ mod error;
 mod recorded;
 mod stream;
 
-pub use decode::decode;
+pub use decode::{DecodeError, decode};
 pub use error::FrameError;
 pub use recorded::{LIST, Recorded, Recorder};
 pub use stream::{FrameStream, HEADER_BYTES, MOST_AXES, VERSION, write_frame};
