@@ -4,10 +4,8 @@
 
 pub mod camera;
 mod frame;
+pub mod joint;
 mod ridge;
 
 pub use frame::{Frame, FrameError, Image, MAX_SIDE, Pixels};
 pub use ridge::{Ridge, RidgeEnd, RidgeRow, follow_ridge};
-pub mod joint;
-
-pub use frame::{Frame, FrameError, Image, MAX_SIDE, Pixels};

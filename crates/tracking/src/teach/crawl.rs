@@ -6,6 +6,8 @@ use seamwright_vision::camera::{HeightError, HeightTable};
 
 /// Points of this stretch to both sides tell the line's direction, mm.
 const REACH_MM: f64 = 2.0;
+/// Length without a gap on which a frame's midline may begin, mm.
+const STRETCH_MM: f64 = 4.0;
 /// The frame's midline begins at least so far from its rim, pixels.
 const MARGIN_PX: f64 = 12.0;
 /// Steps that turn by more say nothing of how the joint goes on, rad.
@@ -214,10 +216,11 @@ impl<'a> Crawl<'a> {
         }
         let ways = self.line.ways();
         let wanted = ways.partition_point(|w| *w <= self.way - self.settings.overlap_mm);
-        // Onto a stretch with points: back before a gap.
+        // Onto a stretch with points, long enough to find the joint anew: back before a gap.
         let seen = |i: usize| {
-            let (from, to) = (i.saturating_sub(FEWEST), (i + FEWEST).min(ways.len() - 1));
-            ways[to] - ways[from] <= 2.0 * GAP_MM
+            let (from, to) = (i.saturating_sub(FEWEST), ways.partition_point(|w| *w <= ways[i] + STRETCH_MM));
+            ways.len() > i + FEWEST
+                && ways[from..to].windows(2).all(|w| w[1] - w[0] <= GAP_MM)
                 && surface.px(self.line.points()[i].point).is_ok_and(|px| surface.in_frame(px, MARGIN_PX))
         };
         let behind =
