@@ -1,1 +1,4 @@
 //! Simulated eyes: frames and stripes as the cell's cameras would see them, with seeded disturbances.
+
+pub mod gates;
+pub mod scene;
