@@ -2,7 +2,9 @@
 
 mod distortion;
 mod eye;
+pub mod gates;
 mod paint;
+pub mod scene;
 mod seam_line;
 
 pub use distortion::Distortion;
