@@ -278,7 +278,7 @@ impl<'a> Crawl<'a> {
             })
             .collect();
         let overlap = self.overlap(&points);
-        let mean = points.iter().map(|p| p.confidence).sum::<f64>() / points.len().max(1) as f64;
+        let mean = points.iter().map(|p| p.confidence).fold(0.0, |a, b| a + b) / points.len().max(1) as f64;
         let agrees = overlap.is_none_or(|off| off <= self.settings.agree_mm);
         self.notes.push(EyeNote {
             eye: surface.on_axis(),
