@@ -7,7 +7,7 @@ use seamwright_vision::camera::{HeightError, HeightTable};
 /// Points of this stretch to both sides tell the line's direction, mm.
 const REACH_MM: f64 = 2.0;
 /// Length without a gap on which a frame's midline may begin, mm.
-const STRETCH_MM: f64 = 4.0;
+const STRETCH_MM: f64 = 8.0;
 /// The frame's midline begins at least so far from its rim, pixels.
 const MARGIN_PX: f64 = 12.0;
 /// Steps that turn by more say nothing of how the joint goes on, rad.
@@ -279,7 +279,8 @@ impl<'a> Crawl<'a> {
             .collect();
         let overlap = self.overlap(&points);
         let mean = points.iter().map(|p| p.confidence).fold(0.0, |a, b| a + b) / points.len().max(1) as f64;
-        let agrees = overlap.is_none_or(|off| off <= self.settings.agree_mm);
+        // What begins on the known line and is nowhere near it is something else.
+        let agrees = overlap.map_or(self.fresh || points.is_empty(), |off| off <= self.settings.agree_mm);
         self.notes.push(EyeNote {
             eye: surface.on_axis(),
             way: self.way,
@@ -290,8 +291,10 @@ impl<'a> Crawl<'a> {
             agrees,
         });
         if !agrees {
-            let off = overlap.unwrap_or_default();
-            return self.look_again(format!("what two frames see of the joint is {off:.2} mm apart"));
+            return self.look_again(overlap.map_or_else(
+                || "what is seen does not join what was seen before".to_owned(),
+                |off| format!("what two frames see of the joint is {off:.2} mm apart"),
+            ));
         }
         if points.is_empty() {
             return self.look_again("the joint is not seen".to_owned());

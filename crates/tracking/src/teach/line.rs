@@ -3,6 +3,9 @@ use glam::DVec3;
 /// A gap of the line that is longer has no points of its own, mm.
 pub(super) const GAP_MM: f64 = 1.0;
 
+/// Farther from the line a point is not beside it: it is beside another stretch, round a bend, mm.
+const BESIDE_MM: f64 = 5.0;
+
 /// Where a point comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Source {
@@ -101,7 +104,9 @@ impl TaughtLine {
             let (along, off) = (b - a, point.point - a);
             let part = off.dot(along) / along.length_squared();
             let inside = along.length() <= GAP_MM && (0.0..=1.0).contains(&part);
-            inside.then(|| (off - part * along).reject_from_normalized(point.normal).length())
+            inside
+                .then(|| (off - part * along).reject_from_normalized(point.normal).length())
+                .filter(|d| *d < BESIDE_MM)
         });
         beside.min_by(f64::total_cmp)
     }
