@@ -119,6 +119,7 @@ fn mistakes_are_refused() {
     refused(&[&job], "--frames");
     refused(&[&job, "--frames", "simulated", "--sensor", "eye"], "allowed: beam");
     refused(&[&job, "--frames", "simulated", "--start", "500,0,0"], "not near the nominal seam");
+    refused(&[&job, "--frames", "simulated", "--start", "500,0"], "--start: 2 numbers");
     refused(&[&job, "--frames", "simulated", "--direction", "0,0,0"], "no length");
     refused(&[&job, "--frames", "simulated", "--distortion", "1,99,1"], "turn 99");
     refused(&[&job, "--frames", "simulated", "--tack", "9,3"], "FROM before TO");

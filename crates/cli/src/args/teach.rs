@@ -34,10 +34,10 @@ pub(crate) struct TeachArgs {
     pub(crate) sensor: Option<String>,
     /// Where the joint begins, in the machine's work frame, mm [default: where the operator of the simulation puts the cross; the
     /// middle of the first frame]
-    #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', num_args = 3, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', allow_hyphen_values = true)]
     pub(crate) start: Option<Vec<f64>>,
     /// Roughly where it goes from there [default: as the nominal seam]
-    #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', num_args = 3, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', allow_hyphen_values = true)]
     pub(crate) direction: Option<Vec<f64>>,
     /// Longest step from frame to frame, mm
     #[arg(long, value_name = "MM", default_value_t = 8.0)]
@@ -58,7 +58,7 @@ pub(crate) struct TeachArgs {
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,
     /// Simulation: how far the part is shifted (mm), turned (degrees) and bent (mm)
-    #[arg(long, value_name = "MM,DEG,MM", value_delimiter = ',', num_args = 3, default_values_t = [1.0, 0.3, 1.0])]
+    #[arg(long, value_name = "MM,DEG,MM", value_delimiter = ',', default_values_t = [1.0, 0.3, 1.0])]
     pub(crate) distortion: Vec<f64>,
     /// Simulation: a tack hides the joint between these path lengths, mm; may be given again
     #[arg(long, value_name = "FROM,TO")]

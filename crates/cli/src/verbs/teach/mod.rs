@@ -127,15 +127,19 @@ fn follower(args: &TeachArgs, table: &HeightTable) -> Result<RidgeFollower, Fail
 
 /// Where the crawl begins: at `point`, as the nominal seam runs nearby unless the command line says otherwise.
 fn start(args: &TeachArgs, nominal: &SeamLine, point: DVec3) -> Result<EyePose, Failure> {
-    let vector = |given: &Option<Vec<f64>>| given.as_ref().map(|v| DVec3::new(v[0], v[1], v[2]));
-    let point = vector(&args.start).unwrap_or(point);
+    let vector = |name: &str, given: &Option<Vec<f64>>| match given.as_deref() {
+        None => Ok(None),
+        Some([x, y, z]) => Ok(Some(DVec3::new(*x, *y, *z))),
+        Some(other) => Err(Failure::Input(format!("{name}: {} numbers\n   allowed: three, X,Y,Z", other.len()))),
+    };
+    let point = vector("--start", &args.start)?.unwrap_or(point);
     let far = || {
         let message =
             format!("the start ({:.3}, {:.3}, {:.3}) is not near the nominal seam", point.x, point.y, point.z);
         Failure::Input(format!("{message}\n   allowed: --start within 15 mm of it, in the machine's work frame"))
     };
     let foot = Some(point).filter(|p| p.is_finite()).and_then(|p| nominal.foot(p)).ok_or_else(far)?;
-    let along = match vector(&args.direction) {
+    let along = match vector("--direction", &args.direction)? {
         Some(way) => way.try_normalize().ok_or_else(|| {
             Failure::Input(
                 "--direction: it has no length\n   allowed: three finite numbers that are not all 0".to_owned(),

@@ -69,7 +69,9 @@ pub(super) fn teach(args: &TeachArgs, loaded: &Loaded, nominal: &SeamLine) -> Re
 
 fn distortion(args: &TeachArgs) -> Result<Distortion, Failure> {
     let [shift_mm, turn_deg, bend_mm] = args.distortion[..] else {
-        return Err(Failure::Input("--distortion: three numbers".to_owned()));
+        return Err(Failure::Input(
+            "--distortion: not three numbers\n   allowed: SHIFT,TURN,BEND in mm, degrees, mm".to_owned(),
+        ));
     };
     // Beyond them a part is not the one of the job.
     let allowed = [("shift", shift_mm, 20.0), ("turn", turn_deg, 10.0), ("bend", bend_mm, 20.0)];
