@@ -73,7 +73,8 @@ impl HeightTable {
             return Err(HeightError::Size { row });
         }
         for (i, pair) in rows.windows(2).enumerate() {
-            if !(pair[1].0 > pair[0].0) || !pair[1].0.is_finite() || !pair[0].0.is_finite() {
+            let finite = pair[1].0.is_finite() && pair[0].0.is_finite();
+            if !finite || pair[1].0 <= pair[0].0 {
                 return Err(HeightError::Order { row: i + 1, height: pair[1].0 });
             }
             pair[0].1.mixed(&pair[1].1, 0.5).map_err(|why| HeightError::Between { row: i, why })?;

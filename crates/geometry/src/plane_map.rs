@@ -76,15 +76,15 @@ impl PlaneMap {
         if let Some(scale) = mm_per_px.to_array().into_iter().find(|s| !SCALES.contains(s)) {
             return Err(MapError::Scale(scale));
         }
-        if !(rotation.abs() <= std::f64::consts::PI) {
+        if !(..=std::f64::consts::PI).contains(&rotation.abs()) {
             return Err(MapError::Rotation(rotation));
         }
-        if !(shear.abs() <= MOST_SHEAR) {
+        if !(..=MOST_SHEAR).contains(&shear.abs()) {
             return Err(MapError::Shear(shear));
         }
         let size = DVec2::new(size_px.0 as f64, size_px.1 as f64);
         let far = (centre_px - 0.5 * size).abs() / (1.5 * size);
-        if !(far.max_element() <= 1.0) {
+        if !far.is_finite() || far.max_element() > 1.0 {
             return Err(MapError::Centre { x: centre_px.x, y: centre_px.y });
         }
         let turn = DMat2::from_angle(rotation);
@@ -93,7 +93,7 @@ impl PlaneMap {
         let map = Self { parameters, to_mm, to_px: to_mm.inverse() };
         let corners = [DVec2::ZERO, size, DVec2::new(size.x, 0.0), DVec2::new(0.0, size.y)];
         let folds = |corner: &DVec2| (*corner - centre_px).length() / map.radius() > BEFORE_FOLD * map.greatest();
-        if !(barrel.abs() <= MOST_BARREL) || corners.iter().any(folds) {
+        if !(..=MOST_BARREL).contains(&barrel.abs()) || corners.iter().any(folds) {
             return Err(MapError::Barrel(barrel));
         }
         Ok(map)
@@ -126,7 +126,7 @@ impl PlaneMap {
     pub fn to_mm(&self, px: DVec2) -> Option<DVec2> {
         let n = px - self.parameters.centre_px;
         let (b, rho) = (self.parameters.barrel, n.length() / self.radius());
-        if !(rho < self.greatest()) {
+        if !(..self.greatest()).contains(&rho) {
             return None;
         }
         // Towards the root of b r^3 + r - rho from the side where Newton's steps never pass it.

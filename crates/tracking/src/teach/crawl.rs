@@ -299,7 +299,7 @@ impl<'a> Crawl<'a> {
         if points.is_empty() {
             return self.look_again("the joint is not seen".to_owned());
         }
-        self.take(points);
+        self.take(&points);
         self.onward(seen.end, mean)
     }
 
@@ -315,7 +315,7 @@ impl<'a> Crawl<'a> {
     }
 
     /// Puts what a frame sees into the line: beyond the middle between this eye and the one before, this frame was nearer.
-    fn take(&mut self, points: Vec<RawPoint>) {
+    fn take(&mut self, points: &[RawPoint]) {
         let replaces = |p: &RawPoint| {
             p.source == Source::Operator && points.iter().any(|q| q.point.distance(p.point) < REPLACED_MM)
         };

@@ -28,7 +28,7 @@ const COVERED: f64 = 0.7;
 /// A line that closes is smoothed over its start: then give `closed`.
 pub fn smoothed(line: &TaughtLine, every: f64, window: f64, closed: bool) -> Vec<LinePoint> {
     let count = (line.length() / every).ceil().max(1.0);
-    if line.points().len() < FEWEST || !count.is_finite() || !(window > 0.0) {
+    if line.points().len() < FEWEST || !count.is_finite() || !(f64::MIN_POSITIVE..).contains(&window) {
         let plain = |(p, way): (&RawPoint, &f64)| LinePoint {
             way: *way,
             point: p.point,

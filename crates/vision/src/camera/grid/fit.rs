@@ -21,8 +21,7 @@ pub(super) fn fit(crossings: &[Crossing], size: (usize, usize), grid: &Grid) -> 
     let off = crossings.iter().map(|c| model.at(&unknowns, c).0 - c.px).map(DVec2::length_squared);
     let (sum, max) = off.fold((0.0, 0.0), |(sum, max): (f64, f64), d| (sum + d, max.max(d)));
     let (rms, max) = ((sum / crossings.len() as f64).sqrt(), f64::sqrt(max));
-    // Not `rms > limit`: what is no number is refused too.
-    if !(rms <= grid.limit_px) {
+    if rms.is_nan() || rms > grid.limit_px {
         return Err(GridError::Residual { rms, max });
     }
     let to_px = DMat2::from_cols_slice(&unknowns.as_slice()[..4]) * (radius / grid.pitch_mm);

@@ -87,7 +87,7 @@ pub enum GridError {
 /// # Errors
 /// A picture that does not show such a grid well, and why.
 pub fn identify(frame: &Frame, grid: &Grid) -> Result<Identified, GridError> {
-    if !(grid.pitch_mm.is_finite() && grid.pitch_mm > 0.0) {
+    if !grid.pitch_mm.is_finite() || grid.pitch_mm <= 0.0 {
         return Err(GridError::Pitch(grid.pitch_mm));
     }
     let dots = dots::find(frame)?;
