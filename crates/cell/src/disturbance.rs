@@ -31,6 +31,6 @@ impl Disturbance {
 }
 
 /// A number in [0, 1).
-fn uniform(random: &mut Pcg64Mcg) -> f64 {
+pub(crate) fn uniform(random: &mut Pcg64Mcg) -> f64 {
     (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64
 }

@@ -10,9 +10,11 @@ mod disturbance;
 mod drives;
 mod error;
 pub mod eyes;
+pub mod frames;
 mod sample;
 mod simulate;
 mod summary;
+pub mod teach;
 
 pub use drives::{check_drives, tune_axis};
 pub use error::Error;

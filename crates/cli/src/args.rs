@@ -7,6 +7,7 @@ pub(crate) mod move_to;
 pub(crate) mod post;
 pub(crate) mod read;
 pub(crate) mod reduce;
+pub(crate) mod teach;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -54,6 +55,8 @@ pub(crate) enum Verb {
     Follow(follow::FollowArgs),
     /// Taught points to lines and arcs whose ends are points
     Reduce(reduce::ReduceArgs),
+    /// A seam taught by eye: frames to a program of lines and arcs, with a report
+    Teach(teach::TeachArgs),
     /// Edit a program file: points, spans, passes, speeds; undo and redo
     Edit(edit::EditArgs),
     /// Set-points of all axes from one place to another, jerk-limited, arriving at once, if nothing comes too near

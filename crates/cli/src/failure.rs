@@ -82,6 +82,12 @@ impl From<io::Error> for Failure {
     }
 }
 
+impl From<seamwright_cell::frames::FrameError> for Failure {
+    fn from(e: seamwright_cell::frames::FrameError) -> Self {
+        if e.is_environment() { Self::Environment(e.to_string()) } else { Self::Input(e.to_string()) }
+    }
+}
+
 impl From<seamwright_cell::Error> for Failure {
     fn from(e: seamwright_cell::Error) -> Self {
         Self::Input(format!("machine file: {e}"))

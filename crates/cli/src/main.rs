@@ -50,6 +50,7 @@ fn run(verb: Option<Verb>) -> Result<(), Failure> {
         Some(Verb::Interpolate(a)) => verbs::interpolate::run(&a),
         Some(Verb::Follow(a)) => verbs::follow::run(&a),
         Some(Verb::Reduce(a)) => verbs::reduce::run(&a),
+        Some(Verb::Teach(a)) => verbs::teach::run(&a),
         Some(Verb::Edit(a)) => verbs::edit::run(&a),
         Some(Verb::Move(a)) => verbs::move_to::run(&a),
         Some(Verb::Machine(a)) => verbs::machine::run(&a),

@@ -22,6 +22,16 @@ impl Progress {
         Self { bar, count: 0 }
     }
 
+    /// `count` of the steps are done.
+    pub(crate) fn at(&self, count: u64) {
+        self.bar.set_position(count);
+    }
+
+    /// `count` more steps done, each of which takes a while.
+    pub(crate) fn all(&self, count: u64) {
+        self.bar.inc(count);
+    }
+
     /// One step done.
     pub(crate) fn step(&mut self) {
         self.count += 1;

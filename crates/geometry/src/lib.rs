@@ -12,6 +12,7 @@
 //!   it.
 //! - [`Head`] is the head of a vessel: quadrics and a [`Torus`] that go over into each other.
 //! - [`fit`] finds the rigid motion that brings nominal geometry to measured points.
+//! - [`PlaneMap`] joins the pixels of a camera with mm on a plane, [`HeightTable`] with mm in space.
 //! - [`reduce`] makes lines and arcs of polylines.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
@@ -29,11 +30,14 @@ mod error;
 pub mod fit;
 mod head;
 mod head_intersection;
+mod height_table;
 mod helix;
+mod homography;
 mod knots;
 mod line;
 mod monotone;
 mod pieces;
+mod plane_map;
 mod pose;
 mod quadric;
 pub mod reduce;
@@ -61,9 +65,12 @@ pub use ellipse::Ellipse;
 pub use error::Error;
 pub use head::Head;
 pub use head_intersection::HeadIntersection;
+pub use height_table::{HeightError, HeightTable};
 pub use helix::Helix;
+pub use homography::Homography;
 pub use line::Line;
 pub use monotone::MonotoneCurve;
+pub use plane_map::{MapError, MapParameters, PlaneMap};
 pub use pose::Pose;
 pub use quadric::{Quadric, Surface};
 pub use rounded_rectangle::RoundedRectangle;

@@ -1,6 +1,6 @@
 //! The machine file as written, before its steps are put together.
 
-use crate::TipLimits;
+use crate::{SensorFile, TipLimits};
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Direction, Finite, NonNegative, Point, Positive, SchemaVersion, Transform};
@@ -51,6 +51,9 @@ pub struct MachineFile {
     /// Volumes that links, part and fixtures must stay in or keep out of.
     #[serde(default)]
     pub zones: Vec<ZoneFile>,
+    /// Sensors that see the joint, by their names.
+    #[serde(default)]
+    pub sensors: BTreeMap<String, SensorFile>,
     /// Which outputs of the control switch and set the process.
     #[serde(default)]
     pub io: Io,

@@ -4,10 +4,10 @@ use crate::pair::Pair;
 use crate::surroundings::PITCH;
 use crate::{
     Axis, AxisKind, AxisSet, ControlsFile, Head, Io, Joints, LinkFrames, LinkSolids, Links, MAX_AXES, MachineFile,
-    RangeViolation, TipLimits, assemble,
+    RangeViolation, Sensor, TipLimits, assemble,
 };
 use arrayvec::ArrayVec;
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 use seamwright_document::{Document, DocumentError};
 use seamwright_geometry::Pose;
 use std::f64::consts::TAU;
@@ -36,6 +36,8 @@ pub struct Machine {
     pub links: Links,
     /// What is solid on the links, and zones.
     pub solids: LinkSolids,
+    /// Sensors that see the joint, by name.
+    pub sensors: Vec<Sensor>,
     /// Limits of the first head's torch tip against the work.
     pub tip: TipLimits,
     /// Unit vector against gravity in the machine's base frame.
@@ -97,6 +99,16 @@ impl Machine {
     /// True if both heads can be brought to two poses at once.
     pub fn can_pair(&self) -> bool {
         self.pair.is_some()
+    }
+
+    /// The sensor called `name`.
+    pub fn sensor(&self, name: &str) -> Option<&Sensor> {
+        self.sensors.iter().find(|s| s.name == name)
+    }
+
+    /// The frame of `sensor` in the work frame at indicated positions `q`.
+    pub fn sensor_frame(&self, sensor: &Sensor, q: &Joints) -> DAffine3 {
+        self.link_frames(q)[sensor.link] * sensor.zero
     }
 
     /// Index of the axis called `name`.
@@ -170,6 +182,12 @@ impl Machine {
     /// Frames of the links in the work frame at indicated positions `q`: see [`Links::motion`].
     pub fn link_frames(&self, q: &Joints) -> LinkFrames {
         self.links.motion(&self.true_positions(q))
+    }
+
+    /// The frame of `sensor` as a camera, in the work frame at indicated positions `q`: x to the right in the picture, y
+    /// down, z away from the camera.
+    pub fn camera_frame(&self, sensor: &Sensor, q: &Joints) -> DAffine3 {
+        self.sensor_frame(sensor, q) * DAffine3::from_rotation_x(std::f64::consts::PI)
     }
 
     /// Unit vector against gravity, in the work frame at positions `q`.

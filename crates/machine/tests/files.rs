@@ -1,6 +1,7 @@
 //! Mistakes in machine files are refused with their address.
 
-use seamwright_machine::{EncoderSide, Machine, shipped};
+use glam::{DVec2, DVec3};
+use seamwright_machine::{EncoderSide, Joints, Machine, Sight, shipped};
 
 fn saddle() -> &'static str {
     shipped("saddle-4axis").unwrap().text
@@ -167,4 +168,114 @@ fn steppers_are_in_mm_and_rad() {
     let motor = of("b").motor.unwrap();
     assert!((motor.torque[3].0 - 20.0 * std::f64::consts::PI).abs() < 1e-12 && (motor.torque[3].1 - 1.4).abs() < 1e-12);
     assert!(Machine::read("m", saddle()).unwrap().axes.iter().all(|a| a.stepper.is_none()));
+}
+
+/// A sensor in place of the left one of the dual-laser welder; where it is refused.
+fn sensor(text: &str) -> (String, String) {
+    let dual = shipped("dual-laser-10axis").unwrap().text;
+    let (before, rest) = dual.split_once("[sensors.left]").unwrap();
+    let (_, after) = rest.split_once("[sensors.right]").unwrap();
+    let e = Machine::read("m.toml", &format!("{before}[sensors.left]\n{text}\n[sensors.right]{after}")).unwrap_err();
+    println!("{e}");
+    assert!(e.line > 0);
+    (e.key.clone(), e.to_string())
+}
+
+#[test]
+fn sensors_say_what_does_not_fit() {
+    let on = |map: &str| sensor(&format!("kind = \"stripe\"\non = \"left\"\nsize_px = [1280, 1024]\n{map}")).0;
+    assert!(sensor("kind = \"strip\"\non = \"left\"\nsize_px = [1280, 1024]").1.contains("did you mean `stripe`?"));
+    let (key, text) =
+        sensor("kind = \"stripe\"\non = \"lefd\"\nsize_px = [1280, 1024]\nmap.scale = { mm_per_px = [1, 1] }");
+    assert!(key == "sensors.left.on" && text.contains("did you mean `left`?"));
+    assert_eq!(sensor("kind = \"stripe\"\non = \"left\"\nsize_px = [0, 4]").0, "sensors.left.size_px");
+    assert_eq!(sensor("kind = \"stripe\"\non = \"left\"\nsize_px = [4, 20000]").0, "sensors.left.size_px");
+    assert_eq!(on(""), "sensors.left");
+    assert_eq!(on("map.scale = { mm_per_px = [0.05, 0] }"), "sensors.left.map.scale");
+    assert_eq!(on("map.scale = { mm_per_px = [0.05, nan] }"), "sensors.left.map.scale.mm_per_px[1]");
+    assert_eq!(on("map.homography = [1, 0, 0, 0, 0, 0, 0, 0]"), "sensors.left.map.homography");
+    assert_eq!(on("map.homography = [1, 0, 0, 0, 1, 0, 0, -0.001]"), "sensors.left.map.homography");
+    let camera = |angle: f64, focal: f64| {
+        on(&format!("map.camera = {{ distance_mm = 100, angle_deg = {angle}, focal_px = {focal} }}"))
+    };
+    assert_eq!(camera(90.0, 3000.0), "sensors.left.map.camera.angle_deg");
+    assert_eq!(camera(-5.0, 3000.0), "sensors.left.map.camera.angle_deg");
+    // With so short a lens the upper edge of the image sees past the plane.
+    assert_eq!(camera(30.0, 200.0), "sensors.left.map.camera");
+}
+
+/// The shipped sensors look where the comments of the file say: at the beam's focus plus the lead, bisecting, with the
+/// scales stated; checked against a camera set up from its pose.
+#[test]
+fn sensors_see_ahead_of_the_beam() {
+    let machine = Machine::read("m", shipped("dual-laser-10axis").unwrap().text).unwrap();
+    let q = Joints::default();
+    for (head, name, side) in [(0, "left", 1.0), (1, "right", -1.0)] {
+        let sensor = machine.sensor(name).unwrap();
+        let frame = machine.sensor_frame(sensor, &q);
+        let lead = frame.translation - machine.forward_of(head, &q).point;
+        assert!((lead - DVec3::new(20.0, 0.0, 0.0)).length() < 1e-12);
+        let half = std::f64::consts::FRAC_1_SQRT_2;
+        assert!((frame.transform_vector3(DVec3::Z) - DVec3::new(0.0, side * half, half)).length() < 1e-12);
+        let Sight::Stripe(stripe) = &sensor.sight else { panic!("{name} is no stripe sensor") };
+        // A pinhole camera 110 mm from the origin, 25 degrees from z towards x, x to the right, y down.
+        let (sin, cos) = 25f64.to_radians().sin_cos();
+        let (eye, ahead) = (110.0 * DVec3::new(sin, 0.0, cos), -DVec3::new(sin, 0.0, cos));
+        let (right, down) = (DVec3::Y, ahead.cross(DVec3::Y));
+        for p in [DVec3::ZERO, DVec3::new(0.0, 10.0, 5.0), DVec3::new(0.0, -15.0, -20.0)] {
+            let seen = p - eye;
+            let at = DVec2::new(seen.dot(right), seen.dot(down)) * 3667.0 / seen.dot(ahead);
+            let px = DVec2::new(639.5, 511.5) + at;
+            let mm = stripe.to_mm.map(px).unwrap();
+            assert!((mm - DVec2::new(p.y, p.z)).length() < 1e-9, "{p}: {mm}");
+        }
+        let at = |x, y| stripe.to_mm.map(DVec2::new(x, y)).unwrap();
+        assert!((at(640.5, 511.5) - at(639.5, 511.5) - DVec2::new(0.03, 0.0)).length() < 1e-4);
+        assert!((at(639.5, 511.0) - at(639.5, 512.0) - DVec2::new(0.0, 0.071)).length() < 1e-4);
+    }
+}
+
+/// The beam of the EBW machine sees 0.1 mm a pixel at its focus, x of the picture along x of the gun, rows against y, and a
+/// wider field on deeper work; the camera of the saddle welder looks 60 mm ahead with its rows across the seam.
+#[test]
+fn cameras_see_the_work() {
+    let machine = Machine::read("m", shipped("ebw-7axis").unwrap().text).unwrap();
+    let sensor = machine.sensor("beam").unwrap();
+    let Sight::Camera(camera) = &sensor.sight else { panic!("the beam is no camera") };
+    assert!((sensor.period_s - 0.3).abs() < 1e-12 && camera.table.size_px() == (512, 512));
+    let q = machine.home();
+    let frame = machine.camera_frame(sensor, &q);
+    let tip = machine.forward(&q);
+    assert!((frame.translation - tip.point).length() < 1e-9);
+    assert!((frame.transform_vector3(DVec3::Z) - tip.direction).length() < 1e-12);
+    let seen =
+        |x, y, height| frame.transform_point3(camera.table.to_point(DVec2::new(x, y), height).unwrap()) - tip.point;
+    assert!((seen(265.5, 245.5, 0.0) - DVec3::new(1.0, 1.0, 0.0)).length() < 1e-9);
+    // 20 mm deeper the beam, deflected about a point 260 mm above, sees 280/260 as much.
+    assert!((seen(265.5, 255.5, 20.0) - DVec3::new(280.0 / 260.0, 0.0, -20.0)).length() < 1e-9);
+    assert!(camera.table.at(40.0).is_err());
+
+    let machine = Machine::read("m", shipped("saddle-4axis").unwrap().text).unwrap();
+    let sensor = machine.sensor("camera").unwrap();
+    let frame = machine.camera_frame(sensor, &Joints::default());
+    assert!(
+        (frame.translation - machine.forward(&Joints::default()).point - DVec3::new(0.0, 60.0, 0.0)).length() < 1e-9
+    );
+    assert!((frame.transform_vector3(DVec3::X) - DVec3::Y).length() < 1e-12);
+}
+
+#[test]
+fn cameras_that_are_none_are_refused() {
+    let text = shipped("ebw-7axis").unwrap().text;
+    let (before, rest) = text.split_once("[[sensors.beam.map.heights]]").unwrap();
+    let after = &rest[rest.find("[drives.x]").unwrap()..];
+    let key = |lines: &str| Machine::read("m", &format!("{before}{lines}\n{after}")).unwrap_err().key;
+    assert_eq!(key(""), "sensors.beam");
+    assert_eq!(key("map.scale = { mm_per_px = [1, 1] }"), "sensors.beam.map");
+    assert_eq!(key("map.heights = []"), "sensors.beam.map.heights");
+    assert_eq!(key("map.heights = [{ mm_per_px = [0.1, 0] }]"), "sensors.beam.map.heights[0].mm_per_px[1]");
+    assert_eq!(key("map.heights = [{ mm_per_px = [0.1, 0.1], barrel = -0.2 }]"), "sensors.beam.map.heights[0]");
+    let falling = "map.heights = [{ z_mm = 1, mm_per_px = [0.1, 0.1] }, { z_mm = 0, mm_per_px = [0.1, 0.1] }]";
+    assert_eq!(key(falling), "sensors.beam.map.heights[1].z_mm");
+    assert!(Machine::read("m", &format!("{before}map.heights = [{{ mm_per_px = [0.1, 0.1] }}]\n{after}")).is_ok());
 }

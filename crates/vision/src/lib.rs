@@ -2,6 +2,10 @@
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
+pub mod camera;
 mod frame;
+pub mod joint;
+mod ridge;
 
-pub use frame::{Frame, FrameError, Image, Pixels};
+pub use frame::{Frame, FrameError, Image, MAX_SIDE, Pixels};
+pub use ridge::{Ridge, RidgeEnd, RidgeRow, follow_ridge};

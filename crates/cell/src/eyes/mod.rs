@@ -1,1 +1,13 @@
 //! Simulated eyes: frames and stripes as the cell's cameras would see them, with seeded disturbances.
+
+mod distortion;
+mod eye;
+pub mod gates;
+mod paint;
+pub mod scene;
+mod seam_line;
+
+pub use distortion::Distortion;
+pub use eye::{Appearance, Eye};
+pub use paint::Look;
+pub use seam_line::{Foot, STATION_MM, SeamLine, Station};

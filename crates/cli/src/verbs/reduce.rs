@@ -1,6 +1,6 @@
 //! Taught points to lines and arcs whose ends are points (EBW-2004).
 
-mod plot;
+pub(super) mod plot;
 
 use super::positive;
 use crate::args::reduce::{MethodArg, ReduceArgs};

@@ -4,6 +4,7 @@ mod axis;
 mod controls;
 mod drive;
 mod pitch_error;
+mod sensors;
 mod solids;
 mod stepper;
 mod tree;
@@ -46,6 +47,7 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
     controls::check(file, &axes)?;
     let (links, heads) = tree::tree(m, &axes);
     let solids = solids::solids(file, &links, load)?;
+    let sensors = sensors::sensors(file, &links)?;
     Ok(Machine {
         name: m.name.clone(),
         title: m.title.clone(),
@@ -58,6 +60,7 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
         has_pitch_error: axes.iter().any(|a| a.pitch_error.is_some()),
         links,
         solids,
+        sensors,
         heads,
         axes,
     })

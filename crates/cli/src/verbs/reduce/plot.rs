@@ -14,6 +14,11 @@ const CROSS: f64 = 0.015;
 
 /// The sheet: seen along z, and along y and x if there is something to see.
 pub(super) fn draw(points: &[DVec3], spans: &[Span]) -> String {
+    sheet("Points as lines and arcs", &charts(points, spans))
+}
+
+/// The charts of the sheet.
+pub(in crate::verbs) fn charts(points: &[DVec3], spans: &[Span]) -> Vec<Chart> {
     let (low, high) = points.iter().fold((points[0], points[0]), |(low, high), p| (low.min(*p), high.max(*p)));
     let size = high - low;
     let seen = |shape: fn(&Shape) -> bool| -> Vec<DVec3> {
@@ -47,7 +52,7 @@ pub(super) fn draw(points: &[DVec3], spans: &[Span]) -> String {
         charts.push(chart("y", (0, 2)));
         charts.push(chart("x", (1, 2)));
     }
-    sheet("Points as lines and arcs", &charts)
+    charts
 }
 
 /// A cross that is one in every view.

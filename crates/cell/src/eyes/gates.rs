@@ -1,0 +1,189 @@
+//! The follower measured on simulated frames: rows of a table, each with what it may be at most or at least.
+
+use super::scene::{Kind, Scene, scene};
+use glam::DVec2;
+use seamwright_vision::joint::{CONFIDENT, End, Follower, Options, State};
+
+/// Pixels to a side of the frames.
+const SIZE: usize = 512;
+/// A midline farther off than this is wrong, pixels.
+const WRONG: f64 = 2.0;
+
+/// A table of gates.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    /// What it is about.
+    pub title: String,
+    /// Its rows.
+    pub rows: Vec<Gate>,
+}
+
+/// A measured value and its limit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gate {
+    /// Which frames.
+    pub frames: String,
+    /// What is measured.
+    pub what: &'static str,
+    /// The measured value.
+    pub value: f64,
+    /// What it may be.
+    pub limit: Limit,
+    /// Unit of both.
+    pub unit: &'static str,
+}
+
+/// What a value may be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Limit {
+    /// No more than this.
+    Most(f64),
+    /// No less than this.
+    Least(f64),
+}
+
+impl Gate {
+    /// True if the value is within its limit.
+    #[must_use]
+    pub fn is_kept(&self) -> bool {
+        match self.limit {
+            Limit::Most(limit) => self.value <= limit,
+            Limit::Least(limit) => self.value >= limit,
+        }
+    }
+}
+
+/// What the follower did on one frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// Distances of seen rows from the midline outside of tacks, pixels, and whether the row was confident.
+    pub errors: Vec<(f64, bool)>,
+    /// Confident rows where there is no joint at all.
+    pub phantom: usize,
+    /// Part of the midline that was followed.
+    pub reach: f64,
+    /// How far the last row is from where the joint ends, if it does.
+    pub end_error: Option<f64>,
+    /// Why it ended.
+    pub end: End,
+}
+
+/// Follows the joint of a scene.
+#[must_use]
+pub fn follow(follower: &mut Follower, scene: &Scene) -> Outcome {
+    let truth = &scene.truth;
+    // A scene's image is as large as its pixels are many.
+    let Ok(frame) = scene.image.frame() else {
+        return Outcome { errors: Vec::new(), phantom: 0, reach: 0.0, end_error: None, end: End::Lost };
+    };
+    let joint = follower.follow(&frame, &scene.start);
+    let mut outcome = Outcome { errors: Vec::new(), phantom: 0, reach: 0.0, end_error: None, end: joint.end };
+    let place = |x: f32, y: f32| DVec2::new(f64::from(x), f64::from(y));
+    let mut reached = 0;
+    for row in joint.rows.iter().filter(|r| r.state == State::Seen) {
+        let (at, confident) = (place(row.x, row.y), row.confidence >= CONFIDENT);
+        if truth.midline.is_empty() {
+            outcome.phantom += usize::from(confident);
+            continue;
+        }
+        if truth.tacks.iter().any(|(middle, radius)| middle.distance(at) < radius + 2.0) {
+            continue;
+        }
+        let (error, nearest) = distance(&truth.midline, at);
+        if error <= WRONG {
+            reached = reached.max(nearest);
+        }
+        outcome.errors.push((error, confident));
+    }
+    outcome.reach = reached as f64 / truth.midline.len().max(1) as f64;
+    outcome.end_error = truth.end.zip(joint.rows.last()).map(|(end, last)| end.distance(place(last.x, last.y)));
+    outcome
+}
+
+/// Distance to a polyline and the number of its nearest point.
+fn distance(line: &[DVec2], at: DVec2) -> (f64, usize) {
+    let nearest = line.iter().enumerate().min_by(|a, b| a.1.distance_squared(at).total_cmp(&b.1.distance_squared(at)));
+    let Some((i, _)) = nearest else { return (f64::INFINITY, 0) };
+    let near = &line[i.saturating_sub(1)..(i + 2).min(line.len())];
+    let to = near.windows(2).map(|p| {
+        let along = p[1] - p[0];
+        let u = ((at - p[0]).dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+        (p[0] + u * along).distance(at)
+    });
+    (to.fold(f64::INFINITY, f64::min), i)
+}
+
+/// Runs `frames` frames of each kind, tells of each by `done`, and gives the gates.
+#[must_use]
+pub fn joint_gates(frames: u64, mut done: impl FnMut()) -> Table {
+    let mut follower = Follower::new(Options::default());
+    let mut rows = Vec::new();
+    let mut all = (0usize, 0usize);
+    for kind in Kind::ALL {
+        let outcomes: Vec<Outcome> = (0..frames)
+            .map(|seed| {
+                done();
+                follow(&mut follower, &scene(kind, seed, SIZE))
+            })
+            .collect();
+        for outcome in &outcomes {
+            let confident = outcome.errors.iter().filter(|(_, c)| *c);
+            all.0 += outcome.phantom + confident.clone().filter(|(e, _)| *e > WRONG).count();
+            all.1 += outcome.phantom + confident.count();
+        }
+        gates_of(kind, &outcomes, &mut rows);
+    }
+    let value = 100.0 * all.0 as f64 / all.1.max(1) as f64;
+    let what = "confident rows off by more than 2 px";
+    rows.push(Gate { frames: "all".to_owned(), what, value, limit: Limit::Most(0.01), unit: "%" });
+    Table { title: "The joint in a frame".to_owned(), rows }
+}
+
+fn gates_of(kind: Kind, outcomes: &[Outcome], rows: &mut Vec<Gate>) {
+    let mut gate =
+        |what, value, limit, unit| rows.push(Gate { frames: kind.name().to_owned(), what, value, limit, unit });
+    let count = |test: &dyn Fn(&Outcome) -> bool| outcomes.iter().filter(|o| test(o)).count() as f64;
+    if matches!(kind, Kind::Blank | Kind::OnlyScratches) {
+        let phantom = outcomes.iter().map(|o| o.phantom).sum::<usize>();
+        gate("confident rows", phantom as f64, Limit::Most(0.0), "");
+        if kind == Kind::Blank {
+            gate("frames that end otherwise than lost", count(&|o| o.end != End::Lost), Limit::Most(0.0), "");
+        }
+        return;
+    }
+    let mut confident: Vec<f64> = outcomes.iter().flat_map(|o| &o.errors).filter(|e| e.1).map(|e| e.0).collect();
+    confident.sort_by(f64::total_cmp);
+    let seen = outcomes.iter().map(|o| o.errors.len()).sum::<usize>();
+    let quantile = |q: f64| confident.get((q * confident.len() as f64) as usize).copied().unwrap_or(f64::INFINITY);
+    let rms = (confident.iter().map(|e| e * e).sum::<f64>() / confident.len().max(1) as f64).sqrt();
+    if kind == Kind::Faint {
+        gate("95 % of confident rows", quantile(0.95), Limit::Most(1.0), "px");
+        gate("rows kept confident", 100.0 * confident.len() as f64 / seen.max(1) as f64, Limit::Least(80.0), "%");
+    } else {
+        gate("RMS of confident rows", rms, Limit::Most(0.3), "px");
+        gate("99 % of confident rows", quantile(0.99), Limit::Most(1.0), "px");
+    }
+    let wrong = confident.iter().filter(|e| **e > WRONG).count();
+    gate(
+        "confident rows off by more than 2 px",
+        100.0 * wrong as f64 / confident.len().max(1) as f64,
+        Limit::Most(0.01),
+        "%",
+    );
+    if kind != Kind::Faint {
+        gate("frames lost before 95 % of the joint", count(&|o| o.reach < 0.95), Limit::Most(0.0), "");
+    }
+    match kind {
+        Kind::Loop => gate("frames not closed", count(&|o| o.end != End::Closed), Limit::Most(0.0), ""),
+        Kind::End => {
+            gate("frames without the end told", count(&|o| o.end != End::JointEnd), Limit::Most(0.0), "");
+            gate(
+                "greatest end error",
+                outcomes.iter().filter_map(|o| o.end_error).fold(0.0, f64::max),
+                Limit::Most(3.0),
+                "px",
+            );
+        }
+        _ => {}
+    }
+}

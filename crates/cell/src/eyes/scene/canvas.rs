@@ -1,0 +1,170 @@
+use super::Random;
+use glam::DVec2;
+use seamwright_vision::Image;
+use std::f64::consts::{LN_2, TAU};
+
+/// What is wrong with a frame as a whole. Grey values are of 255.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Disturbances {
+    /// Standard deviation of a pixel's noise.
+    pub noise: f64,
+    /// Brightness from the left rim to the right and from the upper to the lower: plus and minus these.
+    pub ramp: [f64; 2],
+    /// How much darker corners are.
+    pub vignette: f64,
+    /// Standard deviation of grinding texture, and the direction it runs in, rad.
+    pub texture: (f64, f64),
+    /// Standard deviation of the shift of scan lines, pixels.
+    pub jitter: f64,
+    /// Standard deviation of the brightness of scan lines (charging).
+    pub charging: f64,
+    /// Part of pixels that are black or white.
+    pub salt: f64,
+    /// Radius of defocus, pixels (of a box, twice).
+    pub defocus: usize,
+    /// How much darker the metal is on one side of a line through the place with this normal.
+    pub step: Option<(f64, DVec2, DVec2)>,
+}
+
+/// A frame being painted: metal, with what is darker or brighter on it.
+#[derive(Debug, Clone)]
+pub struct Canvas {
+    width: usize,
+    height: usize,
+    /// Brightness of each pixel without noise.
+    light: Vec<f32>,
+}
+
+impl Canvas {
+    /// Metal of brightness `grey` (0 to 255).
+    #[must_use]
+    pub fn new(width: usize, height: usize, grey: f64) -> Self {
+        Self { width, height, light: vec![grey as f32; width * height] }
+    }
+
+    /// Darkens along a polyline by `depth`, a bell across it of full width `width` at half depth, pixels. `part` tells how
+    /// much of the depth is there at each length along it, 0 to 1.
+    pub fn line(&mut self, points: &[DVec2], width: f64, depth: f64, part: impl Fn(f64) -> f64) {
+        // The darkest of all pieces counts at a pixel: pieces overlap.
+        let mut dark = vec![0.0f32; self.light.len()];
+        let mut s = 0.0;
+        let reach = 1.4 * width + 1.0;
+        for pair in points.windows(2) {
+            let (a, b) = (pair[0], pair[1]);
+            let (along, length) = (b - a, a.distance(b));
+            let (low, high) = (a.min(b) - reach, a.max(b) + reach);
+            let range =
+                |low: f64, high: f64, size: usize| low.max(0.0) as usize..((high + 1.0).max(0.0) as usize).min(size);
+            for y in range(low.y, high.y, self.height) {
+                for x in range(low.x, high.x, self.width) {
+                    let off = DVec2::new(x as f64, y as f64) - a;
+                    let raw = off.dot(along) / along.length_squared().max(f64::MIN_POSITIVE);
+                    let u = raw.clamp(0.0, 1.0);
+                    let d = (off - u * along).length() / width;
+                    let value = (-4.0 * LN_2 * d * d).exp() * part(s + u * length);
+                    let pixel = &mut dark[y * self.width + x];
+                    *pixel = pixel.max(value as f32);
+                }
+            }
+            s += length;
+        }
+        self.light.iter_mut().zip(dark).for_each(|(l, d)| *l -= depth as f32 * d);
+    }
+
+    /// A weld of radius `radius` over what is there: bright with ripples.
+    pub fn tack(&mut self, at: DVec2, radius: f64, grey: f64, random: &mut Random) {
+        let phase = random.within(0.0, TAU);
+        for y in 0..self.height {
+            for x in 0..self.width {
+                let off = DVec2::new(x as f64, y as f64) - at;
+                let d = off.length() / radius;
+                if d < 1.0 {
+                    let ripple = 10.0 * (0.8 * off.x + phase).sin() * (0.6 * off.y).cos();
+                    self.light[y * self.width + x] = (grey + 25.0 * (1.0 - d * d) + ripple) as f32;
+                }
+            }
+        }
+    }
+
+    /// The frame with its disturbances, 8 bits.
+    #[must_use]
+    pub fn finish(mut self, d: &Disturbances, random: &mut Random) -> Image {
+        self.shade(d);
+        if d.texture.0 > 0.0 {
+            self.grind(d.texture, random);
+        }
+        for _ in 0..if d.defocus > 0 { 2 } else { 0 } {
+            self.blur(d.defocus);
+        }
+        let (width, height) = (self.width, self.height);
+        let mut pixels = Vec::with_capacity(width * height);
+        for y in 0..height {
+            let (shift, charge) = (d.jitter * random.normal(), d.charging * random.normal());
+            for x in 0..width {
+                let at = (x as f64 + shift).clamp(0.0, (width - 1) as f64);
+                let (left, part) = (at as usize, at.fract() as f32);
+                let row = &self.light[y * width..(y + 1) * width];
+                let grey = row[left] * (1.0 - part) + row[(left + 1).min(width - 1)] * part;
+                let grey = f64::from(grey) + charge + d.noise * random.normal();
+                let grey = if d.salt > 0.0 && random.chance(d.salt) {
+                    255.0 * f64::from(u8::from(random.chance(0.5)))
+                } else {
+                    grey
+                };
+                pixels.push(grey.round().clamp(0.0, 255.0) as u8);
+            }
+        }
+        Image::U8 { width, height, pixels }
+    }
+
+    fn shade(&mut self, d: &Disturbances) {
+        let (width, height) = (self.width as f64, self.height as f64);
+        for (i, light) in self.light.iter_mut().enumerate() {
+            let at = DVec2::new((i % self.width) as f64, (i / self.width) as f64);
+            let (u, v) = (2.0 * at.x / width - 1.0, 2.0 * at.y / height - 1.0);
+            let mut shade = d.ramp[0] * u + d.ramp[1] * v - d.vignette * 0.5 * (u * u + v * v);
+            if let Some((depth, place, normal)) = d.step {
+                shade -= depth * (((at - place).dot(normal)).clamp(-1.0, 1.0) * 0.5 + 0.5);
+            }
+            *light += shade as f32;
+        }
+    }
+
+    /// Faint long marks: noise drawn out along a direction.
+    fn grind(&mut self, (deviation, direction): (f64, f64), random: &mut Random) {
+        const LENGTH: isize = 24;
+        let size = self.light.len();
+        let noise: Vec<f32> = (0..size).map(|_| random.normal() as f32).collect();
+        let (sin, cos) = direction.sin_cos();
+        let steps: Vec<(isize, isize)> = (-LENGTH..=LENGTH)
+            .map(|k| ((k as f64 * cos).round() as isize, (k as f64 * sin).round() as isize))
+            .collect();
+        let scale = deviation as f32 / (steps.len() as f32).sqrt();
+        let (width, height) = (self.width as isize, self.height as isize);
+        for y in 0..height {
+            for x in 0..width {
+                let sum: f32 = steps
+                    .iter()
+                    .map(|(dx, dy)| noise[((y + dy).rem_euclid(height) * width + (x + dx).rem_euclid(width)) as usize])
+                    .sum();
+                self.light[(y * width + x) as usize] += scale * sum;
+            }
+        }
+    }
+
+    fn blur(&mut self, radius: usize) {
+        let (width, height) = (self.width, self.height);
+        let part = 1.0 / (2 * radius + 1) as f32;
+        for (count, stride, lines, jump) in [(width, 1, height, width), (height, width, width, 1)] {
+            let mut line = vec![0.0; count];
+            for l in 0..lines {
+                let at = |i: usize| l * jump + i * stride;
+                line.iter_mut().enumerate().for_each(|(i, v)| *v = self.light[at(i)]);
+                for i in 0..count {
+                    let sum: f32 = (0..=2 * radius).map(|k| line[(i + k).saturating_sub(radius).min(count - 1)]).sum();
+                    self.light[at(i)] = sum * part;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,253 @@
+use super::{Canvas, Disturbances, Random};
+use glam::DVec2;
+use seamwright_vision::Image;
+use seamwright_vision::joint::Start;
+use std::f64::consts::{PI, TAU};
+
+/// What a scene shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A bent joint from rim to rim with a tack, all disturbances, contrast to noise at least 2.
+    Clear,
+    /// The same, contrast to noise 1 to 2.
+    Faint,
+    /// Parallel scratches 5 to 30 pixels beside the joint and some across.
+    Scratches,
+    /// One side much darker than the other.
+    Step,
+    /// A second joint branches off.
+    Branch,
+    /// The joint turns back.
+    UTurn,
+    /// The joint is a closed loop.
+    Loop,
+    /// The joint ends in the frame.
+    End,
+    /// Two joints cross.
+    Cross,
+    /// No joint, texture and shading alone.
+    Blank,
+    /// No joint but scratches.
+    OnlyScratches,
+}
+
+impl Kind {
+    /// All of them, the ones without a joint last.
+    pub const ALL: [Self; 11] = [
+        Self::Clear,
+        Self::Faint,
+        Self::Scratches,
+        Self::Step,
+        Self::Branch,
+        Self::UTurn,
+        Self::Loop,
+        Self::End,
+        Self::Cross,
+        Self::Blank,
+        Self::OnlyScratches,
+    ];
+
+    /// Its name in tables and file names.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Clear => "clear",
+            Self::Faint => "faint",
+            Self::Scratches => "scratches",
+            Self::Step => "step",
+            Self::Branch => "branch",
+            Self::UTurn => "u-turn",
+            Self::Loop => "loop",
+            Self::End => "end",
+            Self::Cross => "cross",
+            Self::Blank => "blank",
+            Self::OnlyScratches => "only-scratches",
+        }
+    }
+}
+
+/// What is hidden in a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Truth {
+    /// The midline, pixels, half a pixel apart; empty if there is no joint.
+    pub midline: Vec<DVec2>,
+    /// Full width at half depth, pixels, before defocus.
+    pub width: f64,
+    /// Contrast to noise.
+    pub cnr: f64,
+    /// Middles and radii of tacks.
+    pub tacks: Vec<(DVec2, f64)>,
+    /// Where the joint ends, if it does.
+    pub end: Option<DVec2>,
+    /// It comes back to its start.
+    pub closed: bool,
+}
+
+/// A frame, where to begin, and what is hidden in it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// The frame.
+    pub image: Image,
+    /// Near the joint's start, off by up to 1.5 pixels and 6 degrees.
+    pub start: Start,
+    /// What is hidden.
+    pub truth: Truth,
+}
+
+/// Distance of the midline's points.
+const SPACING: f64 = 0.5;
+
+/// The scene of a kind and seed, `size` pixels wide and high.
+#[must_use]
+pub fn scene(kind: Kind, seed: u64, size: usize) -> Scene {
+    let mut random = Random::new(seed.wrapping_mul(16).wrapping_add(kind as u64));
+    let r = &mut random;
+    let side = size as f64;
+    let contrast = if kind == Kind::Faint { r.within(8.0, 40.0) } else { r.within(12.0, 60.0) };
+    let cnr = if kind == Kind::Faint { r.within(1.0, 2.0) } else { r.within(2.0, 8.0) };
+    // Even in the logarithm: most joints are narrow.
+    let width = 2.0 * 20f64.powf(r.within(0.0, 1.0) * if matches!(kind, Kind::UTurn | Kind::Loop) { 0.6 } else { 1.0 });
+    let mut midline = midline(kind, side, width, r);
+    let mut canvas = Canvas::new(size, size, r.within(110.0, 170.0));
+    let direction = heading(&midline, 0);
+    let mut disturbances = disturb(contrast / cnr, direction, r);
+    let mut truth = Truth { midline: Vec::new(), width, cnr, tacks: Vec::new(), end: None, closed: kind == Kind::Loop };
+    let jointless = matches!(kind, Kind::Blank | Kind::OnlyScratches);
+    if !jointless {
+        if kind == Kind::End {
+            let keep = (midline.len() as f64 * r.within(0.45, 0.7)) as usize;
+            midline.truncate(keep);
+            truth.end = midline.last().copied();
+        }
+        canvas.line(&midline, width, contrast, |_| 1.0);
+        other_joint(kind, &midline, width, contrast, &mut canvas, r);
+    }
+    if matches!(kind, Kind::Scratches | Kind::OnlyScratches) {
+        scratches(&midline, contrast, &mut canvas, r);
+    }
+    if kind == Kind::Step {
+        let place = midline[midline.len() / 2];
+        let normal = DVec2::from_angle(heading(&midline, midline.len() / 2)).perp();
+        disturbances.step = Some((r.within(20.0, 50.0), place + normal * r.within(-30.0, 30.0), normal));
+    }
+    let tacked = matches!(kind, Kind::Clear | Kind::Faint | Kind::Scratches | Kind::Step);
+    if tacked && r.chance(0.7) {
+        let radius = (r.within(0.0, 40.0)).max(0.6 * width);
+        let at = midline[(midline.len() as f64 * r.within(0.35, 0.7)) as usize];
+        canvas.tack(at, radius, 150.0, r);
+        truth.tacks.push((at, radius));
+    }
+    let begin = midline[0] + DVec2::new(r.within(-1.0, 1.0), r.within(-1.0, 1.0));
+    let start = Start {
+        x: begin.x as f32,
+        y: begin.y as f32,
+        direction: (direction + r.within(-0.1, 0.1)) as f32,
+        width: None,
+    };
+    if !jointless {
+        truth.midline = midline;
+    }
+    Scene { image: canvas.finish(&disturbances, r), start, truth }
+}
+
+/// Direction of the midline at its point `i`, rad.
+fn heading(midline: &[DVec2], i: usize) -> f64 {
+    let to = (i + 12).min(midline.len() - 1);
+    (midline[to] - midline[to.saturating_sub(12)]).to_angle()
+}
+
+fn midline(kind: Kind, side: f64, width: f64, r: &mut Random) -> Vec<DVec2> {
+    let centre = DVec2::splat(side / 2.0);
+    let turn = DVec2::from_angle(r.within(0.0, TAU));
+    if kind == Kind::Loop {
+        let radius = side * r.within(0.22, 0.36);
+        let (count, way) = (TAU * radius / SPACING, if r.chance(0.5) { 1.0 } else { -1.0 });
+        return (0..=count as usize)
+            .map(|i| centre + radius * turn.rotate(DVec2::from_angle(way * i as f64 * TAU / count)))
+            .collect();
+    }
+    if kind == Kind::UTurn {
+        let (radius, leg) = (side * r.within(0.12, 0.2), side * 0.25);
+        let length = 2.0 * leg + PI * radius;
+        return (0..(length / SPACING) as usize)
+            .map(|i| {
+                let s = i as f64 * SPACING;
+                let p = if s < leg {
+                    DVec2::new(s - leg, -radius)
+                } else if s < leg + PI * radius {
+                    radius * DVec2::from_angle((s - leg) / radius - PI / 2.0)
+                } else {
+                    DVec2::new(leg + PI * radius - s, radius)
+                };
+                centre + turn.rotate(p)
+            })
+            .collect();
+    }
+    // Waves about a straight line through the frame.
+    let straight = matches!(kind, Kind::Branch | Kind::Cross);
+    let bend = if straight { 0.3 } else { 1.0 };
+    let waves: Vec<(f64, f64, f64)> = (1..=2)
+        .map(|k| (bend * r.within(0.0, 16.0) / f64::from(k), TAU * f64::from(k) / side, r.within(0.0, TAU)))
+        .collect();
+    let offset = r.within(-0.1, 0.1) * side;
+    let inset = 12.0f64.max(width);
+    let points = (0..(2.0 * side / SPACING) as usize).map(|i| {
+        let s = i as f64 * SPACING - side;
+        let across: f64 = waves.iter().map(|(a, k, phase)| a * (k * s + phase).sin()).sum();
+        centre + turn.rotate(DVec2::new(s, offset + across))
+    });
+    let inside = |p: &DVec2, m: f64| p.x >= m && p.y >= m && p.x < side - m && p.y < side - m;
+    points.skip_while(|p| !inside(p, inset)).take_while(|p| inside(p, -1.5 * width)).collect()
+}
+
+fn disturb(noise: f64, direction: f64, r: &mut Random) -> Disturbances {
+    let mut some = |part: f64, most: f64| if r.chance(part) { r.within(0.0, most) } else { 0.0 };
+    let (ramp, vignette) = ([some(0.5, 90.0), some(0.5, 40.0)], some(0.5, 50.0));
+    // The noise is shared out: its deviations add in squares.
+    let texture = some(0.4, 0.6);
+    let charging = some(0.3, 0.3);
+    let jitter = some(0.3, 0.4);
+    let salt = some(0.2, 0.01);
+    let defocus = some(0.2, 2.99) as usize;
+    let rest = (1.0 - texture * texture - charging * charging).sqrt();
+    let sign = if r.chance(0.5) { -1.0 } else { 1.0 };
+    Disturbances {
+        noise: noise * rest,
+        ramp: [sign * ramp[0], ramp[1]],
+        vignette,
+        texture: (noise * texture, direction + r.within(-0.5, 0.5)),
+        jitter,
+        charging: noise * charging,
+        salt,
+        defocus,
+        step: None,
+    }
+}
+
+fn other_joint(kind: Kind, midline: &[DVec2], width: f64, contrast: f64, canvas: &mut Canvas, r: &mut Random) {
+    let at = midline[midline.len() / 2];
+    let angle = r.within(0.6, 1.2) * if r.chance(0.5) { 1.0 } else { -1.0 };
+    let along = DVec2::from_angle(heading(midline, midline.len() / 2) + angle);
+    match kind {
+        Kind::Branch => canvas.line(&[at, at + 2000.0 * along], width, contrast, |_| 1.0),
+        Kind::Cross => canvas.line(&[at - 2000.0 * along, at + 2000.0 * along], width, contrast, |_| 1.0),
+        _ => {}
+    }
+}
+
+/// Thin ones beside the joint, shorter and fainter than it, and some across.
+fn scratches(midline: &[DVec2], contrast: f64, canvas: &mut Canvas, r: &mut Random) {
+    for _ in 0..8 {
+        let i = r.within(0.0, midline.len() as f64 - 1.0) as usize;
+        let along = DVec2::from_angle(heading(midline, i) + r.within(-0.05, 0.05));
+        let side = if r.chance(0.5) { 1.0 } else { -1.0 };
+        let from = midline[i] + along.perp() * side * r.within(5.0, 30.0);
+        let length = r.within(30.0, 150.0);
+        canvas.line(&[from, from + length * along], r.within(1.0, 2.0), contrast * r.within(0.2, 0.7), |_| 1.0);
+    }
+    for _ in 0..4 {
+        let at = midline[r.within(0.0, midline.len() as f64 - 1.0) as usize];
+        let along = DVec2::from_angle(r.within(0.0, TAU)) * r.within(20.0, 100.0);
+        canvas.line(&[at - along, at + along], r.within(1.0, 2.0), contrast * r.within(0.2, 0.7), |_| 1.0);
+    }
+}

@@ -1,0 +1,9 @@
+//! Frames of joints whose midline is known. [`Canvas`] paints, [`Kind`] chooses what.
+
+mod canvas;
+mod draw;
+mod random;
+
+pub use canvas::{Canvas, Disturbances};
+pub use draw::{Kind, Scene, Truth, scene};
+pub use random::Random;

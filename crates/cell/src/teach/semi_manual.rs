@@ -1,0 +1,57 @@
+//! The operator as the eye (SADDLE-2020): the nominal seam brought to points that he has jogged to.
+
+use crate::eyes::SeamLine;
+use glam::DVec3;
+use seamwright_geometry::MonotoneCurve;
+use seamwright_tracking::teach::LinePoint;
+
+/// Points that are nearer to each other along the seam are one, mm.
+const SAME_MM: f64 = 0.01;
+
+/// The nominal seam moved to the operator's `points` (work frame, mm, in any order): at a point by what the point is off,
+/// between two of them by what goes smoothly from one to the next, beyond the first and last of an open seam as there. A
+/// point every `every` mm.
+///
+/// # Errors
+/// In words: no points, a point that is not near the seam, two in one place.
+pub fn semi_manual(nominal: &SeamLine, points: &[DVec3], every: f64) -> Result<Vec<LinePoint>, String> {
+    if points.is_empty() {
+        return Err("no points: at least one on the joint".to_owned());
+    }
+    let mut off = Vec::with_capacity(points.len());
+    for (i, point) in points.iter().enumerate() {
+        let foot = Some(*point).filter(|p| p.is_finite()).and_then(|p| nominal.foot(p));
+        let foot = foot.ok_or_else(|| format!("point {} is not within 15 mm of the nominal seam", i + 1))?;
+        let away = *point - foot.at.point;
+        let (across, along) = (foot.at.normal.cross(foot.along), foot.along);
+        // What is along the seam is only where the operator has stopped.
+        off.push((foot.way, away.dot(across), away.dot(foot.at.normal), away.dot(along), i));
+    }
+    off.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let last = off.last().map_or(0.0, |o| o.0) - nominal.length();
+    let round = nominal.is_closed() && off.len() > 1 && off[0].0 - last < SAME_MM;
+    if let Some(w) = off.windows(2).find(|w| w[1].0 - w[0].0 < SAME_MM) {
+        return Err(format!("points {} and {} are in one place of the seam", w[0].4 + 1, w[1].4 + 1));
+    }
+    if round {
+        off.pop();
+    }
+    let curve = |value: fn(&(f64, f64, f64, f64, usize)) -> f64| {
+        let rows: Vec<(f64, f64)> = off.iter().map(|o| (o.0, value(o))).collect();
+        let curve = match nominal.is_closed() {
+            true => MonotoneCurve::periodic(&rows, nominal.length()),
+            false => MonotoneCurve::level(&rows),
+        };
+        curve.map_err(|e| e.to_string())
+    };
+    let (across, above) = (curve(|o| o.1)?, curve(|o| o.2)?);
+    let count = (nominal.length() / every).ceil().clamp(1.0, 1e7);
+    let at = |k: u32| {
+        let way = nominal.length() * f64::from(k) / count;
+        let (station, along) = nominal.at(way);
+        let side = station.normal.cross(along);
+        let point = station.point + across.at(way) * side + above.at(way) * station.normal;
+        LinePoint { way, point, normal: station.normal, confidence: 1.0 }
+    };
+    Ok((0..=count as u32).map(at).collect())
+}

@@ -1,0 +1,56 @@
+//! The taught line as a drawing and as curves over its length.
+
+use super::report::{Report, Told};
+use crate::verbs::reduce::plot::charts;
+use glam::DVec3;
+use seamwright_report::{Axis, Chart, LimitLine, Series, Style, sheet};
+
+pub(super) fn draw(report: &Report) -> String {
+    let points: Vec<DVec3> = report.outcome.smooth.iter().map(|p| p.point).collect();
+    let mut all = charts(&points, &report.reduced.spans);
+    all.extend(curves(report));
+    sheet("The taught line", &all)
+}
+
+fn curves(report: &Report) -> Vec<Chart> {
+    let over = |value: &dyn Fn(&Told) -> f64| report.raw.iter().map(|p| (p.way, value(p))).collect::<Vec<_>>();
+    let chart = |title: &str, y: Axis, series: Vec<Series>| Chart {
+        title: title.to_owned(),
+        x: Axis::new("s", "mm"),
+        y,
+        series,
+        ..Chart::default()
+    };
+    if report.raw.is_empty() {
+        return Vec::new();
+    }
+    let nominal = |pick: fn((f64, f64)) -> f64| over(&|p| p.from_nominal.map_or(f64::NAN, pick));
+    let overlap = report.outcome.notes.iter().filter_map(|n| Some((n.way, n.overlap_mm?))).collect();
+    vec![
+        chart(
+            "From the nominal seam",
+            Axis::new("distance", "mm"),
+            vec![
+                Series::line("across", nominal(|n| n.0)).styled(Style::Points).coloured(0),
+                Series::line("above", nominal(|n| n.1)).styled(Style::Points).coloured(1),
+            ],
+        ),
+        Chart {
+            limits: vec![LimitLine::new("tolerance", report.tolerance)],
+            ..chart(
+                "Raw points from the program",
+                Axis::new("distance", "mm"),
+                vec![Series::line("raw points", over(&|p| p.from_program)).styled(Style::Points).coloured(2)],
+            )
+        },
+        chart("Frame against frame", Axis::new("distance", "mm"), vec![Series::line("overlap", overlap).coloured(3)]),
+        Chart {
+            y_range: Some((0.0, 1.05)),
+            ..chart(
+                "Confidence",
+                Axis::new("confidence", ""),
+                vec![Series::line("raw points", over(&|p| p.confidence)).styled(Style::Points).coloured(2)],
+            )
+        },
+    ]
+}

@@ -1,0 +1,184 @@
+use super::outcome::Outcome;
+use crate::args::teach::TeachArgs;
+use crate::failure::Failure;
+use crate::rows::print_json;
+use glam::DVec3;
+use seamwright_cell::eyes::{SeamLine, Station};
+use seamwright_geometry::reduce::{Shape, Span};
+use seamwright_geometry::{Arc, Curve};
+use seamwright_machine::Machine;
+use seamwright_tracking::teach::{Reduced, Source};
+use serde_json::{Value, json};
+use std::f64::consts::TAU;
+use std::io::{self, Write as _};
+
+/// Raw points are told every so many mm.
+const TOLD_MM: f64 = 0.5;
+/// The reduced path is measured by points so far apart, mm.
+const STEP_MM: f64 = 0.5;
+
+/// A raw point in the report.
+pub(super) struct Told {
+    pub(super) way: f64,
+    pub(super) point: DVec3,
+    pub(super) confidence: f64,
+    frame: usize,
+    operator: bool,
+    /// Distance from the program's lines and arcs, mm.
+    pub(super) from_program: f64,
+    /// Across the nominal seam and above it, mm; not known far away from it.
+    pub(super) from_nominal: Option<(f64, f64)>,
+}
+
+/// All that is told of a taught line.
+pub(super) struct Report<'a> {
+    args: &'a TeachArgs,
+    machine: &'a Machine,
+    pub(super) outcome: &'a Outcome,
+    pub(super) reduced: &'a Reduced,
+    pub(super) raw: Vec<Told>,
+    pub(super) tolerance: f64,
+}
+
+impl<'a> Report<'a> {
+    pub(super) fn new(
+        args: &'a TeachArgs,
+        machine: &'a Machine,
+        nominal: &SeamLine,
+        outcome: &'a Outcome,
+        reduced: &'a Reduced,
+    ) -> Self {
+        let path = reduced_path(outcome, &reduced.spans);
+        let mut raw: Vec<Told> = Vec::new();
+        for (p, way) in outcome.line.points().iter().zip(outcome.line.ways()) {
+            if raw.last().is_some_and(|last| way - last.way < TOLD_MM) && p.source == Source::Eye {
+                continue;
+            }
+            let from_program = path.foot(p.point).map_or(f64::NAN, |foot| foot.at.point.distance(p.point));
+            let from_nominal = nominal.foot(p.point).map(|foot| {
+                let off = p.point - foot.at.point;
+                (off.dot(foot.at.normal.cross(foot.along)), off.dot(foot.at.normal))
+            });
+            let operator = p.source == Source::Operator;
+            let (point, confidence, frame) = (p.point, p.confidence, p.frame);
+            raw.push(Told { way: *way, point, confidence, frame, operator, from_program, from_nominal });
+        }
+        Self { args, machine, outcome, reduced, raw, tolerance: args.tolerance_mm }
+    }
+
+    fn value(&self) -> Value {
+        let Outcome { line, smooth, notes, asked, seconds, ended, gap_mm, finding, truth } = self.outcome;
+        let least = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::min);
+        let most = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::max);
+        let overlaps = || notes.iter().filter_map(|n| n.overlap_mm);
+        let row = |p: &Told| {
+            let source = if p.operator { "operator" } else { "eye" };
+            let (across, above) = p.from_nominal.unzip();
+            json!({ "s_mm": p.way, "x_mm": p.point.x, "y_mm": p.point.y, "z_mm": p.point.z, "confidence": p.confidence,
+                "frame": p.frame, "source": source, "from_program_mm": p.from_program,
+                "across_nominal_mm": across, "above_nominal_mm": above })
+        };
+        let frame = |n: &seamwright_tracking::teach::EyeNote| {
+            json!({ "s_mm": n.way, "rows": n.rows, "confidence": n.confidence, "overlap_mm": n.overlap_mm,
+                "ended": format!("{:?}", n.end), "believed": n.agrees })
+        };
+        json!({
+            "seamwright": env!("CARGO_PKG_VERSION"),
+            "job": self.args.job.display().to_string(),
+            "machine": self.machine.name,
+            "frames": self.args.frames,
+            "ended": ended,
+            "finding": finding,
+            "asked": asked,
+            "seconds": seconds,
+            "looked_at": notes.len(),
+            "raw_points": line.points().len(),
+            "length_mm": smooth.windows(2).map(|w| w[0].point.distance(w[1].point)).sum::<f64>(),
+            "closure_gap_mm": gap_mm,
+            "least_confidence": least(&mut line.points().iter().map(|p| p.confidence)),
+            "greatest_overlap_error_mm": most(&mut overlaps()),
+            "bridged_mm": bridged(self.outcome),
+            "program": {
+                "lines": self.reduced.spans.len() - self.reduced.arcs(),
+                "arcs": self.reduced.arcs(),
+                "at_least": self.reduced.at_least,
+                "tolerance_mm": self.tolerance,
+                "greatest_error_mm": self.reduced.max_error(),
+                "greatest_from_raw_mm": most(&mut self.raw.iter().map(|p| p.from_program)),
+            },
+            "truth": truth.as_ref().map(|t| json!({
+                "across_rms_mm": t.across_rms, "across_max_mm": t.across_max,
+                "height_rms_mm": t.height_rms, "height_max_mm": t.height_max,
+                "bridged_max_mm": t.bridged_max, "start_mm": t.start, "end_mm": t.end,
+            })),
+            "looks": notes.iter().map(frame).collect::<Vec<_>>(),
+            "points": self.raw.iter().map(row).collect::<Vec<_>>(),
+        })
+    }
+
+    pub(super) fn to_json(&self) -> Result<String, Failure> {
+        let text = serde_json::to_string_pretty(&self.value()).map_err(|e| Failure::Environment(e.to_string()))?;
+        Ok(text + "\n")
+    }
+
+    /// To standard output: the report, or a summary.
+    pub(super) fn print(&self, json: bool) -> Result<(), Failure> {
+        if json {
+            return print_json(&self.value());
+        }
+        let mut out = io::stdout().lock();
+        let Outcome { line, notes, asked, ended, gap_mm, truth, seconds, .. } = self.outcome;
+        if notes.is_empty() {
+            writeln!(out, "the nominal seam brought to the operator's points")?;
+        } else {
+            let (frames, points) = (notes.len(), line.points().len());
+            writeln!(out, "{ended} after {:.1} mm, {frames} frames in {seconds:.1} s; {points} points", line.length())?;
+        }
+        if let Some(gap) = gap_mm {
+            writeln!(out, "closes within {gap:.3} mm")?;
+        }
+        for why in asked {
+            writeln!(out, "asked: {why}")?;
+        }
+        let arcs = self.reduced.arcs();
+        let (lines, error) = (self.reduced.spans.len() - arcs, self.reduced.max_error());
+        writeln!(out, "program: {lines} lines and {arcs} arcs within {error:.3} mm of the taught line")?;
+        if let Some(t) = truth {
+            writeln!(
+                out,
+                "truly {:.3} mm RMS beside the seam, at most {:.3}; {:.3} mm RMS above or below it, at most {:.3}",
+                t.across_rms, t.across_max, t.height_rms, t.height_max
+            )?;
+        }
+        Ok(())
+    }
+}
+
+/// Length of stretches that nobody saw, mm.
+fn bridged(outcome: &Outcome) -> f64 {
+    outcome.line.ways().windows(2).map(|w| w[1] - w[0]).filter(|gap| *gap > 1.0).sum()
+}
+
+/// The program's path, by closely spaced points.
+fn reduced_path(outcome: &Outcome, spans: &[Span]) -> SeamLine {
+    let mut points = Vec::new();
+    for span in spans {
+        let (start, end) = (outcome.smooth[span.first].point, outcome.smooth[span.last].point);
+        let arc = match span.shape {
+            Shape::Arc { centre, normal, .. } => {
+                let (from, to) = (start - centre, end - centre);
+                let sweep = normal.dot(from.cross(to)).atan2(from.dot(to)).rem_euclid(TAU);
+                Arc::new(centre, normal, start, sweep).ok().map(|arc| (arc, sweep, sweep * from.length()))
+            }
+            Shape::Line => None,
+        };
+        let length = arc.as_ref().map_or(start.distance(end), |a| a.2);
+        let steps = (length / STEP_MM).ceil().max(1.0);
+        points.extend((0..steps as u32).map(|k| {
+            let part = f64::from(k) / steps;
+            arc.as_ref().map_or_else(|| start.lerp(end, part), |(arc, sweep, _)| arc.point(part * sweep))
+        }));
+    }
+    points.extend(outcome.smooth.last().map(|p| p.point));
+    SeamLine::through(points.into_iter().map(|point| Station { point, normal: DVec3::Z }).collect(), false)
+}

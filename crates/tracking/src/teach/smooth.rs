@@ -1,0 +1,115 @@
+use super::Source;
+use super::line::{GAP_MM, RawPoint, TaughtLine};
+use glam::DVec3;
+use nalgebra::{Matrix3, SMatrix, Vector3};
+
+/// A point of the smoothed line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LinePoint {
+    /// Way along the raw points, mm.
+    pub way: f64,
+    /// In the work frame, mm.
+    pub point: DVec3,
+    /// The surface's unit normal, out of the work.
+    pub normal: DVec3,
+    /// Mean confidence of the points it comes from; 0 where it bridges a stretch without any.
+    pub confidence: f64,
+}
+
+/// Fewest points that a parabola goes through the middle of.
+const FEWEST: usize = 7;
+/// Part of a window that must have points: where it has fewer, beside a gap or at an end, it is widened.
+const COVERED: f64 = 0.7;
+
+/// The line through `line`'s points, every `every` mm and at both ends: at each place the parabola by way that is nearest to
+/// the points within `window` mm to both sides, weighted by confidence and nearness. Over a gap (a tack that was coasted over),
+/// beside one and at the ends the window is wider, so that there are always as many.
+///
+/// A line that closes is smoothed over its start: then give `closed`.
+pub fn smoothed(line: &TaughtLine, every: f64, window: f64, closed: bool) -> Vec<LinePoint> {
+    let count = (line.length() / every).ceil().max(1.0);
+    if line.points().len() < FEWEST || !count.is_finite() || !(f64::MIN_POSITIVE..).contains(&window) {
+        let plain = |(p, way): (&RawPoint, &f64)| LinePoint {
+            way: *way,
+            point: p.point,
+            normal: p.normal,
+            confidence: p.confidence,
+        };
+        return line.points().iter().zip(line.ways()).map(plain).collect();
+    }
+    let track = Track::new(line, closed);
+    (0..=count as usize).map(|k| track.at(line.length() * k as f64 / count, window)).collect()
+}
+
+/// The points by way; of a closed line a turn before and after too.
+struct Track {
+    ways: Vec<f64>,
+    points: Vec<RawPoint>,
+    /// Way up to each without gaps.
+    covered: Vec<f64>,
+}
+
+impl Track {
+    fn new(line: &TaughtLine, closed: bool) -> Self {
+        let turns: &[f64] = if closed { &[-1.0, 0.0, 1.0] } else { &[0.0] };
+        let (mut ways, mut points) = (Vec::new(), Vec::new());
+        for turn in turns {
+            // The last point is the first one again, seen anew.
+            ways.extend(line.ways().iter().map(|w| w + turn * line.length()));
+            points.extend_from_slice(line.points());
+        }
+        let mut sum = 0.0;
+        let steps = ways.iter().enumerate().map(|(i, way)| {
+            let step = i.checked_sub(1).map_or(0.0, |before| way - ways[before]);
+            sum += if step > GAP_MM { 0.0 } else { step };
+            sum
+        });
+        let covered = steps.collect();
+        Self { ways, points, covered }
+    }
+
+    fn at(&self, way: f64, window: f64) -> LinePoint {
+        let here = self.ways.partition_point(|w| *w < way).min(self.ways.len() - 1);
+        let (before, after) = (self.ways[here.saturating_sub(1)], self.ways[here]);
+        let bridged = after - before > GAP_MM;
+        // Into the points on both sides of a gap, and over as much of the line as elsewhere.
+        let mut reach = if bridged { (way - before).max(after - way) + COVERED * window } else { window };
+        let whole = self.ways[self.ways.len() - 1] - self.ways[0];
+        loop {
+            let first = self.ways.partition_point(|w| *w < way - reach);
+            let last = self.ways.partition_point(|w| *w <= way + reach);
+            let covered = if last > first { self.covered[last - 1] - self.covered[first] } else { 0.0 };
+            if reach > whole || (covered >= 2.0 * COVERED * window && last - first >= FEWEST) {
+                return self.parabola(way, reach, (first, last), bridged);
+            }
+            reach *= 1.2;
+        }
+    }
+
+    fn parabola(&self, way: f64, reach: f64, (first, last): (usize, usize), bridged: bool) -> LinePoint {
+        let mut normal = Matrix3::zeros();
+        let mut right = SMatrix::<f64, 3, 3>::zeros();
+        let (mut across, mut weights, mut confidence) = (DVec3::ZERO, 0.0, 0.0);
+        let origin = self.points[first].point;
+        for (w, p) in self.ways[first..last].iter().zip(&self.points[first..last]) {
+            let u = (w - way) / reach;
+            // An operator's point stands alone among thousands of the eye's.
+            let trust = if p.source == Source::Operator { 10.0 } else { p.confidence.max(1e-3) };
+            let weight = trust * (1.0 - 0.9 * u * u).max(0.0).powi(2);
+            let basis = Vector3::new(1.0, u, u * u);
+            normal += weight * basis * basis.transpose();
+            right += weight * basis * Vector3::from((p.point - origin).to_array()).transpose();
+            across += weight * p.normal;
+            weights += weight;
+            confidence += weight * p.confidence;
+        }
+        let found = normal.cholesky().map(|c| c.solve(&right)).map(|m| DVec3::new(m[(0, 0)], m[(0, 1)], m[(0, 2)]));
+        let mean = || self.points[first..last].iter().map(|p| p.point - origin).sum::<DVec3>() / (last - first) as f64;
+        LinePoint {
+            way,
+            point: origin + found.filter(|p| p.is_finite()).unwrap_or_else(mean),
+            normal: across.try_normalize().unwrap_or(self.points[first].normal),
+            confidence: if bridged { 0.0 } else { confidence / weights },
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! The map that has the dots nearest to where they are seen.
+
+use super::order::Crossing;
+use super::{Grid, GridError, Identified};
+use crate::camera::{MapParameters, PlaneMap};
+use glam::{DMat2, DVec2};
+use nalgebra::{SMatrix, SVector};
+
+/// Pixels a mm (four numbers, by columns), offset in undistorted pixels, barrel.
+const UNKNOWNS: usize = 7;
+
+/// Most steps; from the start of the search a handful is enough.
+const STEPS: usize = 50;
+
+pub(super) fn fit(crossings: &[Crossing], size: (usize, usize), grid: &Grid) -> Result<Identified, GridError> {
+    let centre = grid.centre_px.unwrap_or(0.5 * DVec2::new(size.0 as f64 - 1.0, size.1 as f64 - 1.0));
+    let radius = 0.5 * size.0 as f64;
+    // In units of pitches and radii, so that all unknowns are about 1.
+    let model = Model { centre, radius, crossings };
+    let unknowns = model.solve();
+    let off = crossings.iter().map(|c| model.at(&unknowns, c).0 - c.px).map(DVec2::length_squared);
+    let (sum, max) = off.fold((0.0, 0.0), |(sum, max): (f64, f64), d| (sum + d, max.max(d)));
+    let (rms, max) = ((sum / crossings.len() as f64).sqrt(), f64::sqrt(max));
+    if rms.is_nan() || rms > grid.limit_px {
+        return Err(GridError::Residual { rms, max });
+    }
+    let to_px = DMat2::from_cols_slice(&unknowns.as_slice()[..4]) * (radius / grid.pitch_mm);
+    let map = PlaneMap::new(parameters(to_px.inverse(), unknowns[6], size, centre))?;
+    Ok(Identified { map, dots: crossings.len(), rms_px: rms, max_px: max })
+}
+
+/// Scale, rotation and shear of a matrix of mm a pixel.
+fn parameters(to_mm: DMat2, barrel: f64, size_px: (usize, usize), centre_px: DVec2) -> MapParameters {
+    let rotation = to_mm.x_axis.y.atan2(to_mm.x_axis.x);
+    let square = DMat2::from_angle(-rotation) * to_mm;
+    MapParameters {
+        size_px,
+        centre_px,
+        mm_per_px: DVec2::new(square.x_axis.x, square.y_axis.y),
+        rotation,
+        shear: square.y_axis.x / square.y_axis.y,
+        barrel,
+    }
+}
+
+struct Model<'a> {
+    centre: DVec2,
+    radius: f64,
+    crossings: &'a [Crossing],
+}
+
+type Unknowns = SVector<f64, UNKNOWNS>;
+
+impl Model<'_> {
+    /// Where the map has a crossing, in pixels, and the derivatives of that.
+    fn at(&self, u: &Unknowns, crossing: &Crossing) -> (DVec2, [DVec2; UNKNOWNS]) {
+        let g = crossing.place.as_dvec2();
+        let n = DVec2::new(u[0], u[1]) * g.x + DVec2::new(u[2], u[3]) * g.y + DVec2::new(u[4], u[5]);
+        let r2 = n.length_squared();
+        let by = |d: DVec2| self.radius * ((1.0 + u[6] * r2) * d + 2.0 * u[6] * n.dot(d) * n);
+        let derivatives = [
+            by(DVec2::X * g.x),
+            by(DVec2::Y * g.x),
+            by(DVec2::X * g.y),
+            by(DVec2::Y * g.y),
+            by(DVec2::X),
+            by(DVec2::Y),
+            self.radius * r2 * n,
+        ];
+        (self.centre + self.radius * (1.0 + u[6] * r2) * n, derivatives)
+    }
+
+    /// Gauss and Newton's method from the map without distortion, which is a linear problem.
+    fn solve(&self) -> Unknowns {
+        let mut u = Unknowns::zeros();
+        for step in 0..STEPS {
+            // The first step is the linear problem: with no barrel, and none asked for, it is solved at once.
+            let unknowns = if step == 0 { UNKNOWNS - 1 } else { UNKNOWNS };
+            let mut normal = SMatrix::<f64, UNKNOWNS, UNKNOWNS>::zeros();
+            let mut right = Unknowns::zeros();
+            for crossing in self.crossings {
+                let (place, derivatives) = self.at(&u, crossing);
+                let off = crossing.px - place;
+                for i in 0..unknowns {
+                    right[i] += derivatives[i].dot(off);
+                    for j in 0..unknowns {
+                        normal[(i, j)] += derivatives[i].dot(derivatives[j]);
+                    }
+                }
+            }
+            for i in unknowns..UNKNOWNS {
+                normal[(i, i)] = 1.0;
+            }
+            let Some(change) = normal.cholesky().map(|c| c.solve(&right)) else { break };
+            u += change;
+            if step > 0 && change.amax() < 1e-13 {
+                break;
+            }
+        }
+        u
+    }
+}

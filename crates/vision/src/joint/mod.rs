@@ -1,0 +1,104 @@
+//! The joint in a frame: a dark line on lighter metal (EBW-2004), followed from a point on it in a rough direction.
+//!
+//! A strip along the predicted, curved axis is unrolled ([`strip`]); means along it make the paper's groups of pixels;
+//! the best path across its rows and the best one elsewhere are found ([`path`]), then the midline between pixels
+//! ([`midline`]). Heading and curvature follow supported rows only; gaps as long as a tack weld are coasted over.
+
+mod follow;
+mod midline;
+mod path;
+mod strip;
+
+pub use follow::Follower;
+
+/// Rows with at least this confidence are called confident.
+pub const CONFIDENT: f32 = 0.5;
+
+/// Where the joint may be looked for, pixels, rims included.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Zone {
+    /// Left rim.
+    pub left: f32,
+    /// Upper rim.
+    pub top: f32,
+    /// Right rim.
+    pub right: f32,
+    /// Lower rim.
+    pub bottom: f32,
+}
+
+/// What a follower may do.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// Longest stretch without a joint in sight that is coasted over (a tack weld), pixels.
+    pub gap: f32,
+    /// Longest path, pixels; none: twice the frame's width and height together.
+    pub length: Option<f32>,
+    /// Where the joint is looked for; none: in the whole frame.
+    pub zone: Option<Zone>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { gap: 100.0, length: None, zone: None }
+    }
+}
+
+/// Where a joint is to be followed from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Start {
+    /// Point on the joint, pixels to the right.
+    pub x: f32,
+    /// Pixels down.
+    pub y: f32,
+    /// Rough direction, rad, from x to y (clockwise as seen).
+    pub direction: f32,
+    /// Full width at half depth, pixels, if it is known.
+    pub width: Option<f32>,
+}
+
+/// How a row came about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum State {
+    /// The joint is seen.
+    Seen,
+    /// It is not; the line goes on as it went.
+    Coasted,
+}
+
+/// A place of the midline.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row {
+    /// Pixels to the right.
+    pub x: f32,
+    /// Pixels down.
+    pub y: f32,
+    /// 0 to 1; see [`CONFIDENT`].
+    pub confidence: f32,
+    /// Full width at half depth, pixels.
+    pub width: f32,
+    /// Seen or coasted.
+    pub state: State,
+}
+
+/// Why a joint was followed no further.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    /// It leaves the frame or the zone, or the longest path is reached.
+    LeftImage,
+    /// It ends: a clear line stops and clear metal follows.
+    JointEnd,
+    /// It comes back to its start.
+    Closed,
+    /// It is seen no longer, or never was.
+    Lost,
+}
+
+/// The midline found in a frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Joint {
+    /// Its places in order, about a pixel apart, or a fifth of the width of a wide joint.
+    pub rows: Vec<Row>,
+    /// Why it ends.
+    pub end: End,
+}
