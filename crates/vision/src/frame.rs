@@ -1,7 +1,7 @@
 use thiserror::Error;
 
 /// Greatest width and height of a frame, pixels.
-pub(crate) const MAX_SIDE: usize = 16384;
+pub const MAX_SIDE: usize = 16384;
 
 /// Why pixels do not make a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
