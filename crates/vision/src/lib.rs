@@ -3,5 +3,6 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
 mod frame;
+pub mod stripe;
 
 pub use frame::{Frame, FrameError, Image, Pixels};
