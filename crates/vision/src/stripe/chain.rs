@@ -2,21 +2,29 @@
 //!
 //! Viterbi's method with a few live ends: an end is continued by a blob of the next column, or waits while columns have
 //! none that fits. A blob earns up to 1 by its strength; a step costs by how far it leaves the end's course, but never
-//! more than a jump does (edges of lap joints, gaps). A reflection must earn its way out and back, and so cannot take
-//! over where the stripe itself is seen.
+//! more than a jump does (edges of lap joints, gaps), which takes more columns to earn than spatter has. A reflection
+//! must earn its way out and back, and so cannot take over where the stripe itself is seen.
 
 use super::blobs::{Blob, Blobs};
 use glam::DVec2;
 
-/// Cost of a pixel off the course, and most that a step costs.
+/// Cost of a pixel off the course, and of a pixel up or down whatever the course: corners, steep walls.
 const A_PIXEL: f32 = 0.8;
-const JUMP: f32 = 6.0;
+const A_ROW: f32 = 0.12;
+
+/// Rows up or down that are free for every column, and most such columns.
+const FREE_ROWS: f32 = 1.0;
+const FREE_COLUMNS: f32 = 40.0;
+
+/// Most that a step costs, and what it costs more by the columns of the image.
+const JUMP: f32 = 20.0;
+const JUMP_COLUMNS: f32 = 64.0;
 
 /// Live ends kept while they wait.
 const WAITING: usize = 4;
 
 /// Part of a new slope in the course.
-const NEW_SLOPE: f32 = 0.3;
+const NEW_SLOPE: f32 = 0.4;
 
 /// Steepest course, rows a column.
 const STEEPEST: f32 = 4.0;
@@ -65,11 +73,21 @@ pub(super) struct Chainer {
 
 const NONE: u32 = u32::MAX;
 
+/// A run of the stripe has at least this part of the image's columns, and so many.
+const SHORTEST_PART: usize = 48;
+const SHORTEST: usize = 8;
+
+/// A run ends where so many columns are missing, or where the next place is so many rows off for each column, and more.
+const BREAK_COLUMNS: f64 = 14.0;
+const BREAK_SLOPE: f64 = 5.0;
+const BREAK_ROWS: f64 = 8.0;
+
 impl Chainer {
     /// The stripe among `blobs`, from left to right, into `chain`.
     pub(super) fn link(&mut self, blobs: &Blobs, chain: &mut Vec<StripePoint>) {
         chain.clear();
         let usual = self.usual_strength(blobs);
+        let jump = JUMP + blobs.width() as f32 / JUMP_COLUMNS;
         self.nodes.clear();
         self.live.clear();
         let mut best: Option<(f32, u32)> = None;
@@ -80,7 +98,7 @@ impl Chainer {
             }
             self.next.clear();
             for (i, blob) in found.iter().enumerate() {
-                let end = self.extend(column as u32, i as u8, blob, usual);
+                let end = self.extend(column as u32, i as u8, blob, (usual, jump));
                 if best.is_none_or(|(score, _)| end.score > score) {
                     best = Some((end.score, end.node));
                 }
@@ -103,6 +121,7 @@ impl Chainer {
             node = before;
         }
         chain.reverse();
+        drop_short_runs(chain, blobs.width());
     }
 
     /// Median strength of the strongest blobs of the columns.
@@ -118,13 +137,17 @@ impl Chainer {
     }
 
     /// The best chain that ends with this blob.
-    fn extend(&mut self, column: u32, index: u8, blob: &Blob, usual: f32) -> End {
+    fn extend(&mut self, column: u32, index: u8, blob: &Blob, (usual, jump): (f32, f32)) -> End {
         let earns = (blob.strength / usual).clamp(0.15, 1.0);
         let mut best: Option<(f32, usize, f32)> = None;
         for (i, end) in self.live.iter_mut().enumerate() {
             let columns = (column - end.column) as f32;
-            let off = (blob.row - end.row - end.slope * columns).abs().min((blob.row - end.row).abs() + 1.0);
-            let cost = (A_PIXEL * off / (1.0 + 0.1 * (columns - 1.0))).min(JUMP);
+            let off = (blob.row - end.row - end.slope * columns).abs();
+            // The course is known less well over columns without the stripe.
+            let on_course = A_PIXEL * off / (1.0 + 0.1 * (columns - 1.0)).min(4.0);
+            let free = FREE_ROWS * columns.min(FREE_COLUMNS);
+            let anywhere = A_ROW * ((blob.row - end.row).abs() - free).max(0.0) + 0.4;
+            let cost = on_course.min(anywhere).min(jump);
             if cost < earns {
                 end.continued = true;
             }
@@ -147,4 +170,25 @@ impl Chainer {
         self.nodes.push(Node { column, blob: index, before });
         end
     }
+}
+
+/// Takes out short runs of places without neighbours: spatter where the stripe itself is not seen.
+fn drop_short_runs(chain: &mut Vec<StripePoint>, width: usize) {
+    let shortest = (width / SHORTEST_PART).max(SHORTEST);
+    let breaks = |a: &StripePoint, b: &StripePoint| {
+        let step = b.at - a.at;
+        step.x > BREAK_COLUMNS || step.y.abs() > BREAK_SLOPE * step.x + BREAK_ROWS
+    };
+    let (mut kept, mut first) = (0, 0);
+    for i in 0..chain.len() {
+        if i + 1 < chain.len() && !breaks(&chain[i], &chain[i + 1]) {
+            continue;
+        }
+        if i + 1 - first >= shortest {
+            chain.copy_within(first..=i, kept);
+            kept += i + 1 - first;
+        }
+        first = i + 1;
+    }
+    chain.truncate(kept);
 }

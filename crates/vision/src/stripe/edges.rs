@@ -28,38 +28,52 @@ pub(super) fn edge(
     scratch: &mut Vec<f64>,
 ) -> Option<Edge> {
     let step = if to >= from { 1 } else { -1 };
-    let span = profile.between(from.min(to), from.max(to));
+    let span = profile.all_between(from.min(to), from.max(to));
     let mut last: Option<&Sample> = None;
-    let on = |s: &&Sample| line.off(s.at).abs() <= within;
+    let on = |s: &Sample| line.off(s.at).abs() <= within;
     let ordered = |i: usize| if step > 0 { &span[i] } else { &span[span.len() - 1 - i] };
+    let mut covered: Option<i32> = None;
     for s in (0..span.len()).map(ordered) {
-        if last.is_some_and(|l| (s.column - l.column).abs() > DROPPED) {
+        if covered.is_some_and(|column| (s.column - column).abs() > DROPPED) {
             break;
         }
-        if on(&s) {
+        if on(s) {
             last = Some(s);
+        }
+        // A reflection across the stripe shifts the centre of both, but there is light.
+        if line.off(s.at).abs() <= within.max(s.covers) {
+            covered = Some(s.column);
         }
     }
     let last = last?;
-    let column = half_strength(profile, last, step, scratch).unwrap_or(f64::from(last.column) + 0.5 * f64::from(step));
+    let column = half_strength(profile, last, step, &on, scratch).unwrap_or(f64::from(last.column) + 0.5 * f64::from(step));
     let y = last.at.x + (column - f64::from(last.column)) * profile.pitch;
     let along = line.along.x.max(1e-6);
     Some(Edge { column, at: line.at + line.along * ((y - line.at.x) / along) })
 }
 
-/// The column where the strength falls to half on the way out from before `last`.
-fn half_strength(profile: &Profile, last: &Sample, step: i32, scratch: &mut Vec<f64>) -> Option<f64> {
+/// The column where the strength of places on the line falls to half on the way out to `last`.
+fn half_strength(
+    profile: &Profile,
+    last: &Sample,
+    step: i32,
+    on: &dyn Fn(&Sample) -> bool,
+    scratch: &mut Vec<f64>,
+) -> Option<f64> {
     let near = |from: i32, to: i32| {
         let (a, b) = (last.column + step * from, last.column + step * to);
-        profile.between(a.min(b), a.max(b))
+        profile.all_between(a.min(b), a.max(b))
     };
     scratch.clear();
-    scratch.extend(near(-BESIDE, -3).iter().filter_map(|s| s.strength));
+    scratch.extend(near(-BESIDE, -3).iter().filter(|s| on(s)).filter_map(|s| s.strength));
     let half = 0.5 * median(scratch)?;
-    let around = near(-3, 3);
+    let around = near(-3, 0);
     let mut before: Option<&Sample> = None;
     for i in 0..around.len() {
         let s = if step > 0 { &around[i] } else { &around[around.len() - 1 - i] };
+        if !on(s) {
+            continue;
+        }
         let strength = s.strength?;
         if strength >= half {
             before = Some(s);

@@ -69,7 +69,7 @@ impl StripeReader {
         task: &StripeTask,
     ) -> Result<Features, NoFeatures> {
         self.trace(frame)?;
-        self.profile.set_chain(&self.chain, to_mm);
+        self.profile.set_chain(&self.chain, &self.blobs, to_mm);
         self.read(task)
     }
 
@@ -129,6 +129,9 @@ impl StripeReader {
             return Err(NoFeatures::TooFewPoints { found, needed: FEWEST });
         }
         self.cutter.cut(&self.profile, &mut self.segments);
+        if self.profile.repick(&self.segments) {
+            self.cutter.cut(&self.profile, &mut self.segments);
+        }
         View { profile: &self.profile, segments: &self.segments, task, scratch: &mut self.scratch }.joint()
     }
 }

@@ -44,6 +44,8 @@ impl Segment {
         self.ends[0].distance(self.ends[1])
     }
 
+    /// debug
+    pub fn columns_dbg(&self) -> (i32, i32) { self.columns }
     /// How far a place on it may be from its line, mm.
     pub(super) fn within(&self, pitch: f64) -> f64 {
         (4.0 * self.deviation).max(1.5 * pitch)
@@ -195,6 +197,23 @@ impl Cutter {
             let refit = self.fit(profile, segment.columns, ROUNDED, Some(segment.line));
             *segment = refit.unwrap_or(*segment);
         }
+        segments.iter_mut().for_each(|s| shrink(profile, s));
         segments.retain(|s| s.columns.1 > s.columns.0);
+    }
+}
+
+/// Leaves the columns between the first and the last places that are on the line with two of the three after them.
+fn shrink(profile: &Profile, segment: &mut Segment) {
+    let samples = profile.between(segment.columns.0, segment.columns.1);
+    let within = segment.within(profile.pitch);
+    let on = |s: &Sample| segment.line.off(s.at).abs() <= within;
+    let sure = |w: &[Sample]| w.iter().filter(|s| on(s)).count() >= 3;
+    let first = samples.windows(4).find(|w| on(&w[0]) && sure(w)).map(|w| w[0]);
+    let last = samples.windows(4).rev().find(|w| on(&w[3]) && sure(w)).map(|w| w[3]);
+    if let (Some(first), Some(last)) = (first, last)
+        && last.column > first.column
+    {
+        segment.columns = (first.column, last.column);
+        segment.ends = [first, last].map(|s| segment.line.foot(s.at));
     }
 }

@@ -23,6 +23,9 @@ pub(super) struct View<'a> {
     pub(super) scratch: &'a mut Vec<f64>,
 }
 
+/// Part of the stripe's strength from which on another blob is a rival.
+const RIVAL: f64 = 0.4;
+
 /// How well a joint is supported, before its confidence is put together.
 struct Support<'a> {
     /// Part of the places that lie on what the joint is made of.
@@ -68,6 +71,26 @@ impl View<'_> {
         samples.iter().filter(on).count() as f64 / samples.len().max(1) as f64
     }
 
+    /// Of the columns of a segment, the part in which something else as bright is seen, neither of the chain nor on any
+    /// of the joint's lines: then the chain could be the reflection.
+    fn rivals(&self, columns: (i32, i32), segments: &[Segment]) -> f64 {
+        let pitch = self.pitch();
+        let on = |s: &Sample| segments.iter().any(|g| g.line.off(s.at).abs() <= g.within(pitch).max(s.covers));
+        let (mut rivals, mut last) = (0, None);
+        for s in self.profile.all_between(columns.0, columns.1) {
+            if last == Some(s.column) || on(s) {
+                continue;
+            }
+            let own = self.profile.between(s.column, s.column).first();
+            let bright = |own: &Sample| s.strength > own.strength.map(|v| RIVAL * v) && s.at != own.at;
+            if own.is_some_and(bright) {
+                rivals += 1;
+                last = Some(s.column);
+            }
+        }
+        f64::from(rivals) / f64::from((columns.1 - columns.0 + 1).max(1))
+    }
+
     /// Puts the features together: inliers x length x residual x margin x innovation.
     fn features(&self, points: &[(Feature, DVec2)], values: &[(Quantity, f64)], support: &Support) -> Features {
         let pitch = self.pitch();
@@ -84,8 +107,11 @@ impl View<'_> {
         let confidence = ramp(support.share, 0.55, 0.85)
             * ramp(columns, 8.0, 30.0)
             * ramp(worst, 6.0, 2.0)
+            * ramp(rivals, 0.45, 0.2)
             * support.margin.clamp(0.0, 1.0)
             * innovation;
+        let rival = |s: &Segment| self.rivals(s.columns, support.segments);
+        let rivals = support.segments.iter().map(rival).fold(0.0, f64::max);
         let finite = points.iter().all(|p| p.1.is_finite()) && values.iter().all(|v| v.1.is_finite());
         Features {
             kind: self.task.joint,

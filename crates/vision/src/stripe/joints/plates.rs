@@ -139,7 +139,7 @@ impl View<'_> {
         // Plates bend a little: near the line is enough.
         let within = line.within(pitch) + 3.0 * pitch;
         let (mut best, mut second, mut before) = ((0, 0, 0), 0, None);
-        for s in self.samples().iter().filter(|s| line.line.off(s.at).abs() < within) {
+        for s in self.profile.all.iter().filter(|s| line.line.off(s.at).abs() < within.max(s.covers)) {
             if let Some(last) = before {
                 let run = s.column - last - 1;
                 if run > best.0 {

@@ -115,6 +115,7 @@ impl View<'_> {
         let share = sides.iter().map(|s| s.share).fold(f64::INFINITY, f64::min);
         let worst = sides.iter().map(|s| s.deviation).fold(0.0, f64::max) / self.pitch();
         let margin = margin * ramp(better, 1.0, BETTER) * ramp(share, 0.55, 0.75) * ramp(worst, 5.0, 2.0);
+        let margin = margin * ramp(self.rivals(groove.inside, &groove.shoulders), 0.35, 0.15);
         let shoulders = self.share(self.samples(), &groove.shoulders);
         let inside = self.profile.between(groove.inside.0, groove.inside.1).len() as f64 / self.samples().len() as f64;
         let support = Support { share: shoulders + share * inside, segments: &groove.shoulders, margin };
@@ -128,7 +129,7 @@ impl View<'_> {
         let values = [
             (Quantity::Gap, gap),
             (Quantity::Mismatch, mismatch(&left, &right, joint, groove.along)),
-            (Quantity::Area, self.area(groove, edges)),
+            (Quantity::Area, self.area(groove, edges, roots)),
             (Quantity::Bend, turn(&left.line, &right.line)),
             (Quantity::Width, edges[0].distance(edges[1])),
             (Quantity::Depth, depth),
@@ -226,15 +227,20 @@ impl View<'_> {
     }
 
     /// Area between the line through both edges and the places inside.
-    fn area(&self, groove: &Groove, edges: [DVec2; 2]) -> f64 {
+    fn area(&self, groove: &Groove, edges: [DVec2; 2], roots: [DVec2; 2]) -> f64 {
         let [from, to] = edges;
         let along = (to - from).normalize_or(groove.along);
-        let inside = self.profile.between(groove.inside.0, groove.inside.1);
-        let below = inside.iter().map(|s| ((s.at - from).dot(along), -along.perp_dot(s.at - from)));
         let length = (to - from).length();
-        let ends = [(length, 0.0)];
-        let (mut area, mut last) = (0.0, (0.0, 0.0));
-        for (t, d) in below.filter(|(t, _)| (0.0..=length).contains(t)).chain(ends) {
+        let down = |p: DVec2| ((p - from).dot(along), -along.perp_dot(p - from));
+        let inside = self.profile.between(groove.inside.0, groove.inside.1).iter().map(|s| down(s.at));
+        let (first, end) = (down(roots[0]), down(roots[1]));
+        // The roots of upright sides, where nothing is seen beyond them.
+        let seen = move |t: f64| t > first.0.min(0.05 * length) && t < end.0.max(0.95 * length);
+        let path = [first].into_iter().filter(|r| r.0 < 0.05 * length);
+        let path = path.chain(inside.filter(move |(t, _)| seen(*t)));
+        let path = path.chain([end].into_iter().filter(|r| r.0 > 0.95 * length)).chain([(length, 0.0)]);
+        let (mut area, mut last) = (0.0, (0.0f64, 0.0f64));
+        for (t, d) in path {
             area += (t - last.0) * (d + last.1) / 2.0;
             last = (t, d);
         }
