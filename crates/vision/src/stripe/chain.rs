@@ -74,7 +74,7 @@ pub(super) struct Chainer {
 const NONE: u32 = u32::MAX;
 
 /// A run of the stripe has at least this part of the image's columns, and so many.
-const SHORTEST_PART: usize = 48;
+const SHORTEST_PART: usize = 32;
 const SHORTEST: usize = 8;
 
 /// A run ends where so many columns are missing, or where the next place is so many rows off for each column, and more.

@@ -7,7 +7,7 @@ pub struct StripeDisturbances {
     pub width_px: f64,
     /// See `width_px`.
     pub width_change: f64,
-    /// Speckle: part that grey values of the stripe vary by from pixel to pixel, and from column to column.
+    /// Speckle: part that grey values of the stripe vary by from pixel to pixel; from column to column it is twice that.
     pub speckle: f64,
     /// Noise of every pixel, grey values.
     pub noise: f64,
@@ -45,7 +45,7 @@ impl StripeDisturbances {
     };
 
     /// A stripe on ground steel: speckle, ambient light.
-    pub const USUAL: Self = Self { width_change: 0.3, speckle: 0.2, noise: 4.0, ambient: 20.0, ..Self::CLEAN };
+    pub const USUAL: Self = Self { width_change: 0.3, speckle: 0.12, noise: 4.0, ambient: 20.0, ..Self::CLEAN };
 
     /// Beside a burning arc on bright steel: glow, saturated places, reflections, spatter.
     pub const ROUGH: Self =

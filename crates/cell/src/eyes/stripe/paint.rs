@@ -41,7 +41,7 @@ impl<'a> Painter<'a> {
             if missing {
                 continue;
             }
-            let mut peak = self.how.peak * (1.0 + self.how.speckle * self.dice.normal()).max(0.2);
+            let mut peak = self.how.peak * (1.0 + 2.0 * self.how.speckle * self.dice.normal()).max(0.2);
             if let (Some(dark), Some(at)) = (dark, self.scene.to_mm.map(DVec2::new(column as f64, row))) {
                 peak *= 1.0 - DARK_PART * (-((at.x - dark.x) / DARK_MM).powi(2)).exp();
             }

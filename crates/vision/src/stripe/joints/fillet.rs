@@ -30,9 +30,10 @@ impl View<'_> {
             off[0].max(off[1]) < 3.0 * line.within(pitch) && turn(&s.line, &line.line).abs() < 0.12
         };
         let other = |s: &&Segment| !on(s, &a) && !on(s, &b);
-        let elsewhere: f64 = self.segments.iter().filter(other).map(Segment::length).sum();
-        let total: f64 = self.segments.iter().map(Segment::length).sum();
-        let alone = ramp(elsewhere / total, 0.12, 0.04);
+        let columns = |s: &Segment| f64::from(s.columns.1 - s.columns.0);
+        let elsewhere: f64 = self.segments.iter().filter(other).map(columns).sum();
+        let total: f64 = self.segments.iter().map(columns).sum();
+        let alone = ramp(elsewhere / total, 0.25, 0.1);
         let share = self.share(self.samples(), &[a, b]);
         if alone <= 0.0 || share < 0.5 {
             return Err(NoFeatures::NoCorner);

@@ -26,6 +26,10 @@ pub(super) struct View<'a> {
 /// Part of the stripe's strength from which on another blob is a rival.
 const RIVAL: f64 = 0.4;
 
+/// How far beyond an edge something may hide it: columns, and rows from the line.
+const HIDING_COLUMNS: i32 = 8;
+const HIDING_ROWS: f64 = 8.0;
+
 /// How well a joint is supported, before its confidence is put together.
 struct Support<'a> {
     /// Part of the places that lie on what the joint is made of.
@@ -71,24 +75,42 @@ impl View<'_> {
         samples.iter().filter(on).count() as f64 / samples.len().max(1) as f64
     }
 
-    /// Of the columns of a segment, the part in which something else as bright is seen, neither of the chain nor on any
-    /// of the joint's lines: then the chain could be the reflection.
+    /// The longest reflection beside the chain as a part of the columns: something as bright, neither of the chain nor on
+    /// any of the joint's lines, and longer than spatter is. Where it is as long as a segment, the chain could be the
+    /// reflection.
     fn rivals(&self, columns: (i32, i32), segments: &[Segment]) -> f64 {
         let pitch = self.pitch();
         let on = |s: &Sample| segments.iter().any(|g| g.line.off(s.at).abs() <= g.within(pitch).max(s.covers));
-        let (mut rivals, mut last) = (0, None);
+        // Last place and length of what is followed: up to two in a column.
+        let mut followed: [(Option<Sample>, i32); 2] = [(None, 0); 2];
+        let mut longest = 0;
         for s in self.profile.all_between(columns.0, columns.1) {
-            if last == Some(s.column) || on(s) {
-                continue;
-            }
             let own = self.profile.between(s.column, s.column).first();
             let bright = |own: &Sample| s.strength > own.strength.map(|v| RIVAL * v) && s.at != own.at;
-            if own.is_some_and(bright) {
-                rivals += 1;
-                last = Some(s.column);
+            if on(s) || !own.is_some_and(bright) {
+                continue;
             }
+            let near = |last: &Sample| s.column - last.column <= 3 && last.at.distance(s.at) < 8.0 * pitch;
+            let i = followed.iter().position(|f| f.0.as_ref().is_some_and(near)).unwrap_or_else(|| {
+                let older = usize::from(followed[0].0.map(|l| l.column) > followed[1].0.map(|l| l.column));
+                followed[older] = (None, 0);
+                older
+            });
+            followed[i] = (Some(*s), followed[i].1 + 1);
+            longest = longest.max(followed[i].1);
         }
-        f64::from(rivals) / f64::from((columns.1 - columns.0 + 1).max(1))
+        f64::from(longest) / f64::from((columns.1 - columns.0 + 1).max(1))
+    }
+
+    /// Whether something that is on none of the joint's lines hides where a line ends: then the end is not known. Looks
+    /// at the columns beyond the edge towards `step` (1 right, -1 left).
+    fn hidden(&self, edge: &Edge, line: &StripeLine, step: i32, segments: &[Segment]) -> bool {
+        let pitch = self.pitch();
+        let column = edge.column.round() as i32;
+        let (a, b) = (column + step, column + step * HIDING_COLUMNS);
+        let on = |s: &Sample| segments.iter().any(|g| g.line.off(s.at).abs() <= g.within(pitch));
+        let near = |s: &&Sample| line.off(s.at).abs() < s.covers + HIDING_ROWS * pitch && !on(s);
+        self.profile.all_between(a.min(b), a.max(b)).iter().filter(near).count() >= 3
     }
 
     /// Puts the features together: inliers x length x residual x margin x innovation.
@@ -104,14 +126,14 @@ impl View<'_> {
             }
             _ => 1.0,
         };
+        let rival = |s: &Segment| self.rivals(s.columns, support.segments);
+        let rivals = support.segments.iter().map(rival).fold(0.0, f64::max);
         let confidence = ramp(support.share, 0.55, 0.85)
             * ramp(columns, 8.0, 30.0)
             * ramp(worst, 6.0, 2.0)
-            * ramp(rivals, 0.45, 0.2)
+            * ramp(rivals, 0.6, 0.35)
             * support.margin.clamp(0.0, 1.0)
             * innovation;
-        let rival = |s: &Segment| self.rivals(s.columns, support.segments);
-        let rivals = support.segments.iter().map(rival).fold(0.0, f64::max);
         let finite = points.iter().all(|p| p.1.is_finite()) && values.iter().all(|v| v.1.is_finite());
         Features {
             kind: self.task.joint,

@@ -4,6 +4,7 @@ use super::groove::{SHOULDERS, mismatch};
 use super::{Support, View, between, ramp, turn};
 use crate::stripe::edges::Edge;
 use crate::stripe::fit::line;
+use crate::stripe::profile::Sample;
 use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
 
 /// Widest gap of a butt joint in columns.
@@ -12,6 +13,9 @@ const WIDEST: f64 = 120.0;
 /// Columns of the window that tells the usual strength about a dark line, and half the width of such a line.
 const AROUND: usize = 40;
 const DARK: usize = 2;
+
+/// How far from the plates' lines light in a gap counts, rows.
+const LIGHT_ROWS: f64 = 8.0;
 
 /// Least depth of a dark line, part of the strength, and in deviations of the strength along the stripe.
 const LEAST_DIP: f64 = 0.25;
@@ -45,7 +49,9 @@ impl View<'_> {
         if height < self.task.least_step || share < 0.55 || apart > 1.2 * height + 10.0 * self.pitch() {
             return Err(NoFeatures::NoStep);
         }
-        let margin = ramp(height / self.task.least_step, 1.0, 1.2) * ramp(share, 0.7, 0.85);
+        let (line, step) = if lower == last { (first.line, 1) } else { (last.line, -1) };
+        let seen = if self.hidden(&upper, &line, step, &[first, last]) { 0.0 } else { 1.0 };
+        let margin = seen * ramp(height / self.task.least_step, 1.0, 1.2) * ramp(share, 0.7, 0.85);
         let mut values =
             [(Quantity::Height, height), (Quantity::Bend, turn(&first.line, &last.line)), (Quantity::Gap, 0.0)];
         let known = match self.task.thickness {
@@ -77,7 +83,12 @@ impl View<'_> {
         if step.abs() > self.task.least_step || bend.abs() > 0.2 || share < 0.6 || apart > WIDEST {
             return Err(NoFeatures::NoSeam);
         }
-        let margin = seam.margin
+        let plates = [left, right];
+        let hidden = seam.dark.is_none()
+            && (self.hidden(&a, &left.line, 1, &plates)
+                || self.hidden(&b, &right.line, -1, &plates)
+                || self.lit_gap(&a, &b, &plates));
+        let margin = if hidden { 0.0 } else { seam.margin }
             * ramp(share, 0.75, 0.9)
             * ramp(bend.abs(), 0.2, 0.12)
             * ramp(step.abs() / self.task.least_step, 1.0, 0.85);
@@ -85,6 +96,15 @@ impl View<'_> {
         let points = [(Feature::Joint, joint), (Feature::LeftEdge, a.at), (Feature::RightEdge, b.at)];
         let segments = [left, right];
         Ok(self.features(&points, &values, &Support { share, segments: &segments, margin }))
+    }
+
+    /// Whether there is light beside the plates' lines in the gap: then something hides that it is none.
+    fn lit_gap(&self, a: &Edge, b: &Edge, plates: &[Segment; 2]) -> bool {
+        let (from, to) = (a.column.round() as i32 + 2, b.column.round() as i32 - 2);
+        let far = LIGHT_ROWS * self.pitch();
+        let near = |s: &&Sample| plates.iter().any(|p| p.line.off(s.at).abs() < s.covers + far);
+        let lit = self.profile.all_between(from, to).iter().filter(near).count();
+        lit as f64 > 0.25 * f64::from(to - from + 1).max(4.0)
     }
 
     /// A robust line through the columns.

@@ -115,7 +115,10 @@ impl View<'_> {
         let share = sides.iter().map(|s| s.share).fold(f64::INFINITY, f64::min);
         let worst = sides.iter().map(|s| s.deviation).fold(0.0, f64::max) / self.pitch();
         let margin = margin * ramp(better, 1.0, BETTER) * ramp(share, 0.55, 0.75) * ramp(worst, 5.0, 2.0);
-        let margin = margin * ramp(self.rivals(groove.inside, &groove.shoulders), 0.35, 0.15);
+        let seen = self.profile.between(groove.inside.0, groove.inside.1).len() as f64;
+        let columns = f64::from(groove.inside.1 - groove.inside.0 + 1) - gap / self.pitch();
+        let margin = margin * ramp(seen / columns.max(1.0), 0.4, 0.6);
+        let margin = margin * ramp(self.rivals(groove.inside, &groove.shoulders), 0.5, 0.25);
         let shoulders = self.share(self.samples(), &groove.shoulders);
         let inside = self.profile.between(groove.inside.0, groove.inside.1).len() as f64 / self.samples().len() as f64;
         let support = Support { share: shoulders + share * inside, segments: &groove.shoulders, margin };
