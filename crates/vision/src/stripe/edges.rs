@@ -7,6 +7,9 @@ use glam::DVec2;
 /// Most columns in a row without a place on the line: dropped columns, not an end.
 const DROPPED: i32 = 10;
 
+/// A blob that covers so much more than usual has something else in it.
+const MERGED: f64 = 1.3;
+
 /// Columns that tell the usual strength beside an end.
 const BESIDE: i32 = 14;
 
@@ -41,12 +44,14 @@ pub(super) fn edge(
             last = Some(s);
         }
         // A reflection across the stripe shifts the centre of both, but there is light.
-        if line.off(s.at).abs() <= within.max(s.covers) {
+        let merged = s.covers > MERGED * profile.usual_cover;
+        if line.off(s.at).abs() <= if merged { within.max(s.covers) } else { within } {
             covered = Some(s.column);
         }
     }
     let last = last?;
-    let column = half_strength(profile, last, step, &on, scratch).unwrap_or(f64::from(last.column) + 0.5 * f64::from(step));
+    let column =
+        half_strength(profile, last, step, &on, scratch).unwrap_or(f64::from(last.column) + 0.5 * f64::from(step));
     let y = last.at.x + (column - f64::from(last.column)) * profile.pitch;
     let along = line.along.x.max(1e-6);
     Some(Edge { column, at: line.at + line.along * ((y - line.at.x) / along) })

@@ -27,6 +27,8 @@ pub(super) struct Profile {
     pub(super) all: Vec<Sample>,
     /// Length of a column along y, mm.
     pub(super) pitch: f64,
+    /// What places of the chain usually cover, mm.
+    pub(super) usual_cover: f64,
     scratch: Vec<f64>,
 }
 
@@ -63,12 +65,17 @@ impl Profile {
         let first = self.samples.first().map_or(0, |s| s.column);
         self.samples.iter_mut().chain(&mut self.all).for_each(|s| s.column -= first);
         self.scratch.clear();
-        self.scratch.extend(self.samples.windows(2).map(|w| {
-            (w[1].at.x - w[0].at.x).abs() / f64::from((w[1].column - w[0].column).max(1))
-        }));
+        self.scratch.extend(
+            self.samples
+                .windows(2)
+                .map(|w| (w[1].at.x - w[0].at.x).abs() / f64::from((w[1].column - w[0].column).max(1))),
+        );
         self.pitch = median(&mut self.scratch).unwrap_or(0.0);
         let pitch = self.pitch;
         self.samples.iter_mut().chain(&mut self.all).for_each(|s| s.covers *= pitch);
+        self.scratch.clear();
+        self.scratch.extend(self.samples.iter().map(|s| s.covers));
+        self.usual_cover = median(&mut self.scratch).unwrap_or(0.0);
     }
 
     /// Places that are given, in any order; those that are not finite are missing.
@@ -88,6 +95,7 @@ impl Profile {
         }
         self.all.clear();
         self.all.extend_from_slice(&self.samples);
+        self.usual_cover = 0.0;
     }
 
     /// Number of columns from the first place to the last.

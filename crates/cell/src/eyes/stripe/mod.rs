@@ -8,7 +8,7 @@ mod paint;
 mod section;
 
 pub use disturbance::StripeDisturbances;
-pub use gates::{GateRow, stripe_gates};
+pub use gates::{GateRow, StripeErrors, confident_nowhere, stripe_gates, stripe_scene, stripe_task};
 pub use section::{Placement, Section, Truth};
 
 use dice::Dice;

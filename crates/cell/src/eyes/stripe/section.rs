@@ -229,8 +229,17 @@ impl Section {
                 let area = 2.0 * curved_area(bevel, radius, depth) + gap * depth;
                 (
                     Some(JointKind::U),
-                    vec![(Feature::Joint, p(0.0, -depth)), (Feature::LeftEdge, p(-half, 0.0)), (Feature::RightEdge, p(half, 0.0))],
-                    vec![(Quantity::Gap, gap), (Quantity::Radius, radius), (Quantity::Area, area), (Quantity::Angle, 2.0 * bevel)],
+                    vec![
+                        (Feature::Joint, p(0.0, -depth)),
+                        (Feature::LeftEdge, p(-half, 0.0)),
+                        (Feature::RightEdge, p(half, 0.0)),
+                    ],
+                    vec![
+                        (Quantity::Gap, gap),
+                        (Quantity::Radius, radius),
+                        (Quantity::Area, area),
+                        (Quantity::Angle, 2.0 * bevel),
+                    ],
                 )
             }
             Self::J { bevel, radius, depth, gap } => {
@@ -242,7 +251,11 @@ impl Section {
                         (Feature::LeftEdge, p(-gap / 2.0, 0.0)),
                         (Feature::RightEdge, p(right, 0.0)),
                     ],
-                    vec![(Quantity::Gap, gap), (Quantity::Radius, radius), (Quantity::Area, curved_area(bevel, radius, depth) + gap * depth)],
+                    vec![
+                        (Quantity::Gap, gap),
+                        (Quantity::Radius, radius),
+                        (Quantity::Area, curved_area(bevel, radius, depth) + gap * depth),
+                    ],
                 )
             }
             Self::Lap { thickness, gap } => (
@@ -257,8 +270,15 @@ impl Section {
                 let edges = [p(-gap / 2.0, 0.0), p(gap / 2.0, mismatch)];
                 (
                     Some(JointKind::Butt),
-                    vec![(Feature::Joint, (edges[0] + edges[1]) / 2.0), (Feature::LeftEdge, edges[0]), (Feature::RightEdge, edges[1])],
-                    vec![(Quantity::Gap, gap), (Quantity::Mismatch, if placement.mirrored { -mismatch } else { mismatch })],
+                    vec![
+                        (Feature::Joint, (edges[0] + edges[1]) / 2.0),
+                        (Feature::LeftEdge, edges[0]),
+                        (Feature::RightEdge, edges[1]),
+                    ],
+                    vec![
+                        (Quantity::Gap, gap),
+                        (Quantity::Mismatch, if placement.mirrored { -mismatch } else { mismatch }),
+                    ],
                 )
             }
             Self::Plate | Self::Ridge { .. } => (None, Vec::new(), Vec::new()),

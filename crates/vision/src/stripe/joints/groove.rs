@@ -17,6 +17,9 @@ const LIT: f64 = 0.4;
 /// How far from a wall's line a closed root may be: the stripe's width rounds it, columns.
 const ROUNDED: f64 = 6.0;
 
+/// How far the ends of the walls may be from a closed root, columns.
+const CLOSED: f64 = 16.0;
+
 /// How far a shoulder's last place may be from its edge for no, and for full confidence, columns.
 const EDGE_OFF: [f64; 2] = [25.0, 12.0];
 
@@ -111,12 +114,15 @@ impl View<'_> {
         let middle = (down.columns.1 + up.columns.0).div_euclid(2);
         let ends = (self.edge(&down, middle), self.edge(&up, middle + 1));
         let (Some(a), Some(b)) = ends else { return ([closed; 2], true) };
+        // A closed root is where the walls end.
+        let far = CLOSED * self.pitch();
+        let ends_there = a.at.distance(closed).max(b.at.distance(closed)) < far;
         if b.column - a.column < 1.5 || (b.at - a.at).dot(along) <= 0.0 {
-            return ([closed; 2], false);
+            return ([closed; 2], !ends_there);
         }
         let (on, elsewhere) = self.lit(&v.walls, closed, a, b);
         if on + elsewhere > 0.5 {
-            return ([closed; 2], elsewhere > 0.3);
+            return ([closed; 2], elsewhere > 0.3 || !ends_there);
         }
         let all = [v.shoulders[0], down, up, v.shoulders[1]];
         let hidden = self.hidden(&a, &down.line, 1, &all) || self.hidden(&b, &up.line, -1, &all);

@@ -113,6 +113,14 @@ impl View<'_> {
         self.profile.all_between(a.min(b), a.max(b)).iter().filter(near).count() >= 3
     }
 
+    /// Part of a segment's columns in which a place is on its line.
+    fn density(&self, segment: &Segment) -> f64 {
+        let within = segment.within(self.pitch());
+        let samples = self.profile.between(segment.columns.0, segment.columns.1);
+        let on = samples.iter().filter(|s| segment.line.off(s.at).abs() <= within).count();
+        on as f64 / f64::from((segment.columns.1 - segment.columns.0 + 1).max(1))
+    }
+
     /// Puts the features together: inliers x length x residual x margin x innovation.
     fn features(&self, points: &[(Feature, DVec2)], values: &[(Quantity, f64)], support: &Support) -> Features {
         let pitch = self.pitch();
@@ -128,7 +136,10 @@ impl View<'_> {
         };
         let rival = |s: &Segment| self.rivals(s.columns, support.segments);
         let rivals = support.segments.iter().map(rival).fold(0.0, f64::max);
+        let densities = support.segments.iter().map(|s| self.density(s));
+        let density = densities.fold(f64::INFINITY, f64::min);
         let confidence = ramp(support.share, 0.55, 0.85)
+            * ramp(density, 0.3, 0.5)
             * ramp(columns, 8.0, 30.0)
             * ramp(worst, 6.0, 2.0)
             * ramp(rivals, 0.6, 0.35)

@@ -4,7 +4,6 @@ use super::groove::{SHOULDERS, mismatch};
 use super::{Support, View, between, ramp, turn};
 use crate::stripe::edges::Edge;
 use crate::stripe::fit::line;
-use crate::stripe::profile::Sample;
 use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
 
 /// Widest gap of a butt joint in columns.
@@ -14,8 +13,11 @@ const WIDEST: f64 = 120.0;
 const AROUND: usize = 40;
 const DARK: usize = 2;
 
-/// How far from the plates' lines light in a gap counts, rows.
-const LIGHT_ROWS: f64 = 8.0;
+/// Part of a gap's columns in which something may be seen.
+const LIT: f64 = 0.4;
+
+/// Part of the columns that each plate must have for no, and for full confidence.
+const PLATE: [f64; 2] = [0.08, 0.15];
 
 /// Least depth of a dark line, part of the strength, and in deviations of the strength along the stripe.
 const LEAST_DIP: f64 = 0.25;
@@ -77,19 +79,23 @@ impl View<'_> {
         let joint = (a.at + b.at) / 2.0;
         let gap = if seam.dark.is_some() { 0.0 } else { (b.at - a.at).dot(along).max(0.0) };
         let step = mismatch(&left, &right, joint, along);
+        // A step that the plates themselves do not show was something else's.
+        let none = seam.dark.is_none() && gap < 1.5 * self.pitch() && step.abs() < 1.5 * self.pitch();
         let share = self.share(self.samples(), &[left, right]);
         let bend = turn(&left.line, &right.line);
         let apart = gap / self.pitch();
-        if step.abs() > self.task.least_step || bend.abs() > 0.2 || share < 0.6 || apart > WIDEST {
+        if step.abs() > self.task.least_step || bend.abs() > 0.2 || share < 0.6 || apart > WIDEST || none {
             return Err(NoFeatures::NoSeam);
         }
         let plates = [left, right];
+        let shorter = f64::from((seam.left - first).min(last - seam.right)) / f64::from(last - first + 1);
         let hidden = seam.dark.is_none()
             && (self.hidden(&a, &left.line, 1, &plates)
                 || self.hidden(&b, &right.line, -1, &plates)
-                || self.lit_gap(&a, &b, &plates));
+                || self.lit_gap(&a, &b));
         let margin = if hidden { 0.0 } else { seam.margin }
             * ramp(share, 0.75, 0.9)
+            * ramp(shorter, PLATE[0], PLATE[1])
             * ramp(bend.abs(), 0.2, 0.12)
             * ramp(step.abs() / self.task.least_step, 1.0, 0.85);
         let values = [(Quantity::Gap, gap), (Quantity::Mismatch, step), (Quantity::Bend, bend)];
@@ -98,13 +104,15 @@ impl View<'_> {
         Ok(self.features(&points, &values, &Support { share, segments: &segments, margin }))
     }
 
-    /// Whether there is light beside the plates' lines in the gap: then something hides that it is none.
-    fn lit_gap(&self, a: &Edge, b: &Edge, plates: &[Segment; 2]) -> bool {
-        let (from, to) = (a.column.round() as i32 + 2, b.column.round() as i32 - 2);
-        let far = LIGHT_ROWS * self.pitch();
-        let near = |s: &&Sample| plates.iter().any(|p| p.line.off(s.at).abs() < s.covers + far);
-        let lit = self.profile.all_between(from, to).iter().filter(near).count();
-        lit as f64 > 0.25 * f64::from(to - from + 1).max(4.0)
+    /// Whether anything is seen in a good part of the gap's columns: something that hides that it is none, or a groove.
+    fn lit_gap(&self, a: &Edge, b: &Edge) -> bool {
+        let (from, to) = (a.column.ceil() as i32 + 2, b.column.floor() as i32 - 2);
+        let (mut lit, mut last) = (0, None);
+        for s in self.profile.all_between(from, to) {
+            lit += u32::from(last != Some(s.column));
+            last = Some(s.column);
+        }
+        f64::from(lit) > LIT * f64::from(to - from + 1).max(4.0)
     }
 
     /// A robust line through the columns.

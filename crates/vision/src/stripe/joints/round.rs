@@ -17,6 +17,9 @@ const LEAST: f64 = 15.0;
 /// How much more places an arc must take up than a line does.
 const BETTER: f64 = 1.15;
 
+/// Least part of a U groove's arc that is on its own side of the centre.
+const OWN_SIDE: f64 = 0.7;
+
 /// A groove between two shoulders.
 struct Groove {
     shoulders: [Segment; 2],
@@ -35,6 +38,8 @@ struct Side {
     /// Places on the arc as part of the side's, and of those on the best line.
     share: f64,
     better: f64,
+    /// Part of the arc's places that are on this side of its centre.
+    own_side: f64,
     /// The wall above the arc, if enough is seen of it.
     wall: Option<StripeLine>,
     /// Place where wall and shoulder meet.
@@ -54,7 +59,7 @@ impl View<'_> {
         // With a closed root both arcs have one centre.
         let apart = (roots[1] - roots[0]).dot(groove.along);
         let gap = if apart > 3.0 * self.pitch() { apart } else { 0.0 };
-        if unequal > 0.25 || apart < -8.0 * self.pitch() {
+        if unequal > 0.25 || apart < -8.0 * self.pitch() || left.own_side.min(right.own_side) < OWN_SIDE {
             return Err(NoFeatures::NoGroove);
         }
         let margin = ramp(unequal, 0.25, 0.1);
@@ -114,7 +119,7 @@ impl View<'_> {
         let better = sides.iter().map(|s| s.better).fold(f64::INFINITY, f64::min);
         let share = sides.iter().map(|s| s.share).fold(f64::INFINITY, f64::min);
         let worst = sides.iter().map(|s| s.deviation).fold(0.0, f64::max) / self.pitch();
-        let margin = margin * ramp(better, 1.0, BETTER) * ramp(share, 0.55, 0.75) * ramp(worst, 5.0, 2.0);
+        let margin = margin * ramp(better, 1.0, BETTER) * ramp(share, 0.6, 0.8) * ramp(worst, 4.0, 1.5);
         let seen = self.profile.between(groove.inside.0, groove.inside.1).len() as f64;
         let columns = f64::from(groove.inside.1 - groove.inside.0 + 1) - gap / self.pitch();
         let margin = margin * ramp(seen / columns.max(1.0), 0.4, 0.6);
@@ -200,17 +205,19 @@ impl View<'_> {
         let (arc, deviation) = start.refined(samples, floor, self.scratch)?;
         let on_arc = |s: &Sample| arc.off(s.at).abs() < within.max(3.0 * deviation);
         let count = samples.iter().filter(|s| on_arc(s)).count();
+        let outward = if end == 1 { groove.along } else { -groove.along };
+        let own = samples.iter().filter(|s| on_arc(s) && (s.at - arc.centre).dot(outward) > 0.0).count();
+        let own_side = own as f64 / count.max(1) as f64;
         let (straight, _) = line(samples, None, floor, self.scratch)?;
         let on_line = samples.iter().filter(|s| straight.off(s.at).abs() < within).count();
         let shoulder = groove.shoulders[end];
-        let outward = if end == 1 { groove.along } else { -groove.along };
         let flank = samples.iter().position(|s| !on_arc(s) && (s.at - arc.centre).dot(outward) > 0.5 * arc.radius);
         let wall = flank.and_then(|_| self.wall(groove, &arc, columns, end));
         let edge = wall.and_then(|w| w.meets(&shoulder.line)).unwrap_or(groove.ends[end]);
         let on = |s: &&Sample| on_arc(s) || wall.is_some_and(|w| w.off(s.at).abs() < 2.0 * within);
         let share = samples.iter().filter(on).count() as f64 / samples.len() as f64;
         let better = count as f64 / on_line.max(1) as f64;
-        Some(Side { arc, deviation, share, better, wall, edge })
+        Some(Side { arc, deviation, share, better, own_side, wall, edge })
     }
 
     /// The straight wall between the arc and shoulder `end`: steep, so of few columns.
@@ -238,7 +245,9 @@ impl View<'_> {
         let inside = self.profile.between(groove.inside.0, groove.inside.1).iter().map(|s| down(s.at));
         let (first, end) = (down(roots[0]), down(roots[1]));
         // The roots of upright sides, where nothing is seen beyond them.
-        let seen = move |t: f64| t > first.0.min(0.05 * length) && t < end.0.max(0.95 * length);
+        // The ends of the shoulders themselves are at the very edges.
+        let beside = 2.0 * self.pitch();
+        let seen = move |t: f64| t > beside && t < length - beside;
         let path = [first].into_iter().filter(|r| r.0 < 0.05 * length);
         let path = path.chain(inside.filter(move |(t, _)| seen(*t)));
         let path = path.chain([end].into_iter().filter(|r| r.0 > 0.95 * length)).chain([(length, 0.0)]);
