@@ -15,7 +15,41 @@ fn main() {
     let n: u64 = args.get(2).map_or(10, |s| s.parse().unwrap());
     let verbose = args.get(3).is_some();
     let mut reader = StripeReader::new();
-    if level == "nowhere" { for (seed, section, f) in confident_nowhere(n) { println!("{seed} {:?} in {section:?}: {:.2} {:?} {:?}", f.kind, f.confidence, f.points, f.values); } return; }
+    if level == "nowhere" {
+        for peak in [0.0, 420.0] {
+            let scene = stripe_scene(Section::Plate, n);
+            let h = StripeDisturbances { peak, ghosts: if peak > 0.0 { 3 } else { 0 }, ..StripeDisturbances::ROUGH };
+            let image = scene.image(&h, n);
+            let Image::U8 { width, height, pixels } = &image.image else { panic!() };
+            std::fs::write(
+                format!("/tmp/stripe_now_{peak}.pgm"),
+                [format!("P5\n{width} {height}\n255\n").as_bytes(), pixels].concat(),
+            )
+            .unwrap();
+            let r = reader.read_image(
+                &image.image.frame().unwrap(),
+                Some(&scene.to_mm),
+                &StripeTask::in_mm(JointKind::Fillet),
+            );
+            println!(
+                "{peak} {r:?} {:?} chain {}",
+                reader
+                    .segments()
+                    .iter()
+                    .map(|s| (
+                        s.columns_dbg(),
+                        s.line.along.y.atan2(s.line.along.x).to_degrees().round(),
+                        (s.deviation * 1000.0).round()
+                    ))
+                    .collect::<Vec<_>>(),
+                reader.chain().len()
+            );
+        }
+        for (seed, section, f) in confident_nowhere(n) {
+            println!("{seed} {:?} in {section:?}: {:.2} {:?} {:?}", f.kind, f.confidence, f.points, f.values);
+        }
+        return;
+    }
     for kind in JointKind::ALL {
         let (mut sum, mut worst, mut count, mut conf, mut none, mut wrong) = (0.0, 0.0f64, 0.0, 0.0, 0, 0);
         let mut gaps: Vec<f64> = Vec::new();
@@ -78,7 +112,7 @@ fn main() {
                             gaps.push((g - t.1).abs());
                         }
                     }
-                    if verbose || (e > 0.3 && f.is_confident()) {
+                    if verbose || (e > 0.1 && f.is_confident()) {
                         println!(
                             "SEGS {:?}",
                             reader

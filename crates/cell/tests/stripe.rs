@@ -4,7 +4,8 @@ use glam::DVec2;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use seamwright_cell::eyes::stripe::{
-    Placement, Section, StripeDisturbances, StripeImage, StripeScene, confident_nowhere, stripe_gates, stripe_scene, stripe_task,
+    Placement, Section, StripeDisturbances, StripeImage, StripeScene, confident_nowhere, stripe_gates, stripe_scene,
+    stripe_task,
 };
 use seamwright_vision::Image;
 use seamwright_vision::stripe::{JointKind, Quantity, StripeReader, StripeTask};
@@ -74,7 +75,7 @@ fn argmax_and_ransac_lose_on_reflections() {
     let mut reader = StripeReader::new();
     for (how, hard) in [(StripeDisturbances::CLEAN, false), (StripeDisturbances::ROUGH, true)] {
         let (mut plain_wrong, mut wrong, mut confident) = (0, 0, 0);
-        for seed in 0..40 {
+        for seed in 0..80 {
             let scene = stripe_scene(Section::random(JointKind::Fillet, seed), seed);
             // A reflection that is as bright as the stripe, as on bright steel.
             let image = scene.image(&StripeDisturbances { ghost_peak: 1.0, ..how }, seed);
@@ -88,12 +89,12 @@ fn argmax_and_ransac_lose_on_reflections() {
                 wrong += usize::from(found.joint().distance(truth) > 0.5);
             }
         }
-        println!("{how:?}: plain wrong {plain_wrong} of 40; ours wrong {wrong} of {confident} confident");
+        println!("{how:?}: plain wrong {plain_wrong} of 80; ours wrong {wrong} of {confident} confident");
         assert_eq!(wrong, 0);
         if hard {
-            assert!(plain_wrong >= 10 && confident >= 10, "{plain_wrong} {confident}");
+            assert!(plain_wrong >= 15 && confident >= 8, "{plain_wrong} {confident}");
         } else {
-            assert!(plain_wrong <= 2 && confident >= 38, "{plain_wrong} {confident}");
+            assert!(plain_wrong <= 2 && confident >= 76, "{plain_wrong} {confident}");
         }
     }
 }

@@ -24,6 +24,9 @@ const PLAY: f64 = 0.35;
 /// Columns left out beside a corner: the stripe's own width rounds it.
 const ROUNDED: i32 = 6;
 
+/// Columns that the last places of a segment are in.
+const TOGETHER: i32 = 8;
+
 /// A straight part of the profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment {
@@ -209,7 +212,7 @@ fn shrink(profile: &Profile, segment: &mut Segment) {
     let samples = profile.between(segment.columns.0, segment.columns.1);
     let within = segment.within(profile.pitch);
     let on = |s: &Sample| segment.line.off(s.at).abs() <= within;
-    let sure = |w: &[Sample]| w.iter().filter(|s| on(s)).count() >= 3;
+    let sure = |w: &[Sample]| w[3].column - w[0].column < TOGETHER && w.iter().filter(|s| on(s)).count() >= 3;
     let first = samples.windows(4).find(|w| on(&w[0]) && sure(w)).map(|w| w[0]);
     let last = samples.windows(4).rev().find(|w| on(&w[3]) && sure(w)).map(|w| w[3]);
     if let (Some(first), Some(last)) = (first, last)

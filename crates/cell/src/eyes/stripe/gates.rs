@@ -141,7 +141,7 @@ pub fn stripe_gates(cases: u64) -> Vec<GateRow> {
         centres.extend_from_slice(&usual.centre);
         rows.push(GateRow::new(format!("{name}: joint point, RMS"), rms(&usual.joint), 0.05, "mm"));
         rows.push(GateRow::new(format!("{name}: gap, 95 %"), most(&usual.gap), 0.05, "mm"));
-        rows.push(GateRow::new(format!("{name}: no confident result"), 100.0 * usual.silent(), 25.0, "%"));
+        rows.push(GateRow::new(format!("{name}: no confident result"), 100.0 * usual.silent(), 35.0, "%"));
         let twice = "joint point with 10 % outliers and 20 % missing, RMS";
         rows.push(GateRow::new(format!("{name}: {twice}"), rms(&holed.joint), 0.1, "mm"));
         let rough = StripeErrors::measure(kind, &StripeDisturbances::ROUGH, cases);
@@ -149,7 +149,12 @@ pub fn stripe_gates(cases: u64) -> Vec<GateRow> {
         rows.push(GateRow::new(format!("{name}: confident and wrong beside the arc"), wrong as f64, 0.0, "cases"));
     }
     rows.insert(0, GateRow::new("centre of the stripe, RMS", rms(&centres), 0.1, "px"));
-    rows.push(GateRow::new("confident where there is no such joint", confident_nowhere(cases).len() as f64, 0.0, "cases"));
+    rows.push(GateRow::new(
+        "confident where there is no such joint",
+        confident_nowhere(cases).len() as f64,
+        0.0,
+        "cases",
+    ));
     for height in [256, 512, 1024] {
         let limit = if height <= 512 { 1.0 } else { 2.0 };
         rows.push(GateRow::new(format!("time at 2048 x {height}, median"), time_ms([2048, height]), limit, "ms"));

@@ -78,14 +78,19 @@ impl StripeScene {
 
     /// The row in which the stripe lies in each column: the highest place there that the laser reaches.
     pub fn lit_rows(&self) -> Vec<Option<f64>> {
+        self.lit_at(1)
+    }
+
+    /// The same at `parts` places of every column, from left to right.
+    fn lit_at(&self, parts: usize) -> Vec<Option<f64>> {
         let to_px = self.to_mm.inverse();
         let surfaces = self.section.surfaces(&self.placement);
         let edges: Vec<[DVec2; 2]> = surfaces.iter().flat_map(|l| l.windows(2).map(|w| [w[0], w[1]])).collect();
         let seen = |e: &[DVec2; 2]| Some([to_px.map(e[0])?, to_px.map(e[1])?]);
         let seen: Vec<[DVec2; 2]> = edges.iter().filter_map(seen).collect();
         let laser = DVec2::new(0.0, self.laser_height);
-        let row = |column: usize| {
-            let x = column as f64;
+        let row = |place: usize| {
+            let x = (place as f64 + 0.5) / parts as f64 - 0.5;
             let hits = seen.iter().filter_map(|[a, b]| {
                 let t = (x - a.x) / (b.x - a.x);
                 let row = a.y + t * (b.y - a.y);
@@ -97,7 +102,7 @@ impl StripeScene {
             });
             lit.reduce(f64::min).filter(|row| (0.0..self.size_px[1] as f64 - 1.0).contains(row))
         };
-        (0..self.size_px[0]).map(row).collect()
+        (0..parts * self.size_px[0]).map(row).collect()
     }
 }
 

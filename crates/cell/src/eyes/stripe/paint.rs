@@ -6,6 +6,9 @@ use seamwright_vision::Image;
 /// Standard deviations that a stripe is drawn to.
 const DRAWN: f64 = 4.0;
 
+/// Places of a column in which the stripe is drawn, each with its part of the light: edges lie anywhere in a column.
+const PARTS: usize = 4;
+
 /// Half-width of the dark line over a closed butt joint, mm, and the light that it takes.
 const DARK_MM: f64 = 0.1;
 const DARK_PART: f64 = 0.7;
@@ -27,29 +30,31 @@ impl<'a> Painter<'a> {
     /// The stripe with its reflections; the true rows.
     pub(super) fn stripe(&mut self, dark: Option<DVec2>) -> Vec<Option<f64>> {
         let [width, height] = self.scene.size_px;
-        let mut rows = self.scene.lit_rows();
+        let (mut rows, fine) = (self.scene.lit_rows(), self.scene.lit_at(PARTS));
         let phase = self.dice.between(0.0, 6.0);
         let pitch = 200.0 / width as f64;
         for column in 0..width {
-            let Some(row) = rows[column] else { continue };
             let missing = self.dice.chance(self.how.missing);
             let outlier = self.dice.chance(self.how.outliers);
             let elsewhere = self.dice.between(10.0, height as f64 - 10.0);
+            let mut peak = self.how.peak * (1.0 + 2.0 * self.how.speckle * self.dice.normal()).max(0.2);
             if missing || outlier {
                 rows[column] = None;
             }
+            let wave = (phase + pitch * column as f64 / 7.0).sin() * (phase + pitch * column as f64 / 3.1).cos();
+            let sigma = self.how.width_px * (1.0 + self.how.width_change * wave);
             if missing {
                 continue;
             }
-            let mut peak = self.how.peak * (1.0 + 2.0 * self.how.speckle * self.dice.normal()).max(0.2);
-            if let (Some(dark), Some(at)) = (dark, self.scene.to_mm.map(DVec2::new(column as f64, row))) {
-                peak *= 1.0 - DARK_PART * (-((at.x - dark.x) / DARK_MM).powi(2)).exp();
+            for row in fine[PARTS * column..PARTS * (column + 1)].iter().flatten() {
+                if let (Some(dark), Some(at)) = (dark, self.scene.to_mm.map(DVec2::new(column as f64, *row))) {
+                    peak *= 1.0 - DARK_PART / PARTS as f64 * (-((at.x - dark.x) / DARK_MM).powi(2)).exp();
+                }
+                self.slice(column, if outlier { elsewhere } else { *row }, peak / PARTS as f64, sigma);
             }
-            let wave = (phase + pitch * column as f64 / 7.0).sin() * (phase + pitch * column as f64 / 3.1).cos();
-            let sigma = self.how.width_px * (1.0 + self.how.width_change * wave);
-            self.slice(column, if outlier { elsewhere } else { row }, peak, sigma);
         }
         self.ghosts(&rows);
+        self.speckle();
         self.blur();
         self.spatter();
         rows
@@ -62,8 +67,14 @@ impl<'a> Painter<'a> {
         let to = ((row + DRAWN * sigma).floor().max(0.0) as usize).min(height - 1);
         for r in from..=to {
             let d = (r as f64 - row) / sigma;
-            let speckle = (1.0 + self.how.speckle * self.dice.normal()).max(0.0);
-            self.light[r * width + column] += (peak * speckle * (-d * d / 2.0).exp()) as f32;
+            self.light[r * width + column] += (peak * (-d * d / 2.0).exp()) as f32;
+        }
+    }
+
+    /// Coherent light is grainy.
+    fn speckle(&mut self) {
+        for light in self.light.iter_mut().filter(|v| **v > 0.0) {
+            *light *= (1.0 + self.how.speckle * self.dice.normal()).max(0.0) as f32;
         }
     }
 

@@ -9,6 +9,9 @@ const MARGIN_DEG: f64 = 6.0;
 /// Columns that an end may be off the corner without being a gap: the stripe's width rounds it.
 const ROUNDED: f64 = 3.0;
 
+/// Part of the columns that each face must have for no, and for full confidence.
+const FACE: [f64; 2] = [0.04, 0.1];
+
 impl View<'_> {
     /// Two faces that meet in a valley and are all there is.
     pub(super) fn fillet(&mut self) -> Result<Features, NoFeatures> {
@@ -39,7 +42,8 @@ impl View<'_> {
             return Err(NoFeatures::NoCorner);
         }
         let gap = self.fillet_gap(&a, &b, at);
-        let margin = alone * ramp(inside, -MARGIN_DEG, MARGIN_DEG / 2.0);
+        let shorter = columns(&a).min(columns(&b)) / f64::from(self.profile.columns() as u32);
+        let margin = alone * ramp(inside, -MARGIN_DEG, MARGIN_DEG / 2.0) * ramp(shorter, FACE[0], FACE[1]);
         let support = Support { share, segments: &[a, b], margin };
         Ok(self.features(&[(Feature::Joint, at)], &[(Quantity::Gap, gap), (Quantity::Angle, angle)], &support))
     }

@@ -68,7 +68,7 @@ impl View<'_> {
         }
         let off = left.ends[1].distance(edge_left).max(right.ends[0].distance(edge_right)) / self.pitch();
         let margin = if hidden { 0.0 } else { ramp(off, EDGE_OFF[0], EDGE_OFF[1]) };
-        let margin = margin * ramp(inside, 0.0, 5.0) * ramp(on_walls, 0.5, 0.75);
+        let margin = margin * ramp(inside, 0.0, 5.0) * ramp(on_walls, 0.65, 0.85);
         let values = [
             (Quantity::Gap, gap),
             (Quantity::Mismatch, mismatch(&left, &right, joint, along)),

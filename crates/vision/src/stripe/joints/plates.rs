@@ -13,6 +13,9 @@ const WIDEST: f64 = 120.0;
 const AROUND: usize = 40;
 const DARK: usize = 2;
 
+/// How far the sheets of a lap joint may seem to overlap, columns.
+const OVERLAP: f64 = 8.0;
+
 /// Part of a gap's columns in which something may be seen.
 const LIT: f64 = 0.4;
 
@@ -47,8 +50,12 @@ impl View<'_> {
         let (upper, lower) = if last.line.off(left.at) > 0.0 { (left, last) } else { (right, first) };
         let height = lower.line.off(upper.at);
         let share = self.share(self.samples(), &[first, last]);
-        let apart = (right.column - left.column).abs() * self.pitch();
-        if height < self.task.least_step || share < 0.55 || apart > 1.2 * height + 10.0 * self.pitch() {
+        let apart = (right.column - left.column) * self.pitch();
+        if height < self.task.least_step
+            || share < 0.55
+            || apart > 1.2 * height + 10.0 * self.pitch()
+            || apart < -OVERLAP * self.pitch()
+        {
             return Err(NoFeatures::NoStep);
         }
         let (line, step) = if lower == last { (first.line, 1) } else { (last.line, -1) };

@@ -8,7 +8,7 @@ use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
 use glam::DVec2;
 
 /// Triples of places that are tried for an arc.
-const TRIALS: u32 = 150;
+const TRIALS: u32 = 250;
 
 /// Greatest radius as part of the groove's width, and least one in columns.
 const WIDEST: f64 = 0.75;
@@ -123,7 +123,7 @@ impl View<'_> {
         let seen = self.profile.between(groove.inside.0, groove.inside.1).len() as f64;
         let columns = f64::from(groove.inside.1 - groove.inside.0 + 1) - gap / self.pitch();
         let margin = margin * ramp(seen / columns.max(1.0), 0.4, 0.6);
-        let margin = margin * ramp(self.rivals(groove.inside, &groove.shoulders), 0.5, 0.25);
+        let margin = margin * ramp(self.rivals(groove.inside, &groove.shoulders), 0.4, 0.2);
         let shoulders = self.share(self.samples(), &groove.shoulders);
         let inside = self.profile.between(groove.inside.0, groove.inside.1).len() as f64 / self.samples().len() as f64;
         let support = Support { share: shoulders + share * inside, segments: &groove.shoulders, margin };
@@ -165,12 +165,12 @@ impl View<'_> {
         enough.then_some(Groove { shoulders: [left, right], along, inside, ends: [a.at, b.at] })
     }
 
-    /// The arc that most of `samples` are on, and how many, from a fixed set of triples.
-    fn best_arc(&self, groove: &Groove, samples: &[Sample]) -> Option<(usize, StripeArc)> {
+    /// The arc that most of `samples` are on, and how well, from a fixed set of triples.
+    fn best_arc(&self, groove: &Groove, samples: &[Sample]) -> Option<(f64, StripeArc)> {
         let width = groove.ends[0].distance(groove.ends[1]);
         let within = 2.0 * self.pitch();
         let n = samples.len();
-        let mut best: Option<(usize, StripeArc)> = None;
+        let mut best: Option<(f64, StripeArc)> = None;
         let mut state = 0x2545_f491u32;
         let mut draw = || {
             // Marsaglia's xorshift: the same triples every time.
@@ -189,9 +189,11 @@ impl View<'_> {
             if !hollow || arc.radius > WIDEST * width || arc.radius < LEAST * self.pitch() {
                 continue;
             }
-            let count = samples.iter().step_by(2).filter(|s| arc.off(s.at).abs() < within).count();
-            if best.is_none_or(|(most, _)| count > most) {
-                best = Some((count, arc));
+            // Near places count more: arcs of another radius are within the limit too.
+            let near = |s: &Sample| (1.0 - (arc.off(s.at) / within).powi(2)).max(0.0);
+            let score = samples.iter().step_by(2).map(near).sum();
+            if best.is_none_or(|(most, _)| score > most) {
+                best = Some((score, arc));
             }
         }
         best
