@@ -10,6 +10,7 @@ mod disturbance;
 mod drives;
 mod error;
 pub mod eyes;
+pub mod frames;
 mod sample;
 mod simulate;
 mod summary;

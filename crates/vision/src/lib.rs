@@ -5,4 +5,4 @@
 mod frame;
 pub mod stripe;
 
-pub use frame::{Frame, FrameError, Image, Pixels};
+pub use frame::{Frame, FrameError, Image, MAX_SIDE, Pixels};

@@ -47,10 +47,6 @@ impl Segment {
         self.ends[0].distance(self.ends[1])
     }
 
-    /// debug
-    pub fn columns_dbg(&self) -> (i32, i32) {
-        self.columns
-    }
     /// How far a place on it may be from its line, mm.
     pub(super) fn within(&self, pitch: f64) -> f64 {
         (4.0 * self.deviation).max(1.5 * pitch)

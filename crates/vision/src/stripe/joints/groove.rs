@@ -20,6 +20,9 @@ const ROUNDED: f64 = 6.0;
 /// How far the ends of the walls may be from a closed root, columns.
 const CLOSED: f64 = 16.0;
 
+/// Part of a groove's columns with other light for no, and for full confidence.
+pub(super) const CROWD: [f64; 2] = [0.5, 0.3];
+
 /// How far a shoulder's last place may be from its edge for no, and for full confidence, columns.
 const EDGE_OFF: [f64; 2] = [25.0, 12.0];
 
@@ -68,7 +71,8 @@ impl View<'_> {
         }
         let off = left.ends[1].distance(edge_left).max(right.ends[0].distance(edge_right)) / self.pitch();
         let margin = if hidden { 0.0 } else { ramp(off, EDGE_OFF[0], EDGE_OFF[1]) };
-        let margin = margin * ramp(inside, 0.0, 5.0) * ramp(on_walls, 0.65, 0.85);
+        let crowd = self.crowd((left.columns.1, right.columns.0));
+        let margin = margin * ramp(crowd, CROWD[0], CROWD[1]) * ramp(inside, 0.0, 5.0) * ramp(on_walls, 0.65, 0.85);
         let values = [
             (Quantity::Gap, gap),
             (Quantity::Mismatch, mismatch(&left, &right, joint, along)),

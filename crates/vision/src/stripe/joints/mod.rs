@@ -121,6 +121,20 @@ impl View<'_> {
         on as f64 / f64::from((segment.columns.1 - segment.columns.0 + 1).max(1))
     }
 
+    /// Part of the columns in which something else than the chain is seen.
+    fn crowd(&self, columns: (i32, i32)) -> f64 {
+        let own = self.profile.between(columns.0, columns.1).len();
+        let (mut seen, mut crowded, mut last) = (0, 0, (i32::MIN, 0));
+        for s in self.profile.all_between(columns.0, columns.1) {
+            last = if last.0 == s.column { (s.column, last.1 + 1) } else { (s.column, 1) };
+            seen += 1;
+            crowded += u32::from(last.1 == 2);
+        }
+        // Where the chain is left out, something else is seen alone.
+        let alone = f64::from(seen) - f64::from(crowded) - own as f64;
+        (f64::from(crowded) + alone.max(0.0)) / f64::from((columns.1 - columns.0 + 1).max(1))
+    }
+
     /// Puts the features together: inliers x length x residual x margin x innovation.
     fn features(&self, points: &[(Feature, DVec2)], values: &[(Quantity, f64)], support: &Support) -> Features {
         let pitch = self.pitch();

@@ -1,6 +1,6 @@
 //! Grooves whose walls end in arcs: U and J.
 
-use super::groove::{SHOULDERS, mismatch};
+use super::groove::{CROWD, SHOULDERS, mismatch};
 use super::{Support, View, between, ramp, turn};
 use crate::stripe::fit::{StripeArc, StripeLine, line};
 use crate::stripe::profile::Sample;
@@ -96,7 +96,11 @@ impl View<'_> {
         if one_sided < 0.75 || apart > 0.5 * width {
             return Err(NoFeatures::NoGroove);
         }
-        let margin = ramp(one_sided, 0.75, 0.9);
+        // A root gap is dark.
+        let column = |p: DVec2| inside.iter().position(|s| (s.at - p).dot(groove.along) >= 0.0).unwrap_or(inside.len());
+        let lit = column(upright).abs_diff(column(root)) as f64;
+        let dark = if gap > 0.0 { ramp(lit * self.pitch() / gap, 0.8, 0.5) } else { 1.0 };
+        let margin = dark * ramp(one_sided, 0.75, 0.9);
         let angle = side.wall.map(|w| w.along.dot(groove.along).clamp(-1.0, 1.0).asin());
         let (radius, edge) = (side.arc.radius, side.edge);
         let (roots, edges) =
@@ -123,6 +127,7 @@ impl View<'_> {
         let seen = self.profile.between(groove.inside.0, groove.inside.1).len() as f64;
         let columns = f64::from(groove.inside.1 - groove.inside.0 + 1) - gap / self.pitch();
         let margin = margin * ramp(seen / columns.max(1.0), 0.4, 0.6);
+        let margin = margin * ramp(self.crowd(groove.inside), CROWD[0], CROWD[1]);
         let margin = margin * ramp(self.rivals(groove.inside, &groove.shoulders), 0.4, 0.2);
         let shoulders = self.share(self.samples(), &groove.shoulders);
         let inside = self.profile.between(groove.inside.0, groove.inside.1).len() as f64 / self.samples().len() as f64;

@@ -1,0 +1,46 @@
+//! Files of images to grey pictures.
+
+use image::{DynamicImage, ImageReader, Limits};
+use seamwright_vision::{Image, MAX_SIDE};
+use std::io::Cursor;
+use thiserror::Error;
+
+/// Why bytes are no picture.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum DecodeError {
+    /// Not a known kind of image.
+    #[error("not an image: PNG, JPEG and PNM are read")]
+    Kind,
+    /// A damaged or cut off file, or one with an absurd header.
+    #[error("the image cannot be read: {0}")]
+    Broken(String),
+    /// Pixels that are neither of 8 nor of 16 bits.
+    #[error("pixels of {0}: 8 and 16 bits a channel are read")]
+    Depth(&'static str),
+}
+
+/// A PNG, JPEG or PNM file of 8 or 16 bits as a grey picture; colours become their brightness (Rec. 709).
+///
+/// # Errors
+/// Bytes that are no such file, a file that is damaged, a picture larger than [`MAX_SIDE`] to a side.
+pub fn decode(bytes: &[u8]) -> Result<Image, DecodeError> {
+    let broken = |e: image::ImageError| DecodeError::Broken(e.to_string());
+    let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|_| DecodeError::Kind)?;
+    if reader.format().is_none() {
+        return Err(DecodeError::Kind);
+    }
+    let mut limits = Limits::default();
+    limits.max_image_width = u32::try_from(MAX_SIDE).ok();
+    limits.max_image_height = u32::try_from(MAX_SIDE).ok();
+    reader.limits(limits);
+    let picture = reader.decode().map_err(broken)?;
+    let (width, height) = (picture.width() as usize, picture.height() as usize);
+    Ok(match picture {
+        DynamicImage::ImageLuma16(_)
+        | DynamicImage::ImageLumaA16(_)
+        | DynamicImage::ImageRgb16(_)
+        | DynamicImage::ImageRgba16(_) => Image::U16 { width, height, pixels: picture.into_luma16().into_raw() },
+        DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => return Err(DecodeError::Depth("32 bits")),
+        _ => Image::U8 { width, height, pixels: picture.into_luma8().into_raw() },
+    })
+}

@@ -1,0 +1,5 @@
+//! Where frames come from.
+
+mod decode;
+
+pub use decode::{DecodeError, decode};
