@@ -124,17 +124,16 @@ pub(super) fn line(
 
 /// A circle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StripeArc {
+pub(super) struct StripeArc {
     /// Its centre, mm.
-    pub centre: DVec2,
+    pub(super) centre: DVec2,
     /// Its radius, mm.
-    pub radius: f64,
+    pub(super) radius: f64,
 }
 
 impl StripeArc {
     /// Signed distance of `p`, mm: positive outside.
-    #[must_use]
-    pub fn off(&self, p: DVec2) -> f64 {
+    pub(super) fn off(&self, p: DVec2) -> f64 {
         p.distance(self.centre) - self.radius
     }
 

@@ -20,7 +20,7 @@ mod segments;
 
 pub use chain::StripePoint;
 pub use features::{Expected, Feature, Features, JointKind, NoFeatures, Quantity, StripeTask};
-pub use fit::{StripeArc, StripeLine};
+pub use fit::StripeLine;
 pub use segments::Segment;
 
 use crate::Frame;
