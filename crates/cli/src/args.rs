@@ -7,6 +7,7 @@ pub(crate) mod move_to;
 pub(crate) mod post;
 pub(crate) mod read;
 pub(crate) mod reduce;
+pub(crate) mod stripe;
 pub(crate) mod teach;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -63,6 +64,8 @@ pub(crate) enum Verb {
     Move(move_to::MoveArgs),
     /// The machine and the work in it: place the work from touched points, check a machine file
     Machine(machine::MachineArgs),
+    /// The joint in an image or a profile of a laser stripe: joint point, gap, mismatch, area, angles
+    Stripe(stripe::StripeArgs),
     /// List the machines that ship, or print one's file
     Machines(ListArgs),
     /// List the example jobs that ship, or print one to copy

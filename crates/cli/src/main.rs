@@ -54,6 +54,7 @@ fn run(verb: Option<Verb>) -> Result<(), Failure> {
         Some(Verb::Edit(a)) => verbs::edit::run(&a),
         Some(Verb::Move(a)) => verbs::move_to::run(&a),
         Some(Verb::Machine(a)) => verbs::machine::run(&a),
+        Some(Verb::Stripe(a)) => verbs::stripe::run(&a),
         Some(Verb::Machines(a)) => verbs::lists::machines(&a),
         Some(Verb::Procedures(a)) => verbs::lists::procedures(&a),
         Some(Verb::Examples(a)) => verbs::lists::examples(&a),

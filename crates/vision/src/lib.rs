@@ -6,6 +6,7 @@ pub mod camera;
 mod frame;
 pub mod joint;
 mod ridge;
+pub mod stripe;
 
 pub use frame::{Frame, FrameError, Image, MAX_SIDE, Pixels};
 pub use ridge::{Ridge, RidgeEnd, RidgeRow, follow_ridge};

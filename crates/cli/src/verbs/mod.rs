@@ -21,6 +21,7 @@ pub(crate) mod schema;
 pub(crate) mod seam;
 pub(crate) mod section;
 pub(crate) mod simulate;
+pub(crate) mod stripe;
 pub(crate) mod teach;
 
 use crate::failure::Failure;
