@@ -1,6 +1,8 @@
 //! The command line, as in the contract of `docs/cli.md`.
 
+pub(crate) mod bench;
 pub(crate) mod edit;
+pub(crate) mod find_joint;
 pub(crate) mod follow;
 pub(crate) mod machine;
 pub(crate) mod move_to;
@@ -56,6 +58,8 @@ pub(crate) enum Verb {
     Follow(follow::FollowArgs),
     /// Taught points to lines and arcs whose ends are points
     Reduce(reduce::ReduceArgs),
+    /// The joint line in one image: its midline, place by place
+    FindJoint(find_joint::FindJointArgs),
     /// A seam taught by eye: frames to a program of lines and arcs, with a report
     Teach(teach::TeachArgs),
     /// Edit a program file: points, spans, passes, speeds; undo and redo
@@ -72,6 +76,8 @@ pub(crate) enum Verb {
     Examples(ListArgs),
     /// List the welding procedures that ship, or print one to copy
     Procedures(ListArgs),
+    /// This build measured on its own gates
+    Bench(bench::BenchArgs),
     /// JSON Schema of a file format
     Schema(SchemaArgs),
 }

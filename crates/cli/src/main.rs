@@ -10,6 +10,7 @@ mod failure;
 mod files;
 mod load;
 mod outside;
+mod overlay;
 mod progress;
 mod rows;
 mod verbs;
@@ -50,6 +51,8 @@ fn run(verb: Option<Verb>) -> Result<(), Failure> {
         Some(Verb::Interpolate(a)) => verbs::interpolate::run(&a),
         Some(Verb::Follow(a)) => verbs::follow::run(&a),
         Some(Verb::Reduce(a)) => verbs::reduce::run(&a),
+        Some(Verb::FindJoint(a)) => verbs::find_joint::run(&a),
+        Some(Verb::Bench(a)) => verbs::bench::run(&a),
         Some(Verb::Teach(a)) => verbs::teach::run(&a),
         Some(Verb::Edit(a)) => verbs::edit::run(&a),
         Some(Verb::Move(a)) => verbs::move_to::run(&a),

@@ -1,8 +1,10 @@
 //! One module a verb.
 
+pub(crate) mod bench;
 pub(crate) mod check;
 pub(crate) mod demo;
 pub(crate) mod edit;
+pub(crate) mod find_joint;
 pub(crate) mod follow;
 pub(crate) mod interpolate;
 pub(crate) mod kinematics;

@@ -2,15 +2,13 @@
 
 use crate::csv::CsvReader;
 use crate::failure::Failure;
+use crate::files;
 use glam::DVec2;
 use seamwright_cell::frames::decode;
 use seamwright_vision::Image;
-use std::fs;
-use std::io::{self, Read as _};
 use std::path::Path;
 
-/// Most bytes of a file, and most points of a profile: more is no stripe.
-const MOST_BYTES: u64 = 1 << 30;
+/// Most points of a profile: more is no stripe.
 const MOST_POINTS: usize = 1_000_000;
 
 /// What was read.
@@ -22,7 +20,7 @@ pub(super) enum Input {
 
 /// Reads the file; `source` names it in messages.
 pub(super) fn read(path: &Path, source: &str) -> Result<Input, Failure> {
-    let bytes = bytes(path, source)?;
+    let bytes = files::read_bytes(path, source)?;
     if is_image(&bytes) {
         return decode(&bytes).map(Input::Image).map_err(|e| Failure::Input(format!("{source}: {e}")));
     }
@@ -31,21 +29,6 @@ pub(super) fn read(path: &Path, source: &str) -> Result<Input, Failure> {
         return Err(Failure::Input(format!("{source}: neither an image nor text\n   allowed: {allowed}")));
     };
     profile(text, source).map(Input::Profile)
-}
-
-fn bytes(path: &Path, source: &str) -> Result<Vec<u8>, Failure> {
-    let unreadable = |e: &io::Error| Failure::Input(format!("{source}: cannot be read: {e}"));
-    let mut bytes = Vec::new();
-    let result = if source == "-" {
-        io::stdin().lock().take(MOST_BYTES + 1).read_to_end(&mut bytes)
-    } else {
-        fs::File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes))
-    };
-    result.map_err(|e| unreadable(&e))?;
-    if bytes.len() as u64 > MOST_BYTES {
-        return Err(Failure::Input(format!("{source}: the file is too large\n   allowed: up to 1 GiB")));
-    }
-    Ok(bytes)
 }
 
 /// Whether the first bytes are those of PNG, JPEG or PNM.
