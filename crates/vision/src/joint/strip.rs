@@ -58,6 +58,8 @@ pub(super) struct Strip {
     pub(super) noise: f32,
     /// First and last column where there is a depth.
     pub(super) columns: (usize, usize),
+    /// The mean of both sides less the joint's box: what noise is measured on.
+    even: Vec<[f32; COLS]>,
     magnitudes: Vec<f32>,
 }
 
@@ -65,7 +67,15 @@ impl Strip {
     pub(super) fn new() -> Self {
         let rows = || vec![[0.0; COLS]; ROWS];
         let magnitudes = Vec::with_capacity(ROWS * COLS);
-        Self { grey: rows(), group: rows(), depth: rows(), noise: 1.0, columns: (0, COLS - 1), magnitudes }
+        Self {
+            grey: rows(),
+            group: rows(),
+            depth: rows(),
+            noise: 1.0,
+            columns: (0, COLS - 1),
+            even: rows(),
+            magnitudes,
+        }
     }
 
     /// Fills the strip from `frame` along `axis`; its depths for a joint of `width` columns.
@@ -121,19 +131,23 @@ impl Strip {
         let boxes = Boxes::new(width);
         self.columns = (boxes.reach, COLS - 1 - boxes.reach);
         self.magnitudes.clear();
-        for (row, depth) in self.group.iter().zip(&mut self.depth) {
+        for ((row, depth), even) in self.group.iter().zip(&mut self.depth).zip(&mut self.even) {
             let sums = sums(row);
             let first = self.columns.0;
-            for (j, depth) in depth[first..=self.columns.1].iter_mut().enumerate() {
+            for (j, (depth, even)) in depth[first..=self.columns.1].iter_mut().zip(&mut even[first..]).enumerate() {
                 let (left, centre, right) = boxes.means(&sums, first + j);
                 *depth = left.min(right) - centre;
-                self.magnitudes.push((0.5 * (left + right) - centre).abs());
+                *even = 0.5 * (left + right) - centre;
             }
         }
-        // A low quantile, so that the joint itself and its rims do not count.
+        // What differs between groups that share no row is noise, the joint goes on; a low quantile, as it may slant.
+        for (a, b) in self.even.iter().zip(&self.even[2 * GROUP + 1..]) {
+            let columns = self.columns.0..=self.columns.1;
+            self.magnitudes.extend(a[columns.clone()].iter().zip(&b[columns]).map(|(a, b)| (a - b).abs()));
+        }
         let place = self.magnitudes.len() * 3 / 10;
         let (_, quantile, _) = self.magnitudes.select_nth_unstable_by(place, f32::total_cmp);
-        self.noise = (*quantile / 0.385).max(LEAST_NOISE);
+        self.noise = (*quantile / (0.385 * std::f32::consts::SQRT_2)).max(LEAST_NOISE);
     }
 
     /// Depth of row `i` alone at column `j`, not of its group.
