@@ -1,8 +1,10 @@
+//! Every frame that the follower gets wrong, and the gates: `cargo run --release -p seamwright-cell --example joint_gates 50`.
+
 #![allow(missing_docs)]
 use seamwright_cell::eyes::{gates::*, scene::*};
 use seamwright_vision::joint::*;
 fn main() {
-    let n: u64 = std::env::args().nth(1).unwrap().parse().unwrap();
+    let n: u64 = std::env::args().nth(1).and_then(|n| n.parse().ok()).unwrap_or(50);
     let mut f = Follower::new(Options::default());
     for kind in Kind::ALL {
         let (mut t, mut bad) = (vec![], String::new());

@@ -174,6 +174,8 @@ impl Follower {
             *supported = 2 * out >= near.len() && alike(mean);
         }
         let middle = midline(strip, best, &supported, columns);
+        let (right, bottom) = ((frame.width() - 1) as f32, (frame.height() - 1) as f32);
+        let inside_frame = |x: f32, y: f32| (0.0..=right).contains(&x) && (0.0..=bottom).contains(&y);
         let mut confidence = [0.0; ROWS];
         for (i, confidence) in confidence.iter_mut().enumerate() {
             let near = around(i, AROUND);
@@ -186,7 +188,13 @@ impl Follower {
             let margin = ((ours - theirs) / ours.max(1e-6) / 0.5).clamp(0.0, 1.0);
             // A midline away from its path is on something else.
             let off = (middle[i] + HALF as f32 - best[i] as f32).abs() / (0.5 * columns + 1.0);
-            *confidence = (ours / 3.5).clamp(0.0, 1.0) * margin * part * (2.0 - off).clamp(0.0, 1.0);
+            // Where one side is much darker than the other it may be a shadow's rim; at the frame's rim a side is missing.
+            let (even, least) = (strip.even[i][best[i]], depth(i, best[i]));
+            let alike = (1.5 - (even - least) / least.max(1e-3)).clamp(0.0, 1.0);
+            let rims = [-1.0, 1.0].map(|side| axis.beside(i as f32, middle[i] + side * 1.5 * columns));
+            let whole = if rims.iter().all(|[x, y]| inside_frame(*x, *y)) { 1.0 } else { 0.0 };
+            let sure = (ours / 3.5).clamp(0.0, 1.0) * margin * part * (2.0 - off).clamp(0.0, 1.0);
+            *confidence = sure * alike * whole;
         }
         let count = supported.iter().filter(|s| **s).count().max(1) as f32;
         let contrast = (0..ROWS).filter(|i| supported[*i]).map(|i| depth(i, best[i])).sum::<f32>() / count;
@@ -232,7 +240,7 @@ impl Follower {
         let last = rows[seen - 1];
         let sure = rows[seen.saturating_sub(TAKEN)..seen].iter().filter(|r| r.confidence >= CONFIDENT).count();
         for row in &mut rows[seen..at.max(seen)] {
-            (row.state, row.confidence) = (State::Seen, last.confidence);
+            (row.state, row.confidence) = (State::Seen, last.confidence.min(0.9 * CONFIDENT));
         }
         let after = &self.depths[at..];
         let mean = after.iter().sum::<f32>() / after.len().max(1) as f32;

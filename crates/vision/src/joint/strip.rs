@@ -59,7 +59,7 @@ pub(super) struct Strip {
     /// First and last column where there is a depth.
     pub(super) columns: (usize, usize),
     /// The mean of both sides less the joint's box: what noise is measured on.
-    even: Vec<[f32; COLS]>,
+    pub(super) even: Vec<[f32; COLS]>,
     magnitudes: Vec<f32>,
 }
 
