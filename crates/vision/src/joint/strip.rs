@@ -22,14 +22,21 @@ pub(super) struct Axis {
     pub(super) heading: f32,
     /// Change of heading, rad/px.
     pub(super) curvature: f32,
-    /// Pixels between rows and between columns.
-    pub(super) step: f32,
+    /// Pixels between rows.
+    pub(super) along: f32,
+    /// Pixels between columns.
+    pub(super) across: f32,
 }
 
 impl Axis {
+    /// The same axis, sampled for a joint of this width, pixels: never many columns, rows closer than columns.
+    pub(super) fn for_width(self, width: f32) -> Self {
+        Self { along: (width / 12.0).max(1.0), across: (width / 6.0).max(1.0), ..self }
+    }
+
     /// The axis' place at row `i` (fractions too) and its unit tangent there.
     pub(super) fn at(&self, i: f32) -> ([f32; 2], [f32; 2]) {
-        let (s, turn) = (i * self.step, i * self.step * self.curvature);
+        let (s, turn) = (i * self.along, i * self.along * self.curvature);
         // Chord of an arc: the mean direction is that of half the turn.
         let chord = s * (1.0 - turn * turn / 24.0);
         let (sin, cos) = (self.heading + turn / 2.0).sin_cos();
@@ -40,7 +47,7 @@ impl Axis {
     /// The place `across` columns beside row `i`.
     pub(super) fn beside(&self, i: f32, across: f32) -> [f32; 2] {
         let ([x, y], [cos, sin]) = self.at(i);
-        let across = across * self.step;
+        let across = across * self.across;
         [x - across * sin, y + across * cos]
     }
 }
@@ -94,7 +101,7 @@ impl Strip {
         for (i, row) in self.grey.iter_mut().enumerate() {
             let ([x, y], [cos, sin]) = axis.at(i as f32);
             for (j, grey) in row.iter_mut().enumerate() {
-                let across = (j as f32 - HALF as f32) * axis.step;
+                let across = (j as f32 - HALF as f32) * axis.across;
                 // Beyond the rim the rim goes on.
                 let (px, py) = ((x - across * sin).clamp(0.0, right), (y + across * cos).clamp(0.0, bottom));
                 let (left, top) = (px as usize, py as usize);
