@@ -7,8 +7,10 @@ use crate::Frame;
 
 /// Widths tried at a start of unknown width, pixels.
 const WIDTHS: [f32; 6] = [2.0, 3.5, 6.0, 10.0, 18.0, 32.0];
-/// Rows taken from a strip; those after them look ahead.
+/// Rows taken from a strip; those after them look ahead ...
 const TAKEN: usize = 32;
+/// ... and these before them look back.
+const BACK: usize = 10;
 /// A row is supported if half of the rows within this many of it stand out of the noise ...
 const NEIGHBOURS: usize = 6;
 /// ... by this many standard deviations.
@@ -96,8 +98,15 @@ impl Follower {
         let mut best: Option<(f32, f32, Axis)> = None;
         let widths = known.as_ref().map_or(&WIDTHS[..], std::slice::from_ref);
         for &width in widths {
-            let axis =
-                Axis { x: start.x, y: start.y, heading: start.direction, curvature: 0.0, along: 1.0, across: 1.0 };
+            let axis = Axis {
+                x: start.x,
+                y: start.y,
+                heading: start.direction,
+                curvature: 0.0,
+                along: 1.0,
+                across: 1.0,
+                origin: 0,
+            };
             let axis = axis.for_width(width);
             let view = self.look(frame, &axis, width, None, 1.0);
             let support = view.supported.iter().filter(|s| **s).count() as f32;
@@ -132,7 +141,7 @@ impl Follower {
             let free = 1.5 + 0.08 * track.gap as f32;
             let view = self.look(frame, &track.axis, track.width, Some(track.contrast), free);
             let drift = drift(&view);
-            for i in 0..TAKEN {
+            for i in track.axis.origin..track.axis.origin + TAKEN {
                 let supported = view.supported[i];
                 let across = if supported { view.middle[i] } else { drift.at(i as f32) };
                 let place = track.axis.beside(i as f32, across);
@@ -295,7 +304,7 @@ impl Drift {
 }
 
 /// Rows the way on is fitted to: what comes late in a strip may be another joint that comes near.
-const FITTED: usize = 40;
+const FITTED: usize = 48;
 const MID: f32 = (FITTED / 2) as f32;
 
 fn drift(view: &View) -> Drift {
@@ -320,16 +329,16 @@ fn drift(view: &View) -> Drift {
 impl Track {
     /// On to the next strip; heading, curvature, width and contrast from supported rows only.
     fn advance(&mut self, view: &View, drift: &Drift, strip: &Strip) {
-        let at = TAKEN as f32;
+        let at = (self.axis.origin + TAKEN) as f32;
         let across = drift.at(at);
         let [x, y] = self.axis.beside(at, across);
         let Axis { along, across: pitch, .. } = self.axis;
-        let turn = at * along * self.axis.curvature;
+        let turn = TAKEN as f32 * along * self.axis.curvature;
         let slope = (drift.slope + 2.0 * drift.bend * (at - MID)) * pitch / along;
         let heading = self.axis.heading + turn + if drift.known { slope.atan() } else { 0.0 };
         let bent = (self.axis.curvature + 2.0 * drift.bend * pitch / (along * along)).clamp(-MOST_BENT, MOST_BENT);
         let curvature = if drift.known { bent } else { 0.7 * self.axis.curvature };
-        self.axis = Axis { x, y, heading, curvature, ..self.axis };
+        self.axis = Axis { x, y, heading, curvature, origin: BACK, ..self.axis };
         if !drift.known {
             return;
         }

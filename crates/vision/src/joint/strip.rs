@@ -1,7 +1,7 @@
 use crate::{Frame, Pixels};
 
 /// Rows of a strip.
-pub(super) const ROWS: usize = 48;
+pub(super) const ROWS: usize = 56;
 /// Columns to either side of the axis.
 pub(super) const HALF: usize = 22;
 /// Columns of a strip.
@@ -26,6 +26,8 @@ pub(super) struct Axis {
     pub(super) along: f32,
     /// Pixels between columns.
     pub(super) across: f32,
+    /// The row at (x, y): those before it look back.
+    pub(super) origin: usize,
 }
 
 impl Axis {
@@ -36,7 +38,8 @@ impl Axis {
 
     /// The axis' place at row `i` (fractions too) and its unit tangent there.
     pub(super) fn at(&self, i: f32) -> ([f32; 2], [f32; 2]) {
-        let (s, turn) = (i * self.along, i * self.along * self.curvature);
+        let s = (i - self.origin as f32) * self.along;
+        let turn = s * self.curvature;
         // Chord of an arc: the mean direction is that of half the turn.
         let chord = s * (1.0 - turn * turn / 24.0);
         let (sin, cos) = (self.heading + turn / 2.0).sin_cos();
@@ -98,19 +101,34 @@ impl Strip {
 
     fn unroll(&mut self, pixel: impl Fn(usize) -> f32, (width, height): (usize, usize), axis: &Axis) {
         let (right, bottom) = ((width - 1) as f32, (height - 1) as f32);
+        // A coarse sample is the mean of the pixels of its place, a fine one lies between four pixels.
+        let (along, across) = (axis.along.round() as usize, axis.across.round() as usize);
+        let part = 1.0 / (along * across) as f32;
         for (i, row) in self.grey.iter_mut().enumerate() {
             let ([x, y], [cos, sin]) = axis.at(i as f32);
             for (j, grey) in row.iter_mut().enumerate() {
-                let across = (j as f32 - HALF as f32) * axis.across;
+                let offset = (j as f32 - HALF as f32) * axis.across;
                 // Beyond the rim the rim goes on.
-                let (px, py) = ((x - across * sin).clamp(0.0, right), (y + across * cos).clamp(0.0, bottom));
-                let (left, top) = (px as usize, py as usize);
-                let (u, v) = (px - left as f32, py - top as f32);
-                let (next, below) = ((left + 1).min(width - 1), (top + 1).min(height - 1) * width);
-                let top = top * width;
-                let upper = pixel(top + left) * (1.0 - u) + pixel(top + next) * u;
-                let lower = pixel(below + left) * (1.0 - u) + pixel(below + next) * u;
-                *grey = upper * (1.0 - v) + lower * v;
+                let (px, py) = (x - offset * sin, y + offset * cos);
+                if along * across == 1 {
+                    let (px, py) = (px.clamp(0.0, right), py.clamp(0.0, bottom));
+                    let (left, top) = (px as usize, py as usize);
+                    let (u, v) = (px - left as f32, py - top as f32);
+                    let (next, below) = ((left + 1).min(width - 1), (top + 1).min(height - 1) * width);
+                    let top = top * width;
+                    let upper = pixel(top + left) * (1.0 - u) + pixel(top + next) * u;
+                    let lower = pixel(below + left) * (1.0 - u) + pixel(below + next) * u;
+                    *grey = upper * (1.0 - v) + lower * v;
+                    continue;
+                }
+                let mut sum = 0.0;
+                for k in 0..along * across {
+                    let u = (k / across) as f32 - 0.5 * (along - 1) as f32;
+                    let v = (k % across) as f32 - 0.5 * (across - 1) as f32;
+                    let (qx, qy) = (px + u * cos - v * sin + 0.5, py + u * sin + v * cos + 0.5);
+                    sum += pixel(qy.clamp(0.0, bottom) as usize * width + qx.clamp(0.0, right) as usize);
+                }
+                *grey = sum * part;
             }
         }
     }
