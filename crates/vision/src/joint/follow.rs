@@ -1,5 +1,5 @@
 use super::judge::judge;
-use super::midline::{full_width, line, midline};
+use super::midline::{full_width, line, midline, odd};
 use super::path::Paths;
 use super::strip::{Axis, EVIDENCE_FROM, HALF, ROWS, Strip};
 use super::{CONFIDENT, End, Joint, Options, Row, Start, State, Zone};
@@ -23,6 +23,10 @@ const CONTRAST_FACTOR: f32 = 2.5;
 const CLOSED: (f32, f32) = (2.0, 0.26);
 /// Joints bend no more sharply than this, rad/px.
 const MOST_BENT: f32 = 0.025;
+/// The midline's standard error in a row that is sure, pixels.
+const KNOWN_TO: f32 = 0.35;
+/// A profile's odd part in a row that is sure, of its depth.
+const ODD: f32 = 0.15;
 /// A frame without this part of the first rows supported shows no joint at the start.
 const START_SUPPORT: f32 = 0.6;
 
@@ -190,7 +194,7 @@ impl Follower {
             let mean = near.clone().map(|k| depth(k, best[k])).sum::<f32>() / near.len() as f32;
             *supported = 2 * out >= near.len() && alike(mean);
         }
-        let middle = midline(strip, best, &supported, columns);
+        let (middle, error) = midline(strip, best, &supported, columns);
         let (right, bottom) = ((frame.width() - 1) as f32, (frame.height() - 1) as f32);
         let inside_frame = |x: f32, y: f32| (0.0..=right).contains(&x) && (0.0..=bottom).contains(&y);
         let mut confidence = [0.0; ROWS];
@@ -211,7 +215,9 @@ impl Follower {
             let rims = [-1.0, 1.0].map(|side| axis.beside(i as f32, middle[i] + side * 1.5 * columns));
             let whole = if rims.iter().all(|[x, y]| inside_frame(*x, *y)) { 1.0 } else { 0.0 };
             let sure = (ours / 3.5).clamp(0.0, 1.0) * margin * part * (2.0 - off).clamp(0.0, 1.0);
-            *confidence = sure * alike * whole;
+            let exact = (2.0 - error[i] * axis.across / KNOWN_TO).clamp(0.0, 1.0);
+            let lone = (2.0 - odd(strip, &middle, i, columns) / (ODD * least.max(1e-3))).clamp(0.0, 1.0);
+            *confidence = sure * alike * whole * exact * lone;
         }
         let count = supported.iter().filter(|s| **s).count().max(1) as f32;
         let contrast = (0..ROWS).filter(|i| supported[*i]).map(|i| depth(i, best[i])).sum::<f32>() / count;
