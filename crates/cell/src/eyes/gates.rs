@@ -3,6 +3,7 @@
 use super::scene::{Kind, Scene, scene};
 use glam::DVec2;
 use seamwright_vision::joint::{CONFIDENT, End, Follower, Options, State};
+use std::ops::Range;
 
 /// Pixels to a side of the frames.
 const SIZE: usize = 512;
@@ -60,7 +61,7 @@ pub struct Outcome {
     pub errors: Vec<(f64, bool)>,
     /// Confident rows where there is no joint at all.
     pub phantom: usize,
-    /// Part of the midline that was followed.
+    /// Part of the midline within the frame that was followed.
     pub reach: f64,
     /// How far the last row is from where the joint ends, if it does.
     pub end_error: Option<f64>,
@@ -95,7 +96,11 @@ pub fn follow(follower: &mut Follower, scene: &Scene) -> Outcome {
         }
         outcome.errors.push((error, confident));
     }
-    outcome.reach = reached as f64 / truth.midline.len().max(1) as f64;
+    // A wide joint's midline is painted on beyond the rim.
+    let inside =
+        |p: &&DVec2| p.min_element() >= 0.0 && p.x <= frame.width() as f64 - 1.0 && p.y <= frame.height() as f64 - 1.0;
+    let visible = truth.midline.iter().filter(inside).count();
+    outcome.reach = reached as f64 / visible.max(1) as f64;
     outcome.end_error = truth.end.zip(joint.rows.last()).map(|(end, last)| end.distance(place(last.x, last.y)));
     outcome
 }
@@ -113,17 +118,19 @@ fn distance(line: &[DVec2], at: DVec2) -> (f64, usize) {
     (to.fold(f64::INFINITY, f64::min), i)
 }
 
-/// Runs `frames` frames of each kind, tells of each by `done`, and gives the gates.
+/// Runs the frames of these seeds of each kind, tells of each by `done`, and gives the gates.
 #[must_use]
-pub fn joint_gates(frames: u64, mut done: impl FnMut()) -> Table {
+pub fn joint_gates(seeds: Range<u64>, mut done: impl FnMut(Kind, u64, &Outcome)) -> Table {
     let mut follower = Follower::new(Options::default());
     let mut rows = Vec::new();
     let mut all = (0usize, 0usize);
     for kind in Kind::ALL {
-        let outcomes: Vec<Outcome> = (0..frames)
+        let outcomes: Vec<Outcome> = seeds
+            .clone()
             .map(|seed| {
-                done();
-                follow(&mut follower, &scene(kind, seed, SIZE))
+                let outcome = follow(&mut follower, &scene(kind, seed, SIZE));
+                done(kind, seed, &outcome);
+                outcome
             })
             .collect();
         for outcome in &outcomes {
