@@ -5,6 +5,7 @@
 pub mod camera;
 mod frame;
 pub mod joint;
+pub mod region_growing;
 mod ridge;
 pub mod stripe;
 

@@ -162,7 +162,11 @@ fn gates_of(kind: Kind, outcomes: &[Outcome], rows: &mut Vec<Gate>) {
     confident.sort_by(f64::total_cmp);
     let seen = outcomes.iter().map(|o| o.errors.len()).sum::<usize>();
     let quantile = |q: f64| confident.get((q * confident.len() as f64) as usize).copied().unwrap_or(f64::INFINITY);
-    let rms = (confident.iter().map(|e| e * e).sum::<f64>() / confident.len().max(1) as f64).sqrt();
+    // Of no rows there is none: a gate without anything measured is not kept.
+    let rms = match confident.len() {
+        0 => f64::INFINITY,
+        n => (confident.iter().map(|e| e * e).sum::<f64>() / n as f64).sqrt(),
+    };
     if kind == Kind::Faint {
         gate("95 % of confident rows", quantile(0.95), Limit::Most(1.0), "px");
         gate("rows kept confident", 100.0 * confident.len() as f64 / seen.max(1) as f64, Limit::Least(80.0), "%");
@@ -186,7 +190,7 @@ fn gates_of(kind: Kind, outcomes: &[Outcome], rows: &mut Vec<Gate>) {
             gate("frames without the end told", count(&|o| o.end != End::JointEnd), Limit::Most(0.0), "");
             gate(
                 "greatest end error",
-                outcomes.iter().filter_map(|o| o.end_error).fold(0.0, f64::max),
+                outcomes.iter().filter_map(|o| o.end_error).reduce(f64::max).unwrap_or(f64::INFINITY),
                 Limit::Most(3.0),
                 "px",
             );

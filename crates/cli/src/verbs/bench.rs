@@ -61,7 +61,7 @@ fn vision(args: &BenchVisionArgs) -> Result<(), Failure> {
     let (kinds, joints) = (Kind::ALL.len() as u64, JointKind::ALL.len() as u64);
     // A stripe of each kind is read under three disturbances.
     let progress = Progress::new("simulated frames", frames * (kinds + 3 * joints));
-    let follower = joint_gates(frames, || progress.all(1));
+    let follower = joint_gates(0..frames, |_, _, _| progress.all(1));
     let stripes = stripe_gates(frames);
     drop(progress);
     let tables = [
