@@ -109,9 +109,9 @@ fn write(
 ) -> Result<(), Failure> {
     let place = Place { image };
     if args.json {
-        place.print(found)?
+        place.print(found)?;
     } else {
-        place.rows(found.as_ref().ok())?
+        place.rows(found.as_ref().ok())?;
     }
     // Nothing can be done if standard error is closed.
     let mut err = io::stderr();
