@@ -32,9 +32,9 @@ pub(crate) fn run(args: &FindJointArgs) -> Result<(), Failure> {
         files::write_with(path, |out| Ok(out.write_all(&png)?))?;
     }
     if args.json {
-        print(joint)?
+        print(joint)?;
     } else {
-        rows(joint)?
+        rows(joint)?;
     }
     // Nothing can be done if standard error is closed.
     let mut err = io::stderr();
