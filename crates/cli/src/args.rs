@@ -1,12 +1,15 @@
 //! The command line, as in the contract of `docs/cli.md`.
 
+pub(crate) mod bench;
 pub(crate) mod edit;
+pub(crate) mod find_joint;
 pub(crate) mod follow;
 pub(crate) mod machine;
 pub(crate) mod move_to;
 pub(crate) mod post;
 pub(crate) mod read;
 pub(crate) mod reduce;
+pub(crate) mod stripe;
 pub(crate) mod teach;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -55,6 +58,8 @@ pub(crate) enum Verb {
     Follow(follow::FollowArgs),
     /// Taught points to lines and arcs whose ends are points
     Reduce(reduce::ReduceArgs),
+    /// The joint line in one image: its midline, place by place
+    FindJoint(find_joint::FindJointArgs),
     /// A seam taught by eye: frames to a program of lines and arcs, with a report
     Teach(teach::TeachArgs),
     /// Edit a program file: points, spans, passes, speeds; undo and redo
@@ -63,12 +68,16 @@ pub(crate) enum Verb {
     Move(move_to::MoveArgs),
     /// The machine and the work in it: place the work from touched points, check a machine file
     Machine(machine::MachineArgs),
+    /// The joint in an image or a profile of a laser stripe: joint point, gap, mismatch, area, angles
+    Stripe(stripe::StripeArgs),
     /// List the machines that ship, or print one's file
     Machines(ListArgs),
     /// List the example jobs that ship, or print one to copy
     Examples(ListArgs),
     /// List the welding procedures that ship, or print one to copy
     Procedures(ListArgs),
+    /// This build measured on its own gates
+    Bench(bench::BenchArgs),
     /// JSON Schema of a file format
     Schema(SchemaArgs),
 }

@@ -2,13 +2,32 @@
 
 use crate::failure::Failure;
 use std::fs;
-use std::io::{BufWriter, Write};
+use std::io::{BufWriter, Read as _, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
+
+/// Most bytes of a file.
+const MOST_BYTES: u64 = 1 << 30;
 
 /// Reads a text file that the user named.
 pub(crate) fn read(path: &Path) -> Result<String, Failure> {
     fs::read_to_string(path).map_err(|e| Failure::Input(format!("{}: cannot be read: {e}", path.display())))
+}
+
+/// Reads a file of bytes, or standard input for `-`; `source` names it in messages.
+pub(crate) fn read_bytes(path: &Path, source: &str) -> Result<Vec<u8>, Failure> {
+    let unreadable = |e: &std::io::Error| Failure::Input(format!("{source}: cannot be read: {e}"));
+    let mut bytes = Vec::new();
+    let result = if source == "-" {
+        std::io::stdin().lock().take(MOST_BYTES + 1).read_to_end(&mut bytes)
+    } else {
+        fs::File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes))
+    };
+    result.map_err(|e| unreadable(&e))?;
+    if bytes.len() as u64 > MOST_BYTES {
+        return Err(Failure::Input(format!("{source}: the file is too large\n   allowed: up to 1 GiB")));
+    }
+    Ok(bytes)
 }
 
 /// A temporary file in `folder` with the permissions that a new file of the user's has.

@@ -10,6 +10,7 @@ mod failure;
 mod files;
 mod load;
 mod outside;
+mod overlay;
 mod progress;
 mod rows;
 mod verbs;
@@ -50,10 +51,13 @@ fn run(verb: Option<Verb>) -> Result<(), Failure> {
         Some(Verb::Interpolate(a)) => verbs::interpolate::run(&a),
         Some(Verb::Follow(a)) => verbs::follow::run(&a),
         Some(Verb::Reduce(a)) => verbs::reduce::run(&a),
+        Some(Verb::FindJoint(a)) => verbs::find_joint::run(&a),
+        Some(Verb::Bench(a)) => verbs::bench::run(&a),
         Some(Verb::Teach(a)) => verbs::teach::run(&a),
         Some(Verb::Edit(a)) => verbs::edit::run(&a),
         Some(Verb::Move(a)) => verbs::move_to::run(&a),
         Some(Verb::Machine(a)) => verbs::machine::run(&a),
+        Some(Verb::Stripe(a)) => verbs::stripe::run(&a),
         Some(Verb::Machines(a)) => verbs::lists::machines(&a),
         Some(Verb::Procedures(a)) => verbs::lists::procedures(&a),
         Some(Verb::Examples(a)) => verbs::lists::examples(&a),

@@ -3,6 +3,7 @@
 use super::scene::{Kind, Scene, scene};
 use glam::DVec2;
 use seamwright_vision::joint::{CONFIDENT, End, Follower, Options, State};
+use std::ops::Range;
 
 /// Pixels to a side of the frames.
 const SIZE: usize = 512;
@@ -60,7 +61,7 @@ pub struct Outcome {
     pub errors: Vec<(f64, bool)>,
     /// Confident rows where there is no joint at all.
     pub phantom: usize,
-    /// Part of the midline that was followed.
+    /// Part of the midline within the frame that was followed.
     pub reach: f64,
     /// How far the last row is from where the joint ends, if it does.
     pub end_error: Option<f64>,
@@ -95,7 +96,11 @@ pub fn follow(follower: &mut Follower, scene: &Scene) -> Outcome {
         }
         outcome.errors.push((error, confident));
     }
-    outcome.reach = reached as f64 / truth.midline.len().max(1) as f64;
+    // A wide joint's midline is painted on beyond the rim.
+    let inside =
+        |p: &&DVec2| p.min_element() >= 0.0 && p.x <= frame.width() as f64 - 1.0 && p.y <= frame.height() as f64 - 1.0;
+    let visible = truth.midline.iter().filter(inside).count();
+    outcome.reach = reached as f64 / visible.max(1) as f64;
     outcome.end_error = truth.end.zip(joint.rows.last()).map(|(end, last)| end.distance(place(last.x, last.y)));
     outcome
 }
@@ -113,17 +118,19 @@ fn distance(line: &[DVec2], at: DVec2) -> (f64, usize) {
     (to.fold(f64::INFINITY, f64::min), i)
 }
 
-/// Runs `frames` frames of each kind, tells of each by `done`, and gives the gates.
+/// Runs the frames of these seeds of each kind, tells of each by `done`, and gives the gates.
 #[must_use]
-pub fn joint_gates(frames: u64, mut done: impl FnMut()) -> Table {
+pub fn joint_gates(seeds: Range<u64>, mut done: impl FnMut(Kind, u64, &Outcome)) -> Table {
     let mut follower = Follower::new(Options::default());
     let mut rows = Vec::new();
     let mut all = (0usize, 0usize);
     for kind in Kind::ALL {
-        let outcomes: Vec<Outcome> = (0..frames)
+        let outcomes: Vec<Outcome> = seeds
+            .clone()
             .map(|seed| {
-                done();
-                follow(&mut follower, &scene(kind, seed, SIZE))
+                let outcome = follow(&mut follower, &scene(kind, seed, SIZE));
+                done(kind, seed, &outcome);
+                outcome
             })
             .collect();
         for outcome in &outcomes {
@@ -155,7 +162,11 @@ fn gates_of(kind: Kind, outcomes: &[Outcome], rows: &mut Vec<Gate>) {
     confident.sort_by(f64::total_cmp);
     let seen = outcomes.iter().map(|o| o.errors.len()).sum::<usize>();
     let quantile = |q: f64| confident.get((q * confident.len() as f64) as usize).copied().unwrap_or(f64::INFINITY);
-    let rms = (confident.iter().map(|e| e * e).sum::<f64>() / confident.len().max(1) as f64).sqrt();
+    // Of no rows there is none: a gate without anything measured is not kept.
+    let rms = match confident.len() {
+        0 => f64::INFINITY,
+        n => (confident.iter().map(|e| e * e).sum::<f64>() / n as f64).sqrt(),
+    };
     if kind == Kind::Faint {
         gate("95 % of confident rows", quantile(0.95), Limit::Most(1.0), "px");
         gate("rows kept confident", 100.0 * confident.len() as f64 / seen.max(1) as f64, Limit::Least(80.0), "%");
@@ -179,7 +190,7 @@ fn gates_of(kind: Kind, outcomes: &[Outcome], rows: &mut Vec<Gate>) {
             gate("frames without the end told", count(&|o| o.end != End::JointEnd), Limit::Most(0.0), "");
             gate(
                 "greatest end error",
-                outcomes.iter().filter_map(|o| o.end_error).fold(0.0, f64::max),
+                outcomes.iter().filter_map(|o| o.end_error).reduce(f64::max).unwrap_or(f64::INFINITY),
                 Limit::Most(3.0),
                 "px",
             );

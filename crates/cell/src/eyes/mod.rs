@@ -6,6 +6,7 @@ pub mod gates;
 mod paint;
 pub mod scene;
 mod seam_line;
+pub mod stripe;
 
 pub use distortion::Distortion;
 pub use eye::{Appearance, Eye};

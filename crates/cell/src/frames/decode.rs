@@ -1,6 +1,6 @@
 //! Files of images to grey pictures.
 
-use image::{DynamicImage, ImageReader, Limits};
+use image::{DynamicImage, ImageFormat, ImageReader, Limits};
 use seamwright_vision::{Image, MAX_SIDE};
 use std::io::Cursor;
 use thiserror::Error;
@@ -29,6 +29,9 @@ pub fn decode(bytes: &[u8]) -> Result<Image, DecodeError> {
     if reader.format().is_none() {
         return Err(DecodeError::Kind);
     }
+    if reader.format() == Some(ImageFormat::Jpeg) && !is_whole_jpeg(bytes) {
+        return Err(DecodeError::Broken("the JPEG file ends before its picture does".to_owned()));
+    }
     let mut limits = Limits::default();
     limits.max_image_width = u32::try_from(MAX_SIDE).ok();
     limits.max_image_height = u32::try_from(MAX_SIDE).ok();
@@ -43,4 +46,22 @@ pub fn decode(bytes: &[u8]) -> Result<Image, DecodeError> {
         DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => return Err(DecodeError::Depth("32 bits")),
         _ => Image::U8 { width, height, pixels: picture.into_luma8().into_raw() },
     })
+}
+
+/// Whether a JPEG file goes on to the end of its picture. Decoders fill up what is cut off with grey, in which a joint would
+/// be lost for no reason that anybody is told. Segments are passed over by their lengths (one may hold a small picture with
+/// an end of its own) up to the scan, within which the end's marker cannot occur.
+fn is_whole_jpeg(bytes: &[u8]) -> bool {
+    const SCAN: u8 = 0xda;
+    const END: u8 = 0xd9;
+    let mut at = 2;
+    while let Some([0xff, marker, high, low]) = bytes.get(at..at + 4) {
+        match *marker {
+            // Bytes of filling before a marker.
+            0xff => at += 1,
+            SCAN => return bytes[at..].windows(2).any(|pair| pair == [0xff, END]),
+            _ => at += 2 + usize::from(u16::from_be_bytes([*high, *low])),
+        }
+    }
+    false
 }

@@ -1,8 +1,10 @@
 //! One module a verb.
 
+pub(crate) mod bench;
 pub(crate) mod check;
 pub(crate) mod demo;
 pub(crate) mod edit;
+pub(crate) mod find_joint;
 pub(crate) mod follow;
 pub(crate) mod interpolate;
 pub(crate) mod kinematics;
@@ -21,6 +23,7 @@ pub(crate) mod schema;
 pub(crate) mod seam;
 pub(crate) mod section;
 pub(crate) mod simulate;
+pub(crate) mod stripe;
 pub(crate) mod teach;
 
 use crate::failure::Failure;

@@ -1,4 +1,5 @@
-use super::midline::{full_width, line, midline};
+use super::judge::judge;
+use super::midline::{full_width, line, midline, odd};
 use super::path::Paths;
 use super::strip::{Axis, EVIDENCE_FROM, HALF, ROWS, Strip};
 use super::{CONFIDENT, End, Joint, Options, Row, Start, State, Zone};
@@ -6,10 +7,10 @@ use crate::Frame;
 
 /// Widths tried at a start of unknown width, pixels.
 const WIDTHS: [f32; 6] = [2.0, 3.5, 6.0, 10.0, 18.0, 32.0];
-/// A joint has about this many columns: a wide one is looked at in coarse steps.
-const COLUMNS: f32 = 5.0;
-/// Rows taken from a strip; those after them look ahead.
+/// Rows taken from a strip; those after them look ahead ...
 const TAKEN: usize = 32;
+/// ... and these before them look back.
+const BACK: usize = 10;
 /// A row is supported if half of the rows within this many of it stand out of the noise ...
 const NEIGHBOURS: usize = 6;
 /// ... by this many standard deviations.
@@ -20,6 +21,12 @@ const AROUND: usize = 12;
 const CONTRAST_FACTOR: f32 = 2.5;
 /// The path is closed within this distance, pixels, and angle, rad, of its start.
 const CLOSED: (f32, f32) = (2.0, 0.26);
+/// Joints bend no more sharply than this, rad/px.
+const MOST_BENT: f32 = 0.025;
+/// The midline's standard error in a row that is sure, pixels.
+const KNOWN_TO: f32 = 0.35;
+/// A profile's odd part in a row that is sure, of its depth.
+const ODD: f32 = 0.15;
 /// A frame without this part of the first rows supported shows no joint at the start.
 const START_SUPPORT: f32 = 0.6;
 
@@ -85,6 +92,7 @@ impl Follower {
             None => End::Lost,
             Some(track) => self.go_on(frame, track, &inside, longest),
         };
+        judge(&mut self.joint);
         &self.joint
     }
 
@@ -94,14 +102,27 @@ impl Follower {
         let mut best: Option<(f32, f32, Axis)> = None;
         let widths = known.as_ref().map_or(&WIDTHS[..], std::slice::from_ref);
         for &width in widths {
-            let axis = Axis { x: start.x, y: start.y, heading: start.direction, curvature: 0.0, step: step(width) };
+            let axis = Axis {
+                x: start.x,
+                y: start.y,
+                heading: start.direction,
+                curvature: 0.0,
+                along: 1.0,
+                across: 1.0,
+                origin: 0,
+            };
+            let axis = axis.for_width(width);
             let view = self.look(frame, &axis, width, None, 1.0);
             let support = view.supported.iter().filter(|s| **s).count() as f32;
             let strength = view.strength * support / ROWS as f32;
             if best.is_none_or(|(s, _, _)| strength > s) {
                 let rows = (0..ROWS).filter(|i| view.supported[*i]);
                 let (_, slope) = line(rows.map(|i| (i as f32, view.middle[i], 1.0))).unwrap_or_default();
-                best = Some((strength, width, Axis { heading: axis.heading + slope.atan(), ..axis }));
+                best = Some((
+                    strength,
+                    width,
+                    Axis { heading: axis.heading + (slope * axis.across / axis.along).atan(), ..axis },
+                ));
             }
         }
         let (_, mut width, axis) = best?;
@@ -112,10 +133,10 @@ impl Follower {
             return None;
         }
         if known.is_none() {
-            let found = full_width(&self.strip, &view.middle, &view.supported, width / axis.step);
-            width = found.map_or(width, |w| (w * axis.step).clamp(0.6 * width, 1.8 * width));
+            let found = full_width(&self.strip, &view.middle, &view.supported, width / axis.across);
+            width = found.map_or(width, |w| (w * axis.across).clamp(0.6 * width, 1.8 * width));
         }
-        Some(Track { axis: Axis { step: step(width), ..axis }, width, contrast: view.contrast, gap: 0, seen: 0 })
+        Some(Track { axis: axis.for_width(width), width, contrast: view.contrast, gap: 0, seen: 0 })
     }
 
     fn go_on(&mut self, frame: &Frame, mut track: Track, inside: &Inside, longest: f32) -> End {
@@ -124,7 +145,7 @@ impl Follower {
             let free = 1.5 + 0.08 * track.gap as f32;
             let view = self.look(frame, &track.axis, track.width, Some(track.contrast), free);
             let drift = drift(&view);
-            for i in 0..TAKEN {
+            for i in track.axis.origin..track.axis.origin + TAKEN {
                 let supported = view.supported[i];
                 let across = if supported { view.middle[i] } else { drift.at(i as f32) };
                 let place = track.axis.beside(i as f32, across);
@@ -136,20 +157,20 @@ impl Follower {
                 if gone > longest {
                     return self.finish(&track, End::LeftImage);
                 }
-                gone += track.axis.step;
+                gone += track.axis.along;
                 let column = (across + HALF as f32).round().max(0.0) as usize;
-                self.depths.push(self.strip.row_depth(i, column, track.width / track.axis.step));
+                self.depths.push(self.strip.row_depth(i, column, track.width / track.axis.across));
                 let state = if supported { State::Seen } else { State::Coasted };
                 let confidence = if supported { view.confidence[i] } else { 0.0 };
                 self.joint.rows.push(Row { x: place[0], y: place[1], confidence, width: track.width, state });
                 track.gap = if supported { 0 } else { track.gap + 1 };
                 if supported {
                     track.seen = self.joint.rows.len();
-                    if self.is_closed(gone, track.axis.step) {
+                    if self.is_closed(gone, track.axis.along) {
                         return End::Closed;
                     }
                 }
-                if track.gap as f32 * track.axis.step > self.options.gap {
+                if track.gap as f32 * track.axis.along > self.options.gap {
                     return self.finish(&track, End::Lost);
                 }
             }
@@ -159,7 +180,7 @@ impl Follower {
 
     /// The strip along `axis`, the joint in it and how sure that is. `contrast` as it was before, if it is known.
     fn look(&mut self, frame: &Frame, axis: &Axis, width: f32, contrast: Option<f32>, free: f32) -> View {
-        let columns = width / axis.step;
+        let columns = width / axis.across;
         self.strip.fill(frame, axis, columns);
         let apart = (2.0 * columns).ceil().max(4.0) as usize;
         self.paths.find(&self.strip, free, apart);
@@ -173,7 +194,9 @@ impl Follower {
             let mean = near.clone().map(|k| depth(k, best[k])).sum::<f32>() / near.len() as f32;
             *supported = 2 * out >= near.len() && alike(mean);
         }
-        let middle = midline(strip, best, &supported, columns);
+        let (middle, error) = midline(strip, best, &supported, columns);
+        let (right, bottom) = ((frame.width() - 1) as f32, (frame.height() - 1) as f32);
+        let inside_frame = |x: f32, y: f32| (0.0..=right).contains(&x) && (0.0..=bottom).contains(&y);
         let mut confidence = [0.0; ROWS];
         for (i, confidence) in confidence.iter_mut().enumerate() {
             let near = around(i, AROUND);
@@ -186,7 +209,15 @@ impl Follower {
             let margin = ((ours - theirs) / ours.max(1e-6) / 0.5).clamp(0.0, 1.0);
             // A midline away from its path is on something else.
             let off = (middle[i] + HALF as f32 - best[i] as f32).abs() / (0.5 * columns + 1.0);
-            *confidence = (ours / 3.5).clamp(0.0, 1.0) * margin * part * (2.0 - off).clamp(0.0, 1.0);
+            // Where one side is much darker than the other it may be a shadow's rim; at the frame's rim a side is missing.
+            let (even, least) = (strip.even[i][best[i]], depth(i, best[i]));
+            let alike = (1.5 - (even - least) / least.max(1e-3)).clamp(0.0, 1.0);
+            let rims = [-1.0, 1.0].map(|side| axis.beside(i as f32, middle[i] + side * 1.5 * columns));
+            let whole = if rims.iter().all(|[x, y]| inside_frame(*x, *y)) { 1.0 } else { 0.0 };
+            let sure = (ours / 3.5).clamp(0.0, 1.0) * margin * part * (2.0 - off).clamp(0.0, 1.0);
+            let exact = (2.0 - error[i] * axis.across / KNOWN_TO).clamp(0.0, 1.0);
+            let lone = (2.0 - odd(strip, &middle, i, columns) / (ODD * least.max(1e-3))).clamp(0.0, 1.0);
+            *confidence = sure * alike * whole * exact * lone;
         }
         let count = supported.iter().filter(|s| **s).count().max(1) as f32;
         let contrast = (0..ROWS).filter(|i| supported[*i]).map(|i| depth(i, best[i])).sum::<f32>() / count;
@@ -232,7 +263,7 @@ impl Follower {
         let last = rows[seen - 1];
         let sure = rows[seen.saturating_sub(TAKEN)..seen].iter().filter(|r| r.confidence >= CONFIDENT).count();
         for row in &mut rows[seen..at.max(seen)] {
-            (row.state, row.confidence) = (State::Seen, last.confidence);
+            (row.state, row.confidence) = (State::Seen, last.confidence.min(0.9 * CONFIDENT));
         }
         let after = &self.depths[at..];
         let mean = after.iter().sum::<f32>() / after.len().max(1) as f32;
@@ -246,10 +277,6 @@ impl Follower {
 
 fn around(i: usize, reach: usize) -> std::ops::Range<usize> {
     i.saturating_sub(reach)..(i + reach + 1).min(ROWS)
-}
-
-fn step(width: f32) -> f32 {
-    (width / COLUMNS).max(1.0)
 }
 
 /// Frame and zone.
@@ -282,14 +309,16 @@ impl Drift {
     }
 }
 
-const MID: f32 = (ROWS / 2) as f32;
+/// Rows the way on is fitted to: what comes late in a strip may be another joint that comes near.
+const FITTED: usize = 48;
+const MID: f32 = (FITTED / 2) as f32;
 
 fn drift(view: &View) -> Drift {
-    let rows = (0..ROWS).filter(|i| view.supported[*i]).map(|i| (i as f32 - MID, view.middle[i], 1.0));
+    let rows = (0..FITTED).filter(|i| view.supported[*i]).map(|i| (i as f32 - MID, view.middle[i], 1.0));
     let count = rows.clone().count();
     let none = Drift { offset: 0.0, slope: 0.0, bend: 0.0, known: false };
-    let Some((offset, slope)) = line(rows.clone()).filter(|_| count >= ROWS / 4) else { return none };
-    if count < 3 * ROWS / 4 {
+    let Some((offset, slope)) = line(rows.clone()).filter(|_| count >= FITTED / 4) else { return none };
+    if count < 3 * FITTED / 4 {
         return Drift { offset, slope, bend: 0.0, known: true };
     }
     // The bend from what is left of the line, against the even polynomial that is orthogonal to it over all rows.
@@ -306,23 +335,24 @@ fn drift(view: &View) -> Drift {
 impl Track {
     /// On to the next strip; heading, curvature, width and contrast from supported rows only.
     fn advance(&mut self, view: &View, drift: &Drift, strip: &Strip) {
-        let at = TAKEN as f32;
+        let at = (self.axis.origin + TAKEN) as f32;
         let across = drift.at(at);
         let [x, y] = self.axis.beside(at, across);
-        let turn = at * self.axis.step * self.axis.curvature;
-        let slope = drift.slope + 2.0 * drift.bend * (at - MID);
+        let Axis { along, across: pitch, .. } = self.axis;
+        let turn = TAKEN as f32 * along * self.axis.curvature;
+        let slope = (drift.slope + 2.0 * drift.bend * (at - MID)) * pitch / along;
         let heading = self.axis.heading + turn + if drift.known { slope.atan() } else { 0.0 };
-        let bent = self.axis.curvature + 2.0 * drift.bend / self.axis.step;
+        let bent = (self.axis.curvature + 2.0 * drift.bend * pitch / (along * along)).clamp(-MOST_BENT, MOST_BENT);
         let curvature = if drift.known { bent } else { 0.7 * self.axis.curvature };
-        self.axis = Axis { x, y, heading, curvature, step: self.axis.step };
+        self.axis = Axis { x, y, heading, curvature, origin: BACK, ..self.axis };
         if !drift.known {
             return;
         }
         self.contrast += 0.4 * (view.contrast - self.contrast);
-        if let Some(found) = full_width(strip, &view.middle, &view.supported, self.width / self.axis.step) {
-            let found = (found * self.axis.step).clamp(self.width / 1.5, 1.5 * self.width);
+        if let Some(found) = full_width(strip, &view.middle, &view.supported, self.width / pitch) {
+            let found = (found * pitch).clamp(self.width / 1.5, 1.5 * self.width);
             self.width = (self.width + 0.3 * (found - self.width)).clamp(1.0, 400.0);
-            self.axis.step = step(self.width);
+            self.axis = self.axis.for_width(self.width);
         }
     }
 }

@@ -4,24 +4,65 @@ use super::strip::{COLS, HALF, ROWS, Strip};
 const LINE: usize = 8;
 
 /// The middle of the joint in each row, columns from the axis: centroid of what is darker than a straight baseline,
-/// then a straight line through the centres near by.
-pub(super) fn midline(strip: &Strip, path: &[usize; ROWS], supported: &[bool; ROWS], width: f32) -> [f32; ROWS] {
+/// then a straight line through the centres near by. And its standard error, columns, from their scatter.
+pub(super) fn midline(
+    strip: &Strip,
+    path: &[usize; ROWS],
+    supported: &[bool; ROWS],
+    width: f32,
+) -> ([f32; ROWS], [f32; ROWS]) {
     let mut centre = [0.0; ROWS];
     for (i, centre) in centre.iter_mut().enumerate() {
         *centre = centroid(&strip.grey, i, path[i] as f32, width) - HALF as f32;
     }
-    let mut smooth = centre;
-    for (i, value) in smooth.iter_mut().enumerate() {
-        let near = i.saturating_sub(LINE)..(i + LINE + 1).min(ROWS);
-        let fit = line(near.filter(|k| supported[*k]).map(|k| {
-            let u = (k as f32 - i as f32) / (LINE + 1) as f32;
-            (k as f32 - i as f32, centre[k], 1.0 - u * u)
-        }));
-        if let Some((at, _)) = fit {
-            *value = at;
+    let (mut smooth, mut error) = (centre, [f32::INFINITY; ROWS]);
+    for (i, (value, error)) in smooth.iter_mut().zip(&mut error).enumerate() {
+        let near = (i.saturating_sub(LINE)..(i + LINE + 1).min(ROWS)).filter(|k| supported[*k]);
+        let places = near.map(|k| {
+            let v = k as f32 - i as f32;
+            let u = v / (LINE + 1) as f32;
+            (v, centre[k], 1.0 - u * u)
+        });
+        let Some((at, slope)) = line(places.clone()) else { continue };
+        let [mut sum, mut squares, mut weights] = [0.0f32; 3];
+        places.for_each(|(v, y, w)| {
+            sum += w * (y - at - slope * v).powi(2);
+            squares += w * w;
+            weights += w;
+        });
+        // Centres are of three rows each: a third of them are independent.
+        (*value, *error) = (at, (sum / weights * 3.0 * squares).sqrt() / weights);
+    }
+    (smooth, error)
+}
+
+/// What of the profile about `middle` in rows near `i` is neither even nor a ramp, grey values: a shadow's rim or another
+/// joint beside this one.
+pub(super) fn odd(strip: &Strip, middle: &[f32; ROWS], i: usize, width: f32) -> f32 {
+    const MOST: usize = 12;
+    let reach = ((1.3 * width + 2.0) as usize).clamp(3, MOST);
+    let mut odd = [0.0f32; MOST + 1];
+    let rows = [i.saturating_sub(6), i, (i + 6).min(ROWS - 1)];
+    for k in rows {
+        let group = &strip.group[k];
+        let at = |place: f32| {
+            let place = place.clamp(0.0, (COLS - 2) as f32);
+            let (low, part) = (place as usize, place.fract());
+            group[low] * (1.0 - part) + group[low + 1] * part
+        };
+        let centre = middle[k] + HALF as f32;
+        for (u, odd) in odd[..=reach].iter_mut().enumerate() {
+            *odd += (at(centre + u as f32) - at(centre - u as f32)) / 6.0;
         }
     }
-    smooth
+    let odd = &odd[1..=reach];
+    let (product, norm) = odd.iter().enumerate().fold((0.0f32, 0.0f32), |(p, n), (k, o)| {
+        let u = (k + 1) as f32;
+        (p + u * o, n + u * u)
+    });
+    let slope = product / norm;
+    let sum: f32 = odd.iter().enumerate().map(|(k, o)| (o - slope * (k + 1) as f32).powi(2)).sum();
+    (sum / reach as f32).sqrt()
 }
 
 /// Value at 0 and slope of the weighted line through places (x, y, weight).

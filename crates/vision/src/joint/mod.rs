@@ -5,6 +5,7 @@
 //! ([`midline`]). Heading and curvature follow supported rows only; gaps as long as a tack weld are coasted over.
 
 mod follow;
+mod judge;
 mod midline;
 mod path;
 mod strip;

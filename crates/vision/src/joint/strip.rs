@@ -1,7 +1,7 @@
 use crate::{Frame, Pixels};
 
 /// Rows of a strip.
-pub(super) const ROWS: usize = 48;
+pub(super) const ROWS: usize = 56;
 /// Columns to either side of the axis.
 pub(super) const HALF: usize = 22;
 /// Columns of a strip.
@@ -22,14 +22,24 @@ pub(super) struct Axis {
     pub(super) heading: f32,
     /// Change of heading, rad/px.
     pub(super) curvature: f32,
-    /// Pixels between rows and between columns.
-    pub(super) step: f32,
+    /// Pixels between rows.
+    pub(super) along: f32,
+    /// Pixels between columns.
+    pub(super) across: f32,
+    /// The row at (x, y): those before it look back.
+    pub(super) origin: usize,
 }
 
 impl Axis {
+    /// The same axis, sampled for a joint of this width, pixels: never many columns, rows closer than columns.
+    pub(super) fn for_width(self, width: f32) -> Self {
+        Self { along: (width / 12.0).max(1.0), across: (width / 6.0).max(1.0), ..self }
+    }
+
     /// The axis' place at row `i` (fractions too) and its unit tangent there.
     pub(super) fn at(&self, i: f32) -> ([f32; 2], [f32; 2]) {
-        let (s, turn) = (i * self.step, i * self.step * self.curvature);
+        let s = (i - self.origin as f32) * self.along;
+        let turn = s * self.curvature;
         // Chord of an arc: the mean direction is that of half the turn.
         let chord = s * (1.0 - turn * turn / 24.0);
         let (sin, cos) = (self.heading + turn / 2.0).sin_cos();
@@ -40,7 +50,7 @@ impl Axis {
     /// The place `across` columns beside row `i`.
     pub(super) fn beside(&self, i: f32, across: f32) -> [f32; 2] {
         let ([x, y], [cos, sin]) = self.at(i);
-        let across = across * self.step;
+        let across = across * self.across;
         [x - across * sin, y + across * cos]
     }
 }
@@ -58,6 +68,8 @@ pub(super) struct Strip {
     pub(super) noise: f32,
     /// First and last column where there is a depth.
     pub(super) columns: (usize, usize),
+    /// The mean of both sides less the joint's box: what noise is measured on.
+    pub(super) even: Vec<[f32; COLS]>,
     magnitudes: Vec<f32>,
 }
 
@@ -65,7 +77,15 @@ impl Strip {
     pub(super) fn new() -> Self {
         let rows = || vec![[0.0; COLS]; ROWS];
         let magnitudes = Vec::with_capacity(ROWS * COLS);
-        Self { grey: rows(), group: rows(), depth: rows(), noise: 1.0, columns: (0, COLS - 1), magnitudes }
+        Self {
+            grey: rows(),
+            group: rows(),
+            depth: rows(),
+            noise: 1.0,
+            columns: (0, COLS - 1),
+            even: rows(),
+            magnitudes,
+        }
     }
 
     /// Fills the strip from `frame` along `axis`; its depths for a joint of `width` columns.
@@ -81,19 +101,34 @@ impl Strip {
 
     fn unroll(&mut self, pixel: impl Fn(usize) -> f32, (width, height): (usize, usize), axis: &Axis) {
         let (right, bottom) = ((width - 1) as f32, (height - 1) as f32);
+        // A coarse sample is the mean of the pixels of its place, a fine one lies between four pixels.
+        let (along, across) = (axis.along.round() as usize, axis.across.round() as usize);
+        let part = 1.0 / (along * across) as f32;
         for (i, row) in self.grey.iter_mut().enumerate() {
             let ([x, y], [cos, sin]) = axis.at(i as f32);
             for (j, grey) in row.iter_mut().enumerate() {
-                let across = (j as f32 - HALF as f32) * axis.step;
+                let offset = (j as f32 - HALF as f32) * axis.across;
                 // Beyond the rim the rim goes on.
-                let (px, py) = ((x - across * sin).clamp(0.0, right), (y + across * cos).clamp(0.0, bottom));
-                let (left, top) = (px as usize, py as usize);
-                let (u, v) = (px - left as f32, py - top as f32);
-                let (next, below) = ((left + 1).min(width - 1), (top + 1).min(height - 1) * width);
-                let top = top * width;
-                let upper = pixel(top + left) * (1.0 - u) + pixel(top + next) * u;
-                let lower = pixel(below + left) * (1.0 - u) + pixel(below + next) * u;
-                *grey = upper * (1.0 - v) + lower * v;
+                let (px, py) = (x - offset * sin, y + offset * cos);
+                if along * across == 1 {
+                    let (px, py) = (px.clamp(0.0, right), py.clamp(0.0, bottom));
+                    let (left, top) = (px as usize, py as usize);
+                    let (u, v) = (px - left as f32, py - top as f32);
+                    let (next, below) = ((left + 1).min(width - 1), (top + 1).min(height - 1) * width);
+                    let top = top * width;
+                    let upper = pixel(top + left) * (1.0 - u) + pixel(top + next) * u;
+                    let lower = pixel(below + left) * (1.0 - u) + pixel(below + next) * u;
+                    *grey = upper * (1.0 - v) + lower * v;
+                    continue;
+                }
+                let mut sum = 0.0;
+                for k in 0..along * across {
+                    let u = (k / across) as f32 - 0.5 * (along - 1) as f32;
+                    let v = (k % across) as f32 - 0.5 * (across - 1) as f32;
+                    let (qx, qy) = (px + u * cos - v * sin + 0.5, py + u * sin + v * cos + 0.5);
+                    sum += pixel(qy.clamp(0.0, bottom) as usize * width + qx.clamp(0.0, right) as usize);
+                }
+                *grey = sum * part;
             }
         }
     }
@@ -121,19 +156,23 @@ impl Strip {
         let boxes = Boxes::new(width);
         self.columns = (boxes.reach, COLS - 1 - boxes.reach);
         self.magnitudes.clear();
-        for (row, depth) in self.group.iter().zip(&mut self.depth) {
+        for ((row, depth), even) in self.group.iter().zip(&mut self.depth).zip(&mut self.even) {
             let sums = sums(row);
             let first = self.columns.0;
-            for (j, depth) in depth[first..=self.columns.1].iter_mut().enumerate() {
+            for (j, (depth, even)) in depth[first..=self.columns.1].iter_mut().zip(&mut even[first..]).enumerate() {
                 let (left, centre, right) = boxes.means(&sums, first + j);
                 *depth = left.min(right) - centre;
-                self.magnitudes.push((0.5 * (left + right) - centre).abs());
+                *even = 0.5 * (left + right) - centre;
             }
         }
-        // A low quantile, so that the joint itself and its rims do not count.
+        // What differs between groups that share no row is noise, the joint goes on; a low quantile, as it may slant.
+        for (a, b) in self.even.iter().zip(&self.even[2 * GROUP + 1..]) {
+            let columns = self.columns.0..=self.columns.1;
+            self.magnitudes.extend(a[columns.clone()].iter().zip(&b[columns]).map(|(a, b)| (a - b).abs()));
+        }
         let place = self.magnitudes.len() * 3 / 10;
         let (_, quantile, _) = self.magnitudes.select_nth_unstable_by(place, f32::total_cmp);
-        self.noise = (*quantile / 0.385).max(LEAST_NOISE);
+        self.noise = (*quantile / (0.385 * std::f32::consts::SQRT_2)).max(LEAST_NOISE);
     }
 
     /// Depth of row `i` alone at column `j`, not of its group.

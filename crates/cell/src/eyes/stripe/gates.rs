@@ -1,0 +1,219 @@
+//! What reading stripes must hold, measured on simulated ones whose truth is known.
+
+use super::dice::Dice;
+use super::{Placement, Section, StripeDisturbances, StripeImage, StripeScene};
+use glam::DVec2;
+use seamwright_vision::Image;
+use seamwright_vision::stripe::{Features, JointKind, NoFeatures, Quantity, StripeReader, StripeTask};
+use std::time::Instant;
+
+/// Pixels of the scenes, and their scale.
+const SIZE_PX: [usize; 2] = [1024, 512];
+const MM_PER_PX: f64 = 0.05;
+
+/// A joint point that is farther off is wrong, mm.
+const WRONG_MM: f64 = 0.5;
+
+/// A row of the gates' table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GateRow {
+    /// What is measured.
+    pub what: String,
+    /// The measured value.
+    pub value: f64,
+    /// Most that it may be.
+    pub limit: f64,
+    /// Unit of both.
+    pub unit: &'static str,
+}
+
+impl GateRow {
+    fn new(what: impl Into<String>, value: f64, limit: f64, unit: &'static str) -> Self {
+        Self { what: what.into(), value, limit, unit }
+    }
+
+    /// Whether it holds; what could not be measured does not.
+    pub fn holds(&self) -> bool {
+        self.value <= self.limit
+    }
+}
+
+/// The scene of case `seed`: a random section at a random place, every other one mirrored.
+pub fn stripe_scene(section: Section, seed: u64) -> StripeScene {
+    let dice = &mut Dice::new(seed ^ 0x91ac_e000);
+    let at = DVec2::new(dice.between(-4.0, 4.0), dice.between(-4.0, 0.0));
+    let placement = Placement { at, turn: dice.between(-0.1, 0.1), mirrored: seed % 2 == 1 };
+    StripeScene::new(section, placement, SIZE_PX, MM_PER_PX)
+}
+
+/// What is asked of a section: its upper sheet's thickness is known.
+pub fn stripe_task(kind: JointKind, section: &Section) -> StripeTask {
+    let task = StripeTask::in_mm(kind);
+    if let Section::Lap { thickness, .. } = section { task.with_thickness(*thickness) } else { task }
+}
+
+/// Reads an image of a scene.
+fn read(
+    reader: &mut StripeReader,
+    scene: &StripeScene,
+    image: &StripeImage,
+    kind: JointKind,
+) -> Result<Features, NoFeatures> {
+    let frame = image.image.frame().map_err(|_| NoFeatures::NoStripe)?;
+    reader.read_image(&frame, Some(&scene.to_mm), &stripe_task(kind, &scene.section))
+}
+
+/// Errors of one kind of joint under one kind of disturbance.
+#[derive(Debug, Clone, Default)]
+pub struct StripeErrors {
+    /// Distances of confident joint points from the truth, mm.
+    pub joint: Vec<f64>,
+    /// Errors of confident gaps, mm.
+    pub gap: Vec<f64>,
+    /// Errors of the stripe's rows away from corners and ends, pixels.
+    pub centre: Vec<f64>,
+    /// Cases.
+    pub cases: u64,
+}
+
+impl StripeErrors {
+    /// Measures `cases` scenes of `kind` under `how`.
+    pub fn measure(kind: JointKind, how: &StripeDisturbances, cases: u64) -> Self {
+        let mut reader = StripeReader::new();
+        let mut errors = Self { cases, ..Self::default() };
+        for seed in 0..cases {
+            let scene = stripe_scene(Section::random(kind, seed), seed);
+            let image = scene.image(how, seed);
+            let found = read(&mut reader, &scene, &image, kind);
+            errors.centres(&reader, &scene.lit_rows(), &image.rows);
+            let (Ok(features), Some(truth)) = (found, image.truth.joint()) else { continue };
+            if !features.is_confident() {
+                continue;
+            }
+            errors.joint.push(features.joint().distance(truth));
+            let gap = image.truth.values.iter().find(|v| v.0 == Quantity::Gap);
+            if let (Some(found), Some((_, gap))) = (features.value(Quantity::Gap), gap) {
+                errors.gap.push((found - gap).abs());
+            }
+        }
+        errors
+    }
+
+    /// Rows where the stripe is straight for 8 columns to both sides.
+    fn centres(&mut self, reader: &StripeReader, lit: &[Option<f64>], rows: &[Option<f64>]) {
+        for p in reader.chain() {
+            let c = p.at.x as usize;
+            let (Some(Some(row)), true) = (rows.get(c), c >= 8 && c + 8 < lit.len()) else { continue };
+            let (Some(a), Some(b)) = (lit[c - 8], lit[c + 8]) else { continue };
+            let steep = (b - a).abs() > 16.0;
+            if !steep && (a + b - 2.0 * row).abs() < 1e-6 && (p.at.y - row).abs() < 5.0 {
+                self.centre.push(p.at.y - row);
+            }
+        }
+    }
+
+    /// Part of the cases without a confident result.
+    pub fn silent(&self) -> f64 {
+        1.0 - self.joint.len() as f64 / self.cases as f64
+    }
+}
+
+/// Root of the mean square; not a number of nothing.
+fn rms(values: &[f64]) -> f64 {
+    (values.iter().map(|v| v * v).sum::<f64>() / values.len() as f64).sqrt()
+}
+
+/// The value below which 95 % lie.
+fn most(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted.get((sorted.len() * 95 / 100).min(sorted.len().saturating_sub(1))).copied().unwrap_or(f64::NAN)
+}
+
+/// All gates on `cases` scenes of each kind. Times are those of this build on this machine.
+pub fn stripe_gates(cases: u64) -> Vec<GateRow> {
+    let mut rows = Vec::new();
+    let mut centres = Vec::new();
+    for kind in JointKind::ALL {
+        let name = format!("{kind:?}").to_lowercase();
+        let usual = StripeErrors::measure(kind, &StripeDisturbances::USUAL, cases);
+        let holed = StripeErrors::measure(kind, &StripeDisturbances::HOLED, cases);
+        centres.extend_from_slice(&usual.centre);
+        rows.push(GateRow::new(format!("{name}: joint point, RMS"), rms(&usual.joint), 0.05, "mm"));
+        rows.push(GateRow::new(format!("{name}: gap, 95 %"), most(&usual.gap), 0.05, "mm"));
+        rows.push(GateRow::new(format!("{name}: no confident result"), 100.0 * usual.silent(), 35.0, "%"));
+        let twice = "joint point with 10 % outliers and 20 % missing, RMS";
+        rows.push(GateRow::new(format!("{name}: {twice}"), rms(&holed.joint), 0.1, "mm"));
+        let rough = StripeErrors::measure(kind, &StripeDisturbances::ROUGH, cases);
+        let wrong = rough.joint.iter().filter(|e| **e > WRONG_MM).count();
+        rows.push(GateRow::new(format!("{name}: confident and wrong beside the arc"), wrong as f64, 0.0, "cases"));
+    }
+    rows.insert(0, GateRow::new("centre of the stripe, RMS", rms(&centres), 0.1, "px"));
+    rows.push(GateRow::new(
+        "confident where there is no such joint",
+        confident_nowhere(cases).len() as f64,
+        0.0,
+        "cases",
+    ));
+    for height in [256, 512, 1024] {
+        let limit = if height <= 512 { 1.0 } else { 2.0 };
+        rows.push(GateRow::new(format!("time at 2048 x {height}, median"), time_ms([2048, height]), limit, "ms"));
+    }
+    rows
+}
+
+/// Confident results on blank frames, plates, outside corners, and joints of other kinds: the case, what was there and
+/// what was found.
+pub fn confident_nowhere(cases: u64) -> Vec<(u64, Section, Features)> {
+    let mut reader = StripeReader::new();
+    let mut confident = Vec::new();
+    let levels = [StripeDisturbances::USUAL, StripeDisturbances::HOLED, StripeDisturbances::ROUGH];
+    for seed in 0..cases {
+        let how = levels[(seed % 3) as usize];
+        let others = JointKind::ALL.map(|kind| (Some(kind), Section::random(kind, seed)));
+        let ridge = Section::Ridge { angle: 2.0 + (seed % 10) as f64 * 0.1 };
+        let scenes = others.into_iter().chain([(None, Section::Plate), (None, ridge)]);
+        for (is, section) in scenes {
+            let scene = stripe_scene(section, seed);
+            let image = scene.image(&how, seed);
+            for kind in JointKind::ALL.into_iter().filter(|k| Some(*k) != is) {
+                let mut task = scene.clone();
+                // Nothing is known of a sheet that is not there.
+                task.section = Section::Plate;
+                let found = read(&mut reader, &task, &image, kind).ok().filter(Features::is_confident);
+                confident.extend(found.map(|f| (seed, section, f)));
+            }
+        }
+        let blank = StripeDisturbances { peak: 0.0, ghosts: 0, ..how };
+        let scene = stripe_scene(Section::Plate, seed);
+        let image = scene.image(&blank, seed);
+        for kind in JointKind::ALL {
+            let found = read(&mut reader, &scene, &image, kind).ok().filter(Features::is_confident);
+            confident.extend(found.map(|f| (seed, Section::Plate, f)));
+        }
+    }
+    confident
+}
+
+/// Median time of reading a V groove in an image of that size, ms.
+fn time_ms(size_px: [usize; 2]) -> f64 {
+    let section = Section::V { bevels: [0.5; 2], depth: 0.012 * size_px[1] as f64, gap: 1.5, mismatch: 0.2 };
+    let placement = Placement { at: DVec2::new(1.0, -0.006 * size_px[1] as f64), ..Placement::default() };
+    let scene = StripeScene::new(section, placement, size_px, MM_PER_PX);
+    let StripeImage { image, .. } = scene.image(&StripeDisturbances::USUAL, 1);
+    let mut reader = StripeReader::new();
+    let Image::U8 { width, height, pixels } = &image else { return f64::NAN };
+    let mut times: Vec<f64> = Vec::new();
+    for _ in 0..21 {
+        let start = Instant::now();
+        let pixels = seamwright_vision::Pixels::U8(pixels);
+        let frame = seamwright_vision::Frame::new(*width, *height, pixels);
+        let found = frame.map(|f| reader.read_image(&f, Some(&scene.to_mm), &StripeTask::in_mm(JointKind::V)));
+        if !matches!(found, Ok(Ok(_))) {
+            return f64::NAN;
+        }
+        times.push(start.elapsed().as_secs_f64() * 1e3);
+    }
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}

@@ -1,0 +1,116 @@
+//! Stripe sensors, simulated: what the camera sees of a laser stripe across a joint whose cross-section is known, with
+//! everything that makes such images hard. The truth comes from the cross-section alone.
+
+mod dice;
+mod disturbance;
+mod gates;
+mod paint;
+mod section;
+
+pub use disturbance::StripeDisturbances;
+pub use gates::{GateRow, StripeErrors, confident_nowhere, stripe_gates, stripe_scene, stripe_task};
+pub use section::{Placement, Section, Truth};
+
+use dice::Dice;
+use glam::DVec2;
+use paint::Painter;
+use seamwright_geometry::Homography;
+use seamwright_vision::Image;
+
+/// A simulated stripe sensor and what is before it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StripeScene {
+    /// The true cross-section.
+    pub section: Section,
+    /// Where it is.
+    pub placement: Placement,
+    /// Columns and rows of the image.
+    pub size_px: [usize; 2],
+    /// From (column, row) to (y, z), mm.
+    pub to_mm: Homography,
+    /// Height of the laser over the sensor's origin, mm.
+    pub laser_height: f64,
+}
+
+/// What the sensor sees.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StripeImage {
+    /// The image.
+    pub image: Image,
+    /// True row of the stripe's centre in every column in which it is drawn where it belongs.
+    pub rows: Vec<Option<f64>>,
+    /// What is true of the joint.
+    pub truth: Truth,
+}
+
+impl StripeScene {
+    /// A section before a sensor of `size_px` whose pixels are all `mm_per_px` wide and high, the laser 150 mm above.
+    pub fn new(section: Section, placement: Placement, size_px: [usize; 2], mm_per_px: f64) -> Self {
+        let [x, y] = size_px.map(|n| mm_per_px * (n as f64 - 1.0) / 2.0);
+        let to_mm = Homography::from_eight([mm_per_px, 0.0, -x, 0.0, -mm_per_px, y, 0.0, 0.0]);
+        Self { section, placement, size_px, to_mm: to_mm.unwrap_or(Homography::IDENTITY), laser_height: 150.0 }
+    }
+
+    /// The image under `disturbances`.
+    pub fn image(&self, disturbances: &StripeDisturbances, seed: u64) -> StripeImage {
+        let truth = self.section.truth(&self.placement);
+        let mut painter = Painter::new(self, disturbances, Dice::new(seed));
+        let rows = painter.stripe(truth.dark);
+        StripeImage { image: painter.finish(), rows, truth }
+    }
+
+    /// The profile in mm as a sensor gives it that finds the stripe itself: with noise (mm, standard deviation), a part of
+    /// the columns as outliers and a part missing (not a number).
+    pub fn profile(&self, noise: f64, outliers: f64, missing: f64, seed: u64) -> Vec<DVec2> {
+        let dice = &mut Dice::new(seed);
+        let lit = self.lit_rows();
+        let mut place = |(column, row): (usize, &Option<f64>)| {
+            if dice.chance(missing) {
+                return DVec2::NAN;
+            }
+            let at = row.and_then(|row| self.to_mm.map(DVec2::new(column as f64, row)));
+            let wild = dice.between(-20.0, 20.0);
+            let z = if dice.chance(outliers) { wild } else { noise * dice.normal() };
+            at.map_or(DVec2::NAN, |p| p + DVec2::new(0.0, z))
+        };
+        lit.iter().enumerate().map(&mut place).collect()
+    }
+
+    /// The row in which the stripe lies in each column: the highest place there that the laser reaches.
+    pub fn lit_rows(&self) -> Vec<Option<f64>> {
+        self.lit_at(1)
+    }
+
+    /// The same at `parts` places of every column, from left to right.
+    fn lit_at(&self, parts: usize) -> Vec<Option<f64>> {
+        let to_px = self.to_mm.inverse();
+        let surfaces = self.section.surfaces(&self.placement);
+        let edges: Vec<[DVec2; 2]> = surfaces.iter().flat_map(|l| l.windows(2).map(|w| [w[0], w[1]])).collect();
+        let seen = |e: &[DVec2; 2]| Some([to_px.map(e[0])?, to_px.map(e[1])?]);
+        let seen: Vec<[DVec2; 2]> = edges.iter().filter_map(seen).collect();
+        let laser = DVec2::new(0.0, self.laser_height);
+        let row = |place: usize| {
+            let x = (place as f64 + 0.5) / parts as f64 - 0.5;
+            let hits = seen.iter().filter_map(|[a, b]| {
+                let t = (x - a.x) / (b.x - a.x);
+                let row = a.y + t * (b.y - a.y);
+                ((0.0..=1.0).contains(&t) && (-100.0..1e5).contains(&row)).then_some(row)
+            });
+            let lit = hits.filter(|&row| {
+                let p = self.to_mm.map(DVec2::new(x, row));
+                p.is_some_and(|p| edges.iter().all(|e| !blocks(e, p, laser)))
+            });
+            lit.reduce(f64::min).filter(|row| (0.0..self.size_px[1] as f64 - 1.0).contains(row))
+        };
+        (0..parts * self.size_px[0]).map(row).collect()
+    }
+}
+
+/// Whether the edge is in the way from the laser to `p`.
+fn blocks(edge: &[DVec2; 2], p: DVec2, laser: DVec2) -> bool {
+    let (d, e) = (laser - p, edge[1] - edge[0]);
+    let cross = d.perp_dot(e);
+    let (t, u) = ((edge[0] - p).perp_dot(e) / cross, (edge[0] - p).perp_dot(d) / cross);
+    // Not the edge that p itself is on.
+    t > 1e-6 && t < 1.0 && (0.0..=1.0).contains(&u)
+}

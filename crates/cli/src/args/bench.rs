@@ -1,0 +1,27 @@
+//! Arguments of `seamwright bench`.
+
+use clap::{Args, Subcommand};
+
+#[derive(Debug, Args)]
+pub(crate) struct BenchArgs {
+    #[command(subcommand)]
+    pub(crate) verb: BenchVerb,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum BenchVerb {
+    /// Finding joints in simulated frames and stripes whose truth is known: each gate, its value and its limit
+    Vision(BenchVisionArgs),
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright bench vision --frames 200 > vision.md
+Frames are the same for the same number. Gates that are not kept are marked; they do not change the exit code.")]
+pub(crate) struct BenchVisionArgs {
+    /// Frames of each kind
+    #[arg(long, value_name = "N", default_value_t = 50, value_parser = clap::value_parser!(u64).range(1..=100_000))]
+    pub(crate) frames: u64,
+    /// JSON instead of markdown
+    #[arg(long)]
+    pub(crate) json: bool,
+}

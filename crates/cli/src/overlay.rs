@@ -1,0 +1,77 @@
+//! A frame as a picture that is drawn on, to PNG.
+
+use crate::failure::Failure;
+use glam::DVec2;
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder as _};
+use seamwright_vision::{Frame, Pixels};
+
+/// A colour: red, green, blue.
+pub(crate) type Colour = [u8; 3];
+
+/// A picture being drawn on; places are in the frame's pixels.
+pub(crate) struct Overlay {
+    width: usize,
+    height: usize,
+    pixels: Vec<u8>,
+}
+
+impl Overlay {
+    /// The frame, darkened so that colours stand out.
+    pub(crate) fn of(frame: &Frame) -> Self {
+        let dark = |grey: u8| [(u16::from(grey) * 3 / 5) as u8; 3];
+        let pixels = match frame.pixels() {
+            Pixels::U8(pixels) => pixels.iter().flat_map(|p| dark(*p)).collect(),
+            Pixels::U16(pixels) => pixels.iter().flat_map(|p| dark((p >> 8) as u8)).collect(),
+        };
+        Self { width: frame.width(), height: frame.height(), pixels }
+    }
+
+    /// One pixel, if it is on the picture.
+    pub(crate) fn dot(&mut self, at: DVec2, colour: Colour) {
+        let (x, y) = (at.x.round(), at.y.round());
+        if x >= 0.0 && y >= 0.0 && x < self.width as f64 && y < self.height as f64 {
+            let i = 3 * (y as usize * self.width + x as usize);
+            self.pixels[i..i + 3].copy_from_slice(&colour);
+        }
+    }
+
+    /// A line drawn once for each of the distances `beside` it, pixels.
+    pub(crate) fn line(&mut self, a: DVec2, b: DVec2, beside: &[f64], colour: Colour) {
+        let steps = (b - a).abs().max_element().ceil().min(4.0 * (self.width + self.height) as f64);
+        let across = (b - a).perp().normalize_or(DVec2::Y);
+        for i in 0..=steps as usize {
+            let p = a + (b - a) * (i as f64 / steps.max(1.0));
+            beside.iter().for_each(|k| self.dot(p + *k * across, colour));
+        }
+    }
+
+    /// A cross, two pixels thick.
+    pub(crate) fn cross(&mut self, at: DVec2, colour: Colour, size: i32) {
+        for k in -size..=size {
+            for w in [0.0, 1.0] {
+                self.dot(at + DVec2::new(f64::from(k), w), colour);
+                self.dot(at + DVec2::new(w, f64::from(k)), colour);
+            }
+        }
+    }
+
+    /// An arrow, two pixels thick; of less than a pixel there is none.
+    pub(crate) fn arrow(&mut self, from: DVec2, to: DVec2, colour: Colour) {
+        let Some(along) = (to - from).try_normalize().filter(|_| from.distance(to) >= 1.0) else { return };
+        let barb = (0.2 * from.distance(to)).min(18.0);
+        self.line(from, to, &[0.0, 1.0], colour);
+        for side in [-0.4, 0.4] {
+            self.line(to, to - barb * (along + side * along.perp()), &[0.0, 1.0], colour);
+        }
+    }
+
+    /// The picture as PNG.
+    pub(crate) fn png(&self) -> Result<Vec<u8>, Failure> {
+        let mut png = Vec::new();
+        let (width, height) = (self.width as u32, self.height as u32);
+        let encoded = PngEncoder::new(&mut png).write_image(&self.pixels, width, height, ExtendedColorType::Rgb8);
+        encoded.map_err(|e| Failure::Environment(e.to_string()))?;
+        Ok(png)
+    }
+}

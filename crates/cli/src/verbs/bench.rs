@@ -1,0 +1,97 @@
+//! This build on its own gates.
+
+use crate::args::bench::{BenchArgs, BenchVerb, BenchVisionArgs};
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::rows::{print_json, print_text};
+use seamwright_cell::eyes::gates::{Gate, Limit, joint_gates};
+use seamwright_cell::eyes::scene::Kind;
+use seamwright_cell::eyes::stripe::{GateRow, stripe_gates};
+use seamwright_vision::stripe::JointKind;
+use serde::Serialize;
+use std::fmt::Write as _;
+
+pub(crate) fn run(args: &BenchArgs) -> Result<(), Failure> {
+    match &args.verb {
+        BenchVerb::Vision(args) => vision(args),
+    }
+}
+
+/// A table of gates as it is printed.
+#[derive(Debug, Serialize)]
+struct Table {
+    title: String,
+    rows: Vec<Line>,
+}
+
+/// A measured value beside its limit.
+#[derive(Debug, Serialize)]
+struct Line {
+    what: String,
+    /// None if nothing could be measured.
+    value: Option<f64>,
+    unit: &'static str,
+    /// Whether the limit is the least or the most that the value may be.
+    limit_is: &'static str,
+    limit: f64,
+    kept: bool,
+}
+
+impl From<&Gate> for Line {
+    fn from(gate: &Gate) -> Self {
+        let (limit_is, limit) = match gate.limit {
+            Limit::Most(limit) => ("most", limit),
+            Limit::Least(limit) => ("least", limit),
+        };
+        let what = format!("{}: {}", gate.frames, gate.what);
+        let value = Some(gate.value).filter(|v| v.is_finite());
+        Self { what, value, unit: gate.unit, limit_is, limit, kept: gate.is_kept() }
+    }
+}
+
+impl From<&GateRow> for Line {
+    fn from(row: &GateRow) -> Self {
+        let value = Some(row.value).filter(|v| v.is_finite());
+        Self { what: row.what.clone(), value, unit: row.unit, limit_is: "most", limit: row.limit, kept: row.holds() }
+    }
+}
+
+fn vision(args: &BenchVisionArgs) -> Result<(), Failure> {
+    let frames = args.frames;
+    let (kinds, joints) = (Kind::ALL.len() as u64, JointKind::ALL.len() as u64);
+    // A stripe of each kind is read under three disturbances.
+    let progress = Progress::new("simulated frames", frames * (kinds + 3 * joints));
+    let follower = joint_gates(0..frames, |_, _, _| progress.all(1));
+    let stripes = stripe_gates(frames);
+    drop(progress);
+    let tables = [
+        Table { title: follower.title.clone(), rows: follower.rows.iter().map(Line::from).collect() },
+        Table { title: "The joint in a laser stripe".to_owned(), rows: stripes.iter().map(Line::from).collect() },
+    ];
+    if args.json {
+        return print_json(&serde_json::json!({ "frames": frames, "tables": tables }));
+    }
+    print_text(&tables.iter().map(Table::markdown).collect::<Vec<_>>().join("\n"))
+}
+
+impl Table {
+    fn markdown(&self) -> String {
+        let mut text = format!("## {}\n\n| what | value | limit | kept |\n|---|---:|---:|---|\n", self.title);
+        for row in &self.rows {
+            let value = row.value.map_or("none".to_owned(), |v| format!("{v:.3} {}", row.unit));
+            let sign = if row.limit_is == "most" { "<=" } else { ">=" };
+            let kept = if row.kept { "yes" } else { "**no**" };
+            // A text has room for everything.
+            let _ = writeln!(
+                text,
+                "| {} | {} | {sign} {} | {kept} |",
+                row.what,
+                value.trim_end(),
+                format!("{} {}", row.limit, row.unit).trim_end()
+            );
+        }
+        let kept = self.rows.iter().filter(|r| r.kept).count();
+        let _ = writeln!(text, "\n{kept} of {} gates are kept.", self.rows.len());
+        text
+    }
+}

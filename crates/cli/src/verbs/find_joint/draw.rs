@@ -1,0 +1,52 @@
+//! What was found, drawn over the frame as in Fig. 4 of EBW-2004: midline, cross, motion vector, detection zone.
+
+use crate::failure::Failure;
+use crate::overlay::{Colour, Overlay};
+use glam::DVec2;
+use seamwright_vision::Frame;
+use seamwright_vision::joint::{CONFIDENT, Joint, Row, Start, State, Zone};
+
+const COASTED: Colour = [90, 150, 255];
+const CROSS: Colour = [255, 255, 255];
+const MOTION: Colour = [255, 120, 255];
+const ZONE: Colour = [0, 210, 255];
+
+/// The frame with what was found in it as PNG. The motion vector goes from the start to the last confident place: the move
+/// that teaching would make.
+pub(super) fn draw(frame: &Frame, joint: &Joint, start: &Start, zone: &Zone) -> Result<Vec<u8>, Failure> {
+    let mut picture = Overlay::of(frame);
+    // Large pictures are looked at from farther away.
+    let thick = (frame.width() + frame.height()).div_ceil(1500) as i32;
+    let across: Vec<f64> = (-thick..=thick).map(f64::from).collect();
+    let inset = 1.0;
+    let low = DVec2::new(f64::from(zone.left), f64::from(zone.top)) + inset;
+    let high = DVec2::new(f64::from(zone.right), f64::from(zone.bottom)) - inset;
+    let corners = [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y), low];
+    corners.windows(2).for_each(|side| picture.line(side[0], side[1], &[0.0, 1.0], ZONE));
+    for pair in joint.rows.windows(2) {
+        picture.line(place(&pair[0]), place(&pair[1]), &across, colour(&pair[1]));
+    }
+    let from = DVec2::new(f64::from(start.x), f64::from(start.y));
+    let last = joint.rows.iter().rev().find(|r| r.confidence >= CONFIDENT);
+    if let Some(last) = last {
+        // Beside the midline, so that neither hides the other.
+        let aside = (place(last) - from).perp().normalize_or_zero() * f64::from(6 + 4 * thick);
+        picture.arrow(from + aside, place(last) + aside, MOTION);
+    }
+    picture.cross(from, CROSS, 10 + 4 * thick);
+    picture.png()
+}
+
+fn place(row: &Row) -> DVec2 {
+    DVec2::new(f64::from(row.x), f64::from(row.y))
+}
+
+/// Red without confidence, yellow at [`CONFIDENT`], green when sure.
+fn colour(row: &Row) -> Colour {
+    if row.state == State::Coasted {
+        return COASTED;
+    }
+    let part = |v: f32| (255.0 * v.clamp(0.0, 1.0)) as u8;
+    let c = row.confidence;
+    [part(2.0 - c / CONFIDENT), part(c / CONFIDENT), 0]
+}

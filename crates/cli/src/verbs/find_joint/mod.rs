@@ -1,0 +1,154 @@
+//! The joint line in one image (EBW-2004).
+
+mod draw;
+
+use crate::args::find_joint::FindJointArgs;
+use crate::failure::Failure;
+use crate::files;
+use crate::rows::{Cell, Rows, print_json};
+use seamwright_cell::frames::decode;
+use seamwright_vision::joint::{End, Follower, Joint, Options, Start, State, Zone};
+use seamwright_vision::{Frame, Pixels};
+use serde_json::{Value, json};
+use std::io::{self, Write as _};
+
+/// Least side of an image in which a joint can be followed, pixels.
+const LEAST_SIDE: usize = 16;
+/// Widths that the follower takes, pixels.
+const WIDTHS: (f64, f64) = (1.0, 400.0);
+
+pub(crate) fn run(args: &FindJointArgs) -> Result<(), Failure> {
+    let source = args.image.display().to_string();
+    let image = decode(&files::read_bytes(&args.image, &source)?)
+        .map_err(|e| Failure::Input(format!("{source}: {e}\n   allowed: a whole PNG, JPEG or PNM file")))?;
+    let frame = image.frame().map_err(|e| Failure::Input(format!("{source}: {e}")))?;
+    check_frame(&frame, &source)?;
+    let zone = zone(args, &frame)?;
+    let start = start(args, &zone)?;
+    let mut follower = Follower::new(Options { zone: Some(zone), ..Options::default() });
+    let joint = follower.follow(&frame, &start);
+    if let Some(path) = &args.overlay {
+        let png = draw::draw(&frame, joint, &start, &zone)?;
+        files::write_with(path, |out| Ok(out.write_all(&png)?))?;
+    }
+    if args.json {
+        print(joint)?;
+    } else {
+        rows(joint)?;
+    }
+    // Nothing can be done if standard error is closed.
+    let mut err = io::stderr();
+    let nothing = joint.rows.is_empty();
+    if nothing {
+        let _ = writeln!(err, "{source}: no joint at the start: try another --start, --direction-deg or --width-px");
+    }
+    let _ = writeln!(err, "{}", word(joint.end));
+    if nothing { Err(Failure::Printed) } else { Ok(()) }
+}
+
+/// Refuses images that cannot show a joint.
+fn check_frame(frame: &Frame, source: &str) -> Result<(), Failure> {
+    let (width, height) = (frame.width(), frame.height());
+    if width.min(height) < LEAST_SIDE {
+        let allowed = format!("at least {LEAST_SIDE} pixels to a side");
+        return Err(Failure::Input(format!("{source}: {width} x {height} pixels\n   allowed: {allowed}")));
+    }
+    let white = match frame.pixels() {
+        Pixels::U8(pixels) => pixels.iter().filter(|p| **p == u8::MAX).count(),
+        Pixels::U16(pixels) => pixels.iter().filter(|p| **p == u16::MAX).count(),
+    };
+    if white >= width * height - width * height / 1000 {
+        let allowed = "an exposure that leaves the metal grey: less light, time or gain";
+        return Err(Failure::Input(format!("{source}: the image is saturated, all white\n   allowed: {allowed}")));
+    }
+    Ok(())
+}
+
+/// So many numbers of an argument, none of them infinite.
+fn numbers<const N: usize>(name: &str, found: &[f64]) -> Result<[f64; N], Failure> {
+    let all: Option<[f64; N]> = found.try_into().ok();
+    all.filter(|all| all.iter().all(|v| v.is_finite())).ok_or_else(|| {
+        let found: Vec<String> = found.iter().map(f64::to_string).collect();
+        let found = found.join(",");
+        Failure::Input(format!("{name} {found}: not allowed\n   allowed: {N} finite numbers, apart by commas"))
+    })
+}
+
+/// Where the joint is looked for: the image, or the part of it that the zone covers.
+fn zone(args: &FindJointArgs, frame: &Frame) -> Result<Zone, Failure> {
+    let (right, bottom) = ((frame.width() - 1) as f64, (frame.height() - 1) as f64);
+    let [left, top, zone_right, zone_bottom] = match &args.zone_px {
+        Some(zone) => numbers("--zone-px", zone)?,
+        None => [0.0, 0.0, right, bottom],
+    };
+    let inside = left >= 0.0 && top >= 0.0 && zone_right <= right && zone_bottom <= bottom;
+    if !inside || left >= zone_right || top >= zone_bottom {
+        let found = format!("{left},{top},{zone_right},{zone_bottom}");
+        let allowed = format!("left < right within 0 to {right}, top < bottom within 0 to {bottom}");
+        return Err(Failure::Input(format!("--zone-px {found}: not allowed\n   allowed: {allowed}")));
+    }
+    Ok(Zone { left: left as f32, top: top as f32, right: zone_right as f32, bottom: zone_bottom as f32 })
+}
+
+fn start(args: &FindJointArgs, zone: &Zone) -> Result<Start, Failure> {
+    let [x, y] = numbers("--start", &args.start)?;
+    let [left, top, right, bottom] = [zone.left, zone.top, zone.right, zone.bottom].map(f64::from);
+    if x < left || x > right || y < top || y > bottom {
+        let what = if args.zone_px.is_some() { "the detection zone" } else { "the image" };
+        let allowed = format!("x from {left} to {right}, y from {top} to {bottom}");
+        return Err(Failure::Input(format!("--start {x},{y}: outside {what}\n   allowed: {allowed}")));
+    }
+    let [direction] = numbers("--direction-deg", &[args.direction_deg])?;
+    if let Some(width) = args.width_px.filter(|w| !(WIDTHS.0..=WIDTHS.1).contains(w)) {
+        let allowed = format!("{} to {}", WIDTHS.0, WIDTHS.1);
+        return Err(Failure::Input(format!("--width-px {width}: not allowed\n   allowed: {allowed}")));
+    }
+    // Whole turns are taken off before the precision is.
+    let direction = (direction % 360.0).to_radians() as f32;
+    Ok(Start { x: x as f32, y: y as f32, direction, width: args.width_px.map(|w| w as f32) })
+}
+
+fn word(end: End) -> &'static str {
+    match end {
+        End::LeftImage => "left-image",
+        End::JointEnd => "joint-end",
+        End::Closed => "closed",
+        End::Lost => "lost",
+    }
+}
+
+fn state(state: State) -> &'static str {
+    match state {
+        State::Seen => "seen",
+        State::Coasted => "coasted",
+    }
+}
+
+/// The number as its shortest decimals name it: those of single precision, no more.
+fn shortest(value: f32) -> f64 {
+    value.to_string().parse().unwrap_or_else(|_| f64::from(value))
+}
+
+fn rows(joint: &Joint) -> Result<(), Failure> {
+    let columns = ["x_px", "y_px", "confidence", "width_px", "state"];
+    let mut rows = Rows::new(columns.map(str::to_owned).to_vec(), false)?;
+    for row in &joint.rows {
+        let [x, y, confidence, width] = [row.x, row.y, row.confidence, row.width].map(|v| Cell::Number(shortest(v)));
+        rows.row(&[x, y, confidence, width, Cell::Text(state(row.state))])?;
+    }
+    rows.finish()
+}
+
+fn print(joint: &Joint) -> Result<(), Failure> {
+    let row = |row: &seamwright_vision::joint::Row| {
+        json!({
+            "x_px": shortest(row.x),
+            "y_px": shortest(row.y),
+            "confidence": shortest(row.confidence),
+            "width_px": shortest(row.width),
+            "state": state(row.state),
+        })
+    };
+    let rows: Vec<Value> = joint.rows.iter().map(row).collect();
+    print_json(&json!({ "end": word(joint.end), "rows": rows }))
+}

@@ -1,0 +1,63 @@
+//! An image or a profile, by what is in the file.
+
+use crate::csv::CsvReader;
+use crate::failure::Failure;
+use crate::files;
+use glam::DVec2;
+use seamwright_cell::frames::decode;
+use seamwright_vision::Image;
+use std::path::Path;
+
+/// Most points of a profile: more is no stripe.
+const MOST_POINTS: usize = 1_000_000;
+
+/// What was read.
+pub(super) enum Input {
+    Image(Image),
+    /// y and z, mm; not a number where it is missing.
+    Profile(Vec<DVec2>),
+}
+
+/// Reads the file; `source` names it in messages.
+pub(super) fn read(path: &Path, source: &str) -> Result<Input, Failure> {
+    let bytes = files::read_bytes(path, source)?;
+    if is_image(&bytes) {
+        return decode(&bytes).map(Input::Image).map_err(|e| Failure::Input(format!("{source}: {e}")));
+    }
+    let Ok(text) = std::str::from_utf8(&bytes) else {
+        let allowed = "PNG, JPEG or PNM, or CSV with the columns y_mm,z_mm";
+        return Err(Failure::Input(format!("{source}: neither an image nor text\n   allowed: {allowed}")));
+    };
+    profile(text, source).map(Input::Profile)
+}
+
+/// Whether the first bytes are those of PNG, JPEG or PNM.
+fn is_image(bytes: &[u8]) -> bool {
+    let pnm = matches!(bytes, [b'P', b'1'..=b'7', b' ' | b'\n' | b'\r' | b'\t', ..]);
+    bytes.starts_with(b"\x89PNG") || bytes.starts_with(b"\xff\xd8\xff") || pnm
+}
+
+/// Rows of y_mm and z_mm; an empty cell or `nan` is a missing place.
+fn profile(text: &str, source: &str) -> Result<Vec<DVec2>, Failure> {
+    let names = ["y_mm", "z_mm"];
+    let (mut reader, _) = CsvReader::open(source, text.as_bytes(), &[&names])?;
+    let mut points = Vec::new();
+    while let Some(row) = reader.texts() {
+        let row = row?;
+        let mut point = [f64::NAN; 2];
+        for ((value, cell), name) in point.iter_mut().zip(&row).zip(names) {
+            if cell.is_empty() || cell.eq_ignore_ascii_case("nan") {
+                continue;
+            }
+            let good = |v: &f64| v.abs() <= 1e7;
+            *value = cell.parse().ok().filter(good).ok_or_else(|| {
+                reader.error(name, cell, "is no place", "a number within 1e7 mm of 0, or nothing where it is missing")
+            })?;
+        }
+        points.push(DVec2::from_array(point));
+        if points.len() > MOST_POINTS {
+            return Err(Failure::Input(format!("{source}: too many points\n   allowed: up to {MOST_POINTS}")));
+        }
+    }
+    Ok(points)
+}

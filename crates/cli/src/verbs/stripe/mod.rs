@@ -1,0 +1,218 @@
+//! The joint in an image or a profile of a laser stripe (DUALBEAM-2013).
+
+mod input;
+mod overlay;
+
+use super::positive;
+use crate::args::stripe::{JointArg, StripeArgs};
+use crate::failure::Failure;
+use crate::files;
+use crate::load;
+use crate::rows::{Cell, Rows, print_json};
+use glam::DVec2;
+use input::Input;
+use seamwright_geometry::Homography;
+use seamwright_machine::Sight;
+use seamwright_vision::Image;
+use seamwright_vision::stripe::{Features, JointKind, NoFeatures, Quantity, StripeReader, StripeTask};
+use serde_json::{Map, Value, json};
+use std::io::{self, Write as _};
+
+/// Where places are: in mm or pixels, and how pixels become mm.
+struct Scale {
+    to_mm: Option<Homography>,
+    /// The sensor's columns and rows, if it is known.
+    size_px: Option<[usize; 2]>,
+}
+
+pub(crate) fn run(args: &StripeArgs) -> Result<(), Failure> {
+    let scale = sensor(args)?;
+    let source = args.input.display().to_string();
+    let mut reader = StripeReader::new();
+    match input::read(&args.input, &source)? {
+        Input::Profile(points) => {
+            if args.machine.is_some() || args.mm_per_px.is_some() || args.overlay.is_some() {
+                let allowed = "--machine, --mm-per-px and --overlay with an image";
+                return Err(Failure::Input(format!("{source}: a profile is in mm already\n   allowed: {allowed}")));
+            }
+            let found = reader.read_profile(&points, &task(args, true)?);
+            write(args, &found, None, &source)
+        }
+        Input::Image(image) => {
+            let frame = image.frame().map_err(|e| Failure::Input(format!("{source}: {e}")))?;
+            if let Some([width, height]) = scale.size_px.filter(|s| *s != [frame.width(), frame.height()]) {
+                let found = format!("the image has {} x {} pixels", frame.width(), frame.height());
+                return Err(Failure::Input(format!("{source}: {found}\n   allowed: {width} x {height}, the sensor's")));
+            }
+            let to_mm = scale.to_mm.or_else(|| even(args.mm_per_px?, &image));
+            let found = reader.read_image(&frame, to_mm.as_ref(), &task(args, to_mm.is_some())?);
+            if let Some(path) = &args.overlay {
+                let png = overlay::draw(&image, &reader, to_mm.as_ref(), found.as_ref().ok())?;
+                files::write_with(path, |out| Ok(out.write_all(&png)?))?;
+            }
+            write(args, &found, Some(to_mm.as_ref()), &source)
+        }
+    }
+}
+
+/// The map of the sensor that the command line names.
+fn sensor(args: &StripeArgs) -> Result<Scale, Failure> {
+    if let Some(scale) = args.mm_per_px {
+        positive("--mm-per-px", scale)?;
+    }
+    let (Some(machine), Some(name)) = (&args.machine, &args.sensor) else {
+        return Ok(Scale { to_mm: None, size_px: None });
+    };
+    let loaded = load::machine(machine)?;
+    let Some(sensor) = loaded.sensor(name) else {
+        let names: Vec<&str> = loaded.sensors.iter().map(|s| s.name.as_str()).collect();
+        let allowed =
+            if names.is_empty() { "the machine has none: [sensors.NAME]".to_owned() } else { names.join(", ") };
+        return Err(Failure::Input(format!("--sensor {name}: {machine} has no such sensor\n   allowed: {allowed}")));
+    };
+    let Sight::Stripe(stripe) = &sensor.sight else {
+        let allowed = "a sensor of kind = \"stripe\"";
+        return Err(Failure::Input(format!("--sensor {name}: it sees no stripe\n   allowed: {allowed}")));
+    };
+    Ok(Scale { to_mm: Some(stripe.to_mm), size_px: Some(sensor.size_px) })
+}
+
+/// Pixels of one size, the origin in the middle.
+fn even(mm_per_px: f64, image: &Image) -> Option<Homography> {
+    let frame = image.frame().ok()?;
+    let [x, y] = [frame.width(), frame.height()].map(|n| mm_per_px * (n as f64 - 1.0) / 2.0);
+    Homography::from_eight([mm_per_px, 0.0, -x, 0.0, -mm_per_px, y, 0.0, 0.0])
+}
+
+fn task(args: &StripeArgs, in_mm: bool) -> Result<StripeTask, Failure> {
+    let joint = match args.joint {
+        JointArg::Fillet => JointKind::Fillet,
+        JointArg::V => JointKind::V,
+        JointArg::Lap => JointKind::Lap,
+        JointArg::Butt => JointKind::Butt,
+        JointArg::U => JointKind::U,
+        JointArg::J => JointKind::J,
+    };
+    let task = if in_mm { StripeTask::in_mm(joint) } else { StripeTask::in_pixels(joint) };
+    match args.thickness_mm {
+        Some(thickness) => Ok(task.with_thickness(positive("--thickness-mm", thickness)?)),
+        None => Ok(task),
+    }
+}
+
+/// Writes what was found; `image` has the map of an image, if it has one.
+fn write(
+    args: &StripeArgs,
+    found: &Result<Features, NoFeatures>,
+    image: Option<Option<&Homography>>,
+    source: &str,
+) -> Result<(), Failure> {
+    let place = Place { image };
+    if args.json {
+        place.print(found)?;
+    } else {
+        place.rows(found.as_ref().ok())?;
+    }
+    // Nothing can be done if standard error is closed.
+    let mut err = io::stderr();
+    match found {
+        Err(why) => {
+            let _ = writeln!(err, "{source}: no joint: {why}");
+            Err(Failure::Printed)
+        }
+        Ok(f) if !f.is_confident() => {
+            let (is, least) = (f.confidence, Features::CONFIDENT);
+            let _ = writeln!(err, "note: confidence {is:.2} is below {least}: not to be followed");
+            Ok(())
+        }
+        Ok(_) => Ok(()),
+    }
+}
+
+/// How places are written.
+struct Place<'a> {
+    image: Option<Option<&'a Homography>>,
+}
+
+impl Place<'_> {
+    /// Column and row, if there is an image; y and z in mm, if they are known.
+    fn both(&self, p: DVec2) -> (Option<DVec2>, Option<DVec2>) {
+        match self.image {
+            None => (None, Some(p)),
+            Some(None) => (Some(DVec2::new(p.x, -p.y)), None),
+            Some(Some(to_mm)) => (to_mm.inverse().map(p), Some(p)),
+        }
+    }
+
+    /// A value and its unit, as it is written.
+    fn value(&self, quantity: Quantity, value: f64) -> (f64, &'static str) {
+        let in_px = self.image == Some(None);
+        match (quantity.power(), in_px) {
+            (None, _) => (value.to_degrees(), "deg"),
+            (Some(2), true) => (value, "px2"),
+            (Some(2), false) => (value, "mm2"),
+            (Some(_), true) => (value, "px"),
+            (Some(_), false) => (value, "mm"),
+        }
+    }
+
+    fn rows(&self, found: Option<&Features>) -> Result<(), Failure> {
+        let places: &[&str] = if self.image.is_some() { &["x_px", "y_px"] } else { &["y_mm", "z_mm"] };
+        let more: &[&str] = if self.image.is_some() { &["value", "unit", "y_mm", "z_mm"] } else { &["value", "unit"] };
+        let columns = [&["feature"], places, &["confidence"], more].concat();
+        let mut rows = Rows::new(columns.into_iter().map(str::to_owned).collect(), false)?;
+        let Some(f) = found else { return rows.finish() };
+        let mut row = |name: &str, at: DVec2, value: Option<(f64, &'static str)>| {
+            let (px, mm) = self.both(at);
+            let pair = |p: Option<DVec2>| p.map_or([Cell::Empty; 2], |p| [Cell::Number(p.x), Cell::Number(p.y)]);
+            let mut cells = vec![Cell::Text(name)];
+            cells.extend(if self.image.is_some() { pair(px) } else { pair(mm) });
+            cells.push(Cell::Number(f.confidence));
+            cells.extend(value.map_or([Cell::Empty; 2], |(v, unit)| [Cell::Number(v), Cell::Text(unit)]));
+            if self.image.is_some() {
+                cells.extend(pair(mm));
+            }
+            rows.row(&cells)
+        };
+        for (feature, at) in &f.points {
+            row(feature.name(), *at, None)?;
+        }
+        for (quantity, value) in &f.values {
+            row(quantity.name(), f.joint(), Some(self.value(*quantity, *value)))?;
+        }
+        rows.finish()
+    }
+
+    /// The same as one JSON object.
+    fn print(&self, found: &Result<Features, NoFeatures>) -> Result<(), Failure> {
+        let f = match found {
+            Err(why) => return print_json(&json!({ "found": false, "reason": why.to_string() })),
+            Ok(f) => f,
+        };
+        let mut points = Map::new();
+        for (feature, at) in &f.points {
+            let (px, mm) = self.both(*at);
+            let mut point = Map::new();
+            for (names, p) in [(["x_px", "y_px"], px), (["y_mm", "z_mm"], mm)] {
+                if let Some(p) = p {
+                    point.insert(names[0].to_owned(), Value::from(p.x));
+                    point.insert(names[1].to_owned(), Value::from(p.y));
+                }
+            }
+            points.insert(feature.name().to_owned(), point.into());
+        }
+        let mut values = Map::new();
+        for (quantity, value) in &f.values {
+            let (value, unit) = self.value(*quantity, *value);
+            values.insert(format!("{}_{unit}", quantity.name()), Value::from(value));
+        }
+        print_json(&json!({
+            "found": true,
+            "joint": f.kind,
+            "confidence": f.confidence,
+            "confident": f.is_confident(),
+            "points": points,
+            "values": values,
+        }))
+    }
+}

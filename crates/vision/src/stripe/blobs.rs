@@ -1,0 +1,382 @@
+//! Bright blobs of every column of an image.
+//!
+//! Sums of [`BLOCK`] rows, pairs of them against a background that is an opening of coarse means along the column: what
+//! is narrower than about 80 rows is no background. Local maxima of a column that stand out of the noise are looked at
+//! pixel by pixel. Work is linear in the pixels, and all passes over whole rows are sums and comparisons of 16 bits.
+
+use crate::{Frame, Pixels};
+
+/// Most blobs of a column.
+pub(super) const MOST: usize = 3;
+
+/// Rows of a sum.
+const BLOCK: usize = 4;
+
+/// Columns of a cell of the background; it is four sums high.
+const CELL: usize = 16;
+
+/// Cells of the window of the opening.
+const OPENING: usize = 6;
+
+/// What a pair of sums must stand out by, in standard deviations of its noise, and at least, grey values.
+const STANDS_OUT: f32 = 6.0;
+const LEAST_CONTRAST: f32 = 24.0;
+
+/// Level of a blob's border between background and peak.
+const BORDER: f32 = 0.2;
+
+/// Farthest border from the peak, pixels.
+const FARTHEST: usize = 60;
+
+/// A pixel from this grey value on is saturated.
+const SATURATED: f32 = 250.0;
+
+/// A bright place in a column.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Blob {
+    /// Row of its centre.
+    pub(super) row: f32,
+    /// Grey values above the background, summed.
+    pub(super) strength: f32,
+    /// Rows from border to border.
+    pub(super) width: f32,
+    /// Whether some of its pixels are saturated.
+    pub(super) saturated: bool,
+}
+
+/// Pixels of 8 or 16 bits.
+trait Grey: Copy {
+    /// Such numbers for one grey value.
+    const A_GREY: f32;
+    /// For sums: eight of them fit 16 bits.
+    fn part(self) -> i16;
+    /// The grey value, 0 to 255.
+    fn grey(self) -> f32;
+}
+
+impl Grey for u8 {
+    const A_GREY: f32 = 1.0;
+    fn part(self) -> i16 {
+        i16::from(self)
+    }
+    fn grey(self) -> f32 {
+        f32::from(self)
+    }
+}
+
+impl Grey for u16 {
+    const A_GREY: f32 = 4095.0 / 255.0;
+    fn part(self) -> i16 {
+        (self >> 4) as i16
+    }
+    fn grey(self) -> f32 {
+        f32::from(self) / 257.0
+    }
+}
+
+/// Finds blobs; its buffers are kept from image to image.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Blobs {
+    /// Blobs of each column, the strongest first.
+    columns: Vec<[Blob; MOST]>,
+    counts: Vec<u8>,
+    /// Sums of rows, block after block.
+    sums: Vec<i16>,
+    /// Background of sums, and the scratch to open it.
+    cells: Vec<f32>,
+    opened: Vec<f32>,
+    /// Pairs of sums above their background: the row before the last, the last one, this one.
+    pairs: [Vec<i16>; 3],
+    floor: Vec<i16>,
+    /// Block and contrast of the best pairs of each column.
+    candidates: Vec<[(u16, i16); MOST]>,
+}
+
+impl Blobs {
+    /// Looks at `frame`. False if nearly all of it is saturated.
+    pub(super) fn find(&mut self, frame: &Frame) -> bool {
+        let width = frame.width();
+        self.columns.clear();
+        self.columns.resize(width, [Blob::default(); MOST]);
+        self.counts.clear();
+        self.counts.resize(width, 0);
+        match frame.pixels() {
+            Pixels::U8(pixels) => self.search(pixels, width, frame.height()),
+            Pixels::U16(pixels) => self.search(pixels, width, frame.height()),
+        }
+    }
+
+    /// Number of columns.
+    pub(super) fn width(&self) -> usize {
+        self.columns.len()
+    }
+
+    /// Blobs of a column, the strongest first.
+    pub(super) fn of(&self, column: usize) -> &[Blob] {
+        &self.columns[column][..usize::from(self.counts[column])]
+    }
+
+    fn search<G: Grey>(&mut self, pixels: &[G], width: usize, height: usize) -> bool {
+        if height < 2 * BLOCK {
+            return true;
+        }
+        let blocks = height.div_ceil(BLOCK);
+        self.sum(pixels, width, height, blocks);
+        self.background(width, blocks);
+        let full = SATURATED * G::A_GREY * BLOCK as f32;
+        let bright = self.opened.iter().filter(|&&v| v > full).count();
+        if 2 * bright > self.opened.len() {
+            return false;
+        }
+        let threshold = (STANDS_OUT * self.noise(width, blocks)).max(LEAST_CONTRAST * G::A_GREY).min(32000.0) as i16;
+        self.maxima(width, blocks, threshold);
+        for column in 0..width {
+            self.refine(pixels, width, height, column);
+        }
+        true
+    }
+
+    /// Sums of blocks of rows; the last block ends with the last row.
+    fn sum<G: Grey>(&mut self, pixels: &[G], width: usize, height: usize, blocks: usize) {
+        self.sums.clear();
+        self.sums.resize(width * blocks, 0);
+        for (b, sums) in self.sums.chunks_exact_mut(width).enumerate() {
+            let first = (b * BLOCK).min(height - BLOCK);
+            let rows = &pixels[first * width..(first + BLOCK) * width];
+            let (r0, rest) = rows.split_at(width);
+            let (r1, rest) = rest.split_at(width);
+            let (r2, r3) = rest.split_at(width);
+            for ((((s, a), b), c), d) in sums.iter_mut().zip(r0).zip(r1).zip(r2).zip(r3) {
+                *s = a.part() + b.part() + c.part() + d.part();
+            }
+        }
+    }
+
+    /// The background of sums in cells: the opening of their means along the columns.
+    fn background(&mut self, width: usize, blocks: usize) {
+        let (across, down) = (width.div_ceil(CELL), blocks.div_ceil(4));
+        self.cells.clear();
+        self.cells.resize(across * down, 0.0);
+        for (i, cells) in self.cells.chunks_exact_mut(across).enumerate() {
+            let rows = 4 * i..(4 * i + 4).min(blocks);
+            let count = rows.len();
+            for row in rows {
+                let sums = &self.sums[row * width..(row + 1) * width];
+                for (cell, part) in cells.iter_mut().zip(sums.chunks(CELL)) {
+                    let sum: i32 = part.iter().map(|&s| i32::from(s)).sum();
+                    *cell += sum as f32 / (part.len() * count) as f32;
+                }
+            }
+        }
+        self.opened.clear();
+        self.opened.resize(across * down, 0.0);
+        slide(&self.cells, &mut self.opened, across, (0, OPENING - 1), f32::min);
+        slide(&self.opened, &mut self.cells, across, (OPENING - 1, 0), f32::max);
+        std::mem::swap(&mut self.cells, &mut self.opened);
+    }
+
+    /// Standard deviation of a pair of sums, from the median difference of sums that are neighbours in a column.
+    fn noise(&self, width: usize, blocks: usize) -> f32 {
+        let mut counts = [0u32; 512];
+        let mut total = 0;
+        for b in (0..blocks - 1).step_by(3) {
+            let (upper, lower) = (&self.sums[b * width..], &self.sums[(b + 1) * width..]);
+            for (u, l) in upper[..width].iter().zip(lower).step_by(5) {
+                counts[usize::from(u.abs_diff(*l)).min(511)] += 1;
+                total += 1;
+            }
+        }
+        let mut below = 0;
+        let median = counts.iter().position(|&n| {
+            below += n;
+            2 * below > total
+        });
+        (median.unwrap_or(0) as f32 + 0.5) / 0.6745
+    }
+
+    /// Notes the best local maxima of pairs of sums in every column.
+    fn maxima(&mut self, width: usize, blocks: usize, threshold: i16) {
+        self.candidates.clear();
+        self.candidates.resize(width, [(0, 0); MOST]);
+        for pair in self.pairs.iter_mut().chain([&mut self.floor]) {
+            pair.clear();
+            pair.resize(width, 0);
+        }
+        let across = width.div_ceil(CELL);
+        for b in 0..blocks {
+            self.pairs.rotate_left(1);
+            if b + 1 < blocks {
+                let cells = &self.opened[b / 4 * across..][..across];
+                for (floor, cell) in self.floor.chunks_mut(CELL).zip(cells) {
+                    floor.fill((2.0 * cell) as i16);
+                }
+                let (upper, lower) = (&self.sums[b * width..], &self.sums[(b + 1) * width..]);
+                for (((p, u), l), f) in self.pairs[2].iter_mut().zip(&upper[..width]).zip(lower).zip(&self.floor) {
+                    *p = u + l - f;
+                }
+            } else {
+                self.pairs[2].fill(0);
+            }
+            if b == 0 {
+                continue;
+            }
+            let [before, here, after] = &self.pairs;
+            let hit = |c: usize| here[c] > threshold && here[c] >= before[c] && here[c] > after[c];
+            for first in (0..width).step_by(64) {
+                let columns = first..(first + 64).min(width);
+                // One comparison for all of them: mostly there is nothing.
+                if here[columns.clone()].iter().fold(i16::MIN, |m, &v| m.max(v)) <= threshold {
+                    continue;
+                }
+                for column in columns.filter(|&c| hit(c)) {
+                    note(&mut self.candidates[column], ((b - 1) as u16, here[column]));
+                }
+            }
+        }
+    }
+
+    /// Looks at the candidates of a column pixel by pixel.
+    fn refine<G: Grey>(&mut self, pixels: &[G], width: usize, height: usize, column: usize) {
+        let across = width.div_ceil(CELL);
+        let mut spans = [(usize::MAX, 0usize); MOST];
+        let mut count = 0;
+        for (block, contrast) in self.candidates[column] {
+            if contrast == 0 {
+                break;
+            }
+            let cell = self.opened[usize::from(block) / 4 * across + column / CELL];
+            let background = cell / (BLOCK as f32 * G::A_GREY);
+            let first = usize::from(block) * BLOCK;
+            let rows = first.min(height - 1)..(first + 2 * BLOCK).min(height);
+            let (blob, span) = blob(|row: usize| pixels[row * width + column].grey(), rows, height, background);
+            if spans[..count].iter().any(|s| s.0 <= span.1 && span.0 <= s.1) {
+                continue;
+            }
+            spans[count] = span;
+            self.columns[column][count] = blob;
+            count += 1;
+        }
+        self.counts[column] = count as u8;
+    }
+}
+
+/// The blob whose peak is among `rows`, and its first and last row.
+fn blob(
+    at: impl Fn(usize) -> f32,
+    rows: std::ops::Range<usize>,
+    height: usize,
+    background: f32,
+) -> (Blob, (usize, usize)) {
+    let (mut peak, mut top) = (rows.start, f32::MIN);
+    for row in rows {
+        let v = at(row);
+        if v > top {
+            (peak, top) = (row, v);
+        }
+    }
+    let level = background + BORDER * (top - background);
+    // A border is where two pixels in a row are below the level: speckle makes single dark ones.
+    let (mut first, mut last) = (peak, peak);
+    while first > 0 && peak - first < FARTHEST && (at(first - 1) > level || (first > 1 && at(first - 2) > level)) {
+        first -= 1;
+    }
+    while last + 1 < height
+        && last - peak < FARTHEST
+        && (at(last + 1) > level || (last + 2 < height && at(last + 2) > level))
+    {
+        last += 1;
+    }
+    let (mut sum, mut moment, mut strength, mut saturated) = (0.0, 0.0, 0.0, 0);
+    for row in first..=last {
+        let v = at(row);
+        let weight = (v - level).max(0.0);
+        sum += weight;
+        moment += weight * (row - first) as f32;
+        strength += v - background;
+        saturated += u32::from(v >= SATURATED);
+    }
+    let centroid = first as f32 + if sum > 0.0 { moment / sum } else { 0.0 };
+    let row = if saturated >= 3 { between_flanks(&at, first, last, (top + background) / 2.0) } else { centroid };
+    let width = (last - first + 1) as f32;
+    (Blob { row, strength, width, saturated: saturated > 0 }, (first, last))
+}
+
+/// The middle between the places where a blob without a peak rises above `level` and falls below it.
+fn between_flanks(at: &impl Fn(usize) -> f32, first: usize, last: usize, level: f32) -> f32 {
+    let crossing = |below: usize, above: usize| {
+        let (low, high) = (at(below), at(above));
+        let part = if high > low { ((level - low) / (high - low)).clamp(0.0, 1.0) } else { 0.5 };
+        below as f32 + part * (above as f32 - below as f32)
+    };
+    let rise = (first..last).find(|&r| at(r) >= level).unwrap_or(first);
+    let fall = (rise..=last).rev().find(|&r| at(r) >= level).unwrap_or(last);
+    let upper = if rise > first { crossing(rise - 1, rise) } else { rise as f32 };
+    let lower = if fall < last { crossing(fall + 1, fall) } else { fall as f32 };
+    (upper + lower) / 2.0
+}
+
+/// Takes a candidate among the best of its column, by contrast.
+fn note(best: &mut [(u16, i16); MOST], new: (u16, i16)) {
+    if let Some(place) = best.iter().position(|old| old.1 < new.1) {
+        best[place..].rotate_right(1);
+        best[place] = new;
+    }
+}
+
+/// Least or greatest of a window of rows of cells: `reach` rows before and after, as many as there are.
+fn slide(from: &[f32], to: &mut [f32], across: usize, reach: (usize, usize), better: fn(f32, f32) -> f32) {
+    let down = from.len() / across;
+    for (i, row) in to.chunks_exact_mut(across).enumerate() {
+        let window = i.saturating_sub(reach.0)..(i + reach.1 + 1).min(down);
+        row.copy_from_slice(&from[i * across..(i + 1) * across]);
+        for other in window {
+            for (v, o) in row.iter_mut().zip(&from[other * across..]) {
+                *v = better(*v, *o);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A column with a Gaussian of the given centre and height over a background.
+    fn image(centre: f64, height: f64, width: usize) -> Vec<u8> {
+        let grey = |row: usize| {
+            let d = row as f64 - centre;
+            (20.0 + 0.05 * row as f64 + height * (-d * d / (2.0 * 2.5 * 2.5)).exp()).min(255.0) as u8
+        };
+        (0..200 * width).map(|i| grey(i / width)).collect()
+    }
+
+    #[test]
+    fn centres_are_sub_pixel_also_saturated() {
+        for height in [40.0, 120.0, 200.0, 600.0, 3000.0] {
+            for step in 0..10 {
+                let centre = 80.0 + f64::from(step) / 10.0 + f64::from(step);
+                let pixels = image(centre, height, 40);
+                let mut blobs = Blobs::default();
+                assert!(blobs.find(&Frame::new(40, 200, Pixels::U8(&pixels)).unwrap()));
+                let [blob] = blobs.of(20) else { panic!("{:?}", blobs.of(20)) };
+                assert!((f64::from(blob.row) - centre).abs() < 0.1, "{height}: {centre} {}", blob.row);
+                assert_eq!(blob.saturated, height > 235.0, "{height}");
+                let wide: Vec<u16> = pixels.iter().map(|&p| u16::from(p) * 257).collect();
+                assert!(blobs.find(&Frame::new(40, 200, Pixels::U16(&wide)).unwrap()));
+                assert!((f64::from(blobs.of(20)[0].row) - centre).abs() < 0.1);
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_in_nothing() {
+        let mut blobs = Blobs::default();
+        for (width, height) in [(1, 1), (3, 7), (16, 8), (17, 9), (100, 100)] {
+            let dark = vec![3u8; width * height];
+            assert!(blobs.find(&Frame::new(width, height, Pixels::U8(&dark)).unwrap()));
+            assert!((0..width).all(|c| blobs.of(c).is_empty()));
+            let white = vec![255u8; width * height];
+            assert_eq!(blobs.find(&Frame::new(width, height, Pixels::U8(&white)).unwrap()), height < 8);
+        }
+    }
+}

@@ -1,0 +1,191 @@
+//! What a profile must look like for each joint. A joint that was not asked for is not looked for: what does not fit has
+//! no features.
+
+mod fillet;
+mod groove;
+mod plates;
+mod round;
+
+use super::Feature;
+use super::edges::{self, Edge};
+use super::features::{Features, JointKind, NoFeatures, Quantity, StripeTask};
+use super::fit::StripeLine;
+use super::profile::{Profile, Sample};
+use super::segments::Segment;
+use arrayvec::ArrayVec;
+use glam::DVec2;
+
+/// A profile, cut into segments, and what is looked for in it.
+pub(super) struct View<'a> {
+    pub(super) profile: &'a Profile,
+    pub(super) segments: &'a [Segment],
+    pub(super) task: &'a StripeTask,
+    pub(super) scratch: &'a mut Vec<f64>,
+}
+
+/// Part of the stripe's strength from which on another blob is a rival.
+const RIVAL: f64 = 0.4;
+
+/// How far beyond an edge something may hide it: columns, and rows from the line.
+const HIDING_COLUMNS: i32 = 8;
+const HIDING_ROWS: f64 = 8.0;
+
+/// How well a joint is supported, before its confidence is put together.
+struct Support<'a> {
+    /// Part of the places that lie on what the joint is made of.
+    share: f64,
+    /// The segments it is measured from.
+    segments: &'a [Segment],
+    /// 0 to 1: how much better it fits than what it could be confused with.
+    margin: f64,
+}
+
+impl View<'_> {
+    /// The joint asked for.
+    pub(super) fn joint(&mut self) -> Result<Features, NoFeatures> {
+        match self.task.joint {
+            JointKind::Fillet => self.fillet(),
+            JointKind::V => self.v_groove(),
+            JointKind::U => self.u_groove(),
+            JointKind::J => self.j_groove(),
+            JointKind::Lap => self.lap(),
+            JointKind::Butt => self.butt(),
+        }
+    }
+
+    fn pitch(&self) -> f64 {
+        self.profile.pitch
+    }
+
+    fn samples(&self) -> &[Sample] {
+        &self.profile.samples
+    }
+
+    /// The end of a segment's places towards column `to`, not beyond it.
+    fn edge(&mut self, segment: &Segment, to: i32) -> Option<Edge> {
+        let middle = (segment.columns.0 + segment.columns.1) / 2;
+        let within = segment.within(self.profile.pitch);
+        edges::edge(self.profile, &segment.line, within, (middle, to), self.scratch)
+    }
+
+    /// Part of `samples` on one of `segments`.
+    fn share(&self, samples: &[Sample], segments: &[Segment]) -> f64 {
+        let pitch = self.pitch();
+        let on = |s: &&Sample| segments.iter().any(|g| g.line.off(s.at).abs() <= g.within(pitch));
+        samples.iter().filter(on).count() as f64 / samples.len().max(1) as f64
+    }
+
+    /// The longest reflection beside the chain as a part of the columns: something as bright, neither of the chain nor on
+    /// any of the joint's lines, and longer than spatter is. Where it is as long as a segment, the chain could be the
+    /// reflection.
+    fn rivals(&self, columns: (i32, i32), segments: &[Segment]) -> f64 {
+        let pitch = self.pitch();
+        let on = |s: &Sample| segments.iter().any(|g| g.line.off(s.at).abs() <= g.within(pitch).max(s.covers));
+        // Last place and length of what is followed: up to two in a column.
+        let mut followed: [(Option<Sample>, i32); 2] = [(None, 0); 2];
+        let mut longest = 0;
+        for s in self.profile.all_between(columns.0, columns.1) {
+            let own = self.profile.between(s.column, s.column).first();
+            let bright = |own: &Sample| s.strength > own.strength.map(|v| RIVAL * v) && s.at != own.at;
+            if on(s) || !own.is_some_and(bright) {
+                continue;
+            }
+            let near = |last: &Sample| s.column - last.column <= 3 && last.at.distance(s.at) < 8.0 * pitch;
+            let i = followed.iter().position(|f| f.0.as_ref().is_some_and(near)).unwrap_or_else(|| {
+                let older = usize::from(followed[0].0.map(|l| l.column) > followed[1].0.map(|l| l.column));
+                followed[older] = (None, 0);
+                older
+            });
+            followed[i] = (Some(*s), followed[i].1 + 1);
+            longest = longest.max(followed[i].1);
+        }
+        f64::from(longest) / f64::from((columns.1 - columns.0 + 1).max(1))
+    }
+
+    /// Whether something that is on none of the joint's lines hides where a line ends: then the end is not known. Looks
+    /// at the columns beyond the edge towards `step` (1 right, -1 left).
+    fn hidden(&self, edge: &Edge, line: &StripeLine, step: i32, segments: &[Segment]) -> bool {
+        let pitch = self.pitch();
+        let column = edge.column.round() as i32;
+        let (a, b) = (column + step, column + step * HIDING_COLUMNS);
+        let on = |s: &Sample| segments.iter().any(|g| g.line.off(s.at).abs() <= g.within(pitch));
+        let near = |s: &&Sample| line.off(s.at).abs() < s.covers + HIDING_ROWS * pitch && !on(s);
+        self.profile.all_between(a.min(b), a.max(b)).iter().filter(near).count() >= 3
+    }
+
+    /// Part of a segment's columns in which a place is on its line.
+    fn density(&self, segment: &Segment) -> f64 {
+        let within = segment.within(self.pitch());
+        let samples = self.profile.between(segment.columns.0, segment.columns.1);
+        let on = samples.iter().filter(|s| segment.line.off(s.at).abs() <= within).count();
+        on as f64 / f64::from((segment.columns.1 - segment.columns.0 + 1).max(1))
+    }
+
+    /// Part of the columns in which something else than the chain is seen.
+    fn crowd(&self, columns: (i32, i32)) -> f64 {
+        let own = self.profile.between(columns.0, columns.1).len();
+        let (mut seen, mut crowded, mut last) = (0, 0, (i32::MIN, 0));
+        for s in self.profile.all_between(columns.0, columns.1) {
+            last = if last.0 == s.column { (s.column, last.1 + 1) } else { (s.column, 1) };
+            seen += 1;
+            crowded += u32::from(last.1 == 2);
+        }
+        // Where the chain is left out, something else is seen alone.
+        let alone = f64::from(seen) - f64::from(crowded) - own as f64;
+        (f64::from(crowded) + alone.max(0.0)) / f64::from((columns.1 - columns.0 + 1).max(1))
+    }
+
+    /// Puts the features together: inliers x length x residual x margin x innovation.
+    fn features(&self, points: &[(Feature, DVec2)], values: &[(Quantity, f64)], support: &Support) -> Features {
+        let pitch = self.pitch();
+        let shortest = support.segments.iter().map(Segment::length).fold(f64::INFINITY, f64::min);
+        let columns = if shortest.is_finite() { shortest / pitch } else { 0.0 };
+        let worst = support.segments.iter().map(|s| s.deviation).fold(0.0, f64::max) / pitch;
+        let innovation = match (&self.task.expected, points.first()) {
+            (Some(expected), Some((_, at))) => {
+                let off = at.distance(expected.at) / expected.within.max(1e-9);
+                1.0 / (1.0 + (off / 3.0).powi(4))
+            }
+            _ => 1.0,
+        };
+        let rival = |s: &Segment| self.rivals(s.columns, support.segments);
+        let rivals = support.segments.iter().map(rival).fold(0.0, f64::max);
+        let densities = support.segments.iter().map(|s| self.density(s));
+        let density = densities.fold(f64::INFINITY, f64::min);
+        let confidence = ramp(support.share, 0.55, 0.85)
+            * ramp(density, 0.3, 0.5)
+            * ramp(columns, 8.0, 30.0)
+            * ramp(worst, 6.0, 2.0)
+            * ramp(rivals, 0.6, 0.35)
+            * support.margin.clamp(0.0, 1.0)
+            * innovation;
+        let finite = points.iter().all(|p| p.1.is_finite()) && values.iter().all(|v| v.1.is_finite());
+        Features {
+            kind: self.task.joint,
+            points: points.iter().copied().collect::<ArrayVec<_, 6>>(),
+            values: values.iter().copied().collect::<ArrayVec<_, 8>>(),
+            confidence: if finite { confidence } else { 0.0 },
+        }
+    }
+}
+
+/// 0 at `none` and beyond, 1 at `full` and beyond.
+fn ramp(value: f64, none: f64, full: f64) -> f64 {
+    ((value - none) / (full - none)).clamp(0.0, 1.0)
+}
+
+/// Turn from line `a` to line `b`, rad, positive to the left: a valley.
+fn turn(a: &StripeLine, b: &StripeLine) -> f64 {
+    a.along.perp_dot(b.along).atan2(a.along.dot(b.along))
+}
+
+/// Unit direction halfway between two lines.
+fn between(a: &StripeLine, b: &StripeLine) -> DVec2 {
+    (a.along + b.along).normalize_or(DVec2::X)
+}
+
+/// Twice the area of a polygon, positive counter-clockwise.
+fn twice_area(corners: &[DVec2]) -> f64 {
+    let next = corners.iter().cycle().skip(1);
+    corners.iter().zip(next).map(|(a, b)| a.perp_dot(*b)).sum()
+}

@@ -1,0 +1,268 @@
+//! Grooves whose walls end in arcs: U and J.
+
+use super::groove::{CROWD, SHOULDERS, mismatch};
+use super::{Support, View, between, ramp, turn};
+use crate::stripe::fit::{StripeArc, StripeLine, line};
+use crate::stripe::profile::Sample;
+use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
+use glam::DVec2;
+
+/// Triples of places that are tried for an arc.
+const TRIALS: u32 = 250;
+
+/// Greatest radius as part of the groove's width, and least one in columns.
+const WIDEST: f64 = 0.75;
+const LEAST: f64 = 15.0;
+
+/// How much more places an arc must take up than a line does.
+const BETTER: f64 = 1.15;
+
+/// Least part of a U groove's arc that is on its own side of the centre.
+const OWN_SIDE: f64 = 0.7;
+
+/// A groove between two shoulders.
+struct Groove {
+    shoulders: [Segment; 2],
+    /// The shoulders' mean direction.
+    along: DVec2,
+    /// Columns between the ends of the shoulders.
+    inside: (i32, i32),
+    /// Ends of the shoulders.
+    ends: [DVec2; 2],
+}
+
+/// A curved side: arc at the root, wall above it.
+struct Side {
+    arc: StripeArc,
+    deviation: f64,
+    /// Places on the arc as part of the side's, and of those on the best line.
+    share: f64,
+    better: f64,
+    /// Part of the arc's places that are on this side of its centre.
+    own_side: f64,
+    /// The wall above the arc, if enough is seen of it.
+    wall: Option<StripeLine>,
+    /// Place where wall and shoulder meet.
+    edge: DVec2,
+}
+
+impl View<'_> {
+    /// Two curved sides.
+    pub(super) fn u_groove(&mut self) -> Result<Features, NoFeatures> {
+        let groove = self.groove().ok_or(NoFeatures::NoGroove)?;
+        let middle = (groove.inside.0 + groove.inside.1) / 2;
+        let left = self.side(&groove, (groove.inside.0, middle), 0).ok_or(NoFeatures::NoGroove)?;
+        let right = self.side(&groove, (middle + 1, groove.inside.1), 1).ok_or(NoFeatures::NoGroove)?;
+        let up = groove.along.perp();
+        let roots = [left.arc.centre - left.arc.radius * up, right.arc.centre - right.arc.radius * up];
+        let unequal = (left.arc.radius - right.arc.radius).abs() / (left.arc.radius + right.arc.radius);
+        // With a closed root both arcs have one centre.
+        let apart = (roots[1] - roots[0]).dot(groove.along);
+        let gap = if apart > 3.0 * self.pitch() { apart } else { 0.0 };
+        if unequal > 0.25 || apart < -8.0 * self.pitch() || left.own_side.min(right.own_side) < OWN_SIDE {
+            return Err(NoFeatures::NoGroove);
+        }
+        let margin = ramp(unequal, 0.25, 0.1);
+        let angle = match (left.wall, right.wall) {
+            (Some(a), Some(b)) => Some(std::f64::consts::PI - turn(&a, &b)),
+            _ => None,
+        };
+        let radius = (left.arc.radius + right.arc.radius) / 2.0;
+        let edges = [left.edge, right.edge];
+        Ok(self.round_features(&groove, &[left, right], roots, edges, (gap, angle, radius, margin)))
+    }
+
+    /// One curved side, the other one upright: nothing is seen of it between shoulder and root.
+    pub(super) fn j_groove(&mut self) -> Result<Features, NoFeatures> {
+        let groove = self.groove().ok_or(NoFeatures::NoGroove)?;
+        let inside = self.profile.between(groove.inside.0, groove.inside.1);
+        let (_, arc) = self.best_arc(&groove, inside).ok_or(NoFeatures::NoGroove)?;
+        let within = 2.0 * self.pitch();
+        let on = |s: &&Sample| arc.off(s.at).abs() < within;
+        let right_of = |s: &&Sample| (s.at - arc.centre).dot(groove.along) > 0.0;
+        let count = inside.iter().filter(on).count() as f64;
+        let right = inside.iter().filter(on).filter(right_of).count() as f64 / count;
+        let curved = usize::from(right > 0.5);
+        let one_sided = right.max(1.0 - right);
+        let side = self.side(&groove, groove.inside, curved).ok_or(NoFeatures::NoGroove)?;
+        let root = side.arc.centre - side.arc.radius * groove.along.perp();
+        // The upright side stands below the end of its shoulder.
+        let upright = groove.ends[1 - curved];
+        let across = (root - upright).dot(groove.along);
+        let foot = root - across * groove.along;
+        let apart = across.abs();
+        let gap = if apart > 3.0 * self.pitch() { apart } else { 0.0 };
+        let width = (groove.ends[1] - groove.ends[0]).dot(groove.along);
+        if one_sided < 0.75 || apart > 0.5 * width {
+            return Err(NoFeatures::NoGroove);
+        }
+        // A root gap is dark.
+        let column = |p: DVec2| inside.iter().position(|s| (s.at - p).dot(groove.along) >= 0.0).unwrap_or(inside.len());
+        let lit = column(upright).abs_diff(column(root)) as f64;
+        let dark = if gap > 0.0 { ramp(lit * self.pitch() / gap, 0.8, 0.5) } else { 1.0 };
+        let margin = dark * ramp(one_sided, 0.75, 0.9);
+        let angle = side.wall.map(|w| w.along.dot(groove.along).clamp(-1.0, 1.0).asin());
+        let (radius, edge) = (side.arc.radius, side.edge);
+        let (roots, edges) =
+            if curved == 1 { ([foot, root], [upright, edge]) } else { ([root, foot], [edge, upright]) };
+        Ok(self.round_features(&groove, &[side], roots, edges, (gap, angle, radius, margin)))
+    }
+
+    fn round_features(
+        &mut self,
+        groove: &Groove,
+        sides: &[Side],
+        roots: [DVec2; 2],
+        edges: [DVec2; 2],
+        (gap, angle, radius, margin): (f64, Option<f64>, f64, f64),
+    ) -> Features {
+        let joint = (roots[0] + roots[1]) / 2.0;
+        let roots = if gap > 0.0 { roots } else { [joint; 2] };
+        let [left, right] = groove.shoulders;
+        let depth = -groove.along.perp_dot(joint - (edges[0] + edges[1]) / 2.0);
+        let better = sides.iter().map(|s| s.better).fold(f64::INFINITY, f64::min);
+        let share = sides.iter().map(|s| s.share).fold(f64::INFINITY, f64::min);
+        let worst = sides.iter().map(|s| s.deviation).fold(0.0, f64::max) / self.pitch();
+        let margin = margin * ramp(better, 1.0, BETTER) * ramp(share, 0.6, 0.8) * ramp(worst, 4.0, 1.5);
+        let seen = self.profile.between(groove.inside.0, groove.inside.1).len() as f64;
+        let columns = f64::from(groove.inside.1 - groove.inside.0 + 1) - gap / self.pitch();
+        let margin = margin * ramp(seen / columns.max(1.0), 0.4, 0.6);
+        let margin = margin * ramp(self.crowd(groove.inside), CROWD[0], CROWD[1]);
+        let margin = margin * ramp(self.rivals(groove.inside, &groove.shoulders), 0.4, 0.2);
+        let shoulders = self.share(self.samples(), &groove.shoulders);
+        let inside = self.profile.between(groove.inside.0, groove.inside.1).len() as f64 / self.samples().len() as f64;
+        let support = Support { share: shoulders + share * inside, segments: &groove.shoulders, margin };
+        let points = [
+            (Feature::Joint, joint),
+            (Feature::LeftEdge, edges[0]),
+            (Feature::RightEdge, edges[1]),
+            (Feature::LeftRoot, roots[0]),
+            (Feature::RightRoot, roots[1]),
+        ];
+        let values = [
+            (Quantity::Gap, gap),
+            (Quantity::Mismatch, mismatch(&left, &right, joint, groove.along)),
+            (Quantity::Area, self.area(groove, edges, roots)),
+            (Quantity::Bend, turn(&left.line, &right.line)),
+            (Quantity::Width, edges[0].distance(edges[1])),
+            (Quantity::Depth, depth),
+            (Quantity::Radius, radius),
+            (Quantity::Angle, angle.unwrap_or(0.0)),
+        ];
+        let known = if angle.is_some() { 8 } else { 7 };
+        self.features(&points, &values[..known], &support)
+    }
+
+    /// Two parallel shoulders and what is between them, below both.
+    fn groove(&mut self) -> Option<Groove> {
+        let (&left, &right) = (self.segments.first()?, self.segments.last()?);
+        if self.segments.len() < 3 || turn(&left.line, &right.line).abs() > SHOULDERS {
+            return None;
+        }
+        let a = self.edge(&left, right.columns.0)?;
+        let b = self.edge(&right, left.columns.1)?;
+        let inside = (a.column.ceil() as i32, b.column.floor() as i32);
+        let along = between(&left.line, &right.line);
+        let samples = self.profile.between(inside.0, inside.1);
+        let below = |s: &&Sample| left.line.off(s.at).max(right.line.off(s.at)) < 0.0;
+        let deep = samples.iter().filter(below).count();
+        let enough = samples.len() >= 40 && 4 * deep > 3 * samples.len();
+        enough.then_some(Groove { shoulders: [left, right], along, inside, ends: [a.at, b.at] })
+    }
+
+    /// The arc that most of `samples` are on, and how well, from a fixed set of triples.
+    fn best_arc(&self, groove: &Groove, samples: &[Sample]) -> Option<(f64, StripeArc)> {
+        let width = groove.ends[0].distance(groove.ends[1]);
+        let within = 2.0 * self.pitch();
+        let n = samples.len();
+        let mut best: Option<(f64, StripeArc)> = None;
+        let mut state = 0x2545_f491u32;
+        let mut draw = || {
+            // Marsaglia's xorshift: the same triples every time.
+            state ^= state << 13;
+            state ^= state >> 17;
+            state ^= state << 5;
+            state as usize % n
+        };
+        for _ in 0..if n < 12 { 0 } else { TRIALS } {
+            let [a, b, c] = [draw(), draw(), draw()].map(|i| samples[i]);
+            if (a.column - b.column).abs().min((b.column - c.column).abs()).min((a.column - c.column).abs()) < 6 {
+                continue;
+            }
+            let Some(arc) = StripeArc::through(a.at, b.at, c.at) else { continue };
+            let hollow = (arc.centre - (a.at + b.at + c.at) / 3.0).dot(groove.along.perp()) > 0.0;
+            if !hollow || arc.radius > WIDEST * width || arc.radius < LEAST * self.pitch() {
+                continue;
+            }
+            // Near places count more: arcs of another radius are within the limit too.
+            let near = |s: &Sample| (1.0 - (arc.off(s.at) / within).powi(2)).max(0.0);
+            let score = samples.iter().step_by(2).map(near).sum();
+            if best.is_none_or(|(most, _)| score > most) {
+                best = Some((score, arc));
+            }
+        }
+        best
+    }
+
+    /// The curved side in `columns`: its arc, the wall between it and shoulder `end`.
+    fn side(&mut self, groove: &Groove, columns: (i32, i32), end: usize) -> Option<Side> {
+        let (floor, within) = (0.3 * self.pitch(), 2.0 * self.pitch());
+        let samples = self.profile.between(columns.0, columns.1);
+        let (_, start) = self.best_arc(groove, samples)?;
+        let (arc, deviation) = start.refined(samples, floor, self.scratch)?;
+        let on_arc = |s: &Sample| arc.off(s.at).abs() < within.max(3.0 * deviation);
+        let count = samples.iter().filter(|s| on_arc(s)).count();
+        let outward = if end == 1 { groove.along } else { -groove.along };
+        let own = samples.iter().filter(|s| on_arc(s) && (s.at - arc.centre).dot(outward) > 0.0).count();
+        let own_side = own as f64 / count.max(1) as f64;
+        let (straight, _) = line(samples, None, floor, self.scratch)?;
+        let on_line = samples.iter().filter(|s| straight.off(s.at).abs() < within).count();
+        let shoulder = groove.shoulders[end];
+        let flank = samples.iter().position(|s| !on_arc(s) && (s.at - arc.centre).dot(outward) > 0.5 * arc.radius);
+        let wall = flank.and_then(|_| self.wall(groove, &arc, columns, end));
+        let edge = wall.and_then(|w| w.meets(&shoulder.line)).unwrap_or(groove.ends[end]);
+        let on = |s: &&Sample| on_arc(s) || wall.is_some_and(|w| w.off(s.at).abs() < 2.0 * within);
+        let share = samples.iter().filter(on).count() as f64 / samples.len() as f64;
+        let better = count as f64 / on_line.max(1) as f64;
+        Some(Side { arc, deviation, share, better, own_side, wall, edge })
+    }
+
+    /// The straight wall between the arc and shoulder `end`: steep, so of few columns.
+    fn wall(&mut self, groove: &Groove, arc: &StripeArc, columns: (i32, i32), end: usize) -> Option<StripeLine> {
+        let pitch = self.pitch();
+        let samples = self.profile.between(columns.0, columns.1);
+        let outward = if end == 1 { groove.along } else { -groove.along };
+        let beyond = |s: &Sample| (s.at - arc.centre).dot(outward) > 0.6 * arc.radius && arc.off(s.at) > 2.0 * pitch;
+        let below = |s: &Sample| groove.shoulders[end].line.off(s.at) < -4.0 * pitch;
+        let fits = |s: &Sample| beyond(s) && below(s);
+        let first = samples.iter().position(fits)?;
+        let last = samples.iter().rposition(fits)?;
+        if last < first + 5 {
+            return None;
+        }
+        line(&samples[first..=last], None, 0.3 * pitch, self.scratch).map(|(line, _)| line)
+    }
+
+    /// Area between the line through both edges and the places inside.
+    fn area(&self, groove: &Groove, edges: [DVec2; 2], roots: [DVec2; 2]) -> f64 {
+        let [from, to] = edges;
+        let along = (to - from).normalize_or(groove.along);
+        let length = (to - from).length();
+        let down = |p: DVec2| ((p - from).dot(along), -along.perp_dot(p - from));
+        let inside = self.profile.between(groove.inside.0, groove.inside.1).iter().map(|s| down(s.at));
+        let (first, end) = (down(roots[0]), down(roots[1]));
+        // The roots of upright sides, where nothing is seen beyond them.
+        // The ends of the shoulders themselves are at the very edges.
+        let beside = 2.0 * self.pitch();
+        let seen = move |t: f64| t > beside && t < length - beside;
+        let path = [first].into_iter().filter(|r| r.0 < 0.05 * length);
+        let path = path.chain(inside.filter(move |(t, _)| seen(*t)));
+        let path = path.chain([end].into_iter().filter(|r| r.0 > 0.95 * length)).chain([(length, 0.0)]);
+        let (mut area, mut last) = (0.0, (0.0f64, 0.0f64));
+        for (t, d) in path {
+            area += (t - last.0) * (d + last.1) / 2.0;
+            last = (t, d);
+        }
+        area
+    }
+}

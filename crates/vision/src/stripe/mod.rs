@@ -1,0 +1,137 @@
+//! A laser stripe across a joint: its image becomes a profile, the profile the joint's features (DUALBEAM-2013).
+//!
+//! 1. `blobs`: up to three bright places of every column, sub-pixel, above a background that is taken away.
+//! 2. `chain`: one chain of them across the columns by Viterbi's method: reflections and spatter are left out.
+//! 3. `profile`: the chain in mm, through the sensor's map. All further steps are in mm.
+//! 4. `segments`: at most five straight segments, cut by dynamic programming and fitted robustly.
+//! 5. `joints`: what the segments must look like for each joint, and what is measured of it, with a confidence.
+//!
+//! The stripe runs from left to right: one place a column. y grows to the right, z upwards, to the sensor. All steps are
+//! deterministic, and once a [`StripeReader`] has seen an image it allocates nothing for others of that size.
+
+mod blobs;
+mod chain;
+mod edges;
+mod features;
+mod fit;
+mod joints;
+mod profile;
+mod segments;
+
+pub use chain::StripePoint;
+pub use features::{Expected, Feature, Features, JointKind, NoFeatures, Quantity, StripeTask};
+pub use fit::StripeLine;
+pub use segments::Segment;
+
+use crate::Frame;
+use blobs::Blobs;
+use chain::Chainer;
+use glam::DVec2;
+use joints::View;
+use profile::Profile;
+use seamwright_geometry::Homography;
+use segments::Cutter;
+
+/// Fewest places of a profile.
+const FEWEST: usize = 24;
+
+/// Least part of an image's columns with the stripe.
+const LEAST_COLUMNS: f64 = 0.25;
+
+/// Reads stripes, one after the other; keeps its buffers.
+#[derive(Debug, Clone, Default)]
+pub struct StripeReader {
+    blobs: Blobs,
+    chainer: Chainer,
+    chain: Vec<StripePoint>,
+    profile: Profile,
+    cutter: Cutter,
+    segments: Vec<Segment>,
+    scratch: Vec<f64>,
+}
+
+impl StripeReader {
+    /// A reader.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The joint asked for in an image: places and lengths in mm if `to_mm` maps (column, row) to (y, z), else in pixels
+    /// with z against the rows.
+    ///
+    /// # Errors
+    /// The reason why there is none.
+    pub fn read_image(
+        &mut self,
+        frame: &Frame,
+        to_mm: Option<&Homography>,
+        task: &StripeTask,
+    ) -> Result<Features, NoFeatures> {
+        self.trace(frame)?;
+        self.profile.set_chain(&self.chain, &self.blobs, to_mm);
+        self.read(task)
+    }
+
+    /// The stripe in an image, without looking for a joint.
+    ///
+    /// # Errors
+    /// If there is none.
+    pub fn trace(&mut self, frame: &Frame) -> Result<&[StripePoint], NoFeatures> {
+        self.segments.clear();
+        self.chain.clear();
+        if !self.blobs.find(frame) {
+            return Err(NoFeatures::Saturated);
+        }
+        self.chainer.link(&self.blobs, &mut self.chain);
+        let (found, columns) = (self.chain.len(), frame.width());
+        if found < FEWEST {
+            return Err(NoFeatures::NoStripe);
+        }
+        if (found as f64) < LEAST_COLUMNS * columns as f64 {
+            return Err(NoFeatures::ShortStripe { found, columns });
+        }
+        Ok(&self.chain)
+    }
+
+    /// The joint asked for in a profile of (y, z), mm, in any order; places that are not finite are missing.
+    ///
+    /// # Errors
+    /// The reason why there is none.
+    pub fn read_profile(&mut self, points: &[DVec2], task: &StripeTask) -> Result<Features, NoFeatures> {
+        self.segments.clear();
+        self.chain.clear();
+        self.profile.set_points(points);
+        self.read(task)
+    }
+
+    /// The stripe in the last image, from left to right; empty after a profile.
+    #[must_use]
+    pub fn chain(&self) -> &[StripePoint] {
+        &self.chain
+    }
+
+    /// The segments of the last profile, from left to right.
+    #[must_use]
+    pub fn segments(&self) -> &[Segment] {
+        &self.segments
+    }
+
+    /// Length of a column along y in the last profile, mm.
+    #[must_use]
+    pub fn pitch(&self) -> f64 {
+        self.profile.pitch
+    }
+
+    fn read(&mut self, task: &StripeTask) -> Result<Features, NoFeatures> {
+        let found = self.profile.samples.len();
+        if found < FEWEST || self.profile.pitch <= 0.0 {
+            return Err(NoFeatures::TooFewPoints { found, needed: FEWEST });
+        }
+        self.cutter.cut(&self.profile, &mut self.segments);
+        if self.profile.repick(&self.segments) {
+            self.cutter.cut(&self.profile, &mut self.segments);
+        }
+        View { profile: &self.profile, segments: &self.segments, task, scratch: &mut self.scratch }.joint()
+    }
+}

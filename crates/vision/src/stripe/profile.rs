@@ -1,0 +1,149 @@
+//! The profile: places of the stripe in mm, from left to right.
+
+use super::blobs::{Blob, Blobs};
+use super::chain::StripePoint;
+use super::segments::Segment;
+use glam::DVec2;
+use seamwright_geometry::Homography;
+
+/// A place of the profile.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Sample {
+    /// Column of the sensor, counted from the first place.
+    pub(super) column: i32,
+    /// y and z, mm (pixels, z upwards, where there is no map).
+    pub(super) at: DVec2,
+    /// Strength of the stripe; none in a profile that came without.
+    pub(super) strength: Option<f64>,
+    /// Half of what it covers in its column, mm.
+    pub(super) covers: f64,
+}
+
+/// Places by column, and their usual distance along y.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Profile {
+    pub(super) samples: Vec<Sample>,
+    /// The same and all blobs that are not of the chain, by column.
+    pub(super) all: Vec<Sample>,
+    /// Length of a column along y, mm.
+    pub(super) pitch: f64,
+    /// What places of the chain usually cover, mm.
+    pub(super) usual_cover: f64,
+    scratch: Vec<f64>,
+}
+
+/// Most columns from the first place to the last: profiles with wild distances are thinned to it.
+const MOST_COLUMNS: f64 = 65536.0;
+
+impl Profile {
+    /// The stripe, and all blobs, through a map from pixels to mm.
+    pub(super) fn set_chain(&mut self, chain: &[StripePoint], blobs: &Blobs, to_mm: Option<&Homography>) {
+        let map = |at: DVec2| match to_mm {
+            Some(map) => map.map(at),
+            None => Some(DVec2::new(at.x, -at.y)),
+        };
+        let sample = |column: usize, row: f64, strength: f64, width: f64| {
+            let at = map(DVec2::new(column as f64, row))?;
+            Some(Sample { column: column as i32, at, strength: Some(strength), covers: width / 2.0 })
+        };
+        self.samples.clear();
+        self.samples.extend(chain.iter().filter_map(|p| sample(p.at.x as usize, p.at.y, p.strength, p.width)));
+        self.all.clear();
+        for column in 0..blobs.width() {
+            let of = |b: &Blob| sample(column, f64::from(b.row), f64::from(b.strength), f64::from(b.width));
+            self.all.extend(blobs.of(column).iter().filter_map(of));
+        }
+        // y may run against the columns.
+        if let [first, .., last] = self.samples[..]
+            && last.at.x < first.at.x
+        {
+            for samples in [&mut self.samples, &mut self.all] {
+                samples.reverse();
+                samples.iter_mut().for_each(|s| s.column = -s.column);
+            }
+        }
+        let first = self.samples.first().map_or(0, |s| s.column);
+        self.samples.iter_mut().chain(&mut self.all).for_each(|s| s.column -= first);
+        self.scratch.clear();
+        self.scratch.extend(
+            self.samples
+                .windows(2)
+                .map(|w| (w[1].at.x - w[0].at.x).abs() / f64::from((w[1].column - w[0].column).max(1))),
+        );
+        self.pitch = median(&mut self.scratch).unwrap_or(0.0);
+        let pitch = self.pitch;
+        self.samples.iter_mut().chain(&mut self.all).for_each(|s| s.covers *= pitch);
+        self.scratch.clear();
+        self.scratch.extend(self.samples.iter().map(|s| s.covers));
+        self.usual_cover = median(&mut self.scratch).unwrap_or(0.0);
+    }
+
+    /// Places that are given, in any order; those that are not finite are missing.
+    pub(super) fn set_points(&mut self, points: &[DVec2]) {
+        self.samples.clear();
+        let there = points.iter().filter(|p| p.is_finite());
+        self.samples.extend(there.map(|&at| Sample { column: 0, at, strength: None, covers: 0.0 }));
+        self.samples.sort_by(|a, b| a.at.x.total_cmp(&b.at.x));
+        self.scratch.clear();
+        self.scratch.extend(self.samples.windows(2).map(|w| w[1].at.x - w[0].at.x).filter(|d| *d > 0.0));
+        self.pitch = median(&mut self.scratch).unwrap_or(0.0);
+        let [first, .., last] = self.samples[..] else { return };
+        self.pitch = self.pitch.max((last.at.x - first.at.x) / MOST_COLUMNS);
+        if self.pitch > 0.0 {
+            let (from, pitch) = (first.at.x, self.pitch);
+            self.samples.iter_mut().for_each(|s| s.column = ((s.at.x - from) / pitch).round() as i32);
+        }
+        self.all.clear();
+        self.all.extend_from_slice(&self.samples);
+        self.usual_cover = 0.0;
+    }
+
+    /// Number of columns from the first place to the last.
+    pub(super) fn columns(&self) -> usize {
+        self.samples.last().map_or(0, |s| s.column as usize + 1)
+    }
+
+    /// Samples of the columns `from` to `to`, both included.
+    pub(super) fn between(&self, from: i32, to: i32) -> &[Sample] {
+        within(&self.samples, from, to)
+    }
+
+    /// The same of all blobs.
+    pub(super) fn all_between(&self, from: i32, to: i32) -> &[Sample] {
+        within(&self.all, from, to)
+    }
+
+    /// Where another blob of a column lies on a line that is longer than the one that the chain is on there, takes that
+    /// one. True if there was any.
+    pub(super) fn repick(&mut self, segments: &[Segment]) -> bool {
+        let (mut changed, pitch) = (false, self.pitch);
+        for segment in segments {
+            let (from, to) = segment.columns;
+            let first = self.samples.partition_point(|s| s.column < from);
+            let end = self.samples.partition_point(|s| s.column <= to).max(first);
+            for sample in &mut self.samples[first..end] {
+                let better = |s: &&Sample| {
+                    let longer = segments.iter().filter(|g| g.length() > 1.5 * segment.length());
+                    s.at != sample.at && longer.into_iter().any(|g| g.line.off(s.at).abs() < g.within(pitch))
+                };
+                if let Some(other) = within(&self.all, sample.column, sample.column).iter().find(better) {
+                    *sample = *other;
+                    changed = true;
+                }
+            }
+        }
+        changed
+    }
+}
+
+fn within(samples: &[Sample], from: i32, to: i32) -> &[Sample] {
+    let first = samples.partition_point(|s| s.column < from);
+    let end = samples.partition_point(|s| s.column <= to);
+    &samples[first..end.max(first)]
+}
+
+/// The middle one of `values`, which are put in another order.
+pub(super) fn median(values: &mut [f64]) -> Option<f64> {
+    let middle = values.len() / 2;
+    (!values.is_empty()).then(|| *values.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
