@@ -7,6 +7,7 @@ use seamwright_cell::eyes::stripe::{
     GateRow, Placement, Section, StripeDisturbances, StripeImage, StripeScene, confident_nowhere, stripe_gates,
     stripe_scene, stripe_task,
 };
+use seamwright_machine::{Machine, Sight, StripeSensor, shipped};
 use seamwright_vision::Image;
 use seamwright_vision::stripe::{JointKind, Quantity, StripeReader, StripeTask};
 
@@ -124,6 +125,32 @@ fn profiles_in_mm_are_read() {
             }
         }
         assert!(found >= 14, "{kind:?}: {found} of 20");
+    }
+}
+
+/// Through the camera of a shipped machine: perspective, and rows more than twice as long as columns.
+#[test]
+fn joints_through_the_sensor_of_a_machine() {
+    let machine = Machine::read("m", shipped("dual-laser-10axis").unwrap().text).unwrap();
+    let sensor = machine.sensor("left").unwrap();
+    let Sight::Stripe(StripeSensor { to_mm }) = sensor.sight;
+    let mut reader = StripeReader::new();
+    for kind in [JointKind::Fillet, JointKind::V, JointKind::Lap] {
+        let mut found = 0;
+        for seed in 0..10 {
+            let section = Section::random(kind, seed);
+            let placement = Placement { at: DVec2::new(1.0, -5.0), turn: 0.05, mirrored: seed % 2 == 1 };
+            let scene = StripeScene { to_mm, ..StripeScene::new(section, placement, sensor.size_px, 0.03) };
+            let image = scene.image(&StripeDisturbances::USUAL, seed);
+            let frame = image.image.frame().unwrap();
+            let Ok(f) = reader.read_image(&frame, Some(&to_mm), &stripe_task(kind, &section)) else { continue };
+            if f.is_confident() {
+                found += 1;
+                let off = f.joint().distance(image.truth.joint().unwrap());
+                assert!(off < 0.3, "{kind:?} {seed}: {off}");
+            }
+        }
+        assert!(found >= 6, "{kind:?}: {found} of 10");
     }
 }
 

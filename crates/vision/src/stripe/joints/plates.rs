@@ -87,7 +87,7 @@ impl View<'_> {
         let gap = if seam.dark.is_some() { 0.0 } else { (b.at - a.at).dot(along).max(0.0) };
         let step = mismatch(&left, &right, joint, along);
         // A step that the plates themselves do not show was something else's.
-        let none = seam.dark.is_none() && gap < 1.5 * self.pitch() && step.abs() < 1.5 * self.pitch();
+        let none = seam.dark.is_none() && gap < 1.5 * self.pitch() && step.abs() < 1.5 * self.grain();
         let share = self.share(self.samples(), &[left, right]);
         let bend = turn(&left.line, &right.line);
         let apart = gap / self.pitch();
@@ -131,7 +131,7 @@ impl View<'_> {
         let near = |s: &&Segment| s.columns.0 <= to && s.columns.1 >= from;
         let overlap = |s: &Segment| s.columns.1.min(to) - s.columns.0.max(from);
         let start = self.segments.iter().filter(near).max_by_key(|s| overlap(s)).map(|s| s.line);
-        let (line, deviation) = line(samples, start, 0.3 * self.pitch(), self.scratch)?;
+        let (line, deviation) = line(samples, start, 0.3 * self.grain(), self.scratch)?;
         let ends = [samples.first()?, samples.last()?].map(|s| line.foot(s.at));
         Some(Segment { line, columns: (from, to), deviation, ends })
     }
@@ -156,23 +156,23 @@ impl View<'_> {
 
     /// A cut between segments where one line ends and another, higher or lower, begins.
     fn step(&self) -> Option<Seam> {
-        let pitch = self.pitch();
+        let grain = self.grain();
         let height = |w: &&[Segment]| {
             let at = (w[0].ends[1] + w[1].ends[0]) / 2.0;
             mismatch(&w[0], &w[1], at, between(&w[0].line, &w[1].line)).abs()
         };
         let pair = self.segments.windows(2).max_by(|a, b| height(a).total_cmp(&height(b)))?;
-        let sure = height(&pair) / (pair[0].deviation + pair[1].deviation).max(pitch);
+        let sure = height(&pair) / (pair[0].deviation + pair[1].deviation).max(grain);
         let seam = Seam { left: pair[0].columns.1, right: pair[1].columns.0, margin: ramp(sure, 1.5, 2.5), dark: None };
         (sure > 1.5).then_some(seam)
     }
 
     /// The longest run of columns without the stripe, if it is clearly longer than all others.
     fn missing(&self) -> Option<Seam> {
-        let pitch = self.pitch();
+        let grain = self.grain();
         let line = self.segments.iter().max_by(|a, b| a.length().total_cmp(&b.length()))?;
         // Plates bend a little: near the line is enough.
-        let within = line.within(pitch) + 3.0 * pitch;
+        let within = line.within(grain) + 3.0 * grain;
         let (mut best, mut second, mut before) = ((0, 0, 0), 0, None);
         for s in self.profile.all.iter().filter(|s| line.line.off(s.at).abs() < within.max(s.covers)) {
             if let Some(last) = before {
