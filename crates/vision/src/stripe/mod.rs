@@ -1,6 +1,6 @@
 //! A laser stripe across a joint: its image becomes a profile, the profile the joint's features (DUALBEAM-2013).
 //!
-//! 1. `blobs`: up to three bright places of every column, sub-pixel, above a background that is taken away.
+//! 1. `blobs`: up to five bright places of every column (three are not enough: spatter is brighter), sub-pixel, above a background that is taken away.
 //! 2. `chain`: one chain of them across the columns by Viterbi's method: reflections and spatter are left out.
 //! 3. `profile`: the chain in mm, through the sensor's map. All further steps are in mm.
 //! 4. `segments`: at most five straight segments, cut by dynamic programming and fitted robustly.
