@@ -30,6 +30,9 @@ const RIVAL: f64 = 0.4;
 const HIDING_COLUMNS: i32 = 8;
 const HIDING_ROWS: f64 = 8.0;
 
+/// Least slope of the face below an edge.
+const STEEP: f64 = 2.0;
+
 /// How well a joint is supported, before its confidence is put together.
 struct Support<'a> {
     /// Part of the places that lie on what the joint is made of.
@@ -113,7 +116,9 @@ impl View<'_> {
         let column = edge.column.round() as i32;
         let (a, b) = (column + step, column + step * HIDING_COLUMNS);
         let on = |s: &Sample| segments.iter().any(|g| g.line.off(s.at).abs() <= g.within(grain));
-        let near = |s: &&Sample| line.off(s.at).abs() < s.covers + HIDING_ROWS * grain && !on(s);
+        // The face of a plate's end goes down from it steeply.
+        let face = |s: &Sample| -line.off(s.at) > STEEP * (s.at.x - edge.at.x).abs();
+        let near = |s: &&Sample| line.off(s.at).abs() < s.covers + HIDING_ROWS * grain && !on(s) && !face(s);
         self.profile.all_between(a.min(b), a.max(b)).iter().filter(near).count() >= 3
     }
 

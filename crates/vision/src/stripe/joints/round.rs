@@ -123,7 +123,7 @@ impl View<'_> {
         let better = sides.iter().map(|s| s.better).fold(f64::INFINITY, f64::min);
         let share = sides.iter().map(|s| s.share).fold(f64::INFINITY, f64::min);
         let worst = sides.iter().map(|s| s.deviation).fold(0.0, f64::max) / self.grain();
-        let margin = margin * ramp(better, 1.0, BETTER) * ramp(share, 0.6, 0.8) * ramp(worst, 4.0, 1.5);
+        let margin = margin * ramp(better, 1.0, BETTER) * ramp(share, 0.6, 0.8) * ramp(worst, 1.2, 0.8);
         let seen = self.profile.between(groove.inside.0, groove.inside.1).len() as f64;
         let columns = f64::from(groove.inside.1 - groove.inside.0 + 1) - gap / self.pitch();
         let margin = margin * ramp(seen / columns.max(1.0), 0.4, 0.6);
