@@ -4,6 +4,7 @@ use super::groove::{SHOULDERS, mismatch};
 use super::{Support, View, between, ramp, turn};
 use crate::stripe::edges::Edge;
 use crate::stripe::fit::line;
+use crate::stripe::profile::Sample;
 use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
 
 /// Widest gap of a butt joint in columns.
@@ -18,6 +19,9 @@ const OVERLAP: f64 = 8.0;
 
 /// Part of a gap's columns in which something may be seen.
 const LIT: f64 = 0.4;
+
+/// Least slope of the face of a plate's end: the wall of a groove is less steep.
+const FACE: f64 = 8.0;
 
 /// Part of the columns that each plate must have for no, and for full confidence.
 const PLATE: [f64; 2] = [0.08, 0.15];
@@ -99,7 +103,7 @@ impl View<'_> {
         let hidden = seam.dark.is_none()
             && (self.hidden(&a, &left.line, 1, &plates)
                 || self.hidden(&b, &right.line, -1, &plates)
-                || self.lit_gap(&a, &b));
+                || self.lit_gap((&a, &left), (&b, &right)));
         let margin = if hidden { 0.0 } else { seam.margin }
             * ramp(share, 0.75, 0.9)
             * ramp(shorter, PLATE[0], PLATE[1])
@@ -111,11 +115,14 @@ impl View<'_> {
         Ok(self.features(&points, &values, &Support { share, segments: &segments, margin }))
     }
 
-    /// Whether anything is seen in a good part of the gap's columns: something that hides that it is none, or a groove.
-    fn lit_gap(&self, a: &Edge, b: &Edge) -> bool {
+    /// Whether anything but the faces of the ends is seen in a good part of the gap's columns: something that hides that
+    /// it is none, or a groove.
+    fn lit_gap(&self, (a, left): (&Edge, &Segment), (b, right): (&Edge, &Segment)) -> bool {
         let (from, to) = (a.column.ceil() as i32 + 2, b.column.floor() as i32 - 2);
+        let below = |s: &Sample, e: &Edge, plate: &Segment| -plate.line.off(s.at) > FACE * (s.at.x - e.at.x).abs();
+        let face = |s: &&Sample| below(s, a, left) || below(s, b, right);
         let (mut lit, mut last) = (0, None);
-        for s in self.profile.all_between(from, to) {
+        for s in self.profile.all_between(from, to).iter().filter(|s| !face(s)) {
             lit += u32::from(last != Some(s.column));
             last = Some(s.column);
         }
