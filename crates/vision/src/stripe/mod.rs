@@ -80,6 +80,7 @@ impl StripeReader {
     pub fn trace(&mut self, frame: &Frame) -> Result<&[StripePoint], NoFeatures> {
         self.segments.clear();
         self.chain.clear();
+        self.reserve(frame.width());
         if !self.blobs.find(frame) {
             return Err(NoFeatures::Saturated);
         }
@@ -92,6 +93,17 @@ impl StripeReader {
             return Err(NoFeatures::ShortStripe { found, columns });
         }
         Ok(&self.chain)
+    }
+
+    /// Room for all that an image of so many columns can hold: later images of that size allocate nothing.
+    fn reserve(&mut self, columns: usize) {
+        self.chainer.reserve(columns);
+        self.chain.reserve(columns);
+        self.profile.reserve(columns);
+        self.cutter.reserve(columns);
+        self.segments.reserve(segments::MOST);
+        self.scratch.clear();
+        self.scratch.reserve(columns * blobs::MOST);
     }
 
     /// The joint asked for in a profile of (y, z), mm, in any order; places that are not finite are missing.

@@ -1,6 +1,6 @@
 //! The profile: places of the stripe in mm, from left to right.
 
-use super::blobs::{Blob, Blobs};
+use super::blobs::{Blob, Blobs, MOST};
 use super::chain::StripePoint;
 use super::segments::Segment;
 use glam::DVec2;
@@ -39,6 +39,16 @@ pub(super) struct Profile {
 const MOST_COLUMNS: f64 = 65536.0;
 
 impl Profile {
+    /// Room for what an image of so many columns can hold.
+    pub(super) fn reserve(&mut self, columns: usize) {
+        self.samples.clear();
+        self.samples.reserve(columns);
+        self.all.clear();
+        self.all.reserve(columns * MOST);
+        self.scratch.clear();
+        self.scratch.reserve(columns);
+    }
+
     /// The stripe, and all blobs, through a map from pixels to mm.
     pub(super) fn set_chain(&mut self, chain: &[StripePoint], blobs: &Blobs, to_mm: Option<&Homography>) {
         let map = |at: DVec2| match to_mm {

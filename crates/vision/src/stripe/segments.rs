@@ -71,6 +71,20 @@ pub(super) struct Cutter {
 }
 
 impl Cutter {
+    /// Room for what a profile of so many columns can hold.
+    pub(super) fn reserve(&mut self, columns: usize) {
+        self.bins.clear();
+        self.bins.reserve(BINS + 2);
+        self.moments.clear();
+        self.moments.reserve(BINS + 3);
+        self.costs.clear();
+        self.costs.reserve(BINS + 3);
+        for scratch in [&mut self.scratch, &mut self.other] {
+            scratch.clear();
+            scratch.reserve(columns);
+        }
+    }
+
     /// The segments of `profile`, from left to right.
     pub(super) fn cut(&mut self, profile: &Profile, segments: &mut Vec<Segment>) {
         segments.clear();

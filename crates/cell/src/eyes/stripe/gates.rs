@@ -150,6 +150,8 @@ pub fn stripe_gates(cases: u64) -> Vec<GateRow> {
         let rough = StripeErrors::measure(kind, &StripeDisturbances::ROUGH, cases);
         let wrong = rough.joint.iter().filter(|e| **e > WRONG_MM).count();
         rows.push(GateRow::new(format!("{name}: confident and wrong beside the arc"), wrong as f64, 0.0, "cases"));
+        let silent = 100.0 * rough.silent();
+        rows.push(GateRow::new(format!("{name}: no confident result beside the arc"), silent, 50.0, "%"));
     }
     rows.insert(0, GateRow::new("centre of the stripe, RMS", rms(&centres), 0.1, "px"));
     rows.push(GateRow::new(
