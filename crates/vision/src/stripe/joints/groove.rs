@@ -21,7 +21,7 @@ const ROUNDED: f64 = 6.0;
 const CLOSED: f64 = 16.0;
 
 /// Part of a groove's columns with other light for no, and for full confidence.
-pub(super) const CROWD: [f64; 2] = [0.5, 0.3];
+pub(super) const CROWD: [f64; 2] = [0.9, 0.7];
 
 /// How far a shoulder's last place may be from its edge for no, and for full confidence, columns.
 const EDGE_OFF: [f64; 2] = [25.0, 12.0];

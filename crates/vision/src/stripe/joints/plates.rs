@@ -23,6 +23,12 @@ const LIT: f64 = 0.4;
 /// Least slope of the face of a plate's end: the wall of a groove is less steep.
 const FACE: f64 = 8.0;
 
+/// The same for no, and for full confidence in a butt joint: a reflection on a plate makes steps and gaps like a seam.
+const BUTT_CROWD: [f64; 2] = [0.25, 0.18];
+
+/// Part of the columns with other light than the stripe's from which on there are reflections.
+const CROWDED: f64 = 0.1;
+
 /// Part of the columns that each plate must have for no, and for full confidence.
 const PLATE: [f64; 2] = [0.08, 0.15];
 
@@ -106,6 +112,7 @@ impl View<'_> {
                 || self.lit_gap((&a, &left), (&b, &right)));
         let margin = if hidden { 0.0 } else { seam.margin }
             * ramp(share, 0.75, 0.9)
+            * ramp(self.crowd((first, last)), BUTT_CROWD[0], BUTT_CROWD[1])
             * ramp(shorter, PLATE[0], PLATE[1])
             * ramp(bend.abs(), 0.2, 0.12)
             * ramp(step.abs() / self.task.least_step, 1.0, 0.85);
@@ -120,7 +127,9 @@ impl View<'_> {
     fn lit_gap(&self, (a, left): (&Edge, &Segment), (b, right): (&Edge, &Segment)) -> bool {
         let (from, to) = (a.column.ceil() as i32 + 2, b.column.floor() as i32 - 2);
         let below = |s: &Sample, e: &Edge, plate: &Segment| -plate.line.off(s.at) > FACE * (s.at.x - e.at.x).abs();
-        let face = |s: &&Sample| below(s, a, left) || below(s, b, right);
+        // Where there is other light too, a face is not told from it.
+        let dark = self.crowd((0, self.profile.columns() as i32 - 1)) < CROWDED;
+        let face = |s: &&Sample| dark && (below(s, a, left) || below(s, b, right));
         let (mut lit, mut last) = (0, None);
         for s in self.profile.all_between(from, to).iter().filter(|s| !face(s)) {
             lit += u32::from(last != Some(s.column));
