@@ -22,7 +22,8 @@ fn image(shift: f64) -> Vec<u8> {
     let light = |d: f64| 150.0 * (-d * d / 10.0).exp();
     let grey = |i: usize| {
         let (c, r) = ((i % SIZE.0) as f64, (i / SIZE.0) as f64);
-        (10.0 + light(r - row(c)) + 0.5 * light(r - 50.0 - 0.1 * c) + light(r - 250.0 + 0.1 * c)).min(255.0) as u8
+        let reflection = if c < 250.0 { light(r - 250.0 + 0.1 * c) } else { 0.0 };
+        (10.0 + light(r - row(c)) + 0.5 * light(r - 50.0 - 0.01 * c) + reflection).min(255.0) as u8
     };
     (0..SIZE.0 * SIZE.1).map(grey).collect()
 }

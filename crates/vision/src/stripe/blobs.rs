@@ -7,7 +7,7 @@
 use crate::{Frame, Pixels};
 
 /// Most blobs of a column.
-pub(super) const MOST: usize = 3;
+pub(super) const MOST: usize = 5;
 
 /// Rows of a sum.
 const BLOCK: usize = 4;

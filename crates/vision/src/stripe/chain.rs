@@ -5,7 +5,7 @@
 //! more than a jump does (edges of lap joints, gaps), which takes more columns to earn than spatter has. A reflection
 //! must earn its way out and back, and so cannot take over where the stripe itself is seen.
 
-use super::blobs::{Blob, Blobs};
+use super::blobs::{Blob, Blobs, MOST};
 use glam::DVec2;
 
 /// Cost of a pixel off the course, and of a pixel up or down whatever the course: corners, steep walls.
@@ -83,6 +83,18 @@ const BREAK_SLOPE: f64 = 5.0;
 const BREAK_ROWS: f64 = 8.0;
 
 impl Chainer {
+    /// Room for what an image of so many columns can hold.
+    pub(super) fn reserve(&mut self, columns: usize) {
+        self.nodes.clear();
+        self.nodes.reserve(columns * MOST);
+        self.live.clear();
+        self.live.reserve(WAITING + 2 * MOST);
+        self.next.clear();
+        self.next.reserve(MOST);
+        self.strengths.clear();
+        self.strengths.reserve(columns);
+    }
+
     /// The stripe among `blobs`, from left to right, into `chain`.
     pub(super) fn link(&mut self, blobs: &Blobs, chain: &mut Vec<StripePoint>) {
         chain.clear();

@@ -1,6 +1,6 @@
 //! A laser stripe across a joint: its image becomes a profile, the profile the joint's features (DUALBEAM-2013).
 //!
-//! 1. `blobs`: up to three bright places of every column, sub-pixel, above a background that is taken away.
+//! 1. `blobs`: up to five bright places of every column (three are not enough: spatter is brighter), sub-pixel, above a background that is taken away.
 //! 2. `chain`: one chain of them across the columns by Viterbi's method: reflections and spatter are left out.
 //! 3. `profile`: the chain in mm, through the sensor's map. All further steps are in mm.
 //! 4. `segments`: at most five straight segments, cut by dynamic programming and fitted robustly.
@@ -80,6 +80,7 @@ impl StripeReader {
     pub fn trace(&mut self, frame: &Frame) -> Result<&[StripePoint], NoFeatures> {
         self.segments.clear();
         self.chain.clear();
+        self.reserve(frame.width());
         if !self.blobs.find(frame) {
             return Err(NoFeatures::Saturated);
         }
@@ -92,6 +93,17 @@ impl StripeReader {
             return Err(NoFeatures::ShortStripe { found, columns });
         }
         Ok(&self.chain)
+    }
+
+    /// Room for all that an image of so many columns can hold: later images of that size allocate nothing.
+    fn reserve(&mut self, columns: usize) {
+        self.chainer.reserve(columns);
+        self.chain.reserve(columns);
+        self.profile.reserve(columns);
+        self.cutter.reserve(columns);
+        self.segments.reserve(segments::MOST);
+        self.scratch.clear();
+        self.scratch.reserve(columns * blobs::MOST);
     }
 
     /// The joint asked for in a profile of (y, z), mm, in any order; places that are not finite are missing.

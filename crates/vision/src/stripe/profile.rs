@@ -1,6 +1,6 @@
 //! The profile: places of the stripe in mm, from left to right.
 
-use super::blobs::{Blob, Blobs};
+use super::blobs::{Blob, Blobs, MOST};
 use super::chain::StripePoint;
 use super::segments::Segment;
 use glam::DVec2;
@@ -27,6 +27,9 @@ pub(super) struct Profile {
     pub(super) all: Vec<Sample>,
     /// Length of a column along y, mm.
     pub(super) pitch: f64,
+    /// Length of a column or a row, whichever is longer, mm: what distances from a line are measured by. A camera that
+    /// looks at the laser's plane at a small angle has rows that are much longer than its columns.
+    pub(super) grain: f64,
     /// What places of the chain usually cover, mm.
     pub(super) usual_cover: f64,
     scratch: Vec<f64>,
@@ -36,6 +39,16 @@ pub(super) struct Profile {
 const MOST_COLUMNS: f64 = 65536.0;
 
 impl Profile {
+    /// Room for what an image of so many columns can hold.
+    pub(super) fn reserve(&mut self, columns: usize) {
+        self.samples.clear();
+        self.samples.reserve(columns);
+        self.all.clear();
+        self.all.reserve(columns * MOST);
+        self.scratch.clear();
+        self.scratch.reserve(columns);
+    }
+
     /// The stripe, and all blobs, through a map from pixels to mm.
     pub(super) fn set_chain(&mut self, chain: &[StripePoint], blobs: &Blobs, to_mm: Option<&Homography>) {
         let map = |at: DVec2| match to_mm {
@@ -71,8 +84,15 @@ impl Profile {
                 .map(|w| (w[1].at.x - w[0].at.x).abs() / f64::from((w[1].column - w[0].column).max(1))),
         );
         self.pitch = median(&mut self.scratch).unwrap_or(0.0);
-        let pitch = self.pitch;
-        self.samples.iter_mut().chain(&mut self.all).for_each(|s| s.covers *= pitch);
+        let row_at = |p: &StripePoint| {
+            let step = DVec2::new(0.0, 0.5);
+            Some(map(p.at + step)?.distance(map(p.at - step)?))
+        };
+        self.scratch.clear();
+        self.scratch.extend(chain.iter().step_by(16).filter_map(row_at));
+        let row = median(&mut self.scratch).unwrap_or(self.pitch);
+        self.grain = self.pitch.max(row);
+        self.samples.iter_mut().chain(&mut self.all).for_each(|s| s.covers *= row);
         self.scratch.clear();
         self.scratch.extend(self.samples.iter().map(|s| s.covers));
         self.usual_cover = median(&mut self.scratch).unwrap_or(0.0);
@@ -93,6 +113,7 @@ impl Profile {
             let (from, pitch) = (first.at.x, self.pitch);
             self.samples.iter_mut().for_each(|s| s.column = ((s.at.x - from) / pitch).round() as i32);
         }
+        self.grain = self.pitch;
         self.all.clear();
         self.all.extend_from_slice(&self.samples);
         self.usual_cover = 0.0;
@@ -116,7 +137,7 @@ impl Profile {
     /// Where another blob of a column lies on a line that is longer than the one that the chain is on there, takes that
     /// one. True if there was any.
     pub(super) fn repick(&mut self, segments: &[Segment]) -> bool {
-        let (mut changed, pitch) = (false, self.pitch);
+        let (mut changed, grain) = (false, self.grain);
         for segment in segments {
             let (from, to) = segment.columns;
             let first = self.samples.partition_point(|s| s.column < from);
@@ -124,7 +145,7 @@ impl Profile {
             for sample in &mut self.samples[first..end] {
                 let better = |s: &&Sample| {
                     let longer = segments.iter().filter(|g| g.length() > 1.5 * segment.length());
-                    s.at != sample.at && longer.into_iter().any(|g| g.line.off(s.at).abs() < g.within(pitch))
+                    s.at != sample.at && longer.into_iter().any(|g| g.line.off(s.at).abs() < g.within(grain))
                 };
                 if let Some(other) = within(&self.all, sample.column, sample.column).iter().find(better) {
                     *sample = *other;

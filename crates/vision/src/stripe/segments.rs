@@ -18,7 +18,7 @@ const BIN_COLUMNS: usize = 4;
 /// What a piece more must save, in squared standard deviations of a bin.
 const A_PIECE: f64 = 30.0;
 
-/// Deviation that is put down to the steel, not to a corner: columns.
+/// Deviation that is put down to the steel, not to a corner: grains.
 const PLAY: f64 = 0.35;
 
 /// Columns left out beside a corner: the stripe's own width rounds it.
@@ -48,8 +48,8 @@ impl Segment {
     }
 
     /// How far a place on it may be from its line, mm.
-    pub(super) fn within(&self, pitch: f64) -> f64 {
-        (4.0 * self.deviation).max(1.5 * pitch)
+    pub(super) fn within(&self, grain: f64) -> f64 {
+        (4.0 * self.deviation).max(1.5 * grain)
     }
 }
 
@@ -71,6 +71,20 @@ pub(super) struct Cutter {
 }
 
 impl Cutter {
+    /// Room for what a profile of so many columns can hold.
+    pub(super) fn reserve(&mut self, columns: usize) {
+        self.bins.clear();
+        self.bins.reserve(BINS + 2);
+        self.moments.clear();
+        self.moments.reserve(BINS + 3);
+        self.costs.clear();
+        self.costs.reserve(BINS + 3);
+        for scratch in [&mut self.scratch, &mut self.other] {
+            scratch.clear();
+            scratch.reserve(columns);
+        }
+    }
+
     /// The segments of `profile`, from left to right.
     pub(super) fn cut(&mut self, profile: &Profile, segments: &mut Vec<Segment>) {
         segments.clear();
@@ -79,7 +93,7 @@ impl Cutter {
             return;
         }
         let mut cuts = [0usize; MOST + 1];
-        let pieces = self.best_cut(profile.pitch, &mut cuts);
+        let pieces = self.best_cut(profile.grain, &mut cuts);
         for k in 0..pieces {
             let bins = &self.bins[cuts[k]..cuts[k + 1]];
             let columns = (bins[0].columns.0, bins[bins.len() - 1].columns.1);
@@ -122,8 +136,8 @@ impl Cutter {
     }
 
     /// The best cut into straight runs: the first bin of each, and their number.
-    fn best_cut(&mut self, pitch: f64, cuts: &mut [usize; MOST + 1]) -> usize {
-        let deviation = self.bin_deviation().clamp(PLAY * pitch, 6.0 * PLAY * pitch).max(1e-12);
+    fn best_cut(&mut self, grain: f64, cuts: &mut [usize; MOST + 1]) -> usize {
+        let deviation = self.bin_deviation().clamp(PLAY * grain, 6.0 * PLAY * grain).max(1e-12);
         let origin = self.bins[0].at;
         self.moments.clear();
         self.moments.push(Moments::default());
@@ -165,7 +179,7 @@ impl Cutter {
     ) -> Option<Segment> {
         let trim = trim.min((to - from) / 4);
         let samples = profile.between(from + trim, to - trim);
-        let (line, deviation) = line(samples, start, 0.3 * profile.pitch, &mut self.other)?;
+        let (line, deviation) = line(samples, start, 0.3 * profile.grain, &mut self.other)?;
         let all = profile.between(from, to);
         let ends = [all.first()?, all.last()?].map(|s| line.foot(s.at));
         Some(Segment { line, columns: (from, to), deviation, ends })
@@ -206,7 +220,7 @@ impl Cutter {
 /// Leaves the columns between the first and the last places that are on the line with two of the three after them.
 fn shrink(profile: &Profile, segment: &mut Segment) {
     let samples = profile.between(segment.columns.0, segment.columns.1);
-    let within = segment.within(profile.pitch);
+    let within = segment.within(profile.grain);
     let on = |s: &Sample| segment.line.off(s.at).abs() <= within;
     let sure = |w: &[Sample]| w[3].column - w[0].column < TOGETHER && w.iter().filter(|s| on(s)).count() >= 3;
     let first = samples.windows(4).find(|w| on(&w[0]) && sure(w)).map(|w| w[0]);

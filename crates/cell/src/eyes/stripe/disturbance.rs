@@ -45,7 +45,7 @@ impl StripeDisturbances {
     };
 
     /// A stripe on ground steel: speckle, ambient light.
-    pub const USUAL: Self = Self { width_change: 0.3, speckle: 0.12, noise: 4.0, ambient: 20.0, ..Self::CLEAN };
+    pub const USUAL: Self = Self { width_change: 0.3, speckle: 0.2, noise: 4.0, ambient: 20.0, ..Self::CLEAN };
 
     /// Beside a burning arc on bright steel: glow, saturated places, reflections, spatter.
     pub const ROUGH: Self =

@@ -11,6 +11,9 @@ use std::time::Instant;
 const SIZE_PX: [usize; 2] = [1024, 512];
 const MM_PER_PX: f64 = 0.05;
 
+/// First seed of the cases. Confidence was raised on those up to 1400: soaks go beyond.
+const FIRST_SEED: u64 = 1000;
+
 /// A joint point that is farther off is wrong, mm.
 const WRONG_MM: f64 = 0.5;
 
@@ -81,7 +84,7 @@ impl StripeErrors {
     pub fn measure(kind: JointKind, how: &StripeDisturbances, cases: u64) -> Self {
         let mut reader = StripeReader::new();
         let mut errors = Self { cases, ..Self::default() };
-        for seed in 0..cases {
+        for seed in FIRST_SEED..FIRST_SEED + cases {
             let scene = stripe_scene(Section::random(kind, seed), seed);
             let image = scene.image(how, seed);
             let found = read(&mut reader, &scene, &image, kind);
@@ -141,12 +144,14 @@ pub fn stripe_gates(cases: u64) -> Vec<GateRow> {
         centres.extend_from_slice(&usual.centre);
         rows.push(GateRow::new(format!("{name}: joint point, RMS"), rms(&usual.joint), 0.05, "mm"));
         rows.push(GateRow::new(format!("{name}: gap, 95 %"), most(&usual.gap), 0.05, "mm"));
-        rows.push(GateRow::new(format!("{name}: no confident result"), 100.0 * usual.silent(), 35.0, "%"));
+        rows.push(GateRow::new(format!("{name}: no confident result"), 100.0 * usual.silent(), 25.0, "%"));
         let twice = "joint point with 10 % outliers and 20 % missing, RMS";
         rows.push(GateRow::new(format!("{name}: {twice}"), rms(&holed.joint), 0.1, "mm"));
         let rough = StripeErrors::measure(kind, &StripeDisturbances::ROUGH, cases);
         let wrong = rough.joint.iter().filter(|e| **e > WRONG_MM).count();
         rows.push(GateRow::new(format!("{name}: confident and wrong beside the arc"), wrong as f64, 0.0, "cases"));
+        let silent = 100.0 * rough.silent();
+        rows.push(GateRow::new(format!("{name}: no confident result beside the arc"), silent, 50.0, "%"));
     }
     rows.insert(0, GateRow::new("centre of the stripe, RMS", rms(&centres), 0.1, "px"));
     rows.push(GateRow::new(
@@ -168,7 +173,7 @@ pub fn confident_nowhere(cases: u64) -> Vec<(u64, Section, Features)> {
     let mut reader = StripeReader::new();
     let mut confident = Vec::new();
     let levels = [StripeDisturbances::USUAL, StripeDisturbances::HOLED, StripeDisturbances::ROUGH];
-    for seed in 0..cases {
+    for seed in FIRST_SEED..FIRST_SEED + cases {
         let how = levels[(seed % 3) as usize];
         let others = JointKind::ALL.map(|kind| (Some(kind), Section::random(kind, seed)));
         let ridge = Section::Ridge { angle: 2.0 + (seed % 10) as f64 * 0.1 };

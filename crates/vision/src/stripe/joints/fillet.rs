@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 const ANGLES_DEG: [f64; 2] = [60.0, 120.0];
 const MARGIN_DEG: f64 = 6.0;
 
-/// Columns that an end may be off the corner without being a gap: the stripe's width rounds it.
+/// Columns or rows that an end may be off the corner without being a gap: the stripe's width rounds it.
 const ROUNDED: f64 = 3.0;
 
 /// Part of the columns that each face must have for no, and for full confidence.
@@ -27,10 +27,10 @@ impl View<'_> {
             return Err(NoFeatures::NoCorner);
         }
         // Nothing else that is straight and goes elsewhere: shoulders would make it a groove.
-        let pitch = self.pitch();
+        let grain = self.grain();
         let on = |s: &Segment, line: &Segment| {
             let off = s.ends.map(|e| line.line.off(e).abs());
-            off[0].max(off[1]) < 3.0 * line.within(pitch) && turn(&s.line, &line.line).abs() < 0.12
+            off[0].max(off[1]) < 3.0 * line.within(grain) && turn(&s.line, &line.line).abs() < 0.12
         };
         let other = |s: &&Segment| !on(s, &a) && !on(s, &b);
         let columns = |s: &Segment| f64::from(s.columns.1 - s.columns.0);
@@ -50,7 +50,7 @@ impl View<'_> {
 
     /// Distance of the end of one face from the other face: 0 if both reach the corner.
     fn fillet_gap(&mut self, a: &Segment, b: &Segment, at: glam::DVec2) -> f64 {
-        let rounded = ROUNDED * self.pitch();
+        let rounded = ROUNDED * self.grain();
         // The line that does not stop goes on past the corner, in the shadow of the other's end.
         let left = self.edge(a, b.columns.0.max(a.columns.1));
         let right = self.edge(b, a.columns.1.min(b.columns.0));

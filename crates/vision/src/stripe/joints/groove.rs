@@ -21,7 +21,7 @@ const ROUNDED: f64 = 6.0;
 const CLOSED: f64 = 16.0;
 
 /// Part of a groove's columns with other light for no, and for full confidence.
-pub(super) const CROWD: [f64; 2] = [0.5, 0.3];
+pub(super) const CROWD: [f64; 2] = [0.9, 0.7];
 
 /// How far a shoulder's last place may be from its edge for no, and for full confidence, columns.
 const EDGE_OFF: [f64; 2] = [25.0, 12.0];
@@ -66,10 +66,10 @@ impl View<'_> {
         let on_walls = self.share(walls, &v.walls);
         let degrees = included.to_degrees();
         let inside = (degrees - INCLUDED_DEG[0]).min(INCLUDED_DEG[1] - degrees);
-        if inside < 0.0 || depth < 10.0 * self.pitch() || on_walls < 0.5 || gap > 0.6 * width {
+        if inside < 0.0 || depth < 10.0 * self.grain() || on_walls < 0.5 || gap > 0.6 * width {
             return Err(NoFeatures::NoGroove);
         }
-        let off = left.ends[1].distance(edge_left).max(right.ends[0].distance(edge_right)) / self.pitch();
+        let off = left.ends[1].distance(edge_left).max(right.ends[0].distance(edge_right)) / self.grain();
         let margin = if hidden { 0.0 } else { ramp(off, EDGE_OFF[0], EDGE_OFF[1]) };
         let crowd = self.crowd((left.columns.1, right.columns.0));
         let margin = margin * ramp(crowd, CROWD[0], CROWD[1]) * ramp(inside, 0.0, 5.0) * ramp(on_walls, 0.65, 0.85);
@@ -119,7 +119,7 @@ impl View<'_> {
         let ends = (self.edge(&down, middle), self.edge(&up, middle + 1));
         let (Some(a), Some(b)) = ends else { return ([closed; 2], true) };
         // A closed root is where the walls end.
-        let far = CLOSED * self.pitch();
+        let far = CLOSED * self.grain();
         let ends_there = a.at.distance(closed).max(b.at.distance(closed)) < far;
         if b.column - a.column < 1.5 || (b.at - a.at).dot(along) <= 0.0 {
             return ([closed; 2], !ends_there);
@@ -135,14 +135,14 @@ impl View<'_> {
 
     /// Parts of the columns between two edges in which the stripe is seen on the walls, and off them but not far below.
     fn lit(&mut self, walls: &[Segment; 2], closed: DVec2, a: Edge, b: Edge) -> (f64, f64) {
-        let (from, to, pitch) = (a.column.ceil() as i32, b.column.floor() as i32, self.pitch());
-        let far = (12.0 + b.column - a.column) * pitch;
+        let (from, to, grain) = (a.column.ceil() as i32, b.column.floor() as i32, self.grain());
+        let far = (12.0 + b.column - a.column) * grain;
         self.scratch.clear();
         let beside = walls.iter().flat_map(|w| self.profile.between(w.columns.0, w.columns.1));
         self.scratch.extend(beside.filter_map(|s| s.strength));
         let usual = median(self.scratch).unwrap_or(0.0);
         let bright = |s: &&Sample| s.strength.is_none_or(|v| v > LIT * usual) && s.at.distance(closed) < far;
-        let on_wall = |s: &Sample| walls.iter().any(|w| w.line.off(s.at).abs() < ROUNDED * pitch);
+        let on_wall = |s: &Sample| walls.iter().any(|w| w.line.off(s.at).abs() < ROUNDED * grain);
         let (mut on, mut off) = (0.0, 0.0);
         for s in self.profile.between(from, to).iter().filter(bright) {
             *(if on_wall(s) { &mut on } else { &mut off }) += 1.0;

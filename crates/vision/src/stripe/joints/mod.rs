@@ -30,6 +30,9 @@ const RIVAL: f64 = 0.4;
 const HIDING_COLUMNS: i32 = 8;
 const HIDING_ROWS: f64 = 8.0;
 
+/// Least slope of the face below an edge.
+const STEEP: f64 = 2.0;
+
 /// How well a joint is supported, before its confidence is put together.
 struct Support<'a> {
     /// Part of the places that lie on what the joint is made of.
@@ -57,6 +60,10 @@ impl View<'_> {
         self.profile.pitch
     }
 
+    fn grain(&self) -> f64 {
+        self.profile.grain
+    }
+
     fn samples(&self) -> &[Sample] {
         &self.profile.samples
     }
@@ -64,14 +71,14 @@ impl View<'_> {
     /// The end of a segment's places towards column `to`, not beyond it.
     fn edge(&mut self, segment: &Segment, to: i32) -> Option<Edge> {
         let middle = (segment.columns.0 + segment.columns.1) / 2;
-        let within = segment.within(self.profile.pitch);
+        let within = segment.within(self.grain());
         edges::edge(self.profile, &segment.line, within, (middle, to), self.scratch)
     }
 
     /// Part of `samples` on one of `segments`.
     fn share(&self, samples: &[Sample], segments: &[Segment]) -> f64 {
-        let pitch = self.pitch();
-        let on = |s: &&Sample| segments.iter().any(|g| g.line.off(s.at).abs() <= g.within(pitch));
+        let grain = self.grain();
+        let on = |s: &&Sample| segments.iter().any(|g| g.line.off(s.at).abs() <= g.within(grain));
         samples.iter().filter(on).count() as f64 / samples.len().max(1) as f64
     }
 
@@ -79,8 +86,8 @@ impl View<'_> {
     /// any of the joint's lines, and longer than spatter is. Where it is as long as a segment, the chain could be the
     /// reflection.
     fn rivals(&self, columns: (i32, i32), segments: &[Segment]) -> f64 {
-        let pitch = self.pitch();
-        let on = |s: &Sample| segments.iter().any(|g| g.line.off(s.at).abs() <= g.within(pitch).max(s.covers));
+        let grain = self.grain();
+        let on = |s: &Sample| segments.iter().any(|g| g.line.off(s.at).abs() <= g.within(grain).max(s.covers));
         // Last place and length of what is followed: up to two in a column.
         let mut followed: [(Option<Sample>, i32); 2] = [(None, 0); 2];
         let mut longest = 0;
@@ -90,7 +97,7 @@ impl View<'_> {
             if on(s) || !own.is_some_and(bright) {
                 continue;
             }
-            let near = |last: &Sample| s.column - last.column <= 3 && last.at.distance(s.at) < 8.0 * pitch;
+            let near = |last: &Sample| s.column - last.column <= 3 && last.at.distance(s.at) < 8.0 * grain;
             let i = followed.iter().position(|f| f.0.as_ref().is_some_and(near)).unwrap_or_else(|| {
                 let older = usize::from(followed[0].0.map(|l| l.column) > followed[1].0.map(|l| l.column));
                 followed[older] = (None, 0);
@@ -105,17 +112,19 @@ impl View<'_> {
     /// Whether something that is on none of the joint's lines hides where a line ends: then the end is not known. Looks
     /// at the columns beyond the edge towards `step` (1 right, -1 left).
     fn hidden(&self, edge: &Edge, line: &StripeLine, step: i32, segments: &[Segment]) -> bool {
-        let pitch = self.pitch();
+        let grain = self.grain();
         let column = edge.column.round() as i32;
         let (a, b) = (column + step, column + step * HIDING_COLUMNS);
-        let on = |s: &Sample| segments.iter().any(|g| g.line.off(s.at).abs() <= g.within(pitch));
-        let near = |s: &&Sample| line.off(s.at).abs() < s.covers + HIDING_ROWS * pitch && !on(s);
+        let on = |s: &Sample| segments.iter().any(|g| g.line.off(s.at).abs() <= g.within(grain));
+        // The face of a plate's end goes down from it steeply.
+        let face = |s: &Sample| -line.off(s.at) > STEEP * (s.at.x - edge.at.x).abs();
+        let near = |s: &&Sample| line.off(s.at).abs() < s.covers + HIDING_ROWS * grain && !on(s) && !face(s);
         self.profile.all_between(a.min(b), a.max(b)).iter().filter(near).count() >= 3
     }
 
     /// Part of a segment's columns in which a place is on its line.
     fn density(&self, segment: &Segment) -> f64 {
-        let within = segment.within(self.pitch());
+        let within = segment.within(self.grain());
         let samples = self.profile.between(segment.columns.0, segment.columns.1);
         let on = samples.iter().filter(|s| segment.line.off(s.at).abs() <= within).count();
         on as f64 / f64::from((segment.columns.1 - segment.columns.0 + 1).max(1))
@@ -140,7 +149,7 @@ impl View<'_> {
         let pitch = self.pitch();
         let shortest = support.segments.iter().map(Segment::length).fold(f64::INFINITY, f64::min);
         let columns = if shortest.is_finite() { shortest / pitch } else { 0.0 };
-        let worst = support.segments.iter().map(|s| s.deviation).fold(0.0, f64::max) / pitch;
+        let worst = support.segments.iter().map(|s| s.deviation).fold(0.0, f64::max) / self.grain();
         let innovation = match (&self.task.expected, points.first()) {
             (Some(expected), Some((_, at))) => {
                 let off = at.distance(expected.at) / expected.within.max(1e-9);

@@ -4,6 +4,7 @@ use super::groove::{SHOULDERS, mismatch};
 use super::{Support, View, between, ramp, turn};
 use crate::stripe::edges::Edge;
 use crate::stripe::fit::line;
+use crate::stripe::profile::Sample;
 use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
 
 /// Widest gap of a butt joint in columns.
@@ -18,6 +19,15 @@ const OVERLAP: f64 = 8.0;
 
 /// Part of a gap's columns in which something may be seen.
 const LIT: f64 = 0.4;
+
+/// Least slope of the face of a plate's end: the wall of a groove is less steep.
+const FACE: f64 = 8.0;
+
+/// The same for no, and for full confidence in a butt joint: a reflection on a plate makes steps and gaps like a seam.
+const BUTT_CROWD: [f64; 2] = [0.25, 0.18];
+
+/// Part of the columns with other light than the stripe's from which on there are reflections.
+const CROWDED: f64 = 0.1;
 
 /// Part of the columns that each plate must have for no, and for full confidence.
 const PLATE: [f64; 2] = [0.08, 0.15];
@@ -87,7 +97,7 @@ impl View<'_> {
         let gap = if seam.dark.is_some() { 0.0 } else { (b.at - a.at).dot(along).max(0.0) };
         let step = mismatch(&left, &right, joint, along);
         // A step that the plates themselves do not show was something else's.
-        let none = seam.dark.is_none() && gap < 1.5 * self.pitch() && step.abs() < 1.5 * self.pitch();
+        let none = seam.dark.is_none() && gap < 1.5 * self.pitch() && step.abs() < 1.5 * self.grain();
         let share = self.share(self.samples(), &[left, right]);
         let bend = turn(&left.line, &right.line);
         let apart = gap / self.pitch();
@@ -99,9 +109,10 @@ impl View<'_> {
         let hidden = seam.dark.is_none()
             && (self.hidden(&a, &left.line, 1, &plates)
                 || self.hidden(&b, &right.line, -1, &plates)
-                || self.lit_gap(&a, &b));
+                || self.lit_gap((&a, &left), (&b, &right)));
         let margin = if hidden { 0.0 } else { seam.margin }
             * ramp(share, 0.75, 0.9)
+            * ramp(self.crowd((first, last)), BUTT_CROWD[0], BUTT_CROWD[1])
             * ramp(shorter, PLATE[0], PLATE[1])
             * ramp(bend.abs(), 0.2, 0.12)
             * ramp(step.abs() / self.task.least_step, 1.0, 0.85);
@@ -111,11 +122,16 @@ impl View<'_> {
         Ok(self.features(&points, &values, &Support { share, segments: &segments, margin }))
     }
 
-    /// Whether anything is seen in a good part of the gap's columns: something that hides that it is none, or a groove.
-    fn lit_gap(&self, a: &Edge, b: &Edge) -> bool {
+    /// Whether anything but the faces of the ends is seen in a good part of the gap's columns: something that hides that
+    /// it is none, or a groove.
+    fn lit_gap(&self, (a, left): (&Edge, &Segment), (b, right): (&Edge, &Segment)) -> bool {
         let (from, to) = (a.column.ceil() as i32 + 2, b.column.floor() as i32 - 2);
+        let below = |s: &Sample, e: &Edge, plate: &Segment| -plate.line.off(s.at) > FACE * (s.at.x - e.at.x).abs();
+        // Where there is other light too, a face is not told from it.
+        let dark = self.crowd((0, self.profile.columns() as i32 - 1)) < CROWDED;
+        let face = |s: &&Sample| dark && (below(s, a, left) || below(s, b, right));
         let (mut lit, mut last) = (0, None);
-        for s in self.profile.all_between(from, to) {
+        for s in self.profile.all_between(from, to).iter().filter(|s| !face(s)) {
             lit += u32::from(last != Some(s.column));
             last = Some(s.column);
         }
@@ -131,7 +147,7 @@ impl View<'_> {
         let near = |s: &&Segment| s.columns.0 <= to && s.columns.1 >= from;
         let overlap = |s: &Segment| s.columns.1.min(to) - s.columns.0.max(from);
         let start = self.segments.iter().filter(near).max_by_key(|s| overlap(s)).map(|s| s.line);
-        let (line, deviation) = line(samples, start, 0.3 * self.pitch(), self.scratch)?;
+        let (line, deviation) = line(samples, start, 0.3 * self.grain(), self.scratch)?;
         let ends = [samples.first()?, samples.last()?].map(|s| line.foot(s.at));
         Some(Segment { line, columns: (from, to), deviation, ends })
     }
@@ -156,23 +172,23 @@ impl View<'_> {
 
     /// A cut between segments where one line ends and another, higher or lower, begins.
     fn step(&self) -> Option<Seam> {
-        let pitch = self.pitch();
+        let grain = self.grain();
         let height = |w: &&[Segment]| {
             let at = (w[0].ends[1] + w[1].ends[0]) / 2.0;
             mismatch(&w[0], &w[1], at, between(&w[0].line, &w[1].line)).abs()
         };
         let pair = self.segments.windows(2).max_by(|a, b| height(a).total_cmp(&height(b)))?;
-        let sure = height(&pair) / (pair[0].deviation + pair[1].deviation).max(pitch);
+        let sure = height(&pair) / (pair[0].deviation + pair[1].deviation).max(grain);
         let seam = Seam { left: pair[0].columns.1, right: pair[1].columns.0, margin: ramp(sure, 1.5, 2.5), dark: None };
         (sure > 1.5).then_some(seam)
     }
 
     /// The longest run of columns without the stripe, if it is clearly longer than all others.
     fn missing(&self) -> Option<Seam> {
-        let pitch = self.pitch();
+        let grain = self.grain();
         let line = self.segments.iter().max_by(|a, b| a.length().total_cmp(&b.length()))?;
         // Plates bend a little: near the line is enough.
-        let within = line.within(pitch) + 3.0 * pitch;
+        let within = line.within(grain) + 3.0 * grain;
         let (mut best, mut second, mut before) = ((0, 0, 0), 0, None);
         for s in self.profile.all.iter().filter(|s| line.line.off(s.at).abs() < within.max(s.covers)) {
             if let Some(last) = before {

@@ -77,7 +77,7 @@ impl View<'_> {
         let groove = self.groove().ok_or(NoFeatures::NoGroove)?;
         let inside = self.profile.between(groove.inside.0, groove.inside.1);
         let (_, arc) = self.best_arc(&groove, inside).ok_or(NoFeatures::NoGroove)?;
-        let within = 2.0 * self.pitch();
+        let within = 2.0 * self.grain();
         let on = |s: &&Sample| arc.off(s.at).abs() < within;
         let right_of = |s: &&Sample| (s.at - arc.centre).dot(groove.along) > 0.0;
         let count = inside.iter().filter(on).count() as f64;
@@ -122,8 +122,8 @@ impl View<'_> {
         let depth = -groove.along.perp_dot(joint - (edges[0] + edges[1]) / 2.0);
         let better = sides.iter().map(|s| s.better).fold(f64::INFINITY, f64::min);
         let share = sides.iter().map(|s| s.share).fold(f64::INFINITY, f64::min);
-        let worst = sides.iter().map(|s| s.deviation).fold(0.0, f64::max) / self.pitch();
-        let margin = margin * ramp(better, 1.0, BETTER) * ramp(share, 0.6, 0.8) * ramp(worst, 4.0, 1.5);
+        let worst = sides.iter().map(|s| s.deviation).fold(0.0, f64::max) / self.grain();
+        let margin = margin * ramp(better, 1.0, BETTER) * ramp(share, 0.6, 0.8) * ramp(worst, 1.2, 0.8);
         let seen = self.profile.between(groove.inside.0, groove.inside.1).len() as f64;
         let columns = f64::from(groove.inside.1 - groove.inside.0 + 1) - gap / self.pitch();
         let margin = margin * ramp(seen / columns.max(1.0), 0.4, 0.6);
@@ -173,7 +173,7 @@ impl View<'_> {
     /// The arc that most of `samples` are on, and how well, from a fixed set of triples.
     fn best_arc(&self, groove: &Groove, samples: &[Sample]) -> Option<(f64, StripeArc)> {
         let width = groove.ends[0].distance(groove.ends[1]);
-        let within = 2.0 * self.pitch();
+        let within = 2.0 * self.grain();
         let n = samples.len();
         let mut best: Option<(f64, StripeArc)> = None;
         let mut state = 0x2545_f491u32;
@@ -206,7 +206,7 @@ impl View<'_> {
 
     /// The curved side in `columns`: its arc, the wall between it and shoulder `end`.
     fn side(&mut self, groove: &Groove, columns: (i32, i32), end: usize) -> Option<Side> {
-        let (floor, within) = (0.3 * self.pitch(), 2.0 * self.pitch());
+        let (floor, within) = (0.3 * self.grain(), 2.0 * self.grain());
         let samples = self.profile.between(columns.0, columns.1);
         let (_, start) = self.best_arc(groove, samples)?;
         let (arc, deviation) = start.refined(samples, floor, self.scratch)?;
@@ -229,18 +229,18 @@ impl View<'_> {
 
     /// The straight wall between the arc and shoulder `end`: steep, so of few columns.
     fn wall(&mut self, groove: &Groove, arc: &StripeArc, columns: (i32, i32), end: usize) -> Option<StripeLine> {
-        let pitch = self.pitch();
+        let grain = self.grain();
         let samples = self.profile.between(columns.0, columns.1);
         let outward = if end == 1 { groove.along } else { -groove.along };
-        let beyond = |s: &Sample| (s.at - arc.centre).dot(outward) > 0.6 * arc.radius && arc.off(s.at) > 2.0 * pitch;
-        let below = |s: &Sample| groove.shoulders[end].line.off(s.at) < -4.0 * pitch;
+        let beyond = |s: &Sample| (s.at - arc.centre).dot(outward) > 0.6 * arc.radius && arc.off(s.at) > 2.0 * grain;
+        let below = |s: &Sample| groove.shoulders[end].line.off(s.at) < -4.0 * grain;
         let fits = |s: &Sample| beyond(s) && below(s);
         let first = samples.iter().position(fits)?;
         let last = samples.iter().rposition(fits)?;
         if last < first + 5 {
             return None;
         }
-        line(&samples[first..=last], None, 0.3 * pitch, self.scratch).map(|(line, _)| line)
+        line(&samples[first..=last], None, 0.3 * grain, self.scratch).map(|(line, _)| line)
     }
 
     /// Area between the line through both edges and the places inside.
@@ -253,7 +253,7 @@ impl View<'_> {
         let (first, end) = (down(roots[0]), down(roots[1]));
         // The roots of upright sides, where nothing is seen beyond them.
         // The ends of the shoulders themselves are at the very edges.
-        let beside = 2.0 * self.pitch();
+        let beside = 2.0 * self.grain();
         let seen = move |t: f64| t > beside && t < length - beside;
         let path = [first].into_iter().filter(|r| r.0 < 0.05 * length);
         let path = path.chain(inside.filter(move |(t, _)| seen(*t)));
