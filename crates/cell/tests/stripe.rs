@@ -146,7 +146,7 @@ fn profiles_in_mm_are_read() {
 fn joints_through_the_sensor_of_a_machine() {
     let machine = Machine::read("m", shipped("dual-laser-10axis").unwrap().text).unwrap();
     let sensor = machine.sensor("left").unwrap();
-    let Sight::Stripe(StripeSensor { to_mm }) = sensor.sight;
+    let Sight::Stripe(StripeSensor { to_mm }) = sensor.sight else { panic!("a stripe sensor") };
     let mut reader = StripeReader::new();
     for kind in [JointKind::Fillet, JointKind::V, JointKind::Lap] {
         let mut found = 0;
