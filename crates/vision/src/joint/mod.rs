@@ -1,8 +1,8 @@
 //! The joint in a frame: a dark line on lighter metal (EBW-2004), followed from a point on it in a rough direction.
 //!
-//! A strip along the predicted, curved axis is unrolled ([`strip`]); means along it make the paper's groups of pixels;
-//! the best path across its rows and the best one elsewhere are found ([`path`]), then the midline between pixels
-//! ([`midline`]). Heading and curvature follow supported rows only; gaps as long as a tack weld are coasted over.
+//! A strip along the predicted, curved axis is unrolled (`strip`); means along it make the paper's groups of pixels;
+//! the best path across its rows and the best one elsewhere are found (`path`), then the midline between pixels
+//! (`midline`). Heading and curvature follow supported rows only; gaps as long as a tack weld are coasted over.
 
 mod follow;
 mod judge;
