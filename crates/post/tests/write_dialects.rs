@@ -245,7 +245,7 @@ fn what_a_control_cannot_take_is_said_with_step_pass_and_cure() {
     for dialect in Dialect::ALL {
         assert!(refused(dialect, &|m| _ = m.go(Path::Line, 0.0, &[("x", 2.0)])).contains("takes 0 s"));
         assert!(refused(dialect, &|m| _ = m.event(Event::Call("flip".into()), true)).contains("flip"));
-        assert!(refused(dialect, &|m| _ = m.event(Event::Wire(true), true)).contains("Wire"));
+        assert!(refused(dialect, &|m| _ = m.event(Event::Wire(true), true)).contains("does wire on"));
     }
     let turns = |m: &mut Maker| {
         let arc = m.arc([0.0, 0.0, 0.0], DVec3::Z, 2.5 * TAU);
