@@ -21,10 +21,16 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
     // A plan that leaves its procedure is written all the same: its report shows where.
     let motion = loaded.try_plan()?.map_err(Failure::Findings)?;
+    // What cannot be posted is known before anything is written.
+    let mut dialects: Vec<Dialect> = args.post.iter().map(|dialect| (*dialect).into()).collect();
+    dialects.dedup();
+    let posts = dialects.into_iter().map(|dialect| post(&loaded, &motion, dialect));
+    let posts: Vec<(PostFigures, String)> = posts.collect::<Result<_, _>>()?;
     let mut output = Output::new(&args.output)?;
     let (mut report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None);
-    for dialect in &args.post {
-        report.posts.push(write_post(&mut output, &loaded, &motion, (*dialect).into())?);
+    for (figures, text) in posts {
+        output.text(&figures.file, &text)?;
+        report.posts.push(figures);
     }
     write_program(&mut output, &loaded)?;
     write_report(&mut output, &report, &plots, &loaded.welding)?;
@@ -48,13 +54,8 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     judge(report)
 }
 
-/// Adds the part program for a control, as `post` writes it without options.
-fn write_post(
-    output: &mut Output,
-    loaded: &Loaded,
-    motion: &WeldMotion,
-    dialect: Dialect,
-) -> Result<PostFigures, Failure> {
+/// The part program for a control, as `post` writes it without options, and its proof.
+fn post(loaded: &Loaded, motion: &WeldMotion, dialect: Dialect) -> Result<(PostFigures, String), Failure> {
     let control = Control::new(&loaded.machine, dialect).map_err(|e| Failure::Input(e.to_string()))?;
     let options = Options::default();
     let (text, proof) = proven(loaded, motion, &control, &options, Feed::InverseTime)?;
@@ -64,8 +65,7 @@ fn write_post(
         Dialect::Grblhal => "grblhal.nc",
         Dialect::Pmac => "pmac.pmc",
     };
-    output.text(name, &text)?;
-    Ok(PostFigures::new(dialect, name, options.tolerance_mm, proof))
+    Ok((PostFigures::new(dialect, name, options.tolerance_mm, proof), text))
 }
 
 /// The end of a tube as it is cut, point by point.
