@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{good, root, run};
+use common::{bad, good, root, run};
 use serde_json::Value;
 use std::path::PathBuf;
 
@@ -61,14 +61,6 @@ fn painted() -> String {
         let off = (y as f64 - midline(x as f64)) / 1.01f64.sqrt();
         150.0 - 60.0 * (-4.0 * 2f64.ln() * (off / 6.0).powi(2)).exp() + 8.0 * even(x, y)
     })
-}
-
-/// Standard error of a run that must end with this code.
-fn bad(code: i32, arguments: &[&str]) -> String {
-    let output = run(arguments);
-    let told = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {told}");
-    told
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{column, good, root, run, run_with, table};
+use common::{bad, column, good, root, run, run_with, table};
 use seamwright_cell::eyes::stripe::{Placement, Section, StripeDisturbances, StripeScene};
 use seamwright_machine::{Machine, Sight, shipped};
 use seamwright_vision::Image;
@@ -34,14 +34,6 @@ fn pgm(name: &str, image: &Image) -> String {
 
 fn scene() -> StripeScene {
     StripeScene::new(V, placement(), [1024, 512], 0.05)
-}
-
-/// Standard error of a run that must end with this code.
-fn bad(code: i32, arguments: &[&str]) -> String {
-    let output = run(arguments);
-    let told = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {told}");
-    told
 }
 
 #[test]

@@ -47,6 +47,14 @@ pub fn run(arguments: &[&str]) -> Output {
     run_with(arguments, "")
 }
 
+/// Standard error of a run that must end with this code.
+pub fn bad(code: i32, arguments: &[&str]) -> String {
+    let output = run(arguments);
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {told}");
+    told
+}
+
 /// Standard output of a run that must succeed.
 pub fn good(arguments: &[&str]) -> String {
     let output = run(arguments);
