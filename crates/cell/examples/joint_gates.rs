@@ -53,6 +53,10 @@ fn show(kind: Kind, seed: u64) {
         "width {:.1} cnr {:.1} tacks {:?} end {:?}",
         scene.truth.width, scene.truth.cnr, scene.truth.tacks, scene.truth.end
     );
+    let Ok(frame) = scene.image.frame() else { return };
+    let mut follower = Follower::new(Options::default());
+    let joint = follower.follow(&frame, &scene.start);
+    println!("{:?}", joint.rows.iter().step_by(joint.rows.len().div_ceil(8).max(1)).collect::<Vec<_>>());
     for (i, (error, sure)) in outcome.errors.iter().enumerate() {
         println!("{i} {error:.2} {}", if *sure { "sure" } else { "" });
     }

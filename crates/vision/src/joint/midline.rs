@@ -1,144 +1,242 @@
-use super::strip::{COLS, HALF, ROWS, Strip};
+use super::axis::Station;
+use super::lattice::Lattice;
+use super::levels::Picture;
+use super::profile::{Profile, REACH, Reading};
+use super::strip::{COLS, MID, Strip};
+use super::parabola::Parabola;
+use super::trail::{Look, Place, Stop, Trail};
 
-/// Rows before and after that the line through a row's centre is fitted to.
-const LINE: usize = 8;
+/// Places before and after that a station is the mean of.
+const SMOOTH: usize = 8;
+/// Rows before and after that depth, step and width are means over.
+const AROUND: usize = 12;
+/// Rows before and after that tell whether a row is seen.
+const SEEN_AROUND: usize = 6;
+/// Rows before and after that a parabola through the middles is fitted to, least and most.
+const LINE: (usize, usize) = (6, 24);
+/// What the midline's standard error should be, pixels of the frame.
+const ERROR: f32 = 0.15;
+/// Light that steps by more than this part of the depth is allowed for.
+const STEP: f32 = 0.25;
 
-/// The middle of the joint in each row, columns from the axis: centroid of what is darker than a straight baseline,
-/// then a straight line through the centres near by. And its standard error, columns, from their scatter.
-pub(super) fn midline(
-    strip: &Strip,
-    path: &[usize; ROWS],
-    supported: &[bool; ROWS],
-    width: f32,
-) -> ([f32; ROWS], [f32; ROWS]) {
-    let mut centre = [0.0; ROWS];
-    for (i, centre) in centre.iter_mut().enumerate() {
-        *centre = centroid(&strip.grey, i, path[i] as f32, width) - HALF as f32;
-    }
-    let (mut smooth, mut error) = (centre, [f32::INFINITY; ROWS]);
-    for (i, (value, error)) in smooth.iter_mut().zip(&mut error).enumerate() {
-        let near = (i.saturating_sub(LINE)..(i + LINE + 1).min(ROWS)).filter(|k| supported[*k]);
-        let places = near.map(|k| {
-            let v = k as f32 - i as f32;
-            let u = v / (LINE + 1) as f32;
-            (v, centre[k], 1.0 - u * u)
-        });
-        let Some((at, slope)) = line(places.clone()) else { continue };
-        let [mut sum, mut squares, mut weights] = [0.0f32; 3];
-        places.for_each(|(v, y, w)| {
-            sum += w * (y - at - slope * v).powi(2);
-            squares += w * w;
-            weights += w;
-        });
-        // Centres are of three rows each: a third of them are independent.
-        (*value, *error) = (at, (sum / weights * 3.0 * squares).sqrt() / weights);
-    }
-    (smooth, error)
+/// A row of the midline, in pixels of the level.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Found {
+    pub(super) at: [f32; 2],
+    pub(super) seen: bool,
+    pub(super) width: f32,
+    /// Depth, grey values.
+    pub(super) depth: f32,
+    /// Standard error across, pixels.
+    pub(super) error: f32,
+    /// How much likelier the path here is than the best one elsewhere, nats.
+    pub(super) margin: f32,
+    /// How much likelier a joint in the rows about is than none, nats.
+    pub(super) strength: f32,
+    /// Step of the light across the joint, of its depth.
+    pub(super) step: f32,
+    /// Depth of the row alone, by its own two sides.
+    pub(super) own_depth: f32,
 }
 
-/// What of the profile about `middle` in rows near `i` is neither even nor a ramp, grey values: a shadow's rim or another
-/// joint beside this one.
-pub(super) fn odd(strip: &Strip, middle: &[f32; ROWS], i: usize, width: f32) -> f32 {
-    const MOST: usize = 12;
-    let reach = ((1.3 * width + 2.0) as usize).clamp(3, MOST);
-    let mut odd = [0.0f32; MOST + 1];
-    let rows = [i.saturating_sub(6), i, (i + 6).min(ROWS - 1)];
-    for k in rows {
-        let group = &strip.group[k];
-        let at = |place: f32| {
-            let place = place.clamp(0.0, (COLS - 2) as f32);
-            let (low, part) = (place as usize, place.fract());
-            group[low] * (1.0 - part) + group[low + 1] * part
+/// The whole way once more along the trail: the best path, by all that is seen of it, and the middle between pixels.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Midline {
+    pub(super) rows: Vec<Found>,
+    stations: Vec<Station>,
+    strip: Strip,
+    lattice: Lattice,
+    path: Vec<usize>,
+    margins: Vec<f32>,
+    contrast: Vec<f32>,
+    centre: Vec<f32>,
+    single: Vec<f32>,
+    readings: Vec<Reading>,
+    even: Vec<[f32; REACH]>,
+}
+
+impl Midline {
+    /// Finds it along `trail`.
+    pub(super) fn find(&mut self, picture: &Picture, trail: &Trail, look: &Look, _stop: Stop) {
+        self.stand(&trail.places);
+        self.strip.unroll(picture, self.stations.iter().copied());
+        self.strip.measure(look.width);
+        self.contrast.clear();
+        self.contrast.resize(self.stations.len(), look.contrast);
+        for _ in 0..2 {
+            self.lattice.weigh(&self.strip, |i| self.contrast[i]);
+            self.lattice.best(|_| 0.0, &mut self.path);
+            self.follow_contrast(look.contrast);
+        }
+        let scale = (1 << look.level) as f32;
+        let away = (2.0 / scale).max(0.5 * look.width).round().max(1.0) as usize;
+        self.lattice.margins(&self.path, away, &mut self.margins);
+        self.rows.clear();
+        self.rows.resize(self.stations.len(), Found::default());
+        self.judge_rows();
+        self.centres(look.width, scale);
+    }
+
+    /// Smooth stations along the places.
+    fn stand(&mut self, places: &[Place]) {
+        let count = places.len();
+        self.stations.clear();
+        let smooth = |i: usize| {
+            let reach = SMOOTH.min(i).min(count - 1 - i);
+            let near = &places[i - reach..=i + reach];
+            let part = 1.0 / near.len() as f32;
+            near.iter().fold([0.0, 0.0], |[x, y], p| [x + p.at[0] * part, y + p.at[1] * part])
         };
-        let centre = middle[k] + HALF as f32;
-        for (u, odd) in odd[..=reach].iter_mut().enumerate() {
-            *odd += (at(centre + u as f32) - at(centre - u as f32)) / 6.0;
+        self.stations.extend((0..count).map(|i| Station { at: smooth(i), tangent: [1.0, 0.0] }));
+        for i in 0..count {
+            let (a, b) = (self.stations[i.saturating_sub(6)].at, self.stations[(i + 6).min(count - 1)].at);
+            let (x, y) = (b[0] - a[0], b[1] - a[1]);
+            let length = x.hypot(y);
+            if length > 1e-3 {
+                self.stations[i].tangent = [x / length, y / length];
+            }
         }
     }
-    let odd = &odd[1..=reach];
-    let (product, norm) = odd.iter().enumerate().fold((0.0f32, 0.0f32), |(p, n), (k, o)| {
-        let u = (k + 1) as f32;
-        (p + u * o, n + u * u)
-    });
-    let slope = product / norm;
-    let sum: f32 = odd.iter().enumerate().map(|(k, o)| (o - slope * (k + 1) as f32).powi(2)).sum();
-    (sum / reach as f32).sqrt()
+
+    /// The joint's depth near each row, from rows where there is much of it.
+    fn follow_contrast(&mut self, known: f32) {
+        const REACH: usize = 40;
+        let count = self.path.len();
+        let depth = |k: usize| self.strip.depth[k][self.path[k]];
+        for i in 0..count {
+            let near = (i.saturating_sub(REACH)..(i + REACH + 1).min(count)).step_by(3);
+            let (mut sum, mut weight) = (4.0 * known, 4.0);
+            for d in near.map(depth).filter(|d| *d > 0.4 * known) {
+                sum += d.min(2.0 * known);
+                weight += 1.0;
+            }
+            self.contrast[i] = sum / weight;
+        }
+    }
+
+    fn judge_rows(&mut self) {
+        let count = self.path.len();
+        let depth = |k: usize| self.strip.depth[k][self.path[k]];
+        let evidence = |k: usize| self.lattice.evidence[k][self.path[k]];
+        let near = |i: usize, reach: usize| i.saturating_sub(reach)..(i + reach + 1).min(count);
+        for (i, row) in self.rows.iter_mut().enumerate() {
+            let about = near(i, SEEN_AROUND);
+            let mean = about.clone().map(depth).sum::<f32>() / about.len() as f32;
+            row.seen = mean > (0.45 * self.contrast[i]).max(2.2 * self.strip.noise);
+            row.strength = near(i, AROUND).map(evidence).sum();
+            row.margin = self.margins[i];
+        }
+    }
+
+    /// The middle of each row between columns.
+    fn centres(&mut self, width: f32, scale: f32) {
+        let count = self.path.len();
+        let profile = Profile::new(width);
+        self.centre.clear();
+        self.centre.extend((0..count).map(|i| {
+            let near = &self.path[i.saturating_sub(4)..(i + 5).min(count)];
+            near.iter().sum::<usize>() as f32 / near.len() as f32
+        }));
+        self.readings.resize(count, Reading::default());
+        self.even.resize(count, [0.0; REACH]);
+        let mut line = LINE.0;
+        for round in 0..3 {
+            for i in 0..count {
+                self.readings[i] = profile.read(&self.strip.grey[i], self.centre[i], &mut self.even[i]);
+            }
+            self.single.clear();
+            for i in 0..count {
+                let (depth, step) = self.about(i);
+                let reading = &self.readings[i];
+                let stepped = step.abs() > STEP * depth;
+                let moment = if stepped { reading.stepped_moment } else { reading.moment };
+                let most = 0.4 * width + 0.5;
+                self.single.push(self.centre[i] + (moment / depth.max(1e-3)).clamp(-most, most));
+                (self.rows[i].depth, self.rows[i].step) = (depth, step / depth.max(1e-3));
+                self.rows[i].own_depth = reading.depth;
+            }
+            if round == 0 {
+                line = self.line_length(scale);
+            }
+            for i in 0..count {
+                let (at, error) = self.fit(i, line);
+                let path = self.path[i] as f32;
+                self.centre[i] = at.clamp(path - 0.7 * width - 1.5, path + 0.7 * width + 1.5);
+                self.rows[i].error = error;
+            }
+        }
+        for i in 0..count {
+            self.rows[i].at = self.stations[i].beside(self.centre[i] - MID as f32);
+            self.rows[i].width = self.width_at(i, &profile).unwrap_or(width);
+        }
+    }
+
+    /// Depth and step of the rows about.
+    fn about(&self, i: usize) -> (f32, f32) {
+        let near = &self.readings[i.saturating_sub(AROUND)..(i + AROUND + 1).min(self.readings.len())];
+        let part = 1.0 / near.len() as f32;
+        let (depth, step) = near.iter().fold((0.0, 0.0), |(d, s), r| (d + r.depth, s + r.step));
+        (depth * part, 2.0 * step * part)
+    }
+
+    /// Rows that a parabola must have so that its error is small enough, by how centres scatter.
+    fn line_length(&self, scale: f32) -> usize {
+        let (mut sum, mut count) = (0.0, 0);
+        for i in (2..self.single.len().saturating_sub(2)).filter(|i| self.rows[*i].seen) {
+            // The second difference over two rows each: 6 variances.
+            let bend = self.single[i - 2] - 2.0 * self.single[i] + self.single[i + 2];
+            sum += bend * bend;
+            count += 1;
+        }
+        let variance = sum / (6 * count.max(1)) as f32 * scale * scale;
+        ((variance / (ERROR * ERROR)) as usize).clamp(LINE.0, LINE.1)
+    }
+
+    /// The parabola through the middles of seen rows about row `i`: where it crosses that row's line, and the standard
+    /// error of that.
+    fn fit(&self, i: usize, reach: usize) -> (f32, f32) {
+        let near = (i.saturating_sub(reach)..(i + reach + 1).min(self.single.len())).filter(|k| self.rows[*k].seen);
+        let Station { at: [x0, y0], tangent: [cos, sin] } = self.stations[i];
+        let places = near.map(|k| {
+            let [x, y] = self.stations[k].beside(self.single[k] - MID as f32);
+            let (u, v) = ((x - x0) * cos + (y - y0) * sin, (y - y0) * cos - (x - x0) * sin);
+            (u, v, 1.0 - (k.abs_diff(i) as f32 / (reach + 1) as f32).powi(2))
+        });
+        let Some(parabola) = Parabola::through(places.clone(), 1.0) else { return (self.centre[i], f32::INFINITY) };
+        let [at, slope, bend] = parabola.terms;
+        let (mut rest, mut weights) = (0.0, 0.0);
+        for (u, v, w) in places {
+            rest += w * (v - at - slope * u - bend * u * u).powi(2);
+            weights += w;
+        }
+        let error = (rest / weights * parabola.variance).sqrt();
+        (at + MID as f32, if weights > 4.0 { error } else { f32::INFINITY })
+    }
+
+    /// Full width at half depth about row `i`.
+    fn width_at(&self, i: usize, profile: &Profile) -> Option<f32> {
+        let near = (i.saturating_sub(AROUND)..(i + AROUND + 1).min(self.even.len())).step_by(2);
+        let mut mean = [0.0; REACH];
+        for even in near.map(|k| &self.even[k]) {
+            mean.iter_mut().zip(even).for_each(|(m, e)| *m += e);
+        }
+        profile.width(&mean)
+    }
+
+    /// True where both sides of the joint are in the picture.
+    pub(super) fn is_whole(&self, i: usize, picture: &Picture) -> bool {
+        let (right, bottom) = ((picture.width - 1) as f32, (picture.height - 1) as f32);
+        [-1.0, 1.0].iter().all(|side| {
+            let across = self.centre[i] - MID as f32 + side * 1.5 * self.rows[i].width;
+            let [x, y] = self.stations[i].beside(across);
+            (0.0..=right).contains(&x) && (0.0..=bottom).contains(&y)
+        })
+    }
+
+    /// Standard deviation of a group's depth.
+    pub(super) fn noise(&self) -> f32 {
+        self.strip.noise
+    }
 }
 
-/// Value at 0 and slope of the weighted line through places (x, y, weight).
-pub(super) fn line(places: impl Iterator<Item = (f32, f32, f32)>) -> Option<(f32, f32)> {
-    let [mut w, mut x, mut y, mut xx, mut xy] = [0.0f32; 5];
-    for (px, py, weight) in places {
-        w += weight;
-        x += weight * px;
-        y += weight * py;
-        xx += weight * px * px;
-        xy += weight * px * py;
-    }
-    let spread = w * xx - x * x;
-    (spread > 1e-3 * w * w).then(|| ((xx * y - x * xy) / spread, (w * xy - x * y) / spread))
-}
-
-/// Centroid of the three rows about `i` near column `at`, by a window that falls off and moves to it.
-fn centroid(grey: &[[f32; COLS]], i: usize, at: f32, width: f32) -> f32 {
-    let rows = &grey[i.saturating_sub(1)..(i + 2).min(ROWS)];
-    let (window, side) = (0.9 * width + 1.0, (1.2 * width + 1.5).ceil() as usize);
-    let mut centre = at;
-    for _ in 0..3 {
-        let middle = (centre.round() as usize).clamp(side + 2, COLS - 3 - side);
-        let mean = |j: usize| rows.iter().map(|row| row[j - 1] + row[j] + row[j + 1]).sum::<f32>() / 3.0;
-        let (left, right) = (mean(middle - side), mean(middle + side));
-        let (mut mass, mut moment, mut all) = (0.0, 0.0, 0.0);
-        for j in middle - side..=middle + side {
-            let u = (j as f32 - centre) / window;
-            let weight = (1.0 - u * u).max(0.0);
-            let along = (j + side - middle) as f32 / (2 * side) as f32;
-            let dark = left + along * (right - left) - rows.iter().map(|row| row[j]).sum::<f32>();
-            mass += weight * dark;
-            moment += weight * dark * (j as f32 - centre);
-            all += weight * dark.abs();
-        }
-        if mass <= 0.3 * all {
-            break;
-        }
-        centre = (centre + 1.5 * moment / mass).clamp(at - 0.7 * width - 1.0, at + 0.7 * width + 1.0);
-    }
-    centre
-}
-
-/// Full width at half depth, columns, of the mean profile about the midline of supported rows; none if it has no clear
-/// rims.
-pub(super) fn full_width(strip: &Strip, middle: &[f32; ROWS], supported: &[bool; ROWS], width: f32) -> Option<f32> {
-    const REACH: usize = 12;
-    let mut profile = [0.0f32; 2 * REACH + 1];
-    let mut count = 0;
-    for i in (0..ROWS).filter(|i| supported[*i]) {
-        let first = middle[i] + (HALF - REACH) as f32;
-        if first < 0.0 || first as usize + 2 * REACH + 1 >= COLS {
-            continue;
-        }
-        let (low, part) = (first as usize, first.fract());
-        for (k, value) in profile.iter_mut().enumerate() {
-            *value += strip.grey[i][low + k] * (1.0 - part) + strip.grey[i][low + k + 1] * part;
-        }
-        count += 1;
-    }
-    if count < 8 {
-        return None;
-    }
-    let side = ((1.3 * width + 1.5).round() as usize).min(REACH - 1);
-    let base = |k: usize| (profile[k - 1] + profile[k] + profile[k + 1]) / 3.0;
-    let (left, right) = (base(REACH - side), base(REACH + side));
-    let floor = (profile[REACH - 1].min(profile[REACH + 1])).min(profile[REACH]);
-    let rim = |base: f32, sign: isize| {
-        let half = 0.5 * (base + floor);
-        let at = |k: usize| profile[REACH.saturating_add_signed(sign * k as isize)];
-        let k = (0..REACH).find(|k| at(k + 1) >= half)?;
-        let rise = at(k + 1) - at(k);
-        (rise > 0.0).then(|| k as f32 + ((half - at(k)) / rise).clamp(0.0, 1.0))
-    };
-    if left.min(right) <= floor {
-        return None;
-    }
-    Some(rim(left, -1)? + rim(right, 1)?)
-}
+const _: () = assert!(MID > REACH && COLS > MID + REACH + 2);

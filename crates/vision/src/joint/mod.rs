@@ -1,14 +1,22 @@
 //! The joint in a frame: a dark line on lighter metal (EBW-2004), followed from a point on it in a rough direction.
 //!
-//! A strip along the predicted, curved axis is unrolled (`strip`); means along it make the paper's groups of pixels;
-//! the best path across its rows and the best one elsewhere are found (`path`), then the midline between pixels
-//! (`midline`). Heading and curvature follow supported rows only; gaps as long as a tack weld are coasted over.
+//! On the level of the halved frame on which the joint is a few pixels wide (`levels`), strips along the predicted,
+//! curved axis are unrolled (`axis`, `strip`) and the best path across their rows is taken (`lattice`): the way the joint
+//! goes, to a pixel or two (`trail`). Along all of that way once more: the best path by everything that is seen, how much
+//! worse any other is, and the middle between pixels (`profile`, `midline`); then where the joint ends (`end`) and how
+//! sure each row is (`judge`).
 
+mod axis;
+mod end;
 mod follow;
 mod judge;
+mod lattice;
+mod levels;
 mod midline;
-mod path;
+mod parabola;
+mod profile;
 mod strip;
+mod trail;
 
 pub use follow::Follower;
 
@@ -29,20 +37,15 @@ pub struct Zone {
 }
 
 /// What a follower may do.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Options {
-    /// Longest stretch without a joint in sight that is coasted over (a tack weld), pixels.
-    pub gap: f32,
+    /// Longest stretch without a joint in sight that is coasted over (a tack weld), pixels; none: a fifth of the frame's
+    /// shorter side.
+    pub gap: Option<f32>,
     /// Longest path, pixels; none: twice the frame's width and height together.
     pub length: Option<f32>,
     /// Where the joint is looked for; none: in the whole frame.
     pub zone: Option<Zone>,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self { gap: 100.0, length: None, zone: None }
-    }
 }
 
 /// Where a joint is to be followed from.

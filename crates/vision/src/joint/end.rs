@@ -1,0 +1,44 @@
+use super::End;
+use super::midline::Found;
+use super::trail::Stop;
+
+/// Rows about the last one seen among which the end is looked for.
+const ABOUT: usize = 28;
+/// A row's depth tells at most this much of the joint's, either way.
+const MOST: f32 = 1.0;
+/// Rows before an end that are seen.
+const BEFORE: usize = 24;
+
+/// How much of the way is the joint's, and how it ends.
+pub(super) struct Cut {
+    pub(super) rows: usize,
+    pub(super) end: End,
+}
+
+/// Takes off what was coasted over last, and tells an end of the joint from its loss; none if nothing is seen.
+pub(super) fn cut(rows: &[Found], stop: Stop) -> Option<Cut> {
+    let seen = rows.iter().rposition(|r| r.seen)? + 1;
+    match stop {
+        Stop::Closed => return Some(Cut { rows: rows.len(), end: End::Closed }),
+        Stop::Rim => return Some(Cut { rows: seen, end: End::LeftImage }),
+        Stop::Gap => {}
+    }
+    // Where depths fall from the joint's to none: most above half of it before and most below it after.
+    let depth = rows[seen.saturating_sub(ABOUT).max(0)].depth.max(1e-3);
+    let (from, to) = (seen.saturating_sub(ABOUT), (seen + ABOUT).min(rows.len()));
+    let (mut sum, mut greatest, mut at) = (0.0, 0.0, from);
+    for (i, row) in rows[from..to].iter().enumerate() {
+        sum += (row.own_depth / depth - 0.5).clamp(-MOST, MOST);
+        if sum > greatest {
+            (greatest, at) = (sum, from + i + 1);
+        }
+    }
+    let sure = rows[at.saturating_sub(BEFORE)..at].iter().filter(|r| r.seen).count();
+    let after = &rows[at..];
+    let count = after.len().max(1) as f32;
+    let mean = after.iter().map(|r| r.own_depth).sum::<f32>() / count;
+    let scatter = after.iter().map(|r| (r.own_depth - mean).powi(2)).sum::<f32>() / count;
+    let clear = mean.abs() + 3.0 * (scatter / count).sqrt() < 0.4 * depth;
+    let end = if clear && 4 * sure >= 3 * BEFORE { End::JointEnd } else { End::Lost };
+    Some(Cut { rows: at, end })
+}

@@ -1,0 +1,219 @@
+use super::axis::{Axis, Station};
+use super::lattice::Lattice;
+use super::levels::Picture;
+use super::parabola::Parabola;
+use super::profile::{Profile, REACH};
+use super::strip::{MID, Strip, box_columns};
+
+/// Rows of a strip that is looked at ...
+const ROWS: usize = 48;
+/// ... from this many before the last place ...
+const BACK: usize = 10;
+/// ... of which this many places are taken.
+const TAKEN: usize = 20;
+/// Places that the way on is fitted to.
+const FITTED: usize = 44;
+/// What each pixel of distance from where the path is expected costs, beyond the free ones, nats.
+const AWAY: f32 = 1.5;
+/// Rows before and after that tell whether a joint is seen.
+const AROUND: usize = 6;
+/// Their mean depth is at least this part of the joint's ...
+const PART: f32 = 0.45;
+/// ... and this many standard deviations of one.
+const STANDS_OUT: f32 = 2.2;
+/// Joints bend no more sharply than this, rad/px of their level.
+const MOST_BENT: f32 = 0.03;
+/// A joint that has just begun to be followed bends about this much, rad/px.
+const BENT: f32 = 0.004;
+/// Part of the first rows that show a joint if there is one.
+const START_SEEN: f32 = 0.6;
+
+/// A place on the way.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place {
+    pub(super) at: [f32; 2],
+    pub(super) seen: bool,
+}
+
+/// Why the trail ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Stop {
+    /// At the rim of the frame or zone, or at the longest length.
+    Rim,
+    /// At its begin.
+    Closed,
+    /// Nothing was seen for as long as the longest gap.
+    Gap,
+}
+
+/// Where a joint goes, to a pixel or two: strip after strip along the way that is predicted.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Trail {
+    pub(super) places: Vec<Place>,
+    pub(super) strip: Strip,
+    lattice: Lattice,
+    path: Vec<usize>,
+    seen: Vec<bool>,
+}
+
+/// What is known of a joint as it is followed, in pixels of its level.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Look {
+    pub(super) level: usize,
+    pub(super) width: f32,
+    /// Depth, grey values.
+    pub(super) contrast: f32,
+    pub(super) axis: Axis,
+    /// How much speaks for this width: depth by the root of the width in pixels of the frame.
+    pub(super) strength: f32,
+}
+
+/// How far a trail may go, pixels of its level.
+pub(super) struct Limits<F: Fn([f32; 2]) -> bool> {
+    pub(super) inside: F,
+    pub(super) gap: f32,
+    pub(super) length: f32,
+}
+
+impl Trail {
+    /// What a strip from the start shows, for a joint of `width` at `level`.
+    pub(super) fn look(&mut self, picture: &Picture, axis: Axis, width: f32, level: usize) -> Option<Look> {
+        self.strip.unroll(picture, (0..ROWS).map(|i| axis.station(i as f32)));
+        self.strip.measure(width);
+        let mut contrast = 3.5 * self.strip.noise;
+        let free = 2.0 + 0.25 * width;
+        for _ in 0..2 {
+            self.find(contrast, free);
+            let depths = self.path.iter().zip(&self.strip.depth).map(|(j, row)| row[*j]);
+            contrast = (depths.sum::<f32>() / ROWS as f32).max(2.0 * self.strip.noise);
+        }
+        self.find(contrast, free);
+        self.judge(contrast);
+        let part = self.seen.iter().filter(|s| **s).count() as f32 / ROWS as f32;
+        let seen = self.path.iter().zip(&self.seen).enumerate().filter(|(_, (_, seen))| **seen);
+        let across = seen.map(|(i, (j, _))| (i as f32, *j as f32 - MID as f32, 1.0));
+        let [offset, slope, _] = Parabola::through(across, 1e9)?.terms;
+        let station = Station { at: axis.at, tangent: axis.station(0.0).tangent };
+        let strength = contrast * (box_columns(width) as f32 * (1 << level) as f32).sqrt() * part;
+        let axis = Axis { at: station.beside(offset), heading: axis.heading + slope.atan(), curvature: 0.0 };
+        (part >= START_SEEN).then_some(Look { level, width, contrast, axis, strength })
+    }
+
+    /// Full width at half depth of what a look was at, pixels of its level.
+    pub(super) fn measure_width(&mut self, picture: &Picture, look: &Look) -> Option<f32> {
+        self.strip.unroll(picture, (0..ROWS).map(|i| look.axis.station(i as f32)));
+        self.strip.measure(look.width);
+        self.find(look.contrast, 1.5);
+        let profile = Profile::new(1.5 * look.width);
+        let (mut sum, mut even) = ([0.0; REACH], [0.0; REACH]);
+        for (i, row) in self.strip.grey.iter().enumerate() {
+            let near = &self.path[i.saturating_sub(4)..(i + 5).min(ROWS)];
+            profile.read(row, near.iter().sum::<usize>() as f32 / near.len() as f32, &mut even);
+            sum.iter_mut().zip(&even).for_each(|(s, e)| *s += e);
+        }
+        profile.width(&sum)
+    }
+
+    /// Follows from where a look was.
+    pub(super) fn follow<F: Fn([f32; 2]) -> bool>(
+        &mut self,
+        picture: &Picture,
+        look: &mut Look,
+        limits: &Limits<F>,
+    ) -> Stop {
+        self.places.clear();
+        let (mut axis, mut gap, mut back) = (look.axis, 0usize, 0usize);
+        loop {
+            let from = back as f32;
+            self.strip.unroll(picture, (0..ROWS).map(|i| axis.station(i as f32 - from)));
+            self.strip.measure(look.width);
+            self.find(look.contrast, 1.5 + 0.08 * gap as f32);
+            self.judge(look.contrast);
+            for i in back..back + TAKEN {
+                let near = i.saturating_sub(3)..(i + 4).min(ROWS);
+                let across = self.path[near.clone()].iter().sum::<usize>() as f32 / near.len() as f32 - MID as f32;
+                let at = axis.station(i as f32 - from).beside(across);
+                if !(limits.inside)(at) || self.places.len() as f32 > limits.length {
+                    return Stop::Rim;
+                }
+                self.places.push(Place { at, seen: self.seen[i] });
+                gap = if self.seen[i] { 0 } else { gap + 1 };
+                if self.seen[i] && self.is_closed() {
+                    return Stop::Closed;
+                }
+                if gap as f32 > limits.gap {
+                    return Stop::Gap;
+                }
+            }
+            self.learn(look);
+            axis = self.way_on(&axis, TAKEN as f32);
+            back = BACK;
+        }
+    }
+
+    fn find(&mut self, contrast: f32, free: f32) {
+        self.lattice.weigh(&self.strip, |_| contrast);
+        self.lattice.best(|j| AWAY * (j.abs_diff(MID) as f32 - free).max(0.0), &mut self.path);
+    }
+
+    /// Which rows of the strip show the joint.
+    fn judge(&mut self, contrast: f32) {
+        let least = (PART * contrast).max(STANDS_OUT * self.strip.noise);
+        let depth = |k: usize| self.strip.depth[k][self.path[k]];
+        self.seen.clear();
+        self.seen.extend((0..ROWS).map(|i| {
+            let near = i.saturating_sub(AROUND)..(i + AROUND + 1).min(ROWS);
+            let count = near.len() as f32;
+            near.map(depth).sum::<f32>() > least * count
+        }));
+    }
+
+    /// The joint's depth follows what is seen.
+    fn learn(&self, look: &mut Look) {
+        let seen = (0..ROWS).filter(|i| self.seen[*i]);
+        let count = seen.clone().count();
+        if 2 * count > ROWS {
+            let mean = seen.map(|i| self.strip.depth[i][self.path[i]]).sum::<f32>() / count as f32;
+            look.contrast += 0.3 * (mean.clamp(0.5 * look.contrast, 2.0 * look.contrast) - look.contrast);
+        }
+    }
+
+    /// The axis from the last place on: a parabola through the last places that were seen.
+    fn way_on(&self, axis: &Axis, gone: f32) -> Axis {
+        let last = &self.places[self.places.len().saturating_sub(FITTED)..];
+        let count = last.iter().filter(|p| p.seen).count();
+        let Station { at, tangent: [cos, sin] } = axis.station(gone);
+        let heading = axis.heading + gone * axis.curvature;
+        let straight = Axis { at, heading, curvature: 0.9 * axis.curvature };
+        if count < FITTED / 4 {
+            return straight;
+        }
+        // Along and across the predicted heading, from the predicted place, less the predicted bend.
+        let local = last.iter().filter(|p| p.seen).map(|p| {
+            let (x, y) = (p.at[0] - at[0], p.at[1] - at[1]);
+            let (u, v) = (x * cos + y * sin, y * cos - x * sin);
+            (u, v - 0.5 * axis.curvature * u * u, 1.0)
+        });
+        let Some(found) = Parabola::through(local, 1.0 / (0.5 * BENT).powi(2)) else { return straight };
+        let [offset, slope, bend] = found.terms;
+        let curvature = (axis.curvature + 2.0 * bend).clamp(-MOST_BENT, MOST_BENT);
+        Axis { at: Station { at, tangent: [cos, sin] }.beside(offset), heading: heading + slope.atan(), curvature }
+    }
+
+    fn is_closed(&self) -> bool {
+        const REACH: usize = 8;
+        let places = &self.places;
+        let count = places.len();
+        if count < 40 {
+            return false;
+        }
+        let away = |a: [f32; 2], b: [f32; 2]| (b[0] - a[0]).hypot(b[1] - a[1]);
+        let (first, last) = (places[0].at, places[count - 1].at);
+        if away(first, last) > 2.5 {
+            return false;
+        }
+        let heading = |a: [f32; 2], b: [f32; 2]| (b[1] - a[1]).atan2(b[0] - a[0]);
+        let turn = heading(first, places[REACH].at) - heading(places[count - 1 - REACH].at, last);
+        turn.cos() > 0.9
+    }
+}
