@@ -10,6 +10,8 @@ use crate::Frame;
 const WIDTHS: [(usize, f32); 7] = [(0, 3.0), (0, 5.0), (1, 5.0), (2, 5.0), (3, 5.0), (4, 5.0), (5, 5.0)];
 /// A joint is followed on the level on which it is narrower than this, pixels.
 const WIDE: f32 = 7.0;
+/// Part of the strength of the strongest width that the narrowest has at least.
+const NOT_MUCH_LESS: f32 = 0.5;
 /// Least and most width, pixels of the frame.
 const WIDTH: (f32, f32) = (1.0, 400.0);
 /// Part of the frame's shorter side that is coasted over if nothing else is said.
@@ -59,17 +61,13 @@ impl Follower {
         let widths = known.as_ref().map_or(&WIDTHS[..], |w| &w[..]);
         let most = widths.iter().map(|(level, _)| (*level).min(coarsest)).max().unwrap_or(0);
         self.levels.prepare(frame, most);
-        let mut best: Option<Look> = None;
-        for &(level, width) in widths.iter().filter(|(level, _)| *level <= coarsest) {
+        let mut looks = [None; WIDTHS.len()];
+        for (&(level, width), look) in widths.iter().zip(&mut looks).filter(|((level, _), _)| *level <= coarsest) {
             let picture = self.levels.picture(frame, level);
             let at = [start.x, start.y].map(|v| to_level(v, level));
-            let axis = Axis { at, heading: start.direction, curvature: 0.0 };
-            let look = self.trail.look(&picture, axis, width, level);
-            if let Some(look) = look.filter(|l| best.is_none_or(|b| l.strength > b.strength)) {
-                best = Some(look);
-            }
+            *look = self.trail.look(&picture, Axis { at, heading: start.direction, curvature: 0.0 }, width, level);
         }
-        let best = best?;
+        let best = narrowest(&looks)?;
         if known.is_some() {
             return Some(best);
         }
@@ -108,12 +106,22 @@ fn tell(midline: &Midline, picture: &Picture, level: usize, stop: Stop, out: &mu
     let Some(Cut { rows, end }) = cut(&midline.rows, stop) else { return End::Lost };
     for (i, found) in midline.rows[..rows].iter().enumerate() {
         let confidence = judge::row(found, scale, midline.is_whole(i, picture));
+        if std::env::var("DBG").is_ok() && i % 8 == 0 { eprintln!("{i} {:?} seen {} margin {:.1} strength {:.1} error {:.2} step {:.2} depth {:.1} w {:.1} conf {confidence:.2}", found.at, found.seen, found.margin, found.strength, found.error, found.step, found.depth, found.width); }
         let [x, y] = found.at.map(|v| from_level(v, level));
         let state = if found.seen { State::Seen } else { State::Coasted };
         out.push(Row { x, y, confidence, width: found.width * scale, state });
     }
     judge::whole(out, end);
     end
+}
+
+/// The narrowest of the widths for which more speaks than for its neighbours, and not much less than for any: what is wider
+/// still is the joint's surroundings.
+fn narrowest(looks: &[Option<Look>]) -> Option<Look> {
+    let strength = |k: usize| looks.get(k).copied().flatten().map_or(0.0, |l| l.strength);
+    let most = (0..looks.len()).map(strength).fold(0.0, f32::max);
+    let found = (0..looks.len()).find(|k| strength(*k) > strength(k + 1) && strength(*k) >= NOT_MUCH_LESS * most)?;
+    looks[found]
 }
 
 /// The level on which a width is narrow, and the width there.

@@ -1,7 +1,7 @@
 use super::strip::{COLS, GROUP, Line, MID, Strip};
 
 /// What a step to the next column costs, nats.
-const MOVE: f32 = 2.0;
+const MOVE: f32 = 2.5;
 /// One row tells at most this much for a joint, nats: a scratch does not outweigh many rows ...
 pub(super) const MOST: f32 = 3.0;
 /// ... and this much against it: something may lie on it.

@@ -1,7 +1,7 @@
 use super::axis::Station;
 use super::lattice::Lattice;
 use super::levels::Picture;
-use super::profile::{Profile, REACH, Reading};
+use super::profile::{Arms, Profile, REACH, Reading};
 use super::strip::{COLS, MID, Strip};
 use super::parabola::Parabola;
 use super::trail::{Look, Place, Stop, Trail};
@@ -10,6 +10,8 @@ use super::trail::{Look, Place, Stop, Trail};
 const SMOOTH: usize = 8;
 /// Rows before and after that depth, step and width are means over.
 const AROUND: usize = 12;
+/// The same where light steps and the middle is between the rims.
+const STEPPED_AROUND: usize = 4;
 /// Rows before and after that tell whether a row is seen.
 const SEEN_AROUND: usize = 6;
 /// Rows before and after that a parabola through the middles is fitted to, least and most.
@@ -52,7 +54,7 @@ pub(super) struct Midline {
     centre: Vec<f32>,
     single: Vec<f32>,
     readings: Vec<Reading>,
-    even: Vec<[f32; REACH]>,
+    arms: Vec<Arms>,
 }
 
 impl Midline {
@@ -138,22 +140,21 @@ impl Midline {
             near.iter().sum::<usize>() as f32 / near.len() as f32
         }));
         self.readings.resize(count, Reading::default());
-        self.even.resize(count, [0.0; REACH]);
+        self.arms.resize(count, [[0.0; REACH]; 2]);
         let mut line = LINE.0;
         for round in 0..3 {
             for i in 0..count {
-                self.readings[i] = profile.read(&self.strip.grey[i], self.centre[i], &mut self.even[i]);
+                self.readings[i] = profile.read(&self.strip.grey[i], self.centre[i], &mut self.arms[i]);
             }
             self.single.clear();
             for i in 0..count {
                 let (depth, step) = self.about(i);
-                let reading = &self.readings[i];
-                let stepped = step.abs() > STEP * depth;
-                let moment = if stepped { reading.stepped_moment } else { reading.moment };
                 let most = 0.4 * width + 0.5;
-                self.single.push(self.centre[i] + (moment / depth.max(1e-3)).clamp(-most, most));
+                let rims = if step.abs() > STEP * depth { self.rims(i, STEPPED_AROUND, &profile) } else { None };
+                let off = rims.map_or(self.readings[i].moment / depth.max(1e-3), |[left, right]| 0.5 * (left + right));
+                self.single.push(self.centre[i] + off.clamp(-most, most));
                 (self.rows[i].depth, self.rows[i].step) = (depth, step / depth.max(1e-3));
-                self.rows[i].own_depth = reading.depth;
+                self.rows[i].own_depth = self.readings[i].depth;
             }
             if round == 0 {
                 line = self.line_length(scale);
@@ -167,7 +168,7 @@ impl Midline {
         }
         for i in 0..count {
             self.rows[i].at = self.stations[i].beside(self.centre[i] - MID as f32);
-            self.rows[i].width = self.width_at(i, &profile).unwrap_or(width);
+            self.rows[i].width = self.rims(i, AROUND, &profile).map_or(width, |[left, right]| right - left);
         }
     }
 
@@ -176,7 +177,7 @@ impl Midline {
         let near = &self.readings[i.saturating_sub(AROUND)..(i + AROUND + 1).min(self.readings.len())];
         let part = 1.0 / near.len() as f32;
         let (depth, step) = near.iter().fold((0.0, 0.0), |(d, s), r| (d + r.depth, s + r.step));
-        (depth * part, 2.0 * step * part)
+        (depth * part, step * part)
     }
 
     /// Rows that a parabola must have so that its error is small enough, by how centres scatter.
@@ -213,14 +214,13 @@ impl Midline {
         (at + MID as f32, if weights > 4.0 { error } else { f32::INFINITY })
     }
 
-    /// Full width at half depth about row `i`.
-    fn width_at(&self, i: usize, profile: &Profile) -> Option<f32> {
-        let near = (i.saturating_sub(AROUND)..(i + AROUND + 1).min(self.even.len())).step_by(2);
-        let mut mean = [0.0; REACH];
-        for even in near.map(|k| &self.even[k]) {
-            mean.iter_mut().zip(even).for_each(|(m, e)| *m += e);
+    /// The joint's rims about row `i`, columns from its middle.
+    fn rims(&self, i: usize, around: usize, profile: &Profile) -> Option<[f32; 2]> {
+        let mut mean: Arms = [[0.0; REACH]; 2];
+        for arms in self.arms[i.saturating_sub(around)..(i + around + 1).min(self.arms.len())].iter().step_by(2) {
+            mean.iter_mut().flatten().zip(arms.iter().flatten()).for_each(|(m, a)| *m += a);
         }
-        profile.width(&mean)
+        profile.rims(&mean)
     }
 
     /// True where both sides of the joint are in the picture.

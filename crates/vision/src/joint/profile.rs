@@ -3,18 +3,21 @@ use super::strip::{COLS, Line};
 /// Columns to one side of the middle at most.
 pub(super) const REACH: usize = 13;
 
+/// A row's grey values from a middle outwards: to the left and to the right.
+pub(super) type Arms = [[f32; REACH]; 2];
+
 /// A bell across the joint, and what of a profile moves with it.
 #[derive(Debug, Clone)]
 pub(super) struct Profile {
     /// Columns looked at on either side of the middle.
     reach: usize,
+    /// Columns within which the floor is.
+    half: usize,
     /// Weights of the even part (from the middle outwards) that give the depth.
     depth: [f32; REACH],
-    /// Weights of the odd part that give depth times shift where light changes evenly across the joint, ...
-    even_light: [f32; REACH],
-    /// ... and where it steps at the joint.
-    stepped_light: [f32; REACH],
-    /// Weights of the odd part that give the step.
+    /// Weights of the odd part that give depth times shift where light changes evenly across the joint.
+    moment: [f32; REACH],
+    /// Weights of the odd part that give a step of the light.
     step: [f32; REACH],
 }
 
@@ -25,9 +28,7 @@ pub(super) struct Reading {
     pub(super) depth: f32,
     /// Depth times shift to the right, grey values times pixels.
     pub(super) moment: f32,
-    /// The same if light steps at the joint.
-    pub(super) stepped_moment: f32,
-    /// Half of the step, grey values.
+    /// Step of the light from left to right, grey values.
     pub(super) step: f32,
 }
 
@@ -37,8 +38,7 @@ impl Profile {
         let reach = ((1.2 * width + 2.0).ceil() as usize).clamp(3, REACH - 1);
         let spread = width / 2.355;
         let bell = |t: usize| (-0.5 * (t as f32 / spread).powi(2)).exp();
-        let mut slope = [0.0; REACH];
-        let (mut ramp, mut one, mut even) = ([0.0; REACH], [0.0; REACH], [0.0; REACH]);
+        let (mut slope, mut ramp, mut one, mut even) = ([0.0; REACH], [0.0; REACH], [0.0; REACH], [0.0; REACH]);
         for t in 0..=reach {
             slope[t] = -(t as f32) / (spread * spread) * bell(t);
             ramp[t] = t as f32;
@@ -51,41 +51,55 @@ impl Profile {
         for t in 0..=reach {
             depth[t] = -(even[t] - mean) * if t == 0 { 1.0 } else { 2.0 };
         }
-        let norm = -depth.iter().zip(&even).map(|(d, e)| d * e).sum::<f32>();
+        let norm = -dot(&depth, &even);
         depth.iter_mut().for_each(|d| *d /= norm);
-        let even_light = against(&slope, &[ramp]);
-        let stepped_light = against(&slope, &[ramp, less(&one, &ramp)]);
-        let step = against(&one, &[ramp, less(&slope, &ramp)]);
-        Self { reach, depth, even_light, stepped_light, step }
+        let moment = against(&slope, &[ramp]);
+        // Half of the step is odd.
+        let step = against(&one, &[ramp, less(&slope, &ramp)]).map(|w| 2.0 * w);
+        let half = ((0.5 * width).ceil() as usize).min(reach - 2);
+        Self { reach, half, depth, moment, step }
     }
 
-    /// What `row` tells about column `centre` (fractions too), and its even part from the middle outwards.
-    pub(super) fn read(&self, row: &Line, centre: f32, even: &mut [f32; REACH]) -> Reading {
+    /// What `row` tells about column `centre` (fractions too), and its grey values from there outwards.
+    pub(super) fn read(&self, row: &Line, centre: f32, arms: &mut Arms) -> Reading {
         let centre = centre.clamp((REACH + 1) as f32, (COLS - REACH - 3) as f32);
         let (low, part) = (centre as usize, centre.fract());
         let at = |j: usize| row[j] * (1.0 - part) + row[j + 1] * part;
         let mut reading = Reading::default();
         for t in 0..=self.reach {
-            let (right, left) = (at(low + t), at(low - t));
-            even[t] = 0.5 * (right + left);
-            let odd = 0.5 * (right - left);
-            reading.depth += self.depth[t] * even[t];
-            reading.moment += self.even_light[t] * odd;
-            reading.stepped_moment += self.stepped_light[t] * odd;
+            let (left, right) = (at(low - t), at(low + t));
+            (arms[0][t], arms[1][t]) = (left, right);
+            let (even, odd) = (0.5 * (right + left), 0.5 * (right - left));
+            reading.depth += self.depth[t] * even;
+            reading.moment += self.moment[t] * odd;
             reading.step += self.step[t] * odd;
         }
         reading
     }
 
-    /// Full width at half depth of a mean even part, columns; none if it has no clear rim.
-    pub(super) fn width(&self, even: &[f32; REACH]) -> Option<f32> {
-        let outer = self.reach - 1;
-        let base = even[outer..=self.reach].iter().sum::<f32>() / 2.0;
-        let floor = even[0].min(0.5 * (even[0] + even[1]));
-        let half = 0.5 * (base + floor);
-        let k = (0..outer).find(|k| even[k + 1] >= half)?;
-        let rise = even[k + 1] - even[k];
-        (rise > 0.0 && base > floor).then(|| 2.0 * (k as f32 + ((half - even[k]) / rise).clamp(0.0, 1.0)))
+    /// The left and the right rim of a mean row, columns from its middle: where it is half as deep as its floor below the
+    /// metal on that side. None where a side is no lighter.
+    pub(super) fn rims(&self, arms: &Arms) -> Option<[f32; 2]> {
+        let at = |t: isize| arms[usize::from(t > 0)][t.unsigned_abs()];
+        let half = self.half as isize;
+        let smooth = |t: isize| 0.25 * at(t - 1) + 0.5 * at(t) + 0.25 * at(t + 1);
+        let floor_at = (-half..=half).min_by(|a, b| smooth(*a).total_cmp(&smooth(*b)))?;
+        let floor = smooth(floor_at);
+        let reach = self.reach as isize;
+        // The lightest metal on a side of the joint, over three columns; little more counts than there is on the darker side.
+        let base = |side: isize| {
+            let means = (half + 1..reach).map(|t| (at(side * (t - 1)) + at(side * t) + at(side * (t + 1))) / 3.0);
+            means.fold(f32::MIN, f32::max)
+        };
+        let bases = [base(-1), base(1)];
+        let most = floor + 1.5 * (bases[0].min(bases[1]) - floor);
+        let rim = |side: isize| {
+            let level = 0.5 * (bases[usize::from(side > 0)].min(most) + floor);
+            let k = (floor_at * side..reach).find(|k| at(side * (k + 1)) >= level)?;
+            let (low, rise) = (at(side * k), at(side * (k + 1)) - at(side * k));
+            (rise > 0.0).then(|| side as f32 * (k as f32 + ((level - low) / rise).clamp(0.0, 1.0)))
+        };
+        Some([rim(-1)?, rim(1)?])
     }
 }
 

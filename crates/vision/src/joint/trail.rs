@@ -2,7 +2,7 @@ use super::axis::{Axis, Station};
 use super::lattice::Lattice;
 use super::levels::Picture;
 use super::parabola::Parabola;
-use super::profile::{Profile, REACH};
+use super::profile::{Arms, Profile, REACH};
 use super::strip::{MID, Strip, box_columns};
 
 /// Rows of a strip that is looked at ...
@@ -105,13 +105,13 @@ impl Trail {
         self.strip.measure(look.width);
         self.find(look.contrast, 1.5);
         let profile = Profile::new(1.5 * look.width);
-        let (mut sum, mut even) = ([0.0; REACH], [0.0; REACH]);
+        let (mut sum, mut arms): (Arms, Arms) = ([[0.0; REACH]; 2], [[0.0; REACH]; 2]);
         for (i, row) in self.strip.grey.iter().enumerate() {
             let near = &self.path[i.saturating_sub(4)..(i + 5).min(ROWS)];
-            profile.read(row, near.iter().sum::<usize>() as f32 / near.len() as f32, &mut even);
-            sum.iter_mut().zip(&even).for_each(|(s, e)| *s += e);
+            profile.read(row, near.iter().sum::<usize>() as f32 / near.len() as f32, &mut arms);
+            sum.iter_mut().flatten().zip(arms.iter().flatten()).for_each(|(s, a)| *s += a);
         }
-        profile.width(&sum)
+        profile.rims(&sum).map(|[left, right]| right - left)
     }
 
     /// Follows from where a look was.
