@@ -37,8 +37,8 @@ impl Lattice {
         }
     }
 
-    /// The best path. `cost` of beginning in a column.
-    pub(super) fn best(&mut self, cost: impl Fn(usize) -> f32, path: &mut Vec<usize>) {
+    /// The best path and its score. `cost` of beginning in a column.
+    pub(super) fn best(&mut self, cost: impl Fn(usize) -> f32, path: &mut Vec<usize>) -> f32 {
         self.go_forward(cost);
         path.clear();
         path.resize(self.forward.len(), MID);
@@ -61,6 +61,7 @@ impl Lattice {
             }
             *place = at;
         }
+        self.forward.last().map_or(NEVER, |last| path.last().map_or(NEVER, |at| last[*at]))
     }
 
     /// How much worse the best path is that keeps away from column `path[i]` by more than `away` in row i, nats.

@@ -68,6 +68,7 @@ impl Midline {
         for _ in 0..2 {
             self.lattice.weigh(&self.strip, |i| self.contrast[i]);
             self.lattice.best(|_| 0.0, &mut self.path);
+            self.strip.noise = self.strip.noise_beside(&self.path, look.width);
             self.follow_contrast(look.contrast);
         }
         let scale = (1 << look.level) as f32;

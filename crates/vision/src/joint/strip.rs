@@ -1,5 +1,6 @@
 use super::axis::Station;
 use super::levels::{Grey, OF_16_BITS, Picture};
+use std::ops::{Range, RangeInclusive};
 
 /// Columns of a strip.
 pub(super) const COLS: usize = 48;
@@ -7,6 +8,8 @@ pub(super) const COLS: usize = 48;
 pub(super) const MID: usize = COLS / 2;
 /// A group is the mean of this many rows before and after.
 pub(super) const GROUP: usize = 4;
+/// Groups this many rows apart share none.
+const APART: usize = 2 * GROUP + 1;
 /// Least noise of a depth, grey values of 255.
 const LEAST_NOISE: f32 = 0.3;
 /// Columns of each of the two boxes on either side.
@@ -105,21 +108,33 @@ impl Strip {
             }
             self.depth.push(depth);
         }
-        self.noise = self.measure_noise();
+        let (first, last) = self.columns;
+        self.noise = self.measure_noise(|_| (first..=last, 0..0));
     }
 
-    /// What differs between groups that share no row is noise, the joint goes on; a low quantile, as it may slant.
-    fn measure_noise(&mut self) -> f32 {
+    /// The noise, without what is near a path.
+    pub(super) fn noise_beside(&mut self, path: &[usize], width: f32) -> f32 {
+        let (first, last) = self.columns;
+        let away = width as usize + 2;
+        self.measure_noise(|i| {
+            let near = &path[i..(i + APART + 1).min(path.len())];
+            let low = near.iter().fold(COLS, |low, j| low.min(*j));
+            let high = near.iter().fold(0, |high, j| high.max(*j));
+            (first..=low.saturating_sub(away), high + away..last + 1)
+        })
+    }
+
+    /// What differs between groups that share no row is noise, the joint goes on; a low quantile, as it may slant. In the
+    /// columns of each row that `within` tells.
+    fn measure_noise(&mut self, within: impl Fn(usize) -> (RangeInclusive<usize>, Range<usize>)) -> f32 {
         self.magnitudes.clear();
-        let columns = self.columns.0..=self.columns.1;
-        let apart = 2 * GROUP + 1;
-        for (a, b) in self.depth.iter().zip(self.depth.iter().skip(apart)).step_by(2) {
-            let pairs = a[columns.clone()].iter().zip(&b[columns.clone()]).step_by(2);
-            self.magnitudes.extend(pairs.map(|(a, b)| (a - b).abs()));
+        for (i, (a, b)) in self.depth.iter().zip(self.depth.iter().skip(APART)).enumerate().step_by(2) {
+            let (left, right) = within(i);
+            self.magnitudes.extend(left.chain(right).step_by(2).map(|j| (a[j] - b[j]).abs()));
         }
         let place = self.magnitudes.len() * 3 / 10;
         if place == 0 {
-            return LEAST_NOISE;
+            return LEAST_NOISE.max(self.noise);
         }
         let (_, quantile, _) = self.magnitudes.select_nth_unstable_by(place, f32::total_cmp);
         (*quantile / (0.385 * std::f32::consts::SQRT_2)).max(LEAST_NOISE)

@@ -25,6 +25,14 @@ const STANDS_OUT: f32 = 2.2;
 const MOST_BENT: f32 = 0.03;
 /// A joint that has just begun to be followed bends about this much, rad/px.
 const BENT: f32 = 0.004;
+/// Gaps longer than this, pixels, are looked beyond in strips beside the axis too, ...
+const WIDER: usize = 12;
+/// ... which have to be this much likelier, nats.
+const ASIDE: f32 = 6.0;
+/// Part of the curvature that is left after each strip of a gap.
+const STRAIGHTER: f32 = 0.75;
+/// Columns from the axis at which the way on is predicted anew.
+const BESIDE: f32 = 2.5;
 /// Part of the first rows that show a joint if there is one.
 const START_SEEN: f32 = 0.6;
 
@@ -63,6 +71,8 @@ pub(super) struct Look {
     pub(super) width: f32,
     /// Depth, grey values.
     pub(super) contrast: f32,
+    /// Standard deviation of a depth.
+    pub(super) noise: f32,
     pub(super) axis: Axis,
     /// How much speaks for this width: depth by the root of the width in pixels of the frame.
     pub(super) strength: f32,
@@ -84,6 +94,7 @@ impl Trail {
         let free = 2.0 + 0.25 * width;
         for _ in 0..2 {
             self.find(contrast, free);
+            self.strip.noise = self.strip.noise_beside(&self.path, width);
             let depths = self.path.iter().zip(&self.strip.depth).map(|(j, row)| row[*j]);
             contrast = (depths.sum::<f32>() / ROWS as f32).max(2.0 * self.strip.noise);
         }
@@ -96,7 +107,7 @@ impl Trail {
         let station = Station { at: axis.at, tangent: axis.station(0.0).tangent };
         let strength = contrast * (box_columns(width) as f32 * (1 << level) as f32).sqrt() * part;
         let axis = Axis { at: station.beside(offset), heading: axis.heading + slope.atan(), curvature: 0.0 };
-        (part >= START_SEEN).then_some(Look { level, width, contrast, axis, strength })
+        (part >= START_SEEN).then_some(Look { level, width, contrast, noise: self.strip.noise, axis, strength })
     }
 
     /// Full width at half depth of what a look was at, pixels of its level.
@@ -125,13 +136,18 @@ impl Trail {
         let (mut axis, mut gap, mut back) = (look.axis, 0usize, 0usize);
         loop {
             let from = back as f32;
-            self.strip.unroll(picture, (0..ROWS).map(|i| axis.station(i as f32 - from)));
-            self.strip.measure(look.width);
-            self.find(look.contrast, 1.5 + 0.08 * gap as f32);
-            self.judge(look.contrast);
+            if gap > WIDER {
+                axis = self.widest(picture, &axis, from, look, gap);
+            }
+            self.see(picture, &axis, from, look, gap);
+            let mut taken = 0;
             for i in back..back + TAKEN {
                 let near = i.saturating_sub(3)..(i + 4).min(ROWS);
                 let across = self.path[near.clone()].iter().sum::<usize>() as f32 / near.len() as f32 - MID as f32;
+                if taken >= TAKEN / 2 && across.abs() > BESIDE && self.seen[i] {
+                    break;
+                }
+                taken += 1;
                 let at = axis.station(i as f32 - from).beside(across);
                 if !(limits.inside)(at) || self.places.len() as f32 > limits.length {
                     return Stop::Rim;
@@ -146,14 +162,40 @@ impl Trail {
                 }
             }
             self.learn(look);
-            axis = self.way_on(&axis, TAKEN as f32);
+            axis = self.way_on(&axis, taken as f32, if taken < TAKEN { FITTED / 2 } else { FITTED });
             back = BACK;
         }
     }
 
-    fn find(&mut self, contrast: f32, free: f32) {
+    /// The strip about a place of the trail and what it shows; how likely its best path is.
+    fn see(&mut self, picture: &Picture, axis: &Axis, from: f32, look: &mut Look, gap: usize) -> f32 {
+        self.strip.unroll(picture, (0..ROWS).map(|i| axis.station(i as f32 - from)));
+        self.strip.measure(look.width);
+        self.strip.noise = look.noise;
+        let score = self.find(look.contrast, 1.5 + 0.15 * gap as f32);
+        let noise = self.strip.noise_beside(&self.path, look.width);
+        look.noise += 0.3 * (noise.clamp(0.6 * look.noise, 1.5 * look.noise) - look.noise);
+        self.judge(look.contrast);
+        score
+    }
+
+    /// The axis or one beside it, where the joint is most likely after a gap.
+    fn widest(&mut self, picture: &Picture, axis: &Axis, from: f32, look: &Look, gap: usize) -> Axis {
+        let aside = (self.strip.columns.1 - self.strip.columns.0) as f32 * 0.7;
+        let mut best = (f32::MIN, *axis);
+        for side in [0.0, -1.0, 1.0] {
+            let beside = Axis { at: axis.station(0.0).beside(side * aside), ..*axis };
+            let score = self.see(picture, &beside, from, &mut look.clone(), gap) - ASIDE * side.abs();
+            if score > best.0 {
+                best = (score, beside);
+            }
+        }
+        best.1
+    }
+
+    fn find(&mut self, contrast: f32, free: f32) -> f32 {
         self.lattice.weigh(&self.strip, |_| contrast);
-        self.lattice.best(|j| AWAY * (j.abs_diff(MID) as f32 - free).max(0.0), &mut self.path);
+        self.lattice.best(|j| AWAY * (j.abs_diff(MID) as f32 - free).max(0.0), &mut self.path)
     }
 
     /// Which rows of the strip show the joint.
@@ -179,13 +221,13 @@ impl Trail {
     }
 
     /// The axis from the last place on: a parabola through the last places that were seen.
-    fn way_on(&self, axis: &Axis, gone: f32) -> Axis {
-        let last = &self.places[self.places.len().saturating_sub(FITTED)..];
+    fn way_on(&self, axis: &Axis, gone: f32, fitted: usize) -> Axis {
+        let last = &self.places[self.places.len().saturating_sub(fitted)..];
         let count = last.iter().filter(|p| p.seen).count();
         let Station { at, tangent: [cos, sin] } = axis.station(gone);
         let heading = axis.heading + gone * axis.curvature;
-        let straight = Axis { at, heading, curvature: 0.9 * axis.curvature };
-        if count < FITTED / 4 {
+        let straight = Axis { at, heading, curvature: STRAIGHTER * axis.curvature };
+        if count < fitted / 4 {
             return straight;
         }
         // Along and across the predicted heading, from the predicted place, less the predicted bend.

@@ -43,7 +43,7 @@ impl Canvas {
     }
 
     /// Darkens along a polyline by `depth`, a bell across it of full width `width` at half depth, pixels. `part` tells how
-    /// much of the depth is there at each length along it, 0 to 1.
+    /// much of the depth is there at each length along it, 0 to 1. It ends square, half a pixel soft.
     pub fn line(&mut self, points: &[DVec2], width: f64, depth: f64, part: impl Fn(f64) -> f64) {
         // The darkest of all pieces counts at a pixel: pieces overlap.
         let mut dark = vec![0.0f32; self.light.len()];
@@ -68,7 +68,24 @@ impl Canvas {
             }
             s += length;
         }
+        if let [first, second, .., before, last] = points
+            && first.distance(*last) > 1.0
+        {
+            for (end, out) in [(*first, *first - *second), (*last, *last - *before)] {
+                self.cut(&mut dark, end, out.normalize_or_zero(), reach);
+            }
+        }
         self.light.iter_mut().zip(dark).for_each(|(l, d)| *l -= depth as f32 * d);
+    }
+
+    /// Takes away what is painted beyond an end and no farther from it than `reach`.
+    fn cut(&self, dark: &mut [f32], end: DVec2, out: DVec2, reach: f64) {
+        for (i, dark) in dark.iter_mut().enumerate() {
+            let off = DVec2::new((i % self.width) as f64, (i / self.width) as f64) - end;
+            if off.abs().max_element() <= 1.5 * reach {
+                *dark *= (0.5 - off.dot(out)).clamp(0.0, 1.0) as f32;
+            }
+        }
     }
 
     /// A weld of radius `radius` over what is there: bright with ripples.
