@@ -6,6 +6,8 @@ use super::trail::Stop;
 const ABOUT: usize = 28;
 /// A row's depth tells at most this much of the joint's, either way.
 const MOST: f32 = 1.0;
+/// Rows to either side of an end that it is placed between rows by.
+const NEAR: usize = 5;
 /// Rows before an end that are seen.
 const BEFORE: usize = 24;
 
@@ -13,14 +15,16 @@ const BEFORE: usize = 24;
 pub(super) struct Cut {
     pub(super) rows: usize,
     pub(super) end: End,
+    /// The end from half a row after the last one on, rows.
+    pub(super) beyond: f32,
 }
 
 /// Takes off what was coasted over last, and tells an end of the joint from its loss; none if nothing is seen.
 pub(super) fn cut(rows: &[Found], stop: Stop) -> Option<Cut> {
     let seen = rows.iter().rposition(|r| r.seen)? + 1;
     match stop {
-        Stop::Closed => return Some(Cut { rows: rows.len(), end: End::Closed }),
-        Stop::Rim => return Some(Cut { rows: seen, end: End::LeftImage }),
+        Stop::Closed => return Some(Cut { rows: rows.len(), end: End::Closed, beyond: 0.0 }),
+        Stop::Rim => return Some(Cut { rows: seen, end: End::LeftImage, beyond: 0.0 }),
         Stop::Gap => {}
     }
     // Where depths fall from the joint's to none: most above half of it before and most below it after.
@@ -33,6 +37,10 @@ pub(super) fn cut(rows: &[Found], stop: Stop) -> Option<Cut> {
             (greatest, at) = (sum, from + i + 1);
         }
     }
+    // Between rows: as far as all depth near the end together reaches.
+    let (first, last) = (at.saturating_sub(NEAR), (at + NEAR).min(rows.len()));
+    let whole: f32 = rows[first..last].iter().map(|r| (r.own_depth / depth).clamp(-0.5, 1.5)).sum();
+    let beyond = (first as f32 + whole - at as f32).clamp(-1.5, 1.5);
     let sure = rows[at.saturating_sub(BEFORE)..at].iter().filter(|r| r.seen).count();
     let after = &rows[at..];
     let count = after.len().max(1) as f32;
@@ -40,5 +48,5 @@ pub(super) fn cut(rows: &[Found], stop: Stop) -> Option<Cut> {
     let scatter = after.iter().map(|r| (r.own_depth - mean).powi(2)).sum::<f32>() / count;
     let clear = mean.abs() + 3.0 * (scatter / count).sqrt() < 0.4 * depth;
     let end = if clear && 4 * sure >= 3 * BEFORE { End::JointEnd } else { End::Lost };
-    Some(Cut { rows: at, end })
+    Some(Cut { rows: at, end, beyond })
 }

@@ -103,16 +103,28 @@ impl Follower {
 /// Rows of the frame from those of the level.
 fn tell(midline: &Midline, picture: &Picture, level: usize, stop: Stop, out: &mut Vec<Row>) -> End {
     let scale = (1 << level) as f32;
-    let Some(Cut { rows, end }) = cut(&midline.rows, stop) else { return End::Lost };
+    let Some(Cut { rows, end, beyond }) = cut(&midline.rows, stop) else { return End::Lost };
     for (i, found) in midline.rows[..rows].iter().enumerate() {
         let confidence = judge::row(found, scale, midline.is_whole(i, picture));
-        if std::env::var("DBG").is_ok() && i % 8 == 0 { eprintln!("{i} {:?} seen {} margin {:.1} strength {:.1} error {:.2} step {:.2} depth {:.1} w {:.1} conf {confidence:.2}", found.at, found.seen, found.margin, found.strength, found.error, found.step, found.depth, found.width); }
         let [x, y] = found.at.map(|v| from_level(v, level));
         let state = if found.seen { State::Seen } else { State::Coasted };
         out.push(Row { x, y, confidence, width: found.width * scale, state });
     }
+    if end == End::JointEnd {
+        place_end(out, rows as f32 - 0.5 + beyond);
+    }
     judge::whole(out, end);
     end
+}
+
+/// Puts the last row where the joint ends, so many rows after the first one.
+fn place_end(rows: &mut Vec<Row>, at: f32) {
+    rows.truncate((at.max(1.0) as usize + 1).max(2));
+    let beyond = at - (rows.len() - 1) as f32;
+    if let [.., before, last] = rows[..] {
+        let (x, y) = (last.x + beyond * (last.x - before.x), last.y + beyond * (last.y - before.y));
+        rows.push(Row { x, y, ..last });
+    }
 }
 
 /// The narrowest of the widths for which more speaks than for its neighbours, and not much less than for any: what is wider

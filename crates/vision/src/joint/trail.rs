@@ -33,6 +33,8 @@ const ASIDE: f32 = 6.0;
 const STRAIGHTER: f32 = 0.75;
 /// Columns from the axis at which the way on is predicted anew.
 const BESIDE: f32 = 2.5;
+/// A start is this near to the joint or on it, pixels of the frame.
+const START_OFF: f32 = 2.0;
 /// Part of the first rows that show a joint if there is one.
 const START_SEEN: f32 = 0.6;
 
@@ -100,6 +102,9 @@ impl Trail {
         }
         self.find(contrast, free);
         self.judge(contrast);
+        if (self.path[0].abs_diff(MID) as f32) > (START_OFF / (1 << level) as f32).max(0.5) + 0.5 * width {
+            return None;
+        }
         let part = self.seen.iter().filter(|s| **s).count() as f32 / ROWS as f32;
         let seen = self.path.iter().zip(&self.seen).enumerate().filter(|(_, (_, seen))| **seen);
         let across = seen.map(|(i, (j, _))| (i as f32, *j as f32 - MID as f32, 1.0));
@@ -157,7 +162,8 @@ impl Trail {
                 if self.seen[i] && self.is_closed() {
                     return Stop::Closed;
                 }
-                if gap as f32 > limits.gap {
+                // Rows at the rims of a gap are not seen to be the joint's.
+                if gap as f32 > limits.gap + AROUND as f32 {
                     return Stop::Gap;
                 }
             }
