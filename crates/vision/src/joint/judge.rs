@@ -1,5 +1,5 @@
 use super::midline::Found;
-use super::{End, Row};
+use super::{End, Row, State};
 
 /// Nats by which the path is likelier than any other in a row that is sure.
 const MARGIN: f32 = 12.0;
@@ -16,14 +16,41 @@ pub(super) fn row(found: &Found, scale: f32, whole: bool) -> f32 {
     let margin = (found.margin / MARGIN / 2.0).clamp(0.0, 1.0);
     let strength = (found.strength / STRENGTH / 2.0).clamp(0.0, 1.0);
     let exact = (1.5 - found.error * scale / ERROR).clamp(0.0, 1.0);
-    margin.min(strength).min(exact)
+    let like = (2.0 - found.unlike).clamp(0.0, 1.0);
+    margin.min(strength).min(exact).min(like)
 }
 
+/// Confidence of rows that are seen but not sure, at most.
+const UNSURE: f32 = 0.4;
 /// A line shorter than this may be a scratch, pixels.
 const SHORT: usize = 130;
 
+/// Rows next to a gap or an end that are not sure: what is seen there is in part beyond it.
+const RIM: usize = 6;
+
+fn rims(rows: &mut [Row], end: End) {
+    let count = rows.len();
+    let mut sure_from = if end == End::Closed { 0 } else { RIM };
+    for i in 0..count {
+        if rows[i].state == State::Coasted {
+            sure_from = i + RIM + 1;
+            rows[i.saturating_sub(RIM)..i].iter_mut().for_each(unsure);
+        } else if i < sure_from {
+            unsure(&mut rows[i]);
+        }
+    }
+    if matches!(end, End::JointEnd | End::Lost) {
+        rows[count.saturating_sub(RIM)..].iter_mut().for_each(unsure);
+    }
+}
+
+fn unsure(row: &mut Row) {
+    row.confidence = row.confidence.min(UNSURE);
+}
+
 pub(super) fn whole(rows: &mut [Row], end: End) {
+    rims(rows, end);
     if end != End::Closed && end != End::LeftImage && rows.len() < SHORT {
-        rows.iter_mut().for_each(|r| r.confidence = r.confidence.min(0.4));
+        rows.iter_mut().for_each(unsure);
     }
 }

@@ -6,6 +6,8 @@ const MOVE: f32 = 2.5;
 pub(super) const MOST: f32 = 3.0;
 /// ... and this much against it: something may lie on it.
 const LEAST: f32 = -1.0;
+/// What is nearly so many times as deep as the joint is something else. (Where two cross it is twice as deep.)
+const TOO_DEEP: f32 = 3.5;
 /// Out of reach.
 const NEVER: f32 = -1e6;
 
@@ -31,7 +33,8 @@ impl Lattice {
             let part = (1.0 / (rows * strip.noise * strip.noise)).min(2.0 * MOST / (contrast * contrast));
             let mut row = [NEVER; COLS];
             for j in first..=last {
-                row[j] = (contrast * (depth[j] - 0.5 * contrast) * part).clamp(LEAST, MOST);
+                let depth = depth[j].min(TOO_DEEP * contrast - depth[j]);
+                row[j] = (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST);
             }
             self.evidence.push(row);
         }

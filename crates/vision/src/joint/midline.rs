@@ -1,7 +1,7 @@
 use super::axis::Station;
 use super::lattice::Lattice;
 use super::levels::Picture;
-use super::profile::{Arms, Profile, REACH, Reading};
+use super::profile::{Arms, Profile, REACH, Reading, Shape};
 use super::strip::{COLS, MID, Strip};
 use super::parabola::Parabola;
 use super::trail::{Look, Place, Stop, Trail};
@@ -12,6 +12,10 @@ const SMOOTH: usize = 8;
 const AROUND: usize = 12;
 /// The same where light steps and the middle is between the rims.
 const STEPPED_AROUND: usize = 4;
+/// A profile is like the joint's if what differs is no more than this much of what usually does ...
+const USUAL: f32 = 1.6;
+/// ... and this part of the depth.
+const LIKE: f32 = 0.06;
 /// Rows before and after that tell whether a row is seen.
 const SEEN_AROUND: usize = 6;
 /// Rows before and after that a parabola through the middles is fitted to, least and most.
@@ -39,6 +43,8 @@ pub(super) struct Found {
     pub(super) step: f32,
     /// Depth of the row alone, by its own two sides.
     pub(super) own_depth: f32,
+    /// How much less the rows about look like the joint than most do: 1 at the limit.
+    pub(super) unlike: f32,
 }
 
 /// The whole way once more along the trail: the best path, by all that is seen of it, and the middle between pixels.
@@ -55,6 +61,8 @@ pub(super) struct Midline {
     single: Vec<f32>,
     readings: Vec<Reading>,
     arms: Vec<Arms>,
+    rests: Vec<f32>,
+    sorted: Vec<f32>,
 }
 
 impl Midline {
@@ -167,9 +175,42 @@ impl Midline {
                 self.rows[i].error = error;
             }
         }
+        self.compare(profile.reach());
         for i in 0..count {
             self.rows[i].at = self.stations[i].beside(self.centre[i] - MID as f32);
             self.rows[i].width = self.rims(i, AROUND, &profile).map_or(width, |[left, right]| right - left);
+        }
+    }
+
+    /// How far each row's profile is from the mean of all, light and its slope across and the depth aside.
+    fn compare(&mut self, reach: usize) {
+        const ROWS: usize = 3;
+        let count = self.arms.len();
+        let mut mean = Shape::default();
+        for (arms, _) in self.arms.iter().zip(&self.rows).filter(|(_, row)| row.seen) {
+            mean.add(arms, reach);
+        }
+        mean.level(reach);
+        let norm = mean.dot(&mean).max(1e-6);
+        self.rests.clear();
+        for i in 0..count {
+            let near = i.saturating_sub(ROWS)..(i + ROWS + 1).min(count);
+            let mut shape = Shape::default();
+            near.clone().for_each(|k| shape.add(&self.arms[k], reach));
+            shape.level(reach);
+            let gain = shape.dot(&mean) / norm;
+            let rest = (shape.dot(&shape) - gain * gain * norm).max(0.0);
+            self.rests.push(rest.sqrt() / (near.len() as f32 * (2.0 * reach as f32).sqrt()));
+        }
+        self.sorted.clear();
+        self.sorted.extend(self.rests.iter().zip(&self.rows).filter(|(_, row)| row.seen).map(|(rest, _)| *rest));
+        if self.sorted.is_empty() {
+            return;
+        }
+        let middle = self.sorted.len() / 2;
+        let usual = *self.sorted.select_nth_unstable_by(middle, f32::total_cmp).1;
+        for (row, rest) in self.rows.iter_mut().zip(&self.rests) {
+            row.unlike = rest / (USUAL * usual + LIKE * row.depth.max(1e-3));
         }
     }
 

@@ -32,7 +32,51 @@ pub(super) struct Reading {
     pub(super) step: f32,
 }
 
+/// The shape of a profile across the joint: both arms, level and without slope.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Shape([[f32; REACH]; 2]);
+
+impl Default for Shape {
+    fn default() -> Self {
+        Self([[0.0; REACH]; 2])
+    }
+}
+
+impl Shape {
+    pub(super) fn add(&mut self, arms: &Arms, reach: usize) {
+        for (sum, arm) in self.0.iter_mut().zip(arms) {
+            sum[..=reach].iter_mut().zip(&arm[..=reach]).for_each(|(s, a)| *s += a);
+        }
+    }
+
+    /// Takes mean and slope away.
+    pub(super) fn level(&mut self, reach: usize) {
+        let [left, right] = &mut self.0;
+        let count = (2 * reach + 2) as f32;
+        let mean = (left[..=reach].iter().sum::<f32>() + right[..=reach].iter().sum::<f32>()) / count;
+        let (mut product, mut norm) = (0.0, 0.0);
+        for t in 0..=reach {
+            product += t as f32 * (right[t] - left[t]);
+            norm += 2.0 * (t * t) as f32;
+        }
+        let slope = product / norm;
+        for t in 0..=reach {
+            left[t] -= mean - slope * t as f32;
+            right[t] -= mean + slope * t as f32;
+        }
+    }
+
+    pub(super) fn dot(&self, other: &Self) -> f32 {
+        self.0.iter().flatten().zip(other.0.iter().flatten()).map(|(a, b)| a * b).sum()
+    }
+}
+
 impl Profile {
+    /// Columns looked at on either side of the middle.
+    pub(super) fn reach(&self) -> usize {
+        self.reach
+    }
+
     /// For a joint of this full width at half depth, columns.
     pub(super) fn new(width: f32) -> Self {
         let reach = ((1.2 * width + 2.0).ceil() as usize).clamp(3, REACH - 1);

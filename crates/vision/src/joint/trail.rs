@@ -218,11 +218,11 @@ impl Trail {
 
     /// The joint's depth follows what is seen.
     fn learn(&self, look: &mut Look) {
-        let seen = (0..ROWS).filter(|i| self.seen[*i]);
+        let seen = (BACK..ROWS - BACK).filter(|i| self.seen[*i]);
         let count = seen.clone().count();
-        if 2 * count > ROWS {
+        if count > ROWS / 3 {
             let mean = seen.map(|i| self.strip.depth[i][self.path[i]]).sum::<f32>() / count as f32;
-            look.contrast += 0.3 * (mean.clamp(0.5 * look.contrast, 2.0 * look.contrast) - look.contrast);
+            look.contrast += 0.5 * (mean.clamp(0.5 * look.contrast, 2.0 * look.contrast) - look.contrast);
         }
     }
 
