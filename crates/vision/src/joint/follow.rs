@@ -106,11 +106,11 @@ fn tell(midline: &Midline, picture: &Picture, level: usize, stop: Stop, out: &mu
     let Some(Cut { rows, end, beyond }) = cut(&midline.rows, stop) else { return End::Lost };
     for (i, found) in midline.rows[..rows].iter().enumerate() {
         let confidence = judge::row(found, scale, midline.is_whole(i, picture));
-        if std::env::var("DBG").is_ok() && found.seen { println!("ROW {i} margin {:.1} strength {:.1} error {:.2} step {:.2} depth {:.1} w {:.1} conf {confidence:.2} unlike {:.2}", found.margin, found.strength, found.error, found.step, found.depth, found.width, found.unlike); }
         let [x, y] = found.at.map(|v| from_level(v, level));
         let state = if found.seen { State::Seen } else { State::Coasted };
         out.push(Row { x, y, confidence, width: found.width * scale, state });
     }
+    judge::steps(out, &midline.rows[..rows]);
     if end == End::JointEnd {
         place_end(out, rows as f32 - 0.5 + beyond);
     }

@@ -2,11 +2,14 @@ use super::midline::Found;
 use super::{End, Row, State};
 
 /// Nats by which the path is likelier than any other in a row that is sure.
-const MARGIN: f32 = 12.0;
+const MARGIN: f32 = 14.0;
 /// Nats by which a joint is likelier than none.
 const STRENGTH: f32 = 12.0;
 /// Standard error in a row that is sure, pixels.
 const ERROR: f32 = 0.45;
+
+/// Rows next to one across which the light steps: its edge may lie beside the joint there, or be taken for it.
+const STEP: usize = 16;
 
 /// How sure a row is by itself, `scale` pixels of the frame to one of its level.
 pub(super) fn row(found: &Found, scale: f32, whole: bool) -> f32 {
@@ -16,7 +19,7 @@ pub(super) fn row(found: &Found, scale: f32, whole: bool) -> f32 {
     let margin = (found.margin / MARGIN / 2.0).clamp(0.0, 1.0);
     let strength = (found.strength / STRENGTH / 2.0).clamp(0.0, 1.0);
     let exact = (1.5 - found.error * scale / ERROR).clamp(0.0, 1.0);
-    let like = (2.0 - found.unlike).clamp(0.0, 1.0);
+    let like = (1.75 - found.unlike).clamp(0.0, 1.0);
     margin.min(strength).min(exact).min(like)
 }
 
@@ -41,6 +44,14 @@ fn rims(rows: &mut [Row], end: End) {
     }
     if matches!(end, End::JointEnd | End::Lost) {
         rows[count.saturating_sub(RIM)..].iter_mut().for_each(unsure);
+    }
+}
+
+/// Takes the confidence from rows near a step of the light.
+pub(super) fn steps(rows: &mut [Row], found: &[Found]) {
+    for (i, _) in found.iter().enumerate().filter(|(_, f)| f.stepped) {
+        let to = (i + STEP + 1).min(rows.len());
+        rows[i.saturating_sub(STEP).min(to)..to].iter_mut().for_each(unsure);
     }
 }
 

@@ -10,7 +10,7 @@ use super::trail::{Look, Place, Stop, Trail};
 const SMOOTH: usize = 8;
 /// Rows before and after that depth, step and width are means over.
 const AROUND: usize = 12;
-/// The same where light steps and the middle is between the rims.
+/// The same where light steps.
 const STEPPED_AROUND: usize = 4;
 /// A profile is like the joint's if what differs is no more than this much of what usually does ...
 const USUAL: f32 = 1.6;
@@ -22,8 +22,9 @@ const SEEN_AROUND: usize = 6;
 const LINE: (usize, usize) = (6, 24);
 /// What the midline's standard error should be, pixels of the frame.
 const ERROR: f32 = 0.15;
-/// Light that steps by more than this part of the depth is allowed for.
-const STEP: f32 = 0.25;
+/// Light steps if it does by more than this part of the depth and so many standard errors.
+const STEP: f32 = 0.3;
+const STEP_ERRORS: f32 = 3.5;
 
 /// A row of the midline, in pixels of the level.
 #[derive(Debug, Clone, Copy, Default)]
@@ -39,8 +40,8 @@ pub(super) struct Found {
     pub(super) margin: f32,
     /// How much likelier a joint in the rows about is than none, nats.
     pub(super) strength: f32,
-    /// Step of the light across the joint, of its depth.
-    pub(super) step: f32,
+    /// Light steps across the joint.
+    pub(super) stepped: bool,
     /// Depth of the row alone, by its own two sides.
     pub(super) own_depth: f32,
     /// How much less the rows about look like the joint than most do: 1 at the limit.
@@ -157,12 +158,14 @@ impl Midline {
             }
             self.single.clear();
             for i in 0..count {
-                let (depth, step) = self.about(i);
+                let (depth, step, error) = self.about(i);
                 let most = 0.4 * width + 0.5;
-                let rims = if step.abs() > STEP * depth { self.rims(i, STEPPED_AROUND, &profile) } else { None };
+                let stepped = step.abs() > (STEP * depth).max(STEP_ERRORS * error);
+                self.rows[i].stepped = step.abs() > (STEP * depth).max(STEP_ERRORS * error);
+                let rims = if self.rows[i].stepped { profile.rims(&self.mean(i, STEPPED_AROUND)) } else { None };
                 let off = rims.map_or(self.readings[i].moment / depth.max(1e-3), |[left, right]| 0.5 * (left + right));
                 self.single.push(self.centre[i] + off.clamp(-most, most));
-                (self.rows[i].depth, self.rows[i].step) = (depth, step / depth.max(1e-3));
+                self.rows[i].depth = depth;
                 self.rows[i].own_depth = self.readings[i].depth;
             }
             if round == 0 {
@@ -178,7 +181,7 @@ impl Midline {
         self.compare(profile.reach());
         for i in 0..count {
             self.rows[i].at = self.stations[i].beside(self.centre[i] - MID as f32);
-            self.rows[i].width = self.rims(i, AROUND, &profile).map_or(width, |[left, right]| right - left);
+            self.rows[i].width = profile.rims(&self.mean(i, AROUND)).map_or(width, |[left, right]| right - left);
         }
     }
 
@@ -214,12 +217,15 @@ impl Midline {
         }
     }
 
-    /// Depth and step of the rows about.
-    fn about(&self, i: usize) -> (f32, f32) {
+    /// Depth and step of the rows about, and the standard error of the step.
+    fn about(&self, i: usize) -> (f32, f32, f32) {
         let near = &self.readings[i.saturating_sub(AROUND)..(i + AROUND + 1).min(self.readings.len())];
         let part = 1.0 / near.len() as f32;
-        let (depth, step) = near.iter().fold((0.0, 0.0), |(d, s), r| (d + r.depth, s + r.step));
-        (depth * part, step * part)
+        let sum = |value: &dyn Fn(&Reading) -> f32| near.iter().map(value).sum::<f32>() * part;
+        let (depth, step) = (sum(&|r| r.depth), sum(&|r| r.step));
+        // Neighbours are alike: of four rows one is independent.
+        let error = (sum(&|r| (r.step - step).powi(2)) * 4.0 * part).sqrt();
+        (depth, step, error)
     }
 
     /// Rows that a parabola must have so that its error is small enough, by how centres scatter.
@@ -256,13 +262,15 @@ impl Midline {
         (at + MID as f32, if weights > 4.0 { error } else { f32::INFINITY })
     }
 
-    /// The joint's rims about row `i`, columns from its middle.
-    fn rims(&self, i: usize, around: usize, profile: &Profile) -> Option<[f32; 2]> {
+    /// The mean of the rows about row `i`.
+    fn mean(&self, i: usize, around: usize) -> Arms {
+        let near = &self.arms[i.saturating_sub(around)..(i + around + 1).min(self.arms.len())];
         let mut mean: Arms = [[0.0; REACH]; 2];
-        for arms in self.arms[i.saturating_sub(around)..(i + around + 1).min(self.arms.len())].iter().step_by(2) {
-            mean.iter_mut().flatten().zip(arms.iter().flatten()).for_each(|(m, a)| *m += a);
+        let part = 1.0 / near.len() as f32;
+        for arms in near {
+            mean.iter_mut().flatten().zip(arms.iter().flatten()).for_each(|(m, a)| *m += part * a);
         }
-        profile.rims(&mean)
+        mean
     }
 
     /// True where both sides of the joint are in the picture.
