@@ -35,6 +35,12 @@ const STRAIGHTER: f32 = 0.75;
 const BESIDE: f32 = 2.5;
 /// A start is this near to the joint or on it, pixels of the frame.
 const START_OFF: f32 = 2.0;
+/// Chords this many places long ...
+const CHORD: usize = 14;
+/// ... do not turn by more than this, rad.
+const CORNER: f32 = 0.6;
+/// Places leapt over at a time behind a corner.
+const LEAP: usize = 12;
 /// Part of the first rows that show a joint if there is one.
 const START_SEEN: f32 = 0.6;
 
@@ -167,6 +173,13 @@ impl Trail {
                     return Stop::Gap;
                 }
             }
+            if let Some(corner) = self.corner() {
+                // A joint does not turn so sharply: what was followed since is something else. The joint may go on behind it.
+                self.places.truncate(corner);
+                let Some(beyond) = self.leap(picture, look, limits) else { return Stop::Gap };
+                (axis, gap, back) = (beyond, 0, BACK);
+                continue;
+            }
             self.learn(look);
             axis = self.way_on(&axis, taken as f32, if taken < TAKEN { FITTED / 2 } else { FITTED });
             back = BACK;
@@ -246,6 +259,44 @@ impl Trail {
         let [offset, slope, bend] = found.terms;
         let curvature = (axis.curvature + 2.0 * bend).clamp(-MOST_BENT, MOST_BENT);
         Axis { at: Station { at, tangent: [cos, sin] }.beside(offset), heading: heading + slope.atan(), curvature }
+    }
+
+    /// The place before the last turn that is sharper than a joint's, if there is one among the last places.
+    fn corner(&self) -> Option<usize> {
+        let places = &self.places;
+        let from = places.len().saturating_sub(TAKEN + CHORD).max(CHORD);
+        (from..places.len().saturating_sub(CHORD)).find_map(|i| {
+            let [a, b, c] = [places[i - CHORD].at, places[i].at, places[i + CHORD].at];
+            let (before, after) = ([b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]);
+            let turn = (before[0] * after[1] - before[1] * after[0]).atan2(before[0] * after[0] + before[1] * after[1]);
+            (turn.abs() > CORNER).then_some(i - CHORD)
+        })
+    }
+
+    /// Goes on over what hides the joint, without looking at it: the axis where the joint is seen again, if it is.
+    fn leap<F: Fn([f32; 2]) -> bool>(&mut self, picture: &Picture, look: &mut Look, limits: &Limits<F>) -> Option<Axis> {
+        let [.., before, last] = self.places[..] else { return None };
+        let heading = (last.at[1] - before.at[1]).atan2(last.at[0] - before.at[0]);
+        let axis = self.way_on(&Axis { at: last.at, heading, curvature: 0.0 }, 1.0, 2 * FITTED);
+        let axis = Axis { curvature: 0.0, ..axis };
+        let mut gone = 0;
+        loop {
+            for i in gone..gone + LEAP {
+                let at = axis.station(i as f32).at;
+                if !(limits.inside)(at) || i as f32 > limits.gap {
+                    return None;
+                }
+                self.places.push(Place { at, seen: false });
+            }
+            gone += LEAP;
+            let there = Axis { at: axis.station(gone as f32).at, ..axis };
+            self.see(picture, &there, BACK as f32, &mut look.clone(), gone);
+            let seen = self.seen.iter().filter(|s| **s).count();
+            let moves = self.path.windows(2).map(|p| p[0].abs_diff(p[1])).sum::<usize>();
+            if 10 * seen >= 9 * ROWS && 6 * moves <= ROWS {
+                return Some(there);
+            }
+        }
     }
 
     fn is_closed(&self) -> bool {
