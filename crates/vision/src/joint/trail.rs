@@ -70,6 +70,8 @@ pub(super) struct Trail {
     lattice: Lattice,
     path: Vec<usize>,
     seen: Vec<bool>,
+    /// Places behind a corner.
+    aside: Vec<Place>,
 }
 
 /// What is known of a joint as it is followed, in pixels of its level.
@@ -144,7 +146,7 @@ impl Trail {
         limits: &Limits<F>,
     ) -> Stop {
         self.places.clear();
-        let (mut axis, mut gap, mut back) = (look.axis, 0usize, 0usize);
+        let (mut axis, mut gap, mut back, mut checked) = (look.axis, 0usize, 0usize, 0usize);
         loop {
             let from = back as f32;
             if gap > WIDER {
@@ -173,12 +175,19 @@ impl Trail {
                     return Stop::Gap;
                 }
             }
-            if let Some(corner) = self.corner() {
-                // A joint does not turn so sharply: what was followed since is something else. The joint may go on behind it.
+            if let Some(corner) = self.corner(checked) {
+                checked = self.places.len();
+                // A joint does not turn so sharply: it may go on straight, and what was followed is something else.
+                self.aside.clear();
+                self.aside.extend_from_slice(&self.places[corner..]);
                 self.places.truncate(corner);
-                let Some(beyond) = self.leap(picture, look, limits) else { return Stop::Gap };
-                (axis, gap, back) = (beyond, 0, BACK);
-                continue;
+                if let Some(beyond) = self.leap(picture, look, limits) {
+                    (axis, gap, back) = (beyond, 0, BACK);
+                    continue;
+                }
+                self.places.truncate(corner);
+                self.places.extend_from_slice(&self.aside);
+                self.see(picture, &axis, from, look, gap);
             }
             self.learn(look);
             axis = self.way_on(&axis, taken as f32, if taken < TAKEN { FITTED / 2 } else { FITTED });
@@ -261,10 +270,10 @@ impl Trail {
         Axis { at: Station { at, tangent: [cos, sin] }.beside(offset), heading: heading + slope.atan(), curvature }
     }
 
-    /// The place before the last turn that is sharper than a joint's, if there is one among the last places.
-    fn corner(&self) -> Option<usize> {
+    /// The place before a turn that is sharper than a joint's, among the last places and after those that were checked.
+    fn corner(&self, checked: usize) -> Option<usize> {
         let places = &self.places;
-        let from = places.len().saturating_sub(TAKEN + CHORD).max(CHORD);
+        let from = places.len().saturating_sub(TAKEN + CHORD).max(CHORD).max(checked);
         (from..places.len().saturating_sub(CHORD)).find_map(|i| {
             let [a, b, c] = [places[i - CHORD].at, places[i].at, places[i + CHORD].at];
             let (before, after) = ([b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]);
