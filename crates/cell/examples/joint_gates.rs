@@ -18,9 +18,12 @@ fn main() {
     let table = joint_gates(first..first + frames, |kind, seed, o| {
         let wrong = o.errors.iter().filter(|(e, sure)| *sure && *e > 2.0).count() + o.phantom;
         let sure = o.errors.iter().filter(|(_, sure)| *sure).count();
-        if wrong > 0 || o.reach < 0.95 && sure + o.errors.len() > 0 {
+        if wrong > 0 || o.reach < 0.95 && sure + o.errors.len() > 0 || o.end_error.is_some_and(|e| e > 3.0) {
             let (name, rows) = (kind.name(), o.errors.len());
-            println!("{name} {seed}: {wrong} wrong of {sure} sure of {rows}, reach {:.2}, {:?}", o.reach, o.end);
+            println!(
+                "{name} {seed}: {wrong} wrong of {sure} sure of {rows}, reach {:.2}, {:?}, end off {:?}",
+                o.reach, o.end, o.end_error
+            );
         }
     });
     let mut times: Vec<f64> = Vec::new();

@@ -28,7 +28,7 @@ pub(super) fn cut(rows: &[Found], stop: Stop) -> Option<Cut> {
         Stop::Gap => {}
     }
     // Where depths fall from the joint's to none: most above half of it before and most below it after.
-    let depth = rows[seen.saturating_sub(ABOUT).max(0)].depth.max(1e-3);
+    let depth = rows[seen.saturating_sub(ABOUT)].depth.max(1e-3);
     let (from, to) = (seen.saturating_sub(ABOUT), (seen + ABOUT).min(rows.len()));
     let (mut sum, mut greatest, mut at) = (0.0, 0.0, from);
     for (i, row) in rows[from..to].iter().enumerate() {

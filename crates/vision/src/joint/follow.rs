@@ -87,15 +87,14 @@ impl Follower {
         let gap = self.options.gap.unwrap_or(GAP * side) / scale;
         let length = self.options.length.unwrap_or(2.0 * sum).clamp(0.0, 16.0 * sum) / scale;
         let level = look.level;
-        let limits =
-            Limits { inside: |at: [f32; 2]| inside.holds(at.map(|v| from_level(v, level))), gap, length };
+        let limits = Limits { inside: |at: [f32; 2]| inside.holds(at.map(|v| from_level(v, level))), gap, length };
         let picture = self.levels.picture(frame, level);
         let mut look = look;
         let stop = self.trail.follow(&picture, &mut look, &limits);
         if !self.trail.places.iter().any(|p| p.seen) {
             return End::Lost;
         }
-        self.midline.find(&picture, &self.trail, &look, stop);
+        self.midline.find(&picture, &self.trail, &look);
         tell(&self.midline, &picture, level, stop, &mut self.joint.rows)
     }
 }

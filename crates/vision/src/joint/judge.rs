@@ -25,8 +25,12 @@ pub(super) fn row(found: &Found, scale: f32, whole: bool) -> f32 {
 
 /// Confidence of rows that are seen but not sure, at most.
 const UNSURE: f32 = 0.4;
-/// A line shorter than this may be a scratch, pixels.
-const SHORT: usize = 130;
+/// A line that ends and of which less than this is seen may be a scratch, pixels ...
+const SHORT: f32 = 130.0;
+/// ... and one that is narrow, if less than this is.
+const SHORT_AND_NARROW: f32 = 210.0;
+/// Scratches are narrower than this, pixels.
+const NARROW: f32 = 3.5;
 
 /// Rows next to a gap or an end that are not sure: what is seen there is in part beyond it.
 const RIM: usize = 6;
@@ -59,9 +63,14 @@ fn unsure(row: &mut Row) {
     row.confidence = row.confidence.min(UNSURE);
 }
 
+/// Takes the confidence that rows have by themselves but not as parts of the whole line.
 pub(super) fn whole(rows: &mut [Row], end: End) {
     rims(rows, end);
-    if end != End::Closed && end != End::LeftImage && rows.len() < SHORT {
+    let seen = |pair: &&[Row]| pair.iter().all(|r| r.state == State::Seen);
+    let length: f32 = rows.windows(2).filter(seen).map(|p| (p[1].x - p[0].x).hypot(p[1].y - p[0].y)).sum();
+    let narrow = rows.iter().filter(|r| r.width < NARROW).count() > rows.len() / 2;
+    let least = if narrow { SHORT_AND_NARROW } else { SHORT };
+    if matches!(end, End::JointEnd | End::Lost) && length < least {
         rows.iter_mut().for_each(unsure);
     }
 }

@@ -1,10 +1,10 @@
 use super::axis::Station;
 use super::lattice::Lattice;
 use super::levels::Picture;
+use super::parabola::Parabola;
 use super::profile::{Arms, Profile, REACH, Reading, Shape};
 use super::strip::{COLS, MID, Strip};
-use super::parabola::Parabola;
-use super::trail::{Look, Place, Stop, Trail};
+use super::trail::{Look, Place, Trail};
 
 /// Places before and after that a station is the mean of.
 const SMOOTH: usize = 8;
@@ -68,7 +68,7 @@ pub(super) struct Midline {
 
 impl Midline {
     /// Finds it along `trail`.
-    pub(super) fn find(&mut self, picture: &Picture, trail: &Trail, look: &Look, _stop: Stop) {
+    pub(super) fn find(&mut self, picture: &Picture, trail: &Trail, look: &Look) {
         self.stand(&trail.places);
         self.strip.unroll(picture, self.stations.iter().copied());
         self.strip.measure(look.width);
@@ -160,7 +160,6 @@ impl Midline {
             for i in 0..count {
                 let (depth, step, error) = self.about(i);
                 let most = 0.4 * width + 0.5;
-                let stepped = step.abs() > (STEP * depth).max(STEP_ERRORS * error);
                 self.rows[i].stepped = step.abs() > (STEP * depth).max(STEP_ERRORS * error);
                 let rims = if self.rows[i].stepped { profile.rims(&self.mean(i, STEPPED_AROUND)) } else { None };
                 let off = rims.map_or(self.readings[i].moment / depth.max(1e-3), |[left, right]| 0.5 * (left + right));
@@ -281,11 +280,6 @@ impl Midline {
             let [x, y] = self.stations[i].beside(across);
             (0.0..=right).contains(&x) && (0.0..=bottom).contains(&y)
         })
-    }
-
-    /// Standard deviation of a group's depth.
-    pub(super) fn noise(&self) -> f32 {
-        self.strip.noise
     }
 }
 

@@ -100,8 +100,8 @@ impl Trail {
     pub(super) fn look(&mut self, picture: &Picture, axis: Axis, width: f32, level: usize) -> Option<Look> {
         self.strip.unroll(picture, (0..ROWS).map(|i| axis.station(i as f32)));
         self.strip.measure(width);
-        let mut contrast = 3.5 * self.strip.noise;
         let free = 2.0 + 0.25 * width;
+        let mut contrast = self.depth_at_start(free).max(3.5 * self.strip.noise);
         for _ in 0..2 {
             self.find(contrast, free);
             self.strip.noise = self.strip.noise_beside(&self.path, width);
@@ -121,6 +121,13 @@ impl Trail {
         let strength = contrast * (box_columns(width) as f32 * (1 << level) as f32).sqrt() * part;
         let axis = Axis { at: station.beside(offset), heading: axis.heading + slope.atan(), curvature: 0.0 };
         (part >= START_SEEN).then_some(Look { level, width, contrast, noise: self.strip.noise, axis, strength })
+    }
+
+    /// The greatest mean depth of the first rows in columns near the axis.
+    fn depth_at_start(&self, free: f32) -> f32 {
+        const FIRST: usize = 12;
+        let mean = |j: usize| self.strip.depth[..FIRST].iter().map(|row| row[j]).sum::<f32>() / FIRST as f32;
+        (MID - free as usize..=MID + free as usize).map(mean).fold(0.0, f32::max)
     }
 
     /// Full width at half depth of what a look was at, pixels of its level.
@@ -283,7 +290,12 @@ impl Trail {
     }
 
     /// Goes on over what hides the joint, without looking at it: the axis where the joint is seen again, if it is.
-    fn leap<F: Fn([f32; 2]) -> bool>(&mut self, picture: &Picture, look: &mut Look, limits: &Limits<F>) -> Option<Axis> {
+    fn leap<F: Fn([f32; 2]) -> bool>(
+        &mut self,
+        picture: &Picture,
+        look: &mut Look,
+        limits: &Limits<F>,
+    ) -> Option<Axis> {
         let [.., before, last] = self.places[..] else { return None };
         let heading = (last.at[1] - before.at[1]).atan2(last.at[0] - before.at[0]);
         let axis = self.way_on(&Axis { at: last.at, heading, curvature: 0.0 }, 1.0, 2 * FITTED);
