@@ -110,9 +110,10 @@ impl Profile {
         let (low, part) = (centre as usize, centre.fract());
         let at = |j: usize| row[j] * (1.0 - part) + row[j + 1] * part;
         let mut reading = Reading::default();
-        for t in 0..=self.reach {
+        let [left_arm, right_arm] = arms;
+        for (t, (left_arm, right_arm)) in left_arm.iter_mut().zip(right_arm).enumerate().take(self.reach + 1) {
             let (left, right) = (at(low - t), at(low + t));
-            (arms[0][t], arms[1][t]) = (left, right);
+            (*left_arm, *right_arm) = (left, right);
             let (even, odd) = (0.5 * (right + left), 0.5 * (right - left));
             reading.depth += self.depth[t] * even;
             reading.moment += self.moment[t] * odd;
@@ -128,7 +129,7 @@ impl Profile {
         let half = self.half as isize;
         let smooth = |t: isize| 0.25 * at(t - 1) + 0.5 * at(t) + 0.25 * at(t + 1);
         let floor_at = (-half..=half).min_by(|a, b| smooth(*a).total_cmp(&smooth(*b)))?;
-        let floor = smooth(floor_at);
+        let floor = at(floor_at);
         let reach = self.reach as isize;
         // The lightest metal on a side of the joint, over three columns; little more counts than there is on the darker side.
         let base = |side: isize| {
