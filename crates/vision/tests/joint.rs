@@ -20,7 +20,7 @@ fn straight_joints_of_all_widths_are_found_between_pixels() {
             for row in inside {
                 let off = (f64::from(row.y) - a - b * f64::from(row.x)) / b.hypot(1.0);
                 assert!(off.abs() < 0.1, "width {width}, slope {b}: {off} at {}", row.x);
-                assert!(row.state == State::Seen && row.confidence > 0.8, "width {width}: {row:?}");
+                assert!(row.state == State::Seen && row.confidence >= CONFIDENT, "width {width}: {row:?}");
                 assert!((f64::from(row.width) - width).abs() < (0.2 * width).max(0.7), "width {width}: {row:?}");
             }
         }

@@ -27,10 +27,45 @@ impl Axis {
     }
 }
 
+impl Axis {
+    /// How far along the axis a place is and how far to its right, pixels; within half a turn.
+    pub(super) fn along_and_across(&self, place: [f32; 2]) -> (f32, f32) {
+        let (sin, cos) = self.heading.sin_cos();
+        let (x, y) = (place[0] - self.at[0], place[1] - self.at[1]);
+        let (u, v) = (x * cos + y * sin, y * cos - x * sin);
+        if self.curvature.abs() < 1e-4 {
+            return (u, v - 0.5 * self.curvature * u * u);
+        }
+        // The centre is at (0, radius).
+        let radius = 1.0 / self.curvature;
+        let angle = (u * radius.signum()).atan2((radius - v) * radius.signum());
+        (angle * radius, radius - radius.signum() * u.hypot(radius - v))
+    }
+}
+
 impl Station {
     /// The place `across` pixels to its right.
     pub(super) fn beside(&self, across: f32) -> [f32; 2] {
         let [cos, sin] = self.tangent;
         [self.at[0] - across * sin, self.at[1] + across * cos]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_beside_the_axis_are_found_where_they_were_put() {
+        for curvature in [0.0, 5e-5, 0.002, -0.01, 0.03, -0.03] {
+            let axis = Axis { at: [30.0, -12.0], heading: 2.1, curvature };
+            for s in [-40.0, -7.0, 0.0, 13.0, 44.0] {
+                for across in [-6.0, 0.0, 4.5] {
+                    let (along, beside) = axis.along_and_across(axis.station(s).beside(across));
+                    // The chord of an arc is known to a few hundredths of a pixel.
+                    assert!((along - s).abs() < 0.1 && (beside - across).abs() < 0.1, "{curvature} {s} {across}");
+                }
+            }
+        }
     }
 }

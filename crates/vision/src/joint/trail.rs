@@ -265,11 +265,10 @@ impl Trail {
         if count < fitted / 4 {
             return straight;
         }
-        // Along and across the predicted heading, from the predicted place, less the predicted bend.
+        let there = Axis { at, heading, ..*axis };
         let local = last.iter().filter(|p| p.seen).map(|p| {
-            let (x, y) = (p.at[0] - at[0], p.at[1] - at[1]);
-            let (u, v) = (x * cos + y * sin, y * cos - x * sin);
-            (u, v - 0.5 * axis.curvature * u * u, 1.0)
+            let (along, across) = there.along_and_across(p.at);
+            (along, across, 1.0)
         });
         let Some(found) = Parabola::through(local, 1.0 / (0.5 * BENT).powi(2)) else { return straight };
         let [offset, slope, bend] = found.terms;
