@@ -100,37 +100,35 @@ fn no_joint_is_lost_at_once() {
     assert!(told.contains("no joint at the start"), "{told}");
 }
 
-/// Hand-read points of three photographs (tests/data/images). What is followed now, without a width given: x1 from the
-/// first point past the second, confidently, up to spatter at about y = 960; x3 and x7 are seen in parts, with no point
-/// on a confident row. So two of 22 points are confirmed; the others are only known not to be denied by a confident row.
-/// The labels have no widths.
+/// Hand-read points of three photographs (tests/data/images), from the first of them on and with no width given: all of
+/// x1, across drops and a burn hole, and of x7; x3 up to where one side is as dark as the joint. The labels have no widths.
 #[test]
 fn photographs() {
     let folder = root().join("tests/data/images");
     let labels: Value = serde_json::from_str(&std::fs::read_to_string(folder.join("labels.json")).unwrap()).unwrap();
-    for (name, least) in [("x1.jpg", 2), ("x3.jpg", 0), ("x7.jpg", 0)] {
+    for (name, least, widths) in [("x1.jpg", 7, 7.0..14.0), ("x3.jpg", 4, 25.0..60.0), ("x7.jpg", 6, 6.0..18.0)] {
         let points: Vec<[f64; 3]> = serde_json::from_value(labels["images"][name]["points"].clone()).unwrap();
         let ([y, x, _], [to_y, to_x, _]) = (points[0], points[1]);
         let image = folder.join(name).display().to_string();
         let (start, direction) = (format!("{x},{y}"), (to_y - y).atan2(to_x - x).to_degrees().to_string());
         let found = rows(&good(&["find-joint", &image, "--start", &start, "--direction-deg", &direction]));
-        assert!(found.iter().all(|r| r.width >= 1.0));
-        let confident: Vec<&Row> = found.iter().filter(|r| r.confidence >= CONFIDENT).collect();
+        assert!(widths.contains(&found[20].width), "{name}: {}", found[20].width);
         let mut right = 0;
         for [y, x, u] in &points {
-            // Rows are at most a few pixels apart.
-            let nearest = confident.iter().min_by(|a, b| (a.y - y).abs().total_cmp(&(b.y - y).abs()));
-            let Some(row) = nearest.filter(|r| (r.y - y).abs() < 3.0) else { continue };
-            assert!((row.x - x).abs() <= (2.0 * u).max(1.0), "{name} at {y}: {} for {x}", row.x);
-            right += 1;
+            // Rows are a fifth of the width apart.
+            let nearest = found.iter().min_by(|a, b| (a.y - y).abs().total_cmp(&(b.y - y).abs()));
+            let Some(row) = nearest.filter(|r| (r.y - y).abs() < 8.0) else { continue };
+            let is_right = (row.x - x).abs() <= (2.0 * u).max(1.0);
+            assert!(is_right || row.confidence < CONFIDENT, "{name} at {y}: {} for {x}", row.x);
+            right += usize::from(is_right);
         }
-        assert!(right >= least, "{name}: {right} points on confident rows");
+        assert!(right >= least, "{name}: {right} points are found");
         // Between points the joint is known to some pixels only: it is no straight line.
         for pair in points.windows(2) {
             let ([y0, x0, u0], [y1, x1, u1]) = (pair[0], pair[1]);
-            for row in confident.iter().filter(|r| (y0..=y1).contains(&r.y)) {
+            for row in found.iter().filter(|r| r.confidence >= CONFIDENT && (y0..=y1).contains(&r.y)) {
                 let off = row.x - x0 - (x1 - x0) * (row.y - y0) / (y1 - y0);
-                assert!(off.abs() <= 3.0 + u0.max(u1), "{name} at {}: {off} from the chord", row.y);
+                assert!(off.abs() <= 4.0 + u0.max(u1), "{name} at {}: {off} from the chord", row.y);
             }
         }
     }
