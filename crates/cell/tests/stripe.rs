@@ -3,9 +3,10 @@
 use glam::DVec2;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
+use seamwright_cell::eyes::gates::{Gate, Limit};
 use seamwright_cell::eyes::stripe::{
-    GateRow, Placement, Section, StripeDisturbances, StripeImage, StripeScene, confident_nowhere, stripe_gates,
-    stripe_scene, stripe_task,
+    Placement, Section, StripeDisturbances, StripeImage, StripeScene, confident_nowhere, stripe_gates, stripe_scene,
+    stripe_task,
 };
 use seamwright_machine::{Machine, Sight, StripeSensor, shipped};
 use seamwright_vision::Image;
@@ -32,21 +33,30 @@ const MISSED: [(&str, f64); 11] = [
     ("j: no confident result beside the arc", 94.0),
 ];
 
+/// First seed. No threshold was chosen on seeds from 3000 on.
+const FIRST_SEED: u64 = 3000;
+
 #[test]
 fn gates_hold() {
-    let rows = stripe_gates(cases());
-    for row in &rows {
-        let verdict = if row.holds() { "" } else { "  <-- does not hold" };
-        println!("{:<75} {:>9.4} <= {:<5} {}{verdict}", row.what, row.value, row.limit, row.unit);
+    let seeds = FIRST_SEED..FIRST_SEED + cases();
+    let table = stripe_gates(seeds.clone(), || ());
+    let mut broken = Vec::new();
+    for gate in &table.rows {
+        let Gate { frames, what, value, limit, unit } = gate;
+        println!(
+            "{frames}: {what}: {value:.4} {unit}, {limit:?}{}",
+            if gate.is_kept() { "" } else { "  <-- not kept" }
+        );
+        assert!(value.is_finite());
+        // Times are for builds with full optimisation, on machines that do nothing else.
+        if *unit != "ms" && !gate.is_kept() {
+            broken.push(gate);
+        }
     }
-    for (seed, section, found) in confident_nowhere(cases()) {
+    for (seed, section, found) in confident_nowhere(seeds, || ()) {
         println!("{seed}: {:?} in {section:?}: {:.2} at {:.2}", found.kind, found.confidence, found.joint());
     }
-    // Times are for builds with full optimisation, on machines that do nothing else.
-    let limit = |row: &GateRow| MISSED.iter().find(|m| m.0 == row.what).map_or(row.limit, |m| m.1);
-    let broken: Vec<_> = rows.iter().filter(|r| r.unit != "ms" && r.value > limit(r)).collect();
     assert!(broken.is_empty(), "{broken:#?}");
-    assert!(rows.iter().all(|r| r.value.is_finite()));
 }
 
 /// The brightest pixel of every column, in mm.
