@@ -68,8 +68,9 @@ impl StripeReader {
         to_mm: Option<&Homography>,
         task: &StripeTask,
     ) -> Result<Features, NoFeatures> {
-        self.trace(frame)?;
+        self.link(frame)?;
         self.profile.set_chain(&self.chain, &self.blobs, to_mm);
+        chain::smooth(&mut self.chain);
         self.read(task)
     }
 
@@ -78,6 +79,13 @@ impl StripeReader {
     /// # Errors
     /// If there is none.
     pub fn trace(&mut self, frame: &Frame) -> Result<&[StripePoint], NoFeatures> {
+        self.link(frame)?;
+        chain::smooth(&mut self.chain);
+        Ok(&self.chain)
+    }
+
+    /// The stripe, each column by itself.
+    fn link(&mut self, frame: &Frame) -> Result<(), NoFeatures> {
         self.segments.clear();
         self.chain.clear();
         self.reserve(frame.width());
@@ -92,7 +100,7 @@ impl StripeReader {
         if (found as f64) < LEAST_COLUMNS * columns as f64 {
             return Err(NoFeatures::ShortStripe { found, columns });
         }
-        Ok(&self.chain)
+        Ok(())
     }
 
     /// Room for all that an image of so many columns can hold: later images of that size allocate nothing.
