@@ -15,6 +15,7 @@ mod edges;
 mod features;
 mod fit;
 mod joints;
+mod light;
 mod profile;
 mod segments;
 
@@ -28,7 +29,8 @@ use blobs::Blobs;
 use chain::Chainer;
 use glam::DVec2;
 use joints::View;
-use profile::Profile;
+use light::Light;
+use profile::{Profile, median};
 use seamwright_geometry::Homography;
 use segments::Cutter;
 
@@ -47,6 +49,7 @@ pub struct StripeReader {
     profile: Profile,
     cutter: Cutter,
     segments: Vec<Segment>,
+    strip: Vec<f64>,
     scratch: Vec<f64>,
 }
 
@@ -71,7 +74,13 @@ impl StripeReader {
         self.link(frame)?;
         self.profile.set_chain(&self.chain, &self.blobs, to_mm);
         chain::smooth(&mut self.chain);
-        self.read(task)
+        self.scratch.clear();
+        self.scratch.extend(self.chain.iter().map(|p| p.width));
+        let usual_width = median(&mut self.scratch).unwrap_or(0.0);
+        self.cut()?;
+        let light = Some(Light::new(frame, &self.blobs, to_mm, usual_width));
+        let Self { profile, segments, strip, scratch, .. } = self;
+        View { profile, segments, task, light, strip, scratch }.joint()
     }
 
     /// The stripe in an image, without looking for a joint.
@@ -110,6 +119,8 @@ impl StripeReader {
         self.profile.reserve(columns);
         self.cutter.reserve(columns);
         self.segments.reserve(segments::MOST);
+        self.strip.clear();
+        self.strip.reserve(columns + 1);
         self.scratch.clear();
         self.scratch.reserve(columns * blobs::MOST);
     }
@@ -122,7 +133,9 @@ impl StripeReader {
         self.segments.clear();
         self.chain.clear();
         self.profile.set_points(points);
-        self.read(task)
+        self.cut()?;
+        let Self { profile, segments, strip, scratch, .. } = self;
+        View { profile, segments, task, light: None, strip, scratch }.joint()
     }
 
     /// The stripe in the last image, from left to right; empty after a profile.
@@ -143,7 +156,8 @@ impl StripeReader {
         self.profile.pitch
     }
 
-    fn read(&mut self, task: &StripeTask) -> Result<Features, NoFeatures> {
+    /// Cuts the profile into segments.
+    fn cut(&mut self) -> Result<(), NoFeatures> {
         let found = self.profile.samples.len();
         if found < FEWEST || self.profile.pitch <= 0.0 {
             return Err(NoFeatures::TooFewPoints { found, needed: FEWEST });
@@ -152,6 +166,6 @@ impl StripeReader {
         if self.profile.repick(&self.segments) {
             self.cutter.cut(&self.profile, &mut self.segments);
         }
-        View { profile: &self.profile, segments: &self.segments, task, scratch: &mut self.scratch }.joint()
+        Ok(())
     }
 }

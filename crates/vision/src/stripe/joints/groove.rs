@@ -1,5 +1,4 @@
-use super::{Support, View, between, ramp, turn, twice_area};
-use crate::stripe::edges::Edge;
+use super::{Edge, Support, View, between, ramp, turn, twice_area};
 use crate::stripe::profile::{Sample, median};
 use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
 use glam::DVec2;
@@ -115,8 +114,8 @@ impl View<'_> {
     fn roots(&mut self, v: &V, closed: DVec2, along: DVec2) -> ([DVec2; 2], bool) {
         let [down, up] = v.walls;
         // A wall's line goes on to the other wall: that one's places are no end of it.
-        let middle = (down.columns.1 + up.columns.0).div_euclid(2);
-        let ends = (self.edge(&down, middle), self.edge(&up, middle + 1));
+        let middle = self.profile.column_at(closed.x).round() as i32;
+        let ends = (self.edge(&down, middle), self.edge(&up, middle));
         let (Some(a), Some(b)) = ends else { return ([closed; 2], true) };
         // A closed root is where the walls end.
         let far = CLOSED * self.grain();

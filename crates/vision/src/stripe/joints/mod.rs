@@ -7,9 +7,10 @@ mod plates;
 mod round;
 
 use super::Feature;
-use super::edges::{self, Edge};
+use super::edges::{Usual, lit_columns, sub_column};
 use super::features::{Features, JointKind, NoFeatures, Quantity, StripeTask};
 use super::fit::StripeLine;
+use super::light::{Course, Light};
 use super::profile::{Profile, Sample};
 use super::segments::Segment;
 use arrayvec::ArrayVec;
@@ -20,6 +21,10 @@ pub(super) struct View<'a> {
     pub(super) profile: &'a Profile,
     pub(super) segments: &'a [Segment],
     pub(super) task: &'a StripeTask,
+    /// The image, if the profile is of one.
+    pub(super) light: Option<Light<'a>>,
+    /// Light along a course, column after column.
+    pub(super) strip: &'a mut Vec<f64>,
     pub(super) scratch: &'a mut Vec<f64>,
 }
 
@@ -32,6 +37,18 @@ const HIDING_ROWS: f64 = 8.0;
 
 /// Least slope of the face below an edge.
 const STEEP: f64 = 2.0;
+
+/// How far from a course a place of a profile is on it, columns or rows.
+const ON_COURSE: f64 = 2.0;
+
+/// The end of a course.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Edge {
+    /// Its column, sub-pixel.
+    column: f64,
+    /// Its place on the course.
+    at: DVec2,
+}
 
 /// How well a joint is supported, before its confidence is put together.
 struct Support<'a> {
@@ -68,11 +85,54 @@ impl View<'_> {
         &self.profile.samples
     }
 
-    /// The end of a segment's places towards column `to`, not beyond it.
+    /// The end of a segment towards column `to`, not beyond it.
     fn edge(&mut self, segment: &Segment, to: i32) -> Option<Edge> {
-        let middle = (segment.columns.0 + segment.columns.1) / 2;
-        let within = segment.within(self.grain());
-        edges::edge(self.profile, &segment.line, within, (middle, to), self.scratch)
+        let (from, last) = segment.columns;
+        let middle = (from + last) / 2;
+        let sure = if to >= middle { (last - middle).min(to - middle) } else { (middle - from).min(middle - to) };
+        self.end(&Course::Line(segment.line), (middle, to), sure)
+    }
+
+    /// Where the light on a course ends on the way from column `from`, where it is lit, to column `to`; `sure` columns of
+    /// the way are thought to be lit but for holes.
+    fn end(&mut self, course: &Course, (from, to): (i32, i32), sure: i32) -> Option<Edge> {
+        self.look_along(course, (from, to));
+        let sure = &self.strip[..(sure.max(0) as usize + 1).min(self.strip.len())];
+        let usual = Usual::of(sure, self.scratch)?;
+        let coarse = lit_columns(self.strip, &usual);
+        let lit = if self.light.is_some() {
+            sub_column(self.strip, &usual, coarse)
+        } else {
+            // As many columns again may be missing as there are holes one after the other.
+            coarse as f64 + (1.0 - usual.lit).min(0.5) / usual.lit.max(0.5)
+        };
+        let column = f64::from(from) + (lit - 0.5) * if to >= from { 1.0 } else { -1.0 };
+        Some(Edge { column, at: self.place(course, column)? })
+    }
+
+    /// Fills the strip with the light along a course; without an image, with 1 where a place is on it.
+    fn look_along(&mut self, course: &Course, (from, to): (i32, i32)) {
+        if let Some(light) = &self.light {
+            light.along(self.profile, course, (from, to), self.strip);
+            return;
+        }
+        self.strip.clear();
+        self.strip.resize(from.abs_diff(to) as usize + 1, 0.0);
+        let within = ON_COURSE * self.grain();
+        for s in self.profile.between(from.min(to), from.max(to)) {
+            if course.off(s.at).abs() <= within {
+                self.strip[s.column.abs_diff(from) as usize] = 1.0;
+            }
+        }
+    }
+
+    /// The place of a course in a column.
+    fn place(&self, course: &Course, column: f64) -> Option<DVec2> {
+        let y = self.profile.y_at(column);
+        match &self.light {
+            Some(light) => light.place(self.profile, course, column, y).map(|p| p.0),
+            None => course.at(y),
+        }
     }
 
     /// Part of `samples` on one of `segments`.

@@ -1,8 +1,7 @@
 //! Two sheets without a groove between them: lap and butt joints.
 
 use super::groove::{SHOULDERS, mismatch};
-use super::{Support, View, between, ramp, turn};
-use crate::stripe::edges::Edge;
+use super::{Edge, Support, View, between, ramp, turn};
 use crate::stripe::fit::line;
 use crate::stripe::profile::Sample;
 use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};

@@ -1,0 +1,105 @@
+//! The light of the image along a course: a line or an arc that the stripe is thought to be on.
+//!
+//! The chain has one place a column, and reflections and spatter shift or take it. But light adds up: where the stripe is,
+//! the pixels on its course are bright whatever else is seen in the column, and where it ends they are dark.
+
+use super::blobs::Blobs;
+use super::fit::{StripeArc, StripeLine};
+use super::profile::Profile;
+use crate::{Frame, Pixels};
+use glam::DVec2;
+use seamwright_geometry::Homography;
+
+/// Half the rows of a strip as a part of the stripe's usual width: one and a quarter standard deviations.
+const HALF: f64 = 0.35;
+
+/// What the stripe follows.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Course {
+    Line(StripeLine),
+    /// The lower half of a circle.
+    Arc(StripeArc),
+}
+
+impl Course {
+    /// Signed distance of a place.
+    pub(super) fn off(&self, p: DVec2) -> f64 {
+        match self {
+            Self::Line(line) => line.off(p),
+            Self::Arc(arc) => -arc.off(p),
+        }
+    }
+
+    /// Its place at `y`; none beside an arc.
+    pub(super) fn at(&self, y: f64) -> Option<DVec2> {
+        let z = match self {
+            Self::Line(line) => line.at.y + (y - line.at.x) * line.along.y / line.along.x.max(1e-6),
+            Self::Arc(arc) => arc.centre.y - (arc.radius.powi(2) - (y - arc.centre.x).powi(2)).sqrt(),
+        };
+        z.is_finite().then_some(DVec2::new(y, z))
+    }
+}
+
+/// An image with what is known of its light.
+pub(super) struct Light<'a> {
+    frame: &'a Frame<'a>,
+    blobs: &'a Blobs,
+    to_px: Option<Homography>,
+    /// Half the height of a strip, rows.
+    half: f64,
+}
+
+impl<'a> Light<'a> {
+    /// Of an image whose stripe is usually so many rows wide.
+    pub(super) fn new(frame: &'a Frame<'a>, blobs: &'a Blobs, to_mm: Option<&Homography>, usual_width: f64) -> Self {
+        Self { frame, blobs, to_px: to_mm.map(Homography::inverse), half: (HALF * usual_width).max(1.0) }
+    }
+
+    /// Light on `course` in the profile's columns `from` to `to`, both included, in that order: grey values above the
+    /// background, summed over a strip of rows. Not a number where the course leaves the image.
+    pub(super) fn along(&self, profile: &Profile, course: &Course, (from, to): (i32, i32), strip: &mut Vec<f64>) {
+        strip.clear();
+        let step = if to >= from { 1 } else { -1 };
+        let mut y = profile.y_at(f64::from(from));
+        for i in 0..=(to - from).abs() {
+            let column = from + step * i;
+            let place = self.place(profile, course, f64::from(column), y);
+            strip.push(place.map_or(f64::NAN, |(_, row)| self.strip(profile.image_column(f64::from(column)), row)));
+            y = place.map_or(y, |(p, _)| p.x) + f64::from(step) * profile.pitch;
+        }
+    }
+
+    /// The place of `course` in a column of the profile, looked for from `y` on, and its row.
+    pub(super) fn place(&self, profile: &Profile, course: &Course, column: f64, y: f64) -> Option<(DVec2, f64)> {
+        let px = |p: DVec2| match &self.to_px {
+            Some(map) => map.map(p),
+            None => Some(DVec2::new(p.x, -p.y)),
+        };
+        let (column, along) = (profile.image_column(column), profile.pitch * profile.direction);
+        let mut at = course.at(y)?;
+        // Columns are nearly even along y.
+        for _ in 0..2 {
+            at = course.at(at.x + (column - px(at)?.x) * along)?;
+        }
+        Some((at, px(at)?.y))
+    }
+
+    /// Light of a column within `half` rows of `row`.
+    fn strip(&self, column: f64, row: f64) -> f64 {
+        let (width, height) = (self.frame.width(), self.frame.height());
+        let (low, high) = (row - self.half, row + self.half);
+        let inside = low >= 0.0 && high <= height as f64 - 1.0 && (-0.5..width as f64 - 0.5).contains(&column);
+        if !inside {
+            return f64::NAN;
+        }
+        let column = column.round() as usize;
+        let grey = |r: usize| match self.frame.pixels() {
+            Pixels::U8(pixels) => f64::from(pixels[r * width + column]),
+            Pixels::U16(pixels) => f64::from(pixels[r * width + column]) / 257.0,
+        };
+        let (first, last) = ((low + 0.5) as usize, (high + 0.5) as usize);
+        let background = self.blobs.background_at(column, row as usize);
+        let part = |r: usize| (r as f64 + 0.5).min(high) - (r as f64 - 0.5).max(low);
+        (first..=last.min(height - 1)).map(|r| part(r) * (grey(r) - background)).sum()
+    }
+}
