@@ -4,7 +4,7 @@ use super::profile::median;
 use nalgebra::{SMatrix, SVector};
 
 /// Part of the usual light from which on a column is lit.
-pub(super) const LIT: f64 = 0.3;
+pub(super) const LIT: f64 = 0.2;
 
 /// Least and greatest part of the columns on a course thought to be lit, and part of those off it that are: by
 /// reflections, spatter and faces seen from the side.
@@ -19,8 +19,8 @@ const SPREAD: f64 = 0.25;
 const AFTER_SPREAD: f64 = 0.612;
 
 /// Light off the course, and noise, as parts of the usual light; standard deviations.
-const STRAY: f64 = 0.15;
-const NOISE: f64 = 0.04;
+const STRAY: f64 = 0.07;
+const NOISE: f64 = 0.03;
 
 /// Columns about an end that are looked at.
 const WINDOW: usize = 8;
@@ -59,7 +59,7 @@ impl Usual {
     }
 
     /// Whether that much light is the stripe's; what is outside of the image is not known.
-    fn evidence(&self, light: f64) -> f64 {
+    pub(super) fn evidence(&self, light: f64) -> f64 {
         let on = self.lit.clamp(LIT_ON[0], LIT_ON[1]);
         if light.is_nan() {
             0.0

@@ -30,6 +30,8 @@ pub(super) struct Profile {
     /// Length of a column or a row, whichever is longer, mm: what distances from a line are measured by. A camera that
     /// looks at the laser's plane at a small angle has rows that are much longer than its columns.
     pub(super) grain: f64,
+    /// Length of a row, mm.
+    pub(super) row: f64,
     /// Column of the image that column 0 is, and 1 if columns run as in the image, else -1.
     pub(super) first: f64,
     pub(super) direction: f64,
@@ -96,6 +98,7 @@ impl Profile {
         self.scratch.extend(chain.iter().step_by(16).filter_map(row_at));
         let row = median(&mut self.scratch).unwrap_or(self.pitch);
         self.grain = self.pitch.max(row);
+        self.row = row;
         self.samples.iter_mut().chain(&mut self.all).for_each(|s| s.covers *= row);
     }
 
@@ -115,6 +118,7 @@ impl Profile {
             self.samples.iter_mut().for_each(|s| s.column = ((s.at.x - from) / pitch).round() as i32);
         }
         self.grain = self.pitch;
+        self.row = self.pitch;
         self.all.clear();
         self.all.extend_from_slice(&self.samples);
     }

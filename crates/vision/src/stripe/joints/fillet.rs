@@ -1,5 +1,8 @@
 use super::{Support, View, ramp, turn};
+use crate::stripe::edges::Usual;
+use crate::stripe::light::Course;
 use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
+use glam::DVec2;
 use std::f64::consts::PI;
 
 /// Angles between the faces, degrees; half the confidence at these, none [`MARGIN_DEG`] beyond.
@@ -8,6 +11,9 @@ const MARGIN_DEG: f64 = 6.0;
 
 /// Columns or rows that an end may be off the corner without being a gap: the stripe's width rounds it.
 const ROUNDED: f64 = 3.0;
+
+/// Rows between the faces from which on one's light is not in the other's strip.
+const APART: f64 = 7.0;
 
 /// Part of the columns that each face must have for no, and for full confidence.
 const FACE: [f64; 2] = [0.04, 0.1];
@@ -48,18 +54,48 @@ impl View<'_> {
         Ok(self.features(&[(Feature::Joint, at)], &[(Quantity::Gap, gap), (Quantity::Angle, angle)], &support))
     }
 
-    /// Distance of the end of one face from the other face: 0 if both reach the corner.
-    fn fillet_gap(&mut self, a: &Segment, b: &Segment, at: glam::DVec2) -> f64 {
-        let rounded = ROUNDED * self.grain();
-        // The line that does not stop goes on past the corner, in the shadow of the other's end.
-        let left = self.edge(a, b.columns.0.max(a.columns.1));
-        let right = self.edge(b, a.columns.1.min(b.columns.0));
-        let short = |edge: Option<super::Edge>, s: &Segment, sign: f64| {
-            edge.map_or(0.0, |e| sign * (at - e.at).dot(s.line.along))
-        };
-        let (short_a, short_b) = (short(left, a, 1.0), short(right, b, -1.0));
+    /// Distance of the end of one face from the other face: 0 if both reach the corner. The face that does not end goes on
+    /// past the corner to where the other one's shadow begins.
+    fn fillet_gap(&mut self, a: &Segment, b: &Segment, at: DVec2) -> f64 {
+        let corner = self.profile.column_at(at.x);
+        let Some(change) = self.change(a, b, corner) else { return 0.0 };
+        let slope = |s: &Segment| s.line.along.y / s.line.along.x.max(1e-6);
+        let columns = (slope(b) - slope(a)).abs() * self.pitch() / (APART * self.profile.row);
+        let (ends, sign) = if f64::from(change) < corner { (a, 1.0) } else { (b, -1.0) };
+        if sign * (corner - f64::from(change)) < ROUNDED {
+            return 0.0;
+        }
+        // Near the corner the other face brings light.
+        let clear = (corner - sign / columns).round() as i32;
+        let inner = if sign > 0.0 { change - 1 } else { change };
+        let end = self.end_at(ends, inner, clear + if sign > 0.0 { -1 } else { 1 });
         let sine = turn(&a.line, &b.line).sin();
-        let (most, least) = (short_a.max(short_b), short_a.min(short_b));
-        if most > rounded && least < rounded { most * sine } else { 0.0 }
+        end.map_or(0.0, |e| (sign * (at - e.at).dot(ends.line.along)).max(0.0) * sine)
+    }
+
+    /// The first column in which the stripe is on the right face instead of the left one; among equals that nearest to the
+    /// corner.
+    fn change(&mut self, a: &Segment, b: &Segment, corner: f64) -> Option<i32> {
+        let (from, to) = ((a.columns.0 + a.columns.1) / 2, (b.columns.0 + b.columns.1) / 2);
+        let [left, right] = [(a, from), (b, to)].map(|(s, middle)| {
+            let end = if middle == from { s.columns.1 } else { s.columns.0 };
+            self.look_along(&Course::Line(s.line), (middle, end));
+            Usual::of(self.strip, self.scratch)
+        });
+        let (left, right) = (left?, right?);
+        self.look_along(&Course::Line(a.line), (from, to));
+        self.scratch.clear();
+        self.scratch.extend(self.strip.iter().map(|v| left.evidence(*v)));
+        self.look_along(&Course::Line(b.line), (from, to));
+        let (mut sum, mut most, mut change) = (0.0, 0.0, from);
+        for (i, (on_left, light)) in self.scratch.iter().zip(self.strip.iter()).enumerate() {
+            sum += on_left - right.evidence(*light);
+            let column = from + i as i32 + 1;
+            let nearer = (f64::from(column) - 0.5 - corner).abs() < (f64::from(change) - 0.5 - corner).abs();
+            if sum > most + 1e-9 || (sum > most - 1e-9 && nearer) {
+                (most, change) = (sum, column);
+            }
+        }
+        Some(change)
     }
 }

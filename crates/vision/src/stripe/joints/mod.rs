@@ -41,6 +41,9 @@ const STEEP: f64 = 2.0;
 /// How far from a course a place of a profile is on it, columns or rows.
 const ON_COURSE: f64 = 2.0;
 
+/// Columns of an end at the image's rim.
+const AT_RIM: usize = 3;
+
 /// The end of a course.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Edge {
@@ -100,8 +103,29 @@ impl View<'_> {
         let sure = &self.strip[..(sure.max(0) as usize + 1).min(self.strip.len())];
         let usual = Usual::of(sure, self.scratch)?;
         let coarse = lit_columns(self.strip, &usual);
+        // Where the course leaves the image before it ends, its end is not known.
+        let leaves = self.strip.iter().position(|v| v.is_nan()).is_some_and(|out| coarse + AT_RIM > out);
+        if leaves {
+            return None;
+        }
+        self.end_of(course, (from, to), &usual, coarse)
+    }
+
+    /// The end of a segment whose last lit column is `last`; no light beyond column `to` is looked at.
+    fn end_at(&mut self, segment: &Segment, last: i32, to: i32) -> Option<Edge> {
+        let course = Course::Line(segment.line);
+        let from = (segment.columns.0 + segment.columns.1) / 2;
+        let to = if last > from { to.max(last) } else { to.min(last) };
+        self.look_along(&course, (from, to));
+        let lit = last.abs_diff(from) as usize + 1;
+        let usual = Usual::of(&self.strip[..lit.min(self.strip.len())], self.scratch)?;
+        self.end_of(&course, (from, to), &usual, lit)
+    }
+
+    /// The end to a part of a column of what is in the strip.
+    fn end_of(&self, course: &Course, (from, to): (i32, i32), usual: &Usual, coarse: usize) -> Option<Edge> {
         let lit = if self.light.is_some() {
-            sub_column(self.strip, &usual, coarse)
+            sub_column(self.strip, usual, coarse)
         } else {
             // As many columns again may be missing as there are holes one after the other.
             coarse as f64 + (1.0 - usual.lit).min(0.5) / usual.lit.max(0.5)

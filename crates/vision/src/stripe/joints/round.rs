@@ -1,8 +1,9 @@
 //! Grooves whose walls end in arcs: U and J.
 
 use super::groove::{CROWD, SHOULDERS, mismatch};
-use super::{Support, View, between, ramp, turn};
+use super::{Edge, Support, View, between, ramp, turn};
 use crate::stripe::fit::{StripeArc, StripeLine, line};
+use crate::stripe::light::Course;
 use crate::stripe::profile::Sample;
 use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
 use glam::DVec2;
@@ -19,6 +20,10 @@ const BETTER: f64 = 1.15;
 
 /// Least part of a U groove's arc that is on its own side of the centre.
 const OWN_SIDE: f64 = 0.7;
+
+/// Part of an arc's radius beside its end in which it is looked along, and a root that counts as closed, columns.
+const ARC_PART: f64 = 0.6;
+const CLOSED: f64 = 2.0;
 
 /// A groove between two shoulders.
 struct Groove {
@@ -54,11 +59,18 @@ impl View<'_> {
         let left = self.side(&groove, (groove.inside.0, middle), 0).ok_or(NoFeatures::NoGroove)?;
         let right = self.side(&groove, (middle + 1, groove.inside.1), 1).ok_or(NoFeatures::NoGroove)?;
         let up = groove.along.perp();
-        let roots = [left.arc.centre - left.arc.radius * up, right.arc.centre - right.arc.radius * up];
+        let lowest = [left.arc.centre - left.arc.radius * up, right.arc.centre - right.arc.radius * up];
         let unequal = (left.arc.radius - right.arc.radius).abs() / (left.arc.radius + right.arc.radius);
-        // With a closed root both arcs have one centre.
-        let apart = (roots[1] - roots[0]).dot(groove.along);
-        let gap = if apart > 3.0 * self.pitch() { apart } else { 0.0 };
+        let apart = (lowest[1] - lowest[0]).dot(groove.along);
+        // Between open roots it is dark; a closed one has both arcs' lowest points.
+        let middle = (lowest[0] + lowest[1]) / 2.0;
+        let to = self.profile.column_at(middle.x).round() as i32;
+        let ends = (self.arc_end(&left.arc, groove.inside.0, to), self.arc_end(&right.arc, groove.inside.1, to));
+        let roots = match ends {
+            (Some(a), Some(b)) if b.column - a.column > CLOSED => [a.at, b.at],
+            _ => [middle; 2],
+        };
+        let gap = (roots[1] - roots[0]).dot(groove.along).max(0.0);
         if unequal > 0.25 || apart < -8.0 * self.pitch() || left.own_side.min(right.own_side) < OWN_SIDE {
             return Err(NoFeatures::NoGroove);
         }
@@ -70,6 +82,18 @@ impl View<'_> {
         let radius = (left.arc.radius + right.arc.radius) / 2.0;
         let edges = [left.edge, right.edge];
         Ok(self.round_features(&groove, &[left, right], roots, edges, (gap, angle, radius, margin)))
+    }
+
+    /// The end of an arc on the way from column `shoulder` to column `to`.
+    fn arc_end(&mut self, arc: &StripeArc, shoulder: i32, to: i32) -> Option<Edge> {
+        // Upper parts of an arc are steep and may not be on it.
+        let beside = ARC_PART * arc.radius / self.pitch();
+        let from = if to >= shoulder {
+            shoulder.max(to - beside.round() as i32)
+        } else {
+            shoulder.min(to + beside.round() as i32)
+        };
+        self.end(&Course::Arc(*arc), (from, to), from.abs_diff(to) as i32 / 2)
     }
 
     /// One curved side, the other one upright: nothing is seen of it between shoulder and root.
