@@ -9,7 +9,11 @@ pub(super) const LIT: f64 = 0.2;
 /// Least and greatest part of the columns on a course thought to be lit, and part of those off it that are: by
 /// reflections, spatter and faces seen from the side.
 const LIT_ON: [f64; 2] = [0.6, 0.95];
-const LIT_OFF: f64 = 0.2;
+const LIT_OFF: f64 = 0.05;
+
+/// Logarithm of how likely holes must be for a gap not to be one; dark columns that are no gap at all.
+const GAP_ODDS: f64 = -5.0;
+const LEAST_GAP: f64 = 2.0;
 
 /// Light of a column that the lens brings into its neighbours. With it the sub-pixel part is known much better than by the
 /// place of half the light: grains make columns differ by half, but what a column brings into a dark one is all its own.
@@ -56,6 +60,12 @@ impl Usual {
         let deviation = (seen().map(|v| (v - mean).powi(2)).sum::<f64>() / count).sqrt();
         let lit = seen().filter(|v| *v > LIT).count() as f64 / count;
         (light > 0.0 && mean > 0.0).then_some(Self { light, mean, deviation, lit })
+    }
+
+    /// Fewest dark columns in a row that are more likely a gap than holes.
+    pub(super) fn least_gap(&self) -> f64 {
+        let hole = (1.0 - self.lit).clamp(0.02, 0.5);
+        (GAP_ODDS / hole.ln()).max(LEAST_GAP)
     }
 
     /// Whether that much light is the stripe's; what is outside of the image is not known.

@@ -120,7 +120,7 @@ impl View<'_> {
         // A closed root is where the walls end.
         let far = CLOSED * self.grain();
         let ends_there = a.at.distance(closed).max(b.at.distance(closed)) < far;
-        if b.column - a.column < 1.5 || (b.at - a.at).dot(along) <= 0.0 {
+        if b.column - a.column < a.least_gap.max(b.least_gap) || (b.at - a.at).dot(along) <= 0.0 {
             return ([closed; 2], !ends_there);
         }
         let (on, elsewhere) = self.lit(&v.walls, closed, a, b);

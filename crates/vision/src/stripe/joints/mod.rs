@@ -51,6 +51,8 @@ struct Edge {
     column: f64,
     /// Its place on the course.
     at: DVec2,
+    /// Fewest dark columns that make a gap.
+    least_gap: f64,
 }
 
 /// How well a joint is supported, before its confidence is put together.
@@ -131,7 +133,7 @@ impl View<'_> {
             coarse as f64 + (1.0 - usual.lit).min(0.5) / usual.lit.max(0.5)
         };
         let column = f64::from(from) + (lit - 0.5) * if to >= from { 1.0 } else { -1.0 };
-        Some(Edge { column, at: self.place(course, column)? })
+        Some(Edge { column, at: self.place(course, column)?, least_gap: usual.least_gap() })
     }
 
     /// Fills the strip with the light along a course; without an image, with 1 where a place is on it.

@@ -157,7 +157,8 @@ impl View<'_> {
             let at = self.profile.samples.iter().min_by_key(|s| (f64::from(s.column) - column).abs() as i64)?;
             let y = at.at.x + (column - f64::from(at.column)) * self.pitch();
             let on = |s: &Segment| s.line.at + s.line.along * ((y - s.line.at.x) / s.line.along.x.max(1e-6));
-            return Some((Edge { column, at: on(left) }, Edge { column, at: on(right) }));
+            let edge = |s| Edge { column, at: on(s), least_gap: 0.0 };
+            return Some((edge(left), edge(right)));
         }
         // Where the plates are in line the other one's places would do as well: not beyond the middle.
         let middle = (seam.left + seam.right).div_euclid(2);

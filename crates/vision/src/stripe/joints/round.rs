@@ -21,9 +21,8 @@ const BETTER: f64 = 1.15;
 /// Least part of a U groove's arc that is on its own side of the centre.
 const OWN_SIDE: f64 = 0.7;
 
-/// Part of an arc's radius beside its end in which it is looked along, and a root that counts as closed, columns.
+/// Part of an arc's radius beside its end in which it is looked along.
 const ARC_PART: f64 = 0.6;
-const CLOSED: f64 = 2.0;
 
 /// A groove between two shoulders.
 struct Groove {
@@ -67,7 +66,7 @@ impl View<'_> {
         let to = self.profile.column_at(middle.x).round() as i32;
         let ends = (self.arc_end(&left.arc, groove.inside.0, to), self.arc_end(&right.arc, groove.inside.1, to));
         let roots = match ends {
-            (Some(a), Some(b)) if b.column - a.column > CLOSED => [a.at, b.at],
+            (Some(a), Some(b)) if b.column - a.column > a.least_gap.max(b.least_gap) => [a.at, b.at],
             _ => [middle; 2],
         };
         let gap = (roots[1] - roots[0]).dot(groove.along).max(0.0);
