@@ -15,6 +15,9 @@ const LIT_OFF: f64 = 0.05;
 const GAP_ODDS: f64 = -5.0;
 const LEAST_GAP: f64 = 2.0;
 
+/// What is taken for the part of holes that go on if there are none.
+const LEAST_HOLE: f64 = 0.1;
+
 /// Light of a column that the lens brings into its neighbours. With it the sub-pixel part is known much better than by the
 /// place of half the light: grains make columns differ by half, but what a column brings into a dark one is all its own.
 const SPREAD: f64 = 0.25;
@@ -43,6 +46,8 @@ pub(super) struct Usual {
     deviation: f64,
     /// Part of the columns that are lit.
     pub(super) lit: f64,
+    /// Part of the dark columns after which the next one is dark too.
+    hole: f64,
 }
 
 impl Usual {
@@ -59,13 +64,15 @@ impl Usual {
         let mean = seen().sum::<f64>() / count;
         let deviation = (seen().map(|v| (v - mean).powi(2)).sum::<f64>() / count).sqrt();
         let lit = seen().filter(|v| *v > LIT).count() as f64 / count;
-        (light > 0.0 && mean > 0.0).then_some(Self { light, mean, deviation, lit })
+        let dark = |v: &f64| *v <= LIT * light;
+        let pairs = strip.windows(2).filter(|w| dark(&w[0]) && dark(&w[1])).count() as f64;
+        let hole = (pairs + LEAST_HOLE) / (count * (1.0 - lit) + 1.0);
+        (light > 0.0 && mean > 0.0).then_some(Self { light, mean, deviation, lit, hole })
     }
 
     /// Fewest dark columns in a row that are more likely a gap than holes.
     pub(super) fn least_gap(&self) -> f64 {
-        let hole = (1.0 - self.lit).clamp(0.02, 0.5);
-        (GAP_ODDS / hole.ln()).max(LEAST_GAP)
+        (GAP_ODDS / self.hole.min(0.5).ln()).max(LEAST_GAP)
     }
 
     /// Whether that much light is the stripe's; what is outside of the image is not known.

@@ -60,38 +60,49 @@ impl<'a> Light<'a> {
     pub(super) fn along(&self, profile: &Profile, course: &Course, (from, to): (i32, i32), strip: &mut Vec<f64>) {
         strip.clear();
         let step = if to >= from { 1 } else { -1 };
+        let columns = (0..=(to - from).abs()).map(|i| f64::from(from + step * i));
+        if let Course::Line(line) = course {
+            // A straight line in the image too.
+            let ends = [line.at - line.along, line.at + line.along].map(|p| self.px(p));
+            let [Some(a), Some(b)] = ends else { return };
+            let slope = (b.y - a.y) / (b.x - a.x);
+            strip.extend(columns.map(|c| profile.image_column(c)).map(|x| self.strip(x, a.y + (x - a.x) * slope)));
+            return;
+        }
         let mut y = profile.y_at(f64::from(from));
-        for i in 0..=(to - from).abs() {
-            let column = from + step * i;
-            let place = self.place(profile, course, f64::from(column), y);
-            strip.push(place.map_or(f64::NAN, |(_, row)| self.strip(profile.image_column(f64::from(column)), row)));
+        for column in columns {
+            let place = self.place(profile, course, column, y);
+            strip.push(place.map_or(f64::NAN, |(_, row)| self.strip(profile.image_column(column), row)));
             y = place.map_or(y, |(p, _)| p.x) + f64::from(step) * profile.pitch;
+        }
+    }
+
+    fn px(&self, p: DVec2) -> Option<DVec2> {
+        match &self.to_px {
+            Some(map) => map.map(p),
+            None => Some(DVec2::new(p.x, -p.y)),
         }
     }
 
     /// The place of `course` in a column of the profile, looked for from `y` on, and its row.
     pub(super) fn place(&self, profile: &Profile, course: &Course, column: f64, y: f64) -> Option<(DVec2, f64)> {
-        let px = |p: DVec2| match &self.to_px {
-            Some(map) => map.map(p),
-            None => Some(DVec2::new(p.x, -p.y)),
-        };
         let (column, along) = (profile.image_column(column), profile.pitch * profile.direction);
         let mut at = course.at(y)?;
         // Columns are nearly even along y.
         for _ in 0..2 {
-            at = course.at(at.x + (column - px(at)?.x) * along)?;
+            at = course.at(at.x + (column - self.px(at)?.x) * along)?;
         }
-        Some((at, px(at)?.y))
+        Some((at, self.px(at)?.y))
     }
 
     /// Light of a column within `half` rows of `row`.
     fn strip(&self, column: f64, row: f64) -> f64 {
         let (width, height) = (self.frame.width(), self.frame.height());
-        let (low, high) = (row - self.half, row + self.half);
-        let inside = low >= 0.0 && high <= height as f64 - 1.0 && (-0.5..width as f64 - 0.5).contains(&column);
+        let inside = (0.0..=height as f64 - 1.0).contains(&row) && (-0.5..width as f64 - 0.5).contains(&column);
         if !inside {
             return f64::NAN;
         }
+        let (low, high) = ((row - self.half).max(0.0), (row + self.half).min(height as f64 - 1.0));
         let column = column.round() as usize;
         let grey = |r: usize| match self.frame.pixels() {
             Pixels::U8(pixels) => f64::from(pixels[r * width + column]),

@@ -1,3 +1,4 @@
+use super::cover::Part;
 use super::{Support, View, ramp, turn};
 use crate::stripe::edges::Usual;
 use crate::stripe::light::Course;
@@ -12,19 +13,13 @@ const MARGIN_DEG: f64 = 6.0;
 /// Columns or rows that an end may be off the corner without being a gap: the stripe's width rounds it.
 const ROUNDED: f64 = 3.0;
 
-/// Rows between the faces from which on one's light is not in the other's strip.
-const APART: f64 = 7.0;
-
 /// Part of the columns that each face must have for no, and for full confidence.
 const FACE: [f64; 2] = [0.04, 0.1];
 
 impl View<'_> {
     /// Two faces that meet in a valley and are all there is.
     pub(super) fn fillet(&mut self) -> Result<Features, NoFeatures> {
-        let pairs = self.segments.windows(2).filter(|w| turn(&w[0].line, &w[1].line) > 0.6);
-        let length = |w: &&[Segment]| w[0].length() + w[1].length();
-        let pair = pairs.max_by(|a, b| length(a).total_cmp(&length(b))).ok_or(NoFeatures::NoCorner)?;
-        let (a, b) = (pair[0], pair[1]);
+        let (a, b) = self.faces().ok_or(NoFeatures::NoCorner)?;
         let angle = PI - turn(&a.line, &b.line);
         let degrees = angle.to_degrees();
         let inside = (degrees - ANGLES_DEG[0]).min(ANGLES_DEG[1] - degrees);
@@ -32,41 +27,44 @@ impl View<'_> {
         if inside < -MARGIN_DEG {
             return Err(NoFeatures::NoCorner);
         }
-        // Nothing else that is straight and goes elsewhere: shoulders would make it a groove.
-        let grain = self.grain();
-        let on = |s: &Segment, line: &Segment| {
-            let off = s.ends.map(|e| line.line.off(e).abs());
-            off[0].max(off[1]) < 3.0 * line.within(grain) && turn(&s.line, &line.line).abs() < 0.12
-        };
-        let other = |s: &&Segment| !on(s, &a) && !on(s, &b);
-        let columns = |s: &Segment| f64::from(s.columns.1 - s.columns.0);
-        let elsewhere: f64 = self.segments.iter().filter(other).map(columns).sum();
-        let total: f64 = self.segments.iter().map(columns).sum();
-        let alone = ramp(elsewhere / total, 0.25, 0.1);
-        let share = self.share(self.samples(), &[a, b]);
-        if alone <= 0.0 || share < 0.5 {
+        let corner = self.profile.column_at(at.x);
+        let change = self.change(&a, &b, corner).ok_or(NoFeatures::NoCorner)?;
+        // All of it lies on the two: shoulders would make it a groove.
+        let (clear, last) = (Some(self.clear_of(&a.line, &b.line)), self.profile.columns() as i32 - 1);
+        let parts = [
+            Part { course: Course::Line(a.line), columns: (0, change - 1), dark_after: [None, clear] },
+            Part { course: Course::Line(b.line), columns: (change, last), dark_after: [clear, None] },
+        ];
+        let cover = self.cover(&parts);
+        if cover <= 0.0 {
             return Err(NoFeatures::NoCorner);
         }
-        let gap = self.fillet_gap(&a, &b, at);
-        let shorter = columns(&a).min(columns(&b)) / f64::from(self.profile.columns() as u32);
-        let margin = alone * ramp(inside, -MARGIN_DEG, MARGIN_DEG / 2.0) * ramp(shorter, FACE[0], FACE[1]);
-        let support = Support { share, segments: &[a, b], margin };
+        let gap = self.fillet_gap((&a, &b), at, change);
+        let shorter = f64::from(change.min(last - change)) / f64::from(last);
+        let margin = cover * ramp(inside, -MARGIN_DEG, MARGIN_DEG / 2.0) * ramp(shorter, FACE[0], FACE[1]);
+        let support = Support { share: 1.0, segments: &[a, b], margin, covered: true };
         Ok(self.features(&[(Feature::Joint, at)], &[(Quantity::Gap, gap), (Quantity::Angle, angle)], &support))
+    }
+
+    /// The longest lines that meet in a valley.
+    fn faces(&self) -> Option<(Segment, Segment)> {
+        let (s, lengths) = (self.segments, self.lengths());
+        let pairs = (0..s.len()).flat_map(|i| (i + 1..s.len()).map(move |j| (i, j)));
+        let valleys = pairs.filter(|(i, j)| turn(&s[*i].line, &s[*j].line) > 0.6);
+        let length = |(i, j): &(usize, usize)| lengths[*i] + lengths[*j];
+        valleys.max_by(|a, b| length(a).total_cmp(&length(b))).map(|(i, j)| (s[i], s[j]))
     }
 
     /// Distance of the end of one face from the other face: 0 if both reach the corner. The face that does not end goes on
     /// past the corner to where the other one's shadow begins.
-    fn fillet_gap(&mut self, a: &Segment, b: &Segment, at: DVec2) -> f64 {
+    fn fillet_gap(&mut self, (a, b): (&Segment, &Segment), at: DVec2, change: i32) -> f64 {
         let corner = self.profile.column_at(at.x);
-        let Some(change) = self.change(a, b, corner) else { return 0.0 };
-        let slope = |s: &Segment| s.line.along.y / s.line.along.x.max(1e-6);
-        let columns = (slope(b) - slope(a)).abs() * self.pitch() / (APART * self.profile.row);
         let (ends, sign) = if f64::from(change) < corner { (a, 1.0) } else { (b, -1.0) };
         if sign * (corner - f64::from(change)) < ROUNDED {
             return 0.0;
         }
         // Near the corner the other face brings light.
-        let clear = (corner - sign / columns).round() as i32;
+        let clear = (corner - sign * f64::from(self.clear_of(&a.line, &b.line))).round() as i32;
         let inner = if sign > 0.0 { change - 1 } else { change };
         let end = self.end_at(ends, inner, clear + if sign > 0.0 { -1 } else { 1 });
         let sine = turn(&a.line, &b.line).sin();

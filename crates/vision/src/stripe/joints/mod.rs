@@ -1,6 +1,7 @@
 //! What a profile must look like for each joint. A joint that was not asked for is not looked for: what does not fit has
 //! no features.
 
+mod cover;
 mod fillet;
 mod groove;
 mod plates;
@@ -12,7 +13,7 @@ use super::features::{Features, JointKind, NoFeatures, Quantity, StripeTask};
 use super::fit::StripeLine;
 use super::light::{Course, Light};
 use super::profile::{Profile, Sample};
-use super::segments::Segment;
+use super::segments::{MOST, Segment};
 use arrayvec::ArrayVec;
 use glam::DVec2;
 
@@ -37,6 +38,10 @@ const HIDING_ROWS: f64 = 8.0;
 
 /// Least slope of the face below an edge.
 const STEEP: f64 = 2.0;
+
+/// Rows between two courses from which on the light of one is not in the other's strip; most columns of it.
+const APART: f64 = 7.0;
+const MOST_BESIDE: f64 = 100.0;
 
 /// How far from a course a place of a profile is on it, columns or rows.
 const ON_COURSE: f64 = 2.0;
@@ -63,6 +68,8 @@ struct Support<'a> {
     segments: &'a [Segment],
     /// 0 to 1: how much better it fits than what it could be confused with.
     margin: f64,
+    /// Whether the light on all of it has been looked at, which says more than the chain does.
+    covered: bool,
 }
 
 impl View<'_> {
@@ -161,6 +168,21 @@ impl View<'_> {
         }
     }
 
+    /// Length of all segments on each one's line, mm: reflections cut the lines of a joint into several.
+    fn lengths(&self) -> ArrayVec<f64, MOST> {
+        let grain = self.grain();
+        let on = |s: &Segment, line: &Segment| s.ends.iter().all(|e| line.line.off(*e).abs() < line.within(grain));
+        let all = |line: &Segment| self.segments.iter().filter(|s| on(s, line)).map(Segment::length).sum();
+        self.segments.iter().map(all).collect()
+    }
+
+    /// Columns from the place where two lines meet to where one's light is no more in the other's strip.
+    fn clear_of(&self, a: &StripeLine, b: &StripeLine) -> i32 {
+        let slope = |s: &StripeLine| s.along.y / s.along.x.max(1e-6);
+        let apart = (slope(a) - slope(b)).abs() * self.pitch();
+        (APART * self.profile.row / apart.max(1e-9)).ceil().min(MOST_BESIDE) as i32
+    }
+
     /// Part of `samples` on one of `segments`.
     fn share(&self, samples: &[Sample], segments: &[Segment]) -> f64 {
         let grain = self.grain();
@@ -230,7 +252,16 @@ impl View<'_> {
         (f64::from(crowded) + alone.max(0.0)) / f64::from((columns.1 - columns.0 + 1).max(1))
     }
 
-    /// Puts the features together: inliers x length x residual x margin x innovation.
+    /// 0 to 1: how well the chain follows the joint.
+    fn followed(&self, support: &Support) -> f64 {
+        let rival = |s: &Segment| self.rivals(s.columns, support.segments);
+        let rivals = support.segments.iter().map(rival).fold(0.0, f64::max);
+        let densities = support.segments.iter().map(|s| self.density(s));
+        let density = densities.fold(f64::INFINITY, f64::min);
+        ramp(support.share, 0.55, 0.85) * ramp(density, 0.3, 0.5) * ramp(rivals, 0.6, 0.35)
+    }
+
+    /// Puts the features together: what is seen x length x residual x margin x innovation.
     fn features(&self, points: &[(Feature, DVec2)], values: &[(Quantity, f64)], support: &Support) -> Features {
         let pitch = self.pitch();
         let shortest = support.segments.iter().map(Segment::length).fold(f64::INFINITY, f64::min);
@@ -243,23 +274,15 @@ impl View<'_> {
             }
             _ => 1.0,
         };
-        let rival = |s: &Segment| self.rivals(s.columns, support.segments);
-        let rivals = support.segments.iter().map(rival).fold(0.0, f64::max);
-        let densities = support.segments.iter().map(|s| self.density(s));
-        let density = densities.fold(f64::INFINITY, f64::min);
-        let confidence = ramp(support.share, 0.55, 0.85)
-            * ramp(density, 0.3, 0.5)
-            * ramp(columns, 8.0, 30.0)
-            * ramp(worst, 6.0, 2.0)
-            * ramp(rivals, 0.6, 0.35)
-            * support.margin.clamp(0.0, 1.0)
-            * innovation;
+        let chain = if support.covered { 1.0 } else { self.followed(support) };
+        let confidence =
+            chain * ramp(columns, 8.0, 30.0) * ramp(worst, 6.0, 2.0) * support.margin.clamp(0.0, 1.0) * innovation;
         let finite = points.iter().all(|p| p.1.is_finite()) && values.iter().all(|v| v.1.is_finite());
         Features {
             kind: self.task.joint,
             points: points.iter().copied().collect::<ArrayVec<_, 6>>(),
             values: values.iter().copied().collect::<ArrayVec<_, 8>>(),
-            confidence: if finite { confidence } else { 0.0 },
+            confidence: if finite { confidence.abs() } else { 0.0 },
         }
     }
 }

@@ -81,7 +81,7 @@ impl View<'_> {
         };
         let points = [(Feature::Joint, lower.line.foot(upper.at)), (Feature::UpperEdge, upper.at)];
         let segments = [first, last];
-        Ok(self.features(&points, &values[..known], &Support { share, segments: &segments, margin }))
+        Ok(self.features(&points, &values[..known], &Support { share, segments: &segments, margin, covered: false }))
     }
 
     /// Two plates in line with a gap, a mismatch or a dark line between them.
@@ -118,7 +118,7 @@ impl View<'_> {
         let values = [(Quantity::Gap, gap), (Quantity::Mismatch, step), (Quantity::Bend, bend)];
         let points = [(Feature::Joint, joint), (Feature::LeftEdge, a.at), (Feature::RightEdge, b.at)];
         let segments = [left, right];
-        Ok(self.features(&points, &values, &Support { share, segments: &segments, margin }))
+        Ok(self.features(&points, &values, &Support { share, segments: &segments, margin, covered: false }))
     }
 
     /// Whether anything but the faces of the ends is seen in a good part of the gap's columns: something that hides that

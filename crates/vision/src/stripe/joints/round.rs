@@ -1,11 +1,13 @@
 //! Grooves whose walls end in arcs: U and J.
 
-use super::groove::{CROWD, SHOULDERS, mismatch};
+use super::cover::Part;
+use super::groove::{SHOULDERS, mismatch};
 use super::{Edge, Support, View, between, ramp, turn};
 use crate::stripe::fit::{StripeArc, StripeLine, line};
 use crate::stripe::light::Course;
 use crate::stripe::profile::Sample;
 use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
+use arrayvec::ArrayVec;
 use glam::DVec2;
 
 /// Triples of places that are tried for an arc.
@@ -23,6 +25,15 @@ const OWN_SIDE: f64 = 0.7;
 
 /// Part of an arc's radius beside its end in which it is looked along.
 const ARC_PART: f64 = 0.6;
+
+/// Part of an arc's radius to the side from its centre that must be lit: beyond it is too steep.
+const ARC_SEEN: f64 = 0.8;
+
+/// Part of a J groove's radius to the side of the root that may be in the shadow of the upright side.
+const SHADOW: f64 = 0.35;
+
+/// Columns beyond the end of a shoulder from which on it must be dark.
+const AFTER_EDGE: i32 = 4;
 
 /// A groove between two shoulders.
 struct Groove {
@@ -150,11 +161,10 @@ impl View<'_> {
         let seen = self.profile.between(groove.inside.0, groove.inside.1).len() as f64;
         let columns = f64::from(groove.inside.1 - groove.inside.0 + 1) - gap / self.pitch();
         let margin = margin * ramp(seen / columns.max(1.0), 0.4, 0.6);
-        let margin = margin * ramp(self.crowd(groove.inside), CROWD[0], CROWD[1]);
-        let margin = margin * ramp(self.rivals(groove.inside, &groove.shoulders), 0.4, 0.2);
+        let margin = margin * self.cover(&self.round_parts(groove, sides, roots));
         let shoulders = self.share(self.samples(), &groove.shoulders);
         let inside = self.profile.between(groove.inside.0, groove.inside.1).len() as f64 / self.samples().len() as f64;
-        let support = Support { share: shoulders + share * inside, segments: &groove.shoulders, margin };
+        let support = Support { share: shoulders + share * inside, segments: &groove.shoulders, margin, covered: true };
         let points = [
             (Feature::Joint, joint),
             (Feature::LeftEdge, edges[0]),
@@ -174,6 +184,37 @@ impl View<'_> {
         ];
         let known = if angle.is_some() { 8 } else { 7 };
         self.features(&points, &values[..known], &support)
+    }
+
+    /// Shoulders, and arcs as far as they are not too steep.
+    fn round_parts(&self, groove: &Groove, sides: &[Side], roots: [DVec2; 2]) -> ArrayVec<Part, 4> {
+        let column = |p: DVec2| self.profile.column_at(p.x).round() as i32;
+        let last = self.profile.columns() as i32 - 1;
+        let mut parts = ArrayVec::new();
+        for (i, shoulder) in groove.shoulders.iter().enumerate() {
+            let end = column(groove.ends[i]);
+            let (columns, dark_after) = if i == 0 {
+                ((0, end - 1), [None, Some(AFTER_EDGE)])
+            } else {
+                ((end + 1, last), [Some(AFTER_EDGE), None])
+            };
+            parts.push(Part { course: Course::Line(shoulder.line), columns, dark_after });
+        }
+        for side in sides {
+            let outward = (side.edge - side.arc.centre).dot(groove.along).signum();
+            let root = if outward > 0.0 { roots[1] } else { roots[0] };
+            let (root, upper) =
+                (column(root), column(side.arc.centre + outward * ARC_SEEN * side.arc.radius * DVec2::X));
+            // The upright side of a J groove may throw its shadow on the root.
+            let root = if sides.len() == 1 {
+                column(side.arc.centre + outward * SHADOW * side.arc.radius * DVec2::X)
+            } else {
+                root
+            };
+            let columns = if outward > 0.0 { (root + 1, upper) } else { (upper, root - 1) };
+            parts.push(Part { course: Course::Arc(side.arc), columns, dark_after: [None; 2] });
+        }
+        parts
     }
 
     /// Two parallel shoulders and what is between them, below both.

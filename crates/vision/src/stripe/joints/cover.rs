@@ -1,0 +1,62 @@
+//! Whether a joint that was found is all there: lit from end to end, and dark where it says that it ends.
+//!
+//! Reflections are as bright as the stripe, and no shape is proof. But a reflection is short, and it does not begin and
+//! end where a joint's parts do: a joint made of one has dark places on its parts, or parts that go on beyond their ends.
+
+use super::{View, ramp};
+use crate::stripe::edges::{LIT, Usual};
+use crate::stripe::light::Course;
+
+/// Columns beyond an end that must be dark, and part of them that may be lit for no, and for full confidence.
+const BEYOND: i32 = 20;
+const LIT_BEYOND: [f64; 2] = [0.75, 0.45];
+
+/// Dark columns in a row on a part for no, and for full confidence: of [`Usual::least_gap`].
+const HOLE: [f64; 2] = [3.5, 2.2];
+
+/// A part of a joint.
+pub(super) struct Part {
+    pub(super) course: Course,
+    /// Its first and last column.
+    pub(super) columns: (i32, i32),
+    /// Columns beyond its first and last column from which on it must be dark; none if it may go on there.
+    pub(super) dark_after: [Option<i32>; 2],
+}
+
+impl View<'_> {
+    /// 0 to 1: how sure it is that the parts are there and end where they should.
+    pub(super) fn cover(&mut self, parts: &[Part]) -> f64 {
+        let longest = parts.iter().max_by_key(|p| p.columns.1 - p.columns.0);
+        let Some(longest) = longest else { return 0.0 };
+        self.look_along(&longest.course, longest.columns);
+        let Some(usual) = Usual::of(self.strip, self.scratch) else { return 0.0 };
+        let hole = usual.least_gap();
+        let mut sure: f64 = 1.0;
+        for part in parts.iter().filter(|p| p.columns.1 > p.columns.0) {
+            let (from, to) = part.columns;
+            let run = self.longest_dark(part, &usual);
+            sure *= ramp(run, HOLE[0] * hole, HOLE[1] * hole);
+            let [before, after] = part.dark_after;
+            for (end, step, skip) in [(from, -1, before), (to, 1, after)] {
+                let Some(skip) = skip else { continue };
+                self.look_along(&part.course, (end + step * skip, end + step * (skip + BEYOND)));
+                let seen = || self.strip.iter().filter(|v| v.is_finite());
+                let lit = seen().filter(|v| **v > LIT * usual.light).count() as f64;
+                sure *= ramp(lit / seen().count().max(1) as f64, LIT_BEYOND[0], LIT_BEYOND[1]);
+            }
+        }
+        sure
+    }
+
+    /// The longest run of dark columns on a part.
+    fn longest_dark(&mut self, part: &Part, usual: &Usual) -> f64 {
+        self.look_along(&part.course, part.columns);
+        let (mut run, mut longest) = (0, 0);
+        for light in self.strip.iter() {
+            // What is out of the image is not seen.
+            run = if *light > LIT * usual.light { 0 } else { run + 1 };
+            longest = longest.max(run);
+        }
+        f64::from(longest)
+    }
+}
