@@ -8,8 +8,11 @@ use crate::stripe::edges::{LIT, Usual};
 use crate::stripe::light::Course;
 
 /// Columns beyond an end that must be dark, and part of them that may be lit for no, and for full confidence.
-const BEYOND: i32 = 20;
-const LIT_BEYOND: [f64; 2] = [0.75, 0.45];
+const BEYOND: i32 = 10;
+const LIT_BEYOND: [f64; 2] = [0.7, 0.4];
+
+/// Part of the columns in which the joint is out of the image, and something is seen, for no, and for full confidence.
+const ELSEWHERE: [f64; 2] = [0.25, 0.15];
 
 /// Dark columns in a row on a part for no, and for full confidence: of [`Usual::least_gap`].
 const HOLE: [f64; 2] = [3.5, 2.2];
@@ -31,10 +34,11 @@ impl View<'_> {
         self.look_along(&longest.course, longest.columns);
         let Some(usual) = Usual::of(self.strip, self.scratch) else { return 0.0 };
         let hole = usual.least_gap();
-        let mut sure: f64 = 1.0;
+        let (mut sure, mut elsewhere): (f64, usize) = (1.0, 0);
         for part in parts.iter().filter(|p| p.columns.1 > p.columns.0) {
             let (from, to) = part.columns;
-            let run = self.longest_dark(part, &usual);
+            let (run, out) = self.dark_and_out(part, &usual);
+            elsewhere += out;
             sure *= ramp(run, HOLE[0] * hole, HOLE[1] * hole);
             let [before, after] = part.dark_after;
             for (end, step, skip) in [(from, -1, before), (to, 1, after)] {
@@ -45,18 +49,19 @@ impl View<'_> {
                 sure *= ramp(lit / seen().count().max(1) as f64, LIT_BEYOND[0], LIT_BEYOND[1]);
             }
         }
-        sure
+        sure * ramp(elsewhere as f64 / self.samples().len() as f64, ELSEWHERE[0], ELSEWHERE[1])
     }
 
-    /// The longest run of dark columns on a part.
-    fn longest_dark(&mut self, part: &Part, usual: &Usual) -> f64 {
+    /// The longest run of dark columns on a part, and the number of places in columns in which it is out of the image.
+    fn dark_and_out(&mut self, part: &Part, usual: &Usual) -> (f64, usize) {
         self.look_along(&part.course, part.columns);
         let (mut run, mut longest) = (0, 0);
-        for light in self.strip.iter() {
-            // What is out of the image is not seen.
+        for light in self.strip.iter().filter(|v| v.is_finite()) {
             run = if *light > LIT * usual.light { 0 } else { run + 1 };
             longest = longest.max(run);
         }
-        f64::from(longest)
+        let out = |c: i32| self.strip.get(c.abs_diff(part.columns.0) as usize).is_some_and(|v| v.is_nan());
+        let places = self.profile.between(part.columns.0, part.columns.1);
+        (f64::from(longest), places.iter().filter(|s| out(s.column)).count())
     }
 }

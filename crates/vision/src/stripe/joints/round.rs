@@ -76,10 +76,9 @@ impl View<'_> {
         let middle = (lowest[0] + lowest[1]) / 2.0;
         let to = self.profile.column_at(middle.x).round() as i32;
         let ends = (self.arc_end(&left.arc, groove.inside.0, to), self.arc_end(&right.arc, groove.inside.1, to));
-        let roots = match ends {
-            (Some(a), Some(b)) if b.column - a.column > a.least_gap.max(b.least_gap) => [a.at, b.at],
-            _ => [middle; 2],
-        };
+        let (Some(a), Some(b)) = ends else { return Err(NoFeatures::NoGroove) };
+        let open = b.column - a.column > a.least_gap.max(b.least_gap);
+        let roots = if open { [a.at, b.at] } else { [middle; 2] };
         let gap = (roots[1] - roots[0]).dot(groove.along).max(0.0);
         if unequal > 0.25 || apart < -8.0 * self.pitch() || left.own_side.min(right.own_side) < OWN_SIDE {
             return Err(NoFeatures::NoGroove);
