@@ -26,8 +26,14 @@ const OWN_SIDE: f64 = 0.7;
 /// Part of an arc's radius beside its end in which it is looked along.
 const ARC_PART: f64 = 0.6;
 
+/// Columns between the gap from the roots' ends and that from the arcs for no, and for full confidence.
+const DISAGREE: [f64; 2] = [8.0, 4.0];
+
 /// Part of an arc's radius to the side from its centre that must be lit: beyond it is too steep.
 const ARC_SEEN: f64 = 0.8;
+
+/// Columns by which the sides of a closed J groove may seem to overlap.
+const CLOSED: f64 = 4.0;
 
 /// Part of a J groove's radius to the side of the root that may be in the shadow of the upright side.
 const SHADOW: f64 = 0.35;
@@ -80,10 +86,12 @@ impl View<'_> {
         let open = b.column - a.column > a.least_gap.max(b.least_gap);
         let roots = if open { [a.at, b.at] } else { [middle; 2] };
         let gap = (roots[1] - roots[0]).dot(groove.along).max(0.0);
+        // The arcs themselves tell the gap less well, but not quite another one.
+        let agree = ramp((gap - apart).abs() / self.pitch(), DISAGREE[0], DISAGREE[1]);
         if unequal > 0.25 || apart < -8.0 * self.pitch() || left.own_side.min(right.own_side) < OWN_SIDE {
             return Err(NoFeatures::NoGroove);
         }
-        let margin = ramp(unequal, 0.25, 0.1);
+        let margin = agree * ramp(unequal, 0.25, 0.1);
         let angle = match (left.wall, right.wall) {
             (Some(a), Some(b)) => Some(std::f64::consts::PI - turn(&a, &b)),
             _ => None,
@@ -123,10 +131,10 @@ impl View<'_> {
         let upright = groove.ends[1 - curved];
         let across = (root - upright).dot(groove.along);
         let foot = root - across * groove.along;
-        let apart = across.abs();
+        let apart = if curved == 1 { across } else { -across };
         let gap = if apart > 3.0 * self.pitch() { apart } else { 0.0 };
         let width = (groove.ends[1] - groove.ends[0]).dot(groove.along);
-        if one_sided < 0.75 || apart > 0.5 * width {
+        if one_sided < 0.75 || apart > 0.5 * width || apart < -CLOSED * self.pitch() {
             return Err(NoFeatures::NoGroove);
         }
         // A root gap is dark.
@@ -218,10 +226,7 @@ impl View<'_> {
 
     /// Two parallel shoulders and what is between them, below both.
     fn groove(&mut self) -> Option<Groove> {
-        let (&left, &right) = (self.segments.first()?, self.segments.last()?);
-        if self.segments.len() < 3 || turn(&left.line, &right.line).abs() > SHOULDERS {
-            return None;
-        }
+        let (left, right) = self.shoulders()?;
         let a = self.edge(&left, right.columns.0)?;
         let b = self.edge(&right, left.columns.1)?;
         let inside = (a.column.ceil() as i32, b.column.floor() as i32);
@@ -231,6 +236,27 @@ impl View<'_> {
         let deep = samples.iter().filter(below).count();
         let enough = samples.len() >= 40 && 4 * deep > 3 * samples.len();
         enough.then_some(Groove { shoulders: [left, right], along, inside, ends: [a.at, b.at] })
+    }
+
+    /// The longest parallel lines with something below both between them.
+    fn shoulders(&self) -> Option<(Segment, Segment)> {
+        let (s, lengths) = (self.segments, self.lengths());
+        let deep = 10.0 * self.grain();
+        let mut best: Option<(f64, (Segment, Segment))> = None;
+        for (i, j) in (0..s.len()).flat_map(|i| (i + 2..s.len()).map(move |j| (i, j))) {
+            let (left, right) = (&s[i], &s[j]);
+            let below = |k: &Segment| {
+                let middle = (k.ends[0] + k.ends[1]) / 2.0;
+                left.line.off(middle).max(right.line.off(middle)) < -deep
+            };
+            let between: f64 = s[i + 1..j].iter().filter(|k| below(k)).map(Segment::length).sum();
+            let score = lengths[i] + lengths[j] + between;
+            let parallel = turn(&left.line, &right.line).abs() <= SHOULDERS;
+            if parallel && between > 0.0 && best.as_ref().is_none_or(|(most, _)| score > *most) {
+                best = Some((score, (*left, *right)));
+            }
+        }
+        best.map(|(_, pair)| pair)
     }
 
     /// The arc that most of `samples` are on, and how well, from a fixed set of triples.
