@@ -29,6 +29,9 @@ const AFTER_SPREAD: f64 = 0.612;
 const STRAY: f64 = 0.07;
 const NOISE: f64 = 0.03;
 
+/// Most columns at an end in which something else is seen: corners have some too.
+const HIDING: usize = 4;
+
 /// Columns about an end that are looked at.
 const WINDOW: usize = 8;
 
@@ -75,10 +78,10 @@ impl Usual {
         (GAP_ODDS / self.hole.min(0.5).ln()).max(LEAST_GAP)
     }
 
-    /// Whether that much light is the stripe's; what is outside of the image is not known.
+    /// Whether that much light is the stripe's; what is outside of the image, or under something else, is not known.
     pub(super) fn evidence(&self, light: f64) -> f64 {
         let on = self.lit.clamp(LIT_ON[0], LIT_ON[1]);
-        if light.is_nan() {
+        if !light.is_finite() {
             0.0
         } else if light > LIT * self.light {
             (on / LIT_OFF).ln()
@@ -98,6 +101,14 @@ pub(super) fn lit_columns(strip: &[f64], usual: &Usual) -> usize {
         }
     }
     end
+}
+
+/// Whether something else hides where the light ends.
+pub(super) fn is_hidden(strip: &[f64], usual: &Usual, end: usize) -> bool {
+    let is = |v: &f64, lit: bool| v.is_finite() && (*v > LIT * usual.light) == lit;
+    let lit = strip[..end].iter().rposition(|v| is(v, true)).map_or(0, |i| i + 1);
+    let unknown = strip[lit..].iter().take_while(|v| !is(v, false)).filter(|v| v.is_infinite()).count();
+    unknown > HIDING
 }
 
 /// The same to a part of a column: the mean over all places where the end could be, weighted by how likely the light

@@ -13,6 +13,15 @@ use seamwright_geometry::Homography;
 /// Half the rows of a strip as a part of the stripe's usual width: one and a quarter standard deviations.
 const HALF: f64 = 0.35;
 
+/// Light of a column where something else than the stripe is seen on the course, so that the stripe may be there or not.
+pub(super) const SOMETHING_ELSE: f64 = f64::INFINITY;
+
+/// Part of the stripe's usual strength from which on light that is not centred on the course is something else.
+const BRIGHT: f64 = 0.15;
+
+/// How much one side of the course may be brighter than the other, part of both.
+const ONE_SIDED: f64 = 0.5;
+
 /// What the stripe follows.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Course {
@@ -47,16 +56,24 @@ pub(super) struct Light<'a> {
     to_px: Option<Homography>,
     /// Half the height of a strip, rows.
     half: f64,
+    /// Light that is not of the background's noise.
+    bright: f64,
 }
 
 impl<'a> Light<'a> {
-    /// Of an image whose stripe is usually so many rows wide.
-    pub(super) fn new(frame: &'a Frame<'a>, blobs: &'a Blobs, to_mm: Option<&Homography>, usual_width: f64) -> Self {
-        Self { frame, blobs, to_px: to_mm.map(Homography::inverse), half: (HALF * usual_width).max(1.0) }
+    /// Of an image whose stripe is usually so many rows wide and so strong.
+    pub(super) fn new(
+        frame: &'a Frame<'a>,
+        blobs: &'a Blobs,
+        to_mm: Option<&Homography>,
+        (width, strength): (f64, f64),
+    ) -> Self {
+        let to_px = to_mm.map(Homography::inverse);
+        Self { frame, blobs, to_px, half: (HALF * width).max(1.0), bright: BRIGHT * strength }
     }
 
     /// Light on `course` in the profile's columns `from` to `to`, both included, in that order: grey values above the
-    /// background, summed over a strip of rows. Not a number where the course leaves the image.
+    /// background, summed over a strip of rows. Not a number where the course leaves the image, [`SOMETHING_ELSE`] where that is.
     pub(super) fn along(&self, profile: &Profile, course: &Course, (from, to): (i32, i32), strip: &mut Vec<f64>) {
         strip.clear();
         let step = if to >= from { 1 } else { -1 };
@@ -95,22 +112,33 @@ impl<'a> Light<'a> {
         Some((at, self.px(at)?.y))
     }
 
-    /// Light of a column within `half` rows of `row`.
+    /// Light of a column within `half` rows of `row`, if it is centred on it.
     fn strip(&self, column: f64, row: f64) -> f64 {
         let (width, height) = (self.frame.width(), self.frame.height());
         let inside = (0.0..=height as f64 - 1.0).contains(&row) && (-0.5..width as f64 - 0.5).contains(&column);
         if !inside {
             return f64::NAN;
         }
-        let (low, high) = ((row - self.half).max(0.0), (row + self.half).min(height as f64 - 1.0));
         let column = column.round() as usize;
+        let background = self.blobs.background_at(column, row as usize);
         let grey = |r: usize| match self.frame.pixels() {
             Pixels::U8(pixels) => f64::from(pixels[r * width + column]),
             Pixels::U16(pixels) => f64::from(pixels[r * width + column]) / 257.0,
         };
-        let (first, last) = ((low + 0.5) as usize, (high + 0.5) as usize);
-        let background = self.blobs.background_at(column, row as usize);
-        let part = |r: usize| (r as f64 + 0.5).min(high) - (r as f64 - 0.5).max(low);
-        (first..=last.min(height - 1)).map(|r| part(r) * (grey(r) - background)).sum()
+        // The strip, and as much again above and below it.
+        let (mut light, mut above, mut below) = (0.0, 0.0, 0.0);
+        let first = (row - 2.0 * self.half).ceil().max(0.0) as usize;
+        let last = ((row + 2.0 * self.half) as usize).min(height - 1);
+        for r in first..=last {
+            let (to, value) = (r as f64 - row, grey(r) - background);
+            light += value * (self.half + 0.5 - to.abs()).clamp(0.0, 1.0);
+            let lower = (to + 0.5).clamp(0.0, 1.0);
+            below += value * lower;
+            above += value * (1.0 - lower);
+        }
+        if light > self.bright && (above - below).abs() > ONE_SIDED * (above + below) {
+            return SOMETHING_ELSE;
+        }
+        light
     }
 }

@@ -76,9 +76,12 @@ impl StripeReader {
         chain::smooth(&mut self.chain);
         self.scratch.clear();
         self.scratch.extend(self.chain.iter().map(|p| p.width));
-        let usual_width = median(&mut self.scratch).unwrap_or(0.0);
+        let width = median(&mut self.scratch).unwrap_or(0.0);
+        self.scratch.clear();
+        self.scratch.extend(self.chain.iter().map(|p| p.strength));
+        let usual = (width, median(&mut self.scratch).unwrap_or(0.0));
         self.cut()?;
-        let light = Some(Light::new(frame, &self.blobs, to_mm, usual_width));
+        let light = Some(Light::new(frame, &self.blobs, to_mm, usual));
         let Self { profile, segments, strip, scratch, .. } = self;
         View { profile, segments, task, light, strip, scratch }.joint()
     }

@@ -11,6 +11,9 @@ use crate::stripe::light::Course;
 const BEYOND: i32 = 10;
 const LIT_BEYOND: [f64; 2] = [0.7, 0.4];
 
+/// Part of the columns beyond an end that must not be hidden by something else for no, and for full confidence.
+const KNOWN: [f64; 2] = [0.2, 0.5];
+
 /// Part of the columns in which the joint is out of the image, and something is seen, for no, and for full confidence.
 const ELSEWHERE: [f64; 2] = [0.25, 0.15];
 
@@ -46,7 +49,10 @@ impl View<'_> {
                 self.look_along(&part.course, (end + step * skip, end + step * (skip + BEYOND)));
                 let seen = || self.strip.iter().filter(|v| v.is_finite());
                 let lit = seen().filter(|v| **v > LIT * usual.light).count() as f64;
-                sure *= ramp(lit / seen().count().max(1) as f64, LIT_BEYOND[0], LIT_BEYOND[1]);
+                let known = seen().count() as f64;
+                let out = self.strip.iter().filter(|v| v.is_nan()).count() as f64;
+                sure *= ramp(lit / known.max(1.0), LIT_BEYOND[0], LIT_BEYOND[1]);
+                sure *= ramp((known + out) / self.strip.len().max(1) as f64, KNOWN[0], KNOWN[1]);
             }
         }
         sure * ramp(elsewhere as f64 / self.samples().len() as f64, ELSEWHERE[0], ELSEWHERE[1])

@@ -139,16 +139,16 @@ impl View<'_> {
         let ends = (self.edge(&down, middle), self.edge(&up, middle));
         let (Some(a), Some(b)) = ends else { return ([closed; 2], true) };
         // A closed root is where the walls end.
-        let far = CLOSED * self.grain();
+        let (far, hidden) = (CLOSED * self.grain(), a.hidden || b.hidden);
         let ends_there = a.at.distance(closed).max(b.at.distance(closed)) < far;
         if b.column - a.column < a.least_gap.max(b.least_gap) || (b.at - a.at).dot(along) <= 0.0 {
-            return ([closed; 2], !ends_there);
+            return ([closed; 2], hidden || !ends_there);
         }
         let (on, elsewhere) = self.lit(&v.walls, closed, a, b);
         if on + elsewhere > 0.5 {
-            return ([closed; 2], elsewhere > 0.3 || !ends_there);
+            return ([closed; 2], hidden || elsewhere > 0.3 || !ends_there);
         }
-        ([a.at, b.at], false)
+        ([a.at, b.at], hidden)
     }
 
     /// Parts of the columns between two edges in which the stripe is seen on the walls, and off them but not far below.

@@ -8,7 +8,7 @@ mod plates;
 mod round;
 
 use super::Feature;
-use super::edges::{Usual, lit_columns, sub_column};
+use super::edges::{Usual, is_hidden, lit_columns, sub_column};
 use super::features::{Features, JointKind, NoFeatures, Quantity, StripeTask};
 use super::fit::StripeLine;
 use super::light::{Course, Light};
@@ -58,6 +58,8 @@ struct Edge {
     at: DVec2,
     /// Fewest dark columns that make a gap.
     least_gap: f64,
+    /// Whether something else is there, so that it is not known well.
+    hidden: bool,
 }
 
 /// How well a joint is supported, before its confidence is put together.
@@ -139,8 +141,9 @@ impl View<'_> {
             // As many columns again may be missing as there are holes one after the other.
             coarse as f64 + (1.0 - usual.lit).min(0.5) / usual.lit.max(0.5)
         };
+        let hidden = is_hidden(self.strip, usual, coarse.min(self.strip.len()));
         let column = f64::from(from) + (lit - 0.5) * if to >= from { 1.0 } else { -1.0 };
-        Some(Edge { column, at: self.place(course, column)?, least_gap: usual.least_gap() })
+        Some(Edge { column, at: self.place(course, column)?, least_gap: usual.least_gap(), hidden })
     }
 
     /// Fills the strip with the light along a course; without an image, with 1 where a place is on it.

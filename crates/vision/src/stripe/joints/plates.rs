@@ -68,7 +68,7 @@ impl View<'_> {
             return Err(NoFeatures::NoStep);
         }
         let (line, step) = if lower == last { (first.line, 1) } else { (last.line, -1) };
-        let seen = if self.hidden(&upper, &line, step, &[first, last]) { 0.0 } else { 1.0 };
+        let seen = if upper.hidden || self.hidden(&upper, &line, step, &[first, last]) { 0.0 } else { 1.0 };
         let margin = seen * ramp(height / self.task.least_step, 1.0, 1.2) * ramp(share, 0.7, 0.85);
         let mut values =
             [(Quantity::Height, height), (Quantity::Bend, turn(&first.line, &last.line)), (Quantity::Gap, 0.0)];
@@ -106,7 +106,9 @@ impl View<'_> {
         let plates = [left, right];
         let shorter = f64::from((seam.left - first).min(last - seam.right)) / f64::from(last - first + 1);
         let hidden = seam.dark.is_none()
-            && (self.hidden(&a, &left.line, 1, &plates)
+            && (a.hidden
+                || b.hidden
+                || self.hidden(&a, &left.line, 1, &plates)
                 || self.hidden(&b, &right.line, -1, &plates)
                 || self.lit_gap((&a, &left), (&b, &right)));
         let margin = if hidden { 0.0 } else { seam.margin }
@@ -157,7 +159,7 @@ impl View<'_> {
             let at = self.profile.samples.iter().min_by_key(|s| (f64::from(s.column) - column).abs() as i64)?;
             let y = at.at.x + (column - f64::from(at.column)) * self.pitch();
             let on = |s: &Segment| s.line.at + s.line.along * ((y - s.line.at.x) / s.line.along.x.max(1e-6));
-            let edge = |s| Edge { column, at: on(s), least_gap: 0.0 };
+            let edge = |s| Edge { column, at: on(s), least_gap: 0.0, hidden: false };
             return Some((edge(left), edge(right)));
         }
         // Where the plates are in line the other one's places would do as well: not beyond the middle.

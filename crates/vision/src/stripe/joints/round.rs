@@ -50,6 +50,8 @@ struct Groove {
     inside: (i32, i32),
     /// Ends of the shoulders.
     ends: [DVec2; 2],
+    /// Whether something else is seen at one of them.
+    hidden: bool,
 }
 
 /// A curved side: arc at the root, wall above it.
@@ -91,7 +93,8 @@ impl View<'_> {
         if unequal > 0.25 || apart < -8.0 * self.pitch() || left.own_side.min(right.own_side) < OWN_SIDE {
             return Err(NoFeatures::NoGroove);
         }
-        let margin = agree * ramp(unequal, 0.25, 0.1);
+        let margin = if a.hidden || b.hidden { 0.0 } else { agree };
+        let margin = margin * ramp(unequal, 0.25, 0.1);
         let angle = match (left.wall, right.wall) {
             (Some(a), Some(b)) => Some(std::f64::consts::PI - turn(&a, &b)),
             _ => None,
@@ -141,7 +144,7 @@ impl View<'_> {
         let column = |p: DVec2| inside.iter().position(|s| (s.at - p).dot(groove.along) >= 0.0).unwrap_or(inside.len());
         let lit = column(upright).abs_diff(column(root)) as f64;
         let dark = if gap > 0.0 { ramp(lit * self.pitch() / gap, 0.8, 0.5) } else { 1.0 };
-        let margin = dark * ramp(one_sided, 0.75, 0.9);
+        let margin = if groove.hidden { 0.0 } else { dark * ramp(one_sided, 0.75, 0.9) };
         let angle = side.wall.map(|w| w.along.dot(groove.along).clamp(-1.0, 1.0).asin());
         let (radius, edge) = (side.arc.radius, side.edge);
         let (roots, edges) =
@@ -235,7 +238,13 @@ impl View<'_> {
         let below = |s: &&Sample| left.line.off(s.at).max(right.line.off(s.at)) < 0.0;
         let deep = samples.iter().filter(below).count();
         let enough = samples.len() >= 40 && 4 * deep > 3 * samples.len();
-        enough.then_some(Groove { shoulders: [left, right], along, inside, ends: [a.at, b.at] })
+        enough.then_some(Groove {
+            shoulders: [left, right],
+            along,
+            inside,
+            ends: [a.at, b.at],
+            hidden: a.hidden || b.hidden,
+        })
     }
 
     /// The longest parallel lines with something below both between them.
