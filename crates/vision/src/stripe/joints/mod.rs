@@ -1,10 +1,11 @@
 //! What a profile must look like for each joint. A joint that was not asked for is not looked for: what does not fit has
 //! no features.
 
+mod butt;
 mod cover;
 mod fillet;
 mod groove;
-mod plates;
+mod lap;
 mod round;
 
 use super::Feature;
