@@ -29,8 +29,9 @@ const AFTER_SPREAD: f64 = 0.612;
 const STRAY: f64 = 0.07;
 const NOISE: f64 = 0.03;
 
-/// Most columns at an end in which something else is seen: corners have some too.
-const HIDING: usize = 4;
+/// Columns before an end that are looked at for something else, and most about it that may have it: corners have some.
+const BEFORE: usize = 12;
+const HIDING: usize = 5;
 
 /// Columns about an end that are looked at.
 const WINDOW: usize = 8;
@@ -103,12 +104,12 @@ pub(super) fn lit_columns(strip: &[f64], usual: &Usual) -> usize {
     end
 }
 
-/// Whether something else hides where the light ends.
+/// Whether something else hides where the light ends: seen in several columns before it, or until it is dark.
 pub(super) fn is_hidden(strip: &[f64], usual: &Usual, end: usize) -> bool {
-    let is = |v: &f64, lit: bool| v.is_finite() && (*v > LIT * usual.light) == lit;
-    let lit = strip[..end].iter().rposition(|v| is(v, true)).map_or(0, |i| i + 1);
-    let unknown = strip[lit..].iter().take_while(|v| !is(v, false)).filter(|v| v.is_infinite()).count();
-    unknown > HIDING
+    let is_dark = |v: &f64| v.is_finite() && *v <= LIT * usual.light;
+    let after = strip[end..].iter().take_while(|v| !is_dark(v));
+    let about = strip[end.saturating_sub(BEFORE)..end].iter().chain(after);
+    about.filter(|v| v.is_infinite()).count() > HIDING
 }
 
 /// The same to a part of a column: the mean over all places where the end could be, weighted by how likely the light

@@ -34,6 +34,10 @@ const BEND: [f64; 2] = [0.2, 0.12];
 /// Evidence that another line must bring to be a second plate.
 const A_LINE: f64 = 20.0;
 
+/// Columns beside a seam that are looked at for something else, and most of them that may have it.
+const ABOUT: i32 = 12;
+const HIDING: usize = 5;
+
 /// Columns beyond an end that show that it is one.
 const TAIL: i32 = 6;
 
@@ -47,6 +51,8 @@ struct Seam {
     right: i32,
     lines: [Segment; 2],
     margin: f64,
+    /// Whether something else is seen there.
+    hidden: bool,
     /// A dark line only.
     dark: Option<f64>,
 }
@@ -72,7 +78,8 @@ impl View<'_> {
             return Err(NoFeatures::NoSeam);
         }
         let shorter = f64::from((seam.left - first).min(last - seam.right)) / f64::from(last - first + 1);
-        let hidden = a.hidden || b.hidden || (seam.dark.is_none() && self.lit_gap((&a, &left), (&b, &right)));
+        let hidden =
+            seam.hidden || a.hidden || b.hidden || (seam.dark.is_none() && self.lit_gap((&a, &left), (&b, &right)));
         // Of a small step the other plate's light would be in the strip.
         let high = step.abs() > super::APART * self.profile.row;
         let dark_after = if high { [Some(1); 2] } else { [None; 2] };
@@ -89,12 +96,6 @@ impl View<'_> {
             },
         ];
         let cover = if hidden { 0.0 } else { self.cover(&parts) };
-        eprintln!(
-            "  hidden {hidden} {} {} lit {} cover {cover} shorter {shorter:.2}",
-            a.hidden,
-            b.hidden,
-            self.lit_gap((&a, &left), (&b, &right))
-        );
         let margin = seam.margin
             * cover
             * ramp(shorter, PLATE[0], PLATE[1])
@@ -121,8 +122,9 @@ impl View<'_> {
         let second = self.segments.iter().filter(other).max_by(|a, b| a.length().total_cmp(&b.length())).copied();
         let on_main = self.evidence(&main)?;
         let mut best = best_seam(&on_main, &on_main, self.scratch).map(|s| (s, [main; 2]));
+        let mut on_second = Vec::new();
         if let Some(second) = second {
-            let on_second = self.evidence(&second)?;
+            on_second = self.evidence(&second)?;
             for (lines, left, right) in [([main, second], &on_main, &on_second), ([second, main], &on_second, &on_main)]
             {
                 let seam = best_seam(left, right, self.scratch);
@@ -134,6 +136,8 @@ impl View<'_> {
             }
         }
         let ((_, left, right), lines) = best?;
+        let of = |line: &Segment| if *line == main { &on_main } else { &on_second };
+        let hidden = Self::else_about(of(&lines[0]), of(&lines[1]), (left, right));
         let margin = if lines[0] == lines[1] {
             let run = f64::from(right - left - 1);
             let second = longest_dark(&on_main[..=left as usize]).max(longest_dark(&on_main[right as usize..]));
@@ -145,7 +149,17 @@ impl View<'_> {
         } else {
             1.0
         };
-        Some(Seam { left, right, lines, margin, dark: None })
+        Some(Seam { left, right, lines, margin, hidden, dark: None })
+    }
+
+    /// Whether something else is seen in some columns about a seam.
+    fn else_about(left: &[f64], right: &[f64], (a, b): (i32, i32)) -> bool {
+        let unknown = |e: &[f64], from: i32, to: i32| {
+            let (from, to) = (from.max(0) as usize, (to.max(0) as usize).min(e.len()));
+            e.get(from..to).map_or(0, |e| e.iter().filter(|v| **v == 0.0).count())
+        };
+        let within = unknown(left, a + 1, b).max(unknown(right, a + 1, b));
+        unknown(left, a + 1 - ABOUT, a + 1) + within + unknown(right, b, b + ABOUT) > HIDING
     }
 
     /// For every column of the profile, how much its light says that the stripe is on this line.
@@ -240,7 +254,7 @@ impl View<'_> {
         let main = *self.segments.iter().max_by(|a, b| a.length().total_cmp(&b.length()))?;
         let crowd = self.crowd((0, self.profile.columns() as i32 - 1));
         let margin = ramp(clear, 0.9, 1.2) * ramp(crowd, CROWD[0], CROWD[1]);
-        Some(Seam { left: at - 1, right: at + 1, lines: [main; 2], margin, dark: Some(column) })
+        Some(Seam { left: at - 1, right: at + 1, lines: [main; 2], margin, hidden: false, dark: Some(column) })
     }
 }
 
