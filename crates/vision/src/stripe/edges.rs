@@ -31,7 +31,7 @@ const NOISE: f64 = 0.03;
 
 /// Columns before an end that are looked at for something else, and most about it that may have it: corners have some.
 const BEFORE: usize = 12;
-const HIDING: usize = 5;
+const HIDING: usize = 4;
 
 /// Columns about an end that are looked at.
 const WINDOW: usize = 8;

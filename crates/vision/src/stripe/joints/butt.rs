@@ -38,6 +38,10 @@ const A_LINE: f64 = 20.0;
 const ABOUT: i32 = 12;
 const HIDING: usize = 5;
 
+/// Columns to each side of a step, and the part of them that must be on one line alone for no, and for full confidence.
+const BESIDE_STEP: usize = 16;
+const SHARP: [f64; 2] = [0.35, 0.6];
+
 /// Columns beyond an end that show that it is one.
 const TAIL: i32 = 6;
 
@@ -147,7 +151,8 @@ impl View<'_> {
             }
             ramp(clear, 0.9, 1.3)
         } else {
-            1.0
+            let (a, b) = (of(&lines[0]), of(&lines[1]));
+            ramp(sharpness(a, b, left as usize, right as usize), SHARP[0], SHARP[1])
         };
         Some(Seam { left, right, lines, margin, hidden, dark: None })
     }
@@ -280,6 +285,14 @@ fn best_seam(left: &[f64], right: &[f64], after: &mut Vec<f64>) -> Option<(f64, 
         }
     }
     best
+}
+
+/// Least part of the columns beside a step in which there is light on one line and not on the other.
+fn sharpness(left: &[f64], right: &[f64], a: usize, b: usize) -> f64 {
+    let before = left[..=a].iter().zip(right).rev().take(BESIDE_STEP).map(|(l, r)| *l > 0.0 && *r <= 0.0);
+    let after = right[b..].iter().zip(&left[b..]).take(BESIDE_STEP).map(|(r, l)| *r > 0.0 && *l <= 0.0);
+    let part = |sharp: &mut dyn Iterator<Item = bool>| sharp.filter(|s| *s).count() as f64 / BESIDE_STEP as f64;
+    part(&mut { before }).min(part(&mut { after }))
 }
 
 /// The longest run of columns that speak against the line.

@@ -15,6 +15,10 @@ pub(super) const SHOULDERS: f64 = 0.3;
 /// Part of the usual strength from which on a column between two roots counts as lit.
 const LIT: f64 = 0.4;
 
+/// Part of the columns between two roots that may be lit, and the least slope of the faces below them.
+const LIT_ROOT: f64 = 0.3;
+const FACE: f64 = 4.0;
+
 /// How far from a wall's line a closed root may be: the stripe's width rounds it, columns.
 const ROUNDED: f64 = 6.0;
 
@@ -145,8 +149,8 @@ impl View<'_> {
             return ([closed; 2], hidden || !ends_there);
         }
         let (on, elsewhere) = self.lit(&v.walls, closed, a, b);
-        if on + elsewhere > 0.5 {
-            return ([closed; 2], hidden || elsewhere > 0.3 || !ends_there);
+        if on + elsewhere > LIT_ROOT {
+            return ([closed; 2], hidden || elsewhere > 0.1 || !ends_there);
         }
         ([a.at, b.at], hidden)
     }
@@ -162,7 +166,9 @@ impl View<'_> {
         let bright = |s: &&Sample| s.strength.is_none_or(|v| v > LIT * usual) && s.at.distance(closed) < far;
         let on_wall = |s: &Sample| walls.iter().any(|w| w.line.off(s.at).abs() < ROUNDED * grain);
         let (mut on, mut off) = (0.0, 0.0);
-        for s in self.profile.between(from, to).iter().filter(bright) {
+        // The face below a root is seen steeply.
+        let face = |s: &&Sample| [a, b].iter().any(|e| e.at.y - s.at.y > FACE * (s.at.x - e.at.x).abs());
+        for s in self.profile.between(from, to).iter().filter(bright).filter(|s| !face(s)) {
             *(if on_wall(s) { &mut on } else { &mut off }) += 1.0;
         }
         let columns = f64::from((to - from + 1).max(1));

@@ -38,6 +38,9 @@ const CLOSED: f64 = 4.0;
 /// Part of a J groove's radius to the side of the root that may be in the shadow of the upright side.
 const SHADOW: f64 = 0.35;
 
+/// How far edges may be from the ends of the shoulders for no, and for full confidence, columns.
+const EDGE_OFF: [f64; 2] = [16.0, 8.0];
+
 /// Columns beyond the end of a shoulder from which on it must be dark.
 const AFTER_EDGE: i32 = 4;
 
@@ -171,6 +174,9 @@ impl View<'_> {
         let seen = self.profile.between(groove.inside.0, groove.inside.1).len() as f64;
         let columns = f64::from(groove.inside.1 - groove.inside.0 + 1) - gap / self.pitch();
         let margin = margin * ramp(seen / columns.max(1.0), 0.4, 0.6);
+        // Walls and shoulders meet where the light of the shoulders ends.
+        let off = [0, 1].map(|i| edges[i].distance(groove.ends[i]) / self.grain());
+        let margin = margin * ramp(off[0].max(off[1]), EDGE_OFF[0], EDGE_OFF[1]);
         let margin = margin * self.cover(&self.round_parts(groove, sides, roots));
         let shoulders = self.share(self.samples(), &groove.shoulders);
         let inside = self.profile.between(groove.inside.0, groove.inside.1).len() as f64 / self.samples().len() as f64;
