@@ -12,7 +12,11 @@ const BEYOND: i32 = 10;
 const LIT_BEYOND: [f64; 2] = [0.7, 0.4];
 
 /// Part of the columns beyond an end that must not be hidden by something else for no, and for full confidence.
-const KNOWN: [f64; 2] = [0.2, 0.5];
+const KNOWN: [f64; 2] = [0.4, 0.7];
+
+/// Columns before an end, and part of them that must be lit by the stripe alone for no, and for full confidence.
+const BEFORE: i32 = 24;
+const LIT_BEFORE: [f64; 2] = [0.25, 0.45];
 
 /// Part of the columns in which the joint is out of the image, and something is seen, for no, and for full confidence.
 const ELSEWHERE: [f64; 2] = [0.25, 0.15];
@@ -46,6 +50,7 @@ impl View<'_> {
             let [before, after] = part.dark_after;
             for (end, step, skip) in [(from, -1, before), (to, 1, after)] {
                 let Some(skip) = skip else { continue };
+                sure *= self.lit_before(part, end, step, &usual);
                 self.look_along(&part.course, (end + step * skip, end + step * (skip + BEYOND)));
                 let seen = || self.strip.iter().filter(|v| v.is_finite());
                 let lit = seen().filter(|v| **v > LIT * usual.light).count() as f64;
@@ -56,6 +61,15 @@ impl View<'_> {
             }
         }
         sure * ramp(elsewhere as f64 / self.samples().len() as f64, ELSEWHERE[0], ELSEWHERE[1])
+    }
+
+    /// 0 to 1: how sure it is that a part is lit in the columns before one of its ends, and not under something else.
+    fn lit_before(&mut self, part: &Part, end: i32, step: i32, usual: &Usual) -> f64 {
+        let length = part.columns.1 - part.columns.0;
+        self.look_along(&part.course, (end, end - step * BEFORE.min(length)));
+        let lit = self.strip.iter().filter(|v| v.is_finite() && **v > LIT * usual.light).count() as f64;
+        let out = self.strip.iter().filter(|v| v.is_nan()).count();
+        ramp(lit / (self.strip.len() - out).max(1) as f64, LIT_BEFORE[0], LIT_BEFORE[1])
     }
 
     /// The longest run of dark columns on a part, and the number of places in columns in which it is out of the image.

@@ -15,8 +15,8 @@ pub(super) const SHOULDERS: f64 = 0.3;
 /// Part of the usual strength from which on a column between two roots counts as lit.
 const LIT: f64 = 0.4;
 
-/// Part of the columns between two roots that may be lit, and the least slope of the faces below them.
-const LIT_ROOT: f64 = 0.3;
+/// Part of the columns between two roots that may be lit of a closed root, and of an open one; the least slope of the faces below them.
+const LIT_ROOT: [f64; 2] = [0.5, 0.25];
 const FACE: f64 = 4.0;
 
 /// How far from a wall's line a closed root may be: the stripe's width rounds it, columns.
@@ -149,10 +149,10 @@ impl View<'_> {
             return ([closed; 2], hidden || !ends_there);
         }
         let (on, elsewhere) = self.lit(&v.walls, closed, a, b);
-        if on + elsewhere > LIT_ROOT {
+        if on + elsewhere > LIT_ROOT[0] {
             return ([closed; 2], hidden || elsewhere > 0.1 || !ends_there);
         }
-        ([a.at, b.at], hidden)
+        ([a.at, b.at], hidden || on + elsewhere > LIT_ROOT[1])
     }
 
     /// Parts of the columns between two edges in which the stripe is seen on the walls, and off them but not far below.

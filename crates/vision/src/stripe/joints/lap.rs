@@ -1,11 +1,16 @@
 //! The end of an upper sheet on a lower one.
 
+use super::cover::Part;
 use super::groove::SHOULDERS;
 use super::{Support, View, ramp, turn};
+use crate::stripe::light::Course;
 use crate::stripe::{Feature, Features, NoFeatures, Quantity};
 
 /// How far the sheets of a lap joint may seem to overlap, columns.
 const OVERLAP: f64 = 8.0;
+
+/// Columns beyond the end of the upper sheet from which on its line must be dark.
+const AFTER_EDGE: i32 = 2;
 
 impl View<'_> {
     /// Two parallel sheets, one higher than the other by a step.
@@ -32,6 +37,14 @@ impl View<'_> {
         }
         let (line, step) = if lower == last { (first.line, 1) } else { (last.line, -1) };
         let seen = if upper.hidden || self.hidden(&upper, &line, step, &[first, last]) { 0.0 } else { 1.0 };
+        let (a, b) = (left.column.round() as i32, right.column.round() as i32);
+        let (of_left, of_right) = if step > 0 { (Some(AFTER_EDGE), None) } else { (None, Some(AFTER_EDGE)) };
+        let end = self.profile.columns() as i32 - 1;
+        let parts = [
+            Part { course: Course::Line(first.line), columns: (0, a - 1), dark_after: [None, of_left] },
+            Part { course: Course::Line(last.line), columns: (b + 1, end), dark_after: [of_right, None] },
+        ];
+        let seen = seen * self.cover(&parts);
         let margin = seen * ramp(height / self.task.least_step, 1.0, 1.2) * ramp(share, 0.7, 0.85);
         let mut values =
             [(Quantity::Height, height), (Quantity::Bend, turn(&first.line, &last.line)), (Quantity::Gap, 0.0)];
