@@ -74,6 +74,11 @@ impl Usual {
         (light > 0.0 && mean > 0.0).then_some(Self { light, mean, deviation, lit, hole })
     }
 
+    /// Whether a column is known to be dark.
+    pub(super) fn is_dark(&self, light: f64) -> bool {
+        light.is_finite() && light <= LIT * self.light
+    }
+
     /// Fewest dark columns in a row that are more likely a gap than holes.
     pub(super) fn least_gap(&self) -> f64 {
         (GAP_ODDS / self.hole.min(0.5).ln()).max(LEAST_GAP)
@@ -87,7 +92,8 @@ impl Usual {
         } else if light > LIT * self.light {
             (on / LIT_OFF).ln()
         } else {
-            ((1.0 - on) / (1.0 - LIT_OFF)).ln()
+            // Holes come in runs.
+            ((1.0 - on).max(self.hole.min(0.5)) / (1.0 - LIT_OFF)).ln()
         }
     }
 }
@@ -106,8 +112,7 @@ pub(super) fn lit_columns(strip: &[f64], usual: &Usual) -> usize {
 
 /// Whether something else hides where the light ends: seen in several columns before it, or until it is dark.
 pub(super) fn is_hidden(strip: &[f64], usual: &Usual, end: usize) -> bool {
-    let is_dark = |v: &f64| v.is_finite() && *v <= LIT * usual.light;
-    let after = strip[end..].iter().take_while(|v| !is_dark(v));
+    let after = strip[end..].iter().take_while(|v| !usual.is_dark(**v));
     let about = strip[end.saturating_sub(BEFORE)..end].iter().chain(after);
     about.filter(|v| v.is_infinite()).count() > HIDING
 }

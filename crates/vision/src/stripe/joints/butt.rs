@@ -208,7 +208,7 @@ impl View<'_> {
             let at = self.profile.samples.iter().min_by_key(|s| (f64::from(s.column) - column).abs() as i64)?;
             let y = at.at.x + (column - f64::from(at.column)) * self.pitch();
             let on = |s: &Segment| s.line.at + s.line.along * ((y - s.line.at.x) / s.line.along.x.max(1e-6));
-            let edge = |s| Edge { column, at: on(s), least_gap: 0.0, hidden: false };
+            let edge = |s| Edge { column, at: on(s), dark: 0.0, least_gap: 0.0, hidden: false };
             return Some((edge(left), edge(right)));
         }
         // The other plate's light is no tail of this one's.

@@ -145,7 +145,7 @@ impl View<'_> {
         // A closed root is where the walls end.
         let (far, hidden) = (CLOSED * self.grain(), a.hidden || b.hidden);
         let ends_there = a.at.distance(closed).max(b.at.distance(closed)) < far;
-        if b.column - a.column < a.least_gap.max(b.least_gap) || (b.at - a.at).dot(along) <= 0.0 {
+        if a.dark + b.dark < a.least_gap.max(b.least_gap) || (b.at - a.at).dot(along) <= 0.0 {
             return ([closed; 2], hidden || !ends_there);
         }
         let (on, elsewhere) = self.lit(&v.walls, closed, a, b);

@@ -57,6 +57,8 @@ struct Edge {
     column: f64,
     /// Its place on the course.
     at: DVec2,
+    /// Dark columns beyond it, as far as was looked.
+    dark: f64,
     /// Fewest dark columns that make a gap.
     least_gap: f64,
     /// Whether something else is there, so that it is not known well.
@@ -142,9 +144,11 @@ impl View<'_> {
             // As many columns again may be missing as there are holes one after the other.
             coarse as f64 + (1.0 - usual.lit).min(0.5) / usual.lit.max(0.5)
         };
+        let beyond = self.strip.get(coarse..).unwrap_or_default();
+        let dark = beyond.iter().filter(|v| usual.is_dark(**v)).count() as f64;
         let hidden = is_hidden(self.strip, usual, coarse.min(self.strip.len()));
         let column = f64::from(from) + (lit - 0.5) * if to >= from { 1.0 } else { -1.0 };
-        Some(Edge { column, at: self.place(course, column)?, least_gap: usual.least_gap(), hidden })
+        Some(Edge { column, at: self.place(course, column)?, dark, least_gap: usual.least_gap(), hidden })
     }
 
     /// Fills the strip with the light along a course; without an image, with 1 where a place is on it.

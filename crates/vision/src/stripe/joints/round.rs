@@ -88,7 +88,7 @@ impl View<'_> {
         let to = self.profile.column_at(middle.x).round() as i32;
         let ends = (self.arc_end(&left.arc, groove.inside.0, to), self.arc_end(&right.arc, groove.inside.1, to));
         let (Some(a), Some(b)) = ends else { return Err(NoFeatures::NoGroove) };
-        let open = b.column - a.column > a.least_gap.max(b.least_gap);
+        let open = a.dark + b.dark >= a.least_gap.max(b.least_gap) && b.column > a.column;
         let roots = if open { [a.at, b.at] } else { [middle; 2] };
         let gap = (roots[1] - roots[0]).dot(groove.along).max(0.0);
         // The arcs themselves tell the gap less well, but not quite another one.
