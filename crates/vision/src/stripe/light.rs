@@ -121,16 +121,20 @@ impl<'a> Light<'a> {
         }
         let column = column.round() as usize;
         let background = self.blobs.background_at(column, row as usize);
-        let grey = |r: usize| match self.frame.pixels() {
-            Pixels::U8(pixels) => f64::from(pixels[r * width + column]),
-            Pixels::U16(pixels) => f64::from(pixels[r * width + column]) / 257.0,
-        };
+        match self.frame.pixels() {
+            Pixels::U8(pixels) => self.centred(row, |r| f64::from(pixels[r * width + column]) - background),
+            Pixels::U16(pixels) => self.centred(row, |r| f64::from(pixels[r * width + column]) / 257.0 - background),
+        }
+    }
+
+    /// The light about `row` in a column of so much light in each row.
+    fn centred(&self, row: f64, grey: impl Fn(usize) -> f64) -> f64 {
         // The strip, and as much again above and below it.
         let (mut light, mut above, mut below) = (0.0, 0.0, 0.0);
         let first = (row - 2.0 * self.half).ceil().max(0.0) as usize;
-        let last = ((row + 2.0 * self.half) as usize).min(height - 1);
+        let last = ((row + 2.0 * self.half) as usize).min(self.frame.height() - 1);
         for r in first..=last {
-            let (to, value) = (r as f64 - row, grey(r) - background);
+            let (to, value) = (r as f64 - row, grey(r));
             light += value * (self.half + 0.5 - to.abs()).clamp(0.0, 1.0);
             let lower = (to + 0.5).clamp(0.0, 1.0);
             below += value * lower;
