@@ -50,6 +50,7 @@ pub struct StripeReader {
     cutter: Cutter,
     segments: Vec<Segment>,
     strip: Vec<f64>,
+    evidence: [Vec<f64>; 2],
     scratch: Vec<f64>,
 }
 
@@ -82,8 +83,8 @@ impl StripeReader {
         let usual = (width, median(&mut self.scratch).unwrap_or(0.0));
         self.cut()?;
         let light = Some(Light::new(frame, &self.blobs, to_mm, usual));
-        let Self { profile, segments, strip, scratch, .. } = self;
-        View { profile, segments, task, light, strip, scratch }.joint()
+        let Self { profile, segments, strip, evidence, scratch, .. } = self;
+        View { profile, segments, task, light, strip, evidence, scratch }.joint()
     }
 
     /// The stripe in an image, without looking for a joint.
@@ -122,8 +123,10 @@ impl StripeReader {
         self.profile.reserve(columns);
         self.cutter.reserve(columns);
         self.segments.reserve(segments::MOST);
-        self.strip.clear();
-        self.strip.reserve(columns + 1);
+        for strip in self.evidence.iter_mut().chain([&mut self.strip]) {
+            strip.clear();
+            strip.reserve(columns + 1);
+        }
         self.scratch.clear();
         self.scratch.reserve(columns * blobs::MOST);
     }
@@ -137,8 +140,8 @@ impl StripeReader {
         self.chain.clear();
         self.profile.set_points(points);
         self.cut()?;
-        let Self { profile, segments, strip, scratch, .. } = self;
-        View { profile, segments, task, light: None, strip, scratch }.joint()
+        let Self { profile, segments, strip, evidence, scratch, .. } = self;
+        View { profile, segments, task, light: None, strip, evidence, scratch }.joint()
     }
 
     /// The stripe in the last image, from left to right; empty after a profile.

@@ -113,6 +113,14 @@ impl View<'_> {
 
     /// A gap in one line, or a place where one line ends and another, higher or lower, begins: where the light says so best.
     fn open_seam(&mut self) -> Option<Seam> {
+        let mut evidence = std::mem::take(self.evidence);
+        let seam = self.best_open_seam(&mut evidence);
+        *self.evidence = evidence;
+        seam
+    }
+
+    /// The same with room for the evidence of two lines.
+    fn best_open_seam(&mut self, [on_main, on_second]: &mut [Vec<f64>; 2]) -> Option<Seam> {
         let lengths = self.lengths();
         let longest = (0..lengths.len()).max_by(|a, b| lengths[*a].total_cmp(&lengths[*b]))?;
         let main = self.segments[longest];
@@ -124,12 +132,13 @@ impl View<'_> {
                 && off[0].max(off[1]) > least
         };
         let second = self.segments.iter().filter(other).max_by(|a, b| a.length().total_cmp(&b.length())).copied();
-        let on_main = self.evidence(&main)?;
-        let mut best = best_seam(&on_main, &on_main, self.scratch).map(|s| (s, [main; 2]));
-        let mut on_second = Vec::new();
+        self.gather_evidence(&main, on_main)?;
+        on_second.clear();
+        let mut best = best_seam(on_main, on_main, self.scratch).map(|s| (s, [main; 2]));
         if let Some(second) = second {
-            on_second = self.evidence(&second)?;
-            for (lines, left, right) in [([main, second], &on_main, &on_second), ([second, main], &on_second, &on_main)]
+            self.gather_evidence(&second, on_second)?;
+            for (lines, left, right) in
+                [([main, second], &*on_main, &*on_second), ([second, main], &*on_second, &*on_main)]
             {
                 let seam = best_seam(left, right, self.scratch);
                 if let Some((sum, a, b)) = seam
@@ -140,7 +149,7 @@ impl View<'_> {
             }
         }
         let ((_, left, right), lines) = best?;
-        let of = |line: &Segment| if *line == main { &on_main } else { &on_second };
+        let of = |line: &Segment| if *line == main { &*on_main } else { &*on_second };
         let hidden = Self::else_about(of(&lines[0]), of(&lines[1]), (left, right));
         let margin = if lines[0] == lines[1] {
             let run = f64::from(right - left - 1);
@@ -161,19 +170,21 @@ impl View<'_> {
     fn else_about(left: &[f64], right: &[f64], (a, b): (i32, i32)) -> bool {
         let unknown = |e: &[f64], from: i32, to: i32| {
             let (from, to) = (from.max(0) as usize, (to.max(0) as usize).min(e.len()));
-            e.get(from..to).map_or(0, |e| e.iter().filter(|v| **v == 0.0).count())
+            e.get(from..to).map_or(0, |e| e.iter().filter(|v| v.abs() < 1e-9).count())
         };
         let within = unknown(left, a + 1, b).max(unknown(right, a + 1, b));
         unknown(left, a + 1 - ABOUT, a + 1) + within + unknown(right, b, b + ABOUT) > HIDING
     }
 
     /// For every column of the profile, how much its light says that the stripe is on this line.
-    fn evidence(&mut self, s: &Segment) -> Option<Vec<f64>> {
+    fn gather_evidence(&mut self, s: &Segment, evidence: &mut Vec<f64>) -> Option<()> {
         let course = Course::Line(s.line);
         self.look_along(&course, s.columns);
         let usual = Usual::of(self.strip, self.scratch)?;
         self.look_along(&course, (0, self.profile.columns() as i32 - 1));
-        Some(self.strip.iter().map(|v| usual.evidence(*v)).collect())
+        evidence.clear();
+        evidence.extend(self.strip.iter().map(|v| usual.evidence(*v)));
+        Some(())
     }
 
     /// Whether anything but the faces of the ends is seen in a good part of the gap's columns: something that hides that
@@ -266,25 +277,26 @@ impl View<'_> {
 /// The last column on the left line and the first one on the right line for which the evidence for both is best, with its
 /// sum; `after` is scratch.
 fn best_seam(left: &[f64], right: &[f64], after: &mut Vec<f64>) -> Option<(f64, i32, i32)> {
-    // Best sum of the right line from any column after this one on, and that column.
+    // Best sum of the right line from any later column on.
     let n = left.len().min(right.len());
     after.clear();
     after.resize(n + 1, 0.0);
-    let mut starts: Vec<usize> = vec![n; n + 1];
     let mut sum = 0.0;
     for i in (0..n).rev() {
         sum += right[i];
-        (after[i], starts[i]) = if sum > after[i + 1] { (sum, i) } else { (after[i + 1], starts[i + 1]) };
+        after[i] = after[i + 1].max(sum);
     }
-    let (mut sum, mut best) = (0.0, None::<(f64, i32, i32)>);
+    let (mut sum, mut best) = (0.0, None::<(f64, usize)>);
     for i in 0..n {
         sum += left[i];
-        let start = starts[i + 1];
-        if start < n && best.is_none_or(|(most, _, _)| sum + after[i + 1] > most) {
-            best = Some((sum + after[i + 1], i as i32, start as i32));
+        if after[i + 1] > 0.0 && best.is_none_or(|(most, _)| sum + after[i + 1] > most) {
+            best = Some((sum + after[i + 1], i));
         }
     }
-    best
+    let (most, last) = best?;
+    // The best sum begins where it gets less to the right.
+    let first = (last + 1..n).find(|i| after[*i] > after[*i + 1])?;
+    Some((most, last as i32, first as i32))
 }
 
 /// Least part of the columns beside a step in which there is light on one line and not on the other.

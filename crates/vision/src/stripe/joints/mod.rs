@@ -27,6 +27,8 @@ pub(super) struct View<'a> {
     pub(super) light: Option<Light<'a>>,
     /// Light along a course, column after column.
     pub(super) strip: &'a mut Vec<f64>,
+    /// For two lines, what every column's light says.
+    pub(super) evidence: &'a mut [Vec<f64>; 2],
     pub(super) scratch: &'a mut Vec<f64>,
 }
 

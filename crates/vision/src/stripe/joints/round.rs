@@ -39,7 +39,7 @@ const CLOSED: f64 = 4.0;
 const SHADOW: f64 = 0.35;
 
 /// How far edges may be from the ends of the shoulders for no, and for full confidence, columns.
-const EDGE_OFF: [f64; 2] = [16.0, 8.0];
+const EDGE_OFF: [f64; 2] = [24.0, 12.0];
 
 /// Columns beyond the end of a shoulder from which on it must be dark.
 const AFTER_EDGE: i32 = 4;
