@@ -4,7 +4,8 @@
 //! 2. `chain`: one chain of them across the columns by Viterbi's method: reflections and spatter are left out.
 //! 3. `profile`: the chain in mm, through the sensor's map. All further steps are in mm.
 //! 4. `segments`: at most five straight segments, cut by dynamic programming and fitted robustly.
-//! 5. `joints`: what the segments must look like for each joint, and what is measured of it, with a confidence.
+//! 5. `joints`: what the segments must look like for each joint, and what is measured of it, with a confidence. Where parts
+//!    end, and whether the joint is all there, is looked up in the image: `light` along a course, `edges` of it.
 //!
 //! The stripe runs from left to right: one place a column. y grows to the right, z upwards, to the sensor. All steps are
 //! deterministic, and once a [`StripeReader`] has seen an image it allocates nothing for others of that size.
