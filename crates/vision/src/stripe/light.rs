@@ -73,7 +73,8 @@ impl<'a> Light<'a> {
     }
 
     /// Light on `course` in the profile's columns `from` to `to`, both included, in that order: grey values above the
-    /// background, summed over a strip of rows. Not a number where the course leaves the image, [`SOMETHING_ELSE`] where that is.
+    /// background, summed over a strip of rows. Not a number where the course leaves the image, [`SOMETHING_ELSE`] where
+    /// that is.
     pub(super) fn along(&self, profile: &Profile, course: &Course, (from, to): (i32, i32), strip: &mut Vec<f64>) {
         strip.clear();
         let step = if to >= from { 1 } else { -1 };
