@@ -3,9 +3,10 @@
 use glam::DVec2;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
+use seamwright_cell::eyes::gates::{Gate, Limit};
 use seamwright_cell::eyes::stripe::{
-    GateRow, Placement, Section, StripeDisturbances, StripeImage, StripeScene, confident_nowhere, stripe_gates,
-    stripe_scene, stripe_task,
+    Placement, Section, StripeDisturbances, StripeImage, StripeScene, confident_nowhere, stripe_gates, stripe_scene,
+    stripe_task,
 };
 use seamwright_machine::{Machine, Sight, StripeSensor, shipped};
 use seamwright_vision::Image;
@@ -16,37 +17,45 @@ fn cases() -> u64 {
     50 * std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|v| v.parse::<u64>().ok()).unwrap_or(1).min(20)
 }
 
-/// Gates that are missed, and what holds instead. The table shows them as missed: speckle of 0.2 is more than the centroid
-/// of a column and half the strength at an edge can take, and reflections and spatter beside the arc make the reader silent.
-const MISSED: [(&str, f64); 11] = [
-    ("centre of the stripe, RMS", 0.13),
-    ("fillet: gap, 95 %", 0.08),
-    ("v: gap, 95 %", 0.085),
-    ("butt: gap, 95 %", 0.085),
-    ("u: gap, 95 %", 0.075),
-    ("j: gap, 95 %", 0.085),
-    ("fillet: no confident result beside the arc", 70.0),
-    ("v: no confident result beside the arc", 99.0),
-    ("butt: no confident result beside the arc", 100.0),
-    ("u: no confident result beside the arc", 98.0),
-    ("j: no confident result beside the arc", 94.0),
-];
+/// First seed. No threshold was chosen on seeds from 3000 on.
+const FIRST_SEED: u64 = 3000;
+
+/// Part of the images beside the arc in which a joint is believed that is not there: a reflection that goes on from the end
+/// of a plate in its line looks like more of it. And gates of silence that are missed by a few images in fifty.
+const WRONG_BESIDE_THE_ARC: f64 = 0.02;
+const SILENT: [(&str, f64); 3] = [("v", 60.0), ("lap", 55.0), ("j", 60.0)];
+
+/// What a gate must be at most here: its limit, or what is accepted instead. The table shows it as missed.
+fn accepted(gate: &Gate) -> f64 {
+    let Limit::Most(limit) = gate.limit else { panic!("{gate:?}: all of them are for the most") };
+    match gate.what {
+        "confident and wrong beside the arc" => (WRONG_BESIDE_THE_ARC * cases() as f64).ceil(),
+        "no confident result beside the arc" => SILENT.iter().find(|s| s.0 == gate.frames).map_or(limit, |s| s.1),
+        _ => limit,
+    }
+}
 
 #[test]
 fn gates_hold() {
-    let rows = stripe_gates(cases());
-    for row in &rows {
-        let verdict = if row.holds() { "" } else { "  <-- does not hold" };
-        println!("{:<75} {:>9.4} <= {:<5} {}{verdict}", row.what, row.value, row.limit, row.unit);
+    let seeds = FIRST_SEED..FIRST_SEED + cases();
+    let table = stripe_gates(seeds.clone(), || ());
+    let mut broken = Vec::new();
+    for gate in &table.rows {
+        let Gate { frames, what, value, limit, unit } = gate;
+        println!(
+            "{frames}: {what}: {value:.4} {unit}, {limit:?}{}",
+            if gate.is_kept() { "" } else { "  <-- not kept" }
+        );
+        assert!(value.is_finite());
+        // Times are for builds with full optimisation, on machines that do nothing else.
+        if *unit != "ms" && *value > accepted(gate) {
+            broken.push(gate);
+        }
     }
-    for (seed, section, found) in confident_nowhere(cases()) {
+    for (seed, section, found) in confident_nowhere(seeds, || ()) {
         println!("{seed}: {:?} in {section:?}: {:.2} at {:.2}", found.kind, found.confidence, found.joint());
     }
-    // Times are for builds with full optimisation, on machines that do nothing else.
-    let limit = |row: &GateRow| MISSED.iter().find(|m| m.0 == row.what).map_or(row.limit, |m| m.1);
-    let broken: Vec<_> = rows.iter().filter(|r| r.unit != "ms" && r.value > limit(r)).collect();
     assert!(broken.is_empty(), "{broken:#?}");
-    assert!(rows.iter().all(|r| r.value.is_finite()));
 }
 
 /// The brightest pixel of every column, in mm.
@@ -191,8 +200,6 @@ fn quantities_are_those_of_the_section() {
         }
         println!("{kind:?}: {worst:.4?}");
         let limit = |name: &str| match name {
-            // Its root is where the arc is level: missed, see MISSED.
-            "gap" if kind == JointKind::J => 0.1,
             "angle" | "area" | "gap" => 0.07,
             "radius" => 0.2,
             _ => 0.03,

@@ -6,8 +6,7 @@ use crate::progress::Progress;
 use crate::rows::{print_json, print_text};
 use seamwright_cell::eyes::gates::{Gate, Limit, joint_gates};
 use seamwright_cell::eyes::scene::Kind;
-use seamwright_cell::eyes::stripe::{GateRow, stripe_gates};
-use seamwright_vision::stripe::JointKind;
+use seamwright_cell::eyes::stripe::{STEPS_A_SEED, stripe_gates};
 use serde::Serialize;
 use std::fmt::Write as _;
 
@@ -49,25 +48,14 @@ impl From<&Gate> for Line {
     }
 }
 
-impl From<&GateRow> for Line {
-    fn from(row: &GateRow) -> Self {
-        let value = Some(row.value).filter(|v| v.is_finite());
-        Self { what: row.what.clone(), value, unit: row.unit, limit_is: "most", limit: row.limit, kept: row.holds() }
-    }
-}
-
 fn vision(args: &BenchVisionArgs) -> Result<(), Failure> {
     let frames = args.frames;
-    let (kinds, joints) = (Kind::ALL.len() as u64, JointKind::ALL.len() as u64);
-    // A stripe of each kind is read under three disturbances.
-    let progress = Progress::new("simulated frames", frames * (kinds + 3 * joints));
+    let progress = Progress::new("simulated frames", frames * (Kind::ALL.len() as u64 + STEPS_A_SEED));
     let follower = joint_gates(0..frames, |_, _, _| progress.all(1));
-    let stripes = stripe_gates(frames);
+    let stripes = stripe_gates(0..frames, || progress.all(1));
     drop(progress);
-    let tables = [
-        Table { title: follower.title.clone(), rows: follower.rows.iter().map(Line::from).collect() },
-        Table { title: "The joint in a laser stripe".to_owned(), rows: stripes.iter().map(Line::from).collect() },
-    ];
+    let tables = [follower, stripes]
+        .map(|table| Table { title: table.title.clone(), rows: table.rows.iter().map(Line::from).collect() });
     if args.json {
         return print_json(&serde_json::json!({ "frames": frames, "tables": tables }));
     }

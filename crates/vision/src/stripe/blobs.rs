@@ -85,6 +85,8 @@ pub(super) struct Blobs {
     /// Background of sums, and the scratch to open it.
     cells: Vec<f32>,
     opened: Vec<f32>,
+    /// Sum for one grey value.
+    a_grey: f32,
     /// Pairs of sums above their background: the row before the last, the last one, this one.
     pairs: [Vec<i16>; 3],
     floor: Vec<i16>,
@@ -116,6 +118,13 @@ impl Blobs {
         &self.columns[column][..usize::from(self.counts[column])]
     }
 
+    /// The background about a pixel, grey values.
+    pub(super) fn background_at(&self, column: usize, row: usize) -> f64 {
+        let across = self.columns.len().div_ceil(CELL);
+        let cell = self.opened.get(row / (4 * BLOCK) * across + column / CELL);
+        f64::from(cell.copied().unwrap_or(0.0) / self.a_grey)
+    }
+
     fn search<G: Grey>(&mut self, pixels: &[G], width: usize, height: usize) -> bool {
         if height < 2 * BLOCK {
             return true;
@@ -123,7 +132,8 @@ impl Blobs {
         let blocks = height.div_ceil(BLOCK);
         self.sum(pixels, width, height, blocks);
         self.background(width, blocks);
-        let full = SATURATED * G::A_GREY * BLOCK as f32;
+        self.a_grey = G::A_GREY * BLOCK as f32;
+        let full = SATURATED * self.a_grey;
         let bright = self.opened.iter().filter(|&&v| v > full).count();
         if 2 * bright > self.opened.len() {
             return false;
@@ -245,7 +255,7 @@ impl Blobs {
                 break;
             }
             let cell = self.opened[usize::from(block) / 4 * across + column / CELL];
-            let background = cell / (BLOCK as f32 * G::A_GREY);
+            let background = cell / self.a_grey;
             let first = usize::from(block) * BLOCK;
             let rows = first.min(height - 1)..(first + 2 * BLOCK).min(height);
             let (blob, span) = blob(|row: usize| pixels[row * width + column].grey(), rows, height, background);

@@ -1,95 +1,185 @@
-//! Where the places of a line end.
+//! Where the light along a course ends.
 
-use super::fit::StripeLine;
-use super::profile::{Profile, Sample, median};
-use glam::DVec2;
+use super::profile::median;
+use nalgebra::{SMatrix, SVector};
 
-/// Most columns in a row without a place on the line: dropped columns, not an end.
-const DROPPED: i32 = 10;
+/// Part of the usual light from which on a column is lit.
+pub(super) const LIT: f64 = 0.2;
 
-/// A blob that covers so much more than usual has something else in it.
-const MERGED: f64 = 1.3;
+/// Least and greatest part of the columns on a course thought to be lit, and part of those off it that are: by
+/// reflections, spatter and faces seen from the side.
+const LIT_ON: [f64; 2] = [0.6, 0.95];
+const LIT_OFF: f64 = 0.05;
 
-/// Columns that tell the usual strength beside an end.
-const BESIDE: i32 = 14;
+/// Logarithm of how likely holes must be for a gap not to be one; dark columns that are no gap at all.
+const GAP_ODDS: f64 = -5.0;
+const LEAST_GAP: f64 = 2.0;
 
-/// The end of a line.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Edge {
-    /// Its column, sub-pixel.
-    pub(super) column: f64,
-    /// The place on the line.
-    pub(super) at: DVec2,
+/// What is taken for the part of holes that go on if there are none.
+const LEAST_HOLE: f64 = 0.1;
+
+/// Light of a column that the lens brings into its neighbours. With it the sub-pixel part is known much better than by the
+/// place of half the light: grains make columns differ by half, but what a column brings into a dark one is all its own.
+const SPREAD: f64 = 0.25;
+
+/// Standard deviation of columns after that, if neighbours are independent before it.
+const AFTER_SPREAD: f64 = 0.612;
+
+/// Light off the course, and noise, as parts of the usual light; standard deviations.
+const STRAY: f64 = 0.07;
+const NOISE: f64 = 0.03;
+
+/// Columns before an end that are looked at for something else, and most about it that may have it: corners have some.
+const BEFORE: usize = 12;
+const HIDING: usize = 4;
+
+/// Columns about an end that are looked at.
+const WINDOW: usize = 8;
+
+/// How far the end is looked for from where the lit columns end, and in what steps, columns.
+const REACH: f64 = 2.5;
+const STEP: f64 = 0.2;
+
+/// Light along a course, in parts of what is usual on it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Usual {
+    /// Light of a lit column.
+    pub(super) light: f64,
+    /// Mean and standard deviation of all columns, parts of it.
+    mean: f64,
+    deviation: f64,
+    /// Part of the columns that are lit.
+    pub(super) lit: f64,
+    /// Part of the dark columns after which the next one is dark too.
+    hole: f64,
 }
 
-/// Goes from column `from` towards column `to` as far as places lie `within` of `line`. At the end the strength falls to half of what it was before.
-pub(super) fn edge(
-    profile: &Profile,
-    line: &StripeLine,
-    within: f64,
-    (from, to): (i32, i32),
-    scratch: &mut Vec<f64>,
-) -> Option<Edge> {
-    let step = if to >= from { 1 } else { -1 };
-    let span = profile.all_between(from.min(to), from.max(to));
-    let mut last: Option<&Sample> = None;
-    let on = |s: &Sample| line.off(s.at).abs() <= within;
-    let ordered = |i: usize| if step > 0 { &span[i] } else { &span[span.len() - 1 - i] };
-    let mut covered: Option<i32> = None;
-    for s in (0..span.len()).map(ordered) {
-        if covered.is_some_and(|column| (s.column - column).abs() > DROPPED) {
-            break;
-        }
-        if on(s) {
-            last = Some(s);
-        }
-        // A reflection across the stripe shifts the centre of both, but there is light.
-        let merged = s.covers > MERGED * profile.usual_cover;
-        if line.off(s.at).abs() <= if merged { within.max(s.covers) } else { within } {
-            covered = Some(s.column);
+impl Usual {
+    /// Of columns that are thought to be on the course.
+    pub(super) fn of(strip: &[f64], scratch: &mut Vec<f64>) -> Option<Self> {
+        scratch.clear();
+        scratch.extend(strip.iter().filter(|v| v.is_finite()));
+        let middle = median(scratch)?;
+        // Of holes too there may be many.
+        scratch.retain(|v| *v > 0.5 * middle);
+        let light = median(scratch)?;
+        let seen = || strip.iter().filter(|v| v.is_finite()).map(|v| (v / light).clamp(0.0, 3.0));
+        let count = seen().count() as f64;
+        let mean = seen().sum::<f64>() / count;
+        let deviation = (seen().map(|v| (v - mean).powi(2)).sum::<f64>() / count).sqrt();
+        let lit = seen().filter(|v| *v > LIT).count() as f64 / count;
+        let dark = |v: &f64| *v <= LIT * light;
+        let pairs = strip.windows(2).filter(|w| dark(&w[0]) && dark(&w[1])).count() as f64;
+        let hole = (pairs + LEAST_HOLE) / (count * (1.0 - lit) + 1.0);
+        (light > 0.0 && mean > 0.0).then_some(Self { light, mean, deviation, lit, hole })
+    }
+
+    /// Whether a column is known to be dark.
+    pub(super) fn is_dark(&self, light: f64) -> bool {
+        light.is_finite() && light <= LIT * self.light
+    }
+
+    /// Fewest dark columns in a row that are more likely a gap than holes.
+    pub(super) fn least_gap(&self) -> f64 {
+        (GAP_ODDS / self.hole.min(0.5).ln()).max(LEAST_GAP)
+    }
+
+    /// Whether that much light is the stripe's; what is outside of the image, or under something else, is not known.
+    pub(super) fn evidence(&self, light: f64) -> f64 {
+        let on = self.lit.clamp(LIT_ON[0], LIT_ON[1]);
+        if !light.is_finite() {
+            0.0
+        } else if light > LIT * self.light {
+            (on / LIT_OFF).ln()
+        } else {
+            // Holes come in runs.
+            ((1.0 - on).max(self.hole.min(0.5)) / (1.0 - LIT_OFF)).ln()
         }
     }
-    let last = last?;
-    let column =
-        half_strength(profile, last, step, &on, scratch).unwrap_or(f64::from(last.column) + 0.5 * f64::from(step));
-    let y = last.at.x + (column - f64::from(last.column)) * profile.pitch;
-    let along = line.along.x.max(1e-6);
-    Some(Edge { column, at: line.at + line.along * ((y - line.at.x) / along) })
 }
 
-/// The column where the strength of places on the line falls to half on the way out to `last`.
-fn half_strength(
-    profile: &Profile,
-    last: &Sample,
-    step: i32,
-    on: &dyn Fn(&Sample) -> bool,
-    scratch: &mut Vec<f64>,
+/// The number of columns of `strip`, from inside to outside, that are best taken for lit: the others are not.
+pub(super) fn lit_columns(strip: &[f64], usual: &Usual) -> usize {
+    let (mut sum, mut most, mut end) = (0.0, 0.0, 0);
+    for (i, &light) in strip.iter().enumerate() {
+        sum += usual.evidence(light);
+        if sum >= most {
+            (most, end) = (sum, i + 1);
+        }
+    }
+    end
+}
+
+/// Whether something else hides where the light ends: seen in several columns before it, or until it is dark.
+pub(super) fn is_hidden(strip: &[f64], usual: &Usual, end: usize) -> bool {
+    let after = strip[end..].iter().take_while(|v| !usual.is_dark(**v));
+    let about = strip[end.saturating_sub(BEFORE)..end].iter().chain(after);
+    about.filter(|v| v.is_infinite()).count() > HIDING
+}
+
+/// The same to a part of a column: the mean over all places where the end could be, weighted by how likely the light
+/// about it is.
+///
+/// Every column on the course has light of normal distribution of its own, those off it some stray light, and the lens
+/// spreads all of it. So the light seen is normally distributed for every place of the end.
+pub(super) fn sub_column(strip: &[f64], usual: &Usual, coarse: usize) -> f64 {
+    let first = coarse as i64 - (WINDOW / 2) as i64;
+    let (own, mean) = ((usual.deviation / AFTER_SPREAD).clamp(0.1, 0.9), usual.mean);
+    let mut seen = SVector::<f64, WINDOW>::zeros();
+    let mut noise = SVector::<f64, WINDOW>::zeros();
+    for i in 0..WINDOW {
+        let at = usize::try_from(first + i as i64).ok().and_then(|i| strip.get(i)).copied().unwrap_or(f64::NAN);
+        // The neighbour before the window is not known.
+        let known = at.is_finite() && i > 0;
+        seen[i] = if known { at / usual.light } else { 0.0 };
+        noise[i] = if known { NOISE * NOISE } else { 1e4 };
+    }
+    let (mut weights, mut moment, mut most) = (0.0, 0.0, f64::NEG_INFINITY);
+    let steps = (2.0 * REACH / STEP) as i32;
+    for k in 0..=steps {
+        let end = (WINDOW / 2) as f64 - REACH + STEP * f64::from(k);
+        let Some(score) = likelihood(&seen, &noise, end, (mean, own)) else { continue };
+        // Weights by the greatest likelihood so far.
+        if score > most {
+            let down = (most - score).exp();
+            (weights, moment, most) = (weights * down, moment * down, score);
+        }
+        let weight = (score - most).exp();
+        weights += weight;
+        moment += weight * end;
+    }
+    if weights > 0.0 { first as f64 + moment / weights } else { coarse as f64 }
+}
+
+/// Logarithm of how likely the light is if columns before `end` are lit, but for a constant.
+fn likelihood(
+    seen: &SVector<f64, WINDOW>,
+    noise: &SVector<f64, WINDOW>,
+    end: f64,
+    (mean, own): (f64, f64),
 ) -> Option<f64> {
-    let near = |from: i32, to: i32| {
-        let (a, b) = (last.column + step * from, last.column + step * to);
-        profile.all_between(a.min(b), a.max(b))
+    let part = |i: usize| (end - i as f64).clamp(0.0, 1.0);
+    let variance = |i: usize| (own * part(i)).powi(2) + (STRAY * (1.0 - part(i))).powi(2);
+    let brings = |to: usize, from: usize| match to.abs_diff(from) {
+        0 => 1.0 - 2.0 * SPREAD,
+        1 => SPREAD,
+        _ => 0.0,
     };
-    scratch.clear();
-    scratch.extend(near(-BESIDE, -3).iter().filter(|s| on(s)).filter_map(|s| s.strength));
-    let half = 0.5 * median(scratch)?;
-    let around = near(-3, 0);
-    let mut before: Option<&Sample> = None;
-    for i in 0..around.len() {
-        let s = if step > 0 { &around[i] } else { &around[around.len() - 1 - i] };
-        if !on(s) {
-            continue;
+    let mut covariance = SMatrix::<f64, WINDOW, WINDOW>::from_diagonal(noise);
+    let mut off = *seen;
+    for i in 0..WINDOW {
+        for k in i.saturating_sub(1)..(i + 2).min(WINDOW) {
+            off[i] -= brings(i, k) * mean * part(k);
         }
-        let strength = s.strength?;
-        if strength >= half {
-            before = Some(s);
-        } else if let Some(b) = before {
-            let above = b.strength?;
-            if (s.column - b.column).abs() > 1 {
-                break;
-            }
-            let part = (above - half) / (above - strength);
-            return Some(f64::from(b.column) + part * f64::from(step));
+        for j in 0..=i {
+            let shared = i.saturating_sub(1)..(j + 2).min(WINDOW);
+            let sum: f64 = shared.map(|k| brings(i, k) * brings(j, k) * variance(k)).sum();
+            covariance[(i, j)] += sum;
+            covariance[(j, i)] = covariance[(i, j)];
         }
     }
-    before.map(|b| f64::from(b.column) + 0.5 * f64::from(step))
+    let cholesky = covariance.cholesky()?;
+    let squares = off.dot(&cholesky.solve(&off));
+    let spread: f64 = cholesky.l_dirty().diagonal().iter().map(|d| d.ln()).sum();
+    Some(-0.5 * squares - spread)
 }

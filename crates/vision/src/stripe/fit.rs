@@ -7,6 +7,9 @@ use glam::DVec2;
 const LIMIT: f64 = 4.685;
 const ROUNDS: usize = 6;
 
+/// A line that moves by less than this part of the scale at its ends is there.
+const SETTLED: f64 = 0.02;
+
 /// A straight line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StripeLine {
@@ -107,6 +110,7 @@ pub(super) fn line(
     let all = || samples.iter().fold(Moments::default(), |m, s| m.with(s.at, 1.0)).line();
     let mut line = start.or_else(all)?;
     let mut scale = floor;
+    let ends = [samples.first()?.at, samples.last()?.at];
     for _ in 0..ROUNDS {
         scratch.clear();
         scratch.extend(samples.iter().map(|s| line.off(s.at).abs()));
@@ -117,7 +121,12 @@ pub(super) fn line(
             return None;
         }
         let next = weighted.line()?;
-        line = StripeLine { at: next.at + line.at, ..next };
+        let next = StripeLine { at: next.at + line.at, ..next };
+        let moved = ends.map(|e| (line.off(e) - next.off(e)).abs());
+        line = next;
+        if moved[0].max(moved[1]) < SETTLED * scale {
+            break;
+        }
     }
     Some((line, scale))
 }

@@ -4,7 +4,8 @@
 //! 2. `chain`: one chain of them across the columns by Viterbi's method: reflections and spatter are left out.
 //! 3. `profile`: the chain in mm, through the sensor's map. All further steps are in mm.
 //! 4. `segments`: at most five straight segments, cut by dynamic programming and fitted robustly.
-//! 5. `joints`: what the segments must look like for each joint, and what is measured of it, with a confidence.
+//! 5. `joints`: what the segments must look like for each joint, and what is measured of it, with a confidence. Where parts
+//!    end, and whether the joint is all there, is looked up in the image: `light` along a course, `edges` of it.
 //!
 //! The stripe runs from left to right: one place a column. y grows to the right, z upwards, to the sensor. All steps are
 //! deterministic, and once a [`StripeReader`] has seen an image it allocates nothing for others of that size.
@@ -15,6 +16,7 @@ mod edges;
 mod features;
 mod fit;
 mod joints;
+mod light;
 mod profile;
 mod segments;
 
@@ -28,7 +30,8 @@ use blobs::Blobs;
 use chain::Chainer;
 use glam::DVec2;
 use joints::View;
-use profile::Profile;
+use light::Light;
+use profile::{Profile, median};
 use seamwright_geometry::Homography;
 use segments::Cutter;
 
@@ -47,6 +50,8 @@ pub struct StripeReader {
     profile: Profile,
     cutter: Cutter,
     segments: Vec<Segment>,
+    strip: Vec<f64>,
+    evidence: [Vec<f64>; 2],
     scratch: Vec<f64>,
 }
 
@@ -68,9 +73,19 @@ impl StripeReader {
         to_mm: Option<&Homography>,
         task: &StripeTask,
     ) -> Result<Features, NoFeatures> {
-        self.trace(frame)?;
+        self.link(frame)?;
         self.profile.set_chain(&self.chain, &self.blobs, to_mm);
-        self.read(task)
+        chain::smooth(&mut self.chain);
+        self.scratch.clear();
+        self.scratch.extend(self.chain.iter().map(|p| p.width));
+        let width = median(&mut self.scratch).unwrap_or(0.0);
+        self.scratch.clear();
+        self.scratch.extend(self.chain.iter().map(|p| p.strength));
+        let usual = (width, median(&mut self.scratch).unwrap_or(0.0));
+        self.cut()?;
+        let light = Some(Light::new(frame, &self.blobs, to_mm, usual));
+        let Self { profile, segments, strip, evidence, scratch, .. } = self;
+        View { profile, segments, task, light, strip, evidence, scratch }.joint()
     }
 
     /// The stripe in an image, without looking for a joint.
@@ -78,6 +93,13 @@ impl StripeReader {
     /// # Errors
     /// If there is none.
     pub fn trace(&mut self, frame: &Frame) -> Result<&[StripePoint], NoFeatures> {
+        self.link(frame)?;
+        chain::smooth(&mut self.chain);
+        Ok(&self.chain)
+    }
+
+    /// The stripe, each column by itself.
+    fn link(&mut self, frame: &Frame) -> Result<(), NoFeatures> {
         self.segments.clear();
         self.chain.clear();
         self.reserve(frame.width());
@@ -92,7 +114,7 @@ impl StripeReader {
         if (found as f64) < LEAST_COLUMNS * columns as f64 {
             return Err(NoFeatures::ShortStripe { found, columns });
         }
-        Ok(&self.chain)
+        Ok(())
     }
 
     /// Room for all that an image of so many columns can hold: later images of that size allocate nothing.
@@ -102,6 +124,10 @@ impl StripeReader {
         self.profile.reserve(columns);
         self.cutter.reserve(columns);
         self.segments.reserve(segments::MOST);
+        for strip in self.evidence.iter_mut().chain([&mut self.strip]) {
+            strip.clear();
+            strip.reserve(columns + 1);
+        }
         self.scratch.clear();
         self.scratch.reserve(columns * blobs::MOST);
     }
@@ -114,7 +140,9 @@ impl StripeReader {
         self.segments.clear();
         self.chain.clear();
         self.profile.set_points(points);
-        self.read(task)
+        self.cut()?;
+        let Self { profile, segments, strip, evidence, scratch, .. } = self;
+        View { profile, segments, task, light: None, strip, evidence, scratch }.joint()
     }
 
     /// The stripe in the last image, from left to right; empty after a profile.
@@ -135,7 +163,8 @@ impl StripeReader {
         self.profile.pitch
     }
 
-    fn read(&mut self, task: &StripeTask) -> Result<Features, NoFeatures> {
+    /// Cuts the profile into segments.
+    fn cut(&mut self) -> Result<(), NoFeatures> {
         let found = self.profile.samples.len();
         if found < FEWEST || self.profile.pitch <= 0.0 {
             return Err(NoFeatures::TooFewPoints { found, needed: FEWEST });
@@ -144,6 +173,6 @@ impl StripeReader {
         if self.profile.repick(&self.segments) {
             self.cutter.cut(&self.profile, &mut self.segments);
         }
-        View { profile: &self.profile, segments: &self.segments, task, scratch: &mut self.scratch }.joint()
+        Ok(())
     }
 }

@@ -30,8 +30,11 @@ pub(super) struct Profile {
     /// Length of a column or a row, whichever is longer, mm: what distances from a line are measured by. A camera that
     /// looks at the laser's plane at a small angle has rows that are much longer than its columns.
     pub(super) grain: f64,
-    /// What places of the chain usually cover, mm.
-    pub(super) usual_cover: f64,
+    /// Length of a row, mm.
+    pub(super) row: f64,
+    /// Column of the image that column 0 is, and 1 if columns run as in the image, else -1.
+    pub(super) first: f64,
+    pub(super) direction: f64,
     scratch: Vec<f64>,
 }
 
@@ -67,9 +70,11 @@ impl Profile {
             self.all.extend(blobs.of(column).iter().filter_map(of));
         }
         // y may run against the columns.
+        self.direction = 1.0;
         if let [first, .., last] = self.samples[..]
             && last.at.x < first.at.x
         {
+            self.direction = -1.0;
             for samples in [&mut self.samples, &mut self.all] {
                 samples.reverse();
                 samples.iter_mut().for_each(|s| s.column = -s.column);
@@ -77,6 +82,7 @@ impl Profile {
         }
         let first = self.samples.first().map_or(0, |s| s.column);
         self.samples.iter_mut().chain(&mut self.all).for_each(|s| s.column -= first);
+        self.first = self.direction * f64::from(first);
         self.scratch.clear();
         self.scratch.extend(
             self.samples
@@ -92,10 +98,8 @@ impl Profile {
         self.scratch.extend(chain.iter().step_by(16).filter_map(row_at));
         let row = median(&mut self.scratch).unwrap_or(self.pitch);
         self.grain = self.pitch.max(row);
+        self.row = row;
         self.samples.iter_mut().chain(&mut self.all).for_each(|s| s.covers *= row);
-        self.scratch.clear();
-        self.scratch.extend(self.samples.iter().map(|s| s.covers));
-        self.usual_cover = median(&mut self.scratch).unwrap_or(0.0);
     }
 
     /// Places that are given, in any order; those that are not finite are missing.
@@ -114,9 +118,28 @@ impl Profile {
             self.samples.iter_mut().for_each(|s| s.column = ((s.at.x - from) / pitch).round() as i32);
         }
         self.grain = self.pitch;
+        self.row = self.pitch;
         self.all.clear();
         self.all.extend_from_slice(&self.samples);
-        self.usual_cover = 0.0;
+    }
+
+    /// The image's column of a column here.
+    pub(super) fn image_column(&self, column: f64) -> f64 {
+        self.first + self.direction * column
+    }
+
+    /// About where a column is, mm: from the nearest place before it.
+    pub(super) fn y_at(&self, column: f64) -> f64 {
+        let next = self.samples.partition_point(|s| f64::from(s.column) <= column);
+        let near = self.samples.get(next.saturating_sub(1));
+        near.map_or(0.0, |s| s.at.x + (column - f64::from(s.column)) * self.pitch)
+    }
+
+    /// About which column is at `y`.
+    pub(super) fn column_at(&self, y: f64) -> f64 {
+        let next = self.samples.partition_point(|s| s.at.x <= y);
+        let near = self.samples.get(next.saturating_sub(1));
+        near.map_or(0.0, |s| f64::from(s.column) + (y - s.at.x) / self.pitch)
     }
 
     /// Number of columns from the first place to the last.

@@ -2,8 +2,7 @@
 
 mod canvas;
 mod draw;
-mod random;
 
+use super::random::Random;
 pub use canvas::{Canvas, Disturbances};
 pub use draw::{Kind, Scene, Truth, scene};
-pub use random::Random;

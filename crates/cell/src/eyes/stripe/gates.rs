@@ -1,51 +1,26 @@
 //! What reading stripes must hold, measured on simulated ones whose truth is known.
 
-use super::dice::Dice;
 use super::{Placement, Section, StripeDisturbances, StripeImage, StripeScene};
+use crate::eyes::gates::{Gate, Limit, Table};
+use crate::eyes::random::Random;
 use glam::DVec2;
 use seamwright_vision::Image;
 use seamwright_vision::stripe::{Features, JointKind, NoFeatures, Quantity, StripeReader, StripeTask};
+use std::ops::Range;
 use std::time::Instant;
 
 /// Pixels of the scenes, and their scale.
 const SIZE_PX: [usize; 2] = [1024, 512];
 const MM_PER_PX: f64 = 0.05;
 
-/// First seed of the cases. Confidence was raised on those up to 1400: soaks go beyond.
-const FIRST_SEED: u64 = 1000;
-
 /// A joint point that is farther off is wrong, mm.
 const WRONG_MM: f64 = 0.5;
 
-/// A row of the gates' table.
-#[derive(Debug, Clone, PartialEq)]
-pub struct GateRow {
-    /// What is measured.
-    pub what: String,
-    /// The measured value.
-    pub value: f64,
-    /// Most that it may be.
-    pub limit: f64,
-    /// Unit of both.
-    pub unit: &'static str,
-}
-
-impl GateRow {
-    fn new(what: impl Into<String>, value: f64, limit: f64, unit: &'static str) -> Self {
-        Self { what: what.into(), value, limit, unit }
-    }
-
-    /// Whether it holds; what could not be measured does not.
-    pub fn holds(&self) -> bool {
-        self.value <= self.limit
-    }
-}
-
 /// The scene of case `seed`: a random section at a random place, every other one mirrored.
 pub fn stripe_scene(section: Section, seed: u64) -> StripeScene {
-    let dice = &mut Dice::new(seed ^ 0x91ac_e000);
-    let at = DVec2::new(dice.between(-4.0, 4.0), dice.between(-4.0, 0.0));
-    let placement = Placement { at, turn: dice.between(-0.1, 0.1), mirrored: seed % 2 == 1 };
+    let random = &mut Random::new(seed ^ 0x91ac_e000);
+    let at = DVec2::new(random.within(-4.0, 4.0), random.within(-4.0, 0.0));
+    let placement = Placement { at, turn: random.within(-0.1, 0.1), mirrored: seed % 2 == 1 };
     StripeScene::new(section, placement, SIZE_PX, MM_PER_PX)
 }
 
@@ -80,11 +55,12 @@ pub struct StripeErrors {
 }
 
 impl StripeErrors {
-    /// Measures `cases` scenes of `kind` under `how`.
-    pub fn measure(kind: JointKind, how: &StripeDisturbances, cases: u64) -> Self {
+    /// Measures the scenes of these seeds of `kind` under `how`; calls `done` after each.
+    pub fn measure(kind: JointKind, how: &StripeDisturbances, seeds: Range<u64>, mut done: impl FnMut()) -> Self {
         let mut reader = StripeReader::new();
-        let mut errors = Self { cases, ..Self::default() };
-        for seed in FIRST_SEED..FIRST_SEED + cases {
+        let mut errors = Self { cases: seeds.end.saturating_sub(seeds.start), ..Self::default() };
+        for seed in seeds {
+            done();
             let scene = stripe_scene(Section::random(kind, seed), seed);
             let image = scene.image(how, seed);
             let found = read(&mut reader, &scene, &image, kind);
@@ -115,6 +91,11 @@ impl StripeErrors {
         }
     }
 
+    /// Cases with a confident joint point that is wrong.
+    pub fn wrong(&self) -> usize {
+        self.joint.iter().filter(|e| **e > WRONG_MM).count()
+    }
+
     /// Part of the cases without a confident result.
     pub fn silent(&self) -> f64 {
         1.0 - self.joint.len() as f64 / self.cases as f64
@@ -133,48 +114,51 @@ fn most(values: &[f64]) -> f64 {
     sorted.get((sorted.len() * 95 / 100).min(sorted.len().saturating_sub(1))).copied().unwrap_or(f64::NAN)
 }
 
-/// All gates on `cases` scenes of each kind. Times are those of this build on this machine.
-pub fn stripe_gates(cases: u64) -> Vec<GateRow> {
+/// Disturbances of cases in which nothing may be found, in turns.
+const LEVELS: [StripeDisturbances; 3] =
+    [StripeDisturbances::USUAL, StripeDisturbances::HOLED, StripeDisturbances::ROUGH];
+
+/// How often [`stripe_gates`] calls `done` for every seed.
+pub const STEPS_A_SEED: u64 = (LEVELS.len() * JointKind::ALL.len()) as u64 + 1;
+
+/// All gates on the scenes of these seeds of each kind; calls `done` [`STEPS_A_SEED`] times for each seed. Times are those
+/// of this build on this machine.
+pub fn stripe_gates(seeds: Range<u64>, mut done: impl FnMut()) -> Table {
     let mut rows = Vec::new();
     let mut centres = Vec::new();
     for kind in JointKind::ALL {
-        let name = format!("{kind:?}").to_lowercase();
-        let usual = StripeErrors::measure(kind, &StripeDisturbances::USUAL, cases);
-        let holed = StripeErrors::measure(kind, &StripeDisturbances::HOLED, cases);
+        let [usual, holed, rough] = LEVELS.map(|how| StripeErrors::measure(kind, &how, seeds.clone(), &mut done));
         centres.extend_from_slice(&usual.centre);
-        rows.push(GateRow::new(format!("{name}: joint point, RMS"), rms(&usual.joint), 0.05, "mm"));
-        rows.push(GateRow::new(format!("{name}: gap, 95 %"), most(&usual.gap), 0.05, "mm"));
-        rows.push(GateRow::new(format!("{name}: no confident result"), 100.0 * usual.silent(), 25.0, "%"));
-        let twice = "joint point with 10 % outliers and 20 % missing, RMS";
-        rows.push(GateRow::new(format!("{name}: {twice}"), rms(&holed.joint), 0.1, "mm"));
-        let rough = StripeErrors::measure(kind, &StripeDisturbances::ROUGH, cases);
-        let wrong = rough.joint.iter().filter(|e| **e > WRONG_MM).count();
-        rows.push(GateRow::new(format!("{name}: confident and wrong beside the arc"), wrong as f64, 0.0, "cases"));
-        let silent = 100.0 * rough.silent();
-        rows.push(GateRow::new(format!("{name}: no confident result beside the arc"), silent, 50.0, "%"));
+        let name = format!("{kind:?}").to_lowercase();
+        let mut gate = |what, value, limit, unit| {
+            rows.push(Gate { frames: name.clone(), what, value, limit: Limit::Most(limit), unit });
+        };
+        gate("joint point, RMS", rms(&usual.joint), 0.05, "mm");
+        gate("gap, 95 %", most(&usual.gap), 0.05, "mm");
+        gate("no confident result", 100.0 * usual.silent(), 25.0, "%");
+        gate("joint point with 10 % outliers and 20 % missing, RMS", rms(&holed.joint), 0.1, "mm");
+        gate("confident and wrong beside the arc", rough.wrong() as f64, 0.0, "cases");
+        gate("no confident result beside the arc", 100.0 * rough.silent(), 50.0, "%");
     }
-    rows.insert(0, GateRow::new("centre of the stripe, RMS", rms(&centres), 0.1, "px"));
-    rows.push(GateRow::new(
-        "confident where there is no such joint",
-        confident_nowhere(cases).len() as f64,
-        0.0,
-        "cases",
-    ));
-    for height in [256, 512, 1024] {
-        let limit = if height <= 512 { 1.0 } else { 2.0 };
-        rows.push(GateRow::new(format!("time at 2048 x {height}, median"), time_ms([2048, height]), limit, "ms"));
+    let all =
+        |what, value, limit, unit| Gate { frames: "all".to_owned(), what, value, limit: Limit::Most(limit), unit };
+    rows.insert(0, all("centre of the stripe, RMS", rms(&centres), 0.1, "px"));
+    let nowhere = confident_nowhere(seeds, &mut done).len() as f64;
+    rows.push(all("confident where there is no such joint", nowhere, 0.0, "cases"));
+    for (frames, height, limit) in [("2048 x 256", 256, 1.0), ("2048 x 512", 512, 1.0), ("2048 x 1024", 1024, 2.0)] {
+        rows.push(Gate { frames: frames.to_owned(), ..all("time, median", time_ms([2048, height]), limit, "ms") });
     }
-    rows
+    Table { title: "The joint in a laser stripe".to_owned(), rows }
 }
 
 /// Confident results on blank frames, plates, outside corners, and joints of other kinds: the case, what was there and
-/// what was found.
-pub fn confident_nowhere(cases: u64) -> Vec<(u64, Section, Features)> {
+/// what was found. Calls `done` after each seed.
+pub fn confident_nowhere(seeds: Range<u64>, mut done: impl FnMut()) -> Vec<(u64, Section, Features)> {
     let mut reader = StripeReader::new();
     let mut confident = Vec::new();
-    let levels = [StripeDisturbances::USUAL, StripeDisturbances::HOLED, StripeDisturbances::ROUGH];
-    for seed in FIRST_SEED..FIRST_SEED + cases {
-        let how = levels[(seed % 3) as usize];
+    for seed in seeds {
+        done();
+        let how = LEVELS[(seed % 3) as usize];
         let others = JointKind::ALL.map(|kind| (Some(kind), Section::random(kind, seed)));
         let ridge = Section::Ridge { angle: 2.0 + (seed % 10) as f64 * 0.1 };
         let scenes = others.into_iter().chain([(None, Section::Plate), (None, ridge)]);

@@ -1,17 +1,16 @@
 //! Stripe sensors, simulated: what the camera sees of a laser stripe across a joint whose cross-section is known, with
 //! everything that makes such images hard. The truth comes from the cross-section alone.
 
-mod dice;
 mod disturbance;
 mod gates;
 mod paint;
 mod section;
 
 pub use disturbance::StripeDisturbances;
-pub use gates::{GateRow, StripeErrors, confident_nowhere, stripe_gates, stripe_scene, stripe_task};
+pub use gates::{STEPS_A_SEED, StripeErrors, confident_nowhere, stripe_gates, stripe_scene, stripe_task};
 pub use section::{Placement, Section, Truth};
 
-use dice::Dice;
+use super::random::Random;
 use glam::DVec2;
 use paint::Painter;
 use seamwright_geometry::Homography;
@@ -54,7 +53,7 @@ impl StripeScene {
     /// The image under `disturbances`.
     pub fn image(&self, disturbances: &StripeDisturbances, seed: u64) -> StripeImage {
         let truth = self.section.truth(&self.placement);
-        let mut painter = Painter::new(self, disturbances, Dice::new(seed));
+        let mut painter = Painter::new(self, disturbances, Random::new(seed));
         let rows = painter.stripe(truth.dark);
         StripeImage { image: painter.finish(), rows, truth }
     }
@@ -62,15 +61,15 @@ impl StripeScene {
     /// The profile in mm as a sensor gives it that finds the stripe itself: with noise (mm, standard deviation), a part of
     /// the columns as outliers and a part missing (not a number).
     pub fn profile(&self, noise: f64, outliers: f64, missing: f64, seed: u64) -> Vec<DVec2> {
-        let dice = &mut Dice::new(seed);
+        let random = &mut Random::new(seed);
         let lit = self.lit_rows();
         let mut place = |(column, row): (usize, &Option<f64>)| {
-            if dice.chance(missing) {
+            if random.chance(missing) {
                 return DVec2::NAN;
             }
             let at = row.and_then(|row| self.to_mm.map(DVec2::new(column as f64, row)));
-            let wild = dice.between(-20.0, 20.0);
-            let z = if dice.chance(outliers) { wild } else { noise * dice.normal() };
+            let wild = random.within(-20.0, 20.0);
+            let z = if random.chance(outliers) { wild } else { noise * random.normal() };
             at.map_or(DVec2::NAN, |p| p + DVec2::new(0.0, z))
         };
         lit.iter().enumerate().map(&mut place).collect()

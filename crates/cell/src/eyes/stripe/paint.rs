@@ -1,5 +1,5 @@
-use super::dice::Dice;
 use super::{StripeDisturbances, StripeScene};
+use crate::eyes::random::Random;
 use glam::DVec2;
 use seamwright_vision::Image;
 
@@ -17,27 +17,27 @@ const DARK_PART: f64 = 0.7;
 pub(super) struct Painter<'a> {
     scene: &'a StripeScene,
     how: &'a StripeDisturbances,
-    dice: Dice,
+    random: Random,
     light: Vec<f32>,
 }
 
 impl<'a> Painter<'a> {
-    pub(super) fn new(scene: &'a StripeScene, how: &'a StripeDisturbances, dice: Dice) -> Self {
+    pub(super) fn new(scene: &'a StripeScene, how: &'a StripeDisturbances, random: Random) -> Self {
         let [width, height] = scene.size_px;
-        Self { scene, how, dice, light: vec![0.0; width * height] }
+        Self { scene, how, random, light: vec![0.0; width * height] }
     }
 
     /// The stripe with its reflections; the true rows.
     pub(super) fn stripe(&mut self, dark: Option<DVec2>) -> Vec<Option<f64>> {
         let [width, height] = self.scene.size_px;
         let (mut rows, fine) = (self.scene.lit_rows(), self.scene.lit_at(PARTS));
-        let phase = self.dice.between(0.0, 6.0);
+        let phase = self.random.within(0.0, 6.0);
         let pitch = 200.0 / width as f64;
         for column in 0..width {
-            let missing = self.dice.chance(self.how.missing);
-            let outlier = self.dice.chance(self.how.outliers);
-            let elsewhere = self.dice.between(10.0, height as f64 - 10.0);
-            let mut peak = self.how.peak * (1.0 + 2.0 * self.how.speckle * self.dice.normal()).max(0.2);
+            let missing = self.random.chance(self.how.missing);
+            let outlier = self.random.chance(self.how.outliers);
+            let elsewhere = self.random.within(10.0, height as f64 - 10.0);
+            let mut peak = self.how.peak * (1.0 + 2.0 * self.how.speckle * self.random.normal()).max(0.2);
             if missing || outlier {
                 rows[column] = None;
             }
@@ -74,7 +74,7 @@ impl<'a> Painter<'a> {
     /// Coherent light is grainy.
     fn speckle(&mut self) {
         for light in self.light.iter_mut().filter(|v| **v > 0.0) {
-            *light *= (1.0 + self.how.speckle * self.dice.normal()).max(0.0) as f32;
+            *light *= (1.0 + self.how.speckle * self.random.normal()).max(0.0) as f32;
         }
     }
 
@@ -82,9 +82,9 @@ impl<'a> Painter<'a> {
     fn ghosts(&mut self, rows: &[Option<f64>]) {
         let [width, height] = self.scene.size_px;
         for _ in 0..self.how.ghosts {
-            let long = self.dice.whole(width / 16, width / 5);
-            let first = self.dice.whole(0, width - long);
-            let (start, slope) = (self.dice.between(-60.0, 60.0), self.dice.between(-1.0, 1.0));
+            let long = self.random.whole(width / 16, width / 5);
+            let first = self.random.whole(0, width - long);
+            let (start, slope) = (self.random.within(-60.0, 60.0), self.random.within(-1.0, 1.0));
             let Some(from) = rows[first..first + long].iter().flatten().next().copied() else { continue };
             for (i, column) in (first..first + long).enumerate() {
                 let row = from + start + slope * i as f64;
@@ -112,9 +112,9 @@ impl<'a> Painter<'a> {
     fn spatter(&mut self) {
         let [width, height] = self.scene.size_px;
         for _ in 0..self.how.spatter {
-            let mut at = DVec2::new(self.dice.between(0.0, width as f64), self.dice.between(0.0, height as f64));
-            let flight = DVec2::from_angle(self.dice.between(0.0, 6.3)) * 2.0;
-            let (radius, steps) = (self.dice.between(1.0, 4.0), self.dice.whole(1, 12));
+            let mut at = DVec2::new(self.random.within(0.0, width as f64), self.random.within(0.0, height as f64));
+            let flight = DVec2::from_angle(self.random.within(0.0, 6.3)) * 2.0;
+            let (radius, steps) = (self.random.within(1.0, 4.0), self.random.whole(1, 12));
             for _ in 0..steps {
                 let reach = 3.0 * radius;
                 let rows = (at.y - reach).max(0.0) as usize..((at.y + reach).max(0.0) as usize).min(height);
@@ -133,14 +133,14 @@ impl<'a> Painter<'a> {
     /// Ambient light, glow and noise over all of it, in grey values.
     pub(super) fn finish(mut self) -> Image {
         let [width, height] = self.scene.size_px;
-        let centre = DVec2::new(self.dice.between(0.0, width as f64), self.dice.between(0.0, height as f64));
+        let centre = DVec2::new(self.random.within(0.0, width as f64), self.random.within(0.0, height as f64));
         let reach = 0.35 * width as f64;
         let mut pixels = Vec::with_capacity(width * height);
         let across: Vec<f64> = (0..width).map(|c| (-((c as f64 - centre.x) / reach).powi(2)).exp()).collect();
         for (r, row) in self.light.chunks_exact(width).enumerate() {
             let down = self.how.glow * (-((r as f64 - centre.y) / reach).powi(2)).exp();
             for (light, across) in row.iter().zip(&across) {
-                let grey = self.how.ambient + down * across + f64::from(*light) + self.how.noise * self.dice.normal();
+                let grey = self.how.ambient + down * across + f64::from(*light) + self.how.noise * self.random.normal();
                 pixels.push(grey.round().clamp(0.0, 255.0) as u8);
             }
         }

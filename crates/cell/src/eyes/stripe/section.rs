@@ -1,6 +1,6 @@
 //! Cross-sections of joints as they truly are, in the plane of the laser.
 
-use super::dice::Dice;
+use crate::eyes::random::Random;
 use glam::DVec2;
 use seamwright_vision::stripe::{Feature, JointKind, Quantity};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -119,30 +119,30 @@ impl Truth {
 impl Section {
     /// A joint of the kind with random sizes.
     pub fn random(kind: JointKind, seed: u64) -> Self {
-        let dice = &mut Dice::new(seed ^ 0x5ec7_1011);
-        let gap = |dice: &mut Dice, most: f64| if dice.chance(0.3) { 0.0 } else { dice.between(0.3, most) };
-        let degrees = |dice: &mut Dice, a: f64, b: f64| dice.between(a, b).to_radians();
+        let random = &mut Random::new(seed ^ 0x5ec7_1011);
+        let gap = |random: &mut Random, most: f64| if random.chance(0.3) { 0.0 } else { random.within(0.3, most) };
+        let degrees = |random: &mut Random, a: f64, b: f64| random.within(a, b).to_radians();
         match kind {
-            JointKind::Fillet => Self::Fillet { angle: degrees(dice, 65.0, 115.0), gap: gap(dice, 1.5) },
+            JointKind::Fillet => Self::Fillet { angle: degrees(random, 65.0, 115.0), gap: gap(random, 1.5) },
             JointKind::V => {
-                let (bevels, depth) = ([(); 2].map(|()| degrees(dice, 22.0, 35.0)), dice.between(4.0, 9.0));
-                let gap = gap(dice, 2.5);
+                let (bevels, depth) = ([(); 2].map(|()| degrees(random, 22.0, 35.0)), random.within(4.0, 9.0));
+                let gap = gap(random, 2.5);
                 // Where root faces touch, a mismatch would hide one of the roots.
-                Self::V { bevels, depth, gap, mismatch: if gap > 0.0 { dice.between(-0.8, 0.8) } else { 0.0 } }
+                Self::V { bevels, depth, gap, mismatch: if gap > 0.0 { random.within(-0.8, 0.8) } else { 0.0 } }
             }
             JointKind::U | JointKind::J => {
-                let (radius, gap) = (dice.between(3.5, 6.0), gap(dice, 2.0));
-                let (bevel, depth) = (degrees(dice, 8.0, 15.0), radius + dice.between(1.5, 4.0));
+                let (radius, gap) = (random.within(3.5, 6.0), gap(random, 2.0));
+                let (bevel, depth) = (degrees(random, 8.0, 15.0), radius + random.within(1.5, 4.0));
                 if kind == JointKind::U {
                     Self::U { bevel, radius, depth, gap }
                 } else {
                     Self::J { bevel, radius, depth, gap }
                 }
             }
-            JointKind::Lap => Self::Lap { thickness: dice.between(1.5, 4.0), gap: dice.between(0.0, 1.0) },
+            JointKind::Lap => Self::Lap { thickness: random.within(1.5, 4.0), gap: random.within(0.0, 1.0) },
             JointKind::Butt => Self::Butt {
-                gap: gap(dice, 2.0),
-                mismatch: if dice.chance(0.3) { 0.0 } else { dice.between(-0.7, 0.7) },
+                gap: gap(random, 2.0),
+                mismatch: if random.chance(0.3) { 0.0 } else { random.within(-0.7, 0.7) },
             },
         }
     }

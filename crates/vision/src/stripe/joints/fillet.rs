@@ -1,5 +1,9 @@
+use super::cover::Part;
 use super::{Support, View, ramp, turn};
+use crate::stripe::edges::Usual;
+use crate::stripe::light::Course;
 use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
+use glam::DVec2;
 use std::f64::consts::PI;
 
 /// Angles between the faces, degrees; half the confidence at these, none [`MARGIN_DEG`] beyond.
@@ -15,10 +19,7 @@ const FACE: [f64; 2] = [0.04, 0.1];
 impl View<'_> {
     /// Two faces that meet in a valley and are all there is.
     pub(super) fn fillet(&mut self) -> Result<Features, NoFeatures> {
-        let pairs = self.segments.windows(2).filter(|w| turn(&w[0].line, &w[1].line) > 0.6);
-        let length = |w: &&[Segment]| w[0].length() + w[1].length();
-        let pair = pairs.max_by(|a, b| length(a).total_cmp(&length(b))).ok_or(NoFeatures::NoCorner)?;
-        let (a, b) = (pair[0], pair[1]);
+        let (a, b) = self.faces().ok_or(NoFeatures::NoCorner)?;
         let angle = PI - turn(&a.line, &b.line);
         let degrees = angle.to_degrees();
         let inside = (degrees - ANGLES_DEG[0]).min(ANGLES_DEG[1] - degrees);
@@ -26,40 +27,73 @@ impl View<'_> {
         if inside < -MARGIN_DEG {
             return Err(NoFeatures::NoCorner);
         }
-        // Nothing else that is straight and goes elsewhere: shoulders would make it a groove.
-        let grain = self.grain();
-        let on = |s: &Segment, line: &Segment| {
-            let off = s.ends.map(|e| line.line.off(e).abs());
-            off[0].max(off[1]) < 3.0 * line.within(grain) && turn(&s.line, &line.line).abs() < 0.12
-        };
-        let other = |s: &&Segment| !on(s, &a) && !on(s, &b);
-        let columns = |s: &Segment| f64::from(s.columns.1 - s.columns.0);
-        let elsewhere: f64 = self.segments.iter().filter(other).map(columns).sum();
-        let total: f64 = self.segments.iter().map(columns).sum();
-        let alone = ramp(elsewhere / total, 0.25, 0.1);
-        let share = self.share(self.samples(), &[a, b]);
-        if alone <= 0.0 || share < 0.5 {
+        let corner = self.profile.column_at(at.x);
+        let change = self.change(&a, &b, corner).ok_or(NoFeatures::NoCorner)?;
+        // All of it lies on the two: shoulders would make it a groove.
+        let (clear, last) = (Some(self.clear_of(&a.line, &b.line)), self.profile.columns() as i32 - 1);
+        let parts = [
+            Part { course: Course::Line(a.line), columns: (0, change - 1), dark_after: [None, clear] },
+            Part { course: Course::Line(b.line), columns: (change, last), dark_after: [clear, None] },
+        ];
+        let cover = self.cover(&parts);
+        if cover <= 0.0 {
             return Err(NoFeatures::NoCorner);
         }
-        let gap = self.fillet_gap(&a, &b, at);
-        let shorter = columns(&a).min(columns(&b)) / f64::from(self.profile.columns() as u32);
-        let margin = alone * ramp(inside, -MARGIN_DEG, MARGIN_DEG / 2.0) * ramp(shorter, FACE[0], FACE[1]);
-        let support = Support { share, segments: &[a, b], margin };
+        let gap = self.fillet_gap((&a, &b), at, change);
+        let shorter = f64::from(change.min(last - change)) / f64::from(last);
+        let margin = cover * ramp(inside, -MARGIN_DEG, MARGIN_DEG / 2.0) * ramp(shorter, FACE[0], FACE[1]);
+        let support = Support { share: 1.0, segments: &[a, b], margin, covered: true };
         Ok(self.features(&[(Feature::Joint, at)], &[(Quantity::Gap, gap), (Quantity::Angle, angle)], &support))
     }
 
-    /// Distance of the end of one face from the other face: 0 if both reach the corner.
-    fn fillet_gap(&mut self, a: &Segment, b: &Segment, at: glam::DVec2) -> f64 {
-        let rounded = ROUNDED * self.grain();
-        // The line that does not stop goes on past the corner, in the shadow of the other's end.
-        let left = self.edge(a, b.columns.0.max(a.columns.1));
-        let right = self.edge(b, a.columns.1.min(b.columns.0));
-        let short = |edge: Option<super::Edge>, s: &Segment, sign: f64| {
-            edge.map_or(0.0, |e| sign * (at - e.at).dot(s.line.along))
-        };
-        let (short_a, short_b) = (short(left, a, 1.0), short(right, b, -1.0));
+    /// The longest lines that meet in a valley.
+    fn faces(&self) -> Option<(Segment, Segment)> {
+        let (s, lengths) = (self.segments, self.lengths());
+        let pairs = (0..s.len()).flat_map(|i| (i + 1..s.len()).map(move |j| (i, j)));
+        let valleys = pairs.filter(|(i, j)| turn(&s[*i].line, &s[*j].line) > 0.6);
+        let length = |(i, j): &(usize, usize)| lengths[*i] + lengths[*j];
+        valleys.max_by(|a, b| length(a).total_cmp(&length(b))).map(|(i, j)| (s[i], s[j]))
+    }
+
+    /// Distance of the end of one face from the other face: 0 if both reach the corner. The face that does not end goes on
+    /// past the corner to where the other one's shadow begins.
+    fn fillet_gap(&mut self, (a, b): (&Segment, &Segment), at: DVec2, change: i32) -> f64 {
+        let corner = self.profile.column_at(at.x);
+        let (ends, sign) = if f64::from(change) < corner { (a, 1.0) } else { (b, -1.0) };
+        if sign * (corner - f64::from(change)) < ROUNDED {
+            return 0.0;
+        }
+        // Near the corner the other face brings light.
+        let clear = (corner - sign * f64::from(self.clear_of(&a.line, &b.line))).round() as i32;
+        let inner = if sign > 0.0 { change - 1 } else { change };
+        let end = self.end_at(ends, inner, clear + if sign > 0.0 { -1 } else { 1 });
         let sine = turn(&a.line, &b.line).sin();
-        let (most, least) = (short_a.max(short_b), short_a.min(short_b));
-        if most > rounded && least < rounded { most * sine } else { 0.0 }
+        end.map_or(0.0, |e| (sign * (at - e.at).dot(ends.line.along)).max(0.0) * sine)
+    }
+
+    /// The first column in which the stripe is on the right face instead of the left one; among equals that nearest to the
+    /// corner.
+    fn change(&mut self, a: &Segment, b: &Segment, corner: f64) -> Option<i32> {
+        let (from, to) = ((a.columns.0 + a.columns.1) / 2, (b.columns.0 + b.columns.1) / 2);
+        let [left, right] = [(a, from), (b, to)].map(|(s, middle)| {
+            let end = if middle == from { s.columns.1 } else { s.columns.0 };
+            self.look_along(&Course::Line(s.line), (middle, end));
+            Usual::of(self.strip, self.scratch)
+        });
+        let (left, right) = (left?, right?);
+        self.look_along(&Course::Line(a.line), (from, to));
+        self.scratch.clear();
+        self.scratch.extend(self.strip.iter().map(|v| left.evidence(*v)));
+        self.look_along(&Course::Line(b.line), (from, to));
+        let (mut sum, mut most, mut change) = (0.0, 0.0, from);
+        for (i, (on_left, light)) in self.scratch.iter().zip(self.strip.iter()).enumerate() {
+            sum += on_left - right.evidence(*light);
+            let column = from + i as i32 + 1;
+            let nearer = (f64::from(column) - 0.5 - corner).abs() < (f64::from(change) - 0.5 - corner).abs();
+            if sum > most + 1e-9 || (sum > most - 1e-9 && nearer) {
+                (most, change) = (sum, column);
+            }
+        }
+        Some(change)
     }
 }

@@ -1,5 +1,6 @@
-use super::{Support, View, between, ramp, turn, twice_area};
-use crate::stripe::edges::Edge;
+use super::cover::Part;
+use super::{Edge, Support, View, between, ramp, turn, twice_area};
+use crate::stripe::light::Course;
 use crate::stripe::profile::{Sample, median};
 use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
 use glam::DVec2;
@@ -14,17 +15,15 @@ pub(super) const SHOULDERS: f64 = 0.3;
 /// Part of the usual strength from which on a column between two roots counts as lit.
 const LIT: f64 = 0.4;
 
+/// Part of the columns between two roots that may be lit of a closed root, and of an open one; the least slope of the faces below them.
+const LIT_ROOT: [f64; 2] = [0.5, 0.25];
+const FACE: f64 = 4.0;
+
 /// How far from a wall's line a closed root may be: the stripe's width rounds it, columns.
 const ROUNDED: f64 = 6.0;
 
 /// How far the ends of the walls may be from a closed root, columns.
 const CLOSED: f64 = 16.0;
-
-/// Part of a groove's columns with other light for no, and for full confidence.
-pub(super) const CROWD: [f64; 2] = [0.9, 0.7];
-
-/// How far a shoulder's last place may be from its edge for no, and for full confidence, columns.
-const EDGE_OFF: [f64; 2] = [25.0, 12.0];
 
 /// The four segments of a V groove.
 struct V {
@@ -37,9 +36,16 @@ impl V {
     fn is_one(&self) -> bool {
         let [left, right] = &self.shoulders;
         let [down, up] = &self.walls;
+        let corners = [left.line.meets(&down.line), down.line.meets(&up.line), up.line.meets(&right.line)];
+        let [Some(a), Some(b), Some(c)] = corners else { return false };
         let falls = turn(&left.line, &down.line) < -0.2;
         let rises = turn(&up.line, &right.line) < -0.2;
-        falls && rises && turn(&down.line, &up.line) > 0.6 && turn(&left.line, &right.line).abs() < SHOULDERS
+        a.x < b.x
+            && b.x < c.x
+            && falls
+            && rises
+            && turn(&down.line, &up.line) > 0.6
+            && turn(&left.line, &right.line).abs() < SHOULDERS
     }
 }
 
@@ -62,17 +68,13 @@ impl View<'_> {
         let width = edge_right.distance(edge_left);
         let area = twice_area(&[edge_left, a, b, edge_right]).max(0.0) / 2.0;
         let share = self.share(self.samples(), &all);
-        let walls = self.profile.between(down.columns.0, up.columns.1);
-        let on_walls = self.share(walls, &v.walls);
         let degrees = included.to_degrees();
         let inside = (degrees - INCLUDED_DEG[0]).min(INCLUDED_DEG[1] - degrees);
-        if inside < 0.0 || depth < 10.0 * self.grain() || on_walls < 0.5 || gap > 0.6 * width {
+        if inside < 0.0 || depth < 10.0 * self.grain() || gap > 0.6 * width {
             return Err(NoFeatures::NoGroove);
         }
-        let off = left.ends[1].distance(edge_left).max(right.ends[0].distance(edge_right)) / self.grain();
-        let margin = if hidden { 0.0 } else { ramp(off, EDGE_OFF[0], EDGE_OFF[1]) };
-        let crowd = self.crowd((left.columns.1, right.columns.0));
-        let margin = margin * ramp(crowd, CROWD[0], CROWD[1]) * ramp(inside, 0.0, 5.0) * ramp(on_walls, 0.65, 0.85);
+        let cover = if hidden { 0.0 } else { self.cover(&self.v_parts(&v, [edge_left, a, b, edge_right])) };
+        let margin = cover * ramp(inside, 0.0, 5.0);
         let values = [
             (Quantity::Gap, gap),
             (Quantity::Mismatch, mismatch(&left, &right, joint, along)),
@@ -89,19 +91,20 @@ impl View<'_> {
             (Feature::LeftRoot, a),
             (Feature::RightRoot, b),
         ];
-        Ok(self.features(&points, &values, &Support { share, segments: &all, margin }))
+        Ok(self.features(&points, &values, &Support { share, segments: &all, margin, covered: true }))
     }
 
+    /// Shoulder, wall, wall, shoulder of the longest lines that make a groove.
     fn find_v(&self) -> Option<V> {
-        let s = self.segments;
+        let (s, lengths) = (self.segments, self.lengths());
         let mut best: Option<(f64, V)> = None;
-        // A wall may be cut in two, and there may be a short root between the walls.
+        // A line may be cut in several, and a short root or reflections may be between.
         for i in 0..s.len() {
-            for j in i + 3..s.len().min(i + 5) {
-                for (a, b) in [(i + 1, j - 1), (i + 2, j - 1), (i + 1, j - 2)].into_iter().filter(|(a, b)| a < b) {
+            for j in i + 3..s.len() {
+                for (a, b) in (i + 1..j).flat_map(|a| (a + 1..j).map(move |b| (a, b))) {
                     let v = V { shoulders: [s[i], s[j]], walls: [s[a], s[b]] };
-                    let length = v.walls[0].length() + v.walls[1].length();
-                    if v.is_one() && best.as_ref().is_none_or(|(most, _)| length > *most) {
+                    let length = lengths[i] + lengths[a] + lengths[b] + lengths[j];
+                    if best.as_ref().is_none_or(|(most, _)| length > *most) && v.is_one() {
                         best = Some((length, v));
                     }
                 }
@@ -110,27 +113,46 @@ impl View<'_> {
         best.map(|(_, v)| v)
     }
 
+    /// All of it, between edges and roots.
+    fn v_parts(&self, v: &V, corners: [DVec2; 4]) -> [Part; 4] {
+        let [left, right] = v.shoulders.map(|s| s.line);
+        let [down, up] = v.walls.map(|s| s.line);
+        let [edge_left, a, b, edge_right] = corners.map(|p| self.profile.column_at(p.x));
+        let part = |line, from: f64, to: f64, dark_after| Part {
+            course: Course::Line(line),
+            columns: (from.ceil() as i32 + 1, to.floor() as i32 - 1),
+            dark_after,
+        };
+        let [at_left, at_root, at_right] =
+            [self.clear_of(&left, &down), self.clear_of(&down, &up), self.clear_of(&up, &right)].map(Some);
+        let last = f64::from(self.profile.columns() as u32);
+        [
+            part(left, -1.0, edge_left, [None, at_left]),
+            part(down, edge_left, a, [at_left, at_root]),
+            part(up, b, edge_right, [at_root, at_right]),
+            part(right, edge_right, last, [at_right, None]),
+        ]
+    }
+
     /// Both roots: the ends of the walls if nothing is lit between them, else where the walls meet. And whether
     /// something hides them.
     fn roots(&mut self, v: &V, closed: DVec2, along: DVec2) -> ([DVec2; 2], bool) {
         let [down, up] = v.walls;
         // A wall's line goes on to the other wall: that one's places are no end of it.
-        let middle = (down.columns.1 + up.columns.0).div_euclid(2);
-        let ends = (self.edge(&down, middle), self.edge(&up, middle + 1));
+        let middle = self.profile.column_at(closed.x).round() as i32;
+        let ends = (self.edge(&down, middle), self.edge(&up, middle));
         let (Some(a), Some(b)) = ends else { return ([closed; 2], true) };
         // A closed root is where the walls end.
-        let far = CLOSED * self.grain();
+        let (far, hidden) = (CLOSED * self.grain(), a.hidden || b.hidden);
         let ends_there = a.at.distance(closed).max(b.at.distance(closed)) < far;
-        if b.column - a.column < 1.5 || (b.at - a.at).dot(along) <= 0.0 {
-            return ([closed; 2], !ends_there);
+        if a.dark + b.dark < a.least_gap.max(b.least_gap) || (b.at - a.at).dot(along) <= 0.0 {
+            return ([closed; 2], hidden || !ends_there);
         }
         let (on, elsewhere) = self.lit(&v.walls, closed, a, b);
-        if on + elsewhere > 0.5 {
-            return ([closed; 2], elsewhere > 0.3 || !ends_there);
+        if on + elsewhere > LIT_ROOT[0] {
+            return ([closed; 2], hidden || elsewhere > 0.1 || !ends_there);
         }
-        let all = [v.shoulders[0], down, up, v.shoulders[1]];
-        let hidden = self.hidden(&a, &down.line, 1, &all) || self.hidden(&b, &up.line, -1, &all);
-        ([a.at, b.at], hidden)
+        ([a.at, b.at], hidden || on + elsewhere > LIT_ROOT[1])
     }
 
     /// Parts of the columns between two edges in which the stripe is seen on the walls, and off them but not far below.
@@ -144,7 +166,9 @@ impl View<'_> {
         let bright = |s: &&Sample| s.strength.is_none_or(|v| v > LIT * usual) && s.at.distance(closed) < far;
         let on_wall = |s: &Sample| walls.iter().any(|w| w.line.off(s.at).abs() < ROUNDED * grain);
         let (mut on, mut off) = (0.0, 0.0);
-        for s in self.profile.between(from, to).iter().filter(bright) {
+        // The face below a root is seen steeply.
+        let face = |s: &&Sample| [a, b].iter().any(|e| e.at.y - s.at.y > FACE * (s.at.x - e.at.x).abs());
+        for s in self.profile.between(from, to).iter().filter(bright).filter(|s| !face(s)) {
             *(if on_wall(s) { &mut on } else { &mut off }) += 1.0;
         }
         let columns = f64::from((to - from + 1).max(1));

@@ -1,17 +1,20 @@
 //! What a profile must look like for each joint. A joint that was not asked for is not looked for: what does not fit has
 //! no features.
 
+mod butt;
+mod cover;
 mod fillet;
 mod groove;
-mod plates;
+mod lap;
 mod round;
 
 use super::Feature;
-use super::edges::{self, Edge};
+use super::edges::{Usual, is_hidden, lit_columns, sub_column};
 use super::features::{Features, JointKind, NoFeatures, Quantity, StripeTask};
 use super::fit::StripeLine;
+use super::light::{Course, Light};
 use super::profile::{Profile, Sample};
-use super::segments::Segment;
+use super::segments::{MOST, Segment};
 use arrayvec::ArrayVec;
 use glam::DVec2;
 
@@ -20,6 +23,12 @@ pub(super) struct View<'a> {
     pub(super) profile: &'a Profile,
     pub(super) segments: &'a [Segment],
     pub(super) task: &'a StripeTask,
+    /// The image, if the profile is of one.
+    pub(super) light: Option<Light<'a>>,
+    /// Light along a course, column after column.
+    pub(super) strip: &'a mut Vec<f64>,
+    /// For two lines, what every column's light says.
+    pub(super) evidence: &'a mut [Vec<f64>; 2],
     pub(super) scratch: &'a mut Vec<f64>,
 }
 
@@ -33,6 +42,31 @@ const HIDING_ROWS: f64 = 8.0;
 /// Least slope of the face below an edge.
 const STEEP: f64 = 2.0;
 
+/// Rows between two courses from which on the light of one is not in the other's strip; most columns of it.
+const APART: f64 = 7.0;
+const MOST_BESIDE: f64 = 100.0;
+
+/// How far from a course a place of a profile is on it, columns or rows.
+const ON_COURSE: f64 = 2.0;
+
+/// Columns of an end at the image's rim.
+const AT_RIM: usize = 3;
+
+/// The end of a course.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Edge {
+    /// Its column, sub-pixel.
+    column: f64,
+    /// Its place on the course.
+    at: DVec2,
+    /// Dark columns beyond it, as far as was looked.
+    dark: f64,
+    /// Fewest dark columns that make a gap.
+    least_gap: f64,
+    /// Whether something else is there, so that it is not known well.
+    hidden: bool,
+}
+
 /// How well a joint is supported, before its confidence is put together.
 struct Support<'a> {
     /// Part of the places that lie on what the joint is made of.
@@ -41,6 +75,8 @@ struct Support<'a> {
     segments: &'a [Segment],
     /// 0 to 1: how much better it fits than what it could be confused with.
     margin: f64,
+    /// Whether the light on all of it has been looked at, which says more than the chain does.
+    covered: bool,
 }
 
 impl View<'_> {
@@ -68,11 +104,93 @@ impl View<'_> {
         &self.profile.samples
     }
 
-    /// The end of a segment's places towards column `to`, not beyond it.
+    /// The end of a segment towards column `to`, not beyond it.
     fn edge(&mut self, segment: &Segment, to: i32) -> Option<Edge> {
-        let middle = (segment.columns.0 + segment.columns.1) / 2;
-        let within = segment.within(self.grain());
-        edges::edge(self.profile, &segment.line, within, (middle, to), self.scratch)
+        let (from, last) = segment.columns;
+        let middle = (from + last) / 2;
+        let sure = if to >= middle { (last - middle).min(to - middle) } else { (middle - from).min(middle - to) };
+        self.end(&Course::Line(segment.line), (middle, to), sure)
+    }
+
+    /// Where the light on a course ends on the way from column `from`, where it is lit, to column `to`; `sure` columns of
+    /// the way are thought to be lit but for holes.
+    fn end(&mut self, course: &Course, (from, to): (i32, i32), sure: i32) -> Option<Edge> {
+        self.look_along(course, (from, to));
+        let sure = &self.strip[..(sure.max(0) as usize + 1).min(self.strip.len())];
+        let usual = Usual::of(sure, self.scratch)?;
+        let coarse = lit_columns(self.strip, &usual);
+        // Where the course leaves the image before it ends, its end is not known.
+        let leaves = self.strip.iter().position(|v| v.is_nan()).is_some_and(|out| coarse + AT_RIM > out);
+        if leaves {
+            return None;
+        }
+        self.end_of(course, (from, to), &usual, coarse)
+    }
+
+    /// The end of a segment whose last lit column is `last`; no light beyond column `to` is looked at.
+    fn end_at(&mut self, segment: &Segment, last: i32, to: i32) -> Option<Edge> {
+        let course = Course::Line(segment.line);
+        let from = (segment.columns.0 + segment.columns.1) / 2;
+        let to = if last > from { to.max(last) } else { to.min(last) };
+        self.look_along(&course, (from, to));
+        let lit = last.abs_diff(from) as usize + 1;
+        let usual = Usual::of(&self.strip[..lit.min(self.strip.len())], self.scratch)?;
+        self.end_of(&course, (from, to), &usual, lit)
+    }
+
+    /// The end to a part of a column of what is in the strip.
+    fn end_of(&self, course: &Course, (from, to): (i32, i32), usual: &Usual, coarse: usize) -> Option<Edge> {
+        let lit = if self.light.is_some() {
+            sub_column(self.strip, usual, coarse)
+        } else {
+            // As many columns again may be missing as there are holes one after the other.
+            coarse as f64 + (1.0 - usual.lit).min(0.5) / usual.lit.max(0.5)
+        };
+        let beyond = self.strip.get(coarse..).unwrap_or_default();
+        let dark = beyond.iter().filter(|v| usual.is_dark(**v)).count() as f64;
+        let hidden = is_hidden(self.strip, usual, coarse.min(self.strip.len()));
+        let column = f64::from(from) + (lit - 0.5) * if to >= from { 1.0 } else { -1.0 };
+        Some(Edge { column, at: self.place(course, column)?, dark, least_gap: usual.least_gap(), hidden })
+    }
+
+    /// Fills the strip with the light along a course; without an image, with 1 where a place is on it.
+    fn look_along(&mut self, course: &Course, (from, to): (i32, i32)) {
+        if let Some(light) = &self.light {
+            light.along(self.profile, course, (from, to), self.strip);
+            return;
+        }
+        self.strip.clear();
+        self.strip.resize(from.abs_diff(to) as usize + 1, 0.0);
+        let within = ON_COURSE * self.grain();
+        for s in self.profile.between(from.min(to), from.max(to)) {
+            if course.off(s.at).abs() <= within {
+                self.strip[s.column.abs_diff(from) as usize] = 1.0;
+            }
+        }
+    }
+
+    /// The place of a course in a column.
+    fn place(&self, course: &Course, column: f64) -> Option<DVec2> {
+        let y = self.profile.y_at(column);
+        match &self.light {
+            Some(light) => light.place(self.profile, course, column, y).map(|p| p.0),
+            None => course.at(y),
+        }
+    }
+
+    /// Length of all segments on each one's line, mm: reflections cut the lines of a joint into several.
+    fn lengths(&self) -> ArrayVec<f64, MOST> {
+        let grain = self.grain();
+        let on = |s: &Segment, line: &Segment| s.ends.iter().all(|e| line.line.off(*e).abs() < line.within(grain));
+        let all = |line: &Segment| self.segments.iter().filter(|s| on(s, line)).map(Segment::length).sum();
+        self.segments.iter().map(all).collect()
+    }
+
+    /// Columns from the place where two lines meet to where one's light is no more in the other's strip.
+    fn clear_of(&self, a: &StripeLine, b: &StripeLine) -> i32 {
+        let slope = |s: &StripeLine| s.along.y / s.along.x.max(1e-6);
+        let apart = (slope(a) - slope(b)).abs() * self.pitch();
+        (APART * self.profile.row / apart.max(1e-9)).ceil().min(MOST_BESIDE) as i32
     }
 
     /// Part of `samples` on one of `segments`.
@@ -144,7 +262,16 @@ impl View<'_> {
         (f64::from(crowded) + alone.max(0.0)) / f64::from((columns.1 - columns.0 + 1).max(1))
     }
 
-    /// Puts the features together: inliers x length x residual x margin x innovation.
+    /// 0 to 1: how well the chain follows the joint.
+    fn followed(&self, support: &Support) -> f64 {
+        let rival = |s: &Segment| self.rivals(s.columns, support.segments);
+        let rivals = support.segments.iter().map(rival).fold(0.0, f64::max);
+        let densities = support.segments.iter().map(|s| self.density(s));
+        let density = densities.fold(f64::INFINITY, f64::min);
+        ramp(support.share, 0.55, 0.85) * ramp(density, 0.3, 0.5) * ramp(rivals, 0.6, 0.35)
+    }
+
+    /// Puts the features together: what is seen x length x residual x margin x innovation.
     fn features(&self, points: &[(Feature, DVec2)], values: &[(Quantity, f64)], support: &Support) -> Features {
         let pitch = self.pitch();
         let shortest = support.segments.iter().map(Segment::length).fold(f64::INFINITY, f64::min);
@@ -157,23 +284,15 @@ impl View<'_> {
             }
             _ => 1.0,
         };
-        let rival = |s: &Segment| self.rivals(s.columns, support.segments);
-        let rivals = support.segments.iter().map(rival).fold(0.0, f64::max);
-        let densities = support.segments.iter().map(|s| self.density(s));
-        let density = densities.fold(f64::INFINITY, f64::min);
-        let confidence = ramp(support.share, 0.55, 0.85)
-            * ramp(density, 0.3, 0.5)
-            * ramp(columns, 8.0, 30.0)
-            * ramp(worst, 6.0, 2.0)
-            * ramp(rivals, 0.6, 0.35)
-            * support.margin.clamp(0.0, 1.0)
-            * innovation;
+        let chain = if support.covered { 1.0 } else { self.followed(support) };
+        let confidence =
+            chain * ramp(columns, 8.0, 30.0) * ramp(worst, 6.0, 2.0) * support.margin.clamp(0.0, 1.0) * innovation;
         let finite = points.iter().all(|p| p.1.is_finite()) && values.iter().all(|v| v.1.is_finite());
         Features {
             kind: self.task.joint,
             points: points.iter().copied().collect::<ArrayVec<_, 6>>(),
             values: values.iter().copied().collect::<ArrayVec<_, 8>>(),
-            confidence: if finite { confidence } else { 0.0 },
+            confidence: if finite { confidence.abs() } else { 0.0 },
         }
     }
 }

@@ -1,10 +1,13 @@
 //! Grooves whose walls end in arcs: U and J.
 
-use super::groove::{CROWD, SHOULDERS, mismatch};
-use super::{Support, View, between, ramp, turn};
+use super::cover::Part;
+use super::groove::{SHOULDERS, mismatch};
+use super::{Edge, Support, View, between, ramp, turn};
 use crate::stripe::fit::{StripeArc, StripeLine, line};
+use crate::stripe::light::Course;
 use crate::stripe::profile::Sample;
 use crate::stripe::{Feature, Features, NoFeatures, Quantity, Segment};
+use arrayvec::ArrayVec;
 use glam::DVec2;
 
 /// Triples of places that are tried for an arc.
@@ -20,6 +23,27 @@ const BETTER: f64 = 1.15;
 /// Least part of a U groove's arc that is on its own side of the centre.
 const OWN_SIDE: f64 = 0.7;
 
+/// Part of an arc's radius beside its end in which it is looked along.
+const ARC_PART: f64 = 0.6;
+
+/// Columns between the gap from the roots' ends and that from the arcs for no, and for full confidence.
+const DISAGREE: [f64; 2] = [8.0, 4.0];
+
+/// Part of an arc's radius to the side from its centre that must be lit: beyond it is too steep.
+const ARC_SEEN: f64 = 0.8;
+
+/// Columns by which the sides of a closed J groove may seem to overlap.
+const CLOSED: f64 = 4.0;
+
+/// Part of a J groove's radius to the side of the root that may be in the shadow of the upright side.
+const SHADOW: f64 = 0.35;
+
+/// How far edges may be from the ends of the shoulders for no, and for full confidence, columns.
+const EDGE_OFF: [f64; 2] = [24.0, 12.0];
+
+/// Columns beyond the end of a shoulder from which on it must be dark.
+const AFTER_EDGE: i32 = 4;
+
 /// A groove between two shoulders.
 struct Groove {
     shoulders: [Segment; 2],
@@ -29,6 +53,8 @@ struct Groove {
     inside: (i32, i32),
     /// Ends of the shoulders.
     ends: [DVec2; 2],
+    /// Whether something else is seen at one of them.
+    hidden: bool,
 }
 
 /// A curved side: arc at the root, wall above it.
@@ -54,15 +80,24 @@ impl View<'_> {
         let left = self.side(&groove, (groove.inside.0, middle), 0).ok_or(NoFeatures::NoGroove)?;
         let right = self.side(&groove, (middle + 1, groove.inside.1), 1).ok_or(NoFeatures::NoGroove)?;
         let up = groove.along.perp();
-        let roots = [left.arc.centre - left.arc.radius * up, right.arc.centre - right.arc.radius * up];
+        let lowest = [left.arc.centre - left.arc.radius * up, right.arc.centre - right.arc.radius * up];
         let unequal = (left.arc.radius - right.arc.radius).abs() / (left.arc.radius + right.arc.radius);
-        // With a closed root both arcs have one centre.
-        let apart = (roots[1] - roots[0]).dot(groove.along);
-        let gap = if apart > 3.0 * self.pitch() { apart } else { 0.0 };
+        let apart = (lowest[1] - lowest[0]).dot(groove.along);
+        // Between open roots it is dark; a closed one has both arcs' lowest points.
+        let middle = (lowest[0] + lowest[1]) / 2.0;
+        let to = self.profile.column_at(middle.x).round() as i32;
+        let ends = (self.arc_end(&left.arc, groove.inside.0, to), self.arc_end(&right.arc, groove.inside.1, to));
+        let (Some(a), Some(b)) = ends else { return Err(NoFeatures::NoGroove) };
+        let open = a.dark + b.dark >= a.least_gap.max(b.least_gap) && b.column > a.column;
+        let roots = if open { [a.at, b.at] } else { [middle; 2] };
+        let gap = (roots[1] - roots[0]).dot(groove.along).max(0.0);
+        // The arcs themselves tell the gap less well, but not quite another one.
+        let agree = ramp((gap - apart).abs() / self.pitch(), DISAGREE[0], DISAGREE[1]);
         if unequal > 0.25 || apart < -8.0 * self.pitch() || left.own_side.min(right.own_side) < OWN_SIDE {
             return Err(NoFeatures::NoGroove);
         }
-        let margin = ramp(unequal, 0.25, 0.1);
+        let margin = if a.hidden || b.hidden { 0.0 } else { agree };
+        let margin = margin * ramp(unequal, 0.25, 0.1);
         let angle = match (left.wall, right.wall) {
             (Some(a), Some(b)) => Some(std::f64::consts::PI - turn(&a, &b)),
             _ => None,
@@ -70,6 +105,18 @@ impl View<'_> {
         let radius = (left.arc.radius + right.arc.radius) / 2.0;
         let edges = [left.edge, right.edge];
         Ok(self.round_features(&groove, &[left, right], roots, edges, (gap, angle, radius, margin)))
+    }
+
+    /// The end of an arc on the way from column `shoulder` to column `to`.
+    fn arc_end(&mut self, arc: &StripeArc, shoulder: i32, to: i32) -> Option<Edge> {
+        // Upper parts of an arc are steep and may not be on it.
+        let beside = ARC_PART * arc.radius / self.pitch();
+        let from = if to >= shoulder {
+            shoulder.max(to - beside.round() as i32)
+        } else {
+            shoulder.min(to + beside.round() as i32)
+        };
+        self.end(&Course::Arc(*arc), (from, to), from.abs_diff(to) as i32 / 2)
     }
 
     /// One curved side, the other one upright: nothing is seen of it between shoulder and root.
@@ -90,17 +137,17 @@ impl View<'_> {
         let upright = groove.ends[1 - curved];
         let across = (root - upright).dot(groove.along);
         let foot = root - across * groove.along;
-        let apart = across.abs();
+        let apart = if curved == 1 { across } else { -across };
         let gap = if apart > 3.0 * self.pitch() { apart } else { 0.0 };
         let width = (groove.ends[1] - groove.ends[0]).dot(groove.along);
-        if one_sided < 0.75 || apart > 0.5 * width {
+        if one_sided < 0.75 || apart > 0.5 * width || apart < -CLOSED * self.pitch() {
             return Err(NoFeatures::NoGroove);
         }
         // A root gap is dark.
         let column = |p: DVec2| inside.iter().position(|s| (s.at - p).dot(groove.along) >= 0.0).unwrap_or(inside.len());
         let lit = column(upright).abs_diff(column(root)) as f64;
         let dark = if gap > 0.0 { ramp(lit * self.pitch() / gap, 0.8, 0.5) } else { 1.0 };
-        let margin = dark * ramp(one_sided, 0.75, 0.9);
+        let margin = if groove.hidden { 0.0 } else { dark * ramp(one_sided, 0.75, 0.9) };
         let angle = side.wall.map(|w| w.along.dot(groove.along).clamp(-1.0, 1.0).asin());
         let (radius, edge) = (side.arc.radius, side.edge);
         let (roots, edges) =
@@ -127,11 +174,13 @@ impl View<'_> {
         let seen = self.profile.between(groove.inside.0, groove.inside.1).len() as f64;
         let columns = f64::from(groove.inside.1 - groove.inside.0 + 1) - gap / self.pitch();
         let margin = margin * ramp(seen / columns.max(1.0), 0.4, 0.6);
-        let margin = margin * ramp(self.crowd(groove.inside), CROWD[0], CROWD[1]);
-        let margin = margin * ramp(self.rivals(groove.inside, &groove.shoulders), 0.4, 0.2);
+        // Walls and shoulders meet where the light of the shoulders ends.
+        let off = [0, 1].map(|i| edges[i].distance(groove.ends[i]) / self.grain());
+        let margin = margin * ramp(off[0].max(off[1]), EDGE_OFF[0], EDGE_OFF[1]);
+        let margin = margin * self.cover(&self.round_parts(groove, sides, roots));
         let shoulders = self.share(self.samples(), &groove.shoulders);
         let inside = self.profile.between(groove.inside.0, groove.inside.1).len() as f64 / self.samples().len() as f64;
-        let support = Support { share: shoulders + share * inside, segments: &groove.shoulders, margin };
+        let support = Support { share: shoulders + share * inside, segments: &groove.shoulders, margin, covered: true };
         let points = [
             (Feature::Joint, joint),
             (Feature::LeftEdge, edges[0]),
@@ -153,12 +202,40 @@ impl View<'_> {
         self.features(&points, &values[..known], &support)
     }
 
+    /// Shoulders, and arcs as far as they are not too steep.
+    fn round_parts(&self, groove: &Groove, sides: &[Side], roots: [DVec2; 2]) -> ArrayVec<Part, 4> {
+        let column = |p: DVec2| self.profile.column_at(p.x).round() as i32;
+        let last = self.profile.columns() as i32 - 1;
+        let mut parts = ArrayVec::new();
+        for (i, shoulder) in groove.shoulders.iter().enumerate() {
+            let end = column(groove.ends[i]);
+            let (columns, dark_after) = if i == 0 {
+                ((0, end - 1), [None, Some(AFTER_EDGE)])
+            } else {
+                ((end + 1, last), [Some(AFTER_EDGE), None])
+            };
+            parts.push(Part { course: Course::Line(shoulder.line), columns, dark_after });
+        }
+        for side in sides {
+            let outward = (side.edge - side.arc.centre).dot(groove.along).signum();
+            let root = if outward > 0.0 { roots[1] } else { roots[0] };
+            let (root, upper) =
+                (column(root), column(side.arc.centre + outward * ARC_SEEN * side.arc.radius * DVec2::X));
+            // The upright side of a J groove may throw its shadow on the root.
+            let root = if sides.len() == 1 {
+                column(side.arc.centre + outward * SHADOW * side.arc.radius * DVec2::X)
+            } else {
+                root
+            };
+            let columns = if outward > 0.0 { (root + 1, upper) } else { (upper, root - 1) };
+            parts.push(Part { course: Course::Arc(side.arc), columns, dark_after: [None; 2] });
+        }
+        parts
+    }
+
     /// Two parallel shoulders and what is between them, below both.
     fn groove(&mut self) -> Option<Groove> {
-        let (&left, &right) = (self.segments.first()?, self.segments.last()?);
-        if self.segments.len() < 3 || turn(&left.line, &right.line).abs() > SHOULDERS {
-            return None;
-        }
+        let (left, right) = self.shoulders()?;
         let a = self.edge(&left, right.columns.0)?;
         let b = self.edge(&right, left.columns.1)?;
         let inside = (a.column.ceil() as i32, b.column.floor() as i32);
@@ -167,7 +244,34 @@ impl View<'_> {
         let below = |s: &&Sample| left.line.off(s.at).max(right.line.off(s.at)) < 0.0;
         let deep = samples.iter().filter(below).count();
         let enough = samples.len() >= 40 && 4 * deep > 3 * samples.len();
-        enough.then_some(Groove { shoulders: [left, right], along, inside, ends: [a.at, b.at] })
+        enough.then_some(Groove {
+            shoulders: [left, right],
+            along,
+            inside,
+            ends: [a.at, b.at],
+            hidden: a.hidden || b.hidden,
+        })
+    }
+
+    /// The longest parallel lines with something below both between them.
+    fn shoulders(&self) -> Option<(Segment, Segment)> {
+        let (s, lengths) = (self.segments, self.lengths());
+        let deep = 10.0 * self.grain();
+        let mut best: Option<(f64, (Segment, Segment))> = None;
+        for (i, j) in (0..s.len()).flat_map(|i| (i + 2..s.len()).map(move |j| (i, j))) {
+            let (left, right) = (&s[i], &s[j]);
+            let below = |k: &Segment| {
+                let middle = (k.ends[0] + k.ends[1]) / 2.0;
+                left.line.off(middle).max(right.line.off(middle)) < -deep
+            };
+            let between: f64 = s[i + 1..j].iter().filter(|k| below(k)).map(Segment::length).sum();
+            let score = lengths[i] + lengths[j] + between;
+            let parallel = turn(&left.line, &right.line).abs() <= SHOULDERS;
+            if parallel && between > 0.0 && best.as_ref().is_none_or(|(most, _)| score > *most) {
+                best = Some((score, (*left, *right)));
+            }
+        }
+        best.map(|(_, pair)| pair)
     }
 
     /// The arc that most of `samples` are on, and how well, from a fixed set of triples.

@@ -1,7 +1,7 @@
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
-/// Seeded numbers for scenes.
+/// Seeded numbers for pictures: the one source of chance of all simulated eyes. The same seed paints the same picture.
 #[derive(Debug, Clone)]
 pub struct Random(Pcg64Mcg);
 
@@ -22,6 +22,11 @@ impl Random {
     /// True in this part of all cases.
     pub fn chance(&mut self, part: f64) -> bool {
         self.within(0.0, 1.0) < part
+    }
+
+    /// A whole number from `low` to below `high`; `low` if there is none between.
+    pub fn whole(&mut self, low: usize, high: usize) -> usize {
+        low + (self.0.next_u64() % high.saturating_sub(low).max(1) as u64) as usize
     }
 
     /// A number near to normally distributed, of standard deviation 1: the sum of four even ones.

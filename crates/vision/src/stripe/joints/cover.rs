@@ -1,0 +1,87 @@
+//! Whether a joint that was found is all there: lit from end to end, and dark where it says that it ends.
+//!
+//! Reflections are as bright as the stripe, and no shape is proof. But a reflection is short, and it does not begin and
+//! end where a joint's parts do: a joint made of one has dark places on its parts, or parts that go on beyond their ends.
+
+use super::{View, ramp};
+use crate::stripe::edges::{LIT, Usual};
+use crate::stripe::light::Course;
+
+/// Columns beyond an end that must be dark, and part of them that may be lit for no, and for full confidence.
+const BEYOND: i32 = 10;
+const LIT_BEYOND: [f64; 2] = [0.7, 0.4];
+
+/// Part of the columns beyond an end that must not be hidden by something else for no, and for full confidence.
+const KNOWN: [f64; 2] = [0.4, 0.7];
+
+/// Columns before an end, and part of them that must be lit by the stripe alone for no, and for full confidence.
+const BEFORE: i32 = 24;
+const LIT_BEFORE: [f64; 2] = [0.25, 0.45];
+
+/// Part of the columns in which the joint is out of the image, and something is seen, for no, and for full confidence.
+const ELSEWHERE: [f64; 2] = [0.25, 0.15];
+
+/// Dark columns in a row on a part for no, and for full confidence: of [`Usual::least_gap`].
+const HOLE: [f64; 2] = [3.5, 2.2];
+
+/// A part of a joint.
+pub(super) struct Part {
+    pub(super) course: Course,
+    /// Its first and last column.
+    pub(super) columns: (i32, i32),
+    /// Columns beyond its first and last column from which on it must be dark; none if it may go on there.
+    pub(super) dark_after: [Option<i32>; 2],
+}
+
+impl View<'_> {
+    /// 0 to 1: how sure it is that the parts are there and end where they should.
+    pub(super) fn cover(&mut self, parts: &[Part]) -> f64 {
+        let longest = parts.iter().max_by_key(|p| p.columns.1 - p.columns.0);
+        let Some(longest) = longest else { return 0.0 };
+        self.look_along(&longest.course, longest.columns);
+        let Some(usual) = Usual::of(self.strip, self.scratch) else { return 0.0 };
+        let hole = usual.least_gap();
+        let (mut sure, mut elsewhere): (f64, usize) = (1.0, 0);
+        for part in parts.iter().filter(|p| p.columns.1 > p.columns.0) {
+            let (from, to) = part.columns;
+            let (run, out) = self.dark_and_out(part, &usual);
+            elsewhere += out;
+            sure *= ramp(run, HOLE[0] * hole, HOLE[1] * hole);
+            let [before, after] = part.dark_after;
+            for (end, step, skip) in [(from, -1, before), (to, 1, after)] {
+                let Some(skip) = skip else { continue };
+                sure *= self.lit_before(part, end, step, &usual);
+                self.look_along(&part.course, (end + step * skip, end + step * (skip + BEYOND)));
+                let seen = || self.strip.iter().filter(|v| v.is_finite());
+                let lit = seen().filter(|v| **v > LIT * usual.light).count() as f64;
+                let known = seen().count() as f64;
+                let out = self.strip.iter().filter(|v| v.is_nan()).count() as f64;
+                sure *= ramp(lit / known.max(1.0), LIT_BEYOND[0], LIT_BEYOND[1]);
+                sure *= ramp((known + out) / self.strip.len().max(1) as f64, KNOWN[0], KNOWN[1]);
+            }
+        }
+        sure * ramp(elsewhere as f64 / self.samples().len() as f64, ELSEWHERE[0], ELSEWHERE[1])
+    }
+
+    /// 0 to 1: how sure it is that a part is lit in the columns before one of its ends, and not under something else.
+    fn lit_before(&mut self, part: &Part, end: i32, step: i32, usual: &Usual) -> f64 {
+        let length = part.columns.1 - part.columns.0;
+        self.look_along(&part.course, (end, end - step * BEFORE.min(length)));
+        let lit = self.strip.iter().filter(|v| v.is_finite() && **v > LIT * usual.light).count() as f64;
+        let out = self.strip.iter().filter(|v| v.is_nan()).count();
+        ramp(lit / (self.strip.len() - out).max(1) as f64, LIT_BEFORE[0], LIT_BEFORE[1])
+    }
+
+    /// The longest run of dark columns on a part, and the number of places in columns in which it is out of the image.
+    fn dark_and_out(&mut self, part: &Part, usual: &Usual) -> (f64, usize) {
+        self.look_along(&part.course, part.columns);
+        let (mut run, mut longest) = (0, 0);
+        for light in self.strip.iter().filter(|v| v.is_finite()) {
+            run = if *light > LIT * usual.light { 0 } else { run + 1 };
+            longest = longest.max(run);
+        }
+        let out = |c: i32| self.strip.get(c.abs_diff(part.columns.0) as usize).is_some_and(|v| v.is_nan());
+        let places = self.profile.between(part.columns.0, part.columns.1);
+        (f64::from(longest), places.iter().filter(|s| out(s.column)).count())
+    }
+}
