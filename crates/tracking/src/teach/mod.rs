@@ -9,9 +9,12 @@
 //! - Every place on the joint is taken from the frame that saw it nearest to the picture's centre, where errors of scale,
 //!   attitude and height matter least.
 //! - A frame begins on the stretch that the one before it saw: where they do not agree nothing is taken.
+//! - Heights between the places where frames measure them come from the frames about them ([`levelled`]).
 //! - Only confident rows count: a stretch that was only coasted over has no points, and the report says so.
 
 mod crawl;
+mod events;
+mod height;
 mod line;
 mod note;
 mod program;
@@ -19,7 +22,9 @@ mod settings;
 mod sight;
 mod smooth;
 
-pub use crawl::{Answer, Command, Crawl, End, Event, EyePose, Seen};
+pub use crawl::Crawl;
+pub use events::{Answer, Command, End, Event, EyePose, Seen};
+pub use height::levelled;
 pub use line::{RawPoint, Source, TaughtLine};
 pub use note::EyeNote;
 pub use program::{Reduced, to_program};

@@ -32,9 +32,10 @@ impl Outcome {
             End::Closed { gap_mm } => Some(*gap_mm),
             _ => None,
         };
+        let line = crawl.levelled();
         Self {
-            line: crawl.line().clone(),
-            smooth: super::smooth(crawl.line(), &run.end),
+            smooth: super::smooth(&line, &run.end),
+            line,
             notes: crawl.notes().to_vec(),
             asked: run.asked.clone(),
             seconds: run.seconds,
