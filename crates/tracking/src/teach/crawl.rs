@@ -301,6 +301,10 @@ impl<'a> Crawl<'a> {
                 (None, FrameEnd::JointEnd) if self.way >= self.settings.ends_after_mm => {
                     return Command::Done(End::JointEnd);
                 }
+                (None, FrameEnd::JointEnd) => {
+                    let why = "the joint is seen no further: it ends here, or more than the longest tack hides it";
+                    return self.look_again(why.to_owned());
+                }
                 _ => return self.look_again("the joint is not seen any further".to_owned()),
             }
         }
