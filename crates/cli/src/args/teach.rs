@@ -71,10 +71,10 @@ pub(crate) struct TeachArgs {
     #[arg(long)]
     pub(crate) seed: Option<u64>,
     /// Simulation: how far the part is shifted (mm), turned (degrees) and bent (mm) [default: 1,0.3,1]
-    #[arg(long, value_name = "MM,DEG,MM", value_delimiter = ',')]
+    #[arg(long, value_name = "MM,DEG,MM", value_delimiter = ',', allow_hyphen_values = true)]
     pub(crate) distortion: Option<Vec<f64>>,
     /// Simulation: a tack hides the joint between these path lengths, mm; may be given again
-    #[arg(long, value_name = "FROM,TO")]
+    #[arg(long, value_name = "FROM,TO", allow_hyphen_values = true)]
     pub(crate) tack: Vec<String>,
     /// Simulation: no focus or stripe tells the height of the work; it is taken as nominal
     #[arg(long)]

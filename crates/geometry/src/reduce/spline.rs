@@ -5,22 +5,19 @@ use crate::slopes::End;
 use crate::{CubicSpline, Curve as _, Ends, Error, Spline, chord_lengths};
 use glam::DVec3;
 
-/// Intervals to begin with: enough that no two knots next to each other are one place on a closed line.
-const FIRST: usize = 4;
-
 /// A polyline as a spline.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SplineReduction {
     /// Indices of the points that it goes through, the first and the last among them.
     pub kept: Vec<usize>,
-    /// The natural cubic spline through them by the lengths of their chords.
+    /// The natural cubic spline through them, by way along the polyline: its speed is nearly 1.
     pub spline: Spline,
     /// Greatest distance of a point from it, mm; never above the tolerance.
     pub max_error: f64,
 }
 
-/// Reduces a polyline to the natural cubic spline, by chord length, through few of its points, with every other point
-/// within `tolerance` (mm) of it; further columns (each as long as `points`, in any unit) are natural splines through the
+/// Reduces a polyline to the natural cubic spline, by way along the polyline, through few of its points, with every other
+/// point within `tolerance` (mm) of it; further columns (each as long as `points`, in any unit) are natural splines through the
 /// same points by the same parameter, within `axis_tolerance`. In any one frame.
 ///
 /// Points are added in the middle of intervals that hold one too far away, until none does; then each is left out again
@@ -38,28 +35,22 @@ pub fn reduce_to_spline(
     check(points, axes, (tolerance, axis_tolerance))?;
     let ways = chord_lengths(points, false)?;
     let thinning = Thinning { points, axes, ways, tolerance, axis_tolerance };
-    let last = points.len() - 1;
-    let intervals = FIRST.min(last);
-    let mut kept: Vec<usize> = (0..=intervals).map(|i| i * last / intervals).collect();
-    let mut best = loop {
-        let tried = thinning.through(&kept).ok();
-        let far = |gap: &[usize]| {
-            tried.as_ref().is_none_or(|t| (gap[0] + 1..gap[1]).any(|i| thinning.away(t, gap[0], i).is_none()))
-        };
+    let mut best = thinning.through(vec![0, points.len() - 1])?;
+    loop {
+        let far = |gap: &[usize]| (gap[0] + 1..gap[1]).any(|i| thinning.away(&best, i).is_none());
         let middle = |gap: &[usize]| thinning.middle(gap[0], gap[1]).filter(|_| far(gap));
-        let more: Vec<usize> = kept.windows(2).filter_map(middle).collect();
-        match tried {
-            Some(found) if more.is_empty() => break found,
-            None if more.is_empty() => return Err(Error::Knots { index: last }),
-            _ => kept.extend(more),
+        let more: Vec<usize> = best.kept.windows(2).filter_map(middle).collect();
+        if more.is_empty() {
+            break;
         }
+        let mut kept = [best.kept, more].concat();
         kept.sort_unstable();
-    };
-    while let Some(fewer) = thinning.without_one(&best) {
+        best = thinning.through(kept)?;
+    }
+    while let Some(fewer) = thinning.without_one(&best)? {
         best = fewer;
     }
-    let gaps = best.kept.windows(2).flat_map(|gap| (gap[0] + 1..gap[1]).map(|i| (gap[0], i)));
-    let max_error = gaps.filter_map(|(from, i)| thinning.away(&best, from, i)).fold(0.0, f64::max);
+    let max_error = (0..points.len()).filter_map(|i| thinning.away(&best, i)).fold(0.0, f64::max);
     Ok(SplineReduction { kept: best.kept, spline: best.spline, max_error })
 }
 
@@ -80,15 +71,16 @@ struct Thinning<'a> {
 }
 
 impl Thinning<'_> {
-    fn through(&self, kept: &[usize]) -> Result<Through, Error> {
-        let places: Vec<DVec3> = kept.iter().map(|i| self.points[*i]).collect();
-        let spline = Spline::through(&places, Ends::Open(End::Natural, End::Natural))?;
+    fn through(&self, kept: Vec<usize>) -> Result<Through, Error> {
+        let places = kept.iter().map(|i| self.points[*i]).collect();
+        let knots = kept.iter().map(|i| self.ways[*i]).collect();
+        let spline = Spline::new(knots, places, Ends::Open(End::Natural, End::Natural))?;
         let column = |values: &Vec<f64>| {
             let rows: Vec<(f64, f64)> = kept.iter().zip(spline.knots()).map(|(i, u)| (*u, values[*i])).collect();
             CubicSpline::natural(&rows)
         };
         let axes = self.axes.iter().map(column).collect::<Result<_, _>>()?;
-        Ok(Through { kept: kept.to_vec(), spline, axes })
+        Ok(Through { kept, spline, axes })
     }
 
     /// The index between two kept ones that is nearest to the middle of the way.
@@ -97,15 +89,10 @@ impl Thinning<'_> {
         (from + 1..to).min_by(|a, b| (self.ways[*a] - middle).abs().total_cmp(&(self.ways[*b] - middle).abs()))
     }
 
-    /// Distance of point `i`, between the kept one `from` and the next, from the spline; none if it or a column of it is
-    /// too far.
-    fn away(&self, through: &Through, from: usize, i: usize) -> Option<f64> {
-        let Through { kept, spline, axes } = through;
-        let k = kept.partition_point(|index| *index <= from).clamp(1, kept.len() - 1);
-        let (a, b) = (kept[k - 1], kept[k]);
-        let (u, to) = (spline.knots()[k - 1], spline.knots()[k]);
-        let part = (self.ways[i] - self.ways[a]) / (self.ways[b] - self.ways[a]);
-        let foot = spline.foot(self.points[i], u + part * (to - u));
+    /// Distance of point `i` from the spline; none if it or a column of it is too far.
+    fn away(&self, through: &Through, i: usize) -> Option<f64> {
+        let Through { spline, axes, .. } = through;
+        let foot = spline.foot(self.points[i], self.ways[i]);
         let away = self.points[i].distance(spline.point(foot));
         let carried =
             |(column, values): (&CubicSpline, &Vec<f64>)| (column.at(foot).0 - values[i]).abs() <= self.axis_tolerance;
@@ -113,21 +100,23 @@ impl Thinning<'_> {
     }
 
     /// The same with the first point less that can be left out, those with small jumps tried first.
-    fn without_one(&self, best: &Through) -> Option<Through> {
+    fn without_one(&self, best: &Through) -> Result<Option<Through>, Error> {
         let knots = best.spline.knots();
         let jump = |k: usize| (best.spline.third(knots[k]) - best.spline.third(knots[k - 1])).length();
         let mut order: Vec<usize> = (1..best.kept.len() - 1).collect();
         order.sort_by(|a, b| jump(*a).total_cmp(&jump(*b)));
-        order.into_iter().find_map(|k| {
+        for k in order {
             let mut kept = best.kept.clone();
             kept.remove(k);
-            let fewer = self.through(&kept).ok()?;
+            let fewer = self.through(kept)?;
+            let holds = |(from, to): (usize, usize)| (from..to).all(|i| self.away(&fewer, i).is_some());
             // The new interval first: there it mostly fails.
-            let mut gaps: Vec<&[usize]> = kept.windows(2).collect();
-            gaps.swap(0, k - 1);
-            let holds = |gap: &&[usize]| (gap[0] + 1..gap[1]).all(|i| self.away(&fewer, gap[0], i).is_some());
-            gaps.iter().all(holds).then_some(fewer)
-        })
+            let gap = (best.kept[k - 1], best.kept[k + 1]);
+            if holds(gap) && holds((0, gap.0)) && holds((gap.1, self.points.len())) {
+                return Ok(Some(fewer));
+            }
+        }
+        Ok(None)
     }
 }
 
@@ -169,7 +158,7 @@ mod tests {
             let points: Vec<DVec3> = ts.iter().map(|t| curve(*t) + 0.005 * random() * DVec3::ONE).collect();
             let column: Vec<f64> = ts.iter().map(|t| 0.3 * t.sin()).collect();
             let (tolerance, axis_tolerance) = (0.05, 0.005);
-            let found = reduce_to_spline(&points, &[column.clone()], (tolerance, axis_tolerance)).unwrap();
+            let found = reduce_to_spline(&points, std::slice::from_ref(&column), (tolerance, axis_tolerance)).unwrap();
             assert!(found.kept.len() < 60, "seed {seed}: {}", found.kept.len());
             assert_eq!((found.kept[0], found.kept.last()), (0, Some(&500)));
             let away = points.iter().step_by(5).map(|p| distance(&found.spline, *p)).fold(0.0, f64::max);

@@ -82,7 +82,7 @@ pub fn to_program(
         columns: writer.columns(),
         arc: true,
         stepped: Vec::new(),
-        start: writer.row(line, 0),
+        start: writer.row(line, 0, 0.0),
         events: Vec::new(),
         spans: writer.spans(line, &curves),
     };
@@ -141,9 +141,8 @@ impl<'a> Writer<'a> {
     }
 
     /// The row of point `index` of the line.
-    fn row(&self, line: &[LinePoint], index: usize) -> Vec<Finite> {
+    fn row(&self, line: &[LinePoint], index: usize, speed: f64) -> Vec<Finite> {
         let pose = line[index].point.to_array().into_iter().chain((-self.torch[index]).to_array());
-        let speed = if index > 0 { self.speed } else { 0.0 };
         let values = pose.chain(self.process.iter().map(|p| p.1)).chain([speed]);
         values.map(|v| Finite::new(v).unwrap_or_default()).collect()
     }
@@ -152,7 +151,13 @@ impl<'a> Writer<'a> {
         match curves {
             Curves::Arcs(reduction) => self.arcs(line, &reduction.spans),
             Curves::Spline(reduction) => {
-                let points = reduction.kept[1..].iter().map(|i| self.row(line, *i)).collect();
+                // Speeds of programs are those along chords.
+                let knots = reduction.spline.knots().windows(2);
+                let points = reduction.kept.windows(2).zip(knots).map(|(kept, way)| {
+                    let chord = line[kept[0]].point.distance(line[kept[1]].point);
+                    self.row(line, kept[1], self.speed * chord / (way[1] - way[0]))
+                });
+                let points = points.collect();
                 vec![span(Along::Spline, None, points)]
             }
         }
@@ -162,7 +167,7 @@ impl<'a> Writer<'a> {
     fn arcs(&self, line: &[LinePoint], spans: &[Span]) -> Vec<PointSpan> {
         let mut out: Vec<PointSpan> = Vec::new();
         for s in spans {
-            let row = self.row(line, s.last);
+            let row = self.row(line, s.last, self.speed);
             match (s.shape, out.last_mut()) {
                 (Shape::Line, Some(run)) if run.along == Along::Line => run.points.push(row),
                 (shape, _) => {

@@ -116,7 +116,7 @@ impl<'a> Report<'a> {
                 },
                 "tolerance_mm": self.tolerance,
                 "greatest_error_mm": self.reduced.curves.max_error(),
-                "greatest_from_raw_mm": self.from_raw(),
+                "greatest_from_raw_mm": self.raw_error(),
             },
             "truth": truth.as_ref().map(|t| json!({
                 "across_rms_mm": t.across_rms, "across_max_mm": t.across_max,
@@ -129,7 +129,7 @@ impl<'a> Report<'a> {
     }
 
     /// Greatest distance of a raw point from the program, mm.
-    fn from_raw(&self) -> Option<f64> {
+    fn raw_error(&self) -> Option<f64> {
         self.raw.iter().map(|p| p.from_program).reduce(f64::max)
     }
 
@@ -163,7 +163,7 @@ impl<'a> Report<'a> {
             [lines, arcs, _] => format!("{lines} lines and {arcs} arcs"),
         };
         write!(out, "program: {curves} within {error:.3} mm of the taught line")?;
-        match self.from_raw() {
+        match self.raw_error() {
             Some(raw) => writeln!(out, ", {raw:.3} mm of every raw point")?,
             None => writeln!(out)?,
         }

@@ -49,12 +49,12 @@ impl<'a> Session<'a> {
         };
         let mut follower = follower(args, table)?;
         let helpers = (&mut follower as _, &mut operator as _);
-        let run = seamwright_cell::teach::teach((machine, sensor), &mut crawl, rig, helpers, &mut each)?;
+        let run = seamwright_cell::teach::teach((machine, sensor), &mut crawl, rig, helpers, &mut each);
         let ended = operator.said_end();
         drop(progress);
-        if let Some(recorder) = recorder {
-            recorder.finish()?;
-        }
+        // Frames that came before one that did not can be played again.
+        recorder.map_or(Ok(()), Recorder::finish)?;
+        let run = run?;
         let finding = match &run.end {
             Some(End::Closed { .. } | End::JointEnd) => None,
             Some(End::Limit(why)) => Some(format!("the machine can go no further: {why}")),
