@@ -176,7 +176,7 @@ fn mistakes_are_refused() {
     for option in [&["--ask"][..], &["--start", "1,2,3"], &["--drive"], &["--timeout-s", "3"], &["--step-mm", "4"]] {
         refused(&[&[&*job, "--semi-manual", &none], option].concat(), "cannot be used with");
     }
-    for beside in ["taught.svg", "taught.png", "taught.report.json"] {
+    for beside in ["taught.svg", "taught.png"] {
         let output = path(folder, beside);
         let errors = bad(2, &["teach", &job, "--frames", "simulated", "-o", &output]);
         assert!(errors.contains("a file beside the program") && !Path::new(&output).exists(), "{errors}");

@@ -141,7 +141,7 @@ impl<'a> Source<'a> {
 
 /// Refuses a program file that one of those beside it would overwrite.
 fn check_output(output: &Path) -> Result<(), Failure> {
-    if BESIDE.iter().all(|ending| output.with_extension(ending) != *output) && output.file_name().is_some() {
+    if BESIDE.iter().all(|ending| output.with_extension(ending) != *output) {
         return Ok(());
     }
     let output = output.display();
