@@ -54,7 +54,7 @@ pub enum Event<'a> {
 pub enum Command {
     /// The eye there, straight; then [`Event::Reached`] or [`Event::Refused`].
     Move(EyePose),
-    /// A frame; then [`Event::Seen`], its midline looked for where [`Crawl::aim`] says.
+    /// A frame; then [`Event::Seen`], its midline looked for where [`Crawl::aim`](super::Crawl::aim) says.
     Look,
     /// The operator's help, and why; then [`Event::Operator`].
     Ask(String),
