@@ -60,7 +60,7 @@ pub(crate) enum Verb {
     Reduce(reduce::ReduceArgs),
     /// The joint line in one image: its midline, place by place
     FindJoint(find_joint::FindJointArgs),
-    /// A seam taught by eye: frames to a program of lines and arcs, with a report
+    /// A seam taught by eye: frames to a program of lines and arcs or a spline, with a report
     Teach(teach::TeachArgs),
     /// Edit a program file: points, spans, passes, speeds; undo and redo
     Edit(edit::EditArgs),

@@ -9,6 +9,19 @@ use seamwright_vision::{Frame, Pixels};
 /// A colour: red, green, blue.
 pub(crate) type Colour = [u8; 3];
 
+/// Of a place that was only coasted over.
+pub(crate) const COASTED: Colour = [90, 150, 255];
+/// Of a cross.
+pub(crate) const CROSS: Colour = [255, 255, 255];
+/// Of the next move.
+pub(crate) const MOTION: Colour = [255, 120, 255];
+
+/// Red without confidence, yellow at `usual`, green when sure.
+pub(crate) fn sureness(confidence: f64, usual: f64) -> Colour {
+    let part = |v: f64| (255.0 * v.clamp(0.0, 1.0)) as u8;
+    [part(2.0 - confidence / usual), part(confidence / usual), 0]
+}
+
 /// A picture being drawn on; places are in the frame's pixels.
 pub(crate) struct Overlay {
     width: usize,

@@ -32,6 +32,11 @@ impl Progress {
         self.bar.inc(count);
     }
 
+    /// Does what writes to the terminal, with the bar out of its way.
+    pub(crate) fn aside<R>(&self, does: impl FnOnce() -> R) -> R {
+        self.bar.suspend(does)
+    }
+
     /// One step done.
     pub(crate) fn step(&mut self) {
         self.count += 1;

@@ -2,7 +2,11 @@
 
 mod common;
 
-use common::{example, good, run};
+use common::{bad, example, good, run, run_with};
+use glam::DVec3;
+use seamwright_cell::frames::{FrameSource as _, Recorded, TimedFrame, write_frame};
+use std::io::{BufRead as _, BufReader};
+use std::net::TcpListener;
 use std::path::{Path, PathBuf};
 
 fn path(folder: &Path, name: &str) -> String {
@@ -117,15 +121,249 @@ fn mistakes_are_refused() {
         assert!(!Path::new(&none).exists());
     };
     refused(&[&job], "--frames");
-    refused(&[&job, "--frames", "simulated", "--sensor", "eye"], "allowed: beam");
+    for sensor in ["eye", "", "Beam"] {
+        refused(&[&job, "--frames", "simulated", "--sensor", sensor], "allowed: beam");
+    }
     refused(&[&job, "--frames", "simulated", "--start", "500,0,0"], "not near the nominal seam");
     refused(&[&job, "--frames", "simulated", "--start", "500,0"], "--start: 2 numbers");
     refused(&[&job, "--frames", "simulated", "--direction", "0,0,0"], "no length");
     refused(&[&job, "--frames", "simulated", "--distortion", "1,99,1"], "turn 99");
     refused(&[&job, "--frames", "simulated", "--tack", "9,3"], "FROM before TO");
     refused(&[&job, "--frames", "simulated", "--tolerance-mm", "0"], "--tolerance-mm");
-    refused(&[&job, "--frames", "simulated", "--longest-tack-mm", "nan"], "--longest-tack-mm");
+    for tack in ["nan", "0", "-3"] {
+        refused(&[&job, "--frames", "simulated", "--longest-tack-mm", tack], "--longest-tack-mm");
+    }
     refused(&[&example("ellipse"), "--frames", "simulated"], "has no camera");
-    let output = run(&["teach", &job, "--frames", &path(folder, "nowhere"), "-o", &none]);
-    assert_eq!(output.status.code(), Some(3));
+    for address in ["tcp://", "tcp://here", "tcp://:5000", "tcp://here:0", "tcp://here:99999", "http://here:80"] {
+        refused(&[&job, "--frames", address], &format!("--frames {address}: "));
+    }
+    for timeout in ["0", "-1", "nan", "1e9"] {
+        refused(&[&job, "--frames", "tcp://127.0.0.1:1", "--timeout-s", timeout], "allowed: 0.001 to 3600");
+    }
+    for step in ["0.1", "-8", "inf", "1000"] {
+        refused(&[&job, "--frames", "simulated", "--step-mm", step], "allowed: 1 to 100");
+    }
+    for attitude in ["0", "nan", "91"] {
+        refused(&[&job, "--frames", "simulated", "--attitude-deg", attitude], "--attitude-deg");
+    }
+    for method in ["best", "", "lines"] {
+        refused(&[&job, "--frames", "simulated", "--method", method], "greedy, fewest, spline");
+    }
+    for seed in ["-1", "1.5", "one"] {
+        refused(&[&job, "--frames", "simulated", "--seed", seed], "--seed");
+    }
+    for start in ["nan,0,60", "1,2,3,4", "a,b,c"] {
+        refused(&[&job, "--frames", "simulated", "--start", start], "--start");
+    }
+    for direction in ["nan,0,0", "1", "inf,0,0"] {
+        refused(&[&job, "--frames", "simulated", "--direction", direction], "--direction");
+    }
+    for distortion in ["1,2", "-1,0,0", "0,0,nan"] {
+        refused(&[&job, "--frames", "simulated", "--distortion", distortion], "--distortion");
+    }
+    for tack in ["5", "a,b", "-1,-5"] {
+        refused(&[&job, "--frames", "simulated", "--tack", tack], "--tack");
+    }
+    for tolerance in ["-1", "inf", "x"] {
+        refused(&[&job, "--frames", "simulated", "--tolerance-mm", tolerance], "--tolerance-mm");
+    }
+    // Options of another source.
+    for option in [&["--seed", "2"][..], &["--distortion", "1,1,1"], &["--tack", "1,2"], &["--no-height"]] {
+        refused(&[&[&*job, "--frames", folder.to_str().unwrap()], option].concat(), "only with --frames simulated");
+    }
+    refused(&[&job, "--frames", "simulated", "--drive"], "only with --frames tcp://HOST:PORT");
+    refused(&[&job, "--frames", folder.to_str().unwrap(), "--record", &none], "--record: not allowed here");
+    for option in [&["--ask"][..], &["--start", "1,2,3"], &["--drive"], &["--timeout-s", "3"], &["--step-mm", "4"]] {
+        refused(&[&[&*job, "--semi-manual", &none], option].concat(), "cannot be used with");
+    }
+    for beside in ["taught.svg", "taught.png"] {
+        let output = path(folder, beside);
+        let errors = bad(2, &["teach", &job, "--frames", "simulated", "-o", &output]);
+        assert!(errors.contains("a file beside the program") && !Path::new(&output).exists(), "{errors}");
+    }
+    assert!(bad(3, &["teach", &job, "--frames", &path(folder, "nowhere"), "-o", &none]).contains("frames.csv"));
+}
+
+/// Frames of a recorded folder, as the short job's machine has them.
+fn frames(folder: &str) -> Vec<TimedFrame> {
+    let axes = ["x", "y", "z", "v", "q", "u", "w"];
+    let text = std::fs::read_to_string(Path::new(folder).join("frames.csv")).unwrap();
+    let named: Vec<&str> = text.lines().next().unwrap().split(',').filter(|c| axes.contains(c)).collect();
+    let mut recorded = Recorded::open(Path::new(folder), &named).unwrap();
+    std::iter::from_fn(|| recorded.next().unwrap()).collect()
+}
+
+/// Sends frames to whoever connects, once; the address, and what it was told.
+fn sender(frames: Vec<TimedFrame>, driven: bool) -> (String, std::thread::JoinHandle<Vec<String>>) {
+    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+    let address = format!("tcp://{}", listener.local_addr().unwrap());
+    let sender = std::thread::spawn(move || {
+        let (mut stream, _) = listener.accept().unwrap();
+        let mut lines = BufReader::new(stream.try_clone().unwrap()).lines();
+        let mut told = Vec::new();
+        for (i, frame) in frames.iter().enumerate() {
+            // The first one comes unasked.
+            if driven && i > 0 {
+                let Some(Ok(line)) = lines.next() else { return told };
+                told.push(line);
+            }
+            if write_frame(frame, &mut stream).is_err() {
+                return told;
+            }
+        }
+        told
+    });
+    (address, sender)
+}
+
+#[test]
+fn taught_from_frames_that_are_sent() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let (job, program, kept) = (short(folder), path(folder, "taught.toml"), path(folder, "frames"));
+    good(&["teach", &job, "--frames", "simulated", "--seed", "4", "--record", &kept, "-o", &program]);
+    let simulated = std::fs::read_to_string(&program).unwrap();
+    let played = path(folder, "played.toml");
+    good(&["teach", &job, "--frames", &kept, "-o", &played]);
+    let recorded = std::fs::read_to_string(&played).unwrap();
+    // Somebody else moves: as from the folder.
+    let sent = path(folder, "sent.toml");
+    let (address, thread) = sender(frames(&kept), false);
+    let again = path(folder, "again");
+    let told = good(&["teach", &job, "--frames", &address, "--record", &again, "-o", &sent]);
+    assert!(told.starts_with("joint-end after "), "{told}");
+    thread.join().unwrap();
+    assert_eq!(std::fs::read_to_string(&sent).unwrap(), recorded);
+    assert_eq!(frames(&again), frames(&kept));
+    // The sender is told where to move: where the simulated machine went. Its first frame only shows where it stands.
+    let all = frames(&kept);
+    let asked_first: Vec<TimedFrame> =
+        std::iter::once(TimedFrame { t_s: 0.0, ..all[0].clone() }).chain(all.clone()).collect();
+    let (address, thread) = sender(asked_first, true);
+    let begin = report(&program);
+    let start = format!("{},{},{}", number(&begin, "x_mm"), number(&begin, "y_mm"), number(&begin, "z_mm"));
+    let told = good(&["teach", &job, "--frames", &address, "--drive", "--start", &start, "-o", &sent]);
+    assert!(told.starts_with("joint-end after "), "{told}");
+    let lines = thread.join().unwrap();
+    assert_eq!(lines.len(), all.len());
+    for (line, frame) in lines.iter().zip(&all).skip(1) {
+        let words = line.strip_prefix("look ").unwrap_or_else(|| panic!("{line}")).split(' ');
+        for (word, at) in words.zip(frame.axes.as_ref().unwrap()) {
+            let (_, value) = word.split_once('=').unwrap();
+            assert!((value.parse::<f64>().unwrap() - at).abs() < 1.0, "{line} {:?}", frame.axes);
+        }
+    }
+    let (a, b) = (number(&report(&sent), "length_mm"), number(&report(&program), "length_mm"));
+    assert!((a - b).abs() < 0.5 && !simulated.is_empty(), "{a} {b}");
+    // Too few frames; one that never comes; bytes that are none; nobody there.
+    let (address, thread) = sender(all[..3].to_vec(), false);
+    assert!(bad(1, &["teach", &job, "--frames", &address, "-o", &sent]).contains("the frames are at their end"));
+    thread.join().unwrap();
+    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+    let address = format!("tcp://{}", listener.local_addr().unwrap());
+    let waited = bad(3, &["teach", &job, "--frames", &address, "--timeout-s", "0.2", "-o", &sent]);
+    assert!(waited.contains("did not come in time"), "{waited}");
+    let thread = std::thread::spawn(move || {
+        // The one before is still in the queue.
+        for _ in 0..2 {
+            let (mut stream, _) = listener.accept().unwrap();
+            let _ = std::io::Write::write_all(&mut stream, &[b'x'; 64]);
+        }
+    });
+    let garbage = bad(2, &["teach", &job, "--frames", &address, "-o", &sent]);
+    assert!(garbage.contains("frame 0: the first bytes") && garbage.contains("SWFR"), "{garbage}");
+    thread.join().unwrap();
+    assert_eq!(run(&["teach", &job, "--frames", &address, "-o", &sent]).status.code(), Some(3));
+    // A frame of another machine in the middle: what came before can be played.
+    let mut spoiled = all[..4].to_vec();
+    spoiled[3].axes = Some(vec![0.0]);
+    let (address, thread) = sender(spoiled, false);
+    let some = path(folder, "some");
+    let wrong = bad(2, &["teach", &job, "--frames", &address, "--record", &some, "-o", &sent]);
+    assert!(wrong.contains("frame 3: number of axes 1") && wrong.contains("allowed: 7"), "{wrong}");
+    thread.join().unwrap();
+    assert_eq!(frames(&some), all[..3]);
+}
+
+#[test]
+fn the_operator_is_asked_and_it_goes_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let (job, program) = (short(folder), path(folder, "taught.toml"));
+    let lost = ["teach", &job, "--frames", "simulated", "--seed", "4", "--tack", "30,55", "-o", &program];
+    // Nobody is asked where there is nobody.
+    assert_eq!(run(&lost).status.code(), Some(1));
+    assert!(report(&program).contains("\"ended\": \"lost\""));
+    let up_to = number(&report(&program), "length_mm");
+    let ask = [&lost[..], &["--ask"]].concat();
+    let answered = |input: &str| {
+        let output = run_with(&ask, input);
+        (output.status.code(), String::from_utf8(output.stderr).unwrap(), String::from_utf8(output.stdout).unwrap())
+    };
+    // Mistakes are told and asked again; then a point behind the tack, near enough to the hidden joint.
+    let mistakes = "there\n1,2\n900,0,60\n15,12,60.5,0,0,0\n1,2,nan\n";
+    let (code, told, printed) = answered(&format!("{mistakes}19.5,13.9,60.5\n"));
+    for why in ["lost after 3", "not three or six numbers", "not within 15 mm", "no length", "taught.png"] {
+        assert!(told.contains(why), "{why}: {told}");
+    }
+    assert_eq!(told.matches("allowed: X,Y,Z").count(), 5, "{told}");
+    assert_eq!(code, Some(0), "{told}");
+    assert!(printed.starts_with("joint-end after ") && printed.contains("asked: "), "{printed}");
+    let whole = report(&program);
+    assert!(number(&whole, "across_max_mm") <= 0.1 && number(&whole, "end_mm") <= 0.3, "{printed}");
+    assert!(number(&whole, "length_mm") > up_to + 40.0 && number(&whole, "bridged_mm") > 20.0);
+    // The same answer with a direction; the end; giving up, in words or by silence.
+    assert_eq!(answered("19.5,13.9,60.5,1,0.2,0\n").0, Some(0));
+    let (code, _, printed) = answered("end\n");
+    assert!(code == Some(0) && printed.starts_with("operator after "), "{printed}");
+    assert!((number(&report(&program), "length_mm") - up_to).abs() < 1e-9);
+    for silent in ["stop\n", "", "nonsense\n"] {
+        assert_eq!(answered(silent).0, Some(1));
+        assert!(report(&program).contains("\"ended\": \"lost\""));
+    }
+}
+
+#[test]
+fn reduced_to_a_spline_with_the_torch_at_its_angles() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let (job, program) = (short(folder), path(folder, "taught.toml"));
+    let leaning = std::fs::read_to_string(&job).unwrap() + "[torch]\nwork_angle_deg = 12\ntravel_angle_deg = -8\n";
+    let bent = path(folder, "leaning.toml");
+    std::fs::write(&bent, leaning).unwrap();
+    // Shifted and turned, not bent: then the torch is nearly that of the job.
+    let rigid = ["--frames", "simulated", "--seed", "4", "--distortion", "1,0.3,0", "--method", "spline"];
+    let told = good(&[&["teach", &bent], &rigid[..], &["-o", &program]].concat());
+    assert!(told.contains("program: a spline of ") && told.contains(" of every raw point"), "{told}");
+    let whole = report(&program);
+    assert!(number(&whole, "greatest_error_mm") <= 0.05 && number(&whole, "greatest_from_raw_mm") <= 0.2);
+    let text = std::fs::read_to_string(&program).unwrap();
+    assert!(text.contains("along = \"spline\""), "{text}");
+    let svg = std::fs::read_to_string(path(folder, "taught.svg")).unwrap();
+    assert!(svg.contains("spline") && std::fs::read(path(folder, "taught.png")).unwrap().starts_with(b"\x89PNG"));
+    // It is planned, and its torch leans as the job's does beside it: no more off than the part lies turned.
+    let taught = poses(&program);
+    let asked = poses(&bent);
+    for (point, direction) in taught.iter().step_by(10) {
+        let beside = asked.iter().min_by(|a, b| a.0.distance(*point).total_cmp(&b.0.distance(*point))).unwrap();
+        let off = beside.1.angle_between(*direction);
+        assert!(
+            off < 0.03 && (-direction.z - 12f64.to_radians().cos() * 8f64.to_radians().cos()).abs() < 0.02,
+            "{off}"
+        );
+    }
+}
+
+/// Places and directions of the torch all along the planned motion of a job or program on the EBW machine.
+fn poses(job: &str) -> Vec<(DVec3, DVec3)> {
+    let axes = ["x", "y", "z", "v", "q", "u", "w"];
+    let motion = common::table(&good(&["motion", job, "--period-ms", "20"]));
+    let columns = axes.map(|name| common::column(&motion, name));
+    let rows = (0..columns[0].len()).map(|i| columns.iter().map(|c| c[i].to_string()).collect::<Vec<_>>().join(","));
+    let input = std::iter::once(axes.join(",")).chain(rows).map(|row| row + "\n").collect::<String>();
+    let output = run_with(&["kinematics", "ebw-7axis", "--forward"], &input);
+    let poses = common::table(&String::from_utf8(output.stdout).unwrap());
+    let at = ["x_mm", "y_mm", "z_mm", "ax", "ay", "az"].map(|name| common::column(&poses, name));
+    let vector = |i: usize, k: usize| DVec3::new(at[k][i], at[k + 1][i], at[k + 2][i]);
+    (0..at[0].len()).map(|i| (vector(i, 0), vector(i, 3))).collect()
 }

@@ -264,19 +264,23 @@ fn lost_it_asks_and_goes_on_from_the_operators_point() {
     let mut world = World::new(s_curve, false);
     world.hidden = vec![(80.0, 130.0)];
     let beyond = world.points[1320];
-    let mut asked = 0;
+    let mut asked = Vec::new();
     let from = start(DVec3::ZERO, DVec3::X, DVec3::Z);
     let (crawl, end) = crawl(
         &mut world,
         (&table, &Plane, &Plane),
         from,
-        |_| false,
-        |_| {
-            asked += 1;
-            Answer::Point(beyond + DVec3::new(0.3, 0.2, 0.0), Some(s_curve(0.56) - s_curve(0.55)))
+        |pose| pose.point.z > 10.0,
+        |why| {
+            asked.push(why.to_owned());
+            // His first point is out of reach.
+            let up = if asked.len() == 1 { 20.0 } else { 0.0 };
+            Answer::Point(beyond + DVec3::new(0.3, 0.2, up), Some(s_curve(0.56) - s_curve(0.55)))
         },
     );
-    assert_eq!((end, asked), (End::JointEnd, 1));
+    assert_eq!((end, asked.len()), (End::JointEnd, 2), "{asked:?}");
+    assert_eq!(asked[1], "axis x");
+    assert!(crawl.line().points().iter().all(|p| p.point.z < 1.0));
     assert!(crawl.line().points().last().unwrap().point.distance(s_curve(1.0)) < 0.3);
     let (rms, max) = errors(&world, &crawl, false);
     assert!(rms < 0.03 && max < 0.15, "rms {rms}, max {max}");

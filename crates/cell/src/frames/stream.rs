@@ -38,12 +38,22 @@ impl FrameStream<TcpStream> {
             match TcpStream::connect_timeout(&address, patience) {
                 Ok(stream) => {
                     stream.set_read_timeout(Some(patience)).map_err(|e| failed(&e))?;
+                    stream.set_write_timeout(Some(patience)).map_err(|e| failed(&e))?;
                     return Ok(Self::new(stream, address.to_string()));
                 }
                 Err(e) => last = e,
             }
         }
         Err(failed(&last))
+    }
+
+    /// Sends a line of text to the other end.
+    ///
+    /// # Errors
+    /// A connection that is closed.
+    pub fn say(&mut self, line: &str) -> Result<(), FrameError> {
+        let sent = self.input.write_all(format!("{line}\n").as_bytes());
+        sent.map_err(|e| FrameError::io(&self.what, &e))
     }
 }
 

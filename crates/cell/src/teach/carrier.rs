@@ -49,6 +49,11 @@ impl<'a> Carrier<'a> {
         &self.axes
     }
 
+    /// The axes are at `axes`, wherever they were sent.
+    pub fn stands(&mut self, axes: Joints) {
+        self.axes = axes;
+    }
+
     /// Moves the axes so that the eye's optical axis passes through `eye.point`, against its normal as well as the machine
     /// can, the point at the height where the eye sees best. Straight in the axes.
     ///

@@ -3,6 +3,7 @@
 mod carrier;
 mod follower;
 mod ridge;
+mod rig;
 mod run;
 mod semi_manual;
 mod truth;
@@ -10,6 +11,7 @@ mod truth;
 pub use carrier::{Carrier, Guide};
 pub use follower::JointFollower;
 pub use ridge::RidgeFollower;
-pub use run::{Found, Midline, NoOperator, Operator, Replay, TaughtRun, crawl, replay};
+pub use rig::{DistantRig, Played, Rig, SimulatedRig, joints};
+pub use run::{Found, Look, Midline, NoOperator, Operator, TaughtRun, teach};
 pub use semi_manual::semi_manual;
 pub use truth::{Truth, truth};

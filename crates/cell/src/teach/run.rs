@@ -1,8 +1,8 @@
 //! A crawl from its start to its end.
 
-use super::Carrier;
-use crate::eyes::Eye;
-use crate::frames::{FrameError, FrameSource, TimedFrame};
+use super::Rig;
+use super::rig::joints;
+use crate::frames::{FrameError, TimedFrame};
 use seamwright_machine::{Joints, Machine, Sensor};
 use seamwright_tracking::teach::{Aim, Answer, Command, Crawl, End, Event, FrameEnd, Row, Seen, View};
 use seamwright_vision::Frame;
@@ -50,10 +50,10 @@ impl Operator for NoOperator {
 }
 
 /// How a crawl went.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct TaughtRun {
-    /// Why it ended.
-    pub end: End,
+    /// Why it ended; none: there were no more frames.
+    pub end: Option<End>,
     /// Axis positions at each frame, in their order.
     pub axes: Vec<Joints>,
     /// Why the operator was asked, each time.
@@ -62,49 +62,56 @@ pub struct TaughtRun {
     pub seconds: f64,
 }
 
-/// Seconds from a frame to the next one: the eye's period, and the slowest axis' way at half its speed.
-fn pause(machine: &Machine, sensor: &Sensor, from: &Joints, to: &Joints) -> f64 {
-    let axes = machine.axes.iter().zip(from.iter().zip(to));
-    let slowest = axes.map(|(axis, (a, b))| 2.0 * (b - a).abs() / axis.max_speed).fold(0.0, f64::max);
-    sensor.period_s * (slowest / sensor.period_s).ceil().max(1.0)
+/// A frame that was looked at.
+#[derive(Clone, Copy)]
+pub struct Look<'a> {
+    /// The frame.
+    pub frame: &'a TimedFrame,
+    /// From where it was taken.
+    pub view: View,
+    /// Where the midline was looked for; none if the work is not where the camera could see it.
+    pub aim: Option<Aim>,
+    /// What was found.
+    pub found: &'a Found,
+    /// The crawl after it.
+    pub crawl: &'a Crawl<'a>,
+    /// What it wants next.
+    pub next: &'a Command,
 }
 
-/// Crawls on a simulated machine, from frame to frame of its eye. `each` gets every frame.
+/// Crawls along a joint with the eye `sensor` of `machine`, which `rig` carries. `each` gets every frame.
 ///
 /// # Errors
-/// A frame that cannot be had; what `each` says.
-pub fn crawl<E: From<FrameError>>(
+/// A frame that cannot be had, or without positions of the machine's axes; what `each` says.
+pub fn teach<E: From<FrameError>>(
     (machine, sensor): (&Machine, &Sensor),
-    (crawl, carrier, eye): (&mut Crawl, &mut Carrier, &mut Eye),
+    crawl: &mut Crawl,
+    rig: &mut dyn Rig,
     (midline, operator): (&mut dyn Midline, &mut dyn Operator),
-    each: &mut dyn FnMut(&TimedFrame, &Crawl) -> Result<(), E>,
+    each: &mut dyn FnMut(&Look) -> Result<(), E>,
 ) -> Result<TaughtRun, E> {
-    let mut run = TaughtRun { end: End::Operator, axes: Vec::new(), asked: Vec::new(), seconds: 0.0 };
+    let mut run = TaughtRun::default();
     let mut command = crawl.next(Event::Start);
     loop {
         command = match command {
-            Command::Move(pose) => {
-                let before = *carrier.axes();
-                match carrier.to(&pose) {
-                    Ok(()) => {
-                        if !run.axes.is_empty() {
-                            run.seconds += pause(machine, sensor, &before, carrier.axes()) - sensor.period_s;
-                        }
-                        crawl.next(Event::Reached)
-                    }
-                    Err(why) => crawl.next(Event::Refused(why)),
-                }
-            }
+            Command::Move(pose) => match rig.go(&pose) {
+                Ok(()) => crawl.next(Event::Reached),
+                Err(why) => crawl.next(Event::Refused(why)),
+            },
             Command::Look => {
-                run.seconds += sensor.period_s;
-                eye.expose(run.seconds, carrier.axes());
-                let Some(frame) = eye.next()? else {
-                    run.end = End::Operator;
-                    return Ok(run);
+                let Some(frame) = rig.frame()? else { return Ok(run) };
+                let axes = positions(machine, &frame, run.axes.len())?;
+                run.axes.push(axes);
+                run.seconds = frame.t_s;
+                let view = View { camera: machine.camera_frame(sensor, &axes), height: frame.height_mm };
+                let aim = crawl.aim(&view).ok();
+                let found = match (&aim, frame.image.frame()) {
+                    (Some(aim), Ok(picture)) => midline.find(&picture, aim),
+                    _ => Found::nothing(),
                 };
-                run.axes.push(*carrier.axes());
-                each(&frame, crawl)?;
-                look(machine, sensor, crawl, &frame, carrier.axes(), midline)
+                let next = crawl.next(Event::Seen(Seen { view, rows: &found.rows, end: found.end }));
+                each(&Look { frame: &frame, view, aim, found: &found, crawl, next: &next })?;
+                next
             }
             Command::Ask(why) => {
                 let answer = operator.answer(&why, crawl);
@@ -112,87 +119,23 @@ pub fn crawl<E: From<FrameError>>(
                 crawl.next(Event::Operator(answer))
             }
             Command::Done(end) => {
-                run.end = end;
+                run.end = Some(end);
                 return Ok(run);
             }
         };
     }
 }
 
-/// A frame through the follower into the crawl.
-fn look(
-    machine: &Machine,
-    sensor: &Sensor,
-    crawl: &mut Crawl,
-    frame: &TimedFrame,
-    axes: &Joints,
-    midline: &mut dyn Midline,
-) -> Command {
-    let view = View { camera: machine.camera_frame(sensor, axes), height: frame.height_mm };
-    let found = match (crawl.aim(&view), frame.image.frame()) {
-        (Ok(aim), Ok(picture)) => midline.find(&picture, &aim),
-        // The work is not where the camera could see it.
-        _ => Found::nothing(),
-    };
-    crawl.next(Event::Seen(Seen { view, rows: &found.rows, end: found.end }))
-}
-
-/// What became of recorded frames.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Replay {
-    /// The crawl came to its end.
-    Ended(End),
-    /// There were no more frames.
-    OutOfFrames,
-    /// It was lost, and why.
-    Lost(String),
-}
-
-/// Plays recorded frames to a crawl: the moves it asks for were made when they were recorded. `each` gets every frame.
-///
-/// # Errors
-/// A frame that cannot be read, or without axis positions; what `each` says.
-pub fn replay<E: From<FrameError>>(
-    (machine, sensor): (&Machine, &Sensor),
-    (crawl, source): (&mut Crawl, &mut dyn FrameSource),
-    midline: &mut dyn Midline,
-    each: &mut dyn FnMut(&TimedFrame, &Crawl) -> Result<(), E>,
-) -> Result<(Replay, TaughtRun), E> {
-    let mut run = TaughtRun { end: End::Operator, axes: Vec::new(), asked: Vec::new(), seconds: 0.0 };
-    crawl.next(Event::Start);
-    crawl.next(Event::Reached);
-    while let Some(frame) = source.next()? {
-        let mut axes = Joints::default();
-        let given = frame.axes.as_deref().unwrap_or_default();
-        if given.len() != machine.axes.len() {
-            return Err(FrameError::Header {
-                frame: run.axes.len(),
-                field: "number of axes",
-                found: given.len().to_string(),
-                allowed: format!("{}, those of the machine", machine.axes.len()),
-            }
-            .into());
-        }
-        for (value, (axis, given)) in axes.iter_mut().zip(machine.axes.iter().zip(given)) {
-            *value = axis.from_file(*given);
-        }
-        run.axes.push(axes);
-        run.seconds = frame.t_s;
-        each(&frame, crawl)?;
-        match look(machine, sensor, crawl, &frame, &axes, midline) {
-            Command::Done(end) => {
-                run.end = end.clone();
-                return Ok((Replay::Ended(end), run));
-            }
-            Command::Ask(why) => {
-                run.asked.push(why.clone());
-                return Ok((Replay::Lost(why), run));
-            }
-            Command::Move(_) => {
-                crawl.next(Event::Reached);
-            }
-            Command::Look => {}
-        }
+/// Positions of the machine's axes with frame `number`.
+fn positions(machine: &Machine, frame: &TimedFrame, number: usize) -> Result<Joints, FrameError> {
+    let given = frame.axes.as_deref().unwrap_or_default();
+    if given.len() != machine.axes.len() {
+        return Err(FrameError::Header {
+            frame: number,
+            field: "number of axes",
+            found: given.len().to_string(),
+            allowed: format!("{}, those of the machine", machine.axes.len()),
+        });
     }
-    Ok((Replay::OutOfFrames, run))
+    Ok(joints(machine, given))
 }

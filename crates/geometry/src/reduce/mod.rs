@@ -1,4 +1,5 @@
-//! Polylines to lines and arcs in space, whose ends are points of the polyline.
+//! Polylines to lines and arcs in space, whose ends are points of the polyline; or to a cubic spline through few of them
+//! ([`reduce_to_spline`]).
 //!
 //! A span stands for a run of points if
 //!
@@ -25,9 +26,12 @@ mod feasible;
 mod fewest;
 mod measure;
 mod run;
+mod spline;
 #[cfg(test)]
 mod tests;
 mod track;
+
+pub use spline::{SplineReduction, reduce_to_spline};
 
 use crate::Error;
 use crate::error::positive;
@@ -102,6 +106,22 @@ pub fn reduce(
     (tolerance, axis_tolerance): (f64, f64),
     method: Method,
 ) -> Result<Reduction, Error> {
+    check(points, axes, (tolerance, axis_tolerance))?;
+    if points.len() < 2 {
+        return Ok(Reduction { spans: Vec::new(), at_least: 0 });
+    }
+    let track = Track::new(points, axes, tolerance, axis_tolerance);
+    if method == Method::Greedy {
+        return Ok(Reduction { spans: track.greedy(), at_least: 1 });
+    }
+    let points: Vec<DVec3> = points.iter().rev().copied().collect();
+    let axes: Vec<Vec<f64>> = axes.iter().map(|column| column.iter().rev().copied().collect()).collect();
+    let found = fewest::fewest(&track, &Track::new(&points, &axes, tolerance, axis_tolerance));
+    Ok(Reduction { spans: found.spans, at_least: found.at_least })
+}
+
+/// Tolerances, and values that are some.
+fn check(points: &[DVec3], axes: &[Vec<f64>], (tolerance, axis_tolerance): (f64, f64)) -> Result<(), Error> {
     let in_range = |p: DVec3| p.is_finite() && p.abs().max_element() <= GREATEST_COORDINATE_MM;
     positive("the tolerance", tolerance)?;
     positive("the tolerance of further columns", axis_tolerance)?;
@@ -116,15 +136,5 @@ pub fn reduce(
             return Err(Error::Place { index });
         }
     }
-    if points.len() < 2 {
-        return Ok(Reduction { spans: Vec::new(), at_least: 0 });
-    }
-    let track = Track::new(points, axes, tolerance, axis_tolerance);
-    if method == Method::Greedy {
-        return Ok(Reduction { spans: track.greedy(), at_least: 1 });
-    }
-    let points: Vec<DVec3> = points.iter().rev().copied().collect();
-    let axes: Vec<Vec<f64>> = axes.iter().map(|column| column.iter().rev().copied().collect()).collect();
-    let found = fewest::fewest(&track, &Track::new(&points, &axes, tolerance, axis_tolerance));
-    Ok(Reduction { spans: found.spans, at_least: found.at_least })
+    Ok(())
 }

@@ -1,6 +1,7 @@
+use super::events::{Answer, Command, End, Event, EyePose, Seen};
 use super::line::{GAP_MM, RawPoint, Source, TaughtLine};
-use super::sight::{Aim, FrameEnd, Patch, Row, Shape, Surface, View};
-use super::{EyeNote, Settings};
+use super::sight::{Aim, FrameEnd, Patch, Shape, Surface, View};
+use super::{EyeNote, Settings, levelled};
 use glam::DVec3;
 use seamwright_vision::camera::{HeightError, HeightTable};
 
@@ -18,83 +19,6 @@ const ABOUT: usize = 10;
 const FEWEST: usize = 5;
 /// An operator's point that the eye sees within this distance is replaced by what it sees, mm.
 const REPLACED_MM: f64 = 1.5;
-
-/// Where the eye goes: its optical axis through `point`, against `normal`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct EyePose {
-    /// On the joint, in the work frame, mm.
-    pub point: DVec3,
-    /// Unit normal of the surface there, out of the work.
-    pub normal: DVec3,
-    /// Unit direction of the joint.
-    pub along: DVec3,
-}
-
-/// A frame with the midline that was found in it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Seen<'a> {
-    /// From where it was taken.
-    pub view: View,
-    /// The midline's rows in order.
-    pub rows: &'a [Row],
-    /// Why they end.
-    pub end: FrameEnd,
-}
-
-/// What the operator says when asked.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Answer {
-    /// The joint goes on here (mm, work frame), perhaps in this direction; otherwise in that from where it was lost.
-    Point(DVec3, Option<DVec3>),
-    /// The joint ends where it was lost.
-    End,
-}
-
-/// What happens to a crawl.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Event<'a> {
-    /// It begins.
-    Start,
-    /// The eye is where it was sent.
-    Reached,
-    /// The machine cannot go there: a limit, a zone; in words.
-    Refused(String),
-    /// A frame was taken and looked at, from wherever it was taken.
-    Seen(Seen<'a>),
-    /// The operator has answered.
-    Operator(Answer),
-}
-
-/// What the crawl wants next.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Command {
-    /// The eye there, straight; then [`Event::Reached`] or [`Event::Refused`].
-    Move(EyePose),
-    /// A frame; then [`Event::Seen`], its midline looked for where [`Crawl::aim`] says.
-    Look,
-    /// The operator's help, and why; then [`Event::Operator`].
-    Ask(String),
-    /// Nothing more.
-    Done(End),
-}
-
-/// Why a crawl has ended.
-#[derive(Debug, Clone, PartialEq)]
-pub enum End {
-    /// The joint ends.
-    JointEnd,
-    /// It has come back to its start.
-    Closed {
-        /// Distance of the line's end from its start across the joint, mm.
-        gap_mm: f64,
-    },
-    /// The machine can go no further, and why.
-    Limit(String),
-    /// The operator said so.
-    Operator,
-    /// The joint is longer than any.
-    TooLong,
-}
 
 /// The crawl along a joint.
 pub struct Crawl<'a> {
@@ -141,6 +65,11 @@ impl<'a> Crawl<'a> {
     /// What was found so far.
     pub fn line(&self) -> &TaughtLine {
         &self.line
+    }
+
+    /// The same with its heights between frames as all frames together measured them.
+    pub fn levelled(&self) -> TaughtLine {
+        levelled(&self.line, &self.notes)
     }
 
     /// A note of each frame so far.
@@ -236,6 +165,11 @@ impl<'a> Crawl<'a> {
         // Half way there, and half of that; the line is known up to the target.
         self.shortened += 1;
         let step = self.way - self.before;
+        if self.fresh && self.line.points().last().is_some_and(|p| p.source == Source::Operator) {
+            // Another point of the operator's, then.
+            self.line.pop();
+            return Command::Ask(why);
+        }
         if self.shortened > 3 || self.fresh || 0.5 * step < self.settings.least_step_mm {
             return Command::Done(End::Limit(why));
         }
@@ -259,7 +193,8 @@ impl<'a> Crawl<'a> {
         let along = along.and_then(DVec3::try_normalize).unwrap_or(chord);
         let normal = self.shape.near(point).map_or(self.target.normal, |patch| patch.normal);
         let frame = self.notes.len().saturating_sub(1);
-        self.line.push(RawPoint { point, normal, confidence: 1.0, frame, source: Source::Operator }, None);
+        let ray = -normal;
+        self.line.push(RawPoint { point, normal, ray, confidence: 1.0, frame, source: Source::Operator }, None);
         (self.way, self.before) = (self.line.length(), self.line.length());
         (self.target, self.fresh, self.again) = (EyePose { point, normal, along }, true, 0);
         Command::Move(self.target)
@@ -272,9 +207,9 @@ impl<'a> Crawl<'a> {
         let confident = seen.rows.iter().filter(|r| r.seen && r.confidence >= self.settings.confidence);
         let points: Vec<RawPoint> = confident
             .filter_map(|row| {
-                let point = surface.point(row.px).ok()?;
+                let (point, ray) = surface.point(row.px).ok()?;
                 let normal = surface.normal(point);
-                Some(RawPoint { point, normal, confidence: row.confidence, frame, source: Source::Eye })
+                Some(RawPoint { point, normal, ray, confidence: row.confidence, frame, source: Source::Eye })
             })
             .collect();
         let overlap = self.overlap(&points);
@@ -283,6 +218,8 @@ impl<'a> Crawl<'a> {
         let agrees = overlap.map_or(self.fresh || points.is_empty(), |off| off <= self.settings.agree_mm);
         self.notes.push(EyeNote {
             eye: surface.on_axis(),
+            raised_mm: surface.raised(),
+            measured: seen.view.height.is_some(),
             way: self.way,
             rows: points.len(),
             confidence: mean,
@@ -363,6 +300,10 @@ impl<'a> Crawl<'a> {
                 }
                 (None, FrameEnd::JointEnd) if self.way >= self.settings.ends_after_mm => {
                     return Command::Done(End::JointEnd);
+                }
+                (None, FrameEnd::JointEnd) => {
+                    let why = "the joint is seen no further: it ends here, or more than the longest tack hides it";
+                    return self.look_again(why.to_owned());
                 }
                 _ => return self.look_again("the joint is not seen any further".to_owned()),
             }

@@ -22,6 +22,8 @@ pub struct RawPoint {
     pub point: DVec3,
     /// The surface's unit normal there, out of the work.
     pub normal: DVec3,
+    /// Unit direction in which the eye saw it; of an operator's point against the normal.
+    pub ray: DVec3,
     /// 0 to 1.
     pub confidence: f64,
     /// The frame that it was taken from, counted from 0; of an operator's point the one before.
@@ -68,6 +70,18 @@ impl TaughtLine {
         });
         self.points.push(point);
         self.ways.push(way);
+    }
+
+    /// The same line with each point moved to where `to` (its way and itself) says; ways stay those that were counted.
+    pub(super) fn moved(&self, to: impl Fn(f64, &RawPoint) -> DVec3) -> Self {
+        let points = self.ways.iter().zip(&self.points).map(|(way, p)| RawPoint { point: to(*way, p), ..*p }).collect();
+        Self { points, ways: self.ways.clone() }
+    }
+
+    /// Forgets the last point.
+    pub(super) fn pop(&mut self) {
+        self.points.pop();
+        self.ways.pop();
     }
 
     /// Forgets the points beyond `way`.

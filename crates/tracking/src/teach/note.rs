@@ -6,6 +6,10 @@ use glam::DVec3;
 pub struct EyeNote {
     /// Where the optical axis met the work, mm.
     pub eye: DVec3,
+    /// How far that is above the shape that was known before, mm.
+    pub raised_mm: f64,
+    /// Whether that was measured with the frame; otherwise it was taken as in the frame before, or nominal.
+    pub measured: bool,
     /// Way along the line up to there, mm.
     pub way: f64,
     /// Confident rows.

@@ -2,61 +2,89 @@ use super::LinePoint;
 use glam::{DQuat, DVec3};
 use seamwright_document::{Direction, Finite, Point, Positive, Transform};
 use seamwright_geometry::Error;
-use seamwright_geometry::reduce::{Method, Shape, Span, reduce};
+use seamwright_geometry::reduce::{Method, Reduction, Shape, Span, SplineReduction, reduce, reduce_to_spline};
 use seamwright_program::{
     Along, AtCorner, OnLimit, POSE_COLUMNS, Part, Pass, PointSpan, Points, Program, SPEED_COLUMN, SeamStart, Torch,
 };
 use std::f64::consts::TAU;
 
+/// What a taught line is reduced to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Lines and arcs (EBW-2004).
+    Arcs(Method),
+    /// One cubic B-spline through few of its points (DUALBEAM-2013).
+    Spline,
+}
+
+/// The curves that stand for a taught line, by indices of its points.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Curves {
+    /// Lines and arcs.
+    Arcs(Reduction),
+    /// A spline.
+    Spline(SplineReduction),
+}
+
+impl Curves {
+    /// Greatest distance of a point from its curve, mm.
+    pub fn max_error(&self) -> f64 {
+        match self {
+            Self::Arcs(reduction) => reduction.spans.iter().map(|s| s.max_error).fold(0.0, f64::max),
+            Self::Spline(reduction) => reduction.max_error,
+        }
+    }
+
+    /// Number of lines, of arcs, and of pieces of a spline.
+    pub fn counts(&self) -> [usize; 3] {
+        match self {
+            Self::Arcs(Reduction { spans, .. }) => {
+                let lines = spans.iter().filter(|s| s.shape == Shape::Line).count();
+                [lines, spans.len() - lines, 0]
+            }
+            Self::Spline(reduction) => [0, 0, reduction.kept.len() - 1],
+        }
+    }
+}
+
 /// A taught line as a program.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reduced {
-    /// The program: one pass through the spans' ends, poses of the torch in the machine's work frame.
+    /// The program: one pass through the curves' ends, poses of the torch in the machine's work frame.
     pub program: Program,
-    /// Lines and arcs, by indices of the points they stand for.
-    pub spans: Vec<Span>,
-    /// Proven: fewer spans do not hold the tolerance.
-    pub at_least: usize,
+    /// What stands for the line.
+    pub curves: Curves,
 }
 
-impl Reduced {
-    /// Greatest distance of a point from its span, mm.
-    pub fn max_error(&self) -> f64 {
-        self.spans.iter().map(|s| s.max_error).fold(0.0, f64::max)
-    }
-
-    /// Number of arcs.
-    pub fn arcs(&self) -> usize {
-        self.spans.iter().filter(|s| matches!(s.shape, Shape::Arc { .. })).count()
-    }
-}
-
-/// Reduces a taught line to lines and arcs within `tolerance` (mm), the torch's direction carried along within
-/// `attitude` (rad), and puts them into a program like `like`: its machine, title, fixtures and what its first pass says of
-/// speed, process, sequence and axes to spare. The torch stands square to the surface.
+/// Reduces a taught line to curves within `tolerance` (mm), the torch's direction carried along within `attitude` (rad),
+/// and puts them into a program like `like`: its machine, title, fixtures and what its first pass says of speed, process,
+/// sequence and axes to spare. `torch` are unit vectors from the joint to the torch, one for each point.
 ///
 /// # Errors
-/// Those of [`reduce`]; [`Error::Size`] with fewer than two points.
+/// Those of [`reduce`] and [`reduce_to_spline`]; [`Error::Size`] with fewer than two points, or vectors that are not as
+/// many.
 pub fn to_program(
-    line: &[LinePoint],
+    (line, torch): (&[LinePoint], &[DVec3]),
     like: &Program,
     (tolerance, attitude): (f64, f64),
-    method: Method,
+    kind: Kind,
 ) -> Result<Reduced, Error> {
     let few = || Error::Size { what: "the number of points", value: line.len() as f64 };
     let points: Vec<DVec3> = line.iter().map(|p| p.point).collect();
-    let directions = [0, 1, 2].map(|i| line.iter().map(|p| -p.normal[i]).collect::<Vec<f64>>());
-    let reduction = reduce(&points, &directions, (tolerance, attitude), method)?;
-    let (Some(_), Some(first)) = (reduction.spans.first(), line.first()) else { return Err(few()) };
-    let pass = like.passes.first().ok_or_else(few)?;
-    let writer = Writer::new(pass);
+    let directions = [0, 1, 2].map(|i| torch.iter().map(|axis| -axis[i]).collect::<Vec<f64>>());
+    let curves = match kind {
+        Kind::Arcs(method) => Curves::Arcs(reduce(&points, &directions, (tolerance, attitude), method)?),
+        Kind::Spline => Curves::Spline(reduce_to_spline(&points, &directions, (tolerance, attitude))?),
+    };
+    let (Some(pass), [_, _, ..]) = (like.passes.first(), line) else { return Err(few()) };
+    let writer = Writer::new(pass, torch);
     let taught = Points {
         columns: writer.columns(),
         arc: true,
         stepped: Vec::new(),
-        start: writer.row(first, false),
+        start: writer.row(line, 0, 0.0),
         events: Vec::new(),
-        spans: writer.spans(line, &reduction.spans),
+        spans: writer.spans(line, &curves),
     };
     let tolerance = Positive::new(tolerance).unwrap_or(pass.tolerance.path_mm);
     let pass = Pass {
@@ -86,11 +114,12 @@ pub fn to_program(
         passes: vec![pass],
         ..like.clone()
     };
-    Ok(Reduced { program, spans: reduction.spans, at_least: reduction.at_least })
+    Ok(Reduced { program, curves })
 }
 
-/// What a row of the program holds beside the pose.
-struct Writer {
+/// What a row of the program holds.
+struct Writer<'a> {
+    torch: &'a [DVec3],
     process: Vec<(String, f64)>,
     speed: f64,
 }
@@ -98,11 +127,12 @@ struct Writer {
 /// Speed where the pass that the program is like has none, mm/s.
 const USUAL_SPEED: f64 = 5.0;
 
-impl Writer {
-    fn new(pass: &Pass) -> Self {
+impl<'a> Writer<'a> {
+    fn new(pass: &Pass, torch: &'a [DVec3]) -> Self {
         let first = pass.spans.first();
         let process = first.map(|s| s.process.iter().map(|(name, value)| (name.clone(), value.ends().0)).collect());
-        Self { process: process.unwrap_or_default(), speed: first.map_or(USUAL_SPEED, |s| s.speed_mm_s.ends().0) }
+        let speed = first.map_or(USUAL_SPEED, |s| s.speed_mm_s.ends().0);
+        Self { torch, process: process.unwrap_or_default(), speed }
     }
 
     fn columns(&self) -> Vec<String> {
@@ -110,42 +140,53 @@ impl Writer {
         poses.chain(self.process.iter().map(|p| p.0.clone())).chain([SPEED_COLUMN.to_owned()]).collect()
     }
 
-    fn row(&self, at: &LinePoint, moves: bool) -> Vec<Finite> {
-        let direction = -at.normal;
-        let pose = at.point.to_array().into_iter().chain(direction.to_array());
-        let speed = if moves { self.speed } else { 0.0 };
+    /// The row of point `index` of the line.
+    fn row(&self, line: &[LinePoint], index: usize, speed: f64) -> Vec<Finite> {
+        let pose = line[index].point.to_array().into_iter().chain((-self.torch[index]).to_array());
         let values = pose.chain(self.process.iter().map(|p| p.1)).chain([speed]);
         values.map(|v| Finite::new(v).unwrap_or_default()).collect()
     }
 
+    fn spans(&self, line: &[LinePoint], curves: &Curves) -> Vec<PointSpan> {
+        match curves {
+            Curves::Arcs(reduction) => self.arcs(line, &reduction.spans),
+            Curves::Spline(reduction) => {
+                // Speeds of programs are those along chords.
+                let knots = reduction.spline.knots().windows(2);
+                let points = reduction.kept.windows(2).zip(knots).map(|(kept, way)| {
+                    let chord = line[kept[0]].point.distance(line[kept[1]].point);
+                    self.row(line, kept[1], self.speed * chord / (way[1] - way[0]))
+                });
+                let points = points.collect();
+                vec![span(Along::Spline, None, points)]
+            }
+        }
+    }
+
     /// Runs of lines, and arcs.
-    fn spans(&self, line: &[LinePoint], spans: &[Span]) -> Vec<PointSpan> {
+    fn arcs(&self, line: &[LinePoint], spans: &[Span]) -> Vec<PointSpan> {
         let mut out: Vec<PointSpan> = Vec::new();
-        for span in spans {
-            let row = self.row(&line[span.last], true);
-            match (span.shape, out.last_mut()) {
+        for s in spans {
+            let row = self.row(line, s.last, self.speed);
+            match (s.shape, out.last_mut()) {
                 (Shape::Line, Some(run)) if run.along == Along::Line => run.points.push(row),
                 (shape, _) => {
                     let via_mm = match shape {
                         Shape::Line => None,
                         Shape::Arc { centre, normal, .. } => {
-                            Point::new(via(line[span.first].point, line[span.last].point, centre, normal))
+                            Point::new(via(line[s.first].point, line[s.last].point, centre, normal))
                         }
                     };
-                    let along = if via_mm.is_some() { Along::Arc } else { Along::Line };
-                    out.push(PointSpan {
-                        along,
-                        stops: false,
-                        via_mm,
-                        normal: None::<Direction>,
-                        speeds: Vec::new(),
-                        points: vec![row],
-                    });
+                    out.push(span(if via_mm.is_some() { Along::Arc } else { Along::Line }, via_mm, vec![row]));
                 }
             }
         }
         out
     }
+}
+
+fn span(along: Along, via_mm: Option<Point>, points: Vec<Vec<Finite>>) -> PointSpan {
+    PointSpan { along, stops: false, via_mm, normal: None::<Direction>, speeds: Vec::new(), points }
 }
 
 /// The middle of the arc from `first` to `last` counter-clockwise about `normal` through `centre`.

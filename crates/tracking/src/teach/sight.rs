@@ -101,6 +101,11 @@ impl<'a> Surface<'a> {
         self.camera.transform_point3(DVec3::Z * self.height)
     }
 
+    /// How far it lies above the shape.
+    pub(super) fn raised(&self) -> f64 {
+        self.raised
+    }
+
     /// The normal near a point.
     pub(super) fn normal(&self, point: DVec3) -> DVec3 {
         self.shape.near(point).map_or(self.plane.normal, |patch| patch.normal)
@@ -114,8 +119,8 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// The point at which a pixel looks.
-    pub(super) fn point(&self, px: DVec2) -> Result<DVec3, HeightError> {
+    /// The point at which a pixel looks, and the unit direction in which it does.
+    pub(super) fn point(&self, px: DVec2) -> Result<(DVec3, DVec3), HeightError> {
         let axis = self.camera.transform_vector3(DVec3::Z);
         let mut height = self.height;
         let mut point = self.camera.transform_point3(self.table.to_point(px, height)?);
@@ -127,7 +132,11 @@ impl<'a> Surface<'a> {
                 break;
             }
         }
-        Ok(point)
+        let (low, high) = self.table.range();
+        let nearer = if height - 1.0 < low { (height + 1.0).min(high) } else { height - 1.0 };
+        let before = self.camera.transform_point3(self.table.to_point(px, nearer)?);
+        let ray = (point - before) * (height - nearer).signum();
+        Ok((point, ray.try_normalize().unwrap_or(axis)))
     }
 
     /// The pixel in which a point is seen.

@@ -1,14 +1,11 @@
 //! What was found, drawn over the frame as in Fig. 4 of EBW-2004: midline, cross, motion vector, detection zone.
 
 use crate::failure::Failure;
-use crate::overlay::{Colour, Overlay};
+use crate::overlay::{COASTED, CROSS, Colour, MOTION, Overlay, sureness};
 use glam::DVec2;
 use seamwright_vision::Frame;
 use seamwright_vision::joint::{CONFIDENT, Joint, Row, Start, State, Zone};
 
-const COASTED: Colour = [90, 150, 255];
-const CROSS: Colour = [255, 255, 255];
-const MOTION: Colour = [255, 120, 255];
 const ZONE: Colour = [0, 210, 255];
 
 /// The frame with what was found in it as PNG. The motion vector goes from the start to the last confident place: the move
@@ -41,12 +38,9 @@ fn place(row: &Row) -> DVec2 {
     DVec2::new(f64::from(row.x), f64::from(row.y))
 }
 
-/// Red without confidence, yellow at [`CONFIDENT`], green when sure.
 fn colour(row: &Row) -> Colour {
-    if row.state == State::Coasted {
-        return COASTED;
+    match row.state {
+        State::Coasted => COASTED,
+        State::Seen => sureness(f64::from(row.confidence), f64::from(CONFIDENT)),
     }
-    let part = |v: f32| (255.0 * v.clamp(0.0, 1.0)) as u8;
-    let c = row.confidence;
-    [part(2.0 - c / CONFIDENT), part(c / CONFIDENT), 0]
 }

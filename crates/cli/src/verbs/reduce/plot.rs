@@ -14,21 +14,29 @@ const CROSS: f64 = 0.015;
 
 /// The sheet: seen along z, and along y and x if there is something to see.
 pub(super) fn draw(points: &[DVec3], spans: &[Span]) -> String {
-    sheet("Points as lines and arcs", &charts(points, spans))
+    let ends: Vec<DVec3> = ends(points, spans);
+    sheet("Points as lines and arcs", &charts(points, &lines_and_arcs(points, spans), &ends))
 }
 
-/// The charts of the sheet.
-pub(in crate::verbs) fn charts(points: &[DVec3], spans: &[Span]) -> Vec<Chart> {
-    let (low, high) = points.iter().fold((points[0], points[0]), |(low, high), p| (low.min(*p), high.max(*p)));
-    let size = high - low;
+/// Where spans begin and end.
+pub(in crate::verbs) fn ends(points: &[DVec3], spans: &[Span]) -> Vec<DVec3> {
+    spans.iter().map(|s| points[s.first]).chain(points.last().copied()).collect()
+}
+
+/// The spans as drawn, by what they are.
+pub(in crate::verbs) fn lines_and_arcs(points: &[DVec3], spans: &[Span]) -> Vec<(&'static str, Vec<DVec3>)> {
     let seen = |shape: fn(&Shape) -> bool| -> Vec<DVec3> {
         spans.iter().filter(|s| shape(&s.shape)).flat_map(|s| drawn(points, s)).collect()
     };
-    let lines = seen(|s| *s == Shape::Line);
-    let arcs = seen(|s| *s != Shape::Line);
+    vec![("lines", seen(|s| *s == Shape::Line)), ("arcs", seen(|s| *s != Shape::Line))]
+}
+
+/// The charts of the sheet: points, named curves that stand for them, and where these begin and end.
+pub(in crate::verbs) fn charts(points: &[DVec3], curves: &[(&'static str, Vec<DVec3>)], ends: &[DVec3]) -> Vec<Chart> {
+    let (low, high) = points.iter().fold((points[0], points[0]), |(low, high), p| (low.min(*p), high.max(*p)));
+    let size = high - low;
     let arm = CROSS * size.max_element();
-    let ends = spans.iter().map(|s| points[s.first]).chain(points.last().copied());
-    let crosses: Vec<DVec3> = ends.flat_map(|end| cross(end, arm)).collect();
+    let crosses: Vec<DVec3> = ends.iter().flat_map(|end| cross(*end, arm)).collect();
     let chart = |along: &str, (across, up): (usize, usize)| {
         let axis = |i: usize| Axis::new(["x", "y", "z"][i], "mm");
         let flat = |space: &[DVec3]| space.iter().map(|p| (p[across], p[up])).collect();
@@ -36,12 +44,10 @@ pub(in crate::verbs) fn charts(points: &[DVec3], spans: &[Span]) -> Vec<Chart> {
             title: format!("Seen along {along}"),
             x: axis(across),
             y: axis(up),
-            series: vec![
-                Series::line("points", flat(points)).styled(Style::Points).coloured(2),
-                Series::line("lines", flat(&lines)).coloured(0),
-                Series::line("arcs", flat(&arcs)).coloured(1),
-                Series::line("ends", flat(&crosses)).coloured(3),
-            ],
+            series: std::iter::once(Series::line("points", flat(points)).styled(Style::Points).coloured(2))
+                .chain(curves.iter().enumerate().map(|(k, (name, curve))| Series::line(*name, flat(curve)).coloured(k)))
+                .chain([Series::line("ends", flat(&crosses)).coloured(3)])
+                .collect(),
             equal_aspect: true,
             ..Chart::default()
         }

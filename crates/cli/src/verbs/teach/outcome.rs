@@ -1,9 +1,10 @@
+use super::picture::Picture;
 use seamwright_cell::teach::{TaughtRun, Truth};
 use seamwright_program::Finding;
 use seamwright_tracking::teach::{Crawl, End, EyeNote, LinePoint, TaughtLine};
 
 /// What teaching has found.
-#[derive(Debug, Clone, Default)]
+#[derive(Default)]
 pub(super) struct Outcome {
     pub(super) line: TaughtLine,
     pub(super) smooth: Vec<LinePoint>,
@@ -16,32 +17,37 @@ pub(super) struct Outcome {
     /// Why the joint was not taught to its end.
     pub(super) finding: Option<String>,
     pub(super) truth: Option<Truth>,
+    /// The last frame.
+    pub(super) picture: Option<Picture>,
 }
 
 impl Outcome {
     /// Of a crawl; `finding` if it did not come to its end.
-    pub(super) fn of(crawl: &Crawl, run: &TaughtRun, finding: Option<String>, truth: Option<Truth>) -> Self {
+    pub(super) fn of(crawl: &Crawl, run: &TaughtRun, finding: Option<String>) -> Self {
         let ended = match (&run.end, &finding) {
-            (End::Limit(_), _) => "limit",
-            (End::TooLong, _) => "too-long",
-            (End::Closed { .. }, None) => "closed",
-            (End::JointEnd, None) => "joint-end",
-            _ => "lost",
+            (Some(End::Limit(_)), _) => "limit",
+            (Some(End::TooLong), _) => "too-long",
+            (Some(End::Closed { .. }), _) => "closed",
+            (Some(End::JointEnd), _) => "joint-end",
+            (Some(End::Operator), None) => "operator",
+            (Some(End::Operator), Some(_)) => "lost",
+            (None, _) => "out-of-frames",
         };
         let gap_mm = match &run.end {
-            End::Closed { gap_mm } => Some(*gap_mm),
+            Some(End::Closed { gap_mm }) => Some(*gap_mm),
             _ => None,
         };
+        let line = crawl.levelled();
         Self {
-            line: crawl.line().clone(),
-            smooth: super::smooth(crawl.line(), &run.end),
+            smooth: super::smooth(&line, run.end.as_ref()),
+            line,
             notes: crawl.notes().to_vec(),
             asked: run.asked.clone(),
             seconds: run.seconds,
             ended,
             gap_mm,
             finding,
-            truth,
+            ..Self::default()
         }
     }
 }

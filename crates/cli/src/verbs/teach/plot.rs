@@ -1,13 +1,20 @@
 //! The taught line as a drawing and as curves over its length.
 
 use super::report::{Report, Told};
-use crate::verbs::reduce::plot::charts;
+use crate::verbs::reduce::plot::{charts, ends, lines_and_arcs};
 use glam::DVec3;
 use seamwright_report::{Axis, Chart, LimitLine, Series, Style, sheet};
+use seamwright_tracking::teach::Curves;
 
 pub(super) fn draw(report: &Report) -> String {
     let points: Vec<DVec3> = report.outcome.smooth.iter().map(|p| p.point).collect();
-    let mut all = charts(&points, &report.reduced.spans);
+    let mut all = match &report.reduced.curves {
+        Curves::Arcs(arcs) => charts(&points, &lines_and_arcs(&points, &arcs.spans), &ends(&points, &arcs.spans)),
+        Curves::Spline(spline) => {
+            let knots: Vec<DVec3> = spline.kept.iter().map(|i| points[*i]).collect();
+            charts(&points, &[("spline", report.path.clone())], &knots)
+        }
+    };
     all.extend(curves(report));
     sheet("The taught line", &all)
 }

@@ -5,9 +5,9 @@ use crate::rows::print_json;
 use glam::DVec3;
 use seamwright_cell::eyes::{SeamLine, Station};
 use seamwright_geometry::reduce::{Shape, Span};
-use seamwright_geometry::{Arc, Curve};
+use seamwright_geometry::{Arc, Curve, Spline};
 use seamwright_machine::Machine;
-use seamwright_tracking::teach::{Reduced, Source};
+use seamwright_tracking::teach::{Curves, Reduced, Source};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use std::io::{self, Write as _};
@@ -37,6 +37,8 @@ pub(super) struct Report<'a> {
     pub(super) outcome: &'a Outcome,
     pub(super) reduced: &'a Reduced,
     pub(super) raw: Vec<Told>,
+    /// Points of the program's path, close to each other.
+    pub(super) path: Vec<DVec3>,
     pub(super) tolerance: f64,
 }
 
@@ -48,7 +50,12 @@ impl<'a> Report<'a> {
         outcome: &'a Outcome,
         reduced: &'a Reduced,
     ) -> Self {
-        let path = reduced_path(outcome, &reduced.spans);
+        let points = match &reduced.curves {
+            Curves::Arcs(arcs) => along_arcs(outcome, &arcs.spans),
+            Curves::Spline(reduction) => along_spline(&reduction.spline),
+        };
+        let station = |point: &DVec3| Station { point: *point, normal: DVec3::Z };
+        let path = SeamLine::through(points.iter().map(station).collect(), false);
         let mut raw: Vec<Told> = Vec::new();
         for (p, way) in outcome.line.points().iter().zip(outcome.line.ways()) {
             if raw.last().is_some_and(|last| way - last.way < TOLD_MM) && p.source == Source::Eye {
@@ -63,11 +70,12 @@ impl<'a> Report<'a> {
             let (point, confidence, frame) = (p.point, p.confidence, p.frame);
             raw.push(Told { way: *way, point, confidence, frame, operator, from_program, from_nominal });
         }
-        Self { args, machine, outcome, reduced, raw, tolerance: args.tolerance_mm }
+        Self { args, machine, outcome, reduced, raw, path: points, tolerance: args.tolerance_mm }
     }
 
     fn value(&self) -> Value {
-        let Outcome { line, smooth, notes, asked, seconds, ended, gap_mm, finding, truth } = self.outcome;
+        let Outcome { line, smooth, notes, asked, seconds, ended, gap_mm, finding, truth, .. } = self.outcome;
+        let [lines, arcs, pieces] = self.reduced.curves.counts();
         let least = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::min);
         let most = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::max);
         let overlaps = || notes.iter().filter_map(|n| n.overlap_mm);
@@ -99,12 +107,16 @@ impl<'a> Report<'a> {
             "greatest_overlap_error_mm": most(&mut overlaps()),
             "bridged_mm": bridged(self.outcome),
             "program": {
-                "lines": self.reduced.spans.len() - self.reduced.arcs(),
-                "arcs": self.reduced.arcs(),
-                "at_least": self.reduced.at_least,
+                "lines": lines,
+                "arcs": arcs,
+                "spline_pieces": pieces,
+                "at_least": match &self.reduced.curves {
+                    Curves::Arcs(arcs) => Some(arcs.at_least),
+                    Curves::Spline(_) => None,
+                },
                 "tolerance_mm": self.tolerance,
-                "greatest_error_mm": self.reduced.max_error(),
-                "greatest_from_raw_mm": most(&mut self.raw.iter().map(|p| p.from_program)),
+                "greatest_error_mm": self.reduced.curves.max_error(),
+                "greatest_from_raw_mm": self.raw_error(),
             },
             "truth": truth.as_ref().map(|t| json!({
                 "across_rms_mm": t.across_rms, "across_max_mm": t.across_max,
@@ -114,6 +126,11 @@ impl<'a> Report<'a> {
             "looks": notes.iter().map(frame).collect::<Vec<_>>(),
             "points": self.raw.iter().map(row).collect::<Vec<_>>(),
         })
+    }
+
+    /// Greatest distance of a raw point from the program, mm.
+    fn raw_error(&self) -> Option<f64> {
+        self.raw.iter().map(|p| p.from_program).reduce(f64::max)
     }
 
     pub(super) fn to_json(&self) -> Result<String, Failure> {
@@ -140,9 +157,16 @@ impl<'a> Report<'a> {
         for why in asked {
             writeln!(out, "asked: {why}")?;
         }
-        let arcs = self.reduced.arcs();
-        let (lines, error) = (self.reduced.spans.len() - arcs, self.reduced.max_error());
-        writeln!(out, "program: {lines} lines and {arcs} arcs within {error:.3} mm of the taught line")?;
+        let error = self.reduced.curves.max_error();
+        let curves = match self.reduced.curves.counts() {
+            [0, 0, pieces] => format!("a spline of {pieces} pieces"),
+            [lines, arcs, _] => format!("{lines} lines and {arcs} arcs"),
+        };
+        write!(out, "program: {curves} within {error:.3} mm of the taught line")?;
+        match self.raw_error() {
+            Some(raw) => writeln!(out, ", {raw:.3} mm of every raw point")?,
+            None => writeln!(out)?,
+        }
         if let Some(t) = truth {
             writeln!(
                 out,
@@ -159,8 +183,16 @@ fn bridged(outcome: &Outcome) -> f64 {
     outcome.line.ways().windows(2).map(|w| w[1] - w[0]).filter(|gap| *gap > 1.0).sum()
 }
 
-/// The program's path, by closely spaced points.
-fn reduced_path(outcome: &Outcome, spans: &[Span]) -> SeamLine {
+/// Points along a spline.
+fn along_spline(spline: &Spline) -> Vec<DVec3> {
+    let (from, to) = spline.domain();
+    // By chord length: near to mm.
+    let count = ((to - from) / STEP_MM).ceil().max(1.0);
+    (0..=count as u32).map(|k| spline.point(from + (to - from) * f64::from(k) / count)).collect()
+}
+
+/// Points along lines and arcs.
+fn along_arcs(outcome: &Outcome, spans: &[Span]) -> Vec<DVec3> {
     let mut points = Vec::new();
     for span in spans {
         let (start, end) = (outcome.smooth[span.first].point, outcome.smooth[span.last].point);
@@ -180,5 +212,5 @@ fn reduced_path(outcome: &Outcome, spans: &[Span]) -> SeamLine {
         }));
     }
     points.extend(outcome.smooth.last().map(|p| p.point));
-    SeamLine::through(points.into_iter().map(|point| Station { point, normal: DVec3::Z }).collect(), false)
+    points
 }

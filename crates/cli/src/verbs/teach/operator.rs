@@ -1,0 +1,127 @@
+//! The operator at the terminal, who is asked when the joint is lost.
+
+use super::picture::Picture;
+use crate::args::teach::TeachArgs;
+use crate::failure::Failure;
+use crate::files;
+use crate::progress::Progress;
+use glam::DVec3;
+use seamwright_cell::eyes::SeamLine;
+use seamwright_cell::teach::Operator;
+use seamwright_tracking::teach::{Answer, Crawl};
+use std::cell::RefCell;
+use std::io::{self, BufRead as _, IsTerminal as _, Write as _};
+use std::path::PathBuf;
+
+const ALLOWED: &str = "X,Y,Z (mm, work frame) or X,Y,Z,DX,DY,DZ to go on there, in that direction; end: the joint ends \
+    here; stop: give up";
+
+/// Who answers on standard input, or nobody.
+pub(super) struct Terminal<'a> {
+    nominal: &'a SeamLine,
+    progress: &'a Progress,
+    /// The last frame.
+    picture: &'a RefCell<Option<Picture>>,
+    /// Where it is drawn for the operator to look at.
+    png: PathBuf,
+    asks: bool,
+    ended: bool,
+}
+
+/// What the operator may say.
+enum Said {
+    On(DVec3, Option<DVec3>),
+    End,
+    Stop,
+}
+
+impl<'a> Terminal<'a> {
+    pub(super) fn new(
+        args: &TeachArgs,
+        nominal: &'a SeamLine,
+        progress: &'a Progress,
+        picture: &'a RefCell<Option<Picture>>,
+    ) -> Self {
+        let (asks, png) = (args.ask || io::stdin().is_terminal(), args.output.with_extension("png"));
+        Self { nominal, progress, picture, png, asks, ended: false }
+    }
+
+    /// Whether the operator has said that the joint ends.
+    pub(super) fn said_end(&self) -> bool {
+        self.ended
+    }
+
+    fn ask(&self, why: &str, crawl: &Crawl) -> Said {
+        let mut err = io::stderr().lock();
+        let at = crawl.line().points().last().map_or(crawl.target().point, |p| p.point);
+        let (x, y, z, way) = (at.x, at.y, at.z, crawl.line().length());
+        // If standard error is closed the operator answers blindly.
+        let _ = writeln!(err, "lost after {way:.1} mm, at {x:.3},{y:.3},{z:.3}: {why}");
+        if self.draw().is_ok_and(|drawn| drawn) {
+            let _ = writeln!(err, "   what was seen: {}", self.png.display());
+        }
+        let _ = writeln!(err, "   {ALLOWED}");
+        loop {
+            let _ = write!(err, "> ").and_then(|()| err.flush());
+            let mut line = String::new();
+            match io::stdin().lock().read_line(&mut line) {
+                Ok(read) if read > 0 => {}
+                // Nobody answers any more.
+                _ => return Said::Stop,
+            }
+            match self.said(line.trim()) {
+                Ok(said) => return said,
+                Err(why) => {
+                    let _ = writeln!(err, "{:?}: {why}\n   allowed: {ALLOWED}", line.trim());
+                }
+            }
+        }
+    }
+
+    /// Draws the last frame; whether there is one.
+    fn draw(&self) -> Result<bool, Failure> {
+        let picture = self.picture.borrow();
+        let Some(picture) = picture.as_ref() else { return Ok(false) };
+        let drawn = picture.png()?;
+        files::write_with(&self.png, |out| Ok(out.write_all(&drawn)?))?;
+        Ok(true)
+    }
+
+    fn said(&self, line: &str) -> Result<Said, String> {
+        match line {
+            "end" => return Ok(Said::End),
+            "stop" => return Ok(Said::Stop),
+            _ => {}
+        }
+        let numbers: Option<Vec<f64>> =
+            line.split(',').map(|v| v.trim().parse().ok().filter(|v: &f64| v.is_finite())).collect();
+        let (point, along) = match numbers.as_deref() {
+            Some([x, y, z]) => (DVec3::new(*x, *y, *z), None),
+            Some([x, y, z, dx, dy, dz]) => (DVec3::new(*x, *y, *z), Some(DVec3::new(*dx, *dy, *dz))),
+            _ => return Err("not three or six numbers, nor end or stop".to_owned()),
+        };
+        if along.is_some_and(|along| along.try_normalize().is_none()) {
+            return Err("the direction has no length".to_owned());
+        }
+        if self.nominal.foot(point).is_none() {
+            return Err("the point is not within 15 mm of the nominal seam".to_owned());
+        }
+        Ok(Said::On(point, along))
+    }
+}
+
+impl Operator for Terminal<'_> {
+    fn answer(&mut self, why: &str, crawl: &Crawl) -> Answer {
+        if !self.asks {
+            return Answer::End;
+        }
+        match self.progress.aside(|| self.ask(why, crawl)) {
+            Said::On(point, along) => Answer::Point(point, along),
+            Said::Stop => Answer::End,
+            Said::End => {
+                self.ended = true;
+                Answer::End
+            }
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! The last frame with what was found in it, as in Fig. 4 of EBW-2004.
+
+use crate::failure::Failure;
+use crate::overlay::{COASTED, CROSS, MOTION, Overlay, sureness};
+use glam::{DVec2, DVec3};
+use seamwright_cell::teach::Look;
+use seamwright_geometry::HeightTable;
+use seamwright_tracking::teach::{Command, Row, Settings};
+use seamwright_vision::Image;
+
+/// Where the midline was looked for.
+const AIM: [u8; 3] = [0, 210, 255];
+/// Half the length of an arm of the cross, and of the mark where the midline begins, pixels.
+const ARMS: (i32, f64) = (14, 24.0);
+/// Two pixels thick.
+const THICK: [f64; 2] = [0.0, 1.0];
+
+/// A frame and what is drawn over it, pixels.
+pub(super) struct Picture {
+    image: Image,
+    rows: Vec<Row>,
+    aim: Option<(DVec2, DVec2)>,
+    /// The middle of the beam or of the camera.
+    cross: Option<DVec2>,
+    /// Where the next move goes.
+    to: Option<DVec2>,
+}
+
+impl Picture {
+    pub(super) fn of(look: &Look, table: &HeightTable) -> Self {
+        let back = look.view.camera.inverse();
+        let to = match look.next {
+            Command::Move(pose) => table.to_px(back.transform_point3(pose.point)).ok(),
+            _ => None,
+        };
+        Self {
+            image: look.frame.image.clone(),
+            rows: look.found.rows.clone(),
+            aim: look.aim.map(|aim| (aim.start, aim.direction)),
+            cross: table.to_px(DVec3::Z * look.view.height.unwrap_or(0.0)).ok(),
+            to,
+        }
+    }
+
+    /// As PNG.
+    pub(super) fn png(&self) -> Result<Vec<u8>, Failure> {
+        let frame = self.image.frame().map_err(|e| Failure::Input(e.to_string()))?;
+        let mut picture = Overlay::of(&frame);
+        let least = Settings::default().confidence;
+        for pair in self.rows.windows(2) {
+            let colour = if pair[1].seen { sureness(pair[1].confidence, least) } else { COASTED };
+            picture.line(pair[0].px, pair[1].px, &[-1.0, 0.0, 1.0], colour);
+        }
+        if let Some((start, direction)) = self.aim {
+            let across = 0.5 * ARMS.1 * direction.perp();
+            picture.line(start - across, start + across, &THICK, AIM);
+            picture.line(start, start + ARMS.1 * direction, &THICK, AIM);
+        }
+        if let Some(cross) = self.cross {
+            picture.cross(cross, CROSS, ARMS.0);
+            if let Some(to) = self.to {
+                // Beside the midline, so that neither hides the other.
+                let aside = 10.0 * (to - cross).perp().normalize_or_zero();
+                picture.arrow(cross + aside, to + aside, MOTION);
+            }
+        }
+        picture.png()
+    }
+}

@@ -1,0 +1,49 @@
+//! Teaching from recorded frames: the moves were made when they were.
+
+use super::outcome::Outcome;
+use super::session::Session;
+use super::start;
+use crate::args::teach::TeachArgs;
+use crate::failure::Failure;
+use crate::load::Loaded;
+use glam::DVec3;
+use seamwright_cell::eyes::SeamLine;
+use seamwright_cell::frames::{FrameError, FrameSource, Recorded, TimedFrame};
+use seamwright_cell::teach::{Played, joints};
+use std::path::Path;
+
+pub(super) fn teach(args: &TeachArgs, folder: &Path, loaded: &Loaded, nominal: &SeamLine) -> Result<Outcome, Failure> {
+    let axes: Vec<&str> = loaded.machine.axes.iter().map(|a| a.name.as_str()).collect();
+    let session = Session::new(args, loaded, nominal)?;
+    let frames = Recorded::open(folder, &axes)?;
+    play(&session, frames, &folder.display().to_string())
+}
+
+/// Teaches from frames as they come; the joint begins in the middle of the first one. `what` they are, for errors.
+pub(super) fn play(session: &Session, mut frames: impl FrameSource, what: &str) -> Result<Outcome, Failure> {
+    let first = frames.next()?.ok_or_else(|| Failure::Input(format!("{what}: no frames")))?;
+    let begin = start(session.args, session.nominal, middle(session, &first))?;
+    session.crawl(begin, &mut Played(Box::new(Again { first: Some(first), rest: frames })))
+}
+
+/// Where the eye looks in a frame.
+pub(super) fn middle(session: &Session, frame: &TimedFrame) -> DVec3 {
+    let axes = joints(session.machine, frame.axes.as_deref().unwrap_or_default());
+    let camera = session.machine.camera_frame(session.sensor, &axes);
+    camera.transform_point3(DVec3::Z * frame.height_mm.unwrap_or(0.0))
+}
+
+/// The first frame again, then the others.
+struct Again<S> {
+    first: Option<TimedFrame>,
+    rest: S,
+}
+
+impl<S: FrameSource> FrameSource for Again<S> {
+    fn next(&mut self) -> Result<Option<TimedFrame>, FrameError> {
+        match self.first.take() {
+            Some(frame) => Ok(Some(frame)),
+            None => self.rest.next(),
+        }
+    }
+}

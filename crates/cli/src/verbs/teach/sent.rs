@@ -1,0 +1,44 @@
+//! Teaching from frames that come over a connection, from a beam's scanner for one.
+
+use super::outcome::Outcome;
+use super::recorded::{middle, play};
+use super::session::{Ground, Session};
+use super::{start, within};
+use crate::args::teach::TeachArgs;
+use crate::failure::Failure;
+use crate::load::Loaded;
+use glam::DVec3;
+use seamwright_cell::eyes::SeamLine;
+use seamwright_cell::frames::{FrameSource, FrameStream};
+use seamwright_cell::teach::{DistantRig, joints};
+use std::time::Duration;
+
+/// Shortest and longest time to wait for a frame, s.
+const TIMEOUTS_S: (f64, f64) = (0.001, 3600.0);
+
+/// The host and port in `frames`.
+pub(super) fn address<'a>(frames: &str, address: &'a str) -> Result<&'a str, Failure> {
+    let named = address.rsplit_once(':').filter(|(host, _)| !host.is_empty());
+    if named.is_some_and(|(_, port)| port.parse::<u16>().is_ok_and(|port| port > 0)) {
+        return Ok(address);
+    }
+    Err(Failure::Input(format!("--frames {frames}: no address\n   allowed: tcp://HOST:PORT, a port from 1 to 65535")))
+}
+
+pub(super) fn teach(args: &TeachArgs, address: &str, loaded: &Loaded, nominal: &SeamLine) -> Result<Outcome, Failure> {
+    let timeout = within("--timeout-s", args.timeout_s, TIMEOUTS_S)?;
+    let session = Session::new(args, loaded, nominal)?;
+    let connect = || FrameStream::connect(address, Duration::from_secs_f64(timeout));
+    if !args.drive {
+        return play(&session, connect()?, address);
+    }
+    let ground = Ground::new(loaded, nominal)?;
+    let guide = |point: DVec3| ground.guide(point);
+    let mut stream = connect()?;
+    // Nobody has asked for the first one: it tells where the eye is.
+    let first = stream.next()?.ok_or_else(|| Failure::Input(format!("{address}: no frames")))?;
+    let begin = start(args, nominal, middle(&session, &first))?;
+    let axes = joints(session.machine, first.axes.as_deref().unwrap_or_default());
+    let carrier = ground.carrier(&session, &guide, axes);
+    session.crawl(begin, &mut DistantRig::new(session.machine, carrier, stream))
+}
