@@ -13,7 +13,7 @@ static ALLOCATOR: AllocDisabler = AllocDisabler;
 fn cycles_do_not_allocate() {
     let limits = SlideLimits { stroke_mm: 15.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
     let mut head = HeadTracking::new(Settings::usual(20.0, 100.0), OwnCurve::straight(20.0), [limits; 2]).unwrap();
-    let (mut s, mut slide) = (-25.0, DVec2::ZERO);
+    let (mut s, mut slide) = (-25.0f64, DVec2::ZERO);
     assert_no_alloc(|| {
         for i in 0..20_000 {
             let t = 1e-3 * f64::from(i);

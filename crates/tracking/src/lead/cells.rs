@@ -165,7 +165,7 @@ impl Cells {
         let near = seen.filter(|seen| !self.is_between(s, seen.s));
         let mut hull = Hull::default();
         near.clone().for_each(|p| hull.add(p, s));
-        let fit = parabola(s, hull.farthest + self.cell_mm, bend, near)?;
+        let fit = parabola(s, hull.farthest + self.cell_mm, bend, &near)?;
         Some(Fit { value: hull.clamped(fit.value), slope: fit.slope.clamp_length_max(STEEPEST), ..fit })
     }
 }

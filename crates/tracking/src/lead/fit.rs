@@ -31,7 +31,12 @@ pub(super) struct Fit {
 /// The parabola around `s` through what was seen, weighted by nearness within `reach` mm and by Huber's function of
 /// the residual. Its second derivative is `bend` (1/mm) before anything is seen, one standard deviation: with hardly any it is a
 /// line. None if nothing was seen.
-pub(super) fn parabola<'a>(s: f64, reach: f64, bend: f64, seen: impl Iterator<Item = &'a Seen> + Clone) -> Option<Fit> {
+pub(super) fn parabola<'a>(
+    s: f64,
+    reach: f64,
+    bend: f64,
+    seen: &(impl Iterator<Item = &'a Seen> + Clone),
+) -> Option<Fit> {
     let prior = |inverse: f64| (inverse * inverse).recip();
     let prior = Matrix3::from_diagonal(&Vector3::new(0.0, prior(SLOPE * reach), prior(0.5 * bend * reach * reach)));
     let mut found: Option<([Vector3<f64>; 2], f64)> = None;
@@ -86,7 +91,7 @@ mod tests {
                     Seen { s, value: truth(s), weight: 1e6 }
                 })
                 .collect();
-            let fit = parabola(0.0, 5.0, 0.1, seen.iter()).unwrap();
+            let fit = parabola(0.0, 5.0, 0.1, &seen.iter()).unwrap();
             assert!(fit.value.distance(truth(0.0)) < 1e-4, "{} {}", fit.value, truth(0.0));
             assert!((fit.slope.x - 0.1 * b).abs() < 1e-4);
         }
@@ -107,10 +112,10 @@ mod tests {
             };
             let clean: Vec<Seen> = (0..20).map(|i| point(i, false)).collect();
             let dirty: Vec<Seen> = (0..20).map(|i| point(i, i == 4 || i == 13)).collect();
-            let fit = parabola(0.0, 5.0, 0.1, clean.iter()).unwrap();
+            let fit = parabola(0.0, 5.0, 0.1, &clean.iter()).unwrap();
             squares += fit.value.x.powi(2);
             told += fit.variance;
-            worst = worst.max(parabola(0.0, 5.0, 0.1, dirty.iter()).unwrap().value.x.abs());
+            worst = worst.max(parabola(0.0, 5.0, 0.1, &dirty.iter()).unwrap().value.x.abs());
         }
         let ratio = squares / told;
         assert!((0.5..1.5).contains(&ratio), "{ratio}");
@@ -121,9 +126,9 @@ mod tests {
     #[test]
     fn too_few_places() {
         let one = [Seen { s: 1.0, value: DVec2::new(0.5, -0.5), weight: 2500.0 }];
-        let fit = parabola(0.0, 5.0, 0.1, one.iter()).unwrap();
+        let fit = parabola(0.0, 5.0, 0.1, &one.iter()).unwrap();
         assert!(fit.value.distance(one[0].value) < 0.05 && fit.slope.length() < 0.1);
         assert!(fit.variance > 0.05, "half a slope's worth of doubt: {}", fit.variance);
-        assert!(parabola(0.0, 5.0, 0.1, [].iter()).is_none());
+        assert!(parabola(0.0, 5.0, 0.1, &[].iter()).is_none());
     }
 }
