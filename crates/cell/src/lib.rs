@@ -15,6 +15,7 @@ mod sample;
 mod simulate;
 mod summary;
 pub mod teach;
+pub mod tracking;
 
 pub use drives::{check_drives, tune_axis};
 pub use error::Error;

@@ -24,6 +24,8 @@ pub enum Alarm {
     Blind,
     /// The torch is beyond what was seen: the last slope is followed.
     Coasting,
+    /// The torch has gone back farther than is remembered: the slide stays where it is.
+    Unknown,
     /// The correction fades out to the taught path.
     FadingOut,
     /// A slide is at its end: the weld misses the joint.
@@ -143,6 +145,7 @@ impl HeadTracking {
             Sight::Lost => Alarm::Lost,
             _ if here.value.abs().cmpgt(stroke).any() => Alarm::StrokeEnd,
             Sight::Fading => Alarm::FadingOut,
+            Sight::Unseen if self.taken_s.is_some() => Alarm::Unknown,
             Sight::Coasted => Alarm::Coasting,
             _ if blind => Alarm::Blind,
             _ if needed > 1.0 => Alarm::Slowed,

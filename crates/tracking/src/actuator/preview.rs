@@ -3,10 +3,14 @@ use glam::DVec2;
 /// Places looked at to each side.
 const PLACES: i32 = 10;
 
+/// What goes through a jump is late by its acceleration: steeper curves than it can follow, begun later, end earlier. Measured:
+/// with 1 twice the error, with 0.7 three times.
+const STEEP: f64 = 1.5;
+
 /// Where a slide that cannot jump should be now, if it is to be nowhere farther from `target` (by time from now, s) than it must
 /// be: it begins early. Of all curves no steeper than a limit this one's greatest error within `horizon_s` to both sides is the
-/// least; it is the mean of the highest and the lowest (McShane's extensions). The limit is `speed`, and no more than what
-/// `acceleration` reaches over the range of the target there: so what can be followed is left as it is.
+/// least; it is the mean of the highest and the lowest (McShane's extensions). The limit is `speed`, and no more than
+/// [`STEEP`] times what `acceleration` reaches over the range of the target there: so what can be followed is left as it is.
 pub(super) fn softened(target: impl Fn(f64) -> DVec2, horizon_s: f64, speed: DVec2, acceleration: DVec2) -> DVec2 {
     let times: [f64; 2 * PLACES as usize + 1] =
         std::array::from_fn(|i| horizon_s * f64::from(i as i32 - PLACES) / f64::from(PLACES));
@@ -14,7 +18,8 @@ pub(super) fn softened(target: impl Fn(f64) -> DVec2, horizon_s: f64, speed: DVe
     let low = values.iter().copied().fold(DVec2::INFINITY, DVec2::min);
     let high = values.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
     let range = high - low;
-    let steep = speed.min(DVec2::new((acceleration.x * range.x).sqrt(), (acceleration.y * range.y).sqrt()));
+    let reached = DVec2::new((acceleration.x * range.x).sqrt(), (acceleration.y * range.y).sqrt());
+    let steep = speed.min(STEEP * reached);
     let (mut above, mut below) = (DVec2::NEG_INFINITY, DVec2::INFINITY);
     for (t, value) in times.iter().zip(values) {
         above = above.max(value - steep * t.abs());
@@ -49,8 +54,8 @@ mod tests {
             |at: f64| softened(|t| DVec2::splat(if t + at < 0.0 { 0.0 } else { 1.0 }), 0.05, SPEED, ACCELERATION);
         assert!(step(-0.05).x.abs() < 1e-12 && (step(0.05).x - 1.0).abs() < 1e-12);
         let middle = step(0.0).x;
-        assert!((middle - 0.5).abs() < 0.11, "{middle}");
+        assert!((middle - 0.5).abs() < 0.16, "{middle}");
         let steepest = (-50..50).map(|i| step(1e-3 * f64::from(i + 1)).x - step(1e-3 * f64::from(i)).x);
-        assert!(steepest.fold(0.0, f64::max) < 0.12, "as fine as the places are");
+        assert!(steepest.fold(0.0, f64::max) < 0.16, "as fine as the places are");
     }
 }

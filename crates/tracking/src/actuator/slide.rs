@@ -6,9 +6,9 @@ const LONGEST_MEAN_S: f64 = 0.04;
 /// Cycles of the longest mean that there is room for.
 const ROOM: usize = 160;
 /// How fast small errors are made good, 1/s.
-const GAIN: f64 = 50.0;
+const GAIN: f64 = 100.0;
 /// Part of the acceleration that making errors good is planned with: the rest is the target's.
-const CATCH_UP: f64 = 0.5;
+const CATCH_UP: f64 = 0.9;
 /// Speed that set-points keep from their limit, as a part of it: rounding.
 const ROUNDING: f64 = 1.0 - 1e-9;
 

@@ -25,11 +25,11 @@ impl SampleBuffer {
         Self { ahead, parts: parts.max(1), done: 0, from: DVec2::ZERO, to: DVec2::ZERO }
     }
 
-    /// The next sample; without one the last is taken to go on.
-    pub fn sample(&mut self, measured: Option<DVec2>) {
+    /// The next sample, with the slide at `slide`; without one the last is taken to go on.
+    pub fn sample(&mut self, measured: Option<DVec2>, slide: DVec2) {
         let last = self.ahead.back().copied().unwrap_or(self.to);
-        // The sensor rides on the slide, which stands at the last step.
-        self.ahead.push_back(measured.map_or(last, |m| m + self.to));
+        // The sensor rides on the slide.
+        self.ahead.push_back(measured.map_or(last, |m| m + slide));
         self.from = self.to;
         self.to = self.ahead.pop_front().unwrap_or(self.to);
         self.done = 0;
@@ -55,7 +55,7 @@ mod tests {
             let mut slide = DVec2::ZERO;
             for i in 0..400 {
                 let s = 0.4 * f64::from(i);
-                buffer.sample(Some(seam(s + 20.0) - slide));
+                buffer.sample(Some(seam(s + 20.0) - slide), slide);
                 let before = slide;
                 for k in 1..=parts {
                     slide = buffer.step();

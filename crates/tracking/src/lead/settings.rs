@@ -53,7 +53,7 @@ impl Settings {
             noise_mm: 0.02,
             least_confidence: 0.4,
             field_mm: DVec2::splat(10.0),
-            wander: 0.004,
+            wander: 0.01,
             drift: 1e-3,
             decay_mm: 10.0,
             tack_mm: 10.0,

@@ -12,27 +12,37 @@ pub(super) const GATE: f64 = 3.0;
 /// Measurements that were gated, one after the other: outliers, or the seam has jumped.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Suspects {
-    seen: ArrayVec<Seen, IN_A_ROW>,
+    /// All but the one that makes them believed.
+    seen: ArrayVec<Seen, { IN_A_ROW - 1 }>,
+    in_a_row: usize,
 }
 
 impl Suspects {
     pub(super) fn clear(&mut self) {
         self.seen.clear();
+        self.in_a_row = 0;
     }
 
-    /// One more. If the last three agree with each other, these.
-    pub(super) fn add(&mut self, seen: Seen) -> Option<[Seen; IN_A_ROW]> {
+    /// One more; how many there are in a row now.
+    pub(super) fn add(&mut self, seen: Seen) -> usize {
         if self.seen.is_full() {
             self.seen.remove(0);
         }
         self.seen.push(seen);
-        let three = <[Seen; IN_A_ROW]>::try_from(self.seen.as_slice()).ok()?;
-        let agree = |a: &Seen, b: &Seen| {
-            let allowed = GATE * (1.0 / a.weight + 1.0 / b.weight).sqrt() + STEEPEST * (a.s - b.s).abs();
-            (a.value - b.value).abs().max_element() <= allowed
-        };
-        (agree(&three[0], &three[1]) && agree(&three[1], &three[2]) && agree(&three[0], &three[2])).then_some(three)
+        self.in_a_row += 1;
+        self.in_a_row
     }
+
+    /// The last two and this one, if all three agree with each other.
+    pub(super) fn agreeing(&self, last: &Seen) -> Option<[Seen; IN_A_ROW]> {
+        let [a, b] = <[Seen; IN_A_ROW - 1]>::try_from(self.seen.as_slice()).ok()?;
+        (agree(&a, &b) && agree(&b, last) && agree(&a, last)).then_some([a, b, *last])
+    }
+}
+
+fn agree(a: &Seen, b: &Seen) -> bool {
+    let allowed = GATE * (1.0 / a.weight + 1.0 / b.weight).sqrt() + STEEPEST * (a.s - b.s).abs();
+    (a.value - b.value).abs().max_element() <= allowed
 }
 
 /// A filter that begins with these three: at the last one, as steep as they may be.
@@ -55,15 +65,16 @@ mod tests {
     #[test]
     fn three_that_agree_are_the_seam_and_others_are_not() {
         let mut suspects = Suspects::default();
-        assert_eq!(suspects.add(seen(1.0, 1.0)), None);
-        assert_eq!(suspects.add(seen(1.2, 1.02)), None);
-        assert!(suspects.add(seen(1.4, 1.04)).is_some());
-        suspects.clear();
-        // Wild values, then three that agree: only the last three count.
+        // Wild values, then three that agree: only the last ones count.
         for (i, wild) in [2.0, -1.5, 0.7, -2.0, 1.0, 1.05].into_iter().enumerate() {
-            assert_eq!(suspects.add(seen(0.2 * i as f64, wild)), None, "{wild}");
+            let seen = seen(0.2 * i as f64, wild);
+            assert_eq!(suspects.agreeing(&seen), None, "{wild}");
+            assert_eq!(suspects.add(seen), i + 1);
         }
-        let three = suspects.add(seen(1.2, 1.1)).unwrap();
+        assert_eq!(suspects.agreeing(&seen(1.2, 1.5)), None);
+        let three = suspects.agreeing(&seen(1.2, 1.1)).unwrap();
+        suspects.clear();
+        assert_eq!(suspects.agreeing(&seen(1.2, 1.1)), None);
         let filter = begun(&three, 0.5);
         assert!((filter.value.x - 1.05).abs() < 1e-12 && (filter.s - 1.2).abs() < 1e-12);
     }

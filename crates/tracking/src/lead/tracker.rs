@@ -5,7 +5,7 @@ use super::history::{History, Moment};
 use super::node::{Estimate, Node, Sight};
 use super::ring::Ring;
 use super::settings::REACH;
-use super::suspects::{GATE, Suspects, begun};
+use super::suspects::{GATE, IN_A_ROW, Suspects, begun};
 use super::{Error, Measurement, OwnCurve, Refusal, Settings, Verdict};
 use glam::DVec2;
 
@@ -13,6 +13,8 @@ use glam::DVec2;
 const NODES_A_CYCLE: usize = 2;
 /// The same value so often in a row is a frozen sensor.
 const FROZEN: u32 = 5;
+/// A gate does not open wider than this, mm: after a gap measurements must agree with each other.
+const WIDEST_MM: f64 = 1.0;
 /// Cells to each side within which a place is smoothed.
 const REACH_CELLS: i64 = (REACH * CELLS) as i64;
 
@@ -103,22 +105,31 @@ impl Tracker {
         };
         let noise = Noise { wander: self.settings.wander, drift: self.settings.drift };
         let (t, r) = (measured.exposed_s, 1.0 / seen.weight);
+        // First: while measurements are gated doubt grows, and soon the gate lets a jump pass.
+        if let Some(three) = self.suspects.agreeing(&seen) {
+            self.suspects.clear();
+            self.jump(three[0].s);
+            self.filter = Some(begun(&three, t));
+            for seen in three {
+                self.keep(seen, t);
+            }
+            return Verdict::Restarted;
+        }
         if let Some(expected) = self.filter.map(|f| f.predicted(seen.s, t, &noise))
             && expected.surprise(seen.value, r) <= GATE
+            && GATE * expected.variance[0].sqrt() <= WIDEST_MM
         {
             self.suspects.clear();
             self.filter = Some(expected.updated(seen.value, r));
             self.keep(seen, t);
             return Verdict::Taken;
         }
-        let Some(three) = self.suspects.add(seen) else { return Verdict::Gated };
-        self.suspects.clear();
-        self.jump(three[0].s);
-        self.filter = Some(begun(&three, t));
-        for seen in three {
-            self.keep(seen, t);
+        // What was expected is worth nothing after some that were not: a gate that opens would let wild values in. From
+        // here on only measurements that agree with each other are believed.
+        if self.suspects.add(seen) >= IN_A_ROW {
+            self.filter = None;
         }
-        Verdict::Restarted
+        Verdict::Gated
     }
 
     /// The deviation at path length `s_mm`.
@@ -188,13 +199,13 @@ impl Tracker {
 
     /// The seam is somewhere else from `s` on than it was seen so far.
     fn jump(&mut self, s: f64) {
-        let Some((last, front)) = self.filter.map(|f| f.s).zip(self.cells.front()) else { return };
+        let Some(front) = self.cells.front() else { return };
         let reach = REACH * self.settings.lead_mm;
         if s < front - 0.5 * self.cells.cell_mm {
             // It was seen there before, and has moved since.
             self.cells.clear();
-        } else if s - last < reach {
-            self.cells.add_break(0.5 * (s + last));
+        } else if s - front < reach {
+            self.cells.add_break(0.5 * (s + front));
         }
     }
 
