@@ -118,12 +118,18 @@ fn the_slide_is_in_nothing() {
 #[test]
 fn noise_and_outliers() {
     for (speed, outliers, limit) in
-        [(5.0, 0.0, 0.03), (20.0, 0.0, 0.03), (100.0, 0.0, 0.035), (20.0, 0.05, 0.04), (100.0, 0.05, 0.08)]
+        [(5.0, 0.0, 0.03), (20.0, 0.0, 0.03), (100.0, 0.0, 0.035), (20.0, 0.05, 0.04), (100.0, 0.05, 0.1)]
     {
+        // Now and then two outliers come together, and cost a few millimetres.
+        let p99s = (0..10).map(|seed| {
+            let mut sensor = noisy(seed, 0.02, outliers);
+            let mut rig = Rig::new(&wavy, &resting, &mut sensor);
+            quantile(rig.run(300.0, speed), 0.99)
+        });
+        let p99 = p99s.fold(0.0, f64::max);
         let mut sensor = noisy(7, 0.02, outliers);
         let mut rig = Rig::new(&wavy, &resting, &mut sensor);
-        let errors = rig.run(300.0, speed);
-        let p99 = quantile(errors, 0.99);
+        rig.run(300.0, speed);
         assert!(p99 < limit, "{speed} mm/s, {outliers}: {p99}");
         let sigma = rig.tracker.at(299.0).sigma_mm;
         assert!((0.003..0.02).contains(&sigma), "{sigma}");
@@ -392,7 +398,7 @@ fn a_fast_sine() {
 /// A sensor that has gone wild is not followed anywhere: what it measures counts from the slide, and could lead it away.
 #[test]
 fn a_wild_sensor() {
-    for seed in 0..20 {
+    for (seed, speed) in (0..20).flat_map(|seed| [(seed, 20.0), (seed, 100.0)]) {
         let mut random = Pcg64Mcg::seed_from_u64(seed);
         let mut noise = noisy(seed, 0.02, 0.0);
         let mut sensor = |i: u64, place: f64, m: Measurement| {
@@ -401,9 +407,9 @@ fn a_wild_sensor() {
             Some(if place < 100.0 { m } else { Measurement { offset: wild, ..m } })
         };
         let mut rig = Rig::new(&wavy, &resting, &mut sensor);
-        rig.run(105.0, 20.0);
+        rig.run(100.0, speed);
         while rig.s < 130.0 {
-            let (_, found) = rig.cycle(0.02);
+            let (_, found) = rig.cycle(speed * CYCLE);
             assert!(found.value.length() < 2.5, "{seed} at {}: {found:?}", rig.s);
         }
         assert!(rig.tracker.at(rig.s).sight >= Sight::Fading, "{seed}");

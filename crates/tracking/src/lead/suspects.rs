@@ -2,8 +2,10 @@ use super::filter::Filter;
 use super::fit::Seen;
 use arrayvec::ArrayVec;
 
-/// As many gated measurements in a row as begin the estimate anew, if they agree.
+/// As many gated measurements as begin the estimate anew, if they agree.
 pub(super) const IN_A_ROW: usize = 3;
+/// Gated measurements that are remembered: outliers may lie between those that agree.
+const ROOM: usize = 4;
 /// Steepest seam against the taught path.
 pub(super) const STEEPEST: f64 = 0.3;
 /// Standard deviations that count as agreement, as at the gate.
@@ -12,8 +14,7 @@ pub(super) const GATE: f64 = 3.0;
 /// Measurements that were gated, one after the other: outliers, or the seam has jumped.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Suspects {
-    /// All but the one that makes them believed.
-    seen: ArrayVec<Seen, { IN_A_ROW - 1 }>,
+    seen: ArrayVec<Seen, ROOM>,
     in_a_row: usize,
 }
 
@@ -33,10 +34,11 @@ impl Suspects {
         self.in_a_row
     }
 
-    /// The last two and this one, if all three agree with each other.
+    /// This one and two of those before, if all three agree with each other.
     pub(super) fn agreeing(&self, last: &Seen) -> Option<[Seen; IN_A_ROW]> {
-        let [a, b] = <[Seen; IN_A_ROW - 1]>::try_from(self.seen.as_slice()).ok()?;
-        (agree(&a, &b) && agree(&b, last) && agree(&a, last)).then_some([a, b, *last])
+        let others = || self.seen.iter().rev().filter(|s| agree(s, last));
+        let two = others().enumerate().find_map(|(i, b)| others().skip(i + 1).find(|a| agree(a, b)).map(|a| (a, b)));
+        two.map(|(a, b)| [*a, *b, *last])
     }
 }
 

@@ -15,6 +15,8 @@ const NODES_A_CYCLE: usize = 2;
 const FROZEN: u32 = 5;
 /// A gate does not open wider than this, mm: after a gap measurements must agree with each other.
 const WIDEST_MM: f64 = 1.0;
+/// Less than this counts as no jump, mm: it is smoothed over.
+const JUMP_MM: f64 = 0.3;
 /// Cells to each side within which a place is smoothed.
 const REACH_CELLS: i64 = (REACH * CELLS) as i64;
 
@@ -108,7 +110,7 @@ impl Tracker {
         // First: while measurements are gated doubt grows, and soon the gate lets a jump pass.
         if let Some(three) = self.suspects.agreeing(&seen) {
             self.suspects.clear();
-            self.jump(three[0].s);
+            self.begin_with(&three);
             self.filter = Some(begun(&three, t));
             for seen in three {
                 self.keep(seen, t);
@@ -197,15 +199,19 @@ impl Tracker {
         self.cursor = from.map(|cursor| cursor.min(near));
     }
 
-    /// The seam is somewhere else from `s` on than it was seen so far.
-    fn jump(&mut self, s: f64) {
+    /// The estimate begins anew with these: the seam jumps there, or what was expected had been led astray by an outlier.
+    fn begin_with(&mut self, three: &[Seen; IN_A_ROW]) {
         let Some(front) = self.cells.front() else { return };
-        let reach = REACH * self.settings.lead_mm;
+        let Seen { s, value, .. } = three[0];
         if s < front - 0.5 * self.cells.cell_mm {
             // It was seen there before, and has moved since.
             self.cells.clear();
-        } else if s - front < reach {
-            self.cells.add_break(0.5 * (s + front));
+        } else if s - front < REACH * self.settings.lead_mm {
+            let end = self.cells.index(front) + 1;
+            let before = self.cells.fit(s, end - REACH_CELLS..end, BENT);
+            if before.is_none_or(|fit| fit.value.distance(value) > JUMP_MM) {
+                self.cells.add_break(0.5 * (s + front));
+            }
         }
     }
 
