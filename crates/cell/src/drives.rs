@@ -17,7 +17,7 @@ const SPEED_RESERVE: f64 = 1.2;
 
 impl Drives {
     pub(crate) fn new(machine: &Machine, seed: u64) -> Result<Self, Error> {
-        let axes = machine.axes.iter().enumerate().map(|(i, axis)| -> Result<_, Error> {
+        let axes = machine.axes.iter().enumerate().map(|(i, axis)| {
             let drive = axis.drive.clone().unwrap_or_else(|| assumed(axis));
             let pitch = match axis.kind {
                 AxisKind::Linear => 10.0,
@@ -27,7 +27,7 @@ impl Drives {
                 .map_err(|e| Error::Drive { axis: axis.name.clone(), reason: e.to_string() })?;
             Ok((servo, Disturbance::new(seed, i, drive.load.peak, pitch)))
         });
-        Ok(Self { axes: axes.collect::<Result<_, Error>>()? })
+        Ok(Self { axes: axes.collect::<Result<_, _>>()? })
     }
 
     /// Puts every axis at rest at its position in `q`.

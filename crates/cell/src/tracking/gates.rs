@@ -1,8 +1,8 @@
 //! Tracking measured on simulated welds: rows of a table, each head against its limit, beside the papers' algorithms and none.
 
+use super::Error;
 use super::scenario::opposite;
 use super::{Displacement, HeadScene, Leg, Method, Outcome, Part, Scenario, run};
-use crate::Error;
 use glam::DVec2;
 use seamwright_machine::Machine;
 use std::f64::consts::FRAC_PI_2;

@@ -2,6 +2,7 @@
 //! torches, the slides' drives, and how far each weld truly is from its seam.
 
 mod displacement;
+mod error;
 pub mod gates;
 mod motion;
 mod rig;
@@ -12,6 +13,7 @@ mod tally;
 mod world;
 
 pub use displacement::{Displacement, Part};
+pub use error::Error;
 pub use motion::Leg;
 pub use rig::{Method, Outcome, run};
 pub use scenario::{HeadScene, Scenario, Seam};

@@ -1,9 +1,9 @@
+use super::Error;
 use super::motion::Travel;
 use super::scenario::{HeadScene, Scenario};
 use super::sensor::Sensor;
 use super::tally::{Tally, Watch};
 use super::world::World;
-use crate::Error;
 use crate::drives::Drives;
 use glam::DVec2;
 use seamwright_machine::Machine;
@@ -56,7 +56,7 @@ pub struct Outcome {
 /// same weld.
 ///
 /// # Errors
-/// [`Error::Drive`] for drives that are none, [`Error::Tracking`] for settings that cannot work, as a lead too short.
+/// [`Error::Cell`] for drives that are none, [`Error::Settings`] for settings that cannot work, as a lead too short.
 pub fn run(scenario: &Scenario, machine: &Machine, method: Method, seed: u64) -> Result<Vec<Outcome>, Error> {
     let cycle_s = machine.servo_period_s;
     let mut drives = Drives::new(machine, seed)?;
@@ -174,9 +174,10 @@ impl<'a> Head<'a> {
             self.take(arrived, t, s);
         }
         let (order, pace) = self.order(t, s, speed);
+        self.watch[0].add(order.x);
+        self.watch[1].add(order.y);
         let stuck = self.stuck_mm.is_some_and(|from| s >= from);
-        let order = if stuck { self.ordered[0] } else { order };
-        self.drive(drives, order);
+        self.drive(drives, if stuck { self.ordered[0] } else { order });
         self.measure(t, s, speed);
         pace
     }
@@ -227,7 +228,6 @@ impl<'a> Head<'a> {
         for (k, axis) in self.axes.into_iter().enumerate() {
             let set = SetPoint { position: order[k], velocity: velocity[k], acceleration: acceleration[k] };
             at[k] = drives.step(axis, set).position;
-            self.watch[k].add(order[k]);
         }
         self.slide = at;
     }

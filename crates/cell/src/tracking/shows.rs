@@ -1,9 +1,9 @@
 //! Single welds that tracking must get through: faults, a long T-joint, a saddle out of place. Rows against limits.
 
+use super::Error;
 use super::gates::SPEEDS;
 use super::scenario::opposite;
 use super::{Displacement, Fault, HeadScene, Method, Outcome, Part, Placement, Scenario, Seam, run};
-use crate::Error;
 pub use crate::eyes::stripe::GateRow as Row;
 use glam::{DQuat, DVec2, DVec3};
 use seamwright_machine::Machine;
@@ -112,8 +112,8 @@ fn rows_of(name: &str, scenario: &Scenario, machine: &Machine) -> Result<Vec<Row
     for (i, (tracked, plain)) in tracked.iter().zip(&plain).enumerate() {
         let Outcome { p99_mm, used, welded_mm, .. } = tracked;
         let what = |w: &str| format!("{name}, head {}: {w}", i + 1);
-        rows.push(row(what("99 % of the weld within, untracked"), plain.p99_mm, f64::INFINITY, "mm"));
-        rows.push(row(what("99 % of the weld within, tracked"), *p99_mm, 0.05, "mm"));
+        let untracked = format!("99 % of the weld within (untracked {:.3} mm)", plain.p99_mm);
+        rows.push(row(what(&untracked), *p99_mm, 0.05, "mm"));
         let missing = (scenario.heads[i].seam.length_mm - welded_mm).abs();
         rows.push(row(what("not welded"), missing, 0.1, "mm"));
         rows.push(row(what("of the slide's limits"), 100.0 * used.iter().copied().fold(0.0, f64::max), 100.001, "%"));

@@ -1,5 +1,7 @@
 //! This build on its own gates.
 
+mod tracking;
+
 use crate::args::bench::{BenchArgs, BenchVerb, BenchVisionArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -14,6 +16,7 @@ use std::fmt::Write as _;
 pub(crate) fn run(args: &BenchArgs) -> Result<(), Failure> {
     match &args.verb {
         BenchVerb::Vision(args) => vision(args),
+        BenchVerb::Tracking(args) => tracking::run(args),
     }
 }
 
@@ -66,7 +69,7 @@ fn vision(args: &BenchVisionArgs) -> Result<(), Failure> {
     drop(progress);
     let tables = [
         Table { title: follower.title.clone(), rows: follower.rows.iter().map(Line::from).collect() },
-        Table { title: "The joint in a laser stripe".to_owned(), rows: stripes.iter().map(Line::from).collect() },
+        Table::new("The joint in a laser stripe", &stripes),
     ];
     if args.json {
         return print_json(&serde_json::json!({ "frames": frames, "tables": tables }));
@@ -75,6 +78,10 @@ fn vision(args: &BenchVisionArgs) -> Result<(), Failure> {
 }
 
 impl Table {
+    fn new(title: &str, rows: &[GateRow]) -> Self {
+        Self { title: title.to_owned(), rows: rows.iter().map(Line::from).collect() }
+    }
+
     fn markdown(&self) -> String {
         let mut text = format!("## {}\n\n| what | value | limit | kept |\n|---|---:|---:|---|\n", self.title);
         for row in &self.rows {
