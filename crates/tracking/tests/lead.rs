@@ -121,7 +121,7 @@ fn noise_and_outliers() {
         [(5.0, 0.0, 0.03), (20.0, 0.0, 0.03), (100.0, 0.0, 0.035), (20.0, 0.05, 0.04), (100.0, 0.05, 0.1)]
     {
         // Now and then two outliers come together, and cost a few millimetres.
-        let p99s = (0..10).map(|seed| {
+        let p99s = (0..20).map(|seed| {
             let mut sensor = noisy(seed, 0.02, outliers);
             let mut rig = Rig::new(&wavy, &resting, &mut sensor);
             quantile(rig.run(300.0, speed), 0.99)

@@ -50,7 +50,7 @@ pub fn fault_rows(machine: &Machine) -> Result<Vec<Row>, Error> {
                 None => LENGTH - THERE - BRAKING,
             };
             let what = |w: &str| format!("{speed} mm/s, {name}: {w}");
-            let most = plain.most_mm.max(1.0) + SLACK;
+            let most = (1e3 * (plain.most_mm.max(1.0) + SLACK)).round() / 1e3;
             rows.push(row(what("greatest miss"), tracked.most_mm, most, "mm"));
             rows.push(row(what("first alarm, after"), after(tracked.alarm_mm), until, "mm"));
             rows.push(row(what("at rest, after"), after(tracked.stopped_mm), until + BRAKING, "mm"));

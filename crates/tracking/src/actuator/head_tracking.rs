@@ -94,11 +94,12 @@ impl HeadTracking {
         self.tracker.advance(now, now.s_mm + way);
         self.watch_slide(&now);
         let estimate = self.tracker.at(now.s_mm);
+        // A stuck slide's set-points come to rest, within its limits.
         if !self.stuck {
             self.aim(&now, speed, &settings);
-            let orders = [self.slides[0].step(self.target.x), self.slides[1].step(self.target.y)];
-            self.ordered = DVec2::from_array(orders);
         }
+        let orders = [self.slides[0].step(self.target.x), self.slides[1].step(self.target.y)];
+        self.ordered = DVec2::from_array(orders);
         let (pace, alarm) = self.judge(&now, speed, &estimate);
         Orders { slide: self.ordered, pace, alarm, estimate }
     }

@@ -6,8 +6,8 @@ use std::ops::Range;
 
 /// Cells to a lead.
 pub(super) const CELLS: f64 = 64.0;
-/// Leads that are remembered: one ahead of the torch, one behind it to go back over, and what is seen beyond.
-const LEADS: f64 = 2.5;
+/// Leads that are remembered: one ahead of the torch, the others behind it, to go back over.
+const LEADS: f64 = 4.0;
 /// Jumps of the seam that are remembered.
 const BREAKS: usize = 4;
 /// Measurements to each side that are enough for a place, and fewest without which it is looked for further away.

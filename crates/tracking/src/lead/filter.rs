@@ -40,9 +40,11 @@ impl Filter {
         (measured - self.value).abs().max_element() / (self.variance[0] + r).sqrt()
     }
 
-    /// With a measurement of variance `r` taken at its place.
+    /// With a measurement of variance `r` taken at its place. One that is off by more than two standard deviations counts as
+    /// if two were its error: an outlier that passes the gate must not lead the slope astray.
     pub(super) fn updated(&self, measured: DVec2, r: f64) -> Self {
         let [vv, vs, ss] = self.variance;
+        let r = r.max(0.25 * (measured - self.value).abs().max_element().powi(2));
         let s = vv + r;
         let (gain, gain_slope) = (vv / s, vs / s);
         let off = measured - self.value;
@@ -72,7 +74,7 @@ mod tests {
         for i in 1..40 {
             let s = 0.7 * f64::from(i) + (2.1 * f64::from(i)).sin() * 0.2;
             let m = DVec2::new(0.3 - 0.02 * s + 0.05 * (5.0 * s).sin(), 0.1 * (3.0 * s).cos());
-            let r = 0.01 * (1.5 + (1.3 * s).sin());
+            let r = 0.1 * (1.5 + (1.3 * s).sin());
             filter = filter.predicted(s, 0.0, &STILL).updated(m, r);
             let basis = Vector2::new(1.0, s);
             normal += basis * basis.transpose() / r;

@@ -6,9 +6,9 @@ pub(super) struct Ring<T> {
 }
 
 impl<T: Copy> Ring<T> {
-    /// `len` cells, at least one.
+    /// At least `len` cells: a power of two.
     pub(super) fn new(len: usize) -> Self {
-        Self { slots: vec![None; len.max(1)] }
+        Self { slots: vec![None; len.next_power_of_two()] }
     }
 
     pub(super) fn len(&self) -> i64 {
@@ -31,7 +31,7 @@ impl<T: Copy> Ring<T> {
     }
 
     fn slot(&self, i: i64) -> usize {
-        i.rem_euclid(self.len()) as usize
+        (i & (self.len() - 1)) as usize
     }
 }
 
