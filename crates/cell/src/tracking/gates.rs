@@ -71,9 +71,9 @@ pub fn weld_count(seeds: u64) -> u64 {
 }
 
 fn merge(rows: &mut Vec<GateRow>, scenario: &Scenario, limit_mm: f64, welds: &[Vec<Outcome>; 4]) {
-    for head in 0..scenario.heads.len() {
-        let p99_mm = [0, 1, 2, 3].map(|method: usize| welds[method][head].p99_mm);
-        let used = welds[3][head].used.into_iter().fold(0.0, f64::max);
+    for (head, tracked) in welds[3].iter().enumerate() {
+        let p99_mm = welds.each_ref().map(|outcomes| outcomes[head].p99_mm);
+        let used = tracked.used.into_iter().fold(0.0, f64::max);
         match rows.get_mut(head) {
             Some(row) => {
                 row.p99_mm = [0, 1, 2, 3].map(|method: usize| row.p99_mm[method].max(p99_mm[method]));

@@ -84,7 +84,7 @@ pub fn run(scenario: &Scenario, machine: &Machine, method: Method, seed: u64) ->
 /// What sends the slides.
 enum Follower {
     None,
-    Samples { buffer: SampleBuffer, slides: [Slide; 2], own: OwnCurve },
+    Samples { buffer: SampleBuffer, slides: Box<[Slide; 2]>, own: OwnCurve },
     Tracking(Box<HeadTracking>),
 }
 
@@ -128,7 +128,7 @@ impl<'a> Head<'a> {
             Method::Tracked => Follower::Tracking(Box::new(HeadTracking::new(settings, own(), limits)?)),
             Method::OneStep | Method::Subdivided => {
                 let [x, y] = limits.map(|l| Slide::new(l, cycle_s));
-                let slides = [x?, y?];
+                let slides = Box::new([x?, y?]);
                 let parts = if method == Method::OneStep { 1 } else { (model.period_s / cycle_s).round() as u32 };
                 // The paper matches lead and speed: what sensor and slide are late by is matched too.
                 let late = model.latency_s + slides[0].lag_s() + model.period_s * if parts == 1 { 0.5 } else { 1.0 };
