@@ -113,8 +113,8 @@ fn the_slide_is_in_nothing() {
     }
 }
 
-/// With noise the estimate is better than a measurement, with outliers nearly as good, at any speed; and what it says of
-/// itself is true.
+/// With noise the estimate is better than a measurement, with outliers nearly as good, at any speed; and what it says
+/// of itself is true.
 #[test]
 fn noise_and_outliers() {
     for (speed, outliers, limit) in
@@ -395,7 +395,8 @@ fn a_fast_sine() {
     assert!(taken > 0.98, "{taken}");
 }
 
-/// A sensor that has gone wild is not followed anywhere: what it measures counts from the slide, and could lead it away.
+/// A sensor that has gone wild is not followed anywhere: what it measures counts from the slide, and could lead it
+/// away.
 #[test]
 fn a_wild_sensor() {
     for (seed, speed) in (0..20).flat_map(|seed| [(seed, 20.0), (seed, 100.0)]) {

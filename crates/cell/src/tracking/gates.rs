@@ -1,4 +1,5 @@
-//! Tracking measured on simulated welds: rows of a table, each head against its limit, beside the papers' algorithms and none.
+//! Tracking measured on simulated welds: rows of a table, each head against its limit, beside the papers' algorithms
+//! and none.
 
 use super::Error;
 use super::scenario::opposite;

@@ -52,8 +52,8 @@ pub struct Outcome {
     pub places: Vec<(f64, DVec2, DVec2)>,
 }
 
-/// Welds a scenario on the drives of `machine`'s cross slides, its first head with the first scene. The same seed gives the
-/// same weld.
+/// Welds a scenario on the drives of `machine`'s cross slides, its first head with the first scene. The same seed gives
+/// the same weld.
 ///
 /// # Errors
 /// [`Error::Cell`] for drives that are none, [`Error::Settings`] for settings that cannot work, as a lead too short.

@@ -35,8 +35,8 @@ impl Seam {
         Self { length_mm, frame: Box::new(frame) }
     }
 
-    /// Of a torch's path, its frame every half millimetre: height is against the torch's direction, square to the way. A closed
-    /// one goes round; beyond the ends of another it goes on straight.
+    /// Of a torch's path, its frame every half millimetre: height is against the torch's direction, square to the way.
+    /// A closed one goes round; beyond the ends of another it goes on straight.
     #[must_use]
     pub fn along(path: &dyn TorchPath) -> Self {
         const STEP_MM: f64 = 0.5;

@@ -23,8 +23,8 @@ fn row(what: String, value: f64, limit: f64, unit: &'static str) -> Row {
     Row { what, value, limit, unit }
 }
 
-/// Sensors and slides that fail half-way, at both speeds: how far the weld strays at most, against what it would without any
-/// correction or 1 mm, where the alarm comes, and where the torch has been stopped.
+/// Sensors and slides that fail half-way, at both speeds: how far the weld strays at most, against what it would
+/// without any correction or 1 mm, where the alarm comes, and where the torch has been stopped.
 ///
 /// # Errors
 /// Those of [`run`].

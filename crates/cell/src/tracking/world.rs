@@ -41,8 +41,8 @@ impl World<'_> {
         self.placement.about + self.placement.turn * (bent - self.placement.about) + self.placement.shift
     }
 
-    /// Where the seam goes through the plane square to the torch's way, `ahead` mm before the torch at `s`, from the taught
-    /// torch: lateral and height, mm; and the path length there. None where it does not within reach.
+    /// Where the seam goes through the plane square to the torch's way, `ahead` mm before the torch at `s`, from the
+    /// taught torch: lateral and height, mm; and the path length there. None where it does not within reach.
     #[must_use]
     pub fn crossing(&self, s: f64, ahead: f64, pool: f64) -> Option<(DVec2, f64)> {
         let frame = (self.taught)(s);

@@ -12,8 +12,8 @@ pub(crate) struct BenchArgs {
 pub(crate) enum BenchVerb {
     /// Finding joints in simulated frames and stripes whose truth is known: each gate, its value and its limit
     Vision(BenchVisionArgs),
-    /// Tracking simulated seams while they are welded: how far each weld is from its seam, beside the papers' algorithms and
-    /// without tracking
+    /// Tracking simulated seams while they are welded: how far each weld is from its seam, beside the papers'
+    /// algorithms and without tracking
     Tracking(BenchTrackingArgs),
 }
 

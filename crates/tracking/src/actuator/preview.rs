@@ -3,14 +3,16 @@ use glam::DVec2;
 /// Places looked at to each side.
 const PLACES: i32 = 10;
 
-/// What goes through a jump is late by its acceleration: steeper curves than it can follow, begun later, end earlier. Measured:
-/// with 1 twice the error, with 0.7 three times.
+/// What goes through a jump is late by its acceleration: steeper curves than it can follow, begun later, end earlier.
+/// Measured: with 1 twice the error, with 0.7 three times.
 const STEEP: f64 = 1.5;
 
-/// Where a slide that cannot jump should be now, if it is to be nowhere farther from `target` (by time from now, s) than it must
-/// be: it begins early. Of all curves no steeper than a limit this one's greatest error within `horizon_s` to both sides is the
-/// least; it is the mean of the highest and the lowest (McShane's extensions). The limit is `speed`, and no more than
-/// [`STEEP`] times what `acceleration` reaches over the range of the target there: so what can be followed is left as it is.
+/// Where a slide that cannot jump should be now, if it is to be nowhere farther from `target` (by time from now, s)
+/// than it must be: it begins early. Of all curves no steeper than a limit this one's greatest error within `horizon_s`
+/// to both sides is the least; it is the mean of the highest and the lowest (McShane's extensions). The limit is
+/// `speed`, and no more than
+/// [`STEEP`] times what `acceleration` reaches over the range of the target there: so what can be followed is left as
+/// it is.
 pub(super) fn softened(target: impl Fn(f64) -> DVec2, horizon_s: f64, speed: DVec2, acceleration: DVec2) -> DVec2 {
     let times: [f64; 2 * PLACES as usize + 1] =
         std::array::from_fn(|i| horizon_s * f64::from(i as i32 - PLACES) / f64::from(PLACES));

@@ -12,11 +12,12 @@ const CATCH_UP: f64 = 0.9;
 /// Speed that set-points keep from their limit, as a part of it: rounding.
 const ROUNDING: f64 = 1.0 - 1e-9;
 
-/// One axis of a cross slide: set-points that follow a target within the limits of stroke, speed, acceleration and jerk.
+/// One axis of a cross slide: set-points that follow a target within the limits of stroke, speed, acceleration and
+/// jerk.
 ///
-/// A target within them is followed exactly, [`Self::lag_s`] late. One that is not is caught up with as fast as the limits allow.
-/// The point that follows keeps speed and acceleration; a mean of its last places has no more of either, and its jerk is
-/// at most twice that acceleration by the length of the mean.
+/// A target within them is followed exactly, [`Self::lag_s`] late. One that is not is caught up with as fast as the
+/// limits allow. The point that follows keeps speed and acceleration; a mean of its last places has no more of either,
+/// and its jerk is at most twice that acceleration by the length of the mean.
 #[derive(Debug, Clone)]
 pub struct Slide {
     limits: SlideLimits,

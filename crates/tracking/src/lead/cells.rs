@@ -13,8 +13,8 @@ const BREAKS: usize = 4;
 /// Measurements to each side that are enough for a place, and fewest without which it is looked for further away.
 const ENOUGH: u32 = 6;
 const FEWEST: u32 = 3;
-/// Second derivative of a seam against the taught path, one standard deviation, 1/mm: where it was seen, over a gap, and that of
-/// a line.
+/// Second derivative of a seam against the taught path, one standard deviation, 1/mm: where it was seen, over a gap,
+/// and that of a line.
 pub(super) const BENT: f64 = 0.1;
 const BRIDGED: f64 = 0.005;
 pub(super) const STRAIGHT: f64 = 1e-4;
@@ -111,8 +111,8 @@ impl Cells {
         self.breaks.iter().any(|at| (a < *at) != (b < *at) && at.is_finite())
     }
 
-    /// What lies behind (-1) or ahead (1) of the beginning of cell `i`, without crossing a jump: enough of it within the usual
-    /// reach, or the next that there is.
+    /// What lies behind (-1) or ahead (1) of the beginning of cell `i`, without crossing a jump: enough of it within
+    /// the usual reach, or the next that there is.
     fn side(&self, i: i64, sense: i64, reach: i64) -> Side {
         let s = i as f64 * self.cell_mm;
         let (mut least, mut count, mut gap) = (reach / 4, 0, false);
@@ -138,7 +138,8 @@ impl Cells {
         Side { cells: self.ring.len(), count, gap, ends: true }
     }
 
-    /// The joint at the beginning of cell `i`. None if nothing is known ahead of it yet, or, unless it is `urgent`, too little.
+    /// The joint at the beginning of cell `i`. None if nothing is known ahead of it yet, or, unless it is `urgent`, too
+    /// little.
     pub(super) fn local(&self, i: i64, reach: i64, urgent: bool) -> Option<Local> {
         let front = self.front?;
         let [behind, ahead] = [-1, 1].map(|sense| self.side(i, sense, reach));

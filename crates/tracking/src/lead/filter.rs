@@ -1,8 +1,8 @@
 use glam::DVec2;
 
-/// Kalman filter of the deviation and its slope by path length, \[d, d'\], lateral and height at once: the slope walks at random
-/// with `wander` (1/mm), what was seen changes with time by `drift` (mm^2/s). Both directions have the same variances,
-/// because one measurement has one confidence.
+/// Kalman filter of the deviation and its slope by path length, \[d, d'\], lateral and height at once: the slope walks
+/// at random with `wander` (1/mm), what was seen changes with time by `drift` (mm^2/s). Both directions have the same
+/// variances, because one measurement has one confidence.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Filter {
     pub(super) s: f64,
@@ -40,8 +40,8 @@ impl Filter {
         (measured - self.value).abs().max_element() / (self.variance[0] + r).sqrt()
     }
 
-    /// With a measurement of variance `r` taken at its place. One that is off by more than two standard deviations counts as
-    /// if two were its error: an outlier that passes the gate must not lead the slope astray.
+    /// With a measurement of variance `r` taken at its place. One that is off by more than two standard deviations
+    /// counts as if two were its error: an outlier that passes the gate must not lead the slope astray.
     pub(super) fn updated(&self, measured: DVec2, r: f64) -> Self {
         let [vv, vs, ss] = self.variance;
         let r = r.max(0.25 * (measured - self.value).abs().max_element().powi(2));

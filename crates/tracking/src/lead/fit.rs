@@ -29,8 +29,8 @@ pub(super) struct Fit {
 }
 
 /// The parabola around `s` through what was seen, weighted by nearness within `reach` mm and by Huber's function of
-/// the residual. Its second derivative is `bend` (1/mm) before anything is seen, one standard deviation: with hardly any it is a
-/// line. None if nothing was seen.
+/// the residual. Its second derivative is `bend` (1/mm) before anything is seen, one standard deviation: with hardly
+/// any it is a line. None if nothing was seen.
 pub(super) fn parabola<'a>(
     s: f64,
     reach: f64,
@@ -78,7 +78,8 @@ mod tests {
         (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
     }
 
-    /// Through points of a parabola goes that parabola, wherever it is asked for, but for the little that the prior pulls.
+    /// Through points of a parabola goes that parabola, wherever it is asked for, but for the little that the prior
+    /// pulls.
     #[test]
     fn parabolas_are_met() {
         let mut random = Pcg64Mcg::seed_from_u64(1);

@@ -1,9 +1,10 @@
 //! Where the seam is, from a sensor that leads the torch.
 //!
-//! What the sensor measures at exposure is put together with where torch and slide were then, so the deviation of the seam
-//! is known *absolutely*, by path length: `d(s + L) = measured + slide - own curve`. Nothing is summed up, so nothing drifts, and
-//! speed changes, holds and going back change nothing. A gate and a Kalman filter at the sensor sort out what cannot be; what
-//! passes is kept by path length until the torch is there, and smoothed from both sides, so without lag.
+//! What the sensor measures at exposure is put together with where torch and slide were then, so the deviation of the
+//! seam is known *absolutely*, by path length: `d(s + L) = measured + slide - own curve`. Nothing is summed up, so
+//! nothing drifts, and speed changes, holds and going back change nothing. A gate and a Kalman filter at the sensor
+//! sort out what cannot be; what passes is kept by path length until the torch is there, and smoothed from both sides,
+//! so without lag.
 //!
 //! [`Tracker`] is that. [`SampleBuffer`] is the algorithm of DUALBEAM-2013, to compare with.
 

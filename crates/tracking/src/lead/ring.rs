@@ -1,5 +1,5 @@
-/// Values by place: a window on cells counted along the seam. A slot serves every `len`-th cell and keeps the one that was
-/// written last, so the memory is bounded, and going back along the seam needs nothing special.
+/// Values by place: a window on cells counted along the seam. A slot serves every `len`-th cell and keeps the one that
+/// was written last, so the memory is bounded, and going back along the seam needs nothing special.
 #[derive(Debug, Clone)]
 pub(super) struct Ring<T> {
     slots: Vec<Option<(i64, T)>>,

@@ -4,8 +4,8 @@ use std::collections::VecDeque;
 /// The algorithm of DUALBEAM-2013, to compare with: sample i + n, taken while the slide stood at xi_i, gives
 /// xi_{i+n} = measured + xi_i, and n samples later the slide goes there.
 ///
-/// It counts samples, so lead and speed must match (L = n v dt), and what is late, missing or wrong goes straight to the
-/// slide. At high speed the paper divides each step into parts; with one part the slide steps once a sample.
+/// It counts samples, so lead and speed must match (L = n v dt), and what is late, missing or wrong goes straight to
+/// the slide. At high speed the paper divides each step into parts; with one part the slide steps once a sample.
 #[derive(Debug, Clone)]
 pub struct SampleBuffer {
     /// xi of the samples to come, the next one first.
@@ -46,7 +46,8 @@ impl SampleBuffer {
 mod tests {
     use super::*;
 
-    /// With a slide that is where it is told to be, and lead and speed that match, a seam is followed exactly, sample by sample.
+    /// With a slide that is where it is told to be, and lead and speed that match, a seam is followed exactly, sample
+    /// by sample.
     #[test]
     fn an_ideal_slide_follows() {
         let seam = |s: f64| DVec2::new((0.05 * s).sin(), 0.01 * s);

@@ -1,8 +1,8 @@
 use super::Error;
 use glam::DVec2;
 
-/// Part of the lead within which the joint is smoothed to each side of a place: so much of it must lie between the place
-/// and what was seen last.
+/// Part of the lead within which the joint is smoothed to each side of a place: so much of it must lie between the
+/// place and what was seen last.
 pub(super) const REACH: f64 = 0.25;
 
 /// How a leading sensor is followed.
@@ -16,8 +16,8 @@ pub struct Settings {
     pub cycle_s: f64,
     /// Time between exposures, s.
     pub period_s: f64,
-    /// Least and greatest time from an exposure to the arrival of what was measured, s. Older or younger ones are refused: a
-    /// clock is wrong.
+    /// Least and greatest time from an exposure to the arrival of what was measured, s. Older or younger ones are
+    /// refused: a clock is wrong.
     pub age_s: [f64; 2],
     /// How long before the torch is at a place its deviation must be known: what the actuator needs, s.
     pub notice_s: f64,
@@ -68,7 +68,8 @@ impl Settings {
     }
 
     /// # Errors
-    /// [`Error::Value`] for a value that cannot be; [`Error::LeadTooShort`] if what the sensor sees would be known too late.
+    /// [`Error::Value`] for a value that cannot be; [`Error::LeadTooShort`] if what the sensor sees would be known too
+    /// late.
     pub fn check(&self) -> Result<(), Error> {
         let positive = [
             ("lead_mm", self.lead_mm),

@@ -20,8 +20,8 @@ const REACH_CELLS: i64 = (REACH * CELLS) as i64;
 
 /// The deviation of the seam from the taught path, by path length, from a sensor that leads the torch.
 ///
-/// Every cycle [`Self::advance`] is told where torch and slide are; [`Self::take`] whenever a measurement arrives, in any
-/// order. [`Self::at`] tells the deviation. Its memory is bounded by the lead; no call allocates.
+/// Every cycle [`Self::advance`] is told where torch and slide are; [`Self::take`] whenever a measurement arrives, in
+/// any order. [`Self::at`] tells the deviation. Its memory is bounded by the lead; no call allocates.
 #[derive(Debug, Clone)]
 pub struct Tracker {
     settings: Settings,
@@ -148,7 +148,8 @@ impl Tracker {
         }
     }
 
-    /// The greatest deviation and the greatest slope of it, each to either side, between `s_mm` and where the sensor is.
+    /// The greatest deviation and the greatest slope of it, each to either side, between `s_mm` and where the sensor
+    /// is.
     #[must_use]
     pub fn ahead(&self, s_mm: f64) -> Ahead {
         let from = self.cells.index(s_mm);
@@ -201,7 +202,8 @@ impl Tracker {
         self.cursor = from.map(|cursor| cursor.min(near));
     }
 
-    /// The estimate begins anew with these: the seam jumps there, or what was expected had been led astray by an outlier.
+    /// The estimate begins anew with these: the seam jumps there, or what was expected had been led astray by an
+    /// outlier.
     fn begin_with(&mut self, three: &[Seen; IN_A_ROW]) {
         let Some(front) = self.cells.front() else { return };
         let Seen { s, value, .. } = three[0];
