@@ -2,10 +2,10 @@
 //! `cargo run --release -p seamwright-cell --example stripe_gates CASES FIRST_SEED [KIND LEVEL]`.
 
 #![allow(missing_docs)]
-use seamwright_cell::eyes::gates::Limit;
 use seamwright_cell::eyes::stripe::{
     Section, StripeDisturbances, confident_nowhere, stripe_gates, stripe_scene, stripe_task,
 };
+use seamwright_cell::gate::Limit;
 use seamwright_vision::stripe::{JointKind, Quantity, StripeReader};
 
 fn main() {

@@ -11,10 +11,12 @@ mod drives;
 mod error;
 pub mod eyes;
 pub mod frames;
+pub mod gate;
 mod sample;
 mod simulate;
 mod summary;
 pub mod teach;
+pub mod tracking;
 
 pub use drives::{check_drives, tune_axis};
 pub use error::Error;

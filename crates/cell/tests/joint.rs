@@ -1,6 +1,7 @@
 //! What the follower keeps on simulated frames: the gates of `bench vision`.
 
-use seamwright_cell::eyes::gates::{Gate, Limit, joint_gates};
+use seamwright_cell::eyes::gates::joint_gates;
+use seamwright_cell::gate::{Gate, Limit};
 
 /// Frames a kind: 50, or 1000 with SEAMWRIGHT_SOAK=20.
 fn frames() -> u64 {

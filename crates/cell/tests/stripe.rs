@@ -3,11 +3,11 @@
 use glam::DVec2;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
-use seamwright_cell::eyes::gates::{Gate, Limit};
 use seamwright_cell::eyes::stripe::{
     Placement, Section, StripeDisturbances, StripeImage, StripeScene, confident_nowhere, stripe_gates, stripe_scene,
     stripe_task,
 };
+use seamwright_cell::gate::{Gate, Limit};
 use seamwright_machine::{Machine, Sight, StripeSensor, shipped};
 use seamwright_vision::Image;
 use seamwright_vision::stripe::{JointKind, Quantity, StripeReader, StripeTask};

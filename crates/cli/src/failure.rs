@@ -94,6 +94,12 @@ impl From<seamwright_cell::Error> for Failure {
     }
 }
 
+impl From<seamwright_cell::tracking::Error> for Failure {
+    fn from(e: seamwright_cell::tracking::Error) -> Self {
+        Self::Input(e.to_string())
+    }
+}
+
 impl From<seamwright_record::Error> for Failure {
     fn from(e: seamwright_record::Error) -> Self {
         Self::Environment(e.to_string())

@@ -1,6 +1,7 @@
 //! The follower measured on simulated frames: rows of a table, each with what it may be at most or at least.
 
 use super::scene::{Kind, Scene, scene};
+use crate::gate::{Gate, Limit, Table};
 use glam::DVec2;
 use seamwright_vision::joint::{CONFIDENT, End, Follower, Options, State};
 use std::ops::Range;
@@ -9,50 +10,6 @@ use std::ops::Range;
 const SIZE: usize = 512;
 /// A midline farther off than this is wrong, pixels.
 const WRONG: f64 = 2.0;
-
-/// A table of gates.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Table {
-    /// What it is about.
-    pub title: String,
-    /// Its rows.
-    pub rows: Vec<Gate>,
-}
-
-/// A measured value and its limit.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Gate {
-    /// Which frames.
-    pub frames: String,
-    /// What is measured.
-    pub what: &'static str,
-    /// The measured value.
-    pub value: f64,
-    /// What it may be.
-    pub limit: Limit,
-    /// Unit of both.
-    pub unit: &'static str,
-}
-
-/// What a value may be.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Limit {
-    /// No more than this.
-    Most(f64),
-    /// No less than this.
-    Least(f64),
-}
-
-impl Gate {
-    /// True if the value is within its limit.
-    #[must_use]
-    pub fn is_kept(&self) -> bool {
-        match self.limit {
-            Limit::Most(limit) => self.value <= limit,
-            Limit::Least(limit) => self.value >= limit,
-        }
-    }
-}
 
 /// What the follower did on one frame.
 #[derive(Debug, Clone, PartialEq)]

@@ -12,6 +12,21 @@ pub(crate) struct BenchArgs {
 pub(crate) enum BenchVerb {
     /// Finding joints in simulated frames and stripes whose truth is known: each gate, its value and its limit
     Vision(BenchVisionArgs),
+    /// Tracking simulated seams while they are welded: how far each weld is from its seam, beside the papers'
+    /// algorithms and without tracking
+    Tracking(BenchTrackingArgs),
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright bench tracking --seeds 10 > tracking.md
+Welds are the same for the same number. Gates that are not kept are marked; they do not change the exit code.")]
+pub(crate) struct BenchTrackingArgs {
+    /// Welds of each kind; the worst counts
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u64).range(1..=1000))]
+    pub(crate) seeds: u64,
+    /// JSON instead of markdown
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 #[derive(Debug, Args)]

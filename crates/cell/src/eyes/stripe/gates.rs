@@ -1,8 +1,8 @@
 //! What reading stripes must hold, measured on simulated ones whose truth is known.
 
 use super::{Placement, Section, StripeDisturbances, StripeImage, StripeScene};
-use crate::eyes::gates::{Gate, Limit, Table};
 use crate::eyes::random::Random;
+use crate::gate::{Gate, Limit, Table};
 use glam::DVec2;
 use seamwright_vision::Image;
 use seamwright_vision::stripe::{Features, JointKind, NoFeatures, Quantity, StripeReader, StripeTask};

@@ -1,18 +1,22 @@
 //! This build on its own gates.
 
+mod tracking;
+
 use crate::args::bench::{BenchArgs, BenchVerb, BenchVisionArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::rows::{print_json, print_text};
-use seamwright_cell::eyes::gates::{Gate, Limit, joint_gates};
+use seamwright_cell::eyes::gates::joint_gates;
 use seamwright_cell::eyes::scene::Kind;
 use seamwright_cell::eyes::stripe::{STEPS_A_SEED, stripe_gates};
+use seamwright_cell::gate::{Gate, Limit};
 use serde::Serialize;
 use std::fmt::Write as _;
 
 pub(crate) fn run(args: &BenchArgs) -> Result<(), Failure> {
     match &args.verb {
         BenchVerb::Vision(args) => vision(args),
+        BenchVerb::Tracking(args) => tracking::run(args),
     }
 }
 
@@ -54,8 +58,7 @@ fn vision(args: &BenchVisionArgs) -> Result<(), Failure> {
     let follower = joint_gates(0..frames, |_, _, _| progress.all(1));
     let stripes = stripe_gates(0..frames, || progress.all(1));
     drop(progress);
-    let tables = [follower, stripes]
-        .map(|table| Table { title: table.title.clone(), rows: table.rows.iter().map(Line::from).collect() });
+    let tables = [follower, stripes].map(|table| Table::new(&table.title, &table.rows));
     if args.json {
         return print_json(&serde_json::json!({ "frames": frames, "tables": tables }));
     }
@@ -63,6 +66,10 @@ fn vision(args: &BenchVisionArgs) -> Result<(), Failure> {
 }
 
 impl Table {
+    fn new(title: &str, rows: &[Gate]) -> Self {
+        Self { title: title.to_owned(), rows: rows.iter().map(Line::from).collect() }
+    }
+
     fn markdown(&self) -> String {
         let mut text = format!("## {}\n\n| what | value | limit | kept |\n|---|---:|---:|---|\n", self.title);
         for row in &self.rows {

@@ -1,0 +1,153 @@
+use super::world::Placement;
+use super::{Displacement, Leg, SensorModel};
+use glam::{DVec2, DVec3};
+use seamwright_program::TorchPath;
+use seamwright_tracking::lead::SeamFrame;
+
+/// A taught seam: the torch's frame by path length, some way beyond both ends too.
+pub struct Seam {
+    /// mm.
+    pub length_mm: f64,
+    /// By path length.
+    pub frame: Box<dyn Fn(f64) -> SeamFrame + Send + Sync>,
+}
+
+impl Seam {
+    /// Along x; lateral is y, height z.
+    #[must_use]
+    pub fn straight(length_mm: f64) -> Self {
+        let frame = |s: f64| SeamFrame { point: DVec3::X * s, along: DVec3::X, lateral: DVec3::Y, height: DVec3::Z };
+        Self { length_mm, frame: Box::new(frame) }
+    }
+
+    /// An arc in the plane of lateral (y, towards the centre) or of height (z, `upright`), of `radius_mm`.
+    #[must_use]
+    pub fn arc(length_mm: f64, radius_mm: f64, upright: bool) -> Self {
+        let (side, other) = if upright { (DVec3::Z, DVec3::NEG_Y) } else { (DVec3::Y, DVec3::Z) };
+        let frame = move |s: f64| {
+            let (sin, cos) = (s / radius_mm).sin_cos();
+            let along = DVec3::X * cos + side * sin;
+            let inwards = side * cos - DVec3::X * sin;
+            let point = radius_mm * (sin * DVec3::X + (1.0 - cos) * side);
+            let (lateral, height) = if upright { (-other, inwards) } else { (inwards, other) };
+            SeamFrame { point, along, lateral, height }
+        };
+        Self { length_mm, frame: Box::new(frame) }
+    }
+
+    /// Of a torch's path, its frame every half millimetre: height is against the torch's direction, square to the way.
+    /// A closed one goes round; beyond the ends of another it goes on straight.
+    #[must_use]
+    pub fn along(path: &dyn TorchPath) -> Self {
+        const STEP_MM: f64 = 0.5;
+        let length_mm = path.length();
+        let count = (length_mm / STEP_MM).ceil().clamp(2.0, 1e6);
+        let frame = |i: u32| {
+            let s = length_mm * f64::from(i) / count;
+            let (pose, along) = (path.pose(s), path.tangent(s));
+            let up = -pose.direction;
+            let height = (up - up.dot(along) * along).normalize_or(along.any_orthonormal_vector());
+            SeamFrame { point: pose.point, along, lateral: height.cross(along), height }
+        };
+        let frames: Vec<SeamFrame> = (0..=count as u32).map(frame).collect();
+        let (first, last) = (frames[0], frames[frames.len() - 1]);
+        let closed = first.point.distance(last.point) < 1e-3 && first.along.dot(last.along) > 0.999;
+        let at = move |s: f64| {
+            let s = if closed { s.rem_euclid(length_mm) } else { s };
+            let place = s / length_mm * count;
+            let i = (place.max(0.0) as usize).min(frames.len() - 2);
+            between(&frames[i], &frames[i + 1], place - i as f64, length_mm / count)
+        };
+        Self { length_mm, frame: Box::new(at) }
+    }
+}
+
+/// Between two frames `step` mm apart, by Hermite's cubic; beyond them straight on.
+fn between(a: &SeamFrame, b: &SeamFrame, part: f64, step: f64) -> SeamFrame {
+    if !(0.0..=1.0).contains(&part) {
+        let (end, way) = if part < 0.0 { (a, part) } else { (b, part - 1.0) };
+        return SeamFrame { point: end.point + way * step * end.along, ..*end };
+    }
+    let (p, q) = (part, 1.0 - part);
+    let point = q * q * (1.0 + 2.0 * p) * a.point
+        + p * p * (1.0 + 2.0 * q) * b.point
+        + step * p * q * (q * a.along - p * b.along);
+    let along = a.along.lerp(b.along, p).normalize_or(a.along);
+    let up = a.height.lerp(b.height, p);
+    let height = (up - up.dot(along) * along).normalize_or(a.height);
+    SeamFrame { point, along, lateral: height.cross(along), height }
+}
+
+/// One head in a scenario.
+pub struct HeadScene {
+    /// What it was taught.
+    pub seam: Seam,
+    /// Where its seam is.
+    pub displacement: Displacement,
+    /// How its part is placed.
+    pub placement: Placement,
+    /// Its sensor.
+    pub sensor: SensorModel,
+    /// The place of the torch from which its slide does not move any more, mm.
+    pub stuck_mm: Option<f64>,
+}
+
+impl HeadScene {
+    /// On a straight seam, with the usual sensor 20 mm ahead.
+    #[must_use]
+    pub fn straight(length_mm: f64, displacement: Displacement) -> Self {
+        Self::on(Seam::straight(length_mm), displacement)
+    }
+
+    /// On a seam, with the usual sensor 20 mm ahead.
+    #[must_use]
+    pub fn on(seam: Seam, displacement: Displacement) -> Self {
+        let sensor = SensorModel::usual(20.0);
+        Self { seam, displacement, placement: Placement::RIGHT, sensor, stuck_mm: None }
+    }
+}
+
+/// A weld to be tracked.
+pub struct Scenario {
+    /// In words.
+    pub name: String,
+    /// The fastest, and what the papers' buffers are matched to, mm/s.
+    pub speed_mm_s: f64,
+    /// The torch's way; it begins a lead before the seam.
+    pub legs: Vec<Leg>,
+    /// One head or two.
+    pub heads: Vec<HeadScene>,
+}
+
+impl Scenario {
+    /// From end to end at one speed.
+    #[must_use]
+    pub fn steady(name: &str, speed_mm_s: f64, heads: Vec<HeadScene>) -> Self {
+        let length = heads.iter().map(|h| h.seam.length_mm).fold(f64::INFINITY, f64::min);
+        Self { name: name.to_owned(), speed_mm_s, legs: vec![Leg::To(length, speed_mm_s)], heads }
+    }
+}
+
+/// Both heads on seams that are bent in opposite ways.
+pub(super) fn opposite(displacement: &Displacement) -> [Displacement; 2] {
+    let mirrored = displacement.parts.iter().map(|part| part.scaled(DVec2::new(-1.0, 0.7))).collect();
+    [displacement.clone(), Displacement { parts: mirrored, tacks: displacement.tacks.clone() }]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frames_are_right_handed_and_along_is_the_way() {
+        for seam in [Seam::straight(100.0), Seam::arc(100.0, 300.0, false), Seam::arc(100.0, 300.0, true)] {
+            for i in -20..120 {
+                let s = f64::from(i);
+                let frame = (seam.frame)(s);
+                assert!(frame.along.cross(frame.lateral).distance(frame.height) < 1e-12);
+                let way = ((seam.frame)(s + 1e-5).point - (seam.frame)(s - 1e-5).point) / 2e-5;
+                assert!(way.distance(frame.along) < 1e-8, "{way} {}", frame.along);
+            }
+        }
+    }
+}

@@ -1,0 +1,134 @@
+use super::World;
+use crate::disturbance::uniform;
+use glam::DVec2;
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::{Rng, SeedableRng};
+use seamwright_tracking::lead::Measurement;
+use std::collections::VecDeque;
+
+/// What goes wrong with a sensor, from a place of the torch on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Fault {
+    /// Nothing comes any more.
+    Silent,
+    /// The same value comes again and again.
+    Frozen,
+    /// Anything comes.
+    Wild,
+    /// Everything comes so much later, s.
+    Late(f64),
+    /// Its clock jumps by so much, s.
+    ClockStep(f64),
+}
+
+/// How a leading sensor sees.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SensorModel {
+    /// By how much it leads, mm.
+    pub lead_mm: f64,
+    /// From exposure to exposure, s.
+    pub period_s: f64,
+    /// From exposure to arrival, s.
+    pub latency_s: f64,
+    /// By how much arrivals, and exposures, come sooner or later, at most, as a part of the period.
+    pub jitter: f64,
+    /// Standard deviation, mm.
+    pub noise_mm: f64,
+    /// Part of all measurements that is anything within 3 mm, with full confidence.
+    pub outliers: f64,
+    /// Half of what it sees, mm.
+    pub field_mm: f64,
+    /// What goes wrong, and from which place of the torch on, mm.
+    pub fault: Option<(f64, Fault)>,
+}
+
+impl SensorModel {
+    /// 100 exposures a second, 15 ms late, 0.02 mm of noise.
+    #[must_use]
+    pub const fn usual(lead_mm: f64) -> Self {
+        let (period_s, latency_s, noise_mm) = (0.01, 0.015, 0.02);
+        Self { lead_mm, period_s, latency_s, jitter: 0.0, noise_mm, outliers: 0.0, field_mm: 10.0, fault: None }
+    }
+}
+
+/// A sensor at work.
+#[derive(Debug)]
+pub(super) struct Sensor {
+    model: SensorModel,
+    random: Pcg64Mcg,
+    next_s: f64,
+    count: u64,
+    under_way: VecDeque<(f64, Option<Measurement>)>,
+    frozen: Option<DVec2>,
+}
+
+impl Sensor {
+    pub(super) fn new(model: SensorModel, seed: u64) -> Self {
+        let random = Pcg64Mcg::seed_from_u64(seed ^ 0x5e05_0000_0000_0003);
+        Self { model, random, next_s: 0.0, count: 0, under_way: VecDeque::new(), frozen: None }
+    }
+
+    /// Exposes if it is time, with the torch at `s` and the slide at `slide`.
+    pub(super) fn look(&mut self, world: &World<'_>, t: f64, s: f64, slide: DVec2) {
+        if t + 1e-9 < self.next_s {
+            return;
+        }
+        let SensorModel { period_s, latency_s, jitter, .. } = self.model;
+        self.count += 1;
+        self.next_s = period_s * (self.count as f64 + jitter * (uniform(&mut self.random) - 0.5));
+        let mut seen = self.seen(world, s, slide);
+        // Arrivals come up to a period sooner or later.
+        let mut arrives = t + latency_s + jitter * period_s * (2.0 * uniform(&mut self.random) - 1.0);
+        let mut stamp = t;
+        if let Some((from, fault)) = self.model.fault
+            && s >= from
+        {
+            match fault {
+                Fault::Silent => return,
+                Fault::Frozen => {
+                    let offset = *self.frozen.get_or_insert(seen.map_or(DVec2::ZERO, |m| m.0));
+                    seen = Some((offset, 0.95));
+                }
+                Fault::Wild => seen = Some((self.anything(4.0), 0.95)),
+                Fault::Late(by) => arrives += by,
+                Fault::ClockStep(by) => stamp += by,
+            }
+        }
+        let measured = seen.map(|(offset, confidence)| Measurement { exposed_s: stamp, offset, confidence });
+        self.under_way.push_back((arrives, measured));
+    }
+
+    /// The next measurement that has arrived at `t`; none inside if it saw nothing.
+    pub(super) fn arrived(&mut self, t: f64) -> Option<Option<Measurement>> {
+        let i = self.under_way.iter().position(|(due, _)| *due <= t + 1e-9)?;
+        self.under_way.remove(i).map(|(_, m)| m)
+    }
+
+    fn seen(&mut self, world: &World<'_>, s: f64, slide: DVec2) -> Option<(DVec2, f64)> {
+        let (seam, place) = world.crossing(s, self.model.lead_mm, s)?;
+        if world.displacement.is_tacked(place) {
+            // Mostly nothing, else the tack's own shape, and the reader does not trust it.
+            let faint = 0.35 * uniform(&mut self.random);
+            return (self.random.next_u64() % 5 < 2).then(|| (self.anything(1.0) + DVec2::new(0.5, 0.8), faint));
+        }
+        let offset = seam - slide;
+        if offset.abs().max_element() > self.model.field_mm {
+            return None;
+        }
+        if uniform(&mut self.random) < self.model.outliers {
+            return Some((self.anything(3.0), 0.95));
+        }
+        let noise = DVec2::new(self.normal(), self.normal()) * self.model.noise_mm;
+        Some((offset + noise, 0.95))
+    }
+
+    fn anything(&mut self, size: f64) -> DVec2 {
+        DVec2::new(2.0 * uniform(&mut self.random) - 1.0, 2.0 * uniform(&mut self.random) - 1.0) * size
+    }
+
+    /// Normally distributed (Box and Muller).
+    fn normal(&mut self) -> f64 {
+        let size = (-2.0 * (1.0 - uniform(&mut self.random)).ln()).sqrt();
+        size * (std::f64::consts::TAU * uniform(&mut self.random)).cos()
+    }
+}

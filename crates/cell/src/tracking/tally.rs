@@ -1,0 +1,98 @@
+use glam::DVec2;
+use seamwright_tracking::actuator::SlideLimits;
+
+/// Distances of a weld from its seam, by way.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Tally {
+    misses: Vec<(f64, f64)>,
+}
+
+impl Tally {
+    /// A miss over so much of the way, mm.
+    pub(super) fn add(&mut self, miss: DVec2, way: f64) {
+        self.misses.push((miss.length(), way));
+    }
+
+    /// The distance within which this part of the way lies; infinite of no way.
+    pub(super) fn quantile(&mut self, part: f64) -> f64 {
+        self.misses.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let whole: f64 = self.misses.iter().map(|m| m.1).sum();
+        let mut way = 0.0;
+        for (miss, by) in &self.misses {
+            way += by;
+            if way >= part * whole {
+                return *miss;
+            }
+        }
+        self.misses.last().map_or(f64::INFINITY, |m| m.0)
+    }
+
+    /// The way that was welded, mm.
+    pub(super) fn way(&self) -> f64 {
+        self.misses.iter().map(|m| m.1).sum()
+    }
+}
+
+/// Watches the set-points of one axis of a slide, by differences.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Watch {
+    limits: SlideLimits,
+    cycle_s: f64,
+    last: [f64; 4],
+    /// The greatest part of a limit that was used: stroke, speed, acceleration, jerk.
+    pub(super) used: [f64; 4],
+}
+
+impl Watch {
+    pub(super) fn new(limits: SlideLimits, cycle_s: f64) -> Self {
+        Self { limits, cycle_s, last: [0.0; 4], used: [0.0; 4] }
+    }
+
+    pub(super) fn add(&mut self, position: f64) {
+        let [_, a, b, c] = self.last;
+        self.last = [a, b, c, position];
+        let d = [c, b, a].map(|p| (position - p) / self.cycle_s);
+        let v = [d[0], d[1] - d[0], d[2] - d[1]];
+        let acceleration = (v[0] - v[1]) / self.cycle_s;
+        let before = (v[1] - v[2]) / self.cycle_s;
+        let SlideLimits { stroke_mm, speed, acceleration: most, jerk } = self.limits;
+        let parts = [
+            position.abs() / stroke_mm,
+            v[0].abs() / speed,
+            acceleration.abs() / most,
+            ((acceleration - before) / self.cycle_s).abs() / jerk,
+        ];
+        for (used, part) in self.used.iter_mut().zip(parts) {
+            *used = used.max(part);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantiles_by_way() {
+        let mut tally = Tally::default();
+        for i in 0..100 {
+            tally.add(DVec2::new(f64::from(i), 0.0), if i == 99 { 1.0 } else { 2.0 });
+        }
+        assert!((tally.quantile(0.5) - 49.0).abs() < 1e-12 && (tally.quantile(1.0) - 99.0).abs() < 1e-12);
+        assert!((tally.way() - 199.0).abs() < 1e-9);
+        assert!(Tally::default().quantile(0.5).is_infinite());
+    }
+
+    #[test]
+    fn limits_by_differences() {
+        let limits = SlideLimits { stroke_mm: 10.0, speed: 5.0, acceleration: 20.0, jerk: 100.0 };
+        let mut watch = Watch::new(limits, 1e-3);
+        // A cubic from rest: t^3 has a third derivative of 6, at t = 1 3 mm/s and 6 mm/s^2.
+        for i in 1..=1000 {
+            watch.add((1e-3 * f64::from(i)).powi(3));
+        }
+        for (used, part) in watch.used.iter().zip([0.1, 0.6, 0.3, 0.06]) {
+            assert!((used - part).abs() < 0.01 * part + 1e-3, "{:?}", watch.used);
+        }
+    }
+}

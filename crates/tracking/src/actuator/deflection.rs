@@ -1,0 +1,87 @@
+use crate::lead::Error;
+use glam::DVec2;
+
+/// What a beam's deflection can do, the same in both directions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DeflectionLimits {
+    /// Greatest deflection on the work, mm: a circle about the beam's middle.
+    pub range_mm: f64,
+    /// mm/s on the work.
+    pub slew: f64,
+    /// From the order to the work, s: at most a cycle counts as none.
+    pub latency_s: f64,
+}
+
+/// A beam that is deflected: no mass, but range and slew.
+#[derive(Debug, Clone)]
+pub struct Deflection {
+    limits: DeflectionLimits,
+    cycle_s: f64,
+    at: DVec2,
+}
+
+impl Deflection {
+    /// In its middle.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for limits that cannot be.
+    pub fn new(limits: DeflectionLimits, cycle_s: f64) -> Result<Self, Error> {
+        for (key, value) in [("range_mm", limits.range_mm), ("slew", limits.slew), ("cycle_s", cycle_s)] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(Error::Value { key, value, allowed: "a finite number greater than 0" });
+            }
+        }
+        if !(0.0..=1.0).contains(&limits.latency_s) {
+            return Err(Error::Value { key: "latency_s", value: limits.latency_s, allowed: "0 to 1" });
+        }
+        Ok(Self { limits, cycle_s, at: DVec2::ZERO })
+    }
+
+    /// By how much earlier than it acts a target is to be given, s.
+    #[must_use]
+    pub fn lag_s(&self) -> f64 {
+        self.limits.latency_s
+    }
+
+    /// The deflection ordered in the next cycle on the way to `target`, mm.
+    pub fn step(&mut self, target: DVec2) -> DVec2 {
+        if target.is_finite() {
+            let within = target.clamp_length_max(self.limits.range_mm);
+            self.at += (within - self.at).clamp_length_max(self.limits.slew * self.cycle_s);
+        }
+        self.at
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn range_and_slew_hold_and_the_rest_is_exact() {
+        let limits = DeflectionLimits { range_mm: 5.0, slew: 1000.0, latency_s: 75e-6 };
+        let mut beam = Deflection::new(limits, 1e-3).unwrap();
+        let mut last = DVec2::ZERO;
+        for i in 0..20_000 {
+            let t = f64::from(i);
+            let wild = i % 500 < 100;
+            let target = DVec2::new((0.02 * t).sin(), (0.013 * t).cos()) * if wild { 9.0 } else { 2.0 };
+            let at = beam.step(if i % 997 == 0 { DVec2::NAN } else { target });
+            assert!(at.length() <= 5.0 + 1e-12 && at.distance(last) <= 1.0 + 1e-12);
+            assert!(wild || i % 500 < 120 || i % 997 == 0 || at.distance(target) < 1e-12, "{i}");
+            last = at;
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_is_refused() {
+        let good = DeflectionLimits { range_mm: 5.0, slew: 1000.0, latency_s: 75e-6 };
+        for (name, limits) in [
+            ("range_mm", DeflectionLimits { range_mm: -5.0, ..good }),
+            ("slew", DeflectionLimits { slew: f64::NAN, ..good }),
+            ("latency_s", DeflectionLimits { latency_s: -1.0, ..good }),
+        ] {
+            assert!(matches!(Deflection::new(limits, 1e-3), Err(Error::Value { key, .. }) if key == name), "{name}");
+        }
+    }
+}

@@ -1,0 +1,163 @@
+use super::preview::softened;
+use super::{Slide, SlideLimits};
+use crate::lead::{Error, Estimate, Measurement, Moment, OwnCurve, Settings, Sight, Tracker, Verdict};
+use glam::DVec2;
+
+/// Part of a slide's speed and stroke that may be used before the torch is slowed and a warning given.
+const RESERVE: f64 = 0.8;
+/// A slide that is farther than this from where it was ordered, mm, for so long, s, is stuck.
+const STUCK_MM: f64 = 0.3;
+const STUCK_S: f64 = 0.1;
+/// As many periods without a measurement of use are worth a warning.
+const BLIND_PERIODS: f64 = 10.0;
+/// Slowest that the torch goes while a correction fades out, as a part of its speed.
+const FADING_SPEED: f64 = 0.25;
+
+/// What is wrong, each worse than the one before.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Alarm {
+    /// The seam ahead needs more than 80 % of a slide's stroke.
+    NearStroke,
+    /// The seam ahead leaves the taught path faster than a slide can go: slowed down.
+    Slowed,
+    /// Nothing of use has come from the sensor for some periods. The weld still lies on what was seen.
+    Blind,
+    /// The torch is beyond what was seen: the last slope is followed.
+    Coasting,
+    /// The torch has gone back farther than is remembered: the slide stays where it is.
+    Unknown,
+    /// The correction fades out to the taught path.
+    FadingOut,
+    /// A slide is at its end: the weld misses the joint.
+    StrokeEnd,
+    /// The correction has faded out: stop.
+    Lost,
+    /// A slide does not go where it is ordered: stop.
+    SlideStuck,
+}
+
+/// What is to be done in the next cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Orders {
+    /// Set-points of the slide, lateral and height, mm.
+    pub slide: DVec2,
+    /// Greatest part of its speed that the torch may have; 0: stop.
+    pub pace: f64,
+    /// The worst that is wrong.
+    pub alarm: Option<Alarm>,
+    /// What is known of the seam at the torch.
+    pub estimate: Estimate,
+}
+
+/// Tracking of one head: its tracker and its cross slide.
+#[derive(Debug, Clone)]
+pub struct HeadTracking {
+    tracker: Tracker,
+    slides: [Slide; 2],
+    ordered: DVec2,
+    target: DVec2,
+    taken_s: Option<f64>,
+    stuck_since: Option<f64>,
+    stuck: bool,
+}
+
+impl HeadTracking {
+    /// A head on the seam that `own` is of, its cross slide in the middle.
+    ///
+    /// # Errors
+    /// Those of [`Settings::check`] and [`SlideLimits::check`]; a notice shorter than the slides' lag.
+    pub fn new(settings: Settings, own: OwnCurve, limits: [SlideLimits; 2]) -> Result<Self, Error> {
+        let [x, y] = limits.map(|limits| Slide::new(limits, settings.cycle_s));
+        let slides = [x?, y?];
+        if slides.iter().any(|slide| slide.lag_s() >= settings.notice_s) {
+            let (key, value) = ("notice_s", settings.notice_s);
+            return Err(Error::Value { key, value, allowed: "more than the slides' lag, at most 0.02" });
+        }
+        let tracker = Tracker::new(settings, own)?;
+        let (ordered, target) = (DVec2::ZERO, DVec2::ZERO);
+        Ok(Self { tracker, slides, ordered, target, taken_s: None, stuck_since: None, stuck: false })
+    }
+
+    /// A measurement has arrived at time `now_s`.
+    pub fn take(&mut self, measured: &Measurement, now_s: f64) -> Verdict {
+        let verdict = self.tracker.take(measured, now_s);
+        if matches!(verdict, Verdict::Taken | Verdict::Restarted) {
+            self.taken_s = Some(now_s);
+        }
+        verdict
+    }
+
+    /// A cycle: where the torch and the slide truly are, and how fast the torch goes along the seam, mm/s.
+    pub fn cycle(&mut self, now: Moment, speed: f64) -> Orders {
+        let settings = *self.tracker.settings();
+        let way = speed.abs() * settings.notice_s;
+        self.tracker.advance(now, now.s_mm + way);
+        self.watch_slide(&now);
+        let estimate = self.tracker.at(now.s_mm);
+        // A stuck slide's set-points come to rest, within its limits.
+        if !self.stuck {
+            self.aim(&now, speed, &settings);
+        }
+        let orders = [self.slides[0].step(self.target.x), self.slides[1].step(self.target.y)];
+        self.ordered = DVec2::from_array(orders);
+        let (pace, alarm) = self.judge(&now, speed, &estimate);
+        Orders { slide: self.ordered, pace, alarm, estimate }
+    }
+
+    /// Where the slides are sent: what they will have reached when the torch is there.
+    fn aim(&mut self, now: &Moment, speed: f64, settings: &Settings) {
+        let [x, y] = &self.slides;
+        // Both have lags of their own, but nearly the same.
+        let lag = x.lag_s().max(y.lag_s());
+        let there = now.s_mm + speed * (lag + settings.cycle_s);
+        // Where nothing is known, as after going back far, the slide stays.
+        if self.tracker.at(there).sight != Sight::Unseen {
+            let limit = |f: fn(&Slide) -> f64| DVec2::new(f(x), f(y));
+            self.target = softened(
+                |t| self.tracker.at(there + speed * t).value,
+                settings.notice_s - lag,
+                limit(|slide| slide.limits().speed),
+                limit(Slide::acceleration),
+            );
+        }
+    }
+
+    fn watch_slide(&mut self, now: &Moment) {
+        if now.slide.distance(self.ordered) <= STUCK_MM {
+            self.stuck_since = None;
+            return;
+        }
+        let since = *self.stuck_since.get_or_insert(now.t_s);
+        self.stuck |= now.t_s - since >= STUCK_S;
+    }
+
+    fn judge(&self, now: &Moment, speed: f64, here: &Estimate) -> (f64, Option<Alarm>) {
+        let settings = self.tracker.settings();
+        if self.stuck {
+            return (0.0, Some(Alarm::SlideStuck));
+        }
+        let stroke = DVec2::new(self.slides[0].limits().stroke_mm, self.slides[1].limits().stroke_mm);
+        let fastest = RESERVE * DVec2::new(self.slides[0].limits().speed, self.slides[1].limits().speed);
+        let ahead = self.tracker.ahead(now.s_mm);
+        let needed = (ahead.slope * settings.speed_mm_s.max(speed.abs()) / fastest).max_element();
+        let mut pace = if needed > 1.0 { 1.0 / needed } else { 1.0 };
+        let blind = self.taken_s.is_some_and(|t| now.t_s - t > BLIND_PERIODS * settings.period_s);
+        let alarm = match here.sight {
+            Sight::Lost => Alarm::Lost,
+            _ if here.value.abs().cmpgt(stroke).any() => Alarm::StrokeEnd,
+            Sight::Fading => Alarm::FadingOut,
+            Sight::Unseen if self.taken_s.is_some() => Alarm::Unknown,
+            Sight::Coasted => Alarm::Coasting,
+            _ if blind => Alarm::Blind,
+            _ if needed > 1.0 => Alarm::Slowed,
+            _ if ahead.value.cmpgt(RESERVE * stroke).any() => Alarm::NearStroke,
+            _ => return (pace, None),
+        };
+        match alarm {
+            Alarm::Lost | Alarm::StrokeEnd => pace = 0.0,
+            Alarm::FadingOut => pace = pace.min(FADING_SPEED),
+            _ => {}
+        }
+        (pace, Some(alarm))
+    }
+}

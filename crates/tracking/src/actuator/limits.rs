@@ -1,0 +1,31 @@
+use crate::lead::Error;
+
+/// Limits of one axis of a cross slide.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SlideLimits {
+    /// To each side of its middle, mm.
+    pub stroke_mm: f64,
+    /// mm/s.
+    pub speed: f64,
+    /// mm/s^2.
+    pub acceleration: f64,
+    /// mm/s^3.
+    pub jerk: f64,
+}
+
+impl SlideLimits {
+    /// # Errors
+    /// [`Error::Value`] for one that is not positive and finite.
+    pub fn check(&self) -> Result<(), Error> {
+        let values = [
+            ("stroke_mm", self.stroke_mm),
+            ("speed", self.speed),
+            ("acceleration", self.acceleration),
+            ("jerk", self.jerk),
+        ];
+        match values.into_iter().find(|(_, value)| !(*value > 0.0 && value.is_finite())) {
+            Some((key, value)) => Err(Error::Value { key, value, allowed: "a finite number greater than 0" }),
+            None => Ok(()),
+        }
+    }
+}

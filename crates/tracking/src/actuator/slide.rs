@@ -1,0 +1,205 @@
+use super::SlideLimits;
+use crate::lead::Error;
+
+/// Longest mean that set-points go through, s: half of it is the lag that previews make up for.
+const LONGEST_MEAN_S: f64 = 0.04;
+/// Cycles of the longest mean that there is room for.
+const ROOM: usize = 160;
+/// How fast small errors are made good, 1/s.
+const GAIN: f64 = 100.0;
+/// Part of the acceleration that making errors good is planned with: the rest is the target's.
+const CATCH_UP: f64 = 0.9;
+/// Speed that set-points keep from their limit, as a part of it: rounding.
+const ROUNDING: f64 = 1.0 - 1e-9;
+
+/// One axis of a cross slide: set-points that follow a target within the limits of stroke, speed, acceleration and
+/// jerk.
+///
+/// A target within them is followed exactly, [`Self::lag_s`] late. One that is not is caught up with as fast as the
+/// limits allow. The point that follows keeps speed and acceleration; a mean of its last places has no more of either,
+/// and its jerk is at most twice that acceleration by the length of the mean.
+#[derive(Debug, Clone)]
+pub struct Slide {
+    limits: SlideLimits,
+    cycle_s: f64,
+    /// What is left of the acceleration so that the mean keeps the jerk.
+    acceleration: f64,
+    target: f64,
+    position: f64,
+    velocity: f64,
+    last: [f64; ROOM],
+    cycles: usize,
+    next: usize,
+}
+
+impl Slide {
+    /// At rest in its middle.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for limits that cannot be, and for a cycle that is no time or shorter than 0.25 ms.
+    pub fn new(limits: SlideLimits, cycle_s: f64) -> Result<Self, Error> {
+        limits.check()?;
+        if !(LONGEST_MEAN_S / ROOM as f64..=LONGEST_MEAN_S).contains(&cycle_s) {
+            return Err(Error::Value { key: "cycle_s", value: cycle_s, allowed: "0.00025 to 0.04" });
+        }
+        let mean_s = (2.0 * limits.acceleration / limits.jerk).min(LONGEST_MEAN_S);
+        let cycles = ((mean_s / cycle_s).floor() as usize).clamp(1, ROOM);
+        // A mean over n cycles has of the acceleration's change 1/n a cycle.
+        let kept = 0.5 * limits.jerk * cycles as f64 * cycle_s;
+        let acceleration = limits.acceleration.min(kept) * ROUNDING;
+        let rest = (0.0, 0.0, 0.0);
+        let (target, position, velocity) = rest;
+        Ok(Self { limits, cycle_s, acceleration, target, position, velocity, last: [0.0; ROOM], cycles, next: 0 })
+    }
+
+    /// Its limits.
+    #[must_use]
+    pub fn limits(&self) -> &SlideLimits {
+        &self.limits
+    }
+
+    /// The acceleration it uses, mm/s^2: less than its limit where the jerk would not be kept.
+    #[must_use]
+    pub fn acceleration(&self) -> f64 {
+        self.acceleration
+    }
+
+    /// By how much set-points are behind targets, s.
+    #[must_use]
+    pub fn lag_s(&self) -> f64 {
+        0.5 * (self.cycles - 1) as f64 * self.cycle_s
+    }
+
+    /// The set-point of the next cycle on the way to `target`, mm.
+    pub fn step(&mut self, target: f64) -> f64 {
+        let (dt, limits) = (self.cycle_s, self.limits);
+        let stroke = limits.stroke_mm * ROUNDING;
+        let target = if target.is_finite() { target.clamp(-stroke, stroke) } else { self.target };
+        let rate = ((target - self.target) / dt).clamp(-limits.speed, limits.speed);
+        let wanted = rate + self.catch_up(self.target - self.position);
+        self.target = target;
+        let change = self.acceleration * dt;
+        // No faster than it can come to rest before the end of the stroke, a cycle early.
+        let room = |to_end: f64| self.fastest_to_rest(to_end);
+        let speed = limits.speed * ROUNDING;
+        let low = -room(self.position + stroke).min(speed);
+        let high = room(stroke - self.position).min(speed);
+        let velocity = wanted.clamp(low, high);
+        self.velocity = velocity.clamp(self.velocity - change, self.velocity + change);
+        self.position += self.velocity * dt;
+        self.last[self.next] = self.position;
+        self.next = (self.next + 1) % self.cycles;
+        self.last[..self.cycles].iter().sum::<f64>() / self.cycles as f64
+    }
+
+    /// Speed at which an error is made good: straight in it where it is small, then as steep as can be braked.
+    fn catch_up(&self, error: f64) -> f64 {
+        let a = CATCH_UP * self.acceleration;
+        let small = a / (GAIN * GAIN);
+        let size = error.abs();
+        let speed = if size < small { GAIN * size } else { (2.0 * a * (size - 0.5 * small)).sqrt() };
+        speed.copysign(error)
+    }
+
+    /// The greatest speed in the next cycle that leaves room to brake in steps: v dt (1 + 2 + ... ) <= room.
+    fn fastest_to_rest(&self, room: f64) -> f64 {
+        let step = self.acceleration * self.cycle_s;
+        // v dt + v^2 / 2a + v dt / 2 <= room, solved for v.
+        let b = 1.5 * step;
+        ((b * b + 2.0 * self.acceleration * room.max(0.0)).sqrt() - b).max(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand_pcg::Pcg64Mcg;
+    use rand_pcg::rand_core::{Rng, SeedableRng};
+
+    const CYCLE: f64 = 1e-3;
+
+    fn uniform(random: &mut Pcg64Mcg) -> f64 {
+        (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
+    }
+
+    fn limits(random: &mut Pcg64Mcg) -> SlideLimits {
+        let mut scale = |middle: f64| middle * 10f64.powf(0.7 * uniform(random));
+        SlideLimits { stroke_mm: scale(8.0), speed: scale(40.0), acceleration: scale(800.0), jerk: scale(20_000.0) }
+    }
+
+    /// Whatever the target does, no limit is broken, by differences of set-points.
+    #[test]
+    fn limits_hold() {
+        let mut random = Pcg64Mcg::seed_from_u64(1);
+        for case in 0..150 {
+            let limits = limits(&mut random);
+            let mut slide = Slide::new(limits, CYCLE).unwrap();
+            let (mut p, mut target, mut rate) = ([0.0; 4], 0.0, 0.0);
+            for cycle in 0..4000 {
+                match random.next_u64() % 200 {
+                    0 => target = 1.5 * limits.stroke_mm * uniform(&mut random),
+                    1 => rate = 2.0 * limits.speed * uniform(&mut random),
+                    2 => rate = 0.0,
+                    _ => target += rate * CYCLE + 1e-3 * uniform(&mut random),
+                }
+                p = [p[1], p[2], p[3], slide.step(target)];
+                let v = |i: usize| (p[i + 1] - p[i]) / CYCLE;
+                let a = |i: usize| (v(i + 1) - v(i)) / CYCLE;
+                assert!(p[3].abs() <= limits.stroke_mm, "{case} {cycle}: {} of {}", p[3], limits.stroke_mm);
+                assert!(v(2).abs() <= limits.speed * (1.0 + 1e-6), "{case} {cycle}");
+                assert!(a(1).abs() <= limits.acceleration * (1.0 + 1e-6), "{case} {cycle}");
+                assert!(((a(1) - a(0)) / CYCLE).abs() <= limits.jerk * (1.0 + 1e-6) + 1e-3, "{case} {cycle}");
+            }
+        }
+    }
+
+    /// A target within the limits is followed exactly, late by the lag; but for what a mean takes off a curve.
+    #[test]
+    fn what_can_be_followed_is() {
+        let limits = SlideLimits { stroke_mm: 15.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
+        for hz in [0.5, 1.0, 2.0] {
+            let w = std::f64::consts::TAU * hz;
+            let target = |t: f64| (w * t).sin() + 0.5 * (0.3 * w * t).cos() - 0.5;
+            let mut slide = Slide::new(limits, CYCLE).unwrap();
+            let lag = slide.lag_s();
+            // Mean of a sine over the window, less its middle.
+            let bias = 1.2 * (w * lag).powi(2) / 6.0 + 1e-6;
+            for i in 0..5000 {
+                let t = f64::from(i) * CYCLE;
+                let off = (slide.step(target(t)) - target(t - lag)).abs();
+                assert!(t < 0.5 || off < bias, "{hz} Hz at {t}: {off}, {bias}");
+            }
+        }
+    }
+
+    /// A step is gone through without overshoot worth the name, in little more than the shortest time there is.
+    #[test]
+    fn steps_are_fast() {
+        let limits = SlideLimits { stroke_mm: 15.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
+        for step in [0.1, 1.0, 5.0] {
+            let mut slide = Slide::new(limits, CYCLE).unwrap();
+            let a = slide.acceleration();
+            let shortest = 2.0 * (step / a).sqrt() + step / limits.speed + 2.0 * slide.lag_s();
+            let places: Vec<f64> = (0..2000).map(|_| slide.step(step)).collect();
+            let most = places.iter().copied().fold(0.0, f64::max);
+            assert!(most < step + 0.02, "{step}: {most}");
+            let last = places.iter().rposition(|p| (p - step).abs() > 0.02 * step).unwrap() as f64 * CYCLE;
+            assert!(last < 1.4 * shortest + 0.04, "{step}: {last} s, {shortest} s");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_is_refused() {
+        let good = SlideLimits { stroke_mm: 15.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
+        let bad = [
+            ("stroke_mm", SlideLimits { stroke_mm: 0.0, ..good }, CYCLE),
+            ("speed", SlideLimits { speed: -1.0, ..good }, CYCLE),
+            ("acceleration", SlideLimits { acceleration: f64::NAN, ..good }, CYCLE),
+            ("jerk", SlideLimits { jerk: f64::INFINITY, ..good }, CYCLE),
+            ("cycle_s", good, 0.0),
+        ];
+        for (name, limits, cycle) in bad {
+            assert!(matches!(Slide::new(limits, cycle), Err(Error::Value { key, .. }) if key == name), "{name}");
+        }
+    }
+}

@@ -1,0 +1,135 @@
+use glam::DVec2;
+use nalgebra::{Matrix3, Vector3};
+
+/// Residuals beyond this many standard deviations count less (Huber); 1.345 would cost 5 % where there are no outliers.
+const HUBER: f64 = 1.345;
+/// Passes: one plain, the others with the weights of the residuals before.
+const PASSES: usize = 3;
+/// What slopes are before anything is seen, one standard deviation: what keeps a fit of too few places from swinging.
+const SLOPE: f64 = 0.3;
+
+/// What was seen at one place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Seen {
+    /// Place, mm.
+    pub(super) s: f64,
+    /// Deviation, lateral and height, mm.
+    pub(super) value: DVec2,
+    /// Inverse variance of it, 1/mm^2.
+    pub(super) weight: f64,
+}
+
+/// A local parabola at one place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Fit {
+    pub(super) value: DVec2,
+    pub(super) slope: DVec2,
+    /// Of the value, mm^2.
+    pub(super) variance: f64,
+}
+
+/// The parabola around `s` through what was seen, weighted by nearness within `reach` mm and by Huber's function of
+/// the residual. Its second derivative is `bend` (1/mm) before anything is seen, one standard deviation: with hardly
+/// any it is a line. None if nothing was seen.
+pub(super) fn parabola<'a>(
+    s: f64,
+    reach: f64,
+    bend: f64,
+    seen: &(impl Iterator<Item = &'a Seen> + Clone),
+) -> Option<Fit> {
+    let prior = |inverse: f64| (inverse * inverse).recip();
+    let prior = Matrix3::from_diagonal(&Vector3::new(0.0, prior(SLOPE * reach), prior(0.5 * bend * reach * reach)));
+    let mut found: Option<([Vector3<f64>; 2], f64)> = None;
+    for _ in 0..PASSES {
+        let mut normal = prior;
+        let mut right = [Vector3::zeros(); 2];
+        for p in seen.clone() {
+            let u = (p.s - s) / reach;
+            let basis = Vector3::new(1.0, u, u * u);
+            // A prior has to weigh against everything, so weights of nearness count from 1.
+            let near = (1.0 - u * u).max(0.05);
+            let weight = p.weight * near * found.as_ref().map_or(1.0, |(c, _)| huber(c, &basis, p));
+            normal += weight * basis * basis.transpose();
+            right[0] += weight * p.value.x * basis;
+            right[1] += weight * p.value.y * basis;
+        }
+        let inverse = normal.cholesky()?.inverse();
+        found = Some((right.map(|r| inverse * r), inverse[(0, 0)]));
+    }
+    let ([x, y], variance) = found?;
+    let fit = Fit { value: DVec2::new(x[0], y[0]), slope: DVec2::new(x[1], y[1]) / reach, variance };
+    (fit.value.is_finite() && fit.slope.is_finite()).then_some(fit)
+}
+
+/// Huber's weight of a measurement under the last parabola.
+fn huber(coefficients: &[Vector3<f64>; 2], basis: &Vector3<f64>, p: &Seen) -> f64 {
+    let expected = DVec2::new(coefficients[0].dot(basis), coefficients[1].dot(basis));
+    let off = (p.value - expected).length() * p.weight.sqrt();
+    if off > HUBER { HUBER / off } else { 1.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand_pcg::Pcg64Mcg;
+    use rand_pcg::rand_core::{Rng, SeedableRng};
+
+    fn uniform(random: &mut Pcg64Mcg) -> f64 {
+        (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
+    }
+
+    /// Through points of a parabola goes that parabola, wherever it is asked for, but for the little that the prior
+    /// pulls.
+    #[test]
+    fn parabolas_are_met() {
+        let mut random = Pcg64Mcg::seed_from_u64(1);
+        for _ in 0..2000 {
+            let [a, b, c, d] = std::array::from_fn(|_| uniform(&mut random));
+            let truth = |s: f64| DVec2::new(a + 0.1 * b * s + 0.02 * c * s * s, d - 0.1 * a * s + 0.02 * b * s * s);
+            let seen: Vec<Seen> = (0..20)
+                .map(|_| {
+                    let s = 5.0 * uniform(&mut random);
+                    Seen { s, value: truth(s), weight: 1e6 }
+                })
+                .collect();
+            let fit = parabola(0.0, 5.0, 0.1, &seen.iter()).unwrap();
+            assert!(fit.value.distance(truth(0.0)) < 1e-4, "{} {}", fit.value, truth(0.0));
+            assert!((fit.slope.x - 0.1 * b).abs() < 1e-4);
+        }
+    }
+
+    /// With errors of the size that it is told, its own variance is right, and a tenth of outliers moves it little.
+    #[test]
+    fn variance_and_outliers() {
+        let mut random = Pcg64Mcg::seed_from_u64(2);
+        let (mut squares, mut told, mut worst) = (0.0, 0.0, 0.0f64);
+        let n = 2000;
+        for _ in 0..n {
+            // The sum of three is nearly normal, of variance 1.
+            let mut point = |i: usize, wild: bool| {
+                let error = DVec2::from_array(std::array::from_fn(|_| (0..3).map(|_| uniform(&mut random)).sum()));
+                let value = if wild { DVec2::new(1.0, -1.0) } else { 0.02 * error };
+                Seen { s: 0.5 * (i as f64 - 9.5), value, weight: 2500.0 }
+            };
+            let clean: Vec<Seen> = (0..20).map(|i| point(i, false)).collect();
+            let dirty: Vec<Seen> = (0..20).map(|i| point(i, i == 4 || i == 13)).collect();
+            let fit = parabola(0.0, 5.0, 0.1, &clean.iter()).unwrap();
+            squares += fit.value.x.powi(2);
+            told += fit.variance;
+            worst = worst.max(parabola(0.0, 5.0, 0.1, &dirty.iter()).unwrap().value.x.abs());
+        }
+        let ratio = squares / told;
+        assert!((0.5..1.5).contains(&ratio), "{ratio}");
+        assert!(worst < 0.06, "{worst}");
+    }
+
+    /// One place alone, or none.
+    #[test]
+    fn too_few_places() {
+        let one = [Seen { s: 1.0, value: DVec2::new(0.5, -0.5), weight: 2500.0 }];
+        let fit = parabola(0.0, 5.0, 0.1, &one.iter()).unwrap();
+        assert!(fit.value.distance(one[0].value) < 0.05 && fit.slope.length() < 0.1);
+        assert!(fit.variance > 0.05, "half a slope's worth of doubt: {}", fit.variance);
+        assert!(parabola(0.0, 5.0, 0.1, &[].iter()).is_none());
+    }
+}

@@ -1,0 +1,161 @@
+use super::Error;
+use glam::DVec2;
+
+/// Part of the lead within which the joint is smoothed to each side of a place: so much of it must lie between the
+/// place and what was seen last.
+pub(super) const REACH: f64 = 0.25;
+
+/// How a leading sensor is followed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// By how much the sensor leads the torch, mm.
+    pub lead_mm: f64,
+    /// Greatest speed along the seam, mm/s.
+    pub speed_mm_s: f64,
+    /// The cell's cycle, s.
+    pub cycle_s: f64,
+    /// Time between exposures, s.
+    pub period_s: f64,
+    /// Least and greatest time from an exposure to the arrival of what was measured, s. Older or younger ones are
+    /// refused: a clock is wrong.
+    pub age_s: [f64; 2],
+    /// How long before the torch is at a place its deviation must be known: what the actuator needs, s.
+    pub notice_s: f64,
+    /// Standard deviation of a measurement of confidence 1, mm; of confidence c it is that by c.
+    pub noise_mm: f64,
+    /// Measurements of less confidence are not used.
+    pub least_confidence: f64,
+    /// The sensor's calibrated field: greatest offsets to each side of its zero, lateral and height, mm.
+    pub field_mm: DVec2,
+    /// How fast the seam's slope against the taught path wanders: variance of its change over 1 mm, 1/mm.
+    pub wander: f64,
+    /// How fast a seam moves where it was seen: variance of its movement in 1 s, mm^2/s.
+    pub drift: f64,
+    /// How far the last slope is followed where nothing is seen: it decays by this length, mm.
+    pub decay_mm: f64,
+    /// Longest tack on the seam, mm.
+    pub tack_mm: f64,
+    /// Way over which the correction fades out to the taught path after too long without sight, mm.
+    pub fade_mm: f64,
+}
+
+impl Settings {
+    /// Usual values for a stripe sensor: 10 ms from frame to frame, 15 ms late give or take a period, 0.02 mm of noise.
+    #[must_use]
+    pub fn usual(lead_mm: f64, speed_mm_s: f64) -> Self {
+        Self {
+            lead_mm,
+            speed_mm_s,
+            cycle_s: 1e-3,
+            period_s: 0.01,
+            age_s: [0.004, 0.03],
+            notice_s: 0.07,
+            noise_mm: 0.02,
+            least_confidence: 0.4,
+            field_mm: DVec2::splat(10.0),
+            wander: 0.01,
+            drift: 1e-3,
+            decay_mm: 10.0,
+            tack_mm: 10.0,
+            fade_mm: 15.0,
+        }
+    }
+
+    /// Way without sight after which the correction fades out, mm.
+    #[must_use]
+    pub fn coast_mm(&self) -> f64 {
+        (1.5 * self.tack_mm).max(15.0)
+    }
+
+    /// # Errors
+    /// [`Error::Value`] for a value that cannot be; [`Error::LeadTooShort`] if what the sensor sees would be known too
+    /// late.
+    pub fn check(&self) -> Result<(), Error> {
+        let positive = [
+            ("lead_mm", self.lead_mm),
+            ("speed_mm_s", self.speed_mm_s),
+            ("cycle_s", self.cycle_s),
+            ("period_s", self.period_s),
+            ("noise_mm", self.noise_mm),
+            ("field_mm", self.field_mm.min_element()),
+            ("wander", self.wander),
+            ("decay_mm", self.decay_mm),
+            ("fade_mm", self.fade_mm),
+        ];
+        for (key, value) in positive {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(Error::Value { key, value, allowed: "a finite number greater than 0" });
+            }
+        }
+        let [young, old] = self.age_s;
+        for (key, value) in
+            [("age_s", young), ("notice_s", self.notice_s), ("drift", self.drift), ("tack_mm", self.tack_mm)]
+        {
+            if !(value >= 0.0 && value.is_finite()) {
+                return Err(Error::Value { key, value, allowed: "a finite number, 0 or more" });
+            }
+        }
+        if !(old > young && old <= 10.0) {
+            return Err(Error::Value { key: "age_s", value: old, allowed: "more than the least age, at most 10 s" });
+        }
+        if !(0.0..=1.0).contains(&self.least_confidence) {
+            let value = self.least_confidence;
+            return Err(Error::Value { key: "least_confidence", value, allowed: "0 to 1" });
+        }
+        self.check_lead()
+    }
+
+    fn check_lead(&self) -> Result<(), Error> {
+        let notice_s = self.age_s[1] + self.period_s + self.notice_s;
+        let free = 1.0 - REACH;
+        if self.speed_mm_s * notice_s <= free * self.lead_mm {
+            return Ok(());
+        }
+        Err(Error::LeadTooShort {
+            lead_mm: self.lead_mm,
+            speed_mm_s: self.speed_mm_s,
+            notice_s,
+            lead_that_works_mm: self.speed_mm_s * notice_s / free,
+            speed_that_works_mm_s: free * self.lead_mm / notice_s,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the message says would work does work, and a little less does not.
+    #[test]
+    fn a_lead_that_is_too_short_is_told_what_would_work() {
+        for speed in [150.0, 400.0, 2000.0] {
+            let settings = Settings::usual(20.0, speed);
+            let Err(Error::LeadTooShort { lead_that_works_mm: lead, speed_that_works_mm_s: slower, .. }) =
+                settings.check()
+            else {
+                panic!("{speed}: {:?}", settings.check())
+            };
+            for k in [1.001, 0.999] {
+                assert_eq!(Settings { lead_mm: lead * k, ..settings }.check().is_ok(), k > 1.0);
+                assert_eq!(Settings { speed_mm_s: slower / k, ..settings }.check().is_ok(), k > 1.0);
+            }
+        }
+        assert_eq!(Settings::usual(20.0, 100.0).check(), Ok(()));
+    }
+
+    #[test]
+    fn values_that_cannot_be_are_named() {
+        let good = Settings::usual(20.0, 20.0);
+        let cases: [(&str, Settings); 6] = [
+            ("lead_mm", Settings { lead_mm: f64::NAN, ..good }),
+            ("noise_mm", Settings { noise_mm: 0.0, ..good }),
+            ("field_mm", Settings { field_mm: DVec2::new(5.0, -1.0), ..good }),
+            ("age_s", Settings { age_s: [0.03, 0.02], ..good }),
+            ("tack_mm", Settings { tack_mm: -1.0, ..good }),
+            ("least_confidence", Settings { least_confidence: 1.5, ..good }),
+        ];
+        for (name, settings) in cases {
+            assert!(matches!(settings.check(), Err(Error::Value { key, .. }) if key == name), "{name}");
+        }
+    }
+}

@@ -1,0 +1,83 @@
+use super::filter::Filter;
+use super::fit::Seen;
+use arrayvec::ArrayVec;
+
+/// As many gated measurements as begin the estimate anew, if they agree.
+pub(super) const IN_A_ROW: usize = 3;
+/// Gated measurements that are remembered: outliers may lie between those that agree.
+const ROOM: usize = 4;
+/// Steepest seam against the taught path.
+pub(super) const STEEPEST: f64 = 0.3;
+/// Standard deviations that count as agreement, as at the gate.
+pub(super) const GATE: f64 = 3.0;
+
+/// Measurements that were gated, one after the other: outliers, or the seam has jumped.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Suspects {
+    seen: ArrayVec<Seen, ROOM>,
+    in_a_row: usize,
+}
+
+impl Suspects {
+    pub(super) fn clear(&mut self) {
+        self.seen.clear();
+        self.in_a_row = 0;
+    }
+
+    /// One more; how many there are in a row now.
+    pub(super) fn add(&mut self, seen: Seen) -> usize {
+        if self.seen.is_full() {
+            self.seen.remove(0);
+        }
+        self.seen.push(seen);
+        self.in_a_row += 1;
+        self.in_a_row
+    }
+
+    /// This one and two of those before, if all three agree with each other.
+    pub(super) fn agreeing(&self, last: &Seen) -> Option<[Seen; IN_A_ROW]> {
+        let others = || self.seen.iter().rev().filter(|s| agree(s, last));
+        let two = others().enumerate().find_map(|(i, b)| others().skip(i + 1).find(|a| agree(a, b)).map(|a| (a, b)));
+        two.map(|(a, b)| [*a, *b, *last])
+    }
+}
+
+fn agree(a: &Seen, b: &Seen) -> bool {
+    let allowed = GATE * (1.0 / a.weight + 1.0 / b.weight).sqrt() + STEEPEST * (a.s - b.s).abs();
+    (a.value - b.value).abs().max_element() <= allowed
+}
+
+/// A filter that begins with these three: at the last one, as steep as they may be.
+pub(super) fn begun(three: &[Seen; IN_A_ROW], t: f64) -> Filter {
+    let [a, b, c] = three;
+    let variance = 1.0 / c.weight;
+    let mean = (a.value * a.weight + b.value * b.weight + c.value * c.weight) / (a.weight + b.weight + c.weight);
+    Filter { s: c.s, t, value: mean, slope: glam::DVec2::ZERO, variance: [variance, 0.0, STEEPEST * STEEPEST / 4.0] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec2;
+
+    fn seen(s: f64, lateral: f64) -> Seen {
+        Seen { s, value: DVec2::new(lateral, 0.0), weight: 2500.0 }
+    }
+
+    #[test]
+    fn three_that_agree_are_the_seam_and_others_are_not() {
+        let mut suspects = Suspects::default();
+        // Wild values, then three that agree: only the last ones count.
+        for (i, wild) in [2.0, -1.5, 0.7, -2.0, 1.0, 1.05].into_iter().enumerate() {
+            let seen = seen(0.2 * i as f64, wild);
+            assert_eq!(suspects.agreeing(&seen), None, "{wild}");
+            assert_eq!(suspects.add(seen), i + 1);
+        }
+        assert_eq!(suspects.agreeing(&seen(1.2, 1.5)), None);
+        let three = suspects.agreeing(&seen(1.2, 1.1)).unwrap();
+        suspects.clear();
+        assert_eq!(suspects.agreeing(&seen(1.2, 1.1)), None);
+        let filter = begun(&three, 0.5);
+        assert!((filter.value.x - 1.05).abs() < 1e-12 && (filter.s - 1.2).abs() < 1e-12);
+    }
+}

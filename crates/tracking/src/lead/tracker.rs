@@ -1,0 +1,259 @@
+use super::cells::{BENT, CELLS, Cells, STRAIGHT};
+use super::filter::{Filter, Noise};
+use super::fit::{Fit, Seen};
+use super::history::{History, Moment};
+use super::node::{Estimate, Node, Sight};
+use super::ring::Ring;
+use super::settings::REACH;
+use super::suspects::{GATE, IN_A_ROW, Suspects, begun};
+use super::{Error, Measurement, OwnCurve, Refusal, Settings, Verdict};
+use glam::DVec2;
+
+/// The same value so often in a row is a frozen sensor.
+const FROZEN: u32 = 5;
+/// A gate does not open wider than this, mm: after a gap measurements must agree with each other.
+const WIDEST_MM: f64 = 1.0;
+/// Less than this counts as no jump, mm: it is smoothed over.
+const JUMP_MM: f64 = 0.3;
+/// Cells to each side within which a place is smoothed.
+const REACH_CELLS: i64 = (REACH * CELLS) as i64;
+
+/// The deviation of the seam from the taught path, by path length, from a sensor that leads the torch.
+///
+/// Every cycle [`Self::advance`] is told where torch and slide are; [`Self::take`] whenever a measurement arrives, in
+/// any order. [`Self::at`] tells the deviation. Its memory is bounded by the lead; no call allocates.
+#[derive(Debug, Clone)]
+pub struct Tracker {
+    settings: Settings,
+    own: OwnCurve,
+    history: History,
+    cells: Cells,
+    nodes: Ring<Node>,
+    /// The next node to be worked out.
+    cursor: Option<i64>,
+    /// Where the torch is, by nodes.
+    here: i64,
+    filter: Option<Filter>,
+    suspects: Suspects,
+    anchor: Option<Anchor>,
+    same: (DVec2, u32),
+}
+
+/// What is coming up on the seam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ahead {
+    /// Greatest deviation, lateral and height, mm.
+    pub value: DVec2,
+    /// Greatest slope of it by path length.
+    pub slope: DVec2,
+}
+
+/// Where the joint was last seen before it was lost.
+#[derive(Debug, Clone, Copy)]
+struct Anchor {
+    s: f64,
+    fit: Fit,
+    /// First node that was coasted from it.
+    first: i64,
+}
+
+impl Tracker {
+    /// Follows the seam that `own` is of.
+    ///
+    /// # Errors
+    /// Those of [`Settings::check`].
+    pub fn new(settings: Settings, own: OwnCurve) -> Result<Self, Error> {
+        settings.check()?;
+        let cells = Cells::new(settings.lead_mm);
+        Ok(Self {
+            own,
+            history: History::new((settings.age_s[1] / settings.cycle_s).ceil() as usize + 2),
+            nodes: Ring::new(cells.len() as usize),
+            cells,
+            cursor: None,
+            here: 0,
+            filter: None,
+            suspects: Suspects::default(),
+            anchor: None,
+            same: (DVec2::NAN, 0),
+            settings,
+        })
+    }
+
+    /// How the sensor is followed.
+    #[must_use]
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// A cycle: where torch and slide are now. Deviations will be asked for up to `until_mm`.
+    pub fn advance(&mut self, now: Moment, until_mm: f64) {
+        self.history.push(now);
+        let (here, until) = (self.cells.index(now.s_mm), self.cells.index(until_mm) + 1);
+        self.here = here;
+        // What the torch has passed is worked out only if it was seen anew.
+        let cursor = self.cursor.map_or(here, |cursor| cursor.max(here - self.nodes.len() / 2));
+        // One a cycle, so that no cycle takes long: at 1 ms and a lead of 20 mm that is enough up to 300 mm/s.
+        let node = self.node(cursor, cursor <= until);
+        if let Some(node) = node {
+            self.nodes.put(cursor, node);
+        }
+        self.cursor = Some(cursor + i64::from(node.is_some()));
+    }
+
+    /// A measurement has arrived at time `now_s`.
+    pub fn take(&mut self, measured: &Measurement, now_s: f64) -> Verdict {
+        let seen = match self.located(measured, now_s) {
+            Ok(seen) => seen,
+            Err(refusal) => return Verdict::Refused(refusal),
+        };
+        let noise = Noise { wander: self.settings.wander, drift: self.settings.drift };
+        let (t, r) = (measured.exposed_s, 1.0 / seen.weight);
+        // First: while measurements are gated doubt grows, and soon the gate lets a jump pass.
+        if let Some(three) = self.suspects.agreeing(&seen) {
+            self.suspects.clear();
+            self.begin_with(&three);
+            self.filter = Some(begun(&three, t));
+            for seen in three {
+                self.keep(seen, t);
+            }
+            return Verdict::Restarted;
+        }
+        if let Some(expected) = self.filter.map(|f| f.predicted(seen.s, t, &noise))
+            && expected.surprise(seen.value, r) <= GATE
+            && GATE * expected.variance[0].sqrt() <= WIDEST_MM
+        {
+            self.suspects.clear();
+            self.filter = Some(expected.updated(seen.value, r));
+            self.keep(seen, t);
+            return Verdict::Taken;
+        }
+        // What was expected is worth nothing after some that were not: a gate that opens would let wild values in. From
+        // here on only measurements that agree with each other are believed.
+        if self.suspects.add(seen) >= IN_A_ROW {
+            self.filter = None;
+        }
+        Verdict::Gated
+    }
+
+    /// The deviation at path length `s_mm`.
+    #[must_use]
+    pub fn at(&self, s_mm: f64) -> Estimate {
+        let i = self.cells.index(s_mm);
+        let part = s_mm / self.cells.cell_mm - i as f64;
+        match (self.nodes.get(i), self.nodes.get(i + 1)) {
+            (Some(a), Some(b)) => a.between(b, self.cells.cell_mm, part),
+            (Some(one), None) | (None, Some(one)) => one.estimate(),
+            (None, None) => Node::UNSEEN.estimate(),
+        }
+    }
+
+    /// The greatest deviation and the greatest slope of it, each to either side, between `s_mm` and where the sensor
+    /// is.
+    #[must_use]
+    pub fn ahead(&self, s_mm: f64) -> Ahead {
+        let from = self.cells.index(s_mm);
+        let nodes = (from..from + CELLS as i64).filter_map(|i| self.nodes.get(i));
+        let none = Ahead { value: DVec2::ZERO, slope: DVec2::ZERO };
+        nodes.fold(none, |most, node| Ahead {
+            value: most.value.max(node.value.abs()),
+            slope: most.slope.max(node.slope.abs()),
+        })
+    }
+
+    /// Place and deviation of what was measured, or why it is of no use.
+    fn located(&mut self, measured: &Measurement, now_s: f64) -> Result<Seen, Refusal> {
+        let Measurement { exposed_s, offset, confidence } = *measured;
+        if !(0.0..=1.0).contains(&confidence) {
+            return Err(Refusal::Confidence);
+        }
+        if !offset.is_finite() || offset.abs().cmpgt(self.settings.field_mm).any() {
+            return Err(Refusal::OutOfField);
+        }
+        self.same = if offset == self.same.0 { (offset, self.same.1 + 1) } else { (offset, 1) };
+        if self.same.1 >= FROZEN {
+            return Err(Refusal::Frozen);
+        }
+        let [young, old] = self.settings.age_s;
+        let age = now_s - exposed_s;
+        // Half a cycle: times are those of cycles.
+        let slack = 0.5 * self.settings.cycle_s;
+        if !(young - slack..=old + slack).contains(&age) {
+            return Err(Refusal::Clock);
+        }
+        if confidence < self.settings.least_confidence.max(f64::MIN_POSITIVE) {
+            return Err(Refusal::Faint);
+        }
+        let then = self.history.at(exposed_s).ok_or(Refusal::Clock)?;
+        let view = self.own.at(then.s_mm);
+        let value = view.to_seam * (offset + then.slide - view.offset);
+        let weight = (confidence / self.settings.noise_mm).powi(2);
+        Ok(Seen { s: view.place_mm, value, weight })
+    }
+
+    fn keep(&mut self, seen: Seen, t: f64) {
+        self.cells.add(seen, t, self.settings.drift);
+        let mut from = self.cursor;
+        // What was coasted over, and what lies near to a place that is seen anew, is worked out again.
+        if let Some(anchor) = self.anchor.take() {
+            from = from.map(|cursor| cursor.min(anchor.first.max(self.here)));
+        }
+        let near = self.cells.index(seen.s) - REACH_CELLS;
+        self.cursor = from.map(|cursor| cursor.min(near));
+    }
+
+    /// The estimate begins anew with these: the seam jumps there, or what was expected had been led astray by an
+    /// outlier.
+    fn begin_with(&mut self, three: &[Seen; IN_A_ROW]) {
+        let Some(front) = self.cells.front() else { return };
+        let Seen { s, value, .. } = three[0];
+        if s < front - 0.5 * self.cells.cell_mm {
+            // It was seen there before, and has moved since.
+            self.cells.clear();
+        } else if s - front < REACH * self.settings.lead_mm {
+            let end = self.cells.index(front) + 1;
+            let before = self.cells.fit(s, end - REACH_CELLS..end, BENT);
+            if before.is_none_or(|fit| fit.value.distance(value) > JUMP_MM) {
+                self.cells.add_break(0.5 * (s + front));
+            }
+        }
+    }
+
+    fn node(&mut self, i: i64, urgent: bool) -> Option<Node> {
+        if let Some(local) = self.cells.local(i, REACH_CELLS, urgent) {
+            let sight = if local.bridged { Sight::Bridged } else { Sight::Seen };
+            let Fit { value, slope, variance } = local.fit;
+            return Some(Node { value, slope, variance, sight });
+        }
+        urgent.then(|| self.coasted(i))
+    }
+
+    /// Beyond what was seen last.
+    fn coasted(&mut self, i: i64) -> Node {
+        let Some(anchor) = self.anchor.or_else(|| self.anchored(i)) else { return Node::UNSEEN };
+        self.anchor = Some(anchor);
+        let Settings { decay_mm, fade_mm, wander, .. } = self.settings;
+        let way = (i as f64 * self.cells.cell_mm - anchor.s).max(0.0);
+        let left = (-way / decay_mm).exp();
+        let value = anchor.fit.value + anchor.fit.slope * decay_mm * (1.0 - left);
+        let slope = anchor.fit.slope * left;
+        let variance = anchor.fit.variance + wander * way.powi(3) / 3.0;
+        let faded = (way - self.settings.coast_mm()) / fade_mm;
+        if faded <= 0.0 {
+            return Node { value, slope, variance, sight: Sight::Coasted };
+        }
+        let (faded, sight) = if faded < 1.0 { (faded, Sight::Fading) } else { (1.0, Sight::Lost) };
+        let keep = 1.0 - faded * faded * (3.0 - 2.0 * faded);
+        let falls = 6.0 * faded * (1.0 - faded) / fade_mm;
+        Node { value: keep * value, slope: keep * slope - falls * value, variance, sight }
+    }
+
+    /// Value and slope where the joint was last seen; the slope is that over half a lead.
+    fn anchored(&self, first: i64) -> Option<Anchor> {
+        let s = self.cells.front()?;
+        let end = self.cells.index(s) + 1;
+        let near = self.cells.fit(s, end - REACH_CELLS..end, BENT)?;
+        let far = self.cells.fit(s, end - 2 * REACH_CELLS..end, STRAIGHT)?;
+        Some(Anchor { s, fit: Fit { slope: far.slope, ..near }, first })
+    }
+}
