@@ -13,7 +13,8 @@ impl JointFollower {
     /// A follower over tacks of up to `longest_gap_px` pixels.
     #[must_use]
     pub fn new(longest_gap_px: f64) -> Self {
-        Self { follower: Follower::new(Options { gap: Some(longest_gap_px as f32), ..Options::default() }) }
+        let gap = Some(longest_gap_px as f32);
+        Self { follower: Follower::new(Options { gap, on_joint: true, ..Options::default() }) }
     }
 }
 

@@ -16,6 +16,12 @@ pub(super) struct Station {
 }
 
 impl Axis {
+    /// True if `length` pixels of it end in a picture of this size.
+    pub(super) fn stays_within(&self, length: f32, (width, height): (usize, usize)) -> bool {
+        let [x, y] = self.station(length).at;
+        (0.0..=(width - 1) as f32).contains(&x) && (0.0..=(height - 1) as f32).contains(&y)
+    }
+
     /// Its place and tangent after `s` pixels.
     pub(super) fn station(&self, s: f32) -> Station {
         let turn = s * self.curvature;

@@ -2,9 +2,10 @@ use super::axis::Axis;
 use super::end::{Cut, cut};
 use super::levels::{Levels, Picture, from_level, to_level};
 use super::midline::Midline;
-use super::trail::{Limits, Look, Stop, Trail};
+use super::trail::{Limits, Look, ROWS, Stop, Trail};
 use super::{End, Joint, Options, Row, Start, State, Zone, judge};
 use crate::Frame;
+use std::f32::consts::PI;
 
 /// Widths tried at a start of unknown width: level and pixels of it.
 const WIDTHS: [(usize, f32); 7] = [(0, 3.0), (0, 5.0), (1, 5.0), (2, 5.0), (3, 5.0), (4, 5.0), (5, 5.0)];
@@ -53,8 +54,18 @@ impl Follower {
         &self.joint
     }
 
-    /// Level, width, heading and depth at the start, if a joint is there.
+    /// Level, width, heading and depth at the start, if a joint is there: ahead or, as a tack may lie ahead, behind.
     fn begin(&mut self, frame: &Frame, start: &Start) -> Option<Look> {
+        if let Some(look) = self.look(frame, start, start.direction, false) {
+            return Some(look);
+        }
+        let mut look = self.look(frame, start, start.direction + PI, true)?;
+        look.axis.heading -= PI;
+        Some(look)
+    }
+
+    /// What is seen from the start in a direction; `within` the frame alone, or with what its rim stands for beyond it.
+    fn look(&mut self, frame: &Frame, start: &Start, heading: f32, within: bool) -> Option<Look> {
         let coarsest = Levels::coarsest(frame);
         let known = start.width.filter(|w| w.is_finite() && *w > 0.0).map(|w| w.clamp(WIDTH.0, WIDTH.1));
         let known = known.map(|w| [on_level(w, coarsest)]);
@@ -65,7 +76,10 @@ impl Follower {
         for (&(level, width), look) in widths.iter().zip(&mut looks).filter(|((level, _), _)| *level <= coarsest) {
             let picture = self.levels.picture(frame, level);
             let at = [start.x, start.y].map(|v| to_level(v, level));
-            *look = self.trail.look(&picture, Axis { at, heading: start.direction, curvature: 0.0 }, width, level);
+            let axis = Axis { at, heading, curvature: 0.0 };
+            if !within || axis.stays_within(ROWS as f32, (picture.width, picture.height)) {
+                *look = self.trail.look(&picture, axis, width, level);
+            }
         }
         let best = narrowest(&looks)?;
         if known.is_some() {
@@ -95,12 +109,12 @@ impl Follower {
             return End::Lost;
         }
         self.midline.find(&picture, &self.trail, &look);
-        tell(&self.midline, &picture, level, stop, &mut self.joint.rows)
+        tell(&self.midline, &picture, (level, stop), self.options.on_joint, &mut self.joint.rows)
     }
 }
 
 /// Rows of the frame from those of the level.
-fn tell(midline: &Midline, picture: &Picture, level: usize, stop: Stop, out: &mut Vec<Row>) -> End {
+fn tell(midline: &Midline, picture: &Picture, (level, stop): (usize, Stop), on_joint: bool, out: &mut Vec<Row>) -> End {
     let scale = (1 << level) as f32;
     let Some(Cut { rows, end, beyond }) = cut(&midline.rows, stop) else { return End::Lost };
     for (i, found) in midline.rows[..rows].iter().enumerate() {
@@ -113,7 +127,10 @@ fn tell(midline: &Midline, picture: &Picture, level: usize, stop: Stop, out: &mu
     if end == End::JointEnd {
         place_end(out, rows as f32 - 0.5 + beyond);
     }
-    judge::whole(out, end);
+    judge::rims(out, end, on_joint);
+    if !on_joint {
+        judge::length(out, end);
+    }
     end
 }
 

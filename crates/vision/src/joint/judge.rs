@@ -33,11 +33,14 @@ const SHORT_AND_NARROW: f32 = 210.0;
 const NARROW: f32 = 3.5;
 
 /// Rows next to a gap or an end that are not sure: what is seen there is in part beyond it.
-const RIM: usize = 6;
+const RIM: usize = 10;
+/// The same where the joint is seen to end.
+const END_RIM: usize = 2;
 
-fn rims(rows: &mut [Row], end: End) {
+/// Takes the confidence from rows next to gaps and ends.
+pub(super) fn rims(rows: &mut [Row], end: End, on_joint: bool) {
     let count = rows.len();
-    let mut sure_from = if end == End::Closed { 0 } else { RIM };
+    let mut sure_from = if on_joint || end == End::Closed { 0 } else { RIM };
     for i in 0..count {
         if rows[i].state == State::Coasted {
             sure_from = i + RIM + 1;
@@ -46,8 +49,13 @@ fn rims(rows: &mut [Row], end: End) {
             unsure(&mut rows[i]);
         }
     }
-    if matches!(end, End::JointEnd | End::Lost) {
-        rows[count.saturating_sub(RIM)..].iter_mut().for_each(unsure);
+    let rim = match end {
+        End::JointEnd => END_RIM,
+        End::Lost => RIM,
+        End::LeftImage | End::Closed => 0,
+    };
+    if rim > 0 {
+        rows[count.saturating_sub(rim)..].iter_mut().for_each(unsure);
     }
 }
 
@@ -63,9 +71,8 @@ fn unsure(row: &mut Row) {
     row.confidence = row.confidence.min(UNSURE);
 }
 
-/// Takes the confidence that rows have by themselves but not as parts of the whole line.
-pub(super) fn whole(rows: &mut [Row], end: End) {
-    rims(rows, end);
+/// Takes the confidence from a line that is as short as a scratch.
+pub(super) fn length(rows: &mut [Row], end: End) {
     let seen = |pair: &&[Row]| pair.iter().all(|r| r.state == State::Seen);
     let length: f32 = rows.windows(2).filter(seen).map(|p| (p[1].x - p[0].x).hypot(p[1].y - p[0].y)).sum();
     let narrow = rows.iter().filter(|r| r.width < NARROW).count() > rows.len() / 2;

@@ -46,6 +46,8 @@ pub struct Options {
     pub length: Option<f32>,
     /// Where the joint is looked for; none: in the whole frame.
     pub zone: Option<Zone>,
+    /// The start is known to lie on the joint: a short line is no scratch.
+    pub on_joint: bool,
 }
 
 /// Where a joint is to be followed from.

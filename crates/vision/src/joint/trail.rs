@@ -6,7 +6,7 @@ use super::profile::{Arms, Profile, REACH};
 use super::strip::{MID, Strip, box_columns};
 
 /// Rows of a strip that is looked at ...
-const ROWS: usize = 48;
+pub(super) const ROWS: usize = 48;
 /// ... from this many before the last place ...
 const BACK: usize = 10;
 /// ... of which this many places are taken.
