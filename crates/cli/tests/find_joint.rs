@@ -115,7 +115,7 @@ fn photographs() {
         assert!(widths.contains(&found[20].width), "{name}: {}", found[20].width);
         let mut right = 0;
         for [y, x, u] in &points {
-            // Rows are a fifth of the width apart.
+            // Rows are up to a third of the width apart.
             let nearest = found.iter().min_by(|a, b| (a.y - y).abs().total_cmp(&(b.y - y).abs()));
             let Some(row) = nearest.filter(|r| (r.y - y).abs() < 8.0) else { continue };
             let is_right = (row.x - x).abs() <= (2.0 * u).max(1.0);

@@ -103,7 +103,7 @@ pub enum End {
 /// The midline found in a frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Joint {
-    /// Its places in order, about a pixel apart, or a fifth of the width of a wide joint.
+    /// Its places in order, about a pixel apart, or up to a third of the width of a wide joint.
     pub rows: Vec<Row>,
     /// Why it ends.
     pub end: End,
