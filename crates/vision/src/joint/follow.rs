@@ -123,6 +123,7 @@ fn tell(midline: &Midline, picture: &Picture, (level, stop): (usize, Stop), on_j
         let state = if found.seen { State::Seen } else { State::Coasted };
         out.push(Row { x, y, confidence, width: found.width * scale, state });
     }
+    bridge(out);
     judge::steps(out, &midline.rows[..rows]);
     if end == End::JointEnd {
         place_end(out, rows as f32 - 0.5 + beyond);
@@ -132,6 +133,23 @@ fn tell(midline: &Midline, picture: &Picture, (level, stop): (usize, Stop), on_j
         judge::length(out, end);
     }
     end
+}
+
+/// Puts coasted rows on the straight line between the seen ones before and after: what the best path does there is chance.
+fn bridge(rows: &mut [Row]) {
+    let mut before = None;
+    for i in 0..rows.len() {
+        if rows[i].state == State::Coasted {
+            continue;
+        }
+        if let Some(from) = before.replace(i).filter(|from| i - from > 1) {
+            let (a, b) = (rows[from], rows[i]);
+            for (k, row) in rows[from + 1..i].iter_mut().enumerate() {
+                let part = (k + 1) as f32 / (i - from) as f32;
+                (row.x, row.y) = (a.x + part * (b.x - a.x), a.y + part * (b.y - a.y));
+            }
+        }
+    }
 }
 
 /// Puts the last row where the joint ends, so many rows after the first one.

@@ -32,15 +32,17 @@ const SHORT_AND_NARROW: f32 = 210.0;
 /// Scratches are narrower than this, pixels.
 const NARROW: f32 = 3.5;
 
-/// Rows next to a gap or an end that are not sure: what is seen there is in part beyond it.
+/// Rows next to a gap or a loss that are not sure: what is seen there is in part beyond it.
 const RIM: usize = 10;
+/// The same behind the start.
+const START_RIM: usize = 6;
 /// The same where the joint is seen to end.
 const END_RIM: usize = 2;
 
 /// Takes the confidence from rows next to gaps and ends.
 pub(super) fn rims(rows: &mut [Row], end: End, on_joint: bool) {
     let count = rows.len();
-    let mut sure_from = if on_joint || end == End::Closed { 0 } else { RIM };
+    let mut sure_from = if on_joint || end == End::Closed { 0 } else { START_RIM };
     for i in 0..count {
         if rows[i].state == State::Coasted {
             sure_from = i + RIM + 1;
