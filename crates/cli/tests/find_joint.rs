@@ -135,6 +135,29 @@ fn photographs() {
     }
 }
 
+/// Wherever the start points within 3 degrees, no hand-read point is on a confident row that is wrong.
+#[test]
+fn photographs_from_other_directions() {
+    let folder = root().join("tests/data/images");
+    let labels: Value = serde_json::from_str(&std::fs::read_to_string(folder.join("labels.json")).unwrap()).unwrap();
+    for name in ["x1.jpg", "x3.jpg", "x7.jpg"] {
+        let points: Vec<[f64; 3]> = serde_json::from_value(labels["images"][name]["points"].clone()).unwrap();
+        let ([y, x, _], [to_y, to_x, _]) = (points[0], points[1]);
+        let image = folder.join(name).display().to_string();
+        for off in [-3.0, -1.5, -0.5, 0.5, 1.5, 3.0] {
+            let direction = ((to_y - y).atan2(to_x - x).to_degrees() + off).to_string();
+            let found =
+                rows(&good(&["find-joint", &image, "--start", &format!("{x},{y}"), "--direction-deg", &direction]));
+            for [y, x, u] in &points {
+                let near = found.iter().filter(|r| (r.y - y).abs() < 8.0 && r.confidence >= CONFIDENT);
+                let nearest = near.min_by(|a, b| (a.y - y).abs().total_cmp(&(b.y - y).abs()));
+                let right = nearest.is_none_or(|r| (r.x - x).abs() <= (2.0 * u).max(1.0));
+                assert!(right, "{name}, {off} degrees off, at {y}: {nearest:?} for {x}");
+            }
+        }
+    }
+}
+
 #[test]
 fn bad_input_is_named() {
     let image = painted();

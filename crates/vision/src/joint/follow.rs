@@ -56,6 +56,8 @@ impl Follower {
 
     /// Level, width, heading and depth at the start, if a joint is there: ahead or, as a tack may lie ahead, behind.
     fn begin(&mut self, frame: &Frame, start: &Start) -> Option<Look> {
+        let coarsest = Levels::coarsest(frame);
+        self.levels.prepare(frame, known_width(start).map_or(coarsest, |w| on_level(w, coarsest).0));
         if let Some(look) = self.look(frame, start, start.direction, false) {
             return Some(look);
         }
@@ -64,14 +66,12 @@ impl Follower {
         Some(look)
     }
 
-    /// What is seen from the start in a direction; `within` the frame alone, or with what its rim stands for beyond it.
+    /// What is seen from the start in a direction. `within`: only strips that stay in the frame count, others go on beyond
+    /// its rim.
     fn look(&mut self, frame: &Frame, start: &Start, heading: f32, within: bool) -> Option<Look> {
         let coarsest = Levels::coarsest(frame);
-        let known = start.width.filter(|w| w.is_finite() && *w > 0.0).map(|w| w.clamp(WIDTH.0, WIDTH.1));
-        let known = known.map(|w| [on_level(w, coarsest)]);
+        let known = known_width(start).map(|w| [on_level(w, coarsest)]);
         let widths = known.as_ref().map_or(&WIDTHS[..], |w| &w[..]);
-        let most = widths.iter().map(|(level, _)| (*level).min(coarsest)).max().unwrap_or(0);
-        self.levels.prepare(frame, most);
         let mut looks = [None; WIDTHS.len()];
         for (&(level, width), look) in widths.iter().zip(&mut looks).filter(|((level, _), _)| *level <= coarsest) {
             let picture = self.levels.picture(frame, level);
@@ -89,7 +89,6 @@ impl Follower {
         let picture = self.levels.picture(frame, best.level);
         let width = self.trail.measure_width(&picture, &best).unwrap_or(best.width) * scale;
         let (level, width) = on_level(width.clamp(WIDTH.0, WIDTH.1), coarsest);
-        self.levels.prepare(frame, level);
         let picture = self.levels.picture(frame, level);
         let at = [start.x, start.y].map(|v| to_level(v, level));
         self.trail.look(&picture, Axis { at, heading: best.axis.heading, curvature: 0.0 }, width, level)
@@ -169,6 +168,11 @@ fn narrowest(looks: &[Option<Look>]) -> Option<Look> {
     let most = (0..looks.len()).map(strength).fold(0.0, f32::max);
     let found = (0..looks.len()).find(|k| strength(*k) > strength(k + 1) && strength(*k) >= NOT_MUCH_LESS * most)?;
     looks[found]
+}
+
+/// The width that a start tells, pixels of the frame.
+fn known_width(start: &Start) -> Option<f32> {
+    start.width.filter(|w| w.is_finite() && *w > 0.0).map(|w| w.clamp(WIDTH.0, WIDTH.1))
 }
 
 /// The level on which a width is narrow, and the width there.

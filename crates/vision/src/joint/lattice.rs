@@ -3,7 +3,7 @@ use super::strip::{COLS, GROUP, Line, MID, Strip};
 /// What a step to the next column costs, nats.
 const MOVE: f32 = 2.5;
 /// One row tells at most this much for a joint, nats: a scratch does not outweigh many rows ...
-pub(super) const MOST: f32 = 3.0;
+const MOST: f32 = 3.0;
 /// ... and this much against it: something may lie on it.
 const LEAST: f32 = -1.0;
 /// What is nearly so many times as deep as the joint is something else. (Where two cross it is twice as deep.)
@@ -108,6 +108,12 @@ impl Lattice {
             *backward = score;
         }
     }
+}
+
+/// The mean column of a path over the rows within `reach` of row `i`.
+pub(super) fn column_about(path: &[usize], i: usize, reach: usize) -> f32 {
+    let near = &path[i.saturating_sub(reach)..(i + reach + 1).min(path.len())];
+    near.iter().sum::<usize>() as f32 / near.len() as f32
 }
 
 /// The best that leads to each column of the next row.

@@ -1,5 +1,5 @@
 use super::axis::Station;
-use super::lattice::Lattice;
+use super::lattice::{Lattice, column_about};
 use super::levels::Picture;
 use super::parabola::Parabola;
 use super::profile::{Arms, Profile, REACH, Reading, Shape};
@@ -16,8 +16,6 @@ const STEPPED_AROUND: usize = 4;
 const USUAL: f32 = 1.6;
 /// ... and this part of the depth.
 const LIKE: f32 = 0.06;
-/// Rows before and after that tell whether a row is seen.
-const SEEN_AROUND: usize = 6;
 /// Rows before and after that a parabola through the middles is fitted to, least and most.
 const LINE: (usize, usize) = (6, 24);
 /// What the midline's standard error should be, pixels of the frame.
@@ -128,14 +126,10 @@ impl Midline {
 
     fn judge_rows(&mut self) {
         let count = self.path.len();
-        let depth = |k: usize| self.strip.depth[k][self.path[k]];
         let evidence = |k: usize| self.lattice.evidence[k][self.path[k]];
-        let near = |i: usize, reach: usize| i.saturating_sub(reach)..(i + reach + 1).min(count);
         for (i, row) in self.rows.iter_mut().enumerate() {
-            let about = near(i, SEEN_AROUND);
-            let mean = about.clone().map(depth).sum::<f32>() / about.len() as f32;
-            row.seen = mean > (0.45 * self.contrast[i]).max(2.2 * self.strip.noise);
-            row.strength = near(i, AROUND).map(evidence).sum();
+            row.seen = self.strip.shows(&self.path, i, self.contrast[i]);
+            row.strength = (i.saturating_sub(AROUND)..(i + AROUND + 1).min(count)).map(evidence).sum();
             row.margin = self.margins[i];
         }
     }
@@ -145,10 +139,7 @@ impl Midline {
         let count = self.path.len();
         let profile = Profile::new(width);
         self.centre.clear();
-        self.centre.extend((0..count).map(|i| {
-            let near = &self.path[i.saturating_sub(4)..(i + 5).min(count)];
-            near.iter().sum::<usize>() as f32 / near.len() as f32
-        }));
+        self.centre.extend((0..count).map(|i| column_about(&self.path, i, 4)));
         self.readings.resize(count, Reading::default());
         self.arms.resize(count, [[0.0; REACH]; 2]);
         let mut line = LINE.0;

@@ -10,6 +10,12 @@ pub(super) const MID: usize = COLS / 2;
 pub(super) const GROUP: usize = 4;
 /// Groups this many rows apart share none.
 const APART: usize = 2 * GROUP + 1;
+/// Rows before and after that tell whether a joint is seen.
+pub(super) const SEEN_AROUND: usize = 6;
+/// Their mean depth is at least this part of the joint's ...
+const PART: f32 = 0.45;
+/// ... and this many standard deviations of one.
+const STANDS_OUT: f32 = 2.2;
 /// Least noise of a depth, grey values of 255.
 const LEAST_NOISE: f32 = 0.3;
 /// Columns of each of the two boxes on either side.
@@ -110,6 +116,13 @@ impl Strip {
         }
         let (first, last) = self.columns;
         self.noise = self.measure_noise(|_| (first..=last, 0..0));
+    }
+
+    /// True if the rows about row `i` show a joint of depth `contrast` along `path`.
+    pub(super) fn shows(&self, path: &[usize], i: usize, contrast: f32) -> bool {
+        let near = i.saturating_sub(SEEN_AROUND)..(i + SEEN_AROUND + 1).min(path.len());
+        let least = (PART * contrast).max(STANDS_OUT * self.noise) * near.len() as f32;
+        near.map(|k| self.depth[k][path[k]]).sum::<f32>() > least
     }
 
     /// The noise, without what is near a path.

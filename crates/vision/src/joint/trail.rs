@@ -1,9 +1,9 @@
 use super::axis::{Axis, Station};
-use super::lattice::Lattice;
+use super::lattice::{Lattice, column_about};
 use super::levels::Picture;
 use super::parabola::Parabola;
 use super::profile::{Arms, Profile, REACH};
-use super::strip::{MID, Strip, box_columns};
+use super::strip::{MID, SEEN_AROUND, Strip, box_columns};
 
 /// Rows of a strip that is looked at ...
 pub(super) const ROWS: usize = 48;
@@ -15,12 +15,6 @@ const TAKEN: usize = 20;
 const FITTED: usize = 44;
 /// What each pixel of distance from where the path is expected costs, beyond the free ones, nats.
 const AWAY: f32 = 1.5;
-/// Rows before and after that tell whether a joint is seen.
-const AROUND: usize = 6;
-/// Their mean depth is at least this part of the joint's ...
-const PART: f32 = 0.45;
-/// ... and this many standard deviations of one.
-const STANDS_OUT: f32 = 2.2;
 /// Joints bend no more sharply than this, rad/px of their level.
 const MOST_BENT: f32 = 0.03;
 /// A joint that has just begun to be followed bends about this much, rad/px.
@@ -66,7 +60,7 @@ pub(super) enum Stop {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Trail {
     pub(super) places: Vec<Place>,
-    pub(super) strip: Strip,
+    strip: Strip,
     lattice: Lattice,
     path: Vec<usize>,
     seen: Vec<bool>,
@@ -117,9 +111,8 @@ impl Trail {
         let seen = self.path.iter().zip(&self.seen).enumerate().filter(|(_, (_, seen))| **seen);
         let across = seen.map(|(i, (j, _))| (i as f32, *j as f32 - MID as f32, 1.0));
         let [offset, slope, _] = Parabola::through(across, 1e9)?.terms;
-        let station = Station { at: axis.at, tangent: axis.station(0.0).tangent };
         let strength = contrast * (box_columns(width) as f32 * (1 << level) as f32).sqrt() * part;
-        let axis = Axis { at: station.beside(offset), heading: axis.heading + slope.atan(), curvature: 0.0 };
+        let axis = Axis { at: axis.station(0.0).beside(offset), heading: axis.heading + slope.atan(), curvature: 0.0 };
         (part >= START_SEEN).then_some(Look { level, width, contrast, noise: self.strip.noise, axis, strength })
     }
 
@@ -138,8 +131,7 @@ impl Trail {
         let profile = Profile::new(1.5 * look.width);
         let (mut sum, mut arms): (Arms, Arms) = ([[0.0; REACH]; 2], [[0.0; REACH]; 2]);
         for (i, row) in self.strip.grey.iter().enumerate() {
-            let near = &self.path[i.saturating_sub(4)..(i + 5).min(ROWS)];
-            profile.read(row, near.iter().sum::<usize>() as f32 / near.len() as f32, &mut arms);
+            profile.read(row, column_about(&self.path, i, 4), &mut arms);
             sum.iter_mut().flatten().zip(arms.iter().flatten()).for_each(|(s, a)| *s += a);
         }
         profile.rims(&sum).map(|[left, right]| right - left)
@@ -162,8 +154,7 @@ impl Trail {
             self.see(picture, &axis, from, look, gap);
             let mut taken = 0;
             for i in back..back + TAKEN {
-                let near = i.saturating_sub(3)..(i + 4).min(ROWS);
-                let across = self.path[near.clone()].iter().sum::<usize>() as f32 / near.len() as f32 - MID as f32;
+                let across = column_about(&self.path, i, 3) - MID as f32;
                 if taken >= TAKEN / 2 && across.abs() > BESIDE && self.seen[i] {
                     break;
                 }
@@ -178,7 +169,7 @@ impl Trail {
                     return Stop::Closed;
                 }
                 // Rows at the rims of a gap are not seen to be the joint's.
-                if gap as f32 > limits.gap + AROUND as f32 {
+                if gap as f32 > limits.gap + SEEN_AROUND as f32 {
                     return Stop::Gap;
                 }
             }
@@ -235,14 +226,8 @@ impl Trail {
 
     /// Which rows of the strip show the joint.
     fn judge(&mut self, contrast: f32) {
-        let least = (PART * contrast).max(STANDS_OUT * self.strip.noise);
-        let depth = |k: usize| self.strip.depth[k][self.path[k]];
         self.seen.clear();
-        self.seen.extend((0..ROWS).map(|i| {
-            let near = i.saturating_sub(AROUND)..(i + AROUND + 1).min(ROWS);
-            let count = near.len() as f32;
-            near.map(depth).sum::<f32>() > least * count
-        }));
+        self.seen.extend((0..ROWS).map(|i| self.strip.shows(&self.path, i, contrast)));
     }
 
     /// The joint's depth follows what is seen.
@@ -259,7 +244,7 @@ impl Trail {
     fn way_on(&self, axis: &Axis, gone: f32, fitted: usize) -> Axis {
         let last = &self.places[self.places.len().saturating_sub(fitted)..];
         let count = last.iter().filter(|p| p.seen).count();
-        let Station { at, tangent: [cos, sin] } = axis.station(gone);
+        let Station { at, .. } = axis.station(gone);
         let heading = axis.heading + gone * axis.curvature;
         let straight = Axis { at, heading, curvature: STRAIGHTER * axis.curvature };
         if count < fitted / 4 {
@@ -273,7 +258,7 @@ impl Trail {
         let Some(found) = Parabola::through(local, 1.0 / (0.5 * BENT).powi(2)) else { return straight };
         let [offset, slope, bend] = found.terms;
         let curvature = (axis.curvature + 2.0 * bend).clamp(-MOST_BENT, MOST_BENT);
-        Axis { at: Station { at, tangent: [cos, sin] }.beside(offset), heading: heading + slope.atan(), curvature }
+        Axis { at: there.station(0.0).beside(offset), heading: heading + slope.atan(), curvature }
     }
 
     /// The place before a turn that is sharper than a joint's, among the last places and after those that were checked.
