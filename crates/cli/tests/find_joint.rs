@@ -10,6 +10,7 @@ use std::path::PathBuf;
 /// Rows with at least this confidence are confident (docs/cli.md).
 const CONFIDENT: f64 = 0.5;
 
+#[derive(Debug)]
 struct Row {
     x: f64,
     y: f64,
