@@ -1,0 +1,156 @@
+use super::SlideLimits;
+use crate::lead::Error;
+use glam::{DMat3, DVec3};
+use nalgebra::{Cholesky, Const, SMatrix, SVector};
+use seamwright_geometry::Pose;
+use seamwright_machine::{Joints, MAX_AXES, Machine};
+
+/// Part of every axis' speed, acceleration and jerk that plans leave to corrections.
+pub const RESERVE: f64 = 0.3;
+/// Part of that which corrections are bounded by. The rest is for what a correction that stays adds: a path beside the
+/// taught one takes other speeds of the axes.
+const DIRECT: f64 = 0.5;
+/// Weight of the attitude (rad) against that of the axes' ways (as times, s): large enough that ways decide only where the
+/// attitude leaves a choice.
+const ATTITUDE: f64 = 1e7;
+/// Steps of Newton's method a cycle: each begins where the one before has ended, a cycle ago or now.
+const STEPS: usize = 2;
+
+type Square = SMatrix<f64, MAX_AXES, MAX_AXES>;
+type Column = SVector<f64, MAX_AXES>;
+
+/// Carries corrections out with the machine's own axes: the torch is shifted in the work frame and keeps its direction.
+///
+/// The tip is exactly where it shall be. What the axes leave free beyond that goes to the attitude, in the sense of least
+/// squares, and what that leaves free to the shortest ways from the planned positions, each by its axis' speed. So the
+/// result depends on place and correction alone, and not on how one came there. (Newton's method on the conditions of
+/// Lagrange; the axes' derivatives are those of the machine's own chain.)
+#[derive(Debug, Clone)]
+pub struct OverAxes<'a> {
+    machine: &'a Machine,
+    /// 1 / speed^2 of each axis; 1 of axes that have no part in it.
+    effort: Column,
+    /// What the correction moved the axes by in the cycle before.
+    by: Joints,
+}
+
+/// The axes cannot shift the torch that way here.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct OutOfReach;
+
+impl<'a> OverAxes<'a> {
+    /// For the first head of `machine`.
+    #[must_use]
+    pub fn new(machine: &'a Machine) -> Self {
+        let effort = |i: usize| machine.axes.get(i).map_or(1.0, |axis| axis.max_speed.powi(-2));
+        Self { machine, effort: Column::from_fn(|i, _| effort(i)), by: [0.0; MAX_AXES] }
+    }
+
+    /// Positions at which the torch is `by` (mm, work frame) beside where it is at the planned positions `q`. No
+    /// allocation.
+    ///
+    /// # Errors
+    /// [`OutOfReach`] where the axes cannot move the torch to all sides, or an axis would leave its range.
+    pub fn shifted(&mut self, q: &Joints, by: DVec3) -> Result<Joints, OutOfReach> {
+        let planned = self.machine.forward(q);
+        let target = Pose { point: planned.point + by, ..planned };
+        let mut x: Joints = std::array::from_fn(|i| q[i] + self.by[i]);
+        for _ in 0..STEPS {
+            let step = self.step(q, &x, &target).ok_or(OutOfReach)?;
+            x.iter_mut().zip(step.iter()).for_each(|(x, step)| *x += step);
+        }
+        if self.machine.outside(&x).is_some() || x.iter().any(|x| !x.is_finite()) {
+            return Err(OutOfReach);
+        }
+        self.by = std::array::from_fn(|i| x[i] - q[i]);
+        Ok(x)
+    }
+
+    /// One step from `x`: to the target as it looks from there.
+    fn step(&self, q: &Joints, x: &Joints, target: &Pose) -> Option<Column> {
+        let here = self.machine.forward(x);
+        let solver = Solver::new(self.machine, x, &self.effort)?;
+        let way = Column::from_fn(|i, _| -self.effort[i] * (x[i] - q[i]));
+        let turn = target.direction - here.direction;
+        let pull = Column::from_fn(|i, _| ATTITUDE * solver.columns[i].1.dot(turn)) + way;
+        solver.solve(&pull, target.point - here.point)
+    }
+
+    /// What a correction may do on `machine` along a path, so that it asks of every axis no more than its part of
+    /// [`RESERVE`]: planned positions with both directions of corrections (unit vectors, work frame) at places along it,
+    /// and the farthest that a correction may go, mm.
+    ///
+    /// # Errors
+    /// A range that is not positive; [`Error::Value`] where the axes cannot shift the torch.
+    pub fn limits(
+        machine: &Machine,
+        places: impl Iterator<Item = (Joints, [DVec3; 2])>,
+        range_mm: f64,
+    ) -> Result<SlideLimits, Error> {
+        let all = OverAxes::new(machine);
+        let mut most =
+            SlideLimits { stroke_mm: range_mm, speed: f64::INFINITY, acceleration: f64::INFINITY, jerk: f64::INFINITY };
+        let singular = Error::Value {
+            key: "correction",
+            value: range_mm,
+            allowed: "a path along which the axes can shift the torch to all sides",
+        };
+        for (q, directions) in places {
+            let gains = all.gains(&q, directions).ok_or_else(|| singular.clone())?;
+            for (axis, gain) in machine.axes.iter().zip(gains.iter()).filter(|(_, gain)| **gain > 1e-9) {
+                let part = RESERVE * DIRECT / gain;
+                most.speed = most.speed.min(part * axis.max_speed);
+                most.acceleration = most.acceleration.min(part * axis.max_acceleration);
+                most.jerk = most.jerk.min(part * axis.jerk());
+            }
+        }
+        most.check()?;
+        Ok(most)
+    }
+
+    /// By how much each axis moves at most for 1 mm in both directions at once, mm or rad.
+    fn gains(&self, q: &Joints, directions: [DVec3; 2]) -> Option<Column> {
+        let solver = Solver::new(self.machine, q, &self.effort)?;
+        let [a, b] = directions.map(|direction| solver.solve(&Column::zeros(), direction));
+        Some(a?.abs() + b?.abs())
+    }
+}
+
+/// The conditions of the least step at one place, factorised.
+struct Solver {
+    columns: [(DVec3, DVec3); MAX_AXES],
+    least: Cholesky<f64, Const<MAX_AXES>>,
+    /// The inverse of how far the tip goes when it is pulled, by directions.
+    stiffness: DMat3,
+    /// What each direction's pull at the tip moves the axes by.
+    by_pull: [Column; 3],
+}
+
+impl Solver {
+    fn new(machine: &Machine, x: &Joints, effort: &Column) -> Option<Self> {
+        let columns = machine.jacobian(x);
+        let mut least = Square::from_diagonal(effort);
+        for i in 0..machine.axes.len() {
+            for k in 0..machine.axes.len() {
+                least[(i, k)] += ATTITUDE * columns[i].1.dot(columns[k].1);
+            }
+        }
+        let least = least.cholesky()?;
+        let pull = |axis: usize| least.solve(&Column::from_fn(|i, _| columns[i].0[axis]));
+        let by_pull = [pull(0), pull(1), pull(2)];
+        let moved = |by: &Column| (0..MAX_AXES).map(|i| by[i] * columns[i].0).sum::<DVec3>();
+        let compliance = DMat3::from_cols(moved(&by_pull[0]), moved(&by_pull[1]), moved(&by_pull[2]));
+        let largest = compliance.x_axis.length().max(compliance.y_axis.length()).max(compliance.z_axis.length());
+        let singular = compliance.determinant().abs() <= 1e-12 * largest.powi(3);
+        (!singular).then(|| Self { columns, least, stiffness: compliance.inverse(), by_pull })
+    }
+
+    /// The step that is the least against `pull` and moves the tip by `way`.
+    fn solve(&self, pull: &Column, way: DVec3) -> Option<Column> {
+        let free = self.least.solve(pull);
+        let left = way - (0..MAX_AXES).map(|i| free[i] * self.columns[i].0).sum::<DVec3>();
+        let force = self.stiffness * left;
+        let step = free + self.by_pull[0] * force.x + self.by_pull[1] * force.y + self.by_pull[2] * force.z;
+        step.iter().all(|s| s.is_finite()).then_some(step)
+    }
+}

@@ -1,0 +1,131 @@
+//! Corrections over the machine's own axes, on the machines that ship.
+
+use glam::{DVec2, DVec3};
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::{Rng, SeedableRng};
+use seamwright_geometry::Pose;
+use seamwright_machine::{Joints, Machine, shipped};
+use seamwright_tracking::actuator::{OverAxes, RESERVE, SlideLimits};
+
+fn machine(name: &str) -> Machine {
+    Machine::read(name, shipped(name).unwrap().text).unwrap()
+}
+
+fn uniform(random: &mut Pcg64Mcg) -> f64 {
+    (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64
+}
+
+/// Somewhere in the middle half of the ranges.
+fn somewhere(machine: &Machine, random: &mut Pcg64Mcg) -> Joints {
+    let mut q = Joints::default();
+    for (q, axis) in q.iter_mut().zip(&machine.axes) {
+        let (low, high) = axis.range.unwrap_or((-3.0, 3.0));
+        *q = low + (high - low) * (0.25 + 0.5 * uniform(random));
+    }
+    q
+}
+
+fn to_a_side(random: &mut Pcg64Mcg, most: f64) -> DVec3 {
+    let mut by = || (2.0 * uniform(random) - 1.0) * most;
+    DVec3::new(by(), by(), by())
+}
+
+const CARRIERS: [&str; 4] = ["saddle-4axis", "torch-5axis", "table-tilting-xyzac", "ebw-7axis"];
+
+/// The tip is exactly shifted, also when the correction jumps by millimetres within a cycle or two; and where the axes can
+/// give any direction the torch keeps its own.
+#[test]
+fn the_tip_is_shifted_and_the_torch_keeps_its_direction() {
+    for name in CARRIERS {
+        let machine = machine(name);
+        let mut random = Pcg64Mcg::seed_from_u64(7);
+        let (mut done, mut turned) = (0, 0.0f64);
+        while done < 1000 {
+            let q = somewhere(&machine, &mut random);
+            let mut over = OverAxes::new(&machine);
+            let by = to_a_side(&mut random, 3.0);
+            // A correction grows over cycles.
+            let Some(x) = (1..=30).map(|i| over.shifted(&q, by * f64::from(i) / 30.0).ok()).last().flatten() else {
+                continue;
+            };
+            done += 1;
+            let (planned, here) = (machine.forward(&q), machine.forward(&x));
+            assert!(here.point.distance(planned.point + by) < 1e-7, "{name}: {}", here.point - planned.point - by);
+            turned = turned.max(here.direction.angle_between(planned.direction));
+        }
+        let most = if name == "saddle-4axis" { 0.1 } else { 1e-4 };
+        assert!(turned < most, "{name}: turned by {turned}");
+    }
+}
+
+/// On a machine of five axes there is one such place: that of the inverse in closed form.
+#[test]
+fn five_axes_go_where_the_inverse_says() {
+    for name in ["torch-5axis", "table-tilting-xyzac"] {
+        let machine = machine(name);
+        let mut random = Pcg64Mcg::seed_from_u64(11);
+        for _ in 0..1000 {
+            let q = somewhere(&machine, &mut random);
+            let by = to_a_side(&mut random, 2.0);
+            let mut over = OverAxes::new(&machine);
+            let planned = machine.forward(&q);
+            let target = Pose { point: planned.point + by, ..planned };
+            let (Ok(known), Ok(_)) = (machine.inverse_near(target, &q), over.shifted(&q, 0.5 * by)) else { continue };
+            let Ok(x) = over.shifted(&q, by) else { continue };
+            for i in 0..machine.axes.len() {
+                assert!((x[i] - known.joints[i]).abs() < 0.01, "{name} {i}: {} {}", x[i], known.joints[i]);
+            }
+        }
+    }
+}
+
+/// The way there does not matter, also with axes to spare.
+#[test]
+fn the_way_does_not_matter() {
+    let machine = machine("ebw-7axis");
+    let mut random = Pcg64Mcg::seed_from_u64(13);
+    let mut compared = 0;
+    for _ in 0..500 {
+        let q = somewhere(&machine, &mut random);
+        let by = to_a_side(&mut random, 2.0);
+        let settled = |ways: &[DVec3]| {
+            let mut over = OverAxes::new(&machine);
+            ways.iter().map(|by| over.shifted(&q, *by).ok()).last().flatten()
+        };
+        let round = [to_a_side(&mut random, 2.0), to_a_side(&mut random, 2.0), by, by, by];
+        let (Some(a), Some(b)) = (settled(&[0.5 * by, by, by, by]), settled(&round)) else { continue };
+        compared += 1;
+        let apart = (0..machine.axes.len()).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max);
+        assert!(apart < 1e-6, "{apart}");
+    }
+    assert!(compared > 300, "{compared}");
+}
+
+/// A correction within its limits moves no axis faster than its reserve, at planned places that stand.
+#[test]
+fn corrections_keep_the_reserve() {
+    for name in CARRIERS {
+        let machine = machine(name);
+        let mut random = Pcg64Mcg::seed_from_u64(17);
+        for _ in 0..200 {
+            let q = somewhere(&machine, &mut random);
+            let along = to_a_side(&mut random, 1.0).normalize();
+            let lateral = along.any_orthonormal_vector();
+            let directions = [lateral, along.cross(lateral)];
+            let Ok(limits) = OverAxes::limits(&machine, std::iter::once((q, directions)), 5.0) else { continue };
+            let SlideLimits { speed, .. } = limits;
+            let mut over = OverAxes::new(&machine);
+            let mut last = q;
+            for i in 1..200 {
+                let go = 1e-3 * speed * f64::from(i);
+                let by = DVec2::splat(go.min(1.0));
+                let Ok(x) = over.shifted(&q, by.x * directions[0] + by.y * directions[1]) else { break };
+                for (k, axis) in machine.axes.iter().enumerate() {
+                    let rate = (x[k] - last[k]).abs() / 1e-3;
+                    assert!(rate <= RESERVE * axis.max_speed, "{name} {}: {rate}", axis.name);
+                }
+                last = x;
+            }
+        }
+    }
+}
