@@ -25,9 +25,9 @@ impl Drives {
             };
             let servo = servo(axis, &drive, machine.servo_period_s)
                 .map_err(|e| Error::Drive { axis: axis.name.clone(), reason: e.to_string() })?;
-            Ok((servo, Disturbance::new(seed, i, drive.load.peak, pitch)))
+            Ok::<_, Error>((servo, Disturbance::new(seed, i, drive.load.peak, pitch)))
         });
-        Ok(Self { axes: axes.collect::<Result<_, _>>()? })
+        Ok(Self { axes: axes.collect::<Result<_, Error>>()? })
     }
 
     /// Puts every axis at rest at its position in `q`.

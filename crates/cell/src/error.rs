@@ -11,4 +11,19 @@ pub enum Error {
         /// What is wrong.
         reason: String,
     },
+    /// A pass that cannot be tracked.
+    #[error(transparent)]
+    Tracking(Box<crate::tracking::Error>),
+    /// The pace of a pass.
+    #[error(transparent)]
+    Pace(#[from] seamwright_motion::pace::PaceError),
+}
+
+impl From<crate::tracking::Error> for Error {
+    fn from(error: crate::tracking::Error) -> Self {
+        match error {
+            crate::tracking::Error::Cell(error) => *error,
+            other => Self::Tracking(Box::new(other)),
+        }
+    }
 }

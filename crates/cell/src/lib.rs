@@ -21,5 +21,5 @@ pub mod tracking;
 pub use drives::{check_drives, tune_axis};
 pub use error::Error;
 pub use sample::Sample;
-pub use simulate::simulate;
+pub use simulate::{Conditions, simulate};
 pub use summary::{AxisSummary, Extremes, Summary};

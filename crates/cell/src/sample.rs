@@ -1,3 +1,4 @@
+use crate::tracking::HeadSample;
 use seamwright_machine::Joints;
 use seamwright_motion::{LawPoint, Phase, SetPoint};
 
@@ -24,6 +25,8 @@ pub struct Sample {
     pub path_error: f64,
     /// Angle between the true torch direction and the one asked for there, rad.
     pub attitude_error: f64,
+    /// What each head that welds did, where the seam may lie elsewhere than planned.
+    pub heads: [Option<HeadSample>; 2],
 }
 
 impl Sample {
@@ -42,6 +45,7 @@ impl Sample {
             planned_speed: f64::NAN,
             path_error: f64::NAN,
             attitude_error: f64::NAN,
+            heads: [None; 2],
         }
     }
 

@@ -1,4 +1,5 @@
 use crate::Sample;
+use crate::tracking::HeadSummary;
 use seamwright_machine::{Joints, Machine};
 use seamwright_motion::PassMotion;
 use seamwright_program::{Finding, Tolerance};
@@ -99,6 +100,9 @@ pub struct Summary {
     pub attitude_error_deg: Extremes,
     /// Each axis, in machine-file order.
     pub axes: Vec<AxisSummary>,
+    /// How far each head's weld lies from its joint, where that may lie elsewhere than planned.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub heads: Vec<HeadSummary>,
 }
 
 /// Of two values with their places the greater.
@@ -238,6 +242,7 @@ impl Tally {
             speed_ripple_at_mm: self.ripple.1,
             attitude_error_deg: self.attitude.finish(),
             axes: axes.collect(),
+            heads: Vec::new(),
         }
     }
 }

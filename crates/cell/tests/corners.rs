@@ -1,7 +1,7 @@
 //! Simulated welds round a right angle: stopped at, and blended.
 
 use glam::DVec3;
-use seamwright_cell::{Error, Sample, Summary, simulate};
+use seamwright_cell::{Conditions, Error, Sample, Summary, simulate};
 use seamwright_document::{NonNegative, Positive};
 use seamwright_geometry::Pose;
 use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
@@ -39,7 +39,7 @@ fn weld(corner: AtCorner) -> (WeldMotion, Summary, Vec<Sample>, Pass) {
     let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
     let motion = WeldMotion::plan(&machine, &around, &[(&RightAngle, &pass)], 30.0).unwrap();
     let mut samples = Vec::new();
-    let mut summaries = simulate(&machine, &[&RightAngle], &motion, 1, |s| {
+    let mut summaries = simulate(&machine, &[(&RightAngle, &pass)], &motion, Conditions::default(), |s| {
         samples.push(*s);
         Ok::<(), Error>(())
     })

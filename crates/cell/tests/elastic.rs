@@ -4,7 +4,7 @@
 // Helpers of tests are tests too, but clippy.toml lets only the #[test] functions unwrap.
 #![allow(clippy::unwrap_used)]
 
-use seamwright_cell::{Error, Summary, simulate, tune_axis};
+use seamwright_cell::{Conditions, Error, Summary, simulate, tune_axis};
 use seamwright_machine::{
     BacklashCompensation, Clamped, FrictionCompensation, Gains, Machine, Notch, Surroundings, shipped,
 };
@@ -61,7 +61,11 @@ fn weld(machine: &Machine) -> Summary {
     let around = Surroundings::new(machine, &Clamped::default()).unwrap();
     let path = welding.path(0);
     let motion = WeldMotion::plan(machine, &around, &[(&path, &welding.program.value.passes[0])], 30.0).unwrap();
-    simulate(machine, &[&path], &motion, 1, |_| Ok::<(), Error>(())).unwrap().remove(0)
+    simulate(machine, &[(&path, &welding.program.value.passes[0])], &motion, Conditions::default(), |_| {
+        Ok::<(), Error>(())
+    })
+    .unwrap()
+    .remove(0)
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The simulated cell on the example saddle: repeatable, honest about what the drives do.
 
-use seamwright_cell::{Error, Sample, Summary, simulate};
+use seamwright_cell::{Conditions, Error, Sample, Summary, simulate};
 use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
 use seamwright_program::TorchPath;
@@ -17,7 +17,8 @@ fn run_job(job: &str, machine_text: &str, seed: u64) -> Result<(Summary, Vec<Sam
     let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
     let motion = WeldMotion::plan(&machine, &around, &[(&path, &program.passes[0])], 30.0).unwrap();
     let mut samples = Vec::new();
-    let mut summaries = simulate(&machine, &[&path], &motion, seed, |s| {
+    let conditions = Conditions { seed, ..Conditions::default() };
+    let mut summaries = simulate(&machine, &[(&path, &program.passes[0])], &motion, conditions, |s| {
         samples.push(*s);
         Ok::<(), Error>(())
     })?;

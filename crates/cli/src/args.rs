@@ -207,7 +207,9 @@ pub(crate) struct MotionArgs {
 #[derive(Debug, Args)]
 #[command(
     allow_negative_numbers = true,
-    after_help = "Example: seamwright simulate examples/saddle.toml -o out/saddle --seed 7"
+    after_help = "Examples:
+  seamwright simulate examples/saddle.toml -o out/saddle --seed 7
+  seamwright simulate examples/saddle.toml -o out/misplaced --distortion examples/distortions/misplaced.toml"
 )]
 pub(crate) struct SimulateArgs {
     /// Job or program file
@@ -218,6 +220,13 @@ pub(crate) struct SimulateArgs {
     /// Seed of the disturbances: the same seed gives the same weld
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,
+    /// How the part differs from the planned one: misplaced, bent, moved by heat, with tacks (docs/tracking.md). The seam is
+    /// then tracked by the machine's stripe sensors
+    #[arg(long, value_name = "FILE")]
+    pub(crate) distortion: Option<PathBuf>,
+    /// Weld a distorted part as planned
+    #[arg(long)]
+    pub(crate) no_tracking: bool,
     /// Print report.json instead of a summary
     #[arg(long)]
     pub(crate) json: bool,

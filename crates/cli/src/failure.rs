@@ -90,7 +90,10 @@ impl From<seamwright_cell::frames::FrameError> for Failure {
 
 impl From<seamwright_cell::Error> for Failure {
     fn from(e: seamwright_cell::Error) -> Self {
-        Self::Input(format!("machine file: {e}"))
+        match e {
+            seamwright_cell::Error::Drive { .. } => Self::Input(format!("machine file: {e}")),
+            _ => Self::Input(e.to_string()),
+        }
     }
 }
 

@@ -177,7 +177,12 @@ impl Loaded {
 
     /// Plans a weld that can be made as asked.
     pub(crate) fn plan(&self) -> Result<WeldMotion, Failure> {
-        match self.try_plan()? {
+        self.plan_on(&self.machine)
+    }
+
+    /// The same on `machine`: this one, perhaps with a reserve.
+    pub(crate) fn plan_on(&self, machine: &Machine) -> Result<WeldMotion, Failure> {
+        match self.try_plan_on(machine)? {
             Ok(motion) if motion.findings.iter().all(|f| f.allowed) => Ok(motion),
             Ok(motion) => Err(Failure::Findings(motion.findings)),
             Err(findings) => Err(Failure::Findings(findings)),
@@ -187,22 +192,26 @@ impl Loaded {
     /// Plans the weld, or says why the machine cannot make it. Findings against the procedure are among those of the
     /// motion: the weld could be made, but not as it must be.
     pub(crate) fn try_plan(&self) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {
+        self.try_plan_on(&self.machine)
+    }
+
+    fn try_plan_on(&self, machine: &Machine) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {
         let program = &self.welding.program.value;
-        let around = Surroundings::new(&self.machine, &self.clamped)
+        let around = Surroundings::new(machine, &self.clamped)
             .map_err(|e| Failure::Input(format!("{}: {e}", self.welding.program.file())))?;
         let paths = self.paths();
         let passes: Vec<(&dyn TorchPath, &Pass)> =
             paths.iter().zip(&program.passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect();
         let mut findings = self.welding.findings();
-        if self.welding.seam.as_ref().is_some_and(SeamCurve::is_double) && self.machine.heads.len() < 2 {
+        if self.welding.seam.as_ref().is_some_and(SeamCurve::is_double) && machine.heads.len() < 2 {
             let path = "seam.t_joint.fillet";
-            let message = format!("{} has one head: it cannot weld both fillets at once", self.machine.name);
+            let message = format!("{} has one head: it cannot weld both fillets at once", machine.name);
             return Err(self.welding.program.error_at(path, message, "left, right").into());
         }
-        let planned = WeldMotion::plan(&self.machine, &around, &passes, program.air.retract_mm.get());
+        let planned = WeldMotion::plan(machine, &around, &passes, program.air.retract_mm.get());
         let planned = planned.map(|mut motion| {
             if let Some(procedure) = &program.procedure {
-                motion.hold_to(procedure, &self.machine, &passes);
+                motion.hold_to(procedure, machine, &passes);
             }
             motion
         });

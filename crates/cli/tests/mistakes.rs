@@ -261,3 +261,32 @@ fn axes_that_cannot_be_held() {
     fs::write(&job, saddle).unwrap();
     assert_eq!(run(&["check", &job.display().to_string()]).status.code(), Some(0));
 }
+
+#[test]
+fn distorted_parts() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("bent.toml");
+    let out = folder.path().join("out").display().to_string();
+    let simulate = |job: &str, text: &str, more: &[&str]| {
+        fs::write(&file, text).unwrap();
+        let file = file.display().to_string();
+        let output = run(&[&["simulate", &example(job), "-o", &out, "--distortion", &file], more].concat());
+        (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap())
+    };
+    let bad = [
+        ("saddle", "schema = 1\n[[displacement]]\nshfit = {}\n", "shift"),
+        ("saddle", "schema = 1\n[[displacement]]\nstep = { at_mm = -5, by = {} }\n", "at_mm"),
+        ("ellipse", "schema = 1\n", "no stripe sensor"),
+    ];
+    for (job, text, words) in bad {
+        let (code, told) = simulate(job, text, &[]);
+        assert!(code == 2 && told.contains(words) && !Path::new(&out).exists(), "{code} {told}");
+    }
+    let misplaced = "schema = 1\n[placement]\nshift_mm = [1, 0, 0]\n";
+    let (code, told) = simulate("t-joint", misplaced, &["--no-tracking"]);
+    assert!(code == 1 && told.contains("strays"), "{code} {told}");
+    let (code, told) = simulate("t-joint", misplaced, &["--no-tracking", "--json", "--seed", "x"]);
+    assert!(code == 2 && told.contains("seed"), "{code} {told}");
+    let missing = run(&["simulate", &example("saddle"), "-o", &out, "--distortion", "no-such.toml"]);
+    assert_eq!(missing.status.code(), Some(2));
+}

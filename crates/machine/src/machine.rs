@@ -96,6 +96,19 @@ impl Machine {
         self
     }
 
+    /// The same machine with every axis' speed, acceleration and jerk less by the part `reserve`: to plan with where
+    /// corrections come on top.
+    #[must_use]
+    pub fn with_reserve(&self, reserve: f64) -> Self {
+        let mut machine = self.clone();
+        for axis in &mut machine.axes {
+            axis.max_jerk = (1.0 - reserve) * axis.jerk();
+            axis.max_speed *= 1.0 - reserve;
+            axis.max_acceleration *= 1.0 - reserve;
+        }
+        machine
+    }
+
     /// True if both heads can be brought to two poses at once.
     pub fn can_pair(&self) -> bool {
         self.pair.is_some()

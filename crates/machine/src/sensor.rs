@@ -26,6 +26,10 @@ pub struct SensorFile {
     pub map: Option<PixelMapFile>,
     /// Time from frame to frame, ms; 100 if missing.
     pub period_ms: Option<Positive>,
+    /// Time from an exposure until what was seen is known, ms; 15 if missing.
+    pub latency_ms: Option<Positive>,
+    /// Standard deviation of the joint's place as it is seen, mm; 0.02 if missing.
+    pub noise_mm: Option<Positive>,
 }
 
 /// Kinds of sensors.
@@ -104,6 +108,10 @@ pub struct Sensor {
     pub size_px: [usize; 2],
     /// Time from frame to frame, s.
     pub period_s: f64,
+    /// Time from an exposure until what was seen is known, s.
+    pub latency_s: f64,
+    /// Standard deviation of the joint's place as it is seen, mm.
+    pub noise_mm: f64,
     /// What it sees.
     pub sight: Sight,
 }

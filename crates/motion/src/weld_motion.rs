@@ -162,22 +162,7 @@ impl WeldMotion {
     ) -> Result<(), E> {
         let mut begun = 0;
         for stage in self.stages(home) {
-            let at = |k: u64| (begun + k) as f64 * period;
-            match stage {
-                Stage::Pass(i, motion) => {
-                    for (k, set) in (0..).zip(motion.set_points(period)) {
-                        each(i + 1, SetPoint { t: at(k), ..set }, set.rates(motion))?;
-                    }
-                }
-                Stage::Air(air) => {
-                    for k in 0..air.count(period) {
-                        let Some((leg, t)) = air.leg(k as f64 * period) else { break };
-                        let law = LawPoint { s: f64::NAN, v: f64::NAN, a: f64::NAN, j: f64::NAN };
-                        let set = SetPoint { t: at(k), phase: Phase::Air, law, q: leg.at_time(t) };
-                        each(0, set, leg.rates(t))?;
-                    }
-                }
-            }
+            stage.play(period, begun, &mut each)?;
             begun += stage.count(period);
         }
         Ok(())
@@ -217,6 +202,35 @@ impl Stage<'_> {
             Self::Pass(_, motion) => motion.set_points(period).size_hint().0 as u64,
             Self::Air(air) => air.count(period),
         }
+    }
+
+    /// Plays it alone as [`WeldMotion::play`] does, its times from set-point `begun` on.
+    ///
+    /// # Errors
+    /// The first of `each`, which ends it.
+    pub fn play<E>(
+        &self,
+        period: f64,
+        begun: u64,
+        each: &mut impl FnMut(usize, SetPoint, (Joints, Joints)) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let at = |k: u64| (begun + k) as f64 * period;
+        match self {
+            Self::Pass(i, motion) => {
+                for (k, set) in (0..).zip(motion.set_points(period)) {
+                    each(i + 1, SetPoint { t: at(k), ..set }, set.rates(motion))?;
+                }
+            }
+            Self::Air(air) => {
+                for k in 0..air.count(period) {
+                    let Some((leg, t)) = air.leg(k as f64 * period) else { break };
+                    let law = LawPoint { s: f64::NAN, v: f64::NAN, a: f64::NAN, j: f64::NAN };
+                    let set = SetPoint { t: at(k), phase: Phase::Air, law, q: leg.at_time(t) };
+                    each(0, set, leg.rates(t))?;
+                }
+            }
+        }
+        Ok(())
     }
 }
 

@@ -72,8 +72,8 @@ fn five_axes_go_where_the_inverse_says() {
             let target = Pose { point: planned.point + by, ..planned };
             let (Ok(known), Ok(_)) = (machine.inverse_near(target, &q), over.shifted(&q, 0.5 * by)) else { continue };
             let Ok(x) = over.shifted(&q, by) else { continue };
-            for i in 0..machine.axes.len() {
-                assert!((x[i] - known.joints[i]).abs() < 0.01, "{name} {i}: {} {}", x[i], known.joints[i]);
+            for (axis, (x, known)) in machine.axes.iter().zip(x.iter().zip(&known.joints)) {
+                assert!((x - known).abs() < 0.01, "{name} {}: {x} {known}", axis.name);
             }
         }
     }

@@ -3,7 +3,7 @@
 pub enum Error {
     /// The machine's drives.
     #[error(transparent)]
-    Cell(#[from] crate::Error),
+    Cell(Box<crate::Error>),
     /// A head has no cross slide to correct with.
     #[error("head {head} of machine {machine} has no cross slide: two linear axes of its own")]
     NoSlide {
@@ -12,7 +12,40 @@ pub enum Error {
         /// Counted from 1.
         head: usize,
     },
+    /// Nothing on the machine sees the joint ahead of a head.
+    #[error(
+        "machine {machine} has no stripe sensor for head {head}: tracking needs one ahead of the torch; \
+         allowed is [sensors.<name>] with kind = \"stripe\" in the machine file"
+    )]
+    NoSensor {
+        /// Name of the machine.
+        machine: String,
+        /// Counted from 1.
+        head: usize,
+    },
+    /// The best sensor of a head does not lead it all along a pass.
+    #[error(
+        "sensor {sensor} of {machine} does not lead head {head} along this pass: it is {:.1} to {:.1} mm ahead; allowed is a lead \
+         that stays the same within a tenth, as of a sensor that turns with the seam",
+        ahead_mm[0], ahead_mm[1]
+    )]
+    NotLeading {
+        /// Name of the machine.
+        machine: String,
+        /// Name of the sensor.
+        sensor: String,
+        /// Counted from 1.
+        head: usize,
+        /// Least and greatest.
+        ahead_mm: [f64; 2],
+    },
     /// Settings that cannot work, as a lead too short for the speed.
     #[error(transparent)]
     Settings(#[from] seamwright_tracking::lead::Error),
+}
+
+impl From<crate::Error> for Error {
+    fn from(error: crate::Error) -> Self {
+        Self::Cell(Box::new(error))
+    }
 }

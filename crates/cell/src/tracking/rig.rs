@@ -3,7 +3,7 @@ use super::motion::Travel;
 use super::scenario::{HeadScene, Scenario};
 use super::sensor::Sensor;
 use super::tally::{Tally, Watch};
-use super::world::World;
+use super::world::{Along, World};
 use crate::drives::Drives;
 use glam::DVec2;
 use seamwright_machine::Machine;
@@ -139,7 +139,13 @@ impl<'a> Head<'a> {
         };
         let (displacement, placement) = (scene.displacement.clone(), scene.placement);
         Ok(Self {
-            world: World { taught: &*scene.seam.frame, displacement, placement },
+            world: World {
+                taught: &*scene.seam.frame,
+                displacement,
+                placement,
+                along: Along { round_mm: scene.seam.round_mm, ..Along::default() },
+                ends_mm: None,
+            },
             length,
             sensor: Sensor::new(model, seed.wrapping_mul(8).wrapping_add(number as u64)),
             follower,

@@ -10,6 +10,8 @@ pub struct Seam {
     pub length_mm: f64,
     /// By path length.
     pub frame: Box<dyn Fn(f64) -> SeamFrame + Send + Sync>,
+    /// Of a closed seam, the way once round, mm: less than the length where the weld overlaps its start.
+    pub round_mm: Option<f64>,
 }
 
 impl Seam {
@@ -17,7 +19,7 @@ impl Seam {
     #[must_use]
     pub fn straight(length_mm: f64) -> Self {
         let frame = |s: f64| SeamFrame { point: DVec3::X * s, along: DVec3::X, lateral: DVec3::Y, height: DVec3::Z };
-        Self { length_mm, frame: Box::new(frame) }
+        Self { length_mm, frame: Box::new(frame), round_mm: None }
     }
 
     /// An arc in the plane of lateral (y, towards the centre) or of height (z, `upright`), of `radius_mm`.
@@ -32,7 +34,7 @@ impl Seam {
             let (lateral, height) = if upright { (-other, inwards) } else { (inwards, other) };
             SeamFrame { point, along, lateral, height }
         };
-        Self { length_mm, frame: Box::new(frame) }
+        Self { length_mm, frame: Box::new(frame), round_mm: None }
     }
 
     /// Of a torch's path, its frame every half millimetre: height is against the torch's direction, square to the way.
@@ -50,16 +52,28 @@ impl Seam {
             SeamFrame { point: pose.point, along, lateral: height.cross(along), height }
         };
         let frames: Vec<SeamFrame> = (0..=count as u32).map(frame).collect();
-        let (first, last) = (frames[0], frames[frames.len() - 1]);
-        let closed = first.point.distance(last.point) < 1e-3 && first.along.dot(last.along) > 0.999;
+        let round_mm = round(&frames, length_mm / count);
         let at = move |s: f64| {
-            let s = if closed { s.rem_euclid(length_mm) } else { s };
+            let s = round_mm.map_or(s, |round| if (0.0..=length_mm).contains(&s) { s } else { s.rem_euclid(round) });
             let place = s / length_mm * count;
             let i = (place.max(0.0) as usize).min(frames.len() - 2);
             between(&frames[i], &frames[i + 1], place - i as f64, length_mm / count)
         };
-        Self { length_mm, frame: Box::new(at) }
+        Self { length_mm, frame: Box::new(at), round_mm }
     }
+}
+
+/// The way once round a seam with these frames `step` mm apart, if it comes back to its start.
+fn round(frames: &[SeamFrame], step: f64) -> Option<f64> {
+    let first = &frames[0];
+    let back = |frame: &SeamFrame| {
+        let off = frame.point - first.point;
+        let ahead = off.dot(first.along);
+        let beside = (off - ahead * first.along).length();
+        (beside < 1e-2 && ahead.abs() <= 0.51 * step && frame.along.dot(first.along) > 0.999).then_some(ahead)
+    };
+    let half = frames.len() / 2;
+    frames.iter().enumerate().skip(half.max(1)).find_map(|(i, frame)| Some(i as f64 * step - back(frame)?))
 }
 
 /// Between two frames `step` mm apart, by Hermite's cubic; beyond them straight on.

@@ -106,7 +106,10 @@ impl Sensor {
 
     fn seen(&mut self, world: &World<'_>, s: f64, slide: DVec2) -> Option<(DVec2, f64)> {
         let (seam, place) = world.crossing(s, self.model.lead_mm, s)?;
-        if world.displacement.is_tacked(place) {
+        if !world.has(place) {
+            return None;
+        }
+        if world.displacement.is_tacked(world.along.place(place)) {
             // Mostly nothing, else the tack's own shape, and the reader does not trust it.
             let faint = 0.35 * uniform(&mut self.random);
             return (self.random.next_u64() % 5 < 2).then(|| (self.anything(1.0) + DVec2::new(0.5, 0.8), faint));

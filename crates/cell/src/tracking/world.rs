@@ -26,6 +26,30 @@ pub struct World<'a> {
     pub displacement: Displacement,
     /// How its part is placed.
     pub placement: Placement,
+    /// Where on the seam the displacement counts.
+    pub along: Along,
+    /// Between which path lengths there is a joint, mm; none: everywhere.
+    pub ends_mm: Option<(f64, f64)>,
+}
+
+/// Where the path lengths of a pass lie on its seam.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Along {
+    /// Where it begins, mm.
+    pub begin_mm: f64,
+    /// True if it runs against the seam.
+    pub reverse: bool,
+    /// Of a closed seam, the way once round, mm: beyond it the seam is what it was there.
+    pub round_mm: Option<f64>,
+}
+
+impl Along {
+    /// The place on the seam at path length `s` of the pass, mm.
+    #[must_use]
+    pub fn place(&self, s: f64) -> f64 {
+        let place = self.begin_mm + if self.reverse { -s } else { s };
+        self.round_mm.map_or(place, |round| place.rem_euclid(round))
+    }
 }
 
 /// How far a crossing of a plane is looked for to both sides of where it should be, mm.
@@ -36,9 +60,18 @@ impl World<'_> {
     #[must_use]
     pub fn place(&self, s: f64, pool: f64) -> DVec3 {
         let frame = (self.taught)(s);
-        let by = self.displacement.at(s, pool);
+        let place = self.along.place(s);
+        // Heat knows how far the pool is, the same way round.
+        let by = self.displacement.at(place, place - (s - pool));
+        let by = if self.along.reverse { DVec2::new(-by.x, by.y) } else { by };
         let bent = frame.point + by.x * frame.lateral + by.y * frame.height;
         self.placement.about + self.placement.turn * (bent - self.placement.about) + self.placement.shift
+    }
+
+    /// True if there is a joint at path length `s`.
+    #[must_use]
+    pub fn has(&self, s: f64) -> bool {
+        self.ends_mm.is_none_or(|(from, to)| (from..=to).contains(&s))
     }
 
     /// Where the seam goes through the plane square to the torch's way, `ahead` mm before the torch at `s`, from the
@@ -97,7 +130,13 @@ mod tests {
     fn on_a_straight_seam_the_miss_is_the_displacement() {
         let wave = Part::Wave { length_mm: 40.0, size: DVec2::new(1.0, 0.5), phase: DVec2::new(0.3, 1.0) };
         let displacement = Displacement::of(wave);
-        let world = World { taught: &straight, displacement: displacement.clone(), placement: Placement::RIGHT };
+        let world = World {
+            taught: &straight,
+            displacement: displacement.clone(),
+            placement: Placement::RIGHT,
+            along: Along::default(),
+            ends_mm: None,
+        };
         for i in 0..1000 {
             let s = 0.37 * f64::from(i);
             let miss = world.miss(s, DVec2::new(0.1, 0.2)).unwrap();
@@ -110,7 +149,13 @@ mod tests {
     fn of_a_shifted_circle() {
         let shift = DVec3::new(1.3, -0.8, 0.6);
         let placement = Placement { shift, ..Placement::RIGHT };
-        let world = World { taught: &circle, displacement: Displacement::default(), placement };
+        let world = World {
+            taught: &circle,
+            displacement: Displacement::default(),
+            placement,
+            along: Along::default(),
+            ends_mm: None,
+        };
         for i in 0..500 {
             let s = f64::from(i);
             for ahead in [0.0, 20.0] {

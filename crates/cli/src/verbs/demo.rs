@@ -4,6 +4,7 @@ use crate::examples::EXAMPLES;
 use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::load_text;
+use seamwright_cell::Conditions;
 use std::path::Path;
 
 /// Where the example weld leaves its report.
@@ -15,7 +16,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     let loaded = load_text(&format!("examples/{}.toml", example.name), example.text, Path::new("."))?;
     let motion = loaded.plan()?;
     let mut output = Output::new(Path::new(FOLDER))?;
-    let report = weld(&loaded, &motion, 1, &mut output)?;
+    let report = weld(&loaded, &motion, Conditions { seed: 1, ..Conditions::default() }, &mut output)?;
     write_program(&mut output, &loaded)?;
     finish(output, &report, false)?;
     judge(report)

@@ -6,6 +6,7 @@ pub(crate) mod demo;
 pub(crate) mod edit;
 pub(crate) mod find_joint;
 pub(crate) mod follow;
+pub(crate) mod head_columns;
 pub(crate) mod interpolate;
 pub(crate) mod kinematics;
 pub(crate) mod lists;

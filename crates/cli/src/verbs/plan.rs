@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::{Loaded, load};
 use crate::rows::{print_json, print_text};
+use seamwright_cell::Summary;
 use seamwright_motion::WeldMotion;
 use seamwright_post::{Control, Dialect, Feed, Options};
 use seamwright_program::Oscillation;
@@ -132,6 +133,32 @@ pub(super) fn finish(output: Output, report: &WeldReport, json: bool) -> Result<
     if json { print_json(report) } else { print_text(&summary(report, &paths)) }
 }
 
+/// How far the weld lies from a seam that is elsewhere than planned: tracked, and without.
+fn tracking(text: &mut String, s: &Summary) {
+    for head in &s.heads {
+        let (p99, most) = (head.miss_p99_mm, head.miss_most_mm);
+        let (plain_p99, plain_most) = (head.untracked_p99_mm, head.untracked_most_mm);
+        let _ = match head.tracked {
+            true => writeln!(
+                text,
+                "  {:<12} {p99:.3} mm from the joint for 99 % of the weld, {most:.3} mm at most; untracked {plain_p99:.3} and {plain_most:.3} mm",
+                head.head
+            ),
+            false => writeln!(
+                text,
+                "  {:<12} {p99:.3} mm from the joint for 99 % of the weld, {most:.3} mm at most; not tracked",
+                head.head
+            ),
+        };
+        if let Some(at) = head.stopped_mm {
+            let _ = writeln!(text, "               stopped at {at:.1} mm");
+        }
+        for alarm in &head.alarms {
+            let _ = writeln!(text, "               at {:.1} mm: {}", alarm.at_mm, alarm.alarm);
+        }
+    }
+}
+
 fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
     let mut text = format!("{}\n", r.title);
     // Writing to a String cannot fail.
@@ -157,6 +184,7 @@ fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
         if let Some(s) = &pass.simulation {
             let e = &s.path_error_mm;
             let _ = writeln!(text, "  path error   {:.4} mm greatest, {:.4} mm RMS (simulated)", e.max, e.rms);
+            tracking(&mut text, s);
             let _ = match &s.tip_speed_mm_s {
                 Some(v) => writeln!(
                     text,

@@ -1,24 +1,39 @@
+use super::head_columns::HeadColumns;
 use super::plan::{finish, write_report};
 use super::process::{ArcClock, ProcessColumns};
 use crate::args::SimulateArgs;
 use crate::failure::Failure;
+use crate::files;
 use crate::files::Output;
 use crate::load::{Loaded, load};
 use crate::progress::Progress;
-use seamwright_cell::{Sample, Summary, simulate};
+use seamwright_cell::tracking::{Distortion, check, needs_reserve};
+use seamwright_cell::{Conditions, Sample, Summary, simulate};
 use seamwright_machine::Machine;
 use seamwright_motion::{PassMotion, WeldMotion};
-use seamwright_program::TorchPath;
+use seamwright_program::{Pass, TorchPath};
 use seamwright_record::TraceWriter;
 use seamwright_report::{SimulationCurves, WeldReport};
+use seamwright_weld::WeldPath;
 use std::io::{BufWriter, Write};
 
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
-    let motion = loaded.plan()?;
+    let distortion = match &args.distortion {
+        Some(path) => Some(Distortion::read(&path.display().to_string(), &files::read(path)?)?),
+        None => None,
+    };
+    let tracking = distortion.is_some() && !args.no_tracking;
+    let conditions = Conditions { seed: args.seed, distortion: distortion.as_ref(), tracking };
+    let reserve = if tracking { needs_reserve(&loaded.machine)? } else { 0.0 };
+    let motion = loaded.plan_on(&loaded.machine.with_reserve(reserve))?;
     loaded.check_count(&motion, loaded.machine.servo_period_s)?;
+    if tracking {
+        let paths = loaded.paths();
+        check(&loaded.machine, &with_passes(&loaded, &paths), &motion)?;
+    }
     let mut output = Output::new(&args.output)?;
-    let report = weld(&loaded, &motion, args.seed, &mut output)?;
+    let report = weld(&loaded, &motion, conditions, &mut output)?;
     finish(output, &report, args.json)?;
     judge(report)
 }
@@ -32,49 +47,58 @@ pub(super) fn judge(report: WeldReport) -> Result<(), Failure> {
 pub(super) fn weld(
     loaded: &Loaded,
     motion: &WeldMotion,
-    seed: u64,
+    conditions: Conditions<'_>,
     output: &mut Output,
 ) -> Result<WeldReport, Failure> {
     let Loaded { welding, machine, .. } = loaded;
     let mut file = output.open()?;
-    let outcome = trace(loaded, motion, seed, BufWriter::new(&mut file))?;
+    let outcome = trace(loaded, motion, conditions, BufWriter::new(&mut file))?;
     output.add("trace.parquet", file);
     let (report, plots) = WeldReport::new(machine, welding, motion, Some(outcome));
     write_report(output, &report, &plots, welding)?;
     Ok(report)
 }
 
+fn with_passes<'a>(loaded: &'a Loaded, paths: &'a [WeldPath<'a>]) -> Vec<(&'a dyn TorchPath, &'a Pass)> {
+    let passes = &loaded.welding.program.value.passes;
+    paths.iter().zip(passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect()
+}
+
 /// Runs the simulation with its trace going to `out`.
 fn trace(
     loaded: &Loaded,
     motion: &WeldMotion,
-    seed: u64,
+    conditions: Conditions<'_>,
     out: impl Write + Send,
 ) -> Result<(Vec<Summary>, Vec<SimulationCurves>), Failure> {
     let Loaded { welding, machine, .. } = loaded;
     let program = &welding.program.value;
     let (process, mut clock) = (ProcessColumns::new(program), ArcClock::new(motion));
-    let about = [("title", program.title.clone()), ("machine", machine.name.clone()), ("seed", seed.to_string())];
-    let mut trace = TraceWriter::new(out, &columns(machine, process.names()), &about)?;
+    let about =
+        [("title", program.title.clone()), ("machine", machine.name.clone()), ("seed", conditions.seed.to_string())];
+    let heads = HeadColumns::new(loaded, &conditions);
+    let mut trace = TraceWriter::new(out, &columns(machine, &heads, process.names()), &about)?;
     let curves = |p: &PassMotion| SimulationCurves::new(machine.axes.len(), p.path.length());
     let mut curves: Vec<SimulationCurves> = motion.passes.iter().map(curves).collect();
     let mut progress = Progress::new("welding in simulation", motion.count(machine.servo_period_s, false));
     let paths = loaded.paths();
-    let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
-    let summaries = simulate(machine, &paths, motion, seed, |sample| {
+    let passes = with_passes(loaded, &paths);
+    let summaries = simulate(machine, &passes, motion, conditions, |sample| {
         progress.step();
         if let Some(pass) = sample.pass.checked_sub(1) {
             curves[pass].add(machine, sample);
         }
         let values = process.values(sample.pass, sample.set.law.s, clock.at(sample.pass, &sample.set));
         let speed = motion.tip_speed(machine, sample.pass, &sample.set);
-        trace.row(row(machine, sample, speed).into_iter().chain(values)).map_err(Failure::from)
+        trace
+            .row(row(machine, sample, speed).into_iter().chain(heads.values(sample)).chain(values))
+            .map_err(Failure::from)
     })?;
     trace.finish()?.flush()?;
     Ok((summaries, curves))
 }
 
-fn columns(machine: &Machine, process: &[String]) -> Vec<(String, &'static str)> {
+fn columns(machine: &Machine, heads: &HeadColumns, process: &[String]) -> Vec<(String, &'static str)> {
     let mut columns: Vec<(String, &'static str)> = vec![
         ("t_s".to_owned(), "s"),
         ("pass".to_owned(), "1"),
@@ -93,6 +117,7 @@ fn columns(machine: &Machine, process: &[String]) -> Vec<(String, &'static str)>
         columns.push((format!("{name}_following_error_{unit}"), unit));
         columns.push((format!("{name}_current_part"), "1"));
     }
+    columns.extend(heads.names());
     // The unit of a process value is the end of its name.
     columns.extend(process.iter().map(|name| (name.clone(), "")));
     columns

@@ -11,6 +11,9 @@ const MOST_PX: u16 = 16384;
 
 /// Time from frame to frame if the file does not say, s.
 const USUAL_PERIOD_S: f64 = 0.1;
+/// Time from an exposure to what was seen, s, and the noise of that, mm, if the file does not say.
+const USUAL_LATENCY_S: f64 = 0.015;
+const USUAL_NOISE_MM: f64 = 0.02;
 
 /// All sensors of the file.
 pub(super) fn sensors(file: &File, links: &Links) -> Result<Vec<Sensor>, DocumentError> {
@@ -39,6 +42,8 @@ fn build(file: &File, links: &Links, name: &str, sensor: &SensorFile) -> Result<
         zero: frame.zero * sensor.at.affine(),
         size_px,
         period_s,
+        latency_s: sensor.latency_ms.map_or(USUAL_LATENCY_S, |p| p.get() * 1e-3),
+        noise_mm: sensor.noise_mm.map_or(USUAL_NOISE_MM, Positive::get),
         sight,
     })
 }

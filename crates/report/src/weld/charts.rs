@@ -40,6 +40,8 @@ pub struct Plots {
     pub following: Option<ChartGrid>,
     /// Distance of the true tip from the seam, if simulated.
     pub path_error: Option<Chart>,
+    /// Joint and weld, if the joint may lie elsewhere than planned.
+    pub tracking: Option<ChartGrid>,
     /// Attitude error of the true torch, if simulated.
     pub attitude: Option<Chart>,
     /// With the first pass, the end of the branch or nozzle as it is cut, if that is known: an SVG at true size.
@@ -64,6 +66,7 @@ impl Plots {
         Self {
             seam: views(welding, pass),
             procedure: None,
+            tracking: None,
             taught: welding.seam.as_ref().map_or(Vec::new(), |seam| taught(machine, seam, motion)),
             clearance: clearance.map(clearance_chart),
             torch: torch(samples),
@@ -123,6 +126,7 @@ impl Plots {
         files.extend(self.deviation.as_ref().map(|c| ("speed-deviation.svg", c.to_svg_standalone())));
         files.extend(self.following.as_ref().map(|c| ("following.svg", c.to_svg_standalone())));
         files.extend(self.path_error.as_ref().map(|c| ("path-error.svg", c.to_svg_standalone())));
+        files.extend(self.tracking.as_ref().map(|c| ("tracking.svg", c.to_svg_standalone())));
         files.extend(self.attitude.as_ref().map(|c| ("attitude.svg", c.to_svg_standalone())));
         files.extend(self.order.as_ref().map(|o| ("order.svg", o.to_svg_standalone())));
         files.extend(self.cut.clone().map(|svg| ("cut.svg", svg)));

@@ -1,3 +1,4 @@
+use super::tracking::HeadCurves;
 use seamwright_cell::Sample;
 use seamwright_machine::Machine;
 
@@ -9,18 +10,18 @@ type Point = (f64, f64);
 
 /// One curve over path length, thinned as it comes.
 #[derive(Debug, Clone, PartialEq)]
-struct Envelope {
+pub(super) struct Envelope {
     /// Lowest and highest point of each bucket.
     buckets: Vec<Option<(Point, Point)>>,
     length: f64,
 }
 
 impl Envelope {
-    fn new(length: f64) -> Self {
+    pub(super) fn new(length: f64) -> Self {
         Self { buckets: vec![None; BUCKETS], length }
     }
 
-    fn add(&mut self, s: f64, value: f64) {
+    pub(super) fn add(&mut self, s: f64, value: f64) {
         let i = ((s / self.length * BUCKETS as f64) as usize).min(BUCKETS - 1);
         let point = (s, value);
         let (low, high) = self.buckets[i].get_or_insert((point, point));
@@ -32,7 +33,7 @@ impl Envelope {
         }
     }
 
-    fn points(&self) -> Vec<Point> {
+    pub(super) fn points(&self) -> Vec<Point> {
         let pairs = self.buckets.iter().flatten();
         pairs.flat_map(|(low, high)| if low.0 <= high.0 { [*low, *high] } else { [*high, *low] }).collect()
     }
@@ -45,6 +46,8 @@ pub struct SimulationCurves {
     path_error: Envelope,
     tip_speed: Envelope,
     attitude: Envelope,
+    pub(super) heads: Vec<HeadCurves>,
+    length: f64,
 }
 
 impl SimulationCurves {
@@ -52,7 +55,14 @@ impl SimulationCurves {
     pub fn new(axes: usize, length: f64) -> Self {
         let empty = Envelope::new(length);
         let following = vec![empty.clone(); axes];
-        Self { following, path_error: empty.clone(), tip_speed: empty.clone(), attitude: empty }
+        Self {
+            following,
+            path_error: empty.clone(),
+            tip_speed: empty.clone(),
+            attitude: empty,
+            heads: Vec::new(),
+            length,
+        }
     }
 
     /// Adds a sample; only those while the torch travels count.
@@ -67,6 +77,12 @@ impl SimulationCurves {
         self.path_error.add(s, sample.path_error);
         self.tip_speed.add(s, sample.tip_speed);
         self.attitude.add(s, sample.attitude_error.to_degrees());
+        for (i, head) in sample.heads.iter().flatten().enumerate() {
+            if self.heads.len() <= i {
+                self.heads.push(HeadCurves::new(self.length));
+            }
+            self.heads[i].add(s, head);
+        }
     }
 
     /// Following error of axis `i` over path length.

@@ -2,7 +2,7 @@ use super::CertificateFigures;
 use super::plan::PlanFigures;
 use super::procedure::{PassProcedureFigures, ProcedureFigures, ProcedurePlots};
 use super::samples::samples;
-use super::{Plots, PostFigures, SimulationCurves};
+use super::{Plots, PostFigures, SimulationCurves, tracking};
 use seamwright_cell::Summary;
 use seamwright_machine::Machine;
 use seamwright_motion::{PassClearance, WeldMotion};
@@ -137,6 +137,7 @@ impl WeldReport {
             let curves = curves.as_ref().and_then(|c| c.get(i));
             let around = motion.clearance[i].as_ref();
             let mut drawn = Plots::new(machine, welding, (i, planned, around), (&samples, &certificate), curves);
+            drawn.tracking = curves.zip(summary.as_ref()).and_then(|(c, s)| tracking::charts(c, &s.heads));
             drawn.procedure = motion
                 .procedure
                 .get(i)

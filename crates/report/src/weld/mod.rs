@@ -14,6 +14,7 @@ mod procedure;
 mod samples;
 mod sections;
 mod taught;
+mod tracking;
 mod woven;
 
 pub use certificate::CertificateFigures;

@@ -3,6 +3,7 @@ use super::figures::{ClearanceFigures, PassFigures, WeldReport};
 use super::limits::{axes_table, bounds_table, speed_text, uses_table};
 use super::plan::PlanFigures;
 use super::procedure::{positions_table, procedure_text, windows_table};
+use super::tracking;
 use crate::{Block, Finding, Page, Severity, Table, Tile, Verdict, format_number};
 use seamwright_cell::Summary;
 use seamwright_program::WeldDirection;
@@ -164,6 +165,15 @@ impl WeldReport {
         if let (Some(summary), Some(path_error), Some(following), Some(attitude)) =
             (&pass.simulation, &plots.path_error, &plots.following, &plots.attitude)
         {
+            if let Some(tracked) = &plots.tracking {
+                blocks.push(heading("Tracking"));
+                blocks.push(Block::Paragraph(tracking::text(&summary.heads)));
+                blocks.push(Block::Table(tracking::table(&summary.heads)));
+                blocks.push(figure(
+                    tracked.to_svg(),
+                    "Where the joint truly lies beside the planned path, how far the weld lies from it, and how well tracking knew the joint.",
+                ));
+            }
             blocks.push(heading("Simulated weld"));
             blocks.push(Block::Paragraph(simulation_text(summary, &self.machine.assumed_drives)));
             blocks.push(figure(path_error.to_svg(), "Distance of the true tip from the seam, normal to it."));

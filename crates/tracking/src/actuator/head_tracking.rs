@@ -8,7 +8,8 @@ const RESERVE: f64 = 0.8;
 /// A slide that is farther than this from where it was ordered, mm, for so long, s, is stuck.
 const STUCK_MM: f64 = 0.3;
 const STUCK_S: f64 = 0.1;
-/// As many periods without a measurement of use are worth a warning.
+/// As many periods without a measurement of use are worth a warning, if the torch goes on for longer than tacks
+/// explain.
 const BLIND_PERIODS: f64 = 10.0;
 /// Slowest that the torch goes while a correction fades out, as a part of its speed.
 const FADING_SPEED: f64 = 0.25;
@@ -36,6 +37,24 @@ pub enum Alarm {
     SlideStuck,
 }
 
+impl Alarm {
+    /// In words.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::NearStroke => "correction near its end",
+            Self::Slowed => "slowed down for a steep deviation",
+            Self::Blind => "nothing seen by the sensor",
+            Self::Coasting => "torch beyond what was seen",
+            Self::Unknown => "torch back beyond what is remembered",
+            Self::FadingOut => "correction fades out to the taught path",
+            Self::StrokeEnd => "correction at its end: the weld misses the joint",
+            Self::Lost => "joint lost",
+            Self::SlideStuck => "slide does not go where it is ordered",
+        }
+    }
+}
+
 /// What is to be done in the next cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Orders {
@@ -56,7 +75,10 @@ pub struct HeadTracking {
     slides: [Slide; 2],
     ordered: DVec2,
     target: DVec2,
-    taken_s: Option<f64>,
+    /// When and where anything of use came last.
+    taken: Option<(f64, f64)>,
+    /// Where the torch is, mm.
+    here_mm: f64,
     stuck_since: Option<f64>,
     stuck: bool,
 }
@@ -75,14 +97,26 @@ impl HeadTracking {
         }
         let tracker = Tracker::new(settings, own)?;
         let (ordered, target) = (DVec2::ZERO, DVec2::ZERO);
-        Ok(Self { tracker, slides, ordered, target, taken_s: None, stuck_since: None, stuck: false })
+        Ok(Self { tracker, slides, ordered, target, taken: None, here_mm: 0.0, stuck_since: None, stuck: false })
+    }
+
+    /// How its sensor is followed.
+    #[must_use]
+    pub fn settings(&self) -> &Settings {
+        self.tracker.settings()
+    }
+
+    /// What its corrections may do, lateral and height.
+    #[must_use]
+    pub fn limits(&self) -> [SlideLimits; 2] {
+        [*self.slides[0].limits(), *self.slides[1].limits()]
     }
 
     /// A measurement has arrived at time `now_s`.
     pub fn take(&mut self, measured: &Measurement, now_s: f64) -> Verdict {
         let verdict = self.tracker.take(measured, now_s);
         if matches!(verdict, Verdict::Taken | Verdict::Restarted) {
-            self.taken_s = Some(now_s);
+            self.taken = Some((now_s, self.here_mm));
         }
         verdict
     }
@@ -91,6 +125,7 @@ impl HeadTracking {
     pub fn cycle(&mut self, now: Moment, speed: f64) -> Orders {
         let settings = *self.tracker.settings();
         let way = speed.abs() * settings.notice_s;
+        self.here_mm = now.s_mm;
         self.tracker.advance(now, now.s_mm + way);
         self.watch_slide(&now);
         let estimate = self.tracker.at(now.s_mm);
@@ -141,12 +176,15 @@ impl HeadTracking {
         let ahead = self.tracker.ahead(now.s_mm);
         let needed = (ahead.slope * settings.speed_mm_s.max(speed.abs()) / fastest).max_element();
         let mut pace = if needed > 1.0 { 1.0 / needed } else { 1.0 };
-        let blind = self.taken_s.is_some_and(|t| now.t_s - t > BLIND_PERIODS * settings.period_s);
+        // Tacks are blind too.
+        let blind = self.taken.is_some_and(|(t, s)| {
+            now.t_s - t > BLIND_PERIODS * settings.period_s && (now.s_mm - s).abs() > settings.coast_mm()
+        });
         let alarm = match here.sight {
             Sight::Lost => Alarm::Lost,
             _ if here.value.abs().cmpgt(stroke).any() => Alarm::StrokeEnd,
             Sight::Fading => Alarm::FadingOut,
-            Sight::Unseen if self.taken_s.is_some() => Alarm::Unknown,
+            Sight::Unseen if self.taken.is_some() => Alarm::Unknown,
             Sight::Coasted => Alarm::Coasting,
             _ if blind => Alarm::Blind,
             _ if needed > 1.0 => Alarm::Slowed,

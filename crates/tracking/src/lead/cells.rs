@@ -126,7 +126,7 @@ impl Cells {
             if self.is_between(s, cell.seen.s) {
                 return Side { cells: k, count, gap, ends: true };
             }
-            if count == 0 && k > reach {
+            if count == 0 && k > reach / 2 {
                 // The other side of a gap must be known well to see across.
                 (gap, least) = (true, k + reach);
             }

@@ -65,6 +65,7 @@ impl AxisTuning {
         let (response, refused) = match &tuned {
             Ok(tuned) => (response(tuned), None),
             Err(Error::Drive { reason, .. }) => (Vec::new(), Some(reason.clone())),
+            Err(other) => (Vec::new(), Some(other.to_string())),
         };
         Self {
             axis: axis.name.clone(),

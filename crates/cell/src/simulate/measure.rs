@@ -1,72 +1,13 @@
-use crate::drives::Drives;
-use crate::summary::{Summary, Tally};
-use crate::{Error, Sample};
+use crate::Sample;
 use glam::DVec3;
 use seamwright_geometry::Pose;
-use seamwright_machine::{Joints, Machine};
+use seamwright_machine::Machine;
+use seamwright_motion::PassMotion;
 use seamwright_motion::corners::foot_in_blend;
-use seamwright_motion::{PassMotion, SetPoint, WeldMotion};
 use seamwright_program::TorchPath;
 
-/// Plays `motion`, whose passes follow `paths`, on simulated drives, one set-point a servo period, from the start of
-/// the first weld to the end of the last, and shows every period's [`Sample`] to `observer`. A summary of each pass.
-///
-/// The observer's errors end the simulation. The same seed gives the same weld, bit for bit.
-///
-/// # Errors
-/// [`Error::Drive`] if the machine file's drive values make no drive; the observer's error.
-pub fn simulate<E: From<Error>>(
-    machine: &Machine,
-    paths: &[&dyn TorchPath],
-    motion: &WeldMotion,
-    seed: u64,
-    mut observer: impl FnMut(&Sample) -> Result<(), E>,
-) -> Result<Vec<Summary>, E> {
-    let mut drives = Drives::new(machine, seed)?;
-    let mut tallies: Vec<Tally> = motion.passes.iter().map(|p| Tally::new(machine.axes.len(), p)).collect();
-    let mut last: Option<Sample> = None;
-    let mut begun = 0.0;
-    motion.play(machine.servo_period_s, false, |pass, set, rates| {
-        let mut sample = Sample { pass, set, ..Sample::nowhere() };
-        let first = last.is_none();
-        if first {
-            drives.settle_at(&set.q[..machine.axes.len()]);
-        }
-        for i in 0..machine.axes.len() {
-            let state = drives.step(i, servo_set_point(&set, &rates, i));
-            sample.q[i] = state.position;
-            sample.following_error[i] = state.following_error;
-            sample.current[i] = state.current;
-        }
-        if pass > 0 {
-            let planned = &motion.passes[pass - 1];
-            measure(machine, paths[pass - 1], planned, &mut sample);
-            match last.filter(|l| l.pass == pass) {
-                Some(last) => {
-                    let way = |from: f64, to: f64| (to - from) * planned.path.speed_rate(machine, 0.5 * (from + to));
-                    sample.tip_speed = way(last.tip_s, sample.tip_s) / machine.servo_period_s;
-                    sample.planned_speed = way(last.set.law.s, set.law.s) / machine.servo_period_s;
-                }
-                None => {
-                    begun = set.t;
-                    (sample.tip_speed, sample.planned_speed) = (0.0, 0.0);
-                }
-            }
-            tallies[pass - 1].add(&sample, &rates, set.t - begun);
-        }
-        last = Some(sample);
-        observer(&sample)
-    })?;
-    let passes = tallies.into_iter().zip(&motion.passes);
-    Ok(passes.map(|(tally, pass)| tally.finish(machine, pass, seed)).collect())
-}
-
-fn servo_set_point(set: &SetPoint, rates: &(Joints, Joints), i: usize) -> seamwright_servo::SetPoint {
-    seamwright_servo::SetPoint { position: set.q[i], velocity: rates.0[i], acceleration: rates.1[i] }
-}
-
 /// Finds the place of the planned path nearest to the true tip, and how far the tip is from the seam.
-fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMotion, sample: &mut Sample) {
+pub(super) fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMotion, sample: &mut Sample) {
     let tip = machine.forward(&sample.q);
     let whole = (0.0, path.length());
     // Where the planned path is blended it is not the seam: a place on the seam would jump at the corner.

@@ -1,0 +1,165 @@
+use super::carrier::Carrier;
+use super::scenario::Seam;
+use super::{Along, Displacement, Distortion, Error, LiveHead, Placement, SensorModel, World};
+use glam::DVec3;
+use seamwright_geometry::Pose;
+use seamwright_machine::{Machine, Sensor, Sight};
+use seamwright_motion::PassMotion;
+use seamwright_program::{Pass, TorchPath};
+use seamwright_tracking::actuator::HeadTracking;
+use seamwright_tracking::lead::{OwnCurve, Settings};
+
+/// Places along a pass at which sensors and axes are looked at before it is welded.
+const PLACES: u32 = 120;
+/// Part of its greatest lead that a sensor may lose along a pass.
+const LEAD_KEPT: f64 = 0.9;
+/// What is needed for a place on the seam to be known before the torch is there, beside the sensor's lead, mm.
+pub(crate) const SIGHTING_MM: f64 = 6.0;
+
+/// One pass of a weld, with what is hidden: where its seams truly are.
+pub(crate) struct PassScene<'a> {
+    path: &'a dyn TorchPath,
+    pass: &'a Pass,
+    distortion: Option<&'a Distortion>,
+    /// One for each torch that welds.
+    seams: Vec<Seam>,
+}
+
+impl<'a> PassScene<'a> {
+    pub(crate) fn new((path, pass): (&'a dyn TorchPath, &'a Pass), distortion: Option<&'a Distortion>) -> Self {
+        let mut seams = vec![Seam::along(path)];
+        if path.second(0.0).is_some() {
+            seams.push(Seam::along(&Second(path)));
+        }
+        Self { path, pass, distortion, seams }
+    }
+
+    /// The heads that weld it, with their sensors if it is tracked.
+    ///
+    /// # Errors
+    /// A machine whose sensors do not lead, or whose axes cannot correct; settings that cannot work, as too short a lead.
+    pub(crate) fn heads<'b>(
+        &'b self,
+        machine: &'b Machine,
+        planned: &PassMotion,
+        tracked: bool,
+        seed: u64,
+    ) -> Result<Vec<LiveHead<'b>>, Error> {
+        let heads = self.seams.iter().enumerate();
+        let live = heads.map(|(number, seam)| {
+            let world = self.world(number, seam, seed);
+            let tracking = match tracked {
+                true => Some(self.tracking(machine, planned, number, seam)?),
+                false => None,
+            };
+            Ok(LiveHead::new(number, seam, world, tracking, seed))
+        });
+        live.collect()
+    }
+
+    fn world<'b>(&self, number: usize, seam: &'b Seam, seed: u64) -> World<'b> {
+        let along = Along { begin_mm: self.pass.begin_mm.get(), reverse: self.pass.reverse, round_mm: seam.round_mm };
+        let (displacement, placement) = match self.distortion {
+            Some(distortion) => {
+                let length = (seam.length_mm, seam.round_mm);
+                (distortion.displacement(number, length, seed), distortion.placement(self.middle()))
+            }
+            None => (Displacement::default(), Placement::RIGHT),
+        };
+        let ends_mm = seam.round_mm.is_none().then_some((0.0, seam.length_mm));
+        World { taught: &*seam.frame, displacement, placement, along, ends_mm }
+    }
+
+    /// The middle of the first seam: about it the part is turned.
+    fn middle(&self) -> DVec3 {
+        let seam = &self.seams[0];
+        let way = seam.round_mm.unwrap_or(seam.length_mm);
+        let places = (0..PLACES).map(|i| (seam.frame)(way * f64::from(i) / f64::from(PLACES)).point);
+        places.sum::<DVec3>() / f64::from(PLACES)
+    }
+
+    fn tracking<'b>(
+        &self,
+        machine: &'b Machine,
+        planned: &PassMotion,
+        number: usize,
+        seam: &Seam,
+    ) -> Result<(SensorModel, HeadTracking, Carrier<'b>), Error> {
+        let (sensor, lead_mm) = leading(machine, planned, number, seam)?;
+        let carrier = Carrier::new(machine, number)?;
+        let limits = carrier.limits(machine, places(planned, seam))?;
+        let model = SensorModel {
+            period_s: sensor.period_s,
+            latency_s: sensor.latency_s,
+            noise_mm: sensor.noise_mm,
+            ..SensorModel::usual(lead_mm)
+        };
+        let late = 1.5 * model.period_s;
+        let (_, fastest) = self.pass.speeds();
+        let settings = Settings {
+            cycle_s: machine.servo_period_s,
+            period_s: model.period_s,
+            age_s: [(model.latency_s - late).max(0.0), model.latency_s + late],
+            noise_mm: model.noise_mm,
+            ..Settings::usual(lead_mm, fastest)
+        };
+        let own = OwnCurve::of(lead_mm, -lead_mm - SIGHTING_MM, self.path.length(), &seam.frame);
+        Ok((model, HeadTracking::new(settings, own, [limits; 2])?, carrier))
+    }
+}
+
+fn places<'a>(
+    planned: &'a PassMotion,
+    seam: &'a Seam,
+) -> impl Iterator<Item = (seamwright_machine::Joints, seamwright_tracking::lead::SeamFrame)> + 'a {
+    let at = |i: u32| f64::from(i) / f64::from(PLACES);
+    (0..=PLACES).map(move |i| (planned.path.at(planned.path.length() * at(i)), (seam.frame)(seam.length_mm * at(i))))
+}
+
+/// The stripe sensor that leads head `number` all along the pass, and by how much, mm.
+fn leading<'a>(
+    machine: &'a Machine,
+    planned: &PassMotion,
+    number: usize,
+    seam: &Seam,
+) -> Result<(&'a Sensor, f64), Error> {
+    let mut best: Option<(f64, f64, &Sensor)> = None;
+    for sensor in machine.sensors.iter().filter(|s| matches!(s.sight, Sight::Stripe(_))) {
+        let lead = |(q, frame): (seamwright_machine::Joints, seamwright_tracking::lead::SeamFrame)| {
+            let at = machine.sensor_frame(sensor, &q).translation - machine.forward_of(number, &q).point;
+            let ahead = at.dot(frame.along);
+            // One that looks at another torch's joint is not meant.
+            if (at - ahead * frame.along).length() > ahead.abs() { f64::NEG_INFINITY } else { ahead }
+        };
+        let ends = places(planned, seam).map(lead);
+        let (least, most) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), l| (l.min(low), l.max(high)));
+        if best.is_none_or(|(other, _, _)| least > other) {
+            best = Some((least, most, sensor));
+        }
+    }
+    let (machine_name, head) = (machine.name.clone(), number + 1);
+    match best {
+        Some((least, most, sensor)) if least > 0.0 && least >= LEAD_KEPT * most => {
+            // Two heads have one each: that of the other is beside the joint.
+            Ok((sensor, 0.5 * (least + most)))
+        }
+        Some((least, most, sensor)) => {
+            let (sensor, ahead_mm) = (sensor.name.clone(), [least, most]);
+            Err(Error::NotLeading { machine: machine_name, sensor, head, ahead_mm })
+        }
+        None => Err(Error::NoSensor { machine: machine_name, head }),
+    }
+}
+
+/// The second torch's path, by path length of the first.
+struct Second<'a>(&'a dyn TorchPath);
+
+impl TorchPath for Second<'_> {
+    fn length(&self) -> f64 {
+        self.0.length()
+    }
+
+    fn pose(&self, s: f64) -> Pose {
+        self.0.second(s).unwrap_or_else(|| self.0.pose(s))
+    }
+}

@@ -1,0 +1,117 @@
+//! Jobs whose parts lie elsewhere than planned, welded on simulated machines with tracking and without.
+
+use seamwright_cell::tracking::{Distortion, needs_reserve};
+use seamwright_cell::{Conditions, Error, Sample, Summary, simulate};
+use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
+use seamwright_motion::WeldMotion;
+use seamwright_program::{Pass, TorchPath};
+use seamwright_weld::Welding;
+
+struct Weld {
+    machine: Machine,
+    summary: Summary,
+    samples: Vec<Sample>,
+}
+
+fn weld(job: &str, distortion: &str, tracking: bool, seed: u64) -> Result<Weld, Error> {
+    let welding = Welding::read("job.toml", job).unwrap();
+    let program = &welding.program.value;
+    let machine = Machine::read("m.toml", shipped(&program.machine).unwrap().text).unwrap();
+    let distortion = Distortion::read("d.toml", distortion).unwrap();
+    let planned_on = machine.with_reserve(if tracking { needs_reserve(&machine)? } else { 0.0 });
+    let around = Surroundings::new(&planned_on, &Clamped::default()).unwrap();
+    let path = welding.path(0);
+    let passes: [(&dyn TorchPath, &Pass); 1] = [(&path, &program.passes[0])];
+    let motion = WeldMotion::plan(&planned_on, &around, &passes, 30.0).unwrap();
+    let mut samples = Vec::new();
+    let conditions = Conditions { seed, distortion: Some(&distortion), tracking };
+    let mut summaries = simulate(&machine, &passes, &motion, conditions, |s| {
+        samples.push(*s);
+        Ok::<(), Error>(())
+    })?;
+    Ok(Weld { machine, summary: summaries.remove(0), samples })
+}
+
+const SADDLE: &str = include_str!("../../../examples/saddle.toml");
+const T_JOINT: &str = include_str!("../../../examples/t-joint.toml");
+const MISPLACED: &str = include_str!("../../../examples/distortions/misplaced.toml");
+
+/// The greatest part of a limit that any axis uses between set-points, by differences: speed and acceleration.
+fn used(weld: &Weld) -> (f64, f64) {
+    let period = weld.machine.servo_period_s;
+    let mut used = (0.0f64, 0.0f64);
+    for three in weld.samples.windows(3) {
+        for (i, axis) in weld.machine.axes.iter().enumerate() {
+            let q = |k: usize| three[k].set.q[i];
+            let v = (q(2) - q(1)) / period;
+            let a = (q(2) - 2.0 * q(1) + q(0)) / (period * period);
+            used.0 = used.0.max(v.abs() / axis.max_speed);
+            used.1 = used.1.max(a.abs() / axis.max_acceleration);
+        }
+    }
+    used
+}
+
+/// A saddle that is misplaced by 2 mm and half a degree, oval and wavy, on a machine without a cross slide: its own axes
+/// bring the weld into the joint, and every set-point of every axis is within its limits.
+#[test]
+fn a_misplaced_saddle_over_the_machines_axes() {
+    let tracked = weld(SADDLE, MISPLACED, true, 1).unwrap();
+    let plain = weld(SADDLE, MISPLACED, false, 1).unwrap();
+    let [head] = &tracked.summary.heads[..] else { panic!("{:?}", tracked.summary.heads) };
+    let [other] = &plain.summary.heads[..] else { panic!() };
+    assert!(head.tracked && head.stopped_mm.is_none() && head.alarms.is_empty(), "{head:?}");
+    assert!(head.miss_p99_mm < 0.05, "{head:?}");
+    assert!(!other.tracked && other.miss_p99_mm > 2.0, "{other:?}");
+    // What the tracked weld says of one without tracking is what that one finds.
+    assert!((head.untracked_p99_mm - other.miss_p99_mm).abs() < 0.02, "{head:?} {other:?}");
+    assert!(plain.summary.path_error_mm.max > 2.0 && tracked.summary.path_error_mm.max < 0.3);
+    let (speed, acceleration) = used(&tracked);
+    assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
+}
+
+/// Two fillets that are displaced in different ways, each by its own cross slide; and the same seed gives the same weld.
+#[test]
+fn two_fillets_with_their_own_slides() {
+    let apart = "schema = 1\n[[displacement]]\nhead = 1\nramp = { from_mm = 0, to_mm = 800, by = { lateral_mm = 2, height_mm = -0.5 } }\n\
+                 [[displacement]]\nhead = 2\nwave = { length_mm = 300, by = { lateral_mm = 0.8, height_mm = 0.3 } }\n";
+    let first = weld(T_JOINT, apart, true, 3).unwrap();
+    assert_eq!(first.summary.heads.len(), 2);
+    for head in &first.summary.heads {
+        assert!(head.miss_p99_mm < 0.05 && head.untracked_p99_mm > 0.7, "{head:?}");
+        assert!(head.stopped_mm.is_none() && head.used.unwrap().iter().all(|used| *used <= 1.0001), "{head:?}");
+    }
+    let (speed, acceleration) = used(&first);
+    assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
+    let second = weld(T_JOINT, apart, true, 3).unwrap();
+    assert_eq!(format!("{:?}", first.summary), format!("{:?}", second.summary));
+    assert_eq!(first.samples.len(), second.samples.len());
+}
+
+/// A seam that nothing displaces is not made worse than its sensor's noise.
+#[test]
+fn a_part_that_lies_right() {
+    let still = weld(SADDLE, "schema = 1\n", true, 2).unwrap();
+    let head = &still.summary.heads[0];
+    assert!(head.untracked_most_mm < 1e-6 && head.miss_p99_mm < 0.03, "{head:?}");
+}
+
+/// A joint that leaves the reach of the machine's correction: the weld stops, and says why.
+#[test]
+fn what_cannot_be_reached_stops_the_weld() {
+    let far = "schema = 1\n[[displacement]]\nwave = { length_mm = 1600, by = { lateral_mm = 12 } }\n";
+    let weld = weld(SADDLE, far, true, 1).unwrap();
+    let head = &weld.summary.heads[0];
+    let stopped = head.stopped_mm.expect("stopped");
+    assert!((100.0..400.0).contains(&stopped), "{head:?}");
+    assert!(head.alarms.iter().any(|a| a.alarm.contains("at its end")), "{head:?}");
+    assert!(head.miss_most_mm < 0.5, "{head:?}");
+    assert!(!weld.samples.last().unwrap().arc());
+}
+
+/// A machine without a sensor that leads cannot track, and says what it would need.
+#[test]
+fn a_machine_that_cannot_see_ahead() {
+    let Err(error) = weld(include_str!("../../../examples/ellipse.toml"), "schema = 1\n", true, 1) else { panic!() };
+    assert!(error.to_string().contains("[sensors.<name>]"), "{error}");
+}
