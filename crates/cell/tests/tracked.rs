@@ -1,6 +1,6 @@
 //! Jobs whose parts lie elsewhere than planned, welded on simulated machines with tracking and without.
 
-use seamwright_cell::tracking::{Distortion, needs_reserve};
+use seamwright_cell::tracking::{Distortion, RESERVE};
 use seamwright_cell::{Conditions, Error, Sample, Summary, simulate};
 use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
@@ -18,7 +18,7 @@ fn weld(job: &str, distortion: &str, tracking: bool, seed: u64) -> Result<Weld, 
     let program = &welding.program.value;
     let machine = Machine::read("m.toml", shipped(&program.machine).unwrap().text).unwrap();
     let distortion = Distortion::read("d.toml", distortion).unwrap();
-    let planned_on = machine.with_reserve(if tracking { needs_reserve(&machine)? } else { 0.0 });
+    let planned_on = machine.with_reserve(if tracking { RESERVE } else { 0.0 });
     let around = Surroundings::new(&planned_on, &Clamped::default()).unwrap();
     let path = welding.path(0);
     let passes: [(&dyn TorchPath, &Pass); 1] = [(&path, &program.passes[0])];
@@ -86,6 +86,22 @@ fn two_fillets_with_their_own_slides() {
     let second = weld(T_JOINT, apart, true, 3).unwrap();
     assert_eq!(format!("{:?}", first.summary), format!("{:?}", second.summary));
     assert_eq!(first.samples.len(), second.samples.len());
+}
+
+/// A part that lies farther off than the slides reach: the gantry that carries them takes over what is common to both.
+#[test]
+fn axes_take_over_from_slides_near_their_ends() {
+    let far = "schema = 1\n[placement]\nshift_mm = [0, 10, 0]\n\
+               [[displacement]]\nwave = { length_mm = 600, by = { lateral_mm = 0.5 } }\n";
+    let weld = weld(T_JOINT, far, true, 5).unwrap();
+    let y = weld.machine.axis("y").unwrap();
+    let moved = weld.samples.iter().filter(|s| s.arc()).map(|s| s.set.q[y]).fold(0.0, |m: f64, y| m.max(y.abs()));
+    assert!(moved > 1.0, "{moved}");
+    for head in &weld.summary.heads {
+        assert!(head.miss_p99_mm < 0.05 && head.untracked_p99_mm > 9.0 && head.stopped_mm.is_none(), "{head:?}");
+    }
+    let (speed, acceleration) = used(&weld);
+    assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
 }
 
 /// A seam that nothing displaces is not made worse than its sensor's noise.

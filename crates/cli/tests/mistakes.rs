@@ -282,7 +282,7 @@ fn distorted_parts() {
         let (code, told) = simulate(job, text, &[]);
         assert!(code == 2 && told.contains(words) && !Path::new(&out).exists(), "{code} {told}");
     }
-    let misplaced = "schema = 1\n[placement]\nshift_mm = [1, 0, 0]\n";
+    let misplaced = "schema = 1\n[placement]\nshift_mm = [0, 1, 0]\n";
     let (code, told) = simulate("t-joint", misplaced, &["--no-tracking"]);
     assert!(code == 1 && told.contains("strays"), "{code} {told}");
     let (code, told) = simulate("t-joint", misplaced, &["--no-tracking", "--json", "--seed", "x"]);

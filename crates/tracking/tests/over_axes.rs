@@ -101,6 +101,23 @@ fn the_way_does_not_matter() {
     assert!(compared > 300, "{compared}");
 }
 
+/// Heads on one carrier are shifted alike.
+#[test]
+fn all_heads_are_carried_along() {
+    let machine = machine("dual-laser-10axis");
+    let mut random = Pcg64Mcg::seed_from_u64(19);
+    for _ in 0..500 {
+        let q = somewhere(&machine, &mut random);
+        let by = to_a_side(&mut random, 3.0);
+        let mut over = OverAxes::carrying_all(&machine);
+        let x = over.shifted(&q, by).unwrap();
+        for head in 0..2 {
+            let way = machine.forward_of(head, &x).point - machine.forward_of(head, &q).point;
+            assert!(way.distance(by) < 1e-6, "{head}: {way} {by}");
+        }
+    }
+}
+
 /// A correction within its limits moves no axis faster than its reserve, at planned places that stand.
 #[test]
 fn corrections_keep_the_reserve() {
@@ -112,7 +129,7 @@ fn corrections_keep_the_reserve() {
             let along = to_a_side(&mut random, 1.0).normalize();
             let lateral = along.any_orthonormal_vector();
             let directions = [lateral, along.cross(lateral)];
-            let Ok(limits) = OverAxes::limits(&machine, std::iter::once((q, directions)), 5.0) else { continue };
+            let Ok(limits) = OverAxes::new(&machine).limits(std::iter::once((q, directions)), 5.0) else { continue };
             let SlideLimits { speed, .. } = limits;
             let mut over = OverAxes::new(&machine);
             let mut last = q;

@@ -18,8 +18,8 @@ pub struct Conditions<'a> {
     pub seed: u64,
     /// How the part differs from the planned one; none: not at all.
     pub distortion: Option<&'a Distortion>,
-    /// True if passes are tracked by the machine's leading sensors. The motion must leave the axes the reserve that
-    /// [`crate::tracking::needs_reserve`] tells of.
+    /// True if passes are tracked by the machine's leading sensors. The motion must leave the axes their
+    /// [`crate::tracking::RESERVE`].
     pub tracking: bool,
 }
 
@@ -47,16 +47,21 @@ pub fn simulate<E: From<Error>>(
         match stage {
             Stage::Pass(i, planned) if hidden && planned.arc && !passes[i].0.is_timed() => {
                 let scene = PassScene::new(passes[i], conditions.distortion);
-                let mut live =
-                    scene.heads(machine, planned, conditions.tracking, conditions.seed).map_err(Error::from)?;
-                if conditions.tracking {
-                    play_tracked(&mut cell, machine, (i + 1, planned), &mut live)?;
-                } else {
-                    stage.play(period, begun, &mut |pass, set, rates| cell.show(pass, set, &rates, &mut live))?;
+                let carrier = conditions.tracking.then(|| scene.carrier(machine, planned)).transpose();
+                let mut carrier = carrier.map_err(Error::from)?;
+                let live = scene.heads(machine, planned, carrier.as_ref(), conditions.seed);
+                let mut live = live.map_err(Error::from)?;
+                match &mut carrier {
+                    Some(carrier) => play_tracked(&mut cell, machine, (i + 1, planned), (&mut live, carrier))?,
+                    None => {
+                        stage.play(period, begun, &mut |pass, set, rates| cell.show(pass, set, &rates, &mut live))?;
+                    }
                 }
                 heads[i] = live.into_iter().map(|head| head.finish(machine)).collect();
             }
-            _ => stage.play(period, begun, &mut |pass, set, rates| cell.show(pass, set, &rates, &mut []))?,
+            _ => {
+                stage.play(period, begun, &mut |pass, set, rates| cell.show(pass, set, &rates, &mut []))?;
+            }
         }
     }
     Ok(cell.finish(heads))

@@ -2,7 +2,9 @@
 
 use super::cell::SimulatedCell;
 use crate::tracking::LiveHead;
+use crate::tracking::carrier::{Carrier, Wanted};
 use crate::{Error, Sample};
+use arrayvec::ArrayVec;
 use glam::DVec3;
 use seamwright_machine::{Joints, MAX_AXES, Machine};
 use seamwright_motion::pace::{Limits, Order, Pace, Run, RunPhase};
@@ -36,28 +38,34 @@ pub(super) fn play_tracked<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>>(
     cell: &mut SimulatedCell<'_, F>,
     machine: &Machine,
     (number, planned): (usize, &PassMotion),
-    heads: &mut [LiveHead<'_>],
+    (heads, carrier): (&mut [LiveHead<'_>], &mut Carrier<'_>),
 ) -> Result<(), E> {
     let period = machine.servo_period_s;
     let mut rates = Differences { period, last: None };
-    sight(cell, machine, planned, heads, &mut rates)?;
+    sight(cell, machine, planned, (&mut *heads, &mut *carrier), &mut rates)?;
     let timed = planned.timed(machine);
     let limits = Limits::of(&machine.with_reserve(RESERVE));
     let pace = Pace::new(&limits, period, &timed).map_err(Error::from)?;
     let mut run = Run::new(pace, planned.sequence.clone(), &[]);
     run.order(Order::Resume).map_err(Error::from)?;
     let (mut asked, mut ending) = (1.0, false);
+    let mut off: Joints = [0.0; MAX_AXES];
     loop {
         let now = run.step().map_err(Error::from)?;
         if now.phase == RunPhase::Ended {
             return Ok(());
         }
         let (tip, t) = (now.played.rates.tip, cell.count() as f64 * period);
-        let (mut q, mut allowed) = (now.played.rates.q, 1.0f64);
-        for head in heads.iter_mut() {
-            let (shifted, pace) = head.cycle(t, tip.s, tip.v, &q);
-            (q, allowed) = (shifted, allowed.min(pace));
+        let (wanted, mut allowed) = cycle(heads, t, tip.s, tip.v);
+        // What cannot be reached any more stays as far off as it was, and the torch stops.
+        let planned_q = now.played.rates.q;
+        if let Some(q) = carrier.shifted(&planned_q, &wanted) {
+            off = std::array::from_fn(|i| q[i] - planned_q[i]);
+        } else {
+            allowed = 0.0;
+            heads.iter_mut().for_each(|head| head.out_of_reach(tip.s));
         }
+        let q: Joints = std::array::from_fn(|i| planned_q[i] + off[i]);
         let law = LawPoint { s: tip.s, v: tip.v, a: tip.a, j: tip.j };
         let set = SetPoint { t, phase: phase(now.phase), law, q };
         cell.show(number, set, &rates.rates(&q), heads)?;
@@ -71,6 +79,17 @@ pub(super) fn play_tracked<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>>(
             run.order(Order::Override(asked)).map_err(Error::from)?;
         }
     }
+}
+
+/// One cycle of all heads: where each is to be, and the pace that all allow.
+fn cycle(heads: &mut [LiveHead<'_>], t: f64, s: f64, speed: f64) -> (ArrayVec<Wanted, 2>, f64) {
+    let mut allowed = 1.0f64;
+    let wanted = heads.iter_mut().map(|head| {
+        let (wanted, pace) = head.cycle(t, s, speed);
+        allowed = allowed.min(pace);
+        wanted
+    });
+    (wanted.take(2).collect(), allowed)
 }
 
 fn feel<F>(cell: &SimulatedCell<'_, F>, machine: &Machine, s: f64, heads: &mut [LiveHead<'_>]) {
@@ -96,7 +115,7 @@ fn sight<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>>(
     cell: &mut SimulatedCell<'_, F>,
     machine: &Machine,
     planned: &PassMotion,
-    heads: &mut [LiveHead<'_>],
+    (heads, carrier): (&mut [LiveHead<'_>], &mut Carrier<'_>),
     rates: &mut Differences,
 ) -> Result<(), E> {
     let wanted = heads.iter().filter_map(LiveHead::sighting_mm);
@@ -105,9 +124,9 @@ fn sight<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>>(
     let start = planned.path.at(0.0);
     let frame = heads[0].frame(0.0);
     let around = [frame.along, frame.height];
-    let Ok(limits) = OverAxes::limits(machine, std::iter::once((start, around)), 2.0 * way) else { return Ok(()) };
+    let mut over = if heads.len() > 1 { OverAxes::carrying_all(machine) } else { OverAxes::new(machine) };
+    let Ok(limits) = over.limits(std::iter::once((start, around)), 2.0 * way) else { return Ok(()) };
     let Ok(mut mover) = Slide::new(limits, period) else { return Ok(()) };
-    let mut over = OverAxes::new(machine);
     let (mut target, mut back, mut forward) = (-way, false, 0.0);
     for _ in 0..(PATIENCE_S / period) as u64 {
         let before = forward;
@@ -120,9 +139,8 @@ fn sight<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>>(
         let Ok(mut q) = over.shifted(&start, by) else { return Ok(()) };
         let t = cell.count() as f64 * period;
         if back {
-            for head in heads.iter_mut() {
-                q = head.cycle(t, forward, (forward - before) / period, &q).0;
-            }
+            let (wanted, _) = cycle(heads, t, forward, (forward - before) / period);
+            q = carrier.shifted(&q, &wanted).unwrap_or(q);
         }
         let nowhere = LawPoint { s: f64::NAN, v: f64::NAN, a: f64::NAN, j: f64::NAN };
         cell.show(0, SetPoint { t, phase: Phase::Air, law: nowhere, q }, &rates.rates(&q), &mut [])?;

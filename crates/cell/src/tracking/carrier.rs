@@ -1,91 +1,147 @@
 use super::Error;
 use glam::{DMat2, DVec2, DVec3};
 use seamwright_machine::{Joints, Machine};
-use seamwright_tracking::actuator::{OverAxes, SlideLimits};
+use seamwright_tracking::actuator::{Authority, OverAxes, SlideLimits};
 use seamwright_tracking::lead::SeamFrame;
 
 /// The farthest that the machine's own axes take a torch from its planned path, mm.
 const RANGE_MM: f64 = 6.0;
 
-/// What takes a torch off its planned path: a cross slide, or the axes that carry it.
+/// What takes the torches of a pass off their planned paths: the machine's own axes, or cross slides of theirs and, when
+/// those come near their ends, the axes that carry all of them.
 #[derive(Debug, Clone)]
-pub(crate) enum Carrier<'a> {
-    Slides { machine: &'a Machine, head: usize, axes: [usize; 2] },
-    Axes(Box<OverAxes<'a>>),
+pub(crate) struct Carrier<'a> {
+    machine: &'a Machine,
+    over: OverAxes<'a>,
+    /// The slides of each head.
+    slides: Vec<[usize; 2]>,
+    authority: Option<Authority>,
+    limits: SlideLimits,
 }
 
+/// Where a head is in a cycle: its frame, and how far it is to be off, lateral and height, mm.
+pub(crate) type Wanted = (SeamFrame, DVec2);
+
 impl<'a> Carrier<'a> {
-    /// That of head `head`.
+    /// For the first heads of `machine`, along a path with these planned positions and each head's frames there.
     ///
     /// # Errors
-    /// [`Error::NoSlide`] for a second head without a slide of its own.
-    pub(crate) fn new(machine: &'a Machine, head: usize) -> Result<Self, Error> {
-        let none = || Error::NoSlide { machine: machine.name.clone(), head: head + 1 };
-        let mut slides = machine.heads.get(head).ok_or_else(none)?.slides.iter();
-        match (slides.next(), slides.next()) {
-            (Some(a), Some(b)) => Ok(Self::Slides { machine, head, axes: [a, b] }),
-            _ if head == 0 => Ok(Self::Axes(Box::new(OverAxes::new(machine)))),
-            _ => Err(none()),
+    /// [`Error::NoSlide`] for two heads that have none; axes that cannot carry it out.
+    pub(crate) fn new(machine: &'a Machine, places: &[(Joints, Vec<SeamFrame>)]) -> Result<Self, Error> {
+        let heads = places.first().map_or(1, |(_, frames)| frames.len());
+        let slides = slides(machine, heads)?;
+        let both = places.iter().map(|(q, frames)| (*q, [frames[0].lateral, frames[0].height]));
+        let over = if slides.is_empty() { OverAxes::new(machine) } else { OverAxes::carrying_all(machine) };
+        let axes = over.limits(both, RANGE_MM)?;
+        if slides.is_empty() {
+            return Ok(Self { machine, over, slides, authority: None, limits: axes });
         }
+        let mut least: Option<SlideLimits> = None;
+        for (q, frames) in places {
+            for (head, frame) in frames.iter().enumerate() {
+                let here = slide_limits(machine, head, slides[head], q, frame)?;
+                least = Some(least.map_or(here, |least| lesser(&least, &here)));
+            }
+        }
+        let slide = least.unwrap_or(axes);
+        let authority = Authority::new(slide, axes, machine.servo_period_s)?;
+        let limits = authority.limits();
+        Ok(Self { machine, over, slides, authority: Some(authority), limits })
     }
 
-    /// True if plans have to leave a reserve of the axes for it.
-    pub(crate) fn needs_reserve(&self) -> bool {
-        matches!(self, Self::Axes(_))
+    /// What corrections may do, lateral and height each.
+    pub(crate) fn limits(&self) -> SlideLimits {
+        self.limits
     }
 
-    /// What corrections may do, lateral and height each, along a path with these planned positions and frames.
-    ///
-    /// # Errors
-    /// Of axes that cannot carry it out.
-    pub(crate) fn limits(
-        &self,
-        machine: &Machine,
-        places: impl Iterator<Item = (Joints, SeamFrame)>,
-    ) -> Result<SlideLimits, Error> {
-        let Self::Slides { machine, head, axes } = self else {
-            let places = places.map(|(q, frame)| (q, [frame.lateral, frame.height]));
-            return Ok(OverAxes::limits(machine, places, RANGE_MM)?);
+    /// The positions `q` with every torch beside where they put it, as wanted; none where the axes cannot. No allocation.
+    pub(crate) fn shifted(&mut self, q: &Joints, wanted: &[Wanted]) -> Option<Joints> {
+        let (first, by) = wanted.first()?;
+        let Some(authority) = &mut self.authority else {
+            return self.over.shifted(q, by.x * first.lateral + by.y * first.height).ok();
         };
-        let infinite = f64::INFINITY;
-        let mut most = SlideLimits { stroke_mm: infinite, speed: infinite, acceleration: infinite, jerk: infinite };
-        for (q, frame) in places {
-            let Some(by_slide) = slides_by(machine, *head, *axes, &q, &frame) else {
-                return Err(Error::NoSlide { machine: machine.name.clone(), head: head + 1 });
-            };
-            for (k, axis) in axes.iter().map(|i| &machine.axes[*i]).enumerate() {
-                let gain = by_slide.row(k).abs().element_sum();
-                let room = axis.range.map_or(infinite, |(low, high)| (high - q[axes[k]]).min(q[axes[k]] - low));
-                most.stroke_mm = most.stroke_mm.min(room / gain);
-                most.speed = most.speed.min(axis.max_speed / gain);
-                most.acceleration = most.acceleration.min(axis.max_acceleration / gain);
-                most.jerk = most.jerk.min(axis.jerk() / gain);
+        // The axes move all heads together: they take over what is common.
+        let excess = |(frame, by): &Wanted| {
+            let left = authority.excess(*by);
+            left.x * frame.lateral + left.y * frame.height
+        };
+        let common = wanted.iter().map(excess).sum::<DVec3>() / wanted.len() as f64;
+        let taken = authority.step(seen(common, first));
+        let carried = taken.x * first.lateral + taken.y * first.height;
+        let mut shifted = if carried == DVec3::ZERO { *q } else { self.over.shifted(q, carried).ok()? };
+        for (head, (frame, by)) in wanted.iter().enumerate() {
+            let left = *by - seen(carried, frame);
+            if !authority.has_room(left) {
+                return None;
             }
+            let axes = self.slides[head];
+            let slides = slides_by(self.machine, head, axes, q, frame)? * left;
+            shifted[axes[0]] += slides.x;
+            shifted[axes[1]] += slides.y;
         }
-        most.check()?;
-        Ok(most)
+        Some(shifted)
     }
+}
 
-    /// The positions `q` with the torch `by` (lateral and height, mm) beside where they put it; none where the axes
-    /// cannot. No allocation.
-    pub(crate) fn shifted(&mut self, q: &Joints, frame: &SeamFrame, by: DVec2) -> Option<Joints> {
-        match self {
-            Self::Axes(over) => over.shifted(q, by.x * frame.lateral + by.y * frame.height).ok(),
-            Self::Slides { machine, head, axes } => {
-                let slides = slides_by(machine, *head, *axes, q, frame)? * by;
-                let mut q = *q;
-                q[axes[0]] += slides.x;
-                q[axes[1]] += slides.y;
-                Some(q)
-            }
+/// Lateral and height of a way.
+fn seen(way: DVec3, frame: &SeamFrame) -> DVec2 {
+    DVec2::new(way.dot(frame.lateral), way.dot(frame.height))
+}
+
+/// The cross slides of the first `heads` heads; none if a single one has none.
+fn slides(machine: &Machine, heads: usize) -> Result<Vec<[usize; 2]>, Error> {
+    let of = |head: usize| {
+        let mut slides = machine.heads.get(head)?.slides.iter();
+        Some([slides.next()?, slides.next()?])
+    };
+    match (0..heads).map(of).collect::<Option<Vec<_>>>() {
+        Some(slides) => Ok(slides),
+        None if heads == 1 => Ok(Vec::new()),
+        None => {
+            let head = (0..heads).find(|head| of(*head).is_none()).map_or(heads, |head| head + 1);
+            Err(Error::NoSlide { machine: machine.name.clone(), head })
         }
+    }
+}
+
+/// What corrections in a frame may do with the slides there.
+fn slide_limits(
+    machine: &Machine,
+    head: usize,
+    axes: [usize; 2],
+    q: &Joints,
+    frame: &SeamFrame,
+) -> Result<SlideLimits, Error> {
+    let none = || Error::NoSlide { machine: machine.name.clone(), head: head + 1 };
+    let by_slide = slides_by(machine, head, axes, q, frame).ok_or_else(none)?;
+    let one = |k: usize| {
+        let (i, axis) = (axes[k], &machine.axes[axes[k]]);
+        let gain = by_slide.row(k).abs().element_sum();
+        let room = axis.range.map_or(f64::MAX, |(low, high)| (high - q[i]).min(q[i] - low));
+        SlideLimits {
+            stroke_mm: room / gain,
+            speed: axis.max_speed / gain,
+            acceleration: axis.max_acceleration / gain,
+            jerk: axis.jerk() / gain,
+        }
+    };
+    let limits = lesser(&one(0), &one(1));
+    limits.check()?;
+    Ok(limits)
+}
+
+fn lesser(a: &SlideLimits, b: &SlideLimits) -> SlideLimits {
+    SlideLimits {
+        stroke_mm: a.stroke_mm.min(b.stroke_mm),
+        speed: a.speed.min(b.speed),
+        acceleration: a.acceleration.min(b.acceleration),
+        jerk: a.jerk.min(b.jerk),
     }
 }
 
 /// What both slides do for corrections, lateral and height.
 fn slides_by(machine: &Machine, head: usize, axes: [usize; 2], q: &Joints, frame: &SeamFrame) -> Option<DMat2> {
     let columns = machine.heads[head].chain.jacobian(&machine.true_positions(q));
-    let seen = |way: DVec3| DVec2::new(way.dot(frame.lateral), way.dot(frame.height));
-    let moved = DMat2::from_cols(seen(columns[axes[0]].0), seen(columns[axes[1]].0));
+    let moved = DMat2::from_cols(seen(columns[axes[0]].0, frame), seen(columns[axes[1]].0, frame));
     (moved.determinant().abs() > 1e-3).then(|| moved.inverse())
 }

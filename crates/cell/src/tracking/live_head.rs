@@ -1,4 +1,4 @@
-use super::carrier::Carrier;
+use super::carrier::Wanted;
 use super::scenario::Seam;
 use super::sensor::Sensor;
 use super::tally::{Tally, Watch};
@@ -61,7 +61,7 @@ pub(crate) struct LiveHead<'a> {
     pub(crate) number: usize,
     seam: &'a Seam,
     world: World<'a>,
-    tracking: Option<Tracking<'a>>,
+    tracking: Option<Tracking>,
     tracked: Tally,
     untracked: Tally,
     stopped_mm: Option<f64>,
@@ -69,10 +69,9 @@ pub(crate) struct LiveHead<'a> {
     last_s: Option<f64>,
 }
 
-struct Tracking<'a> {
+struct Tracking {
     sensor: Sensor,
     head: Box<HeadTracking>,
-    carrier: Carrier<'a>,
     watch: [Watch; 2],
     lead_mm: f64,
     speed_mm_s: f64,
@@ -86,16 +85,15 @@ impl<'a> LiveHead<'a> {
         number: usize,
         seam: &'a Seam,
         world: World<'a>,
-        tracking: Option<(SensorModel, HeadTracking, Carrier<'a>)>,
+        tracking: Option<(SensorModel, HeadTracking)>,
         seed: u64,
     ) -> Self {
-        let tracking = tracking.map(|(model, head, carrier)| Tracking {
+        let tracking = tracking.map(|(model, head)| Tracking {
             sensor: Sensor::new(model, seed.wrapping_mul(8).wrapping_add(number as u64)),
             watch: head.limits().map(|l: SlideLimits| Watch::new(l, head.settings().cycle_s)),
             lead_mm: model.lead_mm,
             speed_mm_s: head.settings().speed_mm_s,
             head: Box::new(head),
-            carrier,
             correction: DVec2::ZERO,
             known: (f64::INFINITY, Sight::Unseen),
         });
@@ -113,11 +111,11 @@ impl<'a> LiveHead<'a> {
         (self.seam.frame)(s)
     }
 
-    /// One cycle at time `t` with the torch at `s` going along at `speed`: `q` with this head's correction, and the
-    /// greatest part of its speed that the torch may have next.
-    pub(crate) fn cycle(&mut self, t: f64, s: f64, speed: f64, q: &Joints) -> (Joints, f64) {
+    /// One cycle at time `t` with the torch at `s` going along at `speed`: where the torch is to be, and the greatest
+    /// part of its speed that it may have next.
+    pub(crate) fn cycle(&mut self, t: f64, s: f64, speed: f64) -> (Wanted, f64) {
         let frame = self.frame(s);
-        let Some(tracking) = &mut self.tracking else { return (*q, 1.0) };
+        let Some(tracking) = &mut self.tracking else { return ((frame, DVec2::ZERO), 1.0) };
         tracking.sensor.look(&self.world, t, s, tracking.correction);
         while let Some(arrived) = tracking.sensor.arrived(t) {
             if let Some(measured) = arrived {
@@ -129,25 +127,32 @@ impl<'a> LiveHead<'a> {
         tracking.watch[1].add(orders.slide.y);
         tracking.known = (orders.estimate.sigma_mm, orders.estimate.sight);
         let mut alarm = orders.alarm;
-        let mut pace = orders.pace;
         // Beyond the end there is no joint to be seen, and none is needed; the last frame on it is a period before.
         let left = self.world.ends_mm.map_or(f64::INFINITY, |(_, end)| end - s);
-        let last = 2.0 * tracking.head.settings().period_s * speed;
+        let last = 3.0 * tracking.head.settings().period_s * tracking.speed_mm_s;
         if (left < tracking.lead_mm && alarm == Some(Alarm::Blind)) || (left < last && alarm == Some(Alarm::Coasting)) {
             alarm = None;
         }
-        let q = tracking.carrier.shifted(q, &frame, orders.slide).unwrap_or_else(|| {
-            (alarm, pace) = (Some(Alarm::StrokeEnd), 0.0);
-            *q
-        });
+        let wanted = (frame, orders.slide);
         // Before the seam nothing can be known of it.
         if s <= 0.0 {
-            return (q, 1.0);
+            return (wanted, 1.0);
         }
-        if let Some(alarm) = alarm.filter(|a| self.alarms.iter().all(|(_, known)| known != a)) {
+        if let Some(alarm) = alarm {
+            self.tell(s, alarm);
+        }
+        (wanted, orders.pace)
+    }
+
+    fn tell(&mut self, s: f64, alarm: Alarm) {
+        if self.alarms.iter().all(|(_, known)| *known != alarm) {
             self.alarms.push((s, alarm));
         }
-        (q, pace)
+    }
+
+    /// The axes cannot carry out what was wanted at `s`.
+    pub(crate) fn out_of_reach(&mut self, s: f64) {
+        self.tell(s, Alarm::StrokeEnd);
     }
 
     /// Where the torch truly is after the drives' step.

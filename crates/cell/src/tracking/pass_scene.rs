@@ -34,7 +34,21 @@ impl<'a> PassScene<'a> {
         Self { path, pass, distortion, seams }
     }
 
-    /// The heads that weld it, with their sensors if it is tracked.
+    /// What corrects the heads that weld it.
+    ///
+    /// # Errors
+    /// A machine whose sensors do not lead; axes that cannot correct.
+    pub(crate) fn carrier<'b>(&self, machine: &'b Machine, planned: &PassMotion) -> Result<Carrier<'b>, Error> {
+        for (number, seam) in self.seams.iter().enumerate() {
+            leading(machine, planned, number, seam)?;
+        }
+        let at = |i: u32| f64::from(i) / f64::from(PLACES);
+        let frames = |i: u32| self.seams.iter().map(|seam| (seam.frame)(seam.length_mm * at(i))).collect();
+        let places = (0..=PLACES).map(|i| (planned.path.at(planned.path.length() * at(i)), frames(i)));
+        Carrier::new(machine, &places.collect::<Vec<_>>())
+    }
+
+    /// The heads that weld it, with their sensors if `carrier` corrects them.
     ///
     /// # Errors
     /// A machine whose sensors do not lead, or whose axes cannot correct; settings that cannot work, as too short a lead.
@@ -42,15 +56,15 @@ impl<'a> PassScene<'a> {
         &'b self,
         machine: &'b Machine,
         planned: &PassMotion,
-        tracked: bool,
+        carrier: Option<&Carrier<'_>>,
         seed: u64,
     ) -> Result<Vec<LiveHead<'b>>, Error> {
         let heads = self.seams.iter().enumerate();
         let live = heads.map(|(number, seam)| {
             let world = self.world(number, seam, seed);
-            let tracking = match tracked {
-                true => Some(self.tracking(machine, planned, number, seam)?),
-                false => None,
+            let tracking = match carrier {
+                Some(carrier) => Some(self.tracking(machine, planned, (number, seam), carrier)?),
+                None => None,
             };
             Ok(LiveHead::new(number, seam, world, tracking, seed))
         });
@@ -78,16 +92,14 @@ impl<'a> PassScene<'a> {
         places.sum::<DVec3>() / f64::from(PLACES)
     }
 
-    fn tracking<'b>(
+    fn tracking(
         &self,
-        machine: &'b Machine,
+        machine: &Machine,
         planned: &PassMotion,
-        number: usize,
-        seam: &Seam,
-    ) -> Result<(SensorModel, HeadTracking, Carrier<'b>), Error> {
+        (number, seam): (usize, &Seam),
+        carrier: &Carrier<'_>,
+    ) -> Result<(SensorModel, HeadTracking), Error> {
         let (sensor, lead_mm) = leading(machine, planned, number, seam)?;
-        let carrier = Carrier::new(machine, number)?;
-        let limits = carrier.limits(machine, places(planned, seam))?;
         let model = SensorModel {
             period_s: sensor.period_s,
             latency_s: sensor.latency_s,
@@ -104,7 +116,7 @@ impl<'a> PassScene<'a> {
             ..Settings::usual(lead_mm, fastest)
         };
         let own = OwnCurve::of(lead_mm, -lead_mm - SIGHTING_MM, self.path.length(), &seam.frame);
-        Ok((model, HeadTracking::new(settings, own, [limits; 2])?, carrier))
+        Ok((model, HeadTracking::new(settings, own, [carrier.limits(); 2])?))
     }
 }
 

@@ -7,7 +7,7 @@ use crate::files;
 use crate::files::Output;
 use crate::load::{Loaded, load};
 use crate::progress::Progress;
-use seamwright_cell::tracking::{Distortion, check, needs_reserve};
+use seamwright_cell::tracking::{Distortion, RESERVE, check};
 use seamwright_cell::{Conditions, Sample, Summary, simulate};
 use seamwright_machine::Machine;
 use seamwright_motion::{PassMotion, WeldMotion};
@@ -25,7 +25,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     };
     let tracking = distortion.is_some() && !args.no_tracking;
     let conditions = Conditions { seed: args.seed, distortion: distortion.as_ref(), tracking };
-    let reserve = if tracking { needs_reserve(&loaded.machine)? } else { 0.0 };
+    let reserve = if tracking { RESERVE } else { 0.0 };
     let motion = loaded.plan_on(&loaded.machine.with_reserve(reserve))?;
     loaded.check_count(&motion, loaded.machine.servo_period_s)?;
     if tracking {

@@ -1,9 +1,11 @@
 //! What brings the torch over the seam: cross slides and beam deflection, each within its limits.
 //!
-//! [`Slide`] is one axis of a cross slide; [`Deflection`] bends a beam; [`OverAxes`] shifts the torch with the machine's own axes. [`HeadTracking`] has a tracker and a cross
+//! [`Slide`] is one axis of a cross slide; [`Deflection`] bends a beam; [`OverAxes`] shifts the torch with the machine's own axes;
+//! [`Authority`] splits corrections between slides and the axes that carry them. [`HeadTracking`] has a tracker and a cross
 //! slide of one head and gives orders every cycle: where the slide is to be, how fast the torch may go, and what is
 //! wrong.
 
+mod authority;
 mod deflection;
 mod head_tracking;
 mod limits;
@@ -11,6 +13,7 @@ mod over_axes;
 mod preview;
 mod slide;
 
+pub use authority::Authority;
 pub use deflection::{Deflection, DeflectionLimits};
 pub use head_tracking::{Alarm, HeadTracking, Orders};
 pub use limits::SlideLimits;

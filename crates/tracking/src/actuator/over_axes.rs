@@ -3,7 +3,7 @@ use crate::lead::Error;
 use glam::{DMat3, DVec3};
 use nalgebra::{Cholesky, Const, SMatrix, SVector};
 use seamwright_geometry::Pose;
-use seamwright_machine::{Joints, MAX_AXES, Machine};
+use seamwright_machine::{AxisKind, Joints, MAX_AXES, Machine};
 
 /// Part of every axis' speed, acceleration and jerk that plans leave to corrections.
 pub const RESERVE: f64 = 0.3;
@@ -13,6 +13,8 @@ const DIRECT: f64 = 0.5;
 /// Weight of the attitude (rad) against that of the axes' ways (as times, s): large enough that ways decide only where the
 /// attitude leaves a choice.
 const ATTITUDE: f64 = 1e7;
+/// By how much more the ways of axes weigh that are to rest.
+const RESTING: f64 = 1e12;
 /// Steps of Newton's method a cycle: each begins where the one before has ended, a cycle ago or now.
 const STEPS: usize = 2;
 
@@ -46,6 +48,19 @@ impl<'a> OverAxes<'a> {
         Self { machine, effort: Column::from_fn(|i, _| effort(i)), by: [0.0; MAX_AXES] }
     }
 
+    /// The same with the linear axes that carry all heads, so that these are shifted alike: their own slides rest.
+    #[must_use]
+    pub fn carrying_all(machine: &'a Machine) -> Self {
+        let mut over = Self::new(machine);
+        let own = |i: usize| machine.heads.iter().any(|head| head.slides.has(i));
+        for (i, axis) in machine.axes.iter().enumerate() {
+            if axis.kind == AxisKind::Rotary || own(i) {
+                over.effort[i] *= RESTING;
+            }
+        }
+        over
+    }
+
     /// Positions at which the torch is `by` (mm, work frame) beside where it is at the planned positions `q`. No
     /// allocation.
     ///
@@ -76,18 +91,17 @@ impl<'a> OverAxes<'a> {
         solver.solve(&pull, target.point - here.point)
     }
 
-    /// What a correction may do on `machine` along a path, so that it asks of every axis no more than its part of
+    /// What a correction may do along a path, so that it asks of every axis no more than its part of
     /// [`RESERVE`]: planned positions with both directions of corrections (unit vectors, work frame) at places along it,
     /// and the farthest that a correction may go, mm.
     ///
     /// # Errors
     /// A range that is not positive; [`Error::Value`] where the axes cannot shift the torch.
     pub fn limits(
-        machine: &Machine,
+        &self,
         places: impl Iterator<Item = (Joints, [DVec3; 2])>,
         range_mm: f64,
     ) -> Result<SlideLimits, Error> {
-        let all = OverAxes::new(machine);
         let mut most =
             SlideLimits { stroke_mm: range_mm, speed: f64::INFINITY, acceleration: f64::INFINITY, jerk: f64::INFINITY };
         let singular = Error::Value {
@@ -96,8 +110,8 @@ impl<'a> OverAxes<'a> {
             allowed: "a path along which the axes can shift the torch to all sides",
         };
         for (q, directions) in places {
-            let gains = all.gains(&q, directions).ok_or_else(|| singular.clone())?;
-            for (axis, gain) in machine.axes.iter().zip(gains.iter()).filter(|(_, gain)| **gain > 1e-9) {
+            let gains = self.gains(&q, directions).ok_or_else(|| singular.clone())?;
+            for (axis, gain) in self.machine.axes.iter().zip(gains.iter()).filter(|(_, gain)| **gain > 1e-9) {
                 let part = RESERVE * DIRECT / gain;
                 most.speed = most.speed.min(part * axis.max_speed);
                 most.acceleration = most.acceleration.min(part * axis.max_acceleration);

@@ -1,0 +1,125 @@
+use super::{Slide, SlideLimits};
+use crate::lead::Error;
+use glam::DVec2;
+
+/// Part of a slide's stroke that it keeps to itself: the axes that carry it take over what is beyond.
+const OWN: f64 = 0.6;
+/// Part of a slide's speed, acceleration and jerk that it keeps for making room for the axes.
+const SHARE: f64 = 0.2;
+
+/// Splits corrections between cross slides and the axes that carry them: slides do what is quick, the axes take over
+/// what would bring a slide near its end.
+///
+/// The axes go within their own limits and within a fifth of the slide's, so whatever is asked for within
+/// [`Authority::limits`] asks of a slide no more than it can. Until a slide has used 60 % of its stroke the axes rest; what then
+/// goes on faster than the axes can follow ends at the slide's end, as [`Authority::has_room`] tells.
+#[derive(Debug, Clone)]
+pub struct Authority {
+    slide: SlideLimits,
+    axes: [Slide; 2],
+    range_mm: f64,
+}
+
+impl Authority {
+    /// For slides with the limits `slide` on axes with the limits `axes`, at rest.
+    ///
+    /// # Errors
+    /// Limits or a cycle that cannot be.
+    pub fn new(slide: SlideLimits, axes: SlideLimits, cycle_s: f64) -> Result<Self, Error> {
+        slide.check()?;
+        let quick = SlideLimits {
+            stroke_mm: axes.stroke_mm,
+            speed: axes.speed.min(SHARE * slide.speed),
+            acceleration: axes.acceleration.min(SHARE * slide.acceleration),
+            jerk: axes.jerk.min(SHARE * slide.jerk),
+        };
+        let one = Slide::new(quick, cycle_s)?;
+        Ok(Self { slide, axes: [one.clone(), one], range_mm: axes.stroke_mm })
+    }
+
+    /// What both together may do.
+    #[must_use]
+    pub fn limits(&self) -> SlideLimits {
+        let SlideLimits { stroke_mm, speed, acceleration, jerk } = self.slide;
+        let left = 1.0 - SHARE;
+        SlideLimits {
+            stroke_mm: stroke_mm + self.range_mm,
+            speed: left * speed,
+            acceleration: left * acceleration,
+            jerk: left * jerk,
+        }
+    }
+
+    /// What of `wanted` (mm) a slide would leave to the axes in the long run.
+    #[must_use]
+    pub fn excess(&self, wanted: DVec2) -> DVec2 {
+        let own = DVec2::splat(OWN * self.slide.stroke_mm);
+        wanted - wanted.clamp(-own, own)
+    }
+
+    /// The next set-points of the axes on the way to `excess`, mm.
+    pub fn step(&mut self, excess: DVec2) -> DVec2 {
+        let [x, y] = &mut self.axes;
+        DVec2::new(x.step(excess.x), y.step(excess.y))
+    }
+
+    /// True if a slide can be `left` (mm) off its middle.
+    #[must_use]
+    pub fn has_room(&self, left: DVec2) -> bool {
+        left.abs().max_element() <= self.slide.stroke_mm
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    const SLIDE: SlideLimits = SlideLimits { stroke_mm: 10.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
+    const AXES: SlideLimits = SlideLimits { stroke_mm: 30.0, speed: 45.0, acceleration: 150.0, jerk: 1500.0 };
+
+    /// What is asked for within the limits of both keeps those of each, by differences; and where it stays the slide is
+    /// back within its own part.
+    #[test]
+    fn each_keeps_its_limits() {
+        for (size, hz) in [(9.0, 0.5), (18.0, 0.08), (36.0, 0.04), (3.0, 1.5)] {
+            let mut authority = Authority::new(SLIDE, AXES, 1e-3).unwrap();
+            let most = authority.limits();
+            let mut last = [[DVec2::ZERO; 2]; 4];
+            let w = TAU * hz;
+            assert!(size * w <= most.speed && size * w * w <= most.acceleration && size * w * w * w <= most.jerk);
+            for i in 0..20_000 {
+                let t = 1e-3 * f64::from(i);
+                // A soft start: from rest to the wave within a second.
+                let wanted = DVec2::new(size * t.min(1.0).powi(4) * (w * t).sin(), 0.0);
+                let excess = authority.excess(wanted);
+                let axes = authority.step(excess);
+                let slide = wanted - axes;
+                last = [last[1], last[2], last[3], [slide, axes]];
+                if i < 1500 {
+                    continue;
+                }
+                for (k, limits) in [SLIDE, AXES].into_iter().enumerate() {
+                    let p = |n: usize| last[n][k].x;
+                    let (v, a) = ((p(3) - p(2)) / 1e-3, (p(3) - 2.0 * p(2) + p(1)) / 1e-6);
+                    assert!(v.abs() <= limits.speed && a.abs() <= limits.acceleration, "{size} {hz}: {v} {a}");
+                }
+                assert!(authority.has_room(slide), "{size} {hz}: {slide}");
+            }
+        }
+    }
+
+    #[test]
+    fn axes_rest_until_they_are_needed() {
+        let mut authority = Authority::new(SLIDE, AXES, 1e-3).unwrap();
+        let mut axes = DVec2::ZERO;
+        for _ in 0..2000 {
+            axes = authority.step(authority.excess(DVec2::new(5.9, -5.9)));
+        }
+        assert!(axes.length() < 1e-12);
+        for _ in 0..3000 {
+            axes = authority.step(authority.excess(DVec2::new(14.0, 0.0)));
+        }
+        assert!((axes.x - 8.0).abs() < 1e-6 && axes.y.abs() < 1e-12, "{axes}");
+    }
+}
