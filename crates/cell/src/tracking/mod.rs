@@ -13,6 +13,7 @@ mod rig;
 mod scenario;
 mod sensor;
 pub mod shows;
+pub mod stripes;
 mod tally;
 mod world;
 
@@ -30,7 +31,7 @@ pub(crate) use pass_scene::PassScene;
 pub use rig::{Method, Outcome, run};
 pub use scenario::{HeadScene, Scenario, Seam};
 pub use seamwright_tracking::actuator::RESERVE;
-pub use sensor::{Fault, SensorModel};
+pub use sensor::{Fault, Sees, SensorModel};
 pub use world::{Along, Placement, World};
 
 /// Looks whether every pass with an arc can be tracked on `machine`.

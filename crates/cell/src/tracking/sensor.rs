@@ -1,9 +1,11 @@
 use super::World;
 use crate::disturbance::uniform;
+use crate::eyes::stripe::{Placement, Section, StripeDisturbances, StripeScene};
 use glam::DVec2;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use seamwright_tracking::lead::Measurement;
+use seamwright_vision::stripe::{JointKind, StripeReader, StripeTask};
 use std::collections::VecDeque;
 
 /// What goes wrong with a sensor, from a place of the torch on.
@@ -19,6 +21,15 @@ pub enum Fault {
     Late(f64),
     /// Its clock jumps by so much, s.
     ClockStep(f64),
+}
+
+/// What a leading sensor sees with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Sees {
+    /// Offsets with noise: as if images had been read.
+    Offsets,
+    /// Images of a laser stripe across a joint of this section, made hard like this, read as those of a real sensor.
+    Stripes(Section, JointKind, StripeDisturbances),
 }
 
 /// How a leading sensor sees.
@@ -40,6 +51,8 @@ pub struct SensorModel {
     pub field_mm: f64,
     /// What goes wrong, and from which place of the torch on, mm.
     pub fault: Option<(f64, Fault)>,
+    /// What it sees with.
+    pub sees: Sees,
 }
 
 impl SensorModel {
@@ -47,7 +60,8 @@ impl SensorModel {
     #[must_use]
     pub const fn usual(lead_mm: f64) -> Self {
         let (period_s, latency_s, noise_mm) = (0.01, 0.015, 0.02);
-        Self { lead_mm, period_s, latency_s, jitter: 0.0, noise_mm, outliers: 0.0, field_mm: 10.0, fault: None }
+        let (field_mm, sees) = (10.0, Sees::Offsets);
+        Self { lead_mm, period_s, latency_s, jitter: 0.0, noise_mm, outliers: 0.0, field_mm, fault: None, sees }
     }
 }
 
@@ -60,12 +74,25 @@ pub(super) struct Sensor {
     count: u64,
     under_way: VecDeque<(f64, Option<Measurement>)>,
     frozen: Option<DVec2>,
+    reader: StripeReader,
 }
+
+/// Columns and rows of the images of stripes, and how large a pixel is, mm.
+const STRIPE_PX: [usize; 2] = [640, 512];
+const STRIPE_MM_PER_PX: f64 = 0.04;
 
 impl Sensor {
     pub(super) fn new(model: SensorModel, seed: u64) -> Self {
         let random = Pcg64Mcg::seed_from_u64(seed ^ 0x5e05_0000_0000_0003);
-        Self { model, random, next_s: 0.0, count: 0, under_way: VecDeque::new(), frozen: None }
+        Self {
+            model,
+            random,
+            next_s: 0.0,
+            count: 0,
+            under_way: VecDeque::new(),
+            frozen: None,
+            reader: StripeReader::new(),
+        }
     }
 
     /// Exposes if it is time, with the torch at `s` and the slide at `slide`.
@@ -121,8 +148,30 @@ impl Sensor {
         if uniform(&mut self.random) < self.model.outliers {
             return Some((self.anything(3.0), 0.95));
         }
+        if let Sees::Stripes(section, kind, how) = self.model.sees {
+            return self.read(section, kind, &how, offset);
+        }
         let noise = DVec2::new(self.normal(), self.normal()) * self.model.noise_mm;
         Some((offset + noise, 0.95))
+    }
+
+    /// What is read from an image of the joint's stripe at `offset`.
+    fn read(
+        &mut self,
+        section: Section,
+        kind: JointKind,
+        how: &StripeDisturbances,
+        offset: DVec2,
+    ) -> Option<(DVec2, f64)> {
+        let placement = Placement { at: offset, ..Placement::default() };
+        let scene = StripeScene::new(section, placement, STRIPE_PX, STRIPE_MM_PER_PX);
+        let image = scene.image(how, self.random.next_u64()).image;
+        let frame = image.frame().ok()?;
+        let task = StripeTask::in_mm(kind);
+        let found = self.reader.read_image(&frame, Some(&scene.to_mm), &task).ok()?;
+        // The sensor's zero is at the joint point.
+        let zero = section.truth(&Placement::default()).joint()?;
+        Some((found.joint() - zero, found.confidence))
     }
 
     fn anything(&mut self, size: f64) -> DVec2 {
