@@ -1,6 +1,6 @@
 //! Jobs whose parts lie elsewhere than planned, welded on simulated machines with tracking and without.
 
-use seamwright_cell::tracking::{Distortion, RESERVE};
+use seamwright_cell::tracking::{Distortion, RESERVE, cross_talk};
 use seamwright_cell::{Conditions, Error, Sample, Summary, simulate};
 use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
@@ -102,6 +102,20 @@ fn axes_take_over_from_slides_near_their_ends() {
     }
     let (speed, acceleration) = used(&weld);
     assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
+}
+
+/// What one head corrects is hardly felt by the other, although the carrier of both takes its part.
+#[test]
+fn heads_do_not_disturb_each_other() {
+    let welding = Welding::read("job.toml", T_JOINT).unwrap();
+    let machine = Machine::read("m.toml", shipped("dual-laser-10axis").unwrap().text).unwrap();
+    let planned_on = machine.with_reserve(RESERVE);
+    let around = Surroundings::new(&planned_on, &Clamped::default()).unwrap();
+    let path = welding.path(0);
+    let passes: [(&dyn TorchPath, &Pass); 1] = [(&path, &welding.program.value.passes[0])];
+    let motion = WeldMotion::plan(&planned_on, &around, &passes, 30.0).unwrap();
+    let gate = cross_talk(&machine, &passes, &motion, 1).unwrap();
+    assert!(gate.is_kept(), "{gate:?}");
 }
 
 /// A seam that nothing displaces is not made worse than its sensor's noise.

@@ -39,6 +39,9 @@ pub enum Error {
         /// Least and greatest.
         ahead_mm: [f64; 2],
     },
+    /// A distortion file.
+    #[error("{0}")]
+    Distortion(String),
     /// Settings that cannot work, as a lead too short for the speed.
     #[error(transparent)]
     Settings(#[from] seamwright_tracking::lead::Error),

@@ -2,6 +2,7 @@
 //! torches, the slides' drives, and how far each weld truly is from its seam.
 
 pub(crate) mod carrier;
+mod cross_talk;
 mod displacement;
 mod distortion;
 mod error;
@@ -21,6 +22,7 @@ use seamwright_machine::Machine;
 use seamwright_motion::WeldMotion;
 use seamwright_program::{Pass, TorchPath};
 
+pub use cross_talk::cross_talk;
 pub use displacement::{Displacement, Part};
 pub use distortion::Distortion;
 pub use error::Error;

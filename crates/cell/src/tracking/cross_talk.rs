@@ -1,0 +1,47 @@
+use super::{Distortion, Error};
+use crate::gate::{Gate, Limit};
+use crate::{Conditions, Sample, simulate};
+use glam::DVec2;
+use seamwright_machine::Machine;
+use seamwright_motion::WeldMotion;
+use seamwright_program::{Pass, TorchPath};
+
+/// By how much the first fillet is displaced, mm: to and fro, far enough that the carrier of both heads has to move.
+const SIZE_MM: f64 = 9.0;
+const LENGTH_MM: f64 = 1500.0;
+
+/// How much of what one head has to correct is found in the other's weld: a pass with two heads is welded with the first
+/// fillet displaced and with nothing displaced; `motion` must leave the axes their [`super::RESERVE`].
+///
+/// # Errors
+/// Those of [`simulate`].
+pub fn cross_talk(
+    machine: &Machine,
+    passes: &[(&dyn TorchPath, &Pass)],
+    motion: &WeldMotion,
+    seed: u64,
+) -> Result<Gate, Error> {
+    let displaced = format!(
+        "schema = 1\n[[displacement]]\nhead = 1\nwave = {{ length_mm = {LENGTH_MM}, by = {{ lateral_mm = {SIZE_MM} }} }}\n"
+    );
+    let other = |text: &str| -> Result<Vec<DVec2>, Error> {
+        let distortion = Distortion::read("displaced", text).map_err(|e| Error::Distortion(e.to_string()))?;
+        let conditions = Conditions { seed, distortion: Some(&distortion), tracking: true };
+        let mut misses = Vec::new();
+        simulate(machine, passes, motion, conditions, |sample: &Sample| {
+            misses.extend(sample.heads[1].filter(|_| sample.travels()).map(|head| head.miss));
+            Ok::<(), crate::Error>(())
+        })?;
+        Ok(misses)
+    };
+    let (with, without) = (other(&displaced)?, other("schema = 1\n")?);
+    let apart = with.iter().zip(&without).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+    let part = if with.len() == without.len() { 100.0 * apart / SIZE_MM } else { f64::INFINITY };
+    Ok(Gate {
+        frames: format!("two heads, the first displaced by {SIZE_MM} mm"),
+        what: "of that in the other's weld",
+        value: part,
+        limit: Limit::Most(1.0),
+        unit: "%",
+    })
+}
