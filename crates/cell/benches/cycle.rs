@@ -1,12 +1,14 @@
 //! One cycle of a machine with ten axes: the set-point from the plan with its feed-forward, the inverse of its pose
-//! moved by a correction, and ten position loops. Aim: 5 us in the median, 20 us for 999 of 1000. And one of tracking.
+//! moved by a correction, and ten position loops. Aim: 5 us in the median, 20 us for 999 of 1000. And one of
+//! tracking, and one of beam mode.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use seamwright_machine::{Machine, Target, shipped};
 use seamwright_motion::PassMotion;
 use seamwright_servo::{Gains, Notch, PositionLoop, SetPoint};
-use seamwright_tracking::actuator::{HeadTracking, SlideLimits};
-use seamwright_tracking::lead::{Measurement, Moment, OwnCurve, Settings};
+use seamwright_tracking::actuator::{DeflectionLimits, HeadTracking, SlideLimits};
+use seamwright_tracking::beam::{Beam, BeamTracking, Picture, Point, Settings as BeamSettings};
+use seamwright_tracking::lead::{Measurement, Moment, OwnCurve, SeamFrame, Settings};
 use seamwright_weld::Welding;
 use std::hint::black_box;
 use std::time::Instant;
@@ -57,6 +59,7 @@ fn main() {
     assert_eq!(failed, 0);
     print("cycle of ten axes", times);
     tracking();
+    beam();
 }
 
 /// Tracking of one head at 100 mm/s on a bent seam, a measurement every 10 ms. Aim: 3 us for 999 of 1000.
@@ -81,6 +84,35 @@ fn tracking() {
     }
     assert!(slide.distance(seam(0.1 * CYCLES as f64)) < 0.3, "it follows");
     print("tracking of a head", times);
+}
+
+/// Beam mode at 10 mm/s on a straight seam: cycles, and the pictures that come every 300 ms. Aim: as that of a head.
+fn beam() {
+    let straight = |s: f64| SeamFrame { point: DVec3::X * s, along: DVec3::X, lateral: DVec3::Y, height: DVec3::Z };
+    let range = DeflectionLimits { range_mm: 1.0, slew: 2000.0, latency_s: 75e-6 };
+    let axes = SlideLimits { stroke_mm: 5.0, speed: 5.0, acceleration: 30.0, jerk: 300.0 };
+    let mut head = BeamTracking::new(BeamSettings::usual(10.0), &straight, range, axes).expect("settings that work");
+    let seam = |s: f64| 1.5 * (0.02 * s).sin();
+    let (mut cycles, mut pictures) = (Vec::with_capacity(CYCLES), Vec::new());
+    let mut slide = DVec2::ZERO;
+    for k in 0..CYCLES {
+        let (t, s) = (k as f64 * PERIOD, 0.01 * k as f64);
+        let begin = Instant::now();
+        let orders = black_box(head.cycle(Moment { t_s: t, s_mm: s, slide }, 10.0, true));
+        cycles.push(begin.elapsed().as_nanos() as u64);
+        if let Beam::Seen(exposed_s) = orders.beam {
+            let points: [Point; 24] = std::array::from_fn(|i| {
+                let error = 0.02 * (1.7 * (k + i) as f64).sin();
+                Point { along_mm: i as f64, lateral_mm: seam(s + i as f64) + error - slide.x, confidence: 0.9 }
+            });
+            let begin = Instant::now();
+            black_box(head.take(&Picture { exposed_s, height_mm: 0.0, points: &points }, t));
+            pictures.push(begin.elapsed().as_nanos() as u64);
+        }
+        slide.x = orders.carried_mm;
+    }
+    print("beam mode of a head", cycles);
+    print("  a picture of it", pictures);
 }
 
 fn print(what: &str, mut times: Vec<u64>) {

@@ -4,5 +4,6 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
 pub mod actuator;
+pub mod beam;
 pub mod lead;
 pub mod teach;

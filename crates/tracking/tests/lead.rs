@@ -320,7 +320,7 @@ fn refusals() {
         (Measurement { offset: DVec2::new(10.1, 0.0), ..good }, Refusal::OutOfField),
         (Measurement { offset: DVec2::new(0.0, f64::NAN), ..good }, Refusal::OutOfField),
         (Measurement { exposed_s: now + 0.5, ..good }, Refusal::Clock),
-        (Measurement { exposed_s: now - 0.05, ..good }, Refusal::Clock),
+        (Measurement { exposed_s: now - 0.05, ..good }, Refusal::Late),
         (Measurement { exposed_s: f64::NAN, ..good }, Refusal::Clock),
     ];
     let before = rig.tracker.at(50.0);

@@ -45,6 +45,21 @@ pub enum Error {
     /// Settings that cannot work, as a lead too short for the speed.
     #[error(transparent)]
     Settings(#[from] seamwright_tracking::lead::Error),
+    /// Beam mode that cannot work.
+    #[error(transparent)]
+    Beam(#[from] seamwright_tracking::beam::Error),
+    /// A beam that does not look.
+    #[error("machine {machine} has no camera: a sensor of kind \"camera\" through which the beam looks")]
+    NoEye {
+        /// Name of the machine.
+        machine: String,
+    },
+    /// Axes that cannot carry the gun aside.
+    #[error("the axes cannot carry the gun aside: {0}")]
+    Carried(String),
+    /// A frame that cannot be had.
+    #[error("{0}")]
+    Frame(String),
 }
 
 impl From<crate::Error> for Error {

@@ -1,11 +1,13 @@
 //! Welding with tracking, in simulation: seams that lie and move otherwise than they were taught, sensors that lead the
 //! torches, the slides' drives, and how far each weld truly is from its seam.
 
+pub mod beam;
 pub(crate) mod carrier;
 mod cross_talk;
 mod displacement;
 mod distortion;
 mod error;
+pub mod faults;
 pub mod gates;
 mod live_head;
 mod motion;

@@ -2,13 +2,13 @@ use super::Error;
 use super::motion::Travel;
 use super::scenario::{HeadScene, Scenario};
 use super::sensor::Sensor;
-use super::tally::{Tally, Watch};
+use super::tally::{Tally, Turns, Watch};
 use super::world::{Along, World};
 use crate::drives::Drives;
 use glam::DVec2;
 use seamwright_machine::Machine;
 use seamwright_servo::SetPoint;
-use seamwright_tracking::actuator::{Alarm, HeadTracking, Slide, SlideLimits};
+use seamwright_tracking::actuator::{Alarm, Cause, HeadTracking, Slide, SlideLimits};
 use seamwright_tracking::lead::{Measurement, Moment, OwnCurve, SampleBuffer, Settings};
 
 /// How the seam is followed.
@@ -46,6 +46,10 @@ pub struct Outcome {
     pub alarm: Option<Alarm>,
     /// Where the first alarm came, mm.
     pub alarm_mm: Option<f64>,
+    /// What was wrong with the sensor at the end.
+    pub cause: Option<Cause>,
+    /// How often set-points turned since the fault of the scene, the more of both axes.
+    pub turns: u32,
     /// The greatest part of a limit that set-points used: stroke, speed, acceleration, jerk; the worse of both axes.
     pub used: [f64; 4],
     /// Every tenth of a second: place of the torch, miss, slide; mm.
@@ -101,6 +105,8 @@ struct Head<'a> {
     ordered: [DVec2; 3],
     tally: Tally,
     watch: [Watch; 2],
+    fault_mm: Option<f64>,
+    turns: [Turns; 2],
     outcome: Outcome,
     next_place_s: f64,
 }
@@ -157,6 +163,8 @@ impl<'a> Head<'a> {
             ordered: [DVec2::ZERO; 3],
             tally: Tally::default(),
             watch: limits.map(|l| Watch::new(l, cycle_s)),
+            fault_mm: scene.stuck_mm.or(model.fault.map(|(from, _)| from)),
+            turns: [Turns::default(); 2],
             outcome: Outcome {
                 p99_mm: f64::INFINITY,
                 most_mm: f64::INFINITY,
@@ -165,6 +173,8 @@ impl<'a> Head<'a> {
                 stopped_mm: None,
                 alarm: None,
                 alarm_mm: None,
+                cause: None,
+                turns: 0,
                 used: [0.0; 4],
                 places: Vec::new(),
             },
@@ -182,6 +192,10 @@ impl<'a> Head<'a> {
         let (order, pace) = self.order(t, s, speed);
         self.watch[0].add(order.x);
         self.watch[1].add(order.y);
+        if self.fault_mm.is_some_and(|from| s >= from) {
+            self.turns[0].add(order.x);
+            self.turns[1].add(order.y);
+        }
         let stuck = self.stuck_mm.is_some_and(|from| s >= from);
         self.drive(drives, if stuck { self.ordered[0] } else { order });
         self.measure(t, s, speed);
@@ -217,6 +231,7 @@ impl<'a> Head<'a> {
                     self.outcome.alarm_mm = Some(s);
                 }
                 if s >= 0.0 {
+                    self.outcome.cause = orders.cause;
                     self.outcome.alarm = self.outcome.alarm.max(orders.alarm);
                 }
                 // Before the seam nothing can be known of it.
@@ -255,8 +270,9 @@ impl<'a> Head<'a> {
 
     fn outcome(mut self, stopped_mm: Option<f64>) -> Outcome {
         let [p99_mm, most_mm, median_mm] = [0.99, 1.0, 0.5].map(|part| self.tally.quantile(part));
+        let turns = self.turns[0].count.max(self.turns[1].count);
         let used = std::array::from_fn(|i| self.watch[0].used[i].max(self.watch[1].used[i]));
-        Outcome { p99_mm, most_mm, median_mm, welded_mm: self.tally.way(), stopped_mm, used, ..self.outcome }
+        Outcome { p99_mm, most_mm, median_mm, welded_mm: self.tally.way(), stopped_mm, turns, used, ..self.outcome }
     }
 }
 

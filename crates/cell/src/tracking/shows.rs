@@ -1,76 +1,16 @@
-//! Single welds that tracking must get through: faults, a long T-joint, a saddle out of place. Rows against limits.
+//! Single welds that tracking must get through: a long T-joint, a saddle out of place. Rows against limits.
 
 use super::Error;
-use super::gates::SPEEDS;
 use super::scenario::opposite;
-use super::{Displacement, Fault, HeadScene, Method, Outcome, Part, Placement, Scenario, Seam, run};
+use super::{Displacement, HeadScene, Method, Outcome, Part, Placement, Scenario, Seam, run};
 use crate::gate::{Gate, Limit};
 use glam::{DQuat, DVec2, DVec3};
 use seamwright_machine::Machine;
 use seamwright_program::TorchPath;
-use seamwright_tracking::lead::Settings;
 use std::f64::consts::TAU;
-
-const LENGTH: f64 = 600.0;
-/// Where faults begin, mm.
-const THERE: f64 = 300.0;
-/// Way in which the torch comes to rest, mm: 100 mm/s at 1000 mm/s^2, and a cycle or two.
-const BRAKING: f64 = 6.0;
-/// Drive and noise, mm.
-const SLACK: f64 = 0.1;
 
 fn gate(frames: &str, what: &'static str, value: f64, limit: f64, unit: &'static str) -> Gate {
     Gate { frames: frames.to_owned(), what, value, limit: Limit::Most(limit), unit }
-}
-
-/// Sensors and slides that fail half-way, at both speeds: how far the weld strays at most, against what it would
-/// without any correction or 1 mm, where the alarm comes, and where the torch has been stopped.
-///
-/// # Errors
-/// Those of [`run`].
-pub fn fault_rows(machine: &Machine) -> Result<Vec<Gate>, Error> {
-    let faults: [(&str, Option<Fault>); 6] = [
-        ("sensor silent", Some(Fault::Silent)),
-        ("sensor frozen", Some(Fault::Frozen)),
-        ("sensor wild", Some(Fault::Wild)),
-        ("sensor late by 3 periods", Some(Fault::Late(0.03))),
-        ("sensor's clock jumps by 0.5 s", Some(Fault::ClockStep(0.5))),
-        ("slide stuck", None),
-    ];
-    let mut rows = Vec::new();
-    for (speed, _) in SPEEDS {
-        for (name, fault) in faults {
-            let scenario = faulty(speed, fault);
-            let tracked = &run(&scenario, machine, Method::Tracked, 1)?[0];
-            let plain = &run(&scenario, machine, Method::Uncorrected, 1)?[0];
-            let settings = Settings::usual(20.0, speed);
-            // A stuck slide is noticed by how far it is off: that is the way of the seam.
-            let until = match fault {
-                Some(_) => settings.lead_mm + settings.coast_mm() + settings.fade_mm,
-                None => LENGTH - THERE - BRAKING,
-            };
-            let weld = format!("{speed} mm/s, {name}");
-            let most = (1e3 * (plain.most_mm.max(1.0) + SLACK)).round() / 1e3;
-            rows.push(gate(&weld, "greatest miss", tracked.most_mm, most, "mm"));
-            rows.push(gate(&weld, "first alarm, after", after(tracked.alarm_mm), until, "mm"));
-            rows.push(gate(&weld, "at rest, after", after(tracked.stopped_mm), until + BRAKING, "mm"));
-            let used = tracked.used.into_iter().fold(0.0, f64::max);
-            rows.push(gate(&weld, "of the slide's limits", 100.0 * used, 100.001, "%"));
-        }
-    }
-    Ok(rows)
-}
-
-fn after(place: Option<f64>) -> f64 {
-    place.map_or(f64::INFINITY, |at| at - THERE)
-}
-
-fn faulty(speed: f64, fault: Option<Fault>) -> Scenario {
-    let wave = Part::Wave { length_mm: 350.0, size: DVec2::new(1.2, 0.6), phase: DVec2::new(0.4, 1.0) };
-    let mut head = HeadScene::straight(LENGTH, Displacement::of(Part::Shift(DVec2::new(0.5, -0.4))).and(wave));
-    head.sensor.fault = fault.map(|fault| (THERE, fault));
-    head.stuck_mm = fault.is_none().then_some(THERE);
-    Scenario::steady("fault", speed, vec![head])
 }
 
 /// A T-joint of 3 m on a skin of 3 m radius whose fillets drift apart by 4 mm, both tracked at 20 mm/s.

@@ -68,9 +68,45 @@ impl Watch {
     }
 }
 
+/// Less than this of a set-point's way back is noise, mm.
+const NOISE_MM: f64 = 0.05;
+
+/// Counts how often set-points turn: what oscillates turns again and again.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Turns {
+    extreme: Option<f64>,
+    sense: f64,
+    pub(super) count: u32,
+}
+
+impl Turns {
+    pub(super) fn add(&mut self, position: f64) {
+        let extreme = *self.extreme.get_or_insert(position);
+        let way = position - extreme;
+        if self.sense * way > 0.0 {
+            self.extreme = Some(position);
+        } else if way.abs() > NOISE_MM {
+            self.count += u32::from(self.sense != 0.0);
+            (self.extreme, self.sense) = (Some(position), way.signum());
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn turns_of_a_sine_and_of_noise() {
+        let count = |position: &dyn Fn(f64) -> f64| {
+            let mut turns = Turns::default();
+            (0..10_000).for_each(|i| turns.add(position(1e-3 * f64::from(i))));
+            turns.count
+        };
+        assert_eq!(count(&|t| (std::f64::consts::TAU * t).sin()), 20);
+        assert_eq!(count(&|t| 0.02 * (300.0 * t).sin()), 0);
+        assert_eq!(count(&|t| 0.3 * t + 0.02 * (300.0 * t).sin()), 0);
+    }
 
     #[test]
     fn quantiles_by_way() {

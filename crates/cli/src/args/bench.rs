@@ -1,6 +1,6 @@
 //! Arguments of `seamwright bench`.
 
-use clap::{Args, Subcommand};
+use clap::{Args, Subcommand, ValueEnum};
 
 #[derive(Debug, Args)]
 pub(crate) struct BenchArgs {
@@ -24,9 +24,25 @@ pub(crate) struct BenchTrackingArgs {
     /// Welds of each kind; the worst counts
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u64).range(1..=1000))]
     pub(crate) seeds: u64,
+    /// One table only
+    #[arg(long, value_enum)]
+    pub(crate) table: Option<TrackingTable>,
     /// JSON instead of markdown
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// A table of `bench tracking`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TrackingTable {
+    /// Seams of all kinds by all methods
+    Seams,
+    /// A long T-joint and a saddle
+    Parts,
+    /// Sensors and slides that fail
+    Faults,
+    /// Beam mode
+    Beam,
 }
 
 #[derive(Debug, Args)]

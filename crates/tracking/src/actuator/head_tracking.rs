@@ -1,13 +1,10 @@
 use super::preview::softened;
-use super::{Slide, SlideLimits};
-use crate::lead::{Error, Estimate, Measurement, Moment, OwnCurve, Settings, Sight, Tracker, Verdict};
+use super::{Following, Slide, SlideLimits};
+use crate::lead::{Error, Estimate, Measurement, Moment, OwnCurve, Refusal, Settings, Sight, Tracker, Verdict};
 use glam::DVec2;
 
 /// Part of a slide's speed and stroke that may be used before the torch is slowed and a warning given.
 const RESERVE: f64 = 0.8;
-/// A slide that is farther than this from where it was ordered, mm, for so long, s, is stuck.
-const STUCK_MM: f64 = 0.3;
-const STUCK_S: f64 = 0.1;
 /// As many periods without a measurement of use are worth a warning, if the torch goes on for longer than tacks
 /// explain.
 const BLIND_PERIODS: f64 = 10.0;
@@ -17,8 +14,10 @@ const FADING_SPEED: f64 = 0.25;
 /// What is wrong, each worse than the one before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Alarm {
-    /// The seam ahead needs more than 80 % of a slide's stroke.
+    /// The seam, here or ahead, needs more than 80 % of a slide's stroke, or of what the axes may carry the gun.
     NearStroke,
+    /// The seam is beyond the reach of the beam's deflection: the axes that carry the gun do the rest.
+    AxesCarry,
     /// The seam ahead leaves the taught path faster than a slide can go: slowed down.
     Slowed,
     /// Nothing of use has come from the sensor for some periods. The weld still lies on what was seen.
@@ -35,6 +34,19 @@ pub enum Alarm {
     Lost,
     /// A slide does not go where it is ordered: stop.
     SlideStuck,
+    /// What is stored does not fit the part any more: stop.
+    Misfit,
+}
+
+/// Why nothing of use comes from a sensor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cause {
+    /// Nothing comes at all.
+    Silent,
+    /// What comes does not agree with itself.
+    Wild,
+    /// What comes is refused.
+    Refused(Refusal),
 }
 
 impl Alarm {
@@ -43,6 +55,7 @@ impl Alarm {
     pub fn name(self) -> &'static str {
         match self {
             Self::NearStroke => "correction near its end",
+            Self::AxesCarry => "beyond the beam's deflection: the axes carry the gun",
             Self::Slowed => "slowed down for a steep deviation",
             Self::Blind => "nothing seen by the sensor",
             Self::Coasting => "torch beyond what was seen",
@@ -51,6 +64,7 @@ impl Alarm {
             Self::StrokeEnd => "correction at its end: the weld misses the joint",
             Self::Lost => "joint lost",
             Self::SlideStuck => "slide does not go where it is ordered",
+            Self::Misfit => "the stored deviation does not fit",
         }
     }
 }
@@ -64,6 +78,8 @@ pub struct Orders {
     pub pace: f64,
     /// The worst that is wrong.
     pub alarm: Option<Alarm>,
+    /// What is wrong with the sensor, as soon as nothing of use has come from it for some periods.
+    pub cause: Option<Cause>,
     /// What is known of the seam at the torch.
     pub estimate: Estimate,
 }
@@ -79,7 +95,9 @@ pub struct HeadTracking {
     taken: Option<(f64, f64)>,
     /// Where the torch is, mm.
     here_mm: f64,
-    stuck_since: Option<f64>,
+    /// The last measurement that was of no use since, and when it came.
+    unused: Option<(f64, Verdict)>,
+    following: Following,
     stuck: bool,
 }
 
@@ -97,7 +115,17 @@ impl HeadTracking {
         }
         let tracker = Tracker::new(settings, own)?;
         let (ordered, target) = (DVec2::ZERO, DVec2::ZERO);
-        Ok(Self { tracker, slides, ordered, target, taken: None, here_mm: 0.0, stuck_since: None, stuck: false })
+        Ok(Self {
+            tracker,
+            slides,
+            ordered,
+            target,
+            taken: None,
+            here_mm: 0.0,
+            unused: None,
+            following: Following::default(),
+            stuck: false,
+        })
     }
 
     /// How its sensor is followed.
@@ -115,8 +143,9 @@ impl HeadTracking {
     /// A measurement has arrived at time `now_s`.
     pub fn take(&mut self, measured: &Measurement, now_s: f64) -> Verdict {
         let verdict = self.tracker.take(measured, now_s);
-        if matches!(verdict, Verdict::Taken | Verdict::Restarted) {
-            self.taken = Some((now_s, self.here_mm));
+        match verdict {
+            Verdict::Taken | Verdict::Restarted => (self.taken, self.unused) = (Some((now_s, self.here_mm)), None),
+            Verdict::Gated | Verdict::Refused(_) => self.unused = Some((now_s, verdict)),
         }
         verdict
     }
@@ -127,7 +156,7 @@ impl HeadTracking {
         let way = speed.abs() * settings.notice_s;
         self.here_mm = now.s_mm;
         self.tracker.advance(now, now.s_mm + way);
-        self.watch_slide(&now);
+        self.stuck = self.following.is_stuck(now.t_s, now.slide.distance(self.ordered));
         let estimate = self.tracker.at(now.s_mm);
         // A stuck slide's set-points come to rest, within its limits.
         if !self.stuck {
@@ -136,7 +165,22 @@ impl HeadTracking {
         let orders = [self.slides[0].step(self.target.x), self.slides[1].step(self.target.y)];
         self.ordered = DVec2::from_array(orders);
         let (pace, alarm) = self.judge(&now, speed, &estimate);
-        Orders { slide: self.ordered, pace, alarm, estimate }
+        Orders { slide: self.ordered, pace, alarm, cause: self.cause(&now), estimate }
+    }
+
+    /// Why nothing of use has come for some periods, and for longer than tacks explain; none if something has.
+    fn cause(&self, now: &Moment) -> Option<Cause> {
+        let settings = self.tracker.settings();
+        let long_ago = |since: f64| now.t_s - since > BLIND_PERIODS * settings.period_s;
+        let blind = |(t, s): (f64, f64)| long_ago(t) && (now.s_mm - s).abs() > settings.coast_mm();
+        if !self.taken.is_some_and(blind) {
+            return None;
+        }
+        Some(match self.unused {
+            Some((at, Verdict::Refused(refusal))) if !long_ago(at) => Cause::Refused(refusal),
+            Some((at, _)) if !long_ago(at) => Cause::Wild,
+            _ => Cause::Silent,
+        })
     }
 
     /// Where the slides are sent: what they will have reached when the torch is there.
@@ -157,15 +201,6 @@ impl HeadTracking {
         }
     }
 
-    fn watch_slide(&mut self, now: &Moment) {
-        if now.slide.distance(self.ordered) <= STUCK_MM {
-            self.stuck_since = None;
-            return;
-        }
-        let since = *self.stuck_since.get_or_insert(now.t_s);
-        self.stuck |= now.t_s - since >= STUCK_S;
-    }
-
     fn judge(&self, now: &Moment, speed: f64, here: &Estimate) -> (f64, Option<Alarm>) {
         let settings = self.tracker.settings();
         if self.stuck {
@@ -176,10 +211,7 @@ impl HeadTracking {
         let ahead = self.tracker.ahead(now.s_mm);
         let needed = (ahead.slope * settings.speed_mm_s.max(speed.abs()) / fastest).max_element();
         let mut pace = if needed > 1.0 { 1.0 / needed } else { 1.0 };
-        // Tacks are blind too.
-        let blind = self.taken.is_some_and(|(t, s)| {
-            now.t_s - t > BLIND_PERIODS * settings.period_s && (now.s_mm - s).abs() > settings.coast_mm()
-        });
+        let blind = self.cause(now).is_some();
         let alarm = match here.sight {
             Sight::Lost => Alarm::Lost,
             _ if here.value.abs().cmpgt(stroke).any() => Alarm::StrokeEnd,

@@ -7,15 +7,18 @@
 
 mod authority;
 mod deflection;
+mod following;
 mod head_tracking;
 mod limits;
 mod over_axes;
 mod preview;
 mod slide;
 
+pub(crate) use following::Following;
+
 pub use authority::Authority;
 pub use deflection::{Deflection, DeflectionLimits};
-pub use head_tracking::{Alarm, HeadTracking, Orders};
+pub use head_tracking::{Alarm, Cause, HeadTracking, Orders};
 pub use limits::SlideLimits;
 pub use over_axes::{OutOfReach, OverAxes, RESERVE};
 pub use slide::Slide;

@@ -101,6 +101,14 @@ impl Cells {
         self.breaks = [f64::NAN; BREAKS];
     }
 
+    /// Forgets what was seen from `s` on.
+    pub(super) fn clear_from(&mut self, s: f64) {
+        let Some(front) = self.front else { return };
+        let first = self.index(s);
+        (first..=front).for_each(|i| self.ring.remove(i));
+        self.front = (first - self.ring.len()..first).rev().find(|i| self.ring.get(*i).is_some());
+    }
+
     /// The seam jumps at `s`: nothing is smoothed across.
     pub(super) fn add_break(&mut self, s: f64) {
         self.breaks[self.next_break % BREAKS] = s;

@@ -15,20 +15,20 @@ pub struct Moment {
 /// Where the torch and its slide were in the last cycles: so that a measurement that arrives late is put together with
 /// the place where it was taken. Room is made once.
 #[derive(Debug, Clone)]
-pub(super) struct History {
+pub(crate) struct History {
     moments: VecDeque<Moment>,
     capacity: usize,
 }
 
 impl History {
     /// Room for the last `capacity` cycles, at least two.
-    pub(super) fn new(capacity: usize) -> Self {
+    pub(crate) fn new(capacity: usize) -> Self {
         let capacity = capacity.max(2);
         Self { moments: VecDeque::with_capacity(capacity), capacity }
     }
 
     /// Adds a cycle. One that is not later than the last is left out.
-    pub(super) fn push(&mut self, moment: Moment) {
+    pub(crate) fn push(&mut self, moment: Moment) {
         if self.moments.back().is_some_and(|last| moment.t_s <= last.t_s) {
             return;
         }
@@ -39,7 +39,7 @@ impl History {
     }
 
     /// Where everything was at `t_s`, linear between cycles; none outside of what is remembered.
-    pub(super) fn at(&self, t_s: f64) -> Option<Moment> {
+    pub(crate) fn at(&self, t_s: f64) -> Option<Moment> {
         let after = self.moments.partition_point(|m| m.t_s < t_s);
         let b = self.moments.get(after)?;
         let a = match after.checked_sub(1) {

@@ -33,7 +33,9 @@ pub enum Refusal {
     Faint,
     /// Outside of the sensor's calibrated field, or no number.
     OutOfField,
-    /// Its time of exposure is too old, or in the future: the sensor's clock is wrong, or it is late.
+    /// Its exposure is longer ago than it may be: the sensor is late, or its clock is behind.
+    Late,
+    /// Its exposure is too short a time ago, or in the future: the sensor's clock is wrong.
     Clock,
     /// The same value again and again: the sensor has frozen.
     Frozen,

@@ -23,6 +23,7 @@ mod suspects;
 mod tracker;
 
 pub use error::Error;
+pub(crate) use history::History;
 pub use history::Moment;
 pub use measurement::{Measurement, Refusal, Verdict};
 pub use node::{Estimate, Sight};

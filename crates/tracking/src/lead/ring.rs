@@ -25,6 +25,12 @@ impl<T: Copy> Ring<T> {
         self.slots[slot] = Some((i, value));
     }
 
+    /// Forgets cell `i`.
+    pub(super) fn remove(&mut self, i: i64) {
+        let slot = self.slot(i);
+        self.slots[slot] = self.slots[slot].filter(|(at, _)| *at != i);
+    }
+
     /// Forgets everything.
     pub(super) fn clear(&mut self) {
         self.slots.fill(None);
@@ -51,6 +57,10 @@ mod tests {
         ring.put(-9, 7);
         assert!(ring.get(-1).is_none(), "its slot has gone to the cell eight before");
         assert_eq!(ring.get(-9), Some(&7));
+        ring.remove(-1);
+        assert_eq!(ring.get(-9), Some(&7), "that was another cell");
+        ring.remove(-9);
+        assert!(ring.get(-9).is_none());
         ring.clear();
         assert!((-30..10).all(|i| ring.get(i).is_none()));
     }

@@ -11,6 +11,9 @@ pub(super) const STEEPEST: f64 = 0.3;
 /// Standard deviations that count as agreement, as at the gate.
 pub(super) const GATE: f64 = 3.0;
 
+/// What a seam may bend between three measurements, mm.
+const BENT_MM: f64 = 0.02;
+
 /// Measurements that were gated, one after the other: outliers, or the seam has jumped.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Suspects {
@@ -34,12 +37,23 @@ impl Suspects {
         self.in_a_row
     }
 
-    /// This one and two of those before, if all three agree with each other.
+    /// This one and two of those before, if all three agree with each other and lie on a line: outliers that are near to each
+    /// other hardly ever do.
     pub(super) fn agreeing(&self, last: &Seen) -> Option<[Seen; IN_A_ROW]> {
         let others = || self.seen.iter().rev().filter(|s| agree(s, last));
-        let two = others().enumerate().find_map(|(i, b)| others().skip(i + 1).find(|a| agree(a, b)).map(|a| (a, b)));
+        let fits = |a: &Seen, b: &Seen| agree(a, b) && on_a_line(a, b, last);
+        let two = others().enumerate().find_map(|(i, b)| others().skip(i + 1).find(|a| fits(a, b)).map(|a| (a, b)));
         two.map(|(a, b)| [*a, *b, *last])
     }
+}
+
+/// Whether the middle one of three is as near to the line through the others as their noise lets it be.
+fn on_a_line(a: &Seen, b: &Seen, c: &Seen) -> bool {
+    let way = c.s - a.s;
+    // Where the torch is held they are in one place.
+    let part = if way.abs() > 1e-3 { ((b.s - a.s) / way).clamp(0.0, 1.0) } else { 0.5 };
+    let variance = (1.0 - part).powi(2) / a.weight + 1.0 / b.weight + part * part / c.weight;
+    (b.value - a.value.lerp(c.value, part)).abs().max_element() <= GATE * variance.sqrt() + BENT_MM
 }
 
 fn agree(a: &Seen, b: &Seen) -> bool {
@@ -74,6 +88,7 @@ mod tests {
             assert_eq!(suspects.add(seen), i + 1);
         }
         assert_eq!(suspects.agreeing(&seen(1.2, 1.5)), None);
+        assert_eq!(suspects.agreeing(&seen(1.2, 0.9)), None, "near, but not on a line");
         let three = suspects.agreeing(&seen(1.2, 1.1)).unwrap();
         suspects.clear();
         assert_eq!(suspects.agreeing(&seen(1.2, 1.1)), None);

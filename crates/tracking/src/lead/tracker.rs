@@ -8,11 +8,14 @@ use super::settings::REACH;
 use super::suspects::{GATE, IN_A_ROW, Suspects, begun};
 use super::{Error, Measurement, OwnCurve, Refusal, Settings, Verdict};
 use glam::DVec2;
+use std::ops::Range;
 
 /// The same value so often in a row is a frozen sensor.
 const FROZEN: u32 = 5;
 /// A gate does not open wider than this, mm: after a gap measurements must agree with each other.
 const WIDEST_MM: f64 = 1.0;
+/// Second derivative of a seam that is looked at a few millimetres beyond where it was seen, one standard deviation, 1/mm.
+const GENTLE: f64 = 0.01;
 /// Less than this counts as no jump, mm: it is smoothed over.
 const JUMP_MM: f64 = 0.3;
 /// Cells to each side within which a place is smoothed.
@@ -103,12 +106,34 @@ impl Tracker {
 
     /// A measurement has arrived at time `now_s`.
     pub fn take(&mut self, measured: &Measurement, now_s: f64) -> Verdict {
-        let seen = match self.located(measured, now_s) {
-            Ok(seen) => seen,
-            Err(refusal) => return Verdict::Refused(refusal),
-        };
+        match self.located(measured, now_s) {
+            Ok(seen) => self.accept(seen, measured.exposed_s),
+            Err(refusal) => Verdict::Refused(refusal),
+        }
+    }
+
+    /// Where torch and slide were at `t_s`; none outside of what is remembered.
+    pub(crate) fn moment(&self, t_s: f64) -> Option<Moment> {
+        self.history.at(t_s)
+    }
+
+    /// A place of the seam that was seen in a picture at `exposed_s`, its deviation with this confidence: whoever saw the picture
+    /// has judged it as a whole.
+    pub(crate) fn see(&mut self, s: f64, deviation: DVec2, confidence: f64, exposed_s: f64) {
+        let weight = (confidence / self.settings.noise_mm).powi(2);
+        self.keep(Seen { s, value: deviation, weight }, exposed_s);
+    }
+
+    /// Forgets what was seen from `s` on: the seam jumps there.
+    pub(crate) fn forget_from(&mut self, s: f64) {
+        self.cells.clear_from(s);
+        self.cells.add_break(s);
+    }
+
+    /// Puts what was seen beside what is expected.
+    fn accept(&mut self, seen: Seen, t: f64) -> Verdict {
         let noise = Noise { wander: self.settings.wander, drift: self.settings.drift };
-        let (t, r) = (measured.exposed_s, 1.0 / seen.weight);
+        let r = 1.0 / seen.weight;
         // First: while measurements are gated doubt grows, and soon the gate lets a jump pass.
         if let Some(three) = self.suspects.agreeing(&seen) {
             self.suspects.clear();
@@ -178,7 +203,10 @@ impl Tracker {
         let age = now_s - exposed_s;
         // Half a cycle: times are those of cycles.
         let slack = 0.5 * self.settings.cycle_s;
-        if !(young - slack..=old + slack).contains(&age) {
+        if age > old + slack {
+            return Err(Refusal::Late);
+        }
+        if age.is_nan() || age < young - slack {
             return Err(Refusal::Clock);
         }
         if confidence < self.settings.least_confidence.max(f64::MIN_POSITIVE) {
@@ -212,9 +240,15 @@ impl Tracker {
             self.cells.clear();
         } else if s - front < REACH * self.settings.lead_mm {
             let end = self.cells.index(front) + 1;
-            let before = self.cells.fit(s, end - REACH_CELLS..end, BENT);
-            if before.is_none_or(|fit| fit.value.distance(value) > JUMP_MM) {
-                self.cells.add_break(0.5 * (s + front));
+            let jumps = |cells: Range<i64>, bend: f64| {
+                let before = self.cells.fit(s, cells, bend);
+                before.is_none_or(|fit| fit.value.distance(value) > JUMP_MM)
+            };
+            match (jumps(end - REACH_CELLS..end, BENT), jumps(end - 2 * REACH_CELLS..end - 1, GENTLE)) {
+                (true, true) => self.cells.add_break(0.5 * (s + front)),
+                // What was taken last was an outlier: without it nothing jumps.
+                (true, false) => self.cells.clear_from(front),
+                (false, _) => {}
             }
         }
     }

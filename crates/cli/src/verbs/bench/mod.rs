@@ -1,5 +1,6 @@
 //! This build on its own gates.
 
+mod beam;
 mod tracking;
 
 use crate::args::bench::{BenchArgs, BenchVerb, BenchVisionArgs};

@@ -1,12 +1,13 @@
 //! Tracking on simulated welds.
 
-use super::Table;
-use crate::args::bench::BenchTrackingArgs;
+use super::{Table, beam};
+use crate::args::bench::{BenchTrackingArgs, TrackingTable};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::rows::{print_json, print_text};
+use seamwright_cell::tracking::faults::fault_rows;
 use seamwright_cell::tracking::gates::{GateRow, tracking_gates, weld_count};
-use seamwright_cell::tracking::shows::{fault_rows, misplaced_rows, t_joint_rows};
+use seamwright_cell::tracking::shows::{misplaced_rows, t_joint_rows};
 use seamwright_machine::{Machine, shipped};
 use seamwright_weld::Welding;
 use serde::Serialize;
@@ -49,22 +50,35 @@ impl From<&GateRow> for Row {
 }
 
 pub(super) fn run(args: &BenchTrackingArgs) -> Result<(), Failure> {
+    let wanted = |table: TrackingTable| args.table.is_none_or(|only| only == table);
     let shipped = shipped(MACHINE).ok_or_else(|| Failure::Environment(format!("{MACHINE} does not ship")))?;
     let machine = Machine::read(MACHINE, shipped.text)?;
-    let saddle = Welding::read("saddle", SADDLE)?;
-    let progress = Progress::new("simulated welds", weld_count(args.seeds));
-    let gates = tracking_gates(&machine, args.seeds, || progress.all(1))?;
-    drop(progress);
-    let rows: Vec<Row> = gates.iter().map(Row::from).collect();
-    let mut parts = t_joint_rows(&machine)?;
-    parts.extend(misplaced_rows("saddle, 2 mm and 0.5 deg out of place, 1 mm oval", &saddle.path(0), &machine)?);
-    let faults = fault_rows(&machine)?;
-    let tables = [Table::new("Whole parts at 20 mm/s", &parts), Table::new("Faults while tracking", &faults)];
+    let mut rows = Vec::new();
+    if wanted(TrackingTable::Seams) {
+        let progress = Progress::new("simulated welds", weld_count(args.seeds));
+        rows = tracking_gates(&machine, args.seeds, || progress.all(1))?.iter().map(Row::from).collect();
+    }
+    let mut tables = Vec::new();
+    if wanted(TrackingTable::Parts) {
+        let saddle = Welding::read("saddle", SADDLE)?;
+        let mut parts = t_joint_rows(&machine)?;
+        parts.extend(misplaced_rows("saddle, 2 mm and 0.5 deg out of place, 1 mm oval", &saddle.path(0), &machine)?);
+        tables.push(Table::new("Whole parts at 20 mm/s", &parts));
+    }
+    if wanted(TrackingTable::Faults) {
+        tables.push(Table::new("Faults while tracking", &fault_rows(&machine, args.seeds)?));
+    }
+    if wanted(TrackingTable::Beam) {
+        tables.push(Table::new("Beam mode at 10 mm/s", &beam::rows(args.seeds)?));
+    }
     if args.json {
         return print_json(&serde_json::json!({ "seeds": args.seeds, "gates": rows, "tables": tables }));
     }
-    let rest = tables.iter().map(Table::markdown).collect::<Vec<_>>().join("\n");
-    print_text(&format!("{}\n{rest}", markdown(&rows)))
+    let mut texts: Vec<String> = tables.iter().map(Table::markdown).collect();
+    if wanted(TrackingTable::Seams) {
+        texts.insert(0, markdown(&rows));
+    }
+    print_text(&texts.join("\n"))
 }
 
 fn markdown(rows: &[Row]) -> String {

@@ -1,0 +1,292 @@
+use super::super::Error;
+use super::tally::BeamTally;
+use super::{BeamEye, BeamScene, Glance, Shown};
+use crate::drives::Drives;
+use crate::eyes::Random;
+use glam::{DVec2, DVec3};
+use seamwright_machine::Joints;
+use seamwright_servo::SetPoint;
+use seamwright_tracking::actuator::Alarm;
+use seamwright_tracking::beam::{
+    Beam, BeamReplay, BeamTracking, DeviationRecord, Fit, Misfit, Orders, Picture, Recorder,
+};
+use seamwright_tracking::lead::{Moment, SeamFrame};
+use std::collections::VecDeque;
+
+/// What gives the orders.
+pub enum BeamHead<'a> {
+    /// What the beam sees.
+    Tracking(Box<BeamTracking<'a>>),
+    /// What an earlier pass has found.
+    Replay(Box<BeamReplay<'a>>),
+}
+
+/// What became of a pass.
+#[derive(Debug, Clone)]
+pub struct BeamOutcome {
+    /// 99 % of the weld lie within this distance of the seam, across, mm.
+    pub p99_mm: f64,
+    /// All of it does.
+    pub most_mm: f64,
+    /// 99 % of the weld lie within this distance out of the surface, mm: the beam does not see it.
+    pub height_p99_mm: f64,
+    /// Way that was welded, mm.
+    pub welded_mm: f64,
+    /// Part of the time that the beam was away from the weld, and for how long at most, s.
+    pub away: (f64, f64),
+    /// Greatest deflection, and the farthest that the axes carried the gun, mm.
+    pub used_mm: [f64; 2],
+    /// Where the weld was stopped before its end, mm.
+    pub stopped_mm: Option<f64>,
+    /// The worst alarm.
+    pub alarm: Option<Alarm>,
+    /// What was found of the seam.
+    pub record: Option<DeviationRecord>,
+    /// Where the weld lies, lateral from the taught seam, by path length, mm.
+    pub places: Vec<(f64, f64)>,
+    /// How a replay fitted.
+    pub fit: Option<Result<Fit, Misfit>>,
+}
+
+/// Time at rest before the weld, s: the joint is looked at from its start on.
+const LOOK_S: f64 = 1.5;
+/// From an exposure to the arrival of what was found: at least, and how much more at most, s.
+const LATENCY_S: [f64; 2] = [0.035, 0.02];
+/// Way before the end of the seam in which nothing is said of what is not seen ahead, mm.
+const END_MM: f64 = 1.0;
+/// Cycles from one measurement of the weld to the next.
+const MEASURED: u32 = 5;
+/// A row of the record every so often, mm.
+const STEP_MM: f64 = 0.1;
+
+/// Welds a pass on the machine's drives as `head` orders, with what `eye` sees. The same seed gives the same weld.
+///
+/// # Errors
+/// Drives that are none, axes that cannot carry the gun, frames that cannot be had.
+pub fn weld(
+    scene: &BeamScene<'_>,
+    eye: &mut dyn BeamEye,
+    mut head: BeamHead<'_>,
+    noise_mm: f64,
+    seed: u64,
+) -> Result<BeamOutcome, Error> {
+    let cycle_s = scene.machine.servo_period_s;
+    let mut gun = Gun::new(scene, seed)?;
+    let mut sight = Sight { under_way: VecDeque::new(), random: Random::new(seed ^ 0xbea3) };
+    let mut recorder = Recorder::new(scene.taught.length_mm, STEP_MM, noise_mm);
+    let mut tally = BeamTally::default();
+    let (mut places, mut alarm, mut stopped_mm) = (Vec::new(), None, None);
+    let (mut t, mut clock, mut cursor, mut count) = (0.0, 0.0, 0, 0);
+    let mut orders: Option<Orders> = None;
+    while clock < scene.motion.law.duration() {
+        t += cycle_s;
+        let welds = t > LOOK_S;
+        let pace = orders.as_ref().map_or(1.0, |o| o.pace);
+        if welds && pace <= 0.0 {
+            stopped_mm = Some(gun.s);
+            break;
+        }
+        clock += if welds { pace * cycle_s } else { 0.0 };
+        let law = scene.motion.law.at(clock, &mut cursor);
+        let speed = if welds { pace * law.v } else { 0.0 };
+        gun.go(law.s, orders.as_ref().map_or(0.0, |o| o.carried_mm), t)?;
+        sight.deliver(&mut head, t);
+        let now = Moment { t_s: t, s_mm: gun.along(), slide: gun.carried() };
+        let next = match &mut head {
+            BeamHead::Tracking(head) => head.cycle(now, speed, welds),
+            BeamHead::Replay(head) => head.cycle(now, speed),
+        };
+        if let Beam::Seen(exposed_s) = next.beam {
+            let from = match &head {
+                BeamHead::Tracking(head) => head.zone().from_mm.max(-speed),
+                BeamHead::Replay(_) => 0.0,
+            };
+            sight.look(&gun, eye, (exposed_s, from), &head)?;
+        }
+        if welds {
+            // At its very end nothing of the seam lies ahead any more.
+            if now.s_mm < scene.taught.length_mm - END_MM {
+                alarm = alarm.max(next.alarm);
+            }
+            recorder.add(now.s_mm, &next.estimate);
+            let on = !matches!(next.beam, Beam::Scan);
+            tally.cycle(on, next.deflection_mm, gun.carried().x);
+            if on && count % MEASURED == 0 {
+                let weld = gun.carried().x + next.deflection_mm;
+                places.push((now.s_mm, weld));
+                if let Some(miss) = gun.miss(next.deflection_mm) {
+                    tally.add(miss, speed * cycle_s * f64::from(MEASURED));
+                }
+            }
+            count += 1;
+        }
+        orders = Some(next);
+    }
+    let (part, longest) = tally.away();
+    Ok(BeamOutcome {
+        p99_mm: tally.quantile(0.99, true),
+        most_mm: tally.quantile(1.0, true),
+        height_p99_mm: tally.quantile(0.99, false),
+        welded_mm: tally.way(),
+        away: (part, f64::from(longest) * cycle_s),
+        used_mm: tally.used,
+        stopped_mm,
+        alarm,
+        record: recorder.finish(),
+        places,
+        fit: match &head {
+            BeamHead::Tracking(_) => None,
+            BeamHead::Replay(head) => head.judged(),
+        },
+    })
+}
+
+/// Pictures on their way from the eye.
+struct Sight {
+    under_way: VecDeque<(f64, f64, Shown)>,
+    random: Random,
+}
+
+impl Sight {
+    fn look(
+        &mut self,
+        gun: &Gun<'_>,
+        eye: &mut dyn BeamEye,
+        (exposed_s, from): (f64, f64),
+        head: &BeamHead<'_>,
+    ) -> Result<(), Error> {
+        let at = gun.at(exposed_s);
+        let torch = SeamFrame { point: at.tip, ..(gun.scene.taught.frame)(at.s) };
+        let known = match head {
+            BeamHead::Tracking(head) => head.expected(at.s + from),
+            BeamHead::Replay(head) => Some(head.expected(at.s + from)),
+        };
+        let carried = (at.tip - (gun.scene.taught.frame)(at.s).point).dot(torch.lateral);
+        let from = (from, known.map(|known| known - carried));
+        let shown = eye.glance(&Glance { t_s: exposed_s, axes: &at.axes, torch, s_mm: at.s, from })?;
+        let [least, more] = LATENCY_S;
+        self.under_way.push_back((exposed_s + least + self.random.within(0.0, more), exposed_s, shown));
+        Ok(())
+    }
+
+    fn deliver(&mut self, head: &mut BeamHead<'_>, t: f64) {
+        while self.under_way.front().is_some_and(|(due, ..)| *due <= t) {
+            let Some((_, exposed_s, shown)) = self.under_way.pop_front() else { return };
+            let picture = Picture { exposed_s, height_mm: shown.height_mm, points: &shown.points };
+            match head {
+                BeamHead::Tracking(head) => {
+                    head.take(&picture, t);
+                }
+                BeamHead::Replay(head) => head.take(&picture, t),
+            }
+        }
+    }
+}
+
+/// Where the gun truly was in a cycle.
+#[derive(Debug, Clone, Copy)]
+struct At {
+    t: f64,
+    s: f64,
+    axes: Joints,
+    tip: DVec3,
+}
+
+/// The machine's drives, which carry the gun.
+struct Gun<'a> {
+    scene: &'a BeamScene<'a>,
+    drives: Drives,
+    /// Place of the set-point, mm.
+    s: f64,
+    set: [Joints; 3],
+    recent: VecDeque<At>,
+}
+
+/// Cycles that are remembered for exposures.
+const RECENT: usize = 12;
+
+impl<'a> Gun<'a> {
+    fn new(scene: &'a BeamScene<'a>, seed: u64) -> Result<Self, Error> {
+        let mut drives = Drives::new(scene.machine, seed)?;
+        let start = scene.motion.path.at(0.0);
+        drives.settle_at(&start);
+        let tip = scene.machine.forward(&start).point;
+        let recent = VecDeque::from([At { t: 0.0, s: 0.0, axes: start, tip }]);
+        Ok(Self { scene, drives, s: 0.0, set: [start; 3], recent })
+    }
+
+    /// One cycle: the axes go to where the planned torch is at `s`, carried aside.
+    fn go(&mut self, s: f64, carried: f64, t: f64) -> Result<(), Error> {
+        let Self { scene, set, .. } = self;
+        let machine = scene.machine;
+        let mut axes = scene.motion.path.at(s);
+        if carried != 0.0 {
+            let mut pose = machine.forward(&axes);
+            pose.point += carried * (scene.taught.frame)(s).lateral;
+            axes = machine.inverse_near(pose, &axes).map_err(|e| Error::Carried(e.to_string()))?.joints;
+        }
+        let [last, before, _] = *set;
+        *set = [axes, last, before];
+        let dt = machine.servo_period_s;
+        let mut q = axes;
+        for i in 0..machine.axes.len() {
+            let velocity = (axes[i] - last[i]) / dt;
+            let acceleration = (axes[i] - 2.0 * last[i] + before[i]) / (dt * dt);
+            q[i] = self.drives.step(i, SetPoint { position: axes[i], velocity, acceleration }).position;
+        }
+        self.s = s;
+        if self.recent.len() == RECENT {
+            self.recent.pop_front();
+        }
+        self.recent.push_back(At { t, s, axes: q, tip: machine.forward(&q).point });
+        Ok(())
+    }
+
+    fn now(&self) -> &At {
+        // There is always one.
+        &self.recent[self.recent.len() - 1]
+    }
+
+    /// By how much the tip is beside the taught torch, mm: along, lateral, height.
+    fn off(&self) -> DVec3 {
+        let frame = (self.scene.taught.frame)(self.s);
+        let off = self.now().tip - frame.point;
+        DVec3::new(off.dot(frame.along), off.dot(frame.lateral), off.dot(frame.height))
+    }
+
+    /// Path length at which the torch truly is.
+    fn along(&self) -> f64 {
+        self.s + self.off().x
+    }
+
+    /// How far the gun is truly carried aside, lateral and height.
+    fn carried(&self) -> DVec2 {
+        let off = self.off();
+        DVec2::new(off.y, off.z)
+    }
+
+    /// Where everything was at `t_s`, the nearest cycle's axes moved on to it.
+    fn at(&self, t_s: f64) -> At {
+        let after = self.recent.iter().position(|at| at.t >= t_s).unwrap_or(self.recent.len() - 1).max(1);
+        let (a, b) = (&self.recent[after - 1], &self.recent[after]);
+        let part = ((t_s - a.t) / (b.t - a.t)).clamp(0.0, 1.0);
+        let axes: Joints = std::array::from_fn(|i| a.axes[i] + part * (b.axes[i] - a.axes[i]));
+        At { t: t_s, s: a.s + part * (b.s - a.s), axes, tip: a.tip.lerp(b.tip, part) }
+    }
+
+    /// How far the weld is from the seam, across and out of the surface, mm. The beam goes on to the surface where that truly
+    /// is, at the angle to which it is deflected.
+    fn miss(&self, deflection: f64) -> Option<DVec2> {
+        let frame = (self.scene.taught.frame)(self.s);
+        let tip = self.now().tip + deflection * frame.lateral;
+        let up = frame.height - deflection / self.scene.pivot_mm * frame.lateral;
+        let height = |at: DVec3| {
+            let foot = self.scene.actual.foot(at)?;
+            Some((at - foot.at.point).dot(foot.at.normal) / up.dot(foot.at.normal))
+        };
+        let above = height(tip)?;
+        let hit = tip - (above + height(tip - above * up)?) * up;
+        let foot = self.scene.actual.foot(hit)?;
+        Some(DVec2::new((hit - foot.at.point).dot(foot.at.normal.cross(foot.along)), above))
+    }
+}

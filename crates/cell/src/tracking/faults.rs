@@ -1,0 +1,160 @@
+//! Sensors and slides that fail half-way through a weld: rows against limits that follow from how the seam runs on.
+
+use super::gates::SPEEDS;
+use super::{Displacement, Error, Fault, HeadScene, Method, Outcome, Part, Scenario, run};
+use crate::disturbance::uniform;
+use crate::gate::{Gate, Limit};
+use glam::DVec2;
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::SeedableRng;
+use seamwright_machine::Machine;
+use seamwright_tracking::actuator::{Alarm, Cause};
+use seamwright_tracking::lead::{Refusal, Settings};
+use std::f64::consts::TAU;
+
+const LENGTH: f64 = 600.0;
+/// Where faults begin, mm.
+const THERE: f64 = 300.0;
+const LEAD: f64 = 20.0;
+/// Way in which the torch comes to rest, mm: 100 mm/s at 1000 mm/s^2, and a cycle or two.
+const BRAKING: f64 = 6.0;
+/// What the weld may be off beyond how the seam runs on: noise of the sensor and of the slope that is followed, drive; mm.
+const SLACK: f64 = 0.05;
+/// How far a slide may be from where it was ordered before that is noticed, mm, and how long that takes, s.
+const NOTICED: (f64, f64) = (0.1, 0.02);
+/// How often set-points may turn: with the seam, and on the way back to the taught path.
+const TURNS: f64 = 2.0;
+
+/// What fails.
+#[derive(Debug, Clone, Copy)]
+enum Failing {
+    Sensor(Fault, Cause),
+    Slide,
+}
+
+const FAULTS: [(&str, Failing); 7] = [
+    ("total loss: sensor silent", Failing::Sensor(Fault::Silent, Cause::Silent)),
+    ("sensor frozen", Failing::Sensor(Fault::Frozen, Cause::Refused(Refusal::Frozen))),
+    ("sensor wild", Failing::Sensor(Fault::Wild, Cause::Wild)),
+    ("sensor late by 3 periods", Failing::Sensor(Fault::Late(0.03), Cause::Refused(Refusal::Late))),
+    ("sensor's clock 0.5 s ahead", Failing::Sensor(Fault::ClockStep(0.5), Cause::Refused(Refusal::Clock))),
+    ("sensor's clock 0.5 s behind", Failing::Sensor(Fault::ClockStep(-0.5), Cause::Refused(Refusal::Late))),
+    ("slide stuck", Failing::Slide),
+];
+
+/// Every fault at both speeds with the seeds 1 to `seeds`, of which the worst counts: how far the weld strays, where the
+/// alarm comes and what it names, where the torch has been stopped, how often the slide turns.
+///
+/// # Errors
+/// Those of [`run`].
+pub fn fault_rows(machine: &Machine, seeds: u64) -> Result<Vec<Gate>, Error> {
+    let (mut rows, mut used) = (Vec::new(), 0.0f64);
+    for (speed, _) in SPEEDS {
+        for (name, failing) in FAULTS {
+            let mut worst = [f64::NEG_INFINITY; FIGURES];
+            for seed in 1..=seeds {
+                let scenario = faulty(speed, failing, seed);
+                let tracked = &run(&scenario, machine, Method::Tracked, seed)?[0];
+                let found = measured(&scenario.heads[0].displacement, tracked, failing, speed);
+                for (worst, found) in worst.iter_mut().zip(found) {
+                    *worst = worst.max(found);
+                }
+                used = tracked.used.into_iter().fold(used, f64::max);
+            }
+            rows.extend(named(&format!("{speed} mm/s, {name}"), failing, speed, worst));
+        }
+    }
+    let limit = Limit::Most(100.001);
+    let frames = "all of them".to_owned();
+    rows.push(Gate { frames, what: "of the slide's limits", value: 100.0 * used, limit, unit: "%" });
+    Ok(rows)
+}
+
+/// What is measured of a weld.
+const FIGURES: usize = 7;
+
+/// Greatest miss; what the seam's course explains of it, and what it does not; places of alarm and rest after the fault; alarms
+/// that name something else; turns.
+fn measured(seam: &Displacement, weld: &Outcome, failing: Failing, speed: f64) -> [f64; FIGURES] {
+    let (explained, right, from) = match failing {
+        Failing::Sensor(_, cause) => (unseen(seam, speed), weld.cause == Some(cause), THERE),
+        Failing::Slide => (unmoved(seam, speed), weld.alarm == Some(Alarm::SlideStuck), THERE + until_noticed(seam)),
+    };
+    let after = |place: Option<f64>| place.map_or(f64::INFINITY, |at| at - from);
+    let (alarm, rest) = (after(weld.alarm_mm), after(weld.stopped_mm));
+    let missed = weld.most_mm;
+    [missed, explained, missed - explained, alarm, rest, f64::from(!right), f64::from(weld.turns)]
+}
+
+fn named(weld: &str, failing: Failing, speed: f64, worst: [f64; FIGURES]) -> Vec<Gate> {
+    let settings = Settings::usual(LEAD, speed);
+    // Ten periods without sight are a warning when they are longer than tacks explain; five more may pass until a frozen
+    // sensor is known to be one.
+    let blind = (0.1 * speed).max(settings.coast_mm()) + 0.05 * speed + 1.0;
+    // What was seen last is a lead ahead of the torch.
+    let lost = LEAD + settings.coast_mm() + settings.fade_mm;
+    // What a drive is off at most is two millimetres of the seam's way aside.
+    let stuck = speed * NOTICED.1 + 2.0;
+    let [missed, explained, beyond, alarm, rest, other, turns] = worst;
+    let rows = match failing {
+        Failing::Sensor(..) => [("first alarm, after", alarm, blind), ("at rest, after", rest, lost + BRAKING)],
+        Failing::Slide => [
+            ("alarm, after 0.1 mm were missing by", alarm, stuck),
+            ("at rest, after 0.1 mm were missing by", rest, stuck + BRAKING),
+        ],
+    };
+    let gate =
+        |what, value, limit, unit| Gate { frames: weld.to_owned(), what, value, limit: Limit::Most(limit), unit };
+    let [alarm, rest] = rows.map(|(what, value, limit)| gate(what, value, limit, "mm"));
+    vec![
+        gate("greatest miss", missed, (1e3 * (explained + SLACK)).round() / 1e3, "mm"),
+        gate("missed beyond the seam's own course", beyond, SLACK, "mm"),
+        alarm,
+        rest,
+        gate("welds whose alarm names something else", other, 0.0, ""),
+        gate("turns of the slide", turns, TURNS, ""),
+    ]
+}
+
+/// Way in which the seam has left a slide that is stuck so far that it can be noticed, mm.
+fn until_noticed(seam: &Displacement) -> f64 {
+    let at = |s: f64| seam.at(s, s);
+    let ways = (0..3000).map(|k| 0.1 * f64::from(k));
+    ways.into_iter().find(|way| at(THERE + way).distance(at(THERE)) > NOTICED.0).unwrap_or(LENGTH - THERE)
+}
+
+/// How far the seam leaves what is ordered where it is not seen: the last slope dies out, then the order fades to zero.
+fn unseen(seam: &Displacement, speed: f64) -> f64 {
+    let settings = Settings::usual(LEAD, speed);
+    let at = |s: f64| seam.at(s, s);
+    let seen = THERE + LEAD;
+    let slope = (at(seen) - at(seen - 0.5 * LEAD)) / (0.5 * LEAD);
+    let (coast, fade, decay) = (settings.coast_mm(), settings.fade_mm, settings.decay_mm);
+    let off = |way: f64| {
+        let ordered = at(seen) + slope * decay * (1.0 - (-way / decay).exp());
+        let faded = ((way - coast) / fade).clamp(0.0, 1.0);
+        (at(seen + way) - (1.0 - faded * faded * (3.0 - 2.0 * faded)) * ordered).length()
+    };
+    (0..=1000).map(|k| off((coast + fade + BRAKING) * f64::from(k) / 1000.0)).fold(0.0, f64::max)
+}
+
+/// How far the seam leaves a slide that is stuck until that is noticed and the torch at rest.
+fn unmoved(seam: &Displacement, speed: f64) -> f64 {
+    let at = |s: f64| seam.at(s, s);
+    let rest = until_noticed(seam) + speed * NOTICED.1 + speed * speed / 2000.0 + 1.0;
+    (0..=1000).map(|k| at(THERE + rest * f64::from(k) / 1000.0).distance(at(THERE))).fold(0.0, f64::max)
+}
+
+/// A seam that swings by some millimetres, as the seed says, and what fails half-way.
+fn faulty(speed: f64, failing: Failing, seed: u64) -> Scenario {
+    let mut random = Pcg64Mcg::seed_from_u64(seed ^ 0xfa01_7000_0000_0001);
+    let phase = DVec2::new(TAU * uniform(&mut random), TAU * uniform(&mut random));
+    let length_mm = 250.0 + 200.0 * uniform(&mut random);
+    let wave = Part::Wave { length_mm, size: DVec2::new(1.2, 0.6), phase };
+    let mut head = HeadScene::straight(LENGTH, Displacement::of(Part::Shift(DVec2::new(0.5, -0.4))).and(wave));
+    match failing {
+        Failing::Sensor(fault, _) => head.sensor.fault = Some((THERE, fault)),
+        Failing::Slide => head.stuck_mm = Some(THERE),
+    }
+    Scenario::steady("fault", speed, vec![head])
+}

@@ -1,0 +1,54 @@
+//! Beam mode on a simulated half-ring.
+
+use crate::failure::Failure;
+use seamwright_cell::eyes::{SeamLine, Station};
+use seamwright_cell::gate::{Gate, Limit};
+use seamwright_cell::tracking::beam::{BeamJob, MOVED_MM, beam_rows, moved_since};
+use seamwright_machine::{Machine, shipped};
+use seamwright_motion::PassMotion;
+use seamwright_program::TorchPath as _;
+use seamwright_weld::Welding;
+
+const JOB: &str = include_str!("half-ring.toml");
+/// The later pass begins here.
+const LATER: [&str; 2] = ["phi_deg = 30\n", "phi_deg = 42\n"];
+
+/// Rows of beam mode: from pixels once, and from points with this many seeds.
+pub(super) fn rows(seeds: u64) -> Result<Vec<Gate>, Failure> {
+    let weldings =
+        [Welding::read("half-ring.toml", JOB)?, Welding::read("half-ring.toml", &JOB.replace(LATER[0], LATER[1]))?];
+    let first = &weldings[0];
+    let name = &first.program.value.machine;
+    let text = shipped(name).ok_or_else(|| Failure::Environment(format!("{name} does not ship")))?.text;
+    let machine = Machine::read(name, text)?;
+    let paths = weldings.each_ref().map(|welding| welding.path(0));
+    let [a, b] = [0, 1].map(|i: usize| PassMotion::plan(&machine, &paths[i], &weldings[i].program.value.passes[0], 1));
+    let planned = |motion: Result<PassMotion, Vec<_>>| {
+        motion.map_err(|_| Failure::Environment("the half-ring cannot be planned".to_owned()))
+    };
+    let (a, b) = (planned(a)?, planned(b)?);
+    let seam = first.seam.as_ref();
+    let seam = seam.ok_or_else(|| Failure::Environment("the half-ring has no seam".to_owned()))?;
+    let place = first.program.value.seam_in_work();
+    let nominal = SeamLine::sampled(paths[0].length(), false, |s| {
+        let p = seam.at(s);
+        Station { point: place.transform_point3(p.point), normal: place.transform_vector3(p.bisector) }
+    });
+    let job = BeamJob {
+        machine: &machine,
+        nominal: &nominal,
+        first: (&paths[0], &a),
+        later: (&paths[1], &b),
+        speed_mm_s: 10.0,
+    };
+    let mut rows = beam_rows("half-ring", &job, seeds)?;
+    let found = moved_since(&job, 1)?;
+    rows.push(Gate {
+        frames: format!("half-ring, moved by {MOVED_MM} mm before the later pass, which is refused"),
+        what: "told wrong by",
+        value: (found - MOVED_MM).abs(),
+        limit: Limit::Most(0.05),
+        unit: "mm",
+    });
+    Ok(rows)
+}

@@ -1,0 +1,263 @@
+use crate::lead::{Estimate, Sight};
+use glam::DVec2;
+use std::fmt::Write as _;
+
+/// Deviation of a seam at a place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row {
+    /// Path length from the start of the weld, mm.
+    pub s_mm: f64,
+    /// Lateral and height, mm.
+    pub deviation: DVec2,
+    /// 0 to 1; 0 where nothing was seen.
+    pub confidence: f64,
+}
+
+/// Deviations of a seam by path length, as they are stored with the program: at two places at least, s increasing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DeviationRecord {
+    rows: Vec<Row>,
+}
+
+/// Something wrong with a stored deviation, and where.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{file}:{line}: {column} = `{value}` {wrong}\n   allowed: {allowed}")]
+pub struct RecordError {
+    /// As it was named.
+    pub file: String,
+    /// Counted from 1.
+    pub line: usize,
+    /// Its name.
+    pub column: &'static str,
+    /// What stands there.
+    pub value: String,
+    /// What is wrong with it.
+    pub wrong: &'static str,
+    /// What may stand there.
+    pub allowed: &'static str,
+}
+
+const COLUMNS: [&str; 4] = ["s_mm", "lateral_mm", "height_mm", "confidence"];
+const HEADER: &str = "a header line with s_mm,lateral_mm,height_mm,confidence, then two rows of numbers or more";
+/// No seam is longer, and none lies further aside, mm: what is more is a wrong unit.
+const LONGEST_MM: f64 = 1e6;
+const FARTHEST_MM: f64 = 1e3;
+
+impl DeviationRecord {
+    /// The rows.
+    #[must_use]
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// First and last place, mm.
+    #[must_use]
+    pub fn range(&self) -> [f64; 2] {
+        // There are two rows at least.
+        [self.rows[0].s_mm, self.rows[self.rows.len() - 1].s_mm]
+    }
+
+    /// The deviation at `s_mm`, between rows linear; its confidence is the lesser of both. Beyond the ends that of the end.
+    #[must_use]
+    pub fn at(&self, s_mm: f64) -> Row {
+        let after = self.rows.partition_point(|row| row.s_mm <= s_mm).clamp(1, self.rows.len() - 1);
+        let (a, b) = (&self.rows[after - 1], &self.rows[after]);
+        let part = ((s_mm - a.s_mm) / (b.s_mm - a.s_mm)).clamp(0.0, 1.0);
+        Row { s_mm, deviation: a.deviation.lerp(b.deviation, part), confidence: a.confidence.min(b.confidence) }
+    }
+
+    /// As CSV: columns `s_mm`, `lateral_mm`, `height_mm`, `confidence`; to 0.1 um.
+    #[must_use]
+    pub fn to_csv(&self) -> String {
+        let mut text = COLUMNS.join(",");
+        text.push('\n');
+        for Row { s_mm, deviation, confidence } in &self.rows {
+            // A text has room for everything.
+            let _ = writeln!(text, "{s_mm:.4},{:.4},{:.4},{confidence:.3}", deviation.x, deviation.y);
+        }
+        text
+    }
+
+    /// From CSV, called `file` in errors: columns in any order, others are ignored, empty lines too.
+    ///
+    /// # Errors
+    /// A [`RecordError`] at the first thing that is wrong.
+    pub fn from_csv(file: &str, text: &str) -> Result<Self, RecordError> {
+        let error = |line: usize, column: &'static str, value: &str, wrong, allowed| {
+            let (file, value) = (file.to_owned(), value.chars().take(60).collect());
+            RecordError { file, line: line + 1, column, value, wrong, allowed }
+        };
+        let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
+        let (first, header) = lines.next().unwrap_or((0, ""));
+        let names: Vec<&str> = header.trim_start_matches('\u{feff}').split(',').map(str::trim).collect();
+        let mut places = [0; 4];
+        for (place, column) in places.iter_mut().zip(COLUMNS) {
+            let found = names.iter().position(|name| *name == column);
+            *place = found.ok_or_else(|| error(first, column, header, "is no column of the header", HEADER))?;
+        }
+        let mut rows: Vec<Row> = Vec::new();
+        for (i, line) in lines {
+            let fields: Vec<&str> = line.split(',').map(str::trim).collect();
+            let mut values = [0.0; 4];
+            for (k, column) in COLUMNS.into_iter().enumerate() {
+                let field = fields.get(places[k]).copied().unwrap_or("");
+                let number = field.parse().ok().filter(|v: &f64| v.is_finite());
+                values[k] = number.ok_or_else(|| error(i, column, field, "is not a finite number", HEADER))?;
+                let (ok, allowed) = match k {
+                    0 => (values[k].abs() <= LONGEST_MM, "-1000000 to 1000000 mm"),
+                    3 => ((0.0..=1.0).contains(&values[k]), "0 to 1"),
+                    _ => (values[k].abs() <= FARTHEST_MM, "-1000 to 1000 mm"),
+                };
+                if !ok {
+                    return Err(error(i, column, field, "is out of range", allowed));
+                }
+            }
+            let [s_mm, lateral, height, confidence] = values;
+            if rows.last().is_some_and(|last| s_mm <= last.s_mm) {
+                let field = fields.get(places[0]).copied().unwrap_or("");
+                return Err(error(i, "s_mm", field, "is not beyond the row before", "path lengths that increase"));
+            }
+            rows.push(Row { s_mm, deviation: DVec2::new(lateral, height), confidence });
+        }
+        if rows.len() < 2 {
+            return Err(error(text.lines().count().max(1) - 1, "s_mm", "", "has fewer than two rows", HEADER));
+        }
+        Ok(Self { rows })
+    }
+}
+
+/// Writes a record as the weld goes on: a row every step of the way, where the torch is for the first time.
+#[derive(Debug, Clone)]
+pub struct Recorder {
+    rows: Vec<Row>,
+    step_mm: f64,
+    noise_mm: f64,
+}
+
+impl Recorder {
+    /// Of a weld of `length_mm`, a row every `step_mm`; a point of confidence 1 has the standard deviation `noise_mm`. Room
+    /// is made once: rows beyond twice the length are left out.
+    #[must_use]
+    pub fn new(length_mm: f64, step_mm: f64, noise_mm: f64) -> Self {
+        let room = (2.0 * length_mm / step_mm).ceil().clamp(2.0, 1e7) as usize + 2;
+        Self { rows: Vec::with_capacity(room), step_mm, noise_mm }
+    }
+
+    /// What is known of the seam with the torch at `s_mm`.
+    pub fn add(&mut self, s_mm: f64, estimate: &Estimate) {
+        let due = self.rows.last().is_none_or(|last| s_mm >= last.s_mm + self.step_mm);
+        if !due || self.rows.len() == self.rows.capacity() || !estimate.value.is_finite() {
+            return;
+        }
+        let confidence = match estimate.sight {
+            Sight::Seen | Sight::Bridged => (self.noise_mm / estimate.sigma_mm).clamp(0.0, 1.0),
+            _ => 0.0,
+        };
+        self.rows.push(Row { s_mm, deviation: estimate.value, confidence });
+    }
+
+    /// What was recorded; none of less than two rows.
+    #[must_use]
+    pub fn finish(self) -> Option<DeviationRecord> {
+        (self.rows.len() >= 2).then_some(DeviationRecord { rows: self.rows })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand_pcg::Pcg64Mcg;
+    use rand_pcg::rand_core::{Rng, SeedableRng};
+
+    fn recorded() -> DeviationRecord {
+        let mut recorder = Recorder::new(100.0, 0.5, 0.03);
+        for i in 0..20_000 {
+            // On, back for a while, and on again.
+            let t = f64::from(i);
+            let s = if i < 8000 {
+                0.005 * t
+            } else if i < 9000 {
+                40.0 - 0.005 * (t - 8000.0)
+            } else {
+                0.005 * (t - 2000.0)
+            };
+            let sight = if (20.0..24.0).contains(&s) { Sight::Coasted } else { Sight::Seen };
+            let value = DVec2::new((0.1 * s).sin(), 0.01 * s);
+            recorder.add(s, &Estimate { value, sigma_mm: 0.04, sight });
+        }
+        recorder.finish().unwrap()
+    }
+
+    #[test]
+    fn what_is_written_is_read() {
+        let record = recorded();
+        assert!(record.rows().windows(2).all(|w| w[1].s_mm >= w[0].s_mm + 0.5) && record.rows().len() > 170);
+        for i in 0..1790 {
+            let s = 0.05 * f64::from(i);
+            let row = record.at(s);
+            assert!(row.deviation.distance(DVec2::new((0.1 * s).sin(), 0.01 * s)) < 5e-4, "{s}: {row:?}");
+            let unseen = (19.49..24.01).contains(&s);
+            assert!(unseen || (row.confidence - 0.75).abs() < 1e-12, "{s}: {row:?}");
+            assert!(!(20.01..23.4).contains(&s) || row.confidence == 0.0);
+        }
+        let again = DeviationRecord::from_csv("d.csv", &record.to_csv()).unwrap();
+        for (a, b) in record.rows().iter().zip(again.rows()) {
+            assert!((a.s_mm - b.s_mm).abs() < 1e-4 && a.deviation.distance(b.deviation) < 1e-4);
+            assert!((a.confidence - b.confidence).abs() < 1e-3);
+        }
+        assert_eq!(record.rows().len(), again.rows().len());
+        assert_eq!(again.to_csv(), record.to_csv());
+    }
+
+    #[test]
+    fn columns_in_any_order() {
+        let text = "\u{feff}confidence, s_mm,note,height_mm,lateral_mm\r\n\r\n1,0,x,0.1,0.2\r\n0.5,10,,0.3,0.4\r\n";
+        let record = DeviationRecord::from_csv("d.csv", text).unwrap();
+        assert!(record.at(5.0).deviation.distance(DVec2::new(0.3, 0.2)) < 1e-12);
+        assert!(record.at(-5.0).deviation.distance(DVec2::new(0.2, 0.1)) < 1e-12);
+        assert!(record.at(50.0).deviation.distance(DVec2::new(0.4, 0.3)) < 1e-12);
+    }
+
+    #[test]
+    fn errors_have_an_address() {
+        let head = "s_mm,lateral_mm,height_mm,confidence\n";
+        let cases = [
+            ("s_mm,lateral_mm,confidence\n", 1, "height_mm", "header"),
+            ("", 1, "s_mm", "header"),
+            (&format!("{head}0,0,0,1\n"), 2, "s_mm", "two rows"),
+            (&format!("{head}0,0,0,1\n1,x,0,1\n"), 3, "lateral_mm", "finite"),
+            (&format!("{head}0,0,0,1\n\n1,0,0,-0.1\n"), 4, "confidence", "0 to 1"),
+            (&format!("{head}0,0,0,1\n1,0\n"), 3, "height_mm", "finite"),
+            (&format!("{head}0,0,0,1\n1,0,inf,1\n"), 3, "height_mm", "finite"),
+            (&format!("{head}0,0,0,1\n1,5000,0,1\n"), 3, "lateral_mm", "-1000 to 1000"),
+            (&format!("{head}0,0,0,1\n0,0,0,1\n"), 3, "s_mm", "increase"),
+        ];
+        for (text, line, column, says) in cases {
+            let error = DeviationRecord::from_csv("d.csv", text).unwrap_err();
+            assert_eq!((error.line, error.column), (line, column), "{error}");
+            assert!(error.to_string().contains(says) && error.to_string().starts_with("d.csv:"), "{error}");
+        }
+    }
+
+    /// Whatever is broken in a file, it is read as numbers in order or refused.
+    #[test]
+    fn broken_files() {
+        let whole = recorded().to_csv().into_bytes();
+        let mut random = Pcg64Mcg::seed_from_u64(5);
+        let mut read = 0;
+        for _ in 0..3000 {
+            let lines = whole.split_inclusive(|b| *b == b'\n').take(3 + (random.next_u64() % 30) as usize);
+            let mut text: Vec<u8> = lines.flatten().copied().collect();
+            for _ in 0..random.next_u64() % 4 {
+                let at = (random.next_u64() % text.len() as u64) as usize;
+                text[at] = b"0123456789.,-e\nnaif \xff"[(random.next_u64() % 20) as usize];
+            }
+            if let Ok(record) = DeviationRecord::from_csv("d.csv", &String::from_utf8_lossy(&text)) {
+                read += 1;
+                assert!(record.rows().windows(2).all(|w| w[0].s_mm < w[1].s_mm));
+                assert!(record.rows().iter().all(|r| r.deviation.is_finite() && (0.0..=1.0).contains(&r.confidence)));
+            }
+        }
+        assert!((800..2900).contains(&read), "{read}");
+    }
+}

@@ -1,0 +1,161 @@
+use super::Error;
+use crate::lead;
+
+/// Interruptions that a weld bears.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Allowed {
+    /// From the begin of one to that of the next at least, s.
+    pub every_s: f64,
+    /// Longest one, s.
+    pub longest_s: f64,
+}
+
+impl Allowed {
+    /// As in EBW-2004: 5 ms every 300 ms.
+    pub const EBW_2004: Self = Self { every_s: 0.3, longest_s: 0.005 };
+}
+
+/// What the beam does in a cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Beam {
+    /// It welds.
+    Weld,
+    /// Focused and weak it scans the work.
+    Scan,
+    /// It welds again: the frame is there, exposed on average at this time, s.
+    Seen(f64),
+}
+
+/// When the beam scans, by time.
+///
+/// Cycles that come late make the time between frames longer, never shorter; a clock that goes back puts the next one off by
+/// a whole period.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Schedule {
+    period_s: f64,
+    scan_s: f64,
+    /// When the last frame was begun, and whether it is being taken.
+    begun_s: Option<f64>,
+    scans: bool,
+}
+
+/// Times of cycles are sums: less than this is rounding, s.
+const ROUNDING_S: f64 = 1e-9;
+
+impl Schedule {
+    /// A frame of `scan_s` every `period_s`.
+    ///
+    /// # Errors
+    /// More or longer interruptions than are allowed; times that are none.
+    pub fn new(allowed: Allowed, period_s: f64, scan_s: f64) -> Result<Self, Error> {
+        let Allowed { every_s, longest_s } = allowed;
+        for (key, value) in [("every_s", every_s), ("longest_s", longest_s), ("period_s", period_s), ("scan_s", scan_s)]
+        {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(lead::Error::Value { key, value, allowed: "a finite number greater than 0" }.into());
+            }
+        }
+        if period_s < every_s {
+            return Err(Error::TooOften { period_s, every_s });
+        }
+        if scan_s > longest_s {
+            return Err(Error::TooLong { scan_s, longest_s });
+        }
+        if scan_s >= period_s {
+            let allowed = "less than the period";
+            return Err(lead::Error::Value { key: "scan_s", value: scan_s, allowed }.into());
+        }
+        Ok(Self { period_s, scan_s, begun_s: None, scans: false })
+    }
+
+    /// What the beam does in the cycle that begins at `t_s`; unless frames are `wanted` no new one is begun.
+    pub fn at(&mut self, t_s: f64, wanted: bool) -> Beam {
+        let since = self.begun_s.map_or(f64::INFINITY, |begun| t_s - begun);
+        if since < 0.0 {
+            (self.begun_s, self.scans) = (Some(t_s), false);
+            return Beam::Weld;
+        }
+        if self.scans {
+            if since + ROUNDING_S < self.scan_s {
+                return Beam::Scan;
+            }
+            self.scans = false;
+            return Beam::Seen(t_s - since + 0.5 * self.scan_s);
+        }
+        if wanted && since + ROUNDING_S >= self.period_s {
+            (self.begun_s, self.scans) = (Some(t_s), true);
+            return Beam::Scan;
+        }
+        Beam::Weld
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand_pcg::Pcg64Mcg;
+    use rand_pcg::rand_core::{Rng, SeedableRng};
+
+    #[test]
+    fn what_is_not_allowed_is_refused() {
+        let new = |period, scan| Schedule::new(Allowed::EBW_2004, period, scan);
+        assert!(new(0.3, 0.005).is_ok());
+        assert_eq!(new(0.299, 0.005), Err(Error::TooOften { period_s: 0.299, every_s: 0.3 }));
+        let long = new(0.3, 0.0051);
+        assert_eq!(long, Err(Error::TooLong { scan_s: 0.0051, longest_s: 0.005 }));
+        assert_eq!(
+            long.unwrap_err().to_string(),
+            "scan_s = 0.0051: the weld may be interrupted for 0.005 s; allowed is that or less"
+        );
+        for (period, scan) in [(f64::NAN, 0.005), (0.3, 0.0), (0.3, -1.0), (f64::INFINITY, 0.005)] {
+            assert!(matches!(new(period, scan), Err(Error::Value(_))), "{period} {scan}");
+        }
+        assert!(matches!(
+            Schedule::new(Allowed { every_s: 0.1, longest_s: 1.0 }, 0.3, 0.3),
+            Err(Error::Value(lead::Error::Value { key: "scan_s", .. }))
+        ));
+    }
+
+    /// Whatever the cycles are like, and whenever frames are wanted: begins are a period apart, a scan ends with the first
+    /// cycle after its time, and the time of exposure is its middle.
+    #[test]
+    fn never_more_often_nor_longer() {
+        let mut random = Pcg64Mcg::seed_from_u64(3);
+        for case in 0..200 {
+            let mut schedule = Schedule::new(Allowed::EBW_2004, 0.3, 0.005).unwrap();
+            let even = case % 2 == 0;
+            let (mut t, mut begins, mut scanning, mut frames) = (0.0f64, Vec::new(), false, 0);
+            for _ in 0..5000 {
+                let late = if even || random.next_u64() % 50 > 0 { 1.0 } else { (random.next_u64() % 400) as f64 };
+                t += 1e-3 * late;
+                let wanted = even || random.next_u64() % 100 < 30;
+                match schedule.at(t, wanted) {
+                    Beam::Scan if !scanning => {
+                        assert!(wanted);
+                        begins.push(t);
+                        scanning = true;
+                    }
+                    Beam::Scan => assert!(t - begins.last().unwrap() < 0.005),
+                    Beam::Seen(exposed) => {
+                        let begun = begins.last().unwrap();
+                        assert!(scanning && (exposed - begun - 0.0025).abs() < 1e-12 && t - begun > 0.005 - 1e-6);
+                        (scanning, frames) = (false, frames + 1);
+                    }
+                    Beam::Weld => assert!(!scanning),
+                }
+            }
+            assert!(begins.windows(2).all(|w| w[1] - w[0] >= 0.3 - 1e-6));
+            // With even cycles not less often either.
+            assert!(!even || begins.len() == 17 && frames >= 16, "{} {frames}", begins.len());
+        }
+    }
+
+    #[test]
+    fn a_clock_that_goes_back_costs_a_period() {
+        let mut schedule = Schedule::new(Allowed::EBW_2004, 0.3, 0.005).unwrap();
+        assert_eq!(schedule.at(10.0, true), Beam::Scan);
+        assert_eq!(schedule.at(9.0, true), Beam::Weld);
+        assert_eq!(schedule.at(9.299, true), Beam::Weld);
+        assert_eq!(schedule.at(9.301, true), Beam::Scan);
+    }
+}

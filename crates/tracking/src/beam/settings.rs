@@ -1,0 +1,157 @@
+use super::{Allowed, Error, Schedule, Zone, ZoneNeeds};
+use crate::lead;
+use glam::DVec2;
+
+/// How a beam tracks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Interruptions that the weld bears.
+    pub allowed: Allowed,
+    /// From frame to frame, s.
+    pub period_s: f64,
+    /// Time that a frame takes, s.
+    pub scan_s: f64,
+    /// Least and greatest time from an exposure to the arrival of what was found in the frame, s.
+    pub age_s: [f64; 2],
+    /// The cell's cycle, s.
+    pub cycle_s: f64,
+    /// Slowest and fastest weld, mm/s.
+    pub speed_mm_s: [f64; 2],
+    /// From the beam to the front of the molten pool, mm.
+    pub pool_mm: f64,
+    /// Thermal diffusivity of the work, mm^2/s.
+    pub diffusivity_mm2_s: f64,
+    /// In how many frames each place is to be seen.
+    pub looks: f64,
+    /// How far the frame reaches from its middle, less its rim, mm: along and across.
+    pub reach_mm: DVec2,
+    /// Standard deviation of a point of confidence 1, mm; of confidence c it is that by c.
+    pub noise_mm: f64,
+    /// Points of less confidence are not used.
+    pub least_confidence: f64,
+    /// Longest tack on the seam, mm.
+    pub tack_mm: f64,
+}
+
+/// From a correction that is known to one that acts, s: three cycles and the deflection.
+const NOTICE_S: f64 = 0.005;
+
+impl Settings {
+    /// Usual values on steel: frames as often as EBW-2004 allows, found within 60 ms, 512 pixels of 0.1 mm.
+    #[must_use]
+    pub fn usual(speed_mm_s: f64) -> Self {
+        Self {
+            allowed: Allowed::EBW_2004,
+            period_s: 0.3,
+            scan_s: 0.005,
+            age_s: [0.0, 0.06],
+            cycle_s: 1e-3,
+            speed_mm_s: [0.5 * speed_mm_s, speed_mm_s],
+            pool_mm: 3.0,
+            diffusivity_mm2_s: 8.0,
+            looks: 4.0,
+            reach_mm: DVec2::splat(24.0),
+            noise_mm: 0.03,
+            least_confidence: 0.4,
+            tack_mm: 5.0,
+        }
+    }
+
+    /// Where frames are looked at, at this speed (mm/s); outside of the range of speeds as at its end.
+    ///
+    /// # Errors
+    /// [`Error::ZoneOutside`].
+    pub fn zone(&self, speed: f64) -> Result<Zone, Error> {
+        let needs = ZoneNeeds {
+            pool_mm: self.pool_mm,
+            diffusivity_mm2_s: self.diffusivity_mm2_s,
+            known_s: self.age_s[1] + NOTICE_S,
+            period_s: self.period_s,
+            looks: self.looks,
+            reach_mm: self.reach_mm.x,
+        };
+        let [slow, fast] = self.speed_mm_s;
+        needs.zone(speed.clamp(slow, fast))
+    }
+
+    /// Its schedule and how the seam is estimated; the lead is that of the farthest zone.
+    ///
+    /// # Errors
+    /// Values that cannot be, interruptions that are not allowed, a zone outside of the frame, a frame that is too late.
+    pub fn check(&self) -> Result<(Schedule, lead::Settings), Error> {
+        let positive = [
+            ("pool_mm", self.pool_mm),
+            ("diffusivity_mm2_s", self.diffusivity_mm2_s),
+            ("reach_mm", self.reach_mm.min_element()),
+        ];
+        for (key, value) in positive {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(lead::Error::Value { key, value, allowed: "a finite number greater than 0" }.into());
+            }
+        }
+        let [slow, fast] = self.speed_mm_s;
+        if !(slow > 0.0 && slow <= fast && fast.is_finite()) {
+            let allowed = "greater than 0, the slowest speed first";
+            return Err(lead::Error::Value { key: "speed_mm_s", value: slow, allowed }.into());
+        }
+        if !(1.0..=100.0).contains(&self.looks) {
+            return Err(lead::Error::Value { key: "looks", value: self.looks, allowed: "1 to 100" }.into());
+        }
+        let schedule = Schedule::new(self.allowed, self.period_s, self.scan_s)?;
+        // The end of the zone is a convex function of speed: the farthest is at one of both ends.
+        let lead_mm = self.zone(slow)?.to_mm.max(self.zone(fast)?.to_mm);
+        let lead = self.lead(lead_mm);
+        lead.check()?;
+        Ok((schedule, lead))
+    }
+
+    fn lead(&self, lead_mm: f64) -> lead::Settings {
+        lead::Settings {
+            cycle_s: self.cycle_s,
+            period_s: self.period_s,
+            age_s: self.age_s,
+            notice_s: NOTICE_S,
+            noise_mm: self.noise_mm,
+            least_confidence: self.least_confidence,
+            field_mm: DVec2::splat(self.reach_mm.y),
+            tack_mm: self.tack_mm,
+            wander: 1e-3,
+            ..lead::Settings::usual(lead_mm, self.speed_mm_s[1])
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_cannot_work_is_refused() {
+        let good = Settings::usual(10.0);
+        let (_, lead) = good.check().unwrap();
+        assert!((good.zone(10.0).unwrap().to_mm - lead.lead_mm).abs() < 1e-12);
+        assert_eq!(good.zone(0.0), good.zone(5.0));
+        let bad = [
+            ("pool_mm", Settings { pool_mm: 0.0, ..good }),
+            ("diffusivity_mm2_s", Settings { diffusivity_mm2_s: -1.0, ..good }),
+            ("reach_mm", Settings { reach_mm: DVec2::new(20.0, f64::NAN), ..good }),
+            ("speed_mm_s", Settings { speed_mm_s: [11.0, 10.0], ..good }),
+            ("looks", Settings { looks: 0.5, ..good }),
+            ("noise_mm", Settings { noise_mm: 0.0, ..good }),
+        ];
+        for (name, settings) in bad {
+            let error = settings.check().unwrap_err();
+            assert!(matches!(error, Error::Value(lead::Error::Value { key, .. }) if key == name), "{name}: {error}");
+        }
+        let refused = |settings: Settings| settings.check().unwrap_err();
+        assert!(matches!(refused(Settings { period_s: 0.2, ..good }), Error::TooOften { .. }));
+        assert!(matches!(refused(Settings { scan_s: 0.01, ..good }), Error::TooLong { .. }));
+        for v in [60.0, 0.5] {
+            let error = refused(Settings::usual(v));
+            let Error::ZoneOutside { speeds_that_work: Some([_, fast]), .. } = error else { panic!("{error}") };
+            assert!(Settings::usual(fast).check().is_ok(), "{fast}");
+        }
+        let late = refused(Settings { age_s: [0.0, 1.5], ..good });
+        assert!(matches!(late, Error::ZoneOutside { .. } | Error::Value(lead::Error::LeadTooShort { .. })), "{late}");
+    }
+}
