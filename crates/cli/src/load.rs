@@ -175,6 +175,12 @@ impl Loaded {
         (0..self.welding.program.value.passes.len()).map(|pass| self.welding.path(pass)).collect()
     }
 
+    /// The passes with their paths, those of [`Loaded::paths`].
+    pub(crate) fn passes<'a>(&'a self, paths: &'a [WeldPath<'a>]) -> Vec<(&'a dyn TorchPath, &'a Pass)> {
+        let passes = &self.welding.program.value.passes;
+        paths.iter().zip(passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect()
+    }
+
     /// Plans a weld that can be made as asked.
     pub(crate) fn plan(&self) -> Result<WeldMotion, Failure> {
         self.plan_on(&self.machine)
@@ -200,8 +206,7 @@ impl Loaded {
         let around = Surroundings::new(machine, &self.clamped)
             .map_err(|e| Failure::Input(format!("{}: {e}", self.welding.program.file())))?;
         let paths = self.paths();
-        let passes: Vec<(&dyn TorchPath, &Pass)> =
-            paths.iter().zip(&program.passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect();
+        let passes = self.passes(&paths);
         let mut findings = self.welding.findings();
         if self.welding.seam.as_ref().is_some_and(SeamCurve::is_double) && machine.heads.len() < 2 {
             let path = "seam.t_joint.fillet";

@@ -6,7 +6,7 @@ use super::{SensorModel, World};
 use crate::Sample;
 use glam::DVec2;
 use seamwright_machine::{Joints, Machine};
-use seamwright_tracking::actuator::{Alarm, HeadTracking, SlideLimits};
+use seamwright_tracking::actuator::{Alarm, Cause, HeadTracking, SlideLimits};
 use seamwright_tracking::lead::{Moment, SeamFrame, Sight};
 use serde::Serialize;
 
@@ -30,6 +30,21 @@ pub struct AlarmAt {
     pub at_mm: f64,
     /// In words.
     pub alarm: &'static str,
+    /// Why the sensor is blind, if it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cause: Option<&'static str>,
+}
+
+impl AlarmAt {
+    fn new((at_mm, alarm, cause): &(f64, Alarm, Option<Cause>)) -> Self {
+        Self { at_mm: *at_mm, alarm: alarm.name(), cause: cause.map(Cause::name) }
+    }
+
+    /// What was told, in words.
+    #[must_use]
+    pub fn text(&self) -> String {
+        self.cause.map_or_else(|| self.alarm.to_owned(), |cause| format!("{}: {cause}", self.alarm))
+    }
 }
 
 /// How far one head's weld lies from its joint; mm.
@@ -65,7 +80,7 @@ pub(crate) struct LiveHead<'a> {
     tracked: Tally,
     untracked: Tally,
     stopped_mm: Option<f64>,
-    alarms: Vec<(f64, Alarm)>,
+    alarms: Vec<(f64, Alarm, Option<Cause>)>,
     last_s: Option<f64>,
 }
 
@@ -139,20 +154,20 @@ impl<'a> LiveHead<'a> {
             return (wanted, 1.0);
         }
         if let Some(alarm) = alarm {
-            self.tell(s, alarm);
+            self.tell(s, alarm, orders.cause);
         }
         (wanted, orders.pace)
     }
 
-    fn tell(&mut self, s: f64, alarm: Alarm) {
-        if self.alarms.iter().all(|(_, known)| *known != alarm) {
-            self.alarms.push((s, alarm));
+    fn tell(&mut self, s: f64, alarm: Alarm, cause: Option<Cause>) {
+        if self.alarms.iter().all(|(_, known, _)| *known != alarm) {
+            self.alarms.push((s, alarm, cause));
         }
     }
 
     /// The axes cannot carry out what was wanted at `s`.
     pub(crate) fn out_of_reach(&mut self, s: f64) {
-        self.tell(s, Alarm::StrokeEnd);
+        self.tell(s, Alarm::StrokeEnd, None);
     }
 
     /// Where the torch truly is after the drives' step.
@@ -205,7 +220,7 @@ impl<'a> LiveHead<'a> {
             tracked: used.is_some(),
             used,
             stopped_mm: self.stopped_mm,
-            alarms: self.alarms.iter().map(|(at_mm, alarm)| AlarmAt { at_mm: *at_mm, alarm: alarm.name() }).collect(),
+            alarms: self.alarms.iter().map(AlarmAt::new).collect(),
         }
     }
 }

@@ -154,7 +154,7 @@ fn tracking(text: &mut String, s: &Summary) {
             let _ = writeln!(text, "               stopped at {at:.1} mm");
         }
         for alarm in &head.alarms {
-            let _ = writeln!(text, "               at {:.1} mm: {}", alarm.at_mm, alarm.alarm);
+            let _ = writeln!(text, "               at {:.1} mm: {}", alarm.at_mm, alarm.text());
         }
     }
 }

@@ -11,10 +11,8 @@ use seamwright_cell::tracking::{Distortion, RESERVE, check};
 use seamwright_cell::{Conditions, Sample, Summary, simulate};
 use seamwright_machine::Machine;
 use seamwright_motion::{PassMotion, WeldMotion};
-use seamwright_program::{Pass, TorchPath};
 use seamwright_record::TraceWriter;
 use seamwright_report::{SimulationCurves, WeldReport};
-use seamwright_weld::WeldPath;
 use std::io::{BufWriter, Write};
 
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
@@ -30,7 +28,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     loaded.check_count(&motion, loaded.machine.servo_period_s)?;
     if tracking {
         let paths = loaded.paths();
-        check(&loaded.machine, &with_passes(&loaded, &paths), &motion)?;
+        check(&loaded.machine, &loaded.passes(&paths), &motion)?;
     }
     let mut output = Output::new(&args.output)?;
     let report = weld(&loaded, &motion, conditions, &mut output)?;
@@ -59,11 +57,6 @@ pub(super) fn weld(
     Ok(report)
 }
 
-fn with_passes<'a>(loaded: &'a Loaded, paths: &'a [WeldPath<'a>]) -> Vec<(&'a dyn TorchPath, &'a Pass)> {
-    let passes = &loaded.welding.program.value.passes;
-    paths.iter().zip(passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect()
-}
-
 /// Runs the simulation with its trace going to `out`.
 fn trace(
     loaded: &Loaded,
@@ -82,7 +75,7 @@ fn trace(
     let mut curves: Vec<SimulationCurves> = motion.passes.iter().map(curves).collect();
     let mut progress = Progress::new("welding in simulation", motion.count(machine.servo_period_s, false));
     let paths = loaded.paths();
-    let passes = with_passes(loaded, &paths);
+    let passes = loaded.passes(&paths);
     let summaries = simulate(machine, &passes, motion, conditions, |sample| {
         progress.step();
         if let Some(pass) = sample.pass.checked_sub(1) {

@@ -96,7 +96,7 @@ pub(super) fn table(heads: &[HeadSummary]) -> Table {
 pub(super) fn text(heads: &[HeadSummary]) -> String {
     let told = heads
         .iter()
-        .flat_map(|h| h.alarms.iter().map(move |a| format!("{} at {:.1} mm: {}", h.head, a.at_mm, a.alarm)));
+        .flat_map(|h| h.alarms.iter().map(move |a| format!("{} at {:.1} mm: {}", h.head, a.at_mm, a.text())));
     let told: Vec<String> = told.collect();
     let first = "The part lies elsewhere than planned. ";
     match told.is_empty() {

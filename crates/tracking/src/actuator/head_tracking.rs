@@ -8,7 +8,7 @@ const RESERVE: f64 = 0.8;
 /// As many periods without a measurement of use are worth a warning, if the torch goes on for longer than tacks
 /// explain.
 const BLIND_PERIODS: f64 = 10.0;
-/// Slowest that the torch goes while a correction fades out, as a part of its speed.
+/// Slowest that the torch goes while a correction fades out or comes to its end, as a part of its speed.
 const FADING_SPEED: f64 = 0.25;
 
 /// What is wrong, each worse than the one before.
@@ -47,6 +47,23 @@ pub enum Cause {
     Wild,
     /// What comes is refused.
     Refused(Refusal),
+}
+
+impl Cause {
+    /// In words.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Silent => "the sensor is silent",
+            Self::Wild => "what it sends does not agree with itself",
+            Self::Refused(Refusal::Confidence) => "its confidence is no number from 0 to 1",
+            Self::Refused(Refusal::Faint) => "it sees the joint too faintly",
+            Self::Refused(Refusal::OutOfField) => "the joint is outside of its field",
+            Self::Refused(Refusal::Clock) => "its times are wrong",
+            Self::Refused(Refusal::Late) => "what it sends comes too late",
+            Self::Refused(Refusal::Frozen) => "it sends the same again and again",
+        }
+    }
 }
 
 impl Alarm {
@@ -211,6 +228,7 @@ impl HeadTracking {
         let ahead = self.tracker.ahead(now.s_mm);
         let needed = (ahead.slope * settings.speed_mm_s.max(speed.abs()) / fastest).max_element();
         let mut pace = if needed > 1.0 { 1.0 / needed } else { 1.0 };
+        let reach = (ahead.value / stroke).max_element();
         let blind = self.cause(now).is_some();
         let alarm = match here.sight {
             Sight::Lost => Alarm::Lost,
@@ -220,9 +238,11 @@ impl HeadTracking {
             Sight::Coasted => Alarm::Coasting,
             _ if blind => Alarm::Blind,
             _ if needed > 1.0 => Alarm::Slowed,
-            _ if ahead.value.cmpgt(RESERVE * stroke).any() => Alarm::NearStroke,
+            _ if reach > RESERVE => Alarm::NearStroke,
             _ => return (pace, None),
         };
+        // The nearer to its end, the slower: time for the operator.
+        pace = pace.min(1.0 - (1.0 - FADING_SPEED) * ((reach - RESERVE) / (1.0 - RESERVE)).clamp(0.0, 1.0));
         match alarm {
             Alarm::Lost | Alarm::StrokeEnd => pace = 0.0,
             Alarm::FadingOut => pace = pace.min(FADING_SPEED),

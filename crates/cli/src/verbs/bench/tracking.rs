@@ -3,19 +3,26 @@
 use super::{Table, beam};
 use crate::args::bench::{BenchTrackingArgs, TrackingTable};
 use crate::failure::Failure;
+use crate::load::load_text;
 use crate::progress::Progress;
 use crate::rows::{print_json, print_text};
+use seamwright_cell::gate::Gate;
 use seamwright_cell::tracking::faults::fault_rows;
 use seamwright_cell::tracking::gates::{GateRow, tracking_gates, weld_count};
 use seamwright_cell::tracking::shows::{misplaced_rows, t_joint_rows};
+use seamwright_cell::tracking::stripes::stripe_rows;
+use seamwright_cell::tracking::{RESERVE, cross_talk};
 use seamwright_machine::{Machine, shipped};
 use seamwright_weld::Welding;
 use serde::Serialize;
 use std::fmt::Write as _;
+use std::path::Path;
 
 /// Whose cross slides weld.
 const MACHINE: &str = "dual-laser-10axis";
 const SADDLE: &str = include_str!("../../../../../examples/saddle.toml");
+
+const T_JOINT: &str = include_str!("../../../../../examples/t-joint.toml");
 
 /// One head of one kind of weld.
 #[derive(Debug, Serialize)]
@@ -64,6 +71,9 @@ pub(super) fn run(args: &BenchTrackingArgs) -> Result<(), Failure> {
         let mut parts = t_joint_rows(&machine)?;
         parts.extend(misplaced_rows("saddle, 2 mm and 0.5 deg out of place, 1 mm oval", &saddle.path(0), &machine)?);
         tables.push(Table::new("Whole parts at 20 mm/s", &parts));
+        let mut eyes = stripe_rows(&machine)?;
+        eyes.push(crossed(&machine)?);
+        tables.push(Table::new("From images of stripes to the slide, and from one head to the other", &eyes));
     }
     if wanted(TrackingTable::Faults) {
         tables.push(Table::new("Faults while tracking", &fault_rows(&machine, args.seeds)?));
@@ -79,6 +89,14 @@ pub(super) fn run(args: &BenchTrackingArgs) -> Result<(), Failure> {
         texts.insert(0, markdown(&rows));
     }
     print_text(&texts.join("\n"))
+}
+
+/// What one head corrects, in the other's weld, on the T-joint that ships.
+fn crossed(machine: &Machine) -> Result<Gate, Failure> {
+    let loaded = load_text("t-joint", T_JOINT, Path::new("."))?;
+    let motion = loaded.plan_on(&machine.with_reserve(RESERVE))?;
+    let paths = loaded.paths();
+    Ok(cross_talk(machine, &loaded.passes(&paths), &motion, 1)?)
 }
 
 fn markdown(rows: &[Row]) -> String {
