@@ -4,10 +4,12 @@ use super::{End, Row, State};
 /// Nats by which the path is likelier than any other in a row that is sure.
 const MARGIN: f32 = 14.0;
 /// Nats by which a joint is likelier than none.
-const STRENGTH: f32 = 12.0;
+const STRENGTH: f32 = 10.0;
 /// Standard error in a row that is sure, pixels.
 const ERROR: f32 = 0.45;
 
+/// Asymmetry of the valley across a row that is sure, pixels.
+const ASYMMETRY: f32 = 1.1;
 /// Rows next to one across which the light steps: its edge may lie beside the joint there, or be taken for it.
 const STEP: usize = 16;
 
@@ -20,7 +22,8 @@ pub(super) fn row(found: &Found, scale: f32, whole: bool) -> f32 {
     let strength = (found.strength / STRENGTH / 2.0).clamp(0.0, 1.0);
     let exact = (1.5 - found.error * scale / ERROR).clamp(0.0, 1.0);
     let like = (1.75 - found.unlike).clamp(0.0, 1.0);
-    margin.min(strength).min(exact).min(like)
+    let even = (1.5 - found.asymmetry * scale / ASYMMETRY).clamp(0.0, 1.0);
+    margin.min(strength).min(exact).min(like).min(even)
 }
 
 /// Confidence of rows that are seen but not sure, at most.

@@ -42,6 +42,8 @@ pub(super) struct Found {
     pub(super) stepped: bool,
     /// Depth of the row alone, by its own two sides.
     pub(super) own_depth: f32,
+    /// How far apart middles between the rims are that are found in other ways, pixels.
+    pub(super) asymmetry: f32,
     /// How much less the rows about look like the joint than most do: 1 at the limit.
     pub(super) unlike: f32,
 }
@@ -71,12 +73,12 @@ impl Midline {
         self.strip.unroll(picture, self.stations.iter().copied());
         self.strip.measure(look.width);
         self.contrast.clear();
-        self.contrast.resize(self.stations.len(), look.contrast);
+        self.contrast.extend(trail.places.iter().map(|p| p.contrast));
         for _ in 0..2 {
             self.lattice.weigh(&self.strip, |i| self.contrast[i]);
             self.lattice.best(|_| 0.0, &mut self.path);
             self.strip.noise = self.strip.noise_beside(&self.path, look.width);
-            self.follow_contrast(look.contrast);
+            self.follow_contrast(&trail.places);
         }
         let scale = (1 << look.level) as f32;
         let away = (2.0 / scale).max(0.5 * look.width).round().max(1.0) as usize;
@@ -109,11 +111,12 @@ impl Midline {
     }
 
     /// The joint's depth near each row, from rows where there is much of it.
-    fn follow_contrast(&mut self, known: f32) {
+    fn follow_contrast(&mut self, places: &[Place]) {
         const REACH: usize = 40;
         let count = self.path.len();
         let depth = |k: usize| self.strip.depth[k][self.path[k]];
         for i in 0..count {
+            let known = places[i].contrast;
             let near = (i.saturating_sub(REACH)..(i + REACH + 1).min(count)).step_by(3);
             let (mut sum, mut weight) = (4.0 * known, 4.0);
             for d in near.map(depth).filter(|d| *d > 0.4 * known) {
@@ -171,6 +174,7 @@ impl Midline {
         self.compare(profile.reach());
         for i in 0..count {
             self.rows[i].at = self.stations[i].beside(self.centre[i] - MID as f32);
+            self.rows[i].asymmetry = profile.asymmetry(&self.mean(i, line));
             self.rows[i].width = profile.rims(&self.mean(i, AROUND)).map_or(width, |[left, right]| right - left);
         }
     }
