@@ -209,26 +209,27 @@ impl Trail {
         let noise = self.strip.noise_beside(&self.path, look.width);
         look.noise += 0.3 * (noise.clamp(0.6 * look.noise, 1.5 * look.noise) - look.noise);
         self.judge(look.contrast);
-        if 2 * self.seen.iter().filter(|s| **s).count() < ROWS {
-            self.see_in_other_light(look, 1.5 + 0.15 * gap as f32);
+        if 2 * self.seen.iter().filter(|s| **s).count() >= ROWS {
+            return score;
         }
-        score
+        self.see_in_other_light(look, 1.5 + 0.15 * gap as f32)
     }
 
     /// Where the light steps, so does the joint's depth: what is as dark as the joint was but not as deep is the joint too.
-    fn see_in_other_light(&mut self, look: &mut Look, free: f32) {
+    fn see_in_other_light(&mut self, look: &mut Look, free: f32) -> f32 {
         for part in [0.5, 2.0] {
             let contrast = part * look.contrast;
-            self.find(contrast, free);
+            let score = self.find(contrast, free);
             self.judge(contrast);
             let seen = self.seen.iter().filter(|s| **s).count();
             if 4 * seen >= 3 * ROWS && self.floor(look.width) < look.floor + LIKE_FLOOR * contrast.min(look.contrast) {
                 look.contrast = contrast;
-                return;
+                return score;
             }
         }
-        self.find(look.contrast, free);
+        let score = self.find(look.contrast, free);
         self.judge(look.contrast);
+        score
     }
 
     /// The mean grey value along the path where the joint is seen.
