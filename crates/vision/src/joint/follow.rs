@@ -112,14 +112,14 @@ impl Follower {
             return End::Lost;
         }
         self.midline.find(&picture, &self.trail, &look);
-        tell(&self.midline, &picture, (level, stop), self.options.on_joint, &mut self.joint.rows)
+        tell(&self.midline, &picture, (level, self.trail.solid, stop), self.options.on_joint, &mut self.joint.rows)
     }
 }
 
 /// Rows of the frame from those of the level.
-fn tell(midline: &Midline, picture: &Picture, (level, stop): (usize, Stop), on_joint: bool, out: &mut Vec<Row>) -> End {
+fn tell(midline: &Midline, picture: &Picture, (level, solid, stop): (usize, usize, Stop), on_joint: bool, out: &mut Vec<Row>) -> End {
     let scale = (1 << level) as f32;
-    let Some(Cut { rows, end, beyond }) = cut(&midline.rows, stop) else { return End::Lost };
+    let Some(Cut { rows, end, beyond }) = cut(&midline.rows, solid, stop) else { return End::Lost };
     for (i, found) in midline.rows[..rows].iter().enumerate() {
         let confidence = judge::row(found, scale, midline.is_whole(i, picture));
         let [x, y] = found.at.map(|v| from_level(v, level));
@@ -132,6 +132,7 @@ fn tell(midline: &Midline, picture: &Picture, (level, stop): (usize, Stop), on_j
         place_end(out, rows as f32 - 0.5 + beyond);
     }
     judge::rims(out, end, on_joint);
+    judge::doubtful(out, solid);
     if !on_joint {
         judge::length(out, end);
     }

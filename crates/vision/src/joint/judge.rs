@@ -32,6 +32,8 @@ const UNSURE: f32 = 0.4;
 const SHORT: f32 = 130.0;
 /// ... and one that is narrow, if less than this is.
 const SHORT_AND_NARROW: f32 = 210.0;
+/// Of a joint at least this part is seen; scratches one after the other have longer gaps.
+const MOSTLY_SEEN: f32 = 0.7;
 /// Scratches are narrower than this, pixels.
 const NARROW: f32 = 3.5;
 
@@ -41,6 +43,13 @@ const RIM: usize = 10;
 const START_RIM: usize = 6;
 /// The same where the joint is seen to end.
 const END_RIM: usize = 2;
+
+/// Takes the confidence from rows from `solid` on, and from all if too few of them are seen.
+pub(super) fn doubtful(rows: &mut [Row], solid: usize) {
+    let seen = rows.iter().filter(|r| r.state == State::Seen).count();
+    let from = if (seen as f32) < MOSTLY_SEEN * rows.len() as f32 { 0 } else { solid.min(rows.len()) };
+    rows[from..].iter_mut().for_each(unsure);
+}
 
 /// Takes the confidence from rows next to gaps and ends.
 pub(super) fn rims(rows: &mut [Row], end: End, on_joint: bool) {

@@ -64,6 +64,8 @@ pub(super) enum Stop {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Trail {
     pub(super) places: Vec<Place>,
+    /// Places up to which the joint is sure to go: from there on less is seen than not.
+    pub(super) solid: usize,
     strip: Strip,
     lattice: Lattice,
     path: Vec<usize>,
@@ -152,7 +154,10 @@ impl Trail {
         limits: &Limits<F>,
     ) -> Stop {
         self.places.clear();
+        self.solid = 0;
         let (mut axis, mut gap, mut back, mut checked) = (look.axis, 0usize, 0usize, 0usize);
+        // Places that are not seen less those that are seen again: chance finds of texture add up to a gap.
+        let mut unseen = 0usize;
         loop {
             let from = back as f32;
             if gap > WIDER {
@@ -171,12 +176,15 @@ impl Trail {
                     return Stop::Rim;
                 }
                 self.places.push(Place { at, seen: self.seen[i], contrast: look.contrast });
-                gap = if self.seen[i] { 0 } else { gap + 1 };
+                (gap, unseen) = if self.seen[i] { (0, unseen.saturating_sub(1)) } else { (gap + 1, unseen + 1) };
+                if unseen == 0 {
+                    self.solid = self.places.len();
+                }
                 if self.seen[i] && self.is_closed() {
                     return Stop::Closed;
                 }
                 // Rows at the rims of a gap are not seen to be the joint's.
-                if gap as f32 > limits.gap + SEEN_AROUND as f32 {
+                if unseen as f32 > limits.gap + SEEN_AROUND as f32 {
                     return Stop::Gap;
                 }
             }
