@@ -359,11 +359,11 @@ impl Trail {
         }
         let away = |a: [f32; 2], b: [f32; 2]| (b[0] - a[0]).hypot(b[1] - a[1]);
         let (first, last) = (places[0].at, places[count - 1].at);
-        if away(first, last) > 2.5 {
+        if away(first, last) > 3.5 {
             return false;
         }
         let heading = |a: [f32; 2], b: [f32; 2]| (b[1] - a[1]).atan2(b[0] - a[0]);
         let turn = heading(first, places[REACH].at) - heading(places[count - 1 - REACH].at, last);
-        turn.cos() > 0.9
+        turn.cos() > 0.8
     }
 }
