@@ -117,7 +117,13 @@ impl Follower {
 }
 
 /// Rows of the frame from those of the level.
-fn tell(midline: &Midline, picture: &Picture, (level, solid, stop): (usize, usize, Stop), on_joint: bool, out: &mut Vec<Row>) -> End {
+fn tell(
+    midline: &Midline,
+    picture: &Picture,
+    (level, solid, stop): (usize, usize, Stop),
+    on_joint: bool,
+    out: &mut Vec<Row>,
+) -> End {
     let scale = (1 << level) as f32;
     let Some(Cut { rows, end, beyond }) = cut(&midline.rows, solid, stop) else { return End::Lost };
     for (i, found) in midline.rows[..rows].iter().enumerate() {

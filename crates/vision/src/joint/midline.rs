@@ -62,6 +62,11 @@ pub(super) struct Midline {
     single: Vec<f32>,
     readings: Vec<Reading>,
     arms: Vec<Arms>,
+    /// Sums over the rows before each.
+    arms_before: Vec<Arms>,
+    sums: Vec<[f64; 3]>,
+    /// Middles of the rows in the picture.
+    places: Vec<[f32; 2]>,
     rests: Vec<f32>,
     sorted: Vec<f32>,
 }
@@ -150,6 +155,8 @@ impl Midline {
             for i in 0..count {
                 self.readings[i] = profile.read(&self.strip.grey[i], self.centre[i], &mut self.arms[i]);
             }
+            self.sum_readings();
+            self.sum_arms();
             self.single.clear();
             for i in 0..count {
                 let (depth, step, error) = self.about(i);
@@ -161,6 +168,9 @@ impl Midline {
                 self.rows[i].depth = depth;
                 self.rows[i].own_depth = self.readings[i].depth;
             }
+            self.places.clear();
+            let middles = self.stations.iter().zip(&self.single);
+            self.places.extend(middles.map(|(station, middle)| station.beside(middle - MID as f32)));
             if round == 0 {
                 line = self.line_length(scale);
             }
@@ -213,13 +223,24 @@ impl Midline {
 
     /// Depth and step of the rows about, and the standard error of the step.
     fn about(&self, i: usize) -> (f32, f32, f32) {
-        let near = &self.readings[i.saturating_sub(AROUND)..(i + AROUND + 1).min(self.readings.len())];
-        let part = 1.0 / near.len() as f32;
-        let sum = |value: &dyn Fn(&Reading) -> f32| near.iter().map(value).sum::<f32>() * part;
-        let (depth, step) = (sum(&|r| r.depth), sum(&|r| r.step));
+        let (from, to) = (i.saturating_sub(AROUND), (i + AROUND + 1).min(self.readings.len()));
+        let part = 1.0 / (to - from) as f64;
+        let [depth, step, square] = std::array::from_fn(|k| (self.sums[to][k] - self.sums[from][k]) * part);
         // Neighbours are alike: of four rows one is independent.
-        let error = (sum(&|r| (r.step - step).powi(2)) * 4.0 * part).sqrt();
-        (depth, step, error)
+        let error = ((square - step * step).max(0.0) * 4.0 * part).sqrt();
+        (depth as f32, step as f32, error as f32)
+    }
+
+    /// Sums of depth, step and its square over the rows before each.
+    fn sum_readings(&mut self) {
+        let mut sum = [0.0; 3];
+        self.sums.clear();
+        self.sums.push(sum);
+        self.sums.extend(self.readings.iter().map(|r| {
+            let (depth, step) = (f64::from(r.depth), f64::from(r.step));
+            sum = [sum[0] + depth, sum[1] + step, sum[2] + step * step];
+            sum
+        }));
     }
 
     /// Rows that a parabola must have so that its error is small enough, by how centres scatter.
@@ -238,33 +259,36 @@ impl Midline {
     /// The parabola through the middles of seen rows about row `i`: where it crosses that row's line, and the standard
     /// error of that.
     fn fit(&self, i: usize, reach: usize) -> (f32, f32) {
-        let near = (i.saturating_sub(reach)..(i + reach + 1).min(self.single.len())).filter(|k| self.rows[*k].seen);
+        let near = i.saturating_sub(reach)..(i + reach + 1).min(self.single.len());
         let Station { at: [x0, y0], tangent: [cos, sin] } = self.stations[i];
-        let places = near.map(|k| {
-            let [x, y] = self.stations[k].beside(self.single[k] - MID as f32);
+        let scale = 1.0 / (reach + 1) as f32;
+        let places = near.filter(|k| self.rows[*k].seen).map(|k| {
+            let [x, y] = self.places[k];
             let (u, v) = ((x - x0) * cos + (y - y0) * sin, (y - y0) * cos - (x - x0) * sin);
-            (u, v, 1.0 - (k.abs_diff(i) as f32 / (reach + 1) as f32).powi(2))
+            (u, v, 1.0 - (k.abs_diff(i) as f32 * scale).powi(2))
         });
-        let Some(parabola) = Parabola::through(places.clone(), 1.0) else { return (self.centre[i], f32::INFINITY) };
-        let [at, slope, bend] = parabola.terms;
-        let (mut rest, mut weights) = (0.0, 0.0);
-        for (u, v, w) in places {
-            rest += w * (v - at - slope * u - bend * u * u).powi(2);
-            weights += w;
-        }
-        let error = (rest / weights * parabola.variance).sqrt();
-        (at + MID as f32, if weights > 4.0 { error } else { f32::INFINITY })
+        let Some(parabola) = Parabola::through(places, 1.0) else { return (self.centre[i], f32::INFINITY) };
+        let error = (parabola.rest * parabola.variance).sqrt();
+        (parabola.terms[0] + MID as f32, if parabola.weights > 4.0 { error } else { f32::INFINITY })
     }
 
     /// The mean of the rows about row `i`.
     fn mean(&self, i: usize, around: usize) -> Arms {
-        let near = &self.arms[i.saturating_sub(around)..(i + around + 1).min(self.arms.len())];
-        let mut mean: Arms = [[0.0; REACH]; 2];
-        let part = 1.0 / near.len() as f32;
-        for arms in near {
-            mean.iter_mut().flatten().zip(arms.iter().flatten()).for_each(|(m, a)| *m += part * a);
+        let (from, to) = (i.saturating_sub(around), (i + around + 1).min(self.arms.len()));
+        let part = 1.0 / (to - from) as f32;
+        let (before, after) = (&self.arms_before[from], &self.arms_before[to]);
+        std::array::from_fn(|side| std::array::from_fn(|t| (after[side][t] - before[side][t]) * part))
+    }
+
+    /// Sums of the arms over the rows before each.
+    fn sum_arms(&mut self) {
+        let mut sum: Arms = [[0.0; REACH]; 2];
+        self.arms_before.clear();
+        self.arms_before.push(sum);
+        for arms in &self.arms {
+            sum.iter_mut().flatten().zip(arms.iter().flatten()).for_each(|(s, a)| *s += a);
+            self.arms_before.push(sum);
         }
-        mean
     }
 
     /// True where both sides of the joint are in the picture.
