@@ -1,15 +1,18 @@
 use super::midline::Found;
 use super::{End, Row, State};
 
-/// Nats by which the path is likelier than any other in a row that is sure.
-const MARGIN: f32 = 14.0;
+// Each of these alone makes a row half confident.
+/// Nats by which the path is likelier than any other.
+const MARGIN: f32 = 12.0;
 /// Nats by which a joint is likelier than none.
-const STRENGTH: f32 = 10.0;
-/// Standard error in a row that is sure, pixels.
-const ERROR: f32 = 0.45;
+const STRENGTH: f32 = 5.0;
+/// Standard error, pixels.
+const ERROR: f32 = 0.52;
+/// How unlike the rest of the joint.
+const UNLIKE: f32 = 1.45;
+/// Asymmetry of the valley, pixels.
+const ASYMMETRY: f32 = 1.25;
 
-/// Asymmetry of the valley across a row that is sure, pixels.
-const ASYMMETRY: f32 = 1.1;
 /// Rows next to one across which the light steps: its edge may lie beside the joint there, or be taken for it.
 const STEP: usize = 16;
 
@@ -18,12 +21,15 @@ pub(super) fn row(found: &Found, scale: f32, whole: bool) -> f32 {
     if !found.seen || !whole {
         return 0.0;
     }
-    let margin = (found.margin / MARGIN / 2.0).clamp(0.0, 1.0);
-    let strength = (found.strength / STRENGTH / 2.0).clamp(0.0, 1.0);
-    let exact = (1.5 - found.error * scale / ERROR).clamp(0.0, 1.0);
-    let like = (1.75 - found.unlike).clamp(0.0, 1.0);
-    let even = (1.5 - found.asymmetry * scale / ASYMMETRY).clamp(0.0, 1.0);
-    margin.min(strength).min(exact).min(like).min(even)
+    let doubts = [
+        MARGIN / found.margin.max(1e-3),
+        STRENGTH / found.strength.max(1e-3),
+        found.error * scale / ERROR,
+        found.unlike / UNLIKE,
+        found.asymmetry * scale / ASYMMETRY,
+    ];
+    // The greatest doubt counts most.
+    1.0 / (1.0 + doubts.iter().map(|d| d.powi(3)).sum::<f32>())
 }
 
 /// Confidence of rows that are seen but not sure, at most.
