@@ -60,13 +60,16 @@ pub(super) fn doubtful(rows: &mut [Row], solid: usize) {
 /// Takes the confidence from rows next to gaps and ends.
 pub(super) fn rims(rows: &mut [Row], end: End, on_joint: bool) {
     let count = rows.len();
-    let mut sure_from = if on_joint || end == End::Closed { 0 } else { START_RIM };
+    let sure_from = if on_joint || end == End::Closed { 0 } else { START_RIM };
+    // As many rows as were missed are not sure either: what is found again may be something else.
+    let mut missed = 0;
     for i in 0..count {
         if rows[i].state == State::Coasted {
-            sure_from = i + RIM + 1;
+            missed = missed.max(RIM) + 1;
             rows[i.saturating_sub(RIM)..i].iter_mut().for_each(unsure);
-        } else if i < sure_from {
+        } else if i < sure_from || missed > 0 {
             unsure(&mut rows[i]);
+            missed = missed.saturating_sub(1);
         }
     }
     let rim = match end {

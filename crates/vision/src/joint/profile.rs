@@ -3,8 +3,6 @@ use super::strip::{COLS, Line};
 /// Columns to one side of the middle at most.
 pub(super) const REACH: usize = 13;
 
-/// A rim is where the lighter side's depth counts up to so many times the darker side's.
-const LITTLE_MORE: f32 = 1.5;
 /// Parts of the depth at which the middles between rims are compared.
 const PARTS: [f32; 3] = [0.3, 0.5, 0.7];
 
@@ -128,10 +126,10 @@ impl Profile {
     }
 
     /// The left and the right rim of a mean row, columns from its middle: where it is half as deep as its floor below the
-    /// metal on that side. None where a side is no lighter.
+    /// metal on the darker side. None where a side is no lighter.
     pub(super) fn rims(&self, arms: &Arms) -> Option<[f32; 2]> {
         let valley = self.valley(arms)?;
-        Some([self.rim(arms, &valley, -1, 0.5, LITTLE_MORE)?, self.rim(arms, &valley, 1, 0.5, LITTLE_MORE)?])
+        Some([self.rim(arms, &valley, -1, 0.5, 1.0)?, self.rim(arms, &valley, 1, 0.5, 1.0)?])
     }
 
     /// How far apart the middles between rims are at several parts of the depth, and the middle itself, columns: little for a
