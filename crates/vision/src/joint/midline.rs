@@ -120,8 +120,8 @@ impl Midline {
         const REACH: usize = 40;
         let count = self.path.len();
         let depth = |k: usize| self.strip.depth[k][self.path[k]];
-        for i in 0..count {
-            let known = places[i].contrast;
+        for (i, place) in places.iter().enumerate() {
+            let known = place.contrast;
             let near = (i.saturating_sub(REACH)..(i + REACH + 1).min(count)).step_by(3);
             let (mut sum, mut weight) = (4.0 * known, 4.0);
             for d in near.map(depth).filter(|d| *d > 0.4 * known) {

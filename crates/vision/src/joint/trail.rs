@@ -195,6 +195,7 @@ impl Trail {
                 self.aside.extend_from_slice(&self.places[corner..]);
                 self.places.truncate(corner);
                 if let Some(beyond) = self.leap(picture, look, limits) {
+                    self.solid = self.solid.min(corner);
                     (axis, gap, back) = (beyond, 0, BACK);
                     continue;
                 }
