@@ -124,13 +124,6 @@ fn gates_of(kind: Kind, outcomes: &[Outcome], rows: &mut Vec<Gate>) {
         0 => f64::INFINITY,
         n => (confident.iter().map(|e| e * e).sum::<f64>() / n as f64).sqrt(),
     };
-    if kind == Kind::Faint {
-        gate("95 % of confident rows", quantile(0.95), Limit::Most(1.0), "px");
-        gate("rows kept confident", 100.0 * confident.len() as f64 / seen.max(1) as f64, Limit::Least(80.0), "%");
-    } else {
-        gate("RMS of confident rows", rms, Limit::Most(0.3), "px");
-        gate("99 % of confident rows", quantile(0.99), Limit::Most(1.0), "px");
-    }
     let wrong = confident.iter().filter(|e| **e > WRONG).count();
     gate(
         "confident rows off by more than 2 px",
@@ -138,6 +131,16 @@ fn gates_of(kind: Kind, outcomes: &[Outcome], rows: &mut Vec<Gate>) {
         Limit::Most(0.01),
         "%",
     );
+    if kind == Kind::Shadow {
+        return;
+    }
+    if kind == Kind::Faint {
+        gate("95 % of confident rows", quantile(0.95), Limit::Most(1.0), "px");
+        gate("rows kept confident", 100.0 * confident.len() as f64 / seen.max(1) as f64, Limit::Least(80.0), "%");
+    } else {
+        gate("RMS of confident rows", rms, Limit::Most(0.3), "px");
+        gate("99 % of confident rows", quantile(0.99), Limit::Most(1.0), "px");
+    }
     if kind != Kind::Faint {
         gate("frames lost before 95 % of the joint", count(&|o| o.reach < 0.95), Limit::Most(0.0), "");
     }

@@ -20,8 +20,9 @@ pub(super) struct Cut {
 }
 
 /// Takes off what was coasted over last, and tells an end of the joint from its loss; none if nothing is seen.
-pub(super) fn cut(rows: &[Found], stop: Stop) -> Option<Cut> {
-    let seen = rows.iter().rposition(|r| r.seen)? + 1;
+pub(super) fn cut(rows: &[Found], solid: usize, stop: Stop) -> Option<Cut> {
+    let within = if stop == Stop::Gap { solid } else { rows.len() };
+    let seen = rows.get(..within)?.iter().rposition(|r| r.seen)? + 1;
     match stop {
         Stop::Closed => return Some(Cut { rows: rows.len(), end: End::Closed, beyond: 0.0 }),
         Stop::Rim => return Some(Cut { rows: seen, end: End::LeftImage, beyond: 0.0 }),

@@ -13,6 +13,10 @@ const WIDTHS: [(usize, f32); 7] = [(0, 3.0), (0, 5.0), (1, 5.0), (2, 5.0), (3, 5
 const WIDE: f32 = 7.0;
 /// Part of the strength of the strongest width that the narrowest has at least.
 const NOT_MUCH_LESS: f32 = 0.5;
+/// What is this many standard deviations deep at the start ...
+const CLEAR: f32 = 6.0;
+/// ... and this part of the depth of the deepest width is sure to be a line.
+const NEARLY_DEEPEST: f32 = 0.7;
 /// Least and most width, pixels of the frame.
 const WIDTH: (f32, f32) = (1.0, 400.0);
 /// Part of the frame's shorter side that is coasted over if nothing else is said.
@@ -108,14 +112,20 @@ impl Follower {
             return End::Lost;
         }
         self.midline.find(&picture, &self.trail, &look);
-        tell(&self.midline, &picture, (level, stop), self.options.on_joint, &mut self.joint.rows)
+        tell(&self.midline, &picture, (level, self.trail.solid, stop), self.options.on_joint, &mut self.joint.rows)
     }
 }
 
 /// Rows of the frame from those of the level.
-fn tell(midline: &Midline, picture: &Picture, (level, stop): (usize, Stop), on_joint: bool, out: &mut Vec<Row>) -> End {
+fn tell(
+    midline: &Midline,
+    picture: &Picture,
+    (level, solid, stop): (usize, usize, Stop),
+    on_joint: bool,
+    out: &mut Vec<Row>,
+) -> End {
     let scale = (1 << level) as f32;
-    let Some(Cut { rows, end, beyond }) = cut(&midline.rows, stop) else { return End::Lost };
+    let Some(Cut { rows, end, beyond }) = cut(&midline.rows, solid, stop) else { return End::Lost };
     for (i, found) in midline.rows[..rows].iter().enumerate() {
         let confidence = judge::row(found, scale, midline.is_whole(i, picture));
         let [x, y] = found.at.map(|v| from_level(v, level));
@@ -128,6 +138,7 @@ fn tell(midline: &Midline, picture: &Picture, (level, stop): (usize, Stop), on_j
         place_end(out, rows as f32 - 0.5 + beyond);
     }
     judge::rims(out, end, on_joint);
+    judge::doubtful(out, solid);
     if !on_joint {
         judge::length(out, end);
     }
@@ -162,8 +173,18 @@ fn place_end(rows: &mut Vec<Row>, at: f32) {
 }
 
 /// The narrowest of the widths for which more speaks than for its neighbours, and not much less than for any: what is wider
-/// still is the joint's surroundings.
+/// still is the joint's surroundings. What stands out far from the noise and is deeper than all that is wider needs no more.
 fn narrowest(looks: &[Option<Look>]) -> Option<Look> {
+    let depth = |look: &Option<Look>| look.map_or(0.0, |l| l.contrast);
+    let deepest = looks.iter().map(depth).fold(0.0, f32::max);
+    let clear = looks.iter().enumerate().find_map(|(k, look)| {
+        let look = (*look)?;
+        let stands_out = look.contrast > CLEAR * look.noise && look.contrast > NEARLY_DEEPEST * deepest;
+        (stands_out && depth(looks.get(k + 1).unwrap_or(&None)) < look.contrast).then_some(look)
+    });
+    if clear.is_some() {
+        return clear;
+    }
     let strength = |k: usize| looks.get(k).copied().flatten().map_or(0.0, |l| l.strength);
     let most = (0..looks.len()).map(strength).fold(0.0, f32::max);
     let found = (0..looks.len()).find(|k| strength(*k) > strength(k + 1) && strength(*k) >= NOT_MUCH_LESS * most)?;

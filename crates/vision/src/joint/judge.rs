@@ -1,12 +1,17 @@
 use super::midline::Found;
 use super::{End, Row, State};
 
-/// Nats by which the path is likelier than any other in a row that is sure.
-const MARGIN: f32 = 14.0;
+// Each of these alone makes a row half confident.
+/// Nats by which the path is likelier than any other.
+const MARGIN: f32 = 12.0;
 /// Nats by which a joint is likelier than none.
-const STRENGTH: f32 = 12.0;
-/// Standard error in a row that is sure, pixels.
-const ERROR: f32 = 0.45;
+const STRENGTH: f32 = 5.0;
+/// Standard error, pixels.
+const ERROR: f32 = 0.52;
+/// How unlike the rest of the joint.
+const UNLIKE: f32 = 1.45;
+/// Asymmetry of the valley, pixels.
+const ASYMMETRY: f32 = 1.25;
 
 /// Rows next to one across which the light steps: its edge may lie beside the joint there, or be taken for it.
 const STEP: usize = 16;
@@ -16,11 +21,15 @@ pub(super) fn row(found: &Found, scale: f32, whole: bool) -> f32 {
     if !found.seen || !whole {
         return 0.0;
     }
-    let margin = (found.margin / MARGIN / 2.0).clamp(0.0, 1.0);
-    let strength = (found.strength / STRENGTH / 2.0).clamp(0.0, 1.0);
-    let exact = (1.5 - found.error * scale / ERROR).clamp(0.0, 1.0);
-    let like = (1.75 - found.unlike).clamp(0.0, 1.0);
-    margin.min(strength).min(exact).min(like)
+    let doubts = [
+        MARGIN / found.margin.max(1e-3),
+        STRENGTH / found.strength.max(1e-3),
+        found.error * scale / ERROR,
+        found.unlike / UNLIKE,
+        found.asymmetry * scale / ASYMMETRY,
+    ];
+    // The greatest doubt counts most.
+    1.0 / (1.0 + doubts.iter().map(|d| d.powi(3)).sum::<f32>())
 }
 
 /// Confidence of rows that are seen but not sure, at most.
@@ -29,6 +38,8 @@ const UNSURE: f32 = 0.4;
 const SHORT: f32 = 130.0;
 /// ... and one that is narrow, if less than this is.
 const SHORT_AND_NARROW: f32 = 210.0;
+/// Of a joint at least this part is seen; scratches one after the other have longer gaps.
+const MOSTLY_SEEN: f32 = 0.7;
 /// Scratches are narrower than this, pixels.
 const NARROW: f32 = 3.5;
 
@@ -39,16 +50,26 @@ const START_RIM: usize = 6;
 /// The same where the joint is seen to end.
 const END_RIM: usize = 2;
 
+/// Takes the confidence from rows from `solid` on, and from all if too few of them are seen.
+pub(super) fn doubtful(rows: &mut [Row], solid: usize) {
+    let seen = rows.iter().filter(|r| r.state == State::Seen).count();
+    let from = if (seen as f32) < MOSTLY_SEEN * rows.len() as f32 { 0 } else { solid.min(rows.len()) };
+    rows[from..].iter_mut().for_each(unsure);
+}
+
 /// Takes the confidence from rows next to gaps and ends.
 pub(super) fn rims(rows: &mut [Row], end: End, on_joint: bool) {
     let count = rows.len();
-    let mut sure_from = if on_joint || end == End::Closed { 0 } else { START_RIM };
+    let sure_from = if on_joint || end == End::Closed { 0 } else { START_RIM };
+    // As many rows as were missed are not sure either: what is found again may be something else.
+    let mut missed = 0;
     for i in 0..count {
         if rows[i].state == State::Coasted {
-            sure_from = i + RIM + 1;
+            missed = missed.max(RIM) + 1;
             rows[i.saturating_sub(RIM)..i].iter_mut().for_each(unsure);
-        } else if i < sure_from {
+        } else if i < sure_from || missed > 0 {
             unsure(&mut rows[i]);
+            missed = missed.saturating_sub(1);
         }
     }
     let rim = match end {

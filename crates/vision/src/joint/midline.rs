@@ -42,6 +42,8 @@ pub(super) struct Found {
     pub(super) stepped: bool,
     /// Depth of the row alone, by its own two sides.
     pub(super) own_depth: f32,
+    /// How far apart middles between the rims are that are found in other ways, pixels.
+    pub(super) asymmetry: f32,
     /// How much less the rows about look like the joint than most do: 1 at the limit.
     pub(super) unlike: f32,
 }
@@ -60,6 +62,11 @@ pub(super) struct Midline {
     single: Vec<f32>,
     readings: Vec<Reading>,
     arms: Vec<Arms>,
+    /// Sums over the rows before each.
+    arms_before: Vec<Arms>,
+    sums: Vec<[f64; 3]>,
+    /// Middles of the rows in the picture.
+    places: Vec<[f32; 2]>,
     rests: Vec<f32>,
     sorted: Vec<f32>,
 }
@@ -71,12 +78,12 @@ impl Midline {
         self.strip.unroll(picture, self.stations.iter().copied());
         self.strip.measure(look.width);
         self.contrast.clear();
-        self.contrast.resize(self.stations.len(), look.contrast);
+        self.contrast.extend(trail.places.iter().map(|p| p.contrast));
         for _ in 0..2 {
             self.lattice.weigh(&self.strip, |i| self.contrast[i]);
             self.lattice.best(|_| 0.0, &mut self.path);
             self.strip.noise = self.strip.noise_beside(&self.path, look.width);
-            self.follow_contrast(look.contrast);
+            self.follow_contrast(&trail.places);
         }
         let scale = (1 << look.level) as f32;
         let away = (2.0 / scale).max(0.5 * look.width).round().max(1.0) as usize;
@@ -109,11 +116,12 @@ impl Midline {
     }
 
     /// The joint's depth near each row, from rows where there is much of it.
-    fn follow_contrast(&mut self, known: f32) {
+    fn follow_contrast(&mut self, places: &[Place]) {
         const REACH: usize = 40;
         let count = self.path.len();
         let depth = |k: usize| self.strip.depth[k][self.path[k]];
-        for i in 0..count {
+        for (i, place) in places.iter().enumerate() {
+            let known = place.contrast;
             let near = (i.saturating_sub(REACH)..(i + REACH + 1).min(count)).step_by(3);
             let (mut sum, mut weight) = (4.0 * known, 4.0);
             for d in near.map(depth).filter(|d| *d > 0.4 * known) {
@@ -147,6 +155,8 @@ impl Midline {
             for i in 0..count {
                 self.readings[i] = profile.read(&self.strip.grey[i], self.centre[i], &mut self.arms[i]);
             }
+            self.sum_readings();
+            self.sum_arms();
             self.single.clear();
             for i in 0..count {
                 let (depth, step, error) = self.about(i);
@@ -158,6 +168,9 @@ impl Midline {
                 self.rows[i].depth = depth;
                 self.rows[i].own_depth = self.readings[i].depth;
             }
+            self.places.clear();
+            let middles = self.stations.iter().zip(&self.single);
+            self.places.extend(middles.map(|(station, middle)| station.beside(middle - MID as f32)));
             if round == 0 {
                 line = self.line_length(scale);
             }
@@ -171,6 +184,7 @@ impl Midline {
         self.compare(profile.reach());
         for i in 0..count {
             self.rows[i].at = self.stations[i].beside(self.centre[i] - MID as f32);
+            self.rows[i].asymmetry = profile.asymmetry(&self.mean(i, line));
             self.rows[i].width = profile.rims(&self.mean(i, AROUND)).map_or(width, |[left, right]| right - left);
         }
     }
@@ -209,13 +223,24 @@ impl Midline {
 
     /// Depth and step of the rows about, and the standard error of the step.
     fn about(&self, i: usize) -> (f32, f32, f32) {
-        let near = &self.readings[i.saturating_sub(AROUND)..(i + AROUND + 1).min(self.readings.len())];
-        let part = 1.0 / near.len() as f32;
-        let sum = |value: &dyn Fn(&Reading) -> f32| near.iter().map(value).sum::<f32>() * part;
-        let (depth, step) = (sum(&|r| r.depth), sum(&|r| r.step));
+        let (from, to) = (i.saturating_sub(AROUND), (i + AROUND + 1).min(self.readings.len()));
+        let part = 1.0 / (to - from) as f64;
+        let [depth, step, square] = std::array::from_fn(|k| (self.sums[to][k] - self.sums[from][k]) * part);
         // Neighbours are alike: of four rows one is independent.
-        let error = (sum(&|r| (r.step - step).powi(2)) * 4.0 * part).sqrt();
-        (depth, step, error)
+        let error = ((square - step * step).max(0.0) * 4.0 * part).sqrt();
+        (depth as f32, step as f32, error as f32)
+    }
+
+    /// Sums of depth, step and its square over the rows before each.
+    fn sum_readings(&mut self) {
+        let mut sum = [0.0; 3];
+        self.sums.clear();
+        self.sums.push(sum);
+        self.sums.extend(self.readings.iter().map(|r| {
+            let (depth, step) = (f64::from(r.depth), f64::from(r.step));
+            sum = [sum[0] + depth, sum[1] + step, sum[2] + step * step];
+            sum
+        }));
     }
 
     /// Rows that a parabola must have so that its error is small enough, by how centres scatter.
@@ -234,33 +259,36 @@ impl Midline {
     /// The parabola through the middles of seen rows about row `i`: where it crosses that row's line, and the standard
     /// error of that.
     fn fit(&self, i: usize, reach: usize) -> (f32, f32) {
-        let near = (i.saturating_sub(reach)..(i + reach + 1).min(self.single.len())).filter(|k| self.rows[*k].seen);
+        let near = i.saturating_sub(reach)..(i + reach + 1).min(self.single.len());
         let Station { at: [x0, y0], tangent: [cos, sin] } = self.stations[i];
-        let places = near.map(|k| {
-            let [x, y] = self.stations[k].beside(self.single[k] - MID as f32);
+        let scale = 1.0 / (reach + 1) as f32;
+        let places = near.filter(|k| self.rows[*k].seen).map(|k| {
+            let [x, y] = self.places[k];
             let (u, v) = ((x - x0) * cos + (y - y0) * sin, (y - y0) * cos - (x - x0) * sin);
-            (u, v, 1.0 - (k.abs_diff(i) as f32 / (reach + 1) as f32).powi(2))
+            (u, v, 1.0 - (k.abs_diff(i) as f32 * scale).powi(2))
         });
-        let Some(parabola) = Parabola::through(places.clone(), 1.0) else { return (self.centre[i], f32::INFINITY) };
-        let [at, slope, bend] = parabola.terms;
-        let (mut rest, mut weights) = (0.0, 0.0);
-        for (u, v, w) in places {
-            rest += w * (v - at - slope * u - bend * u * u).powi(2);
-            weights += w;
-        }
-        let error = (rest / weights * parabola.variance).sqrt();
-        (at + MID as f32, if weights > 4.0 { error } else { f32::INFINITY })
+        let Some(parabola) = Parabola::through(places, 1.0) else { return (self.centre[i], f32::INFINITY) };
+        let error = (parabola.rest * parabola.variance).sqrt();
+        (parabola.terms[0] + MID as f32, if parabola.weights > 4.0 { error } else { f32::INFINITY })
     }
 
     /// The mean of the rows about row `i`.
     fn mean(&self, i: usize, around: usize) -> Arms {
-        let near = &self.arms[i.saturating_sub(around)..(i + around + 1).min(self.arms.len())];
-        let mut mean: Arms = [[0.0; REACH]; 2];
-        let part = 1.0 / near.len() as f32;
-        for arms in near {
-            mean.iter_mut().flatten().zip(arms.iter().flatten()).for_each(|(m, a)| *m += part * a);
+        let (from, to) = (i.saturating_sub(around), (i + around + 1).min(self.arms.len()));
+        let part = 1.0 / (to - from) as f32;
+        let (before, after) = (&self.arms_before[from], &self.arms_before[to]);
+        std::array::from_fn(|side| std::array::from_fn(|t| (after[side][t] - before[side][t]) * part))
+    }
+
+    /// Sums of the arms over the rows before each.
+    fn sum_arms(&mut self) {
+        let mut sum: Arms = [[0.0; REACH]; 2];
+        self.arms_before.clear();
+        self.arms_before.push(sum);
+        for arms in &self.arms {
+            sum.iter_mut().flatten().zip(arms.iter().flatten()).for_each(|(s, a)| *s += a);
+            self.arms_before.push(sum);
         }
-        mean
     }
 
     /// True where both sides of the joint are in the picture.

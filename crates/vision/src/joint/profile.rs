@@ -3,6 +3,9 @@ use super::strip::{COLS, Line};
 /// Columns to one side of the middle at most.
 pub(super) const REACH: usize = 13;
 
+/// Parts of the depth at which the middles between rims are compared.
+const PARTS: [f32; 3] = [0.3, 0.5, 0.7];
+
 /// A row's grey values from a middle outwards: to the left and to the right.
 pub(super) type Arms = [[f32; REACH]; 2];
 
@@ -123,29 +126,63 @@ impl Profile {
     }
 
     /// The left and the right rim of a mean row, columns from its middle: where it is half as deep as its floor below the
-    /// metal on that side. None where a side is no lighter.
+    /// metal on the darker side. None where a side is no lighter.
     pub(super) fn rims(&self, arms: &Arms) -> Option<[f32; 2]> {
-        let at = |t: isize| arms[usize::from(t > 0)][t.unsigned_abs()];
-        let half = self.half as isize;
-        let smooth = |t: isize| 0.25 * at(t - 1) + 0.5 * at(t) + 0.25 * at(t + 1);
-        let floor_at = (-half..=half).min_by(|a, b| smooth(*a).total_cmp(&smooth(*b)))?;
-        let floor = at(floor_at);
-        let reach = self.reach as isize;
-        // The lightest metal on a side of the joint, over three columns; little more counts than there is on the darker side.
-        let base = |side: isize| {
-            let means = (half + 1..reach).map(|t| (at(side * (t - 1)) + at(side * t) + at(side * (t + 1))) / 3.0);
-            means.fold(f32::MIN, f32::max)
-        };
-        let bases = [base(-1), base(1)];
-        let most = floor + 1.5 * (bases[0].min(bases[1]) - floor);
-        let rim = |side: isize| {
-            let level = 0.5 * (bases[usize::from(side > 0)].min(most) + floor);
-            let k = (floor_at * side..reach).find(|k| at(side * (k + 1)) >= level)?;
-            let (low, rise) = (at(side * k), at(side * (k + 1)) - at(side * k));
-            (rise > 0.0).then(|| side as f32 * (k as f32 + ((level - low) / rise).clamp(0.0, 1.0)))
-        };
-        Some([rim(-1)?, rim(1)?])
+        let valley = self.valley(arms)?;
+        Some([self.rim(arms, &valley, -1, 0.5, 1.0)?, self.rim(arms, &valley, 1, 0.5, 1.0)?])
     }
+
+    /// How far apart the middles between rims are at several parts of the depth, and the middle itself, columns: little for a
+    /// valley that is the same on both sides. Each side's depth counts, or no more of it than the darker side's.
+    pub(super) fn asymmetry(&self, arms: &Arms) -> f32 {
+        let Some(valley) = self.valley(arms) else { return f32::INFINITY };
+        let (mut low, mut high) = (0.0f32, 0.0f32);
+        for most in [1.0, f32::INFINITY] {
+            for part in PARTS {
+                let rim = |side: isize| self.rim(arms, &valley, side, part, most);
+                let (Some(left), Some(right)) = (rim(-1), rim(1)) else { return f32::INFINITY };
+                let middle = 0.5 * (left + right);
+                (low, high) = (low.min(middle), high.max(middle));
+            }
+        }
+        high - low
+    }
+
+    fn valley(&self, arms: &Arms) -> Option<Valley> {
+        let half = self.half as isize;
+        let smooth = |t: isize| 0.25 * at(arms, t - 1) + 0.5 * at(arms, t) + 0.25 * at(arms, t + 1);
+        let floor_at = (-half..=half).min_by(|a, b| smooth(*a).total_cmp(&smooth(*b)))?;
+        let floor = at(arms, floor_at);
+        // The lightest metal on a side of the joint, over three columns.
+        let depth = |side: isize| {
+            let means = (half + 1..self.reach as isize)
+                .map(|t| (at(arms, side * (t - 1)) + at(arms, side * t) + at(arms, side * (t + 1))) / 3.0);
+            means.fold(f32::MIN, f32::max) - floor
+        };
+        Some(Valley { floor_at, floor, depths: [depth(-1), depth(1)] })
+    }
+
+    /// Where a side rises above a part of its depth, which counts up to `most` times that of the darker side.
+    fn rim(&self, arms: &Arms, valley: &Valley, side: isize, part: f32, most: f32) -> Option<f32> {
+        let [left, right] = valley.depths;
+        let depth = if side > 0 { right } else { left }.min(most * left.min(right));
+        let level = valley.floor + part * depth;
+        let k = (valley.floor_at * side..self.reach as isize).find(|k| at(arms, side * (k + 1)) >= level)?;
+        let (low, rise) = (at(arms, side * k), at(arms, side * (k + 1)) - at(arms, side * k));
+        (rise > 0.0).then(|| side as f32 * (k as f32 + ((level - low) / rise).clamp(0.0, 1.0)))
+    }
+}
+
+/// The floor of a mean row, where it is, and how far the metal on the left and on the right is above it.
+struct Valley {
+    floor_at: isize,
+    floor: f32,
+    depths: [f32; 2],
+}
+
+/// The grey value so many columns to the right of the middle.
+fn at(arms: &Arms, t: isize) -> f32 {
+    arms[usize::from(t > 0)][t.unsigned_abs()]
 }
 
 /// Weights that give how much of `wanted` is in a line, whatever there is of the others (orthogonal to each other).

@@ -60,16 +60,26 @@ impl Strip {
         for station in stations {
             let ([x, y], [cos, sin]) = (station.at, station.tangent);
             let mut row = [0.0; COLS];
-            for (j, grey) in row.iter_mut().enumerate() {
+            let place = |j: usize| {
                 let across = j as f32 - MID as f32;
+                (x - across * sin, y + across * cos)
+            };
+            let inside = |(px, py): (f32, f32)| px >= 0.0 && py >= 0.0 && px < right && py < bottom;
+            let within = inside(place(0)) && inside(place(COLS - 1));
+            for (j, grey) in row.iter_mut().enumerate() {
+                let (px, py) = place(j);
                 // Beyond the rim the rim goes on.
-                let (px, py) = ((x - across * sin).clamp(0.0, right), (y + across * cos).clamp(0.0, bottom));
+                let (px, py) = if within { (px, py) } else { (px.clamp(0.0, right), py.clamp(0.0, bottom)) };
                 let (left, top) = (px as usize, py as usize);
                 let (u, v) = (px - left as f32, py - top as f32);
-                let (next, below) = ((left + 1).min(width - 1), (top + 1).min(height - 1) * width);
-                let top = top * width;
-                let upper = pixel(top + left) * (1.0 - u) + pixel(top + next) * u;
-                let lower = pixel(below + left) * (1.0 - u) + pixel(below + next) * u;
+                let (next, down) = if within {
+                    (1, width)
+                } else {
+                    (usize::from(left + 1 < width), if top + 1 < height { width } else { 0 })
+                };
+                let at = top * width + left;
+                let upper = pixel(at) * (1.0 - u) + pixel(at + next) * u;
+                let lower = pixel(at + down) * (1.0 - u) + pixel(at + down + next) * u;
                 *grey = upper * (1.0 - v) + lower * v;
             }
             self.grey.push(row);

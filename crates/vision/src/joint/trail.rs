@@ -35,6 +35,8 @@ const CHORD: usize = 14;
 const CORNER: f32 = 0.6;
 /// Places leapt over at a time behind a corner.
 const LEAP: usize = 12;
+/// A joint whose depth changes is no lighter in its middle than it was by more than this part of its depth.
+const LIKE_FLOOR: f32 = 0.4;
 /// Part of the first rows that show a joint if there is one.
 const START_SEEN: f32 = 0.6;
 
@@ -43,6 +45,8 @@ const START_SEEN: f32 = 0.6;
 pub(super) struct Place {
     pub(super) at: [f32; 2],
     pub(super) seen: bool,
+    /// The joint's depth there, grey values.
+    pub(super) contrast: f32,
 }
 
 /// Why the trail ends.
@@ -60,6 +64,8 @@ pub(super) enum Stop {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Trail {
     pub(super) places: Vec<Place>,
+    /// Places up to which the joint is sure to go: from there on less is seen than not.
+    pub(super) solid: usize,
     strip: Strip,
     lattice: Lattice,
     path: Vec<usize>,
@@ -75,6 +81,8 @@ pub(super) struct Look {
     pub(super) width: f32,
     /// Depth, grey values.
     pub(super) contrast: f32,
+    /// Grey value in its middle.
+    pub(super) floor: f32,
     /// Standard deviation of a depth.
     pub(super) noise: f32,
     pub(super) axis: Axis,
@@ -113,7 +121,8 @@ impl Trail {
         let [offset, slope, _] = Parabola::through(across, 1e9)?.terms;
         let strength = contrast * (box_columns(width) as f32 * (1 << level) as f32).sqrt() * part;
         let axis = Axis { at: axis.station(0.0).beside(offset), heading: axis.heading + slope.atan(), curvature: 0.0 };
-        (part >= START_SEEN).then_some(Look { level, width, contrast, noise: self.strip.noise, axis, strength })
+        let (noise, floor) = (self.strip.noise, self.floor(width));
+        (part >= START_SEEN).then_some(Look { level, width, contrast, floor, noise, axis, strength })
     }
 
     /// The greatest mean depth of the first rows in columns near the axis.
@@ -145,7 +154,10 @@ impl Trail {
         limits: &Limits<F>,
     ) -> Stop {
         self.places.clear();
+        self.solid = 0;
         let (mut axis, mut gap, mut back, mut checked) = (look.axis, 0usize, 0usize, 0usize);
+        // Places that are not seen less those that are seen again: chance finds of texture add up to a gap.
+        let mut unseen = 0usize;
         loop {
             let from = back as f32;
             if gap > WIDER {
@@ -163,13 +175,16 @@ impl Trail {
                 if !(limits.inside)(at) || self.places.len() as f32 > limits.length {
                     return Stop::Rim;
                 }
-                self.places.push(Place { at, seen: self.seen[i] });
-                gap = if self.seen[i] { 0 } else { gap + 1 };
+                self.places.push(Place { at, seen: self.seen[i], contrast: look.contrast });
+                (gap, unseen) = if self.seen[i] { (0, unseen.saturating_sub(1)) } else { (gap + 1, unseen + 1) };
+                if unseen == 0 {
+                    self.solid = self.places.len();
+                }
                 if self.seen[i] && self.is_closed() {
                     return Stop::Closed;
                 }
                 // Rows at the rims of a gap are not seen to be the joint's.
-                if gap as f32 > limits.gap + SEEN_AROUND as f32 {
+                if unseen as f32 > limits.gap + SEEN_AROUND as f32 {
                     return Stop::Gap;
                 }
             }
@@ -180,6 +195,7 @@ impl Trail {
                 self.aside.extend_from_slice(&self.places[corner..]);
                 self.places.truncate(corner);
                 if let Some(beyond) = self.leap(picture, look, limits) {
+                    self.solid = self.solid.min(corner);
                     (axis, gap, back) = (beyond, 0, BACK);
                     continue;
                 }
@@ -202,7 +218,37 @@ impl Trail {
         let noise = self.strip.noise_beside(&self.path, look.width);
         look.noise += 0.3 * (noise.clamp(0.6 * look.noise, 1.5 * look.noise) - look.noise);
         self.judge(look.contrast);
+        if 2 * self.seen.iter().filter(|s| **s).count() >= ROWS {
+            return score;
+        }
+        self.see_in_other_light(look, 1.5 + 0.15 * gap as f32)
+    }
+
+    /// Where the light steps, so does the joint's depth: what is as dark as the joint was but not as deep is the joint too.
+    fn see_in_other_light(&mut self, look: &mut Look, free: f32) -> f32 {
+        for part in [0.5, 2.0] {
+            let contrast = part * look.contrast;
+            let score = self.find(contrast, free);
+            self.judge(contrast);
+            let seen = self.seen.iter().filter(|s| **s).count();
+            if 4 * seen >= 3 * ROWS && self.floor(look.width) < look.floor + LIKE_FLOOR * contrast.min(look.contrast) {
+                look.contrast = contrast;
+                return score;
+            }
+        }
+        let score = self.find(look.contrast, free);
+        self.judge(look.contrast);
         score
+    }
+
+    /// The mean grey value along the path where the joint is seen.
+    fn floor(&self, width: f32) -> f32 {
+        let (columns, half) = (box_columns(width) as f32, box_columns(width) / 2);
+        let seen = self.path.iter().zip(&self.strip.grey).zip(&self.seen).filter(|(_, seen)| **seen);
+        let (sum, count) = seen.fold((0.0, 0.0), |(sum, count), ((j, row), _)| {
+            (sum + row[j - half..=j + half].iter().sum::<f32>() / columns, count + 1.0)
+        });
+        sum / count
     }
 
     /// The axis or one beside it, where the joint is most likely after a gap.
@@ -236,6 +282,7 @@ impl Trail {
         let count = seen.clone().count();
         if count > ROWS / 3 {
             let mean = seen.map(|i| self.strip.depth[i][self.path[i]]).sum::<f32>() / count as f32;
+            look.floor += 0.5 * (self.floor(look.width) - look.floor);
             look.contrast += 0.5 * (mean.clamp(0.5 * look.contrast, 2.0 * look.contrast) - look.contrast);
         }
     }
@@ -291,7 +338,7 @@ impl Trail {
                 if !(limits.inside)(at) || i as f32 > limits.gap {
                     return None;
                 }
-                self.places.push(Place { at, seen: false });
+                self.places.push(Place { at, seen: false, contrast: look.contrast });
             }
             gone += LEAP;
             let there = Axis { at: axis.station(gone as f32).at, ..axis };
@@ -313,11 +360,11 @@ impl Trail {
         }
         let away = |a: [f32; 2], b: [f32; 2]| (b[0] - a[0]).hypot(b[1] - a[1]);
         let (first, last) = (places[0].at, places[count - 1].at);
-        if away(first, last) > 2.5 {
+        if away(first, last) > 3.5 {
             return false;
         }
         let heading = |a: [f32; 2], b: [f32; 2]| (b[1] - a[1]).atan2(b[0] - a[0]);
         let turn = heading(first, places[REACH].at) - heading(places[count - 1 - REACH].at, last);
-        turn.cos() > 0.9
+        turn.cos() > 0.8
     }
 }

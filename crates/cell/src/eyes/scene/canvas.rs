@@ -22,8 +22,6 @@ pub struct Disturbances {
     pub salt: f64,
     /// Radius of defocus, pixels (of a box, twice).
     pub defocus: usize,
-    /// How much darker the metal is on one side of a line through the place with this normal.
-    pub step: Option<(f64, DVec2, DVec2)>,
 }
 
 /// A frame being painted: metal, with what is darker or brighter on it.
@@ -45,6 +43,26 @@ impl Canvas {
     /// Darkens along a polyline by `depth`, a bell across it of full width `width` at half depth, pixels. `part` tells how
     /// much of the depth is there at each length along it, 0 to 1. It ends square, half a pixel soft.
     pub fn line(&mut self, points: &[DVec2], width: f64, depth: f64, part: impl Fn(f64) -> f64) {
+        let dark = self.bell(points, width, part);
+        self.light.iter_mut().zip(dark).for_each(|(l, d)| *l -= depth as f32 * d);
+    }
+
+    /// A gap along a polyline, painted like [`Self::line`]: as dark as `grey` in its middle whatever light there is beside it.
+    pub fn gap(&mut self, points: &[DVec2], width: f64, grey: f64) {
+        let dark = self.bell(points, width, |_| 1.0);
+        self.light.iter_mut().zip(dark).for_each(|(l, d)| *l += (grey as f32 - *l) * d);
+    }
+
+    /// Darkens one side of the line through a place with this normal by `depth`, a pixel soft.
+    pub fn step(&mut self, depth: f64, place: DVec2, normal: DVec2) {
+        for (i, light) in self.light.iter_mut().enumerate() {
+            let at = DVec2::new((i % self.width) as f64, (i / self.width) as f64);
+            *light -= (depth * (((at - place).dot(normal)).clamp(-1.0, 1.0) * 0.5 + 0.5)) as f32;
+        }
+    }
+
+    /// How much of a line's depth is at each pixel.
+    fn bell(&self, points: &[DVec2], width: f64, part: impl Fn(f64) -> f64) -> Vec<f32> {
         // The darkest of all pieces counts at a pixel: pieces overlap.
         let mut dark = vec![0.0f32; self.light.len()];
         let mut s = 0.0;
@@ -75,7 +93,7 @@ impl Canvas {
                 self.cut(&mut dark, end, out.normalize_or_zero(), reach);
             }
         }
-        self.light.iter_mut().zip(dark).for_each(|(l, d)| *l -= depth as f32 * d);
+        dark
     }
 
     /// Takes away what is painted beyond an end and no farther from it than `reach`.
@@ -139,10 +157,7 @@ impl Canvas {
         for (i, light) in self.light.iter_mut().enumerate() {
             let at = DVec2::new((i % self.width) as f64, (i / self.width) as f64);
             let (u, v) = (2.0 * at.x / width - 1.0, 2.0 * at.y / height - 1.0);
-            let mut shade = d.ramp[0] * u + d.ramp[1] * v - d.vignette * 0.5 * (u * u + v * v);
-            if let Some((depth, place, normal)) = d.step {
-                shade -= depth * (((at - place).dot(normal)).clamp(-1.0, 1.0) * 0.5 + 0.5);
-            }
+            let shade = d.ramp[0] * u + d.ramp[1] * v - d.vignette * 0.5 * (u * u + v * v);
             *light += shade as f32;
         }
     }

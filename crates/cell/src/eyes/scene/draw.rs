@@ -13,7 +13,7 @@ pub enum Kind {
     Faint,
     /// Parallel scratches 5 to 30 pixels beside the joint and some across.
     Scratches,
-    /// One side much darker than the other.
+    /// One side much darker than the other: a shadow's edge along the joint, which is darker than either side.
     Step,
     /// A second joint branches off.
     Branch,
@@ -29,11 +29,13 @@ pub enum Kind {
     Blank,
     /// No joint but scratches.
     OnlyScratches,
+    /// The same as a step, but on the joint too: where the light ends on it, the joint is not darker than both sides.
+    Shadow,
 }
 
 impl Kind {
     /// All of them, the ones without a joint last.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Clear,
         Self::Faint,
         Self::Scratches,
@@ -43,6 +45,7 @@ impl Kind {
         Self::Loop,
         Self::End,
         Self::Cross,
+        Self::Shadow,
         Self::Blank,
         Self::OnlyScratches,
     ];
@@ -55,6 +58,7 @@ impl Kind {
             Self::Faint => "faint",
             Self::Scratches => "scratches",
             Self::Step => "step",
+            Self::Shadow => "shadow",
             Self::Branch => "branch",
             Self::UTurn => "u-turn",
             Self::Loop => "loop",
@@ -108,9 +112,10 @@ pub fn scene(kind: Kind, seed: u64, size: usize) -> Scene {
     // Even in the logarithm: most joints are narrow.
     let width = 2.0 * 20f64.powf(r.within(0.0, 1.0) * if matches!(kind, Kind::UTurn | Kind::Loop) { 0.6 } else { 1.0 });
     let mut midline = midline(kind, side, width, r);
-    let mut canvas = Canvas::new(size, size, r.within(110.0, 170.0));
+    let metal = r.within(110.0, 170.0);
+    let mut canvas = Canvas::new(size, size, metal);
     let direction = heading(&midline, 0);
-    let mut disturbances = disturb(contrast / cnr, direction, r);
+    let disturbances = disturb(contrast / cnr, direction, r);
     let mut truth = Truth { midline: Vec::new(), width, cnr, tacks: Vec::new(), end: None, closed: kind == Kind::Loop };
     let jointless = matches!(kind, Kind::Blank | Kind::OnlyScratches);
     if !jointless {
@@ -119,18 +124,22 @@ pub fn scene(kind: Kind, seed: u64, size: usize) -> Scene {
             midline.truncate(keep);
             truth.end = midline.last().copied();
         }
-        canvas.line(&midline, width, contrast, |_| 1.0);
+        let darker = edge_of_light(kind, &midline, r);
+        if let (Kind::Step, Some((depth, place, normal))) = (kind, darker) {
+            canvas.step(depth, place, normal);
+            canvas.gap(&midline, width, metal - depth - contrast);
+        } else {
+            canvas.line(&midline, width, contrast, |_| 1.0);
+        }
+        if let (Kind::Shadow, Some((depth, place, normal))) = (kind, darker) {
+            canvas.step(depth, place, normal);
+        }
         other_joint(kind, &midline, width, contrast, &mut canvas, r);
     }
     if matches!(kind, Kind::Scratches | Kind::OnlyScratches) {
         scratches(&midline, contrast, &mut canvas, r);
     }
-    if kind == Kind::Step {
-        let place = midline[midline.len() / 2];
-        let normal = DVec2::from_angle(heading(&midline, midline.len() / 2)).perp();
-        disturbances.step = Some((r.within(20.0, 50.0), place + normal * r.within(-30.0, 30.0), normal));
-    }
-    let tacked = matches!(kind, Kind::Clear | Kind::Faint | Kind::Scratches | Kind::Step);
+    let tacked = matches!(kind, Kind::Clear | Kind::Faint | Kind::Scratches | Kind::Step | Kind::Shadow);
     if tacked && r.chance(0.7) {
         let radius = (r.within(0.0, 40.0)).max(0.6 * width);
         let at = midline[(midline.len() as f64 * r.within(0.35, 0.7)) as usize];
@@ -154,6 +163,16 @@ pub fn scene(kind: Kind, seed: u64, size: usize) -> Scene {
 fn heading(midline: &[DVec2], i: usize) -> f64 {
     let to = (i + 12).min(midline.len() - 1);
     (midline[to] - midline[to.saturating_sub(12)]).to_angle()
+}
+
+/// How much darker the metal is beyond a line through a place with a normal; the line runs along the joint's middle.
+fn edge_of_light(kind: Kind, midline: &[DVec2], r: &mut Random) -> Option<(f64, DVec2, DVec2)> {
+    if !matches!(kind, Kind::Step | Kind::Shadow) {
+        return None;
+    }
+    let place = midline[midline.len() / 2];
+    let normal = DVec2::from_angle(heading(midline, midline.len() / 2)).perp();
+    Some((r.within(20.0, 50.0), place + normal * r.within(-30.0, 30.0), normal))
 }
 
 fn midline(kind: Kind, side: f64, width: f64, r: &mut Random) -> Vec<DVec2> {
@@ -220,7 +239,6 @@ fn disturb(noise: f64, direction: f64, r: &mut Random) -> Disturbances {
         charging: noise * charging,
         salt,
         defocus,
-        step: None,
     }
 }
 
