@@ -1,5 +1,5 @@
 use crate::Sample;
-use crate::tracking::HeadSummary;
+use crate::tracking::{AlarmAt, HeadSummary};
 use seamwright_machine::{Joints, Machine};
 use seamwright_motion::PassMotion;
 use seamwright_program::{Finding, Tolerance};
@@ -126,7 +126,11 @@ impl Summary {
         let (path, limit) = (self.path_error_mm.max, tolerance.path_mm.get());
         if path > limit {
             let message = format!("the simulated torch tip strays {path:.3} mm from the seam; {limit} mm is allowed");
-            let cure = "look at the following errors: tune the position loops, or weld slower";
+            let cure = match self.heads.first() {
+                None => "look at the following errors: tune the position loops, or weld slower",
+                Some(head) if head.tracked => "look at what tracking tells: sensor, speed and reach of the corrections",
+                Some(_) => "track the seam, or place the part as it was planned",
+            };
             findings.push(finding("path", message, self.path_error_at_mm, cure, false));
         }
         let (ripple, limit) = (100.0 * self.speed_ripple.unwrap_or(0.0), tolerance.speed_percent.get());
@@ -135,6 +139,12 @@ impl Summary {
                 format!("the simulated tip's speed deviates {ripple:.1} % from the planned one; {limit} % is allowed");
             let cure = "finer encoders, softer position loops, less friction, or a higher speed";
             findings.push(finding("ripple", message, self.speed_ripple_at_mm, cure, false));
+        }
+        if let Some((head, at)) = self.heads.iter().find_map(|h| Some((h, h.stopped_mm?))) {
+            let why = head.alarms.last().map_or_else(|| "another head stopped".to_owned(), AlarmAt::text);
+            let message = format!("the weld was stopped at {at:.1} mm: {why}; nothing was welded after it");
+            let cure = "place the part nearer to where it was planned, mend the sensor, or weld slower";
+            findings.push(finding("stopped", message, at, cure, false));
         }
         for axis in self.axes.iter().filter(|a| a.current > 0.999) {
             let message = format!("the drive of axis {} reaches its current limit", axis.axis);

@@ -4,16 +4,24 @@ use seamwright_cell::tracking::{Distortion, RESERVE, cross_talk};
 use seamwright_cell::{Conditions, Error, Sample, Summary, simulate};
 use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
-use seamwright_program::{Pass, TorchPath};
+use seamwright_program::{Pass, Tolerance, TorchPath};
 use seamwright_weld::Welding;
 
 struct Weld {
     machine: Machine,
     summary: Summary,
+    summaries: Vec<Summary>,
     samples: Vec<Sample>,
 }
 
 fn weld(job: &str, distortion: &str, tracking: bool, seed: u64) -> Result<Weld, Error> {
+    let mut weld = welds(job, distortion, tracking, seed, 1)?;
+    weld.summaries.truncate(1);
+    Ok(weld)
+}
+
+/// The job's pass so many times, one after the other.
+fn welds(job: &str, distortion: &str, tracking: bool, seed: u64, times: usize) -> Result<Weld, Error> {
     let welding = Welding::read("job.toml", job).unwrap();
     let program = &welding.program.value;
     let machine = Machine::read("m.toml", shipped(&program.machine).unwrap().text).unwrap();
@@ -21,15 +29,15 @@ fn weld(job: &str, distortion: &str, tracking: bool, seed: u64) -> Result<Weld, 
     let planned_on = machine.with_reserve(if tracking { RESERVE } else { 0.0 });
     let around = Surroundings::new(&planned_on, &Clamped::default()).unwrap();
     let path = welding.path(0);
-    let passes: [(&dyn TorchPath, &Pass); 1] = [(&path, &program.passes[0])];
+    let passes: Vec<(&dyn TorchPath, &Pass)> = vec![(&path, &program.passes[0]); times];
     let motion = WeldMotion::plan(&planned_on, &around, &passes, 30.0).unwrap();
     let mut samples = Vec::new();
     let conditions = Conditions { seed, distortion: Some(&distortion), tracking };
-    let mut summaries = simulate(&machine, &passes, &motion, conditions, |s| {
+    let summaries = simulate(&machine, &passes, &motion, conditions, |s| {
         samples.push(*s);
         Ok::<(), Error>(())
     })?;
-    Ok(Weld { machine, summary: summaries.remove(0), samples })
+    Ok(Weld { machine, summary: summaries[0].clone(), summaries, samples })
 }
 
 const SADDLE: &str = include_str!("../../../examples/saddle.toml");
@@ -88,6 +96,54 @@ fn two_fillets_with_their_own_slides() {
     assert_eq!(first.samples.len(), second.samples.len());
 }
 
+/// Two passes, each tracked: between them the axes go back to the plan, and nowhere does a set-point jump; the second sees
+/// the same part and is as good as the first.
+#[test]
+fn two_passes_without_a_jump() {
+    let far = "schema = 1\n[placement]\nshift_mm = [1, -1.5, 1]\nturn = [0, 0, 1]\nangle_deg = 0.3\n\
+               [[displacement]]\nbend = { most_mm = 1 }\n";
+    let weld = welds(SADDLE, far, true, 4, 2).unwrap();
+    let (speed, acceleration) = used(&weld);
+    assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
+    let [first, second] = &weld.summaries[..] else { panic!() };
+    let (first, second) = (&first.heads[0], &second.heads[0]);
+    assert!(first.miss_p99_mm < 0.05 && second.miss_p99_mm < 0.05, "{first:?} {second:?}");
+    assert!((first.untracked_p99_mm - second.untracked_p99_mm).abs() < 1e-9, "{first:?} {second:?}");
+    assert!(weld.summaries.iter().all(|s| s.findings(&Tolerance::default(), 1).iter().all(|f| f.allowed)));
+}
+
+/// Two heads whose fillets drift apart by more than the slides reach: slowed down, then stopped, without a jump; the weld is
+/// no success, and nothing is welded after it.
+#[test]
+fn heads_that_drift_too_far_apart_stop() {
+    let apart = "schema = 1\n[[displacement]]\nhead = 1\nramp = { from_mm = 100, to_mm = 1100, by = { lateral_mm = 16 } }\n\
+                 [[displacement]]\nhead = 2\nramp = { from_mm = 100, to_mm = 1100, by = { lateral_mm = 16 } }\n";
+    let weld = welds(T_JOINT, apart, true, 2, 2).unwrap();
+    let [first, second] = &weld.summaries[..] else { panic!() };
+    let stopped = first.heads[0].stopped_mm.expect("stopped");
+    assert!((500.0..1100.0).contains(&stopped), "{first:?}");
+    let told = |what: &str| first.heads.iter().any(|head| head.alarms.iter().any(|a| a.alarm.contains(what)));
+    assert!(told("near its end") && told("at its end"), "{first:?}");
+    assert!(first.heads.iter().all(|head| head.miss_most_mm < 0.3), "{:?}", first.heads);
+    let (speed, acceleration) = used(&weld);
+    assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
+    assert!(first.findings(&Tolerance::default(), 1).iter().any(|f| f.kind == "stopped" && !f.allowed));
+    assert!(second.heads.is_empty() && weld.samples.iter().all(|s| s.pass < 2));
+}
+
+/// A joint that the sensor never sees: told, and stopped.
+#[test]
+fn a_joint_that_is_never_seen() {
+    let hidden = "schema = 1\n[placement]\nshift_mm = [0, 0, 14]\n";
+    let weld = weld(SADDLE, hidden, true, 1).unwrap();
+    let head = &weld.summary.heads[0];
+    assert!(head.stopped_mm.is_some_and(|at| at < 50.0), "{head:?}");
+    assert!(
+        head.alarms.iter().any(|a| a.alarm.contains("nothing seen"))
+            && head.alarms.iter().any(|a| a.alarm == "joint lost")
+    );
+}
+
 /// A part that lies farther off than the slides reach: the gantry that carries them takes over what is common to both.
 #[test]
 fn axes_take_over_from_slides_near_their_ends() {
@@ -136,7 +192,10 @@ fn what_cannot_be_reached_stops_the_weld() {
     assert!((100.0..400.0).contains(&stopped), "{head:?}");
     assert!(head.alarms.iter().any(|a| a.alarm.contains("at its end")), "{head:?}");
     assert!(head.miss_most_mm < 0.5, "{head:?}");
-    assert!(!weld.samples.last().unwrap().arc());
+    let (speed, acceleration) = used(&weld);
+    assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
+    let after = weld.samples.iter().skip_while(|s| !s.arc()).skip_while(|s| s.arc());
+    assert!(after.clone().count() > 0 && after.clone().all(|s| !s.arc()), "the arc is off for good");
 }
 
 /// A machine without a sensor that leads cannot track, and says what it would need.

@@ -1,15 +1,16 @@
 mod cell;
 mod measure;
+mod off_path;
 mod tracked;
 
 use crate::summary::Summary;
-use crate::tracking::{Distortion, PassScene};
+use crate::tracking::{Distortion, PassScene, Whole};
 use crate::{Error, Sample};
 use cell::SimulatedCell;
 use seamwright_machine::Machine;
 use seamwright_motion::{Stage, WeldMotion};
 use seamwright_program::{Pass, TorchPath};
-use tracked::play_tracked;
+use tracked::TrackedPass;
 
 /// Under what a weld is simulated.
 #[derive(Debug, Clone, Copy, Default)]
@@ -26,7 +27,8 @@ pub struct Conditions<'a> {
 /// Plays `motion`, whose passes are `passes`, on simulated drives, one set-point a servo period, from the start of
 /// the first weld to the end of the last, and shows every period's [`Sample`] to `observer`. A summary of each pass.
 ///
-/// The observer's errors end the simulation.
+/// A tracked pass that is stopped ends it: the torch stands there, and later passes are not welded. The observer's errors
+/// end it too.
 ///
 /// # Errors
 /// [`Error::Drive`] if the machine file's drive values make no drive; [`Error::Tracking`] for a pass that cannot be
@@ -41,23 +43,30 @@ pub fn simulate<E: From<Error>>(
     let period = machine.servo_period_s;
     let mut cell = SimulatedCell::new(machine, passes, motion, conditions.seed, observer)?;
     let hidden = conditions.distortion.is_some() || conditions.tracking;
+    let whole = Whole::of(passes);
     let mut heads = vec![Vec::new(); motion.passes.len()];
     for stage in motion.stages(false) {
         let begun = cell.count();
         match stage {
             Stage::Pass(i, planned) if hidden && planned.arc && !passes[i].0.is_timed() => {
-                let scene = PassScene::new(passes[i], conditions.distortion);
+                let scene = PassScene::new(passes[i], conditions.distortion, whole);
                 let carrier = conditions.tracking.then(|| scene.carrier(machine, planned)).transpose();
                 let mut carrier = carrier.map_err(Error::from)?;
                 let live = scene.heads(machine, planned, carrier.as_ref(), conditions.seed);
                 let mut live = live.map_err(Error::from)?;
-                match &mut carrier {
-                    Some(carrier) => play_tracked(&mut cell, machine, (i + 1, planned), (&mut live, carrier))?,
+                let done = match &mut carrier {
+                    Some(carrier) => {
+                        TrackedPass { cell: &mut cell, machine, number: i + 1, planned }.play(&mut live, carrier)?
+                    }
                     None => {
                         stage.play(period, begun, &mut |pass, set, rates| cell.show(pass, set, &rates, &mut live))?;
+                        true
                     }
-                }
+                };
                 heads[i] = live.into_iter().map(|head| head.finish(machine)).collect();
+                if !done {
+                    break;
+                }
             }
             _ => {
                 stage.play(period, begun, &mut |pass, set, rates| cell.show(pass, set, &rates, &mut []))?;

@@ -45,8 +45,15 @@ impl<'a> Carrier<'a> {
         }
         let slide = least.unwrap_or(axes);
         let authority = Authority::new(slide, axes, machine.servo_period_s)?;
-        let limits = authority.limits();
+        // What the axes take over is common: of two heads that drift apart each has its slide alone.
+        let stroke_mm = if heads > 1 { slide.stroke_mm } else { authority.limits().stroke_mm };
+        let limits = SlideLimits { stroke_mm, ..authority.limits() };
         Ok(Self { machine, over, slides, authority: Some(authority), limits })
+    }
+
+    /// What moves all heads together.
+    pub(crate) fn carrying(&self) -> OverAxes<'a> {
+        if self.slides.is_empty() { OverAxes::new(self.machine) } else { OverAxes::carrying_all(self.machine) }
     }
 
     /// What corrections may do, lateral and height each.
@@ -112,7 +119,7 @@ fn slide_limits(
     q: &Joints,
     frame: &SeamFrame,
 ) -> Result<SlideLimits, Error> {
-    let none = || Error::NoSlide { machine: machine.name.clone(), head: head + 1 };
+    let none = || Error::SlidesAside { machine: machine.name.clone(), head: head + 1 };
     let by_slide = slides_by(machine, head, axes, q, frame).ok_or_else(none)?;
     let one = |k: usize| {
         let (i, axis) = (axes[k], &machine.axes[axes[k]]);

@@ -6,8 +6,8 @@ use seamwright_machine::Machine;
 use seamwright_motion::WeldMotion;
 use seamwright_program::{Pass, TorchPath};
 
-/// By how much the first fillet is displaced, mm: to and fro, far enough that the carrier of both heads has to move.
-const SIZE_MM: f64 = 9.0;
+/// By how much the first fillet is displaced, mm: to and fro, so far that the carrier of both heads has to move a little.
+const SIZE_MM: f64 = 7.5;
 const LENGTH_MM: f64 = 1500.0;
 
 /// How much of what one head has to correct is found in the other's weld: a pass with two heads is welded with the first

@@ -39,6 +39,28 @@ pub enum Error {
         /// Least and greatest.
         ahead_mm: [f64; 2],
     },
+    /// A torch that does not go along the seam's line.
+    #[error(
+        "pass `{pass}` {what}: a part that lies elsewhere is simulated only where the torch goes along the seam's line; \
+         allowed is a pass without weave and blended corners, or no distortion file"
+    )]
+    OffLine {
+        /// Name of the pass.
+        pass: String,
+        /// What it does.
+        what: &'static str,
+    },
+    /// The slides of a head do not span the plane square to its seam.
+    #[error(
+        "the cross slides of head {head} of machine {machine} cannot move the torch to all sides of this seam; allowed are \
+         two [[heads.steps]] whose `move` lies across the seam, in different directions"
+    )]
+    SlidesAside {
+        /// Name of the machine.
+        machine: String,
+        /// Counted from 1.
+        head: usize,
+    },
     /// A distortion file.
     #[error("{0}")]
     Distortion(String),

@@ -31,22 +31,30 @@ pub use error::Error;
 pub(crate) use live_head::LiveHead;
 pub use live_head::{AlarmAt, HeadSample, HeadSummary};
 pub use motion::Leg;
-pub(crate) use pass_scene::PassScene;
+pub(crate) use pass_scene::{PassScene, Whole};
 pub use rig::{Method, Outcome, run};
 pub use scenario::{HeadScene, Scenario, Seam};
 pub use seamwright_tracking::actuator::RESERVE;
 pub use sensor::{Fault, Sees, SensorModel};
 pub use world::{Along, Placement, World};
 
-/// Looks whether every pass with an arc can be tracked on `machine`.
+/// Looks whether every pass with an arc can be simulated on a part that lies elsewhere, and `tracked` on `machine`.
 ///
 /// # Errors
-/// The first that cannot: no sensor that leads, too short a lead, axes that cannot correct.
-pub fn check(machine: &Machine, passes: &[(&dyn TorchPath, &Pass)], motion: &WeldMotion) -> Result<(), Error> {
-    let tracked = passes.iter().zip(&motion.passes).filter(|((path, _), planned)| planned.arc && !path.is_timed());
-    for (pass, planned) in tracked {
-        let scene = PassScene::new(*pass, None);
-        scene.heads(machine, planned, Some(&scene.carrier(machine, planned)?), 0)?;
+/// The first that cannot: one that weaves or blends corners; no sensor that leads, too short a lead, axes that cannot
+/// correct.
+pub fn check(
+    machine: &Machine,
+    passes: &[(&dyn TorchPath, &Pass)],
+    motion: &WeldMotion,
+    tracked: bool,
+) -> Result<(), Error> {
+    let whole = Whole::of(passes);
+    let hidden = passes.iter().zip(&motion.passes).filter(|((path, _), planned)| planned.arc && !path.is_timed());
+    for (pass, planned) in hidden {
+        let scene = PassScene::new(*pass, None, whole);
+        let carrier = tracked.then(|| scene.carrier(machine, planned)).transpose()?;
+        scene.heads(machine, planned, carrier.as_ref(), 0)?;
     }
     Ok(())
 }

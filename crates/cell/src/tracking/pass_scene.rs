@@ -11,7 +11,7 @@ use seamwright_tracking::lead::{OwnCurve, Settings};
 
 /// Places along a pass at which sensors and axes are looked at before it is welded.
 const PLACES: u32 = 120;
-/// Part of its greatest lead that a sensor may lose along a pass.
+/// Part of its greatest lead that a sensor must keep along a pass.
 const LEAD_KEPT: f64 = 0.9;
 /// What is needed for a place on the seam to be known before the torch is there, beside the sensor's lead, mm.
 pub(crate) const SIGHTING_MM: f64 = 6.0;
@@ -21,17 +21,43 @@ pub(crate) struct PassScene<'a> {
     path: &'a dyn TorchPath,
     pass: &'a Pass,
     distortion: Option<&'a Distortion>,
+    whole: Whole,
     /// One for each torch that welds.
     seams: Vec<Seam>,
 }
 
+/// The whole weld, which all its passes are bent and turned with.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Whole {
+    /// About it the part is turned, mm.
+    middle: DVec3,
+    /// Of the longest pass, mm.
+    length_mm: f64,
+}
+
+impl Whole {
+    /// Of these passes: the middle is that of the longest.
+    pub(crate) fn of(passes: &[(&dyn TorchPath, &Pass)]) -> Self {
+        let longest = passes.iter().map(|(path, _)| *path).max_by(|a, b| a.length().total_cmp(&b.length()));
+        let Some(path) = longest else { return Self { middle: DVec3::ZERO, length_mm: 0.0 } };
+        let seam = Seam::along(path);
+        let way = seam.round_mm.unwrap_or(seam.length_mm);
+        let places = (0..PLACES).map(|i| (seam.frame)(way * f64::from(i) / f64::from(PLACES)).point);
+        Self { middle: places.sum::<DVec3>() / f64::from(PLACES), length_mm: seam.length_mm }
+    }
+}
+
 impl<'a> PassScene<'a> {
-    pub(crate) fn new((path, pass): (&'a dyn TorchPath, &'a Pass), distortion: Option<&'a Distortion>) -> Self {
+    pub(crate) fn new(
+        (path, pass): (&'a dyn TorchPath, &'a Pass),
+        distortion: Option<&'a Distortion>,
+        whole: Whole,
+    ) -> Self {
         let mut seams = vec![Seam::along(path)];
         if path.second(0.0).is_some() {
             seams.push(Seam::along(&Second(path)));
         }
-        Self { path, pass, distortion, seams }
+        Self { path, pass, distortion, whole, seams }
     }
 
     /// What corrects the heads that weld it.
@@ -59,6 +85,7 @@ impl<'a> PassScene<'a> {
         carrier: Option<&Carrier<'_>>,
         seed: u64,
     ) -> Result<Vec<LiveHead<'b>>, Error> {
+        self.check_plain(planned)?;
         let heads = self.seams.iter().enumerate();
         let live = heads.map(|(number, seam)| {
             let world = self.world(number, seam, seed);
@@ -71,25 +98,29 @@ impl<'a> PassScene<'a> {
         live.collect()
     }
 
+    /// The torch goes along the seam's line: neither weave nor blends lead it off.
+    fn check_plain(&self, planned: &PassMotion) -> Result<(), Error> {
+        let what = if self.path.swing(0.0).is_some() {
+            "weaves"
+        } else if !planned.path.blends().is_empty() {
+            "goes round corners in blends"
+        } else {
+            return Ok(());
+        };
+        Err(Error::OffLine { pass: self.pass.name.clone(), what })
+    }
+
     fn world<'b>(&self, number: usize, seam: &'b Seam, seed: u64) -> World<'b> {
         let along = Along { begin_mm: self.pass.begin_mm.get(), reverse: self.pass.reverse, round_mm: seam.round_mm };
         let (displacement, placement) = match self.distortion {
             Some(distortion) => {
-                let length = (seam.length_mm, seam.round_mm);
-                (distortion.displacement(number, length, seed), distortion.placement(self.middle()))
+                let length = (self.whole.length_mm, seam.round_mm);
+                (distortion.displacement(number, length, seed), distortion.placement(self.whole.middle))
             }
             None => (Displacement::default(), Placement::RIGHT),
         };
         let ends_mm = seam.round_mm.is_none().then_some((0.0, seam.length_mm));
         World { taught: &*seam.frame, displacement, placement, along, ends_mm }
-    }
-
-    /// The middle of the first seam: about it the part is turned.
-    fn middle(&self) -> DVec3 {
-        let seam = &self.seams[0];
-        let way = seam.round_mm.unwrap_or(seam.length_mm);
-        let places = (0..PLACES).map(|i| (seam.frame)(way * f64::from(i) / f64::from(PLACES)).point);
-        places.sum::<DVec3>() / f64::from(PLACES)
     }
 
     fn tracking(

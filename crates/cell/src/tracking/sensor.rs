@@ -70,6 +70,8 @@ impl SensorModel {
 pub(super) struct Sensor {
     model: SensorModel,
     random: Pcg64Mcg,
+    /// When it exposed first.
+    begun_s: Option<f64>,
     next_s: f64,
     count: u64,
     under_way: VecDeque<(f64, Option<Measurement>)>,
@@ -87,6 +89,7 @@ impl Sensor {
         Self {
             model,
             random,
+            begun_s: None,
             next_s: 0.0,
             count: 0,
             under_way: VecDeque::new(),
@@ -97,12 +100,13 @@ impl Sensor {
 
     /// Exposes if it is time, with the torch at `s` and the slide at `slide`.
     pub(super) fn look(&mut self, world: &World<'_>, t: f64, s: f64, slide: DVec2) {
+        let begun = *self.begun_s.get_or_insert(t);
         if t + 1e-9 < self.next_s {
             return;
         }
         let SensorModel { period_s, latency_s, jitter, .. } = self.model;
         self.count += 1;
-        self.next_s = period_s * (self.count as f64 + jitter * (uniform(&mut self.random) - 0.5));
+        self.next_s = begun + period_s * (self.count as f64 + jitter * (uniform(&mut self.random) - 0.5));
         let mut seen = self.seen(world, s, slide);
         // Arrivals come up to a period sooner or later.
         let mut arrives = t + latency_s + jitter * period_s * (2.0 * uniform(&mut self.random) - 1.0);

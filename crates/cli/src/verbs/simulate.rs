@@ -26,9 +26,9 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let reserve = if tracking { RESERVE } else { 0.0 };
     let motion = loaded.plan_on(&loaded.machine.with_reserve(reserve))?;
     loaded.check_count(&motion, loaded.machine.servo_period_s)?;
-    if tracking {
+    if distortion.is_some() {
         let paths = loaded.paths();
-        check(&loaded.machine, &loaded.passes(&paths), &motion)?;
+        check(&loaded.machine, &loaded.passes(&paths), &motion, tracking)?;
     }
     let mut output = Output::new(&args.output)?;
     let report = weld(&loaded, &motion, conditions, &mut output)?;

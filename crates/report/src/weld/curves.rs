@@ -77,8 +77,9 @@ impl SimulationCurves {
         self.path_error.add(s, sample.path_error);
         self.tip_speed.add(s, sample.tip_speed);
         self.attitude.add(s, sample.attitude_error.to_degrees());
-        for (i, head) in sample.heads.iter().flatten().enumerate() {
-            if self.heads.len() <= i {
+        for (i, head) in sample.heads.iter().enumerate() {
+            let Some(head) = head else { continue };
+            while self.heads.len() <= i {
                 self.heads.push(HeadCurves::new(self.length));
             }
             self.heads[i].add(s, head);

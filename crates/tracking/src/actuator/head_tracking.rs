@@ -11,7 +11,7 @@ const BLIND_PERIODS: f64 = 10.0;
 /// Slowest that the torch goes while a correction fades out or comes to its end, as a part of its speed.
 const FADING_SPEED: f64 = 0.25;
 
-/// What is wrong, each worse than the one before.
+/// What is wrong; from [`Alarm::Blind`] on each is worse than the one before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Alarm {
     /// The seam, here or ahead, needs more than 80 % of a slide's stroke, or of what the axes may carry the gun.
@@ -110,6 +110,8 @@ pub struct HeadTracking {
     target: DVec2,
     /// When and where anything of use came last.
     taken: Option<(f64, f64)>,
+    /// When and where on the seam the torch was first.
+    begun: Option<(f64, f64)>,
     /// Where the torch is, mm.
     here_mm: f64,
     /// The last measurement that was of no use since, and when it came.
@@ -138,6 +140,7 @@ impl HeadTracking {
             ordered,
             target,
             taken: None,
+            begun: None,
             here_mm: 0.0,
             unused: None,
             following: Following::default(),
@@ -172,6 +175,9 @@ impl HeadTracking {
         let settings = *self.tracker.settings();
         let way = speed.abs() * settings.notice_s;
         self.here_mm = now.s_mm;
+        if now.s_mm > 0.0 {
+            self.begun.get_or_insert((now.t_s, now.s_mm));
+        }
         self.tracker.advance(now, now.s_mm + way);
         self.stuck = self.following.is_stuck(now.t_s, now.slide.distance(self.ordered));
         let estimate = self.tracker.at(now.s_mm);
@@ -190,7 +196,8 @@ impl HeadTracking {
         let settings = self.tracker.settings();
         let long_ago = |since: f64| now.t_s - since > BLIND_PERIODS * settings.period_s;
         let blind = |(t, s): (f64, f64)| long_ago(t) && (now.s_mm - s).abs() > settings.coast_mm();
-        if !self.taken.is_some_and(blind) {
+        // Nothing yet counts from where the seam begins.
+        if !self.taken.or(self.begun).is_some_and(blind) {
             return None;
         }
         Some(match self.unused {
@@ -230,8 +237,11 @@ impl HeadTracking {
         let mut pace = if needed > 1.0 { 1.0 / needed } else { 1.0 };
         let reach = (ahead.value / stroke).max_element();
         let blind = self.cause(now).is_some();
+        let never = self.begun.filter(|_| self.taken.is_none());
+        let lost = settings.coast_mm() + settings.fade_mm;
         let alarm = match here.sight {
             Sight::Lost => Alarm::Lost,
+            _ if never.is_some_and(|(_, from)| now.s_mm - from > lost) => Alarm::Lost,
             _ if here.value.abs().cmpgt(stroke).any() => Alarm::StrokeEnd,
             Sight::Fading => Alarm::FadingOut,
             Sight::Unseen if self.taken.is_some() => Alarm::Unknown,

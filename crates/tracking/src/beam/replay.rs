@@ -131,6 +131,8 @@ pub struct BeamReplay<'a> {
     following: Following,
     history: History,
     differences: ArrayVec<f64, MOST>,
+    /// When it was begun, s.
+    begun_s: Option<f64>,
     frames: usize,
     judged: Option<Result<Fit, Misfit>>,
     carried: f64,
@@ -161,6 +163,7 @@ impl<'a> BeamReplay<'a> {
             history: History::new((oldest_s / cycle_s).ceil() as usize + 2),
             differences: ArrayVec::new(),
             frames: 0,
+            begun_s: None,
             judged: None,
             carried: 0.0,
             settings,
@@ -236,6 +239,12 @@ impl<'a> BeamReplay<'a> {
         };
         let looks = self.judged.is_none() && self.settings.frames > 0;
         let beam = if looks { self.schedule.at(now.t_s, true) } else { Beam::Weld };
+        // A camera that sends nothing shows nothing.
+        let since = *self.begun_s.get_or_insert(now.t_s);
+        let every = (self.settings.frames + 1) as f64 * self.settings.period_s + self.settings.oldest_s;
+        if looks && now.t_s - since > every {
+            self.judged = Some(self.fit());
+        }
         let (deflection_mm, carried_mm) = (shares.deflection, shares.carried);
         Orders { beam, deflection_mm, carried_mm, pace, alarm, estimate }
     }
