@@ -329,6 +329,15 @@ fn what_cannot_be_replayed_is_refused() {
     let misfit = head.judged().unwrap().unwrap_err();
     assert_eq!(misfit, Misfit::Unseen { points: 0, frames: 3 });
     assert!(misfit.to_string().contains("0 points in 3 frames"), "{misfit}");
+    // A camera that sends nothing: the weld stops all the same.
+    let replay = Replay::new(recorded(200.0), 0.0, 150.0, 0.03).unwrap();
+    let mut head = BeamReplay::new(ReplaySettings::USUAL, replay, &ring, BEAM, AXES).unwrap();
+    let stops = (1..5000u32).find(|i| {
+        let t = f64::from(*i) * CYCLE;
+        head.cycle(Moment { t_s: t, s_mm: 10.0 * t, slide: DVec2::ZERO }, 10.0).pace <= 0.0
+    });
+    assert!(stops.is_some_and(|i| i < 2000), "{stops:?}");
+    assert_eq!(head.judged().unwrap().unwrap_err(), Misfit::Unseen { points: 0, frames: 0 });
 }
 
 /// Axes that do not carry the gun where they are sent.

@@ -64,6 +64,7 @@ fn five_axes_go_where_the_inverse_says() {
     for name in ["torch-5axis", "table-tilting-xyzac"] {
         let machine = machine(name);
         let mut random = Pcg64Mcg::seed_from_u64(11);
+        let mut compared = 0;
         for _ in 0..1000 {
             let q = somewhere(&machine, &mut random);
             let by = to_a_side(&mut random, 2.0);
@@ -72,10 +73,12 @@ fn five_axes_go_where_the_inverse_says() {
             let target = Pose { point: planned.point + by, ..planned };
             let (Ok(known), Ok(_)) = (machine.inverse_near(target, &q), over.shifted(&q, 0.5 * by)) else { continue };
             let Ok(x) = over.shifted(&q, by) else { continue };
+            compared += 1;
             for (axis, (x, known)) in machine.axes.iter().zip(x.iter().zip(&known.joints)) {
                 assert!((x - known).abs() < 0.01, "{name} {}: {x} {known}", axis.name);
             }
         }
+        assert!(compared > 500, "{name}: {compared}");
     }
 }
 
@@ -124,6 +127,7 @@ fn corrections_keep_the_reserve() {
     for name in CARRIERS {
         let machine = machine(name);
         let mut random = Pcg64Mcg::seed_from_u64(17);
+        let mut steps = 0;
         for _ in 0..200 {
             let q = somewhere(&machine, &mut random);
             let along = to_a_side(&mut random, 1.0).normalize();
@@ -142,7 +146,9 @@ fn corrections_keep_the_reserve() {
                     assert!(rate <= RESERVE * axis.max_speed, "{name} {}: {rate}", axis.name);
                 }
                 last = x;
+                steps += 1;
             }
         }
+        assert!(steps > 10_000, "{name}: {steps}");
     }
 }
