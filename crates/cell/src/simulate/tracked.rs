@@ -40,7 +40,7 @@ impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> 
         let pace = Pace::new(&limits, period, &timed).map_err(Error::from)?;
         let mut run = Run::new(pace, self.planned.sequence.clone(), &[]);
         run.order(Order::Resume).map_err(Error::from)?;
-        let (mut asked, mut stopped, mut last) = (1.0, false, (0.0, self.planned.path.at(0.0)));
+        let (mut asked, mut stopped, mut end) = (1.0, false, self.planned.path.at(0.0));
         loop {
             let now = run.step().map_err(Error::from)?;
             if now.phase == RunPhase::Ended {
@@ -55,7 +55,7 @@ impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> 
             let law = LawPoint { s: tip.s, v: tip.v, a: tip.a, j: tip.j };
             self.show(self.number, (phase(now.phase), law), off.positions(&planned_q), heads, &mut off)?;
             self.feel(tip.s, heads);
-            last = (tip.s, planned_q);
+            end = planned_q;
             if allowed < SLOWEST && !stopped {
                 stopped = true;
                 run.order(Order::Abort).map_err(Error::from)?;
@@ -66,7 +66,7 @@ impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> 
             }
         }
         if !stopped {
-            self.settle(&last.1, &mut off)?;
+            self.settle(&end, &mut off)?;
         }
         Ok(!stopped)
     }
@@ -120,7 +120,7 @@ impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> 
     fn sight(&mut self, heads: &mut [LiveHead<'_>], carrier: &mut Carrier<'_>, off: &mut OffPath) -> Result<(), E> {
         let wanted = heads.iter().filter_map(LiveHead::sighting_mm);
         let Some((way, speed)) = wanted.reduce(|a, b| (a.0.max(b.0), a.1.min(b.1))) else { return Ok(()) };
-        let (machine, period) = (self.machine, self.machine.servo_period_s);
+        let period = self.machine.servo_period_s;
         let start = self.planned.path.at(0.0);
         let frame = heads[0].frame(0.0);
         let mut over = carrier.carrying();
@@ -154,7 +154,7 @@ impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> 
                 break;
             }
         }
-        debug_assert!(machine.axes.iter().enumerate().all(|(i, _)| (there[i] - start[i]).abs() < 1e-6));
+        debug_assert!(there.iter().zip(&start).all(|(there, start)| (there - start).abs() < 1e-6), "back at the start");
         Ok(())
     }
 }

@@ -51,9 +51,9 @@ impl<'a> Carrier<'a> {
         Ok(Self { machine, over, slides, authority: Some(authority), limits })
     }
 
-    /// What moves all heads together.
+    /// What moves all heads together, as it stands.
     pub(crate) fn carrying(&self) -> OverAxes<'a> {
-        if self.slides.is_empty() { OverAxes::new(self.machine) } else { OverAxes::carrying_all(self.machine) }
+        self.over.clone()
     }
 
     /// What corrections may do, lateral and height each.

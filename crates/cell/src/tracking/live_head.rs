@@ -88,8 +88,6 @@ struct Tracking {
     sensor: Sensor,
     head: Box<HeadTracking>,
     watch: [Watch; 2],
-    lead_mm: f64,
-    speed_mm_s: f64,
     /// By how much the torch is off the planned path, as the encoders say.
     correction: DVec2,
     known: (f64, Sight),
@@ -106,8 +104,6 @@ impl<'a> LiveHead<'a> {
         let tracking = tracking.map(|(model, head)| Tracking {
             sensor: Sensor::new(model, seed.wrapping_mul(8).wrapping_add(number as u64)),
             watch: head.limits().map(|l: SlideLimits| Watch::new(l, head.settings().cycle_s)),
-            lead_mm: model.lead_mm,
-            speed_mm_s: head.settings().speed_mm_s,
             head: Box::new(head),
             correction: DVec2::ZERO,
             known: (f64::INFINITY, Sight::Unseen),
@@ -118,7 +114,8 @@ impl<'a> LiveHead<'a> {
 
     /// How far before the seam the torch must begin to be sure of its start, mm; none if it is not tracked.
     pub(crate) fn sighting_mm(&self) -> Option<(f64, f64)> {
-        self.tracking.as_ref().map(|t| (t.lead_mm + super::pass_scene::SIGHTING_MM, t.speed_mm_s))
+        let settings = self.tracking.as_ref()?.head.settings();
+        Some((settings.lead_mm + super::pass_scene::SIGHTING_MM, settings.speed_mm_s))
     }
 
     /// The planned frame of the torch.
@@ -144,8 +141,9 @@ impl<'a> LiveHead<'a> {
         let mut alarm = orders.alarm;
         // Beyond the end there is no joint to be seen, and none is needed; the last frame on it is a period before.
         let left = self.world.ends_mm.map_or(f64::INFINITY, |(_, end)| end - s);
-        let last = 3.0 * tracking.head.settings().period_s * tracking.speed_mm_s;
-        if (left < tracking.lead_mm && alarm == Some(Alarm::Blind)) || (left < last && alarm == Some(Alarm::Coasting)) {
+        let settings = tracking.head.settings();
+        let last = 3.0 * settings.period_s * settings.speed_mm_s;
+        if (left < settings.lead_mm && alarm == Some(Alarm::Blind)) || (left < last && alarm == Some(Alarm::Coasting)) {
             alarm = None;
         }
         let wanted = (frame, orders.slide);

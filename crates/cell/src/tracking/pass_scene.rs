@@ -3,11 +3,11 @@ use super::scenario::Seam;
 use super::{Along, Displacement, Distortion, Error, LiveHead, Placement, SensorModel, World};
 use glam::DVec3;
 use seamwright_geometry::Pose;
-use seamwright_machine::{Machine, Sensor, Sight};
+use seamwright_machine::{Joints, Machine, Sensor, Sight};
 use seamwright_motion::PassMotion;
 use seamwright_program::{Pass, TorchPath};
 use seamwright_tracking::actuator::HeadTracking;
-use seamwright_tracking::lead::{OwnCurve, Settings};
+use seamwright_tracking::lead::{OwnCurve, SeamFrame};
 
 /// Places along a pass at which sensors and axes are looked at before it is welded.
 const PLACES: u32 = 120;
@@ -137,24 +137,14 @@ impl<'a> PassScene<'a> {
             noise_mm: sensor.noise_mm,
             ..SensorModel::usual(lead_mm)
         };
-        let late = 1.5 * model.period_s;
         let (_, fastest) = self.pass.speeds();
-        let settings = Settings {
-            cycle_s: machine.servo_period_s,
-            period_s: model.period_s,
-            age_s: [(model.latency_s - late).max(0.0), model.latency_s + late],
-            noise_mm: model.noise_mm,
-            ..Settings::usual(lead_mm, fastest)
-        };
+        let settings = model.settings(machine.servo_period_s, fastest);
         let own = OwnCurve::of(lead_mm, -lead_mm - SIGHTING_MM, self.path.length(), &seam.frame);
         Ok((model, HeadTracking::new(settings, own, [carrier.limits(); 2])?))
     }
 }
 
-fn places<'a>(
-    planned: &'a PassMotion,
-    seam: &'a Seam,
-) -> impl Iterator<Item = (seamwright_machine::Joints, seamwright_tracking::lead::SeamFrame)> + 'a {
+fn places<'a>(planned: &'a PassMotion, seam: &'a Seam) -> impl Iterator<Item = (Joints, SeamFrame)> + 'a {
     let at = |i: u32| f64::from(i) / f64::from(PLACES);
     (0..=PLACES).map(move |i| (planned.path.at(planned.path.length() * at(i)), (seam.frame)(seam.length_mm * at(i))))
 }
@@ -168,7 +158,7 @@ fn leading<'a>(
 ) -> Result<(&'a Sensor, f64), Error> {
     let mut best: Option<(f64, f64, &Sensor)> = None;
     for sensor in machine.sensors.iter().filter(|s| matches!(s.sight, Sight::Stripe(_))) {
-        let lead = |(q, frame): (seamwright_machine::Joints, seamwright_tracking::lead::SeamFrame)| {
+        let lead = |(q, frame): (Joints, SeamFrame)| {
             let at = machine.sensor_frame(sensor, &q).translation - machine.forward_of(number, &q).point;
             let ahead = at.dot(frame.along);
             // One that looks at another torch's joint is not meant.

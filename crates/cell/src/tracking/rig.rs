@@ -278,18 +278,8 @@ impl<'a> Head<'a> {
 
 /// How a scene's sensor is followed: what the file of such a sensor would say.
 fn settings(scenario: &Scenario, scene: &HeadScene, cycle_s: f64) -> Settings {
-    let model = &scene.sensor;
-    let late = 1.5 * model.period_s;
     let tack_mm = scene.displacement.tacks.iter().map(|(from, to)| to - from).fold(0.0, f64::max);
-    Settings {
-        cycle_s,
-        period_s: model.period_s,
-        age_s: [(model.latency_s - late).max(0.0), model.latency_s + late],
-        field_mm: DVec2::splat(model.field_mm),
-        noise_mm: model.noise_mm,
-        tack_mm,
-        ..Settings::usual(model.lead_mm, scenario.speed_mm_s)
-    }
+    Settings { tack_mm, ..scene.sensor.settings(cycle_s, scenario.speed_mm_s) }
 }
 
 /// Both axes of the cross slide of head `number`, and their limits.

@@ -4,7 +4,7 @@ use crate::eyes::stripe::{Placement, Section, StripeDisturbances, StripeScene};
 use glam::DVec2;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
-use seamwright_tracking::lead::Measurement;
+use seamwright_tracking::lead::{Measurement, Settings};
 use seamwright_vision::stripe::{JointKind, StripeReader, StripeTask};
 use std::collections::VecDeque;
 
@@ -62,6 +62,19 @@ impl SensorModel {
         let (period_s, latency_s, noise_mm) = (0.01, 0.015, 0.02);
         let (field_mm, sees) = (10.0, Sees::Offsets);
         Self { lead_mm, period_s, latency_s, jitter: 0.0, noise_mm, outliers: 0.0, field_mm, fault: None, sees }
+    }
+
+    /// How such a sensor is followed, with cycles of `cycle_s` and up to `speed_mm_s`: what it would be described with.
+    pub(super) fn settings(&self, cycle_s: f64, speed_mm_s: f64) -> Settings {
+        let late = 1.5 * self.period_s;
+        Settings {
+            cycle_s,
+            period_s: self.period_s,
+            age_s: [(self.latency_s - late).max(0.0), self.latency_s + late],
+            field_mm: DVec2::splat(self.field_mm),
+            noise_mm: self.noise_mm,
+            ..Settings::usual(self.lead_mm, speed_mm_s)
+        }
     }
 }
 

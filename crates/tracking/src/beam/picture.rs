@@ -134,15 +134,7 @@ mod tests {
     #[test]
     fn beside_a_ring() {
         let radius = 150.0;
-        let frame = |s: f64| {
-            let (sin, cos) = (s / radius).sin_cos();
-            SeamFrame {
-                point: DVec3::new(radius * sin, radius * (1.0 - cos), 0.0),
-                along: DVec3::new(cos, sin, 0.0),
-                lateral: DVec3::new(-sin, cos, 0.0),
-                height: DVec3::Z,
-            }
-        };
+        let frame = |s: f64| SeamFrame::on_circle(radius, s);
         for i in 0..2000 {
             let t = f64::from(i);
             let (s, along_mm) = (0.2 * t, 5.0 + 15.0 * (0.7 * t).sin().abs());

@@ -96,6 +96,20 @@ fn view(lead: f64, s: f64, frame: &impl Fn(f64) -> SeamFrame) -> View {
 }
 
 #[cfg(test)]
+impl SeamFrame {
+    /// On a circle in the plane of x and y, lateral towards its centre.
+    pub(crate) fn on_circle(radius: f64, s: f64) -> Self {
+        let (sin, cos) = (s / radius).sin_cos();
+        Self {
+            point: DVec3::new(radius * sin, radius * (1.0 - cos), 0.0),
+            along: DVec3::new(cos, sin, 0.0),
+            lateral: DVec3::new(-sin, cos, 0.0),
+            height: DVec3::Z,
+        }
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
 
@@ -103,15 +117,7 @@ mod tests {
     #[test]
     fn of_a_circle() {
         for radius in [50.0, 500.0, -120.0] {
-            let frame = |s: f64| {
-                let (sin, cos) = (s / radius).sin_cos();
-                SeamFrame {
-                    point: DVec3::new(radius * sin, radius * (1.0 - cos), 0.0),
-                    along: DVec3::new(cos, sin, 0.0),
-                    lateral: DVec3::new(-sin, cos, 0.0),
-                    height: DVec3::Z,
-                }
-            };
+            let frame = |s: f64| SeamFrame::on_circle(radius, s);
             let own = OwnCurve::of(20.0, -10.0, 100.0, frame);
             let turn = (20.0 / radius).asin();
             for i in 0..1100 {

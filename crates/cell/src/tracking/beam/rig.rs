@@ -124,10 +124,10 @@ pub fn weld(
     }
     let (part, longest) = tally.away();
     Ok(BeamOutcome {
-        p99_mm: tally.quantile(0.99, true),
-        most_mm: tally.quantile(1.0, true),
-        height_p99_mm: tally.quantile(0.99, false),
-        welded_mm: tally.way(),
+        p99_mm: tally.across.quantile(0.99),
+        most_mm: tally.across.quantile(1.0),
+        height_p99_mm: tally.out.quantile(0.99),
+        welded_mm: tally.across.way(),
         away: (part, f64::from(longest) * cycle_s),
         used_mm: tally.used,
         stopped_mm,
