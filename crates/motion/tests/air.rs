@@ -6,6 +6,7 @@ use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Shape, Solid};
 use seamwright_machine::{AxisSet, Clamped, Course, Joints, Machine, Surroundings, shipped};
 use seamwright_motion::air::{AirMove, Blocked, Leg, route};
+use seamwright_motion::pace::{Command, Limits, Pace, Timed};
 
 fn read(name: &str) -> Machine {
     Machine::read(name, shipped(name).unwrap().text).unwrap()
@@ -28,7 +29,7 @@ fn check_clear(machine: &Machine, around: &Surroundings, way: &[Joints]) {
     for w in way.windows(2) {
         let leg = Leg::new(machine, &w[0], &w[1]);
         for i in 0..=500 {
-            assert!(around.is_clear(&leg.at(f64::from(i) / 500.0)));
+            assert!(around.is_clear(&Course::at(&leg, f64::from(i) / 500.0)));
         }
     }
 }
@@ -109,4 +110,66 @@ fn legs_keep_every_limit_and_end_where_they_should() {
     assert!((leg.rates(0.01).1[0] / highest - 0.5).abs() < 1e-9 && (leg.rates(0.02).1[0] / highest - 1.0).abs() < 1e-9);
     let still = Leg::new(&machine, &machine.home(), &machine.home());
     assert!(still.duration() == 0.0 && still.at_time(0.3) == machine.home());
+}
+
+/// Small numbers from a seed.
+struct Dice(u64);
+
+impl Dice {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+}
+
+/// A leg held, reversed and slowed at random places keeps to its line and to every limit, by differences.
+#[test]
+fn legs_can_be_held() {
+    let machine = read("torch-5axis");
+    let period = 1e-3;
+    let dice = &mut Dice(11);
+    for case in 0..60 {
+        let mut at = || {
+            let axes = machine.axes.iter().map(|a| a.range.unwrap_or((-3.0, 3.0)));
+            let mut q = Joints::default();
+            for (i, (low, high)) in axes.enumerate() {
+                q[i] = low + (high - low) * dice.next();
+            }
+            q
+        };
+        let (from, to) = (at(), at());
+        let leg = Leg::new(&machine, &from, &to);
+        for part in [0.1, 0.37, 0.5, 0.9] {
+            assert!((Timed::at(&leg, leg.time_of(part), false).tip.s - part).abs() < 1e-12);
+        }
+        let mut pace = Pace::new(&Limits::of(&machine), period, &leg).unwrap();
+        pace.command(Command::Resume).unwrap();
+        let mut seen: Vec<Joints> = vec![from; 3];
+        let mut steps = 0;
+        while !pace.at_end() {
+            match (400.0 * dice.next()) as u32 {
+                0 => pace.command(Command::Hold).unwrap(),
+                1 => pace.command(Command::Reverse).unwrap(),
+                2 => pace.command(Command::Override(0.2 + 0.8 * dice.next())).unwrap(),
+                _ if steps > 8000 || pace.at_rest() => pace.command(Command::Resume).unwrap(),
+                _ => {}
+            }
+            seen.push(pace.step().rates.q);
+            steps += 1;
+            assert!(steps < 200_000, "case {case}");
+        }
+        assert_eq!(seen.last(), Some(&to));
+        for w in seen.windows(4) {
+            for (i, a) in machine.axes.iter().enumerate() {
+                let d = [w[1][i] - w[0][i], w[2][i] - w[1][i], w[3][i] - w[2][i]].map(|d| d / period);
+                let dd = [(d[1] - d[0]) / period, (d[2] - d[1]) / period];
+                let slack = 1e-9 / period.powi(3);
+                assert!(d[2].abs() < a.max_speed * 1.0001 && dd[1].abs() < a.max_acceleration * 1.0001 + slack);
+                assert!((dd[1] - dd[0]).abs() / period < a.jerk() * 1.001 + slack, "case {case}");
+                // On the straight line.
+                let part = |i: usize| (w[3][i] - from[i]) / (to[i] - from[i]);
+                assert!((part(i) - part(0)).abs() < 1e-9);
+            }
+        }
+    }
 }

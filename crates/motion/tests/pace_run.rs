@@ -135,6 +135,60 @@ fn overrides_next_to_nothing_hold() {
     }
 }
 
+/// An arc that does not burn: nothing travels before it does, nothing is welded after it went out, and a restart overlaps.
+#[test]
+fn without_an_arc_nothing_is_welded() {
+    let case = Case::straight(20.0, 200.0, 4000.0);
+    for at_hold in [AtHold::Crater, AtHold::Off] {
+        let sequence = sequence(at_hold);
+        let pace = Pace::new(&case.limits(), PERIOD, &case.base).unwrap();
+        let mut run = Run::new(pace, sequence.clone(), &[]);
+        run.set_burning(false);
+        run.order(Order::Resume).unwrap();
+        let mut phase = RunPhase::Held;
+        for _ in 0..5000 {
+            let i = run.step().unwrap();
+            phase = i.phase;
+            assert!(i.played.phi == 0.0 && matches!(phase, RunPhase::Preflow | RunPhase::TravelDelay));
+        }
+        assert_eq!(phase, RunPhase::TravelDelay);
+        // A hold while it does not burn fills no crater; the next try is like the first.
+        run.order(Order::Hold).unwrap();
+        loop {
+            match run.step().unwrap().phase {
+                RunPhase::Postflow => {}
+                RunPhase::Held => break,
+                other => panic!("{other:?}"),
+            }
+        }
+        run.order(Order::Resume).unwrap();
+        run.set_burning(true);
+        while run.step().unwrap().played.rates.tip.s < 0.4 * case.base.length {}
+        run.set_burning(false);
+        let out = run.now().played.rates.tip.s;
+        let mut phases = vec![];
+        loop {
+            let i = run.step().unwrap();
+            assert!(!i.phase.arc(), "{:?}", i.phase);
+            if phases.last() != Some(&i.phase) {
+                phases.push(i.phase);
+            }
+            if i.phase == RunPhase::Held {
+                break;
+            }
+        }
+        assert_eq!(phases, [RunPhase::RunOut, RunPhase::Postflow, RunPhase::Held]);
+        assert!(run.welded_to() <= out);
+        run.set_burning(true);
+        run.order(Order::Resume).unwrap();
+        while run.step().unwrap().phase != RunPhase::Travel {}
+        let begins = run.now().played.rates.tip.s;
+        assert!((begins - (run.welded_to() - sequence.overlap_mm.get()).max(0.0)).abs() < 1e-6);
+        assert_eq!(until_it_waits(&mut run).phase, RunPhase::Ended);
+        assert!((run.welded_to() - case.base.length).abs() < 1e-9);
+    }
+}
+
 /// A law that has no numbers beyond a time.
 struct Broken<'a>(&'a Law, f64);
 

@@ -1,4 +1,5 @@
 use super::rest_to_rest::RestToRest;
+use crate::pace::{Rates, Timed, Tip};
 use seamwright_machine::{Axis, Course, Joints, Machine};
 
 /// All axes from one set of positions to another at once, straight in axis space, from rest to rest as fast as the
@@ -40,7 +41,7 @@ impl Leg {
     /// Positions at time `t` (s) from its start, mm or rad.
     pub fn at_time(&self, t: f64) -> Joints {
         // At rest the ends themselves, without rounding.
-        if t >= self.duration() { self.to } else { self.at(self.part.at(t).0) }
+        if t >= self.duration() { self.to } else { Course::at(self, self.part.at(t).0) }
     }
 
     /// Speeds and accelerations at time `t` (s) from its start, mm or rad per s and s^2.
@@ -48,6 +49,42 @@ impl Leg {
         let (_, speed, acceleration) = self.part.at(t);
         let times = |f: f64| std::array::from_fn(|i| f * (self.to[i] - self.from[i]));
         (times(speed), times(acceleration))
+    }
+}
+
+/// Path length is the part that is done, from 0 to 1. What limits the tip does not hold in the air.
+impl Timed for Leg {
+    fn duration(&self) -> f64 {
+        self.part.duration()
+    }
+
+    fn at(&self, t: f64, before: bool) -> Rates {
+        let ((s, v, a), j) = (self.part.at(t), self.part.jerk(t, before));
+        let mut rates = Rates { q: self.at_time(t), tip: Tip { s, v, a, j }, ..Rates::default() };
+        for (i, (from, to)) in self.from.iter().zip(&self.to).enumerate() {
+            (rates.v[i], rates.a[i], rates.j[i]) = (v * (to - from), a * (to - from), j * (to - from));
+        }
+        rates
+    }
+
+    fn next_border(&self, t: f64, forward: bool) -> f64 {
+        let borders = self.part.borders();
+        let next = if forward {
+            borders.iter().copied().find(|b| *b > t)
+        } else {
+            borders.iter().rev().copied().find(|b| *b < t)
+        };
+        next.unwrap_or(if forward { f64::INFINITY } else { f64::NEG_INFINITY })
+    }
+
+    fn time_of(&self, s: f64) -> f64 {
+        // The part grows all the way: halving finds the time to the last digit.
+        let (mut low, mut high) = (0.0, self.duration());
+        for _ in 0..64 {
+            let middle = 0.5 * (low + high);
+            if self.part.at(middle).0 < s { low = middle } else { high = middle }
+        }
+        if s >= 1.0 { self.duration() } else { low }
     }
 }
 

@@ -49,6 +49,25 @@ impl RestToRest {
         }
     }
 
+    /// Its third derivative at time `t` (s), 1/s^3; where it jumps, from the side before or after.
+    pub(super) fn jerk(&self, t: f64, before: bool) -> f64 {
+        let signs = [1.0, 0.0, -1.0, 0.0, -1.0, 0.0, 1.0];
+        let passed = self.borders().iter().filter(|b| if before { **b < t } else { **b <= t }).count();
+        passed.checked_sub(1).and_then(|i| signs.get(i)).map_or(0.0, |sign| sign * self.jerk)
+    }
+
+    /// Where the third derivative may jump, s.
+    pub(super) fn borders(&self) -> [f64; 8] {
+        let [t1, t2, t3] = self.times;
+        let mut t = 0.0;
+        let mut borders = [0.0; 8];
+        for (border, stretch) in borders[1..].iter_mut().zip([t1, t2, t1, t3, t1, t2, t1]) {
+            t += stretch;
+            *border = t;
+        }
+        borders
+    }
+
     fn first_half(&self, t: f64) -> (f64, f64, f64) {
         let ([t1, t2, _], j, v) = (self.times, self.jerk, self.speed);
         let run_up = 2.0 * t1 + t2;

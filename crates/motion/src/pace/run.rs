@@ -46,6 +46,8 @@ pub struct Run<'a, L: Timed + ?Sized> {
     /// Override asked for; moves with the process off are no faster than [`MOVE`].
     asked: f64,
     zero: bool,
+    /// False while arc or beam does not burn although it is asked for.
+    burns: bool,
     /// True while a move heads for a place to stop at.
     seeks: bool,
     /// How often moves to one place have missed it.
@@ -95,6 +97,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
             welded: last.rates.tip.s,
             asked: 1.0,
             zero: false,
+            burns: true,
             seeks: false,
             missed: 0,
             still: 0,
@@ -110,6 +113,15 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
     /// What it does just now.
     pub fn now(&self) -> Instant {
         Instant { phase: self.phase, left_s: self.left as f64 * self.pace.period(), played: self.last }
+    }
+
+    /// Tells whether arc or beam burns where the phase asks for it; true unless told otherwise. Without it the travel delay does not
+    /// run down, the torch does not start, no crater is filled, and what is passed is not welded.
+    pub fn set_burning(&mut self, burns: bool) {
+        self.burns = burns;
+        if !burns && self.phase == RunPhase::Crater {
+            self.rest(RunPhase::Postflow);
+        }
     }
 
     /// What is played in the period last played, `before` s before its end.
@@ -165,6 +177,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         self.watch()?;
         match self.phase {
             RunPhase::Held | RunPhase::Ended => {}
+            RunPhase::TravelDelay if !self.burns => {}
             RunPhase::Preflow | RunPhase::TravelDelay | RunPhase::Crater | RunPhase::Postflow => {
                 self.left = self.left.saturating_sub(1);
             }
@@ -214,6 +227,14 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
 
     fn while_travelling(&mut self, before: f64) {
         let s = self.last.rates.tip.s;
+        if !self.burns {
+            // Nothing is welded any more: the torch stops here, or rests already.
+            if !self.stopping {
+                self.stop_for(Then::Wait);
+            }
+            self.phase = RunPhase::RunOut;
+            return;
+        }
         self.welded = self.welded.max(s);
         if self.pace.at_end() {
             // The end of the pass; an abort that comes too late is as good as done.
@@ -252,7 +273,7 @@ impl<'a, L: Timed + ?Sized> Run<'a, L> {
         while self.left == 0 {
             match self.phase {
                 RunPhase::Preflow => self.rest(RunPhase::TravelDelay),
-                RunPhase::TravelDelay => return self.travel(self.goal),
+                RunPhase::TravelDelay if self.burns => return self.travel(self.goal),
                 RunPhase::Crater => self.rest(RunPhase::Postflow),
                 RunPhase::Postflow => {
                     self.off_at_rest();

@@ -62,7 +62,7 @@ impl<L: Timed + ?Sized> Run<'_, L> {
             }
             RunPhase::Move => self.halt(),
             RunPhase::Preflow => self.rest(RunPhase::Postflow),
-            RunPhase::TravelDelay => self.rest(RunPhase::Crater),
+            RunPhase::TravelDelay => self.rest(if self.burns { RunPhase::Crater } else { RunPhase::Postflow }),
             RunPhase::Held => self.off_at_rest(),
             RunPhase::RunOut | RunPhase::Crater | RunPhase::Postflow | RunPhase::Ended => {}
         }
