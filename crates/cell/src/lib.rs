@@ -6,9 +6,12 @@
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
+pub mod campaign;
+pub mod devices;
 mod disturbance;
 mod drives;
 mod error;
+pub mod executive;
 pub mod eyes;
 pub mod frames;
 pub mod gate;

@@ -1,6 +1,6 @@
 //! The machine file as written, before its steps are put together.
 
-use crate::{SensorFile, TipLimits};
+use crate::{InterlockFile, SensorFile, SourceFile, TipLimits};
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Direction, Finite, NonNegative, Point, Positive, SchemaVersion, Transform};
@@ -57,6 +57,12 @@ pub struct MachineFile {
     /// Which outputs of the control switch and set the process.
     #[serde(default)]
     pub io: Io,
+    /// Conditions that the running cell watches.
+    #[serde(default)]
+    pub interlocks: Vec<InterlockFile>,
+    /// How the process source is started and watched.
+    #[serde(default)]
+    pub source: SourceFile,
     /// What controls call the axes and the process, for part programs.
     #[serde(default)]
     pub controls: ControlsFile,

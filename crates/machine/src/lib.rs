@@ -8,6 +8,7 @@
 
 mod assemble;
 mod axis;
+mod cell;
 mod chain;
 pub mod check;
 mod file;
@@ -28,6 +29,7 @@ mod tip_motion;
 pub use axis::{
     Axis, AxisKind, BacklashCompensation, Drive, FrictionCompensation, Gains, Load, Notch, RangeViolation, Transmission,
 };
+pub use cell::{InterlockFile, Level, Source, SourceFile};
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
 pub use file::{
     ControlFile, ControlsFile, DriveFile, EncoderSide, HeadFile, Io, LinkClearanceFile, MachineFile, NotchFile,

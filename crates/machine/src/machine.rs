@@ -3,8 +3,8 @@ use crate::keeper::{Lever, travel};
 use crate::pair::Pair;
 use crate::surroundings::PITCH;
 use crate::{
-    Axis, AxisKind, AxisSet, ControlsFile, Head, Io, Joints, LinkFrames, LinkSolids, Links, MAX_AXES, MachineFile,
-    RangeViolation, Sensor, TipLimits, assemble,
+    Axis, AxisKind, AxisSet, ControlsFile, Head, InterlockFile, Io, Joints, LinkFrames, LinkSolids, Links, MAX_AXES,
+    MachineFile, RangeViolation, Sensor, Source, TipLimits, assemble,
 };
 use arrayvec::ArrayVec;
 use glam::{DAffine3, DVec3};
@@ -28,6 +28,10 @@ pub struct Machine {
     pub servo_period_s: f64,
     /// Outputs that drive the process.
     pub io: Io,
+    /// Conditions that the running cell watches.
+    pub interlocks: Vec<InterlockFile>,
+    /// How the process source is started and watched.
+    pub source: Source,
     /// What controls call axes and process.
     pub controls: ControlsFile,
     /// Heads, at least one: each with its chain from the work to its tip.

@@ -15,6 +15,20 @@ pub(crate) enum BenchVerb {
     /// Tracking simulated seams while they are welded: how far each weld is from its seam, beside the papers'
     /// algorithms and without tracking
     Tracking(BenchTrackingArgs),
+    /// Every fault of every device in every situation of a cell, against what must follow
+    Faults(BenchFaultsArgs),
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright bench faults --seeds 10
+The cell is that of the example saddle. Exit code 1 if a case does not end as it must.")]
+pub(crate) struct BenchFaultsArgs {
+    /// Moments at which each fault comes
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=10_000))]
+    pub(crate) seeds: u64,
+    /// JSON instead of markdown
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 #[derive(Debug, Args)]

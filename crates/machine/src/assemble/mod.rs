@@ -3,6 +3,7 @@
 mod axis;
 mod controls;
 mod drive;
+mod interlocks;
 mod pitch_error;
 mod sensors;
 mod solids;
@@ -45,6 +46,7 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
     }
     check_io(file)?;
     controls::check(file, &axes)?;
+    interlocks::check(file)?;
     let (links, heads) = tree::tree(m, &axes);
     let solids = solids::solids(file, &links, load)?;
     let sensors = sensors::sensors(file, &links)?;
@@ -53,6 +55,8 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
         title: m.title.clone(),
         servo_period_s: m.servo_period_ms.map_or(1e-3, |p| p.get() * 1e-3),
         io: m.io.clone(),
+        interlocks: m.interlocks.clone(),
+        source: m.source.source(),
         controls: m.controls.clone(),
         tip: m.tip.limits(),
         up: m.up.map_or(DVec3::Z, Direction::unit),

@@ -1,6 +1,7 @@
 //! This build on its own gates.
 
 mod beam;
+mod faults;
 mod tracking;
 
 use crate::args::bench::{BenchArgs, BenchVerb, BenchVisionArgs};
@@ -18,6 +19,7 @@ pub(crate) fn run(args: &BenchArgs) -> Result<(), Failure> {
     match &args.verb {
         BenchVerb::Vision(args) => vision(args),
         BenchVerb::Tracking(args) => tracking::run(args),
+        BenchVerb::Faults(args) => faults::run(args),
     }
 }
 

@@ -1,0 +1,97 @@
+//! A campaign of faults: everything that can happen to a device, in every situation of a cell, against what the table of
+//! transitions says must follow.
+
+mod case;
+mod expected;
+mod witness;
+
+pub use case::{Case, Outcome, Situation, Trial};
+pub use expected::{Expected, expected};
+pub use witness::Witness;
+
+use crate::Error;
+use crate::devices::{Device, FaultKind};
+use crate::executive::{Mode, Work};
+use seamwright_machine::{Level, Machine};
+
+/// What a campaign runs on.
+#[derive(Debug, Clone, Copy)]
+pub struct Stage<'a> {
+    /// The machine.
+    pub machine: &'a Machine,
+    /// A weld from its beginning.
+    pub begin: &'a Work<'a>,
+    /// The same weld from shortly before its end.
+    pub end: &'a Work<'a>,
+}
+
+/// All cases: every device, every fault, every situation; of inputs upside down one of each level.
+pub fn cases(machine: &Machine) -> Vec<Case> {
+    let of = |level: Level| machine.interlocks.iter().position(|i| i.level == level).map(|i| i as u8);
+    let levels: Vec<u8> = [Level::Power, Level::Motion, Level::Process].into_iter().filter_map(of).collect();
+    let mut cases = Vec::new();
+    for device in Device::ALL {
+        for kind in FaultKind::ALL {
+            let inputs = device == Device::Inputs && kind == FaultKind::Wrong;
+            let which = if inputs { levels.clone() } else { vec![0] };
+            for which in which {
+                cases.extend(Situation::ALL.map(|situation| Case { device, kind, which, situation }));
+            }
+        }
+    }
+    cases
+}
+
+/// Runs one case; `seed` says when exactly the fault comes.
+///
+/// # Errors
+/// A machine whose values make no drives.
+pub fn run(stage: Stage<'_>, case: Case, seed: u64) -> Result<Outcome, Error> {
+    Trial::new(stage, case, seed)?.run()
+}
+
+/// The outcomes as Markdown: a row a device and fault, a column a situation: the mode that follows, and the alarm that came first.
+pub fn table(machine: &Machine, outcomes: &[Outcome]) -> String {
+    let mut text = String::from("| fault |");
+    Situation::ALL.iter().for_each(|s| text += &format!(" {} |", s.name()));
+    text += "\n|---|";
+    text += &"---|".repeat(Situation::ALL.len());
+    let mut rows: Vec<(Case, Vec<&Outcome>)> = Vec::new();
+    for outcome in outcomes {
+        let key = Case { situation: Situation::Off, ..outcome.case };
+        match rows.iter_mut().find(|(row, _)| *row == key) {
+            Some((_, row)) => row.push(outcome),
+            None => rows.push((key, vec![outcome])),
+        }
+    }
+    for (case, row) in rows {
+        let which = match (case.device, case.kind) {
+            (Device::Inputs, FaultKind::Wrong) => machine
+                .interlocks
+                .get(usize::from(case.which))
+                .map_or(String::new(), |i| format!(" ({})", i.level.name())),
+            _ => String::new(),
+        };
+        text += &format!("\n| {} {}{which} |", case.device.name(), case.kind.name());
+        for outcome in row {
+            let alarm = outcome.first_alarm.map_or(String::new(), |a| format!(" ({})", a.number()));
+            let kept = if outcome.is_kept() { "" } else { "**!** " };
+            text += &format!(" {kept}{}{alarm} |", outcome.mode);
+        }
+    }
+    text + "\n"
+}
+
+/// What a campaign came to, in a few words.
+pub fn summary(outcomes: &[Outcome]) -> String {
+    let kept = outcomes.iter().filter(|o| o.is_kept()).count();
+    let stops = outcomes.iter().map(|o| o.stop_mm).fold(0.0, f64::max);
+    let cycles = outcomes.iter().map(|o| o.off_cycles).max().unwrap_or(0);
+    let faults = outcomes.iter().filter(|o| o.mode == Mode::Fault).count();
+    format!(
+        "{kept} of {} cases end as they must ({faults} in fault); process off after {cycles} cycle{} at most; \
+         longest way to rest {stops:.2} mm",
+        outcomes.len(),
+        if cycles == 1 { "" } else { "s" }
+    )
+}

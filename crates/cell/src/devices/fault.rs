@@ -1,0 +1,326 @@
+use super::{Drives, InputBits, Inputs, Source};
+use crate::executive::{DriveReport, Orders, ProcessOrders, SourceReport};
+use std::fmt;
+use std::str::FromStr;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// What a fault happens to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Device {
+    /// The drives.
+    Drives,
+    /// The process source.
+    Source,
+    /// The inputs.
+    Inputs,
+}
+
+/// What happens to it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum FaultKind {
+    /// It does what it is told, and reports nothing.
+    Silent,
+    /// It reports what was, some periods ago.
+    Slow,
+    /// It reports what is not so: a jump of a position, an arc that is out, an input upside down.
+    Wrong,
+    /// No line to it: no orders, no reports. What watches orders switches off by itself.
+    Disconnect,
+    /// It starts anew, and has forgotten what it was told.
+    Reboot,
+}
+
+/// When a fault begins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum When {
+    /// After so many seconds.
+    At(f64),
+    /// When it is told: see [`Faulty::told_by`].
+    Told,
+}
+
+/// A fault of a device.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fault {
+    /// What it happens to.
+    pub device: Device,
+    /// What happens.
+    pub kind: FaultKind,
+    /// When it begins.
+    pub when: When,
+    /// How long it lasts, s; infinite if it does not end.
+    pub lasts_s: f64,
+    /// Which axis or input is wrong.
+    pub which: u8,
+}
+
+impl Device {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Drives, Self::Source, Self::Inputs];
+
+    /// In one word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Drives => "drives",
+            Self::Source => "source",
+            Self::Inputs => "inputs",
+        }
+    }
+}
+
+impl FaultKind {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Silent, Self::Slow, Self::Wrong, Self::Disconnect, Self::Reboot];
+
+    /// In one word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Silent => "silent",
+            Self::Slow => "slow",
+            Self::Wrong => "wrong",
+            Self::Disconnect => "disconnect",
+            Self::Reboot => "reboot",
+        }
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}", self.device.name(), self.kind.name())?;
+        if let When::At(t) = self.when {
+            write!(f, "@{t}")?;
+        }
+        if self.lasts_s.is_finite() { write!(f, "+{}", self.lasts_s) } else { Ok(()) }
+    }
+}
+
+/// As on the command line: `drives:silent@12.5` or `inputs:disconnect@3+0.5`: device, kind, time and duration in s.
+impl FromStr for Fault {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let form = "DEVICE:KIND@TIME[+DURATION], like drives:silent@12.5 or inputs:disconnect@3+0.5";
+        let bad = |what: &str| format!("{what}; allowed is {form}");
+        let (device, rest) = text.split_once(':').ok_or_else(|| bad("there is no `:` after the device"))?;
+        let (kind, when) = rest.split_once('@').ok_or_else(|| bad("there is no `@` with the time"))?;
+        let device = Device::ALL.into_iter().find(|d| d.name() == device).ok_or_else(|| {
+            format!("there is no device `{device}`; allowed are {}", Device::ALL.map(Device::name).join(", "))
+        })?;
+        let kind = FaultKind::ALL.into_iter().find(|k| k.name() == kind).ok_or_else(|| {
+            format!("there is no fault `{kind}`; allowed are {}", FaultKind::ALL.map(FaultKind::name).join(", "))
+        })?;
+        let number = |text: &str, what: &str| {
+            let number = text.parse::<f64>().ok().filter(|t| t.is_finite() && *t >= 0.0);
+            number.ok_or_else(|| bad(&format!("`{text}` is no {what} in seconds")))
+        };
+        let (at, lasts_s) = match when.split_once('+') {
+            Some((at, lasts)) => (number(at, "time")?, number(lasts, "duration")?),
+            None => (number(when, "time")?, f64::INFINITY),
+        };
+        Ok(Self { device, kind, when: When::At(at), lasts_s, which: 0 })
+    }
+}
+
+/// Periods by which a slow device is late.
+const LATE: usize = 8;
+/// Time that a device needs to start, s.
+const STARTS_S: f64 = 0.5;
+/// By how far a wrong position jumps, mm or rad.
+const JUMP: f64 = 5.0;
+
+/// A device before which a plan of faults stands.
+#[derive(Debug, Clone)]
+pub struct Faulty<T, R> {
+    device: T,
+    period: f64,
+    faults: Vec<(Fault, Option<f64>)>,
+    /// Periods since the start, as time in s.
+    t: f64,
+    /// What was reported in the last periods, newest last.
+    late: Vec<R>,
+    /// Starts that the plan added.
+    starts: u32,
+    /// What was known before the last start is forgotten.
+    forgotten: bool,
+    /// Faults that wait to be told begin when this is true.
+    told: Option<Arc<AtomicBool>>,
+}
+
+impl<T, R: Copy + Default> Faulty<T, R> {
+    /// `device` with those of `faults` that are of this `kind`; `period_s` is that of the cycle.
+    pub fn new(device: T, kind: Device, faults: &[Fault], period_s: f64) -> Self {
+        let faults = faults.iter().filter(|f| f.device == kind).map(|f| (*f, None)).collect();
+        Self {
+            device,
+            period: period_s,
+            faults,
+            t: 0.0,
+            late: Vec::with_capacity(LATE + 1),
+            starts: 0,
+            forgotten: false,
+            told: None,
+        }
+    }
+
+    /// The device itself.
+    pub fn device(&self) -> &T {
+        &self.device
+    }
+
+    /// Faults that wait to be told begin when `told` becomes true.
+    #[must_use]
+    pub fn told_by(mut self, told: &Arc<AtomicBool>) -> Self {
+        self.told = Some(Arc::clone(told));
+        self
+    }
+
+    /// The fault of this period, and if this is its first.
+    fn now(&mut self) -> Option<(Fault, bool)> {
+        self.t += self.period;
+        let t = self.t;
+        let told = self.told.as_ref().is_some_and(|told| told.load(Ordering::Relaxed));
+        let mut found = None;
+        for (fault, begun) in &mut self.faults {
+            let comes = match fault.when {
+                When::At(at) => t >= at,
+                When::Told => told,
+            };
+            let first = begun.is_none() && comes;
+            if first {
+                *begun = Some(t);
+            }
+            let lasts = if fault.kind == FaultKind::Reboot { STARTS_S } else { fault.lasts_s };
+            if let Some(begun) = *begun
+                && t - begun < lasts
+            {
+                found = Some((*fault, first));
+            }
+        }
+        found
+    }
+
+    /// What is reported `LATE` periods after it was so.
+    fn delayed(&mut self, fresh: R, slow: bool) -> R {
+        if self.late.len() > LATE {
+            self.late.remove(0);
+        }
+        self.late.push(fresh);
+        if slow { self.late[0] } else { fresh }
+    }
+}
+
+impl<T: Drives> Drives for Faulty<T, DriveReport> {
+    fn exchange(&mut self, orders: &Orders, report: &mut DriveReport) {
+        let fault = self.now();
+        let kind = fault.map(|(f, _)| f.kind);
+        let cut = matches!(kind, Some(FaultKind::Disconnect | FaultKind::Reboot));
+        // Without orders the drives' own watchdog takes the power.
+        let orders = if cut { Orders { power: false, ..*orders } } else { *orders };
+        let mut fresh = *report;
+        self.device.exchange(&orders, &mut fresh);
+        if matches!(fault, Some((Fault { kind: FaultKind::Reboot, .. }, true))) {
+            (self.starts, self.forgotten) = (self.starts + 1, true);
+        }
+        fresh.starts = 1 + self.starts;
+        // A drive that has started anew looks for its reference again.
+        self.forgotten &= !(orders.home && fresh.powered);
+        if self.forgotten {
+            fresh.referenced = 0;
+        }
+        let delayed = self.delayed(fresh, kind == Some(FaultKind::Slow));
+        *report = match fault {
+            Some((Fault { kind: FaultKind::Silent | FaultKind::Disconnect | FaultKind::Reboot, .. }, _)) => {
+                DriveReport { age_s: report.age_s + self.period, ..*report }
+            }
+            Some((Fault { kind: FaultKind::Slow, .. }, _)) => {
+                DriveReport { age_s: LATE as f64 * self.period, ..delayed }
+            }
+            Some((Fault { kind: FaultKind::Wrong, which, .. }, _)) => {
+                let mut wrong = fresh;
+                wrong.position[usize::from(which)] += JUMP;
+                wrong.following_error[usize::from(which)] -= JUMP;
+                wrong
+            }
+            None => fresh,
+        };
+    }
+}
+
+impl<T: Source> Source for Faulty<T, SourceReport> {
+    fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport) {
+        let fault = self.now();
+        let kind = fault.map(|(f, _)| f.kind);
+        let cut = matches!(kind, Some(FaultKind::Disconnect | FaultKind::Reboot));
+        let orders = if cut { ProcessOrders::default() } else { *orders };
+        let mut fresh = *report;
+        self.device.exchange(&orders, &mut fresh);
+        if matches!(fault, Some((Fault { kind: FaultKind::Reboot, .. }, true))) {
+            self.starts += 1;
+        }
+        fresh.starts = 1 + self.starts;
+        let delayed = self.delayed(fresh, kind == Some(FaultKind::Slow));
+        *report = match kind {
+            Some(FaultKind::Silent | FaultKind::Disconnect | FaultKind::Reboot) => {
+                SourceReport { age_s: report.age_s + self.period, ..*report }
+            }
+            Some(FaultKind::Slow) => SourceReport { age_s: LATE as f64 * self.period, ..delayed },
+            Some(FaultKind::Wrong) => SourceReport { burning: !fresh.burning, ..fresh },
+            None => fresh,
+        };
+    }
+}
+
+impl<T: Inputs> Inputs for Faulty<T, InputBits> {
+    fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) -> bool {
+        let fault = self.now();
+        let kind = fault.map(|(f, _)| f.kind);
+        let mut fresh = *inputs;
+        let known = self.device.exchange(watchdog, &mut fresh);
+        if matches!(fault, Some((Fault { kind: FaultKind::Reboot, .. }, true))) {
+            self.starts += 1;
+        }
+        fresh.starts = 1 + self.starts;
+        let delayed = self.delayed(fresh, kind == Some(FaultKind::Slow));
+        match fault {
+            Some((Fault { kind: FaultKind::Silent | FaultKind::Disconnect | FaultKind::Reboot, .. }, _)) => {
+                return false;
+            }
+            Some((Fault { kind: FaultKind::Slow, .. }, _)) => *inputs = delayed,
+            Some((Fault { kind: FaultKind::Wrong, which, .. }, _)) => {
+                *inputs = InputBits { bits: fresh.bits ^ (1 << which), ..fresh };
+            }
+            None => *inputs = fresh,
+        }
+        known
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn faults_are_read_as_they_are_written() {
+        for device in Device::ALL {
+            for kind in FaultKind::ALL {
+                for (at, lasts_s) in [(0.0, f64::INFINITY), (12.5, 0.25), (1e-3, 1e6)] {
+                    let fault = Fault { device, kind, when: When::At(at), lasts_s, which: 0 };
+                    assert_eq!(fault.to_string().parse::<Fault>(), Ok(fault));
+                }
+            }
+        }
+        for (bad, says) in [
+            ("drives", "`:`"),
+            ("drives:silent", "`@`"),
+            ("drivers:silent@1", "drives, source, inputs"),
+            ("drives:dead@1", "silent, slow, wrong, disconnect, reboot"),
+            ("drives:silent@soon", "`soon`"),
+            ("drives:silent@1+-2", "`-2`"),
+            ("drives:silent@nan", "`nan`"),
+        ] {
+            let error = bad.parse::<Fault>().unwrap_err();
+            assert!(error.contains(says) && error.contains("allowed"), "{bad}: {error}");
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! What a cell drives: axes, process source and inputs, each behind a trait with a simulated twin.
+//!
+//! [`DeviceSet`] puts one of each together for the executive. [`Faulty`] stands before any of them and does to it what a plan
+//! of faults says.
+
+mod fault;
+mod simulated;
+
+pub use fault::{Device, Fault, FaultKind, Faulty, When};
+pub use simulated::{SimulatedDrives, SimulatedInputs, SimulatedSource};
+
+use crate::executive::{Devices, DriveReport, Orders, ProcessOrders, Reports, SourceReport};
+
+/// The drives of all axes.
+pub trait Drives {
+    /// A period with these orders; what is known at its end. Leaves `report` as it was, but for its age, if nothing is known.
+    fn exchange(&mut self, orders: &Orders, report: &mut DriveReport);
+}
+
+/// Arc or beam, gas and what belongs to it.
+pub trait Source {
+    /// A period with these orders; what is known at its end. Leaves `report` as it was, but for its age, if nothing is known.
+    fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport);
+}
+
+/// Inputs of doors, valves and switches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct InputBits {
+    /// A bit each, in the order of the machine's conditions.
+    pub bits: u64,
+    /// How often their device has started.
+    pub starts: u32,
+}
+
+/// What reads inputs and passes the watchdog on.
+pub trait Inputs {
+    /// A period; true if `inputs` are fresh.
+    fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) -> bool;
+}
+
+/// One of each, as the executive wants them.
+#[derive(Debug, Clone)]
+pub struct DeviceSet<D, S, I> {
+    /// The drives; with real ones, they wait for the period.
+    pub drives: D,
+    /// The process source.
+    pub source: S,
+    /// The inputs.
+    pub inputs: I,
+    /// A period, s.
+    pub period_s: f64,
+}
+
+impl<D: Drives, S: Source, I: Inputs> Devices for DeviceSet<D, S, I> {
+    fn exchange(&mut self, orders: &Orders, reports: &mut Reports) {
+        reports.missed = 0;
+        self.drives.exchange(orders, &mut reports.drives);
+        self.source.exchange(&orders.process, &mut reports.source);
+        let mut inputs = InputBits { bits: reports.inputs, starts: reports.inputs_starts };
+        let fresh = self.inputs.exchange(orders.watchdog, &mut inputs);
+        (reports.inputs, reports.inputs_starts) = (inputs.bits, inputs.starts);
+        reports.inputs_age_s = if fresh { 0.0 } else { reports.inputs_age_s + self.period_s };
+    }
+}

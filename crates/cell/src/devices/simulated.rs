@@ -1,0 +1,151 @@
+use super::{Drives, InputBits, Inputs, Source};
+use crate::Error;
+use crate::disturbance::uniform;
+use crate::executive::{DriveReport, Orders, ProcessOrders, SourceReport, VALUES};
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::SeedableRng;
+use seamwright_machine::{Joints, Machine};
+
+/// Time that a drive looks for its reference, s.
+const REFERENCE_S: f64 = 0.5;
+/// Time until drives have power, s.
+const POWER_S: f64 = 0.1;
+
+/// All drives of a machine in simulation: position loops, motors, friction, cogging, encoders; brakes that close without power.
+#[derive(Debug, Clone)]
+pub struct SimulatedDrives {
+    drives: crate::drives::Drives,
+    axes: usize,
+    period: f64,
+    /// True positions.
+    q: Joints,
+    powered_for: f64,
+    homing_for: f64,
+    referenced: bool,
+    holds: bool,
+}
+
+impl SimulatedDrives {
+    /// Without power at the machine's home positions, references unknown; `seed` is that of friction and noise.
+    ///
+    /// # Errors
+    /// Values in the machine file that make no drive.
+    pub fn new(machine: &Machine, seed: u64) -> Result<Self, Error> {
+        Ok(Self {
+            drives: crate::drives::Drives::new(machine, seed)?,
+            axes: machine.axes.len(),
+            period: machine.servo_period_s,
+            q: machine.home(),
+            powered_for: 0.0,
+            homing_for: 0.0,
+            referenced: false,
+            holds: false,
+        })
+    }
+
+    /// True positions of the axes.
+    pub fn positions(&self) -> &Joints {
+        &self.q
+    }
+}
+
+impl Drives for SimulatedDrives {
+    fn exchange(&mut self, orders: &Orders, report: &mut DriveReport) {
+        self.powered_for = if orders.power { self.powered_for + self.period } else { 0.0 };
+        let powered = self.powered_for >= POWER_S;
+        self.homing_for = if powered && orders.home { self.homing_for + self.period } else { 0.0 };
+        self.referenced |= self.homing_for >= REFERENCE_S;
+        // While it looks for its references a drive holds itself.
+        let follows = powered && !orders.home;
+        if follows && !self.holds {
+            self.drives.settle_at(&self.q[..self.axes]);
+        }
+        self.holds = follows;
+        for i in 0..self.axes {
+            if follows {
+                let state = self.drives.step(i, orders.set[i]);
+                self.q[i] = state.position;
+                report.position[i] = state.measured;
+                report.following_error[i] = state.following_error;
+                report.current[i] = state.current;
+            } else {
+                (report.position[i], report.following_error[i], report.current[i]) = (self.q[i], 0.0, 0.0);
+            }
+        }
+        report.powered = powered;
+        report.referenced = if self.referenced { (1 << self.axes) - 1 } else { 0 };
+        (report.fault, report.limit_switch, report.age_s) = (0, 0, 0.0);
+        report.starts = report.starts.max(1);
+    }
+}
+
+/// Time constant of process values, s.
+const FOLLOWS_S: f64 = 0.03;
+/// Noise of measured process values, as a part.
+const NOISE: f64 = 0.01;
+/// Time from off until arc or beam is out, s.
+const GOES_OUT_S: f64 = 0.01;
+
+/// A process source in simulation: an arc that needs a moment to strike, values that follow with noise.
+#[derive(Debug, Clone)]
+pub struct SimulatedSource {
+    random: Pcg64Mcg,
+    period: f64,
+    on_for: f64,
+    off_for: f64,
+    /// Time to strike, s.
+    strikes_s: f64,
+    burning: bool,
+    values: [f64; VALUES],
+}
+
+impl SimulatedSource {
+    /// With chance from `seed`; `period_s` is that of the cycle.
+    pub fn new(seed: u64, period_s: f64) -> Self {
+        let mut random = Pcg64Mcg::seed_from_u64(seed ^ 0x5eed_50c3);
+        let strikes_s = 0.05 + 0.1 * uniform(&mut random);
+        Self { random, period: period_s, on_for: 0.0, off_for: 1.0, strikes_s, burning: false, values: [0.0; VALUES] }
+    }
+}
+
+impl Source for SimulatedSource {
+    fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport) {
+        if orders.on {
+            (self.on_for, self.off_for) = (self.on_for + self.period, 0.0);
+            self.burning |= self.on_for >= self.strikes_s;
+        } else {
+            (self.on_for, self.off_for) = (0.0, self.off_for + self.period);
+            if self.off_for >= GOES_OUT_S && self.burning {
+                self.burning = false;
+                self.strikes_s = 0.05 + 0.1 * uniform(&mut self.random);
+            }
+        }
+        for ((value, wanted), shown) in self.values.iter_mut().zip(orders.values).zip(&mut report.values) {
+            let wanted = if self.burning { wanted } else { 0.0 };
+            *value += (wanted - *value) * (self.period / FOLLOWS_S).min(1.0);
+            *shown = *value * (1.0 + NOISE * (2.0 * uniform(&mut self.random) - 1.0));
+        }
+        (report.ready, report.burning, report.stuck, report.fault, report.age_s) = (true, self.burning, false, 0, 0.0);
+        report.starts = report.starts.max(1);
+    }
+}
+
+/// Inputs in simulation: everything is as it should be.
+#[derive(Debug, Clone)]
+pub struct SimulatedInputs {
+    bits: u64,
+}
+
+impl SimulatedInputs {
+    /// Inputs that always read `bits`.
+    pub fn new(bits: u64) -> Self {
+        Self { bits }
+    }
+}
+
+impl Inputs for SimulatedInputs {
+    fn exchange(&mut self, _watchdog: bool, inputs: &mut InputBits) -> bool {
+        (inputs.bits, inputs.starts) = (self.bits, inputs.starts.max(1));
+        true
+    }
+}

@@ -1,0 +1,302 @@
+/// What the cell does about an alarm, the mildest first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Reaction {
+    /// It is told.
+    Tell,
+    /// The program is held on its path as by the operator: a crater is filled.
+    Hold,
+    /// The process goes off at once, the program is held.
+    ProcessOff,
+    /// The process goes off at once, everything stops on its path within limits, then the drives lose power.
+    Stop,
+    /// Process and drives lose power at once, brakes close.
+    PowerOff,
+}
+
+impl Reaction {
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Tell => "told",
+            Self::Hold => "hold",
+            Self::ProcessOff => "process off, hold",
+            Self::Stop => "process off, stop, power off",
+            Self::PowerOff => "process and power off",
+        }
+    }
+}
+
+/// What can go wrong in a cell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Alarm {
+    /// A condition of the machine file is not met; which one is the detail.
+    Interlock,
+    /// An axis' drive reports a fault.
+    DriveFault,
+    /// An axis is on a limit switch.
+    LimitSwitch,
+    /// An axis is too far from where it shall be.
+    FollowingError,
+    /// Drives have lost their power although it is asked for.
+    DrivePower,
+    /// The drives do not answer.
+    DrivesSilent,
+    /// The drives have started anew: positions are lost.
+    DrivesRestarted,
+    /// The inputs are old.
+    InputsSilent,
+    /// The device of the inputs has started anew.
+    InputsRestarted,
+    /// The process source does not answer.
+    SourceSilent,
+    /// The process source has started anew.
+    SourceRestarted,
+    /// The process source reports a fault of its own.
+    SourceFault,
+    /// Arc or beam did not come on.
+    NoArc,
+    /// Arc or beam went out.
+    ArcLost,
+    /// Arc or beam is on although it must not be.
+    ProcessStuckOn,
+    /// A process value is not what was asked for; which one is the detail.
+    ProcessValue,
+    /// The wire sticks in the pool after the end.
+    WireStuck,
+    /// Cycles were missed.
+    Overrun,
+    /// The motion cannot go on.
+    MotionStuck,
+    /// The panel fell silent while axes were jogged.
+    PanelSilent,
+    /// Jogging was stopped: the next thing in the way, or a limit.
+    JogStopped,
+    /// The record of the weld cannot be written.
+    RecordFailing,
+    /// Tracking does not see the joint or cannot follow it.
+    Tracking,
+}
+
+/// An entry of the catalogue of alarms (ISA-18.2): why it comes, what follows, what to do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Entry {
+    /// In a few words.
+    pub name: &'static str,
+    /// Why it comes.
+    pub cause: &'static str,
+    /// What happens if nothing is done.
+    pub consequence: &'static str,
+    /// What the operator does.
+    pub action: &'static str,
+    /// What the cell does.
+    pub reaction: Reaction,
+}
+
+impl Alarm {
+    /// All alarms, in the order of the catalogue.
+    pub const ALL: [Self; 23] = [
+        Self::Interlock,
+        Self::DriveFault,
+        Self::LimitSwitch,
+        Self::FollowingError,
+        Self::DrivePower,
+        Self::DrivesSilent,
+        Self::DrivesRestarted,
+        Self::InputsSilent,
+        Self::InputsRestarted,
+        Self::SourceSilent,
+        Self::SourceRestarted,
+        Self::SourceFault,
+        Self::NoArc,
+        Self::ArcLost,
+        Self::ProcessStuckOn,
+        Self::ProcessValue,
+        Self::WireStuck,
+        Self::Overrun,
+        Self::MotionStuck,
+        Self::PanelSilent,
+        Self::JogStopped,
+        Self::RecordFailing,
+        Self::Tracking,
+    ];
+
+    /// Its number in the catalogue, from 1.
+    pub fn number(self) -> usize {
+        self as usize + 1
+    }
+
+    /// Its entry in the catalogue.
+    #[allow(clippy::too_many_lines, reason = "a table")]
+    pub fn entry(self) -> Entry {
+        use Reaction::{Hold, PowerOff, ProcessOff, Stop, Tell};
+        let (name, cause, consequence, action, reaction) = match self {
+            Self::Interlock => (
+                "condition not met",
+                "a door, vacuum, gas or coolant, as the machine file says",
+                "as the condition's level says",
+                "put right what is named",
+                Tell,
+            ),
+            Self::DriveFault => (
+                "drive fault",
+                "over-current, over-temperature, encoder",
+                "the axis may coast",
+                "read the drive's own code, reset it",
+                PowerOff,
+            ),
+            Self::LimitSwitch => (
+                "limit switch",
+                "an axis ran out of its range: wrong reference or parameter",
+                "the mechanism would be damaged",
+                "move it off by hand or with the drive's own tool, home again",
+                PowerOff,
+            ),
+            Self::FollowingError => (
+                "following error",
+                "collision, a blocked guide, wrong tuning, a brake",
+                "the torch is not where it should be",
+                "look for what blocks the axis; check the tip before going on",
+                Stop,
+            ),
+            Self::DrivePower => (
+                "drives without power",
+                "contactor, fuse or drive dropped out",
+                "axes are held by brakes only",
+                "look at the cabinet, switch on again",
+                PowerOff,
+            ),
+            Self::DrivesSilent => {
+                ("drives silent", "cable, bus or amplifier", "positions are unknown", "check the bus, reset", PowerOff)
+            }
+            Self::DrivesRestarted => (
+                "drives restarted",
+                "their supply was interrupted",
+                "references are lost",
+                "reset, switch on, home",
+                PowerOff,
+            ),
+            Self::InputsSilent => (
+                "inputs silent",
+                "network or I/O device",
+                "doors, gas and vacuum are unknown",
+                "check the network and the device",
+                Stop,
+            ),
+            Self::InputsRestarted => (
+                "inputs restarted",
+                "the I/O device's supply was interrupted",
+                "its outputs fell to their safe states",
+                "check outputs, reset",
+                Stop,
+            ),
+            Self::SourceSilent => (
+                "process source silent",
+                "network or source",
+                "arc or beam is unwatched",
+                "check cable and source",
+                ProcessOff,
+            ),
+            Self::SourceRestarted => (
+                "process source restarted",
+                "its supply was interrupted",
+                "its settings may be lost",
+                "check its settings, then go on",
+                ProcessOff,
+            ),
+            Self::SourceFault => (
+                "process source fault",
+                "overheated, low gas or water, door of a laser, vacuum of a gun",
+                "no weld",
+                "read the source's own code",
+                ProcessOff,
+            ),
+            Self::NoArc => (
+                "no arc or beam",
+                "dirt, insulation, end of wire, shutter",
+                "nothing is welded",
+                "clean, check wire and earth, go on",
+                ProcessOff,
+            ),
+            Self::ArcLost => (
+                "arc or beam lost",
+                "wire, distance, discharge",
+                "a crater where it went out",
+                "grind it out, go on with overlap",
+                ProcessOff,
+            ),
+            Self::ProcessStuckOn => (
+                "arc or beam stays on",
+                "contactor or interface of the source",
+                "it burns through at rest",
+                "emergency stop, disconnect the source",
+                PowerOff,
+            ),
+            Self::ProcessValue => (
+                "process value off",
+                "feed, stick-out, cable, gap",
+                "penetration or size of the weld",
+                "look at the weld, adjust, go on",
+                Hold,
+            ),
+            Self::WireStuck => ("wire stuck", "burn-back too short", "it bends when the torch leaves", "cut it", Hold),
+            Self::Overrun => (
+                "cycles missed",
+                "this computer is too slow or busy for the period",
+                "set-points come late",
+                "stop other programs, see `seamwright latency`",
+                Stop,
+            ),
+            Self::MotionStuck => (
+                "motion stuck",
+                "no way on within the axes' limits",
+                "the torch stands on its path",
+                "abort, plan again",
+                ProcessOff,
+            ),
+            Self::PanelSilent => ("panel silent", "network or browser", "jogging stops", "jog again", Tell),
+            Self::JogStopped => {
+                ("jog stopped", "something is in the way, or an end of range", "none", "jog elsewhere", Tell)
+            }
+            Self::RecordFailing => (
+                "record failing",
+                "disk full or gone",
+                "this weld has no complete record",
+                "free the disk; decide whether to go on",
+                Tell,
+            ),
+            Self::Tracking => (
+                "tracking",
+                "the joint is not seen or out of reach",
+                "the weld may miss the joint",
+                "look at sensor and joint, go on with overlap",
+                ProcessOff,
+            ),
+        };
+        Entry { name, cause, consequence, action, reaction }
+    }
+}
+
+/// The catalogue as a Markdown table.
+pub fn catalogue() -> String {
+    let mut text = String::from("| no. | alarm | cause | consequence | operator | cell |\n|---|---|---|---|---|---|\n");
+    for alarm in Alarm::ALL {
+        let e = alarm.entry();
+        let line = [e.name, e.cause, e.consequence, e.action, e.reaction.name()].join(" | ");
+        text += &format!("| {} | {line} |\n", alarm.number());
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_document_has_the_catalogue() {
+        let text = include_str!("../../../../docs/executive.md");
+        assert!(text.contains(&catalogue()), "docs/executive.md needs this table:\n{}", catalogue());
+        for (i, alarm) in Alarm::ALL.into_iter().enumerate() {
+            assert_eq!(alarm.number(), i + 1);
+        }
+    }
+}

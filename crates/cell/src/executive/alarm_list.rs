@@ -1,0 +1,154 @@
+use super::alarm::{Alarm, Reaction};
+use arrayvec::ArrayVec;
+
+/// Where the torch was.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Place {
+    /// The pass, counted from 1; 0 beside all passes.
+    pub pass: usize,
+    /// Path length in it, mm.
+    pub s_mm: f64,
+}
+
+/// State of an alarm (ISA-18.2, clause 5.5).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AlarmState {
+    /// It is there and nobody has said that he knows.
+    Unacknowledged,
+    /// It is there and known.
+    Acknowledged,
+    /// It has gone before anybody said that he knows.
+    Returned,
+}
+
+/// An alarm on the list.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Raised {
+    /// Which.
+    pub alarm: Alarm,
+    /// Which axis, condition or process value, counted from 0; 0 where there is only one.
+    pub detail: u8,
+    /// What the cell did.
+    pub reaction: Reaction,
+    /// Its state.
+    pub state: AlarmState,
+    /// True for the alarm that came first since there was none.
+    pub first_out: bool,
+    /// When it came, s.
+    pub t: f64,
+    /// Where the torch was.
+    pub place: Place,
+}
+
+/// Most alarms on the list at once: one each, and one for each axis and condition.
+pub const MOST_ALARMS: usize = 96;
+
+/// The alarms that are there or not yet acknowledged. Nothing is lost: every alarm has room once for every detail.
+#[derive(Debug, Clone, Default)]
+pub struct AlarmList {
+    list: ArrayVec<Raised, MOST_ALARMS>,
+    /// Alarms that found no room.
+    lost: u32,
+}
+
+impl AlarmList {
+    /// Raises an alarm; what is to be told, if that is news.
+    pub fn raise(&mut self, alarm: Alarm, detail: u8, reaction: Reaction, (t, place): (f64, Place)) -> Option<Raised> {
+        let first_out = self.list.is_empty();
+        if let Some(known) = self.list.iter_mut().find(|r| r.alarm == alarm && r.detail == detail) {
+            if known.state != AlarmState::Returned {
+                return None;
+            }
+            // It is back: a new occurrence, but what came first stays what came first.
+            *known = Raised { state: AlarmState::Unacknowledged, reaction, t, place, ..*known };
+            return Some(*known);
+        }
+        let raised = Raised { alarm, detail, reaction, state: AlarmState::Unacknowledged, first_out, t, place };
+        if self.list.try_push(raised).is_err() {
+            self.lost += 1;
+        }
+        Some(raised)
+    }
+
+    /// The cause of an alarm has gone; true if that is news.
+    pub fn clear(&mut self, alarm: Alarm, detail: u8) -> bool {
+        let Some(i) = self.list.iter().position(|r| r.alarm == alarm && r.detail == detail) else { return false };
+        match self.list[i].state {
+            AlarmState::Unacknowledged => self.list[i].state = AlarmState::Returned,
+            AlarmState::Acknowledged => drop(self.list.remove(i)),
+            AlarmState::Returned => return false,
+        }
+        true
+    }
+
+    /// The operator knows all that is on the list; how many that were new to him.
+    pub fn acknowledge(&mut self) -> usize {
+        let before = self.list.iter().filter(|r| r.state != AlarmState::Acknowledged).count();
+        self.list.retain(|r| r.state != AlarmState::Returned);
+        self.list.iter_mut().for_each(|r| r.state = AlarmState::Acknowledged);
+        before
+    }
+
+    /// True if it is there.
+    pub fn is_active(&self, alarm: Alarm, detail: u8) -> bool {
+        self.list.iter().any(|r| r.alarm == alarm && r.detail == detail && r.state != AlarmState::Returned)
+    }
+
+    /// All on the list, in the order in which they came.
+    pub fn iter(&self) -> impl Iterator<Item = &Raised> {
+        self.list.iter()
+    }
+
+    /// The alarm that came first.
+    pub fn first(&self) -> Option<&Raised> {
+        self.list.iter().find(|r| r.first_out).or(self.list.first())
+    }
+
+    /// Alarms that found no room.
+    pub fn lost(&self) -> u32 {
+        self.lost
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HERE: (f64, Place) = (1.0, Place { pass: 1, s_mm: 5.0 });
+
+    fn raise(list: &mut AlarmList, alarm: Alarm, detail: u8) -> Option<Raised> {
+        list.raise(alarm, detail, alarm.entry().reaction, HERE)
+    }
+
+    #[test]
+    fn alarms_live_as_the_standard_says() {
+        let list = &mut AlarmList::default();
+        assert!(raise(list, Alarm::ArcLost, 0).unwrap().first_out);
+        assert!(raise(list, Alarm::ArcLost, 0).is_none());
+        assert!(!raise(list, Alarm::FollowingError, 2).unwrap().first_out);
+        // Gone before it was acknowledged: still on the list; back again: news.
+        assert!(list.clear(Alarm::ArcLost, 0) && !list.clear(Alarm::ArcLost, 0));
+        assert_eq!(list.first().unwrap().alarm, Alarm::ArcLost);
+        assert!(!list.is_active(Alarm::ArcLost, 0));
+        assert!(raise(list, Alarm::ArcLost, 0).unwrap().first_out);
+        assert_eq!(list.acknowledge(), 2);
+        assert_eq!(list.acknowledge(), 0);
+        assert!(list.clear(Alarm::ArcLost, 0));
+        assert_eq!(list.iter().count(), 1);
+        assert!(list.clear(Alarm::FollowingError, 2) && list.first().is_none());
+        // The next one is the first again; what returned leaves when it is acknowledged.
+        assert!(raise(list, Alarm::Overrun, 0).unwrap().first_out);
+        list.clear(Alarm::Overrun, 0);
+        assert_eq!(list.acknowledge(), 1);
+        assert_eq!(list.iter().count(), 0);
+    }
+
+    #[test]
+    fn a_full_list_tells_what_it_lost() {
+        let list = &mut AlarmList::default();
+        for detail in 0..=u8::MAX {
+            raise(list, Alarm::Interlock, detail);
+        }
+        assert_eq!((list.iter().count(), list.lost()), (MOST_ALARMS, 256 - MOST_ALARMS as u32));
+    }
+}

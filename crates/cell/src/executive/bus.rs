@@ -1,0 +1,103 @@
+use seamwright_machine::{Joints, MAX_AXES};
+use seamwright_servo::SetPoint;
+
+/// Most process values of a weld.
+pub const VALUES: usize = 8;
+
+/// What the executive wants of the devices in a cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Orders {
+    /// The drives shall have power.
+    pub power: bool,
+    /// The drives shall find their references, each by its own way; set-points do not count then.
+    pub home: bool,
+    /// Where each axis shall be, mm or rad; followed only with power.
+    pub set: [SetPoint; MAX_AXES],
+    /// The process.
+    pub process: ProcessOrders,
+    /// Changes its value in every cycle: outputs fall to their safe states if it stops to.
+    pub watchdog: bool,
+}
+
+/// What the process source shall do.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ProcessOrders {
+    /// The gas valve is open.
+    pub gas: bool,
+    /// Arc or beam.
+    pub on: bool,
+    /// Process values, in the order of [`super::Work::values`].
+    pub values: [f64; VALUES],
+}
+
+/// What the devices know of themselves.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Reports {
+    /// The drives.
+    pub drives: DriveReport,
+    /// The process source.
+    pub source: SourceReport,
+    /// Inputs, a bit each, in the order of the machine's conditions.
+    pub inputs: u64,
+    /// Age of the inputs, s.
+    pub inputs_age_s: f64,
+    /// How often the device of the inputs has started.
+    pub inputs_starts: u32,
+    /// Cycles missed before this one.
+    pub missed: u32,
+}
+
+/// What the drives report.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct DriveReport {
+    /// They have power.
+    pub powered: bool,
+    /// Measured positions, mm or rad.
+    pub position: Joints,
+    /// Following error of each axis, mm or rad.
+    pub following_error: Joints,
+    /// Current of each drive as a part of its peak.
+    pub current: Joints,
+    /// Axes with a fault, a bit each.
+    pub fault: u16,
+    /// Axes on a limit switch, a bit each.
+    pub limit_switch: u16,
+    /// Axes whose reference is known, a bit each.
+    pub referenced: u16,
+    /// Age of all this, s.
+    pub age_s: f64,
+    /// How often they have started.
+    pub starts: u32,
+}
+
+/// What the process source reports.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SourceReport {
+    /// It could be switched on.
+    pub ready: bool,
+    /// Arc or beam is there.
+    pub burning: bool,
+    /// The wire sticks.
+    pub stuck: bool,
+    /// Its own fault code; 0 is none.
+    pub fault: u16,
+    /// Actual process values; no number where it does not measure one.
+    pub values: [f64; VALUES],
+    /// Age of all this, s.
+    pub age_s: f64,
+    /// How often it has started.
+    pub starts: u32,
+}
+
+/// Everything that the executive drives.
+pub trait Devices {
+    /// Gives `orders` for the next period, waits until it begins, and puts into `reports` what is known then. Must neither
+    /// allocate nor lock.
+    fn exchange(&mut self, orders: &Orders, reports: &mut Reports);
+}
+
+impl<D: Devices + ?Sized> Devices for &mut D {
+    fn exchange(&mut self, orders: &Orders, reports: &mut Reports) {
+        (**self).exchange(orders, reports);
+    }
+}

@@ -1,0 +1,380 @@
+use super::alarm_list::{AlarmList, Place};
+use super::bus::{Devices, Orders, Reports};
+use super::command::{Ask, Command};
+use super::interlocks::Interlocks;
+use super::mode::{Event, Mode};
+use super::process::Process;
+use super::state::{Cycle, Missing, Note, Port};
+use super::supervision::Supervision;
+use super::work::Work;
+use super::{Alarm, Reaction, VALUES};
+use arrayvec::ArrayVec;
+use seamwright_machine::{Level, MAX_AXES, Machine};
+use seamwright_motion::jog;
+use seamwright_motion::pace::RunPhase;
+use seamwright_servo::SetPoint;
+
+/// How long an arming holds, s.
+const ARMED_S: f64 = 60.0;
+/// How far an axis may be from where the way to the weld begins, mm or rad.
+const AT_START: f64 = 0.01;
+/// Longest time for finding the references, s.
+const HOMING_S: f64 = 120.0;
+
+/// What the program is doing in a cycle.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Doing {
+    /// Arc or beam is asked for.
+    pub(super) asked: bool,
+    pub(super) gas: bool,
+    pub(super) values: [f64; VALUES],
+    pub(super) phase: Option<RunPhase>,
+    pub(super) place: Place,
+    pub(super) speed: f64,
+    pub(super) welded_mm: f64,
+}
+
+/// The executive of a cell: see the module.
+///
+/// Guarantees, tested by a campaign of faults at any moment in every mode: the process is off in the cycle after the one that
+/// reports what takes it away; set-points are always on the planned path or at rest, within every axis' limits, until power
+/// goes; nothing moves and no process comes on without a command for it after whatever stopped it.
+#[derive(Debug)]
+pub struct Executive<'a, D, P> {
+    pub(super) machine: &'a Machine,
+    pub(super) devices: D,
+    pub(super) port: P,
+    pub(super) interlocks: Interlocks,
+    pub(super) alarms: AlarmList,
+    pub(super) process: Process,
+    pub(super) supervision: Supervision,
+    pub(super) mode: Mode,
+    /// The drives are to have power.
+    pub(super) power: bool,
+    /// A program or a jog has not come to rest.
+    pub(super) busy: bool,
+    /// What a program that runs or is held is: with or without process.
+    pub(super) welds: bool,
+    /// Until when the process may be started, s.
+    armed_until: f64,
+    pub(super) pace: f64,
+    /// The program shall go back.
+    pub(super) reverse: bool,
+    /// What the hand on the keys wants, fresh in this cycle.
+    pub(super) jog: Option<jog::Command>,
+    quit: bool,
+    cycles: u64,
+    pub(super) orders: Orders,
+    pub(super) reports: Reports,
+    pub(super) doing: Doing,
+    /// Where a program was left.
+    left: Option<Place>,
+}
+
+impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
+    /// An executive that is off.
+    pub fn new(machine: &'a Machine, devices: D, port: P) -> Self {
+        Self {
+            machine,
+            devices,
+            port,
+            interlocks: Interlocks::new(&machine.interlocks),
+            alarms: AlarmList::default(),
+            process: Process::new(machine.source, machine.servo_period_s),
+            supervision: Supervision::new(machine),
+            mode: Mode::Off,
+            power: false,
+            busy: false,
+            welds: false,
+            armed_until: f64::NEG_INFINITY,
+            pace: 1.0,
+            reverse: false,
+            jog: None,
+            quit: false,
+            cycles: 0,
+            orders: Orders::default(),
+            reports: Reports::default(),
+            doing: Doing::default(),
+            left: None,
+        }
+    }
+
+    /// Runs cycle after cycle until [`Ask::Quit`]; `work` is what dry runs and welds run.
+    pub fn serve(&mut self, work: Option<&Work<'_>>) {
+        while !self.quit {
+            match (self.mode, work) {
+                (Mode::Homing, _) => self.home(),
+                (Mode::Jog | Mode::Teach, _) => self.jog_on(work.and_then(|w| w.around), work),
+                (Mode::DryRun | Mode::Weld, Some(work)) => self.run(work),
+                _ => {
+                    // What tripped has come to rest.
+                    self.power &= self.mode.has_power();
+                    self.rest_at_actual();
+                    self.tick(Doing::default(), work);
+                }
+            }
+        }
+    }
+
+    /// Time since it began, s.
+    pub fn now(&self) -> f64 {
+        self.cycles as f64 * self.machine.servo_period_s
+    }
+
+    /// Where a program was left by a stop or a fault and can be gone on with.
+    pub fn left(&self) -> Option<Place> {
+        self.left
+    }
+
+    /// What stands between now and `event`: "why can't I start".
+    pub fn missing(&self, event: Event, work: Option<&Work<'_>>) -> ArrayVec<Missing, 32> {
+        let mut missing = ArrayVec::new();
+        // One more than there is room for is not worth more than the first.
+        let mut add = |m: Missing| missing.try_push(m).unwrap_or_default();
+        if let Err(refused) = self.mode.after(event) {
+            add(Missing::Mode(refused));
+        }
+        let level = match event {
+            Event::SwitchOn => Level::Power,
+            Event::Home | Event::Jog | Event::Teach | Event::DryRun => Level::Motion,
+            Event::Weld => Level::Process,
+            Event::Reset => {
+                self.standing().for_each(|(alarm, detail)| add(Missing::Alarm(alarm, detail)));
+                return missing;
+            }
+            _ => return missing,
+        };
+        if self.busy && self.mode != Mode::Hold {
+            add(Missing::Moving);
+        }
+        let unmet = self.interlocks.unmet(level, self.reports.inputs);
+        (0..64u8).filter(|i| unmet >> i & 1 == 1).for_each(|i| add(Missing::Condition(i)));
+        for raised in self.alarms.iter().filter(|r| r.reaction > Reaction::Tell) {
+            add(Missing::Alarm(raised.alarm, raised.detail));
+        }
+        if matches!(event, Event::DryRun | Event::Weld) && self.mode != Mode::Hold {
+            match work {
+                None => add(Missing::Work),
+                Some(work) => self.off_start(work).into_iter().for_each(|axis| add(Missing::NotAtStart(axis))),
+            }
+        }
+        if event == Event::Weld {
+            if !self.reports.source.ready {
+                add(Missing::Source);
+            }
+            if !self.is_armed() {
+                add(Missing::Arming);
+            }
+        }
+        missing
+    }
+
+    /// Alarms that keep the cell in fault: their causes are still there.
+    fn standing(&self) -> impl Iterator<Item = (Alarm, u8)> {
+        let there = self.alarms.iter().filter(|r| r.reaction >= Reaction::Stop);
+        there.filter(|r| self.alarms.is_active(r.alarm, r.detail)).map(|r| (r.alarm, r.detail))
+    }
+
+    /// The axis that is farthest from where the way to the weld begins, if any is off.
+    fn off_start(&self, work: &Work<'_>) -> Option<u8> {
+        let start = work.start.approach.legs.first().map(|leg| *leg.start());
+        let start = start.or_else(|| Some(work.passes.get(work.start.pass)?.planned.path.at(work.start.welded_mm)))?;
+        let off = |i: usize| (self.orders.set[i].position - start[i]).abs();
+        let worst = (0..self.machine.axes.len()).max_by(|a, b| off(*a).total_cmp(&off(*b)))?;
+        (off(worst) > AT_START).then_some(worst as u8)
+    }
+
+    pub(super) fn is_armed(&self) -> bool {
+        self.now() < self.armed_until
+    }
+
+    pub(super) fn disarm(&mut self) {
+        self.armed_until = f64::NEG_INFINITY;
+    }
+
+    /// Goes where `event` leads; false if it leads nowhere.
+    pub(super) fn event(&mut self, event: Event) -> bool {
+        let Ok(mode) = self.mode.after(event) else { return false };
+        if mode != self.mode {
+            self.port.note(self.now(), Note::Mode(self.mode, mode));
+            if mode != Mode::Weld {
+                self.disarm();
+            }
+            self.mode = mode;
+        }
+        true
+    }
+
+    /// The program was left at a place with the weld unfinished.
+    pub(super) fn leave(&mut self, place: Option<Place>) {
+        self.left = place;
+        if let Some(place) = place {
+            self.port.note(self.now(), Note::Left(place));
+        }
+    }
+
+    /// Looks for the references until they are known.
+    fn home(&mut self) {
+        let begun = self.now();
+        let all = (1u16 << self.machine.axes.len()) - 1;
+        while self.mode == Mode::Homing {
+            self.orders.home = true;
+            self.rest_at_actual();
+            self.tick(Doing::default(), None);
+            if self.reports.drives.referenced & all == all {
+                self.event(Event::Homed);
+            } else if self.now() - begun > HOMING_S {
+                self.event(Event::Abort);
+            }
+        }
+        self.orders.home = false;
+        self.rest_at_actual();
+    }
+
+    /// Set-points of axes that nobody moves: where they are held, or where they are if they are not.
+    fn rest_at_actual(&mut self) {
+        let held = self.power && self.reports.drives.powered && self.mode != Mode::Homing;
+        for (set, position) in self.orders.set.iter_mut().zip(self.reports.drives.position) {
+            let position = if held { set.position } else { position };
+            *set = SetPoint { position, velocity: 0.0, acceleration: 0.0 };
+        }
+    }
+
+    /// One cycle: orders out, reports in, judged; commands; shown.
+    pub(super) fn tick(&mut self, doing: Doing, work: Option<&Work<'_>>) {
+        self.doing = doing;
+        let alarm = self.process.step(doing.asked, &self.reports.source);
+        self.orders.power = self.power;
+        self.orders.watchdog = !self.orders.watchdog;
+        self.orders.process.on = self.process.on();
+        self.orders.process.gas = doing.gas;
+        self.orders.process.values = doing.values;
+        self.devices.exchange(&self.orders, &mut self.reports);
+        self.cycles += 1;
+        if let Some(alarm) = alarm {
+            self.happened(alarm, 0);
+        }
+        self.supervise();
+        self.jog = None;
+        while let Some(command) = self.port.command(self.now()) {
+            self.take(command, work);
+        }
+        let cycle = Cycle {
+            t: self.cycles as f64 * self.machine.servo_period_s,
+            mode: self.mode,
+            place: doing.place,
+            phase: doing.phase,
+            speed: doing.speed,
+            welded_mm: doing.welded_mm,
+            process: self.process.state(),
+            armed: self.now() < self.armed_until,
+            pace: self.pace,
+            orders: &self.orders,
+            reports: &self.reports,
+            alarms: &self.alarms,
+        };
+        self.port.show(&cycle);
+    }
+
+    /// Takes a command, or says what is missing.
+    fn take(&mut self, command: Command, work: Option<&Work<'_>>) {
+        let refused = self.obey(command.ask, work).err();
+        // The hand on the keys speaks twenty times a second.
+        let told = !matches!(command.ask, Ask::Jog(_)) || refused.is_some();
+        if told {
+            self.port.note(self.now(), refused.map_or(Note::Taken(command), |m| Note::Refused(command, m)));
+        }
+    }
+
+    fn obey(&mut self, ask: Ask, work: Option<&Work<'_>>) -> Result<(), Missing> {
+        if ask.stops() {
+            if ask == Ask::Stop {
+                self.process.kill();
+            }
+            self.event(if ask == Ask::Stop { Event::Abort } else { Event::Hold });
+            return Ok(());
+        }
+        let event = match ask {
+            Ask::SwitchOn => Event::SwitchOn,
+            Ask::SwitchOff => Event::SwitchOff,
+            Ask::Home => Event::Home,
+            Ask::StartJog => Event::Jog,
+            Ask::StartTeach => Event::Teach,
+            Ask::StartDryRun => Event::DryRun,
+            Ask::StartWeld => Event::Weld,
+            Ask::Reset => Event::Reset,
+            Ask::Resume if self.welds => Event::Weld,
+            Ask::Resume => Event::DryRun,
+            _ => return self.adjust(ask, work),
+        };
+        // What is held goes on as what it is.
+        let starts = matches!(ask, Ask::StartDryRun | Ask::StartWeld);
+        if self.mode == Mode::Hold && starts || self.mode != Mode::Hold && ask == Ask::Resume {
+            return Err(Missing::Mode(super::Refused { mode: self.mode, event }));
+        }
+        if let Some(missing) = self.missing(event, work).first() {
+            return Err(*missing);
+        }
+        if starts {
+            self.welds = event == Event::Weld;
+        }
+        self.reverse = false;
+        self.event(event);
+        self.disarm();
+        match event {
+            Event::SwitchOn => self.switch_on(),
+            Event::SwitchOff => self.power = false,
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn switch_on(&mut self) {
+        self.power = true;
+        self.supervision.switched_on();
+        let all = (1u16 << self.machine.axes.len()) - 1;
+        if self.reports.drives.referenced & all == all {
+            self.event(Event::Homed);
+        }
+    }
+
+    /// Commands that change no mode.
+    fn adjust(&mut self, ask: Ask, work: Option<&Work<'_>>) -> Result<(), Missing> {
+        match ask {
+            Ask::Override(value) if (0.0..=1.0).contains(&value) => self.pace = value,
+            Ask::Override(_) => return Err(Missing::Value),
+            Ask::Acknowledge => drop(self.alarms.acknowledge()),
+            Ask::Arm => {
+                let missing = self.missing(Event::Weld, work);
+                if let Some(missing) = missing.iter().find(|m| **m != Missing::Arming) {
+                    return Err(*missing);
+                }
+                if self.mode == Mode::Hold && !self.welds {
+                    return Err(Missing::Motion);
+                }
+                self.armed_until = self.now() + ARMED_S;
+            }
+            Ask::Jog(command) if matches!(self.mode, Mode::Jog | Mode::Teach) => self.jog = Some(command),
+            Ask::Jog(_) => return Err(Missing::Mode(super::Refused { mode: self.mode, event: Event::Jog })),
+            Ask::Reverse if self.mode == Mode::Hold => {
+                let unmet = self.interlocks.unmet(Level::Motion, self.reports.inputs);
+                if unmet != 0 {
+                    return Err(Missing::Condition(unmet.trailing_zeros() as u8));
+                }
+                self.reverse = true;
+            }
+            Ask::Reverse => return Err(Missing::Motion),
+            Ask::Quit if self.busy || self.mode.moves() => return Err(Missing::Moving),
+            Ask::Quit => self.quit = true,
+            _ => return Err(Missing::Motion),
+        }
+        Ok(())
+    }
+
+    /// Axes of a set-point that moves.
+    pub(super) fn set(&mut self, positions: &[f64; MAX_AXES], speeds: &[f64], accelerations: &[f64]) {
+        for (i, set) in self.orders.set.iter_mut().enumerate() {
+            *set = SetPoint { position: positions[i], velocity: speeds[i], acceleration: accelerations[i] };
+        }
+    }
+}

@@ -1,0 +1,286 @@
+use std::fmt;
+
+/// What the cell is doing. Power means that the drives hold or move the axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Mode {
+    /// Drives without power, brakes closed.
+    Off,
+    /// Power, but the axes' positions are not known.
+    Idle,
+    /// The axes look for their references.
+    Homing,
+    /// Power, positions known, at rest.
+    Ready,
+    /// The operator moves axes by hand.
+    Jog,
+    /// The same, and places are recorded.
+    Teach,
+    /// The program runs with the process off.
+    DryRun,
+    /// The program runs with the process on.
+    Weld,
+    /// A program stands on its path and can go on.
+    Hold,
+    /// Something tripped; nothing moves before it is reset.
+    Fault,
+}
+
+/// What can happen to the cell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Event {
+    /// Power is asked for.
+    SwitchOn,
+    /// Power shall go.
+    SwitchOff,
+    /// References are asked for.
+    Home,
+    /// Positions are known.
+    Homed,
+    /// Jogging is asked for.
+    Jog,
+    /// Teaching is asked for.
+    Teach,
+    /// The program without process is asked for, or shall go on.
+    DryRun,
+    /// The program with process is asked for, or shall go on.
+    Weld,
+    /// Stand still on the path.
+    Hold,
+    /// What ran has come to its end.
+    Finish,
+    /// Give up what runs.
+    Abort,
+    /// An alarm that takes the cell down.
+    Trip,
+    /// The fault has been looked at.
+    Reset,
+}
+
+impl Mode {
+    /// All modes.
+    pub const ALL: [Self; 10] = [
+        Self::Off,
+        Self::Idle,
+        Self::Homing,
+        Self::Ready,
+        Self::Jog,
+        Self::Teach,
+        Self::DryRun,
+        Self::Weld,
+        Self::Hold,
+        Self::Fault,
+    ];
+
+    /// Where `event` leads from here: the one table of transitions.
+    ///
+    /// Guarantees, tested for every event in every mode: a trip leads to [`Mode::Fault`] from everywhere; hold and abort are
+    /// never refused; nothing but a reset leaves a fault, and it leads to [`Mode::Off`]; the process can only come on from rest
+    /// with known positions or from a hold, by [`Event::Weld`].
+    ///
+    /// # Errors
+    /// [`Refused`] where the event has no meaning.
+    pub fn after(self, event: Event) -> Result<Self, Refused> {
+        use Event as E;
+        Ok(match (self, event) {
+            (_, E::Trip) => Self::Fault,
+            (Self::Fault, E::Reset) | (Self::Idle | Self::Ready, E::SwitchOff) => Self::Off,
+            (Self::Off, E::SwitchOn) => Self::Idle,
+            (Self::Idle | Self::Ready, E::Home) => Self::Homing,
+            (Self::Idle | Self::Homing, E::Homed) => Self::Ready,
+            (Self::Homing, E::Hold | E::Abort) => Self::Idle,
+            (Self::Ready, E::Jog) => Self::Jog,
+            (Self::Ready, E::Teach) => Self::Teach,
+            (Self::Ready | Self::Hold, E::DryRun) => Self::DryRun,
+            (Self::Ready | Self::Hold, E::Weld) => Self::Weld,
+            (Self::Jog | Self::Teach, E::Hold | E::Finish | E::Abort) => Self::Ready,
+            (Self::DryRun | Self::Weld, E::Hold) => Self::Hold,
+            (Self::DryRun | Self::Weld | Self::Hold, E::Finish | E::Abort) => Self::Ready,
+            // A stop is a stop, whatever it finds.
+            (mode, E::Hold | E::Abort) => mode,
+            (mode, event) => return Err(Refused { mode, event }),
+        })
+    }
+
+    /// True if the drives are to have power.
+    pub fn has_power(self) -> bool {
+        !matches!(self, Self::Off | Self::Fault)
+    }
+
+    /// True if axes may move.
+    pub fn moves(self) -> bool {
+        matches!(self, Self::Homing | Self::Jog | Self::Teach | Self::DryRun | Self::Weld)
+    }
+
+    /// In one word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Off => "off",
+            Self::Idle => "idle",
+            Self::Homing => "homing",
+            Self::Ready => "ready",
+            Self::Jog => "jog",
+            Self::Teach => "teach",
+            Self::DryRun => "dry run",
+            Self::Weld => "weld",
+            Self::Hold => "hold",
+            Self::Fault => "fault",
+        }
+    }
+}
+
+impl Event {
+    /// All events.
+    pub const ALL: [Self; 13] = [
+        Self::SwitchOn,
+        Self::SwitchOff,
+        Self::Home,
+        Self::Homed,
+        Self::Jog,
+        Self::Teach,
+        Self::DryRun,
+        Self::Weld,
+        Self::Hold,
+        Self::Finish,
+        Self::Abort,
+        Self::Trip,
+        Self::Reset,
+    ];
+
+    /// In a few words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::SwitchOn => "switch on",
+            Self::SwitchOff => "switch off",
+            Self::Home => "home",
+            Self::Homed => "homed",
+            Self::Jog => "jog",
+            Self::Teach => "teach",
+            Self::DryRun => "dry run",
+            Self::Weld => "weld",
+            Self::Hold => "hold",
+            Self::Finish => "finish",
+            Self::Abort => "abort",
+            Self::Trip => "trip",
+            Self::Reset => "reset",
+        }
+    }
+}
+
+impl fmt::Display for Mode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl fmt::Display for Event {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// An event that has no meaning in a mode.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Refused {
+    /// The mode.
+    pub mode: Mode,
+    /// What was asked.
+    pub event: Event,
+}
+
+impl Refused {
+    /// Modes in which it has one.
+    pub fn allowed(self) -> impl Iterator<Item = Mode> {
+        Mode::ALL.into_iter().filter(move |mode| mode.after(self.event).is_ok())
+    }
+}
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "`{}` has no meaning in mode {}: allowed in", self.event, self.mode)?;
+        self.allowed().enumerate().try_for_each(|(i, mode)| write!(f, "{} {mode}", if i > 0 { "," } else { "" }))
+    }
+}
+
+impl std::error::Error for Refused {}
+
+/// The table of transitions as Markdown: a row a mode, a column an event; `-` where an event is refused.
+pub fn table() -> String {
+    let mut text = String::from("| mode |");
+    Event::ALL.iter().for_each(|event| text += &format!(" {event} |"));
+    text += "\n|---|";
+    text += &"---|".repeat(Event::ALL.len());
+    for mode in Mode::ALL {
+        text += &format!("\n| **{mode}** |");
+        for event in Event::ALL {
+            let to = mode.after(event).map_or("-", |to| if to == mode { "stays" } else { to.name() });
+            text += &format!(" {to} |");
+        }
+    }
+    text + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_event_in_every_mode() {
+        for mode in Mode::ALL {
+            for event in Event::ALL {
+                let after = mode.after(event);
+                match event {
+                    Event::Trip => assert_eq!(after, Ok(Mode::Fault)),
+                    Event::Hold | Event::Abort => {
+                        let to = after.unwrap();
+                        assert!(!to.moves(), "{mode} {event}");
+                        assert_eq!(to.has_power(), mode.has_power(), "a stop neither gives nor takes power");
+                    }
+                    Event::Weld => assert_eq!(after.is_ok(), matches!(mode, Mode::Ready | Mode::Hold)),
+                    Event::Reset => assert_eq!(after.ok(), (mode == Mode::Fault).then_some(Mode::Off)),
+                    _ => {}
+                }
+                if let Ok(to) = after {
+                    // Only asking for it brings power, motion or the process.
+                    assert!(!to.has_power() || mode.has_power() || event == Event::SwitchOn);
+                    assert!(to == mode || to != Mode::Weld || event == Event::Weld);
+                    let asks = matches!(event, Event::Home | Event::Jog | Event::Teach | Event::DryRun | Event::Weld);
+                    assert!(to == mode || !to.moves() || asks);
+                    assert!(mode != Mode::Fault || to == Mode::Fault || event == Event::Reset);
+                } else {
+                    let text = after.unwrap_err().to_string();
+                    assert!(text.contains(event.name()) && text.contains(mode.name()), "{text}");
+                    assert!(after.unwrap_err().allowed().count() > 0);
+                }
+            }
+        }
+    }
+
+    /// Every mode can be reached from the start, and every mode leads back to rest.
+    #[test]
+    fn no_mode_is_an_island() {
+        let reach = |from: Mode| {
+            let mut seen = vec![from];
+            let mut i = 0;
+            while i < seen.len() {
+                for event in Event::ALL {
+                    if let Ok(to) = seen[i].after(event)
+                        && !seen.contains(&to)
+                    {
+                        seen.push(to);
+                    }
+                }
+                i += 1;
+            }
+            seen
+        };
+        for mode in Mode::ALL {
+            assert_eq!(reach(mode).len(), Mode::ALL.len(), "{mode}");
+        }
+    }
+
+    #[test]
+    fn the_document_has_the_table() {
+        let text = include_str!("../../../../docs/executive.md");
+        assert!(text.contains(&table()), "docs/executive.md needs this table:\n{}", table());
+    }
+}

@@ -1,0 +1,158 @@
+//! A program from its first air move to its last, with or without the process.
+
+use super::alarm_list::Place;
+use super::bus::Devices;
+use super::core::Doing;
+use super::mode::{Event, Mode};
+use super::state::{Note, Port};
+use super::work::Work;
+use super::{Alarm, Executive, ProcessState, VALUES};
+use seamwright_motion::pace::{Instant, Order, Pace, Run, RunPhase, Timed};
+use seamwright_program::Sequence;
+
+/// A stretch of a program that is run.
+struct Stretch<'a, L> {
+    law: &'a L,
+    sequence: Sequence,
+    /// The pass, counted from 0; none in the air.
+    pass: Option<usize>,
+    /// Where it is welded up to, mm.
+    from_mm: f64,
+}
+
+impl<D: Devices, P: Port> Executive<'_, D, P> {
+    /// Runs the program until it ends or is given up.
+    pub(super) fn run(&mut self, work: &Work<'_>) {
+        self.busy = true;
+        self.leave(None);
+        let done = self.fly(work, &work.start.approach.legs) && self.weld(work);
+        self.busy = false;
+        if done {
+            self.event(Event::Finish);
+        }
+    }
+
+    /// All passes from the start on, with the air moves behind them; false if it was given up.
+    fn weld(&mut self, work: &Work<'_>) -> bool {
+        for i in work.start.pass..work.passes.len() {
+            let from_mm = if i == work.start.pass { work.start.welded_mm } else { 0.0 };
+            let one = &work.passes[i];
+            let welds = self.welds && one.planned.arc;
+            let stretch = Stretch { law: &one.timed, sequence: one.times(welds), pass: Some(i), from_mm };
+            if !self.play(work, &stretch) {
+                let place = Place { pass: i + 1, s_mm: self.doing.welded_mm };
+                self.leave(welds.then_some(place));
+                return false;
+            }
+            self.port.note(self.now(), Note::PassEnds(Place { pass: i + 1, s_mm: self.doing.welded_mm }));
+            let next = work.air.get(i + 1).map_or(&[][..], |air| &air.legs);
+            if !self.fly(work, next) {
+                let after = Place { pass: i + 2, s_mm: 0.0 };
+                self.leave((welds && i + 1 < work.passes.len()).then_some(after));
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Legs in the air; false if it was given up.
+    fn fly(&mut self, work: &Work<'_>, legs: &[seamwright_motion::air::Leg]) -> bool {
+        legs.iter().all(|leg| {
+            let sequence = Sequence::default();
+            leg.duration() <= 0.0 || self.play(work, &Stretch { law: leg, sequence, pass: None, from_mm: 0.0 })
+        })
+    }
+
+    /// Plays a stretch under the operator's orders; false if it was given up, or has lost its power, on the way.
+    fn play<L: Timed>(&mut self, work: &Work<'_>, stretch: &Stretch<'_, L>) -> bool {
+        let pace = Pace::new(&work.limits, self.machine.servo_period_s, stretch.law);
+        let Ok(pace) = pace.and_then(|pace| pace.from_place(stretch.from_mm)) else {
+            self.happened(Alarm::MotionStuck, 0);
+            self.event(Event::Abort);
+            return false;
+        };
+        let mut run = Run::new(pace, stretch.sequence.clone(), &[]);
+        let welds = self.welds && stretch.pass.is_some_and(|i| work.passes[i].planned.arc);
+        let mut asked = 1.0;
+        self.steer(&mut run, &mut asked);
+        let mut seen = Mode::Hold;
+        let mut burnt_s = 0.0;
+        loop {
+            seen = self.order(&mut run, seen);
+            self.steer(&mut run, &mut asked);
+            let Ok(now) = run.step() else {
+                // The run waits, held.
+                self.happened(Alarm::MotionStuck, 0);
+                self.event(Event::Hold);
+                continue;
+            };
+            if now.phase == RunPhase::Ended {
+                break;
+            }
+            let burns = self.process.state() == ProcessState::Burns;
+            burnt_s = if burns { burnt_s + self.machine.servo_period_s } else { 0.0 };
+            let doing = self.doing(work, stretch.pass.filter(|_| welds), (now, run.welded_to(), burnt_s), stretch.pass);
+            let rates = &now.played.rates;
+            self.set(&rates.q, &rates.v, &rates.a);
+            self.tick(doing, Some(work));
+            run.set_burning(!welds || self.process.state() == ProcessState::Burns);
+            if !self.power {
+                return false;
+            }
+        }
+        self.doing.welded_mm = run.welded_to();
+        matches!(self.mode, Mode::DryRun | Mode::Weld | Mode::Hold)
+    }
+
+    /// Gives the run the orders that follow from what the mode has become; the mode that is known then.
+    fn order<L: Timed>(&mut self, run: &mut Run<'_, L>, seen: Mode) -> Mode {
+        let order = match (seen, self.mode) {
+            (Mode::Hold, Mode::DryRun | Mode::Weld) => Order::Resume,
+            (Mode::DryRun | Mode::Weld, Mode::Hold) => Order::Hold,
+            (Mode::Hold, Mode::Hold) if self.reverse => {
+                self.reverse = false;
+                Order::Reverse
+            }
+            (Mode::DryRun | Mode::Weld | Mode::Hold, Mode::Ready | Mode::Fault) => Order::Abort,
+            _ => return self.mode,
+        };
+        if run.order(order).is_err() {
+            // Going on at an override of 0 waits for another one.
+            self.event(Event::Hold);
+        }
+        self.mode
+    }
+
+    /// The speed that the operator asks for.
+    fn steer<L: Timed>(&mut self, run: &mut Run<'_, L>, asked: &mut f64) {
+        if (self.pace - *asked).abs() > 0.0 && run.order(Order::Override(self.pace)).is_ok() {
+            *asked = self.pace;
+        }
+    }
+
+    /// What the process is to do; `welds` is the pass if it is welded, `pass` in any case.
+    fn doing(
+        &self,
+        work: &Work<'_>,
+        welds: Option<usize>,
+        (now, welded_mm, burnt_s): (Instant, f64, f64),
+        pass: Option<usize>,
+    ) -> Doing {
+        let tip = now.played.rates.tip;
+        let asked = welds.is_some() && now.phase.arc();
+        let until = if now.phase == RunPhase::Crater { now.left_s } else { f64::INFINITY };
+        let gas = !matches!(now.phase, RunPhase::Held | RunPhase::Move | RunPhase::Ended);
+        let values = welds.filter(|_| asked).map_or([0.0; VALUES], |i| work.process_at(i, tip.s, (burnt_s, until)));
+        let place = pass.map_or_else(Place::default, |i| Place { pass: i + 1, s_mm: tip.s });
+        let in_pass = pass.is_some();
+        Doing {
+            asked,
+            gas: welds.is_some() && gas,
+            values,
+            phase: in_pass.then_some(now.phase),
+            place,
+            speed: if in_pass { tip.v } else { 0.0 },
+            welded_mm: if in_pass { welded_mm } else { 0.0 },
+        }
+    }
+}

@@ -1,0 +1,213 @@
+//! What is wrong, and what follows from it: reports against limits and conditions, every cycle.
+
+use super::alarm_list::Place;
+use super::bus::Devices;
+use super::mode::{Event, Mode};
+use super::state::{Note, Port};
+use super::{Alarm, Executive, ProcessState, Reaction, VALUES};
+use seamwright_machine::{AxisKind, Level, MAX_AXES, Machine};
+
+/// Age of the drives' reports that is still fresh, periods.
+const DRIVES_LATE: f64 = 3.5;
+/// The same of inputs and source, s.
+pub(super) const LATE_S: f64 = 0.1;
+/// Time that the drives have to come up, s.
+const POWER_S: f64 = 1.0;
+/// A following error counts from so many periods on.
+const PERIODS: u32 = 3;
+/// Allowed following error: 1 mm or degree at rest, and what a speed makes in this time, s.
+const FOLLOWING_S: f64 = 0.01;
+/// Cycles missed at once that are too many.
+const MISSED: u32 = 3;
+
+/// What supervision remembers from cycle to cycle.
+#[derive(Debug, Clone)]
+pub(super) struct Supervision {
+    /// Starts of drives, inputs and source that are known; none before the first report.
+    starts: Option<[u32; 3]>,
+    /// Periods for which each axis' following error was too great.
+    following: [u32; MAX_AXES],
+    /// Time for which each process value was off, s.
+    off: [f64; VALUES],
+    /// Time since power was asked for, s.
+    powered_for: f64,
+    /// Allowed following error of each axis at rest, mm or rad.
+    allowed: [f64; MAX_AXES],
+}
+
+impl Supervision {
+    pub(super) fn new(machine: &Machine) -> Self {
+        let mut allowed = [f64::INFINITY; MAX_AXES];
+        for (allowed, axis) in allowed.iter_mut().zip(&machine.axes) {
+            *allowed = if axis.kind == AxisKind::Linear { 1.0 } else { 1f64.to_radians() };
+        }
+        Self { starts: None, following: [0; MAX_AXES], off: [0.0; VALUES], powered_for: 0.0, allowed }
+    }
+
+    pub(super) fn switched_on(&mut self) {
+        (self.powered_for, self.following) = (0.0, [0; MAX_AXES]);
+    }
+}
+
+impl<D: Devices, P: Port> Executive<'_, D, P> {
+    /// Judges the reports of a cycle.
+    pub(super) fn supervise(&mut self) {
+        self.judge_drives();
+        self.judge_following();
+        self.judge_inputs();
+        self.judge_source();
+        self.judge_values();
+        self.condition(Alarm::Overrun, 0, self.reports.missed >= MISSED);
+    }
+
+    fn judge_drives(&mut self) {
+        let period = self.machine.servo_period_s;
+        let drives = self.reports.drives;
+        let starts = [drives.starts, self.reports.inputs_starts, self.reports.source.starts];
+        let known = *self.supervision.starts.get_or_insert(starts);
+        self.supervision.starts = Some(starts);
+        let restarted = [Alarm::DrivesRestarted, Alarm::InputsRestarted, Alarm::SourceRestarted];
+        for (i, alarm) in restarted.into_iter().enumerate() {
+            if starts[i] != known[i] {
+                self.happened(alarm, 0);
+            }
+        }
+        self.condition(Alarm::DrivesSilent, 0, drives.age_s > DRIVES_LATE * period);
+        for i in 0..self.machine.axes.len() {
+            self.condition(Alarm::DriveFault, i as u8, drives.fault >> i & 1 == 1);
+            self.condition(Alarm::LimitSwitch, i as u8, drives.limit_switch >> i & 1 == 1);
+        }
+        self.supervision.powered_for = if self.power { self.supervision.powered_for + period } else { 0.0 };
+        let dropped = self.power && !drives.powered && self.supervision.powered_for > POWER_S;
+        if dropped {
+            self.happened(Alarm::DrivePower, 0);
+        }
+    }
+
+    fn judge_following(&mut self) {
+        for i in 0..self.machine.axes.len() {
+            let allowed = self.supervision.allowed[i] + FOLLOWING_S * self.orders.set[i].velocity.abs();
+            // No number is no position.
+            let within = self.reports.drives.following_error[i].abs() <= allowed;
+            let counts = self.power && self.reports.drives.powered && self.mode != Mode::Homing;
+            let periods = &mut self.supervision.following[i];
+            *periods = if within || !counts { 0 } else { *periods + 1 };
+            if *periods == PERIODS {
+                self.happened(Alarm::FollowingError, i as u8);
+            }
+        }
+    }
+
+    fn judge_inputs(&mut self) {
+        let silent = self.reports.inputs_age_s > LATE_S;
+        // Nobody needs them while nothing has power.
+        self.condition(Alarm::InputsSilent, 0, silent && self.mode.has_power());
+        let inputs = self.reports.inputs;
+        let burns = self.process.on() || self.doing.asked;
+        let moves = self.mode.moves() || self.orders.set.iter().any(|set| set.velocity != 0.0);
+        for (level, needed, reaction) in [
+            (Level::Power, self.power, Reaction::PowerOff),
+            (Level::Motion, moves || burns, Reaction::Stop),
+            (Level::Process, burns || self.mode == Mode::Weld, Reaction::ProcessOff),
+        ] {
+            let unmet = self.interlocks.unmet_of(level, inputs);
+            for i in 0..self.interlocks.conditions().len() as u8 {
+                if self.interlocks.conditions()[usize::from(i)].level != level {
+                    continue;
+                }
+                let is = unmet >> i & 1 == 1;
+                if is && needed {
+                    self.raise(Alarm::Interlock, i, reaction);
+                } else if !is {
+                    self.clear(Alarm::Interlock, i);
+                }
+            }
+        }
+    }
+
+    fn judge_source(&mut self) {
+        let source = self.reports.source;
+        let used = self.process.on() || self.mode == Mode::Weld;
+        // A source that is switched off at the wall is no alarm while nobody welds.
+        self.condition(Alarm::SourceSilent, 0, source.age_s > LATE_S && used);
+        self.condition(Alarm::SourceFault, 0, source.fault != 0 && used);
+        self.condition(Alarm::WireStuck, 0, source.stuck);
+    }
+
+    fn judge_values(&mut self) {
+        let settings = self.machine.source;
+        let period = self.machine.servo_period_s;
+        let burns = self.process.state() == ProcessState::Burns && self.reports.source.age_s <= LATE_S;
+        for i in 0..VALUES {
+            let (asked, actual) = (self.orders.process.values[i], self.reports.source.values[i]);
+            let off = burns && actual.is_finite() && (actual - asked).abs() > settings.within * asked.abs().max(1e-9);
+            let time = &mut self.supervision.off[i];
+            let before = *time;
+            *time = if off { *time + period } else { 0.0 };
+            if before <= settings.within_s && *time > settings.within_s {
+                self.happened(Alarm::ProcessValue, i as u8);
+            }
+        }
+    }
+
+    /// An alarm that is there while `is`, with the reaction of the catalogue.
+    fn condition(&mut self, alarm: Alarm, detail: u8, is: bool) {
+        if is {
+            self.raise(alarm, detail, alarm.entry().reaction);
+        } else {
+            self.clear(alarm, detail);
+        }
+    }
+
+    fn clear(&mut self, alarm: Alarm, detail: u8) {
+        if self.alarms.clear(alarm, detail) {
+            self.port.note(self.now(), Note::Cleared(alarm, detail));
+        }
+    }
+
+    /// Something that happens at an instant: it is on the list until it is acknowledged.
+    pub(super) fn happened(&mut self, alarm: Alarm, detail: u8) {
+        self.raise(alarm, detail, alarm.entry().reaction);
+        self.alarms.clear(alarm, detail);
+    }
+
+    fn raise(&mut self, alarm: Alarm, detail: u8, reaction: Reaction) {
+        let place: Place = self.doing.place;
+        let now = self.now();
+        if let Some(raised) = self.alarms.raise(alarm, detail, reaction, (now, place)) {
+            self.port.note(now, Note::Alarm(raised));
+            self.react(reaction);
+        }
+    }
+
+    /// Does what an alarm asks for.
+    fn react(&mut self, reaction: Reaction) {
+        match reaction {
+            Reaction::Tell => {}
+            Reaction::Hold => self.hold(),
+            Reaction::ProcessOff => {
+                self.process.kill();
+                if self.welds {
+                    self.hold();
+                }
+            }
+            Reaction::Stop => {
+                self.process.kill();
+                if self.mode.has_power() {
+                    self.event(Event::Trip);
+                }
+            }
+            Reaction::PowerOff => {
+                self.process.kill();
+                self.power = false;
+                self.event(Event::Trip);
+            }
+        }
+    }
+
+    fn hold(&mut self) {
+        if matches!(self.mode, Mode::DryRun | Mode::Weld) {
+            self.event(Event::Hold);
+        }
+    }
+}

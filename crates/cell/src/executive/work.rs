@@ -1,0 +1,122 @@
+use super::VALUES;
+use super::alarm_list::Place;
+use seamwright_machine::{AxisSet, Joints, Machine, Surroundings};
+use seamwright_motion::air::{AirMove, Blocked, route};
+use seamwright_motion::pace::{Limits, PassTimed};
+use seamwright_motion::{PassMotion, WeldMotion};
+use seamwright_program::{AtHold, Pass, Sequence};
+
+/// Where a program begins.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Start {
+    /// The way there, from where the axes are.
+    pub approach: AirMove,
+    /// The pass, counted from 0.
+    pub pass: usize,
+    /// Path length up to which that pass is welded, mm: it begins before that, by the overlap of its sequence.
+    pub welded_mm: f64,
+}
+
+impl Start {
+    /// The whole program, from home.
+    pub fn at_home(motion: &WeldMotion) -> Self {
+        let approach =
+            motion.air.first().cloned().unwrap_or(AirMove { legs: Vec::new(), retracts: false, approaches: false });
+        Self { approach, pass: 0, welded_mm: 0.0 }
+    }
+
+    /// On from `place`, up to which it is welded, with the axes at `from`.
+    ///
+    /// # Errors
+    /// If there is no clear way there.
+    pub fn at_place(
+        machine: &Machine,
+        around: &Surroundings<'_>,
+        motion: &WeldMotion,
+        from: &Joints,
+        place: Place,
+    ) -> Result<Self, Blocked> {
+        let pass = place.pass.saturating_sub(1).min(motion.passes.len().saturating_sub(1));
+        let path = &motion.passes[pass].path;
+        let welded_mm = place.s_mm.clamp(0.0, path.length());
+        let points = route(machine, around, from, &path.at(welded_mm), AxisSet::default())?;
+        Ok(Self { approach: AirMove::new(machine, &points), pass, welded_mm })
+    }
+}
+
+/// A pass, ready to be run.
+#[derive(Debug)]
+pub(super) struct PassWork<'a> {
+    pub(super) pass: &'a Pass,
+    pub(super) timed: PassTimed<'a>,
+    pub(super) planned: &'a PassMotion,
+}
+
+/// A planned program, ready to be run: everything that takes memory is here, made before the first cycle.
+#[derive(Debug)]
+pub struct Work<'a> {
+    pub(super) around: Option<&'a Surroundings<'a>>,
+    pub(super) passes: Vec<PassWork<'a>>,
+    pub(super) air: &'a [AirMove],
+    pub(super) limits: Limits,
+    pub(super) start: Start,
+    values: Vec<String>,
+}
+
+impl<'a> Work<'a> {
+    /// `passes` are those that `motion` was planned for; `around` is what jogging keeps clear of.
+    ///
+    /// More than [`VALUES`] process values cannot be carried: the rest is left out.
+    pub fn new(
+        machine: &'a Machine,
+        around: Option<&'a Surroundings<'a>>,
+        passes: &[&'a Pass],
+        motion: &'a WeldMotion,
+        start: Start,
+    ) -> Self {
+        let mut values: Vec<String> =
+            passes.iter().flat_map(|p| &p.spans).flat_map(|s| s.process.keys().cloned()).collect();
+        values.sort();
+        values.dedup();
+        values.truncate(VALUES);
+        let works = passes.iter().zip(&motion.passes);
+        let passes = works.map(|(pass, planned)| PassWork { pass, timed: planned.timed(machine), planned }).collect();
+        Self { around, passes, air: &motion.air, limits: Limits::of(machine), start, values }
+    }
+
+    /// Names of the process values, in the order of their places in orders and reports.
+    pub fn values(&self) -> &[String] {
+        &self.values
+    }
+
+    /// Process values of pass `pass` (from 0) at path length `s`, `clock` being the times since arc or beam came on and until it
+    /// goes off, s.
+    pub(super) fn process_at(&self, pass: usize, s: f64, clock: (f64, f64)) -> [f64; VALUES] {
+        let mut values = [0.0; VALUES];
+        for (value, name) in values.iter_mut().zip(&self.values) {
+            *value = self.passes[pass].pass.process_at(name, s, clock).unwrap_or(0.0);
+        }
+        values
+    }
+}
+
+impl PassWork<'_> {
+    /// Times at rest and what happens at a hold; nothing of that without the process.
+    pub(super) fn times(&self, welds: bool) -> Sequence {
+        let s = &self.planned.sequence;
+        if !welds {
+            return Sequence { at_hold: AtHold::Crater, ..Sequence::default() };
+        }
+        Sequence {
+            preflow_s: s.preflow_s,
+            travel_delay_s: s.travel_delay_s,
+            crater_s: s.crater_s,
+            postflow_s: s.postflow_s,
+            overlap_mm: s.overlap_mm,
+            at_hold: s.at_hold,
+            // Slopes are in the process values.
+            upslope: None,
+            downslope: None,
+        }
+    }
+}

@@ -1,0 +1,363 @@
+//! The executive on simulated devices: welds, holds, faults.
+
+use seamwright_cell::campaign::{self, Outcome, Stage};
+use seamwright_cell::devices::{DeviceSet, SimulatedDrives, SimulatedInputs, SimulatedSource};
+use seamwright_cell::executive::{
+    Alarm, Ask, Command, Cycle, Executive, Interlocks, Missing, Mode, Note, Place, Port, Start, Work,
+};
+use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
+use seamwright_motion::WeldMotion;
+use seamwright_motion::jog;
+use seamwright_motion::pace::RunPhase;
+use seamwright_program::{Pass, TorchPath};
+use seamwright_weld::Welding;
+
+const SADDLE: &str = include_str!("../../../examples/saddle.toml");
+
+/// The example weld, planned.
+struct Planned {
+    machine: Machine,
+    welding: Welding,
+    motion: WeldMotion,
+}
+
+impl Planned {
+    fn new(job: &str) -> Self {
+        let welding = Welding::read("job.toml", job).unwrap();
+        let program = &welding.program.value;
+        let machine = Machine::read("m.toml", shipped(&program.machine).unwrap().text).unwrap();
+        let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
+        let path = welding.path(0);
+        let passes: Vec<(&dyn TorchPath, &Pass)> = vec![(&path, &program.passes[0])];
+        let motion = WeldMotion::plan(&machine, &around, &passes, 30.0).unwrap();
+        Self { machine, welding, motion }
+    }
+
+    fn work(&self, start: Start) -> Work<'_> {
+        let passes: Vec<&Pass> = self.welding.program.value.passes.iter().collect();
+        Work::new(&self.machine, None, &passes, &self.motion, start)
+    }
+
+    fn near_end(&self) -> Start {
+        let around = Surroundings::new(&self.machine, &Clamped::default()).unwrap();
+        let s_mm = self.motion.passes[0].path.length() - 5.0;
+        Start::at_place(&self.machine, &around, &self.motion, &self.machine.home(), Place { pass: 1, s_mm }).unwrap()
+    }
+}
+
+/// Every device, every fault, every situation: the cell ends as it must, the process is off a cycle later, set-points keep
+/// every limit, and the alarm names the cause.
+#[test]
+fn whatever_fails_the_cell_ends_as_it_must() {
+    let planned = Planned::new(SADDLE);
+    let (begin, end) = (planned.work(Start::at_home(&planned.motion)), planned.work(planned.near_end()));
+    let stage = Stage { machine: &planned.machine, begin: &begin, end: &end };
+    let seeds: u64 = std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|n| n.parse().ok()).unwrap_or(1);
+    let mut failed = Vec::new();
+    let mut outcomes: Vec<Outcome> = Vec::new();
+    for seed in 0..seeds {
+        for case in campaign::cases(&planned.machine) {
+            let outcome = campaign::run(stage, case, seed).unwrap();
+            if !outcome.is_kept() {
+                failed.push(format!("seed {seed}: {outcome:?}\n    expected {:?}", campaign::expected(case)));
+            }
+            outcomes.push(outcome);
+        }
+    }
+    println!("{}\n{}", campaign::summary(&outcomes), campaign::table(&planned.machine, &outcomes));
+    assert!(failed.is_empty(), "{} of {}:\n{}", failed.len(), outcomes.len(), failed.join("\n"));
+}
+
+/// An operator with a script: each line waits for its moment, then asks.
+struct Script<'a> {
+    lines: Vec<(When<'a>, Ask)>,
+    next: usize,
+    asked: bool,
+    cycles: Vec<Seen>,
+    notes: Vec<Note>,
+}
+
+type When<'a> = Box<dyn Fn(&Seen) -> bool + 'a>;
+
+/// What is kept of a cycle.
+#[derive(Debug, Clone, Copy)]
+struct Seen {
+    t: f64,
+    mode: Mode,
+    phase: Option<RunPhase>,
+    place: Place,
+    welded: f64,
+    on: bool,
+    gas: bool,
+    current: f64,
+    q: Joints,
+    burning: bool,
+    powered: bool,
+}
+
+impl<'a> Script<'a> {
+    fn new(lines: Vec<(When<'a>, Ask)>) -> Self {
+        Self { lines, next: 0, asked: false, cycles: vec![], notes: vec![] }
+    }
+
+    fn modes(&self) -> Vec<Mode> {
+        self.notes.iter().filter_map(|n| if let Note::Mode(_, to) = n { Some(*to) } else { None }).collect()
+    }
+
+    fn refused(&self) -> Vec<Missing> {
+        self.notes.iter().filter_map(|n| if let Note::Refused(_, why) = n { Some(*why) } else { None }).collect()
+    }
+}
+
+impl Port for Script<'_> {
+    fn command(&mut self, _t: f64) -> Option<Command> {
+        let (when, ask) = self.lines.get(self.next)?;
+        let now = self.cycles.last()?;
+        if std::mem::replace(&mut self.asked, true) || !when(now) {
+            return None;
+        }
+        self.next += 1;
+        Some(Command::of(*ask))
+    }
+
+    fn show(&mut self, c: &Cycle<'_>) {
+        self.asked = false;
+        self.cycles.push(Seen {
+            t: c.t,
+            mode: c.mode,
+            phase: c.phase,
+            place: c.place,
+            welded: c.welded_mm,
+            on: c.orders.process.on,
+            gas: c.orders.process.gas,
+            current: c.orders.process.values[0],
+            q: std::array::from_fn(|i| c.orders.set[i].position),
+            burning: c.reports.source.burning,
+            powered: c.orders.power && c.reports.drives.powered,
+        });
+        assert!(c.t < 400.0, "it goes on without end: line {} in mode {}", self.next, c.mode);
+    }
+
+    fn note(&mut self, _t: f64, note: Note) {
+        self.notes.push(note);
+    }
+}
+
+fn in_mode<'a>(mode: Mode) -> When<'a> {
+    Box::new(move |c| c.mode == mode)
+}
+
+fn at<'a>(s: f64) -> When<'a> {
+    Box::new(move |c| c.mode == Mode::Weld && c.place.s_mm > s)
+}
+
+fn held<'a>() -> When<'a> {
+    Box::new(|c| c.mode == Mode::Hold && c.phase == Some(RunPhase::Held))
+}
+
+/// From off to ready.
+fn up<'a>() -> Vec<(When<'a>, Ask)> {
+    vec![(in_mode(Mode::Off), Ask::SwitchOn), (in_mode(Mode::Idle), Ask::Home)]
+}
+
+fn weld<'a>() -> Vec<(When<'a>, Ask)> {
+    vec![(in_mode(Mode::Ready), Ask::Arm), (in_mode(Mode::Ready), Ask::StartWeld)]
+}
+
+/// Runs a script on simulated devices; where the program was left.
+fn play(planned: &Planned, start: Start, script: &mut Script<'_>) -> Option<Place> {
+    let machine = &planned.machine;
+    let mut devices = DeviceSet {
+        drives: SimulatedDrives::new(machine, 1).unwrap(),
+        source: SimulatedSource::new(1, machine.servo_period_s),
+        inputs: SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met()),
+        period_s: machine.servo_period_s,
+    };
+    let work = planned.work(start);
+    let mut executive = Executive::new(machine, &mut devices, script);
+    executive.serve(Some(&work));
+    executive.left()
+}
+
+fn short() -> Planned {
+    let job = SADDLE
+        .replace("overlap_mm = 20", "end_phi_deg = 32")
+        .replace("preflow_s = 0.5 ", "overlap_mm = 6\npreflow_s = 0.5 ");
+    Planned::new(&job)
+}
+
+/// A weld without disturbance is the planned one: gas, arc, travel and crater take their times from when the arc burns, the
+/// set-points are those of the path, all of it is welded, and the cell is home again.
+#[test]
+fn a_weld_is_the_planned_one() {
+    let planned = short();
+    let mut script = Script::new(up().into_iter().chain(weld()).collect());
+    script.lines.push((Box::new(|c| c.mode == Mode::Ready && c.t > 20.0), Ask::Quit));
+    assert_eq!(play(&planned, Start::at_home(&planned.motion), &mut script), None);
+    assert_eq!(script.modes(), [Mode::Idle, Mode::Homing, Mode::Ready, Mode::Weld, Mode::Ready]);
+    let (motion, period) = (&planned.motion.passes[0], planned.machine.servo_period_s);
+    let time = |is: &dyn Fn(&Seen) -> bool| script.cycles.iter().filter(|c| is(c)).count() as f64 * period;
+    let sequence = &motion.sequence;
+    assert!((time(&|c| c.phase == Some(RunPhase::Preflow)) - sequence.preflow_s.get()).abs() < 3.0 * period);
+    let delay = time(&|c| c.phase == Some(RunPhase::TravelDelay) && c.burning);
+    assert!((delay - sequence.travel_delay_s.get()).abs() < 5.0 * period, "{delay}");
+    assert!((time(&|c| c.phase == Some(RunPhase::Crater)) - sequence.crater_s.get()).abs() < 3.0 * period);
+    // The pace comes up from standing in some twenty periods.
+    let travel = time(&|c| c.phase == Some(RunPhase::Travel));
+    assert!((travel - motion.law.duration()).abs() < 0.03, "{travel} {}", motion.law.duration());
+    assert!(time(&|c| c.gas) > time(&|c| c.on) + sequence.postflow_s.get() + sequence.preflow_s.get() - 0.01);
+    for c in script.cycles.iter().filter(|c| c.phase.is_some()) {
+        let q = motion.path.at(c.place.s_mm);
+        assert!(c.q.iter().zip(q).all(|(a, b)| (a - b).abs() < 1e-9), "{c:?}");
+        assert!(!c.on || (c.current - 240.0).abs() < 1e-9);
+    }
+    let last = script.cycles.last().unwrap();
+    let home = planned.machine.home();
+    assert!(last.q.iter().zip(home).all(|(a, b)| (a - b).abs() < 1e-6));
+    assert!(
+        script.notes.iter().any(|n| matches!(n, Note::PassEnds(p) if (p.s_mm - motion.path.length()).abs() < 1e-9))
+    );
+}
+
+/// A hold stops on the path with the crater filled; going on needs arming, and overlaps; reverse goes back without process.
+#[test]
+fn held_welds_go_on_with_overlap() {
+    let planned = short();
+    let mut lines = up();
+    lines.push((in_mode(Mode::Ready), Ask::StartWeld));
+    lines.extend(weld());
+    lines.push((at(15.0), Ask::Hold));
+    lines.push((held(), Ask::Resume));
+    lines.push((held(), Ask::Reverse));
+    lines.push((Box::new(|c| c.mode == Mode::Hold && c.place.s_mm < 5.0), Ask::Hold));
+    lines.push((held(), Ask::Arm));
+    lines.push((held(), Ask::Resume));
+    lines.push((Box::new(|c| c.mode == Mode::Ready && c.t > 20.0), Ask::Quit));
+    let mut script = Script::new(lines);
+    assert_eq!(play(&planned, Start::at_home(&planned.motion), &mut script), None);
+    assert_eq!(script.refused(), [Missing::Arming, Missing::Arming]);
+    let overlap = planned.motion.passes[0].sequence.overlap_mm.get();
+    let stopped = script.cycles.iter().find(|c| c.mode == Mode::Hold && c.phase == Some(RunPhase::Held)).unwrap();
+    assert!(stopped.welded > 15.0 && stopped.welded < 17.0);
+    let again = script.cycles.iter().filter(|c| c.t > stopped.t).find(|c| c.on).unwrap();
+    assert!((again.place.s_mm - (stopped.welded - overlap)).abs() < 1e-6, "{again:?} {stopped:?}");
+    // The beam or arc is on at rest in a hold only while the crater is filled.
+    for c in script.cycles.iter().filter(|c| c.mode == Mode::Hold && c.on) {
+        assert!(matches!(c.phase, Some(RunPhase::Travel | RunPhase::Crater)), "{c:?}");
+    }
+}
+
+/// A stop gives the program up where it is; it is gone on with from there, with overlap, by planning the way there.
+#[test]
+fn a_stopped_weld_is_gone_on_with() {
+    let planned = short();
+    let mut lines = up();
+    lines.extend(weld());
+    lines.push((at(20.0), Ask::Stop));
+    // Refused until it has come to rest and the gas is off.
+    lines.extend((0..9000).map(|_| (in_mode(Mode::Ready), Ask::Quit)));
+    let mut script = Script::new(lines);
+    let left = play(&planned, Start::at_home(&planned.motion), &mut script).unwrap();
+    assert!(left.pass == 1 && left.s_mm > 20.0 && left.s_mm < 21.0, "{left:?}");
+    let stop = script.cycles.iter().position(|c| c.mode == Mode::Ready && c.place.s_mm > 20.0).unwrap();
+    assert!(script.cycles[stop + 1..].iter().all(|c| !c.on));
+    // Another day: from home to there.
+    let around = Surroundings::new(&planned.machine, &Clamped::default()).unwrap();
+    let start = Start::at_place(&planned.machine, &around, &planned.motion, &planned.machine.home(), left).unwrap();
+    let mut lines = up();
+    lines.extend(weld());
+    lines.push((Box::new(|c| c.mode == Mode::Ready && c.t > 10.0), Ask::Quit));
+    let mut script = Script::new(lines);
+    assert_eq!(play(&planned, start, &mut script), None);
+    let first = script.cycles.iter().find(|c| c.on).unwrap();
+    assert!((first.place.s_mm - (left.s_mm - 6.0)).abs() < 1e-6, "{first:?}");
+}
+
+/// The override slows a weld and a jog ends by itself when the hand is away; what has no meaning is refused.
+#[test]
+fn hands_on_the_keys() {
+    let planned = short();
+    let mut speeds = Joints::default();
+    speeds[1] = 10.0;
+    let mut lines = up();
+    lines.push((in_mode(Mode::Ready), Ask::Override(1.5)));
+    lines.push((in_mode(Mode::Ready), Ask::Jog(jog::Command::Speeds(speeds))));
+    lines.push((in_mode(Mode::Ready), Ask::StartJog));
+    for _ in 0..600 {
+        lines.push((in_mode(Mode::Jog), Ask::Jog(jog::Command::Speeds(speeds))));
+    }
+    // Away for half a second: at rest, and an alarm.
+    lines.push((Box::new(|c| c.t > 3.0), Ask::StartWeld));
+    lines.push((in_mode(Mode::Jog), Ask::Hold));
+    lines.push((in_mode(Mode::Ready), Ask::Arm));
+    lines.push((in_mode(Mode::Ready), Ask::Quit));
+    let mut script = Script::new(lines);
+    play(&planned, Start::at_home(&planned.motion), &mut script);
+    let refused = script.refused();
+    assert!(
+        matches!(refused[..], [Missing::Value, Missing::Mode(_), Missing::Mode(_), Missing::NotAtStart(1)]),
+        "{refused:?}"
+    );
+    let moved = script.cycles.last().unwrap().q[1] - planned.machine.home()[1];
+    assert!(moved > 5.0 && moved < 12.0, "{moved}");
+    let silent = script.notes.iter().any(|n| matches!(n, Note::Alarm(r) if r.alarm == Alarm::PanelSilent));
+    assert!(silent);
+}
+
+/// Random commands at random times: the process is on only in a weld or a hold, power and motion come only when asked for,
+/// set-points keep every limit.
+#[test]
+fn no_command_does_harm() {
+    let planned = short();
+    let period = planned.machine.servo_period_s;
+    for seed in 0..12u64 {
+        let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
+        let mut random = move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as u32
+        };
+        let mut t = 0.0;
+        let mut lines: Vec<(When<'_>, Ask)> = Vec::new();
+        for _ in 0..400 {
+            t += 0.001 * f64::from(random() % 200);
+            let ask = match random() % 16 {
+                0 => Ask::SwitchOn,
+                1 => Ask::Home,
+                2 => Ask::StartJog,
+                3 => Ask::StartDryRun,
+                4 | 5 => Ask::StartWeld,
+                6 | 7 => Ask::Arm,
+                8 => Ask::Hold,
+                9 | 10 => Ask::Resume,
+                11 => Ask::Reverse,
+                12 => Ask::Override(f64::from(random() % 11) / 10.0),
+                13 => Ask::Acknowledge,
+                14 if random() % 4 == 0 => Ask::Stop,
+                15 if random() % 8 == 0 => Ask::SwitchOff,
+                _ => Ask::Reset,
+            };
+            lines.push((Box::new(move |c| c.t >= t), ask));
+        }
+        // A stop, and the end: asked again while the axes come to rest.
+        lines.push((Box::new(move |c| c.t >= t), Ask::Stop));
+        lines.extend((0..6000).map(|_| -> (When<'_>, Ask) { (Box::new(|_| true), Ask::Quit) }));
+        let mut script = Script::new(lines);
+        play(&planned, Start::at_home(&planned.motion), &mut script);
+        for w in script.cycles.windows(3) {
+            let [a, b, c] = w else { unreachable!() };
+            assert!(!c.on || matches!(b.mode, Mode::Weld | Mode::Hold), "seed {seed}: {c:?}");
+            // While drives look for their references set-points do not count.
+            if w.iter().any(|c| !c.powered || c.mode == Mode::Homing) || a.mode == Mode::Homing {
+                continue;
+            }
+            for (i, axis) in planned.machine.axes.iter().enumerate() {
+                let v = (c.q[i] - b.q[i]) / period;
+                let dv = (c.q[i] - 2.0 * b.q[i] + a.q[i]) / (period * period);
+                assert!(v.abs() < axis.max_speed * 1.001, "seed {seed}");
+                assert!(dv.abs() < axis.max_acceleration * 1.01 + 1e-6, "seed {seed} axis {i}: {dv} at {c:?}");
+            }
+        }
+        let taken = script.notes.iter().filter(|n| matches!(n, Note::Taken(_))).count();
+        assert!(taken > 20, "seed {seed}: {taken}");
+    }
+}

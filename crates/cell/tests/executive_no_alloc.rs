@@ -1,0 +1,83 @@
+//! A whole weld with a hold and a resume costs no allocation after the program was loaded.
+
+use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
+use seamwright_cell::devices::{DeviceSet, SimulatedDrives, SimulatedInputs, SimulatedSource};
+use seamwright_cell::executive::{Ask, Command, Cycle, Executive, Interlocks, Mode, Note, Port, Start, Work};
+use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
+use seamwright_motion::WeldMotion;
+use seamwright_motion::pace::RunPhase;
+use seamwright_program::{Pass, TorchPath};
+use seamwright_weld::Welding;
+
+#[global_allocator]
+static ALLOCATOR: AllocDisabler = AllocDisabler;
+
+/// Welds once, with a hold in the middle.
+#[derive(Default)]
+struct Operator {
+    mode: Option<Mode>,
+    armed: bool,
+    phase: Option<RunPhase>,
+    s: f64,
+    held: bool,
+    welded: bool,
+    asked: bool,
+}
+
+impl Port for Operator {
+    fn command(&mut self, _t: f64) -> Option<Command> {
+        if std::mem::replace(&mut self.asked, true) {
+            return None;
+        }
+        let ask = match self.mode? {
+            Mode::Off => Ask::SwitchOn,
+            Mode::Idle => Ask::Home,
+            Mode::Ready if self.welded => Ask::Quit,
+            Mode::Ready | Mode::Hold if !self.armed => Ask::Arm,
+            Mode::Ready => Ask::StartWeld,
+            Mode::Hold if self.phase == Some(RunPhase::Held) => Ask::Resume,
+            Mode::Weld if !self.held && self.s > 20.0 => {
+                self.held = true;
+                Ask::Hold
+            }
+            _ => return None,
+        };
+        Some(Command::of(ask))
+    }
+
+    fn show(&mut self, cycle: &Cycle<'_>) {
+        self.welded |= cycle.mode == Mode::Ready && self.held;
+        (self.mode, self.armed, self.phase, self.s) = (Some(cycle.mode), cycle.armed, cycle.phase, cycle.place.s_mm);
+        self.asked = false;
+    }
+
+    fn note(&mut self, _t: f64, _note: Note) {}
+}
+
+#[test]
+fn a_weld_costs_no_allocation() {
+    // A short one: five degrees of the example.
+    let job = include_str!("../../../examples/saddle.toml").replace("overlap_mm = 20", "end_phi_deg = 30");
+    let welding = Welding::read("job.toml", &job).unwrap();
+    let program = &welding.program.value;
+    let machine = Machine::read("m.toml", shipped(&program.machine).unwrap().text).unwrap();
+    let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
+    let path = welding.path(0);
+    let passes: Vec<(&dyn TorchPath, &Pass)> = vec![(&path, &program.passes[0])];
+    let motion = WeldMotion::plan(&machine, &around, &passes, 30.0).unwrap();
+    let passes: Vec<&Pass> = program.passes.iter().collect();
+    let work = Work::new(&machine, None, &passes, &motion, Start::at_home(&motion));
+    let inputs = SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met());
+    let mut devices = DeviceSet {
+        drives: SimulatedDrives::new(&machine, 1).unwrap(),
+        source: SimulatedSource::new(1, machine.servo_period_s),
+        inputs,
+        period_s: machine.servo_period_s,
+    };
+    let mut operator = Operator::default();
+    let mut executive = Executive::new(&machine, &mut devices, &mut operator);
+    assert_no_alloc(|| executive.serve(Some(&work)));
+    assert_eq!(violation_count(), 0);
+    assert!(executive.left().is_none());
+    assert!(operator.welded && operator.held);
+}

@@ -1,0 +1,103 @@
+//! What the running cell needs to know of a machine beside its motion: conditions and the process source.
+
+use schemars::JsonSchema;
+use seamwright_document::{NonNegative, Positive};
+use serde::Deserialize;
+
+/// A condition that the cell watches in every cycle.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct InterlockFile {
+    /// What it is about, for people: `chamber door`.
+    pub name: String,
+    /// The input that says so.
+    pub input: String,
+    /// What the input must be; true if missing.
+    #[serde(default = "yes")]
+    pub is: bool,
+    /// What needs it.
+    #[serde(rename = "for")]
+    pub level: Level,
+}
+
+fn yes() -> bool {
+    true
+}
+
+/// What needs a condition. What needs less is needed by what needs more: no motion without power, no process without motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Level {
+    /// The drives: without it they lose power at once.
+    Power,
+    /// Moving: without it everything stops on its path, then the drives lose power.
+    Motion,
+    /// Arc or beam: without it the process goes off at once and the torch is held.
+    Process,
+}
+
+impl Level {
+    /// In one word, as in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Power => "power",
+            Self::Motion => "motion",
+            Self::Process => "process",
+        }
+    }
+}
+
+/// How the process source is started and watched.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SourceFile {
+    /// Longest time from switching on until arc or beam burns, s; 1.5 if missing.
+    pub strike_s: Option<Positive>,
+    /// How often it is tried; 3 if missing.
+    pub tries: Option<u8>,
+    /// Time with everything off between tries, s; 0.5 if missing.
+    pub pause_s: Option<NonNegative>,
+    /// How long arc or beam may be out before it is lost, s; 0.02 if missing. An electron beam comes back after a discharge.
+    pub out_s: Option<NonNegative>,
+    /// Longest time from switching off until arc or beam is out, s; 0.3 if missing.
+    pub off_s: Option<Positive>,
+    /// Greatest part by which a process value may differ from what is asked; 0.1 if missing.
+    pub within: Option<Positive>,
+    /// For how long, s; 1 if missing.
+    pub within_s: Option<Positive>,
+}
+
+/// How the process source is started and watched; s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Source {
+    /// Longest time from switching on until it burns.
+    pub strike_s: f64,
+    /// Tries.
+    pub tries: u8,
+    /// Time off between tries.
+    pub pause_s: f64,
+    /// How long it may be out.
+    pub out_s: f64,
+    /// Longest time from switching off until it is out.
+    pub off_s: f64,
+    /// Greatest part by which a value may differ.
+    pub within: f64,
+    /// For how long.
+    pub within_s: f64,
+}
+
+impl SourceFile {
+    pub(crate) fn source(&self) -> Source {
+        let or = |value: Option<Positive>, usual: f64| value.map_or(usual, Positive::get);
+        let or_none = |value: Option<NonNegative>, usual: f64| value.map_or(usual, NonNegative::get);
+        Source {
+            strike_s: or(self.strike_s, 1.5),
+            tries: self.tries.unwrap_or(3).max(1),
+            pause_s: or_none(self.pause_s, 0.5),
+            out_s: or_none(self.out_s, 0.02),
+            off_s: or(self.off_s, 0.3),
+            within: or(self.within, 0.1),
+            within_s: or(self.within_s, 1.0),
+        }
+    }
+}
