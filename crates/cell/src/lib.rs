@@ -15,6 +15,7 @@ pub mod executive;
 pub mod eyes;
 pub mod frames;
 pub mod gate;
+pub mod realtime;
 mod sample;
 mod simulate;
 mod summary;

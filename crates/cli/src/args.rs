@@ -9,6 +9,7 @@ pub(crate) mod move_to;
 pub(crate) mod post;
 pub(crate) mod read;
 pub(crate) mod reduce;
+pub(crate) mod run;
 pub(crate) mod stripe;
 pub(crate) mod teach;
 
@@ -46,6 +47,10 @@ pub(crate) enum Verb {
     Pulses(PulsesArgs),
     /// Weld in simulation: drives, friction, encoders; trace and report
     Simulate(SimulateArgs),
+    /// Run a job on a cell in real time, under orders from standard input
+    Run(run::RunArgs),
+    /// How late a cycle of a fixed period begins on this computer
+    Latency(run::LatencyArgs),
     /// A part program for another control
     Post(post::PostArgs),
     /// A part program of a control as a weld program
@@ -227,6 +232,10 @@ pub(crate) struct SimulateArgs {
     /// Weld a distorted part as planned
     #[arg(long)]
     pub(crate) no_tracking: bool,
+    /// A fault of a device, like drives:silent@12.5 or source:wrong@30+0.5 (docs/faults.md): the weld runs under the executive, from
+    /// switching on; may be repeated. Writes trace.parquet, events.jsonl and run.json
+    #[arg(long, value_name = "SPEC", conflicts_with_all = ["distortion", "no_tracking"])]
+    pub(crate) fault: Vec<seamwright_cell::devices::Fault>,
     /// Print report.json instead of a summary
     #[arg(long)]
     pub(crate) json: bool,

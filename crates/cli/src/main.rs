@@ -45,6 +45,8 @@ fn run(verb: Option<Verb>) -> Result<(), Failure> {
         Some(Verb::Motion(a)) => verbs::motion::run(&a),
         Some(Verb::Pulses(a)) => verbs::pulses::run(&a),
         Some(Verb::Simulate(a)) => verbs::simulate::run(&a),
+        Some(Verb::Run(a)) => verbs::run::run(&a),
+        Some(Verb::Latency(a)) => verbs::latency::run(&a),
         Some(Verb::Post(a)) => verbs::post::run(&a),
         Some(Verb::Read(a)) => verbs::read::run(&a),
         Some(Verb::Kinematics(a)) => verbs::kinematics::run(&a),

@@ -39,6 +39,12 @@ fn mistakes_have_an_address() {
     assert_eq!(key("fixed = { move_mm = [400, 0, 100] }", ""), "tool[1]");
     assert_eq!(key("[drives.theta]", "[drives.tetha]"), "drives.tetha");
     assert_eq!(key("inertia_kg_m2 = 30", "mass_kg = 30"), "drives.theta");
+    assert_eq!(key("input = \"curtain_clear\"", "input = \" \""), "interlocks[1].input");
+    assert_eq!(key("name = \"light curtain\"", "name = \"emergency stop chain\""), "interlocks[1].name");
+    assert_eq!(key("for = \"motion\"", "for = \"moving\""), "interlocks[1].for");
+    let (at, text) = wrong("input = \"curtain_clear\"", "is = false\ninput = \"e_stop_ok\"");
+    assert!(at == "interlocks[1].is" && text.contains("nothing could ever run"), "{text}");
+    assert_eq!(key("input = \"curtain_clear\"", "input = \"e_stop_ok\""), "interlocks[1].input");
     assert!(wrong("max_speed_deg_s = 30", "max_sped_deg_s = 30").1.contains("did you mean `max_speed_deg_s`?"));
 }
 

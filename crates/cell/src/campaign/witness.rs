@@ -185,7 +185,7 @@ impl Witness {
             } else if !on && self.was_on {
                 self.off_cycles = self.off_cycles.max(since);
             }
-            if cycle.phase.is_some() && !cycle.mode.moves() {
+            if cycle.phase.is_some() && !cycle.mode.moves() && self.mode_then.is_none() {
                 self.stop_mm = self.stop_mm.max((cycle.place.s_mm - s).abs());
             }
         }

@@ -245,6 +245,10 @@ impl<T: Drives> Drives for Faulty<T, DriveReport> {
             None => fresh,
         };
     }
+
+    fn rides_out(&self) -> u32 {
+        self.device.rides_out()
+    }
 }
 
 impl<T: Source> Source for Faulty<T, SourceReport> {

@@ -15,6 +15,8 @@ use crate::executive::{Devices, DriveReport, Orders, ProcessOrders, Reports, Sou
 pub trait Drives {
     /// A period with these orders; what is known at its end. Leaves `report` as it was, but for its age, if nothing is known.
     fn exchange(&mut self, orders: &Orders, report: &mut DriveReport);
+    /// Cycles that may be missed at once without harm.
+    fn rides_out(&self) -> u32;
 }
 
 /// Arc or beam, gas and what belongs to it.
@@ -60,5 +62,9 @@ impl<D: Drives, S: Source, I: Inputs> Devices for DeviceSet<D, S, I> {
         let fresh = self.inputs.exchange(orders.watchdog, &mut inputs);
         (reports.inputs, reports.inputs_starts) = (inputs.bits, inputs.starts);
         reports.inputs_age_s = if fresh { 0.0 } else { reports.inputs_age_s + self.period_s };
+    }
+
+    fn rides_out(&self) -> u32 {
+        self.drives.rides_out()
     }
 }

@@ -94,10 +94,16 @@ pub trait Devices {
     /// Gives `orders` for the next period, waits until it begins, and puts into `reports` what is known then. Must neither
     /// allocate nor lock.
     fn exchange(&mut self, orders: &Orders, reports: &mut Reports);
+    /// Cycles that may be missed at once without harm: what the drives have in store.
+    fn rides_out(&self) -> u32;
 }
 
 impl<D: Devices + ?Sized> Devices for &mut D {
     fn exchange(&mut self, orders: &Orders, reports: &mut Reports) {
         (**self).exchange(orders, reports);
+    }
+
+    fn rides_out(&self) -> u32 {
+        (**self).rides_out()
     }
 }

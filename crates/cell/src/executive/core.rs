@@ -18,6 +18,8 @@ use seamwright_servo::SetPoint;
 const ARMED_S: f64 = 60.0;
 /// How far an axis may be from where the way to the weld begins, mm or rad.
 const AT_START: f64 = 0.01;
+/// Most commands taken in a cycle.
+const COMMANDS: usize = 8;
 /// Longest time for finding the references, s.
 const HOMING_S: f64 = 120.0;
 
@@ -135,7 +137,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             add(Missing::Mode(refused));
         }
         let level = match event {
-            Event::SwitchOn => Level::Power,
+            Event::SwitchOn | Event::SwitchOff => Level::Power,
             Event::Home | Event::Jog | Event::Teach | Event::DryRun => Level::Motion,
             Event::Weld => Level::Process,
             Event::Reset => {
@@ -146,6 +148,9 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         };
         if self.busy && self.mode != Mode::Hold {
             add(Missing::Moving);
+        }
+        if event == Event::SwitchOff {
+            return missing;
         }
         let unmet = self.interlocks.unmet(level, self.reports.inputs);
         (0..64u8).filter(|i| unmet >> i & 1 == 1).for_each(|i| add(Missing::Condition(i)));
@@ -256,7 +261,8 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         }
         self.supervise();
         self.jog = None;
-        while let Some(command) = self.port.command(self.now()) {
+        for _ in 0..COMMANDS {
+            let Some(command) = self.port.command(self.now()) else { break };
             self.take(command, work);
         }
         let cycle = Cycle {

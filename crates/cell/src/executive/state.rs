@@ -125,6 +125,10 @@ pub trait Port {
     fn show(&mut self, cycle: &Cycle<'_>);
     /// Something happened at time `t`.
     fn note(&mut self, t: f64, note: Note);
+    /// True once the record has lost something.
+    fn record_fails(&self) -> bool {
+        false
+    }
 }
 
 impl<P: Port + ?Sized> Port for &mut P {
@@ -138,6 +142,10 @@ impl<P: Port + ?Sized> Port for &mut P {
 
     fn note(&mut self, t: f64, note: Note) {
         (**self).note(t, note);
+    }
+
+    fn record_fails(&self) -> bool {
+        (**self).record_fails()
     }
 }
 

@@ -17,8 +17,6 @@ const POWER_S: f64 = 1.0;
 const PERIODS: u32 = 3;
 /// Allowed following error: 1 mm or degree at rest, and what a speed makes in this time, s.
 const FOLLOWING_S: f64 = 0.01;
-/// Cycles missed at once that are too many.
-const MISSED: u32 = 3;
 
 /// What supervision remembers from cycle to cycle.
 #[derive(Debug, Clone)]
@@ -57,7 +55,8 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         self.judge_inputs();
         self.judge_source();
         self.judge_values();
-        self.condition(Alarm::Overrun, 0, self.reports.missed >= MISSED);
+        self.condition(Alarm::Overrun, 0, self.reports.missed > self.devices.rides_out());
+        self.condition(Alarm::RecordFailing, 0, self.port.record_fails());
     }
 
     fn judge_drives(&mut self) {

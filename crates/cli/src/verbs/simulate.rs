@@ -16,6 +16,9 @@ use seamwright_report::{SimulationCurves, WeldReport};
 use std::io::{BufWriter, Write};
 
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
+    if !args.fault.is_empty() {
+        return super::run::simulate(args);
+    }
     let loaded = load(&args.job)?;
     let distortion = match &args.distortion {
         Some(path) => Some(Distortion::read(&path.display().to_string(), &files::read(path)?)?),

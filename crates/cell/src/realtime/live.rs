@@ -1,0 +1,123 @@
+use crate::executive::{Command, Cycle, Mode, Note, Orders, Place, Port, ProcessState, Reports};
+use rtrb::{Consumer, Producer, RingBuffer};
+use seamwright_motion::pace::RunPhase;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// A cycle as it crosses to other threads.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shown {
+    /// Time since the executive began, s.
+    pub t: f64,
+    /// The mode.
+    pub mode: Mode,
+    /// Where on the program.
+    pub place: Place,
+    /// What a pass is doing.
+    pub phase: Option<RunPhase>,
+    /// Planned speed along the path, mm/s.
+    pub speed: f64,
+    /// Path length up to which the pass is welded, mm.
+    pub welded_mm: f64,
+    /// Arc or beam.
+    pub process: ProcessState,
+    /// The next start of the process is allowed.
+    pub armed: bool,
+    /// Part of the planned speed that is asked for.
+    pub pace: f64,
+    /// What was asked of the devices.
+    pub orders: Orders,
+    /// What they reported.
+    pub reports: Reports,
+    /// Cycles lost before this one, because nobody took them.
+    pub lost: u64,
+}
+
+impl From<&Cycle<'_>> for Shown {
+    fn from(c: &Cycle<'_>) -> Self {
+        Self {
+            t: c.t,
+            mode: c.mode,
+            place: c.place,
+            phase: c.phase,
+            speed: c.speed,
+            welded_mm: c.welded_mm,
+            process: c.process,
+            armed: c.armed,
+            pace: c.pace,
+            orders: *c.orders,
+            reports: *c.reports,
+            lost: 0,
+        }
+    }
+}
+
+/// Something that happened at a time, s.
+pub type Noted = (f64, Note);
+
+/// The executive's end of the queues.
+#[derive(Debug)]
+pub struct LivePort {
+    commands: Consumer<Command>,
+    cycles: Producer<Shown>,
+    notes: Producer<Noted>,
+    failed: Arc<AtomicBool>,
+    lost: u64,
+}
+
+/// The outside's end.
+#[derive(Debug)]
+pub struct Outside {
+    /// Commands for the executive.
+    pub commands: Producer<Command>,
+    /// Its cycles, in order; the newest are lost if nobody takes them for two seconds of a 1 ms cycle.
+    pub cycles: Consumer<Shown>,
+    /// What happened, in order.
+    pub notes: Consumer<Noted>,
+    failed: Arc<AtomicBool>,
+}
+
+impl Outside {
+    /// Tells the executive that the record cannot be written any more.
+    pub fn fail(&self) {
+        self.failed.store(true, Ordering::Relaxed);
+    }
+}
+
+/// Places in the queues.
+const COMMANDS: usize = 64;
+const CYCLES: usize = 2048;
+const NOTES: usize = 1024;
+
+/// Queues between an executive and the outside: fixed in size, without locks.
+pub fn live() -> (LivePort, Outside) {
+    let (to_executive, commands) = RingBuffer::new(COMMANDS);
+    let (cycles, shown) = RingBuffer::new(CYCLES);
+    let (notes, noted) = RingBuffer::new(NOTES);
+    let failed = Arc::new(AtomicBool::new(false));
+    let port = LivePort { commands, cycles, notes, failed: Arc::clone(&failed), lost: 0 };
+    (port, Outside { commands: to_executive, cycles: shown, notes: noted, failed })
+}
+
+impl Port for LivePort {
+    fn command(&mut self, _t: f64) -> Option<Command> {
+        self.commands.pop().ok()
+    }
+
+    fn show(&mut self, cycle: &Cycle<'_>) {
+        let shown = Shown { lost: self.lost, ..Shown::from(cycle) };
+        if self.cycles.push(shown).is_err() {
+            self.lost += 1;
+        }
+    }
+
+    fn note(&mut self, t: f64, note: Note) {
+        if self.notes.push((t, note)).is_err() {
+            self.lost += 1;
+        }
+    }
+
+    fn record_fails(&self) -> bool {
+        self.lost > 0 || self.failed.load(Ordering::Relaxed)
+    }
+}

@@ -1,0 +1,76 @@
+use crate::args::run::LatencyArgs;
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::rows::{print_json, print_text};
+use seamwright_cell::realtime::{Footing, Latency, Pacer};
+use std::fmt::Write;
+
+/// Parts of all cycles whose lateness is printed.
+const PARTS: [f64; 4] = [0.5, 0.99, 0.999, 1.0];
+/// Widest bar of the histogram, characters.
+const WIDE: f64 = 50.0;
+
+pub(crate) fn run(args: &LatencyArgs) -> Result<(), Failure> {
+    for (what, value, low, high) in
+        [("--period-ms", args.period_ms, 0.25, 4.0), ("--seconds", args.seconds, 0.1, 86_400.0)]
+    {
+        if !(low..=high).contains(&value) {
+            return Err(Failure::Input(format!("{what} {value}\n   allowed: {low} to {high}")));
+        }
+    }
+    let cycles = (args.seconds * 1e3 / args.period_ms).round() as u64;
+    let progress = Progress::new("cycles", cycles);
+    let measured = std::thread::scope(|scope| scope.spawn(|| measure(args, cycles, &progress)).join());
+    drop(progress);
+    let (footing, latency) =
+        measured.map_err(|_| Failure::Environment("the thread of the cycle ended early".to_owned()))?;
+    if args.json { json(args, &footing, &latency) } else { print_text(&text(args, &footing, &latency)) }
+}
+
+fn measure(args: &LatencyArgs, cycles: u64, progress: &Progress) -> (Footing, Latency) {
+    let footing = Footing::ask(args.cpu);
+    let mut pacer = Pacer::new(args.period_ms * 1e-3);
+    let mut done = 0;
+    while done < cycles {
+        done += 1 + u64::from(pacer.wait());
+        // The bar draws itself ten times a second, from a thread of its own.
+        progress.at(done);
+    }
+    (footing, pacer.latency().clone())
+}
+
+fn json(args: &LatencyArgs, footing: &Footing, latency: &Latency) -> Result<(), Failure> {
+    let bins: Vec<_> =
+        latency.bins().map(|(us, cycles)| serde_json::json!({ "up_to_us": us, "cycles": cycles })).collect();
+    print_json(&serde_json::json!({
+        "period_ms": args.period_ms,
+        "cycles": latency.count(),
+        "missed": latency.missed(),
+        "footing": footing.to_string(),
+        "late_us": { "median": latency.quantile_us(0.5), "p99": latency.quantile_us(0.99),
+            "p99_9": latency.quantile_us(0.999), "most": latency.most_us() },
+        "histogram": bins,
+    }))
+}
+
+fn text(args: &LatencyArgs, footing: &Footing, latency: &Latency) -> String {
+    let mut text =
+        format!("{footing}\n{} cycles of {} ms, {} missed\n", latency.count(), args.period_ms, latency.missed());
+    for part in PARTS {
+        // A text has room for everything.
+        let _ = writeln!(text, "{:>6} % begin at most {:>10.1} us late", 100.0 * part, latency.quantile_us(part));
+    }
+    let mut octaves: Vec<(f64, u64)> = Vec::new();
+    for (us, cycles) in latency.bins() {
+        match octaves.last_mut() {
+            Some((upper, sum)) if us <= *upper => *sum += cycles,
+            _ => octaves.push((2f64.powf(us.log2().ceil()), cycles)),
+        }
+    }
+    let most = octaves.iter().map(|o| o.1).max().unwrap_or(1) as f64;
+    for (upper, cycles) in octaves {
+        let bar = "#".repeat((WIDE * (cycles as f64).ln_1p() / most.ln_1p()).round() as usize);
+        let _ = writeln!(text, "{upper:>10.1} us {cycles:>9} {bar}");
+    }
+    text
+}

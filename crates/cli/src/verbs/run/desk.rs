@@ -1,0 +1,284 @@
+//! The operator's desk: orders in their turn, what happened in words, the record.
+
+use super::Ended;
+use super::orders::Line;
+use super::table::Table;
+use crate::failure::Failure;
+use crate::files::Output;
+use seamwright_cell::executive::{Alarm, Ask, Command, Missing, Mode, Note, Place, Raised, Reaction};
+use seamwright_cell::realtime::Shown;
+use seamwright_machine::Machine;
+use serde_json::{Value, json};
+use std::collections::VecDeque;
+use std::io::Write as _;
+
+/// Where orders come from, what they led to.
+pub(super) struct Desk {
+    axes: Vec<String>,
+    conditions: Vec<String>,
+    lines: VecDeque<Line>,
+    /// No more lines will come.
+    ended: bool,
+    /// The order that was given has not been taken or refused yet, or no cycle has been seen since.
+    pending: bool,
+    answered: bool,
+    /// Since when the first line waits, s.
+    waits: Option<f64>,
+    now: Option<Shown>,
+    table: Option<Table>,
+    record: Option<Failure>,
+    json: bool,
+    events: Vec<Value>,
+    refused: Option<String>,
+    /// The first alarm that held the program or took the cell down.
+    stopped: Option<String>,
+    passes: Vec<Place>,
+}
+
+impl Desk {
+    pub(super) fn new(machine: &Machine, table: Table, lines: Vec<Option<Line>>, json: bool) -> Self {
+        Self {
+            axes: machine.axes.iter().map(|a| a.name.clone()).collect(),
+            conditions: machine.interlocks.iter().map(|i| i.name.clone()).collect(),
+            lines: lines.into_iter().flatten().collect(),
+            ended: false,
+            pending: false,
+            answered: true,
+            waits: None,
+            now: None,
+            table: Some(table),
+            record: None,
+            json,
+            events: Vec::new(),
+            refused: None,
+            stopped: None,
+            passes: Vec::new(),
+        }
+    }
+
+    /// A line that the operator typed.
+    pub(super) fn typed(&mut self, text: &str) {
+        match Line::read(text) {
+            Ok(line) => self.lines.extend(line),
+            Err(error) => {
+                self.refused.get_or_insert(error.clone());
+                self.tell("mistake", &error, json!({ "mistake": error }));
+            }
+        }
+    }
+
+    /// No more lines will come.
+    pub(super) fn ends(&mut self) {
+        self.ended = true;
+    }
+
+    /// True once the record cannot be written.
+    pub(super) fn record_fails(&self) -> bool {
+        self.record.is_some()
+    }
+
+    /// A cycle of the executive.
+    pub(super) fn shown(&mut self, shown: &Shown) {
+        self.now = Some(*shown);
+        self.pending &= !self.answered;
+        if let Some(table) = &mut self.table
+            && let Err(failure) = table.row(shown)
+        {
+            (self.table, self.record) = (None, Some(failure));
+        }
+    }
+
+    /// The next order, if its turn has come.
+    pub(super) fn next(&mut self) -> Option<Command> {
+        let now = self.now?;
+        if self.pending {
+            return None;
+        }
+        if self.gives_up(now.mode) {
+            self.lines.clear();
+        }
+        let Some(line) = self.lines.front().copied() else {
+            // At the end everything comes to rest, then the power goes.
+            let last = match now.mode {
+                _ if !self.ended => return None,
+                Mode::Off | Mode::Fault => Ask::Quit,
+                Mode::Idle | Mode::Ready => Ask::SwitchOff,
+                _ => Ask::Stop,
+            };
+            return Some(Command::of(last));
+        };
+        let since = *self.waits.get_or_insert(now.t);
+        let passes = match line {
+            Line::Ask(ask) => return Some(Command::of(ask)),
+            Line::Mode(mode) => now.mode == mode,
+            Line::Seconds(s) => now.t - since >= s,
+            Line::Place(mm) => now.place.pass > 0 && now.place.s_mm >= mm,
+            Line::Why => {
+                self.why(&now);
+                true
+            }
+        };
+        if passes {
+            self.lines.pop_front();
+            self.waits = None;
+        }
+        None
+    }
+
+    /// A script that an alarm has stopped, or whose order was refused, does not go on: nobody is there to look.
+    fn gives_up(&self, mode: Mode) -> bool {
+        let waited_for = matches!(self.lines.front(), Some(Line::Mode(wanted)) if *wanted == mode);
+        let down = matches!(mode, Mode::Fault | Mode::Hold) && self.stopped.is_some() && !waited_for;
+        self.ended && (self.refused.is_some() || down)
+    }
+
+    /// The order was given.
+    pub(super) fn sent(&mut self) {
+        (self.pending, self.answered) = (true, false);
+        if matches!(self.lines.front(), Some(Line::Ask(_))) {
+            self.lines.pop_front();
+        }
+        self.waits = None;
+    }
+
+    fn why(&mut self, now: &Shown) {
+        let text = format!(
+            "mode {}, pass {}, s {:.2} mm, inputs {:b}; the next start says what is missing",
+            now.mode, now.place.pass, now.place.s_mm, now.reports.inputs
+        );
+        self.tell("state", &text, json!({ "mode": now.mode.name(), "pass": now.place.pass, "s_mm": now.place.s_mm }));
+    }
+
+    /// Something happened.
+    pub(super) fn noted(&mut self, t: f64, note: Note) {
+        match note {
+            Note::Mode(from, to) => {
+                let more = json!({ "from": from.name(), "to": to.name() });
+                self.event(t, "mode", &format!("{from} -> {to}"), more);
+            }
+            Note::Taken(command) => {
+                self.answered = true;
+                self.event(t, "order", command.ask.name(), json!({ "order": command.ask.name() }));
+            }
+            Note::Refused(command, missing) => {
+                self.answered = true;
+                self.refuse(t, command, missing);
+            }
+            Note::Alarm(raised) => self.alarm(t, &raised),
+            Note::Cleared(alarm, detail) => {
+                let text = format!("{}{} has gone", alarm.entry().name, self.detail(alarm, detail));
+                self.event(t, "cleared", &text, json!({ "alarm": alarm.entry().name }));
+            }
+            Note::PassEnds(place) => {
+                self.passes.push(place);
+                let text = format!("pass {} ends at {:.2} mm", place.pass, place.s_mm);
+                self.event(t, "pass", &text, json!({ "pass": place.pass, "s_mm": place.s_mm }));
+            }
+            Note::Left(place) => {
+                let text = format!("pass {} was left, welded up to {:.2} mm", place.pass, place.s_mm);
+                self.event(t, "left", &text, json!({ "pass": place.pass, "welded_mm": place.s_mm }));
+            }
+        }
+    }
+
+    fn refuse(&mut self, t: f64, command: Command, missing: Missing) {
+        // At the end quitting is asked for until everything rests.
+        if self.ended && self.lines.is_empty() && matches!(command.ask, Ask::Quit | Ask::SwitchOff) {
+            return;
+        }
+        let axes: Vec<&str> = self.axes.iter().map(String::as_str).collect();
+        let conditions: Vec<&str> = self.conditions.iter().map(String::as_str).collect();
+        let why = missing.text(&axes, &conditions);
+        let text = format!("{}: {why}", command.ask.name());
+        self.refused.get_or_insert(text.clone());
+        self.event(t, "refused", &text, json!({ "order": command.ask.name(), "why": why }));
+    }
+
+    fn alarm(&mut self, t: f64, raised: &Raised) {
+        let entry = raised.alarm.entry();
+        let name = format!("{}{}", entry.name, self.detail(raised.alarm, raised.detail));
+        let at = if raised.place.pass > 0 { format!(" at {:.2} mm", raised.place.s_mm) } else { String::new() };
+        let text = format!("{name}{at}: {}; {}", raised.reaction.name(), entry.action);
+        if raised.reaction >= Reaction::Hold {
+            self.stopped.get_or_insert(format!("{name}: {}", entry.action));
+        }
+        let more = json!({
+            "alarm": entry.name, "of": self.detail(raised.alarm, raised.detail).trim(), "first_out": raised.first_out,
+            "pass": raised.place.pass, "s_mm": raised.place.s_mm, "cell": raised.reaction.name(),
+            "cause": entry.cause, "consequence": entry.consequence, "action": entry.action,
+        });
+        self.event(t, "alarm", &text, more);
+    }
+
+    /// Which axis or condition an alarm is about.
+    fn detail(&self, alarm: Alarm, detail: u8) -> String {
+        let names = match alarm {
+            Alarm::Interlock => &self.conditions,
+            Alarm::DriveFault | Alarm::LimitSwitch | Alarm::FollowingError => &self.axes,
+            _ => return String::new(),
+        };
+        names.get(usize::from(detail)).map_or(String::new(), |name| format!(" ({name})"))
+    }
+
+    fn event(&mut self, t: f64, kind: &'static str, text: &str, more: Value) {
+        let mut event = json!({ "t_s": t, "event": kind });
+        if let (Value::Object(event), Value::Object(more)) = (&mut event, more) {
+            event.extend(more);
+        }
+        let line = if self.json { event.to_string() } else { format!("{t:>10.3} s  {kind:<8} {text}") };
+        self.say(&line);
+        self.events.push(event);
+    }
+
+    fn tell(&mut self, kind: &'static str, text: &str, more: Value) {
+        let t = self.now.map_or(0.0, |now| now.t);
+        self.event(t, kind, text, more);
+    }
+
+    fn say(&mut self, line: &str) {
+        let mut out = std::io::stdout().lock();
+        // Whoever reads may have gone; the cell goes on.
+        let _ = writeln!(out, "{line}").and_then(|()| out.flush());
+    }
+
+    /// Puts what was recorded into `output`.
+    pub(super) fn close(&mut self, output: &mut Output, title: &str, ended: Ended) -> Result<(), Failure> {
+        if let Some(table) = self.table.take() {
+            let file = table.finish()?;
+            output.add("trace.parquet", file);
+        }
+        let mut lines = String::new();
+        for event in &self.events {
+            lines += &event.to_string();
+            lines.push('\n');
+        }
+        output.text("events.jsonl", &lines)?;
+        let timing = ended.timing.map(|(footing, latency)| {
+            json!({ "footing": footing.to_string(), "cycles": latency.count(), "missed": latency.missed(),
+                "late_us": { "median": latency.quantile_us(0.5), "p99_9": latency.quantile_us(0.999), "most": latency.most_us() } })
+        });
+        let place = |place: Place| json!({ "pass": place.pass, "welded_mm": place.s_mm });
+        let run = json!({
+            "title": title,
+            "mode": self.now.map(|now| now.mode.name()),
+            "passes": self.passes.iter().map(|p| place(*p)).collect::<Vec<_>>(),
+            "left": ended.left.map(place),
+            "stopped_by": self.stopped,
+            "refused": self.refused,
+            "timing": timing,
+        });
+        output.text("run.json", &format!("{run:#}\n"))
+    }
+
+    /// The exit code that follows.
+    pub(super) fn judge(self) -> Result<(), Failure> {
+        if let Some(failure) = self.record {
+            return Err(failure);
+        }
+        match (self.stopped, self.refused) {
+            (Some(alarm), _) => Err(Failure::Environment(format!("the program was stopped by an alarm: {alarm}"))),
+            (None, Some(_)) => Err(Failure::Printed),
+            (None, None) => Ok(()),
+        }
+    }
+}

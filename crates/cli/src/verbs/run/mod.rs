@@ -1,0 +1,209 @@
+//! A job on a running cell: in real time under an operator's orders, or in virtual time with faults.
+
+mod desk;
+mod orders;
+mod table;
+
+use crate::args::SimulateArgs;
+use crate::args::run::RunArgs;
+use crate::failure::Failure;
+use crate::files::Output;
+use crate::load::{Loaded, load};
+use desk::Desk;
+use orders::Line;
+use seamwright_cell::devices::{
+    Device, DeviceSet, Fault, Faulty, InputBits, SimulatedDrives, SimulatedInputs, SimulatedSource, When,
+};
+use seamwright_cell::executive::{
+    Command, Cycle, Devices, DriveReport, Executive, Interlocks, Note, Place, Port, SourceReport, Start, Work,
+};
+use seamwright_cell::realtime::{Footing, Latency, Outside, Paced, Pacer, Shown, live};
+use seamwright_machine::{Machine, Surroundings};
+use seamwright_motion::WeldMotion;
+use seamwright_program::Pass;
+use std::io::{BufRead as _, Write as _};
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use std::time::Duration;
+use table::Table;
+
+/// How often the desk looks at what the cycle has sent.
+const LOOK: Duration = Duration::from_millis(5);
+
+/// A weld in virtual time from switching on to home, with faults on the way.
+const ORDERS: [&str; 6] = ["on", "home", "wait ready", "arm", "weld", "wait ready"];
+
+/// Simulated devices, each with its plan of faults.
+type Cell = DeviceSet<
+    Faulty<SimulatedDrives, DriveReport>,
+    Faulty<SimulatedSource, SourceReport>,
+    Faulty<SimulatedInputs, InputBits>,
+>;
+
+fn devices(machine: &Machine, faults: &[Fault], seed: u64) -> Result<Cell, Failure> {
+    let period = machine.servo_period_s;
+    let drives = SimulatedDrives::new(machine, seed).map_err(|e| Failure::Input(e.to_string()))?;
+    let inputs = SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met());
+    Ok(DeviceSet {
+        drives: Faulty::new(drives, Device::Drives, faults, period),
+        source: Faulty::new(SimulatedSource::new(seed, period), Device::Source, faults, period),
+        inputs: Faulty::new(inputs, Device::Inputs, faults, period),
+        period_s: period,
+    })
+}
+
+/// What a cell ran on, and how it ended.
+struct Ended {
+    left: Option<Place>,
+    timing: Option<(Footing, Latency)>,
+}
+
+pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
+    let loaded = load(&args.job)?;
+    let motion = loaded.plan()?;
+    let devices = devices(&loaded.machine, &args.fault, args.seed)?;
+    with_work(&loaded, &motion, &args.output, args.json, Vec::new(), |work, desk| {
+        real(work, &loaded.machine, devices, args.cpu, desk)
+    })
+}
+
+/// `simulate --fault`: the same in virtual time.
+pub(super) fn simulate(args: &SimulateArgs) -> Result<(), Failure> {
+    let loaded = load(&args.job)?;
+    let motion = loaded.plan()?;
+    let mut devices = devices(&loaded.machine, &args.fault, args.seed)?;
+    let lines = ORDERS.iter().filter_map(|line| Line::read(line).ok()).collect();
+    with_work(&loaded, &motion, &args.output, args.json, lines, |work, desk| {
+        desk.ends();
+        let mut executive = Executive::new(&loaded.machine, &mut devices, InOne { desk });
+        executive.serve(Some(work));
+        let (left, end) = (executive.left(), executive.now());
+        for fault in args.fault.iter().filter(|f| matches!(f.when, When::At(t) if t > end)) {
+            // Nothing can be done if standard error is closed.
+            let _ = writeln!(std::io::stderr(), "note: {fault} never came: everything was over at {end:.1} s");
+        }
+        Ok(Ended { left, timing: None })
+    })
+}
+
+/// Opens the desk, lets `cell` run under it, and closes it.
+fn with_work(
+    loaded: &Loaded,
+    motion: &WeldMotion,
+    folder: &std::path::Path,
+    json: bool,
+    lines: Vec<Option<Line>>,
+    cell: impl FnOnce(&Work<'_>, &mut Desk) -> Result<Ended, Failure>,
+) -> Result<(), Failure> {
+    let program = &loaded.welding.program.value;
+    let machine = &loaded.machine;
+    loaded.check_count(motion, machine.servo_period_s)?;
+    let around = Surroundings::new(machine, &loaded.clamped).map_err(|e| Failure::Input(e.to_string()))?;
+    let passes: Vec<&Pass> = program.passes.iter().collect();
+    let work = Work::new(machine, Some(&around), &passes, motion, Start::at_home(motion));
+    let mut output = Output::new(folder)?;
+    let table = Table::new(&output, machine, program, work.values())?;
+    let mut desk = Desk::new(machine, table, lines, json);
+    let ended = cell(&work, &mut desk)?;
+    desk.close(&mut output, &program.title, ended)?;
+    output.finish()?;
+    desk.judge()
+}
+
+/// In real time: the cycle in a thread of its own, the desk here.
+fn real(
+    work: &Work<'_>,
+    machine: &Machine,
+    devices: Cell,
+    cpu: Option<usize>,
+    desk: &mut Desk,
+) -> Result<Ended, Failure> {
+    let (port, mut outside) = live();
+    let typed = typed();
+    std::thread::scope(|scope| {
+        let cycle = scope.spawn(move || {
+            let footing = Footing::ask(cpu);
+            let mut paced = Paced { devices, pacer: Pacer::new(machine.servo_period_s) };
+            let mut executive = Executive::new(machine, &mut paced as &mut dyn Devices, port);
+            executive.serve(Some(work));
+            let left = executive.left();
+            drop(executive);
+            (left, footing, paced.pacer.latency().clone())
+        });
+        while !cycle.is_finished() {
+            look(&mut outside, &typed, desk);
+            std::thread::sleep(LOOK);
+        }
+        look(&mut outside, &typed, desk);
+        let (left, footing, latency) =
+            cycle.join().map_err(|_| Failure::Environment("the thread of the cycle ended early".to_owned()))?;
+        Ok(Ended { left, timing: Some((footing, latency)) })
+    })
+}
+
+/// Takes what the cycle has sent and the operator typed, and gives the next order.
+fn look(outside: &mut Outside, typed: &Receiver<String>, desk: &mut Desk) {
+    while let Ok(shown) = outside.cycles.pop() {
+        desk.shown(&shown);
+    }
+    while let Ok((t, note)) = outside.notes.pop() {
+        desk.noted(t, note);
+    }
+    loop {
+        match typed.try_recv() {
+            Ok(line) => desk.typed(&line),
+            Err(TryRecvError::Empty) => break,
+            Err(TryRecvError::Disconnected) => {
+                desk.ends();
+                break;
+            }
+        }
+    }
+    if let Some(command) = desk.next() {
+        // A full queue is one whose commands have not been taken for a while: asked again next time.
+        if outside.commands.push(command).is_ok() {
+            desk.sent();
+        }
+    }
+    if desk.record_fails() {
+        outside.fail();
+    }
+}
+
+/// Lines of standard input as they come; the channel closes where it ends.
+fn typed() -> Receiver<String> {
+    let (to, from) = channel();
+    // It may wait for a line for ever: nobody waits for it.
+    std::thread::spawn(move || {
+        for line in std::io::stdin().lock().lines().map_while(Result::ok) {
+            if to.send(line).is_err() {
+                break;
+            }
+        }
+    });
+    from
+}
+
+/// Desk and cycle in one thread, in virtual time.
+struct InOne<'a> {
+    desk: &'a mut Desk,
+}
+
+impl Port for InOne<'_> {
+    fn command(&mut self, _t: f64) -> Option<Command> {
+        let command = self.desk.next()?;
+        self.desk.sent();
+        Some(command)
+    }
+
+    fn show(&mut self, cycle: &Cycle<'_>) {
+        self.desk.shown(&Shown::from(cycle));
+    }
+
+    fn note(&mut self, t: f64, note: Note) {
+        self.desk.noted(t, note);
+    }
+
+    fn record_fails(&self) -> bool {
+        self.desk.record_fails()
+    }
+}

@@ -1,0 +1,100 @@
+use seamwright_cell::executive::{Ask, Mode};
+
+/// A line of the operator's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Line {
+    /// Something that the cell is asked.
+    Ask(Ask),
+    /// Nothing more before the cell is in this mode.
+    Mode(Mode),
+    /// Nothing more for so long, s.
+    Seconds(f64),
+    /// Nothing more before the torch is there, mm along the pass.
+    Place(f64),
+    /// What stands between now and a start?
+    Why,
+}
+
+/// Words that ask for something.
+const WORDS: [(&str, Ask); 15] = [
+    ("on", Ask::SwitchOn),
+    ("off", Ask::SwitchOff),
+    ("home", Ask::Home),
+    ("arm", Ask::Arm),
+    ("weld", Ask::StartWeld),
+    ("dry", Ask::StartDryRun),
+    ("hold", Ask::Hold),
+    ("resume", Ask::Resume),
+    ("reverse", Ask::Reverse),
+    ("stop", Ask::Stop),
+    ("acknowledge", Ask::Acknowledge),
+    ("ack", Ask::Acknowledge),
+    ("reset", Ask::Reset),
+    ("quit", Ask::Quit),
+    ("jog", Ask::StartJog),
+];
+
+impl Line {
+    /// Reads a line; an empty one and one that begins with # say nothing.
+    ///
+    /// # Errors
+    /// What is wrong, and what is allowed.
+    pub(super) fn read(text: &str) -> Result<Option<Self>, String> {
+        let words: Vec<&str> = text.split_whitespace().collect();
+        let number = |word: &str, low: f64, high: f64| {
+            let number = word.parse::<f64>().ok().filter(|n| (low..=high).contains(n));
+            number.ok_or_else(|| format!("`{word}` in `{text}`; allowed is a number from {low} to {high}"))
+        };
+        Ok(Some(match words[..] {
+            [] => return Ok(None),
+            [first, ..] if first.starts_with('#') => return Ok(None),
+            ["?"] => Self::Why,
+            ["override", percent] => Self::Ask(Ask::Override(number(percent, 0.0, 100.0)? / 100.0)),
+            ["wait", n, "s"] => Self::Seconds(number(n, 0.0, 86_400.0)?),
+            ["wait", n, "mm"] => Self::Place(number(n, 0.0, 1e9)?),
+            ["wait", ref mode @ ..] if !mode.is_empty() => {
+                let name = mode.join(" ");
+                let found = Mode::ALL.into_iter().find(|m| m.name() == name);
+                let names = || Mode::ALL.map(Mode::name).join(", ");
+                Self::Mode(
+                    found.ok_or_else(|| format!("there is no mode `{name}`; allowed are {}, N s, N mm", names()))?,
+                )
+            }
+            [word] if WORDS.iter().any(|(known, _)| *known == word) => {
+                let found = WORDS.iter().find(|(known, _)| *known == word);
+                return Ok(found.map(|(_, ask)| Self::Ask(*ask)));
+            }
+            _ => {
+                let words: Vec<&str> = WORDS.iter().map(|(word, _)| *word).collect();
+                return Err(format!(
+                    "`{text}` is no order; allowed are {}, override PERCENT, wait MODE, wait N s, wait N mm, ?",
+                    words.join(", ")
+                ));
+            }
+        }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_read() {
+        for (word, ask) in WORDS {
+            assert_eq!(Line::read(&format!("  {word} ")), Ok(Some(Line::Ask(ask))));
+        }
+        for mode in Mode::ALL {
+            assert_eq!(Line::read(&format!("wait {mode}")), Ok(Some(Line::Mode(mode))));
+        }
+        assert_eq!(Line::read("override 50"), Ok(Some(Line::Ask(Ask::Override(0.5)))));
+        assert_eq!(Line::read("wait 2.5 s"), Ok(Some(Line::Seconds(2.5))));
+        assert_eq!(Line::read("wait 12 mm"), Ok(Some(Line::Place(12.0))));
+        assert_eq!(Line::read("?"), Ok(Some(Line::Why)));
+        assert_eq!((Line::read(""), Line::read("# a remark")), (Ok(None), Ok(None)));
+        for bad in ["go", "wait", "wait for it", "override", "override 120", "override fast", "wait -1 s", "on off"] {
+            let error = Line::read(bad).unwrap_err();
+            assert!(error.contains("allowed"), "{bad}: {error}");
+        }
+    }
+}

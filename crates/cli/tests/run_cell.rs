@@ -1,0 +1,109 @@
+//! `run` in real time, `simulate --fault` in virtual time, `latency`.
+
+mod common;
+
+use common::{bad, example, good, run, run_with};
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::RowAccessor;
+use serde_json::Value;
+use std::path::Path;
+
+fn json(path: &Path) -> Value {
+    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+fn events(folder: &Path) -> Vec<Value> {
+    let text = std::fs::read_to_string(folder.join("events.jsonl")).unwrap();
+    text.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+}
+
+/// An arc that goes out: off in the next cycle, held, given up, the place told; the trace shows all of it.
+#[test]
+fn a_lost_arc_in_virtual_time() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out").display().to_string();
+    let job = example("ellipse");
+    let message = bad(3, &["simulate", &job, "-o", &out, "--fault", "source:wrong@12+0.3"]);
+    assert!(message.contains("arc or beam lost"), "{message}");
+    let out = Path::new(&out);
+    let summary = json(&out.join("run.json"));
+    let left = summary["left"]["welded_mm"].as_f64().unwrap();
+    assert!(left > 10.0 && summary["left"]["pass"] == 1, "{summary}");
+    let events = events(out);
+    let alarm = events.iter().find(|e| e["event"] == "alarm").unwrap();
+    assert!(alarm["first_out"] == true && (alarm["t_s"].as_f64().unwrap() - 12.02).abs() < 0.01, "{alarm}");
+    assert!(alarm["cause"].is_string() && alarm["action"].is_string() && alarm["consequence"].is_string());
+    let modes: Vec<&str> = events.iter().filter(|e| e["event"] == "mode").map(|e| e["to"].as_str().unwrap()).collect();
+    assert_eq!(modes, ["idle", "homing", "ready", "weld", "hold", "ready", "off"]);
+
+    let reader = SerializedFileReader::new(std::fs::File::open(out.join("trace.parquet")).unwrap()).unwrap();
+    let names: Vec<String> =
+        reader.metadata().file_metadata().schema_descr().columns().iter().map(|c| c.name().to_owned()).collect();
+    let column = |name: &str| names.iter().position(|n| n == name).unwrap();
+    let (t, arc, s) = (column("t_s"), column("arc"), column("s_mm"));
+    let rows: Vec<(f64, f64, f64)> = reader
+        .get_row_iter(None)
+        .unwrap()
+        .map(|row| row.unwrap())
+        .map(|row| (row.get_double(t).unwrap(), row.get_double(arc).unwrap(), row.get_double(s).unwrap()))
+        .collect();
+    assert!(rows.windows(2).all(|w| (w[1].0 - w[0].0 - 1e-3).abs() < 1e-9));
+    assert!(rows.iter().filter(|r| r.0 > 12.0225).all(|r| r.1 < 0.5));
+    assert!(rows.iter().any(|r| r.1 > 0.5 && r.2 > 10.0));
+}
+
+#[test]
+fn a_fault_that_comes_too_late_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().display().to_string();
+    let output = run(&["simulate", &example("ellipse"), "-o", &out, "--fault", "inputs:silent@100", "--json"]);
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success() && told.contains("never came"), "{told}");
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.lines().all(|line| serde_json::from_str::<Value>(line).is_ok()));
+    assert!(text.contains("\"pass\""));
+}
+
+/// In real time: orders are taken in their turn, refusals say why, the timing is in the summary.
+#[test]
+fn orders_in_real_time() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().display().to_string();
+    let job = example("ellipse");
+    let output =
+        run_with(&["run", &job, "-o", &out], "# up\non\nhome\nwait ready\ndry\nwait 0.3 s\nhold\nresume\nstop\n");
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{text}");
+    let summary = json(&folder.path().join("run.json"));
+    assert!(summary["timing"]["cycles"].as_u64().unwrap() > 800, "{summary}");
+    assert_eq!(summary["mode"], "off");
+
+    let output = run_with(&["run", &job, "-o", &out], "on\nhome\nwait ready\nweld\n");
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{text}");
+    assert!(text.contains("not armed"), "{text}");
+    let output = run_with(&["run", &job, "-o", &out], "go\n");
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8(output.stdout).unwrap().contains("allowed are on, off, home"));
+}
+
+#[test]
+fn what_cannot_be() {
+    let job = example("ellipse");
+    assert!(bad(2, &["simulate", &job, "-o", "x", "--fault", "doors:open@1"]).contains("drives, source, inputs"));
+    assert!(bad(2, &["simulate", &job, "-o", "x", "--fault", "drives:silent"]).contains("`@`"));
+    assert!(bad(2, &["run", "missing.toml", "-o", "x"]).contains("missing.toml"));
+    assert!(bad(2, &["run", &job]).contains("--output"));
+    assert!(bad(2, &["latency", "--period-ms", "0.1"]).contains("0.25 to 4"));
+    assert!(bad(2, &["latency", "--seconds=-1"]).contains("seconds"));
+}
+
+#[test]
+fn latency_is_measured() {
+    let told: Value = serde_json::from_str(&good(&["latency", "--seconds", "0.5", "--json"])).unwrap();
+    let counted = told["cycles"].as_u64().unwrap() + told["missed"].as_u64().unwrap();
+    assert!((500..=501).contains(&counted) || told["missed"].as_u64().unwrap() > 0, "{told}");
+    let sum: u64 = told["histogram"].as_array().unwrap().iter().map(|b| b["cycles"].as_u64().unwrap()).sum();
+    assert_eq!(sum, told["cycles"].as_u64().unwrap());
+    assert!(good(&["latency", "--seconds", "0.2"]).contains("begin at most"));
+}
