@@ -5,6 +5,7 @@ use seamwright_cell::{Conditions, Error, Sample, Summary, simulate};
 use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
 use seamwright_program::{Pass, Tolerance, TorchPath};
+use seamwright_tracking::beam::DeviationRecord;
 use seamwright_weld::Welding;
 
 struct Weld {
@@ -18,19 +19,34 @@ fn weld(job: &str, distortion: &str, tracking: bool, seed: u64) -> Result<Weld, 
     welds(job, distortion, tracking, seed, 1)
 }
 
-/// The job's pass so many times, one after the other.
+/// The job's passes so many times, one after the other.
 fn welds(job: &str, distortion: &str, tracking: bool, seed: u64, times: usize) -> Result<Weld, Error> {
+    replayed(job, distortion, tracking, seed, times, None)
+}
+
+/// The same, corrected by what is stored, if there is something.
+fn replayed(
+    job: &str,
+    distortion: &str,
+    tracking: bool,
+    seed: u64,
+    times: usize,
+    replay: Option<&DeviationRecord>,
+) -> Result<Weld, Error> {
     let welding = Welding::read("job.toml", job).unwrap();
     let program = &welding.program.value;
     let machine = Machine::read("m.toml", shipped(&program.machine).unwrap().text).unwrap();
     let distortion = Distortion::read("d.toml", distortion).unwrap();
     let planned_on = machine.with_reserve(if tracking { RESERVE } else { 0.0 });
     let around = Surroundings::new(&planned_on, &Clamped::default()).unwrap();
-    let path = welding.path(0);
-    let passes: Vec<(&dyn TorchPath, &Pass)> = vec![(&path, &program.passes[0]); times];
+    let paths: Vec<_> = (0..program.passes.len()).map(|i| welding.path(i)).collect();
+    let once = paths.iter().zip(&program.passes).map(|(path, pass)| (path as &dyn TorchPath, pass));
+    let passes: Vec<(&dyn TorchPath, &Pass)> = std::iter::repeat_n(once, times).flatten().collect();
     let motion = WeldMotion::plan(&planned_on, &around, &passes, 30.0).unwrap();
     let mut samples = Vec::new();
-    let conditions = Conditions { seed, distortion: Some(&distortion), tracking };
+    let solid = welding.clamped(&|_| Err(std::io::ErrorKind::NotFound.into())).unwrap();
+    let around = Surroundings::new(&machine, &solid).unwrap();
+    let conditions = Conditions { seed, distortion: Some(&distortion), tracking, replay, around: Some(&around) };
     let summaries = simulate(&machine, &passes, &motion, conditions, |s| {
         samples.push(*s);
         Ok::<(), Error>(())
@@ -201,4 +217,88 @@ fn what_cannot_be_reached_stops_the_weld() {
 fn a_machine_that_cannot_see_ahead() {
     let Err(error) = weld(include_str!("../../../examples/ellipse.toml"), "schema = 1\n", true, 1) else { panic!() };
     assert!(error.to_string().contains("[sensors.<name>]"), "{error}");
+}
+
+const HALF_RING: &str = include_str!("../../../examples/half-ring.toml");
+const HALF_RING_MISPLACED: &str = include_str!("../../../examples/distortions/half-ring.toml");
+
+/// Where pass `pass` lies beside the planned line, by path length on the seam, mm.
+fn course(weld: &Weld, pass: usize, begin_mm: f64) -> Vec<(f64, f64)> {
+    let samples = weld.samples.iter().filter(|s| s.pass == pass && s.travels()).step_by(20);
+    samples.filter_map(|s| Some((begin_mm + s.set.law.s, s.heads[0]?.correction.x))).collect()
+}
+
+/// An electron beam looks ahead while it welds a half-ring that lies 2 mm elsewhere, and its cosmetic pass, begun elsewhere
+/// and faster, lies on the first one without tracking: within 0.02 mm.
+#[test]
+fn a_beam_tracks_and_its_cosmetic_pass_replays() {
+    let weld = weld(HALF_RING, HALF_RING_MISPLACED, true, 1).unwrap();
+    let [first, second] = &weld.summaries[..] else { panic!("{:?}", weld.summaries) };
+    for (summary, replays) in [(first, false), (second, true)] {
+        let [head] = &summary.heads[..] else { panic!("{summary:?}") };
+        let beam = head.beam.as_ref().unwrap();
+        assert!(head.tracked && head.lateral_only && beam.replayed == replays, "{head:?}");
+        assert!(head.untracked_p99_mm > 1.5 && head.miss_p99_mm < 0.05 && head.stopped_mm.is_none(), "{head:?}");
+        assert!(beam.longest_away_ms <= 5.0 && beam.deflected_mm <= beam.range_mm, "{beam:?}");
+        assert!(summary.findings(&Tolerance::default(), 1).iter().all(|f| f.allowed), "{summary:?}");
+    }
+    let (first, second) = (&first.heads[0], &second.heads[0]);
+    assert!((1.5..1.72).contains(&first.beam.as_ref().unwrap().away_percent));
+    assert!(second.beam.as_ref().unwrap().fit.is_some_and(|fit| fit.points >= 12 && fit.within_mm < 0.15));
+    assert!(first.deviations.is_some() && second.deviations.is_none());
+    let (tracked, again) = (course(&weld, 1, 0.0), course(&weld, 2, 20.0));
+    for (s, lateral) in again {
+        let after = tracked.partition_point(|p| p.0 < s).clamp(1, tracked.len() - 1);
+        let (a, b) = (tracked[after - 1], tracked[after]);
+        let there = a.1 + (s - a.0) / (b.0 - a.0) * (b.1 - a.1);
+        assert!((lateral - there).abs() < 0.02 || s > b.0, "{s}: {lateral} {there}");
+    }
+    let (speed, acceleration) = used(&weld);
+    assert!(speed <= 1.0 && acceleration <= 1.0, "{speed} {acceleration}");
+}
+
+/// What a beam found corrects another weld of the same part; of a part that was moved since it is refused before the beam is on,
+/// and so is a joint that cannot be seen.
+#[test]
+fn stored_deviations_that_fit_and_that_do_not() {
+    let found = weld(HALF_RING, HALF_RING_MISPLACED, true, 1).unwrap();
+    let record = found.summaries[0].heads[0].deviations.clone().unwrap();
+    let record = DeviationRecord::from_csv("stored", &record.to_csv()).unwrap();
+    let again = replayed(HALF_RING, HALF_RING_MISPLACED, true, 2, 1, Some(&record)).unwrap();
+    for summary in &again.summaries {
+        let head = &summary.heads[0];
+        assert!(head.miss_p99_mm < 0.05 && head.beam.as_ref().unwrap().replayed, "{head:?}");
+    }
+    let moved = format!("{HALF_RING_MISPLACED}\n[[displacement]]\nshift = {{ lateral_mm = 0.4 }}\n");
+    let hidden = format!("{HALF_RING_MISPLACED}\n").replace("[[150, 155]]", "[[0, 100]]");
+    for (distortion, replay, says) in [(moved, Some(&record), "0.4"), (hidden, None, "not seen before the weld")] {
+        let weld = replayed(HALF_RING, &distortion, true, 3, 1, replay).unwrap();
+        let head = &weld.summaries[0].heads[0];
+        assert_eq!(head.stopped_mm, Some(0.0), "{head:?}");
+        assert!(head.alarms.iter().any(|a| a.text().contains(says)), "{head:?}");
+        assert!(weld.samples.iter().all(|s| !s.arc()), "the beam is never on");
+        let findings = weld.summaries[0].findings(&Tolerance::default(), 1);
+        assert!(findings.iter().any(|f| f.kind == "stopped" && !f.allowed), "{findings:?}");
+    }
+}
+
+/// A post stands where the torch would go back to so that its sensor sees the start: the move ends before it, and that is told.
+#[test]
+fn the_move_to_see_the_start_keeps_clear() {
+    let post = "\n[[fixtures]]\nname = \"post\"\nshape.cylinder = { radius_mm = 10, length_mm = 200 }\n\
+                at = { move_mm = [290, 68, -120] }\n";
+    let open = SADDLE.replace("overlap_mm = 20 ", "end_phi_deg = 180 ");
+    let job = format!("{open}{post}");
+    let free = weld(&open, "schema = 1\n", true, 1).unwrap();
+    assert!(free.summary.heads[0].alarms.is_empty(), "{:?}", free.summary.heads);
+    let near = weld(&job, "schema = 1\n", true, 1).unwrap();
+    let told = &near.summary.heads[0].alarms[0];
+    assert!(told.alarm.contains("cut short") && told.text().contains("post"), "{told:?}");
+    let back = |weld: &Weld| {
+        let start = weld.samples.iter().position(|s| s.arc()).unwrap();
+        let tip = |q| weld.machine.forward(q).point;
+        let first = tip(&weld.samples[start].set.q);
+        weld.samples[..start].iter().map(|s| tip(&s.set.q).distance(first)).fold(0.0, f64::max)
+    };
+    assert!(back(&near) < back(&free) - 1.0, "{} {}", back(&near), back(&free));
 }

@@ -20,6 +20,7 @@ pub(crate) const EXAMPLES: &[Example] = examples![
     "tube-plate",
     "trunnion-saddle",
     "oblique-girth",
+    "half-ring",
     "t-joint",
     "knuckle-nozzle",
     "set-in-nozzle",

@@ -1,6 +1,6 @@
 //! The machine file as written, before its steps are put together.
 
-use crate::{InterlockFile, SensorFile, SourceFile, TipLimits};
+use crate::{BeamDeflection, InterlockFile, SensorFile, SourceFile, TipLimits};
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Direction, Finite, NonNegative, Point, Positive, SchemaVersion, Transform};
@@ -74,7 +74,37 @@ pub struct MachineFile {
 pub struct TorchFile {
     /// Direction of wire or beam, from the torch to the work, in the last frame of the tool steps.
     pub direction: Direction,
+    /// How far and fast a beam is deflected, if the torch is one.
+    pub deflection: Option<DeflectionFile>,
 }
+
+/// A beam's deflection on the work, the same to all sides.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DeflectionFile {
+    /// Greatest deflection, mm.
+    pub range_mm: Positive,
+    /// Highest speed, mm/s.
+    pub max_speed_mm_s: Positive,
+    /// Time from the order until it acts, us; 75 if missing.
+    pub latency_us: Option<NonNegative>,
+    /// Distance of the point about which the beam is deflected from the work, mm.
+    pub pivot_mm: Positive,
+}
+
+impl DeflectionFile {
+    pub(crate) fn beam(self) -> BeamDeflection {
+        BeamDeflection {
+            range_mm: self.range_mm.get(),
+            speed: self.max_speed_mm_s.get(),
+            latency_s: 1e-6 * self.latency_us.map_or(USUAL_LATENCY_US, NonNegative::get),
+            pivot_mm: self.pivot_mm.get(),
+        }
+    }
+}
+
+/// Of a beam's deflection (EBW-2004), us.
+const USUAL_LATENCY_US: f64 = 75.0;
 
 /// Limits of the torch tip's motion against the work, along seams and taught points.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]

@@ -32,14 +32,14 @@ pub use axis::{
 pub use cell::{InterlockFile, Level, Source, SourceFile};
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
 pub use file::{
-    ControlFile, ControlsFile, DriveFile, EncoderSide, HeadFile, Io, LinkClearanceFile, MachineFile, NotchFile,
-    PitchErrorFile, StepFile, StepperFile, TipFile, TorchFile, ZoneFile, ZoneKind,
+    ControlFile, ControlsFile, DeflectionFile, DriveFile, EncoderSide, HeadFile, Io, LinkClearanceFile, MachineFile,
+    NotchFile, PitchErrorFile, StepFile, StepperFile, TipFile, TorchFile, ZoneFile, ZoneKind,
 };
 pub use head::Head;
 pub use inverse::{Branches, MAX_BRANCHES, Solution, Unreachable};
 pub use keeper::Keeper;
 pub use links::{LinkFrames, Links, MAX_LINKS, NamedFrame};
-pub use machine::{Machine, Target};
+pub use machine::{BeamDeflection, Machine, Target};
 pub use pitch_error::PitchError;
 pub use seamwright_clearance::Clamped;
 pub use sensor::{CameraSensor, HeightRowFile, PixelMapFile, Sensor, SensorFile, SensorKind, Sight, StripeSensor};

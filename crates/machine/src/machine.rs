@@ -44,11 +44,26 @@ pub struct Machine {
     pub sensors: Vec<Sensor>,
     /// Limits of the first head's torch tip against the work.
     pub tip: TipLimits,
+    /// Of a machine whose torch is a beam: how it is deflected.
+    pub deflection: Option<BeamDeflection>,
     /// Unit vector against gravity in the machine's base frame.
     pub up: DVec3,
     pub(crate) pair: Option<Pair>,
     /// True if any axis has a pitch-error table.
     pub(crate) has_pitch_error: bool,
+}
+
+/// How a beam is deflected on the work, the same to all sides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BeamDeflection {
+    /// Greatest deflection, mm.
+    pub range_mm: f64,
+    /// Highest speed, mm/s.
+    pub speed: f64,
+    /// From the order until it acts, s.
+    pub latency_s: f64,
+    /// From the work to the point about which the beam is deflected, mm.
+    pub pivot_mm: f64,
 }
 
 /// Where the torches go: one, or two at once.

@@ -102,10 +102,12 @@ pub enum Role {
     Fill,
     /// It is the weld's surface.
     Cap,
+    /// It smooths the surface of the finished weld, with a weak or wide beam.
+    Cosmetic,
 }
 
 impl Role {
-    const ALL: [Self; 4] = [Self::Tack, Self::Root, Self::Fill, Self::Cap];
+    const ALL: [Self; 5] = [Self::Tack, Self::Root, Self::Fill, Self::Cap, Self::Cosmetic];
 
     /// In words.
     pub fn name(self) -> &'static str {
@@ -114,6 +116,7 @@ impl Role {
             Self::Root => "root",
             Self::Fill => "fill",
             Self::Cap => "cap",
+            Self::Cosmetic => "cosmetic",
         }
     }
 }

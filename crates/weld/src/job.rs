@@ -1,5 +1,5 @@
 use crate::stations::{Station, spans};
-use crate::{Beads, Rows, SeamCurve, Tacks, WeldOrder, order};
+use crate::{Beads, Cosmetic, Rows, SeamCurve, Tacks, WeldOrder, order};
 use glam::DAffine3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
@@ -56,6 +56,9 @@ pub struct Job {
     /// How the joint is filled, in as many passes as it takes. Without it the weld is one pass along the seam.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub beads: Option<Beads>,
+    /// A pass over the finished weld.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cosmetic: Option<Cosmetic>,
     /// Parts of the seam replaced by taught points, in order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub taught: Vec<Taught>,
@@ -143,6 +146,9 @@ impl Job {
         }
         if let Some(tacks) = &job.value.tacks {
             tacks.check(&job, &job.value.weld.process)?;
+        }
+        if let Some(cosmetic) = &job.value.cosmetic {
+            cosmetic.check(&job, &job.value.weld.process)?;
         }
         order::copies(&job)?;
         if let Some(beads) = &job.value.beads {

@@ -43,7 +43,7 @@ pub use cut::{Cut, CutPoint, Unrolled};
 pub use job::{Job, Weld};
 pub use joint::{SeamJoint, Section};
 pub use nozzle::NozzleEdges;
-pub use order::{Parts, Rows, Rule, Tacks, Turns, WeldOrder};
+pub use order::{Cosmetic, Parts, Rows, Rule, Tacks, Turns, WeldOrder};
 pub use outside::{NoFiles, Outside, Wrong};
 pub use pass_path::PassPath;
 pub use points::{MachineAxes, MachineAxis, PointPath};

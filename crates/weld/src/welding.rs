@@ -73,6 +73,9 @@ impl Welding {
             program.passes = filled.passes;
             (plan, plan_findings) = (Some(filled.plan), filled.findings);
         }
+        if let Some(cosmetic) = &j.cosmetic {
+            program.passes.push(cosmetic.pass(job, &seam, &weld)?);
+        }
         let ordered = order::ordered(job, &seam, (program.passes, &weld), &program.copies)?;
         for finding in &mut plan_findings {
             // A finding against a bead is told of the first pass that lays it there.

@@ -2,11 +2,12 @@
 
 use super::cell::SimulatedCell;
 use super::off_path::OffPath;
-use crate::tracking::LiveHead;
+use super::sighting::{STEP_MM, Sighting};
 use crate::tracking::carrier::{Carrier, Wanted};
+use crate::tracking::{LiveHead, Step};
 use crate::{Error, Sample};
 use arrayvec::ArrayVec;
-use seamwright_machine::{Joints, Machine};
+use seamwright_machine::{Joints, Machine, Surroundings};
 use seamwright_motion::pace::{Limits, Order, Pace, Run, RunPhase};
 use seamwright_motion::{LawPoint, PassMotion, Phase, SetPoint};
 use seamwright_tracking::actuator::{RESERVE, Slide};
@@ -22,18 +23,26 @@ const SLACK_S: f64 = 60.0;
 pub(super) struct TrackedPass<'a, 'b, F> {
     pub(super) cell: &'a mut SimulatedCell<'b, F>,
     pub(super) machine: &'a Machine,
+    /// What it must keep clear of on the way to where the start is seen.
+    pub(super) around: Option<&'a Surroundings<'a>>,
     /// Counted from 1.
     pub(super) number: usize,
     pub(super) planned: &'a PassMotion,
 }
 
 impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> {
-    /// Plays it: first the torch goes back along the seam's extension and forward again, so that the sensors see its start,
-    /// then it welds, then it goes back to the planned path with the arc off. False if it was stopped on the way: then
-    /// the torch stands there.
+    /// Plays it: first the torch goes back along the seam's extension and forward again, so that the sensors see its start, or
+    /// the beam looks at it; then it welds, then it goes back to the planned path with the arc off. False if it was stopped on
+    /// the way, or never begun: then the torch stands there.
     pub(super) fn play(&mut self, heads: &mut [LiveHead<'_>], carrier: &mut Carrier<'_>) -> Result<bool, E> {
         let mut off = OffPath::new(self.machine);
         self.sight(heads, carrier, &mut off)?;
+        self.look(heads, carrier, &mut off)?;
+        let ready = heads.iter_mut().fold(true, |ready, head| head.is_ready() && ready);
+        if !ready {
+            heads.iter_mut().for_each(|head| head.stopped(0.0));
+            return Ok(false);
+        }
         let period = self.machine.servo_period_s;
         let timed = self.planned.timed(self.machine);
         let limits = Limits::of(&self.machine.with_reserve(RESERVE));
@@ -47,13 +56,14 @@ impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> 
                 break;
             }
             let (tip, planned_q) = (now.played.rates.tip, now.played.rates.q);
-            let (wanted, mut allowed) = self.cycle(heads, tip.s, tip.v);
+            let phase = phase(now.phase);
+            let (wanted, mut allowed) = self.cycle(heads, tip.s, tip.v, phase.arc());
             if !off.follow(&planned_q, || carrier.shifted(&planned_q, &wanted)) {
                 allowed = 0.0;
                 heads.iter_mut().for_each(|head| head.out_of_reach(tip.s));
             }
             let law = LawPoint { s: tip.s, v: tip.v, a: tip.a, j: tip.j };
-            self.show(self.number, (phase(now.phase), law), off.positions(&planned_q), heads, &mut off)?;
+            self.show(self.number, (phase, law), off.positions(&planned_q), heads, &mut off)?;
             self.feel(tip.s, heads);
             end = planned_q;
             if allowed < SLOWEST && !stopped {
@@ -72,11 +82,11 @@ impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> 
     }
 
     /// One cycle of all heads: where each is to be, and the pace that all allow.
-    fn cycle(&self, heads: &mut [LiveHead<'_>], s: f64, speed: f64) -> (ArrayVec<Wanted, 2>, f64) {
-        let t = self.now();
+    fn cycle(&self, heads: &mut [LiveHead<'_>], s: f64, speed: f64, welds: bool) -> (ArrayVec<Wanted, 2>, f64) {
+        let step = Step { t: self.now(), s, speed, welds };
         let mut allowed = 1.0f64;
         let wanted = heads.iter_mut().map(|head| {
-            let (wanted, pace) = head.cycle(t, s, speed);
+            let (wanted, pace) = head.cycle(&step);
             allowed = allowed.min(pace);
             wanted
         });
@@ -101,7 +111,9 @@ impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> 
 
     fn feel(&self, s: f64, heads: &mut [LiveHead<'_>]) {
         if let Some(q) = self.cell.positions() {
-            heads.iter_mut().for_each(|head| head.feel(self.machine, s, q));
+            // The cycle is over: the set-point that was shown is that of its begin.
+            let t = self.now() - self.machine.servo_period_s;
+            heads.iter_mut().for_each(|head| head.feel(self.machine, (t, s), q));
         }
     }
 
@@ -113,6 +125,40 @@ impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> 
             self.show(0, (Phase::Air, NOWHERE), there, &mut [], off)?;
         }
         Ok(())
+    }
+
+    /// Looks at the start with the torch at rest there, as long as the beams need.
+    fn look(&mut self, heads: &mut [LiveHead<'_>], carrier: &mut Carrier<'_>, off: &mut OffPath) -> Result<(), E> {
+        let Some(look_s) = heads.iter().filter_map(LiveHead::look_s).reduce(f64::max) else { return Ok(()) };
+        let start = self.planned.path.at(0.0);
+        for _ in 0..(look_s / self.machine.servo_period_s).ceil() as u64 {
+            let (wanted, _) = self.cycle(heads, 0.0, 0.0, false);
+            off.follow(&start, || carrier.shifted(&start, &wanted));
+            self.show(0, (Phase::Air, NOWHERE), off.positions(&start), &mut [], off)?;
+            self.feel(0.0, heads);
+        }
+        Ok(())
+    }
+
+    /// Of `way` mm back from the start as much as the axes reach and nothing stands in the way of: known before anything
+    /// moves, and told if it is less.
+    fn free_way(&self, heads: &mut [LiveHead<'_>], carrier: &Carrier<'_>, way: f64) -> f64 {
+        let start = self.planned.path.at(0.0);
+        let frame = heads[0].frame(0.0);
+        let mut probe = carrier.carrying();
+        let count = (way / STEP_MM).ceil();
+        let step_mm = way / count;
+        let place = |k: u32| probe.shifted(&start, heads[0].frame(-step_mm * f64::from(k)).point - frame.point).ok();
+        let reached = (1..=count as u32).map_while(place);
+        let sighting = Sighting { step_mm, places: std::iter::once(start).chain(reached).collect() };
+        let reach = sighting.way_mm();
+        let (clear, near) = self.around.map_or((reach, None), |around| sighting.clear_mm(around));
+        if clear < way - 1e-9 {
+            let why = near.unwrap_or_else(|| "the axes reach no farther".to_owned());
+            let cause = format!("{clear:.1} of {way:.1} mm, {why}");
+            heads.iter_mut().for_each(|head| head.tell(0.0, CUT_SHORT, Some(cause.clone())));
+        }
+        clear
     }
 
     /// Goes back as far as the sensors need and forward again with the arc off, as far as the axes reach; heads that do not
@@ -128,10 +174,7 @@ impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> 
         let Ok(limits) = over.limits(std::iter::once((start, directions)), 2.0 * way) else { return Ok(()) };
         let Ok(mut mover) = Slide::new(limits, period) else { return Ok(()) };
         let by = |heads: &[LiveHead<'_>], s: f64| heads[0].frame(s).point - frame.point;
-        // What is out of reach is known before anything moves.
-        let mut probe = carrier.carrying();
-        let steps = (1..=way.ceil() as u32).map(|k| way * f64::from(k) / way.ceil());
-        let way = steps.take_while(|mm| probe.shifted(&start, by(heads, -mm)).is_ok()).last().unwrap_or(0.0);
+        let way = self.free_way(heads, carrier, way);
         let speed = speed.min(0.5 * limits.speed);
         let (mut target, mut back, mut at) = (-way, way <= 0.0, 0.0);
         let mut there = start;
@@ -145,7 +188,7 @@ impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> 
             // Reached on the way as when it was probed.
             there = over.shifted(&start, by(heads, at)).unwrap_or(there);
             if back {
-                let (wanted, _) = self.cycle(heads, at, (at - before) / period);
+                let (wanted, _) = self.cycle(heads, at, (at - before) / period, false);
                 off.follow(&there, || carrier.shifted(&there, &wanted));
             }
             self.show(0, (Phase::Air, NOWHERE), off.positions(&there), &mut [], off)?;
@@ -158,6 +201,9 @@ impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> 
         Ok(())
     }
 }
+
+/// Told where the start of a pass may not be seen.
+const CUT_SHORT: &str = "the move to see the start is cut short";
 
 /// Not on the seam.
 const NOWHERE: LawPoint = LawPoint { s: f64::NAN, v: f64::NAN, a: f64::NAN, j: f64::NAN };

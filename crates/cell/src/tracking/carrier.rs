@@ -1,7 +1,7 @@
 use super::Error;
 use glam::{DMat2, DVec2, DVec3};
 use seamwright_machine::{Joints, Machine};
-use seamwright_tracking::actuator::{Authority, OverAxes, SlideLimits};
+use seamwright_tracking::actuator::{OverAxes, SlideAuthority, SlideLimits};
 use seamwright_tracking::lead::SeamFrame;
 
 /// The farthest that the machine's own axes take a torch from its planned path, mm.
@@ -15,7 +15,7 @@ pub(crate) struct Carrier<'a> {
     over: OverAxes<'a>,
     /// The slides of each head.
     slides: Vec<[usize; 2]>,
-    authority: Option<Authority>,
+    authority: Option<SlideAuthority>,
     limits: SlideLimits,
 }
 
@@ -44,7 +44,7 @@ impl<'a> Carrier<'a> {
             }
         }
         let slide = least.unwrap_or(axes);
-        let authority = Authority::new(slide, axes, machine.servo_period_s)?;
+        let authority = SlideAuthority::new(slide, axes, machine.servo_period_s)?;
         // What the axes take over is common: of two heads that drift apart each has its slide alone.
         let stroke_mm = if heads > 1 { slide.stroke_mm } else { authority.limits().stroke_mm };
         let limits = SlideLimits { stroke_mm, ..authority.limits() };

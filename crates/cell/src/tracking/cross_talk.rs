@@ -26,7 +26,7 @@ pub fn cross_talk(
     );
     let other = |text: &str| -> Result<Vec<DVec2>, Error> {
         let distortion = Distortion::read("displaced", text).map_err(|e| Error::Distortion(e.to_string()))?;
-        let conditions = Conditions { seed, distortion: Some(&distortion), tracking: true };
+        let conditions = Conditions { seed, distortion: Some(&distortion), tracking: true, ..Conditions::default() };
         let mut misses = Vec::new();
         simulate(machine, passes, motion, conditions, |sample: &Sample| {
             misses.extend(sample.heads[1].filter(|_| sample.travels()).map(|head| head.miss));

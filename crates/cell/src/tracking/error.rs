@@ -71,8 +71,20 @@ pub enum Error {
     #[error(transparent)]
     Beam(#[from] seamwright_tracking::beam::Error),
     /// A beam that does not look.
-    #[error("machine {machine} has no camera: a sensor of kind \"camera\" through which the beam looks")]
+    #[error(
+        "machine {machine} has no camera through which its beam looks; allowed is [sensors.<name>] with kind = \"camera\" in the \
+         machine file"
+    )]
     NoEye {
+        /// Name of the machine.
+        machine: String,
+    },
+    /// Stored deviations on a machine that has no beam to correct with.
+    #[error(
+        "machine {machine} cannot replay stored deviations: it has no beam that is deflected; allowed are machines whose file has \
+         torch.deflection"
+    )]
+    NoReplay {
         /// Name of the machine.
         machine: String,
     },

@@ -1,13 +1,15 @@
+use super::World;
 use super::carrier::Wanted;
+use super::leading::Leading;
+use super::live_beam::{BeamSample, BeamSummary, LiveBeam};
 use super::scenario::Seam;
-use super::sensor::Sensor;
-use super::tally::{Tally, Watch};
-use super::{SensorModel, World};
+use super::tally::Tally;
 use crate::Sample;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use seamwright_machine::{Joints, Machine};
-use seamwright_tracking::actuator::{Alarm, Cause, HeadTracking, SlideLimits};
-use seamwright_tracking::lead::{Moment, SeamFrame, Sight};
+use seamwright_tracking::actuator::Alarm;
+use seamwright_tracking::beam::DeviationRecord;
+use seamwright_tracking::lead::{SeamFrame, Sight};
 use serde::Serialize;
 
 /// What one head did at one instant, lateral and height in the torch's frame, mm.
@@ -15,35 +17,33 @@ use serde::Serialize;
 pub struct HeadSample {
     /// Where the joint truly is, from the planned path.
     pub seam: DVec2,
-    /// By how much the torch is off the planned path.
+    /// By how much the weld is off the planned path: torch and deflection together.
     pub correction: DVec2,
-    /// How far the weld is from the joint.
+    /// How far the weld is from the joint. A beam has no height: 0.
     pub miss: DVec2,
+    /// What the beam did, if the pass is corrected by one.
+    pub beam: Option<BeamSample>,
     /// What tracking made of it: standard deviation (mm; infinite where nothing is known) and how it is known.
     pub known: Option<(f64, Sight)>,
 }
 
 /// An alarm of tracking, at its first place.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AlarmAt {
     /// Path length of the torch, mm.
     pub at_mm: f64,
     /// In words.
     pub alarm: &'static str,
-    /// Why the sensor is blind, if it is.
+    /// Why, if that is known: of a blind sensor, of stored deviations that do not fit.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub cause: Option<&'static str>,
+    pub cause: Option<String>,
 }
 
 impl AlarmAt {
-    fn new((at_mm, alarm, cause): &(f64, Alarm, Option<Cause>)) -> Self {
-        Self { at_mm: *at_mm, alarm: alarm.name(), cause: cause.map(Cause::name) }
-    }
-
     /// What was told, in words.
     #[must_use]
     pub fn text(&self) -> String {
-        self.cause.map_or_else(|| self.alarm.to_owned(), |cause| format!("{}: {cause}", self.alarm))
+        self.cause.as_ref().map_or_else(|| self.alarm.to_owned(), |cause| format!("{}: {cause}", self.alarm))
     }
 }
 
@@ -52,7 +52,7 @@ impl AlarmAt {
 pub struct HeadSummary {
     /// Name of the head.
     pub head: String,
-    /// 99 % of the weld lie within this distance of the joint, lateral and height together.
+    /// 99 % of the weld lie within this distance of the joint, lateral and height together; of a beam lateral.
     pub miss_p99_mm: f64,
     /// All of it does.
     pub miss_most_mm: f64,
@@ -60,6 +60,8 @@ pub struct HeadSummary {
     pub untracked_p99_mm: f64,
     /// All of it.
     pub untracked_most_mm: f64,
+    /// True of a beam, which has no height: distances are lateral.
+    pub lateral_only: bool,
     /// True if the pass was tracked.
     pub tracked: bool,
     /// The greatest part of what corrections may do that was used: way, speed, acceleration, jerk.
@@ -68,6 +70,46 @@ pub struct HeadSummary {
     pub stopped_mm: Option<f64>,
     /// What was told on the way.
     pub alarms: Vec<AlarmAt>,
+    /// How the beam corrected, if one did.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub beam: Option<BeamSummary>,
+    /// What the beam found of the seam, by path length from the start of the weld.
+    #[serde(skip)]
+    pub deviations: Option<DeviationRecord>,
+}
+
+/// One cycle of a head.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Step {
+    /// s.
+    pub(crate) t: f64,
+    /// Path length of the torch's set-point, mm.
+    pub(crate) s: f64,
+    /// Along the seam, mm/s.
+    pub(crate) speed: f64,
+    /// True while the arc or beam is on.
+    pub(crate) welds: bool,
+}
+
+/// What a head has to say in a cycle.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Told {
+    /// Greatest part of its speed that the torch may have next.
+    pub(super) pace: f64,
+    /// The worst that is wrong, and why.
+    pub(super) alarm: Option<(Alarm, Option<String>)>,
+}
+
+impl Told {
+    pub(super) const NOTHING: Self = Self { pace: 1.0, alarm: None };
+}
+
+/// What guides a head.
+pub(super) enum Guide<'a> {
+    /// A sensor ahead of the torch.
+    Leading(Box<Leading>),
+    /// The beam itself.
+    Beam(Box<LiveBeam<'a>>),
 }
 
 /// One head at work on a seam that lies elsewhere.
@@ -76,46 +118,52 @@ pub(crate) struct LiveHead<'a> {
     pub(crate) number: usize,
     seam: &'a Seam,
     world: World<'a>,
-    tracking: Option<Tracking>,
+    guide: Option<Guide<'a>>,
+    /// A beam, to which height does nothing.
+    is_beam: bool,
+    /// By how much the torch is off the planned path, as the encoders say: along, lateral, height.
+    off: DVec3,
     tracked: Tally,
     untracked: Tally,
     stopped_mm: Option<f64>,
-    alarms: Vec<(f64, Alarm, Option<Cause>)>,
+    alarms: Vec<AlarmAt>,
     last_s: Option<f64>,
-}
-
-struct Tracking {
-    sensor: Sensor,
-    head: Box<HeadTracking>,
-    watch: [Watch; 2],
-    /// By how much the torch is off the planned path, as the encoders say.
-    correction: DVec2,
-    known: (f64, Sight),
 }
 
 impl<'a> LiveHead<'a> {
     pub(super) fn new(
-        number: usize,
+        (number, is_beam): (usize, bool),
         seam: &'a Seam,
         world: World<'a>,
-        tracking: Option<(SensorModel, HeadTracking)>,
-        seed: u64,
+        guide: Option<Guide<'a>>,
     ) -> Self {
-        let tracking = tracking.map(|(model, head)| Tracking {
-            sensor: Sensor::new(model, seed.wrapping_mul(8).wrapping_add(number as u64)),
-            watch: head.limits().map(|l: SlideLimits| Watch::new(l, head.settings().cycle_s)),
-            head: Box::new(head),
-            correction: DVec2::ZERO,
-            known: (f64::INFINITY, Sight::Unseen),
-        });
         let (tracked, untracked) = (Tally::default(), Tally::default());
-        Self { number, seam, world, tracking, tracked, untracked, stopped_mm: None, alarms: Vec::new(), last_s: None }
+        let (off, alarms) = (DVec3::ZERO, Vec::new());
+        Self { number, seam, world, guide, is_beam, off, tracked, untracked, stopped_mm: None, alarms, last_s: None }
     }
 
-    /// How far before the seam the torch must begin to be sure of its start, mm; none if it is not tracked.
+    /// How far before the seam the torch must begin to be sure of its start, mm; none if no sensor leads it.
     pub(crate) fn sighting_mm(&self) -> Option<(f64, f64)> {
-        let settings = self.tracking.as_ref()?.head.settings();
-        Some((settings.lead_mm + super::pass_scene::SIGHTING_MM, settings.speed_mm_s))
+        match &self.guide {
+            Some(Guide::Leading(leading)) => Some(leading.sighting_mm()),
+            _ => None,
+        }
+    }
+
+    /// How long the start of the seam is looked at with the torch at rest there, s; none without a beam that looks.
+    pub(crate) fn look_s(&self) -> Option<f64> {
+        match &self.guide {
+            Some(Guide::Beam(beam)) => Some(beam.look_s()),
+            _ => None,
+        }
+    }
+
+    /// True if the weld may begin; tells what is wrong if not.
+    pub(crate) fn is_ready(&mut self) -> bool {
+        let Some(Guide::Beam(beam)) = &self.guide else { return true };
+        let Err((alarm, cause)) = beam.ready() else { return true };
+        self.tell(0.0, alarm.name(), cause);
+        false
     }
 
     /// The planned frame of the torch.
@@ -123,57 +171,38 @@ impl<'a> LiveHead<'a> {
         (self.seam.frame)(s)
     }
 
-    /// One cycle at time `t` with the torch at `s` going along at `speed`: where the torch is to be, and the greatest
-    /// part of its speed that it may have next.
-    pub(crate) fn cycle(&mut self, t: f64, s: f64, speed: f64) -> (Wanted, f64) {
-        let frame = self.frame(s);
-        let Some(tracking) = &mut self.tracking else { return ((frame, DVec2::ZERO), 1.0) };
-        tracking.sensor.look(&self.world, t, s, tracking.correction);
-        while let Some(arrived) = tracking.sensor.arrived(t) {
-            if let Some(measured) = arrived {
-                tracking.head.take(&measured, t);
-            }
+    /// One cycle: where the torch is to be, and the greatest part of its speed that it may have next.
+    pub(crate) fn cycle(&mut self, step: &Step) -> (Wanted, f64) {
+        let frame = self.frame(step.s);
+        let (wanted, told) = match &mut self.guide {
+            None => return ((frame, DVec2::ZERO), 1.0),
+            Some(Guide::Leading(leading)) => leading.cycle(&self.world, step, frame, lateral_and_height(self.off)),
+            Some(Guide::Beam(beam)) => beam.cycle(&self.world, step, frame, self.off),
+        };
+        if let Some((alarm, cause)) = told.alarm {
+            self.tell(step.s, alarm.name(), cause);
         }
-        let orders = tracking.head.cycle(Moment { t_s: t, s_mm: s, slide: tracking.correction }, speed);
-        tracking.watch[0].add(orders.slide.x);
-        tracking.watch[1].add(orders.slide.y);
-        tracking.known = (orders.estimate.sigma_mm, orders.estimate.sight);
-        let mut alarm = orders.alarm;
-        // Beyond the end there is no joint to be seen, and none is needed; the last frame on it is a period before.
-        let left = self.world.ends_mm.map_or(f64::INFINITY, |(_, end)| end - s);
-        let settings = tracking.head.settings();
-        let last = 3.0 * settings.period_s * settings.speed_mm_s;
-        if (left < settings.lead_mm && alarm == Some(Alarm::Blind)) || (left < last && alarm == Some(Alarm::Coasting)) {
-            alarm = None;
-        }
-        let wanted = (frame, orders.slide);
-        // Before the seam nothing can be known of it.
-        if s <= 0.0 {
-            return (wanted, 1.0);
-        }
-        if let Some(alarm) = alarm {
-            self.tell(s, alarm, orders.cause);
-        }
-        (wanted, orders.pace)
+        (wanted, told.pace)
     }
 
-    fn tell(&mut self, s: f64, alarm: Alarm, cause: Option<Cause>) {
-        if self.alarms.iter().all(|(_, known, _)| *known != alarm) {
-            self.alarms.push((s, alarm, cause));
+    /// Something to be told at `s`; only its first place is.
+    pub(crate) fn tell(&mut self, s: f64, alarm: &'static str, cause: Option<String>) {
+        if self.alarms.iter().all(|known| known.alarm != alarm) {
+            self.alarms.push(AlarmAt { at_mm: s, alarm, cause });
         }
     }
 
     /// The axes cannot carry out what was wanted at `s`.
     pub(crate) fn out_of_reach(&mut self, s: f64) {
-        self.tell(s, Alarm::StrokeEnd, None);
+        self.tell(s, Alarm::StrokeEnd.name(), None);
     }
 
-    /// Where the torch truly is after the drives' step.
-    pub(crate) fn feel(&mut self, machine: &Machine, s: f64, true_q: &Joints) {
-        let frame = self.frame(s);
-        let off = machine.forward_of(self.number, true_q).point - frame.point;
-        if let Some(tracking) = &mut self.tracking {
-            tracking.correction = DVec2::new(off.dot(frame.lateral), off.dot(frame.height));
+    /// Where the torch truly is after the drives' step to `s` in the cycle at `t`.
+    pub(crate) fn feel(&mut self, machine: &Machine, (t, s): (f64, f64), true_q: &Joints) {
+        let tip = machine.forward_of(self.number, true_q).point;
+        self.off = seen(tip - self.frame(s).point, &self.frame(s));
+        if let Some(Guide::Beam(beam)) = &mut self.guide {
+            beam.feel(t, s, true_q, tip);
         }
     }
 
@@ -189,36 +218,66 @@ impl<'a> LiveHead<'a> {
             return None;
         }
         let frame = self.frame(s);
-        let off = machine.forward_of(self.number, &sample.q).point - frame.point;
-        let (joint, _) = self.world.crossing(s, off.dot(frame.along), s)?;
+        let off = seen(machine.forward_of(self.number, &sample.q).point - frame.point, &frame);
+        let (joint, _) = self.world.crossing(s, off.x, s)?;
         let (planned, _) = self.world.crossing(s, 0.0, s)?;
-        let correction = DVec2::new(off.dot(frame.lateral), off.dot(frame.height));
-        let miss = correction - joint;
-        if sample.travels() {
+        let mut correction = lateral_and_height(off);
+        let (known, beam) = match &self.guide {
+            None => (None, None),
+            Some(Guide::Leading(leading)) => (Some(leading.known()), None),
+            Some(Guide::Beam(beam)) => {
+                correction.x += beam.lands(joint.y - off.z);
+                (Some(beam.known()), Some(beam.sample()))
+            }
+        };
+        let counts = if self.is_beam { DVec2::X } else { DVec2::ONE };
+        let miss = (correction - joint) * counts;
+        // While the beam looks it does not weld.
+        if sample.travels() && beam.is_none_or(|beam| beam.welds) {
             let way = s - self.last_s.unwrap_or(s);
             self.last_s = Some(s);
             if way > 0.0 {
                 self.tracked.add(miss, way);
-                self.untracked.add(-planned, way);
+                self.untracked.add(-planned * counts, way);
             }
         }
-        Some(HeadSample { seam: joint, correction, miss, known: self.tracking.as_ref().map(|t| t.known) })
+        Some(HeadSample { seam: joint, correction, miss, beam, known })
     }
 
     pub(crate) fn finish(mut self, machine: &Machine) -> HeadSummary {
         let [miss_p99_mm, miss_most_mm] = [0.99, 1.0].map(|part| self.tracked.quantile(part));
         let [untracked_p99_mm, untracked_most_mm] = [0.99, 1.0].map(|part| self.untracked.quantile(part));
-        let used = self.tracking.as_ref().map(|t| std::array::from_fn(|i| t.watch[0].used[i].max(t.watch[1].used[i])));
+        let (used, beam, found) = match self.guide {
+            None => (None, None, None),
+            Some(Guide::Leading(leading)) => (Some(leading.used()), None, None),
+            Some(Guide::Beam(beam)) => {
+                let used = beam.used();
+                let (summary, found) = beam.finish();
+                (Some(used), Some(summary), found)
+            }
+        };
         HeadSummary {
             head: machine.heads[self.number].name.clone(),
             miss_p99_mm,
             miss_most_mm,
             untracked_p99_mm,
             untracked_most_mm,
+            lateral_only: self.is_beam,
             tracked: used.is_some(),
             used,
             stopped_mm: self.stopped_mm,
-            alarms: self.alarms.iter().map(AlarmAt::new).collect(),
+            alarms: self.alarms,
+            beam,
+            deviations: found.map(|found| self.world.along.on_seam(&found)),
         }
     }
+}
+
+/// Along, lateral and height of a way.
+fn seen(way: DVec3, frame: &SeamFrame) -> DVec3 {
+    DVec3::new(way.dot(frame.along), way.dot(frame.lateral), way.dot(frame.height))
+}
+
+fn lateral_and_height(off: DVec3) -> DVec2 {
+    DVec2::new(off.y, off.z)
 }

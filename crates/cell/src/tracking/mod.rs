@@ -7,8 +7,11 @@ mod cross_talk;
 mod displacement;
 mod distortion;
 mod error;
+mod eyes;
 pub mod faults;
 pub mod gates;
+mod leading;
+mod live_beam;
 mod live_head;
 mod motion;
 mod pass_scene;
@@ -20,6 +23,7 @@ pub mod stripes;
 mod tally;
 mod world;
 
+use crate::Conditions;
 use seamwright_machine::Machine;
 use seamwright_motion::WeldMotion;
 use seamwright_program::{Pass, TorchPath};
@@ -28,33 +32,37 @@ pub use cross_talk::cross_talk;
 pub use displacement::{Displacement, Part};
 pub use distortion::Distortion;
 pub use error::Error;
-pub(crate) use live_head::LiveHead;
+pub use live_beam::{BeamFit, BeamSample, BeamSummary};
 pub use live_head::{AlarmAt, HeadSample, HeadSummary};
+pub(crate) use live_head::{LiveHead, Step};
 pub use motion::Leg;
-pub(crate) use pass_scene::{PassScene, Whole};
+pub(crate) use pass_scene::{Correction, PassScene, Whole};
 pub use rig::{Method, Outcome, run};
 pub use scenario::{HeadScene, Scenario, Seam};
 pub use seamwright_tracking::actuator::RESERVE;
 pub use sensor::{Fault, Sees, SensorModel};
 pub use world::{Along, Placement, World};
 
-/// Looks whether every pass with an arc can be simulated on a part that lies elsewhere, and `tracked` on `machine`.
+/// Looks whether every pass with an arc can be simulated under `conditions`: on a part that lies elsewhere, and tracked.
 ///
 /// # Errors
-/// The first that cannot: one that weaves or blends corners; no sensor that leads, too short a lead, axes that cannot
-/// correct.
+/// The first that cannot: one that weaves or blends corners; nothing that sees ahead, too short a lead, axes that cannot
+/// correct; stored deviations that do not cover it, or that no beam can replay.
 pub fn check(
     machine: &Machine,
     passes: &[(&dyn TorchPath, &Pass)],
     motion: &WeldMotion,
-    tracked: bool,
+    conditions: &Conditions<'_>,
 ) -> Result<(), Error> {
+    if conditions.replay.is_some() && machine.deflection.is_none() {
+        return Err(Error::NoReplay { machine: machine.name.clone() });
+    }
     let whole = Whole::of(passes);
     let hidden = passes.iter().zip(&motion.passes).filter(|((path, _), planned)| planned.arc && !path.is_timed());
     for (pass, planned) in hidden {
         let scene = PassScene::new(*pass, None, whole);
-        let carrier = tracked.then(|| scene.carrier(machine, planned)).transpose()?;
-        scene.heads(machine, planned, carrier.as_ref(), 0)?;
+        let correction = conditions.tracking.then(|| scene.correction(machine, planned)).transpose()?;
+        scene.heads(machine, planned, correction.as_ref(), (conditions.replay, 0))?;
     }
     Ok(())
 }

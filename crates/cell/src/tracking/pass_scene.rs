@@ -1,18 +1,22 @@
+use super::beam::BeamHead;
 use super::carrier::Carrier;
+use super::eyes::Eyes;
+use super::leading::Leading;
+use super::live_beam::LiveBeam;
+use super::live_head::Guide;
 use super::scenario::Seam;
 use super::{Along, Displacement, Distortion, Error, LiveHead, Placement, SensorModel, World};
 use glam::DVec3;
 use seamwright_geometry::Pose;
-use seamwright_machine::{Joints, Machine, Sensor, Sight};
+use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
 use seamwright_program::{Pass, TorchPath};
-use seamwright_tracking::actuator::HeadTracking;
-use seamwright_tracking::lead::{OwnCurve, SeamFrame};
+use seamwright_tracking::actuator::{DeflectionLimits, HeadTracking};
+use seamwright_tracking::beam::{BeamReplay, BeamTracking, DeviationRecord, Replay};
+use seamwright_tracking::lead::OwnCurve;
 
 /// Places along a pass at which sensors and axes are looked at before it is welded.
-const PLACES: u32 = 120;
-/// Part of its greatest lead that a sensor must keep along a pass.
-const LEAD_KEPT: f64 = 0.9;
+pub(super) const PLACES: u32 = 120;
 /// What is needed for a place on the seam to be known before the torch is there, beside the sensor's lead, mm.
 pub(crate) const SIGHTING_MM: f64 = 6.0;
 
@@ -60,40 +64,40 @@ impl<'a> PassScene<'a> {
         Self { path, pass, distortion, whole, seams }
     }
 
-    /// What corrects the heads that weld it.
+    /// What guides the heads that weld it, and what corrects them.
     ///
     /// # Errors
-    /// A machine whose sensors do not lead; axes that cannot correct.
-    pub(crate) fn carrier<'b>(&self, machine: &'b Machine, planned: &PassMotion) -> Result<Carrier<'b>, Error> {
-        for (number, seam) in self.seams.iter().enumerate() {
-            leading(machine, planned, number, seam)?;
-        }
+    /// A machine whose sensors do not lead and whose beam does not look; axes that cannot correct.
+    pub(crate) fn correction<'b>(&self, machine: &'b Machine, planned: &PassMotion) -> Result<Correction<'b>, Error> {
+        let eyes = Eyes::of(machine, planned, &self.seams)?;
         let at = |i: u32| f64::from(i) / f64::from(PLACES);
         let frames = |i: u32| self.seams.iter().map(|seam| (seam.frame)(seam.length_mm * at(i))).collect();
         let places = (0..=PLACES).map(|i| (planned.path.at(planned.path.length() * at(i)), frames(i)));
-        Carrier::new(machine, &places.collect::<Vec<_>>())
+        let carrier = Carrier::new(machine, &places.collect::<Vec<_>>())?;
+        Ok(Correction { eyes, carrier })
     }
 
-    /// The heads that weld it, with their sensors if `carrier` corrects them.
+    /// The heads that weld it, with what guides them if they are corrected; by what is `stored` of the seam instead of what
+    /// the beam sees, if there is something.
     ///
     /// # Errors
-    /// A machine whose sensors do not lead, or whose axes cannot correct; settings that cannot work, as too short a lead.
+    /// Settings that cannot work, as too short a lead; stored deviations that do not cover the pass.
     pub(crate) fn heads<'b>(
         &'b self,
         machine: &'b Machine,
         planned: &PassMotion,
-        carrier: Option<&Carrier<'_>>,
-        seed: u64,
+        correction: Option<&Correction<'_>>,
+        (stored, seed): (Option<&DeviationRecord>, u64),
     ) -> Result<Vec<LiveHead<'b>>, Error> {
         self.check_plain(planned)?;
         let heads = self.seams.iter().enumerate();
         let live = heads.map(|(number, seam)| {
             let world = self.world(number, seam, seed);
-            let tracking = match carrier {
-                Some(carrier) => Some(self.tracking(machine, planned, (number, seam), carrier)?),
+            let guide = match correction {
+                Some(correction) => Some(self.guide(machine, (number, seam), correction, (stored, seed))?),
                 None => None,
             };
-            Ok(LiveHead::new(number, seam, world, tracking, seed))
+            Ok(LiveHead::new((number, machine.deflection.is_some()), seam, world, guide))
         });
         live.collect()
     }
@@ -111,7 +115,7 @@ impl<'a> PassScene<'a> {
     }
 
     fn world<'b>(&self, number: usize, seam: &'b Seam, seed: u64) -> World<'b> {
-        let along = Along { begin_mm: self.pass.begin_mm.get(), reverse: self.pass.reverse, round_mm: seam.round_mm };
+        let along = self.along(seam);
         let (displacement, placement) = match self.distortion {
             Some(distortion) => {
                 let length = (self.whole.length_mm, seam.round_mm);
@@ -123,65 +127,62 @@ impl<'a> PassScene<'a> {
         World { taught: &*seam.frame, displacement, placement, along, ends_mm }
     }
 
-    fn tracking(
+    fn guide<'b>(
         &self,
         machine: &Machine,
-        planned: &PassMotion,
-        (number, seam): (usize, &Seam),
-        carrier: &Carrier<'_>,
-    ) -> Result<(SensorModel, HeadTracking), Error> {
-        let (sensor, lead_mm) = leading(machine, planned, number, seam)?;
-        let model = SensorModel {
-            period_s: sensor.period_s,
-            latency_s: sensor.latency_s,
-            noise_mm: sensor.noise_mm,
-            ..SensorModel::usual(lead_mm)
-        };
-        let (_, fastest) = self.pass.speeds();
-        let settings = model.settings(machine.servo_period_s, fastest);
-        let own = OwnCurve::of(lead_mm, -lead_mm - SIGHTING_MM, self.path.length(), &seam.frame);
-        Ok((model, HeadTracking::new(settings, own, [carrier.limits(); 2])?))
+        (number, seam): (usize, &'b Seam),
+        correction: &Correction<'_>,
+        (stored, seed): (Option<&DeviationRecord>, u64),
+    ) -> Result<Guide<'b>, Error> {
+        let limits = correction.carrier.limits();
+        let speeds = self.pass.speeds();
+        let (cycle_s, seed) = (machine.servo_period_s, seed.wrapping_mul(8).wrapping_add(number as u64));
+        match &correction.eyes {
+            Eyes::Leading(leading) => {
+                let (sensor, lead_mm) = leading[number];
+                let model = SensorModel {
+                    period_s: sensor.period_s,
+                    latency_s: sensor.latency_s,
+                    noise_mm: sensor.noise_mm,
+                    ..SensorModel::usual(lead_mm)
+                };
+                let settings = model.settings(cycle_s, speeds.1);
+                let own = OwnCurve::of(lead_mm, -lead_mm - SIGHTING_MM, self.path.length(), &seam.frame);
+                let head = HeadTracking::new(settings, own, [limits; 2])?;
+                Ok(Guide::Leading(Box::new(Leading::new(model, head, seed))))
+            }
+            Eyes::Beam(eye) => {
+                let settings = eye.settings(cycle_s, speeds);
+                let beam = eye.beam;
+                let deflection =
+                    DeflectionLimits { range_mm: beam.range_mm, slew: beam.speed, latency_s: beam.latency_s };
+                let head = match stored {
+                    Some(stored) => {
+                        let stored = self.along(seam).of_pass(stored);
+                        let replay = Replay::new(stored, 0.0, seam.length_mm, settings.noise_mm)?;
+                        let how = eye.replay_settings(cycle_s);
+                        BeamHead::Replay(Box::new(BeamReplay::new(how, replay, &*seam.frame, deflection, limits)?))
+                    }
+                    None => {
+                        BeamHead::Tracking(Box::new(BeamTracking::new(settings, &*seam.frame, deflection, limits)?))
+                    }
+                };
+                let live = LiveBeam::new(head, (eye.camera, beam), (seam.length_mm, cycle_s), limits, seed);
+                Ok(Guide::Beam(Box::new(live)))
+            }
+        }
+    }
+
+    /// Where the path lengths of this pass lie on its seam.
+    fn along(&self, seam: &Seam) -> Along {
+        Along { begin_mm: self.pass.begin_mm.get(), reverse: self.pass.reverse, round_mm: seam.round_mm }
     }
 }
 
-fn places<'a>(planned: &'a PassMotion, seam: &'a Seam) -> impl Iterator<Item = (Joints, SeamFrame)> + 'a {
-    let at = |i: u32| f64::from(i) / f64::from(PLACES);
-    (0..=PLACES).map(move |i| (planned.path.at(planned.path.length() * at(i)), (seam.frame)(seam.length_mm * at(i))))
-}
-
-/// The stripe sensor that leads head `number` all along the pass, and by how much, mm.
-fn leading<'a>(
-    machine: &'a Machine,
-    planned: &PassMotion,
-    number: usize,
-    seam: &Seam,
-) -> Result<(&'a Sensor, f64), Error> {
-    let mut best: Option<(f64, f64, &Sensor)> = None;
-    for sensor in machine.sensors.iter().filter(|s| matches!(s.sight, Sight::Stripe(_))) {
-        let lead = |(q, frame): (Joints, SeamFrame)| {
-            let at = machine.sensor_frame(sensor, &q).translation - machine.forward_of(number, &q).point;
-            let ahead = at.dot(frame.along);
-            // One that looks at another torch's joint is not meant.
-            if (at - ahead * frame.along).length() > ahead.abs() { f64::NEG_INFINITY } else { ahead }
-        };
-        let ends = places(planned, seam).map(lead);
-        let (least, most) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), l| (l.min(low), l.max(high)));
-        if best.is_none_or(|(other, _, _)| least > other) {
-            best = Some((least, most, sensor));
-        }
-    }
-    let (machine_name, head) = (machine.name.clone(), number + 1);
-    match best {
-        Some((least, most, sensor)) if least > 0.0 && least >= LEAD_KEPT * most => {
-            // Two heads have one each: that of the other is beside the joint.
-            Ok((sensor, 0.5 * (least + most)))
-        }
-        Some((least, most, sensor)) => {
-            let (sensor, ahead_mm) = (sensor.name.clone(), [least, most]);
-            Err(Error::NotLeading { machine: machine_name, sensor, head, ahead_mm })
-        }
-        None => Err(Error::NoSensor { machine: machine_name, head }),
-    }
+/// What guides the heads of a pass, and what takes them off their planned paths.
+pub(crate) struct Correction<'a> {
+    eyes: Eyes<'a>,
+    pub(crate) carrier: Carrier<'a>,
 }
 
 /// The second torch's path, by path length of the first.

@@ -1,4 +1,4 @@
-//! Single welds that tracking must get through: a long T-joint, a saddle out of place. Rows against limits.
+//! Single welds that tracking must get through: a long T-joint, a saddle out of place, a seam that heat draws. Rows against limits.
 
 use super::Error;
 use super::scenario::opposite;
@@ -43,6 +43,36 @@ pub fn misplaced_rows(name: &str, path: &dyn TorchPath, machine: &Machine) -> Re
     let shift = 2.0 * DVec3::new(1.0, -1.0, 1.0).normalize();
     head.placement = Placement { shift, turn, about };
     rows_of(name, &Scenario::steady(name, 20.0, vec![head]), machine)
+}
+
+/// How far heat draws a seam, lateral and height, mm, and how far behind the pool it goes on.
+const DRAWN: DVec2 = DVec2::new(1.0, 0.5);
+const BEHIND_MM: f64 = 150.0;
+/// How far ahead of the pool it reaches: little, and far.
+const AHEAD_MM: [f64; 2] = [60.0, 300.0];
+/// What tracking may add to what moves where no sensor sees it, mm.
+const TRACKED_MM: f64 = 0.05;
+
+/// A straight seam that the heat of its own weld draws aside at 20 mm/s: what moves between sensor and torch no sensor ahead
+/// can see, so that much more is allowed.
+///
+/// # Errors
+/// Those of [`run`].
+pub fn heat_rows(machine: &Machine) -> Result<Vec<Gate>, Error> {
+    let mut rows = Vec::new();
+    for ahead_mm in AHEAD_MM {
+        let heat = Displacement::of(Part::Heat { by: DRAWN, ahead_mm, behind_mm: BEHIND_MM });
+        let scene = HeadScene::straight(800.0, heat);
+        let unseen = 0.5 * DRAWN.length() * (1.0 - (-scene.sensor.lead_mm / ahead_mm).exp());
+        let scenario = Scenario::steady("heat", 20.0, vec![scene]);
+        let p99 = |method| Ok::<_, Error>(run(&scenario, machine, method, 1)?.first().map_or(f64::INFINITY, |o| o.p99_mm));
+        let (tracked, plain) = (p99(Method::Tracked)?, p99(Method::Uncorrected)?);
+        let name = format!(
+            "seam drawn by heat, {ahead_mm} mm ahead of the pool: of it {unseen:.3} mm behind the sensor (untracked {plain:.3} mm)"
+        );
+        rows.push(gate(&name, "99 % of the weld within", tracked, unseen + TRACKED_MM, "mm"));
+    }
+    Ok(rows)
 }
 
 fn rows_of(name: &str, scenario: &Scenario, machine: &Machine) -> Result<Vec<Gate>, Error> {

@@ -1,5 +1,6 @@
 use super::Displacement;
 use glam::{DQuat, DVec2, DVec3};
+use seamwright_tracking::beam::DeviationRecord;
 use seamwright_tracking::lead::SeamFrame;
 
 /// A part that is placed wrong as a whole, in the work frame.
@@ -50,6 +51,18 @@ impl Along {
         let place = self.begin_mm + if self.reverse { -s } else { s };
         self.round_mm.map_or(place, |round| place.rem_euclid(round))
     }
+
+    /// What a pass has found, by the seam's path length instead of its own.
+    #[must_use]
+    pub fn on_seam(&self, found: &DeviationRecord) -> DeviationRecord {
+        if self.reverse { found.turned(self.begin_mm) } else { found.moved(self.begin_mm) }
+    }
+
+    /// What is known of a seam, by the path length of a pass.
+    #[must_use]
+    pub fn of_pass(&self, stored: &DeviationRecord) -> DeviationRecord {
+        if self.reverse { stored.turned(self.begin_mm) } else { stored.moved(-self.begin_mm) }
+    }
 }
 
 /// How far a crossing of a plane is looked for to both sides of where it should be, mm.
@@ -66,6 +79,12 @@ impl World<'_> {
         let by = if self.along.reverse { DVec2::new(-by.x, by.y) } else { by };
         let bent = frame.point + by.x * frame.lateral + by.y * frame.height;
         self.placement.about + self.placement.turn * (bent - self.placement.about) + self.placement.shift
+    }
+
+    /// Way from path length `s` to where the joint ends, mm; infinite of one that goes round.
+    #[must_use]
+    pub fn left(&self, s: f64) -> f64 {
+        self.ends_mm.map_or(f64::INFINITY, |(_, end)| end - s)
     }
 
     /// True if there is a joint at path length `s`.

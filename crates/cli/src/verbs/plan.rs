@@ -7,6 +7,7 @@ use crate::files::Output;
 use crate::load::{Loaded, load};
 use crate::rows::{print_json, print_text};
 use seamwright_cell::Summary;
+use seamwright_cell::tracking::BeamSummary;
 use seamwright_motion::WeldMotion;
 use seamwright_post::{Control, Dialect, Feed, Options};
 use seamwright_program::Oscillation;
@@ -150,6 +151,9 @@ fn tracking(text: &mut String, s: &Summary) {
                 head.head
             ),
         };
+        if let Some(beam) = &head.beam {
+            let _ = writeln!(text, "               {}", beam_line(beam));
+        }
         if let Some(at) = head.stopped_mm {
             let _ = writeln!(text, "               stopped at {at:.1} mm");
         }
@@ -157,6 +161,18 @@ fn tracking(text: &mut String, s: &Summary) {
             let _ = writeln!(text, "               at {:.1} mm: {}", alarm.at_mm, alarm.text());
         }
     }
+}
+
+/// How a beam corrected.
+fn beam_line(beam: &BeamSummary) -> String {
+    let by = if beam.replayed { "replayed: " } else { "" };
+    let fit = beam.fit.map_or_else(String::new, |fit| {
+        format!("; nine of ten of {} points within {:.3} mm of what is stored", fit.points, fit.within_mm)
+    });
+    format!(
+        "{by}deflected by up to {:.3} of {} mm, gun carried by {:.3} mm; beam away {:.2} % of the time, {:.1} ms at most{fit}",
+        beam.deflected_mm, beam.range_mm, beam.carried_mm, beam.away_percent, beam.longest_away_ms
+    )
 }
 
 fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {

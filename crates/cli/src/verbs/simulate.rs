@@ -9,11 +9,13 @@ use crate::load::{Loaded, load};
 use crate::progress::Progress;
 use seamwright_cell::tracking::{Distortion, RESERVE, check};
 use seamwright_cell::{Conditions, Sample, Summary, simulate};
-use seamwright_machine::Machine;
+use seamwright_machine::{Machine, Surroundings};
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_record::TraceWriter;
 use seamwright_report::{SimulationCurves, WeldReport};
+use seamwright_tracking::beam::DeviationRecord;
 use std::io::{BufWriter, Write};
+use std::path::Path;
 
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     if !args.fault.is_empty() {
@@ -24,14 +26,23 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
         Some(path) => Some(Distortion::read(&path.display().to_string(), &files::read(path)?)?),
         None => None,
     };
-    let tracking = distortion.is_some() && !args.no_tracking;
-    let conditions = Conditions { seed: args.seed, distortion: distortion.as_ref(), tracking };
+    let replay = args.replay.as_deref().map(stored).transpose()?;
+    let tracking = (distortion.is_some() || replay.is_some()) && !args.no_tracking;
+    let around = Surroundings::new(&loaded.machine, &loaded.clamped)
+        .map_err(|e| Failure::Input(format!("{}: {e}", loaded.welding.program.file())))?;
+    let conditions = Conditions {
+        seed: args.seed,
+        distortion: distortion.as_ref(),
+        tracking,
+        replay: replay.as_ref(),
+        around: Some(&around),
+    };
     let reserve = if tracking { RESERVE } else { 0.0 };
     let motion = loaded.plan_on(&loaded.machine.with_reserve(reserve))?;
     loaded.check_count(&motion, loaded.machine.servo_period_s)?;
-    if distortion.is_some() {
+    if distortion.is_some() || tracking {
         let paths = loaded.paths();
-        check(&loaded.machine, &loaded.passes(&paths), &motion, tracking)?;
+        check(&loaded.machine, &loaded.passes(&paths), &motion, &conditions)?;
     }
     let mut output = Output::new(&args.output)?;
     let report = weld(&loaded, &motion, conditions, &mut output)?;
@@ -39,12 +50,18 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     judge(report)
 }
 
+/// What an earlier weld has found of the seam.
+fn stored(path: &Path) -> Result<DeviationRecord, Failure> {
+    let record = DeviationRecord::from_csv(&path.display().to_string(), &files::read(path)?);
+    record.map_err(|e| Failure::Input(e.to_string()))
+}
+
 /// A weld that was made but strays beyond its tolerance is no success, nor is a plan that leaves its procedure.
 pub(super) fn judge(report: WeldReport) -> Result<(), Failure> {
     if report.findings.iter().all(|f| f.allowed) { Ok(()) } else { Err(Failure::Findings(report.findings)) }
 }
 
-/// Welds in simulation; adds the trace and the report to `output`.
+/// Welds in simulation; adds the trace, the report and the deviations that a beam found to `output`.
 pub(super) fn weld(
     loaded: &Loaded,
     motion: &WeldMotion,
@@ -56,6 +73,13 @@ pub(super) fn weld(
     let outcome = trace(loaded, motion, conditions, BufWriter::new(&mut file))?;
     output.add("trace.parquet", file);
     let (report, plots) = WeldReport::new(machine, welding, motion, Some(outcome));
+    for (i, pass) in report.passes.iter().enumerate() {
+        // One head: a beam.
+        let heads = pass.simulation.iter().flat_map(|summary| &summary.heads);
+        if let Some(found) = heads.into_iter().find_map(|head| head.deviations.as_ref()) {
+            output.text(&format!("deviations-pass-{}.csv", i + 1), &found.to_csv())?;
+        }
+    }
     write_report(output, &report, &plots, welding)?;
     Ok(report)
 }

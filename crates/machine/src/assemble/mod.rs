@@ -12,7 +12,7 @@ mod tree;
 
 use crate::chain::MAX_AXES;
 use crate::pair::Pair;
-use crate::{Axis, Machine, MachineFile, StepFile};
+use crate::{Axis, DeflectionFile, Machine, MachineFile, StepFile};
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError};
 use std::collections::BTreeMap;
@@ -59,6 +59,7 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
         source: m.source.source(),
         controls: m.controls.clone(),
         tip: m.tip.limits(),
+        deflection: m.torch.as_ref().and_then(|torch| torch.deflection).map(DeflectionFile::beam),
         up: m.up.map_or(DVec3::Z, Direction::unit),
         pair: Pair::new(&heads),
         has_pitch_error: axes.iter().any(|a| a.pitch_error.is_some()),

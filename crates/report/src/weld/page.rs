@@ -169,6 +169,7 @@ impl WeldReport {
                 blocks.push(heading("Tracking"));
                 blocks.push(Block::Paragraph(tracking::text(&summary.heads)));
                 blocks.push(Block::Table(tracking::table(&summary.heads)));
+                blocks.extend(tracking::beam_table(&summary.heads).map(Block::Table));
                 blocks.push(figure(
                     tracked.to_svg(),
                     "Where the joint truly lies beside the planned path, how far the weld lies from it, and how well tracking knew the joint.",

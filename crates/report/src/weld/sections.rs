@@ -20,7 +20,7 @@ fn section(seam: &SeamCurve, joint: &SeamJoint, beads: Option<&BeadPlan>, s: f64
     let colour = |role: Role| match role {
         Role::Root | Role::Tack => 2,
         Role::Fill => 1,
-        Role::Cap => 3,
+        Role::Cap | Role::Cosmetic => 3,
     };
     let angle = point.phi.map(|phi| format!(", {} deg", format_number(phi.to_degrees().rem_euclid(360.0), 4)));
     let cap = if section.cap > 0.0 { format!(" + {}", format_number(section.cap, 3)) } else { String::new() };

@@ -2,7 +2,7 @@
 
 use super::curves::{Envelope, SimulationCurves};
 use crate::{Axis, Chart, ChartGrid, Series, Style, Table, format_number};
-use seamwright_cell::tracking::{HeadSample, HeadSummary};
+use seamwright_cell::tracking::{BeamFit, HeadSample, HeadSummary};
 
 /// One head's curves over path length, gathered sample by sample; mm.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,18 +11,24 @@ pub(super) struct HeadCurves {
     seam: [Envelope; 2],
     miss: [Envelope; 2],
     sigma: Envelope,
+    /// What a beam's deflection corrects, and what the axes that carry the gun.
+    beam: [Envelope; 2],
 }
 
 impl HeadCurves {
     pub(super) fn new(length: f64) -> Self {
         let empty = || Envelope::new(length);
-        Self { seam: [empty(), empty()], miss: [empty(), empty()], sigma: empty() }
+        Self { seam: [empty(), empty()], miss: [empty(), empty()], sigma: empty(), beam: [empty(), empty()] }
     }
 
     pub(super) fn add(&mut self, s: f64, head: &HeadSample) {
         for k in 0..2 {
             self.seam[k].add(s, head.seam[k]);
             self.miss[k].add(s, head.miss[k]);
+        }
+        if let Some(beam) = head.beam {
+            self.beam[0].add(s, beam.deflection_mm);
+            self.beam[1].add(s, head.correction.x - beam.deflection_mm);
         }
         if let Some((sigma, _)) = head.known.filter(|(sigma, _)| sigma.is_finite()) {
             self.sigma.add(s, sigma);
@@ -50,7 +56,16 @@ pub(super) fn charts(curves: &SimulationCurves, heads: &[HeadSummary]) -> Option
             "the joint beside the planned path (a weld without tracking misses it by this)",
             pair(&curves.seam),
         ));
-        charts.push(chart("the weld beside the joint", pair(&curves.miss)));
+        let beside = match head.lateral_only {
+            true => vec![Series::line("lateral", curves.miss[0].points())],
+            false => pair(&curves.miss),
+        };
+        charts.push(chart("the weld beside the joint", beside));
+        let deflected = curves.beam[0].points();
+        if !deflected.is_empty() {
+            let carried = Series::line("gun carried by the axes", curves.beam[1].points()).styled(Style::Dashed);
+            charts.push(chart("what corrects it, lateral", vec![Series::line("deflection", deflected), carried]));
+        }
         let sigma = curves.sigma.points();
         if !sigma.is_empty() {
             charts.push(chart("how well the joint is known (standard deviation)", vec![Series::line("sigma", sigma)]));
@@ -75,7 +90,11 @@ pub(super) fn table(heads: &[HeadSummary]) -> Table {
         ]
     };
     Table {
-        caption: "Distance of the weld from the joint, lateral and height together".to_owned(),
+        caption: match heads.iter().any(|head| head.lateral_only) {
+            true => "Distance of the weld from the joint, lateral: a beam has no height",
+            false => "Distance of the weld from the joint, lateral and height together",
+        }
+        .to_owned(),
         head: [
             "Head",
             "untracked, 99 % (mm)",
@@ -90,6 +109,39 @@ pub(super) fn table(heads: &[HeadSummary]) -> Table {
         rows: heads.iter().map(row).collect(),
         numeric: (0..7).map(|column| column > 0).collect(),
     }
+}
+
+/// How beams corrected; none if no beam did.
+pub(super) fn beam_table(heads: &[HeadSummary]) -> Option<Table> {
+    let number = format_number;
+    let row = |h: &HeadSummary| {
+        let beam = h.beam.as_ref()?;
+        let stored = |fit: &BeamFit| format!("{} ({} points)", number(fit.within_mm, 3), fit.points);
+        Some(vec![
+            if beam.replayed { "stored deviations" } else { "what the beam saw" }.to_owned(),
+            format!("{} of {}", number(beam.deflected_mm, 3), number(beam.range_mm, 3)),
+            number(beam.carried_mm, 3),
+            number(beam.away_percent, 3),
+            number(beam.longest_away_ms, 3),
+            beam.fit.as_ref().map_or_else(String::new, stored),
+        ])
+    };
+    let rows: Vec<_> = heads.iter().filter_map(row).collect();
+    (!rows.is_empty()).then(|| Table {
+        caption: "The beam".to_owned(),
+        head: [
+            "corrected by",
+            "deflected by up to (mm)",
+            "gun carried by up to (mm)",
+            "away from the weld (% of its time)",
+            "longest (ms)",
+            "nine of ten points from what is stored (mm)",
+        ]
+        .map(str::to_owned)
+        .into(),
+        rows,
+        numeric: (0..6).map(|column| column > 0).collect(),
+    })
 }
 
 /// What the operator should look at.

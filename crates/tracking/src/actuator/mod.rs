@@ -1,11 +1,10 @@
 //! What brings the torch over the seam: cross slides and beam deflection, each within its limits.
 //!
 //! [`Slide`] is one axis of a cross slide; [`Deflection`] bends a beam; [`OverAxes`] shifts the torch with the machine's own axes;
-//! [`Authority`] splits corrections between slides and the axes that carry them. [`HeadTracking`] has a tracker and a cross
+//! [`SlideAuthority`] splits corrections between slides and the axes that carry them. [`HeadTracking`] has a tracker and a cross
 //! slide of one head and gives orders every cycle: where the slide is to be, how fast the torch may go, and what is
 //! wrong.
 
-mod authority;
 mod deflection;
 mod following;
 mod head_tracking;
@@ -13,12 +12,13 @@ mod limits;
 mod over_axes;
 mod preview;
 mod slide;
+mod slide_authority;
 
 pub(crate) use following::Following;
 
-pub use authority::Authority;
 pub use deflection::{Deflection, DeflectionLimits};
 pub use head_tracking::{Alarm, Cause, HeadTracking, Orders};
 pub use limits::SlideLimits;
 pub use over_axes::{OutOfReach, OverAxes, RESERVE};
 pub use slide::Slide;
+pub use slide_authority::SlideAuthority;

@@ -6,7 +6,7 @@
 //! that carry the gun. What was found is a [`DeviationRecord`] that is stored with the program; [`BeamReplay`] corrects later
 //! passes by it without a sensor, once a few frames have shown that it still fits.
 
-mod authority;
+mod beam_authority;
 mod error;
 mod picture;
 mod record;

@@ -66,6 +66,23 @@ impl DeviationRecord {
         Row { s_mm, deviation: a.deviation.lerp(b.deviation, part), confidence: a.confidence.min(b.confidence) }
     }
 
+    /// The same with `by_mm` added to path lengths.
+    #[must_use]
+    pub fn moved(&self, by_mm: f64) -> Self {
+        Self { rows: self.rows.iter().map(|row| Row { s_mm: row.s_mm + by_mm, ..*row }).collect() }
+    }
+
+    /// The same seen by who goes the other way and begins at `begin_mm`: what was left is right.
+    #[must_use]
+    pub fn turned(&self, begin_mm: f64) -> Self {
+        let row = |row: &Row| Row {
+            s_mm: begin_mm - row.s_mm,
+            deviation: DVec2::new(-row.deviation.x, row.deviation.y),
+            ..*row
+        };
+        Self { rows: self.rows.iter().rev().map(row).collect() }
+    }
+
     /// As CSV: columns `s_mm`, `lateral_mm`, `height_mm`, `confidence`; to 0.1 um.
     #[must_use]
     pub fn to_csv(&self) -> String {
@@ -207,6 +224,19 @@ mod tests {
         }
         assert_eq!(record.rows().len(), again.rows().len());
         assert_eq!(again.to_csv(), record.to_csv());
+    }
+
+    #[test]
+    fn moved_and_turned() {
+        let record = recorded();
+        let (moved, turned) = (record.moved(-7.0), record.turned(60.0));
+        for i in 0..500 {
+            let s = 0.1 * f64::from(i);
+            let row = record.at(s);
+            assert!(moved.at(s - 7.0).deviation.distance(row.deviation) < 1e-9);
+            assert!(turned.at(60.0 - s).deviation.distance(row.deviation * DVec2::new(-1.0, 1.0)) < 1e-9);
+        }
+        assert!(turned.rows().windows(2).all(|w| w[0].s_mm < w[1].s_mm));
     }
 
     #[test]

@@ -1,4 +1,4 @@
-use super::authority::{Authority, SOON_S};
+use super::beam_authority::{BeamAuthority, SOON_S};
 use super::picture::{Course, located};
 use super::tracking::judge;
 use super::{Allowed, Beam, DeviationRecord, Error, Orders, Picture, Row, Schedule};
@@ -25,12 +25,18 @@ impl Replay {
     /// # Errors
     /// [`Error::NotCovered`] if the pass goes beyond what is stored.
     pub fn new(record: DeviationRecord, shift_mm: f64, length_mm: f64, noise_mm: f64) -> Result<Self, Error> {
-        let [first_mm, last_mm] = record.range();
-        let (from_mm, to_mm) = (shift_mm, shift_mm + length_mm);
-        if from_mm >= first_mm - BEYOND_MM && to_mm <= last_mm + BEYOND_MM {
+        if Self::covers(&record, shift_mm, length_mm) {
             return Ok(Self { record, shift_mm, length_mm, noise_mm });
         }
+        let ([first_mm, last_mm], from_mm, to_mm) = (record.range(), shift_mm, shift_mm + length_mm);
         Err(Error::NotCovered { from_mm, to_mm, first_mm, last_mm })
+    }
+
+    /// True if `record` is of all of a pass of `length_mm` that begins at `from_mm` of its path length, but for 2 mm.
+    #[must_use]
+    pub fn covers(record: &DeviationRecord, from_mm: f64, length_mm: f64) -> bool {
+        let [first_mm, last_mm] = record.range();
+        from_mm >= first_mm - BEYOND_MM && from_mm + length_mm <= last_mm + BEYOND_MM
     }
 
     /// The deviation with the torch at `s_mm` of the pass.
@@ -127,7 +133,7 @@ pub struct BeamReplay<'a> {
     replay: Replay,
     seam: Course<'a>,
     schedule: Schedule,
-    authority: Authority,
+    authority: BeamAuthority,
     following: Following,
     history: History,
     differences: ArrayVec<f64, MOST>,
@@ -158,7 +164,7 @@ impl<'a> BeamReplay<'a> {
         }
         Ok(Self {
             schedule: Schedule::new(settings.allowed, settings.period_s, settings.scan_s)?,
-            authority: Authority::new(deflection, axes, settings.cycle_s)?,
+            authority: BeamAuthority::new(deflection, axes, settings.cycle_s)?,
             following: Following::default(),
             history: History::new((oldest_s / cycle_s).ceil() as usize + 2),
             differences: ArrayVec::new(),

@@ -1,4 +1,4 @@
-use super::authority::{Authority, SOON_S, Shares};
+use super::beam_authority::{BeamAuthority, SOON_S, Shares};
 use super::picture::{Course, PLACES, Place, located, on_one_line};
 use super::{Beam, Error, Picture, Schedule, Settings, Taken, Zone};
 use crate::actuator::{Alarm, DeflectionLimits, Following, SlideLimits};
@@ -38,7 +38,7 @@ pub struct BeamTracking<'a> {
     seam: Course<'a>,
     schedule: Schedule,
     tracker: Tracker,
-    authority: Authority,
+    authority: BeamAuthority,
     following: Following,
     zone: Zone,
     carried: f64,
@@ -63,7 +63,7 @@ impl<'a> BeamTracking<'a> {
         let (schedule, lead) = settings.check()?;
         Ok(Self {
             tracker: Tracker::new(lead, OwnCurve::straight(lead.lead_mm))?,
-            authority: Authority::new(deflection, axes, settings.cycle_s)?,
+            authority: BeamAuthority::new(deflection, axes, settings.cycle_s)?,
             following: Following::default(),
             zone: settings.zone(settings.speed_mm_s[1])?,
             carried: 0.0,
@@ -80,6 +80,12 @@ impl<'a> BeamTracking<'a> {
     #[must_use]
     pub fn zone(&self) -> Zone {
         self.zone
+    }
+
+    /// True once a picture was of use.
+    #[must_use]
+    pub fn has_seen(&self) -> bool {
+        self.taken_s.is_some()
     }
 
     /// How far aside the seam is expected at `s_mm`, mm; none where nothing is known of it.

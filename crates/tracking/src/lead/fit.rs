@@ -38,23 +38,30 @@ pub(super) fn parabola<'a>(
     seen: &(impl Iterator<Item = &'a Seen> + Clone),
 ) -> Option<Fit> {
     let prior = |inverse: f64| (inverse * inverse).recip();
-    let prior = Matrix3::from_diagonal(&Vector3::new(0.0, prior(SLOPE * reach), prior(0.5 * bend * reach * reach)));
+    let (steep, bent) = (prior(SLOPE * reach), prior(0.5 * bend * reach * reach));
     let mut found: Option<([Vector3<f64>; 2], f64)> = None;
     for _ in 0..PASSES {
-        let mut normal = prior;
-        let mut right = [Vector3::zeros(); 2];
+        // Moments of the weights, and of the values: the sums of the normal equations.
+        let mut moments = [0.0; 5];
+        let mut values = [DVec2::ZERO; 3];
         for p in seen.clone() {
             let u = (p.s - s) / reach;
-            let basis = Vector3::new(1.0, u, u * u);
+            let square = u * u;
             // A prior has to weigh against everything, so weights of nearness count from 1.
-            let near = (1.0 - u * u).max(0.05);
-            let weight = p.weight * near * found.as_ref().map_or(1.0, |(c, _)| huber(c, &basis, p));
-            normal += weight * basis * basis.transpose();
-            right[0] += weight * p.value.x * basis;
-            right[1] += weight * p.value.y * basis;
+            let near = (1.0 - square).max(0.05);
+            let weight = p.weight * near * found.as_ref().map_or(1.0, |(c, _)| huber(c, u, p));
+            for (moment, power) in moments.iter_mut().zip([1.0, u, square, u * square, square * square]) {
+                *moment += weight * power;
+            }
+            for (value, power) in values.iter_mut().zip([1.0, u, square]) {
+                *value += weight * power * p.value;
+            }
         }
+        let [m0, m1, m2, m3, m4] = moments;
+        let normal = Matrix3::new(m0, m1, m2, m1, m2 + steep, m3, m2, m3, m4 + bent);
         let inverse = normal.cholesky()?.inverse();
-        found = Some((right.map(|r| inverse * r), inverse[(0, 0)]));
+        let right = [values.map(|value| value.x), values.map(|value| value.y)];
+        found = Some((right.map(|r| inverse * Vector3::from(r)), inverse[(0, 0)]));
     }
     let ([x, y], variance) = found?;
     let fit = Fit { value: DVec2::new(x[0], y[0]), slope: DVec2::new(x[1], y[1]) / reach, variance };
@@ -62,10 +69,11 @@ pub(super) fn parabola<'a>(
 }
 
 /// Huber's weight of a measurement under the last parabola.
-fn huber(coefficients: &[Vector3<f64>; 2], basis: &Vector3<f64>, p: &Seen) -> f64 {
-    let expected = DVec2::new(coefficients[0].dot(basis), coefficients[1].dot(basis));
-    let off = (p.value - expected).length() * p.weight.sqrt();
-    if off > HUBER { HUBER / off } else { 1.0 }
+fn huber([x, y]: &[Vector3<f64>; 2], u: f64, p: &Seen) -> f64 {
+    let at = |c: &Vector3<f64>| c.x + u * (c.y + u * c.z);
+    // Most are near: squares tell that without a root.
+    let square = (p.value - DVec2::new(at(x), at(y))).length_squared() * p.weight;
+    if square > HUBER * HUBER { HUBER / square.sqrt() } else { 1.0 }
 }
 
 #[cfg(test)]

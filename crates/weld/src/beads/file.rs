@@ -216,7 +216,7 @@ impl Beads {
         let run = match role {
             Role::Root => self.root.as_ref().map(|run| ("root", run)),
             Role::Cap => self.cap.as_ref().map(|run| ("cap", run)),
-            Role::Fill | Role::Tack => None,
+            Role::Fill | Role::Tack | Role::Cosmetic => None,
         };
         let (name, run) = run.unwrap_or(("fill", &self.fill));
         let own = run.weave.is_some().then(|| format!("beads.{name}.weave"));

@@ -26,7 +26,7 @@ impl Runs {
         match role {
             Role::Root => self.root.as_ref().unwrap_or(&self.fill),
             Role::Fill | Role::Tack => &self.fill,
-            Role::Cap => &self.cap,
+            Role::Cap | Role::Cosmetic => &self.cap,
         }
     }
 }

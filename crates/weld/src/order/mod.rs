@@ -1,8 +1,10 @@
 //! Order of welding: copies of a seam, tacks, the parts of each pass, and what comes after what.
 //!
 //! A job's passes are those along one seam. Each is cut into its parts (`parts.rs`), and what is welded on a copy in one
-//! visit is put in order with the other copies by a rule (`tour.rs`). Tacks (`tacks.rs`) come before everything else.
+//! visit is put in order with the other copies by a rule (`tour.rs`). Tacks (`tacks.rs`) come before everything else,
+//! the cosmetic pass (`cosmetic.rs`) is the last of a visit.
 
+mod cosmetic;
 mod file;
 mod parts;
 mod rows;
@@ -11,6 +13,7 @@ mod tacks;
 mod tests;
 mod tour;
 
+pub use cosmetic::Cosmetic;
 pub use file::{Parts, Rule, Turns, WeldOrder};
 pub use rows::Rows;
 pub use tacks::Tacks;

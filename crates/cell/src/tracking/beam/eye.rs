@@ -1,4 +1,4 @@
-use super::super::Error;
+use super::super::{Error, World};
 use crate::eyes::{Appearance, Eye, Random, SeamLine};
 use crate::frames::FrameSource;
 use crate::teach::Midline;
@@ -42,16 +42,21 @@ pub trait BeamEye {
     fn glance(&mut self, glance: &Glance<'_>) -> Result<Shown, Error>;
 }
 
-/// Points with seeded noise, straight from where the seam is: for many welds.
-pub struct Offsets<'a> {
-    actual: &'a SeamLine,
+/// Where a seam truly is, hidden from what tracks it.
+pub(crate) trait Hidden {
+    /// Where it goes through the plane square to the torch's way, `along_mm` ahead of the tip: lateral and height from there,
+    /// mm, and whether a joint is to be seen. None where it does not within reach.
+    fn crossing(&self, glance: &Glance<'_>, along_mm: f64) -> Option<(DVec2, bool)>;
+}
+
+/// Seeded errors of what is seen.
+#[derive(Debug, Clone)]
+pub struct Noise {
     random: Random,
     /// Standard deviation of a point, mm, and of what all points of a frame share.
     pub noise_mm: [f64; 2],
     /// Part of all points that lies anywhere within 3 mm.
     pub outliers: f64,
-    /// Stretches of the seam that tacks hide, mm.
-    pub tacks: Vec<(f64, f64)>,
 }
 
 /// Greatest error of a height that focus finds, mm.
@@ -59,46 +64,85 @@ const HEIGHT_MM: f64 = 0.03;
 /// Points of a frame: how far apart, and to where to both sides, mm.
 const EVERY_MM: f64 = 1.0;
 const REACH: i32 = 24;
+/// What all points of a frame share, as a part of a point's own noise.
+const SHARED: f64 = 1.0 / 3.0;
+
+impl Noise {
+    /// So much of each point (mm), a third as much that a frame's points share, 2 % outliers.
+    pub(crate) fn new(noise_mm: f64, seed: u64) -> Self {
+        let random = Random::new(seed ^ 0x0ff5_e700_0000_0001);
+        Self { random, noise_mm: [noise_mm, SHARED * noise_mm], outliers: 0.02 }
+    }
+
+    /// What a frame of a hidden seam shows.
+    pub(crate) fn shown(&mut self, seam: &dyn Hidden, glance: &Glance<'_>) -> Shown {
+        let shared = self.noise_mm[1] * self.random.normal();
+        let height = HEIGHT_MM * self.random.within(-1.0, 1.0);
+        let height_mm = seam.crossing(glance, 0.0).map_or(0.0, |(off, _)| off.y) + height;
+        let mut points = Vec::new();
+        for k in -REACH..=REACH {
+            let along_mm = EVERY_MM * f64::from(k);
+            let Some((off, true)) = seam.crossing(glance, along_mm) else { continue };
+            let out = self.random.chance(self.outliers);
+            let error = if out { self.random.within(-3.0, 3.0) } else { self.noise_mm[0] * self.random.normal() };
+            points.push(Point { along_mm, lateral_mm: off.x + error + shared, confidence: 0.95 });
+        }
+        Shown { points, height_mm }
+    }
+}
+
+/// Points with noise, straight from where the seam is: for many welds.
+pub struct Offsets<'a> {
+    actual: &'a SeamLine,
+    /// Stretches of the seam that tacks hide, mm.
+    pub tacks: Vec<(f64, f64)>,
+    /// What is wrong with the points.
+    pub noise: Noise,
+}
 
 impl<'a> Offsets<'a> {
     /// Of the `actual` seam: 0.03 mm of noise, 0.01 mm more that a frame's points share, 2 % outliers.
     #[must_use]
     pub fn new(actual: &'a SeamLine, seed: u64) -> Self {
-        let random = Random::new(seed ^ 0x0ff5_e700_0000_0001);
-        Self { actual, random, noise_mm: [0.03, 0.01], outliers: 0.02, tacks: Vec::new() }
+        Self { actual, tacks: Vec::new(), noise: Noise::new(0.03, seed) }
     }
 }
 
 impl BeamEye for Offsets<'_> {
     fn glance(&mut self, glance: &Glance<'_>) -> Result<Shown, Error> {
-        let SeamFrame { point: tip, along, lateral, .. } = glance.torch;
-        let shared = self.noise_mm[1] * self.random.normal();
+        let seam = Line { actual: self.actual, tacks: &self.tacks };
+        Ok(self.noise.shown(&seam, glance))
+    }
+}
+
+/// A seam by its stations.
+struct Line<'a> {
+    actual: &'a SeamLine,
+    tacks: &'a [(f64, f64)],
+}
+
+impl Hidden for Line<'_> {
+    fn crossing(&self, glance: &Glance<'_>, along_mm: f64) -> Option<(DVec2, bool)> {
+        let SeamFrame { point: tip, along, lateral, height } = glance.torch;
         let off = |way: f64| self.actual.at(way).0.point - tip;
-        // The place of the seam that is so far ahead of the tip, found from another.
-        let place = |from: f64, along_mm: f64| {
-            let mut way = from;
-            for _ in 0..6 {
-                way += along_mm - off(way).dot(along);
-            }
-            way
-        };
-        let foot = self.actual.foot(tip).map_or(glance.s_mm, |foot| foot.way);
-        let height_mm = off(place(foot, 0.0)).dot(glance.torch.height) + HEIGHT_MM * self.random.within(-1.0, 1.0);
-        let mut points = Vec::new();
-        for k in -REACH..=REACH {
-            let along_mm = EVERY_MM * f64::from(k);
-            let way = place(foot + along_mm, along_mm);
-            if !(0.0..=self.actual.length()).contains(&way) && !self.actual.is_closed() {
-                continue;
-            }
-            if self.tacks.iter().any(|(from, to)| (*from..*to).contains(&way)) {
-                continue;
-            }
-            let out = self.random.chance(self.outliers);
-            let error = if out { self.random.within(-3.0, 3.0) } else { self.noise_mm[0] * self.random.normal() };
-            points.push(Point { along_mm, lateral_mm: off(way).dot(lateral) + error + shared, confidence: 0.95 });
+        let mut way = self.actual.foot(tip).map_or(glance.s_mm, |foot| foot.way) + along_mm;
+        for _ in 0..6 {
+            way += along_mm - off(way).dot(along);
         }
-        Ok(Shown { points, height_mm })
+        let there = (0.0..=self.actual.length()).contains(&way) || self.actual.is_closed();
+        let tacked = self.tacks.iter().any(|(from, to)| (*from..*to).contains(&way));
+        Some((DVec2::new(off(way).dot(lateral), off(way).dot(height)), there && !tacked))
+    }
+}
+
+/// The world's seam as it is while the pool is where the torch is.
+impl Hidden for World<'_> {
+    fn crossing(&self, glance: &Glance<'_>, along_mm: f64) -> Option<(DVec2, bool)> {
+        let taught = (self.taught)(glance.s_mm);
+        let off = glance.torch.point - taught.point;
+        let (seam, place) = World::crossing(self, glance.s_mm, along_mm + off.dot(taught.along), glance.s_mm)?;
+        let beside = DVec2::new(off.dot(taught.lateral), off.dot(taught.height));
+        Some((seam - beside, self.has(place) && !self.displacement.is_tacked(self.along.place(place))))
     }
 }
 

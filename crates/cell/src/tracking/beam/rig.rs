@@ -1,25 +1,15 @@
 use super::super::Error;
+use super::head::{END_MM, LOOK_S, STEP_MM, UnderWay};
 use super::tally::BeamTally;
-use super::{BeamEye, BeamScene, Glance, Shown};
+use super::{BeamEye, BeamHead, BeamScene, Glance};
 use crate::drives::Drives;
-use crate::eyes::Random;
 use glam::{DVec2, DVec3};
 use seamwright_machine::Joints;
 use seamwright_servo::SetPoint;
 use seamwright_tracking::actuator::Alarm;
-use seamwright_tracking::beam::{
-    Beam, BeamReplay, BeamTracking, DeviationRecord, Fit, Misfit, Orders, Picture, Recorder,
-};
+use seamwright_tracking::beam::{Beam, DeviationRecord, Fit, Misfit, Orders, Recorder};
 use seamwright_tracking::lead::{Moment, SeamFrame};
 use std::collections::VecDeque;
-
-/// What gives the orders.
-pub enum BeamHead<'a> {
-    /// What the beam sees.
-    Tracking(Box<BeamTracking<'a>>),
-    /// What an earlier pass has found.
-    Replay(Box<BeamReplay<'a>>),
-}
 
 /// What became of a pass.
 #[derive(Debug, Clone)]
@@ -48,16 +38,10 @@ pub struct BeamOutcome {
     pub fit: Option<Result<Fit, Misfit>>,
 }
 
-/// Time at rest before the weld, s: the joint is looked at from its start on.
-const LOOK_S: f64 = 1.5;
-/// From an exposure to the arrival of what was found: at least, and how much more at most, s.
-const LATENCY_S: [f64; 2] = [0.035, 0.02];
-/// Way before the end of the seam in which nothing is said of what is not seen ahead, mm.
-const END_MM: f64 = 1.0;
+/// From an exposure to the arrival of what was found, usually, s.
+const LATENCY_S: f64 = 0.045;
 /// Cycles from one measurement of the weld to the next.
 const MEASURED: u32 = 5;
-/// A row of the record every so often, mm.
-const STEP_MM: f64 = 0.1;
 
 /// Welds a pass on the machine's drives as `head` orders, with what `eye` sees. The same seed gives the same weld.
 ///
@@ -72,7 +56,7 @@ pub fn weld(
 ) -> Result<BeamOutcome, Error> {
     let cycle_s = scene.machine.servo_period_s;
     let mut gun = Gun::new(scene, seed)?;
-    let mut sight = Sight { under_way: VecDeque::new(), random: Random::new(seed ^ 0xbea3) };
+    let mut pictures = UnderWay::new(LATENCY_S, seed);
     let mut recorder = Recorder::new(scene.taught.length_mm, STEP_MM, noise_mm);
     let mut tally = BeamTally::default();
     let (mut places, mut alarm, mut stopped_mm) = (Vec::new(), None, None);
@@ -90,18 +74,17 @@ pub fn weld(
         let law = scene.motion.law.at(clock, &mut cursor);
         let speed = if welds { pace * law.v } else { 0.0 };
         gun.go(law.s, orders.as_ref().map_or(0.0, |o| o.carried_mm), t)?;
-        sight.deliver(&mut head, t);
+        pictures.deliver(&mut head, t);
         let now = Moment { t_s: t, s_mm: gun.along(), slide: gun.carried() };
-        let next = match &mut head {
-            BeamHead::Tracking(head) => head.cycle(now, speed, welds),
-            BeamHead::Replay(head) => head.cycle(now, speed),
-        };
+        let next = head.cycle(now, speed, welds);
         if let Beam::Seen(exposed_s) = next.beam {
-            let from = match &head {
-                BeamHead::Tracking(head) => head.zone().from_mm.max(-speed),
-                BeamHead::Replay(_) => 0.0,
-            };
-            sight.look(&gun, eye, (exposed_s, from), &head)?;
+            let at = gun.at(exposed_s);
+            let taught = (scene.taught.frame)(at.s);
+            let torch = SeamFrame { point: at.tip, ..taught };
+            let (ahead, aside) = head.looks_for(at.s, speed);
+            let carried = (at.tip - taught.point).dot(torch.lateral);
+            let from = (ahead, aside.map(|aside| aside - carried));
+            pictures.look(eye, &Glance { t_s: exposed_s, axes: &at.axes, torch, s_mm: at.s, from })?;
         }
         if welds {
             // At its very end nothing of the seam lies ahead any more.
@@ -139,48 +122,6 @@ pub fn weld(
             BeamHead::Replay(head) => head.judged(),
         },
     })
-}
-
-/// Pictures on their way from the eye.
-struct Sight {
-    under_way: VecDeque<(f64, f64, Shown)>,
-    random: Random,
-}
-
-impl Sight {
-    fn look(
-        &mut self,
-        gun: &Gun<'_>,
-        eye: &mut dyn BeamEye,
-        (exposed_s, from): (f64, f64),
-        head: &BeamHead<'_>,
-    ) -> Result<(), Error> {
-        let at = gun.at(exposed_s);
-        let torch = SeamFrame { point: at.tip, ..(gun.scene.taught.frame)(at.s) };
-        let known = match head {
-            BeamHead::Tracking(head) => head.expected(at.s + from),
-            BeamHead::Replay(head) => Some(head.expected(at.s + from)),
-        };
-        let carried = (at.tip - (gun.scene.taught.frame)(at.s).point).dot(torch.lateral);
-        let from = (from, known.map(|known| known - carried));
-        let shown = eye.glance(&Glance { t_s: exposed_s, axes: &at.axes, torch, s_mm: at.s, from })?;
-        let [least, more] = LATENCY_S;
-        self.under_way.push_back((exposed_s + least + self.random.within(0.0, more), exposed_s, shown));
-        Ok(())
-    }
-
-    fn deliver(&mut self, head: &mut BeamHead<'_>, t: f64) {
-        while self.under_way.front().is_some_and(|(due, ..)| *due <= t) {
-            let Some((_, exposed_s, shown)) = self.under_way.pop_front() else { return };
-            let picture = Picture { exposed_s, height_mm: shown.height_mm, points: &shown.points };
-            match head {
-                BeamHead::Tracking(head) => {
-                    head.take(&picture, t);
-                }
-                BeamHead::Replay(head) => head.take(&picture, t),
-            }
-        }
-    }
 }
 
 /// Where the gun truly was in a cycle.

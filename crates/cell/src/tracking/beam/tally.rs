@@ -3,7 +3,7 @@ use glam::DVec2;
 
 /// What a beam's weld was like, cycle by cycle.
 #[derive(Debug, Clone, Default)]
-pub(super) struct BeamTally {
+pub(crate) struct BeamTally {
     /// Distances across.
     pub(super) across: Tally,
     /// Distances out of the surface.
@@ -13,17 +13,17 @@ pub(super) struct BeamTally {
     away: u32,
     longest_away: u32,
     /// Greatest deflection and carrying, mm.
-    pub(super) used: [f64; 2],
+    pub(crate) used: [f64; 2],
 }
 
 impl BeamTally {
     /// A miss, across and out of the surface, over so much of the way, mm.
-    pub(super) fn add(&mut self, miss: DVec2, way: f64) {
+    pub(crate) fn add(&mut self, miss: DVec2, way: f64) {
         self.across.add(miss.with_y(0.0), way);
         self.out.add(miss.with_x(0.0), way);
     }
 
-    pub(super) fn cycle(&mut self, welds: bool, deflection: f64, carried: f64) {
+    pub(crate) fn cycle(&mut self, welds: bool, deflection: f64, carried: f64) {
         self.cycles[usize::from(!welds)] += 1;
         self.away = if welds { 0 } else { self.away + 1 };
         self.longest_away = self.longest_away.max(self.away);
@@ -31,7 +31,7 @@ impl BeamTally {
     }
 
     /// Part of the cycles with the beam away from the weld, and the most of them in a row.
-    pub(super) fn away(&self) -> (f64, u32) {
+    pub(crate) fn away(&self) -> (f64, u32) {
         let [on, off] = self.cycles.map(f64::from);
         (off / (on + off).max(1.0), self.longest_away)
     }

@@ -9,7 +9,7 @@ use crate::rows::{print_json, print_text};
 use seamwright_cell::gate::Gate;
 use seamwright_cell::tracking::faults::fault_rows;
 use seamwright_cell::tracking::gates::{GateRow, tracking_gates, weld_count};
-use seamwright_cell::tracking::shows::{misplaced_rows, t_joint_rows};
+use seamwright_cell::tracking::shows::{heat_rows, misplaced_rows, t_joint_rows};
 use seamwright_cell::tracking::stripes::stripe_rows;
 use seamwright_cell::tracking::{RESERVE, cross_talk};
 use seamwright_machine::{Machine, shipped};
@@ -70,6 +70,7 @@ pub(super) fn run(args: &BenchTrackingArgs) -> Result<(), Failure> {
         let saddle = Welding::read("saddle", SADDLE)?;
         let mut parts = t_joint_rows(&machine)?;
         parts.extend(misplaced_rows("saddle, 2 mm and 0.5 deg out of place, 1 mm oval", &saddle.path(0), &machine)?);
+        parts.extend(heat_rows(&machine)?);
         tables.push(Table::new("Whole parts at 20 mm/s", &parts));
         let mut eyes = stripe_rows(&machine)?;
         eyes.push(crossed(&machine)?);

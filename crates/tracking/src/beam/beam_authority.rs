@@ -15,7 +15,7 @@ const SHORT_S: f64 = 0.3;
 /// The axes move only as far as they must, so a seam within the deflection's range leaves them at rest. What they truly do the
 /// deflection makes up for: their following error does not reach the weld.
 #[derive(Debug, Clone)]
-pub(super) struct Authority {
+pub(super) struct BeamAuthority {
     deflection: Deflection,
     axes: Slide,
     range_mm: f64,
@@ -38,7 +38,7 @@ pub(super) struct Shares {
     pub(super) short: bool,
 }
 
-impl Authority {
+impl BeamAuthority {
     pub(super) fn new(deflection: DeflectionLimits, axes: SlideLimits, cycle_s: f64) -> Result<Self, Error> {
         let range_mm = deflection.range_mm;
         let (deflection, axes) = (Deflection::new(deflection, cycle_s)?, Slide::new(axes, cycle_s)?);
@@ -84,7 +84,7 @@ mod tests {
     /// Axes that follow late and shake: the beam still lies on the seam, and they move only by what the range does not reach.
     #[test]
     fn together_they_are_on_the_seam() {
-        let mut authority = Authority::new(BEAM, AXES, 1e-3).unwrap();
+        let mut authority = BeamAuthority::new(BEAM, AXES, 1e-3).unwrap();
         let (mut carried, mut most) = (0.0f64, 0.0f64);
         for i in 0..60_000 {
             let t = 1e-3 * f64::from(i);
@@ -102,7 +102,7 @@ mod tests {
     /// A jump that the range alone does not reach is met at once if it is known before.
     #[test]
     fn a_jump_that_is_known() {
-        let mut authority = Authority::new(BEAM, AXES, 1e-3).unwrap();
+        let mut authority = BeamAuthority::new(BEAM, AXES, 1e-3).unwrap();
         let (mut carried, mut worst) = (0.0f64, 0.0f64);
         let seam = |t: f64| if t < 2.0 { 1.5 } else { 2.4 };
         for i in 0..4000 {
@@ -117,7 +117,7 @@ mod tests {
     /// Beyond both it says so, and what is no number moves nothing.
     #[test]
     fn beyond_both() {
-        let mut authority = Authority::new(BEAM, AXES, 1e-3).unwrap();
+        let mut authority = BeamAuthority::new(BEAM, AXES, 1e-3).unwrap();
         let mut carried = 0.0;
         let mut last = None;
         for i in 0..8300 {

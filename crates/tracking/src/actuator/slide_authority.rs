@@ -11,16 +11,16 @@ const SHARE: f64 = 0.2;
 /// what would bring a slide near its end.
 ///
 /// The axes go within their own limits and within a fifth of the slide's, so whatever is asked for within
-/// [`Authority::limits`] asks of a slide no more than it can. Until a slide has used 60 % of its stroke the axes rest; what then
-/// goes on faster than the axes can follow ends at the slide's end, as [`Authority::has_room`] tells.
+/// [`SlideAuthority::limits`] asks of a slide no more than it can. Until a slide has used 60 % of its stroke the axes rest; what then
+/// goes on faster than the axes can follow ends at the slide's end, as [`SlideAuthority::has_room`] tells.
 #[derive(Debug, Clone)]
-pub struct Authority {
+pub struct SlideAuthority {
     slide: SlideLimits,
     axes: [Slide; 2],
     range_mm: f64,
 }
 
-impl Authority {
+impl SlideAuthority {
     /// For slides with the limits `slide` on axes with the limits `axes`, at rest.
     ///
     /// # Errors
@@ -83,7 +83,7 @@ mod tests {
     #[test]
     fn each_keeps_its_limits() {
         for (size, hz) in [(9.0, 0.5), (18.0, 0.08), (30.0, 0.04), (3.0, 1.5)] {
-            let mut authority = Authority::new(SLIDE, AXES, 1e-3).unwrap();
+            let mut authority = SlideAuthority::new(SLIDE, AXES, 1e-3).unwrap();
             let most = authority.limits();
             let mut last = [[DVec2::ZERO; 2]; 4];
             let w = TAU * hz;
@@ -116,7 +116,7 @@ mod tests {
 
     #[test]
     fn axes_rest_until_they_are_needed() {
-        let mut authority = Authority::new(SLIDE, AXES, 1e-3).unwrap();
+        let mut authority = SlideAuthority::new(SLIDE, AXES, 1e-3).unwrap();
         let mut axes = DVec2::ZERO;
         for _ in 0..2000 {
             axes = authority.step(authority.excess(DVec2::new(5.9, -5.9)));

@@ -1,0 +1,70 @@
+//! How far a torch can go back before a pass so that its sensors see the start.
+
+use seamwright_clearance::Limits;
+use seamwright_machine::{Course, Joints, MAX_AXES, Surroundings};
+
+/// Places at which the way is looked at, mm apart.
+pub(super) const STEP_MM: f64 = 0.5;
+
+/// The way back from the start of a pass: positions of the axes every so many mm, from the start on.
+pub(super) struct Sighting {
+    pub(super) step_mm: f64,
+    /// At least that of the start.
+    pub(super) places: Vec<Joints>,
+}
+
+impl Sighting {
+    /// Its length, mm.
+    pub(super) fn way_mm(&self) -> f64 {
+        self.step_mm * (self.places.len() - 1) as f64
+    }
+
+    /// The way on which everything keeps clear of everything, mm, and who comes too near beyond it.
+    pub(super) fn clear_mm(&self, around: &Surroundings<'_>) -> (f64, Option<String>) {
+        let whole = self.way_mm();
+        if around.is_empty() || whole <= 0.0 {
+            return (whole, None);
+        }
+        let limits =
+            Limits { cutoff_mm: around.greatest_least_mm() + 1.0, precision_mm: 0.2, smallest: 1e-3 * self.step_mm };
+        let stretches = match around.along(self, self.places.len(), &limits) {
+            Ok(profile) => profile.stretches,
+            // What cannot be looked at is not clear.
+            Err(error) => return (0.0, Some(error.to_string())),
+        };
+        let first = stretches.into_iter().min_by(|a, b| a.from.total_cmp(&b.from));
+        first.map_or((whole, None), |stretch| {
+            let (a, b) = around.solids(stretch.watch, &stretch.nearest).unwrap_or_else(|| around.names(stretch.watch));
+            (stretch.from.max(0.0), Some(format!("{a} and {b} come too near")))
+        })
+    }
+
+    fn between(&self, s: f64) -> (usize, f64) {
+        let place = (s / self.step_mm).clamp(0.0, (self.places.len() - 1) as f64);
+        let i = (place as usize).min(self.places.len().saturating_sub(2));
+        (i, place - i as f64)
+    }
+}
+
+impl Course for Sighting {
+    fn range(&self) -> (f64, f64) {
+        (0.0, self.way_mm())
+    }
+
+    fn at(&self, s: f64) -> Joints {
+        let (i, part) = self.between(s);
+        let (a, b) = (&self.places[i], &self.places[(i + 1).min(self.places.len() - 1)]);
+        std::array::from_fn(|k| a[k] + part * (b[k] - a[k]))
+    }
+
+    fn greatest_rates(&self, from: f64, to: f64) -> Joints {
+        let (first, last) = (self.between(from).0, self.between(to).0);
+        let mut most = [0.0; MAX_AXES];
+        for pair in self.places[first..].windows(2).take(last - first + 1) {
+            for k in 0..MAX_AXES {
+                most[k] = f64::max(most[k], (pair[1][k] - pair[0][k]).abs() / self.step_mm);
+            }
+        }
+        most
+    }
+}

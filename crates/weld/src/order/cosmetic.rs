@@ -1,0 +1,74 @@
+use crate::SeamCurve;
+use schemars::JsonSchema;
+use seamwright_document::{Document, DocumentError, NonNegative, Positive};
+use seamwright_program::{Oscillation, Pass, ProcessValues, Role, SpanValue, check_process};
+use serde::{Deserialize, Serialize};
+
+/// A last pass over the finished weld, on the seam's line, that smooths its surface: with a weak or wide beam. What is not
+/// its own it has from `[weld]`; it does not weave.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Cosmetic {
+    /// Path length at which it begins, mm from the start of the weld.
+    #[serde(default)]
+    pub from_mm: NonNegative,
+    /// Speed, mm/s; that of `[weld]` if missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speed_mm_s: Option<Positive>,
+    /// Process values that differ from those of `[weld.process]`.
+    #[serde(default, skip_serializing_if = "ProcessValues::is_empty")]
+    pub process: ProcessValues,
+    /// How the beam is deflected to and fro while it goes along.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub oscillation: Option<Oscillation>,
+}
+
+/// The shortest that is worth a pass, mm.
+const SHORTEST_MM: f64 = 1.0;
+
+impl Cosmetic {
+    /// Checks what does not depend on the seam; `process` are the weld's process values.
+    ///
+    /// # Errors
+    /// With the key's address: a process value that the weld has not, or that is a ramp.
+    pub(crate) fn check<T>(&self, file: &Document<T>, process: &ProcessValues) -> Result<(), DocumentError> {
+        check_process(file, "cosmetic.process", &self.process)?;
+        for (key, value) in &self.process {
+            let path = format!("cosmetic.process.{key}");
+            if !process.contains_key(key) {
+                let known: Vec<&str> = process.keys().map(String::as_str).collect();
+                return Err(file.unknown_name(&path, key, &known));
+            }
+            if value.is_ramp() {
+                return Err(file.error_at(&path, "a cosmetic pass has steady values", "a number"));
+            }
+        }
+        self.oscillation.as_ref().map_or(Ok(()), |oscillation| oscillation.check(file, "cosmetic.oscillation"))
+    }
+
+    /// The pass on `seam`; `weld` is the pass along the whole of it.
+    ///
+    /// # Errors
+    /// With the key's address: a begin beyond the end of the weld.
+    pub(crate) fn pass<T>(&self, file: &Document<T>, seam: &SeamCurve, weld: &Pass) -> Result<Pass, DocumentError> {
+        let last = weld.length() - SHORTEST_MM;
+        if self.from_mm.get() > last {
+            let message = "the cosmetic pass begins where the weld has ended";
+            return Err(file.error_at("cosmetic.from_mm", message, format!("0 to {last:.3}")));
+        }
+        let turn = seam.all_round().then(|| seam.length());
+        let mut pass = Pass {
+            name: "cosmetic".to_owned(),
+            role: Some(Role::Cosmetic),
+            least_speed_mm_s: None,
+            weave: None,
+            oscillation: self.oscillation,
+            ..weld.piece((self.from_mm.get(), weld.length()), turn)
+        };
+        for span in &mut pass.spans {
+            span.speed_mm_s = self.speed_mm_s.map_or(span.speed_mm_s, SpanValue::Steady);
+            span.process.extend(self.process.clone());
+        }
+        Ok(pass)
+    }
+}
