@@ -74,6 +74,37 @@ fn used(weld: &Weld) -> (f64, f64) {
     used
 }
 
+/// The greatest part of its jerk that any axis uses between set-points, by differences: its part, time and axis.
+fn jerk(weld: &Weld) -> (f64, f64, String) {
+    let period = weld.machine.servo_period_s;
+    let mut worst = (0.0, 0.0, String::new());
+    for four in weld.samples.windows(4) {
+        for (i, axis) in weld.machine.axes.iter().enumerate() {
+            let q = |k: usize| four[k].set.q[i];
+            let part = (q(3) - 3.0 * q(2) + 3.0 * q(1) - q(0)).abs() / (period.powi(3) * axis.jerk());
+            if part > worst.0 {
+                worst = (part, four[0].set.t, axis.name.clone());
+            }
+        }
+    }
+    worst
+}
+
+/// The jerk of set-points of tracked passes, with the moves before and after them, stays within every axis' limit.
+#[test]
+fn jerk_stays_within_its_limit() {
+    let bent = "schema = 1\n[[displacement]]\nhead = 1\nbend = { most_mm = 2 }\n[[displacement]]\nhead = 2\nshift = { lateral_mm = 1 }\n";
+    for (name, job, distortion) in
+        [("saddle", SADDLE, MISPLACED), ("t-joint", T_JOINT, bent), ("half-ring", HALF_RING, HALF_RING_MISPLACED)]
+    {
+        let weld = weld(job, distortion, true, 1).unwrap();
+        let begins: Vec<f64> = weld.samples.windows(2).filter(|w| w[0].pass != w[1].pass).map(|w| w[1].set.t).collect();
+        let worst = jerk(&weld);
+        println!("{name}: {worst:?}, passes change at {begins:?}");
+        assert!(worst.0 <= 1.0, "{name}: {worst:?}");
+    }
+}
+
 /// A saddle that is misplaced by 2 mm and half a degree, oval and wavy, on a machine without a cross slide: its own axes
 /// bring the weld into the joint, and every set-point of every axis is within its limits.
 #[test]

@@ -18,7 +18,9 @@ fn a_half_ring_with_a_cosmetic_pass() {
     let shown = |path: &Path| path.display().to_string();
     let (job, misplaced) = (example("half-ring"), shown(&root().join("examples/distortions/half-ring.toml")));
     let text = good(&["simulate", &job, "-o", &shown(&out), "--distortion", &misplaced]);
-    assert!(text.contains("untracked") && text.contains("replayed: deflected by") && text.contains("deviations-pass-1.csv"));
+    assert!(
+        text.contains("untracked") && text.contains("replayed: deflected by") && text.contains("deviations-pass-1.csv")
+    );
     let found = report(&out);
     for (pass, replayed) in [(0, false), (1, true)] {
         let head = &found["passes"][pass]["simulation"]["heads"][0];

@@ -73,9 +73,10 @@ impl ChartGrid {
         (svg, bottom.max(1.0))
     }
 
-    /// Names of the series, if a chart has several; returns the height it took.
+    /// Names of the series, if a chart has several, of the first with the most; returns the height it took.
     fn draw_legend(&self, svg: &mut Svg, top: f64) -> f64 {
-        let Some(fullest) = self.charts.iter().max_by_key(|c| c.series.len()).filter(|c| c.series.len() > 1) else {
+        let Some(fullest) = self.charts.iter().rev().max_by_key(|c| c.series.len()).filter(|c| c.series.len() > 1)
+        else {
             return 0.0;
         };
         let entries = fullest.series.iter().enumerate().map(|(i, s)| Entry::curve(i, s)).collect();

@@ -14,8 +14,8 @@ pub(super) struct OffPath {
     rate: Joints,
     /// Corrections cannot be carried out any more.
     lost: bool,
-    /// What it goes back from, time gone and time in all, s.
-    back: Option<(Joints, f64, f64)>,
+    /// What it goes back from, and how fast that was changing; time gone and time in all, s.
+    back: Option<(Joints, Joints, f64, f64)>,
     /// The last set-point and its speed.
     last: Option<(Joints, Joints)>,
 }
@@ -53,28 +53,31 @@ impl OffPath {
         std::array::from_fn(|i| q[i] + self.by[i])
     }
 
-    /// From here on it goes back to nothing, from rest to rest.
+    /// From here on it goes back to nothing, from how fast it changes now to rest.
     pub(super) fn begin_return(&mut self) {
-        // Of the quintic from rest to rest over T: speed 15/8, acceleration 10/sqrt(3), jerk 60 by powers of T.
+        // Over T the quintic from rest to rest has by powers of T a speed of 15/8, an acceleration of 10/sqrt(3), a jerk of 60;
+        // that of the speed at the start at most 1, 4 and 36 times it. Each has half of a limit.
         let time = |i: usize| {
-            let [speed, acceleration, jerk] = self.limits[i];
-            let by = self.by[i].abs();
-            (1.875 * by / speed).max((5.7736 * by / acceleration).sqrt()).max((60.0 * by / jerk).cbrt())
+            let [speed, acceleration, jerk] = self.limits[i].map(|limit| 0.5 * limit);
+            let (by, rate) = (self.by[i].abs(), self.rate[i].abs());
+            let way = (1.875 * by / speed).max((5.7736 * by / acceleration).sqrt()).max((60.0 * by / jerk).cbrt());
+            way.max(4.0 * rate / acceleration).max((36.0 * rate / jerk).sqrt())
         };
         let whole = (0..MAX_AXES).map(time).fold(0.0, f64::max);
-        self.back = Some((self.by, 0.0, whole));
+        self.back = Some((self.by, self.rate, 0.0, whole));
     }
 
     /// A cycle of that; false when it is over.
     pub(super) fn returns(&mut self) -> bool {
-        let Some((from, gone, whole)) = &mut self.back else { return false };
+        let Some((from, rate, gone, whole)) = &mut self.back else { return false };
         if *gone >= *whole {
             return false;
         }
         *gone += self.period;
         let u = (*gone / *whole).min(1.0);
         let left = 1.0 - u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
-        self.by = from.map(|by| left * by);
+        let on = u * (1.0 - u * u * (6.0 - 8.0 * u + 3.0 * u * u)) * *whole;
+        self.by = std::array::from_fn(|i| left * from[i] + on * rate[i]);
         true
     }
 

@@ -65,7 +65,8 @@ pub fn heat_rows(machine: &Machine) -> Result<Vec<Gate>, Error> {
         let scene = HeadScene::straight(800.0, heat);
         let unseen = 0.5 * DRAWN.length() * (1.0 - (-scene.sensor.lead_mm / ahead_mm).exp());
         let scenario = Scenario::steady("heat", 20.0, vec![scene]);
-        let p99 = |method| Ok::<_, Error>(run(&scenario, machine, method, 1)?.first().map_or(f64::INFINITY, |o| o.p99_mm));
+        let p99 =
+            |method| Ok::<_, Error>(run(&scenario, machine, method, 1)?.first().map_or(f64::INFINITY, |o| o.p99_mm));
         let (tracked, plain) = (p99(Method::Tracked)?, p99(Method::Uncorrected)?);
         let name = format!(
             "seam drawn by heat, {ahead_mm} mm ahead of the pool: of it {unseen:.3} mm behind the sensor (untracked {plain:.3} mm)"

@@ -64,7 +64,8 @@ pub(super) fn charts(curves: &SimulationCurves, heads: &[HeadSummary]) -> Option
         let deflected = curves.beam[0].points();
         if !deflected.is_empty() {
             let carried = Series::line("gun carried by the axes", curves.beam[1].points()).styled(Style::Dashed);
-            charts.push(chart("what corrects it, lateral", vec![Series::line("deflection", deflected), carried]));
+            let title = "what corrects it, lateral: the beam's deflection; dashed, the gun carried by the axes";
+            charts.push(chart(title, vec![Series::line("deflection", deflected), carried]));
         }
         let sigma = curves.sigma.points();
         if !sigma.is_empty() {

@@ -1,6 +1,7 @@
 use super::fit::{Fit, Seen, parabola};
 use super::ring::Ring;
 use super::suspects::{GATE, STEEPEST};
+use arrayvec::ArrayVec;
 use glam::DVec2;
 use std::ops::Range;
 
@@ -8,6 +9,8 @@ use std::ops::Range;
 pub(super) const CELLS: f64 = 64.0;
 /// Leads that are remembered: one ahead of the torch, the others behind it, to go back over.
 const LEADS: f64 = 4.0;
+/// Cells that there is room for.
+const SLOTS: usize = (LEADS * CELLS) as usize;
 /// Jumps of the seam that are remembered.
 const BREAKS: usize = 4;
 /// Measurements to each side that are enough for a place, and fewest without which it is looked for further away.
@@ -62,7 +65,7 @@ pub(super) struct Local {
 impl Cells {
     pub(super) fn new(lead_mm: f64) -> Self {
         let cell_mm = lead_mm / CELLS;
-        let ring = Ring::new((LEADS * CELLS) as usize);
+        let ring = Ring::new(SLOTS);
         Self { ring, cell_mm, front: None, breaks: [f64::NAN; BREAKS], next_break: 0 }
     }
 
@@ -170,11 +173,12 @@ impl Cells {
 
     /// The parabola at `s` through what lies in these cells, on the same side of every jump.
     pub(super) fn fit(&self, s: f64, cells: Range<i64>, bend: f64) -> Option<Fit> {
-        let seen = cells.filter_map(|k| self.ring.get(k)).map(|c| &c.seen);
-        let near = seen.filter(|seen| !self.is_between(s, seen.s));
+        // Gathered once: it is gone through four times.
+        let seen = cells.filter_map(|k| self.ring.get(k)).map(|c| c.seen);
+        let near: ArrayVec<Seen, SLOTS> = seen.filter(|seen| !self.is_between(s, seen.s)).take(SLOTS).collect();
         let mut hull = Hull::default();
-        near.clone().for_each(|p| hull.add(p, s));
-        let fit = parabola(s, hull.farthest + self.cell_mm, bend, &near)?;
+        near.iter().for_each(|p| hull.add(p, s));
+        let fit = parabola(s, hull.farthest + self.cell_mm, bend, &near.iter())?;
         Some(Fit { value: hull.clamped(fit.value), slope: fit.slope.clamp_length_max(STEEPEST), ..fit })
     }
 }

@@ -312,6 +312,29 @@ fn tacks_come_first_in_opposite_pairs_and_stay_away_from_the_start() {
 }
 
 #[test]
+fn a_cosmetic_pass_is_the_last_on_each_copy() {
+    let cosmetic = "[cosmetic]\nfrom_mm = 10\nspeed_mm_s = 9\n";
+    let line = read(&format!("{LINE}{cosmetic}"));
+    let [weld, pass] = &line.program.value.passes[..] else { panic!() };
+    assert_eq!((range(weld), range(pass), pass.role), ((0.0, 100.0), (10.0, 100.0), Some(Role::Cosmetic)));
+    assert_eq!((pass.name.as_str(), pass.speeds()), ("cosmetic", (9.0, 9.0)));
+    // What is not its own is that of the weld, there.
+    assert_eq!(pass.spans[0].process["current_a"].ends(), (110.0, 200.0));
+    let own = read(&format!("{LINE}{cosmetic}process = {{ current_a = 30 }}\n"));
+    assert_eq!(own.program.value.passes[1].spans[0].process["current_a"].ends(), (30.0, 30.0));
+    let rows = read(&format!("{RADIATOR}\n[cosmetic]\n"));
+    for two in rows.program.value.passes.chunks(2) {
+        assert!(two[0].copy == two[1].copy && two[0].role.is_none() && two[1].role == Some(Role::Cosmetic));
+        assert!(two[1].name.starts_with("cosmetic, "), "{}", two[1].name);
+        assert_eq!(range(&two[0]), range(&two[1]));
+    }
+    let error = |more: &str| Welding::read("job.toml", &format!("{LINE}[cosmetic]\n{more}\n")).unwrap_err().key;
+    assert_eq!(error("from_mm = 99.5"), "cosmetic.from_mm");
+    assert_eq!(error("process = { amps = 3 }"), "cosmetic.process.amps");
+    assert_eq!(error("process = { current_a = { from = 1, to = 2 } }"), "cosmetic.process.current_a");
+}
+
+#[test]
 fn what_cannot_be_ordered_is_refused_with_its_key() {
     let error = |from: &str, to: &str| {
         assert!(RADIATOR.contains(from));
