@@ -84,6 +84,8 @@ pub struct Summary {
     pub weld_s: f64,
     /// Time with the arc (or beam) on, s.
     pub arc_on_s: f64,
+    /// False of a pass of which nothing was welded: all of its numbers are nothing too.
+    pub welded: bool,
     /// Distance of the true tip from the seam, normal to it, while it travels.
     pub path_error_mm: Extremes,
     /// Path length where that is greatest, mm.
@@ -245,6 +247,7 @@ impl Tally {
             total_s: motion.total_s(),
             weld_s: motion.law.duration(),
             arc_on_s: motion.arc_on_s(),
+            welded: self.path_error.count > 0,
             path_error_mm: self.path_error.finish(),
             path_error_at_mm: self.worst.1,
             tip_speed_mm_s: judged.then(|| Extremes { rms: self.deviation.finish().rms, ..speed }),

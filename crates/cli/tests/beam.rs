@@ -47,6 +47,8 @@ fn a_half_ring_with_a_cosmetic_pass() {
     let told = String::from_utf8(refused.stderr).unwrap();
     assert_eq!(refused.status.code(), Some(1), "{told}");
     assert!(told.contains("the stored deviation does not fit") && told.contains("stopped at 0.0 mm"), "{told}");
+    let text = String::from_utf8(refused.stdout).unwrap();
+    assert!(text.matches("nothing of it").count() == 2 && !text.contains("inf"), "{text}");
 }
 
 #[test]

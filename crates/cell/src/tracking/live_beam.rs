@@ -77,6 +77,8 @@ pub(super) struct LiveBeam<'a> {
     known: (f64, Sight),
     watch: Watch,
     tally: BeamTally,
+    /// What stands against the weld while the beam looks at its start.
+    stops: Option<Alarm>,
 }
 
 /// The simulated seam as the eye of a beam.
@@ -108,6 +110,7 @@ impl<'a> LiveBeam<'a> {
             known: (f64::INFINITY, Sight::Unseen),
             watch: Watch::new(axes, cycle_s),
             tally: BeamTally::default(),
+            stops: None,
         }
     }
 
@@ -118,13 +121,11 @@ impl<'a> LiveBeam<'a> {
 
     /// Whether the weld may begin, after the look at its start; else what is wrong.
     pub(super) fn ready(&self) -> Result<(), (Alarm, Option<String>)> {
-        match &self.head {
-            BeamHead::Tracking(head) if !head.has_seen() => {
+        match (&self.head, self.stops) {
+            (BeamHead::Tracking(head), _) if !head.has_seen() => {
                 Err((Alarm::Lost, Some("it was not seen before the weld".to_owned())))
             }
-            BeamHead::Replay(head) if head.judged().is_some_and(|judged| judged.is_err()) => {
-                Err((Alarm::Misfit, self.misfit()))
-            }
+            (_, Some(alarm)) => Err((alarm, self.misfit())),
             _ => Ok(()),
         }
     }
@@ -160,12 +161,13 @@ impl<'a> LiveBeam<'a> {
         }
         let wanted = (frame, DVec2::new(orders.carried_mm, 0.0));
         if !welds {
+            self.stops = orders.alarm.filter(|_| orders.pace <= 0.0);
             return (wanted, Told::NOTHING);
         }
         // At its very end nothing of the seam lies ahead any more.
         let ends = world.left(s) < END_MM || (orders.alarm == Some(Alarm::Blind) && world.left(s) < self.sees_mm());
-        let cause = if orders.alarm == Some(Alarm::Misfit) { self.misfit() } else { None };
-        (wanted, Told { pace: orders.pace, alarm: orders.alarm.filter(|_| !ends).map(|alarm| (alarm, cause)) })
+        let alarm = orders.alarm.filter(|_| !ends).map(|alarm| (alarm, self.misfit()));
+        (wanted, Told { pace: orders.pace, alarm })
     }
 
     /// How far ahead the joint is looked at, mm.
@@ -211,6 +213,7 @@ impl<'a> LiveBeam<'a> {
         self.sample.deflection_mm * (1.0 - above / self.beam.pivot_mm)
     }
 
+    /// Why what is stored does not fit, if it does not.
     fn misfit(&self) -> Option<String> {
         let BeamHead::Replay(head) = &self.head else { return None };
         let misfit: Misfit = head.judged()?.err()?;

@@ -140,6 +140,7 @@ fn tracking(text: &mut String, s: &Summary) {
         let (p99, most) = (head.miss_p99_mm, head.miss_most_mm);
         let (plain_p99, plain_most) = (head.untracked_p99_mm, head.untracked_most_mm);
         let _ = match head.tracked {
+            _ if !s.welded => Ok(()),
             true => writeln!(
                 text,
                 "  {:<12} {p99:.3} mm from the joint for 99 % of the weld, {most:.3} mm at most; untracked {plain_p99:.3} and {plain_most:.3} mm",
@@ -151,11 +152,11 @@ fn tracking(text: &mut String, s: &Summary) {
                 head.head
             ),
         };
-        if let Some(beam) = &head.beam {
+        if let Some(beam) = head.beam.as_ref().filter(|_| s.welded) {
             let _ = writeln!(text, "               {}", beam_line(beam));
         }
         if let Some(at) = head.stopped_mm {
-            let _ = writeln!(text, "               stopped at {at:.1} mm");
+            let _ = writeln!(text, "  {:<12} stopped at {at:.1} mm", if s.welded { "" } else { &head.head });
         }
         for alarm in &head.alarms {
             let _ = writeln!(text, "               at {:.1} mm: {}", alarm.at_mm, alarm.text());
@@ -197,7 +198,10 @@ fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
             "  time         {:.2} s travel, {:.2} s arc on, {:.2} s in all",
             p.weld_s, p.arc_on_s, p.total_s
         );
-        if let Some(s) = &pass.simulation {
+        if let Some(s) = pass.simulation.as_ref().filter(|s| !s.welded) {
+            let _ = writeln!(text, "  welded       nothing of it (simulated)");
+            tracking(&mut text, s);
+        } else if let Some(s) = &pass.simulation {
             let e = &s.path_error_mm;
             let _ = writeln!(text, "  path error   {:.4} mm greatest, {:.4} mm RMS (simulated)", e.max, e.rms);
             tracking(&mut text, s);

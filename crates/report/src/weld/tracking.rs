@@ -77,7 +77,8 @@ pub(super) fn charts(curves: &SimulationCurves, heads: &[HeadSummary]) -> Option
 
 /// Both numbers of each head.
 pub(super) fn table(heads: &[HeadSummary]) -> Table {
-    let mm = |value: f64| format_number(value, 3);
+    // Of a weld that was not begun nothing is known.
+    let mm = |value: f64| if value.is_finite() { format_number(value, 3) } else { "none welded".to_owned() };
     let row = |h: &HeadSummary| {
         let most = h.used.map(|used| used.into_iter().fold(0.0, f64::max));
         vec![
