@@ -7,13 +7,17 @@ pub(crate) mod follow;
 pub(crate) mod machine;
 pub(crate) mod move_to;
 pub(crate) mod post;
+mod pulses;
 pub(crate) mod read;
 pub(crate) mod reduce;
 pub(crate) mod run;
+mod simulate;
 pub(crate) mod stripe;
 pub(crate) mod teach;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+pub(crate) use pulses::PulsesArgs;
+pub(crate) use simulate::SimulateArgs;
 use std::path::PathBuf;
 
 /// Plans, checks, simulates and posts CNC welds of seams that curve through space.
@@ -205,72 +209,6 @@ pub(crate) struct MotionArgs {
     #[arg(long, value_name = "FILE")]
     pub(crate) certificate: Option<PathBuf>,
     /// JSON instead of CSV
-    #[arg(long)]
-    pub(crate) json: bool,
-}
-
-#[derive(Debug, Args)]
-#[command(
-    allow_negative_numbers = true,
-    after_help = "Examples:
-  seamwright simulate examples/saddle.toml -o out/saddle --seed 7
-  seamwright simulate examples/saddle.toml -o out/misplaced --distortion examples/distortions/misplaced.toml"
-)]
-pub(crate) struct SimulateArgs {
-    /// Job or program file
-    pub(crate) job: PathBuf,
-    /// Folder for trace.parquet, report.json and report.html; made if missing
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: PathBuf,
-    /// Seed of the disturbances: the same seed gives the same weld
-    #[arg(long, default_value_t = 1)]
-    pub(crate) seed: u64,
-    /// How the part differs from the planned one: misplaced, bent, moved by heat, with tacks (docs/tracking.md). The seam is
-    /// then tracked by the machine's stripe sensors, or by its beam
-    #[arg(long, value_name = "FILE")]
-    pub(crate) distortion: Option<PathBuf>,
-    /// Correct all passes by the deviations that a beam found in an earlier weld (deviations-pass-N.csv), if they still fit
-    #[arg(long, value_name = "FILE", conflicts_with = "no_tracking")]
-    pub(crate) replay: Option<PathBuf>,
-    /// Weld a distorted part as planned
-    #[arg(long)]
-    pub(crate) no_tracking: bool,
-    /// A fault of a device, like drives:silent@12.5 or source:wrong@30+0.5 (docs/faults.md): the weld runs under the executive, from
-    /// switching on; may be repeated. Writes trace.parquet, events.jsonl and run.json
-    #[arg(long, value_name = "SPEC", conflicts_with_all = ["distortion", "no_tracking"])]
-    pub(crate) fault: Vec<seamwright_cell::devices::Fault>,
-    /// Print report.json instead of a summary
-    #[arg(long)]
-    pub(crate) json: bool,
-}
-
-#[derive(Debug, Args)]
-#[command(
-    allow_negative_numbers = true,
-    after_help = "Examples:
-  seamwright pulses examples/head-nozzle.toml --period-ms 1 -o head-nozzle.vcd
-  seamwright pulses examples/head-nozzle.toml --period-ms 1 > pulses.csv
-  seamwright pulses examples/head-nozzle.toml --motors --json"
-)]
-pub(crate) struct PulsesArgs {
-    /// Job or program file
-    pub(crate) job: PathBuf,
-    /// Period of the set-points, ms, a whole number of ticks [default: the machine's servo period]
-    #[arg(long, value_name = "T")]
-    pub(crate) period_ms: Option<f64>,
-    /// Tick of the timer that makes the pulses, ns
-    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
-    pub(crate) tick_ns: u32,
-    /// Also the air moves from home to the first weld and from the last back home
-    #[arg(long)]
-    pub(crate) air: bool,
-    /// Also play the pulses on a model of the motors; exit code 1 if one loses steps
-    #[arg(long)]
-    pub(crate) motors: bool,
-    /// Write the lines as a value change dump (GTKWave) to this file and print a summary, instead of pulses as CSV
-    #[arg(short, long, value_name = "FILE.vcd")]
-    pub(crate) output: Option<PathBuf>,
-    /// Print the summary as JSON instead of pulses or text
     #[arg(long)]
     pub(crate) json: bool,
 }

@@ -9,7 +9,7 @@ use seamwright_motion::PassMotion;
 use seamwright_program::TorchPath as _;
 use seamwright_weld::Welding;
 
-const JOB: &str = include_str!("half-ring.toml");
+const JOB: &str = include_str!("../../../../../examples/half-ring.toml");
 /// The later pass begins here.
 const LATER: [&str; 2] = ["phi_deg = 30\n", "phi_deg = 42\n"];
 
