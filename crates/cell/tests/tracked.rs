@@ -333,3 +333,32 @@ fn the_move_to_see_the_start_keeps_clear() {
     };
     assert!(back(&near) < back(&free) - 1.0, "{} {}", back(&near), back(&free));
 }
+
+/// A torch that weaves 4 mm wide is tracked: its line lies in the joint, and the weave swings about that.
+#[test]
+fn a_woven_pass_is_tracked() {
+    let weave = "[weld.weave]\nfigure = \"sine\"\nwidth_mm = 4\nfrequency_hz = 1\nfade_mm = 5\n";
+    let job = format!("{SADDLE}\n{weave}");
+    let tracked = weld(&job, MISPLACED, true, 1).unwrap();
+    let head = &tracked.summary.heads[0];
+    assert!(head.miss_p99_mm < 0.05 && head.untracked_p99_mm > 2.0, "{head:?}");
+    assert!(head.stopped_mm.is_none() && head.alarms.is_empty(), "{head:?}");
+    let (speed, acceleration) = used(&tracked);
+    assert!(
+        speed <= 1.0 && acceleration <= 1.0 && jerk(&tracked).0 <= 1.0,
+        "{speed} {acceleration} {:?}",
+        jerk(&tracked)
+    );
+    // The weave swings on top of the correction, 2 mm to each side.
+    let welding = Welding::read("job.toml", &job).unwrap();
+    let path = welding.path(0);
+    let mut widest = 0.0f64;
+    for sample in tracked.samples.iter().filter(|s| s.travels()).step_by(50) {
+        let (s, head) = (sample.set.law.s, sample.heads[0].unwrap());
+        let swing = path.swing(s).unwrap();
+        let off = tracked.machine.forward(&sample.q).point - path.centre(s) - swing;
+        assert!((off.length() - head.correction.length()).abs() < 0.1, "{s}: {off} {}", head.correction);
+        widest = widest.max(swing.length());
+    }
+    assert!((widest - 2.0).abs() < 0.05, "{widest}");
+}

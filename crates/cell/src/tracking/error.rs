@@ -42,7 +42,7 @@ pub enum Error {
     /// A torch that does not go along the seam's line.
     #[error(
         "pass `{pass}` {what}: a part that lies elsewhere is simulated only where the torch goes along the seam's line; \
-         allowed is a pass without weave and blended corners, or no distortion file"
+         allowed is a pass without blended corners, woven by one torch if at all, or no distortion file"
     )]
     OffLine {
         /// Name of the pass.

@@ -41,22 +41,24 @@ impl Leading {
         std::array::from_fn(|i| self.watch[0].used[i].max(self.watch[1].used[i]))
     }
 
-    /// One cycle with the torch truly `off` (along, lateral, height) its planned place.
+    /// One cycle with the torch truly off its planned place by `correction`, and off its line by `swing` on top of that: lateral
+    /// and height, mm. The sensor swings with it.
     pub(super) fn cycle(
         &mut self,
         world: &World<'_>,
         step: &Step,
         frame: SeamFrame,
-        correction: DVec2,
+        (correction, swing): (DVec2, DVec2),
     ) -> (Wanted, Told) {
         let Step { t, s, speed, .. } = *step;
-        self.sensor.look(world, t, s, correction);
+        let slide = correction + swing;
+        self.sensor.look(world, t, s, slide);
         while let Some(arrived) = self.sensor.arrived(t) {
             if let Some(measured) = arrived {
                 self.head.take(&measured, t);
             }
         }
-        let orders = self.head.cycle(Moment { t_s: t, s_mm: s, slide: correction }, speed);
+        let orders = self.head.cycle_woven(Moment { t_s: t, s_mm: s, slide }, speed, swing);
         self.watch[0].add(orders.slide.x);
         self.watch[1].add(orders.slide.y);
         self.known = (orders.estimate.sigma_mm, orders.estimate.sight);

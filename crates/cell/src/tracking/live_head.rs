@@ -7,6 +7,7 @@ use super::tally::Tally;
 use crate::Sample;
 use glam::{DVec2, DVec3};
 use seamwright_machine::{Joints, Machine};
+use seamwright_program::TorchPath;
 use seamwright_tracking::actuator::Alarm;
 use seamwright_tracking::beam::DeviationRecord;
 use seamwright_tracking::lead::{SeamFrame, Sight};
@@ -121,8 +122,11 @@ pub(crate) struct LiveHead<'a> {
     guide: Option<Guide<'a>>,
     /// A beam, to which height does nothing.
     is_beam: bool,
-    /// By how much the torch is off the planned path, as the encoders say: along, lateral, height.
+    path: &'a dyn TorchPath,
+    /// By how much the torch is off the planned path, as the encoders say: along, lateral, height; and off its line by its
+    /// weave.
     off: DVec3,
+    swing: DVec3,
     tracked: Tally,
     untracked: Tally,
     stopped_mm: Option<f64>,
@@ -133,13 +137,27 @@ pub(crate) struct LiveHead<'a> {
 impl<'a> LiveHead<'a> {
     pub(super) fn new(
         (number, is_beam): (usize, bool),
-        seam: &'a Seam,
+        (path, seam): (&'a dyn TorchPath, &'a Seam),
         world: World<'a>,
         guide: Option<Guide<'a>>,
     ) -> Self {
         let (tracked, untracked) = (Tally::default(), Tally::default());
-        let (off, alarms) = (DVec3::ZERO, Vec::new());
-        Self { number, seam, world, guide, is_beam, off, tracked, untracked, stopped_mm: None, alarms, last_s: None }
+        let (off, swing, alarms) = (DVec3::ZERO, DVec3::ZERO, Vec::new());
+        Self {
+            number,
+            seam,
+            world,
+            guide,
+            is_beam,
+            path,
+            off,
+            swing,
+            tracked,
+            untracked,
+            stopped_mm: None,
+            alarms,
+            last_s: None,
+        }
     }
 
     /// How far before the seam the torch must begin to be sure of its start, mm; none if no sensor leads it.
@@ -176,7 +194,10 @@ impl<'a> LiveHead<'a> {
         let frame = self.frame(step.s);
         let (wanted, told) = match &mut self.guide {
             None => return ((frame, DVec2::ZERO), 1.0),
-            Some(Guide::Leading(leading)) => leading.cycle(&self.world, step, frame, lateral_and_height(self.off)),
+            Some(Guide::Leading(leading)) => {
+                let off = (lateral_and_height(self.off), lateral_and_height(self.swing));
+                leading.cycle(&self.world, step, frame, off)
+            }
             Some(Guide::Beam(beam)) => beam.cycle(&self.world, step, frame, self.off),
         };
         if let Some((alarm, cause)) = told.alarm {
@@ -200,10 +221,17 @@ impl<'a> LiveHead<'a> {
     /// Where the torch truly is after the drives' step to `s` in the cycle at `t`.
     pub(crate) fn feel(&mut self, machine: &Machine, (t, s): (f64, f64), true_q: &Joints) {
         let tip = machine.forward_of(self.number, true_q).point;
-        self.off = seen(tip - self.frame(s).point, &self.frame(s));
+        let frame = self.frame(s);
+        self.swing = seen(self.swings(s), &frame);
+        self.off = seen(tip - frame.point, &frame) - self.swing;
         if let Some(Guide::Beam(beam)) = &mut self.guide {
             beam.feel(t, s, true_q, tip);
         }
+    }
+
+    /// How far the weave takes the torch off its line at `s`.
+    fn swings(&self, s: f64) -> DVec3 {
+        self.path.swing(s.clamp(0.0, self.path.length())).unwrap_or_default()
     }
 
     /// The torch was stopped here before the end of the pass.
@@ -218,7 +246,8 @@ impl<'a> LiveHead<'a> {
             return None;
         }
         let frame = self.frame(s);
-        let off = seen(machine.forward_of(self.number, &sample.q).point - frame.point, &frame);
+        let tip = machine.forward_of(self.number, &sample.q).point;
+        let off = seen(tip - self.swings(s) - frame.point, &frame);
         let (joint, _) = self.world.crossing(s, off.x, s)?;
         let (planned, _) = self.world.crossing(s, 0.0, s)?;
         let mut correction = lateral_and_height(off);

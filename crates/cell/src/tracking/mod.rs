@@ -46,7 +46,7 @@ pub use world::{Along, Placement, World};
 /// Looks whether every pass with an arc can be simulated under `conditions`: on a part that lies elsewhere, and tracked.
 ///
 /// # Errors
-/// The first that cannot: one that weaves or blends corners; nothing that sees ahead, too short a lead, axes that cannot
+/// The first that cannot: one that blends corners, or that two torches or a beam weave; nothing that sees ahead, too short a lead, axes that cannot
 /// correct; stored deviations that do not cover it, or that no beam can replay.
 pub fn check(
     machine: &Machine,

@@ -89,7 +89,7 @@ impl<'a> PassScene<'a> {
         correction: Option<&Correction<'_>>,
         (stored, seed): (Option<&DeviationRecord>, u64),
     ) -> Result<Vec<LiveHead<'b>>, Error> {
-        self.check_plain(planned)?;
+        self.check_plain(machine, planned)?;
         let heads = self.seams.iter().enumerate();
         let live = heads.map(|(number, seam)| {
             let world = self.world(number, seam, seed);
@@ -97,15 +97,15 @@ impl<'a> PassScene<'a> {
                 Some(correction) => Some(self.guide(machine, (number, seam), correction, (stored, seed))?),
                 None => None,
             };
-            Ok(LiveHead::new((number, machine.deflection.is_some()), seam, world, guide))
+            Ok(LiveHead::new((number, machine.deflection.is_some()), (self.path, seam), world, guide))
         });
         live.collect()
     }
 
-    /// The torch goes along the seam's line: neither weave nor blends lead it off.
-    fn check_plain(&self, planned: &PassMotion) -> Result<(), Error> {
-        let what = if self.path.swing(0.0).is_some() {
-            "weaves"
+    /// The torch goes along the seam's line, or swings about it: no blend leads it off; two torches and a beam do not weave.
+    fn check_plain(&self, machine: &Machine, planned: &PassMotion) -> Result<(), Error> {
+        let what = if self.path.swing(0.0).is_some() && (self.seams.len() > 1 || machine.deflection.is_some()) {
+            if self.seams.len() > 1 { "weaves with two torches" } else { "weaves with a beam" }
         } else if !planned.path.blends().is_empty() {
             "goes round corners in blends"
         } else {

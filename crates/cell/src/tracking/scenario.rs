@@ -1,6 +1,7 @@
 use super::world::Placement;
 use super::{Displacement, Leg, SensorModel};
 use glam::{DVec2, DVec3};
+use seamwright_geometry::Pose;
 use seamwright_program::TorchPath;
 use seamwright_tracking::lead::SeamFrame;
 
@@ -37,7 +38,7 @@ impl Seam {
         Self { length_mm, frame: Box::new(frame), round_mm: None }
     }
 
-    /// Of a torch's path, its frame every half millimetre: height is against the torch's direction, square to the way.
+    /// Of a torch's path, the frame of its line every half millimetre: height is against the torch's direction, square to the way.
     /// A closed one goes round; beyond the ends of another it goes on straight.
     #[must_use]
     pub fn along(path: &dyn TorchPath) -> Self {
@@ -46,7 +47,7 @@ impl Seam {
         let count = (length_mm / STEP_MM).ceil().clamp(2.0, 1e6);
         let frame = |i: u32| {
             let s = length_mm * f64::from(i) / count;
-            let (pose, along) = (path.pose(s), path.tangent(s));
+            let (pose, along) = (Pose { point: path.centre(s), ..path.pose(s) }, path.tangent(s));
             let up = -pose.direction;
             let height = (up - up.dot(along) * along).normalize_or(along.any_orthonormal_vector());
             SeamFrame { point: pose.point, along, lateral: height.cross(along), height }

@@ -172,6 +172,11 @@ impl HeadTracking {
 
     /// A cycle: where the torch and the slide truly are, and how fast the torch goes along the seam, mm/s.
     pub fn cycle(&mut self, now: Moment, speed: f64) -> Orders {
+        self.cycle_woven(now, speed, DVec2::ZERO)
+    }
+
+    /// The same of a torch that weaves: of where the slide truly is `swing` (lateral and height, mm) is the weave's.
+    pub fn cycle_woven(&mut self, now: Moment, speed: f64, swing: DVec2) -> Orders {
         let settings = *self.tracker.settings();
         let way = speed.abs() * settings.notice_s;
         self.here_mm = now.s_mm;
@@ -179,7 +184,7 @@ impl HeadTracking {
             self.begun.get_or_insert((now.t_s, now.s_mm));
         }
         self.tracker.advance(now, now.s_mm + way);
-        self.stuck = self.following.is_stuck(now.t_s, now.slide.distance(self.ordered));
+        self.stuck = self.following.is_stuck(now.t_s, (now.slide - swing).distance(self.ordered));
         let estimate = self.tracker.at(now.s_mm);
         // A stuck slide's set-points come to rest, within its limits.
         if !self.stuck {
