@@ -64,7 +64,7 @@ impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> 
             }
             let law = LawPoint { s: tip.s, v: tip.v, a: tip.a, j: tip.j };
             self.show(self.number, (phase, law), off.positions(&planned_q), heads, &mut off)?;
-            self.feel(tip.s, heads);
+            self.feel(tip.s, heads, true);
             end = planned_q;
             if allowed < SLOWEST && !stopped {
                 stopped = true;
@@ -109,11 +109,11 @@ impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> 
         self.cell.show(pass, set, &off.rates(&q), heads)
     }
 
-    fn feel(&self, s: f64, heads: &mut [LiveHead<'_>]) {
+    fn feel(&self, s: f64, heads: &mut [LiveHead<'_>], weaves: bool) {
         if let Some(q) = self.cell.positions() {
             // The cycle is over: the set-point that was shown is that of its begin.
             let t = self.now() - self.machine.servo_period_s;
-            heads.iter_mut().for_each(|head| head.feel(self.machine, (t, s), q));
+            heads.iter_mut().for_each(|head| head.feel(self.machine, (t, s), q, weaves));
         }
     }
 
@@ -135,7 +135,7 @@ impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> 
             let (wanted, _) = self.cycle(heads, 0.0, 0.0, false);
             off.follow(&start, || carrier.shifted(&start, &wanted));
             self.show(0, (Phase::Air, NOWHERE), off.positions(&start), &mut [], off)?;
-            self.feel(0.0, heads);
+            self.feel(0.0, heads, false);
         }
         Ok(())
     }
@@ -192,7 +192,7 @@ impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> 
                 off.follow(&there, || carrier.shifted(&there, &wanted));
             }
             self.show(0, (Phase::Air, NOWHERE), off.positions(&there), &mut [], off)?;
-            self.feel(at, heads);
+            self.feel(at, heads, false);
             if back && at.abs() < 1e-9 && target >= 0.0 {
                 break;
             }

@@ -218,11 +218,11 @@ impl<'a> LiveHead<'a> {
         self.tell(s, Alarm::StrokeEnd.name(), None);
     }
 
-    /// Where the torch truly is after the drives' step to `s` in the cycle at `t`.
-    pub(crate) fn feel(&mut self, machine: &Machine, (t, s): (f64, f64), true_q: &Joints) {
+    /// Where the torch truly is after the drives' step to `s` in the cycle at `t`; it weaves while it is on its path.
+    pub(crate) fn feel(&mut self, machine: &Machine, (t, s): (f64, f64), true_q: &Joints, weaves: bool) {
         let tip = machine.forward_of(self.number, true_q).point;
         let frame = self.frame(s);
-        self.swing = seen(self.swings(s), &frame);
+        self.swing = if weaves { seen(self.swings(s), &frame) } else { DVec3::ZERO };
         self.off = seen(tip - frame.point, &frame) - self.swing;
         if let Some(Guide::Beam(beam)) = &mut self.guide {
             beam.feel(t, s, true_q, tip);
