@@ -78,6 +78,8 @@ impl Table {
         for row in &self.rows {
             let value = row.value.map_or("none".to_owned(), |v| format!("{v:.3} {}", row.unit));
             let sign = if row.limit_is == "most" { "<=" } else { ">=" };
+            // Three decimals at most, as values have; what is smaller stands as it is.
+            let limit = if row.limit.abs() < 0.01 { row.limit } else { (1e3 * row.limit).round() / 1e3 };
             let kept = if row.kept { "yes" } else { "**no**" };
             // A text has room for everything.
             let _ = writeln!(
@@ -85,7 +87,7 @@ impl Table {
                 "| {} | {} | {sign} {} | {kept} |",
                 row.what,
                 value.trim_end(),
-                format!("{} {}", row.limit, row.unit).trim_end()
+                format!("{limit} {}", row.unit).trim_end()
             );
         }
         let kept = self.rows.iter().filter(|r| r.kept).count();
