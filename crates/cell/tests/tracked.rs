@@ -326,7 +326,7 @@ fn the_move_to_see_the_start_keeps_clear() {
     let told = &near.summary.heads[0].alarms[0];
     assert!(told.alarm.contains("cut short") && told.text().contains("post"), "{told:?}");
     let back = |weld: &Weld| {
-        let start = weld.samples.iter().position(|s| s.arc()).unwrap();
+        let start = weld.samples.iter().position(Sample::arc).unwrap();
         let tip = |q| weld.machine.forward(q).point;
         let first = tip(&weld.samples[start].set.q);
         weld.samples[..start].iter().map(|s| tip(&s.set.q).distance(first)).fold(0.0, f64::max)

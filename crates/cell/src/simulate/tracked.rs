@@ -38,8 +38,9 @@ impl<E: From<Error>, F: FnMut(&Sample) -> Result<(), E>> TrackedPass<'_, '_, F> 
         let mut off = OffPath::new(self.machine);
         self.sight(heads, carrier, &mut off)?;
         self.look(heads, carrier, &mut off)?;
-        let ready = heads.iter_mut().fold(true, |ready, head| head.is_ready() && ready);
-        if !ready {
+        // All of them: each tells what is wrong.
+        let waiting = heads.iter_mut().map(LiveHead::is_ready).filter(|ready| !ready).count();
+        if waiting > 0 {
             heads.iter_mut().for_each(|head| head.stopped(0.0));
             return Ok(false);
         }
