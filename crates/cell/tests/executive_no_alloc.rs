@@ -22,6 +22,7 @@ struct Operator {
     held: bool,
     welded: bool,
     asked: bool,
+    powered: bool,
 }
 
 impl Port for Operator {
@@ -30,9 +31,10 @@ impl Port for Operator {
             return None;
         }
         let ask = match self.mode? {
+            Mode::Off if self.welded => Ask::Quit,
             Mode::Off => Ask::SwitchOn,
-            Mode::Idle => Ask::Home,
-            Mode::Ready if self.welded => Ask::Quit,
+            Mode::Idle if self.powered => Ask::Home,
+            Mode::Ready if self.welded => Ask::SwitchOff,
             Mode::Ready | Mode::Hold if !self.armed => Ask::Arm,
             Mode::Ready => Ask::StartWeld,
             Mode::Hold if self.phase == Some(RunPhase::Held) => Ask::Resume,
@@ -49,6 +51,7 @@ impl Port for Operator {
         self.welded |= cycle.mode == Mode::Ready && self.held;
         (self.mode, self.armed, self.phase, self.s) = (Some(cycle.mode), cycle.armed, cycle.phase, cycle.place.s_mm);
         self.asked = false;
+        self.powered = cycle.reports.drives.powered;
     }
 
     fn note(&mut self, _t: f64, _note: Note) {}
@@ -66,7 +69,7 @@ fn a_weld_costs_no_allocation() {
     let passes: Vec<(&dyn TorchPath, &Pass)> = vec![(&path, &program.passes[0])];
     let motion = WeldMotion::plan(&machine, &around, &passes, 30.0).unwrap();
     let passes: Vec<&Pass> = program.passes.iter().collect();
-    let work = Work::new(&machine, None, &passes, &motion, Start::at_home(&motion));
+    let work = Work::new(&machine, None, &passes, &motion, Start::at_home(&motion)).unwrap();
     let inputs = SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met());
     let mut devices = DeviceSet {
         drives: SimulatedDrives::new(&machine, 1).unwrap(),

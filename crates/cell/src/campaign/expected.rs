@@ -31,6 +31,7 @@ pub fn expected(case: Case) -> Expected {
     let fault = |alarm| Expected { mode: Mode::Fault, alarm: Some(alarm) };
     let hold = |alarm| Expected { mode: Mode::Hold, alarm: Some(alarm) };
     let told = |alarm| Expected { mode: undisturbed, alarm: Some(alarm) };
+    let lit = matches!(s, S::Strike | S::Travel | S::Crater);
     let moves = matches!(s, S::Homing | S::Jog | S::DryRun) || s.welds();
     match (case.device, case.kind) {
         // Without drives that answer there is no cell.
@@ -40,13 +41,17 @@ pub fn expected(case: Case) -> Expected {
         (Device::Drives, FaultKind::Wrong) if powered => fault(Alarm::FollowingError),
         (Device::Drives, FaultKind::Wrong) => nothing,
         (Device::Source, FaultKind::Slow) => nothing,
-        (Device::Source, FaultKind::Silent | FaultKind::Disconnect) if s.welds() => hold(Alarm::SourceSilent),
-        (Device::Source, FaultKind::Reboot) if s.welds() => hold(Alarm::SourceSilent),
+        // An arc of which nobody says that it went out may burn.
+        (Device::Source, FaultKind::Silent | FaultKind::Disconnect | FaultKind::Reboot) if lit => {
+            fault(Alarm::SourceSilent)
+        }
+        (Device::Source, FaultKind::Silent | FaultKind::Disconnect | FaultKind::Reboot) if s.welds() => {
+            hold(Alarm::SourceSilent)
+        }
         (Device::Source, FaultKind::Silent | FaultKind::Disconnect) => nothing,
-        (Device::Source, FaultKind::Reboot) if s == S::DryRun => told(Alarm::SourceRestarted),
         (Device::Source, FaultKind::Reboot) => told(Alarm::SourceRestarted),
         // An arc that is said to be out is lost; said to be on when it must be off, it is stuck.
-        (Device::Source, FaultKind::Wrong) if matches!(s, S::Strike | S::Travel | S::Crater) => fault(Alarm::ArcLost),
+        (Device::Source, FaultKind::Wrong) if lit => fault(Alarm::ArcLost),
         (Device::Source, FaultKind::Wrong) => fault(Alarm::ProcessStuckOn),
         (Device::Inputs, FaultKind::Slow) => nothing,
         (Device::Inputs, FaultKind::Silent | FaultKind::Disconnect | FaultKind::Reboot) if powered => {

@@ -194,6 +194,14 @@ impl Witness {
         self.still = if self.sets.last() == Some(&q) { self.still + 1 } else { 0 };
         if !powered {
             self.sets.clear();
+        } else if self.began.is_none() && !cycle.orders.home {
+            // What is followed is where the axes are.
+            for i in 0..self.limits.len() {
+                let away = (cycle.orders.set[i].position - cycle.reports.drives.position[i]).abs();
+                if away > 0.2 + 0.02 * cycle.orders.set[i].velocity.abs() {
+                    self.violated(&format!("axis {i} is told to be {away:.3} from where it is"));
+                }
+            }
         }
         if self.sets.len() > 2 {
             self.sets.remove(0);
@@ -223,7 +231,11 @@ impl Port for Witness {
                 self.mode_then = Some(self.mode);
                 self.rests_then = self.still as f64 * self.period > RESTS_S;
             }
-            let ask = if self.mode.moves() || self.mode == Mode::Hold { Ask::Stop } else { Ask::Quit };
+            let ask = match self.mode {
+                Mode::Off | Mode::Fault => Ask::Quit,
+                Mode::Idle | Mode::Ready => Ask::SwitchOff,
+                _ => Ask::Stop,
+            };
             return Some(Command::of(ask));
         }
         self.wish().map(Command::of)

@@ -8,6 +8,8 @@ use seamwright_machine::{Joints, Machine};
 
 /// Time that a drive looks for its reference, s.
 const REFERENCE_S: f64 = 0.5;
+/// By how much positions are wrong before the reference is known, mm or rad.
+const UNKNOWN: f64 = 0.37;
 /// Time until drives have power, s.
 const POWER_S: f64 = 0.1;
 
@@ -63,13 +65,20 @@ impl Drives for SimulatedDrives {
         self.holds = follows;
         for i in 0..self.axes {
             if follows {
-                let state = self.drives.step(i, orders.set[i]);
+                let mut set = orders.set[i];
+                if !self.referenced {
+                    set.position -= UNKNOWN;
+                }
+                let state = self.drives.step(i, set);
                 self.q[i] = state.position;
                 report.position[i] = state.measured;
                 report.following_error[i] = state.following_error;
                 report.current[i] = state.current;
             } else {
                 (report.position[i], report.following_error[i], report.current[i]) = (self.q[i], 0.0, 0.0);
+            }
+            if !self.referenced {
+                report.position[i] += UNKNOWN;
             }
         }
         report.powered = powered;
@@ -126,7 +135,7 @@ impl Source for SimulatedSource {
             }
         }
         for ((value, wanted), shown) in self.values.iter_mut().zip(orders.values).zip(&mut report.values) {
-            let wanted = if self.burning { wanted } else { 0.0 };
+            let wanted = if self.burning && wanted.is_finite() { wanted } else { 0.0 };
             *value += (wanted - *value) * (self.period / FOLLOWS_S).min(1.0);
             *shown = *value * (1.0 + NOISE * (2.0 * uniform(&mut self.random) - 1.0));
         }

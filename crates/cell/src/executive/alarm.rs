@@ -43,6 +43,8 @@ pub enum Alarm {
     DrivesSilent,
     /// The drives have started anew: positions are lost.
     DrivesRestarted,
+    /// The references were not found in time.
+    NoReference,
     /// The inputs are old.
     InputsSilent,
     /// The device of the inputs has started anew.
@@ -94,7 +96,7 @@ pub struct Entry {
 
 impl Alarm {
     /// All alarms, in the order of the catalogue.
-    pub const ALL: [Self; 23] = [
+    pub const ALL: [Self; 24] = [
         Self::Interlock,
         Self::DriveFault,
         Self::LimitSwitch,
@@ -102,6 +104,7 @@ impl Alarm {
         Self::DrivePower,
         Self::DrivesSilent,
         Self::DrivesRestarted,
+        Self::NoReference,
         Self::InputsSilent,
         Self::InputsRestarted,
         Self::SourceSilent,
@@ -174,6 +177,13 @@ impl Alarm {
                 "references are lost",
                 "reset, switch on, home",
                 PowerOff,
+            ),
+            Self::NoReference => (
+                "no reference",
+                "a reference switch or encoder",
+                "positions are unknown",
+                "check the switch, home again",
+                Tell,
             ),
             Self::InputsSilent => (
                 "inputs silent",

@@ -41,7 +41,7 @@ pub struct Raised {
 }
 
 /// Most alarms on the list at once: one each, and one for each axis and condition.
-pub const MOST_ALARMS: usize = 96;
+pub const MOST_ALARMS: usize = 160;
 
 /// The alarms that are there or not yet acknowledged. Nothing is lost: every alarm has room once for every detail.
 #[derive(Debug, Clone, Default)]

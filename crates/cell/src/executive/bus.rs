@@ -2,7 +2,7 @@ use seamwright_machine::{Joints, MAX_AXES};
 use seamwright_servo::SetPoint;
 
 /// Most process values of a weld.
-pub const VALUES: usize = 8;
+pub const VALUES: usize = 16;
 
 /// What the executive wants of the devices in a cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -26,12 +26,12 @@ pub struct ProcessOrders {
     pub gas: bool,
     /// Arc or beam.
     pub on: bool,
-    /// Process values, in the order of [`super::Work::values`].
+    /// Process values, in the order of [`super::Work::values`]; no number for one that is not asked for.
     pub values: [f64; VALUES],
 }
 
-/// What the devices know of themselves.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+/// What the devices know of themselves; by default nothing, since ever.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reports {
     /// The drives.
     pub drives: DriveReport,
@@ -45,6 +45,19 @@ pub struct Reports {
     pub inputs_starts: u32,
     /// Cycles missed before this one.
     pub missed: u32,
+}
+
+impl Default for Reports {
+    fn default() -> Self {
+        Self {
+            drives: DriveReport { age_s: f64::INFINITY, ..DriveReport::default() },
+            source: SourceReport { age_s: f64::INFINITY, ..SourceReport::default() },
+            inputs: 0,
+            inputs_age_s: f64::INFINITY,
+            inputs_starts: 0,
+            missed: 0,
+        }
+    }
 }
 
 /// What the drives report.

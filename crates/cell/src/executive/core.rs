@@ -5,7 +5,7 @@ use super::interlocks::Interlocks;
 use super::mode::{Event, Mode};
 use super::process::Process;
 use super::state::{Cycle, Missing, Note, Port};
-use super::supervision::Supervision;
+use super::supervision::{LATE_S, Supervision};
 use super::work::Work;
 use super::{Alarm, Reaction, VALUES};
 use arrayvec::ArrayVec;
@@ -20,6 +20,8 @@ const ARMED_S: f64 = 60.0;
 const AT_START: f64 = 0.01;
 /// Most commands taken in a cycle.
 const COMMANDS: usize = 8;
+/// Least time for finding the references, s: old ones have to be forgotten first.
+const HOMING_LEAST_S: f64 = 0.1;
 /// Longest time for finding the references, s.
 const HOMING_S: f64 = 120.0;
 
@@ -60,8 +62,9 @@ pub struct Executive<'a, D, P> {
     /// Until when the process may be started, s.
     armed_until: f64,
     pub(super) pace: f64,
-    /// The program shall go back.
+    /// The program shall go back, or stand still where it does.
     pub(super) reverse: bool,
+    pub(super) halt: bool,
     /// What the hand on the keys wants, fresh in this cycle.
     pub(super) jog: Option<jog::Command>,
     quit: bool,
@@ -91,6 +94,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             armed_until: f64::NEG_INFINITY,
             pace: 1.0,
             reverse: false,
+            halt: false,
             jog: None,
             quit: false,
             cycles: 0,
@@ -113,9 +117,27 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
                     self.power &= self.mode.has_power();
                     self.rest_at_actual();
                     self.tick(Doing::default(), work);
+                    if self.mode == Mode::Idle && self.reports.drives.powered && self.unreferenced() == 0 {
+                        self.event(Event::Homed);
+                    }
                 }
             }
         }
+        // Whoever ends leaves nothing on.
+        self.power = false;
+        self.process.kill();
+        self.orders = Orders { set: self.orders.set, watchdog: !self.orders.watchdog, ..Orders::default() };
+        self.devices.exchange(&self.orders, &mut self.reports);
+    }
+
+    /// All axes, a bit each.
+    pub(super) fn all_axes(&self) -> u16 {
+        (1u16 << self.machine.axes.len()) - 1
+    }
+
+    /// Axes whose reference is not known, a bit each.
+    fn unreferenced(&self) -> u16 {
+        !self.reports.drives.referenced & self.all_axes()
     }
 
     /// Time since it began, s.
@@ -141,6 +163,9 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             Event::Home | Event::Jog | Event::Teach | Event::DryRun => Level::Motion,
             Event::Weld => Level::Process,
             Event::Reset => {
+                if self.busy {
+                    add(Missing::Moving);
+                }
                 self.standing().for_each(|(alarm, detail)| add(Missing::Alarm(alarm, detail)));
                 return missing;
             }
@@ -151,6 +176,24 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         }
         if event == Event::SwitchOff {
             return missing;
+        }
+        let silent = |age_s: f64| age_s.is_nan() || age_s > LATE_S;
+        for (device, age_s, needed) in [
+            ("drives", self.reports.drives.age_s, true),
+            ("inputs", self.reports.inputs_age_s, true),
+            ("process source", self.reports.source.age_s, event == Event::Weld),
+        ] {
+            if needed && silent(age_s) {
+                add(Missing::Silent(device));
+            }
+        }
+        if event != Event::SwitchOn {
+            if !(self.power && self.reports.drives.powered) {
+                add(Missing::Power);
+            }
+            if event != Event::Home && self.unreferenced() != 0 {
+                add(Missing::References(self.unreferenced()));
+            }
         }
         let unmet = self.interlocks.unmet(level, self.reports.inputs);
         (0..64u8).filter(|i| unmet >> i & 1 == 1).for_each(|i| add(Missing::Condition(i)));
@@ -164,7 +207,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             }
         }
         if event == Event::Weld {
-            if !self.reports.source.ready {
+            if !self.reports.source.ready || self.reports.source.fault != 0 {
                 add(Missing::Source);
             }
             if !self.is_armed() {
@@ -186,7 +229,9 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         let start = start.or_else(|| Some(work.passes.get(work.start.pass)?.planned.path.at(work.start.welded_mm)))?;
         let off = |i: usize| (self.orders.set[i].position - start[i]).abs();
         let worst = (0..self.machine.axes.len()).max_by(|a, b| off(*a).total_cmp(&off(*b)))?;
-        (off(worst) > AT_START).then_some(worst as u8)
+        // What is no number is not there.
+        let there = off(worst) <= AT_START;
+        (!there).then_some(worst as u8)
     }
 
     pub(super) fn is_armed(&self) -> bool {
@@ -218,30 +263,41 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         }
     }
 
-    /// Looks for the references until they are known.
+    /// Looks for the references until they are known; the drives move the axes then, and say where they are.
     fn home(&mut self) {
         let begun = self.now();
-        let all = (1u16 << self.machine.axes.len()) - 1;
         while self.mode == Mode::Homing {
             self.orders.home = true;
             self.rest_at_actual();
             self.tick(Doing::default(), None);
-            if self.reports.drives.referenced & all == all {
+            let took = self.now() - begun;
+            if self.mode == Mode::Homing && self.unreferenced() == 0 && took > HOMING_LEAST_S {
                 self.event(Event::Homed);
-            } else if self.now() - begun > HOMING_S {
+            } else if took > HOMING_S {
+                self.happened(Alarm::NoReference, 0);
                 self.event(Event::Abort);
             }
         }
+        // Where a reference is found positions change their meaning: what is held from here on is where the axes say they are.
         self.orders.home = false;
-        self.rest_at_actual();
+        self.take_actual();
+    }
+
+    /// Set-points where the axes are.
+    fn take_actual(&mut self) {
+        for (set, position) in self.orders.set.iter_mut().zip(self.reports.drives.position) {
+            *set = SetPoint { position, velocity: 0.0, acceleration: 0.0 };
+        }
     }
 
     /// Set-points of axes that nobody moves: where they are held, or where they are if they are not.
     fn rest_at_actual(&mut self) {
         let held = self.power && self.reports.drives.powered && self.mode != Mode::Homing;
-        for (set, position) in self.orders.set.iter_mut().zip(self.reports.drives.position) {
-            let position = if held { set.position } else { position };
-            *set = SetPoint { position, velocity: 0.0, acceleration: 0.0 };
+        if !held {
+            return self.take_actual();
+        }
+        for set in &mut self.orders.set {
+            *set = SetPoint { position: set.position, velocity: 0.0, acceleration: 0.0 };
         }
     }
 
@@ -255,7 +311,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         self.orders.process.gas = doing.gas;
         self.orders.process.values = doing.values;
         self.devices.exchange(&self.orders, &mut self.reports);
-        self.cycles += 1;
+        self.cycles += 1 + u64::from(self.reports.missed);
         if let Some(alarm) = alarm {
             self.happened(alarm, 0);
         }
@@ -297,6 +353,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             if ask == Ask::Stop {
                 self.process.kill();
             }
+            self.halt = true;
             self.event(if ask == Ask::Stop { Event::Abort } else { Event::Hold });
             return Ok(());
         }
@@ -324,24 +381,18 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         if starts {
             self.welds = event == Event::Weld;
         }
-        self.reverse = false;
+        (self.reverse, self.halt) = (false, false);
         self.event(event);
         self.disarm();
         match event {
-            Event::SwitchOn => self.switch_on(),
+            Event::SwitchOn => {
+                self.power = true;
+                self.supervision.switched_on();
+            }
             Event::SwitchOff => self.power = false,
             _ => {}
         }
         Ok(())
-    }
-
-    fn switch_on(&mut self) {
-        self.power = true;
-        self.supervision.switched_on();
-        let all = (1u16 << self.machine.axes.len()) - 1;
-        if self.reports.drives.referenced & all == all {
-            self.event(Event::Homed);
-        }
     }
 
     /// Commands that change no mode.
@@ -363,14 +414,13 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             Ask::Jog(command) if matches!(self.mode, Mode::Jog | Mode::Teach) => self.jog = Some(command),
             Ask::Jog(_) => return Err(Missing::Mode(super::Refused { mode: self.mode, event: Event::Jog })),
             Ask::Reverse if self.mode == Mode::Hold => {
-                let unmet = self.interlocks.unmet(Level::Motion, self.reports.inputs);
-                if unmet != 0 {
-                    return Err(Missing::Condition(unmet.trailing_zeros() as u8));
+                if let Some(missing) = self.missing(Event::DryRun, work).first() {
+                    return Err(*missing);
                 }
-                self.reverse = true;
+                (self.reverse, self.halt) = (true, false);
             }
             Ask::Reverse => return Err(Missing::Motion),
-            Ask::Quit if self.busy || self.mode.moves() => return Err(Missing::Moving),
+            Ask::Quit if self.busy || self.power => return Err(Missing::Moving),
             Ask::Quit => self.quit = true,
             _ => return Err(Missing::Motion),
         }

@@ -30,6 +30,8 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         while matches!(self.mode, Mode::Jog | Mode::Teach) || !jog.state().rests() {
             let jogs = matches!(self.mode, Mode::Jog | Mode::Teach);
             let wanted = if jogs { self.jog } else { Some(jog::Command::Rest) };
+            // At an override of 0 the keys do nothing.
+            let wanted = wanted.filter(|_| !jogs || jog.set_override(self.pace).is_ok());
             if let Some(command) = wanted {
                 // What cannot be is refused, and what was wanted before stays.
                 jog.command(&command).ok();

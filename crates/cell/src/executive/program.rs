@@ -7,6 +7,8 @@ use super::mode::{Event, Mode};
 use super::state::{Note, Port};
 use super::work::Work;
 use super::{Alarm, Executive, ProcessState, VALUES};
+use seamwright_machine::Joints;
+use seamwright_motion::air::Leg;
 use seamwright_motion::pace::{Instant, Order, Pace, Run, RunPhase, Timed};
 use seamwright_program::Sequence;
 
@@ -24,8 +26,17 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     /// Runs the program until it ends or is given up.
     pub(super) fn run(&mut self, work: &Work<'_>) {
         self.busy = true;
+        let before = Place { pass: work.start.pass + 1, s_mm: work.start.welded_mm };
         self.leave(None);
-        let done = self.fly(work, &work.start.approach.legs) && self.weld(work);
+        // The axes are near to where the way begins: never a step.
+        let mut here = Joints::default();
+        here.iter_mut().zip(&self.orders.set).for_each(|(q, set)| *q = set.position);
+        let first = work.start.approach.legs.first().map(|leg| Leg::new(self.machine, &here, leg.start()));
+        let there = self.fly(work, first.as_slice()) && self.fly(work, &work.start.approach.legs);
+        if !there && self.welds && before.s_mm > 0.0 {
+            self.leave(Some(before));
+        }
+        let done = there && self.weld(work);
         self.busy = false;
         if done {
             self.event(Event::Finish);
@@ -56,7 +67,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     }
 
     /// Legs in the air; false if it was given up.
-    fn fly(&mut self, work: &Work<'_>, legs: &[seamwright_motion::air::Leg]) -> bool {
+    fn fly(&mut self, work: &Work<'_>, legs: &[Leg]) -> bool {
         legs.iter().all(|leg| {
             let sequence = Sequence::default();
             leg.duration() <= 0.0 || self.play(work, &Stretch { law: leg, sequence, pass: None, from_mm: 0.0 })
@@ -73,6 +84,8 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         };
         let mut run = Run::new(pace, stretch.sequence.clone(), &[]);
         let welds = self.welds && stretch.pass.is_some_and(|i| work.passes[i].planned.arc);
+        // Nothing burns before it was asked for.
+        run.set_burning(!welds);
         let mut asked = 1.0;
         self.steer(&mut run, &mut asked);
         let mut seen = Mode::Hold;
@@ -89,6 +102,11 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             if now.phase == RunPhase::Ended {
                 break;
             }
+            if now.phase == RunPhase::Held && self.mode.moves() {
+                // It stands by itself, at an override of 0.
+                self.event(Event::Hold);
+                seen = self.mode;
+            }
             let burns = self.process.state() == ProcessState::Burns;
             burnt_s = if burns { burnt_s + self.machine.servo_period_s } else { 0.0 };
             let doing = self.doing(work, stretch.pass.filter(|_| welds), (now, run.welded_to(), burnt_s), stretch.pass);
@@ -96,7 +114,13 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             self.set(&rates.q, &rates.v, &rates.a);
             self.tick(doing, Some(work));
             run.set_burning(!welds || self.process.state() == ProcessState::Burns);
+            let rests = self.orders.set.iter().all(|set| set.velocity == 0.0);
+            if self.mode == Mode::Fault && rests && !self.process.on() {
+                // The gas after the arc is not worth the power.
+                self.power = false;
+            }
             if !self.power {
+                self.doing.welded_mm = run.welded_to();
                 return false;
             }
         }
@@ -109,6 +133,10 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         let order = match (seen, self.mode) {
             (Mode::Hold, Mode::DryRun | Mode::Weld) => Order::Resume,
             (Mode::DryRun | Mode::Weld, Mode::Hold) => Order::Hold,
+            (Mode::Hold, Mode::Hold) if self.halt => {
+                self.halt = false;
+                Order::Hold
+            }
             (Mode::Hold, Mode::Hold) if self.reverse => {
                 self.reverse = false;
                 Order::Reverse

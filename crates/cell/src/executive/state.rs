@@ -60,6 +60,10 @@ pub enum Missing {
     Moving,
     /// Axes whose reference is not known, a bit each.
     References(u16),
+    /// The drives have no power yet.
+    Power,
+    /// A device has not been heard of for too long: drives, inputs or source.
+    Silent(&'static str),
     /// A condition is not met: its number from 0.
     Condition(u8),
     /// An alarm is there or not acknowledged; and which axis or condition.
@@ -90,6 +94,8 @@ impl Missing {
                 let list: Vec<String> = (0..16u8).filter(|i| bits >> i & 1 == 1).map(|i| name(axes, i)).collect();
                 format!("the reference of {} is not known: home first", list.join(", "))
             }
+            Self::Power => "the drives have no power yet: wait a moment".to_owned(),
+            Self::Silent(device) => format!("the {device} cannot be heard: check cable and device"),
             Self::Condition(i) => format!("`{}` is not met", name(conditions, *i)),
             Self::Alarm(alarm, i) => {
                 let of = match alarm {
@@ -105,10 +111,7 @@ impl Missing {
             Self::Arming => "the process is not armed: arm, then start within a minute".to_owned(),
             Self::Source => "the process source is not ready".to_owned(),
             Self::NotAtStart(i) => {
-                format!(
-                    "axis {} is not where the way to the weld begins: home, or plan the way from here",
-                    name(axes, *i)
-                )
+                format!("axis {} is not where the way to the weld begins", name(axes, *i))
             }
             Self::Work => "no program is loaded".to_owned(),
             Self::Value => "the number is outside what is allowed".to_owned(),

@@ -18,15 +18,20 @@ const PERIODS: u32 = 3;
 /// Allowed following error: 1 mm or degree at rest, and what a speed makes in this time, s.
 const FOLLOWING_S: f64 = 0.01;
 
+/// Part of a cycle by which the drives' store fills again in a cycle.
+const REFILLS: f64 = 0.01;
+
 /// What supervision remembers from cycle to cycle.
 #[derive(Debug, Clone)]
 pub(super) struct Supervision {
-    /// Starts of drives, inputs and source that are known; none before the first report.
-    starts: Option<[u32; 3]>,
+    /// Starts of drives, inputs and source that are known; 0 before the first report.
+    starts: [u32; 3],
     /// Periods for which each axis' following error was too great.
     following: [u32; MAX_AXES],
     /// Time for which each process value was off, s.
     off: [f64; VALUES],
+    /// Cycles missed lately: each counts less by the hundredth part of one in every cycle since.
+    missed: f64,
     /// Time since power was asked for, s.
     powered_for: f64,
     /// Allowed following error of each axis at rest, mm or rad.
@@ -39,7 +44,7 @@ impl Supervision {
         for (allowed, axis) in allowed.iter_mut().zip(&machine.axes) {
             *allowed = if axis.kind == AxisKind::Linear { 1.0 } else { 1f64.to_radians() };
         }
-        Self { starts: None, following: [0; MAX_AXES], off: [0.0; VALUES], powered_for: 0.0, allowed }
+        Self { starts: [0; 3], following: [0; MAX_AXES], off: [0.0; VALUES], missed: 0.0, powered_for: 0.0, allowed }
     }
 
     pub(super) fn switched_on(&mut self) {
@@ -55,7 +60,10 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         self.judge_inputs();
         self.judge_source();
         self.judge_values();
-        self.condition(Alarm::Overrun, 0, self.reports.missed > self.devices.rides_out());
+        let missed = &mut self.supervision.missed;
+        *missed = (*missed - REFILLS).max(0.0) + f64::from(self.reports.missed);
+        let too_many = *missed > f64::from(self.devices.rides_out());
+        self.condition(Alarm::Overrun, 0, too_many);
         self.condition(Alarm::RecordFailing, 0, self.port.record_fails());
     }
 
@@ -63,17 +71,24 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         let period = self.machine.servo_period_s;
         let drives = self.reports.drives;
         let starts = [drives.starts, self.reports.inputs_starts, self.reports.source.starts];
-        let known = *self.supervision.starts.get_or_insert(starts);
-        self.supervision.starts = Some(starts);
+        let known = std::mem::replace(&mut self.supervision.starts, starts);
         let restarted = [Alarm::DrivesRestarted, Alarm::InputsRestarted, Alarm::SourceRestarted];
         for (i, alarm) in restarted.into_iter().enumerate() {
-            if starts[i] != known[i] {
+            // The first report of all is no restart.
+            if starts[i] != known[i] && known[i] > 0 {
                 self.happened(alarm, 0);
             }
         }
+        let fresh = drives.age_s <= DRIVES_LATE * period;
+        let lost = fresh && drives.referenced & self.all_axes() != self.all_axes();
+        if lost && self.power && !matches!(self.mode, Mode::Idle | Mode::Homing) {
+            self.happened(Alarm::DrivesRestarted, 0);
+        }
         self.condition(Alarm::DrivesSilent, 0, drives.age_s > DRIVES_LATE * period);
         for i in 0..self.machine.axes.len() {
-            self.condition(Alarm::DriveFault, i as u8, drives.fault >> i & 1 == 1);
+            // A position that is no number is none.
+            let fault = drives.fault >> i & 1 == 1 || !drives.position[i].is_finite();
+            self.condition(Alarm::DriveFault, i as u8, fault);
             self.condition(Alarm::LimitSwitch, i as u8, drives.limit_switch >> i & 1 == 1);
         }
         self.supervision.powered_for = if self.power { self.supervision.powered_for + period } else { 0.0 };
@@ -131,6 +146,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         self.condition(Alarm::SourceSilent, 0, source.age_s > LATE_S && used);
         self.condition(Alarm::SourceFault, 0, source.fault != 0 && used);
         self.condition(Alarm::WireStuck, 0, source.stuck);
+        self.condition(Alarm::ProcessStuckOn, 0, self.process.stays_on());
     }
 
     fn judge_values(&mut self) {
@@ -139,7 +155,10 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         let burns = self.process.state() == ProcessState::Burns && self.reports.source.age_s <= LATE_S;
         for i in 0..VALUES {
             let (asked, actual) = (self.orders.process.values[i], self.reports.source.values[i]);
-            let off = burns && actual.is_finite() && (actual - asked).abs() > settings.within * asked.abs().max(1e-9);
+            let off = burns
+                && actual.is_finite()
+                && asked.is_finite()
+                && (actual - asked).abs() > settings.within * asked.abs().max(1e-9);
             let time = &mut self.supervision.off[i];
             let before = *time;
             *time = if off { *time + period } else { 0.0 };
@@ -205,6 +224,8 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     }
 
     fn hold(&mut self) {
+        // What is held may go back: then it stands still too.
+        self.halt = true;
         if matches!(self.mode, Mode::DryRun | Mode::Weld) {
             self.event(Event::Hold);
         }

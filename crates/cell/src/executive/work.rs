@@ -66,22 +66,25 @@ pub struct Work<'a> {
 impl<'a> Work<'a> {
     /// `passes` are those that `motion` was planned for; `around` is what jogging keeps clear of.
     ///
-    /// More than [`VALUES`] process values cannot be carried: the rest is left out.
+    /// # Errors
+    /// How many process values there are, if they are more than [`VALUES`].
     pub fn new(
         machine: &'a Machine,
         around: Option<&'a Surroundings<'a>>,
         passes: &[&'a Pass],
         motion: &'a WeldMotion,
         start: Start,
-    ) -> Self {
+    ) -> Result<Self, usize> {
         let mut values: Vec<String> =
             passes.iter().flat_map(|p| &p.spans).flat_map(|s| s.process.keys().cloned()).collect();
         values.sort();
         values.dedup();
-        values.truncate(VALUES);
+        if values.len() > VALUES {
+            return Err(values.len());
+        }
         let works = passes.iter().zip(&motion.passes);
         let passes = works.map(|(pass, planned)| PassWork { pass, timed: planned.timed(machine), planned }).collect();
-        Self { around, passes, air: &motion.air, limits: Limits::of(machine), start, values }
+        Ok(Self { around, passes, air: &motion.air, limits: Limits::of(machine), start, values })
     }
 
     /// Names of the process values, in the order of their places in orders and reports.
@@ -92,9 +95,9 @@ impl<'a> Work<'a> {
     /// Process values of pass `pass` (from 0) at path length `s`, `clock` being the times since arc or beam came on and until it
     /// goes off, s.
     pub(super) fn process_at(&self, pass: usize, s: f64, clock: (f64, f64)) -> [f64; VALUES] {
-        let mut values = [0.0; VALUES];
+        let mut values = [f64::NAN; VALUES];
         for (value, name) in values.iter_mut().zip(&self.values) {
-            *value = self.passes[pass].pass.process_at(name, s, clock).unwrap_or(0.0);
+            *value = self.passes[pass].pass.process_at(name, s, clock).unwrap_or(f64::NAN);
         }
         values
     }

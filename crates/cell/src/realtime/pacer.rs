@@ -105,8 +105,8 @@ mod tests {
                 std::thread::sleep(std::time::Duration::from_millis(5));
             }
         }
-        // Five sleeps of 5 ms leave out two cycles each, at least.
-        assert!(pacer.latency().missed() >= 8, "{}", pacer.latency().missed());
+        // Five sleeps of 5 ms leave out a cycle each, at least.
+        assert!(pacer.latency().missed() >= 5, "{}", pacer.latency().missed());
         assert_eq!(pacer.latency().count(), 50);
     }
 }

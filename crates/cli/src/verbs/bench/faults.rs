@@ -22,8 +22,8 @@ pub(super) fn run(args: &BenchFaultsArgs) -> Result<(), Failure> {
     let place = Place { pass: 1, s_mm: motion.passes[0].path.length() - LAST_MM };
     let near_end = Start::at_place(machine, &around, &motion, &machine.home(), place)
         .map_err(|e| Failure::Input(e.to_string()))?;
-    let begin = Work::new(machine, None, &passes, &motion, Start::at_home(&motion));
-    let end = Work::new(machine, None, &passes, &motion, near_end);
+    let work = |start| Work::new(machine, None, &passes, &motion, start).map_err(crate::verbs::run::too_many);
+    let (begin, end) = (work(Start::at_home(&motion))?, work(near_end)?);
     let stage = Stage { machine, begin: &begin, end: &end };
     let cases = campaign::cases(machine);
     let progress = Progress::new("faults", args.seeds * cases.len() as u64);

@@ -15,7 +15,7 @@ use seamwright_cell::devices::{
     Device, DeviceSet, Fault, Faulty, InputBits, SimulatedDrives, SimulatedInputs, SimulatedSource, When,
 };
 use seamwright_cell::executive::{
-    Command, Cycle, Devices, DriveReport, Executive, Interlocks, Note, Place, Port, SourceReport, Start, Work,
+    Command, Cycle, Devices, DriveReport, Executive, Interlocks, Note, Place, Port, SourceReport, Start, VALUES, Work,
 };
 use seamwright_cell::realtime::{Footing, Latency, Outside, Paced, Pacer, Shown, live};
 use seamwright_machine::{Machine, Surroundings};
@@ -85,6 +85,11 @@ pub(super) fn simulate(args: &SimulateArgs) -> Result<(), Failure> {
     })
 }
 
+/// A program with more process values than a cell carries.
+pub(super) fn too_many(values: usize) -> Failure {
+    Failure::Input(format!("the program has {values} process values\n   allowed: up to {VALUES}"))
+}
+
 /// Opens the desk, lets `cell` run under it, and closes it.
 fn with_work(
     loaded: &Loaded,
@@ -99,7 +104,7 @@ fn with_work(
     loaded.check_count(motion, machine.servo_period_s)?;
     let around = Surroundings::new(machine, &loaded.clamped).map_err(|e| Failure::Input(e.to_string()))?;
     let passes: Vec<&Pass> = program.passes.iter().collect();
-    let work = Work::new(machine, Some(&around), &passes, motion, Start::at_home(motion));
+    let work = Work::new(machine, Some(&around), &passes, motion, Start::at_home(motion)).map_err(too_many)?;
     let mut output = Output::new(folder)?;
     let table = Table::new(&output, machine, program, work.values())?;
     let mut desk = Desk::new(machine, table, lines, json);

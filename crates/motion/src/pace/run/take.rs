@@ -27,7 +27,9 @@ impl<L: Timed + ?Sized> Run<'_, L> {
                 }
                 return Ok(());
             }
-            Order::Resume | Order::Step | Order::StepTo(_) if self.zero => return Err(PaceError::Zero),
+            Order::Resume | Order::Reverse | Order::Step | Order::StepTo(_) if self.zero => {
+                return Err(PaceError::Zero);
+            }
             Order::Hold => self.stop_for(Then::Wait),
             Order::Reverse => self.stop_for(Then::Back),
             Order::Abort => self.stop_for(Then::End),
