@@ -8,6 +8,7 @@ pub(crate) mod machine;
 pub(crate) mod move_to;
 pub(crate) mod post;
 pub(crate) mod read;
+pub(crate) mod records;
 pub(crate) mod reduce;
 pub(crate) mod run;
 pub(crate) mod stripe;
@@ -81,6 +82,8 @@ pub(crate) enum Verb {
     Examples(ListArgs),
     /// List the welding procedures that ship, or print one to copy
     Procedures(ListArgs),
+    /// Recorded welds: list, show, export, verify, recover after a crash
+    Records(records::RecordsArgs),
     /// This build measured on its own gates
     Bench(bench::BenchArgs),
     /// JSON Schema of a file format
@@ -214,7 +217,8 @@ pub(crate) struct MotionArgs {
     allow_negative_numbers = true,
     after_help = "Examples:
   seamwright simulate examples/saddle.toml -o out/saddle --seed 7
-  seamwright simulate examples/saddle.toml -o out/misplaced --distortion examples/distortions/misplaced.toml"
+  seamwright simulate examples/saddle.toml -o out/misplaced --distortion examples/distortions/misplaced.toml
+  seamwright simulate examples/saddle.toml -o out/saddle --data records --part N-17 --welder 'A. Welder'"
 )]
 pub(crate) struct SimulateArgs {
     /// Job or program file
@@ -234,8 +238,10 @@ pub(crate) struct SimulateArgs {
     pub(crate) no_tracking: bool,
     /// A fault of a device, like drives:silent@12.5 or source:wrong@30+0.5 (docs/faults.md): the weld runs under the executive, from
     /// switching on; may be repeated. Writes trace.parquet, events.jsonl and run.json
-    #[arg(long, value_name = "SPEC", conflicts_with_all = ["distortion", "no_tracking"])]
+    #[arg(long, value_name = "SPEC", conflicts_with_all = ["distortion", "no_tracking", "data"])]
     pub(crate) fault: Vec<seamwright_cell::devices::Fault>,
+    #[command(flatten)]
+    pub(crate) record: records::RecordArgs,
     /// Print report.json instead of a summary
     #[arg(long)]
     pub(crate) json: bool,
