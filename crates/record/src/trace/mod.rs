@@ -2,7 +2,7 @@
 //!
 //! While the weld runs, [`TraceWriter`] appends rows to a raw file: a header that says columns and units, then blocks
 //! with a checksum, on the disk at least every half second. When the weld ends, each raw file becomes a Parquet file,
-//! written whole, and goes. What a crash leaves is read up to its last whole block by [`recover`]. [`Trace`] reads the
+//! written whole, and goes. What a crash leaves is read up to its last whole block by [`recover()`]. [`Trace`] reads the
 //! Parquet files.
 //!
 //! # The raw file

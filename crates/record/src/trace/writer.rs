@@ -128,7 +128,7 @@ impl TraceWriter {
     /// Ends the trace: its Parquet files, in order.
     ///
     /// # Errors
-    /// If a file cannot be written; its rows are then still in the raw file, for [`super::recover`].
+    /// If a file cannot be written; its rows are then still in the raw file, for [`super::recover()`].
     pub fn finish(mut self) -> Result<Vec<Part>, Error> {
         let flushed = self.raw.flush();
         self.wait();
