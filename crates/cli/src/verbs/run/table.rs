@@ -85,7 +85,7 @@ fn row(machine: &Machine, c: &Shown, values: usize) -> Vec<f64> {
     };
     let mut row = vec![
         c.t,
-        c.mode as u8 as f64,
+        f64::from(c.mode as u8),
         c.place.pass as f64,
         if in_pass { c.place.s_mm } else { f64::NAN },
         if in_pass { c.welded_mm } else { f64::NAN },
