@@ -9,6 +9,7 @@ pub(crate) mod move_to;
 pub(crate) mod post;
 mod pulses;
 pub(crate) mod read;
+pub(crate) mod records;
 pub(crate) mod reduce;
 pub(crate) mod run;
 mod simulate;
@@ -85,6 +86,8 @@ pub(crate) enum Verb {
     Examples(ListArgs),
     /// List the welding procedures that ship, or print one to copy
     Procedures(ListArgs),
+    /// Recorded welds: list, show, export, verify, recover after a crash
+    Records(records::RecordsArgs),
     /// This build measured on its own gates
     Bench(bench::BenchArgs),
     /// JSON Schema of a file format

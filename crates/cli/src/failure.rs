@@ -105,7 +105,7 @@ impl From<seamwright_cell::tracking::Error> for Failure {
 
 impl From<seamwright_record::Error> for Failure {
     fn from(e: seamwright_record::Error) -> Self {
-        Self::Environment(e.to_string())
+        if e.is_input() { Self::Input(e.to_string()) } else { Self::Environment(e.to_string()) }
     }
 }
 

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use std::fs;
 use std::io::{BufWriter, Read as _, Write};
 use std::path::{Path, PathBuf};
-use tempfile::NamedTempFile;
+use tempfile::{NamedTempFile, TempDir};
 
 /// Most bytes of a file.
 const MOST_BYTES: u64 = 1 << 30;
@@ -106,6 +106,22 @@ impl Output {
     /// Takes a written file under its name.
     pub(crate) fn add(&mut self, name: &str, file: NamedTempFile) {
         self.files.push((file, self.folder.join(name)));
+    }
+
+    /// A folder for what is not finished; it goes with this value.
+    pub(crate) fn scratch(&self) -> Result<TempDir, Failure> {
+        let folder = tempfile::Builder::new().prefix(".seamwright-").tempdir_in(&self.folder);
+        folder.map_err(|e| not_writable(&self.folder, &e))
+    }
+
+    /// Takes a copy of the file at `from` under `name`, whatever stands there.
+    pub(crate) fn take(&mut self, name: &str, from: &Path) -> Result<(), Failure> {
+        let unreadable = |e| Failure::Input(format!("{}: cannot be read: {e}", from.display()));
+        let mut source = fs::File::open(from).map_err(unreadable)?;
+        let mut file = self.open()?;
+        std::io::copy(&mut source, &mut file).map_err(|e| not_writable(&self.folder, &e))?;
+        self.add(name, file);
+        Ok(())
     }
 
     /// Takes a text under its name.

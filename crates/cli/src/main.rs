@@ -54,6 +54,7 @@ fn run(verb: Option<Verb>) -> Result<(), Failure> {
         Some(Verb::Follow(a)) => verbs::follow::run(&a),
         Some(Verb::Reduce(a)) => verbs::reduce::run(&a),
         Some(Verb::FindJoint(a)) => verbs::find_joint::run(&a),
+        Some(Verb::Records(a)) => verbs::records::run(&a),
         Some(Verb::Bench(a)) => verbs::bench::run(&a),
         Some(Verb::Teach(a)) => verbs::teach::run(&a),
         Some(Verb::Edit(a)) => verbs::edit::run(&a),

@@ -1,12 +1,31 @@
-//! Records of welds: the trace of a weld as a Parquet file, and pulses as a value change dump.
+//! Records of welds, for years: plain data in, plain data out.
 //!
-//! Columns of a trace are named with their unit and indexed by time and by path length `s_mm`; every column's unit
-//! stands in the file's key-value metadata too (`unit:<column>`).
+//! - [`trace`]: rows of a weld, written while it runs and readable after a crash; Parquet in the end.
+//! - [`journal`]: where the weld was, for the day the power fails.
+//! - [`library`]: jobs, programs, machines, procedures, welders, welds, alarms, events and the audit log, in SQLite.
+//! - [`figures`]: what a trace comes to: heat input and deviations along the seam, values against their windows.
+//! - [`DataFolder`] puts them together: a weld is begun, recorded and ended in it.
+//! - [`VcdWriter`]: pulses as a value change dump.
+//!
+//! `docs/records.md` has the folder, the tables and the columns.
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
-mod trace;
+mod data_folder;
+mod error;
+pub mod figures;
+mod hash;
+pub mod journal;
+pub mod library;
+mod moment;
+mod recording;
+pub mod trace;
 mod vcd;
+mod whole_file;
 
-pub use trace::{Error, TraceWriter};
+pub use data_folder::{DataFolder, Recovered, Verified};
+pub use error::Error;
+pub use hash::{sha256, sha256_of_file};
+pub use moment::Moment;
+pub use recording::{Outcome, Plan, Recording};
 pub use vcd::{VcdAxis, VcdWriter, Wire};

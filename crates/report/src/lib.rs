@@ -2,7 +2,8 @@
 //!
 //! Pure data in, `String` out: numbers and curves set so that an engineer can judge them at a glance, on a screen
 //! (light or dark), on a telephone and on A4 paper. Nothing it writes loads a script, a font or an image from
-//! elsewhere. Only the folder `weld` knows of welding and machines: it fills the page with a weld.
+//! elsewhere. Only the folders `weld`, `record` and `machine` know of welding and machines: they fill
+//! the page with a planned weld, a recorded one, a machine.
 //!
 //! - [`Chart`] plots series over one axis, against limits; [`ChartGrid`] sets several on one x axis.
 //! - [`Bode`] makes them a frequency response with its margins.
@@ -31,6 +32,7 @@ mod page;
 mod place;
 mod plot;
 mod projection;
+mod record;
 mod series;
 mod sheet;
 mod style;
@@ -51,6 +53,7 @@ pub use machine::{MachineDrawing, check_page, check_text};
 pub use number::format_number;
 pub use order::{OrderDrawing, OrderedLine};
 pub use page::{Page, Verdict};
+pub use record::recorded_weld_page;
 pub use series::{Series, Style};
 pub use sheet::sheet;
 pub use views::{Mark, ThreeViews};

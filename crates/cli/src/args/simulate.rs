@@ -1,5 +1,6 @@
 //! Arguments of `seamwright simulate`.
 
+use super::records::RecordArgs;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -8,7 +9,8 @@ use std::path::PathBuf;
     allow_negative_numbers = true,
     after_help = "Examples:
   seamwright simulate examples/saddle.toml -o out/saddle --seed 7
-  seamwright simulate examples/saddle.toml -o out/misplaced --distortion examples/distortions/misplaced.toml"
+  seamwright simulate examples/saddle.toml -o out/misplaced --distortion examples/distortions/misplaced.toml
+  seamwright simulate examples/saddle.toml -o out/saddle --data records --part N-17 --welder 'A. Welder'"
 )]
 pub(crate) struct SimulateArgs {
     /// Job or program file
@@ -31,8 +33,10 @@ pub(crate) struct SimulateArgs {
     pub(crate) no_tracking: bool,
     /// A fault of a device, like drives:silent@12.5 or source:wrong@30+0.5 (docs/faults.md): the weld runs under the executive, from
     /// switching on; may be repeated. Writes trace.parquet, events.jsonl and run.json
-    #[arg(long, value_name = "SPEC", conflicts_with_all = ["distortion", "no_tracking", "replay"])]
+    #[arg(long, value_name = "SPEC", conflicts_with_all = ["distortion", "no_tracking", "replay", "data"])]
     pub(crate) fault: Vec<seamwright_cell::devices::Fault>,
+    #[command(flatten)]
+    pub(crate) record: RecordArgs,
     /// Print report.json instead of a summary
     #[arg(long)]
     pub(crate) json: bool,

@@ -1,5 +1,6 @@
 use super::plan::{finish, write_program};
 use super::simulate::{judge, weld};
+use crate::args::records::RecordArgs;
 use crate::examples::EXAMPLES;
 use crate::failure::Failure;
 use crate::files::Output;
@@ -16,7 +17,8 @@ pub(crate) fn run() -> Result<(), Failure> {
     let loaded = load_text(&format!("examples/{}.toml", example.name), example.text, Path::new("."))?;
     let motion = loaded.plan()?;
     let mut output = Output::new(Path::new(FOLDER))?;
-    let report = weld(&loaded, &motion, Conditions { seed: 1, ..Conditions::default() }, &mut output)?;
+    let report =
+        weld(&loaded, &motion, Conditions { seed: 1, ..Conditions::default() }, &mut output, &RecordArgs::default())?;
     write_program(&mut output, &loaded)?;
     finish(output, &report, false)?;
     judge(report)

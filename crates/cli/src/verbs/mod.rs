@@ -20,6 +20,8 @@ pub(crate) mod post;
 mod process;
 pub(crate) mod pulses;
 pub(crate) mod read;
+mod recorded;
+pub(crate) mod records;
 pub(crate) mod reduce;
 pub(crate) mod run;
 pub(crate) mod schema;

@@ -1,7 +1,9 @@
 use super::head_columns::HeadColumns;
 use super::plan::{finish, write_report};
 use super::process::{ArcClock, ProcessColumns};
+use super::recorded::{self, Header, Rows};
 use crate::args::SimulateArgs;
+use crate::args::records::RecordArgs;
 use crate::failure::Failure;
 use crate::files;
 use crate::files::Output;
@@ -11,10 +13,8 @@ use seamwright_cell::tracking::{Distortion, RESERVE, check};
 use seamwright_cell::{Conditions, Sample, Summary, simulate};
 use seamwright_machine::{Machine, Surroundings};
 use seamwright_motion::{PassMotion, WeldMotion};
-use seamwright_record::TraceWriter;
 use seamwright_report::{SimulationCurves, WeldReport};
 use seamwright_tracking::beam::DeviationRecord;
-use std::io::{BufWriter, Write};
 use std::path::Path;
 
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
@@ -45,7 +45,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
         check(&loaded.machine, &loaded.passes(&paths), &motion, &conditions)?;
     }
     let mut output = Output::new(&args.output)?;
-    let report = weld(&loaded, &motion, conditions, &mut output)?;
+    let report = weld(&loaded, &motion, conditions, &mut output, &args.record)?;
     finish(output, &report, args.json)?;
     judge(report)
 }
@@ -61,17 +61,18 @@ pub(super) fn judge(report: WeldReport) -> Result<(), Failure> {
     if report.findings.iter().all(|f| f.allowed) { Ok(()) } else { Err(Failure::Findings(report.findings)) }
 }
 
-/// Welds in simulation; adds the trace, the report and the deviations that a beam found to `output`.
+/// Welds in simulation; adds the trace, the report and the deviations that a beam found to `output`, and records the weld if it
+/// is to be.
 pub(super) fn weld(
     loaded: &Loaded,
     motion: &WeldMotion,
     conditions: Conditions<'_>,
     output: &mut Output,
+    record: &RecordArgs,
 ) -> Result<WeldReport, Failure> {
     let Loaded { welding, machine, .. } = loaded;
-    let mut file = output.open()?;
-    let outcome = trace(loaded, motion, conditions, BufWriter::new(&mut file))?;
-    output.add("trace.parquet", file);
+    let begin = |header: &Header<'_>| recorded::begin(loaded, motion, header, output, record);
+    let (outcome, rows) = trace(loaded, motion, conditions, begin)?;
     let (report, plots) = WeldReport::new(machine, welding, motion, Some(outcome));
     for (i, pass) in report.passes.iter().enumerate() {
         // One head: a beam.
@@ -80,24 +81,29 @@ pub(super) fn weld(
             output.text(&format!("deviations-pass-{}.csv", i + 1), &found.to_csv())?;
         }
     }
+    rows.finish(&report, output)?;
     write_report(output, &report, &plots, welding)?;
     Ok(report)
 }
 
-/// Runs the simulation with its trace going to `out`.
+/// What each pass did, in numbers and in curves.
+type Simulated = (Vec<Summary>, Vec<SimulationCurves>);
+
+/// Runs the simulation; its rows go where `begin`, which gets columns and metadata, says.
 fn trace(
     loaded: &Loaded,
     motion: &WeldMotion,
     conditions: Conditions<'_>,
-    out: impl Write + Send,
-) -> Result<(Vec<Summary>, Vec<SimulationCurves>), Failure> {
+    begin: impl FnOnce(&Header<'_>) -> Result<Rows, Failure>,
+) -> Result<(Simulated, Rows), Failure> {
     let Loaded { welding, machine, .. } = loaded;
     let program = &welding.program.value;
     let (process, mut clock) = (ProcessColumns::new(program), ArcClock::new(motion));
     let about =
         [("title", program.title.clone()), ("machine", machine.name.clone()), ("seed", conditions.seed.to_string())];
     let heads = HeadColumns::new(loaded, &conditions);
-    let mut trace = TraceWriter::new(out, &columns(machine, &heads, process.names()), &about)?;
+    let columns = columns(machine, &heads, process.names());
+    let mut rows = begin(&Header { columns: &columns, about: &about })?;
     let curves = |p: &PassMotion| SimulationCurves::new(machine.axes.len(), p.path.length());
     let mut curves: Vec<SimulationCurves> = motion.passes.iter().map(curves).collect();
     let mut progress = Progress::new("welding in simulation", motion.count(machine.servo_period_s, false));
@@ -110,12 +116,9 @@ fn trace(
         }
         let values = process.values(sample.pass, sample.set.law.s, clock.at(sample.pass, &sample.set));
         let speed = motion.tip_speed(machine, sample.pass, &sample.set);
-        trace
-            .row(row(machine, sample, speed).into_iter().chain(heads.values(sample)).chain(values))
-            .map_err(Failure::from)
+        rows.row(row(machine, sample, speed).into_iter().chain(heads.values(sample)).chain(values))
     })?;
-    trace.finish()?.flush()?;
-    Ok((summaries, curves))
+    Ok(((summaries, curves), rows))
 }
 
 fn columns(machine: &Machine, heads: &HeadColumns, process: &[String]) -> Vec<(String, &'static str)> {

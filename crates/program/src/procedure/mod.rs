@@ -155,6 +155,14 @@ impl Procedure {
         Ok(document)
     }
 
+    /// The procedure as a file.
+    ///
+    /// # Errors
+    /// None in practice: every value in a procedure has a TOML form.
+    pub fn to_toml(&self) -> Result<String, toml::ser::Error> {
+        toml::to_string(self)
+    }
+
     /// Checks the procedure that stands in `file` in the table `table` (empty: it is the whole file).
     ///
     /// # Errors

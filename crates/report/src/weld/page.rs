@@ -405,7 +405,7 @@ fn nearest_text(c: &ClearanceFigures) -> Option<String> {
     Some(format!("Nearest: {between}, {} mm apart at s = {} mm.", number(c.nearest_mm), number(at)))
 }
 
-pub(super) fn table(caption: &str, head: &[&str], rows: Vec<Vec<String>>, numeric: std::ops::Range<usize>) -> Block {
+pub(crate) fn table(caption: &str, head: &[&str], rows: Vec<Vec<String>>, numeric: std::ops::Range<usize>) -> Block {
     Block::Table(Table {
         caption: caption.to_owned(),
         head: head.iter().map(|h| (*h).to_owned()).collect(),

@@ -244,8 +244,7 @@ impl Desk {
     /// Puts what was recorded into `output`.
     pub(super) fn close(&mut self, output: &mut Output, title: &str, ended: Ended) -> Result<(), Failure> {
         if let Some(table) = self.table.take() {
-            let file = table.finish()?;
-            output.add("trace.parquet", file);
+            table.finish(output)?;
         }
         let mut lines = String::new();
         for event in &self.events {

@@ -2,17 +2,15 @@
 
 use crate::failure::Failure;
 use crate::files::Output;
+use crate::verbs::recorded::{Header, TraceFile};
 use seamwright_cell::executive::{ProcessState, VALUES};
 use seamwright_cell::realtime::Shown;
 use seamwright_machine::Machine;
 use seamwright_program::Program;
-use seamwright_record::TraceWriter;
-use std::io::BufWriter;
-use tempfile::NamedTempFile;
 
 /// The trace as it grows.
 pub(super) struct Table {
-    writer: TraceWriter<BufWriter<NamedTempFile>>,
+    trace: TraceFile,
     machine: Machine,
     values: usize,
 }
@@ -25,20 +23,20 @@ impl Table {
         values: &[String],
     ) -> Result<Self, Failure> {
         let about = [("title", program.title.clone()), ("machine", machine.name.clone())];
-        let file = BufWriter::new(output.open()?);
-        let writer = TraceWriter::new(file, &columns(machine, values), &about)?;
-        Ok(Self { writer, machine: machine.clone(), values: values.len() })
+        let columns = columns(machine, values);
+        let header = Header { columns: &columns, about: &about };
+        let trace = TraceFile::begin(&header, machine.servo_period_s, output)?;
+        Ok(Self { trace, machine: machine.clone(), values: values.len() })
     }
 
     pub(super) fn row(&mut self, shown: &Shown) -> Result<(), Failure> {
         let row = row(&self.machine, shown, self.values);
-        self.writer.row(row).map_err(Failure::from)
+        self.trace.row(row)
     }
 
-    /// The finished file.
-    pub(super) fn finish(self) -> Result<NamedTempFile, Failure> {
-        let file = self.writer.finish()?;
-        file.into_inner().map_err(|e| Failure::Environment(format!("the trace cannot be written: {}", e.error())))
+    /// Adds the finished trace to `output`.
+    pub(super) fn finish(self, output: &mut Output) -> Result<(), Failure> {
+        self.trace.finish(output)
     }
 }
 
@@ -87,7 +85,7 @@ fn row(machine: &Machine, c: &Shown, values: usize) -> Vec<f64> {
     };
     let mut row = vec![
         c.t,
-        c.mode as u8 as f64,
+        f64::from(c.mode as u8),
         c.place.pass as f64,
         if in_pass { c.place.s_mm } else { f64::NAN },
         if in_pass { c.welded_mm } else { f64::NAN },

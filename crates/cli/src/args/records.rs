@@ -1,0 +1,125 @@
+//! Arguments of `seamwright records`, and those with which a weld is recorded.
+
+use clap::{Args, Subcommand};
+use seamwright_record::Moment;
+use seamwright_record::library::WeldResult;
+use std::path::PathBuf;
+
+/// Where and how a weld is recorded.
+#[derive(Debug, Default, Args)]
+pub(crate) struct RecordArgs {
+    /// Record the weld in the library of this data folder (docs/records.md), made if missing
+    #[arg(long, value_name = "DIR")]
+    pub(crate) data: Option<PathBuf>,
+    /// Number of the part, as the shop has it
+    #[arg(long, value_name = "ID", requires = "data", default_value = "", hide_default_value = true)]
+    pub(crate) part: String,
+    /// Who welds
+    #[arg(long, value_name = "NAME", requires = "data")]
+    pub(crate) welder: Option<String>,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  seamwright simulate examples/saddle.toml -o out/saddle --data records --part N-17
+  seamwright records list --data records --part N-17
+  seamwright records export 1 -o out/n-17 --data records
+Without --data the folder is $SEAMWRIGHT_DATA, or else seamwright in $XDG_DATA_HOME (~/.local/share).")]
+pub(crate) struct RecordsArgs {
+    #[command(subcommand)]
+    pub(crate) action: Action,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Action {
+    /// Welds, the newest first
+    List(ListArgs),
+    /// Everything the library has of a weld
+    Show(ShowArgs),
+    /// A weld's trace, report and figures as files
+    Export(ExportArgs),
+    /// Check the database, the audit log and the hash of every file; exit code 1 if something is wrong
+    Verify(VerifyArgs),
+    /// Make whole what crashes left: traces become readable, welds interrupted ones
+    Recover(RecoverArgs),
+}
+
+/// Which data folder.
+#[derive(Debug, Args)]
+pub(crate) struct DataArgs {
+    /// Data folder [default: $SEAMWRIGHT_DATA, or seamwright in $XDG_DATA_HOME]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) data: Option<PathBuf>,
+    /// JSON instead of text
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright records list --data records --since 2026-11-01 --result stopped")]
+pub(crate) struct ListArgs {
+    #[command(flatten)]
+    pub(crate) data: DataArgs,
+    /// Of this part
+    #[arg(long, value_name = "ID")]
+    pub(crate) part: Option<String>,
+    /// Begun at this date (UTC) or later: 2026-11-21, "2026-11-21 14:05"
+    #[arg(long, value_name = "DATE")]
+    pub(crate) since: Option<Moment>,
+    /// Begun at this date (UTC) or before; a day counts to its end
+    #[arg(long, value_name = "DATE", value_parser = end)]
+    pub(crate) until: Option<Moment>,
+    /// By the procedure of this number
+    #[arg(long, value_name = "NUMBER")]
+    pub(crate) procedure: Option<String>,
+    /// On this machine
+    #[arg(long, value_name = "NAME")]
+    pub(crate) machine: Option<String>,
+    /// With this result: good, deviating, stopped, interrupted, running
+    #[arg(long, value_name = "RESULT")]
+    pub(crate) result: Option<WeldResult>,
+    /// With this text in part, title, welder, note, job, program or alarms
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) text: Option<String>,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright records show 1 --data records")]
+pub(crate) struct ShowArgs {
+    /// Number of the weld
+    pub(crate) id: i64,
+    #[command(flatten)]
+    pub(crate) data: DataArgs,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright records export 1 -o out/weld-1 --data records")]
+pub(crate) struct ExportArgs {
+    /// Number of the weld
+    pub(crate) id: i64,
+    /// Folder for trace.parquet, report.html, record.json and program.toml; made if missing
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: PathBuf,
+    #[command(flatten)]
+    pub(crate) data: DataArgs,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright records verify --data records")]
+pub(crate) struct VerifyArgs {
+    #[command(flatten)]
+    pub(crate) data: DataArgs,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright records recover --data records")]
+pub(crate) struct RecoverArgs {
+    #[command(flatten)]
+    pub(crate) data: DataArgs,
+}
+
+/// The end of what a date names: the next day, or the next minute.
+fn end(text: &str) -> Result<Moment, String> {
+    let moment: Moment = text.parse()?;
+    Ok(if text.contains(':') { Moment(moment.0 + 60_000) } else { moment.next_day() })
+}

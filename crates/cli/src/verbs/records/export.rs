@@ -1,0 +1,29 @@
+use super::open;
+use crate::args::records::ExportArgs;
+use crate::clock;
+use crate::failure::Failure;
+use crate::files::Output;
+use crate::rows::{print_json, print_text};
+use seamwright_report::recorded_weld_page;
+
+pub(super) fn run(args: &ExportArgs) -> Result<(), Failure> {
+    let data = open(args.data.data.as_deref())?;
+    let library = data.library();
+    let detail = library.detail(args.id)?;
+    let figures = data.figures(args.id)?;
+    let mut output = Output::new(&args.output)?;
+    for file in detail.files.iter().filter(|f| f.rows.is_some()) {
+        output.take(&file.name, &data.weld_folder(args.id).join(&file.name))?;
+    }
+    let program = library.program_of(args.id)?;
+    let json = serde_json::to_string_pretty(&detail).map_err(|e| Failure::Environment(e.to_string()))?;
+    output.text("record.json", &(json + "\n"))?;
+    output.text("report.html", &recorded_weld_page(&detail, &figures, &program.text, &clock::now()))?;
+    output.text("program.toml", &program.text)?;
+    let paths = output.finish()?;
+    if args.data.json {
+        return print_json(&detail);
+    }
+    let wrote: String = paths.iter().map(|path| format!("wrote {}\n", path.display())).collect();
+    print_text(&wrote)
+}

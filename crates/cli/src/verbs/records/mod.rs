@@ -1,0 +1,39 @@
+//! `seamwright records`: the library of recorded welds.
+
+mod export;
+mod list;
+mod recover;
+mod show;
+mod verify;
+
+use crate::args::records::{Action, RecordsArgs};
+use crate::failure::Failure;
+use seamwright_record::DataFolder;
+use std::path::{Path, PathBuf};
+
+pub(crate) fn run(args: &RecordsArgs) -> Result<(), Failure> {
+    match &args.action {
+        Action::List(a) => list::run(a),
+        Action::Show(a) => show::run(a),
+        Action::Export(a) => export::run(a),
+        Action::Verify(a) => verify::run(a),
+        Action::Recover(a) => recover::run(a),
+    }
+}
+
+/// The data folder, to be read.
+fn open(data: Option<&Path>) -> Result<DataFolder, Failure> {
+    Ok(DataFolder::open_to_read(&folder(data)?)?)
+}
+
+/// The folder asked for, or the usual one.
+fn folder(data: Option<&Path>) -> Result<PathBuf, Failure> {
+    if let Some(data) = data {
+        return Ok(data.to_owned());
+    }
+    let named = |name: &str| std::env::var_os(name).filter(|v| !v.is_empty()).map(PathBuf::from);
+    let home = || named("HOME").or_else(|| named("USERPROFILE")).map(|home| home.join(".local/share"));
+    named("SEAMWRIGHT_DATA")
+        .or_else(|| Some(named("XDG_DATA_HOME").or_else(home)?.join("seamwright")))
+        .ok_or_else(|| Failure::Input("there is no data folder\n   allowed: --data DIR, or SEAMWRIGHT_DATA".to_owned()))
+}

@@ -1,0 +1,225 @@
+use crate::figures::Figures;
+use crate::journal::Journal;
+use crate::library::{AuditCheck, DocumentKind, Library, NewWeld, WeldRecord, WeldResult};
+use crate::recording::{hash_of, settle};
+use crate::trace::{self, Trace, recover::is_written};
+use crate::{Error, Moment, Plan, Recording, sha256_of_file};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Room that must be left on the disk beside the trace, bytes.
+const SPARE: u64 = 64 << 20;
+
+/// The folder of everything that is recorded: `library.sqlite`, `welds/<number>/`, and the journal for power loss.
+#[derive(Debug)]
+pub struct DataFolder {
+    path: PathBuf,
+    library: Library,
+}
+
+/// A weld that a crash left, recovered.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recovered {
+    /// The weld.
+    pub weld: WeldRecord,
+    /// Rows of its trace.
+    pub rows: u64,
+    /// Bytes of it that are no whole rows.
+    pub unread_bytes: u64,
+}
+
+/// What [`DataFolder::verify`] found.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Verified {
+    /// Welds looked at.
+    pub welds: usize,
+    /// Files whose hashes are right.
+    pub files: usize,
+    /// The audit log.
+    pub audit: AuditCheck,
+    /// Everything that is not in order.
+    pub problems: Vec<String>,
+}
+
+impl DataFolder {
+    /// Opens the folder to write, and makes what is missing.
+    ///
+    /// # Errors
+    /// If it cannot be written, or its library cannot be opened.
+    pub fn open(path: &Path) -> Result<Self, Error> {
+        let welds = path.join("welds");
+        fs::create_dir_all(&welds).map_err(|e| Error::io(&welds, "cannot be made", e))?;
+        Ok(Self { path: path.to_owned(), library: Library::open(&path.join("library.sqlite"))? })
+    }
+
+    /// Opens the folder only to read it.
+    ///
+    /// # Errors
+    /// If it has no library, or that cannot be read.
+    pub fn open_to_read(path: &Path) -> Result<Self, Error> {
+        let library = Library::open_to_read(&path.join("library.sqlite"))?;
+        Ok(Self { path: path.to_owned(), library })
+    }
+
+    /// The library.
+    pub fn library(&self) -> &Library {
+        &self.library
+    }
+
+    /// The library, to write what needs it alone.
+    pub fn library_mut(&mut self) -> &mut Library {
+        &mut self.library
+    }
+
+    /// Where a weld's files are.
+    pub fn weld_folder(&self, weld: i64) -> PathBuf {
+        self.path.join("welds").join(format!("{weld:06}"))
+    }
+
+    /// The figures of a weld, from its trace.
+    ///
+    /// # Errors
+    /// If the trace cannot be read.
+    pub fn figures(&self, weld: i64) -> Result<Figures, Error> {
+        let files = self.library.files(weld)?;
+        let traces = files.iter().filter(|f| f.rows.is_some());
+        let traces =
+            traces.map(|f| Trace::open(&self.weld_folder(weld).join(&f.name))).collect::<Result<Vec<_>, _>>()?;
+        Figures::of(&traces, &self.library.basis(weld)?)
+    }
+
+    /// The journal for power loss.
+    ///
+    /// # Errors
+    /// If it cannot be opened.
+    pub fn journal(&self) -> Result<Journal, Error> {
+        Journal::open(&self.path)
+    }
+
+    /// Begins to record a weld.
+    ///
+    /// # Errors
+    /// If there is no room for it, or nothing can be written: the weld is then not to begin.
+    pub fn begin(&mut self, plan: &Plan) -> Result<Recording, Error> {
+        self.check_room(plan)?;
+        let text = |kind, (name, text): &(String, String)| self.library.add_document(kind, name, text);
+        let new = NewWeld {
+            part: plan.part.clone(),
+            title: plan.title.clone(),
+            simulated: plan.simulated,
+            job: plan.job.as_ref().map(|t| text(DocumentKind::Job, t)).transpose()?,
+            program: text(DocumentKind::Program, &plan.program)?,
+            machine: text(DocumentKind::Machine, &plan.machine)?,
+            procedure: plan.procedure.as_ref().map(|t| text(DocumentKind::Procedure, t)).transpose()?,
+            welder: plan.welder.clone(),
+            begun: Moment::now(),
+            basis: plan.basis.clone(),
+        };
+        let id = self.library.begin_weld(&new)?;
+        let folder = self.weld_folder(id);
+        fs::create_dir_all(&folder).map_err(|e| Error::io(&folder, "cannot be made", e))?;
+        Recording::new(id, folder, plan)
+    }
+
+    /// Refuses a weld whose trace would not find room: as raw rows, and once more as Parquet.
+    fn check_room(&self, plan: &Plan) -> Result<(), Error> {
+        let row: u64 = plan.columns.iter().map(|c| c.kind.bytes() as u64).sum();
+        let wanted = plan.rows.saturating_mul(2 * row).saturating_add(SPARE);
+        match free_bytes(&self.path)? {
+            Some(free) if free < wanted => {
+                let why = format!("{} MB are free, the weld's record needs {} MB", free >> 20, wanted >> 20);
+                Err(Error::Full { path: self.path.clone(), why })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Makes whole what crashes left: traces to Parquet, and welds that ran to interrupted ones.
+    ///
+    /// # Errors
+    /// If something cannot be read or written.
+    pub fn recover(&mut self) -> Result<Vec<Recovered>, Error> {
+        let mut recovered = Vec::new();
+        for weld in self.library.find(&crate::library::Query::default())?.into_iter().rev() {
+            let folder = self.weld_folder(weld.id);
+            let left = folder.exists() && has_raw(&folder)?;
+            if (weld.result != WeldResult::Running && !left) || is_written(&folder) {
+                continue;
+            }
+            let parts = if left { trace::recover(&folder)? } else { Vec::new() };
+            let rows = parts.iter().map(|p| p.rows).sum();
+            let unread_bytes = parts.iter().map(|p| p.unread_bytes).sum();
+            let weld = self.settle_left(weld, &folder, unread_bytes)?;
+            recovered.push(Recovered { weld, rows, unread_bytes });
+        }
+        Ok(recovered)
+    }
+
+    fn settle_left(&mut self, weld: WeldRecord, folder: &Path, unread: u64) -> Result<WeldRecord, Error> {
+        let mut note = weld.note;
+        let result = match weld.result {
+            WeldResult::Running => WeldResult::Interrupted,
+            known => known,
+        };
+        let said = match unread {
+            0 => format!("recovered {}", Moment::now()),
+            n => format!("recovered {}, {n} bytes at the end of the trace were no whole rows", Moment::now()),
+        };
+        note = if note.is_empty() { said } else { format!("{note}; {said}") };
+        // When the last file was written, nothing came after.
+        let modified = fs::read_dir(folder).into_iter().flatten().flatten();
+        let modified = modified.filter_map(|f| f.metadata().ok()?.modified().ok()).max();
+        let since = modified.and_then(|t| t.duration_since(std::time::UNIX_EPOCH).ok());
+        let last = since.map_or(weld.begun, |d| Moment(i64::try_from(d.as_millis()).unwrap_or(i64::MAX)));
+        settle(self, weld.id, folder, (result, weld.ended.unwrap_or(last), note))
+    }
+
+    /// Checks the database, the audit log, and the hash of every file and text that the library names.
+    ///
+    /// # Errors
+    /// If the library cannot be read at all; what else is wrong is in the answer.
+    pub fn verify(&self) -> Result<Verified, Error> {
+        let mut problems = self.library.integrity()?;
+        let audit = self.library.verify_audit()?;
+        problems.extend(audit.broken.as_ref().map(|(id, why)| format!("audit entry {id}: {why}")));
+        let (mut files, welds) = (0, self.library.find(&crate::library::Query::default())?);
+        for weld in &welds {
+            let folder = self.weld_folder(weld.id);
+            if weld.result == WeldResult::Running || (folder.exists() && has_raw(&folder)?) {
+                let running =
+                    if is_written(&folder) { "it is being written" } else { "a crash left it: records recover" };
+                problems.push(format!("weld {}: its trace is not finished: {running}", weld.id));
+            }
+            let program = self.library.program_of(weld.id)?;
+            if hash_of(&program.text) != program.sha256 {
+                problems.push(format!("weld {}: the text of its program was changed", weld.id));
+            }
+            for file in self.library.files(weld.id)? {
+                let path = folder.join(&file.name);
+                match sha256_of_file(&path) {
+                    Ok((hash, _)) if hash == file.sha256 => files += 1,
+                    Ok(_) => problems.push(format!("{}: changed since it was recorded", path.display())),
+                    Err(e) => problems.push(e.to_string()),
+                }
+            }
+        }
+        Ok(Verified { welds: welds.len(), files, audit, problems })
+    }
+}
+
+fn has_raw(folder: &Path) -> Result<bool, Error> {
+    let entries = fs::read_dir(folder).map_err(|e| Error::io(folder, "cannot be read", e))?;
+    Ok(entries.flatten().any(|f| f.path().extension().is_some_and(|e| e == "raw")))
+}
+
+/// Bytes that may still be written to the disk of `path`, where the system says.
+#[cfg(unix)]
+fn free_bytes(path: &Path) -> Result<Option<u64>, Error> {
+    let room = rustix::fs::statvfs(path).map_err(|e| Error::io(path, "cannot be read", e.into()))?;
+    Ok(Some(room.f_bavail.saturating_mul(room.f_frsize)))
+}
+
+#[cfg(not(unix))]
+fn free_bytes(_: &Path) -> Result<Option<u64>, Error> {
+    Ok(None)
+}

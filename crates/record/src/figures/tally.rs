@@ -1,0 +1,246 @@
+use super::{BIN_MM, Basis, Curve, Figures, HEAT_INPUT, Judged, Value};
+use crate::trace::Trace;
+use std::collections::BTreeMap;
+
+/// A value outside by less than this part of the window's larger limit (or of 1, if that is more) is on the limit.
+const ROUNDING: f64 = 1e-6;
+/// Bins of a pass at most: 20 km of it.
+const MOST_BINS: f64 = 1e7;
+/// Columns that every trace has, first.
+const ALWAYS: [&str; 4] = ["t_s", "pass", "s_mm", "arc"];
+
+/// Energy and way in a bin.
+#[derive(Debug, Clone, Copy, Default)]
+struct Heat {
+    joule: f64,
+    way: f64,
+    time: f64,
+}
+
+/// What is known of a pass bin by bin.
+#[derive(Debug, Clone, Default)]
+struct Pass {
+    heat: Vec<Heat>,
+    /// Of each column of deviations, place and value of the greatest in each bin.
+    deviations: Vec<Vec<(f64, f64)>>,
+    /// Places in the list of values.
+    judged: Vec<usize>,
+}
+
+/// One value as it is gathered.
+#[derive(Debug, Clone)]
+struct Gathered {
+    judged: Judged,
+    /// Its place in a row; none of the heat input.
+    column: Option<usize>,
+    least: f64,
+    greatest: f64,
+    sum: f64,
+    weight: f64,
+    outside_s: f64,
+    outside_mm: f64,
+}
+
+impl Gathered {
+    /// A value over a time (s) and a way (mm), which counts with this weight.
+    fn add(&mut self, value: f64, weight: f64, time: f64, way: f64) {
+        if !value.is_finite() {
+            return;
+        }
+        self.least = self.least.min(value);
+        self.greatest = self.greatest.max(value);
+        self.sum += value * weight;
+        self.weight += weight;
+        if self.judged.allowed.is_some_and(|allowed| outside(value, allowed)) {
+            self.outside_s += time;
+            self.outside_mm += way;
+        }
+    }
+
+    fn counts(&self, from: f64, to: f64) -> bool {
+        self.judged.along.is_empty() || self.judged.along.iter().any(|(a, b)| from >= *a && to <= *b)
+    }
+}
+
+fn outside(value: f64, (least, greatest): (f64, f64)) -> bool {
+    let rounding = ROUNDING * least.abs().max(greatest.abs()).max(1.0);
+    value < least - rounding || value > greatest + rounding
+}
+
+/// Gathers the figures row by row.
+pub(super) struct Tally {
+    columns: Vec<String>,
+    /// Place of the column that says where the tip is.
+    tip: usize,
+    /// Places and scales of the columns whose product is the power.
+    power: Vec<(usize, f64)>,
+    efficiency: f64,
+    /// Places of the columns of deviations.
+    deviations: Vec<usize>,
+    passes: BTreeMap<u32, Pass>,
+    values: Vec<Gathered>,
+    /// The row before.
+    last: Option<Vec<f64>>,
+    figures: Figures,
+}
+
+impl Tally {
+    pub(super) fn new(trace: &Trace, basis: &Basis) -> Self {
+        let there = |name: &str| trace.columns().iter().any(|c| c.name == name);
+        let mut columns: Vec<String> = ALWAYS.map(str::to_owned).into();
+        let mut place = |name: &str| {
+            columns.iter().position(|c| c == name).unwrap_or_else(|| {
+                columns.push(name.to_owned());
+                columns.len() - 1
+            })
+        };
+        let tip = place(if there("tip_s_mm") { "tip_s_mm" } else { "s_mm" });
+        let known = basis.power.as_ref().filter(|power| power.factors.iter().all(|(name, _)| there(name)));
+        let power = known.map_or(Vec::new(), |p| p.factors.iter().map(|(name, by)| (place(name), *by)).collect());
+        let names = trace.columns().iter().map(|c| c.name.as_str());
+        let of_seam = |name: &&str| {
+            *name == "path_error_mm" || name.starts_with("miss_lateral_mm") || name.starts_with("miss_height_mm")
+        };
+        let deviations = names.filter(of_seam).map(&mut place).collect();
+        let judged = basis.judged.iter().filter(|j| j.name == HEAT_INPUT || there(&j.name));
+        let values: Vec<Gathered> = judged
+            .map(|judged| Gathered {
+                judged: judged.clone(),
+                column: (judged.name != HEAT_INPUT).then(|| place(&judged.name)),
+                least: f64::INFINITY,
+                greatest: f64::NEG_INFINITY,
+                sum: 0.0,
+                weight: 0.0,
+                outside_s: 0.0,
+                outside_mm: 0.0,
+            })
+            .collect();
+        let mut passes: BTreeMap<u32, Pass> = BTreeMap::new();
+        for (i, value) in values.iter().enumerate() {
+            passes.entry(value.judged.pass).or_default().judged.push(i);
+        }
+        let efficiency = known.map_or(0.0, |p| p.efficiency);
+        let (last, figures) = (None, Figures::default());
+        Self { columns, tip, power, efficiency, deviations, passes, values, last, figures }
+    }
+
+    /// Columns of the rows that are to be added.
+    pub(super) fn columns(&self) -> &[String] {
+        &self.columns
+    }
+
+    /// Adds a row: the one before holds until it.
+    pub(super) fn row(&mut self, row: &[f64]) {
+        if let Some(last) = self.last.take() {
+            let same = row[1].to_bits() == last[1].to_bits();
+            let way = if same { row[self.tip] - last[self.tip] } else { 0.0 };
+            self.hold(&last, (row[0] - last[0]).max(0.0), if way.is_finite() { way } else { 0.0 });
+            let mut last = last;
+            last.copy_from_slice(row);
+            self.last = Some(last);
+        } else {
+            self.last = Some(row.to_vec());
+        }
+        self.figures.last_s = row[0];
+    }
+
+    /// The values of `row` for a time (s) over a way (mm).
+    fn hold(&mut self, row: &[f64], time: f64, way: f64) {
+        let (number, s, arc) = (row[1], row[2], row[3] > 0.5);
+        if number < 1.0 || !arc || !s.is_finite() {
+            return;
+        }
+        self.figures.arc_on_s += time;
+        let pass = self.passes.entry(number as u32).or_default();
+        let bin = (s / BIN_MM).clamp(0.0, MOST_BINS) as usize;
+        if !self.power.is_empty() {
+            grow(&mut pass.heat, bin, Heat::default());
+            let heat = &mut pass.heat[bin];
+            heat.joule += time * self.power.iter().map(|(place, by)| row[*place] * by).product::<f64>();
+            heat.way += way;
+            heat.time += time;
+        }
+        pass.deviations.resize(self.deviations.len(), Vec::new());
+        for (bins, place) in pass.deviations.iter_mut().zip(&self.deviations) {
+            grow(bins, bin, (s, f64::NAN));
+            let value = row[*place];
+            let known = bins[bin].1;
+            if value.is_finite() && (known.is_nan() || value.abs() > known.abs()) {
+                bins[bin] = (s, value);
+            }
+            if self.columns[*place] == "path_error_mm" && self.figures.worst_deviation_mm.is_none_or(|(w, _)| value > w)
+            {
+                self.figures.worst_deviation_mm =
+                    value.is_finite().then_some((value, s)).or(self.figures.worst_deviation_mm);
+            }
+        }
+        for i in &pass.judged {
+            let value = &mut self.values[*i];
+            if let Some(column) = value.column
+                && value.counts(s, s)
+            {
+                value.add(row[column], time, time, way);
+            }
+        }
+    }
+
+    pub(super) fn finish(mut self) -> Figures {
+        let mut all = Gathered {
+            judged: Judged { pass: 0, name: String::new(), allowed: None, along: Vec::new() },
+            column: None,
+            least: f64::INFINITY,
+            greatest: f64::NEG_INFINITY,
+            sum: 0.0,
+            weight: 0.0,
+            outside_s: 0.0,
+            outside_mm: 0.0,
+        };
+        for (number, pass) in &self.passes {
+            let of_pass = pass.judged.iter().copied().find(|i| self.values[*i].column.is_none());
+            let mut curve = Vec::new();
+            for (i, heat) in pass.heat.iter().enumerate().filter(|(_, heat)| heat.way >= 0.5 * BIN_MM) {
+                let (from, to) = (i as f64 * BIN_MM, (i + 1) as f64 * BIN_MM);
+                let value = self.efficiency * heat.joule / heat.way / 1000.0;
+                curve.push((0.5 * (from + to), value));
+                let counts = of_pass.is_none_or(|i| self.values[i].counts(from, to));
+                if counts {
+                    all.add(value, heat.way, heat.time, heat.way);
+                    of_pass.into_iter().for_each(|i| self.values[i].add(value, heat.way, heat.time, heat.way));
+                }
+            }
+            if !curve.is_empty() {
+                self.figures.heat_input.push(Curve { pass: *number, name: HEAT_INPUT.to_owned(), points: curve });
+            }
+            for (points, place) in pass.deviations.iter().zip(&self.deviations) {
+                let points: Vec<_> = points.iter().copied().filter(|p| p.1.is_finite()).collect();
+                if !points.is_empty() {
+                    let name = self.columns[*place].clone();
+                    self.figures.deviations.push(Curve { pass: *number, name, points });
+                }
+            }
+        }
+        if all.weight > 0.0 {
+            self.figures.heat_input_kj_mm = Some([all.least, all.sum / all.weight, all.greatest]);
+        }
+        let found = self.values.into_iter().filter(|v| v.weight > 0.0);
+        self.figures.values = found
+            .map(|v| Value {
+                pass: v.judged.pass,
+                name: v.judged.name,
+                least: v.least,
+                mean: v.sum / v.weight,
+                greatest: v.greatest,
+                allowed: v.judged.allowed,
+                outside_s: v.outside_s,
+                outside_mm: v.outside_mm,
+            })
+            .collect();
+        self.figures
+    }
+}
+
+fn grow<T: Clone>(bins: &mut Vec<T>, bin: usize, empty: T) {
+    if bins.len() <= bin {
+        bins.resize(bin + 1, empty);
+    }
+}

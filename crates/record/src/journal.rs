@@ -1,0 +1,304 @@
+//! Where the weld was, for the day the power fails.
+//!
+//! Two files of one disk block each are written by turns, in place, and synced: whatever happens to the one that is
+//! being written, the other has the entry before. They never grow.
+//!
+//! | bytes | an entry, little-endian |
+//! |---|---|
+//! | 8 | `SEAMJRN1` |
+//! | 8 | sequence number |
+//! | 8 | weld; 0: the weld before ended well |
+//! | 4, 1, 3 | pass; phase; nothing |
+//! | 8, 8, 8 | time (s since 1970), s (mm), welded to (mm) |
+//! | 32 | corrections (mm): of each head lateral, height |
+//! | 4 | CRC-32 of all this |
+
+use crate::{Error, whole_file};
+use std::fs::{File, OpenOptions};
+use std::io::{Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+const MARK: &[u8; 8] = b"SEAMJRN1";
+/// Bytes of an entry with its checksum.
+const ENTRY: usize = 92;
+/// Bytes of a file: what a disk writes at once.
+const BLOCK: usize = 4096;
+const NAMES: [&str; 2] = ["position.a", "position.b"];
+
+/// Where a weld was.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Position {
+    /// Time, s since 1970 UTC.
+    pub time: f64,
+    /// Number of the weld in the library; not 0.
+    pub weld: u64,
+    /// The pass, counted from 1; 0 in the air.
+    pub pass: u32,
+    /// What the process does, as the executive counts it.
+    pub phase: u8,
+    /// Place of the torch by path length, mm.
+    pub s: f64,
+    /// The weld is good up to here, mm.
+    pub welded_to: f64,
+    /// Corrections of the two heads, lateral and height, mm.
+    pub corrections: [[f64; 2]; 2],
+}
+
+/// Keeps the newest position on the disk.
+///
+/// One thread writes, at most every 50 ms; each call returns when the disk has the entry.
+#[derive(Debug)]
+pub struct Journal {
+    files: [(PathBuf, File); 2],
+    /// Number of the newest entry.
+    sequence: u64,
+    last: Option<Position>,
+}
+
+impl Journal {
+    /// The journal in `folder`, made if missing.
+    ///
+    /// # Errors
+    /// If its files cannot be read or written, or another program writes them.
+    pub fn open(folder: &Path) -> Result<Self, Error> {
+        let [a, b] = NAMES.map(|name| open(&folder.join(name)));
+        let mut files = [a?, b?];
+        let mut newest = (0, None);
+        for (path, file) in &mut files {
+            let entry = read(file).map_err(|e| Error::io(path, "cannot be read", e))?;
+            if let Some(entry) = entry.filter(|entry| entry.0 > newest.0) {
+                newest = entry;
+            }
+        }
+        let (sequence, last) = newest;
+        Ok(Self { files, sequence, last })
+    }
+
+    /// The newest entry that is whole: none if the weld before ended well, or there was none.
+    pub fn last(&self) -> Option<Position> {
+        self.last
+    }
+
+    /// Puts `position` on the disk.
+    ///
+    /// # Errors
+    /// If it cannot be written; the entry before is still there.
+    pub fn write(&mut self, position: &Position) -> Result<(), Error> {
+        self.put(Some(*position))
+    }
+
+    /// The weld ended well: nothing is to be resumed.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn clear(&mut self) -> Result<(), Error> {
+        self.put(None)
+    }
+
+    fn put(&mut self, position: Option<Position>) -> Result<(), Error> {
+        let sequence = self.sequence + 1;
+        let (path, file) = &mut self.files[(sequence % 2) as usize];
+        let written = file
+            .seek(SeekFrom::Start(0))
+            .and_then(|_| file.write_all(&encoded(sequence, position)))
+            .and_then(|()| file.sync_data());
+        written.map_err(|e| Error::io(path, "cannot be written", e))?;
+        (self.sequence, self.last) = (sequence, position);
+        Ok(())
+    }
+}
+
+/// Opens a file of full length, which it locks.
+fn open(path: &Path) -> Result<(PathBuf, File), Error> {
+    let failed = |e| Error::io(path, "cannot be written", e);
+    let mut options = OpenOptions::new();
+    let mut file = options.read(true).write(true).create(true).truncate(false).open(path).map_err(failed)?;
+    if file.try_lock().is_err() {
+        return Err(Error::Busy { path: path.to_owned() });
+    }
+    let length = file.metadata().map_err(failed)?.len();
+    if length != BLOCK as u64 {
+        // Bytes that are really there, so that later writes need no room and change no lengths.
+        let missing = BLOCK.saturating_sub(length as usize);
+        let filled = file.seek(SeekFrom::End(0)).and_then(|_| file.write_all(&vec![0; missing]));
+        filled.and_then(|()| file.set_len(BLOCK as u64)).and_then(|()| file.sync_all()).map_err(failed)?;
+        whole_file::sync_folder(path)?;
+    }
+    Ok((path.to_owned(), file))
+}
+
+fn encoded(sequence: u64, position: Option<Position>) -> [u8; ENTRY] {
+    let none = Position { time: 0.0, weld: 0, pass: 0, phase: 0, s: 0.0, welded_to: 0.0, corrections: [[0.0; 2]; 2] };
+    let p = position.unwrap_or(none);
+    let mut bytes = [0; ENTRY];
+    bytes[..8].copy_from_slice(MARK);
+    bytes[8..16].copy_from_slice(&sequence.to_le_bytes());
+    bytes[16..24].copy_from_slice(&p.weld.to_le_bytes());
+    bytes[24..28].copy_from_slice(&p.pass.to_le_bytes());
+    bytes[28] = p.phase;
+    let [[a, b], [c, d]] = p.corrections;
+    for (place, value) in bytes[32..88].chunks_exact_mut(8).zip([p.time, p.s, p.welded_to, a, b, c, d]) {
+        place.copy_from_slice(&value.to_le_bytes());
+    }
+    let crc = crc32fast::hash(&bytes[..88]);
+    bytes[88..].copy_from_slice(&crc.to_le_bytes());
+    bytes
+}
+
+/// Number and position of the entry in a file; none if it is not whole.
+fn read(file: &mut File) -> std::io::Result<Option<(u64, Option<Position>)>> {
+    let mut bytes = [0; ENTRY];
+    file.seek(SeekFrom::Start(0))?;
+    match file.read_exact(&mut bytes) {
+        Err(e) if e.kind() == std::io::ErrorKind::UnexpectedEof => return Ok(None),
+        result => result?,
+    }
+    Ok(decoded(&bytes))
+}
+
+fn decoded(bytes: &[u8; ENTRY]) -> Option<(u64, Option<Position>)> {
+    let eight = |at: usize| <[u8; 8]>::try_from(&bytes[at..at + 8]).ok();
+    let four = |at: usize| <[u8; 4]>::try_from(&bytes[at..at + 4]).ok();
+    let number = |at: usize| eight(at).map(f64::from_le_bytes);
+    if &bytes[..8] != MARK || crc32fast::hash(&bytes[..88]) != u32::from_le_bytes(four(88)?) {
+        return None;
+    }
+    let weld = u64::from_le_bytes(eight(16)?);
+    let position = Position {
+        time: number(32)?,
+        weld,
+        pass: u32::from_le_bytes(four(24)?),
+        phase: bytes[28],
+        s: number(40)?,
+        welded_to: number(48)?,
+        corrections: [[number(56)?, number(64)?], [number(72)?, number(80)?]],
+    };
+    Some((u64::from_le_bytes(eight(8)?), (weld != 0).then_some(position)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use std::fs;
+
+    fn position(i: u32) -> Position {
+        let x = f64::from(i);
+        Position {
+            time: 1.8e9 + x,
+            weld: 7,
+            pass: i % 5 + 1,
+            phase: (i % 9) as u8,
+            s: 0.5 * x,
+            welded_to: 0.5 * x - 1.0,
+            corrections: [[0.1 * x, -x], [x, 1e-3]],
+        }
+    }
+
+    /// A journal with entries 1 to `n`, and the files' bytes.
+    fn written(folder: &Path, n: u32) -> [Vec<u8>; 2] {
+        let mut journal = Journal::open(folder).unwrap();
+        (1..=n).for_each(|i| journal.write(&position(i)).unwrap());
+        NAMES.map(|name| fs::read(folder.join(name)).unwrap())
+    }
+
+    /// A new file: to cut an old one down and fill it again makes some systems wait for the disk.
+    fn put(path: &Path, bytes: &[u8]) {
+        let _ = fs::remove_file(path);
+        fs::write(path, bytes).unwrap();
+    }
+
+    fn last(folder: &Path) -> Option<Position> {
+        Journal::open(folder).unwrap().last()
+    }
+
+    #[test]
+    fn goes_on_after_a_restart_and_never_grows() {
+        let folder = tempfile::tempdir().unwrap();
+        assert_eq!(last(folder.path()), None);
+        for n in 1..40 {
+            Journal::open(folder.path()).unwrap().write(&position(n)).unwrap();
+            assert_eq!(last(folder.path()), Some(position(n)));
+        }
+        Journal::open(folder.path()).unwrap().clear().unwrap();
+        assert_eq!(last(folder.path()), None);
+        Journal::open(folder.path()).unwrap().write(&position(3)).unwrap();
+        assert_eq!(last(folder.path()), Some(position(3)));
+        let sizes = NAMES.map(|name| fs::metadata(folder.path().join(name)).unwrap().len());
+        assert_eq!(sizes, [BLOCK as u64; 2]);
+    }
+
+    #[test]
+    fn one_writer() {
+        let folder = tempfile::tempdir().unwrap();
+        let first = Journal::open(folder.path()).unwrap();
+        assert!(matches!(Journal::open(folder.path()), Err(Error::Busy { .. })));
+        drop(first);
+        assert!(Journal::open(folder.path()).is_ok());
+    }
+
+    /// Entry `n` torn after every byte: its beginning over the entry two before, or its end alone.
+    #[test]
+    fn torn_at_every_byte_the_newest_or_the_one_before() {
+        let folder = tempfile::tempdir().unwrap();
+        for n in [1, 2, 7, 8] {
+            let before = written(folder.path(), n - 1);
+            let mut now = Journal::open(folder.path()).unwrap();
+            now.write(&position(n)).unwrap();
+            drop(now);
+            let slot = (last_sequence(folder.path()) % 2) as usize;
+            let path = folder.path().join(NAMES[slot]);
+            let after = fs::read(&path).unwrap();
+            let older = Some(n - 1).filter(|i| *i > 0).map(position);
+            for cut in 0..=ENTRY {
+                for (a, b) in [(&after, &before[slot]), (&before[slot], &after)] {
+                    put(&path, &[&a[..cut], &b[cut..]].concat());
+                    let found = last(folder.path());
+                    assert!(found == Some(position(n)) || found == older, "{n} {cut}: {found:?}");
+                }
+            }
+            NAMES.iter().for_each(|name| fs::remove_file(folder.path().join(name)).unwrap());
+        }
+    }
+
+    fn last_sequence(folder: &Path) -> u64 {
+        Journal::open(folder).unwrap().sequence
+    }
+
+    /// Either file cut off or changed anywhere.
+    #[test]
+    fn damaged_at_every_byte_the_newest_or_the_one_before() {
+        let folder = tempfile::tempdir().unwrap();
+        for n in [2, 9] {
+            let whole = written(folder.path(), n);
+            for slot in 0..2 {
+                let path = folder.path().join(NAMES[slot]);
+                for at in (0..ENTRY + 8).chain([512, 4095]) {
+                    let mut changed = whole[slot].clone();
+                    changed[at] ^= 1 << (at % 8);
+                    for bytes in [&changed, &whole[slot][..at].to_vec()] {
+                        put(&path, bytes);
+                        let found = last(folder.path());
+                        assert!(found == Some(position(n)) || found == Some(position(n - 1)), "{n} {at}: {found:?}");
+                    }
+                }
+                put(&path, &whole[slot]);
+            }
+            NAMES.iter().for_each(|name| fs::remove_file(folder.path().join(name)).unwrap());
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn garbage_is_no_entry(bytes in proptest::collection::vec(any::<u8>(), ENTRY)) {
+            let bytes: [u8; ENTRY] = bytes.try_into().unwrap();
+            prop_assert!(decoded(&bytes).is_none());
+        }
+
+        #[test]
+        fn entries_there_and_back(sequence in 1..u64::MAX, i in any::<u32>()) {
+            prop_assert_eq!(decoded(&encoded(sequence, Some(position(i)))), Some((sequence, Some(position(i)))));
+            prop_assert_eq!(decoded(&encoded(sequence, None)), Some((sequence, None)));
+        }
+    }
+}

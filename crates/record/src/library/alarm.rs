@@ -1,0 +1,125 @@
+use super::Library;
+use crate::{Error, Moment};
+use rusqlite::params;
+use serde::Serialize;
+
+/// Where and when in a weld.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Place {
+    /// The pass, counted from 1.
+    pub pass: Option<u32>,
+    /// Path length, mm.
+    pub s_mm: Option<f64>,
+    /// Time in the trace, s.
+    pub t_s: Option<f64>,
+}
+
+/// An alarm.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Alarm {
+    /// Its name in the catalogue.
+    pub name: String,
+    /// What was the cause, in words.
+    pub cause: String,
+    /// Where.
+    #[serde(flatten)]
+    pub place: Place,
+    /// When.
+    #[serde(serialize_with = "crate::moment::written")]
+    pub raised: Moment,
+    /// It was the first of those that came together.
+    pub first_out: bool,
+    /// Who acknowledged it, and when.
+    #[serde(serialize_with = "acknowledged")]
+    pub acknowledged: Option<(String, Moment)>,
+}
+
+fn acknowledged<S: serde::Serializer>(value: &Option<(String, Moment)>, out: S) -> Result<S::Ok, S::Error> {
+    value.as_ref().map(|(by, at)| format!("{by}, {at}")).serialize(out)
+}
+
+/// Something that happened and is no alarm.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Event {
+    /// When.
+    #[serde(serialize_with = "crate::moment::written")]
+    pub at: Moment,
+    /// What.
+    pub text: String,
+    /// Where.
+    #[serde(flatten)]
+    pub place: Place,
+}
+
+impl Library {
+    /// Keeps an alarm, of a weld or of none; its number.
+    ///
+    /// # Errors
+    /// If the library cannot be written.
+    pub fn add_alarm(&self, weld: Option<i64>, alarm: &Alarm) -> Result<i64, Error> {
+        let (by, at) = alarm.acknowledged.as_ref().map(|(by, at)| (by, at.0)).unzip();
+        let Place { pass, s_mm, t_s } = alarm.place;
+        self.run(
+            "INSERT INTO alarm (weld, name, cause, pass, s_mm, t_s, raised, first_out, acknowledged_by, acknowledged)
+             VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10)",
+            params![weld, alarm.name, alarm.cause, pass, s_mm, t_s, alarm.raised.0, alarm.first_out, by, at],
+        )?;
+        Ok(self.db.last_insert_rowid())
+    }
+
+    /// Somebody has seen the alarm; the first to say so counts.
+    ///
+    /// # Errors
+    /// If there is no such alarm, or the library cannot be written.
+    pub fn acknowledge(&self, alarm: i64, by: &str, at: Moment) -> Result<(), Error> {
+        let sql = "UPDATE alarm SET acknowledged_by = coalesce(acknowledged_by, ?2),
+            acknowledged = coalesce(acknowledged, ?3) WHERE id = ?1";
+        match self.run(sql, params![alarm, by, at.0])? {
+            0 => Err(Error::wrong(format!("there is no alarm {alarm}"), "a number that the library has")),
+            _ => Ok(()),
+        }
+    }
+
+    /// Alarms of a weld, in the order in which they came.
+    ///
+    /// # Errors
+    /// If the library cannot be read.
+    pub fn alarms(&self, weld: i64) -> Result<Vec<Alarm>, Error> {
+        let sql = "SELECT name, cause, pass, s_mm, t_s, raised, first_out, acknowledged_by, acknowledged
+            FROM alarm WHERE weld = ?1 ORDER BY id";
+        self.all(sql, [weld], |row| {
+            let by: Option<String> = row.get(7)?;
+            let at: Option<i64> = row.get(8)?;
+            Ok(Alarm {
+                name: row.get(0)?,
+                cause: row.get(1)?,
+                place: Place { pass: row.get(2)?, s_mm: row.get(3)?, t_s: row.get(4)? },
+                raised: Moment(row.get(5)?),
+                first_out: row.get(6)?,
+                acknowledged: by.zip(at.map(Moment)),
+            })
+        })
+    }
+
+    /// Keeps an event, of a weld or of none.
+    ///
+    /// # Errors
+    /// If the library cannot be written.
+    pub fn add_event(&self, weld: Option<i64>, event: &Event) -> Result<(), Error> {
+        let Place { pass, s_mm, t_s } = event.place;
+        let sql = "INSERT INTO event (weld, at, text, pass, s_mm, t_s) VALUES (?1, ?2, ?3, ?4, ?5, ?6)";
+        self.run(sql, params![weld, event.at.0, event.text, pass, s_mm, t_s]).map(drop)
+    }
+
+    /// Events of a weld, in the order in which they came.
+    ///
+    /// # Errors
+    /// If the library cannot be read.
+    pub fn events(&self, weld: i64) -> Result<Vec<Event>, Error> {
+        let sql = "SELECT at, text, pass, s_mm, t_s FROM event WHERE weld = ?1 ORDER BY id";
+        self.all(sql, [weld], |row| {
+            let place = Place { pass: row.get(2)?, s_mm: row.get(3)?, t_s: row.get(4)? };
+            Ok(Event { at: Moment(row.get(0)?), text: row.get(1)?, place })
+        })
+    }
+}

@@ -1,0 +1,116 @@
+use super::Library;
+use crate::{Error, Moment, sha256};
+use rusqlite::{TransactionBehavior, params};
+
+/// Who did what, where from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct AuditEntry {
+    /// When.
+    pub at: Moment,
+    /// Who.
+    pub user: String,
+    /// Where from.
+    pub station: String,
+    /// What.
+    pub command: String,
+    /// The value before; may be empty.
+    pub old: String,
+    /// The value after; may be empty.
+    pub new: String,
+    /// What came of it.
+    pub result: String,
+}
+
+/// What [`Library::verify_audit`] found.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct AuditCheck {
+    /// Entries up to the first that does not hold.
+    pub entries: u64,
+    /// Number of the first entry that does not hold, and why.
+    pub broken: Option<(i64, String)>,
+}
+
+/// The hash before the first entry.
+const BEGIN: &str = "0000000000000000000000000000000000000000000000000000000000000000";
+
+impl AuditEntry {
+    /// SHA-256 of the hash before, the number and all fields, each with its length, so that nothing can move from one
+    /// into the next.
+    fn hash(&self, id: i64, before: &str) -> String {
+        let mut bytes = before.as_bytes().to_vec();
+        bytes.extend_from_slice(&id.to_le_bytes());
+        bytes.extend_from_slice(&self.at.0.to_le_bytes());
+        for field in [&self.user, &self.station, &self.command, &self.old, &self.new, &self.result] {
+            bytes.extend_from_slice(&(field.len() as u64).to_le_bytes());
+            bytes.extend_from_slice(field.as_bytes());
+        }
+        sha256(&bytes)
+    }
+}
+
+impl Library {
+    /// Appends to the audit log; the entry's hash.
+    ///
+    /// # Errors
+    /// If the library cannot be written.
+    pub fn audit(&mut self, entry: &AuditEntry) -> Result<String, Error> {
+        let path = self.path.clone();
+        let failed = |e| Error::database(&path, e);
+        let change = self.db.transaction_with_behavior(TransactionBehavior::Immediate).map_err(failed)?;
+        let last = "SELECT id, hash FROM audit ORDER BY id DESC LIMIT 1";
+        let last = change.query_row(last, (), |row| Ok((row.get::<_, i64>(0)?, row.get::<_, String>(1)?)));
+        let (id, before) = match last {
+            Err(rusqlite::Error::QueryReturnedNoRows) => (0, BEGIN.to_owned()),
+            last => last.map_err(failed)?,
+        };
+        let hash = entry.hash(id + 1, &before);
+        let AuditEntry { at, user, station, command, old, new, result } = entry;
+        let sql = "INSERT INTO audit (id, at, user, station, command, old, new, result, hash)
+            VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9)";
+        change.execute(sql, params![id + 1, at.0, user, station, command, old, new, result, hash]).map_err(failed)?;
+        change.commit().map_err(failed)?;
+        Ok(hash)
+    }
+
+    /// Checks every link of the audit log. Entries cut off its end are found by the count that SQLite keeps beside the
+    /// table; who changes that too is found only by a hash kept elsewhere.
+    ///
+    /// # Errors
+    /// If the library cannot be read.
+    pub fn verify_audit(&self) -> Result<AuditCheck, Error> {
+        let (mut before, mut entries, mut next, mut broken) = (BEGIN.to_owned(), 0, 1, None);
+        let sql = "SELECT id, at, user, station, command, old, new, result, hash FROM audit ORDER BY id";
+        let mut query = self.db.prepare(sql).map_err(|e| self.failed(e))?;
+        let mut rows = query.query(()).map_err(|e| self.failed(e))?;
+        while let Some(row) = rows.next().map_err(|e| self.failed(e))? {
+            let read = || -> rusqlite::Result<(i64, AuditEntry, String)> {
+                let entry = AuditEntry {
+                    at: Moment(row.get(1)?),
+                    user: row.get(2)?,
+                    station: row.get(3)?,
+                    command: row.get(4)?,
+                    old: row.get(5)?,
+                    new: row.get(6)?,
+                    result: row.get(7)?,
+                };
+                Ok((row.get(0)?, entry, row.get(8)?))
+            };
+            let (id, entry, hash) = read().map_err(|e| self.failed(e))?;
+            if id != next {
+                broken = Some((next, "it is missing".to_owned()));
+                break;
+            }
+            if entry.hash(id, &before) != hash {
+                broken = Some((id, "its hash does not fit what it says, or the entry before it".to_owned()));
+                break;
+            }
+            (before, entries, next) = (hash, entries + 1, next + 1);
+        }
+        let counted =
+            self.row("SELECT seq FROM sqlite_sequence WHERE name = 'audit'", (), |row| row.get::<_, i64>(0))?;
+        if broken.is_none() && counted.unwrap_or(0) >= next {
+            broken = Some((next, "it is missing, and all after it".to_owned()));
+        }
+        Ok(AuditCheck { entries, broken })
+    }
+}

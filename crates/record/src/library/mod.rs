@@ -1,0 +1,188 @@
+//! The library: one SQLite file of everything that welds are made from and come to.
+//!
+//! It is in write-ahead mode and synced at every commit: what a call has returned from is on the disk. Reading never waits
+//! for writing. `docs/records.md` has the tables.
+
+mod alarm;
+mod audit;
+mod document;
+mod find;
+mod schema;
+mod weld;
+
+pub use alarm::{Alarm, Event, Place};
+pub use audit::{AuditCheck, AuditEntry};
+pub use document::{Document, DocumentKind};
+pub use find::Query;
+pub use weld::{NewWeld, WeldDetail, WeldEnd, WeldFile, WeldRecord, WeldResult};
+
+use crate::Error;
+use rusqlite::{Connection, OpenFlags, Params, Row};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// How long a call waits for another program's.
+const PATIENCE: Duration = Duration::from_secs(5);
+
+/// An open library.
+#[derive(Debug)]
+pub struct Library {
+    path: PathBuf,
+    db: Connection,
+}
+
+impl Library {
+    /// Opens the library at `path` to read and write; made if missing, brought up to this version's schema if older.
+    ///
+    /// # Errors
+    /// If it cannot be written, is damaged, is no library, or is of a later version.
+    pub fn open(path: &Path) -> Result<Self, Error> {
+        let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
+        let mut library = Self::connect(path, flags)?;
+        library.migrate()?;
+        Ok(library)
+    }
+
+    /// Opens the library at `path` only to read it, also where nothing may be written.
+    ///
+    /// # Errors
+    /// If there is none, it is damaged, or of another version.
+    pub fn open_to_read(path: &Path) -> Result<Self, Error> {
+        if !path.is_file() {
+            let what = format!("{}: there is no library", path.display());
+            return Err(Error::wrong(
+                what,
+                "a data folder with recorded welds: simulate JOB -o DIR --data DIR begins one",
+            ));
+        }
+        let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_NO_MUTEX;
+        let library = match Self::connect(path, flags) {
+            // In a folder where SQLite cannot put its shared memory, nobody writes either.
+            Err(Error::ReadOnly { .. }) if !path.with_extension("sqlite-wal").exists() => {
+                let address = format!("file:{}?immutable=1", escaped(path));
+                Self::connect(Path::new(&address), flags | OpenFlags::SQLITE_OPEN_URI)
+                    .map(|library| Self { path: path.to_owned(), ..library })?
+            }
+            library => library?,
+        };
+        match library.version()? {
+            v if v == schema::MIGRATIONS.len() as i64 => Ok(library),
+            v => Err(Error::damaged(
+                path,
+                format!("its schema is of version {v}, this program reads {}", schema::MIGRATIONS.len()),
+                "any command that writes to it brings it up to date: records recover",
+            )),
+        }
+    }
+
+    fn connect(path: &Path, flags: OpenFlags) -> Result<Self, Error> {
+        let failed = |e| Error::database(path, e);
+        let db = Connection::open_with_flags(path, flags).map_err(failed)?;
+        let library = Self { path: path.to_owned(), db };
+        library.db.busy_timeout(PATIENCE).map_err(failed)?;
+        let found: i64 = library.one("PRAGMA application_id", ())?;
+        let version = library.version()?;
+        let empty = library.one::<i64>("SELECT count(*) FROM sqlite_schema", ())? == 0;
+        if found != schema::APPLICATION && !empty {
+            return Err(Error::damaged(path, "a database, but no library of Seamwright", "another data folder"));
+        }
+        let known = schema::MIGRATIONS.len() as i64;
+        if version > known {
+            return Err(Error::Newer { path: path.to_owned(), found: version, known });
+        }
+        let settings = "PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL; PRAGMA trusted_schema = OFF;";
+        library.db.execute_batch(settings).map_err(failed)?;
+        Ok(library)
+    }
+
+    fn version(&self) -> Result<i64, Error> {
+        self.one("PRAGMA user_version", ())
+    }
+
+    fn migrate(&mut self) -> Result<(), Error> {
+        let path = self.path.clone();
+        let failed = |e| Error::database(&path, e);
+        self.db.execute_batch("PRAGMA journal_mode = WAL").map_err(failed)?;
+        let known = schema::MIGRATIONS.len() as i64;
+        if self.version()? == known {
+            return Ok(());
+        }
+        let change = self.db.transaction_with_behavior(rusqlite::TransactionBehavior::Immediate).map_err(failed)?;
+        // Another program may have been first.
+        let version: i64 = change.query_row("PRAGMA user_version", (), |row| row.get(0)).map_err(failed)?;
+        for step in &schema::MIGRATIONS[version as usize..] {
+            change.execute_batch(step).map_err(failed)?;
+        }
+        let marks = format!("PRAGMA application_id = {}; PRAGMA user_version = {known};", schema::APPLICATION);
+        change.execute_batch(&marks).and_then(|()| change.commit()).map_err(failed)
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Lets the file grow to this many pages (of 4 KiB) and no further.
+    ///
+    /// # Errors
+    /// If the library cannot be read.
+    pub fn limit_pages(&self, pages: u32) -> Result<(), Error> {
+        let set = self.db.query_row(&format!("PRAGMA max_page_count = {pages}"), (), |_| Ok(()));
+        set.map_err(|e| self.failed(e))
+    }
+
+    /// What SQLite finds wrong with the file: nothing, if it is whole.
+    ///
+    /// # Errors
+    /// If it cannot be read at all.
+    pub fn integrity(&self) -> Result<Vec<String>, Error> {
+        let mut found: Vec<String> = self.all("PRAGMA integrity_check", (), |row| row.get(0))?;
+        found.retain(|text| text != "ok");
+        let loose = self.all("PRAGMA foreign_key_check", (), |row| {
+            Ok(format!("a row of table {} names what is not there", row.get::<_, String>(0)?))
+        })?;
+        found.extend(loose);
+        Ok(found)
+    }
+
+    /// The one value of a query.
+    fn one<T: rusqlite::types::FromSql>(&self, sql: &str, params: impl Params) -> Result<T, Error> {
+        self.db.query_row(sql, params, |row| row.get(0)).map_err(|e| self.failed(e))
+    }
+
+    /// The one row of a query, if there is one.
+    fn row<T>(
+        &self,
+        sql: &str,
+        params: impl Params,
+        read: impl FnOnce(&Row) -> rusqlite::Result<T>,
+    ) -> Result<Option<T>, Error> {
+        use rusqlite::OptionalExtension;
+        self.db.query_row(sql, params, read).optional().map_err(|e| self.failed(e))
+    }
+
+    /// All rows of a query.
+    fn all<T>(
+        &self,
+        sql: &str,
+        params: impl Params,
+        read: impl FnMut(&Row) -> rusqlite::Result<T>,
+    ) -> Result<Vec<T>, Error> {
+        let rows = self.db.prepare_cached(sql).and_then(|mut query| query.query_map(params, read)?.collect());
+        rows.map_err(|e| self.failed(e))
+    }
+
+    /// Runs a statement; how many rows it changed.
+    fn run(&self, sql: &str, params: impl Params) -> Result<usize, Error> {
+        self.db.prepare_cached(sql).and_then(|mut statement| statement.execute(params)).map_err(|e| self.failed(e))
+    }
+
+    fn failed(&self, cause: rusqlite::Error) -> Error {
+        Error::database(&self.path, cause)
+    }
+}
+
+/// A path as it stands in a URI.
+fn escaped(path: &Path) -> String {
+    path.display().to_string().replace('%', "%25").replace('?', "%3f").replace('#', "%23")
+}

@@ -1,0 +1,179 @@
+use crate::figures::{Basis, Figures};
+use crate::library::{WeldEnd, WeldFile, WeldRecord, WeldResult};
+use crate::trace::{Column, Trace, TraceWriter};
+use crate::{DataFolder, Error, Moment, sha256, sha256_of_file, whole_file};
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// A weld that is to be recorded. Texts with the name under which the library keeps them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// Number of the part, as the shop has it.
+    pub part: String,
+    /// The job's title.
+    pub title: String,
+    /// No metal will be welded.
+    pub simulated: bool,
+    /// Name and text of the job file, if it is no program.
+    pub job: Option<(String, String)>,
+    /// Name and text of the program.
+    pub program: (String, String),
+    /// Name and text of the machine file.
+    pub machine: (String, String),
+    /// Number and text of the welding procedure.
+    pub procedure: Option<(String, String)>,
+    /// Who welds.
+    pub welder: Option<String>,
+    /// Columns of the trace.
+    pub columns: Vec<Column>,
+    /// (key, value) pairs for the trace's metadata.
+    pub about: Vec<(&'static str, String)>,
+    /// Rows of a part of the trace at most.
+    pub most_rows: u64,
+    /// Rows that are expected: the weld is refused if there is no room for them.
+    pub rows: u64,
+    /// What figures are worked out from.
+    pub basis: Basis,
+}
+
+/// How a weld ended.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// With what result.
+    pub result: WeldResult,
+    /// What else there is to say; may be empty.
+    pub note: String,
+    /// Files to keep with it: name and text.
+    pub files: Vec<(String, String)>,
+}
+
+/// A weld that is being recorded.
+///
+/// Rows never stop the weld: what cannot be written is counted, said once by [`Recording::trouble`], and stands in the
+/// weld's note in the end.
+#[derive(Debug)]
+pub struct Recording {
+    id: i64,
+    folder: PathBuf,
+    writer: TraceWriter,
+    trouble: Option<String>,
+}
+
+impl Recording {
+    pub(crate) fn new(id: i64, folder: PathBuf, plan: &Plan) -> Result<Self, Error> {
+        let writer = TraceWriter::create(&folder.join("trace.parquet"), &plan.columns, &plan.about, plan.most_rows)?;
+        Ok(Self { id, folder, writer, trouble: None })
+    }
+
+    /// Number of the weld in the library.
+    pub fn id(&self) -> i64 {
+        self.id
+    }
+
+    /// Adds a row to the trace.
+    pub fn row(&mut self, values: impl IntoIterator<Item = f64>) {
+        let result = self.writer.row(values);
+        self.keep(result);
+    }
+
+    /// Puts all rows so far on the disk.
+    pub fn flush(&mut self) {
+        let result = self.writer.flush();
+        self.keep(result);
+    }
+
+    fn keep(&mut self, result: Result<(), Error>) {
+        if let Err(error) = result {
+            self.trouble.get_or_insert_with(|| error.to_string());
+        }
+    }
+
+    /// Why rows could not be written, if some could not: an alarm should say so.
+    pub fn trouble(&self) -> Option<&str> {
+        self.trouble.as_deref()
+    }
+
+    /// Ends the weld: makes the trace Parquet, works out the figures and puts all of it into the library.
+    ///
+    /// # Errors
+    /// If the library cannot be written: the trace is kept, and [`DataFolder::recover`] puts it into the library later.
+    /// A trace that cannot be finished is no error; the weld's note says so.
+    pub fn finish(self, data: &mut DataFolder, outcome: &Outcome) -> Result<WeldRecord, Error> {
+        let Self { id, folder, writer, trouble } = self;
+        let mut notes: Vec<String> = vec![outcome.note.clone()];
+        let lost = writer.lost();
+        notes.extend(trouble.map(|why| format!("{lost} rows of the trace were lost: {why}")));
+        let kept = writer.finish().map(drop);
+        let kept = kept.and_then(|()| {
+            outcome.files.iter().try_for_each(|(name, text)| write(&folder.join(name), text.as_bytes()))
+        });
+        notes.extend(kept.err().map(|why| format!("the record is not whole: {why}")));
+        notes.retain(|note| !note.is_empty());
+        settle(data, id, &folder, (outcome.result, Moment::now(), notes.join("; ")))
+    }
+}
+
+fn write(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    let mut file = whole_file::beside(path)?;
+    file.write_all(bytes).map_err(|e| Error::io(path, "cannot be written", e))?;
+    whole_file::keep(file, path)
+}
+
+/// Puts what is in a weld's folder into the library, with the weld's end.
+pub(crate) fn settle(
+    data: &mut DataFolder,
+    id: i64,
+    folder: &Path,
+    (result, ended, mut note): (WeldResult, Moment, String),
+) -> Result<WeldRecord, Error> {
+    let files = files_in(folder)?;
+    let traces = files.iter().filter(|f| f.rows.is_some()).map(|f| Trace::open(&folder.join(&f.name)));
+    let figures = traces.collect::<Result<Vec<_>, _>>().and_then(|traces| {
+        let basis = data.library().basis(id)?;
+        Figures::of(&traces, &basis)
+    });
+    let figures = figures.unwrap_or_else(|why| {
+        let why = format!("no figures: {why}");
+        note = if note.is_empty() { why } else { format!("{note}; {why}") };
+        Figures::default()
+    });
+    let end = WeldEnd {
+        ended,
+        result,
+        note,
+        heat_input_kj_mm: figures.heat_input_kj_mm,
+        worst_deviation_mm: figures.worst_deviation_mm,
+        values: figures.values,
+        files,
+    };
+    data.library_mut().end_weld(id, &end)?;
+    data.library().weld(id)
+}
+
+/// The files in a weld's folder, with their hashes; traces with their rows.
+fn files_in(folder: &Path) -> Result<Vec<WeldFile>, Error> {
+    let mut files = Vec::new();
+    if !folder.exists() {
+        return Ok(files);
+    }
+    let unreadable = |e| Error::io(folder, "cannot be read", e);
+    for entry in fs::read_dir(folder).map_err(unreadable)? {
+        let path = entry.map_err(unreadable)?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if name.starts_with('.') || name.ends_with(".raw") {
+            continue;
+        }
+        let (sha256, bytes) = sha256_of_file(&path)?;
+        let rows = if name.ends_with(".parquet") { Some(Trace::open(&path)?.rows()) } else { None };
+        files.push(WeldFile { name, sha256, bytes, rows });
+    }
+    // Parts of the trace in their order.
+    files.sort_by_key(|f| (f.rows.is_none(), f.name.len(), f.name.clone()));
+    Ok(files)
+}
+
+/// Hash of a text that the library keeps.
+pub(crate) fn hash_of(text: &str) -> String {
+    sha256(text.as_bytes())
+}

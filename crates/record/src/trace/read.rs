@@ -1,0 +1,115 @@
+use super::{Column, Kind};
+use crate::Error;
+use parquet::basic::{LogicalType, Type as PhysicalType};
+use parquet::column::reader::ColumnReader;
+use parquet::errors::ParquetError;
+use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
+use std::fs::File;
+use std::path::{Path, PathBuf};
+
+/// A trace in a Parquet file, read a row group at a time.
+pub struct Trace {
+    path: PathBuf,
+    reader: SerializedFileReader<File>,
+    columns: Vec<Column>,
+    about: Vec<(String, String)>,
+}
+
+impl Trace {
+    /// Opens a trace.
+    ///
+    /// # Errors
+    /// If the file cannot be read or is no trace.
+    pub fn open(path: &Path) -> Result<Self, Error> {
+        let file = File::open(path).map_err(|e| Error::io(path, "cannot be read", e))?;
+        let reader = SerializedFileReader::new(file).map_err(|e| Error::parquet(path, &e))?;
+        let metadata = reader.metadata().file_metadata();
+        let pairs = metadata.key_value_metadata().into_iter().flatten();
+        let pairs = pairs.map(|p| (p.key.clone(), p.value.clone().unwrap_or_default()));
+        let (units, about): (Vec<_>, Vec<_>) = pairs.partition(|(key, _)| key.starts_with("unit:"));
+        let columns = metadata.schema_descr().columns().iter().map(|column| {
+            let kind = match (column.physical_type(), column.logical_type_ref()) {
+                (PhysicalType::DOUBLE, _) => Kind::F64,
+                (PhysicalType::FLOAT, _) => Kind::F32,
+                (PhysicalType::INT32, Some(LogicalType::Integer(integer))) if integer.bit_width == 8 => Kind::U8,
+                (PhysicalType::INT32, _) => Kind::U32,
+                (other, _) => {
+                    let why = format!("column {} holds {other}", column.name());
+                    return Err(Error::damaged(path, why, "a trace that Seamwright wrote"));
+                }
+            };
+            let key = format!("unit:{}", column.name());
+            let unit = units.iter().find(|(k, _)| *k == key).map_or("", |(_, unit)| unit.as_str());
+            Ok(Column::new(column.name(), unit, kind))
+        });
+        let columns = columns.collect::<Result<_, _>>()?;
+        Ok(Self { path: path.to_owned(), reader, columns, about })
+    }
+
+    /// Its columns.
+    pub fn columns(&self) -> &[Column] {
+        &self.columns
+    }
+
+    /// What was said of the weld when the trace was begun.
+    pub fn about(&self) -> &[(String, String)] {
+        &self.about
+    }
+
+    /// How many rows it has.
+    pub fn rows(&self) -> u64 {
+        u64::try_from(self.reader.metadata().file_metadata().num_rows()).unwrap_or(0)
+    }
+
+    /// Calls `row` with the values of the columns `names`, row by row.
+    ///
+    /// # Errors
+    /// If there is no such column, or the file cannot be read.
+    pub fn read(&self, names: &[&str], mut row: impl FnMut(&[f64])) -> Result<(), Error> {
+        let place = |name: &&str| {
+            self.columns.iter().position(|c| c.name == *name).ok_or_else(|| {
+                let all: Vec<&str> = self.columns.iter().map(|c| c.name.as_str()).collect();
+                Error::wrong(format!("{}: there is no column {name}", self.path.display()), all.join(", "))
+            })
+        };
+        let places = names.iter().map(place).collect::<Result<Vec<usize>, _>>()?;
+        let failed = |e| Error::parquet(&self.path, &e);
+        let mut values = vec![0.0; names.len()];
+        for group in 0..self.reader.num_row_groups() {
+            let group = self.reader.get_row_group(group).map_err(failed)?;
+            let columns = places.iter().map(|i| column(&*group, *i, self.columns[*i].kind));
+            let columns = columns.collect::<Result<Vec<_>, _>>().map_err(failed)?;
+            for i in 0..columns.first().map_or(0, Vec::len) {
+                for (value, column) in values.iter_mut().zip(&columns) {
+                    *value = column[i];
+                }
+                row(&values);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A column of a row group.
+fn column(group: &dyn RowGroupReader, place: usize, kind: Kind) -> Result<Vec<f64>, ParquetError> {
+    let count = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
+    Ok(match group.get_column_reader(place)? {
+        ColumnReader::DoubleColumnReader(mut reader) => {
+            let mut values = Vec::with_capacity(count);
+            reader.read_records(count, None, None, &mut values)?;
+            values
+        }
+        ColumnReader::FloatColumnReader(mut reader) => {
+            let mut values = Vec::with_capacity(count);
+            reader.read_records(count, None, None, &mut values)?;
+            values.into_iter().map(f64::from).collect()
+        }
+        ColumnReader::Int32ColumnReader(mut reader) => {
+            let mut values = Vec::with_capacity(count);
+            reader.read_records(count, None, None, &mut values)?;
+            let whole = |v: i32| if kind == Kind::U8 { f64::from(v) } else { f64::from(v as u32) };
+            values.into_iter().map(whole).collect()
+        }
+        _ => Vec::new(),
+    })
+}
