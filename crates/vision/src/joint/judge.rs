@@ -61,16 +61,18 @@ pub(super) fn doubtful(rows: &mut [Row], solid: usize) {
 pub(super) fn rims(rows: &mut [Row], end: End, on_joint: bool) {
     let count = rows.len();
     let sure_from = if on_joint || end == End::Closed { 0 } else { START_RIM };
-    // As many rows as were missed are not sure either: what is found again may be something else.
-    let mut missed = 0;
-    for i in 0..count {
-        if rows[i].state == State::Coasted {
-            missed = missed.max(RIM) + 1;
-            rows[i.saturating_sub(RIM)..i].iter_mut().for_each(unsure);
-        } else if i < sure_from || missed > 0 {
-            unsure(&mut rows[i]);
-            missed = missed.saturating_sub(1);
-        }
+    rows[..sure_from.min(count)].iter_mut().for_each(unsure);
+    // What is found again may be something else: as many rows as were missed, in this gap and before, are not sure, unless it
+    // goes on for longer.
+    let (mut from, mut missed) = (0, 0);
+    while let Some(gap) = (from..count).find(|i| rows[*i].state == State::Coasted) {
+        let seen = (gap..count).find(|i| rows[*i].state == State::Seen).unwrap_or(count);
+        from = (seen..count).find(|i| rows[*i].state == State::Coasted).unwrap_or(count);
+        missed = RIM.max(missed) + seen - gap;
+        let doubted = if from - seen >= missed { RIM } else { missed };
+        missed = missed.saturating_sub(from - seen);
+        rows[gap.saturating_sub(RIM)..gap].iter_mut().for_each(unsure);
+        rows[seen..(seen + doubted).min(from)].iter_mut().for_each(unsure);
     }
     let rim = match end {
         End::JointEnd => END_RIM,
