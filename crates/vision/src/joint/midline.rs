@@ -77,6 +77,7 @@ impl Midline {
         self.stand(&trail.places);
         self.strip.unroll(picture, self.stations.iter().copied());
         self.strip.measure(look.width);
+        self.strip.noise = self.strip.noise_everywhere();
         self.contrast.clear();
         self.contrast.extend(trail.places.iter().map(|p| p.contrast));
         for _ in 0..2 {

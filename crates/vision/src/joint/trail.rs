@@ -102,6 +102,7 @@ impl Trail {
     pub(super) fn look(&mut self, picture: &Picture, axis: Axis, width: f32, level: usize) -> Option<Look> {
         self.strip.unroll(picture, (0..ROWS).map(|i| axis.station(i as f32)));
         self.strip.measure(width);
+        self.strip.noise = self.strip.noise_everywhere();
         let free = 2.0 + 0.25 * width;
         let mut contrast = self.depth_at_start(free).max(3.5 * self.strip.noise);
         for _ in 0..2 {
@@ -136,6 +137,7 @@ impl Trail {
     pub(super) fn measure_width(&mut self, picture: &Picture, look: &Look) -> Option<f32> {
         self.strip.unroll(picture, (0..ROWS).map(|i| look.axis.station(i as f32)));
         self.strip.measure(look.width);
+        self.strip.noise = self.strip.noise_everywhere();
         self.find(look.contrast, 1.5);
         let profile = Profile::new(1.5 * look.width);
         let (mut sum, mut arms): (Arms, Arms) = ([[0.0; REACH]; 2], [[0.0; REACH]; 2]);
