@@ -96,13 +96,14 @@ fn unsure(row: &mut Row) {
     row.confidence = row.confidence.min(UNSURE);
 }
 
-/// Takes the confidence from a line that is as short as a scratch.
+/// Takes the confidence from a line of which no stretch without a gap is longer than a scratch.
 pub(super) fn length(rows: &mut [Row], end: End) {
-    let seen = |pair: &&[Row]| pair.iter().all(|r| r.state == State::Seen);
-    let length: f32 = rows.windows(2).filter(seen).map(|p| (p[1].x - p[0].x).hypot(p[1].y - p[0].y)).sum();
+    let stretches = rows.split(|r| r.state == State::Coasted);
+    let length = |rows: &[Row]| rows.windows(2).map(|p| (p[1].x - p[0].x).hypot(p[1].y - p[0].y)).sum::<f32>();
+    let longest = stretches.map(length).fold(0.0, f32::max);
     let narrow = rows.iter().filter(|r| r.width < NARROW).count() > rows.len() / 2;
     let least = if narrow { SHORT_AND_NARROW } else { SHORT };
-    if matches!(end, End::JointEnd | End::Lost) && length < least {
+    if matches!(end, End::JointEnd | End::Lost) && longest < least {
         rows.iter_mut().for_each(unsure);
     }
 }

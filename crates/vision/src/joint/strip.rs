@@ -126,8 +126,9 @@ impl Strip {
         }
     }
 
-    /// Depths for a joint of `width` pixels.
-    pub(super) fn measure(&mut self, width: f32) {
+    /// Depths for a joint of `width` pixels. No pixel counts for more than `most` grey values more or less than those before it
+    /// along the joint.
+    pub(super) fn measure(&mut self, width: f32, most: f32) {
         let half = box_columns(width) / 2;
         let skirt = 1 + half.div_ceil(2);
         let reach = half + skirt + 2 * SIDE;
@@ -137,15 +138,19 @@ impl Strip {
         let add = |sum: &mut Line, row: &Line, sign: f32| sum.iter_mut().zip(row).for_each(|(s, g)| *s += sign * g);
         let rows = self.grey.len();
         self.grey[..GROUP.min(rows)].iter().for_each(|row| add(&mut sum, row, 1.0));
+        let mut count = GROUP.min(rows) as f32;
         for i in 0..rows {
-            if i + GROUP < rows {
-                add(&mut sum, &self.grey[i + GROUP], 1.0);
+            if let Some(row) = self.grey.get_mut(i + GROUP) {
+                let part = 1.0 / count;
+                row.iter_mut().zip(&sum).for_each(|(g, s)| *g = g.max(s * part - most).min(s * part + most));
+                add(&mut sum, row, 1.0);
+                count += 1.0;
             }
             if i > GROUP {
                 add(&mut sum, &self.grey[i - GROUP - 1], -1.0);
+                count -= 1.0;
             }
-            let count = (i + GROUP + 1).min(rows) - i.saturating_sub(GROUP);
-            self.depth.push(depths(&sum, count as f32, half, half + skirt));
+            self.depth.push(depths(&sum, count, half, half + skirt));
         }
     }
 
