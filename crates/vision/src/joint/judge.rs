@@ -96,11 +96,17 @@ fn unsure(row: &mut Row) {
     row.confidence = row.confidence.min(UNSURE);
 }
 
-/// Takes the confidence from a line of which no stretch without a gap is longer than a scratch.
+/// Takes the confidence from a line of which no stretch without a long gap is longer than a scratch.
 pub(super) fn length(rows: &mut [Row], end: End) {
-    let stretches = rows.split(|r| r.state == State::Coasted);
-    let length = |rows: &[Row]| rows.windows(2).map(|p| (p[1].x - p[0].x).hypot(p[1].y - p[0].y)).sum::<f32>();
-    let longest = stretches.map(length).fold(0.0, f32::max);
+    let (mut longest, mut length, mut missed) = (0.0f32, 0.0, 0);
+    for pair in rows.windows(2) {
+        if pair.iter().all(|r| r.state == State::Seen) {
+            length = if missed > RIM { 0.0 } else { length } + (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y);
+            (longest, missed) = (longest.max(length), 0);
+        } else {
+            missed += 1;
+        }
+    }
     let narrow = rows.iter().filter(|r| r.width < NARROW).count() > rows.len() / 2;
     let least = if narrow { SHORT_AND_NARROW } else { SHORT };
     if matches!(end, End::JointEnd | End::Lost) && longest < least {
