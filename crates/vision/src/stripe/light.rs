@@ -187,7 +187,8 @@ mod tests {
         let frame = Frame::new(SIZE.0, SIZE.1, Pixels::U16(&pixels)).unwrap();
         let mut blobs = Blobs::default();
         assert!(blobs.find(&frame));
-        let profile = Profile { pitch: 1.0, direction: 1.0, ..Profile::default() };
+        let mut profile = Profile::default();
+        (profile.pitch, profile.direction) = (1.0, 1.0);
         for width in [6.0, 10.0, 20.0] {
             let light = Light::new(&frame, &blobs, None, (width, HEIGHT));
             let half = HALF * width;
