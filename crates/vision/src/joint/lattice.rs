@@ -33,7 +33,7 @@ impl Lattice {
             let part = (1.0 / (rows * strip.noise * strip.noise)).min(2.0 * MOST / (contrast * contrast));
             let mut row = depth.map(|depth| {
                 let depth = depth.min(TOO_DEEP * contrast - depth);
-                (contrast * (depth - 0.5 * contrast) * part).max(LEAST).min(MOST)
+                (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST)
             });
             row[..first].fill(NEVER);
             row[last + 1..].fill(NEVER);
