@@ -3,9 +3,7 @@
 use glam::DVec3;
 use seamwright_cell::eyes::{Appearance, Distortion, Eye, SeamLine, Station};
 use seamwright_cell::frames::FrameError;
-use seamwright_cell::teach::{
-    Carrier, JointFollower, Midline, NoOperator, Operator, RidgeFollower, SimulatedRig, TaughtRun, Truth, truth,
-};
+use seamwright_cell::teach::{Carrier, JointFollower, NoOperator, Operator, SimulatedRig, TaughtRun, Truth, truth};
 use seamwright_geometry::reduce::Method;
 use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
 use seamwright_motion::PassMotion;
@@ -68,24 +66,14 @@ fn teach(
     (distortion, tacks, seed): (Distortion, &[(f64, f64)], u64),
     operator: &mut dyn Operator,
 ) -> Taught {
-    let ridge = &mut RidgeFollower { longest_gap_px: LONGEST_GAP_PX };
-    teach_with(bench, (distortion, tacks, seed), operator, ridge)
-}
-
-fn teach_with(
-    bench: &Bench,
-    (distortion, tacks, seed): (Distortion, &[(f64, f64)], u64),
-    operator: &mut dyn Operator,
-    midline: &mut dyn Midline,
-) -> Taught {
-    teach_actual(bench, distortion.of(&bench.nominal, seed), (tacks, seed), (operator, midline))
+    teach_actual(bench, distortion.of(&bench.nominal, seed), (tacks, seed), operator)
 }
 
 fn teach_actual(
     bench: &Bench,
     actual: SeamLine,
     (tacks, seed): (&[(f64, f64)], u64),
-    (operator, midline): (&mut dyn Operator, &mut dyn Midline),
+    operator: &mut dyn Operator,
 ) -> Taught {
     let Bench { machine, nominal, .. } = bench;
     let sensor = &machine.sensors[0];
@@ -107,6 +95,7 @@ fn teach_actual(
     };
     let seamwright_machine::Sight::Camera(camera) = &sensor.sight else { panic!("no camera") };
     let mut walk = Crawl::new(settings, &camera.table, nominal, start);
+    let midline = &mut JointFollower::new(LONGEST_GAP_PX);
     let begun = Instant::now();
     let mut frames = 0;
     let run = seamwright_cell::teach::teach((machine, sensor), &mut walk, &mut rig, (midline, operator), &mut |_| {
@@ -314,13 +303,12 @@ fn a_long_tack_is_asked_about() {
 #[test]
 fn the_end_is_found_by_sight() {
     let bench = Bench::new(S_CURVE, None);
-    let ridge = &mut RidgeFollower { longest_gap_px: LONGEST_GAP_PX };
     // Stations are half a millimetre apart.
     for (seed, less) in [(1, 0), (2, 6), (3, 17)] {
         let whole = PLACED_WRONG.of(&bench.nominal, seed);
         let kept = whole.stations().len() - less;
         let actual = SeamLine::through(whole.stations()[..kept].to_vec(), false);
-        let taught = teach_actual(&bench, actual, (&[], seed), (&mut no_one(), ridge));
+        let taught = teach_actual(&bench, actual, (&[], seed), &mut no_one());
         assert_eq!(taught.run.end, Some(End::JointEnd), "{less}: {:?}", taught.run.asked);
         assert!(taught.truth.end <= 0.3, "{less}: {:?}", taught.truth);
     }
@@ -329,13 +317,13 @@ fn the_end_is_found_by_sight() {
         let nominal =
             SeamLine::through(bench.nominal.stations()[..bench.nominal.stations().len() - less].to_vec(), false);
         let short = Bench { nominal, ..Bench::new(S_CURVE, None) };
-        let taught = teach_actual(&short, actual, (&[], seed), (&mut no_one(), ridge));
+        let taught = teach_actual(&short, actual, (&[], seed), &mut no_one());
         assert_eq!(taught.run.end, Some(End::JointEnd), "-{less}: {:?}", taught.run.asked);
         assert!(taught.truth.end <= 0.3, "-{less}: {:?}", taught.truth);
     }
     let whole = PLACED_WRONG.of(&bench.nominal, 4);
     let half = SeamLine::through(whole.stations()[..300].to_vec(), false);
-    let taught = teach_actual(&bench, half, (&[], 4), (&mut no_one(), ridge));
+    let taught = teach_actual(&bench, half, (&[], 4), &mut no_one());
     assert_eq!(taught.run.end, Some(End::Operator));
     assert!(taught.run.asked[0].contains("it ends here") && taught.truth.end <= 0.3, "{:?}", taught.truth);
 }
@@ -361,20 +349,6 @@ fn limits_and_zones_end_it() {
         assert!(taught.truth.across_max <= 0.1, "{:?}", taught.truth);
     }
     drop(bench);
-}
-
-/// The other follower may lose the joint, but what it teaches is the joint.
-#[test]
-fn either_follower_is_right_or_lost() {
-    let bench = Bench::new(S_CURVE, None);
-    for seed in 1..=soak() {
-        let mut follower = JointFollower::new(LONGEST_GAP_PX);
-        let taught = teach_with(&bench, (PLACED_WRONG, &[(30.0, 35.0)], seed), &mut no_one(), &mut follower);
-        let (end, t) = (&taught.run.end, &taught.truth);
-        assert!(matches!(end, Some(End::JointEnd | End::Operator)), "seed {seed}: {end:?}");
-        assert!(taught.line.is_empty() || t.across_max <= 0.2, "seed {seed}: {t:?}");
-        assert!(*end == Some(End::Operator) || t.end <= 0.3, "seed {seed}: {t:?}");
-    }
 }
 
 #[test]

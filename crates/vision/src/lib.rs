@@ -6,8 +6,6 @@ pub mod camera;
 mod frame;
 pub mod joint;
 pub mod region_growing;
-mod ridge;
 pub mod stripe;
 
 pub use frame::{Frame, FrameError, Image, MAX_SIDE, Pixels};
-pub use ridge::{Ridge, RidgeEnd, RidgeRow, follow_ridge};

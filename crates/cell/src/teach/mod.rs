@@ -2,7 +2,6 @@
 
 mod carrier;
 mod follower;
-mod ridge;
 mod rig;
 mod run;
 mod semi_manual;
@@ -10,7 +9,6 @@ mod truth;
 
 pub use carrier::{Carrier, Guide};
 pub use follower::JointFollower;
-pub use ridge::RidgeFollower;
 pub use rig::{DistantRig, Played, Rig, SimulatedRig, joints};
 pub use run::{Found, Look, Midline, NoOperator, Operator, TaughtRun, teach};
 pub use semi_manual::semi_manual;

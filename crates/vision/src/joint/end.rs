@@ -8,8 +8,13 @@ const ABOUT: usize = 28;
 const MOST: f32 = 1.0;
 /// Rows to either side of an end that it is placed between rows by.
 const NEAR: usize = 5;
+/// Rows before and after an end that tell the depth there.
+const LEVEL: usize = 14;
 /// Rows before an end that are seen.
 const BEFORE: usize = 24;
+
+/// Part of the longest gap that tells an end from a tack before the rim.
+const TOLD: f32 = 0.5;
 
 /// How much of the way is the joint's, and how it ends.
 pub(super) struct Cut {
@@ -19,14 +24,17 @@ pub(super) struct Cut {
     pub(super) beyond: f32,
 }
 
-/// Takes off what was coasted over last, and tells an end of the joint from its loss; none if nothing is seen.
-pub(super) fn cut(rows: &[Found], solid: usize, stop: Stop) -> Option<Cut> {
+/// Takes off what was coasted over last, and tells an end of the joint from its loss; none if nothing is seen. `gap`: rows of
+/// the longest gap.
+pub(super) fn cut(rows: &[Found], solid: usize, stop: Stop, gap: f32) -> Option<Cut> {
     let within = if stop == Stop::Gap { solid } else { rows.len() };
     let seen = rows.get(..within)?.iter().rposition(|r| r.seen)? + 1;
+    let left = Cut { rows: seen, end: End::LeftImage, beyond: 0.0 };
     match stop {
         Stop::Closed => return Some(Cut { rows: rows.len(), end: End::Closed, beyond: 0.0 }),
-        Stop::Rim => return Some(Cut { rows: seen, end: End::LeftImage, beyond: 0.0 }),
-        Stop::Gap => {}
+        // Too little metal before the rim to tell an end from a tack.
+        Stop::Rim if ((rows.len() - seen) as f32) < TOLD * gap => return Some(left),
+        Stop::Rim | Stop::Gap => {}
     }
     // Where depths fall from the joint's to none: most above half of it before and most below it after.
     let depth = rows[seen.saturating_sub(ABOUT)].depth.max(1e-3);
@@ -38,16 +46,32 @@ pub(super) fn cut(rows: &[Found], solid: usize, stop: Stop) -> Option<Cut> {
             (greatest, at) = (sum, from + i + 1);
         }
     }
-    // Between rows: as far as all depth near the end together reaches.
-    let (first, last) = (at.saturating_sub(NEAR), (at + NEAR).min(rows.len()));
-    let whole: f32 = rows[first..last].iter().map(|r| (r.own_depth / depth).clamp(-0.5, 1.5)).sum();
-    let beyond = (first as f32 + whole - at as f32).clamp(-1.5, 1.5);
+    let beyond = between(rows, at, depth);
     let sure = rows[at.saturating_sub(BEFORE)..at].iter().filter(|r| r.seen).count();
     let after = &rows[at..];
     let count = after.len().max(1) as f32;
     let mean = after.iter().map(|r| r.own_depth).sum::<f32>() / count;
     let scatter = after.iter().map(|r| (r.own_depth - mean).powi(2)).sum::<f32>() / count;
     let clear = mean.abs() + 3.0 * (scatter / count).sqrt() < 0.4 * depth;
-    let end = if clear && 4 * sure >= 3 * BEFORE { End::JointEnd } else { End::Lost };
-    Some(Cut { rows: at, end, beyond })
+    let told = clear && 4 * sure >= 3 * BEFORE;
+    Some(match stop {
+        _ if told => Cut { rows: at, end: End::JointEnd, beyond },
+        Stop::Gap => Cut { rows: at, end: End::Lost, beyond },
+        Stop::Rim | Stop::Closed => left,
+    })
+}
+
+/// How far beyond the begin of row `at` the joint reaches, rows: as far as all depth near the end together does, of what is
+/// there before the end and after it.
+fn between(rows: &[Found], at: usize, depth: f32) -> f32 {
+    let mean = |from: usize, to: usize| {
+        let near = &rows[from.min(to)..to];
+        (near.len() >= NEAR).then(|| near.iter().map(|r| r.own_depth).sum::<f32>() / near.len() as f32)
+    };
+    let before = mean(at.saturating_sub(LEVEL), at.saturating_sub(2)).unwrap_or(depth).max(0.5 * depth);
+    let after = mean((at + 2).min(rows.len()), (at + LEVEL).min(rows.len())).unwrap_or(0.0).min(0.4 * depth);
+    let (first, last) = (at.saturating_sub(NEAR), (at + NEAR).min(rows.len()));
+    let part = |r: &Found| ((r.own_depth - after) / (before - after)).clamp(-0.5, 1.5);
+    let whole: f32 = rows[first..last].iter().map(part).sum();
+    (first as f32 + whole - at as f32).clamp(-1.5, 1.5)
 }

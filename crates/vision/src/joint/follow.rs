@@ -112,7 +112,7 @@ impl Follower {
             return End::Lost;
         }
         self.midline.find(&picture, &self.trail, &look);
-        tell(&self.midline, &picture, (level, self.trail.solid, stop), self.options.on_joint, &mut self.joint.rows)
+        tell(&self.midline, &picture, (level, self.trail.solid, stop, gap), self.options.on_joint, &mut self.joint.rows)
     }
 }
 
@@ -120,12 +120,12 @@ impl Follower {
 fn tell(
     midline: &Midline,
     picture: &Picture,
-    (level, solid, stop): (usize, usize, Stop),
+    (level, solid, stop, gap): (usize, usize, Stop, f32),
     on_joint: bool,
     out: &mut Vec<Row>,
 ) -> End {
     let scale = (1 << level) as f32;
-    let Some(Cut { rows, end, beyond }) = cut(&midline.rows, solid, stop) else { return End::Lost };
+    let Some(Cut { rows, end, beyond }) = cut(&midline.rows, solid, stop, gap) else { return End::Lost };
     for (i, found) in midline.rows[..rows].iter().enumerate() {
         let confidence = judge::row(found, scale, midline.is_whole(i, picture));
         let [x, y] = found.at.map(|v| from_level(v, level));

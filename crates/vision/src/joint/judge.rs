@@ -61,16 +61,18 @@ pub(super) fn doubtful(rows: &mut [Row], solid: usize) {
 pub(super) fn rims(rows: &mut [Row], end: End, on_joint: bool) {
     let count = rows.len();
     let sure_from = if on_joint || end == End::Closed { 0 } else { START_RIM };
-    // As many rows as were missed are not sure either: what is found again may be something else.
-    let mut missed = 0;
-    for i in 0..count {
-        if rows[i].state == State::Coasted {
-            missed = missed.max(RIM) + 1;
-            rows[i.saturating_sub(RIM)..i].iter_mut().for_each(unsure);
-        } else if i < sure_from || missed > 0 {
-            unsure(&mut rows[i]);
-            missed = missed.saturating_sub(1);
-        }
+    rows[..sure_from.min(count)].iter_mut().for_each(unsure);
+    // What is found again may be something else: as many rows as were missed, in this gap and before, are not sure, unless it
+    // goes on for longer.
+    let (mut from, mut missed) = (0, 0);
+    while let Some(gap) = (from..count).find(|i| rows[*i].state == State::Coasted) {
+        let seen = (gap..count).find(|i| rows[*i].state == State::Seen).unwrap_or(count);
+        from = (seen..count).find(|i| rows[*i].state == State::Coasted).unwrap_or(count);
+        missed = RIM.max(missed) + seen - gap;
+        let doubted = if from - seen >= missed { RIM } else { missed };
+        missed = missed.saturating_sub(from - seen);
+        rows[gap.saturating_sub(RIM)..gap].iter_mut().for_each(unsure);
+        rows[seen..(seen + doubted).min(from)].iter_mut().for_each(unsure);
     }
     let rim = match end {
         End::JointEnd => END_RIM,
@@ -94,13 +96,20 @@ fn unsure(row: &mut Row) {
     row.confidence = row.confidence.min(UNSURE);
 }
 
-/// Takes the confidence from a line that is as short as a scratch.
+/// Takes the confidence from a line of which no stretch without a long gap is longer than a scratch.
 pub(super) fn length(rows: &mut [Row], end: End) {
-    let seen = |pair: &&[Row]| pair.iter().all(|r| r.state == State::Seen);
-    let length: f32 = rows.windows(2).filter(seen).map(|p| (p[1].x - p[0].x).hypot(p[1].y - p[0].y)).sum();
+    let (mut longest, mut length, mut missed) = (0.0f32, 0.0, 0);
+    for pair in rows.windows(2) {
+        if pair.iter().all(|r| r.state == State::Seen) {
+            length = if missed > RIM { 0.0 } else { length } + (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y);
+            (longest, missed) = (longest.max(length), 0);
+        } else {
+            missed += 1;
+        }
+    }
     let narrow = rows.iter().filter(|r| r.width < NARROW).count() > rows.len() / 2;
     let least = if narrow { SHORT_AND_NARROW } else { SHORT };
-    if matches!(end, End::JointEnd | End::Lost) && length < least {
+    if matches!(end, End::JointEnd | End::Lost) && longest < least {
         rows.iter_mut().for_each(unsure);
     }
 }

@@ -31,11 +31,12 @@ impl Lattice {
             let contrast = contrast(i);
             // At the joint's own depth the evidence is no more than the most: it peaks there.
             let part = (1.0 / (rows * strip.noise * strip.noise)).min(2.0 * MOST / (contrast * contrast));
-            let mut row = [NEVER; COLS];
-            for j in first..=last {
-                let depth = depth[j].min(TOO_DEEP * contrast - depth[j]);
-                row[j] = (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST);
-            }
+            let mut row = depth.map(|depth| {
+                let depth = depth.min(TOO_DEEP * contrast - depth);
+                (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST)
+            });
+            row[..first].fill(NEVER);
+            row[last + 1..].fill(NEVER);
             self.evidence.push(row);
         }
     }

@@ -76,7 +76,9 @@ impl Midline {
     pub(super) fn find(&mut self, picture: &Picture, trail: &Trail, look: &Look) {
         self.stand(&trail.places);
         self.strip.unroll(picture, self.stations.iter().copied());
-        self.strip.measure(look.width);
+        let deepest = trail.places.iter().map(|p| p.contrast).fold(0.0, f32::max);
+        self.strip.measure(look.width, look.most(deepest));
+        self.strip.noise = self.strip.noise_everywhere();
         self.contrast.clear();
         self.contrast.extend(trail.places.iter().map(|p| p.contrast));
         for _ in 0..2 {

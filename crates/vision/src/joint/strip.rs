@@ -29,6 +29,67 @@ pub(super) fn box_columns(width: f32) -> usize {
 /// One value a column.
 pub(super) type Line = [f32; COLS];
 
+/// Places within a row are counted in these parts of a pixel.
+const PARTS: f32 = 65536.0;
+
+/// Grey values of a row that lies within the picture.
+fn inside(station: &Station, width: usize, pixel: &impl Fn(usize) -> f32) -> Line {
+    let [cos, sin] = station.tangent;
+    let [x, y] = station.beside(-(MID as f32)).map(|v| (v * PARTS) as i32);
+    let (step_x, step_y) = ((-sin * PARTS) as i32, (cos * PARTS) as i32);
+    std::array::from_fn(|j| {
+        let (x, y) = (x + j as i32 * step_x, y + j as i32 * step_y);
+        let part = |v: i32| (v & 0xffff) as f32 * (1.0 / PARTS);
+        let (u, v) = (part(x), part(y));
+        let at = (y >> 16) as usize * width + (x >> 16) as usize;
+        let (a, b, c, d) = (pixel(at), pixel(at + 1), pixel(at + width), pixel(at + width + 1));
+        let (upper, lower) = (a + u * (b - a), c + u * (d - c));
+        upper + v * (lower - upper)
+    })
+}
+
+/// Grey values of a row that touches the picture's rim, beyond which the rim goes on.
+fn at_rim(station: &Station, (width, height): (usize, usize), pixel: &impl Fn(usize) -> f32) -> Line {
+    let (right, bottom) = ((width - 1) as f32, (height - 1) as f32);
+    std::array::from_fn(|j| {
+        let [x, y] = station.beside(j as f32 - MID as f32);
+        let (x, y) = (x.clamp(0.0, right), y.clamp(0.0, bottom));
+        let (left, top) = (x as usize, y as usize);
+        let (u, v) = (x - left as f32, y - top as f32);
+        let (next, down) = (usize::from(left + 1 < width), if top + 1 < height { width } else { 0 });
+        let at = top * width + left;
+        let upper = pixel(at) * (1.0 - u) + pixel(at + next) * u;
+        let lower = pixel(at + down) * (1.0 - u) + pixel(at + down + next) * u;
+        upper * (1.0 - v) + lower * v
+    })
+}
+
+/// How much darker the box of `half` columns to both sides of each column is than boxes from `away` columns on, of the sum of
+/// `count` rows. The lighter one of two boxes on a side counts (a scratch or the foot of a step beside the joint does no
+/// harm), and the darker side.
+fn depths(sum: &Line, count: f32, half: usize, away: usize) -> Line {
+    let reach = away + 2 * SIDE;
+    let mut boxes = [0.0; COLS];
+    for j in 0..COLS - SIDE + 1 {
+        boxes[j] = sum[j..j + SIDE].iter().sum::<f32>();
+    }
+    let inner = COLS - 2 * reach;
+    let mut centre = [0.0; COLS];
+    for k in 0..=2 * half {
+        centre[..inner].iter_mut().zip(&sum[reach - half + k..]).for_each(|(c, s)| *c += s);
+    }
+    let (per_centre, per_side) = (1.0 / ((2 * half + 1) as f32 * count), 1.0 / (SIDE as f32 * count));
+    let (left, right) = (reach - away - SIDE, reach + away + 1);
+    let near = [&boxes[left..left + inner], &boxes[right..right + inner]];
+    let far = [&boxes[left - SIDE..left - SIDE + inner], &boxes[right + SIDE..right + SIDE + inner]];
+    let mut depth = [0.0; COLS];
+    for (j, depth) in depth[reach..reach + inner].iter_mut().enumerate() {
+        let sides = [0, 1].map(|side| near[side][j].max(far[side][j]));
+        *depth = sides[0].min(sides[1]) * per_side - centre[j] * per_centre;
+    }
+    depth
+}
+
 /// Grey values along a line of stations, unrolled, and how much darker than the metal on both sides each place is.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Strip {
@@ -58,74 +119,45 @@ impl Strip {
         let (width, height) = (picture.width, picture.height);
         let (right, bottom) = ((width - 1) as f32, (height - 1) as f32);
         for station in stations {
-            let ([x, y], [cos, sin]) = (station.at, station.tangent);
-            let mut row = [0.0; COLS];
-            let place = |j: usize| {
-                let across = j as f32 - MID as f32;
-                (x - across * sin, y + across * cos)
-            };
-            let inside = |(px, py): (f32, f32)| px >= 0.0 && py >= 0.0 && px < right && py < bottom;
-            let within = inside(place(0)) && inside(place(COLS - 1));
-            for (j, grey) in row.iter_mut().enumerate() {
-                let (px, py) = place(j);
-                // Beyond the rim the rim goes on.
-                let (px, py) = if within { (px, py) } else { (px.clamp(0.0, right), py.clamp(0.0, bottom)) };
-                let (left, top) = (px as usize, py as usize);
-                let (u, v) = (px - left as f32, py - top as f32);
-                let (next, down) = if within {
-                    (1, width)
-                } else {
-                    (usize::from(left + 1 < width), if top + 1 < height { width } else { 0 })
-                };
-                let at = top * width + left;
-                let upper = pixel(at) * (1.0 - u) + pixel(at + next) * u;
-                let lower = pixel(at + down) * (1.0 - u) + pixel(at + down + next) * u;
-                *grey = upper * (1.0 - v) + lower * v;
-            }
+            let ends = [0, COLS - 1].map(|j| station.beside(j as f32 - MID as f32));
+            let within = ends.iter().all(|[x, y]| *x > 0.5 && *y > 0.5 && *x < right - 0.5 && *y < bottom - 0.5);
+            let row = if within { inside(&station, width, &pixel) } else { at_rim(&station, (width, height), &pixel) };
             self.grey.push(row);
         }
     }
 
-    /// Depths for a joint of `width` pixels, and their noise.
-    pub(super) fn measure(&mut self, width: f32) {
+    /// Depths for a joint of `width` pixels. No pixel counts for more than `most` grey values more or less than those before it
+    /// along the joint.
+    pub(super) fn measure(&mut self, width: f32, most: f32) {
         let half = box_columns(width) / 2;
         let skirt = 1 + half.div_ceil(2);
         let reach = half + skirt + 2 * SIDE;
         self.columns = (reach, COLS - 1 - reach);
         self.depth.clear();
         let mut sum = [0.0; COLS];
-        let mut sums = [0.0; COLS + 1];
         let add = |sum: &mut Line, row: &Line, sign: f32| sum.iter_mut().zip(row).for_each(|(s, g)| *s += sign * g);
         let rows = self.grey.len();
         self.grey[..GROUP.min(rows)].iter().for_each(|row| add(&mut sum, row, 1.0));
+        let mut count = GROUP.min(rows) as f32;
         for i in 0..rows {
-            if i + GROUP < rows {
-                add(&mut sum, &self.grey[i + GROUP], 1.0);
+            if let Some(row) = self.grey.get_mut(i + GROUP) {
+                let part = 1.0 / count;
+                row.iter_mut().zip(&sum).for_each(|(g, s)| *g = g.max(s * part - most).min(s * part + most));
+                add(&mut sum, row, 1.0);
+                count += 1.0;
             }
             if i > GROUP {
                 add(&mut sum, &self.grey[i - GROUP - 1], -1.0);
+                count -= 1.0;
             }
-            let count = (i + GROUP + 1).min(rows) - i.saturating_sub(GROUP);
-            let part = 1.0 / count as f32;
-            for j in 0..COLS {
-                sums[j + 1] = sums[j] + sum[j] * part;
-            }
-            let mut depth = [0.0; COLS];
-            let (low, high) = (half + skirt, half + skirt + 1);
-            let per_centre = 1.0 / (2 * half + 1) as f32;
-            let per_side = 1.0 / SIDE as f32;
-            for j in reach..COLS - reach {
-                // The lighter one of two boxes on a side: a scratch or the foot of a step beside the joint does no harm.
-                let left = (sums[j - low] - sums[j - low - SIDE]).max(sums[j - low - SIDE] - sums[j - low - 2 * SIDE]);
-                let right =
-                    (sums[j + high + SIDE] - sums[j + high]).max(sums[j + high + 2 * SIDE] - sums[j + high + SIDE]);
-                let centre = (sums[j + half + 1] - sums[j - half]) * per_centre;
-                depth[j] = left.min(right) * per_side - centre;
-            }
-            self.depth.push(depth);
+            self.depth.push(depths(&sum, count, half, half + skirt));
         }
+    }
+
+    /// The noise of all depths.
+    pub(super) fn noise_everywhere(&mut self) -> f32 {
         let (first, last) = self.columns;
-        self.noise = self.measure_noise(|_| (first..=last, 0..0));
+        self.measure_noise(|_| (first..=last, 0..0))
     }
 
     /// True if the rows about row `i` show a joint of depth `contrast` along `path`.

@@ -37,6 +37,10 @@ const CORNER: f32 = 0.6;
 const LEAP: usize = 12;
 /// A joint whose depth changes is no lighter in its middle than it was by more than this part of its depth.
 const LIKE_FLOOR: f32 = 0.4;
+/// A pixel counts for at most this many times the joint's depth (salt, sparks) ...
+const SPIKE: f32 = 1.25;
+/// ... up to this level: on coarser ones it is one of many.
+const SPIKY: usize = 1;
 /// Part of the first rows that show a joint if there is one.
 const START_SEEN: f32 = 0.6;
 
@@ -90,6 +94,13 @@ pub(super) struct Look {
     pub(super) strength: f32,
 }
 
+impl Look {
+    /// What a pixel counts at most where the joint has this depth, grey values.
+    pub(super) fn most(&self, contrast: f32) -> f32 {
+        if self.level > SPIKY { f32::INFINITY } else { SPIKE * contrast }
+    }
+}
+
 /// How far a trail may go, pixels of its level.
 pub(super) struct Limits<F: Fn([f32; 2]) -> bool> {
     pub(super) inside: F,
@@ -101,7 +112,8 @@ impl Trail {
     /// What a strip from the start shows, for a joint of `width` at `level`.
     pub(super) fn look(&mut self, picture: &Picture, axis: Axis, width: f32, level: usize) -> Option<Look> {
         self.strip.unroll(picture, (0..ROWS).map(|i| axis.station(i as f32)));
-        self.strip.measure(width);
+        self.strip.measure(width, f32::INFINITY);
+        self.strip.noise = self.strip.noise_everywhere();
         let free = 2.0 + 0.25 * width;
         let mut contrast = self.depth_at_start(free).max(3.5 * self.strip.noise);
         for _ in 0..2 {
@@ -135,7 +147,8 @@ impl Trail {
     /// Full width at half depth of what a look was at, pixels of its level.
     pub(super) fn measure_width(&mut self, picture: &Picture, look: &Look) -> Option<f32> {
         self.strip.unroll(picture, (0..ROWS).map(|i| look.axis.station(i as f32)));
-        self.strip.measure(look.width);
+        self.strip.measure(look.width, look.most(look.contrast));
+        self.strip.noise = self.strip.noise_everywhere();
         self.find(look.contrast, 1.5);
         let profile = Profile::new(1.5 * look.width);
         let (mut sum, mut arms): (Arms, Arms) = ([[0.0; REACH]; 2], [[0.0; REACH]; 2]);
@@ -212,7 +225,7 @@ impl Trail {
     /// The strip about a place of the trail and what it shows; how likely its best path is.
     fn see(&mut self, picture: &Picture, axis: &Axis, from: f32, look: &mut Look, gap: usize) -> f32 {
         self.strip.unroll(picture, (0..ROWS).map(|i| axis.station(i as f32 - from)));
-        self.strip.measure(look.width);
+        self.strip.measure(look.width, look.most(look.contrast));
         self.strip.noise = look.noise;
         let score = self.find(look.contrast, 1.5 + 0.15 * gap as f32);
         let noise = self.strip.noise_beside(&self.path, look.width);

@@ -183,3 +183,95 @@ fn likelihood(
     let spread: f64 = cholesky.l_dirty().diagonal().iter().map(|d| d.ln()).sum();
     Some(-0.5 * squares - spread)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIGHT: f64 = 700.0;
+
+    /// What a seed makes of a number: 0 to 1.
+    fn chance(seed: u64) -> f64 {
+        let hash = seed.wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        let hash = (hash ^ (hash >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        (hash >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    #[test]
+    fn the_usual_is_that_of_lit_columns_and_their_holes() {
+        for (count, run) in [(100, 0), (100, 1), (120, 4), (200, 30)] {
+            let mut strip = vec![LIGHT; count];
+            strip[50..50 + run].fill(0.0);
+            // What is not known changes nothing.
+            strip.push(f64::NAN);
+            let usual = Usual::of(&strip, &mut Vec::new()).unwrap();
+            let lit = 1.0 - run as f64 / count as f64;
+            assert!((usual.light - LIGHT).abs() < 1e-9 && (usual.lit - lit).abs() < 1e-12);
+            assert!((usual.mean - lit).abs() < 1e-12);
+            assert!((usual.deviation - (lit * (1.0 - lit)).sqrt()).abs() < 1e-12);
+            let hole = (run.saturating_sub(1) as f64 + LEAST_HOLE) / (run as f64 + 1.0);
+            assert!((usual.hole - hole).abs() < 1e-9);
+            // So many dark columns are as unlikely as is asked.
+            let gap = usual.least_gap();
+            assert!(gap >= LEAST_GAP && (gap <= LEAST_GAP || (hole.min(0.5).ln() * gap - GAP_ODDS).abs() < 1e-9));
+            assert!(usual.is_dark(0.1 * LIGHT) && !usual.is_dark(0.3 * LIGHT) && !usual.is_dark(f64::INFINITY));
+        }
+        assert!(Usual::of(&[f64::NAN; 9], &mut Vec::new()).is_none());
+    }
+
+    #[test]
+    fn lit_columns_are_the_best_of_all_prefixes() {
+        for seed in 0..2000u64 {
+            let count = 5 + (chance(seed) * 60.0) as usize;
+            let end = (chance(seed + 10_000) * count as f64) as usize;
+            let light = |i: usize| {
+                let c = chance(seed * 100 + i as u64);
+                if (c < 0.85) == (i < end) {
+                    LIGHT
+                } else if c > 0.97 {
+                    f64::INFINITY
+                } else {
+                    0.0
+                }
+            };
+            let strip: Vec<f64> = (0..count).map(light).collect();
+            let mut on = strip.clone();
+            on.resize(count + 20, LIGHT);
+            let usual = Usual::of(&on, &mut Vec::new()).unwrap();
+            let sum = |n: usize| strip[..n].iter().map(|v| usual.evidence(*v)).sum::<f64>();
+            let best = (0..=count).map(sum).fold(f64::MIN, f64::max);
+            assert!((sum(lit_columns(&strip, &usual)) - best).abs() < 1e-9, "seed {seed}");
+        }
+    }
+
+    #[test]
+    fn ends_are_found_between_columns() {
+        let usual = Usual::of(&[LIGHT; 60], &mut Vec::new()).unwrap();
+        for k in 0..200 {
+            let end = 20.0 + 0.05 * f64::from(k);
+            let lit = |i: i64| (end - i as f64).clamp(0.0, 1.0);
+            // The lens spreads what each column has.
+            let seen = |i: i64| (1.0 - 2.0 * SPREAD) * lit(i) + SPREAD * (lit(i - 1) + lit(i + 1));
+            let strip: Vec<f64> = (0..60).map(|i| LIGHT * seen(i)).collect();
+            let coarse = lit_columns(&strip, &usual);
+            assert!((coarse as f64 - end).abs() < 1.5, "{end}: {coarse}");
+            let found = sub_column(&strip, &usual, coarse);
+            assert!((found - end).abs() < 0.1, "{end}: {found}");
+        }
+    }
+
+    #[test]
+    fn ends_under_something_else_are_hidden() {
+        let usual = Usual::of(&[LIGHT; 60], &mut Vec::new()).unwrap();
+        for many in 0..12 {
+            for from in [22, 29, 30] {
+                let mut strip = [LIGHT; 60];
+                strip[30..].fill(0.0);
+                strip[from..from + many].fill(f64::INFINITY);
+                // Those before the end count, and those after it up to the first dark column.
+                let near = if from > 30 { 0 } else { many };
+                assert_eq!(is_hidden(&strip, &usual, 30), near > HIDING, "{many} from {from}");
+            }
+        }
+    }
+}

@@ -147,3 +147,90 @@ impl<'a> Light<'a> {
         light
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIZE: (usize, usize) = (64, 200);
+    const HEIGHT: f64 = 120.0;
+    const SIGMA: f64 = 2.5;
+    const SLOPE: f64 = 0.3;
+
+    fn row(column: f64) -> f64 {
+        80.0 + SLOPE * (column - 20.0)
+    }
+
+    /// A stripe along a straight line over dark, 16 bits.
+    fn image() -> Vec<u16> {
+        let grey = |i: usize| {
+            let (column, at) = ((i % SIZE.0) as f64, (i / SIZE.0) as f64);
+            HEIGHT * (-(at - row(column)).powi(2) / (2.0 * SIGMA * SIGMA)).exp()
+        };
+        (0..SIZE.0 * SIZE.1).map(|i| (257.0 * grey(i)).round() as u16).collect()
+    }
+
+    /// The integral of the bell from `a` to `b`, by Simpson's rule.
+    fn integral(a: f64, b: f64) -> f64 {
+        let bell = |t: f64| (-t * t / (2.0 * SIGMA * SIGMA)).exp();
+        let n = 200;
+        let h = (b - a) / f64::from(n);
+        let sum: f64 = (0..=n)
+            .map(|k| bell(a + h * f64::from(k)) * if k == 0 || k == n { 1.0 } else { f64::from(2 + 2 * (k % 2)) })
+            .sum();
+        HEIGHT * sum * h / 3.0
+    }
+
+    #[test]
+    fn light_on_a_course_is_the_stripes_integral_over_the_strip() {
+        let pixels = image();
+        let frame = Frame::new(SIZE.0, SIZE.1, Pixels::U16(&pixels)).unwrap();
+        let mut blobs = Blobs::default();
+        assert!(blobs.find(&frame));
+        let mut profile = Profile::default();
+        (profile.pitch, profile.direction) = (1.0, 1.0);
+        for width in [6.0, 10.0, 20.0] {
+            let light = Light::new(&frame, &blobs, None, (width, HEIGHT));
+            let half = HALF * width;
+            let mut strip = Vec::new();
+            // y is the column, z the row upwards.
+            let course = |below: f64| {
+                let along = DVec2::new(1.0, -SLOPE).normalize();
+                Course::Line(StripeLine { at: DVec2::new(20.0, -row(20.0) - below), along })
+            };
+            light.along(&profile, &course(0.0), (5, 60), &mut strip);
+            assert_eq!(strip.len(), 56);
+            for (i, found) in strip.iter().enumerate() {
+                let wanted = integral(-half, half);
+                assert!((found - wanted).abs() < 0.03 * wanted, "{width}, {i}: {found} {wanted}");
+            }
+            // Backwards the same, from the other end.
+            let forwards = strip.clone();
+            light.along(&profile, &course(0.0), (60, 5), &mut strip);
+            assert!(strip.iter().eq(forwards.iter().rev()));
+            // Far from the stripe it is dark, beside it something else is seen, and out of the image nothing is known.
+            light.along(&profile, &course(40.0 + half), (5, 60), &mut strip);
+            assert!(strip.iter().all(|v| v.abs() < 0.02 * HEIGHT));
+            light.along(&profile, &course(half + SIGMA), (5, 60), &mut strip);
+            assert!(strip.iter().all(|v| v.is_infinite()), "{width}: {strip:?}");
+            light.along(&profile, &course(150.0), (5, 60), &mut strip);
+            assert!(strip.iter().all(|v| v.is_nan()));
+        }
+    }
+
+    #[test]
+    fn courses_are_below_what_is_above_them() {
+        let line = Course::Line(StripeLine { at: DVec2::new(1.0, 2.0), along: DVec2::from_angle(0.4) });
+        let arc = Course::Arc(StripeArc { centre: DVec2::new(3.0, 9.0), radius: 8.0 });
+        for k in 0..1000 {
+            let y = 3.0 + 7.9 * (0.7 * f64::from(k)).sin();
+            for course in [line, arc] {
+                let on = course.at(y).unwrap();
+                assert!(course.off(on).abs() < 1e-9 && (on.x - y).abs() < 1e-12);
+                let up = 0.5 + 0.4 * (1.3 * f64::from(k)).cos();
+                assert!(course.off(on + up * DVec2::Y) > 0.0 && course.off(on - up * DVec2::Y) < 0.0);
+            }
+        }
+        assert!(arc.at(3.0 + 8.1).is_none() && arc.at(3.0 - 8.1).is_none());
+    }
+}

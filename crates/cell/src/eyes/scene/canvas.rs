@@ -121,10 +121,11 @@ impl Canvas {
         }
     }
 
-    /// The frame with its disturbances, 8 bits.
+    /// The frame with its disturbances, 8 bits. It is exposed so that it is nowhere black within `reach` of the places `seen`.
     #[must_use]
-    pub fn finish(mut self, d: &Disturbances, random: &mut Random) -> Image {
+    pub fn finish(mut self, d: &Disturbances, (seen, reach): (&[DVec2], f64), random: &mut Random) -> Image {
         self.shade(d);
+        self.expose(seen, reach, 3.0 * d.noise);
         if d.texture.0 > 0.0 {
             self.grind(d.texture, random);
         }
@@ -160,6 +161,17 @@ impl Canvas {
             let shade = d.ramp[0] * u + d.ramp[1] * v - d.vignette * 0.5 * (u * u + v * v);
             *light += shade as f32;
         }
+    }
+
+    /// Brightens all where something near the places is darker than `least`.
+    fn expose(&mut self, places: &[DVec2], reach: f64, least: f64) {
+        let offsets = [DVec2::ZERO, DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y].map(|o| reach * o);
+        let near = places.iter().flat_map(|p| offsets.map(|o| *p + o));
+        let inside = |p: &DVec2| p.min_element() >= 0.0 && p.x < self.width as f64 && p.y < self.height as f64;
+        let light = |p: DVec2| self.light[p.y as usize * self.width + p.x as usize];
+        let darkest = near.filter(inside).map(light).fold(f32::INFINITY, f32::min);
+        let lack = (least as f32 - darkest).max(0.0);
+        self.light.iter_mut().for_each(|l| *l += lack);
     }
 
     /// Faint long marks: noise drawn out along a direction.

@@ -156,7 +156,7 @@ pub fn scene(kind: Kind, seed: u64, size: usize) -> Scene {
     if !jointless {
         truth.midline = midline;
     }
-    Scene { image: canvas.finish(&disturbances, r), start, truth }
+    Scene { image: canvas.finish(&disturbances, (&truth.midline, width), r), start, truth }
 }
 
 /// Direction of the midline at its point `i`, rad.

@@ -4,7 +4,7 @@ use super::super::{Error, Seam};
 use super::{BeamEye, BeamHead, BeamOutcome, BeamScene, Offsets, Pixels, placed_wrong, weld};
 use crate::eyes::{Appearance, SeamLine};
 use crate::gate::{Gate, Limit};
-use crate::teach::RidgeFollower;
+use crate::teach::JointFollower;
 use glam::DVec3;
 use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
@@ -126,7 +126,7 @@ pub fn beam_rows(name: &str, job: &BeamJob<'_>, seeds: u64) -> Result<Vec<Gate>,
     let mut rows = Vec::new();
     let actual = job.placed_wrong(0);
     let seen = Appearance { tacks: vec![(150.0, 155.0)], ..Appearance::default() };
-    let mut eye = Pixels::new(job.machine, (actual.clone(), seen), RidgeFollower { longest_gap_px: GAP_PX }, 0)?;
+    let mut eye = Pixels::new(job.machine, (actual.clone(), seen), JointFollower::new(GAP_PX), 0)?;
     rows.extend(pass_rows(&format!("{name}, from pixels"), job, &actual, &mut eye, 0)?);
     let mut worst: Vec<Gate> = Vec::new();
     for seed in 1..=seeds {

@@ -19,7 +19,7 @@ use crate::load::{Loaded, load};
 use glam::DVec3;
 use outcome::Outcome;
 use seamwright_cell::eyes::{SeamLine, Station};
-use seamwright_cell::teach::{RidgeFollower, semi_manual};
+use seamwright_cell::teach::{JointFollower, semi_manual};
 use seamwright_geometry::HeightTable;
 use seamwright_geometry::reduce::Method;
 use seamwright_machine::{Machine, Sensor, Sight};
@@ -219,13 +219,13 @@ fn settings(args: &TeachArgs, nominal: &SeamLine) -> Result<Settings, Failure> {
     Ok(Settings { step_mm, ends_after_mm, longest_mm: 2.0 * nominal.length() + 100.0, ..Settings::default() })
 }
 
-fn follower(args: &TeachArgs, table: &HeightTable) -> Result<RidgeFollower, Failure> {
+fn follower(args: &TeachArgs, table: &HeightTable) -> Result<JointFollower, Failure> {
     let tack = positive("--longest-tack-mm", args.longest_tack_mm)?;
     let (low, high) = table.range();
     let middle = if low.is_finite() { 0.5 * (low + high) } else { 0.0 };
     let map = table.at(middle).map_err(|e| Failure::Input(e.to_string()))?;
     let scale = map.scale_at(map.parameters().centre_px).unwrap_or(1.0);
-    Ok(RidgeFollower { longest_gap_px: tack / scale })
+    Ok(JointFollower::new(tack / scale))
 }
 
 /// Where the crawl begins: at `point`, as the nominal seam runs nearby unless the command line says otherwise.

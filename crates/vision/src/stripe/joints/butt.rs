@@ -316,3 +316,65 @@ fn longest_dark(evidence: &[f64]) -> i32 {
     }
     longest
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Evidence of `count` columns, -2 to 2.
+    fn chance(seed: u64, count: usize) -> Vec<f64> {
+        let one = |i: u64| {
+            let hash = (seed * 1000 + i + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+            let hash = (hash ^ (hash >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+            (hash >> 40) as f64 / f64::from(1 << 22) - 2.0
+        };
+        (0..count as u64).map(one).collect()
+    }
+
+    #[test]
+    fn the_best_seam_is_that_of_brute_force() {
+        for seed in 0..2000 {
+            let count = 2 + seed as usize % 25;
+            let (left, right) = (chance(2 * seed, count), chance(2 * seed + 1, count));
+            let sum = |a: usize, b: usize| left[..=a].iter().sum::<f64>() + right[b..].iter().sum::<f64>();
+            // Of the right line something must be left.
+            let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
+            let some = pairs.filter(|(_, b)| right[*b..].iter().sum::<f64>() > 0.0);
+            let best = some.map(|(a, b)| sum(a, b)).fold(f64::NEG_INFINITY, f64::max);
+            match best_seam(&left, &right, &mut Vec::new()) {
+                None => assert!(best.is_infinite(), "seed {seed}"),
+                Some((most, a, b)) => {
+                    assert!((most - best).abs() < 1e-9 && (sum(a as usize, b as usize) - best).abs() < 1e-9, "{seed}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_gap_in_one_line_is_the_seam() {
+        for (from, to) in [(10, 12), (30, 60), (1, 98)] {
+            let mut on = [1.0; 100];
+            on[from..to].fill(-1.0);
+            let (sum, left, right) = best_seam(&on, &on, &mut Vec::new()).unwrap();
+            assert_eq!((left, right), (from as i32 - 1, to as i32));
+            assert!((sum - (100 - (to - from)) as f64).abs() < 1e-12);
+            assert_eq!(longest_dark(&on), (to - from) as i32);
+        }
+        assert_eq!(longest_dark(&[]), 0);
+    }
+
+    #[test]
+    fn a_step_is_as_sharp_as_its_duller_side() {
+        // Lit on the left line up to column 49 and on the right line from column 50 on; on both in some columns.
+        let line = |on: &dyn Fn(usize) -> bool| (0..100).map(|i| if on(i) { 1.0 } else { -1.0 }).collect::<Vec<f64>>();
+        for both in 0..=BESIDE_STEP {
+            let left = line(&|i| i < 50);
+            let right = line(&|i| i >= 50 || i % BESIDE_STEP < both);
+            let wanted = 1.0 - both as f64 / BESIDE_STEP as f64;
+            assert!((sharpness(&left, &right, 49, 50) - wanted).abs() < 1e-12, "{both}");
+            // The other way round the left line goes on.
+            let (left, right) = (line(&|i| i < 50 || i % BESIDE_STEP < both), line(&|i| i >= 50));
+            assert!((sharpness(&left, &right, 49, 50) - wanted).abs() < 1e-12, "{both}");
+        }
+    }
+}

@@ -85,3 +85,54 @@ impl View<'_> {
         (f64::from(longest), places.iter().filter(|s| out(s.column)).count())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stripe::fit::StripeLine;
+    use crate::stripe::profile::Profile;
+    use crate::stripe::{JointKind, StripeTask};
+    use glam::DVec2;
+
+    /// Cover of the columns `columns` of a level line of points, of which those are missing that `missing` says.
+    fn cover(missing: impl Fn(i32) -> bool, columns: (i32, i32), dark_after: [Option<i32>; 2]) -> f64 {
+        let points: Vec<DVec2> = (0..400).filter(|c| !missing(*c)).map(|c| DVec2::new(f64::from(c), 5.0)).collect();
+        let mut profile = Profile::default();
+        profile.set_points(&points);
+        let task = StripeTask::in_mm(JointKind::Butt);
+        let (strip, evidence, scratch) = (&mut Vec::new(), &mut [Vec::new(), Vec::new()], &mut Vec::new());
+        let mut view = View { profile: &profile, segments: &[], task: &task, light: None, strip, evidence, scratch };
+        let line = StripeLine { at: DVec2::new(0.0, 5.0), along: DVec2::X };
+        view.cover(&[Part { course: Course::Line(line), columns, dark_after }])
+    }
+
+    #[test]
+    fn dark_runs_on_a_part_take_its_cover() {
+        // Three and more dark columns in a row: the next is as likely dark as not, so a gap has ln(e^5) / ln 2 columns.
+        let gap = 5.0 / 2f64.ln();
+        for run in 3..40 {
+            let wanted = ((HOLE[0] * gap - f64::from(run)) / ((HOLE[0] - HOLE[1]) * gap)).clamp(0.0, 1.0);
+            let found = cover(|c| (150..150 + run).contains(&c), (0, 399), [None; 2]);
+            assert!((found - wanted).abs() < 1e-9, "{run}: {found} {wanted}");
+        }
+        // As many that are not in a row do no harm.
+        assert!((cover(|c| c % 10 == 5, (0, 399), [None; 2]) - 1.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_part_is_dark_beyond_its_ends() {
+        for beyond in 0..=BEYOND + 4 {
+            // The line goes on for so many columns beyond column 200, or 100 on the other side.
+            let on = f64::from(beyond.min(BEYOND + 1)) / f64::from(BEYOND + 1);
+            let wanted = ((LIT_BEYOND[0] - on) / (LIT_BEYOND[0] - LIT_BEYOND[1])).clamp(0.0, 1.0);
+            let gone = |c: i32| (201 + beyond..300).contains(&c);
+            let found = cover(gone, (0, 200), [None, Some(1)]);
+            assert!((found - wanted).abs() < 1e-9, "{beyond}: {found} {wanted}");
+            let gone = |c: i32| (30..100 - beyond).contains(&c);
+            let found = cover(gone, (100, 399), [Some(1), None]);
+            assert!((found - wanted).abs() < 1e-9, "before, {beyond}: {found} {wanted}");
+            // Where it may go on there nothing is asked.
+            assert!((cover(gone, (100, 399), [None; 2]) - 1.0).abs() < 1e-9);
+        }
+    }
+}
