@@ -14,7 +14,7 @@ pub struct Footing {
 impl Footing {
     /// Asks for all of it for the calling thread; `cpu` is the CPU to stay on.
     pub fn ask(cpu: Option<usize>) -> Self {
-        Self { priority: system::priority(), memory: system::memory(), cpu: cpu.map(|cpu| system::stay_on(cpu)) }
+        Self { priority: system::priority(), memory: system::memory(), cpu: cpu.map(system::stay_on) }
     }
 
     /// True if nothing is missing.

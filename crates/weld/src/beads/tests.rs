@@ -149,7 +149,7 @@ proptest! {
         let planned = plan(&text);
         fills(&planned);
         let roles: Vec<Role> = planned.plan.layers.iter().map(|l| l.role).collect();
-        let rank = |r: &Role| match r { Role::Root | Role::Tack => 0, Role::Fill => 1, Role::Cap => 2 };
+        let rank = |r: &Role| match r { Role::Root | Role::Tack => 0, Role::Fill => 1, Role::Cap | Role::Cosmetic => 2 };
         prop_assert!(roles.windows(2).all(|w| rank(&w[0]) <= rank(&w[1])));
         let section: Section = planned.joint.section(&planned.seam.at(10.0)).unwrap();
         let again = layers(&section, &planned.runs);
