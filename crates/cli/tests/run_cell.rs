@@ -6,7 +6,9 @@ use common::{bad, example, good, run, run_with};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
 use serde_json::Value;
+use std::io::{BufRead as _, Write as _};
 use std::path::Path;
+use std::process::{Command, Stdio};
 
 fn json(path: &Path) -> Value {
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
@@ -106,4 +108,51 @@ fn latency_is_measured() {
     let sum: u64 = told["histogram"].as_array().unwrap().iter().map(|b| b["cycles"].as_u64().unwrap()).sum();
     assert_eq!(sum, told["cycles"].as_u64().unwrap());
     assert!(good(&["latency", "--seconds", "0.2"]).contains("begin at most"));
+}
+
+/// The power fails in a weld: its place is known to a millimetre, nothing goes on by itself, and it goes on when it is said where.
+#[test]
+fn a_weld_survives_the_power() {
+    let folder = tempfile::tempdir().unwrap();
+    let (data, out) = (folder.path().join("data"), folder.path().join("out"));
+    let [data, out] = [&data, &out].map(|path| path.display().to_string());
+    let job = example("ellipse");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_seamwright"))
+        .args(["run", &job, "-o", &out, "--data", &data, "--part", "P1", "--from", "1,105"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut stdin = child.stdin.take().unwrap();
+    stdin.write_all(b"on\nhome\nwait ready\narm\nweld\nwait 106.5 mm\n?\n").unwrap();
+    let lines = std::io::BufReader::new(child.stdout.take().unwrap()).lines().map_while(Result::ok);
+    let here = lines.into_iter().find(|line| line.contains("state")).unwrap();
+    // kill -9
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(here.contains("mode weld"), "{here}");
+
+    let told = bad(2, &["run", &job, "-o", &out, "--data", &data, "--part", "P1"]);
+    let place = told.split("--from 1,").nth(1).and_then(|rest| rest.split(';').next()).unwrap();
+    let welded: f64 = place.parse().unwrap();
+    assert!((welded - 106.5).abs() < 1.0 && told.contains("weld 1 was left"), "{told}");
+    good(&["records", "recover", "--data", &data]);
+    let listed = good(&["records", "list", "--data", &data]);
+    assert!(listed.contains("interrupted"), "{listed}");
+
+    // Nothing left to weld, or no such pass.
+    assert!(bad(2, &["run", &job, "-o", &out, "--from", "1,500"]).contains("up to 118.4"));
+    assert!(bad(2, &["run", &job, "-o", &out, "--from", "3,5"]).contains("passes 1 to 1"));
+    assert!(bad(2, &["run", &job, "-o", &out, "--from", "somewhere"]).contains("PASS,MM"));
+
+    let from = format!("1,{place}");
+    let orders = "on\nhome\nwait ready\narm\nweld\nwait ready\n";
+    let output = run_with(&["run", &job, "-o", &out, "--data", &data, "--part", "P1", "--from", &from], orders);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success(), "{text}\n{}", String::from_utf8_lossy(&output.stderr));
+    assert!(text.contains("pass 1 ends at 118.4"), "{text}");
+    let listed: Value = serde_json::from_str(&good(&["records", "list", "--data", &data, "--json"])).unwrap();
+    let results: Vec<&str> = listed.as_array().unwrap().iter().map(|w| w["result"].as_str().unwrap()).collect();
+    assert!(results.contains(&"good") && results.contains(&"interrupted"), "{listed}");
+    good(&["records", "verify", "--data", &data]);
 }

@@ -1,8 +1,8 @@
-use crate::executive::{Command, Cycle, Mode, Note, Orders, Place, Port, ProcessState, Reports};
+use crate::executive::{Ask, Command, Cycle, Mode, Note, Orders, Place, Port, ProcessState, Reports};
 use rtrb::{Consumer, Producer, RingBuffer};
 use seamwright_motion::pace::RunPhase;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 
 /// A cycle as it crosses to other threads.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,7 +62,31 @@ pub struct LivePort {
     cycles: Producer<Shown>,
     notes: Producer<Noted>,
     failed: Arc<AtomicBool>,
+    urgent: Urgent,
     lost: u64,
+}
+
+/// A stop or a hold that passes everything in the queues, from any thread.
+#[derive(Debug, Clone, Default)]
+pub struct Urgent(Arc<AtomicU8>);
+
+impl Urgent {
+    /// Asks for a stop or a hold; everything else is for the queue.
+    pub fn ask(&self, ask: &Ask) {
+        match ask {
+            Ask::Stop => drop(self.0.fetch_max(2, Ordering::Relaxed)),
+            Ask::Hold => drop(self.0.fetch_max(1, Ordering::Relaxed)),
+            _ => {}
+        }
+    }
+
+    fn take(&self) -> Option<Command> {
+        match self.0.swap(0, Ordering::Relaxed) {
+            0 => None,
+            1 => Some(Command::of(Ask::Hold)),
+            _ => Some(Command::of(Ask::Stop)),
+        }
+    }
 }
 
 /// The outside's end.
@@ -75,9 +99,15 @@ pub struct Outside {
     /// What happened, in order.
     pub notes: Consumer<Noted>,
     failed: Arc<AtomicBool>,
+    urgent: Urgent,
 }
 
 impl Outside {
+    /// A way for stops and holds past the queue.
+    pub fn urgent(&self) -> Urgent {
+        self.urgent.clone()
+    }
+
     /// Tells the executive that the record cannot be written any more.
     pub fn fail(&self) {
         self.failed.store(true, Ordering::Relaxed);
@@ -95,13 +125,14 @@ pub fn live() -> (LivePort, Outside) {
     let (cycles, shown) = RingBuffer::new(CYCLES);
     let (notes, noted) = RingBuffer::new(NOTES);
     let failed = Arc::new(AtomicBool::new(false));
-    let port = LivePort { commands, cycles, notes, failed: Arc::clone(&failed), lost: 0 };
-    (port, Outside { commands: to_executive, cycles: shown, notes: noted, failed })
+    let urgent = Urgent::default();
+    let port = LivePort { commands, cycles, notes, failed: Arc::clone(&failed), urgent: urgent.clone(), lost: 0 };
+    (port, Outside { commands: to_executive, cycles: shown, notes: noted, failed, urgent })
 }
 
 impl Port for LivePort {
     fn command(&mut self, _t: f64) -> Option<Command> {
-        self.commands.pop().ok()
+        self.urgent.take().or_else(|| self.commands.pop().ok())
     }
 
     fn show(&mut self, cycle: &Cycle<'_>) {

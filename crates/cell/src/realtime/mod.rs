@@ -10,5 +10,5 @@ mod pacer;
 
 pub use footing::Footing;
 pub use latency::Latency;
-pub use live::{LivePort, Noted, Outside, Shown, live};
+pub use live::{LivePort, Noted, Outside, Shown, Urgent, live};
 pub use pacer::{Paced, Pacer};

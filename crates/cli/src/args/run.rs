@@ -1,7 +1,9 @@
 //! Arguments of `seamwright run` and `seamwright latency`.
 
+use super::records::RecordArgs;
 use clap::Args;
 use seamwright_cell::devices::Fault;
+use seamwright_cell::executive::Place;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
@@ -13,6 +15,9 @@ When they end the cell stops and switches off.
 Example:
   printf 'on\\nhome\\nwait ready\\narm\\nweld\\nwait ready\\n' | seamwright run examples/ellipse.toml -o out/run
 
+With --data the weld is recorded (docs/records.md), and its place is on the disk twenty times a second: after a power failure
+`run` says where it was, and --from goes on from there, with the overlap of the pass.
+
 So far the devices are simulated ones, in real time. Exit code 1 if an order is refused, 3 if the cell ends in a fault."
 )]
 pub(crate) struct RunArgs {
@@ -21,6 +26,11 @@ pub(crate) struct RunArgs {
     /// Folder for trace.parquet, events.jsonl and run.json; made if missing
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: PathBuf,
+    /// Go on with an earlier weld: the pass, and up to where it is welded, mm from its start
+    #[arg(long, value_name = "PASS,MM", value_parser = place)]
+    pub(crate) from: Option<Place>,
+    #[command(flatten)]
+    pub(crate) record: RecordArgs,
     /// CPU that the cycle stays on
     #[arg(long, value_name = "N")]
     pub(crate) cpu: Option<usize>,
@@ -33,6 +43,14 @@ pub(crate) struct RunArgs {
     /// Events as JSON, a line each
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+fn place(text: &str) -> Result<Place, String> {
+    let bad = || "allowed is PASS,MM, like 1,45.2: the pass from 1, and path length in it from 0".to_owned();
+    let (pass, mm) = text.split_once(',').ok_or_else(bad)?;
+    let pass = pass.trim().parse::<usize>().ok().filter(|pass| *pass > 0).ok_or_else(bad)?;
+    let s_mm = mm.trim().parse::<f64>().ok().filter(|mm| mm.is_finite() && *mm >= 0.0).ok_or_else(bad)?;
+    Ok(Place { pass, s_mm })
 }
 
 #[derive(Debug, Args)]

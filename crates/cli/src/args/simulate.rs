@@ -33,7 +33,7 @@ pub(crate) struct SimulateArgs {
     pub(crate) no_tracking: bool,
     /// A fault of a device, like drives:silent@12.5 or source:wrong@30+0.5 (docs/faults.md): the weld runs under the executive, from
     /// switching on; may be repeated. Writes trace.parquet, events.jsonl and run.json
-    #[arg(long, value_name = "SPEC", conflicts_with_all = ["distortion", "no_tracking", "replay", "data"])]
+    #[arg(long, value_name = "SPEC", conflicts_with_all = ["distortion", "no_tracking", "replay"])]
     pub(crate) fault: Vec<seamwright_cell::devices::Fault>,
     #[command(flatten)]
     pub(crate) record: RecordArgs,

@@ -8,6 +8,7 @@ use seamwright_machine::shipped;
 use seamwright_motion::WeldMotion;
 use seamwright_program::{Procedure, Program};
 use seamwright_record::figures::{Basis, HEAT_INPUT, Judged, Power};
+use seamwright_record::journal::Journal;
 use seamwright_record::library::{Alarm, AuditEntry, Place, WeldResult};
 use seamwright_record::trace::{Column, Kind, TraceWriter};
 use seamwright_record::{DataFolder, Moment, Outcome, Plan, Recording};
@@ -185,44 +186,67 @@ impl Rows {
         Ok(())
     }
 
-    /// Ends the weld; adds its trace to `output`.
+    /// Ends the simulated weld of `report`; adds its trace to `output`.
     pub(super) fn finish(self, report: &WeldReport, output: &mut Output) -> Result<(), Failure> {
-        match self {
-            Self::Trace(trace) => trace.finish(output),
-            Self::Weld(weld) => {
-                let (recording, data) = *weld;
-                keep(recording, data, report, output)
+        let json = serde_json::to_string_pretty(report).map_err(|e| Failure::Environment(e.to_string()))?;
+        let mut alarms = Vec::new();
+        for (number, pass) in (1..).zip(&report.passes) {
+            let heads = pass.simulation.iter().flat_map(|s| &s.heads);
+            for (i, alarm) in heads.flat_map(|head| &head.alarms).enumerate() {
+                let place = Place { pass: Some(number), s_mm: Some(alarm.at_mm), t_s: None };
+                let cause = alarm.cause.clone().unwrap_or_default();
+                let (name, raised) = (alarm.alarm.to_owned(), Moment::now());
+                alarms.push(Alarm { name, cause, place, raised, first_out: i == 0, acknowledged: None });
             }
         }
+        let files = vec![("report.json".to_owned(), json + "\n")];
+        let outcome = Outcome { result: result(report), note: String::new(), files };
+        self.keep("simulate", &outcome, &alarms, output)
     }
-}
 
-/// Puts a weld with its alarms and its report into the library.
-fn keep(recording: Recording, mut data: DataFolder, report: &WeldReport, output: &mut Output) -> Result<(), Failure> {
-    let id = recording.id();
-    for (number, pass) in (1..).zip(&report.passes) {
-        let heads = pass.simulation.iter().flat_map(|s| &s.heads);
-        for (i, alarm) in heads.flat_map(|head| &head.alarms).enumerate() {
-            let place = Place { pass: Some(number), s_mm: Some(alarm.at_mm), t_s: None };
-            let cause = alarm.cause.clone().unwrap_or_default();
-            let (name, raised) = (alarm.alarm.to_owned(), Moment::now());
-            let alarm = Alarm { name, cause, place, raised, first_out: i == 0, acknowledged: None };
-            data.library().add_alarm(Some(id), &alarm)?;
+    /// Ends the weld with this outcome; adds its trace to `output`, and all of it to the library.
+    pub(super) fn keep(
+        self,
+        verb: &str,
+        outcome: &Outcome,
+        alarms: &[Alarm],
+        output: &mut Output,
+    ) -> Result<(), Failure> {
+        let (recording, mut data) = match self {
+            Self::Trace(trace) => return trace.finish(output),
+            Self::Weld(weld) => *weld,
+        };
+        let id = recording.id();
+        for alarm in alarms {
+            data.library().add_alarm(Some(id), alarm)?;
+        }
+        let weld = recording.finish(&mut data, outcome)?;
+        audit(&mut data, &format!("{verb}: weld {id} of part {:?}", weld.part), weld.result.name())?;
+        for file in data.library().files(id)?.iter().filter(|f| f.rows.is_some()) {
+            output.take(&file.name, &data.weld_folder(id).join(&file.name))?;
+        }
+        if !weld.note.is_empty() {
+            let _ = writeln!(std::io::stderr(), "note: weld {id}: {}", weld.note);
+        }
+        let _ = writeln!(std::io::stderr(), "recorded: weld {id}");
+        Ok(())
+    }
+
+    /// Number of the weld in the library, and why rows of it could not be written, if some could not.
+    pub(super) fn weld(&self) -> Option<(i64, Option<&str>)> {
+        match self {
+            Self::Trace(_) => None,
+            Self::Weld(weld) => Some((weld.0.id(), weld.0.trouble())),
         }
     }
-    let json = serde_json::to_string_pretty(report).map_err(|e| Failure::Environment(e.to_string()))?;
-    let outcome =
-        Outcome { result: result(report), note: String::new(), files: vec![("report.json".to_owned(), json + "\n")] };
-    let weld = recording.finish(&mut data, &outcome)?;
-    audit(&mut data, &format!("simulate: weld {id} of part {:?}", weld.part), weld.result.name())?;
-    for file in data.library().files(id)?.iter().filter(|f| f.rows.is_some()) {
-        output.take(&file.name, &data.weld_folder(id).join(&file.name))?;
+
+    /// The journal for power loss, if the weld is recorded.
+    pub(super) fn journal(&self) -> Result<Option<Journal>, Failure> {
+        match self {
+            Self::Trace(_) => Ok(None),
+            Self::Weld(weld) => Ok(Some(weld.1.journal()?)),
+        }
     }
-    if !weld.note.is_empty() {
-        let _ = writeln!(std::io::stderr(), "note: weld {id}: {}", weld.note);
-    }
-    let _ = writeln!(std::io::stderr(), "recorded: weld {id}");
-    Ok(())
 }
 
 fn result(report: &WeldReport) -> WeldResult {

@@ -8,15 +8,33 @@ use crate::files::Output;
 use seamwright_cell::executive::{Alarm, Ask, Command, Missing, Mode, Note, Place, Raised, Reaction};
 use seamwright_cell::realtime::Shown;
 use seamwright_machine::Machine;
+use seamwright_record::journal::{Journal, Position};
+use seamwright_record::library::{self, WeldResult};
+use seamwright_record::{Moment, Outcome};
 use serde_json::{Value, json};
 use std::collections::VecDeque;
-use std::io::Write as _;
+use std::io::{IsTerminal as _, Write as _};
+use std::time::SystemTime;
+
+/// How often the place of the weld goes to the disk, s.
+const JOURNAL_S: f64 = 0.05;
+
+/// What a person types that must not wait.
+pub(super) fn is_urgent(text: &str) -> Option<Ask> {
+    match text.trim() {
+        "stop" => Some(Ask::Stop),
+        "hold" => Some(Ask::Hold),
+        _ => None,
+    }
+}
 
 /// Where orders come from, what they led to.
 pub(super) struct Desk {
     axes: Vec<String>,
     conditions: Vec<String>,
     lines: VecDeque<Line>,
+    /// A person types them.
+    terminal: bool,
     /// No more lines will come.
     ended: bool,
     /// The order that was given has not been taken or refused yet, or no cycle has been seen since.
@@ -33,6 +51,9 @@ pub(super) struct Desk {
     /// The first alarm that held the program or took the cell down.
     stopped: Option<String>,
     passes: Vec<Place>,
+    alarms: Vec<library::Alarm>,
+    /// When the place was last given to the journal, s.
+    journalled: f64,
 }
 
 impl Desk {
@@ -41,6 +62,7 @@ impl Desk {
             axes: machine.axes.iter().map(|a| a.name.clone()).collect(),
             conditions: machine.interlocks.iter().map(|i| i.name.clone()).collect(),
             lines: lines.into_iter().flatten().collect(),
+            terminal: std::io::stdin().is_terminal(),
             ended: false,
             pending: false,
             answered: true,
@@ -53,11 +75,19 @@ impl Desk {
             refused: None,
             stopped: None,
             passes: Vec::new(),
+            alarms: Vec::new(),
+            journalled: f64::NEG_INFINITY,
         }
     }
 
     /// A line that the operator typed.
     pub(super) fn typed(&mut self, text: &str) {
+        // What stops has been sent already, past everything that waits.
+        if self.terminal && is_urgent(text).is_some() {
+            self.lines.clear();
+            self.waits = None;
+            return;
+        }
         match Line::read(text) {
             Ok(line) => self.lines.extend(line),
             Err(error) => {
@@ -149,6 +179,11 @@ impl Desk {
         self.tell("state", &text, json!({ "mode": now.mode.name(), "pass": now.place.pass, "s_mm": now.place.s_mm }));
     }
 
+    /// Nothing is left to be done but to come to an end.
+    fn ends_now(&self) -> bool {
+        self.ended && self.lines.is_empty()
+    }
+
     /// Something happened.
     pub(super) fn noted(&mut self, t: f64, note: Note) {
         match note {
@@ -182,8 +217,13 @@ impl Desk {
     }
 
     fn refuse(&mut self, t: f64, command: Command, missing: Missing) {
+        // What only takes a moment is asked for again.
+        if matches!(missing, Missing::Power | Missing::Moving) && !self.ends_now() {
+            self.lines.push_front(Line::Ask(command.ask));
+            return;
+        }
         // At the end quitting is asked for until everything rests.
-        if self.ended && self.lines.is_empty() && matches!(command.ask, Ask::Quit | Ask::SwitchOff) {
+        if self.ends_now() && matches!(command.ask, Ask::Quit | Ask::SwitchOff) {
             return;
         }
         let axes: Vec<&str> = self.axes.iter().map(String::as_str).collect();
@@ -199,6 +239,18 @@ impl Desk {
         let name = format!("{}{}", entry.name, self.detail(raised.alarm, raised.detail));
         let at = if raised.place.pass > 0 { format!(" at {:.2} mm", raised.place.s_mm) } else { String::new() };
         let text = format!("{name}{at}: {}; {}", raised.reaction.name(), entry.action);
+        self.alarms.push(library::Alarm {
+            name: name.clone(),
+            cause: entry.cause.to_owned(),
+            place: library::Place {
+                pass: (raised.place.pass > 0).then_some(raised.place.pass as u32),
+                s_mm: (raised.place.pass > 0).then_some(raised.place.s_mm),
+                t_s: Some(t),
+            },
+            raised: Moment::now(),
+            first_out: raised.first_out,
+            acknowledged: None,
+        });
         if raised.reaction >= Reaction::Hold {
             self.stopped.get_or_insert(format!("{name}: {}", entry.action));
         }
@@ -241,17 +293,38 @@ impl Desk {
         let _ = writeln!(out, "{line}").and_then(|()| out.flush());
     }
 
-    /// Puts what was recorded into `output`.
-    pub(super) fn close(&mut self, output: &mut Output, title: &str, ended: Ended) -> Result<(), Failure> {
-        if let Some(table) = self.table.take() {
-            table.finish(output)?;
+    /// The journal for power loss, if the weld is recorded.
+    pub(super) fn journal(&self) -> Result<Option<Journal>, Failure> {
+        self.table.as_ref().map_or(Ok(None), Table::journal)
+    }
+
+    /// Where the weld is, while one runs or is held, every [`JOURNAL_S`].
+    pub(super) fn position(&mut self) -> Option<Position> {
+        let now = self.now.filter(|now| matches!(now.mode, Mode::Weld | Mode::Hold) && now.place.pass > 0)?;
+        let weld = self.table.as_ref().and_then(Table::weld)?;
+        if (now.t - self.journalled) < JOURNAL_S {
+            return None;
         }
+        self.journalled = now.t;
+        let time = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(0.0, |d| d.as_secs_f64());
+        Some(Position {
+            time,
+            weld,
+            pass: now.place.pass as u32,
+            phase: now.phase.map_or(0, |phase| phase as u8),
+            s: now.place.s_mm,
+            welded_to: now.welded_mm,
+            corrections: [[0.0; 2]; 2],
+        })
+    }
+
+    /// Puts what was recorded into `output`, and into the library if it is to be.
+    pub(super) fn close(&mut self, output: &mut Output, title: &str, ended: Ended) -> Result<(), Failure> {
         let mut lines = String::new();
         for event in &self.events {
             lines += &event.to_string();
             lines.push('\n');
         }
-        output.text("events.jsonl", &lines)?;
         let timing = ended.timing.map(|(footing, latency)| {
             json!({ "footing": footing.to_string(), "cycles": latency.count(), "missed": latency.missed(),
                 "late_us": { "median": latency.quantile_us(0.5), "p99_9": latency.quantile_us(0.999), "most": latency.most_us() } })
@@ -266,7 +339,19 @@ impl Desk {
             "refused": self.refused,
             "timing": timing,
         });
-        output.text("run.json", &format!("{run:#}\n"))
+        let run = format!("{run:#}\n");
+        output.text("events.jsonl", &lines)?;
+        output.text("run.json", &run)?;
+        let Some(table) = self.table.take() else { return Ok(()) };
+        let done = self.stopped.is_none() && ended.left.is_none() && !self.passes.is_empty();
+        let result = if done { WeldResult::Good } else { WeldResult::Stopped };
+        let note = match ended.left {
+            Some(left) => format!("left in pass {}, welded up to {:.2} mm", left.pass, left.s_mm),
+            None if self.passes.is_empty() => "nothing was welded".to_owned(),
+            None => String::new(),
+        };
+        let files = vec![("events.jsonl".to_owned(), lines), ("run.json".to_owned(), run)];
+        table.finish(&Outcome { result, note, files }, &self.alarms, output)
     }
 
     /// The exit code that follows.

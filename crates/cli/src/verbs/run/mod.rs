@@ -1,10 +1,12 @@
 //! A job on a running cell: in real time under an operator's orders, or in virtual time with faults.
 
 mod desk;
+mod journal;
 mod orders;
 mod table;
 
 use crate::args::SimulateArgs;
+use crate::args::records::RecordArgs;
 use crate::args::run::RunArgs;
 use crate::failure::Failure;
 use crate::files::Output;
@@ -17,11 +19,11 @@ use seamwright_cell::devices::{
 use seamwright_cell::executive::{
     Command, Cycle, Devices, DriveReport, Executive, Interlocks, Note, Place, Port, SourceReport, Start, VALUES, Work,
 };
-use seamwright_cell::realtime::{Footing, Latency, Outside, Paced, Pacer, Shown, live};
+use seamwright_cell::realtime::{Footing, Latency, Outside, Paced, Pacer, Shown, Urgent, live};
 use seamwright_machine::{Machine, Surroundings};
 use seamwright_motion::WeldMotion;
 use seamwright_program::Pass;
-use std::io::{BufRead as _, Write as _};
+use std::io::{BufRead as _, IsTerminal as _, Write as _};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::time::Duration;
 use table::Table;
@@ -61,9 +63,9 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
     let motion = loaded.plan()?;
     let devices = devices(&loaded.machine, &args.fault, args.seed)?;
-    with_work(&loaded, &motion, &args.output, args.json, Vec::new(), |work, desk| {
-        real(work, &loaded.machine, devices, args.cpu, desk)
-    })
+    let asked = Asked { output: &args.output, record: &args.record, json: args.json, from: args.from };
+    journal::check(&args.record, args.from)?;
+    with_work(&loaded, &motion, asked, Vec::new(), |work, desk| real(work, &loaded.machine, devices, args.cpu, desk))
 }
 
 /// `simulate --fault`: the same in virtual time.
@@ -72,7 +74,8 @@ pub(super) fn simulate(args: &SimulateArgs) -> Result<(), Failure> {
     let motion = loaded.plan()?;
     let mut devices = devices(&loaded.machine, &args.fault, args.seed)?;
     let lines = ORDERS.iter().filter_map(|line| Line::read(line).ok()).collect();
-    with_work(&loaded, &motion, &args.output, args.json, lines, |work, desk| {
+    let asked = Asked { output: &args.output, record: &args.record, json: args.json, from: None };
+    with_work(&loaded, &motion, asked, lines, |work, desk| {
         desk.ends();
         let mut executive = Executive::new(&loaded.machine, &mut devices, InOne { desk });
         executive.serve(Some(work));
@@ -90,12 +93,42 @@ pub(super) fn too_many(values: usize) -> Failure {
     Failure::Input(format!("the program has {values} process values\n   allowed: up to {VALUES}"))
 }
 
+/// Where a run begins and what it leaves.
+#[derive(Clone, Copy)]
+struct Asked<'a> {
+    output: &'a std::path::Path,
+    record: &'a RecordArgs,
+    json: bool,
+    from: Option<Place>,
+}
+
+/// The start that is asked for.
+fn start(
+    loaded: &Loaded,
+    around: &Surroundings<'_>,
+    motion: &WeldMotion,
+    from: Option<Place>,
+) -> Result<Start, Failure> {
+    let Some(place) = from else { return Ok(Start::at_home(motion)) };
+    let length = motion.passes.get(place.pass - 1).map(|pass| pass.path.length());
+    if !length.is_some_and(|length| place.s_mm < length) {
+        let passes = motion.passes.len();
+        let most =
+            length.map_or(format!("passes 1 to {passes}"), |length| format!("up to {length:.2} mm in that pass"));
+        return Err(Failure::Input(format!(
+            "--from {},{}: there is nothing left to weld\n   allowed: {most}",
+            place.pass, place.s_mm
+        )));
+    }
+    let home = loaded.machine.home();
+    Start::at_place(&loaded.machine, around, motion, &home, place).map_err(|e| Failure::Environment(e.to_string()))
+}
+
 /// Opens the desk, lets `cell` run under it, and closes it.
 fn with_work(
     loaded: &Loaded,
     motion: &WeldMotion,
-    folder: &std::path::Path,
-    json: bool,
+    asked: Asked<'_>,
     lines: Vec<Option<Line>>,
     cell: impl FnOnce(&Work<'_>, &mut Desk) -> Result<Ended, Failure>,
 ) -> Result<(), Failure> {
@@ -104,10 +137,11 @@ fn with_work(
     loaded.check_count(motion, machine.servo_period_s)?;
     let around = Surroundings::new(machine, &loaded.clamped).map_err(|e| Failure::Input(e.to_string()))?;
     let passes: Vec<&Pass> = program.passes.iter().collect();
-    let work = Work::new(machine, Some(&around), &passes, motion, Start::at_home(motion)).map_err(too_many)?;
-    let mut output = Output::new(folder)?;
-    let table = Table::new(&output, machine, program, work.values())?;
-    let mut desk = Desk::new(machine, table, lines, json);
+    let start = start(loaded, &around, motion, asked.from)?;
+    let work = Work::new(machine, Some(&around), &passes, motion, start).map_err(too_many)?;
+    let mut output = Output::new(asked.output)?;
+    let table = Table::new((loaded, motion), &output, asked.record, work.values())?;
+    let mut desk = Desk::new(machine, table, lines, asked.json);
     let ended = cell(&work, &mut desk)?;
     desk.close(&mut output, &program.title, ended)?;
     output.finish()?;
@@ -123,7 +157,8 @@ fn real(
     desk: &mut Desk,
 ) -> Result<Ended, Failure> {
     let (port, mut outside) = live();
-    let typed = typed();
+    let typed = typed(outside.urgent());
+    let places = desk.journal()?.map(journal::writer);
     std::thread::scope(|scope| {
         let cycle = scope.spawn(move || {
             let footing = Footing::ask(cpu);
@@ -136,11 +171,19 @@ fn real(
         });
         while !cycle.is_finished() {
             look(&mut outside, &typed, desk);
+            if let (Some(places), Some(position)) = (&places, desk.position()) {
+                // A disk that is slow misses some.
+                places.tell(position);
+            }
             std::thread::sleep(LOOK);
         }
         look(&mut outside, &typed, desk);
         let (left, footing, latency) =
             cycle.join().map_err(|_| Failure::Environment("the thread of the cycle ended early".to_owned()))?;
+        // It ended in order: nothing is left to power failures.
+        if let Some(places) = places {
+            places.end()?;
+        }
         Ok(Ended { left, timing: Some((footing, latency)) })
     })
 }
@@ -175,11 +218,17 @@ fn look(outside: &mut Outside, typed: &Receiver<String>, desk: &mut Desk) {
 }
 
 /// Lines of standard input as they come; the channel closes where it ends.
-fn typed() -> Receiver<String> {
+///
+/// At a terminal a stop or a hold goes to the executive at once: past orders that wait, and past this program's desk.
+fn typed(urgent: Urgent) -> Receiver<String> {
     let (to, from) = channel();
+    let terminal = std::io::stdin().is_terminal();
     // It may wait for a line for ever: nobody waits for it.
     std::thread::spawn(move || {
         for line in std::io::stdin().lock().lines().map_while(Result::ok) {
+            if let Some(ask) = desk::is_urgent(&line).filter(|_| terminal) {
+                urgent.ask(&ask);
+            }
             if to.send(line).is_err() {
                 break;
             }

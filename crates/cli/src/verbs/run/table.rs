@@ -1,42 +1,62 @@
 //! The trace of a run: a row a cycle.
 
+use crate::args::records::RecordArgs;
 use crate::failure::Failure;
 use crate::files::Output;
-use crate::verbs::recorded::{Header, TraceFile};
+use crate::load::Loaded;
+use crate::verbs::recorded::{self, Header, Rows};
 use seamwright_cell::executive::{ProcessState, VALUES};
 use seamwright_cell::realtime::Shown;
 use seamwright_machine::Machine;
-use seamwright_program::Program;
+use seamwright_motion::WeldMotion;
+use seamwright_record::Outcome;
+use seamwright_record::journal::Journal;
+use seamwright_record::library::Alarm;
 
-/// The trace as it grows.
+/// The trace as it grows, in the output folder or in the library.
 pub(super) struct Table {
-    trace: TraceFile,
+    rows: Rows,
     machine: Machine,
     values: usize,
 }
 
 impl Table {
     pub(super) fn new(
+        (loaded, motion): (&Loaded, &WeldMotion),
         output: &Output,
-        machine: &Machine,
-        program: &Program,
+        record: &RecordArgs,
         values: &[String],
     ) -> Result<Self, Failure> {
-        let about = [("title", program.title.clone()), ("machine", machine.name.clone())];
+        let machine = &loaded.machine;
+        let title = loaded.welding.program.value.title.clone();
+        let about = [("title", title), ("machine", machine.name.clone())];
         let columns = columns(machine, values);
-        let header = Header { columns: &columns, about: &about };
-        let trace = TraceFile::begin(&header, machine.servo_period_s, output)?;
-        Ok(Self { trace, machine: machine.clone(), values: values.len() })
+        let rows = recorded::begin(loaded, motion, &Header { columns: &columns, about: &about }, output, record)?;
+        Ok(Self { rows, machine: machine.clone(), values: values.len() })
     }
 
     pub(super) fn row(&mut self, shown: &Shown) -> Result<(), Failure> {
         let row = row(&self.machine, shown, self.values);
-        self.trace.row(row)
+        self.rows.row(row)?;
+        match self.rows.weld() {
+            Some((_, Some(trouble))) => Err(Failure::Environment(trouble.to_owned())),
+            _ => Ok(()),
+        }
     }
 
-    /// Adds the finished trace to `output`.
-    pub(super) fn finish(self, output: &mut Output) -> Result<(), Failure> {
-        self.trace.finish(output)
+    /// Number of the weld in the library.
+    pub(super) fn weld(&self) -> Option<u64> {
+        self.rows.weld().and_then(|(id, _)| u64::try_from(id).ok())
+    }
+
+    /// The journal for power loss, if the weld is recorded.
+    pub(super) fn journal(&self) -> Result<Option<Journal>, Failure> {
+        self.rows.journal()
+    }
+
+    /// Adds the finished trace to `output` and to the library.
+    pub(super) fn finish(self, outcome: &Outcome, alarms: &[Alarm], output: &mut Output) -> Result<(), Failure> {
+        self.rows.keep("run", outcome, alarms, output)
     }
 }
 
