@@ -47,7 +47,7 @@ fn a_lost_arc_in_virtual_time() {
         .get_row_iter(None)
         .unwrap()
         .map(|row| row.unwrap())
-        .map(|row| (row.get_double(t).unwrap(), row.get_double(arc).unwrap(), row.get_double(s).unwrap()))
+        .map(|row| (row.get_double(t).unwrap(), f64::from(row.get_ubyte(arc).unwrap()), row.get_double(s).unwrap()))
         .collect();
     assert!(rows.windows(2).all(|w| (w[1].0 - w[0].0 - 1e-3).abs() < 1e-9));
     assert!(rows.iter().filter(|r| r.0 > 12.0225).all(|r| r.1 < 0.5));
