@@ -75,7 +75,7 @@ fn names_that_are_not_known() {
     assert!(e.key.contains("runs[0].positions") && e.message.contains("`PH`"), "{e}");
     assert_eq!(e.allowed.as_deref(), Some("PA, PB, PC, PD, PE, PF, PG"));
     assert_eq!(wrong("[\"PA\", \"PB\"]", "[]").key, "runs[0].positions");
-    assert_eq!(wrong("name = \"root\"", "name = \"hot\"").allowed.as_deref(), Some("tack, root, fill, cap"));
+    assert_eq!(wrong("name = \"root\"", "name = \"hot\"").allowed.as_deref(), Some("tack, root, fill, cap, cosmetic"));
 }
 
 #[test]
