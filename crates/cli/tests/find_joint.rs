@@ -6,6 +6,7 @@ mod common;
 use common::{bad, good, root, run};
 use serde_json::Value;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Rows with at least this confidence are confident (docs/cli.md).
 const CONFIDENT: f64 = 0.5;
@@ -31,7 +32,10 @@ fn rows(csv: &str) -> Vec<Row> {
 }
 
 fn file(name: &str, bytes: &[u8]) -> String {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("find-joint");
+    // Tests run at the same time: each file has a folder of its own.
+    static COUNT: AtomicUsize = AtomicUsize::new(0);
+    let count = COUNT.fetch_add(1, Ordering::Relaxed).to_string();
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("find-joint").join(count);
     std::fs::create_dir_all(&folder).unwrap();
     let path = folder.join(name);
     std::fs::write(&path, bytes).unwrap();

@@ -8,6 +8,7 @@ use seamwright_machine::{Machine, Sight, shipped};
 use seamwright_vision::Image;
 use serde_json::Value;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 const V: Section = Section::V { bevels: [0.5, 0.45], depth: 6.0, gap: 1.0, mismatch: 0.3 };
 
@@ -17,7 +18,10 @@ fn placement() -> Placement {
 
 /// A file of the tests' own.
 fn file(name: &str, bytes: &[u8]) -> String {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("stripe");
+    // Tests run at the same time: each file has a folder of its own.
+    static COUNT: AtomicUsize = AtomicUsize::new(0);
+    let count = COUNT.fetch_add(1, Ordering::Relaxed).to_string();
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("stripe").join(count);
     std::fs::create_dir_all(&folder).unwrap();
     let path = folder.join(name);
     std::fs::write(&path, bytes).unwrap();

@@ -5,19 +5,16 @@ use super::interlocks::Interlocks;
 use super::mode::{Event, Mode};
 use super::process::Process;
 use super::state::{Cycle, Missing, Note, Port};
-use super::supervision::{LATE_S, Supervision};
+use super::supervision::Supervision;
 use super::work::Work;
-use super::{Alarm, Reaction, VALUES};
-use arrayvec::ArrayVec;
-use seamwright_machine::{Level, MAX_AXES, Machine};
+use super::{Alarm, VALUES};
+use seamwright_machine::{MAX_AXES, Machine};
 use seamwright_motion::jog;
 use seamwright_motion::pace::RunPhase;
 use seamwright_servo::SetPoint;
 
 /// How long an arming holds, s.
 const ARMED_S: f64 = 60.0;
-/// How far an axis may be from where the way to the weld begins, mm or rad.
-const AT_START: f64 = 0.01;
 /// Most commands taken in a cycle.
 const COMMANDS: usize = 8;
 /// Least time for finding the references, s: old ones have to be forgotten first.
@@ -136,7 +133,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
     }
 
     /// Axes whose reference is not known, a bit each.
-    fn unreferenced(&self) -> u16 {
+    pub(super) fn unreferenced(&self) -> u16 {
         !self.reports.drives.referenced & self.all_axes()
     }
 
@@ -148,90 +145,6 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
     /// Where a program was left by a stop or a fault and can be gone on with.
     pub fn left(&self) -> Option<Place> {
         self.left
-    }
-
-    /// What stands between now and `event`: "why can't I start".
-    pub fn missing(&self, event: Event, work: Option<&Work<'_>>) -> ArrayVec<Missing, 32> {
-        let mut missing = ArrayVec::new();
-        // One more than there is room for is not worth more than the first.
-        let mut add = |m: Missing| missing.try_push(m).unwrap_or_default();
-        if let Err(refused) = self.mode.after(event) {
-            add(Missing::Mode(refused));
-        }
-        let level = match event {
-            Event::SwitchOn | Event::SwitchOff => Level::Power,
-            Event::Home | Event::Jog | Event::Teach | Event::DryRun => Level::Motion,
-            Event::Weld => Level::Process,
-            Event::Reset => {
-                if self.busy {
-                    add(Missing::Moving);
-                }
-                self.standing().for_each(|(alarm, detail)| add(Missing::Alarm(alarm, detail)));
-                return missing;
-            }
-            _ => return missing,
-        };
-        if self.busy && self.mode != Mode::Hold {
-            add(Missing::Moving);
-        }
-        if event == Event::SwitchOff {
-            return missing;
-        }
-        let silent = |age_s: f64| age_s.is_nan() || age_s > LATE_S;
-        for (device, age_s, needed) in [
-            ("drives", self.reports.drives.age_s, true),
-            ("inputs", self.reports.inputs_age_s, true),
-            ("process source", self.reports.source.age_s, event == Event::Weld),
-        ] {
-            if needed && silent(age_s) {
-                add(Missing::Silent(device));
-            }
-        }
-        if event != Event::SwitchOn {
-            if !(self.power && self.reports.drives.powered) {
-                add(Missing::Power);
-            }
-            if event != Event::Home && self.unreferenced() != 0 {
-                add(Missing::References(self.unreferenced()));
-            }
-        }
-        let unmet = self.interlocks.unmet(level, self.reports.inputs);
-        (0..64u8).filter(|i| unmet >> i & 1 == 1).for_each(|i| add(Missing::Condition(i)));
-        for raised in self.alarms.iter().filter(|r| r.reaction > Reaction::Tell) {
-            add(Missing::Alarm(raised.alarm, raised.detail));
-        }
-        if matches!(event, Event::DryRun | Event::Weld) && self.mode != Mode::Hold {
-            match work {
-                None => add(Missing::Work),
-                Some(work) => self.off_start(work).into_iter().for_each(|axis| add(Missing::NotAtStart(axis))),
-            }
-        }
-        if event == Event::Weld {
-            if !self.reports.source.ready || self.reports.source.fault != 0 {
-                add(Missing::Source);
-            }
-            if !self.is_armed() {
-                add(Missing::Arming);
-            }
-        }
-        missing
-    }
-
-    /// Alarms that keep the cell in fault: their causes are still there.
-    fn standing(&self) -> impl Iterator<Item = (Alarm, u8)> {
-        let there = self.alarms.iter().filter(|r| r.reaction >= Reaction::Stop);
-        there.filter(|r| self.alarms.is_active(r.alarm, r.detail)).map(|r| (r.alarm, r.detail))
-    }
-
-    /// The axis that is farthest from where the way to the weld begins, if any is off.
-    fn off_start(&self, work: &Work<'_>) -> Option<u8> {
-        let start = work.start.approach.legs.first().map(|leg| *leg.start());
-        let start = start.or_else(|| Some(work.passes.get(work.start.pass)?.planned.path.at(work.start.welded_mm)))?;
-        let off = |i: usize| (self.orders.set[i].position - start[i]).abs();
-        let worst = (0..self.machine.axes.len()).max_by(|a, b| off(*a).total_cmp(&off(*b)))?;
-        // What is no number is not there.
-        let there = off(worst) <= AT_START;
-        (!there).then_some(worst as u8)
     }
 
     pub(super) fn is_armed(&self) -> bool {

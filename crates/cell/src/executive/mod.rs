@@ -18,6 +18,7 @@ mod jogging;
 mod mode;
 mod process;
 mod program;
+mod readiness;
 mod state;
 mod supervision;
 mod work;
