@@ -4,7 +4,7 @@ use super::command::{Ask, Command};
 use super::interlocks::Interlocks;
 use super::mode::{Event, Mode};
 use super::process::Process;
-use super::state::{Cycle, Missing, Note, Port};
+use super::state::{Cycle, Missing, Note, Port, Status};
 use super::supervision::Supervision;
 use super::work::Work;
 use super::{Alarm, VALUES};
@@ -234,20 +234,18 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             let Some(command) = self.port.command(self.now()) else { break };
             self.take(command, work);
         }
-        let cycle = Cycle {
-            t: self.cycles as f64 * self.machine.servo_period_s,
+        let status = Status {
+            t: self.now(),
             mode: self.mode,
             place: doing.place,
             phase: doing.phase,
             speed: doing.speed,
             welded_mm: doing.welded_mm,
             process: self.process.state(),
-            armed: self.now() < self.armed_until,
+            armed: self.is_armed(),
             pace: self.pace,
-            orders: &self.orders,
-            reports: &self.reports,
-            alarms: &self.alarms,
         };
+        let cycle = Cycle { status, orders: &self.orders, reports: &self.reports, alarms: &self.alarms };
         self.port.show(&cycle);
     }
 

@@ -31,5 +31,5 @@ pub use core::Executive;
 pub use interlocks::{Interlocks, MOST_INPUTS};
 pub use mode::{Event, Mode, Refused, table};
 pub use process::ProcessState;
-pub use state::{Cycle, Missing, Note, Port};
+pub use state::{Cycle, Missing, Note, Port, Status};
 pub use work::{Start, Work};

@@ -2,10 +2,11 @@ use super::alarm_list::{AlarmList, Place, Raised};
 use super::command::{Ask, Command};
 use super::{Alarm, Mode, Orders, ProcessState, Refused, Reports};
 use seamwright_motion::pace::RunPhase;
+use std::ops::Deref;
 
-/// What a cycle was, as shown to the outside.
-#[derive(Debug, Clone, Copy)]
-pub struct Cycle<'a> {
+/// What the executive is doing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Status {
     /// Time since the executive began, s.
     pub t: f64,
     /// The mode after this cycle.
@@ -24,12 +25,27 @@ pub struct Cycle<'a> {
     pub armed: bool,
     /// Part of the planned speed that is asked for.
     pub pace: f64,
+}
+
+/// What a cycle was, as shown to the outside.
+#[derive(Debug, Clone, Copy)]
+pub struct Cycle<'a> {
+    /// What the executive is doing.
+    pub status: Status,
     /// What was asked of the devices at the begin of the cycle.
     pub orders: &'a Orders,
     /// What they reported at its end.
     pub reports: &'a Reports,
     /// All alarms.
     pub alarms: &'a AlarmList,
+}
+
+impl Deref for Cycle<'_> {
+    type Target = Status;
+
+    fn deref(&self) -> &Status {
+        &self.status
+    }
 }
 
 /// Something that happened, for the log.

@@ -1,30 +1,14 @@
-use crate::executive::{Ask, Command, Cycle, Mode, Note, Orders, Place, Port, ProcessState, Reports};
+use crate::executive::{Ask, Command, Cycle, Note, Orders, Port, Reports, Status};
 use rtrb::{Consumer, Producer, RingBuffer};
-use seamwright_motion::pace::RunPhase;
+use std::ops::Deref;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 
 /// A cycle as it crosses to other threads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shown {
-    /// Time since the executive began, s.
-    pub t: f64,
-    /// The mode.
-    pub mode: Mode,
-    /// Where on the program.
-    pub place: Place,
-    /// What a pass is doing.
-    pub phase: Option<RunPhase>,
-    /// Planned speed along the path, mm/s.
-    pub speed: f64,
-    /// Path length up to which the pass is welded, mm.
-    pub welded_mm: f64,
-    /// Arc or beam.
-    pub process: ProcessState,
-    /// The next start of the process is allowed.
-    pub armed: bool,
-    /// Part of the planned speed that is asked for.
-    pub pace: f64,
+    /// What the executive is doing.
+    pub status: Status,
     /// What was asked of the devices.
     pub orders: Orders,
     /// What they reported.
@@ -33,22 +17,17 @@ pub struct Shown {
     pub lost: u64,
 }
 
+impl Deref for Shown {
+    type Target = Status;
+
+    fn deref(&self) -> &Status {
+        &self.status
+    }
+}
+
 impl From<&Cycle<'_>> for Shown {
     fn from(c: &Cycle<'_>) -> Self {
-        Self {
-            t: c.t,
-            mode: c.mode,
-            place: c.place,
-            phase: c.phase,
-            speed: c.speed,
-            welded_mm: c.welded_mm,
-            process: c.process,
-            armed: c.armed,
-            pace: c.pace,
-            orders: *c.orders,
-            reports: *c.reports,
-            lost: 0,
-        }
+        Self { status: c.status, orders: *c.orders, reports: *c.reports, lost: 0 }
     }
 }
 
