@@ -59,7 +59,7 @@ impl Port for Operator {
 
 #[test]
 fn a_weld_costs_no_allocation() {
-    // A short one: five degrees of the example.
+    // A short one: ten degrees of the example.
     let job = include_str!("../../../examples/saddle.toml").replace("overlap_mm = 20", "end_phi_deg = 30");
     let welding = Welding::read("job.toml", &job).unwrap();
     let program = &welding.program.value;

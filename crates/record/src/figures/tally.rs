@@ -42,6 +42,12 @@ struct Gathered {
 }
 
 impl Gathered {
+    /// Nothing has been gathered yet.
+    fn new(judged: Judged, column: Option<usize>) -> Self {
+        let (least, greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+        Self { judged, column, least, greatest, sum: 0.0, weight: 0.0, outside_s: 0.0, outside_mm: 0.0 }
+    }
+
     /// A value over a time (s) and a way (mm), which counts with this weight.
     fn add(&mut self, value: f64, weight: f64, time: f64, way: f64) {
         if !value.is_finite() {
@@ -104,16 +110,7 @@ impl Tally {
         let deviations = names.filter(of_seam).map(&mut place).collect();
         let judged = basis.judged.iter().filter(|j| j.name == HEAT_INPUT || there(&j.name));
         let values: Vec<Gathered> = judged
-            .map(|judged| Gathered {
-                judged: judged.clone(),
-                column: (judged.name != HEAT_INPUT).then(|| place(&judged.name)),
-                least: f64::INFINITY,
-                greatest: f64::NEG_INFINITY,
-                sum: 0.0,
-                weight: 0.0,
-                outside_s: 0.0,
-                outside_mm: 0.0,
-            })
+            .map(|judged| Gathered::new(judged.clone(), (judged.name != HEAT_INPUT).then(|| place(&judged.name))))
             .collect();
         let mut passes: BTreeMap<u32, Pass> = BTreeMap::new();
         for (i, value) in values.iter().enumerate() {
@@ -185,16 +182,8 @@ impl Tally {
     }
 
     pub(super) fn finish(mut self) -> Figures {
-        let mut all = Gathered {
-            judged: Judged { pass: 0, name: String::new(), allowed: None, along: Vec::new() },
-            column: None,
-            least: f64::INFINITY,
-            greatest: f64::NEG_INFINITY,
-            sum: 0.0,
-            weight: 0.0,
-            outside_s: 0.0,
-            outside_mm: 0.0,
-        };
+        let whole = Judged { pass: 0, name: String::new(), allowed: None, along: Vec::new() };
+        let mut all = Gathered::new(whole, None);
         for (number, pass) in &self.passes {
             let of_pass = pass.judged.iter().copied().find(|i| self.values[*i].column.is_none());
             let mut curve = Vec::new();

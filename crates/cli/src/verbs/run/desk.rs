@@ -143,8 +143,8 @@ impl Desk {
             Line::Mode(mode) => now.mode == mode,
             Line::Seconds(s) => now.t - since >= s,
             Line::Place(mm) => now.place.pass > 0 && now.place.s_mm >= mm,
-            Line::Why => {
-                self.why(&now);
+            Line::State => {
+                self.state(&now);
                 true
             }
         };
@@ -171,9 +171,9 @@ impl Desk {
         self.waits = None;
     }
 
-    fn why(&mut self, now: &Shown) {
+    fn state(&mut self, now: &Shown) {
         let text = format!(
-            "mode {}, pass {}, s {:.2} mm, inputs {:b}; the next start says what is missing",
+            "mode {}, pass {}, s {:.2} mm, inputs {:b}",
             now.mode, now.place.pass, now.place.s_mm, now.reports.inputs
         );
         self.tell("state", &text, json!({ "mode": now.mode.name(), "pass": now.place.pass, "s_mm": now.place.s_mm }));

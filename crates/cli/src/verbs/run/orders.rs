@@ -11,8 +11,8 @@ pub(super) enum Line {
     Seconds(f64),
     /// Nothing more before the torch is there, mm along the pass.
     Place(f64),
-    /// What stands between now and a start?
-    Why,
+    /// Where is the cell?
+    State,
 }
 
 /// Words that ask for something.
@@ -48,7 +48,7 @@ impl Line {
         Ok(Some(match words[..] {
             [] => return Ok(None),
             [first, ..] if first.starts_with('#') => return Ok(None),
-            ["?"] => Self::Why,
+            ["?"] => Self::State,
             ["override", percent] => Self::Ask(Ask::Override(number(percent, 0.0, 100.0)? / 100.0)),
             ["wait", n, "s"] => Self::Seconds(number(n, 0.0, 86_400.0)?),
             ["wait", n, "mm"] => Self::Place(number(n, 0.0, 1e9)?),
@@ -90,7 +90,7 @@ mod tests {
         assert_eq!(Line::read("override 50"), Ok(Some(Line::Ask(Ask::Override(0.5)))));
         assert_eq!(Line::read("wait 2.5 s"), Ok(Some(Line::Seconds(2.5))));
         assert_eq!(Line::read("wait 12 mm"), Ok(Some(Line::Place(12.0))));
-        assert_eq!(Line::read("?"), Ok(Some(Line::Why)));
+        assert_eq!(Line::read("?"), Ok(Some(Line::State)));
         assert_eq!((Line::read(""), Line::read("# a remark")), (Ok(None), Ok(None)));
         for bad in ["go", "wait", "wait for it", "override", "override 120", "override fast", "wait -1 s", "on off"] {
             let error = Line::read(bad).unwrap_err();
