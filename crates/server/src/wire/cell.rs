@@ -1,0 +1,161 @@
+use super::SolidView;
+use serde::{Deserialize, Serialize};
+use ts_rs::TS;
+
+/// `GET /api/machine`.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct MachineView {
+    /// Short name.
+    pub name: String,
+    /// Title.
+    pub title: String,
+    /// True: the devices are simulated.
+    pub simulated: bool,
+    /// Period of the cycle, s.
+    pub period_s: f64,
+    /// Axes in their order.
+    pub axes: Vec<AxisView>,
+    /// Conditions in their order.
+    pub conditions: Vec<ConditionView>,
+    /// Solids of the links.
+    pub solids: Vec<SolidView>,
+    /// Zones.
+    pub zones: Vec<ZoneView>,
+    /// Named frames: axes, `base`, `work`, torches.
+    pub frames: Vec<FrameView>,
+    /// Index of the base among the links, and of the first torch.
+    pub base: usize,
+    /// See `base`.
+    pub torch: usize,
+    /// Unit vector up in the base frame.
+    pub up: [f64; 3],
+    /// Highest jog speeds: of the tip (mm/s, degrees/s).
+    pub jog: [f64; 2],
+    /// Sensors by name.
+    pub sensors: Vec<String>,
+    /// The process is a beam (else an arc).
+    pub beam: bool,
+}
+
+/// An axis, in mm or degrees.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct AxisView {
+    /// Name.
+    pub name: String,
+    /// `mm` or `deg`.
+    pub unit: String,
+    /// Range.
+    pub from: f64,
+    /// See `from`.
+    pub to: f64,
+    /// Home.
+    pub home: f64,
+    /// Highest speed.
+    pub max_speed: f64,
+}
+
+/// A condition of the machine file.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct ConditionView {
+    /// Name.
+    pub name: String,
+    /// `power`, `motion`, `process`.
+    pub level: String,
+}
+
+/// A zone.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct ZoneView {
+    /// Name.
+    pub name: String,
+    /// Stay in (else keep out).
+    pub permitted: bool,
+    /// Its volume.
+    pub solids: Vec<SolidView>,
+}
+
+/// A named place on a link.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct FrameView {
+    /// Name.
+    pub name: String,
+    /// The link.
+    pub link: usize,
+    /// In the work frame with all axes at zero, row by row (3 x 4), mm.
+    pub frame: [f64; 12],
+}
+
+/// `GET /api/session`, and the answer of `POST /api/login`.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct SessionView {
+    /// Name of the user.
+    pub user: String,
+    /// Role.
+    pub role: Role,
+    /// Everything that the role may do: names of commands and of routes' permissions.
+    pub may: Vec<String>,
+    /// What must stand in the header `x-seamwright` of every request that changes something.
+    pub token: String,
+    /// There is no password yet: whoever has the printed address is the owner.
+    pub first_run: bool,
+}
+
+/// What a user may do; each includes those before.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize, Serialize, TS)]
+#[serde(rename_all = "snake_case")]
+pub enum Role {
+    /// Looks.
+    Viewer,
+    /// Runs what is loaded, jogs, acknowledges.
+    Operator,
+    /// Writes and loads jobs, teaches.
+    Programmer,
+    /// Sets up the machine.
+    Service,
+    /// Users.
+    Admin,
+}
+
+/// `POST /api/login`.
+#[derive(Clone, PartialEq, Deserialize, TS)]
+#[serde(deny_unknown_fields)]
+pub struct Login {
+    /// Name; empty with a key.
+    pub user: String,
+    /// Password, or the key of the printed address.
+    pub password: String,
+}
+
+/// A row of `GET /api/users`.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct UserRow {
+    /// Name.
+    pub name: String,
+    /// Role.
+    pub role: Role,
+    /// It can log in.
+    pub enabled: bool,
+}
+
+/// `PUT /api/users/NAME`: makes or changes a user.
+#[derive(Clone, PartialEq, Deserialize, TS)]
+#[serde(deny_unknown_fields)]
+pub struct UserChange {
+    /// Role.
+    pub role: Role,
+    /// A new password, if it is to change; at least ten characters.
+    pub password: Option<String>,
+    /// It can log in.
+    pub enabled: bool,
+    /// The password of whoever asks.
+    pub own_password: Option<String>,
+}
+
+/// What every failed request answers.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct Trouble {
+    /// Stable key: `login`, `role`, `origin`, `token`, `size`, `input`, `not_found`, `busy`, `slow_down`, `server`.
+    pub key: String,
+    /// In English words, with what is allowed.
+    pub text: String,
+}

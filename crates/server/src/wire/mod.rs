@@ -1,0 +1,17 @@
+//! What crosses the wire, in both directions: JSON, and the panel's types made from these (`web/src/wire.ts`).
+//!
+//! Lengths in mm, angles of axes in degrees, times in s, as in files. Every message over the socket has a `kind`.
+
+mod cell;
+mod record;
+mod socket;
+mod status;
+mod typescript;
+mod weld;
+
+pub use cell::*;
+pub use record::*;
+pub use socket::*;
+pub use status::*;
+pub use typescript::typescript;
+pub use weld::*;

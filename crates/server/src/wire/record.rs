@@ -1,0 +1,95 @@
+use serde::Serialize;
+use ts_rs::TS;
+
+/// A row of `GET /api/records`, and the head of `GET /api/records/ID`.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct RecordRow {
+    /// Its number.
+    #[ts(type = "number")]
+    pub id: i64,
+    /// Name of the part.
+    pub part: String,
+    /// The job's title.
+    pub title: String,
+    /// No metal was welded.
+    pub simulated: bool,
+    /// RFC 3339, UTC.
+    pub begun: String,
+    /// See `begun`; none: not yet.
+    pub ended: Option<String>,
+    /// `running`, `good`, `deviating`, `stopped`, ...
+    pub result: String,
+    /// What else there is to say.
+    pub note: String,
+    /// Name of the machine.
+    pub machine: String,
+    /// Number of the procedure.
+    pub procedure: Option<String>,
+    /// Who welded.
+    pub welder: Option<String>,
+    /// Least, mean and greatest heat input, kJ/mm.
+    pub heat_input_kj_mm: Option<[f64; 3]>,
+    /// Greatest distance of the torch tip from the seam (mm), and where (mm).
+    pub worst_deviation_mm: Option<(f64, f64)>,
+}
+
+/// `GET /api/records/ID`.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct RecordView {
+    /// The weld.
+    pub weld: RecordRow,
+    /// Process values against their windows.
+    pub values: Vec<JudgedView>,
+    /// Its alarms in order.
+    pub alarms: Vec<RecordedAlarm>,
+    /// Columns of its trace with their units.
+    pub columns: Vec<(String, String)>,
+    /// Rows of its trace.
+    #[ts(type = "number")]
+    pub rows: u64,
+}
+
+/// A process value while the arc was on.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct JudgedView {
+    /// The pass, from 1.
+    pub pass: u32,
+    /// Its name, which ends in its unit.
+    pub name: String,
+    /// Least, mean and greatest.
+    pub least: f64,
+    /// See `least`.
+    pub mean: f64,
+    /// See `least`.
+    pub greatest: f64,
+    /// Least and greatest value allowed.
+    pub allowed: Option<(f64, f64)>,
+    /// How long it was outside, s.
+    pub outside_s: f64,
+}
+
+/// An alarm of a recorded weld.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct RecordedAlarm {
+    /// Name.
+    pub name: String,
+    /// Cause.
+    pub cause: String,
+    /// The pass, from 1.
+    pub pass: Option<u32>,
+    /// Path length, mm.
+    pub s_mm: Option<f64>,
+    /// Time in the trace, s.
+    pub t_s: Option<f64>,
+    /// It came first.
+    pub first_out: bool,
+}
+
+/// `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, each with its least and greatest neighbours kept.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct TraceView {
+    /// The columns asked for.
+    pub columns: Vec<String>,
+    /// For each column its values; null where there is none.
+    pub values: Vec<Vec<Option<f64>>>,
+}

@@ -1,0 +1,142 @@
+use super::{AlarmView, EventView, LackView, Status, WorkView};
+use serde::{Deserialize, Serialize};
+use ts_rs::TS;
+
+/// From the panel over the socket.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS)]
+#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+pub enum ToCell {
+    /// A command; answered by [`FromCell::Answer`] with the same number.
+    Command {
+        /// Counts up from 1 in a connection; one that is not greater than the last is refused.
+        seq: u32,
+        /// What is asked.
+        ask: AskView,
+    },
+    /// The hand on the jog keys, every 50 ms while it holds; not answered. All speeds zero: it lets go.
+    Jog {
+        /// See [`ToCell::Command`]; jogs count by themselves.
+        seq: u32,
+        /// By joints or by the tip.
+        of: JogOf,
+        /// For joints: part of the highest jog speed of each axis, -1 to 1. For the tip: x, y, z of the work frame in mm/s,
+        /// then turns about them in degrees/s.
+        speeds: Vec<f64>,
+    },
+    /// Sign of life of the page, every 250 ms; the control token is lost without for 1 s.
+    Beat {},
+    /// Asks for the control token.
+    TakeControl {
+        /// Take it from whoever has it (never while something jogs).
+        over: bool,
+    },
+    /// Gives the control token back.
+    GiveControl {},
+    /// Asks what stands between now and a start; answered by [`FromCell::Why`].
+    Why {
+        /// For which command: `switch_on`, `home`, `start_jog`, `start_dry_run`, `start_weld`, `resume`, `reset`.
+        ask: String,
+    },
+}
+
+/// What the hand moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, TS)]
+#[serde(rename_all = "snake_case")]
+pub enum JogOf {
+    /// Single axes.
+    Joints,
+    /// The torch's tip.
+    Tip,
+}
+
+/// Commands to the executive. Stop and hold need no control token; stop no role either.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS)]
+#[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
+pub enum AskView {
+    /// Power for the drives.
+    SwitchOn {},
+    /// No power for the drives.
+    SwitchOff {},
+    /// Find the references.
+    Home {},
+    /// Jogging, until hold.
+    StartJog {},
+    /// Jogging while places are recorded.
+    StartTeach {},
+    /// The program with the process off.
+    StartDryRun {},
+    /// Allow the next start of the process: for one start, within a minute.
+    Arm {},
+    /// The program with the process on.
+    StartWeld {},
+    /// Stand still on the path.
+    Hold {},
+    /// Go on after a hold.
+    Resume {},
+    /// Go back along the path with the process off, until the next hold.
+    Reverse {},
+    /// Everything stops, the process first.
+    Stop {},
+    /// Part of the planned speed.
+    Override {
+        /// 0 to 1.
+        part: f64,
+    },
+    /// The fault has been looked at.
+    Reset {},
+    /// All alarms are known.
+    Acknowledge {},
+}
+
+/// To the panel over the socket.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum FromCell {
+    /// First on every connection.
+    Hello {
+        /// Number of this connection.
+        station: u32,
+        /// Version of the program.
+        version: String,
+    },
+    /// 30 times a second, the newest only.
+    Status(Box<Status>),
+    /// What happened, in order, none left out; on connecting the last hundred.
+    Event(EventView),
+    /// The whole list, whenever it changes.
+    Alarms {
+        /// All that are there or not acknowledged, the first first.
+        list: Vec<AlarmView>,
+    },
+    /// The program in the cell changed; none: there is none.
+    Work {
+        /// The program.
+        work: Option<WorkView>,
+    },
+    /// Who has the control token, whenever it changes.
+    Control {
+        /// The connection; none: nobody.
+        station: Option<u32>,
+        /// Its user's name.
+        user: Option<String>,
+        /// True if that is this connection.
+        mine: bool,
+    },
+    /// To a command of this connection.
+    Answer {
+        /// Its number.
+        seq: u32,
+        /// True if it was taken.
+        ok: bool,
+        /// Why not: a stable key (`mode`, `moving`, `references`, `power`, `silent`, `condition`, `alarm`, `arming`, `source`,
+        /// `not_at_start`, `work`, `value`, `motion`, `role`, `control`, `replayed`), and words.
+        why: Option<LackView>,
+    },
+    /// To [`ToCell::Why`]; empty: nothing.
+    Why {
+        /// The command that was asked for.
+        ask: String,
+        /// All that stands against it.
+        lacks: Vec<LackView>,
+    },
+}

@@ -1,0 +1,164 @@
+use serde::Serialize;
+use ts_rs::TS;
+
+/// What the cell is doing.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct Status {
+    /// Since the executive began, s.
+    pub t: f64,
+    /// `off`, `idle`, `homing`, `ready`, `jog`, `teach`, `dry_run`, `weld`, `hold`, `fault`.
+    pub mode: String,
+    /// The pass, from 1; 0 beside all passes.
+    pub pass: u32,
+    /// Path length in the pass, mm.
+    pub s_mm: f64,
+    /// Path length up to which the pass is welded, mm.
+    pub welded_mm: f64,
+    /// Planned speed along the path, mm/s.
+    pub speed_mm_s: f64,
+    /// Part of the planned speed that is asked for.
+    pub override_part: f64,
+    /// The next start of the process is allowed.
+    pub armed: bool,
+    /// Drives have power.
+    pub powered: bool,
+    /// Arc or beam.
+    pub process: ProcessStatus,
+    /// In the order of the machine's axes.
+    pub axes: Vec<AxisStatus>,
+    /// Measured torch tip in the work frame: x, y, z (mm) and the unit vector out of the work along the torch.
+    pub tip: [f64; 6],
+    /// For each link a frame, row by row (3 x 4), mm: by how much it has moved since all axes were at zero.
+    pub links: Vec<[f64; 12]>,
+    /// In the order of the machine's conditions: met or not.
+    pub conditions: Vec<bool>,
+    /// Tracking; none if the pass is not tracked.
+    pub tracking: Option<TrackingStatus>,
+    /// How old what the devices said is, s.
+    pub ages: Ages,
+    /// Cycles that were missed, and cycles that were not recorded, in all.
+    pub missed: u32,
+    /// See `missed`.
+    pub lost: u32,
+    /// Number of the weld in the library while one is recorded.
+    #[ts(type = "number | null")]
+    pub recording: Option<i64>,
+}
+
+/// Arc or beam.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct ProcessStatus {
+    /// `off`, `strikes`, `pauses`, `burns`, `failed`.
+    pub state: String,
+    /// It is ordered on.
+    pub on: bool,
+    /// The source says that it burns.
+    pub burning: bool,
+    /// The gas valve is open.
+    pub gas: bool,
+    /// What a pass is doing: `preflow`, `strike`, .. as words; none beside passes.
+    pub phase: Option<String>,
+    /// In the order of [`super::WorkView::values`]: asked for, and measured; null where there is none.
+    pub set: Vec<Option<f64>>,
+    /// See `set`.
+    pub measured: Vec<Option<f64>>,
+}
+
+/// An axis, in mm or degrees.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct AxisStatus {
+    /// Measured position.
+    pub position: f64,
+    /// Where it shall be.
+    pub set: f64,
+    /// Following error.
+    pub error: f64,
+    /// Current as a part of the peak.
+    pub current: f64,
+    /// Its reference is known.
+    pub referenced: bool,
+    /// The drive has a fault.
+    pub fault: bool,
+    /// It is on a limit switch.
+    pub limit_switch: bool,
+}
+
+/// What tracking found and did.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct TrackingStatus {
+    /// Lateral and height deviation of the joint from the program at the torch, mm.
+    pub deviation_mm: [f64; 2],
+    /// Lateral and height correction carried out, mm.
+    pub correction_mm: [f64; 2],
+    /// 0 to 1.
+    pub confidence: f64,
+}
+
+/// Ages, s; null: never heard of.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct Ages {
+    /// Drives.
+    pub drives: Option<f64>,
+    /// Process source.
+    pub source: Option<f64>,
+    /// Inputs.
+    pub inputs: Option<f64>,
+}
+
+/// An alarm on the list. Texts are English; panels translate by `name`.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct AlarmView {
+    /// Number in the catalogue.
+    pub number: u8,
+    /// Stable name.
+    pub name: String,
+    /// Which axis or condition, if it is about one.
+    pub of: Option<String>,
+    /// Why it came, what it leads to, what to do.
+    pub cause: String,
+    /// See `cause`.
+    pub consequence: String,
+    /// See `cause`.
+    pub action: String,
+    /// What the cell did.
+    pub reaction: String,
+    /// `unacknowledged`, `acknowledged`, `returned`.
+    pub state: String,
+    /// It came first.
+    pub first_out: bool,
+    /// When, s of the executive.
+    pub t: f64,
+    /// Where: pass from 1 (0: beside passes) and path length.
+    pub pass: u32,
+    /// See `pass`.
+    pub s_mm: f64,
+}
+
+/// Something that happened.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct EventView {
+    /// Counts up, without gaps.
+    #[ts(type = "number")]
+    pub number: u64,
+    /// s of the executive.
+    pub t: f64,
+    /// RFC 3339, UTC.
+    pub at: String,
+    /// `mode`, `order`, `refused`, `alarm`, `cleared`, `pass`, `left`, `record`, `control`, `work`.
+    pub what: String,
+    /// In English words.
+    pub text: String,
+    /// Who asked, if somebody did.
+    pub user: Option<String>,
+}
+
+/// Something that stands against what is asked.
+#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+pub struct LackView {
+    /// Stable key.
+    pub key: String,
+    /// Names in it: axes, a condition, an alarm, modes in which it would be allowed.
+    pub of: Vec<String>,
+    /// In English words, with what to do.
+    pub text: String,
+}

@@ -1,0 +1,67 @@
+use super::*;
+use ts_rs::{Config, TS};
+
+fn decl<T: TS>(config: &Config) -> String {
+    let docs = T::docs().unwrap_or_default();
+    format!("{docs}export {}\n", T::decl(config))
+}
+
+/// Everything that crosses the wire, as the panel's types.
+pub fn typescript() -> String {
+    let config = Config::default();
+    let declarations = [
+        decl::<MachineView>(&config),
+        decl::<AxisView>(&config),
+        decl::<ConditionView>(&config),
+        decl::<ZoneView>(&config),
+        decl::<FrameView>(&config),
+        decl::<SessionView>(&config),
+        decl::<Role>(&config),
+        decl::<Login>(&config),
+        decl::<UserRow>(&config),
+        decl::<UserChange>(&config),
+        decl::<Trouble>(&config),
+        decl::<Status>(&config),
+        decl::<ProcessStatus>(&config),
+        decl::<AxisStatus>(&config),
+        decl::<TrackingStatus>(&config),
+        decl::<Ages>(&config),
+        decl::<AlarmView>(&config),
+        decl::<EventView>(&config),
+        decl::<LackView>(&config),
+        decl::<WorkView>(&config),
+        decl::<PassView>(&config),
+        decl::<PathPoint>(&config),
+        decl::<FindingView>(&config),
+        decl::<SolidView>(&config),
+        decl::<ShapeView>(&config),
+        decl::<PlanAnswer>(&config),
+        decl::<JobText>(&config),
+        decl::<JobRow>(&config),
+        decl::<Load>(&config),
+        decl::<RecordRow>(&config),
+        decl::<RecordView>(&config),
+        decl::<JudgedView>(&config),
+        decl::<RecordedAlarm>(&config),
+        decl::<TraceView>(&config),
+        decl::<ToCell>(&config),
+        decl::<JogOf>(&config),
+        decl::<AskView>(&config),
+        decl::<FromCell>(&config),
+    ];
+    format!("// Made from crates/server/src/wire by its test: do not change by hand.\n\n{}", declarations.join("\n"))
+}
+
+#[cfg(test)]
+mod tests {
+    /// `SEAMWRIGHT_BLESS=1` writes the file anew.
+    #[test]
+    fn the_panels_types_are_those_of_the_wire() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../web/src/wire.ts");
+        let made = super::typescript();
+        if std::env::var_os("SEAMWRIGHT_BLESS").is_some() {
+            std::fs::write(path, &made).unwrap();
+        }
+        assert_eq!(std::fs::read_to_string(path).unwrap(), made, "SEAMWRIGHT_BLESS=1 writes it anew");
+    }
+}

@@ -1,0 +1,1045 @@
+// Made from crates/server/src/wire by its test: do not change by hand.
+
+/**
+ * `GET /api/machine`.
+ */
+export type MachineView = { 
+/**
+ * Short name.
+ */
+name: string, 
+/**
+ * Title.
+ */
+title: string, 
+/**
+ * True: the devices are simulated.
+ */
+simulated: boolean, 
+/**
+ * Period of the cycle, s.
+ */
+period_s: number, 
+/**
+ * Axes in their order.
+ */
+axes: Array<AxisView>, 
+/**
+ * Conditions in their order.
+ */
+conditions: Array<ConditionView>, 
+/**
+ * Solids of the links.
+ */
+solids: Array<SolidView>, 
+/**
+ * Zones.
+ */
+zones: Array<ZoneView>, 
+/**
+ * Named frames: axes, `base`, `work`, torches.
+ */
+frames: Array<FrameView>, 
+/**
+ * Index of the base among the links, and of the first torch.
+ */
+base: number, 
+/**
+ * See `base`.
+ */
+torch: number, 
+/**
+ * Unit vector up in the base frame.
+ */
+up: [number, number, number], 
+/**
+ * Highest jog speeds: of the tip (mm/s, degrees/s).
+ */
+jog: [number, number], 
+/**
+ * Sensors by name.
+ */
+sensors: Array<string>, 
+/**
+ * The process is a beam (else an arc).
+ */
+beam: boolean, };
+
+/**
+ * An axis, in mm or degrees.
+ */
+export type AxisView = { 
+/**
+ * Name.
+ */
+name: string, 
+/**
+ * `mm` or `deg`.
+ */
+unit: string, 
+/**
+ * Range.
+ */
+from: number, 
+/**
+ * See `from`.
+ */
+to: number, 
+/**
+ * Home.
+ */
+home: number, 
+/**
+ * Highest speed.
+ */
+max_speed: number, };
+
+/**
+ * A condition of the machine file.
+ */
+export type ConditionView = { 
+/**
+ * Name.
+ */
+name: string, 
+/**
+ * `power`, `motion`, `process`.
+ */
+level: string, };
+
+/**
+ * A zone.
+ */
+export type ZoneView = { 
+/**
+ * Name.
+ */
+name: string, 
+/**
+ * Stay in (else keep out).
+ */
+permitted: boolean, 
+/**
+ * Its volume.
+ */
+solids: Array<SolidView>, };
+
+/**
+ * A named place on a link.
+ */
+export type FrameView = { 
+/**
+ * Name.
+ */
+name: string, 
+/**
+ * The link.
+ */
+link: number, 
+/**
+ * In the work frame with all axes at zero, row by row (3 x 4), mm.
+ */
+frame: [number, number, number, number, number, number, number, number, number, number, number, number], };
+
+/**
+ * `GET /api/session`, and the answer of `POST /api/login`.
+ */
+export type SessionView = { 
+/**
+ * Name of the user.
+ */
+user: string, 
+/**
+ * Role.
+ */
+role: Role, 
+/**
+ * Everything that the role may do: names of commands and of routes' permissions.
+ */
+may: Array<string>, 
+/**
+ * What must stand in the header `x-seamwright` of every request that changes something.
+ */
+token: string, 
+/**
+ * There is no password yet: whoever has the printed address is the owner.
+ */
+first_run: boolean, };
+
+/**
+ * What a user may do; each includes those before.
+ */
+export type Role = "viewer" | "operator" | "programmer" | "service" | "admin";
+
+/**
+ * `POST /api/login`.
+ */
+export type Login = { 
+/**
+ * Name; empty with a key.
+ */
+user: string, 
+/**
+ * Password, or the key of the printed address.
+ */
+password: string, };
+
+/**
+ * A row of `GET /api/users`.
+ */
+export type UserRow = { 
+/**
+ * Name.
+ */
+name: string, 
+/**
+ * Role.
+ */
+role: Role, 
+/**
+ * It can log in.
+ */
+enabled: boolean, };
+
+/**
+ * `PUT /api/users/NAME`: makes or changes a user.
+ */
+export type UserChange = { 
+/**
+ * Role.
+ */
+role: Role, 
+/**
+ * A new password, if it is to change; at least ten characters.
+ */
+password: string | null, 
+/**
+ * It can log in.
+ */
+enabled: boolean, 
+/**
+ * The password of whoever asks.
+ */
+own_password: string | null, };
+
+/**
+ * What every failed request answers.
+ */
+export type Trouble = { 
+/**
+ * Stable key: `login`, `role`, `origin`, `token`, `size`, `input`, `not_found`, `busy`, `slow_down`, `server`.
+ */
+key: string, 
+/**
+ * In English words, with what is allowed.
+ */
+text: string, };
+
+/**
+ * What the cell is doing.
+ */
+export type Status = { 
+/**
+ * Since the executive began, s.
+ */
+t: number, 
+/**
+ * `off`, `idle`, `homing`, `ready`, `jog`, `teach`, `dry_run`, `weld`, `hold`, `fault`.
+ */
+mode: string, 
+/**
+ * The pass, from 1; 0 beside all passes.
+ */
+pass: number, 
+/**
+ * Path length in the pass, mm.
+ */
+s_mm: number, 
+/**
+ * Path length up to which the pass is welded, mm.
+ */
+welded_mm: number, 
+/**
+ * Planned speed along the path, mm/s.
+ */
+speed_mm_s: number, 
+/**
+ * Part of the planned speed that is asked for.
+ */
+override_part: number, 
+/**
+ * The next start of the process is allowed.
+ */
+armed: boolean, 
+/**
+ * Drives have power.
+ */
+powered: boolean, 
+/**
+ * Arc or beam.
+ */
+process: ProcessStatus, 
+/**
+ * In the order of the machine's axes.
+ */
+axes: Array<AxisStatus>, 
+/**
+ * Measured torch tip in the work frame: x, y, z (mm) and the unit vector out of the work along the torch.
+ */
+tip: [number, number, number, number, number, number], 
+/**
+ * For each link a frame, row by row (3 x 4), mm: by how much it has moved since all axes were at zero.
+ */
+links: Array<[number, number, number, number, number, number, number, number, number, number, number, number]>, 
+/**
+ * In the order of the machine's conditions: met or not.
+ */
+conditions: Array<boolean>, 
+/**
+ * Tracking; none if the pass is not tracked.
+ */
+tracking: TrackingStatus | null, 
+/**
+ * How old what the devices said is, s.
+ */
+ages: Ages, 
+/**
+ * Cycles that were missed, and cycles that were not recorded, in all.
+ */
+missed: number, 
+/**
+ * See `missed`.
+ */
+lost: number, 
+/**
+ * Number of the weld in the library while one is recorded.
+ */
+recording: number | null, };
+
+/**
+ * Arc or beam.
+ */
+export type ProcessStatus = { 
+/**
+ * `off`, `strikes`, `pauses`, `burns`, `failed`.
+ */
+state: string, 
+/**
+ * It is ordered on.
+ */
+on: boolean, 
+/**
+ * The source says that it burns.
+ */
+burning: boolean, 
+/**
+ * The gas valve is open.
+ */
+gas: boolean, 
+/**
+ * What a pass is doing: `preflow`, `strike`, .. as words; none beside passes.
+ */
+phase: string | null, 
+/**
+ * In the order of [`super::WorkView::values`]: asked for, and measured; null where there is none.
+ */
+set: Array<number | null>, 
+/**
+ * See `set`.
+ */
+measured: Array<number | null>, };
+
+/**
+ * An axis, in mm or degrees.
+ */
+export type AxisStatus = { 
+/**
+ * Measured position.
+ */
+position: number, 
+/**
+ * Where it shall be.
+ */
+set: number, 
+/**
+ * Following error.
+ */
+error: number, 
+/**
+ * Current as a part of the peak.
+ */
+current: number, 
+/**
+ * Its reference is known.
+ */
+referenced: boolean, 
+/**
+ * The drive has a fault.
+ */
+fault: boolean, 
+/**
+ * It is on a limit switch.
+ */
+limit_switch: boolean, };
+
+/**
+ * What tracking found and did.
+ */
+export type TrackingStatus = { 
+/**
+ * Lateral and height deviation of the joint from the program at the torch, mm.
+ */
+deviation_mm: [number, number], 
+/**
+ * Lateral and height correction carried out, mm.
+ */
+correction_mm: [number, number], 
+/**
+ * 0 to 1.
+ */
+confidence: number, };
+
+/**
+ * Ages, s; null: never heard of.
+ */
+export type Ages = { 
+/**
+ * Drives.
+ */
+drives: number | null, 
+/**
+ * Process source.
+ */
+source: number | null, 
+/**
+ * Inputs.
+ */
+inputs: number | null, };
+
+/**
+ * An alarm on the list. Texts are English; panels translate by `name`.
+ */
+export type AlarmView = { 
+/**
+ * Number in the catalogue.
+ */
+number: number, 
+/**
+ * Stable name.
+ */
+name: string, 
+/**
+ * Which axis or condition, if it is about one.
+ */
+of: string | null, 
+/**
+ * Why it came, what it leads to, what to do.
+ */
+cause: string, 
+/**
+ * See `cause`.
+ */
+consequence: string, 
+/**
+ * See `cause`.
+ */
+action: string, 
+/**
+ * What the cell did.
+ */
+reaction: string, 
+/**
+ * `unacknowledged`, `acknowledged`, `returned`.
+ */
+state: string, 
+/**
+ * It came first.
+ */
+first_out: boolean, 
+/**
+ * When, s of the executive.
+ */
+t: number, 
+/**
+ * Where: pass from 1 (0: beside passes) and path length.
+ */
+pass: number, 
+/**
+ * See `pass`.
+ */
+s_mm: number, };
+
+/**
+ * Something that happened.
+ */
+export type EventView = { 
+/**
+ * Counts up, without gaps.
+ */
+number: number, 
+/**
+ * s of the executive.
+ */
+t: number, 
+/**
+ * RFC 3339, UTC.
+ */
+at: string, 
+/**
+ * `mode`, `order`, `refused`, `alarm`, `cleared`, `pass`, `left`, `record`, `control`, `work`.
+ */
+what: string, 
+/**
+ * In English words.
+ */
+text: string, 
+/**
+ * Who asked, if somebody did.
+ */
+user: string | null, };
+
+/**
+ * Something that stands against what is asked.
+ */
+export type LackView = { 
+/**
+ * Stable key.
+ */
+key: string, 
+/**
+ * Names in it: axes, a condition, an alarm, modes in which it would be allowed.
+ */
+of: Array<string>, 
+/**
+ * In English words, with what to do.
+ */
+text: string, };
+
+/**
+ * A planned program.
+ */
+export type WorkView = { 
+/**
+ * Number of this plan: another one, another program.
+ */
+id: number, 
+/**
+ * Name of the job in the folder of jobs.
+ */
+job: string, 
+/**
+ * Its title.
+ */
+title: string, 
+/**
+ * Names of process values, ending in their units.
+ */
+values: Array<string>, 
+/**
+ * Passes in order.
+ */
+passes: Array<PassView>, 
+/**
+ * Ways through the air, one more than passes: tips.
+ */
+air: Array<Array<[number, number, number]>>, 
+/**
+ * The part and the fixtures.
+ */
+part: Array<SolidView>, 
+/**
+ * See `part`.
+ */
+fixtures: Array<SolidView>, 
+/**
+ * What is to be said of it.
+ */
+findings: Array<FindingView>, 
+/**
+ * It can be welded: no finding forbids it.
+ */
+good: boolean, 
+/**
+ * Time in all, s.
+ */
+time_s: number, 
+/**
+ * It goes on where a power failure or a stop left it: pass from 1, and path length.
+ */
+from: [number, number] | null, };
+
+/**
+ * A pass.
+ */
+export type PassView = { 
+/**
+ * What it is: `root`, `fill`, `cap` ..; empty if the program does not say.
+ */
+role: string, 
+/**
+ * Path length, mm.
+ */
+length_mm: number, 
+/**
+ * Time from gas to gas, s.
+ */
+time_s: number, 
+/**
+ * Speed that is asked for at its begin, mm/s.
+ */
+speed_mm_s: number, 
+/**
+ * It ends where it begins.
+ */
+closed: boolean, 
+/**
+ * Samples all along.
+ */
+path: Array<PathPoint>, };
+
+/**
+ * A sample of a pass.
+ */
+export type PathPoint = { 
+/**
+ * Path length, mm.
+ */
+s_mm: number, 
+/**
+ * Tip in the work frame, mm.
+ */
+tip: [number, number, number], 
+/**
+ * Unit vector out of the work along the torch.
+ */
+torch: [number, number, number], 
+/**
+ * Speed along the path, mm/s.
+ */
+speed_mm_s: number, 
+/**
+ * Axes, mm or degrees.
+ */
+axes: Array<number>, 
+/**
+ * Process values; null where there is none.
+ */
+values: Array<number | null>, };
+
+/**
+ * Something that is wrong or worth knowing.
+ */
+export type FindingView = { 
+/**
+ * Stable kind: `reach`, `range`, `speed`, ...
+ */
+kind: string, 
+/**
+ * With the value found and the value allowed.
+ */
+message: string, 
+/**
+ * From 1.
+ */
+pass: number, 
+/**
+ * Path length, mm.
+ */
+from_mm: number, 
+/**
+ * See `from_mm`.
+ */
+to_mm: number, 
+/**
+ * What would cure it.
+ */
+cure: string, 
+/**
+ * The weld can be made nevertheless.
+ */
+allowed: boolean, };
+
+/**
+ * A solid, in the work frame with all axes at zero.
+ */
+export type SolidView = { 
+/**
+ * Name.
+ */
+name: string, 
+/**
+ * What it is.
+ */
+shape: ShapeView, 
+/**
+ * Its frame, row by row (3 x 4), mm.
+ */
+frame: [number, number, number, number, number, number, number, number, number, number, number, number], 
+/**
+ * The link that it moves with, as an index into [`super::Status::links`].
+ */
+link: number, };
+
+/**
+ * A shape in its own frame, mm.
+ */
+export type ShapeView = { "kind": "box", 
+/**
+ * Lengths of its sides.
+ */
+size: [number, number, number], } | { "kind": "sphere", 
+/**
+ * Radius.
+ */
+radius: number, } | { "kind": "cone", 
+/**
+ * At 0.
+ */
+radius: number, 
+/**
+ * At `length`.
+ */
+top_radius: number, 
+/**
+ * Along z.
+ */
+length: number, } | { "kind": "capsule", 
+/**
+ * Radius.
+ */
+radius: number, 
+/**
+ * Along z.
+ */
+length: number, } | { "kind": "ellipsoid", 
+/**
+ * Along x, y, z.
+ */
+semi_axes: [number, number, number], } | { "kind": "half_space", } | { "kind": "mesh", 
+/**
+ * Corners.
+ */
+triangles: Array<number>, };
+
+/**
+ * What a text of a job is, asked before it is kept: see `POST /api/plan`.
+ */
+export type PlanAnswer = { "kind": "planned", 
+/**
+ * The plan.
+ */
+work: WorkView, } | { "kind": "wrong", 
+/**
+ * What and where, with what is allowed.
+ */
+message: string, 
+/**
+ * From 1, if it is known.
+ */
+line: number | null, 
+/**
+ * Key, if it is known.
+ */
+key: string | null, };
+
+/**
+ * `POST /api/plan`, `PUT /api/jobs/NAME`.
+ */
+export type JobText = { 
+/**
+ * TOML of a job or program.
+ */
+text: string, };
+
+/**
+ * A row of `GET /api/jobs`.
+ */
+export type JobRow = { 
+/**
+ * Name, ends in `.toml`.
+ */
+name: string, 
+/**
+ * Title, or what is wrong with it.
+ */
+title: string, 
+/**
+ * One of those that ship: it can be copied, not changed.
+ */
+example: boolean, };
+
+/**
+ * `POST /api/load`.
+ */
+export type Load = { 
+/**
+ * Name of a job.
+ */
+job: string, 
+/**
+ * Where to begin, if not at the begin: pass from 1 and the path length up to which it is welded.
+ */
+from: [number, number] | null, 
+/**
+ * Name of the part that is welded, for the record.
+ */
+part: string | null, };
+
+/**
+ * A row of `GET /api/records`, and the head of `GET /api/records/ID`.
+ */
+export type RecordRow = { 
+/**
+ * Its number.
+ */
+id: number, 
+/**
+ * Name of the part.
+ */
+part: string, 
+/**
+ * The job's title.
+ */
+title: string, 
+/**
+ * No metal was welded.
+ */
+simulated: boolean, 
+/**
+ * RFC 3339, UTC.
+ */
+begun: string, 
+/**
+ * See `begun`; none: not yet.
+ */
+ended: string | null, 
+/**
+ * `running`, `good`, `deviating`, `stopped`, ...
+ */
+result: string, 
+/**
+ * What else there is to say.
+ */
+note: string, 
+/**
+ * Name of the machine.
+ */
+machine: string, 
+/**
+ * Number of the procedure.
+ */
+procedure: string | null, 
+/**
+ * Who welded.
+ */
+welder: string | null, 
+/**
+ * Least, mean and greatest heat input, kJ/mm.
+ */
+heat_input_kj_mm: [number, number, number] | null, 
+/**
+ * Greatest distance of the torch tip from the seam (mm), and where (mm).
+ */
+worst_deviation_mm: [number, number] | null, };
+
+/**
+ * `GET /api/records/ID`.
+ */
+export type RecordView = { 
+/**
+ * The weld.
+ */
+weld: RecordRow, 
+/**
+ * Process values against their windows.
+ */
+values: Array<JudgedView>, 
+/**
+ * Its alarms in order.
+ */
+alarms: Array<RecordedAlarm>, 
+/**
+ * Columns of its trace with their units.
+ */
+columns: Array<[string, string]>, 
+/**
+ * Rows of its trace.
+ */
+rows: number, };
+
+/**
+ * A process value while the arc was on.
+ */
+export type JudgedView = { 
+/**
+ * The pass, from 1.
+ */
+pass: number, 
+/**
+ * Its name, which ends in its unit.
+ */
+name: string, 
+/**
+ * Least, mean and greatest.
+ */
+least: number, 
+/**
+ * See `least`.
+ */
+mean: number, 
+/**
+ * See `least`.
+ */
+greatest: number, 
+/**
+ * Least and greatest value allowed.
+ */
+allowed: [number, number] | null, 
+/**
+ * How long it was outside, s.
+ */
+outside_s: number, };
+
+/**
+ * An alarm of a recorded weld.
+ */
+export type RecordedAlarm = { 
+/**
+ * Name.
+ */
+name: string, 
+/**
+ * Cause.
+ */
+cause: string, 
+/**
+ * The pass, from 1.
+ */
+pass: number | null, 
+/**
+ * Path length, mm.
+ */
+s_mm: number | null, 
+/**
+ * Time in the trace, s.
+ */
+t_s: number | null, 
+/**
+ * It came first.
+ */
+first_out: boolean, };
+
+/**
+ * `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, each with its least and greatest neighbours kept.
+ */
+export type TraceView = { 
+/**
+ * The columns asked for.
+ */
+columns: Array<string>, 
+/**
+ * For each column its values; null where there is none.
+ */
+values: Array<Array<number | null>>, };
+
+/**
+ * From the panel over the socket.
+ */
+export type ToCell = { "kind": "command", 
+/**
+ * Counts up from 1 in a connection; one that is not greater than the last is refused.
+ */
+seq: number, 
+/**
+ * What is asked.
+ */
+ask: AskView, } | { "kind": "jog", 
+/**
+ * See [`ToCell::Command`]; jogs count by themselves.
+ */
+seq: number, 
+/**
+ * By joints or by the tip.
+ */
+of: JogOf, 
+/**
+ * For joints: part of the highest jog speed of each axis, -1 to 1. For the tip: x, y, z of the work frame in mm/s,
+ * then turns about them in degrees/s.
+ */
+speeds: Array<number>, } | { "kind": "beat", } | { "kind": "take_control", 
+/**
+ * Take it from whoever has it (never while something jogs).
+ */
+over: boolean, } | { "kind": "give_control", } | { "kind": "why", 
+/**
+ * For which command: `switch_on`, `home`, `start_jog`, `start_dry_run`, `start_weld`, `resume`, `reset`.
+ */
+ask: string, };
+
+/**
+ * What the hand moves.
+ */
+export type JogOf = "joints" | "tip";
+
+/**
+ * Commands to the executive. Stop and hold need no control token; stop no role either.
+ */
+export type AskView = { "do": "switch_on", } | { "do": "switch_off", } | { "do": "home", } | { "do": "start_jog", } | { "do": "start_teach", } | { "do": "start_dry_run", } | { "do": "arm", } | { "do": "start_weld", } | { "do": "hold", } | { "do": "resume", } | { "do": "reverse", } | { "do": "stop", } | { "do": "override", 
+/**
+ * 0 to 1.
+ */
+part: number, } | { "do": "reset", } | { "do": "acknowledge", };
+
+/**
+ * To the panel over the socket.
+ */
+export type FromCell = { "kind": "hello", 
+/**
+ * Number of this connection.
+ */
+station: number, 
+/**
+ * Version of the program.
+ */
+version: string, } | { "kind": "status" } & Status | { "kind": "event" } & EventView | { "kind": "alarms", 
+/**
+ * All that are there or not acknowledged, the first first.
+ */
+list: Array<AlarmView>, } | { "kind": "work", 
+/**
+ * The program.
+ */
+work: WorkView | null, } | { "kind": "control", 
+/**
+ * The connection; none: nobody.
+ */
+station: number | null, 
+/**
+ * Its user's name.
+ */
+user: string | null, 
+/**
+ * True if that is this connection.
+ */
+mine: boolean, } | { "kind": "answer", 
+/**
+ * Its number.
+ */
+seq: number, 
+/**
+ * True if it was taken.
+ */
+ok: boolean, 
+/**
+ * Why not: a stable key (`mode`, `moving`, `references`, `power`, `silent`, `condition`, `alarm`, `arming`, `source`,
+ * `not_at_start`, `work`, `value`, `motion`, `role`, `control`, `replayed`), and words.
+ */
+why: LackView | null, } | { "kind": "why", 
+/**
+ * The command that was asked for.
+ */
+ask: string, 
+/**
+ * All that stands against it.
+ */
+lacks: Array<LackView>, };
