@@ -4,12 +4,6 @@
 
 mod args;
 mod clock;
-mod csv;
-mod examples;
-mod failure;
-mod files;
-mod load;
-mod outside;
 mod overlay;
 mod progress;
 mod rows;
@@ -18,6 +12,8 @@ mod verbs;
 use args::{Cli, Verb};
 use clap::Parser;
 use failure::Failure;
+use seamwright_project::{csv, examples, failure, files, load};
+use std::io::Write as _;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -31,7 +27,7 @@ fn main() -> ExitCode {
     };
     match run(cli.verb) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(),
+        Err(failure) => report(&failure),
     }
 }
 
@@ -65,5 +61,27 @@ fn run(verb: Option<Verb>) -> Result<(), Failure> {
         Some(Verb::Procedures(a)) => verbs::lists::procedures(&a),
         Some(Verb::Examples(a)) => verbs::lists::examples(&a),
         Some(Verb::Schema(a)) => verbs::schema::run(&a),
+    }
+}
+
+/// Writes the failure to standard error; its exit code.
+fn report(failure: &Failure) -> ExitCode {
+    let mut err = std::io::stderr().lock();
+    // Nothing can be done if standard error itself is closed.
+    match failure {
+        Failure::Findings(findings) => {
+            let _ = failure::write_findings(&mut err, findings);
+            ExitCode::from(1)
+        }
+        Failure::Printed => ExitCode::from(1),
+        Failure::Input(message) => {
+            let _ = writeln!(err, "error: {}", message.trim_end());
+            ExitCode::from(2)
+        }
+        Failure::Environment(message) => {
+            let _ = writeln!(err, "error: {}", message.trim_end());
+            ExitCode::from(3)
+        }
+        Failure::ReaderGone => ExitCode::SUCCESS,
     }
 }

@@ -1,7 +1,7 @@
 use super::head_columns::HeadColumns;
 use super::plan::{finish, write_report};
 use super::process::{ArcClock, ProcessColumns};
-use super::recorded::{self, Header, Rows};
+use super::recorded::{self, Rows};
 use crate::args::SimulateArgs;
 use crate::args::records::RecordArgs;
 use crate::failure::Failure;
@@ -13,6 +13,7 @@ use seamwright_cell::tracking::{Distortion, RESERVE, check};
 use seamwright_cell::{Conditions, Sample, Summary, simulate};
 use seamwright_machine::{Machine, Surroundings};
 use seamwright_motion::{PassMotion, WeldMotion};
+use seamwright_project::recording::Header;
 use seamwright_report::{SimulationCurves, WeldReport};
 use seamwright_tracking::beam::DeviationRecord;
 use std::path::Path;

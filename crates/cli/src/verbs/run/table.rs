@@ -4,11 +4,12 @@ use crate::args::records::RecordArgs;
 use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::Loaded;
-use crate::verbs::recorded::{self, Header, Rows};
-use seamwright_cell::executive::{ProcessState, VALUES};
+use crate::verbs::recorded::{self, Rows};
 use seamwright_cell::realtime::Shown;
 use seamwright_machine::Machine;
 use seamwright_motion::WeldMotion;
+use seamwright_project::recording::Header;
+use seamwright_project::run_rows;
 use seamwright_record::Outcome;
 use seamwright_record::journal::Journal;
 use seamwright_record::library::Alarm;
@@ -30,13 +31,13 @@ impl Table {
         let machine = &loaded.machine;
         let title = loaded.welding.program.value.title.clone();
         let about = [("title", title), ("machine", machine.name.clone())];
-        let columns = columns(machine, values);
+        let columns = run_rows::columns(machine, values);
         let rows = recorded::begin(loaded, motion, &Header { columns: &columns, about: &about }, output, record)?;
         Ok(Self { rows, machine: machine.clone(), values: values.len() })
     }
 
     pub(super) fn row(&mut self, shown: &Shown) -> Result<(), Failure> {
-        let row = row(&self.machine, shown, self.values);
+        let row = run_rows::row(&self.machine, shown, self.values);
         self.rows.row(row)?;
         match self.rows.weld() {
             Some((_, Some(trouble))) => Err(Failure::Environment(trouble.to_owned())),
@@ -58,76 +59,4 @@ impl Table {
     pub(super) fn finish(self, outcome: &Outcome, alarms: &[Alarm], output: &mut Output) -> Result<(), Failure> {
         self.rows.keep("run", outcome, alarms, output)
     }
-}
-
-fn columns(machine: &Machine, values: &[String]) -> Vec<(String, &'static str)> {
-    let mut columns: Vec<(String, &'static str)> = [
-        ("t_s", "s"),
-        ("mode", "1"),
-        ("pass", "1"),
-        ("s_mm", "mm"),
-        ("welded_mm", "mm"),
-        ("speed_set_mm_s", "mm/s"),
-        ("override", "1"),
-        ("arc", "1"),
-        ("gas", "1"),
-        ("process_state", "1"),
-        ("burning", "1"),
-        ("power", "1"),
-        ("inputs", "1"),
-        ("missed", "1"),
-    ]
-    .map(|(name, unit)| (name.to_owned(), unit))
-    .to_vec();
-    for axis in &machine.axes {
-        let (name, unit) = (&axis.name, axis.unit());
-        columns.push((format!("{name}_set_{unit}"), unit));
-        columns.push((format!("{name}_measured_{unit}"), unit));
-        columns.push((format!("{name}_following_error_{unit}"), unit));
-        columns.push((format!("{name}_current_part"), "1"));
-    }
-    for name in values {
-        columns.push((format!("{name}_set"), ""));
-        columns.push((format!("{name}_measured"), ""));
-    }
-    columns
-}
-
-fn row(machine: &Machine, c: &Shown, values: usize) -> Vec<f64> {
-    let bit = |yes: bool| if yes { 1.0 } else { 0.0 };
-    let in_pass = c.place.pass > 0;
-    let process = match c.process {
-        ProcessState::Off => 0.0,
-        ProcessState::Strikes => 1.0,
-        ProcessState::Pauses => 2.0,
-        ProcessState::Burns => 3.0,
-        ProcessState::Failed => 4.0,
-    };
-    let mut row = vec![
-        c.t,
-        f64::from(c.mode as u8),
-        c.place.pass as f64,
-        if in_pass { c.place.s_mm } else { f64::NAN },
-        if in_pass { c.welded_mm } else { f64::NAN },
-        if in_pass { c.speed } else { f64::NAN },
-        c.pace,
-        bit(c.orders.process.on),
-        bit(c.orders.process.gas),
-        process,
-        bit(c.reports.source.burning),
-        bit(c.orders.power),
-        c.reports.inputs as f64,
-        f64::from(c.reports.missed),
-    ];
-    for (i, axis) in machine.axes.iter().enumerate() {
-        row.push(axis.to_file(c.orders.set[i].position));
-        row.push(axis.to_file(c.reports.drives.position[i]));
-        row.push(axis.to_file(c.reports.drives.following_error[i]));
-        row.push(c.reports.drives.current[i]);
-    }
-    for i in 0..values.min(VALUES) {
-        row.push(c.orders.process.values[i]);
-        row.push(c.reports.source.values[i]);
-    }
-    row
 }

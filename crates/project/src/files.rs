@@ -10,12 +10,12 @@ use tempfile::{NamedTempFile, TempDir};
 const MOST_BYTES: u64 = 1 << 30;
 
 /// Reads a text file that the user named.
-pub(crate) fn read(path: &Path) -> Result<String, Failure> {
+pub fn read(path: &Path) -> Result<String, Failure> {
     fs::read_to_string(path).map_err(|e| Failure::Input(format!("{}: cannot be read: {e}", path.display())))
 }
 
 /// Reads a file of bytes, or standard input for `-`; `source` names it in messages.
-pub(crate) fn read_bytes(path: &Path, source: &str) -> Result<Vec<u8>, Failure> {
+pub fn read_bytes(path: &Path, source: &str) -> Result<Vec<u8>, Failure> {
     let unreadable = |e: &std::io::Error| Failure::Input(format!("{source}: cannot be read: {e}"));
     let mut bytes = Vec::new();
     let result = if source == "-" {
@@ -39,7 +39,7 @@ fn temporary(folder: &Path) -> std::io::Result<NamedTempFile> {
 }
 
 /// Writes one file whole; its folder must exist.
-pub(crate) fn write(path: &Path, text: &str) -> Result<(), Failure> {
+pub fn write(path: &Path, text: &str) -> Result<(), Failure> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut file = temporary(folder).map_err(|e| not_writable(folder, &e))?;
     file.write_all(text.as_bytes()).map_err(|e| not_writable(path, &e))?;
@@ -47,7 +47,7 @@ pub(crate) fn write(path: &Path, text: &str) -> Result<(), Failure> {
 }
 
 /// The same piece by piece: `fill` writes it.
-pub(crate) fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Result<(), Failure> {
+pub fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Result<(), Failure> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut file = temporary(folder).map_err(|e| not_writable(folder, &e))?;
     let mut out = BufWriter::with_capacity(1 << 16, &mut file);
@@ -85,37 +85,37 @@ fn not_writable(path: &Path, e: &std::io::Error) -> Failure {
 }
 
 /// A folder that results go to, all at once when everything has been made.
-pub(crate) struct Output {
+pub struct Output {
     folder: PathBuf,
     files: Vec<(NamedTempFile, PathBuf)>,
 }
 
 impl Output {
     /// The folder, made if missing; fails at once if nothing can be written there.
-    pub(crate) fn new(folder: &Path) -> Result<Self, Failure> {
+    pub fn new(folder: &Path) -> Result<Self, Failure> {
         fs::create_dir_all(folder).map_err(|e| not_writable(folder, &e))?;
         temporary(folder).map_err(|e| not_writable(folder, &e))?;
         Ok(Self { folder: folder.to_owned(), files: Vec::new() })
     }
 
     /// A file to be written piece by piece; give it back with [`Output::add`].
-    pub(crate) fn open(&self) -> Result<NamedTempFile, Failure> {
+    pub fn open(&self) -> Result<NamedTempFile, Failure> {
         temporary(&self.folder).map_err(|e| not_writable(&self.folder, &e))
     }
 
     /// Takes a written file under its name.
-    pub(crate) fn add(&mut self, name: &str, file: NamedTempFile) {
+    pub fn add(&mut self, name: &str, file: NamedTempFile) {
         self.files.push((file, self.folder.join(name)));
     }
 
     /// A folder for what is not finished; it goes with this value.
-    pub(crate) fn scratch(&self) -> Result<TempDir, Failure> {
+    pub fn scratch(&self) -> Result<TempDir, Failure> {
         let folder = tempfile::Builder::new().prefix(".seamwright-").tempdir_in(&self.folder);
         folder.map_err(|e| not_writable(&self.folder, &e))
     }
 
     /// Takes a copy of the file at `from` under `name`, whatever stands there.
-    pub(crate) fn take(&mut self, name: &str, from: &Path) -> Result<(), Failure> {
+    pub fn take(&mut self, name: &str, from: &Path) -> Result<(), Failure> {
         let unreadable = |e| Failure::Input(format!("{}: cannot be read: {e}", from.display()));
         let mut source = fs::File::open(from).map_err(unreadable)?;
         let mut file = self.open()?;
@@ -125,7 +125,7 @@ impl Output {
     }
 
     /// Takes a text under its name.
-    pub(crate) fn text(&mut self, name: &str, text: &str) -> Result<(), Failure> {
+    pub fn text(&mut self, name: &str, text: &str) -> Result<(), Failure> {
         let mut file = self.open()?;
         file.write_all(text.as_bytes()).map_err(|e| not_writable(&self.folder, &e))?;
         self.add(name, file);
@@ -134,7 +134,7 @@ impl Output {
 
     /// Takes a copy of the file at `from` under `name`, unless it is that file; another file of that name is not
     /// touched.
-    pub(crate) fn copy(&mut self, name: &str, from: &Path) -> Result<(), Failure> {
+    pub fn copy(&mut self, name: &str, from: &Path) -> Result<(), Failure> {
         let bytes = fs::read(from).map_err(|e| Failure::Input(format!("{}: cannot be read: {e}", from.display())))?;
         let to = self.folder.join(name);
         match fs::read(&to) {
@@ -157,7 +157,7 @@ impl Output {
     }
 
     /// Gives every file its name; the paths written.
-    pub(crate) fn finish(self) -> Result<Vec<PathBuf>, Failure> {
+    pub fn finish(self) -> Result<Vec<PathBuf>, Failure> {
         if let Some((_, path)) = self.files.iter().find(|(_, path)| path.is_dir()) {
             return Err(not_writable(path, &std::io::ErrorKind::IsADirectory.into()));
         }

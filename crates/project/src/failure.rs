@@ -1,11 +1,12 @@
+//! Why a command ends without doing what was asked.
+
 use seamwright_document::DocumentError;
 use seamwright_program::Finding;
 use std::io::{self, Write};
-use std::process::ExitCode;
 
 /// Why the command ends without doing what was asked, by exit code.
 #[derive(Debug)]
-pub(crate) enum Failure {
+pub enum Failure {
     /// 1: the job is understood but cannot be welded as asked.
     Findings(Vec<Finding>),
     /// 1: the same, and the findings have been printed already.
@@ -18,32 +19,8 @@ pub(crate) enum Failure {
     ReaderGone,
 }
 
-impl Failure {
-    /// Writes the failure to standard error; its exit code.
-    pub(crate) fn report(&self) -> ExitCode {
-        let mut err = io::stderr().lock();
-        // Nothing can be done if standard error itself is closed.
-        match self {
-            Self::Findings(findings) => {
-                let _ = write_findings(&mut err, findings);
-                ExitCode::from(1)
-            }
-            Self::Printed => ExitCode::from(1),
-            Self::Input(message) => {
-                let _ = writeln!(err, "error: {}", message.trim_end());
-                ExitCode::from(2)
-            }
-            Self::Environment(message) => {
-                let _ = writeln!(err, "error: {}", message.trim_end());
-                ExitCode::from(3)
-            }
-            Self::ReaderGone => ExitCode::SUCCESS,
-        }
-    }
-}
-
 /// Findings for people, the forbidding ones first.
-pub(crate) fn write_findings(out: &mut impl Write, findings: &[Finding]) -> io::Result<()> {
+pub fn write_findings(out: &mut impl Write, findings: &[Finding]) -> io::Result<()> {
     let forbidding = findings.iter().filter(|f| !f.allowed).count();
     match forbidding {
         0 if findings.is_empty() => writeln!(out, "the weld can be made as asked")?,

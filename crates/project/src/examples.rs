@@ -1,9 +1,11 @@
 //! The example jobs that ship inside the program.
 
 /// An example job.
-pub(crate) struct Example {
-    pub(crate) name: &'static str,
-    pub(crate) text: &'static str,
+pub struct Example {
+    /// Its short name.
+    pub name: &'static str,
+    /// Its TOML.
+    pub text: &'static str,
 }
 
 macro_rules! examples {
@@ -13,7 +15,7 @@ macro_rules! examples {
 }
 
 /// All examples; the first is the one that runs without a verb.
-pub(crate) const EXAMPLES: &[Example] = examples![
+pub const EXAMPLES: &[Example] = examples![
     "saddle",
     "head-nozzle",
     "ellipse",

@@ -13,24 +13,26 @@ use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
 /// A job or program with its machine.
-pub(crate) struct Loaded {
-    pub(crate) welding: Welding,
-    pub(crate) machine: Machine,
+pub struct Loaded {
+    /// The job as a program with its seam.
+    pub welding: Welding,
+    /// Its machine.
+    pub machine: Machine,
     /// Part and fixtures.
-    pub(crate) clamped: Clamped,
+    pub clamped: Clamped,
     /// The machine file, if it is not one that ships.
-    pub(crate) machine_file: Option<PathBuf>,
+    pub machine_file: Option<PathBuf>,
     /// STL files that job and machine file name: the name, and where the file is.
-    pub(crate) stl_files: Vec<(String, PathBuf)>,
+    pub stl_files: Vec<(String, PathBuf)>,
 }
 
 /// Reads a job or program file and its machine.
-pub(crate) fn load(path: &Path) -> Result<Loaded, Failure> {
+pub fn load(path: &Path) -> Result<Loaded, Failure> {
     load_text(&path.display().to_string(), &files::read(path)?, path.parent().unwrap_or(Path::new(".")))
 }
 
 /// The same from text; machine files are looked for from `folder`.
-pub(crate) fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded, Failure> {
+pub fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded, Failure> {
     let welding = Welding::read_with(name, text, &Beside::new(folder))?;
     let wanted = &welding.program.value.machine;
     let stl = StlFiles::default();
@@ -85,7 +87,7 @@ fn names() -> String {
 }
 
 /// The machine that a job in `folder` names; none if there is no such machine.
-pub(crate) fn machine_beside(name: &str, folder: &Path) -> Result<Option<Machine>, Failure> {
+pub fn machine_beside(name: &str, folder: &Path) -> Result<Option<Machine>, Failure> {
     machine_from(name, folder, &StlFiles::default())
 }
 
@@ -119,12 +121,12 @@ fn checked(file: &str, text: &str, folder: &Path, stl: &StlFiles) -> Result<(Mac
 }
 
 /// The machine that a command line names.
-pub(crate) fn machine(name: &str) -> Result<Machine, Failure> {
+pub fn machine(name: &str) -> Result<Machine, Failure> {
     machine_and_file(name).map(|(machine, _)| machine)
 }
 
 /// The machine that a command line names, with its file.
-pub(crate) fn machine_and_file(name: &str) -> Result<(Machine, Document<MachineFile>), Failure> {
+pub fn machine_and_file(name: &str) -> Result<(Machine, Document<MachineFile>), Failure> {
     described(name, Path::new("."), &StlFiles::default())?.ok_or_else(|| {
         Failure::Input(format!(
             "{name}: there is no such machine\n   allowed: {}, or the path of a machine file",
@@ -138,7 +140,7 @@ const MOST_SET_POINTS: f64 = 1e11;
 
 impl Loaded {
     /// Refuses motions with more set-points than any weld has, and periods that step over a whole pass.
-    pub(crate) fn check_count(&self, motion: &WeldMotion, period_s: f64) -> Result<(), Failure> {
+    pub fn check_count(&self, motion: &WeldMotion, period_s: f64) -> Result<(), Failure> {
         let total: f64 = motion.passes.iter().map(PassMotion::total_s).sum();
         let count = total / period_s;
         let short = motion.passes.iter().position(|p| p.law.duration() < period_s);
@@ -164,30 +166,30 @@ impl Loaded {
     ///
     /// # Errors
     /// A program whose passes all go through points has none.
-    pub(crate) fn seam(&self) -> Result<&SeamCurve, Failure> {
+    pub fn seam(&self) -> Result<&SeamCurve, Failure> {
         let program = &self.welding.program;
         let allowed = "a job, or a program with [seam]";
         self.welding.seam.as_ref().ok_or_else(|| program.error_at("", "the program has no seam", allowed).into())
     }
 
     /// The paths of all passes.
-    pub(crate) fn paths(&self) -> Vec<WeldPath<'_>> {
+    pub fn paths(&self) -> Vec<WeldPath<'_>> {
         (0..self.welding.program.value.passes.len()).map(|pass| self.welding.path(pass)).collect()
     }
 
     /// The passes with their paths, those of [`Loaded::paths`].
-    pub(crate) fn passes<'a>(&'a self, paths: &'a [WeldPath<'a>]) -> Vec<(&'a dyn TorchPath, &'a Pass)> {
+    pub fn passes<'a>(&'a self, paths: &'a [WeldPath<'a>]) -> Vec<(&'a dyn TorchPath, &'a Pass)> {
         let passes = &self.welding.program.value.passes;
         paths.iter().zip(passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect()
     }
 
     /// Plans a weld that can be made as asked.
-    pub(crate) fn plan(&self) -> Result<WeldMotion, Failure> {
+    pub fn plan(&self) -> Result<WeldMotion, Failure> {
         self.plan_on(&self.machine)
     }
 
     /// The same on `machine`: this one, perhaps with a reserve.
-    pub(crate) fn plan_on(&self, machine: &Machine) -> Result<WeldMotion, Failure> {
+    pub fn plan_on(&self, machine: &Machine) -> Result<WeldMotion, Failure> {
         match self.try_plan_on(machine)? {
             Ok(motion) if motion.findings.iter().all(|f| f.allowed) => Ok(motion),
             Ok(motion) => Err(Failure::Findings(motion.findings)),
@@ -197,7 +199,7 @@ impl Loaded {
 
     /// Plans the weld, or says why the machine cannot make it. Findings against the procedure are among those of the
     /// motion: the weld could be made, but not as it must be.
-    pub(crate) fn try_plan(&self) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {
+    pub fn try_plan(&self) -> Result<Result<WeldMotion, Vec<Finding>>, Failure> {
         self.try_plan_on(&self.machine)
     }
 

@@ -1,9 +1,11 @@
+//! Tables as files.
+
 use crate::failure::Failure;
 use std::io::{BufRead, Lines};
 
 /// Rows of numbers (or texts) from CSV with a header line; columns in any order, others ignored. One line at a time
 /// is kept.
-pub(crate) struct CsvReader<R> {
+pub struct CsvReader<R> {
     source: String,
     lines: Lines<R>,
     names: Vec<String>,
@@ -16,7 +18,7 @@ pub(crate) struct CsvReader<R> {
 impl<R: BufRead> CsvReader<R> {
     /// A reader of `source` (its name, for messages) with the first of the sets of columns `wanted` that its header
     /// has; and which set that is.
-    pub(crate) fn open(source: &str, mut reader: R, wanted: &[&[&str]]) -> Result<(Self, usize), Failure> {
+    pub fn open(source: &str, mut reader: R, wanted: &[&[&str]]) -> Result<(Self, usize), Failure> {
         let mut header = String::new();
         reader.read_line(&mut header)?;
         Self::below(&header, source, reader, wanted)
@@ -49,11 +51,7 @@ impl<R: BufRead> CsvReader<R> {
     }
 
     /// A reader of `source` with the columns `wanted` first, then all others that have a name; the names of these.
-    pub(crate) fn open_with_others(
-        source: &str,
-        mut reader: R,
-        wanted: &[&str],
-    ) -> Result<(Self, Vec<String>), Failure> {
+    pub fn open_with_others(source: &str, mut reader: R, wanted: &[&str]) -> Result<(Self, Vec<String>), Failure> {
         let mut header = String::new();
         reader.read_line(&mut header)?;
         let (mut table, _) = Self::below(&header, source, reader, &[wanted])?;
@@ -67,7 +65,7 @@ impl<R: BufRead> CsvReader<R> {
     }
 
     /// The number of the last line read.
-    pub(crate) fn line(&self) -> u64 {
+    pub fn line(&self) -> u64 {
         self.line
     }
 
@@ -84,7 +82,7 @@ impl<R: BufRead> CsvReader<R> {
     }
 
     /// The next row as texts, empty where the line has no such column.
-    pub(crate) fn texts(&mut self) -> Option<Result<Vec<String>, Failure>> {
+    pub fn texts(&mut self) -> Option<Result<Vec<String>, Failure>> {
         let line = match self.next_line()? {
             Ok(line) => line,
             Err(failure) => return Some(Err(failure)),
@@ -94,12 +92,12 @@ impl<R: BufRead> CsvReader<R> {
     }
 
     /// What is wrong in a column of the line read last, and what is allowed there.
-    pub(crate) fn error(&self, column: &str, value: &str, wrong: &str, allowed: &str) -> Failure {
+    pub fn error(&self, column: &str, value: &str, wrong: &str, allowed: &str) -> Failure {
         Failure::Input(format!("{}:{}: {column} = `{value}` {wrong}\n   allowed: {allowed}", self.source, self.line))
     }
 
     /// The next row, if there is one; empty lines are passed over.
-    pub(crate) fn row(&mut self) -> Option<Result<&[f64], Failure>> {
+    pub fn row(&mut self) -> Option<Result<&[f64], Failure>> {
         let line = match self.next_line()? {
             Ok(line) => line,
             Err(failure) => return Some(Err(failure)),

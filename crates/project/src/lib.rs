@@ -1,0 +1,12 @@
+//! From files to a planned weld, and what is recorded of it: what the command line and the panel do alike.
+
+pub mod csv;
+pub mod examples;
+pub mod failure;
+pub mod files;
+pub mod load;
+mod outside;
+pub mod recording;
+pub mod run_rows;
+
+pub use failure::Failure;
