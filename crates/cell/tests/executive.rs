@@ -3,7 +3,7 @@
 use seamwright_cell::campaign::{self, Outcome, Stage};
 use seamwright_cell::devices::{DeviceSet, SimulatedDrives, SimulatedInputs, SimulatedSource};
 use seamwright_cell::executive::{
-    Alarm, Ask, Command, Cycle, Executive, Interlocks, Missing, Mode, Note, Place, Port, Start, Work,
+    Alarm, Ask, Command, Cycle, End, Event, Executive, Interlocks, Missing, Mode, Note, Place, Port, Start, Work,
 };
 use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
@@ -316,6 +316,42 @@ fn hands_on_the_keys() {
     assert!(moved > 5.0 && moved < 12.0, "{moved}");
     let silent = script.notes.iter().any(|n| matches!(n, Note::Alarm(r) if r.alarm == Alarm::PanelSilent));
     assert!(silent);
+}
+
+/// Another program is loaded at rest with the power on and the references kept; never while something runs. What stands against
+/// a start is told in full.
+#[test]
+fn a_program_is_changed_at_rest() {
+    let planned = short();
+    let machine = &planned.machine;
+    let mut devices = DeviceSet {
+        drives: SimulatedDrives::new(machine, 1).unwrap(),
+        source: SimulatedSource::new(1, machine.servo_period_s),
+        inputs: SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met()),
+        period_s: machine.servo_period_s,
+    };
+    let around = Surroundings::new(machine, &Clamped::default()).unwrap();
+    let (nothing, weld_work) = (Work::none(machine, &around), planned.work(Start::at_home(&planned.motion)));
+    let mut lines = up();
+    lines.push((in_mode(Mode::Ready), Ask::Why(Event::Weld)));
+    lines.push((in_mode(Mode::Ready), Ask::Load));
+    lines.extend(weld());
+    lines.push((at(10.0), Ask::Load));
+    lines.push((at(12.0), Ask::Stop));
+    lines.push((Box::new(|c| c.mode == Mode::Ready && !c.gas), Ask::Load));
+    lines.extend(down());
+    let mut script = Script::new(lines);
+    let mut executive = Executive::new(machine, &mut devices, &mut script);
+    assert_eq!(executive.serve(Some(&nothing)), End::Load);
+    let before = executive.now();
+    assert_eq!(executive.serve(Some(&weld_work)), End::Load);
+    assert!(executive.now() > before && executive.left().is_none());
+    assert_eq!(executive.serve(Some(&weld_work)), End::Quit);
+    let lacks = script.notes.iter().filter_map(|n| if let Note::Lacks(_, m) = n { Some(*m) } else { None });
+    assert_eq!(lacks.collect::<Vec<_>>(), [Missing::Work, Missing::Arming]);
+    assert_eq!(script.refused()[0], Missing::Moving);
+    let modes = [Mode::Idle, Mode::Homing, Mode::Ready, Mode::Weld, Mode::Ready, Mode::Off];
+    assert_eq!(script.modes(), modes);
 }
 
 /// Random commands at random times: the process is on only in a weld or a hold, power and motion come only when asked for,

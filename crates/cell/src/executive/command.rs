@@ -1,3 +1,4 @@
+use super::Event;
 use seamwright_motion::jog;
 
 /// Who asked, and from where: numbers that the outside resolves to names, so that a cycle carries no text.
@@ -14,6 +15,8 @@ pub struct Origin {
 pub struct Command {
     /// Who asked.
     pub origin: Origin,
+    /// The asker's own number for it, given back with what came of it.
+    pub number: u32,
     /// What.
     pub ask: Ask,
 }
@@ -21,7 +24,7 @@ pub struct Command {
 impl Command {
     /// From nobody in particular.
     pub fn of(ask: Ask) -> Self {
-        Self { origin: Origin::default(), ask }
+        Self { origin: Origin::default(), number: 0, ask }
     }
 }
 
@@ -60,6 +63,10 @@ pub enum Ask {
     Reset,
     /// All alarms are known.
     Acknowledge,
+    /// What stands between now and this: told in notes, changes nothing.
+    Why(Event),
+    /// Give the cell back for another program, power and references as they are; must not move.
+    Load,
     /// End the executive; must not move.
     Quit,
 }
@@ -84,6 +91,8 @@ impl Ask {
             Self::Override(_) => "override",
             Self::Reset => "reset",
             Self::Acknowledge => "acknowledge",
+            Self::Why(_) => "why",
+            Self::Load => "load",
             Self::Quit => "quit",
         }
     }

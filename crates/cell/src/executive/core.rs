@@ -22,6 +22,15 @@ const HOMING_LEAST_S: f64 = 0.1;
 /// Longest time for finding the references, s.
 const HOMING_S: f64 = 120.0;
 
+/// Why [`Executive::serve`] came back.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    /// Everything is off.
+    Quit,
+    /// It wants to serve another program at once: nothing moves, but drives may have power and want to hear.
+    Load,
+}
+
 /// What the program is doing in a cycle.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Doing {
@@ -64,7 +73,7 @@ pub struct Executive<'a, D, P> {
     pub(super) halt: bool,
     /// What the hand on the keys wants, fresh in this cycle.
     pub(super) jog: Option<jog::Command>,
-    quit: bool,
+    end: Option<End>,
     cycles: u64,
     pub(super) orders: Orders,
     pub(super) reports: Reports,
@@ -93,7 +102,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             reverse: false,
             halt: false,
             jog: None,
-            quit: false,
+            end: None,
             cycles: 0,
             orders: Orders::default(),
             reports: Reports::default(),
@@ -102,9 +111,10 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         }
     }
 
-    /// Runs cycle after cycle until [`Ask::Quit`]; `work` is what dry runs and welds run.
-    pub fn serve(&mut self, work: Option<&Work<'_>>) {
-        while !self.quit {
+    /// Runs cycle after cycle until [`Ask::Quit`] or [`Ask::Load`]; `work` is what dry runs and welds run.
+    pub fn serve(&mut self, work: Option<&Work<'_>>) -> End {
+        self.end = None;
+        while self.end.is_none() {
             match (self.mode, work) {
                 (Mode::Homing, _) => self.home(),
                 (Mode::Jog | Mode::Teach, _) => self.jog_on(work.and_then(|w| w.around), work),
@@ -120,11 +130,15 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
                 }
             }
         }
+        if self.end == Some(End::Load) {
+            return End::Load;
+        }
         // Whoever ends leaves nothing on.
         self.power = false;
         self.process.kill();
         self.orders = Orders { set: self.orders.set, watchdog: !self.orders.watchdog, ..Orders::default() };
         self.devices.exchange(&self.orders, &mut self.reports);
+        End::Quit
     }
 
     /// All axes, a bit each.
@@ -251,6 +265,11 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
 
     /// Takes a command, or says what is missing.
     fn take(&mut self, command: Command, work: Option<&Work<'_>>) {
+        if let Ask::Why(event) = command.ask {
+            for missing in self.missing(event, work) {
+                self.port.note(self.now(), Note::Lacks(command, missing));
+            }
+        }
         let refused = self.obey(command.ask, work).err();
         // The hand on the keys speaks twenty times a second.
         let told = !matches!(command.ask, Ask::Jog(_)) || refused.is_some();
@@ -331,8 +350,16 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
                 (self.reverse, self.halt) = (true, false);
             }
             Ask::Reverse => return Err(Missing::Motion),
+            Ask::Why(_) => {}
+            Ask::Load if self.busy || self.mode.moves() || self.mode == Mode::Hold => return Err(Missing::Moving),
+            Ask::Load => {
+                // What was left belonged to the program before.
+                self.left = None;
+                self.disarm();
+                self.end = Some(End::Load);
+            }
             Ask::Quit if self.busy || self.power => return Err(Missing::Moving),
-            Ask::Quit => self.quit = true,
+            Ask::Quit => self.end = Some(End::Quit),
             _ => return Err(Missing::Motion),
         }
         Ok(())

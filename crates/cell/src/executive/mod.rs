@@ -27,7 +27,7 @@ pub use alarm::{Alarm, Entry, Reaction, catalogue};
 pub use alarm_list::{AlarmList, AlarmState, MOST_ALARMS, Place, Raised};
 pub use bus::{Devices, DriveReport, Orders, ProcessOrders, Reports, SourceReport, VALUES};
 pub use command::{Ask, Command, Origin};
-pub use core::Executive;
+pub use core::{End, Executive};
 pub use interlocks::{Interlocks, MOST_INPUTS};
 pub use mode::{Event, Mode, Refused, table};
 pub use process::ProcessState;

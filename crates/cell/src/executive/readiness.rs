@@ -64,7 +64,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             add(Missing::Alarm(raised.alarm, raised.detail));
         }
         if matches!(event, Event::DryRun | Event::Weld) && self.mode != Mode::Hold {
-            match work {
+            match work.filter(|work| !work.passes.is_empty()) {
                 None => add(Missing::Work),
                 Some(work) => self.off_start(work).into_iter().for_each(|axis| add(Missing::NotAtStart(axis))),
             }

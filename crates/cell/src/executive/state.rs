@@ -57,6 +57,8 @@ pub enum Note {
     Taken(Command),
     /// A command was refused, for the first of what is missing.
     Refused(Command, Missing),
+    /// This stands against what was asked about: one of several.
+    Lacks(Command, Missing),
     /// An alarm came.
     Alarm(Raised),
     /// Its cause has gone; which axis or condition.

@@ -87,6 +87,17 @@ impl<'a> Work<'a> {
         Ok(Self { around, passes, air: &motion.air, limits: Limits::of(machine), start, values })
     }
 
+    /// No program: what jogging keeps clear of.
+    pub fn none(machine: &'a Machine, around: &'a Surroundings<'a>) -> Self {
+        let start = Start {
+            approach: AirMove { legs: Vec::new(), retracts: false, approaches: false },
+            pass: 0,
+            welded_mm: 0.0,
+        };
+        let limits = Limits::of(machine);
+        Self { around: Some(around), passes: Vec::new(), air: &[], limits, start, values: Vec::new() }
+    }
+
     /// Names of the process values, in the order of their places in orders and reports.
     pub fn values(&self) -> &[String] {
         &self.values

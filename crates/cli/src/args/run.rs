@@ -9,7 +9,7 @@ use std::path::PathBuf;
 #[derive(Debug, Args)]
 #[command(
     after_help = "Orders come a line each from standard input: on, home, arm, weld, dry, hold, resume, reverse, stop,
-override PERCENT, acknowledge, reset, off, quit; wait MODE, wait N s, wait N mm. `?` says where the cell is.
+override PERCENT, acknowledge, reset, off, quit; wait MODE, wait N s, wait N mm. `?` says where the cell is and what stands against a weld.
 When they end the cell stops and switches off.
 
 Example:

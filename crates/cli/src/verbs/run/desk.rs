@@ -5,7 +5,7 @@ use super::orders::Line;
 use super::table::Table;
 use crate::failure::Failure;
 use crate::files::Output;
-use seamwright_cell::executive::{Alarm, Ask, Command, Missing, Mode, Note, Place, Raised, Reaction};
+use seamwright_cell::executive::{Alarm, Ask, Command, Event, Missing, Mode, Note, Place, Raised, Reaction};
 use seamwright_cell::realtime::Shown;
 use seamwright_machine::Machine;
 use seamwright_record::journal::{Journal, Position};
@@ -145,7 +145,7 @@ impl Desk {
             Line::Place(mm) => now.place.pass > 0 && now.place.s_mm >= mm,
             Line::State => {
                 self.state(&now);
-                true
+                return Some(Command::of(Ask::Why(Event::Weld)));
             }
         };
         if passes {
@@ -195,6 +195,10 @@ impl Desk {
                 self.answered = true;
                 self.event(t, "order", command.ask.name(), json!({ "order": command.ask.name() }));
             }
+            Note::Lacks(_, missing) => {
+                let why = self.why(missing);
+                self.event(t, "lacks", &why, json!({ "why": why }));
+            }
             Note::Refused(command, missing) => {
                 self.answered = true;
                 self.refuse(t, command, missing);
@@ -226,12 +230,17 @@ impl Desk {
         if self.ends_now() && matches!(command.ask, Ask::Quit | Ask::SwitchOff) {
             return;
         }
-        let axes: Vec<&str> = self.axes.iter().map(String::as_str).collect();
-        let conditions: Vec<&str> = self.conditions.iter().map(String::as_str).collect();
-        let why = missing.text(&axes, &conditions);
+        let why = self.why(missing);
         let text = format!("{}: {why}", command.ask.name());
         self.refused.get_or_insert(text.clone());
         self.event(t, "refused", &text, json!({ "order": command.ask.name(), "why": why }));
+    }
+
+    /// What is missing, in words.
+    fn why(&self, missing: Missing) -> String {
+        let axes: Vec<&str> = self.axes.iter().map(String::as_str).collect();
+        let conditions: Vec<&str> = self.conditions.iter().map(String::as_str).collect();
+        missing.text(&axes, &conditions)
     }
 
     fn alarm(&mut self, t: f64, raised: &Raised) {
