@@ -12,6 +12,7 @@ pub(crate) mod read;
 pub(crate) mod records;
 pub(crate) mod reduce;
 pub(crate) mod run;
+pub(crate) mod serve;
 mod simulate;
 pub(crate) mod stripe;
 pub(crate) mod teach;
@@ -56,6 +57,8 @@ pub(crate) enum Verb {
     Run(run::RunArgs),
     /// How late a cycle of a fixed period begins on this computer
     Latency(run::LatencyArgs),
+    /// Start the cell and the operator's panel in the browser; also without any verb
+    Serve(serve::ServeArgs),
     /// A part program for another control
     Post(post::PostArgs),
     /// A part program of a control as a weld program

@@ -33,7 +33,7 @@ fn main() -> ExitCode {
 
 fn run(verb: Option<Verb>) -> Result<(), Failure> {
     match verb {
-        None => verbs::demo::run(),
+        None => verbs::serve::run(&args::serve::ServeArgs::default()),
         Some(Verb::Seam(a)) => verbs::seam::run(&a),
         Some(Verb::Section(a)) => verbs::section::run(&a),
         Some(Verb::Plan(a)) => verbs::plan::run(&a),
@@ -42,6 +42,7 @@ fn run(verb: Option<Verb>) -> Result<(), Failure> {
         Some(Verb::Pulses(a)) => verbs::pulses::run(&a),
         Some(Verb::Simulate(a)) => verbs::simulate::run(&a),
         Some(Verb::Run(a)) => verbs::run::run(&a),
+        Some(Verb::Serve(a)) => verbs::serve::run(&a),
         Some(Verb::Latency(a)) => verbs::latency::run(&a),
         Some(Verb::Post(a)) => verbs::post::run(&a),
         Some(Verb::Read(a)) => verbs::read::run(&a),

@@ -91,3 +91,19 @@ impl From<seamwright_motion::textbook::Error> for Failure {
         Self::Input(e.to_string())
     }
 }
+
+impl Failure {
+    /// What is wrong, in words.
+    pub fn text(&self) -> String {
+        match self {
+            Self::Findings(findings) => {
+                let mut out = Vec::new();
+                // Writing to memory cannot fail.
+                drop(write_findings(&mut out, findings));
+                String::from_utf8_lossy(&out).trim_end().to_owned()
+            }
+            Self::Input(text) | Self::Environment(text) => text.trim_end().to_owned(),
+            Self::Printed | Self::ReaderGone => "it failed".to_owned(),
+        }
+    }
+}

@@ -30,18 +30,34 @@ pub fn read_bytes(path: &Path, source: &str) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-/// A temporary file in `folder` with the permissions that a new file of the user's has.
-fn temporary(folder: &Path) -> std::io::Result<NamedTempFile> {
+/// A temporary file in `folder` with these permissions, less those that the user never gives.
+fn temporary_with(folder: &Path, mode: u32) -> std::io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(mode));
+    #[cfg(not(unix))]
+    let _ = mode;
     builder.prefix(".seamwright-").tempfile_in(folder)
+}
+
+/// A temporary file in `folder` with the permissions that a new file of the user's has.
+fn temporary(folder: &Path) -> std::io::Result<NamedTempFile> {
+    temporary_with(folder, 0o666)
+}
+
+/// Writes one file whole that only its owner may read; its folder must exist.
+pub fn write_secret(path: &Path, text: &str) -> Result<(), Failure> {
+    write_as(path, text, 0o600)
 }
 
 /// Writes one file whole; its folder must exist.
 pub fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    write_as(path, text, 0o666)
+}
+
+fn write_as(path: &Path, text: &str, mode: u32) -> Result<(), Failure> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut file = temporary(folder).map_err(|e| not_writable(folder, &e))?;
+    let mut file = temporary_with(folder, mode).map_err(|e| not_writable(folder, &e))?;
     file.write_all(text.as_bytes()).map_err(|e| not_writable(path, &e))?;
     keep(file, path)
 }

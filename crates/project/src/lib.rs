@@ -6,6 +6,8 @@ pub mod failure;
 pub mod files;
 pub mod load;
 mod outside;
+pub mod posting;
+pub mod power_loss;
 pub mod recording;
 pub mod run_rows;
 

@@ -1,3 +1,10 @@
 //! The operator's panel: HTTP, WebSocket, users, and the cell behind them.
 
+mod cell;
+mod http;
+mod serve;
+mod users;
+mod view;
 pub mod wire;
+
+pub use serve::{Error, Settings, serve};

@@ -29,6 +29,7 @@ pub use bus::{Devices, DriveReport, Orders, ProcessOrders, Reports, SourceReport
 pub use command::{Ask, Command, Origin};
 pub use core::{End, Executive};
 pub use interlocks::{Interlocks, MOST_INPUTS};
+pub use jogging::REDUCED_MM_S;
 pub use mode::{Event, Mode, Refused, table};
 pub use process::ProcessState;
 pub use state::{Cycle, Missing, Note, Port, Status};

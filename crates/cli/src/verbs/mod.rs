@@ -2,7 +2,6 @@
 
 pub(crate) mod bench;
 pub(crate) mod check;
-pub(crate) mod demo;
 pub(crate) mod edit;
 pub(crate) mod find_joint;
 pub(crate) mod follow;
@@ -27,6 +26,7 @@ pub(crate) mod run;
 pub(crate) mod schema;
 pub(crate) mod seam;
 pub(crate) mod section;
+pub(crate) mod serve;
 pub(crate) mod simulate;
 pub(crate) mod stripe;
 pub(crate) mod teach;

@@ -6,11 +6,8 @@ use crate::load::{Loaded, load};
 use crate::rows::print_text;
 use seamwright_document::Positive;
 use seamwright_motion::WeldMotion;
-use seamwright_post::{
-    Control, Dialect, Error, Feed, Interpolation, Level, Options, PartProgram, Planned, ReadOptions, Verification,
-    WriteOptions, part_program, read, verify, write,
-};
-use seamwright_program::TorchPath;
+use seamwright_post::{Control, Dialect, Feed, Interpolation, Level, Options, Verification};
+use seamwright_project::posting::{self, Unproven};
 use std::io::{self, Write as _};
 
 /// A weld that may stray further is none.
@@ -52,7 +49,7 @@ pub(crate) fn run(args: &PostArgs) -> Result<(), Failure> {
     }
 }
 
-/// The part program of a planned weld, with its proof in the header.
+/// The part program of a planned weld, with its proof in the header; says what does not hold.
 pub(super) fn proven(
     loaded: &Loaded,
     motion: &WeldMotion,
@@ -60,40 +57,16 @@ pub(super) fn proven(
     options: &Options,
     feed: Feed,
 ) -> Result<(String, Verification), Failure> {
-    let paths = loaded.paths();
-    let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
-    let program = &loaded.welding.program.value;
-    let part = part_program(&loaded.machine, control, program, &paths, motion, options);
-    let part = part.map_err(|e| match &e {
-        Error::TooFine { .. } => Failure::Input(format!("--tolerance-mm {}: {e}", options.tolerance_mm)),
-        _ => Failure::Input(e.to_string()),
-    })?;
-    let mut write_options = WriteOptions {
-        machine: loaded.machine.title.clone(),
-        feed,
-        rounding_mm: options.rounding_mm(),
-        remarks: Vec::new(),
-    };
-    let text = |options: &WriteOptions| write(control, &part, options).map_err(|e| Failure::Input(e.to_string()));
-    let planned = Planned { machine: &loaded.machine, control, program, motion, tolerance_mm: options.tolerance_mm };
-    let proof = prove(&part, &text(&write_options)?, options.level, planned)?;
-    write_options.remarks = proof.lines();
-    Ok((text(&write_options)?, proof))
-}
-
-/// Reads `text` back and holds it against what it was written from and the plan: what does not hold is not written.
-fn prove(part: &PartProgram, text: &str, level: Level, planned: Planned) -> Result<Verification, Failure> {
-    let start = super::read::start(planned.machine, planned.control);
-    let options = ReadOptions { lenient: false, level, start: Some(start.clone()) };
-    let wrong = |lines: &[String]| {
-        let mut err = io::stderr().lock();
-        // Nothing can be done if standard error is closed.
-        let _ = writeln!(err, "the part program is not what was planned, and is not written:");
-        lines.iter().for_each(|line| drop(writeln!(err, "  {line}")));
-        Failure::Printed
-    };
-    let back = read(planned.control, "the part program", text, &options).map_err(|e| wrong(&[e.to_string()]))?;
-    verify(part, &back.program, &start, planned).map_err(|lines| wrong(&lines))
+    posting::proven(loaded, motion, control, options, feed).map_err(|e| match e {
+        Unproven::Failure(failure) => failure,
+        Unproven::Wrong(lines) => {
+            let mut err = io::stderr().lock();
+            // Nothing can be done if standard error is closed.
+            let _ = writeln!(err, "the part program is not what was planned, and is not written:");
+            lines.iter().for_each(|line| drop(writeln!(err, "  {line}")));
+            Failure::Printed
+        }
+    })
 }
 
 fn options(args: &PostArgs) -> Result<Options, Failure> {

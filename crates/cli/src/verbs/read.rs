@@ -8,9 +8,9 @@ use crate::files;
 use crate::load;
 use crate::rows::{print_json, print_text};
 use seamwright_document::Positive;
-use seamwright_machine::Machine;
 use seamwright_post::{Control, Dialect, Level, ReadOptions, Reading, What, read, to_program};
 use seamwright_program::Program;
+use seamwright_project::posting;
 use serde::Serialize;
 use std::io::{self, Write as _};
 
@@ -48,7 +48,7 @@ pub(crate) fn run(args: &ReadArgs) -> Result<(), Failure> {
     let file = args.file.display().to_string();
     let dialect = args.dialect.map_or_else(|| Dialect::guess(&file, &text), Into::into);
     let control = Control::new(&machine, dialect).map_err(|e| Failure::Input(format!("{}: {e}", args.machine)))?;
-    let start = start(&machine, &control);
+    let start = posting::start(&machine, &control);
     let level = match args.level {
         LevelArg::Joint => Level::Joint,
         LevelArg::Tip => Level::Tip,
@@ -74,16 +74,6 @@ pub(crate) fn run(args: &ReadArgs) -> Result<(), Failure> {
         (false, None) => print_text(&written),
         (false, Some(_)) => Ok(()),
     }
-}
-
-/// The row before the first block: all axes at home, nothing on.
-pub(super) fn start(machine: &Machine, control: &Control) -> Vec<f64> {
-    let home = machine.home();
-    let mut row = vec![0.0; control.channels.len()];
-    for (i, axis) in machine.axes.iter().enumerate() {
-        row[i] = axis.to_file(home[i]);
-    }
-    row
 }
 
 fn moves(reading: &Reading) -> (usize, f64) {

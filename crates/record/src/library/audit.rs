@@ -72,6 +72,28 @@ impl Library {
         Ok(hash)
     }
 
+    /// The last `most` entries of the audit log, the newest first.
+    ///
+    /// # Errors
+    /// If the library cannot be read.
+    pub fn audit_entries(&self, most: u32) -> Result<Vec<AuditEntry>, Error> {
+        let sql = "SELECT at, user, station, command, old, new, result FROM audit ORDER BY id DESC LIMIT ?1";
+        let mut query = self.db.prepare(sql).map_err(|e| self.failed(e))?;
+        let read = |row: &rusqlite::Row<'_>| {
+            Ok(AuditEntry {
+                at: Moment(row.get(0)?),
+                user: row.get(1)?,
+                station: row.get(2)?,
+                command: row.get(3)?,
+                old: row.get(4)?,
+                new: row.get(5)?,
+                result: row.get(6)?,
+            })
+        };
+        let rows = query.query_map([most], read).map_err(|e| self.failed(e))?;
+        rows.collect::<Result<_, _>>().map_err(|e| self.failed(e))
+    }
+
     /// Checks every link of the audit log. Entries cut off its end are found by the count that SQLite keeps beside the
     /// table; who changes that too is found only by a hash kept elsewhere.
     ///

@@ -1,9 +1,10 @@
 use super::SolidView;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
 /// `GET /api/machine`.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct MachineView {
     /// Short name.
     pub name: String,
@@ -29,8 +30,8 @@ pub struct MachineView {
     pub torch: usize,
     /// Unit vector up in the base frame.
     pub up: [f64; 3],
-    /// Highest jog speeds: of the tip (mm/s, degrees/s).
-    pub jog: [f64; 2],
+    /// Highest speed of the tip by hand, mm/s.
+    pub jog_mm_s: f64,
     /// Sensors by name.
     pub sensors: Vec<String>,
     /// The process is a beam (else an arc).
@@ -38,24 +39,39 @@ pub struct MachineView {
 }
 
 /// An axis, in mm or degrees.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct AxisView {
     /// Name.
     pub name: String,
     /// `mm` or `deg`.
     pub unit: String,
-    /// Range.
-    pub from: f64,
-    /// See `from`.
-    pub to: f64,
+    /// Lowest and highest position; none: it turns without end.
+    pub range: Option<(f64, f64)>,
     /// Home.
     pub home: f64,
     /// Highest speed.
     pub max_speed: f64,
 }
 
+/// A row of `GET /api/alarms/catalogue`, in English.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct AlarmEntry {
+    /// Number.
+    pub number: u8,
+    /// Stable name.
+    pub name: String,
+    /// Why it comes.
+    pub cause: String,
+    /// What it leads to.
+    pub consequence: String,
+    /// What to do.
+    pub action: String,
+    /// What the cell does.
+    pub reaction: String,
+}
+
 /// A condition of the machine file.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct ConditionView {
     /// Name.
     pub name: String,
@@ -64,7 +80,7 @@ pub struct ConditionView {
 }
 
 /// A zone.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct ZoneView {
     /// Name.
     pub name: String,
@@ -75,7 +91,7 @@ pub struct ZoneView {
 }
 
 /// A named place on a link.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct FrameView {
     /// Name.
     pub name: String,
@@ -86,7 +102,7 @@ pub struct FrameView {
 }
 
 /// `GET /api/session`, and the answer of `POST /api/login`.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct SessionView {
     /// Name of the user.
     pub user: String,
@@ -101,7 +117,7 @@ pub struct SessionView {
 }
 
 /// What a user may do; each includes those before.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize, Serialize, TS)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Role {
     /// Looks.
@@ -117,7 +133,7 @@ pub enum Role {
 }
 
 /// `POST /api/login`.
-#[derive(Clone, PartialEq, Deserialize, TS)]
+#[derive(Clone, PartialEq, Deserialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Login {
     /// Name; empty with a key.
@@ -127,7 +143,7 @@ pub struct Login {
 }
 
 /// A row of `GET /api/users`.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct UserRow {
     /// Name.
     pub name: String,
@@ -138,7 +154,7 @@ pub struct UserRow {
 }
 
 /// `PUT /api/users/NAME`: makes or changes a user.
-#[derive(Clone, PartialEq, Deserialize, TS)]
+#[derive(Clone, PartialEq, Deserialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct UserChange {
     /// Role.
@@ -151,8 +167,16 @@ pub struct UserChange {
     pub own_password: Option<String>,
 }
 
+/// `DELETE /api/users/NAME`.
+#[derive(Clone, PartialEq, Deserialize, TS, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OwnPassword {
+    /// The password of whoever asks.
+    pub own_password: Option<String>,
+}
+
 /// What every failed request answers.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct Trouble {
     /// Stable key: `login`, `role`, `origin`, `token`, `size`, `input`, `not_found`, `busy`, `slow_down`, `server`.
     pub key: String,

@@ -1,8 +1,9 @@
+use schemars::JsonSchema;
 use serde::Serialize;
 use ts_rs::TS;
 
 /// A row of `GET /api/records`, and the head of `GET /api/records/ID`.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct RecordRow {
     /// Its number.
     #[ts(type = "number")]
@@ -34,7 +35,7 @@ pub struct RecordRow {
 }
 
 /// `GET /api/records/ID`.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct RecordView {
     /// The weld.
     pub weld: RecordRow,
@@ -50,7 +51,7 @@ pub struct RecordView {
 }
 
 /// A process value while the arc was on.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct JudgedView {
     /// The pass, from 1.
     pub pass: u32,
@@ -69,7 +70,7 @@ pub struct JudgedView {
 }
 
 /// An alarm of a recorded weld.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct RecordedAlarm {
     /// Name.
     pub name: String,
@@ -86,10 +87,29 @@ pub struct RecordedAlarm {
 }
 
 /// `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, each with its least and greatest neighbours kept.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct TraceView {
     /// The columns asked for.
     pub columns: Vec<String>,
     /// For each column its values; null where there is none.
     pub values: Vec<Vec<Option<f64>>>,
+}
+
+/// A row of `GET /api/audit`, the newest first.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct AuditRow {
+    /// When, UTC.
+    pub at: String,
+    /// Who.
+    pub user: String,
+    /// Where from.
+    pub station: String,
+    /// What.
+    pub command: String,
+    /// The value before, and after.
+    pub old: String,
+    /// See `old`.
+    pub new: String,
+    /// What came of it.
+    pub result: String,
 }

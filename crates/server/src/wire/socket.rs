@@ -1,9 +1,10 @@
 use super::{AlarmView, EventView, LackView, Status, WorkView};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
 /// From the panel over the socket.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub enum ToCell {
     /// A command; answered by [`FromCell::Answer`] with the same number.
@@ -19,8 +20,8 @@ pub enum ToCell {
         seq: u32,
         /// By joints or by the tip.
         of: JogOf,
-        /// For joints: part of the highest jog speed of each axis, -1 to 1. For the tip: x, y, z of the work frame in mm/s,
-        /// then turns about them in degrees/s.
+        /// For joints: part of the highest speed of each axis, -1 to 1. For the tip: x, y, z in the work frame as parts of the
+        /// highest speed by hand; its direction is kept. The cell slows all of it so that the tip keeps to that speed.
         speeds: Vec<f64>,
     },
     /// Sign of life of the page, every 250 ms; the control token is lost without for 1 s.
@@ -40,7 +41,7 @@ pub enum ToCell {
 }
 
 /// What the hand moves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, TS)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum JogOf {
     /// Single axes.
@@ -50,7 +51,7 @@ pub enum JogOf {
 }
 
 /// Commands to the executive. Stop and hold need no control token; stop no role either.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
 pub enum AskView {
     /// Power for the drives.
@@ -89,7 +90,7 @@ pub enum AskView {
 }
 
 /// To the panel over the socket.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum FromCell {
     /// First on every connection.

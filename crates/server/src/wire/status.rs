@@ -1,8 +1,9 @@
+use schemars::JsonSchema;
 use serde::Serialize;
 use ts_rs::TS;
 
 /// What the cell is doing.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct Status {
     /// Since the executive began, s.
     pub t: f64,
@@ -39,14 +40,18 @@ pub struct Status {
     /// Cycles that were missed, and cycles that were not recorded, in all.
     pub missed: u32,
     /// See `missed`.
-    pub lost: u32,
+    #[ts(type = "number")]
+    pub lost: u64,
+    /// Where a weld was left by a stop, a fault or a power failure and can be gone on with: pass from 1 and the path length
+    /// up to which it is welded (mm).
+    pub left: Option<(u32, f64)>,
     /// Number of the weld in the library while one is recorded.
     #[ts(type = "number | null")]
     pub recording: Option<i64>,
 }
 
 /// Arc or beam.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct ProcessStatus {
     /// `off`, `strikes`, `pauses`, `burns`, `failed`.
     pub state: String,
@@ -56,7 +61,8 @@ pub struct ProcessStatus {
     pub burning: bool,
     /// The gas valve is open.
     pub gas: bool,
-    /// What a pass is doing: `preflow`, `strike`, .. as words; none beside passes.
+    /// What a pass is doing: `held`, `preflow`, `travel_delay`, `travel`, `run_out`, `crater`, `postflow`, `move`, `ended`; none
+    /// beside passes.
     pub phase: Option<String>,
     /// In the order of [`super::WorkView::values`]: asked for, and measured; null where there is none.
     pub set: Vec<Option<f64>>,
@@ -65,7 +71,7 @@ pub struct ProcessStatus {
 }
 
 /// An axis, in mm or degrees.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct AxisStatus {
     /// Measured position.
     pub position: f64,
@@ -84,7 +90,7 @@ pub struct AxisStatus {
 }
 
 /// What tracking found and did.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct TrackingStatus {
     /// Lateral and height deviation of the joint from the program at the torch, mm.
     pub deviation_mm: [f64; 2],
@@ -95,7 +101,7 @@ pub struct TrackingStatus {
 }
 
 /// Ages, s; null: never heard of.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct Ages {
     /// Drives.
     pub drives: Option<f64>,
@@ -106,7 +112,7 @@ pub struct Ages {
 }
 
 /// An alarm on the list. Texts are English; panels translate by `name`.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct AlarmView {
     /// Number in the catalogue.
     pub number: u8,
@@ -135,7 +141,7 @@ pub struct AlarmView {
 }
 
 /// Something that happened.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct EventView {
     /// Counts up, without gaps.
     #[ts(type = "number")]
@@ -153,7 +159,7 @@ pub struct EventView {
 }
 
 /// Something that stands against what is asked.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct LackView {
     /// Stable key.
     pub key: String,

@@ -1,8 +1,9 @@
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
 /// A planned program.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct WorkView {
     /// Number of this plan: another one, another program.
     #[ts(type = "number")]
@@ -11,6 +12,8 @@ pub struct WorkView {
     pub job: String,
     /// Its title.
     pub title: String,
+    /// Name of the machine that it is for.
+    pub machine: String,
     /// Names of process values, ending in their units.
     pub values: Vec<String>,
     /// Passes in order.
@@ -32,7 +35,7 @@ pub struct WorkView {
 }
 
 /// A pass.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct PassView {
     /// What it is: `root`, `fill`, `cap` ..; empty if the program does not say.
     pub role: String,
@@ -49,7 +52,7 @@ pub struct PassView {
 }
 
 /// A sample of a pass.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct PathPoint {
     /// Path length, mm.
     pub s_mm: f64,
@@ -66,7 +69,7 @@ pub struct PathPoint {
 }
 
 /// Something that is wrong or worth knowing.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct FindingView {
     /// Stable kind: `reach`, `range`, `speed`, ...
     pub kind: String,
@@ -85,7 +88,7 @@ pub struct FindingView {
 }
 
 /// A solid, in the work frame with all axes at zero.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct SolidView {
     /// Name.
     pub name: String,
@@ -98,7 +101,7 @@ pub struct SolidView {
 }
 
 /// A shape in its own frame, mm.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum ShapeView {
     /// About its middle.
@@ -142,7 +145,7 @@ pub enum ShapeView {
 }
 
 /// What a text of a job is, asked before it is kept: see `POST /api/plan`.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum PlanAnswer {
     /// It was planned, perhaps with findings that forbid it.
@@ -162,7 +165,7 @@ pub enum PlanAnswer {
 }
 
 /// `POST /api/plan`, `PUT /api/jobs/NAME`.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JobText {
     /// TOML of a job or program.
@@ -170,7 +173,7 @@ pub struct JobText {
 }
 
 /// A row of `GET /api/jobs`.
-#[derive(Debug, Clone, PartialEq, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct JobRow {
     /// Name, ends in `.toml`.
     pub name: String,
@@ -181,7 +184,7 @@ pub struct JobRow {
 }
 
 /// `POST /api/load`.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Load {
     /// Name of a job.
@@ -190,4 +193,32 @@ pub struct Load {
     pub from: Option<(u32, f64)>,
     /// Name of the part that is welded, for the record.
     pub part: Option<String>,
+}
+
+/// `POST /api/post`: a part program for a control.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PostText {
+    /// TOML of a job or program.
+    pub text: String,
+    /// `sinumerik`, `linuxcnc`, `grblhal`, `pmac`.
+    pub dialect: String,
+}
+
+/// Its answer.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct PostAnswer {
+    /// The part program.
+    pub text: String,
+    /// How it was proven, a line each.
+    pub proof: Vec<String>,
+}
+
+/// The answer of `POST /api/edit`, which takes `{ text, operations }` as `seamwright edit --script` does.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct EditAnswer {
+    /// The text as it is now.
+    pub text: String,
+    /// What was done, in words.
+    pub words: Vec<String>,
 }

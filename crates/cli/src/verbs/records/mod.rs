@@ -27,7 +27,7 @@ fn open(data: Option<&Path>) -> Result<DataFolder, Failure> {
 }
 
 /// The folder asked for, or the usual one.
-fn folder(data: Option<&Path>) -> Result<PathBuf, Failure> {
+pub(super) fn folder(data: Option<&Path>) -> Result<PathBuf, Failure> {
     if let Some(data) = data {
         return Ok(data.to_owned());
     }

@@ -8,16 +8,13 @@ use crate::files::Output;
 use seamwright_cell::executive::{Alarm, Ask, Command, Event, Missing, Mode, Note, Place, Raised, Reaction};
 use seamwright_cell::realtime::Shown;
 use seamwright_machine::Machine;
+use seamwright_project::power_loss::Watch;
 use seamwright_record::journal::{Journal, Position};
 use seamwright_record::library::{self, WeldResult};
 use seamwright_record::{Moment, Outcome};
 use serde_json::{Value, json};
 use std::collections::VecDeque;
 use std::io::{IsTerminal as _, Write as _};
-use std::time::SystemTime;
-
-/// How often the place of the weld goes to the disk, s.
-const JOURNAL_S: f64 = 0.05;
 
 /// What a person types that must not wait.
 pub(super) fn is_urgent(text: &str) -> Option<Ask> {
@@ -52,8 +49,8 @@ pub(super) struct Desk {
     stopped: Option<String>,
     passes: Vec<Place>,
     alarms: Vec<library::Alarm>,
-    /// When the place was last given to the journal, s.
-    journalled: f64,
+    /// When its place is to be kept.
+    places: Watch,
 }
 
 impl Desk {
@@ -76,7 +73,7 @@ impl Desk {
             stopped: None,
             passes: Vec::new(),
             alarms: Vec::new(),
-            journalled: f64::NEG_INFINITY,
+            places: Watch::default(),
         }
     }
 
@@ -307,24 +304,10 @@ impl Desk {
         self.table.as_ref().map_or(Ok(None), Table::journal)
     }
 
-    /// Where the weld is, while one runs or is held, every [`JOURNAL_S`].
+    /// Where the weld is, if that is to be kept now.
     pub(super) fn position(&mut self) -> Option<Position> {
-        let now = self.now.filter(|now| matches!(now.mode, Mode::Weld | Mode::Hold) && now.place.pass > 0)?;
         let weld = self.table.as_ref().and_then(Table::weld)?;
-        if (now.t - self.journalled) < JOURNAL_S {
-            return None;
-        }
-        self.journalled = now.t;
-        let time = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(0.0, |d| d.as_secs_f64());
-        Some(Position {
-            time,
-            weld,
-            pass: now.place.pass as u32,
-            phase: now.phase.map_or(0, |phase| phase as u8),
-            s: now.place.s_mm,
-            welded_to: now.welded_mm,
-            corrections: [[0.0; 2]; 2],
-        })
+        self.places.position(&self.now?, weld)
     }
 
     /// Puts what was recorded into `output`, and into the library if it is to be.

@@ -1,7 +1,6 @@
 //! A job on a running cell: in real time under an operator's orders, or in virtual time with faults.
 
 mod desk;
-mod journal;
 mod orders;
 mod table;
 
@@ -23,6 +22,7 @@ use seamwright_cell::realtime::{Footing, Latency, Outside, Paced, Pacer, Shown, 
 use seamwright_machine::{Machine, Surroundings};
 use seamwright_motion::WeldMotion;
 use seamwright_program::Pass;
+use seamwright_project::power_loss;
 use std::io::{BufRead as _, IsTerminal as _, Write as _};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::time::Duration;
@@ -64,7 +64,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let motion = loaded.plan()?;
     let devices = devices(&loaded.machine, &args.fault, args.seed)?;
     let asked = Asked { output: &args.output, record: &args.record, json: args.json, from: args.from };
-    journal::check(&args.record, args.from)?;
+    power_loss::check(args.record.data.as_deref(), args.from)?;
     with_work(&loaded, &motion, asked, Vec::new(), |work, desk| real(work, &loaded.machine, devices, args.cpu, desk))
 }
 
@@ -158,7 +158,7 @@ fn real(
 ) -> Result<Ended, Failure> {
     let (port, mut outside) = live();
     let typed = typed(outside.urgent());
-    let places = desk.journal()?.map(journal::writer);
+    let places = desk.journal()?.map(power_loss::writer);
     std::thread::scope(|scope| {
         let cycle = scope.spawn(move || {
             let footing = Footing::ask(cpu);

@@ -1,16 +1,58 @@
 //! The place of the weld on the disk, for the day the power fails.
 
-use crate::args::records::RecordArgs;
-use crate::failure::Failure;
-use seamwright_cell::executive::Place;
+use crate::Failure;
+use seamwright_cell::executive::{Mode, Place};
+use seamwright_cell::realtime::Shown;
 use seamwright_record::DataFolder;
 use seamwright_record::journal::{Journal, Position};
+use std::path::Path;
 use std::sync::mpsc::{SyncSender, TrySendError, sync_channel};
 use std::thread::JoinHandle;
+use std::time::SystemTime;
+
+/// How often the place of the weld goes to the disk, s.
+const JOURNAL_S: f64 = 0.05;
+
+/// When the place of a weld is to be kept.
+#[derive(Debug)]
+pub struct Watch {
+    /// When it was kept last, s.
+    last: f64,
+}
+
+impl Default for Watch {
+    fn default() -> Self {
+        Self { last: f64::NEG_INFINITY }
+    }
+}
+
+impl Watch {
+    /// Where `weld` is, while it runs or is held, if that is to be kept now.
+    pub fn position(&mut self, now: &Shown, weld: u64) -> Option<Position> {
+        let welds = matches!(now.mode, Mode::Weld | Mode::Hold) && now.place.pass > 0;
+        if !welds || now.t - self.last < JOURNAL_S {
+            return None;
+        }
+        self.last = now.t;
+        let time = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(0.0, |d| d.as_secs_f64());
+        Some(Position {
+            time,
+            weld,
+            pass: now.place.pass as u32,
+            phase: now.phase.map_or(0, |phase| phase as u8),
+            s: now.place.s_mm,
+            welded_to: now.welded_mm,
+            corrections: [[0.0; 2]; 2],
+        })
+    }
+}
 
 /// Refuses to begin anew what a power failure has left: somebody has to look at it and say.
-pub(super) fn check(record: &RecordArgs, from: Option<Place>) -> Result<(), Failure> {
-    let Some(folder) = record.data.as_ref().filter(|folder| folder.exists()) else { return Ok(()) };
+///
+/// # Errors
+/// If something was left and `from` does not say where to go on.
+pub fn check(data: Option<&Path>, from: Option<Place>) -> Result<(), Failure> {
+    let Some(folder) = data.filter(|folder| folder.exists()) else { return Ok(()) };
     let Some(left) = DataFolder::open(folder)?.journal()?.last() else { return Ok(()) };
     if from.is_some() {
         return Ok(());
@@ -24,12 +66,14 @@ pub(super) fn check(record: &RecordArgs, from: Option<Place>) -> Result<(), Fail
 }
 
 /// A thread that keeps the newest place on the disk.
-pub(super) struct Places {
+#[derive(Debug)]
+pub struct Places {
     to: SyncSender<Position>,
     thread: JoinHandle<Result<Journal, seamwright_record::Error>>,
 }
 
-pub(super) fn writer(mut journal: Journal) -> Places {
+/// Begins to keep places in `journal`.
+pub fn writer(mut journal: Journal) -> Places {
     let (to, from) = sync_channel::<Position>(1);
     let thread = std::thread::spawn(move || {
         for position in from {
@@ -42,7 +86,7 @@ pub(super) fn writer(mut journal: Journal) -> Places {
 
 impl Places {
     /// The newest place; left out while the one before is still being written.
-    pub(super) fn tell(&self, position: Position) {
+    pub fn tell(&self, position: Position) {
         match self.to.try_send(position) {
             // Whoever writes has ended with an error, which the end of the run tells.
             Ok(()) | Err(TrySendError::Full(_) | TrySendError::Disconnected(_)) => {}
@@ -50,7 +94,10 @@ impl Places {
     }
 
     /// The weld ended in order.
-    pub(super) fn end(self) -> Result<(), Failure> {
+    ///
+    /// # Errors
+    /// What kept the journal from being written.
+    pub fn end(self) -> Result<(), Failure> {
         drop(self.to);
         let journal = self.thread.join().map_err(|_| Failure::Environment("the journal's thread failed".to_owned()))?;
         Ok(journal?.clear()?)

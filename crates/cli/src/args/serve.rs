@@ -1,0 +1,36 @@
+//! Arguments of `seamwright serve`.
+
+use clap::Args;
+use std::net::SocketAddr;
+use std::path::PathBuf;
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright serve --data cell --open
+
+Open the address that it prints: until there is an administrator with a password, whoever has it is one. It runs until
+Ctrl-C or SIGTERM: then everything stops and the power goes.
+Without --data the folder is $SEAMWRIGHT_DATA, or else seamwright in $XDG_DATA_HOME (~/.local/share).")]
+pub(crate) struct ServeArgs {
+    /// Address and port to listen at
+    #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1:8080")]
+    pub(crate) bind: SocketAddr,
+    /// Data folder: records, jobs, users
+    #[arg(long, value_name = "DIR")]
+    pub(crate) data: Option<PathBuf>,
+    /// Machine that ships, or machine file [default: that of the job]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) machine: Option<String>,
+    /// Job to begin with: a file, which is taken into the data folder, or the name of one there or of an example [default: saddle]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) job: Option<String>,
+    /// Open it in the browser
+    #[arg(long)]
+    pub(crate) open: bool,
+}
+
+impl Default for ServeArgs {
+    /// As without a verb.
+    fn default() -> Self {
+        Self { bind: SocketAddr::from(([127, 0, 0, 1], 8080)), data: None, machine: None, job: None, open: false }
+    }
+}

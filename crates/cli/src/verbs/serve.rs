@@ -1,0 +1,79 @@
+use crate::args::serve::ServeArgs;
+use crate::examples::EXAMPLES;
+use crate::failure::Failure;
+use crate::files;
+use crate::load::{load_text, machine};
+use crate::rows::print_text;
+use seamwright_server::{Error, Settings, serve};
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
+    let data = super::records::folder(args.data.as_deref())?;
+    let jobs = data.join("jobs");
+    std::fs::create_dir_all(&jobs)
+        .map_err(|e| Failure::Input(format!("--data {}: cannot be made: {e}", data.display())))?;
+    let job = match (&args.job, &args.machine) {
+        (Some(job), _) => Some(taken(job, &jobs)?),
+        (None, None) => Some(format!("{}.toml", EXAMPLES[0].name)),
+        (None, Some(_)) => None,
+    };
+    let machine = match (&args.machine, &job) {
+        (Some(name), _) => machine(name)?,
+        (None, Some(job)) => {
+            let example =
+                EXAMPLES.iter().find(|e| job.strip_suffix(".toml") == Some(e.name)).map(|e| e.text.to_owned());
+            let path = jobs.join(job);
+            let text = if path.is_file() { files::read(&path)? } else { example.unwrap_or_default() };
+            load_text(job, &text, &jobs)?.machine
+        }
+        // Without a job there is a machine.
+        (None, None) => machine("saddle-4axis")?,
+    };
+    let settings = Settings { bind: args.bind, data, machine, job };
+    let ready = |url: &str| {
+        // Whoever started it may not listen: it runs all the same.
+        drop(print_text(&format!("{url}\n")));
+        if args.open {
+            open(url);
+        }
+    };
+    serve(&settings, ready).map_err(|e| match e {
+        Error::Settings(text) => Failure::Input(text),
+        Error::System(text) => Failure::Environment(text),
+    })
+}
+
+/// The name of a job in the data folder: a file is taken there first.
+fn taken(job: &str, jobs: &Path) -> Result<String, Failure> {
+    let file = Path::new(job);
+    let name = file.file_name().and_then(|n| n.to_str()).unwrap_or(job);
+    let name = if name.ends_with(".toml") { name.to_owned() } else { format!("{name}.toml") };
+    if !file.is_file() {
+        let known = jobs.join(&name).is_file() || EXAMPLES.iter().any(|e| name == format!("{}.toml", e.name));
+        if known {
+            return Ok(name);
+        }
+        let names: Vec<&str> = EXAMPLES.iter().map(|e| e.name).collect();
+        let allowed = format!("a file, a job in {}, or an example: {}", jobs.display(), names.join(", "));
+        return Err(Failure::Input(format!("--job {job}: there is no such job\n   allowed: {allowed}")));
+    }
+    let text = files::read(file)?;
+    let inside = jobs.join(&name);
+    let there = if inside.is_file() { Some(files::read(&inside)?) } else { None };
+    match there {
+        Some(other) if other != text => Err(Failure::Input(format!(
+            "--job {job}: the data folder has another job of that name\n   allowed: a file of another name, or --job {name} from there"
+        ))),
+        Some(_) => Ok(name),
+        None if EXAMPLES.iter().any(|e| e.text == text && name == format!("{}.toml", e.name)) => Ok(name),
+        None => files::write(&inside, &text).map(|()| name),
+    }
+}
+
+/// Opens an address in the browser, as the system does it.
+fn open(url: &str) {
+    let opener = if cfg!(target_os = "macos") { "open" } else { "xdg-open" };
+    // Where there is none the address has been printed.
+    drop(Command::new(opener).arg(url).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn());
+}

@@ -1,0 +1,77 @@
+//! Part programs that are proven before anybody sees them.
+
+use crate::Failure;
+use crate::load::Loaded;
+use seamwright_machine::Machine;
+use seamwright_motion::WeldMotion;
+use seamwright_post::{
+    Control, Error, Feed, Level, Options, PartProgram, Planned, ReadOptions, Verification, WriteOptions, part_program,
+    read, verify, write,
+};
+use seamwright_program::TorchPath;
+
+/// Why there is no part program.
+#[derive(Debug)]
+pub enum Unproven {
+    /// It cannot be made.
+    Failure(Failure),
+    /// Read back, it is not what was planned: a line each.
+    Wrong(Vec<String>),
+}
+
+impl From<Failure> for Unproven {
+    fn from(failure: Failure) -> Self {
+        Self::Failure(failure)
+    }
+}
+
+/// The part program of a planned weld, with its proof in the header.
+///
+/// # Errors
+/// What cannot be posted, or does not hold when it is read back.
+pub fn proven(
+    loaded: &Loaded,
+    motion: &WeldMotion,
+    control: &Control,
+    options: &Options,
+    feed: Feed,
+) -> Result<(String, Verification), Unproven> {
+    let paths = loaded.paths();
+    let paths: Vec<&dyn TorchPath> = paths.iter().map(|p| p as &dyn TorchPath).collect();
+    let program = &loaded.welding.program.value;
+    let part = part_program(&loaded.machine, control, program, &paths, motion, options);
+    let part = part.map_err(|e| match &e {
+        Error::TooFine { .. } => Failure::Input(format!("--tolerance-mm {}: {e}", options.tolerance_mm)),
+        _ => Failure::Input(e.to_string()),
+    })?;
+    let mut write_options = WriteOptions {
+        machine: loaded.machine.title.clone(),
+        feed,
+        rounding_mm: options.rounding_mm(),
+        remarks: Vec::new(),
+    };
+    let text = |options: &WriteOptions| write(control, &part, options).map_err(|e| Failure::Input(e.to_string()));
+    let planned = Planned { machine: &loaded.machine, control, program, motion, tolerance_mm: options.tolerance_mm };
+    let proof = prove(&part, &text(&write_options)?, options.level, planned)?;
+    write_options.remarks = proof.lines();
+    Ok((text(&write_options)?, proof))
+}
+
+/// Reads `text` back and holds it against what it was written from and the plan: what does not hold is not written.
+fn prove(part: &PartProgram, text: &str, level: Level, planned: Planned) -> Result<Verification, Unproven> {
+    let start = start(planned.machine, planned.control);
+    let options = ReadOptions { lenient: false, level, start: Some(start.clone()) };
+    let back =
+        read(planned.control, "the part program", text, &options).map_err(|e| Unproven::Wrong(vec![e.to_string()]))?;
+    verify(part, &back.program, &start, planned).map_err(Unproven::Wrong)
+}
+
+/// The row before the first block: all axes at home, nothing on.
+pub fn start(machine: &Machine, control: &Control) -> Vec<f64> {
+    let home = machine.home();
+    let mut row = vec![0.0; control.channels.len()];
+    for (i, axis) in machine.axes.iter().enumerate() {
+        row[i] = axis.to_file(home[i]);
+    }
+    row
+}

@@ -1,0 +1,340 @@
+use super::alarms::Mirror;
+use super::archive::Archive;
+use super::hub::Hub;
+use super::names::{Extra, Names, WHY};
+use super::prepared::Prepared;
+use super::recorder::Recorder;
+use crate::wire::{FromCell, LackView, WorkView};
+use rtrb::{Consumer, Producer};
+use seamwright_cell::executive::{Ask, Command, Missing, Mode, Note, Origin, Raised};
+use seamwright_cell::realtime::{Outside, Shown};
+use seamwright_record::Plan;
+use std::collections::{HashMap, VecDeque};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, TryRecvError};
+use std::time::{Duration, Instant};
+use tokio::sync::oneshot;
+
+/// How often the desk looks at what the cycle has sent.
+const LOOK: Duration = Duration::from_millis(2);
+/// How often clients are shown what the cell is doing.
+const SHOW: Duration = Duration::from_micros(33_333);
+
+/// What the outside wants of the desk.
+pub(crate) enum ToDesk {
+    /// For the executive.
+    Command(Command),
+    /// Another program.
+    Load(Box<Loading>),
+    /// Everything off, then the end.
+    Quit,
+}
+
+/// A program on its way into the cell.
+pub(crate) struct Loading {
+    pub(crate) prepared: Box<Prepared>,
+    pub(crate) view: Option<Arc<WorkView>>,
+    /// What is recorded of a weld of it.
+    pub(crate) plan: Option<Plan>,
+    /// Passes that are to be welded.
+    pub(crate) passes: usize,
+    pub(crate) user: String,
+    pub(crate) answer: oneshot::Sender<Result<(), LackView>>,
+}
+
+/// Listens to the cycle: tells clients, records welds, passes commands on.
+pub(super) struct Desk {
+    hub: Arc<Hub>,
+    archive: Archive,
+    outside: Outside,
+    from: Receiver<ToDesk>,
+    next: Producer<Box<Prepared>>,
+    done: Consumer<Box<Prepared>>,
+    names: Names,
+    recorder: Recorder,
+    mirror: Mirror,
+    plan: Option<Plan>,
+    passes: usize,
+    waiting: VecDeque<Command>,
+    /// What stands against something, as it is told, for each who asked.
+    lacks: HashMap<(u32, u32), Vec<LackView>>,
+    loading: Option<Box<Pending>>,
+    now: Option<Shown>,
+    shown: Instant,
+    missed: u32,
+    left: Option<(u32, f64)>,
+    quits: bool,
+    /// What keeps the record from being written, as it was told.
+    trouble: Option<String>,
+}
+
+/// The desk's ends of the queues to the cycle.
+pub(super) struct Queues {
+    pub(super) outside: Outside,
+    pub(super) next: Producer<Box<Prepared>>,
+    pub(super) done: Consumer<Box<Prepared>>,
+}
+
+impl Desk {
+    pub(super) fn new(
+        hub: Arc<Hub>,
+        archive: Archive,
+        queues: Queues,
+        from: Receiver<ToDesk>,
+        names: Names,
+        recorder: Recorder,
+        left: Option<(u32, f64)>,
+    ) -> Self {
+        let Queues { outside, next, done } = queues;
+        Self {
+            hub,
+            archive,
+            outside,
+            from,
+            next,
+            done,
+            names,
+            recorder,
+            mirror: Mirror::default(),
+            plan: None,
+            passes: 0,
+            waiting: VecDeque::new(),
+            lacks: HashMap::new(),
+            loading: None,
+            now: None,
+            shown: Instant::now(),
+            missed: 0,
+            left,
+            quits: false,
+            trouble: None,
+        }
+    }
+
+    /// Runs until `ended` says that the cycle has ended.
+    pub(super) fn run(mut self, ended: impl Fn() -> bool) {
+        while !ended() {
+            self.look();
+            std::thread::sleep(LOOK);
+        }
+        self.look();
+        self.recorder.end();
+    }
+
+    fn look(&mut self) {
+        // Drops what the cycle is done with.
+        while self.done.pop().is_ok() {}
+        while let Ok((t, note)) = self.outside.notes.pop() {
+            self.noted(t, note);
+        }
+        while let Ok(shown) = self.outside.cycles.pop() {
+            self.cycle(&shown);
+        }
+        if self.hub.forget_silent() {
+            self.tell("control", "the control token was lost: no sign of life from its page", None);
+        }
+        loop {
+            match self.from.try_recv() {
+                Ok(ToDesk::Command(command)) => self.waiting.push_back(command),
+                Ok(ToDesk::Load(loading)) => self.load(loading),
+                Ok(ToDesk::Quit) | Err(TryRecvError::Disconnected) => {
+                    self.quits = true;
+                    break;
+                }
+                Err(TryRecvError::Empty) => break,
+            }
+        }
+        if self.quits && self.waiting.is_empty() {
+            self.wind_down();
+        }
+        while let Some(command) = self.waiting.front() {
+            if self.outside.commands.push(*command).is_err() {
+                break;
+            }
+            self.waiting.pop_front();
+        }
+    }
+
+    /// At the end everything comes to rest, then the power goes.
+    fn wind_down(&mut self) {
+        let Some(now) = &self.now else { return };
+        self.waiting.push_back(Command::of(match now.mode {
+            Mode::Off | Mode::Fault => Ask::Quit,
+            Mode::Idle | Mode::Ready => Ask::SwitchOff,
+            _ => Ask::Stop,
+        }));
+    }
+
+    fn cycle(&mut self, shown: &Shown) {
+        self.missed = self.missed.saturating_add(shown.reports.missed);
+        if let Some(trouble) = self.recorder.row(&self.names.machine, self.names.values, shown)
+            && self.trouble.as_ref() != Some(&trouble)
+        {
+            self.outside.fail();
+            self.tell("record", &trouble, None);
+            self.trouble = Some(trouble);
+        }
+        self.now = Some(*shown);
+        if self.shown.elapsed() >= SHOW {
+            self.shown = Instant::now();
+            let extra = Extra { missed: self.missed, left: self.left, recording: self.recorder.weld() };
+            let set = std::array::from_fn(|i| shown.orders.set[i].position);
+            self.hub.show(self.names.status(shown, extra), set);
+        }
+    }
+
+    fn time(&self) -> f64 {
+        self.now.map_or(0.0, |now| now.t)
+    }
+
+    fn tell(&self, what: &str, text: &str, user: Option<String>) {
+        self.hub.event(self.time(), what, text, user);
+    }
+
+    /// Gives a program to the cycle; it is taken at rest only.
+    fn load(&mut self, loading: Box<Loading>) {
+        let other = loading.prepared.machine().name != self.names.machine.name;
+        let off = self.now.is_none_or(|now| matches!(now.mode, Mode::Off));
+        let lack = |key: &str, text: &str| LackView { key: key.to_owned(), of: vec![], text: text.to_owned() };
+        if self.loading.is_some() {
+            drop(loading.answer.send(Err(lack("moving", "another program is being loaded: wait a moment"))));
+            return;
+        }
+        if other && !off {
+            let text = "it is for another machine: switch the drives off first";
+            drop(loading.answer.send(Err(lack("mode", text))));
+            return;
+        }
+        let Loading { prepared, view, plan, passes, user, answer } = *loading;
+        let machine = prepared.machine().clone();
+        let values = prepared.with(|work| work.values().len());
+        if self.next.push(prepared).is_err() {
+            drop(answer.send(Err(lack("moving", "the cell does not answer: try again"))));
+            return;
+        }
+        self.waiting.push_back(Command { origin: Origin::default(), number: 0, ask: Ask::Load });
+        self.loading = Some(Box::new(Pending { names: Names { machine, values }, view, plan, passes, user, answer }));
+    }
+
+    fn loaded(&mut self, refused: Option<Missing>) {
+        let Some(pending) = self.loading.take() else { return };
+        if let Some(missing) = refused {
+            drop(pending.answer.send(Err(self.names.lack(missing))));
+            return;
+        }
+        if pending.names.machine.name != self.names.machine.name {
+            self.mirror = Mirror::default();
+            self.hub.alarms(Vec::new());
+            self.hub.set_machine(&pending.names.machine);
+        }
+        self.names = pending.names;
+        (self.plan, self.passes) = (pending.plan, pending.passes);
+        if let Some(view) = &pending.view {
+            self.tell("work", &format!("loaded: {}", view.title), Some(pending.user));
+        }
+        self.hub.set_work(pending.view);
+        drop(pending.answer.send(Ok(())));
+    }
+
+    fn noted(&mut self, t: f64, note: Note) {
+        self.recorder.noted(&note);
+        if self.mirror.noted(&note) {
+            self.hub.alarms(self.mirror.list().iter().map(|raised| self.names.alarm(raised)).collect());
+        }
+        match note {
+            Note::Mode(from, to) => {
+                self.tell("mode", &format!("{} -> {}", from.name(), to.name()), None);
+                if to == Mode::Weld && from != Mode::Hold {
+                    self.begin_record();
+                }
+            }
+            Note::Taken(command) if command.ask == Ask::Load => self.loaded(None),
+            Note::Refused(command, missing) if command.ask == Ask::Load => self.loaded(Some(missing)),
+            Note::Lacks(command, missing) => {
+                let lack = self.names.lack(missing);
+                self.lacks.entry((command.origin.station, command.number)).or_default().push(lack);
+            }
+            Note::Taken(command) => self.taken(command),
+            Note::Refused(command, missing) => self.refused(command, missing),
+            Note::Alarm(raised) => self.alarm(t, &raised),
+            Note::Cleared(alarm, detail) => {
+                let of = self.names.detail(alarm, detail).map_or(String::new(), |of| format!(" ({of})"));
+                self.tell("cleared", &format!("{}{of} has gone", alarm.entry().name), None);
+            }
+            Note::PassEnds(place) => {
+                self.tell("pass", &format!("pass {} ends at {:.2} mm", place.pass, place.s_mm), None);
+            }
+            Note::Left(place) => {
+                self.left = Some((place.pass as u32, place.s_mm));
+                self.tell("left", &format!("pass {} was left, welded up to {:.2} mm", place.pass, place.s_mm), None);
+            }
+        }
+    }
+
+    fn begin_record(&mut self) {
+        self.left = None;
+        let Some(plan) = &self.plan else { return };
+        let welder = self.hub.holder().unwrap_or_default();
+        if let Err(e) = self.recorder.begin(plan, self.passes, &welder) {
+            self.outside.fail();
+            self.tell("record", &format!("this weld is not recorded: {e}"), None);
+        }
+    }
+
+    fn taken(&mut self, command: Command) {
+        let Origin { station, .. } = command.origin;
+        if let Ask::Why(_) = command.ask {
+            let lacks = self.lacks.remove(&(station, command.number)).unwrap_or_default();
+            if let Some((ask, _)) = WHY.get(command.number as usize) {
+                self.hub.tell(station, &FromCell::Why { ask: (*ask).to_owned(), lacks });
+            }
+            return;
+        }
+        let user = self.hub.user(station);
+        if !matches!(command.ask, Ask::Jog(_)) {
+            self.tell("order", command.ask.name(), user.clone());
+        }
+        if station > 0 {
+            self.hub.tell(station, &FromCell::Answer { seq: command.number, ok: true, why: None });
+        }
+        let station = if station > 0 { format!("panel {station}") } else { String::from("panel") };
+        let text = match command.ask {
+            Ask::Override(part) => format!("override {:.0} %", part * 100.0),
+            ask => ask.name().to_owned(),
+        };
+        self.archive.audit(user.as_deref().unwrap_or(""), &station, &text, ("", ""), "taken");
+    }
+
+    fn refused(&mut self, command: Command, missing: Missing) {
+        // At the end quitting is asked for until everything rests.
+        if self.quits || matches!(command.ask, Ask::Jog(_)) {
+            return;
+        }
+        let station = command.origin.station;
+        let user = self.hub.user(station);
+        let why = self.names.lack(missing);
+        self.tell("refused", &format!("{}: {}", command.ask.name(), why.text), user.clone());
+        let from = format!("panel {station}");
+        self.archive.audit(user.as_deref().unwrap_or(""), &from, command.ask.name(), ("", ""), &why.text);
+        self.hub.tell(station, &FromCell::Answer { seq: command.number, ok: false, why: Some(why) });
+    }
+
+    fn alarm(&mut self, t: f64, raised: &Raised) {
+        let of = self.names.detail(raised.alarm, raised.detail).map_or(String::new(), |of| format!(" ({of})"));
+        let name = format!("{}{of}", raised.alarm.entry().name);
+        self.tell("alarm", &format!("{name}: {}", raised.reaction.name()), None);
+        match self.recorder.weld() {
+            Some(_) => self.recorder.alarm(t, raised, &name),
+            None => self.archive.alarm(super::recorder::alarm(t, raised, &name)),
+        }
+    }
+}
+
+/// A program that the cycle has been given and has not taken yet.
+pub(super) struct Pending {
+    names: Names,
+    view: Option<Arc<WorkView>>,
+    plan: Option<Plan>,
+    passes: usize,
+    user: String,
+    answer: oneshot::Sender<Result<(), LackView>>,
+}

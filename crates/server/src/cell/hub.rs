@@ -1,0 +1,273 @@
+use crate::wire::{AlarmView, EventView, FromCell, Status, WorkView};
+use seamwright_machine::{Joints, Machine};
+use std::collections::{HashMap, VecDeque};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+use tokio::sync::{mpsc, watch};
+
+/// Events that a new client is told.
+const RECENT: usize = 100;
+/// Messages that wait for a client at most: one that is slower is cut off, and must connect anew.
+const WAITING: usize = 1024;
+/// The control token is lost without a sign of life for this long.
+const BEAT: Duration = Duration::from_secs(1);
+
+/// A message as it goes over the socket.
+pub(crate) type Text = Arc<str>;
+
+/// What all clients see: the newest status, events and alarms that none may miss, the control token.
+pub(crate) struct Hub {
+    status: watch::Sender<Option<Text>>,
+    latest: Mutex<Option<(Status, Joints)>>,
+    told: Mutex<Told>,
+}
+
+#[derive(Default)]
+struct Told {
+    clients: HashMap<u32, Client>,
+    stations: u32,
+    events: VecDeque<EventView>,
+    numbers: u64,
+    alarms: Vec<AlarmView>,
+    work: Option<Arc<WorkView>>,
+    machine: Option<Arc<Machine>>,
+    control: Option<Holder>,
+}
+
+struct Client {
+    user: String,
+    to: mpsc::Sender<Text>,
+}
+
+struct Holder {
+    station: u32,
+    beat: Instant,
+    /// It jogs or jogged a moment ago: the token stays.
+    jogs_until: Instant,
+}
+
+/// Who has the control token.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Control {
+    pub(crate) station: u32,
+    pub(crate) user: String,
+}
+
+/// Why the token does not move.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Refusal {
+    /// Somebody else has it.
+    Held(Control),
+    /// Whoever has it moves axes by hand.
+    Jogs,
+}
+
+fn text(message: &FromCell) -> Text {
+    // Plain data with text keys: it cannot fail.
+    serde_json::to_string(message).unwrap_or_default().into()
+}
+
+impl Hub {
+    pub(crate) fn new() -> Self {
+        Self { status: watch::Sender::new(None), latest: Mutex::default(), told: Mutex::default() }
+    }
+
+    /// What is told stays whole even where somebody failed while he told it.
+    fn told(&self) -> MutexGuard<'_, Told> {
+        self.told.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// A new client: its station, what it hears in order, the newest status.
+    pub(crate) fn connect(&self, user: &str) -> (u32, mpsc::Receiver<Text>, watch::Receiver<Option<Text>>) {
+        let mut told = self.told();
+        told.stations += 1;
+        let station = told.stations;
+        let (to, from) = mpsc::channel(WAITING);
+        let hello = FromCell::Hello { station, version: env!("CARGO_PKG_VERSION").to_owned() };
+        let mut first = vec![hello, told.control(station), told.work(), told.alarms()];
+        first.extend(told.events.iter().cloned().map(FromCell::Event));
+        for message in &first {
+            // There is room for all of them.
+            drop(to.try_send(text(message)));
+        }
+        told.clients.insert(station, Client { user: user.to_owned(), to });
+        (station, from, self.status.subscribe())
+    }
+
+    /// A client has gone; what it controlled, nobody does.
+    pub(crate) fn disconnect(&self, station: u32) {
+        let mut told = self.told();
+        told.clients.remove(&station);
+        if told.control.as_ref().is_some_and(|h| h.station == station) {
+            told.give(None);
+        }
+    }
+
+    /// The newest status, and where the axes shall be, mm or rad.
+    pub(crate) fn show(&self, status: Status, set: Joints) {
+        let message = text(&FromCell::Status(Box::new(status.clone())));
+        *self.latest.lock().unwrap_or_else(PoisonError::into_inner) = Some((status, set));
+        self.status.send_replace(Some(message));
+    }
+
+    /// The newest status.
+    pub(crate) fn latest(&self) -> Option<Status> {
+        self.latest.lock().unwrap_or_else(PoisonError::into_inner).as_ref().map(|(status, _)| status.clone())
+    }
+
+    /// Where the axes shall be, mm or rad.
+    pub(crate) fn set_points(&self) -> Option<Joints> {
+        self.latest.lock().unwrap_or_else(PoisonError::into_inner).as_ref().map(|(_, set)| *set)
+    }
+
+    /// Tells everybody what happened.
+    pub(crate) fn event(&self, t: f64, what: &str, said: impl Into<String>, user: Option<String>) {
+        let mut told = self.told();
+        told.numbers += 1;
+        let at = seamwright_record::Moment::now().to_string();
+        let event = EventView { number: told.numbers, t, at, what: what.to_owned(), text: said.into(), user };
+        told.events.push_back(event.clone());
+        if told.events.len() > RECENT {
+            told.events.pop_front();
+        }
+        told.all(&FromCell::Event(event));
+    }
+
+    pub(crate) fn alarms(&self, list: Vec<AlarmView>) {
+        let mut told = self.told();
+        told.alarms = list;
+        let message = told.alarms();
+        told.all(&message);
+    }
+
+    pub(crate) fn set_work(&self, work: Option<Arc<WorkView>>) {
+        let mut told = self.told();
+        told.work = work;
+        let message = told.work();
+        told.all(&message);
+    }
+
+    /// The machine of the cell.
+    pub(crate) fn machine(&self) -> Option<Arc<Machine>> {
+        self.told().machine.clone()
+    }
+
+    pub(crate) fn set_machine(&self, machine: &Machine) {
+        self.told().machine = Some(Arc::new(machine.clone()));
+    }
+
+    pub(crate) fn work(&self) -> Option<Arc<WorkView>> {
+        self.told().work.clone()
+    }
+
+    /// To one client.
+    pub(crate) fn tell(&self, station: u32, message: &FromCell) {
+        self.told().one(station, text(message));
+    }
+
+    /// Name of the user at a station.
+    pub(crate) fn user(&self, station: u32) -> Option<String> {
+        self.told().clients.get(&station).map(|c| c.user.clone())
+    }
+
+    /// Name of whoever has the control token.
+    pub(crate) fn holder(&self) -> Option<String> {
+        let told = self.told();
+        told.control.as_ref().and_then(|h| told.clients.get(&h.station)).map(|c| c.user.clone())
+    }
+
+    /// A sign of life.
+    pub(crate) fn beat(&self, station: u32) {
+        if let Some(holder) = self.told().control.as_mut().filter(|h| h.station == station) {
+            holder.beat = Instant::now();
+        }
+    }
+
+    /// True if this station may command; `jogs`: it moves axes by hand.
+    pub(crate) fn controls(&self, station: u32, jogs: bool) -> bool {
+        let mut told = self.told();
+        let Some(holder) = told.control.as_mut().filter(|h| h.station == station) else { return false };
+        if jogs {
+            holder.jogs_until = Instant::now() + Duration::from_millis(300);
+        }
+        true
+    }
+
+    /// Gives the control token to `station`.
+    pub(crate) fn take_control(&self, station: u32, over: bool) -> Result<(), Refusal> {
+        let mut told = self.told();
+        let now = Instant::now();
+        if let Some(holder) = told.control.as_ref().filter(|h| h.station != station) {
+            if holder.jogs_until > now {
+                return Err(Refusal::Jogs);
+            }
+            if !over {
+                let user = told.clients.get(&holder.station).map_or(String::new(), |c| c.user.clone());
+                return Err(Refusal::Held(Control { station: holder.station, user }));
+            }
+        }
+        told.give(Some(Holder { station, beat: now, jogs_until: now }));
+        Ok(())
+    }
+
+    /// Takes the token back from `station`, if it has it.
+    pub(crate) fn give_control(&self, station: u32) {
+        let mut told = self.told();
+        if told.control.as_ref().is_some_and(|h| h.station == station) {
+            told.give(None);
+        }
+    }
+
+    /// Takes the token from whoever has not been heard of; true if somebody lost it.
+    pub(crate) fn forget_silent(&self) -> bool {
+        let mut told = self.told();
+        let silent = told.control.as_ref().is_some_and(|h| h.beat.elapsed() > BEAT);
+        if silent {
+            told.give(None);
+        }
+        silent
+    }
+}
+
+impl Told {
+    fn all(&mut self, message: &FromCell) {
+        let message = text(message);
+        let stations: Vec<u32> = self.clients.keys().copied().collect();
+        for station in stations {
+            self.one(station, message.clone());
+        }
+    }
+
+    /// A client that does not listen is cut off: it must not miss anything.
+    fn one(&mut self, station: u32, message: Text) {
+        if self.clients.get(&station).is_some_and(|c| c.to.try_send(message).is_err()) {
+            self.clients.remove(&station);
+            if self.control.as_ref().is_some_and(|h| h.station == station) {
+                self.give(None);
+            }
+        }
+    }
+
+    fn give(&mut self, holder: Option<Holder>) {
+        self.control = holder;
+        let stations: Vec<u32> = self.clients.keys().copied().collect();
+        for station in stations {
+            let message = text(&self.control(station));
+            self.one(station, message);
+        }
+    }
+
+    fn control(&self, to: u32) -> FromCell {
+        let station = self.control.as_ref().map(|h| h.station);
+        let user = station.and_then(|s| self.clients.get(&s)).map(|c| c.user.clone());
+        FromCell::Control { station, user, mine: station == Some(to) }
+    }
+
+    fn work(&self) -> FromCell {
+        FromCell::Work { work: self.work.as_deref().cloned() }
+    }
+
+    fn alarms(&self) -> FromCell {
+        FromCell::Alarms { list: self.alarms.clone() }
+    }
+}

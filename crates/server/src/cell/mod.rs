@@ -1,0 +1,17 @@
+//! The running cell behind the panel: the cycle in its thread, the desk that listens to it, what the panel's clients see.
+
+mod alarms;
+mod archive;
+mod cycle;
+mod desk;
+mod hub;
+mod names;
+mod prepared;
+mod recorder;
+mod start;
+
+pub(crate) use desk::{Loading, ToDesk};
+pub(crate) use hub::Refusal;
+pub(crate) use names::WHY;
+pub(crate) use prepared::{Planned, Prepared, Task};
+pub(crate) use start::Cell;

@@ -1,0 +1,186 @@
+use crate::wire::{Ages, AlarmView, AxisStatus, LackView, ProcessStatus, Status};
+use seamwright_cell::executive::{Alarm, AlarmState, Event, Interlocks, Missing, Mode, ProcessState, Raised};
+use seamwright_cell::realtime::Shown;
+use seamwright_machine::{Joints, Level, Machine};
+use seamwright_motion::pace::RunPhase;
+
+/// The machine's names for what the executive counts, and its chain for where things are.
+pub(super) struct Names {
+    pub(super) machine: Machine,
+    /// Process values of the program.
+    pub(super) values: usize,
+}
+
+impl Names {
+    fn axes(&self) -> Vec<&str> {
+        self.machine.axes.iter().map(|a| a.name.as_str()).collect()
+    }
+
+    fn conditions(&self) -> Vec<&str> {
+        self.machine.interlocks.iter().map(|i| i.name.as_str()).collect()
+    }
+
+    /// Which axis or condition an alarm is about.
+    pub(super) fn detail(&self, alarm: Alarm, detail: u8) -> Option<String> {
+        let names = match alarm {
+            Alarm::Interlock => self.conditions(),
+            Alarm::DriveFault | Alarm::LimitSwitch | Alarm::FollowingError => self.axes(),
+            _ => return None,
+        };
+        names.get(usize::from(detail)).map(|name| (*name).to_owned())
+    }
+
+    pub(super) fn alarm(&self, raised: &Raised) -> AlarmView {
+        let entry = raised.alarm.entry();
+        AlarmView {
+            number: raised.alarm.number() as u8,
+            name: entry.name.to_owned(),
+            of: self.detail(raised.alarm, raised.detail),
+            cause: entry.cause.to_owned(),
+            consequence: entry.consequence.to_owned(),
+            action: entry.action.to_owned(),
+            reaction: raised.reaction.name().to_owned(),
+            state: match raised.state {
+                AlarmState::Unacknowledged => "unacknowledged",
+                AlarmState::Acknowledged => "acknowledged",
+                AlarmState::Returned => "returned",
+            }
+            .to_owned(),
+            first_out: raised.first_out,
+            t: raised.t,
+            pass: raised.place.pass as u32,
+            s_mm: raised.place.s_mm,
+        }
+    }
+
+    pub(super) fn lack(&self, missing: Missing) -> LackView {
+        let (axes, conditions) = (self.axes(), self.conditions());
+        let text = missing.text(&axes, &conditions);
+        let one = |names: &[&str], i: u8| names.get(usize::from(i)).map(|n| (*n).to_owned()).into_iter().collect();
+        let (key, of): (_, Vec<String>) = match missing {
+            Missing::Mode(refused) => ("mode", refused.allowed().map(mode).map(str::to_owned).collect()),
+            Missing::Moving => ("moving", vec![]),
+            Missing::References(bits) => {
+                let known = axes.iter().enumerate().filter(|(i, _)| bits >> i & 1 == 1);
+                ("references", known.map(|(_, name)| (*name).to_owned()).collect())
+            }
+            Missing::Power => ("power", vec![]),
+            Missing::Silent(device) => ("silent", vec![device.to_owned()]),
+            Missing::Condition(i) => ("condition", one(&conditions, i)),
+            Missing::Alarm(alarm, i) => {
+                let mut of = vec![alarm.entry().name.to_owned()];
+                of.extend(self.detail(alarm, i));
+                ("alarm", of)
+            }
+            Missing::Arming => ("arming", vec![]),
+            Missing::Source => ("source", vec![]),
+            Missing::NotAtStart(i) => ("not_at_start", one(&axes, i)),
+            Missing::Work => ("work", vec![]),
+            Missing::Value => ("value", vec![]),
+            Missing::Motion => ("motion", vec![]),
+        };
+        LackView { key: key.to_owned(), of, text }
+    }
+
+    pub(super) fn status(&self, c: &Shown, extra: Extra) -> Status {
+        let machine = &self.machine;
+        let drives = &c.reports.drives;
+        let bit = |bits: u16, i: usize| bits >> i & 1 == 1;
+        let axes = machine.axes.iter().enumerate().map(|(i, axis)| AxisStatus {
+            position: axis.to_file(drives.position[i]),
+            set: axis.to_file(c.orders.set[i].position),
+            error: axis.to_file(drives.following_error[i]),
+            current: drives.current[i],
+            referenced: bit(drives.referenced, i),
+            fault: bit(drives.fault, i),
+            limit_switch: bit(drives.limit_switch, i),
+        });
+        let q: Joints = drives.position;
+        let tip = machine.forward(&q);
+        let count = machine.links.count();
+        let conditions = machine.interlocks.len();
+        let unmet = Interlocks::new(&machine.interlocks).unmet(Level::Process, c.reports.inputs);
+        let number = |v: f64| v.is_finite().then_some(v);
+        Status {
+            t: c.t,
+            mode: mode(c.mode).to_owned(),
+            pass: c.place.pass as u32,
+            s_mm: c.place.s_mm,
+            welded_mm: c.welded_mm,
+            speed_mm_s: c.speed,
+            override_part: c.pace,
+            armed: c.armed,
+            powered: c.orders.power && drives.powered,
+            process: ProcessStatus {
+                state: match c.process {
+                    ProcessState::Off => "off",
+                    ProcessState::Strikes => "strikes",
+                    ProcessState::Pauses => "pauses",
+                    ProcessState::Burns => "burns",
+                    ProcessState::Failed => "failed",
+                }
+                .to_owned(),
+                on: c.orders.process.on,
+                burning: c.reports.source.burning,
+                gas: c.orders.process.gas,
+                phase: c.phase.map(|p| phase(p).to_owned()),
+                set: c.orders.process.values[..self.values].iter().map(|v| number(*v)).collect(),
+                measured: c.reports.source.values[..self.values].iter().map(|v| number(*v)).collect(),
+            },
+            axes: axes.collect(),
+            tip: [tip.point.x, tip.point.y, tip.point.z, tip.direction.x, tip.direction.y, tip.direction.z],
+            links: machine.link_frames(&q)[..count].iter().map(crate::view::rows).collect(),
+            conditions: (0..conditions).map(|i| unmet >> i & 1 == 0).collect(),
+            tracking: None,
+            ages: Ages {
+                drives: number(drives.age_s),
+                source: number(c.reports.source.age_s),
+                inputs: number(c.reports.inputs_age_s),
+            },
+            missed: extra.missed,
+            lost: c.lost,
+            left: extra.left,
+            recording: extra.recording,
+        }
+    }
+}
+
+/// Commands that can be asked about.
+pub(crate) const WHY: [(&str, Event); 7] = [
+    ("switch_on", Event::SwitchOn),
+    ("home", Event::Home),
+    ("start_jog", Event::Jog),
+    ("start_dry_run", Event::DryRun),
+    ("start_weld", Event::Weld),
+    ("resume", Event::Weld),
+    ("reset", Event::Reset),
+];
+
+/// What the desk knows beside the cycle.
+pub(super) struct Extra {
+    pub(super) missed: u32,
+    pub(super) left: Option<(u32, f64)>,
+    pub(super) recording: Option<i64>,
+}
+
+/// A mode as the wire calls it.
+pub(super) fn mode(mode: Mode) -> &'static str {
+    match mode {
+        Mode::DryRun => "dry_run",
+        other => other.name(),
+    }
+}
+
+fn phase(phase: RunPhase) -> &'static str {
+    match phase {
+        RunPhase::Held => "held",
+        RunPhase::Preflow => "preflow",
+        RunPhase::TravelDelay => "travel_delay",
+        RunPhase::Travel => "travel",
+        RunPhase::RunOut => "run_out",
+        RunPhase::Crater => "crater",
+        RunPhase::Postflow => "postflow",
+        RunPhase::Move => "move",
+        RunPhase::Ended => "ended",
+    }
+}

@@ -1,0 +1,179 @@
+use super::hub::Hub;
+use seamwright_cell::executive::{Mode, Note, Place, Raised, Reaction};
+use seamwright_cell::realtime::Shown;
+use seamwright_machine::Machine;
+use seamwright_project::power_loss::{self, Places, Watch};
+use seamwright_project::run_rows;
+use seamwright_record::library::{Alarm, AuditEntry, Place as Recorded, WeldResult};
+use seamwright_record::{DataFolder, Error, Moment, Outcome, Plan, Recording};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// After the program has ended the record goes on for this long: gas flows, axes come to rest. s
+const AFTER_S: f64 = 1.0;
+
+/// Records welds as they come.
+pub(super) struct Recorder {
+    folder: PathBuf,
+    hub: Arc<Hub>,
+    open: Option<Open>,
+}
+
+/// A weld that is being recorded.
+struct Open {
+    recording: Recording,
+    places: Option<Places>,
+    watch: Watch,
+    welder: String,
+    passes: usize,
+    wanted: usize,
+    left: Option<Place>,
+    stopped: Option<String>,
+    alarms: Vec<Alarm>,
+    /// When the program ended, s.
+    ended: Option<f64>,
+}
+
+impl Recorder {
+    pub(super) fn new(folder: &Path, hub: Arc<Hub>) -> Self {
+        Self { folder: folder.to_owned(), hub, open: None }
+    }
+
+    /// Number of the weld that is recorded.
+    pub(super) fn weld(&self) -> Option<i64> {
+        self.open.as_ref().map(|o| o.recording.id())
+    }
+
+    /// A weld begins: `passes` of it are to come, by `welder`.
+    ///
+    /// # Errors
+    /// If it cannot be recorded.
+    pub(super) fn begin(&mut self, plan: &Plan, passes: usize, welder: &str) -> Result<(), Error> {
+        self.end();
+        let mut data = DataFolder::open(&self.folder)?;
+        let plan = Plan { welder: Some(welder.to_owned()), ..plan.clone() };
+        let recording = data.begin(&plan)?;
+        let places = Some(power_loss::writer(data.journal()?));
+        let welder = welder.to_owned();
+        self.open = Some(Open {
+            recording,
+            places,
+            watch: Watch::default(),
+            welder,
+            passes: 0,
+            wanted: passes,
+            left: None,
+            stopped: None,
+            alarms: Vec::new(),
+            ended: None,
+        });
+        Ok(())
+    }
+
+    /// A cycle; the trouble that keeps rows from being written, if there is some.
+    pub(super) fn row(&mut self, machine: &Machine, values: usize, shown: &Shown) -> Option<String> {
+        let open = self.open.as_mut()?;
+        open.recording.row(run_rows::row(machine, shown, values));
+        let weld = u64::try_from(open.recording.id()).unwrap_or(0);
+        if let (Some(places), Some(position)) = (&open.places, open.watch.position(shown, weld)) {
+            places.tell(position);
+        }
+        let trouble = open.recording.trouble().map(str::to_owned);
+        match open.ended {
+            None if !matches!(shown.mode, Mode::Weld | Mode::Hold) => open.ended = Some(shown.t),
+            Some(t) if shown.t - t > AFTER_S => self.end(),
+            _ => {}
+        }
+        trouble
+    }
+
+    pub(super) fn noted(&mut self, note: &Note) {
+        let Some(open) = &mut self.open else { return };
+        match note {
+            Note::PassEnds(_) => open.passes += 1,
+            Note::Left(place) => open.left = Some(*place),
+            _ => {}
+        }
+    }
+
+    pub(super) fn alarm(&mut self, t: f64, raised: &Raised, name: &str) {
+        let Some(open) = &mut self.open else { return };
+        if raised.reaction >= Reaction::Hold {
+            open.stopped.get_or_insert_with(|| name.to_owned());
+        }
+        open.alarms.push(alarm(t, raised, name));
+    }
+
+    /// Ends what is being recorded, in a thread of its own: a long trace takes a while.
+    pub(super) fn end(&mut self) {
+        let Some(open) = self.open.take() else { return };
+        let (folder, hub) = (self.folder.clone(), Arc::clone(&self.hub));
+        let finish = move || {
+            let id = open.recording.id();
+            let t = hub.latest().map_or(0.0, |s| s.t);
+            match finish(open, &folder) {
+                Ok(result) => hub.event(t, "record", format!("weld {id} recorded: {}", result.name()), None),
+                Err(e) => hub.event(t, "record", format!("weld {id}: the record is not complete: {e}"), None),
+            }
+        };
+        std::thread::spawn(finish);
+    }
+}
+
+/// An alarm as the library keeps it.
+pub(super) fn alarm(t: f64, raised: &Raised, name: &str) -> Alarm {
+    let in_pass = raised.place.pass > 0;
+    Alarm {
+        name: name.to_owned(),
+        cause: raised.alarm.entry().cause.to_owned(),
+        place: Recorded {
+            pass: in_pass.then_some(raised.place.pass as u32),
+            s_mm: in_pass.then_some(raised.place.s_mm),
+            t_s: Some(t),
+        },
+        raised: Moment::now(),
+        first_out: raised.first_out,
+        acknowledged: None,
+    }
+}
+
+fn finish(open: Open, folder: &Path) -> Result<WeldResult, Error> {
+    let mut data = DataFolder::open(folder)?;
+    let id = open.recording.id();
+    for alarm in &open.alarms {
+        data.library().add_alarm(Some(id), alarm)?;
+    }
+    let whole = open.left.is_none() && open.passes >= open.wanted;
+    let result = match &open.stopped {
+        None if whole => WeldResult::Good,
+        // It was held by an alarm, and went on to its end.
+        Some(_) if whole => WeldResult::Deviating,
+        _ => WeldResult::Stopped,
+    };
+    let mut note = Vec::new();
+    if let Some(alarm) = &open.stopped {
+        note.push(format!("stopped by: {alarm}"));
+    }
+    match open.left {
+        Some(left) => note.push(format!("left in pass {}, welded up to {:.2} mm", left.pass, left.s_mm)),
+        None if !whole => note.push("not welded to its end".to_owned()),
+        None => {}
+    }
+    let outcome = Outcome { result, note: note.join("; "), files: Vec::new() };
+    let weld = open.recording.finish(&mut data, &outcome)?;
+    let entry = AuditEntry {
+        at: Moment::now(),
+        user: open.welder,
+        station: "panel".to_owned(),
+        command: format!("weld {id} of part {:?}", weld.part),
+        old: String::new(),
+        new: String::new(),
+        result: weld.result.name().to_owned(),
+    };
+    data.library_mut().audit(&entry)?;
+    if let Some(places) = open.places {
+        // It ended in order: nothing is left to power failures. A journal that failed has said so in the trace's trouble.
+        drop(places.end());
+    }
+    Ok(result)
+}

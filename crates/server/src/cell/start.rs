@@ -1,0 +1,73 @@
+use super::archive::Archive;
+use super::cycle::{self, Swap};
+use super::desk::{Desk, Queues, ToDesk};
+use super::hub::Hub;
+use super::names::Names;
+use super::prepared::{Prepared, Task};
+use super::recorder::Recorder;
+use seamwright_cell::realtime::{Urgent, live};
+use seamwright_machine::Machine;
+use seamwright_record::DataFolder;
+use std::path::Path;
+use std::sync::mpsc::{Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::JoinHandle;
+
+/// Programs that wait for the cycle, and those that it has done with.
+const PROGRAMS: usize = 4;
+
+/// A running cell.
+pub(crate) struct Cell {
+    pub(crate) hub: Arc<Hub>,
+    pub(crate) archive: Archive,
+    /// Stops and holds, past everything that waits.
+    pub(crate) urgent: Urgent,
+    pub(crate) desk: Sender<ToDesk>,
+    thread: Mutex<Option<JoinHandle<()>>>,
+}
+
+impl Cell {
+    /// Starts a cell on the simulated devices of `machine`, off and without a program; records go to `data`.
+    ///
+    /// # Errors
+    /// In words: a folder that cannot be written, values in the machine file that make no drive.
+    pub(crate) fn start(machine: &Machine, data: &Path) -> Result<Self, String> {
+        seamwright_cell::check_drives(machine).map_err(|e| e.to_string())?;
+        let mut folder = DataFolder::open(data).map_err(|e| e.to_string())?;
+        let interrupted = folder.recover().map_err(|e| e.to_string())?;
+        let left = folder.journal().map_err(|e| e.to_string())?.last();
+        drop(folder);
+        let hub = Arc::new(Hub::new());
+        hub.set_machine(machine);
+        for weld in &interrupted {
+            hub.event(0.0, "record", format!("weld {} was interrupted; its record is whole again", weld.weld.id), None);
+        }
+        if let Some(left) = &left {
+            let text = "was left by a failure of power or program: look at the end of its bead before going on";
+            hub.event(0.0, "left", format!("weld {} {text}", left.weld), None);
+        }
+        let left = left.map(|left| (left.pass.max(1), left.welded_to));
+        let archive = Archive::open(data).map_err(|e| e.to_string())?;
+        let (port, outside) = live();
+        let urgent = outside.urgent();
+        let (next, to_cycle) = rtrb::RingBuffer::new(PROGRAMS);
+        let (from_cycle, done) = rtrb::RingBuffer::new(PROGRAMS);
+        let task = Box::new(Prepared::new(Task::Machine(Box::new(machine.clone())), &machine.home(), None)?);
+        let cycle = std::thread::spawn(move || cycle::run(task, port, Swap { next: to_cycle, done: from_cycle }));
+        let (desk, from) = channel();
+        let names = Names { machine: machine.clone(), values: 0 };
+        let recorder = Recorder::new(data, Arc::clone(&hub));
+        let queues = Queues { outside, next, done };
+        let listens = Desk::new(Arc::clone(&hub), archive.clone(), queues, from, names, recorder, left);
+        let thread = std::thread::spawn(move || listens.run(|| cycle.is_finished()));
+        Ok(Self { hub, archive, urgent, desk, thread: Mutex::new(Some(thread)) })
+    }
+
+    /// Stops, takes the power away, and waits for the end.
+    pub(crate) fn end(&self) {
+        // A desk that has gone has ended already.
+        drop(self.desk.send(ToDesk::Quit));
+        let thread = self.thread.lock().unwrap_or_else(PoisonError::into_inner).take();
+        drop(thread.map(JoinHandle::join));
+    }
+}

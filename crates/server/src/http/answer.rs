@@ -1,0 +1,69 @@
+use crate::users;
+use crate::wire;
+use axum::Json;
+use axum::http::StatusCode;
+use axum::response::{IntoResponse, Response};
+use seamwright_project::Failure;
+
+/// A request that is refused or failed.
+#[derive(Debug)]
+pub(crate) struct Refused {
+    pub(crate) status: StatusCode,
+    pub(crate) key: &'static str,
+    pub(crate) text: String,
+}
+
+impl Refused {
+    pub(crate) fn new(status: StatusCode, key: &'static str, text: impl Into<String>) -> Self {
+        Self { status, key, text: text.into() }
+    }
+
+    pub(crate) fn input(text: impl Into<String>) -> Self {
+        Self::new(StatusCode::UNPROCESSABLE_ENTITY, "input", text)
+    }
+
+    pub(crate) fn not_found(text: impl Into<String>) -> Self {
+        Self::new(StatusCode::NOT_FOUND, "not_found", text)
+    }
+
+    pub(crate) fn server(text: impl Into<String>) -> Self {
+        Self::new(StatusCode::INTERNAL_SERVER_ERROR, "server", text)
+    }
+}
+
+impl IntoResponse for Refused {
+    fn into_response(self) -> Response {
+        let trouble = wire::Trouble { key: self.key.to_owned(), text: self.text };
+        (self.status, Json(trouble)).into_response()
+    }
+}
+
+impl From<Failure> for Refused {
+    fn from(failure: Failure) -> Self {
+        match &failure {
+            Failure::Environment(_) => Self::server(failure.text()),
+            _ => Self::input(failure.text()),
+        }
+    }
+}
+
+impl From<seamwright_record::Error> for Refused {
+    fn from(e: seamwright_record::Error) -> Self {
+        if e.is_input() { Self::not_found(e.to_string()) } else { Self::server(e.to_string()) }
+    }
+}
+
+impl From<users::Trouble> for Refused {
+    fn from(e: users::Trouble) -> Self {
+        Self::input(e.0)
+    }
+}
+
+impl From<tokio::task::JoinError> for Refused {
+    fn from(_: tokio::task::JoinError) -> Self {
+        Self::server("it failed; nothing was changed")
+    }
+}
+
+/// What most handlers answer.
+pub(crate) type Answer<T> = Result<Json<T>, Refused>;

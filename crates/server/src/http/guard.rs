@@ -1,0 +1,120 @@
+use super::answer::Refused;
+use super::panel::Panel;
+use crate::users::{Session, may};
+use axum::extract::{Request, State};
+use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
+use axum::middleware::Next;
+use axum::response::{IntoResponse, Response};
+use std::sync::Arc;
+
+/// The header that what changes something must carry.
+pub(super) const TOKEN: &str = "x-seamwright";
+/// The cookie of a session.
+pub(super) const COOKIE: &str = "seamwright";
+
+/// What a route needs.
+#[derive(Clone)]
+pub(super) struct Need {
+    pub(super) panel: Arc<Panel>,
+    /// In the table of permissions; none: nobody needs to be logged in.
+    pub(super) action: Option<&'static str>,
+}
+
+/// Asks under a name that is not ours are refused before anything else (DNS rebinding), also those from foreign pages.
+pub(super) async fn host(State(panel): State<Arc<Panel>>, request: Request, next: Next) -> Response {
+    let headers = request.headers();
+    let host = text(headers, header::HOST.as_str()).unwrap_or_default();
+    if !panel.hosts.iter().any(|known| known.eq_ignore_ascii_case(host)) {
+        let text = format!("this panel is not known as `{host}`; allowed: {}", panel.hosts.join(", "));
+        return secured(Refused::new(StatusCode::FORBIDDEN, "origin", text).into_response());
+    }
+    let scheme = if panel.tls { "https" } else { "http" };
+    if let Some(origin) = text(headers, header::ORIGIN.as_str())
+        && !origin.eq_ignore_ascii_case(&format!("{scheme}://{host}"))
+    {
+        let text = "requests from pages of other origins are refused";
+        return secured(Refused::new(StatusCode::FORBIDDEN, "origin", text).into_response());
+    }
+    secured(next.run(request).await)
+}
+
+/// Headers of every answer.
+fn secured(mut response: Response) -> Response {
+    let csp = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; worker-src 'self'; \
+               connect-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+    let headers = response.headers_mut();
+    for (name, value) in [
+        ("content-security-policy", csp),
+        ("x-content-type-options", "nosniff"),
+        ("x-frame-options", "DENY"),
+        ("referrer-policy", "no-referrer"),
+        ("cross-origin-opener-policy", "same-origin"),
+        ("cross-origin-resource-policy", "same-origin"),
+    ] {
+        headers.entry(name).or_insert(HeaderValue::from_static(value));
+    }
+    headers.entry(header::CACHE_CONTROL).or_insert(HeaderValue::from_static("no-store"));
+    response
+}
+
+/// Lets through who may do what the route does; the handler finds the [`Session`] in the extensions.
+pub(super) async fn need(State(need): State<Need>, mut request: Request, next: Next) -> Response {
+    let Some(action) = need.action else {
+        return match writes(request.method()).then(|| is_json(request.headers())).unwrap_or(Ok(())) {
+            Ok(()) => next.run(request).await,
+            Err(refused) => refused.into_response(),
+        };
+    };
+    match allowed(&need.panel, action, request.method(), request.headers()) {
+        Ok(session) => {
+            request.extensions_mut().insert(session);
+            next.run(request).await
+        }
+        Err(refused) => refused.into_response(),
+    }
+}
+
+fn allowed(panel: &Panel, action: &str, method: &Method, headers: &HeaderMap) -> Result<Session, Refused> {
+    let session = cookie(headers).and_then(|cookie| panel.sessions.of(cookie));
+    let Some(session) = session else {
+        let text = "nobody is logged in here, or the session is over: log in";
+        return Err(Refused::new(StatusCode::UNAUTHORIZED, "login", text));
+    };
+    if !may(session.role, action) {
+        let needed = crate::users::least(action).map_or(String::new(), |role| format!("; allowed: from {role:?} on"));
+        let text = format!("as {:?} you may not do this ({action}){needed}", session.role);
+        return Err(Refused::new(StatusCode::FORBIDDEN, "role", text.to_lowercase()));
+    }
+    if writes(method) {
+        is_json(headers)?;
+        if text(headers, TOKEN) != Some(session.token.as_str()) {
+            let text = format!("the header `{TOKEN}` must carry the session's token");
+            return Err(Refused::new(StatusCode::FORBIDDEN, "token", text));
+        }
+    }
+    Ok(session)
+}
+
+fn writes(method: &Method) -> bool {
+    !matches!(*method, Method::GET | Method::HEAD)
+}
+
+fn is_json(headers: &HeaderMap) -> Result<(), Refused> {
+    let kind = text(headers, header::CONTENT_TYPE.as_str()).unwrap_or_default();
+    if kind.split(';').next().is_some_and(|kind| kind.trim() == "application/json") {
+        return Ok(());
+    }
+    let text = format!("content-type `{kind}` is not taken; allowed: application/json");
+    Err(Refused::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, "input", text))
+}
+
+fn text<'a>(headers: &'a HeaderMap, name: &str) -> Option<&'a str> {
+    headers.get(name).and_then(|value| value.to_str().ok())
+}
+
+/// What the session's cookie holds.
+pub(super) fn cookie(headers: &HeaderMap) -> Option<&str> {
+    let all = headers.get_all(header::COOKIE).into_iter().filter_map(|v| v.to_str().ok());
+    let pairs = all.flat_map(|v| v.split(';')).filter_map(|pair| pair.trim().split_once('='));
+    pairs.into_iter().find(|(name, _)| *name == COOKIE).map(|(_, value)| value)
+}

@@ -1,0 +1,107 @@
+use super::answer::{Answer, Refused};
+use super::panel::Panel;
+use crate::users::Session;
+use crate::wire::{JobRow, JobText};
+use axum::extract::{Path, State};
+use axum::http::StatusCode;
+use axum::{Extension, Json};
+use seamwright_project::examples::EXAMPLES;
+use seamwright_project::files;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// Most jobs that are listed.
+const MOST: usize = 2000;
+
+/// A name of a job as a file: no folders, no hidden files.
+pub(super) fn checked(name: &str) -> Result<&str, Refused> {
+    let good = |c: char| c.is_alphanumeric() || "-_. ()+".contains(c);
+    let is_toml = name.strip_suffix(".toml").is_some_and(|stem| !stem.is_empty());
+    if is_toml && name.len() <= 120 && !name.starts_with(['.', ' ']) && name.chars().all(good) && !name.contains("..") {
+        return Ok(name);
+    }
+    let allowed = "letters, digits, - _ . ( ) + and spaces, up to 120 bytes, ending in .toml";
+    Err(Refused::input(format!("`{name}` cannot be the name of a job; allowed: {allowed}")))
+}
+
+fn example(name: &str) -> Option<&'static str> {
+    EXAMPLES.iter().find(|e| name.strip_suffix(".toml") == Some(e.name)).map(|e| e.text)
+}
+
+fn title(text: &str) -> String {
+    let found = text.lines().find_map(|line| line.trim().strip_prefix("title")?.trim_start().strip_prefix('='));
+    let quoted = found.and_then(|rest| rest.trim().strip_prefix('"')).and_then(|rest| rest.split('"').next());
+    quoted.unwrap_or_default().to_owned()
+}
+
+/// The text of a job: one of ours, or an example.
+pub(super) fn text(panel: &Panel, name: &str) -> Result<String, Refused> {
+    let name = checked(name)?;
+    let path = panel.jobs().join(name);
+    if path.is_file() {
+        return Ok(files::read(&path)?);
+    }
+    example(name).map(str::to_owned).ok_or_else(|| Refused::not_found(format!("there is no job `{name}`")))
+}
+
+pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<JobRow>> {
+    let mut own: Vec<PathBuf> = std::fs::read_dir(panel.jobs())
+        .map_err(|e| Refused::server(format!("the folder of jobs cannot be read: {e}")))?
+        .filter_map(|entry| Some(entry.ok()?.path()))
+        .filter(|path| path.is_file())
+        .collect();
+    own.sort();
+    own.truncate(MOST);
+    let names = own.iter().filter_map(|path| Some((path, path.file_name()?.to_str()?)));
+    let own = names.filter(|(_, name)| checked(name).is_ok()).map(|(path, name)| {
+        let title = files::read(path).map_or_else(|e| e.text(), |text| title(&text));
+        JobRow { name: name.to_owned(), title, example: false }
+    });
+    let mut rows: Vec<JobRow> = own.collect();
+    for example in EXAMPLES {
+        let name = format!("{}.toml", example.name);
+        if rows.iter().all(|row| row.name != name) {
+            rows.push(JobRow { name, title: title(example.text), example: true });
+        }
+    }
+    Ok(Json(rows))
+}
+
+pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(name): Path<String>) -> Answer<JobText> {
+    Ok(Json(JobText { text: text(&panel, &name)? }))
+}
+
+pub(super) async fn put(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    Path(name): Path<String>,
+    Json(job): Json<JobText>,
+) -> Answer<JobRow> {
+    let name = checked(&name)?;
+    if example(name).is_some() {
+        return Err(Refused::input(format!("`{name}` is the name of an example: save it under another name")));
+    }
+    let path = panel.jobs().join(name);
+    let old = if path.is_file() { files::read(&path)? } else { String::new() };
+    files::write(&path, &job.text)?;
+    let hash = |text: &str| seamwright_record::sha256(text.as_bytes());
+    let (old, new) = (hash(&old), hash(&job.text));
+    panel.cell.archive.audit(&session.user, "panel", &format!("save job {name}"), (&old, &new), "saved");
+    Ok(Json(JobRow { name: name.to_owned(), title: title(&job.text), example: false }))
+}
+
+pub(super) async fn delete(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    Path(name): Path<String>,
+) -> Result<StatusCode, Refused> {
+    let name = checked(&name)?;
+    let path = panel.jobs().join(name);
+    if !path.is_file() {
+        return Err(Refused::not_found(format!("there is no job `{name}` of your own")));
+    }
+    let old = seamwright_record::sha256(files::read(&path)?.as_bytes());
+    std::fs::remove_file(&path).map_err(|e| Refused::server(format!("{name}: cannot be removed: {e}")))?;
+    panel.cell.archive.audit(&session.user, "panel", &format!("delete job {name}"), (&old, ""), "deleted");
+    Ok(StatusCode::NO_CONTENT)
+}

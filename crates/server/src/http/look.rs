@@ -1,0 +1,32 @@
+use super::answer::{Answer, Refused};
+use super::panel::Panel;
+use crate::view::machine_view;
+use crate::wire::{AlarmEntry, MachineView, WorkView};
+use axum::Json;
+use axum::extract::State;
+use seamwright_cell::executive::Alarm;
+use std::sync::Arc;
+
+pub(super) async fn machine(State(panel): State<Arc<Panel>>) -> Answer<MachineView> {
+    let machine = panel.cell.hub.machine().ok_or_else(|| Refused::server("there is no machine"))?;
+    Ok(Json(machine_view(&machine)))
+}
+
+pub(super) async fn work(State(panel): State<Arc<Panel>>) -> Answer<Option<WorkView>> {
+    Ok(Json(panel.cell.hub.work().as_deref().cloned()))
+}
+
+pub(super) async fn catalogue() -> Answer<Vec<AlarmEntry>> {
+    let entries = Alarm::ALL.into_iter().map(|alarm| {
+        let entry = alarm.entry();
+        AlarmEntry {
+            number: alarm.number() as u8,
+            name: entry.name.to_owned(),
+            cause: entry.cause.to_owned(),
+            consequence: entry.consequence.to_owned(),
+            action: entry.action.to_owned(),
+            reaction: entry.reaction.name().to_owned(),
+        }
+    });
+    Ok(Json(entries.collect()))
+}

@@ -1,0 +1,20 @@
+//! HTTP: who may ask for what, and what it answers.
+
+mod answer;
+mod assets;
+mod edit;
+mod guard;
+mod jobs;
+mod login;
+mod look;
+mod openapi;
+mod panel;
+mod plan;
+mod records;
+mod routes;
+mod socket;
+mod users;
+
+pub(crate) use panel::Panel;
+pub(crate) use plan::begin_with;
+pub(crate) use routes::app;

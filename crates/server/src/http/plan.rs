@@ -1,0 +1,173 @@
+use super::answer::{Answer, Refused};
+use super::jobs::{checked, text};
+use super::panel::Panel;
+use crate::cell::{Loading, Planned, Prepared, Task, ToDesk};
+use crate::users::Session;
+use crate::view::work_view;
+use crate::wire::{JobText, Load, PlanAnswer, PostAnswer, PostText, WorkView};
+use axum::extract::{Query, State};
+use axum::http::StatusCode;
+use axum::response::Html;
+use axum::{Extension, Json};
+use seamwright_cell::executive::Place;
+use seamwright_post::{Control, Dialect, Feed, Options};
+use seamwright_project::Failure;
+use seamwright_project::load::{Loaded, load_text};
+use seamwright_project::posting::{Unproven, proven};
+use seamwright_project::recording::{Header, Who, record_plan};
+use seamwright_project::run_rows;
+use seamwright_report::WeldReport;
+use serde::Deserialize;
+use std::sync::Arc;
+use tokio::sync::oneshot;
+
+/// Runs work that takes a while in a thread of its own, one at a time.
+async fn alone<T: Send + 'static>(
+    panel: &Arc<Panel>,
+    work: impl FnOnce(&Panel) -> Result<T, Refused> + Send + 'static,
+) -> Result<T, Refused> {
+    let _turn = panel.planning.acquire().await.map_err(|_| Refused::server("the panel is ending"))?;
+    let panel = Arc::clone(panel);
+    tokio::task::spawn_blocking(move || work(&panel)).await?
+}
+
+/// Line and key of what is wrong, from a message that begins with `job.toml:LINE:COLUMN: key`.
+fn address(name: &str, message: &str) -> (Option<usize>, Option<String>) {
+    let Some(rest) = message.strip_prefix(name).and_then(|m| m.strip_prefix(':')) else { return (None, None) };
+    let mut parts = rest.splitn(3, ':');
+    let line = parts.next().and_then(|n| n.trim().parse().ok());
+    let key = parts.nth(1).and_then(|rest| rest.split([' ', ':', '=']).find(|w| !w.is_empty())).map(str::to_owned);
+    (line, key.filter(|_| line.is_some()))
+}
+
+pub(super) async fn plan(State(panel): State<Arc<Panel>>, Json(job): Json<JobText>) -> Answer<PlanAnswer> {
+    let answer = alone(&panel, move |panel| {
+        let name = "job.toml";
+        let wrong = |failure: &Failure| {
+            let message = failure.text();
+            let (line, key) = address(name, &message);
+            PlanAnswer::Wrong { message, line, key }
+        };
+        let loaded = match load_text(name, &job.text, &panel.jobs()) {
+            Ok(loaded) => loaded,
+            Err(failure) => return Ok(wrong(&failure)),
+        };
+        let number = panel.plan_number();
+        Ok(match loaded.try_plan() {
+            Ok(planned) => {
+                let planned = planned.as_ref().map_err(Vec::as_slice);
+                PlanAnswer::Planned { work: Box::new(work_view(number, "", &loaded, planned)) }
+            }
+            Err(failure) => wrong(&failure),
+        })
+    });
+    answer.await.map(Json)
+}
+
+fn loaded(panel: &Panel, name: &str) -> Result<Loaded, Refused> {
+    Ok(load_text(checked(name)?, &text(panel, name)?, &panel.jobs())?)
+}
+
+pub(super) async fn load(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    Json(load): Json<Load>,
+) -> Answer<WorkView> {
+    let (what, job) = (format!("load {}", load.job), load.job.clone());
+    let result = put_in(&panel, load, session.user.clone()).await;
+    let said = result.as_ref().map_or_else(|refused| refused.text.clone(), |_| "loaded".to_owned());
+    panel.cell.archive.audit(&session.user, "panel", &what, ("", &job), &said);
+    result.map(|view| Json((*view).clone()))
+}
+
+/// Plans a job and puts it into the cell.
+async fn put_in(panel: &Arc<Panel>, load: Load, user: String) -> Result<Arc<WorkView>, Refused> {
+    let (answer, answered) = oneshot::channel();
+    let (loading, view) = alone(panel, move |panel| loading(panel, load, user, answer)).await?;
+    let gone = || Refused::server("the cell has ended");
+    panel.cell.desk.send(ToDesk::Load(Box::new(loading))).map_err(|_| gone())?;
+    match answered.await.map_err(|_| gone())? {
+        Ok(()) => Ok(view),
+        Err(lack) => Err(Refused::new(StatusCode::CONFLICT, "busy", lack.text)),
+    }
+}
+
+/// Begins with a job in the cell.
+pub(crate) async fn begin_with(panel: &Arc<Panel>, job: &str) -> Result<(), String> {
+    let load = Load { job: job.to_owned(), from: None, part: None };
+    put_in(panel, load, String::new()).await.map(drop).map_err(|refused| refused.text)
+}
+
+fn loading(
+    panel: &Panel,
+    load: Load,
+    user: String,
+    answer: oneshot::Sender<Result<(), crate::wire::LackView>>,
+) -> Result<(Loading, Arc<WorkView>), Refused> {
+    let loaded = loaded(panel, &load.job)?;
+    let motion = loaded.plan()?;
+    loaded.check_count(&motion, loaded.machine.servo_period_s)?;
+    let from = load.from.map(|(pass, s_mm)| Place { pass: pass as usize, s_mm });
+    let mut view = work_view(panel.plan_number(), &load.job, &loaded, Ok(&motion));
+    view.from = load.from;
+    let view = Arc::new(view);
+    let columns = run_rows::columns(&loaded.machine, &view.values);
+    let title = loaded.welding.program.value.title.clone();
+    let about = [("title", title), ("machine", loaded.machine.name.clone())];
+    let header = Header { columns: &columns, about: &about };
+    let who = Who { part: load.part.unwrap_or_default(), welder: None };
+    let plan = record_plan(&loaded, &motion, &header, who)?;
+    let passes = motion.passes.len() - from.map_or(0, |place| place.pass.saturating_sub(1)).min(motion.passes.len());
+    // On the machine of the cell from where its axes are, on another from its home.
+    let same = panel.cell.hub.machine().is_some_and(|machine| machine.name == loaded.machine.name);
+    let at = panel.cell.hub.set_points().filter(|_| same).unwrap_or(loaded.machine.home());
+    let task = Task::Job(Box::new(Planned { loaded, motion }));
+    let prepared = Box::new(Prepared::new(task, &at, from).map_err(Refused::input)?);
+    let shown = Some(Arc::clone(&view));
+    Ok((Loading { prepared, view: shown, plan: Some(plan), passes, user, answer }, view))
+}
+
+/// `?job=NAME`.
+#[derive(Deserialize)]
+pub(super) struct Named {
+    job: String,
+}
+
+pub(super) async fn report(
+    State(panel): State<Arc<Panel>>,
+    Query(named): Query<Named>,
+) -> Result<Html<String>, Refused> {
+    let page = alone(&panel, move |panel| {
+        let loaded = loaded(panel, &named.job)?;
+        let motion = loaded.try_plan()?.map_err(Failure::Findings)?;
+        let (report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None);
+        let date = seamwright_record::Moment::now().to_string();
+        Ok(report.page(&plots, loaded.welding.program.text(), &date))
+    });
+    page.await.map(Html)
+}
+
+pub(super) async fn post(State(panel): State<Arc<Panel>>, Json(asked): Json<PostText>) -> Answer<PostAnswer> {
+    let answer = alone(&panel, move |panel| {
+        let dialect = match asked.dialect.as_str() {
+            "sinumerik" => Dialect::Sinumerik,
+            "linuxcnc" => Dialect::Linuxcnc,
+            "grblhal" => Dialect::Grblhal,
+            "pmac" => Dialect::Pmac,
+            other => {
+                let allowed = "sinumerik, linuxcnc, grblhal, pmac";
+                return Err(Refused::input(format!("there is no dialect `{other}`; allowed: {allowed}")));
+            }
+        };
+        let loaded = load_text("job.toml", &asked.text, &panel.jobs())?;
+        let motion = loaded.plan()?;
+        let control = Control::new(&loaded.machine, dialect).map_err(|e| Refused::input(e.to_string()))?;
+        let made = proven(&loaded, &motion, &control, &Options::default(), Feed::InverseTime);
+        let (text, proof) = made.map_err(|e| match e {
+            Unproven::Failure(failure) => failure.into(),
+            Unproven::Wrong(lines) => Refused::server(lines.join("\n")),
+        })?;
+        Ok(PostAnswer { text, proof: proof.lines() })
+    });
+    answer.await.map(Json)
+}

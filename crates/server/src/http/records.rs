@@ -1,0 +1,206 @@
+use super::answer::{Answer, Refused};
+use super::panel::Panel;
+use crate::wire::{AuditRow, JudgedView, RecordRow, RecordView, RecordedAlarm, TraceView};
+use axum::Json;
+use axum::extract::{Path, Query, State};
+use axum::response::Html;
+use seamwright_record::library::{Query as Find, WeldRecord, WeldResult};
+use seamwright_record::trace::Trace;
+use seamwright_record::{DataFolder, Moment};
+use serde::Deserialize;
+use std::sync::Arc;
+
+/// Rows of a trace that are sent at most.
+const MOST: usize = 20_000;
+
+/// What welds are looked for.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Asked {
+    text: Option<String>,
+    part: Option<String>,
+    procedure: Option<String>,
+    result: Option<String>,
+    from: Option<String>,
+    to: Option<String>,
+}
+
+impl Asked {
+    fn query(self) -> Result<Find, Refused> {
+        let some = |text: Option<String>| text.filter(|t| !t.is_empty());
+        let moment = |name: &str, text: Option<String>| {
+            let wrong = |e: String| Refused::input(format!("{name}: {e}"));
+            some(text).map(|t| t.parse::<Moment>().map_err(wrong)).transpose()
+        };
+        Ok(Find {
+            part: some(self.part),
+            since: moment("from", self.from)?,
+            until: moment("to", self.to)?.map(Moment::next_day),
+            procedure: some(self.procedure),
+            machine: None,
+            result: some(self.result)
+                .map(|r| r.parse::<WeldResult>().map_err(|e| Refused::input(format!("result: {e}"))))
+                .transpose()?,
+            text: some(self.text),
+        })
+    }
+}
+
+fn row(weld: &WeldRecord) -> RecordRow {
+    RecordRow {
+        id: weld.id,
+        part: weld.part.clone(),
+        title: weld.title.clone(),
+        simulated: weld.simulated,
+        begun: weld.begun.to_string(),
+        ended: weld.ended.map(|at| at.to_string()),
+        result: weld.result.name().to_owned(),
+        note: weld.note.clone(),
+        machine: weld.machine.0.clone(),
+        procedure: weld.procedure.as_ref().map(|(number, _)| number.clone()),
+        welder: weld.welder.clone(),
+        heat_input_kj_mm: weld.heat_input_kj_mm,
+        worst_deviation_mm: weld.worst_deviation_mm,
+    }
+}
+
+/// Reads the library in a thread of its own.
+async fn reads<T: Send + 'static>(
+    panel: &Arc<Panel>,
+    read: impl FnOnce(&DataFolder) -> Result<T, Refused> + Send + 'static,
+) -> Answer<T> {
+    let path = panel.data.clone();
+    tokio::task::spawn_blocking(move || read(&DataFolder::open_to_read(&path)?)).await?.map(Json)
+}
+
+pub(super) async fn list(State(panel): State<Arc<Panel>>, Query(asked): Query<Asked>) -> Answer<Vec<RecordRow>> {
+    let query = asked.query()?;
+    reads(&panel, move |data| Ok(data.library().find(&query)?.iter().map(row).collect())).await
+}
+
+fn traces(data: &DataFolder, weld: i64) -> Result<Vec<Trace>, Refused> {
+    let files = data.library().files(weld)?;
+    let parts = files.iter().filter(|f| f.rows.is_some());
+    Ok(parts.map(|f| Trace::open(&data.weld_folder(weld).join(&f.name))).collect::<Result<_, _>>()?)
+}
+
+pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) -> Answer<RecordView> {
+    reads(&panel, move |data| {
+        let detail = data.library().detail(id)?;
+        let traces = traces(data, id)?;
+        let columns = traces.first().map_or(&[][..], Trace::columns);
+        Ok(RecordView {
+            weld: row(&detail.weld),
+            values: detail
+                .values
+                .iter()
+                .map(|v| JudgedView {
+                    pass: v.pass,
+                    name: v.name.clone(),
+                    least: v.least,
+                    mean: v.mean,
+                    greatest: v.greatest,
+                    allowed: v.allowed,
+                    outside_s: v.outside_s,
+                })
+                .collect(),
+            alarms: detail
+                .alarms
+                .iter()
+                .map(|a| RecordedAlarm {
+                    name: a.name.clone(),
+                    cause: a.cause.clone(),
+                    pass: a.place.pass,
+                    s_mm: a.place.s_mm,
+                    t_s: a.place.t_s,
+                    first_out: a.first_out,
+                })
+                .collect(),
+            columns: columns.iter().map(|c| (c.name.clone(), c.unit.clone())).collect(),
+            rows: traces.iter().map(Trace::rows).sum(),
+        })
+    })
+    .await
+}
+
+/// Columns, and how many rows of them.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Wanted {
+    columns: String,
+    most: Option<usize>,
+}
+
+pub(super) async fn trace(
+    State(panel): State<Arc<Panel>>,
+    Path(id): Path<i64>,
+    Query(wanted): Query<Wanted>,
+) -> Answer<TraceView> {
+    let most = wanted.most.unwrap_or(2000);
+    if !(2..=MOST).contains(&most) {
+        return Err(Refused::input(format!("most={most}; allowed: 2 to {MOST}")));
+    }
+    reads(&panel, move |data| {
+        let traces = traces(data, id)?;
+        let columns: Vec<String> = wanted.columns.split(',').map(|c| c.trim().to_owned()).collect();
+        let known = traces.first().map_or(&[][..], Trace::columns);
+        if let Some(unknown) = columns.iter().find(|c| known.iter().all(|k| k.name != **c)) {
+            let names: Vec<&str> = known.iter().map(|c| c.name.as_str()).collect();
+            return Err(Refused::input(format!("there is no column `{unknown}`; allowed: {}", names.join(", "))));
+        }
+        let names: Vec<&str> = columns.iter().map(String::as_str).collect();
+        let rows: u64 = traces.iter().map(Trace::rows).sum();
+        // The first and the last row are always among them.
+        let step = (rows.saturating_sub(1) as f64 / (most - 1) as f64).max(1.0);
+        let (mut number, mut taken) = (0u64, 0u64);
+        let mut values = vec![Vec::new(); columns.len()];
+        for part in &traces {
+            part.read(&names, |row| {
+                let due = number == (taken as f64 * step).round() as u64 || number + 1 == rows;
+                if due {
+                    taken += 1;
+                    values.iter_mut().zip(row).for_each(|(column, v)| column.push(v.is_finite().then_some(*v)));
+                }
+                number += 1;
+            })?;
+        }
+        Ok(TraceView { columns, values })
+    })
+    .await
+}
+
+pub(super) async fn report(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) -> Result<Html<String>, Refused> {
+    let page = reads(&panel, move |data| {
+        let detail = data.library().detail(id)?;
+        let figures = data.figures(id)?;
+        let program = data.library().program_of(id)?;
+        let date = Moment::now().to_string();
+        Ok(seamwright_report::recorded_weld_page(&detail, &figures, &program.text, &date))
+    });
+    page.await.map(|Json(page)| Html(page))
+}
+
+/// How many rows.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Most {
+    most: Option<u32>,
+}
+
+pub(super) async fn audit(State(panel): State<Arc<Panel>>, Query(most): Query<Most>) -> Answer<Vec<AuditRow>> {
+    let most = most.most.unwrap_or(200).min(10_000);
+    reads(&panel, move |data| {
+        let entries = data.library().audit_entries(most)?;
+        let row = |e: seamwright_record::library::AuditEntry| AuditRow {
+            at: e.at.to_string(),
+            user: e.user,
+            station: e.station,
+            command: e.command,
+            old: e.old,
+            new: e.new,
+            result: e.result,
+        };
+        Ok(entries.into_iter().map(row).collect())
+    })
+    .await
+}

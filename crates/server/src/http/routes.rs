@@ -1,0 +1,144 @@
+use super::guard::{Need, host, need};
+use super::panel::Panel;
+use super::{assets, edit, jobs, login, look, openapi, plan, records, socket, users};
+use crate::wire::{
+    AlarmEntry, AuditRow, EditAnswer, JobRow, JobText, Load, Login, MachineView, OwnPassword, PlanAnswer, PostAnswer,
+    PostText, RecordRow, RecordView, SessionView, TraceView, UserChange, UserRow, WorkView,
+};
+use axum::extract::DefaultBodyLimit;
+use axum::routing::{MethodRouter, delete, get, post, put};
+use axum::{Router, middleware};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use std::sync::Arc;
+
+/// Most bytes of a request.
+const MOST_BYTES: usize = 4 << 20;
+
+/// A route: the one place that says what it needs and what crosses it.
+pub(super) struct Route {
+    pub(super) method: &'static str,
+    pub(super) path: &'static str,
+    /// In the table of permissions; none: nobody needs to be logged in.
+    pub(super) action: Option<&'static str>,
+    pub(super) about: &'static str,
+    pub(super) body: Option<Shape>,
+    pub(super) answer: Option<Shape>,
+    handler: MethodRouter<Arc<Panel>>,
+}
+
+/// Writes the schema of a type.
+pub(super) type Shape = fn(&mut SchemaGenerator) -> Schema;
+
+fn shape<T: JsonSchema>() -> Option<Shape> {
+    Some(|generator| generator.subschema_for::<T>())
+}
+
+impl Route {
+    fn get(
+        path: &'static str,
+        action: &'static str,
+        about: &'static str,
+        answer: Option<Shape>,
+        handler: MethodRouter<Arc<Panel>>,
+    ) -> Self {
+        Self { method: "get", path, action: Some(action), about, body: None, answer, handler }
+    }
+
+    fn write(
+        (method, path): (&'static str, &'static str),
+        action: &'static str,
+        about: &'static str,
+        (body, answer): (Option<Shape>, Option<Shape>),
+        handler: MethodRouter<Arc<Panel>>,
+    ) -> Self {
+        Self { method, path, action: Some(action), about, body, answer, handler }
+    }
+}
+
+/// All routes of the interface.
+pub(super) fn routes() -> Vec<Route> {
+    let login_body = (shape::<Login>(), shape::<SessionView>());
+    let login = Route {
+        action: None,
+        ..Route::write(("post", "/api/login"), "", "Begins a session", login_body, post(login::login))
+    };
+    let jobs = "/api/jobs/{name}";
+    let user = "/api/users/{name}";
+    vec![
+        login,
+        Route::write(("post", "/api/logout"), "watch", "Ends the session", (None, None), post(login::logout)),
+        Route::get("/api/session", "watch", "Who is logged in", shape::<SessionView>(), get(login::session)),
+        Route::get("/api/machine", "watch", "The machine of the cell", shape::<MachineView>(), get(look::machine)),
+        Route::get("/api/work", "watch", "The program in the cell", shape::<Option<WorkView>>(), get(look::work)),
+        Route::get("/api/alarms/catalogue", "watch", "All alarms", shape::<Vec<AlarmEntry>>(), get(look::catalogue)),
+        Route::get("/api/live", "watch", "The socket: status, events, commands", None, get(socket::live)),
+        Route::get("/api/jobs", "jobs.read", "Jobs and examples", shape::<Vec<JobRow>>(), get(jobs::list)),
+        Route::get(jobs, "jobs.read", "A job's text", shape::<JobText>(), get(jobs::get)),
+        Route::write(
+            ("put", jobs),
+            "jobs.write",
+            "Keeps a job",
+            (shape::<JobText>(), shape::<JobRow>()),
+            put(jobs::put),
+        ),
+        Route::write(("delete", jobs), "jobs.write", "Removes a job", (None, None), delete(jobs::delete)),
+        Route::write(
+            ("post", "/api/plan"),
+            "plan",
+            "Plans a text without keeping it",
+            (shape::<JobText>(), shape::<PlanAnswer>()),
+            post(plan::plan),
+        ),
+        Route::write(
+            ("post", "/api/load"),
+            "load",
+            "Plans a job and gives it to the cell",
+            (shape::<Load>(), shape::<WorkView>()),
+            post(plan::load),
+        ),
+        Route::write(
+            ("post", "/api/post"),
+            "post",
+            "A part program, proven",
+            (shape::<PostText>(), shape::<PostAnswer>()),
+            post(plan::post),
+        ),
+        Route::write(("post", "/api/edit"), "edit", "Edits a text", (None, shape::<EditAnswer>()), post(edit::edit)),
+        Route::get("/api/report", "jobs.read", "The report of a plan as a page", None, get(plan::report)),
+        Route::get("/api/records", "records.read", "Welds", shape::<Vec<RecordRow>>(), get(records::list)),
+        Route::get("/api/records/{id}", "records.read", "A weld", shape::<RecordView>(), get(records::get)),
+        Route::get("/api/records/{id}/trace", "records.read", "Its trace", shape::<TraceView>(), get(records::trace)),
+        Route::get("/api/records/{id}/report", "records.read", "Its report as a page", None, get(records::report)),
+        Route::get("/api/audit", "audit.read", "Who did what", shape::<Vec<AuditRow>>(), get(records::audit)),
+        Route::get("/api/users", "users.read", "Users", shape::<Vec<UserRow>>(), get(users::list)),
+        Route::write(
+            ("put", user),
+            "users.write",
+            "Makes or changes a user",
+            (shape::<UserChange>(), shape::<UserRow>()),
+            put(users::put),
+        ),
+        Route::write(
+            ("delete", user),
+            "users.write",
+            "Removes a user",
+            (shape::<OwnPassword>(), None),
+            delete(users::delete),
+        ),
+        Route::get("/api/openapi.json", "watch", "This interface", None, get(openapi::document)),
+    ]
+}
+
+/// The whole application.
+pub(crate) fn app(panel: &Arc<Panel>) -> Router {
+    let mut router = Router::new();
+    for route in routes() {
+        let need_of = Need { panel: Arc::clone(panel), action: route.action };
+        router = router.route(route.path, route.handler.layer(middleware::from_fn_with_state(need_of, need)));
+    }
+    router
+        .fallback(assets::serve)
+        .layer(DefaultBodyLimit::max(MOST_BYTES))
+        .layer(middleware::from_fn_with_state(Arc::clone(panel), host))
+        .with_state(Arc::clone(panel))
+}

@@ -1,0 +1,260 @@
+use super::guard::cookie;
+use super::panel::Panel;
+use crate::cell::{Refusal, ToDesk, WHY};
+use crate::users::{Session, may};
+use crate::wire::{AskView, FromCell, JogOf, LackView, ToCell};
+use axum::Extension;
+use axum::extract::State;
+use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
+use axum::http::HeaderMap;
+use axum::response::Response;
+use glam::DVec3;
+use seamwright_cell::executive::{Ask, Command, Origin, REDUCED_MM_S};
+use seamwright_machine::{Joints, MAX_AXES};
+use seamwright_motion::jog::{self, TipFrame};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Most bytes of a message from a panel.
+const MOST_BYTES: usize = 16 << 10;
+/// Messages a second from a panel, and how many may come at once.
+const RATE: f64 = 100.0;
+const BURST: f64 = 200.0;
+/// How often a session is looked at again.
+const CHECK: Duration = Duration::from_secs(2);
+
+pub(super) async fn live(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    headers: HeaderMap,
+    upgrade: WebSocketUpgrade,
+) -> Response {
+    // A cookie is sent with foreign pages' sockets too: the guard has held their origin against the host.
+    debug_assert!(cookie(&headers).is_some());
+    upgrade
+        .max_message_size(MOST_BYTES)
+        .max_frame_size(MOST_BYTES)
+        .on_upgrade(move |socket| async move { talk(&panel, &session, socket).await })
+}
+
+async fn talk(panel: &Arc<Panel>, session: &Session, mut socket: WebSocket) {
+    let hub = &panel.cell.hub;
+    let (station, mut told, mut status) = hub.connect(&session.user);
+    let mut client = Client::new(Arc::clone(panel), session.clone(), station);
+    let mut check = tokio::time::interval(CHECK);
+    loop {
+        tokio::select! {
+            biased;
+            message = socket.recv() => match message {
+                Some(Ok(Message::Text(text))) if client.may_speak() => client.hears(&text),
+                Some(Ok(Message::Ping(_) | Message::Pong(_))) => {}
+                // Too much, something else, or the end.
+                _ => break,
+            },
+            message = told.recv() => match message {
+                Some(text) => if socket.send(Message::Text((*text).into())).await.is_err() { break },
+                // It did not listen.
+                None => break,
+            },
+            changed = status.changed() => {
+                let newest = status.borrow_and_update().clone();
+                let Some(text) = newest.filter(|_| changed.is_ok()) else { continue };
+                if socket.send(Message::Text((*text).into())).await.is_err() { break }
+            }
+            _ = check.tick() => if !panel.sessions.lives(&session.token) { break },
+        }
+    }
+    client.leaves();
+}
+
+/// A connection's side of what it is allowed to say.
+struct Client {
+    panel: Arc<Panel>,
+    session: Session,
+    station: u32,
+    commands: u32,
+    jogs: u32,
+    allowance: f64,
+    spoke: Instant,
+}
+
+impl Client {
+    fn new(panel: Arc<Panel>, session: Session, station: u32) -> Self {
+        Self { panel, session, station, commands: 0, jogs: 0, allowance: BURST, spoke: Instant::now() }
+    }
+
+    /// False once it says too much.
+    fn may_speak(&mut self) -> bool {
+        let since = self.spoke.elapsed().as_secs_f64();
+        self.spoke = Instant::now();
+        self.allowance = (self.allowance + RATE * since).min(BURST) - 1.0;
+        self.allowance >= 0.0
+    }
+
+    fn hears(&mut self, text: &str) {
+        let message = match serde_json::from_str::<ToCell>(text) {
+            Ok(message) => message,
+            Err(e) => return self.answer(0, Err(lack("value", format!("the message is not understood: {e}")))),
+        };
+        match message {
+            ToCell::Beat {} => self.panel.cell.hub.beat(self.station),
+            ToCell::Command { seq, ask } => {
+                if let Err(why) = self.command(seq, &ask) {
+                    self.answer(seq, Err(why));
+                }
+            }
+            ToCell::Jog { seq, of, speeds } => {
+                // Not answered: what is refused does not move.
+                drop(self.jog(seq, of, &speeds));
+            }
+            ToCell::TakeControl { over } => self.take_control(over),
+            ToCell::GiveControl {} => self.panel.cell.hub.give_control(self.station),
+            ToCell::Why { ask } => {
+                let known = WHY.iter().position(|(name, _)| *name == ask);
+                match known {
+                    Some(i) => self.send(i as u32, Ask::Why(WHY[i].1)),
+                    None => {
+                        let names: Vec<&str> = WHY.iter().map(|(name, _)| *name).collect();
+                        self.answer(0, Err(lack("value", format!("`{ask}`; allowed: {}", names.join(", ")))));
+                    }
+                }
+            }
+        }
+    }
+
+    fn allowed(&self, action: &str) -> Result<(), LackView> {
+        if may(self.session.role, action) {
+            return Ok(());
+        }
+        let needed = crate::users::least(action).map_or(String::new(), |r| format!(" (from {r:?} on)").to_lowercase());
+        Err(lack("role", format!("your role does not allow this{needed}")))
+    }
+
+    fn command(&mut self, seq: u32, ask: &AskView) -> Result<(), LackView> {
+        let (name, ask) = executive(ask)?;
+        // Who stops is always heard: without role, token or number.
+        if ask == Ask::Stop {
+            self.panel.cell.urgent.ask(&ask);
+            let archive = &self.panel.cell.archive;
+            archive.audit(&self.session.user, &format!("panel {}", self.station), "stop", ("", ""), "taken");
+            self.answer(seq, Ok(()));
+            return Ok(());
+        }
+        self.allowed(name)?;
+        if seq <= self.commands {
+            return Err(lack(
+                "replayed",
+                format!("command {seq} came before; allowed: greater than {}", self.commands),
+            ));
+        }
+        self.commands = seq;
+        if ask == Ask::Hold {
+            self.panel.cell.urgent.ask(&ask);
+            self.answer(seq, Ok(()));
+            return Ok(());
+        }
+        if !self.panel.cell.hub.controls(self.station, false) {
+            return Err(lack("control", "this page does not have control: take it first"));
+        }
+        self.send(seq, ask);
+        Ok(())
+    }
+
+    fn jog(&mut self, seq: u32, of: JogOf, speeds: &[f64]) -> Result<(), LackView> {
+        self.allowed("jog")?;
+        if seq <= self.jogs {
+            return Err(lack("replayed", "it came before"));
+        }
+        self.jogs = seq;
+        let moves = speeds.iter().any(|v| *v != 0.0);
+        if !self.panel.cell.hub.controls(self.station, moves) {
+            return Err(lack("control", "this page does not have control"));
+        }
+        let part = |v: f64| if v.is_finite() { v.clamp(-1.0, 1.0) } else { 0.0 };
+        let command = match of {
+            _ if !moves => jog::Command::Rest,
+            JogOf::Joints => {
+                let machine = self.panel.cell.hub.machine().ok_or_else(|| lack("work", "there is no machine"))?;
+                let mut all: Joints = [0.0; MAX_AXES];
+                for ((speed, axis), v) in all.iter_mut().zip(&machine.axes).zip(speeds) {
+                    *speed = part(*v) * axis.max_speed;
+                }
+                jog::Command::Speeds(all)
+            }
+            JogOf::Tip => {
+                let at = |i: usize| speeds.get(i).map_or(0.0, |v| part(*v));
+                let velocity = REDUCED_MM_S * DVec3::new(at(0), at(1), at(2)).clamp_length_max(1.0);
+                jog::Command::Tip { frame: TipFrame::Work, velocity }
+            }
+        };
+        self.send(seq, Ask::Jog(command));
+        Ok(())
+    }
+
+    fn take_control(&self, over: bool) {
+        if let Err(why) = self.allowed("take_control") {
+            return self.answer(0, Err(why));
+        }
+        let hub = &self.panel.cell.hub;
+        match hub.take_control(self.station, over) {
+            Ok(()) => {
+                let t = hub.latest().map_or(0.0, |s| s.t);
+                let text = if over { "control taken over" } else { "control taken" };
+                hub.event(t, "control", text, Some(self.session.user.clone()));
+            }
+            Err(Refusal::Jogs) => {
+                self.answer(0, Err(lack("control", "whoever has control moves axes by hand: wait until he lets go")));
+            }
+            Err(Refusal::Held(by)) => {
+                let mut why = lack("control", format!("{} has control, on page {}", by.user, by.station));
+                why.of = vec![by.user];
+                self.answer(0, Err(why));
+            }
+        }
+    }
+
+    fn send(&self, number: u32, ask: Ask) {
+        let command = Command { origin: Origin { user: 0, station: self.station }, number, ask };
+        // A cell that has ended closes all connections.
+        drop(self.panel.cell.desk.send(ToDesk::Command(command)));
+    }
+
+    fn answer(&self, seq: u32, result: Result<(), LackView>) {
+        let answer = FromCell::Answer { seq, ok: result.is_ok(), why: result.err() };
+        self.panel.cell.hub.tell(self.station, &answer);
+    }
+
+    /// The connection has gone: a hand on its keys with it, at once.
+    fn leaves(&self) {
+        if self.panel.cell.hub.controls(self.station, false) {
+            self.send(0, Ask::Jog(jog::Command::Rest));
+        }
+        self.panel.cell.hub.disconnect(self.station);
+    }
+}
+
+fn lack(key: &str, text: impl Into<String>) -> LackView {
+    LackView { key: key.to_owned(), of: Vec::new(), text: text.into() }
+}
+
+/// A command as the executive takes it, with its name in the table of permissions.
+fn executive(ask: &AskView) -> Result<(&'static str, Ask), LackView> {
+    Ok(match ask {
+        AskView::SwitchOn {} => ("switch_on", Ask::SwitchOn),
+        AskView::SwitchOff {} => ("switch_off", Ask::SwitchOff),
+        AskView::Home {} => ("home", Ask::Home),
+        AskView::StartJog {} => ("start_jog", Ask::StartJog),
+        AskView::StartTeach {} => ("start_teach", Ask::StartTeach),
+        AskView::StartDryRun {} => ("start_dry_run", Ask::StartDryRun),
+        AskView::Arm {} => ("arm", Ask::Arm),
+        AskView::StartWeld {} => ("start_weld", Ask::StartWeld),
+        AskView::Hold {} => ("hold", Ask::Hold),
+        AskView::Resume {} => ("resume", Ask::Resume),
+        AskView::Reverse {} => ("reverse", Ask::Reverse),
+        AskView::Stop {} => ("stop", Ask::Stop),
+        AskView::Override { part } if (0.0..=1.0).contains(part) => ("override", Ask::Override(*part)),
+        AskView::Override { part } => return Err(lack("value", format!("override {part}; allowed: 0 to 1"))),
+        AskView::Reset {} => ("reset", Ask::Reset),
+        AskView::Acknowledge {} => ("acknowledge", Ask::Acknowledge),
+    })
+}

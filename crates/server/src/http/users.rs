@@ -1,0 +1,68 @@
+use super::answer::{Answer, Refused};
+use super::panel::Panel;
+use crate::users::Session;
+use crate::wire::{OwnPassword, UserChange, UserRow};
+use axum::extract::{Path, State};
+use axum::http::StatusCode;
+use axum::{Extension, Json};
+use std::sync::Arc;
+
+pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<UserRow>> {
+    Ok(Json(panel.accounts.list()))
+}
+
+/// Whoever changes users says his own password once more; on the first run there is none.
+async fn again(panel: &Arc<Panel>, session: &Session, password: Option<String>) -> Result<(), Refused> {
+    if !panel.accounts.has_admin() {
+        return Ok(());
+    }
+    let (name, panel) = (session.user.clone(), Arc::clone(panel));
+    let password = password.unwrap_or_default();
+    if panel.sessions.waits(&name).is_some() {
+        let text = "too many wrong passwords: wait a moment";
+        return Err(Refused::new(StatusCode::TOO_MANY_REQUESTS, "slow_down", text));
+    }
+    let asked = Arc::clone(&panel);
+    let who = name.clone();
+    let right = tokio::task::spawn_blocking(move || asked.accounts.check(&who, &password)).await?.is_some();
+    panel.sessions.tried(&name, right);
+    if right {
+        return Ok(());
+    }
+    Err(Refused::new(StatusCode::FORBIDDEN, "login", "your own password is needed for this, and it is wrong"))
+}
+
+pub(super) async fn put(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    Path(name): Path<String>,
+    Json(change): Json<UserChange>,
+) -> Answer<UserRow> {
+    again(&panel, &session, change.own_password.clone()).await?;
+    let old = panel.accounts.role(&name).map_or(String::new(), |role| format!("{role:?}"));
+    let (changed, user) = (Arc::clone(&panel), name.clone());
+    let row = tokio::task::spawn_blocking(move || {
+        changed.accounts.put(&user, change.role, change.enabled, change.password.as_deref())
+    })
+    .await??;
+    // What they were allowed before, they are not any more.
+    panel.sessions.end_all_of(&name);
+    let new = format!("{:?}{}", row.role, if row.enabled { "" } else { ", disabled" });
+    panel.cell.archive.audit(&session.user, "panel", &format!("change user {name}"), (&old, &new), "changed");
+    Ok(Json(row))
+}
+
+pub(super) async fn delete(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    Path(name): Path<String>,
+    Json(own): Json<OwnPassword>,
+) -> Result<StatusCode, Refused> {
+    again(&panel, &session, own.own_password).await?;
+    if !panel.accounts.remove(&name)? {
+        return Err(Refused::not_found(format!("there is no user `{name}`")));
+    }
+    panel.sessions.end_all_of(&name);
+    panel.cell.archive.audit(&session.user, "panel", &format!("delete user {name}"), ("", ""), "deleted");
+    Ok(StatusCode::NO_CONTENT)
+}

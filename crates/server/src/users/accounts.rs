@@ -1,0 +1,204 @@
+use crate::wire::{Role, UserRow};
+use argon2::Argon2;
+use argon2::password_hash::phc::PasswordHash;
+use argon2::password_hash::{PasswordHasher, PasswordVerifier};
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// Least characters of a password.
+const LEAST: usize = 10;
+/// Most characters of a name or password.
+const MOST: usize = 128;
+/// Most users.
+const MOST_USERS: usize = 200;
+
+/// What is wrong with a user or password, in words with what is allowed.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub(crate) struct Trouble(pub(crate) String);
+
+fn trouble<T>(text: impl Into<String>) -> Result<T, Trouble> {
+    Err(Trouble(text.into()))
+}
+
+/// The users of a data folder, in `users.json`.
+pub(crate) struct Accounts {
+    path: PathBuf,
+    users: Mutex<Vec<User>>,
+    /// Checked where there is no such user, so that nobody sees from the time who there is.
+    nobody: String,
+}
+
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct User {
+    name: String,
+    role: Role,
+    enabled: bool,
+    /// Argon2id, as a PHC string.
+    hash: String,
+}
+
+impl User {
+    fn row(&self) -> UserRow {
+        UserRow { name: self.name.clone(), role: self.role, enabled: self.enabled }
+    }
+}
+
+impl Accounts {
+    /// # Errors
+    /// A file that cannot be read or understood: nobody is let in by mistake.
+    pub(crate) fn open(folder: &Path) -> Result<Self, Trouble> {
+        let path = folder.join("users.json");
+        let users = match std::fs::read_to_string(&path) {
+            Ok(text) => serde_json::from_str(&text).map_err(|e| Trouble(format!("{}: {e}", path.display())))?,
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => Vec::new(),
+            Err(e) => return trouble(format!("{}: cannot be read: {e}", path.display())),
+        };
+        Ok(Self { path, users: Mutex::new(users), nobody: hash("nobody has this password")? })
+    }
+
+    fn users(&self) -> MutexGuard<'_, Vec<User>> {
+        self.users.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// True once an administrator can log in.
+    pub(crate) fn has_admin(&self) -> bool {
+        self.users().iter().any(|u| u.enabled && u.role == Role::Admin)
+    }
+
+    pub(crate) fn list(&self) -> Vec<UserRow> {
+        self.users().iter().map(User::row).collect()
+    }
+
+    /// The role of an enabled user.
+    pub(crate) fn role(&self, name: &str) -> Option<Role> {
+        self.users().iter().find(|u| u.name == name && u.enabled).map(|u| u.role)
+    }
+
+    /// The role of whoever has this name and password. Takes a while by design.
+    pub(crate) fn check(&self, name: &str, password: &str) -> Option<Role> {
+        let user = self.users().iter().find(|u| u.name == name && u.enabled).cloned();
+        let hash = user.as_ref().map_or(&self.nobody, |u| &u.hash);
+        let hash = PasswordHash::new(hash).ok()?;
+        let right = password.len() <= 4 * MOST && Argon2::default().verify_password(password.as_bytes(), &hash).is_ok();
+        user.filter(|_| right).map(|u| u.role)
+    }
+
+    /// Makes or changes a user; a new one needs a password.
+    ///
+    /// # Errors
+    /// A bad name or password, the last administrator, a file that cannot be written.
+    pub(crate) fn put(
+        &self,
+        name: &str,
+        role: Role,
+        enabled: bool,
+        password: Option<&str>,
+    ) -> Result<UserRow, Trouble> {
+        let good = |c: char| c.is_alphanumeric() || "-_. ".contains(c);
+        if name.trim() != name || name.is_empty() || name.chars().count() > MOST || !name.chars().all(good) {
+            return trouble("the name is not allowed: letters, digits, - _ . and spaces between them, up to 128");
+        }
+        let hash = match password {
+            Some(p) if !(LEAST..=MOST).contains(&p.chars().count()) => {
+                return trouble(format!(
+                    "the password is too short or too long; allowed: {LEAST} to {MOST} characters"
+                ));
+            }
+            Some(p) => Some(hash(p)?),
+            None => None,
+        };
+        let mut users = self.users();
+        let mut changed = users.clone();
+        let full = changed.len() >= MOST_USERS;
+        match (changed.iter_mut().find(|u| u.name == name), hash) {
+            (Some(user), hash) => {
+                (user.role, user.enabled) = (role, enabled);
+                user.hash = hash.unwrap_or_else(|| user.hash.clone());
+            }
+            (None, None) => return trouble("a new user needs a password"),
+            (None, Some(hash)) if !full => {
+                changed.push(User { name: name.to_owned(), role, enabled, hash });
+            }
+            (None, Some(_)) => return trouble(format!("there are too many users; allowed: {MOST_USERS}")),
+        }
+        self.keep(&mut users, changed)?;
+        Ok(UserRow { name: name.to_owned(), role, enabled })
+    }
+
+    /// Removes a user; false if there was none.
+    ///
+    /// # Errors
+    /// The last administrator, a file that cannot be written.
+    pub(crate) fn remove(&self, name: &str) -> Result<bool, Trouble> {
+        let mut users = self.users();
+        let changed: Vec<User> = users.iter().filter(|u| u.name != name).cloned().collect();
+        let was = changed.len() < users.len();
+        self.keep(&mut users, changed)?;
+        Ok(was)
+    }
+
+    fn keep(&self, users: &mut Vec<User>, changed: Vec<User>) -> Result<(), Trouble> {
+        let admin = |users: &[User]| users.iter().any(|u| u.enabled && u.role == Role::Admin);
+        if !changed.is_empty() && !admin(&changed) {
+            return trouble("somebody must be left who can administer: make another enabled user `admin` first");
+        }
+        if changed.is_empty() && admin(users) {
+            return trouble("somebody must be left who can administer");
+        }
+        let text = serde_json::to_string_pretty(&changed).map_err(|e| Trouble(e.to_string()))?;
+        seamwright_project::files::write_secret(&self.path, &(text + "\n")).map_err(|e| Trouble(e.text()))?;
+        *users = changed;
+        Ok(())
+    }
+}
+
+fn hash(password: &str) -> Result<String, Trouble> {
+    Argon2::default()
+        .hash_password(password.as_bytes())
+        .map(|hash| hash.to_string())
+        .map_err(|e| Trouble(format!("the password cannot be hashed: {e}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn users_come_and_go_and_an_admin_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let accounts = Accounts::open(folder.path()).unwrap();
+        assert!(!accounts.has_admin());
+        // The first must be able to administer.
+        assert!(accounts.put("olga", Role::Operator, true, Some("long enough 1")).is_err());
+        accounts.put("ada", Role::Admin, true, Some("correct horse")).unwrap();
+        accounts.put("olga", Role::Operator, true, Some("long enough 1")).unwrap();
+        assert_eq!(accounts.check("ada", "correct horse"), Some(Role::Admin));
+        assert_eq!(accounts.check("ada", "wrong horse!"), None);
+        assert_eq!(accounts.check("nobody", "nobody has this password"), None);
+        for (name, password) in [("", "0123456789"), ("a/b", "0123456789"), ("x", "short"), ("y", &"x".repeat(200))] {
+            assert!(accounts.put(name, Role::Viewer, true, Some(password)).is_err(), "{name} {password}");
+        }
+        assert!(accounts.put("new", Role::Viewer, true, None).is_err());
+        // Neither removed, nor disabled, nor made less.
+        assert!(accounts.remove("ada").is_err());
+        assert!(accounts.put("ada", Role::Admin, false, None).is_err());
+        assert!(accounts.put("ada", Role::Viewer, true, None).is_err());
+        accounts.put("olga", Role::Operator, false, None).unwrap();
+        assert_eq!(accounts.check("olga", "long enough 1"), None);
+        // It is all in the file, and nobody else reads it.
+        let again = Accounts::open(folder.path()).unwrap();
+        assert_eq!(again.check("ada", "correct horse"), Some(Role::Admin));
+        assert_eq!(again.list().len(), 2);
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt as _;
+            let mode = std::fs::metadata(folder.path().join("users.json")).unwrap().permissions().mode();
+            assert_eq!(mode & 0o077, 0);
+        }
+        std::fs::write(folder.path().join("users.json"), "[{}]").unwrap();
+        assert!(Accounts::open(folder.path()).is_err());
+    }
+}

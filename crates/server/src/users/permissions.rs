@@ -1,0 +1,45 @@
+use crate::wire::Role;
+
+/// What each action needs: the one table, checked on the server for everything and shown to the panel. Commands have the names
+/// of [`crate::wire::AskView`].
+pub(crate) const NEEDS: [(&str, Role); 29] = [
+    ("stop", Role::Viewer),
+    ("hold", Role::Operator),
+    ("switch_on", Role::Operator),
+    ("switch_off", Role::Operator),
+    ("home", Role::Operator),
+    ("start_jog", Role::Operator),
+    ("jog", Role::Operator),
+    ("start_teach", Role::Programmer),
+    ("start_dry_run", Role::Operator),
+    ("arm", Role::Operator),
+    ("start_weld", Role::Operator),
+    ("resume", Role::Operator),
+    ("reverse", Role::Operator),
+    ("override", Role::Operator),
+    ("reset", Role::Operator),
+    ("acknowledge", Role::Operator),
+    ("take_control", Role::Operator),
+    ("watch", Role::Viewer),
+    ("jobs.read", Role::Viewer),
+    ("jobs.write", Role::Programmer),
+    ("plan", Role::Programmer),
+    ("edit", Role::Programmer),
+    ("post", Role::Programmer),
+    ("load", Role::Operator),
+    ("records.read", Role::Viewer),
+    ("audit.read", Role::Service),
+    ("backup", Role::Service),
+    ("users.read", Role::Admin),
+    ("users.write", Role::Admin),
+];
+
+/// The least role that may do this; what is not in the table, nobody may.
+pub(crate) fn least(action: &str) -> Option<Role> {
+    NEEDS.iter().find(|(name, _)| *name == action).map(|(_, role)| *role)
+}
+
+/// True if `role` may do this.
+pub(crate) fn may(role: Role, action: &str) -> bool {
+    least(action).is_some_and(|needed| role >= needed)
+}

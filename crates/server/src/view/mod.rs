@@ -1,0 +1,9 @@
+//! Machines and planned programs as the panel sees them.
+
+mod machine;
+mod solid;
+mod work;
+
+pub(crate) use machine::machine_view;
+pub(crate) use solid::rows;
+pub(crate) use work::work_view;

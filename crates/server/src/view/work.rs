@@ -1,0 +1,94 @@
+use super::solid::solid;
+use crate::wire::{FindingView, PassView, PathPoint, WorkView};
+use seamwright_machine::Machine;
+use seamwright_motion::{PassMotion, WeldMotion};
+use seamwright_program::{Finding, Pass};
+use seamwright_project::load::Loaded;
+
+/// Samples of a pass, and of an air move.
+const SAMPLES: usize = 400;
+const AIR_SAMPLES: usize = 40;
+/// Distance from the start within which the end of a pass closes it, mm.
+const CLOSED_MM: f64 = 1e-3;
+
+/// A planned job; findings only, if no motion was found.
+pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&WeldMotion, &[Finding]>) -> WorkView {
+    let program = &loaded.welding.program.value;
+    let machine = &loaded.machine;
+    let mut values: Vec<String> =
+        program.passes.iter().flat_map(|p| &p.spans).flat_map(|s| s.process.keys().cloned()).collect();
+    values.sort();
+    values.dedup();
+    let motion = planned.ok();
+    let passes = motion.map(|m| program.passes.iter().zip(&m.passes)).into_iter().flatten();
+    let findings = planned.map_or_else(|findings| findings, |m| &m.findings);
+    let part = machine.links.frame("work").map_or(0, |f| f.link);
+    WorkView {
+        id,
+        job: job.to_owned(),
+        title: program.title.clone(),
+        machine: machine.name.clone(),
+        passes: passes.map(|(pass, planned)| pass_view(machine, pass, planned, &values)).collect(),
+        values,
+        air: motion.map_or(Vec::new(), |m| m.air.iter().map(|a| air(machine, a)).collect()),
+        part: loaded.clamped.part.iter().map(|s| solid(s, part)).collect(),
+        fixtures: loaded.clamped.fixtures.iter().map(|s| solid(s, part)).collect(),
+        findings: findings.iter().map(finding).collect(),
+        good: motion.is_some() && findings.iter().all(|f| f.allowed),
+        time_s: motion.map_or(0.0, WeldMotion::total_s),
+        from: None,
+    }
+}
+
+fn pass_view(machine: &Machine, pass: &Pass, planned: &PassMotion, values: &[String]) -> PassView {
+    let length = planned.path.length();
+    let path: Vec<PathPoint> = (0..=SAMPLES)
+        .map(|i| {
+            let s = length * i as f64 / SAMPLES as f64;
+            let q = planned.path.at(s);
+            let tip = machine.forward(&q);
+            let law = planned.law.at(planned.law.time(s), &mut 0);
+            PathPoint {
+                s_mm: s,
+                tip: tip.point.to_array(),
+                torch: tip.direction.to_array(),
+                speed_mm_s: planned.tip_speed(machine, law),
+                axes: machine.axes.iter().zip(q).map(|(axis, q)| axis.to_file(q)).collect(),
+                values: values
+                    .iter()
+                    .map(|name| pass.process_at(name, s, (f64::INFINITY, f64::INFINITY)))
+                    .map(|v| v.filter(|v| v.is_finite()))
+                    .collect(),
+            }
+        })
+        .collect();
+    let ends = path.first().zip(path.last()).map(|(a, b)| [a.tip, b.tip].map(glam::DVec3::from_array));
+    PassView {
+        role: pass.known_role().map_or(String::new(), |role| role.name().to_owned()),
+        length_mm: length,
+        time_s: planned.total_s(),
+        speed_mm_s: path.get(SAMPLES / 2).map_or(0.0, |p| p.speed_mm_s),
+        closed: ends.is_some_and(|[a, b]| a.distance(b) < CLOSED_MM),
+        path,
+    }
+}
+
+fn air(machine: &Machine, way: &seamwright_motion::air::AirMove) -> Vec<[f64; 3]> {
+    let legs = way
+        .legs
+        .iter()
+        .flat_map(|leg| (0..=AIR_SAMPLES).map(move |i| leg.at_time(leg.duration() * i as f64 / AIR_SAMPLES as f64)));
+    legs.map(|q| machine.forward(&q).point.to_array()).collect()
+}
+
+fn finding(f: &Finding) -> FindingView {
+    FindingView {
+        kind: f.kind.to_owned(),
+        message: f.message.clone(),
+        pass: f.pass as u32,
+        from_mm: f.from_mm,
+        to_mm: f.to_mm,
+        cure: f.cure.clone(),
+        allowed: f.allowed,
+    }
+}
