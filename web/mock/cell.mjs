@@ -1,0 +1,140 @@
+// What the mock's cell does: modes and one weld played along its path, fast and simple. It decides nothing worth a test.
+import { machine, pose, work } from './weld.mjs';
+
+const STEP_S = 1 / 30;
+const SPEED_UP = 4;
+
+export class Cell {
+  constructor(send) {
+    this.send = send;
+    this.t = 0;
+    this.mode = 'off';
+    this.axes = machine.axes.map((axis) => axis.home * 0.8);
+    this.referenced = false;
+    this.pass = 0;
+    this.s = 0;
+    this.welded = 0;
+    this.override = 1;
+    this.armedUntil = -1;
+    this.before = 'weld';
+    this.work = null;
+    this.events = [];
+    this.alarms = [];
+    this.wants = null;
+    this.number = 0;
+  }
+
+  event(what, text, user = null) {
+    const event = { kind: 'event', number: (this.number += 1), t: this.t, at: new Date().toISOString(), what, text, user };
+    this.events = [...this.events.slice(-99), event];
+    this.send(event);
+  }
+
+  turn(mode) {
+    if (mode === this.mode) return;
+    this.mode = mode;
+    this.event('mode', `${mode}`);
+  }
+
+  load(job, from) {
+    this.work = work((this.work?.id ?? 0) + 1, job, from);
+    this.send({ kind: 'work', work: this.work });
+    this.event('work', `loaded ${job}`);
+  }
+
+  lacks(ask) {
+    const found = [];
+    const allowed = { switch_on: ['off'], home: ['idle', 'ready'], start_jog: ['ready'], start_dry_run: ['ready'], start_weld: ['ready'], resume: ['hold'], reset: ['fault'] }[ask] ?? [];
+    if (allowed.length > 0 && !allowed.includes(this.mode)) found.push({ key: 'mode', of: allowed, text: `allowed in ${allowed.join(', ')}` });
+    if (['start_weld', 'start_dry_run'].includes(ask) && !this.work) found.push({ key: 'work', of: [], text: 'no program is loaded' });
+    const burns = ask === 'start_weld' || (ask === 'resume' && this.before === 'weld');
+    if (burns && this.armedUntil < this.t) found.push({ key: 'arming', of: [], text: 'arm first' });
+    if (ask !== 'reset' && this.alarms.length > 0) found.push({ key: 'alarm', of: [this.alarms[0].name], text: this.alarms[0].name });
+    return found;
+  }
+
+  ask({ do: what, part }) {
+    const [lack] = this.lacks(what);
+    if (lack) return lack;
+    const runs = ['weld', 'dry_run'].includes(this.mode);
+    if (what === 'switch_on') this.turn(this.referenced ? 'ready' : 'idle');
+    else if (what === 'switch_off') this.turn('off');
+    else if (what === 'home') this.turn('homing');
+    else if (what === 'start_jog') this.turn('jog');
+    else if (what === 'arm') this.armedUntil = this.t + 60;
+    else if (what === 'start_weld' || what === 'start_dry_run') {
+      this.before = what === 'start_weld' ? 'weld' : 'dry_run';
+      [this.pass, this.s] = this.work.from ?? [1, 0];
+      this.welded = this.s;
+      this.armedUntil = -1;
+      this.turn(this.before);
+    } else if (what === 'hold') this.turn(runs ? 'hold' : this.mode === 'jog' ? 'ready' : this.mode);
+    else if (what === 'resume') {
+      this.armedUntil = -1;
+      this.turn(this.before);
+    } else if (what === 'stop') {
+      if (runs || this.mode === 'hold') {
+        this.event('left', `pass ${this.pass} at ${this.s.toFixed(1)} mm`);
+        this.pass = 0;
+        this.turn('ready');
+      } else if (['jog', 'homing'].includes(this.mode)) this.turn('ready');
+    } else if (what === 'override') this.override = part;
+    else if (what === 'acknowledge') this.alarms = [];
+    this.event('order', what, 'mock');
+    if (what === 'acknowledge') this.send({ kind: 'alarms', list: this.alarms });
+    return null;
+  }
+
+  jog(of, speeds) {
+    if (this.mode === 'jog' && of === 'joints') this.wants = { speeds, until: this.t + 0.2 };
+  }
+
+  step() {
+    this.t += STEP_S;
+    if (this.mode === 'homing') {
+      this.axes = this.axes.map((q, i) => q + Math.sign(machine.axes[i].home - q) * Math.min(1, Math.abs(machine.axes[i].home - q)));
+      if (this.axes.every((q, i) => Math.abs(q - machine.axes[i].home) < 1e-6)) {
+        this.referenced = true;
+        this.turn('ready');
+      }
+    }
+    if (this.mode === 'jog' && this.wants && this.wants.until > this.t) {
+      this.axes = this.axes.map((q, i) => q + (this.wants.speeds[i] ?? 0) * machine.axes[i].max_speed * STEP_S);
+    }
+    if (this.mode === 'weld' || this.mode === 'dry_run') this.run();
+  }
+
+  run() {
+    const pass = this.work.passes[this.pass - 1];
+    this.s += pass.speed_mm_s * this.override * STEP_S * SPEED_UP;
+    this.welded = Math.max(this.welded, this.s);
+    const point = pass.path.find((p) => p.s_mm >= this.s);
+    if (point) this.axes = point.axes;
+    else if (this.pass < this.work.passes.length) {
+      this.pass += 1;
+      this.s = this.welded = 0;
+      this.event('pass', `pass ${this.pass}`);
+    } else {
+      this.pass = 0;
+      this.turn('ready');
+    }
+  }
+
+  status() {
+    const burns = this.mode === 'weld';
+    const runs = burns || this.mode === 'dry_run';
+    const { links, tip } = pose(this.axes);
+    const noise = () => (Math.random() - 0.5) * 0.02;
+    const powered = !['off', 'fault'].includes(this.mode);
+    return {
+      kind: 'status', t: this.t, mode: this.mode, pass: this.pass, s_mm: this.s, welded_mm: this.welded,
+      speed_mm_s: runs ? this.work.passes[this.pass - 1].speed_mm_s : 0, override_part: this.override, armed: this.armedUntil > this.t, powered,
+      process: { state: burns ? 'burns' : 'off', on: burns, burning: burns, gas: burns, phase: burns ? 'weld' : null,
+        set: burns ? [240, 27, 8] : [null, null, null], measured: burns ? [238 + noise() * 200, 27.1 + noise() * 10, 8] : [0, 0, 0] },
+      axes: this.axes.map((position) => ({ position, set: position, error: runs ? noise() : 0, current: powered ? 0.2 : 0, referenced: this.referenced, fault: false, limit_switch: false })),
+      tip, links, conditions: [true, true],
+      tracking: burns ? { deviation_mm: [0.3 + noise(), 0.1], correction_mm: [0.28, 0.09], confidence: 0.96 } : null,
+      ages: { drives: 0.001, source: 0.004, inputs: 0.01 }, missed: 0, lost: 0, recording: burns ? 1 : null,
+    };
+  }
+}

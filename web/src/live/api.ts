@@ -1,0 +1,92 @@
+import type {
+  AlarmEntry,
+  AuditRow,
+  JobRow,
+  JobText,
+  Load,
+  Login,
+  MachineView,
+  PlanAnswer,
+  RecordRow,
+  RecordView,
+  SessionView,
+  TraceView,
+  Trouble,
+  UserChange,
+  UserRow,
+  WorkView,
+} from './requests';
+
+/** A request that the server refused. */
+export class Refusal extends Error {
+  constructor(
+    readonly status: number,
+    readonly key: string,
+    text: string,
+  ) {
+    super(text);
+  }
+}
+
+/** What must stand in the header of whatever changes something; `login` before there is a session. */
+let token = 'login';
+
+export function useToken(of: string): void {
+  token = of;
+}
+
+async function request<T>(method: string, path: string, body?: unknown, signal?: AbortSignal): Promise<T> {
+  const headers: Record<string, string> = {};
+  if (method !== 'GET') {
+    headers['content-type'] = 'application/json';
+    headers['x-seamwright'] = token;
+  }
+  const text = method === 'GET' ? null : JSON.stringify(body ?? {});
+  let response: Response;
+  try {
+    response = await fetch(path, { method, headers, body: text, signal: signal ?? null, cache: 'no-store' });
+  } catch (error) {
+    if (error instanceof DOMException && error.name === 'AbortError') throw error;
+    throw new Refusal(0, 'lost', String(error));
+  }
+  if (response.status === 204) return undefined as T;
+  if (response.ok) return (await response.json()) as T;
+  const trouble = (await response.json().catch(() => null)) as Trouble | null;
+  throw new Refusal(response.status, trouble?.key ?? 'server', trouble?.text ?? response.statusText);
+}
+
+const name = encodeURIComponent;
+
+/** The server's routes, one function each. */
+export const api = {
+  login: (login: Login) => request<SessionView>('POST', '/api/login', login),
+  logout: () => request<void>('POST', '/api/logout'),
+  session: () => request<SessionView>('GET', '/api/session'),
+  machine: () => request<MachineView>('GET', '/api/machine'),
+  catalogue: () => request<AlarmEntry[]>('GET', '/api/alarms/catalogue'),
+  jobs: () => request<JobRow[]>('GET', '/api/jobs'),
+  job: (of: string) => request<JobText>('GET', `/api/jobs/${name(of)}`),
+  keepJob: (of: string, text: string) => request<JobRow>('PUT', `/api/jobs/${name(of)}`, { text }),
+  deleteJob: (of: string) => request<void>('DELETE', `/api/jobs/${name(of)}`),
+  plan: (text: string, signal?: AbortSignal) => request<PlanAnswer>('POST', '/api/plan', { text }, signal),
+  load: (load: Load) => request<WorkView>('POST', '/api/load', load),
+  post: (text: string, dialect: string) =>
+    request<{ text: string; proof: string }>('POST', '/api/post', { text, dialect }),
+  edit: (text: string, operations: unknown[]) =>
+    request<{ text: string; report: unknown }>('POST', '/api/edit', { text, operations }),
+  records: (query: Record<string, string>) =>
+    request<RecordRow[]>('GET', `/api/records?${new URLSearchParams(query).toString()}`),
+  record: (id: number) => request<RecordView>('GET', `/api/records/${id}`),
+  /** The program as it was welded; null if it is not kept. */
+  recordWork: (id: number) =>
+    request<WorkView | null>('GET', `/api/records/${id}/work`).catch((error: unknown) => {
+      if (error instanceof Refusal && error.status === 404) return null;
+      throw error;
+    }),
+  trace: (id: number, columns: string[], most: number) =>
+    request<TraceView>('GET', `/api/records/${id}/trace?columns=${columns.map(name).join(',')}&most=${most}`),
+  audit: (most: number) => request<AuditRow[]>('GET', `/api/audit?most=${most}`),
+  users: () => request<UserRow[]>('GET', '/api/users'),
+  keepUser: (of: string, change: UserChange) => request<UserRow>('PUT', `/api/users/${name(of)}`, change),
+  deleteUser: (of: string) => request<void>('DELETE', `/api/users/${name(of)}`),
+};

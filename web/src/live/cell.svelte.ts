@@ -1,0 +1,188 @@
+import type {
+  AlarmView,
+  AskView,
+  EventView,
+  FromCell,
+  JogOf,
+  LackView,
+  MachineView,
+  Status,
+  WorkView,
+} from '../wire';
+import { api } from './api';
+import { Link, type Answer, type LinkState } from './socket';
+import { session } from './session.svelte';
+import { Strip } from './strip';
+
+/** What is shown as numbers changes this often at most; charts and the 3D scene take every status. */
+const SHOWN_MS = 100;
+/** Older than this is greyed. */
+export const STALE_MS = 500;
+const MOST_EVENTS = 300;
+
+type Control = { station: number | null; user: string | null; mine: boolean };
+
+/** Everything that the cell has said, for all parts of the panel. */
+class Cell {
+  state = $state<LinkState>('closed');
+  status = $state.raw<Status | null>(null);
+  /** Age of the newest status, ms. */
+  age = $state(Infinity);
+  alarms = $state.raw<AlarmView[]>([]);
+  events = $state.raw<EventView[]>([]);
+  work = $state.raw<WorkView | null>(null);
+  machine = $state.raw<MachineView | null>(null);
+  control = $state.raw<Control>({ station: null, user: null, mine: false });
+  station = $state(0);
+  version = $state('');
+  /** What stands against the command that was last asked about. */
+  lacks = $state.raw<{ ask: string; lacks: LackView[] } | null>(null);
+  /** The last refused command, until the next one. */
+  refused = $state.raw<{ ask: string; why: LackView } | null>(null);
+  /** Where the last pass was left before its end: pass from 1 and the path length up to which it is welded. */
+  left = $state.raw<[number, number] | null>(null);
+  /** Times from asking to the answer, ms. */
+  readonly answerTimes: number[] = [];
+  readonly strip = new Strip();
+
+  readonly stale = $derived(this.age > STALE_MS);
+  readonly mode = $derived(this.status?.mode ?? null);
+  readonly powered = $derived(this.status?.powered ?? false);
+
+  private link: Link | null = null;
+  private worker: Worker | null = null;
+  private ticker: ReturnType<typeof setInterval> | undefined;
+  private heard = -Infinity;
+  private shown = -Infinity;
+  private newest: Status | null = null;
+  private readonly listeners = new Set<(status: Status) => void>();
+
+  begin(): void {
+    if (this.link) return;
+    const scheme = location.protocol === 'https:' ? 'wss' : 'ws';
+    this.link = new Link(`${scheme}://${location.host}/api/live`, {
+      state: (state) => this.turned(state),
+      message: (message) => this.take(message),
+    });
+    this.worker = new Worker(new URL('./beat.worker.ts', import.meta.url), { type: 'module' });
+    this.worker.onmessage = () => this.link?.send({ kind: 'beat' });
+    this.ticker = setInterval(() => this.tick(), SHOWN_MS);
+    this.link.open();
+    void this.askMachine();
+  }
+
+  end(): void {
+    this.link?.close();
+    this.worker?.terminate();
+    clearInterval(this.ticker);
+    this.link = null;
+    this.worker = null;
+  }
+
+  /** Sends a command; `null` keys of the answer mean that it was taken. */
+  async ask(ask: AskView): Promise<Answer> {
+    this.refused = null;
+    const begun = performance.now();
+    const answer = (await this.link?.ask(ask)) ?? { ok: false, why: null };
+    this.answerTimes.push(performance.now() - begun);
+    if (this.answerTimes.length > 200) this.answerTimes.shift();
+    if (!answer.ok && answer.why) this.refused = { ask: ask.do, why: answer.why };
+    return answer;
+  }
+
+  jog(of: JogOf, speeds: number[]): void {
+    this.link?.jog(of, speeds);
+  }
+
+  why(ask: string): void {
+    this.link?.send({ kind: 'why', ask });
+  }
+
+  takeControl(over: boolean): void {
+    this.link?.send({ kind: 'take_control', over });
+  }
+
+  giveControl(): void {
+    this.link?.send({ kind: 'give_control' });
+  }
+
+  /** Calls back for every status, until the function that is returned is called. */
+  onStatus(listener: (status: Status) => void): () => void {
+    this.listeners.add(listener);
+    if (this.newest) listener(this.newest);
+    return () => this.listeners.delete(listener);
+  }
+
+  private async askMachine(): Promise<void> {
+    this.machine = await api.machine().catch(() => this.machine);
+  }
+
+  private turned(state: LinkState): void {
+    this.state = state;
+    if (state === 'open') return;
+    this.control = { station: null, user: null, mine: false };
+    this.lacks = null;
+    // The server may have ended the session.
+    if (state === 'closed') void session.ask();
+  }
+
+  private tick(): void {
+    this.age = performance.now() - this.heard;
+    if (this.newest !== this.status) this.status = this.newest;
+  }
+
+  private take(message: FromCell): void {
+    switch (message.kind) {
+      case 'hello':
+        this.station = message.station;
+        this.version = message.version;
+        if (!this.machine) void this.askMachine();
+        break;
+      case 'status':
+        this.takeStatus(message);
+        break;
+      case 'alarms':
+        this.alarms = message.list;
+        break;
+      case 'event':
+        this.takeEvent(message);
+        break;
+      case 'work':
+        this.work = message.work;
+        break;
+      case 'control':
+        this.control = message;
+        break;
+      case 'why':
+        this.lacks = message;
+        break;
+      case 'answer':
+        break;
+    }
+  }
+
+  private takeStatus(status: Status): void {
+    const now = performance.now();
+    this.heard = now;
+    this.newest = status;
+    this.strip.add(status);
+    // A mode that changed is shown at once.
+    if (now - this.shown >= SHOWN_MS || status.mode !== this.status?.mode) {
+      this.shown = now;
+      this.age = 0;
+      this.status = status;
+    }
+    for (const listener of this.listeners) listener(status);
+  }
+
+  private takeEvent(event: EventView): void {
+    // After a reconnect the last hundred come again.
+    if (this.events.some((e) => e.number === event.number && e.at === event.at)) return;
+    this.events = [event, ...this.events].sort((a, b) => b.number - a.number).slice(0, MOST_EVENTS);
+    if (event.what === 'left' && this.newest && this.newest.pass > 0) {
+      this.left = [this.newest.pass, this.newest.welded_mm];
+    }
+  }
+}
+
+export const cell = new Cell();

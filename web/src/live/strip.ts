@@ -1,0 +1,65 @@
+import type { Status } from '../wire';
+
+const SECONDS = 60;
+const RATE = 30;
+
+/**
+ * The last minute of the status, a ring of columns that charts read without anything being made anew. A column is a
+ * number per status; what is not there is NaN.
+ */
+export class Strip {
+  readonly room = SECONDS * RATE;
+  /** Rows in all since the begin; the newest is at `(count - 1) % room`. */
+  count = 0;
+  readonly t = new Float64Array(this.room);
+  private readonly columns = new Map<string, Float64Array>();
+
+  add(status: Status): void {
+    const at = this.count % this.room;
+    this.t[at] = status.t;
+    this.put('speed', at, status.speed_mm_s * status.override_part);
+    let worst = 0;
+    status.axes.forEach((axis, i) => {
+      this.put(`error ${i}`, at, axis.error);
+      this.put(`current ${i}`, at, axis.current);
+      worst = Math.max(worst, Math.abs(axis.error));
+    });
+    this.put('error', at, worst);
+    const tracking = status.tracking;
+    this.put('deviation', at, tracking?.deviation_mm[0] ?? NaN);
+    this.put('correction', at, tracking?.correction_mm[0] ?? NaN);
+    this.put('height deviation', at, tracking?.deviation_mm[1] ?? NaN);
+    this.put('height correction', at, tracking?.correction_mm[1] ?? NaN);
+    status.process.measured.forEach((value, i) => this.put(`value ${i}`, at, value ?? NaN));
+    status.process.set.forEach((value, i) => this.put(`set ${i}`, at, value ?? NaN));
+    this.count += 1;
+  }
+
+  /** Times before the newest one (s, negative) and the columns of the last `seconds`, the oldest first. */
+  last(seconds: number, names: string[]): [number[], ...(number | null)[][]] {
+    const have = Math.min(this.count, this.room);
+    const rows: number[] = [];
+    const newest = this.t[(this.count - 1) % this.room] ?? 0;
+    for (let i = this.count - have; i < this.count; i += 1) {
+      if (newest - (this.t[i % this.room] ?? 0) <= seconds) rows.push(i % this.room);
+    }
+    const times = rows.map((at) => (this.t[at] ?? 0) - newest);
+    const columns = names.map((name) => {
+      const column = this.columns.get(name);
+      return rows.map((at) => {
+        const value = column?.[at];
+        return value === undefined || Number.isNaN(value) ? null : value;
+      });
+    });
+    return [times, ...columns];
+  }
+
+  private put(name: string, at: number, value: number): void {
+    let column = this.columns.get(name);
+    if (!column) {
+      column = new Float64Array(this.room).fill(NaN);
+      this.columns.set(name, column);
+    }
+    column[at] = value;
+  }
+}

@@ -1,0 +1,46 @@
+/** A number with a decimal point in every language, and a true minus sign; what is not there is a dash. */
+export function number(value: number | null | undefined, digits: number): string {
+  if (value === null || value === undefined || !Number.isFinite(value)) return '–';
+  const text = value.toFixed(digits);
+  // No -0.00: the sign of nothing flickers.
+  return Number(text) === 0 ? text.replace('-', '') : text.replace('-', '\u2212');
+}
+
+/** Splits the name of a process value, which ends in its unit, as `wire_feed_m_min`. */
+export function valueName(name: string): { title: string; unit: string } {
+  const unit = /_(a|v|kv|ma|w|kw|mm|m_min|mm_s|mm_min|l_min|hz|khz|deg|s|ms|percent|mbar|bar|c|k|kj_mm)$/.exec(name);
+  if (!unit) return { title: name.replaceAll('_', ' '), unit: '' };
+  const words: Record<string, string> = {
+    a: 'A', v: 'V', kv: 'kV', ma: 'mA', w: 'W', kw: 'kW', mm: 'mm', m_min: 'm/min', mm_s: 'mm/s', mm_min: 'mm/min',
+    l_min: 'l/min', hz: 'Hz', khz: 'kHz', deg: '°', s: 's', ms: 'ms', percent: '%', mbar: 'mbar', bar: 'bar', c: '°C',
+    k: 'K', kj_mm: 'kJ/mm',
+  };
+  return { title: name.slice(0, unit.index).replaceAll('_', ' '), unit: words[unit[1] ?? ''] ?? '' };
+}
+
+/** `mm` or `°` of an axis. */
+export function axisUnit(unit: string): string {
+  return unit === 'deg' ? '°' : unit;
+}
+
+/** Minutes and seconds. */
+export function duration(seconds: number): string {
+  if (!Number.isFinite(seconds)) return '–';
+  const whole = Math.max(0, Math.round(seconds));
+  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, '0')}`;
+}
+
+/** Time of day of an RFC 3339 time, in the browser's zone. */
+export function timeOfDay(at: string): string {
+  const time = new Date(at);
+  return Number.isNaN(time.getTime()) ? at : time.toTimeString().slice(0, 8);
+}
+
+/** Day and time of an RFC 3339 time, in the browser's zone. */
+export function dayAndTime(at: string | null): string {
+  if (!at) return '–';
+  const time = new Date(at);
+  if (Number.isNaN(time.getTime())) return at;
+  const two = (n: number): string => String(n).padStart(2, '0');
+  return `${time.getFullYear()}-${two(time.getMonth() + 1)}-${two(time.getDate())} ${time.toTimeString().slice(0, 5)}`;
+}

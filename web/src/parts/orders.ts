@@ -1,0 +1,42 @@
+import type { AskView } from '../wire';
+
+/** A command without numbers. */
+export type Order = Exclude<AskView['do'], 'override'>;
+
+/** Modes in which a command has a meaning: for greying only, the cell decides. Hold and stop have one in all. */
+const MODES: Partial<Record<Order, string[]>> = {
+  switch_on: ['off'],
+  switch_off: ['idle', 'ready'],
+  home: ['idle', 'ready'],
+  start_jog: ['ready'],
+  start_teach: ['ready'],
+  start_dry_run: ['ready'],
+  arm: ['ready', 'hold'],
+  start_weld: ['ready'],
+  resume: ['hold'],
+  reverse: ['hold'],
+  reset: ['fault'],
+};
+
+export function hasMeaning(order: Order, mode: string | null): boolean {
+  const modes = MODES[order];
+  return mode !== null && (modes === undefined || modes.includes(mode));
+}
+
+/** The command that an operator most likely wants next, and which the checklist is about. */
+export function next(mode: string | null): Order | null {
+  switch (mode) {
+    case 'off':
+      return 'switch_on';
+    case 'idle':
+      return 'home';
+    case 'ready':
+      return 'start_weld';
+    case 'hold':
+      return 'resume';
+    case 'fault':
+      return 'reset';
+    default:
+      return null;
+  }
+}

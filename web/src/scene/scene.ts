@@ -1,0 +1,379 @@
+import {
+  AmbientLight,
+  ArrowHelper,
+  Box3,
+  Color,
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  PerspectiveCamera,
+  Plane,
+  Quaternion,
+  Raycaster,
+  Scene as World,
+  SphereGeometry,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import type { MachineView, PathPoint, Status, WorkView } from '../wire';
+import type { ColourBy, Scale } from './colours';
+import { Passes, release } from './passes';
+import { matrix } from './shapes';
+import { solid } from './solids';
+import { Trace } from './trace';
+import { Measure } from './measure';
+
+export type View = 'fit' | 'top' | 'front' | 'side' | 'torch';
+export type Layer = 'machine' | 'part' | 'zones' | 'air' | 'trace';
+export type Cut = { axis: 'x' | 'y' | 'z'; part: number } | null;
+
+const PICK_PX = 16;
+const TORCH_MM = 70;
+const NO_MOVE = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
+/** A frozen clock: the scene takes the first status and no other, for pictures that are always the same. */
+const FROZEN = new URLSearchParams(location.search).has('freeze');
+
+/**
+ * The cell in 3D. It is told what there is and draws it when something has changed; nothing else of the panel knows three.
+ * Inside `root` z is up and the machine's base stands still; `links` move as the status says, and work and passes with the
+ * link of the work.
+ */
+export class Scene {
+  /** Called with the pass (from 0) and the sample that was picked. */
+  onPick: (pass: number, point: number) => void = () => undefined;
+  onScale: (scale: Scale | null) => void = () => undefined;
+  readonly measure: Measure;
+
+  private readonly renderer: WebGLRenderer;
+  private readonly world = new World();
+  private readonly camera = new PerspectiveCamera(35, 1, 1, 40_000);
+  private readonly controls: OrbitControls;
+  private readonly root = new Group();
+  private links: Group[] = [];
+  private readonly machineParts: Group[] = [];
+  private readonly zones: Group[] = [];
+  private readonly parts: Group[] = [];
+  private readonly passes = new Passes();
+  private readonly trace = new Trace();
+  private readonly torch = new ArrowHelper(new Vector3(0, 0, 1), new Vector3(), TORCH_MM, 0x222222, 14, 7);
+  private readonly tip = new Mesh(new SphereGeometry(4, 24, 12), new MeshBasicMaterial({ color: 0x333333 }));
+  private readonly mark = new ArrowHelper(new Vector3(0, 0, 1), new Vector3(), TORCH_MM, 0x0b4fa8, 14, 8);
+  private readonly cut = new Plane(new Vector3(0, 0, -1), 0);
+  private readonly cuts: Plane[] = [];
+  private machine: MachineView | null = null;
+  private work: WorkView | null = null;
+  private status: Status | null = null;
+  private by: ColourBy = { kind: 'pass' };
+  private asked = 0;
+  private fitted = '';
+  private readonly hidden = new Set<Layer>();
+  private readonly watch: ResizeObserver;
+  private pressed: Vector2 | null = null;
+
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly live: boolean,
+  ) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: FROZEN });
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.localClippingEnabled = true;
+    this.camera.up.set(0, 0, 1);
+    this.camera.position.set(900, -1300, 900);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.addEventListener('change', this.draw);
+    this.world.add(this.root, new AmbientLight(0xffffff, 0.9), new HemisphereLight(0xffffff, 0x8a8f95, 1.2));
+    const sun = new DirectionalLight(0xffffff, 1.6);
+    sun.position.set(0.4, -0.8, 1);
+    this.world.add(sun);
+    this.mark.visible = false;
+    this.torch.visible = this.tip.visible = live;
+    this.trace.line.visible = live;
+    this.measure = new Measure(this.draw);
+    this.world.add(this.measure.group);
+    canvas.addEventListener('pointerdown', this.press);
+    canvas.addEventListener('pointerup', this.lift);
+    this.watch = new ResizeObserver(() => this.resize());
+    this.watch.observe(canvas.parentElement ?? canvas);
+    this.resize();
+  }
+
+  end(): void {
+    cancelAnimationFrame(this.asked);
+    this.watch.disconnect();
+    this.controls.dispose();
+    release(this.root);
+    this.renderer.dispose();
+  }
+
+  background(colour: string): void {
+    this.world.background = new Color(colour);
+    this.draw();
+  }
+
+  setMachine(machine: MachineView | null): void {
+    if (this.machine === machine) return;
+    this.machine = machine;
+    release(this.root);
+    this.links = [];
+    this.machineParts.length = this.zones.length = 0;
+    if (machine) {
+      for (const view of machine.solids) this.machineParts.push(this.onLink(view.link, solid(view, 'machine', this.cuts, !this.live)));
+      for (const zone of machine.zones) {
+        const kind = zone.permitted ? 'permitted' : 'forbidden';
+        for (const view of zone.solids) this.zones.push(this.onLink(view.link, solid(view, kind, this.cuts, false)));
+      }
+    }
+    this.place().add(this.passes.group, this.passes.air, this.trace.line, this.torch, this.tip, this.mark);
+    this.stand();
+    const work = this.work;
+    this.work = null;
+    this.parts.length = 0;
+    this.setWork(work);
+  }
+
+  setWork(work: WorkView | null): void {
+    if (this.work === work) return;
+    this.work = work;
+    for (const part of this.parts) {
+      const parent = part.parent as Group | null;
+      parent?.remove(part);
+      const holder = new Group();
+      holder.add(part);
+      release(holder);
+    }
+    this.parts.length = 0;
+    this.trace.clear();
+    for (const view of work?.part ?? []) this.parts.push(this.onLink(view.link, solid(view, 'part', this.cuts, false)));
+    for (const view of work?.fixtures ?? []) this.parts.push(this.onLink(view.link, solid(view, 'fixture', this.cuts, false)));
+    this.onScale(this.passes.set(work, this.by));
+    this.showLayers();
+    const name = `${this.machine?.name ?? ''}/${work?.job ?? ''}`;
+    if (name !== this.fitted && this.machine) {
+      this.fitted = name;
+      this.view('fit');
+    }
+    this.draw();
+  }
+
+  setStatus(status: Status): void {
+    if (FROZEN && this.status) return;
+    const before = this.status;
+    this.status = status;
+    this.links.forEach((group, i) => {
+      if (group) group.matrix.copy(matrix(status.links[i] ?? NO_MOVE));
+    });
+    this.stand();
+    const [x, y, z, ax, ay, az] = status.tip;
+    this.tip.position.set(x, y, z);
+    this.torch.position.set(x, y, z);
+    this.torch.setDirection(new Vector3(ax, ay, az).normalize());
+    const burns = status.process.burning;
+    this.tip.material.color.set(burns ? 0xffa800 : 0x333333);
+    this.tip.scale.setScalar(burns ? 1.8 : 1);
+    const runs = (of: Status | null): boolean => of?.mode === 'weld' || of?.mode === 'dry_run';
+    if (runs(status) && before?.mode === 'ready') this.trace.clear();
+    if (runs(status)) this.trace.add(x, y, z, burns);
+    this.draw();
+  }
+
+  /** Puts the marked torch to a sample of a pass, or takes it away. */
+  setMark(point: Pick<PathPoint, 'tip' | 'torch'> | null): void {
+    this.mark.visible = point !== null;
+    if (point) {
+      this.mark.position.set(...point.tip);
+      // The arrow's head is at the tip of the torch.
+      const along = new Vector3(...point.torch).normalize();
+      this.mark.position.addScaledVector(along, TORCH_MM);
+      this.mark.setDirection(along.negate());
+    }
+    this.draw();
+  }
+
+  setColours(by: ColourBy): void {
+    this.by = by;
+    this.onScale(this.passes.set(this.work, by));
+    this.draw();
+  }
+
+  setLayer(layer: Layer, shown: boolean): void {
+    if (shown) this.hidden.delete(layer);
+    else this.hidden.add(layer);
+    this.showLayers();
+    this.draw();
+  }
+
+  /** Cuts machine and part open, looking along the axis; `part` of the way through what there is. */
+  setCut(cut: Cut): void {
+    this.cuts.length = 0;
+    if (cut) {
+      const box = this.box();
+      const at = box.min[cut.axis] + (box.max[cut.axis] - box.min[cut.axis]) * cut.part;
+      const normal = new Vector3();
+      normal[cut.axis] = -1;
+      this.cut.set(normal, at);
+      this.cuts.push(this.cut);
+    }
+    this.root.traverse((object) => {
+      if (object instanceof Mesh) for (const material of [object.material].flat()) material.needsUpdate = true;
+    });
+    this.draw();
+  }
+
+  view(view: View): void {
+    const box = this.box();
+    const middle = box.getCenter(new Vector3());
+    const radius = Math.max(box.getSize(new Vector3()).length() / 2, 30);
+    const narrow = Math.min(1, this.camera.aspect);
+    let away = radius / Math.sin((this.camera.fov / 2) * (Math.PI / 180)) / narrow;
+    let from = new Vector3(0.55, -0.75, 0.6);
+    if (view === 'top') from = new Vector3(0, -0.001, 1);
+    if (view === 'front') from = new Vector3(0, -1, 0.02);
+    if (view === 'side') from = new Vector3(1, 0, 0.02);
+    if (view === 'torch' && this.status) {
+      // Over the torch's shoulder: a little off its axis, near enough to see the pool.
+      middle.copy(this.tip.getWorldPosition(new Vector3()));
+      const axis = new Vector3(this.status.tip[3], this.status.tip[4], this.status.tip[5]);
+      from = axis.transformDirection(this.place().matrixWorld).add(new Vector3(0.5, -0.5, 0.1));
+      away = 320;
+    }
+    this.controls.target.copy(middle);
+    this.camera.position.copy(middle).addScaledVector(from.normalize(), away);
+    this.camera.near = away / 200;
+    this.camera.far = away * 20;
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.draw();
+  }
+
+  /** Draws with the next frame; any number of calls until then are one. */
+  readonly draw = (): void => {
+    if (this.asked !== 0) return;
+    this.asked = requestAnimationFrame(() => {
+      this.asked = 0;
+      this.renderer.render(this.world, this.camera);
+    });
+  };
+
+  private showLayers(): void {
+    const shows = (layer: Layer): boolean => !this.hidden.has(layer);
+    this.machineParts.forEach((group) => (group.visible = shows('machine')));
+    this.parts.forEach((group) => (group.visible = shows('part')));
+    this.zones.forEach((group) => (group.visible = shows('zones')));
+    this.passes.air.visible = shows('air');
+    this.trace.line.visible = this.live && shows('trace');
+  }
+
+  /** The group of a link, made when it is first asked for. */
+  private link(index: number): Group {
+    let group = this.links[index];
+    if (!group) {
+      group = new Group();
+      group.matrixAutoUpdate = false;
+      group.matrix.copy(matrix(this.status?.links[index] ?? NO_MOVE));
+      this.links[index] = group;
+      this.root.add(group);
+    }
+    return group;
+  }
+
+  private onLink(index: number, group: Group): Group {
+    this.link(index).add(group);
+    return group;
+  }
+
+  /** The link that the work is on. */
+  private place(): Group {
+    const frame = this.machine?.frames.find((f) => f.name === 'work');
+    return this.link(frame?.link ?? this.machine?.base ?? 0);
+  }
+
+  /** Turns the root so that z is up and the base rests, whatever the links are counted from. */
+  private stand(): void {
+    const machine = this.machine;
+    const up = new Vector3(...(machine?.up ?? [0, 0, 1]));
+    const base = machine?.frames.find((f) => f.name === 'base');
+    if (base) up.transformDirection(matrix(base.frame));
+    const turn = new Quaternion().setFromUnitVectors(up.normalize(), new Vector3(0, 0, 1));
+    const moved = machine ? (this.links[machine.base]?.matrix ?? new Matrix4()) : new Matrix4();
+    this.root.matrixAutoUpdate = false;
+    this.root.matrix.makeRotationFromQuaternion(turn).multiply(moved.clone().invert());
+    this.root.updateMatrixWorld(true);
+  }
+
+  /** What there is to look at: passes and part, else the machine. */
+  private box(): Box3 {
+    this.root.updateMatrixWorld(true);
+    const box = new Box3();
+    for (const line of this.passes.group.children) box.expandByObject(line);
+    for (const part of this.parts) {
+      const size = new Box3().setFromObject(part).getSize(new Vector3()).length();
+      // A long shell or plate would make the seam a dot.
+      if (box.isEmpty() || size < 3 * box.getSize(new Vector3()).length()) box.expandByObject(part);
+    }
+    if (box.isEmpty()) for (const part of this.machineParts) box.expandByObject(part);
+    if (box.isEmpty()) box.set(new Vector3(-200, -200, -200), new Vector3(200, 200, 200));
+    return box;
+  }
+
+  private readonly press = (event: PointerEvent): void => {
+    this.pressed = new Vector2(event.clientX, event.clientY);
+  };
+
+  private readonly lift = (event: PointerEvent): void => {
+    const moved = this.pressed?.distanceTo(new Vector2(event.clientX, event.clientY)) ?? Infinity;
+    if (moved > 5) return;
+    const area = this.canvas.getBoundingClientRect();
+    const at = new Vector2(event.clientX - area.left, event.clientY - area.top);
+    const near = this.nearest(at, area);
+    if (this.measure.active) {
+      const place = near ? near.place : this.surface(at, area);
+      if (place) this.measure.take(place);
+    } else if (near) {
+      this.onPick(near.pass, near.point);
+    }
+  };
+
+  /** The sample of a pass nearest to a place on the screen, if it is near enough. */
+  private nearest(at: Vector2, area: DOMRect): { pass: number; point: number; place: Vector3 } | null {
+    const toWorld = this.place().matrixWorld;
+    let best: { pass: number; point: number; place: Vector3 } | null = null;
+    let least = PICK_PX;
+    const place = new Vector3();
+    const screen = new Vector3();
+    this.work?.passes.forEach((pass, p) =>
+      pass.path.forEach((sample, i) => {
+        place.set(...sample.tip).applyMatrix4(toWorld);
+        screen.copy(place).project(this.camera);
+        const x = ((screen.x + 1) / 2) * area.width;
+        const y = ((1 - screen.y) / 2) * area.height;
+        const far = Math.hypot(x - at.x, y - at.y);
+        if (screen.z < 1 && far < least) {
+          least = far;
+          best = { pass: p, point: i, place: place.clone() };
+        }
+      }),
+    );
+    return best;
+  }
+
+  private surface(at: Vector2, area: DOMRect): Vector3 | null {
+    const ray = new Raycaster();
+    ray.setFromCamera(new Vector2((at.x / area.width) * 2 - 1, 1 - (at.y / area.height) * 2), this.camera);
+    const hit = ray.intersectObject(this.root, true).find((h) => h.object.userData['pick'] === true);
+    return hit?.point ?? null;
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.canvas.parentElement ?? this.canvas;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+}

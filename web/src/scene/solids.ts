@@ -1,0 +1,63 @@
+import {
+  DoubleSide,
+  EdgesGeometry,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshStandardMaterial,
+  type Plane,
+} from 'three';
+import type { SolidView } from '../wire';
+import { geometry, matrix } from './shapes';
+
+/** What a solid is; it says how it is drawn. */
+export type Kind = 'machine' | 'part' | 'fixture' | 'permitted' | 'forbidden';
+
+const LOOKS: Record<Kind, { colour: number; opacity: number }> = {
+  machine: { colour: 0x8d969e, opacity: 1 },
+  part: { colour: 0xb7bfc7, opacity: 1 },
+  fixture: { colour: 0x98907f, opacity: 1 },
+  permitted: { colour: 0x4d7a5c, opacity: 0.06 },
+  forbidden: { colour: 0xa05050, opacity: 0.16 },
+};
+const SHARP_DEG = 30;
+
+/** A solid with its edges, in the frame of its link. */
+export function solid(view: SolidView, kind: Kind, cuts: Plane[], ghost: boolean): Group {
+  const look = LOOKS[kind];
+  const opacity = ghost && kind === 'machine' ? 0.22 : look.opacity;
+  const zone = kind === 'permitted' || kind === 'forbidden';
+  const made = geometry(view.shape);
+  const surface = new Mesh(
+    made,
+    new MeshStandardMaterial({
+      color: look.colour,
+      roughness: 0.75,
+      metalness: 0.1,
+      transparent: opacity < 1,
+      opacity,
+      depthWrite: opacity === 1,
+      side: DoubleSide,
+      clippingPlanes: zone ? [] : cuts,
+      flatShading: view.shape.kind === 'mesh',
+    }),
+  );
+  const edges = new LineSegments(
+    new EdgesGeometry(made, SHARP_DEG),
+    new LineBasicMaterial({
+      color: zone ? look.colour : 0x3d444b,
+      transparent: true,
+      opacity: zone ? 0.7 : ghost && kind === 'machine' ? 0.35 : 0.55,
+      clippingPlanes: zone ? [] : cuts,
+    }),
+  );
+  const group = new Group();
+  group.add(surface, edges);
+  group.name = view.name;
+  group.matrixAutoUpdate = false;
+  group.matrix.copy(matrix(view.frame));
+  // What is cut off, endless or to be looked through is nothing to be picked.
+  surface.userData['pick'] = !zone && view.shape.kind !== 'half_space';
+  return group;
+}

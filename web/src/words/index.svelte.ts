@@ -1,0 +1,50 @@
+import { alarms, type AlarmWords } from './alarms';
+import { de } from './de';
+import { en, type Key, type Table } from './en';
+import { ru } from './ru';
+import { uk } from './uk';
+import { zh } from './zh';
+
+export type { Key } from './en';
+
+/** Languages by their codes, each called by its own name. */
+export const languages = { en: 'English', uk: 'Українська', zh: '中文', de: 'Deutsch', ru: 'Русский' } as const;
+export type Language = keyof typeof languages;
+
+const tables: Record<Language, Table> = { en, uk, zh, de, ru };
+const KEPT = 'seamwright.language';
+
+function first(): Language {
+  const codes = [localStorage.getItem(KEPT), ...navigator.languages.map((code) => code.slice(0, 2))];
+  return (codes.find((code) => code !== null && code in languages) as Language | undefined) ?? 'en';
+}
+
+class Words {
+  language = $state<Language>(first());
+
+  choose(language: Language): void {
+    this.language = language;
+    localStorage.setItem(KEPT, language);
+    document.documentElement.lang = language;
+  }
+}
+
+export const words = new Words();
+
+/** The words of a key in the chosen language, `{0}`, `{1}` .. filled in. */
+export function t(key: Key, ...of: (string | number)[]): string {
+  const text = tables[words.language][key];
+  return of.length === 0 ? text : text.replace(/\{(\d)\}/g, (_, i: string) => String(of[Number(i)] ?? ''));
+}
+
+/** The words of a key that is made of what the cell sent; what has no words is shown as it came. */
+export function named(prefix: string, name: string): string {
+  const key = `${prefix}.${name.replaceAll(' ', '_')}`;
+  return key in en ? t(key as Key) : name;
+}
+
+/** An alarm in the chosen language; one that has no words here keeps those of the cell. */
+export function alarmWords(of: AlarmWords & { name: string }): AlarmWords & { name: string } {
+  const row = alarms[words.language][of.name as keyof typeof alarms.en] as AlarmWords & { title: string } | undefined;
+  return row ? { name: row.title, cause: row.cause, consequence: row.consequence, action: row.action } : of;
+}

@@ -1,0 +1,2 @@
+import { en, type Table } from './en';
+export const ru: Table = en;

@@ -1,0 +1,2 @@
+import { en, type Table } from './en';
+export const uk: Table = en;
