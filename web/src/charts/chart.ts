@@ -11,6 +11,8 @@ export type ChartSettings = {
   /** Fixed ends of the horizontal axis; else those of the data. */
   from?: number;
   to?: number;
+  /** The least height of the vertical axis: noise of the last digit shall not fill the chart. */
+  least?: number;
   /** Called with the index under the cursor, or null. */
   cursor?: (index: number | null) => void;
   /** Called when a place is pressed. */
@@ -72,12 +74,11 @@ export class Chart {
       },
       scales: {
         x: { time: false, ...(from !== undefined && to !== undefined ? { range: [from, to] as [number, number] } : {}) },
-        // A flat line gets room above and below, so that noise of the last digit does not fill the chart.
-        y: { range: (_, least, most) => ends(least, most) },
+        y: { range: (_, least, most) => ends(least, most, settings.least ?? 0) },
       },
       axes: [
         { ...axis, size: 20, space: 60, values: (_, ticks) => ticks.map((tick) => `${plain(tick)}`) },
-        { ...axis, size: 44, space: 24, values: (_, ticks) => ticks.map(plain) },
+        { ...axis, size: 50, space: 24, values: (_, ticks) => ticks.map(plain) },
       ],
       series: [
         {},
@@ -98,8 +99,9 @@ function plain(value: number): string {
   return String(Number(value.toPrecision(4))).replace('-', '\u2212');
 }
 
-export function ends(least: number | null, most: number | null): [number, number] {
-  if (least === null || most === null || !Number.isFinite(least) || !Number.isFinite(most)) return [0, 1];
-  const room = Math.max((most - least) * 0.1, Math.abs(most) * 0.02, 1e-4);
+/** Ends of the vertical axis: a tenth of room, and at least `height` in all. */
+export function ends(least: number | null, most: number | null, height: number): [number, number] {
+  if (least === null || most === null || !Number.isFinite(least) || !Number.isFinite(most)) return [0, height || 1];
+  const room = Math.max((most - least) * 0.1, (height - (most - least)) / 2, Math.abs(most) * 0.01, 1e-6);
   return [least - room, most + room];
 }

@@ -67,7 +67,6 @@ export class Editor {
           this.look.of(lookOf(false)),
           keymap.of([...defaultKeymap, ...historyKeymap, indentWithTab]),
           EditorView.contentAttributes.of({ 'aria-label': label }),
-          EditorView.lineWrapping,
           EditorView.updateListener.of((update) => {
             if (update.docChanged) changed(update.state.doc.toString());
           }),

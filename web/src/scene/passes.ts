@@ -1,4 +1,4 @@
-import { BufferGeometry, Group, Line, LineDashedMaterial, Vector3, type Material } from 'three';
+import { BufferGeometry, Color, Group, Line, LineDashedMaterial, SRGBColorSpace, Vector3, type Material } from 'three';
 import { Line2 } from 'three/examples/jsm/lines/Line2.js';
 import { LineGeometry } from 'three/examples/jsm/lines/LineGeometry.js';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
@@ -23,11 +23,8 @@ export class Passes {
       for (const point of pass.path) {
         positions.push(...point.tip);
         const number = numberOf(point, by, work.values);
-        if (shown && number !== null) {
-          colours.push(...ramp((number - shown.least) / Math.max(shown.most - shown.least, 1e-9)));
-        } else {
-          colours.push(...passColour(i));
-        }
+        const part = shown && number !== null ? (number - shown.least) / Math.max(shown.most - shown.least, 1e-9) : null;
+        new Color().setRGB(...(part === null ? passColour(i) : ramp(part)), SRGBColorSpace).toArray(colours, colours.length);
       }
       const geometry = new LineGeometry();
       geometry.setPositions(positions);

@@ -39,6 +39,10 @@ export function solid(view: SolidView, kind: Kind, cuts: Plane[], ghost: boolean
       opacity,
       depthWrite: opacity === 1,
       side: DoubleSide,
+      // A little behind: lines on the surface are to be seen whole.
+      polygonOffset: true,
+      polygonOffsetFactor: 2,
+      polygonOffsetUnits: 8,
       clippingPlanes: zone ? [] : cuts,
       flatShading: view.shape.kind === 'mesh',
     }),

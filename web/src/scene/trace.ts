@@ -1,52 +1,59 @@
-import { BufferAttribute, BufferGeometry, Line, LineBasicMaterial } from 'three';
+import { InstancedInterleavedBuffer, InterleavedBufferAttribute } from 'three';
+import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 
 const ROOM = 8192;
 /** Nearer than this to the one before, a place adds nothing, mm. */
-const STEP_MM = 0.2;
+const STEP_MM = 0.4;
+const BURNT = [1, 0.35, 0];
+const DRY = [0.1, 0.1, 0.12];
 
-/**
- * Where the tip has been: a ring, each place written twice, so that the newest `ROOM` are always one run of the buffer and
- * drawing needs no copy.
- */
+/** Where the tip has been: a ring of pieces, the oldest written over; one piece goes to the graphics card at a time. */
 export class Trace {
-  readonly line: Line;
-  private readonly positions = new Float32Array(ROOM * 2 * 3);
-  private readonly colours = new Float32Array(ROOM * 2 * 3);
+  readonly line: LineSegments2;
+  private readonly places = new InstancedInterleavedBuffer(new Float32Array(ROOM * 6), 6, 1);
+  private readonly colours = new InstancedInterleavedBuffer(new Float32Array(ROOM * 6), 6, 1);
+  private readonly geometry = new LineSegmentsGeometry();
   private count = 0;
   private last: [number, number, number] | null = null;
 
   constructor() {
-    const made = new BufferGeometry();
-    made.setAttribute('position', new BufferAttribute(this.positions, 3));
-    made.setAttribute('color', new BufferAttribute(this.colours, 3));
-    made.setDrawRange(0, 0);
-    this.line = new Line(made, new LineBasicMaterial({ vertexColors: true, depthTest: false }));
+    const { geometry, places, colours } = this;
+    geometry.setAttribute('instanceStart', new InterleavedBufferAttribute(places, 3, 0));
+    geometry.setAttribute('instanceEnd', new InterleavedBufferAttribute(places, 3, 3));
+    geometry.setAttribute('instanceColorStart', new InterleavedBufferAttribute(colours, 3, 0));
+    geometry.setAttribute('instanceColorEnd', new InterleavedBufferAttribute(colours, 3, 3));
+    geometry.instanceCount = 0;
+    // A little before the pass that it lies on.
+    const material = new LineMaterial({ linewidth: 6, vertexColors: true, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -4 });
+    this.line = new LineSegments2(geometry, material);
     this.line.frustumCulled = false;
-    this.line.renderOrder = 3;
+    this.line.renderOrder = 2;
   }
 
   clear(): void {
     this.count = 0;
     this.last = null;
-    this.line.geometry.setDrawRange(0, 0);
+    this.geometry.instanceCount = 0;
   }
 
   add(x: number, y: number, z: number, burns: boolean): void {
-    if (this.last && Math.hypot(x - this.last[0], y - this.last[1], z - this.last[2]) < STEP_MM) return;
+    const from = this.last;
+    if (from && Math.hypot(x - from[0], y - from[1], z - from[2]) < STEP_MM) return;
     this.last = [x, y, z];
-    const at = this.count % ROOM;
-    for (const row of [at, at + ROOM]) {
-      this.positions.set([x, y, z], row * 3);
-      this.colours.set(burns ? [1, 0.45, 0] : [0.35, 0.38, 0.42], row * 3);
-    }
+    if (!from) return;
+    const at = (this.count % ROOM) * 6;
+    const colour = burns ? BURNT : DRY;
+    write(this.places, at, [...from, x, y, z]);
+    write(this.colours, at, [...colour, ...colour]);
     this.count += 1;
-    const have = Math.min(this.count, ROOM);
-    const from = this.count <= ROOM ? 0 : this.count % ROOM;
-    this.line.geometry.setDrawRange(from, have);
-    for (const name of ['position', 'color'] as const) {
-      const attribute = this.line.geometry.getAttribute(name) as BufferAttribute;
-      for (const row of [at, at + ROOM]) attribute.addUpdateRange(row * 3, 3);
-      attribute.needsUpdate = true;
-    }
+    this.geometry.instanceCount = Math.min(this.count, ROOM);
   }
+}
+
+function write(buffer: InstancedInterleavedBuffer, at: number, numbers: number[]): void {
+  buffer.array.set(numbers, at);
+  buffer.addUpdateRange(at, 6);
+  buffer.needsUpdate = true;
 }
