@@ -1,4 +1,4 @@
-import { alarms, type AlarmWords } from './alarms';
+import { alarms, type AlarmName, type AlarmWords } from './alarms';
 import { de } from './de';
 import { en, type Key, type Table } from './en';
 import { ru } from './ru';
@@ -45,6 +45,8 @@ export function named(prefix: string, name: string): string {
 
 /** An alarm in the chosen language; one that has no words here keeps those of the cell. */
 export function alarmWords(of: AlarmWords & { name: string }): AlarmWords & { name: string } {
-  const row = alarms[words.language][of.name as keyof typeof alarms.en] as AlarmWords & { title: string } | undefined;
-  return row ? { name: row.title, cause: row.cause, consequence: row.consequence, action: row.action } : of;
+  const table = alarms[words.language];
+  if (!(of.name in table)) return of;
+  const { title, ...row } = table[of.name as AlarmName];
+  return { name: title, ...row };
 }
