@@ -1,0 +1,138 @@
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import type { FromCell, Status } from '../wire';
+import { HoldToRun, REPEAT_MS } from './hold_to_run';
+import { Link, type LinkState } from './socket';
+import { Strip } from './strip';
+
+class FakeSocket {
+  readyState = 0;
+  sent: unknown[] = [];
+  onopen: () => void = () => undefined;
+  onmessage: (event: { data: string }) => void = () => undefined;
+  onclose: () => void = () => undefined;
+  send(text: string): void {
+    this.sent.push(JSON.parse(text));
+  }
+  close(): void {
+    this.readyState = 3;
+    this.onclose();
+  }
+  opens(): void {
+    this.readyState = 1;
+    this.onopen();
+  }
+}
+
+beforeEach(() => vi.useFakeTimers());
+afterEach(() => vi.useRealTimers());
+
+describe('the socket', () => {
+  function linked() {
+    const sockets: FakeSocket[] = [];
+    const states: LinkState[] = [];
+    const messages: FromCell[] = [];
+    const link = new Link('ws://cell', { state: (s) => states.push(s), message: (m) => messages.push(m) }, () => {
+      const socket = new FakeSocket();
+      sockets.push(socket);
+      return socket as unknown as WebSocket;
+    });
+    link.open();
+    return { link, sockets, states, messages };
+  }
+
+  test('answers come to the command with their number, in any order', async () => {
+    const { link, sockets } = linked();
+    sockets[0]?.opens();
+    const [first, second] = [link.ask({ do: 'home' }), link.ask({ do: 'arm' })];
+    const answer = (seq: number, ok: boolean): void =>
+      sockets[0]?.onmessage({ data: JSON.stringify({ kind: 'answer', seq, ok, why: null }) });
+    answer(2, false);
+    answer(1, true);
+    expect((await first).ok).toBe(true);
+    expect((await second).ok).toBe(false);
+  });
+
+  test('a reconnect sends nothing by itself and begins its numbers anew', async () => {
+    const { link, sockets, states } = linked();
+    sockets[0]?.opens();
+    const open = link.ask({ do: 'start_weld' });
+    link.jog('joints', [1]);
+    sockets[0]?.close();
+    expect(await open).toMatchObject({ ok: false, why: { key: 'lost' } });
+    // While it is closed nothing is kept for later.
+    expect(await link.ask({ do: 'resume' })).toMatchObject({ ok: false, why: { key: 'lost' } });
+    link.jog('joints', [1]);
+    await vi.advanceTimersByTimeAsync(5000);
+    expect(sockets.length).toBe(2);
+    sockets[1]?.opens();
+    await vi.advanceTimersByTimeAsync(5000);
+    expect(sockets[1]?.sent).toEqual([]);
+    void link.ask({ do: 'home' });
+    link.jog('tip', [0]);
+    expect(sockets[1]?.sent).toMatchObject([{ seq: 1, ask: { do: 'home' } }, { seq: 1, of: 'tip' }]);
+    expect(states).toEqual(['opening', 'open', 'closed', 'opening', 'open']);
+  });
+
+  test('closed for good it does not come again', async () => {
+    const { link, sockets } = linked();
+    sockets[0]?.opens();
+    link.close();
+    await vi.advanceTimersByTimeAsync(60_000);
+    expect(sockets.length).toBe(1);
+  });
+});
+
+describe('hold to run', () => {
+  test('speeds every 50 ms while held, zeros at once on release, then silence', () => {
+    const sent: number[][] = [];
+    const hand = new HoldToRun((_, speeds) => sent.push(speeds));
+    expect(hand.press('joints', [0, 0.5])).toBe(true);
+    vi.advanceTimersByTime(REPEAT_MS * 4);
+    expect(sent).toEqual(Array.from({ length: 5 }, () => [0, 0.5]));
+    hand.release();
+    hand.release();
+    vi.advanceTimersByTime(1000);
+    expect(sent.length).toBe(6);
+    expect(sent.at(-1)).toEqual([0, 0]);
+  });
+
+  test('a tap, released at once, ends with zeros', () => {
+    const sent: number[][] = [];
+    const hand = new HoldToRun((_, speeds) => sent.push(speeds));
+    hand.press('tip', [1, 0, 0]);
+    hand.release();
+    expect(sent).toEqual([[1, 0, 0], [0, 0, 0]]);
+  });
+
+  test('a second press while one is held is not taken', () => {
+    const sent: number[][] = [];
+    const hand = new HoldToRun((_, speeds) => sent.push(speeds));
+    hand.press('joints', [1, 0]);
+    expect(hand.press('joints', [0, 1])).toBe(false);
+    vi.advanceTimersByTime(REPEAT_MS);
+    expect(sent).toEqual([[1, 0], [1, 0]]);
+  });
+});
+
+describe('the strip of the last minute', () => {
+  const status = (t: number): Status =>
+    ({ t, speed_mm_s: t, override_part: 1, axes: [{ error: -t, current: 0 }], tracking: null, process: { set: [], measured: [t] } }) as unknown as Status;
+
+  test('keeps the newest rows in order, however often it has gone round', () => {
+    const strip = new Strip();
+    for (let i = 0; i < strip.room * 2.5; i += 1) strip.add(status(i / 30));
+    const [times, speed, error, missing] = strip.last(10, ['speed', 'error', 'deviation']);
+    expect(times.length).toBe(301);
+    expect(times[0]).toBeCloseTo(-10);
+    expect(times.at(-1)).toBe(0);
+    for (let i = 1; i < times.length; i += 1) expect(times[i]).toBeGreaterThan(times[i - 1] as number);
+    expect(speed?.at(-1)).toBeCloseTo((strip.count - 1) / 30);
+    expect(error?.at(-1)).toBeCloseTo((strip.count - 1) / 30);
+    expect(missing?.every((value) => value === null)).toBe(true);
+    expect(strip.last(1000, ['speed'])[0].length).toBe(strip.room);
+  });
+
+  test('nothing yet is nothing', () => {
+    expect(new Strip().last(10, ['speed'])).toEqual([[], []]);
+  });
+});

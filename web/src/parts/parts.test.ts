@@ -1,0 +1,46 @@
+import { describe, expect, test } from 'vitest';
+import { duration, number, valueName } from './numbers';
+import { hasMeaning, next } from './orders';
+import { programText } from './taught.svelte';
+import type { MachineView } from '../wire';
+import { pointPasses } from '../jobs/points';
+
+describe('numbers', () => {
+  test('a decimal point in every language, no sign of nothing, a dash for nothing', () => {
+    expect(number(1234.5678, 2)).toBe('1234.57');
+    expect(number(-1.5, 1)).toBe('\u22121.5');
+    expect(number(-0.001, 2)).toBe('0.00');
+    for (const nothing of [null, undefined, NaN, Infinity]) expect(number(nothing, 1)).toBe('–');
+  });
+
+  test('names of process values', () => {
+    expect(valueName('current_a')).toEqual({ title: 'current', unit: 'A' });
+    expect(valueName('wire_feed_m_min')).toEqual({ title: 'wire feed', unit: 'm/min' });
+    expect(valueName('beam_current_ma')).toEqual({ title: 'beam current', unit: 'mA' });
+    expect(valueName('odd')).toEqual({ title: 'odd', unit: '' });
+  });
+
+  test('times', () => {
+    expect(duration(61.4)).toBe('1:01');
+    expect(duration(-3)).toBe('0:00');
+  });
+});
+
+test('stop and hold have a meaning in every state', () => {
+  for (const mode of ['off', 'idle', 'homing', 'ready', 'jog', 'teach', 'dry_run', 'weld', 'hold', 'fault']) {
+    expect(hasMeaning('stop', mode) && hasMeaning('hold', mode)).toBe(true);
+    const order = next(mode);
+    if (order) expect(hasMeaning(order, mode)).toBe(true);
+  }
+});
+
+test('taught points become a program that reads back as they were', () => {
+  const machine = { name: 'm', axes: [{ name: 'x' }, { name: 'b' }] } as unknown as MachineView;
+  const tip: [number, number, number, number, number, number] = [0, 0, 0, 0, 0, 1];
+  const points = [1, 2, 3].map((i) => ({ axes: [i, -i / 3], tip }));
+  const text = programText('a "title"', machine, points, 7);
+  const [pass] = pointPasses(text);
+  expect(pass?.columns).toEqual(['x', 'b', 'speed_mm_s']);
+  expect(pass?.rows.map((row) => row.numbers)).toEqual([[1, -0.3333, 0], [2, -0.6667, 7], [3, -1, 7]]);
+  expect(programText('t', machine, [], 7)).toBe('');
+});

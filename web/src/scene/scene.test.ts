@@ -1,0 +1,72 @@
+import { Box3, Vector3 } from 'three';
+import { describe, expect, test } from 'vitest';
+import type { PassView, PathPoint, ShapeView } from '../wire';
+import { heat, ramp, scale } from './colours';
+import { geometry, matrix } from './shapes';
+
+function extent(shape: ShapeView): { least: number[]; most: number[] } {
+  const made = geometry(shape);
+  made.computeBoundingBox();
+  const box = made.boundingBox ?? new Box3();
+  const round = (v: Vector3): number[] => v.toArray().map((n) => Math.round(n * 1e3) / 1e3 + 0);
+  return { least: round(box.min), most: round(box.max) };
+}
+
+describe('shapes stand as the wire says', () => {
+  test.each<[ShapeView, number[], number[]]>([
+    [{ kind: 'box', size: [2, 4, 6] }, [-1, -2, -3], [1, 2, 3]],
+    [{ kind: 'sphere', radius: 2 }, [-2, -2, -2], [2, 2, 2]],
+    [{ kind: 'cone', radius: 2, top_radius: 1, length: 5 }, [-2, -2, 0], [2, 2, 5]],
+    [{ kind: 'cone', radius: 1, top_radius: 3, length: 5 }, [-3, -3, 0], [3, 3, 5]],
+    [{ kind: 'capsule', radius: 1, length: 5 }, [-1, -1, 0], [1, 1, 5]],
+    [{ kind: 'ellipsoid', semi_axes: [1, 2, 3] }, [-1, -2, -3], [1, 2, 3]],
+    [{ kind: 'mesh', triangles: [0, 0, 0, 1, 0, 0, 0, 2, 3] }, [0, 0, 0], [1, 2, 3]],
+  ])('%j', (shape, least, most) => {
+    expect(extent(shape)).toEqual({ least, most });
+  });
+
+  test('the wide end of a cone is at 0', () => {
+    const made = geometry({ kind: 'cone', radius: 2, top_radius: 1, length: 5 });
+    const places = made.getAttribute('position');
+    for (let i = 0; i < places.count; i += 1) {
+      const far = Math.hypot(places.getX(i), places.getY(i));
+      expect(far).toBeLessThanOrEqual(2 - places.getZ(i) / 5 + 1e-6);
+    }
+  });
+
+  test('frames are row by row', () => {
+    const moved = new Vector3(1, 0, 0).applyMatrix4(matrix([0, -1, 0, 10, 1, 0, 0, 20, 0, 0, 1, 30]));
+    expect(moved.toArray()).toEqual([10, 21, 30]);
+  });
+});
+
+describe('colours', () => {
+  const point = (speed_mm_s: number, values: number[]): PathPoint =>
+    ({ speed_mm_s, values, s_mm: 0, tip: [0, 0, 0], torch: [0, 0, 1], axes: [] }) as PathPoint;
+
+  test('heat input is U I / v', () => {
+    expect(heat(point(10, [240, 27]), ['current_a', 'voltage_v'])).toBeCloseTo(0.648);
+    expect(heat(point(8, [40, 60]), ['current_ma', 'voltage_kv'])).toBeCloseTo(0.3);
+    expect(heat(point(10, [1]), ['focus_mm'])).toBeNull();
+    expect(heat(point(0, [240, 27]), ['current_a', 'voltage_v'])).toBeNull();
+  });
+
+  test('the scale spans what there is', () => {
+    const pass = { speed_mm_s: 10, path: [point(0, [1]), point(10, [5]), point(9, [3])] } as unknown as PassView;
+    expect(scale([pass], { kind: 'speed' }, [])).toMatchObject({ least: 0, most: 10 });
+    expect(scale([pass], { kind: 'value', index: 0 }, ['a'])).toMatchObject({ least: 1, most: 5 });
+    expect(scale([pass], { kind: 'pass' }, [])).toBeNull();
+    expect(scale([], { kind: 'speed' }, [])).toBeNull();
+  });
+
+  test('the ramp gets lighter all the way and stays within', () => {
+    let last = -1;
+    for (let i = -5; i <= 105; i += 1) {
+      const [r, g, b] = ramp(i / 100);
+      const light = 0.2126 * r + 0.7152 * g + 0.0722 * b;
+      expect(light).toBeGreaterThanOrEqual(last);
+      last = light;
+      for (const part of [r, g, b]) expect(part >= 0 && part <= 1).toBe(true);
+    }
+  });
+});

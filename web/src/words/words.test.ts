@@ -1,0 +1,40 @@
+import { readFileSync } from 'node:fs';
+import { describe, expect, test } from 'vitest';
+import { alarms } from './alarms';
+import { de } from './de';
+import { en, type Key } from './en';
+import { ru } from './ru';
+import { uk } from './uk';
+import { zh } from './zh';
+
+const tables = { uk, zh, de, ru };
+const holes = (text: string): string => [...text.matchAll(/\{\d\}/g)].map((m) => m[0]).sort().join();
+
+describe.each(Object.entries(tables))('%s', (code, table) => {
+  test('has the same holes in its sentences', () => {
+    for (const key of Object.keys(en) as Key[]) expect(holes(table[key]), key).toBe(holes(en[key]));
+  });
+
+  test('nothing is left in English or empty', () => {
+    // Names that are the same there.
+    const same = new Set<Key>(['role.admin']);
+    const left = (Object.keys(en) as Key[]).filter((key) => table[key] === '' || (table[key] === en[key] && en[key].length > 8 && !same.has(key)));
+    expect(left).toEqual([]);
+    if (code === 'de') return;
+    const script = code === 'zh' ? /[\u4e00-\u9fff]/ : /[\u0400-\u04ff]/;
+    expect((Object.keys(en) as Key[]).filter((key) => !script.test(table[key]) && !['record.no'].includes(key))).toEqual([]);
+  });
+
+  test('no sentence is more than 2.4 times as long as the English one has room for', () => {
+    for (const key of Object.keys(en) as Key[]) expect(table[key].length, key).toBeLessThan(en[key].length * 2.4 + 20);
+  });
+});
+
+test('the alarms are those of the cell, in its words', () => {
+  const rust = readFileSync(new URL('../../../crates/cell/src/executive/alarm.rs', import.meta.url), 'utf8');
+  const names = Object.keys(alarms.en) as (keyof typeof alarms.en)[];
+  expect(names.length).toBe(Number(/const ALL: \[Self; (\d+)\]/.exec(rust)?.[1]));
+  for (const name of names) {
+    for (const text of Object.values(alarms.en[name])) expect(rust, name).toContain(`"${text}"`);
+  }
+});
