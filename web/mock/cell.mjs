@@ -22,6 +22,7 @@ export class Cell {
     this.alarms = [];
     this.wants = null;
     this.number = 0;
+    this.left = null;
   }
 
   event(what, text, user = null) {
@@ -37,6 +38,7 @@ export class Cell {
   }
 
   load(job, from) {
+    this.left = null;
     this.work = work((this.work?.id ?? 0) + 1, job, from);
     this.send({ kind: 'work', work: this.work });
     this.event('work', `loaded ${job}`);
@@ -74,6 +76,7 @@ export class Cell {
       this.turn(this.before);
     } else if (what === 'stop') {
       if (runs || this.mode === 'hold') {
+        if (this.before === 'weld') this.left = [this.pass, this.welded];
         this.event('left', `pass ${this.pass} at ${this.s.toFixed(1)} mm`);
         this.pass = 0;
         this.turn('ready');
@@ -129,12 +132,12 @@ export class Cell {
     return {
       kind: 'status', t: this.t, mode: this.mode, pass: this.pass, s_mm: this.s, welded_mm: this.welded,
       speed_mm_s: runs ? this.work.passes[this.pass - 1].speed_mm_s : 0, override_part: this.override, armed: this.armedUntil > this.t, powered,
-      process: { state: burns ? 'burns' : 'off', on: burns, burning: burns, gas: burns, phase: burns ? 'weld' : null,
+      process: { state: burns ? 'burns' : 'off', on: burns, burning: burns, gas: burns, phase: burns ? 'travel' : null,
         set: burns ? [240, 27, 8] : [null, null, null], measured: burns ? [238 + noise() * 200, 27.1 + noise() * 10, 8] : [0, 0, 0] },
       axes: this.axes.map((position) => ({ position, set: position, error: runs ? noise() : 0, current: powered ? 0.2 : 0, referenced: this.referenced, fault: false, limit_switch: false })),
       tip, links, conditions: [true, true],
       tracking: burns ? { deviation_mm: [0.3 + noise(), 0.1], correction_mm: [0.28, 0.09], confidence: 0.96 } : null,
-      ages: { drives: 0.001, source: 0.004, inputs: 0.01 }, missed: 0, lost: 0, recording: burns ? 1 : null,
+      ages: { drives: 0.001, source: 0.004, inputs: 0.01 }, missed: 0, lost: 0, recording: burns ? 1 : null, left: this.left,
     };
   }
 }

@@ -41,6 +41,7 @@ export function work(id, job, from) {
   const tips = passes[0].path[0].tip;
   return {
     id,
+    machine: 'saddle-4axis',
     job,
     title: 'Saddle: nozzle 500 mm diameter on shell 1600 mm diameter',
     values: ['current_a', 'voltage_v', 'wire_feed_m_min'],
@@ -60,7 +61,7 @@ export function work(id, job, from) {
   };
 }
 
-const axis = (name, unit, from, to, home, max_speed) => ({ name, unit, from, to, home, max_speed });
+const axis = (name, unit, from, to, home, max_speed) => ({ name, unit, range: [from, to], home, max_speed });
 const solid = (name, link, shape, frame) => ({ name, link, shape, frame });
 
 export const machine = {
@@ -83,7 +84,7 @@ export const machine = {
   base: 0,
   torch: 4,
   up: [0, 0, 1],
-  jog: [50, 20],
+  jog_mm_s: 250,
   sensors: ['camera', 'stripe'],
   beam: false,
 };

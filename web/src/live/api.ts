@@ -1,12 +1,14 @@
 import type {
   AlarmEntry,
   AuditRow,
+  EditAnswer,
   JobRow,
   JobText,
   Load,
   Login,
   MachineView,
   PlanAnswer,
+  PostAnswer,
   RecordRow,
   RecordView,
   SessionView,
@@ -15,7 +17,7 @@ import type {
   UserChange,
   UserRow,
   WorkView,
-} from './requests';
+} from '../wire';
 
 /** A request that the server refused. */
 export class Refusal extends Error {
@@ -71,9 +73,9 @@ export const api = {
   plan: (text: string, signal?: AbortSignal) => request<PlanAnswer>('POST', '/api/plan', { text }, signal),
   load: (load: Load) => request<WorkView>('POST', '/api/load', load),
   post: (text: string, dialect: string) =>
-    request<{ text: string; proof: string }>('POST', '/api/post', { text, dialect }),
+    request<PostAnswer>('POST', '/api/post', { text, dialect }),
   edit: (text: string, operations: unknown[]) =>
-    request<{ text: string; report: unknown }>('POST', '/api/edit', { text, operations }),
+    request<EditAnswer>('POST', '/api/edit', { text, operations }),
   records: (query: Record<string, string>) =>
     request<RecordRow[]>('GET', `/api/records?${new URLSearchParams(query).toString()}`),
   record: (id: number) => request<RecordView>('GET', `/api/records/${id}`),
@@ -88,5 +90,6 @@ export const api = {
   audit: (most: number) => request<AuditRow[]>('GET', `/api/audit?most=${most}`),
   users: () => request<UserRow[]>('GET', '/api/users'),
   keepUser: (of: string, change: UserChange) => request<UserRow>('PUT', `/api/users/${name(of)}`, change),
-  deleteUser: (of: string) => request<void>('DELETE', `/api/users/${name(of)}`),
+  deleteUser: (of: string, own_password: string | null) =>
+    request<void>('DELETE', `/api/users/${name(of)}`, { own_password }),
 };

@@ -39,8 +39,6 @@ class Cell {
   lacks = $state.raw<{ ask: string; lacks: LackView[] } | null>(null);
   /** The last refused command, until the next one. */
   refused = $state.raw<{ ask: string; why: LackView } | null>(null);
-  /** Where the last pass was left before its end: pass from 1 and the path length up to which it is welded. */
-  left = $state.raw<[number, number] | null>(null);
   /** Times from asking to the answer, ms. */
   readonly answerTimes: number[] = [];
   readonly strip = new Strip();
@@ -179,9 +177,6 @@ class Cell {
     // After a reconnect the last hundred come again.
     if (this.events.some((e) => e.number === event.number && e.at === event.at)) return;
     this.events = [event, ...this.events].sort((a, b) => b.number - a.number).slice(0, MOST_EVENTS);
-    if (event.what === 'left' && this.newest && this.newest.pass > 0) {
-      this.left = [this.newest.pass, this.newest.welded_mm];
-    }
   }
 }
 

@@ -1,0 +1,49 @@
+// A cell for the tests: the real program with a data folder of its own, or the mock if there is none.
+import { spawn, spawnSync } from 'node:child_process';
+import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const web = fileURLToPath(new URL('..', import.meta.url));
+const binary = process.env.SEAMWRIGHT_BIN ?? join(web, '../target/release/seamwright');
+const WAITS_MS = 60_000;
+
+/** True if the real program is there and has a panel. */
+export const isReal = existsSync(binary) && spawnSync(binary, ['serve', '--help']).status === 0;
+
+let port = 18_200 + (process.pid % 400) * 4;
+
+/** Starts a cell; gives the address with the key of the first run, and what ends it. */
+export async function startCell() {
+  const data = mkdtempSync(join(tmpdir(), 'seamwright-e2e-'));
+  port += 1;
+  const [command, ...args] = isReal
+    ? [binary, 'serve', '--bind', `127.0.0.1:${port}`, '--data', data, '--job', 'saddle']
+    : [process.execPath, join(web, 'mock/server.mjs'), String(port), join(web, 'dist')];
+  const child = spawn(command, args, { stdio: ['ignore', 'pipe', 'pipe'] });
+  const ended = new Promise((done) => child.on('exit', done));
+  const address = await new Promise((found, fails) => {
+    let said = '';
+    const take = (chunk) => {
+      said += chunk;
+      const match = /http:\/\/\S+/.exec(said);
+      if (match) found(match[0]);
+    };
+    child.stdout.on('data', take);
+    child.stderr.on('data', take);
+    child.on('exit', (code) => fails(new Error(`the cell ended with ${code}: ${said}`)));
+    setTimeout(() => fails(new Error(`the cell said no address: ${said}`)), WAITS_MS).unref();
+  });
+  return {
+    address,
+    data,
+    async end() {
+      child.kill('SIGTERM');
+      const late = setTimeout(() => child.kill('SIGKILL'), 10_000);
+      await ended;
+      clearTimeout(late);
+      rmSync(data, { recursive: true, force: true });
+    },
+  };
+}

@@ -1,0 +1,95 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { hasBrowser, launch, page } from './browser.mjs';
+import { startCell } from './cell.mjs';
+import { control, mode, open, quiet, ready, sleep, tab } from './operator.mjs';
+
+const options = { skip: hasBrowser ? false : 'no Chromium' };
+let cell;
+let browser;
+
+before(async () => {
+  if (!hasBrowser) return;
+  cell = await startCell();
+  browser = await launch();
+});
+after(async () => {
+  await browser?.close();
+  await cell?.end();
+});
+
+test('a second panel only watches, STOP apart, until it takes over', options, async () => {
+  const [one, two] = [await page(browser), await page(browser)];
+  await open(one, cell.address);
+  await open(two, cell.address);
+  await control(one);
+  await two.getByText(/commands \(station/).waitFor();
+  const commands = two.getByRole('group', { name: 'Commands' });
+  assert.ok(await commands.getByRole('button', { name: /Switch on/ }).isDisabled());
+  assert.ok(await two.getByRole('button', { name: /STOP/ }).isEnabled());
+  await ready(one);
+  await mode(two, 'ready');
+  await two.getByRole('button', { name: 'Take control' }).click();
+  await two.locator('dialog[open]').getByRole('button', { name: 'Take control' }).click();
+  await two.getByText('You command').waitFor();
+  await one.getByText(/commands \(station/).waitFor();
+  assert.ok(await one.getByRole('button', { name: /Switch off/ }).isDisabled());
+  await two.getByRole('button', { name: 'Release' }).click();
+  await one.getByText('Nobody commands').waitFor();
+  quiet(one);
+  quiet(two);
+  await one.close();
+  await two.close();
+});
+
+test('a connection that comes back resumes nothing', options, async () => {
+  const one = await page(browser);
+  const links = [];
+  await one.routeWebSocket('**/api/live', (client) => {
+    const link = { client, server: client.connectToServer(), sent: [] };
+    client.onMessage((text) => {
+      link.sent.push(JSON.parse(text));
+      link.server.send(text);
+    });
+    link.server.onMessage((text) => client.send(text));
+    links.push(link);
+  });
+  await open(one, cell.address);
+  await control(one);
+  await mode(one, 'ready');
+  await tab(one, 'Jog · Teach');
+  await one.getByRole('button', { name: 'Start jogging' }).click();
+  await mode(one, 'jog');
+  await one.getByRole('button', { name: 'theta +' }).hover();
+  await one.mouse.down();
+  await sleep(300);
+  await links[0].server.close();
+  await links[0].client.close();
+  await one.getByText('No connection').waitFor();
+  await one.waitForFunction(() => document.querySelector('header [role=status]')?.textContent.includes('Connected'));
+  await sleep(1000);
+  await one.mouse.up();
+  assert.equal(links.length, 2);
+  assert.deepEqual([...new Set(links[1].sent.map((message) => message.kind))], ['beat']);
+  await one.getByText('Nobody commands').waitFor();
+  assert.ok(links[0].sent.some((message) => message.kind === 'jog'));
+  await one.close();
+});
+
+test('data that stops coming is greyed with its age', options, async () => {
+  const one = await page(browser);
+  let through = true;
+  await one.routeWebSocket('**/api/live', (client) => {
+    const server = client.connectToServer();
+    client.onMessage((text) => server.send(text));
+    server.onMessage((text) => through && client.send(text));
+  });
+  await open(one, cell.address);
+  through = false;
+  await one.getByText(/Data \d+\.\d s old/).waitFor();
+  assert.ok((await one.locator('.stale').count()) > 2);
+  through = true;
+  await one.getByText('Connected').waitFor();
+  assert.equal(await one.locator('.stale').count(), 0);
+  await one.close();
+});

@@ -1,0 +1,147 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { hasBrowser, launch, page } from './browser.mjs';
+import { isReal, startCell } from './cell.mjs';
+import { control, keep, open, quiet, SHORT, sleep, tab } from './operator.mjs';
+
+const options = { skip: hasBrowser ? false : 'no Chromium' };
+const onReal = { skip: hasBrowser ? (isReal ? false : 'the mock plans nothing') : 'no Chromium' };
+let cell;
+let browser;
+let one;
+
+before(async () => {
+  if (!hasBrowser) return;
+  cell = await startCell();
+  browser = await launch();
+  one = await page(browser);
+  await open(one, cell.address);
+});
+after(async () => {
+  await browser?.close();
+  await cell?.end();
+});
+
+const row = (name) => one.locator('li.card', { hasText: name }).first();
+
+async function planned() {
+  await one.locator('.right .page').getByText(/Can be welded|Cannot be welded|not a job/).waitFor({ timeout: 120_000 });
+  await one.waitForFunction(() => !document.querySelector('.view.plans'), null, { timeout: 120_000 });
+}
+
+test('every template is planned and shown', onReal, async () => {
+  await tab(one, 'Jobs');
+  await one.locator('li.card').first().waitFor();
+  const count = await one.locator('li.card').count();
+  assert.ok(count > 8, `${count} templates`);
+  for (let i = 0; i < count; i += 1) {
+    await one.locator('li.card').nth(i).getByRole('button', { name: 'Use' }).click();
+    await planned();
+    assert.equal(await one.locator('.right .note.fault').count(), 0, await one.locator('.bar strong').textContent());
+    await one.getByRole('button', { name: '← Jobs' }).click();
+    await one.locator('li.card').first().waitFor();
+  }
+  quiet(one);
+});
+
+test('a number changed in the form, undone, done again; kept under a name; comments stay', options, async () => {
+  await tab(one, 'Jobs');
+  await row('saddle.toml').getByRole('button', { name: 'Use' }).click();
+  await planned();
+  const field = one.getByRole('textbox', { name: 'radius [mm]' }).first();
+  assert.equal(await field.inputValue(), '250');
+  await field.fill('240');
+  await planned();
+  await one.getByRole('button', { name: 'Undo' }).click();
+  assert.equal(await field.inputValue(), '250');
+  await one.getByRole('button', { name: 'Redo' }).click();
+  assert.equal(await field.inputValue(), '240');
+  await one.getByRole('button', { name: 'Save as' }).click();
+  const dialog = one.locator('dialog[open]');
+  await dialog.getByRole('textbox').fill('mine');
+  await dialog.getByRole('button', { name: 'Save' }).click();
+  await dialog.waitFor({ state: 'hidden' });
+  const text = await one.evaluate(async () => (await (await fetch('/api/jobs/mine.toml')).json()).text);
+  assert.match(text, /radius_mm = 240 +# outer radius/);
+});
+
+test('what is wrong is said with its line, and the text stays in hand', onReal, async () => {
+  await one.getByRole('button', { name: 'Text', exact: true }).click();
+  const editor = one.locator('.editor .cm-content');
+  await editor.click();
+  await one.keyboard.press('Control+Home');
+  await one.keyboard.type('nonsense = 1\n');
+  await one.locator('.right .note.fault').waitFor({ timeout: 30_000 });
+  assert.match(await one.locator('.right .note.fault').textContent(), /nonsense/);
+  await one.getByRole('button', { name: 'Undo' }).click();
+  await one.getByText(/Can be welded|Cannot be welded/).waitFor({ timeout: 60_000 });
+  quiet(one);
+});
+
+test('a part program for a control, with its proof', onReal, async () => {
+  await one.getByRole('button', { name: 'G-code', exact: true }).click();
+  await one.getByRole('button', { name: 'Make part program' }).click();
+  await one.getByRole('textbox', { name: 'G-code' }).waitFor({ timeout: 120_000 });
+  assert.match(await one.getByRole('textbox', { name: 'G-code' }).inputValue(), /G1|G93/);
+  await one.getByRole('button', { name: '← Jobs' }).click();
+});
+
+test('points: set in several at once, insert, delete, undo; the row stands in 3D', onReal, async () => {
+  await keep(one, 'short.toml', SHORT);
+  await tab(one, 'Weld');
+  await tab(one, 'Jobs');
+  await row('short.toml').getByRole('button', { name: 'Open' }).click();
+  await planned();
+  await one.getByRole('button', { name: 'Points', exact: true }).click();
+  const points = one.locator('tbody tr');
+  assert.equal(await points.count(), 4);
+  const point = (i) => points.nth(i).getByRole('button');
+  await point(1).click();
+  await one.locator('.below .card', { hasText: 'Pass 1' }).waitFor();
+  await point(3).click({ modifiers: ['Shift'] });
+  await one.getByRole('combobox', { name: 'Column' }).selectOption('current_a');
+  await one.getByRole('textbox', { name: 'Value' }).fill('222');
+  await one.getByRole('button', { name: 'Set in 3' }).click();
+  const current = one.getByRole('textbox', { name: 'current_a 3' });
+  await one.waitForFunction(() => document.querySelector('[aria-label="current_a 3"]')?.value === '222');
+  await point(1).click();
+  await one.getByRole('button', { name: 'Insert after' }).click();
+  await one.waitForFunction(() => document.querySelectorAll('tbody tr').length === 5);
+  await point(2).click();
+  await one.getByRole('button', { name: 'Delete (1)' }).click();
+  await one.waitForFunction(() => document.querySelectorAll('tbody tr').length === 4);
+  for (let i = 0; i < 3; i += 1) await one.getByRole('button', { name: 'Undo' }).click();
+  assert.equal(await current.inputValue(), '200');
+  quiet(one);
+});
+
+test('names and titles are text, whatever is in them', options, async () => {
+  const evil = '<img src=x onerror=globalThis.pwned=1><script>globalThis.pwned=1</script>';
+  await keep(one, 'evil.toml', SHORT.replace('"Short"', JSON.stringify(evil)));
+  const two = await page(browser);
+  await open(two, cell.address);
+  await tab(two, 'Jobs');
+  await two.getByText('<img src=x').first().waitFor();
+  await two.locator('li.card', { hasText: 'evil.toml' }).getByRole('button', { name: 'Open' }).click();
+  await sleep(2000);
+  assert.equal(await two.evaluate(() => globalThis.pwned), undefined);
+  assert.equal(await two.locator('img').count(), 0);
+  await two.close();
+});
+
+test('ten thousand points: the table has few rows in the page, and scrolls at once', options, async () => {
+  const rows = Array.from({ length: 10_000 }, (_, i) => `    [${(i / 1000).toFixed(3)}, 0, 60, -20, 200, 6],`);
+  const text = SHORT.replace(/points = \[[^]*\n\]/, `points = [\n${rows.join('\n')}\n]`);
+  await keep(one, 'long.toml', text);
+  const two = await page(browser);
+  await open(two, cell.address);
+  await control(two);
+  await tab(two, 'Jobs');
+  await two.locator('li.card', { hasText: 'long.toml' }).getByRole('button', { name: 'Open' }).click();
+  await two.getByRole('button', { name: 'Points', exact: true }).click();
+  await two.locator('tbody tr').first().waitFor();
+  assert.ok((await two.locator('tbody tr').count()) < 60);
+  await two.locator('.box').evaluate((box) => (box.scrollTop = box.scrollHeight));
+  await two.getByRole('button', { name: '10000', exact: true }).waitFor();
+  await two.close();
+});

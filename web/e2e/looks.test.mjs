@@ -1,0 +1,99 @@
+import AxeBuilder from '@axe-core/playwright';
+import assert from 'node:assert/strict';
+import { mkdirSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { hasBrowser, launch, page, SIZES } from './browser.mjs';
+import { startCell } from './cell.mjs';
+import { open, quiet, sleep } from './operator.mjs';
+
+const options = { skip: hasBrowser ? false : 'no Chromium' };
+const shots = new URL('shots/', import.meta.url).pathname;
+const TABS = 5;
+let cell;
+let browser;
+
+before(async () => {
+  if (!hasBrowser) return;
+  mkdirSync(shots, { recursive: true });
+  cell = await startCell();
+  browser = await launch();
+});
+after(async () => {
+  await browser?.close();
+  await cell?.end();
+});
+
+const go = (of, i) => of.locator('nav button').nth(i).click();
+
+/** Words that do not fit their key, and a page that is wider than the screen. */
+const overflowing = (of) =>
+  of.evaluate(() => {
+    const wrong = [];
+    if (document.documentElement.scrollWidth > innerWidth) wrong.push(`page ${document.documentElement.scrollWidth}`);
+    for (const key of document.querySelectorAll('button, .key, select, .chip, h2, legend')) {
+      if (key.clientWidth > 0 && (key.scrollWidth > key.clientWidth + 1 || key.scrollHeight > key.clientHeight + 3)) {
+        wrong.push(`${key.tagName} "${key.textContent.trim().slice(0, 40)}" ${key.scrollWidth}>${key.clientWidth} ${key.scrollHeight}>${key.clientHeight}`);
+      }
+      const box = key.getBoundingClientRect();
+      if (box.width > 0 && (box.left < -1 || box.right > innerWidth + 1)) wrong.push(`${key.textContent.trim().slice(0, 40)} is beside the screen`);
+    }
+    return wrong;
+  });
+
+for (const language of ['en', 'uk', 'zh', 'de', 'ru']) {
+  for (const size of Object.keys(SIZES)) {
+    test(`${language} at ${size}: everything fits`, options, async () => {
+      const one = await page(browser, { language, size });
+      await open(one, cell.address);
+      for (let i = 0; i < TABS; i += 1) {
+        await go(one, i);
+        await sleep(400);
+        await one.screenshot({ path: `${shots}${language}-${size}-${i}.png` });
+        assert.deepEqual(await overflowing(one), [], `tab ${i}`);
+      }
+      assert.equal(await one.evaluate(() => document.documentElement.lang), language);
+      quiet(one);
+      await one.context().close();
+    });
+  }
+}
+
+for (const dark of [false, true]) {
+  test(`axe finds nothing on any tab, ${dark ? 'dark' : 'light'}`, options, async () => {
+    const one = await page(browser, { dark });
+    await open(one, cell.address);
+    const check = async (where) => {
+      const { violations } = await new AxeBuilder({ page: one }).analyze();
+      const said = violations.map((v) => `${where}: ${v.id} ${v.nodes.map((n) => n.target.join(' ')).slice(0, 3).join(' | ')}`);
+      assert.deepEqual(said, []);
+    };
+    for (let i = 0; i < TABS; i += 1) {
+      await go(one, i);
+      await sleep(500);
+      await check(`tab ${i}`);
+      await one.screenshot({ path: `${shots}${dark ? 'dark' : 'light'}-${i}.png` });
+    }
+    for (const name of ['Alarm catalogue', 'Users', 'Audit log']) {
+      await one.getByRole('button', { name }).click();
+      await sleep(300);
+      await check(name);
+    }
+    await go(one, 2);
+    await one.locator('li.card', { hasText: 'saddle.toml' }).first().getByRole('button', { name: 'Use' }).click();
+    await sleep(1500);
+    for (const name of ['Form', 'Text', 'G-code']) {
+      await one.getByRole('button', { name, exact: true }).click();
+      await sleep(800);
+      await check(name);
+      await one.screenshot({ path: `${shots}${dark ? 'dark' : 'light'}-${name}.png` });
+    }
+    await go(one, 0);
+    for (const name of ['Alarms', 'Events', 'Show', "Why can't I start?"]) {
+      await one.getByRole('button', { name }).click();
+      await sleep(200);
+      await check(name);
+    }
+    quiet(one);
+    await one.context().close();
+  });
+}

@@ -1,0 +1,99 @@
+// What an operator does, in the panel's own words (English).
+import assert from 'node:assert/strict';
+
+/** A weld of a few seconds with the machine of the saddle: through four places of its axes. */
+export const SHORT = `schema = 1
+title = "Short"
+machine = "saddle-4axis"
+
+[[passes]]
+name = "short"
+
+[passes.points]
+columns = ["theta", "s", "h", "beta", "current_a", "speed_mm_s"]
+start = [0, 0, 60, -20, 200, 0]
+
+[[passes.points.spans]]
+along = "line"
+points = [
+    [4, 0, 60, -20, 200, 6],
+    [8, 0, 62, -22, 210, 6],
+    [12, 0, 60, -20, 200, 6],
+]
+`;
+
+export async function open(page, address) {
+  await page.goto(address);
+  await page.waitForSelector('.panel');
+  await page.waitForFunction(() => document.querySelector('[data-mode]')?.dataset.mode);
+}
+
+export const tab = (page, name) => page.getByRole('navigation').getByRole('button', { name, exact: true }).click();
+
+export const press = (page, name) => page.getByRole('group', { name: 'Commands' }).getByRole('button', { name }).click();
+
+export async function control(page) {
+  await page.getByRole('button', { name: 'Take control' }).click();
+  await page.getByText('You command').waitFor();
+}
+
+export async function mode(page, ...wanted) {
+  await page.waitForFunction((list) => list.includes(document.querySelector('[data-mode]')?.dataset.mode), wanted, {
+    timeout: 120_000,
+  });
+}
+
+export const burns = (page, on) => page.waitForSelector(`[data-burns="${on}"]`, { timeout: 60_000 });
+
+/** Keeps a job through the server, as the editor would. */
+export async function keep(page, name, text) {
+  const status = await page.evaluate(
+    async ([of, body]) => {
+      const session = await (await fetch('/api/session')).json();
+      const headers = { 'content-type': 'application/json', 'x-seamwright': session.token };
+      return (await fetch(`/api/jobs/${of}`, { method: 'PUT', headers, body: JSON.stringify({ text: body }) })).status;
+    },
+    [name, text],
+  );
+  assert.ok(status < 300, `keeping ${name}: ${status}`);
+}
+
+export async function load(page, name, part = '') {
+  await tab(page, 'Jobs');
+  const row = page.locator('li.card', { hasText: name }).first();
+  await row.getByRole('button', { name: 'Load' }).click();
+  const dialog = page.locator('dialog[open]');
+  await dialog.getByRole('textbox').fill(part);
+  await dialog.getByRole('button', { name: 'Load' }).click();
+  await dialog.waitFor({ state: 'hidden', timeout: 120_000 });
+}
+
+/** From off to ready. */
+export async function ready(page) {
+  await press(page, /Switch on/);
+  await mode(page, 'idle', 'ready');
+  await press(page, /^Home/);
+  await mode(page, 'homing');
+  await mode(page, 'ready');
+}
+
+/** Arms and starts, as soon as nothing stands against it. */
+export async function weld(page) {
+  await press(page, /^Arm/);
+  await page.locator('.strip', { hasText: 'Armed' }).waitFor();
+  await press(page, /Start weld/);
+  await mode(page, 'weld');
+}
+
+/** What the read-out of an axis shows. */
+export async function axis(page, name) {
+  const text = await page.locator('aside dl div', { has: page.locator('dt', { hasText: name }) }).last().locator('dd').textContent();
+  return Number(text.replace('\u2212', '-').replace(/[^0-9.-]/g, ''));
+}
+
+export const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
+
+/** Nothing was said on the console but what the software renderer says of itself. */
+export function quiet(page) {
+  assert.deepEqual(page.wrong.filter((text) => !text.includes('GL Driver Message')), []);
+}

@@ -1,0 +1,107 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { hasBrowser, launch, page } from './browser.mjs';
+import { isReal, startCell } from './cell.mjs';
+import { burns, control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab, weld } from './operator.mjs';
+
+const options = { skip: hasBrowser ? false : 'no Chromium' };
+let cell;
+let browser;
+let one;
+
+before(async () => {
+  if (!hasBrowser) return;
+  cell = await startCell();
+  browser = await launch();
+  one = await page(browser, { toured: false });
+});
+after(async () => {
+  await browser?.close();
+  await cell?.end();
+});
+
+test('the first run, led by the tour: from the printed address to a finished weld with its record', options, async () => {
+  await open(one, cell.address);
+  assert.ok(!one.url().includes('key='), 'the key is left in the address');
+  const tour = one.locator('.tour');
+  const says = (text) => tour.getByText(text).waitFor({ timeout: 60_000 });
+  await says(/Take control/);
+  await control(one);
+  if (isReal) await keep(one, 'short.toml', SHORT);
+  await load(one, isReal ? 'short.toml' : 'saddle.toml', 'N-17');
+  await tab(one, 'Weld');
+  await says(/Switch on/);
+  await press(one, /Switch on/);
+  await mode(one, 'idle', 'ready');
+  await says(/Home/);
+  await press(one, /^Home/);
+  await mode(one, 'ready');
+  await says(/Press “Arm”/);
+  await weld(one);
+  await says(/Watch the torch/);
+  await burns(one, true);
+  if (isReal) {
+    await mode(one, 'ready');
+    await burns(one, false);
+    await says(/Open Records/);
+    await tab(one, 'Records');
+    await one.locator('td', { hasText: 'N-17' }).waitFor({ timeout: 30_000 });
+    await tour.getByRole('button', { name: 'Skip' }).click();
+    await one.locator('td button').first().click();
+    await one.locator('.uplot').first().waitFor();
+  }
+  quiet(one);
+});
+
+test('hold and resume: the arc is off in the hold, and only arming brings it back', options, async () => {
+  if (isReal) {
+    await load(one, 'short.toml', 'N-18');
+    await weld(one);
+  }
+  await tab(one, 'Weld');
+  await burns(one, true);
+  await press(one, /Hold/);
+  await mode(one, 'hold');
+  await burns(one, false);
+  await press(one, /Resume/);
+  await one.getByText('Refused:').waitFor();
+  await mode(one, 'hold');
+  await press(one, /^Arm/);
+  await one.locator('.strip', { hasText: 'Armed' }).waitFor();
+  await press(one, /Resume/);
+  await mode(one, 'weld');
+});
+
+test('STOP in the weld, from the keyboard; then going on where it was left, with overlap, and nothing by itself', options, async () => {
+  await burns(one, true);
+  await sleep(1500);
+  await one.keyboard.press('F1');
+  await mode(one, 'ready');
+  await burns(one, false);
+  await one.getByRole('button', { name: /Continue pass 1/ }).click();
+  const dialog = one.locator('dialog[open]');
+  const go = dialog.getByRole('button', { name: 'Load from there' });
+  assert.ok(await go.isDisabled(), 'the crater has not been looked at');
+  await dialog.getByRole('checkbox').check();
+  await go.click();
+  await dialog.waitFor({ state: 'hidden', timeout: 60_000 });
+  await sleep(1000);
+  await mode(one, 'ready');
+  await burns(one, false);
+  quiet(one);
+});
+
+test('keys: not in text fields, not by repeat', options, async () => {
+  await tab(one, 'Jobs');
+  const field = one.getByRole('searchbox');
+  await field.fill('');
+  await field.pressSequentially('rs');
+  assert.equal(await field.inputValue(), 'rs');
+  await field.fill('');
+  await mode(one, 'ready');
+  await tab(one, 'Weld');
+  await one.evaluate(() => window.dispatchEvent(new KeyboardEvent('keydown', { key: 'r', repeat: true, bubbles: true })));
+  await sleep(300);
+  await mode(one, 'ready');
+  quiet(one);
+});
