@@ -53,9 +53,9 @@ torch: number,
  */
 up: [number, number, number], 
 /**
- * Highest jog speeds: of the tip (mm/s, degrees/s).
+ * Highest speed of the tip by hand, mm/s.
  */
-jog: [number, number], 
+jog_mm_s: number, 
 /**
  * Sensors by name.
  */
@@ -78,13 +78,9 @@ name: string,
  */
 unit: string, 
 /**
- * Range.
+ * Lowest and highest position; none: it turns without end.
  */
-from: number, 
-/**
- * See `from`.
- */
-to: number, 
+range: [number, number] | null, 
 /**
  * Home.
  */
@@ -93,6 +89,35 @@ home: number,
  * Highest speed.
  */
 max_speed: number, };
+
+/**
+ * A row of `GET /api/alarms/catalogue`, in English.
+ */
+export type AlarmEntry = { 
+/**
+ * Number.
+ */
+number: number, 
+/**
+ * Stable name.
+ */
+name: string, 
+/**
+ * Why it comes.
+ */
+cause: string, 
+/**
+ * What it leads to.
+ */
+consequence: string, 
+/**
+ * What to do.
+ */
+action: string, 
+/**
+ * What the cell does.
+ */
+reaction: string, };
 
 /**
  * A condition of the machine file.
@@ -223,6 +248,15 @@ enabled: boolean,
 own_password: string | null, };
 
 /**
+ * `DELETE /api/users/NAME`.
+ */
+export type OwnPassword = { 
+/**
+ * The password of whoever asks.
+ */
+own_password: string | null, };
+
+/**
  * What every failed request answers.
  */
 export type Trouble = { 
@@ -312,6 +346,11 @@ missed: number,
  */
 lost: number, 
 /**
+ * Where a weld was left by a stop, a fault or a power failure and can be gone on with: pass from 1 and the path length
+ * up to which it is welded (mm).
+ */
+left: [number, number] | null, 
+/**
  * Number of the weld in the library while one is recorded.
  */
 recording: number | null, };
@@ -337,7 +376,8 @@ burning: boolean,
  */
 gas: boolean, 
 /**
- * What a pass is doing: `preflow`, `strike`, .. as words; none beside passes.
+ * What a pass is doing: `held`, `preflow`, `travel_delay`, `travel`, `run_out`, `crater`, `postflow`, `move`, `ended`; none
+ * beside passes.
  */
 phase: string | null, 
 /**
@@ -531,6 +571,10 @@ job: string,
  * Its title.
  */
 title: string, 
+/**
+ * Name of the machine that it is for.
+ */
+machine: string, 
 /**
  * Names of process values, ending in their units.
  */
@@ -786,6 +830,78 @@ from: [number, number] | null,
 part: string | null, };
 
 /**
+ * `POST /api/post`: a part program for a control.
+ */
+export type PostText = { 
+/**
+ * TOML of a job or program.
+ */
+text: string, 
+/**
+ * `sinumerik`, `linuxcnc`, `grblhal`, `pmac`.
+ */
+dialect: string, };
+
+/**
+ * Its answer.
+ */
+export type PostAnswer = { 
+/**
+ * The part program.
+ */
+text: string, 
+/**
+ * How it was proven, a line each.
+ */
+proof: Array<string>, };
+
+/**
+ * The answer of `POST /api/edit`, which takes `{ text, operations }` as `seamwright edit --script` does.
+ */
+export type EditAnswer = { 
+/**
+ * The text as it is now.
+ */
+text: string, 
+/**
+ * What was done, in words.
+ */
+words: Array<string>, };
+
+/**
+ * A row of `GET /api/audit`, the newest first.
+ */
+export type AuditRow = { 
+/**
+ * When, UTC.
+ */
+at: string, 
+/**
+ * Who.
+ */
+user: string, 
+/**
+ * Where from.
+ */
+station: string, 
+/**
+ * What.
+ */
+command: string, 
+/**
+ * The value before, and after.
+ */
+old: string, 
+/**
+ * See `old`.
+ */
+new: string, 
+/**
+ * What came of it.
+ */
+result: string, };
+
+/**
  * A row of `GET /api/records`, and the head of `GET /api/records/ID`.
  */
 export type RecordRow = { 
@@ -963,8 +1079,8 @@ seq: number,
  */
 of: JogOf, 
 /**
- * For joints: part of the highest jog speed of each axis, -1 to 1. For the tip: x, y, z of the work frame in mm/s,
- * then turns about them in degrees/s.
+ * For joints: part of the highest speed of each axis, -1 to 1. For the tip: x, y, z in the work frame as parts of the
+ * highest speed by hand; its direction is kept. The cell slows all of it so that the tip keeps to that speed.
  */
 speeds: Array<number>, } | { "kind": "beat", } | { "kind": "take_control", 
 /**

@@ -3,6 +3,8 @@
 mod cell;
 mod http;
 mod serve;
+#[cfg(test)]
+mod tests;
 mod users;
 mod view;
 pub mod wire;

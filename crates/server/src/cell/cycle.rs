@@ -27,7 +27,8 @@ pub(super) fn run(mut task: Box<Prepared>, mut port: LivePort, mut swap: Swap) {
             if task.with(|work| executive.serve(Some(work))) == End::Quit {
                 return;
             }
-            if let Ok(next) = swap.next.pop() {
+            // The last one is meant: those before it were refused.
+            while let Ok(next) = swap.next.pop() {
                 // Where nobody takes it, it is dropped here: late, at rest.
                 drop(swap.done.push(std::mem::replace(&mut task, next)));
             }

@@ -204,6 +204,10 @@ impl Desk {
             drop(loading.answer.send(Err(lack("mode", text))));
             return;
         }
+        if self.now.is_some_and(|now| now.mode.moves() || now.mode == Mode::Hold || now.phase.is_some()) {
+            drop(loading.answer.send(Err(self.names.lack(Missing::Moving))));
+            return;
+        }
         let Loading { prepared, view, plan, passes, user, answer } = *loading;
         let machine = prepared.machine().clone();
         let values = prepared.with(|work| work.values().len());

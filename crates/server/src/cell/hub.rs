@@ -115,9 +115,11 @@ impl Hub {
         self.latest.lock().unwrap_or_else(PoisonError::into_inner).as_ref().map(|(status, _)| status.clone())
     }
 
-    /// Where the axes shall be, mm or rad.
+    /// Where the axes shall be, mm or rad, if their references are known.
     pub(crate) fn set_points(&self) -> Option<Joints> {
-        self.latest.lock().unwrap_or_else(PoisonError::into_inner).as_ref().map(|(_, set)| *set)
+        let latest = self.latest.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = |status: &Status| status.axes.iter().all(|axis| axis.referenced);
+        latest.as_ref().filter(|(status, _)| known(status)).map(|(_, set)| *set)
     }
 
     /// Tells everybody what happened.

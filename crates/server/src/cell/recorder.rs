@@ -9,7 +9,7 @@ use seamwright_record::{DataFolder, Error, Moment, Outcome, Plan, Recording};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// After the program has ended the record goes on for this long: gas flows, axes come to rest. s
+/// After the program has ended, its gas too, the record goes on for this long, s.
 const AFTER_S: f64 = 1.0;
 
 /// Records welds as they come.
@@ -80,7 +80,9 @@ impl Recorder {
         }
         let trouble = open.recording.trouble().map(str::to_owned);
         match open.ended {
-            None if !matches!(shown.mode, Mode::Weld | Mode::Hold) => open.ended = Some(shown.t),
+            None if !matches!(shown.mode, Mode::Weld | Mode::Hold) && shown.phase.is_none() => {
+                open.ended = Some(shown.t)
+            }
             Some(t) if shown.t - t > AFTER_S => self.end(),
             _ => {}
         }

@@ -17,4 +17,6 @@ mod users;
 
 pub(crate) use panel::Panel;
 pub(crate) use plan::begin_with;
+#[cfg(test)]
+pub(crate) use routes::all_routes;
 pub(crate) use routes::app;

@@ -5,7 +5,7 @@ use crate::cell::{Loading, Planned, Prepared, Task, ToDesk};
 use crate::users::Session;
 use crate::view::work_view;
 use crate::wire::{JobText, Load, PlanAnswer, PostAnswer, PostText, WorkView};
-use axum::extract::{Query, State};
+use axum::extract::{Path, Query, State};
 use axum::http::StatusCode;
 use axum::response::Html;
 use axum::{Extension, Json};
@@ -125,6 +125,19 @@ fn loading(
     let prepared = Box::new(Prepared::new(task, &at, from).map_err(Refused::input)?);
     let shown = Some(Arc::clone(&view));
     Ok((Loading { prepared, view: shown, plan: Some(plan), passes, user, answer }, view))
+}
+
+/// What was welded, planned once more: where a record's torch was.
+pub(super) async fn recorded(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) -> Answer<WorkView> {
+    let view = alone(&panel, move |panel| {
+        let data = seamwright_record::DataFolder::open_to_read(&panel.data)?;
+        let program = data.library().program_of(id)?;
+        let loaded = load_text(&program.name, &program.text, &panel.jobs())?;
+        let planned = loaded.try_plan()?;
+        let planned = planned.as_ref().map_err(Vec::as_slice);
+        Ok(work_view(panel.plan_number(), &program.name, &loaded, planned))
+    });
+    view.await.map(Json)
 }
 
 /// `?job=NAME`.

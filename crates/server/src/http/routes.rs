@@ -108,6 +108,13 @@ pub(super) fn routes() -> Vec<Route> {
         Route::get("/api/records", "records.read", "Welds", shape::<Vec<RecordRow>>(), get(records::list)),
         Route::get("/api/records/{id}", "records.read", "A weld", shape::<RecordView>(), get(records::get)),
         Route::get("/api/records/{id}/trace", "records.read", "Its trace", shape::<TraceView>(), get(records::trace)),
+        Route::get(
+            "/api/records/{id}/work",
+            "records.read",
+            "What it welded",
+            shape::<WorkView>(),
+            get(plan::recorded),
+        ),
         Route::get("/api/records/{id}/report", "records.read", "Its report as a page", None, get(records::report)),
         Route::get("/api/audit", "audit.read", "Who did what", shape::<Vec<AuditRow>>(), get(records::audit)),
         Route::get("/api/users", "users.read", "Users", shape::<Vec<UserRow>>(), get(users::list)),
@@ -141,4 +148,10 @@ pub(crate) fn app(panel: &Arc<Panel>) -> Router {
         .layer(DefaultBodyLimit::max(MOST_BYTES))
         .layer(middleware::from_fn_with_state(Arc::clone(panel), host))
         .with_state(Arc::clone(panel))
+}
+
+/// Method, path and permission of every route.
+#[cfg(test)]
+pub(crate) fn all_routes() -> Vec<(&'static str, &'static str, Option<&'static str>)> {
+    routes().into_iter().map(|route| (route.method, route.path, route.action)).collect()
 }

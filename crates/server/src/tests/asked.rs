@@ -1,0 +1,48 @@
+//! Jobs, plans, part programs, edits.
+
+use super::{Bench, HOST};
+use axum::http::StatusCode;
+use serde_json::json;
+
+#[tokio::test(flavor = "multi_thread")]
+async fn jobs_are_kept_planned_posted_and_edited() {
+    let bench = Bench::new(&[HOST]).await;
+    let owner = bench.owner().await;
+    let (_, example) = bench.ask(owner.request("GET", "/api/jobs/ellipse.toml", None)).await;
+    let text = example["text"].as_str().unwrap().to_owned();
+    let put = owner.request("PUT", "/api/jobs/mine.toml", Some(&json!({ "text": text })));
+    let (status, row) = bench.ask(put).await;
+    assert_eq!((status, &row["example"]), (StatusCode::OK, &json!(false)));
+    let (_, rows) = bench.ask(owner.request("GET", "/api/jobs", None)).await;
+    assert_eq!(rows[0]["name"], "mine.toml");
+    assert!(rows.as_array().unwrap().len() > 10);
+    let (status, answer) = bench.ask(owner.request("POST", "/api/plan", Some(&json!({ "text": text })))).await;
+    assert_eq!((status, &answer["kind"], &answer["work"]["good"]), (StatusCode::OK, &json!("planned"), &json!(true)));
+    let path = answer["work"]["passes"][0]["path"].as_array().unwrap();
+    assert!(path.len() > 100 && path[10]["torch"].as_array().unwrap().len() == 3);
+    // What is wrong has a line and a key.
+    let wrong = text.replace("title", "tilte");
+    let (_, answer) = bench.ask(owner.request("POST", "/api/plan", Some(&json!({ "text": wrong })))).await;
+    assert_eq!(answer["kind"], "wrong", "{answer}");
+    assert!(answer["line"].as_u64().is_some() && answer["message"].as_str().unwrap().contains("tilte"), "{answer}");
+    // As a program, it can be edited; as either, posted.
+    let post = json!({ "text": text, "dialect": "linuxcnc" });
+    let (status, answer) = bench.ask(owner.request("POST", "/api/post", Some(&post))).await;
+    assert_eq!(status, StatusCode::OK, "{answer}");
+    assert!(answer["text"].as_str().unwrap().contains("G93") && !answer["proof"].as_array().unwrap().is_empty());
+    let post = json!({ "text": text, "dialect": "basic" });
+    assert_eq!(bench.ask(owner.request("POST", "/api/post", Some(&post))).await.0, StatusCode::UNPROCESSABLE_ENTITY);
+    assert_eq!(bench.ask(owner.request("DELETE", "/api/jobs/mine.toml", None)).await.0, StatusCode::NO_CONTENT);
+    assert_eq!(bench.ask(owner.request("DELETE", "/api/jobs/mine.toml", None)).await.0, StatusCode::NOT_FOUND);
+    let page = bench.raw(owner.request("GET", "/api/report?job=ellipse.toml", None)).await;
+    assert_eq!(page.status(), StatusCode::OK);
+    let (_, audit) = bench.ask(owner.request("GET", "/api/audit", None)).await;
+    let commands: Vec<&str> = audit.as_array().unwrap().iter().filter_map(|e| e["command"].as_str()).collect();
+    assert!(commands.contains(&"delete job mine.toml") && commands.contains(&"log in"), "{commands:?}");
+    let (_, document) = bench.ask(owner.request("GET", "/api/openapi.json", None)).await;
+    assert!(document["paths"]["/api/jobs/{name}"]["put"]["requestBody"].is_object());
+    assert!(
+        document["components"]["schemas"]["Status"].is_null()
+            && document["components"]["schemas"]["WorkView"].is_object()
+    );
+}

@@ -1,0 +1,225 @@
+//! The socket: who may command, what is heard, what a hand on the keys does.
+
+use super::{Bench, Visitor};
+use futures_util::{SinkExt as _, StreamExt as _};
+use serde_json::{Value, json};
+use std::time::{Duration, Instant};
+use tokio::net::TcpListener;
+use tokio_tungstenite::tungstenite::Message;
+use tokio_tungstenite::tungstenite::client::IntoClientRequest as _;
+
+type Socket = tokio_tungstenite::WebSocketStream<tokio_tungstenite::MaybeTlsStream<tokio::net::TcpStream>>;
+
+/// A panel that listens.
+pub(super) struct Served {
+    pub(super) bench: Bench,
+    address: String,
+}
+
+impl Served {
+    pub(super) async fn new() -> Self {
+        let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
+        let address = listener.local_addr().unwrap().to_string();
+        let bench = Bench::new(&[super::HOST, &address]).await;
+        let app = bench.app.clone();
+        tokio::spawn(async move { axum::serve(listener, app).await });
+        Self { bench, address }
+    }
+
+    pub(super) async fn page(&self, visitor: &Visitor) -> Page {
+        let mut request = format!("ws://{}/api/live", self.address).into_client_request().unwrap();
+        request.headers_mut().insert("cookie", visitor.cookie.parse().unwrap());
+        let (socket, _) = tokio_tungstenite::connect_async(request).await.unwrap();
+        Page { socket, seq: 0, jogs: 0, status: Value::Null, beat: Instant::now() }
+    }
+}
+
+/// A page in somebody's browser.
+pub(super) struct Page {
+    socket: Socket,
+    seq: u32,
+    jogs: u32,
+    pub(super) status: Value,
+    beat: Instant,
+}
+
+impl Page {
+    pub(super) async fn say(&mut self, message: &Value) {
+        self.socket.send(Message::text(message.to_string())).await.unwrap();
+    }
+
+    async fn next(&mut self) -> Option<Value> {
+        if self.beat.elapsed() > Duration::from_millis(200) {
+            self.beat = Instant::now();
+            self.say(&json!({ "kind": "beat" })).await;
+        }
+        match tokio::time::timeout(Duration::from_secs(20), self.socket.next()).await.expect("it is silent")? {
+            Ok(Message::Text(text)) => {
+                let value: Value = serde_json::from_str(&text).unwrap();
+                if value["kind"] == "status" {
+                    self.status = value.clone();
+                }
+                Some(value)
+            }
+            _ => None,
+        }
+    }
+
+    /// Listens until something fits.
+    pub(super) async fn until(&mut self, what: &str, fits: impl Fn(&Value) -> bool) -> Value {
+        let begin = Instant::now();
+        loop {
+            let value = self.next().await.unwrap_or_else(|| panic!("closed before {what}"));
+            if fits(&value) {
+                return value;
+            }
+            assert!(begin.elapsed() < Duration::from_secs(120), "no {what}: {}", self.status);
+        }
+    }
+
+    pub(super) async fn mode(&mut self, mode: &str) {
+        self.until(mode, |v| v["kind"] == "status" && v["mode"] == mode).await;
+    }
+
+    /// A command and what is answered.
+    pub(super) async fn ask(&mut self, what: Value) -> Value {
+        self.seq += 1;
+        let seq = self.seq;
+        self.say(&json!({ "kind": "command", "seq": seq, "ask": what })).await;
+        self.until("an answer", |v| v["kind"] == "answer" && v["seq"] == seq).await
+    }
+
+    pub(super) async fn order(&mut self, what: &str) {
+        let answer = self.ask(json!({ "do": what })).await;
+        assert_eq!(answer["ok"], true, "{what}: {answer}");
+    }
+
+    async fn jog(&mut self, speeds: [f64; 2]) {
+        self.jogs += 1;
+        self.say(&json!({ "kind": "jog", "seq": self.jogs, "of": "joints", "speeds": speeds })).await;
+    }
+
+    /// From off to ready, with control.
+    pub(super) async fn up(&mut self) {
+        self.say(&json!({ "kind": "take_control", "over": false })).await;
+        self.until("control", |v| v["kind"] == "control" && v["mine"] == true).await;
+        self.order("switch_on").await;
+        self.until("power", |v| v["kind"] == "status" && v["powered"] == true).await;
+        self.order("home").await;
+        self.mode("ready").await;
+    }
+
+    fn position(&self) -> f64 {
+        self.status["axes"][0]["set"].as_f64().unwrap()
+    }
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn one_page_commands_and_the_others_watch() {
+    let served = Served::new().await;
+    let everybody = served.bench.everybody().await;
+    let of = |role: &str| everybody.iter().find(|(r, _)| format!("{r:?}") == role).unwrap().1.clone();
+    let mut first = served.page(&of("Operator")).await;
+    let hello = first.until("hello", |v| v["kind"] == "hello").await;
+    assert!(hello["station"].as_u64().unwrap() > 0);
+    first.until("the work", |v| v["kind"] == "work" && v["work"]["job"] == "ellipse.toml").await;
+    // Without control nothing but a stop or a hold.
+    assert_eq!(first.ask(json!({ "do": "switch_on" })).await["why"]["key"], "control");
+    first.order("stop").await;
+    first.up().await;
+    // What stands against a weld.
+    first.say(&json!({ "kind": "why", "ask": "start_weld" })).await;
+    let why = first.until("why", |v| v["kind"] == "why").await;
+    assert_eq!(why["lacks"].as_array().unwrap().len(), 1, "{why}");
+    assert_eq!(why["lacks"][0]["key"], "arming");
+    // A replayed command is refused.
+    let seq = first.seq;
+    first.say(&json!({ "kind": "command", "seq": seq, "ask": { "do": "home" } })).await;
+    let again = first.until("a refusal", |v| v["kind"] == "answer" && v["ok"] == false).await;
+    assert_eq!(again["why"]["key"], "replayed");
+    // Another page may not, but sees who may, and takes it over.
+    let mut second = served.page(&of("Service")).await;
+    let control = second.until("control", |v| v["kind"] == "control").await;
+    assert_eq!((&control["mine"], &control["user"]), (&json!(false), &json!("Operator")));
+    assert_eq!(second.ask(json!({ "do": "home" })).await["why"]["key"], "control");
+    second.say(&json!({ "kind": "take_control", "over": false })).await;
+    let held = second.until("a refusal", |v| v["kind"] == "answer" && v["ok"] == false).await;
+    assert_eq!((&held["why"]["key"], &held["why"]["of"][0]), (&json!("control"), &json!("Operator")));
+    second.say(&json!({ "kind": "take_control", "over": true })).await;
+    first.until("the loss", |v| v["kind"] == "control" && v["mine"] == false).await;
+    assert_eq!(first.ask(json!({ "do": "home" })).await["why"]["key"], "control");
+    // A viewer may do nothing but stop.
+    let mut viewer = served.page(&of("Viewer")).await;
+    for what in ["switch_on", "hold", "arm", "start_weld", "reset", "acknowledge"] {
+        assert_eq!(viewer.ask(json!({ "do": what })).await["why"]["key"], "role", "{what}");
+    }
+    viewer.order("stop").await;
+    // What is no message is told; whoever shouts is cut off.
+    for bad in ["", "{", "{\"kind\":\"command\"}", "{\"kind\":\"beat\",\"more\":1}", "[1]"] {
+        viewer.socket.send(Message::text(bad)).await.unwrap();
+        let answer = viewer.until("a refusal", |v| v["kind"] == "answer").await;
+        assert_eq!(answer["ok"], false, "{bad}");
+    }
+    for _ in 0..400 {
+        if viewer.socket.send(Message::text("{\"kind\":\"beat\"}")).await.is_err() {
+            break;
+        }
+    }
+    while viewer.next().await.is_some() {}
+    // Control is lost with the heartbeat.
+    let told = served.bench.panel.cell.hub.holder();
+    assert_eq!(told.as_deref(), Some("Service"));
+    tokio::time::sleep(Duration::from_millis(1300)).await;
+    assert_eq!(served.bench.panel.cell.hub.holder(), None);
+}
+
+/// The axis stops within 250 ms of the last message, whichever way the hand goes; and a lost connection resumes nothing.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_hand_that_goes_stops_the_axes() {
+    let served = Served::new().await;
+    let owner = served.bench.owner().await;
+    for way in ["silent", "rest", "closed"] {
+        let mut page = served.page(&owner).await;
+        if way == "silent" {
+            page.up().await;
+        } else {
+            page.say(&json!({ "kind": "take_control", "over": true })).await;
+            page.until("control", |v| v["kind"] == "control" && v["mine"] == true).await;
+        }
+        page.order("start_jog").await;
+        page.mode("jog").await;
+        let before = page.position();
+        let side = if way == "rest" { -1.0 } else { 1.0 };
+        for _ in 0..12 {
+            page.jog([0.2 * side, 0.0]).await;
+            tokio::time::sleep(Duration::from_millis(50)).await;
+        }
+        let last = Instant::now();
+        match way {
+            "rest" => page.jog([0.0, 0.0]).await,
+            "closed" => page.socket.close(None).await.unwrap(),
+            _ => {}
+        }
+        let mut watcher = served.page(&owner).await;
+        let mut moving = Duration::ZERO;
+        let mut place = f64::NAN;
+        while last.elapsed() < Duration::from_millis(900) {
+            watcher.until("status", |v| v["kind"] == "status").await;
+            if (watcher.position() - place).abs() > 1e-9 {
+                moving = last.elapsed();
+            }
+            place = watcher.position();
+        }
+        // 200 ms until it is silent, then the stop; and a busy machine.
+        assert!(moving < Duration::from_millis(600), "{way}: {moving:?}");
+        assert!((place - before).abs() > 0.5, "{way}: {before} {place}");
+        watcher.say(&json!({ "kind": "take_control", "over": true })).await;
+        watcher.until("control", |v| v["kind"] == "control" && v["mine"] == true).await;
+        watcher.order("hold").await;
+        watcher.mode("ready").await;
+        if way == "silent" {
+            let alarm = watcher.ask(json!({ "do": "acknowledge" })).await;
+            assert_eq!(alarm["ok"], true);
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! The panel asked from outside: over HTTP and over the socket.
+
+mod asked;
+mod guarded;
+mod lived;
+mod welded;
+
+use crate::cell::Cell;
+use crate::http::{Panel, app, begin_with};
+use crate::users::Accounts;
+use crate::wire::Role;
+use axum::Router;
+use axum::body::Body;
+use axum::http::{Request, Response, StatusCode};
+use http_body_util::BodyExt as _;
+use seamwright_machine::{Machine, shipped};
+use serde_json::Value;
+use std::sync::Arc;
+use tempfile::TempDir;
+use tower::ServiceExt as _;
+
+const HOST: &str = "127.0.0.1:8080";
+const KEY: &str = "0123456789abcdef0123456789abcdef";
+
+/// A panel with a cell of its own.
+struct Bench {
+    panel: Arc<Panel>,
+    app: Router,
+    folder: TempDir,
+}
+
+/// Somebody who is logged in.
+#[derive(Clone)]
+struct Visitor {
+    cookie: String,
+    token: String,
+}
+
+impl Bench {
+    async fn new(hosts: &[&str]) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir(folder.path().join("jobs")).unwrap();
+        let machine = Machine::read("m.toml", shipped("ellipse-xy").unwrap().text).unwrap();
+        let cell = Cell::start(&machine, folder.path()).unwrap();
+        let accounts = Accounts::open(folder.path()).unwrap();
+        let hosts = hosts.iter().map(|h| (*h).to_owned()).collect();
+        let panel = Arc::new(Panel::new(cell, accounts, KEY.to_owned(), folder.path().to_owned(), hosts));
+        begin_with(&panel, "ellipse.toml").await.unwrap();
+        Self { app: app(&panel), panel, folder }
+    }
+
+    async fn ask(&self, request: Request<Body>) -> (StatusCode, Value) {
+        let response = self.raw(request).await;
+        let status = response.status();
+        let bytes = response.into_body().collect().await.unwrap().to_bytes();
+        (status, serde_json::from_slice(&bytes).unwrap_or(Value::Null))
+    }
+
+    async fn raw(&self, request: Request<Body>) -> Response<Body> {
+        self.app.clone().oneshot(request).await.unwrap()
+    }
+
+    async fn log_in(&self, user: &str, password: &str) -> Option<Visitor> {
+        let body = serde_json::json!({ "user": user, "password": password }).to_string();
+        let request = Request::post("/api/login")
+            .header("host", HOST)
+            .header("content-type", "application/json")
+            .header("x-seamwright", "login")
+            .body(Body::from(body))
+            .unwrap();
+        let response = self.raw(request).await;
+        let cookie = response.headers().get("set-cookie").map(|c| c.to_str().unwrap().to_owned());
+        let bytes = response.into_body().collect().await.unwrap().to_bytes();
+        let view: Value = serde_json::from_slice(&bytes).unwrap();
+        let cookie = cookie?.split(';').next().unwrap().to_owned();
+        Some(Visitor { cookie, token: view["token"].as_str().unwrap().to_owned() })
+    }
+
+    async fn owner(&self) -> Visitor {
+        self.log_in("", KEY).await.unwrap()
+    }
+
+    /// Users of all roles, each with its name as password; the last is the administrator.
+    async fn everybody(&self) -> Vec<(Role, Visitor)> {
+        let roles = [Role::Admin, Role::Viewer, Role::Operator, Role::Programmer, Role::Service];
+        let mut all = Vec::new();
+        for role in roles {
+            let name = format!("{role:?}");
+            self.panel.accounts.put(&name, role, true, Some(&format!("password of {name}"))).unwrap();
+        }
+        for role in roles {
+            let name = format!("{role:?}");
+            all.push((role, self.log_in(&name, &format!("password of {name}")).await.unwrap()));
+        }
+        all
+    }
+}
+
+impl Visitor {
+    fn request(&self, method: &str, path: &str, body: Option<&Value>) -> Request<Body> {
+        let request = Request::builder()
+            .method(method)
+            .uri(path)
+            .header("host", HOST)
+            .header("cookie", &self.cookie)
+            .header("x-seamwright", &self.token)
+            .header("content-type", "application/json");
+        request.body(Body::from(body.map_or("{}".to_owned(), Value::to_string))).unwrap()
+    }
+}
+
+impl Drop for Bench {
+    fn drop(&mut self) {
+        self.panel.cell.end();
+    }
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn the_first_key_opens_until_there_is_an_administrator() {
+    let bench = Bench::new(&[HOST]).await;
+    assert!(bench.log_in("", "guess").await.is_none());
+    let owner = bench.owner().await;
+    let (status, view) = bench.ask(owner.request("GET", "/api/session", None)).await;
+    assert_eq!((status, &view["role"], &view["first_run"]), (StatusCode::OK, &"admin".into(), &true.into()));
+    let ada =
+        serde_json::json!({ "role": "admin", "password": "correct horse", "enabled": true, "own_password": null });
+    assert_eq!(bench.ask(owner.request("PUT", "/api/users/ada", Some(&ada))).await.0, StatusCode::OK);
+    assert!(bench.log_in("", KEY).await.is_none());
+    let ada = bench.log_in("ada", "correct horse").await.unwrap();
+    let (_, view) = bench.ask(ada.request("GET", "/api/session", None)).await;
+    assert_eq!((&view["user"], &view["first_run"]), (&"ada".into(), &false.into()));
+    assert_eq!(bench.ask(ada.request("POST", "/api/logout", None)).await.0, StatusCode::NO_CONTENT);
+    assert_eq!(bench.ask(ada.request("GET", "/api/session", None)).await.0, StatusCode::UNAUTHORIZED);
+    assert!(bench.folder.path().join("users.json").is_file());
+}

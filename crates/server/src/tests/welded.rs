@@ -1,0 +1,72 @@
+//! A weld from switching on to its record; a stop and going on.
+
+use super::lived::Served;
+use serde_json::json;
+use std::time::Duration;
+
+const SHORT: &str = "end_phi_deg = 60";
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
+    let served = Served::new().await;
+    let bench = &served.bench;
+    let owner = bench.owner().await;
+    let (_, example) = bench.ask(owner.request("GET", "/api/jobs/ellipse.toml", None)).await;
+    let text = example["text"].as_str().unwrap();
+    assert!(text.contains("overlap_mm"), "{text}");
+    let line = text.lines().find(|l| l.starts_with("overlap_mm")).unwrap();
+    let text = text.replace(line, SHORT);
+    bench.ask(owner.request("PUT", "/api/jobs/short.toml", Some(&json!({ "text": text })))).await;
+    let load = json!({ "job": "short.toml", "from": null, "part": "N-17" });
+    let (status, work) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
+    assert!(status.is_success(), "{work}");
+    let mut page = served.page(&owner).await;
+    page.up().await;
+    // Not armed: refused with the reason.
+    assert_eq!(page.ask(json!({ "do": "start_weld" })).await["why"]["key"], "arming");
+    page.order("arm").await;
+    page.order("start_weld").await;
+    page.until("the arc", |v| v["kind"] == "status" && v["process"]["burning"] == true).await;
+    // While it runs nothing is loaded.
+    let (status, refused) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
+    assert_eq!((status.as_u16(), &refused["key"]), (409, &json!("busy")));
+    page.until("travel", |v| v["kind"] == "status" && v["s_mm"].as_f64().unwrap() > 3.0).await;
+    page.order("hold").await;
+    page.until("rest", |v| v["kind"] == "status" && v["process"]["phase"] == "held").await;
+    page.order("arm").await;
+    page.order("resume").await;
+    page.until("travel", |v| v["kind"] == "status" && v["s_mm"].as_f64().unwrap() > 6.0 && v["process"]["on"] == true)
+        .await;
+    page.order("stop").await;
+    let left = page.until("where it was left", |v| v["kind"] == "status" && v["left"].is_array()).await;
+    let (pass, mm) = (left["left"][0].as_u64().unwrap(), left["left"][1].as_f64().unwrap());
+    assert!(pass == 1 && mm > 6.0, "{left}");
+    page.until("the record", |v| v["kind"] == "event" && v["what"] == "record").await;
+    // On from there, to the end.
+    let load = json!({ "job": "short.toml", "from": [pass, mm], "part": "N-17" });
+    let (status, work) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
+    assert!(status.is_success(), "{work}");
+    page.order("arm").await;
+    page.order("start_weld").await;
+    page.until("the record", |v| v["kind"] == "event" && v["what"] == "record").await;
+    let (_, records) = bench.ask(owner.request("GET", "/api/records?part=N-17", None)).await;
+    let results: Vec<&str> = records.as_array().unwrap().iter().map(|r| r["result"].as_str().unwrap()).collect();
+    assert_eq!(results, ["good", "stopped"], "{records}");
+    assert_eq!(records[0]["welder"], "owner");
+    let id = records[0]["id"].as_i64().unwrap();
+    let (_, record) = bench.ask(owner.request("GET", &format!("/api/records/{id}"), None)).await;
+    assert!(record["rows"].as_u64().unwrap() > 1000 && record["columns"].as_array().unwrap().len() > 15);
+    let trace = format!("/api/records/{id}/trace?columns=t_s,s_mm,arc&most=500");
+    let (_, trace) = bench.ask(owner.request("GET", &trace, None)).await;
+    let rows = trace["values"][0].as_array().unwrap().len();
+    assert!((400..=501).contains(&rows), "{rows}");
+    let (status, work) = bench.ask(owner.request("GET", &format!("/api/records/{id}/work"), None)).await;
+    assert!(status.is_success() && !work["passes"].as_array().unwrap().is_empty());
+    let page = bench.raw(owner.request("GET", &format!("/api/records/{id}/report"), None)).await;
+    assert!(page.status().is_success());
+    // The audit log names who did what.
+    let (_, audit) = bench.ask(owner.request("GET", "/api/audit?most=100", None)).await;
+    let has = |what: &str| audit.as_array().unwrap().iter().any(|e| e["command"] == what && e["user"] == "owner");
+    assert!(has("start weld") && has("arm") && has("stop") && has("load short.toml"), "{audit}");
+    tokio::time::sleep(Duration::from_millis(10)).await;
+}
