@@ -1,5 +1,6 @@
 // The browser of the tests. Software WebGL: slow, but the same everywhere.
-import { existsSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
+import { extname, join } from 'node:path';
 import { chromium } from 'playwright-core';
 
 export const CHROMIUM = process.env.SEAMWRIGHT_CHROMIUM ?? '/usr/bin/chromium';
@@ -29,6 +30,18 @@ export function launch() {
   });
 }
 
+/** A folder with a built panel, which is shown instead of the one inside the program: to try a panel without building that. */
+const panel = process.env.SEAMWRIGHT_PANEL;
+const KINDS = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml' };
+
+function fromFolder(route) {
+  const { pathname } = new URL(route.request().url());
+  const file = join(panel, pathname === '/' ? 'index.html' : pathname);
+  if (!existsSync(file)) return route.fulfill({ status: 404 });
+  const headers = { 'content-type': KINDS[extname(file)] ?? 'text/plain', 'content-security-policy': "default-src 'self'" };
+  return route.fulfill({ status: 200, headers, body: readFileSync(file) });
+}
+
 /** A page in its own context that collects what goes wrong in it. */
 export async function page(browser, { size = 'touch', language = 'en', dark = false, toured = true } = {}) {
   const context = await browser.newContext({ viewport: SIZES[size], locale: language, colorScheme: dark ? 'dark' : 'light' });
@@ -39,6 +52,7 @@ export async function page(browser, { size = 'touch', language = 'en', dark = fa
     },
     [language, toured],
   );
+  if (panel) await context.route((url) => !url.pathname.startsWith('/api/'), fromFolder);
   const made = await context.newPage();
   made.wrong = [];
   made.on('console', (message) => {

@@ -73,6 +73,8 @@ export class Editor {
         ],
       }),
     });
+    // What scrolls can be reached by keyboard.
+    this.view.scrollDOM.tabIndex = 0;
   }
 
   set(text: string): void {
