@@ -3,7 +3,7 @@
 .PHONY: help run test bench peers soak fmt lint
 
 help:
-	@echo "make run    plan and weld the example in simulation; the report is left in out/saddle"
+	@echo "make run    a simulated cell with its panel: open the address that it prints"
 	@echo "make test   format, lints, all tests; prints how many passed"
 	@echo "make bench  speed and memory of this build on this machine"
 	@echo "make peers  compare with other programs (LinuxCNC); installs what is missing, needs root"

@@ -42,7 +42,9 @@ fn build(web: &Path, out: &Path) -> Result<(), String> {
     let time = |path: PathBuf| fs::metadata(path).and_then(|m| m.modified()).ok();
     let installed = time(web.join("node_modules/.package-lock.json"));
     if installed.is_none() || installed < time(web.join("package-lock.json")) {
-        run(Command::new("npm").args(["ci", "--no-audit", "--no-fund", "--ignore-scripts"]).current_dir(web))?;
+        run(Command::new("npm")
+            .args(["ci", "--no-audit", "--no-fund", "--ignore-scripts", "--fetch-retries=1"])
+            .current_dir(web))?;
     }
     let vite = web.join("node_modules/.bin/vite");
     run(Command::new(vite).args(["build", "--emptyOutDir", "--outDir"]).arg(out).current_dir(web)).map(drop)

@@ -24,7 +24,7 @@ use std::path::PathBuf;
 
 /// Plans, checks, simulates and posts CNC welds of seams that curve through space.
 ///
-/// Without a verb the example saddle is planned and welded in simulation, and the report is left in out/saddle.
+/// Without a verb the cell is started with its panel: open the address that is printed.
 #[derive(Debug, Parser)]
 #[command(
     version,

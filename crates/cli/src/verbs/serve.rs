@@ -67,7 +67,11 @@ fn taken(job: &str, jobs: &Path) -> Result<String, Failure> {
         ))),
         Some(_) => Ok(name),
         None if EXAMPLES.iter().any(|e| e.text == text && name == format!("{}.toml", e.name)) => Ok(name),
-        None => files::write(&inside, &text).map(|()| name),
+        None => {
+            // What is wrong is not taken.
+            load_text(job, &text, jobs)?;
+            files::write(&inside, &text).map(|()| name)
+        }
     }
 }
 
