@@ -53,7 +53,10 @@ fn what_cannot_be_served_is_told() {
     let folder = tempfile::tempdir().unwrap();
     let data = folder.path().join("cell").display().to_string();
     let told = bad(2, &["serve", "--data", &data, "--bind", "0.0.0.0:8080"]);
-    assert!(told.contains("allowed: 127.0.0.1"), "{told}");
+    assert!(told.contains("--tls") && told.contains("127.0.0.1"), "{told}");
+    let told = bad(2, &["serve", "--data", &data, "--bind", "0.0.0.0:8443", "--tls", "--host", "cell"]);
+    assert!(told.contains("administrator"), "{told}");
+    assert!(bad(2, &["serve", "--cert", "c.pem"]).contains("--key"));
     assert!(bad(2, &["serve", "--bind", "here"]).contains("--bind"));
     let told = bad(2, &["serve", "--data", &data, "--job", "unknown"]);
     assert!(told.contains("unknown") && told.contains("saddle"), "{told}");

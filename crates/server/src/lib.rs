@@ -5,8 +5,10 @@ mod http;
 mod serve;
 #[cfg(test)]
 mod tests;
+mod tls;
 mod users;
 mod view;
 pub mod wire;
 
 pub use serve::{Error, Settings, serve};
+pub use tls::Tls;

@@ -1,6 +1,9 @@
 use crate::cell::Cell;
 use crate::http::{Panel, app};
+use crate::tls::{self, Tls};
 use crate::users::{Accounts, secret};
+use axum::Router;
+use axum_server::tls_rustls::RustlsConfig;
 use seamwright_machine::Machine;
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -12,6 +15,10 @@ use tokio::net::TcpListener;
 pub struct Settings {
     /// Where it listens.
     pub bind: SocketAddr,
+    /// Names under which it is asked for from elsewhere.
+    pub names: Vec<String>,
+    /// Encrypted; always, if it listens to more than this computer.
+    pub tls: Option<Tls>,
     /// Where records, jobs and users are; made if missing.
     pub data: PathBuf,
     /// The machine of the cell.
@@ -37,35 +44,37 @@ pub enum Error {
 /// # Errors
 /// See [`Error`].
 pub fn serve(settings: &Settings, ready: impl FnOnce(&str)) -> Result<(), Error> {
-    if !settings.bind.ip().is_loopback() {
-        let why = "is not this computer alone: that needs an encrypted connection, which this version does not have";
-        let cure = "allowed: 127.0.0.1 or [::1]; from elsewhere through an SSH tunnel";
-        return Err(Error::Settings(format!("--bind {}: {why}\n   {cure}", settings.bind)));
-    }
     let system = |e: &dyn std::fmt::Display| Error::System(e.to_string());
     let jobs = settings.data.join("jobs");
     std::fs::create_dir_all(&jobs).map_err(|e| Error::System(format!("{}: cannot be made: {e}", jobs.display())))?;
     let accounts = Accounts::open(&settings.data).map_err(|e| Error::Settings(e.0))?;
+    let names = names(settings, &accounts)?;
     let key = secret().map_err(Error::System)?;
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build();
     let runtime = runtime.map_err(|e| system(&e))?;
     runtime.block_on(async {
+        let tls = match &settings.tls {
+            Some(tls) => Some(tls::config(tls, &settings.data, &names).await?),
+            None => None,
+        };
         let listener = TcpListener::bind(settings.bind).await.map_err(|e| {
             Error::System(format!("--bind {}: {e}\n   allowed: an address and a port that is free", settings.bind))
         })?;
         let port = listener.local_addr().map_err(|e| system(&e))?.port();
         let cell = Cell::start(&settings.machine, &settings.data).map_err(Error::Settings)?;
-        let hosts = vec![format!("127.0.0.1:{port}"), format!("localhost:{port}"), format!("[::1]:{port}")];
         let has_admin = accounts.has_admin();
-        let panel = Arc::new(Panel::new(cell, accounts, key.clone(), settings.data.clone(), hosts));
+        let mut panel = Panel::new(cell, accounts, key.clone(), settings.data.clone(), hosts(&names, port));
+        panel.tls = tls.is_some();
+        let panel = Arc::new(panel);
         if let Some(job) = &settings.job {
             crate::http::begin_with(&panel, job).await.map_err(Error::Settings)?;
         }
-        let host = if settings.bind.is_ipv6() { "[::1]" } else { "127.0.0.1" };
+        let scheme = if tls.is_some() { "https" } else { "http" };
+        let host = written(names.last().map_or("127.0.0.1", String::as_str));
         let fragment = if has_admin { String::new() } else { format!("#key={key}") };
-        ready(&format!("http://{host}:{port}/{fragment}"));
+        ready(&format!("{scheme}://{host}:{port}/{fragment}"));
         tokio::select! {
-            served = axum::serve(listener, app(&panel)) => served.map_err(|e| system(&e))?,
+            served = answer(listener, tls, app(&panel)) => served.map_err(|e| system(&e))?,
             () = asked_to_end() => {}
         }
         // Connections go on meanwhile: they see the end.
@@ -73,6 +82,58 @@ pub fn serve(settings: &Settings, ready: impl FnOnce(&str)) -> Result<(), Error>
         let ended = tokio::task::spawn_blocking(move || ends.cell.end()).await;
         ended.map_err(|e| system(&e))
     })
+}
+
+async fn answer(listener: TcpListener, tls: Option<RustlsConfig>, app: Router) -> std::io::Result<()> {
+    match tls {
+        None => axum::serve(listener, app).await,
+        Some(tls) => axum_server::from_tcp_rustls(listener.into_std()?, tls)?.serve(app.into_make_service()).await,
+    }
+}
+
+/// Names and addresses under which the panel is asked for, the one that is printed last.
+fn names(settings: &Settings, accounts: &Accounts) -> Result<Vec<String>, Error> {
+    let ip = settings.bind.ip();
+    let mut names: Vec<String> = ["localhost", "::1", "127.0.0.1"].map(str::to_owned).to_vec();
+    if ip.is_loopback() {
+        names.retain(|name| *name != ip.to_string());
+        names.extend(settings.names.iter().cloned());
+        names.push(ip.to_string());
+        return Ok(names);
+    }
+    let wrong = |why: &str, allowed: &str| {
+        Err(Error::Settings(format!("--bind {}: {why}\n   allowed: {allowed}", settings.bind)))
+    };
+    if settings.tls.is_none() {
+        return wrong(
+            "is not this computer alone, and nothing is encrypted",
+            "with --tls, or --cert and --key; 127.0.0.1, [::1]",
+        );
+    }
+    if !accounts.has_admin() {
+        let first = "127.0.0.1 or [::1], where you make an administrator with a password first";
+        return wrong("is not this computer alone, and nobody has a password yet", first);
+    }
+    if ip.is_unspecified() && settings.names.is_empty() {
+        return wrong("says no name under which it is asked for", "with --host NAME, or one address");
+    }
+    if !ip.is_unspecified() {
+        names.push(ip.to_string());
+    }
+    names.extend(settings.names.iter().cloned());
+    Ok(names)
+}
+
+/// A name as it stands in an address.
+fn written(name: &str) -> String {
+    if name.contains(':') { format!("[{name}]") } else { name.to_owned() }
+}
+
+/// What stands in the header `host` for these names; without the port where it is the usual one.
+fn hosts(names: &[String], port: u16) -> Vec<String> {
+    let usual = matches!(port, 80 | 443);
+    let written = names.iter().map(|name| written(name));
+    written.flat_map(|name| [Some(format!("{name}:{port}")), usual.then_some(name)]).flatten().collect()
 }
 
 async fn asked_to_end() {

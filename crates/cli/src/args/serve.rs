@@ -9,11 +9,25 @@ use std::path::PathBuf;
 
 Open the address that it prints: until there is an administrator with a password, whoever has it is one. It runs until
 Ctrl-C or SIGTERM: then everything stops and the power goes.
+To be reached from elsewhere it needs an administrator, a name and encryption:
+  seamwright serve --bind 0.0.0.0:8443 --host cell.shop.example --tls
 Without --data the folder is $SEAMWRIGHT_DATA, or else seamwright in $XDG_DATA_HOME (~/.local/share).")]
 pub(crate) struct ServeArgs {
     /// Address and port to listen at
     #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1:8080")]
     pub(crate) bind: SocketAddr,
+    /// A name under which the panel is asked for from elsewhere; may be repeated
+    #[arg(long, value_name = "NAME")]
+    pub(crate) host: Vec<String>,
+    /// Encrypt, with a certificate from the cell's own authority (DIR/tls/ca.pem, to be installed in browsers)
+    #[arg(long)]
+    pub(crate) tls: bool,
+    /// Encrypt, with this certificate (PEM)
+    #[arg(long, value_name = "FILE", requires = "key", conflicts_with = "tls")]
+    pub(crate) cert: Option<PathBuf>,
+    /// The certificate's private key (PEM)
+    #[arg(long, value_name = "FILE", requires = "cert")]
+    pub(crate) key: Option<PathBuf>,
     /// Data folder: records, jobs, users
     #[arg(long, value_name = "DIR")]
     pub(crate) data: Option<PathBuf>,
@@ -31,6 +45,16 @@ pub(crate) struct ServeArgs {
 impl Default for ServeArgs {
     /// As without a verb.
     fn default() -> Self {
-        Self { bind: SocketAddr::from(([127, 0, 0, 1], 8080)), data: None, machine: None, job: None, open: false }
+        Self {
+            bind: SocketAddr::from(([127, 0, 0, 1], 8080)),
+            host: Vec::new(),
+            tls: false,
+            cert: None,
+            key: None,
+            data: None,
+            machine: None,
+            job: None,
+            open: false,
+        }
     }
 }

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::load::{load_text, machine};
 use crate::rows::print_text;
-use seamwright_server::{Error, Settings, serve};
+use seamwright_server::{Error, Settings, Tls, serve};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -30,7 +30,11 @@ pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
         // Without a job there is a machine.
         (None, None) => machine("saddle-4axis")?,
     };
-    let settings = Settings { bind: args.bind, data, machine, job };
+    let tls = match (&args.cert, &args.key) {
+        (Some(cert), Some(key)) => Some(Tls::Files { cert: cert.clone(), key: key.clone() }),
+        _ => args.tls.then_some(Tls::Own),
+    };
+    let settings = Settings { bind: args.bind, names: args.host.clone(), tls, data, machine, job };
     let ready = |url: &str| {
         // Whoever started it may not listen: it runs all the same.
         drop(print_text(&format!("{url}\n")));

@@ -1,5 +1,7 @@
+use crate::view::written;
 use crate::wire::{AlarmView, EventView, FromCell, Status, WorkView};
 use seamwright_machine::{Joints, Machine};
+use seamwright_record::Moment;
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -126,7 +128,7 @@ impl Hub {
     pub(crate) fn event(&self, t: f64, what: &str, said: impl Into<String>, user: Option<String>) {
         let mut told = self.told();
         told.numbers += 1;
-        let at = seamwright_record::Moment::now().to_string();
+        let at = written(Moment::now());
         let event = EventView { number: told.numbers, t, at, what: what.to_owned(), text: said.into(), user };
         told.events.push_back(event.clone());
         if told.events.len() > RECENT {

@@ -128,7 +128,7 @@ impl Names {
                 measured: c.reports.source.values[..self.values].iter().map(|v| number(*v)).collect(),
             },
             axes: axes.collect(),
-            tip: [tip.point.x, tip.point.y, tip.point.z, tip.direction.x, tip.direction.y, tip.direction.z],
+            tip: [tip.point.x, tip.point.y, tip.point.z, -tip.direction.x, -tip.direction.y, -tip.direction.z],
             links: machine.link_frames(&q)[..count].iter().map(crate::view::rows).collect(),
             conditions: (0..conditions).map(|i| unmet >> i & 1 == 0).collect(),
             tracking: None,

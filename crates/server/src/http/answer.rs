@@ -1,8 +1,8 @@
 use crate::users;
 use crate::wire;
 use axum::Json;
-use axum::http::StatusCode;
-use axum::response::{IntoResponse, Response};
+use axum::http::{StatusCode, header};
+use axum::response::{Html, IntoResponse, Response};
 use seamwright_project::Failure;
 
 /// A request that is refused or failed.
@@ -67,3 +67,9 @@ impl From<tokio::task::JoinError> for Refused {
 
 /// What most handlers answer.
 pub(crate) type Answer<T> = Result<Json<T>, Refused>;
+
+/// A report as a page: it carries its own styles, and nothing that runs.
+pub(super) fn page_of(html: String) -> Response {
+    let policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; frame-ancestors 'none'";
+    ([(header::CONTENT_SECURITY_POLICY, policy)], Html(html)).into_response()
+}

@@ -40,8 +40,7 @@ pub(super) async fn host(State(panel): State<Arc<Panel>>, request: Request, next
 
 /// Headers of every answer.
 fn secured(mut response: Response) -> Response {
-    let csp = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; worker-src 'self'; \
-               connect-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+    let csp = "default-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
     let headers = response.headers_mut();
     for (name, value) in [
         ("content-security-policy", csp),

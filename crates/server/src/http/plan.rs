@@ -1,4 +1,4 @@
-use super::answer::{Answer, Refused};
+use super::answer::{Answer, Refused, page_of};
 use super::jobs::{checked, text};
 use super::panel::Panel;
 use crate::cell::{Loading, Planned, Prepared, Task, ToDesk};
@@ -7,7 +7,7 @@ use crate::view::work_view;
 use crate::wire::{JobText, Load, PlanAnswer, PostAnswer, PostText, WorkView};
 use axum::extract::{Path, Query, State};
 use axum::http::StatusCode;
-use axum::response::Html;
+use axum::response::Response;
 use axum::{Extension, Json};
 use seamwright_cell::executive::Place;
 use seamwright_post::{Control, Dialect, Feed, Options};
@@ -146,10 +146,7 @@ pub(super) struct Named {
     job: String,
 }
 
-pub(super) async fn report(
-    State(panel): State<Arc<Panel>>,
-    Query(named): Query<Named>,
-) -> Result<Html<String>, Refused> {
+pub(super) async fn report(State(panel): State<Arc<Panel>>, Query(named): Query<Named>) -> Result<Response, Refused> {
     let page = alone(&panel, move |panel| {
         let loaded = loaded(panel, &named.job)?;
         let motion = loaded.try_plan()?.map_err(Failure::Findings)?;
@@ -157,7 +154,7 @@ pub(super) async fn report(
         let date = seamwright_record::Moment::now().to_string();
         Ok(report.page(&plots, loaded.welding.program.text(), &date))
     });
-    page.await.map(Html)
+    page.await.map(page_of)
 }
 
 pub(super) async fn post(State(panel): State<Arc<Panel>>, Json(asked): Json<PostText>) -> Answer<PostAnswer> {

@@ -1,9 +1,10 @@
-use super::answer::{Answer, Refused};
+use super::answer::{Answer, Refused, page_of};
 use super::panel::Panel;
+use crate::view::written;
 use crate::wire::{AuditRow, JudgedView, RecordRow, RecordView, RecordedAlarm, TraceView};
 use axum::Json;
 use axum::extract::{Path, Query, State};
-use axum::response::Html;
+use axum::response::Response;
 use seamwright_record::library::{Query as Find, WeldRecord, WeldResult};
 use seamwright_record::trace::Trace;
 use seamwright_record::{DataFolder, Moment};
@@ -52,8 +53,8 @@ fn row(weld: &WeldRecord) -> RecordRow {
         part: weld.part.clone(),
         title: weld.title.clone(),
         simulated: weld.simulated,
-        begun: weld.begun.to_string(),
-        ended: weld.ended.map(|at| at.to_string()),
+        begun: written(weld.begun),
+        ended: weld.ended.map(written),
         result: weld.result.name().to_owned(),
         note: weld.note.clone(),
         machine: weld.machine.0.clone(),
@@ -169,7 +170,7 @@ pub(super) async fn trace(
     .await
 }
 
-pub(super) async fn report(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) -> Result<Html<String>, Refused> {
+pub(super) async fn report(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) -> Result<Response, Refused> {
     let page = reads(&panel, move |data| {
         let detail = data.library().detail(id)?;
         let figures = data.figures(id)?;
@@ -177,7 +178,7 @@ pub(super) async fn report(State(panel): State<Arc<Panel>>, Path(id): Path<i64>)
         let date = Moment::now().to_string();
         Ok(seamwright_report::recorded_weld_page(&detail, &figures, &program.text, &date))
     });
-    page.await.map(|Json(page)| Html(page))
+    page.await.map(|Json(html)| page_of(html))
 }
 
 /// How many rows.
@@ -192,7 +193,7 @@ pub(super) async fn audit(State(panel): State<Arc<Panel>>, Query(most): Query<Mo
     reads(&panel, move |data| {
         let entries = data.library().audit_entries(most)?;
         let row = |e: seamwright_record::library::AuditEntry| AuditRow {
-            at: e.at.to_string(),
+            at: written(e.at),
             user: e.user,
             station: e.station,
             command: e.command,

@@ -51,7 +51,7 @@ fn pass_view(machine: &Machine, pass: &Pass, planned: &PassMotion, values: &[Str
             PathPoint {
                 s_mm: s,
                 tip: tip.point.to_array(),
-                torch: tip.direction.to_array(),
+                torch: (-tip.direction).to_array(),
                 speed_mm_s: planned.tip_speed(machine, law),
                 axes: machine.axes.iter().zip(q).map(|(axis, q)| axis.to_file(q)).collect(),
                 values: values

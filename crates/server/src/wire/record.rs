@@ -98,7 +98,7 @@ pub struct TraceView {
 /// A row of `GET /api/audit`, the newest first.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct AuditRow {
-    /// When, UTC.
+    /// When: RFC 3339, UTC.
     pub at: String,
     /// Who.
     pub user: String,
