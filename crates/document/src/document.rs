@@ -127,6 +127,7 @@ fn explain(file: &str, text: &str, error: &toml::de::Error) -> DocumentError {
             expected
                 .replace("f64", "a number")
                 .replace("u8", "a whole number from 0 to 255")
+                .replace("u16", "a whole number from 0 to 65535")
                 .replace("struct ", "a table "),
         )
         .filter(|a| !a.is_empty());

@@ -1,0 +1,40 @@
+//! `[devices.<name>]`: where drives, process source, inputs and outputs are. What no entry names is simulated.
+
+mod check;
+mod modbus;
+
+pub use modbus::{
+    BitFile, ModbusDevice, ModbusFile, NumberFile, NumberType, OutputsFile, Place, Register, ReportsFile, Role, Scaled,
+    Table, Word, WordOrder,
+};
+
+use schemars::JsonSchema;
+use seamwright_document::{Document, DocumentError};
+use serde::Deserialize;
+
+/// A device, by how it is reached. Exactly one of them.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum DeviceFile {
+    /// Process source, inputs and outputs over Modbus TCP.
+    Modbus(ModbusFile),
+}
+
+/// The devices of a machine, checked.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct MachineDevices {
+    /// Over Modbus TCP, by their names.
+    pub modbus: Vec<ModbusDevice>,
+}
+
+/// Puts the devices of a machine file together.
+pub(crate) fn devices(file: &Document<crate::MachineFile>) -> Result<MachineDevices, DocumentError> {
+    let mut devices = MachineDevices::default();
+    for (name, device) in &file.value.devices {
+        match device {
+            DeviceFile::Modbus(modbus) => devices.modbus.push(check::modbus(file, name, modbus)?),
+        }
+    }
+    check::together(file, &devices.modbus)?;
+    Ok(devices)
+}
