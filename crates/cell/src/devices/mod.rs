@@ -4,6 +4,7 @@
 //! of faults says.
 
 mod fault;
+pub mod modbus;
 mod simulated;
 
 pub use fault::{Device, Fault, FaultKind, Faulty, When};
@@ -25,6 +26,13 @@ pub trait Source {
     fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport);
 }
 
+/// A source that was chosen when the machine file was read.
+impl<S: Source + ?Sized> Source for Box<S> {
+    fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport) {
+        (**self).exchange(orders, report);
+    }
+}
+
 /// Inputs of doors, valves and switches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct InputBits {
@@ -38,6 +46,12 @@ pub struct InputBits {
 pub trait Inputs {
     /// A period; true if `inputs` are fresh.
     fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) -> bool;
+}
+
+impl<I: Inputs + ?Sized> Inputs for Box<I> {
+    fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) -> bool {
+        (**self).exchange(watchdog, inputs)
+    }
 }
 
 /// One of each, as the executive wants them.

@@ -32,6 +32,10 @@ pub(super) fn modbus(file: &File, name: &str, device: &ModbusFile) -> Result<Mod
     if registers.is_empty() {
         return Err(file.error_at(&at, "the device has no registers", "inputs, outputs, set, reports, actual"));
     }
+    if registers.iter().all(|r| matches!(r.role, Role::Watchdog | Role::Heartbeat)) {
+        let message = "the device is neither process source nor has inputs";
+        return Err(file.error_at(&at, message, "registers for inputs, or for outputs.on and reports.burning"));
+    }
     overlaps(file, &at, &registers)?;
     let poll_hz = within("poll_hz", device.poll_hz, 100.0, (20.0, 1000.0), "Hz")?;
     Ok(ModbusDevice {
