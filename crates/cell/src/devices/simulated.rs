@@ -120,6 +120,11 @@ impl SimulatedSource {
         let strikes_s = 0.05 + 0.1 * uniform(&mut random);
         Self { random, period: period_s, on_for: 0.0, off_for: 1.0, strikes_s, burning: false, values: [0.0; VALUES] }
     }
+
+    /// True while arc or beam is there, reported or not.
+    pub fn burns(&self) -> bool {
+        self.burning
+    }
 }
 
 impl Source for SimulatedSource {

@@ -1,10 +1,10 @@
 use super::batches::{Batch, batches};
 use super::coding;
-use super::image::Image;
+use super::image::{Image, Ordered};
 use super::traffic::TrafficView;
 use super::wire::{Trouble, Wire};
 use crate::devices::InputBits;
-use crate::executive::{ProcessOrders, SourceReport, VALUES};
+use crate::executive::{SourceReport, VALUES};
 use seamwright_machine::{ModbusDevice, Role};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -29,7 +29,7 @@ pub(super) struct Life {
 /// The client's ends of what it shares with the cycle.
 #[derive(Debug)]
 pub(super) struct Ends {
-    pub(super) orders: Output<ProcessOrders>,
+    pub(super) orders: Output<Ordered>,
     pub(super) source: Input<SourceReport>,
     pub(super) inputs: Input<InputBits>,
     pub(super) life: Arc<Life>,
@@ -89,7 +89,7 @@ impl Client {
     pub(super) fn connect(&mut self) -> Result<(), Trouble> {
         self.wire = Some(Wire::connect(&self.device)?);
         self.starts += 1;
-        self.image.forget();
+        self.image.forget(self.ends.orders.read().offs);
         self.heartbeat = Instant::now();
         let starts = self.starts;
         self.ends.traffic.change(|t| t.connections = starts);
@@ -159,10 +159,11 @@ impl Client {
     /// Passes changed orders on; polls if it is `due`.
     fn look(&mut self, due: bool) -> Result<(), Trouble> {
         let alive = self.cycle_lives();
+        let ordered = self.ends.orders.read();
         if alive {
-            self.image.order(self.ends.orders.read());
+            self.image.order(ordered);
         } else {
-            self.image.make_safe();
+            self.image.make_safe(ordered.offs);
         }
         if due && alive {
             self.image.beat();
@@ -273,10 +274,11 @@ impl Client {
 
     /// Leaves all outputs safe, if the device can be reached.
     fn end(&mut self) {
-        self.image.make_safe();
+        let offs = self.ends.orders.read().offs;
+        self.image.make_safe(offs);
         if self.wire.is_none() {
             self.wire = Wire::connect(&self.device).ok();
-            self.image.forget();
+            self.image.forget(offs);
         }
         if let Err(trouble) = self.write() {
             self.ends.traffic.change(|t| t.trouble = Some(trouble.to_string()));

@@ -5,6 +5,14 @@ use seamwright_machine::{Place, Register, Role, Table, Word};
 /// Most cells in a request to write: 123 registers, 1968 bits (functions 15 and 16).
 const MOST: [usize; 2] = [123, 1968];
 
+/// What the cycle orders.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Ordered {
+    pub(super) process: ProcessOrders,
+    /// Cycles so far in which arc or beam was ordered off: none is missed by who looks less often.
+    pub(super) offs: u64,
+}
+
 /// What the outputs of a device shall be, and what was written there.
 #[derive(Debug)]
 pub(super) struct Image {
@@ -12,8 +20,9 @@ pub(super) struct Image {
     outputs: Vec<Output>,
     /// The watchdog's count.
     count: u16,
-    /// Arc or beam must be seen off before it may be on: after a start, a loss of the cycle or of the connection.
-    locked: bool,
+    /// Arc or beam must be ordered off before it may be on, after this many orders to be off: since the start, or a loss of the
+    /// cycle or of the connection.
+    locked: Option<u64>,
     /// Arc or beam is to be on.
     on: bool,
 }
@@ -55,7 +64,7 @@ impl Image {
     pub(super) fn new(registers: &[Register], values: &[String]) -> Self {
         let mut outputs: Vec<&Register> = registers.iter().filter(|r| r.role.is_output()).collect();
         outputs.sort_by_key(|r| (r.place.table, r.place.at));
-        let mut image = Self { units: Vec::new(), outputs: Vec::new(), count: 0, locked: true, on: false };
+        let mut image = Self { units: Vec::new(), outputs: Vec::new(), count: 0, locked: Some(0), on: false };
         for register in outputs {
             let Place { table, at, word } = register.place;
             // Bits of the same register are written together.
@@ -71,13 +80,13 @@ impl Image {
             };
             image.outputs.push(Output { role: register.role.clone(), word, safe: register.safe, unit, value });
         }
-        image.make_safe();
+        image.make_safe(0);
         image
     }
 
-    /// All outputs to their safe states; the watchdog stays as it is.
-    pub(super) fn make_safe(&mut self) {
-        (self.locked, self.on) = (true, false);
+    /// All outputs to their safe states; the watchdog stays as it is. `offs` are the orders to be off so far.
+    pub(super) fn make_safe(&mut self, offs: u64) {
+        (self.locked, self.on) = (Some(offs), false);
         for i in 0..self.outputs.len() {
             if self.outputs[i].role != Role::Watchdog {
                 self.put(i, self.outputs[i].safe);
@@ -86,9 +95,10 @@ impl Image {
     }
 
     /// All outputs as they are ordered. Arc or beam stays off until it was ordered off once: it never comes on by itself.
-    pub(super) fn order(&mut self, orders: &ProcessOrders) {
-        self.locked &= orders.on;
-        self.on = orders.on && !self.locked;
+    pub(super) fn order(&mut self, ordered: &Ordered) {
+        let orders = &ordered.process;
+        self.locked = self.locked.filter(|offs| *offs == ordered.offs);
+        self.on = orders.on && self.locked.is_none();
         for i in 0..self.outputs.len() {
             let output = &self.outputs[i];
             let bit = |on: bool| if on { 1.0 } else { 0.0 };
@@ -121,9 +131,9 @@ impl Image {
         coding::put(output.word, value, &mut self.units[output.unit].cells);
     }
 
-    /// Nothing is known of what the device has: everything is written again, and arc or beam has to be seen off.
-    pub(super) fn forget(&mut self) {
-        self.locked = true;
+    /// Nothing is known of what the device has: everything is written again, arc or beam as off.
+    pub(super) fn forget(&mut self, offs: u64) {
+        self.make_safe(offs);
         self.units.iter_mut().for_each(|unit| unit.written = None);
     }
 

@@ -21,6 +21,7 @@ pub use traffic::{Traffic, TrafficView};
 use super::{InputBits, Inputs, Source};
 use crate::executive::{ProcessOrders, SourceReport};
 use client::{Client, Ends, Life};
+use image::Ordered;
 use seamwright_machine::{ModbusDevice, Role};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -64,7 +65,8 @@ pub struct ModbusParts {
 /// A process source on Modbus.
 #[derive(Debug)]
 pub struct ModbusSource {
-    orders: Input<ProcessOrders>,
+    orders: Input<Ordered>,
+    offs: u64,
     known: Output<SourceReport>,
     /// The cycle shows by this that it goes on, where no inputs show it.
     beats: bool,
@@ -110,7 +112,7 @@ pub fn connect(device: &ModbusDevice, values: &[String], period_s: f64) -> Resul
     if let Some(value) = unset.filter(|_| is_source) {
         return Err(ModbusError::NoRegister { device: device.name.clone(), value: value.clone() });
     }
-    let (orders_in, orders) = triple_buffer(&ProcessOrders::default());
+    let (orders_in, orders) = triple_buffer(&Ordered::default());
     let (source, source_out) = triple_buffer(&SourceReport::default());
     let (inputs, inputs_out) = triple_buffer(&InputBits::default());
     let (life, traffic) = (Arc::new(Life::default()), TrafficView::default());
@@ -125,6 +127,7 @@ pub fn connect(device: &ModbusDevice, values: &[String], period_s: f64) -> Resul
     Ok(ModbusParts {
         source: is_source.then(|| ModbusSource {
             orders: orders_in,
+            offs: 0,
             known: source_out,
             beats: !has_inputs,
             period_s,
@@ -137,7 +140,8 @@ pub fn connect(device: &ModbusDevice, values: &[String], period_s: f64) -> Resul
 
 impl Source for ModbusSource {
     fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport) {
-        self.orders.write(*orders);
+        self.offs += u64::from(!orders.on);
+        self.orders.write(Ordered { process: *orders, offs: self.offs });
         if self.beats {
             self.thread.life.cycles.fetch_add(1, Ordering::Release);
         }
