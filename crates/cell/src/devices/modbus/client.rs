@@ -5,6 +5,7 @@ use super::traffic::TrafficView;
 use super::wire::{Trouble, Wire};
 use crate::devices::InputBits;
 use crate::executive::{SourceReport, VALUES};
+use crate::realtime::Footing;
 use seamwright_machine::{ModbusDevice, Role};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -100,6 +101,7 @@ impl Client {
 
     /// Polls until nobody needs it any more; leaves the outputs safe.
     pub(super) fn run(mut self) {
+        Footing::ask_below_cycle();
         let period = Duration::from_secs_f64(self.device.poll_s);
         let mut next = Instant::now() + period;
         let mut pause = BACK_OFF.0;
