@@ -33,8 +33,8 @@ pub use axis::{
 pub use cell::{InterlockFile, Level, Source, SourceFile};
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
 pub use devices::{
-    BitFile, DeviceFile, MachineDevices, ModbusDevice, ModbusFile, NumberFile, NumberType, OutputsFile, Place,
-    Register, ReportsFile, Role, Scaled, Table, Word, WordOrder,
+    BitFile, DeviceFile, LinuxCnc, LinuxCncFile, MachineDevices, ModbusDevice, ModbusFile, NumberFile, NumberType,
+    OutputsFile, Place, Register, ReportsFile, Role, Scaled, Table, Word, WordOrder,
 };
 pub use file::{
     ControlFile, ControlsFile, DeflectionFile, DriveFile, EncoderSide, HeadFile, Io, LinkClearanceFile, MachineFile,
