@@ -26,6 +26,10 @@ impl Drives for NoDrives {
     fn rides_out(&self) -> u32 {
         0
     }
+
+    fn late_s(&self) -> f64 {
+        0.0
+    }
 }
 
 /// All three conditions of the test cell are met.

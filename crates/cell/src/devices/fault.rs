@@ -253,6 +253,10 @@ impl<T: Drives> Drives for Faulty<T, DriveReport> {
     fn rides_out(&self) -> u32 {
         self.device.rides_out()
     }
+
+    fn late_s(&self) -> f64 {
+        self.device.late_s()
+    }
 }
 
 impl<T: Source> Source for Faulty<T, SourceReport> {

@@ -4,10 +4,14 @@
 //! of faults says.
 
 mod fault;
+#[cfg(target_os = "linux")]
+mod linuxcnc;
 pub mod modbus;
 mod simulated;
 
 pub use fault::{Device, Fault, FaultKind, Faulty, When};
+#[cfg(target_os = "linux")]
+pub use linuxcnc::{LinuxCncDrives, LinuxCncError, Sample, Taken};
 pub use simulated::{SimulatedDrives, SimulatedInputs, SimulatedSource};
 
 use crate::executive::{Devices, DriveReport, Orders, ProcessOrders, Reports, SourceReport};
@@ -18,7 +22,26 @@ pub trait Drives {
     fn exchange(&mut self, orders: &Orders, report: &mut DriveReport);
     /// Cycles that may be missed at once without harm.
     fn rides_out(&self) -> u32;
+    /// Greatest age of a report that is still fresh, s.
+    fn late_s(&self) -> f64;
 }
+
+impl<D: Drives + ?Sized> Drives for Box<D> {
+    fn exchange(&mut self, orders: &Orders, report: &mut DriveReport) {
+        (**self).exchange(orders, report);
+    }
+
+    fn rides_out(&self) -> u32 {
+        (**self).rides_out()
+    }
+
+    fn late_s(&self) -> f64 {
+        (**self).late_s()
+    }
+}
+
+/// Age of a report that is still fresh where one comes with every cycle, periods.
+const LATE_PERIODS: f64 = 3.5;
 
 /// Arc or beam, gas and what belongs to it.
 pub trait Source {
@@ -80,5 +103,9 @@ impl<D: Drives, S: Source, I: Inputs> Devices for DeviceSet<D, S, I> {
 
     fn rides_out(&self) -> u32 {
         self.drives.rides_out()
+    }
+
+    fn drives_late_s(&self) -> f64 {
+        self.drives.late_s()
     }
 }

@@ -1,4 +1,4 @@
-use super::{Drives, InputBits, Inputs, Source};
+use super::{Drives, InputBits, Inputs, LATE_PERIODS, Source};
 use crate::Error;
 use crate::disturbance::uniform;
 use crate::executive::{DriveReport, Orders, ProcessOrders, SourceReport, VALUES};
@@ -90,6 +90,10 @@ impl Drives for SimulatedDrives {
     /// Its time stands still while nobody asks.
     fn rides_out(&self) -> u32 {
         u32::MAX
+    }
+
+    fn late_s(&self) -> f64 {
+        LATE_PERIODS * self.period
     }
 }
 

@@ -9,6 +9,8 @@ mod live;
 mod pacer;
 
 pub use footing::Footing;
+#[cfg(target_os = "linux")]
+pub(crate) use footing::raise_priority;
 pub use latency::Latency;
 pub use live::{LivePort, Noted, Outside, Shown, Urgent, live};
 pub use pacer::{Paced, Pacer};

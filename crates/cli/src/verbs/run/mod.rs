@@ -45,7 +45,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let machine = &loaded.machine;
     let asked = Asked { output: &args.output, record: &args.record, json: args.json, from: args.from };
     power_loss::check(args.record.data.as_deref(), args.from)?;
-    let devices = |work: &Work<'_>| devices::of_machine(machine, work.values(), &args.fault, args.seed);
+    let devices = |work: &Work<'_>| devices::of_machine(&loaded, work.values(), &args.fault, args.seed);
     with_work(&loaded, &motion, asked, Vec::new(), devices, |devices, work, desk| {
         real(work, machine, devices, args.cpu, desk)
     })
