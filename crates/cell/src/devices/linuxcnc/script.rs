@@ -28,13 +28,16 @@ pub(super) fn before(machine: &Machine, device: &LinuxCnc, owner: &str) -> Strin
          loadrt sampler depth={SAMPLES} cfg=ussbsss{floats}\n\
          loadrt weighted_sum wsum_sizes={n},{n},{n}\n\
          loadrt watchdog num_inputs=1\n\
+         loadrt lut5 names=seamwright.gate\n\
+         setp seamwright.gate.function 0x8\n\
          setp watchdog.timeout-0 {watched_s}\n\
          newsig {owner} bit\n\
          net seamwright.number streamer.0.pin.0 => sampler.0.pin.0\n\
-         net seamwright.power streamer.0.pin.1 => watchdog.enable-in\n\
+         net seamwright.power streamer.0.pin.1 => watchdog.enable-in seamwright.gate.in-0\n\
          net seamwright.home streamer.0.pin.2\n\
          net seamwright.alive streamer.0.pin.3 => watchdog.input-0\n\
-         net seamwright.enable watchdog.ok-out\n\
+         net seamwright.fed watchdog.ok-out => seamwright.gate.in-1\n\
+         net seamwright.enable seamwright.gate.out\n\
          net seamwright.underruns streamer.0.underruns => sampler.0.pin.1\n\
          net seamwright.level streamer.0.curr-depth => sampler.0.pin.2\n\
          net seamwright.powered sampler.0.pin.3\n",
@@ -55,7 +58,8 @@ pub(super) fn before(machine: &Machine, device: &LinuxCnc, owner: &str) -> Strin
              net seamwright.{name}.homed wsum.2.bit.{i}.in\n"
         );
     }
-    hal += "addf streamer.0 cell\naddf watchdog.process cell\naddf watchdog.set-timeouts cell\n";
+    // The watchdog's own output stays on when its enable goes: the gate heeds both, `lut5` because few else load it.
+    hal += "addf streamer.0 cell\naddf watchdog.process cell\naddf watchdog.set-timeouts cell\naddf seamwright.gate cell\n";
     hal
 }
 
