@@ -221,11 +221,12 @@ mod linux {
         });
         let worst = worst.fold(0.0, f64::max);
         // HAL's periods lie on a grid of the same clock: its begin is where reading was least late.
-        let origin = taken[0].read();
-        let grid = taken.iter().enumerate();
-        let begin =
-            grid.filter_map(|(k, t)| (t.read() - origin).checked_sub(period * k as u32)).min().unwrap_or_default();
-        let at = |k: usize| origin + begin + period * k as u32;
+        let early = taken
+            .iter()
+            .enumerate()
+            .map(|(k, t)| (taken[0].read() + period * k as u32).saturating_duration_since(t.read()));
+        let begin = taken[0].read() - early.max().unwrap_or_default();
+        let at = |k: usize| begin + period * k as u32;
         let first = taken.iter().position(|t| t.sample.number > store + 1).unwrap_or(0);
         let mut delays: Vec<f64> = taken.iter().enumerate().skip(first).map(|(k, t)| ms(at(k), t.ordered)).collect();
         delays.sort_by(f64::total_cmp);
