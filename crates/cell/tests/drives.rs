@@ -100,7 +100,8 @@ fn conform<D: Drives>(machine: &Machine, drives: D, wait: Box<dyn FnMut()>) {
     assert!(bench.within(2.0 + delay_s, |r, _| r.referenced == all));
     bench.orders.home = false;
     bench.take_actual();
-    bench.within(delay_s, |_, _| false);
+    // What was ordered before is no following error.
+    assert!(!bench.within(delay_s, |r, _| r.following_error.iter().any(|e| e.abs() > 0.1)), "{:?}", bench.report);
     assert!((bench.moved() - machine.home()[MOVED]).abs() < 0.02, "{}", bench.moved());
 
     // They follow set-points, and arrive.

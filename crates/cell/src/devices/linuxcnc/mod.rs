@@ -47,6 +47,15 @@ pub struct Taken {
     pub ordered: Instant,
 }
 
+/// What was ordered under a number.
+#[derive(Debug, Clone, Copy)]
+struct Sent {
+    positions: Joints,
+    ordered: Instant,
+    /// The positions count: with power, and not while references are looked for.
+    counts: bool,
+}
+
 /// The drives of a machine, by LinuxCNC's HAL. They wait for nothing: whoever exchanges keeps the period.
 #[derive(Debug)]
 pub struct LinuxCncDrives {
@@ -55,8 +64,8 @@ pub struct LinuxCncDrives {
     level: u32,
     store: Store,
     buffer: [u8; LONGEST],
-    /// Positions by their number, and when they were ordered: to compare with what was measured.
-    sent: Box<[(Joints, Instant); SENT]>,
+    /// What was ordered, by its number: to compare with what was measured.
+    sent: Box<[Sent; SENT]>,
     samples: Consumer<Sample>,
     tap: Option<Producer<Taken>>,
     /// Set-points go in here; none once it has failed.
@@ -107,7 +116,7 @@ impl LinuxCncDrives {
             level: device.store,
             store: Store::new(device.store, machine.servo_period_s),
             buffer: [0; LONGEST],
-            sent: Box::new([(Joints::default(), Instant::now()); SENT]),
+            sent: Box::new([Sent { positions: Joints::default(), ordered: Instant::now(), counts: false }; SENT]),
             samples,
             tap: None,
             stream,
@@ -144,7 +153,8 @@ impl LinuxCncDrives {
         let Self { store, buffer, sent, stream, axes, .. } = self;
         let mut lost = stream.is_none();
         store.feed(&orders.set, |number, positions| {
-            sent[number as usize % SENT] = (*positions, Instant::now());
+            let counts = orders.power && !orders.home;
+            sent[number as usize % SENT] = Sent { positions: *positions, ordered: Instant::now(), counts };
             let line = line::write(buffer, axes, number, orders, positions);
             // All of it or nothing: it is shorter than what a pipe takes at once. One that does not fit is missing in store,
             // which is noticed there; a pipe without a reader is the end.
@@ -163,7 +173,7 @@ impl LinuxCncDrives {
             self.store.seen(sample.number, sample.level);
             newest = Some(sample);
             if let Some(tap) = &mut self.tap {
-                let (set, ordered) = self.sent[sample.number as usize % SENT];
+                let Sent { positions: set, ordered, .. } = self.sent[sample.number as usize % SENT];
                 // Without room it is lost, as said.
                 let _ = tap.push(Taken { sample, set, ordered });
             }
@@ -174,11 +184,11 @@ impl LinuxCncDrives {
         report.powered = sample.powered;
         (report.fault, report.limit_switch, report.referenced) = (sample.fault, sample.limit, sample.homed);
         report.position = sample.position;
-        let (set, _) = self.sent[sample.number as usize % SENT];
+        let sent = &self.sent[sample.number as usize % SENT];
         for i in 0..self.axes.len() {
-            // Before the first set-point there is none to follow.
+            // Without power, and while references are looked for, nobody follows.
             report.following_error[i] =
-                if sample.number > 0 && sample.powered { set[i] - sample.position[i] } else { 0.0 };
+                if sent.counts && sample.powered { sent.positions[i] - sample.position[i] } else { 0.0 };
         }
         report.starts = 1;
         if sample.number > 0 {
