@@ -34,12 +34,6 @@ impl Footing {
     }
 }
 
-/// Asks for real-time priority for the calling thread and all that it starts.
-#[cfg(target_os = "linux")]
-pub(crate) fn raise_priority() -> Result<(), String> {
-    system::priority()
-}
-
 impl fmt::Display for Footing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.is_whole() {

@@ -9,8 +9,6 @@ mod live;
 mod pacer;
 
 pub use footing::Footing;
-#[cfg(target_os = "linux")]
-pub(crate) use footing::raise_priority;
 pub use latency::Latency;
 pub use live::{LivePort, Noted, Outside, Shown, Urgent, live};
 pub use pacer::{Paced, Pacer};

@@ -14,7 +14,7 @@ pub use error::LinuxCncError;
 
 use super::Drives;
 use crate::executive::{DriveReport, Orders};
-use crate::realtime::raise_priority;
+use crate::realtime::Footing;
 use line::LONGEST;
 pub use line::Sample;
 use programs::{Commands, Keeper, Program, User};
@@ -230,8 +230,7 @@ impl Drop for LinuxCncDrives {
 
 /// Reads what HAL says until it ends.
 fn listen(from: ChildStdout, axes: &[Axis], mut to: Producer<Sample>) {
-    // Where it is not granted it runs without: the footing of the cycle says so.
-    let _ = raise_priority();
+    Footing::ask_below_cycle();
     let mut from = BufReader::new(from);
     let mut text = String::new();
     while !to.is_abandoned() {

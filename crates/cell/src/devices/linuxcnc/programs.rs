@@ -1,7 +1,7 @@
 //! LinuxCNC's programs: started, listened to, ended.
 
 use super::LinuxCncError;
-use crate::realtime::raise_priority;
+use crate::realtime::Footing;
 use std::io::{BufRead as _, BufReader, ErrorKind, Read, Write as _};
 use std::os::unix::process::CommandExt as _;
 use std::path::{Path, PathBuf};
@@ -106,8 +106,7 @@ fn spawn(mut command: Command, program: &str, urgent: bool) -> Result<Program, L
     let started = std::thread::scope(|scope| {
         let starts = scope.spawn(|| {
             if urgent {
-                // Where it is not granted it runs without: the footing of the cycle says so.
-                let _ = raise_priority();
+                Footing::ask_below_cycle();
             }
             command.spawn()
         });
