@@ -31,8 +31,9 @@ use store::Store;
 const SAMPLES: usize = 1024;
 /// Positions that are remembered until their sample comes.
 const SENT: usize = 1024;
-/// Age of a report that is still fresh, s: they come every 10 ms, and when the reader gets round to it.
-const LATE_S: f64 = 0.05;
+/// Age of a report that is still fresh, s, as with other devices beside the cycle: they come every 10 ms, and when HAL, which may
+/// have no real-time priority, and the reader get round to it.
+const LATE_S: f64 = 0.1;
 /// Longest time until the first sample.
 const FIRST: Duration = Duration::from_secs(3);
 
