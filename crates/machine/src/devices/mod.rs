@@ -17,6 +17,7 @@ use serde::Deserialize;
 /// A device, by how it is reached. Exactly one of them.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[allow(clippy::large_enum_variant, reason = "read once")]
 pub enum DeviceFile {
     /// Process source, inputs and outputs over Modbus TCP.
     Modbus(ModbusFile),
