@@ -52,12 +52,23 @@ def killed_and_again():
         return time.monotonic() - begun
 
 
+def given_priority():
+    """Gives HAL's thread what LinuxCNC gives it on a real-time kernel, if we may; true once it is there."""
+    threads = subprocess.run(["ps", "-eLo", "tid,comm"], capture_output=True, text=True).stdout.splitlines()
+    ours = [line.split()[0] for line in threads if "rtapi_app:T" in line]
+    for thread in ours:
+        subprocess.run(["chrt", "-f", "-p", "75", thread], capture_output=True)
+    return bool(ours)
+
+
 def main():
     if not shutil.which("halrun"):
         print("SKIPPED: LinuxCNC is not installed; nothing was streamed into its HAL", file=sys.stderr)
         return 0
-    done = subprocess.run([EXAMPLE, str(JOB), STORE])
-    if done.returncode != 0:
+    done = subprocess.Popen([EXAMPLE, str(JOB), STORE])
+    while done.poll() is None and not given_priority():
+        time.sleep(0.02)
+    if done.wait() != 0:
         return 1
     print(f"killed with -9 under power, the next run homes on a HAL of its own and ends after {killed_and_again():.1f} s")
     return 0

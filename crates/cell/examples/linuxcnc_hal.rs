@@ -245,11 +245,11 @@ mod linux {
         let mut applied = Vec::new();
         let mut seen = Vec::new();
         for (when, position) in steps {
-            let next = taken.iter().enumerate().find(|(_, t)| t.ordered >= *when && t.sample.powered);
-            let Some((k, t)) = next else { continue };
-            if (t.set[CORRECTED] - position).abs() < CORRECTION / 2.0
-                && (t.sample.position[CORRECTED] - position).abs() < CORRECTION / 2.0
-            {
+            let next = taken.iter().enumerate().filter(|(_, t)| t.ordered >= *when && t.sample.powered);
+            let there = |q: f64| (q - position).abs() < CORRECTION / 2.0;
+            // While the store is made up for, a step lies between two set-points.
+            let found = next.take(3).find(|(_, t)| there(t.set[CORRECTED]) && there(t.sample.position[CORRECTED]));
+            if let Some((k, t)) = found {
                 applied.push(ms(at(k), *when));
                 seen.push(ms(t.read(), *when));
             }
