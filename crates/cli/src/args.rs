@@ -4,6 +4,7 @@ pub(crate) mod bench;
 pub(crate) mod edit;
 pub(crate) mod find_joint;
 pub(crate) mod follow;
+pub(crate) mod io;
 pub(crate) mod machine;
 pub(crate) mod move_to;
 pub(crate) mod post;
@@ -59,6 +60,8 @@ pub(crate) enum Verb {
     Latency(run::LatencyArgs),
     /// Start the cell and the operator's panel in the browser; also without any verb
     Serve(serve::ServeArgs),
+    /// The registers of a machine's devices by name: raw, scaled, age; once or live
+    Io(io::IoArgs),
     /// A part program for another control
     Post(post::PostArgs),
     /// A part program of a control as a weld program

@@ -44,6 +44,7 @@ fn run(verb: Option<Verb>) -> Result<(), Failure> {
         Some(Verb::Run(a)) => verbs::run::run(&a),
         Some(Verb::Serve(a)) => verbs::serve::run(&a),
         Some(Verb::Latency(a)) => verbs::latency::run(&a),
+        Some(Verb::Io(a)) => verbs::io::run(&a),
         Some(Verb::Post(a)) => verbs::post::run(&a),
         Some(Verb::Read(a)) => verbs::read::run(&a),
         Some(Verb::Kinematics(a)) => verbs::kinematics::run(&a),

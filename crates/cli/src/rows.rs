@@ -83,6 +83,11 @@ impl Rows {
         Ok(())
     }
 
+    /// What was written so far is seen.
+    pub(crate) fn flush(&mut self) -> Result<(), Failure> {
+        Ok(self.out.flush()?)
+    }
+
     /// Ends the table.
     pub(crate) fn finish(mut self) -> Result<(), Failure> {
         if self.json {

@@ -115,7 +115,7 @@ fn explain(file: &str, text: &str, error: &toml::de::Error) -> DocumentError {
     } else {
         e.message = what.replace("floating point ", "").replace("integer ", "").replace('`', "");
         if what.contains("wanted exactly 1 element") {
-            e.message = "several are given".to_owned();
+            e.message = if what.contains("found 0") { "none is given" } else { "several are given" }.to_owned();
             e.value = String::new();
             e.allowed = Some("exactly one of them".to_owned());
             return e;
@@ -127,6 +127,7 @@ fn explain(file: &str, text: &str, error: &toml::de::Error) -> DocumentError {
             expected
                 .replace("f64", "a number")
                 .replace("u8", "a whole number from 0 to 255")
+                .replace("u16", "a whole number from 0 to 65535")
                 .replace("struct ", "a table "),
         )
         .filter(|a| !a.is_empty());

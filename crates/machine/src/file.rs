@@ -1,6 +1,6 @@
 //! The machine file as written, before its steps are put together.
 
-use crate::{BeamDeflection, InterlockFile, SensorFile, SourceFile, TipLimits};
+use crate::{BeamDeflection, DeviceFile, InterlockFile, SensorFile, SourceFile, TipLimits};
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Direction, Finite, NonNegative, Point, Positive, SchemaVersion, Transform};
@@ -63,6 +63,9 @@ pub struct MachineFile {
     /// How the process source is started and watched.
     #[serde(default)]
     pub source: SourceFile,
+    /// Where process source, inputs and outputs are, by names of your own; what is not named is simulated.
+    #[serde(default)]
+    pub devices: BTreeMap<String, DeviceFile>,
     /// What controls call the axes and the process, for part programs.
     #[serde(default)]
     pub controls: ControlsFile,

@@ -11,6 +11,7 @@ mod axis;
 mod cell;
 mod chain;
 pub mod check;
+mod devices;
 mod file;
 mod head;
 mod inverse;
@@ -31,6 +32,10 @@ pub use axis::{
 };
 pub use cell::{InterlockFile, Level, Source, SourceFile};
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
+pub use devices::{
+    BitFile, DeviceFile, LinuxCnc, LinuxCncFile, MachineDevices, ModbusDevice, ModbusFile, NumberFile, NumberType,
+    OutputsFile, Place, Register, ReportsFile, Role, Scaled, Table, Word, WordOrder,
+};
 pub use file::{
     ControlFile, ControlsFile, DeflectionFile, DriveFile, EncoderSide, HeadFile, Io, LinkClearanceFile, MachineFile,
     NotchFile, PitchErrorFile, StepFile, StepperFile, TipFile, TorchFile, ZoneFile, ZoneKind,

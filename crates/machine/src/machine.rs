@@ -4,7 +4,7 @@ use crate::pair::Pair;
 use crate::surroundings::PITCH;
 use crate::{
     Axis, AxisKind, AxisSet, ControlsFile, Head, InterlockFile, Io, Joints, LinkFrames, LinkSolids, Links, MAX_AXES,
-    MachineFile, RangeViolation, Sensor, Source, TipLimits, assemble,
+    MachineDevices, MachineFile, RangeViolation, Sensor, Source, TipLimits, assemble,
 };
 use arrayvec::ArrayVec;
 use glam::{DAffine3, DVec3};
@@ -32,6 +32,8 @@ pub struct Machine {
     pub interlocks: Vec<InterlockFile>,
     /// How the process source is started and watched.
     pub source: Source,
+    /// Where process source, inputs and outputs are.
+    pub devices: MachineDevices,
     /// What controls call axes and process.
     pub controls: ControlsFile,
     /// Heads, at least one: each with its chain from the work to its tip.

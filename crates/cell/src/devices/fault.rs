@@ -139,6 +139,8 @@ pub struct Faulty<T, R> {
     t: f64,
     /// What was reported in the last periods, newest last.
     late: Vec<R>,
+    /// What the device itself reported last.
+    own: Option<R>,
     /// Starts that the plan added.
     starts: u32,
     /// What was known before the last start is forgotten.
@@ -157,6 +159,7 @@ impl<T, R: Copy + Default> Faulty<T, R> {
             faults,
             t: 0.0,
             late: Vec::with_capacity(LATE + 1),
+            own: None,
             starts: 0,
             forgotten: false,
             told: None,
@@ -217,12 +220,13 @@ impl<T: Drives> Drives for Faulty<T, DriveReport> {
         let cut = matches!(kind, Some(FaultKind::Disconnect | FaultKind::Reboot));
         // Without orders the drives' own watchdog takes the power.
         let orders = if cut { Orders { power: false, ..*orders } } else { *orders };
-        let mut fresh = *report;
+        let mut fresh = self.own.unwrap_or(*report);
         self.device.exchange(&orders, &mut fresh);
+        self.own = Some(fresh);
         if matches!(fault, Some((Fault { kind: FaultKind::Reboot, .. }, true))) {
             (self.starts, self.forgotten) = (self.starts + 1, true);
         }
-        fresh.starts = 1 + self.starts;
+        fresh.starts += self.starts;
         // A drive that has started anew looks for its reference again.
         self.forgotten &= !(orders.home && fresh.powered);
         if self.forgotten {
@@ -249,6 +253,10 @@ impl<T: Drives> Drives for Faulty<T, DriveReport> {
     fn rides_out(&self) -> u32 {
         self.device.rides_out()
     }
+
+    fn late_s(&self) -> f64 {
+        self.device.late_s()
+    }
 }
 
 impl<T: Source> Source for Faulty<T, SourceReport> {
@@ -257,12 +265,13 @@ impl<T: Source> Source for Faulty<T, SourceReport> {
         let kind = fault.map(|(f, _)| f.kind);
         let cut = matches!(kind, Some(FaultKind::Disconnect | FaultKind::Reboot));
         let orders = if cut { ProcessOrders::default() } else { *orders };
-        let mut fresh = *report;
+        let mut fresh = self.own.unwrap_or(*report);
         self.device.exchange(&orders, &mut fresh);
+        self.own = Some(fresh);
         if matches!(fault, Some((Fault { kind: FaultKind::Reboot, .. }, true))) {
             self.starts += 1;
         }
-        fresh.starts = 1 + self.starts;
+        fresh.starts += self.starts;
         let delayed = self.delayed(fresh, kind == Some(FaultKind::Slow));
         *report = match kind {
             Some(FaultKind::Silent | FaultKind::Disconnect | FaultKind::Reboot) => {
@@ -279,12 +288,13 @@ impl<T: Inputs> Inputs for Faulty<T, InputBits> {
     fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) -> bool {
         let fault = self.now();
         let kind = fault.map(|(f, _)| f.kind);
-        let mut fresh = *inputs;
+        let mut fresh = self.own.unwrap_or(*inputs);
         let known = self.device.exchange(watchdog, &mut fresh);
+        self.own = Some(fresh);
         if matches!(fault, Some((Fault { kind: FaultKind::Reboot, .. }, true))) {
             self.starts += 1;
         }
-        fresh.starts = 1 + self.starts;
+        fresh.starts += self.starts;
         let delayed = self.delayed(fresh, kind == Some(FaultKind::Slow));
         match fault {
             Some((Fault { kind: FaultKind::Silent | FaultKind::Disconnect | FaultKind::Reboot, .. }, _)) => {

@@ -4,9 +4,14 @@
 //! of faults says.
 
 mod fault;
+#[cfg(target_os = "linux")]
+mod linuxcnc;
+pub mod modbus;
 mod simulated;
 
 pub use fault::{Device, Fault, FaultKind, Faulty, When};
+#[cfg(target_os = "linux")]
+pub use linuxcnc::{LinuxCncDrives, LinuxCncError, Sample, Taken};
 pub use simulated::{SimulatedDrives, SimulatedInputs, SimulatedSource};
 
 use crate::executive::{Devices, DriveReport, Orders, ProcessOrders, Reports, SourceReport};
@@ -17,12 +22,38 @@ pub trait Drives {
     fn exchange(&mut self, orders: &Orders, report: &mut DriveReport);
     /// Cycles that may be missed at once without harm.
     fn rides_out(&self) -> u32;
+    /// Greatest age of a report that is still fresh, s.
+    fn late_s(&self) -> f64;
 }
+
+impl<D: Drives + ?Sized> Drives for Box<D> {
+    fn exchange(&mut self, orders: &Orders, report: &mut DriveReport) {
+        (**self).exchange(orders, report);
+    }
+
+    fn rides_out(&self) -> u32 {
+        (**self).rides_out()
+    }
+
+    fn late_s(&self) -> f64 {
+        (**self).late_s()
+    }
+}
+
+/// Age of a report that is still fresh where one comes with every cycle, periods.
+const LATE_PERIODS: f64 = 3.5;
 
 /// Arc or beam, gas and what belongs to it.
 pub trait Source {
     /// A period with these orders; what is known at its end. Leaves `report` as it was, but for its age, if nothing is known.
     fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport);
+}
+
+/// A source that was chosen when the machine file was read.
+impl<S: Source + ?Sized> Source for Box<S> {
+    fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport) {
+        (**self).exchange(orders, report);
+    }
 }
 
 /// Inputs of doors, valves and switches.
@@ -38,6 +69,12 @@ pub struct InputBits {
 pub trait Inputs {
     /// A period; true if `inputs` are fresh.
     fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) -> bool;
+}
+
+impl<I: Inputs + ?Sized> Inputs for Box<I> {
+    fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) -> bool {
+        (**self).exchange(watchdog, inputs)
+    }
 }
 
 /// One of each, as the executive wants them.
@@ -66,5 +103,9 @@ impl<D: Drives, S: Source, I: Inputs> Devices for DeviceSet<D, S, I> {
 
     fn rides_out(&self) -> u32 {
         self.drives.rides_out()
+    }
+
+    fn drives_late_s(&self) -> f64 {
+        self.drives.late_s()
     }
 }

@@ -1,4 +1,4 @@
-use super::{Drives, InputBits, Inputs, Source};
+use super::{Drives, InputBits, Inputs, LATE_PERIODS, Source};
 use crate::Error;
 use crate::disturbance::uniform;
 use crate::executive::{DriveReport, Orders, ProcessOrders, SourceReport, VALUES};
@@ -91,6 +91,10 @@ impl Drives for SimulatedDrives {
     fn rides_out(&self) -> u32 {
         u32::MAX
     }
+
+    fn late_s(&self) -> f64 {
+        LATE_PERIODS * self.period
+    }
 }
 
 /// Time constant of process values, s.
@@ -119,6 +123,11 @@ impl SimulatedSource {
         let mut random = Pcg64Mcg::seed_from_u64(seed ^ 0x5eed_50c3);
         let strikes_s = 0.05 + 0.1 * uniform(&mut random);
         Self { random, period: period_s, on_for: 0.0, off_for: 1.0, strikes_s, burning: false, values: [0.0; VALUES] }
+    }
+
+    /// True while arc or beam is there, reported or not.
+    pub fn burns(&self) -> bool {
+        self.burning
     }
 }
 

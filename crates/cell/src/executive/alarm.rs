@@ -77,6 +77,8 @@ pub enum Alarm {
     RecordFailing,
     /// Tracking does not see the joint or cannot follow it.
     Tracking,
+    /// The drives ran out of set-points.
+    Starved,
 }
 
 /// An entry of the catalogue of alarms (ISA-18.2): why it comes, what follows, what to do.
@@ -96,7 +98,7 @@ pub struct Entry {
 
 impl Alarm {
     /// All alarms, in the order of the catalogue.
-    pub const ALL: [Self; 24] = [
+    pub const ALL: [Self; 25] = [
         Self::Interlock,
         Self::DriveFault,
         Self::LimitSwitch,
@@ -121,6 +123,7 @@ impl Alarm {
         Self::JogStopped,
         Self::RecordFailing,
         Self::Tracking,
+        Self::Starved,
     ];
 
     /// Its number in the catalogue, from 1.
@@ -280,6 +283,13 @@ impl Alarm {
                 "the weld may miss the joint",
                 "look at sensor and joint, go on with overlap",
                 ProcessOff,
+            ),
+            Self::Starved => (
+                "set-points missing",
+                "this computer is too busy, or `store` too short for it",
+                "all axes stood still at once, beyond their limits",
+                "look at the weld; stop other programs, or more `store`",
+                Stop,
             ),
         };
         Entry { name, cause, consequence, action, reaction }

@@ -81,6 +81,8 @@ pub struct DriveReport {
     pub age_s: f64,
     /// How often they have started.
     pub starts: u32,
+    /// How often they ran out of set-points since they started: all axes stand still at once then, beyond their limits.
+    pub starved: u32,
 }
 
 /// What the process source reports.
@@ -109,6 +111,8 @@ pub trait Devices {
     fn exchange(&mut self, orders: &Orders, reports: &mut Reports);
     /// Cycles that may be missed at once without harm: what the drives have in store.
     fn rides_out(&self) -> u32;
+    /// Greatest age of the drives' report that is still fresh, s.
+    fn drives_late_s(&self) -> f64;
 }
 
 impl<D: Devices + ?Sized> Devices for &mut D {
@@ -118,5 +122,9 @@ impl<D: Devices + ?Sized> Devices for &mut D {
 
     fn rides_out(&self) -> u32 {
         (**self).rides_out()
+    }
+
+    fn drives_late_s(&self) -> f64 {
+        (**self).drives_late_s()
     }
 }

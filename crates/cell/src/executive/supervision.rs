@@ -7,9 +7,7 @@ use super::state::{Note, Port};
 use super::{Alarm, Executive, ProcessState, Reaction, VALUES};
 use seamwright_machine::{AxisKind, Level, MAX_AXES, Machine};
 
-/// Age of the drives' reports that is still fresh, periods.
-const DRIVES_LATE: f64 = 3.5;
-/// The same of inputs and source, s.
+/// Age of inputs and source that is still fresh, s.
 pub(super) const LATE_S: f64 = 0.1;
 /// Time that the drives have to come up, s.
 const POWER_S: f64 = 1.0;
@@ -26,6 +24,8 @@ const REFILLS: f64 = 0.01;
 pub(super) struct Supervision {
     /// Starts of drives, inputs and source that are known; 0 before the first report.
     starts: [u32; 3],
+    /// Times that the drives ran out of set-points that are known.
+    starved: u32,
     /// Periods for which each axis' following error was too great.
     following: [u32; MAX_AXES],
     /// Time for which each process value was off, s.
@@ -44,7 +44,15 @@ impl Supervision {
         for (allowed, axis) in allowed.iter_mut().zip(&machine.axes) {
             *allowed = if axis.kind == AxisKind::Linear { 1.0 } else { 1f64.to_radians() };
         }
-        Self { starts: [0; 3], following: [0; MAX_AXES], off: [0.0; VALUES], missed: 0.0, powered_for: 0.0, allowed }
+        Self {
+            starts: [0; 3],
+            starved: 0,
+            following: [0; MAX_AXES],
+            off: [0.0; VALUES],
+            missed: 0.0,
+            powered_for: 0.0,
+            allowed,
+        }
     }
 
     pub(super) fn switched_on(&mut self) {
@@ -79,17 +87,21 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
                 self.happened(alarm, 0);
             }
         }
-        let fresh = drives.age_s <= DRIVES_LATE * period;
+        let fresh = drives.age_s <= self.devices.drives_late_s();
         let lost = fresh && drives.referenced & self.all_axes() != self.all_axes();
         if lost && self.power && !matches!(self.mode, Mode::Idle | Mode::Homing) {
             self.happened(Alarm::DrivesRestarted, 0);
         }
-        self.condition(Alarm::DrivesSilent, 0, drives.age_s > DRIVES_LATE * period);
+        self.condition(Alarm::DrivesSilent, 0, !fresh);
         for i in 0..self.machine.axes.len() {
             // A position that is no number is none.
             let fault = drives.fault >> i & 1 == 1 || !drives.position[i].is_finite();
             self.condition(Alarm::DriveFault, i as u8, fault);
             self.condition(Alarm::LimitSwitch, i as u8, drives.limit_switch >> i & 1 == 1);
+        }
+        // Without power they have nothing to do with set-points.
+        if std::mem::replace(&mut self.supervision.starved, drives.starved) != drives.starved && self.power {
+            self.happened(Alarm::Starved, 0);
         }
         self.supervision.powered_for = if self.power { self.supervision.powered_for + period } else { 0.0 };
         let dropped = self.power && !drives.powered && self.supervision.powered_for > POWER_S;

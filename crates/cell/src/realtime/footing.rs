@@ -1,5 +1,10 @@
 use std::fmt;
 
+/// Priority of the cycle, of 1 to 99: above ordinary work, below the kernel's own threads.
+const CYCLE: u8 = 80;
+/// Priority of what talks to devices for it.
+const BELOW: u8 = 70;
+
 /// What the system grants to the calling thread.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Footing {
@@ -14,7 +19,13 @@ pub struct Footing {
 impl Footing {
     /// Asks for all of it for the calling thread; `cpu` is the CPU to stay on.
     pub fn ask(cpu: Option<usize>) -> Self {
-        Self { priority: system::priority(), memory: system::memory(), cpu: cpu.map(system::stay_on) }
+        Self { priority: system::priority(CYCLE), memory: system::memory(), cpu: cpu.map(system::stay_on) }
+    }
+
+    /// Asks for a real-time priority below that of the cycle for the calling thread: for those that talk to devices. What the
+    /// system does not grant to them it does not grant to the cycle either, which tells it.
+    pub(crate) fn ask_below_cycle() {
+        let _ = system::priority(BELOW);
     }
 
     /// True if nothing is missing.
@@ -49,11 +60,8 @@ mod system {
     use thread_priority::unix::{RealtimeThreadSchedulePolicy, ThreadSchedulePolicy, set_thread_priority_and_policy};
     use thread_priority::{ThreadPriority, ThreadPriorityValue, thread_native_id};
 
-    /// Of 1 to 99: above ordinary work, below the kernel's own threads.
-    const PRIORITY: u8 = 80;
-
-    pub(super) fn priority() -> Result<(), String> {
-        let value = ThreadPriorityValue::try_from(PRIORITY)?;
+    pub(super) fn priority(value: u8) -> Result<(), String> {
+        let value = ThreadPriorityValue::try_from(value)?;
         let policy = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo);
         let set = set_thread_priority_and_policy(thread_native_id(), ThreadPriority::Crossplatform(value), policy);
         set.map_err(|e| format!("{e:?}"))
@@ -77,7 +85,7 @@ mod system {
 mod system {
     const NOT_HERE: &str = "only on Linux";
 
-    pub(super) fn priority() -> Result<(), String> {
+    pub(super) fn priority(_value: u8) -> Result<(), String> {
         Err(NOT_HERE.to_owned())
     }
 

@@ -52,6 +52,10 @@ impl<D: Devices> Devices for Paced<D> {
     fn rides_out(&self) -> u32 {
         self.devices.rides_out()
     }
+
+    fn drives_late_s(&self) -> f64 {
+        self.devices.drives_late_s()
+    }
 }
 
 #[cfg(target_os = "linux")]

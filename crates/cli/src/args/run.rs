@@ -18,7 +18,8 @@ Example:
 With --data the weld is recorded (docs/records.md), and its place is on the disk twenty times a second: after a power failure
 `run` says where it was, and --from goes on from there, with the overlap of the pass.
 
-So far the devices are simulated ones, in real time. Exit code 1 if an order is refused, 3 if the cell ends in a fault."
+The devices are those of the machine file ([devices.NAME], docs/machine.md), simulated ones for the rest. Exit code 1 if an order is
+refused, 3 if a device cannot be reached or the cell ends in a fault."
 )]
 pub(crate) struct RunArgs {
     /// Job or program file
@@ -34,7 +35,7 @@ pub(crate) struct RunArgs {
     /// CPU that the cycle stays on
     #[arg(long, value_name = "N")]
     pub(crate) cpu: Option<usize>,
-    /// A fault of a simulated device, like drives:silent@12.5 or inputs:disconnect@3+0.5 (docs/faults.md); may be repeated
+    /// A fault of a device, simulated or not, like drives:silent@12.5 or inputs:disconnect@3+0.5 (docs/faults.md); may be repeated
     #[arg(long, value_name = "SPEC")]
     pub(crate) fault: Vec<Fault>,
     /// Seed of the simulated devices

@@ -7,6 +7,7 @@ pub(crate) mod find_joint;
 pub(crate) mod follow;
 pub(crate) mod head_columns;
 pub(crate) mod interpolate;
+pub(crate) mod io;
 pub(crate) mod kinematics;
 pub(crate) mod latency;
 pub(crate) mod lists;

@@ -47,6 +47,7 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
     check_io(file)?;
     controls::check(file, &axes)?;
     interlocks::check(file)?;
+    let devices = crate::devices::devices(file)?;
     let (links, heads) = tree::tree(m, &axes);
     let solids = solids::solids(file, &links, load)?;
     let sensors = sensors::sensors(file, &links)?;
@@ -57,6 +58,7 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
         io: m.io.clone(),
         interlocks: m.interlocks.clone(),
         source: m.source.source(),
+        devices,
         controls: m.controls.clone(),
         tip: m.tip.limits(),
         deflection: m.torch.as_ref().and_then(|torch| torch.deflection).map(DeflectionFile::beam),

@@ -1,6 +1,7 @@
 //! The operator's desk: orders in their turn, what happened in words, the record.
 
 use super::Ended;
+use super::devices;
 use super::orders::Line;
 use super::table::Table;
 use crate::failure::Failure;
@@ -330,6 +331,7 @@ impl Desk {
             "stopped_by": self.stopped,
             "refused": self.refused,
             "timing": timing,
+            "devices": devices::told(&ended.lines),
         });
         let run = format!("{run:#}\n");
         output.text("events.jsonl", &lines)?;

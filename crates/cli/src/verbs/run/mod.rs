@@ -1,6 +1,7 @@
 //! A job on a running cell: in real time under an operator's orders, or in virtual time with faults.
 
 mod desk;
+mod devices;
 mod orders;
 mod table;
 
@@ -11,13 +12,10 @@ use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::{Loaded, load};
 use desk::Desk;
+use devices::{Cell, Lines};
 use orders::Line;
-use seamwright_cell::devices::{
-    Device, DeviceSet, Fault, Faulty, InputBits, SimulatedDrives, SimulatedInputs, SimulatedSource, When,
-};
-use seamwright_cell::executive::{
-    Command, Cycle, Devices, DriveReport, Executive, Interlocks, Note, Place, Port, SourceReport, Start, VALUES, Work,
-};
+use seamwright_cell::devices::When;
+use seamwright_cell::executive::{Command, Cycle, Devices, Executive, Note, Place, Port, Start, VALUES, Work};
 use seamwright_cell::realtime::{Footing, Latency, Outside, Paced, Pacer, Shown, Urgent, live};
 use seamwright_machine::{Machine, Surroundings};
 use seamwright_motion::WeldMotion;
@@ -34,48 +32,33 @@ const LOOK: Duration = Duration::from_millis(5);
 /// A weld in virtual time from switching on to home, with faults on the way.
 const ORDERS: [&str; 6] = ["on", "home", "wait ready", "arm", "weld", "wait ready"];
 
-/// Simulated devices, each with its plan of faults.
-type Cell = DeviceSet<
-    Faulty<SimulatedDrives, DriveReport>,
-    Faulty<SimulatedSource, SourceReport>,
-    Faulty<SimulatedInputs, InputBits>,
->;
-
-fn devices(machine: &Machine, faults: &[Fault], seed: u64) -> Result<Cell, Failure> {
-    let period = machine.servo_period_s;
-    let drives = SimulatedDrives::new(machine, seed).map_err(|e| Failure::Input(e.to_string()))?;
-    let inputs = SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met());
-    Ok(DeviceSet {
-        drives: Faulty::new(drives, Device::Drives, faults, period),
-        source: Faulty::new(SimulatedSource::new(seed, period), Device::Source, faults, period),
-        inputs: Faulty::new(inputs, Device::Inputs, faults, period),
-        period_s: period,
-    })
-}
-
 /// What a cell ran on, and how it ended.
 struct Ended {
     left: Option<Place>,
     timing: Option<(Footing, Latency)>,
+    lines: Lines,
 }
 
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
     let motion = loaded.plan()?;
-    let devices = devices(&loaded.machine, &args.fault, args.seed)?;
+    let machine = &loaded.machine;
     let asked = Asked { output: &args.output, record: &args.record, json: args.json, from: args.from };
     power_loss::check(args.record.data.as_deref(), args.from)?;
-    with_work(&loaded, &motion, asked, Vec::new(), |work, desk| real(work, &loaded.machine, devices, args.cpu, desk))
+    let devices = |work: &Work<'_>| devices::of_machine(&loaded, work.values(), &args.fault, args.seed);
+    with_work(&loaded, &motion, asked, Vec::new(), devices, |devices, work, desk| {
+        real(work, machine, devices, args.cpu, desk)
+    })
 }
 
 /// `simulate --fault`: the same in virtual time.
 pub(super) fn simulate(args: &SimulateArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
     let motion = loaded.plan()?;
-    let mut devices = devices(&loaded.machine, &args.fault, args.seed)?;
+    let devices = |_: &Work<'_>| devices::simulated(&loaded.machine, &args.fault, args.seed);
     let lines = ORDERS.iter().filter_map(|line| Line::read(line).ok()).collect();
     let asked = Asked { output: &args.output, record: &args.record, json: args.json, from: None };
-    with_work(&loaded, &motion, asked, lines, |work, desk| {
+    with_work(&loaded, &motion, asked, lines, devices, |mut devices, work, desk| {
         desk.ends();
         let mut executive = Executive::new(&loaded.machine, &mut devices, InOne { desk });
         executive.serve(Some(work));
@@ -84,7 +67,7 @@ pub(super) fn simulate(args: &SimulateArgs) -> Result<(), Failure> {
             // Nothing can be done if standard error is closed.
             let _ = writeln!(std::io::stderr(), "note: {fault} never came: everything was over at {end:.1} s");
         }
-        Ok(Ended { left, timing: None })
+        Ok(Ended { left, timing: None, lines: Lines::new() })
     })
 }
 
@@ -124,13 +107,14 @@ fn start(
     Start::at_place(&loaded.machine, around, motion, &home, place).map_err(|e| Failure::Environment(e.to_string()))
 }
 
-/// Opens the desk, lets `cell` run under it, and closes it.
-fn with_work(
+/// Connects the devices, opens the desk, lets `cell` run under it, and closes it.
+fn with_work<D>(
     loaded: &Loaded,
     motion: &WeldMotion,
     asked: Asked<'_>,
     lines: Vec<Option<Line>>,
-    cell: impl FnOnce(&Work<'_>, &mut Desk) -> Result<Ended, Failure>,
+    devices: impl FnOnce(&Work<'_>) -> Result<D, Failure>,
+    cell: impl FnOnce(D, &Work<'_>, &mut Desk) -> Result<Ended, Failure>,
 ) -> Result<(), Failure> {
     let program = &loaded.welding.program.value;
     let machine = &loaded.machine;
@@ -139,10 +123,12 @@ fn with_work(
     let passes: Vec<&Pass> = program.passes.iter().collect();
     let start = start(loaded, &around, motion, asked.from)?;
     let work = Work::new(machine, Some(&around), &passes, motion, start).map_err(too_many)?;
+    // Nothing is written before they answer.
+    let devices = devices(&work)?;
     let mut output = Output::new(asked.output)?;
     let table = Table::new((loaded, motion), &output, asked.record, work.values())?;
     let mut desk = Desk::new(machine, table, lines, asked.json);
-    let ended = cell(&work, &mut desk)?;
+    let ended = cell(devices, &work, &mut desk)?;
     desk.close(&mut output, &program.title, ended)?;
     output.finish()?;
     desk.judge()
@@ -152,7 +138,7 @@ fn with_work(
 fn real(
     work: &Work<'_>,
     machine: &Machine,
-    devices: Cell,
+    (devices, lines): (Cell, Lines),
     cpu: Option<usize>,
     desk: &mut Desk,
 ) -> Result<Ended, Failure> {
@@ -184,7 +170,7 @@ fn real(
         if let Some(places) = places {
             places.end()?;
         }
-        Ok(Ended { left, timing: Some((footing, latency)) })
+        Ok(Ended { left, timing: Some((footing, latency)), lines })
     })
 }
 

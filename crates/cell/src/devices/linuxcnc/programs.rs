@@ -1,0 +1,303 @@
+//! LinuxCNC's programs: started, listened to, ended.
+
+use super::LinuxCncError;
+use crate::realtime::Footing;
+use std::io::{BufRead as _, BufReader, ErrorKind, Read, Write as _};
+use std::os::unix::process::CommandExt as _;
+use std::path::{Path, PathBuf};
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::sync::mpsc::channel;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// What is kept of what a program says, bytes.
+const KEPT: usize = 4000;
+/// How often an end is looked for.
+const LOOK: Duration = Duration::from_millis(5);
+/// Longest time that a HAL file may take.
+const TAKES: Duration = Duration::from_secs(30);
+/// Longest time in which HAL begins.
+const BEGINS: Duration = Duration::from_secs(5);
+/// Longest time for an orderly end.
+const ENDS: Duration = Duration::from_secs(10);
+
+/// The user that HAL runs as: it refuses root.
+#[derive(Debug, Clone)]
+pub(super) struct User {
+    /// Another one than ours: user, group, and where the real-time program listens for it.
+    other: Option<(u32, u32, PathBuf)>,
+}
+
+impl User {
+    /// Ourselves, or `nobody` if we are root.
+    pub(super) fn find() -> Result<Self, LinuxCncError> {
+        if !rustix::process::geteuid().is_root() {
+            return Ok(Self { other: None });
+        }
+        let users = std::fs::read_to_string("/etc/passwd").unwrap_or_default();
+        let nobody = users.lines().find_map(|line| {
+            let mut words = line.split(':');
+            let name = words.next()?;
+            let (user, group) = (words.nth(1)?.parse().ok()?, words.next()?.parse().ok()?);
+            (name == "nobody").then_some((user, group))
+        });
+        let Some((user, group)) = nobody else {
+            let why = "it refuses root, and there is no user `nobody`: run this as another user";
+            return Err(LinuxCncError::System(why.to_owned()));
+        };
+        let socket = std::env::temp_dir().join(format!("seamwright-rtapi-{}", std::process::id()));
+        Ok(Self { other: Some((user, group, socket)) })
+    }
+
+    fn command(&self, program: &str, args: &[&str]) -> Command {
+        let mut command = Command::new(program);
+        // Numbers and messages as programs expect them; not ended by the terminal's interrupt, but by us.
+        command.args(args).env("LC_ALL", "C").process_group(0);
+        if let Some((user, group, socket)) = &self.other {
+            command.uid(*user).gid(*group).env("RTAPI_FIFO_PATH", socket).current_dir("/");
+        }
+        command
+    }
+}
+
+/// The last of what a program says on its standard error.
+#[derive(Debug, Clone, Default)]
+struct Said(Arc<Mutex<String>>);
+
+impl Said {
+    fn listen(&self, from: impl Read + Send + 'static) {
+        let said = Arc::clone(&self.0);
+        std::thread::spawn(move || {
+            for line in BufReader::new(from).lines().map_while(Result::ok) {
+                let mut said = said.lock().unwrap_or_else(PoisonError::into_inner);
+                if said.len() < KEPT && !line.starts_with("Note: Using POSIX") {
+                    *said += line.trim_end();
+                    said.push('\n');
+                }
+            }
+        });
+    }
+
+    fn text(&self) -> String {
+        // What was written just before an end takes a moment to come.
+        std::thread::sleep(Duration::from_millis(30));
+        let said = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let said = said.trim_end();
+        if said.is_empty() { "it said nothing".to_owned() } else { said.replace('\n', "\n   ") }
+    }
+}
+
+/// A program that runs.
+#[derive(Debug)]
+pub(super) struct Program {
+    child: Child,
+    said: Said,
+}
+
+/// Starts a program. If the system grants real-time priority, `urgent` ones have it.
+pub(super) fn start(user: &User, program: &str, args: &[&str], urgent: bool) -> Result<Program, LinuxCncError> {
+    let mut command = user.command(program, args);
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    spawn(command, program, urgent)
+}
+
+fn spawn(mut command: Command, program: &str, urgent: bool) -> Result<Program, LinuxCncError> {
+    // Priority is inherited from the thread that starts a program: one of its own, so that ours keeps its own.
+    let started = std::thread::scope(|scope| {
+        let starts = scope.spawn(|| {
+            if urgent {
+                Footing::ask_below_cycle();
+            }
+            command.spawn()
+        });
+        starts.join().unwrap_or_else(|_| Err(std::io::Error::other("its thread ended early")))
+    });
+    let mut child = started.map_err(|error| match error.kind() {
+        ErrorKind::NotFound => LinuxCncError::NotInstalled(program.to_owned()),
+        _ => LinuxCncError::System(format!("{program}: {error}")),
+    })?;
+    let said = Said::default();
+    if let Some(stderr) = child.stderr.take() {
+        said.listen(stderr);
+    }
+    Ok(Program { child, said })
+}
+
+impl Program {
+    pub(super) fn stdin(&mut self) -> Option<ChildStdin> {
+        self.child.stdin.take()
+    }
+
+    pub(super) fn stdout(&mut self) -> Option<ChildStdout> {
+        self.child.stdout.take()
+    }
+
+    /// What it said on its standard error.
+    pub(super) fn said(&self) -> String {
+        self.said.text()
+    }
+
+    /// Waits for its end; none if it takes longer.
+    fn ends_within(&mut self, most: Duration) -> Option<bool> {
+        let begun = Instant::now();
+        loop {
+            match self.child.try_wait() {
+                Ok(Some(status)) => return Some(status.success()),
+                Ok(None) if begun.elapsed() < most => std::thread::sleep(LOOK),
+                _ => return None,
+            }
+        }
+    }
+
+    /// Ends it, by force if it takes too long; its standard input must be closed.
+    pub(super) fn end(&mut self, most: Duration) {
+        if self.ends_within(most).is_none() {
+            let _ = self.child.kill();
+            let _ = self.child.wait();
+        }
+    }
+}
+
+/// HAL's keeper: as long as its standard input is open HAL runs; when that closes, also because we are no more, it stops
+/// everything and clears up.
+#[derive(Debug)]
+pub(super) struct Keeper {
+    program: Program,
+    open: Option<ChildStdin>,
+    user: User,
+}
+
+impl Keeper {
+    /// Starts it.
+    pub(super) fn start(user: &User) -> Result<Self, LinuxCncError> {
+        if !is_in_path("halrun") {
+            return Err(LinuxCncError::NotInstalled("halrun".to_owned()));
+        }
+        let mut program = start(user, "stdbuf", &["-oL", "halrun"], false)?;
+        let (open, stdout) = (program.stdin(), program.stdout());
+        let mut keeper = Self { program, open, user: user.clone() };
+        let (to, from) = channel();
+        std::thread::spawn(move || {
+            let mut lines = stdout.into_iter().flat_map(|stdout| BufReader::new(stdout).lines().map_while(Result::ok));
+            if let Some(line) = lines.next() {
+                // Nobody may be there any more.
+                let _ = to.send(line);
+            }
+            // What it says later is of no use, but must not block it.
+            lines.for_each(drop);
+        });
+        if let Some(open) = &mut keeper.open {
+            // It answers once it is ready; if it has gone already there is no answer.
+            let _ = open.write_all(b"show thread\n");
+        }
+        if from.recv_timeout(BEGINS).is_err() {
+            return Err(LinuxCncError::Failed { what: "does not start", said: keeper.said() });
+        }
+        Ok(keeper)
+    }
+
+    /// What it said on its standard error.
+    pub(super) fn said(&self) -> String {
+        self.program.said.text()
+    }
+
+    /// Ends HAL.
+    pub(super) fn end(&mut self) {
+        self.open = None;
+        self.program.end(ENDS);
+        if let Some((_, _, socket)) = &self.user.other {
+            // It may be gone already.
+            let _ = std::fs::remove_file(socket);
+        }
+    }
+}
+
+impl Drop for Keeper {
+    fn drop(&mut self) {
+        self.end();
+    }
+}
+
+fn is_in_path(program: &str) -> bool {
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    std::env::split_paths(&path).any(|folder| folder.join(program).is_file())
+}
+
+/// HAL takes commands: our own, or those of a file in its folder.
+pub(super) fn take(user: &User, commands: Commands<'_>) -> Result<(), LinuxCncError> {
+    let (mut command, file, text) = match commands {
+        Commands::Ours(text) => (user.command("halcmd", &["-f"]), "our own commands".to_owned(), text),
+        Commands::File(path) => {
+            let name = path.display().to_string();
+            let mut command = user.command("halcmd", &["-f", &name]);
+            command.current_dir(path.parent().unwrap_or(Path::new("/")));
+            (command, name, "")
+        }
+    };
+    command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
+    let mut program = spawn(command, "halcmd", false)?;
+    if let Some(mut stdin) = program.stdin() {
+        stdin.write_all(text.as_bytes())?;
+    }
+    match program.ends_within(TAKES) {
+        Some(true) => Ok(()),
+        Some(false) => Err(LinuxCncError::Refused { file, said: program.said() }),
+        None => {
+            program.end(Duration::ZERO);
+            let said = format!("it takes longer than {} s; {}", TAKES.as_secs(), program.said());
+            Err(LinuxCncError::Refused { file, said })
+        }
+    }
+}
+
+/// What HAL is to do.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Commands<'a> {
+    Ours(&'a str),
+    File(&'a Path),
+}
+
+/// Name of the signal that says whose HAL it is.
+pub(super) fn owner(process: u32) -> String {
+    format!("{OWNER}{process}")
+}
+
+const OWNER: &str = "seamwright.pid.";
+
+/// Refuses if another HAL runs. One of ours whose owner is no more clears itself up, or is cleared away.
+pub(super) fn alone(user: &User) -> Result<(), LinuxCncError> {
+    let begun = Instant::now();
+    let mut cleared = false;
+    while is_running() {
+        let listed = user.command("halcmd", &["list", "sig", &format!("{OWNER}*")]).output();
+        let listed = listed.map_err(|_| LinuxCncError::NotInstalled("halcmd".to_owned()))?;
+        let text = String::from_utf8_lossy(&listed.stdout).into_owned();
+        let owner = text.split_whitespace().find_map(|name| name.strip_prefix(OWNER)?.parse::<u32>().ok());
+        match owner {
+            Some(process) if Path::new(&format!("/proc/{process}")).exists() => {
+                return Err(LinuxCncError::Running(format!("that of Seamwright, process {process}")));
+            }
+            // The keeper is at it, or it is no more either.
+            Some(_) if begun.elapsed() > BEGINS && !cleared => {
+                cleared = true;
+                let _ = user.command("halrun", &["-U"]).stdout(Stdio::null()).stderr(Stdio::null()).status();
+            }
+            _ if begun.elapsed() > 2 * BEGINS || (owner.is_none() && begun.elapsed() > BEGINS / 2) => {
+                return Err(LinuxCncError::Running("not one of Seamwright's".to_owned()));
+            }
+            _ => std::thread::sleep(10 * LOOK),
+        }
+    }
+    Ok(())
+}
+
+/// HAL's real-time program runs.
+fn is_running() -> bool {
+    let Ok(processes) = std::fs::read_dir("/proc") else { return false };
+    processes.flatten().any(|process| {
+        let status = std::fs::read_to_string(process.path().join("status")).unwrap_or_default();
+        let mut lines = status.lines();
+        let named = lines.next().is_some_and(|line| line.trim_start_matches("Name:").trim() == "rtapi_app");
+        named && !lines.any(|line| line.starts_with("State:") && line.contains('Z'))
+    })
+}

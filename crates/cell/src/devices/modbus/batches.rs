@@ -1,0 +1,115 @@
+use seamwright_machine::{Register, Table};
+
+/// Most registers in a request to read (specification of the protocol, function 3 and 4).
+const MOST_REGISTERS: u16 = 125;
+/// Most bits in a request to read (function 1 and 2).
+const MOST_BITS: u16 = 2000;
+/// Registers that are read for nothing rather than asked for in another request: their 64 bytes are fewer than those of the
+/// headers of a request and its answer.
+const BRIDGED_REGISTERS: u16 = 32;
+/// The same of bits.
+const BRIDGED_BITS: u16 = 512;
+
+/// A request that reads the cells of several registers.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Batch {
+    /// Which table.
+    pub(super) table: Table,
+    /// Address of the first cell.
+    pub(super) at: u16,
+    /// Cells.
+    pub(super) count: u16,
+    /// Registers by their place in the list, and where their cells begin in the answer.
+    pub(super) registers: Vec<(usize, usize)>,
+}
+
+/// Requests that read those of `registers` that are `wanted`; with gaps between them `bridged` where that is cheaper than another
+/// request. Some devices refuse a request that touches an address they do not have.
+pub(super) fn batches(registers: &[Register], wanted: impl Fn(&Register) -> bool, bridged: bool) -> Vec<Batch> {
+    let mut order: Vec<usize> = (0..registers.len()).filter(|i| wanted(&registers[*i])).collect();
+    order.sort_by_key(|i| (registers[*i].place.table, registers[*i].place.at));
+    let mut batches: Vec<Batch> = Vec::new();
+    for i in order {
+        let place = registers[i].place;
+        let (most, gap) = match (place.table.has_bits(), bridged) {
+            (true, true) => (MOST_BITS, BRIDGED_BITS),
+            (true, false) => (MOST_BITS, 0),
+            (false, true) => (MOST_REGISTERS, BRIDGED_REGISTERS),
+            (false, false) => (MOST_REGISTERS, 0),
+        };
+        // In u32: the last cell may be the last of the table.
+        let first = u32::from(place.at);
+        let end = first + u32::from(place.cells());
+        if let Some(batch) = batches.last_mut().filter(|b| b.table == place.table) {
+            let (begin, batch_end) = (u32::from(batch.at), u32::from(batch.at) + u32::from(batch.count));
+            let count = end.max(batch_end) - begin;
+            if first <= batch_end + u32::from(gap) && count <= u32::from(most) {
+                batch.count = count as u16;
+                batch.registers.push((i, (first - begin) as usize));
+                continue;
+            }
+        }
+        batches.push(Batch { table: place.table, at: place.at, count: place.cells(), registers: vec![(i, 0)] });
+    }
+    batches
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::coding;
+    use super::super::random_map::{Bank, random_registers};
+    use super::*;
+    use rand_pcg::Pcg64Mcg;
+    use rand_pcg::rand_core::SeedableRng;
+
+    /// Batches of random maps give exactly what single reads would, ask for nothing twice, and keep to the protocol's limits.
+    #[test]
+    fn batches_give_what_single_reads_would() {
+        let mut random = Pcg64Mcg::seed_from_u64(5);
+        let (mut requests, mut singles) = (0, 0);
+        for _ in 0..2000 {
+            let registers = random_registers(&mut random);
+            let bank = Bank::random(&mut random);
+            for bridged in [false, true] {
+                let mut seen = vec![0u32; registers.len()];
+                let batches = batches(&registers, |_| true, bridged);
+                for batch in &batches {
+                    assert!(batch.count <= if batch.table.has_bits() { 2000 } else { 125 });
+                    assert!(u32::from(batch.at) + u32::from(batch.count) <= 65536);
+                    let cells = bank.read(batch.table, batch.at, batch.count);
+                    for (i, from) in &batch.registers {
+                        let place = registers[*i].place;
+                        assert_eq!(place.table, batch.table);
+                        let single = bank.read(place.table, place.at, place.cells());
+                        let many = &cells[*from..*from + single.len()];
+                        assert_eq!(many, single);
+                        assert_eq!(
+                            coding::value(place.word, many).to_bits(),
+                            coding::value(place.word, &single).to_bits()
+                        );
+                        seen[*i] += 1;
+                    }
+                    if !bridged {
+                        let used: u16 = covered(&registers, batch);
+                        assert_eq!(used, batch.count, "cells that nobody wants");
+                    }
+                }
+                assert!(seen.iter().all(|n| *n == 1));
+                requests += batches.len();
+            }
+            singles += 2 * registers.len();
+        }
+        assert!(requests * 2 < singles, "{requests} requests instead of {singles}");
+    }
+
+    /// Cells of a batch that some register of it has.
+    fn covered(registers: &[Register], batch: &Batch) -> u16 {
+        let has = |cell: u32| {
+            batch.registers.iter().any(|(i, _)| {
+                let place = registers[*i].place;
+                (u32::from(place.at)..u32::from(place.at) + u32::from(place.cells())).contains(&cell)
+            })
+        };
+        (0..batch.count).filter(|k| has(u32::from(batch.at) + u32::from(*k))).count() as u16
+    }
+}

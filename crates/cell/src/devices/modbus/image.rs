@@ -1,0 +1,168 @@
+use super::coding;
+use crate::executive::ProcessOrders;
+use seamwright_machine::{Place, Register, Role, Table, Word};
+
+/// Most cells in a request to write: 123 registers, 1968 bits (functions 15 and 16).
+const MOST: [usize; 2] = [123, 1968];
+
+/// What the cycle orders.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Ordered {
+    pub(super) process: ProcessOrders,
+    /// Cycles so far in which arc or beam was ordered off: none is missed by who looks less often.
+    pub(super) offs: u64,
+}
+
+/// What the outputs of a device shall be, and what was written there.
+#[derive(Debug)]
+pub(super) struct Image {
+    units: Vec<Unit>,
+    outputs: Vec<Output>,
+    /// The watchdog's count.
+    count: u16,
+    /// Arc or beam must be ordered off before it may be on, after this many orders to be off: since the start, or a loss of the
+    /// cycle or of the connection.
+    locked: Option<u64>,
+    /// Arc or beam is to be on.
+    on: bool,
+}
+
+/// Cells that are written at once: one, or the two of 32 bits.
+#[derive(Debug)]
+struct Unit {
+    table: Table,
+    at: u16,
+    cells: [u16; 2],
+    len: usize,
+    written: Option<[u16; 2]>,
+    /// Arc or beam is in it.
+    has_on: bool,
+}
+
+/// An output, and the unit that it is in.
+#[derive(Debug)]
+struct Output {
+    role: Role,
+    word: Word,
+    safe: f64,
+    unit: usize,
+    /// Place among the job's process values.
+    value: Option<usize>,
+}
+
+/// A request to write, and the units in it.
+#[derive(Debug, PartialEq)]
+pub(super) struct Run {
+    pub(super) table: Table,
+    pub(super) at: u16,
+    pub(super) cells: Vec<u16>,
+    pub(super) units: std::ops::Range<usize>,
+}
+
+impl Image {
+    /// Of the outputs among `registers`, all safe and none written; `values` are the names of the job's process values.
+    pub(super) fn new(registers: &[Register], values: &[String]) -> Self {
+        let mut outputs: Vec<&Register> = registers.iter().filter(|r| r.role.is_output()).collect();
+        outputs.sort_by_key(|r| (r.place.table, r.place.at));
+        let mut image = Self { units: Vec::new(), outputs: Vec::new(), count: 0, locked: Some(0), on: false };
+        for register in outputs {
+            let Place { table, at, word } = register.place;
+            // Bits of the same register are written together.
+            if image.units.last().is_none_or(|unit| (unit.table, unit.at) != (table, at)) {
+                let len = usize::from(register.place.cells());
+                image.units.push(Unit { table, at, cells: [0; 2], len, written: None, has_on: false });
+            }
+            let unit = image.units.len() - 1;
+            image.units[unit].has_on |= register.role == Role::On;
+            let value = match &register.role {
+                Role::Set(name) => values.iter().position(|v| v == name),
+                _ => None,
+            };
+            image.outputs.push(Output { role: register.role.clone(), word, safe: register.safe, unit, value });
+        }
+        image.make_safe(0);
+        image
+    }
+
+    /// All outputs to their safe states; the watchdog stays as it is. `offs` are the orders to be off so far.
+    pub(super) fn make_safe(&mut self, offs: u64) {
+        (self.locked, self.on) = (Some(offs), false);
+        for i in 0..self.outputs.len() {
+            if self.outputs[i].role != Role::Watchdog {
+                self.put(i, self.outputs[i].safe);
+            }
+        }
+    }
+
+    /// All outputs as they are ordered. Arc or beam stays off until it was ordered off once: it never comes on by itself.
+    pub(super) fn order(&mut self, ordered: &Ordered) {
+        let orders = &ordered.process;
+        self.locked = self.locked.filter(|offs| *offs == ordered.offs);
+        self.on = orders.on && self.locked.is_none();
+        for i in 0..self.outputs.len() {
+            let output = &self.outputs[i];
+            let bit = |on: bool| if on { 1.0 } else { 0.0 };
+            let value = match &output.role {
+                Role::Gas => bit(orders.gas),
+                Role::On => bit(self.on),
+                Role::Set(_) => {
+                    let asked = output.value.map_or(f64::NAN, |k| orders.values[k]);
+                    if asked.is_finite() { asked } else { output.safe }
+                }
+                _ => continue,
+            };
+            self.put(i, value);
+        }
+    }
+
+    /// The watchdog changes.
+    pub(super) fn beat(&mut self) {
+        self.count = self.count.wrapping_add(1);
+        for i in 0..self.outputs.len() {
+            if self.outputs[i].role == Role::Watchdog {
+                let counts = matches!(self.outputs[i].word, Word::Number(_));
+                self.put(i, f64::from(if counts { self.count } else { self.count & 1 }));
+            }
+        }
+    }
+
+    fn put(&mut self, output: usize, value: f64) {
+        let output = &self.outputs[output];
+        coding::put(output.word, value, &mut self.units[output.unit].cells);
+    }
+
+    /// Nothing is known of what the device has: everything is written again, arc or beam as off.
+    pub(super) fn forget(&mut self, offs: u64) {
+        self.make_safe(offs);
+        self.units.iter_mut().for_each(|unit| unit.written = None);
+    }
+
+    /// Requests that write what changed, neighbours together. What switches arc or beam off comes first; what switches it on last.
+    pub(super) fn changes(&self) -> Vec<Run> {
+        let mut runs: Vec<Run> = Vec::new();
+        for (i, unit) in self.units.iter().enumerate().filter(|(_, unit)| unit.written != Some(unit.cells)) {
+            let cells = &unit.cells[..unit.len];
+            let most = MOST[usize::from(unit.table.has_bits())];
+            let last = runs.last_mut().filter(|run| {
+                let end = usize::from(run.at) + run.cells.len();
+                run.table == unit.table && end == usize::from(unit.at) && run.cells.len() + unit.len <= most
+            });
+            if let Some(run) = last {
+                run.cells.extend_from_slice(cells);
+                run.units.end = i + 1;
+            } else {
+                runs.push(Run { table: unit.table, at: unit.at, cells: cells.to_vec(), units: i..i + 1 });
+            }
+        }
+        let has_on = |run: &Run| self.units[run.units.clone()].iter().any(|unit| unit.has_on);
+        runs.sort_by_key(|run| has_on(run) == self.on);
+        runs
+    }
+
+    /// The device has taken `run`.
+    pub(super) fn written(&mut self, run: &Run) {
+        for unit in &mut self.units[run.units.clone()] {
+            unit.written = Some(unit.cells);
+        }
+    }
+}

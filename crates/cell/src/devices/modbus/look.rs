@@ -1,0 +1,111 @@
+use super::ModbusError;
+use super::batches::{Batch, batches};
+use super::coding;
+use super::wire::{Trouble, Wire};
+use seamwright_machine::{ModbusDevice, Register};
+use std::time::Instant;
+
+/// Reads every register of a device, outputs too, and writes nothing: to look at a device without a cell.
+#[derive(Debug)]
+pub struct Looker {
+    device: ModbusDevice,
+    wire: Option<Wire>,
+    batches: Vec<Batch>,
+    seen: Vec<Seen>,
+}
+
+/// A register as it was looked at.
+#[derive(Debug)]
+pub struct Looked<'a> {
+    /// The register.
+    pub register: &'a Register,
+    /// The number before its scale; a bit is 0 or 1. None if it was never read.
+    pub raw: Option<f64>,
+    /// The value in the register's unit.
+    pub value: Option<f64>,
+    /// Time since it was read, s; infinite if it never was.
+    pub age_s: f64,
+    /// Why it was not read this time.
+    pub trouble: Option<&'a str>,
+}
+
+#[derive(Debug, Clone, Default)]
+struct Seen {
+    read: Option<(f64, f64, Instant)>,
+    trouble: Option<String>,
+}
+
+impl Looker {
+    /// Not connected yet.
+    pub fn new(device: &ModbusDevice) -> Self {
+        let batches = batches(&device.registers, |_| true, true);
+        let seen = vec![Seen::default(); device.registers.len()];
+        Self { device: device.clone(), wire: None, batches, seen }
+    }
+
+    /// Reads everything; what the device refuses is told register by register.
+    ///
+    /// # Errors
+    /// If it cannot be reached or does not answer.
+    pub fn look(&mut self) -> Result<(), ModbusError> {
+        let result = self.read();
+        result.map_err(|trouble| {
+            self.wire = None;
+            ModbusError::Unreachable {
+                device: self.device.name.clone(),
+                address: self.device.address.clone(),
+                why: trouble.to_string(),
+            }
+        })
+    }
+
+    fn read(&mut self) -> Result<(), Trouble> {
+        let wire = match &mut self.wire {
+            Some(wire) => wire,
+            none => none.insert(Wire::connect(&self.device)?),
+        };
+        let mut cells = Vec::new();
+        for batch in &self.batches {
+            match wire.read(batch.table, batch.at, batch.count, &mut cells) {
+                Ok(()) => {
+                    for (i, from) in &batch.registers {
+                        self.seen[*i].take(&self.device.registers[*i], &cells[*from..]);
+                    }
+                }
+                // One of them, or a gap between them: which?
+                Err(Trouble::Refused { .. }) => {
+                    for (i, _) in &batch.registers {
+                        let register = &self.device.registers[*i];
+                        let place = register.place;
+                        match wire.read(place.table, place.at, place.cells(), &mut cells) {
+                            Ok(()) => self.seen[*i].take(register, &cells),
+                            Err(refused @ Trouble::Refused { .. }) => self.seen[*i].trouble = Some(refused.to_string()),
+                            Err(gone) => return Err(gone),
+                        }
+                    }
+                }
+                Err(gone) => return Err(gone),
+            }
+        }
+        Ok(())
+    }
+
+    /// All registers, as they were last seen.
+    pub fn rows(&self) -> impl Iterator<Item = Looked<'_>> {
+        self.device.registers.iter().zip(&self.seen).map(|(register, seen)| Looked {
+            register,
+            raw: seen.read.map(|read| read.0),
+            value: seen.read.map(|read| read.1),
+            age_s: seen.read.map_or(f64::INFINITY, |read| read.2.elapsed().as_secs_f64()),
+            trouble: seen.trouble.as_deref(),
+        })
+    }
+}
+
+impl Seen {
+    fn take(&mut self, register: &Register, cells: &[u16]) {
+        let word = register.place.word;
+        *self =
+            Self { read: Some((coding::raw(word, cells), coding::value(word, cells), Instant::now())), trouble: None };
+    }
+}

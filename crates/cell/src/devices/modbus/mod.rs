@@ -1,0 +1,168 @@
+//! Process source, inputs and outputs over Modbus TCP.
+//!
+//! A client in a thread of its own polls the device and writes what changed; the cycle exchanges orders and reports with it
+//! through buffers that neither lock nor allocate. Reports age while the device is silent, and say with `starts` how often it
+//! was connected. When the cycle stops for longer than the watchdog's time, or the devices are dropped, the outputs go to their
+//! safe states; arc or beam comes on again only after it was ordered off.
+
+mod batches;
+mod client;
+mod coding;
+mod image;
+mod look;
+#[cfg(test)]
+mod random_map;
+mod traffic;
+mod wire;
+
+pub use look::{Looked, Looker};
+pub use traffic::{Traffic, TrafficView};
+
+use super::{InputBits, Inputs, Source};
+use crate::executive::{ProcessOrders, SourceReport};
+use client::{Client, Ends, Life};
+use image::Ordered;
+use seamwright_machine::{ModbusDevice, Role};
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+use std::thread::JoinHandle;
+use triple_buffer::{Input, Output, triple_buffer};
+
+/// Why a device cannot be used.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum ModbusError {
+    /// It cannot be reached, or does not answer as its registers ask for.
+    #[error("device `{device}` at {address}: {why}")]
+    Unreachable {
+        /// Its name in the machine file.
+        device: String,
+        /// Host and port.
+        address: String,
+        /// What went wrong.
+        why: String,
+    },
+    /// A process value of the job that nothing would set.
+    #[error("device `{device}` has no register that sets the job's process value `{value}`")]
+    NoRegister {
+        /// Its name in the machine file.
+        device: String,
+        /// The value's name.
+        value: String,
+    },
+}
+
+/// What a connected device is to a cell.
+#[derive(Debug)]
+pub struct ModbusParts {
+    /// The process source, if the device is one.
+    pub source: Option<ModbusSource>,
+    /// The inputs, if it has them.
+    pub inputs: Option<ModbusInputs>,
+    /// What goes over the line.
+    pub traffic: TrafficView,
+}
+
+/// A process source on Modbus.
+#[derive(Debug)]
+pub struct ModbusSource {
+    orders: Input<Ordered>,
+    offs: u64,
+    known: Output<SourceReport>,
+    /// The cycle shows by this that it goes on, where no inputs show it.
+    beats: bool,
+    period_s: f64,
+    thread: Arc<ClientThread>,
+}
+
+/// Inputs on Modbus.
+#[derive(Debug)]
+pub struct ModbusInputs {
+    known: Output<InputBits>,
+    watchdog: bool,
+    thread: Arc<ClientThread>,
+}
+
+/// The client's thread; the last one who needs it ends it.
+#[derive(Debug)]
+struct ClientThread {
+    life: Arc<Life>,
+    handle: Option<JoinHandle<()>>,
+}
+
+impl Drop for ClientThread {
+    /// Waits until the outputs are safe, or cannot be reached.
+    fn drop(&mut self) {
+        self.life.ended.store(true, Ordering::Release);
+        if let Some(handle) = self.handle.take() {
+            // A client that panicked has dropped its connection: the device's own watchdog is what is left.
+            let _ = handle.join();
+        }
+    }
+}
+
+/// Connects `device`, brings its outputs to their safe states and reads it once. `values` are the names of the job's process
+/// values in the order of [`crate::executive::Work::values`]; `period_s` is that of the cycle.
+///
+/// # Errors
+/// If it cannot be reached, refuses a register, or has no register for a value.
+pub fn connect(device: &ModbusDevice, values: &[String], period_s: f64) -> Result<ModbusParts, ModbusError> {
+    let has = |wanted: &dyn Fn(&Role) -> bool| device.registers.iter().any(|r| wanted(&r.role));
+    let (is_source, has_inputs) = (has(&Role::is_source), has(&|role| matches!(role, Role::Input(_))));
+    let unset = values.iter().find(|value| !has(&|role| matches!(role, Role::Set(name) if name == *value)));
+    if let Some(value) = unset.filter(|_| is_source) {
+        return Err(ModbusError::NoRegister { device: device.name.clone(), value: value.clone() });
+    }
+    let (orders_in, orders) = triple_buffer(&Ordered::default());
+    let (source, source_out) = triple_buffer(&SourceReport::default());
+    let (inputs, inputs_out) = triple_buffer(&InputBits::default());
+    let (life, traffic) = (Arc::new(Life::default()), TrafficView::default());
+    let ends = Ends { orders, source, inputs, life: Arc::clone(&life), traffic: traffic.clone() };
+    let mut client = Client::new(device, values, ends);
+    let unreachable =
+        |why: String| ModbusError::Unreachable { device: device.name.clone(), address: device.address.clone(), why };
+    client.connect().map_err(|trouble| unreachable(trouble.to_string()))?;
+    let named = std::thread::Builder::new().name(format!("modbus {}", device.name));
+    let handle = named.spawn(move || client.run()).map_err(|e| unreachable(e.to_string()))?;
+    let thread = Arc::new(ClientThread { life, handle: Some(handle) });
+    Ok(ModbusParts {
+        source: is_source.then(|| ModbusSource {
+            orders: orders_in,
+            offs: 0,
+            known: source_out,
+            beats: !has_inputs,
+            period_s,
+            thread: Arc::clone(&thread),
+        }),
+        inputs: has_inputs.then_some(ModbusInputs { known: inputs_out, watchdog: false, thread }),
+        traffic,
+    })
+}
+
+impl Source for ModbusSource {
+    fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport) {
+        self.offs += u64::from(!orders.on);
+        self.orders.write(Ordered { process: *orders, offs: self.offs });
+        if self.beats {
+            self.thread.life.cycles.fetch_add(1, Ordering::Release);
+        }
+        if self.known.update() {
+            *report = SourceReport { age_s: 0.0, ..*self.known.output_buffer() };
+        } else {
+            report.age_s += self.period_s;
+        }
+    }
+}
+
+impl Inputs for ModbusInputs {
+    fn exchange(&mut self, watchdog: bool, inputs: &mut InputBits) -> bool {
+        if watchdog != self.watchdog {
+            self.watchdog = watchdog;
+            self.thread.life.cycles.fetch_add(1, Ordering::Release);
+        }
+        let fresh = self.known.update();
+        if fresh {
+            *inputs = *self.known.output_buffer();
+        }
+        fresh
+    }
+}

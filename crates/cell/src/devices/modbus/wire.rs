@@ -1,0 +1,116 @@
+use seamwright_machine::{ModbusDevice, Table};
+use std::borrow::Cow;
+use std::time::Duration;
+use tokio::net::TcpStream;
+use tokio::runtime::{Builder, Runtime};
+use tokio_modbus::client::{Client as _, Context, tcp};
+use tokio_modbus::{ExceptionCode, Request, Response, Slave};
+
+/// Longest time to make a connection.
+const CONNECT: Duration = Duration::from_secs(1);
+
+/// Why a request was not answered as it should be.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub(super) enum Trouble {
+    /// The device is there and does not want to: the connection goes on.
+    #[error("the device refuses {what} ({code})")]
+    Refused {
+        /// The device's reason.
+        code: ExceptionCode,
+        /// Which registers.
+        what: String,
+    },
+    /// It answers, but does not work: its heart-beat stands still.
+    #[error("{0}")]
+    Lifeless(String),
+    /// The connection cannot be used any more.
+    #[error("{0}")]
+    Gone(String),
+}
+
+impl Trouble {
+    /// The same with the names of the registers that it is about.
+    pub(super) fn about(self, device: &ModbusDevice, registers: impl Iterator<Item = usize>) -> Self {
+        let Self::Refused { code, what } = self else { return self };
+        let names: Vec<&str> = registers.map(|i| device.registers[i].name.as_str()).collect();
+        Self::Refused { code, what: format!("{what}: {}", names.join(", ")) }
+    }
+}
+
+/// A connection to a device. Calls wait for the answer, as long as the device's time-out allows.
+pub(super) struct Wire {
+    runtime: Runtime,
+    context: Context,
+    timeout: Duration,
+}
+
+impl std::fmt::Debug for Wire {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Wire").field("timeout", &self.timeout).finish_non_exhaustive()
+    }
+}
+
+impl Wire {
+    /// Connects.
+    pub(super) fn connect(device: &ModbusDevice) -> Result<Self, Trouble> {
+        let gone = |e: std::io::Error| Trouble::Gone(e.to_string());
+        let runtime = Builder::new_current_thread().enable_io().enable_time().build().map_err(gone)?;
+        let address = device.address.as_str();
+        let stream = runtime.block_on(async { tokio::time::timeout(CONNECT, TcpStream::connect(address)).await });
+        let stream = stream.map_err(|_| Trouble::Gone("no connection within 1 s".to_owned()))?.map_err(gone)?;
+        // Requests are small and wait for each other.
+        stream.set_nodelay(true).map_err(gone)?;
+        let context = runtime.block_on(async { tcp::attach_slave(stream, Slave(device.unit)) });
+        Ok(Self { runtime, context, timeout: Duration::from_secs_f64(device.timeout_s) })
+    }
+
+    /// Reads `count` cells from `at` on into `cells`; a bit is 0 or 1.
+    pub(super) fn read(&mut self, table: Table, at: u16, count: u16, cells: &mut Vec<u16>) -> Result<(), Trouble> {
+        let request = match table {
+            Table::Coil => Request::ReadCoils(at, count),
+            Table::Discrete => Request::ReadDiscreteInputs(at, count),
+            Table::Holding => Request::ReadHoldingRegisters(at, count),
+            Table::Input => Request::ReadInputRegisters(at, count),
+        };
+        cells.clear();
+        match self.call(request, (table, at, usize::from(count)))? {
+            // Bits come in whole bytes.
+            Response::ReadCoils(bits) | Response::ReadDiscreteInputs(bits) => {
+                cells.extend(bits.into_iter().take(usize::from(count)).map(u16::from));
+            }
+            Response::ReadHoldingRegisters(words) | Response::ReadInputRegisters(words) => cells.extend(words),
+            _ => {}
+        }
+        if cells.len() == usize::from(count) {
+            return Ok(());
+        }
+        Err(Trouble::Gone(format!("{} {at}: {count} cells asked for, {} answered", table.name(), cells.len())))
+    }
+
+    /// Writes `cells` from `at` on.
+    pub(super) fn write(&mut self, table: Table, at: u16, cells: &[u16]) -> Result<(), Trouble> {
+        let request = match (table.has_bits(), cells) {
+            (true, [bit]) => Request::WriteSingleCoil(at, *bit != 0),
+            (true, bits) => Request::WriteMultipleCoils(at, bits.iter().map(|bit| *bit != 0).collect()),
+            (false, [word]) => Request::WriteSingleRegister(at, *word),
+            (false, words) => Request::WriteMultipleRegisters(at, Cow::Borrowed(words)),
+        };
+        self.call(request, (table, at, cells.len())).map(drop)
+    }
+
+    fn call(&mut self, request: Request<'_>, (table, at, count): (Table, u16, usize)) -> Result<Response, Trouble> {
+        let (context, timeout) = (&mut self.context, self.timeout);
+        let answer = self.runtime.block_on(async { tokio::time::timeout(timeout, context.call(request)).await });
+        match answer {
+            Err(_) => Err(Trouble::Gone(format!("no answer within {} ms", timeout.as_millis()))),
+            // The library has no word for a connection that was closed.
+            Ok(Err(e)) if e.to_string().contains("os error 0") => Err(Trouble::Gone("connection closed".to_owned())),
+            Ok(Err(e)) => Err(Trouble::Gone(e.to_string())),
+            Ok(Ok(Err(code))) => Err(Trouble::Refused {
+                code,
+                what: format!("{} {at} to {}", table.name(), usize::from(at) + count - 1),
+            }),
+            Ok(Ok(Ok(response))) => Ok(response),
+        }
+    }
+}

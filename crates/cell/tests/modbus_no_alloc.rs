@@ -1,0 +1,41 @@
+//! A cycle that exchanges with a device on Modbus allocates nothing, whether the device answers, is silent or comes back.
+
+#[path = "support/modbus_cell.rs"]
+mod modbus_cell;
+#[path = "support/modbus_server.rs"]
+mod modbus_server;
+
+use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
+use modbus_cell::{parts, welder};
+use modbus_server::TestServer;
+use seamwright_cell::devices::{InputBits, Inputs as _, Source as _};
+use seamwright_cell::executive::{ProcessOrders, SourceReport};
+use std::time::Duration;
+
+#[global_allocator]
+static ALLOCATOR: AllocDisabler = AllocDisabler;
+
+#[test]
+fn an_exchange_costs_no_allocation() {
+    let mut server = TestServer::new(welder);
+    let parts = parts(&server);
+    let (mut source, mut inputs) = (parts.source.unwrap(), parts.inputs.unwrap());
+    let (mut report, mut bits) = (SourceReport::default(), InputBits::default());
+    let (mut fresh, mut old) = (0, 0);
+    for k in 0..600u32 {
+        match k {
+            200 => server.stop(),
+            300 => server.start(),
+            _ => {}
+        }
+        let mut orders = ProcessOrders { gas: true, on: k % 50 > 10, ..ProcessOrders::default() };
+        orders.values[0] = f64::from(k % 70);
+        assert_no_alloc(|| {
+            source.exchange(&orders, &mut report);
+            if inputs.exchange(k % 2 == 0, &mut bits) { fresh += 1 } else { old += 1 }
+        });
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    assert_eq!(violation_count(), 0);
+    assert!(fresh > 20 && old > 100 && report.starts > 1, "{fresh} {old} {report:?}");
+}

@@ -1,0 +1,68 @@
+//! The registers of a machine's devices by name: once, or live.
+
+use super::positive;
+use crate::args::io::IoArgs;
+use crate::failure::Failure;
+use crate::load::machine;
+use crate::rows::{Cell, Rows};
+use seamwright_cell::devices::modbus::{Looked, Looker, ModbusError};
+use std::time::{Duration, Instant};
+
+const COLUMNS: [&str; 9] = ["t_s", "device", "register", "place", "raw", "value", "unit", "age_s", "trouble"];
+
+pub(crate) fn run(args: &IoArgs) -> Result<(), Failure> {
+    let every_s = args.every_s.map(|s| positive("--every-s", s)).transpose()?;
+    let machine = machine(&args.machine)?;
+    let mut devices: Vec<(&str, Looker)> =
+        machine.devices.modbus.iter().map(|d| (d.name.as_str(), Looker::new(d))).collect();
+    if devices.is_empty() {
+        return Err(Failure::Input(format!(
+            "machine `{}` has no device with registers\n   allowed: a machine file with [devices.NAME.modbus]",
+            machine.name
+        )));
+    }
+    let begun = Instant::now();
+    // A device that cannot be reached at the start is told at once; one that is lost later shows by its ages.
+    for (_, looker) in &mut devices {
+        looker.look().map_err(|e| Failure::Environment(e.to_string()))?;
+    }
+    let mut rows = Rows::new(COLUMNS.map(str::to_owned).to_vec(), args.json)?;
+    let mut troubles: Vec<Option<ModbusError>> = devices.iter().map(|_| None).collect();
+    let mut left = args.times.or(every_s.is_none().then_some(1));
+    while left != Some(0) {
+        let t = begun.elapsed().as_secs_f64();
+        for ((name, looker), trouble) in devices.iter().zip(&troubles) {
+            let trouble = trouble.as_ref().map(ToString::to_string);
+            for looked in looker.rows() {
+                row(&mut rows, t, name, &looked, trouble.as_deref())?;
+            }
+        }
+        rows.flush()?;
+        left = left.map(|n| n - 1);
+        if let (Some(every_s), true) = (every_s, left != Some(0)) {
+            std::thread::sleep(Duration::from_secs_f64(every_s));
+            for ((_, looker), trouble) in devices.iter_mut().zip(&mut troubles) {
+                *trouble = looker.look().err();
+            }
+        }
+    }
+    rows.finish()
+}
+
+fn row(rows: &mut Rows, t: f64, device: &str, looked: &Looked<'_>, lost: Option<&str>) -> Result<(), Failure> {
+    let number = |value: Option<f64>| value.map_or(Cell::Empty, Cell::Number);
+    let register = looked.register;
+    let place = register.place.to_string();
+    let age = Some(looked.age_s).filter(|age| age.is_finite());
+    rows.row(&[
+        Cell::Number(t),
+        Cell::Text(device),
+        Cell::Text(&register.name),
+        Cell::Text(&place),
+        number(looked.raw),
+        number(looked.value),
+        Cell::Text(&register.unit),
+        number(age),
+        lost.or(looked.trouble).map_or(Cell::Empty, Cell::Text),
+    ])
+}

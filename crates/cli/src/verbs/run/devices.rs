@@ -1,0 +1,127 @@
+//! The devices of a run: those that the machine file names, and simulated ones for the rest.
+
+use crate::failure::Failure;
+use crate::load::Loaded;
+#[cfg(target_os = "linux")]
+use seamwright_cell::devices::LinuxCncDrives;
+use seamwright_cell::devices::modbus::{self, ModbusError, TrafficView};
+use seamwright_cell::devices::{
+    Device, DeviceSet, Drives, Fault, Faulty, InputBits, Inputs, SimulatedDrives, SimulatedInputs, SimulatedSource,
+    Source,
+};
+use seamwright_cell::executive::{DriveReport, Interlocks, SourceReport};
+use seamwright_machine::{LinuxCnc, Machine};
+use serde_json::{Value, json};
+use std::io::Write as _;
+#[cfg(target_os = "linux")]
+use std::path::Path;
+
+/// Devices, each with its plan of faults.
+pub(super) type Cell = DeviceSet<
+    Faulty<Box<dyn Drives + Send>, DriveReport>,
+    Faulty<Box<dyn Source + Send>, SourceReport>,
+    Faulty<Box<dyn Inputs + Send>, InputBits>,
+>;
+
+/// What goes over the lines to devices, by their names.
+pub(super) type Lines = Vec<(String, TrafficView)>;
+
+/// Simulated devices.
+pub(super) fn simulated(machine: &Machine, faults: &[Fault], seed: u64) -> Result<Cell, Failure> {
+    let inputs = SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met());
+    let source = SimulatedSource::new(seed, machine.servo_period_s);
+    let devices = (simulated_drives(machine, seed)?, Box::new(source) as _, Box::new(inputs) as _);
+    Ok(put_together(machine, devices, faults))
+}
+
+fn simulated_drives(machine: &Machine, seed: u64) -> Result<Box<dyn Drives + Send>, Failure> {
+    Ok(Box::new(SimulatedDrives::new(machine, seed).map_err(|e| Failure::Input(e.to_string()))?))
+}
+
+/// Drives by LinuxCNC's HAL.
+#[cfg(target_os = "linux")]
+fn linuxcnc_drives(loaded: &Loaded, device: &LinuxCnc) -> Result<Box<dyn Drives + Send>, Failure> {
+    let folder = loaded.machine_file.as_ref().and_then(|file| file.parent()).unwrap_or(Path::new("."));
+    let drives = LinuxCncDrives::start(&loaded.machine, device, folder);
+    Ok(Box::new(drives.map_err(|e| Failure::Environment(e.to_string()))?))
+}
+
+#[cfg(not(target_os = "linux"))]
+fn linuxcnc_drives(_: &Loaded, _: &LinuxCnc) -> Result<Box<dyn Drives + Send>, Failure> {
+    Err(Failure::Environment("drives by LinuxCNC are only on Linux".to_owned()))
+}
+
+fn put_together(
+    machine: &Machine,
+    (drives, source, inputs): (Box<dyn Drives + Send>, Box<dyn Source + Send>, Box<dyn Inputs + Send>),
+    faults: &[Fault],
+) -> Cell {
+    let period = machine.servo_period_s;
+    DeviceSet {
+        drives: Faulty::new(drives, Device::Drives, faults, period),
+        source: Faulty::new(source, Device::Source, faults, period),
+        inputs: Faulty::new(inputs, Device::Inputs, faults, period),
+        period_s: period,
+    }
+}
+
+/// The devices that the machine file names, connected; `values` are the names of the job's process values. Says what is simulated.
+pub(super) fn of_machine(
+    loaded: &Loaded,
+    values: &[String],
+    faults: &[Fault],
+    seed: u64,
+) -> Result<(Cell, Lines), Failure> {
+    let machine = &loaded.machine;
+    let (mut source, mut inputs): (Option<Box<dyn Source + Send>>, Option<Box<dyn Inputs + Send>>) = (None, None);
+    let mut lines = Lines::new();
+    for device in &machine.devices.modbus {
+        let parts = modbus::connect(device, values, machine.servo_period_s).map_err(failure)?;
+        if let Some(part) = parts.source {
+            source = Some(Box::new(part));
+        }
+        if let Some(part) = parts.inputs {
+            inputs = Some(Box::new(part));
+        }
+        lines.push((device.name.clone(), parts.traffic));
+    }
+    let drives = machine.devices.linuxcnc.as_ref();
+    let missing = [("drives", drives.is_none()), ("process source", source.is_none()), ("inputs", inputs.is_none())];
+    let simulated: Vec<&str> = missing.iter().filter(|m| m.1).map(|m| m.0).collect();
+    if simulated.len() < missing.len() && !simulated.is_empty() {
+        // Nothing can be done if standard error is closed.
+        let _ = writeln!(std::io::stderr(), "note: simulated: {}", simulated.join(", "));
+    }
+    let source = source.unwrap_or_else(|| Box::new(SimulatedSource::new(seed, machine.servo_period_s)));
+    let inputs =
+        inputs.unwrap_or_else(|| Box::new(SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met())));
+    let drives = drives.map_or_else(|| simulated_drives(machine, seed), |device| linuxcnc_drives(loaded, device))?;
+    Ok((put_together(machine, (drives, source, inputs), faults), lines))
+}
+
+fn failure(error: ModbusError) -> Failure {
+    match error {
+        ModbusError::NoRegister { ref device, ref value } => Failure::Input(format!(
+            "{error}\n   allowed: a register `{value}` in [devices.{device}.modbus.set] of the machine file, or a job without it"
+        )),
+        ModbusError::Unreachable { .. } => Failure::Environment(format!(
+            "{error}\n   look at cable, address, unit and registers; `seamwright io MACHINE` reads them one by one"
+        )),
+    }
+}
+
+/// The traffic, as in `run.json`.
+pub(super) fn told(lines: &Lines) -> Vec<Value> {
+    let one = |(name, line): &(String, TrafficView)| {
+        let traffic = line.get();
+        let round = &traffic.round;
+        json!({
+            "device": name,
+            "polls": traffic.polls, "missed": traffic.missed, "failed": traffic.failed,
+            "connections": traffic.connections, "away_s": traffic.away_s,
+            "round_us": { "median": round.quantile_us(0.5), "p99_9": round.quantile_us(0.999), "most": round.most_us() },
+            "trouble": traffic.trouble,
+        })
+    };
+    lines.iter().map(one).collect()
+}

@@ -1,0 +1,274 @@
+//! Registers with their roles, with an address for everything that cannot be.
+
+use super::modbus::{
+    BitFile, ModbusDevice, ModbusFile, NumberFile, NumberType, Place, Register, Role, Scaled, Table, Word,
+};
+use crate::MachineFile;
+use seamwright_document::{Document, DocumentError, Finite, Positive};
+
+type File = Document<MachineFile>;
+
+/// The last address of a table.
+const LAST: u16 = u16::MAX;
+/// Port of Modbus TCP.
+const PORT: u16 = 502;
+
+/// Checks one device.
+pub(super) fn modbus(file: &File, name: &str, device: &ModbusFile) -> Result<ModbusDevice, DocumentError> {
+    let at = format!("devices.{name}.modbus");
+    let within = |key: &str, value: Option<Positive>, usual: f64, (low, high): (f64, f64), unit: &str| {
+        let value = value.map_or(usual, Positive::get);
+        if (low..=high).contains(&value) {
+            return Ok(value);
+        }
+        let allowed = format!("{low} to {high} {unit}");
+        Err(file.error_at(&format!("{at}.{key}"), "this is not a sensible value", allowed))
+    };
+    let unit = device.unit.unwrap_or(1);
+    if (248..=254).contains(&unit) {
+        return Err(file.error_at(&format!("{at}.unit"), "this unit address is reserved", "0 to 247, or 255"));
+    }
+    let registers = registers(file, &at, device)?;
+    if registers.is_empty() {
+        return Err(file.error_at(&at, "the device has no registers", "inputs, outputs, set, reports, actual"));
+    }
+    if registers.iter().all(|r| matches!(r.role, Role::Watchdog | Role::Heartbeat)) {
+        let message = "the device is neither process source nor has inputs";
+        return Err(file.error_at(&at, message, "registers for inputs, or for outputs.on and reports.burning"));
+    }
+    overlaps(file, &at, &registers)?;
+    let poll_hz = within("poll_hz", device.poll_hz, 100.0, (20.0, 1000.0), "Hz")?;
+    Ok(ModbusDevice {
+        name: name.to_owned(),
+        address: address(file, &at, &device.address)?,
+        unit,
+        poll_s: 1.0 / poll_hz,
+        timeout_s: within("timeout_s", device.timeout_s, 0.2, (0.01, 5.0), "s")?,
+        watchdog_s: within("watchdog_s", device.watchdog_s, 0.1, (0.01, 2.0), "s")?,
+        heartbeat_s: within("heartbeat_s", device.heartbeat_s, 0.5, (0.05, 10.0), "s")?,
+        registers,
+    })
+}
+
+/// Host and port; the usual port if none is given.
+fn address(file: &File, at: &str, address: &str) -> Result<String, DocumentError> {
+    let bad = |message: &str| {
+        file.error_at(&format!("{at}.address"), message, "host:port, like 192.168.1.20:502 or [fe80::1]:502")
+    };
+    let host_alone = !address.contains(':') || address.ends_with(']');
+    let (host, port) = if host_alone { (address, "502") } else { address.rsplit_once(':').unwrap_or((address, "")) };
+    let bracketed = host.starts_with('[') && host.ends_with(']');
+    if host.is_empty() || host.chars().any(char::is_whitespace) || (host.contains(':') && !bracketed) {
+        return Err(bad("there is no host"));
+    }
+    match port.parse::<u16>() {
+        Ok(1..) => Ok(if host_alone { format!("{host}:{PORT}") } else { address.to_owned() }),
+        _ => Err(bad("there is no port from 1 to 65535")),
+    }
+}
+
+/// All registers, in the order inputs, outputs, set, reports, actual.
+fn registers(file: &File, at: &str, device: &ModbusFile) -> Result<Vec<Register>, DocumentError> {
+    let mut registers = Vec::new();
+    let conditions = &file.value.interlocks;
+    for (name, bit) in &device.inputs {
+        let Some(condition) = conditions.iter().position(|c| &c.input == name) else {
+            let known: Vec<&str> = conditions.iter().map(|c| c.input.as_str()).collect();
+            return Err(file.unknown_name(&format!("{at}.inputs.{name}"), name, &known));
+        };
+        registers.push(bit_register(file, at, format!("inputs.{name}"), Role::Input(condition), bit)?);
+    }
+    let (outputs, reports) = (&device.outputs, &device.reports);
+    for (key, role, bit) in [
+        ("outputs.gas", Role::Gas, &outputs.gas),
+        ("outputs.on", Role::On, &outputs.on),
+        ("outputs.watchdog", Role::Watchdog, &outputs.watchdog),
+        ("reports.ready", Role::Ready, &reports.ready),
+        ("reports.burning", Role::Burning, &reports.burning),
+        ("reports.stuck", Role::Stuck, &reports.stuck),
+        ("reports.heartbeat", Role::Heartbeat, &reports.heartbeat),
+    ] {
+        if let Some(bit) = bit {
+            registers.push(bit_register(file, at, key.to_owned(), role, bit)?);
+        }
+    }
+    for (name, number) in &device.set {
+        registers.push(number_register(file, at, format!("set.{name}"), Role::Set(name.clone()), number)?);
+    }
+    if let Some(fault) = &reports.fault {
+        let register = number_register(file, at, "reports.fault".to_owned(), Role::Fault, fault)?;
+        let plain = |s: Scaled| s.kind == NumberType::U16 && fault.scale.is_none() && fault.offset.get().abs() <= 0.0;
+        if !matches!(register.place.word, Word::Number(s) if plain(s)) {
+            return Err(file.error_at(&format!("{at}.reports.fault"), "a fault code is a plain u16", "type = \"u16\""));
+        }
+        registers.push(register);
+    }
+    for (name, number) in &device.actual {
+        registers.push(number_register(file, at, format!("actual.{name}"), Role::Actual(name.clone()), number)?);
+    }
+    Ok(registers)
+}
+
+/// The one table that is named, and the address in it.
+fn table(file: &File, path: &str, given: &[(Table, Option<u16>)], role: &Role) -> Result<(Table, u16), DocumentError> {
+    let writes = role.is_output();
+    let allowed: Vec<&str> = given.iter().map(|g| g.0).filter(|t| !writes || may_write(*t)).map(Table::name).collect();
+    let allowed = format!("exactly one of {}", allowed.join(", "));
+    let mut named = given.iter().filter_map(|(table, at)| at.map(|at| (*table, at)));
+    let (Some((table, at)), None) = (named.next(), named.next()) else {
+        return Err(file.error_at(path, "not exactly one table is named", allowed));
+    };
+    if writes && !may_write(table) {
+        let message = format!("a {} can only be read, and this is written", full_name(table));
+        return Err(file.error_at(&format!("{path}.{}", table.name()), message, allowed));
+    }
+    Ok((table, at))
+}
+
+fn may_write(table: Table) -> bool {
+    matches!(table, Table::Coil | Table::Holding)
+}
+
+fn full_name(table: Table) -> &'static str {
+    match table {
+        Table::Coil => "coil",
+        Table::Discrete => "discrete input",
+        Table::Holding => "holding register",
+        Table::Input => "input register",
+    }
+}
+
+fn bit_register(file: &File, at: &str, name: String, role: Role, bit: &BitFile) -> Result<Register, DocumentError> {
+    let path = format!("{at}.{name}");
+    let given = [
+        (Table::Coil, bit.coil),
+        (Table::Discrete, bit.discrete),
+        (Table::Holding, bit.holding),
+        (Table::Input, bit.input),
+    ];
+    let (table, cell) = table(file, &path, &given, &role)?;
+    let key = |key: &str| format!("{path}.{key}");
+    let whole = matches!(role, Role::Watchdog | Role::Heartbeat);
+    let word = match (table.has_bits(), bit.bit) {
+        (true, None) => Word::Single,
+        (true, Some(_)) => {
+            let message = format!("a {} is a single bit", full_name(table));
+            return Err(file.error_at(&key("bit"), message, "`bit` with holding or input"));
+        }
+        (false, Some(bit @ 0..=15)) => Word::Bit(bit),
+        (false, Some(_)) => return Err(file.error_at(&key("bit"), "a register has 16 bits", "0 (lowest) to 15")),
+        (false, None) if whole => Word::Number(COUNT),
+        (false, None) => {
+            return Err(file.error_at(&path, "which bit of the register is missing", "bit = 0 (lowest) to 15"));
+        }
+    };
+    if bit.safe.is_some() && !(role.is_output() && role != Role::Watchdog) {
+        return Err(file.error_at(&key("safe"), "only outputs have a safe state", "`safe` with gas, on and set"));
+    }
+    if role == Role::On && bit.safe == Some(true) {
+        return Err(file.error_at(&key("safe"), "arc or beam is never on where nobody watches it", "false"));
+    }
+    let safe = if bit.safe == Some(true) { 1.0 } else { 0.0 };
+    Ok(Register { name, role, place: Place { table, at: cell, word }, safe, unit: String::new() })
+}
+
+/// A register that counts, or changes in whatever way.
+const COUNT: Scaled = Scaled { kind: NumberType::U16, order: super::WordOrder::HighFirst, scale: 1.0, offset: 0.0 };
+
+fn number_register(
+    file: &File,
+    at: &str,
+    name: String,
+    role: Role,
+    number: &NumberFile,
+) -> Result<Register, DocumentError> {
+    let path = format!("{at}.{name}");
+    let given = [(Table::Holding, number.holding), (Table::Input, number.input)];
+    let (table, cell) = table(file, &path, &given, &role)?;
+    let key = |key: &str| format!("{path}.{key}");
+    if number.words.is_some() && number.kind.registers() == 1 {
+        return Err(file.error_at(&key("words"), "16 bits are one register", "`words` with u32, i32 and f32"));
+    }
+    if cell > LAST - (number.kind.registers() - 1) {
+        let message = "32 bits need two registers, and this is the last one";
+        return Err(file.error_at(&key(table.name()), message, format!("up to {}", LAST - 1)));
+    }
+    let scale = number.scale.map_or(1.0, Finite::get);
+    if scale.abs() < f64::MIN_POSITIVE {
+        return Err(file.error_at(&key("scale"), "every number would be the same value", "any number but 0"));
+    }
+    if number.safe.is_some() && !role.is_output() {
+        return Err(file.error_at(&key("safe"), "only outputs have a safe state", "`safe` with gas, on and set"));
+    }
+    let scaled =
+        Scaled { kind: number.kind, order: number.words.unwrap_or_default(), scale, offset: number.offset.get() };
+    let safe = number.safe.map_or(scaled.offset, Finite::get);
+    let (low, high) = scaled.range();
+    if !(low..=high).contains(&safe) {
+        let message = "the register cannot hold this value";
+        return Err(file.error_at(&key("safe"), message, format!("{low} to {high}")));
+    }
+    let unit = number.unit.clone().unwrap_or_else(|| unit_of(&name));
+    Ok(Register { name, role, place: Place { table, at: cell, word: Word::Number(scaled) }, safe, unit })
+}
+
+/// What the name of a process value ends in: `current_a` is in a, `wire_m_min` in m/min.
+fn unit_of(name: &str) -> String {
+    let tail = name.split_once('_').map_or("", |(_, tail)| tail);
+    tail.replace('_', "/")
+}
+
+/// No two registers share a bit.
+fn overlaps(file: &File, at: &str, registers: &[Register]) -> Result<(), DocumentError> {
+    for (i, one) in registers.iter().enumerate() {
+        if let Some(other) = registers[..i].iter().find(|other| meet(&one.place, &other.place)) {
+            let message = format!("`{}` is at {} already", other.name, other.place);
+            let path = format!("{at}.{}.{}", one.name, one.place.table.name());
+            return Err(file.error_at(&path, message, "a place of its own"));
+        }
+    }
+    Ok(())
+}
+
+/// True if two places share a bit.
+fn meet(a: &Place, b: &Place) -> bool {
+    let (a_first, b_first) = (u32::from(a.at), u32::from(b.at));
+    let apart = a_first + u32::from(a.cells()) <= b_first || b_first + u32::from(b.cells()) <= a_first;
+    let bits_apart = matches!((a.word, b.word), (Word::Bit(x), Word::Bit(y)) if x != y);
+    a.table == b.table && !apart && !bits_apart
+}
+
+/// Roles over all devices: one process source, which can be watched; all inputs on one device, and none without a register.
+pub(super) fn together(file: &File, devices: &[ModbusDevice]) -> Result<(), DocumentError> {
+    let at = |device: &ModbusDevice, key: &str| format!("devices.{}.modbus.{key}", device.name);
+    let mut with_source = devices.iter().filter(|d| d.registers.iter().any(|r| r.role.is_source()));
+    if let (Some(first), Some(second)) = (with_source.next(), with_source.next()) {
+        let register = second.registers.iter().find(|r| r.role.is_source()).map_or("", |r| r.name.as_str());
+        let message = format!("device `{}` is the process source already", first.name);
+        return Err(file.error_at(&at(second, register), message, "one process source"));
+    }
+    for device in devices {
+        let has = |role: &Role| device.registers.iter().any(|r| r.role == *role);
+        if device.registers.iter().any(|r| r.role.is_source()) {
+            for (role, key) in [(Role::On, "outputs.on"), (Role::Burning, "reports.burning")] {
+                if !has(&role) {
+                    let message = format!("the process source has no register for `{key}`");
+                    return Err(file.error_at(&format!("devices.{}.modbus", device.name), message, key));
+                }
+            }
+        }
+    }
+    let mut with_inputs = devices.iter().filter(|d| d.registers.iter().any(|r| matches!(r.role, Role::Input(_))));
+    let (Some(first), second) = (with_inputs.next(), with_inputs.next()) else { return Ok(()) };
+    if let Some(second) = second {
+        let message = format!("device `{}` has inputs already", first.name);
+        return Err(file.error_at(&at(second, "inputs"), message, "all inputs on one device"));
+    }
+    for (i, condition) in file.value.interlocks.iter().enumerate() {
+        if !first.registers.iter().any(|r| r.role == Role::Input(i)) {
+            let message = format!("input `{}` of condition `{}` has no register", condition.input, condition.name);
+            return Err(file.error_at(&at(first, "inputs"), message, "a register for every condition's input"));
+        }
+    }
+    Ok(())
+}

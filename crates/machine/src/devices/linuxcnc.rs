@@ -1,0 +1,102 @@
+use crate::MachineFile;
+use schemars::JsonSchema;
+use seamwright_document::{Document, DocumentError};
+use serde::Deserialize;
+
+/// The drives by LinuxCNC's HAL, as a real-time engine.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LinuxCncFile {
+    /// HAL file that connects the hardware, beside the machine file; axes without hardware that follow at once if missing.
+    pub hal: Option<String>,
+    /// Set-points that the drives have in store, 2 to 200; 10 if missing. So many periods late is a correction, and so many
+    /// cycles may be missed.
+    pub store: Option<u32>,
+    /// Period of a second, faster thread called `cell-base` (software step pulses), us, 10 to 1000; none if missing.
+    pub base_period_us: Option<u32>,
+}
+
+/// The drives by LinuxCNC's HAL.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LinuxCnc {
+    /// HAL file of the hardware, beside the machine file.
+    pub hal: Option<String>,
+    /// Set-points in store.
+    pub store: u32,
+    /// Period of the faster thread, us.
+    pub base_period_us: Option<u32>,
+}
+
+/// Set-points in store, if the file does not say.
+const STORE: u32 = 10;
+/// Longest name of an axis: HAL's names have up to 47 characters.
+const LONGEST_NAME: usize = 24;
+
+/// Checks one device.
+pub(super) fn linuxcnc(
+    file: &Document<MachineFile>,
+    name: &str,
+    device: &LinuxCncFile,
+) -> Result<LinuxCnc, DocumentError> {
+    let at = |key: &str| format!("devices.{name}.linuxcnc.{key}");
+    let m = &file.value;
+    if let Some(hal) = device.hal.as_ref().filter(|hal| !hal.ends_with(".hal") || hal.len() == 4) {
+        let message = format!("`{hal}` is no HAL file");
+        return Err(file.error_at(&at("hal"), message, "the path of a file that ends in .hal, or no `hal`"));
+    }
+    let store = device.store.unwrap_or(STORE);
+    if !(2..=200).contains(&store) {
+        return Err(file.error_at(&at("store"), format!("the drives have {store} set-points in store"), "2 to 200"));
+    }
+    let period_us = 1e3 * m.servo_period_ms.map_or(1.0, seamwright_document::Positive::get);
+    if let Some(base) = device.base_period_us {
+        let times = period_us / f64::from(base);
+        if !(10..=1000).contains(&base) || times < 2.0 || (times - times.round()).abs() > 1e-9 {
+            let allowed =
+                format!("10 to 1000, a whole number of times in the period of {period_us} us, at least twice");
+            return Err(file.error_at(&at("base_period_us"), format!("the faster thread has {base} us"), allowed));
+        }
+    }
+    let axes =
+        m.tool.iter().chain(&m.work).chain(m.heads.iter().flat_map(|h| &h.steps)).filter_map(|s| s.axis.as_ref());
+    if let Some(axis) = axes.into_iter().find(|axis| axis.len() > LONGEST_NAME) {
+        let message = format!("the name of axis `{axis}` is too long for LinuxCNC's HAL");
+        return Err(file.error_at(&format!("devices.{name}.linuxcnc"), message, format!("{LONGEST_NAME} characters")));
+    }
+    Ok(LinuxCnc { hal: device.hal.clone(), store, base_period_us: device.base_period_us })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Machine, shipped};
+
+    fn read(devices: &str) -> Result<Machine, String> {
+        let text = format!("{}\n{devices}", shipped("ellipse-xy").unwrap().text);
+        Machine::read("m.toml", &text).map_err(|e| e.to_string())
+    }
+
+    #[test]
+    fn drives_by_linuxcnc() {
+        let simulated = read("[devices.drives.linuxcnc]").unwrap().devices.linuxcnc.unwrap();
+        assert_eq!((simulated.hal, simulated.store, simulated.base_period_us), (None, 10, None));
+        let real = "[devices.drives.linuxcnc]\nhal = \"mesa.hal\"\nstore = 4\nbase_period_us = 50";
+        let real = read(real).unwrap().devices.linuxcnc.unwrap();
+        assert_eq!((real.hal.as_deref(), real.store, real.base_period_us), (Some("mesa.hal"), 4, Some(50)));
+    }
+
+    #[test]
+    fn what_cannot_be_is_refused() {
+        for (lines, key, allowed) in [
+            ("[devices.drives.linuxcnc]\nstore = 1", "store", "2 to 200"),
+            ("[devices.drives.linuxcnc]\nstore = 500", "store", "2 to 200"),
+            ("[devices.drives.linuxcnc]\nhal = \"mesa.tcl\"", "hal", ".hal"),
+            ("[devices.drives.linuxcnc]\nbase_period_us = 30", "base_period_us", "whole number of times"),
+            ("[devices.drives.linuxcnc]\nbase_period_us = 1000", "base_period_us", "at least twice"),
+            ("[devices.drives.linuxcnc]\ndepth = 5", "depth", "store"),
+            ("[devices.a.linuxcnc]\n[devices.b.linuxcnc]", "devices.b.linuxcnc", "one device"),
+        ] {
+            let error = read(lines).unwrap_err();
+            assert!(error.contains("m.toml") && error.contains(key) && error.contains(allowed), "{lines}: {error}");
+        }
+    }
+}
