@@ -163,9 +163,9 @@ impl Bank {
             _ => return Err(ExceptionCode::IllegalFunction),
         };
         if request.is_write() {
-            self.writes += 1
+            self.writes += 1;
         } else {
-            self.reads += 1
+            self.reads += 1;
         }
         (self.works)(self);
         Ok(answer)

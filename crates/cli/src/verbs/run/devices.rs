@@ -50,10 +50,11 @@ pub(super) fn of_machine(
     faults: &[Fault],
     seed: u64,
 ) -> Result<(Cell, Lines), Failure> {
-    let (mut source, mut inputs): (Option<Box<dyn Source + Send>>, Option<Box<dyn Inputs + Send>>) = (None, None);
+    let mut source: Option<Box<dyn Source + Send>> = None;
+    let mut inputs: Option<Box<dyn Inputs + Send>> = None;
     let mut lines = Lines::new();
     for device in &machine.devices.modbus {
-        let parts = modbus::connect(device, values, machine.servo_period_s).map_err(failure)?;
+        let parts = modbus::connect(device, values, machine.servo_period_s).map_err(|e| failure(&e))?;
         if let Some(part) = parts.source {
             source = Some(Box::new(part));
         }
@@ -75,9 +76,9 @@ pub(super) fn of_machine(
     Ok((put_together(machine, source, inputs, (faults, seed))?, lines))
 }
 
-fn failure(error: ModbusError) -> Failure {
+fn failure(error: &ModbusError) -> Failure {
     match error {
-        ModbusError::NoRegister { ref device, ref value } => Failure::Input(format!(
+        ModbusError::NoRegister { device, value } => Failure::Input(format!(
             "{error}\n   allowed: a register `{value}` in [devices.{device}.modbus.set] of the machine file, or a job without it"
         )),
         ModbusError::Unreachable { .. } => Failure::Environment(format!(
