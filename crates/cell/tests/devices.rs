@@ -125,7 +125,7 @@ fn conforms<S: Source, I: Inputs>(mut bench: Bench<S, I>, events: &[Event]) {
             assert!(same(&kept, &before.source), "{event:?}");
             assert_eq!(bench.reports.inputs, before.inputs);
         } else if bench.real {
-            std::thread::sleep(Duration::from_millis(300));
+            std::thread::sleep(Duration::from_millis(1200));
         } else {
             bench.cycles(300, |_| false);
         }

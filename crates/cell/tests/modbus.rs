@@ -273,7 +273,7 @@ fn what_cannot_be_connected() {
     server.bank().holes.clear();
     server.silence(true);
     let error = told(MAP, &values);
-    assert!(error.contains("no answer within 100 ms"), "{error}");
+    assert!(error.contains("no answer within 500 ms"), "{error}");
     let address = server.address.to_string();
     drop(server);
     let error = connect(&device(&address, MAP), &values, PERIOD_S).unwrap_err().to_string();

@@ -1,6 +1,7 @@
 //! From files to a planned weld, and what is recorded of it: what the command line and the panel do alike.
 
 pub mod csv;
+pub mod devices;
 pub mod examples;
 pub mod failure;
 pub mod files;

@@ -139,6 +139,11 @@ pub fn machine_and_file(name: &str) -> Result<(Machine, Document<MachineFile>), 
 const MOST_SET_POINTS: f64 = 1e11;
 
 impl Loaded {
+    /// Where the machine file is: files that it names are seen from there.
+    pub fn folder(&self) -> &Path {
+        self.machine_file.as_ref().and_then(|file| file.parent()).unwrap_or(Path::new("."))
+    }
+
     /// Refuses motions with more set-points than any weld has, and periods that step over a whole pass.
     pub fn check_count(&self, motion: &WeldMotion, period_s: f64) -> Result<(), Failure> {
         let total: f64 = motion.passes.iter().map(PassMotion::total_s).sum();

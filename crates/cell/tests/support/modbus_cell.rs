@@ -13,8 +13,8 @@ pub(crate) const PERIOD_S: f64 = 1e-3;
 pub(crate) const MAP: &str = r#"
 unit = 1
 poll_hz = 200
-timeout_s = 0.1
-watchdog_s = 0.1
+timeout_s = 0.5
+watchdog_s = 0.4
 heartbeat_s = 0.2
 [devices.io.modbus.inputs]
 e_stop_ok = { discrete = 0 }

@@ -70,6 +70,6 @@ fn random_word(random: &mut Pcg64Mcg, table: Table) -> Word {
         4 => NumberType::I32,
         _ => NumberType::F32,
     };
-    let order = if random.next_u32() % 2 == 0 { WordOrder::HighFirst } else { WordOrder::LowFirst };
+    let order = if uniform(random) < 0.5 { WordOrder::HighFirst } else { WordOrder::LowFirst };
     Word::Number(Scaled { kind, order, scale: 0.01 + uniform(random), offset: uniform(random) })
 }

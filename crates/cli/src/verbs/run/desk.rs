@@ -1,7 +1,6 @@
 //! The operator's desk: orders in their turn, what happened in words, the record.
 
 use super::Ended;
-use super::devices;
 use super::orders::Line;
 use super::table::Table;
 use crate::failure::Failure;
@@ -9,6 +8,7 @@ use crate::files::Output;
 use seamwright_cell::executive::{Alarm, Ask, Command, Event, Missing, Mode, Note, Place, Raised, Reaction};
 use seamwright_cell::realtime::Shown;
 use seamwright_machine::Machine;
+use seamwright_project::devices;
 use seamwright_project::power_loss::Watch;
 use seamwright_record::journal::{Journal, Position};
 use seamwright_record::library::{self, WeldResult};

@@ -1,7 +1,6 @@
 //! A job on a running cell: in real time under an operator's orders, or in virtual time with faults.
 
 mod desk;
-mod devices;
 mod orders;
 mod table;
 
@@ -12,7 +11,6 @@ use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::{Loaded, load};
 use desk::Desk;
-use devices::{Cell, Lines};
 use orders::Line;
 use seamwright_cell::devices::When;
 use seamwright_cell::executive::{Command, Cycle, Devices, Executive, Note, Place, Port, Start, VALUES, Work};
@@ -20,6 +18,7 @@ use seamwright_cell::realtime::{Footing, Latency, Outside, Paced, Pacer, Shown, 
 use seamwright_machine::{Machine, Surroundings};
 use seamwright_motion::WeldMotion;
 use seamwright_program::Pass;
+use seamwright_project::devices::{self, Cell, Lines};
 use seamwright_project::power_loss;
 use std::io::{BufRead as _, IsTerminal as _, Write as _};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -45,7 +44,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let machine = &loaded.machine;
     let asked = Asked { output: &args.output, record: &args.record, json: args.json, from: args.from };
     power_loss::check(args.record.data.as_deref(), args.from)?;
-    let devices = |work: &Work<'_>| devices::of_machine(&loaded, work.values(), &args.fault, args.seed);
+    let devices =
+        |work: &Work<'_>| devices::of_machine(&loaded.machine, loaded.folder(), work.values(), &args.fault, args.seed);
     with_work(&loaded, &motion, asked, Vec::new(), devices, |devices, work, desk| {
         real(work, machine, devices, args.cpu, desk)
     })

@@ -1,7 +1,6 @@
 //! The devices of a run: those that the machine file names, and simulated ones for the rest.
 
-use crate::failure::Failure;
-use crate::load::Loaded;
+use crate::Failure;
 #[cfg(target_os = "linux")]
 use seamwright_cell::devices::LinuxCncDrives;
 use seamwright_cell::devices::modbus::{self, ModbusError, TrafficView};
@@ -13,21 +12,23 @@ use seamwright_cell::executive::{DriveReport, Interlocks, SourceReport};
 use seamwright_machine::{LinuxCnc, Machine};
 use serde_json::{Value, json};
 use std::io::Write as _;
-#[cfg(target_os = "linux")]
 use std::path::Path;
 
 /// Devices, each with its plan of faults.
-pub(super) type Cell = DeviceSet<
+pub type Cell = DeviceSet<
     Faulty<Box<dyn Drives + Send>, DriveReport>,
     Faulty<Box<dyn Source + Send>, SourceReport>,
     Faulty<Box<dyn Inputs + Send>, InputBits>,
 >;
 
 /// What goes over the lines to devices, by their names.
-pub(super) type Lines = Vec<(String, TrafficView)>;
+pub type Lines = Vec<(String, TrafficView)>;
 
 /// Simulated devices.
-pub(super) fn simulated(machine: &Machine, faults: &[Fault], seed: u64) -> Result<Cell, Failure> {
+///
+/// # Errors
+/// Values in the machine file that make no drive.
+pub fn simulated(machine: &Machine, faults: &[Fault], seed: u64) -> Result<Cell, Failure> {
     let inputs = SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met());
     let source = SimulatedSource::new(seed, machine.servo_period_s);
     let devices = (simulated_drives(machine, seed)?, Box::new(source) as _, Box::new(inputs) as _);
@@ -40,14 +41,13 @@ fn simulated_drives(machine: &Machine, seed: u64) -> Result<Box<dyn Drives + Sen
 
 /// Drives by LinuxCNC's HAL.
 #[cfg(target_os = "linux")]
-fn linuxcnc_drives(loaded: &Loaded, device: &LinuxCnc) -> Result<Box<dyn Drives + Send>, Failure> {
-    let folder = loaded.machine_file.as_ref().and_then(|file| file.parent()).unwrap_or(Path::new("."));
-    let drives = LinuxCncDrives::start(&loaded.machine, device, folder);
+fn linuxcnc_drives(machine: &Machine, folder: &Path, device: &LinuxCnc) -> Result<Box<dyn Drives + Send>, Failure> {
+    let drives = LinuxCncDrives::start(machine, device, folder);
     Ok(Box::new(drives.map_err(|e| Failure::Environment(e.to_string()))?))
 }
 
 #[cfg(not(target_os = "linux"))]
-fn linuxcnc_drives(_: &Loaded, _: &LinuxCnc) -> Result<Box<dyn Drives + Send>, Failure> {
+fn linuxcnc_drives(_: &Machine, _: &Path, _: &LinuxCnc) -> Result<Box<dyn Drives + Send>, Failure> {
     Err(Failure::Environment("drives by LinuxCNC are only on Linux".to_owned()))
 }
 
@@ -65,18 +65,22 @@ fn put_together(
     }
 }
 
-/// The devices that the machine file names, connected; `values` are the names of the job's process values. Says what is simulated.
-pub(super) fn of_machine(
-    loaded: &Loaded,
+/// The devices that the machine file names, connected (a HAL file as seen from `folder`); `values` are the names of the job's process values. Says what is simulated.
+///
+/// # Errors
+/// A device that cannot be reached, or has no register for a process value.
+pub fn of_machine(
+    machine: &Machine,
+    folder: &Path,
     values: &[String],
     faults: &[Fault],
     seed: u64,
 ) -> Result<(Cell, Lines), Failure> {
-    let machine = &loaded.machine;
-    let (mut source, mut inputs): (Option<Box<dyn Source + Send>>, Option<Box<dyn Inputs + Send>>) = (None, None);
+    let mut source: Option<Box<dyn Source + Send>> = None;
+    let mut inputs: Option<Box<dyn Inputs + Send>> = None;
     let mut lines = Lines::new();
     for device in &machine.devices.modbus {
-        let parts = modbus::connect(device, values, machine.servo_period_s).map_err(failure)?;
+        let parts = modbus::connect(device, values, machine.servo_period_s).map_err(|e| failure(&e))?;
         if let Some(part) = parts.source {
             source = Some(Box::new(part));
         }
@@ -95,13 +99,14 @@ pub(super) fn of_machine(
     let source = source.unwrap_or_else(|| Box::new(SimulatedSource::new(seed, machine.servo_period_s)));
     let inputs =
         inputs.unwrap_or_else(|| Box::new(SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met())));
-    let drives = drives.map_or_else(|| simulated_drives(machine, seed), |device| linuxcnc_drives(loaded, device))?;
+    let drives =
+        drives.map_or_else(|| simulated_drives(machine, seed), |device| linuxcnc_drives(machine, folder, device))?;
     Ok((put_together(machine, (drives, source, inputs), faults), lines))
 }
 
-fn failure(error: ModbusError) -> Failure {
+fn failure(error: &ModbusError) -> Failure {
     match error {
-        ModbusError::NoRegister { ref device, ref value } => Failure::Input(format!(
+        ModbusError::NoRegister { device, value } => Failure::Input(format!(
             "{error}\n   allowed: a register `{value}` in [devices.{device}.modbus.set] of the machine file, or a job without it"
         )),
         ModbusError::Unreachable { .. } => Failure::Environment(format!(
@@ -111,7 +116,7 @@ fn failure(error: ModbusError) -> Failure {
 }
 
 /// The traffic, as in `run.json`.
-pub(super) fn told(lines: &Lines) -> Vec<Value> {
+pub fn told(lines: &Lines) -> Vec<Value> {
     let one = |(name, line): &(String, TrafficView)| {
         let traffic = line.get();
         let round = &traffic.round;
