@@ -27,15 +27,15 @@ test('the first run, led by the tour: from the printed address to a finished wel
   const says = (text) => tour.getByText(text).waitFor({ timeout: 60_000 });
   await says(/Take control/);
   await control(one);
-  if (isReal) await keep(one, 'short.toml', SHORT);
-  await load(one, isReal ? 'short.toml' : 'saddle.toml', 'N-17');
-  await tab(one, 'Weld');
   await says(/Switch on/);
   await press(one, /Switch on/);
   await mode(one, 'idle', 'ready');
   await says(/Home/);
   await press(one, /^Home/);
   await mode(one, 'ready');
+  await says(/Open Jobs/);
+  if (isReal) await keep(one, 'short.toml', SHORT);
+  await load(one, isReal ? 'short.toml' : 'saddle.toml', 'N-17');
   await says(/Press “Arm”/);
   await weld(one);
   await says(/Watch the torch/);
