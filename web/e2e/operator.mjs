@@ -73,7 +73,6 @@ export async function ready(page) {
   await press(page, /Switch on/);
   await mode(page, 'idle', 'ready');
   await press(page, /^Home/);
-  await mode(page, 'homing');
   await mode(page, 'ready');
 }
 

@@ -77,6 +77,7 @@ export class Scene {
   private status: Status | null = null;
   private by: ColourBy = { kind: 'pass' };
   private asked = false;
+  private prepares = 0;
   private ended = false;
   private restUntil = 0;
   private fitted = '';
@@ -166,7 +167,7 @@ export class Scene {
       this.fitted = name;
       this.view('fit');
     }
-    this.draw();
+    this.prepare();
   }
 
   setStatus(status: Status): void {
@@ -258,12 +259,22 @@ export class Scene {
 
   /** Draws with the next frame; any number of calls until then are one. */
   readonly draw = (): void => {
-    if (this.asked) return;
+    if (this.asked || this.prepares > 0) return;
     this.asked = true;
     const wait = this.restUntil - performance.now();
     if (wait > 0) setTimeout(this.ask, wait);
     else this.ask();
   };
+
+  /** Has the graphics card make what new materials need, beside the page's own work, and then draws. */
+  private prepare(): void {
+    this.prepares += 1;
+    const done = (): void => {
+      this.prepares -= 1;
+      if (!this.ended) this.draw();
+    };
+    this.renderer.compileAsync(this.world, this.camera).then(done, done);
+  }
 
   private readonly ask = (): void => {
     if (this.ended) return;
