@@ -268,6 +268,10 @@ export class Scene {
 
   /** Has the graphics card make what new materials need, beside the page's own work, and then draws. */
   private prepare(): void {
+    if (!this.renderer.extensions.has('KHR_parallel_shader_compile')) {
+      this.draw();
+      return;
+    }
     this.prepares += 1;
     const done = (): void => {
       this.prepares -= 1;
