@@ -12,7 +12,6 @@ import {
   PerspectiveCamera,
   Plane,
   Quaternion,
-  Raycaster,
   Scene as World,
   SphereGeometry,
   Vector2,
@@ -22,17 +21,17 @@ import {
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { MachineView, PathPoint, Status, WorkView } from '../wire';
 import type { ColourBy, Scale } from './colours';
+import { Measure } from './measure';
 import { Passes, release } from './passes';
+import { nearest, surface } from './pick';
 import { matrix } from './shapes';
 import { solid } from './solids';
 import { Trace } from './trace';
-import { Measure } from './measure';
 
 export type View = 'fit' | 'top' | 'front' | 'side' | 'torch';
 export type Layer = 'machine' | 'part' | 'zones' | 'air' | 'trace';
 export type Cut = { axis: 'x' | 'y' | 'z'; part: number } | null;
 
-const PICK_PX = 16;
 /** A short seam is shown with this much about it, mm. */
 const LEAST_MM = 150;
 const TORCH_MM = 70;
@@ -374,44 +373,14 @@ export class Scene {
     if (moved > 5) return;
     const area = this.canvas.getBoundingClientRect();
     const at = new Vector2(event.clientX - area.left, event.clientY - area.top);
-    const near = this.nearest(at, area);
+    const near = nearest(this.work, this.place().matrixWorld, this.camera, at, area);
     if (this.measure.active) {
-      const place = near ? near.place : this.surface(at, area);
+      const place = near ? near.place : surface(this.root, this.camera, at, area);
       if (place) this.measure.take(place);
     } else if (near) {
       this.onPick(near.pass, near.point);
     }
   };
-
-  /** The sample of a pass nearest to a place on the screen, if it is near enough. */
-  private nearest(at: Vector2, area: DOMRect): { pass: number; point: number; place: Vector3 } | null {
-    const toWorld = this.place().matrixWorld;
-    let best: { pass: number; point: number; place: Vector3 } | null = null;
-    let least = PICK_PX;
-    const place = new Vector3();
-    const screen = new Vector3();
-    this.work?.passes.forEach((pass, p) =>
-      pass.path.forEach((sample, i) => {
-        place.set(...sample.tip).applyMatrix4(toWorld);
-        screen.copy(place).project(this.camera);
-        const x = ((screen.x + 1) / 2) * area.width;
-        const y = ((1 - screen.y) / 2) * area.height;
-        const far = Math.hypot(x - at.x, y - at.y);
-        if (screen.z < 1 && far < least) {
-          least = far;
-          best = { pass: p, point: i, place: place.clone() };
-        }
-      }),
-    );
-    return best;
-  }
-
-  private surface(at: Vector2, area: DOMRect): Vector3 | null {
-    const ray = new Raycaster();
-    ray.setFromCamera(new Vector2((at.x / area.width) * 2 - 1, 1 - (at.y / area.height) * 2), this.camera);
-    const hit = ray.intersectObject(this.root, true).find((h) => h.object.userData['pick'] === true);
-    return hit?.point ?? null;
-  }
 
   private resize(): void {
     const { clientWidth, clientHeight } = this.canvas.parentElement ?? this.canvas;

@@ -339,6 +339,7 @@ export const de: Table = {
   'user.password': 'Neues Passwort (mindestens 10 Zeichen)',
   'user.own_password': 'Ihr eigenes Passwort',
   'user.first_run': 'Es gibt noch kein Passwort. Einen Benutzer mit der Rolle Administrator und einem Passwort anlegen.',
+  'user.deleted': 'Gelöscht: {0}.',
   'user.saved': 'Gespeichert: {0}.',
 
   'tour.title': 'Ihre erste Schweißung',

@@ -338,6 +338,7 @@ export const en = {
   'user.password': 'New password (10 characters or more)',
   'user.own_password': 'Your own password',
   'user.first_run': 'There is no password yet. Make a user with the role Administrator and a password.',
+  'user.deleted': 'Deleted: {0}.',
   'user.saved': 'Saved: {0}.',
 
   'tour.title': 'Your first weld',

@@ -339,6 +339,7 @@ export const zh: Table = {
   'user.password': '新密码（至少 10 个字符）',
   'user.own_password': '您自己的密码',
   'user.first_run': '还没有密码。请建立一个带密码的管理员用户。',
+  'user.deleted': '已删除：{0}。',
   'user.saved': '已保存：{0}。',
 
   'tour.title': '您的第一次焊接',
