@@ -12,6 +12,10 @@ export const SIZES = {
   phone: { width: 390, height: 844 },
 };
 
+/** A folder with a built panel, which is shown instead of the one inside the program: to try a panel without building that. */
+const panel = process.env.SEAMWRIGHT_PANEL;
+const KINDS = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml' };
+
 export function launch() {
   return chromium.launch({
     executablePath: CHROMIUM,
@@ -26,13 +30,11 @@ export function launch() {
       '--use-angle=swiftshader',
       '--enable-unsafe-swiftshader',
       '--disable-gpu-compositing',
+      // What a test fulfils by itself has no address, so Chromium takes the cell for another network's.
+      ...(panel ? ['--disable-features=LocalNetworkAccessChecks'] : []),
     ],
   });
 }
-
-/** A folder with a built panel, which is shown instead of the one inside the program: to try a panel without building that. */
-const panel = process.env.SEAMWRIGHT_PANEL;
-const KINDS = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml' };
 
 function fromFolder(route) {
   const { pathname } = new URL(route.request().url());
@@ -54,6 +56,7 @@ export async function page(browser, { size = 'touch', language = 'en', dark = fa
   );
   if (panel) await context.route((url) => !url.pathname.startsWith('/api/'), fromFolder);
   const made = await context.newPage();
+  made.setDefaultTimeout(20_000);
   made.wrong = [];
   made.on('console', (message) => {
     if (message.type() === 'error' || message.type() === 'warning') made.wrong.push(message.text());

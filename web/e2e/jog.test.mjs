@@ -92,6 +92,19 @@ test('the cell stops by itself when the page hangs with the button held', option
   await hangs;
   await one.mouse.up();
   await stands();
+  // Without a heartbeat it has lost control too, and takes nothing back by itself.
+  await one.getByText('Nobody commands').waitFor();
+  await control(one);
+  if (await one.getByRole('button', { name: 'Start jogging' }).isVisible()) {
+    await one.getByRole('button', { name: 'Start jogging' }).click();
+  }
+  await mode(one, 'jog');
+  // After a silence the cell wants to see the hand at rest before it moves again.
+  await one.getByRole('button', { name: 'theta +' }).hover();
+  await one.mouse.down();
+  await sleep(200);
+  await one.mouse.up();
+  await stands();
 });
 
 test('the keyboard: an arrow moves while held, and no longer', options, async () => {

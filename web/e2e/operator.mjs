@@ -1,7 +1,7 @@
 // What an operator does, in the panel's own words (English).
 import assert from 'node:assert/strict';
 
-/** A weld of a few seconds with the machine of the saddle: through four places of its axes. */
+/** A weld of a few seconds with the machine of the saddle: a turn of its first axis. */
 export const SHORT = `schema = 1
 title = "Short"
 machine = "saddle-4axis"
@@ -17,7 +17,7 @@ start = [0, 0, 60, -20, 200, 0]
 along = "line"
 points = [
     [4, 0, 60, -20, 200, 6],
-    [8, 0, 62, -22, 210, 6],
+    [8, 0, 60, -20, 210, 6],
     [12, 0, 60, -20, 200, 6],
 ]
 `;
@@ -39,7 +39,7 @@ export async function control(page) {
 
 export async function mode(page, ...wanted) {
   await page.waitForFunction((list) => list.includes(document.querySelector('[data-mode]')?.dataset.mode), wanted, {
-    timeout: 120_000,
+    timeout: 45_000,
   });
 }
 
@@ -65,7 +65,7 @@ export async function load(page, name, part = '') {
   const dialog = page.locator('dialog[open]');
   await dialog.getByRole('textbox').fill(part);
   await dialog.getByRole('button', { name: 'Load' }).click();
-  await dialog.waitFor({ state: 'hidden', timeout: 120_000 });
+  await dialog.waitFor({ state: 'hidden', timeout: 40_000 });
 }
 
 /** From off to ready. */
@@ -73,7 +73,6 @@ export async function ready(page) {
   await press(page, /Switch on/);
   await mode(page, 'idle', 'ready');
   await press(page, /^Home/);
-  await mode(page, 'homing');
   await mode(page, 'ready');
 }
 

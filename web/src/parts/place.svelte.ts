@@ -1,11 +1,22 @@
 export const tabs = ['weld', 'teach', 'jobs', 'records', 'setup'] as const;
 export type Tab = (typeof tabs)[number];
 
+const TOURED = 'seamwright.toured';
+
 /** Where the operator is in the panel. Nothing of it changes what the cell does. */
 class Place {
   tab = $state<Tab>('weld');
+  /** The first-run tour is shown: until it is dismissed once. */
+  touring = $state(localStorage.getItem(TOURED) === null);
+  /** Name of the part that was loaded last, for loading its program again. */
+  part = $state('');
   /** A place on a pass that is shown in 3D, tables and plots alike: pass from 0 and the sample of its path. */
   spot = $state.raw<{ pass: number; point: number } | null>(null);
+
+  endTour(): void {
+    this.touring = false;
+    localStorage.setItem(TOURED, 'true');
+  }
 }
 
 export const place = new Place();

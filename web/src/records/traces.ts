@@ -1,12 +1,13 @@
 /** Columns of a trace with their values. */
 export type Trace = { columns: string[]; values: (number | null)[][] };
 
-const FIRST = ['tip_speed_mm_s', 'path_error_mm', 'seam_lateral_mm', 'current_a', 'beam_current_ma', 'attitude_error_deg'];
+/** What tells most of a weld, first; a kind each. */
+const FIRST = [/speed/, /path_error|seam_lateral/, /current_(a|ma)\b/, /voltage|power|wire_feed/, /following_error/];
 const MOST_AT_ONCE = 4;
 
 /** What is shown before somebody chooses. */
 export function preferred(names: string[]): string[] {
-  const known = FIRST.filter((name) => names.includes(name));
+  const known = FIRST.flatMap((kind) => names.find((name) => kind.test(name)) ?? []);
   return [...known, ...names.filter((name) => !known.includes(name))].slice(0, MOST_AT_ONCE);
 }
 

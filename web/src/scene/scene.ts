@@ -12,7 +12,6 @@ import {
   PerspectiveCamera,
   Plane,
   Quaternion,
-  Raycaster,
   Scene as World,
   SphereGeometry,
   Vector2,
@@ -22,18 +21,24 @@ import {
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { MachineView, PathPoint, Status, WorkView } from '../wire';
 import type { ColourBy, Scale } from './colours';
+import { Measure } from './measure';
 import { Passes, release } from './passes';
+import { nearest, surface } from './pick';
 import { matrix } from './shapes';
 import { solid } from './solids';
 import { Trace } from './trace';
-import { Measure } from './measure';
 
 export type View = 'fit' | 'top' | 'front' | 'side' | 'torch';
 export type Layer = 'machine' | 'part' | 'zones' | 'air' | 'trace';
 export type Cut = { axis: 'x' | 'y' | 'z'; part: number } | null;
 
-const PICK_PX = 16;
+/** A short seam is shown with this much about it, mm. */
+const LEAST_MM = 150;
 const TORCH_MM = 70;
+/** At this distance of the camera marks are as large as they say, mm. */
+const MARKS_AT_MM = 1500;
+/** A frame that takes longer is no graphics card's. */
+const SLOW_MS = 25;
 const NO_MOVE = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
 /** A frozen clock: the scene takes the first status and no other, for pictures that are always the same. */
 const FROZEN = new URLSearchParams(location.search).has('freeze');
@@ -63,13 +68,17 @@ export class Scene {
   private readonly torch = new ArrowHelper(new Vector3(0, 0, 1), new Vector3(), TORCH_MM, 0x222222, 14, 7);
   private readonly tip = new Mesh(new SphereGeometry(4, 24, 12), new MeshBasicMaterial({ color: 0x333333 }));
   private readonly mark = new ArrowHelper(new Vector3(0, 0, 1), new Vector3(), TORCH_MM, 0x0b4fa8, 14, 8);
+  private readonly marked = { tip: new Vector3(), along: new Vector3(0, 0, 1) };
   private readonly cut = new Plane(new Vector3(0, 0, -1), 0);
   private readonly cuts: Plane[] = [];
   private machine: MachineView | null = null;
   private work: WorkView | null = null;
   private status: Status | null = null;
   private by: ColourBy = { kind: 'pass' };
-  private asked = 0;
+  private asked = false;
+  private prepares = 0;
+  private ended = false;
+  private restUntil = 0;
   private fitted = '';
   private readonly hidden = new Set<Layer>();
   private readonly watch: ResizeObserver;
@@ -103,7 +112,7 @@ export class Scene {
   }
 
   end(): void {
-    cancelAnimationFrame(this.asked);
+    this.ended = true;
     this.watch.disconnect();
     this.controls.dispose();
     release(this.root);
@@ -157,7 +166,7 @@ export class Scene {
       this.fitted = name;
       this.view('fit');
     }
-    this.draw();
+    this.prepare();
   }
 
   setStatus(status: Status): void {
@@ -174,7 +183,6 @@ export class Scene {
     this.torch.setDirection(new Vector3(ax, ay, az).normalize());
     const burns = status.process.burning;
     this.tip.material.color.set(burns ? 0xffa800 : 0x333333);
-    this.tip.scale.setScalar(burns ? 1.8 : 1);
     const runs = (of: Status | null): boolean => of?.mode === 'weld' || of?.mode === 'dry_run';
     if (runs(status) && before?.mode === 'ready') this.trace.clear();
     if (runs(status)) this.trace.add(x, y, z, burns);
@@ -185,11 +193,9 @@ export class Scene {
   setMark(point: Pick<PathPoint, 'tip' | 'torch'> | null): void {
     this.mark.visible = point !== null;
     if (point) {
-      this.mark.position.set(...point.tip);
-      // The arrow's head is at the tip of the torch.
-      const along = new Vector3(...point.torch).normalize();
-      this.mark.position.addScaledVector(along, TORCH_MM);
-      this.mark.setDirection(along.negate());
+      this.marked.tip.set(...point.tip);
+      this.marked.along.set(...point.torch).normalize();
+      this.mark.setDirection(this.marked.along.clone().negate());
     }
     this.draw();
   }
@@ -227,7 +233,7 @@ export class Scene {
   view(view: View): void {
     const box = this.box();
     const middle = box.getCenter(new Vector3());
-    const radius = Math.max(box.getSize(new Vector3()).length() / 2, 30);
+    const radius = Math.max(box.getSize(new Vector3()).length() / 2, LEAST_MM);
     const narrow = Math.min(1, this.camera.aspect);
     let away = radius / Math.sin((this.camera.fov / 2) * (Math.PI / 180)) / narrow;
     let from = new Vector3(0.55, -0.75, 0.6);
@@ -252,12 +258,50 @@ export class Scene {
 
   /** Draws with the next frame; any number of calls until then are one. */
   readonly draw = (): void => {
-    if (this.asked !== 0) return;
-    this.asked = requestAnimationFrame(() => {
-      this.asked = 0;
+    if (this.asked || this.prepares > 0) return;
+    this.asked = true;
+    const wait = this.restUntil - performance.now();
+    if (wait > 0) setTimeout(this.ask, wait);
+    else this.ask();
+  };
+
+  /** Has the graphics card make what new materials need, beside the page's own work, and then draws. */
+  private prepare(): void {
+    if (!this.renderer.extensions.has('KHR_parallel_shader_compile')) {
+      this.draw();
+      return;
+    }
+    this.prepares += 1;
+    const done = (): void => {
+      this.prepares -= 1;
+      if (!this.ended) this.draw();
+    };
+    this.renderer.compileAsync(this.world, this.camera).then(done, done);
+  }
+
+  private readonly ask = (): void => {
+    if (this.ended) return;
+    requestAnimationFrame(() => {
+      this.asked = false;
+      if (this.ended) return;
+      const begun = performance.now();
+      this.sizeMarks();
       this.renderer.render(this.world, this.camera);
+      // Where drawing is slow it gets less than half of the time: heartbeat and buttons come first.
+      const took = performance.now() - begun;
+      if (took > SLOW_MS) this.restUntil = begun + took * 3;
     });
   };
+
+  /** Marks are as large on the screen from everywhere. */
+  private sizeMarks(): void {
+    const near = this.camera.position.distanceTo(this.controls.target) / MARKS_AT_MM;
+    this.tip.scale.setScalar(this.status?.process.burning ? near * 1.8 : near);
+    this.torch.scale.setScalar(near);
+    this.mark.scale.setScalar(near);
+    // The marked arrow's head is at the tip of the torch.
+    this.mark.position.copy(this.marked.tip).addScaledVector(this.marked.along, TORCH_MM * near);
+  }
 
   private showLayers(): void {
     const shows = (layer: Layer): boolean => !this.hidden.has(layer);
@@ -329,44 +373,14 @@ export class Scene {
     if (moved > 5) return;
     const area = this.canvas.getBoundingClientRect();
     const at = new Vector2(event.clientX - area.left, event.clientY - area.top);
-    const near = this.nearest(at, area);
+    const near = nearest(this.work, this.place().matrixWorld, this.camera, at, area);
     if (this.measure.active) {
-      const place = near ? near.place : this.surface(at, area);
+      const place = near ? near.place : surface(this.root, this.camera, at, area);
       if (place) this.measure.take(place);
     } else if (near) {
       this.onPick(near.pass, near.point);
     }
   };
-
-  /** The sample of a pass nearest to a place on the screen, if it is near enough. */
-  private nearest(at: Vector2, area: DOMRect): { pass: number; point: number; place: Vector3 } | null {
-    const toWorld = this.place().matrixWorld;
-    let best: { pass: number; point: number; place: Vector3 } | null = null;
-    let least = PICK_PX;
-    const place = new Vector3();
-    const screen = new Vector3();
-    this.work?.passes.forEach((pass, p) =>
-      pass.path.forEach((sample, i) => {
-        place.set(...sample.tip).applyMatrix4(toWorld);
-        screen.copy(place).project(this.camera);
-        const x = ((screen.x + 1) / 2) * area.width;
-        const y = ((1 - screen.y) / 2) * area.height;
-        const far = Math.hypot(x - at.x, y - at.y);
-        if (screen.z < 1 && far < least) {
-          least = far;
-          best = { pass: p, point: i, place: place.clone() };
-        }
-      }),
-    );
-    return best;
-  }
-
-  private surface(at: Vector2, area: DOMRect): Vector3 | null {
-    const ray = new Raycaster();
-    ray.setFromCamera(new Vector2((at.x / area.width) * 2 - 1, 1 - (at.y / area.height) * 2), this.camera);
-    const hit = ray.intersectObject(this.root, true).find((h) => h.object.userData['pick'] === true);
-    return hit?.point ?? null;
-  }
 
   private resize(): void {
     const { clientWidth, clientHeight } = this.canvas.parentElement ?? this.canvas;

@@ -5,7 +5,7 @@ import {
   LineBasicMaterial,
   LineSegments,
   Mesh,
-  MeshStandardMaterial,
+  MeshLambertMaterial,
   type Plane,
 } from 'three';
 import type { SolidView } from '../wire';
@@ -31,10 +31,8 @@ export function solid(view: SolidView, kind: Kind, cuts: Plane[], ghost: boolean
   const made = geometry(view.shape);
   const surface = new Mesh(
     made,
-    new MeshStandardMaterial({
+    new MeshLambertMaterial({
       color: look.colour,
-      roughness: 0.75,
-      metalness: 0.1,
       transparent: opacity < 1,
       opacity,
       depthWrite: opacity === 1,
