@@ -6,6 +6,7 @@ pub(crate) mod find_joint;
 pub(crate) mod follow;
 pub(crate) mod machine;
 pub(crate) mod move_to;
+pub(crate) mod part;
 pub(crate) mod post;
 mod pulses;
 pub(crate) mod read;

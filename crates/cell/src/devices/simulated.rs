@@ -45,9 +45,10 @@ impl SimulatedDrives {
         })
     }
 
-    /// True positions of the axes.
-    pub fn positions(&self) -> &Joints {
-        &self.q
+    /// The same, at these positions instead of home.
+    #[must_use]
+    pub fn standing_at(self, q: &Joints) -> Self {
+        Self { q: *q, ..self }
     }
 }
 
@@ -90,6 +91,10 @@ impl Drives for SimulatedDrives {
     /// Its time stands still while nobody asks.
     fn rides_out(&self) -> u32 {
         u32::MAX
+    }
+
+    fn truth(&self) -> Option<&Joints> {
+        Some(&self.q)
     }
 }
 

@@ -17,9 +17,10 @@ pub(crate) fn run() -> Result<(), Failure> {
     let loaded = load_text(&format!("examples/{}.toml", example.name), example.text, Path::new("."))?;
     let motion = loaded.plan()?;
     let mut output = Output::new(Path::new(FOLDER))?;
-    let report =
-        weld(&loaded, &motion, Conditions { seed: 1, ..Conditions::default() }, &mut output, &RecordArgs::default())?;
+    let conditions = Conditions { seed: 1, ..Conditions::default() };
+    let (report, desk) = weld(&loaded, &motion, (conditions, false), &mut output, &RecordArgs::default())?;
     write_program(&mut output, &loaded)?;
     finish(output, &report, false)?;
-    judge(report)
+    judge(report)?;
+    desk.judge()
 }

@@ -4,6 +4,7 @@ use crate::args::records::RecordArgs;
 use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::Loaded;
+use crate::verbs::head_columns::head_names;
 use crate::verbs::recorded::{self, Header, Rows};
 use seamwright_cell::executive::{ProcessState, VALUES};
 use seamwright_cell::realtime::Shown;
@@ -14,29 +15,42 @@ use seamwright_record::journal::Journal;
 use seamwright_record::library::Alarm;
 
 /// The trace as it grows, in the output folder or in the library.
-pub(super) struct Table {
+pub(in crate::verbs) struct Table {
     rows: Rows,
     machine: Machine,
     values: usize,
+    /// What ends the names of the columns of each head that is tracked.
+    heads: Vec<String>,
 }
+
+/// Columns of each head that is tracked.
+const HEAD: [(&str, &str); 6] = [
+    ("deviation_lateral_mm", "mm"),
+    ("deviation_height_mm", "mm"),
+    ("correction_lateral_mm", "mm"),
+    ("correction_height_mm", "mm"),
+    ("sigma_mm", "mm"),
+    ("confidence", "1"),
+];
 
 impl Table {
     pub(super) fn new(
         (loaded, motion): (&Loaded, &WeldMotion),
         output: &Output,
         record: &RecordArgs,
-        values: &[String],
+        (values, tracked): (&[String], bool),
     ) -> Result<Self, Failure> {
+        let heads = if tracked { head_names(loaded) } else { Vec::new() };
         let machine = &loaded.machine;
         let title = loaded.welding.program.value.title.clone();
         let about = [("title", title), ("machine", machine.name.clone())];
-        let columns = columns(machine, values);
+        let columns = columns(machine, values, &heads);
         let rows = recorded::begin(loaded, motion, &Header { columns: &columns, about: &about }, output, record)?;
-        Ok(Self { rows, machine: machine.clone(), values: values.len() })
+        Ok(Self { rows, machine: machine.clone(), values: values.len(), heads })
     }
 
     pub(super) fn row(&mut self, shown: &Shown) -> Result<(), Failure> {
-        let row = row(&self.machine, shown, self.values);
+        let row = row(&self.machine, shown, self.values, self.heads.len());
         self.rows.row(row)?;
         match self.rows.weld() {
             Some((_, Some(trouble))) => Err(Failure::Environment(trouble.to_owned())),
@@ -60,7 +74,7 @@ impl Table {
     }
 }
 
-fn columns(machine: &Machine, values: &[String]) -> Vec<(String, &'static str)> {
+fn columns(machine: &Machine, values: &[String], heads: &[String]) -> Vec<(String, &'static str)> {
     let mut columns: Vec<(String, &'static str)> = [
         ("t_s", "s"),
         ("mode", "1"),
@@ -86,6 +100,9 @@ fn columns(machine: &Machine, values: &[String]) -> Vec<(String, &'static str)> 
         columns.push((format!("{name}_following_error_{unit}"), unit));
         columns.push((format!("{name}_current_part"), "1"));
     }
+    for head in heads {
+        columns.extend(HEAD.iter().map(|(name, unit)| (format!("{name}{head}"), *unit)));
+    }
     for name in values {
         columns.push((format!("{name}_set"), ""));
         columns.push((format!("{name}_measured"), ""));
@@ -93,7 +110,7 @@ fn columns(machine: &Machine, values: &[String]) -> Vec<(String, &'static str)> 
     columns
 }
 
-fn row(machine: &Machine, c: &Shown, values: usize) -> Vec<f64> {
+fn row(machine: &Machine, c: &Shown, values: usize, heads: usize) -> Vec<f64> {
     let bit = |yes: bool| if yes { 1.0 } else { 0.0 };
     let in_pass = c.place.pass > 0;
     let process = match c.process {
@@ -124,6 +141,12 @@ fn row(machine: &Machine, c: &Shown, values: usize) -> Vec<f64> {
         row.push(axis.to_file(c.reports.drives.position[i]));
         row.push(axis.to_file(c.reports.drives.following_error[i]));
         row.push(c.reports.drives.current[i]);
+    }
+    for head in c.tracked.iter().take(heads) {
+        row.extend(head.map_or([f64::NAN; HEAD.len()], |h| {
+            let ([a, b], [c, d]) = (h.deviation_mm, h.correction_mm);
+            [a, b, c, d, h.sigma_mm, h.confidence]
+        }));
     }
     for i in 0..values.min(VALUES) {
         row.push(c.orders.process.values[i]);
