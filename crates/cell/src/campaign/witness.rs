@@ -197,7 +197,7 @@ impl Witness {
         }
         match self.mode {
             // A line of the list each: known, then looked at.
-            Mode::Fault if self.cycles / HAND % 2 == 0 => Some(Ask::Acknowledge),
+            Mode::Fault if (self.cycles / HAND).is_multiple_of(2) => Some(Ask::Acknowledge),
             Mode::Fault => Some(Ask::Reset),
             Mode::Off => Some(Ask::SwitchOn),
             _ => {

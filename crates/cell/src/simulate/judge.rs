@@ -52,10 +52,10 @@ impl<'a> Judge<'a> {
         let law = LawPoint { s: cycle.place.s_mm, v: cycle.speed, a: f64::NAN, j: f64::NAN };
         let mut sample = Sample::nowhere();
         sample.set = SetPoint { t: cycle.t - self.machine.servo_period_s, phase, q, ..sample.set };
-        for i in 0..axes {
-            sample.q[i] = truth[i];
-            sample.following_error[i] = if follows { drives.following_error[i] } else { 0.0 };
-            sample.current[i] = drives.current[i];
+        sample.q[..axes].copy_from_slice(&truth[..axes]);
+        sample.current[..axes].copy_from_slice(&drives.current[..axes]);
+        if follows {
+            sample.following_error[..axes].copy_from_slice(&drives.following_error[..axes]);
         }
         sample.mode = cycle.mode;
         if phase.arc() {

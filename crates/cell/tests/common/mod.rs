@@ -16,22 +16,22 @@ use seamwright_motion::pace::RunPhase;
 use seamwright_program::{Pass, TorchPath};
 use seamwright_weld::Welding;
 
-pub const SADDLE: &str = include_str!("../../../../examples/saddle.toml");
+pub(crate) const SADDLE: &str = include_str!("../../../../examples/saddle.toml");
 
 /// The example weld, planned.
-pub struct Planned {
-    pub machine: Machine,
-    pub welding: Welding,
-    pub motion: WeldMotion,
+pub(crate) struct Planned {
+    pub(crate) machine: Machine,
+    pub(crate) welding: Welding,
+    pub(crate) motion: WeldMotion,
 }
 
 impl Planned {
-    pub fn new(job: &str) -> Self {
+    pub(crate) fn new(job: &str) -> Self {
         Self::with_reserve(job, 0.0)
     }
 
     /// With so much of every axis' limits left.
-    pub fn with_reserve(job: &str, reserve: f64) -> Self {
+    pub(crate) fn with_reserve(job: &str, reserve: f64) -> Self {
         let welding = Welding::read("job.toml", job).unwrap();
         let program = &welding.program.value;
         let machine = Machine::read("m.toml", shipped(&program.machine).unwrap().text).unwrap();
@@ -43,12 +43,12 @@ impl Planned {
         Self { machine, welding, motion }
     }
 
-    pub fn work(&self, start: Start) -> Work<'_> {
+    pub(crate) fn work(&self, start: Start) -> Work<'_> {
         let passes: Vec<&Pass> = self.welding.program.value.passes.iter().collect();
         Work::new(&self.machine, None, &passes, &self.motion, start).unwrap()
     }
 
-    pub fn near_end(&self) -> Start {
+    pub(crate) fn near_end(&self) -> Start {
         let around = Surroundings::new(&self.machine, &Clamped::default()).unwrap();
         let s_mm = self.motion.passes[0].path.length() - 5.0;
         Start::at_place(&self.machine, &around, &self.motion, &self.machine.home(), Place { pass: 1, s_mm }).unwrap()
@@ -56,14 +56,14 @@ impl Planned {
 }
 
 /// A weld that is tracked on a part that lies elsewhere; it lives as long as the test.
-pub struct Tracked {
-    pub planned: &'static Planned,
-    pub passes: &'static [(&'static dyn TorchPath, &'static Pass)],
-    pub distortion: Distortion,
+pub(crate) struct Tracked {
+    pub(crate) planned: &'static Planned,
+    pub(crate) passes: &'static [(&'static dyn TorchPath, &'static Pass)],
+    pub(crate) distortion: Distortion,
 }
 
 impl Tracked {
-    pub fn new(job: &str) -> Self {
+    pub(crate) fn new(job: &str) -> Self {
         let planned: &Planned = Box::leak(Box::new(Planned::with_reserve(job, RESERVE)));
         let path: &dyn TorchPath = Box::leak(Box::new(planned.welding.path(0)));
         let passes = Box::leak(Box::new([(path, &planned.welding.program.value.passes[0])]));
@@ -71,18 +71,18 @@ impl Tracked {
         Self { planned, passes, distortion: Distortion::read("d.toml", distortion).unwrap() }
     }
 
-    pub fn cell(&self) -> SimulatedCell<'_> {
+    pub(crate) fn cell(&self) -> SimulatedCell<'_> {
         self.cell_with(&[])
     }
 
-    pub fn cell_with<'a>(&'a self, faults: &'a [Fault]) -> SimulatedCell<'a> {
+    pub(crate) fn cell_with<'a>(&'a self, faults: &'a [Fault]) -> SimulatedCell<'a> {
         let distortion = Some(&self.distortion);
         let conditions = Conditions { seed: 1, distortion, tracking: true, faults, ..Conditions::default() };
         SimulatedCell::new(&self.planned.machine, self.passes, &self.planned.motion, conditions)
     }
 
     /// Runs a script; what the judge saw of each cycle, and where the program was left.
-    pub fn play(&self, faults: &[Fault], script: &mut Script<'_>) -> (Vec<Sample>, Option<Place>) {
+    pub(crate) fn play(&self, faults: &[Fault], script: &mut Script<'_>) -> (Vec<Sample>, Option<Place>) {
         let cell = self.cell_with(faults);
         let work = cell.work(Start::at_home(&self.planned.motion)).unwrap();
         let mut devices = cell.devices().unwrap();
@@ -99,9 +99,9 @@ impl Tracked {
 
 /// A script, and who judges the weld.
 struct Judged<'a, 'b, 'c> {
-    pub judge: Judge<'a>,
-    pub script: &'b mut Script<'c>,
-    pub samples: Vec<Sample>,
+    pub(crate) judge: Judge<'a>,
+    pub(crate) script: &'b mut Script<'c>,
+    pub(crate) samples: Vec<Sample>,
 }
 
 impl Port for Judged<'_, '_, '_> {
@@ -120,42 +120,42 @@ impl Port for Judged<'_, '_, '_> {
 }
 
 /// An operator with a script: each line waits for its moment, then asks.
-pub struct Script<'a> {
-    pub lines: Vec<(When<'a>, Ask)>,
-    pub next: usize,
-    pub asked: bool,
-    pub cycles: Vec<Seen>,
-    pub notes: Vec<Note>,
+pub(crate) struct Script<'a> {
+    pub(crate) lines: Vec<(When<'a>, Ask)>,
+    pub(crate) next: usize,
+    pub(crate) asked: bool,
+    pub(crate) cycles: Vec<Seen>,
+    pub(crate) notes: Vec<Note>,
 }
 
-pub type When<'a> = Box<dyn Fn(&Seen) -> bool + 'a>;
+pub(crate) type When<'a> = Box<dyn Fn(&Seen) -> bool + 'a>;
 
 /// What is kept of a cycle.
 #[derive(Debug, Clone, Copy)]
-pub struct Seen {
-    pub t: f64,
-    pub mode: Mode,
-    pub phase: Option<RunPhase>,
-    pub place: Place,
-    pub welded: f64,
-    pub on: bool,
-    pub gas: bool,
-    pub current: f64,
-    pub q: Joints,
-    pub burning: bool,
-    pub powered: bool,
+pub(crate) struct Seen {
+    pub(crate) t: f64,
+    pub(crate) mode: Mode,
+    pub(crate) phase: Option<RunPhase>,
+    pub(crate) place: Place,
+    pub(crate) welded: f64,
+    pub(crate) on: bool,
+    pub(crate) gas: bool,
+    pub(crate) current: f64,
+    pub(crate) q: Joints,
+    pub(crate) burning: bool,
+    pub(crate) powered: bool,
 }
 
 impl<'a> Script<'a> {
-    pub fn new(lines: Vec<(When<'a>, Ask)>) -> Self {
+    pub(crate) fn new(lines: Vec<(When<'a>, Ask)>) -> Self {
         Self { lines, next: 0, asked: false, cycles: vec![], notes: vec![] }
     }
 
-    pub fn modes(&self) -> Vec<Mode> {
+    pub(crate) fn modes(&self) -> Vec<Mode> {
         self.notes.iter().filter_map(|n| if let Note::Mode(_, to) = n { Some(*to) } else { None }).collect()
     }
 
-    pub fn refused(&self) -> Vec<Missing> {
+    pub(crate) fn refused(&self) -> Vec<Missing> {
         self.notes.iter().filter_map(|n| if let Note::Refused(_, why) = n { Some(*why) } else { None }).collect()
     }
 }
@@ -194,34 +194,34 @@ impl Port for Script<'_> {
     }
 }
 
-pub fn in_mode<'a>(mode: Mode) -> When<'a> {
+pub(crate) fn in_mode<'a>(mode: Mode) -> When<'a> {
     Box::new(move |c| c.mode == mode)
 }
 
-pub fn at<'a>(s: f64) -> When<'a> {
+pub(crate) fn at<'a>(s: f64) -> When<'a> {
     Box::new(move |c| c.mode == Mode::Weld && c.place.s_mm > s)
 }
 
-pub fn held<'a>() -> When<'a> {
+pub(crate) fn held<'a>() -> When<'a> {
     Box::new(|c| c.mode == Mode::Hold && c.phase == Some(RunPhase::Held))
 }
 
 /// From off to ready.
-pub fn up<'a>() -> Vec<(When<'a>, Ask)> {
+pub(crate) fn up<'a>() -> Vec<(When<'a>, Ask)> {
     vec![(in_mode(Mode::Off), Ask::SwitchOn), (Box::new(|c| c.mode == Mode::Idle && c.powered), Ask::Home)]
 }
 
-pub fn weld<'a>() -> Vec<(When<'a>, Ask)> {
+pub(crate) fn weld<'a>() -> Vec<(When<'a>, Ask)> {
     vec![(in_mode(Mode::Ready), Ask::Arm), (in_mode(Mode::Ready), Ask::StartWeld)]
 }
 
 /// From ready to the end.
-pub fn down<'a>() -> Vec<(When<'a>, Ask)> {
+pub(crate) fn down<'a>() -> Vec<(When<'a>, Ask)> {
     vec![(in_mode(Mode::Ready), Ask::SwitchOff), (in_mode(Mode::Off), Ask::Quit)]
 }
 
 /// Runs a script on simulated devices; where the program was left.
-pub fn play(planned: &Planned, start: Start, script: &mut Script<'_>) -> Option<Place> {
+pub(crate) fn play(planned: &Planned, start: Start, script: &mut Script<'_>) -> Option<Place> {
     let machine = &planned.machine;
     let mut devices = DeviceSet {
         drives: SimulatedDrives::new(machine, 1).unwrap(),
@@ -235,7 +235,7 @@ pub fn play(planned: &Planned, start: Start, script: &mut Script<'_>) -> Option<
     executive.left()
 }
 
-pub fn short() -> Planned {
+pub(crate) fn short() -> Planned {
     let job = SADDLE
         .replace("overlap_mm = 20", "end_phi_deg = 32")
         .replace("preflow_s = 0.5 ", "overlap_mm = 6\npreflow_s = 0.5 ");
