@@ -26,6 +26,11 @@ fn whatever_fails_the_cell_ends_as_it_must() {
     let mut outcomes: Vec<Outcome> = Vec::new();
     for seed in 0..seeds {
         for case in campaign::cases(&stage) {
+            // A weld that rides a sensor's loss out takes a minute: elsewhere than on its way for the soak only.
+            let rides = matches!(case.situation, Situation::DryRun | Situation::Approach | Situation::Preflow);
+            if case.device == Device::Sensors && (rides || case.situation == Situation::Strike) && soak().is_none() {
+                continue;
+            }
             let outcome = campaign::run(stage, case, seed, false).unwrap();
             if !outcome.is_kept() {
                 failed.push(format!("seed {seed}: {outcome:?}\n    expected {:?}", campaign::expected(case)));

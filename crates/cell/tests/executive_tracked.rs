@@ -27,10 +27,10 @@ fn keeps_limits(part: &Tracked, samples: &[Sample]) {
             let [a, b, c, d] = std::array::from_fn(|k| four[k].set.q[i]);
             let (v, dv) = ((d - c) / period, (d - 2.0 * c + b) / period.powi(2));
             let ddv = (d - 3.0 * c + 3.0 * b - a) / period.powi(3);
-            let t = four[3].set.t;
-            assert!(v.abs() <= axis.max_speed * 1.001, "{} at {t}: {v}", axis.name);
-            assert!(dv.abs() <= axis.max_acceleration * 1.001, "{} at {t}: {dv}", axis.name);
-            assert!(ddv.abs() <= axis.jerk() * 1.01, "{} at {t}: {ddv} of {}", axis.name, axis.jerk());
+            let t = (four[3].set.t, four[3].pass, four[3].set.law.s, four[3].set.phase);
+            assert!(v.abs() <= axis.max_speed * 1.001, "{} at {t:?}: {v}", axis.name);
+            assert!(dv.abs() <= axis.max_acceleration * 1.001, "{} at {t:?}: {dv}", axis.name);
+            assert!(ddv.abs() <= axis.jerk() * 1.01, "{} at {t:?}: {ddv} of {}", axis.name, axis.jerk());
         }
     }
 }
@@ -58,10 +58,13 @@ fn what_is_held_keeps_its_corrections() {
     let mut script = Script::new(ends(lines));
     let (samples, left) = part.play(&[], &mut script);
     assert_eq!((left, script.refused()), (None, vec![]), "{:?}", script.notes);
-    assert!(!script.notes.iter().any(|n| matches!(n, Note::Alarm(_))), "{:?}", script.notes);
+    // The part is shifted along its seam too: the joint ends before the plan does.
+    let length = part.planned.motion.passes[0].path.length();
+    let early = |n: &Note| matches!(n, Note::Alarm(r) if r.reaction != Reaction::Tell || r.place.s_mm < length - 3.0);
+    assert!(!script.notes.iter().any(early), "{:?}", script.notes);
     keeps_limits(&part, &samples);
     let welded: Vec<&Sample> = samples.iter().filter(|s| s.travels()).collect();
-    assert!((welded.last().unwrap().set.law.s - part.planned.motion.passes[0].path.length()).abs() < 0.1);
+    assert!((welded.last().unwrap().set.law.s - length).abs() < 0.1);
     let head = |s: &Sample| s.heads[0].unwrap();
     for s in &welded {
         assert!(head(s).miss.length() < 0.06 || s.set.law.s < 0.5, "{}: {:?}", s.set.law.s, head(s));
@@ -95,7 +98,7 @@ fn what_is_held_keeps_its_corrections() {
 #[test]
 fn a_sensor_that_falls_silent_and_is_mended() {
     let part = part();
-    let (at, lasts_s) = (38.0, 20.0);
+    let (at, lasts_s) = (30.0, 20.0);
     let silent = Fault { device: Device::Sensors, kind: FaultKind::Silent, when: FaultTime::At(at), lasts_s, which: 0 };
     let mut lines: Vec<(When<'_>, Ask)> = up().into_iter().chain(weld()).collect();
     lines.push((Box::new(move |c| c.mode == Mode::Hold && c.t > at + lasts_s), Ask::Acknowledge));

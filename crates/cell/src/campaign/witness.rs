@@ -196,8 +196,8 @@ impl Witness {
             return None;
         }
         match self.mode {
-            // A line of the list each: known, then looked at.
-            Mode::Fault if (self.cycles / HAND).is_multiple_of(2) => Some(Ask::Acknowledge),
+            // What is on the list is known, then looked at.
+            Mode::Fault | Mode::Off if (self.cycles / HAND).is_multiple_of(2) => Some(Ask::Acknowledge),
             Mode::Fault => Some(Ask::Reset),
             Mode::Off => Some(Ask::SwitchOn),
             _ => {

@@ -16,8 +16,8 @@ pub(super) struct OffPath {
     lost: bool,
     /// It has been braked: what is followed next is gone to from there.
     braked: bool,
-    /// What is corrected, and how fast that changes.
-    base: (Joints, Joints),
+    /// What is corrected; none if that was not known in the last cycle.
+    base: Option<Joints>,
     way: Option<Way>,
     /// The last set-point and its speed.
     last: Option<(Joints, Joints)>,
@@ -49,7 +49,7 @@ impl OffPath {
             rate: NONE,
             lost: false,
             braked: false,
-            base: (NONE, NONE),
+            base: None,
             way: None,
             last: None,
         }
@@ -60,18 +60,19 @@ impl OffPath {
     pub(super) fn follow(&mut self, q: &Joints, corrected: impl FnOnce() -> Option<Joints>) -> bool {
         let found = if self.lost { None } else { corrected() };
         match found {
-            Some(found) => {
-                let base = std::array::from_fn(|i| found[i] - q[i]);
-                self.go_on(base);
+            Some(found) => self.go_on(std::array::from_fn(|i| found[i] - q[i])),
+            None => {
+                self.base = None;
+                self.brake();
             }
-            None => self.brake(),
         }
         self.lost = found.is_none();
         !self.lost
     }
 
-    /// A cycle on the way to rest where it is; true when it is there.
-    pub(super) fn rest(&mut self) -> bool {
+    /// A cycle on the way to rest where it is; true when it is there. What would be followed is kept in mind.
+    pub(super) fn rest(&mut self, q: &Joints, corrected: impl FnOnce() -> Option<Joints>) -> bool {
+        self.base = corrected().map(|found| std::array::from_fn(|i| found[i] - q[i]));
         self.brake();
         let rests = self.rate.iter().all(|rate| *rate == 0.0);
         self.lost &= !rests;
@@ -89,11 +90,15 @@ impl OffPath {
 
     /// A cycle with what is corrected, or on the way to that.
     fn go_on(&mut self, base: Joints) {
-        let first = std::mem::take(&mut self.braked);
-        let speed = if first { NONE } else { std::array::from_fn(|i| (base[i] - self.base.0[i]) / self.period) };
-        self.base = (base, speed);
-        if first {
-            self.begin_way();
+        let before = self.base.replace(base);
+        if self.braked {
+            let Some(before) = before else {
+                // How fast it changes is known in the next cycle.
+                return self.brake();
+            };
+            self.braked = false;
+            let speed = std::array::from_fn(|i| (base[i] - before[i]) / self.period);
+            self.begin_way(&before, &speed);
         }
         let left = self.left();
         for i in 0..MAX_AXES {
@@ -107,9 +112,8 @@ impl OffPath {
         std::array::from_fn(|i| q[i] + self.by[i])
     }
 
-    /// From here on it goes to what is followed.
-    fn begin_way(&mut self) {
-        let (base, speed) = &self.base;
+    /// From here on it goes to what is followed, which was there in the last cycle and changes so fast.
+    fn begin_way(&mut self, base: &Joints, speed: &Joints) {
         let from: Joints = std::array::from_fn(|i| self.by[i] - base[i]);
         let rate: Joints = std::array::from_fn(|i| self.rate[i] - speed[i]);
         // Over T the quintic from rest to rest has by powers of T a speed of 15/8, an acceleration of 10/sqrt(3), a jerk of 60;
@@ -140,17 +144,21 @@ impl OffPath {
 
     /// From here on it goes back to nothing, from how fast it changes now to rest.
     pub(super) fn begin_return(&mut self) {
-        (self.base, self.braked) = ((NONE, NONE), false);
-        self.begin_way();
+        (self.base, self.braked) = (Some(NONE), false);
+        self.begin_way(&NONE, &NONE);
     }
 
     /// A cycle of that; false when it is over.
     pub(super) fn returns(&mut self) -> bool {
-        if self.way.is_none() && self.by == NONE && self.rate == NONE {
+        if self.way.is_none() && self.rests_on_plan() {
             return false;
         }
         self.go_on(NONE);
         true
+    }
+
+    fn rests_on_plan(&self) -> bool {
+        self.by.iter().chain(&self.rate).all(|value| *value == 0.0)
     }
 
     /// Speeds and accelerations of a set-point, by differences: what comes on top of a plan has no others.
@@ -194,22 +202,21 @@ mod tests {
                 let found: Joints = std::array::from_fn(|i| q[i] + wanted[i]);
                 match mode {
                     0 | 1 => drop(off.follow(&q, || Some(found))),
-                    2 => drop(off.rest()),
+                    2 => drop(off.rest(&q, || Some(found))),
                     _ => drop(off.follow(&q, || None)),
                 }
                 places.push(off.by);
                 let n = places.len();
-                for i in 0..machine.axes.len() {
+                for (i, [most, brisk, _]) in off.limits.iter().enumerate().take(machine.axes.len()) {
                     let p = |k: usize| places[n - 1 - k][i];
                     let v = (p(0) - p(1)) / period;
                     let a = (p(0) - 2.0 * p(1) + p(2)) / (period * period);
-                    let [most, brisk, _] = off.limits[i];
-                    assert!(v.abs() <= most && a.abs() <= brisk * (1.0 + 1e-6), "{seed} {cycle} {i}: {v} {a} {mode}");
+                    assert!(v.abs() <= *most && a.abs() <= brisk * (1.0 + 1e-6), "{seed} {cycle} {i}: {v} {a} {mode}");
                 }
             }
             off.begin_return();
             let cycles = std::iter::repeat_with(|| off.returns()).take(100_000).take_while(|goes| *goes).count();
-            assert!(cycles < 100_000 && off.by == NONE && off.rate == NONE);
+            assert!(cycles < 100_000 && off.rests_on_plan());
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::executive::{Guided, Planned, SeamOrders, Seen, Tracked, Trouble};
 use arrayvec::ArrayVec;
 use seamwright_machine::{Joints, Machine, Surroundings};
 use seamwright_motion::PassMotion;
-use seamwright_tracking::actuator::{Alarm, OverAxes, Slide};
+use seamwright_tracking::actuator::{Alarm, OverAxes, Slide, SlideLimits};
 
 /// Slowest pace that is gone at; less is a stop.
 const SLOWEST: f64 = 0.01;
@@ -41,12 +41,20 @@ pub(super) struct TrackedPass<'a> {
     pub(super) used: bool,
 }
 
-/// What is done before a pass is run.
-enum Look<'a> {
+/// What is done before a pass is run. Nothing of it is dropped before the pass is: that would cost a cycle.
+struct Look<'a> {
     /// The torch goes back along the seam or its extension and forward again, with the arc off.
-    Sight(Box<Sight<'a>>),
-    /// The torch rests, for so many cycles yet.
-    Gaze(u64),
+    sight: Option<Box<Sight<'a>>>,
+    /// It has been there.
+    sighted: bool,
+    /// Then it rests, for so many cycles yet.
+    gaze: u64,
+}
+
+impl Look<'_> {
+    fn gaze(gaze: u64) -> Self {
+        Self { sight: None, sighted: false, gaze }
+    }
 }
 
 /// A move to where the start is seen.
@@ -73,7 +81,7 @@ impl<'a> TrackedPass<'a> {
         from_mm: f64,
     ) -> Self {
         let off = OffPath::new(machine);
-        let look = Look::Gaze(0);
+        let look = Look::gaze(0);
         let (cut, felt) = (None, None);
         let mut pass = Self {
             machine,
@@ -104,7 +112,7 @@ impl<'a> TrackedPass<'a> {
     fn first_look(&mut self, around: Option<&Surroundings<'_>>) -> Look<'a> {
         let wanted = self.heads.iter().filter_map(LiveHead::sighting_mm);
         let Some((way, speed)) = wanted.reduce(|a, b| (a.0.max(b.0), a.1.min(b.1))) else {
-            return Look::Gaze(self.gaze());
+            return Look::gaze(self.gaze());
         };
         // What is welded once more must be known too.
         let overlap = if self.from_mm > 0.0 { self.planned.sequence.overlap_mm.get() } else { 0.0 };
@@ -114,13 +122,21 @@ impl<'a> TrackedPass<'a> {
         let frame = self.heads[0].frame(self.from_mm);
         let over = self.correction.carrier.carrying();
         let directions = [frame.along, frame.height];
-        let Ok(limits) = over.limits(std::iter::once((start, directions)), 2.0 * way) else { return Look::Gaze(0) };
-        let Ok(mover) = Slide::new(limits, period) else { return Look::Gaze(0) };
+        let Ok(most) = over.limits(std::iter::once((start, directions)), 2.0 * way) else { return Look::gaze(0) };
+        // Half: what the axes have to do for the same way changes along it.
+        let limits = SlideLimits {
+            acceleration: 0.5 * most.acceleration,
+            jerk: 0.5 * most.jerk,
+            speed: 0.5 * most.speed,
+            ..most
+        };
+        let Ok(mover) = Slide::new(limits, period) else { return Look::gaze(0) };
         let way = self.free_way(way, around);
-        let speed = speed.min(0.5 * limits.speed);
+        let speed = speed.min(limits.speed);
         let left = ((2.0 * way / speed + SLACK_S) / period) as u64;
         let (target, back) = (-way, way <= 0.0);
-        Look::Sight(Box::new(Sight { mover, over, way, speed, target, at: 0.0, back, there: start, left }))
+        let sight = Sight { mover, over, way, speed, target, at: 0.0, back, there: start, left };
+        Look { sight: Some(Box::new(sight)), ..Look::gaze(self.gaze()) }
     }
 
     /// Of `way` mm back from the start as much as the axes reach and nothing stands in the way of: known before anything
@@ -147,7 +163,7 @@ impl<'a> TrackedPass<'a> {
     pub(super) fn look(&mut self, seen: &Seen<'_>, goes: bool) -> Option<Guided> {
         let from = self.from_mm;
         let period = self.machine.servo_period_s;
-        if let Look::Sight(sight) = &mut self.look {
+        if let Some(sight) = self.look.sight.as_mut().filter(|_| !self.look.sighted) {
             let done = sight.back && sight.at.abs() < 1e-9 && sight.target >= 0.0;
             if sight.left > 0 && !done {
                 let before = sight.at;
@@ -173,13 +189,12 @@ impl<'a> TrackedPass<'a> {
                 }
                 return Some(self.correct(seen, &step, (&there, false, rests)).0);
             }
-            self.look = Look::Gaze(self.gaze());
+            self.look.sighted = true;
         }
-        let Look::Gaze(left) = &mut self.look else { return None };
-        if *left == 0 && goes {
+        if self.look.gaze == 0 && goes {
             return None;
         }
-        *left = left.saturating_sub(u64::from(goes));
+        self.look.gaze = self.look.gaze.saturating_sub(u64::from(goes));
         let start = self.planned.path.at(from);
         let step = Step { t: seen.t_s, s: from, speed: 0.0, welds: false };
         Some(self.correct(seen, &step, (&start, false, !goes)).0)
@@ -239,7 +254,7 @@ impl<'a> TrackedPass<'a> {
         let settles = (SETTLES_S / self.machine.servo_period_s) as u32;
         let carrier = &mut self.correction.carrier;
         if self.rested > settles {
-            self.off.rest();
+            self.off.rest(q, || carrier.shifted(q, &wanted));
         } else if !self.off.follow(q, || carrier.shifted(q, &wanted)) {
             pace = 0.0;
             for head in &mut self.heads {
@@ -262,7 +277,7 @@ impl<'a> TrackedPass<'a> {
     pub(super) fn settle(&mut self, q: &Joints, goes: bool) -> Option<Guided> {
         if !goes {
             self.returns = false;
-            self.off.rest();
+            self.off.rest(q, || Some(*q));
         } else {
             if !self.returns {
                 self.returns = true;
