@@ -6,6 +6,7 @@ use common::{SADDLE, Script, Tracked, When, at, down, held, in_mode, up, weld};
 use seamwright_cell::Sample;
 use seamwright_cell::devices::{Device, Fault, FaultKind, When as FaultTime};
 use seamwright_cell::executive::{Alarm, Ask, Mode, Note, Reaction};
+use seamwright_motion::Phase;
 
 /// Fifty degrees of the saddle.
 fn part() -> Tracked {
@@ -82,7 +83,8 @@ fn what_is_held_keeps_its_corrections() {
     assert!(again > 5000, "{again}");
     // A hold of some seconds: after a moment nothing moves at all.
     let rests = samples.windows(500).filter(|w| {
-        let held = w.iter().all(|s| s.mode == Mode::Hold && s.pass == 1);
+        // The crater is filled.
+        let held = w.iter().all(|s| s.mode == Mode::Hold && s.pass == 1 && s.set.phase == Phase::Air);
         held && w.iter().all(|s| s.set.law.s.to_bits() == w[0].set.law.s.to_bits())
     });
     let mut stands = 0;
