@@ -337,7 +337,7 @@ fn the_move_to_see_the_start_keeps_clear() {
         let tip = |q| weld.machine.forward(q).point;
         let first = tip(&weld.samples[start].set.q);
         // The way from home comes to the start first.
-        let there = weld.samples.iter().position(|s| tip(&s.set.q).distance(first) < 1e-3).unwrap();
+        let there = weld.samples.iter().position(|s| tip(&s.set.q).distance(first) < 0.1).unwrap();
         weld.samples[there..start].iter().map(|s| tip(&s.set.q).distance(first)).fold(0.0, f64::max)
     };
     assert!(back(&near) < back(&free) - 1.0, "{} {}", back(&near), back(&free));
