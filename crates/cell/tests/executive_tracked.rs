@@ -49,7 +49,9 @@ fn what_is_held_keeps_its_corrections() {
     let part = part();
     let mut lines: Vec<(When<'_>, Ask)> = up().into_iter().chain(weld()).collect();
     lines.push((at(60.0), Ask::Hold));
-    lines.push((held(), Ask::Arm));
+    // Some seconds.
+    let waited = std::cell::Cell::new(0);
+    lines.push((Box::new(move |c| waited.replace(waited.get() + 1) > 5000 && c.mode == Mode::Hold), Ask::Arm));
     lines.push((held(), Ask::Resume));
     lines.push((at(110.0), Ask::Hold));
     lines.push((held(), Ask::Reverse));
