@@ -24,7 +24,7 @@ peers:
 	peers/run
 
 soak:
-	SEAMWRIGHT_SOAK=100 PROPTEST_CASES=25600 SEAMWRIGHT_FUZZ_S=600 cargo test --release --workspace
+	SEAMWRIGHT_SOAK=100 PROPTEST_CASES=25600 SEAMWRIGHT_FUZZ_S=600 cargo test --release --workspace -- --include-ignored
 
 fmt:
 	cargo fmt --all

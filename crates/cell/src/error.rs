@@ -1,3 +1,4 @@
+use crate::executive::VALUES;
 use thiserror::Error;
 
 /// Why a cell cannot run.
@@ -14,9 +15,9 @@ pub enum Error {
     /// A pass that cannot be tracked.
     #[error(transparent)]
     Tracking(Box<crate::tracking::Error>),
-    /// The pace of a pass.
-    #[error(transparent)]
-    Pace(#[from] seamwright_motion::pace::PaceError),
+    /// More process values than a cell carries.
+    #[error("the program has {0} process values\n   allowed: up to {VALUES}")]
+    Values(usize),
 }
 
 impl From<crate::tracking::Error> for Error {

@@ -1,3 +1,4 @@
+use crate::executive::{Mode, VALUES};
 use crate::tracking::HeadSample;
 use seamwright_machine::Joints;
 use seamwright_motion::{LawPoint, Phase, SetPoint};
@@ -27,6 +28,10 @@ pub struct Sample {
     pub attitude_error: f64,
     /// What each head that welds did, where the seam may lie elsewhere than planned.
     pub heads: [Option<HeadSample>; 2],
+    /// What the cell was doing.
+    pub mode: Mode,
+    /// Process values that were asked for, by their names in alphabetic order; 0 while the arc is off.
+    pub values: [f64; VALUES],
 }
 
 impl Sample {
@@ -46,6 +51,8 @@ impl Sample {
             path_error: f64::NAN,
             attitude_error: f64::NAN,
             heads: [None; 2],
+            mode: Mode::Off,
+            values: [0.0; VALUES],
         }
     }
 

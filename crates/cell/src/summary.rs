@@ -173,15 +173,19 @@ pub(crate) struct Tally {
     acceleration: Vec<f64>,
     following: Vec<Gather>,
     current: Vec<f64>,
-    /// From when to when (s) the steady speed is judged.
+    /// From where to where (mm) the steady speed is judged.
     steady: Vec<(f64, f64)>,
+    period_s: f64,
+    /// Periods in the pass, of travel, with the arc on.
+    periods: [u64; 3],
 }
 
 impl Tally {
-    pub(crate) fn new(axes: usize, motion: &PassMotion) -> Self {
-        let time = |s: f64| motion.before_s() + motion.law.time(s);
+    pub(crate) fn new(machine: &Machine, motion: &PassMotion) -> Self {
+        let axes = machine.axes.len();
+        let settled = |s: f64| motion.law.at(motion.law.time(s) + SETTLING_S, &mut 0).s;
         let steady = motion.law.legs();
-        let steady = steady.iter().map(|leg| (time(leg.run_up_end) + SETTLING_S, time(leg.run_down_start)));
+        let steady = steady.iter().map(|leg| (settled(leg.run_up_end), leg.run_down_start));
         Self {
             path_error: Gather::new(),
             tip_speed: Gather::new(),
@@ -195,17 +199,23 @@ impl Tally {
             following: vec![Gather::new(); axes],
             current: vec![0.0; axes],
             steady: steady.collect(),
+            period_s: machine.servo_period_s,
+            periods: [0; 3],
         }
     }
 
-    /// Adds a sample, `t` s after the pass's first.
-    pub(crate) fn add(&mut self, sample: &Sample, rates: &(Joints, Joints), t: f64) {
+    /// Adds a sample.
+    pub(crate) fn add(&mut self, sample: &Sample, rates: &(Joints, Joints)) {
+        for (periods, is) in self.periods.iter_mut().zip([true, sample.travels(), sample.arc()]) {
+            *periods += u64::from(is);
+        }
+        let s = sample.set.law.s;
         if sample.travels() {
             self.path_error.add(sample.path_error);
             self.worst = greater(self.worst, (sample.path_error, sample.set.law.s));
             self.attitude.add(sample.attitude_error.to_degrees());
         }
-        if self.steady.iter().any(|(from, to)| t > *from && t < *to) {
+        if sample.travels() && self.steady.iter().any(|(from, to)| s > *from && s < *to) {
             let asked = sample.planned_speed;
             self.tip_speed.add(sample.tip_speed);
             self.deviation.add(sample.tip_speed - asked);
@@ -223,8 +233,9 @@ impl Tally {
         }
     }
 
-    pub(crate) fn finish(self, machine: &Machine, motion: &PassMotion, seed: u64) -> Summary {
+    pub(crate) fn finish(self, machine: &Machine, seed: u64) -> Summary {
         let judged = self.tip_speed.count > 0;
+        let [total_s, weld_s, arc_on_s] = self.periods.map(|periods| periods as f64 * self.period_s);
         let speed = self.tip_speed.finish();
         let axes = machine.axes.iter().enumerate().map(|(i, axis)| {
             let shown =
@@ -244,9 +255,9 @@ impl Tally {
         });
         Summary {
             seed,
-            total_s: motion.total_s(),
-            weld_s: motion.law.duration(),
-            arc_on_s: motion.arc_on_s(),
+            total_s,
+            weld_s,
+            arc_on_s,
             welded: self.path_error.count > 0,
             path_error_mm: self.path_error.finish(),
             path_error_at_mm: self.worst.1,

@@ -237,7 +237,7 @@ fn faults_come_over_modbus_devices() {
         let reports = bench.reports;
         match kind {
             FaultKind::Silent => assert!(reports.source.age_s > 0.2 && reports.inputs_age_s > 0.2 && bench.is_lit()),
-            FaultKind::Disconnect => assert!(reports.source.age_s > 0.2 && !bench.is_lit()),
+            FaultKind::Disconnect | FaultKind::Reconnect => assert!(reports.source.age_s > 0.2 && !bench.is_lit()),
             FaultKind::Reboot => assert!(reports.inputs_age_s > 0.2 && !bench.is_lit()),
             FaultKind::Slow => assert!(reports.source.age_s > 0.0 && bench.is_lit()),
             FaultKind::Wrong => assert!(!reports.source.burning && reports.inputs == MET ^ 2 && bench.is_lit()),

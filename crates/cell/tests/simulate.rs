@@ -1,5 +1,6 @@
 //! The simulated cell on the example saddle: repeatable, honest about what the drives do.
 
+use seamwright_cell::executive::Mode;
 use seamwright_cell::{Conditions, Error, Sample, Summary, simulate};
 use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
@@ -36,7 +37,9 @@ fn good_drives_weld_well_and_repeatably() {
     assert!(summary.path_error_mm.max < 0.05 && summary.path_error_mm.max > 0.0);
     assert!(summary.speed_ripple.unwrap() < 0.06, "{:?}", summary.speed_ripple);
     let (again, same) = run(shipped_text(), 1).unwrap();
-    assert_eq!((&summary, &samples), (&again, &same));
+    // In the air there are places that are no numbers, equal to nothing.
+    let welded = |samples: &[Sample]| format!("{:?}", samples.iter().filter(|s| s.pass > 0).collect::<Vec<_>>());
+    assert!(summary == again && welded(&samples) == welded(&same));
     let (other, _) = run(shipped_text(), 2).unwrap();
     assert!(other != summary);
 }
@@ -57,12 +60,23 @@ fn the_summary_is_that_of_the_samples() {
 
 #[test]
 fn worse_drives_weld_worse() {
-    let soft = shipped_text().replace("velocity_bandwidth_hz = 40", "velocity_bandwidth_hz = 5\nkp_per_s = 5");
-    let (good, _) = run(shipped_text(), 1).unwrap();
+    // As slow as it must be that the following error stays below what trips the cell: 1 mm at rest.
+    let slow = |text: &str| text.replace("max_speed_mm_s = 100", "max_speed_mm_s = 6");
+    let soft = slow(shipped_text()).replace("velocity_bandwidth_hz = 40", "velocity_bandwidth_hz = 8\nkp_per_s = 10");
+    let (good, _) = run(&slow(shipped_text()), 1).unwrap();
     let (bad, _) = run(&soft, 1).unwrap();
     assert!(bad.path_error_mm.max > 5.0 * good.path_error_mm.max);
-    // A pure proportional loop lags by speed / Kp, here 1 mm, and swings on a velocity loop hardly faster.
-    assert!((bad.axes[0].following_error.max - 1.0).abs() < 0.4, "{:?}", bad.axes[0].following_error);
+    // A pure proportional loop lags by speed / Kp, here 0.5 mm, and swings on a velocity loop hardly faster.
+    assert!((bad.axes[0].following_error.max - 0.5).abs() < 0.2, "{:?}", bad.axes[0].following_error);
+}
+
+/// Drives that lag by more than a millimetre trip the cell before anything is welded.
+#[test]
+fn drives_that_do_not_follow_are_no_drives() {
+    let soft = shipped_text().replace("velocity_bandwidth_hz = 40", "velocity_bandwidth_hz = 5\nkp_per_s = 5");
+    let (summary, samples) = run(&soft, 1).unwrap();
+    assert!(!summary.welded && samples.last().unwrap().mode == Mode::Fault, "{summary:?}");
+    assert!(samples.iter().all(|s| !s.arc()));
 }
 
 #[test]

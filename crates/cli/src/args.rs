@@ -7,6 +7,7 @@ pub(crate) mod follow;
 pub(crate) mod io;
 pub(crate) mod machine;
 pub(crate) mod move_to;
+pub(crate) mod part;
 pub(crate) mod post;
 mod pulses;
 pub(crate) mod read;

@@ -52,7 +52,7 @@ pub const MOST_AXES: usize = 12;
 pub type AxisPositions = [f64; MOST_AXES];
 
 /// A path of the torch in the work frame by path length: what the rooms that know machines and time need of a pass.
-pub trait TorchPath {
+pub trait TorchPath: Sync {
     /// Length, mm: `s` runs from 0 to this.
     fn length(&self) -> f64;
 

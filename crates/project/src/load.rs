@@ -177,6 +177,15 @@ impl Loaded {
         self.welding.seam.as_ref().ok_or_else(|| program.error_at("", "the program has no seam", allowed).into())
     }
 
+    /// What the machine keeps clear of: itself and what is clamped on it.
+    ///
+    /// # Errors
+    /// Solids that cannot be kept apart.
+    pub fn surroundings(&self) -> Result<Surroundings<'_>, Failure> {
+        Surroundings::new(&self.machine, &self.clamped)
+            .map_err(|e| Failure::Input(format!("{}: {e}", self.welding.program.file())))
+    }
+
     /// The paths of all passes.
     pub fn paths(&self) -> Vec<WeldPath<'_>> {
         (0..self.welding.program.value.passes.len()).map(|pass| self.welding.path(pass)).collect()

@@ -42,7 +42,7 @@ impl Watch {
             phase: now.phase.map_or(0, |phase| phase as u8),
             s: now.place.s_mm,
             welded_to: now.welded_mm,
-            corrections: [[0.0; 2]; 2],
+            corrections: now.tracked.map(|head| head.map_or([0.0; 2], |head| head.correction_mm)),
         })
     }
 }

@@ -4,8 +4,18 @@ use seamwright_cell::executive::{ProcessState, VALUES};
 use seamwright_cell::realtime::Shown;
 use seamwright_machine::Machine;
 
-/// Columns of the trace of a run with their units: a row a cycle.
-pub fn columns(machine: &Machine, values: &[String]) -> Vec<(String, &'static str)> {
+/// Columns of each head that is tracked.
+const HEAD: [(&str, &str); 6] = [
+    ("deviation_lateral_mm", "mm"),
+    ("deviation_height_mm", "mm"),
+    ("correction_lateral_mm", "mm"),
+    ("correction_height_mm", "mm"),
+    ("sigma_mm", "mm"),
+    ("confidence", "1"),
+];
+
+/// Columns of the trace of a run with their units: a row a cycle. `heads` are the ends of the names of each head that is tracked.
+pub fn columns(machine: &Machine, values: &[String], heads: &[String]) -> Vec<(String, &'static str)> {
     let mut columns: Vec<(String, &'static str)> = [
         ("t_s", "s"),
         ("mode", "1"),
@@ -31,6 +41,9 @@ pub fn columns(machine: &Machine, values: &[String]) -> Vec<(String, &'static st
         columns.push((format!("{name}_following_error_{unit}"), unit));
         columns.push((format!("{name}_current_part"), "1"));
     }
+    for head in heads {
+        columns.extend(HEAD.iter().map(|(name, unit)| (format!("{name}{head}"), *unit)));
+    }
     for name in values {
         columns.push((format!("{name}_set"), ""));
         columns.push((format!("{name}_measured"), ""));
@@ -38,8 +51,8 @@ pub fn columns(machine: &Machine, values: &[String]) -> Vec<(String, &'static st
     columns
 }
 
-/// A cycle as a row; `values` is how many process values the program has.
-pub fn row(machine: &Machine, c: &Shown, values: usize) -> Vec<f64> {
+/// A cycle as a row; `values` is how many process values the program has, `heads` how many heads are tracked.
+pub fn row(machine: &Machine, c: &Shown, values: usize, heads: usize) -> Vec<f64> {
     let bit = |yes: bool| if yes { 1.0 } else { 0.0 };
     let in_pass = c.place.pass > 0;
     let process = match c.process {
@@ -70,6 +83,12 @@ pub fn row(machine: &Machine, c: &Shown, values: usize) -> Vec<f64> {
         row.push(axis.to_file(c.reports.drives.position[i]));
         row.push(axis.to_file(c.reports.drives.following_error[i]));
         row.push(c.reports.drives.current[i]);
+    }
+    for head in c.tracked.iter().take(heads) {
+        row.extend(head.map_or([f64::NAN; HEAD.len()], |h| {
+            let ([a, b], [c, d]) = (h.deviation_mm, h.correction_mm);
+            [a, b, c, d, h.sigma_mm, h.confidence]
+        }));
     }
     for i in 0..values.min(VALUES) {
         row.push(c.orders.process.values[i]);

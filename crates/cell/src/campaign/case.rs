@@ -1,13 +1,18 @@
-use super::Stage;
 use super::expected::{Expected, expected};
 use super::witness::{Orders as Wishes, Witness};
+use super::{Stage, TrackedStage};
 use crate::Error;
 use crate::devices::{
-    Device, DeviceSet, Fault, FaultKind, Faulty, SimulatedDrives, SimulatedInputs, SimulatedSource, When,
+    Device, DeviceSet, Fault, FaultKind, Faulty, InputBits, SimulatedDrives, SimulatedInputs, SimulatedSource, When,
+    WithSensors,
 };
-use crate::executive::{Alarm, Executive, Interlocks, Mode, Place};
+use crate::executive::{
+    Alarm, Devices, DriveReport, Executive, Interlocks, Mode, Orders, Place, Reports, SensorReport, SourceReport,
+};
+use crate::tracking::SimulatedSensors;
+use seamwright_tracking::beam::Picture;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What a cell is doing when a fault comes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -109,6 +114,8 @@ pub struct Outcome {
     pub off_cycles: u32,
     /// Path length from the alarm to rest, mm.
     pub stop_mm: f64,
+    /// Of a stop, the part of what the axes' limits allow for it that was needed; more than 1 is too much.
+    pub stop_part: f64,
     /// Where a weld was left.
     pub left: Option<Place>,
     /// The situation was reached.
@@ -129,15 +136,49 @@ impl Outcome {
 pub struct Trial<'a> {
     stage: Stage<'a>,
     case: Case,
-    devices: Devices,
+    devices: Late<TrialDevices<'a>>,
     witness: Witness,
 }
 
-type Devices = DeviceSet<
-    Faulty<SimulatedDrives, crate::executive::DriveReport>,
-    Faulty<SimulatedSource, crate::executive::SourceReport>,
-    Faulty<Faulty<SimulatedInputs, crate::devices::InputBits>, crate::devices::InputBits>,
+type TrialDevices<'a> = WithSensors<
+    DeviceSet<
+        Faulty<SimulatedDrives, DriveReport>,
+        Faulty<SimulatedSource, SourceReport>,
+        Faulty<Faulty<SimulatedInputs, InputBits>, InputBits>,
+    >,
+    Faulty<SimulatedSensors<'a>, SensorReport>,
 >;
+
+/// Devices whose cycle comes late once, when it is told to.
+struct Late<D> {
+    devices: D,
+    told: Option<Arc<AtomicBool>>,
+}
+
+/// Cycles that are missed then, and those that may be.
+const MISSED: u32 = 20;
+const RIDES_OUT: u32 = 3;
+
+impl<D: Devices> Devices for Late<D> {
+    fn exchange(&mut self, orders: &Orders, reports: &mut Reports) {
+        self.devices.exchange(orders, reports);
+        if self.told.as_ref().is_some_and(|told| told.load(Ordering::Relaxed)) {
+            (self.told, reports.missed) = (None, MISSED);
+        }
+    }
+
+    fn rides_out(&self) -> u32 {
+        RIDES_OUT
+    }
+
+    fn drives_late_s(&self) -> f64 {
+        self.devices.drives_late_s()
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        self.devices.picture()
+    }
+}
 
 /// When the fault before the fault comes, s.
 const BEFORE_S: f64 = 1.0;
@@ -147,7 +188,7 @@ impl<'a> Trial<'a> {
     ///
     /// # Errors
     /// A machine whose values make no drives.
-    pub fn new(stage: Stage<'a>, case: Case, seed: u64) -> Result<Self, Error> {
+    pub fn new(stage: Stage<'a>, case: Case, seed: u64, anywhere: bool) -> Result<Self, Error> {
         let machine = stage.machine;
         let period = machine.servo_period_s;
         let told = Arc::new(AtomicBool::new(false));
@@ -165,19 +206,37 @@ impl<'a> Trial<'a> {
             inputs: Faulty::new(inputs, Device::Inputs, &fault, period).told_by(&told),
             period_s: period,
         };
-        let witness = Witness::new(machine, Wishes { situation, told, seed });
+        let sensors = match stage.tracked.filter(|_| device == Device::Sensors) {
+            Some(tracked) => tracked.cell.sensors()?,
+            None => SimulatedSensors::none(machine),
+        };
+        let sensors = Faulty::new(sensors, Device::Sensors, &fault, period).told_by(&told);
+        let late = (device == Device::Cycle).then(|| Arc::clone(&told));
+        let devices = Late { devices: WithSensors { devices, sensors }, told: late };
+        let witness = Witness::new(machine, Wishes { case, told, seed, anywhere });
         Ok(Self { stage, case, devices, witness })
     }
 
     /// Runs it.
     ///
     /// # Errors
-    /// None so far.
+    /// A weld that cannot be tracked.
     pub fn run(mut self) -> Result<Outcome, Error> {
-        let work = if self.case.situation == Situation::Crater { self.stage.end } else { self.stage.begin };
-        let mut executive = Executive::new(self.stage.machine, &mut self.devices, &mut self.witness);
+        let at_end = self.case.situation == Situation::Crater;
+        let tracked = self.stage.tracked.filter(|_| self.case.device == Device::Sensors);
+        let (work, mut tracking) = match tracked {
+            Some(TrackedStage { cell, works, near_end }) => {
+                let start = if at_end { near_end } else { Place::default() };
+                (works[usize::from(at_end)], cell.tracking(start)?)
+            }
+            None => (if at_end { self.stage.end } else { self.stage.begin }, None),
+        };
+        let guide = tracking.as_mut().map(|tracking| tracking as _);
+        let executive = Executive::new(self.stage.machine, &mut self.devices, &mut self.witness);
+        let mut executive = executive.with_guide(guide);
         executive.serve(Some(work));
         let left = executive.left();
-        Ok(self.witness.outcome(self.case, left))
+        drop(executive);
+        Ok(self.witness.outcome(left))
     }
 }

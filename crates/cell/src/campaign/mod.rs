@@ -9,13 +9,13 @@ pub use case::{Case, Outcome, Situation, Trial};
 pub use expected::{Expected, expected};
 pub use witness::Witness;
 
-use crate::Error;
 use crate::devices::{Device, FaultKind};
-use crate::executive::{Mode, Work};
+use crate::executive::{Mode, Place, Work};
+use crate::{Error, SimulatedCell};
 use seamwright_machine::{Level, Machine};
 
 /// What a campaign runs on.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Stage<'a> {
     /// The machine.
     pub machine: &'a Machine,
@@ -23,14 +23,31 @@ pub struct Stage<'a> {
     pub begin: &'a Work<'a>,
     /// The same weld from shortly before its end.
     pub end: &'a Work<'a>,
+    /// The same tracked, for the faults of sensors: without it these are left out.
+    pub tracked: Option<TrackedStage<'a>>,
 }
 
-/// All cases: every device, every fault, every situation; of inputs upside down one of each level.
-pub fn cases(machine: &Machine) -> Vec<Case> {
-    let of = |level: Level| machine.interlocks.iter().position(|i| i.level == level).map(|i| i as u8);
+/// A weld that is tracked.
+#[derive(Clone, Copy)]
+pub struct TrackedStage<'a> {
+    /// Its cell.
+    pub cell: &'a SimulatedCell<'a>,
+    /// From its beginning, and from shortly before its end.
+    pub works: [&'a Work<'a>; 2],
+    /// Where that is.
+    pub near_end: Place,
+}
+
+/// All cases: every device, every fault, every situation; of inputs upside down one of each level; cycles missed. Those of sensors if
+/// there is a weld that needs them.
+pub fn cases(stage: &Stage<'_>) -> Vec<Case> {
+    let of = |level: Level| stage.machine.interlocks.iter().position(|i| i.level == level).map(|i| i as u8);
     let levels: Vec<u8> = [Level::Power, Level::Motion, Level::Process].into_iter().filter_map(of).collect();
     let mut cases = Vec::new();
     for device in Device::ALL {
+        if device == Device::Sensors && stage.tracked.is_none() {
+            continue;
+        }
         for kind in FaultKind::ALL {
             let inputs = device == Device::Inputs && kind == FaultKind::Wrong;
             let which = if inputs { levels.clone() } else { vec![0] };
@@ -39,15 +56,18 @@ pub fn cases(machine: &Machine) -> Vec<Case> {
             }
         }
     }
+    let (device, kind) = (Device::Cycle, FaultKind::Slow);
+    cases.extend(Situation::ALL.map(|situation| Case { device, kind, which: 0, situation }));
     cases
 }
 
-/// Runs one case; `seed` says when exactly the fault comes.
+/// Runs one case; `seed` says when exactly the fault comes: soon after the situation is there, or at any moment of a weld's first
+/// twenty seconds with `anywhere`.
 ///
 /// # Errors
 /// A machine whose values make no drives.
-pub fn run(stage: Stage<'_>, case: Case, seed: u64) -> Result<Outcome, Error> {
-    Trial::new(stage, case, seed)?.run()
+pub fn run(stage: Stage<'_>, case: Case, seed: u64, anywhere: bool) -> Result<Outcome, Error> {
+    Trial::new(stage, case, seed, anywhere)?.run()
 }
 
 /// The outcomes as Markdown: a row a device and fault, a column a situation: the mode that follows, and the alarm that came first.
@@ -86,11 +106,12 @@ pub fn table(machine: &Machine, outcomes: &[Outcome]) -> String {
 pub fn summary(outcomes: &[Outcome]) -> String {
     let kept = outcomes.iter().filter(|o| o.is_kept()).count();
     let stops = outcomes.iter().map(|o| o.stop_mm).fold(0.0, f64::max);
+    let bound = 100.0 * outcomes.iter().map(|o| o.stop_part).fold(0.0, f64::max);
     let cycles = outcomes.iter().map(|o| o.off_cycles).max().unwrap_or(0);
     let faults = outcomes.iter().filter(|o| o.mode == Mode::Fault).count();
     format!(
         "{kept} of {} cases end as they must ({faults} in fault); process off after {cycles} cycle{} at most; \
-         longest way to rest {stops:.2} mm",
+         longest way to rest {stops:.2} mm, {bound:.0} % of its bound at most",
         outcomes.len(),
         if cycles == 1 { "" } else { "s" }
     )

@@ -1,6 +1,7 @@
 //! An operator who brings a cell into a situation, and a witness of what follows.
 
 use super::case::{Case, Outcome, Situation};
+use crate::devices::{Device, FaultKind};
 use crate::executive::{Alarm, Ask, Command, Cycle, Mode, Note, Place, Port, ProcessState, Reaction};
 use seamwright_machine::{Joints, Machine};
 use seamwright_motion::jog;
@@ -10,16 +11,27 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What the operator is to do.
 pub(super) struct Orders {
-    pub(super) situation: Situation,
+    pub(super) case: Case,
+    /// The fault comes at any moment of a weld, not soon.
+    pub(super) anywhere: bool,
     /// Tells the fault to begin.
     pub(super) told: Arc<AtomicBool>,
     pub(super) seed: u64,
 }
 
-/// How long the witness watches after the fault, s.
+/// How long the witness watches after the fault, s; of a sensor whose loss the weld rides out for a while.
 const WATCHES_S: f64 = 2.5;
+const WATCHES_TRACKED_S: f64 = 45.0;
 /// Longest time to reach a situation, s.
 const REACHES_S: f64 = 60.0;
+/// Longest time from a fault that is over to axes with power again, s.
+const RECOVERS_S: f64 = 3.0;
+/// Cycles within which the fault comes that may come anywhere.
+const ANYWHERE: u64 = 20_000;
+/// Cycles from an alarm to the first set-point that brakes.
+const REACTS: f64 = 3.0;
+/// The pace keeps a way back to a steady pace at every moment: it needs at most so much more than the shortest stop.
+const CAREFUL: f64 = 2.0;
 /// Path length after which a dry run or a weld has come far enough, mm.
 const UNDER_WAY_MM: f64 = 3.0;
 /// At the end of the watch everything has been at rest for so long, s.
@@ -32,7 +44,16 @@ pub struct Witness {
     orders: Orders,
     period: f64,
     /// Greatest speed and acceleration of each axis.
-    limits: Vec<(f64, f64)>,
+    limits: Vec<[f64; 3]>,
+    /// What a stop from here needs at least, mm.
+    stop_needs: f64,
+    /// What the stop may need, and the part of it that was needed.
+    stop_bound: Option<f64>,
+    stop_part: f64,
+    /// Since when the cell is brought back after the fault, and if it came.
+    recovers: Option<u64>,
+    recovered: bool,
+    powered: bool,
     cycles: u64,
     mode: Mode,
     phase: Option<RunPhase>,
@@ -64,7 +85,13 @@ impl Witness {
         Self {
             orders,
             period: machine.servo_period_s,
-            limits: machine.axes.iter().map(|a| (a.max_speed, a.max_acceleration)).collect(),
+            limits: machine.axes.iter().map(|a| [a.max_speed, a.max_acceleration, a.jerk()]).collect(),
+            stop_needs: 0.0,
+            stop_bound: None,
+            stop_part: 0.0,
+            recovers: None,
+            recovered: false,
+            powered: false,
             cycles: 0,
             mode: Mode::Off,
             phase: None,
@@ -87,8 +114,13 @@ impl Witness {
         }
     }
 
-    pub(super) fn outcome(self, case: Case, left: Option<Place>) -> Outcome {
+    pub(super) fn outcome(self, left: Option<Place>) -> Outcome {
+        let case = self.orders.case;
+        let down = self.comes_back() && !self.recovered;
         let mut violations = self.violations;
+        if down {
+            violations.push("it cannot be switched on again".to_owned());
+        }
         if self.mode_then.is_some_and(|m| !m.moves()) && !self.rests_then {
             violations.push("it does not rest".to_owned());
         }
@@ -98,6 +130,7 @@ impl Witness {
             first_alarm: self.first_alarm,
             off_cycles: self.off_cycles,
             stop_mm: self.stop_mm,
+            stop_part: self.stop_part,
             left,
             reached: self.began.is_some(),
             violations,
@@ -114,7 +147,7 @@ impl Witness {
     fn is_there(&self) -> bool {
         use Situation as S;
         let weld = self.mode == Mode::Weld;
-        match self.orders.situation {
+        match self.orders.case.situation {
             S::Off => self.mode == Mode::Off,
             S::Idle => self.mode == Mode::Idle,
             S::Homing => self.mode == Mode::Homing,
@@ -133,18 +166,51 @@ impl Witness {
 
     /// Cycles in the situation before the fault comes.
     fn delay(&self) -> u64 {
-        let most = match self.orders.situation {
+        let most = match self.orders.case.situation {
             Situation::Strike => 20,
             Situation::Preflow | Situation::Homing | Situation::Crater => 150,
             _ => 300,
         };
+        let most = if self.orders.anywhere { ANYWHERE } else { most };
         (self.orders.seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 33) % most
+    }
+
+    /// The fault is over by itself, and took the cell down: then it can be switched on again.
+    fn comes_back(&self) -> bool {
+        let Case { device, kind, .. } = self.orders.case;
+        let over = matches!(kind, FaultKind::Reboot | FaultKind::Reconnect) || device == Device::Cycle;
+        over && self.mode_then == Some(Mode::Fault)
+    }
+
+    /// How long it watches after the fault, s.
+    fn watches_s(&self) -> f64 {
+        let Case { device, situation, .. } = self.orders.case;
+        let runs = situation == Situation::DryRun || situation.welds() && situation != Situation::Crater;
+        if device == Device::Sensors && runs { WATCHES_TRACKED_S } else { WATCHES_S }
+    }
+
+    /// What brings the cell back after a fault that is over; none once it has power again, or does not come.
+    fn recover(&mut self) -> Option<Ask> {
+        let since = *self.recovers.get_or_insert(self.cycles);
+        if self.recovered || (self.cycles - since) as f64 * self.period > RECOVERS_S {
+            return None;
+        }
+        match self.mode {
+            // What is on the list is known, then looked at.
+            Mode::Fault | Mode::Off if (self.cycles / HAND).is_multiple_of(2) => Some(Ask::Acknowledge),
+            Mode::Fault => Some(Ask::Reset),
+            Mode::Off => Some(Ask::SwitchOn),
+            _ => {
+                self.recovered = self.powered;
+                (!self.recovered).then_some(Ask::Acknowledge)
+            }
+        }
     }
 
     /// What the operator does next.
     fn wish(&self) -> Option<Ask> {
         use Situation as S;
-        let goal = self.orders.situation;
+        let goal = self.orders.case.situation;
         match self.mode {
             Mode::Jog => Some(Ask::Jog(jog::Command::Speeds(self.jog_speeds()))),
             _ if self.began.is_some() => None,
@@ -166,7 +232,7 @@ impl Witness {
     fn jog_speeds(&self) -> Joints {
         let mut speeds = Joints::default();
         let forth = (self.cycles as f64 * self.period / 2.0).fract() < 0.5;
-        speeds[0] = if forth { 0.2 } else { -0.2 } * self.limits[0].0;
+        speeds[0] = if forth { 0.2 } else { -0.2 } * self.limits[0][0];
         speeds
     }
 
@@ -187,6 +253,12 @@ impl Witness {
             }
             if cycle.phase.is_some() && !cycle.mode.moves() && self.mode_then.is_none() {
                 self.stop_mm = self.stop_mm.max((cycle.place.s_mm - s).abs());
+                if let Some(bound) = self.stop_bound {
+                    self.stop_part = self.stop_mm / bound;
+                    if self.stop_part > 1.0 {
+                        self.violated(&format!("{:.3} mm to rest, {bound:.3} mm allowed", self.stop_mm));
+                    }
+                }
             }
         }
         let powered = cycle.orders.power && cycle.reports.drives.powered && self.mode != Mode::Homing;
@@ -208,7 +280,8 @@ impl Witness {
         }
         self.sets.push(q);
         if let [a, b, c] = self.sets[..] {
-            for (i, (speed, acceleration)) in self.limits.clone().into_iter().enumerate() {
+            for i in 0..self.limits.len() {
+                let [speed, acceleration, _] = self.limits[i];
                 let v = (c[i] - b[i]) / self.period;
                 let dv = (c[i] - 2.0 * b[i] + a[i]) / (self.period * self.period);
                 if v.abs() > speed * 1.001 || dv.abs() > acceleration * 1.01 + 1e-6 {
@@ -219,17 +292,43 @@ impl Witness {
     }
 }
 
+impl Witness {
+    /// Path length that the axes' limits need to come to rest from here, mm: as if the path went straight on.
+    fn shortest_stop(&self, cycle: &Cycle<'_>) -> f64 {
+        let v = cycle.speed.abs();
+        if v <= 0.0 {
+            return 0.0;
+        }
+        let (mut a, mut j) = (f64::INFINITY, f64::INFINITY);
+        for (set, [_, acceleration, jerk]) in cycle.orders.set.iter().zip(&self.limits) {
+            let by = set.velocity.abs() / v;
+            if by > 1e-9 {
+                (a, j) = (a.min(acceleration / by), j.min(jerk / by));
+            }
+        }
+        // Deceleration grows to a and falls again, or does not come so far.
+        let time = if v * j >= a * a { v / a + a / j } else { 2.0 * (v / j).sqrt() };
+        0.5 * v * time + REACTS * self.period * v
+    }
+}
+
 impl Port for Witness {
     fn command(&mut self, t: f64) -> Option<Command> {
         if self.asked || !self.cycles.is_multiple_of(HAND) {
             return None;
         }
         self.asked = true;
-        let watched = self.began.is_some_and(|began| (self.cycles - began) as f64 * self.period > WATCHES_S);
-        if watched || t > REACHES_S {
+        let watched = self.began.is_some_and(|began| (self.cycles - began) as f64 * self.period > self.watches_s());
+        let late = REACHES_S + self.watches_s() + ANYWHERE as f64 * self.period;
+        if watched || t > late {
             if self.mode_then.is_none() {
                 self.mode_then = Some(self.mode);
                 self.rests_then = self.still as f64 * self.period > RESTS_S;
+            }
+            if self.comes_back()
+                && let Some(ask) = self.recover()
+            {
+                return Some(Command::of(ask));
             }
             let ask = match self.mode {
                 Mode::Off | Mode::Fault => Ask::Quit,
@@ -247,6 +346,8 @@ impl Port for Witness {
         self.check(cycle);
         (self.mode, self.phase, self.place) = (cycle.mode, cycle.phase, cycle.place);
         (self.armed, self.process) = (cycle.armed, cycle.process);
+        self.powered = cycle.reports.drives.powered;
+        self.stop_needs = self.shortest_stop(cycle);
         self.was_on = cycle.orders.process.on;
         if self.began.is_none() && (self.there.is_some() || self.is_there()) {
             let there = *self.there.get_or_insert(self.cycles);
@@ -262,6 +363,9 @@ impl Port for Witness {
             self.first_alarm.get_or_insert(raised.alarm);
             if raised.reaction >= Reaction::ProcessOff && self.alarmed.is_none() {
                 self.alarmed = Some((self.cycles + 1, self.place.s_mm));
+                // Without power the brakes hold.
+                let stops = raised.reaction < Reaction::PowerOff && self.phase.is_some();
+                self.stop_bound = stops.then_some(CAREFUL * self.stop_needs + 1e-3);
             }
         }
     }

@@ -1,5 +1,8 @@
-use super::{Drives, InputBits, Inputs, Source};
-use crate::executive::{DriveReport, Orders, ProcessOrders, SourceReport};
+use super::{Drives, InputBits, Inputs, Sensors, Source};
+use crate::executive::{DriveReport, Orders, ProcessOrders, SeamOrders, SensorReport, SourceReport};
+use glam::DVec2;
+use seamwright_machine::Joints;
+use seamwright_tracking::beam::Picture;
 use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
@@ -14,6 +17,10 @@ pub enum Device {
     Source,
     /// The inputs.
     Inputs,
+    /// What sees the joint.
+    Sensors,
+    /// The cell's own cycle, which comes late: no device that a plan of faults has.
+    Cycle,
 }
 
 /// What happens to it.
@@ -23,12 +30,14 @@ pub enum FaultKind {
     Silent,
     /// It reports what was, some periods ago.
     Slow,
-    /// It reports what is not so: a jump of a position, an arc that is out, an input upside down.
+    /// It reports what is not so: a jump of a position, an arc that is out, an input upside down, a joint anywhere.
     Wrong,
     /// No line to it: no orders, no reports. What watches orders switches off by itself.
     Disconnect,
     /// It starts anew, and has forgotten what it was told.
     Reboot,
+    /// No line to it for a second.
+    Reconnect,
 }
 
 /// When a fault begins.
@@ -56,8 +65,8 @@ pub struct Fault {
 }
 
 impl Device {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Drives, Self::Source, Self::Inputs];
+    /// All that a plan of faults may name.
+    pub const ALL: [Self; 4] = [Self::Drives, Self::Source, Self::Inputs, Self::Sensors];
 
     /// In one word.
     pub fn name(self) -> &'static str {
@@ -65,13 +74,20 @@ impl Device {
             Self::Drives => "drives",
             Self::Source => "source",
             Self::Inputs => "inputs",
+            Self::Sensors => "sensors",
+            Self::Cycle => "cycle",
         }
     }
 }
 
 impl FaultKind {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Silent, Self::Slow, Self::Wrong, Self::Disconnect, Self::Reboot];
+    pub const ALL: [Self; 6] = [Self::Silent, Self::Slow, Self::Wrong, Self::Disconnect, Self::Reboot, Self::Reconnect];
+
+    /// Nothing is heard of the device.
+    fn is_mute(self) -> bool {
+        matches!(self, Self::Silent | Self::Disconnect | Self::Reboot | Self::Reconnect)
+    }
 
     /// In one word.
     pub fn name(self) -> &'static str {
@@ -81,6 +97,7 @@ impl FaultKind {
             Self::Wrong => "wrong",
             Self::Disconnect => "disconnect",
             Self::Reboot => "reboot",
+            Self::Reconnect => "reconnect",
         }
     }
 }
@@ -126,6 +143,8 @@ impl FromStr for Fault {
 const LATE: usize = 8;
 /// Time that a device needs to start, s.
 const STARTS_S: f64 = 0.5;
+/// Time without a line to a device that is heard again, s.
+const AWAY_S: f64 = 1.0;
 /// By how far a wrong position jumps, mm or rad.
 const JUMP: f64 = 5.0;
 
@@ -145,6 +164,8 @@ pub struct Faulty<T, R> {
     starts: u32,
     /// What was known before the last start is forgotten.
     forgotten: bool,
+    /// Nothing is to be seen.
+    dark: bool,
     /// Faults that wait to be told begin when this is true.
     told: Option<Arc<AtomicBool>>,
 }
@@ -162,6 +183,7 @@ impl<T, R: Copy + Default> Faulty<T, R> {
             own: None,
             starts: 0,
             forgotten: false,
+            dark: false,
             told: None,
         }
     }
@@ -193,7 +215,11 @@ impl<T, R: Copy + Default> Faulty<T, R> {
             if first {
                 *begun = Some(t);
             }
-            let lasts = if fault.kind == FaultKind::Reboot { STARTS_S } else { fault.lasts_s };
+            let lasts = match fault.kind {
+                FaultKind::Reboot => STARTS_S,
+                FaultKind::Reconnect => AWAY_S,
+                _ => fault.lasts_s,
+            };
             if let Some(begun) = *begun
                 && t - begun < lasts
             {
@@ -217,7 +243,7 @@ impl<T: Drives> Drives for Faulty<T, DriveReport> {
     fn exchange(&mut self, orders: &Orders, report: &mut DriveReport) {
         let fault = self.now();
         let kind = fault.map(|(f, _)| f.kind);
-        let cut = matches!(kind, Some(FaultKind::Disconnect | FaultKind::Reboot));
+        let cut = matches!(kind, Some(FaultKind::Disconnect | FaultKind::Reboot | FaultKind::Reconnect));
         // Without orders the drives' own watchdog takes the power.
         let orders = if cut { Orders { power: false, ..*orders } } else { *orders };
         let mut fresh = self.own.unwrap_or(*report);
@@ -234,7 +260,7 @@ impl<T: Drives> Drives for Faulty<T, DriveReport> {
         }
         let delayed = self.delayed(fresh, kind == Some(FaultKind::Slow));
         *report = match fault {
-            Some((Fault { kind: FaultKind::Silent | FaultKind::Disconnect | FaultKind::Reboot, .. }, _)) => {
+            Some((Fault { kind: k, .. }, _)) if k.is_mute() => {
                 DriveReport { age_s: report.age_s + self.period, ..*report }
             }
             Some((Fault { kind: FaultKind::Slow, .. }, _)) => {
@@ -246,7 +272,7 @@ impl<T: Drives> Drives for Faulty<T, DriveReport> {
                 wrong.following_error[usize::from(which)] -= JUMP;
                 wrong
             }
-            None => fresh,
+            _ => fresh,
         };
     }
 
@@ -257,13 +283,17 @@ impl<T: Drives> Drives for Faulty<T, DriveReport> {
     fn late_s(&self) -> f64 {
         self.device.late_s()
     }
+
+    fn truth(&self) -> Option<&Joints> {
+        self.device.truth()
+    }
 }
 
 impl<T: Source> Source for Faulty<T, SourceReport> {
     fn exchange(&mut self, orders: &ProcessOrders, report: &mut SourceReport) {
         let fault = self.now();
         let kind = fault.map(|(f, _)| f.kind);
-        let cut = matches!(kind, Some(FaultKind::Disconnect | FaultKind::Reboot));
+        let cut = matches!(kind, Some(FaultKind::Disconnect | FaultKind::Reboot | FaultKind::Reconnect));
         let orders = if cut { ProcessOrders::default() } else { *orders };
         let mut fresh = self.own.unwrap_or(*report);
         self.device.exchange(&orders, &mut fresh);
@@ -274,12 +304,10 @@ impl<T: Source> Source for Faulty<T, SourceReport> {
         fresh.starts += self.starts;
         let delayed = self.delayed(fresh, kind == Some(FaultKind::Slow));
         *report = match kind {
-            Some(FaultKind::Silent | FaultKind::Disconnect | FaultKind::Reboot) => {
-                SourceReport { age_s: report.age_s + self.period, ..*report }
-            }
+            Some(k) if k.is_mute() => SourceReport { age_s: report.age_s + self.period, ..*report },
             Some(FaultKind::Slow) => SourceReport { age_s: LATE as f64 * self.period, ..delayed },
             Some(FaultKind::Wrong) => SourceReport { burning: !fresh.burning, ..fresh },
-            None => fresh,
+            _ => fresh,
         };
     }
 }
@@ -297,16 +325,51 @@ impl<T: Inputs> Inputs for Faulty<T, InputBits> {
         fresh.starts += self.starts;
         let delayed = self.delayed(fresh, kind == Some(FaultKind::Slow));
         match fault {
-            Some((Fault { kind: FaultKind::Silent | FaultKind::Disconnect | FaultKind::Reboot, .. }, _)) => {
+            Some((Fault { kind: k, .. }, _)) if k.is_mute() => {
                 return false;
             }
             Some((Fault { kind: FaultKind::Slow, .. }, _)) => *inputs = delayed,
             Some((Fault { kind: FaultKind::Wrong, which, .. }, _)) => {
                 *inputs = InputBits { bits: fresh.bits ^ (1 << which), ..fresh };
             }
-            None => *inputs = fresh,
+            _ => *inputs = fresh,
         }
         known
+    }
+}
+
+impl<T: Sensors> Sensors for Faulty<T, SensorReport> {
+    fn exchange(&mut self, orders: &SeamOrders, truth: Option<&Joints>, report: &mut SensorReport) {
+        let fault = self.now();
+        let kind = fault.map(|(f, _)| f.kind);
+        let mut fresh = *report;
+        self.device.exchange(orders, truth, &mut fresh);
+        if matches!(fault, Some((Fault { kind: FaultKind::Reboot, .. }, true))) {
+            self.starts += 1;
+        }
+        fresh.starts = 1 + self.starts;
+        let delayed = self.delayed(fresh, kind == Some(FaultKind::Slow));
+        // Pictures that are wrong or late are none.
+        self.dark = kind.is_some();
+        *report = match kind {
+            Some(k) if k.is_mute() => {
+                SensorReport { measured: [None; 2], age_s: report.age_s + self.period, ..*report }
+            }
+            Some(FaultKind::Slow) => SensorReport { age_s: LATE as f64 * self.period, ..delayed },
+            Some(FaultKind::Wrong) => {
+                for measured in fresh.measured.iter_mut().flatten() {
+                    // Anywhere within a jump, never twice in one place.
+                    let anywhere = |by: f64| JUMP * (1e3 * by * measured.exposed_s).sin();
+                    measured.offset = DVec2::new(anywhere(7.13), anywhere(3.71));
+                }
+                fresh
+            }
+            _ => fresh,
+        };
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        self.device.picture().filter(|_| !self.dark)
     }
 }
 
@@ -327,8 +390,8 @@ mod tests {
         for (bad, says) in [
             ("drives", "`:`"),
             ("drives:silent", "`@`"),
-            ("drivers:silent@1", "drives, source, inputs"),
-            ("drives:dead@1", "silent, slow, wrong, disconnect, reboot"),
+            ("drivers:silent@1", "drives, source, inputs, sensors"),
+            ("drives:dead@1", "silent, slow, wrong, disconnect, reboot, reconnect"),
             ("drives:silent@soon", "`soon`"),
             ("drives:silent@1+-2", "`-2`"),
             ("drives:silent@nan", "`nan`"),

@@ -14,7 +14,9 @@ pub use fault::{Device, Fault, FaultKind, Faulty, When};
 pub use linuxcnc::{LinuxCncDrives, LinuxCncError, Sample, Taken};
 pub use simulated::{SimulatedDrives, SimulatedInputs, SimulatedSource};
 
-use crate::executive::{Devices, DriveReport, Orders, ProcessOrders, Reports, SourceReport};
+use crate::executive::{Devices, DriveReport, Orders, ProcessOrders, Reports, SeamOrders, SensorReport, SourceReport};
+use seamwright_machine::Joints;
+use seamwright_tracking::beam::Picture;
 
 /// The drives of all axes.
 pub trait Drives {
@@ -24,6 +26,19 @@ pub trait Drives {
     fn rides_out(&self) -> u32;
     /// Greatest age of a report that is still fresh, s.
     fn late_s(&self) -> f64;
+    /// Where the axes truly are, of simulated drives.
+    fn truth(&self) -> Option<&Joints> {
+        None
+    }
+}
+
+/// What sees the joint: sensors ahead of the torches, or a beam.
+pub trait Sensors {
+    /// A period with these orders, at whose end simulated axes truly are at `truth`; what has come in it. What was exposed is stamped
+    /// with the clock of the orders.
+    fn exchange(&mut self, orders: &SeamOrders, truth: Option<&Joints>, report: &mut SensorReport);
+    /// The picture that has come in the last period.
+    fn picture(&self) -> Option<Picture<'_>>;
 }
 
 impl<D: Drives + ?Sized> Drives for Box<D> {
@@ -37,6 +52,10 @@ impl<D: Drives + ?Sized> Drives for Box<D> {
 
     fn late_s(&self) -> f64 {
         (**self).late_s()
+    }
+
+    fn truth(&self) -> Option<&Joints> {
+        (**self).truth()
     }
 }
 
@@ -94,6 +113,7 @@ impl<D: Drives, S: Source, I: Inputs> Devices for DeviceSet<D, S, I> {
     fn exchange(&mut self, orders: &Orders, reports: &mut Reports) {
         reports.missed = 0;
         self.drives.exchange(orders, &mut reports.drives);
+        reports.truth = self.drives.truth().copied();
         self.source.exchange(&orders.process, &mut reports.source);
         let mut inputs = InputBits { bits: reports.inputs, starts: reports.inputs_starts };
         let fresh = self.inputs.exchange(orders.watchdog, &mut inputs);
@@ -107,5 +127,33 @@ impl<D: Drives, S: Source, I: Inputs> Devices for DeviceSet<D, S, I> {
 
     fn drives_late_s(&self) -> f64 {
         self.drives.late_s()
+    }
+}
+
+/// Devices, and what sees the joint beside them.
+#[derive(Debug, Clone)]
+pub struct WithSensors<D, S> {
+    /// Drives, process source, inputs.
+    pub devices: D,
+    /// What sees the joint.
+    pub sensors: S,
+}
+
+impl<D: Devices, S: Sensors> Devices for WithSensors<D, S> {
+    fn exchange(&mut self, orders: &Orders, reports: &mut Reports) {
+        self.devices.exchange(orders, reports);
+        self.sensors.exchange(&orders.seam, reports.truth.as_ref(), &mut reports.sensors);
+    }
+
+    fn rides_out(&self) -> u32 {
+        self.devices.rides_out()
+    }
+
+    fn drives_late_s(&self) -> f64 {
+        self.devices.drives_late_s()
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        self.sensors.picture()
     }
 }

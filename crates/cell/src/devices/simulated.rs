@@ -45,9 +45,10 @@ impl SimulatedDrives {
         })
     }
 
-    /// True positions of the axes.
-    pub fn positions(&self) -> &Joints {
-        &self.q
+    /// The same, at these positions instead of home.
+    #[must_use]
+    pub fn standing_at(self, q: &Joints) -> Self {
+        Self { q: *q, ..self }
     }
 }
 
@@ -94,6 +95,10 @@ impl Drives for SimulatedDrives {
 
     fn late_s(&self) -> f64 {
         LATE_PERIODS * self.period
+    }
+
+    fn truth(&self) -> Option<&Joints> {
+        Some(&self.q)
     }
 }
 

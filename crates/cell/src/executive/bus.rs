@@ -1,5 +1,8 @@
+use super::guide::SeamOrders;
 use seamwright_machine::{Joints, MAX_AXES};
 use seamwright_servo::SetPoint;
+use seamwright_tracking::beam::Picture;
+use seamwright_tracking::lead::Measurement;
 
 /// Most process values of a weld.
 pub const VALUES: usize = 16;
@@ -15,6 +18,8 @@ pub struct Orders {
     pub set: [SetPoint; MAX_AXES],
     /// The process.
     pub process: ProcessOrders,
+    /// What sees the joint, and the beam's deflection.
+    pub seam: SeamOrders,
     /// Changes its value in every cycle: outputs fall to their safe states if it stops to.
     pub watchdog: bool,
 }
@@ -43,8 +48,23 @@ pub struct Reports {
     pub inputs_age_s: f64,
     /// How often the device of the inputs has started.
     pub inputs_starts: u32,
+    /// What sees the joint.
+    pub sensors: SensorReport,
     /// Cycles missed before this one.
     pub missed: u32,
+    /// Where the axes truly are, of simulated drives: for who judges a weld, never for what controls it.
+    pub truth: Option<Joints>,
+}
+
+/// What the sensors ahead of the torches report.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SensorReport {
+    /// Of each head, what has arrived in this period.
+    pub measured: [Option<Measurement>; 2],
+    /// Time since anything came while it should, s.
+    pub age_s: f64,
+    /// How often they have started.
+    pub starts: u32,
 }
 
 impl Default for Reports {
@@ -55,7 +75,9 @@ impl Default for Reports {
             inputs: 0,
             inputs_age_s: f64::INFINITY,
             inputs_starts: 0,
+            sensors: SensorReport::default(),
             missed: 0,
+            truth: None,
         }
     }
 }
@@ -113,6 +135,28 @@ pub trait Devices {
     fn rides_out(&self) -> u32;
     /// Greatest age of the drives' report that is still fresh, s.
     fn drives_late_s(&self) -> f64;
+    /// The picture of the joint that has arrived in the last exchange, of a beam that looks.
+    fn picture(&self) -> Option<Picture<'_>> {
+        None
+    }
+}
+
+impl<D: Devices + ?Sized> Devices for Box<D> {
+    fn exchange(&mut self, orders: &Orders, reports: &mut Reports) {
+        (**self).exchange(orders, reports);
+    }
+
+    fn rides_out(&self) -> u32 {
+        (**self).rides_out()
+    }
+
+    fn drives_late_s(&self) -> f64 {
+        (**self).drives_late_s()
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        (**self).picture()
+    }
 }
 
 impl<D: Devices + ?Sized> Devices for &mut D {
@@ -126,5 +170,9 @@ impl<D: Devices + ?Sized> Devices for &mut D {
 
     fn drives_late_s(&self) -> f64 {
         (**self).drives_late_s()
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        (**self).picture()
     }
 }

@@ -1,6 +1,7 @@
 use super::alarm_list::{AlarmList, Place};
 use super::bus::{Devices, Orders, Reports};
 use super::command::{Ask, Command};
+use super::guide::{Guide, SeamOrders, Trouble};
 use super::interlocks::Interlocks;
 use super::mode::{Event, Mode};
 use super::process::Process;
@@ -8,7 +9,7 @@ use super::state::{Cycle, Missing, Note, Port, Status};
 use super::supervision::Supervision;
 use super::work::Work;
 use super::{Alarm, VALUES};
-use seamwright_machine::{MAX_AXES, Machine};
+use seamwright_machine::{Joints, MAX_AXES, Machine};
 use seamwright_motion::jog;
 use seamwright_motion::pace::RunPhase;
 use seamwright_servo::SetPoint;
@@ -42,6 +43,7 @@ pub(super) struct Doing {
     pub(super) place: Place,
     pub(super) speed: f64,
     pub(super) welded_mm: f64,
+    pub(super) seam: SeamOrders,
 }
 
 /// The executive of a cell: see the module.
@@ -49,7 +51,6 @@ pub(super) struct Doing {
 /// Guarantees, tested by a campaign of faults at any moment in every mode: the process is off in the cycle after the one that
 /// reports what takes it away; set-points are always on the planned path or at rest, within every axis' limits, until power
 /// goes; nothing moves and no process comes on without a command for it after whatever stopped it.
-#[derive(Debug)]
 pub struct Executive<'a, D, P> {
     pub(super) machine: &'a Machine,
     pub(super) devices: D,
@@ -80,6 +81,16 @@ pub struct Executive<'a, D, P> {
     pub(super) doing: Doing,
     /// Where a program was left.
     left: Option<Place>,
+    /// What corrects passes.
+    pub(super) guide: Option<&'a mut (dyn Guide + 'a)>,
+    /// It corrects the pass that is run.
+    pub(super) guided: bool,
+    /// Greatest part of the planned speed that it allows.
+    pub(super) guide_pace: f64,
+    /// What it has told last.
+    pub(super) guide_trouble: Option<Trouble>,
+    /// Planned positions of the pass in the last cycle.
+    pub(super) planned_q: Joints,
 }
 
 impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
@@ -108,7 +119,19 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             reports: Reports::default(),
             doing: Doing::default(),
             left: None,
+            guide: None,
+            guided: false,
+            guide_pace: 1.0,
+            guide_trouble: None,
+            planned_q: Joints::default(),
         }
+    }
+
+    /// Passes are corrected by `guide` from now on.
+    #[must_use]
+    pub fn with_guide(mut self, guide: Option<&'a mut (dyn Guide + 'a)>) -> Self {
+        self.guide = guide;
+        self
     }
 
     /// Runs cycle after cycle until [`Ask::Quit`] or [`Ask::Load`]; `work` is what dry runs and welds run.
@@ -237,6 +260,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         self.orders.process.on = self.process.on();
         self.orders.process.gas = doing.gas;
         self.orders.process.values = doing.values;
+        self.orders.seam = SeamOrders { t_s: self.now(), ..doing.seam };
         self.devices.exchange(&self.orders, &mut self.reports);
         self.cycles += 1 + u64::from(self.reports.missed);
         if let Some(alarm) = alarm {
@@ -258,6 +282,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             process: self.process.state(),
             armed: self.is_armed(),
             pace: self.pace,
+            tracked: self.guide.as_ref().filter(|_| self.guided).map_or([None; 2], |guide| guide.tracked()),
         };
         let cycle = Cycle { status, orders: &self.orders, reports: &self.reports, alarms: &self.alarms };
         self.port.show(&cycle);

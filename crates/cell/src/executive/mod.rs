@@ -5,6 +5,8 @@
 //! against conditions and alarms, commands are taken, and the cycle is shown to the outside ([`Port`]). A cycle neither
 //! allocates nor locks.
 //!
+//! Between the planned set-point of a pass and the orders of a cycle a [`Guide`] may correct: that is where tracking enters.
+//!
 //! Nothing starts by itself: power, motion and process each come from a command, the process only if it was armed for that
 //! start. The process is off within one cycle of what takes it away.
 
@@ -13,6 +15,8 @@ mod alarm_list;
 mod bus;
 mod command;
 mod core;
+mod guide;
+mod guiding;
 mod interlocks;
 mod jogging;
 mod mode;
@@ -25,9 +29,10 @@ mod work;
 
 pub use alarm::{Alarm, Entry, Reaction, catalogue};
 pub use alarm_list::{AlarmList, AlarmState, MOST_ALARMS, Place, Raised};
-pub use bus::{Devices, DriveReport, Orders, ProcessOrders, Reports, SourceReport, VALUES};
+pub use bus::{Devices, DriveReport, Orders, ProcessOrders, Reports, SensorReport, SourceReport, VALUES};
 pub use command::{Ask, Command, Origin};
 pub use core::{End, Executive};
+pub use guide::{Guide, Guided, Planned, SeamOrders, Seen, Tracked, Trouble};
 pub use interlocks::{Interlocks, MOST_INPUTS};
 pub use jogging::REDUCED_MM_S;
 pub use mode::{Event, Mode, Refused, table};

@@ -3,6 +3,7 @@
 use super::alarm_list::Place;
 use super::bus::Devices;
 use super::core::Doing;
+use super::guide::{Planned, SeamOrders};
 use super::mode::{Event, Mode};
 use super::state::{Note, Port};
 use super::work::Work;
@@ -37,7 +38,8 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             self.leave(Some(before));
         }
         let done = there && self.weld(work);
-        self.busy = false;
+        (self.busy, self.guided) = (false, false);
+        self.heed(None);
         if done {
             self.event(Event::Finish);
         }
@@ -49,6 +51,11 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             let from_mm = if i == work.start.pass { work.start.welded_mm } else { 0.0 };
             let one = &work.passes[i];
             let welds = self.welds && one.planned.arc;
+            if !self.look(work, i, from_mm) {
+                let before = Place { pass: i + 1, s_mm: from_mm };
+                self.leave((welds && (i > 0 || from_mm > 0.0)).then_some(before));
+                return false;
+            }
             let stretch = Stretch { law: &one.timed, sequence: one.times(welds), pass: Some(i), from_mm };
             if !self.play(work, &stretch) {
                 let place = Place { pass: i + 1, s_mm: self.doing.welded_mm };
@@ -57,7 +64,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             }
             self.port.note(self.now(), Note::PassEnds(Place { pass: i + 1, s_mm: self.doing.welded_mm }));
             let next = work.air.get(i + 1).map_or(&[][..], |air| &air.legs);
-            if !self.fly(work, next) {
+            if !(self.settle(work) && self.fly(work, next)) {
                 let after = Place { pass: i + 2, s_mm: 0.0 };
                 self.leave((welds && i + 1 < work.passes.len()).then_some(after));
                 return false;
@@ -109,16 +116,15 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             }
             let burns = self.process.state() == ProcessState::Burns;
             burnt_s = if burns { burnt_s + self.machine.servo_period_s } else { 0.0 };
-            let doing = self.doing(work, stretch.pass.filter(|_| welds), (now, run.welded_to(), burnt_s), stretch.pass);
-            let rates = &now.played.rates;
-            self.set(&rates.q, &rates.v, &rates.a);
+            let mut doing =
+                self.doing(work, stretch.pass.filter(|_| welds), (now, run.welded_to(), burnt_s), stretch.pass);
+            match self.follow(&planned(&now)) {
+                Some(guided) => doing.seam = guided.seam,
+                None => self.set(&now.played.rates.q, &now.played.rates.v, &now.played.rates.a),
+            }
             self.tick(doing, Some(work));
             run.set_burning(!welds || self.process.state() == ProcessState::Burns);
-            let rests = self.orders.set.iter().all(|set| set.velocity == 0.0);
-            if self.mode == Mode::Fault && rests && !self.process.on() {
-                // The gas after the arc is not worth the power.
-                self.power = false;
-            }
+            self.drop_power_at_rest();
             if !self.power {
                 self.doing.welded_mm = run.welded_to();
                 return false;
@@ -153,8 +159,9 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
 
     /// The speed that the operator asks for.
     fn steer<L: Timed>(&mut self, run: &mut Run<'_, L>, asked: &mut f64) {
-        if (self.pace - *asked).abs() > 0.0 && run.order(Order::Override(self.pace)).is_ok() {
-            *asked = self.pace;
+        let wanted = self.allowed_pace(*asked);
+        if (wanted - *asked).abs() > 0.0 && run.order(Order::Override(wanted)).is_ok() {
+            *asked = wanted;
         }
     }
 
@@ -174,6 +181,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         let place = pass.map_or_else(Place::default, |i| Place { pass: i + 1, s_mm: tip.s });
         let in_pass = pass.is_some();
         Doing {
+            seam: SeamOrders::default(),
             asked,
             gas: welds.is_some() && gas,
             values,
@@ -183,4 +191,10 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             welded_mm: if in_pass { welded_mm } else { 0.0 },
         }
     }
+}
+
+/// What a guide has to know of a cycle.
+fn planned(now: &Instant) -> Planned<'_> {
+    let (tip, travels) = (now.played.rates.tip, now.phase.arc());
+    Planned { s_mm: tip.s, speed: tip.v, travels, rests: tip.v == 0.0 && !travels, q: &now.played.rates.q }
 }

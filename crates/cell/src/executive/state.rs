@@ -1,6 +1,6 @@
 use super::alarm_list::{AlarmList, Place, Raised};
 use super::command::{Ask, Command};
-use super::{Alarm, Mode, Orders, ProcessState, Refused, Reports};
+use super::{Alarm, Mode, Orders, ProcessState, Refused, Reports, Tracked};
 use seamwright_motion::pace::RunPhase;
 use std::ops::Deref;
 
@@ -25,6 +25,8 @@ pub struct Status {
     pub armed: bool,
     /// Part of the planned speed that is asked for.
     pub pace: f64,
+    /// What tracking knows and does, of each head; none where it does nothing.
+    pub tracked: [Option<Tracked>; 2],
 }
 
 /// What a cycle was, as shown to the outside.

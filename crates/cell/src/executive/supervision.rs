@@ -189,7 +189,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         }
     }
 
-    fn clear(&mut self, alarm: Alarm, detail: u8) {
+    pub(super) fn clear(&mut self, alarm: Alarm, detail: u8) {
         if self.alarms.clear(alarm, detail) {
             self.port.note(self.now(), Note::Cleared(alarm, detail));
         }
@@ -201,7 +201,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         self.alarms.clear(alarm, detail);
     }
 
-    fn raise(&mut self, alarm: Alarm, detail: u8, reaction: Reaction) {
+    pub(super) fn raise(&mut self, alarm: Alarm, detail: u8, reaction: Reaction) {
         let place: Place = self.doing.place;
         let now = self.now();
         if let Some(raised) = self.alarms.raise(alarm, detail, reaction, (now, place)) {

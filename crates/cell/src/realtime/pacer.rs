@@ -1,5 +1,6 @@
 use super::Latency;
 use crate::executive::{Devices, Orders, Reports};
+use seamwright_tracking::beam::Picture;
 
 /// Begins of cycles at whole multiples of a period, by the monotonic clock.
 #[derive(Debug)]
@@ -55,6 +56,10 @@ impl<D: Devices> Devices for Paced<D> {
 
     fn drives_late_s(&self) -> f64 {
         self.devices.drives_late_s()
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        self.devices.picture()
     }
 }
 

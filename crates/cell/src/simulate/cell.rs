@@ -1,112 +1,122 @@
-use super::measure::measure;
-use crate::drives::Drives;
-use crate::summary::{Summary, Tally};
-use crate::tracking::{HeadSummary, LiveHead};
-use crate::{Error, Sample};
-use seamwright_machine::{Joints, Machine};
-use seamwright_motion::{SetPoint, WeldMotion};
+use super::{Conditions, Judge};
+use crate::Error;
+use crate::devices::{
+    Device, DeviceSet, Faulty, InputBits, SimulatedDrives, SimulatedInputs, SimulatedSource, WithSensors,
+};
+use crate::executive::{DriveReport, Interlocks, Place, SensorReport, SourceReport, Start, Work};
+use crate::tracking::{PassScene, RESERVE, SimulatedSensors, Tracking, Whole};
+use arrayvec::ArrayVec;
+use seamwright_machine::Machine;
+use seamwright_motion::WeldMotion;
 use seamwright_program::{Pass, TorchPath};
 
-/// A simulated cell at work: its drives, what was seen last, and what is counted.
-pub(super) struct SimulatedCell<'a, F> {
+/// Everything that a program needs to be run on simulated devices: work, devices, tracking, and who judges the weld.
+pub struct SimulatedCell<'a> {
     machine: &'a Machine,
+    /// What passes are planned on: with tracking, less what that is left.
+    planned_on: Machine,
     passes: &'a [(&'a dyn TorchPath, &'a Pass)],
     motion: &'a WeldMotion,
-    seed: u64,
-    drives: Drives,
-    tallies: Vec<Tally>,
-    last: Option<Sample>,
-    /// When the pass has begun, s.
-    begun: f64,
-    count: u64,
-    observer: F,
+    conditions: Conditions<'a>,
+    /// Of each pass whose seam may lie elsewhere than planned, or that is tracked.
+    scenes: Vec<Option<PassScene<'a>>>,
 }
 
-impl<'a, F> SimulatedCell<'a, F> {
-    pub(super) fn new(
+/// Simulated devices, each with its plan of faults.
+pub type CellDevices<'a> = WithSensors<
+    DeviceSet<
+        Faulty<SimulatedDrives, DriveReport>,
+        Faulty<SimulatedSource, SourceReport>,
+        Faulty<SimulatedInputs, InputBits>,
+    >,
+    Faulty<SimulatedSensors<'a>, SensorReport>,
+>;
+
+impl<'a> SimulatedCell<'a> {
+    /// Of `motion`, whose passes are `passes`.
+    pub fn new(
         machine: &'a Machine,
         passes: &'a [(&'a dyn TorchPath, &'a Pass)],
         motion: &'a WeldMotion,
-        seed: u64,
-        observer: F,
-    ) -> Result<Self, Error> {
-        let tallies = motion.passes.iter().map(|p| Tally::new(machine.axes.len(), p)).collect();
-        let drives = Drives::new(machine, seed)?;
-        Ok(Self { machine, passes, motion, seed, drives, tallies, last: None, begun: 0.0, count: 0, observer })
+        conditions: Conditions<'a>,
+    ) -> Self {
+        let hidden = conditions.distortion.is_some() || conditions.tracking;
+        let whole = Whole::of(passes);
+        let scene = |(pass, planned): (&(&'a dyn TorchPath, &'a Pass), &seamwright_motion::PassMotion)| {
+            let has = hidden && planned.arc && !pass.0.is_timed();
+            has.then(|| PassScene::new(*pass, conditions.distortion, whole))
+        };
+        let scenes = passes.iter().zip(&motion.passes).map(scene).collect();
+        let planned_on = machine.with_reserve(if conditions.tracking { RESERVE } else { 0.0 });
+        Self { machine, planned_on, passes, motion, conditions, scenes }
     }
 
-    /// Set-points shown so far.
-    pub(super) fn count(&self) -> u64 {
-        self.count
+    /// What the executive runs, from `start` on.
+    ///
+    /// # Errors
+    /// [`Error::Values`] for more process values than a cell carries.
+    pub fn work(&self, start: Start) -> Result<Work<'_>, Error> {
+        let passes: Vec<&Pass> = self.passes.iter().map(|(_, pass)| *pass).collect();
+        Work::new(&self.planned_on, self.conditions.around, &passes, self.motion, start).map_err(Error::Values)
     }
 
-    /// One period with a set-point of pass `pass` (from 1; 0 in the air) and the axes' speeds and accelerations in it;
-    /// `heads` know where the seam truly is.
-    pub(super) fn show<E: From<Error>>(
-        &mut self,
-        pass: usize,
-        set: SetPoint,
-        rates: &(Joints, Joints),
-        heads: &mut [LiveHead<'_>],
-    ) -> Result<(), E>
-    where
-        F: FnMut(&Sample) -> Result<(), E>,
-    {
-        let axes = self.machine.axes.len();
-        let mut sample = Sample { pass, set, ..Sample::nowhere() };
-        if self.last.is_none() {
-            self.drives.settle_at(&set.q[..axes]);
-        }
-        for i in 0..axes {
-            let order =
-                seamwright_servo::SetPoint { position: set.q[i], velocity: rates.0[i], acceleration: rates.1[i] };
-            let state = self.drives.step(i, order);
-            sample.q[i] = state.position;
-            sample.following_error[i] = state.following_error;
-            sample.current[i] = state.current;
-        }
-        if pass > 0 {
-            self.measure_weld(&mut sample, rates, heads);
-        }
-        self.count += 1;
-        self.last = Some(sample);
-        (self.observer)(&sample)
+    /// Its devices, with the axes at home, or where the first weld begins if there is no way from home.
+    ///
+    /// # Errors
+    /// [`Error::Drive`]; [`Error::Tracking`] for a pass that cannot be tracked.
+    pub fn devices(&self) -> Result<CellDevices<'_>, Error> {
+        let Conditions { seed, faults, .. } = self.conditions;
+        let (machine, period) = (self.machine, self.machine.servo_period_s);
+        let drives = SimulatedDrives::new(machine, seed)?;
+        let drives = match (self.motion.air.first(), self.motion.passes.first()) {
+            (None, Some(pass)) => drives.standing_at(&pass.path.at(0.0)),
+            _ => drives,
+        };
+        let inputs = SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met());
+        let devices = DeviceSet {
+            drives: Faulty::new(drives, Device::Drives, faults, period),
+            source: Faulty::new(SimulatedSource::new(seed, period), Device::Source, faults, period),
+            inputs: Faulty::new(inputs, Device::Inputs, faults, period),
+            period_s: period,
+        };
+        let sensors = Faulty::new(self.sensors()?, Device::Sensors, faults, period);
+        Ok(WithSensors { devices, sensors })
     }
 
-    fn measure_weld(&mut self, sample: &mut Sample, rates: &(Joints, Joints), heads: &mut [LiveHead<'_>]) {
-        let (machine, pass) = (self.machine, sample.pass);
-        let planned = &self.motion.passes[pass - 1];
-        measure(machine, self.passes[pass - 1].0, planned, sample);
-        let mut worst = None;
-        for head in heads.iter_mut() {
-            let seen = head.measure(machine, sample);
-            sample.heads[head.number] = seen;
-            worst = seen.map(|s| s.miss.length()).into_iter().chain(worst).reduce(f64::max);
-        }
-        // The seam is where it truly is.
-        sample.path_error = worst.unwrap_or(sample.path_error);
-        match self.last.filter(|l| l.pass == pass) {
-            Some(last) => {
-                let way = |from: f64, to: f64| (to - from) * planned.path.speed_rate(machine, 0.5 * (from + to));
-                sample.tip_speed = way(last.tip_s, sample.tip_s) / machine.servo_period_s;
-                sample.planned_speed = way(last.set.law.s, sample.set.law.s) / machine.servo_period_s;
+    /// What sees the joints.
+    ///
+    /// # Errors
+    /// [`Error::Tracking`] for a pass that cannot be tracked.
+    pub fn sensors(&self) -> Result<SimulatedSensors<'_>, Error> {
+        let twins = self.scenes.iter().zip(&self.motion.passes).map(|(scene, planned)| match scene {
+            Some(scene) if self.conditions.tracking => {
+                Ok(scene.twins(&scene.correction(self.machine, planned)?, self.conditions.seed))
             }
-            None => {
-                self.begun = sample.set.t;
-                (sample.tip_speed, sample.planned_speed) = (0.0, 0.0);
-            }
-        }
-        self.tallies[pass - 1].add(sample, rates, sample.set.t - self.begun);
+            _ => Ok(ArrayVec::new()),
+        });
+        let twins: Result<_, crate::tracking::Error> = twins.collect();
+        Ok(SimulatedSensors::new(self.machine, twins?))
     }
 
-    /// True positions of the axes; none before anything has been shown.
-    pub(super) fn positions(&self) -> Option<&Joints> {
-        self.last.as_ref().map(|sample| &sample.q)
+    /// What corrects its passes, if they are tracked; the program begins at `start`.
+    ///
+    /// # Errors
+    /// [`Error::Tracking`] for a pass that cannot be tracked.
+    pub fn tracking(&self, start: Place) -> Result<Option<Tracking<'_>>, Error> {
+        let tracking = || Tracking::new(self.machine, &self.scenes, self.motion, self.conditions, start);
+        Ok(self.conditions.tracking.then(tracking).transpose()?)
     }
 
-    /// What was counted, with what each pass' heads have to say.
-    pub(super) fn finish(self, heads: Vec<Vec<HeadSummary>>) -> Vec<Summary> {
-        let passes = self.tallies.into_iter().zip(&self.motion.passes).zip(heads);
-        passes.map(|((tally, pass), heads)| Summary { heads, ..tally.finish(self.machine, pass, self.seed) }).collect()
+    /// Who judges the weld.
+    ///
+    /// # Errors
+    /// [`Error::Tracking`] for a torch that does not go along the seam's line, on a part that lies elsewhere.
+    pub fn judge(&self) -> Result<Judge<'_>, Error> {
+        let heads = self.scenes.iter().zip(&self.motion.passes).map(|(scene, planned)| match scene {
+            Some(scene) => scene.truths(self.machine, planned, self.conditions.seed),
+            None => Ok(ArrayVec::new()),
+        });
+        let heads: Result<_, crate::tracking::Error> = heads.collect();
+        Ok(Judge::new(self.machine, self.passes, self.motion, heads?, self.conditions.seed))
     }
 }

@@ -1,18 +1,21 @@
 mod cell;
+mod judge;
 mod measure;
-mod off_path;
-mod sighting;
-mod tracked;
+mod operator;
 
+use crate::devices::Fault;
+use crate::executive::{Command, Cycle, Executive, Note, Place, Port};
 use crate::summary::Summary;
-use crate::tracking::{Correction, Distortion, HeadSummary, PassScene, Whole};
+use crate::tracking::Distortion;
 use crate::{Error, Sample};
-use cell::SimulatedCell;
+use operator::Operator;
 use seamwright_machine::{Machine, Surroundings};
-use seamwright_motion::{Stage, WeldMotion};
-use seamwright_program::{Pass, Role, TorchPath};
-use seamwright_tracking::beam::{DeviationRecord, Replay};
-use tracked::TrackedPass;
+use seamwright_motion::WeldMotion;
+use seamwright_program::{Pass, TorchPath};
+use seamwright_tracking::beam::DeviationRecord;
+
+pub use cell::{CellDevices, SimulatedCell};
+pub use judge::Judge;
 
 /// Under what a weld is simulated.
 #[derive(Debug, Clone, Copy, Default)]
@@ -26,21 +29,22 @@ pub struct Conditions<'a> {
     pub tracking: bool,
     /// What an earlier weld's beam has found of the seam: passes are corrected by it, and not tracked anew.
     pub replay: Option<&'a DeviationRecord>,
-    /// What the machine must keep clear of on the moves that tracking adds; none: nothing is looked at.
+    /// What the machine must keep clear of on the moves that tracking adds, and on those by hand; none: nothing is looked at.
     pub around: Option<&'a Surroundings<'a>>,
+    /// What fails.
+    pub faults: &'a [Fault],
 }
 
-/// Plays `motion`, whose passes are `passes`, on simulated drives, one set-point a servo period, from the start of
-/// the first weld to the end of the last, and shows every period's [`Sample`] to `observer`. A summary of each pass.
+/// Runs `motion`, whose passes are `passes`, under the executive on simulated devices in virtual time, from switching on over the
+/// first weld to home, and shows every period's [`Sample`] to `observer`. A summary of each pass.
 ///
 /// A cosmetic pass of a beam that tracks is corrected by what it has found of that seam before, if that covers the pass.
 ///
-/// A tracked pass that is stopped ends it: the torch stands there, and later passes are not welded. The observer's errors
-/// end it too.
+/// A pass that is stopped ends it: the torch stands there, and later passes are not welded. The observer's errors end it too.
 ///
 /// # Errors
 /// [`Error::Drive`] if the machine file's drive values make no drive; [`Error::Tracking`] for a pass that cannot be
-/// tracked; the observer's error.
+/// tracked; [`Error::Values`]; the observer's error.
 pub fn simulate<E: From<Error>>(
     machine: &Machine,
     passes: &[(&dyn TorchPath, &Pass)],
@@ -48,58 +52,44 @@ pub fn simulate<E: From<Error>>(
     conditions: Conditions<'_>,
     observer: impl FnMut(&Sample) -> Result<(), E>,
 ) -> Result<Vec<Summary>, E> {
-    let period = machine.servo_period_s;
-    let mut cell = SimulatedCell::new(machine, passes, motion, conditions.seed, observer)?;
-    let hidden = conditions.distortion.is_some() || conditions.tracking;
-    let whole = Whole::of(passes);
-    let mut heads: Vec<Vec<HeadSummary>> = vec![Vec::new(); motion.passes.len()];
-    for stage in motion.stages(false) {
-        let begun = cell.count();
-        match stage {
-            Stage::Pass(i, planned) if hidden && planned.arc && !passes[i].0.is_timed() => {
-                let scene = PassScene::new(passes[i], conditions.distortion, whole);
-                let correction = conditions.tracking.then(|| scene.correction(machine, planned)).transpose();
-                let mut correction = correction.map_err(Error::from)?;
-                let stored = conditions.replay.or_else(|| found_before(passes, &heads, i));
-                let live = scene.heads(machine, planned, correction.as_ref(), (stored, conditions.seed));
-                let mut live = live.map_err(Error::from)?;
-                let done = match &mut correction {
-                    Some(Correction { carrier, .. }) => {
-                        let around = conditions.around;
-                        TrackedPass { cell: &mut cell, machine, around, number: i + 1, planned }
-                            .play(&mut live, carrier)?
-                    }
-                    None => {
-                        stage.play(period, begun, &mut |pass, set, rates| cell.show(pass, set, &rates, &mut live))?;
-                        true
-                    }
-                };
-                heads[i] = live.into_iter().map(|head| head.finish(machine)).collect();
-                if !done {
-                    break;
-                }
-            }
-            _ => {
-                stage.play(period, begun, &mut |pass, set, rates| cell.show(pass, set, &rates, &mut []))?;
-            }
-        }
+    let cell = SimulatedCell::new(machine, passes, motion, conditions);
+    let work = cell.work(crate::executive::Start::at_home(motion))?;
+    let mut devices = cell.devices()?;
+    let mut tracking = cell.tracking(Place::default())?;
+    let judge = cell.judge()?;
+    let mut watched = Watched { judge, observer, failed: None, operator: Operator::default() };
+    let guide = tracking.as_mut().map(|tracking| tracking as _);
+    Executive::new(machine, &mut devices, &mut watched).with_guide(guide).serve(Some(&work));
+    let Watched { judge, failed, .. } = watched;
+    match failed {
+        Some(error) => Err(error),
+        None => Ok(judge.summaries(tracking.as_ref())),
     }
-    Ok(cell.finish(heads))
 }
 
-/// What the passes before cosmetic pass `i` have found last of its seam; none of another pass, or where that does not cover it.
-fn found_before<'a>(
-    passes: &[(&dyn TorchPath, &Pass)],
-    heads: &'a [Vec<HeadSummary>],
-    i: usize,
-) -> Option<&'a DeviationRecord> {
-    let pass = passes[i].1;
-    if pass.known_role() != Some(Role::Cosmetic) {
-        return None;
+/// An operator, and who watches.
+struct Watched<'a, F, E> {
+    judge: Judge<'a>,
+    observer: F,
+    failed: Option<E>,
+    operator: Operator,
+}
+
+impl<E, F: FnMut(&Sample) -> Result<(), E>> Port for Watched<'_, F, E> {
+    fn command(&mut self, t: f64) -> Option<Command> {
+        self.operator.command(t)
     }
-    let ends = [0.0, pass.length()].map(|s| pass.seam_s(s));
-    let from = ends[0].min(ends[1]);
-    let before = passes.iter().zip(heads).take(i).rev().filter(|((_, before), _)| before.copy == pass.copy);
-    let found = before.filter_map(|(_, heads)| heads.first()?.deviations.as_ref());
-    found.into_iter().find(|found| Replay::covers(found, from, pass.length()))
+
+    fn show(&mut self, cycle: &Cycle<'_>) {
+        self.operator.show(cycle);
+        if self.failed.is_none()
+            && let Err(error) = (self.observer)(&self.judge.sample(cycle))
+        {
+            (self.failed, self.operator.over) = (Some(error), true);
+        }
+    }
+
+    fn note(&mut self, t: f64, note: Note) {
+        self.operator.note(t, note);
+    }
 }

@@ -1,16 +1,15 @@
-use super::World;
 use super::carrier::Wanted;
 use super::leading::Leading;
 use super::live_beam::{BeamSample, BeamSummary, LiveBeam};
 use super::scenario::Seam;
-use super::tally::Tally;
-use crate::Sample;
+use crate::executive::{Seen, Tracked};
+use arrayvec::ArrayVec;
 use glam::{DVec2, DVec3};
 use seamwright_machine::{Joints, Machine};
 use seamwright_program::TorchPath;
-use seamwright_tracking::actuator::Alarm;
-use seamwright_tracking::beam::DeviationRecord;
-use seamwright_tracking::lead::{SeamFrame, Sight};
+use seamwright_tracking::actuator::{Alarm, Cause};
+use seamwright_tracking::beam::{Beam, DeviationRecord, Misfit};
+use seamwright_tracking::lead::{Estimate, SeamFrame, Sight};
 use serde::Serialize;
 
 /// What one head did at one instant, lateral and height in the torch's frame, mm.
@@ -24,8 +23,8 @@ pub struct HeadSample {
     pub miss: DVec2,
     /// What the beam did, if the pass is corrected by one.
     pub beam: Option<BeamSample>,
-    /// What tracking made of it: standard deviation (mm; infinite where nothing is known) and how it is known.
-    pub known: Option<(f64, Sight)>,
+    /// What tracking made of it.
+    pub tracked: Option<Tracked>,
 }
 
 /// An alarm of tracking, at its first place.
@@ -92,17 +91,45 @@ pub(crate) struct Step {
     pub(crate) welds: bool,
 }
 
+/// Why something is wrong.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Why {
+    /// The sensor.
+    Sensor(Cause),
+    /// What is stored does not fit.
+    Misfit(Misfit),
+    /// The joint was not seen before the weld.
+    NotSeen,
+}
+
+impl Why {
+    fn text(&self) -> String {
+        match self {
+            Self::Sensor(cause) => cause.name().to_owned(),
+            Self::NotSeen => "it was not seen before the weld".to_owned(),
+            Self::Misfit(misfit) => {
+                // What comes before it is the alarm's own name.
+                let text = misfit.to_string();
+                text.split_once(": ").map_or(text.clone(), |(_, rest)| rest.to_owned())
+            }
+        }
+    }
+}
+
 /// What a head has to say in a cycle.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Told {
     /// Greatest part of its speed that the torch may have next.
     pub(super) pace: f64,
     /// The worst that is wrong, and why.
-    pub(super) alarm: Option<(Alarm, Option<String>)>,
+    pub(super) alarm: Option<(Alarm, Option<Why>)>,
+    /// What the beam does, and by how much it is deflected, mm.
+    pub(super) beam: Beam,
+    pub(super) deflection_mm: f64,
 }
 
 impl Told {
-    pub(super) const NOTHING: Self = Self { pace: 1.0, alarm: None };
+    pub(super) const NOTHING: Self = Self { pace: 1.0, alarm: None, beam: Beam::Weld, deflection_mm: 0.0 };
 }
 
 /// What guides a head.
@@ -113,200 +140,188 @@ pub(super) enum Guide<'a> {
     Beam(Box<LiveBeam<'a>>),
 }
 
-/// One head at work on a seam that lies elsewhere.
+/// Orders for a head in a cycle.
+pub(super) struct HeadOrders {
+    pub(super) wanted: Wanted,
+    pub(super) told: Told,
+    /// An alarm that it tells for the first time.
+    pub(super) news: Option<Alarm>,
+}
+
+/// One head that is guided along its seam.
 pub(crate) struct LiveHead<'a> {
     /// Counted from 0.
-    pub(crate) number: usize,
+    number: usize,
     seam: &'a Seam,
-    world: World<'a>,
-    guide: Option<Guide<'a>>,
-    /// A beam, to which height does nothing.
-    is_beam: bool,
+    guide: Guide<'a>,
     path: &'a dyn TorchPath,
     /// By how much the torch is off the planned path, as the encoders say: along, lateral, height; and off its line by its
     /// weave.
     off: DVec3,
     swing: DVec3,
-    tracked: Tally,
-    untracked: Tally,
+    estimate: Option<Estimate>,
+    deflection_mm: f64,
     stopped_mm: Option<f64>,
-    alarms: Vec<AlarmAt>,
-    last_s: Option<f64>,
+    alarms: ArrayVec<(f64, Alarm, Option<Why>), { Alarm::ALL.len() }>,
+}
+
+/// What a guide has to say of a head at the end.
+#[derive(Debug, Clone)]
+pub(crate) struct HeadReport {
+    pub(crate) used: [f64; 4],
+    pub(crate) stopped_mm: Option<f64>,
+    pub(crate) alarms: Vec<AlarmAt>,
+    pub(crate) beam: Option<BeamSummary>,
+    /// By the path length of the pass.
+    pub(crate) found: Option<DeviationRecord>,
 }
 
 impl<'a> LiveHead<'a> {
-    pub(super) fn new(
-        (number, is_beam): (usize, bool),
-        (path, seam): (&'a dyn TorchPath, &'a Seam),
-        world: World<'a>,
-        guide: Option<Guide<'a>>,
-    ) -> Self {
-        let (tracked, untracked) = (Tally::default(), Tally::default());
-        let (off, swing, alarms) = (DVec3::ZERO, DVec3::ZERO, Vec::new());
+    pub(super) fn new(number: usize, (path, seam): (&'a dyn TorchPath, &'a Seam), guide: Guide<'a>) -> Self {
         Self {
             number,
             seam,
-            world,
             guide,
-            is_beam,
             path,
-            off,
-            swing,
-            tracked,
-            untracked,
+            off: DVec3::ZERO,
+            swing: DVec3::ZERO,
+            estimate: None,
+            deflection_mm: 0.0,
             stopped_mm: None,
-            alarms,
-            last_s: None,
+            alarms: ArrayVec::new(),
         }
     }
 
     /// How far before the seam the torch must begin to be sure of its start, mm; none if no sensor leads it.
-    pub(crate) fn sighting_mm(&self) -> Option<(f64, f64)> {
+    pub(super) fn sighting_mm(&self) -> Option<(f64, f64)> {
         match &self.guide {
-            Some(Guide::Leading(leading)) => Some(leading.sighting_mm()),
-            _ => None,
+            Guide::Leading(leading) => Some(leading.sighting_mm()),
+            Guide::Beam(_) => None,
         }
     }
 
     /// How long the start of the seam is looked at with the torch at rest there, s; none without a beam that looks.
-    pub(crate) fn look_s(&self) -> Option<f64> {
+    pub(super) fn look_s(&self) -> Option<f64> {
         match &self.guide {
-            Some(Guide::Beam(beam)) => Some(beam.look_s()),
-            _ => None,
+            Guide::Beam(beam) => Some(beam.look_s()),
+            Guide::Leading(_) => None,
         }
     }
 
-    /// True if the weld may begin; tells what is wrong if not.
-    pub(crate) fn is_ready(&mut self) -> bool {
-        let Some(Guide::Beam(beam)) = &self.guide else { return true };
-        let Err((alarm, cause)) = beam.ready() else { return true };
-        self.tell(0.0, alarm.name(), cause);
-        false
+    /// The weld may begin.
+    ///
+    /// # Errors
+    /// What is wrong if not.
+    pub(super) fn ready(&mut self, s: f64) -> Result<(), Alarm> {
+        let Guide::Beam(beam) = &self.guide else { return Ok(()) };
+        let Err((alarm, cause)) = beam.ready() else { return Ok(()) };
+        self.tell(s, alarm, cause);
+        Err(alarm)
     }
 
     /// The planned frame of the torch.
-    pub(crate) fn frame(&self, s: f64) -> SeamFrame {
+    pub(super) fn frame(&self, s: f64) -> SeamFrame {
         (self.seam.frame)(s)
     }
 
     /// One cycle: where the torch is to be, and the greatest part of its speed that it may have next.
-    pub(crate) fn cycle(&mut self, step: &Step) -> (Wanted, f64) {
+    pub(super) fn cycle(&mut self, seen: &Seen<'_>, step: &Step) -> HeadOrders {
         let frame = self.frame(step.s);
-        let (wanted, told) = match &mut self.guide {
-            None => return ((frame, DVec2::ZERO), 1.0),
-            Some(Guide::Leading(leading)) => {
+        let left = if self.seam.round_mm.is_some() { f64::INFINITY } else { self.seam.length_mm - step.s };
+        let (wanted, told, estimate) = match &mut self.guide {
+            Guide::Leading(leading) => {
+                if let Some(measured) = &seen.reports.sensors.measured[self.number] {
+                    leading.take(measured, seen.t_s);
+                }
                 let off = (lateral_and_height(self.off), lateral_and_height(self.swing));
-                leading.cycle(&self.world, step, frame, off)
+                leading.cycle(left, step, frame, off)
             }
-            Some(Guide::Beam(beam)) => beam.cycle(&self.world, step, frame, self.off),
+            Guide::Beam(beam) => {
+                if let Some(picture) = &seen.picture {
+                    beam.take(picture, seen.t_s);
+                }
+                beam.cycle(left, step, frame, self.off)
+            }
         };
-        if let Some((alarm, cause)) = told.alarm {
-            self.tell(step.s, alarm.name(), cause);
+        (self.estimate, self.deflection_mm) = (Some(estimate), told.deflection_mm);
+        let news = told.alarm.and_then(|(alarm, why)| self.tell(step.s, alarm, why).then_some(alarm));
+        HeadOrders { wanted, told, news }
+    }
+
+    /// Something to be told at `s`; only its first place is: true then.
+    pub(super) fn tell(&mut self, s: f64, alarm: Alarm, why: Option<Why>) -> bool {
+        let news = self.alarms.iter().all(|(_, known, _)| *known != alarm);
+        if news {
+            // There is room for each of them once.
+            self.alarms.try_push((s, alarm, why)).unwrap_or_default();
         }
-        (wanted, told.pace)
+        news
     }
 
-    /// Something to be told at `s`; only its first place is.
-    pub(crate) fn tell(&mut self, s: f64, alarm: &'static str, cause: Option<String>) {
-        if self.alarms.iter().all(|known| known.alarm != alarm) {
-            self.alarms.push(AlarmAt { at_mm: s, alarm, cause });
-        }
-    }
-
-    /// The axes cannot carry out what was wanted at `s`.
-    pub(crate) fn out_of_reach(&mut self, s: f64) {
-        self.tell(s, Alarm::StrokeEnd.name(), None);
-    }
-
-    /// Where the torch truly is after the drives' step to `s` in the cycle at `t`; it weaves while it is on its path.
-    pub(crate) fn feel(&mut self, machine: &Machine, (t, s): (f64, f64), true_q: &Joints, weaves: bool) {
-        let tip = machine.forward_of(self.number, true_q).point;
+    /// Where the torch is after the drives' step to `s`, as their encoders say; it weaves while it is on its path.
+    pub(super) fn feel(&mut self, machine: &Machine, s: f64, q: &Joints, weaves: bool) {
+        let tip = machine.forward_of(self.number, q).point;
         let frame = self.frame(s);
-        self.swing = if weaves { seen(self.swings(s), &frame) } else { DVec3::ZERO };
-        self.off = seen(tip - frame.point, &frame) - self.swing;
-        if let Some(Guide::Beam(beam)) = &mut self.guide {
-            beam.feel(t, s, true_q, tip);
-        }
+        self.swing = if weaves { swing_at(self.path, s, &frame) } else { DVec3::ZERO };
+        self.off = seen_in(tip - frame.point, &frame) - self.swing;
     }
 
-    /// How far the weave takes the torch off its line at `s`.
-    fn swings(&self, s: f64) -> DVec3 {
-        self.path.swing(s.clamp(0.0, self.path.length())).unwrap_or_default()
+    /// The torch was stopped here before the end of the pass, or goes on.
+    pub(super) fn stopped(&mut self, s: Option<f64>) {
+        self.stopped_mm = s;
     }
 
-    /// The torch was stopped here before the end of the pass.
-    pub(crate) fn stopped(&mut self, s: f64) {
-        self.stopped_mm = Some(s);
-    }
-
-    /// Where weld and joint are at a sample; none before the torch travels along the seam.
-    pub(crate) fn measure(&mut self, machine: &Machine, sample: &Sample) -> Option<HeadSample> {
-        let s = sample.set.law.s;
-        if !(s.is_finite() && self.world.has(s)) {
-            return None;
-        }
-        let frame = self.frame(s);
-        let tip = machine.forward_of(self.number, &sample.q).point;
-        let off = seen(tip - self.swings(s) - frame.point, &frame);
-        let (joint, _) = self.world.crossing(s, off.x, s)?;
-        let (planned, _) = self.world.crossing(s, 0.0, s)?;
-        let mut correction = lateral_and_height(off);
-        let (known, beam) = match &self.guide {
-            None => (None, None),
-            Some(Guide::Leading(leading)) => (Some(leading.known()), None),
-            Some(Guide::Beam(beam)) => {
-                correction.x += beam.lands(joint.y - off.z);
-                (Some(beam.known()), Some(beam.sample()))
-            }
+    /// What is known and done now.
+    pub(super) fn tracked(&self) -> Option<Tracked> {
+        let Estimate { value, sigma_mm, sight } = self.estimate?;
+        let noise = match &self.guide {
+            Guide::Leading(leading) => leading.noise_mm(),
+            Guide::Beam(beam) => beam.noise_mm(),
         };
-        let counts = if self.is_beam { DVec2::X } else { DVec2::ONE };
-        let miss = (correction - joint) * counts;
-        // While the beam looks it does not weld.
-        if sample.travels() && beam.is_none_or(|beam| beam.welds) {
-            let way = s - self.last_s.unwrap_or(s);
-            self.last_s = Some(s);
-            if way > 0.0 {
-                self.tracked.add(miss, way);
-                self.untracked.add(-planned * counts, way);
-            }
-        }
-        Some(HeadSample { seam: joint, correction, miss, beam, known })
+        let sure = matches!(sight, Sight::Seen | Sight::Bridged);
+        let confidence = if sure { (noise / sigma_mm).clamp(0.0, 1.0) } else { 0.0 };
+        Some(Tracked {
+            deviation_mm: value.to_array(),
+            correction_mm: [self.off.y + self.deflection_mm, self.off.z],
+            sigma_mm,
+            confidence,
+            sight,
+        })
     }
 
-    pub(crate) fn finish(mut self, machine: &Machine) -> HeadSummary {
-        let [miss_p99_mm, miss_most_mm] = [0.99, 1.0].map(|part| self.tracked.quantile(part));
-        let [untracked_p99_mm, untracked_most_mm] = [0.99, 1.0].map(|part| self.untracked.quantile(part));
-        let (used, beam, found) = match self.guide {
-            None => (None, None, None),
-            Some(Guide::Leading(leading)) => (Some(leading.used()), None, None),
-            Some(Guide::Beam(beam)) => {
-                let used = beam.used();
-                let (summary, found) = beam.finish();
-                (Some(used), Some(summary), found)
-            }
-        };
-        HeadSummary {
-            head: machine.heads[self.number].name.clone(),
-            miss_p99_mm,
-            miss_most_mm,
-            untracked_p99_mm,
-            untracked_most_mm,
-            lateral_only: self.is_beam,
-            tracked: used.is_some(),
-            used,
-            stopped_mm: self.stopped_mm,
-            alarms: self.alarms,
-            beam,
-            deviations: found.map(|found| self.world.along.on_seam(&found)),
+    /// What the beam has found of the seam so far, by the path length of the pass.
+    pub(super) fn found(&self) -> Option<DeviationRecord> {
+        match &self.guide {
+            Guide::Leading(_) => None,
+            Guide::Beam(beam) => beam.found(),
         }
     }
+
+    /// What there is to say of it.
+    pub(super) fn report(&self) -> HeadReport {
+        let (used, beam) = match &self.guide {
+            Guide::Leading(leading) => (leading.used(), None),
+            Guide::Beam(beam) => (beam.used(), Some(beam.summary())),
+        };
+        let told = self.alarms.iter().map(|(at_mm, alarm, why)| AlarmAt {
+            at_mm: *at_mm,
+            alarm: alarm.name(),
+            cause: why.map(|why| why.text()),
+        });
+        HeadReport { used, stopped_mm: self.stopped_mm, alarms: told.collect(), beam, found: self.found() }
+    }
+}
+
+/// How far the weave takes the torch off its line at `s`: along, lateral, height.
+pub(super) fn swing_at(path: &dyn TorchPath, s: f64, frame: &SeamFrame) -> DVec3 {
+    seen_in(path.swing(s.clamp(0.0, path.length())).unwrap_or_default(), frame)
 }
 
 /// Along, lateral and height of a way.
-fn seen(way: DVec3, frame: &SeamFrame) -> DVec3 {
+pub(super) fn seen_in(way: DVec3, frame: &SeamFrame) -> DVec3 {
     DVec3::new(way.dot(frame.along), way.dot(frame.lateral), way.dot(frame.height))
 }
 
-fn lateral_and_height(off: DVec3) -> DVec2 {
+pub(super) fn lateral_and_height(off: DVec3) -> DVec2 {
     DVec2::new(off.y, off.z)
 }

@@ -10,17 +10,23 @@ mod error;
 mod eyes;
 pub mod faults;
 pub mod gates;
+mod guide;
+mod head_truth;
 mod leading;
 mod live_beam;
 mod live_head;
 mod motion;
+mod off_path;
 mod pass_scene;
 mod rig;
 mod scenario;
 mod sensor;
 pub mod shows;
+mod sighting;
 pub mod stripes;
 mod tally;
+mod tracked_pass;
+mod twin;
 mod world;
 
 use crate::Conditions;
@@ -32,15 +38,19 @@ pub use cross_talk::cross_talk;
 pub use displacement::{Displacement, Part};
 pub use distortion::Distortion;
 pub use error::Error;
+pub use guide::Tracking;
+pub(crate) use head_truth::HeadTruth;
 pub use live_beam::{BeamFit, BeamSample, BeamSummary};
+pub(crate) use live_head::LiveHead;
 pub use live_head::{AlarmAt, HeadSample, HeadSummary};
-pub(crate) use live_head::{LiveHead, Step};
 pub use motion::Leg;
 pub(crate) use pass_scene::{Correction, PassScene, Whole};
 pub use rig::{Method, Outcome, run};
 pub use scenario::{HeadScene, Scenario, Seam};
 pub use seamwright_tracking::actuator::RESERVE;
 pub use sensor::{Fault, Sees, SensorModel};
+pub use tracked_pass::trouble;
+pub use twin::SimulatedSensors;
 pub use world::{Along, Placement, World};
 
 /// Looks whether every pass with an arc can be simulated under `conditions`: on a part that lies elsewhere, and tracked.
@@ -61,8 +71,11 @@ pub fn check(
     let hidden = passes.iter().zip(&motion.passes).filter(|((path, _), planned)| planned.arc && !path.is_timed());
     for (pass, planned) in hidden {
         let scene = PassScene::new(*pass, None, whole);
-        let correction = conditions.tracking.then(|| scene.correction(machine, planned)).transpose()?;
-        scene.heads(machine, planned, correction.as_ref(), (conditions.replay, 0))?;
+        scene.truths(machine, planned, 0)?;
+        if conditions.tracking {
+            let correction = scene.correction(machine, planned)?;
+            scene.heads(machine, planned, &correction, conditions.replay)?;
+        }
     }
     Ok(())
 }

@@ -1,14 +1,17 @@
 use super::beam::BeamHead;
 use super::carrier::Carrier;
 use super::eyes::Eyes;
+use super::head_truth::HeadTruth;
 use super::leading::Leading;
 use super::live_beam::LiveBeam;
 use super::live_head::Guide;
 use super::scenario::Seam;
+use super::twin::{HeadTwin, TwinEye};
 use super::{Along, Displacement, Distortion, Error, LiveHead, Placement, SensorModel, World};
+use arrayvec::ArrayVec;
 use glam::DVec3;
 use seamwright_geometry::Pose;
-use seamwright_machine::Machine;
+use seamwright_machine::{Machine, Sensor};
 use seamwright_motion::PassMotion;
 use seamwright_program::{Pass, TorchPath};
 use seamwright_tracking::actuator::{DeflectionLimits, HeadTracking};
@@ -64,6 +67,16 @@ impl<'a> PassScene<'a> {
         Self { path, pass, distortion, whole, seams }
     }
 
+    /// The pass.
+    pub(super) fn pass(&self) -> &'a Pass {
+        self.pass
+    }
+
+    /// What a beam has found by the path length of the pass, by that of its seam.
+    pub(super) fn on_seam(&self, found: &DeviationRecord) -> DeviationRecord {
+        self.along(&self.seams[0]).on_seam(found)
+    }
+
     /// What guides the heads that weld it, and what corrects them.
     ///
     /// # Errors
@@ -77,8 +90,7 @@ impl<'a> PassScene<'a> {
         Ok(Correction { eyes, carrier })
     }
 
-    /// The heads that weld it, with what guides them if they are corrected; by what is `stored` of the seam instead of what
-    /// the beam sees, if there is something.
+    /// The heads that weld it, corrected; by what is `stored` of the seam instead of what the beam sees, if there is something.
     ///
     /// # Errors
     /// Settings that cannot work, as too short a lead; stored deviations that do not cover the pass.
@@ -86,20 +98,44 @@ impl<'a> PassScene<'a> {
         &'b self,
         machine: &'b Machine,
         planned: &PassMotion,
-        correction: Option<&Correction<'_>>,
-        (stored, seed): (Option<&DeviationRecord>, u64),
-    ) -> Result<Vec<LiveHead<'b>>, Error> {
+        correction: &Correction<'_>,
+        stored: Option<&DeviationRecord>,
+    ) -> Result<ArrayVec<LiveHead<'b>, 2>, Error> {
         self.check_plain(machine, planned)?;
-        let heads = self.seams.iter().enumerate();
-        let live = heads.map(|(number, seam)| {
-            let world = self.world(number, seam, seed);
-            let guide = match correction {
-                Some(correction) => Some(self.guide(machine, (number, seam), correction, (stored, seed))?),
-                None => None,
-            };
-            Ok(LiveHead::new((number, machine.deflection.is_some()), (self.path, seam), world, guide))
+        let heads = self.seams.iter().enumerate().map(|(number, seam)| {
+            let guide = self.guide(machine, (number, seam), correction, stored)?;
+            Ok(LiveHead::new(number, (self.path, seam), guide))
         });
-        live.collect()
+        heads.collect()
+    }
+
+    /// What sees the joint of each head, in simulation.
+    pub(crate) fn twins<'b>(&'b self, correction: &Correction<'_>, seed: u64) -> ArrayVec<HeadTwin<'b>, 2> {
+        let twins = self.seams.iter().enumerate().map(|(number, seam)| {
+            let own = seed.wrapping_mul(8).wrapping_add(number as u64);
+            let eye = match &correction.eyes {
+                Eyes::Leading(leading) => TwinEye::leading(model(leading[number]), own),
+                Eyes::Beam(eye) => TwinEye::beam(eye.camera.noise_mm, eye.camera.latency_s, own),
+            };
+            HeadTwin::new(number, self.world(number, seam, seed), eye)
+        });
+        twins.collect()
+    }
+
+    /// Where each head's weld and joint truly are.
+    ///
+    /// # Errors
+    /// A torch that does not go along the seam's line.
+    pub(crate) fn truths<'b>(
+        &'b self,
+        machine: &Machine,
+        planned: &PassMotion,
+        seed: u64,
+    ) -> Result<ArrayVec<HeadTruth<'b>, 2>, Error> {
+        self.check_plain(machine, planned)?;
+        let truths = self.seams.iter().enumerate();
+        let truth = |(number, seam)| HeadTruth::new(number, self.path, self.world(number, seam, seed), machine);
+        Ok(truths.map(truth).collect())
     }
 
     /// The torch goes along the seam's line, or swings about it: no blend leads it off; two torches and a beam do not weave.
@@ -132,24 +168,18 @@ impl<'a> PassScene<'a> {
         machine: &Machine,
         (number, seam): (usize, &'b Seam),
         correction: &Correction<'_>,
-        (stored, seed): (Option<&DeviationRecord>, u64),
+        stored: Option<&DeviationRecord>,
     ) -> Result<Guide<'b>, Error> {
         let limits = correction.carrier.limits();
         let speeds = self.pass.speeds();
-        let (cycle_s, seed) = (machine.servo_period_s, seed.wrapping_mul(8).wrapping_add(number as u64));
+        let cycle_s = machine.servo_period_s;
         match &correction.eyes {
             Eyes::Leading(leading) => {
-                let (sensor, lead_mm) = leading[number];
-                let model = SensorModel {
-                    period_s: sensor.period_s,
-                    latency_s: sensor.latency_s,
-                    noise_mm: sensor.noise_mm,
-                    ..SensorModel::usual(lead_mm)
-                };
-                let settings = model.settings(cycle_s, speeds.1);
+                let (_, lead_mm) = leading[number];
+                let settings = model(leading[number]).settings(cycle_s, speeds.1);
                 let own = OwnCurve::of(lead_mm, -lead_mm - SIGHTING_MM, self.path.length(), &seam.frame);
                 let head = HeadTracking::new(settings, own, [limits; 2])?;
-                Ok(Guide::Leading(Box::new(Leading::new(model, head, seed))))
+                Ok(Guide::Leading(Box::new(Leading::new(head))))
             }
             Eyes::Beam(eye) => {
                 let settings = eye.settings(cycle_s, speeds);
@@ -167,7 +197,7 @@ impl<'a> PassScene<'a> {
                         BeamHead::Tracking(Box::new(BeamTracking::new(settings, &*seam.frame, deflection, limits)?))
                     }
                 };
-                let live = LiveBeam::new(head, (eye.camera, beam), (seam.length_mm, cycle_s), limits, seed);
+                let live = LiveBeam::new(head, (eye.camera, beam), (seam.length_mm, cycle_s), limits);
                 Ok(Guide::Beam(Box::new(live)))
             }
         }
@@ -176,6 +206,16 @@ impl<'a> PassScene<'a> {
     /// Where the path lengths of this pass lie on its seam.
     fn along(&self, seam: &Seam) -> Along {
         Along { begin_mm: self.pass.begin_mm.get(), reverse: self.pass.reverse, round_mm: seam.round_mm }
+    }
+}
+
+/// A sensor so far ahead as its file describes it.
+fn model((sensor, lead_mm): (&Sensor, f64)) -> SensorModel {
+    SensorModel {
+        period_s: sensor.period_s,
+        latency_s: sensor.latency_s,
+        noise_mm: sensor.noise_mm,
+        ..SensorModel::usual(lead_mm)
     }
 }
 

@@ -105,7 +105,8 @@ impl Sensor {
             begun_s: None,
             next_s: 0.0,
             count: 0,
-            under_way: VecDeque::new(),
+            // Few are under way at once.
+            under_way: VecDeque::with_capacity(64),
             frozen: None,
             reader: StripeReader::new(),
         }

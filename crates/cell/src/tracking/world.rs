@@ -100,13 +100,29 @@ impl World<'_> {
         let frame = (self.taught)(s);
         let off = |place: f64| self.place(place, pool) - frame.point;
         let way = |place: f64| off(place).dot(frame.along) - ahead;
+        let found = |place: f64| {
+            let off = off(place);
+            (DVec2::new(off.dot(frame.lateral), off.dot(frame.height)), place)
+        };
+        // The way is nearly straight: mostly a few steps from where it should be are enough (secants).
+        let (mut before, mut place) = ((s + ahead, way(s + ahead)), s + ahead);
+        place -= before.1;
+        for _ in 0..6 {
+            let here = way(place);
+            if here.abs() < 1e-10 && (place - s - ahead).abs() < REACH_MM {
+                return Some(found(place));
+            }
+            let slope = (here - before.1) / (place - before.0);
+            before = (place, here);
+            place -= here / slope;
+        }
         let (mut low, mut high) = (s + ahead - REACH_MM, s + ahead + REACH_MM);
         if way(low) > 0.0 || way(high) < 0.0 {
             return None;
         }
-        // The way is nearly straight: false position with halving (Illinois) needs few steps.
+        // False position with halving (Illinois).
         let (mut at_low, mut at_high) = (way(low), way(high));
-        let mut place = 0.5 * (low + high);
+        place = 0.5 * (low + high);
         for _ in 0..40 {
             place = (low * at_high - high * at_low) / (at_high - at_low);
             let here = way(place);
@@ -119,8 +135,7 @@ impl World<'_> {
                 (low, at_low, at_high) = (place, here, 0.5 * at_high);
             }
         }
-        let off = off(place);
-        Some((DVec2::new(off.dot(frame.lateral), off.dot(frame.height)), place))
+        Some(found(place))
     }
 
     /// How far the weld is from the seam, lateral and height, mm, with the torch at `s` and its slide at `slide`.

@@ -1,5 +1,6 @@
 //! Arguments of `seamwright run` and `seamwright latency`.
 
+use super::part::PartArgs;
 use super::records::RecordArgs;
 use clap::Args;
 use seamwright_cell::devices::Fault;
@@ -32,6 +33,8 @@ pub(crate) struct RunArgs {
     pub(crate) from: Option<Place>,
     #[command(flatten)]
     pub(crate) record: RecordArgs,
+    #[command(flatten)]
+    pub(crate) part: PartArgs,
     /// CPU that the cycle stays on
     #[arg(long, value_name = "N")]
     pub(crate) cpu: Option<usize>,

@@ -12,7 +12,7 @@ pub(super) struct HeadColumns {
 }
 
 /// Each with its unit.
-const NAMES: [(&str, &str); 8] = [
+const NAMES: [(&str, &str); 11] = [
     ("seam_lateral_mm", "mm"),
     ("seam_height_mm", "mm"),
     ("correction_lateral_mm", "mm"),
@@ -21,6 +21,9 @@ const NAMES: [(&str, &str); 8] = [
     ("miss_height_mm", "mm"),
     ("sigma_mm", "mm"),
     ("sight", "1"),
+    ("deviation_lateral_mm", "mm"),
+    ("deviation_height_mm", "mm"),
+    ("confidence", "1"),
 ];
 
 /// And of a beam.
@@ -32,10 +35,7 @@ impl HeadColumns {
         if conditions.distortion.is_none() && !conditions.tracking {
             return Self { heads: Vec::new(), beam: false };
         }
-        let pairs = loaded.paths().iter().any(|path| path.second(0.0).is_some());
-        let heads = loaded.machine.heads.iter().take(if pairs { 2 } else { 1 });
-        // One head needs no name.
-        let heads = heads.map(|head| if pairs { format!("_{}", head.name) } else { String::new() }).collect();
+        let heads = head_names(loaded);
         Self { heads, beam: loaded.machine.deflection.is_some() && conditions.tracking }
     }
 
@@ -52,9 +52,32 @@ impl HeadColumns {
 }
 
 fn values(head: HeadSample) -> [f64; MOST] {
-    let HeadSample { seam, correction, miss, known, beam } = head;
-    let (sigma, sight) = known.map_or((f64::NAN, f64::NAN), |(sigma, sight)| (sigma, f64::from(sight as u8)));
+    let HeadSample { seam, correction, miss, tracked, beam } = head;
+    let [sigma, sight, lateral, height, confidence] = tracked.map_or([f64::NAN; 5], |t| {
+        [t.sigma_mm, f64::from(t.sight as u8), t.deviation_mm[0], t.deviation_mm[1], t.confidence]
+    });
     let (deflection, welds) =
         beam.map_or((f64::NAN, f64::NAN), |beam| (beam.deflection_mm, f64::from(u8::from(beam.welds))));
-    [seam.x, seam.y, correction.x, correction.y, miss.x, miss.y, sigma, sight, deflection, welds]
+    [
+        seam.x,
+        seam.y,
+        correction.x,
+        correction.y,
+        miss.x,
+        miss.y,
+        sigma,
+        sight,
+        lateral,
+        height,
+        confidence,
+        deflection,
+        welds,
+    ]
+}
+
+/// What ends the names of each head's columns; one head needs none.
+pub(super) fn head_names(loaded: &Loaded) -> Vec<String> {
+    let pairs = loaded.paths().iter().any(|path| path.second(0.0).is_some());
+    let heads = loaded.machine.heads.iter().take(if pairs { 2 } else { 1 });
+    heads.map(|head| if pairs { format!("_{}", head.name) } else { String::new() }).collect()
 }

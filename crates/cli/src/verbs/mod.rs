@@ -14,6 +14,7 @@ pub(crate) mod lists;
 pub(crate) mod machine;
 pub(crate) mod motion;
 pub(crate) mod move_to;
+mod part;
 mod places;
 pub(crate) mod plan;
 pub(crate) mod post;

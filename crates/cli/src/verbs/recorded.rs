@@ -7,7 +7,7 @@ use crate::load::Loaded;
 use seamwright_motion::WeldMotion;
 use seamwright_project::recording::{Header, Who, most_rows, record_plan};
 use seamwright_record::journal::Journal;
-use seamwright_record::library::{Alarm, AuditEntry, Place, WeldResult};
+use seamwright_record::library::{Alarm, AuditEntry, WeldResult};
 use seamwright_record::trace::TraceWriter;
 use seamwright_record::{DataFolder, Moment, Outcome, Recording};
 use seamwright_report::WeldReport;
@@ -82,22 +82,18 @@ impl Rows {
         Ok(())
     }
 
-    /// Ends the simulated weld of `report`; adds its trace to `output`.
-    pub(super) fn finish(self, report: &WeldReport, output: &mut Output) -> Result<(), Failure> {
+    /// Ends the simulated weld of `report`, with the other `files` and the alarms that there were; adds its trace to `output`.
+    pub(super) fn finish(
+        self,
+        report: &WeldReport,
+        (mut files, alarms): (Vec<(String, String)>, &[Alarm]),
+        stopped: bool,
+        output: &mut Output,
+    ) -> Result<(), Failure> {
         let json = serde_json::to_string_pretty(report).map_err(|e| Failure::Environment(e.to_string()))?;
-        let mut alarms = Vec::new();
-        for (number, pass) in (1..).zip(&report.passes) {
-            let heads = pass.simulation.iter().flat_map(|s| &s.heads);
-            for (i, alarm) in heads.flat_map(|head| &head.alarms).enumerate() {
-                let place = Place { pass: Some(number), s_mm: Some(alarm.at_mm), t_s: None };
-                let cause = alarm.cause.clone().unwrap_or_default();
-                let (name, raised) = (alarm.alarm.to_owned(), Moment::now());
-                alarms.push(Alarm { name, cause, place, raised, first_out: i == 0, acknowledged: None });
-            }
-        }
-        let files = vec![("report.json".to_owned(), json + "\n")];
-        let outcome = Outcome { result: result(report), note: String::new(), files };
-        self.keep("simulate", &outcome, &alarms, output)
+        files.push(("report.json".to_owned(), json + "\n"));
+        let result = if stopped { WeldResult::Stopped } else { result(report) };
+        self.keep("simulate", &Outcome { result, note: String::new(), files }, alarms, output)
     }
 
     /// Ends the weld with this outcome; adds its trace to `output`, and all of it to the library.

@@ -1,60 +1,46 @@
 use super::head_columns::HeadColumns;
+use super::part::Part;
 use super::plan::{finish, write_report};
-use super::process::{ArcClock, ProcessColumns};
 use super::recorded::{self, Rows};
+use super::run::desk::Desk;
+use super::run::orders::Line;
+use super::run::{Ended, bad};
 use crate::args::SimulateArgs;
 use crate::args::records::RecordArgs;
 use crate::failure::Failure;
-use crate::files;
 use crate::files::Output;
 use crate::load::{Loaded, load};
 use crate::progress::Progress;
-use seamwright_cell::tracking::{Distortion, RESERVE, check};
-use seamwright_cell::{Conditions, Sample, Summary, simulate};
-use seamwright_machine::{Machine, Surroundings};
+use seamwright_cell::devices::When;
+use seamwright_cell::executive::{Command, Cycle, Executive, Note, Place, Port, Start};
+use seamwright_cell::realtime::Shown;
+use seamwright_cell::{Conditions, Judge, Sample, SimulatedCell, Summary};
+use seamwright_machine::Machine;
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_project::recording::Header;
 use seamwright_report::{SimulationCurves, WeldReport};
-use seamwright_tracking::beam::DeviationRecord;
-use std::path::Path;
+use std::io::Write as _;
+
+/// A weld from switching on to home.
+const ORDERS: [&str; 6] = ["on", "home", "wait ready", "arm", "weld", "wait ready"];
 
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
-    if !args.fault.is_empty() {
-        return super::run::simulate(args);
-    }
     let loaded = load(&args.job)?;
-    let distortion = match &args.distortion {
-        Some(path) => Some(Distortion::read(&path.display().to_string(), &files::read(path)?)?),
-        None => None,
-    };
-    let replay = args.replay.as_deref().map(stored).transpose()?;
-    let tracking = (distortion.is_some() || replay.is_some()) && !args.no_tracking;
-    let around = Surroundings::new(&loaded.machine, &loaded.clamped)
-        .map_err(|e| Failure::Input(format!("{}: {e}", loaded.welding.program.file())))?;
-    let conditions = Conditions {
-        seed: args.seed,
-        distortion: distortion.as_ref(),
-        tracking,
-        replay: replay.as_ref(),
-        around: Some(&around),
-    };
-    let reserve = if tracking { RESERVE } else { 0.0 };
-    let motion = loaded.plan_on(&loaded.machine.with_reserve(reserve))?;
-    loaded.check_count(&motion, loaded.machine.servo_period_s)?;
-    if distortion.is_some() || tracking {
-        let paths = loaded.paths();
-        check(&loaded.machine, &loaded.passes(&paths), &motion, &conditions)?;
-    }
+    let part = Part::read(&args.part)?;
+    let around = loaded.surroundings()?;
+    let conditions = part.conditions(args.seed, &args.fault, &around);
+    let motion = part.plan(&loaded, &conditions)?;
     let mut output = Output::new(&args.output)?;
-    let report = weld(&loaded, &motion, conditions, &mut output, &args.record)?;
-    finish(output, &report, args.json)?;
+    let (report, desk) = weld(&loaded, &motion, (conditions, args.json), &mut output, &args.record)?;
+    if args.fault.is_empty() {
+        finish(output, &report, args.json)?;
+        judge(report)?;
+        return desk.judge();
+    }
+    // What happened was printed instead.
+    output.finish()?;
+    desk.judge()?;
     judge(report)
-}
-
-/// What an earlier weld has found of the seam.
-fn stored(path: &Path) -> Result<DeviationRecord, Failure> {
-    let record = DeviationRecord::from_csv(&path.display().to_string(), &files::read(path)?);
-    record.map_err(|e| Failure::Input(e.to_string()))
 }
 
 /// A weld that was made but strays beyond its tolerance is no success, nor is a plan that leaves its procedure.
@@ -62,18 +48,24 @@ pub(super) fn judge(report: WeldReport) -> Result<(), Failure> {
     if report.findings.iter().all(|f| f.allowed) { Ok(()) } else { Err(Failure::Findings(report.findings)) }
 }
 
-/// Welds in simulation; adds the trace, the report and the deviations that a beam found to `output`, and records the weld if it
-/// is to be.
+/// Welds in simulation; adds the trace, the report, what happened and the deviations that a beam found to `output`, and records the
+/// weld if it is to be. What happens is printed if something is to fail, as `json` if that is asked for.
 pub(super) fn weld(
     loaded: &Loaded,
     motion: &WeldMotion,
-    conditions: Conditions<'_>,
+    (conditions, json): (Conditions<'_>, bool),
     output: &mut Output,
     record: &RecordArgs,
-) -> Result<WeldReport, Failure> {
+) -> Result<(WeldReport, Desk), Failure> {
     let Loaded { welding, machine, .. } = loaded;
-    let begin = |header: &Header<'_>| recorded::begin(loaded, motion, header, output, record);
-    let (outcome, rows) = trace(loaded, motion, conditions, begin)?;
+    let paths = loaded.paths();
+    let passes = loaded.passes(&paths);
+    let cell = SimulatedCell::new(machine, &passes, motion, conditions);
+    let lines = ORDERS.iter().filter_map(|line| Line::read(line).ok()).collect();
+    let desk = Desk::new(machine, None, lines, json);
+    let mut desk = if conditions.faults.is_empty() { desk.quiet() } else { desk };
+    desk.ends();
+    let (outcome, rows, ended) = trace((loaded, motion), (&cell, conditions), &mut desk, (output, record))?;
     let (report, plots) = WeldReport::new(machine, welding, motion, Some(outcome));
     for (i, pass) in report.passes.iter().enumerate() {
         // One head: a beam.
@@ -82,44 +74,116 @@ pub(super) fn weld(
             output.text(&format!("deviations-pass-{}.csv", i + 1), &found.to_csv())?;
         }
     }
-    rows.finish(&report, output)?;
+    let files = desk.files(&welding.program.value.title, &ended);
+    for (name, text) in &files {
+        output.text(name, text)?;
+    }
+    let files = files.map(|(name, text)| (name.to_owned(), text)).into();
+    rows.finish(&report, (files, desk.alarms()), desk.was_stopped(), output)?;
     write_report(output, &report, &plots, welding)?;
-    Ok(report)
+    Ok((report, desk))
 }
 
 /// What each pass did, in numbers and in curves.
 type Simulated = (Vec<Summary>, Vec<SimulationCurves>);
 
-/// Runs the simulation; its rows go where `begin`, which gets columns and metadata, says.
+/// Runs the simulation; its rows go into the output or the library.
 fn trace(
-    loaded: &Loaded,
-    motion: &WeldMotion,
-    conditions: Conditions<'_>,
-    begin: impl FnOnce(&Header<'_>) -> Result<Rows, Failure>,
-) -> Result<(Simulated, Rows), Failure> {
+    (loaded, motion): (&Loaded, &WeldMotion),
+    (cell, conditions): (&SimulatedCell<'_>, Conditions<'_>),
+    desk: &mut Desk,
+    (output, record): (&Output, &RecordArgs),
+) -> Result<(Simulated, Rows, Ended), Failure> {
     let Loaded { welding, machine, .. } = loaded;
     let program = &welding.program.value;
-    let (process, mut clock) = (ProcessColumns::new(program), ArcClock::new(motion));
+    let work = cell.work(Start::at_home(motion)).map_err(bad)?;
+    let mut devices = cell.devices().map_err(bad)?;
+    let mut tracking = cell.tracking(Place::default()).map_err(bad)?;
     let about =
         [("title", program.title.clone()), ("machine", machine.name.clone()), ("seed", conditions.seed.to_string())];
     let heads = HeadColumns::new(loaded, &conditions);
-    let columns = columns(machine, &heads, process.names());
-    let mut rows = begin(&Header { columns: &columns, about: &about })?;
+    let columns = columns(machine, &heads, work.values());
+    let rows = recorded::begin(loaded, motion, &Header { columns: &columns, about: &about }, output, record)?;
     let curves = |p: &PassMotion| SimulationCurves::new(machine.axes.len(), p.path.length());
-    let mut curves: Vec<SimulationCurves> = motion.passes.iter().map(curves).collect();
-    let mut progress = Progress::new("welding in simulation", motion.count(machine.servo_period_s, false));
-    let paths = loaded.paths();
-    let passes = loaded.passes(&paths);
-    let summaries = simulate(machine, &passes, motion, conditions, |sample| {
-        progress.step();
-        if let Some(pass) = sample.pass.checked_sub(1) {
-            curves[pass].add(machine, sample);
+    let mut watched = Watched {
+        machine,
+        motion,
+        judge: cell.judge().map_err(bad)?,
+        desk,
+        heads,
+        rows,
+        values: work.values().len(),
+        curves: motion.passes.iter().map(curves).collect(),
+        progress: Progress::new("welding in simulation", motion.count(machine.servo_period_s, true)),
+        failed: None,
+    };
+    let guide = tracking.as_mut().map(|tracking| tracking as _);
+    let mut executive = Executive::new(machine, &mut devices, &mut watched).with_guide(guide);
+    executive.serve(Some(&work));
+    let (left, end) = (executive.left(), executive.now());
+    drop(executive);
+    for fault in conditions.faults.iter().filter(|f| matches!(f.when, When::At(t) if t > end)) {
+        // Nothing can be done if standard error is closed.
+        let _ = writeln!(std::io::stderr(), "note: {fault} never came: everything was over at {end:.1} s");
+    }
+    let Watched { judge, rows, curves, failed, .. } = watched;
+    match failed {
+        Some(failure) => Err(failure),
+        None => {
+            Ok(((judge.summaries(tracking.as_ref()), curves), rows, Ended { left, timing: None, lines: Vec::new() }))
         }
-        let values = process.values(sample.pass, sample.set.law.s, clock.at(sample.pass, &sample.set));
-        let speed = motion.tip_speed(machine, sample.pass, &sample.set);
-        rows.row(row(machine, sample, speed).into_iter().chain(heads.values(sample)).chain(values))
-    })?;
-    Ok(((summaries, curves), rows))
+    }
+}
+
+/// Desk and cycle in one thread, in virtual time, and who judges the weld.
+struct Watched<'a> {
+    machine: &'a Machine,
+    motion: &'a WeldMotion,
+    judge: Judge<'a>,
+    desk: &'a mut Desk,
+    heads: HeadColumns,
+    rows: Rows,
+    /// Number of process values.
+    values: usize,
+    curves: Vec<SimulationCurves>,
+    progress: Progress,
+    failed: Option<Failure>,
+}
+
+impl Watched<'_> {
+    fn add(&mut self, sample: &Sample) -> Result<(), Failure> {
+        self.progress.step();
+        if let Some(pass) = sample.pass.checked_sub(1) {
+            self.curves[pass].add(self.machine, sample);
+        }
+        let speed = self.motion.tip_speed(self.machine, sample.pass, &sample.set);
+        let values = sample.values.into_iter().take(self.values);
+        self.rows.row(row(self.machine, sample, speed).into_iter().chain(self.heads.values(sample)).chain(values))
+    }
+}
+
+impl Port for Watched<'_> {
+    fn command(&mut self, _t: f64) -> Option<Command> {
+        let command = self.desk.next()?;
+        self.desk.sent();
+        Some(command)
+    }
+
+    fn show(&mut self, cycle: &Cycle<'_>) {
+        self.desk.shown(&Shown::from(cycle));
+        if self.failed.is_some() {
+            return;
+        }
+        let sample = self.judge.sample(cycle);
+        if let Err(failure) = self.add(&sample) {
+            self.failed = Some(failure);
+            self.desk.give_up("the trace cannot be written");
+        }
+    }
+
+    fn note(&mut self, t: f64, note: Note) {
+        self.desk.noted(t, note);
+    }
 }
 
 fn columns(machine: &Machine, heads: &HeadColumns, process: &[String]) -> Vec<(String, &'static str)> {
@@ -133,6 +197,7 @@ fn columns(machine: &Machine, heads: &HeadColumns, process: &[String]) -> Vec<(S
         ("tip_speed_mm_s".to_owned(), "mm/s"),
         ("path_error_mm".to_owned(), "mm"),
         ("attitude_error_deg".to_owned(), "deg"),
+        ("mode".to_owned(), "1"),
     ];
     for axis in &machine.axes {
         let (name, unit) = (&axis.name, axis.unit());
@@ -161,6 +226,7 @@ fn row(machine: &Machine, sample: &Sample, speed: f64) -> Vec<f64> {
         sample.tip_speed,
         sample.path_error,
         sample.attitude_error.to_degrees(),
+        f64::from(sample.mode as u8),
     ];
     for (i, axis) in machine.axes.iter().enumerate() {
         row.push(axis.to_file(sample.set.q[i]));

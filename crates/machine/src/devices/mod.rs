@@ -35,6 +35,13 @@ pub struct MachineDevices {
     pub linuxcnc: Option<LinuxCnc>,
 }
 
+impl MachineDevices {
+    /// True if the machine file names none: all are simulated.
+    pub fn is_empty(&self) -> bool {
+        self.modbus.is_empty() && self.linuxcnc.is_none()
+    }
+}
+
 /// Puts the devices of a machine file together.
 pub(crate) fn devices(file: &Document<crate::MachineFile>) -> Result<MachineDevices, DocumentError> {
     let mut devices = MachineDevices::default();

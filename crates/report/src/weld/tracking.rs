@@ -30,7 +30,7 @@ impl HeadCurves {
             self.beam[0].add(s, beam.deflection_mm);
             self.beam[1].add(s, head.correction.x - beam.deflection_mm);
         }
-        if let Some((sigma, _)) = head.known.filter(|(sigma, _)| sigma.is_finite()) {
+        if let Some(sigma) = head.tracked.map(|tracked| tracked.sigma_mm).filter(|sigma| sigma.is_finite()) {
             self.sigma.add(s, sigma);
         }
     }

@@ -73,7 +73,7 @@ impl Recorder {
     /// A cycle; the trouble that keeps rows from being written, if there is some.
     pub(super) fn row(&mut self, machine: &Machine, values: usize, shown: &Shown) -> Option<String> {
         let open = self.open.as_mut()?;
-        open.recording.row(run_rows::row(machine, shown, values));
+        open.recording.row(run_rows::row(machine, shown, values, 0));
         let weld = u64::try_from(open.recording.id()).unwrap_or(0);
         if let (Some(places), Some(position)) = (&open.places, open.watch.position(shown, weld)) {
             places.tell(position);

@@ -111,7 +111,7 @@ fn loading(
     let mut view = work_view(panel.plan_number(), &load.job, &loaded, Ok(&motion));
     view.from = load.from;
     let view = Arc::new(view);
-    let columns = run_rows::columns(&loaded.machine, &view.values);
+    let columns = run_rows::columns(&loaded.machine, &view.values, &[]);
     let title = loaded.welding.program.value.title.clone();
     let about = [("title", title), ("machine", loaded.machine.name.clone())];
     let header = Header { columns: &columns, about: &about };

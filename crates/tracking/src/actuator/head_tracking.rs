@@ -67,6 +67,21 @@ impl Cause {
 }
 
 impl Alarm {
+    /// All of them.
+    pub const ALL: [Self; 11] = [
+        Self::NearStroke,
+        Self::AxesCarry,
+        Self::Slowed,
+        Self::Blind,
+        Self::Coasting,
+        Self::Unknown,
+        Self::FadingOut,
+        Self::StrokeEnd,
+        Self::Lost,
+        Self::SlideStuck,
+        Self::Misfit,
+    ];
+
     /// In words.
     #[must_use]
     pub fn name(self) -> &'static str {

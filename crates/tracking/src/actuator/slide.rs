@@ -87,6 +87,19 @@ impl Slide {
         let velocity = wanted.clamp(low, high);
         self.velocity = velocity.clamp(self.velocity - change, self.velocity + change);
         self.position += self.velocity * dt;
+        self.mean()
+    }
+
+    /// The set-point of the next cycle on the way to rest, as soon as the acceleration lets it; what is at rest stays there.
+    pub fn brake(&mut self) -> f64 {
+        let change = self.acceleration * self.cycle_s;
+        self.velocity -= self.velocity.clamp(-change, change);
+        self.position += self.velocity * self.cycle_s;
+        self.target = self.position;
+        self.mean()
+    }
+
+    fn mean(&mut self) -> f64 {
         self.last[self.next] = self.position;
         self.next = (self.next + 1) % self.cycles;
         self.last[..self.cycles].iter().sum::<f64>() / self.cycles as f64
@@ -134,7 +147,7 @@ mod tests {
         for case in 0..150 {
             let limits = limits(&mut random);
             let mut slide = Slide::new(limits, CYCLE).unwrap();
-            let (mut p, mut target, mut rate) = ([0.0; 4], 0.0, 0.0);
+            let (mut p, mut target, mut rate, mut braked) = ([0.0; 4], 0.0, 0.0, 0u32);
             for cycle in 0..4000 {
                 match random.next_u64() % 200 {
                     0 => target = 1.5 * limits.stroke_mm * uniform(&mut random),
@@ -142,7 +155,8 @@ mod tests {
                     2 => rate = 0.0,
                     _ => target += rate * CYCLE + 1e-3 * uniform(&mut random),
                 }
-                p = [p[1], p[2], p[3], slide.step(target)];
+                braked = if random.next_u64() % 400 == 0 { 100 } else { braked.max(1) - 1 };
+                p = [p[1], p[2], p[3], if braked > 0 { slide.brake() } else { slide.step(target) }];
                 let v = |i: usize| (p[i + 1] - p[i]) / CYCLE;
                 let a = |i: usize| (v(i + 1) - v(i)) / CYCLE;
                 assert!(p[3].abs() <= limits.stroke_mm, "{case} {cycle}: {} of {}", p[3], limits.stroke_mm);
@@ -151,6 +165,20 @@ mod tests {
                 assert!(((a(1) - a(0)) / CYCLE).abs() <= limits.jerk * (1.0 + 1e-6) + 1e-3, "{case} {cycle}");
             }
         }
+    }
+
+    /// What is braked stands still exactly, after the time that its acceleration and its mean need.
+    #[test]
+    fn what_is_braked_rests() {
+        let limits = SlideLimits { stroke_mm: 50.0, speed: 50.0, acceleration: 1000.0, jerk: 20_000.0 };
+        let mut slide = Slide::new(limits, CYCLE).unwrap();
+        for _ in 0..300 {
+            slide.step(40.0);
+        }
+        let needed = ((50.0 / slide.acceleration() + 2.0 * slide.lag_s()) / CYCLE) as usize + 2;
+        let places: Vec<f64> = (0..2 * needed).map(|_| slide.brake()).collect();
+        assert!(places[0] < places[needed] && places[needed] < 40.0);
+        assert!(places[needed..].windows(2).all(|p| p[0].to_bits() == p[1].to_bits()), "{:?}", &places[needed..]);
     }
 
     /// A target within the limits is followed exactly, late by the lag; but for what a mean takes off a curve.

@@ -35,11 +35,11 @@ pub struct Shown {
 
 /// What shows the joint ahead of the beam.
 pub trait BeamEye {
-    /// A frame.
+    /// A frame, into `shown`, which shows nothing yet.
     ///
     /// # Errors
     /// A frame that cannot be had.
-    fn glance(&mut self, glance: &Glance<'_>) -> Result<Shown, Error>;
+    fn glance(&mut self, glance: &Glance<'_>, shown: &mut Shown) -> Result<(), Error>;
 }
 
 /// Where a seam truly is, hidden from what tracks it.
@@ -64,6 +64,8 @@ const HEIGHT_MM: f64 = 0.03;
 /// Points of a frame: how far apart, and to where to both sides, mm.
 const EVERY_MM: f64 = 1.0;
 const REACH: i32 = 24;
+/// Most points of a frame.
+pub(super) const POINTS: usize = 2 * REACH as usize + 1;
 /// What all points of a frame share, as a part of a point's own noise.
 const SHARED: f64 = 1.0 / 3.0;
 
@@ -74,20 +76,18 @@ impl Noise {
         Self { random, noise_mm: [noise_mm, SHARED * noise_mm], outliers: 0.02 }
     }
 
-    /// What a frame of a hidden seam shows.
-    pub(crate) fn shown(&mut self, seam: &dyn Hidden, glance: &Glance<'_>) -> Shown {
+    /// Puts into `shown` what a frame of a hidden seam shows.
+    pub(crate) fn show(&mut self, seam: &dyn Hidden, glance: &Glance<'_>, shown: &mut Shown) {
         let shared = self.noise_mm[1] * self.random.normal();
         let height = HEIGHT_MM * self.random.within(-1.0, 1.0);
-        let height_mm = seam.crossing(glance, 0.0).map_or(0.0, |(off, _)| off.y) + height;
-        let mut points = Vec::new();
+        shown.height_mm = seam.crossing(glance, 0.0).map_or(0.0, |(off, _)| off.y) + height;
         for k in -REACH..=REACH {
             let along_mm = EVERY_MM * f64::from(k);
             let Some((off, true)) = seam.crossing(glance, along_mm) else { continue };
             let out = self.random.chance(self.outliers);
             let error = if out { self.random.within(-3.0, 3.0) } else { self.noise_mm[0] * self.random.normal() };
-            points.push(Point { along_mm, lateral_mm: off.x + error + shared, confidence: 0.95 });
+            shown.points.push(Point { along_mm, lateral_mm: off.x + error + shared, confidence: 0.95 });
         }
-        Shown { points, height_mm }
     }
 }
 
@@ -109,9 +109,10 @@ impl<'a> Offsets<'a> {
 }
 
 impl BeamEye for Offsets<'_> {
-    fn glance(&mut self, glance: &Glance<'_>) -> Result<Shown, Error> {
+    fn glance(&mut self, glance: &Glance<'_>, shown: &mut Shown) -> Result<(), Error> {
         let seam = Line { actual: self.actual, tacks: &self.tacks };
-        Ok(self.noise.shown(&seam, glance))
+        self.noise.show(&seam, glance, shown);
+        Ok(())
     }
 }
 
@@ -190,10 +191,10 @@ impl<'a, M: Midline> Pixels<'a, M> {
 }
 
 impl<M: Midline> BeamEye for Pixels<'_, M> {
-    fn glance(&mut self, glance: &Glance<'_>) -> Result<Shown, Error> {
+    fn glance(&mut self, glance: &Glance<'_>, shown: &mut Shown) -> Result<(), Error> {
         self.eye.expose(glance.t_s, glance.axes);
         let frame = self.eye.next().map_err(|e| Error::Frame(e.to_string()))?;
-        let Some(frame) = frame else { return Ok(Shown::default()) };
+        let Some(frame) = frame else { return Ok(()) };
         let picture = frame.image.frame().map_err(|e| Error::Frame(e.to_string()))?;
         let camera = self.machine.camera_frame(self.sensor, glance.axes);
         let height = frame.height_mm.unwrap_or(0.0);
@@ -218,9 +219,10 @@ impl<M: Midline> BeamEye for Pixels<'_, M> {
             let (along_mm, lateral_mm) = (off.dot(torch.along), off.dot(torch.lateral));
             Some(Point { along_mm, lateral_mm, confidence: row.confidence.clamp(0.0, 1.0) })
         };
-        let points = rows.iter().filter(|row| row.seen).step_by(ROWS).filter_map(point).collect();
+        shown.points.extend(rows.iter().filter(|row| row.seen).step_by(ROWS).filter_map(point));
         // The camera's z goes away from it, and begins at the torch's tip.
         let on_axis = camera.transform_point3(DVec3::Z * height) - torch.point;
-        Ok(Shown { points, height_mm: on_axis.dot(torch.height) })
+        shown.height_mm = on_axis.dot(torch.height);
+        Ok(())
     }
 }

@@ -1,7 +1,8 @@
 use super::super::Error;
+use super::eye::POINTS;
 use super::{BeamEye, Glance, Shown};
 use crate::eyes::Random;
-use seamwright_tracking::beam::{BeamReplay, BeamTracking, Orders, Picture};
+use seamwright_tracking::beam::{BeamReplay, BeamTracking, Orders, Picture, Point};
 use seamwright_tracking::lead::Moment;
 use std::collections::VecDeque;
 
@@ -44,17 +45,27 @@ pub(crate) const STEP_MM: f64 = 0.1;
 /// By how much pictures are there sooner or later than usual, at most, s.
 const LATE_S: f64 = 0.01;
 
-/// Pictures on their way from the eye.
+/// Pictures on their way from the eye. Room is made once.
 pub(crate) struct UnderWay {
     pictures: VecDeque<(f64, f64, Shown)>,
+    /// The one that arrived last, and when it was exposed.
+    now: Option<(f64, Shown)>,
+    /// Room for pictures to come.
+    free: Vec<Shown>,
     random: Random,
     latency_s: f64,
 }
 
+/// Pictures that are under way at once, at most.
+const PICTURES: usize = 8;
+
 impl UnderWay {
     /// None yet; they are `latency_s` late, give or take 10 ms.
     pub(crate) fn new(latency_s: f64, seed: u64) -> Self {
-        Self { pictures: VecDeque::new(), random: Random::new(seed ^ 0xbea3), latency_s }
+        let empty = || Shown { points: Vec::with_capacity(POINTS), height_mm: 0.0 };
+        let free = std::iter::repeat_with(empty).take(PICTURES).collect();
+        let pictures = VecDeque::with_capacity(PICTURES);
+        Self { pictures, now: None, free, random: Random::new(seed ^ 0xbea3), latency_s }
     }
 
     /// The oldest that a picture can be when it arrives, s.
@@ -62,25 +73,44 @@ impl UnderWay {
         latency_s + 1.5 * LATE_S
     }
 
-    /// A frame is taken.
+    /// A frame is taken; it is lost if there is no room.
     pub(crate) fn look(&mut self, eye: &mut dyn BeamEye, glance: &Glance<'_>) -> Result<(), Error> {
-        let shown = eye.glance(glance)?;
+        let Some(mut shown) = self.free.pop() else { return Ok(()) };
+        (shown.height_mm, shown.points) = (0.0, cleared(shown.points));
+        eye.glance(glance, &mut shown)?;
         let late = self.latency_s + self.random.within(-LATE_S, LATE_S);
         self.pictures.push_back((glance.t_s + late.max(0.0), glance.t_s, shown));
         Ok(())
     }
 
+    /// Takes in the next picture that has arrived by `t`; false if there is none. The one before is gone then.
+    pub(crate) fn arrive(&mut self, t: f64) -> bool {
+        self.free.extend(self.now.take().map(|(_, shown)| shown));
+        if self.pictures.front().is_some_and(|(due, ..)| *due <= t) {
+            self.now = self.pictures.pop_front().map(|(_, exposed_s, shown)| (exposed_s, shown));
+        }
+        self.now.is_some()
+    }
+
+    /// What has been taken in last.
+    pub(crate) fn picture(&self) -> Option<Picture<'_>> {
+        let (exposed_s, shown) = self.now.as_ref()?;
+        Some(Picture { exposed_s: *exposed_s, height_mm: shown.height_mm, points: &shown.points })
+    }
+
     /// What has arrived by `t`.
     pub(crate) fn deliver(&mut self, head: &mut BeamHead<'_>, t: f64) {
-        while self.pictures.front().is_some_and(|(due, ..)| *due <= t) {
-            let Some((_, exposed_s, shown)) = self.pictures.pop_front() else { return };
-            let picture = Picture { exposed_s, height_mm: shown.height_mm, points: &shown.points };
+        while self.arrive(t) {
+            let Some(picture) = self.picture() else { return };
             match head {
-                BeamHead::Tracking(head) => {
-                    head.take(&picture, t);
-                }
+                BeamHead::Tracking(head) => drop(head.take(&picture, t)),
                 BeamHead::Replay(head) => head.take(&picture, t),
             }
         }
     }
+}
+
+fn cleared(mut points: Vec<Point>) -> Vec<Point> {
+    points.clear();
+    points
 }

@@ -3,35 +3,49 @@ use crate::failure::Failure;
 use crate::load::load_text;
 use crate::progress::Progress;
 use crate::rows::{print_json, print_text};
-use seamwright_cell::campaign::{self, Outcome, Stage};
-use seamwright_cell::executive::{Place, Start, Work};
-use seamwright_machine::Surroundings;
-use seamwright_program::Pass;
+use crate::verbs::run::bad;
+use seamwright_cell::campaign::{self, Outcome, Stage, TrackedStage};
+use seamwright_cell::executive::{Place, Start};
+use seamwright_cell::tracking::{Distortion, RESERVE};
+use seamwright_cell::{Conditions, SimulatedCell};
 use std::path::Path;
 
 const JOB: &str = include_str!("../../../../../examples/saddle.toml");
+const MISPLACED: &str = include_str!("../../../../../examples/distortions/misplaced.toml");
 /// How far before its end the weld begins in which the crater is filled, mm.
 const LAST_MM: f64 = 5.0;
 
 pub(super) fn run(args: &BenchFaultsArgs) -> Result<(), Failure> {
     let loaded = load_text("saddle.toml", JOB, Path::new("."))?;
-    let motion = loaded.plan()?;
     let machine = &loaded.machine;
-    let passes: Vec<&Pass> = loaded.welding.program.value.passes.iter().collect();
-    let around = Surroundings::new(machine, &loaded.clamped).map_err(|e| Failure::Input(e.to_string()))?;
-    let place = Place { pass: 1, s_mm: motion.passes[0].path.length() - LAST_MM };
-    let near_end = Start::at_place(machine, &around, &motion, &machine.home(), place)
-        .map_err(|e| Failure::Input(e.to_string()))?;
-    let work = |start| Work::new(machine, None, &passes, &motion, start).map_err(crate::verbs::run::too_many);
-    let (begin, end) = (work(Start::at_home(&motion))?, work(near_end)?);
-    let stage = Stage { machine, begin: &begin, end: &end };
-    let cases = campaign::cases(machine);
+    let around = loaded.surroundings()?;
+    let paths = loaded.paths();
+    let passes = loaded.passes(&paths);
+    // Untracked, and tracked on a part that lies elsewhere.
+    let distortion = Distortion::read("misplaced.toml", MISPLACED)?;
+    let plain = Conditions { seed: 1, around: Some(&around), ..Conditions::default() };
+    let tracked = Conditions { distortion: Some(&distortion), tracking: true, ..plain };
+    let motions = [loaded.plan()?, loaded.plan_on(&machine.with_reserve(RESERVE))?];
+    let cells = [
+        SimulatedCell::new(machine, &passes, &motions[0], plain),
+        SimulatedCell::new(machine, &passes, &motions[1], tracked),
+    ];
+    let near_end = Place { pass: 1, s_mm: motions[0].passes[0].path.length() - LAST_MM };
+    let start = |motion| Start::at_place(machine, &around, motion, &machine.home(), near_end);
+    let mut works = Vec::new();
+    for (cell, motion) in cells.iter().zip(&motions) {
+        works.push(cell.work(Start::at_home(motion)).map_err(bad)?);
+        works.push(cell.work(start(motion).map_err(|e| Failure::Input(e.to_string()))?).map_err(bad)?);
+    }
+    let [begin, end, tracked_begin, tracked_end] = &works[..] else { return Err(Failure::Printed) };
+    let on_sensors = TrackedStage { cell: &cells[1], works: [tracked_begin, tracked_end], near_end };
+    let stage = Stage { machine, begin, end, tracked: Some(on_sensors) };
+    let cases = campaign::cases(&stage);
     let progress = Progress::new("faults", args.seeds * cases.len() as u64);
     let mut outcomes: Vec<Outcome> = Vec::new();
     for seed in 0..args.seeds {
         for case in &cases {
-            let outcome = campaign::run(stage, *case, seed).map_err(|e| Failure::Environment(e.to_string()))?;
-            outcomes.push(outcome);
+            outcomes.push(campaign::run(stage, *case, seed, false).map_err(bad)?);
             progress.all(1);
         }
     }
@@ -62,6 +76,7 @@ fn print(
                 "first_alarm": o.first_alarm.map(|a| a.entry().name),
                 "process_off_after_cycles": o.off_cycles,
                 "stopped_after_mm": o.stop_mm,
+                "of_the_stop_allowed": o.stop_part,
                 "kept": o.is_kept(),
                 "violations": o.violations,
             })

@@ -7,6 +7,7 @@ use crate::failure::Failure;
 use crate::files::Output;
 use seamwright_cell::executive::{Alarm, Ask, Command, Event, Missing, Mode, Note, Place, Raised, Reaction};
 use seamwright_cell::realtime::Shown;
+use seamwright_cell::tracking;
 use seamwright_machine::Machine;
 use seamwright_project::devices;
 use seamwright_project::power_loss::Watch;
@@ -18,7 +19,7 @@ use std::collections::VecDeque;
 use std::io::{IsTerminal as _, Write as _};
 
 /// What a person types that must not wait.
-pub(super) fn is_urgent(text: &str) -> Option<Ask> {
+pub(in crate::verbs) fn is_urgent(text: &str) -> Option<Ask> {
     match text.trim() {
         "stop" => Some(Ask::Stop),
         "hold" => Some(Ask::Hold),
@@ -27,7 +28,7 @@ pub(super) fn is_urgent(text: &str) -> Option<Ask> {
 }
 
 /// Where orders come from, what they led to.
-pub(super) struct Desk {
+pub(in crate::verbs) struct Desk {
     axes: Vec<String>,
     conditions: Vec<String>,
     lines: VecDeque<Line>,
@@ -44,6 +45,8 @@ pub(super) struct Desk {
     table: Option<Table>,
     record: Option<Failure>,
     json: bool,
+    /// What happens is not printed.
+    quiet: bool,
     events: Vec<Value>,
     refused: Option<String>,
     /// The first alarm that held the program or took the cell down.
@@ -55,7 +58,7 @@ pub(super) struct Desk {
 }
 
 impl Desk {
-    pub(super) fn new(machine: &Machine, table: Table, lines: Vec<Option<Line>>, json: bool) -> Self {
+    pub(in crate::verbs) fn new(machine: &Machine, table: Option<Table>, lines: Vec<Option<Line>>, json: bool) -> Self {
         Self {
             axes: machine.axes.iter().map(|a| a.name.clone()).collect(),
             conditions: machine.interlocks.iter().map(|i| i.name.clone()).collect(),
@@ -66,9 +69,10 @@ impl Desk {
             answered: true,
             waits: None,
             now: None,
-            table: Some(table),
+            table,
             record: None,
             json,
+            quiet: false,
             events: Vec::new(),
             refused: None,
             stopped: None,
@@ -78,8 +82,18 @@ impl Desk {
         }
     }
 
+    /// Prints nothing of what happens.
+    pub(in crate::verbs) fn quiet(self) -> Self {
+        Self { quiet: true, ..self }
+    }
+
+    /// Something that cannot be gone on with: everything comes to an end.
+    pub(in crate::verbs) fn give_up(&mut self, why: &str) {
+        self.refused.get_or_insert(why.to_owned());
+    }
+
     /// A line that the operator typed.
-    pub(super) fn typed(&mut self, text: &str) {
+    pub(in crate::verbs) fn typed(&mut self, text: &str) {
         // What stops has been sent already, past everything that waits.
         if self.terminal && is_urgent(text).is_some() {
             self.lines.clear();
@@ -96,17 +110,17 @@ impl Desk {
     }
 
     /// No more lines will come.
-    pub(super) fn ends(&mut self) {
+    pub(in crate::verbs) fn ends(&mut self) {
         self.ended = true;
     }
 
     /// True once the record cannot be written.
-    pub(super) fn record_fails(&self) -> bool {
+    pub(in crate::verbs) fn record_fails(&self) -> bool {
         self.record.is_some()
     }
 
     /// A cycle of the executive.
-    pub(super) fn shown(&mut self, shown: &Shown) {
+    pub(in crate::verbs) fn shown(&mut self, shown: &Shown) {
         self.now = Some(*shown);
         self.pending &= !self.answered;
         if let Some(table) = &mut self.table
@@ -117,7 +131,7 @@ impl Desk {
     }
 
     /// The next order, if its turn has come.
-    pub(super) fn next(&mut self) -> Option<Command> {
+    pub(in crate::verbs) fn next(&mut self) -> Option<Command> {
         let now = self.now?;
         if self.pending {
             return None;
@@ -161,7 +175,7 @@ impl Desk {
     }
 
     /// The order was given.
-    pub(super) fn sent(&mut self) {
+    pub(in crate::verbs) fn sent(&mut self) {
         (self.pending, self.answered) = (true, false);
         if matches!(self.lines.front(), Some(Line::Ask(_))) {
             self.lines.pop_front();
@@ -183,7 +197,7 @@ impl Desk {
     }
 
     /// Something happened.
-    pub(super) fn noted(&mut self, t: f64, note: Note) {
+    pub(in crate::verbs) fn noted(&mut self, t: f64, note: Note) {
         match note {
             Note::Mode(from, to) => {
                 let more = json!({ "from": from.name(), "to": to.name() });
@@ -262,7 +276,7 @@ impl Desk {
             self.stopped.get_or_insert(format!("{name}: {}", entry.action));
         }
         let more = json!({
-            "alarm": entry.name, "of": self.detail(raised.alarm, raised.detail).trim(), "first_out": raised.first_out,
+            "alarm": entry.name, "of": self.detail(raised.alarm, raised.detail).trim_start_matches([':', ' ']), "first_out": raised.first_out,
             "pass": raised.place.pass, "s_mm": raised.place.s_mm, "cell": raised.reaction.name(),
             "cause": entry.cause, "consequence": entry.consequence, "action": entry.action,
         });
@@ -274,6 +288,12 @@ impl Desk {
         let names = match alarm {
             Alarm::Interlock => &self.conditions,
             Alarm::DriveFault | Alarm::LimitSwitch | Alarm::FollowingError => &self.axes,
+            Alarm::Tracking => {
+                return tracking::trouble(detail).map_or(String::new(), |(name, head)| match head {
+                    0 => format!(": {name}"),
+                    _ => format!(": {name} (head {})", head + 1),
+                });
+            }
             _ => return String::new(),
         };
         names.get(usize::from(detail)).map_or(String::new(), |name| format!(" ({name})"))
@@ -295,13 +315,16 @@ impl Desk {
     }
 
     fn say(&mut self, line: &str) {
+        if self.quiet {
+            return;
+        }
         let mut out = std::io::stdout().lock();
         // Whoever reads may have gone; the cell goes on.
         let _ = writeln!(out, "{line}").and_then(|()| out.flush());
     }
 
     /// The journal for power loss, if the weld is recorded.
-    pub(super) fn journal(&self) -> Result<Option<Journal>, Failure> {
+    pub(in crate::verbs) fn journal(&self) -> Result<Option<Journal>, Failure> {
         self.table.as_ref().map_or(Ok(None), Table::journal)
     }
 
@@ -311,14 +334,14 @@ impl Desk {
         self.places.position(&self.now?, weld)
     }
 
-    /// Puts what was recorded into `output`, and into the library if it is to be.
-    pub(super) fn close(&mut self, output: &mut Output, title: &str, ended: Ended) -> Result<(), Failure> {
+    /// What happened, a line each, and how it ended.
+    pub(in crate::verbs) fn files(&self, title: &str, ended: &Ended) -> [(&'static str, String); 2] {
         let mut lines = String::new();
         for event in &self.events {
             lines += &event.to_string();
             lines.push('\n');
         }
-        let timing = ended.timing.map(|(footing, latency)| {
+        let timing = ended.timing.as_ref().map(|(footing, latency)| {
             json!({ "footing": footing.to_string(), "cycles": latency.count(), "missed": latency.missed(),
                 "late_us": { "median": latency.quantile_us(0.5), "p99_9": latency.quantile_us(0.999), "most": latency.most_us() } })
         });
@@ -333,9 +356,25 @@ impl Desk {
             "timing": timing,
             "devices": devices::told(&ended.lines),
         });
-        let run = format!("{run:#}\n");
-        output.text("events.jsonl", &lines)?;
-        output.text("run.json", &run)?;
+        [("events.jsonl", lines), ("run.json", format!("{run:#}\n"))]
+    }
+
+    /// Alarms, for the library.
+    pub(in crate::verbs) fn alarms(&self) -> &[library::Alarm] {
+        &self.alarms
+    }
+
+    /// True if an alarm held the program or took the cell down.
+    pub(in crate::verbs) fn was_stopped(&self) -> bool {
+        self.stopped.is_some()
+    }
+
+    /// Puts what was recorded into `output`, and into the library if it is to be.
+    pub(in crate::verbs) fn close(&mut self, output: &mut Output, title: &str, ended: &Ended) -> Result<(), Failure> {
+        let files = self.files(title, ended);
+        for (name, text) in &files {
+            output.text(name, text)?;
+        }
         let Some(table) = self.table.take() else { return Ok(()) };
         let done = self.stopped.is_none() && ended.left.is_none() && !self.passes.is_empty();
         let result = if done { WeldResult::Good } else { WeldResult::Stopped };
@@ -344,12 +383,12 @@ impl Desk {
             None if self.passes.is_empty() => "nothing was welded".to_owned(),
             None => String::new(),
         };
-        let files = vec![("events.jsonl".to_owned(), lines), ("run.json".to_owned(), run)];
+        let files = files.map(|(name, text)| (name.to_owned(), text)).into();
         table.finish(&Outcome { result, note, files }, &self.alarms, output)
     }
 
     /// The exit code that follows.
-    pub(super) fn judge(self) -> Result<(), Failure> {
+    pub(in crate::verbs) fn judge(self) -> Result<(), Failure> {
         if let Some(failure) = self.record {
             return Err(failure);
         }

@@ -1,26 +1,26 @@
-//! A job on a running cell: in real time under an operator's orders, or in virtual time with faults.
+//! A job on a running cell, in real time under an operator's orders.
 
-mod desk;
-mod orders;
+pub(super) mod desk;
+pub(super) mod orders;
 mod table;
 
-use crate::args::SimulateArgs;
 use crate::args::records::RecordArgs;
 use crate::args::run::RunArgs;
 use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::{Loaded, load};
+use crate::verbs::part::Part;
 use desk::Desk;
-use orders::Line;
-use seamwright_cell::devices::When;
-use seamwright_cell::executive::{Command, Cycle, Devices, Executive, Note, Place, Port, Start, VALUES, Work};
-use seamwright_cell::realtime::{Footing, Latency, Outside, Paced, Pacer, Shown, Urgent, live};
+use seamwright_cell::SimulatedCell;
+use seamwright_cell::devices::Fault;
+use seamwright_cell::executive::{Devices, Executive, Place, Start, Work};
+use seamwright_cell::realtime::{Footing, Latency, Outside, Paced, Pacer, Urgent, live};
+use seamwright_cell::tracking::Tracking;
 use seamwright_machine::{Machine, Surroundings};
 use seamwright_motion::WeldMotion;
-use seamwright_program::Pass;
-use seamwright_project::devices::{self, Cell, Lines};
+use seamwright_project::devices::{self, Lines};
 use seamwright_project::power_loss;
-use std::io::{BufRead as _, IsTerminal as _, Write as _};
+use std::io::{BufRead as _, IsTerminal as _};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::time::Duration;
 use table::Table;
@@ -28,52 +28,32 @@ use table::Table;
 /// How often the desk looks at what the cycle has sent.
 const LOOK: Duration = Duration::from_millis(5);
 
-/// A weld in virtual time from switching on to home, with faults on the way.
-const ORDERS: [&str; 6] = ["on", "home", "wait ready", "arm", "weld", "wait ready"];
-
 /// What a cell ran on, and how it ended.
-struct Ended {
-    left: Option<Place>,
-    timing: Option<(Footing, Latency)>,
-    lines: Lines,
+pub(super) struct Ended {
+    pub(super) left: Option<Place>,
+    pub(super) timing: Option<(Footing, Latency)>,
+    pub(super) lines: Lines,
 }
 
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
-    let motion = loaded.plan()?;
-    let machine = &loaded.machine;
-    let asked = Asked { output: &args.output, record: &args.record, json: args.json, from: args.from };
+    let part = Part::read(&args.part)?;
+    let around = loaded.surroundings()?;
+    let conditions = part.conditions(args.seed, &args.fault, &around);
+    let motion = part.plan(&loaded, &conditions)?;
     power_loss::check(args.record.data.as_deref(), args.from)?;
-    let devices =
-        |work: &Work<'_>| devices::of_machine(&loaded.machine, loaded.folder(), work.values(), &args.fault, args.seed);
-    with_work(&loaded, &motion, asked, Vec::new(), devices, |devices, work, desk| {
-        real(work, machine, devices, args.cpu, desk)
-    })
-}
-
-/// `simulate --fault`: the same in virtual time.
-pub(super) fn simulate(args: &SimulateArgs) -> Result<(), Failure> {
-    let loaded = load(&args.job)?;
-    let motion = loaded.plan()?;
-    let devices = |_: &Work<'_>| devices::simulated(&loaded.machine, &args.fault, args.seed);
-    let lines = ORDERS.iter().filter_map(|line| Line::read(line).ok()).collect();
-    let asked = Asked { output: &args.output, record: &args.record, json: args.json, from: None };
-    with_work(&loaded, &motion, asked, lines, devices, |mut devices, work, desk| {
-        desk.ends();
-        let mut executive = Executive::new(&loaded.machine, &mut devices, InOne { desk });
-        executive.serve(Some(work));
-        let (left, end) = (executive.left(), executive.now());
-        for fault in args.fault.iter().filter(|f| matches!(f.when, When::At(t) if t > end)) {
-            // Nothing can be done if standard error is closed.
-            let _ = writeln!(std::io::stderr(), "note: {fault} never came: everything was over at {end:.1} s");
-        }
-        Ok(Ended { left, timing: None, lines: Lines::new() })
-    })
-}
-
-/// A program with more process values than a cell carries.
-pub(super) fn too_many(values: usize) -> Failure {
-    Failure::Input(format!("the program has {values} process values\n   allowed: up to {VALUES}"))
+    let paths = loaded.paths();
+    let passes = loaded.passes(&paths);
+    let cell = SimulatedCell::new(&loaded.machine, &passes, &motion, conditions);
+    let asked = Asked {
+        output: &args.output,
+        record: &args.record,
+        json: args.json,
+        from: args.from,
+        cpu: args.cpu,
+        faults: (&args.fault, args.seed),
+    };
+    with_cell(&loaded, &motion, &around, &cell, asked)
 }
 
 /// Where a run begins and what it leaves.
@@ -83,6 +63,9 @@ struct Asked<'a> {
     record: &'a RecordArgs,
     json: bool,
     from: Option<Place>,
+    cpu: Option<usize>,
+    /// Of the devices, and the seed of simulated ones.
+    faults: (&'a [Fault], u64),
 }
 
 /// The start that is asked for.
@@ -107,38 +90,60 @@ fn start(
     Start::at_place(&loaded.machine, around, motion, &home, place).map_err(|e| Failure::Environment(e.to_string()))
 }
 
-/// Connects the devices, opens the desk, lets `cell` run under it, and closes it.
-fn with_work<D>(
+/// Opens the desk, runs the cell under it, and closes it.
+fn with_cell(
     loaded: &Loaded,
     motion: &WeldMotion,
+    around: &Surroundings<'_>,
+    cell: &SimulatedCell<'_>,
     asked: Asked<'_>,
-    lines: Vec<Option<Line>>,
-    devices: impl FnOnce(&Work<'_>) -> Result<D, Failure>,
-    cell: impl FnOnce(D, &Work<'_>, &mut Desk) -> Result<Ended, Failure>,
 ) -> Result<(), Failure> {
-    let program = &loaded.welding.program.value;
     let machine = &loaded.machine;
     loaded.check_count(motion, machine.servo_period_s)?;
-    let around = Surroundings::new(machine, &loaded.clamped).map_err(|e| Failure::Input(e.to_string()))?;
-    let passes: Vec<&Pass> = program.passes.iter().collect();
-    let start = start(loaded, &around, motion, asked.from)?;
-    let work = Work::new(machine, Some(&around), &passes, motion, start).map_err(too_many)?;
+    let work = cell.work(start(loaded, around, motion, asked.from)?).map_err(bad)?;
+    let tracking = cell.tracking(asked.from.unwrap_or_default()).map_err(bad)?;
     // Nothing is written before they answer.
-    let devices = devices(&work)?;
+    let (devices, lines) = devices(loaded, cell, &work, (asked, tracking.is_some()))?;
     let mut output = Output::new(asked.output)?;
-    let table = Table::new((loaded, motion), &output, asked.record, work.values())?;
-    let mut desk = Desk::new(machine, table, lines, asked.json);
-    let ended = cell(devices, &work, &mut desk)?;
-    desk.close(&mut output, &program.title, ended)?;
+    let tracked = (work.values(), tracking.is_some());
+    let table = Table::new((loaded, motion), &output, asked.record, tracked)?;
+    let mut desk = Desk::new(machine, Some(table), Vec::new(), asked.json);
+    let ended = real(&work, machine, (devices, lines, tracking), asked.cpu, &mut desk)?;
+    desk.close(&mut output, &loaded.welding.program.value.title, &ended)?;
     output.finish()?;
     desk.judge()
+}
+
+/// Those that the machine file names; simulated ones if it names none.
+fn devices<'a>(
+    loaded: &Loaded,
+    cell: &'a SimulatedCell<'_>,
+    work: &Work<'_>,
+    (asked, tracked): (Asked<'_>, bool),
+) -> Result<(Box<dyn Devices + Send + 'a>, Lines), Failure> {
+    let machine = &loaded.machine;
+    if machine.devices.is_empty() {
+        return Ok((Box::new(cell.devices().map_err(bad)?), Lines::new()));
+    }
+    if tracked {
+        let why = "--distortion and --replay track with simulated sensors, and the machine file has devices of its own";
+        return Err(Failure::Input(format!("{why}\n   allowed: a machine file without [devices], or --no-tracking")));
+    }
+    let (faults, seed) = asked.faults;
+    let (devices, lines) = devices::of_machine(machine, loaded.folder(), work.values(), faults, seed)?;
+    Ok((Box::new(devices), lines))
+}
+
+/// What cannot be simulated.
+pub(in crate::verbs) fn bad(error: seamwright_cell::Error) -> Failure {
+    Failure::Input(error.to_string())
 }
 
 /// In real time: the cycle in a thread of its own, the desk here.
 fn real(
     work: &Work<'_>,
     machine: &Machine,
-    (devices, lines): (Cell, Lines),
+    (devices, lines, mut tracking): (Box<dyn Devices + Send + '_>, Lines, Option<Tracking<'_>>),
     cpu: Option<usize>,
     desk: &mut Desk,
 ) -> Result<Ended, Failure> {
@@ -149,7 +154,8 @@ fn real(
         let cycle = scope.spawn(move || {
             let footing = Footing::ask(cpu);
             let mut paced = Paced { devices, pacer: Pacer::new(machine.servo_period_s) };
-            let mut executive = Executive::new(machine, &mut paced as &mut dyn Devices, port);
+            let guide = tracking.as_mut().map(|tracking| tracking as _);
+            let mut executive = Executive::new(machine, &mut paced as &mut dyn Devices, port).with_guide(guide);
             executive.serve(Some(work));
             let left = executive.left();
             drop(executive);
@@ -221,29 +227,4 @@ fn typed(urgent: Urgent) -> Receiver<String> {
         }
     });
     from
-}
-
-/// Desk and cycle in one thread, in virtual time.
-struct InOne<'a> {
-    desk: &'a mut Desk,
-}
-
-impl Port for InOne<'_> {
-    fn command(&mut self, _t: f64) -> Option<Command> {
-        let command = self.desk.next()?;
-        self.desk.sent();
-        Some(command)
-    }
-
-    fn show(&mut self, cycle: &Cycle<'_>) {
-        self.desk.shown(&Shown::from(cycle));
-    }
-
-    fn note(&mut self, t: f64, note: Note) {
-        self.desk.noted(t, note);
-    }
-
-    fn record_fails(&self) -> bool {
-        self.desk.record_fails()
-    }
 }

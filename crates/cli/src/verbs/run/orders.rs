@@ -2,7 +2,7 @@ use seamwright_cell::executive::{Ask, Mode};
 
 /// A line of the operator's.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Line {
+pub(in crate::verbs) enum Line {
     /// Something that the cell is asked.
     Ask(Ask),
     /// Nothing more before the cell is in this mode.
@@ -39,7 +39,7 @@ impl Line {
     ///
     /// # Errors
     /// What is wrong, and what is allowed.
-    pub(super) fn read(text: &str) -> Result<Option<Self>, String> {
+    pub(in crate::verbs) fn read(text: &str) -> Result<Option<Self>, String> {
         let words: Vec<&str> = text.split_whitespace().collect();
         let number = |word: &str, low: f64, high: f64| {
             let number = word.parse::<f64>().ok().filter(|n| (low..=high).contains(n));

@@ -4,6 +4,7 @@ use crate::args::records::RecordArgs;
 use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::Loaded;
+use crate::verbs::head_columns::head_names;
 use crate::verbs::recorded::{self, Rows};
 use seamwright_cell::realtime::Shown;
 use seamwright_machine::Machine;
@@ -15,10 +16,12 @@ use seamwright_record::journal::Journal;
 use seamwright_record::library::Alarm;
 
 /// The trace as it grows, in the output folder or in the library.
-pub(super) struct Table {
+pub(in crate::verbs) struct Table {
     rows: Rows,
     machine: Machine,
     values: usize,
+    /// What ends the names of the columns of each head that is tracked.
+    heads: Vec<String>,
 }
 
 impl Table {
@@ -26,18 +29,19 @@ impl Table {
         (loaded, motion): (&Loaded, &WeldMotion),
         output: &Output,
         record: &RecordArgs,
-        values: &[String],
+        (values, tracked): (&[String], bool),
     ) -> Result<Self, Failure> {
+        let heads = if tracked { head_names(loaded) } else { Vec::new() };
         let machine = &loaded.machine;
         let title = loaded.welding.program.value.title.clone();
         let about = [("title", title), ("machine", machine.name.clone())];
-        let columns = run_rows::columns(machine, values);
+        let columns = run_rows::columns(machine, values, &heads);
         let rows = recorded::begin(loaded, motion, &Header { columns: &columns, about: &about }, output, record)?;
-        Ok(Self { rows, machine: machine.clone(), values: values.len() })
+        Ok(Self { rows, machine: machine.clone(), values: values.len(), heads })
     }
 
     pub(super) fn row(&mut self, shown: &Shown) -> Result<(), Failure> {
-        let row = run_rows::row(&self.machine, shown, self.values);
+        let row = run_rows::row(&self.machine, shown, self.values, self.heads.len());
         self.rows.row(row)?;
         match self.rows.weld() {
             Some((_, Some(trouble))) => Err(Failure::Environment(trouble.to_owned())),

@@ -1,0 +1,140 @@
+//! Passes that a guide corrects, within the cell's cycle.
+
+use super::alarm_list::Place;
+use super::bus::Devices;
+use super::core::Doing;
+use super::guide::{Guided, Planned, Seen, Trouble};
+use super::mode::Event;
+use super::state::Port;
+use super::work::Work;
+use super::{Alarm, Executive, Guide, Mode, Reaction};
+
+impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
+    /// Asks the guide, if there is one, with what is known now.
+    fn ask<T>(&mut self, ask: impl FnOnce(&mut (dyn Guide + 'a), &Seen<'_>) -> T) -> Option<T> {
+        let t_s = self.now();
+        let guide = self.guide.as_deref_mut().filter(|_| self.guided)?;
+        Some(ask(guide, &Seen { t_s, reports: &self.reports, picture: self.devices.picture() }))
+    }
+
+    /// Set-points of a guide.
+    fn take_guided(&mut self, guided: &Guided) {
+        self.set(&guided.q, &guided.v, &guided.a);
+        self.guide_pace = guided.pace;
+        self.heed(guided.trouble);
+    }
+
+    /// Lets the guide see the start of pass `pass`, if it corrects that; false if the program was given up meanwhile.
+    pub(super) fn look(&mut self, work: &Work<'_>, pass: usize, from_mm: f64) -> bool {
+        let welds = self.welds;
+        let begin = |guide: &mut (dyn Guide + 'a)| guide.begin(pass, from_mm, welds);
+        self.guided = self.guide.as_deref_mut().is_some_and(begin);
+        // What was not seen is looked for again when the program goes on after the hold.
+        let mut failed = false;
+        while self.guided {
+            let goes = self.goes();
+            if failed && goes {
+                failed = false;
+                self.guided = self.guide.as_deref_mut().is_some_and(begin);
+            }
+            match self.ask(|guide, seen| guide.look(seen, goes).ok_or_else(|| guide.ready())) {
+                Some(Ok(guided)) => {
+                    if !self.cycle(work, &guided) {
+                        return false;
+                    }
+                }
+                Some(Err(Err(trouble))) => {
+                    self.doing.place = Place { pass: pass + 1, s_mm: from_mm };
+                    self.heed(Some(trouble));
+                    self.heed(None);
+                    self.event(Event::Hold);
+                    failed = true;
+                }
+                Some(Err(Ok(()))) | None => break,
+            }
+        }
+        true
+    }
+
+    /// Takes the axes back to the plan after a pass; false if the program was given up meanwhile.
+    pub(super) fn settle(&mut self, work: &Work<'_>) -> bool {
+        let q = self.planned_q;
+        loop {
+            let goes = self.goes();
+            let Some(Some(guided)) = self.ask(|guide, seen| guide.settle(seen, &q, goes)) else { break };
+            if !self.cycle(work, &guided) {
+                return false;
+            }
+        }
+        self.guided = false;
+        self.heed(None);
+        true
+    }
+
+    /// Set-points of a planned cycle, corrected if the pass is; true if they are.
+    pub(super) fn follow(&mut self, planned: &Planned<'_>) -> Option<Guided> {
+        let guided = self.ask(|guide, seen| guide.follow(seen, planned))?;
+        self.planned_q = *planned.q;
+        self.take_guided(&guided);
+        Some(guided)
+    }
+
+    fn goes(&self) -> bool {
+        matches!(self.mode, Mode::DryRun | Mode::Weld)
+    }
+
+    /// A cycle beside the pass; false once it is given up and at rest.
+    fn cycle(&mut self, work: &Work<'_>, guided: &Guided) -> bool {
+        self.take_guided(guided);
+        self.tick(Doing { seam: guided.seam, ..Doing::default() }, Some(work));
+        // There is nothing to go back along.
+        (self.halt, self.reverse) = (false, false);
+        self.drop_power_at_rest();
+        let goes_on = self.goes() || self.mode == Mode::Hold || !self.rests();
+        self.power && goes_on
+    }
+
+    /// All set-points are at rest.
+    pub(super) fn rests(&self) -> bool {
+        self.orders.set.iter().all(|set| set.velocity == 0.0)
+    }
+
+    /// After a fault the axes keep their power until they are at rest; the gas after the arc is not worth it.
+    pub(super) fn drop_power_at_rest(&mut self) {
+        if self.mode == Mode::Fault && self.rests() && !self.process.on() {
+            self.power = false;
+        }
+    }
+
+    /// What the guide says is wrong: an alarm as long as it says so.
+    pub(super) fn heed(&mut self, trouble: Option<Trouble>) {
+        if trouble != self.guide_trouble {
+            if let Some(old) = self.guide_trouble {
+                self.clear(Alarm::Tracking, old.detail());
+            }
+            self.guide_trouble = trouble;
+        }
+        match trouble {
+            Some(Trouble::Tell(detail)) => self.raise(Alarm::Tracking, detail, Reaction::Tell),
+            // Without the process there is none to be switched off.
+            Some(Trouble::Stop(detail)) if self.welds => self.raise(Alarm::Tracking, detail, Reaction::ProcessOff),
+            Some(Trouble::Stop(detail)) => self.raise(Alarm::Tracking, detail, Reaction::Hold),
+            None => {}
+        }
+    }
+
+    /// The speed that may be asked for: the operator's, less where the guide allows less.
+    pub(super) fn allowed_pace(&self, asked: f64) -> f64 {
+        /// Changes smaller than this are not worth an order.
+        const WORTH: f64 = 0.02;
+        /// Slowest that is asked for: what is to stop is held by its alarm.
+        const SLOWEST: f64 = 0.01;
+        let guide = if self.guided { self.guide_pace } else { 1.0 };
+        if guide < SLOWEST {
+            return asked;
+        }
+        let wanted = self.pace.min(guide);
+        let whole = wanted >= self.pace;
+        if wanted < asked || wanted > asked + WORTH || whole { wanted } else { asked }
+    }
+}

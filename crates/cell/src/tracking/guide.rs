@@ -1,0 +1,147 @@
+//! Tracking as the executive's guide.
+
+use super::live_head::HeadReport;
+use super::tracked_pass::TrackedPass;
+use super::{Correction, Error, PassScene};
+use crate::Conditions;
+use crate::executive::{Guide, Guided, Place, Planned, Seen, Tracked, Trouble};
+use arrayvec::ArrayVec;
+use seamwright_machine::{Joints, Machine};
+use seamwright_motion::{PassMotion, WeldMotion};
+use seamwright_program::Role;
+use seamwright_tracking::beam::{DeviationRecord, Replay};
+
+/// Tracks the passes of a program: by leading sensors, by the beam, by what was stored.
+pub struct Tracking<'a> {
+    machine: &'a Machine,
+    scenes: &'a [Option<PassScene<'a>>],
+    motion: &'a WeldMotion,
+    conditions: Conditions<'a>,
+    passes: Vec<Option<TrackedPass<'a>>>,
+    /// The pass that is run, counted from 0.
+    now: Option<usize>,
+}
+
+impl<'a> Tracking<'a> {
+    /// Of the passes that have a scene; the program begins at `start`.
+    ///
+    /// # Errors
+    /// What cannot be tracked.
+    pub(crate) fn new(
+        machine: &'a Machine,
+        scenes: &'a [Option<PassScene<'a>>],
+        motion: &'a WeldMotion,
+        conditions: Conditions<'a>,
+        start: Place,
+    ) -> Result<Self, Error> {
+        let mut tracking = Self { machine, scenes, motion, conditions, passes: Vec::new(), now: None };
+        for i in 0..scenes.len() {
+            let from_mm = if start.pass == i + 1 { start.s_mm } else { 0.0 };
+            let pass = tracking.prepared(i, from_mm, conditions.replay)?;
+            tracking.passes.push(pass);
+        }
+        Ok(tracking)
+    }
+
+    /// Pass `i`, ready to be run from `from_mm` on.
+    fn prepared(
+        &self,
+        i: usize,
+        from_mm: f64,
+        stored: Option<&DeviationRecord>,
+    ) -> Result<Option<TrackedPass<'a>>, Error> {
+        let Some((scene, planned)) = self.scene(i) else { return Ok(None) };
+        let correction: Correction<'a> = scene.correction(self.machine, planned)?;
+        let heads: ArrayVec<_, 2> = scene.heads(self.machine, planned, &correction, stored)?;
+        let of = (self.machine, planned, i + 1);
+        Ok(Some(TrackedPass::new(of, heads, correction, self.conditions.around, from_mm)))
+    }
+
+    fn scene(&self, i: usize) -> Option<(&'a PassScene<'a>, &'a PassMotion)> {
+        Some((self.scenes.get(i)?.as_ref()?, self.motion.passes.get(i)?))
+    }
+
+    /// What the passes before cosmetic pass `i` have found last of its seam; none of another pass, or where that does not cover it.
+    fn found_before(&self, i: usize) -> Option<DeviationRecord> {
+        let (scene, _) = self.scene(i)?;
+        let pass = scene.pass();
+        if pass.known_role() != Some(Role::Cosmetic) {
+            return None;
+        }
+        let ends = [0.0, pass.length()].map(|s| pass.seam_s(s));
+        let from = ends[0].min(ends[1]);
+        let before = (0..i).rev().filter_map(|k| {
+            let ((scene, _), tracked) = (self.scene(k)?, self.passes[k].as_ref()?);
+            let same = scene.pass().copy == pass.copy;
+            let found = tracked.heads.first().filter(|_| same)?.found()?;
+            Some(scene.on_seam(&found))
+        });
+        before.into_iter().find(|found| Replay::covers(found, from, pass.length()))
+    }
+
+    /// What each head of pass `i` has to say; nothing of one that is not tracked, or was not begun.
+    pub(crate) fn reports(&self, i: usize) -> Vec<HeadReport> {
+        let pass = self.passes.get(i).and_then(Option::as_ref);
+        pass.filter(|pass| pass.used).map_or_else(Vec::new, TrackedPass::reports)
+    }
+
+    fn pass(&mut self) -> Option<&mut TrackedPass<'a>> {
+        self.passes.get_mut(self.now?)?.as_mut()
+    }
+}
+
+impl Guide for Tracking<'_> {
+    fn begin(&mut self, pass: usize, from_mm: f64, welds: bool) -> bool {
+        self.now = Some(pass).filter(|i| self.passes.get(*i).is_some_and(Option::is_some));
+        let Some(tracked) = self.pass() else { return false };
+        // A beam looks only where it may weld.
+        if !welds && tracked.heads.iter().any(|head| head.look_s().is_some()) {
+            self.now = None;
+            return false;
+        }
+        let again = tracked.used;
+        let stored = if self.conditions.replay.is_none() { self.found_before(pass) } else { None };
+        if again || stored.is_some() {
+            // What could be made once can be made again.
+            if let Ok(anew) = self.prepared(pass, from_mm, stored.as_ref().or(self.conditions.replay)) {
+                self.passes[pass] = anew;
+            }
+        }
+        if let Some(tracked) = self.pass() {
+            tracked.used = true;
+        }
+        true
+    }
+
+    fn look(&mut self, seen: &Seen<'_>, goes: bool) -> Option<Guided> {
+        self.pass()?.look(seen, goes)
+    }
+
+    fn ready(&mut self) -> Result<(), Trouble> {
+        self.pass().map_or(Ok(()), TrackedPass::ready)
+    }
+
+    fn follow(&mut self, seen: &Seen<'_>, planned: &Planned<'_>) -> Guided {
+        match self.pass() {
+            Some(pass) => pass.follow(seen, planned),
+            // Nobody asks for it: no pass has begun.
+            None => Guided {
+                q: *planned.q,
+                v: Joints::default(),
+                a: Joints::default(),
+                pace: 1.0,
+                trouble: None,
+                seam: crate::executive::SeamOrders::default(),
+            },
+        }
+    }
+
+    fn settle(&mut self, _seen: &Seen<'_>, q: &Joints, goes: bool) -> Option<Guided> {
+        self.pass()?.settle(q, goes)
+    }
+
+    fn tracked(&self) -> [Option<Tracked>; 2] {
+        let pass = self.now.and_then(|i| self.passes.get(i)).and_then(Option::as_ref);
+        pass.map_or([None; 2], TrackedPass::tracked)
+    }
+}

@@ -1,0 +1,330 @@
+//! A pass that is tracked: the way to where its start is seen, the weld, the way back to the plan.
+
+use super::carrier::Wanted;
+use super::live_head::{HeadOrders, HeadReport, Step};
+use super::off_path::OffPath;
+use super::sighting::{STEP_MM, Sighting};
+use super::{Correction, LiveHead};
+use crate::executive::{Guided, Planned, SeamOrders, Seen, Tracked, Trouble};
+use arrayvec::ArrayVec;
+use seamwright_machine::{Joints, Machine, Surroundings};
+use seamwright_motion::PassMotion;
+use seamwright_tracking::actuator::{Alarm, OverAxes, Slide, SlideLimits};
+
+/// Slowest pace that is gone at; less is a stop.
+const SLOWEST: f64 = 0.01;
+/// Time for a move to where the start can be seen beyond that at its speed, s.
+const SLACK_S: f64 = 60.0;
+/// Corrections that come to rest do so by themselves for so long, then they are braked, s.
+const SETTLES_S: f64 = 0.1;
+
+/// A pass, what guides its heads, and what carries corrections out.
+pub(super) struct TrackedPass<'a> {
+    machine: &'a Machine,
+    planned: &'a PassMotion,
+    /// Counted from 1.
+    number: usize,
+    pub(super) heads: ArrayVec<LiveHead<'a>, 2>,
+    correction: Correction<'a>,
+    off: OffPath,
+    look: Look<'a>,
+    /// Why the move to see the start is cut short, if it is.
+    cut: Option<String>,
+    /// Where it begins, mm.
+    from_mm: f64,
+    /// What the heads felt last: path length, and if it wove.
+    felt: Option<(f64, bool)>,
+    /// Cycles for which it has been at rest.
+    rested: u32,
+    returns: bool,
+    /// It has been begun before.
+    pub(super) used: bool,
+}
+
+/// What is done before a pass is run. Nothing of it is dropped before the pass is: that would cost a cycle.
+struct Look<'a> {
+    /// The torch goes back along the seam or its extension and forward again, with the arc off.
+    sight: Option<Box<Sight<'a>>>,
+    /// It has been there.
+    sighted: bool,
+    /// Then it rests, for so many cycles yet.
+    gaze: u64,
+}
+
+impl Look<'_> {
+    fn gaze(gaze: u64) -> Self {
+        Self { sight: None, sighted: false, gaze }
+    }
+}
+
+/// A move to where the start is seen.
+struct Sight<'a> {
+    mover: Slide,
+    over: OverAxes<'a>,
+    way: f64,
+    speed: f64,
+    target: f64,
+    at: f64,
+    back: bool,
+    there: Joints,
+    /// Cycles left.
+    left: u64,
+}
+
+impl<'a> TrackedPass<'a> {
+    /// Pass `number` (from 1), to be begun at `from_mm`; `around` is what the move to see the start keeps clear of.
+    pub(super) fn new(
+        (machine, planned, number): (&'a Machine, &'a PassMotion, usize),
+        heads: ArrayVec<LiveHead<'a>, 2>,
+        correction: Correction<'a>,
+        around: Option<&Surroundings<'_>>,
+        from_mm: f64,
+    ) -> Self {
+        let off = OffPath::new(machine);
+        let look = Look::gaze(0);
+        let (cut, felt) = (None, None);
+        let mut pass = Self {
+            machine,
+            planned,
+            number,
+            heads,
+            correction,
+            off,
+            look,
+            cut,
+            from_mm,
+            felt,
+            rested: 0,
+            returns: false,
+            used: false,
+        };
+        pass.look = pass.first_look(around);
+        pass
+    }
+
+    /// The number of cycles that the beams need to look at the start.
+    fn gaze(&self) -> u64 {
+        let look_s = self.heads.iter().filter_map(LiveHead::look_s).fold(0.0, f64::max);
+        (look_s / self.machine.servo_period_s).ceil() as u64
+    }
+
+    /// What is done first; finds out how far the torch can go back, and why not farther.
+    fn first_look(&mut self, around: Option<&Surroundings<'_>>) -> Look<'a> {
+        let wanted = self.heads.iter().filter_map(LiveHead::sighting_mm);
+        let Some((way, speed)) = wanted.reduce(|a, b| (a.0.max(b.0), a.1.min(b.1))) else {
+            return Look::gaze(self.gaze());
+        };
+        // What is welded once more must be known too.
+        let overlap = if self.from_mm > 0.0 { self.planned.sequence.overlap_mm.get() } else { 0.0 };
+        let way = way + overlap;
+        let period = self.machine.servo_period_s;
+        let start = self.planned.path.at(self.from_mm);
+        let frame = self.heads[0].frame(self.from_mm);
+        let over = self.correction.carrier.carrying();
+        let directions = [frame.along, frame.height];
+        let Ok(most) = over.limits(std::iter::once((start, directions)), 2.0 * way) else { return Look::gaze(0) };
+        // Half: what the axes have to do for the same way changes along it.
+        let limits = SlideLimits {
+            acceleration: 0.5 * most.acceleration,
+            jerk: 0.5 * most.jerk,
+            speed: 0.5 * most.speed,
+            ..most
+        };
+        let Ok(mover) = Slide::new(limits, period) else { return Look::gaze(0) };
+        let way = self.free_way(way, around);
+        let speed = speed.min(limits.speed);
+        let left = ((2.0 * way / speed + SLACK_S) / period) as u64;
+        let (target, back) = (-way, way <= 0.0);
+        let sight = Sight { mover, over, way, speed, target, at: 0.0, back, there: start, left };
+        Look { sight: Some(Box::new(sight)), ..Look::gaze(self.gaze()) }
+    }
+
+    /// Of `way` mm back from the start as much as the axes reach and nothing stands in the way of: known before anything
+    /// moves, and told if it is less.
+    fn free_way(&mut self, way: f64, around: Option<&Surroundings<'_>>) -> f64 {
+        let start = self.planned.path.at(self.from_mm);
+        let frame = |s: f64| self.heads[0].frame(self.from_mm + s).point;
+        let mut probe = self.correction.carrier.carrying();
+        let count = (way / STEP_MM).ceil();
+        let step_mm = way / count;
+        let place = |k: u32| probe.shifted(&start, frame(-step_mm * f64::from(k)) - frame(0.0)).ok();
+        let reached = (1..=count as u32).map_while(place);
+        let sighting = Sighting { step_mm, places: std::iter::once(start).chain(reached).collect() };
+        let reach = sighting.way_mm();
+        let (clear, near) = around.map_or((reach, None), |around| sighting.clear_mm(around));
+        if clear < way - 1e-9 {
+            let why = near.unwrap_or_else(|| "the axes reach no farther".to_owned());
+            self.cut = Some(format!("{clear:.1} of {way:.1} mm, {why}"));
+        }
+        clear
+    }
+
+    /// A cycle of the look at the start; none when it is over. No allocation.
+    pub(super) fn look(&mut self, seen: &Seen<'_>, goes: bool) -> Option<Guided> {
+        let from = self.from_mm;
+        let period = self.machine.servo_period_s;
+        if let Some(sight) = self.look.sight.as_mut().filter(|_| !self.look.sighted) {
+            let done = sight.back && sight.at.abs() < 1e-9 && sight.target >= 0.0;
+            if sight.left > 0 && !done {
+                let before = sight.at;
+                sight.at = if goes { sight.mover.step(sight.target) } else { sight.mover.brake() };
+                sight.back |= sight.at <= -sight.way + 1e-6;
+                if goes {
+                    sight.left -= 1;
+                    if sight.back {
+                        sight.target = (sight.target + sight.speed * period).min(0.0);
+                    }
+                }
+                let (start, frame) = (self.planned.path.at(from), self.heads[0].frame(from));
+                let by = self.heads[0].frame(from + sight.at).point - frame.point;
+                // Reached on the way as when it was probed.
+                sight.there = sight.over.shifted(&start, by).unwrap_or(sight.there);
+                let (at, there, back) = (sight.at, sight.there, sight.back);
+                let step = Step { t: seen.t_s, s: from + at, speed: (at - before) / period, welds: false };
+                let rests = !goes && step.speed == 0.0;
+                if !back {
+                    // On the way there nothing is looked at.
+                    self.felt = Some((step.s, false));
+                    return Some(self.guided(&there, 1.0, None, SeamOrders::default()));
+                }
+                return Some(self.correct(seen, &step, (&there, false, rests)).0);
+            }
+            self.look.sighted = true;
+        }
+        if self.look.gaze == 0 && goes {
+            return None;
+        }
+        self.look.gaze = self.look.gaze.saturating_sub(u64::from(goes));
+        let start = self.planned.path.at(from);
+        let step = Step { t: seen.t_s, s: from, speed: 0.0, welds: false };
+        Some(self.correct(seen, &step, (&start, false, !goes)).0)
+    }
+
+    /// Whether the pass may be run after that.
+    pub(super) fn ready(&mut self) -> Result<(), Trouble> {
+        let (mut worst, from) = (None, self.from_mm);
+        // All of them: each tells what is wrong.
+        for (number, head) in self.heads.iter_mut().enumerate() {
+            if let Err(alarm) = head.ready(from) {
+                worst = worst.or(Some(Trouble::Stop(detail(number, alarm))));
+            }
+        }
+        let Some(trouble) = worst else { return Ok(()) };
+        self.heads.iter_mut().for_each(|head| head.stopped(Some(from)));
+        Err(trouble)
+    }
+
+    /// A cycle of the pass. No allocation.
+    pub(super) fn follow(&mut self, seen: &Seen<'_>, planned: &Planned<'_>) -> Guided {
+        let Planned { s_mm, speed, travels, rests, q } = *planned;
+        let step = Step { t: seen.t_s, s: s_mm, speed, welds: travels };
+        let (mut guided, stops) = self.correct(seen, &step, (q, true, rests));
+        if travels {
+            let stopped = stops.then_some(s_mm);
+            self.heads.iter_mut().for_each(|head| head.stopped(stopped));
+        } else {
+            // Only what welds, or would, is slowed down and stopped.
+            (guided.pace, guided.trouble) = (1.0, None);
+        }
+        guided
+    }
+
+    /// A cycle of all heads, and the axes beside the planned positions `q`; true if the torch is to stop.
+    fn correct(&mut self, seen: &Seen<'_>, step: &Step, (q, weaves, rests): (&Joints, bool, bool)) -> (Guided, bool) {
+        if let Some((s, wove)) = self.felt {
+            let position = &seen.reports.drives.position;
+            self.heads.iter_mut().for_each(|head| head.feel(self.machine, s, position, wove));
+        }
+        self.felt = Some((step.s, weaves));
+        let mut wanted: ArrayVec<Wanted, 2> = ArrayVec::new();
+        let (mut pace, mut trouble) = (1.0f64, None);
+        let mut seam = SeamOrders { pass: self.number, s_mm: step.s, weaves, ..SeamOrders::default() };
+        for (number, head) in self.heads.iter_mut().enumerate() {
+            let HeadOrders { wanted: here, told, news } = head.cycle(seen, step);
+            wanted.push(here);
+            (seam.beam, seam.deflection_mm) = (told.beam, told.deflection_mm);
+            pace = pace.min(told.pace);
+            if let Some((alarm, _)) = told.alarm.filter(|_| told.pace < SLOWEST) {
+                trouble = Some(Trouble::Stop(detail(number, alarm)));
+            } else if let Some(alarm) = news {
+                trouble = trouble.or(Some(Trouble::Tell(detail(number, alarm))));
+            }
+        }
+        self.rested = if rests { self.rested.saturating_add(1) } else { 0 };
+        let settles = (SETTLES_S / self.machine.servo_period_s) as u32;
+        let carrier = &mut self.correction.carrier;
+        if self.rested > settles {
+            self.off.rest(q, || carrier.shifted(q, &wanted));
+        } else if !self.off.follow(q, || carrier.shifted(q, &wanted)) {
+            pace = 0.0;
+            for head in &mut self.heads {
+                head.tell(step.s, Alarm::StrokeEnd, None);
+            }
+            trouble = Some(Trouble::Stop(detail(0, Alarm::StrokeEnd)));
+        }
+        let stops = pace < SLOWEST;
+        (self.guided(q, pace, trouble, seam), stops)
+    }
+
+    /// The axes beside the planned positions `q`.
+    fn guided(&mut self, q: &Joints, pace: f64, trouble: Option<Trouble>, seam: SeamOrders) -> Guided {
+        let q = self.off.positions(q);
+        let (v, a) = self.off.rates(&q);
+        Guided { q, v, a, pace, trouble, seam }
+    }
+
+    /// A cycle of the way back to the planned positions `q`; none when they are there. No allocation.
+    pub(super) fn settle(&mut self, q: &Joints, goes: bool) -> Option<Guided> {
+        if !goes {
+            self.returns = false;
+            self.off.rest(q, || Some(*q));
+        } else {
+            if !self.returns {
+                self.returns = true;
+                self.off.begin_return();
+            }
+            if !self.off.returns() {
+                return None;
+            }
+        }
+        Some(self.guided(q, 1.0, None, SeamOrders::default()))
+    }
+
+    /// What is known of each head.
+    pub(super) fn tracked(&self) -> [Option<Tracked>; 2] {
+        std::array::from_fn(|i| self.heads.get(i).and_then(LiveHead::tracked))
+    }
+
+    /// What each head has to say.
+    pub(super) fn reports(&self) -> Vec<HeadReport> {
+        let cut = self.cut.as_ref().map(|cause| super::AlarmAt {
+            at_mm: self.from_mm,
+            alarm: CUT_SHORT,
+            cause: Some(cause.clone()),
+        });
+        let report = |head: &LiveHead<'_>| {
+            let mut report = head.report();
+            report.alarms.splice(0..0, cut.clone());
+            report
+        };
+        self.heads.iter().map(report).collect()
+    }
+}
+
+/// Told where the start of a pass may not be seen.
+const CUT_SHORT: &str = "the move to see the start is cut short";
+
+/// Alarms that a number has room for.
+const ROOM: u8 = 16;
+
+/// An alarm of a head as a number.
+fn detail(head: usize, alarm: Alarm) -> u8 {
+    ROOM * head as u8 + alarm as u8
+}
+
+/// What an alarm no. 24 ([`crate::executive::Alarm::Tracking`]) means by its number: in words, and of which head, from 0.
+#[must_use]
+pub fn trouble(detail: u8) -> Option<(&'static str, usize)> {
+    let alarm = Alarm::ALL.into_iter().find(|alarm| *alarm as u8 == detail % ROOM)?;
+    Some((alarm.name(), usize::from(detail / ROOM)))
+}

@@ -1,0 +1,149 @@
+//! The simulated twins of what sees the joint: they know where it truly is, and where the torch truly is.
+
+use super::World;
+use super::beam::{BeamEye, Glance, Hidden, Noise, Shown, UnderWay};
+use super::live_head::{lateral_and_height, seen_in};
+use super::sensor::Sensor;
+use super::{Error, SensorModel};
+use crate::devices::Sensors;
+use crate::executive::{SeamOrders, SensorReport};
+use arrayvec::ArrayVec;
+use glam::{DVec2, DVec3};
+use seamwright_machine::{Joints, Machine};
+use seamwright_tracking::beam::{Beam, Picture};
+use seamwright_tracking::lead::SeamFrame;
+use std::collections::VecDeque;
+
+/// Cycles that are remembered for exposures.
+const RECENT: usize = 12;
+
+/// Where the gun truly was after a cycle.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct At {
+    t: f64,
+    s: f64,
+    axes: Joints,
+    tip: DVec3,
+}
+
+/// What sees the joint of one head in a pass.
+pub(crate) struct HeadTwin<'a> {
+    number: usize,
+    world: World<'a>,
+    eye: TwinEye,
+}
+
+/// With what.
+pub(super) enum TwinEye {
+    /// A sensor ahead, and where it was carried to in the last period: lateral and height from the planned path, mm.
+    Leading(Box<Sensor>, DVec2),
+    /// The beam.
+    Beam { noise: Noise, pictures: UnderWay, recent: VecDeque<At> },
+}
+
+/// The simulated seam as the eye of a beam.
+struct WorldEye<'a, 'b>(&'a World<'b>, &'a mut Noise);
+
+impl BeamEye for WorldEye<'_, '_> {
+    fn glance(&mut self, glance: &Glance<'_>, shown: &mut Shown) -> Result<(), Error> {
+        self.1.show(self.0 as &dyn Hidden, glance, shown);
+        Ok(())
+    }
+}
+
+impl TwinEye {
+    pub(super) fn leading(model: SensorModel, seed: u64) -> Self {
+        Self::Leading(Box::new(Sensor::new(model, seed)), DVec2::ZERO)
+    }
+
+    pub(super) fn beam(noise_mm: f64, latency_s: f64, seed: u64) -> Self {
+        let (noise, pictures) = (Noise::new(noise_mm, seed), UnderWay::new(latency_s, seed));
+        Self::Beam { noise, pictures, recent: VecDeque::with_capacity(RECENT) }
+    }
+}
+
+impl<'a> HeadTwin<'a> {
+    pub(super) fn new(number: usize, world: World<'a>, eye: TwinEye) -> Self {
+        Self { number, world, eye }
+    }
+
+    /// A period at whose end the axes are at `q`.
+    fn step(&mut self, machine: &Machine, orders: &SeamOrders, q: &Joints, report: &mut SensorReport) {
+        let (t, s) = (orders.t_s, orders.s_mm);
+        let tip = machine.forward_of(self.number, q).point;
+        match &mut self.eye {
+            TwinEye::Leading(sensor, carried) => {
+                sensor.look(&self.world, t, s, *carried);
+                let frame = (self.world.taught)(s);
+                // It swings with the torch.
+                *carried = lateral_and_height(seen_in(tip - frame.point, &frame));
+                report.measured[self.number] = sensor.arrived(t).flatten();
+            }
+            TwinEye::Beam { noise, pictures, recent } => {
+                if let Beam::Seen(exposed_s) = orders.beam
+                    && let Some(at) = at(recent, exposed_s)
+                {
+                    let torch = SeamFrame { point: at.tip, ..(self.world.taught)(at.s) };
+                    // A simulated seam is seen wherever it is looked for.
+                    let glance = Glance { t_s: exposed_s, axes: &at.axes, torch, s_mm: at.s, from: (0.0, None) };
+                    let taken = pictures.look(&mut WorldEye(&self.world, noise), &glance);
+                    debug_assert!(taken.is_ok());
+                }
+                if recent.len() == RECENT {
+                    recent.pop_front();
+                }
+                recent.push_back(At { t, s, axes: *q, tip });
+                pictures.arrive(t);
+            }
+        }
+    }
+}
+
+/// Where the gun was at `t_s`, between two cycles.
+fn at(recent: &VecDeque<At>, t_s: f64) -> Option<At> {
+    let after = recent.iter().position(|at| at.t >= t_s).unwrap_or(recent.len().checked_sub(1)?);
+    let (a, b) = (recent.get(after.saturating_sub(1))?, recent.get(after)?);
+    let part = if b.t > a.t { ((t_s - a.t) / (b.t - a.t)).clamp(0.0, 1.0) } else { 0.0 };
+    let axes: Joints = std::array::from_fn(|i| a.axes[i] + part * (b.axes[i] - a.axes[i]));
+    Some(At { t: t_s, s: a.s + part * (b.s - a.s), axes, tip: a.tip.lerp(b.tip, part) })
+}
+
+/// Everything that sees the joints of a program, in simulation.
+pub struct SimulatedSensors<'a> {
+    machine: &'a Machine,
+    /// Of each pass; none of one that is not tracked.
+    passes: Vec<ArrayVec<HeadTwin<'a>, 2>>,
+    /// The pass that is looked at, counted from 0.
+    now: Option<usize>,
+}
+
+impl<'a> SimulatedSensors<'a> {
+    /// None at all.
+    #[must_use]
+    pub fn none(machine: &'a Machine) -> Self {
+        Self::new(machine, Vec::new())
+    }
+
+    pub(crate) fn new(machine: &'a Machine, passes: Vec<ArrayVec<HeadTwin<'a>, 2>>) -> Self {
+        Self { machine, passes, now: None }
+    }
+}
+
+impl Sensors for SimulatedSensors<'_> {
+    fn exchange(&mut self, orders: &SeamOrders, truth: Option<&Joints>, report: &mut SensorReport) {
+        report.measured = [None; 2];
+        report.starts = report.starts.max(1);
+        report.age_s = 0.0;
+        self.now = orders.pass.checked_sub(1).filter(|i| *i < self.passes.len());
+        let (Some(pass), Some(q)) = (self.now, truth) else { return };
+        for head in &mut self.passes[pass] {
+            head.step(self.machine, orders, q, report);
+        }
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        // A beam has one head.
+        let TwinEye::Beam { pictures, .. } = &self.passes[self.now?].first()?.eye else { return None };
+        pictures.picture()
+    }
+}
