@@ -96,9 +96,9 @@ fn trace(
 ) -> Result<(Simulated, Rows, Ended), Failure> {
     let Loaded { welding, machine, .. } = loaded;
     let program = &welding.program.value;
-    let work = cell.work(Start::at_home(motion)).map_err(bad)?;
-    let mut devices = cell.devices().map_err(bad)?;
-    let mut tracking = cell.tracking(Place::default()).map_err(bad)?;
+    let work = cell.work(Start::at_home(motion)).map_err(|e| bad(&e))?;
+    let mut devices = cell.devices().map_err(|e| bad(&e))?;
+    let mut tracking = cell.tracking(Place::default()).map_err(|e| bad(&e))?;
     let about =
         [("title", program.title.clone()), ("machine", machine.name.clone()), ("seed", conditions.seed.to_string())];
     let heads = HeadColumns::new(loaded, &conditions);
@@ -108,7 +108,7 @@ fn trace(
     let mut watched = Watched {
         machine,
         motion,
-        judge: cell.judge().map_err(bad)?,
+        judge: cell.judge().map_err(|e| bad(&e))?,
         desk,
         heads,
         rows,

@@ -157,6 +157,7 @@ pub(crate) const WHY: [(&str, Event); 7] = [
 ];
 
 /// What the desk knows beside the cycle.
+#[derive(Clone, Copy)]
 pub(super) struct Extra {
     pub(super) missed: u32,
     pub(super) left: Option<(u32, f64)>,

@@ -81,7 +81,7 @@ impl Recorder {
         let trouble = open.recording.trouble().map(str::to_owned);
         match open.ended {
             None if !matches!(shown.mode, Mode::Weld | Mode::Hold) && shown.phase.is_none() => {
-                open.ended = Some(shown.t)
+                open.ended = Some(shown.t);
             }
             Some(t) if shown.t - t > AFTER_S => self.end(),
             _ => {}

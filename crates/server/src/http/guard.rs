@@ -59,9 +59,9 @@ fn secured(mut response: Response) -> Response {
 /// Lets through who may do what the route does; the handler finds the [`Session`] in the extensions.
 pub(super) async fn need(State(need): State<Need>, mut request: Request, next: Next) -> Response {
     let Some(action) = need.action else {
-        return match writes(request.method()).then(|| is_json(request.headers())).unwrap_or(Ok(())) {
-            Ok(()) => next.run(request).await,
-            Err(refused) => refused.into_response(),
+        return match is_json(request.headers()) {
+            Err(refused) if writes(request.method()) => refused.into_response(),
+            _ => next.run(request).await,
         };
     };
     match allowed(&need.panel, action, request.method(), request.headers()) {

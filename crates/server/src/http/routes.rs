@@ -30,7 +30,7 @@ pub(super) struct Route {
 pub(super) type Shape = fn(&mut SchemaGenerator) -> Schema;
 
 fn shape<T: JsonSchema>() -> Option<Shape> {
-    Some(|generator| generator.subschema_for::<T>())
+    Some(SchemaGenerator::subschema_for::<T>)
 }
 
 impl Route {

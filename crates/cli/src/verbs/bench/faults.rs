@@ -34,8 +34,8 @@ pub(super) fn run(args: &BenchFaultsArgs) -> Result<(), Failure> {
     let start = |motion| Start::at_place(machine, &around, motion, &machine.home(), near_end);
     let mut works = Vec::new();
     for (cell, motion) in cells.iter().zip(&motions) {
-        works.push(cell.work(Start::at_home(motion)).map_err(bad)?);
-        works.push(cell.work(start(motion).map_err(|e| Failure::Input(e.to_string()))?).map_err(bad)?);
+        works.push(cell.work(Start::at_home(motion)).map_err(|e| bad(&e))?);
+        works.push(cell.work(start(motion).map_err(|e| Failure::Input(e.to_string()))?).map_err(|e| bad(&e))?);
     }
     let [begin, end, tracked_begin, tracked_end] = &works[..] else { return Err(Failure::Printed) };
     let on_sensors = TrackedStage { cell: &cells[1], works: [tracked_begin, tracked_end], near_end };
@@ -45,7 +45,7 @@ pub(super) fn run(args: &BenchFaultsArgs) -> Result<(), Failure> {
     let mut outcomes: Vec<Outcome> = Vec::new();
     for seed in 0..args.seeds {
         for case in &cases {
-            outcomes.push(campaign::run(stage, *case, seed, false).map_err(bad)?);
+            outcomes.push(campaign::run(stage, *case, seed, false).map_err(|e| bad(&e))?);
             progress.all(1);
         }
     }

@@ -100,8 +100,8 @@ fn with_cell(
 ) -> Result<(), Failure> {
     let machine = &loaded.machine;
     loaded.check_count(motion, machine.servo_period_s)?;
-    let work = cell.work(start(loaded, around, motion, asked.from)?).map_err(bad)?;
-    let tracking = cell.tracking(asked.from.unwrap_or_default()).map_err(bad)?;
+    let work = cell.work(start(loaded, around, motion, asked.from)?).map_err(|e| bad(&e))?;
+    let tracking = cell.tracking(asked.from.unwrap_or_default()).map_err(|e| bad(&e))?;
     // Nothing is written before they answer.
     let (devices, lines) = devices(loaded, cell, &work, (asked, tracking.is_some()))?;
     let mut output = Output::new(asked.output)?;
@@ -123,7 +123,7 @@ fn devices<'a>(
 ) -> Result<(Box<dyn Devices + Send + 'a>, Lines), Failure> {
     let machine = &loaded.machine;
     if machine.devices.is_empty() {
-        return Ok((Box::new(cell.devices().map_err(bad)?), Lines::new()));
+        return Ok((Box::new(cell.devices().map_err(|e| bad(&e))?), Lines::new()));
     }
     if tracked {
         let why = "--distortion and --replay track with simulated sensors, and the machine file has devices of its own";
@@ -135,7 +135,7 @@ fn devices<'a>(
 }
 
 /// What cannot be simulated.
-pub(in crate::verbs) fn bad(error: seamwright_cell::Error) -> Failure {
+pub(in crate::verbs) fn bad(error: &seamwright_cell::Error) -> Failure {
     Failure::Input(error.to_string())
 }
 
