@@ -65,6 +65,13 @@ pub struct Program {
 }
 
 impl Program {
+    /// Names of the process values of all passes, in alphabetical order.
+    pub fn process_values(&self) -> Vec<String> {
+        let names: std::collections::BTreeSet<&String> =
+            self.passes.iter().flat_map(|p| &p.spans).flat_map(|s| s.process.keys()).collect();
+        names.into_iter().cloned().collect()
+    }
+
     /// True if `text` is a program and not a job: it has passes.
     pub fn is_in(text: &str) -> bool {
         toml::from_str::<toml::Table>(text).is_ok_and(|t| t.contains_key("passes"))

@@ -34,6 +34,8 @@ impl Header<'_> {
 pub struct Who {
     /// Number of the part, as the shop has it.
     pub part: String,
+    /// No metal is welded.
+    pub simulated: bool,
     /// Who welds.
     pub welder: Option<String>,
 }
@@ -81,7 +83,7 @@ pub fn record_plan(loaded: &Loaded, motion: &WeldMotion, header: &Header<'_>, wh
     Ok(Plan {
         part: who.part,
         title: program.title.clone(),
-        simulated: true,
+        simulated: who.simulated,
         job: is_job.then(|| (file.unwrap_or_default(), document.text().to_owned())),
         program: (program.title.clone(), text),
         machine: (loaded.machine.name.clone(), machine),

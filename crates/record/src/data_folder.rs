@@ -61,6 +61,11 @@ impl DataFolder {
         Ok(Self { path: path.to_owned(), library })
     }
 
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
     /// The library.
     pub fn library(&self) -> &Library {
         &self.library

@@ -11,6 +11,7 @@
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout, clippy::print_stderr))]
 
+mod backup;
 mod data_folder;
 mod error;
 pub mod figures;
@@ -23,6 +24,7 @@ pub mod trace;
 mod vcd;
 mod whole_file;
 
+pub use backup::restore;
 pub use data_folder::{DataFolder, Recovered, Verified};
 pub use error::Error;
 pub use hash::{sha256, sha256_of_file};

@@ -23,6 +23,10 @@ pub struct Settings {
     pub data: PathBuf,
     /// The machine of the cell.
     pub machine: Machine,
+    /// Where files that the machine file names are seen from.
+    pub folder: PathBuf,
+    /// Process values of the programs that come, for devices that are not simulated.
+    pub values: Vec<String>,
     /// Name of a job in `data` or of an example to begin with.
     pub job: Option<String>,
 }
@@ -61,7 +65,8 @@ pub fn serve(settings: &Settings, ready: impl FnOnce(&str)) -> Result<(), Error>
             Error::System(format!("--bind {}: {e}\n   allowed: an address and a port that is free", settings.bind))
         })?;
         let port = listener.local_addr().map_err(|e| system(&e))?.port();
-        let cell = Cell::start(&settings.machine, &settings.data).map_err(Error::Settings)?;
+        let cell = Cell::start(&settings.machine, &settings.folder, settings.values.clone(), &settings.data)
+            .map_err(Error::Settings)?;
         let has_admin = accounts.has_admin();
         let mut panel = Panel::new(cell, accounts, key.clone(), settings.data.clone(), hosts(&names, port));
         panel.tls = tls.is_some();

@@ -40,6 +40,10 @@ pub(crate) enum Action {
     Export(ExportArgs),
     /// Check the database, the audit log and the hash of every file; exit code 1 if something is wrong
     Verify(VerifyArgs),
+    /// Everything of a data folder as one file; a running panel may go on
+    Backup(BackupArgs),
+    /// A data folder from such a file
+    Restore(RestoreArgs),
     /// Make whole what crashes left: traces become readable, welds interrupted ones
     Recover(RecoverArgs),
 }
@@ -122,4 +126,23 @@ pub(crate) struct RecoverArgs {
 fn end(text: &str) -> Result<Moment, String> {
     let moment: Moment = text.parse()?;
     Ok(if text.contains(':') { Moment(moment.0 + 60_000) } else { moment.next_day() })
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright records backup -o cell.tar --data cell")]
+pub(crate) struct BackupArgs {
+    /// The file to write (tar)
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: PathBuf,
+    #[command(flatten)]
+    pub(crate) data: DataArgs,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example: seamwright records restore cell.tar --data new-cell")]
+pub(crate) struct RestoreArgs {
+    /// What `records backup` or the panel wrote
+    pub(crate) archive: PathBuf,
+    #[command(flatten)]
+    pub(crate) data: DataArgs,
 }

@@ -59,14 +59,14 @@ pub(super) fn begin(
     motion: &WeldMotion,
     header: &Header<'_>,
     output: &Output,
-    record: &RecordArgs,
+    (record, simulated): (&RecordArgs, bool),
 ) -> Result<Rows, Failure> {
     let period = loaded.machine.servo_period_s;
     let Some(folder) = &record.data else {
         return Ok(Rows::Trace(Box::new(TraceFile::begin(header, period, output)?)));
     };
     let mut data = DataFolder::open(folder)?;
-    let who = Who { part: record.part.clone(), welder: record.welder.clone() };
+    let who = Who { part: record.part.clone(), simulated, welder: record.welder.clone() };
     let plan = record_plan(loaded, motion, header, who)?;
     let recording = data.begin(&plan)?;
     Ok(Rows::Weld(Box::new((recording, data))))

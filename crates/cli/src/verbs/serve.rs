@@ -18,23 +18,28 @@ pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
         (None, None) => Some(format!("{}.toml", EXAMPLES[0].name)),
         (None, Some(_)) => None,
     };
-    let machine = match (&args.machine, &job) {
-        (Some(name), _) => machine(name)?,
-        (None, Some(job)) => {
+    let loaded = match &job {
+        Some(job) => {
             let example =
                 EXAMPLES.iter().find(|e| job.strip_suffix(".toml") == Some(e.name)).map(|e| e.text.to_owned());
             let path = jobs.join(job);
             let text = if path.is_file() { files::read(&path)? } else { example.unwrap_or_default() };
-            load_text(job, &text, &jobs)?.machine
+            Some(load_text(job, &text, &jobs)?)
         }
+        None => None,
+    };
+    let values = loaded.as_ref().map_or(Vec::new(), |l| l.welding.program.value.process_values());
+    let (machine, folder) = match (&args.machine, loaded) {
+        (Some(name), _) => (machine(name)?, Path::new(name).parent().unwrap_or(Path::new(".")).to_owned()),
+        (None, Some(loaded)) => (loaded.machine.clone(), loaded.folder().to_owned()),
         // Without a job there is a machine.
-        (None, None) => machine("saddle-4axis")?,
+        (None, None) => (machine("saddle-4axis")?, jobs.clone()),
     };
     let tls = match (&args.cert, &args.key) {
         (Some(cert), Some(key)) => Some(Tls::Files { cert: cert.clone(), key: key.clone() }),
         _ => args.tls.then_some(Tls::Own),
     };
-    let settings = Settings { bind: args.bind, names: args.host.clone(), tls, data, machine, job };
+    let settings = Settings { bind: args.bind, names: args.host.clone(), tls, data, machine, folder, values, job };
     let ready = |url: &str| {
         // Whoever started it may not listen: it runs all the same.
         drop(print_text(&format!("{url}\n")));

@@ -43,6 +43,15 @@ impl Library {
         Ok(library)
     }
 
+    /// Writes a copy as it is at this moment; nobody has to wait.
+    ///
+    /// # Errors
+    /// If `to` is there or cannot be written.
+    pub(crate) fn copy_to(&self, to: &Path) -> Result<(), Error> {
+        let sql = "VACUUM INTO ?1";
+        self.db.execute(sql, [to.to_string_lossy()]).map(drop).map_err(|e| self.failed(e))
+    }
+
     /// Opens the library at `path` only to read it, also where nothing may be written.
     ///
     /// # Errors

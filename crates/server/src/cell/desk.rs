@@ -63,6 +63,8 @@ pub(super) struct Desk {
     shown: Instant,
     missed: u32,
     left: Option<(u32, f64)>,
+    /// Process values that real devices are connected for; none: all devices are simulated.
+    connected: Option<Vec<String>>,
     quits: bool,
     /// What keeps the record from being written, as it was told.
     trouble: Option<String>,
@@ -83,7 +85,7 @@ impl Desk {
         from: Receiver<ToDesk>,
         names: Names,
         recorder: Recorder,
-        left: Option<(u32, f64)>,
+        (left, connected): (Option<(u32, f64)>, Option<Vec<String>>),
     ) -> Self {
         let Queues { outside, next, done } = queues;
         Self {
@@ -105,6 +107,7 @@ impl Desk {
             shown: Instant::now(),
             missed: 0,
             left,
+            connected,
             quits: false,
             trouble: None,
         }
@@ -192,11 +195,19 @@ impl Desk {
 
     /// Gives a program to the cycle; it is taken at rest only.
     fn load(&mut self, loading: Box<Loading>) {
-        let other = loading.prepared.machine().name != self.names.machine.name;
+        let other = loading.prepared.fingerprint() != self.names.fingerprint;
         let off = self.now.is_none_or(|now| matches!(now.mode, Mode::Off));
         let lack = |key: &str, text: &str| LackView { key: key.to_owned(), of: vec![], text: text.to_owned() };
         if self.loading.is_some() {
             drop(loading.answer.send(Err(lack("moving", "another program is being loaded: wait a moment"))));
+            return;
+        }
+        let real = self.connected.is_some() || !loading.prepared.machine().devices.is_empty();
+        let values =
+            |known: &Vec<String>| loading.prepared.with(|work| work.values().iter().all(|v| known.contains(v)));
+        if real && (other || !self.connected.as_ref().is_some_and(values)) {
+            let text = "its machine or its process values are not those that the devices are connected for: start the panel with it";
+            drop(loading.answer.send(Err(lack("work", text))));
             return;
         }
         if other && !off {
@@ -209,14 +220,15 @@ impl Desk {
             return;
         }
         let Loading { prepared, view, plan, passes, user, answer } = *loading;
-        let machine = prepared.machine().clone();
+        let (machine, fingerprint) = (prepared.machine().clone(), prepared.fingerprint().to_owned());
         let values = prepared.with(|work| work.values().len());
         if self.next.push(prepared).is_err() {
             drop(answer.send(Err(lack("moving", "the cell does not answer: try again"))));
             return;
         }
         self.waiting.push_back(Command { origin: Origin::default(), number: 0, ask: Ask::Load });
-        self.loading = Some(Box::new(Pending { names: Names { machine, values }, view, plan, passes, user, answer }));
+        self.loading =
+            Some(Box::new(Pending { names: Names { machine, fingerprint, values }, view, plan, passes, user, answer }));
     }
 
     fn loaded(&mut self, refused: Option<Missing>) {
@@ -225,7 +237,7 @@ impl Desk {
             drop(pending.answer.send(Err(self.names.lack(missing))));
             return;
         }
-        if pending.names.machine.name != self.names.machine.name {
+        if pending.names.fingerprint != self.names.fingerprint {
             self.mirror = Mirror::default();
             self.hub.alarms(Vec::new());
             self.hub.set_machine(&pending.names.machine);

@@ -7,6 +7,8 @@ use seamwright_motion::pace::RunPhase;
 /// The machine's names for what the executive counts, and its chain for where things are.
 pub(super) struct Names {
     pub(super) machine: Machine,
+    /// See [`super::Prepared::fingerprint`].
+    pub(super) fingerprint: String,
     /// Process values of the program.
     pub(super) values: usize,
 }

@@ -2,6 +2,7 @@ use seamwright_cell::executive::{Place, Start, Work};
 use seamwright_machine::{Clamped, Joints, Machine, Surroundings};
 use seamwright_motion::WeldMotion;
 use seamwright_project::load::Loaded;
+use seamwright_record::sha256;
 use self_cell::self_cell;
 
 /// How far an axis may be from home for the plain way from there, mm or rad.
@@ -47,7 +48,10 @@ self_cell! {
 }
 
 /// A task with everything made that running it takes memory for: ready to be handed to the cycle's thread.
-pub(crate) struct Prepared(Worked);
+pub(crate) struct Prepared {
+    worked: Worked,
+    fingerprint: String,
+}
 
 impl Prepared {
     /// With the axes at `at`; `from`: where to begin, if not at the begin.
@@ -63,16 +67,23 @@ impl Prepared {
             };
             Surroundings::new(task.machine(), clamped).map_err(|e| e.to_string())
         })?;
+        // Machine files of one name may differ: all that is in them counts.
+        let fingerprint = sha256(format!("{:?}", stood.borrow_owner().machine()).as_bytes());
         let worked = Worked::try_new(stood, |stood| stood.with_dependent(|task, around| work(task, around, at, from)))?;
-        Ok(Self(worked))
+        Ok(Self { worked, fingerprint })
     }
 
     pub(crate) fn with<T>(&self, run: impl FnOnce(&Work<'_>) -> T) -> T {
-        self.0.with_dependent(|_, work| run(work))
+        self.worked.with_dependent(|_, work| run(work))
     }
 
     pub(crate) fn machine(&self) -> &Machine {
-        self.0.borrow_owner().borrow_owner().machine()
+        self.worked.borrow_owner().borrow_owner().machine()
+    }
+
+    /// The same for machines that are the same in everything.
+    pub(crate) fn fingerprint(&self) -> &str {
+        &self.fingerprint
     }
 }
 

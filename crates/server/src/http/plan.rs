@@ -115,7 +115,8 @@ fn loading(
     let title = loaded.welding.program.value.title.clone();
     let about = [("title", title), ("machine", loaded.machine.name.clone())];
     let header = Header { columns: &columns, about: &about };
-    let who = Who { part: load.part.unwrap_or_default(), welder: None };
+    let simulated = loaded.machine.devices.is_empty();
+    let who = Who { part: load.part.unwrap_or_default(), simulated, welder: None };
     let plan = record_plan(&loaded, &motion, &header, who)?;
     let passes = motion.passes.len() - from.map_or(0, |place| place.pass.saturating_sub(1)).min(motion.passes.len());
     // On the machine of the cell from where its axes are, on another from its home.

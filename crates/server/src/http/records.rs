@@ -1,10 +1,13 @@
 use super::answer::{Answer, Refused, page_of};
 use super::panel::Panel;
+use crate::users::Session;
 use crate::view::written;
 use crate::wire::{AuditRow, JudgedView, RecordRow, RecordView, RecordedAlarm, TraceView};
-use axum::Json;
+use axum::body::Body;
 use axum::extract::{Path, Query, State};
-use axum::response::Response;
+use axum::http::header;
+use axum::response::{IntoResponse, Response};
+use axum::{Extension, Json};
 use seamwright_record::library::{Query as Find, WeldRecord, WeldResult};
 use seamwright_record::trace::Trace;
 use seamwright_record::{DataFolder, Moment};
@@ -204,4 +207,41 @@ pub(super) async fn audit(State(panel): State<Arc<Panel>>, Query(most): Query<Mo
         Ok(entries.into_iter().map(row).collect())
     })
     .await
+}
+
+/// Pieces of an archive on their way to a client, of this size and so many at once.
+const PIECE: usize = 64 << 10;
+const PIECES: usize = 8;
+
+/// What is written goes to the client, as fast as he takes it.
+struct ToClient(tokio::sync::mpsc::Sender<std::io::Result<Vec<u8>>>);
+
+impl std::io::Write for ToClient {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        let gone = |_| std::io::Error::new(std::io::ErrorKind::BrokenPipe, "the client has gone");
+        self.0.blocking_send(Ok(bytes.to_vec())).map(|()| bytes.len()).map_err(gone)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+pub(super) async fn backup(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+) -> Result<Response, Refused> {
+    panel.cell.archive.audit(&session.user, "panel", "backup", ("", ""), "begun");
+    let data = DataFolder::open_to_read(&panel.data)?;
+    let (to, mut from) = tokio::sync::mpsc::channel(PIECES);
+    tokio::task::spawn_blocking(move || {
+        let out = std::io::BufWriter::with_capacity(PIECE, ToClient(to.clone()));
+        if let Err(e) = data.back_up(out) {
+            // The client sees that it breaks off.
+            drop(to.blocking_send(Err(std::io::Error::other(e.to_string()))));
+        }
+    });
+    let body = Body::from_stream(futures_util::stream::poll_fn(move |context| from.poll_recv(context)));
+    let name = "attachment; filename=\"seamwright-backup.tar\"";
+    Ok(([(header::CONTENT_TYPE, "application/x-tar"), (header::CONTENT_DISPOSITION, name)], body).into_response())
 }

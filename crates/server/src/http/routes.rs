@@ -117,6 +117,7 @@ pub(super) fn routes() -> Vec<Route> {
         ),
         Route::get("/api/records/{id}/report", "records.read", "Its report as a page", None, get(records::report)),
         Route::get("/api/audit", "audit.read", "Who did what", shape::<Vec<AuditRow>>(), get(records::audit)),
+        Route::get("/api/backup", "backup", "All data as a tar archive", None, get(records::backup)),
         Route::get("/api/users", "users.read", "Users", shape::<Vec<UserRow>>(), get(users::list)),
         Route::write(
             ("put", user),

@@ -2,6 +2,7 @@
 
 use super::{Bench, HOST};
 use axum::http::StatusCode;
+use http_body_util::BodyExt as _;
 use serde_json::json;
 
 #[tokio::test(flavor = "multi_thread")]
@@ -39,6 +40,13 @@ async fn jobs_are_kept_planned_posted_and_edited() {
     let (_, audit) = bench.ask(owner.request("GET", "/api/audit", None)).await;
     let commands: Vec<&str> = audit.as_array().unwrap().iter().filter_map(|e| e["command"].as_str()).collect();
     assert!(commands.contains(&"delete job mine.toml") && commands.contains(&"log in"), "{commands:?}");
+    let archive = bench.raw(owner.request("GET", "/api/backup", None)).await;
+    assert_eq!(archive.headers()["content-type"], "application/x-tar");
+    let bytes = archive.into_body().collect().await.unwrap().to_bytes();
+    let file = bench.folder.path().join("backup.tar");
+    std::fs::write(&file, &bytes).unwrap();
+    let scratch = tempfile::tempdir().unwrap();
+    seamwright_record::restore(&file, &scratch.path().join("back")).unwrap();
     let (_, document) = bench.ask(owner.request("GET", "/api/openapi.json", None)).await;
     assert!(document["paths"]["/api/jobs/{name}"]["put"]["requestBody"].is_object());
     assert!(

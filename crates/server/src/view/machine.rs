@@ -23,7 +23,7 @@ pub(crate) fn machine_view(machine: &Machine) -> MachineView {
     MachineView {
         name: machine.name.clone(),
         title: machine.title.clone(),
-        simulated: true,
+        simulated: machine.devices.is_empty(),
         period_s: machine.servo_period_s,
         axes: axes.collect(),
         conditions: conditions

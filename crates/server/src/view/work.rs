@@ -15,10 +15,7 @@ const CLOSED_MM: f64 = 1e-3;
 pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&WeldMotion, &[Finding]>) -> WorkView {
     let program = &loaded.welding.program.value;
     let machine = &loaded.machine;
-    let mut values: Vec<String> =
-        program.passes.iter().flat_map(|p| &p.spans).flat_map(|s| s.process.keys().cloned()).collect();
-    values.sort();
-    values.dedup();
+    let values = program.process_values();
     let motion = planned.ok();
     let passes = motion.map(|m| program.passes.iter().zip(&m.passes)).into_iter().flatten();
     let findings = planned.map_or_else(|findings| findings, |m| &m.findings);

@@ -1,5 +1,6 @@
 //! `seamwright records`: the library of recorded welds.
 
+mod backup;
 mod export;
 mod list;
 mod recover;
@@ -17,6 +18,8 @@ pub(crate) fn run(args: &RecordsArgs) -> Result<(), Failure> {
         Action::Show(a) => show::run(a),
         Action::Export(a) => export::run(a),
         Action::Verify(a) => verify::run(a),
+        Action::Backup(a) => backup::backup(a),
+        Action::Restore(a) => backup::restore(a),
         Action::Recover(a) => recover::run(a),
     }
 }

@@ -36,7 +36,13 @@ impl Table {
         let title = loaded.welding.program.value.title.clone();
         let about = [("title", title), ("machine", machine.name.clone())];
         let columns = run_rows::columns(machine, values, &heads);
-        let rows = recorded::begin(loaded, motion, &Header { columns: &columns, about: &about }, output, record)?;
+        let rows = recorded::begin(
+            loaded,
+            motion,
+            &Header { columns: &columns, about: &about },
+            output,
+            (record, machine.devices.is_empty()),
+        )?;
         Ok(Self { rows, machine: machine.clone(), values: values.len(), heads })
     }
 
