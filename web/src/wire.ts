@@ -873,7 +873,7 @@ words: Array<string>, };
  */
 export type AuditRow = { 
 /**
- * When, UTC.
+ * When: RFC 3339, UTC.
  */
 at: string, 
 /**

@@ -112,7 +112,7 @@ mod tests {
             assert_eq!(mode & 0o077, 0);
         }
         let (from, to) = year();
-        assert!((396..=430).contains(&(to - from).whole_days()));
+        assert!((393..=398).contains(&(to - from).whole_days()));
         let files = Tls::Files { cert: folder.path().join("no.pem"), key: folder.path().join("tls/ca.key") };
         assert!(config(&files, folder.path(), &names).await.unwrap_err().to_string().contains("no.pem"));
     }
