@@ -147,6 +147,12 @@ const en = {
     consequence: 'this weld has no complete record',
     action: 'free the disk; decide whether to go on',
   },
+  'set-points missing': {
+    title: 'set-points missing',
+    cause: 'this computer is too busy, or `store` too short for it',
+    consequence: 'all axes stood still at once, beyond their limits',
+    action: 'look at the weld; stop other programs, or more `store`',
+  },
   'tracking': {
     title: 'tracking',
     cause: 'the joint is not seen or out of reach',
@@ -293,6 +299,12 @@ const uk: Record<AlarmName, Row> = {
     cause: 'диск повний або зник',
     consequence: 'у цього зварювання немає повного запису',
     action: 'звільніть диск; вирішіть, чи продовжувати',
+  },
+  'set-points missing': {
+    title: 'бракує заданих точок',
+    cause: 'комп’ютер надто зайнятий або `store` для нього замалий',
+    consequence: 'усі осі стали одразу, поза своїми межами',
+    action: 'огляньте шов; зупиніть інші програми або збільште `store`',
   },
   'tracking': {
     title: 'стеження за стиком',
@@ -441,6 +453,12 @@ const zh: Record<AlarmName, Row> = {
     consequence: '本次焊接没有完整记录',
     action: '释放磁盘；决定是否继续',
   },
+  'set-points missing': {
+    title: '设定点缺失',
+    cause: '本计算机过忙，或 `store` 过短',
+    consequence: '所有轴立即停住，超出其限值',
+    action: '检查焊缝；停止其他程序，或增大 `store`',
+  },
   'tracking': {
     title: '跟踪',
     cause: '看不到焊缝或超出范围',
@@ -588,6 +606,12 @@ const de: Record<AlarmName, Row> = {
     consequence: 'diese Schweißung hat kein vollständiges Protokoll',
     action: 'Platz schaffen; entscheiden, ob es weitergeht',
   },
+  'set-points missing': {
+    title: 'Sollwerte fehlen',
+    cause: 'dieser Rechner ist zu beschäftigt, oder `store` zu kurz',
+    consequence: 'alle Achsen standen auf einmal still, jenseits ihrer Grenzen',
+    action: 'Naht ansehen; andere Programme beenden oder `store` vergrößern',
+  },
   'tracking': {
     title: 'Nahtverfolgung',
     cause: 'die Fuge wird nicht gesehen oder ist außer Reichweite',
@@ -734,6 +758,12 @@ const ru: Record<AlarmName, Row> = {
     cause: 'диск полон или пропал',
     consequence: 'у этой сварки нет полной записи',
     action: 'освободите диск; решите, продолжать ли',
+  },
+  'set-points missing': {
+    title: 'не хватает заданных точек',
+    cause: 'компьютер слишком занят или `store` для него мал',
+    consequence: 'все оси встали сразу, вне своих пределов',
+    action: 'осмотрите шов; остановите другие программы или увеличьте `store`',
   },
   'tracking': {
     title: 'слежение за стыком',
