@@ -43,7 +43,7 @@ fn build(web: &Path, out: &Path) -> Result<(), String> {
     let installed = time(web.join("node_modules/.package-lock.json"));
     if installed.is_none() || installed < time(web.join("package-lock.json")) {
         run(Command::new("npm")
-            .args(["ci", "--no-audit", "--no-fund", "--ignore-scripts", "--fetch-retries=1"])
+            .args(["ci", "--no-audit", "--no-fund", "--ignore-scripts", "--fetch-retries=1", "--fetch-timeout=60000"])
             .current_dir(web))?;
     }
     let vite = web.join("node_modules/.bin/vite");
