@@ -1046,7 +1046,7 @@ t_s: number | null,
 first_out: boolean, };
 
 /**
- * `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, each with its least and greatest neighbours kept.
+ * `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, the first and the last among them.
  */
 export type TraceView = { 
 /**

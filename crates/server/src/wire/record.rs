@@ -86,7 +86,7 @@ pub struct RecordedAlarm {
     pub first_out: bool,
 }
 
-/// `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, each with its least and greatest neighbours kept.
+/// `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, the first and the last among them.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct TraceView {
     /// The columns asked for.
