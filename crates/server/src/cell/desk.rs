@@ -203,8 +203,8 @@ impl Desk {
             return;
         }
         let real = self.connected.is_some() || !loading.prepared.machine().devices.is_empty();
-        let values =
-            |known: &Vec<String>| loading.prepared.with(|work| work.values().iter().all(|v| known.contains(v)));
+        // Devices know process values by their places: all must be the same.
+        let values = |known: &Vec<String>| loading.prepared.with(|work| work.values() == known.as_slice());
         if real && (other || !self.connected.as_ref().is_some_and(values)) {
             let text = "its machine or its process values are not those that the devices are connected for: start the panel with it";
             drop(loading.answer.send(Err(lack("work", text))));
