@@ -48,6 +48,21 @@ impl RunPhase {
     pub fn arc(self) -> bool {
         matches!(self, Self::TravelDelay | Self::Travel | Self::Crater)
     }
+
+    /// In one word, as in tables and on the wire.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Held => "held",
+            Self::Preflow => "preflow",
+            Self::TravelDelay => "travel_delay",
+            Self::Travel => "travel",
+            Self::RunOut => "run_out",
+            Self::Crater => "crater",
+            Self::Postflow => "postflow",
+            Self::Move => "move",
+            Self::Ended => "ended",
+        }
+    }
 }
 
 /// One instant of a run.

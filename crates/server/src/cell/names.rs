@@ -2,7 +2,6 @@ use crate::wire::{Ages, AlarmView, AxisStatus, LackView, ProcessStatus, Status};
 use seamwright_cell::executive::{Alarm, AlarmState, Event, Interlocks, Missing, Mode, ProcessState, Raised};
 use seamwright_cell::realtime::Shown;
 use seamwright_machine::{Joints, Level, Machine};
-use seamwright_motion::pace::RunPhase;
 
 /// The machine's names for what the executive counts, and its chain for where things are.
 pub(super) struct Names {
@@ -125,7 +124,7 @@ impl Names {
                 on: c.orders.process.on,
                 burning: c.reports.source.burning,
                 gas: c.orders.process.gas,
-                phase: c.phase.map(|p| phase(p).to_owned()),
+                phase: c.phase.map(|p| p.name().to_owned()),
                 set: c.orders.process.values[..self.values].iter().map(|v| number(*v)).collect(),
                 measured: c.reports.source.values[..self.values].iter().map(|v| number(*v)).collect(),
             },
@@ -171,19 +170,5 @@ pub(super) fn mode(mode: Mode) -> &'static str {
     match mode {
         Mode::DryRun => "dry_run",
         other => other.name(),
-    }
-}
-
-fn phase(phase: RunPhase) -> &'static str {
-    match phase {
-        RunPhase::Held => "held",
-        RunPhase::Preflow => "preflow",
-        RunPhase::TravelDelay => "travel_delay",
-        RunPhase::Travel => "travel",
-        RunPhase::RunOut => "run_out",
-        RunPhase::Crater => "crater",
-        RunPhase::Postflow => "postflow",
-        RunPhase::Move => "move",
-        RunPhase::Ended => "ended",
     }
 }

@@ -218,7 +218,7 @@ impl<'a> Player<'a> {
         let mut cells = vec![Cell::Number(t), Cell::Count(point.pass as u64), number(point.s)];
         let axes = self.loaded.machine.axes.iter().zip(&point.q);
         cells.extend(axes.map(|(axis, value)| Cell::Number(axis.to_file(*value))));
-        let phase = point.phase.map_or("air", name);
+        let phase = point.phase.map_or("air", RunPhase::name);
         cells.extend([number(point.speed), Cell::Count(u64::from(point.arc.is_some())), Cell::Text(phase)]);
         cells.extend(self.process.values(point.pass, point.s, point.arc).map(Cell::Number));
         self.rows.row(&cells)
@@ -235,20 +235,6 @@ fn order(command: Command, welded: f64, length: f64) -> Order {
         Command::Step(mm) if welded + mm < length => Order::StepTo(welded + mm),
         Command::Step(_) => Order::Resume,
         Command::Abort => Order::Abort,
-    }
-}
-
-fn name(phase: RunPhase) -> &'static str {
-    match phase {
-        RunPhase::Held => "held",
-        RunPhase::Preflow => "preflow",
-        RunPhase::TravelDelay => "travel_delay",
-        RunPhase::Travel => "travel",
-        RunPhase::RunOut => "run_out",
-        RunPhase::Crater => "crater",
-        RunPhase::Postflow => "postflow",
-        RunPhase::Move => "move",
-        RunPhase::Ended => "ended",
     }
 }
 
