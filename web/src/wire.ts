@@ -610,7 +610,15 @@ time_s: number,
 /**
  * It goes on where a power failure or a stop left it: pass from 1, and path length.
  */
-from: [number, number] | null, };
+from: [number, number] | null, 
+/**
+ * How many heads are tracked.
+ */
+tracked: number, 
+/**
+ * How the simulated part differs from the planned one: TOML, as of `simulate --distortion`.
+ */
+distortion: string | null, };
 
 /**
  * A pass.
@@ -813,6 +821,19 @@ title: string,
 example: boolean, };
 
 /**
+ * `GET /api/distortions`: how a simulated part can lie.
+ */
+export type DistortionRow = { 
+/**
+ * Its name.
+ */
+name: string, 
+/**
+ * TOML, as of `simulate --distortion`.
+ */
+text: string, };
+
+/**
  * `POST /api/load`.
  */
 export type Load = { 
@@ -827,7 +848,11 @@ from: [number, number] | null,
 /**
  * Name of the part that is welded, for the record.
  */
-part: string | null, };
+part: string | null, 
+/**
+ * How the simulated part differs from the planned one: TOML, as of `simulate --distortion`. It is tracked then.
+ */
+distortion?: string | null, };
 
 /**
  * `POST /api/post`: a part program for a control.

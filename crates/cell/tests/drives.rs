@@ -71,8 +71,9 @@ impl<D: Drives> Bench<'_, D> {
     }
 }
 
-/// What the drives do, whoever they are; `wait` waits for the next cycle.
-fn conform<D: Drives>(machine: &Machine, drives: D, wait: Box<dyn FnMut()>) {
+/// What the drives do, whoever they are; `wait` waits for the next cycle. Those that run by a clock of their own may run out of
+/// set-points where the computer has other things to do: that is for `make peers`.
+fn conform<D: Drives>(machine: &Machine, drives: D, own_clock: bool, wait: Box<dyn FnMut()>) {
     let told = Arc::new(AtomicBool::new(false));
     let fault = |kind, when, lasts_s| Fault { device: Device::Drives, kind, when, lasts_s, which: 0 };
     let faults =
@@ -131,7 +132,8 @@ fn conform<D: Drives>(machine: &Machine, drives: D, wait: Box<dyn FnMut()>) {
     assert!(bench.within(1.0 + delay_s, |r, _| !r.powered));
     assert!((bench.moved() - from - WAY).abs() < 0.02);
     let report = bench.report;
-    assert!((report.fault, report.limit_switch, report.starts, report.starved) == (0, 0, 1, 0), "{report:?}");
+    assert!((report.fault, report.limit_switch, report.starts) == (0, 0, 1), "{report:?}");
+    assert!(own_clock || report.starved == 0, "{report:?}");
 
     // A start is counted.
     let left_s = REBOOT_S - bench.cycles as f64 * machine.servo_period_s;
@@ -148,7 +150,7 @@ fn machine(devices: &str) -> Machine {
 fn simulated_drives_conform() {
     let machine = machine("");
     for seed in 0..10 {
-        conform(&machine, SimulatedDrives::new(&machine, seed).unwrap(), Box::new(|| ()));
+        conform(&machine, SimulatedDrives::new(&machine, seed).unwrap(), false, Box::new(|| ()));
     }
 }
 
@@ -175,6 +177,7 @@ fn linuxcnc_drives_conform() {
     conform(
         &machine,
         drives,
+        true,
         Box::new(move || {
             pacer.wait();
         }),

@@ -81,7 +81,7 @@ fn welds_without(job: &str, distortion: &str) {
         around: Some(&around),
         faults: &[],
     };
-    let cell = SimulatedCell::new(&machine, &passes, &motion, conditions);
+    let cell = SimulatedCell::new(&machine, passes.clone(), &motion, conditions);
     let work = cell.work(Start::at_home(&motion)).unwrap();
     let mut devices = cell.devices().unwrap();
     let mut tracking = cell.tracking(Place::default()).unwrap();

@@ -1,12 +1,18 @@
 //! The example jobs that ship inside the program.
 
-/// An example job.
+/// An example.
 pub struct Example {
     /// Its short name.
     pub name: &'static str,
     /// Its TOML.
     pub text: &'static str,
 }
+
+/// Distortions of parts that ship inside the program: see `simulate --distortion`.
+pub const DISTORTIONS: &[Example] = &[
+    Example { name: "misplaced", text: include_str!("../../../examples/distortions/misplaced.toml") },
+    Example { name: "half-ring", text: include_str!("../../../examples/distortions/half-ring.toml") },
+];
 
 macro_rules! examples {
     ($($name:literal),*) => {

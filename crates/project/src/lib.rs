@@ -7,6 +7,7 @@ pub mod failure;
 pub mod files;
 pub mod load;
 mod outside;
+pub mod part;
 pub mod posting;
 pub mod power_loss;
 pub mod recording;

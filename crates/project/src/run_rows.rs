@@ -1,8 +1,10 @@
 //! The rows of the trace of a run.
 
+use crate::load::Loaded;
 use seamwright_cell::executive::{ProcessState, VALUES};
 use seamwright_cell::realtime::Shown;
 use seamwright_machine::Machine;
+use seamwright_program::TorchPath;
 
 /// Columns of each head that is tracked.
 const HEAD: [(&str, &str); 6] = [
@@ -95,4 +97,11 @@ pub fn row(machine: &Machine, c: &Shown, values: usize, heads: usize) -> Vec<f64
         row.push(c.reports.source.values[i]);
     }
     row
+}
+
+/// What ends the names of each head's columns; one head needs none.
+pub fn head_names(loaded: &Loaded) -> Vec<String> {
+    let pairs = loaded.paths().iter().any(|path| path.second(0.0).is_some());
+    let heads = loaded.machine.heads.iter().take(if pairs { 2 } else { 1 });
+    heads.map(|head| if pairs { format!("_{}", head.name) } else { String::new() }).collect()
 }

@@ -65,7 +65,7 @@ pub fn serve(settings: &Settings, ready: impl FnOnce(&str)) -> Result<(), Error>
             Error::System(format!("--bind {}: {e}\n   allowed: an address and a port that is free", settings.bind))
         })?;
         let port = listener.local_addr().map_err(|e| system(&e))?.port();
-        let cell = Cell::start(&settings.machine, &settings.folder, settings.values.clone(), &settings.data)
+        let cell = Cell::start(&settings.machine, &settings.folder, &settings.values, &settings.data)
             .map_err(Error::Settings)?;
         let has_admin = accounts.has_admin();
         let mut panel = Panel::new(cell, accounts, key.clone(), settings.data.clone(), hosts(&names, port));

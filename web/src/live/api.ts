@@ -1,6 +1,7 @@
 import type {
   AlarmEntry,
   AuditRow,
+  DistortionRow,
   EditAnswer,
   JobRow,
   JobText,
@@ -67,6 +68,7 @@ export const api = {
   machine: () => request<MachineView>('GET', '/api/machine'),
   catalogue: () => request<AlarmEntry[]>('GET', '/api/alarms/catalogue'),
   jobs: () => request<JobRow[]>('GET', '/api/jobs'),
+  distortions: () => request<DistortionRow[]>('GET', '/api/distortions'),
   job: (of: string) => request<JobText>('GET', `/api/jobs/${name(of)}`),
   keepJob: (of: string, text: string) => request<JobRow>('PUT', `/api/jobs/${name(of)}`, { text }),
   deleteJob: (of: string) => request<void>('DELETE', `/api/jobs/${name(of)}`),

@@ -41,6 +41,19 @@ pub trait Sensors {
     fn picture(&self) -> Option<Picture<'_>>;
 }
 
+/// None sees nothing.
+impl<S: Sensors> Sensors for Option<S> {
+    fn exchange(&mut self, orders: &SeamOrders, truth: Option<&Joints>, report: &mut SensorReport) {
+        if let Some(sensors) = self {
+            sensors.exchange(orders, truth, report);
+        }
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        self.as_ref()?.picture()
+    }
+}
+
 impl<D: Drives + ?Sized> Drives for Box<D> {
     fn exchange(&mut self, orders: &Orders, report: &mut DriveReport) {
         (**self).exchange(orders, report);

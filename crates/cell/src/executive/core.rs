@@ -134,6 +134,16 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         self
     }
 
+    /// Its devices, at its end.
+    pub fn into_devices(self) -> D {
+        self.devices
+    }
+
+    /// Its devices; between two calls of [`Executive::serve`] parts of them can be changed.
+    pub fn devices_mut(&mut self) -> &mut D {
+        &mut self.devices
+    }
+
     /// Runs cycle after cycle until [`Ask::Quit`] or [`Ask::Load`]; `work` is what dry runs and welds run.
     pub fn serve(&mut self, work: Option<&Work<'_>>) -> End {
         self.end = None;

@@ -103,6 +103,14 @@ pub struct Guided {
     pub seam: SeamOrders,
 }
 
+impl Guided {
+    /// Orders of a guide that corrects nothing.
+    pub fn as_planned(planned: &Planned<'_>) -> Self {
+        let (v, a) = (Joints::default(), Joints::default());
+        Self { q: *planned.q, v, a, pace: 1.0, trouble: None, seam: SeamOrders::default() }
+    }
+}
+
 /// Corrects the set-points of passes, cycle by cycle. Corrections belong to path length: speed changes, holds and going back
 /// are nothing special to them. At rest they come to rest too. They never step, and keep within what the plan leaves of every
 /// axis' limits.

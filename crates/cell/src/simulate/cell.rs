@@ -15,7 +15,7 @@ pub struct SimulatedCell<'a> {
     machine: &'a Machine,
     /// What passes are planned on: with tracking, less what that is left.
     planned_on: Machine,
-    passes: &'a [(&'a dyn TorchPath, &'a Pass)],
+    passes: Vec<(&'a dyn TorchPath, &'a Pass)>,
     motion: &'a WeldMotion,
     conditions: Conditions<'a>,
     /// Of each pass whose seam may lie elsewhere than planned, or that is tracked.
@@ -36,12 +36,12 @@ impl<'a> SimulatedCell<'a> {
     /// Of `motion`, whose passes are `passes`.
     pub fn new(
         machine: &'a Machine,
-        passes: &'a [(&'a dyn TorchPath, &'a Pass)],
+        passes: Vec<(&'a dyn TorchPath, &'a Pass)>,
         motion: &'a WeldMotion,
         conditions: Conditions<'a>,
     ) -> Self {
         let hidden = conditions.distortion.is_some() || conditions.tracking;
-        let whole = Whole::of(passes);
+        let whole = Whole::of(&passes);
         let scene = |(pass, planned): (&(&'a dyn TorchPath, &'a Pass), &seamwright_motion::PassMotion)| {
             let has = hidden && planned.arc && !pass.0.is_timed();
             has.then(|| PassScene::new(*pass, conditions.distortion, whole))
@@ -117,6 +117,6 @@ impl<'a> SimulatedCell<'a> {
             None => Ok(ArrayVec::new()),
         });
         let heads: Result<_, crate::tracking::Error> = heads.collect();
-        Ok(Judge::new(self.machine, self.passes, self.motion, heads?, self.conditions.seed))
+        Ok(Judge::new(self.machine, &self.passes, self.motion, heads?, self.conditions.seed))
     }
 }

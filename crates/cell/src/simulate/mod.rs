@@ -52,7 +52,7 @@ pub fn simulate<E: From<Error>>(
     conditions: Conditions<'_>,
     observer: impl FnMut(&Sample) -> Result<(), E>,
 ) -> Result<Vec<Summary>, E> {
-    let cell = SimulatedCell::new(machine, passes, motion, conditions);
+    let cell = SimulatedCell::new(machine, passes.to_vec(), motion, conditions);
     let work = cell.work(crate::executive::Start::at_home(motion))?;
     let mut devices = cell.devices()?;
     let mut tracking = cell.tracking(Place::default())?;

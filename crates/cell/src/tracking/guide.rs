@@ -125,14 +125,7 @@ impl Guide for Tracking<'_> {
         match self.pass() {
             Some(pass) => pass.follow(seen, planned),
             // Nobody asks for it: no pass has begun.
-            None => Guided {
-                q: *planned.q,
-                v: Joints::default(),
-                a: Joints::default(),
-                pace: 1.0,
-                trouble: None,
-                seam: crate::executive::SeamOrders::default(),
-            },
+            None => Guided::as_planned(planned),
         }
     }
 

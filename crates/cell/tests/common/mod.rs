@@ -78,7 +78,7 @@ impl Tracked {
     pub(crate) fn cell_with<'a>(&'a self, faults: &'a [Fault]) -> SimulatedCell<'a> {
         let distortion = Some(&self.distortion);
         let conditions = Conditions { seed: 1, distortion, tracking: true, faults, ..Conditions::default() };
-        SimulatedCell::new(&self.planned.machine, self.passes, &self.planned.motion, conditions)
+        SimulatedCell::new(&self.planned.machine, self.passes.to_vec(), &self.planned.motion, conditions)
     }
 
     /// Runs a script; what the judge saw of each cycle, and where the program was left.

@@ -1,7 +1,7 @@
 use crate::load::Loaded;
 use seamwright_cell::tracking::HeadSample;
 use seamwright_cell::{Conditions, Sample};
-use seamwright_program::TorchPath;
+use seamwright_project::run_rows::head_names;
 
 /// Columns of a trace that say where weld and joint truly are: of each head that welds, where that is simulated.
 pub(super) struct HeadColumns {
@@ -73,11 +73,4 @@ fn values(head: HeadSample) -> [f64; MOST] {
         deflection,
         welds,
     ]
-}
-
-/// What ends the names of each head's columns; one head needs none.
-pub(super) fn head_names(loaded: &Loaded) -> Vec<String> {
-    let pairs = loaded.paths().iter().any(|path| path.second(0.0).is_some());
-    let heads = loaded.machine.heads.iter().take(if pairs { 2 } else { 1 });
-    heads.map(|head| if pairs { format!("_{}", head.name) } else { String::new() }).collect()
 }

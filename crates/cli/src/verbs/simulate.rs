@@ -1,5 +1,5 @@
 use super::head_columns::HeadColumns;
-use super::part::Part;
+use super::part;
 use super::plan::{finish, write_report};
 use super::recorded::{self, Rows};
 use super::run::desk::Desk;
@@ -26,10 +26,10 @@ const ORDERS: [&str; 6] = ["on", "home", "wait ready", "arm", "weld", "wait read
 
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
-    let part = Part::read(&args.part)?;
+    let part = part::read(&args.part)?;
     let around = loaded.surroundings()?;
     let conditions = part.conditions(args.seed, &args.fault, &around);
-    let motion = part.plan(&loaded, &conditions)?;
+    let motion = part.plan(&loaded)?;
     let mut output = Output::new(&args.output)?;
     let (report, desk) = weld(&loaded, &motion, (conditions, args.json), &mut output, &args.record)?;
     if args.fault.is_empty() {
@@ -59,8 +59,7 @@ pub(super) fn weld(
 ) -> Result<(WeldReport, Desk), Failure> {
     let Loaded { welding, machine, .. } = loaded;
     let paths = loaded.paths();
-    let passes = loaded.passes(&paths);
-    let cell = SimulatedCell::new(machine, &passes, motion, conditions);
+    let cell = SimulatedCell::new(machine, loaded.passes(&paths), motion, conditions);
     let lines = ORDERS.iter().filter_map(|line| Line::read(line).ok()).collect();
     let desk = Desk::new(machine, None, lines, json);
     let mut desk = if conditions.faults.is_empty() { desk.quiet() } else { desk };

@@ -1,10 +1,13 @@
 //! The thread of the cycle: executives one after another, each with its programs.
 
+use super::connected::Connected;
+use super::guiding::Slot;
 use super::prepared::Prepared;
 use rtrb::{Consumer, Producer};
-use seamwright_cell::executive::{Devices, End, Executive};
+use seamwright_cell::devices::WithSensors;
+use seamwright_cell::executive::{End, Executive};
 use seamwright_cell::realtime::{Footing, LivePort, Paced, Pacer};
-use seamwright_project::devices;
+use std::cell::RefCell;
 
 /// What the cycle is given and gives back.
 pub(super) struct Swap {
@@ -14,29 +17,54 @@ pub(super) struct Swap {
     pub(super) done: Producer<Box<Prepared>>,
 }
 
-/// Runs on `devices` until it is told to quit. A task for another machine gets a new executive, which is off, on simulated
-/// devices.
-pub(super) fn run(mut task: Box<Prepared>, mut devices: devices::Cell, mut port: LivePort, mut swap: Swap) {
+impl Swap {
+    /// The task that is meant: those before it were refused.
+    fn next(&mut self) -> Option<Box<Prepared>> {
+        let mut meant = None;
+        while let Ok(next) = self.next.pop() {
+            self.done(meant.replace(next));
+        }
+        meant
+    }
+
+    /// Where nobody takes it, it is dropped here: late, at rest.
+    fn done(&mut self, task: Option<Box<Prepared>>) {
+        drop(task.map(|task| self.done.push(task)));
+    }
+}
+
+/// Runs on `devices` until it is told to quit. A task for another machine brings its devices, and gets a new executive, which is
+/// off.
+pub(super) fn run(mut task: Box<Prepared>, mut devices: Connected, mut port: LivePort, mut swap: Swap) {
     Footing::ask(None);
     loop {
         let machine = task.machine().clone();
-        let mut paced = Paced { devices, pacer: Pacer::new(machine.servo_period_s) };
-        let mut executive = Executive::new(&machine, &mut paced as &mut dyn Devices, &mut port);
-        let this = task.fingerprint().to_owned();
-        while task.fingerprint() == this {
+        let guide = RefCell::new(None);
+        let mut slot = Slot(&guide);
+        let pacer = Pacer::new(machine.servo_period_s);
+        let paced = Paced { devices: WithSensors { devices, sensors: None }, pacer };
+        let mut executive = Executive::new(&machine, paced, &mut port).with_guide(Some(&mut slot));
+        let next = loop {
+            guide.replace(task.guide.take());
+            executive.devices_mut().devices.sensors = task.sensors.take();
             if task.with(|work| executive.serve(Some(work))) == End::Quit {
                 return;
             }
-            // The last one is meant: those before it were refused.
-            while let Ok(next) = swap.next.pop() {
-                // Where nobody takes it, it is dropped here: late, at rest.
-                drop(swap.done.push(std::mem::replace(&mut task, next)));
+            // They go with their task.
+            task.guide = guide.take();
+            task.sensors = executive.devices_mut().devices.sensors.take();
+            match swap.next() {
+                Some(next) if next.fingerprint() != task.fingerprint() => break next,
+                Some(next) => swap.done(Some(std::mem::replace(&mut task, next))),
+                None => {}
             }
-        }
-        match devices::simulated(task.machine(), &[], 1) {
-            Ok(simulated) => devices = simulated,
-            // The desk has made sure of it before it gave the task.
-            Err(_) => return,
+        };
+        task.devices = Some(executive.into_devices().devices.devices);
+        swap.done(Some(std::mem::replace(&mut task, next)));
+        match task.devices.take() {
+            Some(its) => devices = its,
+            // The desk has made sure of them before it gave the task.
+            None => return,
         }
     }
 }

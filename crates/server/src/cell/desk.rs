@@ -1,5 +1,6 @@
 use super::alarms::Mirror;
 use super::archive::Archive;
+use super::connected::Connection;
 use super::hub::Hub;
 use super::names::{Extra, Names, WHY};
 use super::prepared::Prepared;
@@ -25,7 +26,7 @@ pub(crate) enum ToDesk {
     /// For the executive.
     Command(Command),
     /// Another program.
-    Load(Box<Loading>),
+    Load(Box<Loading>, Loaded),
     /// Everything off, then the end.
     Quit,
 }
@@ -39,8 +40,10 @@ pub(crate) struct Loading {
     /// Passes that are to be welded.
     pub(crate) passes: usize,
     pub(crate) user: String,
-    pub(crate) answer: oneshot::Sender<Result<(), LackView>>,
 }
+
+/// Who waits for a program to be loaded.
+pub(crate) type Loaded = oneshot::Sender<Result<(), LackView>>;
 
 /// Listens to the cycle: tells clients, records welds, passes commands on.
 pub(super) struct Desk {
@@ -63,8 +66,6 @@ pub(super) struct Desk {
     shown: Instant,
     missed: u32,
     left: Option<(u32, f64)>,
-    /// Process values that real devices are connected for; none: all devices are simulated.
-    connected: Option<Vec<String>>,
     quits: bool,
     /// What keeps the record from being written, as it was told.
     trouble: Option<String>,
@@ -85,7 +86,7 @@ impl Desk {
         from: Receiver<ToDesk>,
         names: Names,
         recorder: Recorder,
-        (left, connected): (Option<(u32, f64)>, Option<Vec<String>>),
+        left: Option<(u32, f64)>,
     ) -> Self {
         let Queues { outside, next, done } = queues;
         Self {
@@ -107,7 +108,6 @@ impl Desk {
             shown: Instant::now(),
             missed: 0,
             left,
-            connected,
             quits: false,
             trouble: None,
         }
@@ -138,7 +138,7 @@ impl Desk {
         loop {
             match self.from.try_recv() {
                 Ok(ToDesk::Command(command)) => self.waiting.push_back(command),
-                Ok(ToDesk::Load(loading)) => self.load(loading),
+                Ok(ToDesk::Load(loading, answer)) => self.load(*loading, answer),
                 Ok(ToDesk::Quit) | Err(TryRecvError::Disconnected) => {
                     self.quits = true;
                     break;
@@ -169,7 +169,7 @@ impl Desk {
 
     fn cycle(&mut self, shown: &Shown) {
         self.missed = self.missed.saturating_add(shown.reports.missed);
-        if let Some(trouble) = self.recorder.row(&self.names.machine, self.names.values, shown)
+        if let Some(trouble) = self.recorder.row(&self.names, shown)
             && self.trouble.as_ref() != Some(&trouble)
         {
             self.outside.fail();
@@ -193,42 +193,45 @@ impl Desk {
         self.hub.event(self.time(), what, text, user);
     }
 
-    /// Gives a program to the cycle; it is taken at rest only.
-    fn load(&mut self, loading: Box<Loading>) {
-        let other = loading.prepared.fingerprint() != self.names.fingerprint;
-        let off = self.now.is_none_or(|now| matches!(now.mode, Mode::Off));
-        let lack = |key: &str, text: &str| LackView { key: key.to_owned(), of: vec![], text: text.to_owned() };
+    /// What stands against a program that is to be loaded.
+    fn unfit(&self, loading: &Loading) -> Option<LackView> {
+        let lack = |key: &str, text: &str| Some(LackView { key: key.to_owned(), of: vec![], text: text.to_owned() });
+        let prepared = &loading.prepared;
         if self.loading.is_some() {
-            drop(loading.answer.send(Err(lack("moving", "another program is being loaded: wait a moment"))));
+            return lack("moving", "another program is being loaded: wait a moment");
+        }
+        let connected = || self.hub.connection().is_some_and(|to| to.serves_it(prepared));
+        if prepared.devices.is_none() && !connected() {
+            return lack("work", "the devices are not connected for it: try again");
+        }
+        let off = self.now.is_none_or(|now| now.mode == Mode::Off);
+        if prepared.fingerprint() != self.names.fingerprint && !off {
+            return lack("mode", "it needs other devices: switch the drives off first");
+        }
+        let moves = |now: Shown| now.mode.moves() || now.mode == Mode::Hold || now.phase.is_some();
+        self.now.is_some_and(moves).then(|| self.names.lack(Missing::Moving))
+    }
+
+    /// Gives a program to the cycle; it is taken at rest only.
+    fn load(&mut self, loading: Loading, answer: Loaded) {
+        // Nobody has to wait for the answer.
+        if let Some(lack) = self.unfit(&loading) {
+            drop(answer.send(Err(lack)));
             return;
         }
-        let real = self.connected.is_some() || !loading.prepared.machine().devices.is_empty();
-        // Devices know process values by their places: all must be the same.
-        let values = |known: &Vec<String>| loading.prepared.with(|work| work.values() == known.as_slice());
-        if real && (other || !self.connected.as_ref().is_some_and(values)) {
-            let text = "its machine or its process values are not those that the devices are connected for: start the panel with it";
-            drop(loading.answer.send(Err(lack("work", text))));
-            return;
-        }
-        if other && !off {
-            let text = "it is for another machine: switch the drives off first";
-            drop(loading.answer.send(Err(lack("mode", text))));
-            return;
-        }
-        if self.now.is_some_and(|now| now.mode.moves() || now.mode == Mode::Hold || now.phase.is_some()) {
-            drop(loading.answer.send(Err(self.names.lack(Missing::Moving))));
-            return;
-        }
-        let Loading { prepared, view, plan, passes, user, answer } = *loading;
+        let Loading { prepared, view, plan, passes, user } = loading;
+        let to = prepared.devices.as_ref().map(|devices| devices.to().clone());
         let (machine, fingerprint) = (prepared.machine().clone(), prepared.fingerprint().to_owned());
         let values = prepared.with(|work| work.values().len());
+        let heads = view.as_ref().map_or(0, |view| view.tracked);
         if self.next.push(prepared).is_err() {
-            drop(answer.send(Err(lack("moving", "the cell does not answer: try again"))));
+            let text = "the cell does not answer: try again".to_owned();
+            drop(answer.send(Err(LackView { key: "moving".to_owned(), of: vec![], text })));
             return;
         }
         self.waiting.push_back(Command { origin: Origin::default(), number: 0, ask: Ask::Load });
-        self.loading =
-            Some(Box::new(Pending { names: Names { machine, fingerprint, values }, view, plan, passes, user, answer }));
+        let names = Names { machine, fingerprint, values, heads };
+        self.loading = Some(Box::new(Pending { names, to, view, plan, passes, user, answer }));
     }
 
     fn loaded(&mut self, refused: Option<Missing>) {
@@ -237,10 +240,15 @@ impl Desk {
             drop(pending.answer.send(Err(self.names.lack(missing))));
             return;
         }
+        // Its rows are those of the program before.
+        self.recorder.end();
         if pending.names.fingerprint != self.names.fingerprint {
             self.mirror = Mirror::default();
             self.hub.alarms(Vec::new());
             self.hub.set_machine(&pending.names.machine);
+            if let Some(to) = &pending.to {
+                self.hub.set_connection(to);
+            }
         }
         self.names = pending.names;
         (self.plan, self.passes) = (pending.plan, pending.passes);
@@ -348,9 +356,11 @@ impl Desk {
 /// A program that the cycle has been given and has not taken yet.
 pub(super) struct Pending {
     names: Names,
+    /// What the devices that it brings are connected for.
+    to: Option<Connection>,
     view: Option<Arc<WorkView>>,
     plan: Option<Plan>,
     passes: usize,
     user: String,
-    answer: oneshot::Sender<Result<(), LackView>>,
+    answer: Loaded,
 }

@@ -1,3 +1,4 @@
+use super::connected::Connection;
 use crate::view::written;
 use crate::wire::{AlarmView, EventView, FromCell, Status, WorkView};
 use seamwright_machine::{Joints, Machine};
@@ -33,6 +34,8 @@ struct Told {
     alarms: Vec<AlarmView>,
     work: Option<Arc<WorkView>>,
     machine: Option<Arc<Machine>>,
+    /// Of the devices.
+    connection: Option<Connection>,
     control: Option<Holder>,
 }
 
@@ -158,6 +161,15 @@ impl Hub {
 
     pub(crate) fn set_machine(&self, machine: &Machine) {
         self.told().machine = Some(Arc::new(machine.clone()));
+    }
+
+    /// What the devices are connected for.
+    pub(crate) fn connection(&self) -> Option<Connection> {
+        self.told().connection.clone()
+    }
+
+    pub(super) fn set_connection(&self, to: &Connection) {
+        self.told().connection = Some(to.clone());
     }
 
     pub(crate) fn work(&self) -> Option<Arc<WorkView>> {

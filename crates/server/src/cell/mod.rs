@@ -2,16 +2,19 @@
 
 mod alarms;
 mod archive;
+mod connected;
 mod cycle;
 mod desk;
+mod guiding;
 mod hub;
 mod names;
 mod prepared;
 mod recorder;
 mod start;
 
+pub(crate) use connected::{Connected, Connection};
 pub(crate) use desk::{Loading, ToDesk};
 pub(crate) use hub::Refusal;
 pub(crate) use names::WHY;
-pub(crate) use prepared::{Planned, Prepared, Task};
+pub(crate) use prepared::{Planned, Prepared, Task, fingerprint};
 pub(crate) use start::Cell;

@@ -1,6 +1,7 @@
 use crate::wire::{Ages, AlarmView, AxisStatus, LackView, ProcessStatus, Status};
 use seamwright_cell::executive::{Alarm, AlarmState, Event, Interlocks, Missing, Mode, ProcessState, Raised};
 use seamwright_cell::realtime::Shown;
+use seamwright_cell::tracking;
 use seamwright_machine::{Joints, Level, Machine};
 
 /// The machine's names for what the executive counts, and its chain for where things are.
@@ -10,6 +11,8 @@ pub(super) struct Names {
     pub(super) fingerprint: String,
     /// Process values of the program.
     pub(super) values: usize,
+    /// Heads that are tracked.
+    pub(super) heads: usize,
 }
 
 impl Names {
@@ -21,11 +24,17 @@ impl Names {
         self.machine.interlocks.iter().map(|i| i.name.as_str()).collect()
     }
 
-    /// Which axis or condition an alarm is about.
+    /// Which axis or condition an alarm is about, or what tracking says.
     pub(super) fn detail(&self, alarm: Alarm, detail: u8) -> Option<String> {
         let names = match alarm {
             Alarm::Interlock => self.conditions(),
             Alarm::DriveFault | Alarm::LimitSwitch | Alarm::FollowingError => self.axes(),
+            Alarm::Tracking => {
+                return tracking::trouble(detail).map(|(name, head)| match head {
+                    0 => name.to_owned(),
+                    _ => format!("{name}, head {}", head + 1),
+                });
+            }
             _ => return None,
         };
         names.get(usize::from(detail)).map(|name| (*name).to_owned())

@@ -1,17 +1,28 @@
+use super::connected::Connected;
+use super::guiding::{Guiding, Sensing};
+use seamwright_cell::SimulatedCell;
 use seamwright_cell::executive::{Place, Start, Work};
-use seamwright_machine::{Clamped, Joints, Machine, Surroundings};
+use seamwright_machine::{Clamped, Joints, Machine, MachineDevices, Surroundings};
 use seamwright_motion::WeldMotion;
 use seamwright_project::load::Loaded;
+use seamwright_project::part::Part;
 use seamwright_record::sha256;
+use seamwright_weld::WeldPath;
 use self_cell::self_cell;
+use std::path::Path;
+use std::sync::Arc;
 
 /// How far an axis may be from home for the plain way from there, mm or rad.
 const AT_HOME: f64 = 0.005;
+/// Of everything random in a simulated cell.
+pub(super) const SEED: u64 = 1;
 
 /// A planned job, owned.
 pub(crate) struct Planned {
     pub(crate) loaded: Loaded,
     pub(crate) motion: WeldMotion,
+    /// How its part lies, if devices are simulated.
+    pub(crate) part: Part,
 }
 
 /// What a cell can be given: a planned job, or a machine alone.
@@ -29,11 +40,50 @@ impl Task {
     }
 }
 
+/// What a task stands on.
+pub(super) struct Ground<'a> {
+    around: Surroundings<'a>,
+    paths: Vec<WeldPath<'a>>,
+}
+
 self_cell! {
-    struct Stood {
+    pub(super) struct Stood {
         owner: Task,
         #[not_covariant]
-        dependent: Surroundings,
+        dependent: Ground,
+    }
+}
+
+/// A job has one.
+type CellOf<'a> = Option<SimulatedCell<'a>>;
+
+self_cell! {
+    /// What everything of a task borrows from.
+    pub(super) struct Base {
+        owner: Stood,
+        #[not_covariant]
+        dependent: CellOf,
+    }
+}
+
+impl Base {
+    /// # Errors
+    /// What is wrong, in words.
+    fn of(task: Task) -> Result<Self, String> {
+        let stood = Stood::try_new(task, |task| {
+            let nothing = Clamped::default();
+            let (clamped, paths) = match task {
+                Task::Job(planned) => (&planned.loaded.clamped, planned.loaded.paths()),
+                Task::Machine(_) => (&nothing, Vec::new()),
+            };
+            let around = Surroundings::new(task.machine(), clamped).map_err(|e| e.to_string())?;
+            Ok::<_, String>(Ground { around, paths })
+        })?;
+        Ok(Self::new(stood, |stood| stood.with_dependent(cell)))
+    }
+
+    fn machine(&self) -> &Machine {
+        self.borrow_owner().borrow_owner().machine()
     }
 }
 
@@ -41,15 +91,26 @@ type WorkOf<'a> = Work<'a>;
 
 self_cell! {
     struct Worked {
-        owner: Stood,
+        owner: Arc<Base>,
         #[not_covariant]
         dependent: WorkOf,
     }
 }
 
+/// The same for machines that are the same in everything: files of one name may differ.
+pub(crate) fn fingerprint(machine: &Machine) -> String {
+    sha256(format!("{machine:?}").as_bytes())
+}
+
 /// A task with everything made that running it takes memory for: ready to be handed to the cycle's thread.
 pub(crate) struct Prepared {
     worked: Worked,
+    /// What corrects its passes, if they are tracked.
+    pub(super) guide: Option<Guiding>,
+    /// What sees their joints.
+    pub(super) sensors: Option<Sensing>,
+    /// The devices of a machine that is not yet the cell's.
+    pub(crate) devices: Option<Connected>,
     fingerprint: String,
 }
 
@@ -59,43 +120,66 @@ impl Prepared {
     /// # Errors
     /// What is wrong, in words.
     pub(crate) fn new(task: Task, at: &Joints, from: Option<Place>) -> Result<Self, String> {
-        let stood = Stood::try_new(task, |task| {
-            let nothing = Clamped::default();
-            let clamped = match task {
-                Task::Job(planned) => &planned.loaded.clamped,
-                Task::Machine(_) => &nothing,
-            };
-            Surroundings::new(task.machine(), clamped).map_err(|e| e.to_string())
-        })?;
-        // Machine files of one name may differ: all that is in them counts.
-        let fingerprint = sha256(format!("{:?}", stood.borrow_owner().machine()).as_bytes());
-        let worked = Worked::try_new(stood, |stood| stood.with_dependent(|task, around| work(task, around, at, from)))?;
-        Ok(Self { worked, fingerprint })
+        let tracks = matches!(&task, Task::Job(planned) if planned.part.tracking);
+        let base = Arc::new(Base::of(task)?);
+        let fingerprint = fingerprint(base.machine());
+        let worked = Worked::try_new(Arc::clone(&base), |base| work(base, at, from))?;
+        let (mut guide, mut sensors) = (None, None);
+        if tracks {
+            guide = Some(Guiding::of(&base, from.unwrap_or_default())?);
+            sensors = Some(Sensing::of(&base)?);
+        }
+        Ok(Self { worked, guide, sensors, devices: None, fingerprint })
     }
 
     pub(crate) fn with<T>(&self, run: impl FnOnce(&Work<'_>) -> T) -> T {
         self.worked.with_dependent(|_, work| run(work))
     }
 
-    pub(crate) fn machine(&self) -> &Machine {
-        self.worked.borrow_owner().borrow_owner().machine()
+    /// A machine without a program, on simulated devices.
+    ///
+    /// # Errors
+    /// What is wrong, in words.
+    pub(crate) fn bare(machine: &Machine) -> Result<Self, String> {
+        let mut machine = machine.clone();
+        machine.devices = MachineDevices::default();
+        let home = machine.home();
+        let mut bare = Self::new(Task::Machine(Box::new(machine)), &home, None)?;
+        bare.devices = Some(Connected::new(&bare, Path::new(""), &[])?);
+        Ok(bare)
     }
 
-    /// The same for machines that are the same in everything.
+    pub(crate) fn machine(&self) -> &Machine {
+        self.worked.borrow_owner().machine()
+    }
+
+    /// See [`fingerprint`].
     pub(crate) fn fingerprint(&self) -> &str {
         &self.fingerprint
     }
 }
 
-fn work<'a>(
+fn cell<'a, 'q>(task: &'q Task, ground: &'a Ground<'q>) -> Option<SimulatedCell<'a>> {
+    let Task::Job(planned) = task else { return None };
+    let Planned { loaded, motion, part } = &**planned;
+    let conditions = part.conditions(SEED, &[], &ground.around);
+    Some(SimulatedCell::new(&loaded.machine, loaded.passes(&ground.paths), motion, conditions))
+}
+
+fn work<'a>(base: &'a Base, at: &Joints, from: Option<Place>) -> Result<Work<'a>, String> {
+    base.with_dependent(|stood, cell| {
+        stood.with_dependent(|task, ground| of(task, &ground.around, cell.as_ref(), (at, from)))
+    })
+}
+
+fn of<'a>(
     task: &'a Task,
     around: &'a Surroundings<'a>,
-    at: &Joints,
-    from: Option<Place>,
+    cell: Option<&'a SimulatedCell<'a>>,
+    (at, from): (&Joints, Option<Place>),
 ) -> Result<Work<'a>, String> {
-    let Task::Job(planned) = task else { return Ok(Work::none(task.machine(), around)) };
-    let Planned { loaded, motion } = &**planned;
-    let passes: Vec<_> = loaded.welding.program.value.passes.iter().collect();
+    let (Task::Job(planned), Some(cell)) = (task, cell) else { return Ok(Work::none(task.machine(), around)) };
+    let Planned { loaded, motion, .. } = &**planned;
     let home = loaded.machine.home();
     let axes = loaded.machine.axes.len();
     let at_home = at[..axes].iter().zip(&home).all(|(a, b)| (a - b).abs() < AT_HOME);
@@ -104,9 +188,7 @@ fn work<'a>(
         None => start(loaded, around, motion, at, Place { pass: 1, s_mm: 0.0 })?,
         Some(place) => start(loaded, around, motion, at, place)?,
     };
-    let most = seamwright_cell::executive::VALUES;
-    Work::new(&loaded.machine, Some(around), &passes, motion, start)
-        .map_err(|n| format!("the program has {n} process values; allowed: up to {most}"))
+    cell.work(start).map_err(|e| e.to_string())
 }
 
 fn start(

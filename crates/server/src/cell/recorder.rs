@@ -1,7 +1,7 @@
 use super::hub::Hub;
+use super::names::Names;
 use seamwright_cell::executive::{Mode, Note, Place, Raised, Reaction};
 use seamwright_cell::realtime::Shown;
-use seamwright_machine::Machine;
 use seamwright_project::power_loss::{self, Places, Watch};
 use seamwright_project::run_rows;
 use seamwright_record::library::{Alarm, AuditEntry, Place as Recorded, WeldResult};
@@ -71,9 +71,9 @@ impl Recorder {
     }
 
     /// A cycle; the trouble that keeps rows from being written, if there is some.
-    pub(super) fn row(&mut self, machine: &Machine, values: usize, shown: &Shown) -> Option<String> {
+    pub(super) fn row(&mut self, names: &Names, shown: &Shown) -> Option<String> {
         let open = self.open.as_mut()?;
-        open.recording.row(run_rows::row(machine, shown, values, 0));
+        open.recording.row(run_rows::row(&names.machine, shown, names.values, names.heads));
         let weld = u64::try_from(open.recording.id()).unwrap_or(0);
         if let (Some(places), Some(position)) = (&open.places, open.watch.position(shown, weld)) {
             places.tell(position);

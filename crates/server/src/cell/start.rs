@@ -1,4 +1,5 @@
 use super::archive::Archive;
+use super::connected::Connected;
 use super::cycle::{self, Swap};
 use super::desk::{Desk, Queues, ToDesk};
 use super::hub::Hub;
@@ -7,7 +8,6 @@ use super::prepared::{Prepared, Task};
 use super::recorder::Recorder;
 use seamwright_cell::realtime::{Urgent, live};
 use seamwright_machine::Machine;
-use seamwright_project::devices;
 use seamwright_record::DataFolder;
 use std::path::Path;
 use std::sync::mpsc::{Sender, channel};
@@ -33,7 +33,7 @@ impl Cell {
     ///
     /// # Errors
     /// In words: a folder that cannot be written, values in the machine file that make no drive, devices that do not answer.
-    pub(crate) fn start(machine: &Machine, beside: &Path, values: Vec<String>, data: &Path) -> Result<Self, String> {
+    pub(crate) fn start(machine: &Machine, beside: &Path, values: &[String], data: &Path) -> Result<Self, String> {
         seamwright_cell::check_drives(machine).map_err(|e| e.to_string())?;
         let mut folder = DataFolder::open(data).map_err(|e| e.to_string())?;
         let interrupted = folder.recover().map_err(|e| e.to_string())?;
@@ -55,17 +55,17 @@ impl Cell {
         let (next, to_cycle) = rtrb::RingBuffer::new(PROGRAMS);
         let (from_cycle, done) = rtrb::RingBuffer::new(PROGRAMS);
         let task = Box::new(Prepared::new(Task::Machine(Box::new(machine.clone())), &machine.home(), None)?);
-        // Files that are not devices' come first: nothing is switched before everything else is good.
-        let (devices, _) = devices::of_machine(machine, beside, &values, &[], 1).map_err(|e| e.text())?;
         let fingerprint = task.fingerprint().to_owned();
+        // Files that are not devices' come first: nothing is switched before everything else is good.
+        let devices = Connected::new(&task, beside, values)?;
+        hub.set_connection(devices.to());
         let cycle =
             std::thread::spawn(move || cycle::run(task, devices, port, Swap { next: to_cycle, done: from_cycle }));
         let (desk, from) = channel();
-        let names = Names { machine: machine.clone(), fingerprint, values: 0 };
+        let names = Names { machine: machine.clone(), fingerprint, values: 0, heads: 0 };
         let recorder = Recorder::new(data, Arc::clone(&hub));
         let queues = Queues { outside, next, done };
-        let values = (!machine.devices.is_empty()).then_some(values);
-        let listens = Desk::new(Arc::clone(&hub), archive.clone(), queues, from, names, recorder, (left, values));
+        let listens = Desk::new(Arc::clone(&hub), archive.clone(), queues, from, names, recorder, left);
         let thread = std::thread::spawn(move || listens.run(|| cycle.is_finished()));
         Ok(Self { hub, archive, urgent, desk, thread: Mutex::new(Some(thread)) })
     }

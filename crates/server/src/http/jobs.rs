@@ -1,11 +1,11 @@
 use super::answer::{Answer, Refused};
 use super::panel::Panel;
 use crate::users::Session;
-use crate::wire::{JobRow, JobText};
+use crate::wire::{DistortionRow, JobRow, JobText};
 use axum::extract::{Path, State};
 use axum::http::StatusCode;
 use axum::{Extension, Json};
-use seamwright_project::examples::EXAMPLES;
+use seamwright_project::examples::{DISTORTIONS, EXAMPLES, Example};
 use seamwright_project::files;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -65,6 +65,11 @@ pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<JobRow>>
         }
     }
     Ok(Json(rows))
+}
+
+pub(super) async fn distortions() -> Json<Vec<DistortionRow>> {
+    let row = |example: &Example| DistortionRow { name: example.name.to_owned(), text: example.text.to_owned() };
+    Json(DISTORTIONS.iter().map(row).collect())
 }
 
 pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(name): Path<String>) -> Answer<JobText> {

@@ -1,7 +1,7 @@
 use super::answer::{Answer, Refused, page_of};
 use super::jobs::{checked, text};
 use super::panel::Panel;
-use crate::cell::{Loading, Planned, Prepared, Task, ToDesk};
+use crate::cell::{Connected, Connection, Loading, Planned, Prepared, Task, ToDesk, fingerprint};
 use crate::users::Session;
 use crate::view::work_view;
 use crate::wire::{JobText, Load, PlanAnswer, PostAnswer, PostText, WorkView};
@@ -10,15 +10,19 @@ use axum::http::StatusCode;
 use axum::response::Response;
 use axum::{Extension, Json};
 use seamwright_cell::executive::Place;
+use seamwright_cell::tracking::Distortion;
 use seamwright_post::{Control, Dialect, Feed, Options};
 use seamwright_project::Failure;
 use seamwright_project::load::{Loaded, load_text};
+use seamwright_project::part::Part;
 use seamwright_project::posting::{Unproven, proven};
 use seamwright_project::recording::{Header, Who, record_plan};
 use seamwright_project::run_rows;
 use seamwright_report::WeldReport;
 use serde::Deserialize;
+use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 use tokio::sync::oneshot;
 
 /// Runs work that takes a while in a thread of its own, one at a time.
@@ -82,50 +86,90 @@ pub(super) async fn load(
 
 /// Plans a job and puts it into the cell.
 async fn put_in(panel: &Arc<Panel>, load: Load, user: String) -> Result<Arc<WorkView>, Refused> {
-    let (answer, answered) = oneshot::channel();
-    let (loading, view) = alone(panel, move |panel| loading(panel, load, user, answer)).await?;
+    let (loading, folder) = alone(panel, move |panel| loading(panel, load, user)).await?;
+    let view = loading.view.clone().ok_or_else(|| Refused::server("a job without a picture"))?;
+    give(panel, connected(panel, loading, folder).await?).await?;
+    Ok(view)
+}
+
+/// To the desk, and its answer.
+async fn give(panel: &Panel, loading: Loading) -> Result<(), Refused> {
     let gone = || Refused::server("the cell has ended");
-    panel.cell.desk.send(ToDesk::Load(Box::new(loading))).map_err(|_| gone())?;
-    match answered.await.map_err(|_| gone())? {
-        Ok(()) => Ok(view),
-        Err(lack) => Err(Refused::new(StatusCode::CONFLICT, "busy", lack.text)),
+    let (answer, answered) = oneshot::channel();
+    panel.cell.desk.send(ToDesk::Load(Box::new(loading), answer)).map_err(|_| gone())?;
+    let taken = answered.await.map_err(|_| gone())?;
+    taken.map_err(|lack| Refused::new(StatusCode::CONFLICT, "busy", lack.text))
+}
+
+/// With the devices that it needs, if the cell's are not connected for it: real ones are let go first, by a machine without a
+/// program. Files that its machine file names are seen from `folder`.
+async fn connected(panel: &Arc<Panel>, mut loading: Loading, folder: PathBuf) -> Result<Loading, Refused> {
+    /// Until devices are gone, s.
+    const GO_S: u64 = 20;
+    let now = panel.cell.hub.connection();
+    if now.as_ref().is_some_and(|to| to.serves_it(&loading.prepared)) {
+        return Ok(loading);
     }
+    if let Some(now) = now.filter(Connection::is_real) {
+        let prepared = Box::new(Prepared::bare(loading.prepared.machine()).map_err(Refused::input)?);
+        let user = loading.user.clone();
+        give(panel, Loading { prepared, view: None, plan: None, passes: 0, user }).await?;
+        let begin = Instant::now();
+        while now.is_there() {
+            if begin.elapsed() > Duration::from_secs(GO_S) {
+                return Err(Refused::server("the devices do not let go: start the panel anew"));
+            }
+            tokio::time::sleep(Duration::from_millis(20)).await;
+        }
+    }
+    alone(panel, move |_| {
+        let values = loading.prepared.with(|work| work.values().to_vec());
+        loading.prepared.devices = Some(Connected::new(&loading.prepared, &folder, &values).map_err(Refused::input)?);
+        Ok(loading)
+    })
+    .await
 }
 
 /// Begins with a job in the cell.
 pub(crate) async fn begin_with(panel: &Arc<Panel>, job: &str) -> Result<(), String> {
-    let load = Load { job: job.to_owned(), from: None, part: None };
+    let load = Load { job: job.to_owned(), from: None, part: None, distortion: None };
     put_in(panel, load, String::new()).await.map(drop).map_err(|refused| refused.text)
 }
 
-fn loading(
-    panel: &Panel,
-    load: Load,
-    user: String,
-    answer: oneshot::Sender<Result<(), crate::wire::LackView>>,
-) -> Result<(Loading, Arc<WorkView>), Refused> {
+fn loading(panel: &Panel, load: Load, user: String) -> Result<(Loading, PathBuf), Refused> {
     let loaded = loaded(panel, &load.job)?;
-    let motion = loaded.plan()?;
-    loaded.check_count(&motion, loaded.machine.servo_period_s)?;
+    let part = simulated_part(load.distortion.as_deref())?;
+    part.check_devices(&loaded.machine)?;
+    let motion = part.plan(&loaded)?;
     let from = load.from.map(|(pass, s_mm)| Place { pass: pass as usize, s_mm });
     let mut view = work_view(panel.plan_number(), &load.job, &loaded, Ok(&motion));
-    view.from = load.from;
+    let heads = if part.tracking { run_rows::head_names(&loaded) } else { Vec::new() };
+    (view.from, view.tracked, view.distortion) = (load.from, heads.len(), load.distortion);
     let view = Arc::new(view);
-    let columns = run_rows::columns(&loaded.machine, &view.values, &[]);
+    let columns = run_rows::columns(&loaded.machine, &view.values, &heads);
     let title = loaded.welding.program.value.title.clone();
-    let about = [("title", title), ("machine", loaded.machine.name.clone())];
+    let mut about = vec![("title", title), ("machine", loaded.machine.name.clone())];
+    about.extend(view.distortion.clone().map(|text| ("distortion", text)));
     let header = Header { columns: &columns, about: &about };
     let simulated = loaded.machine.devices.is_empty();
     let who = Who { part: load.part.unwrap_or_default(), simulated, welder: None };
     let plan = record_plan(&loaded, &motion, &header, who)?;
     let passes = motion.passes.len() - from.map_or(0, |place| place.pass.saturating_sub(1)).min(motion.passes.len());
-    // On the machine of the cell from where its axes are, on another from its home.
-    let same = panel.cell.hub.machine().is_some_and(|machine| machine.name == loaded.machine.name);
+    // On the devices of the cell from where the axes are, on others from home.
+    let fingerprint = fingerprint(&loaded.machine);
+    let same = panel.cell.hub.connection().is_some_and(|to| to.serves(&fingerprint, &view.values));
     let at = panel.cell.hub.set_points().filter(|_| same).unwrap_or(loaded.machine.home());
-    let task = Task::Job(Box::new(Planned { loaded, motion }));
+    let folder = loaded.folder().to_owned();
+    let task = Task::Job(Box::new(Planned { loaded, motion, part }));
     let prepared = Box::new(Prepared::new(task, &at, from).map_err(Refused::input)?);
-    let shown = Some(Arc::clone(&view));
-    Ok((Loading { prepared, view: shown, plan: Some(plan), passes, user, answer }, view))
+    Ok((Loading { prepared, view: Some(view), plan: Some(plan), passes, user }, folder))
+}
+
+/// The part that is welded, where devices are simulated.
+fn simulated_part(distortion: Option<&str>) -> Result<Part, Refused> {
+    let distortion = distortion.map(|text| Distortion::read("distortion", text)).transpose();
+    let distortion = distortion.map_err(|e| Refused::input(e.to_string()))?;
+    Ok(Part { tracking: distortion.is_some(), distortion, replay: None })
 }
 
 /// What was welded, planned once more: where a record's torch was.

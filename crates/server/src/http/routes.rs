@@ -2,8 +2,8 @@ use super::guard::{Need, host, need};
 use super::panel::Panel;
 use super::{assets, edit, jobs, login, look, openapi, plan, records, socket, users};
 use crate::wire::{
-    AlarmEntry, AuditRow, EditAnswer, JobRow, JobText, Load, Login, MachineView, OwnPassword, PlanAnswer, PostAnswer,
-    PostText, RecordRow, RecordView, SessionView, TraceView, UserChange, UserRow, WorkView,
+    AlarmEntry, AuditRow, DistortionRow, EditAnswer, JobRow, JobText, Load, Login, MachineView, OwnPassword,
+    PlanAnswer, PostAnswer, PostText, RecordRow, RecordView, SessionView, TraceView, UserChange, UserRow, WorkView,
 };
 use axum::extract::DefaultBodyLimit;
 use axum::routing::{MethodRouter, delete, get, post, put};
@@ -73,6 +73,13 @@ pub(super) fn routes() -> Vec<Route> {
         Route::get("/api/alarms/catalogue", "watch", "All alarms", shape::<Vec<AlarmEntry>>(), get(look::catalogue)),
         Route::get("/api/live", "watch", "The socket: status, events, commands", None, get(socket::live)),
         Route::get("/api/jobs", "jobs.read", "Jobs and examples", shape::<Vec<JobRow>>(), get(jobs::list)),
+        Route::get(
+            "/api/distortions",
+            "jobs.read",
+            "How a simulated part can differ from the planned one",
+            shape::<Vec<DistortionRow>>(),
+            get(jobs::distortions),
+        ),
         Route::get(jobs, "jobs.read", "A job's text", shape::<JobText>(), get(jobs::get)),
         Route::write(
             ("put", jobs),

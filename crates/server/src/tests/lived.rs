@@ -30,7 +30,7 @@ impl Served {
         let mut request = format!("ws://{}/api/live", self.address).into_client_request().unwrap();
         request.headers_mut().insert("cookie", visitor.cookie.parse().unwrap());
         let (socket, _) = tokio_tungstenite::connect_async(request).await.unwrap();
-        Page { socket, seq: 0, jogs: 0, status: Value::Null, beat: Instant::now() }
+        Page { socket, seq: 0, jogs: 0, status: Value::Null, events: Vec::new(), beat: Instant::now() }
     }
 }
 
@@ -40,6 +40,8 @@ pub(super) struct Page {
     seq: u32,
     jogs: u32,
     pub(super) status: Value,
+    /// What has happened, in words.
+    events: Vec<String>,
     beat: Instant,
 }
 
@@ -59,6 +61,9 @@ impl Page {
                 if value["kind"] == "status" {
                     self.status = value.clone();
                 }
+                if value["kind"] == "event" {
+                    self.events.push(format!("{} {}", value["what"], value["text"]));
+                }
                 Some(value)
             }
             _ => None,
@@ -73,7 +78,7 @@ impl Page {
             if fits(&value) {
                 return value;
             }
-            assert!(begin.elapsed() < Duration::from_secs(120), "no {what}: {}", self.status);
+            assert!(begin.elapsed() < Duration::from_secs(120), "no {what}: {:#?} {}", self.events, self.status);
         }
     }
 

@@ -1,8 +1,10 @@
 //! The panel asked from outside: over HTTP and over the socket.
 
 mod asked;
+mod devices;
 mod guarded;
 mod lived;
+mod tracked;
 mod welded;
 
 use crate::cell::Cell;
@@ -41,7 +43,7 @@ impl Bench {
         let folder = tempfile::tempdir().unwrap();
         std::fs::create_dir(folder.path().join("jobs")).unwrap();
         let machine = Machine::read("m.toml", shipped("ellipse-xy").unwrap().text).unwrap();
-        let cell = Cell::start(&machine, folder.path(), Vec::new(), folder.path()).unwrap();
+        let cell = Cell::start(&machine, folder.path(), &[], folder.path()).unwrap();
         let accounts = Accounts::open(folder.path()).unwrap();
         let hosts = hosts.iter().map(|h| (*h).to_owned()).collect();
         let panel = Arc::new(Panel::new(cell, accounts, KEY.to_owned(), folder.path().to_owned(), hosts));

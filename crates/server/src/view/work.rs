@@ -34,6 +34,8 @@ pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&We
         good: motion.is_some() && findings.iter().all(|f| f.allowed),
         time_s: motion.map_or(0.0, WeldMotion::total_s),
         from: None,
+        tracked: 0,
+        distortion: None,
     }
 }
 

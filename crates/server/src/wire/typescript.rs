@@ -40,6 +40,7 @@ pub fn typescript() -> String {
         decl::<PlanAnswer>(&config),
         decl::<JobText>(&config),
         decl::<JobRow>(&config),
+        decl::<DistortionRow>(&config),
         decl::<Load>(&config),
         decl::<PostText>(&config),
         decl::<PostAnswer>(&config),

@@ -32,6 +32,10 @@ pub struct WorkView {
     pub time_s: f64,
     /// It goes on where a power failure or a stop left it: pass from 1, and path length.
     pub from: Option<(u32, f64)>,
+    /// How many heads are tracked.
+    pub tracked: usize,
+    /// How the simulated part differs from the planned one: TOML, as of `simulate --distortion`.
+    pub distortion: Option<String>,
 }
 
 /// A pass.
@@ -183,6 +187,15 @@ pub struct JobRow {
     pub example: bool,
 }
 
+/// `GET /api/distortions`: how a simulated part can lie.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct DistortionRow {
+    /// Its name.
+    pub name: String,
+    /// TOML, as of `simulate --distortion`.
+    pub text: String,
+}
+
 /// `POST /api/load`.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -193,6 +206,10 @@ pub struct Load {
     pub from: Option<(u32, f64)>,
     /// Name of the part that is welded, for the record.
     pub part: Option<String>,
+    /// How the simulated part differs from the planned one: TOML, as of `simulate --distortion`. It is tracked then.
+    #[serde(default)]
+    #[ts(optional = nullable)]
+    pub distortion: Option<String>,
 }
 
 /// `POST /api/post`: a part program for a control.

@@ -20,15 +20,14 @@ pub(super) fn run(args: &BenchFaultsArgs) -> Result<(), Failure> {
     let machine = &loaded.machine;
     let around = loaded.surroundings()?;
     let paths = loaded.paths();
-    let passes = loaded.passes(&paths);
     // Untracked, and tracked on a part that lies elsewhere.
     let distortion = Distortion::read("misplaced.toml", MISPLACED)?;
     let plain = Conditions { seed: 1, around: Some(&around), ..Conditions::default() };
     let tracked = Conditions { distortion: Some(&distortion), tracking: true, ..plain };
     let motions = [loaded.plan()?, loaded.plan_on(&machine.with_reserve(RESERVE))?];
     let cells = [
-        SimulatedCell::new(machine, &passes, &motions[0], plain),
-        SimulatedCell::new(machine, &passes, &motions[1], tracked),
+        SimulatedCell::new(machine, loaded.passes(&paths), &motions[0], plain),
+        SimulatedCell::new(machine, loaded.passes(&paths), &motions[1], tracked),
     ];
     let near_end = Place { pass: 1, s_mm: motions[0].passes[0].path.length() - LAST_MM };
     let start = |motion| Start::at_place(machine, &around, motion, &machine.home(), near_end);

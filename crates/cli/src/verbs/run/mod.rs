@@ -9,7 +9,7 @@ use crate::args::run::RunArgs;
 use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::{Loaded, load};
-use crate::verbs::part::Part;
+use crate::verbs::part;
 use desk::Desk;
 use seamwright_cell::SimulatedCell;
 use seamwright_cell::devices::Fault;
@@ -37,14 +37,14 @@ pub(super) struct Ended {
 
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let loaded = load(&args.job)?;
-    let part = Part::read(&args.part)?;
+    let part = part::read(&args.part)?;
     let around = loaded.surroundings()?;
     let conditions = part.conditions(args.seed, &args.fault, &around);
-    let motion = part.plan(&loaded, &conditions)?;
+    part.check_devices(&loaded.machine)?;
+    let motion = part.plan(&loaded)?;
     power_loss::check(args.record.data.as_deref(), args.from)?;
     let paths = loaded.paths();
-    let passes = loaded.passes(&paths);
-    let cell = SimulatedCell::new(&loaded.machine, &passes, &motion, conditions);
+    let cell = SimulatedCell::new(&loaded.machine, loaded.passes(&paths), &motion, conditions);
     let asked = Asked {
         output: &args.output,
         record: &args.record,
@@ -99,11 +99,10 @@ fn with_cell(
     asked: Asked<'_>,
 ) -> Result<(), Failure> {
     let machine = &loaded.machine;
-    loaded.check_count(motion, machine.servo_period_s)?;
     let work = cell.work(start(loaded, around, motion, asked.from)?).map_err(|e| bad(&e))?;
     let tracking = cell.tracking(asked.from.unwrap_or_default()).map_err(|e| bad(&e))?;
     // Nothing is written before they answer.
-    let (devices, lines) = devices(loaded, cell, &work, (asked, tracking.is_some()))?;
+    let (devices, lines) = devices(loaded, cell, &work, asked)?;
     let mut output = Output::new(asked.output)?;
     let tracked = (work.values(), tracking.is_some());
     let table = Table::new((loaded, motion), &output, asked.record, tracked)?;
@@ -119,15 +118,11 @@ fn devices<'a>(
     loaded: &Loaded,
     cell: &'a SimulatedCell<'_>,
     work: &Work<'_>,
-    (asked, tracked): (Asked<'_>, bool),
+    asked: Asked<'_>,
 ) -> Result<(Box<dyn Devices + Send + 'a>, Lines), Failure> {
     let machine = &loaded.machine;
     if machine.devices.is_empty() {
         return Ok((Box::new(cell.devices().map_err(|e| bad(&e))?), Lines::new()));
-    }
-    if tracked {
-        let why = "--distortion and --replay track with simulated sensors, and the machine file has devices of its own";
-        return Err(Failure::Input(format!("{why}\n   allowed: a machine file without [devices], or --no-tracking")));
     }
     let (faults, seed) = asked.faults;
     let (devices, lines) = devices::of_machine(machine, loaded.folder(), work.values(), faults, seed)?;

@@ -4,7 +4,6 @@ use crate::args::records::RecordArgs;
 use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::Loaded;
-use crate::verbs::head_columns::head_names;
 use crate::verbs::recorded::{self, Rows};
 use seamwright_cell::realtime::Shown;
 use seamwright_machine::Machine;
@@ -31,7 +30,7 @@ impl Table {
         record: &RecordArgs,
         (values, tracked): (&[String], bool),
     ) -> Result<Self, Failure> {
-        let heads = if tracked { head_names(loaded) } else { Vec::new() };
+        let heads = if tracked { run_rows::head_names(loaded) } else { Vec::new() };
         let machine = &loaded.machine;
         let title = loaded.welding.program.value.title.clone();
         let about = [("title", title), ("machine", machine.name.clone())];

@@ -1,0 +1,63 @@
+//! How a simulated part lies, and whether its passes are tracked.
+
+use crate::Failure;
+use crate::load::Loaded;
+use seamwright_cell::Conditions;
+use seamwright_cell::devices::Fault;
+use seamwright_cell::tracking::{Distortion, RESERVE, check};
+use seamwright_machine::{Machine, Surroundings};
+use seamwright_motion::WeldMotion;
+use seamwright_tracking::beam::DeviationRecord;
+
+/// A simulated part; by default it lies as planned, and nothing is tracked.
+#[derive(Debug, Clone, Default)]
+pub struct Part {
+    /// How it differs from the planned one.
+    pub distortion: Option<Distortion>,
+    /// What an earlier weld has found of its seam: passes are corrected by it.
+    pub replay: Option<DeviationRecord>,
+    /// Its passes are tracked.
+    pub tracking: bool,
+}
+
+impl Part {
+    /// Under what it is welded.
+    pub fn conditions<'a>(&'a self, seed: u64, faults: &'a [Fault], around: &'a Surroundings<'a>) -> Conditions<'a> {
+        Conditions {
+            seed,
+            distortion: self.distortion.as_ref(),
+            tracking: self.tracking,
+            replay: self.replay.as_ref(),
+            around: Some(around),
+            faults,
+        }
+    }
+
+    /// Looks whether it can be welded on the devices of `machine`: real ones have no simulated part.
+    ///
+    /// # Errors
+    /// If it cannot.
+    pub fn check_devices(&self, machine: &Machine) -> Result<(), Failure> {
+        if !self.tracking || machine.devices.is_empty() {
+            return Ok(());
+        }
+        let why = "passes are tracked with simulated sensors, and the machine file has devices of its own";
+        let allowed = "a machine file without [devices], or no tracking";
+        Err(Failure::Input(format!("{why}\n   allowed: {allowed}")))
+    }
+
+    /// The plan, that leaves the axes what tracking needs.
+    ///
+    /// # Errors
+    /// What cannot be planned, or tracked.
+    pub fn plan(&self, loaded: &Loaded) -> Result<WeldMotion, Failure> {
+        let machine = &loaded.machine;
+        let motion = loaded.plan_on(&machine.with_reserve(if self.tracking { RESERVE } else { 0.0 }))?;
+        loaded.check_count(&motion, machine.servo_period_s)?;
+        if self.distortion.is_some() || self.tracking {
+            let (paths, around) = (loaded.paths(), loaded.surroundings()?);
+            check(machine, &loaded.passes(&paths), &motion, &self.conditions(0, &[], &around))?;
+        }
+        Ok(motion)
+    }
+}

@@ -1,0 +1,112 @@
+//! Tracking of the task that is in the cell: what corrects its passes, and what sees their joints.
+
+use super::prepared::Base;
+use seamwright_cell::devices::Sensors;
+use seamwright_cell::executive::{Guide, Guided, Place, Planned, Seen, Tracked, Trouble};
+use seamwright_cell::executive::{SeamOrders, SensorReport};
+use seamwright_cell::tracking::{SimulatedSensors, Tracking};
+use seamwright_machine::Joints;
+use seamwright_tracking::beam::Picture;
+use self_cell::self_cell;
+use std::cell::RefCell;
+use std::sync::Arc;
+
+type TrackingOf<'a> = Tracking<'a>;
+type SensorsOf<'a> = SimulatedSensors<'a>;
+
+self_cell! {
+    /// What corrects the passes of a task.
+    pub(super) struct Guiding {
+        owner: Arc<Base>,
+        #[not_covariant]
+        dependent: TrackingOf,
+    }
+}
+
+self_cell! {
+    /// What sees the joints of a task.
+    pub(super) struct Sensing {
+        owner: Arc<Base>,
+        #[not_covariant]
+        dependent: SensorsOf,
+    }
+}
+
+/// A machine alone has nothing to track.
+const NOTHING: &str = "there is nothing to track";
+
+impl Guiding {
+    /// Of a task that begins at `start`.
+    ///
+    /// # Errors
+    /// What cannot be tracked, in words.
+    pub(super) fn of(base: &Arc<Base>, start: Place) -> Result<Self, String> {
+        Self::try_new(Arc::clone(base), |base| {
+            base.with_dependent(|_, cell| {
+                let tracking = cell.as_ref().map(|cell| cell.tracking(start).map_err(|e| e.to_string()));
+                tracking.transpose()?.flatten().ok_or_else(|| NOTHING.to_owned())
+            })
+        })
+    }
+}
+
+impl Sensing {
+    /// Of a task.
+    ///
+    /// # Errors
+    /// What cannot be tracked, in words.
+    pub(super) fn of(base: &Arc<Base>) -> Result<Self, String> {
+        Self::try_new(Arc::clone(base), |base| {
+            base.with_dependent(|_, cell| {
+                let cell = cell.as_ref().ok_or_else(|| NOTHING.to_owned())?;
+                cell.sensors().map_err(|e| e.to_string())
+            })
+        })
+    }
+}
+
+impl Sensors for Sensing {
+    fn exchange(&mut self, orders: &SeamOrders, truth: Option<&Joints>, report: &mut SensorReport) {
+        self.with_dependent_mut(|_, sensors| sensors.exchange(orders, truth, report));
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        self.with_dependent(|_, sensors| sensors.picture())
+    }
+}
+
+/// Where the guide of one task after another stands, while the executive stays.
+pub(super) struct Slot<'a>(pub(super) &'a RefCell<Option<Guiding>>);
+
+impl Slot<'_> {
+    fn ask<T>(&self, ask: impl FnOnce(&mut Tracking<'_>) -> T) -> Option<T> {
+        // Only the cycle's thread comes here, and never from within a guide.
+        Some(self.0.borrow_mut().as_mut()?.with_dependent_mut(|_, tracking| ask(tracking)))
+    }
+}
+
+impl Guide for Slot<'_> {
+    fn begin(&mut self, pass: usize, from_mm: f64, welds: bool) -> bool {
+        self.ask(|tracking| tracking.begin(pass, from_mm, welds)).unwrap_or(false)
+    }
+
+    fn look(&mut self, seen: &Seen<'_>, goes: bool) -> Option<Guided> {
+        self.ask(|tracking| tracking.look(seen, goes)).flatten()
+    }
+
+    fn ready(&mut self) -> Result<(), Trouble> {
+        self.ask(|tracking| tracking.ready()).unwrap_or(Ok(()))
+    }
+
+    fn follow(&mut self, seen: &Seen<'_>, planned: &Planned<'_>) -> Guided {
+        self.ask(|tracking| tracking.follow(seen, planned)).unwrap_or_else(|| Guided::as_planned(planned))
+    }
+
+    fn settle(&mut self, seen: &Seen<'_>, q: &Joints, goes: bool) -> Option<Guided> {
+        self.ask(|tracking| tracking.settle(seen, q, goes)).flatten()
+    }
+
+    fn tracked(&self) -> [Option<Tracked>; 2] {
+        self.ask(|tracking| tracking.tracked()).unwrap_or_default()
+    }
+}

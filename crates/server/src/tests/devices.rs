@@ -1,0 +1,117 @@
+//! A cell whose process source and inputs are on Modbus.
+
+#[path = "../../../cell/tests/support/modbus_server.rs"]
+mod modbus_server;
+
+use super::lived::{Page, Served};
+use super::{Bench, Visitor};
+use axum::http::StatusCode;
+use modbus_server::{Bank, TestServer};
+use seamwright_machine::shipped;
+use serde_json::{Value, json};
+use std::time::Duration;
+
+const MAP: &str = r#"
+[devices.welder.modbus.inputs]
+e_stop_ok = { discrete = 0 }
+curtain_clear = { discrete = 1 }
+gas_ok = { discrete = 2 }
+[devices.welder.modbus.outputs]
+gas = { coil = 0 }
+on = { coil = 1 }
+watchdog = { coil = 2 }
+[devices.welder.modbus.set]
+current_a = { holding = 0, scale = 0.1 }
+voltage_v = { holding = 1, scale = 0.01 }
+[devices.welder.modbus.reports]
+burning = { discrete = 4 }
+"#;
+
+fn welder(bank: &mut Bank) {
+    bank.discrete[..3].fill(true);
+    bank.discrete[4] = bank.coils[1];
+}
+
+/// Three jobs: one on simulated devices, two on those at `address`, the second without a voltage.
+async fn jobs(bench: &Bench, owner: &Visitor, address: &str) {
+    let machine = shipped("ellipse-xy").unwrap().text;
+    let machine = format!("{machine}\n[devices.welder.modbus]\naddress = \"{address}\"\ntimeout_s = 2\n{MAP}");
+    std::fs::write(bench.folder.path().join("jobs/cell.toml"), machine).unwrap();
+    let (_, example) = bench.ask(owner.request("GET", "/api/jobs/ellipse.toml", None)).await;
+    let text = example["text"].as_str().unwrap();
+    let real = text.replace("machine = \"ellipse-xy\"", "machine = \"cell.toml\"");
+    let plain = real.replace("voltage_v = 12", "");
+    assert!(real != text && plain != real);
+    for (name, text) in [("real.toml", &real), ("plain.toml", &plain)] {
+        let path = format!("/api/jobs/{name}");
+        let (status, _) = bench.ask(owner.request("PUT", &path, Some(&json!({ "text": text })))).await;
+        assert!(status.is_success());
+    }
+}
+
+async fn load(bench: &Bench, owner: &Visitor, job: &str) -> (StatusCode, Value) {
+    let load = json!({ "job": job, "from": null, "part": null });
+    bench.ask(owner.request("POST", "/api/load", Some(&load))).await
+}
+
+async fn simulated(bench: &Bench, owner: &Visitor) -> bool {
+    let (_, machine) = bench.ask(owner.request("GET", "/api/machine", None)).await;
+    machine["simulated"].as_bool().unwrap()
+}
+
+/// Welds until the source has what is asked for, then stops and takes the power away.
+async fn weld(page: &mut Page, server: &TestServer, holding: [u16; 2]) {
+    page.up().await;
+    page.order("arm").await;
+    page.order("start_weld").await;
+    page.until("the arc", |v| v["kind"] == "status" && v["process"]["burning"] == true).await;
+    {
+        let bank = server.bank();
+        assert_eq!((bank.coils[0], bank.coils[1], &bank.holding[..2]), (true, true, &holding[..]));
+    }
+    page.order("stop").await;
+    page.mode("ready").await;
+    let over = |v: &Value| v["process"]["burning"] == false && v["process"]["phase"].is_null();
+    page.until("the end of arc and gas", |v| v["kind"] == "status" && over(v)).await;
+    page.order("switch_off").await;
+    page.mode("off").await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn programs_find_the_devices_they_need() {
+    let mut server = TestServer::new(welder);
+    let served = Served::new().await;
+    let bench = &served.bench;
+    let owner = bench.owner().await;
+    jobs(bench, &owner, &server.address.to_string()).await;
+    assert!(simulated(bench, &owner).await);
+    let (status, work) = load(bench, &owner, "real.toml").await;
+    assert!(status.is_success() && !simulated(bench, &owner).await, "{work}");
+    let mut page = served.page(&owner).await;
+    weld(&mut page, &server, [900, 1200]).await;
+    // Another set of values: connected anew, and places are not mistaken for others.
+    let (status, work) = load(bench, &owner, "plain.toml").await;
+    assert!(status.is_success() && !simulated(bench, &owner).await, "{work}");
+    weld(&mut page, &server, [900, 0]).await;
+    // With power, devices are not changed.
+    page.order("switch_on").await;
+    page.until("power", |v| v["kind"] == "status" && v["powered"] == true).await;
+    let (status, refused) = load(bench, &owner, "real.toml").await;
+    assert_eq!((status, &refused["key"]), (StatusCode::CONFLICT, &json!("busy")), "{refused}");
+    page.order("switch_off").await;
+    page.mode("off").await;
+    // Where they do not answer nothing real is left, and the next that do are taken.
+    server.stop();
+    let (status, refused) = load(bench, &owner, "real.toml").await;
+    assert!(status.is_client_error() && refused["text"].as_str().unwrap().contains("`welder`"), "{refused}");
+    assert!(simulated(bench, &owner).await);
+    server.start();
+    let (status, work) = load(bench, &owner, "real.toml").await;
+    assert!(status.is_success() && !simulated(bench, &owner).await, "{work}");
+    // A machine without devices lets them go: the watchdog stands still.
+    let (status, work) = load(bench, &owner, "ellipse.toml").await;
+    assert!(status.is_success() && simulated(bench, &owner).await, "{work}");
+    let reads = server.bank().reads;
+    tokio::time::sleep(Duration::from_millis(300)).await;
+    assert_eq!(server.bank().reads, reads);
+}
