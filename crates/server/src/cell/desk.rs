@@ -1,5 +1,6 @@
 use super::alarms::Mirror;
 use super::archive::Archive;
+use super::around::Around;
 use super::hub::Hub;
 use super::names::{Extra, Names, WHY};
 use super::prepared::Prepared;
@@ -34,6 +35,8 @@ pub(crate) enum ToDesk {
 pub(crate) struct Loading {
     pub(crate) prepared: Box<Prepared>,
     pub(crate) view: Option<Arc<WorkView>>,
+    /// What the machine must keep clear of, for the eye.
+    pub(crate) around: Arc<Around>,
     /// What is recorded of a weld of it.
     pub(crate) plan: Option<Plan>,
     /// Passes that are to be welded.
@@ -219,7 +222,7 @@ impl Desk {
             drop(loading.answer.send(Err(self.names.lack(Missing::Moving))));
             return;
         }
-        let Loading { prepared, view, plan, passes, user, answer } = *loading;
+        let Loading { prepared, view, around, plan, passes, user, answer } = *loading;
         let (machine, fingerprint) = (prepared.machine().clone(), prepared.fingerprint().to_owned());
         let values = prepared.with(|work| work.values().len());
         if self.next.push(prepared).is_err() {
@@ -227,8 +230,8 @@ impl Desk {
             return;
         }
         self.waiting.push_back(Command { origin: Origin::default(), number: 0, ask: Ask::Load });
-        self.loading =
-            Some(Box::new(Pending { names: Names { machine, fingerprint, values }, view, plan, passes, user, answer }));
+        let names = Names { machine, fingerprint, values };
+        self.loading = Some(Box::new(Pending { names, view, around, plan, passes, user, answer }));
     }
 
     fn loaded(&mut self, refused: Option<Missing>) {
@@ -247,6 +250,7 @@ impl Desk {
         if let Some(view) = &pending.view {
             self.tell("work", &format!("loaded: {}", view.title), Some(pending.user));
         }
+        self.hub.set_around(pending.around);
         self.hub.set_work(pending.view);
         drop(pending.answer.send(Ok(())));
     }
@@ -349,6 +353,7 @@ impl Desk {
 pub(super) struct Pending {
     names: Names,
     view: Option<Arc<WorkView>>,
+    around: Arc<Around>,
     plan: Option<Plan>,
     passes: usize,
     user: String,

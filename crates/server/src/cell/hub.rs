@@ -1,5 +1,6 @@
+use super::around::Around;
 use crate::view::written;
-use crate::wire::{AlarmView, EventView, FromCell, Status, WorkView};
+use crate::wire::{AlarmView, EventView, FromCell, NearView, Status, WorkView};
 use seamwright_machine::{Joints, Machine};
 use seamwright_record::Moment;
 use std::collections::{HashMap, VecDeque};
@@ -21,6 +22,7 @@ pub(crate) type Text = Arc<str>;
 pub(crate) struct Hub {
     status: watch::Sender<Option<Text>>,
     latest: Mutex<Option<(Status, Joints)>>,
+    near: Mutex<Option<NearView>>,
     told: Mutex<Told>,
 }
 
@@ -33,6 +35,7 @@ struct Told {
     alarms: Vec<AlarmView>,
     work: Option<Arc<WorkView>>,
     machine: Option<Arc<Machine>>,
+    around: Option<Arc<Around>>,
     control: Option<Holder>,
 }
 
@@ -71,7 +74,12 @@ fn text(message: &FromCell) -> Text {
 
 impl Hub {
     pub(crate) fn new() -> Self {
-        Self { status: watch::Sender::new(None), latest: Mutex::default(), told: Mutex::default() }
+        Self {
+            status: watch::Sender::new(None),
+            latest: Mutex::default(),
+            near: Mutex::default(),
+            told: Mutex::default(),
+        }
     }
 
     /// What is told stays whole even where somebody failed while he told it.
@@ -106,7 +114,8 @@ impl Hub {
     }
 
     /// The newest status, and where the axes shall be, mm or rad.
-    pub(crate) fn show(&self, status: Status, set: Joints) {
+    pub(crate) fn show(&self, mut status: Status, set: Joints) {
+        status.near.clone_from(&self.near.lock().unwrap_or_else(PoisonError::into_inner));
         let message = text(&FromCell::Status(Box::new(status.clone())));
         *self.latest.lock().unwrap_or_else(PoisonError::into_inner) = Some((status, set));
         self.status.send_replace(Some(message));
@@ -158,6 +167,21 @@ impl Hub {
 
     pub(crate) fn set_machine(&self, machine: &Machine) {
         self.told().machine = Some(Arc::new(machine.clone()));
+    }
+
+    /// What the machine must keep clear of now.
+    pub(crate) fn set_around(&self, around: Arc<Around>) {
+        self.told().around = Some(around);
+        self.set_near(None);
+    }
+
+    pub(super) fn around(&self) -> Option<Arc<Around>> {
+        self.told().around.clone()
+    }
+
+    /// What is nearest, for the statuses to come.
+    pub(super) fn set_near(&self, near: Option<NearView>) {
+        *self.near.lock().unwrap_or_else(PoisonError::into_inner) = near;
     }
 
     pub(crate) fn work(&self) -> Option<Arc<WorkView>> {

@@ -2,6 +2,7 @@
 
 mod alarms;
 mod archive;
+mod around;
 mod cycle;
 mod desk;
 mod hub;
@@ -10,6 +11,7 @@ mod prepared;
 mod recorder;
 mod start;
 
+pub(crate) use around::Around;
 pub(crate) use desk::{Loading, ToDesk};
 pub(crate) use hub::Refusal;
 pub(crate) use names::WHY;

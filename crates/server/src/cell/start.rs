@@ -1,4 +1,5 @@
 use super::archive::Archive;
+use super::around::{self, Around};
 use super::cycle::{self, Swap};
 use super::desk::{Desk, Queues, ToDesk};
 use super::hub::Hub;
@@ -6,8 +7,8 @@ use super::names::Names;
 use super::prepared::{Prepared, Task};
 use super::recorder::Recorder;
 use seamwright_cell::realtime::{Urgent, live};
-use seamwright_machine::Machine;
-use seamwright_project::devices;
+use seamwright_machine::{Clamped, Machine};
+use seamwright_project::devices::{self, Lines};
 use seamwright_record::DataFolder;
 use std::path::Path;
 use std::sync::mpsc::{Sender, channel};
@@ -24,6 +25,8 @@ pub(crate) struct Cell {
     /// Stops and holds, past everything that waits.
     pub(crate) urgent: Urgent,
     pub(crate) desk: Sender<ToDesk>,
+    /// The lines to real devices.
+    pub(crate) lines: Lines,
     thread: Mutex<Option<JoinHandle<()>>>,
 }
 
@@ -41,6 +44,7 @@ impl Cell {
         drop(folder);
         let hub = Arc::new(Hub::new());
         hub.set_machine(machine);
+        hub.set_around(Arc::new(Around::new(machine, &Clamped::default())?));
         for weld in &interrupted {
             hub.event(0.0, "record", format!("weld {} was interrupted; its record is whole again", weld.weld.id), None);
         }
@@ -56,7 +60,7 @@ impl Cell {
         let (from_cycle, done) = rtrb::RingBuffer::new(PROGRAMS);
         let task = Box::new(Prepared::new(Task::Machine(Box::new(machine.clone())), &machine.home(), None)?);
         // Files that are not devices' come first: nothing is switched before everything else is good.
-        let (devices, _) = devices::of_machine(machine, beside, &values, &[], 1).map_err(|e| e.text())?;
+        let (devices, lines) = devices::of_machine(machine, beside, &values, &[], 1).map_err(|e| e.text())?;
         let fingerprint = task.fingerprint().to_owned();
         let cycle =
             std::thread::spawn(move || cycle::run(task, devices, port, Swap { next: to_cycle, done: from_cycle }));
@@ -67,7 +71,9 @@ impl Cell {
         let values = (!machine.devices.is_empty()).then_some(values);
         let listens = Desk::new(Arc::clone(&hub), archive.clone(), queues, from, names, recorder, (left, values));
         let thread = std::thread::spawn(move || listens.run(|| cycle.is_finished()));
-        Ok(Self { hub, archive, urgent, desk, thread: Mutex::new(Some(thread)) })
+        let watched = Arc::downgrade(&hub);
+        std::thread::spawn(move || around::watch(&watched));
+        Ok(Self { hub, archive, urgent, desk, lines, thread: Mutex::new(Some(thread)) })
     }
 
     /// Stops, takes the power away, and waits for the end.

@@ -1,10 +1,10 @@
 use super::answer::{Answer, Refused, page_of};
 use super::jobs::{checked, text};
 use super::panel::Panel;
-use crate::cell::{Loading, Planned, Prepared, Task, ToDesk};
+use crate::cell::{Around, Loading, Planned, Prepared, Task, ToDesk};
 use crate::users::Session;
-use crate::view::work_view;
-use crate::wire::{JobText, Load, PlanAnswer, PostAnswer, PostText, WorkView};
+use crate::view::{clamped_views, sections, tuning_view, work_view};
+use crate::wire::{DraftAnswer, JobText, Load, PlanAnswer, PostAnswer, PostText, TuningView, WorkView};
 use axum::extract::{Path, Query, State};
 use axum::http::StatusCode;
 use axum::response::Response;
@@ -62,6 +62,20 @@ pub(super) async fn plan(State(panel): State<Arc<Panel>>, Json(job): Json<JobTex
         })
     });
     answer.await.map(Json)
+}
+
+/// What a text describes, at once: nothing is planned.
+pub(super) async fn draft(State(panel): State<Arc<Panel>>, Json(job): Json<JobText>) -> Answer<DraftAnswer> {
+    let _turn = panel.drawing.acquire().await.map_err(|_| Refused::server("the panel is ending"))?;
+    let folder = panel.jobs();
+    let answer = tokio::task::spawn_blocking(move || match load_text("job.toml", &job.text, &folder) {
+        Ok(loaded) => {
+            let (part, fixtures) = clamped_views(&loaded);
+            DraftAnswer::Drawn { part, fixtures, sections: sections(&loaded.welding) }
+        }
+        Err(failure) => DraftAnswer::Wrong { message: failure.text() },
+    });
+    Ok(Json(answer.await?))
 }
 
 fn loaded(panel: &Panel, name: &str) -> Result<Loaded, Refused> {
@@ -122,10 +136,11 @@ fn loading(
     // On the machine of the cell from where its axes are, on another from its home.
     let same = panel.cell.hub.machine().is_some_and(|machine| machine.name == loaded.machine.name);
     let at = panel.cell.hub.set_points().filter(|_| same).unwrap_or(loaded.machine.home());
+    let around = Arc::new(Around::new(&loaded.machine, &loaded.clamped).map_err(Refused::input)?);
     let task = Task::Job(Box::new(Planned { loaded, motion }));
     let prepared = Box::new(Prepared::new(task, &at, from).map_err(Refused::input)?);
     let shown = Some(Arc::clone(&view));
-    Ok((Loading { prepared, view: shown, plan: Some(plan), passes, user, answer }, view))
+    Ok((Loading { prepared, view: shown, around, plan: Some(plan), passes, user, answer }, view))
 }
 
 /// What was welded, planned once more: where a record's torch was.
@@ -139,6 +154,24 @@ pub(super) async fn recorded(State(panel): State<Arc<Panel>>, Path(id): Path<i64
         Ok(work_view(panel.plan_number(), &program.name, &loaded, planned))
     });
     view.await.map(Json)
+}
+
+/// `?axis=NAME`.
+#[derive(Deserialize)]
+pub(super) struct OfAxis {
+    axis: String,
+}
+
+pub(super) async fn tuning(State(panel): State<Arc<Panel>>, Query(of): Query<OfAxis>) -> Answer<TuningView> {
+    let answer = alone(&panel, move |panel| {
+        let machine = panel.cell.hub.machine().ok_or_else(|| Refused::server("there is no machine"))?;
+        let axis = machine.axes.iter().find(|axis| axis.name == of.axis).ok_or_else(|| {
+            let names: Vec<&str> = machine.axes.iter().map(|axis| axis.name.as_str()).collect();
+            Refused::not_found(format!("there is no axis `{}`; allowed: {}", of.axis, names.join(", ")))
+        })?;
+        Ok(tuning_view(axis, machine.servo_period_s))
+    });
+    answer.await.map(Json)
 }
 
 /// `?job=NAME`.

@@ -1,6 +1,7 @@
 //! The panel asked from outside: over HTTP and over the socket.
 
 mod asked;
+mod drawn;
 mod guarded;
 mod lived;
 mod welded;
