@@ -24,8 +24,8 @@ after(async () => {
   await cell?.end();
 });
 
-async function use(name) {
-  await tab(one, 'Weld');
+/** The list of jobs, whatever was open. */
+async function list() {
   await tab(one, 'Jobs');
   const back = one.getByRole('button', { name: '← Jobs' });
   if (await back.isVisible()) {
@@ -33,6 +33,10 @@ async function use(name) {
     const discard = one.getByRole('button', { name: 'Discard changes' });
     if (await discard.isVisible()) await discard.click();
   }
+}
+
+async function use(name) {
+  await list();
   await one.locator('li.card', { hasText: name }).first().getByRole('button', { name: 'Use' }).click();
   await one.getByText(/Can be welded|Cannot be welded/).waitFor({ timeout: 120_000 });
 }
@@ -54,7 +58,7 @@ test('the joint is drawn to scale with its beads, and follows its numbers while 
   const sizes = () => picture.locator('text.size').allTextContents();
   const before = await sizes();
   assert.ok(before.some((text) => /^[0-9]+°$/.test(text)), `${before}`);
-  await angle.fill('50');
+  await angle.fill('59');
   await one.waitForFunction((old) => [...document.querySelectorAll('.section text.size')].map((e) => e.textContent).join() !== old, before.join(), { timeout: 20_000 });
   // Another place of the seam has another section; a bead's number leads to its pass in 3D.
   const where = one.getByRole('slider', { name: 'Place along the seam' });
@@ -118,26 +122,28 @@ test('inputs and outputs have names and live states; axes can be tuned in simula
 });
 
 test('what is near is told by hand before it is too near; touched points tell where the part stands', onReal, async () => {
+  await list();
   await load(one, 'saddle.toml');
   await ready(one);
   await tab(one, 'Jog · Teach');
   await one.getByRole('button', { name: 'Start jogging' }).click();
   await mode(one, 'jog');
-  await one.getByRole('button', { name: '100 %' }).click();
+  await one.getByRole('button', { name: '30 %' }).click();
   const note = one.locator('p.near.note');
   const record = one.getByRole('button', { name: 'Record point' });
-  const jog = async (name, until) => {
+  const jog = async (name, ms) => {
     await one.getByRole('button', { name }).hover();
     await one.mouse.down();
-    await until();
+    await sleep(ms);
     await one.mouse.up();
     await sleep(600);
   };
-  await jog('h \u2212', () => note.waitFor({ timeout: 30_000 }));
+  // Where a page is drawn by software a hand may be lost for a moment: then it presses again.
+  for (let i = 0; i < 20 && !(await note.isVisible()); i += 1) await jog('h \u2212', 700);
   assert.match(await note.textContent(), /Clearance [0-9.]+ mm.+ – .+at least/);
   await record.click();
   for (let i = 0; i < 2; i += 1) {
-    await jog('theta +', () => sleep(1200));
+    await jog('theta +', 1200);
     await record.click();
   }
   await one.getByRole('button', { name: 'End jogging' }).click();

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import type { SectionView } from '../wire';
-import { barLength, centre, fitted, outline, sizes } from './section';
+import { barLength, centre, fitted, measured, outline, sizes } from './section';
 
 /** A V of 60 degrees, 12 mm thick, with 3 mm of root gap and 2 mm of root face. */
 const out = 10 * Math.tan(Math.PI / 6);
@@ -34,6 +34,19 @@ describe('the picture of a joint', () => {
     }
     expect(outline([[0, 0], [1, 0]], ([x, y]) => [x, y])).toBe('M0.0,0.0L1.0,0.0Z');
     expect(outline([], place)).toBe('');
+  });
+
+  test('lines are as long as what they measure, however the joint lies', () => {
+    for (const turn of [0, 0.7, 2, 4]) {
+      const [c, s] = [Math.cos(turn), Math.sin(turn)];
+      const turned = { ...v, edges: v.edges.map((edge) => edge.map(([x, y]) => [c * x - s * y, s * x + c * y])) } as unknown as SectionView;
+      const { place, scale } = fitted(turned, 400, 300);
+      const lines = measured(turned, place);
+      expect(lines.map((line) => line.mm.toFixed(3))).toEqual([(3 + 2 * out).toFixed(3), '12.000', '3.000']);
+      for (const { a, b, mm } of lines) expect(Math.hypot(a[0] - b[0], a[1] - b[1])).toBeCloseTo(mm * scale);
+      const [opening, depth] = lines.map(({ a, b }) => [b[0] - a[0], b[1] - a[1]] as const);
+      if (opening && depth) expect(opening[0] * depth[0] + opening[1] * depth[1]).toBeCloseTo(0);
+    }
   });
 
   test('numbers stand in the middle of beads', () => {

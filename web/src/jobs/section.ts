@@ -53,6 +53,39 @@ export function fitted(section: SectionView, width: number, height: number): { p
   return { scale, place: ([x, y]) => [width / 2 + scale * (x - middle[0]), height / 2 - scale * (y - middle[1])] };
 }
 
+/** A line in the drawing with its number beside it, px. */
+export type Dimension = { a: Point; b: Point; at: Point; mm: number };
+
+/** How far lines stand off what they measure, and numbers off their lines, px. */
+const BESIDE = 22;
+const OFF = 16;
+/** Smaller gaps have no line. */
+const LEAST_MM = 0.05;
+
+/** Opening, depth and root gap as lines square to each other, whichever way the joint lies. */
+export function measured(section: SectionView, place: Place): Dimension[] {
+  const found = sizes(section);
+  const [root1, root2, toe1, toe2] = [section.edges[0][0], section.edges[1][0], section.edges[0].at(-1), section.edges[1].at(-1)];
+  if (!root1 || !root2 || !toe1 || !toe2) return [];
+  const [a, b] = [place(toe2), place(toe1)];
+  const wide = length(minus(b, a)) || 1;
+  const along: Point = [(b[0] - a[0]) / wide, (b[1] - a[1]) / wide];
+  // Away from the roots, in the drawing.
+  let out: Point = [along[1], -along[0]];
+  const below = minus(place(root1), b);
+  if (below[0] * out[0] + below[1] * out[1] > 0) out = [-out[0], -out[1]];
+  const moved = (point: Point, by: Point, far: number): Point => [point[0] + far * by[0], point[1] + far * by[1]];
+  const line = (from: Point, to: Point, by: Point, mm: number): Dimension => ({ a: from, b: to, at: moved(moved(from, minus(to, from), 0.5), by, OFF), mm });
+  const scale = length(minus(place([1, 0]), place([0, 0])));
+  const side = moved(b, along, BESIDE);
+  const list = [
+    line(moved(a, out, BESIDE), moved(b, out, BESIDE), out, found.opening),
+    line(side, moved(side, out, -found.depth * scale), along, found.depth),
+  ];
+  if (found.gap > LEAST_MM) list.push(line(moved(place(root2), out, -BESIDE / 2), moved(place(root1), out, -BESIDE / 2), [-out[0], -out[1]], found.gap));
+  return list;
+}
+
 /** Corners as an SVG path. */
 export function outline(points: Point[], place: Place): string {
   return points.length === 0 ? '' : `M${points.map((point) => place(point).map((v) => v.toFixed(1)).join(',')).join('L')}Z`;

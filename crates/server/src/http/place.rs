@@ -62,7 +62,7 @@ fn check(asked: &PlaceText) -> Result<(), Refused> {
             let allowed = features.join(", ");
             return Err(Refused::input(format!("point {number}: feature `{}`; allowed: {allowed}", point.feature)));
         }
-        if point.tip.iter().any(|v| !(v.abs() <= FARTHEST_MM)) {
+        if point.tip.iter().any(|v| v.is_nan() || v.abs() > FARTHEST_MM) {
             return Err(Refused::input(format!("point {number}: allowed: up to {FARTHEST_MM:.0} mm")));
         }
     }
