@@ -24,6 +24,11 @@ after(async () => {
   await cell?.end();
 });
 
+/** A page that drew a second by software has lost its heartbeat, and control with it. */
+async function commands() {
+  if (await one.getByRole('button', { name: 'Take control' }).isVisible()) await control(one);
+}
+
 /** The list of jobs, whatever was open. */
 async function list() {
   await tab(one, 'Jobs');
@@ -123,9 +128,12 @@ test('inputs and outputs have names and live states; axes can be tuned in simula
 
 test('what is near is told by hand before it is too near; touched points tell where the part stands', onReal, async () => {
   await list();
+  await commands();
   await load(one, 'saddle.toml');
+  await commands();
   await ready(one);
   await tab(one, 'Jog · Teach');
+  await commands();
   await one.getByRole('button', { name: 'Start jogging' }).click();
   await mode(one, 'jog');
   await one.getByRole('button', { name: '30 %' }).click();
