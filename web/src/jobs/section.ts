@@ -58,7 +58,9 @@ export type Dimension = { a: Point; b: Point; at: Point; mm: number };
 
 /** How far lines stand off what they measure, and numbers off their lines, px. */
 const BESIDE = 22;
-const OFF = 16;
+const OFF = 14;
+/** Numbers are wider than high. */
+const WIDE = 8;
 /** Smaller gaps have no line. */
 const LEAST_MM = 0.05;
 
@@ -75,7 +77,7 @@ export function measured(section: SectionView, place: Place): Dimension[] {
   const below = minus(place(root1), b);
   if (below[0] * out[0] + below[1] * out[1] > 0) out = [-out[0], -out[1]];
   const moved = (point: Point, by: Point, far: number): Point => [point[0] + far * by[0], point[1] + far * by[1]];
-  const line = (from: Point, to: Point, by: Point, mm: number): Dimension => ({ a: from, b: to, at: moved(moved(from, minus(to, from), 0.5), by, OFF), mm });
+  const line = (from: Point, to: Point, by: Point, mm: number): Dimension => ({ a: from, b: to, at: moved(moved(from, minus(to, from), 0.5), by, OFF + WIDE * Math.abs(by[0])), mm });
   const scale = length(minus(place([1, 0]), place([0, 0])));
   const side = moved(b, along, BESIDE);
   const list = [
