@@ -12,7 +12,7 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     // Three alone is larger than the default; scripts/web-test holds the sum to a budget.
-    chunkSizeWarningLimit: 900,
+    chunkSizeWarningLimit: 1000,
   },
   worker: { format: 'es' },
   server: { proxy: { '/api': { target: cell, ws: true } } },

@@ -73,7 +73,7 @@ for (const dark of [false, true]) {
       await check(`tab ${i}`);
       await one.screenshot({ path: `${shots}${dark ? 'dark' : 'light'}-${i}.png` });
     }
-    for (const name of ['Alarm catalogue', 'Users', 'Audit log']) {
+    for (const name of ['Inputs and outputs', 'Tuning', 'Alarm catalogue', 'Users', 'Audit log']) {
       await one.getByRole('button', { name }).click();
       await sleep(300);
       await check(name);
@@ -81,7 +81,7 @@ for (const dark of [false, true]) {
     await go(one, 2);
     await one.locator('li.card', { hasText: 'saddle.toml' }).first().getByRole('button', { name: 'Use' }).click();
     await sleep(1500);
-    for (const name of ['Form', 'Text', 'G-code']) {
+    for (const name of ['Form', 'Bodies', 'Text', 'G-code']) {
       await one.getByRole('button', { name, exact: true }).click();
       await sleep(800);
       await check(name);

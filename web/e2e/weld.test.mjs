@@ -20,6 +20,25 @@ after(async () => {
   await cell?.end();
 });
 
+/** The cursor of a record's plot stands the torch there in 3D, and says where that is; going on moves it. */
+async function scrubbed() {
+  const over = one.locator('.charts .u-over').first();
+  const card = one.locator('.record .below .card', { hasText: /s [0-9.]+ mm/ });
+  const { width, height } = await over.boundingBox();
+  const [places, pictures] = [[], []];
+  for (const part of [0.2, 0.5, 0.8]) {
+    await over.hover({ position: { x: width * part, y: height / 2 } });
+    await card.waitFor();
+    await sleep(700);
+    places.push(Number(/s ([0-9.]+) mm/.exec(await card.textContent())[1]));
+    pictures.push((await one.locator('.record canvas[aria-label]').screenshot({ timeout: 40_000 })).toString('base64'));
+  }
+  assert.ok(places[0] < places[1] && places[1] < places[2], `${places}`);
+  const length = places[2] / 0.8;
+  places.forEach((s, i) => assert.ok(Math.abs(s / length - [0.2, 0.5, 0.8][i]) < 0.06, `${places}`));
+  assert.equal(new Set(pictures).size, 3, 'the torch in 3D does not follow the cursor');
+}
+
 test('the first run, led by the tour: from the printed address to a finished weld with its record', options, async () => {
   await open(one, cell.address);
   assert.ok(!one.url().includes('key='), 'the key is left in the address');
@@ -49,6 +68,7 @@ test('the first run, led by the tour: from the printed address to a finished wel
     await tour.getByRole('button', { name: 'Skip' }).click();
     await one.locator('td button').first().click();
     await one.locator('.uplot').first().waitFor();
+    await scrubbed();
   }
   quiet(one);
 });

@@ -4,6 +4,13 @@ import { machine, pose, work } from './weld.mjs';
 const STEP_S = 1 / 30;
 const SPEED_UP = 4;
 
+/** What tracking finds at a place: a part that lies elsewhere, and a tack that hides the joint for a while. */
+function tracked(s) {
+  const deviation = [1.2 * Math.sin(s / 260) + 0.05 * Math.sin(s / 7), 0.4 * Math.cos(s / 180)];
+  const hidden = s % 400 > 370;
+  return { head: 1, deviation_mm: deviation, correction_mm: deviation.map((d) => d - 0.03), confidence: hidden ? 0.4 : 0.96, sigma_mm: hidden ? 0.2 : 0.02, state: hidden ? 'coasted' : 'seen' };
+}
+
 export class Cell {
   constructor(send) {
     this.send = send;
@@ -132,11 +139,13 @@ export class Cell {
     return {
       kind: 'status', t: this.t, mode: this.mode, pass: this.pass, s_mm: this.s, welded_mm: this.welded,
       speed_mm_s: runs ? this.work.passes[this.pass - 1].speed_mm_s : 0, override_part: this.override, armed: this.armedUntil > this.t, powered,
-      process: { state: burns ? 'burns' : 'off', on: burns, burning: burns, gas: burns, phase: burns ? 'travel' : null,
+      process: { state: burns ? 'burns' : 'off', on: burns, burning: burns, gas: burns, ready: true, stuck: false, fault: 0, phase: burns ? 'travel' : null,
         set: burns ? [240, 27, 8] : [null, null, null], measured: burns ? [238 + noise() * 200, 27.1 + noise() * 10, 8] : [0, 0, 0] },
       axes: this.axes.map((position) => ({ position, set: position, error: runs ? noise() : 0, current: powered ? 0.2 : 0, referenced: this.referenced, fault: false, limit_switch: false })),
       tip, links, conditions: [true, true],
-      tracking: burns ? { deviation_mm: [0.3 + noise(), 0.1], correction_mm: [0.28, 0.09], confidence: 0.96 } : null,
+      inputs: [true, true],
+      tracking: burns ? [tracked(this.s)] : [],
+      near: { distance_mm: Math.max(12, tip[2] + 60), least_mm: 1, between: ['gas nozzle', 'shell'], at: [[tip[0], tip[1], tip[2] + 12], [tip[0], tip[1], tip[2] - 8]] },
       ages: { drives: 0.001, source: 0.004, inputs: 0.01 }, missed: 0, lost: 0, recording: burns ? 1 : null, left: this.left,
     };
   }

@@ -11,7 +11,7 @@ const port = Number(process.argv[2] ?? 8080);
 const folder = process.argv[3];
 const examples = new URL('../../examples/', import.meta.url);
 const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml' };
-const may = ['switch_on', 'switch_off', 'home', 'start_jog', 'start_teach', 'start_dry_run', 'arm', 'start_weld', 'hold', 'resume', 'reverse', 'stop', 'override', 'reset', 'acknowledge', 'jog', 'take_control', 'jobs.write', 'plan', 'load', 'edit', 'records.read', 'audit.read', 'users.write', 'backup'];
+const may = ['switch_on', 'switch_off', 'home', 'start_jog', 'start_teach', 'start_dry_run', 'arm', 'start_weld', 'hold', 'resume', 'reverse', 'stop', 'override', 'reset', 'acknowledge', 'jog', 'take_control', 'jobs.write', 'plan', 'load', 'edit', 'records.read', 'audit.read', 'tune', 'users.write', 'backup'];
 
 const sockets = new Map();
 let holder = null;
@@ -43,6 +43,8 @@ const routes = [
   ['PUT', /^\/api\/jobs\/(.+)$/, ({ text }, [name]) => jobs.set(name, { text, example: false }) && row([name, jobs.get(name)])],
   ['DELETE', /^\/api\/jobs\/(.+)$/, (_, [name]) => void jobs.delete(name)],
   ['POST', /^\/api\/plan$/, () => ({ kind: 'planned', work: work(99, '', null) })],
+  ['POST', /^\/api\/draft$/, () => draft()],
+  ['GET', /^\/api\/devices$/, () => devices()],
   ['POST', /^\/api\/load$/, ({ job, from }) => cell.load(job, from) ?? cell.work],
   ['GET', /^\/api\/work$/, () => cell.work],
   ['POST', /^\/api\/post$/, () => ({ text: 'G21\nG1 X0\nM2\n', proof: ['read back: 0.001 mm'] })],
@@ -52,8 +54,33 @@ const routes = [
   ['GET', /^\/api\/records\/\d+\/work$/, () => work(1, '', null)],
   ['GET', /^\/api\/records\/\d+\/trace$/, (_, __, query) => trace(query.get('columns').split(','))],
   ['GET', /^\/api\/audit$/, () => []],
+  ['GET', /^\/api\/tuning$/, (_, __, query) => tuning(query.get('axis'))],
+  ['POST', /^\/api\/place$/, ({ text, points }) => ({ text: `offset = "touched"\n${text}\n[offsets.touched]\nmove_mm = [1, 2, 3]\n`, move_mm: [1, 2, 3], angle_deg: 0, residuals_mm: points.map(() => 0.01), outliers: points.map(() => false), rms_mm: 0.01, notes: [] })],
   ['GET', /^\/api\/users$/, () => []],
 ];
+
+function draft() {
+  const { part, fixtures, sections } = work(99, '', null);
+  return { kind: 'drawn', part, fixtures, sections };
+}
+
+function devices() {
+  const signal = (name, kind, place, value, more = {}) => ({ name, kind, place, bit: true, unit: '', value, safe: kind === 'output' ? 0 : null, wanted: null, condition: null, ...more });
+  const status = cell.status();
+  const door = { wanted: true, condition: 'door' };
+  const signals = [signal('inputs.door_closed', 'input', 'discrete 0', 1, door), signal('inputs.gas_pressure', 'input', 'discrete 1', 0, { wanted: true, condition: 'gas pressure' }), signal('outputs.gas', 'output', 'coil 0', status.process.gas ? 1 : 0), signal('outputs.on', 'output', 'coil 1', status.process.on ? 1 : 0), signal('actual.current_a', 'actual', 'input 4', status.process.measured[0], { bit: false, unit: 'A' })];
+  const traffic = { polls: Math.round(status.t * 100), missed: 0, failed: 1, connections: 1, away_s: 0, round_us: [820, 2100, 4300], trouble: null };
+  return [{ name: 'source', address: '192.168.1.20:502', unit: 1, poll_s: 0.01, watchdog_s: 0.1, signals, traffic }];
+}
+
+/** An integrator with a drive of 40 Hz behind it. */
+function tuning(axis) {
+  const response = Array.from({ length: 60 }, (_, i) => {
+    const f = 1.1 ** i;
+    return [f, 20 * Math.log10(8 / f) - 10 * Math.log10(1 + (f / 40) ** 2), -90 - (Math.atan(f / 40) * 180) / Math.PI - f * 0.9];
+  });
+  return { axis, unit: 'mm', assumed_drive: false, refused: null, response, gain_margin: [11.2, 36], phase_margin: [65, 8], values: [['kp_per_s', 50.3], ['bandwidth_hz', 12.1]] };
+}
 
 function session() {
   return { user: 'mock', role: 'admin', may, token: 'mock', first_run: false };

@@ -31,9 +31,19 @@ function pass(role, speed) {
     const p = point(20 + i);
     if (i > 0) s += Math.hypot(...p.tip.map((v, k) => v - path[i - 1].tip[k]));
     const edge = Math.min(1, i / 4, (POINTS - 1 - i) / 4);
-    path.push({ ...p, s_mm: s, speed_mm_s: speed * edge, values: [240 - 20 * Math.cos((i / 180) * Math.PI * 2), 27, 8] });
+    path.push({ ...p, s_mm: s, speed_mm_s: speed * edge, values: [240 - 20 * Math.cos((i / 180) * Math.PI * 2), 27, 8], clearance_mm: 8 + 4 * Math.cos((i / 90) * Math.PI) });
   }
-  return { role, length_mm: s, time_s: s / speed + 4, speed_mm_s: speed, closed: true, path };
+  const tip = path[90].tip;
+  const nearest = { distance_mm: 4, least_mm: 1, between: ['gas nozzle', 'shell'], at: [[tip[0], tip[1], tip[2] + 12], [tip[0], tip[1], tip[2] + 8]] };
+  return { nearest, nearest_at_mm: path[90].s_mm, name: role, role, length_mm: s, time_s: s / speed + 4, speed_mm_s: speed, closed: true, path };
+}
+
+/** A V of 60 degrees in 12 mm with two beads. */
+function section(s_mm) {
+  const side = (x) => [[x * 1.5, -12], [x * 1.5, -10], [x * 7.3, 0]];
+  const plate = (x) => [...side(x), [x * 22, 0], [x * 22, -12]];
+  const bead = (role, area_mm2, low, high) => ({ name: role, role, area_mm2, tip: [0, low], back: [0, 1], outline: [[-1.5 - Math.max(0, low + 10) * 0.577, low], [1.5 + Math.max(0, low + 10) * 0.577, low], [1.5 + (high + 10) * 0.577, high], [-1.5 - (high + 10) * 0.577, high]] });
+  return { s_mm, dihedral_deg: 180, root_gap_mm: 3, mismatch_mm: 0, area_mm2: 93.7, cap_mm2: 12, parts: [plate(1), plate(-1)], edges: [side(1), side(-1)], beads: [bead('root', 30, -12, -7), bead('cap', 75, -7, 0)] };
 }
 
 export function work(id, job, from) {
@@ -52,6 +62,7 @@ export function work(id, job, from) {
       { name: 'shell', shape: { kind: 'cone', radius: SHELL, top_radius: SHELL, length: 1200 }, frame: [0, 0, 1, -600, 0, 1, 0, 0, -1, 0, 0, -SHELL], link: 0 },
     ],
     fixtures: [],
+    sections: [section(0), section(400)],
     findings: [
       { kind: 'speed', message: 'the tip is 0.8 % below the asked speed: 9.92 mm/s of 10 mm/s', pass: 1, from_mm: 400, to_mm: 410, cure: 'ask for a lower speed there', allowed: true },
     ],

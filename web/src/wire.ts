@@ -167,6 +167,150 @@ link: number,
 frame: [number, number, number, number, number, number, number, number, number, number, number, number], };
 
 /**
+ * `GET /api/devices`: what the cell drives and reads, with its values now.
+ */
+export type DeviceView = { 
+/**
+ * Its name in the machine file; empty: simulated.
+ */
+name: string, 
+/**
+ * Host and port; empty: simulated.
+ */
+address: string, 
+/**
+ * Unit address.
+ */
+unit: number, 
+/**
+ * Time from poll to poll, s.
+ */
+poll_s: number, 
+/**
+ * Time without a cycle after which outputs go to their safe states, s.
+ */
+watchdog_s: number, 
+/**
+ * Everything with a name on it.
+ */
+signals: Array<SignalView>, 
+/**
+ * What went over the line; none: there is no line.
+ */
+traffic: TrafficView | null, };
+
+/**
+ * An input, an output or a number of a device.
+ */
+export type SignalView = { 
+/**
+ * Its name, like `inputs.door_closed`, `outputs.gas`, `set.current_a`.
+ */
+name: string, 
+/**
+ * `input`, `output`, `set`, `report`, `actual`.
+ */
+kind: string, 
+/**
+ * Where it is, like `holding 12 bit 3`; empty: simulated.
+ */
+place: string, 
+/**
+ * It is on or off, not a number.
+ */
+bit: boolean, 
+/**
+ * Unit of a number.
+ */
+unit: string, 
+/**
+ * Now: of a bit 0 or 1; null where it is not known.
+ */
+value: number | null, 
+/**
+ * Of an output, its safe value.
+ */
+safe: number | null, 
+/**
+ * Of an input, what the condition that it is for needs.
+ */
+wanted: boolean | null, 
+/**
+ * The condition that it is for.
+ */
+condition: string | null, };
+
+/**
+ * What went over the line to a device since it was connected.
+ */
+export type TrafficView = { 
+/**
+ * Polls that were answered.
+ */
+polls: number, 
+/**
+ * Polls left out, because the one before took too long.
+ */
+missed: number, 
+/**
+ * Polls that were refused or not answered.
+ */
+failed: number, 
+/**
+ * Connections made.
+ */
+connections: number, 
+/**
+ * Time without a connection, s.
+ */
+away_s: number, 
+/**
+ * How long a poll takes: median, 99.9 of 100, longest, microseconds.
+ */
+round_us: [number, number, number], 
+/**
+ * What went wrong last.
+ */
+trouble: string | null, };
+
+/**
+ * `GET /api/tuning?axis=NAME`: the position loop of an axis, tuned and measured on its drive in simulation.
+ */
+export type TuningView = { 
+/**
+ * Its name.
+ */
+axis: string, 
+/**
+ * `mm` or `deg`.
+ */
+unit: string, 
+/**
+ * The machine file describes no drive: an assumed one was tuned.
+ */
+assumed_drive: boolean, 
+/**
+ * Why it cannot be tuned.
+ */
+refused: string | null, 
+/**
+ * Open loop: frequency, Hz, gain, dB, phase, degrees.
+ */
+response: Array<[number, number, number]>, 
+/**
+ * Gain margin, dB, and the frequency at which it is, Hz; none: the phase never comes to -180 degrees.
+ */
+gain_margin: [number, number] | null, 
+/**
+ * Phase margin, degrees, and the frequency at which it is, Hz.
+ */
+phase_margin: [number, number] | null, 
+/**
+ * Settings and what was measured, with the keys of machine files.
+ */
+values: Array<[string, number]>, };
+
+/**
  * `GET /api/session`, and the answer of `POST /api/login`.
  */
 export type SessionView = { 
@@ -330,9 +474,17 @@ links: Array<[number, number, number, number, number, number, number, number, nu
  */
 conditions: Array<boolean>, 
 /**
- * Tracking; none if the pass is not tracked.
+ * Inputs as they are, in the order of the machine's conditions.
  */
-tracking: TrackingStatus | null, 
+inputs: Array<boolean>, 
+/**
+ * What tracking knows and does, of each head that is tracked in this pass.
+ */
+tracking: Array<TrackingStatus>, 
+/**
+ * What is nearest to being too near; none if nothing is watched or nothing is near.
+ */
+near: NearView | null, 
 /**
  * How old what the devices said is, s.
  */
@@ -375,6 +527,18 @@ burning: boolean,
  * The gas valve is open.
  */
 gas: boolean, 
+/**
+ * The source could be switched on.
+ */
+ready: boolean, 
+/**
+ * The wire sticks.
+ */
+stuck: boolean, 
+/**
+ * The source's own fault code; 0 is none.
+ */
+fault: number, 
 /**
  * What a pass is doing: `held`, `preflow`, `travel_delay`, `travel`, `run_out`, `crater`, `postflow`, `move`, `ended`; none
  * beside passes.
@@ -427,6 +591,10 @@ limit_switch: boolean, };
  */
 export type TrackingStatus = { 
 /**
+ * The head, from 1.
+ */
+head: number, 
+/**
  * Lateral and height deviation of the joint from the program at the torch, mm.
  */
 deviation_mm: [number, number], 
@@ -437,7 +605,15 @@ correction_mm: [number, number],
 /**
  * 0 to 1.
  */
-confidence: number, };
+confidence: number, 
+/**
+ * Standard deviation of the deviation, mm; null where nothing is known.
+ */
+sigma_mm: number | null, 
+/**
+ * How it is known: `seen`, `bridged`, `coasted`, `fading`, `unseen`, `lost`.
+ */
+state: string, };
 
 /**
  * Ages, s; null: never heard of.
@@ -596,6 +772,10 @@ part: Array<SolidView>,
  */
 fixtures: Array<SolidView>, 
 /**
+ * The joint in cross-section, at places along the seam.
+ */
+sections: Array<SectionView>, 
+/**
  * What is to be said of it.
  */
 findings: Array<FindingView>, 
@@ -625,6 +805,10 @@ distortion: string | null, };
  */
 export type PassView = { 
 /**
+ * Its name in the program; empty if it has none.
+ */
+name: string, 
+/**
  * What it is: `root`, `fill`, `cap` ..; empty if the program does not say.
  */
 role: string, 
@@ -647,7 +831,15 @@ closed: boolean,
 /**
  * Samples all along.
  */
-path: Array<PathPoint>, };
+path: Array<PathPoint>, 
+/**
+ * Where what is watched comes nearest; none if nothing comes near.
+ */
+nearest: NearView | null, 
+/**
+ * Where that is, mm.
+ */
+nearest_at_mm: number | null, };
 
 /**
  * A sample of a pass.
@@ -676,7 +868,195 @@ axes: Array<number>,
 /**
  * Process values; null where there is none.
  */
-values: Array<number | null>, };
+values: Array<number | null>, 
+/**
+ * Least distance of anything watched, mm; null where nothing is near.
+ */
+clearance_mm: number | null, };
+
+/**
+ * The nearest pair of what must keep clear of each other.
+ */
+export type NearView = { 
+/**
+ * Their distance, mm; less than 0 where a zone is left.
+ */
+distance_mm: number, 
+/**
+ * The least that is allowed, mm.
+ */
+least_mm: number, 
+/**
+ * Names of the two.
+ */
+between: [string, string], 
+/**
+ * Their nearest points in the work frame, mm.
+ */
+at: [[number, number, number], [number, number, number]], };
+
+/**
+ * A cross-section of the joint: mm, x to the first part's side, y up.
+ */
+export type SectionView = { 
+/**
+ * Path length along the seam, mm.
+ */
+s_mm: number, 
+/**
+ * Angle between the two faces, degrees.
+ */
+dihedral_deg: number, 
+/**
+ * Root gap and how far the second part stands out, mm.
+ */
+root_gap_mm: number, 
+/**
+ * See `root_gap_mm`.
+ */
+mismatch_mm: number, 
+/**
+ * Area of the groove, and of the cap over it, mm^2.
+ */
+area_mm2: number, 
+/**
+ * See `area_mm2`.
+ */
+cap_mm2: number, 
+/**
+ * Outlines of the two parts.
+ */
+parts: [Array<[number, number]>, Array<[number, number]>], 
+/**
+ * Fusion faces of the two parts, from the root to the toe.
+ */
+edges: [Array<[number, number]>, Array<[number, number]>], 
+/**
+ * Beads in the order of welding.
+ */
+beads: Array<BeadView>, };
+
+/**
+ * A bead in a cross-section.
+ */
+export type BeadView = { 
+/**
+ * Begins the name of the passes that lay it, as in `fill 2.1`.
+ */
+name: string, 
+/**
+ * `root`, `fill`, `cap` ..
+ */
+role: string, 
+/**
+ * Area, mm^2.
+ */
+area_mm2: number, 
+/**
+ * Outline, mm.
+ */
+outline: Array<[number, number]>, 
+/**
+ * Where the wire points to, mm.
+ */
+tip: [number, number], 
+/**
+ * Unit vector from there to the torch.
+ */
+back: [number, number], };
+
+/**
+ * What a text of a job describes, before any motion is planned: see `POST /api/draft`.
+ */
+export type DraftAnswer = { "kind": "drawn", 
+/**
+ * The part and the fixtures.
+ */
+part: Array<SolidView>, 
+/**
+ * See `part`.
+ */
+fixtures: Array<SolidView>, 
+/**
+ * The joint.
+ */
+sections: Array<SectionView>, } | { "kind": "wrong", 
+/**
+ * What and where, with what is allowed.
+ */
+message: string, };
+
+/**
+ * `POST /api/place`: where the part stands, from points that were touched on it.
+ */
+export type PlaceText = { 
+/**
+ * TOML of a job.
+ */
+text: string, 
+/**
+ * What the points tell.
+ */
+method: PlaceMethod, 
+/**
+ * Radius of the probe's ball, mm; 0: the tip itself was on the surface.
+ */
+probe_radius_mm: number, 
+/**
+ * Touched points.
+ */
+points: Array<TouchedPoint>, };
+
+/**
+ * What touched points tell.
+ */
+export type PlaceMethod = "best_fit" | "plane_line_point";
+
+/**
+ * A touched point.
+ */
+export type TouchedPoint = { 
+/**
+ * What was touched.
+ */
+feature: string, 
+/**
+ * The tip in the work frame, mm.
+ */
+tip: [number, number, number], };
+
+/**
+ * Its answer; nothing is kept.
+ */
+export type PlaceAnswer = { 
+/**
+ * The job with the offset in force.
+ */
+text: string, 
+/**
+ * How the part is moved, mm.
+ */
+move_mm: [number, number, number], 
+/**
+ * By how much it is turned, degrees.
+ */
+angle_deg: number, 
+/**
+ * Distance of each point from its nominal surface then, mm: positive outside.
+ */
+residuals_mm: Array<number>, 
+/**
+ * Points that are far off the others.
+ */
+outliers: Array<boolean>, 
+/**
+ * Root of their mean square, mm.
+ */
+rms_mm: number, 
+/**
+ * What the points do not see, and what else is to be said.
+ */
+notes: Array<string>, };
 
 /**
  * Something that is wrong or worth knowing.

@@ -6,6 +6,7 @@ pub mod examples;
 pub mod failure;
 pub mod files;
 pub mod load;
+pub mod offset;
 mod outside;
 pub mod part;
 pub mod posting;

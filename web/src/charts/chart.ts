@@ -6,11 +6,13 @@ export type Line = { name: string; colour: string; dashed?: boolean; /** Draws o
 
 export type ChartSettings = {
   lines: Line[];
-  /** Unit of the horizontal axis, `s` or `mm`. */
+  /** Unit of the horizontal axis, `s`, `mm` or `Hz`. */
   unit: string;
   /** Fixed ends of the horizontal axis; else those of the data. */
   from?: number;
   to?: number;
+  /** The horizontal axis is logarithmic. */
+  logarithmic?: boolean;
   /** The least height of the vertical axis: noise of the last digit shall not fill the chart. */
   least?: number;
   /** Called with the index under the cursor, or null. */
@@ -73,11 +75,11 @@ export class Chart {
         ...(settings.together ? { sync: { key: settings.together } } : {}),
       },
       scales: {
-        x: { time: false, ...(from !== undefined && to !== undefined ? { range: [from, to] as [number, number] } : {}) },
+        x: { time: false, ...(settings.logarithmic ? { distr: 3 as const } : {}), ...(from !== undefined && to !== undefined ? { range: [from, to] as [number, number] } : {}) },
         y: { range: (_, least, most) => ends(least, most, settings.least ?? 0) },
       },
       axes: [
-        { ...axis, size: 20, space: 60, values: (_, ticks) => ticks.map((tick) => `${plain(tick)}`) },
+        { ...axis, size: 20, space: 60, values: (_, ticks) => ticks.map((tick: number | null) => (tick === null ? '' : plain(tick))) },
         { ...axis, size: 50, space: 24, values: (_, ticks) => ticks.map(plain) },
       ],
       series: [

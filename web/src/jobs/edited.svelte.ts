@@ -1,8 +1,10 @@
 import { api, Refusal } from '../live/api';
-import type { PlanAnswer, WorkView } from '../wire';
+import type { PlanAnswer, SectionView, WorkView } from '../wire';
 import { refusalText } from '../parts/refusal';
 
 const PLAN_AFTER_MS = 500;
+/** What needs no plan is drawn while a number is still being written. */
+const DRAW_AFTER_MS = 120;
 const STEPS = 500;
 
 /** The job that is being changed: its text, how it was before, and what the cell makes of it. */
@@ -16,12 +18,16 @@ class Edited {
   answer = $state.raw<PlanAnswer | null>(null);
   /** The newest good plan, for 3D, while the text is wrong for a moment. */
   work = $state.raw<WorkView | null>(null);
+  /** The joint's cross-sections as the text has them now. */
+  sections = $state.raw<SectionView[]>([]);
   plans = $state(false);
   trouble = $state('');
   private past = $state.raw<string[]>([]);
   private future = $state.raw<string[]>([]);
   private timer: ReturnType<typeof setTimeout> | undefined;
   private asking: AbortController | null = null;
+  private drawTimer: ReturnType<typeof setTimeout> | undefined;
+  private drawing: AbortController | null = null;
   private group = '';
   private grouped = 0;
 
@@ -39,13 +45,16 @@ class Edited {
     this.future = [];
     this.answer = null;
     this.work = null;
+    this.sections = [];
     this.trouble = '';
     this.planSoon(0);
   }
 
   end(): void {
     clearTimeout(this.timer);
+    clearTimeout(this.drawTimer);
     this.asking?.abort();
+    this.drawing?.abort();
     this.open = false;
     this.work = null;
   }
@@ -116,6 +125,24 @@ class Edited {
   private planSoon(wait = PLAN_AFTER_MS): void {
     clearTimeout(this.timer);
     this.timer = setTimeout(() => void this.plan(), wait);
+    clearTimeout(this.drawTimer);
+    this.drawTimer = setTimeout(() => void this.draw(), Math.min(wait, DRAW_AFTER_MS));
+  }
+
+  /** Parts, fixtures and sections at once; the plan, which takes longer, comes after. */
+  private async draw(): Promise<void> {
+    this.drawing?.abort();
+    const drawing = new AbortController();
+    this.drawing = drawing;
+    try {
+      const drawn = await api.draft(this.text, drawing.signal);
+      if (drawing.signal.aborted || drawn.kind !== 'drawn') return;
+      this.sections = drawn.sections;
+      const { part, fixtures } = drawn;
+      if (this.work) this.work = { ...this.work, part, fixtures };
+    } catch {
+      // What is wrong the plan says.
+    }
   }
 
   private async plan(): Promise<void> {

@@ -13,6 +13,7 @@ import { api } from './api';
 import { Link, type Answer, type LinkState } from './socket';
 import { session } from './session.svelte';
 import { Strip } from './strip';
+import { Track } from './track';
 
 /** What is shown as numbers changes this often at most; charts and the 3D scene take every status. */
 const SHOWN_MS = 100;
@@ -42,6 +43,9 @@ class Cell {
   /** Times from asking to the answer, ms. */
   readonly answerTimes: number[] = [];
   readonly strip = new Strip();
+  readonly track = new Track();
+  /** The loaded program is tracked, as far as this panel has seen. */
+  tracked = $state(false);
 
   readonly stale = $derived(this.age > STALE_MS);
   readonly mode = $derived(this.status?.mode ?? null);
@@ -146,6 +150,10 @@ class Cell {
         this.takeEvent(message);
         break;
       case 'work':
+        if (message.work?.id !== this.work?.id) {
+          this.track.clear();
+          this.tracked = false;
+        }
         this.work = message.work;
         break;
       case 'control':
@@ -164,6 +172,7 @@ class Cell {
     this.heard = now;
     this.newest = status;
     this.strip.add(status);
+    if (this.track.add(status, this.work?.passes[status.pass - 1]?.length_mm ?? 0)) this.tracked = true;
     // A mode that changed is shown at once.
     if (now - this.shown >= SHOWN_MS || status.mode !== this.status?.mode) {
       this.shown = now;

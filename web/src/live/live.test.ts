@@ -116,7 +116,7 @@ describe('hold to run', () => {
 
 describe('the strip of the last minute', () => {
   const status = (t: number): Status =>
-    ({ t, speed_mm_s: t, override_part: 1, axes: [{ error: -t, current: 0 }], tracking: null, process: { set: [], measured: [t] } }) as unknown as Status;
+    ({ t, speed_mm_s: t, override_part: 1, axes: [{ error: -t, current: 0 }], tracking: [], process: { set: [], measured: [t] } }) as unknown as Status;
 
   test('keeps the newest rows in order, however often it has gone round', () => {
     const strip = new Strip();

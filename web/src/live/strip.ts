@@ -25,7 +25,7 @@ export class Strip {
       worst = Math.max(worst, Math.abs(axis.error));
     });
     this.put('error', at, worst);
-    const tracking = status.tracking;
+    const tracking = status.tracking[0];
     this.put('deviation', at, tracking?.deviation_mm[0] ?? NaN);
     this.put('correction', at, tracking?.correction_mm[0] ?? NaN);
     this.put('height deviation', at, tracking?.deviation_mm[1] ?? NaN);

@@ -1,7 +1,7 @@
 import type { PassView, PathPoint } from '../wire';
 
 /** What the colour of a pass says. */
-export type ColourBy = { kind: 'pass' } | { kind: 'speed' } | { kind: 'heat' } | { kind: 'value'; index: number };
+export type ColourBy = { kind: 'pass' } | { kind: 'speed' } | { kind: 'heat' } | { kind: 'clearance' } | { kind: 'value'; index: number };
 
 /** Numbers that the ends of the scale stand for. */
 export type Scale = { least: number; most: number; unit: string };
@@ -65,6 +65,8 @@ export function numberOf(point: PathPoint, by: ColourBy, values: string[]): numb
       return point.speed_mm_s;
     case 'heat':
       return heat(point, values);
+    case 'clearance':
+      return point.clearance_mm;
     case 'value':
       return point.values[by.index] ?? null;
     case 'pass':
@@ -87,6 +89,6 @@ export function scale(passes: PassView[], by: ColourBy, values: string[]): Scale
     }
   }
   if (least > most) return null;
-  const unit = by.kind === 'speed' ? 'mm/s' : by.kind === 'heat' ? 'kJ/mm' : '';
+  const unit = by.kind === 'speed' ? 'mm/s' : by.kind === 'heat' ? 'kJ/mm' : by.kind === 'clearance' ? 'mm' : '';
   return { least, most, unit };
 }

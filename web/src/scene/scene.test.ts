@@ -1,7 +1,8 @@
 import { Box3, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import type { PassView, PathPoint, ShapeView } from '../wire';
+import type { NearView, PassView, PathPoint, ShapeView } from '../wire';
 import { heat, ramp, scale } from './colours';
+import { nearness, worthShowing } from './near';
 import { geometry, matrix } from './shapes';
 
 function extent(shape: ShapeView): { least: number[]; most: number[] } {
@@ -42,7 +43,7 @@ describe('shapes stand as the wire says', () => {
 
 describe('colours', () => {
   const point = (speed_mm_s: number, values: number[]): PathPoint =>
-    ({ speed_mm_s, values, s_mm: 0, tip: [0, 0, 0], torch: [0, 0, 1], axes: [] }) as PathPoint;
+    ({ speed_mm_s, values, s_mm: 0, tip: [0, 0, 0], torch: [0, 0, 1], axes: [], clearance_mm: speed_mm_s + 1 }) as PathPoint;
 
   test('heat input is U I / v', () => {
     expect(heat(point(10, [240, 27]), ['current_a', 'voltage_v'])).toBeCloseTo(0.648);
@@ -56,6 +57,7 @@ describe('colours', () => {
     expect(scale([pass], { kind: 'speed' }, [])).toMatchObject({ least: 0, most: 10 });
     expect(scale([pass], { kind: 'value', index: 0 }, ['a'])).toMatchObject({ least: 1, most: 5 });
     expect(scale([pass], { kind: 'pass' }, [])).toBeNull();
+    expect(scale([pass], { kind: 'clearance' }, [])).toMatchObject({ least: 1, most: 11, unit: 'mm' });
     expect(scale([], { kind: 'speed' }, [])).toBeNull();
   });
 
@@ -68,5 +70,22 @@ describe('colours', () => {
       last = light;
       for (const part of [r, g, b]) expect(part >= 0 && part <= 1).toBe(true);
     }
+  });
+});
+
+describe('what is near', () => {
+  const pair = (distance_mm: number) => ({ distance_mm, least_mm: 2, between: ['a', 'b'], at: [[0, 0, 0], [0, 0, 1]] }) as NearView;
+
+  test('by hand it is told before it is too near, on a checked way only when it is', () => {
+    expect([60, 11.9, 2.4, 1].map((mm) => nearness(pair(mm), true))).toEqual(['far', 'near', 'touching', 'touching']);
+    expect([60, 11.9, 2.4, 1].map((mm) => nearness(pair(mm), false))).toEqual(['far', 'far', 'far', 'touching']);
+  });
+
+  test('a line is drawn where it says something', () => {
+    expect(worthShowing(null, true)).toBeNull();
+    expect(worthShowing(pair(50), true)).toBeNull();
+    expect(worthShowing(pair(30), true)).not.toBeNull();
+    expect(worthShowing(pair(30), false)).toBeNull();
+    expect(worthShowing(pair(1), false)).not.toBeNull();
   });
 });

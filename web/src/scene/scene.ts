@@ -19,9 +19,10 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
-import type { MachineView, PathPoint, Status, WorkView } from '../wire';
+import type { MachineView, NearView, PathPoint, Status, WorkView } from '../wire';
 import type { ColourBy, Scale } from './colours';
 import { Measure } from './measure';
+import { Near, type Nearness } from './near';
 import { Passes, release } from './passes';
 import { nearest, surface } from './pick';
 import { matrix } from './shapes';
@@ -29,7 +30,7 @@ import { solid } from './solids';
 import { Trace } from './trace';
 
 export type View = 'fit' | 'top' | 'front' | 'side' | 'torch';
-export type Layer = 'machine' | 'part' | 'zones' | 'air' | 'trace';
+export type Layer = 'machine' | 'part' | 'zones' | 'air' | 'near' | 'trace';
 export type Cut = { axis: 'x' | 'y' | 'z'; part: number } | null;
 
 /** A short seam is shown with this much about it, mm. */
@@ -39,6 +40,8 @@ const TORCH_MM = 70;
 const MARKS_AT_MM = 1500;
 /** A frame that takes longer is no graphics card's. */
 const SLOW_MS = 25;
+/** Where each view looks from; from the torch it is the torch that says. */
+const FROM: Record<View, [number, number, number]> = { fit: [0.55, -0.75, 0.6], top: [0, -0.001, 1], front: [0, -1, 0.02], side: [1, 0, 0.02], torch: [0.55, -0.75, 0.6] };
 const NO_MOVE = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
 /** A frozen clock: the scene takes the first status and no other, for pictures that are always the same. */
 const FROZEN = new URLSearchParams(location.search).has('freeze');
@@ -65,6 +68,7 @@ export class Scene {
   private readonly parts: Group[] = [];
   private readonly passes = new Passes();
   private readonly trace = new Trace();
+  private readonly near = new Near();
   private readonly torch = new ArrowHelper(new Vector3(0, 0, 1), new Vector3(), TORCH_MM, 0x222222, 14, 7);
   private readonly tip = new Mesh(new SphereGeometry(4, 24, 12), new MeshBasicMaterial({ color: 0x333333 }));
   private readonly mark = new ArrowHelper(new Vector3(0, 0, 1), new Vector3(), TORCH_MM, 0x0b4fa8, 14, 8);
@@ -115,6 +119,7 @@ export class Scene {
     this.ended = true;
     this.watch.disconnect();
     this.controls.dispose();
+    this.near.end();
     release(this.root);
     this.renderer.dispose();
   }
@@ -137,7 +142,7 @@ export class Scene {
         for (const view of zone.solids) this.zones.push(this.onLink(view.link, solid(view, kind, this.cuts, false)));
       }
     }
-    this.place().add(this.passes.group, this.passes.air, this.trace.line, this.torch, this.tip, this.mark);
+    this.place().add(this.passes.group, this.passes.air, this.trace.line, this.near.group, this.torch, this.tip, this.mark);
     this.stand();
     const work = this.work;
     this.work = null;
@@ -183,9 +188,9 @@ export class Scene {
     this.torch.setDirection(new Vector3(ax, ay, az).normalize());
     const burns = status.process.burning;
     this.tip.material.color.set(burns ? 0xffa800 : 0x333333);
-    const runs = (of: Status | null): boolean => of?.mode === 'weld' || of?.mode === 'dry_run';
-    if (runs(status) && before?.mode === 'ready') this.trace.clear();
-    if (runs(status)) this.trace.add(x, y, z, burns);
+    const runs = status.mode === 'weld' || status.mode === 'dry_run';
+    if (runs && before?.mode === 'ready') this.trace.clear();
+    if (runs) this.trace.add(x, y, z, burns);
     this.draw();
   }
 
@@ -198,6 +203,11 @@ export class Scene {
       this.mark.setDirection(this.marked.along.clone().negate());
     }
     this.draw();
+  }
+
+  /** Shows the nearest pair of bodies, or none. */
+  setNear(of: NearView | null, level: Nearness): void {
+    if (this.near.set(of, level, [...this.machineParts, ...this.zones, ...this.parts])) this.draw();
   }
 
   setColours(by: ColourBy): void {
@@ -234,12 +244,8 @@ export class Scene {
     const box = this.box();
     const middle = box.getCenter(new Vector3());
     const radius = Math.max(box.getSize(new Vector3()).length() / 2, LEAST_MM);
-    const narrow = Math.min(1, this.camera.aspect);
-    let away = radius / Math.sin((this.camera.fov / 2) * (Math.PI / 180)) / narrow;
-    let from = new Vector3(0.55, -0.75, 0.6);
-    if (view === 'top') from = new Vector3(0, -0.001, 1);
-    if (view === 'front') from = new Vector3(0, -1, 0.02);
-    if (view === 'side') from = new Vector3(1, 0, 0.02);
+    let away = radius / Math.sin((this.camera.fov / 2) * (Math.PI / 180)) / Math.min(1, this.camera.aspect);
+    let from = new Vector3(...FROM[view]);
     if (view === 'torch' && this.status) {
       // Over the torch's shoulder: a little off its axis, near enough to see the pool.
       middle.copy(this.tip.getWorldPosition(new Vector3()));
@@ -249,8 +255,7 @@ export class Scene {
     }
     this.controls.target.copy(middle);
     this.camera.position.copy(middle).addScaledVector(from.normalize(), away);
-    this.camera.near = away / 200;
-    this.camera.far = away * 20;
+    [this.camera.near, this.camera.far] = [away / 200, away * 20];
     this.camera.updateProjectionMatrix();
     this.controls.update();
     this.draw();
@@ -299,6 +304,7 @@ export class Scene {
     this.tip.scale.setScalar(this.status?.process.burning ? near * 1.8 : near);
     this.torch.scale.setScalar(near);
     this.mark.scale.setScalar(near);
+    this.near.size(near);
     // The marked arrow's head is at the tip of the torch.
     this.mark.position.copy(this.marked.tip).addScaledVector(this.marked.along, TORCH_MM * near);
   }
@@ -309,6 +315,7 @@ export class Scene {
     this.parts.forEach((group) => (group.visible = shows('part')));
     this.zones.forEach((group) => (group.visible = shows('zones')));
     this.passes.air.visible = shows('air');
+    this.near.hide(!shows('near'));
     this.trace.line.visible = this.live && shows('trace');
   }
 

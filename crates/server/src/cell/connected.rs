@@ -2,7 +2,7 @@
 
 use super::prepared::{Prepared, SEED};
 use seamwright_cell::executive::{Devices, Orders, Reports};
-use seamwright_project::devices;
+use seamwright_project::devices::{self, Lines};
 use std::path::Path;
 use std::sync::{Arc, Weak};
 
@@ -21,6 +21,8 @@ pub(crate) struct Connection {
     fingerprint: String,
     /// Process values, by whose places real devices know them; none: all devices are simulated.
     values: Option<Vec<String>>,
+    /// The lines to real devices.
+    pub(crate) lines: Arc<Lines>,
     /// Gone as soon as the devices are.
     there: Weak<()>,
 }
@@ -55,11 +57,11 @@ impl Connected {
     /// In words: drives that are none, a device that does not answer or has no register for a value.
     pub(crate) fn new(prepared: &Prepared, beside: &Path, values: &[String]) -> Result<Self, String> {
         let machine = prepared.machine();
-        let (cell, _) = devices::of_machine(machine, beside, values, &[], SEED).map_err(|e| e.text())?;
+        let (cell, lines) = devices::of_machine(machine, beside, values, &[], SEED).map_err(|e| e.text())?;
         let there = Arc::new(());
         let values = (!machine.devices.is_empty()).then(|| values.to_vec());
         let fingerprint = prepared.fingerprint().to_owned();
-        let to = Connection { fingerprint, values, there: Arc::downgrade(&there) };
+        let to = Connection { fingerprint, values, lines: Arc::new(lines), there: Arc::downgrade(&there) };
         Ok(Self { cell, to, _there: there })
     }
 

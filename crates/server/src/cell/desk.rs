@@ -1,5 +1,6 @@
 use super::alarms::Mirror;
 use super::archive::Archive;
+use super::around::Around;
 use super::connected::Connection;
 use super::hub::Hub;
 use super::names::{Extra, Names, WHY};
@@ -35,6 +36,8 @@ pub(crate) enum ToDesk {
 pub(crate) struct Loading {
     pub(crate) prepared: Box<Prepared>,
     pub(crate) view: Option<Arc<WorkView>>,
+    /// What the machine must keep clear of, for the eye.
+    pub(crate) around: Arc<Around>,
     /// What is recorded of a weld of it.
     pub(crate) plan: Option<Plan>,
     /// Passes that are to be welded.
@@ -219,7 +222,7 @@ impl Desk {
             drop(answer.send(Err(lack)));
             return;
         }
-        let Loading { prepared, view, plan, passes, user } = loading;
+        let Loading { prepared, view, around, plan, passes, user } = loading;
         let to = prepared.devices.as_ref().map(|devices| devices.to().clone());
         let (machine, fingerprint) = (prepared.machine().clone(), prepared.fingerprint().to_owned());
         let values = prepared.with(|work| work.values().len());
@@ -231,7 +234,7 @@ impl Desk {
         }
         self.waiting.push_back(Command { origin: Origin::default(), number: 0, ask: Ask::Load });
         let names = Names { machine, fingerprint, values, heads };
-        self.loading = Some(Box::new(Pending { names, to, view, plan, passes, user, answer }));
+        self.loading = Some(Box::new(Pending { names, to, view, around, plan, passes, user, answer }));
     }
 
     fn loaded(&mut self, refused: Option<Missing>) {
@@ -255,6 +258,7 @@ impl Desk {
         if let Some(view) = &pending.view {
             self.tell("work", &format!("loaded: {}", view.title), Some(pending.user));
         }
+        self.hub.set_around(pending.around);
         self.hub.set_work(pending.view);
         drop(pending.answer.send(Ok(())));
     }
@@ -359,6 +363,7 @@ pub(super) struct Pending {
     /// What the devices that it brings are connected for.
     to: Option<Connection>,
     view: Option<Arc<WorkView>>,
+    around: Arc<Around>,
     plan: Option<Plan>,
     passes: usize,
     user: String,

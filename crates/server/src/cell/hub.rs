@@ -1,6 +1,7 @@
+use super::around::Around;
 use super::connected::Connection;
 use crate::view::written;
-use crate::wire::{AlarmView, EventView, FromCell, Status, WorkView};
+use crate::wire::{AlarmView, EventView, FromCell, NearView, Status, WorkView};
 use seamwright_machine::{Joints, Machine};
 use seamwright_record::Moment;
 use std::collections::{HashMap, VecDeque};
@@ -22,6 +23,7 @@ pub(crate) type Text = Arc<str>;
 pub(crate) struct Hub {
     status: watch::Sender<Option<Text>>,
     latest: Mutex<Option<(Status, Joints)>>,
+    near: Mutex<Option<NearView>>,
     told: Mutex<Told>,
 }
 
@@ -36,6 +38,7 @@ struct Told {
     machine: Option<Arc<Machine>>,
     /// Of the devices.
     connection: Option<Connection>,
+    around: Option<Arc<Around>>,
     control: Option<Holder>,
 }
 
@@ -74,7 +77,12 @@ fn text(message: &FromCell) -> Text {
 
 impl Hub {
     pub(crate) fn new() -> Self {
-        Self { status: watch::Sender::new(None), latest: Mutex::default(), told: Mutex::default() }
+        Self {
+            status: watch::Sender::new(None),
+            latest: Mutex::default(),
+            near: Mutex::default(),
+            told: Mutex::default(),
+        }
     }
 
     /// What is told stays whole even where somebody failed while he told it.
@@ -109,7 +117,8 @@ impl Hub {
     }
 
     /// The newest status, and where the axes shall be, mm or rad.
-    pub(crate) fn show(&self, status: Status, set: Joints) {
+    pub(crate) fn show(&self, mut status: Status, set: Joints) {
+        status.near.clone_from(&self.near.lock().unwrap_or_else(PoisonError::into_inner));
         let message = text(&FromCell::Status(Box::new(status.clone())));
         *self.latest.lock().unwrap_or_else(PoisonError::into_inner) = Some((status, set));
         self.status.send_replace(Some(message));
@@ -170,6 +179,21 @@ impl Hub {
 
     pub(super) fn set_connection(&self, to: &Connection) {
         self.told().connection = Some(to.clone());
+    }
+
+    /// What the machine must keep clear of now.
+    pub(crate) fn set_around(&self, around: Arc<Around>) {
+        self.told().around = Some(around);
+        self.set_near(None);
+    }
+
+    pub(super) fn around(&self) -> Option<Arc<Around>> {
+        self.told().around.clone()
+    }
+
+    /// What is nearest, for the statuses to come.
+    pub(super) fn set_near(&self, near: Option<NearView>) {
+        *self.near.lock().unwrap_or_else(PoisonError::into_inner) = near;
     }
 
     pub(crate) fn work(&self) -> Option<Arc<WorkView>> {

@@ -2,6 +2,7 @@
 
 mod alarms;
 mod archive;
+mod around;
 mod connected;
 mod cycle;
 mod desk;
@@ -12,6 +13,7 @@ mod prepared;
 mod recorder;
 mod start;
 
+pub(crate) use around::Around;
 pub(crate) use connected::{Connected, Connection};
 pub(crate) use desk::{Loading, ToDesk};
 pub(crate) use hub::Refusal;

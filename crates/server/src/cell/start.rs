@@ -1,4 +1,5 @@
 use super::archive::Archive;
+use super::around::{self, Around};
 use super::connected::Connected;
 use super::cycle::{self, Swap};
 use super::desk::{Desk, Queues, ToDesk};
@@ -7,7 +8,7 @@ use super::names::Names;
 use super::prepared::{Prepared, Task};
 use super::recorder::Recorder;
 use seamwright_cell::realtime::{Urgent, live};
-use seamwright_machine::Machine;
+use seamwright_machine::{Clamped, Machine};
 use seamwright_record::DataFolder;
 use std::path::Path;
 use std::sync::mpsc::{Sender, channel};
@@ -41,6 +42,7 @@ impl Cell {
         drop(folder);
         let hub = Arc::new(Hub::new());
         hub.set_machine(machine);
+        hub.set_around(Arc::new(Around::new(machine, &Clamped::default())?));
         for weld in &interrupted {
             hub.event(0.0, "record", format!("weld {} was interrupted; its record is whole again", weld.weld.id), None);
         }
@@ -67,6 +69,8 @@ impl Cell {
         let queues = Queues { outside, next, done };
         let listens = Desk::new(Arc::clone(&hub), archive.clone(), queues, from, names, recorder, left);
         let thread = std::thread::spawn(move || listens.run(|| cycle.is_finished()));
+        let watched = Arc::downgrade(&hub);
+        std::thread::spawn(move || around::watch(&watched));
         Ok(Self { hub, archive, urgent, desk, thread: Mutex::new(Some(thread)) })
     }
 

@@ -1,7 +1,7 @@
 use super::answer::{Answer, Refused};
 use super::panel::Panel;
-use crate::view::machine_view;
-use crate::wire::{AlarmEntry, MachineView, WorkView};
+use crate::view::{device_views, machine_view, simulated_view};
+use crate::wire::{AlarmEntry, DeviceView, MachineView, WorkView};
 use axum::Json;
 use axum::extract::State;
 use seamwright_cell::executive::Alarm;
@@ -10,6 +10,20 @@ use std::sync::Arc;
 pub(super) async fn machine(State(panel): State<Arc<Panel>>) -> Answer<MachineView> {
     let machine = panel.cell.hub.machine().ok_or_else(|| Refused::server("there is no machine"))?;
     Ok(Json(machine_view(&machine)))
+}
+
+pub(super) async fn devices(State(panel): State<Arc<Panel>>) -> Answer<Vec<DeviceView>> {
+    let hub = &panel.cell.hub;
+    let machine = hub.machine().ok_or_else(|| Refused::server("there is no machine"))?;
+    let (status, work) = (hub.latest(), hub.work());
+    let values = work.as_ref().map_or(&[][..], |work| &work.values);
+    let connection = hub.connection().ok_or_else(|| Refused::server("there are no devices"))?;
+    let mut views = device_views(&machine, &connection.lines, values, status.as_ref());
+    let simulated = simulated_view(&machine, values, status.as_ref());
+    if !simulated.signals.is_empty() {
+        views.push(simulated);
+    }
+    Ok(Json(views))
 }
 
 pub(super) async fn work(State(panel): State<Arc<Panel>>) -> Answer<Option<WorkView>> {

@@ -9,6 +9,7 @@ mod login;
 mod look;
 mod openapi;
 mod panel;
+mod place;
 mod plan;
 mod records;
 mod routes;

@@ -18,13 +18,15 @@ pub(crate) struct Panel {
     pub(crate) tls: bool,
     /// One plan at a time: the cycle has to have its share of the machine.
     pub(crate) planning: Semaphore,
+    /// What is read without being planned does not wait for a plan.
+    pub(crate) drawing: Semaphore,
     plans: AtomicU64,
 }
 
 impl Panel {
     pub(crate) fn new(cell: Cell, accounts: Accounts, key: String, data: PathBuf, hosts: Vec<String>) -> Self {
-        let (sessions, planning) = (Sessions::default(), Semaphore::new(1));
-        Self { cell, accounts, sessions, key, data, hosts, tls: false, planning, plans: AtomicU64::new(0) }
+        let (sessions, planning, drawing) = (Sessions::default(), Semaphore::new(1), Semaphore::new(1));
+        Self { cell, accounts, sessions, key, data, hosts, tls: false, planning, drawing, plans: AtomicU64::new(0) }
     }
 
     /// Where jobs are kept.

@@ -1,10 +1,10 @@
 use super::answer::{Answer, Refused, page_of};
 use super::jobs::{checked, text};
 use super::panel::Panel;
-use crate::cell::{Connected, Connection, Loading, Planned, Prepared, Task, ToDesk, fingerprint};
+use crate::cell::{Around, Connected, Connection, Loading, Planned, Prepared, Task, ToDesk, fingerprint};
 use crate::users::Session;
-use crate::view::work_view;
-use crate::wire::{JobText, Load, PlanAnswer, PostAnswer, PostText, WorkView};
+use crate::view::{clamped_views, sections, tuning_view, work_view};
+use crate::wire::{DraftAnswer, JobText, Load, PlanAnswer, PostAnswer, PostText, TuningView, WorkView};
 use axum::extract::{Path, Query, State};
 use axum::http::StatusCode;
 use axum::response::Response;
@@ -68,6 +68,20 @@ pub(super) async fn plan(State(panel): State<Arc<Panel>>, Json(job): Json<JobTex
     answer.await.map(Json)
 }
 
+/// What a text describes, at once: nothing is planned.
+pub(super) async fn draft(State(panel): State<Arc<Panel>>, Json(job): Json<JobText>) -> Answer<DraftAnswer> {
+    let _turn = panel.drawing.acquire().await.map_err(|_| Refused::server("the panel is ending"))?;
+    let folder = panel.jobs();
+    let answer = tokio::task::spawn_blocking(move || match load_text("job.toml", &job.text, &folder) {
+        Ok(loaded) => {
+            let (part, fixtures) = clamped_views(&loaded);
+            DraftAnswer::Drawn { part, fixtures, sections: sections(&loaded.welding) }
+        }
+        Err(failure) => DraftAnswer::Wrong { message: failure.text() },
+    });
+    Ok(Json(answer.await?))
+}
+
 fn loaded(panel: &Panel, name: &str) -> Result<Loaded, Refused> {
     Ok(load_text(checked(name)?, &text(panel, name)?, &panel.jobs())?)
 }
@@ -112,8 +126,9 @@ async fn connected(panel: &Arc<Panel>, mut loading: Loading, folder: PathBuf) ->
     }
     if let Some(now) = now.filter(Connection::is_real) {
         let prepared = Box::new(Prepared::bare(loading.prepared.machine()).map_err(Refused::input)?);
+        let around = Arc::clone(&loading.around);
         let user = loading.user.clone();
-        give(panel, Loading { prepared, view: None, plan: None, passes: 0, user }).await?;
+        give(panel, Loading { prepared, view: None, around, plan: None, passes: 0, user }).await?;
         let begin = Instant::now();
         while now.is_there() {
             if begin.elapsed() > Duration::from_secs(GO_S) {
@@ -159,10 +174,11 @@ fn loading(panel: &Panel, load: Load, user: String) -> Result<(Loading, PathBuf)
     let fingerprint = fingerprint(&loaded.machine);
     let same = panel.cell.hub.connection().is_some_and(|to| to.serves(&fingerprint, &view.values));
     let at = panel.cell.hub.set_points().filter(|_| same).unwrap_or(loaded.machine.home());
+    let around = Arc::new(Around::new(&loaded.machine, &loaded.clamped).map_err(Refused::input)?);
     let folder = loaded.folder().to_owned();
     let task = Task::Job(Box::new(Planned { loaded, motion, part }));
     let prepared = Box::new(Prepared::new(task, &at, from).map_err(Refused::input)?);
-    Ok((Loading { prepared, view: Some(view), plan: Some(plan), passes, user }, folder))
+    Ok((Loading { prepared, view: Some(view), around, plan: Some(plan), passes, user }, folder))
 }
 
 /// The part that is welded, where devices are simulated.
@@ -183,6 +199,24 @@ pub(super) async fn recorded(State(panel): State<Arc<Panel>>, Path(id): Path<i64
         Ok(work_view(panel.plan_number(), &program.name, &loaded, planned))
     });
     view.await.map(Json)
+}
+
+/// `?axis=NAME`.
+#[derive(Deserialize)]
+pub(super) struct OfAxis {
+    axis: String,
+}
+
+pub(super) async fn tuning(State(panel): State<Arc<Panel>>, Query(of): Query<OfAxis>) -> Answer<TuningView> {
+    let answer = alone(&panel, move |panel| {
+        let machine = panel.cell.hub.machine().ok_or_else(|| Refused::server("there is no machine"))?;
+        let axis = machine.axes.iter().find(|axis| axis.name == of.axis).ok_or_else(|| {
+            let names: Vec<&str> = machine.axes.iter().map(|axis| axis.name.as_str()).collect();
+            Refused::not_found(format!("there is no axis `{}`; allowed: {}", of.axis, names.join(", ")))
+        })?;
+        Ok(tuning_view(axis, machine.servo_period_s))
+    });
+    answer.await.map(Json)
 }
 
 /// `?job=NAME`.

@@ -1,9 +1,10 @@
 use super::guard::{Need, host, need};
 use super::panel::Panel;
-use super::{assets, edit, jobs, login, look, openapi, plan, records, socket, users};
+use super::{assets, edit, jobs, login, look, openapi, place, plan, records, socket, users};
 use crate::wire::{
-    AlarmEntry, AuditRow, DistortionRow, EditAnswer, JobRow, JobText, Load, Login, MachineView, OwnPassword,
-    PlanAnswer, PostAnswer, PostText, RecordRow, RecordView, SessionView, TraceView, UserChange, UserRow, WorkView,
+    AlarmEntry, AuditRow, DeviceView, DistortionRow, DraftAnswer, EditAnswer, JobRow, JobText, Load, Login,
+    MachineView, OwnPassword, PlaceAnswer, PlaceText, PlanAnswer, PostAnswer, PostText, RecordRow, RecordView,
+    SessionView, TraceView, TuningView, UserChange, UserRow, WorkView,
 };
 use axum::extract::DefaultBodyLimit;
 use axum::routing::{MethodRouter, delete, get, post, put};
@@ -69,6 +70,13 @@ pub(super) fn routes() -> Vec<Route> {
         Route::write(("post", "/api/logout"), "watch", "Ends the session", (None, None), post(login::logout)),
         Route::get("/api/session", "watch", "Who is logged in", shape::<SessionView>(), get(login::session)),
         Route::get("/api/machine", "watch", "The machine of the cell", shape::<MachineView>(), get(look::machine)),
+        Route::get(
+            "/api/devices",
+            "watch",
+            "Inputs, outputs and lines to devices",
+            shape::<Vec<DeviceView>>(),
+            get(look::devices),
+        ),
         Route::get("/api/work", "watch", "The program in the cell", shape::<Option<WorkView>>(), get(look::work)),
         Route::get("/api/alarms/catalogue", "watch", "All alarms", shape::<Vec<AlarmEntry>>(), get(look::catalogue)),
         Route::get("/api/live", "watch", "The socket: status, events, commands", None, get(socket::live)),
@@ -97,6 +105,20 @@ pub(super) fn routes() -> Vec<Route> {
             post(plan::plan),
         ),
         Route::write(
+            ("post", "/api/draft"),
+            "plan",
+            "What a text describes: parts and the joint's sections",
+            (shape::<JobText>(), shape::<DraftAnswer>()),
+            post(plan::draft),
+        ),
+        Route::write(
+            ("post", "/api/place"),
+            "plan",
+            "Where the part stands, from touched points",
+            (shape::<PlaceText>(), shape::<PlaceAnswer>()),
+            post(place::place),
+        ),
+        Route::write(
             ("post", "/api/load"),
             "load",
             "Plans a job and gives it to the cell",
@@ -123,6 +145,7 @@ pub(super) fn routes() -> Vec<Route> {
             get(plan::recorded),
         ),
         Route::get("/api/records/{id}/report", "records.read", "Its report as a page", None, get(records::report)),
+        Route::get("/api/tuning", "tune", "An axis tuned in simulation", shape::<TuningView>(), get(plan::tuning)),
         Route::get("/api/audit", "audit.read", "Who did what", shape::<Vec<AuditRow>>(), get(records::audit)),
         Route::get("/api/backup", "backup", "All data as a tar archive", None, get(records::backup)),
         Route::get("/api/users", "users.read", "Users", shape::<Vec<UserRow>>(), get(users::list)),

@@ -2,6 +2,7 @@
 
 mod asked;
 mod devices;
+mod drawn;
 mod guarded;
 mod lived;
 mod tracked;

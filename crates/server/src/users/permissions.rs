@@ -2,7 +2,7 @@ use crate::wire::Role;
 
 /// What each action needs: the one table, checked on the server for everything and shown to the panel. Commands have the names
 /// of [`crate::wire::AskView`].
-pub(crate) const NEEDS: [(&str, Role); 29] = [
+pub(crate) const NEEDS: [(&str, Role); 30] = [
     ("stop", Role::Viewer),
     ("hold", Role::Operator),
     ("switch_on", Role::Operator),
@@ -28,6 +28,7 @@ pub(crate) const NEEDS: [(&str, Role); 29] = [
     ("post", Role::Programmer),
     ("load", Role::Operator),
     ("records.read", Role::Viewer),
+    ("tune", Role::Service),
     ("audit.read", Role::Service),
     ("backup", Role::Service),
     ("users.read", Role::Admin),

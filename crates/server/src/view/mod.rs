@@ -1,11 +1,21 @@
 //! Machines and planned programs as the panel sees them.
 
+mod devices;
 mod machine;
 mod moment;
+mod near;
+mod section;
 mod solid;
+mod tracking;
+mod tuning;
 mod work;
 
+pub(crate) use devices::{device_views, simulated_view};
 pub(crate) use machine::machine_view;
 pub(crate) use moment::written;
+pub(crate) use near::near;
+pub(crate) use section::sections;
 pub(crate) use solid::rows;
-pub(crate) use work::work_view;
+pub(crate) use tracking::tracking;
+pub(crate) use tuning::tuning_view;
+pub(crate) use work::{clamped_views, work_view};

@@ -1,7 +1,9 @@
+use super::near::near;
+use super::section::sections;
 use super::solid::solid;
-use crate::wire::{FindingView, PassView, PathPoint, WorkView};
-use seamwright_machine::Machine;
-use seamwright_motion::{PassMotion, WeldMotion};
+use crate::wire::{FindingView, NearView, PassView, PathPoint, SolidView, WorkView};
+use seamwright_machine::{Machine, Surroundings};
+use seamwright_motion::{PassClearance, PassMotion, WeldMotion};
 use seamwright_program::{Finding, Pass};
 use seamwright_project::load::Loaded;
 
@@ -17,19 +19,27 @@ pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&We
     let machine = &loaded.machine;
     let values = program.process_values();
     let motion = planned.ok();
-    let passes = motion.map(|m| program.passes.iter().zip(&m.passes)).into_iter().flatten();
+    let passes = motion.map(|m| program.passes.iter().zip(m.passes.iter().zip(&m.clearance))).into_iter().flatten();
     let findings = planned.map_or_else(|findings| findings, |m| &m.findings);
-    let part = machine.links.frame("work").map_or(0, |f| f.link);
+    let (part, fixtures) = clamped_views(loaded);
+    // It could be planned with them, so they are there.
+    let around = loaded.surroundings().ok();
     WorkView {
         id,
         job: job.to_owned(),
         title: program.title.clone(),
         machine: machine.name.clone(),
-        passes: passes.map(|(pass, planned)| pass_view(machine, pass, planned, &values)).collect(),
+        passes: passes
+            .map(|(pass, (planned, clearance))| {
+                let clearance = around.as_ref().zip(clearance.as_ref());
+                pass_view(machine, (pass, planned), clearance, &values)
+            })
+            .collect(),
         values,
         air: motion.map_or(Vec::new(), |m| m.air.iter().map(|a| air(machine, a)).collect()),
-        part: loaded.clamped.part.iter().map(|s| solid(s, part)).collect(),
-        fixtures: loaded.clamped.fixtures.iter().map(|s| solid(s, part)).collect(),
+        part,
+        fixtures,
+        sections: sections(&loaded.welding),
         findings: findings.iter().map(finding).collect(),
         good: motion.is_some() && findings.iter().all(|f| f.allowed),
         time_s: motion.map_or(0.0, WeldMotion::total_s),
@@ -39,7 +49,34 @@ pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&We
     }
 }
 
-fn pass_view(machine: &Machine, pass: &Pass, planned: &PassMotion, values: &[String]) -> PassView {
+/// Part and fixtures, on the link of the work.
+pub(crate) fn clamped_views(loaded: &Loaded) -> (Vec<SolidView>, Vec<SolidView>) {
+    let link = loaded.machine.links.frame("work").map_or(0, |f| f.link);
+    let views = |solids: &[seamwright_clearance::Solid]| solids.iter().map(|s| solid(s, link)).collect();
+    (views(&loaded.clamped.part), views(&loaded.clamped.fixtures))
+}
+
+/// The least distance at path length `s`, mm, linear between the places looked at; none beyond the cut-off.
+fn clearance_at(clearance: &PassClearance, s: f64) -> Option<f64> {
+    let found = &clearance.found;
+    let after = found.partition_point(|at| at.0 < s).min(found.len().checked_sub(1)?);
+    let (a, b) = (found[after.saturating_sub(1)], found[after]);
+    let part = if b.0 > a.0 { ((s - a.0) / (b.0 - a.0)).clamp(0.0, 1.0) } else { 1.0 };
+    Some(a.1 + part * (b.1 - a.1)).filter(|mm| *mm < clearance.cutoff_mm)
+}
+
+/// Where what is watched comes nearest on a pass, and the pair.
+fn nearest(around: &Surroundings<'_>, clearance: &PassClearance, planned: &PassMotion) -> Option<(f64, NearView)> {
+    let (s, _) = clearance.found.iter().min_by(|a, b| a.1.total_cmp(&b.1))?;
+    Some((*s, near(around, &planned.path.at(*s), clearance.cutoff_mm)?))
+}
+
+fn pass_view(
+    machine: &Machine,
+    (pass, planned): (&Pass, &PassMotion),
+    clearance: Option<(&Surroundings<'_>, &PassClearance)>,
+    values: &[String],
+) -> PassView {
     let length = planned.path.length();
     let path: Vec<PathPoint> = (0..=SAMPLES)
         .map(|i| {
@@ -58,17 +95,22 @@ fn pass_view(machine: &Machine, pass: &Pass, planned: &PassMotion, values: &[Str
                     .map(|name| pass.process_at(name, s, (f64::INFINITY, f64::INFINITY)))
                     .map(|v| v.filter(|v| v.is_finite()))
                     .collect(),
+                clearance_mm: clearance.and_then(|(_, clearance)| clearance_at(clearance, s)),
             }
         })
         .collect();
+    let (nearest_at_mm, nearest) = clearance.and_then(|(around, c)| nearest(around, c, planned)).unzip();
     let ends = path.first().zip(path.last()).map(|(a, b)| [a.tip, b.tip].map(glam::DVec3::from_array));
     PassView {
+        name: pass.name.clone(),
         role: pass.known_role().map_or(String::new(), |role| role.name().to_owned()),
         length_mm: length,
         time_s: planned.total_s(),
         speed_mm_s: path.get(SAMPLES / 2).map_or(0.0, |p| p.speed_mm_s),
         closed: ends.is_some_and(|[a, b]| a.distance(b) < CLOSED_MM),
         path,
+        nearest,
+        nearest_at_mm,
     }
 }
 

@@ -175,6 +175,91 @@ pub struct OwnPassword {
     pub own_password: Option<String>,
 }
 
+/// `GET /api/devices`: what the cell drives and reads, with its values now.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct DeviceView {
+    /// Its name in the machine file; empty: simulated.
+    pub name: String,
+    /// Host and port; empty: simulated.
+    pub address: String,
+    /// Unit address.
+    pub unit: u8,
+    /// Time from poll to poll, s.
+    pub poll_s: f64,
+    /// Time without a cycle after which outputs go to their safe states, s.
+    pub watchdog_s: f64,
+    /// Everything with a name on it.
+    pub signals: Vec<SignalView>,
+    /// What went over the line; none: there is no line.
+    pub traffic: Option<TrafficView>,
+}
+
+/// An input, an output or a number of a device.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct SignalView {
+    /// Its name, like `inputs.door_closed`, `outputs.gas`, `set.current_a`.
+    pub name: String,
+    /// `input`, `output`, `set`, `report`, `actual`.
+    pub kind: String,
+    /// Where it is, like `holding 12 bit 3`; empty: simulated.
+    pub place: String,
+    /// It is on or off, not a number.
+    pub bit: bool,
+    /// Unit of a number.
+    pub unit: String,
+    /// Now: of a bit 0 or 1; null where it is not known.
+    pub value: Option<f64>,
+    /// Of an output, its safe value.
+    pub safe: Option<f64>,
+    /// Of an input, what the condition that it is for needs.
+    pub wanted: Option<bool>,
+    /// The condition that it is for.
+    pub condition: Option<String>,
+}
+
+/// What went over the line to a device since it was connected.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct TrafficView {
+    /// Polls that were answered.
+    #[ts(type = "number")]
+    pub polls: u64,
+    /// Polls left out, because the one before took too long.
+    #[ts(type = "number")]
+    pub missed: u64,
+    /// Polls that were refused or not answered.
+    #[ts(type = "number")]
+    pub failed: u64,
+    /// Connections made.
+    pub connections: u32,
+    /// Time without a connection, s.
+    pub away_s: f64,
+    /// How long a poll takes: median, 99.9 of 100, longest, microseconds.
+    pub round_us: [f64; 3],
+    /// What went wrong last.
+    pub trouble: Option<String>,
+}
+
+/// `GET /api/tuning?axis=NAME`: the position loop of an axis, tuned and measured on its drive in simulation.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct TuningView {
+    /// Its name.
+    pub axis: String,
+    /// `mm` or `deg`.
+    pub unit: String,
+    /// The machine file describes no drive: an assumed one was tuned.
+    pub assumed_drive: bool,
+    /// Why it cannot be tuned.
+    pub refused: Option<String>,
+    /// Open loop: frequency, Hz, gain, dB, phase, degrees.
+    pub response: Vec<[f64; 3]>,
+    /// Gain margin, dB, and the frequency at which it is, Hz; none: the phase never comes to -180 degrees.
+    pub gain_margin: Option<[f64; 2]>,
+    /// Phase margin, degrees, and the frequency at which it is, Hz.
+    pub phase_margin: Option<[f64; 2]>,
+    /// Settings and what was measured, with the keys of machine files.
+    pub values: Vec<(String, f64)>,
+}
+
 /// What every failed request answers.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct Trouble {

@@ -33,8 +33,12 @@ pub struct Status {
     pub links: Vec<[f64; 12]>,
     /// In the order of the machine's conditions: met or not.
     pub conditions: Vec<bool>,
-    /// Tracking; none if the pass is not tracked.
-    pub tracking: Option<TrackingStatus>,
+    /// Inputs as they are, in the order of the machine's conditions.
+    pub inputs: Vec<bool>,
+    /// What tracking knows and does, of each head that is tracked in this pass.
+    pub tracking: Vec<TrackingStatus>,
+    /// What is nearest to being too near; none if nothing is watched or nothing is near.
+    pub near: Option<super::NearView>,
     /// How old what the devices said is, s.
     pub ages: Ages,
     /// Cycles that were missed, and cycles that were not recorded, in all.
@@ -61,6 +65,12 @@ pub struct ProcessStatus {
     pub burning: bool,
     /// The gas valve is open.
     pub gas: bool,
+    /// The source could be switched on.
+    pub ready: bool,
+    /// The wire sticks.
+    pub stuck: bool,
+    /// The source's own fault code; 0 is none.
+    pub fault: u16,
     /// What a pass is doing: `held`, `preflow`, `travel_delay`, `travel`, `run_out`, `crater`, `postflow`, `move`, `ended`; none
     /// beside passes.
     pub phase: Option<String>,
@@ -92,12 +102,18 @@ pub struct AxisStatus {
 /// What tracking found and did.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct TrackingStatus {
+    /// The head, from 1.
+    pub head: u32,
     /// Lateral and height deviation of the joint from the program at the torch, mm.
     pub deviation_mm: [f64; 2],
     /// Lateral and height correction carried out, mm.
     pub correction_mm: [f64; 2],
     /// 0 to 1.
     pub confidence: f64,
+    /// Standard deviation of the deviation, mm; null where nothing is known.
+    pub sigma_mm: Option<f64>,
+    /// How it is known: `seen`, `bridged`, `coasted`, `fading`, `unseen`, `lost`.
+    pub state: String,
 }
 
 /// Ages, s; null: never heard of.

@@ -24,6 +24,8 @@ pub struct WorkView {
     pub part: Vec<SolidView>,
     /// See `part`.
     pub fixtures: Vec<SolidView>,
+    /// The joint in cross-section, at places along the seam.
+    pub sections: Vec<SectionView>,
     /// What is to be said of it.
     pub findings: Vec<FindingView>,
     /// It can be welded: no finding forbids it.
@@ -41,6 +43,8 @@ pub struct WorkView {
 /// A pass.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct PassView {
+    /// Its name in the program; empty if it has none.
+    pub name: String,
     /// What it is: `root`, `fill`, `cap` ..; empty if the program does not say.
     pub role: String,
     /// Path length, mm.
@@ -53,6 +57,23 @@ pub struct PassView {
     pub closed: bool,
     /// Samples all along.
     pub path: Vec<PathPoint>,
+    /// Where what is watched comes nearest; none if nothing comes near.
+    pub nearest: Option<NearView>,
+    /// Where that is, mm.
+    pub nearest_at_mm: Option<f64>,
+}
+
+/// The nearest pair of what must keep clear of each other.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct NearView {
+    /// Their distance, mm; less than 0 where a zone is left.
+    pub distance_mm: f64,
+    /// The least that is allowed, mm.
+    pub least_mm: f64,
+    /// Names of the two.
+    pub between: [String; 2],
+    /// Their nearest points in the work frame, mm.
+    pub at: [[f64; 3]; 2],
 }
 
 /// A sample of a pass.
@@ -70,6 +91,8 @@ pub struct PathPoint {
     pub axes: Vec<f64>,
     /// Process values; null where there is none.
     pub values: Vec<Option<f64>>,
+    /// Least distance of anything watched, mm; null where nothing is near.
+    pub clearance_mm: Option<f64>,
 }
 
 /// Something that is wrong or worth knowing.
@@ -146,6 +169,119 @@ pub enum ShapeView {
         /// Corners.
         triangles: Vec<f32>,
     },
+}
+
+/// A cross-section of the joint: mm, x to the first part's side, y up.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct SectionView {
+    /// Path length along the seam, mm.
+    pub s_mm: f64,
+    /// Angle between the two faces, degrees.
+    pub dihedral_deg: f64,
+    /// Root gap and how far the second part stands out, mm.
+    pub root_gap_mm: f64,
+    /// See `root_gap_mm`.
+    pub mismatch_mm: f64,
+    /// Area of the groove, and of the cap over it, mm^2.
+    pub area_mm2: f64,
+    /// See `area_mm2`.
+    pub cap_mm2: f64,
+    /// Outlines of the two parts.
+    pub parts: [Vec<[f64; 2]>; 2],
+    /// Fusion faces of the two parts, from the root to the toe.
+    pub edges: [Vec<[f64; 2]>; 2],
+    /// Beads in the order of welding.
+    pub beads: Vec<BeadView>,
+}
+
+/// A bead in a cross-section.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct BeadView {
+    /// Begins the name of the passes that lay it, as in `fill 2.1`.
+    pub name: String,
+    /// `root`, `fill`, `cap` ..
+    pub role: String,
+    /// Area, mm^2.
+    pub area_mm2: f64,
+    /// Outline, mm.
+    pub outline: Vec<[f64; 2]>,
+    /// Where the wire points to, mm.
+    pub tip: [f64; 2],
+    /// Unit vector from there to the torch.
+    pub back: [f64; 2],
+}
+
+/// What a text of a job describes, before any motion is planned: see `POST /api/draft`.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum DraftAnswer {
+    /// It can be read.
+    Drawn {
+        /// The part and the fixtures.
+        part: Vec<SolidView>,
+        /// See `part`.
+        fixtures: Vec<SolidView>,
+        /// The joint.
+        sections: Vec<SectionView>,
+    },
+    /// The text is wrong.
+    Wrong {
+        /// What and where, with what is allowed.
+        message: String,
+    },
+}
+
+/// `POST /api/place`: where the part stands, from points that were touched on it.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlaceText {
+    /// TOML of a job.
+    pub text: String,
+    /// What the points tell.
+    pub method: PlaceMethod,
+    /// Radius of the probe's ball, mm; 0: the tip itself was on the surface.
+    pub probe_radius_mm: f64,
+    /// Touched points.
+    pub points: Vec<TouchedPoint>,
+}
+
+/// What touched points tell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, TS, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum PlaceMethod {
+    /// Points anywhere on the nozzle and on the body: features `nozzle`, `body`.
+    BestFit,
+    /// Points on three faces: features `plane`, `line`, `point`.
+    PlaneLinePoint,
+}
+
+/// A touched point.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TouchedPoint {
+    /// What was touched.
+    pub feature: String,
+    /// The tip in the work frame, mm.
+    pub tip: [f64; 3],
+}
+
+/// Its answer; nothing is kept.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct PlaceAnswer {
+    /// The job with the offset in force.
+    pub text: String,
+    /// How the part is moved, mm.
+    pub move_mm: [f64; 3],
+    /// By how much it is turned, degrees.
+    pub angle_deg: f64,
+    /// Distance of each point from its nominal surface then, mm: positive outside.
+    pub residuals_mm: Vec<f64>,
+    /// Points that are far off the others.
+    pub outliers: Vec<bool>,
+    /// Root of their mean square, mm.
+    pub rms_mm: f64,
+    /// What the points do not see, and what else is to be said.
+    pub notes: Vec<String>,
 }
 
 /// What a text of a job is, asked before it is kept: see `POST /api/plan`.

@@ -1,7 +1,6 @@
 //! Verbs about the machine and the work in it.
 
 mod check;
-mod offset;
 mod place;
 mod placed;
 mod touched;

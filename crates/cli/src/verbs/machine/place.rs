@@ -1,4 +1,3 @@
-use super::offset;
 use super::placed::{Axis, Fitted, Placed};
 use super::touched::{Touched, Wanted, read};
 use crate::args::machine::{PlaceArgs, PlaceMethod};
@@ -13,9 +12,9 @@ use seamwright_geometry::fit::{Touch, best_fit, fit_pairs, plane_line_point, run
 use seamwright_geometry::{Error, Tube};
 use seamwright_machine::{AxisKind, Machine};
 use seamwright_program::{OFFSET_NAMES, is_offset_name};
+use seamwright_project::offset;
 use seamwright_weld::{SeamCurve, SeamSurfaces};
 use std::path::Path;
-use toml_edit::DocumentMut;
 
 pub(crate) fn run(args: &PlaceArgs) -> Result<(), Failure> {
     check(args)?;
@@ -197,9 +196,8 @@ fn turns_about(machine: &Machine, tube: &Tube) -> bool {
 /// Writes the job again with the offset in force, after a look whether it can be read where it will stand.
 fn write_job(args: &PlaceArgs, path: &Path, transform: &Transform) -> Result<(), Failure> {
     let cannot = |e: &dyn std::fmt::Display| Failure::Input(format!("{}: cannot be changed: {e}", args.job.display()));
-    let mut document: DocumentMut = files::read(&args.job)?.parse().map_err(|e: toml_edit::TomlError| cannot(&e))?;
-    offset::put(&mut document, &args.name, transform).ok_or_else(|| cannot(&"`offsets` is no table"))?;
-    let text = document.to_string();
+    let placed = offset::put_into(&files::read(&args.job)?, &args.name, transform).map_err(|e| cannot(&e))?;
+    let text = placed.ok_or_else(|| cannot(&"`offsets` is no table"))?;
     let folder = path.parent().unwrap_or(Path::new("."));
     load_text(&path.display().to_string(), &text, folder)?;
     files::write(path, &text)

@@ -1,12 +1,12 @@
 //! What a placement says: text and JSON.
 
-use super::offset::fragment;
 use super::touched::Touched;
 use crate::args::machine::{PlaceArgs, PlaceMethod};
 use clap::ValueEnum;
 use glam::{DAffine3, DVec3};
 use seamwright_document::Transform;
 use seamwright_geometry::fit::{Deviation, Motion, RunOut, outliers, rms};
+use seamwright_project::offset::fragment;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::Path;

@@ -2,10 +2,10 @@
 
 use glam::{DAffine3, DVec3};
 use seamwright_document::{Direction, Finite, Point, Transform};
-use toml_edit::{Array, DocumentMut, Item, Table, value};
+use toml_edit::{Array, DocumentMut, Item, Table, TomlError, value};
 
 /// The offset as it is written: to a millionth of a mm, which is beyond any machine.
-pub(super) fn rounded(offset: &DAffine3) -> Option<Transform> {
+pub fn rounded(offset: &DAffine3) -> Option<Transform> {
     let exact = Transform::from_affine(offset)?;
     let angle_deg = Finite::new(round(exact.angle_deg.get(), 1e9))?;
     let turned = angle_deg.get() != 0.0;
@@ -22,9 +22,18 @@ fn each(v: DVec3, digits: f64) -> DVec3 {
     DVec3::new(round(v.x, digits), round(v.y, digits), round(v.z, digits))
 }
 
+/// The text of a job or program with `offset` under `name`, in force; none if its `offsets` is not a table.
+///
+/// # Errors
+/// A text that is not TOML.
+pub fn put_into(text: &str, name: &str, offset: &Transform) -> Result<Option<String>, TomlError> {
+    let mut document: DocumentMut = text.parse()?;
+    Ok(put(&mut document, name, offset).map(|()| document.to_string()))
+}
+
 /// Puts `offset` into a job or program under `name`, in place of one of that name, and makes it the one in force. None
 /// if the file's `offsets` is not a table.
-pub(super) fn put(document: &mut DocumentMut, name: &str, offset: &Transform) -> Option<()> {
+fn put(document: &mut DocumentMut, name: &str, offset: &Transform) -> Option<()> {
     document["offset"] = value(name);
     let offsets = document.entry("offsets").or_insert_with(|| {
         let mut parent = Table::new();
@@ -59,7 +68,7 @@ fn table(offset: &Transform) -> Table {
 }
 
 /// The lines to paste into a job.
-pub(super) fn fragment(name: &str, offset: &Transform) -> String {
+pub fn fragment(name: &str, offset: &Transform) -> String {
     let mut document = DocumentMut::new();
     put(&mut document, name, offset).map_or_else(String::new, |()| document.to_string())
 }

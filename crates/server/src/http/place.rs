@@ -1,0 +1,124 @@
+use super::answer::{Answer, Refused};
+use super::panel::Panel;
+use crate::wire::{PlaceAnswer, PlaceMethod, PlaceText, TouchedPoint};
+use axum::Json;
+use axum::extract::State;
+use glam::{DAffine3, DVec3};
+use seamwright_geometry::fit::{Touch, best_fit, outliers, plane_line_point, rms};
+use seamwright_program::Program;
+use seamwright_project::load::{Loaded, load_text};
+use seamwright_project::offset;
+use seamwright_weld::SeamSurfaces;
+use std::sync::Arc;
+
+/// Name of the offset.
+const NAME: &str = "touched";
+/// Most points: nobody touches more by hand.
+const MOST: usize = 1000;
+/// Largest ball, mm, and farthest point.
+const LARGEST_MM: f64 = 1000.0;
+const FARTHEST_MM: f64 = 1e7;
+
+/// Where the part stands.
+struct Found {
+    /// The part's frame in the work frame.
+    offset: DAffine3,
+    residuals: Vec<f64>,
+    notes: Vec<String>,
+}
+
+pub(super) async fn place(State(panel): State<Arc<Panel>>, Json(asked): Json<PlaceText>) -> Answer<PlaceAnswer> {
+    let _turn = panel.drawing.acquire().await.map_err(|_| Refused::server("the panel is ending"))?;
+    let folder = panel.jobs();
+    let answer = tokio::task::spawn_blocking(move || {
+        check(&asked)?;
+        let loaded = load_text("job.toml", &asked.text, &folder)?;
+        let found = match asked.method {
+            PlaceMethod::BestFit => fitted(&loaded, &asked.points, asked.probe_radius_mm)?,
+            PlaceMethod::PlaneLinePoint => faces(&loaded.welding.program.value, &asked.points, asked.probe_radius_mm)?,
+        };
+        let answer = answer(&asked.text, found)?;
+        // What is given back can be read.
+        load_text("job.toml", &answer.text, &folder)?;
+        Ok::<_, Refused>(answer)
+    });
+    Ok(Json(answer.await??))
+}
+
+fn check(asked: &PlaceText) -> Result<(), Refused> {
+    let features: &[&str] = match asked.method {
+        PlaceMethod::BestFit => &["nozzle", "body"],
+        PlaceMethod::PlaneLinePoint => &["plane", "line", "point"],
+    };
+    if !(0.0..=LARGEST_MM).contains(&asked.probe_radius_mm) {
+        return Err(Refused::input(format!("probe_radius_mm {}: allowed: 0 to {LARGEST_MM}", asked.probe_radius_mm)));
+    }
+    if asked.points.len() > MOST {
+        return Err(Refused::input(format!("{} points; allowed: up to {MOST}", asked.points.len())));
+    }
+    for (i, point) in asked.points.iter().enumerate() {
+        let number = i + 1;
+        if !features.contains(&point.feature.as_str()) {
+            let allowed = features.join(", ");
+            return Err(Refused::input(format!("point {number}: feature `{}`; allowed: {allowed}", point.feature)));
+        }
+        if point.tip.iter().any(|v| v.is_nan() || v.abs() > FARTHEST_MM) {
+            return Err(Refused::input(format!("point {number}: allowed: up to {FARTHEST_MM:.0} mm")));
+        }
+    }
+    Ok(())
+}
+
+/// Why points tell nothing.
+fn refused(e: &seamwright_geometry::Error) -> Refused {
+    Refused::input(format!("{e}; allowed: more points, spread over what they should tell, or another method"))
+}
+
+/// Surfaces at the points, in the sense of least squares.
+fn fitted(loaded: &Loaded, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
+    let program = &loaded.welding.program;
+    let Some(seam) = &program.value.seam else {
+        return Err(Refused::input("the job has no seam whose surfaces could have been touched; allowed: a job"));
+    };
+    let surfaces = SeamSurfaces::new(program, seam).map_err(seamwright_project::Failure::from)?;
+    let touch = |point: &TouchedPoint| {
+        let surface = if point.feature == "nozzle" { &surfaces.first } else { &surfaces.second };
+        Touch { point: DVec3::from_array(point.tip), surface: surface.as_ref(), outside: radius }
+    };
+    let touches: Vec<Touch> = points.iter().map(touch).collect();
+    let fit = best_fit(&touches, &program.value.seam_in_work(), false).map_err(|e| refused(&e))?;
+    let placed = program.value.work_offset().inverse() * program.value.seam_in_work();
+    let mut notes: Vec<String> = fit.free.iter().map(|free| format!("not seen: {free}; left as it was")).collect();
+    if fit.deviation.is_none() {
+        notes.push("there are no more points than unknowns: nothing would show a bad one".to_owned());
+    }
+    Ok(Found { offset: fit.transform * placed.inverse(), residuals: fit.residuals, notes })
+}
+
+/// Three faces of the part.
+fn faces(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
+    let of = |feature: &str| -> Vec<DVec3> {
+        points.iter().filter(|p| p.feature == feature).map(|p| DVec3::from_array(p.tip)).collect()
+    };
+    let (plane, line, point) = (of("plane"), of("line"), of("point"));
+    let fit = plane_line_point((&plane, &line, &point), radius, &program.work_offset()).map_err(|e| refused(&e))?;
+    // Back in the order of the points.
+    let mut lists = [("plane", fit.plane.iter()), ("line", fit.line.iter()), ("point", fit.point.iter())];
+    let next = |p: &TouchedPoint| lists.iter_mut().find(|l| l.0 == p.feature).and_then(|l| l.1.next().copied());
+    Ok(Found { offset: fit.transform, residuals: points.iter().filter_map(next).collect(), notes: Vec::new() })
+}
+
+fn answer(text: &str, found: Found) -> Result<PlaceAnswer, Refused> {
+    let transform = offset::rounded(&found.offset).ok_or_else(|| Refused::input("the points give no place"))?;
+    let placed = offset::put_into(text, NAME, &transform).map_err(|e| Refused::input(e.to_string()))?;
+    let text = placed.ok_or_else(|| Refused::input("`offsets` is no table; allowed: [offsets.NAME]"))?;
+    Ok(PlaceAnswer {
+        text,
+        move_mm: transform.move_mm.get().to_array(),
+        angle_deg: transform.angle_deg.get(),
+        rms_mm: rms(&found.residuals),
+        outliers: outliers(&found.residuals),
+        residuals_mm: found.residuals,
+        notes: found.notes,
+    })
+}

@@ -1,0 +1,131 @@
+//! What is drawn beside the plan: sections, bodies, clearance, devices, where a part stands.
+
+use super::{Bench, HOST};
+use axum::http::StatusCode;
+use serde_json::{Value, json};
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().filter_map(Value::as_f64).collect()
+}
+
+async fn example(bench: &Bench, owner: &super::Visitor, name: &str) -> String {
+    let (_, job) = bench.ask(owner.request("GET", &format!("/api/jobs/{name}"), None)).await;
+    job["text"].as_str().unwrap().to_owned()
+}
+
+/// Area of an outline, mm^2.
+fn area(outline: &Value) -> f64 {
+    let points: Vec<Vec<f64>> = outline.as_array().unwrap().iter().map(numbers).collect();
+    let cross = |i: usize| {
+        let (a, b) = (&points[i], &points[(i + 1) % points.len()]);
+        a[0] * b[1] - a[1] * b[0]
+    };
+    (0..points.len()).map(cross).sum::<f64>().abs() / 2.0
+}
+
+/// Sections of two joints: beads fill the groove, outlines have the areas that are told, and a number that changes is seen.
+#[tokio::test(flavor = "multi_thread")]
+async fn a_draft_has_the_joint_as_it_is_written() {
+    let bench = Bench::new(&[HOST]).await;
+    let owner = bench.owner().await;
+    for name in ["thick-saddle.toml", "tube-plate.toml", "ellipse.toml"] {
+        let text = example(&bench, &owner, name).await;
+        let (status, draft) = bench.ask(owner.request("POST", "/api/draft", Some(&json!({ "text": text })))).await;
+        assert_eq!((status, &draft["kind"]), (StatusCode::OK, &json!("drawn")), "{name}: {draft}");
+        let sections = draft["sections"].as_array().unwrap();
+        assert_eq!(sections.is_empty(), !text.contains("[joint"), "{name}");
+        for section in sections {
+            let edge = |i: usize| section["edges"][i].as_array().unwrap().clone();
+            let groove: Vec<Value> = edge(0).into_iter().chain(edge(1).into_iter().rev()).collect();
+            let told = section["area_mm2"].as_f64().unwrap();
+            assert!((area(&Value::Array(groove)) - told).abs() < 0.02 * told + 0.05, "{name}: {told}");
+            let beads = section["beads"].as_array().unwrap();
+            let sum: f64 = beads.iter().map(|b| b["area_mm2"].as_f64().unwrap()).sum();
+            let all = told + section["cap_mm2"].as_f64().unwrap();
+            assert!(beads.is_empty() || (sum - all).abs() < 1e-6 * all, "{name}: {sum} of {all}");
+        }
+    }
+    let wrong = json!({ "text": "title = 1" });
+    let (status, draft) = bench.ask(owner.request("POST", "/api/draft", Some(&wrong))).await;
+    assert_eq!((status, &draft["kind"]), (StatusCode::OK, &json!("wrong")));
+}
+
+/// A body put in the torch's way is in the draft at once, and in the plan its pass is nearer to it than without.
+#[tokio::test(flavor = "multi_thread")]
+async fn clearance_is_told_along_the_passes() {
+    let bench = Bench::new(&[HOST]).await;
+    let owner = bench.owner().await;
+    let text = example(&bench, &owner, "saddle.toml").await;
+    let plan = |text: String| owner.request("POST", "/api/plan", Some(&json!({ "text": text })));
+    let (_, answer) = bench.ask(plan(text.clone())).await;
+    let pass = &answer["work"]["passes"][0];
+    let near = &pass["nearest"];
+    let least = pass["path"].as_array().unwrap().iter().filter_map(|p| p["clearance_mm"].as_f64());
+    let least = least.fold(f64::INFINITY, f64::min);
+    assert!((near["distance_mm"].as_f64().unwrap() - least).abs() < 0.3, "{near} {least}");
+    let (a, b) = (numbers(&near["at"][0]), numbers(&near["at"][1]));
+    let apart = a.iter().zip(&b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+    assert!((apart - near["distance_mm"].as_f64().unwrap()).abs() < 0.3, "{near}");
+    let ball = format!(
+        "{text}\n[[fixtures]]\nname = \"ball\"\nshape.sphere = {{ radius_mm = 5 }}\nat = {{ move_mm = [0, 0, 5000] }}\n"
+    );
+    let (_, draft) = bench.ask(owner.request("POST", "/api/draft", Some(&json!({ "text": ball })))).await;
+    assert_eq!(draft["fixtures"][0]["name"], "ball");
+    assert_eq!(draft["fixtures"][0]["frame"][11], 5000.0);
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn simulated_inputs_and_outputs_have_names_and_values() {
+    let bench = Bench::new(&[HOST]).await;
+    let owner = bench.owner().await;
+    while bench.panel.cell.hub.latest().is_none() {
+        tokio::time::sleep(std::time::Duration::from_millis(10)).await;
+    }
+    let (status, devices) = bench.ask(owner.request("GET", "/api/devices", None)).await;
+    assert_eq!(status, StatusCode::OK);
+    let signals = devices[0]["signals"].as_array().unwrap();
+    let of = |name: &str| signals.iter().find(|s| s["name"] == name).unwrap_or_else(|| panic!("{name}: {devices}"));
+    assert_eq!((&of("outputs.on")["value"], &of("outputs.on")["safe"]), (&json!(0.0), &json!(0.0)));
+    for input in signals.iter().filter(|s| s["kind"] == "input") {
+        let on = input["value"].as_f64().unwrap() > 0.5;
+        assert_eq!(json!(on), input["wanted"], "{input}");
+    }
+}
+
+/// The points of the example that were touched on a part moved by a known offset.
+#[tokio::test(flavor = "multi_thread")]
+async fn touched_points_tell_where_the_part_stands() {
+    let bench = Bench::new(&[HOST]).await;
+    let owner = bench.owner().await;
+    let text = example(&bench, &owner, "saddle.toml").await;
+    let table = include_str!("../../../../examples/saddle-touched.csv");
+    let header: Vec<&str> = table.lines().next().unwrap().split(',').map(str::trim).collect();
+    let column = |name: &str| header.iter().position(|h| *h == name).unwrap();
+    let points: Vec<Value> = (table.lines().skip(1))
+        .map(|line| {
+            let fields: Vec<&str> = line.split(',').map(str::trim).collect();
+            let tip: Vec<f64> = ["x_mm", "y_mm", "z_mm"].map(|c| fields[column(c)].parse().unwrap()).to_vec();
+            json!({ "feature": fields[column("feature")], "tip": tip })
+        })
+        .collect();
+    let ask = |points: &[Value]| {
+        let body = json!({ "text": text, "method": "best_fit", "probe_radius_mm": 0, "points": points });
+        owner.request("POST", "/api/place", Some(&body))
+    };
+    let (status, answer) = bench.ask(ask(&points)).await;
+    assert_eq!(status, StatusCode::OK, "{answer}");
+    // As docs/job.md says of these points.
+    for (found, moved) in numbers(&answer["move_mm"]).iter().zip([1.5, -0.8, 0.6]) {
+        assert!((found - moved).abs() < 0.2, "{answer}");
+    }
+    assert!((answer["angle_deg"].as_f64().unwrap().abs() - 0.4).abs() < 0.05, "{answer}");
+    assert!(answer["rms_mm"].as_f64().unwrap() < 0.05 && answer["residuals_mm"].as_array().unwrap().len() == 24);
+    assert!(answer["text"].as_str().unwrap().contains("offset = \"touched\""));
+    for wrong in
+        [json!([]), json!([{ "feature": "lid", "tip": [0, 0, 0] }]), json!([{ "feature": "body", "tip": [1e9, 0, 0] }])]
+    {
+        let (status, answer) = bench.ask(ask(wrong.as_array().unwrap())).await;
+        assert_eq!(status, StatusCode::UNPROCESSABLE_ENTITY, "{answer}");
+        assert!(answer["text"].as_str().unwrap().contains("allowed"), "{answer}");
+    }
+}

@@ -1,0 +1,60 @@
+use crate::wire::{BeadView, SectionView};
+use glam::DVec2;
+use seamwright_weld::{BeadAt, BeadPlan, Layer, SeamCurve, SeamJoint, Welding};
+
+/// Places along the seam.
+const PLACES: u32 = 9;
+
+/// The joint in cross-section: at places along the seam, the first its start; without a joint none.
+pub(crate) fn sections(welding: &Welding) -> Vec<SectionView> {
+    let (Some(seam), Some(joint)) = (&welding.seam, &welding.joint) else { return Vec::new() };
+    // All round, the end is the start.
+    let step =
+        if seam.all_round() { seam.length() / f64::from(PLACES) } else { seam.weld_length() / f64::from(PLACES - 1) };
+    let at = |i| section(seam, joint, welding.plan.as_ref(), f64::from(i) * step);
+    (0..PLACES).filter_map(at).collect()
+}
+
+fn section(seam: &SeamCurve, joint: &SeamJoint, beads: Option<&BeadPlan>, s: f64) -> Option<SectionView> {
+    let point = seam.at(s);
+    let section = joint.section(&point)?;
+    let (root_gap_mm, mismatch_mm) = joint.fit_up(s);
+    let turn = DVec2::from_angle(joint.upright(&section));
+    let place = |p: &DVec2| turn.rotate(*p).to_array().map(micrometres);
+    let outline = |points: &[DVec2]| points.iter().map(place).collect::<Vec<_>>();
+    let beads = beads.map_or(Vec::new(), |plan| {
+        let bead = |bead: &BeadAt| BeadView {
+            name: name(&plan.layers[bead.layer], bead),
+            role: plan.layers[bead.layer].role.name().to_owned(),
+            area_mm2: bead.area,
+            outline: outline(&section.outline(bead)),
+            tip: place(&bead.tip),
+            back: turn.rotate(DVec2::new(bead.lean.sin(), bead.lean.cos())).to_array(),
+        };
+        plan.in_order(&section, s).iter().map(bead).collect()
+    });
+    Some(SectionView {
+        s_mm: s,
+        dihedral_deg: section.dihedral.to_degrees(),
+        root_gap_mm,
+        mismatch_mm,
+        area_mm2: section.area(),
+        cap_mm2: section.cap,
+        parts: joint.parts(&section).map(|part| outline(&part)),
+        edges: [outline(&section.first), outline(&section.second)],
+        beads,
+    })
+}
+
+/// As its passes are named.
+fn name(layer: &Layer, bead: &BeadAt) -> String {
+    match layer.beads {
+        1 => format!("{} {}", layer.role.name(), bead.layer + 1),
+        _ => format!("{} {}.{}", layer.role.name(), bead.layer + 1, bead.index + 1),
+    }
+}
+
+/// Finer than this nobody sees it.
+fn micrometres(mm: f64) -> f64 {
+    (mm * 1e3).round() / 1e3
+}
