@@ -20,6 +20,9 @@ const LOOK: Duration = Duration::from_millis(2);
 /// How often clients are shown what the cell is doing.
 const SHOW: Duration = Duration::from_micros(33_333);
 
+/// Commands that wait for the cycle at most.
+const WAITING: usize = 512;
+
 /// What the outside wants of the desk.
 pub(crate) enum ToDesk {
     /// For the executive.
@@ -84,7 +87,7 @@ impl Desk {
         queues: Queues,
         from: Receiver<ToDesk>,
         names: Names,
-        recorder: Recorder,
+        (recorder, mirror): (Recorder, Mirror),
         (left, connected): (Option<(u32, f64)>, Option<Vec<String>>),
     ) -> Self {
         let Queues { outside, next, done } = queues;
@@ -97,7 +100,7 @@ impl Desk {
             done,
             names,
             recorder,
-            mirror: Mirror::default(),
+            mirror,
             plan: None,
             passes: 0,
             waiting: VecDeque::new(),
@@ -137,7 +140,8 @@ impl Desk {
         }
         loop {
             match self.from.try_recv() {
-                Ok(ToDesk::Command(command)) => self.waiting.push_back(command),
+                Ok(ToDesk::Command(command)) if self.waiting.len() < WAITING => self.waiting.push_back(command),
+                Ok(ToDesk::Command(command)) => self.crowded(&command),
                 Ok(ToDesk::Load(loading)) => self.load(loading),
                 Ok(ToDesk::Quit) | Err(TryRecvError::Disconnected) => {
                     self.quits = true;
@@ -155,6 +159,15 @@ impl Desk {
             }
             self.waiting.pop_front();
         }
+    }
+
+    /// More is asked than the cycle takes: what comes now is refused. Stops and holds have a way of their own.
+    fn crowded(&self, command: &Command) {
+        if matches!(command.ask, Ask::Jog(_)) {
+            return;
+        }
+        let why = LackView { key: "busy".to_owned(), of: vec![], text: "too much is asked at once".to_owned() };
+        self.hub.tell(command.origin.station, &FromCell::Answer { seq: command.number, ok: false, why: Some(why) });
     }
 
     /// At the end everything comes to rest, then the power goes.
@@ -238,8 +251,8 @@ impl Desk {
             return;
         }
         if pending.names.fingerprint != self.names.fingerprint {
-            self.mirror = Mirror::default();
-            self.hub.alarms(Vec::new());
+            self.mirror.forget();
+            self.hub.alarms(self.mirror.views(&pending.names));
             self.hub.set_machine(&pending.names.machine);
         }
         self.names = pending.names;
@@ -254,7 +267,7 @@ impl Desk {
     fn noted(&mut self, t: f64, note: Note) {
         self.recorder.noted(&note);
         if self.mirror.noted(&note) {
-            self.hub.alarms(self.mirror.list().iter().map(|raised| self.names.alarm(raised)).collect());
+            self.hub.alarms(self.mirror.views(&self.names));
         }
         match note {
             Note::Mode(from, to) => {
@@ -290,9 +303,16 @@ impl Desk {
         self.left = None;
         let Some(plan) = &self.plan else { return };
         let welder = self.hub.holder().unwrap_or_default();
-        if let Err(e) = self.recorder.begin(plan, self.passes, &welder) {
-            self.outside.fail();
-            self.tell("record", &format!("this weld is not recorded: {e}"), None);
+        match self.recorder.begin(plan, self.passes, &welder) {
+            Ok(()) => {
+                // What the last one lost is told; this one is whole so far.
+                self.outside.mend();
+                self.trouble = None;
+            }
+            Err(e) => {
+                self.outside.fail();
+                self.tell("record", &format!("this weld is not recorded: {e}"), None);
+            }
         }
     }
 
@@ -306,6 +326,9 @@ impl Desk {
             return;
         }
         let user = self.hub.user(station);
+        if command.ask == Ask::Acknowledge {
+            self.archive.acknowledge(user.as_deref().unwrap_or_default());
+        }
         if !matches!(command.ask, Ask::Jog(_)) {
             self.tell("order", command.ask.name(), user.clone());
         }
@@ -338,10 +361,7 @@ impl Desk {
         let of = self.names.detail(raised.alarm, raised.detail).map_or(String::new(), |of| format!(" ({of})"));
         let name = format!("{}{of}", raised.alarm.entry().name);
         self.tell("alarm", &format!("{name}: {}", raised.reaction.name()), None);
-        match self.recorder.weld() {
-            Some(_) => self.recorder.alarm(t, raised, &name),
-            None => self.archive.alarm(super::recorder::alarm(t, raised, &name)),
-        }
+        self.recorder.alarm(t, raised, &name);
     }
 }
 

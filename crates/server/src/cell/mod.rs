@@ -10,8 +10,9 @@ mod prepared;
 mod recorder;
 mod start;
 
+pub(crate) use archive::hides;
 pub(crate) use desk::{Loading, ToDesk};
-pub(crate) use hub::Refusal;
+pub(crate) use hub::{Connected, Refusal, Text};
 pub(crate) use names::WHY;
 pub(crate) use prepared::{Planned, Prepared, Task};
 pub(crate) use start::Cell;

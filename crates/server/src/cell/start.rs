@@ -1,3 +1,4 @@
+use super::alarms::Mirror;
 use super::archive::Archive;
 use super::cycle::{self, Swap};
 use super::desk::{Desk, Queues, ToDesk};
@@ -38,6 +39,7 @@ impl Cell {
         let mut folder = DataFolder::open(data).map_err(|e| e.to_string())?;
         let interrupted = folder.recover().map_err(|e| e.to_string())?;
         let left = folder.journal().map_err(|e| e.to_string())?.last();
+        let unknown = folder.library().listed_alarms().map_err(|e| e.to_string())?;
         drop(folder);
         let hub = Arc::new(Hub::new());
         hub.set_machine(machine);
@@ -48,8 +50,12 @@ impl Cell {
             let text = "was left by a failure of power or program: look at the end of its bead before going on";
             hub.event(0.0, "left", format!("weld {} {text}", left.weld), None);
         }
+        for alarm in &unknown {
+            let text = format!("{} of {} was not acknowledged before the end", alarm.name, alarm.raised);
+            hub.event(0.0, "alarm", text, None);
+        }
         let left = left.map(|left| (left.pass.max(1), left.welded_to));
-        let archive = Archive::open(data).map_err(|e| e.to_string())?;
+        let archive = Archive::open(data, Arc::clone(&hub)).map_err(|e| e.to_string())?;
         let (port, outside) = live();
         let urgent = outside.urgent();
         let (next, to_cycle) = rtrb::RingBuffer::new(PROGRAMS);
@@ -62,10 +68,13 @@ impl Cell {
             std::thread::spawn(move || cycle::run(task, devices, port, Swap { next: to_cycle, done: from_cycle }));
         let (desk, from) = channel();
         let names = Names { machine: machine.clone(), fingerprint, values: 0 };
-        let recorder = Recorder::new(data, Arc::clone(&hub));
+        let recorder = Recorder::new(data, Arc::clone(&hub), archive.clone());
+        let mirror = Mirror::new(&unknown);
+        hub.alarms(mirror.views(&names));
         let queues = Queues { outside, next, done };
         let values = (!machine.devices.is_empty()).then_some(values);
-        let listens = Desk::new(Arc::clone(&hub), archive.clone(), queues, from, names, recorder, (left, values));
+        let listens =
+            Desk::new(Arc::clone(&hub), archive.clone(), queues, from, names, (recorder, mirror), (left, values));
         let thread = std::thread::spawn(move || listens.run(|| cycle.is_finished()));
         Ok(Self { hub, archive, urgent, desk, thread: Mutex::new(Some(thread)) })
     }
@@ -76,5 +85,6 @@ impl Cell {
         drop(self.desk.send(ToDesk::Quit));
         let thread = self.thread.lock().unwrap_or_else(PoisonError::into_inner).take();
         drop(thread.map(JoinHandle::join));
+        self.archive.flush();
     }
 }

@@ -13,6 +13,7 @@ mod plan;
 mod records;
 mod routes;
 mod socket;
+mod turns;
 mod users;
 
 pub(crate) use panel::Panel;
@@ -20,3 +21,5 @@ pub(crate) use plan::begin_with;
 #[cfg(test)]
 pub(crate) use routes::all_routes;
 pub(crate) use routes::app;
+#[cfg(test)]
+pub(crate) use socket::hears;

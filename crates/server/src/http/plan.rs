@@ -12,7 +12,7 @@ use axum::{Extension, Json};
 use seamwright_cell::executive::Place;
 use seamwright_post::{Control, Dialect, Feed, Options};
 use seamwright_project::Failure;
-use seamwright_project::load::{Loaded, load_text};
+use seamwright_project::load::{Loaded, load_foreign};
 use seamwright_project::posting::{Unproven, proven};
 use seamwright_project::recording::{Header, Who, record_plan};
 use seamwright_project::run_rows;
@@ -26,9 +26,8 @@ async fn alone<T: Send + 'static>(
     panel: &Arc<Panel>,
     work: impl FnOnce(&Panel) -> Result<T, Refused> + Send + 'static,
 ) -> Result<T, Refused> {
-    let _turn = panel.planning.acquire().await.map_err(|_| Refused::server("the panel is ending"))?;
-    let panel = Arc::clone(panel);
-    tokio::task::spawn_blocking(move || work(&panel)).await?
+    let with = Arc::clone(panel);
+    panel.planning.run(move || work(&with)).await
 }
 
 /// Line and key of what is wrong, from a message that begins with `job.toml:LINE:COLUMN: key`.
@@ -48,7 +47,7 @@ pub(super) async fn plan(State(panel): State<Arc<Panel>>, Json(job): Json<JobTex
             let (line, key) = address(name, &message);
             PlanAnswer::Wrong { message, line, key }
         };
-        let loaded = match load_text(name, &job.text, &panel.jobs()) {
+        let loaded = match load_foreign(name, &job.text, &panel.jobs()) {
             Ok(loaded) => loaded,
             Err(failure) => return Ok(wrong(&failure)),
         };
@@ -65,7 +64,20 @@ pub(super) async fn plan(State(panel): State<Arc<Panel>>, Json(job): Json<JobTex
 }
 
 fn loaded(panel: &Panel, name: &str) -> Result<Loaded, Refused> {
-    Ok(load_text(checked(name)?, &text(panel, name)?, &panel.jobs())?)
+    Ok(load_foreign(checked(name)?, &text(panel, name)?, &panel.jobs())?)
+}
+
+/// Most characters of a part's number.
+const MOST_PART: usize = 120;
+
+/// A part's number as it may stand in records.
+fn part(number: &str) -> Result<(), Refused> {
+    if number.chars().count() <= MOST_PART && !number.chars().any(crate::cell::hides) {
+        return Ok(());
+    }
+    Err(Refused::input(format!(
+        "the number of the part cannot be that; allowed: up to {MOST_PART} characters that are seen"
+    )))
 }
 
 pub(super) async fn load(
@@ -73,6 +85,8 @@ pub(super) async fn load(
     Extension(session): Extension<Session>,
     Json(load): Json<Load>,
 ) -> Answer<WorkView> {
+    checked(&load.job)?;
+    part(load.part.as_deref().unwrap_or_default())?;
     let (what, job) = (format!("load {}", load.job), load.job.clone());
     let result = put_in(&panel, load, session.user.clone()).await;
     let said = result.as_ref().map_or_else(|refused| refused.text.clone(), |_| "loaded".to_owned());
@@ -133,7 +147,7 @@ pub(super) async fn recorded(State(panel): State<Arc<Panel>>, Path(id): Path<i64
     let view = alone(&panel, move |panel| {
         let data = seamwright_record::DataFolder::open_to_read(&panel.data)?;
         let program = data.library().program_of(id)?;
-        let loaded = load_text(&program.name, &program.text, &panel.jobs())?;
+        let loaded = load_foreign(&program.name, &program.text, &panel.jobs())?;
         let planned = loaded.try_plan()?;
         let planned = planned.as_ref().map_err(Vec::as_slice);
         Ok(work_view(panel.plan_number(), &program.name, &loaded, planned))
@@ -170,7 +184,7 @@ pub(super) async fn post(State(panel): State<Arc<Panel>>, Json(asked): Json<Post
                 return Err(Refused::input(format!("there is no dialect `{other}`; allowed: {allowed}")));
             }
         };
-        let loaded = load_text("job.toml", &asked.text, &panel.jobs())?;
+        let loaded = load_foreign("job.toml", &asked.text, &panel.jobs())?;
         let motion = loaded.plan()?;
         let control = Control::new(&loaded.machine, dialect).map_err(|e| Refused::input(e.to_string()))?;
         let made = proven(&loaded, &motion, &control, &Options::default(), Feed::InverseTime);
