@@ -1,14 +1,15 @@
 //! Connections: how many there may be, how long one may take to say what it wants.
 
-use axum::Router;
+use axum::extract::ConnectInfo;
+use axum::{Extension, Router};
 use axum_server::accept::Accept;
 use axum_server::tls_rustls::{RustlsAcceptor, RustlsConfig};
-use hyper_util::rt::{TokioExecutor, TokioTimer};
-use hyper_util::server::conn::auto::Builder;
+use hyper::server::conn::http1;
+use hyper_util::rt::{TokioIo, TokioTimer};
+use hyper_util::service::TowerToHyperService;
 use std::collections::HashMap;
-use std::future::{Ready, ready};
 use std::io;
-use std::net::{IpAddr, SocketAddr};
+use std::net::IpAddr;
 use std::pin::Pin;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::task::{Context, Poll};
@@ -24,23 +25,42 @@ const MOST_OF_ADDRESS: usize = 250;
 const PATIENCE: Duration = Duration::from_secs(10);
 
 /// Answers by HTTP/1.1 until it is dropped: later versions name the host otherwise, and have ways of their own to be too many.
-pub(crate) async fn answer(listener: TcpListener, tls: Option<RustlsConfig>, app: Router) -> io::Result<()> {
-    within(PATIENCE, listener, tls, app).await
+pub(crate) async fn answer(listener: TcpListener, tls: Option<RustlsConfig>, app: Router) {
+    within(PATIENCE, listener, tls, app).await;
 }
 
-async fn within(patience: Duration, listener: TcpListener, tls: Option<RustlsConfig>, app: Router) -> io::Result<()> {
-    let mut server = axum_server::from_tcp(listener.into_std()?)?;
-    let mut builder = Builder::new(TokioExecutor::new()).http1_only();
-    builder.http1().timer(TokioTimer::new()).header_read_timeout(patience);
-    *server.http_builder() = builder;
-    let (counted, service) = (Counted::default(), app.into_make_service_with_connect_info::<SocketAddr>());
-    match tls {
-        None => server.acceptor(counted).serve(service).await,
-        Some(tls) => {
-            let tls = RustlsAcceptor::new(tls).handshake_timeout(patience).acceptor(counted);
-            server.acceptor(tls).serve(service).await
-        }
+async fn within(patience: Duration, listener: TcpListener, tls: Option<RustlsConfig>, app: Router) {
+    let counted = Counted::default();
+    let tls = tls.map(|config| RustlsAcceptor::new(config).handshake_timeout(patience));
+    loop {
+        let Ok((stream, from)) = listener.accept().await else {
+            // Too many open files, perhaps: others close.
+            tokio::time::sleep(Duration::from_millis(50)).await;
+            continue;
+        };
+        // What is told 30 times a second is small: it does not wait for more.
+        let Some(place) = counted.place(from.ip()).filter(|_| stream.set_nodelay(true).is_ok()) else { continue };
+        let (held, tls) = (Held { stream, _place: place }, tls.clone());
+        let app = app.clone().layer(Extension(ConnectInfo(from)));
+        tokio::spawn(async move {
+            match tls {
+                None => speak(held, app, patience).await,
+                Some(tls) => {
+                    if let Ok((stream, app)) = tls.accept(held, app).await {
+                        speak(stream, app, patience).await;
+                    }
+                }
+            }
+        });
     }
+}
+
+async fn speak(stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static, app: Router, patience: Duration) {
+    let mut builder = http1::Builder::new();
+    builder.timer(TokioTimer::new()).header_read_timeout(patience);
+    let connection = builder.serve_connection(TokioIo::new(stream), TowerToHyperService::new(app));
+    // Who breaks off has gone.
+    drop(connection.with_upgrades().await);
 }
 
 /// How many connections there are, by address.
@@ -75,19 +95,6 @@ impl Drop for Place {
             Some(n) if *n > 1 => *n -= 1,
             _ => drop(known.remove(&self.address)),
         }
-    }
-}
-
-impl<S> Accept<TcpStream, S> for Counted {
-    type Stream = Held;
-    type Service = S;
-    type Future = Ready<io::Result<(Held, S)>>;
-
-    fn accept(&self, stream: TcpStream, service: S) -> Self::Future {
-        // What is told 30 times a second is small: it does not wait for more.
-        let place = stream.set_nodelay(true).and_then(|()| stream.peer_addr());
-        let place = place.and_then(|from| self.place(from.ip()).ok_or_else(|| io::ErrorKind::QuotaExceeded.into()));
-        ready(place.map(|place| (Held { stream, _place: place }, service)))
     }
 }
 
@@ -158,23 +165,25 @@ mod tests {
         let address = listener.local_addr().unwrap();
         let app = Router::new().route("/", get(|| async { "here" }));
         let served = tokio::spawn(within(Duration::from_millis(300), listener, None, app));
-        let mut said = Vec::new();
-        let mut two = TcpStream::connect(address).await.unwrap();
-        two.write_all(b"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n").await.unwrap();
-        let ended = tokio::time::timeout(PATIENCE, two.read_to_end(&mut said)).await;
-        assert!(ended.is_ok(), "it waits for more of HTTP/2");
-        assert!(said.is_empty() || said.starts_with(b"HTTP/1.1 400"), "{}", String::from_utf8_lossy(&said));
-        let mut one = TcpStream::connect(address).await.unwrap();
-        one.write_all(b"GET / HTTP/1.1\r\nhost: x\r\nconnection: close\r\n\r\n").await.unwrap();
-        said.clear();
-        one.read_to_end(&mut said).await.unwrap();
-        assert!(said.starts_with(b"HTTP/1.1 200") && said.ends_with(b"here"));
-        let mut slow = TcpStream::connect(address).await.unwrap();
-        slow.write_all(b"GET / HTTP/1.1\r\nhost:").await.unwrap();
-        said.clear();
-        // It ends by itself, with or without a word.
-        let ended = tokio::time::timeout(PATIENCE, slow.read_to_end(&mut said)).await;
-        assert!(ended.is_ok());
+        let say = async |what: &[u8]| {
+            let (mut stream, mut said) = (TcpStream::connect(address).await.unwrap(), Vec::new());
+            stream.write_all(what).await.unwrap();
+            // It ends by itself, with or without a word.
+            let ended = tokio::time::timeout(PATIENCE, stream.read_to_end(&mut said)).await;
+            assert!(ended.is_ok(), "{} is waited for", String::from_utf8_lossy(what));
+            String::from_utf8_lossy(&said).into_owned()
+        };
+        let said = say(b"GET / HTTP/1.1\r\nhost: x\r\nconnection: close\r\n\r\n").await;
+        assert!(said.starts_with("HTTP/1.1 200") && said.ends_with("here"), "{said}");
+        for strange in [
+            &b""[..],
+            b"GET / HTTP/1.1\r\nhost:",
+            b"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n\0\0\0\x04\0\0\0\0\0",
+            b"\x16\x03\x01",
+        ] {
+            let said = say(strange).await;
+            assert!(said.is_empty() || said.starts_with("HTTP/1.1 4"), "{said:?}");
+        }
         served.abort();
     }
 }

@@ -79,7 +79,7 @@ pub fn serve(settings: &Settings, ready: impl FnOnce(&str)) -> Result<(), Error>
         let fragment = if has_admin { String::new() } else { format!("#key={key}") };
         ready(&format!("{scheme}://{host}:{port}/{fragment}"));
         tokio::select! {
-            served = answer(listener, tls, app(&panel)) => served.map_err(|e| system(&e))?,
+            () = answer(listener, tls, app(&panel)) => {}
             () = asked_to_end() => {}
         }
         // Connections go on meanwhile: they see the end.
