@@ -7,7 +7,7 @@ help:
 	@echo "make test   format, lints, all tests; prints how many passed"
 	@echo "make bench  speed and memory of this build on this machine"
 	@echo "make peers  compare with other programs (LinuxCNC); installs what is missing, needs root"
-	@echo "make soak   the property tests with a hundred times the cases; ten minutes of broken part programs"
+	@echo "make soak   the property tests with a hundred times the cases; ten minutes of broken part programs, ten of many who watch the panel"
 	@echo "make fmt    format the sources"
 	@echo "make lint   clippy with warnings as errors"
 

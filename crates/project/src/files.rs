@@ -30,6 +30,14 @@ pub fn read_bytes(path: &Path, source: &str) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
+/// Makes a folder and those above it where they are missing, its owner's alone: who may write there could change who may weld.
+pub fn make_private(folder: &Path) -> std::io::Result<()> {
+    let mut builder = fs::DirBuilder::new();
+    #[cfg(unix)]
+    std::os::unix::fs::DirBuilderExt::mode(&mut builder, 0o700);
+    builder.recursive(true).create(folder)
+}
+
 /// A temporary file in `folder` with these permissions, less those that the user never gives.
 fn temporary_with(folder: &Path, mode: u32) -> std::io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();

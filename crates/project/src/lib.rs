@@ -13,5 +13,6 @@ pub mod posting;
 pub mod power_loss;
 pub mod recording;
 pub mod run_rows;
+mod within;
 
 pub use failure::Failure;

@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::files;
 use crate::outside::Beside;
+use crate::within::Within;
 use seamwright_cell::{Error, check_drives};
 use seamwright_document::Document;
 use seamwright_machine::{Clamped, Machine, MachineFile, SHIPPED, Surroundings, shipped};
@@ -33,14 +34,23 @@ pub fn load(path: &Path) -> Result<Loaded, Failure> {
 
 /// The same from text; machine files are looked for from `folder`.
 pub fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded, Failure> {
-    let welding = Welding::read_with(name, text, &Beside::new(folder))?;
+    load_within(name, text, &Within::open(folder))
+}
+
+/// The same for a text of somebody who may not read all files: only plain files in `folder` and below are looked at.
+pub fn load_foreign(name: &str, text: &str, folder: &Path) -> Result<Loaded, Failure> {
+    load_within(name, text, &Within::fenced(folder))
+}
+
+fn load_within(name: &str, text: &str, within: &Within<'_>) -> Result<Loaded, Failure> {
+    let welding = Welding::read_with(name, text, &Beside::new(within.clone()))?;
     let wanted = &welding.program.value.machine;
     let stl = StlFiles::default();
-    let machine = match machine_from(wanted, folder, &stl)? {
+    let machine = match machine_from(wanted, within, &stl)? {
         Some(machine) => machine,
         None => {
             let allowed = format!("{}, or the path of a machine file", names());
-            let message = format!("there is no such machine, and no file {}", folder.join(wanted).display());
+            let message = format!("there is no such machine, and no file {}", within.folder().join(wanted).display());
             return Err(welding.program.error_at("machine", message, allowed).into());
         }
     };
@@ -50,8 +60,8 @@ pub fn load_text(name: &str, text: &str, folder: &Path) -> Result<Loaded, Failur
         return Err(welding.program.error_at("machine", message, "names of their own").into());
     }
     check_held(&welding, &machine)?;
-    let machine_file = shipped(wanted).is_none().then(|| folder.join(wanted));
-    let clamped = welding.clamped(&|name| stl.read(folder, name))?;
+    let machine_file = shipped(wanted).is_none().then(|| within.folder().join(wanted));
+    let clamped = welding.clamped(&|name| stl.read(within, name))?;
     Ok(Loaded { welding, machine, machine_file, clamped, stl_files: stl.0.into_inner() })
 }
 
@@ -74,8 +84,8 @@ fn check_held(welding: &Welding, machine: &Machine) -> Result<(), Failure> {
 struct StlFiles(RefCell<Vec<(String, PathBuf)>>);
 
 impl StlFiles {
-    fn read(&self, folder: &Path, name: &str) -> std::io::Result<Vec<u8>> {
-        let path = folder.join(name);
+    fn read(&self, within: &Within<'_>, name: &str) -> std::io::Result<Vec<u8>> {
+        let path = within.file(name)?;
         let bytes = std::fs::read(&path)?;
         self.0.borrow_mut().push((name.to_owned(), path));
         Ok(bytes)
@@ -86,33 +96,44 @@ fn names() -> String {
     SHIPPED.iter().map(|s| s.name).collect::<Vec<_>>().join(", ")
 }
 
-/// The machine that a job in `folder` names; none if there is no such machine.
-pub fn machine_beside(name: &str, folder: &Path) -> Result<Option<Machine>, Failure> {
-    machine_from(name, folder, &StlFiles::default())
+/// The machine that a job names; none if there is no such machine.
+pub(crate) fn machine_beside(name: &str, within: &Within<'_>) -> Result<Option<Machine>, Failure> {
+    machine_from(name, within, &StlFiles::default())
 }
 
-/// The machine called `name`, or in the file `name` from `folder`; none if there is neither.
-fn machine_from(name: &str, folder: &Path, stl: &StlFiles) -> Result<Option<Machine>, Failure> {
-    Ok(described(name, folder, stl)?.map(|(machine, _)| machine))
+/// The machine called `name`, or in the file `name`; none if there is neither.
+fn machine_from(name: &str, within: &Within<'_>, stl: &StlFiles) -> Result<Option<Machine>, Failure> {
+    Ok(described(name, within, stl)?.map(|(machine, _)| machine))
 }
 
 /// The same with its file.
-fn described(name: &str, folder: &Path, stl: &StlFiles) -> Result<Option<(Machine, Document<MachineFile>)>, Failure> {
+fn described(
+    name: &str,
+    within: &Within<'_>,
+    stl: &StlFiles,
+) -> Result<Option<(Machine, Document<MachineFile>)>, Failure> {
     if let Some(shipped) = shipped(name) {
-        return checked(shipped.name, shipped.text, folder, stl).map(Some);
+        return checked(shipped.name, shipped.text, within, stl).map(Some);
     }
-    let path = folder.join(name);
-    if !path.is_file() {
-        return Ok(None);
-    }
-    let folder = path.parent().unwrap_or(Path::new("."));
-    checked(&path.display().to_string(), &files::read(&path)?, folder, stl).map(Some)
+    let path = match within.file(name) {
+        Ok(path) if path.is_file() => path,
+        Err(e) if e.kind() == std::io::ErrorKind::PermissionDenied => {
+            let allowed = "the name of a machine that ships, or a machine file among the jobs";
+            return Err(Failure::Input(format!("machine `{name}`: {e}\n   allowed: {allowed}")));
+        }
+        _ => return Ok(None),
+    };
+    checked(&path.display().to_string(), &files::read(&path)?, &within.beside(&path), stl).map(Some)
 }
 
-/// A machine file with its drives checked too, so that no later step is the first to stumble over them; STL files are
-/// looked for from `folder`.
-fn checked(file: &str, text: &str, folder: &Path, stl: &StlFiles) -> Result<(Machine, Document<MachineFile>), Failure> {
-    let machine = Machine::read_with(file, text, &|name| stl.read(folder, name))?;
+/// A machine file with its drives checked too, so that no later step is the first to stumble over them.
+fn checked(
+    file: &str,
+    text: &str,
+    within: &Within<'_>,
+    stl: &StlFiles,
+) -> Result<(Machine, Document<MachineFile>), Failure> {
+    let machine = Machine::read_with(file, text, &|name| stl.read(within, name))?;
     let document = Document::<MachineFile>::read(file, text)?;
     match check_drives(&machine) {
         Err(Error::Drive { axis, reason }) => Err(document.error_at(&format!("drives.{axis}"), reason, "").into()),
@@ -127,7 +148,7 @@ pub fn machine(name: &str) -> Result<Machine, Failure> {
 
 /// The machine that a command line names, with its file.
 pub fn machine_and_file(name: &str) -> Result<(Machine, Document<MachineFile>), Failure> {
-    described(name, Path::new("."), &StlFiles::default())?.ok_or_else(|| {
+    described(name, &Within::open(Path::new(".")), &StlFiles::default())?.ok_or_else(|| {
         Failure::Input(format!(
             "{name}: there is no such machine\n   allowed: {}, or the path of a machine file",
             names()

@@ -3,6 +3,7 @@
 use crate::csv::CsvReader;
 use crate::failure::Failure;
 use crate::load;
+use crate::within::Within;
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::AxisKind;
@@ -12,7 +13,6 @@ use seamwright_weld::{MachineAxes, MachineAxis, Outside, Wrong};
 use std::cell::RefCell;
 use std::fs::File;
 use std::io::BufReader;
-use std::path::Path;
 use std::sync::Arc;
 
 const POINTS: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
@@ -22,20 +22,20 @@ const NORMALS: [&str; 9] = ["x_mm", "y_mm", "z_mm", "n1x", "n1y", "n1z", "n2x", 
 /// Most rows of a table.
 const MOST: usize = 20_000;
 
-/// Files and machines as a job in `folder` names them.
+/// Files and machines as a job names them.
 pub(crate) struct Beside<'a> {
-    folder: &'a Path,
+    within: Within<'a>,
     /// The machine asked for last.
     machine: RefCell<Option<(String, Machine)>>,
 }
 
 impl<'a> Beside<'a> {
-    pub(crate) fn new(folder: &'a Path) -> Self {
-        Self { folder, machine: RefCell::new(None) }
+    pub(crate) fn new(within: Within<'a>) -> Self {
+        Self { within, machine: RefCell::new(None) }
     }
 
     fn rows(&self, name: &str) -> Result<Vec<Vec<f64>>, Failure> {
-        let file = File::open(self.folder.join(name)).map_err(|e| {
+        let file = self.within.file(name).and_then(File::open).map_err(|e| {
             let allowed = "a file that is there, its path seen from the job's folder";
             Failure::Input(format!("{name}: the file cannot be read: {e}\n   allowed: {allowed}"))
         })?;
@@ -63,7 +63,7 @@ fn wrong(failure: &Failure) -> Wrong {
 
 impl Outside for Beside<'_> {
     fn bytes(&self, file: &str) -> std::io::Result<Vec<u8>> {
-        std::fs::read(self.folder.join(file))
+        self.within.file(file).and_then(std::fs::read)
     }
 
     fn table(&self, file: &str) -> Result<Vec<Vec<f64>>, Wrong> {
@@ -73,7 +73,7 @@ impl Outside for Beside<'_> {
     fn tip(&self, name: &str, axes: &[f64]) -> Result<DVec3, Wrong> {
         let mut known = self.machine.borrow_mut();
         if known.as_ref().is_none_or(|(last, _)| last != name) {
-            let machine = load::machine_beside(name, self.folder).map_err(|failure| wrong(&failure))?;
+            let machine = load::machine_beside(name, &self.within).map_err(|failure| wrong(&failure))?;
             *known = machine.map(|machine| (name.to_owned(), machine));
         }
         let Some((_, machine)) = known.as_ref() else {
@@ -97,7 +97,7 @@ impl Outside for Beside<'_> {
     }
 
     fn axes(&self, name: &str) -> Result<Arc<dyn MachineAxes>, Wrong> {
-        match load::machine_beside(name, self.folder).map_err(|failure| wrong(&failure))? {
+        match load::machine_beside(name, &self.within).map_err(|failure| wrong(&failure))? {
             Some(machine) => Ok(Arc::new(Axes(machine))),
             None => {
                 let message = format!("there is no machine `{name}`");

@@ -5,7 +5,9 @@ use std::io::{Read, Write};
 use std::path::Path;
 
 /// Folders and files of a data folder that go with its library: welds, jobs of the panel, its users.
-const WITH: [&str; 3] = ["welds", "jobs", "users.json"];
+const WITH: [&str; 3] = ["welds", "jobs", USERS];
+/// Users with hashes of their passwords.
+const USERS: &str = "users.json";
 /// The library in the archive.
 const LIBRARY: &str = "library.sqlite";
 
@@ -88,6 +90,8 @@ fn unpack(file: impl Read, folder: &Path) -> std::io::Result<()> {
         if !known || !(kind.is_file() || kind.is_dir()) {
             return Err(wrong(format!("{} does not belong into it", path.display())));
         }
+        // Nobody else's to write, users nobody else's to read, whatever the archive says.
+        entry.set_mask(if path == Path::new(USERS) { 0o7177 } else { 0o7022 });
         if !entry.unpack_in(folder)? {
             return Err(wrong(format!("{} leads out of it", path.display())));
         }
@@ -151,6 +155,24 @@ mod tests {
             }
             assert!(!there.exists());
         }
+    }
+
+    /// Whatever an archive says, users are their owner's alone.
+    #[cfg(unix)]
+    #[test]
+    fn an_archive_opens_no_file_to_others() {
+        use std::os::unix::fs::PermissionsExt as _;
+        let scratch = tempfile::tempdir().unwrap();
+        let (from, to) = (scratch.path().join("from"), scratch.path().join("to"));
+        let data = folder(&from);
+        for file in ["users.json", "jobs/mine.toml"] {
+            fs::set_permissions(from.join(file), fs::Permissions::from_mode(0o666)).unwrap();
+        }
+        let archive = scratch.path().join("backup.tar");
+        data.back_up(File::create(&archive).unwrap()).unwrap();
+        restore(&archive, &to).unwrap();
+        let mode = |file: &str| fs::metadata(to.join(file)).unwrap().permissions().mode();
+        assert_eq!((mode("users.json") & 0o177, mode("jobs/mine.toml") & 0o022), (0, 0));
     }
 
     #[test]

@@ -124,6 +124,61 @@ fn alarms_and_events_come_back() {
     assert!(data.library().add_alarm(Some(77), &alarm("arc lost")).is_err());
 }
 
+/// What is on the panel's list stays there, also for the next program, until somebody acknowledges it.
+#[test]
+fn alarms_on_the_list_wait_for_somebody() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut data = DataFolder::open(folder.path()).unwrap();
+    let id = weld(&mut data, &plan("P-1"), WeldResult::Good);
+    data.library().add_alarm(Some(id), &alarm("not on it")).unwrap();
+    for (weld, name) in [(Some(id), "arc lost"), (None, "following error (x)")] {
+        let number = data.library().add_alarm(weld, &alarm(name)).unwrap();
+        data.library().list_alarm(number).unwrap();
+    }
+    drop(data);
+    let data = DataFolder::open(folder.path()).unwrap();
+    let names: Vec<_> = data.library().listed_alarms().unwrap().into_iter().map(|a| a.name).collect();
+    assert_eq!(names, ["arc lost", "following error (x)"]);
+    let at = Moment(1_800_000_000_000);
+    assert_eq!(data.library().acknowledge_listed("A. Welder", at).unwrap(), 2);
+    assert_eq!(data.library().acknowledge_listed("somebody else", at).unwrap(), 0);
+    assert!(data.library().listed_alarms().unwrap().is_empty());
+    let known: Vec<_> = data.library().alarms(id).unwrap().into_iter().map(|a| a.acknowledged).collect();
+    assert_eq!(known, [None, Some(("A. Welder".to_owned(), at))]);
+}
+
+/// A library of version 1 is brought up to date when it is opened to be written.
+#[test]
+fn an_older_library_is_brought_up_to_date() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut data = DataFolder::open(folder.path()).unwrap();
+    let id = weld(&mut data, &plan("P-1"), WeldResult::Good);
+    data.library().add_alarm(Some(id), &alarm("arc lost")).unwrap();
+    let path = data.library().path().to_owned();
+    drop(data);
+    let older = "DROP INDEX alarm_listed; ALTER TABLE alarm DROP COLUMN listed; PRAGMA user_version = 1";
+    rusqlite::Connection::open(&path).unwrap().execute_batch(older).unwrap();
+    assert!(DataFolder::open_to_read(folder.path()).unwrap_err().to_string().contains("version 1"));
+    let data = DataFolder::open(folder.path()).unwrap();
+    assert_eq!(data.library().alarms(id).unwrap().len(), 1);
+    assert!(data.library().listed_alarms().unwrap().is_empty());
+}
+
+/// A library from elsewhere leads to no file outside the weld's folder.
+#[test]
+fn files_of_a_weld_are_in_its_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut data = DataFolder::open(folder.path()).unwrap();
+    let id = weld(&mut data, &plan("P-1"), WeldResult::Good);
+    assert!(!data.library().files(id).unwrap().is_empty());
+    for name in ["../../users.json", "/etc/passwd", "..", "a/b", "a\\b", ""] {
+        let db = rusqlite::Connection::open(data.library().path()).unwrap();
+        db.execute("UPDATE weld_file SET name = ?1 WHERE rowid = (SELECT min(rowid) FROM weld_file)", [name]).unwrap();
+        let told = data.library().files(id).unwrap_err().to_string();
+        assert!(told.contains("no file of it"), "{name}: {told}");
+    }
+}
+
 fn alarm_at(data: &DataFolder, id: i64) -> Alarm {
     let raised = data.library().alarms(id).unwrap()[0].raised;
     Alarm { raised, ..alarm("arc lost") }

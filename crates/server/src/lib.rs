@@ -1,6 +1,7 @@
 //! The operator's panel: HTTP, WebSocket, users, and the cell behind them.
 
 mod cell;
+mod connections;
 mod http;
 mod serve;
 #[cfg(test)]

@@ -1,10 +1,10 @@
 use crate::cell::Cell;
+use crate::connections::answer;
 use crate::http::{Panel, app};
 use crate::tls::{self, Tls};
 use crate::users::{Accounts, secret};
-use axum::Router;
-use axum_server::tls_rustls::RustlsConfig;
 use seamwright_machine::Machine;
+use seamwright_project::files;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -50,7 +50,7 @@ pub enum Error {
 pub fn serve(settings: &Settings, ready: impl FnOnce(&str)) -> Result<(), Error> {
     let system = |e: &dyn std::fmt::Display| Error::System(e.to_string());
     let jobs = settings.data.join("jobs");
-    std::fs::create_dir_all(&jobs).map_err(|e| Error::System(format!("{}: cannot be made: {e}", jobs.display())))?;
+    files::make_private(&jobs).map_err(|e| Error::System(format!("{}: cannot be made: {e}", jobs.display())))?;
     let accounts = Accounts::open(&settings.data).map_err(|e| Error::Settings(e.0))?;
     let names = names(settings, &accounts)?;
     let key = secret().map_err(Error::System)?;
@@ -79,7 +79,7 @@ pub fn serve(settings: &Settings, ready: impl FnOnce(&str)) -> Result<(), Error>
         let fragment = if has_admin { String::new() } else { format!("#key={key}") };
         ready(&format!("{scheme}://{host}:{port}/{fragment}"));
         tokio::select! {
-            served = answer(listener, tls, app(&panel)) => served.map_err(|e| system(&e))?,
+            () = answer(listener, tls, app(&panel)) => {}
             () = asked_to_end() => {}
         }
         // Connections go on meanwhile: they see the end.
@@ -87,13 +87,6 @@ pub fn serve(settings: &Settings, ready: impl FnOnce(&str)) -> Result<(), Error>
         let ended = tokio::task::spawn_blocking(move || ends.cell.end()).await;
         ended.map_err(|e| system(&e))
     })
-}
-
-async fn answer(listener: TcpListener, tls: Option<RustlsConfig>, app: Router) -> std::io::Result<()> {
-    match tls {
-        None => axum::serve(listener, app).await,
-        Some(tls) => axum_server::from_tcp_rustls(listener.into_std()?, tls)?.serve(app.into_make_service()).await,
-    }
 }
 
 /// Names and addresses under which the panel is asked for, the one that is printed last.

@@ -9,6 +9,7 @@ use rcgen::{
 use seamwright_project::files;
 use seamwright_record::Moment;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Where the certificate comes from.
 #[derive(Debug, Clone)]
@@ -32,22 +33,26 @@ fn wrong(e: &impl std::fmt::Display) -> Error {
 pub(crate) async fn config(tls: &Tls, data: &Path, names: &[String]) -> Result<RustlsConfig, Error> {
     // A second one is the same: it does not matter.
     drop(rustls::crypto::ring::default_provider().install_default());
-    match tls {
+    let config = match tls {
         Tls::Files { cert, key } => RustlsConfig::from_pem_file(cert, key).await.map_err(|e| {
             let files = format!("--cert {} --key {}", cert.display(), key.display());
             Error::Settings(format!("{files}: {e}\n   allowed: PEM files of a certificate and its private key"))
-        }),
+        })?,
         Tls::Own => {
             let (cert, key) = own(data, names)?;
-            RustlsConfig::from_pem(cert.into_bytes(), key.into_bytes()).await.map_err(|e| wrong(&e))
+            RustlsConfig::from_pem(cert.into_bytes(), key.into_bytes()).await.map_err(|e| wrong(&e))?
         }
-    }
+    };
+    // Browsers take HTTP/2 where it is offered, and then neither name the host in a header nor upgrade to a WebSocket.
+    let mut offered = (*config.get_inner()).clone();
+    offered.alpn_protocols = vec![b"http/1.1".to_vec()];
+    Ok(RustlsConfig::from_config(Arc::new(offered)))
 }
 
 /// A new certificate for `names` from the cell's own authority, and its key; both PEM.
 fn own(data: &Path, names: &[String]) -> Result<(String, String), Error> {
     let folder = data.join("tls");
-    std::fs::create_dir_all(&folder).map_err(|e| Error::System(format!("{}: {e}", folder.display())))?;
+    files::make_private(&folder).map_err(|e| Error::System(format!("{}: {e}", folder.display())))?;
     let failed = |e: seamwright_project::Failure| Error::System(e.text());
     let (key_file, cert_file) = (folder.join("ca.key"), folder.join("ca.pem"));
     let ca_key = if key_file.is_file() {
@@ -99,7 +104,8 @@ mod tests {
     async fn the_cell_is_its_own_authority() {
         let folder = tempfile::tempdir().unwrap();
         let names = ["127.0.0.1".to_owned(), "cell.shop".to_owned()];
-        config(&Tls::Own, folder.path(), &names).await.unwrap();
+        let offered = config(&Tls::Own, folder.path(), &names).await.unwrap().get_inner();
+        assert_eq!(offered.alpn_protocols, [b"http/1.1"]);
         let authority = std::fs::read_to_string(folder.path().join("tls/ca.pem")).unwrap();
         let (first, _) = own(folder.path(), &names).unwrap();
         let (second, _) = own(folder.path(), &names).unwrap();
@@ -108,8 +114,10 @@ mod tests {
         #[cfg(unix)]
         {
             use std::os::unix::fs::PermissionsExt as _;
-            let mode = std::fs::metadata(folder.path().join("tls/ca.key")).unwrap().permissions().mode();
-            assert_eq!(mode & 0o077, 0);
+            for file in ["tls", "tls/ca.key"] {
+                let mode = std::fs::metadata(folder.path().join(file)).unwrap().permissions().mode();
+                assert_eq!(mode & 0o077, 0, "{file}");
+            }
         }
         let (from, to) = year();
         assert!((393..=398).contains(&(to - from).whole_days()));

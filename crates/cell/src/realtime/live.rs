@@ -40,6 +40,7 @@ pub struct LivePort {
     commands: Consumer<Command>,
     cycles: Producer<Shown>,
     notes: Producer<Noted>,
+    /// The record has lost something, here or outside.
     failed: Arc<AtomicBool>,
     urgent: Urgent,
     lost: u64,
@@ -91,6 +92,11 @@ impl Outside {
     pub fn fail(&self) {
         self.failed.store(true, Ordering::Relaxed);
     }
+
+    /// Tells the executive that another record has begun, which has lost nothing yet.
+    pub fn mend(&self) {
+        self.failed.store(false, Ordering::Relaxed);
+    }
 }
 
 /// Places in the queues.
@@ -109,6 +115,13 @@ pub fn live() -> (LivePort, Outside) {
     (port, Outside { commands: to_executive, cycles: shown, notes: noted, failed, urgent })
 }
 
+impl LivePort {
+    fn loses(&mut self) {
+        self.lost += 1;
+        self.failed.store(true, Ordering::Relaxed);
+    }
+}
+
 impl Port for LivePort {
     fn command(&mut self, _t: f64) -> Option<Command> {
         self.urgent.take().or_else(|| self.commands.pop().ok())
@@ -117,17 +130,17 @@ impl Port for LivePort {
     fn show(&mut self, cycle: &Cycle<'_>) {
         let shown = Shown { lost: self.lost, ..Shown::from(cycle) };
         if self.cycles.push(shown).is_err() {
-            self.lost += 1;
+            self.loses();
         }
     }
 
     fn note(&mut self, t: f64, note: Note) {
         if self.notes.push((t, note)).is_err() {
-            self.lost += 1;
+            self.loses();
         }
     }
 
     fn record_fails(&self) -> bool {
-        self.lost > 0 || self.failed.load(Ordering::Relaxed)
+        self.failed.load(Ordering::Relaxed)
     }
 }

@@ -11,7 +11,7 @@ use std::process::{Command, Stdio};
 pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
     let data = super::records::folder(args.data.as_deref())?;
     let jobs = data.join("jobs");
-    std::fs::create_dir_all(&jobs)
+    files::make_private(&jobs)
         .map_err(|e| Failure::Input(format!("--data {}: cannot be made: {e}", data.display())))?;
     let job = match (&args.job, &args.machine) {
         (Some(job), _) => Some(taken(job, &jobs)?),

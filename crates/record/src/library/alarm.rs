@@ -1,6 +1,6 @@
 use super::Library;
 use crate::{Error, Moment};
-use rusqlite::params;
+use rusqlite::{Row, params};
 use serde::Serialize;
 
 /// Where and when in a weld.
@@ -51,6 +51,21 @@ pub struct Event {
     pub place: Place,
 }
 
+const SELECT: &str = "SELECT name, cause, pass, s_mm, t_s, raised, first_out, acknowledged_by, acknowledged FROM alarm";
+
+fn alarm(row: &Row<'_>) -> rusqlite::Result<Alarm> {
+    let by: Option<String> = row.get(7)?;
+    let at: Option<i64> = row.get(8)?;
+    Ok(Alarm {
+        name: row.get(0)?,
+        cause: row.get(1)?,
+        place: Place { pass: row.get(2)?, s_mm: row.get(3)?, t_s: row.get(4)? },
+        raised: Moment(row.get(5)?),
+        first_out: row.get(6)?,
+        acknowledged: by.zip(at.map(Moment)),
+    })
+}
+
 impl Library {
     /// Keeps an alarm, of a weld or of none; its number.
     ///
@@ -80,25 +95,38 @@ impl Library {
         }
     }
 
+    /// Puts an alarm on the panel's list, where it stays until [`Library::acknowledge_listed`].
+    ///
+    /// # Errors
+    /// If the library cannot be written.
+    pub fn list_alarm(&self, alarm: i64) -> Result<(), Error> {
+        self.run("UPDATE alarm SET listed = 1 WHERE id = ?1", [alarm]).map(drop)
+    }
+
+    /// Somebody knows all alarms on the panel's list; how many.
+    ///
+    /// # Errors
+    /// If the library cannot be written.
+    pub fn acknowledge_listed(&self, by: &str, at: Moment) -> Result<usize, Error> {
+        let sql = "UPDATE alarm SET listed = 0, acknowledged_by = coalesce(acknowledged_by, ?1),
+            acknowledged = coalesce(acknowledged, ?2) WHERE listed = 1";
+        self.run(sql, params![by, at.0])
+    }
+
+    /// Alarms on the panel's list, in the order in which they came.
+    ///
+    /// # Errors
+    /// If the library cannot be read.
+    pub fn listed_alarms(&self) -> Result<Vec<Alarm>, Error> {
+        self.all(&format!("{SELECT} WHERE listed = 1 ORDER BY id"), (), alarm)
+    }
+
     /// Alarms of a weld, in the order in which they came.
     ///
     /// # Errors
     /// If the library cannot be read.
     pub fn alarms(&self, weld: i64) -> Result<Vec<Alarm>, Error> {
-        let sql = "SELECT name, cause, pass, s_mm, t_s, raised, first_out, acknowledged_by, acknowledged
-            FROM alarm WHERE weld = ?1 ORDER BY id";
-        self.all(sql, [weld], |row| {
-            let by: Option<String> = row.get(7)?;
-            let at: Option<i64> = row.get(8)?;
-            Ok(Alarm {
-                name: row.get(0)?,
-                cause: row.get(1)?,
-                place: Place { pass: row.get(2)?, s_mm: row.get(3)?, t_s: row.get(4)? },
-                raised: Moment(row.get(5)?),
-                first_out: row.get(6)?,
-                acknowledged: by.zip(at.map(Moment)),
-            })
-        })
+        self.all(&format!("{SELECT} WHERE weld = ?1 ORDER BY id"), [weld], alarm)
     }
 
     /// Keeps an event, of a weld or of none.

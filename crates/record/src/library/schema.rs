@@ -4,7 +4,13 @@
 pub(super) const APPLICATION: i64 = 0x5357_4c62;
 
 /// What leads from each schema version to the next; the first makes an empty file version 1.
-pub(super) const MIGRATIONS: [&str; 1] = [FIRST];
+pub(super) const MIGRATIONS: [&str; 2] = [FIRST, LISTED];
+
+const LISTED: &str = "
+-- On the panel's list until somebody acknowledges it.
+ALTER TABLE alarm ADD COLUMN listed INTEGER NOT NULL DEFAULT 0 CHECK (listed IN (0, 1));
+CREATE INDEX alarm_listed ON alarm (id) WHERE listed = 1;
+";
 
 const FIRST: &str = "
 -- Texts that welds are made from, each version kept as it was. Times are ms since 1970 UTC.

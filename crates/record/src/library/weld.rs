@@ -259,22 +259,31 @@ impl Library {
     /// # Errors
     /// If there is no such weld.
     pub fn program_of(&self, id: i64) -> Result<Document, Error> {
+        self.weld(id)?;
         self.document(self.one("SELECT program FROM weld WHERE id = ?1", [id])?)
     }
 
     /// Files of a weld, by name.
     ///
     /// # Errors
-    /// If the library cannot be read.
+    /// If the library cannot be read, or names a file elsewhere: it may come from anywhere, by [`crate::restore`].
     pub fn files(&self, weld: i64) -> Result<Vec<WeldFile>, Error> {
         // A shorter name comes first: trace.parquet, trace-2.parquet, trace-10.parquet.
         let sql = "SELECT name, sha256, bytes, rows FROM weld_file WHERE weld = ?1
             ORDER BY rows IS NULL, length(name), name";
-        self.all(sql, [weld], |row| {
+        let files = self.all(sql, [weld], |row| {
             let whole = |n: i64| u64::try_from(n).unwrap_or(0);
             let rows = row.get::<_, Option<i64>>(3)?.map(whole);
             Ok(WeldFile { name: row.get(0)?, sha256: row.get(1)?, bytes: whole(row.get(2)?), rows })
-        })
+        })?;
+        let inside = |name: &str| !matches!(name, "" | "." | "..") && !name.contains(['/', '\\']);
+        match files.iter().find(|file| !inside(&file.name)) {
+            Some(file) => {
+                let why = format!("it names `{}` for weld {weld}, which is no file of it", file.name);
+                Err(Error::damaged(&self.path, why, "names of files in the weld's folder"))
+            }
+            None => Ok(files),
+        }
     }
 
     /// Values of a weld against their windows.

@@ -1,6 +1,6 @@
 //! The thread of the cycle: executives one after another, each with its programs.
 
-use super::connected::Connected;
+use super::connection::CellDevices;
 use super::guiding::Slot;
 use super::prepared::Prepared;
 use rtrb::{Consumer, Producer};
@@ -35,7 +35,7 @@ impl Swap {
 
 /// Runs on `devices` until it is told to quit. A task for another machine brings its devices, and gets a new executive, which is
 /// off.
-pub(super) fn run(mut task: Box<Prepared>, mut devices: Connected, mut port: LivePort, mut swap: Swap) {
+pub(super) fn run(mut task: Box<Prepared>, mut devices: CellDevices, mut port: LivePort, mut swap: Swap) {
     Footing::ask(None);
     loop {
         let machine = task.machine().clone();

@@ -1,7 +1,7 @@
 use super::alarms::Mirror;
 use super::archive::Archive;
 use super::around::Around;
-use super::connected::Connection;
+use super::connection::Connection;
 use super::hub::Hub;
 use super::names::{Extra, Names, WHY};
 use super::prepared::Prepared;
@@ -21,6 +21,9 @@ use tokio::sync::oneshot;
 const LOOK: Duration = Duration::from_millis(2);
 /// How often clients are shown what the cell is doing.
 const SHOW: Duration = Duration::from_micros(33_333);
+
+/// Commands that wait for the cycle at most.
+const WAITING: usize = 512;
 
 /// What the outside wants of the desk.
 pub(crate) enum ToDesk {
@@ -88,7 +91,7 @@ impl Desk {
         queues: Queues,
         from: Receiver<ToDesk>,
         names: Names,
-        recorder: Recorder,
+        (recorder, mirror): (Recorder, Mirror),
         left: Option<(u32, f64)>,
     ) -> Self {
         let Queues { outside, next, done } = queues;
@@ -101,7 +104,7 @@ impl Desk {
             done,
             names,
             recorder,
-            mirror: Mirror::default(),
+            mirror,
             plan: None,
             passes: 0,
             waiting: VecDeque::new(),
@@ -140,7 +143,8 @@ impl Desk {
         }
         loop {
             match self.from.try_recv() {
-                Ok(ToDesk::Command(command)) => self.waiting.push_back(command),
+                Ok(ToDesk::Command(command)) if self.waiting.len() < WAITING => self.waiting.push_back(command),
+                Ok(ToDesk::Command(command)) => self.crowded(&command),
                 Ok(ToDesk::Load(loading, answer)) => self.load(*loading, answer),
                 Ok(ToDesk::Quit) | Err(TryRecvError::Disconnected) => {
                     self.quits = true;
@@ -158,6 +162,15 @@ impl Desk {
             }
             self.waiting.pop_front();
         }
+    }
+
+    /// More is asked than the cycle takes: what comes now is refused. Stops and holds have a way of their own.
+    fn crowded(&self, command: &Command) {
+        if matches!(command.ask, Ask::Jog(_)) {
+            return;
+        }
+        let why = LackView { key: "busy".to_owned(), of: vec![], text: "too much is asked at once".to_owned() };
+        self.hub.tell(command.origin.station, &FromCell::Answer { seq: command.number, ok: false, why: Some(why) });
     }
 
     /// At the end everything comes to rest, then the power goes.
@@ -246,8 +259,8 @@ impl Desk {
         // Its rows are those of the program before.
         self.recorder.end();
         if pending.names.fingerprint != self.names.fingerprint {
-            self.mirror = Mirror::default();
-            self.hub.alarms(Vec::new());
+            self.mirror.forget();
+            self.hub.alarms(self.mirror.views(&pending.names));
             self.hub.set_machine(&pending.names.machine);
             if let Some(to) = &pending.to {
                 self.hub.set_connection(to);
@@ -266,7 +279,7 @@ impl Desk {
     fn noted(&mut self, t: f64, note: Note) {
         self.recorder.noted(&note);
         if self.mirror.noted(&note) {
-            self.hub.alarms(self.mirror.list().iter().map(|raised| self.names.alarm(raised)).collect());
+            self.hub.alarms(self.mirror.views(&self.names));
         }
         match note {
             Note::Mode(from, to) => {
@@ -302,9 +315,16 @@ impl Desk {
         self.left = None;
         let Some(plan) = &self.plan else { return };
         let welder = self.hub.holder().unwrap_or_default();
-        if let Err(e) = self.recorder.begin(plan, self.passes, &welder) {
-            self.outside.fail();
-            self.tell("record", &format!("this weld is not recorded: {e}"), None);
+        match self.recorder.begin(plan, self.passes, &welder) {
+            Ok(()) => {
+                // What the last one lost is told; this one is whole so far.
+                self.outside.mend();
+                self.trouble = None;
+            }
+            Err(e) => {
+                self.outside.fail();
+                self.tell("record", &format!("this weld is not recorded: {e}"), None);
+            }
         }
     }
 
@@ -318,6 +338,9 @@ impl Desk {
             return;
         }
         let user = self.hub.user(station);
+        if command.ask == Ask::Acknowledge {
+            self.archive.acknowledge(user.as_deref().unwrap_or_default());
+        }
         if !matches!(command.ask, Ask::Jog(_)) {
             self.tell("order", command.ask.name(), user.clone());
         }
@@ -350,10 +373,7 @@ impl Desk {
         let of = self.names.detail(raised.alarm, raised.detail).map_or(String::new(), |of| format!(" ({of})"));
         let name = format!("{}{of}", raised.alarm.entry().name);
         self.tell("alarm", &format!("{name}: {}", raised.reaction.name()), None);
-        match self.recorder.weld() {
-            Some(_) => self.recorder.alarm(t, raised, &name),
-            None => self.archive.alarm(super::recorder::alarm(t, raised, &name)),
-        }
+        self.recorder.alarm(t, raised, &name);
     }
 }
 

@@ -1,5 +1,5 @@
 use super::around::Around;
-use super::connected::Connection;
+use super::connection::Connection;
 use crate::view::written;
 use crate::wire::{AlarmView, EventView, FromCell, NearView, Status, WorkView};
 use seamwright_machine::{Joints, Machine};
@@ -15,6 +15,13 @@ const RECENT: usize = 100;
 const WAITING: usize = 1024;
 /// The control token is lost without a sign of life for this long.
 const BEAT: Duration = Duration::from_secs(1);
+
+/// Most clients at once, and of one user.
+const MOST: usize = 64;
+const MOST_OF_USER: usize = 32;
+
+/// A client: its station, what it hears in order, the newest status.
+pub(crate) type Connected = (u32, mpsc::Receiver<Text>, watch::Receiver<Option<Text>>);
 
 /// A message as it goes over the socket.
 pub(crate) type Text = Arc<str>;
@@ -35,6 +42,7 @@ struct Told {
     numbers: u64,
     alarms: Vec<AlarmView>,
     work: Option<Arc<WorkView>>,
+    work_text: Option<Text>,
     machine: Option<Arc<Machine>>,
     /// Of the devices.
     connection: Option<Connection>,
@@ -90,21 +98,33 @@ impl Hub {
         self.told.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// A new client: its station, what it hears in order, the newest status.
-    pub(crate) fn connect(&self, user: &str) -> (u32, mpsc::Receiver<Text>, watch::Receiver<Option<Text>>) {
+    /// A new client; none: there are too many.
+    pub(crate) fn connect(&self, user: &str) -> Option<Connected> {
         let mut told = self.told();
+        if told.clients.len() >= MOST || told.clients.values().filter(|c| c.user == user).count() >= MOST_OF_USER {
+            return None;
+        }
         told.stations += 1;
         let station = told.stations;
         let (to, from) = mpsc::channel(WAITING);
         let hello = FromCell::Hello { station, version: env!("CARGO_PKG_VERSION").to_owned() };
-        let mut first = vec![hello, told.control(station), told.work(), told.alarms()];
-        first.extend(told.events.iter().cloned().map(FromCell::Event));
-        for message in &first {
+        let mut first = vec![text(&hello), text(&told.control(station))];
+        // As it was told to the others: the program may be long.
+        first.push(told.work_text.clone().unwrap_or_else(|| text(&FromCell::Work { work: None })));
+        first.push(text(&told.alarms()));
+        first.extend(told.events.iter().cloned().map(|event| text(&FromCell::Event(event))));
+        for message in first {
             // There is room for all of them.
-            drop(to.try_send(text(message)));
+            drop(to.try_send(message));
         }
         told.clients.insert(station, Client { user: user.to_owned(), to });
-        (station, from, self.status.subscribe())
+        Some((station, from, self.status.subscribe()))
+    }
+
+    /// How many clients there are.
+    #[cfg(test)]
+    pub(crate) fn clients(&self) -> usize {
+        self.told().clients.len()
     }
 
     /// A client has gone; what it controlled, nobody does.
@@ -157,10 +177,10 @@ impl Hub {
     }
 
     pub(crate) fn set_work(&self, work: Option<Arc<WorkView>>) {
+        let message = text(&FromCell::Work { work: work.as_deref().cloned() });
         let mut told = self.told();
-        told.work = work;
-        let message = told.work();
-        told.all(&message);
+        (told.work, told.work_text) = (work, Some(message.clone()));
+        told.everybody(&message);
     }
 
     /// The machine of the cell.
@@ -246,7 +266,9 @@ impl Hub {
                 return Err(Refusal::Held(Control { station: holder.station, user }));
             }
         }
-        told.give(Some(Holder { station, beat: now, jogs_until: now }));
+        // Who has it already and jogs, jogs on.
+        let jogs_until = told.control.as_ref().filter(|h| h.station == station).map_or(now, |h| h.jogs_until);
+        told.give(Some(Holder { station, beat: now, jogs_until }));
         Ok(())
     }
 
@@ -271,7 +293,10 @@ impl Hub {
 
 impl Told {
     fn all(&mut self, message: &FromCell) {
-        let message = text(message);
+        self.everybody(&text(message));
+    }
+
+    fn everybody(&mut self, message: &Text) {
         let stations: Vec<u32> = self.clients.keys().copied().collect();
         for station in stations {
             self.one(station, message.clone());
@@ -303,11 +328,43 @@ impl Told {
         FromCell::Control { station, user, mine: station == Some(to) }
     }
 
-    fn work(&self) -> FromCell {
-        FromCell::Work { work: self.work.as_deref().cloned() }
-    }
-
     fn alarms(&self) -> FromCell {
         FromCell::Alarms { list: self.alarms.clone() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Nobody takes all places; what was told to a client that does not listen is not kept for ever.
+    #[test]
+    fn clients_are_few_and_those_that_do_not_listen_go() {
+        let hub = Hub::new();
+        let mut of_one: Vec<Connected> = (0..MOST_OF_USER).map(|_| hub.connect("eve").unwrap()).collect();
+        assert!(hub.connect("eve").is_none());
+        let others: Vec<Connected> = (MOST_OF_USER..MOST).map(|i| hub.connect(&format!("user {i}")).unwrap()).collect();
+        assert!(hub.connect("ada").is_none());
+        hub.disconnect(of_one.pop().unwrap().0);
+        assert!(hub.connect("ada").is_some());
+        // The token goes with whoever is cut off.
+        hub.take_control(others[0].0, false).unwrap();
+        (0..2 * WAITING).for_each(|i| hub.event(0.0, "order", format!("{i}"), None));
+        assert!(hub.clients() == 0 && hub.holder().is_none());
+    }
+
+    /// The token is not taken while its holder jogs, also if he asks for it once more.
+    #[test]
+    fn the_token_stays_with_a_hand_that_moves() {
+        let hub = Hub::new();
+        let (ada, eve) = (hub.connect("ada").unwrap(), hub.connect("eve").unwrap());
+        hub.take_control(ada.0, false).unwrap();
+        assert!(hub.controls(ada.0, true) && !hub.controls(eve.0, true));
+        hub.take_control(ada.0, true).unwrap();
+        assert_eq!(hub.take_control(eve.0, true), Err(Refusal::Jogs));
+        std::thread::sleep(Duration::from_millis(320));
+        assert!(matches!(hub.take_control(eve.0, false), Err(Refusal::Held(_))));
+        hub.take_control(eve.0, true).unwrap();
+        assert!(!hub.controls(ada.0, false) && hub.controls(eve.0, false));
     }
 }

@@ -3,7 +3,7 @@
 mod alarms;
 mod archive;
 mod around;
-mod connected;
+mod connection;
 mod cycle;
 mod desk;
 mod guiding;
@@ -13,10 +13,11 @@ mod prepared;
 mod recorder;
 mod start;
 
+pub(crate) use archive::hides;
 pub(crate) use around::Around;
-pub(crate) use connected::{Connected, Connection};
+pub(crate) use connection::{CellDevices, Connection};
 pub(crate) use desk::{Loading, ToDesk};
-pub(crate) use hub::Refusal;
+pub(crate) use hub::{Connected, Refusal, Text};
 pub(crate) use names::WHY;
 pub(crate) use prepared::{Planned, Prepared, Task, fingerprint};
 pub(crate) use start::Cell;

@@ -1,4 +1,4 @@
-use super::connected::Connected;
+use super::connection::CellDevices;
 use super::guiding::{Guiding, Sensing};
 use seamwright_cell::SimulatedCell;
 use seamwright_cell::executive::{Place, Start, Work};
@@ -110,7 +110,7 @@ pub(crate) struct Prepared {
     /// What sees their joints.
     pub(super) sensors: Option<Sensing>,
     /// The devices of a machine that is not yet the cell's.
-    pub(crate) devices: Option<Connected>,
+    pub(crate) devices: Option<CellDevices>,
     fingerprint: String,
 }
 
@@ -145,7 +145,7 @@ impl Prepared {
         machine.devices = MachineDevices::default();
         let home = machine.home();
         let mut bare = Self::new(Task::Machine(Box::new(machine)), &home, None)?;
-        bare.devices = Some(Connected::new(&bare, Path::new(""), &[])?);
+        bare.devices = Some(CellDevices::new(&bare, Path::new(""), &[])?);
         Ok(bare)
     }
 

@@ -1,3 +1,4 @@
+use super::archive::Archive;
 use super::hub::Hub;
 use super::names::Names;
 use seamwright_cell::executive::{Mode, Note, Place, Raised, Reaction};
@@ -16,6 +17,7 @@ const AFTER_S: f64 = 1.0;
 pub(super) struct Recorder {
     folder: PathBuf,
     hub: Arc<Hub>,
+    archive: Archive,
     open: Option<Open>,
 }
 
@@ -29,14 +31,13 @@ struct Open {
     wanted: usize,
     left: Option<Place>,
     stopped: Option<String>,
-    alarms: Vec<Alarm>,
     /// When the program ended, s.
     ended: Option<f64>,
 }
 
 impl Recorder {
-    pub(super) fn new(folder: &Path, hub: Arc<Hub>) -> Self {
-        Self { folder: folder.to_owned(), hub, open: None }
+    pub(super) fn new(folder: &Path, hub: Arc<Hub>, archive: Archive) -> Self {
+        Self { folder: folder.to_owned(), hub, archive, open: None }
     }
 
     /// Number of the weld that is recorded.
@@ -64,7 +65,6 @@ impl Recorder {
             wanted: passes,
             left: None,
             stopped: None,
-            alarms: Vec::new(),
             ended: None,
         });
         Ok(())
@@ -98,12 +98,12 @@ impl Recorder {
         }
     }
 
+    /// An alarm is kept at once, of the weld that is recorded or of none.
     pub(super) fn alarm(&mut self, t: f64, raised: &Raised, name: &str) {
-        let Some(open) = &mut self.open else { return };
-        if raised.reaction >= Reaction::Hold {
+        if let Some(open) = self.open.as_mut().filter(|_| raised.reaction >= Reaction::Hold) {
             open.stopped.get_or_insert_with(|| name.to_owned());
         }
-        open.alarms.push(alarm(t, raised, name));
+        self.archive.alarm(self.weld(), alarm(t, raised, name));
     }
 
     /// Ends what is being recorded, in a thread of its own: a long trace takes a while.
@@ -123,7 +123,7 @@ impl Recorder {
 }
 
 /// An alarm as the library keeps it.
-pub(super) fn alarm(t: f64, raised: &Raised, name: &str) -> Alarm {
+fn alarm(t: f64, raised: &Raised, name: &str) -> Alarm {
     let in_pass = raised.place.pass > 0;
     Alarm {
         name: name.to_owned(),
@@ -142,9 +142,6 @@ pub(super) fn alarm(t: f64, raised: &Raised, name: &str) -> Alarm {
 fn finish(open: Open, folder: &Path) -> Result<WeldResult, Error> {
     let mut data = DataFolder::open(folder)?;
     let id = open.recording.id();
-    for alarm in &open.alarms {
-        data.library().add_alarm(Some(id), alarm)?;
-    }
     let whole = open.left.is_none() && open.passes >= open.wanted;
     let result = match &open.stopped {
         None if whole => WeldResult::Good,

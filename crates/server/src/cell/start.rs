@@ -1,6 +1,7 @@
+use super::alarms::Mirror;
 use super::archive::Archive;
 use super::around::{self, Around};
-use super::connected::Connected;
+use super::connection::CellDevices;
 use super::cycle::{self, Swap};
 use super::desk::{Desk, Queues, ToDesk};
 use super::hub::Hub;
@@ -8,9 +9,9 @@ use super::names::Names;
 use super::prepared::{Prepared, Task};
 use super::recorder::Recorder;
 use seamwright_cell::realtime::{Urgent, live};
-use seamwright_machine::{Clamped, Machine};
+use seamwright_machine::{Clamped, Machine, MachineDevices};
 use seamwright_record::DataFolder;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
@@ -25,6 +26,9 @@ pub(crate) struct Cell {
     /// Stops and holds, past everything that waits.
     pub(crate) urgent: Urgent,
     pub(crate) desk: Sender<ToDesk>,
+    /// The real devices that jobs may use, and where files that they name are seen from: those of the machine at the start, chosen
+    /// by who started the panel.
+    pub(crate) devices: (MachineDevices, PathBuf),
     thread: Mutex<Option<JoinHandle<()>>>,
 }
 
@@ -39,6 +43,7 @@ impl Cell {
         let mut folder = DataFolder::open(data).map_err(|e| e.to_string())?;
         let interrupted = folder.recover().map_err(|e| e.to_string())?;
         let left = folder.journal().map_err(|e| e.to_string())?.last();
+        let unknown = folder.library().listed_alarms().map_err(|e| e.to_string())?;
         drop(folder);
         let hub = Arc::new(Hub::new());
         hub.set_machine(machine);
@@ -50,8 +55,12 @@ impl Cell {
             let text = "was left by a failure of power or program: look at the end of its bead before going on";
             hub.event(0.0, "left", format!("weld {} {text}", left.weld), None);
         }
+        for alarm in &unknown {
+            let text = format!("{} of {} was not acknowledged before the end", alarm.name, alarm.raised);
+            hub.event(0.0, "alarm", text, None);
+        }
         let left = left.map(|left| (left.pass.max(1), left.welded_to));
-        let archive = Archive::open(data).map_err(|e| e.to_string())?;
+        let archive = Archive::open(data, Arc::clone(&hub)).map_err(|e| e.to_string())?;
         let (port, outside) = live();
         let urgent = outside.urgent();
         let (next, to_cycle) = rtrb::RingBuffer::new(PROGRAMS);
@@ -59,19 +68,22 @@ impl Cell {
         let task = Box::new(Prepared::new(Task::Machine(Box::new(machine.clone())), &machine.home(), None)?);
         let fingerprint = task.fingerprint().to_owned();
         // Files that are not devices' come first: nothing is switched before everything else is good.
-        let devices = Connected::new(&task, beside, values)?;
+        let devices = CellDevices::new(&task, beside, values)?;
         hub.set_connection(devices.to());
         let cycle =
             std::thread::spawn(move || cycle::run(task, devices, port, Swap { next: to_cycle, done: from_cycle }));
         let (desk, from) = channel();
         let names = Names { machine: machine.clone(), fingerprint, values: 0, heads: 0 };
-        let recorder = Recorder::new(data, Arc::clone(&hub));
+        let recorder = Recorder::new(data, Arc::clone(&hub), archive.clone());
+        let mirror = Mirror::new(&unknown);
+        hub.alarms(mirror.views(&names));
         let queues = Queues { outside, next, done };
-        let listens = Desk::new(Arc::clone(&hub), archive.clone(), queues, from, names, recorder, left);
+        let listens = Desk::new(Arc::clone(&hub), archive.clone(), queues, from, names, (recorder, mirror), left);
         let thread = std::thread::spawn(move || listens.run(|| cycle.is_finished()));
         let watched = Arc::downgrade(&hub);
         std::thread::spawn(move || around::watch(&watched));
-        Ok(Self { hub, archive, urgent, desk, thread: Mutex::new(Some(thread)) })
+        let devices = (machine.devices.clone(), beside.to_owned());
+        Ok(Self { hub, archive, urgent, desk, devices, thread: Mutex::new(Some(thread)) })
     }
 
     /// Stops, takes the power away, and waits for the end.
@@ -80,5 +92,6 @@ impl Cell {
         drop(self.desk.send(ToDesk::Quit));
         let thread = self.thread.lock().unwrap_or_else(PoisonError::into_inner).take();
         drop(thread.map(JoinHandle::join));
+        self.archive.flush();
     }
 }

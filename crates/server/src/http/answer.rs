@@ -70,6 +70,7 @@ pub(crate) type Answer<T> = Result<Json<T>, Refused>;
 
 /// A report as a page: it carries its own styles, and nothing that runs.
 pub(super) fn page_of(html: String) -> Response {
-    let policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; frame-ancestors 'none'";
+    let policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; \
+                  base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
     ([(header::CONTENT_SECURITY_POLICY, policy)], Html(html)).into_response()
 }

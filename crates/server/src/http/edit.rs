@@ -1,8 +1,11 @@
 use super::answer::{Answer, Refused};
+use super::panel::Panel;
 use crate::wire::EditAnswer;
 use axum::Json;
+use axum::extract::State;
 use seamwright_program::edit::{Editor, Operation};
 use serde::Deserialize;
+use std::sync::Arc;
 
 /// Most operations at once.
 const MOST: usize = 1000;
@@ -15,8 +18,8 @@ pub(super) struct Edit {
     operations: Vec<Operation>,
 }
 
-pub(super) async fn edit(Json(edit): Json<Edit>) -> Answer<EditAnswer> {
-    let edited = tokio::task::spawn_blocking(move || {
+pub(super) async fn edit(State(panel): State<Arc<Panel>>, Json(edit): Json<Edit>) -> Answer<EditAnswer> {
+    let edited = panel.reading.run(move || {
         if edit.operations.len() > MOST {
             return Err(Refused::input(format!("too many operations; allowed: up to {MOST} at once")));
         }
@@ -26,5 +29,5 @@ pub(super) async fn edit(Json(edit): Json<Edit>) -> Answer<EditAnswer> {
         let words = reports.into_iter().map(|report| report.words).collect();
         Ok(EditAnswer { text: editor.text().to_owned(), words })
     });
-    edited.await?.map(Json)
+    edited.await.map(Json)
 }

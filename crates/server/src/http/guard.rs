@@ -1,4 +1,5 @@
 use super::answer::Refused;
+use super::login::same;
 use super::panel::Panel;
 use crate::users::{Session, may};
 use axum::extract::{Request, State};
@@ -11,6 +12,13 @@ use std::sync::Arc;
 pub(super) const TOKEN: &str = "x-seamwright";
 /// The cookie of a session.
 pub(super) const COOKIE: &str = "seamwright";
+/// The same where it is encrypted: browsers take such a name only from the very host, and encrypted.
+const COOKIE_TLS: &str = "__Host-seamwright";
+
+/// Name of the cookie of a session.
+pub(super) fn cookie_name(tls: bool) -> &'static str {
+    if tls { COOKIE_TLS } else { COOKIE }
+}
 
 /// What a route needs.
 #[derive(Clone)]
@@ -32,10 +40,19 @@ pub(super) async fn host(State(panel): State<Arc<Panel>>, request: Request, next
     if let Some(origin) = text(headers, header::ORIGIN.as_str())
         && !origin.eq_ignore_ascii_case(&format!("{scheme}://{host}"))
     {
-        let text = "requests from pages of other origins are refused";
-        return secured(Refused::new(StatusCode::FORBIDDEN, "origin", text).into_response());
+        return secured(foreign());
+    }
+    // Browsers say so also where they send no origin; a link to the panel itself may stand anywhere.
+    let site = text(headers, "sec-fetch-site").unwrap_or("none");
+    if request.uri().path().starts_with("/api/") && !matches!(site, "same-origin" | "none") {
+        return secured(foreign());
     }
     secured(next.run(request).await)
+}
+
+fn foreign() -> Response {
+    let text = "requests from pages of other origins are refused";
+    Refused::new(StatusCode::FORBIDDEN, "origin", text).into_response()
 }
 
 /// Headers of every answer.
@@ -74,19 +91,22 @@ pub(super) async fn need(State(need): State<Need>, mut request: Request, next: N
 }
 
 fn allowed(panel: &Panel, action: &str, method: &Method, headers: &HeaderMap) -> Result<Session, Refused> {
-    let session = cookie(headers).and_then(|cookie| panel.sessions.of(cookie));
+    let session = cookie(headers, panel.tls).and_then(|cookie| panel.sessions.of(cookie));
+    let session = session.filter(|session| panel.stands(session, true));
     let Some(session) = session else {
         let text = "nobody is logged in here, or the session is over: log in";
         return Err(Refused::new(StatusCode::UNAUTHORIZED, "login", text));
     };
     if !may(session.role, action) {
         let needed = crate::users::least(action).map_or(String::new(), |role| format!("; allowed: from {role:?} on"));
+        panel.cell.archive.audit(&session.user, "panel", action, ("", ""), "refused: role");
         let text = format!("as {:?} you may not do this ({action}){needed}", session.role);
         return Err(Refused::new(StatusCode::FORBIDDEN, "role", text.to_lowercase()));
     }
     if writes(method) {
         is_json(headers)?;
-        if text(headers, TOKEN) != Some(session.token.as_str()) {
+        let token = text(headers, TOKEN).unwrap_or_default();
+        if !same(token.as_bytes(), session.token.as_bytes()) {
             let text = format!("the header `{TOKEN}` must carry the session's token");
             return Err(Refused::new(StatusCode::FORBIDDEN, "token", text));
         }
@@ -112,8 +132,8 @@ fn text<'a>(headers: &'a HeaderMap, name: &str) -> Option<&'a str> {
 }
 
 /// What the session's cookie holds.
-pub(super) fn cookie(headers: &HeaderMap) -> Option<&str> {
+pub(super) fn cookie(headers: &HeaderMap, tls: bool) -> Option<&str> {
     let all = headers.get_all(header::COOKIE).into_iter().filter_map(|v| v.to_str().ok());
     let pairs = all.flat_map(|v| v.split(';')).filter_map(|pair| pair.trim().split_once('='));
-    pairs.into_iter().find(|(name, _)| *name == COOKIE).map(|(_, value)| value)
+    pairs.into_iter().find(|(name, _)| *name == cookie_name(tls)).map(|(_, value)| value)
 }

@@ -7,10 +7,10 @@ use axum::http::StatusCode;
 use axum::{Extension, Json};
 use seamwright_project::examples::{DISTORTIONS, EXAMPLES, Example};
 use seamwright_project::files;
-use std::path::PathBuf;
+use std::io::Read as _;
 use std::sync::Arc;
 
-/// Most jobs that are listed.
+/// Most jobs of our own.
 const MOST: usize = 2000;
 
 /// A name of a job as a file: no folders, no hidden files.
@@ -44,27 +44,44 @@ pub(super) fn text(panel: &Panel, name: &str) -> Result<String, Refused> {
     example(name).map(str::to_owned).ok_or_else(|| Refused::not_found(format!("there is no job `{name}`")))
 }
 
+/// Our own jobs: names, in their order.
+fn own(panel: &Panel) -> Result<Vec<String>, Refused> {
+    let entries = std::fs::read_dir(panel.jobs())
+        .map_err(|e| Refused::server(format!("the folder of jobs cannot be read: {e}")))?;
+    let files = entries.filter_map(Result::ok).filter(|entry| entry.path().is_file());
+    let names = files.filter_map(|entry| entry.file_name().into_string().ok());
+    let mut names: Vec<String> = names.filter(|name| checked(name).is_ok()).collect();
+    names.sort();
+    Ok(names)
+}
+
+/// Bytes of a job in which its title is looked for.
+const HEAD: u64 = 16 << 10;
+
+/// The title of a job from the begin of its file.
+fn title_of(path: &std::path::Path) -> std::io::Result<String> {
+    let mut head = Vec::new();
+    std::fs::File::open(path)?.take(HEAD).read_to_end(&mut head)?;
+    Ok(title(&String::from_utf8_lossy(&head)))
+}
+
 pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<JobRow>> {
-    let mut own: Vec<PathBuf> = std::fs::read_dir(panel.jobs())
-        .map_err(|e| Refused::server(format!("the folder of jobs cannot be read: {e}")))?
-        .filter_map(|entry| Some(entry.ok()?.path()))
-        .filter(|path| path.is_file())
-        .collect();
-    own.sort();
-    own.truncate(MOST);
-    let names = own.iter().filter_map(|path| Some((path, path.file_name()?.to_str()?)));
-    let own = names.filter(|(_, name)| checked(name).is_ok()).map(|(path, name)| {
-        let title = files::read(path).map_or_else(|e| e.text(), |text| title(&text));
-        JobRow { name: name.to_owned(), title, example: false }
-    });
-    let mut rows: Vec<JobRow> = own.collect();
-    for example in EXAMPLES {
-        let name = format!("{}.toml", example.name);
-        if rows.iter().all(|row| row.name != name) {
-            rows.push(JobRow { name, title: title(example.text), example: true });
+    let asked = Arc::clone(&panel);
+    let list = move || {
+        let row = |name: String| {
+            let title = title_of(&asked.jobs().join(&name)).unwrap_or_else(|e| e.to_string());
+            JobRow { name, title, example: false }
+        };
+        let mut rows: Vec<JobRow> = own(&asked)?.into_iter().take(MOST).map(row).collect();
+        for example in EXAMPLES {
+            let name = format!("{}.toml", example.name);
+            if rows.iter().all(|row| row.name != name) {
+                rows.push(JobRow { name, title: title(example.text), example: true });
+            }
         }
-    }
-    Ok(Json(rows))
+        Ok(rows)
+    };
+    panel.reading.run(list).await.map(Json)
 }
 
 pub(super) async fn distortions() -> Json<Vec<DistortionRow>> {
@@ -88,6 +105,9 @@ pub(super) async fn put(
     }
     let path = panel.jobs().join(name);
     let old = if path.is_file() { files::read(&path)? } else { String::new() };
+    if !path.is_file() && own(&panel)?.len() >= MOST {
+        return Err(Refused::input(format!("there are too many jobs; allowed: {MOST}")));
+    }
     files::write(&path, &job.text)?;
     let hash = |text: &str| seamwright_record::sha256(text.as_bytes());
     let (old, new) = (hash(&old), hash(&job.text));

@@ -14,6 +14,7 @@ mod plan;
 mod records;
 mod routes;
 mod socket;
+mod turns;
 mod users;
 
 pub(crate) use panel::Panel;
@@ -21,3 +22,5 @@ pub(crate) use plan::begin_with;
 #[cfg(test)]
 pub(crate) use routes::all_routes;
 pub(crate) use routes::app;
+#[cfg(test)]
+pub(crate) use socket::hears;

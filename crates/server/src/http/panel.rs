@@ -1,14 +1,15 @@
+use super::turns::Turns;
 use crate::cell::Cell;
-use crate::users::{Accounts, Sessions};
+use crate::users::{Accounts, OWNER, Session, Sessions, Tries};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
-use tokio::sync::Semaphore;
 
 /// Everything that handlers share.
 pub(crate) struct Panel {
     pub(crate) cell: Cell,
     pub(crate) accounts: Accounts,
     pub(crate) sessions: Sessions,
+    pub(crate) tries: Tries,
     /// Opens the panel while there is no administrator.
     pub(crate) key: String,
     pub(crate) data: PathBuf,
@@ -16,17 +17,44 @@ pub(crate) struct Panel {
     pub(crate) hosts: Vec<String>,
     /// The connection is encrypted.
     pub(crate) tls: bool,
-    /// One plan at a time: the cycle has to have its share of the machine.
-    pub(crate) planning: Semaphore,
+    pub(crate) planning: Turns,
     /// What is read without being planned does not wait for a plan.
-    pub(crate) drawing: Semaphore,
+    pub(crate) drawing: Turns,
+    /// Of records, jobs and texts.
+    pub(crate) reading: Turns,
+    /// Of passwords: one at a time, so that guesses at once do not count as one.
+    pub(crate) checking: Turns,
+    pub(crate) backing_up: Turns,
     plans: AtomicU64,
 }
 
 impl Panel {
     pub(crate) fn new(cell: Cell, accounts: Accounts, key: String, data: PathBuf, hosts: Vec<String>) -> Self {
-        let (sessions, planning, drawing) = (Sessions::default(), Semaphore::new(1), Semaphore::new(1));
-        Self { cell, accounts, sessions, key, data, hosts, tls: false, planning, drawing, plans: AtomicU64::new(0) }
+        Self {
+            cell,
+            accounts,
+            sessions: Sessions::default(),
+            tries: Tries::default(),
+            key,
+            data,
+            hosts,
+            tls: false,
+            planning: Turns::new(1, 8),
+            drawing: Turns::new(1, 8),
+            reading: Turns::new(2, 32),
+            checking: Turns::new(1, 16),
+            backing_up: Turns::new(1, 0),
+            plans: AtomicU64::new(0),
+        }
+    }
+
+    /// True if the session is there still, and its user may log in and has the role that he had; `used`: it counts as used.
+    pub(crate) fn stands(&self, session: &Session, used: bool) -> bool {
+        let known = match session.user.as_str() {
+            OWNER => !self.accounts.has_admin(),
+            user => self.accounts.role(user) == Some(session.role),
+        };
+        known && self.sessions.lives(session, used)
     }
 
     /// Where jobs are kept.

@@ -6,7 +6,7 @@ use axum::extract::State;
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::fit::{Touch, best_fit, outliers, plane_line_point, rms};
 use seamwright_program::Program;
-use seamwright_project::load::{Loaded, load_text};
+use seamwright_project::load::{Loaded, load_foreign};
 use seamwright_project::offset;
 use seamwright_weld::SeamSurfaces;
 use std::sync::Arc;
@@ -28,21 +28,20 @@ struct Found {
 }
 
 pub(super) async fn place(State(panel): State<Arc<Panel>>, Json(asked): Json<PlaceText>) -> Answer<PlaceAnswer> {
-    let _turn = panel.drawing.acquire().await.map_err(|_| Refused::server("the panel is ending"))?;
     let folder = panel.jobs();
-    let answer = tokio::task::spawn_blocking(move || {
+    let answer = panel.drawing.run(move || {
         check(&asked)?;
-        let loaded = load_text("job.toml", &asked.text, &folder)?;
+        let loaded = load_foreign("job.toml", &asked.text, &folder)?;
         let found = match asked.method {
             PlaceMethod::BestFit => fitted(&loaded, &asked.points, asked.probe_radius_mm)?,
             PlaceMethod::PlaneLinePoint => faces(&loaded.welding.program.value, &asked.points, asked.probe_radius_mm)?,
         };
         let answer = answer(&asked.text, found)?;
         // What is given back can be read.
-        load_text("job.toml", &answer.text, &folder)?;
-        Ok::<_, Refused>(answer)
+        load_foreign("job.toml", &answer.text, &folder)?;
+        Ok(answer)
     });
-    Ok(Json(answer.await??))
+    answer.await.map(Json)
 }
 
 fn check(asked: &PlaceText) -> Result<(), Refused> {

@@ -1,7 +1,7 @@
 use super::answer::{Answer, Refused, page_of};
 use super::jobs::{checked, text};
 use super::panel::Panel;
-use crate::cell::{Around, Connected, Connection, Loading, Planned, Prepared, Task, ToDesk, fingerprint};
+use crate::cell::{Around, CellDevices, Connection, Loading, Planned, Prepared, Task, ToDesk, fingerprint};
 use crate::users::Session;
 use crate::view::{clamped_views, sections, tuning_view, work_view};
 use crate::wire::{DraftAnswer, JobText, Load, PlanAnswer, PostAnswer, PostText, TuningView, WorkView};
@@ -13,14 +13,13 @@ use seamwright_cell::executive::Place;
 use seamwright_cell::tracking::Distortion;
 use seamwright_post::{Control, Dialect, Feed, Options};
 use seamwright_project::Failure;
-use seamwright_project::load::{Loaded, load_text};
+use seamwright_project::load::{Loaded, load_foreign};
 use seamwright_project::part::Part;
 use seamwright_project::posting::{Unproven, proven};
 use seamwright_project::recording::{Header, Who, record_plan};
 use seamwright_project::run_rows;
 use seamwright_report::WeldReport;
 use serde::Deserialize;
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::sync::oneshot;
@@ -30,9 +29,8 @@ async fn alone<T: Send + 'static>(
     panel: &Arc<Panel>,
     work: impl FnOnce(&Panel) -> Result<T, Refused> + Send + 'static,
 ) -> Result<T, Refused> {
-    let _turn = panel.planning.acquire().await.map_err(|_| Refused::server("the panel is ending"))?;
-    let panel = Arc::clone(panel);
-    tokio::task::spawn_blocking(move || work(&panel)).await?
+    let with = Arc::clone(panel);
+    panel.planning.run(move || work(&with)).await
 }
 
 /// Line and key of what is wrong, from a message that begins with `job.toml:LINE:COLUMN: key`.
@@ -52,7 +50,7 @@ pub(super) async fn plan(State(panel): State<Arc<Panel>>, Json(job): Json<JobTex
             let (line, key) = address(name, &message);
             PlanAnswer::Wrong { message, line, key }
         };
-        let loaded = match load_text(name, &job.text, &panel.jobs()) {
+        let loaded = match load_foreign(name, &job.text, &panel.jobs()) {
             Ok(loaded) => loaded,
             Err(failure) => return Ok(wrong(&failure)),
         };
@@ -70,20 +68,34 @@ pub(super) async fn plan(State(panel): State<Arc<Panel>>, Json(job): Json<JobTex
 
 /// What a text describes, at once: nothing is planned.
 pub(super) async fn draft(State(panel): State<Arc<Panel>>, Json(job): Json<JobText>) -> Answer<DraftAnswer> {
-    let _turn = panel.drawing.acquire().await.map_err(|_| Refused::server("the panel is ending"))?;
     let folder = panel.jobs();
-    let answer = tokio::task::spawn_blocking(move || match load_text("job.toml", &job.text, &folder) {
-        Ok(loaded) => {
-            let (part, fixtures) = clamped_views(&loaded);
-            DraftAnswer::Drawn { part, fixtures, sections: sections(&loaded.welding) }
-        }
-        Err(failure) => DraftAnswer::Wrong { message: failure.text() },
+    let answer = panel.drawing.run(move || {
+        Ok(match load_foreign("job.toml", &job.text, &folder) {
+            Ok(loaded) => {
+                let (part, fixtures) = clamped_views(&loaded);
+                DraftAnswer::Drawn { part, fixtures, sections: sections(&loaded.welding) }
+            }
+            Err(failure) => DraftAnswer::Wrong { message: failure.text() },
+        })
     });
-    Ok(Json(answer.await?))
+    answer.await.map(Json)
 }
 
 fn loaded(panel: &Panel, name: &str) -> Result<Loaded, Refused> {
-    Ok(load_text(checked(name)?, &text(panel, name)?, &panel.jobs())?)
+    Ok(load_foreign(checked(name)?, &text(panel, name)?, &panel.jobs())?)
+}
+
+/// Most characters of a part's number.
+const MOST_PART: usize = 120;
+
+/// A part's number as it may stand in records.
+fn part(number: &str) -> Result<(), Refused> {
+    if number.chars().count() <= MOST_PART && !number.chars().any(crate::cell::hides) {
+        return Ok(());
+    }
+    Err(Refused::input(format!(
+        "the number of the part cannot be that; allowed: up to {MOST_PART} characters that are seen"
+    )))
 }
 
 pub(super) async fn load(
@@ -91,6 +103,8 @@ pub(super) async fn load(
     Extension(session): Extension<Session>,
     Json(load): Json<Load>,
 ) -> Answer<WorkView> {
+    checked(&load.job)?;
+    part(load.part.as_deref().unwrap_or_default())?;
     let (what, job) = (format!("load {}", load.job), load.job.clone());
     let result = put_in(&panel, load, session.user.clone()).await;
     let said = result.as_ref().map_or_else(|refused| refused.text.clone(), |_| "loaded".to_owned());
@@ -100,9 +114,9 @@ pub(super) async fn load(
 
 /// Plans a job and puts it into the cell.
 async fn put_in(panel: &Arc<Panel>, load: Load, user: String) -> Result<Arc<WorkView>, Refused> {
-    let (loading, folder) = alone(panel, move |panel| loading(panel, load, user)).await?;
+    let loading = alone(panel, move |panel| loading(panel, load, user)).await?;
     let view = loading.view.clone().ok_or_else(|| Refused::server("a job without a picture"))?;
-    give(panel, connected(panel, loading, folder).await?).await?;
+    give(panel, connected(panel, loading).await?).await?;
     Ok(view)
 }
 
@@ -116,13 +130,20 @@ async fn give(panel: &Panel, loading: Loading) -> Result<(), Refused> {
 }
 
 /// With the devices that it needs, if the cell's are not connected for it: real ones are let go first, by a machine without a
-/// program. Files that its machine file names are seen from `folder`.
-async fn connected(panel: &Arc<Panel>, mut loading: Loading, folder: PathBuf) -> Result<Loading, Refused> {
+/// program. A job may not lead to other devices than whoever started the panel has chosen.
+async fn connected(panel: &Arc<Panel>, mut loading: Loading) -> Result<Loading, Refused> {
     /// Until devices are gone, s.
     const GO_S: u64 = 20;
     let now = panel.cell.hub.connection();
     if now.as_ref().is_some_and(|to| to.serves_it(&loading.prepared)) {
         return Ok(loading);
+    }
+    let (own, folder) = panel.cell.devices.clone();
+    let its = &loading.prepared.machine().devices;
+    if !its.is_empty() && *its != own {
+        let text =
+            "its machine file names devices other than those of the machine file that the panel was started with";
+        return Err(Refused::input(format!("{text}\n   allowed: the same [devices], or none")));
     }
     if let Some(now) = now.filter(Connection::is_real) {
         let prepared = Box::new(Prepared::bare(loading.prepared.machine()).map_err(Refused::input)?);
@@ -139,7 +160,7 @@ async fn connected(panel: &Arc<Panel>, mut loading: Loading, folder: PathBuf) ->
     }
     alone(panel, move |_| {
         let values = loading.prepared.with(|work| work.values().to_vec());
-        loading.prepared.devices = Some(Connected::new(&loading.prepared, &folder, &values).map_err(Refused::input)?);
+        loading.prepared.devices = Some(CellDevices::new(&loading.prepared, &folder, &values).map_err(Refused::input)?);
         Ok(loading)
     })
     .await
@@ -151,7 +172,7 @@ pub(crate) async fn begin_with(panel: &Arc<Panel>, job: &str) -> Result<(), Stri
     put_in(panel, load, String::new()).await.map(drop).map_err(|refused| refused.text)
 }
 
-fn loading(panel: &Panel, load: Load, user: String) -> Result<(Loading, PathBuf), Refused> {
+fn loading(panel: &Panel, load: Load, user: String) -> Result<Loading, Refused> {
     let loaded = loaded(panel, &load.job)?;
     let part = simulated_part(load.distortion.as_deref())?;
     part.check_devices(&loaded.machine)?;
@@ -175,10 +196,9 @@ fn loading(panel: &Panel, load: Load, user: String) -> Result<(Loading, PathBuf)
     let same = panel.cell.hub.connection().is_some_and(|to| to.serves(&fingerprint, &view.values));
     let at = panel.cell.hub.set_points().filter(|_| same).unwrap_or(loaded.machine.home());
     let around = Arc::new(Around::new(&loaded.machine, &loaded.clamped).map_err(Refused::input)?);
-    let folder = loaded.folder().to_owned();
     let task = Task::Job(Box::new(Planned { loaded, motion, part }));
     let prepared = Box::new(Prepared::new(task, &at, from).map_err(Refused::input)?);
-    Ok((Loading { prepared, view: Some(view), around, plan: Some(plan), passes, user }, folder))
+    Ok(Loading { prepared, view: Some(view), around, plan: Some(plan), passes, user })
 }
 
 /// The part that is welded, where devices are simulated.
@@ -193,7 +213,7 @@ pub(super) async fn recorded(State(panel): State<Arc<Panel>>, Path(id): Path<i64
     let view = alone(&panel, move |panel| {
         let data = seamwright_record::DataFolder::open_to_read(&panel.data)?;
         let program = data.library().program_of(id)?;
-        let loaded = load_text(&program.name, &program.text, &panel.jobs())?;
+        let loaded = load_foreign(&program.name, &program.text, &panel.jobs())?;
         let planned = loaded.try_plan()?;
         let planned = planned.as_ref().map_err(Vec::as_slice);
         Ok(work_view(panel.plan_number(), &program.name, &loaded, planned))
@@ -248,7 +268,7 @@ pub(super) async fn post(State(panel): State<Arc<Panel>>, Json(asked): Json<Post
                 return Err(Refused::input(format!("there is no dialect `{other}`; allowed: {allowed}")));
             }
         };
-        let loaded = load_text("job.toml", &asked.text, &panel.jobs())?;
+        let loaded = load_foreign("job.toml", &asked.text, &panel.jobs())?;
         let motion = loaded.plan()?;
         let control = Control::new(&loaded.machine, dialect).map_err(|e| Refused::input(e.to_string()))?;
         let made = proven(&loaded, &motion, &control, &Options::default(), Feed::InverseTime);

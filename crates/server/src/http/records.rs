@@ -5,7 +5,7 @@ use crate::view::written;
 use crate::wire::{AuditRow, JudgedView, RecordRow, RecordView, RecordedAlarm, TraceView};
 use axum::body::Body;
 use axum::extract::{Path, Query, State};
-use axum::http::header;
+use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
 use seamwright_record::library::{Query as Find, WeldRecord, WeldResult};
@@ -13,9 +13,17 @@ use seamwright_record::trace::Trace;
 use seamwright_record::{DataFolder, Moment};
 use serde::Deserialize;
 use std::sync::Arc;
+use std::task::Poll;
+use std::time::Duration;
+use tokio::runtime::Handle;
+use tokio::sync::mpsc::Sender;
 
-/// Rows of a trace that are sent at most.
+/// Rows of a trace that are sent at most, and columns, and values of both.
 const MOST: usize = 20_000;
+const MOST_COLUMNS: usize = 64;
+const MOST_VALUES: usize = 400_000;
+/// Welds that are listed at most, the newest.
+const MOST_WELDS: usize = 5000;
 
 /// What welds are looked for.
 #[derive(Deserialize)]
@@ -74,12 +82,12 @@ async fn reads<T: Send + 'static>(
     read: impl FnOnce(&DataFolder) -> Result<T, Refused> + Send + 'static,
 ) -> Answer<T> {
     let path = panel.data.clone();
-    tokio::task::spawn_blocking(move || read(&DataFolder::open_to_read(&path)?)).await?.map(Json)
+    panel.reading.run(move || read(&DataFolder::open_to_read(&path)?)).await.map(Json)
 }
 
 pub(super) async fn list(State(panel): State<Arc<Panel>>, Query(asked): Query<Asked>) -> Answer<Vec<RecordRow>> {
     let query = asked.query()?;
-    reads(&panel, move |data| Ok(data.library().find(&query)?.iter().map(row).collect())).await
+    reads(&panel, move |data| Ok(data.library().find(&query)?.iter().take(MOST_WELDS).map(row).collect())).await
 }
 
 fn traces(data: &DataFolder, weld: i64) -> Result<Vec<Trace>, Refused> {
@@ -144,9 +152,16 @@ pub(super) async fn trace(
     if !(2..=MOST).contains(&most) {
         return Err(Refused::input(format!("most={most}; allowed: 2 to {MOST}")));
     }
+    let columns: Vec<String> = wanted.columns.split(',').map(|c| c.trim().to_owned()).collect();
+    if columns.len() > MOST_COLUMNS || columns.len() * most > MOST_VALUES {
+        let text = format!(
+            "{} columns of {most} rows are too much; allowed: up to {MOST_COLUMNS} columns, {MOST_VALUES} values",
+            columns.len()
+        );
+        return Err(Refused::input(text));
+    }
     reads(&panel, move |data| {
         let traces = traces(data, id)?;
-        let columns: Vec<String> = wanted.columns.split(',').map(|c| c.trim().to_owned()).collect();
         let known = traces.first().map_or(&[][..], Trace::columns);
         if let Some(unknown) = columns.iter().find(|c| known.iter().all(|k| k.name != **c)) {
             let names: Vec<&str> = known.iter().map(|c| c.name.as_str()).collect();
@@ -212,14 +227,20 @@ pub(super) async fn audit(State(panel): State<Arc<Panel>>, Query(most): Query<Mo
 /// Pieces of an archive on their way to a client, of this size and so many at once.
 const PIECE: usize = 64 << 10;
 const PIECES: usize = 8;
+/// A client that takes nothing for this long has gone.
+const PATIENCE: Duration = Duration::from_secs(30);
 
 /// What is written goes to the client, as fast as he takes it.
-struct ToClient(tokio::sync::mpsc::Sender<std::io::Result<Vec<u8>>>);
+struct ToClient {
+    to: Sender<std::io::Result<Vec<u8>>>,
+    runtime: Handle,
+}
 
 impl std::io::Write for ToClient {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        let sent = self.runtime.block_on(async { self.to.send_timeout(Ok(bytes.to_vec()), PATIENCE).await });
         let gone = |_| std::io::Error::new(std::io::ErrorKind::BrokenPipe, "the client has gone");
-        self.0.blocking_send(Ok(bytes.to_vec())).map(|()| bytes.len()).map_err(gone)
+        sent.map(|()| bytes.len()).map_err(gone)
     }
 
     fn flush(&mut self) -> std::io::Result<()> {
@@ -232,16 +253,34 @@ pub(super) async fn backup(
     Extension(session): Extension<Session>,
 ) -> Result<Response, Refused> {
     panel.cell.archive.audit(&session.user, "panel", "backup", ("", ""), "begun");
-    let data = DataFolder::open_to_read(&panel.data)?;
     let (to, mut from) = tokio::sync::mpsc::channel(PIECES);
-    tokio::task::spawn_blocking(move || {
-        let out = std::io::BufWriter::with_capacity(PIECE, ToClient(to.clone()));
-        if let Err(e) = data.back_up(out) {
+    let (asked, runtime) = (Arc::clone(&panel), Handle::current());
+    // It goes on while the answer is read.
+    tokio::spawn(async move {
+        let failed = to.clone();
+        let written = asked.backing_up.run({
+            let path = asked.data.clone();
+            move || {
+                let out = std::io::BufWriter::with_capacity(PIECE, ToClient { to, runtime });
+                Ok(DataFolder::open_to_read(&path)?.back_up(out)?)
+            }
+        });
+        if let Err(e) = written.await {
             // The client sees that it breaks off.
-            drop(to.blocking_send(Err(std::io::Error::other(e.to_string()))));
+            drop(failed.send_timeout(Err(std::io::Error::other(e.text)), PATIENCE).await);
         }
     });
-    let body = Body::from_stream(futures_util::stream::poll_fn(move |context| from.poll_recv(context)));
+    // What cannot even begin is said as it is.
+    let first = match from.recv().await {
+        Some(Ok(first)) => first,
+        Some(Err(e)) => return Err(Refused::new(StatusCode::SERVICE_UNAVAILABLE, "busy", e.to_string())),
+        None => Vec::new(),
+    };
+    let mut first = Some(first);
+    let body = Body::from_stream(futures_util::stream::poll_fn(move |context| match first.take() {
+        Some(piece) => Poll::Ready(Some(Ok(piece))),
+        None => from.poll_recv(context),
+    }));
     let name = "attachment; filename=\"seamwright-backup.tar\"";
     Ok(([(header::CONTENT_TYPE, "application/x-tar"), (header::CONTENT_DISPOSITION, name)], body).into_response())
 }

@@ -15,6 +15,9 @@ use std::sync::Arc;
 /// Most bytes of a request.
 const MOST_BYTES: usize = 4 << 20;
 
+/// Most bytes of a request of somebody who is not known yet.
+const MOST_UNKNOWN: usize = 8 << 10;
+
 /// A route: the one place that says what it needs and what crosses it.
 pub(super) struct Route {
     pub(super) method: &'static str,
@@ -59,10 +62,9 @@ impl Route {
 /// All routes of the interface.
 pub(super) fn routes() -> Vec<Route> {
     let login_body = (shape::<Login>(), shape::<SessionView>());
-    let login = Route {
-        action: None,
-        ..Route::write(("post", "/api/login"), "", "Begins a session", login_body, post(login::login))
-    };
+    let login = post(login::login).layer(DefaultBodyLimit::max(MOST_UNKNOWN));
+    let login =
+        Route { action: None, ..Route::write(("post", "/api/login"), "", "Begins a session", login_body, login) };
     let jobs = "/api/jobs/{name}";
     let user = "/api/users/{name}";
     vec![

@@ -1,70 +1,122 @@
-use super::guard::cookie;
+use super::answer::Refused;
 use super::panel::Panel;
-use crate::cell::{Refusal, ToDesk, WHY};
+use crate::cell::{Connected, Refusal, Text, ToDesk, WHY};
 use crate::users::{Session, may};
 use crate::wire::{AskView, FromCell, JogOf, LackView, ToCell};
 use axum::Extension;
 use axum::extract::State;
 use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
-use axum::http::HeaderMap;
-use axum::response::Response;
+use axum::http::StatusCode;
+use axum::response::{IntoResponse as _, Response};
+use futures_util::stream::{SplitSink, SplitStream};
+use futures_util::{SinkExt as _, StreamExt as _};
 use glam::DVec3;
 use seamwright_cell::executive::{Ask, Command, Origin, REDUCED_MM_S};
 use seamwright_machine::{Joints, MAX_AXES};
 use seamwright_motion::jog::{self, TipFrame};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
+use tokio::sync::{mpsc, watch};
 
 /// Most bytes of a message from a panel.
 const MOST_BYTES: usize = 16 << 10;
 /// Messages a second from a panel, and how many may come at once.
 const RATE: f64 = 100.0;
 const BURST: f64 = 200.0;
+/// A page that has not taken a message after this long has gone.
+const PATIENCE: Duration = Duration::from_secs(20);
 /// How often a session is looked at again.
 const CHECK: Duration = Duration::from_secs(2);
 
 pub(super) async fn live(
     State(panel): State<Arc<Panel>>,
     Extension(session): Extension<Session>,
-    headers: HeaderMap,
     upgrade: WebSocketUpgrade,
 ) -> Response {
     // A cookie is sent with foreign pages' sockets too: the guard has held their origin against the host.
-    debug_assert!(cookie(&headers).is_some());
-    upgrade
-        .max_message_size(MOST_BYTES)
-        .max_frame_size(MOST_BYTES)
-        .on_upgrade(move |socket| async move { talk(&panel, &session, socket).await })
+    let Some(connected) = panel.cell.hub.connect(&session.user) else {
+        let text = "too many pages are open: close one";
+        return Refused::new(StatusCode::SERVICE_UNAVAILABLE, "slow_down", text).into_response();
+    };
+    let leaves = Leaves { panel: Arc::clone(&panel), station: connected.0 };
+    upgrade.max_message_size(MOST_BYTES).max_frame_size(MOST_BYTES).on_upgrade(move |socket| async move {
+        talk(&panel, &session, connected, socket).await;
+        drop(leaves);
+    })
 }
 
-async fn talk(panel: &Arc<Panel>, session: &Session, mut socket: WebSocket) {
-    let hub = &panel.cell.hub;
-    let (station, mut told, mut status) = hub.connect(&session.user);
-    let mut client = Client::new(Arc::clone(panel), session.clone(), station);
-    let mut check = tokio::time::interval(CHECK);
-    loop {
-        tokio::select! {
-            biased;
-            message = socket.recv() => match message {
-                Some(Ok(Message::Text(text))) if client.may_speak() => client.hears(&text),
-                Some(Ok(Message::Ping(_) | Message::Pong(_))) => {}
-                // Too much, something else, or the end.
-                _ => break,
-            },
-            message = told.recv() => match message {
-                Some(text) => if socket.send(Message::Text((*text).into())).await.is_err() { break },
-                // It did not listen.
-                None => break,
-            },
-            changed = status.changed() => {
-                let newest = status.borrow_and_update().clone();
-                let Some(text) = newest.filter(|_| changed.is_ok()) else { continue };
-                if socket.send(Message::Text((*text).into())).await.is_err() { break }
-            }
-            _ = check.tick() => if !panel.sessions.lives(&session.token) { break },
+/// Says that a connection has gone, however it went: also one that never came to be.
+struct Leaves {
+    panel: Arc<Panel>,
+    station: u32,
+}
+
+impl Drop for Leaves {
+    fn drop(&mut self) {
+        let cell = &self.panel.cell;
+        // A hand on its keys goes with it, at once.
+        if cell.hub.controls(self.station, false) {
+            let origin = Origin { user: 0, station: self.station };
+            drop(cell.desk.send(ToDesk::Command(Command { origin, number: 0, ask: Ask::Jog(jog::Command::Rest) })));
+        }
+        cell.hub.disconnect(self.station);
+    }
+}
+
+async fn talk(panel: &Arc<Panel>, session: &Session, (station, told, status): Connected, socket: WebSocket) {
+    let client = Client::new(Arc::clone(panel), session.clone(), station);
+    let (to, from) = socket.split();
+    // Apart: who hears nothing because his network is slow is heard all the same when he stops.
+    tokio::select! {
+        () = listen(from, client) => {}
+        () = tell(to, told, status) => {}
+        () = over(panel, session) => {}
+    }
+}
+
+/// Hears a page until it says too much, something else than text, or goes.
+async fn listen(mut from: SplitStream<WebSocket>, mut client: Client) {
+    while let Some(Ok(message)) = from.next().await {
+        match message {
+            _ if !client.may_speak() => break,
+            Message::Text(text) => client.hears(&text),
+            Message::Ping(_) | Message::Pong(_) => {}
+            _ => break,
         }
     }
-    client.leaves();
+}
+
+/// Tells a page what it must not miss, and the newest status, until it does not listen any more.
+async fn tell(
+    mut to: SplitSink<WebSocket, Message>,
+    mut told: mpsc::Receiver<Text>,
+    mut status: watch::Receiver<Option<Text>>,
+) {
+    loop {
+        let text = tokio::select! {
+            biased;
+            message = told.recv() => message,
+            changed = status.changed() => {
+                let newest = status.borrow_and_update().clone();
+                let Some(newest) = newest.filter(|_| changed.is_ok()) else { continue };
+                Some(newest)
+            }
+        };
+        // None: it was too slow for the others.
+        let Some(text) = text else { break };
+        let sent = tokio::time::timeout(PATIENCE, to.send(Message::Text((*text).into()))).await;
+        if !matches!(sent, Ok(Ok(()))) {
+            break;
+        }
+    }
+}
+
+/// Until the session is over.
+async fn over(panel: &Panel, session: &Session) {
+    let mut check = tokio::time::interval(CHECK);
+    while panel.stands(session, false) {
+        check.tick().await;
+    }
 }
 
 /// A connection's side of what it is allowed to say.
@@ -74,13 +126,26 @@ struct Client {
     station: u32,
     commands: u32,
     jogs: u32,
+    /// When a stop of this page was audited last, and what was refused to it.
+    stopped: Option<Instant>,
+    refused: Vec<String>,
     allowance: f64,
     spoke: Instant,
 }
 
 impl Client {
     fn new(panel: Arc<Panel>, session: Session, station: u32) -> Self {
-        Self { panel, session, station, commands: 0, jogs: 0, allowance: BURST, spoke: Instant::now() }
+        Self {
+            panel,
+            session,
+            station,
+            commands: 0,
+            jogs: 0,
+            stopped: None,
+            refused: Vec::new(),
+            allowance: BURST,
+            spoke: Instant::now(),
+        }
     }
 
     /// False once it says too much.
@@ -96,6 +161,12 @@ impl Client {
             Ok(message) => message,
             Err(e) => return self.answer(0, Err(lack("value", format!("the message is not understood: {e}")))),
         };
+        // Whoever was logged out or lost his role a moment ago commands nothing any more, but still stops.
+        let stops = matches!(message, ToCell::Command { ask: AskView::Stop {}, .. });
+        if !stops && !self.panel.stands(&self.session, !matches!(message, ToCell::Beat {})) {
+            let seq = if let ToCell::Command { seq, .. } = message { seq } else { 0 };
+            return self.answer(seq, Err(lack("login", "the session is over: log in")));
+        }
         match message {
             ToCell::Beat {} => self.panel.cell.hub.beat(self.station),
             ToCell::Command { seq, ask } => {
@@ -122,9 +193,19 @@ impl Client {
         }
     }
 
-    fn allowed(&self, action: &str) -> Result<(), LackView> {
+    fn audit(&self, command: &str, result: &str) {
+        let station = format!("panel {}", self.station);
+        self.panel.cell.archive.audit(&self.session.user, &station, command, ("", ""), result);
+    }
+
+    fn allowed(&mut self, action: &str) -> Result<(), LackView> {
         if may(self.session.role, action) {
             return Ok(());
+        }
+        // Once for each: who repeats it does not fill the disk.
+        if !self.refused.iter().any(|known| known == action) {
+            self.refused.push(action.to_owned());
+            self.audit(action, "refused: role");
         }
         let needed = crate::users::least(action).map_or(String::new(), |r| format!(" (from {r:?} on)").to_lowercase());
         Err(lack("role", format!("your role does not allow this{needed}")))
@@ -135,8 +216,11 @@ impl Client {
         // Who stops is always heard: without role, token or number.
         if ask == Ask::Stop {
             self.panel.cell.urgent.ask(&ask);
-            let archive = &self.panel.cell.archive;
-            archive.audit(&self.session.user, &format!("panel {}", self.station), "stop", ("", ""), "taken");
+            // Once a second: who leans on the key does not fill the disk.
+            if self.stopped.is_none_or(|at| at.elapsed() > Duration::from_secs(1)) {
+                self.stopped = Some(Instant::now());
+                self.audit(name, "taken");
+            }
             self.answer(seq, Ok(()));
             return Ok(());
         }
@@ -150,6 +234,7 @@ impl Client {
         self.commands = seq;
         if ask == Ask::Hold {
             self.panel.cell.urgent.ask(&ask);
+            self.audit(name, "taken");
             self.answer(seq, Ok(()));
             return Ok(());
         }
@@ -191,7 +276,7 @@ impl Client {
         Ok(())
     }
 
-    fn take_control(&self, over: bool) {
+    fn take_control(&mut self, over: bool) {
         if let Err(why) = self.allowed("take_control") {
             return self.answer(0, Err(why));
         }
@@ -200,6 +285,7 @@ impl Client {
             Ok(()) => {
                 let t = hub.latest().map_or(0.0, |s| s.t);
                 let text = if over { "control taken over" } else { "control taken" };
+                self.audit("take control", text);
                 hub.event(t, "control", text, Some(self.session.user.clone()));
             }
             Err(Refusal::Jogs) => {
@@ -222,14 +308,6 @@ impl Client {
     fn answer(&self, seq: u32, result: Result<(), LackView>) {
         let answer = FromCell::Answer { seq, ok: result.is_ok(), why: result.err() };
         self.panel.cell.hub.tell(self.station, &answer);
-    }
-
-    /// The connection has gone: a hand on its keys with it, at once.
-    fn leaves(&self) {
-        if self.panel.cell.hub.controls(self.station, false) {
-            self.send(0, Ask::Jog(jog::Command::Rest));
-        }
-        self.panel.cell.hub.disconnect(self.station);
     }
 }
 
@@ -257,4 +335,20 @@ fn executive(ask: &AskView) -> Result<(&'static str, Ask), LackView> {
         AskView::Reset {} => ("reset", Ask::Reset),
         AskView::Acknowledge {} => ("acknowledge", Ask::Acknowledge),
     })
+}
+
+/// What a page says, one message after the other, and what it is told.
+#[cfg(test)]
+pub(crate) fn hears(panel: &Arc<Panel>, session: &Session, texts: &[String]) -> Vec<String> {
+    let (station, mut told, _status) = panel.cell.hub.connect(&session.user).unwrap();
+    let mut client = Client::new(Arc::clone(panel), session.clone(), station);
+    let mut all = Vec::new();
+    for text in texts {
+        client.hears(text);
+        while let Ok(text) = told.try_recv() {
+            all.push(text.to_string());
+        }
+    }
+    panel.cell.hub.disconnect(station);
+    all
 }

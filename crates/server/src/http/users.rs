@@ -1,4 +1,5 @@
 use super::answer::{Answer, Refused};
+use super::login::{From, checked};
 use super::panel::Panel;
 use crate::users::Session;
 use crate::wire::{OwnPassword, UserChange, UserRow};
@@ -12,33 +13,25 @@ pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<UserRow>
 }
 
 /// Whoever changes users says his own password once more; on the first run there is none.
-async fn again(panel: &Arc<Panel>, session: &Session, password: Option<String>) -> Result<(), Refused> {
+async fn again(panel: &Arc<Panel>, from: &From, session: &Session, password: Option<String>) -> Result<(), Refused> {
     if !panel.accounts.has_admin() {
         return Ok(());
     }
-    let (name, panel) = (session.user.clone(), Arc::clone(panel));
-    let password = password.unwrap_or_default();
-    if panel.sessions.waits(&name).is_some() {
-        let text = "too many wrong passwords: wait a moment";
-        return Err(Refused::new(StatusCode::TOO_MANY_REQUESTS, "slow_down", text));
-    }
-    let asked = Arc::clone(&panel);
-    let who = name.clone();
-    let right = tokio::task::spawn_blocking(move || asked.accounts.check(&who, &password)).await?.is_some();
-    panel.sessions.tried(&name, right);
-    if right {
+    if checked(panel, from, &session.user, password.unwrap_or_default()).await?.is_some() {
         return Ok(());
     }
+    panel.cell.archive.audit(&session.user, "panel", "own password", ("", ""), "refused");
     Err(Refused::new(StatusCode::FORBIDDEN, "login", "your own password is needed for this, and it is wrong"))
 }
 
 pub(super) async fn put(
     State(panel): State<Arc<Panel>>,
+    from: From,
     Extension(session): Extension<Session>,
     Path(name): Path<String>,
     Json(change): Json<UserChange>,
 ) -> Answer<UserRow> {
-    again(&panel, &session, change.own_password.clone()).await?;
+    again(&panel, &from, &session, change.own_password.clone()).await?;
     let old = panel.accounts.role(&name).map_or(String::new(), |role| format!("{role:?}"));
     let (changed, user) = (Arc::clone(&panel), name.clone());
     let row = tokio::task::spawn_blocking(move || {
@@ -54,11 +47,12 @@ pub(super) async fn put(
 
 pub(super) async fn delete(
     State(panel): State<Arc<Panel>>,
+    from: From,
     Extension(session): Extension<Session>,
     Path(name): Path<String>,
     Json(own): Json<OwnPassword>,
 ) -> Result<StatusCode, Refused> {
-    again(&panel, &session, own.own_password).await?;
+    again(&panel, &from, &session, own.own_password).await?;
     if !panel.accounts.remove(&name)? {
         return Err(Refused::not_found(format!("there is no user `{name}`")));
     }

@@ -43,7 +43,7 @@ async fn jobs_are_kept_planned_posted_and_edited() {
     let archive = bench.raw(owner.request("GET", "/api/backup", None)).await;
     assert_eq!(archive.headers()["content-type"], "application/x-tar");
     let bytes = archive.into_body().collect().await.unwrap().to_bytes();
-    let file = bench.folder.path().join("backup.tar");
+    let file = bench.path().join("backup.tar");
     std::fs::write(&file, &bytes).unwrap();
     let scratch = tempfile::tempdir().unwrap();
     seamwright_record::restore(&file, &scratch.path().join("back")).unwrap();

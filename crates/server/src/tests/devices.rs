@@ -32,17 +32,24 @@ fn welder(bank: &mut Bank) {
     bank.discrete[4] = bank.coils[1];
 }
 
-/// Three jobs: one on simulated devices, two on those at `address`, the second without a voltage.
-async fn jobs(bench: &Bench, owner: &Visitor, address: &str) {
+fn machine(address: &str) -> String {
     let machine = shipped("ellipse-xy").unwrap().text;
-    let machine = format!("{machine}\n[devices.welder.modbus]\naddress = \"{address}\"\ntimeout_s = 2\n{MAP}");
-    std::fs::write(bench.folder.path().join("jobs/cell.toml"), machine).unwrap();
+    format!("{machine}\n[devices.welder.modbus]\naddress = \"{address}\"\ntimeout_s = 2\n{MAP}")
+}
+
+/// Jobs on the devices of the cell: the second without a voltage, and one whose machine file leads to others.
+async fn jobs(bench: &Bench, owner: &Visitor, machine: &str) {
+    std::fs::write(bench.path().join("jobs/cell.toml"), machine).unwrap();
+    let other = machine.replace("coil = 1 }", "coil = 9 }");
+    assert_ne!(other, machine);
+    std::fs::write(bench.path().join("jobs/other.toml"), other).unwrap();
     let (_, example) = bench.ask(owner.request("GET", "/api/jobs/ellipse.toml", None)).await;
     let text = example["text"].as_str().unwrap();
     let real = text.replace("machine = \"ellipse-xy\"", "machine = \"cell.toml\"");
     let plain = real.replace("voltage_v = 12", "");
     assert!(real != text && plain != real);
-    for (name, text) in [("real.toml", &real), ("plain.toml", &plain)] {
+    let foreign = real.replace("cell.toml", "other.toml");
+    for (name, text) in [("real.toml", &real), ("plain.toml", &plain), ("foreign.toml", &foreign)] {
         let path = format!("/api/jobs/{name}");
         let (status, _) = bench.ask(owner.request("PUT", &path, Some(&json!({ "text": text })))).await;
         assert!(status.is_success());
@@ -80,11 +87,15 @@ async fn weld(page: &mut Page, server: &TestServer, holding: [u16; 2]) {
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn programs_find_the_devices_they_need() {
     let mut server = TestServer::new(welder);
-    let served = Served::new().await;
+    let machine = machine(&server.address.to_string());
+    let served = Served::of(tempfile::tempdir().unwrap(), &machine).await;
     let bench = &served.bench;
     let owner = bench.owner().await;
-    jobs(bench, &owner, &server.address.to_string()).await;
+    jobs(bench, &owner, &machine).await;
     assert!(simulated(bench, &owner).await);
+    // Where devices are is not for jobs to say.
+    let (status, refused) = load(bench, &owner, "foreign.toml").await;
+    assert!(status.is_client_error() && refused["text"].as_str().unwrap().contains("started with"), "{refused}");
     let (status, work) = load(bench, &owner, "real.toml").await;
     assert!(status.is_success() && !simulated(bench, &owner).await, "{work}");
     let mut page = served.page(&owner).await;

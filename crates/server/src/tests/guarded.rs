@@ -7,6 +7,24 @@ use axum::body::Body;
 use axum::http::{Request, StatusCode};
 use serde_json::json;
 
+/// Names that only look like ours, and pages of others.
+const FOREIGN: [(&str, &str); 14] = [
+    ("host", "evil.example"),
+    ("host", ""),
+    ("host", "127.0.0.1"),
+    ("host", "127.0.0.1:80"),
+    ("host", "127.0.0.1:8080.evil.example"),
+    ("host", "127.0.0.1:8080@evil.example"),
+    ("host", "[::ffff:127.0.0.1]:8080"),
+    ("host", "[::1]:8081"),
+    ("origin", "http://evil.example"),
+    ("origin", "null"),
+    ("origin", "https://127.0.0.1:8080"),
+    ("origin", "http://127.0.0.1:8081"),
+    ("origin", "http://127.0.0.1:8080.evil.example"),
+    ("origin", "http://[::1]:8080"),
+];
+
 fn path(path: &str) -> String {
     path.replace("{name}", "nobody.toml").replace("{id}", "999")
 }
@@ -47,12 +65,10 @@ async fn every_route_wants_a_session_a_role_a_token_and_json() {
 #[tokio::test(flavor = "multi_thread")]
 async fn foreign_hosts_and_origins_are_refused_everywhere() {
     let bench = Bench::new(&[HOST]).await;
-    let owner = bench.owner().await;
+    let mut owner = bench.owner().await;
     for (method, route, _) in all_routes() {
         let method = method.to_uppercase();
-        for (name, value) in
-            [("host", "evil.example"), ("host", ""), ("origin", "http://evil.example"), ("origin", "null")]
-        {
+        for (name, value) in FOREIGN {
             let mut request = owner.request(&method, &path(route), None);
             request.headers_mut().insert(if name == "host" { "host" } else { "origin" }, value.parse().unwrap());
             let (status, answer) = bench.ask(request).await;
@@ -63,7 +79,17 @@ async fn foreign_hosts_and_origins_are_refused_everywhere() {
         let (_, answer) = bench.ask(request).await;
         assert_ne!(answer["key"], "origin", "{method} {route}");
         if route == "/api/logout" {
-            break;
+            owner = bench.owner().await;
+        }
+        // Browsers say where a request comes from also where they send no origin.
+        for (site, foreign) in [("cross-site", true), ("same-site", true), ("same-origin", false), ("none", false)] {
+            let mut request = owner.request(&method, &path(route), None);
+            request.headers_mut().insert("sec-fetch-site", site.parse().unwrap());
+            let (_, answer) = bench.ask(request).await;
+            assert_eq!(answer["key"] == "origin", foreign, "{method} {route} {site}");
+            if route == "/api/logout" && !foreign {
+                owner = bench.owner().await;
+            }
         }
     }
     // Assets too, and every answer carries the headers.
@@ -93,7 +119,7 @@ async fn wrong_bodies_are_told_and_passwords_slowed() {
         let (status, _) = bench.ask(put).await;
         assert!(status.is_client_error(), "{name}: {status}");
     }
-    assert_eq!(std::fs::read_dir(bench.folder.path().join("jobs")).unwrap().count(), 0);
+    assert_eq!(std::fs::read_dir(bench.path().join("jobs")).unwrap().count(), 0);
     let mut slowed = 0;
     for _ in 0..8 {
         let body = json!({ "user": "ada", "password": "guess" }).to_string();

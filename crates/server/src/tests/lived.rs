@@ -4,6 +4,7 @@ use super::{Bench, Visitor};
 use futures_util::{SinkExt as _, StreamExt as _};
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};
+use tempfile::TempDir;
 use tokio::net::TcpListener;
 use tokio_tungstenite::tungstenite::Message;
 use tokio_tungstenite::tungstenite::client::IntoClientRequest as _;
@@ -13,16 +14,26 @@ type Socket = tokio_tungstenite::WebSocketStream<tokio_tungstenite::MaybeTlsStre
 /// A panel that listens.
 pub(super) struct Served {
     pub(super) bench: Bench,
-    address: String,
+    pub(super) address: String,
 }
 
 impl Served {
     pub(super) async fn new() -> Self {
+        Self::on(tempfile::tempdir().unwrap()).await
+    }
+
+    /// With the data that are there.
+    pub(super) async fn on(folder: TempDir) -> Self {
+        Self::of(folder, super::shipped("ellipse-xy").unwrap().text).await
+    }
+
+    /// With a machine file of its own.
+    pub(super) async fn of(folder: TempDir, machine: &str) -> Self {
         let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
         let address = listener.local_addr().unwrap().to_string();
-        let bench = Bench::new(&[super::HOST, &address]).await;
+        let bench = Bench::of(folder, &[super::HOST, &address], machine).await;
         let app = bench.app.clone();
-        tokio::spawn(async move { axum::serve(listener, app).await });
+        tokio::spawn(crate::connections::answer(listener, None, app));
         Self { bench, address }
     }
 
@@ -99,7 +110,19 @@ impl Page {
         assert_eq!(answer["ok"], true, "{what}: {answer}");
     }
 
-    async fn jog(&mut self, speeds: [f64; 2]) {
+    /// The same command with the same number.
+    pub(super) async fn again(&mut self, what: Value) -> Value {
+        self.seq -= 1;
+        self.ask(what).await
+    }
+
+    /// Until the other side closes.
+    pub(super) async fn closed(&mut self) {
+        let ended = async { while let Some(Ok(_)) = self.socket.next().await {} };
+        tokio::time::timeout(Duration::from_secs(20), ended).await.expect("it stays open");
+    }
+
+    pub(super) async fn jog(&mut self, speeds: [f64; 2]) {
         self.jogs += 1;
         self.say(&json!({ "kind": "jog", "seq": self.jogs, "of": "joints", "speeds": speeds })).await;
     }

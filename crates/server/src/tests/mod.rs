@@ -1,6 +1,9 @@
 //! The panel asked from outside: over HTTP and over the socket.
 
+mod alarmed;
 mod asked;
+mod attacked;
+mod crowded;
 mod devices;
 mod drawn;
 mod guarded;
@@ -18,6 +21,7 @@ use axum::http::{Request, Response, StatusCode};
 use http_body_util::BodyExt as _;
 use seamwright_machine::{Machine, shipped};
 use serde_json::Value;
+use std::path::Path;
 use std::sync::Arc;
 use tempfile::TempDir;
 use tower::ServiceExt as _;
@@ -29,7 +33,7 @@ const KEY: &str = "0123456789abcdef0123456789abcdef";
 struct Bench {
     panel: Arc<Panel>,
     app: Router,
-    folder: TempDir,
+    folder: Option<TempDir>,
 }
 
 /// Somebody who is logged in.
@@ -41,15 +45,29 @@ struct Visitor {
 
 impl Bench {
     async fn new(hosts: &[&str]) -> Self {
-        let folder = tempfile::tempdir().unwrap();
-        std::fs::create_dir(folder.path().join("jobs")).unwrap();
-        let machine = Machine::read("m.toml", shipped("ellipse-xy").unwrap().text).unwrap();
+        Self::of(tempfile::tempdir().unwrap(), hosts, shipped("ellipse-xy").unwrap().text).await
+    }
+
+    /// With the data that are there, and a machine file of its own.
+    async fn of(folder: TempDir, hosts: &[&str], machine: &str) -> Self {
+        std::fs::create_dir_all(folder.path().join("jobs")).unwrap();
+        let machine = Machine::read("m.toml", machine).unwrap();
         let cell = Cell::start(&machine, folder.path(), &[], folder.path()).unwrap();
         let accounts = Accounts::open(folder.path()).unwrap();
         let hosts = hosts.iter().map(|h| (*h).to_owned()).collect();
         let panel = Arc::new(Panel::new(cell, accounts, KEY.to_owned(), folder.path().to_owned(), hosts));
         begin_with(&panel, "ellipse.toml").await.unwrap();
-        Self { app: app(&panel), panel, folder }
+        Self { app: app(&panel), panel, folder: Some(folder) }
+    }
+
+    fn path(&self) -> &Path {
+        self.folder.as_ref().unwrap().path()
+    }
+
+    /// The end of the program; its data stay.
+    fn end(mut self) -> TempDir {
+        self.panel.cell.end();
+        self.folder.take().unwrap()
     }
 
     async fn ask(&self, request: Request<Body>) -> (StatusCode, Value) {
@@ -129,10 +147,12 @@ async fn the_first_key_opens_until_there_is_an_administrator() {
         serde_json::json!({ "role": "admin", "password": "correct horse", "enabled": true, "own_password": null });
     assert_eq!(bench.ask(owner.request("PUT", "/api/users/ada", Some(&ada))).await.0, StatusCode::OK);
     assert!(bench.log_in("", KEY).await.is_none());
+    // The key's session is over with it.
+    assert_eq!(bench.ask(owner.request("GET", "/api/session", None)).await.0, StatusCode::UNAUTHORIZED);
     let ada = bench.log_in("ada", "correct horse").await.unwrap();
     let (_, view) = bench.ask(ada.request("GET", "/api/session", None)).await;
     assert_eq!((&view["user"], &view["first_run"]), (&"ada".into(), &false.into()));
     assert_eq!(bench.ask(ada.request("POST", "/api/logout", None)).await.0, StatusCode::NO_CONTENT);
     assert_eq!(bench.ask(ada.request("GET", "/api/session", None)).await.0, StatusCode::UNAUTHORIZED);
-    assert!(bench.folder.path().join("users.json").is_file());
+    assert!(bench.path().join("users.json").is_file());
 }

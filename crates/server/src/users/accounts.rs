@@ -10,6 +10,8 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 const LEAST: usize = 10;
 /// Most characters of a name or password.
 const MOST: usize = 128;
+/// Whoever has the printed address while there is no administrator; no user has this name.
+pub(crate) const OWNER: &str = "owner";
 /// Most users.
 const MOST_USERS: usize = 200;
 
@@ -77,13 +79,18 @@ impl Accounts {
         self.users().iter().find(|u| u.name == name && u.enabled).map(|u| u.role)
     }
 
-    /// The role of whoever has this name and password. Takes a while by design.
-    pub(crate) fn check(&self, name: &str, password: &str) -> Option<Role> {
+    /// The role of whoever has this name and password, with the hash that it was checked against. Takes a while by design.
+    pub(crate) fn check(&self, name: &str, password: &str) -> Option<(Role, String)> {
         let user = self.users().iter().find(|u| u.name == name && u.enabled).cloned();
         let hash = user.as_ref().map_or(&self.nobody, |u| &u.hash);
         let hash = PasswordHash::new(hash).ok()?;
         let right = password.len() <= 4 * MOST && Argon2::default().verify_password(password.as_bytes(), &hash).is_ok();
-        user.filter(|_| right).map(|u| u.role)
+        user.filter(|_| right).map(|u| (u.role, u.hash))
+    }
+
+    /// True as long as a user's password and role are those that were checked.
+    pub(crate) fn is_still(&self, name: &str, (role, hash): &(Role, String)) -> bool {
+        self.users().iter().any(|u| u.name == name && u.enabled && u.role == *role && u.hash == *hash)
     }
 
     /// Makes or changes a user; a new one needs a password.
@@ -100,6 +107,9 @@ impl Accounts {
         let good = |c: char| c.is_alphanumeric() || "-_. ".contains(c);
         if name.trim() != name || name.is_empty() || name.chars().count() > MOST || !name.chars().all(good) {
             return trouble("the name is not allowed: letters, digits, - _ . and spaces between them, up to 128");
+        }
+        if name.eq_ignore_ascii_case(OWNER) {
+            return trouble(format!("`{name}` is whoever has the printed address: take another name"));
         }
         let hash = match password {
             Some(p) if !(LEAST..=MOST).contains(&p.chars().count()) => {
@@ -175,10 +185,18 @@ mod tests {
         assert!(accounts.put("olga", Role::Operator, true, Some("long enough 1")).is_err());
         accounts.put("ada", Role::Admin, true, Some("correct horse")).unwrap();
         accounts.put("olga", Role::Operator, true, Some("long enough 1")).unwrap();
-        assert_eq!(accounts.check("ada", "correct horse"), Some(Role::Admin));
+        let right = accounts.check("ada", "correct horse").unwrap();
+        assert!(right.0 == Role::Admin && accounts.is_still("ada", &right) && !accounts.is_still("olga", &right));
         assert_eq!(accounts.check("ada", "wrong horse!"), None);
         assert_eq!(accounts.check("nobody", "nobody has this password"), None);
-        for (name, password) in [("", "0123456789"), ("a/b", "0123456789"), ("x", "short"), ("y", &"x".repeat(200))] {
+        for (name, password) in [
+            ("", "0123456789"),
+            ("a/b", "0123456789"),
+            ("Owner", "0123456789"),
+            ("a\nb", "0123456789"),
+            ("x", "short"),
+            ("y", &"x".repeat(200)),
+        ] {
             assert!(accounts.put(name, Role::Viewer, true, Some(password)).is_err(), "{name} {password}");
         }
         assert!(accounts.put("new", Role::Viewer, true, None).is_err());
@@ -188,9 +206,13 @@ mod tests {
         assert!(accounts.put("ada", Role::Viewer, true, None).is_err());
         accounts.put("olga", Role::Operator, false, None).unwrap();
         assert_eq!(accounts.check("olga", "long enough 1"), None);
+        // A password that was checked before it changed is not one any more.
+        accounts.put("ada", Role::Admin, true, Some("correct horse 2")).unwrap();
+        assert!(!accounts.is_still("ada", &right));
+        accounts.put("ada", Role::Admin, true, Some("correct horse")).unwrap();
         // It is all in the file, and nobody else reads it.
         let again = Accounts::open(folder.path()).unwrap();
-        assert_eq!(again.check("ada", "correct horse"), Some(Role::Admin));
+        assert_eq!(again.check("ada", "correct horse").unwrap().0, Role::Admin);
         assert_eq!(again.list().len(), 2);
         #[cfg(unix)]
         {

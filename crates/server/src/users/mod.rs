@@ -3,7 +3,9 @@
 mod accounts;
 mod permissions;
 mod sessions;
+mod tries;
 
-pub(crate) use accounts::{Accounts, Trouble};
+pub(crate) use accounts::{Accounts, OWNER, Trouble};
 pub(crate) use permissions::{NEEDS, least, may};
 pub(crate) use sessions::{Session, Sessions, secret};
+pub(crate) use tries::Tries;

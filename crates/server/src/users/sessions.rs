@@ -10,11 +10,6 @@ const IDLE: Duration = Duration::from_secs(8 * 3600);
 const LONGEST: Duration = Duration::from_secs(24 * 3600);
 /// Most sessions at once: past that the one that was not used for longest ends.
 const MOST: usize = 500;
-/// Wrong passwords before logging in has to wait, for one name and for all.
-const TRIES: u32 = 5;
-/// How long it waits after that, doubled with every further wrong one up to ten minutes.
-const WAIT: Duration = Duration::from_secs(2);
-
 /// A random text that cannot be guessed, of 256 bits.
 ///
 /// # Errors
@@ -28,6 +23,8 @@ pub(crate) fn secret() -> Result<String, String> {
 /// Somebody who is logged in.
 #[derive(Debug, Clone)]
 pub(crate) struct Session {
+    /// Hash of what is in its cookie.
+    id: String,
     pub(crate) user: String,
     pub(crate) role: Role,
     /// What changes something must say beside the cookie.
@@ -36,16 +33,13 @@ pub(crate) struct Session {
     used: Instant,
 }
 
-/// All sessions, by the hash of what is in their cookies; and wrong passwords.
+/// All sessions, by the hash of what is in their cookies.
 #[derive(Default)]
-pub(crate) struct Sessions {
-    table: Mutex<HashMap<String, Session>>,
-    wrong: Mutex<HashMap<String, (u32, Instant)>>,
-}
+pub(crate) struct Sessions(Mutex<HashMap<String, Session>>);
 
 impl Sessions {
     fn table(&self) -> MutexGuard<'_, HashMap<String, Session>> {
-        self.table.lock().unwrap_or_else(PoisonError::into_inner)
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// A new session: its cookie, and what it is.
@@ -54,8 +48,8 @@ impl Sessions {
     /// See [`secret`].
     pub(crate) fn begin(&self, user: &str, role: Role) -> Result<(String, Session), String> {
         let (cookie, token) = (secret()?, secret()?);
-        let now = Instant::now();
-        let session = Session { user: user.to_owned(), role, token, made: now, used: now };
+        let (id, now) = (sha256(cookie.as_bytes()), Instant::now());
+        let session = Session { id: id.clone(), user: user.to_owned(), role, token, made: now, used: now };
         let mut table = self.table();
         table.retain(|_, s| s.is_alive(now));
         if table.len() >= MOST
@@ -63,7 +57,7 @@ impl Sessions {
         {
             table.remove(&oldest);
         }
-        table.insert(sha256(cookie.as_bytes()), session.clone());
+        table.insert(id, session.clone());
         Ok((cookie, session))
     }
 
@@ -85,40 +79,15 @@ impl Sessions {
         self.table().retain(|_, s| s.user != user);
     }
 
-    /// True if the session with this token is there still.
-    pub(crate) fn lives(&self, token: &str) -> bool {
+    /// True if the session is there still; `used`: it counts as used.
+    pub(crate) fn lives(&self, session: &Session, used: bool) -> bool {
         let now = Instant::now();
-        self.table().values().any(|s| s.token == token && s.is_alive(now))
-    }
-
-    /// How long logging in as `user` has to wait after wrong passwords.
-    pub(crate) fn waits(&self, user: &str) -> Option<Duration> {
-        let wrong = self.wrong.lock().unwrap_or_else(PoisonError::into_inner);
-        let (_, until) = wrong.get(user)?;
-        until.checked_duration_since(Instant::now()).filter(|left| !left.is_zero())
-    }
-
-    /// A password was right or wrong.
-    pub(crate) fn tried(&self, user: &str, right: bool) {
-        let mut wrong = self.wrong.lock().unwrap_or_else(PoisonError::into_inner);
-        let now = Instant::now();
-        if right {
-            wrong.remove(user);
-            return;
+        let mut table = self.table();
+        let Some(known) = table.get_mut(&session.id).filter(|s| s.is_alive(now)) else { return false };
+        if used {
+            known.used = now;
         }
-        wrong.retain(|_, (_, until)| *until + LONGEST > now);
-        if wrong.len() >= MOST && !wrong.contains_key(user) {
-            // Names made up by the thousand: the oldest are forgotten.
-            if let Some(oldest) = wrong.iter().min_by_key(|(_, (_, until))| *until).map(|(name, _)| name.clone()) {
-                wrong.remove(&oldest);
-            }
-        }
-        let (tries, until) = wrong.entry(user.to_owned()).or_insert((0, now));
-        *tries += 1;
-        let further = tries.saturating_sub(TRIES);
-        if *tries >= TRIES {
-            *until = now + WAIT * 2u32.pow(further.min(8));
-        }
+        true
     }
 }
 
@@ -133,31 +102,40 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sessions_end_and_wrong_passwords_wait() {
+    fn sessions_end() {
         let sessions = Sessions::default();
         let (cookie, session) = sessions.begin("ada", Role::Admin).unwrap();
         assert_eq!(sessions.of(&cookie).unwrap().token, session.token);
-        assert!(sessions.of("guess").is_none() && sessions.lives(&session.token));
+        assert!(sessions.of("guess").is_none() && sessions.lives(&session, false));
         let (other, _) = sessions.begin("ada", Role::Admin).unwrap();
         sessions.end(&cookie);
-        assert!(sessions.of(&cookie).is_none() && !sessions.lives(&session.token) && sessions.of(&other).is_some());
+        assert!(sessions.of(&cookie).is_none() && !sessions.lives(&session, true) && sessions.of(&other).is_some());
         sessions.end_all_of("ada");
         assert!(sessions.of(&other).is_none());
-        for _ in 0..TRIES - 1 {
-            sessions.tried("ada", false);
-        }
-        assert!(sessions.waits("ada").is_none());
-        sessions.tried("ada", false);
-        let first = sessions.waits("ada").unwrap();
-        sessions.tried("ada", false);
-        assert!(sessions.waits("ada").unwrap() > first && sessions.waits("eve").is_none());
-        sessions.tried("ada", true);
-        assert!(sessions.waits("ada").is_none());
         // It never grows without end.
-        for i in 0..2000 {
-            sessions.tried(&format!("name {i}"), false);
-            sessions.begin("x", Role::Viewer).unwrap();
+        (0..2000).for_each(|_| drop(sessions.begin("x", Role::Viewer).unwrap()));
+        assert!(sessions.table().len() <= MOST);
+    }
+
+    /// What is used lives on, but not for ever.
+    #[test]
+    fn sessions_grow_old() {
+        let sessions = Sessions::default();
+        let (cookie, session) = sessions.begin("ada", Role::Admin).unwrap();
+        let older = |by: Duration| {
+            let mut table = sessions.table();
+            let known = table.get_mut(&session.id).unwrap();
+            (known.made, known.used) = (known.made - by, known.used - by);
+        };
+        for _ in 0..3 {
+            older(IDLE - Duration::from_secs(60));
+            assert!(sessions.lives(&session, true));
         }
-        assert!(sessions.wrong.lock().unwrap().len() <= MOST && sessions.table().len() <= MOST);
+        assert!(sessions.of(&cookie).is_some());
+        older(Duration::from_secs(600));
+        assert!(sessions.of(&cookie).is_none() && !sessions.lives(&session, true));
+        let (cookie, session) = sessions.begin("ada", Role::Admin).unwrap();
+        sessions.table().get_mut(&session.id).unwrap().used -= IDLE;
+        assert!(!sessions.lives(&session, true) && sessions.of(&cookie).is_none());
     }
 }

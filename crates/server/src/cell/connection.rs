@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::{Arc, Weak};
 
 /// Devices, for the cycle.
-pub(crate) struct Connected {
+pub(crate) struct CellDevices {
     cell: devices::Cell,
     to: Connection,
     /// Goes after them.
@@ -49,7 +49,7 @@ impl Connection {
     }
 }
 
-impl Connected {
+impl CellDevices {
     /// Connects those that the machine file of what is `prepared` names, with files as seen from `beside`; `values` are the process
     /// values of what is to be run. Simulated ones if it names none.
     ///
@@ -71,7 +71,7 @@ impl Connected {
     }
 }
 
-impl Devices for Connected {
+impl Devices for CellDevices {
     fn exchange(&mut self, orders: &Orders, reports: &mut Reports) {
         self.cell.exchange(orders, reports);
     }

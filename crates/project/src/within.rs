@@ -1,0 +1,104 @@
+use std::borrow::Cow;
+use std::io;
+use std::path::{Component, Path, PathBuf};
+
+/// Most bytes of a file that a text from elsewhere names.
+const MOST: u64 = 64 << 20;
+
+/// Where the files are that a job or a machine file names.
+#[derive(Debug, Clone)]
+pub(crate) struct Within<'a> {
+    /// Names are seen from here.
+    folder: Cow<'a, Path>,
+    /// Nothing outside of this is looked at; none: the text is of whoever may read the files anyway.
+    fence: Option<&'a Path>,
+}
+
+impl<'a> Within<'a> {
+    /// Names lead anywhere.
+    pub(crate) fn open(folder: &'a Path) -> Self {
+        Self { folder: Cow::Borrowed(folder), fence: None }
+    }
+
+    /// Names lead to plain files in `folder` and below.
+    pub(crate) fn fenced(folder: &'a Path) -> Self {
+        Self { folder: Cow::Borrowed(folder), fence: Some(folder) }
+    }
+
+    /// The same for names in the file at `path`.
+    pub(crate) fn beside(&self, path: &Path) -> Self {
+        let folder = path.parent().unwrap_or(Path::new(".")).to_owned();
+        Self { folder: Cow::Owned(folder), fence: self.fence }
+    }
+
+    pub(crate) fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// The file called `name`.
+    ///
+    /// # Errors
+    /// One that may not be looked at; with a fence also one that is not there.
+    pub(crate) fn file(&self, name: &str) -> io::Result<PathBuf> {
+        let path = self.folder.join(name);
+        let Some(fence) = self.fence else { return Ok(path) };
+        let refused = |why: &str| Err(io::Error::new(io::ErrorKind::PermissionDenied, why));
+        // By its name first: what is there or not outside is nobody's business.
+        if !Path::new(name).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
+            return refused("it would lie outside of the folder of the jobs");
+        }
+        let real = path.canonicalize()?;
+        if !real.starts_with(fence.canonicalize()?) {
+            return refused("it leads out of the folder of the jobs");
+        }
+        // Not a pipe nor a device, on which one waits for ever.
+        let about = real.metadata()?;
+        match about.len() {
+            _ if !about.is_file() => refused("it is no plain file"),
+            size if size > MOST => refused("it is larger than 64 MiB"),
+            _ => Ok(real),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    #[test]
+    fn names_stay_within_the_fence() {
+        let scratch = tempfile::tempdir().unwrap();
+        let jobs = scratch.path().join("jobs");
+        fs::create_dir_all(jobs.join("machines")).unwrap();
+        for file in ["jobs/a.csv", "jobs/machines/b.stl", "users.json"] {
+            fs::write(scratch.path().join(file), "x").unwrap();
+        }
+        fs::File::create(jobs.join("large.stl")).unwrap().set_len(MOST + 1).unwrap();
+        let within = Within::fenced(&jobs);
+        for good in ["a.csv", "./a.csv", "machines/b.stl"] {
+            assert!(within.file(good).unwrap().is_file(), "{good}");
+        }
+        let outside = scratch.path().join("users.json");
+        let mut bad = vec!["../users.json", "machines/../a.csv", "..", "/etc/passwd", "/dev/zero", "", ".", "machines"];
+        bad.extend(["large.stl", "not there", "a.csv/x", "a\0b", outside.to_str().unwrap()]);
+        #[cfg(unix)]
+        {
+            std::os::unix::fs::symlink(&outside, jobs.join("link.csv")).unwrap();
+            std::os::unix::fs::symlink("/", jobs.join("root")).unwrap();
+            bad.extend(["link.csv", "root/etc/passwd"]);
+        }
+        for bad in bad {
+            assert!(within.file(bad).is_err(), "{bad}");
+        }
+        // A machine file in a folder of its own sees its own files, and no others.
+        let beside = within.beside(&jobs.join("machines/m.toml"));
+        assert!(beside.file("b.stl").is_ok() && beside.file("../a.csv").is_err());
+        assert!(beside.file("../../users.json").is_err());
+        // What is there outside, and what is not, is told alike.
+        let (there, not) = (within.file("../users.json").unwrap_err(), within.file("../nobody.json").unwrap_err());
+        assert_eq!(there.to_string(), not.to_string());
+        // Whoever may read all names all.
+        assert!(Within::open(&jobs).file("../users.json").unwrap().is_file());
+    }
+}

@@ -1,0 +1,83 @@
+use super::answer::Refused;
+use axum::http::StatusCode;
+use std::sync::Arc;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+
+/// Work that takes a while, in threads of its own: so many at once, so many more waiting; who comes then is refused. The cycle has
+/// to have its share of the machine.
+pub(crate) struct Turns {
+    places: Arc<Semaphore>,
+    running: Arc<Semaphore>,
+}
+
+/// A turn; it ends when this is dropped.
+struct Turn(#[allow(dead_code, reason = "held")] [OwnedSemaphorePermit; 2]);
+
+impl Turns {
+    pub(crate) fn new(at_once: usize, waiting: usize) -> Self {
+        Self { places: Arc::new(Semaphore::new(at_once + waiting)), running: Arc::new(Semaphore::new(at_once)) }
+    }
+
+    async fn take(&self) -> Result<Turn, Refused> {
+        let busy = |_| {
+            let text = "too much of this is asked for at once: try again in a moment";
+            Refused::new(StatusCode::SERVICE_UNAVAILABLE, "slow_down", text)
+        };
+        let place = Arc::clone(&self.places).try_acquire_owned().map_err(busy)?;
+        let turn = Arc::clone(&self.running).acquire_owned().await;
+        Ok(Turn([place, turn.map_err(|_| Refused::server("the panel is ending"))?]))
+    }
+
+    /// Runs `work` when it is its turn. The turn lasts until the work is done, also where nobody waits for it any more.
+    ///
+    /// # Errors
+    /// If too many wait, or the work fails.
+    pub(crate) async fn run<T: Send + 'static>(
+        &self,
+        work: impl FnOnce() -> Result<T, Refused> + Send + 'static,
+    ) -> Result<T, Refused> {
+        let turn = self.take().await?;
+        tokio::task::spawn_blocking(move || {
+            let _turn = turn;
+            work()
+        })
+        .await?
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    use std::time::Duration;
+
+    /// Whoever asks and goes away does not make room for more at once: the work is still done.
+    #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+    async fn work_that_nobody_waits_for_still_has_its_turn() {
+        let turns = Arc::new(Turns::new(2, 3));
+        let (now, most) = (Arc::new(AtomicUsize::new(0)), Arc::new(AtomicUsize::new(0)));
+        let mut refused = 0;
+        for _ in 0..40 {
+            let (now, most) = (Arc::clone(&now), Arc::clone(&most));
+            let work = turns.run(move || {
+                most.fetch_max(now.fetch_add(1, Ordering::SeqCst) + 1, Ordering::SeqCst);
+                std::thread::sleep(Duration::from_millis(20));
+                now.fetch_sub(1, Ordering::SeqCst);
+                Ok(())
+            });
+            // Gone after a moment.
+            drop(tokio::time::timeout(Duration::from_millis(1), work).await);
+        }
+        let all: Vec<_> = (0..12).map(|_| Arc::clone(&turns)).collect();
+        let asked = all.iter().map(|turns| {
+            turns.run(|| {
+                std::thread::sleep(Duration::from_millis(20));
+                Ok(())
+            })
+        });
+        for answer in futures_util::future::join_all(asked).await {
+            refused += usize::from(answer.is_err_and(|e| e.status == StatusCode::SERVICE_UNAVAILABLE));
+        }
+        assert!(most.load(Ordering::SeqCst) <= 2 && refused >= 7, "{most:?} {refused}");
+    }
+}
