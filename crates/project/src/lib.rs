@@ -7,10 +7,12 @@ pub mod failure;
 pub mod files;
 pub mod load;
 mod outside;
+pub mod overlay;
 pub mod part;
 pub mod posting;
 pub mod power_loss;
 pub mod recording;
 pub mod run_rows;
+pub mod teaching;
 
 pub use failure::Failure;
