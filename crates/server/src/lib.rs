@@ -3,6 +3,7 @@
 mod cell;
 mod http;
 mod serve;
+mod teaching;
 #[cfg(test)]
 mod tests;
 mod tls;

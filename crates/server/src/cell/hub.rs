@@ -1,6 +1,6 @@
 use super::connected::Connection;
 use crate::view::written;
-use crate::wire::{AlarmView, EventView, FromCell, Status, WorkView};
+use crate::wire::{AlarmView, EventView, FromCell, Status, TeachView, WorkView};
 use seamwright_machine::{Joints, Machine};
 use seamwright_record::Moment;
 use std::collections::{HashMap, VecDeque};
@@ -37,6 +37,7 @@ struct Told {
     /// Of the devices.
     connection: Option<Connection>,
     control: Option<Holder>,
+    teach: TeachView,
 }
 
 struct Client {
@@ -89,7 +90,8 @@ impl Hub {
         let station = told.stations;
         let (to, from) = mpsc::channel(WAITING);
         let hello = FromCell::Hello { station, version: env!("CARGO_PKG_VERSION").to_owned() };
-        let mut first = vec![hello, told.control(station), told.work(), told.alarms()];
+        let mut first =
+            vec![hello, told.control(station), told.work(), told.alarms(), FromCell::Teach(told.teach.clone())];
         first.extend(told.events.iter().cloned().map(FromCell::Event));
         for message in &first {
             // There is room for all of them.
@@ -127,6 +129,11 @@ impl Hub {
         latest.as_ref().filter(|(status, _)| known(status)).map(|(_, set)| *set)
     }
 
+    /// The newest status, and where the axes shall be, mm or rad.
+    pub(crate) fn standing(&self) -> Option<(Status, Joints)> {
+        self.latest.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
     /// Tells everybody what happened.
     pub(crate) fn event(&self, t: f64, what: &str, said: impl Into<String>, user: Option<String>) {
         let mut told = self.told();
@@ -145,6 +152,15 @@ impl Hub {
         told.alarms = list;
         let message = told.alarms();
         told.all(&message);
+    }
+
+    /// What teaching by eye is doing.
+    pub(crate) fn teaches(&self, view: TeachView) {
+        let mut told = self.told();
+        if told.teach != view {
+            told.teach = view.clone();
+            told.all(&FromCell::Teach(view));
+        }
     }
 
     pub(crate) fn set_work(&self, work: Option<Arc<WorkView>>) {

@@ -14,7 +14,7 @@ mod start;
 
 pub(crate) use connected::{Connected, Connection};
 pub(crate) use desk::{Loading, ToDesk};
-pub(crate) use hub::Refusal;
+pub(crate) use hub::{Hub, Refusal};
 pub(crate) use names::WHY;
 pub(crate) use prepared::{Planned, Prepared, Task, fingerprint};
 pub(crate) use start::Cell;

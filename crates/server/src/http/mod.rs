@@ -13,8 +13,10 @@ mod plan;
 mod records;
 mod routes;
 mod socket;
+mod teach;
 mod users;
 
+pub(crate) use jobs::text as job_text;
 pub(crate) use panel::Panel;
 pub(crate) use plan::begin_with;
 #[cfg(test)]

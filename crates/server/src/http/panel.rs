@@ -1,4 +1,5 @@
 use crate::cell::Cell;
+use crate::teaching::Teaching;
 use crate::users::{Accounts, Sessions};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -18,13 +19,25 @@ pub(crate) struct Panel {
     pub(crate) tls: bool,
     /// One plan at a time: the cycle has to have its share of the machine.
     pub(crate) planning: Semaphore,
+    pub(crate) teaching: Teaching,
     plans: AtomicU64,
 }
 
 impl Panel {
     pub(crate) fn new(cell: Cell, accounts: Accounts, key: String, data: PathBuf, hosts: Vec<String>) -> Self {
         let (sessions, planning) = (Sessions::default(), Semaphore::new(1));
-        Self { cell, accounts, sessions, key, data, hosts, tls: false, planning, plans: AtomicU64::new(0) }
+        Self {
+            cell,
+            accounts,
+            sessions,
+            key,
+            data,
+            hosts,
+            tls: false,
+            planning,
+            teaching: Teaching::default(),
+            plans: AtomicU64::new(0),
+        }
     }
 
     /// Where jobs are kept.

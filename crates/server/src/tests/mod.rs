@@ -4,6 +4,7 @@ mod asked;
 mod devices;
 mod guarded;
 mod lived;
+mod taught;
 mod tracked;
 mod welded;
 
@@ -40,14 +41,19 @@ struct Visitor {
 
 impl Bench {
     async fn new(hosts: &[&str]) -> Self {
+        let bench = Self::without_program("ellipse-xy", hosts);
+        begin_with(&bench.panel, "ellipse.toml").await.unwrap();
+        bench
+    }
+
+    fn without_program(machine: &str, hosts: &[&str]) -> Self {
         let folder = tempfile::tempdir().unwrap();
         std::fs::create_dir(folder.path().join("jobs")).unwrap();
-        let machine = Machine::read("m.toml", shipped("ellipse-xy").unwrap().text).unwrap();
+        let machine = Machine::read("m.toml", shipped(machine).unwrap().text).unwrap();
         let cell = Cell::start(&machine, folder.path(), &[], folder.path()).unwrap();
         let accounts = Accounts::open(folder.path()).unwrap();
         let hosts = hosts.iter().map(|h| (*h).to_owned()).collect();
         let panel = Arc::new(Panel::new(cell, accounts, KEY.to_owned(), folder.path().to_owned(), hosts));
-        begin_with(&panel, "ellipse.toml").await.unwrap();
         Self { app: app(&panel), panel, folder }
     }
 
