@@ -7,6 +7,8 @@ import type {
   LackView,
   MachineView,
   Status,
+  TeachOrder,
+  TeachView,
   WorkView,
 } from '../wire';
 import { api } from './api';
@@ -19,6 +21,10 @@ const SHOWN_MS = 100;
 /** Older than this is greyed. */
 export const STALE_MS = 500;
 const MOST_EVENTS = 300;
+
+const CLOSED: TeachView = {
+  phase: 'closed', job: '', key: null, why: null, way_mm: 0, nominal_mm: 0, frames: 0, confidence: 0, least_confidence: 0, picture: 0, size_px: [0, 0],
+};
 
 type Control = { station: number | null; user: string | null; mine: boolean };
 
@@ -33,6 +39,8 @@ class Cell {
   work = $state.raw<WorkView | null>(null);
   machine = $state.raw<MachineView | null>(null);
   control = $state.raw<Control>({ station: null, user: null, mine: false });
+  /** Teaching by eye. */
+  teach = $state.raw<TeachView>(CLOSED);
   station = $state(0);
   version = $state('');
   /** What stands against the command that was last asked about. */
@@ -90,6 +98,14 @@ class Cell {
 
   jog(of: JogOf, speeds: number[]): void {
     this.link?.jog(of, speeds);
+  }
+
+  step(of: JogOf, index: number, by: number): void {
+    this.link?.step(of, index, by);
+  }
+
+  async teaches(order: TeachOrder): Promise<Answer> {
+    return (await this.link?.teach(order)) ?? { ok: false, why: null };
   }
 
   why(ask: string): void {
@@ -150,6 +166,9 @@ class Cell {
         break;
       case 'control':
         this.control = message;
+        break;
+      case 'teach':
+        this.teach = message;
         break;
       case 'why':
         this.lacks = message;

@@ -217,7 +217,7 @@ impl Client {
 
     /// Where a step leads from where the axes shall be.
     fn stepped(&self, of: JogOf, index: usize, by: f64) -> Result<Joints, LackView> {
-        if !(by.abs() <= MOST_STEP) {
+        if !(-MOST_STEP..=MOST_STEP).contains(&by) {
             return Err(lack("value", format!("a step of {by}; allowed: {MOST_STEP} of either sign")));
         }
         let hub = &self.panel.cell.hub;

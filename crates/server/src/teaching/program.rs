@@ -1,6 +1,7 @@
 use super::Teaching;
 use super::state::Found;
 use crate::wire::{TaughtProgram, TeachProgram};
+use glam::DVec3;
 use seamwright_geometry::reduce::Method;
 use seamwright_project::Failure;
 use seamwright_project::teaching::{self, Figures, bridged};
@@ -42,6 +43,6 @@ pub(crate) fn program(teaching: &Teaching, asked: &TeachProgram) -> Result<Taugh
         from_nominal_mm: from_nominal.map(|(a, b)| (a.abs(), b.abs())).reduce(|m, p| (m.0.max(p.0), m.1.max(p.1))),
         bridged_mm: bridged(outcome),
         truth_mm: outcome.truth.map(|t| (t.across_max, t.height_max)).filter(|t| t.0.is_finite() && t.1.is_finite()),
-        path: figures.path.iter().map(|p| p.to_array()).collect(),
+        path: figures.path.iter().map(DVec3::to_array).collect(),
     })
 }

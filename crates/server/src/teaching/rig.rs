@@ -22,6 +22,8 @@ use std::time::{Duration, Instant};
 const PICTURES: Duration = Duration::from_millis(100);
 /// While the eye waits it takes one so often.
 const WAITING: Duration = Duration::from_millis(300);
+/// Axes that moved by less show nothing new, mm or rad.
+const MOVED: f64 = 5e-3;
 
 /// The eye and the machine, for the crawl and for the operator alike.
 pub(super) struct Station<'a> {
@@ -76,8 +78,9 @@ impl Station<'_> {
             if let Some(answer) = done(self.teaching()) {
                 return Some(answer);
             }
-            let now = self.hand.axes().map(|(_, axes, _)| axes);
-            let due = shown.is_none_or(|(when, before)| when.elapsed() >= WAITING && now != Some(before));
+            let now = self.hand.axes().map_or_else(Joints::default, |(_, axes, _)| axes);
+            let moved = |before: &Joints| before.iter().zip(now).any(|(a, b)| (a - b).abs() > MOVED);
+            let due = shown.is_none_or(|(when, before)| when.elapsed() >= WAITING && moved(&before));
             if due && let Ok(Some((frame, axes))) = self.expose() {
                 shown = Some((Instant::now(), axes));
                 let height = frame.height_mm;
