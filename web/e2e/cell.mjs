@@ -14,12 +14,12 @@ export const isReal = existsSync(binary) && spawnSync(binary, ['serve', '--help'
 
 let port = 18_200 + (process.pid % 400) * 4;
 
-/** Starts a cell; gives the address with the key of the first run, and what ends it. */
-export async function startCell() {
+/** Starts a cell with a job and its machine; gives the address with the key of the first run, and what ends it. */
+export async function startCell(job = 'saddle') {
   const data = mkdtempSync(join(tmpdir(), 'seamwright-e2e-'));
   port += 1;
   const [command, ...args] = isReal
-    ? [binary, 'serve', '--bind', `127.0.0.1:${port}`, '--data', data, '--job', 'saddle']
+    ? [binary, 'serve', '--bind', `127.0.0.1:${port}`, '--data', data, '--job', job]
     : [process.execPath, join(web, 'mock/server.mjs'), String(port), join(web, 'dist')];
   const child = spawn(command, args, { stdio: ['ignore', 'pipe', 'pipe'] });
   const ended = new Promise((done) => child.on('exit', done));

@@ -702,7 +702,7 @@ t: number,
  */
 at: string, 
 /**
- * `mode`, `order`, `refused`, `alarm`, `cleared`, `pass`, `left`, `record`, `control`, `work`.
+ * `mode`, `order`, `refused`, `alarm`, `cleared`, `pass`, `left`, `record`, `control`, `work`, `teach`.
  */
 what: string, 
 /**
@@ -1464,6 +1464,207 @@ columns: Array<string>,
 values: Array<Array<number | null>>, };
 
 /**
+ * Orders to the teaching by eye, see [`super::ToCell::Teach`].
+ */
+export type TeachOrder = { "do": "open", 
+/**
+ * Longest step from frame to frame, mm: 1 to 100.
+ */
+step_mm: number, 
+/**
+ * Longest tack that is passed without asking, mm: above 0, up to 100.
+ */
+longest_tack_mm: number, 
+/**
+ * Simulation: seed of where the seam actually is, and of the noise.
+ */
+seed: number, 
+/**
+ * Simulation: a tack hides the joint between these path lengths, mm.
+ */
+tack_mm: [number, number] | null, } | { "do": "here", 
+/**
+ * A pixel of the newest picture, right and down.
+ */
+px: [number, number] | null, 
+/**
+ * A place in the work frame, mm. Neither: where the eye looks.
+ */
+at: [number, number, number] | null, } | { "do": "end", } | { "do": "pause", } | { "do": "resume", } | { "do": "stop", };
+
+/**
+ * How far teaching by eye is.
+ */
+export type TeachPhase = "closed" | "plans" | "places" | "runs" | "paused" | "asks" | "ended";
+
+/**
+ * What teaching by eye is doing: to everybody, whenever it changes.
+ */
+export type TeachView = { 
+/**
+ * How far it is.
+ */
+phase: TeachPhase, 
+/**
+ * Name of the job whose seam it is.
+ */
+job: string, 
+/**
+ * Why it is paused: `operator`, `hand`, `control`, `mode`; how it ended: `closed`, `joint-end`, `operator`, `lost`, `limit`,
+ * `too-long`, `stopped`, `failed`.
+ */
+key: string | null, 
+/**
+ * More of that, in English words.
+ */
+why: string | null, 
+/**
+ * Way along the joint that was taught, and length of the nominal seam, mm.
+ */
+way_mm: number, 
+/**
+ * See `way_mm`.
+ */
+nominal_mm: number, 
+/**
+ * Frames so far.
+ */
+frames: number, 
+/**
+ * Mean confidence of the last frame, and the least of all, 0 to 1.
+ */
+confidence: number, 
+/**
+ * See `confidence`.
+ */
+least_confidence: number, 
+/**
+ * Number of the newest picture; 0: there is none.
+ */
+picture: number, 
+/**
+ * Width and height of a picture, pixels.
+ */
+size_px: [number, number], };
+
+/**
+ * `GET /api/teach`: what was taught so far.
+ */
+export type TaughtView = { 
+/**
+ * Points of the joint, about 1 mm apart.
+ */
+points: Array<TaughtPointView>, 
+/**
+ * A row for each frame.
+ */
+looks: Array<TaughtLook>, };
+
+/**
+ * A point of the joint.
+ */
+export type TaughtPointView = { 
+/**
+ * Way along the joint, mm.
+ */
+s_mm: number, 
+/**
+ * In the work frame, mm.
+ */
+at: [number, number, number], 
+/**
+ * 0 to 1.
+ */
+confidence: number, 
+/**
+ * How far it is across the nominal seam and above it, mm; null far away from it.
+ */
+from_nominal_mm: [number, number] | null, };
+
+/**
+ * A frame that was looked at.
+ */
+export type TaughtLook = { 
+/**
+ * Way along the joint up to where the eye looked, mm.
+ */
+s_mm: number, 
+/**
+ * Where that is, in the work frame, mm.
+ */
+at: [number, number, number], 
+/**
+ * The machine's axes then, mm or degrees.
+ */
+axes: Array<number>, 
+/**
+ * Mean confidence of its rows, 0 to 1.
+ */
+confidence: number, 
+/**
+ * It agrees with the frames before.
+ */
+believed: boolean, };
+
+/**
+ * `POST /api/teach/program`: how what was taught becomes a program.
+ */
+export type TeachProgram = { 
+/**
+ * How far its curves may be from the taught line, mm: above 0, up to 5.
+ */
+tolerance_mm: number, 
+/**
+ * How far the torch's direction may be from the one that was found, degrees: above 0, up to 90.
+ */
+attitude_deg: number, 
+/**
+ * `greedy`, `fewest`: lines and arcs; `spline`.
+ */
+method: string, };
+
+/**
+ * Its answer.
+ */
+export type TaughtProgram = { 
+/**
+ * TOML of the program.
+ */
+text: string, 
+/**
+ * Numbers of lines, arcs, and pieces of a spline.
+ */
+counts: [number, number, number], 
+/**
+ * Its length, mm.
+ */
+length_mm: number, 
+/**
+ * Greatest distance of the taught line from its curves, mm.
+ */
+error_mm: number, 
+/**
+ * Greatest distance of a point as it was seen, mm.
+ */
+raw_error_mm: number | null, 
+/**
+ * Greatest distance from the nominal seam, across it and above or below it, mm.
+ */
+from_nominal_mm: [number, number] | null, 
+/**
+ * Length that nobody saw, mm.
+ */
+bridged_mm: number, 
+/**
+ * Simulation: greatest distance from where the seam truly is, across it and above or below it, mm.
+ */
+truth_mm: [number, number] | null, 
+/**
+ * Points of its path in the work frame, mm.
+ */
+path: Array<[number, number, number]>, };
+
+/**
  * From the panel over the socket.
  */
 export type ToCell = { "kind": "command", 
@@ -1487,7 +1688,39 @@ of: JogOf,
  * For joints: part of the highest speed of each axis, -1 to 1. For the tip: x, y, z in the work frame as parts of the
  * highest speed by hand; its direction is kept. The cell slows all of it so that the tip keeps to that speed.
  */
-speeds: Array<number>, } | { "kind": "beat", } | { "kind": "take_control", 
+speeds: Array<number>, } | { "kind": "step", 
+/**
+ * See [`ToCell::Jog`].
+ */
+seq: number, 
+/**
+ * By joints or by the tip.
+ */
+of: JogOf, 
+/**
+ * Which axis, or x, y, z of the work frame: from 0.
+ */
+index: number, 
+/**
+ * How far, of either sign: mm or degrees, 10 at most. Beyond an axis' end: up to there.
+ */
+by: number, } | { "kind": "go", 
+/**
+ * See [`ToCell::Jog`].
+ */
+seq: number, 
+/**
+ * Positions of all axes, mm or degrees; reached at once.
+ */
+axes: Array<number>, } | { "kind": "teach", 
+/**
+ * See [`ToCell::Command`].
+ */
+seq: number, 
+/**
+ * What.
+ */
+order: TeachOrder, } | { "kind": "beat", } | { "kind": "take_control", 
 /**
  * Take it from whoever has it (never while something jogs).
  */
@@ -1542,7 +1775,7 @@ user: string | null,
 /**
  * True if that is this connection.
  */
-mine: boolean, } | { "kind": "answer", 
+mine: boolean, } | { "kind": "teach" } & TeachView | { "kind": "answer", 
 /**
  * Its number.
  */

@@ -134,6 +134,39 @@ fn hands_on_the_keys() {
     assert!(silent);
 }
 
+/// The hand sends the axes to a place: they arrive there and stand; away from the keys, or told to hold, they stop on the way.
+#[test]
+fn a_hand_sends_the_axes_to_a_place() {
+    let planned = short();
+    let home = planned.machine.home();
+    for (told, ends) in [(4000, "arrived"), (150, "silent"), (150, "held")] {
+        let mut to = home;
+        to[1] += 40.0;
+        let mut lines = up();
+        lines.push((in_mode(Mode::Ready), Ask::Jog(jog::Command::To(to))));
+        lines.push((in_mode(Mode::Ready), Ask::StartTeach));
+        lines.extend((0..told).map(|_| (in_mode(Mode::Teach), Ask::Jog(jog::Command::To(to)))));
+        if ends == "silent" {
+            lines.push((Box::new(|c| c.t > 4.0), Ask::StartJog));
+        }
+        lines.push((in_mode(Mode::Teach), Ask::Hold));
+        // Power goes only at rest.
+        lines.push((Box::new(|c| c.mode == Mode::Ready && c.t > 6.0), Ask::Override(1.0)));
+        lines.extend(down());
+        let mut script = Script::new(lines);
+        play(&planned, Start::at_home(&planned.motion), &mut script);
+        let last = script.cycles.last().unwrap();
+        let moved = last.q[1] - home[1];
+        let silent = script.notes.iter().any(|n| matches!(n, Note::Alarm(r) if r.alarm == Alarm::PanelSilent));
+        assert_eq!(silent, ends == "silent", "{ends}");
+        match ends {
+            "arrived" => assert!((moved - 40.0).abs() < 1e-6, "{moved}"),
+            _ => assert!(moved > 0.1 && moved < 39.0, "{ends}: {moved}"),
+        }
+        assert!(script.refused().iter().all(|m| matches!(m, Missing::Mode(_))), "{:?}", script.refused());
+    }
+}
+
 /// Another program is loaded at rest with the power on and the references kept; never while something runs. What stands against
 /// a start is told in full.
 #[test]

@@ -4,7 +4,6 @@
 
 mod args;
 mod clock;
-mod overlay;
 mod progress;
 mod rows;
 mod verbs;
@@ -12,7 +11,7 @@ mod verbs;
 use args::{Cli, Verb};
 use clap::Parser;
 use failure::Failure;
-use seamwright_project::{csv, examples, failure, files, load};
+use seamwright_project::{csv, examples, failure, files, load, overlay};
 use std::io::Write as _;
 use std::process::ExitCode;
 

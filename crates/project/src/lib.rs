@@ -8,11 +8,13 @@ pub mod files;
 pub mod load;
 pub mod offset;
 mod outside;
+pub mod overlay;
 pub mod part;
 pub mod posting;
 pub mod power_loss;
 pub mod recording;
 pub mod run_rows;
+pub mod teaching;
 mod within;
 
 pub use failure::Failure;

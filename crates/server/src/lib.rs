@@ -4,6 +4,7 @@ mod cell;
 mod connections;
 mod http;
 mod serve;
+mod teaching;
 #[cfg(test)]
 mod tests;
 mod tls;

@@ -17,6 +17,9 @@ import type {
   RecordRow,
   RecordView,
   SessionView,
+  TaughtProgram,
+  TaughtView,
+  TeachProgram,
   TraceView,
   TuningView,
   Trouble,
@@ -86,6 +89,8 @@ export const api = {
     request<PostAnswer>('POST', '/api/post', { text, dialect }),
   edit: (text: string, operations: unknown[]) =>
     request<EditAnswer>('POST', '/api/edit', { text, operations }),
+  taught: () => request<TaughtView>('GET', '/api/teach'),
+  taughtProgram: (how: TeachProgram) => request<TaughtProgram>('POST', '/api/teach/program', how),
   records: (query: Record<string, string>) =>
     request<RecordRow[]>('GET', `/api/records?${new URLSearchParams(query).toString()}`),
   record: (id: number) => request<RecordView>('GET', `/api/records/${id}`),

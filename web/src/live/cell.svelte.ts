@@ -7,6 +7,8 @@ import type {
   LackView,
   MachineView,
   Status,
+  TeachOrder,
+  TeachView,
   WorkView,
 } from '../wire';
 import { api } from './api';
@@ -21,6 +23,10 @@ const SHOWN_MS = 100;
 export const STALE_MS = 500;
 const MOST_EVENTS = 300;
 
+const CLOSED: TeachView = {
+  phase: 'closed', job: '', key: null, why: null, way_mm: 0, nominal_mm: 0, frames: 0, confidence: 0, least_confidence: 0, picture: 0, size_px: [0, 0],
+};
+
 type Control = { station: number | null; user: string | null; mine: boolean };
 
 /** Everything that the cell has said, for all parts of the panel. */
@@ -34,6 +40,8 @@ class Cell {
   work = $state.raw<WorkView | null>(null);
   machine = $state.raw<MachineView | null>(null);
   control = $state.raw<Control>({ station: null, user: null, mine: false });
+  /** Teaching by eye. */
+  teach = $state.raw<TeachView>(CLOSED);
   station = $state(0);
   version = $state('');
   /** What stands against the command that was last asked about. */
@@ -94,6 +102,14 @@ class Cell {
 
   jog(of: JogOf, speeds: number[]): void {
     this.link?.jog(of, speeds);
+  }
+
+  step(of: JogOf, index: number, by: number): void {
+    this.link?.step(of, index, by);
+  }
+
+  async teaches(order: TeachOrder): Promise<Answer> {
+    return (await this.link?.teach(order)) ?? { ok: false, why: null };
   }
 
   why(ask: string): void {
@@ -158,6 +174,9 @@ class Cell {
         break;
       case 'control':
         this.control = message;
+        break;
+      case 'teach':
+        this.teach = message;
         break;
       case 'why':
         this.lacks = message;

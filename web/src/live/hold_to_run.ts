@@ -18,11 +18,11 @@ export class HoldToRun {
     return this.timer !== undefined;
   }
 
-  press(of: JogOf, speeds: number[]): boolean {
+  /** `repeat`: what is sent instead of the speeds while it is held. */
+  press(of: JogOf, speeds: number[], repeat = (): void => this.send(of, speeds)): boolean {
     if (this.running) return false;
     this.of = of;
     this.count = speeds.length;
-    const repeat = (): void => this.send(of, speeds);
     this.timer = setInterval(repeat, REPEAT_MS);
     repeat();
     return true;

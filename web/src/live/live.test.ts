@@ -104,6 +104,18 @@ describe('hold to run', () => {
     expect(sent).toEqual([[1, 0, 0], [0, 0, 0]]);
   });
 
+  test('a step is said as long as it is held, and ends with zeros', () => {
+    const sent: number[][] = [];
+    let steps = 0;
+    const hand = new HoldToRun((_, speeds) => sent.push(speeds));
+    hand.press('joints', [0, 0.1], () => (steps += 1));
+    vi.advanceTimersByTime(REPEAT_MS * 3);
+    expect([steps, sent]).toEqual([4, []]);
+    hand.release();
+    vi.advanceTimersByTime(1000);
+    expect([steps, sent]).toEqual([4, [[0, 0]]]);
+  });
+
   test('a second press while one is held is not taken', () => {
     const sent: number[][] = [];
     const hand = new HoldToRun((_, speeds) => sent.push(speeds));

@@ -1,4 +1,4 @@
-import type { AskView, FromCell, JogOf, LackView, ToCell } from '../wire';
+import type { AskView, FromCell, JogOf, LackView, TeachOrder, ToCell } from '../wire';
 
 /** What the cell said to a command. */
 export type Answer = { ok: boolean; why: LackView | null };
@@ -59,13 +59,24 @@ export class Link {
   }
 
   ask(ask: AskView): Promise<Answer> {
-    const seq = ++this.seq;
-    if (!this.send({ kind: 'command', seq, ask })) return Promise.resolve(LOST);
-    return new Promise((done) => this.waiting.set(seq, done));
+    return this.command({ kind: 'command', seq: ++this.seq, ask });
+  }
+
+  teach(order: TeachOrder): Promise<Answer> {
+    return this.command({ kind: 'teach', seq: ++this.seq, order });
+  }
+
+  private command(message: Extract<ToCell, { kind: 'command' | 'teach' }>): Promise<Answer> {
+    if (!this.send(message)) return Promise.resolve(LOST);
+    return new Promise((done) => this.waiting.set(message.seq, done));
   }
 
   jog(of: JogOf, speeds: number[]): void {
     this.send({ kind: 'jog', seq: ++this.jogSeq, of, speeds });
+  }
+
+  step(of: JogOf, index: number, by: number): void {
+    this.send({ kind: 'step', seq: ++this.jogSeq, of, index, by });
   }
 
   /** False if there is no open connection: then nothing was sent, now or later. */

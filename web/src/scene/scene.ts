@@ -27,6 +27,7 @@ import { Passes, release } from './passes';
 import { nearest, surface } from './pick';
 import { matrix } from './shapes';
 import { solid } from './solids';
+import { TaughtLine } from './taught';
 import { Trace } from './trace';
 
 export type View = 'fit' | 'top' | 'front' | 'side' | 'torch';
@@ -56,6 +57,7 @@ export class Scene {
   onPick: (pass: number, point: number) => void = () => undefined;
   onScale: (scale: Scale | null) => void = () => undefined;
   readonly measure: Measure;
+  readonly taught: TaughtLine;
 
   private readonly renderer: WebGLRenderer;
   private readonly world = new World();
@@ -107,6 +109,7 @@ export class Scene {
     this.torch.visible = this.tip.visible = live;
     this.trace.line.visible = live;
     this.measure = new Measure(this.draw);
+    this.taught = new TaughtLine(this.draw);
     this.world.add(this.measure.group);
     canvas.addEventListener('pointerdown', this.press);
     canvas.addEventListener('pointerup', this.lift);
@@ -142,7 +145,7 @@ export class Scene {
         for (const view of zone.solids) this.zones.push(this.onLink(view.link, solid(view, kind, this.cuts, false)));
       }
     }
-    this.place().add(this.passes.group, this.passes.air, this.trace.line, this.near.group, this.torch, this.tip, this.mark);
+    this.place().add(this.passes.group, this.passes.air, this.trace.line, this.near.group, this.torch, this.tip, this.mark, this.taught.group);
     this.stand();
     const work = this.work;
     this.work = null;

@@ -60,15 +60,24 @@ impl<'a> Carrier<'a> {
     /// # Errors
     /// In words: no such positions, an axis' range, what would come too near to what.
     pub fn to(&mut self, eye: &EyePose) -> Result<(), String> {
-        let axes = self.solve(eye)?;
-        if let Some(v) = self.machine.outside(&axes) {
-            return Err(self.machine.range_error(&v).to_string());
-        }
+        let axes = self.positions(eye)?;
         if let Some(why) = self.too_near(&axes) {
             return Err(why);
         }
         (self.axes, self.watched) = (axes, true);
         Ok(())
+    }
+
+    /// Positions of the axes that bring the eye there, within their ranges; the way to them is not looked at.
+    ///
+    /// # Errors
+    /// In words: no such positions, an axis' range.
+    pub fn positions(&self, eye: &EyePose) -> Result<Joints, String> {
+        let axes = self.solve(eye)?;
+        match self.machine.outside(&axes) {
+            Some(v) => Err(self.machine.range_error(&v).to_string()),
+            None => Ok(axes),
+        }
     }
 
     /// Positions that bring the eye there. The inverse knows torches: the torch is put where it was last seen from the eye,

@@ -1,7 +1,7 @@
 use super::around::Around;
 use super::connection::Connection;
 use crate::view::written;
-use crate::wire::{AlarmView, EventView, FromCell, NearView, Status, WorkView};
+use crate::wire::{AlarmView, EventView, FromCell, NearView, Status, TeachView, WorkView};
 use seamwright_machine::{Joints, Machine};
 use seamwright_record::Moment;
 use std::collections::{HashMap, VecDeque};
@@ -48,6 +48,7 @@ struct Told {
     connection: Option<Connection>,
     around: Option<Arc<Around>>,
     control: Option<Holder>,
+    teach: TeachView,
 }
 
 struct Client {
@@ -112,6 +113,7 @@ impl Hub {
         // As it was told to the others: the program may be long.
         first.push(told.work_text.clone().unwrap_or_else(|| text(&FromCell::Work { work: None })));
         first.push(text(&told.alarms()));
+        first.push(text(&FromCell::Teach(told.teach.clone())));
         first.extend(told.events.iter().cloned().map(|event| text(&FromCell::Event(event))));
         for message in first {
             // There is room for all of them.
@@ -156,6 +158,11 @@ impl Hub {
         latest.as_ref().filter(|(status, _)| known(status)).map(|(_, set)| *set)
     }
 
+    /// The newest status, and where the axes shall be, mm or rad.
+    pub(crate) fn standing(&self) -> Option<(Status, Joints)> {
+        self.latest.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
     /// Tells everybody what happened.
     pub(crate) fn event(&self, t: f64, what: &str, said: impl Into<String>, user: Option<String>) {
         let mut told = self.told();
@@ -174,6 +181,15 @@ impl Hub {
         told.alarms = list;
         let message = told.alarms();
         told.all(&message);
+    }
+
+    /// What teaching by eye is doing.
+    pub(crate) fn teaches(&self, view: TeachView) {
+        let mut told = self.told();
+        if told.teach != view {
+            told.teach = view.clone();
+            told.all(&FromCell::Teach(view));
+        }
     }
 
     pub(crate) fn set_work(&self, work: Option<Arc<WorkView>>) {

@@ -17,7 +17,7 @@ pub(crate) use archive::hides;
 pub(crate) use around::Around;
 pub(crate) use connection::{CellDevices, Connection};
 pub(crate) use desk::{Loading, ToDesk};
-pub(crate) use hub::{Connected, Refusal, Text};
+pub(crate) use hub::{Connected, Hub, Refusal, Text};
 pub(crate) use names::WHY;
 pub(crate) use prepared::{Planned, Prepared, Task, fingerprint};
 pub(crate) use start::Cell;

@@ -35,7 +35,7 @@ fn title(text: &str) -> String {
 }
 
 /// The text of a job: one of ours, or an example.
-pub(super) fn text(panel: &Panel, name: &str) -> Result<String, Refused> {
+pub(crate) fn text(panel: &Panel, name: &str) -> Result<String, Refused> {
     let name = checked(name)?;
     let path = panel.jobs().join(name);
     if path.is_file() {

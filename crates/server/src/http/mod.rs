@@ -14,9 +14,11 @@ mod plan;
 mod records;
 mod routes;
 mod socket;
+mod teach;
 mod turns;
 mod users;
 
+pub(crate) use jobs::text as job_text;
 pub(crate) use panel::Panel;
 pub(crate) use plan::begin_with;
 #[cfg(test)]
@@ -24,3 +26,4 @@ pub(crate) use routes::all_routes;
 pub(crate) use routes::app;
 #[cfg(test)]
 pub(crate) use socket::hears;
+pub(crate) use turns::Turn;

@@ -1,5 +1,6 @@
 use super::turns::Turns;
 use crate::cell::Cell;
+use crate::teaching::Teaching;
 use crate::users::{Accounts, OWNER, Session, Sessions, Tries};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -25,6 +26,7 @@ pub(crate) struct Panel {
     /// Of passwords: one at a time, so that guesses at once do not count as one.
     pub(crate) checking: Turns,
     pub(crate) backing_up: Turns,
+    pub(crate) teaching: Teaching,
     plans: AtomicU64,
 }
 
@@ -44,6 +46,7 @@ impl Panel {
             reading: Turns::new(2, 32),
             checking: Turns::new(1, 16),
             backing_up: Turns::new(1, 0),
+            teaching: Teaching::default(),
             plans: AtomicU64::new(0),
         }
     }

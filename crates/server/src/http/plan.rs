@@ -25,7 +25,7 @@ use std::time::{Duration, Instant};
 use tokio::sync::oneshot;
 
 /// Runs work that takes a while in a thread of its own, one at a time.
-async fn alone<T: Send + 'static>(
+pub(super) async fn alone<T: Send + 'static>(
     panel: &Arc<Panel>,
     work: impl FnOnce(&Panel) -> Result<T, Refused> + Send + 'static,
 ) -> Result<T, Refused> {

@@ -1,10 +1,10 @@
 use super::guard::{Need, host, need};
 use super::panel::Panel;
-use super::{assets, edit, jobs, login, look, openapi, place, plan, records, socket, users};
+use super::{assets, edit, jobs, login, look, openapi, place, plan, records, socket, teach, users};
 use crate::wire::{
     AlarmEntry, AuditRow, DeviceView, DistortionRow, DraftAnswer, EditAnswer, JobRow, JobText, Load, Login,
     MachineView, OwnPassword, PlaceAnswer, PlaceText, PlanAnswer, PostAnswer, PostText, RecordRow, RecordView,
-    SessionView, TraceView, TuningView, UserChange, UserRow, WorkView,
+    SessionView, TaughtProgram, TaughtView, TeachProgram, TraceView, TuningView, UserChange, UserRow, WorkView,
 };
 use axum::extract::DefaultBodyLimit;
 use axum::routing::{MethodRouter, delete, get, post, put};
@@ -135,6 +135,15 @@ pub(super) fn routes() -> Vec<Route> {
             post(plan::post),
         ),
         Route::write(("post", "/api/edit"), "edit", "Edits a text", (None, shape::<EditAnswer>()), post(edit::edit)),
+        Route::get("/api/teach", "watch", "What was taught so far", shape::<TaughtView>(), get(teach::taught)),
+        Route::get("/api/teach/picture", "watch", "The newest picture of the eye, PNG", None, get(teach::picture)),
+        Route::write(
+            ("post", "/api/teach/program"),
+            "teach",
+            "What was taught as a program, not kept",
+            (shape::<TeachProgram>(), shape::<TaughtProgram>()),
+            post(teach::made),
+        ),
         Route::get("/api/report", "jobs.read", "The report of a plan as a page", None, get(plan::report)),
         Route::get("/api/records", "records.read", "Welds", shape::<Vec<RecordRow>>(), get(records::list)),
         Route::get("/api/records/{id}", "records.read", "A weld", shape::<RecordView>(), get(records::get)),

@@ -2,7 +2,7 @@ use super::answer::Refused;
 use super::panel::Panel;
 use crate::cell::{Connected, Refusal, Text, ToDesk, WHY};
 use crate::users::{Session, may};
-use crate::wire::{AskView, FromCell, JogOf, LackView, ToCell};
+use crate::wire::{AskView, FromCell, JogOf, LackView, TeachOrder, ToCell};
 use axum::Extension;
 use axum::extract::State;
 use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
@@ -25,6 +25,8 @@ const RATE: f64 = 100.0;
 const BURST: f64 = 200.0;
 /// A page that has not taken a message after this long has gone.
 const PATIENCE: Duration = Duration::from_secs(20);
+/// Longest step of a key, mm or degrees.
+const MOST_STEP: f64 = 10.0;
 /// How often a session is looked at again.
 const CHECK: Duration = Duration::from_secs(2);
 
@@ -129,6 +131,8 @@ struct Client {
     /// When a stop of this page was audited last, and what was refused to it.
     stopped: Option<Instant>,
     refused: Vec<String>,
+    /// Where a key that is held since leads to, mm or rad.
+    held: Option<Joints>,
     allowance: f64,
     spoke: Instant,
 }
@@ -141,6 +145,7 @@ impl Client {
             station,
             commands: 0,
             jogs: 0,
+            held: None,
             stopped: None,
             refused: Vec::new(),
             allowance: BURST,
@@ -168,6 +173,13 @@ impl Client {
             return self.answer(seq, Err(lack("login", "the session is over: log in")));
         }
         match message {
+            // Not answered either.
+            ToCell::Step { seq, of, index, by } => drop(self.step(seq, of, index, by)),
+            ToCell::Go { seq, axes } => drop(self.go(seq, &axes)),
+            ToCell::Teach { seq, order } => {
+                let result = self.teach(seq, &order);
+                self.answer(seq, result);
+            }
             ToCell::Beat {} => self.panel.cell.hub.beat(self.station),
             ToCell::Command { seq, ask } => {
                 if let Err(why) = self.command(seq, &ask) {
@@ -225,13 +237,7 @@ impl Client {
             return Ok(());
         }
         self.allowed(name)?;
-        if seq <= self.commands {
-            return Err(lack(
-                "replayed",
-                format!("command {seq} came before; allowed: greater than {}", self.commands),
-            ));
-        }
-        self.commands = seq;
+        self.counts(seq)?;
         if ask == Ask::Hold {
             self.panel.cell.urgent.ask(&ask);
             self.audit(name, "taken");
@@ -245,16 +251,23 @@ impl Client {
         Ok(())
     }
 
-    fn jog(&mut self, seq: u32, of: JogOf, speeds: &[f64]) -> Result<(), LackView> {
+    /// True: the hand may move axes, and teaching by eye stands still for it.
+    fn may_jog(&mut self, seq: u32, moves: bool) -> Result<(), LackView> {
         self.allowed("jog")?;
         if seq <= self.jogs {
             return Err(lack("replayed", "it came before"));
         }
         self.jogs = seq;
-        let moves = speeds.iter().any(|v| *v != 0.0);
         if !self.panel.cell.hub.controls(self.station, moves) {
             return Err(lack("control", "this page does not have control"));
         }
+        if moves { self.panel.teaching.pause("hand") } else { Ok(()) }
+    }
+
+    fn jog(&mut self, seq: u32, of: JogOf, speeds: &[f64]) -> Result<(), LackView> {
+        let moves = speeds.iter().any(|v| *v != 0.0);
+        self.may_jog(seq, moves)?;
+        self.held = None;
         let part = |v: f64| if v.is_finite() { v.clamp(-1.0, 1.0) } else { 0.0 };
         let command = match of {
             _ if !moves => jog::Command::Rest,
@@ -273,6 +286,82 @@ impl Client {
             }
         };
         self.send(seq, Ask::Jog(command));
+        Ok(())
+    }
+
+    /// On to where the first step since the hand let go leads.
+    fn step(&mut self, seq: u32, of: JogOf, index: u32, by: f64) -> Result<(), LackView> {
+        self.may_jog(seq, true)?;
+        let target = match self.held {
+            Some(target) => target,
+            None => self.stepped(of, index as usize, by)?,
+        };
+        self.held = Some(target);
+        self.send(seq, Ask::Jog(jog::Command::To(target)));
+        Ok(())
+    }
+
+    /// Where a step leads from where the axes shall be.
+    fn stepped(&self, of: JogOf, index: usize, by: f64) -> Result<Joints, LackView> {
+        if !(-MOST_STEP..=MOST_STEP).contains(&by) {
+            return Err(lack("value", format!("a step of {by}; allowed: {MOST_STEP} of either sign")));
+        }
+        let hub = &self.panel.cell.hub;
+        let known = hub.machine().zip(hub.set_points());
+        let (machine, mut q) = known.ok_or_else(|| lack("references", "where the axes are is not known"))?;
+        match of {
+            JogOf::Joints => {
+                let axis = machine.axes.get(index).ok_or_else(|| lack("value", "there is no such axis"))?;
+                q[index] += axis.from_file(by);
+                if let Some((low, high)) = axis.range {
+                    q[index] = q[index].clamp(low, high);
+                }
+                Ok(q)
+            }
+            JogOf::Tip if index < 3 => {
+                let mut pose = machine.forward(&q);
+                pose.point[index] += by;
+                let there = machine.inverse_near(pose, &q).map_err(|e| lack("motion", e.to_string()))?;
+                Ok(there.joints)
+            }
+            JogOf::Tip => Err(lack("value", "the tip has x, y and z")),
+        }
+    }
+
+    fn go(&mut self, seq: u32, axes: &[f64]) -> Result<(), LackView> {
+        self.may_jog(seq, true)?;
+        self.held = None;
+        let machine = self.panel.cell.hub.machine().ok_or_else(|| lack("work", "there is no machine"))?;
+        if axes.len() != machine.axes.len() {
+            return Err(lack("value", format!("{} axes; allowed: {}", axes.len(), machine.axes.len())));
+        }
+        let target = seamwright_cell::teach::joints(&machine, axes);
+        self.send(seq, Ask::Jog(jog::Command::To(target)));
+        Ok(())
+    }
+
+    fn teach(&mut self, seq: u32, order: &TeachOrder) -> Result<(), LackView> {
+        self.allowed("teach")?;
+        self.counts(seq)?;
+        // Who stands still needs no control.
+        let stops = matches!(order, TeachOrder::Pause {} | TeachOrder::Stop {});
+        if !stops && !self.panel.cell.hub.controls(self.station, false) {
+            return Err(lack("control", "this page does not have control: take it first"));
+        }
+        let result = crate::teaching::order(&self.panel, self.station, order);
+        let said = result.as_ref().map_or_else(|why| why.text.clone(), |()| "taken".to_owned());
+        let (user, station) = (&self.session.user, format!("panel {}", self.station));
+        self.panel.cell.archive.audit(user, &station, &format!("teach: {order:?}"), ("", ""), &said);
+        result
+    }
+
+    /// Refuses commands that came before.
+    fn counts(&mut self, seq: u32) -> Result<(), LackView> {
+        if seq <= self.commands {
+            let text = format!("command {seq} came before; allowed: greater than {}", self.commands);
+            return Err(lack("replayed", text));
+        }
+        self.commands = seq;
         Ok(())
     }
 

@@ -11,11 +11,17 @@ pub(crate) struct Turns {
 }
 
 /// A turn; it ends when this is dropped.
-struct Turn(#[allow(dead_code, reason = "held")] [OwnedSemaphorePermit; 2]);
+pub(crate) struct Turn(#[allow(dead_code, reason = "held")] [OwnedSemaphorePermit; 2]);
 
 impl Turns {
     pub(crate) fn new(at_once: usize, waiting: usize) -> Self {
         Self { places: Arc::new(Semaphore::new(at_once + waiting)), running: Arc::new(Semaphore::new(at_once)) }
+    }
+
+    /// A turn, if nobody else has it.
+    pub(crate) fn now(&self) -> Option<Turn> {
+        let place = Arc::clone(&self.places).try_acquire_owned().ok()?;
+        Some(Turn([place, Arc::clone(&self.running).try_acquire_owned().ok()?]))
     }
 
     async fn take(&self) -> Result<Turn, Refused> {

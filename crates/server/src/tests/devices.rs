@@ -88,11 +88,13 @@ async fn weld(page: &mut Page, server: &TestServer, holding: [u16; 2]) {
 async fn programs_find_the_devices_they_need() {
     let mut server = TestServer::new(welder);
     let machine = machine(&server.address.to_string());
-    let served = Served::of(tempfile::tempdir().unwrap(), &machine).await;
+    let served = Served::bare(tempfile::tempdir().unwrap(), &machine).await;
     let bench = &served.bench;
     let owner = bench.owner().await;
     jobs(bench, &owner, &machine).await;
-    assert!(simulated(bench, &owner).await);
+    // Those of the start, until a program needs none.
+    assert!(!simulated(bench, &owner).await);
+    assert!(load(bench, &owner, "ellipse.toml").await.0.is_success() && simulated(bench, &owner).await);
     // Where devices are is not for jobs to say.
     let (status, refused) = load(bench, &owner, "foreign.toml").await;
     assert!(status.is_client_error() && refused["text"].as_str().unwrap().contains("started with"), "{refused}");

@@ -24,14 +24,21 @@ impl Served {
 
     /// With the data that are there.
     pub(super) async fn on(folder: TempDir) -> Self {
-        Self::of(folder, super::shipped("ellipse-xy").unwrap().text).await
+        let served = Self::bare(folder, super::shipped("ellipse-xy").unwrap().text).await;
+        crate::http::begin_with(&served.bench.panel, "ellipse.toml").await.unwrap();
+        served
     }
 
-    /// With a machine file of its own.
-    pub(super) async fn of(folder: TempDir, machine: &str) -> Self {
+    /// A panel of a cell with this machine, without a program.
+    pub(super) async fn without_program(machine: &str) -> Self {
+        Self::bare(tempfile::tempdir().unwrap(), super::shipped(machine).unwrap().text).await
+    }
+
+    /// The same with a machine file of its own.
+    pub(super) async fn bare(folder: TempDir, machine: &str) -> Self {
         let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
         let address = listener.local_addr().unwrap().to_string();
-        let bench = Bench::of(folder, &[super::HOST, &address], machine).await;
+        let bench = Bench::bare(folder, &[super::HOST, &address], machine);
         let app = bench.app.clone();
         tokio::spawn(crate::connections::answer(listener, None, app));
         Self { bench, address }
@@ -41,7 +48,16 @@ impl Served {
         let mut request = format!("ws://{}/api/live", self.address).into_client_request().unwrap();
         request.headers_mut().insert("cookie", visitor.cookie.parse().unwrap());
         let (socket, _) = tokio_tungstenite::connect_async(request).await.unwrap();
-        Page { socket, seq: 0, jogs: 0, status: Value::Null, events: Vec::new(), beat: Instant::now() }
+        Page {
+            socket,
+            seq: 0,
+            jogs: 0,
+            status: Value::Null,
+            taught: Value::Null,
+            alarms: Value::Null,
+            events: Vec::new(),
+            beat: Instant::now(),
+        }
     }
 }
 
@@ -53,6 +69,9 @@ pub(super) struct Page {
     pub(super) status: Value,
     /// What has happened, in words.
     events: Vec<String>,
+    /// What teaching by eye is doing.
+    pub(super) taught: Value,
+    pub(super) alarms: Value,
     beat: Instant,
 }
 
@@ -75,6 +94,12 @@ impl Page {
                 if value["kind"] == "event" {
                     self.events.push(format!("{} {}", value["what"], value["text"]));
                 }
+                if value["kind"] == "alarms" {
+                    self.alarms = value["list"].clone();
+                }
+                if value["kind"] == "teach" {
+                    self.taught = value.clone();
+                }
                 Some(value)
             }
             _ => None,
@@ -89,7 +114,8 @@ impl Page {
             if fits(&value) {
                 return value;
             }
-            assert!(begin.elapsed() < Duration::from_secs(120), "no {what}: {:#?} {}", self.events, self.status);
+            let late = begin.elapsed() >= Duration::from_secs(120);
+            assert!(!late, "no {what}: {:#?} {} {}", self.events, self.taught, self.status);
         }
     }
 
@@ -99,9 +125,18 @@ impl Page {
 
     /// A command and what is answered.
     pub(super) async fn ask(&mut self, what: Value) -> Value {
+        self.command("command", "ask", what).await
+    }
+
+    /// An order to the teaching by eye and what is answered.
+    pub(super) async fn teach(&mut self, order: Value) -> Value {
+        self.command("teach", "order", order).await
+    }
+
+    async fn command(&mut self, kind: &str, name: &str, what: Value) -> Value {
         self.seq += 1;
         let seq = self.seq;
-        self.say(&json!({ "kind": "command", "seq": seq, "ask": what })).await;
+        self.say(&json!({ "kind": kind, "seq": seq, name: what })).await;
         self.until("an answer", |v| v["kind"] == "answer" && v["seq"] == seq).await
     }
 
@@ -123,8 +158,14 @@ impl Page {
     }
 
     pub(super) async fn jog(&mut self, speeds: [f64; 2]) {
+        self.hand(json!({ "kind": "jog", "of": "joints", "speeds": speeds })).await;
+    }
+
+    /// A sign of life of a hand.
+    pub(super) async fn hand(&mut self, mut what: Value) {
         self.jogs += 1;
-        self.say(&json!({ "kind": "jog", "seq": self.jogs, "of": "joints", "speeds": speeds })).await;
+        what["seq"] = json!(self.jogs);
+        self.say(&what).await;
     }
 
     /// From off to ready, with control.
@@ -137,7 +178,7 @@ impl Page {
         self.mode("ready").await;
     }
 
-    fn position(&self) -> f64 {
+    pub(super) fn position(&self) -> f64 {
         self.status["axes"][0]["set"].as_f64().unwrap()
     }
 }

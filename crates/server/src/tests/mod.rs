@@ -8,6 +8,7 @@ mod devices;
 mod drawn;
 mod guarded;
 mod lived;
+mod taught;
 mod tracked;
 mod welded;
 
@@ -45,18 +46,20 @@ struct Visitor {
 
 impl Bench {
     async fn new(hosts: &[&str]) -> Self {
-        Self::of(tempfile::tempdir().unwrap(), hosts, shipped("ellipse-xy").unwrap().text).await
+        let machine = shipped("ellipse-xy").unwrap().text;
+        let bench = Self::bare(tempfile::tempdir().unwrap(), hosts, machine);
+        begin_with(&bench.panel, "ellipse.toml").await.unwrap();
+        bench
     }
 
-    /// With the data that are there, and a machine file of its own.
-    async fn of(folder: TempDir, hosts: &[&str], machine: &str) -> Self {
+    /// With the data that are there, and a machine file of its own; without a program.
+    fn bare(folder: TempDir, hosts: &[&str], machine: &str) -> Self {
         std::fs::create_dir_all(folder.path().join("jobs")).unwrap();
         let machine = Machine::read("m.toml", machine).unwrap();
         let cell = Cell::start(&machine, folder.path(), &[], folder.path()).unwrap();
         let accounts = Accounts::open(folder.path()).unwrap();
         let hosts = hosts.iter().map(|h| (*h).to_owned()).collect();
         let panel = Arc::new(Panel::new(cell, accounts, KEY.to_owned(), folder.path().to_owned(), hosts));
-        begin_with(&panel, "ellipse.toml").await.unwrap();
         Self { app: app(&panel), panel, folder: Some(folder) }
     }
 

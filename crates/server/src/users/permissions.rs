@@ -2,7 +2,7 @@ use crate::wire::Role;
 
 /// What each action needs: the one table, checked on the server for everything and shown to the panel. Commands have the names
 /// of [`crate::wire::AskView`].
-pub(crate) const NEEDS: [(&str, Role); 30] = [
+pub(crate) const NEEDS: [(&str, Role); 31] = [
     ("stop", Role::Viewer),
     ("hold", Role::Operator),
     ("switch_on", Role::Operator),
@@ -11,6 +11,7 @@ pub(crate) const NEEDS: [(&str, Role); 30] = [
     ("start_jog", Role::Operator),
     ("jog", Role::Operator),
     ("start_teach", Role::Programmer),
+    ("teach", Role::Programmer),
     ("start_dry_run", Role::Operator),
     ("arm", Role::Operator),
     ("start_weld", Role::Operator),

@@ -6,6 +6,7 @@ mod cell;
 mod record;
 mod socket;
 mod status;
+mod teach;
 mod typescript;
 mod weld;
 
@@ -13,5 +14,6 @@ pub use cell::*;
 pub use record::*;
 pub use socket::*;
 pub use status::*;
+pub use teach::*;
 pub use typescript::typescript;
 pub use weld::*;

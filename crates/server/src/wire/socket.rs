@@ -1,4 +1,4 @@
-use super::{AlarmView, EventView, LackView, Status, WorkView};
+use super::{AlarmView, EventView, LackView, Status, TeachOrder, TeachView, WorkView};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -23,6 +23,32 @@ pub enum ToCell {
         /// For joints: part of the highest speed of each axis, -1 to 1. For the tip: x, y, z in the work frame as parts of the
         /// highest speed by hand; its direction is kept. The cell slows all of it so that the tip keeps to that speed.
         speeds: Vec<f64>,
+    },
+    /// The hand on a key that moves by a step and stands, every 50 ms while it holds, its number counted with [`ToCell::Jog`]; not
+    /// answered. The first one since the hand let go says where to; let go (a jog of zeros), it stops where it is.
+    Step {
+        /// See [`ToCell::Jog`].
+        seq: u32,
+        /// By joints or by the tip.
+        of: JogOf,
+        /// Which axis, or x, y, z of the work frame: from 0.
+        index: u32,
+        /// How far, of either sign: mm or degrees, 10 at most. Beyond an axis' end: up to there.
+        by: f64,
+    },
+    /// The hand on a key that sends all axes to a place, as [`ToCell::Step`].
+    Go {
+        /// See [`ToCell::Jog`].
+        seq: u32,
+        /// Positions of all axes, mm or degrees; reached at once.
+        axes: Vec<f64>,
+    },
+    /// An order to the teaching by eye, its number counted with [`ToCell::Command`] and answered so.
+    Teach {
+        /// See [`ToCell::Command`].
+        seq: u32,
+        /// What.
+        order: TeachOrder,
     },
     /// Sign of life of the page, every 250 ms; the control token is lost without for 1 s.
     Beat {},
@@ -123,6 +149,8 @@ pub enum FromCell {
         /// True if that is this connection.
         mine: bool,
     },
+    /// What teaching by eye is doing, whenever it changes.
+    Teach(TeachView),
     /// To a command of this connection.
     Answer {
         /// Its number.

@@ -166,7 +166,7 @@ pub struct EventView {
     pub t: f64,
     /// RFC 3339, UTC.
     pub at: String,
-    /// `mode`, `order`, `refused`, `alarm`, `cleared`, `pass`, `left`, `record`, `control`, `work`.
+    /// `mode`, `order`, `refused`, `alarm`, `cleared`, `pass`, `left`, `record`, `control`, `work`, `teach`.
     pub what: String,
     /// In English words.
     pub text: String,

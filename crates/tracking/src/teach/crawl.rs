@@ -19,6 +19,8 @@ const ABOUT: usize = 10;
 const FEWEST: usize = 5;
 /// An operator's point that the eye sees within this distance is replaced by what it sees, mm.
 const REPLACED_MM: f64 = 1.5;
+/// An operator's point at which nothing was seen is replaced by his next one within this distance, mm.
+const INSTEAD_MM: f64 = 5.0;
 
 /// The crawl along a joint.
 pub struct Crawl<'a> {
@@ -188,6 +190,10 @@ impl<'a> Crawl<'a> {
     }
 
     fn resumed(&mut self, point: DVec3, along: Option<DVec3>) -> Command {
+        let corrects = |p: &RawPoint| p.source == Source::Operator && p.point.distance(point) < INSTEAD_MM;
+        if self.fresh && self.line.points().last().is_some_and(corrects) {
+            self.line.pop();
+        }
         let last = self.line.points().last().map_or(self.target.point, |p| p.point);
         let chord = (point - last).try_normalize().unwrap_or(self.target.along);
         let along = along.and_then(DVec3::try_normalize).unwrap_or(chord);

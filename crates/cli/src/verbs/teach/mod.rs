@@ -1,8 +1,6 @@
 //! A seam taught by eye, from simulated, recorded or sent frames, or by the operator's points.
 
 mod operator;
-mod outcome;
-mod picture;
 mod plot;
 mod recorded;
 mod report;
@@ -15,28 +13,18 @@ use crate::args::teach::{TeachArgs, TeachMethod};
 use crate::csv::CsvReader;
 use crate::failure::Failure;
 use crate::files;
-use crate::load::{Loaded, load};
+use crate::load::load;
 use glam::DVec3;
-use outcome::Outcome;
-use seamwright_cell::eyes::{SeamLine, Station};
+use seamwright_cell::eyes::SeamLine;
 use seamwright_cell::teach::{JointFollower, semi_manual};
 use seamwright_geometry::HeightTable;
 use seamwright_geometry::reduce::Method;
 use seamwright_machine::{Machine, Sensor, Sight};
-use seamwright_program::Program;
-use seamwright_tracking::teach::{
-    End, EyePose, Kind, Lean, LinePoint, Settings, TaughtLine, smoothed, to_program, torch_axes,
-};
-use seamwright_weld::Attitude;
+use seamwright_project::teaching::{self, EVERY_MM, Outcome, nominal};
+use seamwright_tracking::teach::{EyePose, Kind, Settings};
 use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
-
-/// Distance of the points of the smoothed line, mm, and how far to both sides it looks.
-const EVERY_MM: f64 = 0.5;
-const WINDOW_MM: f64 = 2.5;
-/// A joint that ends further before the end of the nominal seam does not end: it is hidden.
-const EARLY_MM: f64 = 15.0;
 
 /// Shortest and longest step from frame to frame, mm: shorter ones are none, longer ones leave the frame.
 const STEPS_MM: (f64, f64) = (1.0, 100.0);
@@ -58,20 +46,15 @@ pub(crate) fn run(args: &TeachArgs) -> Result<(), Failure> {
     };
     if outcome.smooth.len() < 2 {
         let why = outcome.finding.take().unwrap_or_else(|| "no joint was found".to_owned());
-        return Err(Failure::Findings(vec![outcome::finding(why, 0.0)]));
+        return Err(Failure::Findings(vec![teaching::finding(why, 0.0)]));
     }
     let kind = match args.method {
         TeachMethod::Greedy => Kind::Arcs(Method::Greedy),
         TeachMethod::Fewest => Kind::Arcs(Method::Fewest),
         TeachMethod::Spline => Kind::Spline,
     };
-    let torch = torch(&loaded, &nominal, &outcome.smooth)?;
-    let like = &loaded.welding.program.value;
-    let reduced = to_program((&outcome.smooth, &torch), like, (tolerance, attitude), kind)
-        .map_err(|e| Failure::Input(format!("what was found makes no program: {e}")))?;
-    let written = reduced.program.to_toml().map_err(|e| Failure::Environment(e.to_string()))?;
-    // What is written is read by all other verbs: a program that they refuse is none.
-    Program::read(&args.output.display().to_string(), &written)?;
+    let (output, limits) = (args.output.display().to_string(), (tolerance, attitude));
+    let (reduced, written) = teaching::reduced((&loaded, &nominal), &outcome.smooth, limits, kind, &output)?;
     let report = report::Report::new(args, &loaded.machine, &nominal, &outcome, &reduced);
     let [json, svg, png] = BESIDE.map(|ending| args.output.with_extension(ending));
     files::write(&args.output, &written)?;
@@ -83,7 +66,7 @@ pub(crate) fn run(args: &TeachArgs) -> Result<(), Failure> {
     }
     report.print(args.json)?;
     match outcome.finding {
-        Some(why) => Err(Failure::Findings(vec![outcome::finding(why, outcome.line.length())])),
+        Some(why) => Err(Failure::Findings(vec![teaching::finding(why, outcome.line.length())])),
         None => Ok(()),
     }
 }
@@ -158,33 +141,6 @@ fn within(name: &str, value: f64, (least, most): (f64, f64)) -> Result<f64, Fail
     Err(Failure::Input(format!("{name} {value}: not allowed\n   allowed: {least} to {most}")))
 }
 
-/// Unit vectors from the joint to the torch at each point of the line: as it was found, with the angles that the job's
-/// first pass has at the place beside it.
-fn torch(loaded: &Loaded, nominal: &SeamLine, line: &[LinePoint]) -> Result<Vec<DVec3>, Failure> {
-    let (program, seam) = (&loaded.welding.program, loaded.seam()?);
-    let Some(pass) = program.value.passes.first() else { return Ok(line.iter().map(|p| p.normal).collect()) };
-    let attitude = Attitude::new(program, "passes[0].torch", &pass.torch, seam)?;
-    let lean = |p: &LinePoint| {
-        // Beyond its ends and far away from it: as at the nearest end of the weld.
-        let s = nominal.foot(p.point).map_or(p.way.clamp(0.0, nominal.length()), |foot| foot.way);
-        let (at, (work, travel)) = (seam.at(s), attitude.angles(s));
-        let first_is_left = at.bisector.cross(at.along).dot(at.towards_first) > 0.0;
-        Lean { work, travel, first_is_left }
-    };
-    Ok(torch_axes(line, &lean))
-}
-
-/// The nominal seam in the machine's work frame.
-fn nominal(loaded: &Loaded) -> Result<SeamLine, Failure> {
-    let seam = loaded.seam()?;
-    let place = loaded.welding.program.value.seam_in_work();
-    let length = if seam.all_round() { seam.length() } else { seam.weld_length() };
-    Ok(SeamLine::sampled(length, seam.all_round(), |s| {
-        let p = seam.at(s);
-        Station { point: place.transform_point3(p.point), normal: place.transform_vector3(p.bisector) }
-    }))
-}
-
 /// The camera that is asked for, with its map.
 fn camera<'a>(args: &TeachArgs, machine: &'a Machine) -> Result<(&'a Sensor, &'a HeightTable), Failure> {
     let table = |sensor: &'a Sensor| match &sensor.sight {
@@ -214,18 +170,11 @@ fn camera<'a>(args: &TeachArgs, machine: &'a Machine) -> Result<(&'a Sensor, &'a
 
 /// How the crawl goes along this seam.
 fn settings(args: &TeachArgs, nominal: &SeamLine) -> Result<Settings, Failure> {
-    let ends_after_mm = if nominal.is_closed() { f64::INFINITY } else { nominal.length() - EARLY_MM };
-    let step_mm = within("--step-mm", args.step_mm, STEPS_MM)?;
-    Ok(Settings { step_mm, ends_after_mm, longest_mm: 2.0 * nominal.length() + 100.0, ..Settings::default() })
+    Ok(teaching::settings(nominal, within("--step-mm", args.step_mm, STEPS_MM)?))
 }
 
 fn follower(args: &TeachArgs, table: &HeightTable) -> Result<JointFollower, Failure> {
-    let tack = positive("--longest-tack-mm", args.longest_tack_mm)?;
-    let (low, high) = table.range();
-    let middle = if low.is_finite() { 0.5 * (low + high) } else { 0.0 };
-    let map = table.at(middle).map_err(|e| Failure::Input(e.to_string()))?;
-    let scale = map.scale_at(map.parameters().centre_px).unwrap_or(1.0);
-    Ok(JointFollower::new(tack / scale))
+    teaching::follower(table, positive("--longest-tack-mm", args.longest_tack_mm)?)
 }
 
 /// Where the crawl begins: at `point`, as the nominal seam runs nearby unless the command line says otherwise.
@@ -241,16 +190,16 @@ fn start(args: &TeachArgs, nominal: &SeamLine, point: DVec3) -> Result<EyePose, 
             format!("the start ({:.3}, {:.3}, {:.3}) is not near the nominal seam", point.x, point.y, point.z);
         Failure::Input(format!("{message}\n   allowed: --start within 15 mm of it, in the machine's work frame"))
     };
-    let foot = Some(point).filter(|p| p.is_finite()).and_then(|p| nominal.foot(p)).ok_or_else(far)?;
+    let begin = teaching::start(nominal, point).ok_or_else(far)?;
     let along = match vector("--direction", &args.direction)? {
         Some(way) => way.try_normalize().ok_or_else(|| {
             Failure::Input(
                 "--direction: it has no length\n   allowed: three finite numbers that are not all 0".to_owned(),
             )
         })?,
-        None => foot.along,
+        None => begin.along,
     };
-    Ok(EyePose { point, normal: foot.at.normal, along })
+    Ok(EyePose { along, ..begin })
 }
 
 /// The nominal seam brought to the operator's points.
@@ -265,9 +214,4 @@ fn by_points(path: &Path, nominal: &SeamLine) -> Result<Outcome, Failure> {
     }
     let smooth = semi_manual(nominal, &points, EVERY_MM).map_err(|e| Failure::Input(format!("{source}: {e}")))?;
     Ok(Outcome { smooth, ended: "points", ..Outcome::default() })
-}
-
-/// A line smoothed.
-fn smooth(line: &TaughtLine, end: Option<&End>) -> Vec<LinePoint> {
-    smoothed(line, EVERY_MM, WINDOW_MM, matches!(end, Some(End::Closed { .. })))
 }

@@ -1,6 +1,5 @@
 //! The operator at the terminal, who is asked when the joint is lost.
 
-use super::picture::Picture;
 use crate::args::teach::TeachArgs;
 use crate::failure::Failure;
 use crate::files;
@@ -8,6 +7,7 @@ use crate::progress::Progress;
 use glam::DVec3;
 use seamwright_cell::eyes::SeamLine;
 use seamwright_cell::teach::Operator;
+use seamwright_project::teaching::Picture;
 use seamwright_tracking::teach::{Answer, Crawl};
 use std::cell::RefCell;
 use std::io::{self, BufRead as _, IsTerminal as _, Write as _};

@@ -1,8 +1,9 @@
 //! The taught line as a drawing and as curves over its length.
 
-use super::report::{Report, Told};
+use super::report::Report;
 use crate::verbs::reduce::plot::{charts, ends, lines_and_arcs};
 use glam::DVec3;
+use seamwright_project::teaching::Told;
 use seamwright_report::{Axis, Chart, LimitLine, Series, Style, sheet};
 use seamwright_tracking::teach::Curves;
 
@@ -12,7 +13,7 @@ pub(super) fn draw(report: &Report) -> String {
         Curves::Arcs(arcs) => charts(&points, &lines_and_arcs(&points, &arcs.spans), &ends(&points, &arcs.spans)),
         Curves::Spline(spline) => {
             let knots: Vec<DVec3> = spline.kept.iter().map(|i| points[*i]).collect();
-            charts(&points, &[("spline", report.path.clone())], &knots)
+            charts(&points, &[("spline", report.figures.path.clone())], &knots)
         }
     };
     all.extend(curves(report));
@@ -20,7 +21,7 @@ pub(super) fn draw(report: &Report) -> String {
 }
 
 fn curves(report: &Report) -> Vec<Chart> {
-    let over = |value: &dyn Fn(&Told) -> f64| report.raw.iter().map(|p| (p.way, value(p))).collect::<Vec<_>>();
+    let over = |value: &dyn Fn(&Told) -> f64| report.figures.raw.iter().map(|p| (p.way, value(p))).collect::<Vec<_>>();
     let chart = |title: &str, y: Axis, series: Vec<Series>| Chart {
         title: title.to_owned(),
         x: Axis::new("s", "mm"),
@@ -28,7 +29,7 @@ fn curves(report: &Report) -> Vec<Chart> {
         series,
         ..Chart::default()
     };
-    if report.raw.is_empty() {
+    if report.figures.raw.is_empty() {
         return Vec::new();
     }
     let nominal = |pick: fn((f64, f64)) -> f64| over(&|p| p.from_nominal.map_or(f64::NAN, pick));

@@ -1,6 +1,5 @@
 //! Teaching from recorded frames: the moves were made when they were.
 
-use super::outcome::Outcome;
 use super::session::Session;
 use super::start;
 use crate::args::teach::TeachArgs;
@@ -10,6 +9,7 @@ use glam::DVec3;
 use seamwright_cell::eyes::SeamLine;
 use seamwright_cell::frames::{FrameError, FrameSource, Recorded, TimedFrame};
 use seamwright_cell::teach::{Played, joints};
+use seamwright_project::teaching::Outcome;
 use std::path::Path;
 
 pub(super) fn teach(args: &TeachArgs, folder: &Path, loaded: &Loaded, nominal: &SeamLine) -> Result<Outcome, Failure> {

@@ -1,34 +1,12 @@
-use super::outcome::Outcome;
 use crate::args::teach::TeachArgs;
 use crate::failure::Failure;
 use crate::rows::print_json;
-use glam::DVec3;
-use seamwright_cell::eyes::{SeamLine, Station};
-use seamwright_geometry::reduce::{Shape, Span};
-use seamwright_geometry::{Arc, Curve, Spline};
+use seamwright_cell::eyes::SeamLine;
 use seamwright_machine::Machine;
-use seamwright_tracking::teach::{Curves, Reduced, Source};
+use seamwright_project::teaching::{Figures, Outcome, Told, bridged};
+use seamwright_tracking::teach::{Curves, Reduced};
 use serde_json::{Value, json};
-use std::f64::consts::TAU;
 use std::io::{self, Write as _};
-
-/// Raw points are told every so many mm.
-const TOLD_MM: f64 = 0.5;
-/// The reduced path is measured by points so far apart, mm.
-const STEP_MM: f64 = 0.5;
-
-/// A raw point in the report.
-pub(super) struct Told {
-    pub(super) way: f64,
-    pub(super) point: DVec3,
-    pub(super) confidence: f64,
-    frame: usize,
-    operator: bool,
-    /// Distance from the program's lines and arcs, mm.
-    pub(super) from_program: f64,
-    /// Across the nominal seam and above it, mm; not known far away from it.
-    pub(super) from_nominal: Option<(f64, f64)>,
-}
 
 /// All that is told of a taught line.
 pub(super) struct Report<'a> {
@@ -36,9 +14,7 @@ pub(super) struct Report<'a> {
     machine: &'a Machine,
     pub(super) outcome: &'a Outcome,
     pub(super) reduced: &'a Reduced,
-    pub(super) raw: Vec<Told>,
-    /// Points of the program's path, close to each other.
-    pub(super) path: Vec<DVec3>,
+    pub(super) figures: Figures,
     pub(super) tolerance: f64,
 }
 
@@ -50,27 +26,8 @@ impl<'a> Report<'a> {
         outcome: &'a Outcome,
         reduced: &'a Reduced,
     ) -> Self {
-        let points = match &reduced.curves {
-            Curves::Arcs(arcs) => along_arcs(outcome, &arcs.spans),
-            Curves::Spline(reduction) => along_spline(&reduction.spline),
-        };
-        let station = |point: &DVec3| Station { point: *point, normal: DVec3::Z };
-        let path = SeamLine::through(points.iter().map(station).collect(), false);
-        let mut raw: Vec<Told> = Vec::new();
-        for (p, way) in outcome.line.points().iter().zip(outcome.line.ways()) {
-            if raw.last().is_some_and(|last| way - last.way < TOLD_MM) && p.source == Source::Eye {
-                continue;
-            }
-            let from_program = path.foot(p.point).map_or(f64::NAN, |foot| foot.at.point.distance(p.point));
-            let from_nominal = nominal.foot(p.point).map(|foot| {
-                let off = p.point - foot.at.point;
-                (off.dot(foot.at.normal.cross(foot.along)), off.dot(foot.at.normal))
-            });
-            let operator = p.source == Source::Operator;
-            let (point, confidence, frame) = (p.point, p.confidence, p.frame);
-            raw.push(Told { way: *way, point, confidence, frame, operator, from_program, from_nominal });
-        }
-        Self { args, machine, outcome, reduced, raw, path: points, tolerance: args.tolerance_mm }
+        let figures = Figures::new(nominal, outcome, reduced);
+        Self { args, machine, outcome, reduced, figures, tolerance: args.tolerance_mm }
     }
 
     fn value(&self) -> Value {
@@ -116,7 +73,7 @@ impl<'a> Report<'a> {
                 },
                 "tolerance_mm": self.tolerance,
                 "greatest_error_mm": self.reduced.curves.max_error(),
-                "greatest_from_raw_mm": self.raw_error(),
+                "greatest_from_raw_mm": self.figures.raw_error(),
             },
             "truth": truth.as_ref().map(|t| json!({
                 "across_rms_mm": t.across_rms, "across_max_mm": t.across_max,
@@ -124,13 +81,8 @@ impl<'a> Report<'a> {
                 "bridged_max_mm": t.bridged_max, "start_mm": t.start, "end_mm": t.end,
             })),
             "looks": notes.iter().map(frame).collect::<Vec<_>>(),
-            "points": self.raw.iter().map(row).collect::<Vec<_>>(),
+            "points": self.figures.raw.iter().map(row).collect::<Vec<_>>(),
         })
-    }
-
-    /// Greatest distance of a raw point from the program, mm.
-    fn raw_error(&self) -> Option<f64> {
-        self.raw.iter().map(|p| p.from_program).reduce(f64::max)
     }
 
     pub(super) fn to_json(&self) -> Result<String, Failure> {
@@ -163,7 +115,7 @@ impl<'a> Report<'a> {
             [lines, arcs, _] => format!("{lines} lines and {arcs} arcs"),
         };
         write!(out, "program: {curves} within {error:.3} mm of the taught line")?;
-        match self.raw_error() {
+        match self.figures.raw_error() {
             Some(raw) => writeln!(out, ", {raw:.3} mm of every raw point")?,
             None => writeln!(out)?,
         }
@@ -176,41 +128,4 @@ impl<'a> Report<'a> {
         }
         Ok(())
     }
-}
-
-/// Length of stretches that nobody saw, mm.
-fn bridged(outcome: &Outcome) -> f64 {
-    outcome.line.ways().windows(2).map(|w| w[1] - w[0]).filter(|gap| *gap > 1.0).sum()
-}
-
-/// Points along a spline.
-fn along_spline(spline: &Spline) -> Vec<DVec3> {
-    let (from, to) = spline.domain();
-    // By chord length: near to mm.
-    let count = ((to - from) / STEP_MM).ceil().max(1.0);
-    (0..=count as u32).map(|k| spline.point(from + (to - from) * f64::from(k) / count)).collect()
-}
-
-/// Points along lines and arcs.
-fn along_arcs(outcome: &Outcome, spans: &[Span]) -> Vec<DVec3> {
-    let mut points = Vec::new();
-    for span in spans {
-        let (start, end) = (outcome.smooth[span.first].point, outcome.smooth[span.last].point);
-        let arc = match span.shape {
-            Shape::Arc { centre, normal, .. } => {
-                let (from, to) = (start - centre, end - centre);
-                let sweep = normal.dot(from.cross(to)).atan2(from.dot(to)).rem_euclid(TAU);
-                Arc::new(centre, normal, start, sweep).ok().map(|arc| (arc, sweep, sweep * from.length()))
-            }
-            Shape::Line => None,
-        };
-        let length = arc.as_ref().map_or(start.distance(end), |a| a.2);
-        let steps = (length / STEP_MM).ceil().max(1.0);
-        points.extend((0..steps as u32).map(|k| {
-            let part = f64::from(k) / steps;
-            arc.as_ref().map_or_else(|| start.lerp(end, part), |(arc, sweep, _)| arc.point(part * sweep))
-        }));
-    }
-    points.extend(outcome.smooth.last().map(|p| p.point));
-    points
 }

@@ -1,8 +1,7 @@
 //! Teaching from frames that come over a connection, from a beam's scanner for one.
 
-use super::outcome::Outcome;
 use super::recorded::{middle, play};
-use super::session::{Ground, Session};
+use super::session::Session;
 use super::{start, within};
 use crate::args::teach::TeachArgs;
 use crate::failure::Failure;
@@ -11,6 +10,7 @@ use glam::DVec3;
 use seamwright_cell::eyes::SeamLine;
 use seamwright_cell::frames::{FrameSource, FrameStream};
 use seamwright_cell::teach::{DistantRig, joints};
+use seamwright_project::teaching::{Ground, Outcome};
 use std::time::Duration;
 
 /// Shortest and longest time to wait for a frame, s.
@@ -39,6 +39,6 @@ pub(super) fn teach(args: &TeachArgs, address: &str, loaded: &Loaded, nominal: &
     let first = stream.next()?.ok_or_else(|| Failure::Input(format!("{address}: no frames")))?;
     let begin = start(args, nominal, middle(&session, &first))?;
     let axes = joints(session.machine, first.axes.as_deref().unwrap_or_default());
-    let carrier = ground.carrier(&session, &guide, axes);
+    let carrier = ground.carrier((session.machine, session.sensor), &guide, axes);
     session.crawl(begin, &mut DistantRig::new(session.machine, carrier, stream))
 }

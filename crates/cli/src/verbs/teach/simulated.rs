@@ -1,7 +1,6 @@
 //! Teaching in simulation: the seam is where the seed has it, and the report says how far the taught line truly is from it.
 
-use super::outcome::Outcome;
-use super::session::{Ground, Session};
+use super::session::Session;
 use super::start;
 use crate::args::teach::TeachArgs;
 use crate::failure::Failure;
@@ -9,6 +8,7 @@ use crate::load::Loaded;
 use glam::DVec3;
 use seamwright_cell::eyes::{Appearance, Distortion, Eye, SeamLine};
 use seamwright_cell::teach::{SimulatedRig, truth};
+use seamwright_project::teaching::{Ground, Outcome};
 
 /// How far beside the joint the operator of the simulation puts the cross, mm.
 const BESIDE_MM: f64 = 0.3;
@@ -30,7 +30,7 @@ pub(super) fn teach(args: &TeachArgs, loaded: &Loaded, nominal: &SeamLine) -> Re
     let begin = start(args, nominal, first.point + BESIDE_MM * first.normal.cross(along))?;
     let ground = Ground::new(loaded, nominal)?;
     let guide = |point: DVec3| ground.guide(point);
-    let carrier = ground.carrier(&session, &guide, ground.start());
+    let carrier = ground.carrier((session.machine, session.sensor), &guide, ground.start());
     let mut outcome = session.crawl(begin, &mut SimulatedRig::new((machine, sensor), carrier, eye))?;
     outcome.truth = Some(truth(&actual, &outcome.smooth));
     Ok(outcome)

@@ -7,23 +7,23 @@ use image::{ExtendedColorType, ImageEncoder as _};
 use seamwright_vision::{Frame, Pixels};
 
 /// A colour: red, green, blue.
-pub(crate) type Colour = [u8; 3];
+pub type Colour = [u8; 3];
 
 /// Of a place that was only coasted over.
-pub(crate) const COASTED: Colour = [90, 150, 255];
+pub const COASTED: Colour = [90, 150, 255];
 /// Of a cross.
-pub(crate) const CROSS: Colour = [255, 255, 255];
+pub const CROSS: Colour = [255, 255, 255];
 /// Of the next move.
-pub(crate) const MOTION: Colour = [255, 120, 255];
+pub const MOTION: Colour = [255, 120, 255];
 
 /// Red without confidence, yellow at `usual`, green when sure.
-pub(crate) fn sureness(confidence: f64, usual: f64) -> Colour {
+pub fn sureness(confidence: f64, usual: f64) -> Colour {
     let part = |v: f64| (255.0 * v.clamp(0.0, 1.0)) as u8;
     [part(2.0 - confidence / usual), part(confidence / usual), 0]
 }
 
 /// A picture being drawn on; places are in the frame's pixels.
-pub(crate) struct Overlay {
+pub struct Overlay {
     width: usize,
     height: usize,
     pixels: Vec<u8>,
@@ -31,7 +31,7 @@ pub(crate) struct Overlay {
 
 impl Overlay {
     /// The frame, darkened so that colours stand out.
-    pub(crate) fn of(frame: &Frame) -> Self {
+    pub fn of(frame: &Frame) -> Self {
         let dark = |grey: u8| [(u16::from(grey) * 3 / 5) as u8; 3];
         let pixels = match frame.pixels() {
             Pixels::U8(pixels) => pixels.iter().flat_map(|p| dark(*p)).collect(),
@@ -41,7 +41,7 @@ impl Overlay {
     }
 
     /// One pixel, if it is on the picture.
-    pub(crate) fn dot(&mut self, at: DVec2, colour: Colour) {
+    pub fn dot(&mut self, at: DVec2, colour: Colour) {
         let (x, y) = (at.x.round(), at.y.round());
         if x >= 0.0 && y >= 0.0 && x < self.width as f64 && y < self.height as f64 {
             let i = 3 * (y as usize * self.width + x as usize);
@@ -50,7 +50,7 @@ impl Overlay {
     }
 
     /// A line drawn once for each of the distances `beside` it, pixels.
-    pub(crate) fn line(&mut self, a: DVec2, b: DVec2, beside: &[f64], colour: Colour) {
+    pub fn line(&mut self, a: DVec2, b: DVec2, beside: &[f64], colour: Colour) {
         let steps = (b - a).abs().max_element().ceil().min(4.0 * (self.width + self.height) as f64);
         let across = (b - a).perp().normalize_or(DVec2::Y);
         for i in 0..=steps as usize {
@@ -60,7 +60,7 @@ impl Overlay {
     }
 
     /// A cross, two pixels thick.
-    pub(crate) fn cross(&mut self, at: DVec2, colour: Colour, size: i32) {
+    pub fn cross(&mut self, at: DVec2, colour: Colour, size: i32) {
         for k in -size..=size {
             for w in [0.0, 1.0] {
                 self.dot(at + DVec2::new(f64::from(k), w), colour);
@@ -70,7 +70,7 @@ impl Overlay {
     }
 
     /// An arrow, two pixels thick; of less than a pixel there is none.
-    pub(crate) fn arrow(&mut self, from: DVec2, to: DVec2, colour: Colour) {
+    pub fn arrow(&mut self, from: DVec2, to: DVec2, colour: Colour) {
         let Some(along) = (to - from).try_normalize().filter(|_| from.distance(to) >= 1.0) else { return };
         let barb = (0.2 * from.distance(to)).min(18.0);
         self.line(from, to, &[0.0, 1.0], colour);
@@ -80,7 +80,10 @@ impl Overlay {
     }
 
     /// The picture as PNG.
-    pub(crate) fn png(&self) -> Result<Vec<u8>, Failure> {
+    ///
+    /// # Errors
+    /// What the writer of PNG says.
+    pub fn png(&self) -> Result<Vec<u8>, Failure> {
         let mut png = Vec::new();
         let (width, height) = (self.width as u32, self.height as u32);
         let encoded = PngEncoder::new(&mut png).write_image(&self.pixels, width, height, ExtendedColorType::Rgb8);

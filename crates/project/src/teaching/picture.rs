@@ -16,7 +16,7 @@ const ARMS: (i32, f64) = (14, 24.0);
 const THICK: [f64; 2] = [0.0, 1.0];
 
 /// A frame and what is drawn over it, pixels.
-pub(super) struct Picture {
+pub struct Picture {
     image: Image,
     rows: Vec<Row>,
     aim: Option<(DVec2, DVec2)>,
@@ -27,7 +27,8 @@ pub(super) struct Picture {
 }
 
 impl Picture {
-    pub(super) fn of(look: &Look, table: &HeightTable) -> Self {
+    /// What was looked at, with the map `table` of the eye.
+    pub fn of(look: &Look, table: &HeightTable) -> Self {
         let back = look.view.camera.inverse();
         let to = match look.next {
             Command::Move(pose) => table.to_px(back.transform_point3(pose.point)).ok(),
@@ -42,8 +43,16 @@ impl Picture {
         }
     }
 
+    /// A frame in which nothing was looked for, of work at `height` (mm in the camera's frame): the cross alone.
+    pub fn plain(image: Image, table: &HeightTable, height: f64) -> Self {
+        Self { image, rows: Vec::new(), aim: None, cross: table.to_px(DVec3::Z * height).ok(), to: None }
+    }
+
     /// As PNG.
-    pub(super) fn png(&self) -> Result<Vec<u8>, Failure> {
+    ///
+    /// # Errors
+    /// A frame that is none.
+    pub fn png(&self) -> Result<Vec<u8>, Failure> {
         let frame = self.image.frame().map_err(|e| Failure::Input(e.to_string()))?;
         let mut picture = Overlay::of(&frame);
         let least = Settings::default().confidence;

@@ -1,0 +1,54 @@
+use crate::failure::Failure;
+use crate::load::Loaded;
+use glam::DVec3;
+use seamwright_cell::eyes::SeamLine;
+use seamwright_cell::teach::{Carrier, Guide};
+use seamwright_machine::{Joints, Machine, Sensor, Surroundings};
+use seamwright_motion::PassMotion;
+
+/// What a machine that is to move along a joint needs to know: the planned weld, near which its axes to spare stay, and what is
+/// around.
+pub struct Ground<'a> {
+    nominal: &'a SeamLine,
+    planned: PassMotion,
+    around: Surroundings<'a>,
+}
+
+impl<'a> Ground<'a> {
+    /// Of a job with its seam.
+    ///
+    /// # Errors
+    /// A first pass that the machine cannot weld; solids that cannot be kept apart.
+    pub fn new(loaded: &'a Loaded, nominal: &'a SeamLine) -> Result<Self, Failure> {
+        let pass = &loaded.welding.program.value.passes[0];
+        let planned = PassMotion::plan(&loaded.machine, &loaded.welding.path(0), pass, 1).map_err(Failure::Findings)?;
+        let around = Surroundings::new(&loaded.machine, &loaded.clamped).map_err(|e| Failure::Input(e.to_string()))?;
+        Ok(Self { nominal, planned, around })
+    }
+
+    /// Positions of the axes where the planned weld is nearest to a point.
+    pub fn guide(&self, point: DVec3) -> Option<Joints> {
+        let way = self.nominal.foot(point)?.way;
+        Some(self.planned.path.at(way.min(self.planned.path.length())))
+    }
+
+    /// Positions of the axes where the planned weld begins.
+    pub fn start(&self) -> Joints {
+        self.planned.path.at(0.0)
+    }
+
+    /// What the machine keeps clear of.
+    pub fn around(&self) -> &Surroundings<'a> {
+        &self.around
+    }
+
+    /// The machine with its eye and its axes at `axes`.
+    pub fn carrier<'b>(
+        &'b self,
+        (machine, sensor): (&'b Machine, &'b Sensor),
+        guide: Guide<'b>,
+        axes: Joints,
+    ) -> Carrier<'b> {
+        Carrier::new(machine, sensor, &self.around, Some(guide), axes)
+    }
+}

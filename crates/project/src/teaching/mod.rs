@@ -1,0 +1,110 @@
+//! Teaching by eye: what command line and panel do alike, from a job's nominal seam to the program of the seam that was found.
+
+mod figures;
+mod ground;
+mod outcome;
+mod picture;
+
+pub use figures::{Figures, Told, bridged, from_nominal};
+pub use ground::Ground;
+pub use outcome::{Outcome, finding};
+pub use picture::Picture;
+
+use crate::failure::Failure;
+use crate::load::Loaded;
+use glam::DVec3;
+use seamwright_cell::eyes::{SeamLine, Station};
+use seamwright_cell::teach::JointFollower;
+use seamwright_geometry::HeightTable;
+use seamwright_program::Program;
+use seamwright_tracking::teach::{
+    End, EyePose, Kind, Lean, LinePoint, Reduced, Settings, TaughtLine, smoothed, to_program, torch_axes,
+};
+use seamwright_weld::Attitude;
+
+/// Distance of the points of the smoothed line, mm.
+pub const EVERY_MM: f64 = 0.5;
+/// How far smoothing looks to both sides, mm.
+const WINDOW_MM: f64 = 2.5;
+/// A joint that ends further before the end of the nominal seam does not end: it is hidden.
+const EARLY_MM: f64 = 15.0;
+
+/// The nominal seam in the machine's work frame.
+///
+/// # Errors
+/// A program without a seam.
+pub fn nominal(loaded: &Loaded) -> Result<SeamLine, Failure> {
+    let seam = loaded.seam()?;
+    let place = loaded.welding.program.value.seam_in_work();
+    let length = if seam.all_round() { seam.length() } else { seam.weld_length() };
+    Ok(SeamLine::sampled(length, seam.all_round(), |s| {
+        let p = seam.at(s);
+        Station { point: place.transform_point3(p.point), normal: place.transform_vector3(p.bisector) }
+    }))
+}
+
+/// How a crawl goes along this seam, in steps of at most `step_mm`.
+pub fn settings(nominal: &SeamLine, step_mm: f64) -> Settings {
+    let ends_after_mm = if nominal.is_closed() { f64::INFINITY } else { nominal.length() - EARLY_MM };
+    Settings { step_mm, ends_after_mm, longest_mm: 2.0 * nominal.length() + 100.0, ..Settings::default() }
+}
+
+/// What finds the joint in frames with the map `table`, over tacks of up to `longest_tack_mm`.
+///
+/// # Errors
+/// A map that knows no height.
+pub fn follower(table: &HeightTable, longest_tack_mm: f64) -> Result<JointFollower, Failure> {
+    let (low, high) = table.range();
+    let middle = if low.is_finite() { 0.5 * (low + high) } else { 0.0 };
+    let map = table.at(middle).map_err(|e| Failure::Input(e.to_string()))?;
+    let scale = map.scale_at(map.parameters().centre_px).unwrap_or(1.0);
+    Ok(JointFollower::new(longest_tack_mm / scale))
+}
+
+/// Where a crawl begins at `point`, as the nominal seam runs nearby; none if it is not near.
+pub fn start(nominal: &SeamLine, point: DVec3) -> Option<EyePose> {
+    let foot = Some(point).filter(|p| p.is_finite()).and_then(|p| nominal.foot(p))?;
+    Some(EyePose { point, normal: foot.at.normal, along: foot.along })
+}
+
+/// A line smoothed.
+pub(super) fn smooth(line: &TaughtLine, end: Option<&End>) -> Vec<LinePoint> {
+    smoothed(line, EVERY_MM, WINDOW_MM, matches!(end, Some(End::Closed { .. })))
+}
+
+/// The program of a smoothed line: curves within `tolerance` (mm), the torch's direction within `attitude` (rad), and its text,
+/// which is read back: a program that other verbs refuse is none. `name` stands in errors.
+///
+/// # Errors
+/// A line that makes no program.
+pub fn reduced(
+    (loaded, nominal): (&Loaded, &SeamLine),
+    line: &[LinePoint],
+    (tolerance, attitude): (f64, f64),
+    kind: Kind,
+    name: &str,
+) -> Result<(Reduced, String), Failure> {
+    let torch = torch(loaded, nominal, line)?;
+    let like = &loaded.welding.program.value;
+    let reduced = to_program((line, &torch), like, (tolerance, attitude), kind)
+        .map_err(|e| Failure::Input(format!("what was found makes no program: {e}")))?;
+    let written = reduced.program.to_toml().map_err(|e| Failure::Environment(e.to_string()))?;
+    Program::read(name, &written)?;
+    Ok((reduced, written))
+}
+
+/// Unit vectors from the joint to the torch at each point of the line: as it was found, with the angles that the job's
+/// first pass has at the place beside it.
+fn torch(loaded: &Loaded, nominal: &SeamLine, line: &[LinePoint]) -> Result<Vec<DVec3>, Failure> {
+    let (program, seam) = (&loaded.welding.program, loaded.seam()?);
+    let Some(pass) = program.value.passes.first() else { return Ok(line.iter().map(|p| p.normal).collect()) };
+    let attitude = Attitude::new(program, "passes[0].torch", &pass.torch, seam)?;
+    let lean = |p: &LinePoint| {
+        // Beyond its ends and far away from it: as at the nearest end of the weld.
+        let s = nominal.foot(p.point).map_or(p.way.clamp(0.0, nominal.length()), |foot| foot.way);
+        let (at, (work, travel)) = (seam.at(s), attitude.angles(s));
+        let first_is_left = at.bisector.cross(at.along).dot(at.towards_first) > 0.0;
+        Lean { work, travel, first_is_left }
+    };
+    Ok(torch_axes(line, &lean))
+}

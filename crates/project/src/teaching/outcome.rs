@@ -1,0 +1,87 @@
+use super::{Picture, smooth};
+use seamwright_cell::teach::{TaughtRun, Truth};
+use seamwright_program::Finding;
+use seamwright_tracking::teach::{Crawl, End, EyeNote, LinePoint, TaughtLine};
+
+/// What teaching has found. Without frames (the operator's points) there is only the smooth line.
+#[derive(Default)]
+pub struct Outcome {
+    /// The line as it was seen.
+    pub line: TaughtLine,
+    /// The same smoothed, its points evenly spread.
+    pub smooth: Vec<LinePoint>,
+    /// A note of each frame.
+    pub notes: Vec<EyeNote>,
+    /// Why the operator was asked, each time.
+    pub asked: Vec<String>,
+    /// Time of the last frame, s.
+    pub seconds: f64,
+    /// Why it ended, in a word.
+    pub ended: &'static str,
+    /// Distance of the end of a closed line from its start, mm.
+    pub gap_mm: Option<f64>,
+    /// Why the joint was not taught to its end.
+    pub finding: Option<String>,
+    /// How far it truly is from the seam; only a simulation knows.
+    pub truth: Option<Truth>,
+    /// The last frame.
+    pub picture: Option<Picture>,
+}
+
+impl Outcome {
+    /// Of a crawl; `said_end`: the operator said that the joint ends there.
+    pub fn of(crawl: &Crawl, run: &TaughtRun, said_end: bool) -> Self {
+        let finding = unfinished(run, said_end);
+        let ended = match (&run.end, &finding) {
+            (Some(End::Limit(_)), _) => "limit",
+            (Some(End::TooLong), _) => "too-long",
+            (Some(End::Closed { .. }), _) => "closed",
+            (Some(End::JointEnd), _) => "joint-end",
+            (Some(End::Operator), None) => "operator",
+            (Some(End::Operator), Some(_)) => "lost",
+            (None, _) => "out-of-frames",
+        };
+        let gap_mm = match &run.end {
+            Some(End::Closed { gap_mm }) => Some(*gap_mm),
+            _ => None,
+        };
+        let line = crawl.levelled();
+        Self {
+            smooth: smooth(&line, run.end.as_ref()),
+            line,
+            notes: crawl.notes().to_vec(),
+            asked: run.asked.clone(),
+            seconds: run.seconds,
+            ended,
+            gap_mm,
+            finding,
+            ..Self::default()
+        }
+    }
+}
+
+/// Why a crawl did not come to its end.
+fn unfinished(run: &TaughtRun, said_end: bool) -> Option<String> {
+    match &run.end {
+        Some(End::Closed { .. } | End::JointEnd) => None,
+        Some(End::Limit(why)) => Some(format!("the machine can go no further: {why}")),
+        Some(End::TooLong) => Some("the joint is longer than twice the nominal seam".to_owned()),
+        Some(End::Operator) if said_end => None,
+        Some(End::Operator) => Some(run.asked.last().cloned().unwrap_or_else(|| "the joint is lost".to_owned())),
+        None => Some("the frames are at their end, and the joint is not".to_owned()),
+    }
+}
+
+/// Why the joint was not taught to its end, `way` mm along it.
+pub fn finding(why: String, way: f64) -> Finding {
+    Finding {
+        kind: "teach",
+        message: why,
+        pass: 1,
+        from_mm: way,
+        to_mm: way,
+        cure: "teach on from there with --start, allow a longer --longest-tack-mm, or take the points by hand"
+            .to_owned(),
+        allowed: false,
+    }
+}

@@ -1,0 +1,179 @@
+//! A session: the thread that crawls.
+
+use super::hand::Hand;
+use super::rig::{Asked, CellRig, Station};
+use super::state::{Field, Found, Open, State, Wish};
+use crate::http::{Panel, Turn, job_text};
+use crate::wire::{TaughtLook, TaughtPointView, TeachPhase};
+use glam::DVec3;
+use seamwright_cell::eyes::{Appearance, Distortion, Eye, SeamLine};
+use seamwright_cell::teach::{Look, teach, truth};
+use seamwright_geometry::HeightTable;
+use seamwright_machine::{Machine, Sensor, Sight};
+use seamwright_project::Failure;
+use seamwright_project::load::{Loaded, load_foreign};
+use seamwright_project::teaching::{self, Ground, Outcome, Picture, from_nominal};
+use seamwright_tracking::teach::{Crawl, EyePose};
+use std::cell::RefCell;
+use std::sync::Arc;
+use std::time::Duration;
+
+/// How far a simulated part is shifted (mm), turned (rad) and bent (mm), as in `seamwright teach`.
+pub(crate) const DISTORTION: Distortion =
+    Distortion { shift_mm: 1.0, turn: 0.3 * std::f64::consts::PI / 180.0, bend_mm: 1.0 };
+/// Points are told so far apart, mm.
+const TOLD_MM: f64 = 1.0;
+
+/// Runs a session to its end, whatever that is.
+pub(super) fn run(panel: &Arc<Panel>, open: &Open) {
+    let hub = &panel.cell.hub;
+    let result = session(panel, open);
+    let t = hub.latest().map_or(0.0, |status| status.t);
+    let (key, why, found) = match result {
+        Ok(None) => ("stopped", None, None),
+        Ok(Some(found)) => {
+            let stopped = panel.teaching.state().wish == Wish::Stop;
+            let key = if stopped { "stopped" } else { found.outcome.ended };
+            (key, found.outcome.finding.clone().filter(|_| !stopped), Some(found))
+        }
+        Err(failure) => ("failed", Some(failure.text()), None),
+    };
+    hub.event(t, "teach", format!("teaching {} ended: {key}", open.job), None);
+    panel.teaching.ended(hub, |state| {
+        (state.view.key, state.view.why, state.found) = (Some(key.to_owned()), why, found.map(Arc::new));
+    });
+}
+
+/// None: it was stopped before anything was looked for.
+fn session(panel: &Arc<Panel>, open: &Open) -> Result<Option<Found>, Failure> {
+    let hub = &panel.cell.hub;
+    let text = job_text(panel, &open.job).map_err(|refused| Failure::Input(refused.text))?;
+    let loaded = load_foreign(&open.job, &text, &panel.jobs())?;
+    let machine = &loaded.machine;
+    if hub.machine().is_none_or(|cell| cell.name != machine.name) {
+        return Err(Failure::Input(format!("{} is for {}, not for this cell", open.job, machine.name)));
+    }
+    let nominal = teaching::nominal(&loaded)?;
+    let outcome = outcome(panel, open, &loaded, &nominal)?;
+    Ok(outcome.map(|outcome| Found { nominal, outcome, loaded }))
+}
+
+fn outcome(panel: &Arc<Panel>, open: &Open, loaded: &Loaded, nominal: &SeamLine) -> Result<Option<Outcome>, Failure> {
+    let (hub, machine) = (&panel.cell.hub, &loaded.machine);
+    let (sensor, table) = camera(machine)?;
+    let Some(turn) = turn(panel) else { return Ok(None) };
+    let ground = Ground::new(loaded, nominal)?;
+    drop(turn);
+    panel.teaching.change(hub, |state| {
+        state.field = Some(Field { nominal: nominal.clone(), table: table.clone() });
+        state.view.nominal_mm = nominal.length();
+        let (width, height) = table.size_px();
+        state.view.size_px = (width as u32, height as u32);
+    });
+    let actual = DISTORTION.of(nominal, u64::from(open.seed));
+    let appearance = Appearance { tacks: open.tack_mm.into_iter().collect(), ..Appearance::default() };
+    let eye = Eye::new(machine, sensor, actual.clone(), appearance, u64::from(open.seed));
+    let eye = eye.ok_or_else(|| Failure::Input(format!("{} is no camera", sensor.name)))?;
+    let station = Station {
+        hand: Hand { panel, machine },
+        sensor,
+        table,
+        around: ground.around(),
+        eye: RefCell::new(eye),
+        drawn: RefCell::new(None),
+    };
+    let Some(point) = station.place() else { return Ok(None) };
+    let begin = teaching::start(nominal, point)
+        .ok_or_else(|| Failure::Input("the start is not near the nominal seam".to_owned()))?;
+    let mut outcome = crawl((loaded, nominal), open, &ground, &station, begin)?;
+    outcome.truth = Some(truth(&actual, &outcome.smooth));
+    Ok(Some(outcome))
+}
+
+/// One plan at a time; none once the session is stopped.
+fn turn(panel: &Panel) -> Option<Turn> {
+    while panel.teaching.state().wish != Wish::Stop {
+        if let Some(turn) = panel.planning.now() {
+            return Some(turn);
+        }
+        panel.teaching.wait(Duration::from_millis(50));
+    }
+    None
+}
+
+/// The first camera of a machine, with its map.
+fn camera(machine: &Machine) -> Result<(&Sensor, &HeightTable), Failure> {
+    let table = |sensor: &'_ Sensor| matches!(sensor.sight, Sight::Camera(_));
+    let sensor = machine.sensors.iter().find(|sensor| table(sensor));
+    match sensor.map(|sensor| (sensor, &sensor.sight)) {
+        Some((sensor, Sight::Camera(camera))) => Ok((sensor, &camera.table)),
+        _ => {
+            let allowed = "a machine with a camera: [sensors.<name>] with kind = \"camera\" in its file";
+            Err(Failure::Input(format!("{} has no camera\n   allowed: {allowed}", machine.name)))
+        }
+    }
+}
+
+fn crawl(
+    (loaded, nominal): (&Loaded, &SeamLine),
+    open: &Open,
+    ground: &Ground<'_>,
+    station: &Station<'_>,
+    begin: EyePose,
+) -> Result<Outcome, Failure> {
+    let (machine, sensor, table) = (&loaded.machine, station.sensor, station.table);
+    let guide = |point: DVec3| ground.guide(point);
+    let start = station.hand.axes().map_or(machine.home(), |(set, ..)| set);
+    let carrier = ground.carrier((machine, sensor), &guide, start);
+    let mut rig = CellRig { station, carrier };
+    let mut crawl = Crawl::new(teaching::settings(nominal, open.step_mm), table, nominal, begin);
+    let mut follower = teaching::follower(table, open.longest_tack_mm)?;
+    let mut asked = Asked { station, ended: false };
+    let mut looks = Vec::new();
+    let mut each = |look: &Look| -> Result<(), Failure> {
+        let axes = look.frame.axes.clone().unwrap_or_default();
+        looks.push(axes.clone());
+        let panel = station.hand.panel;
+        panel.teaching.change(&panel.cell.hub, |state| told(state, look, &looks, nominal));
+        let q = seamwright_cell::teach::joints(machine, &axes);
+        station.show(&q, look.view.height, || Picture::of(look, table));
+        Ok(())
+    };
+    let helpers = (&mut follower as _, &mut asked as _);
+    let run = teach((machine, sensor), &mut crawl, &mut rig, helpers, &mut each)?;
+    Ok(Outcome::of(&crawl, &run, asked.ended))
+}
+
+/// What pages are told of a frame.
+fn told(state: &mut State, look: &Look, axes: &[Vec<f64>], nominal: &SeamLine) {
+    let (line, notes) = (look.crawl.line(), look.crawl.notes());
+    let view = &mut state.view;
+    view.phase = TeachPhase::Runs;
+    (view.way_mm, view.frames) = (line.length(), notes.len() as u32);
+    view.confidence = notes.last().map_or(0.0, |note| note.confidence);
+    view.least_confidence = line.points().iter().map(|p| p.confidence).reduce(f64::min).unwrap_or(0.0);
+    state.taught.looks = notes
+        .iter()
+        .zip(axes)
+        .map(|(note, axes)| TaughtLook {
+            s_mm: note.way,
+            at: note.eye.to_array(),
+            axes: axes.clone(),
+            confidence: note.confidence,
+            believed: note.agrees,
+        })
+        .collect();
+    let mut points: Vec<TaughtPointView> = Vec::new();
+    for (point, way) in line.points().iter().zip(line.ways()) {
+        if points.last().is_some_and(|last| way - last.s_mm < TOLD_MM) {
+            continue;
+        }
+        points.push(TaughtPointView {
+            s_mm: *way,
+            at: point.point.to_array(),
+            confidence: point.confidence,
+            from_nominal_mm: from_nominal(nominal, point.point),
+        });
+    }
+    state.taught.points = points;
+}

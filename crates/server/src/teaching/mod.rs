@@ -1,0 +1,82 @@
+//! Teaching by eye on the cell's machine: a crawl in a thread of its own, which moves the axes as a hand would.
+//!
+//! The cell's devices are simulated, and so is the eye: it sees the seam where a seed has put it, from where the axes truly are.
+//! The machine moves only while the page that opened the session has control and shows signs of life; a hand on its jog keys
+//! pauses the crawl.
+
+mod crawl;
+mod hand;
+mod program;
+mod rig;
+mod state;
+
+#[cfg(test)]
+pub(crate) use crawl::DISTORTION;
+pub(crate) use program::program;
+pub(crate) use state::{Open, Teaching};
+
+use crate::http::Panel;
+use crate::wire::{LackView, TeachOrder};
+use glam::{DVec2, DVec3};
+use state::Wish;
+use std::sync::Arc;
+
+/// Shortest and longest step from frame to frame, mm.
+const STEPS_MM: (f64, f64) = (1.0, 100.0);
+/// Longest tack that may be passed without asking, mm.
+const MOST_TACK_MM: f64 = 100.0;
+
+fn lack(key: &str, text: impl Into<String>) -> LackView {
+    LackView { key: key.to_owned(), of: Vec::new(), text: text.into() }
+}
+
+/// Takes an order from the page `station`, which has control.
+///
+/// # Errors
+/// An order that has no meaning now, or numbers that are not allowed.
+pub(crate) fn order(panel: &Arc<Panel>, station: u32, order: &TeachOrder) -> Result<(), LackView> {
+    let teaching = &panel.teaching;
+    match order {
+        TeachOrder::Open { .. } => open(panel, station, order),
+        TeachOrder::Here { px, at } => {
+            let point = match (px, at) {
+                (Some(px), None) => teaching.seen_at(DVec2::from_array(*px)),
+                (None, Some(at)) => Some(DVec3::from_array(*at)),
+                (None, None) => teaching.middle(),
+                _ => return Err(lack("value", "a pixel and a place; allowed: one of them, or neither")),
+            };
+            let point = point.ok_or_else(|| lack("value", "there is no work in the picture there"))?;
+            teaching.here(station, point)
+        }
+        TeachOrder::End {} => teaching.end_here(),
+        TeachOrder::Pause {} => teaching.pause("operator"),
+        TeachOrder::Resume {} => teaching.resume(station),
+        TeachOrder::Stop {} => teaching.wish(Wish::Stop),
+    }
+}
+
+fn open(panel: &Arc<Panel>, station: u32, order: &TeachOrder) -> Result<(), LackView> {
+    let TeachOrder::Open { step_mm, longest_tack_mm, seed, tack_mm } = *order else {
+        return Err(lack("value", "no order to open the eye"));
+    };
+    for (what, value, (least, most)) in
+        [("step_mm", step_mm, STEPS_MM), ("longest_tack_mm", longest_tack_mm, (f64::MIN_POSITIVE, MOST_TACK_MM))]
+    {
+        if !(least..=most).contains(&value) {
+            return Err(lack("value", format!("{what} {value}; allowed: {least:.0} to {most}")));
+        }
+    }
+    if tack_mm.is_some_and(|(from, to)| !(from.is_finite() && to.is_finite() && from < to)) {
+        return Err(lack("value", "tack_mm; allowed: from before to, both finite"));
+    }
+    if !panel.cell.hub.machine().is_some_and(|machine| machine.devices.is_empty()) {
+        return Err(lack("work", "the machine's devices are real, and the panel has no eye there: teach by jogging"));
+    }
+    let job = panel.cell.hub.work().map(|work| work.job.clone());
+    let job = job.ok_or_else(|| lack("work", "no program is loaded: its seam says where the joint is nominally"))?;
+    panel.teaching.open(&panel.cell.hub, station, &job)?;
+    let open = Open { job, step_mm, longest_tack_mm, seed, tack_mm };
+    let panel = Arc::clone(panel);
+    std::thread::spawn(move || crawl::run(&panel, &open));
+    Ok(())
+}

@@ -1,0 +1,48 @@
+use super::Teaching;
+use super::state::Found;
+use crate::wire::{TaughtProgram, TeachProgram};
+use glam::DVec3;
+use seamwright_geometry::reduce::Method;
+use seamwright_project::Failure;
+use seamwright_project::teaching::{self, Figures, bridged};
+use seamwright_tracking::teach::Kind;
+use std::sync::Arc;
+
+/// What was taught as a program.
+///
+/// # Errors
+/// Nothing that was taught; numbers that are not allowed.
+pub(crate) fn program(teaching: &Teaching, asked: &TeachProgram) -> Result<TaughtProgram, Failure> {
+    let wrong =
+        |what: &str, value: f64, most: f64| Failure::Input(format!("{what} {value}; allowed: above 0, up to {most}"));
+    for (what, value, most) in [("tolerance_mm", asked.tolerance_mm, 5.0), ("attitude_deg", asked.attitude_deg, 90.0)] {
+        if !(value > 0.0 && value <= most) {
+            return Err(wrong(what, value, most));
+        }
+    }
+    let kind = match asked.method.as_str() {
+        "greedy" => Kind::Arcs(Method::Greedy),
+        "fewest" => Kind::Arcs(Method::Fewest),
+        "spline" => Kind::Spline,
+        other => return Err(Failure::Input(format!("method `{other}`; allowed: greedy, fewest, spline"))),
+    };
+    let found: Option<Arc<Found>> = teaching.state().found.clone();
+    let found = found.filter(|found| found.outcome.smooth.len() > 1);
+    let found = found.ok_or_else(|| Failure::Input("nothing was taught that a program could be made of".to_owned()))?;
+    let Found { loaded, nominal, outcome } = &*found;
+    let limits = (asked.tolerance_mm, asked.attitude_deg.to_radians());
+    let (reduced, text) = teaching::reduced((loaded, nominal), &outcome.smooth, limits, kind, "taught.toml")?;
+    let figures = Figures::new(nominal, outcome, &reduced);
+    let from_nominal = figures.raw.iter().filter_map(|p| p.from_nominal);
+    Ok(TaughtProgram {
+        text,
+        counts: reduced.curves.counts(),
+        length_mm: outcome.smooth.windows(2).map(|w| w[0].point.distance(w[1].point)).sum(),
+        error_mm: reduced.curves.max_error(),
+        raw_error_mm: figures.raw_error().filter(|e| e.is_finite()),
+        from_nominal_mm: from_nominal.map(|(a, b)| (a.abs(), b.abs())).reduce(|m, p| (m.0.max(p.0), m.1.max(p.1))),
+        bridged_mm: bridged(outcome),
+        truth_mm: outcome.truth.map(|t| (t.across_max, t.height_max)).filter(|t| t.0.is_finite() && t.1.is_finite()),
+        path: figures.path.iter().map(DVec3::to_array).collect(),
+    })
+}

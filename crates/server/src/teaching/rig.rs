@@ -1,0 +1,187 @@
+//! The eye on the cell's machine, carried by its axes; and the operator at the panel.
+
+use super::Teaching;
+use super::hand::{Came, Hand};
+use super::state::Wish;
+use crate::cell::Hub;
+use crate::wire::TeachPhase;
+use glam::DVec3;
+use seamwright_cell::eyes::Eye;
+use seamwright_cell::frames::{FrameError, FrameSource as _, TimedFrame};
+use seamwright_cell::teach::{Carrier, Operator, Rig};
+use seamwright_geometry::HeightTable;
+use seamwright_machine::{AxisSet, Joints, Sensor, Surroundings};
+use seamwright_motion::air::route;
+use seamwright_project::teaching::Picture;
+use seamwright_tracking::teach::{Answer, Crawl, EyePose};
+use std::cell::RefCell;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Pictures come this often at most.
+const PICTURES: Duration = Duration::from_millis(100);
+/// While the eye waits it takes one so often.
+const WAITING: Duration = Duration::from_millis(300);
+/// Axes that moved by less show nothing new, mm or rad.
+const MOVED: f64 = 5e-3;
+
+/// The eye and the machine, for the crawl and for the operator alike.
+pub(super) struct Station<'a> {
+    pub(super) hand: Hand<'a>,
+    pub(super) sensor: &'a Sensor,
+    pub(super) table: &'a HeightTable,
+    pub(super) around: &'a Surroundings<'a>,
+    pub(super) eye: RefCell<Eye<'a>>,
+    /// When the last picture was drawn.
+    pub(super) drawn: RefCell<Option<Instant>>,
+}
+
+impl Station<'_> {
+    fn teaching(&self) -> &Teaching {
+        &self.hand.panel.teaching
+    }
+
+    fn hub(&self) -> &Hub {
+        &self.hand.panel.cell.hub
+    }
+
+    /// A frame from where the axes are; none before the cell has said where.
+    fn expose(&self) -> Result<Option<(TimedFrame, Joints)>, FrameError> {
+        let Some((_, axes, status)) = self.hand.axes() else { return Ok(None) };
+        let mut eye = self.eye.borrow_mut();
+        eye.expose(status.t, &axes);
+        Ok(eye.next()?.map(|frame| (frame, axes)))
+    }
+
+    /// Keeps a picture for the pages, and where it was taken from; not more often than they need.
+    pub(super) fn show(&self, axes: &Joints, height: Option<f64>, picture: impl FnOnce() -> Picture) {
+        if self.drawn.borrow().is_some_and(|drawn| drawn.elapsed() < PICTURES) {
+            return;
+        }
+        let Ok(png) = picture().png() else { return };
+        self.drawn.replace(Some(Instant::now()));
+        let camera = self.hand.machine.camera_frame(self.sensor, axes);
+        self.teaching().change(self.hub(), |state| {
+            state.picture = Some(Arc::new(png));
+            state.sight = Some((camera, height.unwrap_or(0.0)));
+            state.view.picture = state.view.picture.wrapping_add(1).max(1);
+        });
+    }
+
+    /// Shows what the eye sees until `done` has an answer, or the session is stopped. The axes may be jogged meanwhile.
+    fn watch<T>(&self, done: impl Fn(&Teaching) -> Option<T>) -> Option<T> {
+        let mut shown: Option<(Instant, Joints)> = None;
+        loop {
+            if self.teaching().state().wish == Wish::Stop {
+                return None;
+            }
+            if let Some(answer) = done(self.teaching()) {
+                return Some(answer);
+            }
+            let now = self.hand.axes().map_or_else(Joints::default, |(_, axes, _)| axes);
+            let moved = |before: &Joints| before.iter().zip(now).any(|(a, b)| (a - b).abs() > MOVED);
+            let due = shown.is_none_or(|(when, before)| when.elapsed() >= WAITING && moved(&before));
+            if due && let Ok(Some((frame, axes))) = self.expose() {
+                shown = Some((Instant::now(), axes));
+                let height = frame.height_mm;
+                self.show(&axes, height, || Picture::plain(frame.image, self.table, height.unwrap_or(0.0)));
+            }
+            self.teaching().wait(PICTURES);
+        }
+    }
+
+    /// Where the operator says that the joint begins; none if the session is stopped before.
+    pub(super) fn place(&self) -> Option<DVec3> {
+        self.teaching().change(self.hub(), |state| state.view.phase = TeachPhase::Places);
+        let said = self.watch(|teaching| match teaching.said() {
+            Some(Answer::Point(point, _)) => Some(point),
+            _ => None,
+        });
+        self.runs();
+        said
+    }
+
+    fn runs(&self) {
+        self.teaching().change(self.hub(), |state| {
+            (state.view.phase, state.view.key, state.view.why) = (TeachPhase::Runs, None, None);
+        });
+    }
+
+    /// Waits while it is paused; false once it is stopped.
+    fn may_run(&self) -> bool {
+        if self.teaching().state().wish == Wish::Pause {
+            self.teaching().change(self.hub(), |state| state.view.phase = TeachPhase::Paused);
+            let run = self.watch(|teaching| (teaching.state().wish == Wish::Run).then_some(()));
+            if run.is_some() {
+                self.runs();
+            }
+        }
+        self.teaching().state().wish != Wish::Stop
+    }
+}
+
+/// The cell's machine as what carries the eye.
+pub(super) struct CellRig<'s, 'a> {
+    pub(super) station: &'s Station<'a>,
+    pub(super) carrier: Carrier<'s>,
+}
+
+impl CellRig<'_, '_> {
+    /// One try to get there: the way around whatever stands between.
+    fn once(&mut self, eye: &EyePose) -> Result<Came, String> {
+        let hand = &self.station.hand;
+        let Some((set, ..)) = hand.axes() else { return Ok(Came::Interrupted) };
+        self.carrier.stands(set);
+        let target = self.carrier.positions(eye)?;
+        let way = route(hand.machine, self.station.around, &set, &target, AxisSet::default());
+        for place in way.map_err(|e| e.to_string())?.iter().skip(1) {
+            match hand.go(place) {
+                Came::There => {}
+                other => return Ok(other),
+            }
+        }
+        Ok(Came::There)
+    }
+}
+
+impl Rig for CellRig<'_, '_> {
+    fn go(&mut self, eye: &EyePose) -> Result<(), String> {
+        while self.station.may_run() {
+            match self.once(eye)? {
+                Came::There => return Ok(()),
+                Came::Interrupted => {}
+                Came::Blocked => return Err("the cell has stopped the axes on the way: see its alarms".to_owned()),
+            }
+        }
+        // Stopped: there will be no frame either.
+        Ok(())
+    }
+
+    fn frame(&mut self) -> Result<Option<TimedFrame>, FrameError> {
+        if !self.station.may_run() {
+            return Ok(None);
+        }
+        Ok(self.station.expose()?.map(|(frame, _)| frame))
+    }
+}
+
+/// The operator at the panel.
+pub(super) struct Asked<'s, 'a> {
+    pub(super) station: &'s Station<'a>,
+    /// He has said that the joint ends where it was lost.
+    pub(super) ended: bool,
+}
+
+impl Operator for Asked<'_, '_> {
+    fn answer(&mut self, why: &str, _crawl: &Crawl) -> Answer {
+        let (teaching, hub) = (self.station.teaching(), self.station.hub());
+        // The picture in which it was lost stays for a moment, with what was found in it.
+        teaching.change(hub, |state| {
+            (state.view.phase, state.view.why) = (TeachPhase::Asks, Some(why.to_owned()));
+        });
+        let said = self.station.watch(Teaching::said);
+        self.station.runs();
+        self.ended |= said == Some(Answer::End);
+        said.unwrap_or(Answer::End)
+    }
+}

@@ -1,0 +1,206 @@
+use super::lack;
+use crate::cell::Hub;
+use crate::wire::{LackView, TaughtView, TeachPhase, TeachView};
+use glam::{DAffine3, DVec2, DVec3};
+use seamwright_cell::eyes::SeamLine;
+use seamwright_geometry::HeightTable;
+use seamwright_project::load::Loaded;
+use seamwright_project::teaching::Outcome;
+use seamwright_tracking::teach::Answer;
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+/// With what a session begins.
+#[derive(Debug, Clone)]
+pub(crate) struct Open {
+    pub(super) job: String,
+    pub(super) step_mm: f64,
+    pub(super) longest_tack_mm: f64,
+    pub(super) seed: u32,
+    pub(super) tack_mm: Option<(f64, f64)>,
+}
+
+/// What the operator wants of a session.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) enum Wish {
+    #[default]
+    Run,
+    Pause,
+    Stop,
+}
+
+/// What a session knows of the work: for places that the operator points at.
+#[derive(Clone)]
+pub(super) struct Field {
+    pub(super) nominal: SeamLine,
+    pub(super) table: HeightTable,
+}
+
+/// What was found, to make a program of.
+pub(super) struct Found {
+    pub(super) loaded: Loaded,
+    pub(super) nominal: SeamLine,
+    pub(super) outcome: Outcome,
+}
+
+#[derive(Default)]
+pub(super) struct State {
+    /// The session's thread lives.
+    lives: bool,
+    /// The page that commands it.
+    pub(super) station: u32,
+    pub(super) wish: Wish,
+    /// Where the joint is, as the operator says.
+    said: Option<Answer>,
+    pub(super) view: TeachView,
+    pub(super) taught: TaughtView,
+    pub(super) picture: Option<Arc<Vec<u8>>>,
+    pub(super) field: Option<Field>,
+    /// From where the newest picture was taken, and the height of the work then, mm in the camera's frame.
+    pub(super) sight: Option<(DAffine3, f64)>,
+    pub(super) found: Option<Arc<Found>>,
+}
+
+/// The teaching by eye of a panel: at most one session.
+#[derive(Default)]
+pub(crate) struct Teaching {
+    state: Mutex<State>,
+    turned: Condvar,
+}
+
+impl Teaching {
+    pub(super) fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Changes the state and tells all pages what they see of it.
+    pub(super) fn change(&self, hub: &Hub, change: impl FnOnce(&mut State)) {
+        let mut state = self.state();
+        change(&mut state);
+        let view = state.view.clone();
+        drop(state);
+        hub.teaches(view);
+        self.turned.notify_all();
+    }
+
+    /// Waits until something is wished, or for `most`.
+    pub(super) fn wait(&self, most: Duration) {
+        drop(self.turned.wait_timeout(self.state(), most));
+    }
+
+    /// A new session, of the page `station`.
+    pub(super) fn open(&self, hub: &Hub, station: u32, job: &str) -> Result<(), LackView> {
+        let mut state = self.state();
+        if state.lives {
+            return Err(lack("busy", "a session is open: stop it first"));
+        }
+        // Pictures count on: nobody must take an old one for a new one.
+        let picture = state.view.picture;
+        *state = State { lives: true, station, ..State::default() };
+        state.view = TeachView { phase: TeachPhase::Plans, job: job.to_owned(), picture, ..TeachView::default() };
+        let view = state.view.clone();
+        drop(state);
+        hub.teaches(view);
+        Ok(())
+    }
+
+    /// The session has ended.
+    pub(super) fn ended(&self, hub: &Hub, change: impl FnOnce(&mut State)) {
+        self.change(hub, |state| {
+            state.lives = false;
+            state.view.phase = TeachPhase::Ended;
+            change(state);
+        });
+    }
+
+    /// The joint is at `point`, says the operator on page `station`.
+    pub(super) fn here(&self, station: u32, point: DVec3) -> Result<(), LackView> {
+        let mut state = self.state();
+        if !matches!(state.view.phase, TeachPhase::Places | TeachPhase::Asks) {
+            return Err(lack("mode", "nobody asks where the joint is"));
+        }
+        let foot = state.field.as_ref().filter(|_| point.is_finite()).and_then(|f| f.nominal.foot(point));
+        let Some(foot) = foot else {
+            let text = "the place is not near the nominal seam; allowed: within 15 mm of it";
+            return Err(lack("value", text));
+        };
+        (state.said, state.station, state.wish) = (Some(Answer::Point(point, Some(foot.along))), station, Wish::Run);
+        drop(state);
+        self.turned.notify_all();
+        Ok(())
+    }
+
+    /// The joint ends where it was lost.
+    pub(super) fn end_here(&self) -> Result<(), LackView> {
+        let mut state = self.state();
+        if state.view.phase != TeachPhase::Asks {
+            return Err(lack("mode", "nobody asks where the joint is"));
+        }
+        state.said = Some(Answer::End);
+        drop(state);
+        self.turned.notify_all();
+        Ok(())
+    }
+
+    /// Stands still, and why: what stands in [`TeachView::key`]; nothing if no session crawls.
+    pub(crate) fn pause(&self, why: &str) -> Result<(), LackView> {
+        let mut state = self.state();
+        if state.lives && state.wish == Wish::Run && state.view.phase == TeachPhase::Runs {
+            (state.wish, state.view.key) = (Wish::Pause, Some(why.to_owned()));
+            drop(state);
+            self.turned.notify_all();
+        }
+        Ok(())
+    }
+
+    /// Goes on for page `station`.
+    pub(super) fn resume(&self, station: u32) -> Result<(), LackView> {
+        let mut state = self.state();
+        if !state.lives || state.wish != Wish::Pause {
+            return Err(lack("mode", "nothing is paused"));
+        }
+        (state.wish, state.station) = (Wish::Run, station);
+        drop(state);
+        self.turned.notify_all();
+        Ok(())
+    }
+
+    pub(super) fn wish(&self, wish: Wish) -> Result<(), LackView> {
+        let mut state = self.state();
+        if !state.lives {
+            return Err(lack("mode", "no session is open"));
+        }
+        state.wish = wish;
+        drop(state);
+        self.turned.notify_all();
+        Ok(())
+    }
+
+    /// What the operator has said, once.
+    pub(super) fn said(&self) -> Option<Answer> {
+        self.state().said.take()
+    }
+
+    /// The place of the work that a pixel of the newest picture shows.
+    pub(super) fn seen_at(&self, px: DVec2) -> Option<DVec3> {
+        let state = self.state();
+        let ((camera, height), field) = state.sight.zip(state.field.as_ref())?;
+        let point = field.table.to_point(px, height).ok()?;
+        Some(camera.transform_point3(point)).filter(|p| p.is_finite())
+    }
+
+    /// The place of the work that the eye looks at.
+    pub(super) fn middle(&self) -> Option<DVec3> {
+        self.state().sight.map(|(camera, height)| camera.transform_point3(DVec3::Z * height))
+    }
+
+    /// The newest picture, as PNG.
+    pub(crate) fn picture(&self) -> Option<Arc<Vec<u8>>> {
+        self.state().picture.clone()
+    }
+
+    /// What was taught so far.
+    pub(crate) fn taught(&self) -> TaughtView {
+        self.state().taught.clone()
+    }
+}

@@ -1,0 +1,254 @@
+//! Steps of a hand, and teaching by eye on the simulated beam machine.
+
+use super::lived::{Page, Served};
+use axum::http::StatusCode;
+use http_body_util::BodyExt as _;
+use seamwright_cell::teach::joints;
+use seamwright_machine::Sight;
+use seamwright_project::load::load_text;
+use seamwright_project::teaching::nominal;
+use serde_json::{Value, json};
+use std::time::Duration;
+
+/// A hand that says something every 50 ms for a while.
+async fn hold(page: &mut Page, what: &Value, times: u32) {
+    for _ in 0..times {
+        page.say(&json!({ "kind": "beat" })).await;
+        page.hand(what.clone()).await;
+        tokio::time::sleep(Duration::from_millis(50)).await;
+    }
+}
+
+/// What the axes come to, once they rest. A page that did not listen for a while hears old news first.
+async fn rest(served: &Served, page: &mut Page) -> Vec<f64> {
+    let mut before = Vec::new();
+    loop {
+        let begun = served.bench.panel.cell.hub.latest().unwrap().t;
+        page.until("status", |v| v["kind"] == "status" && v["t"].as_f64().unwrap() > begun + 0.3).await;
+        let set = |axis: &Value| axis["set"].as_f64().unwrap();
+        let now: Vec<f64> = page.status["axes"].as_array().unwrap().iter().map(set).collect();
+        if now == before {
+            return now;
+        }
+        before = now;
+    }
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_step_goes_so_far_and_no_farther() {
+    let served = Served::new().await;
+    let owner = served.bench.owner().await;
+    let mut page = served.page(&owner).await;
+    let let_go = json!({ "kind": "jog", "of": "joints", "speeds": [0.0, 0.0] });
+    let step = |of: &str, index: u32, by: f64| json!({ "kind": "step", "of": of, "index": index, "by": by });
+    page.up().await;
+    page.order("start_jog").await;
+    page.mode("jog").await;
+    let begun = rest(&served, &mut page).await;
+    let mut there = begun.clone();
+    for (of, index, by) in
+        [("joints", 0, 1.0), ("joints", 1, 0.1), ("joints", 0, 0.01), ("tip", 1, 1.0), ("tip", 0, -1.0)]
+    {
+        hold(&mut page, &step(of, index, by), 24).await;
+        hold(&mut page, &let_go, 1).await;
+        there[index as usize] += by;
+        let now = rest(&served, &mut page).await;
+        let off = now.iter().zip(&there).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-5, "{of} {index} {by}: {now:?} {there:?} {}", page.alarms);
+    }
+    // Let go before its end, it stops on the way; what is no step does nothing.
+    assert_eq!(page.ask(json!({ "do": "override", "part": 0.02 })).await["ok"], true);
+    hold(&mut page, &step("joints", 0, 10.0), 3).await;
+    hold(&mut page, &let_go, 1).await;
+    let now = rest(&served, &mut page).await;
+    assert!(now[0] > there[0] + 1e-3 && now[0] < there[0] + 9.9, "{now:?}");
+    for wrong in [step("joints", 9, 1.0), step("tip", 3, 1.0), step("joints", 0, 11.0)] {
+        hold(&mut page, &wrong, 4).await;
+    }
+    hold(&mut page, &json!({ "kind": "go", "axes": [0.0] }), 4).await;
+    assert_eq!(rest(&served, &mut page).await, now);
+    // All axes to a place.
+    assert_eq!(page.ask(json!({ "do": "override", "part": 1.0 })).await["ok"], true);
+    hold(&mut page, &json!({ "kind": "go", "axes": begun }), 60).await;
+    let back = rest(&served, &mut page).await;
+    assert!(back.iter().zip(&begun).all(|(a, b)| (a - b).abs() < 1e-5), "{back:?}");
+}
+
+impl Page {
+    async fn phase(&mut self, phase: &str) {
+        if self.taught["phase"] != phase {
+            self.until(phase, |v| v["kind"] == "teach" && v["phase"] == phase).await;
+        }
+    }
+
+    async fn taken(&mut self, order: Value) {
+        let answer = self.teach(order.clone()).await;
+        assert_eq!(answer["ok"], true, "{order}: {answer}");
+    }
+
+    async fn refused(&mut self, order: Value) -> Value {
+        let answer = self.teach(order.clone()).await;
+        assert_eq!(answer["ok"], false, "{order}");
+        answer["why"]["key"].clone()
+    }
+}
+
+/// 80 mm of the half ring, and no cosmetic pass.
+async fn short_ring(served: &Served, owner: &super::Visitor) {
+    let (_, example) = served.bench.ask(owner.request("GET", "/api/jobs/half-ring.toml", None)).await;
+    let text = example["text"].as_str().unwrap().replace("end_phi_deg = 210", "end_phi_deg = 60");
+    let text = text.split("[cosmetic]").next().unwrap().to_owned();
+    let put = owner.request("PUT", "/api/jobs/ring.toml", Some(&json!({ "text": text })));
+    assert_eq!(served.bench.ask(put).await.0, StatusCode::OK);
+    crate::http::begin_with(&served.bench.panel, "ring.toml").await.unwrap();
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_seam_is_taught_by_eye_paused_taken_over_lost_and_kept() {
+    let served = Served::without_program("ebw-7axis").await;
+    let bench = &served.bench;
+    let owner = bench.owner().await;
+    let mut page = served.page(&owner).await;
+    let open = json!({ "do": "open", "step_mm": 12.0, "longest_tack_mm": 5.0, "seed": 7, "tack_mm": [30.0, 44.0] });
+    assert_eq!(page.refused(open.clone()).await, "control");
+    page.up().await;
+    assert_eq!(page.refused(open.clone()).await, "work");
+    short_ring(&served, &owner).await;
+    let (_, work) = bench.ask(owner.request("GET", "/api/work", None)).await;
+    let path = work["passes"][0]["path"].as_array().unwrap().clone();
+    let tip = |i: usize| path[i]["tip"].clone();
+    let (status, _) = bench.ask(owner.request("GET", "/api/teach/picture", None)).await;
+    assert_eq!(status, StatusCode::NOT_FOUND);
+    for (wrong, key) in [
+        (json!({ "do": "open", "step_mm": 0.1, "longest_tack_mm": 5.0, "seed": 7, "tack_mm": null }), "value"),
+        (json!({ "do": "open", "step_mm": 8.0, "longest_tack_mm": 5.0, "seed": 7, "tack_mm": [3.0, 2.0] }), "value"),
+        (json!({ "do": "here", "px": null, "at": tip(0) }), "mode"),
+        (json!({ "do": "resume" }), "mode"),
+        (json!({ "do": "stop" }), "mode"),
+    ] {
+        assert_eq!(page.refused(wrong.clone()).await, key, "{wrong}");
+    }
+    page.order("start_teach").await;
+    page.mode("teach").await;
+    page.taken(open.clone()).await;
+    page.phase("places").await;
+    assert_eq!(page.refused(open).await, "busy");
+    assert_eq!(page.refused(json!({ "do": "here", "px": null, "at": [0.0, 0.0, 0.0] })).await, "value");
+    page.taken(json!({ "do": "here", "px": null, "at": tip(0) })).await;
+    page.until("frames", |v| v["kind"] == "teach" && v["frames"].as_u64().unwrap() >= 2).await;
+    assert!(page.taught["confidence"].as_f64().unwrap() > 0.5, "{}", page.taught);
+    // Paused it stands.
+    page.taken(json!({ "do": "pause" })).await;
+    page.phase("paused").await;
+    assert_eq!(page.taught["key"], "operator");
+    let stood = rest(&served, &mut page).await;
+    assert_eq!(rest(&served, &mut page).await, stood);
+    // It goes on until a hand takes over; jogged away, it finds its way back.
+    page.taken(json!({ "do": "resume" })).await;
+    page.phase("runs").await;
+    let up = json!({ "kind": "jog", "of": "joints", "speeds": [0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.0] });
+    hold(&mut page, &up, 10).await;
+    hold(&mut page, &json!({ "kind": "jog", "of": "joints", "speeds": [0.0] }), 1).await;
+    page.phase("paused").await;
+    assert_eq!(page.taught["key"], "hand");
+    page.taken(json!({ "do": "resume" })).await;
+    // A tack hides the joint: the operator is asked, and points beyond it.
+    page.phase("asks").await;
+    assert!(page.taught["why"].as_str().is_some_and(|why| !why.is_empty()), "{}", page.taught);
+    let picture = bench.raw(owner.request("GET", "/api/teach/picture", None)).await;
+    assert_eq!(picture.headers()["content-type"], "image/png");
+    let bytes = picture.into_body().collect().await.unwrap().to_bytes();
+    assert!(bytes.starts_with(b"\x89PNG"));
+    // Where the program has it the joint is not: it is in the picture.
+    let beyond = path.iter().position(|p| p["s_mm"].as_f64().unwrap() > 50.0).unwrap();
+    page.taken(json!({ "do": "here", "px": null, "at": tip(beyond) })).await;
+    page.phase("runs").await;
+    page.phase("asks").await;
+    rest(&served, &mut page).await;
+    let px = joint_in_picture(&served, &page);
+    assert!((100.0..412.0).contains(&px[0]) && (100.0..412.0).contains(&px[1]), "{px:?}");
+    assert_eq!(page.refused(json!({ "do": "here", "px": px, "at": tip(0) })).await, "value");
+    page.taken(json!({ "do": "here", "px": px, "at": null })).await;
+    page.phase("ended").await;
+    assert_eq!(page.taught["key"], "joint-end", "{}", page.taught);
+    kept(&served, &owner).await;
+    // Somebody without control, or without the role, orders nothing.
+    let everybody = bench.everybody().await;
+    let operator = &everybody.iter().find(|(r, _)| format!("{r:?}") == "Operator").unwrap().1;
+    let mut other = served.page(operator).await;
+    assert_eq!(other.refused(json!({ "do": "stop" })).await, "role");
+}
+
+/// The pixel at which the eye sees the true joint at 50 mm of the nominal one.
+fn joint_in_picture(served: &Served, page: &Page) -> [f64; 2] {
+    let panel = &served.bench.panel;
+    let text = std::fs::read_to_string(panel.jobs().join("ring.toml")).unwrap();
+    let loaded = load_text("ring.toml", &text, &panel.jobs()).unwrap();
+    let actual = crate::teaching::DISTORTION.of(&nominal(&loaded).unwrap(), 7);
+    let position = |axis: &Value| axis["position"].as_f64().unwrap();
+    let axes: Vec<f64> = page.status["axes"].as_array().unwrap().iter().map(position).collect();
+    let sensor = &loaded.machine.sensors[0];
+    let camera = loaded.machine.camera_frame(sensor, &joints(&loaded.machine, &axes));
+    let Sight::Camera(sight) = &sensor.sight else { panic!("no camera") };
+    sight.table.to_px(camera.inverse().transform_point3(actual.at(50.0).0.point)).unwrap().to_array()
+}
+
+/// What was taught is told, becomes a program, is kept, and can be planned.
+async fn kept(served: &Served, owner: &super::Visitor) {
+    let bench = &served.bench;
+    let (_, taught) = bench.ask(owner.request("GET", "/api/teach", None)).await;
+    let points = taught["points"].as_array().unwrap();
+    assert!(points.len() > 40 && taught["looks"].as_array().unwrap().len() > 4, "{}", points.len());
+    let wrong = json!({ "tolerance_mm": 0.0, "attitude_deg": 0.5, "method": "greedy" });
+    let (status, _) = bench.ask(owner.request("POST", "/api/teach/program", Some(&wrong))).await;
+    assert_eq!(status, StatusCode::UNPROCESSABLE_ENTITY);
+    for method in ["spline", "greedy"] {
+        let how = json!({ "tolerance_mm": 0.1, "attitude_deg": 0.5, "method": method });
+        let (status, made) = bench.ask(owner.request("POST", "/api/teach/program", Some(&how))).await;
+        assert_eq!(status, StatusCode::OK, "{made}");
+        let truth = made["truth_mm"][0].as_f64().unwrap();
+        assert!(made["error_mm"].as_f64().unwrap() <= 0.1 && truth < 0.2, "{}", made["truth_mm"]);
+        // The part lies up to some millimetres beside where the program has it.
+        let off = made["from_nominal_mm"][0].as_f64().unwrap();
+        assert!(off > 0.05 && off < 5.0, "{off}");
+        let put = owner.request("PUT", "/api/jobs/taught.toml", Some(&json!({ "text": made["text"] })));
+        assert_eq!(bench.ask(put).await.0, StatusCode::OK);
+        let plan = owner.request("POST", "/api/plan", Some(&json!({ "text": made["text"] })));
+        let (_, answer) = bench.ask(plan).await;
+        assert_eq!(answer["kind"], "planned", "{answer}");
+    }
+}
+
+/// The page that commands goes: the axes stop, and nothing goes on by itself.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn without_its_page_teaching_stands() {
+    let served = Served::without_program("ebw-7axis").await;
+    let owner = served.bench.owner().await;
+    let mut page = served.page(&owner).await;
+    page.up().await;
+    short_ring(&served, &owner).await;
+    let (_, work) = served.bench.ask(owner.request("GET", "/api/work", None)).await;
+    page.order("start_teach").await;
+    page.mode("teach").await;
+    let open = json!({ "do": "open", "step_mm": 8.0, "longest_tack_mm": 10.0, "seed": 1, "tack_mm": null });
+    page.taken(open).await;
+    page.phase("places").await;
+    let begun = rest(&served, &mut page).await;
+    page.taken(json!({ "do": "here", "px": null, "at": work["passes"][0]["path"][0]["tip"] })).await;
+    page.until("motion", |v| v["kind"] == "status" && (v["axes"][0]["set"].as_f64().unwrap() - begun[0]).abs() > 1.0)
+        .await;
+    drop(page);
+    let mut other = served.page(&owner).await;
+    other.until("a pause", |v| v["kind"] == "teach" && v["phase"] == "paused" && v["key"] == "control").await;
+    let stood = rest(&served, &mut other).await;
+    tokio::time::sleep(Duration::from_millis(500)).await;
+    assert_eq!(rest(&served, &mut other).await, stood);
+    // Who takes control can go on.
+    other.say(&json!({ "kind": "take_control", "over": true })).await;
+    other.until("control", |v| v["kind"] == "control" && v["mine"] == true).await;
+    other.taken(json!({ "do": "resume" })).await;
+    other.until("a frame", |v| v["kind"] == "teach" && v["frames"].as_u64().unwrap() >= 1).await;
+    other.taken(json!({ "do": "stop" })).await;
+    other.phase("ended").await;
+    assert_eq!(other.taught["key"], "stopped");
+}
