@@ -26,18 +26,17 @@ impl Lattice {
         let (first, last) = strip.columns;
         // Groups overlap: each row counts once.
         let rows = (2 * GROUP + 1) as f32;
-        self.evidence.clear();
-        for (i, depth) in strip.depth.iter().enumerate() {
+        self.evidence.resize(strip.depth.len(), [0.0; COLS]);
+        for (i, (row, depth)) in self.evidence.iter_mut().zip(&strip.depth).enumerate() {
             let contrast = contrast(i);
             // At the joint's own depth the evidence is no more than the most: it peaks there.
             let part = (1.0 / (rows * strip.noise * strip.noise)).min(2.0 * MOST / (contrast * contrast));
-            let mut row = depth.map(|depth| {
+            for (evidence, depth) in row.iter_mut().zip(depth) {
                 let depth = depth.min(TOO_DEEP * contrast - depth);
-                (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST)
-            });
+                *evidence = (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST);
+            }
             row[..first].fill(NEVER);
             row[last + 1..].fill(NEVER);
-            self.evidence.push(row);
         }
     }
 
@@ -83,30 +82,29 @@ impl Lattice {
     }
 
     fn go_forward(&mut self, cost: impl Fn(usize) -> f32) {
-        self.forward.clear();
-        let mut score = [0.0; COLS];
-        for (j, score) in score.iter_mut().enumerate() {
-            *score = -cost(j);
-        }
-        for (i, evidence) in self.evidence.iter().enumerate() {
-            if i > 0 {
-                score = arrive(&score);
+        let begin: Line = std::array::from_fn(|j| -cost(j));
+        self.forward.resize(self.evidence.len(), [0.0; COLS]);
+        let mut before: Option<&Line> = None;
+        for (evidence, forward) in self.evidence.iter().zip(&mut self.forward) {
+            match before {
+                None => *forward = begin,
+                Some(before) => arrive(before, forward),
             }
-            score.iter_mut().zip(evidence).for_each(|(s, e)| *s += e);
-            self.forward.push(score);
+            forward.iter_mut().zip(evidence).for_each(|(s, e)| *s += e);
+            before = Some(forward);
         }
     }
 
     fn go_backward(&mut self) {
-        self.backward.clear();
         self.backward.resize(self.evidence.len(), [0.0; COLS]);
-        let mut score = [0.0; COLS];
-        for (i, (evidence, backward)) in self.evidence.iter().zip(&mut self.backward).rev().enumerate() {
-            if i > 0 {
-                score = arrive(&score);
+        let mut after: Option<&Line> = None;
+        for (evidence, backward) in self.evidence.iter().zip(&mut self.backward).rev() {
+            match after {
+                None => backward.fill(0.0),
+                Some(after) => arrive(after, backward),
             }
-            score.iter_mut().zip(evidence).for_each(|(s, e)| *s += e);
-            *backward = score;
+            backward.iter_mut().zip(evidence).for_each(|(s, e)| *s += e);
+            after = Some(backward);
         }
     }
 }
@@ -118,12 +116,15 @@ pub(super) fn column_about(path: &[usize], i: usize, reach: usize) -> f32 {
 }
 
 /// The best that leads to each column of the next row.
-fn arrive(score: &Line) -> Line {
-    let mut next = *score;
+fn arrive(score: &Line, next: &mut Line) {
     for j in 1..COLS - 1 {
-        next[j] = score[j].max(score[j - 1].max(score[j + 1]) - MOVE);
+        next[j] = greater(score[j], greater(score[j - 1], score[j + 1]) - MOVE);
     }
-    next[0] = score[0].max(score[1] - MOVE);
-    next[COLS - 1] = score[COLS - 1].max(score[COLS - 2] - MOVE);
-    next
+    next[0] = greater(score[0], score[1] - MOVE);
+    next[COLS - 1] = greater(score[COLS - 1], score[COLS - 2] - MOVE);
+}
+
+/// `f32::max` without its care for what is no number: one instruction.
+fn greater(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
 }

@@ -1,4 +1,5 @@
 use super::axis::Station;
+use super::even::{Even, Rows};
 use super::lattice::{Lattice, column_about};
 use super::levels::Picture;
 use super::parabola::Parabola;
@@ -66,7 +67,10 @@ pub(super) struct Midline {
     arms_before: Vec<Arms>,
     sums: Vec<[f64; 3]>,
     /// Middles of the rows in the picture.
-    places: Vec<[f32; 2]>,
+    places: Rows,
+    even: Even,
+    /// How many of the rows before each are seen.
+    seen_before: Vec<usize>,
     rests: Vec<f32>,
     sorted: Vec<f32>,
 }
@@ -142,6 +146,13 @@ impl Midline {
             row.strength = (i.saturating_sub(AROUND)..(i + AROUND + 1).min(count)).map(evidence).sum();
             row.margin = self.margins[i];
         }
+        self.seen_before.clear();
+        self.seen_before.push(0);
+        let mut seen = 0;
+        self.seen_before.extend(self.rows.iter().map(|row| {
+            seen += usize::from(row.seen);
+            seen
+        }));
     }
 
     /// The middle of each row between columns.
@@ -170,11 +181,10 @@ impl Midline {
                 self.rows[i].depth = depth;
                 self.rows[i].own_depth = self.readings[i].depth;
             }
-            self.places.clear();
-            let middles = self.stations.iter().zip(&self.single);
-            self.places.extend(middles.map(|(station, middle)| station.beside(middle - MID as f32)));
+            self.place_middles();
             if round == 0 {
                 line = self.line_length(scale);
+                self.even.prepare(line);
             }
             for i in 0..count {
                 let (at, error) = self.fit(i, line);
@@ -188,6 +198,16 @@ impl Midline {
             self.rows[i].at = self.stations[i].beside(self.centre[i] - MID as f32);
             self.rows[i].asymmetry = profile.asymmetry(&self.mean(i, line));
             self.rows[i].width = profile.rims(&self.mean(i, AROUND)).map_or(width, |[left, right]| right - left);
+        }
+    }
+
+    fn place_middles(&mut self) {
+        self.places.x.clear();
+        self.places.y.clear();
+        for (station, middle) in self.stations.iter().zip(&self.single) {
+            let [x, y] = station.beside(middle - MID as f32);
+            self.places.x.push(x);
+            self.places.y.push(y);
         }
     }
 
@@ -263,9 +283,13 @@ impl Midline {
     fn fit(&self, i: usize, reach: usize) -> (f32, f32) {
         let near = i.saturating_sub(reach)..(i + reach + 1).min(self.single.len());
         let Station { at: [x0, y0], tangent: [cos, sin] } = self.stations[i];
+        if self.seen_before[near.end] - self.seen_before[near.start] == 2 * reach + 1 {
+            let (across, error) = self.even.across(&self.places, i, [x0, y0], [cos, sin]);
+            return (across + MID as f32, error);
+        }
         let scale = 1.0 / (reach + 1) as f32;
         let places = near.filter(|k| self.rows[*k].seen).map(|k| {
-            let [x, y] = self.places[k];
+            let (x, y) = (self.places.x[k], self.places.y[k]);
             let (u, v) = ((x - x0) * cos + (y - y0) * sin, (y - y0) * cos - (x - x0) * sin);
             (u, v, 1.0 - (k.abs_diff(i) as f32 * scale).powi(2))
         });
@@ -279,7 +303,13 @@ impl Midline {
         let (from, to) = (i.saturating_sub(around), (i + around + 1).min(self.arms.len()));
         let part = 1.0 / (to - from) as f32;
         let (before, after) = (&self.arms_before[from], &self.arms_before[to]);
-        std::array::from_fn(|side| std::array::from_fn(|t| (after[side][t] - before[side][t]) * part))
+        let mut mean = [[0.0; REACH]; 2];
+        for (mean, (after, before)) in mean.iter_mut().zip(after.iter().zip(before)) {
+            for (mean, (after, before)) in mean.iter_mut().zip(after.iter().zip(before)) {
+                *mean = (after - before) * part;
+            }
+        }
+        mean
     }
 
     /// Sums of the arms over the rows before each.

@@ -33,25 +33,28 @@ pub(super) type Line = [f32; COLS];
 const PARTS: f32 = 65536.0;
 
 /// Grey values of a row that lies within the picture.
-fn inside(station: &Station, width: usize, pixel: &impl Fn(usize) -> f32) -> Line {
+fn inside<P: Copy>(line: &mut Line, station: &Station, (pixels, width): (&[P], usize), grey: impl Fn(P) -> f32) {
     let [cos, sin] = station.tangent;
-    let [x, y] = station.beside(-(MID as f32)).map(|v| (v * PARTS) as i32);
+    let [mut x, mut y] = station.beside(-(MID as f32)).map(|v| (v * PARTS) as i32);
     let (step_x, step_y) = ((-sin * PARTS) as i32, (cos * PARTS) as i32);
-    std::array::from_fn(|j| {
-        let (x, y) = (x + j as i32 * step_x, y + j as i32 * step_y);
+    for value in line {
         let part = |v: i32| (v & 0xffff) as f32 * (1.0 / PARTS);
         let (u, v) = (part(x), part(y));
         let at = (y >> 16) as usize * width + (x >> 16) as usize;
-        let (a, b, c, d) = (pixel(at), pixel(at + 1), pixel(at + width), pixel(at + width + 1));
+        let (above, below) = (&pixels[at..at + 2], &pixels[at + width..at + width + 2]);
+        let (a, b, c, d) = (grey(above[0]), grey(above[1]), grey(below[0]), grey(below[1]));
         let (upper, lower) = (a + u * (b - a), c + u * (d - c));
-        upper + v * (lower - upper)
-    })
+        *value = upper + v * (lower - upper);
+        (x, y) = (x + step_x, y + step_y);
+    }
 }
 
 /// Grey values of a row that touches the picture's rim, beyond which the rim goes on.
-fn at_rim(station: &Station, (width, height): (usize, usize), pixel: &impl Fn(usize) -> f32) -> Line {
+fn at_rim<P: Copy>(line: &mut Line, station: &Station, picture: &Picture, pixels: &[P], grey: impl Fn(P) -> f32) {
+    let (width, height) = (picture.width, picture.height);
     let (right, bottom) = ((width - 1) as f32, (height - 1) as f32);
-    std::array::from_fn(|j| {
+    let pixel = |i: usize| grey(pixels[i]);
+    for (j, value) in line.iter_mut().enumerate() {
         let [x, y] = station.beside(j as f32 - MID as f32);
         let (x, y) = (x.clamp(0.0, right), y.clamp(0.0, bottom));
         let (left, top) = (x as usize, y as usize);
@@ -60,14 +63,14 @@ fn at_rim(station: &Station, (width, height): (usize, usize), pixel: &impl Fn(us
         let at = top * width + left;
         let upper = pixel(at) * (1.0 - u) + pixel(at + next) * u;
         let lower = pixel(at + down) * (1.0 - u) + pixel(at + down + next) * u;
-        upper * (1.0 - v) + lower * v
-    })
+        *value = upper * (1.0 - v) + lower * v;
+    }
 }
 
 /// How much darker the box of `half` columns to both sides of each column is than boxes from `away` columns on, of the sum of
 /// `count` rows. The lighter one of two boxes on a side counts (a scratch or the foot of a step beside the joint does no
 /// harm), and the darker side.
-fn depths(sum: &Line, count: f32, half: usize, away: usize) -> Line {
+fn depths(depth: &mut Line, sum: &Line, count: f32, half: usize, away: usize) {
     let reach = away + 2 * SIDE;
     let mut boxes = [0.0; COLS];
     for j in 0..COLS - SIDE + 1 {
@@ -82,12 +85,12 @@ fn depths(sum: &Line, count: f32, half: usize, away: usize) -> Line {
     let (left, right) = (reach - away - SIDE, reach + away + 1);
     let near = [&boxes[left..left + inner], &boxes[right..right + inner]];
     let far = [&boxes[left - SIDE..left - SIDE + inner], &boxes[right + SIDE..right + SIDE + inner]];
-    let mut depth = [0.0; COLS];
+    depth[..reach].fill(0.0);
+    depth[reach + inner..].fill(0.0);
     for (j, depth) in depth[reach..reach + inner].iter_mut().enumerate() {
         let sides = [0, 1].map(|side| near[side][j].max(far[side][j]));
         *depth = sides[0].min(sides[1]) * per_side - centre[j] * per_centre;
     }
-    depth
 }
 
 /// Grey values along a line of stations, unrolled, and how much darker than the metal on both sides each place is.
@@ -106,23 +109,31 @@ pub(super) struct Strip {
 
 impl Strip {
     /// Unrolls `picture` along `stations`.
-    pub(super) fn unroll(&mut self, picture: &Picture, stations: impl Iterator<Item = Station>) {
-        self.grey.clear();
+    pub(super) fn unroll(&mut self, picture: &Picture, stations: impl ExactSizeIterator<Item = Station>) {
         match picture.grey {
-            Grey::U8(pixels) => self.rows(picture, |i| f32::from(pixels[i]), stations),
-            Grey::U16(pixels) => self.rows(picture, |i| f32::from(pixels[i]) / OF_16_BITS, stations),
-            Grey::F32(pixels) => self.rows(picture, |i| pixels[i], stations),
+            Grey::U8(pixels) => self.rows(picture, pixels, f32::from, stations),
+            Grey::U16(pixels) => self.rows(picture, pixels, |p| f32::from(p) / OF_16_BITS, stations),
+            Grey::F32(pixels) => self.rows(picture, pixels, |p| p, stations),
         }
     }
 
-    fn rows(&mut self, picture: &Picture, pixel: impl Fn(usize) -> f32, stations: impl Iterator<Item = Station>) {
-        let (width, height) = (picture.width, picture.height);
-        let (right, bottom) = ((width - 1) as f32, (height - 1) as f32);
-        for station in stations {
+    fn rows<P: Copy>(
+        &mut self,
+        picture: &Picture,
+        pixels: &[P],
+        grey: impl Fn(P) -> f32 + Copy,
+        stations: impl ExactSizeIterator<Item = Station>,
+    ) {
+        let (right, bottom) = ((picture.width - 1) as f32, (picture.height - 1) as f32);
+        self.grey.resize(stations.len(), [0.0; COLS]);
+        for (line, station) in self.grey.iter_mut().zip(stations) {
             let ends = [0, COLS - 1].map(|j| station.beside(j as f32 - MID as f32));
             let within = ends.iter().all(|[x, y]| *x > 0.5 && *y > 0.5 && *x < right - 0.5 && *y < bottom - 0.5);
-            let row = if within { inside(&station, width, &pixel) } else { at_rim(&station, (width, height), &pixel) };
-            self.grey.push(row);
+            if within {
+                inside(line, &station, (pixels, picture.width), grey);
+            } else {
+                at_rim(line, &station, picture, pixels, grey);
+            }
         }
     }
 
@@ -133,10 +144,10 @@ impl Strip {
         let skirt = 1 + half.div_ceil(2);
         let reach = half + skirt + 2 * SIDE;
         self.columns = (reach, COLS - 1 - reach);
-        self.depth.clear();
         let mut sum = [0.0; COLS];
         let add = |sum: &mut Line, row: &Line, sign: f32| sum.iter_mut().zip(row).for_each(|(s, g)| *s += sign * g);
         let rows = self.grey.len();
+        self.depth.resize(rows, [0.0; COLS]);
         self.grey[..GROUP.min(rows)].iter().for_each(|row| add(&mut sum, row, 1.0));
         let mut count = GROUP.min(rows) as f32;
         for i in 0..rows {
@@ -150,7 +161,7 @@ impl Strip {
                 add(&mut sum, &self.grey[i - GROUP - 1], -1.0);
                 count -= 1.0;
             }
-            self.depth.push(depths(&sum, count, half, half + skirt));
+            depths(&mut self.depth[i], &sum, count, half, half + skirt);
         }
     }
 
