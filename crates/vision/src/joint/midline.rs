@@ -11,6 +11,8 @@ use super::trail::{Look, Place, Trail};
 const SMOOTH: usize = 8;
 /// Rows before and after that depth, step and width are means over.
 const AROUND: usize = 12;
+/// Depth, asymmetry and width change slowly: they are found once for so many rows.
+const SLOWLY: usize = 4;
 /// The same where light steps.
 const STEPPED_AROUND: usize = 4;
 /// A profile is like the joint's if what differs is no more than this much of what usually does ...
@@ -128,6 +130,10 @@ impl Midline {
         let depth = |k: usize| self.strip.depth[k][self.path[k]];
         for (i, place) in places.iter().enumerate() {
             let known = place.contrast;
+            if i % SLOWLY > 0 {
+                self.contrast[i] = self.contrast[i - 1];
+                continue;
+            }
             let near = (i.saturating_sub(REACH)..(i + REACH + 1).min(count)).step_by(3);
             let (mut sum, mut weight) = (4.0 * known, 4.0);
             for d in near.map(depth).filter(|d| *d > 0.4 * known) {
@@ -194,10 +200,14 @@ impl Midline {
             }
         }
         self.compare(profile.reach());
+        let mut slow = (0.0, None);
         for i in 0..count {
             self.rows[i].at = self.stations[i].beside(self.centre[i] - MID as f32);
-            self.rows[i].asymmetry = profile.asymmetry(&self.mean(i, line));
-            self.rows[i].width = profile.rims(&self.mean(i, AROUND)).map_or(width, |[left, right]| right - left);
+            if i % SLOWLY == 0 {
+                slow = (profile.asymmetry(&self.mean(i, line)), profile.rims(&self.mean(i, AROUND)));
+            }
+            self.rows[i].asymmetry = slow.0;
+            self.rows[i].width = slow.1.map_or(width, |[left, right]| right - left);
         }
     }
 

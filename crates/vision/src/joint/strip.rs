@@ -16,14 +16,24 @@ pub(super) const SEEN_AROUND: usize = 6;
 const PART: f32 = 0.45;
 /// ... and this many standard deviations of one.
 const STANDS_OUT: f32 = 2.2;
+/// About so many rows tell the noise of a long strip.
+const NOISE_ROWS: usize = 100;
 /// Least noise of a depth, grey values of 255.
 const LEAST_NOISE: f32 = 0.3;
 /// Columns of each of the two boxes on either side.
 const SIDE: usize = 3;
 
+/// Half of the box on the widest joint of a level, columns.
+const MOST_HALF: usize = 3;
+
 /// Columns of the box on a joint of this width.
 pub(super) fn box_columns(width: f32) -> usize {
-    2 * ((width - 1.0) / 2.0).round().max(0.0) as usize + 1
+    2 * (((width - 1.0) / 2.0).round().max(0.0) as usize).min(MOST_HALF) + 1
+}
+
+/// The column to the side of a joint's middle from which on there is metal, for half of the box on it.
+const fn away(half: usize) -> usize {
+    half + 1 + half.div_ceil(2)
 }
 
 /// One value a column.
@@ -32,21 +42,36 @@ pub(super) type Line = [f32; COLS];
 /// Places within a row are counted in these parts of a pixel.
 const PARTS: f32 = 65536.0;
 
-/// Grey values of a row that lies within the picture.
-fn inside<P: Copy>(line: &mut Line, station: &Station, (pixels, width): (&[P], usize), grey: impl Fn(P) -> f32) {
+/// Grey values of a row that lies within the picture. `mix`: of four pixels, by parts of 256 to the right and down.
+fn inside<P: Copy>(
+    line: &mut Line,
+    station: &Station,
+    (pixels, width): (&[P], usize),
+    mix: impl Fn([P; 4], i32, i32) -> f32,
+) {
     let [cos, sin] = station.tangent;
     let [mut x, mut y] = station.beside(-(MID as f32)).map(|v| (v * PARTS) as i32);
     let (step_x, step_y) = ((-sin * PARTS) as i32, (cos * PARTS) as i32);
     for value in line {
-        let part = |v: i32| (v & 0xffff) as f32 * (1.0 / PARTS);
-        let (u, v) = (part(x), part(y));
         let at = (y >> 16) as usize * width + (x >> 16) as usize;
         let (above, below) = (&pixels[at..at + 2], &pixels[at + width..at + width + 2]);
-        let (a, b, c, d) = (grey(above[0]), grey(above[1]), grey(below[0]), grey(below[1]));
-        let (upper, lower) = (a + u * (b - a), c + u * (d - c));
-        *value = upper + v * (lower - upper);
+        *value = mix([above[0], above[1], below[0], below[1]], (x >> 8) & 0xff, (y >> 8) & 0xff);
         (x, y) = (x + step_x, y + step_y);
     }
+}
+
+/// Of whole numbers up to 255: exact.
+fn mix_of_8_bits(pixels: [u8; 4], u: i32, v: i32) -> f32 {
+    let [a, b, c, d] = pixels.map(i32::from);
+    let (upper, lower) = ((a << 8) + u * (b - a), (c << 8) + u * (d - c));
+    ((upper << 8) + v * (lower - upper)) as f32 * (1.0 / PARTS)
+}
+
+/// Of any numbers.
+fn mix([a, b, c, d]: [f32; 4], u: i32, v: i32) -> f32 {
+    let (u, v) = (u as f32 * (1.0 / 256.0), v as f32 * (1.0 / 256.0));
+    let (upper, lower) = (a + u * (b - a), c + u * (d - c));
+    upper + v * (lower - upper)
 }
 
 /// Grey values of a row that touches the picture's rim, beyond which the rim goes on.
@@ -67,14 +92,14 @@ fn at_rim<P: Copy>(line: &mut Line, station: &Station, picture: &Picture, pixels
     }
 }
 
-/// How much darker the box of `half` columns to both sides of each column is than boxes from `away` columns on, of the sum of
-/// `count` rows. The lighter one of two boxes on a side counts (a scratch or the foot of a step beside the joint does no
+/// How much darker the box of `HALF` columns to both sides of each column is than boxes beside it, of the sum of `count`
+/// rows. The lighter one of two boxes on a side counts (a scratch or the foot of a step beside the joint does no
 /// harm), and the darker side.
-fn depths(depth: &mut Line, sum: &Line, count: f32, half: usize, away: usize) {
-    let reach = away + 2 * SIDE;
+fn depths<const HALF: usize>(depth: &mut Line, sum: &Line, count: f32) {
+    let (half, away, reach) = const { (HALF, away(HALF), away(HALF) + 2 * SIDE) };
     let mut boxes = [0.0; COLS];
     for j in 0..COLS - SIDE + 1 {
-        boxes[j] = sum[j..j + SIDE].iter().sum::<f32>();
+        boxes[j] = sum[j] + sum[j + 1] + sum[j + 2];
     }
     let inner = COLS - 2 * reach;
     let mut centre = [0.0; COLS];
@@ -111,9 +136,12 @@ impl Strip {
     /// Unrolls `picture` along `stations`.
     pub(super) fn unroll(&mut self, picture: &Picture, stations: impl ExactSizeIterator<Item = Station>) {
         match picture.grey {
-            Grey::U8(pixels) => self.rows(picture, pixels, f32::from, stations),
-            Grey::U16(pixels) => self.rows(picture, pixels, |p| f32::from(p) / OF_16_BITS, stations),
-            Grey::F32(pixels) => self.rows(picture, pixels, |p| p, stations),
+            Grey::U8(pixels) => self.rows(picture, pixels, f32::from, mix_of_8_bits, stations),
+            Grey::U16(pixels) => {
+                let grey = |p| f32::from(p) * (1.0 / OF_16_BITS);
+                self.rows(picture, pixels, grey, |four, u, v| mix(four.map(grey), u, v), stations);
+            }
+            Grey::F32(pixels) => self.rows(picture, pixels, |p| p, mix, stations),
         }
     }
 
@@ -122,6 +150,7 @@ impl Strip {
         picture: &Picture,
         pixels: &[P],
         grey: impl Fn(P) -> f32 + Copy,
+        mix: impl Fn([P; 4], i32, i32) -> f32 + Copy,
         stations: impl ExactSizeIterator<Item = Station>,
     ) {
         let (right, bottom) = ((picture.width - 1) as f32, (picture.height - 1) as f32);
@@ -130,7 +159,7 @@ impl Strip {
             let ends = [0, COLS - 1].map(|j| station.beside(j as f32 - MID as f32));
             let within = ends.iter().all(|[x, y]| *x > 0.5 && *y > 0.5 && *x < right - 0.5 && *y < bottom - 0.5);
             if within {
-                inside(line, &station, (pixels, picture.width), grey);
+                inside(line, &station, (pixels, picture.width), mix);
             } else {
                 at_rim(line, &station, picture, pixels, grey);
             }
@@ -141,8 +170,13 @@ impl Strip {
     /// along the joint.
     pub(super) fn measure(&mut self, width: f32, most: f32) {
         let half = box_columns(width) / 2;
-        let skirt = 1 + half.div_ceil(2);
-        let reach = half + skirt + 2 * SIDE;
+        let reach = away(half) + 2 * SIDE;
+        let depths = match half {
+            0 => depths::<0>,
+            1 => depths::<1>,
+            2 => depths::<2>,
+            _ => depths::<3>,
+        };
         self.columns = (reach, COLS - 1 - reach);
         let mut sum = [0.0; COLS];
         let add = |sum: &mut Line, row: &Line, sign: f32| sum.iter_mut().zip(row).for_each(|(s, g)| *s += sign * g);
@@ -161,7 +195,7 @@ impl Strip {
                 add(&mut sum, &self.grey[i - GROUP - 1], -1.0);
                 count -= 1.0;
             }
-            depths(&mut self.depth[i], &sum, count, half, half + skirt);
+            depths(&mut self.depth[i], &sum, count);
         }
     }
 
@@ -194,7 +228,8 @@ impl Strip {
     /// columns of each row that `within` tells.
     fn measure_noise(&mut self, within: impl Fn(usize) -> (RangeInclusive<usize>, Range<usize>)) -> f32 {
         self.magnitudes.clear();
-        for (i, (a, b)) in self.depth.iter().zip(self.depth.iter().skip(APART)).enumerate().step_by(2) {
+        let step = (self.depth.len() / NOISE_ROWS).max(2);
+        for (i, (a, b)) in self.depth.iter().zip(self.depth.iter().skip(APART)).enumerate().step_by(step) {
             let (left, right) = within(i);
             self.magnitudes.extend(left.chain(right).step_by(2).map(|j| (a[j] - b[j]).abs()));
         }
