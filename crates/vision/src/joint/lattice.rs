@@ -1,4 +1,4 @@
-use super::strip::{COLS, GROUP, Line, MID, Strip};
+use super::strip::{COLS, GROUP, Line, MID, Strip, greater, lesser};
 
 /// What a step to the next column costs, nats.
 const MOVE: f32 = 2.5;
@@ -32,7 +32,7 @@ impl Lattice {
             // At the joint's own depth the evidence is no more than the most: it peaks there.
             let part = (1.0 / (rows * strip.noise * strip.noise)).min(2.0 * MOST / (contrast * contrast));
             for (evidence, depth) in row.iter_mut().zip(depth) {
-                let depth = depth.min(TOO_DEEP * contrast - depth);
+                let depth = lesser(*depth, TOO_DEEP * contrast - depth);
                 *evidence = (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST);
             }
             row[..first].fill(NEVER);
@@ -73,11 +73,14 @@ impl Lattice {
         margins.clear();
         let rows = self.forward.iter().zip(&self.backward).zip(&self.evidence);
         margins.extend(rows.zip(path).map(|(((forward, backward), evidence), at)| {
-            let through = |j: usize| forward[j] + backward[j] - evidence[j];
-            let (low, high) = (at.saturating_sub(away), (at + away).min(COLS - 1));
-            let best = (low..=high).map(through).fold(NEVER, f32::max);
-            let rival = (0..low).chain(high + 1..COLS).map(through).fold(NEVER, f32::max);
-            best - rival
+            let mut through = [0.0; COLS];
+            for j in 0..COLS {
+                through[j] = forward[j] + backward[j] - evidence[j];
+            }
+            let near = &mut through[at.saturating_sub(away)..=(at + away).min(COLS - 1)];
+            let best = near.iter().copied().fold(NEVER, greater);
+            near.fill(NEVER);
+            best - greatest(&through)
         }));
     }
 
@@ -124,7 +127,14 @@ fn arrive(score: &Line, next: &mut Line) {
     next[COLS - 1] = greater(score[COLS - 1], score[COLS - 2] - MOVE);
 }
 
-/// `f32::max` without its care for what is no number: one instruction.
-fn greater(a: f32, b: f32) -> f32 {
-    if a > b { a } else { b }
+/// The greatest of a line, several at a time.
+fn greatest(line: &Line) -> f32 {
+    const LANES: usize = 8;
+    let mut lanes = [NEVER; LANES];
+    for eight in line.as_chunks::<LANES>().0 {
+        for (lane, value) in lanes.iter_mut().zip(eight) {
+            *lane = greater(*lane, *value);
+        }
+    }
+    lanes.into_iter().fold(NEVER, greater)
 }

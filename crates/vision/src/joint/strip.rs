@@ -39,39 +39,42 @@ const fn away(half: usize) -> usize {
 /// One value a column.
 pub(super) type Line = [f32; COLS];
 
+/// `f32::max` without its care for what is no number: one instruction.
+pub(super) fn greater(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+/// The same of `f32::min`.
+pub(super) fn lesser(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
 /// Places within a row are counted in these parts of a pixel.
 const PARTS: f32 = 65536.0;
 
-/// Grey values of a row that lies within the picture. `mix`: of four pixels, by parts of 256 to the right and down.
-fn inside<P: Copy>(
-    line: &mut Line,
-    station: &Station,
-    (pixels, width): (&[P], usize),
-    mix: impl Fn([P; 4], i32, i32) -> f32,
-) {
+/// Grey values of a row that lies within the picture.
+fn inside<P: Copy>(line: &mut Line, station: &Station, (pixels, width): (&[P], usize), grey: impl Fn(P) -> f32) {
     let [cos, sin] = station.tangent;
-    let [mut x, mut y] = station.beside(-(MID as f32)).map(|v| (v * PARTS) as i32);
+    let [x0, y0] = station.beside(-(MID as f32)).map(|v| (v * PARTS) as i32);
     let (step_x, step_y) = ((-sin * PARTS) as i32, (cos * PARTS) as i32);
-    for value in line {
+    // First fetched, then mixed: mixing is done for several columns at a time.
+    let mut four = [[pixels[0]; COLS]; 4];
+    let (mut x, mut y) = (x0, y0);
+    for j in 0..COLS {
         let at = (y >> 16) as usize * width + (x >> 16) as usize;
         let (above, below) = (&pixels[at..at + 2], &pixels[at + width..at + width + 2]);
-        *value = mix([above[0], above[1], below[0], below[1]], (x >> 8) & 0xff, (y >> 8) & 0xff);
+        (four[0][j], four[1][j], four[2][j], four[3][j]) = (above[0], above[1], below[0], below[1]);
         (x, y) = (x + step_x, y + step_y);
     }
-}
-
-/// Of whole numbers up to 255: exact.
-fn mix_of_8_bits(pixels: [u8; 4], u: i32, v: i32) -> f32 {
-    let [a, b, c, d] = pixels.map(i32::from);
-    let (upper, lower) = ((a << 8) + u * (b - a), (c << 8) + u * (d - c));
-    ((upper << 8) + v * (lower - upper)) as f32 * (1.0 / PARTS)
-}
-
-/// Of any numbers.
-fn mix([a, b, c, d]: [f32; 4], u: i32, v: i32) -> f32 {
-    let (u, v) = (u as f32 * (1.0 / 256.0), v as f32 * (1.0 / 256.0));
-    let (upper, lower) = (a + u * (b - a), c + u * (d - c));
-    upper + v * (lower - upper)
+    let (mut x, mut y) = (x0, y0);
+    for j in 0..COLS {
+        let part = |v: i32| (v & 0xffff) as f32 * (1.0 / PARTS);
+        let (u, v) = (part(x), part(y));
+        let [a, b, c, d] = [grey(four[0][j]), grey(four[1][j]), grey(four[2][j]), grey(four[3][j])];
+        let (upper, lower) = (a + u * (b - a), c + u * (d - c));
+        line[j] = upper + v * (lower - upper);
+        (x, y) = (x + step_x, y + step_y);
+    }
 }
 
 /// Grey values of a row that touches the picture's rim, beyond which the rim goes on.
@@ -113,8 +116,8 @@ fn depths<const HALF: usize>(depth: &mut Line, sum: &Line, count: f32) {
     depth[..reach].fill(0.0);
     depth[reach + inner..].fill(0.0);
     for (j, depth) in depth[reach..reach + inner].iter_mut().enumerate() {
-        let sides = [0, 1].map(|side| near[side][j].max(far[side][j]));
-        *depth = sides[0].min(sides[1]) * per_side - centre[j] * per_centre;
+        let sides = [0, 1].map(|side| greater(near[side][j], far[side][j]));
+        *depth = lesser(sides[0], sides[1]) * per_side - centre[j] * per_centre;
     }
 }
 
@@ -136,12 +139,9 @@ impl Strip {
     /// Unrolls `picture` along `stations`.
     pub(super) fn unroll(&mut self, picture: &Picture, stations: impl ExactSizeIterator<Item = Station>) {
         match picture.grey {
-            Grey::U8(pixels) => self.rows(picture, pixels, f32::from, mix_of_8_bits, stations),
-            Grey::U16(pixels) => {
-                let grey = |p| f32::from(p) * (1.0 / OF_16_BITS);
-                self.rows(picture, pixels, grey, |four, u, v| mix(four.map(grey), u, v), stations);
-            }
-            Grey::F32(pixels) => self.rows(picture, pixels, |p| p, mix, stations),
+            Grey::U8(pixels) => self.rows(picture, pixels, f32::from, stations),
+            Grey::U16(pixels) => self.rows(picture, pixels, |p| f32::from(p) * (1.0 / OF_16_BITS), stations),
+            Grey::F32(pixels) => self.rows(picture, pixels, |p| p, stations),
         }
     }
 
@@ -150,7 +150,6 @@ impl Strip {
         picture: &Picture,
         pixels: &[P],
         grey: impl Fn(P) -> f32 + Copy,
-        mix: impl Fn([P; 4], i32, i32) -> f32 + Copy,
         stations: impl ExactSizeIterator<Item = Station>,
     ) {
         let (right, bottom) = ((picture.width - 1) as f32, (picture.height - 1) as f32);
@@ -159,7 +158,7 @@ impl Strip {
             let ends = [0, COLS - 1].map(|j| station.beside(j as f32 - MID as f32));
             let within = ends.iter().all(|[x, y]| *x > 0.5 && *y > 0.5 && *x < right - 0.5 && *y < bottom - 0.5);
             if within {
-                inside(line, &station, (pixels, picture.width), mix);
+                inside(line, &station, (pixels, picture.width), grey);
             } else {
                 at_rim(line, &station, picture, pixels, grey);
             }
@@ -187,7 +186,7 @@ impl Strip {
         for i in 0..rows {
             if let Some(row) = self.grey.get_mut(i + GROUP) {
                 let part = 1.0 / count;
-                row.iter_mut().zip(&sum).for_each(|(g, s)| *g = g.max(s * part - most).min(s * part + most));
+                row.iter_mut().zip(&sum).for_each(|(g, s)| *g = lesser(greater(*g, s * part - most), s * part + most));
                 add(&mut sum, row, 1.0);
                 count += 1.0;
             }
