@@ -84,15 +84,15 @@ impl Midline {
         self.strip.unroll(picture, self.stations.iter().copied());
         let deepest = trail.places.iter().map(|p| p.contrast).fold(0.0, f32::max);
         self.strip.measure(look.width, look.most(deepest));
-        self.strip.noise = self.strip.noise_everywhere();
         self.contrast.clear();
         self.contrast.extend(trail.places.iter().map(|p| p.contrast));
-        for _ in 0..2 {
-            self.lattice.weigh(&self.strip, |i| self.contrast[i]);
-            self.lattice.best(|_| 0.0, &mut self.path);
-            self.strip.noise = self.strip.noise_beside(&self.path, look.width);
-            self.follow_contrast(&trail.places);
-        }
+        // The joint lies about along the stations.
+        self.path.clear();
+        self.path.resize(self.stations.len(), MID);
+        self.strip.noise = self.strip.noise_beside(&self.path, look.width);
+        self.lattice.weigh(&self.strip, |i| self.contrast[i]);
+        self.lattice.best(|_| 0.0, &mut self.path);
+        self.follow_contrast(&trail.places);
         let scale = (1 << look.level) as f32;
         let away = (2.0 / scale).max(0.5 * look.width).round().max(1.0) as usize;
         self.lattice.margins(&self.path, away, &mut self.margins);
@@ -170,7 +170,7 @@ impl Midline {
         self.readings.resize(count, Reading::default());
         self.arms.resize(count, [[0.0; REACH]; 2]);
         let mut line = LINE.0;
-        for round in 0..3 {
+        for round in 0..if scale > 1.0 { 3 } else { 2 } {
             for i in 0..count {
                 self.readings[i] = profile.read(&self.strip.grey[i], self.centre[i], &mut self.arms[i]);
             }
