@@ -146,7 +146,7 @@ impl Midline {
 
     fn judge_rows(&mut self) {
         let count = self.path.len();
-        let evidence = |k: usize| self.lattice.evidence[k][self.path[k]];
+        let evidence = |k: usize| self.lattice.evidence(k, self.path[k]);
         for (i, row) in self.rows.iter_mut().enumerate() {
             row.seen = self.strip.shows(&self.path, i, self.contrast[i]);
             row.strength = (i.saturating_sub(AROUND)..(i + AROUND + 1).min(count)).map(evidence).sum();
