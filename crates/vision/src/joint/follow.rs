@@ -112,13 +112,13 @@ impl Follower {
             return End::Lost;
         }
         self.midline.find(&picture, &self.trail, &look);
-        tell(&self.midline, &picture, (level, self.trail.solid, stop, gap), self.options.on_joint, &mut self.joint.rows)
+        tell(&mut self.midline, &picture, (level, self.trail.solid, stop, gap), self.options.on_joint, &mut self.joint.rows)
     }
 }
 
 /// Rows of the frame from those of the level.
 fn tell(
-    midline: &Midline,
+    midline: &mut Midline,
     picture: &Picture,
     (level, solid, stop, gap): (usize, usize, Stop, f32),
     on_joint: bool,
@@ -126,6 +126,9 @@ fn tell(
 ) -> End {
     let scale = (1 << level) as f32;
     let Some(Cut { rows, end, beyond }) = cut(&midline.rows, solid, stop, gap) else { return End::Lost };
+    if end == End::JointEnd {
+        midline.end_before(rows);
+    }
     for (i, found) in midline.rows[..rows].iter().enumerate() {
         let confidence = judge::row(found, scale, midline.is_whole(i, picture));
         let [x, y] = found.at.map(|v| from_level(v, level));

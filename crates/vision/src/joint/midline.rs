@@ -71,6 +71,8 @@ pub(super) struct Midline {
     /// Middles of the rows in the picture.
     places: Rows,
     even: Even,
+    /// Rows before and after that a parabola is fitted to.
+    line: usize,
     /// How many of the rows before each are seen.
     seen_before: Vec<usize>,
     rests: Vec<f32>,
@@ -169,7 +171,6 @@ impl Midline {
         self.centre.extend((0..count).map(|i| column_about(&self.path, i, 4)));
         self.readings.resize(count, Reading::default());
         self.arms.resize(count, [[0.0; REACH]; 2]);
-        let mut line = LINE.0;
         for round in 0..if scale > 1.0 { 3 } else { 2 } {
             for i in 0..count {
                 self.readings[i] = profile.read(&self.strip.grey[i], self.centre[i], &mut self.arms[i]);
@@ -189,11 +190,11 @@ impl Midline {
             }
             self.place_middles();
             if round == 0 {
-                line = self.line_length(scale);
-                self.even.prepare(line);
+                self.line = self.line_length(scale);
+                self.even.prepare(self.line);
             }
             for i in 0..count {
-                let (at, error) = self.fit(i, line);
+                let (at, error) = self.fit(i, self.line, count);
                 let path = self.path[i] as f32;
                 self.centre[i] = at.clamp(path - 0.7 * width - 1.5, path + 0.7 * width + 1.5);
                 self.rows[i].error = error;
@@ -204,7 +205,7 @@ impl Midline {
         for i in 0..count {
             self.rows[i].at = self.stations[i].beside(self.centre[i] - MID as f32);
             if i % SLOWLY == 0 {
-                slow = (profile.asymmetry(&self.mean(i, line)), profile.rims(&self.mean(i, AROUND)));
+                slow = (profile.asymmetry(&self.mean(i, self.line)), profile.rims(&self.mean(i, AROUND)));
             }
             self.rows[i].asymmetry = slow.0;
             self.rows[i].width = slow.1.map_or(width, |[left, right]| right - left);
@@ -288,10 +289,18 @@ impl Midline {
         ((variance / (ERROR * ERROR)) as usize).clamp(LINE.0, LINE.1)
     }
 
-    /// The parabola through the middles of seen rows about row `i`: where it crosses that row's line, and the standard
-    /// error of that.
-    fn fit(&self, i: usize, reach: usize) -> (f32, f32) {
-        let near = i.saturating_sub(reach)..(i + reach + 1).min(self.single.len());
+    /// Finds the last rows of a joint that ends before row `end` once more, without what is behind it.
+    pub(super) fn end_before(&mut self, end: usize) {
+        for i in end.saturating_sub(self.line)..end {
+            let (centre, _) = self.fit(i, self.line, end);
+            self.rows[i].at = self.stations[i].beside(centre - MID as f32);
+        }
+    }
+
+    /// The parabola through the middles of seen rows about row `i` and before row `end`: where it crosses that row's line, and
+    /// the standard error of that.
+    fn fit(&self, i: usize, reach: usize, end: usize) -> (f32, f32) {
+        let near = i.saturating_sub(reach)..(i + reach + 1).min(end);
         let Station { at: [x0, y0], tangent: [cos, sin] } = self.stations[i];
         if self.seen_before[near.end] - self.seen_before[near.start] == 2 * reach + 1 {
             let (across, error) = self.even.across(&self.places, i, [x0, y0], [cos, sin]);
