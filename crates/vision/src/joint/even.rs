@@ -68,8 +68,7 @@ impl Even {
         let [r0, r1, r2, squares] = sums.map(|lanes| lanes.iter().sum::<f32>());
         let [m0, m2, m4] = self.moments;
         let determinant = m0 * m4 - m2 * m2;
-        let (value, slope, bend) =
-            ((r0 * m4 - r2 * m2) / determinant, r1 / m2, (r2 * m0 - r0 * m2) / determinant);
+        let (value, slope, bend) = ((r0 * m4 - r2 * m2) / determinant, r1 / m2, (r2 * m0 - r0 * m2) / determinant);
         let rest = (squares - value * r0 - slope * r1 - bend * r2).max(0.0) / m0;
         (value, (rest * m4 / determinant).sqrt())
     }

@@ -23,6 +23,9 @@ const LIKE: f32 = 0.06;
 const LINE: (usize, usize) = (6, 24);
 /// What the midline's standard error should be, pixels of the frame.
 const ERROR: f32 = 0.15;
+/// On levels where noise is little, rims that tell another middle than the rest of the profile by more than this part of the width
+/// are right: something beside the joint weighs on the rest.
+const OTHER: f32 = 0.2;
 /// Light steps if it does by more than this part of the depth and so many standard errors.
 const STEP: f32 = 0.3;
 const STEP_ERRORS: f32 = 3.5;
@@ -182,8 +185,18 @@ impl Midline {
                 let (depth, step, error) = self.about(i);
                 let most = 0.4 * width + 0.5;
                 self.rows[i].stepped = step.abs() > (STEP * depth).max(STEP_ERRORS * error);
-                let rims = if self.rows[i].stepped { profile.rims(&self.mean(i, STEPPED_AROUND)) } else { None };
-                let off = rims.map_or(self.readings[i].moment / depth.max(1e-3), |[left, right]| 0.5 * (left + right));
+                let rims = if self.rows[i].stepped || scale > 1.0 {
+                    profile.rims(&self.mean(i, STEPPED_AROUND))
+                } else {
+                    None
+                };
+                let by_moment = self.readings[i].moment / depth.max(1e-3);
+                let near = &self.readings[i.saturating_sub(STEPPED_AROUND)..(i + STEPPED_AROUND + 1).min(count)];
+                let usual = near.iter().map(|r| r.moment).sum::<f32>() / (near.len() as f32 * depth.max(1e-3));
+                let off = rims
+                    .map(|[left, right]| 0.5 * (left + right))
+                    .filter(|middle| self.rows[i].stepped || (middle - usual).abs() > OTHER * width);
+                let off = off.unwrap_or(by_moment);
                 self.single.push(self.centre[i] + off.clamp(-most, most));
                 self.rows[i].depth = depth;
                 self.rows[i].own_depth = self.readings[i].depth;
