@@ -1,5 +1,7 @@
 //! Parabolas through rows that are all there.
 
+/// Most rows before and after.
+pub(super) const MOST: usize = 24;
 /// Rows that are summed at a time.
 const LANES: usize = 8;
 
@@ -22,10 +24,13 @@ pub(super) struct Even {
 }
 
 impl Even {
-    /// For `reach` rows before and after.
+    /// For `reach` rows before and after, up to [`MOST`].
     pub(super) fn prepare(&mut self, reach: usize) {
         self.reach = reach;
-        self.weights.iter_mut().for_each(Vec::clear);
+        for list in &mut self.weights {
+            list.clear();
+            list.reserve(2 * MOST + 1);
+        }
         self.moments = [0.0; 3];
         for k in 0..=2 * reach {
             let row = k as f32 - reach as f32;
@@ -71,5 +76,36 @@ impl Even {
         let (value, slope, bend) = ((r0 * m4 - r2 * m2) / determinant, r1 / m2, (r2 * m0 - r0 * m2) / determinant);
         let rest = (squares - value * r0 - slope * r1 - bend * r2).max(0.0) / m0;
         (value, (rest * m4 / determinant).sqrt())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::joint::parabola::Parabola;
+
+    #[test]
+    fn it_is_the_parabola_of_least_squares() {
+        let mut even = Even::default();
+        for (reach, angle) in [(6usize, 0.3f32), (7, -2.0), (11, 1.2), (24, 2.9)] {
+            even.prepare(reach);
+            let (sin, cos) = angle.sin_cos();
+            let count = 2 * reach + 7;
+            // A bend with a scatter that is the same each time.
+            let across = |k: usize| 0.01 * (k as f32 - 9.0).powi(2) + 0.3 * (7.3 * k as f32).sin();
+            let place = |k: usize| [200.0 + cos * k as f32 - sin * across(k), 90.0 + sin * k as f32 + cos * across(k)];
+            let rows =
+                Rows { x: (0..count).map(|k| place(k)[0]).collect(), y: (0..count).map(|k| place(k)[1]).collect() };
+            for i in reach..count - reach {
+                let at = [200.0 + cos * i as f32, 90.0 + sin * i as f32];
+                let (found, error) = even.across(&rows, i, at, [cos, sin]);
+                let weight = |k: usize| 1.0 - (k.abs_diff(i) as f32 / (reach + 1) as f32).powi(2);
+                let near = (i - reach..=i + reach).map(|k| (k as f32 - i as f32, across(k), weight(k)));
+                let parabola = Parabola::through(near, 0.0).unwrap();
+                assert!((found - parabola.terms[0]).abs() < 1e-3, "{reach} {i}: {found} {parabola:?}");
+                let expected = (parabola.rest * parabola.variance).sqrt();
+                assert!((error - expected).abs() < 1e-3, "{reach} {i}: {error} {expected}");
+            }
+        }
     }
 }

@@ -1,5 +1,5 @@
 use super::axis::Station;
-use super::even::{Even, Rows};
+use super::even::{self, Even, Rows};
 use super::lattice::{Lattice, column_about};
 use super::levels::Picture;
 use super::parabola::Parabola;
@@ -20,7 +20,7 @@ const USUAL: f32 = 1.6;
 /// ... and this part of the depth.
 const LIKE: f32 = 0.06;
 /// Rows before and after that a parabola through the middles is fitted to, least and most.
-const LINE: (usize, usize) = (6, 24);
+const LINE: (usize, usize) = (6, even::MOST);
 /// What the midline's standard error should be, pixels of the frame.
 const ERROR: f32 = 0.15;
 /// On levels where noise is little, rims that tell another middle than the rest of the profile by more than this part of the width
