@@ -174,7 +174,7 @@ impl Midline {
         self.centre.extend((0..count).map(|i| column_about(&self.path, i, 4)));
         self.readings.resize(count, Reading::default());
         self.arms.resize(count, [[0.0; REACH]; 2]);
-        for round in 0..if scale > 1.0 { 3 } else { 2 } {
+        for round in 0..3 {
             for i in 0..count {
                 self.readings[i] = profile.read(&self.strip.grey[i], self.centre[i], &mut self.arms[i]);
             }
