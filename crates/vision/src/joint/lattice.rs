@@ -86,9 +86,8 @@ impl Lattice {
         let rows = self.forward.iter().zip(&self.backward).zip(&self.evidence);
         margins.extend(rows.zip(path).map(|(((forward, backward), evidence), at)| {
             let mut through = [0.0; SPAN];
-            for j in 0..SPAN {
-                through[j] = forward[j] + backward[j] - evidence[j];
-            }
+            let ways = forward.iter().zip(backward).zip(evidence);
+            through.iter_mut().zip(ways).for_each(|(through, ((f, b), e))| *through = f + b - e);
             let near = &mut through[(at - FROM).saturating_sub(away)..=(at - FROM + away).min(SPAN - 1)];
             let best = near.iter().copied().fold(NEVER, greater);
             near.fill(NEVER);

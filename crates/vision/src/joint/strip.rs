@@ -60,19 +60,20 @@ fn inside<P: Copy>(line: &mut Line, station: &Station, (pixels, width): (&[P], u
     // First fetched, then mixed: mixing is done for several columns at a time.
     let mut four = [[pixels[0]; COLS]; 4];
     let (mut x, mut y) = (x0, y0);
-    for j in 0..COLS {
+    let [a, b, c, d] = &mut four;
+    for (((a, b), c), d) in a.iter_mut().zip(b).zip(c).zip(d) {
         let at = (y >> 16) as usize * width + (x >> 16) as usize;
         let (above, below) = (&pixels[at..at + 2], &pixels[at + width..at + width + 2]);
-        (four[0][j], four[1][j], four[2][j], four[3][j]) = (above[0], above[1], below[0], below[1]);
+        (*a, *b, *c, *d) = (above[0], above[1], below[0], below[1]);
         (x, y) = (x + step_x, y + step_y);
     }
     let (mut x, mut y) = (x0, y0);
-    for j in 0..COLS {
+    for (j, value) in line.iter_mut().enumerate() {
         let part = |v: i32| (v & 0xffff) as f32 * (1.0 / PARTS);
         let (u, v) = (part(x), part(y));
         let [a, b, c, d] = [grey(four[0][j]), grey(four[1][j]), grey(four[2][j]), grey(four[3][j])];
         let (upper, lower) = (a + u * (b - a), c + u * (d - c));
-        line[j] = upper + v * (lower - upper);
+        *value = upper + v * (lower - upper);
         (x, y) = (x + step_x, y + step_y);
     }
 }
