@@ -1,12 +1,10 @@
 //! The simulated eye: frames of the actual seam from where the machine truly is.
 
-use super::paint::{Canvas, Look};
-use super::seam_line::SeamLine;
-use crate::disturbance::uniform;
+use super::random::Random;
+use super::scene::{Canvas, Disturbances};
+use super::seam_line::{SeamLine, Station};
 use crate::frames::{FrameError, FrameSource, TimedFrame};
 use glam::{DAffine3, DVec2, DVec3};
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::SeedableRng;
 use seamwright_geometry::HeightTable;
 use seamwright_machine::{Joints, Machine, Sensor, Sight};
 use seamwright_vision::Image;
@@ -26,13 +24,29 @@ pub struct Appearance {
     pub tacks: Vec<(f64, f64)>,
     /// Greatest error of a height that focus finds, mm; none: no heights are measured.
     pub height_error_mm: Option<f64>,
-    /// Light and noise.
-    pub look: Look,
+    /// Grey value of the metal, 0 to 255.
+    pub metal: f64,
+    /// By how much the joint is darker.
+    pub contrast: f64,
+    /// What is wrong with a frame.
+    pub disturbances: Disturbances,
 }
 
 impl Default for Appearance {
     fn default() -> Self {
-        Self { width_mm: 0.6, tacks: Vec::new(), height_error_mm: Some(0.03), look: Look::default() }
+        // A ground surface in uneven light: contrast to noise 5.
+        let disturbances = Disturbances {
+            noise: 8.0,
+            ramp: [12.0, -8.0],
+            vignette: 20.0,
+            texture: (4.0, 0.4),
+            jitter: 0.2,
+            charging: 1.5,
+            salt: 0.001,
+            defocus: 0,
+        };
+        let (tacks, height_error_mm) = (Vec::new(), Some(0.03));
+        Self { width_mm: 0.6, tacks, height_error_mm, metal: 150.0, contrast: 45.0, disturbances }
     }
 }
 
@@ -44,7 +58,7 @@ pub struct Eye<'a> {
     table: &'a HeightTable,
     actual: SeamLine,
     appearance: Appearance,
-    random: Pcg64Mcg,
+    random: Random,
     exposures: VecDeque<(f64, Joints)>,
 }
 
@@ -58,7 +72,7 @@ impl<'a> Eye<'a> {
         seed: u64,
     ) -> Option<Self> {
         let Sight::Camera(camera) = &sensor.sight else { return None };
-        let random = Pcg64Mcg::seed_from_u64(seed ^ 0xe7e5);
+        let random = Random::new(seed ^ 0xe7e5);
         Some(Self { machine, sensor, table: &camera.table, actual, appearance, random, exposures: VecDeque::new() })
     }
 
@@ -86,41 +100,58 @@ impl<'a> Eye<'a> {
     fn frame(&mut self, t_s: f64, q: &Joints) -> TimedFrame {
         let camera = self.machine.camera_frame(self.sensor, q);
         let true_height = self.height(&camera);
-        let error = 2.0 * uniform(&mut self.random) - 1.0;
+        let error = self.random.within(-1.0, 1.0);
         let height_mm = self.appearance.height_error_mm.and_then(|most| Some(true_height? + most * error));
-        let size = self.table.size_px();
-        let mut canvas = Canvas::new(size);
-        self.draw(&camera, true_height.unwrap_or(0.0), &mut canvas);
-        let pixels = canvas.finish(&self.appearance.look, &mut self.random);
+        let image = self.paint(&camera, true_height.unwrap_or(0.0));
         let axes = self.machine.axes.iter().zip(q).map(|(axis, value)| axis.to_file(*value)).collect();
-        let image = Image::U8 { width: size.0, height: size.1, pixels };
         TimedFrame { t_s, image, axes: Some(axes), height_mm }
     }
 
-    /// The joint's pieces that are in view, tacks left out.
-    fn draw(&self, camera: &DAffine3, height: f64, canvas: &mut Canvas) {
-        let back = camera.inverse();
-        let axis = camera.transform_vector3(DVec3::Z);
+    /// The joint where it is in view, and the tacks on it.
+    fn paint(&mut self, camera: &DAffine3, height: f64) -> Image {
         let (width, rows) = self.table.size_px();
-        let corner = DVec2::new(width as f64, rows as f64);
-        let Ok(map) = self.table.at(height) else { return };
-        let reach = map.to_mm(DVec2::ZERO).zip(map.to_mm(corner)).map_or(100.0, |(a, b)| a.length().max(b.length()));
-        let centre = camera.transform_point3(DVec3::Z * height);
-        let px = |i: usize| {
-            let station = &self.actual.stations()[i];
-            let facing = axis.dot(station.normal) < -FACING;
-            facing.then(|| self.table.to_px(back.transform_point3(station.point)).ok()).flatten()
-        };
-        let hidden = |way: f64| self.appearance.tacks.iter().any(|(from, to)| (*from..*to).contains(&way));
-        let ways = self.actual.ways();
-        for i in self.actual.around(centre, 1.5 * reach) {
-            if i + 1 == ways.len() || hidden(ways[i]) || hidden(ways[i + 1]) {
-                continue;
+        let Appearance { width_mm, metal, contrast, ref disturbances, .. } = self.appearance;
+        let mut canvas = Canvas::new(width, rows, metal);
+        let mut seen = Vec::new();
+        if let Ok(map) = self.table.at(height) {
+            let corner = DVec2::new(width as f64, rows as f64);
+            let corners = map.to_mm(DVec2::ZERO).zip(map.to_mm(corner));
+            let reach = corners.map_or(100.0, |(a, b)| a.length().max(b.length()));
+            let scale = map.scale_at(0.5 * corner).unwrap_or(1.0);
+            for piece in self.pieces(camera, height, 1.5 * reach) {
+                canvas.line(&piece, width_mm / scale, contrast, |_| 1.0);
+                seen.extend(piece);
             }
-            let (Some(a), Some(b)) = (px(i), px(i + 1)) else { continue };
-            let scale = map.scale_at(0.5 * (a + b)).unwrap_or(1.0);
-            canvas.line(a, b, self.appearance.width_mm / scale);
+            for (from, to) in &self.appearance.tacks {
+                let (middle, _) = self.actual.at(0.5 * (from + to));
+                if let Some(at) = self.px(camera, &middle) {
+                    canvas.tack(at, 0.5 * (to - from) / scale, metal, &mut self.random);
+                }
+            }
         }
+        canvas.finish(disturbances, (&seen, 0.0), &mut self.random)
+    }
+
+    /// The joint in pixels as far as it is within `reach` of what the camera looks at: pieces of it that face the camera.
+    fn pieces(&self, camera: &DAffine3, height: f64, reach: f64) -> Vec<Vec<DVec2>> {
+        let centre = camera.transform_point3(DVec3::Z * height);
+        let mut pieces: Vec<Vec<DVec2>> = Vec::new();
+        let mut before = None;
+        for i in self.actual.around(centre, reach) {
+            let Some(at) = self.px(camera, &self.actual.stations()[i]) else { continue };
+            match pieces.last_mut().filter(|_| before.is_some_and(|before| before + 1 == i)) {
+                Some(piece) => piece.push(at),
+                None => pieces.push(vec![at]),
+            }
+            before = Some(i);
+        }
+        pieces
+    }
+
+    /// Where a place of the seam is in the frame; none where it is tilted away.
+    fn px(&self, camera: &DAffine3, station: &Station) -> Option<DVec2> {
+        let facing = camera.transform_vector3(DVec3::Z).dot(station.normal) < -FACING;
+        facing.then(|| self.table.to_px(camera.inverse().transform_point3(station.point)).ok()).flatten()
     }
 }
 

@@ -3,7 +3,6 @@
 mod distortion;
 mod eye;
 pub mod gates;
-mod paint;
 mod random;
 pub mod scene;
 mod seam_line;
@@ -11,6 +10,5 @@ pub mod stripe;
 
 pub use distortion::Distortion;
 pub use eye::{Appearance, Eye};
-pub use paint::Look;
 pub use random::Random;
 pub use seam_line::{Foot, STATION_MM, SeamLine, Station};

@@ -17,6 +17,9 @@ const NOT_MUCH_LESS: f32 = 0.5;
 const CLEAR: f32 = 6.0;
 /// ... and this part of the depth of the deepest width is sure to be a line.
 const NEARLY_DEEPEST: f32 = 0.7;
+/// What is this many times as deep as what is wider, and this many standard deviations, is a line in a dark strip.
+const TWICE: f32 = 1.8;
+const DEEP: f32 = 3.5;
 /// Least and most width, pixels of the frame.
 const WIDTH: (f32, f32) = (1.0, 400.0);
 /// Part of the frame's shorter side that is coasted over if nothing else is said.
@@ -112,13 +115,19 @@ impl Follower {
             return End::Lost;
         }
         self.midline.find(&picture, &self.trail, &look);
-        tell(&self.midline, &picture, (level, self.trail.solid, stop, gap), self.options.on_joint, &mut self.joint.rows)
+        tell(
+            &mut self.midline,
+            &picture,
+            (level, self.trail.solid, stop, gap),
+            self.options.on_joint,
+            &mut self.joint.rows,
+        )
     }
 }
 
 /// Rows of the frame from those of the level.
 fn tell(
-    midline: &Midline,
+    midline: &mut Midline,
     picture: &Picture,
     (level, solid, stop, gap): (usize, usize, Stop, f32),
     on_joint: bool,
@@ -126,6 +135,9 @@ fn tell(
 ) -> End {
     let scale = (1 << level) as f32;
     let Some(Cut { rows, end, beyond }) = cut(&midline.rows, solid, stop, gap) else { return End::Lost };
+    if end == End::JointEnd {
+        midline.end_before(rows);
+    }
     for (i, found) in midline.rows[..rows].iter().enumerate() {
         let confidence = judge::row(found, scale, midline.is_whole(i, picture));
         let [x, y] = found.at.map(|v| from_level(v, level));
@@ -188,7 +200,9 @@ fn narrowest(looks: &[Option<Look>]) -> Option<Look> {
     let strength = |k: usize| looks.get(k).copied().flatten().map_or(0.0, |l| l.strength);
     let most = (0..looks.len()).map(strength).fold(0.0, f32::max);
     let found = (0..looks.len()).find(|k| strength(*k) > strength(k + 1) && strength(*k) >= NOT_MUCH_LESS * most)?;
-    looks[found]
+    // A line in a dark strip: what is twice as deep and narrower is it.
+    let deep = |look: &&Look| look.contrast > DEEP * look.noise && look.contrast > TWICE * depth(&looks[found]);
+    looks[..found].iter().flatten().find(deep).copied().or(looks[found])
 }
 
 /// The width that a start tells, pixels of the frame.

@@ -1,4 +1,4 @@
-use super::strip::{COLS, GROUP, Line, MID, Strip};
+use super::strip::{COLS, GROUP, MID, Strip, greater, lesser};
 
 /// What a step to the next column costs, nats.
 const MOVE: f32 = 2.5;
@@ -11,13 +11,19 @@ const TOO_DEEP: f32 = 3.5;
 /// Out of reach.
 const NEVER: f32 = -1e6;
 
+/// The columns of a strip in which a joint is looked for: there is a depth in no other, but for the narrowest joints.
+const FROM: usize = 8;
+const SPAN: usize = COLS - 2 * FROM;
+/// One value for each of them.
+type Span = [f32; SPAN];
+
 /// Paths across the rows of a strip, one column a row, and how likely they are: the logarithm of the ratio of
 /// likelihoods with a joint and without one, less what their moves cost.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Lattice {
-    pub(super) evidence: Vec<Line>,
-    forward: Vec<Line>,
-    backward: Vec<Line>,
+    evidence: Vec<Span>,
+    forward: Vec<Span>,
+    backward: Vec<Span>,
 }
 
 impl Lattice {
@@ -26,46 +32,51 @@ impl Lattice {
         let (first, last) = strip.columns;
         // Groups overlap: each row counts once.
         let rows = (2 * GROUP + 1) as f32;
-        self.evidence.clear();
-        for (i, depth) in strip.depth.iter().enumerate() {
+        let (first, last) = (first.max(FROM) - FROM, last.min(FROM + SPAN - 1) - FROM);
+        self.evidence.resize(strip.depth.len(), [0.0; SPAN]);
+        for (i, (row, depth)) in self.evidence.iter_mut().zip(&strip.depth).enumerate() {
             let contrast = contrast(i);
             // At the joint's own depth the evidence is no more than the most: it peaks there.
             let part = (1.0 / (rows * strip.noise * strip.noise)).min(2.0 * MOST / (contrast * contrast));
-            let mut row = depth.map(|depth| {
-                let depth = depth.min(TOO_DEEP * contrast - depth);
-                (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST)
-            });
+            for (evidence, depth) in row.iter_mut().zip(&depth[FROM..FROM + SPAN]) {
+                let depth = lesser(*depth, TOO_DEEP * contrast - depth);
+                *evidence = (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST);
+            }
             row[..first].fill(NEVER);
             row[last + 1..].fill(NEVER);
-            self.evidence.push(row);
         }
+    }
+
+    /// The evidence of a row for a joint in a column.
+    pub(super) fn evidence(&self, row: usize, column: usize) -> f32 {
+        self.evidence[row][column - FROM]
     }
 
     /// The best path and its score. `cost` of beginning in a column.
     pub(super) fn best(&mut self, cost: impl Fn(usize) -> f32, path: &mut Vec<usize>) -> f32 {
-        self.go_forward(cost);
+        const MIDDLE: usize = MID - FROM;
+        self.go_forward(|j| cost(j + FROM));
         path.clear();
         path.resize(self.forward.len(), MID);
-        let mut at = MID;
-        for (i, place) in path.iter_mut().enumerate().rev() {
-            let row = &self.forward[i];
-            if i + 1 == self.forward.len() {
-                // Of equal ends the one nearest to the axis.
-                at = (0..COLS).fold(MID, |at, j| {
-                    let nearer = j.abs_diff(MID) < at.abs_diff(MID);
-                    if row[j] > row[at] || (row[j] >= row[at] && nearer) { j } else { at }
-                });
-            } else {
+        let Some(last) = self.forward.last() else { return NEVER };
+        // Of equal ends the one nearest to the axis.
+        let mut at = (0..SPAN).fold(MIDDLE, |at, j| {
+            let nearer = j.abs_diff(MIDDLE) < at.abs_diff(MIDDLE);
+            if last[j] > last[at] || (last[j] >= last[at] && nearer) { j } else { at }
+        });
+        let score = last[at];
+        for (i, (place, row)) in path.iter_mut().zip(&self.forward).enumerate().rev() {
+            if i + 1 < self.forward.len() {
                 let here = row[at];
-                if at > 0 && row[at - 1] - MOVE > here && row[at - 1] >= row[(at + 1).min(COLS - 1)] {
+                if at > 0 && row[at - 1] - MOVE > here && row[at - 1] >= row[(at + 1).min(SPAN - 1)] {
                     at -= 1;
-                } else if at + 1 < COLS && row[at + 1] - MOVE > here {
+                } else if at + 1 < SPAN && row[at + 1] - MOVE > here {
                     at += 1;
                 }
             }
-            *place = at;
+            *place = at + FROM;
         }
-        self.forward.last().map_or(NEVER, |last| path.last().map_or(NEVER, |at| last[*at]))
+        score
     }
 
     /// How much worse the best path is that keeps away from column `path[i]` by more than `away` in row i, nats.
@@ -74,39 +85,40 @@ impl Lattice {
         margins.clear();
         let rows = self.forward.iter().zip(&self.backward).zip(&self.evidence);
         margins.extend(rows.zip(path).map(|(((forward, backward), evidence), at)| {
-            let through = |j: usize| forward[j] + backward[j] - evidence[j];
-            let (low, high) = (at.saturating_sub(away), (at + away).min(COLS - 1));
-            let best = (low..=high).map(through).fold(NEVER, f32::max);
-            let rival = (0..low).chain(high + 1..COLS).map(through).fold(NEVER, f32::max);
-            best - rival
+            let mut through = [0.0; SPAN];
+            let ways = forward.iter().zip(backward).zip(evidence);
+            through.iter_mut().zip(ways).for_each(|(through, ((f, b), e))| *through = f + b - e);
+            let near = &mut through[(at - FROM).saturating_sub(away)..=(at - FROM + away).min(SPAN - 1)];
+            let best = near.iter().copied().fold(NEVER, greater);
+            near.fill(NEVER);
+            best - greatest(&through)
         }));
     }
 
     fn go_forward(&mut self, cost: impl Fn(usize) -> f32) {
-        self.forward.clear();
-        let mut score = [0.0; COLS];
-        for (j, score) in score.iter_mut().enumerate() {
-            *score = -cost(j);
-        }
-        for (i, evidence) in self.evidence.iter().enumerate() {
-            if i > 0 {
-                score = arrive(&score);
+        let begin: Span = std::array::from_fn(|j| -cost(j));
+        self.forward.resize(self.evidence.len(), [0.0; SPAN]);
+        let mut before: Option<&Span> = None;
+        for (evidence, forward) in self.evidence.iter().zip(&mut self.forward) {
+            match before {
+                None => *forward = begin,
+                Some(before) => arrive(before, forward),
             }
-            score.iter_mut().zip(evidence).for_each(|(s, e)| *s += e);
-            self.forward.push(score);
+            forward.iter_mut().zip(evidence).for_each(|(s, e)| *s += e);
+            before = Some(forward);
         }
     }
 
     fn go_backward(&mut self) {
-        self.backward.clear();
-        self.backward.resize(self.evidence.len(), [0.0; COLS]);
-        let mut score = [0.0; COLS];
-        for (i, (evidence, backward)) in self.evidence.iter().zip(&mut self.backward).rev().enumerate() {
-            if i > 0 {
-                score = arrive(&score);
+        self.backward.resize(self.evidence.len(), [0.0; SPAN]);
+        let mut after: Option<&Span> = None;
+        for (evidence, backward) in self.evidence.iter().zip(&mut self.backward).rev() {
+            match after {
+                None => backward.fill(0.0),
+                Some(after) => arrive(after, backward),
             }
-            score.iter_mut().zip(evidence).for_each(|(s, e)| *s += e);
-            *backward = score;
+            backward.iter_mut().zip(evidence).for_each(|(s, e)| *s += e);
+            after = Some(backward);
         }
     }
 }
@@ -118,12 +130,22 @@ pub(super) fn column_about(path: &[usize], i: usize, reach: usize) -> f32 {
 }
 
 /// The best that leads to each column of the next row.
-fn arrive(score: &Line) -> Line {
-    let mut next = *score;
-    for j in 1..COLS - 1 {
-        next[j] = score[j].max(score[j - 1].max(score[j + 1]) - MOVE);
+fn arrive(score: &Span, next: &mut Span) {
+    for j in 1..SPAN - 1 {
+        next[j] = greater(score[j], greater(score[j - 1], score[j + 1]) - MOVE);
     }
-    next[0] = score[0].max(score[1] - MOVE);
-    next[COLS - 1] = score[COLS - 1].max(score[COLS - 2] - MOVE);
-    next
+    next[0] = greater(score[0], score[1] - MOVE);
+    next[SPAN - 1] = greater(score[SPAN - 1], score[SPAN - 2] - MOVE);
+}
+
+/// The greatest of a line, several at a time.
+fn greatest(line: &Span) -> f32 {
+    const LANES: usize = 8;
+    let mut lanes = [NEVER; LANES];
+    for eight in line.as_chunks::<LANES>().0 {
+        for (lane, value) in lanes.iter_mut().zip(eight) {
+            *lane = greater(*lane, *value);
+        }
+    }
+    lanes.into_iter().fold(NEVER, greater)
 }

@@ -47,11 +47,20 @@ impl Levels {
             let (before, rest) = self.halved.split_at_mut(k);
             let from = before.last().map_or_else(|| whole(frame), Halved::picture);
             match from.grey {
-                Grey::U8(pixels) => rest[0].halve(from.width, from.height, pixels, f32::from),
-                Grey::U16(pixels) => {
-                    rest[0].halve(from.width, from.height, pixels, |p| f32::from(p) / OF_16_BITS);
+                Grey::U8(pixels) => {
+                    rest[0].halve(from.width, from.height, pixels, 0.25, |[a, b], [c, d]| {
+                        // The greatest sum is 1020.
+                        f32::from(u16::from(a) + u16::from(b) + u16::from(c) + u16::from(d))
+                    });
                 }
-                Grey::F32(pixels) => rest[0].halve(from.width, from.height, pixels, |p| p),
+                Grey::U16(pixels) => {
+                    rest[0].halve(from.width, from.height, pixels, 0.25 / OF_16_BITS, |[a, b], [c, d]| {
+                        (u32::from(a) + u32::from(b) + u32::from(c) + u32::from(d)) as f32
+                    });
+                }
+                Grey::F32(pixels) => {
+                    rest[0].halve(from.width, from.height, pixels, 0.25, |[a, b], [c, d]| a + b + c + d);
+                }
             }
         }
     }
@@ -81,14 +90,23 @@ impl Halved {
         Picture { width: self.width, height: self.height, grey: Grey::F32(&self.pixels) }
     }
 
-    /// Means of two by two pixels; an odd last row or column is left out.
-    fn halve<P: Copy>(&mut self, width: usize, height: usize, pixels: &[P], grey: impl Fn(P) -> f32) {
+    /// Sums of two by two pixels times `part`; an odd last row or column is left out.
+    fn halve<P: Copy>(
+        &mut self,
+        width: usize,
+        height: usize,
+        pixels: &[P],
+        part: f32,
+        sum: impl Fn([P; 2], [P; 2]) -> f32,
+    ) {
         (self.width, self.height) = (width / 2, height / 2);
-        self.pixels.clear();
-        for rows in pixels.chunks_exact(2 * width).take(self.height) {
+        self.pixels.resize(self.width * self.height, 0.0);
+        for (out, rows) in self.pixels.chunks_exact_mut(self.width).zip(pixels.chunks_exact(2 * width)) {
             let (upper, lower) = rows.split_at(width);
-            let pairs = upper.chunks_exact(2).zip(lower.chunks_exact(2));
-            self.pixels.extend(pairs.map(|(a, b)| 0.25 * (grey(a[0]) + grey(a[1]) + grey(b[0]) + grey(b[1]))));
+            let pairs = upper.as_chunks::<2>().0.iter().zip(lower.as_chunks::<2>().0);
+            for (out, (a, b)) in out.iter_mut().zip(pairs) {
+                *out = part * sum(*a, *b);
+            }
         }
     }
 }

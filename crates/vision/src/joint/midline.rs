@@ -1,4 +1,5 @@
 use super::axis::Station;
+use super::even::{self, Even, Rows};
 use super::lattice::{Lattice, column_about};
 use super::levels::Picture;
 use super::parabola::Parabola;
@@ -10,6 +11,8 @@ use super::trail::{Look, Place, Trail};
 const SMOOTH: usize = 8;
 /// Rows before and after that depth, step and width are means over.
 const AROUND: usize = 12;
+/// Depth, asymmetry and width change slowly: they are found once for so many rows.
+const SLOWLY: usize = 4;
 /// The same where light steps.
 const STEPPED_AROUND: usize = 4;
 /// A profile is like the joint's if what differs is no more than this much of what usually does ...
@@ -17,9 +20,12 @@ const USUAL: f32 = 1.6;
 /// ... and this part of the depth.
 const LIKE: f32 = 0.06;
 /// Rows before and after that a parabola through the middles is fitted to, least and most.
-const LINE: (usize, usize) = (6, 24);
+const LINE: (usize, usize) = (6, even::MOST);
 /// What the midline's standard error should be, pixels of the frame.
 const ERROR: f32 = 0.15;
+/// On levels where noise is little, rims that tell another middle than the rest of the profile by more than this part of the width
+/// are right: something beside the joint weighs on the rest.
+const OTHER: f32 = 0.2;
 /// Light steps if it does by more than this part of the depth and so many standard errors.
 const STEP: f32 = 0.3;
 const STEP_ERRORS: f32 = 3.5;
@@ -66,7 +72,12 @@ pub(super) struct Midline {
     arms_before: Vec<Arms>,
     sums: Vec<[f64; 3]>,
     /// Middles of the rows in the picture.
-    places: Vec<[f32; 2]>,
+    places: Rows,
+    even: Even,
+    /// Rows before and after that a parabola is fitted to.
+    line: usize,
+    /// How many of the rows before each are seen.
+    seen_before: Vec<usize>,
     rests: Vec<f32>,
     sorted: Vec<f32>,
 }
@@ -78,15 +89,15 @@ impl Midline {
         self.strip.unroll(picture, self.stations.iter().copied());
         let deepest = trail.places.iter().map(|p| p.contrast).fold(0.0, f32::max);
         self.strip.measure(look.width, look.most(deepest));
-        self.strip.noise = self.strip.noise_everywhere();
         self.contrast.clear();
         self.contrast.extend(trail.places.iter().map(|p| p.contrast));
-        for _ in 0..2 {
-            self.lattice.weigh(&self.strip, |i| self.contrast[i]);
-            self.lattice.best(|_| 0.0, &mut self.path);
-            self.strip.noise = self.strip.noise_beside(&self.path, look.width);
-            self.follow_contrast(&trail.places);
-        }
+        // The joint lies about along the stations.
+        self.path.clear();
+        self.path.resize(self.stations.len(), MID);
+        self.strip.noise = self.strip.noise_beside(&self.path, look.width);
+        self.lattice.weigh(&self.strip, |i| self.contrast[i]);
+        self.lattice.best(|_| 0.0, &mut self.path);
+        self.follow_contrast(&trail.places);
         let scale = (1 << look.level) as f32;
         let away = (2.0 / scale).max(0.5 * look.width).round().max(1.0) as usize;
         self.lattice.margins(&self.path, away, &mut self.margins);
@@ -124,6 +135,10 @@ impl Midline {
         let depth = |k: usize| self.strip.depth[k][self.path[k]];
         for (i, place) in places.iter().enumerate() {
             let known = place.contrast;
+            if i % SLOWLY > 0 {
+                self.contrast[i] = self.contrast[i - 1];
+                continue;
+            }
             let near = (i.saturating_sub(REACH)..(i + REACH + 1).min(count)).step_by(3);
             let (mut sum, mut weight) = (4.0 * known, 4.0);
             for d in near.map(depth).filter(|d| *d > 0.4 * known) {
@@ -136,12 +151,19 @@ impl Midline {
 
     fn judge_rows(&mut self) {
         let count = self.path.len();
-        let evidence = |k: usize| self.lattice.evidence[k][self.path[k]];
+        let evidence = |k: usize| self.lattice.evidence(k, self.path[k]);
         for (i, row) in self.rows.iter_mut().enumerate() {
             row.seen = self.strip.shows(&self.path, i, self.contrast[i]);
             row.strength = (i.saturating_sub(AROUND)..(i + AROUND + 1).min(count)).map(evidence).sum();
             row.margin = self.margins[i];
         }
+        self.seen_before.clear();
+        self.seen_before.push(0);
+        let mut seen = 0;
+        self.seen_before.extend(self.rows.iter().map(|row| {
+            seen += usize::from(row.seen);
+            seen
+        }));
     }
 
     /// The middle of each row between columns.
@@ -152,7 +174,6 @@ impl Midline {
         self.centre.extend((0..count).map(|i| column_about(&self.path, i, 4)));
         self.readings.resize(count, Reading::default());
         self.arms.resize(count, [[0.0; REACH]; 2]);
-        let mut line = LINE.0;
         for round in 0..3 {
             for i in 0..count {
                 self.readings[i] = profile.read(&self.strip.grey[i], self.centre[i], &mut self.arms[i]);
@@ -164,30 +185,53 @@ impl Midline {
                 let (depth, step, error) = self.about(i);
                 let most = 0.4 * width + 0.5;
                 self.rows[i].stepped = step.abs() > (STEP * depth).max(STEP_ERRORS * error);
-                let rims = if self.rows[i].stepped { profile.rims(&self.mean(i, STEPPED_AROUND)) } else { None };
-                let off = rims.map_or(self.readings[i].moment / depth.max(1e-3), |[left, right]| 0.5 * (left + right));
+                let rims = if self.rows[i].stepped || scale > 1.0 {
+                    profile.rims(&self.mean(i, STEPPED_AROUND))
+                } else {
+                    None
+                };
+                let by_moment = self.readings[i].moment / depth.max(1e-3);
+                let near = &self.readings[i.saturating_sub(STEPPED_AROUND)..(i + STEPPED_AROUND + 1).min(count)];
+                let usual = near.iter().map(|r| r.moment).sum::<f32>() / (near.len() as f32 * depth.max(1e-3));
+                let off = rims
+                    .map(|[left, right]| 0.5 * (left + right))
+                    .filter(|middle| self.rows[i].stepped || (middle - usual).abs() > OTHER * width);
+                let off = off.unwrap_or(by_moment);
                 self.single.push(self.centre[i] + off.clamp(-most, most));
                 self.rows[i].depth = depth;
                 self.rows[i].own_depth = self.readings[i].depth;
             }
-            self.places.clear();
-            let middles = self.stations.iter().zip(&self.single);
-            self.places.extend(middles.map(|(station, middle)| station.beside(middle - MID as f32)));
+            self.place_middles();
             if round == 0 {
-                line = self.line_length(scale);
+                self.line = self.line_length(scale);
+                self.even.prepare(self.line);
             }
             for i in 0..count {
-                let (at, error) = self.fit(i, line);
+                let (at, error) = self.fit(i, self.line, count);
                 let path = self.path[i] as f32;
                 self.centre[i] = at.clamp(path - 0.7 * width - 1.5, path + 0.7 * width + 1.5);
                 self.rows[i].error = error;
             }
         }
         self.compare(profile.reach());
+        let mut slow = (0.0, None);
         for i in 0..count {
             self.rows[i].at = self.stations[i].beside(self.centre[i] - MID as f32);
-            self.rows[i].asymmetry = profile.asymmetry(&self.mean(i, line));
-            self.rows[i].width = profile.rims(&self.mean(i, AROUND)).map_or(width, |[left, right]| right - left);
+            if i % SLOWLY == 0 {
+                slow = (profile.asymmetry(&self.mean(i, self.line)), profile.rims(&self.mean(i, AROUND)));
+            }
+            self.rows[i].asymmetry = slow.0;
+            self.rows[i].width = slow.1.map_or(width, |[left, right]| right - left);
+        }
+    }
+
+    fn place_middles(&mut self) {
+        self.places.x.clear();
+        self.places.y.clear();
+        for (station, middle) in self.stations.iter().zip(&self.single) {
+            let [x, y] = station.beside(middle - MID as f32);
+            self.places.x.push(x);
+            self.places.y.push(y);
         }
     }
 
@@ -258,14 +302,26 @@ impl Midline {
         ((variance / (ERROR * ERROR)) as usize).clamp(LINE.0, LINE.1)
     }
 
-    /// The parabola through the middles of seen rows about row `i`: where it crosses that row's line, and the standard
-    /// error of that.
-    fn fit(&self, i: usize, reach: usize) -> (f32, f32) {
-        let near = i.saturating_sub(reach)..(i + reach + 1).min(self.single.len());
+    /// Finds the last rows of a joint that ends before row `end` once more, without what is behind it.
+    pub(super) fn end_before(&mut self, end: usize) {
+        for i in end.saturating_sub(self.line)..end {
+            let (centre, _) = self.fit(i, self.line, end);
+            self.rows[i].at = self.stations[i].beside(centre - MID as f32);
+        }
+    }
+
+    /// The parabola through the middles of seen rows about row `i` and before row `end`: where it crosses that row's line, and
+    /// the standard error of that.
+    fn fit(&self, i: usize, reach: usize, end: usize) -> (f32, f32) {
+        let near = i.saturating_sub(reach)..(i + reach + 1).min(end);
         let Station { at: [x0, y0], tangent: [cos, sin] } = self.stations[i];
+        if self.seen_before[near.end] - self.seen_before[near.start] == 2 * reach + 1 {
+            let (across, error) = self.even.across(&self.places, i, [x0, y0], [cos, sin]);
+            return (across + MID as f32, error);
+        }
         let scale = 1.0 / (reach + 1) as f32;
         let places = near.filter(|k| self.rows[*k].seen).map(|k| {
-            let [x, y] = self.places[k];
+            let (x, y) = (self.places.x[k], self.places.y[k]);
             let (u, v) = ((x - x0) * cos + (y - y0) * sin, (y - y0) * cos - (x - x0) * sin);
             (u, v, 1.0 - (k.abs_diff(i) as f32 * scale).powi(2))
         });
@@ -279,7 +335,13 @@ impl Midline {
         let (from, to) = (i.saturating_sub(around), (i + around + 1).min(self.arms.len()));
         let part = 1.0 / (to - from) as f32;
         let (before, after) = (&self.arms_before[from], &self.arms_before[to]);
-        std::array::from_fn(|side| std::array::from_fn(|t| (after[side][t] - before[side][t]) * part))
+        let mut mean = [[0.0; REACH]; 2];
+        for (mean, (after, before)) in mean.iter_mut().zip(after.iter().zip(before)) {
+            for (mean, (after, before)) in mean.iter_mut().zip(after.iter().zip(before)) {
+                *mean = (after - before) * part;
+            }
+        }
+        mean
     }
 
     /// Sums of the arms over the rows before each.

@@ -8,6 +8,7 @@
 
 mod axis;
 mod end;
+mod even;
 mod follow;
 mod judge;
 mod lattice;

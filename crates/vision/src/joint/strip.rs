@@ -16,42 +16,74 @@ pub(super) const SEEN_AROUND: usize = 6;
 const PART: f32 = 0.45;
 /// ... and this many standard deviations of one.
 const STANDS_OUT: f32 = 2.2;
+/// About so many rows tell the noise of a long strip.
+const NOISE_ROWS: usize = 100;
 /// Least noise of a depth, grey values of 255.
 const LEAST_NOISE: f32 = 0.3;
 /// Columns of each of the two boxes on either side.
 const SIDE: usize = 3;
 
+/// Half of the box on the widest joint of a level, columns.
+const MOST_HALF: usize = 3;
+
 /// Columns of the box on a joint of this width.
 pub(super) fn box_columns(width: f32) -> usize {
-    2 * ((width - 1.0) / 2.0).round().max(0.0) as usize + 1
+    2 * (((width - 1.0) / 2.0).round().max(0.0) as usize).min(MOST_HALF) + 1
+}
+
+/// The column to the side of a joint's middle from which on there is metal, for half of the box on it.
+const fn away(half: usize) -> usize {
+    half + 1 + half.div_ceil(2)
 }
 
 /// One value a column.
 pub(super) type Line = [f32; COLS];
 
+/// `f32::max` without its care for what is no number: one instruction.
+pub(super) fn greater(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+/// The same of `f32::min`.
+pub(super) fn lesser(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
 /// Places within a row are counted in these parts of a pixel.
 const PARTS: f32 = 65536.0;
 
 /// Grey values of a row that lies within the picture.
-fn inside(station: &Station, width: usize, pixel: &impl Fn(usize) -> f32) -> Line {
+fn inside<P: Copy>(line: &mut Line, station: &Station, (pixels, width): (&[P], usize), grey: impl Fn(P) -> f32) {
     let [cos, sin] = station.tangent;
-    let [x, y] = station.beside(-(MID as f32)).map(|v| (v * PARTS) as i32);
+    let [x0, y0] = station.beside(-(MID as f32)).map(|v| (v * PARTS) as i32);
     let (step_x, step_y) = ((-sin * PARTS) as i32, (cos * PARTS) as i32);
-    std::array::from_fn(|j| {
-        let (x, y) = (x + j as i32 * step_x, y + j as i32 * step_y);
+    // First fetched, then mixed: mixing is done for several columns at a time.
+    let mut four = [[pixels[0]; COLS]; 4];
+    let (mut x, mut y) = (x0, y0);
+    let [a, b, c, d] = &mut four;
+    for (((a, b), c), d) in a.iter_mut().zip(b).zip(c).zip(d) {
+        let at = (y >> 16) as usize * width + (x >> 16) as usize;
+        let (above, below) = (&pixels[at..at + 2], &pixels[at + width..at + width + 2]);
+        (*a, *b, *c, *d) = (above[0], above[1], below[0], below[1]);
+        (x, y) = (x + step_x, y + step_y);
+    }
+    let (mut x, mut y) = (x0, y0);
+    for (j, value) in line.iter_mut().enumerate() {
         let part = |v: i32| (v & 0xffff) as f32 * (1.0 / PARTS);
         let (u, v) = (part(x), part(y));
-        let at = (y >> 16) as usize * width + (x >> 16) as usize;
-        let (a, b, c, d) = (pixel(at), pixel(at + 1), pixel(at + width), pixel(at + width + 1));
+        let [a, b, c, d] = [grey(four[0][j]), grey(four[1][j]), grey(four[2][j]), grey(four[3][j])];
         let (upper, lower) = (a + u * (b - a), c + u * (d - c));
-        upper + v * (lower - upper)
-    })
+        *value = upper + v * (lower - upper);
+        (x, y) = (x + step_x, y + step_y);
+    }
 }
 
 /// Grey values of a row that touches the picture's rim, beyond which the rim goes on.
-fn at_rim(station: &Station, (width, height): (usize, usize), pixel: &impl Fn(usize) -> f32) -> Line {
+fn at_rim<P: Copy>(line: &mut Line, station: &Station, picture: &Picture, pixels: &[P], grey: impl Fn(P) -> f32) {
+    let (width, height) = (picture.width, picture.height);
     let (right, bottom) = ((width - 1) as f32, (height - 1) as f32);
-    std::array::from_fn(|j| {
+    let pixel = |i: usize| grey(pixels[i]);
+    for (j, value) in line.iter_mut().enumerate() {
         let [x, y] = station.beside(j as f32 - MID as f32);
         let (x, y) = (x.clamp(0.0, right), y.clamp(0.0, bottom));
         let (left, top) = (x as usize, y as usize);
@@ -60,18 +92,18 @@ fn at_rim(station: &Station, (width, height): (usize, usize), pixel: &impl Fn(us
         let at = top * width + left;
         let upper = pixel(at) * (1.0 - u) + pixel(at + next) * u;
         let lower = pixel(at + down) * (1.0 - u) + pixel(at + down + next) * u;
-        upper * (1.0 - v) + lower * v
-    })
+        *value = upper * (1.0 - v) + lower * v;
+    }
 }
 
-/// How much darker the box of `half` columns to both sides of each column is than boxes from `away` columns on, of the sum of
-/// `count` rows. The lighter one of two boxes on a side counts (a scratch or the foot of a step beside the joint does no
+/// How much darker the box of `HALF` columns to both sides of each column is than boxes beside it, of the sum of `count`
+/// rows. The lighter one of two boxes on a side counts (a scratch or the foot of a step beside the joint does no
 /// harm), and the darker side.
-fn depths(sum: &Line, count: f32, half: usize, away: usize) -> Line {
-    let reach = away + 2 * SIDE;
+fn depths<const HALF: usize>(depth: &mut Line, sum: &Line, count: f32) {
+    let (half, away, reach) = const { (HALF, away(HALF), away(HALF) + 2 * SIDE) };
     let mut boxes = [0.0; COLS];
     for j in 0..COLS - SIDE + 1 {
-        boxes[j] = sum[j..j + SIDE].iter().sum::<f32>();
+        boxes[j] = sum[j] + sum[j + 1] + sum[j + 2];
     }
     let inner = COLS - 2 * reach;
     let mut centre = [0.0; COLS];
@@ -82,12 +114,12 @@ fn depths(sum: &Line, count: f32, half: usize, away: usize) -> Line {
     let (left, right) = (reach - away - SIDE, reach + away + 1);
     let near = [&boxes[left..left + inner], &boxes[right..right + inner]];
     let far = [&boxes[left - SIDE..left - SIDE + inner], &boxes[right + SIDE..right + SIDE + inner]];
-    let mut depth = [0.0; COLS];
+    depth[..reach].fill(0.0);
+    depth[reach + inner..].fill(0.0);
     for (j, depth) in depth[reach..reach + inner].iter_mut().enumerate() {
-        let sides = [0, 1].map(|side| near[side][j].max(far[side][j]));
-        *depth = sides[0].min(sides[1]) * per_side - centre[j] * per_centre;
+        let sides = [0, 1].map(|side| greater(near[side][j], far[side][j]));
+        *depth = lesser(sides[0], sides[1]) * per_side - centre[j] * per_centre;
     }
-    depth
 }
 
 /// Grey values along a line of stations, unrolled, and how much darker than the metal on both sides each place is.
@@ -106,23 +138,31 @@ pub(super) struct Strip {
 
 impl Strip {
     /// Unrolls `picture` along `stations`.
-    pub(super) fn unroll(&mut self, picture: &Picture, stations: impl Iterator<Item = Station>) {
-        self.grey.clear();
+    pub(super) fn unroll(&mut self, picture: &Picture, stations: impl ExactSizeIterator<Item = Station>) {
         match picture.grey {
-            Grey::U8(pixels) => self.rows(picture, |i| f32::from(pixels[i]), stations),
-            Grey::U16(pixels) => self.rows(picture, |i| f32::from(pixels[i]) / OF_16_BITS, stations),
-            Grey::F32(pixels) => self.rows(picture, |i| pixels[i], stations),
+            Grey::U8(pixels) => self.rows(picture, pixels, f32::from, stations),
+            Grey::U16(pixels) => self.rows(picture, pixels, |p| f32::from(p) * (1.0 / OF_16_BITS), stations),
+            Grey::F32(pixels) => self.rows(picture, pixels, |p| p, stations),
         }
     }
 
-    fn rows(&mut self, picture: &Picture, pixel: impl Fn(usize) -> f32, stations: impl Iterator<Item = Station>) {
-        let (width, height) = (picture.width, picture.height);
-        let (right, bottom) = ((width - 1) as f32, (height - 1) as f32);
-        for station in stations {
+    fn rows<P: Copy>(
+        &mut self,
+        picture: &Picture,
+        pixels: &[P],
+        grey: impl Fn(P) -> f32 + Copy,
+        stations: impl ExactSizeIterator<Item = Station>,
+    ) {
+        let (right, bottom) = ((picture.width - 1) as f32, (picture.height - 1) as f32);
+        self.grey.resize(stations.len(), [0.0; COLS]);
+        for (line, station) in self.grey.iter_mut().zip(stations) {
             let ends = [0, COLS - 1].map(|j| station.beside(j as f32 - MID as f32));
             let within = ends.iter().all(|[x, y]| *x > 0.5 && *y > 0.5 && *x < right - 0.5 && *y < bottom - 0.5);
-            let row = if within { inside(&station, width, &pixel) } else { at_rim(&station, (width, height), &pixel) };
-            self.grey.push(row);
+            if within {
+                inside(line, &station, (pixels, picture.width), grey);
+            } else {
+                at_rim(line, &station, picture, pixels, grey);
+            }
         }
     }
 
@@ -130,19 +170,24 @@ impl Strip {
     /// along the joint.
     pub(super) fn measure(&mut self, width: f32, most: f32) {
         let half = box_columns(width) / 2;
-        let skirt = 1 + half.div_ceil(2);
-        let reach = half + skirt + 2 * SIDE;
+        let reach = away(half) + 2 * SIDE;
+        let depths = match half {
+            0 => depths::<0>,
+            1 => depths::<1>,
+            2 => depths::<2>,
+            _ => depths::<3>,
+        };
         self.columns = (reach, COLS - 1 - reach);
-        self.depth.clear();
         let mut sum = [0.0; COLS];
         let add = |sum: &mut Line, row: &Line, sign: f32| sum.iter_mut().zip(row).for_each(|(s, g)| *s += sign * g);
         let rows = self.grey.len();
+        self.depth.resize(rows, [0.0; COLS]);
         self.grey[..GROUP.min(rows)].iter().for_each(|row| add(&mut sum, row, 1.0));
         let mut count = GROUP.min(rows) as f32;
         for i in 0..rows {
             if let Some(row) = self.grey.get_mut(i + GROUP) {
                 let part = 1.0 / count;
-                row.iter_mut().zip(&sum).for_each(|(g, s)| *g = g.max(s * part - most).min(s * part + most));
+                row.iter_mut().zip(&sum).for_each(|(g, s)| *g = lesser(greater(*g, s * part - most), s * part + most));
                 add(&mut sum, row, 1.0);
                 count += 1.0;
             }
@@ -150,7 +195,7 @@ impl Strip {
                 add(&mut sum, &self.grey[i - GROUP - 1], -1.0);
                 count -= 1.0;
             }
-            self.depth.push(depths(&sum, count, half, half + skirt));
+            depths(&mut self.depth[i], &sum, count);
         }
     }
 
@@ -183,7 +228,8 @@ impl Strip {
     /// columns of each row that `within` tells.
     fn measure_noise(&mut self, within: impl Fn(usize) -> (RangeInclusive<usize>, Range<usize>)) -> f32 {
         self.magnitudes.clear();
-        for (i, (a, b)) in self.depth.iter().zip(self.depth.iter().skip(APART)).enumerate().step_by(2) {
+        let step = (self.depth.len() / NOISE_ROWS).max(2);
+        for (i, (a, b)) in self.depth.iter().zip(self.depth.iter().skip(APART)).enumerate().step_by(step) {
             let (left, right) = within(i);
             self.magnitudes.extend(left.chain(right).step_by(2).map(|j| (a[j] - b[j]).abs()));
         }

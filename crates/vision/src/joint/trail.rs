@@ -39,6 +39,8 @@ const LEAP: usize = 12;
 const LIKE_FLOOR: f32 = 0.4;
 /// A pixel counts for at most this many times the joint's depth (salt, sparks) ...
 const SPIKE: f32 = 1.25;
+/// ... at a start, where the depth is not sure yet, this many times ...
+const START_SPIKE: f32 = 2.0;
 /// ... up to this level: on coarser ones it is one of many.
 const SPIKY: usize = 1;
 /// Part of the first rows that show a joint if there is one.
@@ -116,7 +118,10 @@ impl Trail {
         self.strip.noise = self.strip.noise_everywhere();
         let free = 2.0 + 0.25 * width;
         let mut contrast = self.depth_at_start(free).max(3.5 * self.strip.noise);
-        for _ in 0..2 {
+        for round in 0..2 {
+            if round > 0 && level <= SPIKY {
+                self.strip.measure(width, START_SPIKE * contrast);
+            }
             self.find(contrast, free);
             self.strip.noise = self.strip.noise_beside(&self.path, width);
             let depths = self.path.iter().zip(&self.strip.depth).map(|(j, row)| row[*j]);

@@ -184,15 +184,18 @@ impl Canvas {
             .map(|k| ((k as f64 * cos).round() as isize, (k as f64 * sin).round() as isize))
             .collect();
         let scale = deviation as f32 / (steps.len() as f32).sqrt();
-        let (width, height) = (self.width as isize, self.height as isize);
+        let (width, height) = (self.width, self.height);
+        let mut sums = vec![0.0f32; width];
         for y in 0..height {
-            for x in 0..width {
-                let sum: f32 = steps
-                    .iter()
-                    .map(|(dx, dy)| noise[((y + dy).rem_euclid(height) * width + (x + dx).rem_euclid(width)) as usize])
-                    .sum();
-                self.light[(y * width + x) as usize] += scale * sum;
+            sums.fill(0.0);
+            for (dx, dy) in &steps {
+                let row = (y as isize + dy).rem_euclid(height as isize) as usize;
+                let (wrapped, rest) = noise[row * width..][..width].split_at(dx.rem_euclid(width as isize) as usize);
+                let (first, last) = sums.split_at_mut(rest.len());
+                first.iter_mut().zip(rest).chain(last.iter_mut().zip(wrapped)).for_each(|(sum, n)| *sum += n);
             }
+            let light = &mut self.light[y * width..][..width];
+            light.iter_mut().zip(&sums).for_each(|(light, sum)| *light += scale * sum);
         }
     }
 

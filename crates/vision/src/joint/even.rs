@@ -1,0 +1,111 @@
+//! Parabolas through rows that are all there.
+
+/// Most rows before and after.
+pub(super) const MOST: usize = 24;
+/// Rows that are summed at a time.
+const LANES: usize = 8;
+
+/// Rows in a picture, to the right and down, pixels.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Rows {
+    pub(super) x: Vec<f32>,
+    pub(super) y: Vec<f32>,
+}
+
+/// A parabola across rows as far before as after one, their weights falling as a parabola: what does not depend on where they
+/// are, once for all rows.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Even {
+    reach: usize,
+    /// Weights, and those times the rows' numbers and squares.
+    weights: [Vec<f32>; 3],
+    /// Sums of the weights times the rows' numbers to the powers 0, 2 and 4.
+    moments: [f32; 3],
+}
+
+impl Even {
+    /// For `reach` rows before and after, up to [`MOST`].
+    pub(super) fn prepare(&mut self, reach: usize) {
+        self.reach = reach;
+        for list in &mut self.weights {
+            list.clear();
+            list.reserve(2 * MOST + 1);
+        }
+        self.moments = [0.0; 3];
+        for k in 0..=2 * reach {
+            let row = k as f32 - reach as f32;
+            let weight = 1.0 - (row / (reach + 1) as f32).powi(2);
+            for (list, value) in self.weights.iter_mut().zip([weight, weight * row, weight * row * row]) {
+                list.push(value);
+            }
+            for (moment, value) in self.moments.iter_mut().zip([1.0, row.powi(2), row.powi(4)]) {
+                *moment += weight * value;
+            }
+        }
+    }
+
+    /// How far to the right of a place, seen along `tangent`, the parabola through the rows about row `i` crosses that row's
+    /// line, and the standard error of that. As many rows as were prepared for lie before and after.
+    pub(super) fn across(&self, rows: &Rows, i: usize, [x0, y0]: [f32; 2], [cos, sin]: [f32; 2]) -> (f32, f32) {
+        let near = i - self.reach..=i + self.reach;
+        let (xs, ys) = (&rows.x[near.clone()], &rows.y[near]);
+        let [weights, firsts, seconds] = &self.weights;
+        // Sums of values, of them times number and square, and of their squares.
+        let mut sums = [[0.0f32; LANES]; 4];
+        let mut add = |at: usize, lane: usize| {
+            let v = (ys[at] - y0) * cos - (xs[at] - x0) * sin;
+            let wv = weights[at] * v;
+            sums[0][lane] += wv;
+            sums[1][lane] += firsts[at] * v;
+            sums[2][lane] += seconds[at] * v;
+            sums[3][lane] += wv * v;
+        };
+        let count = xs.len();
+        let whole = count - count % LANES;
+        for from in (0..whole).step_by(LANES) {
+            for lane in 0..LANES {
+                add(from + lane, lane);
+            }
+        }
+        for at in whole..count {
+            add(at, at - whole);
+        }
+        let [r0, r1, r2, squares] = sums.map(|lanes| lanes.iter().sum::<f32>());
+        let [m0, m2, m4] = self.moments;
+        let determinant = m0 * m4 - m2 * m2;
+        let (value, slope, bend) = ((r0 * m4 - r2 * m2) / determinant, r1 / m2, (r2 * m0 - r0 * m2) / determinant);
+        let rest = (squares - value * r0 - slope * r1 - bend * r2).max(0.0) / m0;
+        (value, (rest * m4 / determinant).sqrt())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::joint::parabola::Parabola;
+
+    #[test]
+    fn it_is_the_parabola_of_least_squares() {
+        let mut even = Even::default();
+        for (reach, angle) in [(6usize, 0.3f32), (7, -2.0), (11, 1.2), (24, 2.9)] {
+            even.prepare(reach);
+            let (sin, cos) = angle.sin_cos();
+            let count = 2 * reach + 7;
+            // A bend with a scatter that is the same each time.
+            let across = |k: usize| 0.01 * (k as f32 - 9.0).powi(2) + 0.3 * (7.3 * k as f32).sin();
+            let place = |k: usize| [200.0 + cos * k as f32 - sin * across(k), 90.0 + sin * k as f32 + cos * across(k)];
+            let rows =
+                Rows { x: (0..count).map(|k| place(k)[0]).collect(), y: (0..count).map(|k| place(k)[1]).collect() };
+            for i in reach..count - reach {
+                let at = [200.0 + cos * i as f32, 90.0 + sin * i as f32];
+                let (found, error) = even.across(&rows, i, at, [cos, sin]);
+                let weight = |k: usize| 1.0 - (k.abs_diff(i) as f32 / (reach + 1) as f32).powi(2);
+                let near = (i - reach..=i + reach).map(|k| (k as f32 - i as f32, across(k), weight(k)));
+                let parabola = Parabola::through(near, 0.0).unwrap();
+                assert!((found - parabola.terms[0]).abs() < 1e-3, "{reach} {i}: {found} {parabola:?}");
+                let expected = (parabola.rest * parabola.variance).sqrt();
+                assert!((error - expected).abs() < 1e-3, "{reach} {i}: {error} {expected}");
+            }
+        }
+    }
+}
