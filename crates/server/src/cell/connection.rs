@@ -57,7 +57,10 @@ impl CellDevices {
     /// In words: drives that are none, a device that does not answer or has no register for a value.
     pub(crate) fn new(prepared: &Prepared, beside: &Path, values: &[String]) -> Result<Self, String> {
         let machine = prepared.machine();
-        let (cell, lines) = devices::of_machine(machine, beside, values, &[], SEED).map_err(|e| e.text())?;
+        // Connecting waits for answers, which no thread of the panel's own may do.
+        let connect = || devices::of_machine(machine, beside, values, &[], SEED).map_err(|e| e.text());
+        let connected = std::thread::scope(|scope| scope.spawn(connect).join());
+        let (cell, lines) = connected.map_err(|_| "the devices cannot be connected".to_owned())??;
         let there = Arc::new(());
         let values = (!machine.devices.is_empty()).then(|| values.to_vec());
         let fingerprint = prepared.fingerprint().to_owned();
