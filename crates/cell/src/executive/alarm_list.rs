@@ -1,4 +1,6 @@
 use super::alarm::{Alarm, Reaction};
+use super::command::Ask;
+use super::state::Note;
 use arrayvec::ArrayVec;
 
 /// Where the torch was.
@@ -77,6 +79,23 @@ impl AlarmList {
             AlarmState::Unacknowledged => self.list[i].state = AlarmState::Returned,
             AlarmState::Acknowledged => drop(self.list.remove(i)),
             AlarmState::Returned => return false,
+        }
+        true
+    }
+
+    /// Keeps a list in step with the executive's by what that notes; true if it has changed.
+    pub fn follow(&mut self, note: &Note) -> bool {
+        match note {
+            Note::Alarm(r) => {
+                self.raise(r.alarm, r.detail, r.reaction, (r.t, r.place));
+                // What happened at an instant.
+                if r.state == AlarmState::Returned {
+                    self.clear(r.alarm, r.detail);
+                }
+            }
+            Note::Cleared(alarm, detail) => drop(self.clear(*alarm, *detail)),
+            Note::Taken(command) if command.ask == Ask::Acknowledge => drop(self.acknowledge()),
+            _ => return false,
         }
         true
     }

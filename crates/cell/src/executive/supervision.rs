@@ -1,6 +1,6 @@
 //! What is wrong, and what follows from it: reports against limits and conditions, every cycle.
 
-use super::alarm_list::Place;
+use super::alarm_list::{AlarmState, Place, Raised};
 use super::bus::Devices;
 use super::mode::{Event, Mode};
 use super::state::{Note, Port};
@@ -195,17 +195,22 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         }
     }
 
-    /// Something that happens at an instant: it is on the list until it is acknowledged.
+    /// Something that happens at an instant: it is on the list, as what has gone, until it is acknowledged.
     pub(super) fn happened(&mut self, alarm: Alarm, detail: u8) {
-        self.raise(alarm, detail, alarm.entry().reaction);
+        self.tell_raised(alarm, detail, alarm.entry().reaction, AlarmState::Returned);
         self.alarms.clear(alarm, detail);
     }
 
     pub(super) fn raise(&mut self, alarm: Alarm, detail: u8, reaction: Reaction) {
+        self.tell_raised(alarm, detail, reaction, AlarmState::Unacknowledged);
+    }
+
+    /// Puts it on the list, and tells it in the state that it then is in.
+    fn tell_raised(&mut self, alarm: Alarm, detail: u8, reaction: Reaction, state: AlarmState) {
         let place: Place = self.doing.place;
         let now = self.now();
         if let Some(raised) = self.alarms.raise(alarm, detail, reaction, (now, place)) {
-            self.port.note(now, Note::Alarm(raised));
+            self.port.note(now, Note::Alarm(Raised { state, ..raised }));
             self.react(reaction);
         }
     }

@@ -6,7 +6,7 @@
 
 use seamwright_cell::devices::{DeviceSet, Fault, SimulatedDrives, SimulatedInputs, SimulatedSource};
 use seamwright_cell::executive::{
-    Ask, Command, Cycle, Executive, Interlocks, Missing, Mode, Note, Place, Port, Start, Work,
+    AlarmList, Ask, Command, Cycle, Executive, Interlocks, Missing, Mode, Note, Place, Port, Start, Work,
 };
 use seamwright_cell::tracking::{Distortion, RESERVE};
 use seamwright_cell::{Conditions, Judge, Sample, SimulatedCell};
@@ -126,6 +126,8 @@ pub(crate) struct Script<'a> {
     pub(crate) asked: bool,
     pub(crate) cycles: Vec<Seen>,
     pub(crate) notes: Vec<Note>,
+    /// The list of alarms, as notes tell of it.
+    alarms: AlarmList,
 }
 
 pub(crate) type When<'a> = Box<dyn Fn(&Seen) -> bool + 'a>;
@@ -148,7 +150,7 @@ pub(crate) struct Seen {
 
 impl<'a> Script<'a> {
     pub(crate) fn new(lines: Vec<(When<'a>, Ask)>) -> Self {
-        Self { lines, next: 0, asked: false, cycles: vec![], notes: vec![] }
+        Self { lines, next: 0, asked: false, cycles: vec![], notes: vec![], alarms: AlarmList::default() }
     }
 
     pub(crate) fn modes(&self) -> Vec<Mode> {
@@ -173,6 +175,7 @@ impl Port for Script<'_> {
 
     fn show(&mut self, c: &Cycle<'_>) {
         self.asked = false;
+        assert!(self.alarms.iter().eq(c.alarms.iter()), "{:?}\n{:?}", self.alarms, c.alarms);
         self.cycles.push(Seen {
             t: c.t,
             mode: c.mode,
@@ -190,6 +193,7 @@ impl Port for Script<'_> {
     }
 
     fn note(&mut self, _t: f64, note: Note) {
+        self.alarms.follow(&note);
         self.notes.push(note);
     }
 }

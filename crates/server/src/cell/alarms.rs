@@ -17,16 +17,10 @@ impl Mirror {
 
     /// True if the list has changed.
     pub(super) fn noted(&mut self, note: &Note) -> bool {
-        match note {
-            Note::Alarm(r) => drop(self.list.raise(r.alarm, r.detail, r.reaction, (r.t, r.place))),
-            Note::Cleared(alarm, detail) => drop(self.list.clear(*alarm, *detail)),
-            Note::Taken(command) if command.ask == Ask::Acknowledge => {
-                self.before.clear();
-                self.list.acknowledge();
-            }
-            _ => return false,
+        if matches!(note, Note::Taken(command) if command.ask == Ask::Acknowledge) {
+            self.before.clear();
         }
-        true
+        self.list.follow(note)
     }
 
     /// Another machine has an executive of its own: what it raises, it raises anew.

@@ -1,0 +1,166 @@
+// An alarm from its coming to its acknowledgement; who may not, may not, also past the buttons; foreign texts are text.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { hasBrowser, launch, page } from './browser.mjs';
+import { isReal, startCell } from './cell.mjs';
+import { control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab } from './operator.mjs';
+
+const options = { skip: hasBrowser ? (isReal ? false : 'the mock refuses nothing') : 'no Chromium' };
+const EVIL = '<img src=x onerror=globalThis.pwned=1><script>globalThis.pwned=1</script>';
+const PASSWORD = 'correct horse battery';
+let cell;
+let browser;
+let one;
+
+before(async () => {
+  if (!hasBrowser || !isReal) return;
+  cell = await startCell();
+  browser = await launch();
+  one = await page(browser);
+});
+after(async () => {
+  await browser?.close();
+  await cell?.end();
+});
+
+/** A page that drew a second by software has lost its heartbeat, and control with it. */
+async function commands(of) {
+  if (await of.getByRole('button', { name: 'Take control' }).isVisible()) await control(of);
+}
+
+/** What the server says to a request of the page's own, with the token of its session. */
+const ask = (of, method, path, body) =>
+  of.evaluate(
+    async ([how, where, text]) => {
+      const session = await (await fetch('/api/session')).json();
+      const headers = { 'content-type': 'application/json', 'x-seamwright': session.token };
+      const answer = await fetch(where, { method: how, headers, body: text });
+      return { status: answer.status, ...(await answer.json().catch(() => ({}))) };
+    },
+    [method, path, JSON.stringify(body)],
+  );
+
+/** What the cell answers to a command over a socket of the page's own. */
+const command = (of, what) =>
+  of.evaluate(
+    (name) =>
+      new Promise((done, fails) => {
+        const socket = new WebSocket(`ws://${location.host}/api/live`);
+        socket.onopen = () => socket.send(JSON.stringify({ kind: 'command', seq: 1, ask: { do: name } }));
+        socket.onmessage = (event) => {
+          const said = JSON.parse(event.data);
+          if (said.kind === 'answer') done(said);
+        };
+        socket.onclose = () => fails(new Error('closed'));
+      }),
+    what,
+  );
+
+test('an alarm is raised, shown with cause and action, and goes when it is acknowledged', options, async () => {
+  let through = true;
+  await one.routeWebSocket('**/api/live', (client) => {
+    const server = client.connectToServer();
+    // The hand is lost on the way, the page is not.
+    client.onMessage((text) => (through || !text.includes('"jog"')) && server.send(text));
+    server.onMessage((text) => client.send(text));
+  });
+  await open(one, cell.address);
+  await commands(one);
+  await ready(one);
+  await commands(one);
+  await tab(one, 'Jog · Teach');
+  await one.getByRole('button', { name: 'Start jogging' }).click();
+  await mode(one, 'jog');
+  await one.getByRole('button', { name: 'theta +' }).hover();
+  await one.mouse.down();
+  await sleep(400);
+  through = false;
+  await one.getByText(/panel silent/i).first().waitFor();
+  await one.mouse.up();
+  through = true;
+  await commands(one);
+  await press(one, /^❚❚ Hold|Hold/);
+  await mode(one, 'ready');
+  // It is kept until somebody says that he knows.
+  const two = await page(browser);
+  await open(two, cell.address);
+  await two.getByText(/panel silent/i).first().waitFor();
+  await two.close();
+  await tab(one, 'Weld');
+  await one.locator('section', { has: one.getByRole('button', { name: 'Events' }) }).getByRole('button', { name: /^Alarms/ }).first().click();
+  await one.getByText(/network or browser/i).first().waitFor();
+  const known = one.getByRole('button', { name: 'Acknowledge all' });
+  // A page that draws by software may have lost control again: then it takes it again.
+  for (let tries = 0; tries < 5 && (await known.isVisible()); tries++) {
+    await commands(one);
+    await known.click();
+    await sleep(700);
+  }
+  await one.getByText('No alarms').first().waitFor();
+  await one.unrouteAll({ behavior: 'ignoreErrors' });
+});
+
+test('titles, parts and comments are text on every page that shows them', options, async () => {
+  const evil = SHORT.replace('"Short"', JSON.stringify(EVIL)).replace('name = "short"', `name = ${JSON.stringify(EVIL)} # ${EVIL}`);
+  await keep(one, 'evil.toml', evil);
+  await commands(one);
+  await load(one, 'evil.toml', EVIL.slice(0, 110));
+  await tab(one, 'Weld');
+  await one.getByText('<img src=x').first().waitFor();
+  await tab(one, 'Jobs');
+  await one.locator('li.card', { hasText: 'evil.toml' }).getByRole('button', { name: 'Open' }).click();
+  await sleep(2000);
+  for (const name of ['Set-up', 'Records', 'Weld']) {
+    await tab(one, name);
+    await sleep(300);
+  }
+  assert.equal(await one.evaluate(() => globalThis.pwned), undefined);
+  assert.equal(await one.locator('img').count(), 0);
+  // The report is a page of its own, where nothing runs.
+  const report = await page(browser);
+  await open(report, cell.address);
+  const address = new URL('/api/report?job=evil.toml', cell.address);
+  await report.goto(String(address));
+  assert.equal(await report.evaluate(() => globalThis.pwned).catch(() => undefined), undefined);
+  assert.equal(await report.locator('img[src=x], script').count(), 0);
+  await report.close();
+});
+
+test('roles are refused on the server, whatever the page shows', options, async () => {
+  const own = { role: 'admin', enabled: true, password: PASSWORD, own_password: null };
+  assert.equal((await ask(one, 'PUT', '/api/users/ada', own)).status, 200);
+  // The printed address opens nothing any more, nor does the session that it gave.
+  await one.reload();
+  await one.getByLabel('User').fill('ada');
+  await one.getByLabel('Password').fill(PASSWORD);
+  await one.getByRole('button', { name: /Log in/ }).click();
+  await one.waitForSelector('.panel');
+  for (const role of ['viewer', 'operator']) {
+    const made = await ask(one, 'PUT', `/api/users/${role}`, { ...own, role, own_password: PASSWORD });
+    assert.equal(made.status, 200);
+  }
+  const refusals = { viewer: ['switch_on', 'home', 'arm', 'start_weld', 'hold', 'acknowledge'], operator: ['start_teach'] };
+  for (const [role, asks] of Object.entries(refusals)) {
+    const two = await page(browser);
+    await two.goto(new URL('/', cell.address).href);
+    await two.getByLabel('User').fill(role);
+    await two.getByLabel('Password').fill(PASSWORD);
+    await two.getByRole('button', { name: /Log in/ }).click();
+    await two.waitForSelector('.panel');
+    for (const what of asks) {
+      const answer = await command(two, what);
+      assert.deepEqual([answer.ok, answer.why?.key], [false, 'role'], `${role} ${what}`);
+    }
+    assert.equal((await command(two, 'stop')).ok, true);
+    for (const [method, path, body] of [
+      ['PUT', '/api/jobs/mine.toml', { text: '' }],
+      ['POST', '/api/plan', { text: '' }],
+      ['PUT', '/api/users/eve', { ...own, own_password: PASSWORD }],
+    ]) {
+      const answer = await ask(two, method, path, body);
+      assert.deepEqual([answer.status, answer.key], [403, 'role'], `${role} ${method} ${path}`);
+    }
+    await two.close();
+  }
+  quiet({ wrong: one.wrong.filter((text) => !/40[13]/.test(text)) });
+});
