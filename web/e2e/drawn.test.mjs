@@ -185,7 +185,7 @@ test('a pass that is tracked shows what was seen and corrected over its length',
   await open(two, cell.address);
   // It comes by itself, but not over an alarm that nobody has acknowledged.
   await two.getByRole('button', { name: 'Tracking', exact: true }).waitFor();
-  if ((await two.locator('tr.unacknowledged').count()) > 0) await two.getByRole('button', { name: 'Tracking', exact: true }).click();
+  if ((await two.locator('tr.unacknowledged, tr.returned').count()) > 0) await two.getByRole('button', { name: 'Tracking', exact: true }).click();
   await two.locator('.tracking').getByText('Joint seen').waitFor();
   await two.locator('.tracking .uplot').nth(1).waitFor();
   await two.locator('.tracking').getByText('Coasting').waitFor();

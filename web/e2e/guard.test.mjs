@@ -75,6 +75,7 @@ test('an alarm is raised, shown with cause and action, and goes when it is ackno
     await commands(one);
     const start = one.getByRole('button', { name: 'Start jogging' });
     if (await start.isVisible()) await start.click();
+    await mode(one, 'jog');
     await one.getByRole('button', { name: 'theta +' }).hover();
     await one.mouse.down();
     await sleep(400);
