@@ -2,37 +2,19 @@
 
 #[path = "../../cell/tests/support/modbus_server.rs"]
 mod modbus_server;
+#[path = "../../cell/tests/support/modbus_welder.rs"]
+mod modbus_welder;
 
 mod common;
 
 use common::{bad, example, good};
-use modbus_server::{Bank, TestServer};
+use modbus_server::TestServer;
+use modbus_welder::{MAP, welder};
 use serde_json::Value;
 use std::io::Write as _;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
-
-const MAP: &str = r#"
-[devices.welder.modbus.inputs]
-e_stop_ok = { discrete = 0 }
-curtain_clear = { discrete = 1 }
-gas_ok = { discrete = 2 }
-[devices.welder.modbus.outputs]
-gas = { coil = 0 }
-on = { coil = 1 }
-watchdog = { coil = 2 }
-[devices.welder.modbus.set]
-current_a = { holding = 0, scale = 0.1 }
-voltage_v = { holding = 1, scale = 0.01 }
-[devices.welder.modbus.reports]
-burning = { discrete = 4 }
-"#;
-
-fn welder(bank: &mut Bank) {
-    bank.discrete[..3].fill(true);
-    bank.discrete[4] = bank.coils[1];
-}
 
 /// The example ellipse on a machine whose device is at `address`, with `map`.
 fn job(folder: &Path, address: &str, map: &str) -> String {

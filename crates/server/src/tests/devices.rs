@@ -2,35 +2,17 @@
 
 #[path = "../../../cell/tests/support/modbus_server.rs"]
 mod modbus_server;
+#[path = "../../../cell/tests/support/modbus_welder.rs"]
+mod modbus_welder;
 
 use super::lived::{Page, Served};
 use super::{Bench, Visitor};
 use axum::http::StatusCode;
-use modbus_server::{Bank, TestServer};
+use modbus_server::TestServer;
+use modbus_welder::{MAP, welder};
 use seamwright_machine::shipped;
 use serde_json::{Value, json};
 use std::time::Duration;
-
-const MAP: &str = r#"
-[devices.welder.modbus.inputs]
-e_stop_ok = { discrete = 0 }
-curtain_clear = { discrete = 1 }
-gas_ok = { discrete = 2 }
-[devices.welder.modbus.outputs]
-gas = { coil = 0 }
-on = { coil = 1 }
-watchdog = { coil = 2 }
-[devices.welder.modbus.set]
-current_a = { holding = 0, scale = 0.1 }
-voltage_v = { holding = 1, scale = 0.01 }
-[devices.welder.modbus.reports]
-burning = { discrete = 4 }
-"#;
-
-fn welder(bank: &mut Bank) {
-    bank.discrete[..3].fill(true);
-    bank.discrete[4] = bank.coils[1];
-}
 
 fn machine(address: &str) -> String {
     let machine = shipped("ellipse-xy").unwrap().text;
