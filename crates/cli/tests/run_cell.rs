@@ -73,9 +73,10 @@ fn orders_in_real_time() {
     let out = folder.path().display().to_string();
     let job = example("ellipse");
     let output =
-        run_with(&["run", &job, "-o", &out], "# up\non\nhome\nwait ready\ndry\nwait 0.3 s\nhold\nresume\nstop\n");
+        run_with(&["run", &job, "-o", &out], "# up\non\nhome\nwait ready\ndry\n?\nwait 0.3 s\nhold\nresume\nstop\n");
     let text = String::from_utf8(output.stdout).unwrap();
     assert_eq!(output.status.code(), Some(0), "{text}");
+    assert_eq!(text.lines().filter(|line| line.contains("state")).count(), 1, "a question is asked once: {text}");
     let summary = json(&folder.path().join("run.json"));
     assert!(summary["timing"]["cycles"].as_u64().unwrap() > 800, "{summary}");
     assert_eq!(summary["mode"], "off");

@@ -177,7 +177,7 @@ impl Desk {
     /// The order was given.
     pub(in crate::verbs) fn sent(&mut self) {
         (self.pending, self.answered) = (true, false);
-        if matches!(self.lines.front(), Some(Line::Ask(_))) {
+        if matches!(self.lines.front(), Some(Line::Ask(_) | Line::State)) {
             self.lines.pop_front();
         }
         self.waits = None;
