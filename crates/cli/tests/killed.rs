@@ -90,7 +90,7 @@ fn killed_weld(arguments: &[&str], from: f64, after: Duration) -> f64 {
 fn at_moment(moment: u64) -> bool {
     let mut random = random(moment);
     let from = (random(6.0, 90.0) * 10.0).round() / 10.0;
-    let after = Duration::from_secs_f64(random(0.3, 10.0));
+    let after = Duration::from_secs_f64(random(2.0, 12.0));
     let folder = tempfile::tempdir().unwrap();
     let [data, out] = ["data", "out"].map(|name| folder.path().join(name).display().to_string());
     let job = job(folder.path());
@@ -98,6 +98,10 @@ fn at_moment(moment: u64) -> bool {
     let truth = killed_weld(&arguments, from, after);
     let about = format!("moment {moment}: from {from} mm, killed after {after:?}, last told at {truth} mm");
 
+    if !Path::new(&data).join("library.sqlite").exists() {
+        assert!((truth - from).abs() < 1e-9, "{about}: nobody tells of the bead");
+        return false;
+    }
     // The record is whole, up to the last rows.
     good(&["records", "recover", "--data", &data]);
     good(&["records", "verify", "--data", &data]);
@@ -120,7 +124,9 @@ fn at_moment(moment: u64) -> bool {
     assert!(output.status.success(), "{about}: {}", String::from_utf8_lossy(&output.stdout));
     let again = welded(&Path::new(&data).join("welds/000002/trace.parquet"));
     assert!((again[0] - (place - OVERLAP).max(0.0)).abs() < 0.01, "{about}: begins at {}", again[0]);
-    assert!(again.windows(2).all(|w| (0.0..0.1).contains(&(w[1] - w[0]))), "{about}: not one bead");
+    // Cycles that the computer misses leave no rows.
+    let steps = again.windows(2).map(|w| w[1] - w[0]).fold([0.0_f64; 2], |[low, high], d| [low.min(d), high.max(d)]);
+    assert!(steps[0] >= 0.0 && steps[1] < OFF, "{about}: not one bead: {steps:?} mm from row to row");
     good(&["records", "verify", "--data", &data]);
     !before.is_empty()
 }

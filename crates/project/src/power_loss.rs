@@ -6,7 +6,7 @@ use seamwright_cell::realtime::Shown;
 use seamwright_record::DataFolder;
 use seamwright_record::journal::{Journal, Position};
 use std::path::Path;
-use std::sync::mpsc::{SyncSender, TrySendError, sync_channel};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use std::time::SystemTime;
 
@@ -65,32 +65,60 @@ pub fn check(data: Option<&Path>, from: Option<Place>) -> Result<(), Failure> {
     )))
 }
 
+/// What waits to be written: only the newest place matters.
+#[derive(Debug, Default)]
+struct Slot {
+    newest: Option<Position>,
+    ended: bool,
+}
+
+/// The slot, and who waits for it. Neither side can leave it half-changed, so a poisoned lock is still in order.
+#[derive(Debug, Default)]
+struct Waiting(Mutex<Slot>, Condvar);
+
+impl Waiting {
+    fn lock(&self) -> MutexGuard<'_, Slot> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn tell(&self, change: impl FnOnce(&mut Slot)) {
+        change(&mut self.lock());
+        self.1.notify_one();
+    }
+
+    /// The newest place, once there is one; none after the end.
+    fn next(&self) -> Option<Position> {
+        let idle = |slot: &mut Slot| slot.newest.is_none() && !slot.ended;
+        self.1.wait_while(self.lock(), idle).unwrap_or_else(PoisonError::into_inner).newest.take()
+    }
+}
+
 /// A thread that keeps the newest place on the disk.
 #[derive(Debug)]
 pub struct Places {
-    to: SyncSender<Position>,
+    waiting: Arc<Waiting>,
     thread: JoinHandle<Result<Journal, seamwright_record::Error>>,
 }
 
-/// Begins to keep places in `journal`.
+/// Begins to keep places in `journal`. What is on the disk is older than the weld by [`JOURNAL_S`] and the time of one write at
+/// most, however slow the disk is.
 pub fn writer(mut journal: Journal) -> Places {
-    let (to, from) = sync_channel::<Position>(1);
+    let waiting = Arc::new(Waiting::default());
+    let from = Arc::clone(&waiting);
     let thread = std::thread::spawn(move || {
-        for position in from {
+        while let Some(position) = from.next() {
             journal.write(&position)?;
         }
         Ok(journal)
     });
-    Places { to, thread }
+    Places { waiting, thread }
 }
 
 impl Places {
-    /// The newest place; left out while the one before is still being written.
+    /// The newest place; in the stead of the one before, if that is not being written yet.
     pub fn tell(&self, position: Position) {
-        match self.to.try_send(position) {
-            // Whoever writes has ended with an error, which the end of the run tells.
-            Ok(()) | Err(TrySendError::Full(_) | TrySendError::Disconnected(_)) => {}
-        }
+        // If whoever writes has ended with an error, the end of the run tells it.
+        self.waiting.tell(|slot| slot.newest = Some(position));
     }
 
     /// The weld ended in order.
@@ -98,7 +126,7 @@ impl Places {
     /// # Errors
     /// What kept the journal from being written.
     pub fn end(self) -> Result<(), Failure> {
-        drop(self.to);
+        self.waiting.tell(|slot| slot.ended = true);
         let journal = self.thread.join().map_err(|_| Failure::Environment("the journal's thread failed".to_owned()))?;
         Ok(journal?.clear()?)
     }
