@@ -113,6 +113,23 @@ test('STOP in the weld, from the keyboard; then going on where it was left, with
   quiet(one);
 });
 
+test('STOP is pressed in its corner while a dialog is open', options, async () => {
+  if (await one.getByRole('button', { name: 'Take control' }).isVisible()) await control(one);
+  if (isReal) await load(one, 'short.toml');
+  await press(one, /^Dry run/);
+  await mode(one, 'dry_run');
+  await tab(one, 'Jobs');
+  await one.locator('li.card').first().getByRole('button', { name: /Use|Open/ }).click();
+  await one.getByRole('button', { name: 'Save as' }).click();
+  await one.locator('dialog[open]').waitFor();
+  const { width, height } = one.viewportSize();
+  await one.mouse.click(width - 80, height - 54);
+  await mode(one, 'ready', 'idle');
+  await one.keyboard.press('Escape');
+  await one.getByRole('button', { name: '← Jobs' }).click();
+  await tab(one, 'Weld');
+});
+
 test('keys: not in text fields, not by repeat', options, async () => {
   await tab(one, 'Jobs');
   const field = one.getByRole('searchbox');

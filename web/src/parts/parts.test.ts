@@ -44,3 +44,10 @@ test('taught points become a program that reads back as they were', () => {
   expect(pass?.rows.map((row) => row.numbers)).toEqual([[1, -0.3333, 0], [2, -0.6667, 7], [3, -1, 7]]);
   expect(programText('t', machine, [], 7)).toBe('');
 });
+
+test('only Modal makes a dialog: it has STOP in it, which is out of reach behind any other', () => {
+  const sources = import.meta.glob<string>('../**/*.svelte', { query: '?raw', import: 'default', eager: true });
+  const makers = Object.entries(sources).flatMap(([path, text]) => (/<dialog|popover=/.test(text) ? path : []));
+  expect(makers).toEqual(['./Modal.svelte']);
+  expect(sources['./Modal.svelte']).toContain('<Stop />');
+});
