@@ -11,7 +11,9 @@ const SOURCES: [&str; 7] =
 fn main() {
     println!("cargo:rerun-if-env-changed=SEAMWRIGHT_WEB");
     println!("cargo:rerun-if-changed=build.rs");
-    let web = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web");
+    // Asked when it runs: a script that was compiled elsewhere (a target folder that was copied) would build that panel.
+    let here = env::var_os("CARGO_MANIFEST_DIR").expect("cargo gives a build script CARGO_MANIFEST_DIR");
+    let web = Path::new(&here).join("../../web");
     for source in SOURCES {
         println!("cargo:rerun-if-changed={}", web.join(source).display());
     }
