@@ -25,7 +25,7 @@ after(async () => {
 
 const go = (of, i) => of.locator('nav button').nth(i).click();
 
-/** Words that do not fit their key, and a page that is wider than the screen. */
+/** Words that do not fit their key, plots that lie on one another, and a page that is wider than the screen. */
 const overflowing = (of) =>
   of.evaluate(() => {
     const wrong = [];
@@ -37,6 +37,13 @@ const overflowing = (of) =>
       const box = key.getBoundingClientRect();
       if (box.width > 0 && (box.left < -1 || box.right > innerWidth + 1)) wrong.push(`${key.textContent.trim().slice(0, 40)} is beside the screen`);
     }
+    const figures = [...document.querySelectorAll('figure')].map((figure) => figure.getBoundingClientRect());
+    figures.forEach((a, i) => {
+      for (const b of figures.slice(i + 1)) {
+        const [wide, high] = [Math.min(a.right, b.right) - Math.max(a.left, b.left), Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top)];
+        if (wide > 1 && high > 1) wrong.push(`plots over one another by ${wide} x ${high}`);
+      }
+    });
     return wrong;
   });
 
