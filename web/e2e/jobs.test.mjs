@@ -22,6 +22,29 @@ after(async () => {
   await cell?.end();
 });
 
+/** A straight line in six points, as poses. */
+const STRAIGHT = `schema = 1
+title = "Straight"
+machine = "torch-5axis"
+
+[[passes]]
+name = "straight"
+
+[passes.points]
+columns = ["x_mm", "y_mm", "z_mm", "ax", "ay", "az", "speed_mm_s"]
+start = [0, 0, 0, 0, 0, 1, 0]
+
+[[passes.points.spans]]
+along = "line"
+points = [
+    [10, 0, 0, 0, 0, 1, 8],
+    [20, 0, 0, 0, 0, 1, 8],
+    [30, 0, 0, 0, 0, 1, 8],
+    [40, 0, 0, 0, 0, 1, 8],
+    [50, 0, 0, 0, 0, 1, 8],
+]
+`;
+
 const row = (name) => one.locator('li.card', { hasText: name }).first();
 
 async function planned() {
@@ -112,6 +135,45 @@ test('points: set in several at once, insert, delete, undo; the row stands in 3D
   await one.waitForFunction(() => document.querySelectorAll('tbody tr').length === 4);
   for (let i = 0; i < 3; i += 1) await one.getByRole('button', { name: 'Undo' }).click();
   assert.equal(await current.inputValue(), '200');
+  quiet(one);
+});
+
+test('points by touch: several without a key, a span split, lines reduced', onReal, async () => {
+  await keep(one, 'straight.toml', STRAIGHT);
+  await one.getByRole('button', { name: '← Jobs' }).click();
+  await tab(one, 'Weld');
+  await tab(one, 'Jobs');
+  await row('straight.toml').getByRole('button', { name: 'Open' }).click();
+  await planned();
+  await one.getByRole('button', { name: 'Points', exact: true }).click();
+  const points = one.locator('tbody tr');
+  assert.equal(await points.count(), 6);
+  const point = (i) => points.nth(i).getByRole('button');
+  for (const field of [point(1), one.getByRole('textbox', { name: 'speed_mm_s 1' })]) {
+    const { height } = await field.boundingBox();
+    assert.ok(height >= 44, `${height} px are too few for a finger`);
+  }
+  await point(1).click();
+  await one.getByRole('button', { name: 'Several' }).click();
+  await point(3).click();
+  await one.getByRole('button', { name: 'Set in 2' }).waitFor();
+  await one.getByRole('button', { name: 'Several' }).click();
+  await point(2).click();
+  await one.getByRole('button', { name: 'Split here' }).click();
+  const text = () => one.evaluate(async () => (await (await fetch('/api/jobs/straight.toml')).json()).text);
+  const saved = async (count) => {
+    await one.getByRole('button', { name: 'Save', exact: true }).click();
+    await one.getByRole('button', { name: 'Save', exact: true }).and(one.locator(':disabled')).waitFor();
+    assert.equal((await text()).match(/passes\.points\.spans/g).length, count);
+  };
+  await one.getByRole('button', { name: 'Save', exact: true }).and(one.locator(':enabled')).waitFor();
+  await saved(2);
+  await one.getByRole('button', { name: 'Undo' }).click();
+  await one.getByRole('button', { name: 'Reduce' }).click();
+  await one.waitForFunction(() => document.querySelectorAll('tbody tr').length < 6);
+  assert.equal(await points.count(), 2, 'a straight line is one');
+  await one.getByRole('button', { name: '← Jobs' }).click();
+  await one.getByRole('button', { name: 'Discard changes' }).click();
   quiet(one);
 });
 

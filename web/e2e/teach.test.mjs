@@ -74,6 +74,15 @@ async function goesOn() {
   }
 }
 
+/** The picture stays in sight over the lowest jog key, and all axes stand above STOP. */
+async function allInSight() {
+  await one.locator('.hand').evaluate((hand) => hand.scrollTo(0, hand.scrollHeight));
+  const [hand, picture] = [await one.locator('.hand').boundingBox(), await one.locator('.camera').boundingBox()];
+  assert.ok(picture.y >= hand.y - 1 && picture.y + picture.height <= hand.y + hand.height, JSON.stringify({ hand, picture }));
+  const [last, stop] = [await one.locator('aside dl div').last().boundingBox(), await one.getByRole('button', { name: 'STOP' }).boundingBox()];
+  assert.ok(last.y + last.height <= stop.y, JSON.stringify({ last, stop }));
+}
+
 test('a seam is taught by eye, from its start in 3D to a saved job', options, async () => {
   // 80 mm of the half ring.
   const text = await one.evaluate(async () => (await (await fetch('/api/jobs/half-ring.toml')).json()).text);
@@ -95,6 +104,7 @@ test('a seam is taught by eye, from its start in 3D to a saved job', options, as
   await button('Open the eye').click();
   await mode(one, 'teach');
   await phase('places');
+  await allInSight();
   await button('Joint begins where the program does').waitFor();
   await pick();
   await button('Joint is at the place picked in 3D').waitFor();

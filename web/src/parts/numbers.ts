@@ -36,11 +36,11 @@ export function timeOfDay(at: string): string {
   return Number.isNaN(time.getTime()) ? at : time.toTimeString().slice(0, 8);
 }
 
-/** Day and time of an RFC 3339 time, in the browser's zone. */
+/** Day and time, to the second, of an RFC 3339 time, in the browser's zone. */
 export function dayAndTime(at: string | null): string {
   if (!at) return '–';
   const time = new Date(at);
   if (Number.isNaN(time.getTime())) return at;
   const two = (n: number): string => String(n).padStart(2, '0');
-  return `${time.getFullYear()}-${two(time.getMonth() + 1)}-${two(time.getDate())} ${time.toTimeString().slice(0, 5)}`;
+  return `${time.getFullYear()}-${two(time.getMonth() + 1)}-${two(time.getDate())} ${time.toTimeString().slice(0, 8)}`;
 }

@@ -1,9 +1,10 @@
-import { Box3, Vector3 } from 'three';
+import { Box3, Vector3, type Points } from 'three';
 import { describe, expect, test } from 'vitest';
 import type { NearView, PassView, PathPoint, ShapeView } from '../wire';
 import { heat, ramp, scale } from './colours';
 import { nearness, worthShowing } from './near';
 import { geometry, matrix } from './shapes';
+import { TaughtLine } from './taught';
 
 function extent(shape: ShapeView): { least: number[]; most: number[] } {
   const made = geometry(shape);
@@ -88,4 +89,16 @@ describe('what is near', () => {
     expect(worthShowing(pair(30), false)).toBeNull();
     expect(worthShowing(pair(1), false)).not.toBeNull();
   });
+});
+
+test('what was taught stands as points, by hand or by eye, until there is none', () => {
+  let drawn = 0;
+  const line = new TaughtLine(() => (drawn += 1));
+  line.set([{ at: [1, 2, 3], confidence: 1 }, { at: [4, 5, 6], confidence: 0 }], null);
+  const [dots] = line.group.children;
+  const places = (dots as Points).geometry.getAttribute('position');
+  expect([...places.array]).toEqual([1, 2, 3, 4, 5, 6]);
+  line.set([], null);
+  expect(line.group.children).toHaveLength(0);
+  expect(drawn).toBe(2);
 });

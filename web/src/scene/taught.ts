@@ -2,13 +2,13 @@ import { BufferGeometry, Float32BufferAttribute, Group, Line, LineBasicMaterial,
 import type { TaughtPointView } from '../wire';
 import { release } from './passes';
 
-/** What was taught by eye: its points, red where little was seen and green where much, and the program's path through them. */
+/** What was taught: its points, red where little was seen and green where much, and the program's path through them. */
 export class TaughtLine {
   readonly group = new Group();
 
   constructor(private readonly draw: () => void) {}
 
-  set(points: TaughtPointView[], path: [number, number, number][] | null): void {
+  set(points: Pick<TaughtPointView, 'at' | 'confidence'>[], path: [number, number, number][] | null): void {
     release(this.group);
     if (points.length > 0) {
       const geometry = new BufferGeometry().setFromPoints(points.map((point) => new Vector3(...point.at)));

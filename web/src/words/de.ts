@@ -157,6 +157,9 @@ export const de: Table = {
   'value.wire_feed': 'Drahtvorschub',
   'value.power': 'Leistung',
   'value.beam_current': 'Strahlstrom',
+  'value.accelerating': 'Beschleunigungsspannung',
+  'value.beam': 'Strahlstrom',
+  'value.frequency': 'Frequenz',
   'value.focus': 'Fokus',
   'value.gas': 'Gas',
 
@@ -411,6 +414,10 @@ export const de: Table = {
   'points.insert': 'Danach einfügen',
   'points.delete': 'Löschen ({0})',
   'points.set': 'In {0} setzen',
+  'points.split': 'Hier teilen',
+  'points.several': 'Mehrere',
+  'points.reduce': 'Vereinfachen',
+  'points.tolerance': 'Toleranz beim Vereinfachen, mm',
 
   'record.list': 'Protokolle',
   'record.none': 'Noch keine Schweißungen.',

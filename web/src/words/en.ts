@@ -156,6 +156,9 @@ export const en = {
   'value.wire_feed': 'Wire feed',
   'value.power': 'Power',
   'value.beam_current': 'Beam current',
+  'value.accelerating': 'Accelerating voltage',
+  'value.beam': 'Beam current',
+  'value.frequency': 'Frequency',
   'value.focus': 'Focus',
   'value.gas': 'Gas',
 
@@ -410,6 +413,10 @@ export const en = {
   'points.insert': 'Insert after',
   'points.delete': 'Delete ({0})',
   'points.set': 'Set in {0}',
+  'points.split': 'Split here',
+  'points.several': 'Several',
+  'points.reduce': 'Reduce',
+  'points.tolerance': 'Tolerance of reducing, mm',
 
   'record.list': 'Records',
   'record.none': 'No welds yet.',

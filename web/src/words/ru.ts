@@ -157,6 +157,9 @@ export const ru: Table = {
   'value.wire_feed': 'Подача проволоки',
   'value.power': 'Мощность',
   'value.beam_current': 'Ток луча',
+  'value.accelerating': 'Ускоряющее напряжение',
+  'value.beam': 'Ток луча',
+  'value.frequency': 'Частота',
   'value.focus': 'Фокус',
   'value.gas': 'Газ',
 
@@ -411,6 +414,10 @@ export const ru: Table = {
   'points.insert': 'Вставить после',
   'points.delete': 'Удалить ({0})',
   'points.set': 'Задать в {0}',
+  'points.split': 'Разделить здесь',
+  'points.several': 'Несколько',
+  'points.reduce': 'Упростить',
+  'points.tolerance': 'Допуск упрощения, мм',
 
   'record.list': 'Записи',
   'record.none': 'Сварок ещё не было.',

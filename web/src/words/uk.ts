@@ -157,6 +157,9 @@ export const uk: Table = {
   'value.wire_feed': 'Подача дроту',
   'value.power': 'Потужність',
   'value.beam_current': 'Струм променя',
+  'value.accelerating': 'Прискорювальна напруга',
+  'value.beam': 'Струм променя',
+  'value.frequency': 'Частота',
   'value.focus': 'Фокус',
   'value.gas': 'Газ',
 
@@ -411,6 +414,10 @@ export const uk: Table = {
   'points.insert': 'Вставити після',
   'points.delete': 'Вилучити ({0})',
   'points.set': 'Задати в {0}',
+  'points.split': 'Поділити тут',
+  'points.several': 'Кілька',
+  'points.reduce': 'Спростити',
+  'points.tolerance': 'Допуск спрощення, мм',
 
   'record.list': 'Записи',
   'record.none': 'Зварювань ще не було.',

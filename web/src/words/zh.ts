@@ -157,6 +157,9 @@ export const zh: Table = {
   'value.wire_feed': '送丝',
   'value.power': '功率',
   'value.beam_current': '束流',
+  'value.accelerating': '加速电压',
+  'value.beam': '束流',
+  'value.frequency': '频率',
   'value.focus': '焦点',
   'value.gas': '气体',
 
@@ -411,6 +414,10 @@ export const zh: Table = {
   'points.insert': '在其后插入',
   'points.delete': '删除（{0}）',
   'points.set': '写入 {0} 个点',
+  'points.split': '在此分割',
+  'points.several': '多选',
+  'points.reduce': '精简',
+  'points.tolerance': '精简公差，mm',
 
   'record.list': '记录',
   'record.none': '还没有焊接记录。',
