@@ -79,7 +79,7 @@ async function allInSight() {
   await one.locator('.hand').evaluate((hand) => hand.scrollTo(0, hand.scrollHeight));
   const [hand, picture] = [await one.locator('.hand').boundingBox(), await one.locator('.camera').boundingBox()];
   assert.ok(picture.y >= hand.y - 1 && picture.y + picture.height <= hand.y + hand.height, JSON.stringify({ hand, picture }));
-  const [last, stop] = [await one.locator('aside dl div').last().boundingBox(), await one.getByRole('button', { name: 'STOP' }).boundingBox()];
+  const [last, stop] = [await one.locator('aside dl div').last().boundingBox(), await one.getByRole('button', { name: 'STOP:' }).boundingBox()];
   assert.ok(last.y + last.height <= stop.y, JSON.stringify({ last, stop }));
 }
 
