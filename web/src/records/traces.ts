@@ -2,13 +2,19 @@
 export type Trace = { columns: string[]; values: (number | null)[][] };
 
 /** What tells most of a weld, first; a kind each. */
-const FIRST = [/speed/, /path_error|seam_lateral/, /current_(a|ma)\b/, /voltage|power|wire_feed/, /following_error/];
+const FIRST = [
+  /speed/,
+  /path_error|seam_lateral/,
+  /(current|beam)_(a|ma)(_measured)?$/,
+  /(voltage_v|accelerating_kv|wire_feed_m_min|power_k?w)(_measured)?$/,
+  /following_error/,
+];
 const MOST_AT_ONCE = 4;
 
 /** What is shown before somebody chooses. */
 export function preferred(names: string[]): string[] {
   const known = FIRST.flatMap((kind) => names.find((name) => kind.test(name)) ?? []);
-  return [...known, ...names.filter((name) => !known.includes(name))].slice(0, MOST_AT_ONCE);
+  return (known.length > 0 ? known : names).slice(0, MOST_AT_ONCE);
 }
 
 /**
