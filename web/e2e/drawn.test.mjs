@@ -1,32 +1,13 @@
 import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { hasBrowser, launch, page } from './browser.mjs';
-import { isReal, startCell } from './cell.mjs';
-import { control, load, mode, open, quiet, ready, sleep, tab } from './operator.mjs';
+import { test } from 'node:test';
+import { page } from './browser.mjs';
+import { bench, commands, control, load, mode, open, quiet, ready, sleep, tab } from './operator.mjs';
 
-const options = { skip: hasBrowser ? false : 'no Chromium' };
-const onReal = { skip: hasBrowser ? (isReal ? false : 'the mock reads no jobs') : 'no Chromium' };
-let cell;
-let browser;
-let one;
-
-before(async () => {
-  if (!hasBrowser) return;
-  cell = await startCell();
-  browser = await launch();
-  one = await page(browser);
+const { one, cell, browser, options, onReal } = await bench({ real: 'the mock reads no jobs' });
+if (one) {
   await open(one, cell.address);
   await control(one);
-});
-after(async () => {
-  await browser?.close();
-  await cell?.end();
-});
-
-/** A page that drew a second by software has lost its heartbeat, and control with it. */
-async function commands() {
-  if (await one.getByRole('button', { name: 'Take control' }).isVisible()) await control(one);
 }
 
 /** The list of jobs, whatever was open. */
@@ -128,12 +109,12 @@ test('inputs and outputs have names and live states; axes can be tuned in simula
 
 test('what is near is told by hand before it is too near; touched points tell where the part stands', onReal, async () => {
   await list();
-  await commands();
+  await commands(one);
   await load(one, 'saddle.toml');
-  await commands();
+  await commands(one);
   await ready(one);
   await tab(one, 'Jog · Teach');
-  await commands();
+  await commands(one);
   await one.getByRole('button', { name: 'Start jogging' }).click();
   await mode(one, 'jog');
   await one.getByRole('button', { name: '30 %' }).click();

@@ -1,32 +1,12 @@
 // An alarm from its coming to its acknowledgement; who may not, may not, also past the buttons; foreign texts are text.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { hasBrowser, launch, page } from './browser.mjs';
-import { isReal, startCell } from './cell.mjs';
-import { control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab } from './operator.mjs';
+import { test } from 'node:test';
+import { page } from './browser.mjs';
+import { bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab } from './operator.mjs';
 
-const options = { skip: hasBrowser ? (isReal ? false : 'the mock refuses nothing') : 'no Chromium' };
 const EVIL = '<img src=x onerror=globalThis.pwned=1><script>globalThis.pwned=1</script>';
 const PASSWORD = 'correct horse battery';
-let cell;
-let browser;
-let one;
-
-before(async () => {
-  if (!hasBrowser || !isReal) return;
-  cell = await startCell();
-  browser = await launch();
-  one = await page(browser);
-});
-after(async () => {
-  await browser?.close();
-  await cell?.end();
-});
-
-/** A page that drew a second by software has lost its heartbeat, and control with it. */
-async function commands(of) {
-  if (await of.getByRole('button', { name: 'Take control' }).isVisible()) await control(of);
-}
+const { one, cell, browser, options } = await bench({ real: 'the mock refuses nothing', only: true });
 
 /** What the server says to a request of the page's own, with the token of its session. */
 const ask = (of, method, path, body) =>

@@ -1,26 +1,10 @@
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { hasBrowser, launch, page } from './browser.mjs';
-import { isReal, startCell } from './cell.mjs';
-import { control, keep, open, quiet, SHORT, sleep, tab } from './operator.mjs';
+import { test } from 'node:test';
+import { page } from './browser.mjs';
+import { bench, control, keep, open, quiet, SHORT, sleep, tab } from './operator.mjs';
 
-const options = { skip: hasBrowser ? false : 'no Chromium' };
-const onReal = { skip: hasBrowser ? (isReal ? false : 'the mock plans nothing') : 'no Chromium' };
-let cell;
-let browser;
-let one;
-
-before(async () => {
-  if (!hasBrowser) return;
-  cell = await startCell();
-  browser = await launch();
-  one = await page(browser);
-  await open(one, cell.address);
-});
-after(async () => {
-  await browser?.close();
-  await cell?.end();
-});
+const { one, cell, browser, options, onReal } = await bench({ real: 'the mock plans nothing' });
+if (one) await open(one, cell.address);
 
 /** A straight line in six points, as poses. */
 const STRAIGHT = `schema = 1

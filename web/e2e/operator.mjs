@@ -1,5 +1,31 @@
 // What an operator does, in the panel's own words (English).
 import assert from 'node:assert/strict';
+import { after } from 'node:test';
+import { hasBrowser, launch, page as blank } from './browser.mjs';
+import { isReal, startCell } from './cell.mjs';
+
+/**
+ * A cell, a browser and a page for the tests of a file, ended after them. `real` says why the mock does not do: for the tests with
+ * `onReal`, or, with `only`, for all of the file. `options` are for the others.
+ */
+export async function bench({ real = '', only = false, ...view } = {}) {
+  const skip = hasBrowser ? false : 'no Chromium';
+  const onReal = { skip: skip || (isReal ? false : real) };
+  const options = only ? onReal : { skip };
+  if (options.skip) return { options, onReal };
+  const cell = await startCell();
+  const browser = await launch();
+  after(async () => {
+    await browser.close();
+    await cell.end();
+  });
+  return { cell, browser, one: await blank(browser, view), options, onReal };
+}
+
+/** A page that drew a second by software has lost its heartbeat, and control with it: then it takes it again. */
+export async function commands(page) {
+  if (await page.getByRole('button', { name: 'Take control' }).isVisible()) await control(page);
+}
 
 /** A weld of a few seconds with the machine of the saddle: a turn of its first axis. */
 export const SHORT = `schema = 1

@@ -1,28 +1,12 @@
 // A simulated part that lies elsewhere than planned: tracked on the screen and in the record.
 import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';
-import { after, before, test } from 'node:test';
-import { hasBrowser, launch, page } from './browser.mjs';
-import { isReal, startCell } from './cell.mjs';
-import { burns, control, keep, mode, open, quiet, ready, tab, weld } from './operator.mjs';
+import { test } from 'node:test';
+import { bench, burns, commands, control, keep, mode, open, quiet, ready, tab, weld } from './operator.mjs';
 
-const options = { skip: hasBrowser ? (isReal ? false : 'the mock has no sensors') : 'no Chromium' };
 const shots = new URL('shots/', import.meta.url).pathname;
-let cell;
-let browser;
-let one;
-
-before(async () => {
-  if (!hasBrowser || !isReal) return;
-  cell = await startCell();
-  mkdirSync(shots, { recursive: true });
-  browser = await launch();
-  one = await page(browser);
-});
-after(async () => {
-  await browser?.close();
-  await cell?.end();
-});
+const { one, cell, options } = await bench({ real: 'the mock has no sensors', only: true });
+mkdirSync(shots, { recursive: true });
 
 /** Thirty degrees of the example saddle. */
 const short = async () => {
@@ -43,7 +27,7 @@ test('a part out of its place is found by the sensor, and the record says by how
   await dialog.getByRole('combobox').selectOption('misplaced');
   await dialog.getByRole('button', { name: 'Load' }).click();
   await dialog.waitFor({ state: 'hidden', timeout: 60_000 });
-  if (await one.getByRole('button', { name: 'Take control' }).isVisible()) await control(one);
+  await commands(one);
   await ready(one);
   await weld(one);
   await burns(one, true);

@@ -1,24 +1,10 @@
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { hasBrowser, launch, page } from './browser.mjs';
-import { isReal, startCell } from './cell.mjs';
-import { burns, control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab, weld } from './operator.mjs';
+import { test } from 'node:test';
+import { page } from './browser.mjs';
+import { isReal } from './cell.mjs';
+import { bench, burns, control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab, weld } from './operator.mjs';
 
-const options = { skip: hasBrowser ? false : 'no Chromium' };
-let cell;
-let browser;
-let one;
-
-before(async () => {
-  if (!hasBrowser) return;
-  cell = await startCell();
-  browser = await launch();
-  one = await page(browser, { toured: false });
-});
-after(async () => {
-  await browser?.close();
-  await cell?.end();
-});
+const { one, cell, browser, options } = await bench({ toured: false });
 
 /** The cursor of a record's plot stands the torch there in 3D, and says where that is; going on moves it. */
 async function scrubbed() {
