@@ -13,6 +13,8 @@ pub type Colour = [u8; 3];
 pub const COASTED: Colour = [90, 150, 255];
 /// Of a cross.
 pub const CROSS: Colour = [255, 255, 255];
+/// Of where a joint is looked for.
+pub const ZONE: Colour = [0, 210, 255];
 /// Of the next move.
 pub const MOTION: Colour = [255, 120, 255];
 
@@ -57,6 +59,13 @@ impl Overlay {
             let p = a + (b - a) * (i as f64 / steps.max(1.0));
             beside.iter().for_each(|k| self.dot(p + *k * across, colour));
         }
+    }
+
+    /// A rectangle, two pixels thick, a pixel inside of `low` and `high`: where a joint was looked for.
+    pub fn zone(&mut self, low: DVec2, high: DVec2) {
+        let (low, high) = (low + 1.0, high - 1.0);
+        let corners = [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y), low];
+        corners.windows(2).for_each(|side| self.line(side[0], side[1], &[0.0, 1.0], ZONE));
     }
 
     /// A cross, two pixels thick.

@@ -1,15 +1,13 @@
 //! The last frame with what was found in it, as in Fig. 4 of EBW-2004.
 
 use crate::failure::Failure;
-use crate::overlay::{COASTED, CROSS, MOTION, Overlay, sureness};
+use crate::overlay::{COASTED, CROSS, MOTION, Overlay, ZONE, sureness};
 use glam::{DVec2, DVec3};
 use seamwright_cell::teach::Look;
 use seamwright_geometry::HeightTable;
 use seamwright_tracking::teach::{Command, Row, Settings};
 use seamwright_vision::Image;
 
-/// Where the midline was looked for.
-const AIM: [u8; 3] = [0, 210, 255];
 /// Half the length of an arm of the cross, and of the mark where the midline begins, pixels.
 const ARMS: (i32, f64) = (14, 24.0);
 /// Two pixels thick.
@@ -61,9 +59,11 @@ impl Picture {
             picture.line(pair[0].px, pair[1].px, &[-1.0, 0.0, 1.0], colour);
         }
         if let Some((start, direction)) = self.aim {
+            // The follower has no zone of its own: the whole frame is.
+            picture.zone(DVec2::ZERO, DVec2::new((frame.width() - 1) as f64, (frame.height() - 1) as f64));
             let across = 0.5 * ARMS.1 * direction.perp();
-            picture.line(start - across, start + across, &THICK, AIM);
-            picture.line(start, start + ARMS.1 * direction, &THICK, AIM);
+            picture.line(start - across, start + across, &THICK, ZONE);
+            picture.line(start, start + ARMS.1 * direction, &THICK, ZONE);
         }
         if let Some(cross) = self.cross {
             picture.cross(cross, CROSS, ARMS.0);

@@ -6,8 +6,6 @@ use glam::DVec2;
 use seamwright_vision::Frame;
 use seamwright_vision::joint::{CONFIDENT, Joint, Row, Start, State, Zone};
 
-const ZONE: Colour = [0, 210, 255];
-
 /// The frame with what was found in it as PNG. The motion vector goes from the start to the last confident place: the move
 /// that teaching would make.
 pub(super) fn draw(frame: &Frame, joint: &Joint, start: &Start, zone: &Zone) -> Result<Vec<u8>, Failure> {
@@ -15,11 +13,8 @@ pub(super) fn draw(frame: &Frame, joint: &Joint, start: &Start, zone: &Zone) -> 
     // Large pictures are looked at from farther away.
     let thick = (frame.width() + frame.height()).div_ceil(1500) as i32;
     let across: Vec<f64> = (-thick..=thick).map(f64::from).collect();
-    let inset = 1.0;
-    let low = DVec2::new(f64::from(zone.left), f64::from(zone.top)) + inset;
-    let high = DVec2::new(f64::from(zone.right), f64::from(zone.bottom)) - inset;
-    let corners = [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y), low];
-    corners.windows(2).for_each(|side| picture.line(side[0], side[1], &[0.0, 1.0], ZONE));
+    let low = DVec2::new(f64::from(zone.left), f64::from(zone.top));
+    picture.zone(low, DVec2::new(f64::from(zone.right), f64::from(zone.bottom)));
     for pair in joint.rows.windows(2) {
         picture.line(place(&pair[0]), place(&pair[1]), &across, colour(&pair[1]));
     }
