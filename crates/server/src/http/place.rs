@@ -7,7 +7,7 @@ use glam::{DAffine3, DVec3};
 use seamwright_geometry::fit::{Touch, best_fit, outliers, plane_line_point, rms};
 use seamwright_program::Program;
 use seamwright_project::load::{Loaded, load_foreign};
-use seamwright_project::offset;
+use seamwright_project::{offset, placing};
 use seamwright_weld::SeamSurfaces;
 use std::sync::Arc;
 
@@ -35,6 +35,8 @@ pub(super) async fn place(State(panel): State<Arc<Panel>>, Json(asked): Json<Pla
         let found = match asked.method {
             PlaceMethod::BestFit => fitted(&loaded, &asked.points, asked.probe_radius_mm)?,
             PlaceMethod::PlaneLinePoint => faces(&loaded.welding.program.value, &asked.points, asked.probe_radius_mm)?,
+            PlaceMethod::ThreePoints => marks(&loaded.welding.program.value, &asked.points, asked.probe_radius_mm)?,
+            PlaceMethod::Chuck => round(&loaded.welding.program.value, &asked.points, asked.probe_radius_mm)?,
         };
         let answer = answer(&asked.text, found)?;
         // What is given back can be read.
@@ -48,6 +50,8 @@ fn check(asked: &PlaceText) -> Result<(), Refused> {
     let features: &[&str] = match asked.method {
         PlaceMethod::BestFit => &["nozzle", "body"],
         PlaceMethod::PlaneLinePoint => &["plane", "line", "point"],
+        PlaceMethod::ThreePoints => &["plane", "origin", "direction"],
+        PlaceMethod::Chuck => &["face", "round"],
     };
     if !(0.0..=LARGEST_MM).contains(&asked.probe_radius_mm) {
         return Err(Refused::input(format!("probe_radius_mm {}: allowed: 0 to {LARGEST_MM}", asked.probe_radius_mm)));
@@ -94,17 +98,54 @@ fn fitted(loaded: &Loaded, points: &[TouchedPoint], radius: f64) -> Result<Found
     Ok(Found { offset: fit.transform * placed.inverse(), residuals: fit.residuals, notes })
 }
 
+/// The points of a feature.
+fn of(points: &[TouchedPoint], feature: &str) -> Vec<DVec3> {
+    points.iter().filter(|p| p.feature == feature).map(|p| DVec3::from_array(p.tip)).collect()
+}
+
+/// Residuals by feature, back in the order of the points.
+fn in_order<const N: usize>(points: &[TouchedPoint], lists: [(&str, &[f64]); N]) -> Vec<f64> {
+    let mut lists = lists.map(|(feature, residuals)| (feature, residuals.iter()));
+    let next = |p: &TouchedPoint| lists.iter_mut().find(|l| l.0 == p.feature).and_then(|l| l.1.next().copied());
+    points.iter().filter_map(next).collect()
+}
+
 /// Three faces of the part.
 fn faces(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
-    let of = |feature: &str| -> Vec<DVec3> {
-        points.iter().filter(|p| p.feature == feature).map(|p| DVec3::from_array(p.tip)).collect()
-    };
-    let (plane, line, point) = (of("plane"), of("line"), of("point"));
+    let [plane, line, point] = ["plane", "line", "point"].map(|feature| of(points, feature));
     let fit = plane_line_point((&plane, &line, &point), radius, &program.work_offset()).map_err(|e| refused(&e))?;
-    // Back in the order of the points.
-    let mut lists = [("plane", fit.plane.iter()), ("line", fit.line.iter()), ("point", fit.point.iter())];
-    let next = |p: &TouchedPoint| lists.iter_mut().find(|l| l.0 == p.feature).and_then(|l| l.1.next().copied());
-    Ok(Found { offset: fit.transform, residuals: points.iter().filter_map(next).collect(), notes: Vec::new() })
+    let residuals = in_order(points, [("plane", &fit.plane), ("line", &fit.line), ("point", &fit.point)]);
+    Ok(Found { offset: fit.transform, residuals, notes: Vec::new() })
+}
+
+/// A plane of the part and two marks on it.
+fn marks(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
+    let [plane, origin, direction] = ["plane", "origin", "direction"].map(|feature| of(points, feature));
+    let found = placing::three_points([&plane, &origin, &direction], radius, &program.work_offset());
+    let found = found.map_err(|e| refused(&e))?;
+    let [plane, origin, direction] = &found.residuals;
+    let residuals = in_order(points, [("plane", plane), ("origin", origin), ("direction", direction)]);
+    let notes = three_alone(plane.len(), "plane").into_iter().collect();
+    Ok(Found { offset: found.transform, residuals, notes })
+}
+
+/// A round part in a chuck.
+fn round(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
+    let [face, round] = ["face", "round"].map(|feature| of(points, feature));
+    let found = placing::chuck(&face, &round, radius, &program.work_offset())
+        .map_err(|e| Refused::input(format!("{e}; allowed: more points, spread over the face and all round")))?;
+    let [face, round, _] = &found.residuals;
+    let residuals = in_order(points, [("face", face), ("round", round)]);
+    let mut notes: Vec<String> =
+        found.radius_mm.map(|r| format!("diameter of the round: {:.3} mm", 2.0 * r)).into_iter().collect();
+    notes.push("not seen: the turn about the axis; left as it was".to_owned());
+    notes.extend([(face.len(), "face"), (round.len(), "round")].into_iter().filter_map(|(n, of)| three_alone(n, of)));
+    Ok(Found { offset: found.transform, residuals, notes })
+}
+
+/// Said where three points fix what three points fix.
+fn three_alone(points: usize, of: &str) -> Option<String> {
+    (points == 3).then(|| format!("{of}: three points only, nothing would show a bad one"))
 }
 
 fn answer(text: &str, found: Found) -> Result<PlaceAnswer, Refused> {

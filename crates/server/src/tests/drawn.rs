@@ -129,3 +129,47 @@ async fn touched_points_tell_where_the_part_stands() {
         assert!(answer["text"].as_str().unwrap().contains("allowed"), "{answer}");
     }
 }
+
+/// Marks on a plane, and a round in a chuck: where they say that the part stands, its offset is.
+#[tokio::test(flavor = "multi_thread")]
+async fn marks_and_a_chuck_tell_where_the_part_stands() {
+    let bench = Bench::new(&[HOST]).await;
+    let owner = bench.owner().await;
+    let text = example(&bench, &owner, "saddle.toml").await;
+    let touched = |list: &[(&str, [f64; 3])]| {
+        list.iter().map(|(feature, tip)| json!({ "feature": feature, "tip": tip })).collect::<Vec<_>>()
+    };
+    let ask = |method: &str, points: Vec<Value>| {
+        let body = json!({ "text": text, "method": method, "probe_radius_mm": 1.0, "points": points });
+        owner.request("POST", "/api/place", Some(&body))
+    };
+    // A plane at z = 20 under a ball of 1 mm; x along the work's y.
+    let plane = [("plane", [0.0, 0.0, 21.0]), ("plane", [100.0, 0.0, 21.0]), ("plane", [0.0, 100.0, 21.0])];
+    let marks = [&plane[..], &[("origin", [10.0, 5.0, 21.5]), ("direction", [10.0, 80.0, 21.0])]].concat();
+    let (status, answer) = bench.ask(ask("three_points", touched(&marks))).await;
+    assert_eq!(status, StatusCode::OK, "{answer}");
+    for (found, moved) in numbers(&answer["move_mm"]).iter().zip([10.0, 5.0, 20.0]) {
+        assert!((found - moved).abs() < 1e-6, "{answer}");
+    }
+    assert!((answer["angle_deg"].as_f64().unwrap().abs() - 90.0).abs() < 1e-6, "{answer}");
+    // The mark that was touched too high shows it.
+    assert!((numbers(&answer["residuals_mm"])[3] - 0.5).abs() < 1e-9, "{answer}");
+    let round = [("round", [57.0, -3.0, 4.0]), ("round", [6.0, 48.0, 5.0]), ("round", [-45.0, -3.0, 6.0])];
+    let face = plane.map(|(_, tip)| ("face", tip));
+    let (status, answer) = bench.ask(ask("chuck", touched(&[&face[..], &round[..]].concat()))).await;
+    assert_eq!(status, StatusCode::OK, "{answer}");
+    for (found, moved) in numbers(&answer["move_mm"]).iter().zip([6.0, -3.0, 20.0]) {
+        assert!((found - moved).abs() < 1e-6, "{answer}");
+    }
+    assert!(answer["notes"].to_string().contains("100.000 mm"), "{answer}");
+    for (method, points) in [
+        ("three_points", touched(&marks[..4])),
+        ("chuck", touched(&face)),
+        ("chuck", touched(&[&face[..], &[round[0], round[0], round[0]]].concat())),
+        ("chuck", touched(&marks)),
+    ] {
+        let (status, answer) = bench.ask(ask(method, points)).await;
+        assert_eq!(status, StatusCode::UNPROCESSABLE_ENTITY, "{answer}");
+        assert!(answer["text"].as_str().unwrap().contains("allowed"), "{answer}");
+    }
+}

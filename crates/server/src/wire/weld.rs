@@ -253,6 +253,10 @@ pub enum PlaceMethod {
     BestFit,
     /// Points on three faces: features `plane`, `line`, `point`.
     PlaneLinePoint,
+    /// Points on a plane and two marks on it: features `plane`, `origin`, `direction`.
+    ThreePoints,
+    /// Points on a face and on a round about the axis of the chuck that holds it: features `face`, `round`.
+    Chuck,
 }
 
 /// A touched point.

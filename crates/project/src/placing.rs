@@ -1,0 +1,249 @@
+//! Where a part stands, from touched points: a plane with two marks on it, or a face and a round in a chuck.
+
+use glam::{DAffine3, DMat3, DVec2, DVec3};
+use seamwright_geometry::Error;
+use seamwright_geometry::fit::plane_line_point;
+use std::f64::consts::TAU;
+
+/// A round that was touched on less than this part of its circumference has no certain middle, rad.
+const LEAST_ARC: f64 = TAU / 3.0;
+/// Steps of Gauss and Newton to the circle of least squares: after a good first guess a few are enough.
+const STEPS: usize = 50;
+
+/// The part's frame in the work frame, and how far the points are from it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Placing {
+    /// The part's frame in the work frame.
+    pub transform: DAffine3,
+    /// Distances of the points from what they lie on, mm, positive outside: first list, second, third.
+    pub residuals: [Vec<f64>; 3],
+    /// Radius of the round, mm, if there is one.
+    pub radius_mm: Option<f64>,
+}
+
+/// Plane, frame of it with `x` along, and the height of the plane along its normal.
+fn plane(points: &[DVec3], radius: f64, nominal: &DAffine3, along: DVec3) -> Result<(DMat3, f64, Vec<f64>), Error> {
+    let from = points.first().copied().unwrap_or_default();
+    let fit = plane_line_point((points, &[from, from + along], &[from]), radius, nominal)?;
+    let z = fit.transform.matrix3.z_axis;
+    Ok((fit.transform.matrix3, fit.transform.translation.dot(z), fit.plane))
+}
+
+/// The part's frame from touches (centres of a ball of `radius` mm, or points with 0) of the plane z = 0, of its origin and of a place
+/// on its x axis. The normal points the way it does in `nominal`; marks are touched with the ball on the plane.
+///
+/// # Errors
+/// [`Error::TooFewPoints`] with fewer than 3, 1 and 1; [`Error::Gathered`] if those of the plane lie on a line, or both marks in one place.
+pub fn three_points(
+    [face, origin, direction]: [&[DVec3]; 3],
+    radius: f64,
+    nominal: &DAffine3,
+) -> Result<Placing, Error> {
+    for (what, given) in [("the origin", origin), ("the direction", direction)] {
+        if given.is_empty() {
+            return Err(Error::TooFewPoints { what, given: 0, least: 1 });
+        }
+    }
+    let mean = |points: &[DVec3]| points.iter().sum::<DVec3>() / points.len() as f64;
+    let (o, d) = (mean(origin), mean(direction));
+    let fit = plane_line_point((face, &[o, d], &[o]), radius, nominal)?;
+    let z = fit.transform.matrix3.z_axis;
+    let height = fit.transform.translation.dot(z);
+    // Which way x points is said by the marks, not by the nominal placement.
+    let x = fit.transform.matrix3.x_axis;
+    let x = if (d - o).dot(x) < 0.0 { -x } else { x };
+    let at = o + (height - o.dot(z)) * z;
+    let over = |points: &[DVec3]| points.iter().map(|p| p.dot(z) - height - radius).collect();
+    Ok(Placing {
+        transform: DAffine3::from_mat3_translation(DMat3::from_cols(x, z.cross(x), z), at),
+        residuals: [fit.plane, over(origin), over(direction)],
+        radius_mm: None,
+    })
+}
+
+/// The part's frame from touches (centres of a ball of `radius` mm, or points with 0) of its face z = 0 and of a round about its z axis:
+/// the axis of a chuck that holds it. The normal points the way it does in `nominal`; the turn about the axis stays as it is there.
+///
+/// # Errors
+/// In words: too few points (3 and 3), points of the face on a line, a round that was touched on less than a third of it.
+pub fn chuck(face: &[DVec3], round: &[DVec3], radius: f64, nominal: &DAffine3) -> Result<Placing, String> {
+    if round.len() < 3 {
+        return Err(Error::TooFewPoints { what: "the round", given: round.len(), least: 3 }.to_string());
+    }
+    let (frame, height, residuals) =
+        plane(face, radius, nominal, 100.0 * nominal.matrix3.x_axis).map_err(|e| e.to_string())?;
+    let flat: Vec<DVec2> = round.iter().map(|p| (frame.transpose() * *p).truncate()).collect();
+    let (middle, r) = circle(&flat).ok_or("the points of the round lie on a line or in one place")?;
+    let gap = widest_gap(&flat, middle);
+    if TAU - gap < LEAST_ARC {
+        let seen = (TAU - gap).to_degrees();
+        let least = LEAST_ARC.to_degrees();
+        return Err(format!("the round was touched over {seen:.0} degrees only; at least {least:.0} are needed"));
+    }
+    Ok(Placing {
+        transform: DAffine3::from_mat3_translation(frame, frame * middle.extend(height)),
+        residuals: [residuals, flat.iter().map(|p| p.distance(middle) - r).collect(), vec![]],
+        radius_mm: Some(r - radius),
+    })
+}
+
+/// Widest angle between neighbouring points about `middle`, rad.
+fn widest_gap(points: &[DVec2], middle: DVec2) -> f64 {
+    let mut angles: Vec<f64> = points.iter().map(|p| (*p - middle).to_angle()).collect();
+    angles.sort_by(f64::total_cmp);
+    let round = angles.last().zip(angles.first()).map_or(TAU, |(last, first)| first + TAU - last);
+    angles.windows(2).map(|pair| pair[1] - pair[0]).fold(round, f64::max)
+}
+
+/// The circle of least squares of distances: middle and radius. A first guess is linear in them (I. Kasa, 1976), then Gauss and Newton.
+fn circle(points: &[DVec2]) -> Option<(DVec2, f64)> {
+    let n = points.len() as f64;
+    let mean = points.iter().sum::<DVec2>() / n;
+    let own: Vec<DVec2> = points.iter().map(|p| *p - mean).collect();
+    let size = (own.iter().map(|p| p.length_squared()).sum::<f64>() / n).sqrt();
+    let own: Vec<DVec2> = own.iter().map(|p| *p / size).collect();
+    let solved = |rows: &dyn Fn(DVec2) -> (DVec3, f64)| {
+        let (mut normal, mut right) = (DMat3::ZERO, DVec3::ZERO);
+        for p in &own {
+            let (row, value) = rows(*p);
+            normal += DMat3::from_cols(row.x * row, row.y * row, row.z * row);
+            right += value * row;
+        }
+        (normal.determinant() > 1e-9 * n.powi(3)).then(|| normal.inverse() * right)
+    };
+    let guess = solved(&|p| (DVec3::new(2.0 * p.x, 2.0 * p.y, 1.0), p.length_squared()))?;
+    let mut middle = guess.truncate();
+    let mut r = (guess.z + middle.length_squared()).max(0.0).sqrt();
+    for _ in 0..STEPS {
+        let step = solved(&|p| {
+            let away = p - middle;
+            ((-away.normalize_or_zero()).extend(-1.0), -(away.length() - r))
+        })?;
+        (middle, r) = (middle + step.truncate(), r + step.z);
+        if step.length() < 1e-14 {
+            break;
+        }
+    }
+    (middle.is_finite() && r.is_finite()).then_some((mean + size * middle, size * r))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Random numbers of a seed in -1 .. 1 (SplitMix64).
+    fn numbers(seed: u64) -> impl FnMut() -> f64 {
+        let mut state = seed;
+        move || {
+            state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let mut z = state;
+            z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            (z ^ (z >> 31)) as f64 / u64::MAX as f64 * 2.0 - 1.0
+        }
+    }
+
+    /// A frame that is turned by up to 60 degrees and moved by up to a metre.
+    fn frame(next: &mut impl FnMut() -> f64) -> DAffine3 {
+        let axis = DVec3::new(next(), next(), next() + 2.0).normalize();
+        let at = 1000.0 * DVec3::new(next(), next(), next());
+        DAffine3::from_axis_angle(axis, next()) * DAffine3::from_translation(at)
+    }
+
+    fn near(a: &DAffine3, b: &DAffine3) -> bool {
+        a.abs_diff_eq(*b, 1e-7)
+    }
+
+    #[test]
+    fn three_points_give_back_the_frame_that_they_were_made_from() {
+        for seed in 0..200 {
+            let mut next = numbers(seed);
+            let (part, radius) = (frame(&mut next), if seed % 2 == 0 { 0.0 } else { 1.5 });
+            let mut on = |x: f64, y: f64| part.transform_point3(DVec3::new(x, y, radius));
+            let face = [on(0.0, 0.0), on(200.0, 3.0), on(-20.0, 150.0), on(80.0, 90.0)];
+            let (o, d) = (on(0.0, 0.0), on(if seed % 3 == 0 { 30.0 } else { 250.0 }, 0.0));
+            // Nominally it lies otherwise, and about the normal anyhow.
+            let nominal = part * DAffine3::from_rotation_x(0.2 * next()) * DAffine3::from_rotation_z(3.0 * next());
+            let found = three_points([&face, &[o], &[d]], radius, &nominal).unwrap();
+            assert!(near(&found.transform, &part), "{seed}: {:?} {part:?}", found.transform);
+            assert!(found.residuals.iter().flatten().all(|r| r.abs() < 1e-7), "{seed}: {:?}", found.residuals);
+            // A mark that was touched half a millimetre too high shows, and moves nothing.
+            let high = o + 0.5 * part.matrix3.z_axis;
+            let found = three_points([&face, &[high], &[d]], radius, &nominal).unwrap();
+            assert!((found.residuals[1][0] - 0.5).abs() < 1e-7);
+            assert!(found.transform.translation.distance(part.translation) < 1e-3 || seed % 3 == 0);
+        }
+    }
+
+    #[test]
+    fn a_chuck_gives_back_its_axis() {
+        for seed in 0..200 {
+            let mut next = numbers(1000 + seed);
+            let (part, ball) = (frame(&mut next), 0.5 * (1.0 + next()));
+            let r = 60.0 + 50.0 * next();
+            let first = 3.0 * next();
+            let on = |p: DVec3| part.transform_point3(p);
+            let face: Vec<DVec3> = (0..4)
+                .map(|i| {
+                    let turn = DVec2::from_angle(first + 1.4 * f64::from(i)) * (0.7 * r);
+                    on(turn.extend(ball))
+                })
+                .collect();
+            let count = 3 + seed as u32 % 5;
+            let round: Vec<DVec3> = (0..count)
+                .map(|i| {
+                    let at = DVec2::from_angle(first + 4.0 * f64::from(i) / f64::from(count)) * (r + ball);
+                    on(at.extend(-20.0 * (1.0 + next())))
+                })
+                .collect();
+            // The turn about the axis is the nominal one, however the axis leans.
+            let found = chuck(&face, &round, ball, &part).unwrap();
+            assert!(near(&found.transform, &part), "{seed}: {:?} {part:?}", found.transform);
+            assert!((found.radius_mm.unwrap() - r).abs() < 1e-7, "{seed}");
+            let nominal = DAffine3::from_translation(DVec3::new(5.0, -3.0, 1.0)) * part;
+            let found = chuck(&face, &round, ball, &nominal).unwrap();
+            assert!(near(&found.transform, &part), "{seed}: {:?} {part:?}", found.transform);
+        }
+    }
+
+    /// The circle is that of least squares: none that is a little beside it is better.
+    #[test]
+    fn no_circle_beside_it_is_nearer_to_the_points() {
+        for seed in 0..100 {
+            let mut next = numbers(5000 + seed);
+            let points: Vec<DVec2> = (0..9)
+                .map(|i| DVec2::from_angle(0.6 * f64::from(i)) * (40.0 + next()) + DVec2::new(300.0, -70.0))
+                .collect();
+            let (middle, r) = circle(&points).unwrap();
+            let cost = |m: DVec2, r: f64| points.iter().map(|p| (p.distance(m) - r).powi(2)).sum::<f64>();
+            let least = cost(middle, r);
+            for _ in 0..50 {
+                let aside = cost(middle + 0.01 * DVec2::new(next(), next()), r + 0.01 * next());
+                assert!(aside >= least - 1e-12, "{seed}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_tells_nothing_is_refused() {
+        let nominal = DAffine3::IDENTITY;
+        let p = DVec3::new;
+        let face = [p(0.0, 0.0, 0.0), p(100.0, 0.0, 0.0), p(0.0, 100.0, 0.0)];
+        let line = [p(0.0, 0.0, 0.0), p(50.0, 0.0, 0.0), p(100.0, 0.0, 0.0)];
+        let (o, d) = ([p(0.0, 0.0, 0.0)], [p(100.0, 0.0, 0.0)]);
+        assert!(three_points([&face, &o, &d], 0.0, &nominal).is_ok());
+        for [a, b, c] in
+            [[&line[..], &o, &d], [&face, &o, &o], [&face, &[], &d], [&face, &o, &[]], [&face[..2], &o, &d]]
+        {
+            assert!(three_points([a, b, c], 0.0, &nominal).is_err());
+        }
+        let on = |angles: &[f64]| -> Vec<DVec3> {
+            angles.iter().map(|a| (50.0 * DVec2::from_angle(a.to_radians())).extend(-5.0)).collect()
+        };
+        assert!(chuck(&face, &on(&[0.0, 60.0, 130.0]), 0.0, &nominal).is_ok());
+        for bad in [on(&[0.0, 40.0, 110.0]), on(&[0.0, 120.0]), on(&[10.0, 10.0, 10.0]), line.to_vec()] {
+            assert!(chuck(&face, &bad, 0.0, &nominal).is_err(), "{bad:?}");
+        }
+        assert!(chuck(&line, &on(&[0.0, 120.0, 240.0]), 0.0, &nominal).is_err());
+    }
+}
