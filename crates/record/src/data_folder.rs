@@ -42,11 +42,12 @@ pub struct Verified {
 }
 
 impl DataFolder {
-    /// Opens the folder to write, and makes what is missing.
+    /// Opens the folder to write, and makes what is missing. A restore that was broken off is finished first.
     ///
     /// # Errors
     /// If it cannot be written, or its library cannot be opened.
     pub fn open(path: &Path) -> Result<Self, Error> {
+        crate::finish_replacing(path)?;
         let welds = path.join("welds");
         fs::create_dir_all(&welds).map_err(|e| Error::io(&welds, "cannot be made", e))?;
         Ok(Self { path: path.to_owned(), library: Library::open(&path.join("library.sqlite"))? })

@@ -1,0 +1,288 @@
+use crate::backup::{LIBRARY, USERS, restore};
+use crate::library::Query;
+use crate::{DataFolder, Error, Moment};
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+
+/// An archive that was checked, unpacked inside the data folder; to be thrown away or to replace the data.
+const CHECKED: &str = "restore-checked";
+/// The same once it is decided: the old data are moved into its `old`.
+const BEGUN: &str = "restore-begun";
+/// The same once the old data are out of the way: its `new` is moved into their place.
+const MOVED: &str = "restore-moved";
+
+/// What goes out of the way and comes: an archive has some of it. Keys of encrypted connections (`tls`) stay.
+const REPLACED: [&str; 8] =
+    [LIBRARY, "library.sqlite-wal", "library.sqlite-shm", "welds", "jobs", USERS, "position.a", "position.b"];
+
+/// What an archive has in it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Contents {
+    /// Welds.
+    pub welds: usize,
+    /// When the newest of them began.
+    pub newest: Option<Moment>,
+    /// Files of jobs.
+    pub jobs: usize,
+    /// Entries of the audit log.
+    pub audit: u64,
+}
+
+/// Unpacks an archive of [`DataFolder::back_up`] inside the data folder and checks all of it: the library and its version, the audit
+/// log's chain, the hash of every file that the library names. Nothing is replaced. Gives what is in it, and where it lies
+/// until [`discard_checked`], [`replace_by_checked`] or the next check.
+///
+/// # Errors
+/// An archive that is foreign, not whole, of a later version or changed since; a disk that is full.
+pub fn check_archive(archive: &Path, data: &Path) -> Result<(Contents, PathBuf), Error> {
+    discard_checked(data)?;
+    let scratch = tempfile::tempdir_in(data).map_err(|e| Error::io(data, "cannot be written", e))?;
+    let new = scratch.path().join("new");
+    restore(archive, &new)?;
+    let mut folder = DataFolder::open(&new)?;
+    // A weld that was running when it was backed up is an interrupted one there.
+    folder.recover()?;
+    let verified = folder.verify()?;
+    if let Some(problem) = verified.problems.first() {
+        let more = verified.problems.len() - 1;
+        let why = format!("what is in it is not in order: {problem} (and {more} more)");
+        return Err(Error::damaged(archive, why, "`seamwright records restore` takes it into a folder of its own"));
+    }
+    let newest = folder.library().find(&Query::default())?.iter().map(|weld| weld.begun).max();
+    let jobs = fs::read_dir(new.join("jobs")).map_or(0, Iterator::count);
+    let contents = Contents { welds: verified.welds, newest, jobs, audit: verified.audit.entries };
+    drop(folder);
+    sync(&new).map_err(|e| Error::io(&new, "cannot be written", e))?;
+    let checked = data.join(CHECKED);
+    fs::rename(scratch.path(), &checked).map_err(|e| Error::io(&checked, "cannot be made", e))?;
+    Ok((contents, checked.join("new")))
+}
+
+/// Throws away what [`check_archive`] has unpacked, if anything.
+///
+/// # Errors
+/// If it cannot be removed.
+pub fn discard_checked(data: &Path) -> Result<(), Error> {
+    let checked = data.join(CHECKED);
+    match fs::remove_dir_all(&checked) {
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(Error::io(&checked, "cannot be removed", e)),
+        _ => Ok(()),
+    }
+}
+
+/// True if an archive was checked and waits.
+pub fn has_checked(data: &Path) -> bool {
+    data.join(CHECKED).is_dir()
+}
+
+/// Puts the archive that was checked in place of the data, which nobody may have open. Gives where the old data are kept.
+///
+/// # Errors
+/// If nothing was checked, or files cannot be moved: then [`finish_replacing`] goes on, at the latest when the folder is opened next.
+pub fn replace_by_checked(data: &Path) -> Result<PathBuf, Error> {
+    let checked = data.join(CHECKED);
+    fs::rename(&checked, data.join(BEGUN)).map_err(|e| Error::io(&checked, "cannot be taken", e))?;
+    let nothing = || Error::wrong("nothing was restored", "an archive that was checked");
+    finish_replacing(data)?.ok_or_else(nothing)
+}
+
+/// Goes on where a restore was broken off: at every step its folder's name tells how far it is, and each step can be done again.
+/// Gives where the old data are kept, if there was something to do.
+///
+/// # Errors
+/// If files cannot be moved.
+pub fn finish_replacing(data: &Path) -> Result<Option<PathBuf>, Error> {
+    let (begun, moved) = (data.join(BEGUN), data.join(MOVED));
+    if begun.is_dir() {
+        let old = begun.join("old");
+        fs::create_dir_all(&old).map_err(|e| Error::io(&old, "cannot be made", e))?;
+        take(data, &old)?;
+        step(&begun, &moved)?;
+        synced(data)?;
+    }
+    if !moved.is_dir() {
+        return Ok(None);
+    }
+    take(&moved.join("new"), data)?;
+    let stamp = Moment::now().to_string().replace([':', ' '], "-");
+    let kept = data.join(format!("before-restore-{stamp}"));
+    if moved.join("old").is_dir() {
+        step(&moved.join("old"), &kept)?;
+    }
+    synced(data)?;
+    fs::remove_dir_all(&moved).map_err(|e| Error::io(&moved, "cannot be removed", e))?;
+    Ok(Some(kept))
+}
+
+/// Moves all that is replaced.
+fn take(from: &Path, to: &Path) -> Result<(), Error> {
+    let there = |name: &&&str| fs::symlink_metadata(from.join(name)).is_ok();
+    REPLACED.iter().filter(there).try_for_each(|name| step(&from.join(name), &to.join(name)))?;
+    synced(to)
+}
+
+fn step(from: &Path, to: &Path) -> Result<(), Error> {
+    fs::rename(from, to).map_err(|e| Error::io(from, "cannot be moved", e))
+}
+
+/// The folder's entries are on the disk.
+fn synced(folder: &Path) -> Result<(), Error> {
+    // Other systems do not open folders, and need not.
+    if cfg!(not(unix)) {
+        return Ok(());
+    }
+    File::open(folder).and_then(|f| f.sync_all()).map_err(|e| Error::io(folder, "cannot be written", e))
+}
+
+/// A folder and all that is in it is on the disk.
+fn sync(path: &Path) -> std::io::Result<()> {
+    if path.is_dir() {
+        for entry in fs::read_dir(path)? {
+            sync(&entry?.path())?;
+        }
+        if cfg!(not(unix)) {
+            return Ok(());
+        }
+    }
+    File::open(path)?.sync_all()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::library::{AuditEntry, DocumentKind};
+
+    fn audit(data: &mut DataFolder, command: &str) {
+        let text = |t: &str| t.to_owned();
+        let (user, station, old, new) = (text("ada"), text("panel"), text(""), text(""));
+        let (command, result) = (text(command), text("taken"));
+        data.library_mut().audit(&AuditEntry { at: Moment(5), user, station, command, old, new, result }).unwrap();
+    }
+
+    /// Data of a name, with users, a job and a journal.
+    fn folder(path: &Path, name: &str) -> DataFolder {
+        let mut data = DataFolder::open(path).unwrap();
+        data.library().add_document(DocumentKind::Job, "job.toml", name).unwrap();
+        audit(&mut data, name);
+        fs::create_dir(path.join("jobs")).unwrap();
+        fs::write(path.join(format!("jobs/{name}.toml")), name).unwrap();
+        fs::write(path.join("users.json"), format!("[\"{name}\"]")).unwrap();
+        drop(data.journal().unwrap());
+        data
+    }
+
+    fn archive_of(scratch: &Path) -> PathBuf {
+        let archive = scratch.join("backup.tar");
+        folder(&scratch.join("from"), "new").back_up(File::create(&archive).unwrap()).unwrap();
+        archive
+    }
+
+    fn name_in(data: &Path) -> String {
+        let folder = DataFolder::open(data).unwrap();
+        assert!(folder.library().verify_audit().unwrap().broken.is_none());
+        let text = folder.library().documents(DocumentKind::Job, "job.toml").unwrap()[0].text.clone();
+        let users = fs::read_to_string(data.join("users.json")).unwrap();
+        assert_eq!(users, format!("[\"{text}\"]"));
+        assert!(data.join(format!("jobs/{text}.toml")).is_file());
+        assert_eq!(fs::read_dir(data.join("jobs")).unwrap().count(), 1);
+        text
+    }
+
+    #[test]
+    fn data_are_replaced_whole_and_the_old_ones_kept() {
+        let scratch = tempfile::tempdir().unwrap();
+        let (archive, data) = (archive_of(scratch.path()), scratch.path().join("data"));
+        drop(folder(&data, "old"));
+        fs::create_dir(data.join("tls")).unwrap();
+        let (contents, new) = check_archive(&archive, &data).unwrap();
+        assert_eq!(contents, Contents { welds: 0, newest: None, jobs: 1, audit: 1 });
+        // Only looked at until then.
+        assert!(has_checked(&data) && new.join("users.json").is_file());
+        assert_eq!(name_in(&data), "old");
+        let kept = replace_by_checked(&data).unwrap();
+        assert_eq!((name_in(&data).as_str(), name_in(&kept).as_str()), ("new", "old"));
+        // The journal tells of welds of the old data; keys stay.
+        assert!(kept.join("position.a").is_file() && data.join("tls").is_dir() && !has_checked(&data));
+        assert!(replace_by_checked(&data).is_err());
+        assert_eq!(finish_replacing(&data).unwrap(), None);
+    }
+
+    /// Broken off after any number of moves it is finished the next time, whole.
+    #[test]
+    fn a_restore_that_was_broken_off_is_finished() {
+        for steps in 0..=2 * REPLACED.len() {
+            let scratch = tempfile::tempdir().unwrap();
+            let (archive, data) = (archive_of(scratch.path()), scratch.path().join("data"));
+            drop(folder(&data, "old"));
+            check_archive(&archive, &data).unwrap();
+            let (begun, moved) = (data.join(BEGUN), data.join(MOVED));
+            fs::rename(data.join(CHECKED), &begun).unwrap();
+            fs::create_dir(begun.join("old")).unwrap();
+            let there = |from: &Path, name: &str| from.join(name).exists();
+            for name in REPLACED.iter().take(steps).filter(|name| there(&data, name)) {
+                fs::rename(data.join(name), begun.join("old").join(name)).unwrap();
+            }
+            if steps >= REPLACED.len() {
+                fs::rename(&begun, &moved).unwrap();
+                let new = moved.join("new");
+                for name in REPLACED.iter().take(steps - REPLACED.len()).filter(|name| there(&new, name)) {
+                    fs::rename(new.join(name), data.join(name)).unwrap();
+                }
+            }
+            // Opening it is enough.
+            assert_eq!(name_in(&data), "new", "after {steps} steps");
+            let kept = fs::read_dir(&data).unwrap().flatten().map(|e| e.path());
+            let kept = kept.into_iter().find(|p| p.to_string_lossy().contains("before-restore")).unwrap();
+            assert_eq!(name_in(&kept), "old", "after {steps} steps");
+            assert!(!begun.exists() && !moved.exists());
+        }
+    }
+
+    /// Nothing is left behind of what is refused, and nothing has changed.
+    #[test]
+    fn foreign_changed_and_newer_archives_are_refused() {
+        let scratch = tempfile::tempdir().unwrap();
+        let (archive, data) = (archive_of(scratch.path()), scratch.path().join("data"));
+        drop(folder(&data, "old"));
+        let whole = fs::read(&archive).unwrap();
+        let bad = scratch.path().join("bad.tar");
+        let refused = |what: &str| {
+            let told = check_archive(&bad, &data).unwrap_err().to_string();
+            assert!(!has_checked(&data) && name_in(&data) == "old", "{what}");
+            assert_eq!(fs::read_dir(&data).unwrap().flatten().filter(|e| e.path().is_dir()).count(), 2, "{what}");
+            told
+        };
+        for n in [0, 1, 511, 512, whole.len() / 2, whole.len() - 1025, whole.len() - 1] {
+            fs::write(&bad, &whole[..n]).unwrap();
+            assert!(refused("cut").contains("whole archive"), "{n}");
+        }
+        fs::write(&bad, b"PK\x03\x04 something else".repeat(100)).unwrap();
+        assert!(refused("foreign").contains("whole archive"));
+        // An entry of the audit log that was changed, and a schema of a later version.
+        for (sql, said) in [
+            ("DROP TRIGGER IF EXISTS audit_update; UPDATE audit SET user = 'eve'", "audit entry"),
+            ("PRAGMA user_version = 999", "later version"),
+        ] {
+            let from = scratch.path().join(format!("from {said}"));
+            let changed = folder(&from, "new");
+            drop(changed);
+            let db = rusqlite::Connection::open(from.join(LIBRARY)).unwrap();
+            for trigger in db
+                .prepare("SELECT name FROM sqlite_schema WHERE type = 'trigger'")
+                .unwrap()
+                .query_map((), |row| row.get::<_, String>(0))
+                .unwrap()
+            {
+                db.execute_batch(&format!("DROP TRIGGER {}", trigger.unwrap())).unwrap();
+            }
+            db.execute_batch(sql).unwrap();
+            db.execute_batch("PRAGMA wal_checkpoint(TRUNCATE)").unwrap();
+            drop(db);
+            let mut builder = tar::Builder::new(File::create(&bad).unwrap());
+            builder.append_path_with_name(from.join(LIBRARY), LIBRARY).unwrap();
+            builder.finish().unwrap();
+            let told = refused(said);
+            assert!(told.contains(said), "{told}");
+        }
+    }
+}
