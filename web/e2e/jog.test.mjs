@@ -118,6 +118,27 @@ test('the keyboard: an arrow moves while held, and no longer', options, async ()
   assert.ok((await axis(one, 'theta')) < begun - 0.2);
 });
 
+test('a key that sends all axes to a place: they go while it is held, and stand there', options, async () => {
+  await mode(one, 'jog');
+  const home = one.getByRole('button', { name: 'Home position' });
+  const begun = await axis(one, 'theta');
+  assert.ok(Math.abs(begun) > 0.2, `theta is at home already: ${begun}`);
+  // Let go early, it stops on the way.
+  await home.hover();
+  await one.mouse.down();
+  for (let i = 0; i < 40 && Math.abs((await axis(one, 'theta')) - begun) < 0.05; i += 1) await sleep(20);
+  await one.mouse.up();
+  await stands();
+  assert.ok(Math.abs((await axis(one, 'theta')) - begun) >= 0.05, 'theta has not moved');
+  await home.hover();
+  await one.mouse.down();
+  for (let i = 0; i < 100 && Math.abs(await axis(one, 'theta')) > 0.005; i += 1) await sleep(100);
+  await one.screenshot({ path: new URL('shots/go.png', import.meta.url).pathname });
+  await one.mouse.up();
+  await stands();
+  assert.ok(Math.abs(await axis(one, 'theta')) < 0.02, `theta is not at home: ${await axis(one, 'theta')}`);
+});
+
 test('recorded places become a program', options, async () => {
   for (let i = 0; i < 3; i += 1) {
     await one.getByRole('button', { name: 'Record point' }).click();

@@ -392,13 +392,38 @@ enabled: boolean,
 own_password: string | null, };
 
 /**
- * `DELETE /api/users/NAME`.
+ * `DELETE /api/users/NAME`, `POST /api/restore`.
  */
 export type OwnPassword = { 
 /**
  * The password of whoever asks.
  */
 own_password: string | null, };
+
+/**
+ * `PUT /api/restore`: what is in an archive that was checked and could replace the data.
+ */
+export type ArchiveView = { 
+/**
+ * Welds.
+ */
+welds: number, 
+/**
+ * When the newest of them began; RFC 3339, UTC.
+ */
+newest: string | null, 
+/**
+ * Jobs.
+ */
+jobs: number, 
+/**
+ * Users.
+ */
+users: number, 
+/**
+ * Entries of the audit log, whose chain is whole.
+ */
+audit: number, };
 
 /**
  * What every failed request answers.
@@ -706,7 +731,19 @@ at: string,
  */
 what: string, 
 /**
- * In English words.
+ * Which sentence it is: a stable key, `said.KEY` among the panel's words.
+ */
+key: string, 
+/**
+ * What stands in that sentence for `{0}`, `{1}` ..: names, places and numbers; what the system says in English.
+ */
+of: Array<string>, 
+/**
+ * Why it was refused.
+ */
+why: LackView | null, 
+/**
+ * All that in English words.
  */
 text: string, 
 /**
@@ -1010,7 +1047,7 @@ points: Array<TouchedPoint>, };
 /**
  * What touched points tell.
  */
-export type PlaceMethod = "best_fit" | "plane_line_point";
+export type PlaceMethod = "best_fit" | "plane_line_point" | "three_points" | "chuck";
 
 /**
  * A touched point.

@@ -1,14 +1,21 @@
-use crate::cell::Cell;
+use crate::cell::{Cell, happening};
 use crate::connections::answer;
 use crate::http::{Panel, app};
 use crate::tls::{self, Tls};
 use crate::users::{Accounts, secret};
 use seamwright_machine::Machine;
 use seamwright_project::files;
+use seamwright_record::{discard_checked, finish_replacing, replace_by_checked};
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::Duration;
 use tokio::net::TcpListener;
+
+/// How long threads may take that still read data, when these are replaced.
+const PATIENCE: Duration = Duration::from_secs(30);
+/// Between the answer to who restores and the end of connections.
+const LAST_WORDS: Duration = Duration::from_millis(200);
 
 /// What a panel is started with.
 #[derive(Debug, Clone)]
@@ -48,45 +55,133 @@ pub enum Error {
 /// # Errors
 /// See [`Error`].
 pub fn serve(settings: &Settings, ready: impl FnOnce(&str)) -> Result<(), Error> {
-    let system = |e: &dyn std::fmt::Display| Error::System(e.to_string());
-    let jobs = settings.data.join("jobs");
-    files::make_private(&jobs).map_err(|e| Error::System(format!("{}: cannot be made: {e}", jobs.display())))?;
-    let accounts = Accounts::open(&settings.data).map_err(|e| Error::Settings(e.0))?;
-    let names = names(settings, &accounts)?;
-    let key = secret().map_err(Error::System)?;
-    let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build();
-    let runtime = runtime.map_err(|e| system(&e))?;
-    runtime.block_on(async {
+    until(settings, ready, asked_to_end)
+}
+
+/// Serves until `ends`: one life of the cell after the other, with restored data between them.
+pub(crate) fn until<F: Future<Output = ()>>(
+    settings: &Settings,
+    ready: impl FnOnce(&str),
+    ends: impl Fn() -> F,
+) -> Result<(), Error> {
+    let data = &settings.data;
+    let jobs = data.join("jobs");
+    let record = |e: seamwright_record::Error| Error::System(e.to_string());
+    finish_replacing(data).map_err(record)?;
+    // What was checked before the last end is looked at anew.
+    discard_checked(data).map_err(record)?;
+    let mut ready = Some(ready);
+    let mut lives = Lives { settings, key: secret().map_err(Error::System)?, listener: None, restored: None };
+    loop {
+        files::make_private(&jobs).map_err(|e| Error::System(format!("{}: cannot be made: {e}", jobs.display())))?;
+        let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build();
+        let runtime = runtime.map_err(|e| Error::System(e.to_string()))?;
+        let tell = |address: &str| {
+            if let Some(ready) = ready.take() {
+                ready(address);
+            }
+        };
+        let restores = runtime.block_on(lives.live(tell, &ends));
+        // Pages and whatever still reads the data.
+        runtime.shutdown_timeout(PATIENCE);
+        let Some(user) = restores? else { return Ok(()) };
+        let kept = replace_by_checked(data).map_err(record)?;
+        lives.restored = Some((user, kept.file_name().unwrap_or_default().to_string_lossy().into_owned()));
+    }
+}
+
+/// What outlives a restore.
+struct Lives<'a> {
+    settings: &'a Settings,
+    /// Opens the panel while there is no administrator.
+    key: String,
+    /// Who comes while the cell begins anew waits here.
+    listener: Option<std::net::TcpListener>,
+    /// Who restored the data of this life, and where the old ones are.
+    restored: Option<(String, String)>,
+}
+
+impl Lives<'_> {
+    /// From the start of the cell to its end; who restores data for the next one, if somebody does.
+    async fn live<F: Future<Output = ()>>(
+        &mut self,
+        ready: impl FnOnce(&str),
+        ends: impl Fn() -> F,
+    ) -> Result<Option<String>, Error> {
+        let settings = self.settings;
+        let system = |e: &dyn std::fmt::Display| Error::System(e.to_string());
+        let accounts = Accounts::open(&settings.data).map_err(|e| Error::Settings(e.0))?;
+        let names = names(settings, &accounts)?;
         let tls = match &settings.tls {
             Some(tls) => Some(tls::config(tls, &settings.data, &names).await?),
             None => None,
         };
-        let listener = TcpListener::bind(settings.bind).await.map_err(|e| {
-            Error::System(format!("--bind {}: {e}\n   allowed: an address and a port that is free", settings.bind))
-        })?;
+        let listener = self.listen()?;
         let port = listener.local_addr().map_err(|e| system(&e))?.port();
         let cell = Cell::start(&settings.machine, &settings.folder, &settings.values, &settings.data)
             .map_err(Error::Settings)?;
         let has_admin = accounts.has_admin();
-        let mut panel = Panel::new(cell, accounts, key.clone(), settings.data.clone(), hosts(&names, port));
+        let mut panel = Panel::new(cell, accounts, self.key.clone(), settings.data.clone(), hosts(&names, port));
         panel.tls = tls.is_some();
         let panel = Arc::new(panel);
-        if let Some(job) = &settings.job {
-            crate::http::begin_with(&panel, job).await.map_err(Error::Settings)?;
+        self.say_restored(&panel);
+        if let Some(job) = &settings.job
+            && let Err(e) = crate::http::begin_with(&panel, job).await
+        {
+            if self.restored.is_none() {
+                return Err(Error::Settings(e));
+            }
+            // The restored data need not have it.
+            panel.cell.hub.event(0.0, happening("not_loaded", [e]));
         }
         let scheme = if tls.is_some() { "https" } else { "http" };
         let host = written(names.last().map_or("127.0.0.1", String::as_str));
-        let fragment = if has_admin { String::new() } else { format!("#key={key}") };
+        let fragment = if has_admin { String::new() } else { format!("#key={}", self.key) };
         ready(&format!("{scheme}://{host}:{port}/{fragment}"));
-        tokio::select! {
-            () = answer(listener, tls, app(&panel)) => {}
-            () = asked_to_end() => {}
+        let mut restores = panel.restores.subscribe();
+        let user = tokio::select! {
+            () = answer(listener, tls, app(&panel)) => None,
+            () = ends() => None,
+            wanted = restores.wait_for(Option::is_some) => wanted.ok().and_then(|w| w.as_ref().map(|w| w.0.clone())),
+        };
+        if user.is_some() {
+            // Who asked for it is told that it begins.
+            tokio::time::sleep(LAST_WORDS).await;
         }
         // Connections go on meanwhile: they see the end.
-        let ends = Arc::clone(&panel);
-        let ended = tokio::task::spawn_blocking(move || ends.cell.end()).await;
-        ended.map_err(|e| system(&e))
-    })
+        let closes = user.is_some();
+        let end = move || {
+            panel.cell.end();
+            !closes || panel.cell.archive.close()
+        };
+        if !tokio::task::spawn_blocking(end).await.map_err(|e| system(&e))? {
+            return Err(Error::System("the library cannot be closed: nothing was restored".to_owned()));
+        }
+        Ok(user)
+    }
+
+    fn listen(&mut self) -> Result<TcpListener, Error> {
+        let bind = self.settings.bind;
+        let failed = |e| Error::System(format!("--bind {bind}: {e}\n   allowed: an address and a port that is free"));
+        if self.listener.is_none() {
+            let listener = std::net::TcpListener::bind(bind).map_err(failed)?;
+            listener.set_nonblocking(true).map_err(failed)?;
+            self.listener = Some(listener);
+        }
+        let known = self.listener.as_ref().map(std::net::TcpListener::try_clone).transpose().map_err(failed)?;
+        known.map_or_else(
+            || Err(failed(std::io::ErrorKind::NotConnected.into())),
+            |l| TcpListener::from_std(l).map_err(failed),
+        )
+    }
+
+    fn say_restored(&self, panel: &Panel) {
+        if let Some((user, kept)) = &self.restored {
+            let result = format!("restored; what was there before is in {kept}");
+            panel.cell.archive.audit(user, "panel", "restore", ("", ""), &result);
+            panel.cell.hub.event(0.0, happening("restored", [kept.clone()]).by(Some(user.clone())));
+        }
+    }
 }
 
 /// Names and addresses under which the panel is asked for, the one that is printed last.

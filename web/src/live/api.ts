@@ -1,5 +1,6 @@
 import type {
   AlarmEntry,
+  ArchiveView,
   AuditRow,
   DistortionRow,
   DeviceView,
@@ -48,11 +49,12 @@ export function useToken(of: string): void {
 
 async function request<T>(method: string, path: string, body?: unknown, signal?: AbortSignal): Promise<T> {
   const headers: Record<string, string> = {};
+  const file = body instanceof Blob;
   if (method !== 'GET') {
-    headers['content-type'] = 'application/json';
+    headers['content-type'] = file ? 'application/x-tar' : 'application/json';
     headers['x-seamwright'] = token;
   }
-  const text = method === 'GET' ? null : JSON.stringify(body ?? {});
+  const text = method === 'GET' ? null : file ? body : JSON.stringify(body ?? {});
   let response: Response;
   try {
     response = await fetch(path, { method, headers, body: text, signal: signal ?? null, cache: 'no-store' });
@@ -60,7 +62,7 @@ async function request<T>(method: string, path: string, body?: unknown, signal?:
     if (error instanceof DOMException && error.name === 'AbortError') throw error;
     throw new Refusal(0, 'lost', String(error));
   }
-  if (response.status === 204) return undefined as T;
+  if (response.status === 204 || response.status === 202) return undefined as T;
   if (response.ok) return (await response.json()) as T;
   const trouble = (await response.json().catch(() => null)) as Trouble | null;
   throw new Refusal(response.status, trouble?.key ?? 'server', trouble?.text ?? response.statusText);
@@ -104,6 +106,8 @@ export const api = {
     request<TraceView>('GET', `/api/records/${id}/trace?columns=${columns.map(name).join(',')}&most=${most}`),
   tuning: (axis: string) => request<TuningView>('GET', `/api/tuning?axis=${name(axis)}`),
   audit: (most: number) => request<AuditRow[]>('GET', `/api/audit?most=${most}`),
+  checkArchive: (file: Blob) => request<ArchiveView>('PUT', '/api/restore', file),
+  restore: (own_password: string | null) => request<void>('POST', '/api/restore', { own_password }),
   users: () => request<UserRow[]>('GET', '/api/users'),
   keepUser: (of: string, change: UserChange) => request<UserRow>('PUT', `/api/users/${name(of)}`, change),
   deleteUser: (of: string, own_password: string | null) =>

@@ -108,6 +108,10 @@ class Cell {
     this.link?.step(of, index, by);
   }
 
+  go(axes: number[]): void {
+    this.link?.go(axes);
+  }
+
   async teaches(order: TeachOrder): Promise<Answer> {
     return (await this.link?.teach(order)) ?? { ok: false, why: null };
   }
@@ -204,7 +208,7 @@ class Cell {
   private takeEvent(event: EventView): void {
     // After a reconnect the last hundred come again.
     if (this.events.some((e) => e.number === event.number && e.at === event.at)) return;
-    this.events = [event, ...this.events].sort((a, b) => b.number - a.number).slice(0, MOST_EVENTS);
+    this.events = [event, ...this.events].sort((a, b) => Date.parse(b.at) - Date.parse(a.at) || b.number - a.number).slice(0, MOST_EVENTS);
   }
 }
 

@@ -79,6 +79,10 @@ export class Link {
     this.send({ kind: 'step', seq: ++this.jogSeq, of, index, by });
   }
 
+  go(axes: number[]): void {
+    this.send({ kind: 'go', seq: ++this.jogSeq, axes });
+  }
+
   /** False if there is no open connection: then nothing was sent, now or later. */
   send(message: ToCell): boolean {
     if (this.socket?.readyState !== 1) return false;

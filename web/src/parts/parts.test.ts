@@ -1,8 +1,8 @@
-import { describe, expect, test } from 'vitest';
+import { describe, expect, test, vi } from 'vitest';
 import { duration, number, valueName } from './numbers';
 import { hasMeaning, next } from './orders';
 import { programText } from './taught.svelte';
-import type { MachineView } from '../wire';
+import type { EventView, MachineView } from '../wire';
 import { pointPasses } from '../jobs/points';
 
 describe('numbers', () => {
@@ -50,4 +50,23 @@ test('only Modal makes a dialog: it has STOP in it, which is out of reach behind
   const makers = Object.entries(sources).flatMap(([path, text]) => (/<dialog|popover=/.test(text) ? path : []));
   expect(makers).toEqual(['./Modal.svelte']);
   expect(sources['./Modal.svelte']).toContain('<Stop />');
+});
+
+test('events are told in the chosen language, what stands in them too', async () => {
+  vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
+  vi.stubGlobal('navigator', { languages: ['en'] });
+  const { words } = await import('../words/index.svelte');
+  const { eventText } = await import('./said');
+  const event = (key: string, of: string[], more: Partial<EventView> = {}): EventView => ({
+    number: 1, t: 0, at: '2026-11-22T12:00:00Z', what: '', key, of, why: null, text: 'as the cell says', user: null, ...more,
+  });
+  words.language = 'de';
+  expect(eventText(event('mode', ['dry run', 'hold']))).toBe('Leerfahrt -> Halt');
+  expect(eventText(event('pass_ends', ['3', '12.50']))).toBe('Lage 3 endet bei 12.50 mm');
+  expect(eventText(event('alarm_of', ['drive fault', 'process and power off', 'theta']))).not.toMatch(/drive fault|power off/);
+  expect(eventText(event('refused', ['start weld', 'x'], { why: { key: 'power', of: [], text: 'no power' } }))).not.toMatch(/start weld|no power|x$/);
+  expect(eventText(event('of a later version', []))).toBe('as the cell says');
+  words.language = 'en';
+  expect(eventText(event('loaded', ['{1} <b>']))).toBe('loaded: {1} <b>');
+  expect(eventText(event('recorded', ['7', 'good']))).toBe('weld 7 recorded: good');
 });

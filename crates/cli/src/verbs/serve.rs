@@ -10,6 +10,7 @@ use std::process::{Command, Stdio};
 
 pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
     let data = super::records::folder(args.data.as_deref())?;
+    seamwright_record::finish_replacing(&data)?;
     let jobs = data.join("jobs");
     files::make_private(&jobs)
         .map_err(|e| Failure::Input(format!("--data {}: cannot be made: {e}", data.display())))?;

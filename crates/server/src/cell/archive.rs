@@ -1,3 +1,4 @@
+use super::happening::happening;
 use super::hub::Hub;
 use seamwright_record::library::{Alarm, AuditEntry};
 use seamwright_record::{DataFolder, Error, Moment};
@@ -27,6 +28,8 @@ enum Entry {
     Acknowledge(String, Moment),
     /// Everything before it has been written.
     Written(Sender<()>),
+    /// Everything before it has been written, and the library is closed.
+    Closed(Sender<()>),
 }
 
 /// True for what changes a text's look, or is not seen: controls, and marks that turn its direction.
@@ -71,7 +74,7 @@ fn write(data: &mut DataFolder, item: Entry) -> Result<(), Error> {
             data.library().list_alarm(id)
         }
         Entry::Acknowledge(by, at) => data.library().acknowledge_listed(&by, at).map(drop),
-        Entry::Written(to) => {
+        Entry::Written(to) | Entry::Closed(to) => {
             // Who asked may have gone.
             let _ = to.send(());
             Ok(())
@@ -94,6 +97,12 @@ impl Archive {
         std::thread::spawn(move || {
             let mut failed = false;
             for item in from {
+                if let Entry::Closed(to) = item {
+                    drop(data);
+                    // Who asked may have gone.
+                    let _ = to.send(());
+                    return;
+                }
                 let n = lost.swap(0, Ordering::Relaxed);
                 let gap = (n > 0).then(|| {
                     Entry::Audit(entry("", "panel", "audit", ("", ""), &format!("{n} entries were left out")))
@@ -103,7 +112,7 @@ impl Archive {
                     lost.fetch_add(1, Ordering::Relaxed);
                     if !failed {
                         let t = hub.latest().map_or(0.0, |s| s.t);
-                        hub.event(t, "record", format!("the audit log cannot be written: {e}"), None);
+                        hub.event(t, happening("audit_fails", [e.to_string()]));
                         eprintln!("warning: the audit log cannot be written: {e}");
                     }
                     failed = true;
@@ -127,6 +136,12 @@ impl Archive {
         if self.to.send(Entry::Written(to)).is_ok() {
             let _ = written.recv_timeout(PATIENCE);
         }
+    }
+
+    /// Writes what there is and closes the library for good; true once that is done.
+    pub(crate) fn close(&self) -> bool {
+        let (to, closed) = channel();
+        self.to.send(Entry::Closed(to)).is_ok() && closed.recv_timeout(PATIENCE).is_ok()
     }
 
     /// Who did what, from where, and what came of it.

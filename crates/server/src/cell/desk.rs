@@ -2,6 +2,7 @@ use super::alarms::Mirror;
 use super::archive::Archive;
 use super::around::Around;
 use super::connection::Connection;
+use super::happening::{Happening, happening};
 use super::hub::Hub;
 use super::names::{Extra, Names, WHY};
 use super::prepared::Prepared;
@@ -139,7 +140,7 @@ impl Desk {
             self.cycle(&shown);
         }
         if self.hub.forget_silent() {
-            self.tell("control", "the control token was lost: no sign of life from its page", None);
+            self.tell(happening("control_lost", []));
         }
         loop {
             match self.from.try_recv() {
@@ -189,7 +190,7 @@ impl Desk {
             && self.trouble.as_ref() != Some(&trouble)
         {
             self.outside.fail();
-            self.tell("record", &trouble, None);
+            self.tell(happening("record_fails", [trouble.clone()]));
             self.trouble = Some(trouble);
         }
         self.now = Some(*shown);
@@ -205,8 +206,8 @@ impl Desk {
         self.now.map_or(0.0, |now| now.t)
     }
 
-    fn tell(&self, what: &str, text: &str, user: Option<String>) {
-        self.hub.event(self.time(), what, text, user);
+    fn tell(&self, happened: Happening) {
+        self.hub.event(self.time(), happened);
     }
 
     /// What stands against a program that is to be loaded.
@@ -269,7 +270,7 @@ impl Desk {
         self.names = pending.names;
         (self.plan, self.passes) = (pending.plan, pending.passes);
         if let Some(view) = &pending.view {
-            self.tell("work", &format!("loaded: {}", view.title), Some(pending.user));
+            self.tell(happening("loaded", [view.title.clone()]).by(Some(pending.user)));
         }
         self.hub.set_around(pending.around);
         self.hub.set_work(pending.view);
@@ -283,7 +284,7 @@ impl Desk {
         }
         match note {
             Note::Mode(from, to) => {
-                self.tell("mode", &format!("{} -> {}", from.name(), to.name()), None);
+                self.tell(happening("mode", [from, to].map(|mode| mode.name().to_owned())));
                 if to == Mode::Weld && from != Mode::Hold {
                     self.begin_record();
                 }
@@ -298,15 +299,18 @@ impl Desk {
             Note::Refused(command, missing) => self.refused(command, missing),
             Note::Alarm(raised) => self.alarm(t, &raised),
             Note::Cleared(alarm, detail) => {
-                let of = self.names.detail(alarm, detail).map_or(String::new(), |of| format!(" ({of})"));
-                self.tell("cleared", &format!("{}{of} has gone", alarm.entry().name), None);
+                let name = alarm.entry().name.to_owned();
+                self.tell(match self.names.detail(alarm, detail) {
+                    Some(of) => happening("cleared_of", [name, of]),
+                    None => happening("cleared", [name]),
+                });
             }
             Note::PassEnds(place) => {
-                self.tell("pass", &format!("pass {} ends at {:.2} mm", place.pass, place.s_mm), None);
+                self.tell(happening("pass_ends", [place.pass.to_string(), format!("{:.2}", place.s_mm)]));
             }
             Note::Left(place) => {
                 self.left = Some((place.pass as u32, place.s_mm));
-                self.tell("left", &format!("pass {} was left, welded up to {:.2} mm", place.pass, place.s_mm), None);
+                self.tell(happening("left", [place.pass.to_string(), format!("{:.2}", place.s_mm)]));
             }
         }
     }
@@ -323,7 +327,7 @@ impl Desk {
             }
             Err(e) => {
                 self.outside.fail();
-                self.tell("record", &format!("this weld is not recorded: {e}"), None);
+                self.tell(happening("not_recorded", [e.to_string()]));
             }
         }
     }
@@ -342,7 +346,7 @@ impl Desk {
             self.archive.acknowledge(user.as_deref().unwrap_or_default());
         }
         if !matches!(command.ask, Ask::Jog(_)) {
-            self.tell("order", command.ask.name(), user.clone());
+            self.tell(happening("order", [command.ask.name().to_owned()]).by(user.clone()));
         }
         if station > 0 {
             self.hub.tell(station, &FromCell::Answer { seq: command.number, ok: true, why: None });
@@ -363,16 +367,26 @@ impl Desk {
         let station = command.origin.station;
         let user = self.hub.user(station);
         let why = self.names.lack(missing);
-        self.tell("refused", &format!("{}: {}", command.ask.name(), why.text), user.clone());
+        let refused = happening("refused", [command.ask.name().to_owned(), why.text.clone()]);
+        self.tell(refused.because(why.clone()).by(user.clone()));
         let from = format!("panel {station}");
         self.archive.audit(user.as_deref().unwrap_or(""), &from, command.ask.name(), ("", ""), &why.text);
         self.hub.tell(station, &FromCell::Answer { seq: command.number, ok: false, why: Some(why) });
     }
 
     fn alarm(&mut self, t: f64, raised: &Raised) {
-        let of = self.names.detail(raised.alarm, raised.detail).map_or(String::new(), |of| format!(" ({of})"));
-        let name = format!("{}{of}", raised.alarm.entry().name);
-        self.tell("alarm", &format!("{name}: {}", raised.reaction.name()), None);
+        let (alarm, reaction) = (raised.alarm.entry().name.to_owned(), raised.reaction.name().to_owned());
+        let name = match self.names.detail(raised.alarm, raised.detail) {
+            Some(of) => {
+                let name = format!("{alarm} ({of})");
+                self.tell(happening("alarm_of", [alarm, reaction, of]));
+                name
+            }
+            None => {
+                self.tell(happening("alarm", [alarm.clone(), reaction]));
+                alarm
+            }
+        };
         self.recorder.alarm(t, raised, &name);
     }
 }

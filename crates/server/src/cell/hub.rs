@@ -1,5 +1,6 @@
 use super::around::Around;
 use super::connection::Connection;
+use super::happening::Happening;
 use crate::view::written;
 use crate::wire::{AlarmView, EventView, FromCell, NearView, Status, TeachView, WorkView};
 use seamwright_machine::{Joints, Machine};
@@ -164,11 +165,13 @@ impl Hub {
     }
 
     /// Tells everybody what happened.
-    pub(crate) fn event(&self, t: f64, what: &str, said: impl Into<String>, user: Option<String>) {
+    pub(crate) fn event(&self, t: f64, happened: Happening) {
+        let (what, text, Happening { key, of, user, why }) = happened.told();
         let mut told = self.told();
         told.numbers += 1;
         let at = written(Moment::now());
-        let event = EventView { number: told.numbers, t, at, what: what.to_owned(), text: said.into(), user };
+        let (what, key) = (what.to_owned(), key.to_owned());
+        let event = EventView { number: told.numbers, t, at, what, key, of, why, text, user };
         told.events.push_back(event.clone());
         if told.events.len() > RECENT {
             told.events.pop_front();
@@ -352,6 +355,7 @@ impl Told {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cell::happening;
 
     /// Nobody takes all places; what was told to a client that does not listen is not kept for ever.
     #[test]
@@ -365,7 +369,7 @@ mod tests {
         assert!(hub.connect("ada").is_some());
         // The token goes with whoever is cut off.
         hub.take_control(others[0].0, false).unwrap();
-        (0..2 * WAITING).for_each(|i| hub.event(0.0, "order", format!("{i}"), None));
+        (0..2 * WAITING).for_each(|i| hub.event(0.0, happening("order", [format!("{i}")])));
         assert!(hub.clients() == 0 && hub.holder().is_none());
     }
 

@@ -1,4 +1,5 @@
 use super::archive::Archive;
+use super::happening::happening;
 use super::hub::Hub;
 use super::names::Names;
 use seamwright_cell::executive::{Mode, Note, Place, Raised, Reaction};
@@ -114,8 +115,10 @@ impl Recorder {
             let id = open.recording.id();
             let t = hub.latest().map_or(0.0, |s| s.t);
             match finish(open, &folder) {
-                Ok(result) => hub.event(t, "record", format!("weld {id} recorded: {}", result.name()), None),
-                Err(e) => hub.event(t, "record", format!("weld {id}: the record is not complete: {e}"), None),
+                Ok(result) => {
+                    hub.event(t, happening("recorded", [id.to_string(), result.name().to_owned()]));
+                }
+                Err(e) => hub.event(t, happening("record_not_whole", [id.to_string(), e.to_string()])),
             }
         };
         std::thread::spawn(finish);

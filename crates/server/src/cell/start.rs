@@ -4,6 +4,7 @@ use super::around::{self, Around};
 use super::connection::CellDevices;
 use super::cycle::{self, Swap};
 use super::desk::{Desk, Queues, ToDesk};
+use super::happening::happening;
 use super::hub::Hub;
 use super::names::Names;
 use super::prepared::{Prepared, Task};
@@ -49,15 +50,13 @@ impl Cell {
         hub.set_machine(machine);
         hub.set_around(Arc::new(Around::new(machine, &Clamped::default())?));
         for weld in &interrupted {
-            hub.event(0.0, "record", format!("weld {} was interrupted; its record is whole again", weld.weld.id), None);
+            hub.event(0.0, happening("record_interrupted", [weld.weld.id.to_string()]));
         }
         if let Some(left) = &left {
-            let text = "was left by a failure of power or program: look at the end of its bead before going on";
-            hub.event(0.0, "left", format!("weld {} {text}", left.weld), None);
+            hub.event(0.0, happening("left_before", [left.weld.to_string()]));
         }
         for alarm in &unknown {
-            let text = format!("{} of {} was not acknowledged before the end", alarm.name, alarm.raised);
-            hub.event(0.0, "alarm", text, None);
+            hub.event(0.0, happening("alarm_before", [alarm.name.clone(), alarm.raised.to_string()]));
         }
         let left = left.map(|left| (left.pass.max(1), left.welded_to));
         let archive = Archive::open(data, Arc::clone(&hub)).map_err(|e| e.to_string())?;

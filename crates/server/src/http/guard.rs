@@ -26,6 +26,8 @@ pub(super) struct Need {
     pub(super) panel: Arc<Panel>,
     /// In the table of permissions; none: nobody needs to be logged in.
     pub(super) action: Option<&'static str>,
+    /// Content type of what changes something: none that a foreign page's form could send.
+    pub(super) takes: &'static str,
 }
 
 /// Asks under a name that is not ours are refused before anything else (DNS rebinding), also those from foreign pages.
@@ -76,12 +78,12 @@ fn secured(mut response: Response) -> Response {
 /// Lets through who may do what the route does; the handler finds the [`Session`] in the extensions.
 pub(super) async fn need(State(need): State<Need>, mut request: Request, next: Next) -> Response {
     let Some(action) = need.action else {
-        return match is_json(request.headers()) {
+        return match is_of(need.takes, request.headers()) {
             Err(refused) if writes(request.method()) => refused.into_response(),
             _ => next.run(request).await,
         };
     };
-    match allowed(&need.panel, action, request.method(), request.headers()) {
+    match allowed(&need, action, request.method(), request.headers()) {
         Ok(session) => {
             request.extensions_mut().insert(session);
             next.run(request).await
@@ -90,7 +92,8 @@ pub(super) async fn need(State(need): State<Need>, mut request: Request, next: N
     }
 }
 
-fn allowed(panel: &Panel, action: &str, method: &Method, headers: &HeaderMap) -> Result<Session, Refused> {
+fn allowed(need: &Need, action: &str, method: &Method, headers: &HeaderMap) -> Result<Session, Refused> {
+    let panel = &need.panel;
     let session = cookie(headers, panel.tls).and_then(|cookie| panel.sessions.of(cookie));
     let session = session.filter(|session| panel.stands(session, true));
     let Some(session) = session else {
@@ -104,7 +107,7 @@ fn allowed(panel: &Panel, action: &str, method: &Method, headers: &HeaderMap) ->
         return Err(Refused::new(StatusCode::FORBIDDEN, "role", text.to_lowercase()));
     }
     if writes(method) {
-        is_json(headers)?;
+        is_of(need.takes, headers)?;
         let token = text(headers, TOKEN).unwrap_or_default();
         if !same(token.as_bytes(), session.token.as_bytes()) {
             let text = format!("the header `{TOKEN}` must carry the session's token");
@@ -118,12 +121,12 @@ fn writes(method: &Method) -> bool {
     !matches!(*method, Method::GET | Method::HEAD)
 }
 
-fn is_json(headers: &HeaderMap) -> Result<(), Refused> {
+fn is_of(takes: &str, headers: &HeaderMap) -> Result<(), Refused> {
     let kind = text(headers, header::CONTENT_TYPE.as_str()).unwrap_or_default();
-    if kind.split(';').next().is_some_and(|kind| kind.trim() == "application/json") {
+    if kind.split(';').next().is_some_and(|kind| kind.trim() == takes) {
         return Ok(());
     }
-    let text = format!("content-type `{kind}` is not taken; allowed: application/json");
+    let text = format!("content-type `{kind}` is not taken; allowed: {takes}");
     Err(Refused::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, "input", text))
 }
 

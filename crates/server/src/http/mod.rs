@@ -12,6 +12,7 @@ mod panel;
 mod place;
 mod plan;
 mod records;
+mod restore;
 mod routes;
 mod socket;
 mod teach;

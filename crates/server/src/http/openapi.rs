@@ -1,4 +1,4 @@
-use super::routes::routes;
+use super::routes::{JSON, routes};
 use axum::Json;
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
@@ -24,6 +24,10 @@ pub(crate) fn openapi() -> Value {
             let schema = body(&mut generator);
             operation["requestBody"] =
                 json!({ "required": true, "content": { "application/json": { "schema": schema } } });
+        }
+        if route.takes != JSON {
+            let bytes = json!({ "type": "string", "format": "binary" });
+            operation["requestBody"] = json!({ "required": true, "content": { route.takes: { "schema": bytes } } });
         }
         let ok = match route.answer {
             Some(answer) => {

@@ -1,9 +1,17 @@
-use super::turns::Turns;
+use super::turns::{Turn, Turns};
 use crate::cell::Cell;
 use crate::teaching::Teaching;
 use crate::users::{Accounts, OWNER, Session, Sessions, Tries};
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use tokio::sync::watch;
+
+/// Most bytes of an archive that is restored from a page.
+const MOST_ARCHIVE: u64 = 16 << 30;
+
+/// Who restores all data, and the turn that keeps others from it.
+pub(crate) type Restores = Option<Arc<(String, Turn)>>;
 
 /// Everything that handlers share.
 pub(crate) struct Panel {
@@ -26,6 +34,10 @@ pub(crate) struct Panel {
     /// Of passwords: one at a time, so that guesses at once do not count as one.
     pub(crate) checking: Turns,
     pub(crate) backing_up: Turns,
+    /// Says that the cell is to begin anew with restored data.
+    pub(crate) restores: watch::Sender<Restores>,
+    /// Most bytes of an archive that is restored.
+    pub(crate) most_archive: u64,
     pub(crate) teaching: Teaching,
     plans: AtomicU64,
 }
@@ -46,6 +58,8 @@ impl Panel {
             reading: Turns::new(2, 32),
             checking: Turns::new(1, 16),
             backing_up: Turns::new(1, 0),
+            restores: watch::Sender::new(None),
+            most_archive: MOST_ARCHIVE,
             teaching: Teaching::default(),
             plans: AtomicU64::new(0),
         }

@@ -1,9 +1,9 @@
 use super::guard::{Need, host, need};
 use super::panel::Panel;
-use super::{assets, edit, jobs, login, look, openapi, place, plan, records, socket, teach, users};
+use super::{assets, edit, jobs, login, look, openapi, place, plan, records, restore, socket, teach, users};
 use crate::wire::{
-    AlarmEntry, AuditRow, DeviceView, DistortionRow, DraftAnswer, EditAnswer, JobRow, JobText, Load, Login,
-    MachineView, OwnPassword, PlaceAnswer, PlaceText, PlanAnswer, PostAnswer, PostText, RecordRow, RecordView,
+    AlarmEntry, ArchiveView, AuditRow, DeviceView, DistortionRow, DraftAnswer, EditAnswer, JobRow, JobText, Load,
+    Login, MachineView, OwnPassword, PlaceAnswer, PlaceText, PlanAnswer, PostAnswer, PostText, RecordRow, RecordView,
     SessionView, TaughtProgram, TaughtView, TeachProgram, TraceView, TuningView, UserChange, UserRow, WorkView,
 };
 use axum::extract::DefaultBodyLimit;
@@ -18,6 +18,10 @@ const MOST_BYTES: usize = 4 << 20;
 /// Most bytes of a request of somebody who is not known yet.
 const MOST_UNKNOWN: usize = 8 << 10;
 
+/// Content types of bodies.
+pub(super) const JSON: &str = "application/json";
+const TAR: &str = "application/x-tar";
+
 /// A route: the one place that says what it needs and what crosses it.
 pub(super) struct Route {
     pub(super) method: &'static str,
@@ -26,6 +30,8 @@ pub(super) struct Route {
     pub(super) action: Option<&'static str>,
     pub(super) about: &'static str,
     pub(super) body: Option<Shape>,
+    /// Content type of the body.
+    pub(super) takes: &'static str,
     pub(super) answer: Option<Shape>,
     handler: MethodRouter<Arc<Panel>>,
 }
@@ -45,7 +51,7 @@ impl Route {
         answer: Option<Shape>,
         handler: MethodRouter<Arc<Panel>>,
     ) -> Self {
-        Self { method: "get", path, action: Some(action), about, body: None, answer, handler }
+        Self { method: "get", path, action: Some(action), about, body: None, takes: JSON, answer, handler }
     }
 
     fn write(
@@ -55,7 +61,7 @@ impl Route {
         (body, answer): (Option<Shape>, Option<Shape>),
         handler: MethodRouter<Arc<Panel>>,
     ) -> Self {
-        Self { method, path, action: Some(action), about, body, answer, handler }
+        Self { method, path, action: Some(action), about, body, takes: JSON, answer, handler }
     }
 }
 
@@ -159,6 +165,23 @@ pub(super) fn routes() -> Vec<Route> {
         Route::get("/api/tuning", "tune", "An axis tuned in simulation", shape::<TuningView>(), get(plan::tuning)),
         Route::get("/api/audit", "audit.read", "Who did what", shape::<Vec<AuditRow>>(), get(records::audit)),
         Route::get("/api/backup", "backup", "All data as a tar archive", None, get(records::backup)),
+        Route {
+            takes: TAR,
+            ..Route::write(
+                ("put", "/api/restore"),
+                "restore",
+                "Takes an archive of a backup and checks it; nothing is replaced",
+                (None, shape::<ArchiveView>()),
+                put(restore::take),
+            )
+        },
+        Route::write(
+            ("post", "/api/restore"),
+            "restore",
+            "Puts the archive that was checked in place of all data; all sessions end",
+            (shape::<OwnPassword>(), None),
+            post(restore::begin),
+        ),
         Route::get("/api/users", "users.read", "Users", shape::<Vec<UserRow>>(), get(users::list)),
         Route::write(
             ("put", user),
@@ -182,7 +205,7 @@ pub(super) fn routes() -> Vec<Route> {
 pub(crate) fn app(panel: &Arc<Panel>) -> Router {
     let mut router = Router::new();
     for route in routes() {
-        let need_of = Need { panel: Arc::clone(panel), action: route.action };
+        let need_of = Need { panel: Arc::clone(panel), action: route.action, takes: route.takes };
         router = router.route(route.path, route.handler.layer(middleware::from_fn_with_state(need_of, need)));
     }
     router

@@ -1,6 +1,6 @@
 use super::answer::Refused;
 use super::panel::Panel;
-use crate::cell::{Connected, Refusal, Text, ToDesk, WHY};
+use crate::cell::{Connected, Refusal, Text, ToDesk, WHY, happening};
 use crate::users::{Session, may};
 use crate::wire::{AskView, FromCell, JogOf, LackView, TeachOrder, ToCell};
 use axum::Extension;
@@ -375,7 +375,8 @@ impl Client {
                 let t = hub.latest().map_or(0.0, |s| s.t);
                 let text = if over { "control taken over" } else { "control taken" };
                 self.audit("take control", text);
-                hub.event(t, "control", text, Some(self.session.user.clone()));
+                let key = if over { "control_taken_over" } else { "control_taken" };
+                hub.event(t, happening(key, []).by(Some(self.session.user.clone())));
             }
             Err(Refusal::Jogs) => {
                 self.answer(0, Err(lack("control", "whoever has control moves axes by hand: wait until he lets go")));

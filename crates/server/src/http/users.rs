@@ -12,8 +12,13 @@ pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<UserRow>
     Ok(Json(panel.accounts.list()))
 }
 
-/// Whoever changes users says his own password once more; on the first run there is none.
-async fn again(panel: &Arc<Panel>, from: &From, session: &Session, password: Option<String>) -> Result<(), Refused> {
+/// Whoever changes users, or all data with them, says his own password once more; on the first run there is none.
+pub(super) async fn again(
+    panel: &Arc<Panel>,
+    from: &From,
+    session: &Session,
+    password: Option<String>,
+) -> Result<(), Refused> {
     if !panel.accounts.has_admin() {
         return Ok(());
     }

@@ -3,6 +3,7 @@
 use super::hand::Hand;
 use super::rig::{Asked, CellRig, Station};
 use super::state::{Field, Found, Open, State, Wish};
+use crate::cell::happening;
 use crate::http::{Panel, Turn, job_text};
 use crate::wire::{TaughtLook, TaughtPointView, TeachPhase};
 use glam::DVec3;
@@ -38,7 +39,7 @@ pub(super) fn run(panel: &Arc<Panel>, open: &Open) {
         }
         Err(failure) => ("failed", Some(failure.text()), None),
     };
-    hub.event(t, "teach", format!("teaching {} ended: {key}", open.job), None);
+    hub.event(t, happening("teach_ended", [open.job.clone(), key.to_owned()]));
     panel.teaching.ended(hub, |state| {
         (state.view.key, state.view.why, state.found) = (Some(key.to_owned()), why, found.map(Arc::new));
     });

@@ -8,6 +8,7 @@ mod devices;
 mod drawn;
 mod guarded;
 mod lived;
+mod restored;
 mod taught;
 mod tracked;
 mod welded;

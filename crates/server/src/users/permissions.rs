@@ -2,7 +2,7 @@ use crate::wire::Role;
 
 /// What each action needs: the one table, checked on the server for everything and shown to the panel. Commands have the names
 /// of [`crate::wire::AskView`].
-pub(crate) const NEEDS: [(&str, Role); 31] = [
+pub(crate) const NEEDS: [(&str, Role); 32] = [
     ("stop", Role::Viewer),
     ("hold", Role::Operator),
     ("switch_on", Role::Operator),
@@ -32,6 +32,7 @@ pub(crate) const NEEDS: [(&str, Role); 31] = [
     ("tune", Role::Service),
     ("audit.read", Role::Service),
     ("backup", Role::Service),
+    ("restore", Role::Admin),
     ("users.read", Role::Admin),
     ("users.write", Role::Admin),
 ];

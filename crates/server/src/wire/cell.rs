@@ -167,12 +167,28 @@ pub struct UserChange {
     pub own_password: Option<String>,
 }
 
-/// `DELETE /api/users/NAME`.
+/// `DELETE /api/users/NAME`, `POST /api/restore`.
 #[derive(Clone, PartialEq, Deserialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OwnPassword {
     /// The password of whoever asks.
     pub own_password: Option<String>,
+}
+
+/// `PUT /api/restore`: what is in an archive that was checked and could replace the data.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct ArchiveView {
+    /// Welds.
+    pub welds: usize,
+    /// When the newest of them began; RFC 3339, UTC.
+    pub newest: Option<String>,
+    /// Jobs.
+    pub jobs: usize,
+    /// Users.
+    pub users: usize,
+    /// Entries of the audit log, whose chain is whole.
+    #[ts(type = "number")]
+    pub audit: u64,
 }
 
 /// `GET /api/devices`: what the cell drives and reads, with its values now.

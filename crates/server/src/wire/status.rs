@@ -168,7 +168,13 @@ pub struct EventView {
     pub at: String,
     /// `mode`, `order`, `refused`, `alarm`, `cleared`, `pass`, `left`, `record`, `control`, `work`, `teach`.
     pub what: String,
-    /// In English words.
+    /// Which sentence it is: a stable key, `said.KEY` among the panel's words.
+    pub key: String,
+    /// What stands in that sentence for `{0}`, `{1}` ..: names, places and numbers; what the system says in English.
+    pub of: Vec<String>,
+    /// Why it was refused.
+    pub why: Option<LackView>,
+    /// All that in English words.
     pub text: String,
     /// Who asked, if somebody did.
     pub user: Option<String>,

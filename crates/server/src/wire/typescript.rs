@@ -26,6 +26,7 @@ pub fn typescript() -> String {
         decl::<UserRow>(&config),
         decl::<UserChange>(&config),
         decl::<OwnPassword>(&config),
+        decl::<ArchiveView>(&config),
         decl::<Trouble>(&config),
         decl::<Status>(&config),
         decl::<ProcessStatus>(&config),

@@ -1,0 +1,192 @@
+use super::answer::{Answer, Refused};
+use super::login::From;
+use super::panel::Panel;
+use super::users::again;
+use crate::users::{Accounts, Session};
+use crate::view::written;
+use crate::wire::{ArchiveView, OwnPassword};
+use axum::body::{Body, Bytes};
+use axum::extract::State;
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::{Extension, Json};
+use futures_util::StreamExt as _;
+use seamwright_record::{Error, check_archive, discard_checked, has_checked};
+use std::fs::File;
+use std::io::Write as _;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::sync::mpsc::{Receiver, Sender, channel};
+
+/// Pieces of an archive that wait for the disk.
+const PIECES: usize = 8;
+/// Who sends nothing for this long has gone.
+const PATIENCE: Duration = Duration::from_secs(30);
+/// Where an archive is put while it comes, in the data folder.
+const UPLOAD: &str = "restore-upload.tar";
+
+/// A piece of an archive; none: that was all of it.
+type Piece = Option<Bytes>;
+
+/// Data are replaced under a machine that is off, and under no other.
+fn off(panel: &Panel) -> Result<(), Refused> {
+    let mode = panel.cell.hub.latest().map_or_else(|| "off".to_owned(), |status| status.mode.clone());
+    if mode == "off" {
+        return Ok(());
+    }
+    let text = format!("the machine is not off ({mode}); allowed: with the drives switched off");
+    Err(Refused::new(StatusCode::CONFLICT, "busy", text))
+}
+
+fn too_large(most: u64) -> Refused {
+    let text = format!("allowed: archives of up to {} MiB; `seamwright records restore` takes larger ones", most >> 20);
+    Refused::new(StatusCode::PAYLOAD_TOO_LARGE, "size", text)
+}
+
+/// What is wrong with an archive, by a key that the panel has words for.
+fn unfit(e: &Error) -> Refused {
+    let (status, key) = match e {
+        Error::Newer { .. } => (StatusCode::UNPROCESSABLE_ENTITY, "archive_newer"),
+        Error::Full { .. } => (StatusCode::INSUFFICIENT_STORAGE, "archive_room"),
+        Error::ReadOnly { .. } | Error::Busy { .. } => (StatusCode::INTERNAL_SERVER_ERROR, "server"),
+        _ => (StatusCode::UNPROCESSABLE_ENTITY, "archive"),
+    };
+    Refused::new(status, key, e.to_string())
+}
+
+/// Takes an archive and checks all of it; nothing is replaced.
+pub(super) async fn take(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    headers: HeaderMap,
+    body: Body,
+) -> Answer<ArchiveView> {
+    off(&panel)?;
+    let most = panel.most_archive;
+    let length = headers.get(header::CONTENT_LENGTH).and_then(|v| v.to_str().ok()?.parse::<u64>().ok());
+    if length.is_some_and(|length| length > most) {
+        return Err(too_large(most));
+    }
+    let (to, from) = channel(PIECES);
+    let asked = Arc::clone(&panel);
+    let checked = panel.backing_up.run(move || {
+        let upload = asked.data.join(UPLOAD);
+        let checked = keep(&upload, from, most).and_then(|()| checked(&asked, &upload));
+        // It was unpacked, or is of no use.
+        drop(std::fs::remove_file(&upload));
+        checked
+    });
+    let ((), checked) = tokio::join!(feed(body, to), checked);
+    let said = checked.as_ref().map_or_else(|e| e.text.clone(), |_| "checked".to_owned());
+    panel.cell.archive.audit(&session.user, "panel", "check archive", ("", ""), &said);
+    checked.map(Json)
+}
+
+/// Passes on what comes, and at its end that it was all.
+async fn feed(body: Body, to: Sender<Piece>) {
+    let mut pieces = body.into_data_stream();
+    loop {
+        let piece = match tokio::time::timeout(PATIENCE, pieces.next()).await {
+            Ok(Some(Ok(piece))) => Some(piece),
+            Ok(None) => None,
+            // Broken off: the reader sees no end.
+            Ok(Some(Err(_))) | Err(_) => return,
+        };
+        let all = piece.is_none();
+        if to.send(piece).await.is_err() || all {
+            return;
+        }
+    }
+}
+
+fn keep(upload: &Path, mut from: Receiver<Piece>, most: u64) -> Result<(), Refused> {
+    let failed = |e: std::io::Error| match e.kind() {
+        std::io::ErrorKind::StorageFull => {
+            Refused::new(StatusCode::INSUFFICIENT_STORAGE, "archive_room", e.to_string())
+        }
+        _ => Refused::server(format!("{}: {e}", upload.display())),
+    };
+    let mut file = File::create(upload).map_err(failed)?;
+    let mut bytes = 0;
+    loop {
+        match from.blocking_recv() {
+            Some(Some(piece)) => {
+                bytes += piece.len() as u64;
+                if bytes > most {
+                    return Err(too_large(most));
+                }
+                file.write_all(&piece).map_err(failed)?;
+            }
+            Some(None) => return Ok(()),
+            None => return Err(Refused::input("the archive broke off on its way")),
+        }
+    }
+}
+
+fn checked(panel: &Panel, upload: &Path) -> Result<ArchiveView, Refused> {
+    let (contents, folder) = check_archive(upload, &panel.data).map_err(|e| unfit(&e))?;
+    let users = Accounts::open(&folder);
+    let fits = match &users {
+        Err(e) => Err(Refused::new(StatusCode::UNPROCESSABLE_ENTITY, "archive", e.0.clone())),
+        Ok(users) if panel.accounts.has_admin() && !users.has_admin() => {
+            let text = "nobody in it can administer: nobody could use the panel after it";
+            Err(Refused::new(StatusCode::UNPROCESSABLE_ENTITY, "archive", text))
+        }
+        Ok(users) => Ok(users.list().len()),
+    };
+    let users = fits.inspect_err(|_| drop(discard_checked(&panel.data)))?;
+    Ok(ArchiveView {
+        welds: contents.welds,
+        newest: contents.newest.map(written),
+        jobs: contents.jobs,
+        users,
+        audit: contents.audit,
+    })
+}
+
+/// Puts the archive that was checked last in place of all data: the cell ends, and begins anew with them.
+pub(super) async fn begin(
+    State(panel): State<Arc<Panel>>,
+    from: From,
+    Extension(session): Extension<Session>,
+    Json(own): Json<OwnPassword>,
+) -> Result<StatusCode, Refused> {
+    again(&panel, &from, &session, own.own_password).await?;
+    off(&panel)?;
+    if !has_checked(&panel.data) {
+        return Err(Refused::not_found("no archive was checked: send one first"));
+    }
+    // Nobody reads or sends an archive meanwhile; and only one is restored.
+    let Some(turn) = panel.backing_up.now() else {
+        let text = "a backup is being made or checked: wait until it has ended";
+        return Err(Refused::new(StatusCode::SERVICE_UNAVAILABLE, "busy", text));
+    };
+    panel.cell.archive.audit(&session.user, "panel", "restore", ("", ""), "begun");
+    panel.restores.send_replace(Some(Arc::new((session.user, turn))));
+    Ok(StatusCode::ACCEPTED)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What comes without saying how much it is stops at the bound; what breaks off is no archive.
+    #[test]
+    fn no_more_is_kept_than_allowed_and_nothing_that_broke_off() {
+        let folder = tempfile::tempdir().unwrap();
+        let upload = folder.path().join("upload.tar");
+        for (sizes, ends, key) in
+            [(&[600, 400][..], true, None), (&[600, 401], true, Some("size")), (&[600], false, Some("input"))]
+        {
+            let (to, from) = channel(PIECES);
+            for size in sizes {
+                to.try_send(Some(Bytes::from(vec![1; *size]))).unwrap();
+            }
+            if ends {
+                to.try_send(None).unwrap();
+            }
+            drop(to);
+            assert_eq!(keep(&upload, from, 1000).err().map(|e| e.key), key);
+        }
+    }
+}

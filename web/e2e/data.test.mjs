@@ -1,0 +1,102 @@
+// All data as one file, and back: the cell begins anew with them, and everybody has to log in.
+import assert from 'node:assert/strict';
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { page } from './browser.mjs';
+import { bench, commands, control, keep, mode, open, press, quiet, SHORT, sleep, tab } from './operator.mjs';
+
+const shots = new URL('shots/', import.meta.url).pathname;
+const PASSWORD = 'correct horse battery';
+const { one, cell, browser, options } = await bench({ real: 'the mock has no data', only: true });
+mkdirSync(shots, { recursive: true });
+
+const data = (of) => of.getByRole('region', { name: 'Backup' });
+const choose = (of, file) => data(of).getByLabel(/Backup file/).setInputFiles(file);
+const check = (of) => data(of).getByRole('button', { name: 'Send and check' }).click();
+
+async function logIn(of, user) {
+  await of.getByLabel('User').fill(user);
+  await of.getByLabel('Password').fill(PASSWORD);
+  await of.getByRole('button', { name: /Log in/ }).click();
+  await of.waitForSelector('.panel', { timeout: 30_000 });
+}
+
+const ask = (of, method, path, body) =>
+  of.evaluate(
+    async ([how, where, text]) => {
+      const session = await (await fetch('/api/session')).json();
+      const headers = { 'content-type': 'application/json', 'x-seamwright': session.token };
+      return (await fetch(where, { method: how, headers, body: text })).status;
+    },
+    [method, path, JSON.stringify(body)],
+  );
+
+test('a backup replaces all data after it was checked, with the machine off only', options, async () => {
+  await open(one, cell.address);
+  const ada = { role: 'admin', enabled: true, password: PASSWORD, own_password: null };
+  assert.equal(await ask(one, 'PUT', '/api/users/ada', ada), 200);
+  await one.reload();
+  await logIn(one, 'ada');
+  await keep(one, 'yesterday.toml', SHORT);
+  await tab(one, 'Set-up');
+  await one.getByRole('button', { name: 'Backup', exact: true }).click();
+  const [download] = await Promise.all([one.waitForEvent('download'), data(one).getByRole('link', { name: 'Download backup' }).click()]);
+  const file = join(cell.data, '..', `${process.pid}-backup.tar`);
+  await download.saveAs(file);
+  // Today there is another job, and Eve.
+  assert.equal(await ask(one, 'DELETE', '/api/jobs/yesterday.toml', {}), 204);
+  await keep(one, 'today.toml', SHORT);
+  assert.equal(await ask(one, 'PUT', '/api/users/eve', { ...ada, own_password: PASSWORD }), 200);
+  // What is no backup, or not all of one, is said so.
+  for (const [bytes, said] of [
+    [Buffer.from('PK something else'.repeat(100)), /no whole backup/],
+    [readFileSync(file).subarray(0, 9000), /no whole backup/],
+  ]) {
+    const bad = join(cell.data, '..', `${process.pid}-bad.tar`);
+    writeFileSync(bad, bytes);
+    await choose(one, bad);
+    await check(one);
+    await data(one).getByText(said).waitFor();
+  }
+  await one.screenshot({ path: `${shots}data-refused.png` });
+  // With the drives on nothing is even checked.
+  await control(one);
+  await press(one, /Switch on/);
+  await mode(one, 'idle', 'ready');
+  await choose(one, file);
+  await data(one).getByText('Switch the machine off first').waitFor();
+  assert.ok(await data(one).getByRole('button', { name: 'Send and check' }).isDisabled());
+  await commands(one);
+  await press(one, /Switch off/);
+  await mode(one, 'off');
+  await check(one);
+  await data(one).getByText('The backup is whole').waitFor();
+  for (const dark of [false, true]) {
+    await one.emulateMedia({ colorScheme: dark ? 'dark' : 'light' });
+    await one.screenshot({ path: `${shots}data-${dark ? 'dark' : 'light'}.png` });
+  }
+  await one.emulateMedia({ colorScheme: 'light' });
+  const other = await page(browser);
+  await other.goto(new URL('/', cell.address).href);
+  await logIn(other, 'eve');
+  await data(one).getByRole('button', { name: /Replace all data/ }).click();
+  const dialog = one.locator('dialog[open]');
+  await dialog.getByLabel(/own password/i).fill(PASSWORD);
+  await one.screenshot({ path: `${shots}data-sure.png` });
+  await dialog.getByRole('button', { name: 'Replace all data' }).click();
+  // All are out; Eve is nobody any more.
+  for (const of of [one, other]) await of.getByRole('button', { name: /Log in/ }).waitFor({ timeout: 60_000 });
+  await logIn(one, 'ada');
+  const jobs = await one.evaluate(async () => (await (await fetch('/api/jobs')).json()).map((job) => job.name));
+  assert.ok(jobs.includes('yesterday.toml') && !jobs.includes('today.toml'), `${jobs}`);
+  const users = await one.evaluate(async () => (await (await fetch('/api/users')).json()).map((user) => user.name));
+  assert.deepEqual(users, ['ada']);
+  const audit = await one.evaluate(async () => (await (await fetch('/api/audit')).json()).map((row) => row.result));
+  assert.ok(audit.some((result) => result.startsWith('restored; what was there before is in before-restore-')), `${audit}`);
+  const kept = readdirSync(cell.data).find((name) => name.startsWith('before-restore-'));
+  assert.ok(readdirSync(join(cell.data, kept, 'jobs')).includes('today.toml'));
+  await sleep(300);
+  await other.close();
+  quiet({ wrong: one.wrong.filter((text) => !/40[0-9]|422|WebSocket|ERR_CONNECTION/.test(text)) });
+});
