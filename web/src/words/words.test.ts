@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { alarms } from './alarms';
 import { de } from './de';
@@ -49,4 +49,14 @@ test('events are those of the cell, in its words', () => {
   const all = Object.fromEntries([...rows, ...broken]) as Record<string, string>;
   expect(Object.keys(all).length).toBe(Number(/const HAPPENINGS: .*; (\d+)\]/.exec(rust)?.[1]));
   expect(Object.fromEntries(Object.entries(en).filter(([key]) => key.startsWith('said.')))).toEqual(all);
+});
+
+test('every kind of finding that a plan can have has a name', () => {
+  const crates = ['motion', 'weld', 'program'].map((crate) => new URL(`../../../crates/${crate}/src/`, import.meta.url));
+  const files = crates.flatMap((crate) => readdirSync(crate, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.rs')).map((name) => new URL(name, crate)));
+  const texts = files.map((file) => readFileSync(file, 'utf8')).filter((text) => text.includes('Finding'));
+  // As they are written: in the finding itself, by a helper, or in a choice of two.
+  const kinds = texts.flatMap((text) => [...text.matchAll(/(?:kind: |finding\(|stretches\(\()"(\w+)"|kind: if [^{]*\{ "(\w+)" \} else \{ "(\w+)" \}/g)].flatMap((m) => m.slice(1).filter(Boolean)));
+  expect(new Set(kinds).size).toBeGreaterThan(15);
+  expect([...new Set(kinds)].filter((kind) => !(`finding.${kind}` in en))).toEqual([]);
 });
