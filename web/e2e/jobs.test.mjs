@@ -72,6 +72,23 @@ test('a number changed in the form, undone, done again; kept under a name; comme
   assert.match(text, /radius_mm = 240 +# outer radius/);
 });
 
+test('a job for another machine has the names and units of that machine, not of the cell', onReal, async () => {
+  await one.getByRole('button', { name: '← Jobs' }).click();
+  await row('hillside.toml').getByRole('button', { name: 'Use' }).click();
+  await planned();
+  await one.getByRole('button', { name: 'Plots', exact: true }).click();
+  await one.locator('.right .page .u-over').first().click();
+  const card = one.locator('.below .card', { hasText: 'Pass 1' });
+  await card.waitFor();
+  const text = await card.textContent();
+  for (const axis of [/ ?x [\d.\u2212]+mm/, /y [\d.\u2212]+mm/, /z [\d.\u2212]+mm/, /a [\d.\u2212]+°/, /b [\d.\u2212]+°/]) assert.match(text, axis);
+  const titles = await one.locator('.right .page figcaption').allTextContents();
+  assert.ok(titles.includes('x mm') && titles.includes('b °') && !titles.some((title) => title.includes('theta')), `${titles}`);
+  await one.getByRole('button', { name: '← Jobs' }).click();
+  await row('mine.toml').getByRole('button', { name: 'Open' }).click();
+  await planned();
+});
+
 test('what is wrong is said with its line, and the text stays in hand', onReal, async () => {
   await one.getByRole('button', { name: 'Text', exact: true }).click();
   const editor = one.locator('.editor .cm-content');

@@ -52,6 +52,7 @@ export function work(id, job, from) {
   return {
     id,
     machine: 'saddle-4axis',
+    axes: machine.axes,
     job,
     title: 'Saddle: nozzle 500 mm diameter on shell 1600 mm diameter',
     values: ['current_a', 'voltage_v', 'wire_feed_m_min'],

@@ -785,9 +785,13 @@ job: string,
  */
 title: string, 
 /**
- * Name of the machine that it is for.
+ * Name of the machine that it is for; the cell's may be another.
  */
 machine: string, 
+/**
+ * Axes of that machine, in the order of [`PathPoint::axes`].
+ */
+axes: Array<AxisView>, 
 /**
  * Names of process values, ending in their units.
  */

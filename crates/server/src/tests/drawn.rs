@@ -74,6 +74,22 @@ async fn clearance_is_told_along_the_passes() {
     assert_eq!(draft["fixtures"][0]["frame"][11], 5000.0);
 }
 
+/// A plan has the axes of its own machine, a number of each sample for each: the cell has another machine.
+#[tokio::test(flavor = "multi_thread")]
+async fn a_plan_names_the_axes_of_its_machine() {
+    let bench = Bench::new(&[HOST]).await;
+    let owner = bench.owner().await;
+    for (job, axes) in [("saddle", "theta deg s mm h mm beta deg"), ("ellipse", "x mm y mm")] {
+        let text = example(&bench, &owner, &format!("{job}.toml")).await;
+        let (_, answer) = bench.ask(owner.request("POST", "/api/plan", Some(&json!({ "text": text })))).await;
+        let work = &answer["work"];
+        let view = work["axes"].as_array().unwrap();
+        let said = |axis: &Value| ["name", "unit"].map(|key| axis[key].as_str().unwrap().to_owned()).join(" ");
+        assert_eq!(view.iter().map(said).collect::<Vec<_>>().join(" "), axes);
+        assert_eq!(work["passes"][0]["path"][0]["axes"].as_array().unwrap().len(), view.len());
+    }
+}
+
 #[tokio::test(flavor = "multi_thread")]
 async fn simulated_inputs_and_outputs_have_names_and_values() {
     let bench = Bench::new(&[HOST]).await;

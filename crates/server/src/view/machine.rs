@@ -5,13 +5,6 @@ use seamwright_machine::{AxisKind, Machine, ZoneKind};
 
 /// The machine of the cell.
 pub(crate) fn machine_view(machine: &Machine) -> MachineView {
-    let axes = machine.axes.iter().map(|axis| AxisView {
-        name: axis.name.clone(),
-        unit: if axis.kind == AxisKind::Rotary { "deg" } else { "mm" }.to_owned(),
-        range: axis.range.map(|(from, to)| (axis.to_file(from), axis.to_file(to))),
-        home: axis.to_file(axis.home),
-        max_speed: axis.to_file(axis.max_speed),
-    });
     let conditions = machine.interlocks.iter();
     let zones = machine.solids.zones.iter().map(|zone| ZoneView {
         name: zone.name.clone(),
@@ -25,7 +18,7 @@ pub(crate) fn machine_view(machine: &Machine) -> MachineView {
         title: machine.title.clone(),
         simulated: machine.devices.is_empty(),
         period_s: machine.servo_period_s,
-        axes: axes.collect(),
+        axes: axes(machine),
         conditions: conditions
             .map(|c| ConditionView { name: c.name.clone(), level: c.level.name().to_owned() })
             .collect(),
@@ -39,4 +32,16 @@ pub(crate) fn machine_view(machine: &Machine) -> MachineView {
         sensors: machine.sensors.iter().map(|s| s.name.clone()).collect(),
         beam: machine.deflection.is_some(),
     }
+}
+
+/// Its axes, as their file says them.
+pub(super) fn axes(machine: &Machine) -> Vec<AxisView> {
+    let view = |axis: &seamwright_machine::Axis| AxisView {
+        name: axis.name.clone(),
+        unit: if axis.kind == AxisKind::Rotary { "deg" } else { "mm" }.to_owned(),
+        range: axis.range.map(|(from, to)| (axis.to_file(from), axis.to_file(to))),
+        home: axis.to_file(axis.home),
+        max_speed: axis.to_file(axis.max_speed),
+    };
+    machine.axes.iter().map(view).collect()
 }

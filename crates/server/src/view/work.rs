@@ -1,3 +1,4 @@
+use super::machine::axes;
 use super::near::near;
 use super::section::sections;
 use super::solid::solid;
@@ -29,6 +30,7 @@ pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&We
         job: job.to_owned(),
         title: program.title.clone(),
         machine: machine.name.clone(),
+        axes: axes(machine),
         passes: passes
             .map(|(pass, (planned, clearance))| {
                 let clearance = around.as_ref().zip(clearance.as_ref());

@@ -1,3 +1,4 @@
+use super::AxisView;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -12,8 +13,10 @@ pub struct WorkView {
     pub job: String,
     /// Its title.
     pub title: String,
-    /// Name of the machine that it is for.
+    /// Name of the machine that it is for; the cell's may be another.
     pub machine: String,
+    /// Axes of that machine, in the order of [`PathPoint::axes`].
+    pub axes: Vec<AxisView>,
     /// Names of process values, ending in their units.
     pub values: Vec<String>,
     /// Passes in order.
