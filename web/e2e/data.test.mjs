@@ -49,11 +49,11 @@ test('a backup replaces all data after it was checked, with the machine off only
   await keep(one, 'today.toml', SHORT);
   assert.equal(await ask(one, 'PUT', '/api/users/eve', { ...ada, own_password: PASSWORD }), 200);
   // What is no backup, or not all of one, is said so.
-  for (const [bytes, said] of [
-    [Buffer.from('PK something else'.repeat(100)), /no whole backup/],
-    [readFileSync(file).subarray(0, 9000), /no whole backup/],
+  for (const [name, bytes, said] of [
+    ['foreign', Buffer.from('PK something else'.repeat(100)), /no whole backup.*is no whole archive/],
+    ['cut', readFileSync(file).subarray(0, 9000), /no whole backup.*is no whole archive/],
   ]) {
-    const bad = join(cell.data, '..', `${process.pid}-bad.tar`);
+    const bad = join(cell.data, '..', `${process.pid}-${name}.tar`);
     writeFileSync(bad, bytes);
     await choose(one, bad);
     await check(one);

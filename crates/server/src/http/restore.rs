@@ -10,7 +10,8 @@ use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::{Extension, Json};
 use futures_util::StreamExt as _;
-use seamwright_record::{Error, check_archive, discard_checked, has_checked};
+use seamwright_record::library::{Query, WeldResult};
+use seamwright_record::{DataFolder, Error, check_archive, discard_checked, has_checked};
 use std::fs::File;
 use std::io::Write as _;
 use std::path::Path;
@@ -155,6 +156,13 @@ pub(super) async fn begin(
     off(&panel)?;
     if !has_checked(&panel.data) {
         return Err(Refused::not_found("no archive was checked: send one first"));
+    }
+    let data = panel.data.clone();
+    let running = Query { result: Some(WeldResult::Running), ..Query::default() };
+    let written = move || Ok(DataFolder::open_to_read(&data)?.library().find(&running)?.is_empty());
+    if !panel.reading.run(written).await? {
+        let text = "the record of a weld is still being written: wait until it is there";
+        return Err(Refused::new(StatusCode::CONFLICT, "busy", text));
     }
     // Nobody reads or sends an archive meanwhile; and only one is restored.
     let Some(turn) = panel.backing_up.now() else {
