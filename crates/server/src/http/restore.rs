@@ -159,8 +159,9 @@ pub(super) async fn begin(
     }
     let data = panel.data.clone();
     let running = Query { result: Some(WeldResult::Running), ..Query::default() };
-    let written = move || Ok(DataFolder::open_to_read(&data)?.library().find(&running)?.is_empty());
-    if !panel.reading.run(written).await? {
+    let find =
+        move || -> Result<bool, Refused> { Ok(DataFolder::open_to_read(&data)?.library().find(&running)?.is_empty()) };
+    if !panel.reading.run(find).await? {
         let text = "the record of a weld is still being written: wait until it is there";
         return Err(Refused::new(StatusCode::CONFLICT, "busy", text));
     }
