@@ -97,8 +97,19 @@ export const machine = {
   torch: 4,
   up: [0, 0, 1],
   jog_mm_s: 250,
-  sensors: ['camera', 'stripe'],
+  joints: [
+    null,
+    { on: 0, axis: 0, direction: [0, 0, 1], at: [0, 0, 0] },
+    { on: 1, axis: 1, direction: [1, 0, 0], at: [0, 0, 0] },
+    { on: 2, axis: 2, direction: [0, 0, 1], at: [0, 0, 0] },
+    { on: 3, axis: 3, direction: [0, -1, 0], at: [400, 0, 100] },
+  ],
+  sensors: [
+    { name: 'camera', kind: 'camera', link: 4, field: [[430, 28, 0], [430, 92, 0], [370, 92, 0], [370, 28, 0]] },
+    { name: 'stripe', kind: 'stripe', link: 4, field: [[380, 25, -15], [420, 25, -15], [420, 25, 15], [380, 25, 15]] },
+  ],
   beam: false,
+  beam_mm: null,
 };
 
 /** How the links have moved, and the tip, at positions of the axes. */

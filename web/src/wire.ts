@@ -57,13 +57,21 @@ up: [number, number, number],
  */
 jog_mm_s: number, 
 /**
- * Sensors by name.
+ * How each link moves, in the order of [`super::Status::links`].
  */
-sensors: Array<string>, 
+joints: Array<JointView | null>, 
+/**
+ * Its sensors.
+ */
+sensors: Array<SensorView>, 
 /**
  * The process is a beam (else an arc).
  */
-beam: boolean, };
+beam: boolean, 
+/**
+ * From the work to where a beam comes from, mm; none of an arc.
+ */
+beam_mm: number | null, };
 
 /**
  * An axis, in mm or degrees.
@@ -165,6 +173,50 @@ link: number,
  * In the work frame with all axes at zero, row by row (3 x 4), mm.
  */
 frame: [number, number, number, number, number, number, number, number, number, number, number, number], };
+
+/**
+ * How a link moves on the next one towards the work.
+ */
+export type JointView = { 
+/**
+ * That link: one before it.
+ */
+on: number, 
+/**
+ * The axis that moves it.
+ */
+axis: number, 
+/**
+ * Unit vector in the work frame with all axes at zero, along which an axis in mm moves it, or about which one in degrees
+ * turns it.
+ */
+direction: [number, number, number], 
+/**
+ * A point on the axis there, mm.
+ */
+at: [number, number, number], };
+
+/**
+ * A sensor that sees the joint.
+ */
+export type SensorView = { 
+/**
+ * Name.
+ */
+name: string, 
+/**
+ * `stripe`, `camera`.
+ */
+kind: string, 
+/**
+ * The link that carries it.
+ */
+link: number, 
+/**
+ * Corners of what it sees, around, in the work frame with all axes at zero, mm: of a camera on the plane it looks at, of a
+ * stripe sensor in the plane of its laser. Empty where the picture's corners see nothing.
+ */
+field: Array<[number, number, number]>, };
 
 /**
  * `GET /api/devices`: what the cell drives and reads, with its values now.

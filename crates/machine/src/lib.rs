@@ -43,7 +43,7 @@ pub use file::{
 pub use head::Head;
 pub use inverse::{Branches, MAX_BRANCHES, Solution, Unreachable};
 pub use keeper::Keeper;
-pub use links::{LinkFrames, Links, MAX_LINKS, NamedFrame};
+pub use links::{LinkFrames, LinkJoint, Links, MAX_LINKS, NamedFrame};
 pub use machine::{BeamDeflection, Machine, Target};
 pub use pitch_error::PitchError;
 pub use seamwright_clearance::Clamped;

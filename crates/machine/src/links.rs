@@ -1,6 +1,6 @@
 use crate::AxisKind;
 use crate::chain::{AxisSet, Joints, MAX_AXES, Screw};
-use glam::{DAffine3, DQuat};
+use glam::{DAffine3, DQuat, DVec3};
 
 /// Most rigid bodies of a machine: the clamped work, and what each axis moves.
 pub const MAX_LINKS: usize = MAX_AXES + 1;
@@ -26,6 +26,20 @@ pub struct NamedFrame {
     pub link: usize,
     /// The frame in the work frame with all axes at zero.
     pub zero: DAffine3,
+}
+
+/// How a link moves on another one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LinkJoint {
+    /// The link that it moves on, next to it towards the work: before it in [`LinkFrames`].
+    pub on: usize,
+    /// The axis that moves it.
+    pub axis: usize,
+    /// Unit vector in the work frame with all axes at zero, along which a linear axis moves it or about which a rotary one
+    /// turns it.
+    pub direction: DVec3,
+    /// A point on a rotary axis, there, mm.
+    pub at: DVec3,
 }
 
 /// The machine's links as a tree that grows from the clamped work through the base to the heads.
@@ -63,6 +77,12 @@ impl Links {
     /// The axis that moves link `i` against the one next to it towards the work.
     pub fn axis(&self, i: usize) -> Option<usize> {
         self.links[i].parent.map(|(_, screw)| screw.axis)
+    }
+
+    /// How link `i` moves on the next one towards the work; none of the work itself.
+    pub fn joint(&self, i: usize) -> Option<LinkJoint> {
+        let joint = |(on, s): (usize, Screw)| LinkJoint { on, axis: s.axis, direction: s.direction, at: s.at };
+        self.links[i].parent.map(joint)
     }
 
     /// The link that link `i` moves on, seen from the work.

@@ -1,5 +1,6 @@
 import uPlot from 'uplot';
 import { colour } from '../parts/theme.svelte';
+import { ends } from './ends';
 
 /** A line of a chart. */
 export type Line = { name: string; colour: string; dashed?: boolean; /** Draws over places without a value. */ joined?: boolean };
@@ -15,6 +16,8 @@ export type ChartSettings = {
   logarithmic?: boolean;
   /** The least height of the vertical axis: noise of the last digit shall not fill the chart. */
   least?: number;
+  /** The vertical axis begins at 0. */
+  zero?: boolean;
   /** Called with the index under the cursor, or null. */
   cursor?: (index: number | null) => void;
   /** Called when a place is pressed. */
@@ -47,6 +50,11 @@ export class Chart {
     this.plot.setData(data as uPlot.AlignedData);
   }
 
+  /** Index under the cursor, or null. */
+  get under(): number | null {
+    return this.plot.cursor.idx ?? null;
+  }
+
   /** Puts the cursor to a place on the horizontal axis. */
   point(x: number | null): void {
     if (x === null) this.plot.setCursor({ left: -10, top: -10 }, false);
@@ -76,7 +84,7 @@ export class Chart {
       },
       scales: {
         x: { time: false, ...(settings.logarithmic ? { distr: 3 as const } : {}), ...(from !== undefined && to !== undefined ? { range: [from, to] as [number, number] } : {}) },
-        y: { range: (_, least, most) => ends(least, most, settings.least ?? 0) },
+        y: { range: (_, least, most) => ends(least, most, settings.least ?? 0, settings.zero) },
       },
       axes: [
         { ...axis, size: 20, space: 60, values: (_, ticks) => ticks.map((tick: number | null) => (tick === null ? '' : plain(tick))) },
@@ -99,11 +107,4 @@ export class Chart {
 
 function plain(value: number): string {
   return String(Number(value.toPrecision(4))).replace('-', '\u2212');
-}
-
-/** Ends of the vertical axis: a tenth of room, and at least `height` in all. */
-export function ends(least: number | null, most: number | null, height: number): [number, number] {
-  if (least === null || most === null || !Number.isFinite(least) || !Number.isFinite(most)) return [0, height || 1];
-  const room = Math.max((most - least) * 0.1, (height - (most - least)) / 2, Math.abs(most) * 0.01, 1e-6);
-  return [least - room, most + room];
 }

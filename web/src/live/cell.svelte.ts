@@ -14,6 +14,7 @@ import type {
 import { api } from './api';
 import { Link, type Answer, type LinkState } from './socket';
 import { session } from './session.svelte';
+import { shownSpeed, type Shown } from './speed';
 import { Strip } from './strip';
 import { Track } from './track';
 
@@ -35,6 +36,8 @@ class Cell {
   status = $state.raw<Status | null>(null);
   /** Age of the newest status, ms. */
   age = $state(Infinity);
+  /** How fast it goes, as it is shown. */
+  speed = $state.raw<Shown>({ mm_s: NaN, of: 'path' });
   alarms = $state.raw<AlarmView[]>([]);
   events = $state.raw<EventView[]>([]);
   work = $state.raw<WorkView | null>(null);
@@ -137,6 +140,7 @@ class Cell {
 
   private async askMachine(): Promise<void> {
     this.machine = await api.machine().catch(() => this.machine);
+    this.strip.units = this.machine?.axes.map((axis) => axis.unit) ?? [];
   }
 
   private turned(state: LinkState): void {
@@ -201,6 +205,7 @@ class Cell {
       this.shown = now;
       this.age = 0;
       this.status = status;
+      this.speed = shownSpeed(status, this.strip.newest('tip speed'));
     }
     for (const listener of this.listeners) listener(status);
   }

@@ -128,12 +128,12 @@ describe('hold to run', () => {
 
 describe('the strip of the last minute', () => {
   const status = (t: number): Status =>
-    ({ t, speed_mm_s: t, override_part: 1, axes: [{ error: -t, current: 0 }], tracking: [], process: { set: [], measured: [t] } }) as unknown as Status;
+    ({ t, speed_mm_s: t, override_part: 1, axes: [{ position: 0, error: -t, current: 0 }], tip: [0, 0, 0, 0, 0, 1], tracking: [], process: { set: [], measured: [t] } }) as unknown as Status;
 
   test('keeps the newest rows in order, however often it has gone round', () => {
     const strip = new Strip();
     for (let i = 0; i < strip.room * 2.5; i += 1) strip.add(status(i / 30));
-    const [times, speed, error, missing] = strip.last(10, ['speed', 'error', 'deviation']);
+    const [times, speed, error, missing] = strip.last(10, ['speed', 'error mm', 'deviation']);
     expect(times.length).toBe(301);
     expect(times[0]).toBeCloseTo(-10);
     expect(times.at(-1)).toBe(0);

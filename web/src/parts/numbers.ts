@@ -44,3 +44,10 @@ export function dayAndTime(at: string | null): string {
   const two = (n: number): string => String(n).padStart(2, '0');
   return `${time.getFullYear()}-${two(time.getMonth() + 1)}-${two(time.getDate())} ${time.toTimeString().slice(0, 8)}`;
 }
+
+/** From one RFC 3339 time to another; the day is said again if it is another one. */
+export function span(from: string, to: string | null): string {
+  const [begun, ended] = [dayAndTime(from), to === null ? '' : dayAndTime(to)];
+  const same = begun.slice(0, 11) === ended.slice(0, 11);
+  return `${begun} – ${same ? ended.slice(11) : ended}`.trimEnd();
+}

@@ -23,6 +23,11 @@ export function hasMeaning(order: Order, mode: string | null): boolean {
   return mode !== null && (modes === undefined || modes.includes(mode));
 }
 
+/** True where something moves, so that there is something to hold. */
+export function canHold(mode: string | null): boolean {
+  return mode !== null && ['homing', 'jog', 'teach', 'dry_run', 'weld'].includes(mode);
+}
+
 /** The command that an operator most likely wants next, and which the checklist is about. */
 export function next(mode: string | null): Order | null {
   switch (mode) {

@@ -1,6 +1,6 @@
 import { describe, expect, test, vi } from 'vitest';
-import { duration, number, valueName } from './numbers';
-import { hasMeaning, next } from './orders';
+import { dayAndTime, duration, number, span, valueName } from './numbers';
+import { canHold, hasMeaning, next } from './orders';
 import { programText } from './taught.svelte';
 import type { EventView, MachineView } from '../wire';
 import { pointPasses } from '../jobs/points';
@@ -23,6 +23,11 @@ describe('numbers', () => {
   test('times', () => {
     expect(duration(61.4)).toBe('1:01');
     expect(duration(-3)).toBe('0:00');
+    const at = (time: string): string => new Date(`2026-11-${time}`).toISOString();
+    expect(dayAndTime(at('22T23:31:05'))).toBe('2026-11-22 23:31:05');
+    expect(span(at('22T23:31:05'), at('22T23:31:58'))).toBe('2026-11-22 23:31:05 – 23:31:58');
+    expect(span(at('22T23:59:58'), at('23T00:01:00'))).toBe('2026-11-22 23:59:58 – 2026-11-23 00:01:00');
+    expect(span(at('22T23:59:58'), null)).toBe('2026-11-22 23:59:58 –');
   });
 });
 
@@ -31,6 +36,8 @@ test('stop and hold have a meaning in every state', () => {
     expect(hasMeaning('stop', mode) && hasMeaning('hold', mode)).toBe(true);
     const order = next(mode);
     if (order) expect(hasMeaning(order, mode)).toBe(true);
+    // The key goes through always; the button says where there is something to hold.
+    expect(canHold(mode)).toBe(!['off', 'idle', 'ready', 'hold', 'fault'].includes(mode));
   }
 });
 

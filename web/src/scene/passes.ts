@@ -29,7 +29,7 @@ export class Passes {
       const geometry = new LineGeometry();
       geometry.setPositions(positions);
       geometry.setColors(colours);
-      const line = new Line2(geometry, new LineMaterial({ linewidth: 4, vertexColors: true }));
+      const line = new Line2(geometry, new LineMaterial({ linewidth: 6, vertexColors: true }));
       line.renderOrder = 1;
       this.group.add(line);
     });

@@ -1,19 +1,16 @@
 import {
   AmbientLight,
-  ArrowHelper,
-  Box3,
+  type Box3,
   Color,
   DirectionalLight,
   Group,
   HemisphereLight,
   Matrix4,
   Mesh,
-  MeshBasicMaterial,
   PerspectiveCamera,
   Plane,
   Quaternion,
   Scene as World,
-  SphereGeometry,
   Vector2,
   Vector3,
   WebGLRenderer,
@@ -21,29 +18,34 @@ import {
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { MachineView, NearView, PathPoint, Status, WorkView } from '../wire';
 import type { ColourBy, Scale } from './colours';
+import { extent } from './extent';
+import type { Pose } from './kinematics';
+import { Mark } from './mark';
 import { Measure } from './measure';
 import { Near, type Nearness } from './near';
 import { Passes, release } from './passes';
 import { nearest, surface } from './pick';
 import { matrix } from './shapes';
-import { solid } from './solids';
+import { sight } from './sight';
+import { solid, tint } from './solids';
+import type { Off } from './spot';
 import { TaughtLine } from './taught';
+import { Torch } from './torch';
 import { Trace } from './trace';
 
 export type View = 'fit' | 'top' | 'front' | 'side' | 'torch';
-export type Layer = 'machine' | 'part' | 'zones' | 'air' | 'near' | 'trace';
+export type Layer = 'machine' | 'part' | 'zones' | 'air' | 'near' | 'sensors' | 'trace';
 export type Cut = { axis: 'x' | 'y' | 'z'; part: number } | null;
 
 /** A short seam is shown with this much about it, mm. */
 const LEAST_MM = 150;
-const TORCH_MM = 70;
 /** At this distance of the camera marks are as large as they say, mm. */
 const MARKS_AT_MM = 1500;
 /** A frame that takes longer is no graphics card's. */
 const SLOW_MS = 25;
 /** Where each view looks from; from the torch it is the torch that says. */
 const FROM: Record<View, [number, number, number]> = { fit: [0.55, -0.75, 0.6], top: [0, -0.001, 1], front: [0, -1, 0.02], side: [1, 0, 0.02], torch: [0.55, -0.75, 0.6] };
-const NO_MOVE = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
+const NO_MOVE = new Matrix4();
 /** A frozen clock: the scene takes the first status and no other, for pictures that are always the same. */
 const FROZEN = new URLSearchParams(location.search).has('freeze');
 
@@ -71,10 +73,9 @@ export class Scene {
   private readonly passes = new Passes();
   private readonly trace = new Trace();
   private readonly near = new Near();
-  private readonly torch = new ArrowHelper(new Vector3(0, 0, 1), new Vector3(), TORCH_MM, 0x222222, 14, 7);
-  private readonly tip = new Mesh(new SphereGeometry(4, 24, 12), new MeshBasicMaterial({ color: 0x333333 }));
-  private readonly mark = new ArrowHelper(new Vector3(0, 0, 1), new Vector3(), TORCH_MM, 0x0b4fa8, 14, 8);
-  private readonly marked = { tip: new Vector3(), along: new Vector3(0, 0, 1) };
+  private readonly torch = new Torch();
+  private readonly sights: Group[] = [];
+  private readonly mark = new Mark();
   private readonly cut = new Plane(new Vector3(0, 0, -1), 0);
   private readonly cuts: Plane[] = [];
   private machine: MachineView | null = null;
@@ -105,8 +106,7 @@ export class Scene {
     const sun = new DirectionalLight(0xffffff, 1.6);
     sun.position.set(0.4, -0.8, 1);
     this.world.add(sun);
-    this.mark.visible = false;
-    this.torch.visible = this.tip.visible = live;
+    this.torch.group.visible = live;
     this.trace.line.visible = live;
     this.measure = new Measure(this.draw);
     this.taught = new TaughtLine(this.draw);
@@ -129,6 +129,7 @@ export class Scene {
 
   background(colour: string): void {
     this.world.background = new Color(colour);
+    tint(this.zones, this.isLight());
     this.draw();
   }
 
@@ -137,15 +138,18 @@ export class Scene {
     this.machine = machine;
     release(this.root);
     this.links = [];
-    this.machineParts.length = this.zones.length = 0;
+    this.machineParts.length = this.zones.length = this.sights.length = 0;
     if (machine) {
       for (const view of machine.solids) this.machineParts.push(this.onLink(view.link, solid(view, 'machine', this.cuts, !this.live)));
       for (const zone of machine.zones) {
         const kind = zone.permitted ? 'permitted' : 'forbidden';
         for (const view of zone.solids) this.zones.push(this.onLink(view.link, solid(view, kind, this.cuts, false)));
       }
+      tint(this.zones, this.isLight());
+      for (const view of machine.sensors) this.sights.push(this.onLink(view.link, sight(view)));
     }
-    this.place().add(this.passes.group, this.passes.air, this.trace.line, this.near.group, this.torch, this.tip, this.mark, this.taught.group);
+    this.torch.setBeam(machine?.beam_mm ?? null);
+    this.place().add(this.passes.group, this.passes.air, this.trace.line, this.near.group, this.torch.group, this.mark.arrow, this.taught.group);
     this.stand();
     const work = this.work;
     this.work = null;
@@ -177,34 +181,36 @@ export class Scene {
     this.prepare();
   }
 
-  setStatus(status: Status): void {
+  /** `off`: how far torch or beam are from the pass. */
+  setStatus(status: Status, off: Off | null): void {
     if (FROZEN && this.status) return;
     const before = this.status;
     this.status = status;
-    this.links.forEach((group, i) => {
-      if (group) group.matrix.copy(matrix(status.links[i] ?? NO_MOVE));
-    });
-    this.stand();
-    const [x, y, z, ax, ay, az] = status.tip;
-    this.tip.position.set(x, y, z);
-    this.torch.position.set(x, y, z);
-    this.torch.setDirection(new Vector3(ax, ay, az).normalize());
+    const [x, y, z, ...along] = status.tip;
     const burns = status.process.burning;
-    this.tip.material.color.set(burns ? 0xffa800 : 0x333333);
+    this.stands({ links: status.links.map(matrix), tip: [x, y, z], along }, burns, off);
     const runs = status.mode === 'weld' || status.mode === 'dry_run';
     if (runs && before?.mode === 'ready') this.trace.clear();
     if (runs) this.trace.add(x, y, z, burns);
+  }
+
+  /** Stands machine and torch as they were, in a record. */
+  setPose(pose: Pose, burns: boolean, off: Off | null): void {
+    this.torch.group.visible = true;
+    this.stands(pose, burns, off);
+  }
+
+  private stands(pose: Pose, burns: boolean, off: Off | null): void {
+    this.links.forEach((group, i) => group.matrix.copy(pose.links[i] ?? NO_MOVE));
+    this.stand();
+    const along = new Vector3(...pose.along).normalize();
+    this.torch.set(new Vector3(...pose.tip), along, burns, off, this.place().matrixWorld, this.parts);
     this.draw();
   }
 
   /** Puts the marked torch to a sample of a pass, or takes it away. */
   setMark(point: Pick<PathPoint, 'tip' | 'torch'> | null): void {
-    this.mark.visible = point !== null;
-    if (point) {
-      this.marked.tip.set(...point.tip);
-      this.marked.along.set(...point.torch).normalize();
-      this.mark.setDirection(this.marked.along.clone().negate());
-    }
+    this.mark.set(point);
     this.draw();
   }
 
@@ -251,7 +257,7 @@ export class Scene {
     let from = new Vector3(...FROM[view]);
     if (view === 'torch' && this.status) {
       // Over the torch's shoulder: a little off its axis, near enough to see the pool.
-      middle.copy(this.tip.getWorldPosition(new Vector3()));
+      middle.copy(this.torch.place());
       const axis = new Vector3(this.status.tip[3], this.status.tip[4], this.status.tip[5]);
       from = axis.transformDirection(this.place().matrixWorld).add(new Vector3(0.5, -0.5, 0.1));
       away = 320;
@@ -304,12 +310,9 @@ export class Scene {
   /** Marks are as large on the screen from everywhere. */
   private sizeMarks(): void {
     const near = this.camera.position.distanceTo(this.controls.target) / MARKS_AT_MM;
-    this.tip.scale.setScalar(this.status?.process.burning ? near * 1.8 : near);
-    this.torch.scale.setScalar(near);
-    this.mark.scale.setScalar(near);
+    this.torch.size(near);
+    this.mark.size(near);
     this.near.size(near);
-    // The marked arrow's head is at the tip of the torch.
-    this.mark.position.copy(this.marked.tip).addScaledVector(this.marked.along, TORCH_MM * near);
   }
 
   private showLayers(): void {
@@ -317,6 +320,7 @@ export class Scene {
     this.machineParts.forEach((group) => (group.visible = shows('machine')));
     this.parts.forEach((group) => (group.visible = shows('part')));
     this.zones.forEach((group) => (group.visible = shows('zones')));
+    this.sights.forEach((group) => (group.visible = shows('sensors')));
     this.passes.air.visible = shows('air');
     this.near.hide(!shows('near'));
     this.trace.line.visible = this.live && shows('trace');
@@ -328,7 +332,8 @@ export class Scene {
     if (!group) {
       group = new Group();
       group.matrixAutoUpdate = false;
-      group.matrix.copy(matrix(this.status?.links[index] ?? NO_MOVE));
+      const moved = this.status?.links[index];
+      group.matrix.copy(moved ? matrix(moved) : NO_MOVE);
       this.links[index] = group;
       this.root.add(group);
     }
@@ -338,6 +343,11 @@ export class Scene {
   private onLink(index: number, group: Group): Group {
     this.link(index).add(group);
     return group;
+  }
+
+  private isLight(): boolean {
+    const { background } = this.world;
+    return !(background instanceof Color) || background.getHSL({ h: 0, s: 0, l: 0 }).l > 0.5;
   }
 
   /** The link that the work is on. */
@@ -359,19 +369,9 @@ export class Scene {
     this.root.updateMatrixWorld(true);
   }
 
-  /** What there is to look at: passes and part, else the machine. */
   private box(): Box3 {
     this.root.updateMatrixWorld(true);
-    const box = new Box3();
-    for (const line of this.passes.group.children) box.expandByObject(line);
-    for (const part of this.parts) {
-      const size = new Box3().setFromObject(part).getSize(new Vector3()).length();
-      // A long shell or plate would make the seam a dot.
-      if (box.isEmpty() || size < 3 * box.getSize(new Vector3()).length()) box.expandByObject(part);
-    }
-    if (box.isEmpty()) for (const part of this.machineParts) box.expandByObject(part);
-    if (box.isEmpty()) box.set(new Vector3(-200, -200, -200), new Vector3(200, 200, 200));
-    return box;
+    return extent(this.passes.group.children, this.parts, this.machineParts);
   }
 
   private readonly press = (event: PointerEvent): void => {

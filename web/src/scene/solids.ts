@@ -18,10 +18,12 @@ const LOOKS: Record<Kind, { colour: number; opacity: number }> = {
   machine: { colour: 0x8d969e, opacity: 1 },
   part: { colour: 0xb7bfc7, opacity: 1 },
   fixture: { colour: 0x98907f, opacity: 1 },
-  permitted: { colour: 0x4d7a5c, opacity: 0.06 },
+  permitted: { colour: 0x4d7a5c, opacity: 0.1 },
   forbidden: { colour: 0xa05050, opacity: 0.16 },
 };
 const SHARP_DEG = 30;
+/** Zones are seen on light as on dark: permitted, forbidden. */
+const ZONES = { light: { permitted: 0x14532d, forbidden: 0x8a1f1f }, dark: { permitted: 0x8fd0a8, forbidden: 0xe09090 } };
 
 /** A solid with its edges, in the frame of its link. */
 export function solid(view: SolidView, kind: Kind, cuts: Plane[], ghost: boolean): Group {
@@ -57,9 +59,21 @@ export function solid(view: SolidView, kind: Kind, cuts: Plane[], ghost: boolean
   const group = new Group();
   group.add(surface, edges);
   group.name = view.name;
+  group.userData['kind'] = kind;
   group.matrixAutoUpdate = false;
   group.matrix.copy(matrix(view.frame));
   // What is cut off, endless or to be looked through is nothing to be picked.
   surface.userData['pick'] = !zone && view.shape.kind !== 'half_space';
   return group;
+}
+
+/** Gives zones the colours that are seen on this ground. */
+export function tint(zones: Group[], light: boolean): void {
+  const colours = ZONES[light ? 'light' : 'dark'];
+  for (const zone of zones) {
+    const colour = zone.userData['kind'] === 'permitted' ? colours.permitted : colours.forbidden;
+    for (const child of zone.children) {
+      if (child instanceof Mesh || child instanceof LineSegments) (child.material as LineBasicMaterial).color.set(colour);
+    }
+  }
 }

@@ -25,8 +25,8 @@ export class Trace {
     geometry.setAttribute('instanceColorStart', new InterleavedBufferAttribute(colours, 3, 0));
     geometry.setAttribute('instanceColorEnd', new InterleavedBufferAttribute(colours, 3, 3));
     geometry.instanceCount = 0;
-    // A little before the pass that it lies on.
-    const material = new LineMaterial({ linewidth: 6, vertexColors: true, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -4 });
+    // A little before the pass that it lies on, and thinner: the colour of the pass is seen on both sides.
+    const material = new LineMaterial({ linewidth: 2, vertexColors: true, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -4 });
     this.line = new LineSegments2(geometry, material);
     this.line.frustumCulled = false;
     this.line.renderOrder = 2;

@@ -1,5 +1,6 @@
+use super::sensor::sensor;
 use super::solid::{rows, solid};
-use crate::wire::{AxisView, ConditionView, FrameView, MachineView, ZoneView};
+use crate::wire::{AxisView, ConditionView, FrameView, JointView, MachineView, ZoneView};
 use seamwright_cell::executive::REDUCED_MM_S;
 use seamwright_machine::{AxisKind, Machine, ZoneKind};
 
@@ -29,8 +30,72 @@ pub(crate) fn machine_view(machine: &Machine) -> MachineView {
         torch: machine.links.frame(torch).map_or(0, |f| f.link),
         up: machine.up.to_array(),
         jog_mm_s: REDUCED_MM_S,
-        sensors: machine.sensors.iter().map(|s| s.name.clone()).collect(),
+        joints: joints(machine),
+        sensors: machine.sensors.iter().map(sensor).collect(),
         beam: machine.deflection.is_some(),
+        beam_mm: machine.deflection.map(|d| d.pivot_mm),
+    }
+}
+
+fn joints(machine: &Machine) -> Vec<Option<JointView>> {
+    let view = |link| {
+        let joint = machine.links.joint(link)?;
+        let (direction, at) = (joint.direction.to_array(), joint.at.to_array());
+        Some(JointView { on: joint.on, axis: joint.axis, direction, at })
+    };
+    (0..machine.links.count()).map(view).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::machine_view;
+    use glam::{DAffine3, DQuat, DVec3};
+    use seamwright_machine::{AxisKind, Joints, Machine, SHIPPED};
+
+    /// Whoever moves the links as the view says has them where the machine has.
+    #[test]
+    fn joints_move_the_links_as_the_machine_does() {
+        for shipped in SHIPPED {
+            let machine = Machine::read("m.toml", shipped.text).unwrap();
+            let view = machine_view(&machine);
+            assert_eq!(view.joints.len(), machine.links.count());
+            for n in 0..50 {
+                let mut q = Joints::default();
+                let axes = q.iter_mut().take(machine.axes.len()).enumerate();
+                axes.for_each(|(i, q)| *q = 3.0 * f64::from(n).mul_add(1.7, i as f64 * 0.9).sin());
+                let wanted = machine.links.motion(&q);
+                let mut frames: Vec<DAffine3> = Vec::new();
+                for joint in &view.joints {
+                    let frame = joint.as_ref().map_or(DAffine3::IDENTITY, |j| {
+                        let (direction, at) = (DVec3::from(j.direction), DVec3::from(j.at));
+                        frames[j.on]
+                            * if machine.axes[j.axis].kind == AxisKind::Linear {
+                                DAffine3::from_translation(q[j.axis] * direction)
+                            } else {
+                                let turn = DQuat::from_axis_angle(direction, q[j.axis]);
+                                DAffine3::from_rotation_translation(turn, at - turn * at)
+                            }
+                    });
+                    frames.push(frame);
+                }
+                let same = frames.iter().zip(&wanted).all(|(a, b)| a.abs_diff_eq(*b, 1e-9));
+                assert!(same, "{}", shipped.name);
+            }
+        }
+    }
+
+    /// The electron-beam machine's picture is 512 pixels of 0.1 mm wide, about the place where the beam meets the work.
+    #[test]
+    fn a_camera_sees_a_square_of_the_work() {
+        let beam = SHIPPED.iter().find(|s| s.name == "ebw-7axis").unwrap();
+        let view = machine_view(&Machine::read("m.toml", beam.text).unwrap());
+        assert_eq!(view.beam_mm, Some(260.0));
+        let field = &view.sensors[0].field;
+        let corners: Vec<DVec3> = field.iter().map(|p| DVec3::from(*p)).collect();
+        for (i, corner) in corners.iter().enumerate() {
+            assert!((corner.distance(corners[(i + 1) % 4]) - 51.1).abs() < 1e-6, "{field:?}");
+            assert!(corner.z.abs() < 1e-6 && corner.x.abs() < 26.0 && corner.y.abs() < 26.0, "{field:?}");
+        }
     }
 }
 

@@ -5,6 +5,7 @@ mod machine;
 mod moment;
 mod near;
 mod section;
+mod sensor;
 mod solid;
 mod tracking;
 mod tuning;

@@ -32,10 +32,42 @@ pub struct MachineView {
     pub up: [f64; 3],
     /// Highest speed of the tip by hand, mm/s.
     pub jog_mm_s: f64,
-    /// Sensors by name.
-    pub sensors: Vec<String>,
+    /// How each link moves, in the order of [`super::Status::links`].
+    pub joints: Vec<Option<JointView>>,
+    /// Its sensors.
+    pub sensors: Vec<SensorView>,
     /// The process is a beam (else an arc).
     pub beam: bool,
+    /// From the work to where a beam comes from, mm; none of an arc.
+    pub beam_mm: Option<f64>,
+}
+
+/// How a link moves on the next one towards the work.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct JointView {
+    /// That link: one before it.
+    pub on: usize,
+    /// The axis that moves it.
+    pub axis: usize,
+    /// Unit vector in the work frame with all axes at zero, along which an axis in mm moves it, or about which one in degrees
+    /// turns it.
+    pub direction: [f64; 3],
+    /// A point on the axis there, mm.
+    pub at: [f64; 3],
+}
+
+/// A sensor that sees the joint.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct SensorView {
+    /// Name.
+    pub name: String,
+    /// `stripe`, `camera`.
+    pub kind: String,
+    /// The link that carries it.
+    pub link: usize,
+    /// Corners of what it sees, around, in the work frame with all axes at zero, mm: of a camera on the plane it looks at, of a
+    /// stripe sensor in the plane of its laser. Empty where the picture's corners see nothing.
+    pub field: Vec<[f64; 3]>,
 }
 
 /// An axis, in mm or degrees.

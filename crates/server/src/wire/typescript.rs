@@ -16,6 +16,8 @@ pub fn typescript() -> String {
         decl::<ConditionView>(&config),
         decl::<ZoneView>(&config),
         decl::<FrameView>(&config),
+        decl::<JointView>(&config),
+        decl::<SensorView>(&config),
         decl::<DeviceView>(&config),
         decl::<SignalView>(&config),
         decl::<TrafficView>(&config),
