@@ -88,7 +88,7 @@ export class Chart {
       },
       axes: [
         { ...axis, size: 20, space: 60, values: (_, ticks) => ticks.map((tick: number | null) => (tick === null ? '' : plain(tick))) },
-        { ...axis, size: 50, space: 24, values: (_, ticks) => ticks.map(plain) },
+        { ...axis, size: 44, space: 24, values: (_, ticks) => ticks.map(plain) },
       ],
       series: [
         {},

@@ -51,5 +51,6 @@ test('the strip knows speeds, and the greatest error of each unit with its axis'
 test('a scale from zero begins there, also at rest', () => {
   expect(ends(0, 0, 1, true)).toEqual([0, 1]);
   expect(ends(2, 10, 1, true)).toEqual([0, 11]);
+  expect(ends(-3, 10, 1, true)[0]).toBeLessThan(-3);
   expect(ends(0, 0, 1)[0]).toBeLessThan(0);
 });

@@ -43,7 +43,7 @@ export function plots(axes: AxisView[], values: string[]): Plot[] {
     ...values.map((name, i) => {
       const { unit } = valueName(name);
       const lines: PlotLine[] = [{ column: `set ${i}`, name: 'set', unit, dashed: true }, { column: `value ${i}`, name: 'actual', unit }];
-      return one('value', name, '', unit, { lines, least: 2, digits: 1 });
+      return one('value', name, '', unit, { lines, least: 2, zero: true, digits: 1 });
     }),
     ...axes.flatMap((axis, i) => {
       const unit = axisUnit(axis.unit);

@@ -33,9 +33,9 @@ export class Torch {
   private readonly ball = new Mesh(new SphereGeometry(4, 24, 12), new MeshBasicMaterial({ color: COLD }));
   private readonly beam = new Mesh(
     new CylinderGeometry(1, 1, 1, 12, 1, true).translate(0, 0.5, 0).rotateX(Math.PI / 2),
-    new MeshBasicMaterial({ color: COLD, transparent: true, opacity: 0.35 }),
+    new MeshBasicMaterial({ color: COLD, transparent: true, opacity: 0.6 }),
   );
-  private readonly ring = new Mesh(new RingGeometry(3, 5, 32), new MeshBasicMaterial({ color: COLD, side: DoubleSide, depthTest: false }));
+  private readonly ring = new Mesh(new RingGeometry(7, 10, 48), new MeshBasicMaterial({ color: COLD, side: DoubleSide, depthTest: false }));
   private readonly way = new Line(new BufferGeometry(), new LineBasicMaterial({ color: OFF, depthTest: false }));
   private readonly ray = new Raycaster();
   private beamMm: number | null = null;
@@ -71,7 +71,7 @@ export class Torch {
       this.ring.position.copy(spot);
       this.ring.quaternion.copy(new Quaternion().setFromUnitVectors(UP, along));
       const look = this.beam.material;
-      look.opacity = burns ? 0.9 : 0.35;
+      look.opacity = burns ? 0.9 : 0.6;
       look.color.set(burns ? HOT : COLD);
       this.ring.material.color.set(burns ? HOT : COLD);
     }
@@ -97,8 +97,8 @@ export class Torch {
     const beam = this.beamMm !== null;
     this.ball.scale.setScalar(scale * (beam ? 0.5 : this.burns ? 1.8 : 1));
     this.arrow.scale.setScalar(scale);
-    this.ring.scale.setScalar(scale * (this.burns ? 1.8 : 1));
-    this.beam.scale.x = this.beam.scale.y = scale * (this.burns ? 1.6 : 0.9);
+    this.ring.scale.setScalar(scale * (this.burns ? 1.4 : 1));
+    this.beam.scale.x = this.beam.scale.y = scale * (this.burns ? 3 : 1.8);
   }
 
   /** Where the beam meets the part first; `spot` stays as it is if it meets none. */
