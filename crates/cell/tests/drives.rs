@@ -1,7 +1,7 @@
-//! What all drives must do, simulated ones and LinuxCNC's, with a plan of faults before them.
+//! What all drives must do, simulated ones, steppers and LinuxCNC's, with a plan of faults before them.
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
-use seamwright_cell::devices::{Device, Drives, Fault, FaultKind, Faulty, SimulatedDrives, When};
+use seamwright_cell::devices::{Device, Drives, Fault, FaultKind, Faulty, SimulatedDrives, StepDrives, When};
 use seamwright_cell::executive::{DriveReport, Orders};
 use seamwright_machine::{Machine, shipped};
 use seamwright_servo::SetPoint;
@@ -16,7 +16,7 @@ const WAY: f64 = 0.5;
 const MOVED: usize = 2;
 const SILENT_S: f64 = 0.3;
 /// When the drives start anew, s.
-const REBOOT_S: f64 = 5.0;
+const REBOOT_S: f64 = 7.0;
 
 /// Drives with orders and reports, cycle by cycle.
 struct Bench<'a, D> {
@@ -107,7 +107,7 @@ fn conform<D: Drives>(machine: &Machine, drives: D, own_clock: bool, wait: Box<d
 
     // They follow set-points, and arrive.
     let from = bench.moved();
-    let steps = 400;
+    let steps = 1000;
     for k in 1..=steps {
         let angle = std::f64::consts::PI * f64::from(k) / f64::from(steps);
         let rate = std::f64::consts::PI / (f64::from(steps) * machine.servo_period_s);
@@ -154,32 +154,102 @@ fn simulated_drives_conform() {
     }
 }
 
-/// In real time, with more in store than a busy computer takes at once.
+#[test]
+fn drives_by_steps_conform() {
+    let machine = machine("[devices.drives.steps]");
+    let device = machine.devices.steps.clone().unwrap();
+    conform(&machine, StepDrives::new(&machine, &device).unwrap(), false, Box::new(|| ()));
+}
+
+/// In real time, with more in store than a busy computer takes at once: without hardware; HAL files that HAL refuses; and with a
+/// HAL file of hardware that takes its time. One after another: there is one HAL on a computer.
 #[cfg(target_os = "linux")]
 #[test]
 fn linuxcnc_drives_conform() {
     use seamwright_cell::devices::{LinuxCncDrives, LinuxCncError};
     use seamwright_cell::realtime::Pacer;
     use std::io::Write as _;
+    use std::os::unix::fs::PermissionsExt as _;
 
-    let machine = machine("[devices.drives.linuxcnc]\nstore = 150");
-    let device = machine.devices.linuxcnc.clone().unwrap();
-    let drives = match LinuxCncDrives::start(&machine, &device, std::path::Path::new(".")) {
-        Ok(drives) => drives,
+    let folder = tempfile::tempdir().unwrap();
+    // HAL may run as another user.
+    std::fs::set_permissions(folder.path(), std::fs::Permissions::from_mode(0o755)).unwrap();
+    let start = |lines: &str| {
+        let machine = machine(&format!("[devices.drives.linuxcnc]\nstore = 150\n{lines}"));
+        let device = machine.devices.linuxcnc.clone().unwrap();
+        let drives = LinuxCncDrives::start(&machine, &device, folder.path());
+        (machine, drives)
+    };
+    let run = |machine: &Machine, drives: LinuxCncDrives| {
+        let mut pacer = Pacer::new(machine.servo_period_s);
+        let wait = Box::new(move || {
+            pacer.wait();
+        });
+        conform(machine, drives, true, wait);
+    };
+    let (machine, drives) = start("");
+    match drives {
+        Ok(drives) => run(&machine, drives),
         Err(why @ (LinuxCncError::NotInstalled(_) | LinuxCncError::Running(_))) => {
             // Past what a test's own output is hidden by.
             let _ = writeln!(std::io::stderr(), "SKIPPED: drives by LinuxCNC were not tested: {why}");
             return;
         }
         Err(error) => panic!("{error}"),
+    }
+    // What HAL says of the file is told, with its name; nothing of it is left for the next.
+    for (text, said) in [
+        (Some("loadrt nosuchcomponent\n"), "nosuchcomponent"),
+        (Some("# ours\nnet seamwright.q.set => nosuch.pin\n"), "nosuch.pin"),
+        (Some("addf nosuch.function cell\n"), "nosuch.function"),
+        (None, "absent.hal"),
+    ] {
+        let name = if text.is_some() { "refused.hal" } else { "absent.hal" };
+        if let Some(text) = text {
+            std::fs::write(folder.path().join(name), text).unwrap();
+        }
+        match start(&format!("hal = \"{name}\"")).1 {
+            Err(LinuxCncError::Refused { file, said: all }) => {
+                assert!(file.ends_with(name) && all.contains(said), "{file}: {all}");
+            }
+            other => panic!("{text:?}: {other:?}"),
+        }
+    }
+    std::fs::write(folder.path().join("hardware.hal"), hardware(&machine)).unwrap();
+    let (machine, drives) = start("hal = \"hardware.hal\"");
+    run(&machine, drives.unwrap_or_else(|e| panic!("{e}")));
+}
+
+/// A HAL file as a user writes it, with HAL's own components for hardware: power that follows `enable`, axes that have a highest
+/// speed and acceleration, and references that are known once an axis has come to its home position by itself.
+fn hardware(machine: &Machine) -> String {
+    let names = |kind: &str| {
+        let names: Vec<String> = machine.axes.iter().map(|axis| format!("{kind}.{}", axis.name)).collect();
+        names.join(",")
     };
-    let mut pacer = Pacer::new(machine.servo_period_s);
-    conform(
-        &machine,
-        drives,
-        true,
-        Box::new(move || {
-            pacer.wait();
-        }),
+    let mut hal = format!(
+        "loadrt mux4 names={}\nloadrt limit3 names={}\nloadrt near names={}\nloadrt flipflop names={}\n\
+         loadrt and2 names=power,search,{}\nsetp power.in1 1\n\
+         net seamwright.enable => power.in0 search.in0\nnet seamwright.home => search.in1\n\
+         net seamwright.powered power.out\nnet searching search.out\naddf power cell\naddf search cell\n",
+        names("goal"),
+        names("motor"),
+        names("switch"),
+        names("reference"),
+        names("found")
     );
+    for (axis, home) in machine.axes.iter().zip(machine.home()) {
+        let (x, home) = (&axis.name, axis.to_file(home));
+        hal += &format!(
+            "setp goal.{x}.in3 {home}\nsetp motor.{x}.maxv 500\nsetp motor.{x}.maxa 50000\n\
+             setp switch.{x}.in2 {home}\nsetp switch.{x}.difference 0.001\n\
+             net seamwright.enable => goal.{x}.sel0\nnet searching => goal.{x}.sel1 found.{x}.in0\n\
+             net seamwright.{x}.set => goal.{x}.in1\nnet goal.{x} goal.{x}.out => motor.{x}.in\n\
+             net seamwright.{x}.position motor.{x}.out => goal.{x}.in0 switch.{x}.in1\n\
+             net near.{x} switch.{x}.out => found.{x}.in1\nnet found.{x} found.{x}.out => reference.{x}.set\n\
+             net seamwright.{x}.homed reference.{x}.out\n\
+             addf goal.{x} cell\naddf motor.{x} cell\naddf switch.{x} cell\naddf found.{x} cell\naddf reference.{x} cell\n"
+        );
+    }
+    hal
 }

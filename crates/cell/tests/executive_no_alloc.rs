@@ -1,10 +1,11 @@
-//! A whole weld with a hold and a resume costs no allocation after the program was loaded.
+//! A whole weld with a hold and a resume costs no allocation after the program was loaded, nor does jogging from its first cycle on.
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
 use seamwright_cell::devices::{DeviceSet, SimulatedDrives, SimulatedInputs, SimulatedSource};
 use seamwright_cell::executive::{Ask, Command, Cycle, Executive, Interlocks, Mode, Note, Port, Start, Work};
-use seamwright_machine::{Clamped, Machine, Surroundings, shipped};
+use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
+use seamwright_motion::jog;
 use seamwright_motion::pace::RunPhase;
 use seamwright_program::{Pass, TorchPath};
 use seamwright_weld::Welding;
@@ -83,4 +84,111 @@ fn a_weld_costs_no_allocation() {
     assert_eq!(violation_count(), 0);
     assert!(executive.left().is_none());
     assert!(operator.welded && operator.held);
+}
+
+/// Jogs by speeds, by steps, along the tip and to a place, begins anew, and jogs again.
+#[derive(Default)]
+struct Hand {
+    mode: Option<Mode>,
+    cycles: u32,
+    asked: bool,
+    powered: bool,
+    begins: u32,
+    ways: [f64; 4],
+    home: Joints,
+    from: f64,
+    q: f64,
+}
+
+/// Cycles of each part of a jog.
+const PART: u32 = 1000;
+
+impl Hand {
+    fn part(&self) -> usize {
+        (self.cycles / PART) as usize
+    }
+
+    fn wants(&self) -> Option<jog::Command> {
+        // The panel says it twenty times a second, but steps once.
+        let again = self.cycles.is_multiple_of(50);
+        let begins = self.cycles.is_multiple_of(PART);
+        let halfway = self.cycles % PART >= PART / 2;
+        let mut joints = Joints::default();
+        match self.part() {
+            _ if halfway && self.part() != 2 => again.then_some(jog::Command::Rest),
+            0 => {
+                joints[0] = 5.0;
+                again.then_some(jog::Command::Speeds(joints))
+            }
+            1 if begins => Some(jog::Command::Step { axis: 0, by: 0.5 }),
+            // Before the panel counts as silent.
+            1 => (self.cycles % PART == 180).then_some(jog::Command::Rest),
+            2 => {
+                joints = self.home;
+                joints[0] = self.from + 2.0;
+                again.then_some(jog::Command::To(joints))
+            }
+            _ => {
+                let velocity = glam::DVec3::new(3.0, 0.0, 0.0);
+                again.then_some(jog::Command::Tip { frame: jog::TipFrame::Work, velocity })
+            }
+        }
+    }
+}
+
+impl Port for Hand {
+    fn command(&mut self, _t: f64) -> Option<Command> {
+        if std::mem::replace(&mut self.asked, true) {
+            return None;
+        }
+        let ask = match self.mode? {
+            Mode::Off if self.begins > 1 => Ask::Quit,
+            Mode::Off => Ask::SwitchOn,
+            Mode::Idle if self.powered => Ask::Home,
+            Mode::Ready if self.begins > 1 => Ask::SwitchOff,
+            Mode::Ready => {
+                (self.begins, self.cycles) = (self.begins + 1, 0);
+                Ask::StartJog
+            }
+            Mode::Jog if self.part() > 3 => Ask::Hold,
+            Mode::Jog => {
+                if self.cycles.is_multiple_of(PART) {
+                    self.from = self.q;
+                }
+                let wanted = self.wants();
+                let part = self.part();
+                self.ways[part] = self.ways[part].max((self.q - self.from).abs());
+                self.cycles += 1;
+                Ask::Jog(wanted?)
+            }
+            _ => return None,
+        };
+        Some(Command::of(ask))
+    }
+
+    fn show(&mut self, cycle: &Cycle<'_>) {
+        (self.mode, self.asked, self.powered) = (Some(cycle.mode), false, cycle.reports.drives.powered);
+        self.q = cycle.orders.set[0].position;
+    }
+
+    fn note(&mut self, _t: f64, _note: Note) {}
+}
+
+#[test]
+fn jogging_costs_no_allocation() {
+    let machine = Machine::read("m.toml", shipped("torch-5axis").unwrap().text).unwrap();
+    let around = Surroundings::new(&machine, &Clamped::default()).unwrap();
+    let work = Work::none(&machine, &around);
+    let mut devices = DeviceSet {
+        drives: SimulatedDrives::new(&machine, 1).unwrap(),
+        source: SimulatedSource::new(1, machine.servo_period_s),
+        inputs: SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met()),
+        period_s: machine.servo_period_s,
+    };
+    let mut hand = Hand { home: machine.home(), ..Hand::default() };
+    let mut executive = Executive::new(&machine, &mut devices, &mut hand);
+    assert_no_alloc(|| executive.serve(Some(&work)));
+    assert_eq!(violation_count(), 0);
+    assert!(hand.begins == 2 && (0.49..0.51).contains(&hand.ways[1]), "{:?}", hand.ways);
+    assert!(hand.ways[0] > 1.0 && (1.99..2.01).contains(&hand.ways[2]), "{:?}", hand.ways);
 }

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{column, example, good, root, run, table};
+use common::{column, example, good, root, run, run_with, table};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -233,4 +233,40 @@ fn bad_input() {
     let output = run(&["pulses", &example("saddle")]);
     let text = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.code() == Some(2) && text.contains("saddle.toml:") && text.contains("stepper"), "{text}");
+}
+
+/// `run` on drives by pulses, as docs/machine.md has it: what was made is in the file, within the driver's times, and nothing stays high.
+#[test]
+fn a_cell_whose_drives_are_pulses() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let machine = format!("{}\n[devices.drives.steps]\nstream = \"pulses.vcd\"\n", good(&["machines", "torch-5axis"]));
+    fs::write(at("stepped.toml"), machine).unwrap();
+    let job = fs::read_to_string(example("head-nozzle")).unwrap();
+    let named = job.replace("machine = \"torch-5axis\"", "machine = \"stepped.toml\"");
+    assert_ne!(job, named);
+    fs::write(at("job.toml"), named).unwrap();
+    let arguments = ["run", &at("job.toml").display().to_string(), "-o", &at("out").display().to_string()];
+    let output = run_with(&arguments, "on\nhome\nwait ready\ndry\nwait 2 s\nstop\nwait ready\n");
+    let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{said}");
+    let dump = parse(&fs::read_to_string(at("pulses.vcd")).unwrap());
+    assert_eq!(dump.wires.len(), 10);
+    let mut last = vec![(0u64, false); dump.wires.len()];
+    let mut pulses = 0;
+    for (t, wire, value) in &dump.changes {
+        let (before, was) = std::mem::replace(&mut last[*wire], (*t, *value));
+        assert!(was != *value || before == 0, "{}", dump.wires[*wire]);
+        assert!(before == 0 || t - before >= 2500, "{} at {t}", dump.wires[*wire]);
+        pulses += u32::from(*value && dump.wires[*wire].ends_with("step"));
+    }
+    assert!(pulses > 1000, "{pulses}");
+    let high = dump.wires.iter().zip(&last).find(|(name, (_, value))| name.ends_with("step") && *value);
+    assert_eq!(high, None);
+    // A stream that cannot be begun ends the run before anything moves.
+    fs::remove_file(at("pulses.vcd")).unwrap();
+    fs::create_dir(at("pulses.vcd")).unwrap();
+    let refused = run_with(&arguments, "on\n");
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(refused.status.code() == Some(3) && said.contains("pulses.vcd"), "{said}");
 }

@@ -121,3 +121,20 @@ fn registers_by_name() {
     assert!(rows[26]["t_s"].as_f64().unwrap() >= 0.1 && rows[26]["age_s"].as_f64().unwrap() < 5.0);
     assert_eq!(server.bank().writes, 0);
 }
+
+/// A value beyond its register is refused with its place, before anything is connected; one at its end is not.
+#[test]
+fn values_that_registers_cannot_hold() {
+    let folder = tempfile::tempdir().unwrap();
+    let narrow = MAP.replace("scale = 0.1 }", "type = \"i16\", scale = 0.001 }");
+    assert_ne!(narrow, MAP);
+    let path = job(folder.path(), "127.0.0.1:9", &narrow);
+    for verb in [&["check", &path][..], &["run", &path, "-o", "never"]] {
+        let message = bad(2, verb);
+        for part in ["job.toml", "current_a", "holding 0 i16", "-32.768 to 32.767", "`welder`"] {
+            assert!(message.contains(part), "{part}: {message}");
+        }
+    }
+    let path = job(folder.path(), "127.0.0.1:9", MAP);
+    good(&["check", &path]);
+}

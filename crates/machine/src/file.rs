@@ -19,6 +19,9 @@ pub struct MachineFile {
     pub title: String,
     /// Period of the position loops and of the set-points, ms; 1 if missing.
     pub servo_period_ms: Option<Positive>,
+    /// Axes that go to their home positions, one after another, once all references are found; none if missing.
+    #[serde(default)]
+    pub home_order: Vec<String>,
     /// Steps from the machine's base to the torch tip, in order.
     #[serde(default)]
     pub tool: Vec<StepFile>,

@@ -99,6 +99,16 @@ impl<'a> Keeper<'a> {
         Ok(())
     }
 
+    /// True if every watch holds at positions `q`. No allocation, except on meshes.
+    pub fn holds_at(&mut self, q: &Joints) -> bool {
+        (0..self.watches.len()).all(|watch| {
+            self.near_enough(watch, q, q) || {
+                self.look_from(watch, q);
+                self.near_enough(watch, q, q)
+            }
+        })
+    }
+
     /// True if what was found last shows that the watch holds within `low..=high`.
     fn near_enough(&self, watch: usize, low: &Joints, high: &Joints) -> bool {
         let w = &self.watches[watch];

@@ -34,7 +34,7 @@ pub use cell::{InterlockFile, Level, Source, SourceFile};
 pub use chain::{AxisSet, Chain, Joints, MAX_AXES};
 pub use devices::{
     BitFile, DeviceFile, LinuxCnc, LinuxCncFile, MachineDevices, ModbusDevice, ModbusFile, NumberFile, NumberType,
-    OutputsFile, Place, Register, ReportsFile, Role, Scaled, Table, Word, WordOrder,
+    OutputsFile, Place, Register, ReportsFile, Role, Scaled, Steps, StepsFile, Table, Word, WordOrder,
 };
 pub use file::{
     ControlFile, ControlsFile, DeflectionFile, DriveFile, EncoderSide, HeadFile, Io, LinkClearanceFile, MachineFile,
@@ -50,6 +50,6 @@ pub use seamwright_clearance::Clamped;
 pub use sensor::{CameraSensor, HeightRowFile, PixelMapFile, Sensor, SensorFile, SensorKind, Sight, StripeSensor};
 pub use shipped::{SHIPPED, Shipped, shipped};
 pub use solids::{LinkSolids, Zone};
-pub use stepper::{Stepper, StepperMotor};
+pub use stepper::{PulseTicks, Stepper, StepperMotor};
 pub use surroundings::{Course, Surroundings};
 pub use tip_motion::TipLimits;

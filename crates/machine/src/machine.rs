@@ -24,6 +24,8 @@ pub struct Machine {
     pub title: String,
     /// Axes in machine-file order: tool side first, then work side, then the heads' own.
     pub axes: Vec<Axis>,
+    /// Axes that go to their home positions, one after another, once all references are found: by index.
+    pub home_order: Vec<usize>,
     /// Period of position loops and set-points, s.
     pub servo_period_s: f64,
     /// Outputs that drive the process.

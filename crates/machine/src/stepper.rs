@@ -32,7 +32,38 @@ pub struct StepperMotor {
     pub torque: Vec<(f64, f64)>,
 }
 
+/// A driver's times in ticks of a timer, each rounded so that the driver's limit holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PulseTicks {
+    /// The step line is high for this long, and low for at least as long.
+    pub width: u64,
+    /// Rising edges are at least so far apart.
+    pub spacing: u64,
+    /// From a change of direction to the next rising edge.
+    pub setup: u64,
+    /// From a falling edge to a change of direction.
+    pub hold: u64,
+}
+
+/// Longer times of a driver than this many ticks count as this many: no pulse fits beside them anyway.
+const LONGEST: f64 = 1e12;
+
 impl Stepper {
+    /// Its driver's times on a timer with ticks of `tick_s` (s).
+    pub fn ticks(&self, tick_s: f64) -> PulseTicks {
+        // Up, but not by a rounding of the quotient.
+        let ticks = |s: f64| (s / tick_s * (1.0 - 1e-12)).ceil().clamp(0.0, LONGEST) as u64;
+        let width = ticks(self.min_pulse_s).max(1);
+        let spacing = ticks(1.0 / self.max_pulse_hz).max(2 * width);
+        PulseTicks { width, spacing, setup: ticks(self.direction_setup_s), hold: ticks(self.direction_hold_s) }
+    }
+
+    /// The fewest pulses of a full step that meet the resolution; none if the driver's finest setting does not.
+    pub fn least_microsteps(&self) -> Option<u32> {
+        let meets = |m: u32| 1.0 / (self.full_steps_per_unit() * f64::from(m)) <= self.resolution * (1.0 + 1e-12);
+        self.microsteps.iter().copied().find(|m| meets(*m))
+    }
+
     /// Full steps per mm or rad of the axis.
     pub fn full_steps_per_unit(&self) -> f64 {
         f64::from(self.full_steps_per_turn) / self.per_turn

@@ -188,6 +188,21 @@ impl Pass {
         }
         Some(value)
     }
+
+    /// Least and greatest of the process value `name` anywhere in the pass, with slopes and sides of the weave: what lies
+    /// between is between these. None if the pass has no such value.
+    pub fn process_range(&self, name: &str) -> Option<(f64, f64)> {
+        let spans = self.spans.iter().filter_map(|span| span.process.get(name));
+        let sides = self.weave.iter().filter_map(|weave| weave.at_sides.get(name));
+        let ends = spans.chain(sides).flat_map(|value| [value.at(0.0), value.at(1.0)]);
+        let slopes = [&self.sequence.upslope, &self.sequence.downslope].into_iter().flatten();
+        let far = slopes.filter_map(|slope| slope.process.get(name)).map(|value| value.get());
+        let wider = |range: Option<(f64, f64)>, v: f64| {
+            let (low, high) = range.unwrap_or((v, v));
+            Some((low.min(v), high.max(v)))
+        };
+        ends.fold(None, wider).map(|range| far.fold(Some(range), wider).unwrap_or(range))
+    }
 }
 
 impl Span {

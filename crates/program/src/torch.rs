@@ -127,12 +127,20 @@ pub trait TorchPath: Sync {
         (self.centre(ahead) - self.centre(behind)).normalize()
     }
 
+    /// Point and unit tangent of the line at path length `s`, where both are wanted.
+    fn line(&self, s: f64) -> (DVec3, DVec3) {
+        (self.centre(s), self.tangent(s))
+    }
+
     /// Path length within [`from`, `to`] of the path's point nearest to `point`, which must lie near the path at path
     /// length `guess`: two Newton steps on the foot of the perpendicular. Where the torch weaves, that of the line's
     /// point nearest to where `point` would be without the swing that is asked for at `guess`.
     fn foot(&self, point: DVec3, guess: f64, (from, to): (f64, f64)) -> f64 {
         let point = point - self.swing(guess).unwrap_or_default();
-        let along = |s: f64| (point - self.centre(s)).dot(self.tangent(s)) / self.rate(s);
+        let along = |s: f64| {
+            let (centre, tangent) = self.line(s);
+            (point - centre).dot(tangent) / self.rate(s)
+        };
         (0..2).fold(guess, |s, _| (s + along(s)).clamp(from, to))
     }
 

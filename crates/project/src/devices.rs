@@ -1,6 +1,7 @@
 //! The devices of a run: those that the machine file names, and simulated ones for the rest.
 
 use crate::Failure;
+use crate::steps::StreamedSteps;
 #[cfg(target_os = "linux")]
 use seamwright_cell::devices::LinuxCncDrives;
 use seamwright_cell::devices::modbus::{self, ModbusError, TrafficView};
@@ -37,6 +38,15 @@ pub fn simulated(machine: &Machine, faults: &[Fault], seed: u64) -> Result<Cell,
 
 fn simulated_drives(machine: &Machine, seed: u64) -> Result<Box<dyn Drives + Send>, Failure> {
     Ok(Box::new(SimulatedDrives::new(machine, seed).map_err(|e| Failure::Input(e.to_string()))?))
+}
+
+/// The drives that the machine file names.
+fn drives(machine: &Machine, folder: &Path) -> Result<Option<Box<dyn Drives + Send>>, Failure> {
+    if let Some(device) = &machine.devices.linuxcnc {
+        return linuxcnc_drives(machine, folder, device).map(Some);
+    }
+    let Some(device) = &machine.devices.steps else { return Ok(None) };
+    Ok(Some(Box::new(StreamedSteps::start(machine, device, folder)?)))
 }
 
 /// Drives by LinuxCNC's HAL.
@@ -89,7 +99,7 @@ pub fn of_machine(
         }
         lines.push((device.name.clone(), parts.traffic));
     }
-    let drives = machine.devices.linuxcnc.as_ref();
+    let drives = drives(machine, folder)?;
     let missing = [("drives", drives.is_none()), ("process source", source.is_none()), ("inputs", inputs.is_none())];
     let simulated: Vec<&str> = missing.iter().filter(|m| m.1).map(|m| m.0).collect();
     if simulated.len() < missing.len() && !simulated.is_empty() {
@@ -99,8 +109,7 @@ pub fn of_machine(
     let source = source.unwrap_or_else(|| Box::new(SimulatedSource::new(seed, machine.servo_period_s)));
     let inputs =
         inputs.unwrap_or_else(|| Box::new(SimulatedInputs::new(Interlocks::new(&machine.interlocks).all_met())));
-    let drives =
-        drives.map_or_else(|| simulated_drives(machine, seed), |device| linuxcnc_drives(machine, folder, device))?;
+    let drives = drives.map_or_else(|| simulated_drives(machine, seed), Ok)?;
     Ok((put_together(machine, (drives, source, inputs), faults), lines))
 }
 

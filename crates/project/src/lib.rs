@@ -15,6 +15,7 @@ pub mod posting;
 pub mod power_loss;
 pub mod recording;
 pub mod run_rows;
+mod steps;
 pub mod teaching;
 mod within;
 

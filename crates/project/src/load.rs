@@ -6,7 +6,7 @@ use crate::outside::Beside;
 use crate::within::Within;
 use seamwright_cell::{Error, check_drives};
 use seamwright_document::Document;
-use seamwright_machine::{Clamped, Machine, MachineFile, SHIPPED, Surroundings, shipped};
+use seamwright_machine::{Clamped, Machine, MachineFile, Role, SHIPPED, Surroundings, Word, shipped};
 use seamwright_motion::{PassMotion, WeldMotion, redundancy};
 use seamwright_program::{Finding, Pass, Program, TorchPath};
 use seamwright_weld::{SeamCurve, WeldPath, Welding};
@@ -60,6 +60,7 @@ fn load_within(name: &str, text: &str, within: &Within<'_>) -> Result<Loaded, Fa
         return Err(welding.program.error_at("machine", message, "names of their own").into());
     }
     check_held(&welding, &machine)?;
+    check_registers(&welding, &machine)?;
     let machine_file = shipped(wanted).is_none().then(|| within.folder().join(wanted));
     let clamped = welding.clamped(&|name| stl.read(within, name))?;
     Ok(Loaded { welding, machine, machine_file, clamped, stl_files: stl.0.into_inner() })
@@ -74,6 +75,32 @@ fn check_held(welding: &Welding, machine: &Machine) -> Result<(), Failure> {
             let table = if Program::is_in(program.text()) { format!("passes[{i}].") } else { String::new() };
             let path = format!("{table}spare_axes.hold.{}", error.axis());
             return Err(program.error_at(&path, error.to_string(), error.allowed()).into());
+        }
+    }
+    Ok(())
+}
+
+/// Refuses process values that the registers of the machine's process source cannot hold: they would be cut off while welding.
+fn check_registers(welding: &Welding, machine: &Machine) -> Result<(), Failure> {
+    let program = &welding.program;
+    for device in &machine.devices.modbus {
+        for register in &device.registers {
+            let (Role::Set(name), Word::Number(number)) = (&register.role, register.place.word) else { continue };
+            let (low, high) = number.range();
+            for (i, pass) in program.value.passes.iter().enumerate() {
+                let Some((least, most)) = pass.process_range(name) else { continue };
+                let outside = [least, most].into_iter().find(|value| !(low..=high).contains(value));
+                let Some(value) = outside else { continue };
+                let table = if Program::is_in(program.text()) { &format!("passes[{i}].spans[0]") } else { "weld" };
+                let message = format!(
+                    "pass {} asks for {value} of `{name}`, which its register ({}) of device `{}` cannot hold",
+                    i + 1,
+                    register.place,
+                    device.name
+                );
+                let allowed = format!("{low} to {high}, or another scale or type in the machine file");
+                return Err(program.error_at(&format!("{table}.process.{name}"), message, allowed).into());
+            }
         }
     }
     Ok(())

@@ -82,6 +82,20 @@ impl TorchPath for PassPath<'_> {
         self.placed(&self.seam_point(s), s)
     }
 
+    /// Without the attitude, which it does not depend on.
+    fn centre(&self, s: f64) -> DVec3 {
+        let p = self.seam_point(s);
+        self.placement.transform_point3(self.bead.map_or(p.point, |bead| bead.tip(&p)))
+    }
+
+    fn line(&self, s: f64) -> (DVec3, DVec3) {
+        if self.bead.is_some() {
+            return (self.centre(s), self.tangent(s));
+        }
+        let p = self.seam_point(s);
+        (self.placement.transform_point3(p.point), self.placement.transform_vector3(self.stretch.sense * p.tangent))
+    }
+
     fn rate(&self, s: f64) -> f64 {
         let Some(bead) = self.bead else { return 1.0 };
         let (behind, ahead) = ((s - HALF_MM).max(0.0), (s + HALF_MM).min(self.length()));

@@ -87,6 +87,10 @@ impl TorchPath for WeldPath<'_> {
         self.path().tangent(s)
     }
 
+    fn line(&self, s: f64) -> (DVec3, DVec3) {
+        self.path().line(s)
+    }
+
     fn foot(&self, point: DVec3, guess: f64, within: (f64, f64)) -> f64 {
         self.path().foot(point, guess, within)
     }

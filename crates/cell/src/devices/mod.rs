@@ -8,11 +8,13 @@ mod fault;
 mod linuxcnc;
 pub mod modbus;
 mod simulated;
+mod steps;
 
 pub use fault::{Device, Fault, FaultKind, Faulty, When};
 #[cfg(target_os = "linux")]
 pub use linuxcnc::{LinuxCncDrives, LinuxCncError, Sample, Taken};
 pub use simulated::{SimulatedDrives, SimulatedInputs, SimulatedSource};
+pub use steps::StepDrives;
 
 use crate::executive::{Devices, DriveReport, Orders, ProcessOrders, Reports, SeamOrders, SensorReport, SourceReport};
 use seamwright_machine::Joints;

@@ -9,9 +9,39 @@ use seamwright_machine::{Joints, Machine};
 /// Time that a drive looks for its reference, s.
 const REFERENCE_S: f64 = 0.5;
 /// By how much positions are wrong before the reference is known, mm or rad.
-const UNKNOWN: f64 = 0.37;
+pub(super) const UNKNOWN: f64 = 0.37;
 /// Time until drives have power, s.
 const POWER_S: f64 = 0.1;
+
+/// Power and references of drives in simulation.
+#[derive(Debug, Clone)]
+pub(super) struct Standing {
+    period: f64,
+    powered_for: f64,
+    homing_for: f64,
+    referenced: bool,
+}
+
+impl Standing {
+    /// Without power and references; `period` in s.
+    pub(super) fn new(period: f64) -> Self {
+        Self { period, powered_for: 0.0, homing_for: 0.0, referenced: false }
+    }
+
+    /// A period: whether they have power, and whether they follow set-points.
+    pub(super) fn step(&mut self, orders: &Orders) -> (bool, bool) {
+        self.powered_for = if orders.power { self.powered_for + self.period } else { 0.0 };
+        let powered = self.powered_for >= POWER_S;
+        self.homing_for = if powered && orders.home { self.homing_for + self.period } else { 0.0 };
+        self.referenced |= self.homing_for >= REFERENCE_S;
+        // While it looks for its references a drive holds itself.
+        (powered, powered && !orders.home)
+    }
+
+    pub(super) fn is_referenced(&self) -> bool {
+        self.referenced
+    }
+}
 
 /// All drives of a machine in simulation: position loops, motors, friction, cogging, encoders; brakes that close without power.
 #[derive(Debug, Clone)]
@@ -21,9 +51,7 @@ pub struct SimulatedDrives {
     period: f64,
     /// True positions.
     q: Joints,
-    powered_for: f64,
-    homing_for: f64,
-    referenced: bool,
+    standing: Standing,
     holds: bool,
 }
 
@@ -38,9 +66,7 @@ impl SimulatedDrives {
             axes: machine.axes.len(),
             period: machine.servo_period_s,
             q: machine.home(),
-            powered_for: 0.0,
-            homing_for: 0.0,
-            referenced: false,
+            standing: Standing::new(machine.servo_period_s),
             holds: false,
         })
     }
@@ -54,12 +80,8 @@ impl SimulatedDrives {
 
 impl Drives for SimulatedDrives {
     fn exchange(&mut self, orders: &Orders, report: &mut DriveReport) {
-        self.powered_for = if orders.power { self.powered_for + self.period } else { 0.0 };
-        let powered = self.powered_for >= POWER_S;
-        self.homing_for = if powered && orders.home { self.homing_for + self.period } else { 0.0 };
-        self.referenced |= self.homing_for >= REFERENCE_S;
-        // While it looks for its references a drive holds itself.
-        let follows = powered && !orders.home;
+        let (powered, follows) = self.standing.step(orders);
+        let referenced = self.standing.is_referenced();
         if follows && !self.holds {
             self.drives.settle_at(&self.q[..self.axes]);
         }
@@ -67,7 +89,7 @@ impl Drives for SimulatedDrives {
         for i in 0..self.axes {
             if follows {
                 let mut set = orders.set[i];
-                if !self.referenced {
+                if !referenced {
                     set.position -= UNKNOWN;
                 }
                 let state = self.drives.step(i, set);
@@ -78,12 +100,12 @@ impl Drives for SimulatedDrives {
             } else {
                 (report.position[i], report.following_error[i], report.current[i]) = (self.q[i], 0.0, 0.0);
             }
-            if !self.referenced {
+            if !referenced {
                 report.position[i] += UNKNOWN;
             }
         }
         report.powered = powered;
-        report.referenced = if self.referenced { (1 << self.axes) - 1 } else { 0 };
+        report.referenced = if referenced { (1 << self.axes) - 1 } else { 0 };
         (report.fault, report.limit_switch, report.age_s) = (0, 0, 0.0);
         report.starts = report.starts.max(1);
     }

@@ -8,7 +8,7 @@ use super::process::Process;
 use super::state::{Cycle, Missing, Note, Port, Status};
 use super::supervision::Supervision;
 use super::work::Work;
-use super::{Alarm, VALUES};
+use super::VALUES;
 use seamwright_machine::{Joints, MAX_AXES, Machine};
 use seamwright_motion::jog;
 use seamwright_motion::pace::RunPhase;
@@ -18,11 +18,6 @@ use seamwright_servo::SetPoint;
 const ARMED_S: f64 = 60.0;
 /// Most commands taken in a cycle.
 const COMMANDS: usize = 8;
-/// Least time for finding the references, s: old ones have to be forgotten first.
-const HOMING_LEAST_S: f64 = 0.1;
-/// Longest time for finding the references, s.
-const HOMING_S: f64 = 120.0;
-
 /// Why [`Executive::serve`] came back.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum End {
@@ -144,13 +139,14 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         &mut self.devices
     }
 
-    /// Runs cycle after cycle until [`Ask::Quit`] or [`Ask::Load`]; `work` is what dry runs and welds run.
+    /// Runs cycle after cycle until [`Ask::Quit`] or [`Ask::Load`]; `work` is what dry runs and welds
+    /// run, and what jogging keeps clear of: without it there is neither.
     pub fn serve(&mut self, work: Option<&Work<'_>>) -> End {
         self.end = None;
         while self.end.is_none() {
             match (self.mode, work) {
-                (Mode::Homing, _) => self.home(),
-                (Mode::Jog | Mode::Teach, _) => self.jog_on(work.and_then(|w| w.around), work),
+                (Mode::Homing, _) => self.home(work),
+                (Mode::Jog | Mode::Teach, _) => self.jog_on(work),
                 (Mode::DryRun | Mode::Weld, Some(work)) => self.run(work),
                 _ => {
                     // What tripped has come to rest.
@@ -223,35 +219,15 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         }
     }
 
-    /// Looks for the references until they are known; the drives move the axes then, and say where they are.
-    fn home(&mut self) {
-        let begun = self.now();
-        while self.mode == Mode::Homing {
-            self.orders.home = true;
-            self.rest_at_actual();
-            self.tick(Doing::default(), None);
-            let took = self.now() - begun;
-            if self.mode == Mode::Homing && self.unreferenced() == 0 && took > HOMING_LEAST_S {
-                self.event(Event::Homed);
-            } else if took > HOMING_S {
-                self.happened(Alarm::NoReference, 0);
-                self.event(Event::Abort);
-            }
-        }
-        // Where a reference is found positions change their meaning: what is held from here on is where the axes say they are.
-        self.orders.home = false;
-        self.take_actual();
-    }
-
     /// Set-points where the axes are.
-    fn take_actual(&mut self) {
+    pub(super) fn take_actual(&mut self) {
         for (set, position) in self.orders.set.iter_mut().zip(self.reports.drives.position) {
             *set = SetPoint { position, velocity: 0.0, acceleration: 0.0 };
         }
     }
 
     /// Set-points of axes that nobody moves: where they are held, or where they are if they are not.
-    fn rest_at_actual(&mut self) {
+    pub(super) fn rest_at_actual(&mut self) {
         let held = self.power && self.reports.drives.powered && self.mode != Mode::Homing;
         if !held {
             return self.take_actual();

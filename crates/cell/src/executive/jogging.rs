@@ -8,6 +8,7 @@ use super::work::Work;
 use super::{Alarm, Executive};
 use seamwright_machine::{Joints, Level, Machine, Surroundings};
 use seamwright_motion::jog::{self, Halt, Jog, JogSettings, Signals};
+use std::sync::Mutex;
 
 /// Without a sign of life from the panel for this long the axes stop, s.
 const SILENCE_S: f64 = 0.2;
@@ -20,6 +21,12 @@ pub const REDUCED_MM_S: f64 = 250.0;
 fn part(machine: &Machine, q: &Joints, speeds: &Joints) -> f64 {
     let by = speeds.map(|speed| speed * SILENCE_S);
     (REDUCED_MM_S * SILENCE_S / machine.tip_travel(q, &by)).min(1.0)
+}
+
+/// What a hand on the keys needs, made before the first cycle; none for a period that is none.
+pub(super) fn hand<'a>(machine: &'a Machine, around: Option<&'a Surroundings<'a>>) -> Mutex<Option<Jog<'a>>> {
+    let settings = JogSettings { period_s: machine.servo_period_s, silence_s: SILENCE_S, ..JogSettings::default() };
+    Mutex::new(Jog::prepared(machine, around, settings).ok())
 }
 
 /// A command of the hand with the tip no faster than [`REDUCED_MM_S`] from axis positions `q`, and the part of the axes' speeds
@@ -46,7 +53,7 @@ fn reduced(machine: &Machine, q: &Joints, command: jog::Command) -> (jog::Comman
 }
 
 /// Has `jog` do what the hand wants, slowed to the reduced speed and by the override `pace` (0 to 1); at 0 the keys do nothing.
-fn obey(jog: &mut Jog<'_>, machine: &Machine, pace: f64, wanted: jog::Command) {
+pub(super) fn obey(jog: &mut Jog<'_>, machine: &Machine, pace: f64, wanted: jog::Command) {
     let (command, part) = reduced(machine, &jog.state().q, wanted);
     let moves = jog.set_override(pace * part).is_ok();
     // What cannot be is refused, and what was wanted before stays.
@@ -55,23 +62,33 @@ fn obey(jog: &mut Jog<'_>, machine: &Machine, pace: f64, wanted: jog::Command) {
 
 impl<D: Devices, P: Port> Executive<'_, D, P> {
     /// Jogs until the mode ends; at rest when it returns, unless power has gone.
-    pub(super) fn jog_on(&mut self, around: Option<&Surroundings<'_>>, work: Option<&Work<'_>>) {
+    pub(super) fn jog_on(&mut self, work: Option<&Work<'_>>) {
+        // One executive at a time has a work: it never waits for it.
+        let mut hand = work.and_then(|work| work.hand.try_lock().ok());
+        match hand.as_deref_mut() {
+            Some(Some(jog)) => self.jog_with(jog, work),
+            _ => self.refuse_jog(),
+        }
+    }
+
+    pub(super) fn refuse_jog(&mut self) {
+        self.happened(Alarm::JogStopped, 0);
+        self.event(Event::Abort);
+    }
+
+    fn jog_with(&mut self, jog: &mut Jog<'_>, work: Option<&Work<'_>>) {
         let mut start = Joints::default();
         start.iter_mut().zip(&self.orders.set).for_each(|(q, set)| *q = set.position);
-        let settings =
-            JogSettings { period_s: self.machine.servo_period_s, silence_s: SILENCE_S, ..JogSettings::default() };
+        if !jog.begin(&start) {
+            return self.refuse_jog();
+        }
         let machine = self.machine;
-        let Ok(mut jog) = Jog::new(machine, around, &start, settings) else {
-            self.happened(Alarm::JogStopped, 0);
-            self.event(Event::Abort);
-            return;
-        };
         self.busy = true;
         let mut told = None;
         while matches!(self.mode, Mode::Jog | Mode::Teach) || !jog.state().rests() {
             let jogs = matches!(self.mode, Mode::Jog | Mode::Teach);
             if let Some(wanted) = if jogs { self.jog } else { Some(jog::Command::Rest) } {
-                obey(&mut jog, machine, self.pace, wanted);
+                obey(jog, machine, self.pace, wanted);
             }
             let enabled = self.interlocks.unmet(Level::Motion, self.reports.inputs) == 0;
             let point = jog.step(&Signals { enabled, alive: self.jog.is_some(), hold: false });

@@ -17,6 +17,7 @@ mod command;
 mod core;
 mod guide;
 mod guiding;
+mod homing;
 mod interlocks;
 mod jogging;
 mod mode;

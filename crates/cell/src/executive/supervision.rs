@@ -115,7 +115,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
             let allowed = self.supervision.allowed[i] + FOLLOWING_S * self.orders.set[i].velocity.abs();
             // No number is no position.
             let within = self.reports.drives.following_error[i].abs() <= allowed;
-            let counts = self.power && self.reports.drives.powered && self.mode != Mode::Homing;
+            let counts = self.power && self.reports.drives.powered && !self.orders.home;
             let periods = &mut self.supervision.following[i];
             *periods = if within || !counts { 0 } else { *periods + 1 };
             if *periods == PERIODS {

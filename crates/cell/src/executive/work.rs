@@ -1,10 +1,13 @@
 use super::VALUES;
 use super::alarm_list::Place;
+use super::jogging::hand;
 use seamwright_machine::{AxisSet, Joints, Machine, Surroundings};
+use seamwright_motion::jog::Jog;
 use seamwright_motion::air::{AirMove, Blocked, route};
 use seamwright_motion::pace::{Limits, PassTimed};
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::{AtHold, Pass, Sequence};
+use std::sync::Mutex;
 
 /// Where a program begins.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,7 +58,8 @@ pub(super) struct PassWork<'a> {
 /// A planned program, ready to be run: everything that takes memory is here, made before the first cycle.
 #[derive(Debug)]
 pub struct Work<'a> {
-    pub(super) around: Option<&'a Surroundings<'a>>,
+    /// What the hand on the keys moves.
+    pub(super) hand: Mutex<Option<Jog<'a>>>,
     pub(super) passes: Vec<PassWork<'a>>,
     pub(super) air: &'a [AirMove],
     pub(super) limits: Limits,
@@ -84,7 +88,8 @@ impl<'a> Work<'a> {
         }
         let works = passes.iter().zip(&motion.passes);
         let passes = works.map(|(pass, planned)| PassWork { pass, timed: planned.timed(machine), planned }).collect();
-        Ok(Self { around, passes, air: &motion.air, limits: Limits::of(machine), start, values })
+        let hand = hand(machine, around);
+        Ok(Self { hand, passes, air: &motion.air, limits: Limits::of(machine), start, values })
     }
 
     /// No program: what jogging keeps clear of.
@@ -95,7 +100,8 @@ impl<'a> Work<'a> {
             welded_mm: 0.0,
         };
         let limits = Limits::of(machine);
-        Self { around: Some(around), passes: Vec::new(), air: &[], limits, start, values: Vec::new() }
+        let hand = hand(machine, Some(around));
+        Self { hand, passes: Vec::new(), air: &[], limits, start, values: Vec::new() }
     }
 
     /// Names of the process values, in the order of their places in orders and reports.

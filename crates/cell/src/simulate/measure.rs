@@ -18,7 +18,7 @@ pub(super) fn measure(machine: &Machine, path: &dyn TorchPath, planned: &PassMot
         false => planned.tip_path(machine).foot(tip.point, sample.set.law.s, whole),
     };
     sample.tip_s = s;
-    let along = path.tangent(s);
+    let along = path.line(s).1;
     let woven = planned.path.is_woven();
     let errors = |tip: &Pose, pose: &dyn Fn(f64) -> Pose| match foot_in_blend(&planned.path, pose, tip.point, s) {
         _ if path.is_timed() => (tip.point.distance(pose(s).point), angle(tip, &pose(s))),

@@ -47,13 +47,14 @@ pub(crate) fn machine(file: &File, load: Load) -> Result<Machine, DocumentError>
     check_io(file)?;
     controls::check(file, &axes)?;
     interlocks::check(file)?;
-    let devices = crate::devices::devices(file)?;
+    let devices = crate::devices::devices(file, &axes)?;
     let (links, heads) = tree::tree(m, &axes);
     let solids = solids::solids(file, &links, load)?;
     let sensors = sensors::sensors(file, &links)?;
     Ok(Machine {
         name: m.name.clone(),
         title: m.title.clone(),
+        home_order: home_order(file, &axes)?,
         servo_period_s: m.servo_period_ms.map_or(1e-3, |p| p.get() * 1e-3),
         io: m.io.clone(),
         interlocks: m.interlocks.clone(),
@@ -133,6 +134,23 @@ fn axes(file: &File) -> Result<Vec<Axis>, DocumentError> {
         return Err(file.error_at("tool", found, format!("1 to {MAX_AXES} axes in [[tool]] and [[work]]")));
     }
     Ok(axes)
+}
+
+/// The axes that go home, by index.
+fn home_order(file: &File, axes: &[Axis]) -> Result<Vec<usize>, DocumentError> {
+    let mut order = Vec::new();
+    for (i, name) in file.value.home_order.iter().enumerate() {
+        let path = format!("home_order[{i}]");
+        let Some(axis) = axes.iter().position(|axis| &axis.name == name) else {
+            let known: Vec<&str> = axes.iter().map(|axis| axis.name.as_str()).collect();
+            return Err(file.unknown_name(&path, name, &known));
+        };
+        if order.contains(&axis) {
+            return Err(file.error_at(&path, "the axis has gone home already", "each axis once"));
+        }
+        order.push(axis);
+    }
+    Ok(order)
 }
 
 /// No two things on one output: the arc would strike with the gas.

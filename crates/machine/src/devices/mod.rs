@@ -3,6 +3,7 @@
 mod check;
 mod linuxcnc;
 mod modbus;
+mod steps;
 
 pub use linuxcnc::{LinuxCnc, LinuxCncFile};
 pub use modbus::{
@@ -10,6 +11,9 @@ pub use modbus::{
     Table, Word, WordOrder,
 };
 
+pub use steps::{Steps, StepsFile};
+
+use crate::Axis;
 use schemars::JsonSchema;
 use seamwright_document::{Document, DocumentError};
 use serde::Deserialize;
@@ -24,6 +28,8 @@ pub enum DeviceFile {
     /// The drives by LinuxCNC's HAL.
     #[serde(rename = "linuxcnc")]
     LinuxCnc(LinuxCncFile),
+    /// The drives by step and direction pulses.
+    Steps(StepsFile),
 }
 
 /// The devices of a machine, checked.
@@ -33,28 +39,32 @@ pub struct MachineDevices {
     pub modbus: Vec<ModbusDevice>,
     /// The drives, if they are LinuxCNC's.
     pub linuxcnc: Option<LinuxCnc>,
+    /// The drives, if they are steppers that get pulses from here.
+    pub steps: Option<Steps>,
 }
 
 impl MachineDevices {
     /// True if the machine file names none: all are simulated.
     pub fn is_empty(&self) -> bool {
-        self.modbus.is_empty() && self.linuxcnc.is_none()
+        self.modbus.is_empty() && self.linuxcnc.is_none() && self.steps.is_none()
     }
 }
 
-/// Puts the devices of a machine file together.
-pub(crate) fn devices(file: &Document<crate::MachineFile>) -> Result<MachineDevices, DocumentError> {
+/// Puts the devices of a machine file with these `axes` together.
+pub(crate) fn devices(file: &Document<crate::MachineFile>, axes: &[Axis]) -> Result<MachineDevices, DocumentError> {
     let mut devices = MachineDevices::default();
     for (name, device) in &file.value.devices {
+        let has_drives = devices.linuxcnc.is_some() || devices.steps.is_some();
+        let taken = |kind: &str| {
+            let message = "another device has the drives already";
+            file.error_at(&format!("devices.{name}.{kind}"), message, "one device with `linuxcnc` or `steps`")
+        };
         match device {
             DeviceFile::Modbus(modbus) => devices.modbus.push(check::modbus(file, name, modbus)?),
-            DeviceFile::LinuxCnc(_) if devices.linuxcnc.is_some() => {
-                let message = "another device has the drives already";
-                return Err(file.error_at(&format!("devices.{name}.linuxcnc"), message, "one device with `linuxcnc`"));
-            }
-            DeviceFile::LinuxCnc(linuxcnc) => {
-                devices.linuxcnc = Some(linuxcnc::linuxcnc(file, name, linuxcnc)?);
-            }
+            DeviceFile::LinuxCnc(_) if has_drives => return Err(taken("linuxcnc")),
+            DeviceFile::Steps(_) if has_drives => return Err(taken("steps")),
+            DeviceFile::LinuxCnc(linuxcnc) => devices.linuxcnc = Some(linuxcnc::linuxcnc(file, name, linuxcnc)?),
+            DeviceFile::Steps(steps) => devices.steps = Some(steps::steps(file, axes, name, steps)?),
         }
     }
     check::together(file, &devices.modbus)?;

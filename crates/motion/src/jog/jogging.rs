@@ -129,24 +129,38 @@ impl<'a> Jog<'a> {
         start: &Joints,
         settings: JogSettings,
     ) -> Result<Self, JogError> {
-        for (what, value) in [("the period", settings.period_s), ("the time of silence", settings.silence_s)] {
-            if !(value > 0.0 && value <= 1.0) {
-                return Err(JogError::Setting { what, value, allowed: "greater than 0 and at most 1 s" });
-            }
-        }
+        let mut jog = Self::prepared(machine, surroundings, settings)?;
         check_positions(machine, start)?;
-        if let Some(around) = surroundings
-            && !around.is_clear(start)
+        if !jog.begin(start)
+            && let Some(around) = surroundings
             && let Some((watch, found)) = around.nearest(start, around.greatest_least_mm() + 1.0)
         {
             let ((first, second), least_mm) = (around.names(watch), around.scene().watches()[watch].least_mm());
             return Err(JogError::NotClear { first, second, distance_mm: found.distance, least_mm });
         }
-        let (plan, state) = (PointToPoint::new(machine), State::at_rest(start));
+        Ok(jog)
+    }
+
+    /// Everything that a jog takes memory for, not begun anywhere: first [`Jog::begin`].
+    ///
+    /// # Errors
+    /// Settings that cannot be.
+    pub fn prepared(
+        machine: &'a Machine,
+        surroundings: Option<&'a Surroundings<'a>>,
+        settings: JogSettings,
+    ) -> Result<Self, JogError> {
+        for (what, value) in [("the period", settings.period_s), ("the time of silence", settings.silence_s)] {
+            if !(value > 0.0 && value <= 1.0) {
+                return Err(JogError::Setting { what, value, allowed: "greater than 0 and at most 1 s" });
+            }
+        }
+        let home = machine.home();
+        let (plan, state) = (PointToPoint::new(machine), State::at_rest(&home));
         let stop = Stop::new(plan.limits(), &state);
         Ok(Self {
             machine,
-            keeper: surroundings.map(|s| Keeper::new(s, start)),
+            keeper: surroundings.map(|s| Keeper::new(s, &home)),
             settings,
             plan,
             planned_for: None,
@@ -158,6 +172,22 @@ impl<'a> Jog<'a> {
             silent_for: 0.0,
             halt: None,
         })
+    }
+
+    /// Begins anew, at rest at positions `start`, with nothing wanted and the full override. False, with the jog as it was, if
+    /// they are out of range or not clear. No allocation, except on meshes.
+    pub fn begin(&mut self, start: &Joints) -> bool {
+        let there = self.machine.axes.iter().zip(start).all(|(_, q)| q.is_finite());
+        let stands = there
+            && self.machine.outside(start).is_none()
+            && self.keeper.as_mut().is_none_or(|keeper| keeper.holds_at(start));
+        if stands {
+            self.state = State::at_rest(start);
+            self.stop = Stop::new(self.plan.limits(), &self.state);
+            (self.planned_for, self.mode, self.override_share, self.halt) = (None, Mode::Rest, 1.0, None);
+            (self.stopped_for, self.silent_for) = (0.0, 0.0);
+        }
+        stands
     }
 
     /// The last set-point.

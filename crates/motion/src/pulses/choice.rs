@@ -36,10 +36,9 @@ impl Microstepping {
     /// then stays below `max_hz` pulses a second; otherwise the greatest that does.
     pub fn choose(stepper: &Stepper, speed: f64, max_hz: f64) -> Self {
         let full = stepper.full_steps_per_unit();
-        let meets = |m: u32| 1.0 / (full * f64::from(m)) <= stepper.resolution * (1.0 + 1e-12);
         let fits = |m: u32| speed * full * f64::from(m) <= max_hz * (1.0 - RESERVE);
         let settings = || stepper.microsteps.iter().copied();
-        let (microsteps, bound) = match (settings().find(|m| meets(*m)), settings().rfind(|m| fits(*m))) {
+        let (microsteps, bound) = match (stepper.least_microsteps(), settings().rfind(|m| fits(*m))) {
             (Some(enough), Some(most)) if enough <= most => (enough, Bound::Resolution),
             (None, Some(most)) if settings().next_back() == Some(most) => (most, Bound::Driver),
             (_, Some(most)) => (most, Bound::Frequency),

@@ -69,6 +69,11 @@ impl Generator {
         Ok(train)
     }
 
+    /// A period without pulses.
+    pub fn stay(&mut self) {
+        self.last = self.last.saturating_sub_unsigned(self.timing.period);
+    }
+
     /// A period with `pulses` pulses on its `way` to `to`.
     fn train(&mut self, to: i64, way: u64, pulses: u64) -> Result<Train, Error> {
         let Timing { period, width, spacing, setup, hold } = self.timing;
@@ -102,6 +107,11 @@ impl Generator {
     /// Where the pulses so far have brought the axis, steps.
     pub fn count(&self) -> i64 {
         count(self.at)
+    }
+
+    /// Position at the end of the last period, steps with fractions.
+    pub fn position(&self) -> f64 {
+        self.at as f64 / STEP as f64
     }
 
     /// The count at the start, steps.

@@ -75,11 +75,24 @@ impl Lines {
         (self.begin, self.end) = (self.end, self.end + self.period);
         for (i, (line, to)) in self.lines.iter_mut().zip(to).enumerate() {
             line.train = line.generator.period(to).map_err(|e| (i, e))?;
-            line.turn = line.train.turn.map_or(NEVER, |tick| self.begin + tick);
-            line.next_rise(self.begin);
-            line.find_next();
+            line.begin_period(self.begin);
         }
         Ok(())
+    }
+
+    /// The same, but an axis that cannot get to its position in time stays where it is for this period. How many stayed.
+    pub fn advance_or_stay(&mut self, to: impl IntoIterator<Item = f64>) -> usize {
+        (self.begin, self.end) = (self.end, self.end + self.period);
+        let mut stayed = 0;
+        for (line, to) in self.lines.iter_mut().zip(to) {
+            line.train = line.generator.period(to).unwrap_or_else(|_| {
+                stayed += 1;
+                line.generator.stay();
+                Train::default()
+            });
+            line.begin_period(self.begin);
+        }
+        stayed
     }
 
     /// The next event of this period in the order of time; in one tick falling edges come first, then directions.
@@ -112,6 +125,11 @@ impl Lines {
         self.event()
     }
 
+    /// Ticks from the start of the first period to the end of this one.
+    pub fn end(&self) -> u64 {
+        self.end
+    }
+
     /// The generators of the axes, in their order.
     pub fn generators(&self) -> impl Iterator<Item = &Generator> {
         self.lines.iter().map(|l| &l.generator)
@@ -119,6 +137,12 @@ impl Lines {
 }
 
 impl Line {
+    fn begin_period(&mut self, begin: u64) {
+        self.turn = self.train.turn.map_or(NEVER, |tick| begin + tick);
+        self.next_rise(begin);
+        self.find_next();
+    }
+
     #[inline]
     fn next_rise(&mut self, begin: u64) {
         self.rise = self.train.next().map_or(NEVER, |tick| begin + tick);

@@ -1,11 +1,8 @@
 use super::Error;
-use seamwright_machine::Stepper;
+use seamwright_machine::{PulseTicks, Stepper};
 
 /// Most ticks of a period: products with a step's fractions stay within 64 bits.
 const MOST_TICKS: u64 = 1 << 38;
-
-/// Longer times of a driver than this many ticks count as this many: no pulse fits beside them anyway.
-const LONGEST: f64 = 1e12;
 
 /// A driver's times in ticks of the timer, each rounded so that the driver's limit holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,17 +26,8 @@ impl Timing {
     /// [`Error::Period`].
     pub fn new(stepper: &Stepper, tick_s: f64, period: u64) -> Result<Self, Error> {
         check_period(period)?;
-        // Up, but not by a rounding of the quotient.
-        let ticks = |s: f64| (s / tick_s * (1.0 - 1e-12)).ceil().clamp(0.0, LONGEST) as u64;
-        let width = ticks(stepper.min_pulse_s).max(1);
-        let spacing = ticks(1.0 / stepper.max_pulse_hz).max(2 * width);
-        Ok(Self {
-            period,
-            width,
-            spacing,
-            setup: ticks(stepper.direction_setup_s),
-            hold: ticks(stepper.direction_hold_s),
-        })
+        let PulseTicks { width, spacing, setup, hold } = stepper.ticks(tick_s);
+        Ok(Self { period, width, spacing, setup, hold })
     }
 
     /// Highest frequency that pulses are made with, Hz, with ticks of `tick_s` (s): the driver's, or less on a coarse

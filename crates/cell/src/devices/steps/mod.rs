@@ -1,0 +1,205 @@
+//! Drives by step and direction pulses: set-points become pulses, and their twin, a stepper for each axis, counts them back.
+//!
+//! Nobody measures where a stepper is. So the positions reported are those of the twin, as of an encoder that steppers in the
+//! field have not: a motor described by its torque curve loses steps where more is asked of it than it has, one that is not
+//! described counts every pulse.
+
+mod rotor;
+
+use super::simulated::{Standing, UNKNOWN};
+use super::{Drives, LATE_PERIODS};
+use crate::Error;
+use crate::executive::{DriveReport, Orders};
+use rotor::Rotor;
+use rtrb::{Consumer, Producer, RingBuffer};
+use seamwright_machine::{Axis, Joints, Machine, Stepper, Steps};
+use seamwright_motion::pulses::{Edge, Event, Lines, Timing};
+
+/// What the pulses of an axis mean.
+#[derive(Debug, Clone)]
+struct Stepped {
+    steps_per_unit: f64,
+    /// What the pulses count where the axis is at zero, steps: more than none once steps were lost.
+    zero: f64,
+    /// Longest way of a period, steps.
+    most: f64,
+    /// Longest way of a period in which the direction changes, steps.
+    most_turning: f64,
+    rotor: Rotor,
+}
+
+/// The drives of a machine, by step and direction pulses.
+///
+/// Guarantees, tested over random motion within the axes' limits: after every cycle the pulses count the set-point rounded to
+/// whole steps, and no two edges are closer than the driver allows. Set-points beyond the limits are followed as fast as pulses
+/// can be made.
+#[derive(Debug)]
+pub struct StepDrives {
+    axes: Vec<Stepped>,
+    lines: Lines,
+    standing: Standing,
+    tick_s: f64,
+    period_s: f64,
+    holds: bool,
+    q: Joints,
+    tap: Option<Producer<Event>>,
+    /// The stream has lost an edge.
+    torn: bool,
+}
+
+impl StepDrives {
+    /// Without power at the machine's home positions to the nearest step, references unknown.
+    ///
+    /// # Errors
+    /// Values in the machine file that make no motor.
+    pub fn new(machine: &Machine, device: &Steps) -> Result<Self, Error> {
+        let bad = |axis: &Axis, reason: String| Error::Drive { axis: axis.name.clone(), reason };
+        let (mut axes, mut lines) = (Vec::new(), Vec::new());
+        let mut q = Joints::default();
+        for (i, (axis, home)) in machine.axes.iter().zip(machine.home()).enumerate() {
+            let stepper = axis.stepper.as_ref().ok_or_else(|| bad(axis, "there is no stepper".to_owned()))?;
+            let timing = Timing::new(stepper, device.tick_s(), device.period).map_err(|e| bad(axis, e.to_string()))?;
+            let stepped = stepped(axis, stepper, &timing, home)?;
+            lines.push((timing, (home * stepped.steps_per_unit).round()));
+            q[i] = stepped.rotor.position();
+            axes.push(stepped);
+        }
+        let lines = Lines::new(&lines).map_err(|(i, e)| bad(&machine.axes[i], e.to_string()))?;
+        Ok(Self {
+            axes,
+            lines,
+            standing: Standing::new(machine.servo_period_s),
+            tick_s: device.tick_s(),
+            period_s: machine.servo_period_s,
+            holds: false,
+            q,
+            tap: None,
+            torn: false,
+        })
+    }
+
+    /// Every change of a line from now on, in the order of time; ticks begin with the first cycle. If nobody takes them while
+    /// there is no room for `room` of them all drives have a fault and stand still: what is played from the stream would lose steps.
+    pub fn tap(&mut self, room: usize) -> Consumer<Event> {
+        let (to, edges) = RingBuffer::new(room);
+        self.tap = Some(to);
+        edges
+    }
+
+    /// Pulses for a mm or rad of each axis.
+    pub fn steps_per_unit(&self) -> impl Iterator<Item = f64> {
+        self.axes.iter().map(|axis| axis.steps_per_unit)
+    }
+
+    /// Makes the pulses of a period, and has the rotors hear them.
+    fn play(&mut self, set: Option<&Joints>) {
+        let Self { axes, lines, tap, torn, tick_s, .. } = self;
+        let mut to = Joints::default();
+        for (i, (axis, generator)) in axes.iter().zip(lines.generators()).enumerate() {
+            to[i] = match set {
+                Some(set) if !*torn => axis.target(set[i], generator.position(), generator.positive()),
+                _ => generator.position(),
+            };
+        }
+        lines.advance_or_stay(to.into_iter());
+        while let Some(event) = lines.event() {
+            let rotor = &mut axes[event.axis].rotor;
+            match event.edge {
+                Edge::Fall => {}
+                Edge::Direction(positive) => rotor.turn(positive),
+                Edge::Rise => rotor.pulse(event.tick, *tick_s),
+            }
+            if let Some(tap) = tap {
+                *torn |= tap.push(event).is_err();
+            }
+        }
+    }
+}
+
+/// An axis at `home`.
+fn stepped(axis: &Axis, stepper: &Stepper, timing: &Timing, home: f64) -> Result<Stepped, Error> {
+    let bad = |reason: String| Error::Drive { axis: axis.name.clone(), reason };
+    let microsteps = stepper
+        .least_microsteps()
+        .ok_or_else(|| bad("the driver's finest setting does not meet the resolution".to_owned()))?;
+    let steps_per_unit = stepper.full_steps_per_unit() * f64::from(microsteps);
+    let start = (home * steps_per_unit).round();
+    let rotor = Rotor::new(axis, stepper, microsteps, start).map_err(|e| bad(e.to_string()))?;
+    let room = |ticks: u64| ticks as f64 / timing.spacing as f64;
+    let turn = timing.period.saturating_sub(timing.width + timing.hold + timing.setup);
+    Ok(Stepped {
+        steps_per_unit,
+        zero: 0.0,
+        most: room(timing.period) * (1.0 - 1e-6),
+        most_turning: (room(turn) - 2.0).max(0.0),
+        rotor,
+    })
+}
+
+impl Stepped {
+    /// Where the pulses are to be at the end of a period, steps: at `set`, or as far on the way there from `at` as pulses can be
+    /// made.
+    fn target(&self, set: f64, at: f64, positive: Option<bool>) -> f64 {
+        let way = set * self.steps_per_unit + self.zero - at;
+        let turns = positive.is_some_and(|positive| positive != (way > 0.0));
+        let most = if turns { self.most_turning } else { self.most };
+        if way.is_finite() { at + way.clamp(-most, most) } else { at }
+    }
+}
+
+impl Drives for StepDrives {
+    fn exchange(&mut self, orders: &Orders, report: &mut DriveReport) {
+        let (powered, follows) = self.standing.step(orders);
+        if follows && !self.holds {
+            // Steps that were lost are no way to go: the axes are where they are.
+            self.axes.iter_mut().for_each(|axis| axis.zero = axis.rotor.lost());
+        }
+        self.holds = follows;
+        let unknown = if self.standing.is_referenced() { 0.0 } else { UNKNOWN };
+        let mut set = Joints::default();
+        set.iter_mut().zip(&orders.set).for_each(|(set, order)| *set = order.position - unknown);
+        self.play(follows.then_some(&set));
+        let end_s = self.lines.end() as f64 * self.tick_s;
+        for (i, axis) in self.axes.iter_mut().enumerate() {
+            if powered {
+                axis.rotor.advance(end_s);
+            } else {
+                axis.rotor.rest(end_s);
+            }
+            self.q[i] = axis.rotor.position();
+            report.position[i] = self.q[i] + unknown;
+            report.following_error[i] = if follows { set[i] - self.q[i] } else { 0.0 };
+            report.current[i] = 0.0;
+        }
+        let all = (1 << self.axes.len()) - 1;
+        report.powered = powered;
+        report.referenced = if self.standing.is_referenced() { all } else { 0 };
+        report.fault = if self.torn { all } else { 0 };
+        (report.limit_switch, report.age_s) = (0, 0.0);
+        report.starts = report.starts.max(1);
+    }
+
+    /// The time of the pulses stands still while nobody asks.
+    fn rides_out(&self) -> u32 {
+        u32::MAX
+    }
+
+    fn late_s(&self) -> f64 {
+        LATE_PERIODS * self.period_s
+    }
+
+    fn truth(&self) -> Option<&Joints> {
+        Some(&self.q)
+    }
+}
+
+impl Drop for StepDrives {
+    /// No step line stays high.
+    fn drop(&mut self) {
+        let Some(tap) = &mut self.tap else { return };
+        while let Some(event) = self.lines.last_event() {
+            // Whoever has gone needs none.
+            let _ = tap.push(event);
+        }
+    }
+}

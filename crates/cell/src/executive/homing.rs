@@ -1,0 +1,98 @@
+//! Homing: the drives find their references, then axes go home in the order of the machine file.
+
+use super::bus::Devices;
+use super::core::Doing;
+use super::jogging::obey;
+use super::mode::{Event, Mode};
+use super::state::Port;
+use super::work::Work;
+use super::{Alarm, Executive};
+use seamwright_machine::{Joints, Level};
+use seamwright_motion::jog::{self, Jog, Signals};
+
+/// Least time for finding the references, s: old ones have to be forgotten first.
+const HOMING_LEAST_S: f64 = 0.1;
+/// Longest time for finding the references, s.
+const HOMING_S: f64 = 120.0;
+/// How often an axis on its way home is told where to and how fast, s.
+const SAID_S: f64 = 0.05;
+/// An axis this near to its home position is there, mm or rad.
+const THERE: f64 = 1e-6;
+
+impl<D: Devices, P: Port> Executive<'_, D, P> {
+    /// Looks for the references until they are known; the drives move the axes then, and say where they are. After that axes go
+    /// home.
+    pub(super) fn home(&mut self, work: Option<&Work<'_>>) {
+        let begun = self.now();
+        let mut found = false;
+        while self.mode == Mode::Homing && !found {
+            self.orders.home = true;
+            self.rest_at_actual();
+            self.tick(Doing::default(), work);
+            let took = self.now() - begun;
+            found = self.unreferenced() == 0 && took > HOMING_LEAST_S;
+            if took > HOMING_S && !found {
+                self.happened(Alarm::NoReference, 0);
+                self.event(Event::Abort);
+            }
+        }
+        // Where a reference is found positions change their meaning: what is held from here on is where the axes say they are.
+        self.orders.home = false;
+        self.take_actual();
+        if self.mode != Mode::Homing {
+            return;
+        }
+        // One executive at a time has a work: it never waits for it.
+        let mut hand = work.and_then(|work| work.hand.try_lock().ok());
+        match hand.as_deref_mut() {
+            _ if self.machine.home_order.is_empty() => {}
+            Some(Some(jog)) => self.go_home(jog, work),
+            _ => self.refuse_jog(),
+        }
+        if self.mode == Mode::Homing {
+            self.event(Event::Homed);
+        }
+    }
+
+    /// Axis after axis to its home position, as by hand: slowly, clear of everything, and back at rest whatever comes.
+    fn go_home(&mut self, jog: &mut Jog<'_>, work: Option<&Work<'_>>) {
+        let machine = self.machine;
+        let mut target = Joints::default();
+        target.iter_mut().zip(&self.orders.set).for_each(|(q, set)| *q = set.position);
+        if !jog.begin(&target) {
+            return self.refuse_jog();
+        }
+        self.busy = true;
+        let home = machine.home();
+        let mut axes = machine.home_order.iter();
+        let mut goes = axes.next();
+        let mut said = None;
+        while goes.is_some() || !jog.state().rests() {
+            let wants = goes.filter(|_| self.mode == Mode::Homing);
+            // Said again now and then, for another place and override; what is planned in every cycle anew may never end.
+            if said.is_none_or(|(axis, until)| axis != wants || self.now() >= until) {
+                let command = wants.map_or(jog::Command::Rest, |&axis| {
+                    target[axis] = home[axis];
+                    jog::Command::To(target)
+                });
+                obey(jog, machine, self.pace, command);
+                said = Some((wants, self.now() + SAID_S));
+            }
+            let enabled = self.interlocks.unmet(Level::Motion, self.reports.inputs) == 0;
+            let point = jog.step(&Signals { enabled, alive: true, hold: false });
+            self.set(&point.state.q, &point.state.speed, &point.state.acceleration);
+            self.tick(Doing::default(), work);
+            if !self.power {
+                break;
+            }
+            if self.mode != Mode::Homing {
+                goes = None;
+            } else if point.halt.is_some() {
+                self.refuse_jog();
+            } else if point.state.rests() && goes.is_some_and(|&axis| (point.state.q[axis] - home[axis]).abs() < THERE) {
+                goes = axes.next();
+            }
+        }
+        self.busy = false;
+    }
+}

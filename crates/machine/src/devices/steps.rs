@@ -1,0 +1,162 @@
+use crate::{Axis, AxisKind, MachineFile};
+use schemars::JsonSchema;
+use seamwright_document::{Document, DocumentError};
+use serde::Deserialize;
+
+/// The drives by step and direction pulses to the steppers of `[drives.<axis>.stepper]`.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StepsFile {
+    /// File or named pipe that the pulses go to as a value change dump, beside the machine file; none if missing.
+    pub stream: Option<String>,
+    /// Tick of the timer that makes the pulses, ns, 10 to 100000; 100 if missing. The period is a whole number of them.
+    pub tick_ns: Option<u32>,
+}
+
+/// The drives by step and direction pulses. Every axis has a stepper that meets its resolution with pulses that its driver
+/// takes, up to the axis' highest speed, and at reversals under its highest acceleration.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Steps {
+    /// File or named pipe that the pulses go to, beside the machine file.
+    pub stream: Option<String>,
+    /// Tick of the timer, ns.
+    pub tick_ns: u32,
+    /// Ticks of a period.
+    pub period: u64,
+}
+
+impl Steps {
+    /// Tick of the timer, s.
+    pub fn tick_s(&self) -> f64 {
+        f64::from(self.tick_ns) * 1e-9
+    }
+}
+
+/// Tick, if the file does not say, ns.
+const TICK_NS: u32 = 100;
+/// Part of the highest frequency left for the rounding of positions.
+const RESERVE: f64 = 1e-6;
+
+/// Checks one device for machines with these axes.
+pub(super) fn steps(
+    file: &Document<MachineFile>,
+    axes: &[Axis],
+    name: &str,
+    device: &StepsFile,
+) -> Result<Steps, DocumentError> {
+    let at = |key: &str| format!("devices.{name}.steps.{key}");
+    if let Some(stream) = device.stream.as_ref().filter(|stream| !stream.ends_with(".vcd") || stream.len() == 4) {
+        let message = format!("`{stream}` is no value change dump");
+        return Err(file.error_at(&at("stream"), message, "the path of a file that ends in .vcd, or no `stream`"));
+    }
+    let period_ns = 1e6 * file.value.servo_period_ms.map_or(1.0, seamwright_document::Positive::get);
+    let tick_ns = device.tick_ns.unwrap_or(TICK_NS);
+    let ticks = period_ns / f64::from(tick_ns);
+    if !(10..=100_000).contains(&tick_ns) || ticks < 1.0 || (ticks - ticks.round()).abs() > 1e-9 * ticks {
+        let allowed = format!("10 to 100000 ns, a whole number of times in the period of {period_ns} ns");
+        return Err(file.error_at(&at("tick_ns"), format!("the timer has ticks of {tick_ns} ns"), allowed));
+    }
+    let steps = Steps { stream: device.stream.clone(), tick_ns, period: ticks.round() as u64 };
+    for axis in axes {
+        check(file, name, axis, &steps)?;
+    }
+    Ok(steps)
+}
+
+/// The pulses that the motion of an axis may need can be made.
+fn check(file: &Document<MachineFile>, name: &str, axis: &Axis, steps: &Steps) -> Result<(), DocumentError> {
+    let Some(stepper) = &axis.stepper else {
+        let message = format!("axis `{}` has no stepper that could take pulses", axis.name);
+        let allowed = format!("[drives.{}.stepper], or other drives than `steps`", axis.name);
+        return Err(file.error_at(&format!("devices.{name}.steps"), message, allowed));
+    };
+    let linear = axis.kind == AxisKind::Linear;
+    let (unit, speed_unit) = if linear { ("mm", "mm/s") } else { ("deg", "deg/s") };
+    let at = |key: &str| format!("drives.{}.stepper.{key}", axis.name);
+    let Some(microsteps) = stepper.least_microsteps() else {
+        let finest = stepper.microsteps.last().copied().map_or(1.0, f64::from);
+        let finest = axis.to_file(1.0 / (stepper.full_steps_per_unit() * finest));
+        let message = "the driver's finest setting does not meet this";
+        return Err(file.error_at(&at(&format!("resolution_{unit}")), message, format!("{finest} {unit} or more")));
+    };
+    let per_unit = stepper.full_steps_per_unit() * f64::from(microsteps);
+    let driver = stepper.ticks(steps.tick_s());
+    let most_hz = (1.0 - RESERVE) / (driver.spacing as f64 * steps.tick_s());
+    let needed_hz = axis.max_speed * per_unit;
+    if needed_hz > most_hz {
+        let message = format!(
+            "axis `{}` needs {needed_hz:.0} pulses a second at its highest speed ({:.6} {speed_unit}, {microsteps} microsteps), and {most_hz:.0} can be made",
+            axis.name,
+            axis.to_file(axis.max_speed),
+        );
+        let allowed = format!(
+            "a highest speed up to {:.6} {speed_unit}, a coarser resolution_{unit}, or a quicker driver (max_pulse_hz, min_pulse_us)",
+            axis.to_file(most_hz / per_unit)
+        );
+        return Err(file.error_at(&at("max_pulse_hz"), message, allowed));
+    }
+    // The first pulse after a reversal comes within a step of where the axis turned, and then goes on at its acceleration.
+    let period_s = steps.period as f64 * steps.tick_s();
+    let (way, a) = (1.0 / per_unit, axis.max_acceleration);
+    let fastest = ((2.0 * a * way).sqrt() + 2.0 * a * period_s).min(axis.max_speed);
+    let pulses = (fastest * period_s * per_unit).ceil() as u64 + 1;
+    let turn = driver.width.saturating_add(driver.hold).saturating_add(driver.setup);
+    if turn.saturating_add(pulses * driver.spacing) > steps.period {
+        let most = steps.period.saturating_sub(pulses * driver.spacing + driver.width) as f64 * steps.tick_s() * 1e6;
+        let message = format!("after a reversal {pulses} pulses do not fit into the period any more");
+        let allowed = format!("direction_setup_us and direction_hold_us that make up to {most:.1} together");
+        return Err(file.error_at(&at("direction_setup_us"), message, allowed));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Machine, shipped};
+
+    fn read(devices: &str, change: (&str, &str)) -> Result<Machine, String> {
+        let text = shipped("torch-5axis").unwrap().text.replacen(change.0, change.1, 1);
+        Machine::read("m.toml", &format!("{text}\n{devices}")).map_err(|e| e.to_string())
+    }
+
+    #[test]
+    fn drives_by_pulses() {
+        let plain = read("[devices.drives.steps]", ("", "")).unwrap().devices.steps.unwrap();
+        assert_eq!((plain.stream.clone(), plain.tick_ns, plain.period), (None, 100, 10_000));
+        let named = "[devices.drives.steps]\nstream = \"out/pulses.vcd\"\ntick_ns = 500";
+        let named = read(named, ("", "")).unwrap().devices.steps.unwrap();
+        assert_eq!((named.stream.as_deref(), named.tick_ns, named.period), (Some("out/pulses.vcd"), 500, 2000));
+    }
+
+    #[test]
+    fn what_cannot_be_is_refused() {
+        let steps = "[devices.drives.steps]";
+        for (lines, change, key, allowed) in [
+            ("[devices.drives.steps]\ntick_ns = 3", ("", ""), "tick_ns", "10 to 100000"),
+            ("[devices.drives.steps]\ntick_ns = 300", ("", ""), "tick_ns", "whole number of times"),
+            ("[devices.drives.steps]\nstream = \"a.csv\"", ("", ""), "stream", ".vcd"),
+            ("[devices.drives.steps]\ndepth = 5", ("", ""), "depth", "tick_ns"),
+            ("[devices.a.steps]\n[devices.b.steps]", ("", ""), "devices.b.steps", "one device"),
+            ("[devices.a.linuxcnc]\n[devices.b.steps]", ("", ""), "devices.b.steps", "one device"),
+            ("[devices.a.steps]\n[devices.b.linuxcnc]", ("", ""), "devices.b.linuxcnc", "one device"),
+            // 320 pulses a mm: 32,000 a second at 100 mm/s.
+            (steps, ("max_pulse_hz = 200000", "max_pulse_hz = 31000"), "max_pulse_hz", "up to 96.87"),
+            (steps, ("max_pulse_hz = 200000", "max_pulse_hz = 32001"), "", ""),
+            // With ticks of 100 ns 15.64 us are 31,969 a second.
+            (steps, ("min_pulse_us = 2.5", "min_pulse_us = 7.8125"), "max_pulse_hz", "up to"),
+            (steps, ("resolution_mm = 0.005", "resolution_mm = 0.0001"), "resolution_mm", "0.000390625 mm or more"),
+            (steps, ("direction_setup_us = 5", "direction_setup_us = 990"), "direction_setup_us", "together"),
+        ] {
+            let result = read(lines, change);
+            if key.is_empty() {
+                assert!(result.is_ok(), "{lines} {change:?}: {result:?}");
+                continue;
+            }
+            let error = result.unwrap_err();
+            assert!(error.contains("m.toml") && error.contains(key) && error.contains(allowed), "{lines}: {error}");
+        }
+        let text = format!("{}\n{steps}", shipped("saddle-4axis").unwrap().text);
+        let error = Machine::read("m.toml", &text).unwrap_err().to_string();
+        assert!(error.contains("has no stepper") && error.contains("[drives."), "{error}");
+    }
+}
