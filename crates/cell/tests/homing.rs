@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Script, When, in_mode, up};
+use common::{Script, Seen, When, in_mode, up};
 use seamwright_cell::devices::{DeviceSet, SimulatedDrives, SimulatedInputs, SimulatedSource};
 use seamwright_cell::executive::{Alarm, Ask, Executive, Interlocks, Mode, Note, Work};
 use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
@@ -57,14 +57,13 @@ fn axes_go_home_in_order() {
         let wanted = if goes(i) { home[i] } else { from[i] };
         assert!((q[i] - wanted).abs() < 0.01, "{i}: {} {wanted}", q[i]);
     }
+    // Where the references come positions change their meaning: the drives' twins are off by 0.37 before.
+    let jumps = |pair: &[Seen]| (pair[1].q[1] - pair[0].q[1]).abs() > 0.3;
+    let known = script.cycles.windows(2).rposition(jumps).unwrap() + 1;
     let mut moved = Vec::new();
-    for pair in script.cycles[..=ready].windows(2) {
-        let goers: Vec<usize> = (0..5).filter(|i| (pair[1].q[*i] - pair[0].q[*i]).abs() > 1e-12).collect();
-        // Where the references come positions change their meaning.
-        if pair[0].mode != Mode::Homing || goers.len() == 5 {
-            continue;
-        }
-        assert!(goers.len() <= 1, "{goers:?}");
+    for pair in script.cycles[known..=ready].windows(2) {
+        let goers: Vec<usize> = (0..5).filter(|i| (pair[1].q[*i] - pair[0].q[*i]).abs() > 1e-9).collect();
+        assert!(goers.len() <= 1, "{goers:?} {pair:?}");
         for i in goers {
             assert!((pair[1].q[i] - pair[0].q[i]).abs() <= machine.axes[i].max_speed * period * 1.001);
             moved.push(i);

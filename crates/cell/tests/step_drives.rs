@@ -132,7 +132,13 @@ fn the_count_is_the_rounded_set_point() {
 /// A set-point that jumps is gone to as fast as the driver takes pulses, back and forth.
 #[test]
 fn a_jump_is_caught_up_with() {
-    let machine = machine(&[("\nrotor_inertia_kg_m2", "\n#"), ("\nrotor_friction_n_m", "\n#"), ("\ntorque_rpm", "\n#"), ("\ntorque_n_m", "\n#")]).unwrap();
+    let machine = machine(&[
+        ("\nrotor_inertia_kg_m2", "\n#"),
+        ("\nrotor_friction_n_m", "\n#"),
+        ("\ntorque_rpm", "\n#"),
+        ("\ntorque_n_m", "\n#"),
+    ])
+    .unwrap();
     let (mut drives, mut orders, mut report) = ready(&machine);
     let mut lines = drives.tap(1 << 14);
     let mut driver = Driver::default();

@@ -1,3 +1,4 @@
+use super::VALUES;
 use super::alarm_list::{AlarmList, Place};
 use super::bus::{Devices, Orders, Reports};
 use super::command::{Ask, Command};
@@ -8,7 +9,6 @@ use super::process::Process;
 use super::state::{Cycle, Missing, Note, Port, Status};
 use super::supervision::Supervision;
 use super::work::Work;
-use super::VALUES;
 use seamwright_machine::{Joints, MAX_AXES, Machine};
 use seamwright_motion::jog;
 use seamwright_motion::pace::RunPhase;

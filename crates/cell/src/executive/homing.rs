@@ -16,7 +16,7 @@ const HOMING_LEAST_S: f64 = 0.1;
 const HOMING_S: f64 = 120.0;
 /// How often an axis on its way home is told where to and how fast, s.
 const SAID_S: f64 = 0.05;
-/// An axis this near to its home position is there, mm or rad.
+/// An axis this near to its home position, mm or rad, and this slow, mm/s or rad/s, is there.
 const THERE: f64 = 1e-6;
 
 impl<D: Devices, P: Port> Executive<'_, D, P> {
@@ -89,10 +89,15 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
                 goes = None;
             } else if point.halt.is_some() {
                 self.refuse_jog();
-            } else if point.state.rests() && goes.is_some_and(|&axis| (point.state.q[axis] - home[axis]).abs() < THERE) {
+            } else if goes.is_some_and(|&axis| is_there(&point.state, axis, home[axis])) {
                 goes = axes.next();
             }
         }
         self.busy = false;
     }
+}
+
+/// The axis has come to its place; what is left of its speed by rounding ends with the next order.
+fn is_there(state: &jog::State, axis: usize, place: f64) -> bool {
+    (state.q[axis] - place).abs() < THERE && state.speed[axis].abs() < THERE
 }

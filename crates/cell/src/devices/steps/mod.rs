@@ -141,7 +141,8 @@ impl Stepped {
     /// made.
     fn target(&self, set: f64, at: f64, positive: Option<bool>) -> f64 {
         let way = set * self.steps_per_unit + self.zero - at;
-        let turns = positive.is_some_and(|positive| positive != (way > 0.0));
+        // The direction line is set for the first pulse of all, too.
+        let turns = positive.is_none_or(|positive| positive != (way > 0.0));
         let most = if turns { self.most_turning } else { self.most };
         if way.is_finite() { at + way.clamp(-most, most) } else { at }
     }
