@@ -91,7 +91,8 @@ fn check_registers(welding: &Welding, machine: &Machine) -> Result<(), Failure> 
                 let Some((least, most)) = pass.process_range(name) else { continue };
                 let outside = [least, most].into_iter().find(|value| !(low..=high).contains(value));
                 let Some(value) = outside else { continue };
-                let table = if Program::is_in(program.text()) { &format!("passes[{i}].spans[0]") } else { "weld" };
+                let inside = Program::is_in(program.text());
+                let table = if inside { format!("passes[{i}].spans[0]") } else { "weld".to_owned() };
                 let message = format!(
                     "pass {} asks for {value} of `{name}`, which its register ({}) of device `{}` cannot hold",
                     i + 1,
