@@ -141,8 +141,8 @@ fn a_jump_is_caught_up_with() {
     .unwrap();
     let (mut drives, mut orders, mut report) = ready(&machine);
     let mut lines = drives.tap(1 << 14);
-    let mut driver = Driver::default();
-    driver.count = (report.position[0] * drives.steps_per_unit().next().unwrap()).round() as i64;
+    let count = (report.position[0] * drives.steps_per_unit().next().unwrap()).round() as i64;
+    let mut driver = Driver { count, ..Driver::default() };
     let from = report.position[0];
     for jump in [50.0, -70.0, 0.01, -0.02, 3.0] {
         orders.set[0].position = from + jump;

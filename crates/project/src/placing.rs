@@ -159,7 +159,7 @@ mod tests {
         for seed in 0..200 {
             let mut next = numbers(seed);
             let (part, radius) = (frame(&mut next), if seed % 2 == 0 { 0.0 } else { 1.5 });
-            let mut on = |x: f64, y: f64| part.transform_point3(DVec3::new(x, y, radius));
+            let on = |x: f64, y: f64| part.transform_point3(DVec3::new(x, y, radius));
             let face = [on(0.0, 0.0), on(200.0, 3.0), on(-20.0, 150.0), on(80.0, 90.0)];
             let (o, d) = (on(0.0, 0.0), on(if seed % 3 == 0 { 30.0 } else { 250.0 }, 0.0));
             // Nominally it lies otherwise, and about the normal anyhow.

@@ -46,6 +46,18 @@ fn joints(machine: &Machine) -> Vec<Option<JointView>> {
     (0..machine.links.count()).map(view).collect()
 }
 
+/// Its axes, as their file says them.
+pub(super) fn axes(machine: &Machine) -> Vec<AxisView> {
+    let view = |axis: &seamwright_machine::Axis| AxisView {
+        name: axis.name.clone(),
+        unit: if axis.kind == AxisKind::Rotary { "deg" } else { "mm" }.to_owned(),
+        range: axis.range.map(|(from, to)| (axis.to_file(from), axis.to_file(to))),
+        home: axis.to_file(axis.home),
+        max_speed: axis.to_file(axis.max_speed),
+    };
+    machine.axes.iter().map(view).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::machine_view;
@@ -97,16 +109,4 @@ mod tests {
             assert!(corner.z.abs() < 1e-6 && corner.x.abs() < 26.0 && corner.y.abs() < 26.0, "{field:?}");
         }
     }
-}
-
-/// Its axes, as their file says them.
-pub(super) fn axes(machine: &Machine) -> Vec<AxisView> {
-    let view = |axis: &seamwright_machine::Axis| AxisView {
-        name: axis.name.clone(),
-        unit: if axis.kind == AxisKind::Rotary { "deg" } else { "mm" }.to_owned(),
-        range: axis.range.map(|(from, to)| (axis.to_file(from), axis.to_file(to))),
-        home: axis.to_file(axis.home),
-        max_speed: axis.to_file(axis.max_speed),
-    };
-    machine.axes.iter().map(view).collect()
 }

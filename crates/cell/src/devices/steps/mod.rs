@@ -101,7 +101,7 @@ impl StepDrives {
                 _ => generator.position(),
             };
         }
-        lines.advance_or_stay(to.into_iter());
+        lines.advance_or_stay(to);
         while let Some(event) = lines.event() {
             let rotor = &mut axes[event.axis].rotor;
             match event.edge {
