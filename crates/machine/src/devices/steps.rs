@@ -139,9 +139,9 @@ mod tests {
             ("[devices.a.steps]\n[devices.b.steps]", ("", ""), "devices.b.steps", "one device"),
             ("[devices.a.linuxcnc]\n[devices.b.steps]", ("", ""), "devices.b.steps", "one device"),
             ("[devices.a.steps]\n[devices.b.linuxcnc]", ("", ""), "devices.b.linuxcnc", "one device"),
-            // 320 pulses a mm: 32,000 a second at 100 mm/s.
-            (steps, ("max_pulse_hz = 200000", "max_pulse_hz = 31000"), "max_pulse_hz", "up to 96.87"),
-            (steps, ("max_pulse_hz = 200000", "max_pulse_hz = 32001"), "", ""),
+            // 320 pulses a mm: 32,000 a second at 100 mm/s. With ticks of 100 ns 31,000 Hz are 323 ticks, 32,052 Hz 312 ticks.
+            (steps, ("max_pulse_hz = 200000", "max_pulse_hz = 31000"), "max_pulse_hz", "up to 96.749"),
+            (steps, ("max_pulse_hz = 200000", "max_pulse_hz = 32052"), "", ""),
             // With ticks of 100 ns 15.64 us are 31,969 a second.
             (steps, ("min_pulse_us = 2.5", "min_pulse_us = 7.8125"), "max_pulse_hz", "up to"),
             (steps, ("resolution_mm = 0.005", "resolution_mm = 0.0001"), "resolution_mm", "0.000390625 mm or more"),

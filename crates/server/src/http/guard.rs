@@ -107,12 +107,12 @@ fn allowed(need: &Need, action: &str, method: &Method, headers: &HeaderMap) -> R
         return Err(Refused::new(StatusCode::FORBIDDEN, "role", text.to_lowercase()));
     }
     if writes(method) {
-        is_of(need.takes, headers)?;
         let token = text(headers, TOKEN).unwrap_or_default();
         if !same(token.as_bytes(), session.token.as_bytes()) {
             let text = format!("the header `{TOKEN}` must carry the session's token");
             return Err(Refused::new(StatusCode::FORBIDDEN, "token", text));
         }
+        is_of(need.takes, headers)?;
     }
     Ok(session)
 }
