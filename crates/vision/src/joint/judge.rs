@@ -12,6 +12,8 @@ const ERROR: f32 = 0.52;
 const UNLIKE: f32 = 1.45;
 /// Asymmetry of the valley, pixels.
 const ASYMMETRY: f32 = 1.25;
+/// How far a row is off the smooth line through others, beyond its standard error, pixels.
+const BUMP: f32 = 1.5;
 
 /// Rows next to one across which the light steps: its edge may lie beside the joint there, or be taken for it.
 const STEP: usize = 16;
@@ -27,6 +29,7 @@ pub(super) fn row(found: &Found, scale: f32, whole: bool) -> f32 {
         found.error * scale / ERROR,
         found.unlike / UNLIKE,
         found.asymmetry * scale / ASYMMETRY,
+        (found.bump - found.error).max(0.0) * scale / BUMP,
     ];
     // The greatest doubt counts most.
     1.0 / (1.0 + doubts.iter().map(|d| d.powi(3)).sum::<f32>())

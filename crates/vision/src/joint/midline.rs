@@ -26,6 +26,8 @@ const ERROR: f32 = 0.15;
 /// On levels where noise is little, rims that tell another middle than the rest of the profile by more than this part of the width
 /// are right: something beside the joint weighs on the rest.
 const OTHER: f32 = 0.2;
+/// Rows between those that a smooth line goes through: bumps are as short as the one and as long as the other.
+const BUMP: [usize; 2] = [10, 20];
 /// Light steps if it does by more than this part of the depth and so many standard errors.
 const STEP: f32 = 0.3;
 const STEP_ERRORS: f32 = 3.5;
@@ -52,6 +54,8 @@ pub(super) struct Found {
     pub(super) asymmetry: f32,
     /// How much less the rows about look like the joint than most do: 1 at the limit.
     pub(super) unlike: f32,
+    /// How far the middle stands off the smooth line through others before and after, pixels.
+    pub(super) bump: f32,
 }
 
 /// The whole way once more along the trail: the best path, by all that is seen of it, and the middle between pixels.
@@ -222,6 +226,25 @@ impl Midline {
             }
             self.rows[i].asymmetry = slow.0;
             self.rows[i].width = slow.1.map_or(width, |[left, right]| right - left);
+        }
+        self.find_bumps();
+    }
+
+    /// How far each row is off the cubic through two rows before it and two after, at equal distances: what a joint's bend does
+    /// not explain. A second joint or a scratch pulls the middle aside so.
+    fn find_bumps(&mut self) {
+        for (i, apart) in (0..self.rows.len()).flat_map(|i| BUMP.map(|apart| (i, apart))) {
+            let last = self.rows.len() - 1;
+            if i < 2 * apart || i + 2 * apart > last {
+                continue;
+            }
+            let five = [i - 2 * apart, i - apart, i, i + apart, i + 2 * apart].map(|k| self.rows[k]);
+            if five.iter().all(|row| row.seen) {
+                let [a, b, c, d, e] = five.map(|row| row.at);
+                let [x, y] = [0, 1].map(|k| c[k] - (4.0 * (b[k] + d[k]) - a[k] - e[k]) / 6.0);
+                let [cos, sin] = self.stations[i].tangent;
+                self.rows[i].bump = self.rows[i].bump.max((y * cos - x * sin).abs());
+            }
         }
     }
 

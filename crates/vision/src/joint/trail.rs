@@ -244,12 +244,12 @@ impl Trail {
 
     /// Where the light steps, so does the joint's depth: what is as dark as the joint was but not as deep is the joint too.
     fn see_in_other_light(&mut self, look: &mut Look, free: f32) -> f32 {
-        for part in [0.5, 2.0] {
+        for part in [0.5, 2.0, 0.25, 4.0] {
             let contrast = part * look.contrast;
             let score = self.find(contrast, free);
             self.judge(contrast);
             let seen = self.seen.iter().filter(|s| **s).count();
-            if 4 * seen >= 3 * ROWS && self.floor(look.width) < look.floor + LIKE_FLOOR * contrast.min(look.contrast) {
+            if 4 * seen >= 3 * ROWS && self.floor(look.width) < look.floor + LIKE_FLOOR * look.contrast {
                 look.contrast = contrast;
                 return score;
             }
