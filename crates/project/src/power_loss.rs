@@ -100,7 +100,7 @@ pub struct Places {
     thread: JoinHandle<Result<Journal, seamwright_record::Error>>,
 }
 
-/// Begins to keep places in `journal`. What is on the disk is older than the weld by [`JOURNAL_S`] and the time of one write at
+/// Begins to keep places in `journal`. What is on the disk is older than the weld by 50 ms and the time of one write at
 /// most, however slow the disk is.
 pub fn writer(mut journal: Journal) -> Places {
     let waiting = Arc::new(Waiting::default());
