@@ -29,7 +29,7 @@ pub(super) fn row(found: &Found, scale: f32, whole: bool) -> f32 {
         found.error * scale / ERROR,
         found.unlike / UNLIKE,
         found.asymmetry * scale / ASYMMETRY,
-        (found.bump - 3.0 * found.error).max(0.0) * scale / BUMP,
+        (found.bump - found.error).max(0.0) * scale / BUMP,
     ];
     // The greatest doubt counts most.
     1.0 / (1.0 + doubts.iter().map(|d| d.powi(3)).sum::<f32>())
