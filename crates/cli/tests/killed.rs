@@ -4,8 +4,7 @@
 mod common;
 
 use common::{bad, free_example, good, run, run_with};
-use parquet::file::reader::{FileReader, SerializedFileReader};
-use parquet::record::RowAccessor;
+use seamwright_record::trace::Trace;
 use serde_json::Value;
 use std::io::{Read as _, Write as _};
 use std::path::Path;
@@ -42,7 +41,7 @@ fn job(folder: &Path) -> String {
     path.display().to_string()
 }
 
-/// The last place that a run told of before it was killed: mode, pass, mm.
+/// The last place that a run told of before it was killed: whether in the pass, mm.
 fn last_place(text: &str) -> Option<(bool, f64)> {
     let line = text.lines().rfind(|line| line.contains("state") && line.contains("inputs"))?;
     let s = line.split(", s ").nth(1)?.split(' ').next()?.parse().ok()?;
@@ -51,13 +50,10 @@ fn last_place(text: &str) -> Option<(bool, f64)> {
 
 /// Rows of a trace while the arc is on: mm along the pass.
 fn welded(trace: &Path) -> Vec<f64> {
-    let reader = SerializedFileReader::new(std::fs::File::open(trace).unwrap()).unwrap();
-    let names: Vec<String> =
-        reader.metadata().file_metadata().schema_descr().columns().iter().map(|c| c.name().to_owned()).collect();
-    let column = |name: &str| names.iter().position(|n| n == name).unwrap();
-    let (arc, s) = (column("arc"), column("s_mm"));
-    let rows = reader.get_row_iter(None).unwrap().map(|row| row.unwrap());
-    rows.filter(|row| row.get_ubyte(arc).unwrap() > 0).map(|row| row.get_double(s).unwrap()).collect()
+    let mut rows = Vec::new();
+    let keep = |v: &[f64]| rows.extend((v[0] > 0.0).then_some(v[1]));
+    Trace::open(trace).unwrap().read(&["arc", "s_mm"], keep).unwrap();
+    rows
 }
 
 /// Welds from `from`, mm, and is killed after `after`; the end of the bead as the killed run last told it.

@@ -10,7 +10,6 @@ pub mod offset;
 mod outside;
 pub mod overlay;
 pub mod part;
-pub mod placing;
 pub mod posting;
 pub mod power_loss;
 pub mod recording;

@@ -4,6 +4,7 @@
 //!
 //! - [`fit_pairs`]: points that have a nominal place each.
 //! - [`plane_line_point`]: touches of three faces that define the frame.
+//! - [`three_points`]: a plane with two marks on it; [`chuck`]: a face and a round.
 //! - [`best_fit`]: touches of surfaces with a [`SignedDistance`](crate::SignedDistance).
 //! - [`run_out`]: touches around a tube that turns about its nominal axis.
 
@@ -11,6 +12,7 @@ mod best;
 mod datums;
 mod motion;
 mod pairs;
+mod placing;
 mod run_out;
 mod statistics;
 mod twist;
@@ -19,6 +21,7 @@ pub use best::{BestFit, Touch, best_fit};
 pub use datums::{DatumFit, plane_line_point};
 pub use motion::Motion;
 pub use pairs::{PairFit, fit_pairs};
+pub use placing::{Placing, chuck, three_points};
 pub use run_out::{RunOut, run_out};
 pub use statistics::{outliers, rms};
 pub use twist::Deviation;

@@ -80,19 +80,16 @@ impl Lines {
         Ok(())
     }
 
-    /// The same, but an axis that cannot get to its position in time stays where it is for this period. How many stayed.
-    pub fn advance_or_stay(&mut self, to: impl IntoIterator<Item = f64>) -> usize {
+    /// The same, but an axis that cannot get to its position in time stays where it is for this period.
+    pub fn advance_or_stay(&mut self, to: impl IntoIterator<Item = f64>) {
         (self.begin, self.end) = (self.end, self.end + self.period);
-        let mut stayed = 0;
         for (line, to) in self.lines.iter_mut().zip(to) {
             line.train = line.generator.period(to).unwrap_or_else(|_| {
-                stayed += 1;
                 line.generator.stay();
                 Train::default()
             });
             line.begin_period(self.begin);
         }
-        stayed
     }
 
     /// The next event of this period in the order of time; in one tick falling edges come first, then directions.

@@ -4,10 +4,10 @@ use crate::wire::{PlaceAnswer, PlaceMethod, PlaceText, TouchedPoint};
 use axum::Json;
 use axum::extract::State;
 use glam::{DAffine3, DVec3};
-use seamwright_geometry::fit::{Touch, best_fit, outliers, plane_line_point, rms};
+use seamwright_geometry::fit::{Touch, best_fit, chuck, outliers, plane_line_point, rms, three_points};
 use seamwright_program::Program;
 use seamwright_project::load::{Loaded, load_foreign};
-use seamwright_project::{offset, placing};
+use seamwright_project::offset;
 use seamwright_weld::SeamSurfaces;
 use std::sync::Arc;
 
@@ -121,7 +121,7 @@ fn faces(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Foun
 /// A plane of the part and two marks on it.
 fn marks(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
     let [plane, origin, direction] = ["plane", "origin", "direction"].map(|feature| of(points, feature));
-    let found = placing::three_points([&plane, &origin, &direction], radius, &program.work_offset());
+    let found = three_points([&plane, &origin, &direction], radius, &program.work_offset());
     let found = found.map_err(|e| refused(&e))?;
     let [plane, origin, direction] = &found.residuals;
     let residuals = in_order(points, [("plane", plane), ("origin", origin), ("direction", direction)]);
@@ -132,7 +132,7 @@ fn marks(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Foun
 /// A round part in a chuck.
 fn round(program: &Program, points: &[TouchedPoint], radius: f64) -> Result<Found, Refused> {
     let [face, round] = ["face", "round"].map(|feature| of(points, feature));
-    let found = placing::chuck(&face, &round, radius, &program.work_offset())
+    let found = chuck(&face, &round, radius, &program.work_offset())
         .map_err(|e| Refused::input(format!("{e}; allowed: more points, spread over the face and all round")))?;
     let [face, round, _] = &found.residuals;
     let residuals = in_order(points, [("face", face), ("round", round)]);
