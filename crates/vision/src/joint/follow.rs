@@ -3,7 +3,7 @@ use super::end::{Cut, cut};
 use super::levels::{Levels, Picture, from_level, to_level};
 use super::midline::Midline;
 use super::trail::{Limits, Look, ROWS, Stop, Trail};
-use super::{End, Joint, Options, Row, Start, State, Zone, judge};
+use super::{CONFIDENT, End, Joint, Options, Row, Start, State, Zone, judge};
 use crate::Frame;
 use std::f32::consts::PI;
 
@@ -118,7 +118,7 @@ impl Follower {
         tell(
             &mut self.midline,
             &picture,
-            (level, self.trail.solid, stop, gap),
+            (level, look.width, self.trail.solid, stop, gap),
             self.options.on_joint,
             &mut self.joint.rows,
         )
@@ -129,14 +129,14 @@ impl Follower {
 fn tell(
     midline: &mut Midline,
     picture: &Picture,
-    (level, solid, stop, gap): (usize, usize, Stop, f32),
+    (level, width, solid, stop, gap): (usize, f32, usize, Stop, f32),
     on_joint: bool,
     out: &mut Vec<Row>,
 ) -> End {
     let scale = (1 << level) as f32;
     let Some(Cut { rows, end, beyond }) = cut(&midline.rows, solid, stop, gap) else { return End::Lost };
     if end == End::JointEnd {
-        midline.end_before(rows);
+        midline.end_before(rows, width);
     }
     for (i, found) in midline.rows[..rows].iter().enumerate() {
         let confidence = judge::row(found, scale, midline.is_whole(i, picture));
@@ -146,6 +146,7 @@ fn tell(
     }
     bridge(out);
     judge::steps(out, &midline.rows[..rows]);
+    judge::gaps(out, &midline.rows[..rows]);
     if end == End::JointEnd {
         place_end(out, rows as f32 - 0.5 + beyond);
     }
@@ -154,7 +155,9 @@ fn tell(
     if !on_joint {
         judge::length(out, end);
     }
-    end
+    // What is nowhere sure is not known to lead out of the frame.
+    let unsure = out.iter().all(|r| r.confidence < CONFIDENT);
+    if unsure && end == End::LeftImage { End::Lost } else { end }
 }
 
 /// Puts coasted rows on the straight line between the seen ones before and after: what the best path does there is chance.

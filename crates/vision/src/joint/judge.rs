@@ -1,5 +1,6 @@
 use super::midline::Found;
 use super::{End, Row, State};
+use std::ops::Range;
 
 // Each of these alone makes a row half confident.
 /// Nats by which the path is likelier than any other.
@@ -7,7 +8,7 @@ const MARGIN: f32 = 12.0;
 /// Nats by which a joint is likelier than none.
 const STRENGTH: f32 = 5.0;
 /// Standard error, pixels.
-const ERROR: f32 = 0.52;
+const ERROR: f32 = 0.5;
 /// How unlike the rest of the joint.
 const UNLIKE: f32 = 1.45;
 /// Asymmetry of the valley, pixels.
@@ -15,6 +16,19 @@ const ASYMMETRY: f32 = 1.25;
 /// How far a row is off the smooth line through others, beyond its standard error, pixels.
 const BUMP: f32 = 1.5;
 
+/// Rows that tell the way before and behind a gap ...
+const HEADING: usize = 16;
+/// ... and by how much it turns at most at its rims, rad, and for each pixel of it.
+const KINK: f32 = 0.25;
+const KINK_OVER: f32 = 0.006;
+/// Stretches before and behind a gap are at least this part as deep as each other.
+const AS_DEEP: f32 = 0.5;
+/// A stretch is much longer than another one if it is longer than so many of it.
+const MUCH_LONGER: usize = 3;
+/// A scratch that meets another one turns at once: rows next to a turn that are left out, and rows before and after that tell ...
+const ANGLE: (usize, usize) = (5, 25);
+/// ... how much sharper it is than their own bend, rad.
+const SHARP: f32 = 0.2;
 /// Rows next to one across which the light steps: its edge may lie beside the joint there, or be taken for it.
 const STEP: usize = 16;
 
@@ -87,6 +101,54 @@ pub(super) fn rims(rows: &mut [Row], end: End, on_joint: bool) {
     }
 }
 
+/// Takes the confidence from the stretches before and behind a gap at which the way turns more sharply than a joint may, or that
+/// are not as deep as each other: one of them, the shorter if it is much shorter, is something else.
+pub(super) fn gaps(rows: &mut [Row], found: &[Found]) {
+    let gap_from = |rows: &[Row], from: usize| {
+        let missed = |i: &usize| rows[*i..].iter().take(RIM).all(|r| r.state == State::Coasted);
+        (from..rows.len().saturating_sub(RIM)).find(missed).unwrap_or(rows.len())
+    };
+    let seen_from = |rows: &[Row], from: usize| (from..rows.len()).find(|i| rows[*i].state == State::Seen);
+    let (mut before, mut gap) = (0, gap_from(rows, 0));
+    while let Some(seen) = seen_from(rows, gap) {
+        let until = gap_from(rows, seen);
+        let (first, second) = (before..gap, seen..until);
+        if gap > before && (is_kinked(rows, (before, gap), (seen, until)) || differ(found, (&first, &second))) {
+            // What is much longer is the joint.
+            let wrong = match (first.len(), second.len()) {
+                (a, b) if a > MUCH_LONGER * b => second,
+                (a, b) if b > MUCH_LONGER * a => first,
+                _ => before..until,
+            };
+            rows[wrong].iter_mut().for_each(unsure);
+        }
+        (before, gap) = (seen, until);
+    }
+}
+
+/// True if the joint is much deeper in one stretch than in the other.
+fn differ(found: &[Found], stretches: (&Range<usize>, &Range<usize>)) -> bool {
+    let depth = |rows: &Range<usize>| {
+        let seen = found[rows.clone()].iter().filter(|f| f.seen);
+        let (sum, count) = seen.fold((0.0, 0.0), |(sum, count), f| (sum + f.own_depth, count + 1.0));
+        sum / count
+    };
+    let (a, b) = (depth(stretches.0), depth(stretches.1));
+    a.min(b) < AS_DEEP * a.max(b)
+}
+
+/// True if the way from one stretch over a gap into the next one turns too sharply at either.
+fn is_kinked(rows: &[Row], (before, gap): (usize, usize), (seen, until): (usize, usize)) -> bool {
+    let way = |a: Row, b: Row| [b.x - a.x, b.y - a.y];
+    let (last, next) = (rows[gap - 1], rows[seen]);
+    let over = way(last, next);
+    let into = way(rows[before.max(gap.saturating_sub(HEADING))], last);
+    let out = way(next, rows[(until - 1).min(seen + HEADING)]);
+    let turn = |a: [f32; 2], b: [f32; 2]| (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]).abs();
+    let most = KINK + KINK_OVER * over[0].hypot(over[1]);
+    turn(into, over) > most || turn(over, out) > most
+}
+
 /// Takes the confidence from rows near a step of the light.
 pub(super) fn steps(rows: &mut [Row], found: &[Found]) {
     for (i, _) in found.iter().enumerate().filter(|(_, f)| f.stepped) {
@@ -101,18 +163,46 @@ fn unsure(row: &mut Row) {
 
 /// Takes the confidence from a line of which no stretch without a long gap is longer than a scratch.
 pub(super) fn length(rows: &mut [Row], end: End) {
+    if !matches!(end, End::JointEnd | End::Lost) {
+        return;
+    }
+    let narrow = rows.iter().filter(|r| r.width < NARROW).count() > rows.len() / 2;
     let (mut longest, mut length, mut missed) = (0.0f32, 0.0, 0);
-    for pair in rows.windows(2) {
+    for i in 1..rows.len() {
+        let pair = [rows[i - 1], rows[i]];
         if pair.iter().all(|r| r.state == State::Seen) {
-            length = if missed > RIM { 0.0 } else { length } + (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y);
+            let ended = missed > RIM || narrow && is_angle(rows, i);
+            length = if ended { 0.0 } else { length } + (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y);
             (longest, missed) = (longest.max(length), 0);
         } else {
             missed += 1;
         }
     }
-    let narrow = rows.iter().filter(|r| r.width < NARROW).count() > rows.len() / 2;
     let least = if narrow { SHORT_AND_NARROW } else { SHORT };
-    if matches!(end, End::JointEnd | End::Lost) && longest < least {
+    // What does not begin at the start may be a scratch beside it, or several.
+    let apart = rows.iter().take(RIM).all(|r| r.state == State::Coasted);
+    let least = if apart { 2.0 * least } else { least };
+    if longest < least {
         rows.iter_mut().for_each(unsure);
     }
+}
+
+/// True where the way before row `i` and the way behind it are straighter than the turn between them.
+fn is_angle(rows: &[Row], i: usize) -> bool {
+    let (near, arm) = ANGLE;
+    if i < near + arm || i + near + arm >= rows.len() {
+        return false;
+    }
+    let heading = |a: usize, b: usize| (rows[b].y - rows[a].y).atan2(rows[b].x - rows[a].x);
+    let turn = |a: f32, b: f32| {
+        let (sin, cos) = (b - a).sin_cos();
+        sin.atan2(cos)
+    };
+    let (first, last) = (i - near - arm, i + near + arm);
+    let (before, after) = (i - near - arm / 2, i + near + arm / 2);
+    let own =
+        turn(heading(first, before), heading(before, i - near)) + turn(heading(i + near, after), heading(after, last));
+    let between = turn(heading(first, i - near), heading(i + near, last));
+    // Two halves of an arm are half an arm apart, the two arms an arm and twice the way near the row.
+    (between - own * (2 * near + arm) as f32 / arm as f32).abs() > SHARP
 }

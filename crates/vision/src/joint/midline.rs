@@ -21,6 +21,8 @@ const USUAL: f32 = 1.6;
 const LIKE: f32 = 0.06;
 /// Rows before and after that a parabola through the middles is fitted to, least and most.
 const LINE: (usize, usize) = (6, even::MOST);
+/// Longer lines than this before and after are no parabolas where a joint bends to and fro, pixels of the frame.
+const LONGEST: f32 = 72.0;
 /// What the midline's standard error should be, pixels of the frame.
 const ERROR: f32 = 0.15;
 /// On levels where noise is little, rims that tell another middle than the rest of the profile by more than this part of the width
@@ -178,7 +180,7 @@ impl Midline {
         self.centre.extend((0..count).map(|i| column_about(&self.path, i, 4)));
         self.readings.resize(count, Reading::default());
         self.arms.resize(count, [[0.0; REACH]; 2]);
-        for round in 0..3 {
+        for round in 0..2 {
             for i in 0..count {
                 self.readings[i] = profile.read(&self.strip.grey[i], self.centre[i], &mut self.arms[i]);
             }
@@ -322,14 +324,29 @@ impl Midline {
             count += 1;
         }
         let variance = sum / (6 * count.max(1)) as f32 * scale * scale;
-        ((variance / (ERROR * ERROR)) as usize).clamp(LINE.0, LINE.1)
+        let most = ((LONGEST / scale) as usize).clamp(LINE.0, LINE.1);
+        ((variance / (ERROR * ERROR)) as usize).clamp(LINE.0, most)
     }
 
-    /// Finds the last rows of a joint that ends before row `end` once more, without what is behind it.
-    pub(super) fn end_before(&mut self, end: usize) {
-        for i in end.saturating_sub(self.line)..end {
-            let (centre, _) = self.fit(i, self.line, end);
-            self.rows[i].at = self.stations[i].beside(centre - MID as f32);
+    /// Finds the last rows of a joint of `width` that ends before row `end` once more, without what is behind it. The last row is
+    /// in part behind it.
+    pub(super) fn end_before(&mut self, end: usize, width: f32) {
+        let (from, whole) = (end.saturating_sub(self.line), end.saturating_sub(1));
+        let profile = Profile::new(width);
+        let mut arms = [[0.0; REACH]; 2];
+        let depth = self.rows[from..whole].iter().map(|r| r.own_depth).sum::<f32>() / (whole - from).max(1) as f32;
+        for _ in 0..3 {
+            for i in from..whole {
+                let moment = profile.read(&self.strip.grey[i], self.centre[i], &mut arms).moment;
+                self.single[i] = self.centre[i] + (moment / depth.max(1e-3)).clamp(-0.5 * width, 0.5 * width);
+            }
+            self.place_middles();
+            for i in from..end {
+                self.centre[i] = self.fit(i, self.line, whole).0;
+            }
+        }
+        for i in from..end {
+            self.rows[i].at = self.stations[i].beside(self.centre[i] - MID as f32);
         }
     }
 

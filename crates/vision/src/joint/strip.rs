@@ -20,6 +20,10 @@ const STANDS_OUT: f32 = 2.2;
 const NOISE_ROWS: usize = 100;
 /// Least noise of a depth, grey values of 255.
 const LEAST_NOISE: f32 = 0.3;
+/// From this many widths from the middle on there is metal.
+const METAL: f32 = 1.1;
+/// The light's change across is found from so many rows together.
+const LIT: usize = 24;
 /// Columns of each of the two boxes on either side.
 const SIDE: usize = 3;
 
@@ -179,6 +183,7 @@ impl Strip {
         };
         self.columns = (reach, COLS - 1 - reach);
         let mut sum = [0.0; COLS];
+        self.level_light(width);
         let add = |sum: &mut Line, row: &Line, sign: f32| sum.iter_mut().zip(row).for_each(|(s, g)| *s += sign * g);
         let rows = self.grey.len();
         self.depth.resize(rows, [0.0; COLS]);
@@ -196,6 +201,30 @@ impl Strip {
                 count -= 1.0;
             }
             depths(&mut self.depth[i], &sum, count);
+        }
+    }
+
+    /// Takes away the light's even change across, so far as it is the same on both sides of a joint of `width` in the middle: on
+    /// a ramp the middle of a wide joint would be drawn to its darker side.
+    fn level_light(&mut self, width: f32) {
+        let away = (METAL * width + 2.0) as usize;
+        let side = |row: &Line, columns: Range<usize>| {
+            let middle = 0.5 * (columns.start + columns.end - 1) as f32;
+            let (product, square) = columns.fold((0.0, 0.0), |(product, square), j| {
+                let off = j as f32 - middle;
+                (product + off * row[j], square + off * off)
+            });
+            product / square
+        };
+        for rows in self.grey.chunks_mut(LIT) {
+            let mut mean = [0.0; COLS];
+            let part = 1.0 / rows.len() as f32;
+            rows.iter().for_each(|row| mean.iter_mut().zip(row).for_each(|(m, g)| *m += part * g));
+            let (left, right) = (side(&mean, 1..MID - away), side(&mean, MID + away + 1..COLS - 1));
+            let slope = if left * right > 0.0 { lesser(left.abs(), right.abs()).copysign(left) } else { 0.0 };
+            rows.iter_mut().for_each(|row| {
+                row.iter_mut().enumerate().for_each(|(j, g)| *g -= slope * (j as f32 - MID as f32));
+            });
         }
     }
 

@@ -19,10 +19,16 @@ const AWAY: f32 = 1.5;
 const MOST_BENT: f32 = 0.03;
 /// A joint that has just begun to be followed bends about this much, rad/px.
 const BENT: f32 = 0.004;
-/// Gaps longer than this, pixels, are looked beyond in strips beside the axis too, ...
+/// Gaps longer than this, pixels, are looked beyond as if the joint bent on unseen by up to this much more, rad/px, ...
 const WIDER: usize = 12;
-/// ... which have to be this much likelier, nats.
+const BENT_UNSEEN: f32 = 0.006;
+/// ... in strips so many pixels apart and so many to either side at most, ...
+const APART: f32 = 18.0;
+const MOST_SIDES: f32 = 3.0;
+/// ... which have to be this much likelier than straight on, nats ...
 const ASIDE: f32 = 6.0;
+/// ... and show the joint in so many rows.
+const FOUND: usize = 8;
 /// Part of the curvature that is left after each strip of a gap.
 const STRAIGHTER: f32 = 0.75;
 /// Columns from the axis at which the way on is predicted anew.
@@ -117,6 +123,8 @@ impl Trail {
         self.strip.measure(width, f32::INFINITY);
         self.strip.noise = self.strip.noise_everywhere();
         let free = 2.0 + 0.25 * width;
+        // On coarse levels a tack that lies ahead may hide much of a whole strip.
+        let rows = if level > SPIKY { ROWS / 2 } else { ROWS };
         let mut contrast = self.depth_at_start(free).max(3.5 * self.strip.noise);
         for round in 0..2 {
             if round > 0 && level <= SPIKY {
@@ -124,16 +132,16 @@ impl Trail {
             }
             self.find(contrast, free);
             self.strip.noise = self.strip.noise_beside(&self.path, width);
-            let depths = self.path.iter().zip(&self.strip.depth).map(|(j, row)| row[*j]);
-            contrast = (depths.sum::<f32>() / ROWS as f32).max(2.0 * self.strip.noise);
+            let depths = self.path[..rows].iter().zip(&self.strip.depth).map(|(j, row)| row[*j]);
+            contrast = (depths.sum::<f32>() / rows as f32).max(2.0 * self.strip.noise);
         }
         self.find(contrast, free);
         self.judge(contrast);
         if (self.path[0].abs_diff(MID) as f32) > (START_OFF / (1 << level) as f32).max(0.5) + 0.5 * width {
             return None;
         }
-        let part = self.seen.iter().filter(|s| **s).count() as f32 / ROWS as f32;
-        let seen = self.path.iter().zip(&self.seen).enumerate().filter(|(_, (_, seen))| **seen);
+        let part = self.seen[..rows].iter().filter(|s| **s).count() as f32 / rows as f32;
+        let seen = self.path[..rows].iter().zip(&self.seen).enumerate().filter(|(_, (_, seen))| **seen);
         let across = seen.map(|(i, (j, _))| (i as f32, *j as f32 - MID as f32, 1.0));
         let [offset, slope, _] = Parabola::through(across, 1e9)?.terms;
         let strength = contrast * (box_columns(width) as f32 * (1 << level) as f32).sqrt() * part;
@@ -176,10 +184,13 @@ impl Trail {
         let (mut axis, mut gap, mut back, mut checked) = (look.axis, 0usize, 0usize, 0usize);
         // Places that are not seen less those that are seen again: chance finds of texture add up to a gap.
         let mut unseen = 0usize;
+        let (mut known, mut known_to) = (axis, 0);
         loop {
             let from = back as f32;
             if gap > WIDER {
-                axis = self.widest(picture, &axis, from, look, gap);
+                axis = self.across(picture, &known, (self.places.len() - known_to) as f32, from, look, gap);
+            } else {
+                (known, known_to) = (axis, self.places.len());
             }
             self.see(picture, &axis, from, look, gap);
             let mut taken = 0;
@@ -234,9 +245,10 @@ impl Trail {
         self.strip.noise = look.noise;
         let score = self.find(look.contrast, 1.5 + 0.15 * gap as f32);
         let noise = self.strip.noise_beside(&self.path, look.width);
-        look.noise += 0.3 * (noise.clamp(0.6 * look.noise, 1.5 * look.noise) - look.noise);
+        let learned = look.noise + 0.3 * (noise.clamp(0.6 * look.noise, 1.5 * look.noise) - look.noise);
         self.judge(look.contrast);
         if 2 * self.seen.iter().filter(|s| **s).count() >= ROWS {
+            look.noise = learned;
             return score;
         }
         self.see_in_other_light(look, 1.5 + 0.15 * gap as f32)
@@ -269,15 +281,24 @@ impl Trail {
         sum / count
     }
 
-    /// The axis or one beside it, where the joint is most likely after a gap.
-    fn widest(&mut self, picture: &Picture, axis: &Axis, from: f32, look: &Look, gap: usize) -> Axis {
-        let aside = (self.strip.columns.1 - self.strip.columns.0) as f32 * 0.7;
-        let mut best = (f32::MIN, *axis);
-        for side in [0.0, -1.0, 1.0] {
-            let beside = Axis { at: axis.station(0.0).beside(side * aside), ..*axis };
-            let score = self.see(picture, &beside, from, &mut look.clone(), gap) - ASIDE * side.abs();
-            if score > best.0 {
-                best = (score, beside);
+    /// The axis on which the joint is most likely after a gap, `gone` pixels from where it was last known: it may have bent on
+    /// the way.
+    fn across(&mut self, picture: &Picture, known: &Axis, gone: f32, from: f32, look: &Look, gap: usize) -> Axis {
+        let most = known.curvature.abs() + BENT_UNSEEN;
+        let sides = (0.5 * most * gone * gone / APART).ceil().min(MOST_SIDES);
+        let mut best = (f32::MIN, *known);
+        let straight = |curvature: f32| Axis { curvature, ..*known }.station(gone);
+        for side in 0..=2 * sides as usize {
+            // From the middle outwards.
+            let number = (side as f32 / 2.0).ceil() * if side % 2 == 0 { 1.0 } else { -1.0 };
+            let curvature = if sides > 0.0 { most * number / sides } else { 0.0 };
+            let Station { at, tangent } = straight(curvature);
+            let axis = Axis { at, heading: tangent[1].atan2(tangent[0]), curvature: 0.0 };
+            let cost = if side == 0 { 0.0 } else { ASIDE };
+            let score = self.see(picture, &axis, from, &mut look.clone(), gap) - cost;
+            let seen = self.seen.iter().filter(|s| **s).count();
+            if side == 0 || (seen >= FOUND && score > best.0) {
+                best = (score, axis);
             }
         }
         best.1
