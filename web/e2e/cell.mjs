@@ -11,15 +11,18 @@ const WAITS_MS = 60_000;
 
 /** True if the real program is there and has a panel. */
 export const isReal = existsSync(binary) && spawnSync(binary, ['serve', '--help']).status === 0;
+/** Why what needs a cell is not tested. */
+export const NO_CELL = `no program at ${binary}: set SEAMWRIGHT_BIN, or cargo build --release`;
+if (!isReal) console.error(`\n!!! WHAT NEEDS A CELL IS SKIPPED, THE REST TRIED ON A MOCK: ${NO_CELL}\n`);
 
 let port = 18_200 + (process.pid % 400) * 4;
 
-/** Starts a cell with a job and its machine; gives the address with the key of the first run, and what ends it. */
+/** Starts a cell with a job and its machine, or with what it begins with by itself (null); gives the address with the key of the first run, and what ends it. */
 export async function startCell(job = 'saddle') {
   const data = mkdtempSync(join(tmpdir(), 'seamwright-e2e-'));
   port += 1;
   const [command, ...args] = isReal
-    ? [binary, 'serve', '--bind', `127.0.0.1:${port}`, '--data', data, '--job', job]
+    ? [binary, 'serve', '--bind', `127.0.0.1:${port}`, '--data', data, ...(job ? ['--job', job] : [])]
     : [process.execPath, join(web, 'mock/server.mjs'), String(port), join(web, 'dist')];
   const child = spawn(command, args, { stdio: ['ignore', 'pipe', 'pipe'] });
   const ended = new Promise((done) => child.on('exit', done));

@@ -1,11 +1,11 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { hasBrowser, launch, page } from './browser.mjs';
-import { isReal, startCell } from './cell.mjs';
+import { isReal, NO_CELL, startCell } from './cell.mjs';
 import { axis, control, mode, open, ready, sleep, tab } from './operator.mjs';
 
 const options = { skip: hasBrowser ? false : 'no Chromium' };
-const onReal = { skip: hasBrowser ? (isReal ? false : 'the mock goes nowhere by itself') : 'no Chromium' };
+const onReal = { skip: hasBrowser ? (isReal ? false : `the mock goes nowhere by itself: ${NO_CELL}`) : 'no Chromium' };
 let cell;
 let browser;
 let one;

@@ -2,18 +2,18 @@
 import assert from 'node:assert/strict';
 import { after } from 'node:test';
 import { hasBrowser, launch, page as blank } from './browser.mjs';
-import { isReal, startCell } from './cell.mjs';
+import { isReal, NO_CELL, startCell } from './cell.mjs';
 
 /**
  * A cell, a browser and a page for the tests of a file, ended after them. `real` says why the mock does not do: for the tests with
  * `onReal`, or, with `only`, for all of the file. `options` are for the others.
  */
-export async function bench({ real = '', only = false, ...view } = {}) {
+export async function bench({ real = '', only = false, job, ...view } = {}) {
   const skip = hasBrowser ? false : 'no Chromium';
-  const onReal = { skip: skip || (isReal ? false : real) };
+  const onReal = { skip: skip || (isReal ? false : `${real}: ${NO_CELL}`) };
   const options = only ? onReal : { skip };
   if (options.skip) return { options, onReal };
-  const cell = await startCell();
+  const cell = await startCell(job);
   const browser = await launch();
   after(async () => {
     await browser.close();

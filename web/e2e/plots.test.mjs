@@ -2,11 +2,11 @@ import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { hasBrowser, launch, page } from './browser.mjs';
-import { isReal, startCell } from './cell.mjs';
+import { isReal, NO_CELL, startCell } from './cell.mjs';
 import { open, quiet, sleep } from './operator.mjs';
 
 const options = { skip: hasBrowser ? false : 'no Chromium' };
-const onReal = { skip: hasBrowser ? (isReal ? false : 'the mock has no beam') : 'no Chromium' };
+const onReal = { skip: hasBrowser ? (isReal ? false : `the mock has no beam: ${NO_CELL}`) : 'no Chromium' };
 let cell;
 let browser;
 let one;

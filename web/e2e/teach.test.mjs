@@ -1,10 +1,10 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { hasBrowser, launch, page } from './browser.mjs';
-import { isReal, startCell } from './cell.mjs';
+import { isReal, NO_CELL, startCell } from './cell.mjs';
 import { axis, control, keep, load, mode, open, press, quiet, sleep, tab } from './operator.mjs';
 
-const options = { skip: hasBrowser ? (isReal ? false : 'the mock has no eye') : 'no Chromium' };
+const options = { skip: hasBrowser ? (isReal ? false : `the mock has no eye: ${NO_CELL}`) : 'no Chromium' };
 const SHOTS = process.env.SEAMWRIGHT_SHOTS;
 let cell;
 let browser;

@@ -22,6 +22,7 @@ macro_rules! examples {
 
 /// All examples; the first is the one that runs without a verb.
 pub const EXAMPLES: &[Example] = examples![
+    "first-weld",
     "saddle",
     "head-nozzle",
     "ellipse",
@@ -30,6 +31,8 @@ pub const EXAMPLES: &[Example] = examples![
     "oblique-girth",
     "half-ring",
     "t-joint",
+    "spline",
+    "points",
     "knuckle-nozzle",
     "set-in-nozzle",
     "y-branch",

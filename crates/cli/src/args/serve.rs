@@ -34,7 +34,7 @@ pub(crate) struct ServeArgs {
     /// Machine that ships, or machine file [default: that of the job]
     #[arg(long, value_name = "FILE")]
     pub(crate) machine: Option<String>,
-    /// Job to begin with: a file, which is taken into the data folder, or the name of one there or of an example [default: saddle]
+    /// Job to begin with: a file, which is taken into the data folder, or the name of one there or of an example [default: first-weld]
     #[arg(long, value_name = "FILE")]
     pub(crate) job: Option<String>,
     /// Open it in the browser
