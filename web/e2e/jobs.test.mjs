@@ -82,7 +82,7 @@ test('a job for another machine has the names and units of that machine, not of 
   await card.waitFor();
   const text = await card.textContent();
   for (const axis of [/ ?x [\d.\u2212]+mm/, /y [\d.\u2212]+mm/, /z [\d.\u2212]+mm/, /a [\d.\u2212]+°/, /b [\d.\u2212]+°/]) assert.match(text, axis);
-  const titles = await one.locator('.right .page figcaption').allTextContents();
+  const titles = await one.locator('.right .page figcaption > span:first-child').allTextContents();
   assert.ok(titles.includes('x mm') && titles.includes('b °') && !titles.some((title) => title.includes('theta')), `${titles}`);
   await one.getByRole('button', { name: '← Jobs' }).click();
   await row('mine.toml').getByRole('button', { name: 'Open' }).click();
@@ -107,6 +107,14 @@ test('a part program for a control, with its proof', onReal, async () => {
   await one.getByRole('button', { name: 'Make part program' }).click();
   await one.getByRole('textbox', { name: 'G-code' }).waitFor({ timeout: 120_000 });
   assert.match(await one.getByRole('textbox', { name: 'G-code' }).inputValue(), /G1|G93/);
+  // It is of this text and of no other.
+  const old = one.getByText('another state of the job');
+  assert.equal(await old.count(), 0);
+  await one.getByRole('button', { name: 'Redo' }).click();
+  await old.waitFor();
+  assert.ok(await one.getByRole('button', { name: 'Download' }).isDisabled());
+  await one.getByRole('button', { name: 'Undo' }).click();
+  await old.waitFor({ state: 'hidden' });
   await one.getByRole('button', { name: '← Jobs' }).click();
 });
 
@@ -123,11 +131,11 @@ test('points: set in several at once, insert, delete, undo; the row stands in 3D
   await point(1).click();
   await one.locator('.below .card', { hasText: 'Pass 1' }).waitFor();
   await point(3).click({ modifiers: ['Shift'] });
-  await one.getByRole('combobox', { name: 'Column' }).selectOption('current_a');
+  await one.getByRole('combobox', { name: 'Column' }).selectOption('Current A');
   await one.getByRole('textbox', { name: 'Value' }).fill('222');
   await one.getByRole('button', { name: 'Set in 3' }).click();
-  const current = one.getByRole('textbox', { name: 'current_a 3' });
-  await one.waitForFunction(() => document.querySelector('[aria-label="current_a 3"]')?.value === '222');
+  const current = one.getByRole('textbox', { name: 'Current A 3' });
+  await one.waitForFunction(() => document.querySelector('[aria-label="Current A 3"]')?.value === '222');
   await point(1).click();
   await one.getByRole('button', { name: 'Insert after' }).click();
   await one.waitForFunction(() => document.querySelectorAll('tbody tr').length === 5);
@@ -150,7 +158,7 @@ test('points by touch: several without a key, a span split, lines reduced', onRe
   const points = one.locator('tbody tr');
   assert.equal(await points.count(), 6);
   const point = (i) => points.nth(i).getByRole('button');
-  for (const field of [point(1), one.getByRole('textbox', { name: 'speed_mm_s 1' })]) {
+  for (const field of [point(1), one.getByRole('textbox', { name: 'Speed mm/s 1' })]) {
     const { height } = await field.boundingBox();
     assert.ok(height >= 44, `${height} px are too few for a finger`);
   }
@@ -173,6 +181,121 @@ test('points by touch: several without a key, a span split, lines reduced', onRe
   await one.getByRole('button', { name: 'Reduce' }).click();
   await one.waitForFunction(() => document.querySelectorAll('tbody tr').length < 6);
   assert.equal(await points.count(), 2, 'a straight line is one');
+  await one.getByRole('button', { name: '← Jobs' }).click();
+  await one.getByRole('button', { name: 'Discard changes' }).click();
+  quiet(one);
+});
+
+test('points: the way to them is chosen, an arc from two; undone byte by byte', onReal, async () => {
+  await row('points.toml').getByRole('button', { name: 'Use' }).click();
+  await planned();
+  await one.getByRole('button', { name: 'Points', exact: true }).click();
+  const points = one.locator('tbody tr');
+  const ways = async () => (await points.locator('td:nth-child(2)').allTextContents()).join(' ');
+  const before = await ways();
+  assert.equal(before, 'start line line arc spline spline spline spline');
+  const choose = async (from, to, way) => {
+    await points.nth(from).getByRole('button').click();
+    await points.nth(to).getByRole('button').click({ modifiers: ['Shift'] });
+    await one.getByRole('combobox', { name: 'Way to them' }).selectOption(way);
+    await one.getByRole('button', { name: /^Set way/ }).click();
+  };
+  const is = (wanted) =>
+    one.waitForFunction((of) => [...document.querySelectorAll('tbody td:nth-child(2)')].map((td) => td.textContent).join(' ') === of, wanted);
+  await choose(4, 6, 'arc');
+  await one.getByText('An arc is made of two points').waitFor();
+  await choose(5, 6, 'line');
+  await is('start line line arc spline line line spline');
+  await one.getByRole('button', { name: 'Undo' }).click();
+  await is(before);
+  // The second of four points of the spline is what the arc goes through.
+  await choose(4, 5, 'arc');
+  await is('start line line arc arc spline spline');
+  await planned();
+  assert.equal(await one.getByRole('combobox', { name: 'Way to them' }).locator('option').count(), 4, 'no rapid with the arc on');
+  await one.getByRole('button', { name: 'Undo' }).click();
+  await is(before);
+  await one.locator('.bar').getByText('template').waitFor();
+  await one.getByRole('button', { name: '← Jobs' }).click();
+  quiet(one);
+});
+
+test('a span, or the whole pass, is chosen in 3D: its length and time, its points in the table', onReal, async () => {
+  await row('points.toml').getByRole('button', { name: 'Use' }).click();
+  await planned();
+  await one.getByRole('button', { name: 'Points', exact: true }).click();
+  const point = (i) => one.locator('tbody tr').nth(i).getByRole('button');
+  await point(3).click();
+  const card = one.locator('.below .card', { hasText: 'Pass 1' });
+  await card.getByRole('button', { name: 'Span 2/3' }).click();
+  // A quarter of a circle of 30 mm, at 8 mm/s.
+  await card.getByText(/s 80\.\d–127\.\d mm · 47\.\d mm · 0:06/).waitFor();
+  await one.getByRole('button', { name: 'Set in 1' }).waitFor();
+  await card.getByRole('button', { name: 'Whole pass' }).click();
+  await one.getByRole('button', { name: 'Set in 7' }).waitFor();
+  await one.getByRole('combobox', { name: 'Column' }).selectOption('Speed mm/s');
+  await one.getByRole('textbox', { name: 'Value' }).fill('4');
+  await one.getByRole('button', { name: 'Set in 7' }).click();
+  await planned();
+  await card.getByText(/mm · 1:0\d/).waitFor();
+  await card.getByRole('button', { name: 'Whole pass' }).click();
+  await one.getByRole('button', { name: '← Jobs' }).click();
+  await one.getByRole('button', { name: 'Discard changes' }).click();
+  quiet(one);
+});
+
+test('a joint and a procedure are added in the form; a procedure of its own is held against', onReal, async () => {
+  await row('first-weld.toml').getByRole('button', { name: 'Use' }).click();
+  await planned();
+  const form = one.locator('.form');
+  const options = await form.getByRole('combobox', { name: 'machine' }).locator('option').allTextContents();
+  assert.ok(options.some((text) => text.startsWith('torch-5axis · ')), `${options}`);
+  await form.getByRole('combobox', { name: 'What else the job has' }).selectOption('joint');
+  await form.getByRole('button', { name: 'Add' }).click();
+  await form.getByRole('textbox', { name: 'root gap [mm]' }).waitFor();
+  await form.getByRole('textbox', { name: 'thickness [mm]' }).fill('8');
+  await form.getByRole('combobox', { name: 'Kind of joint' }).selectOption('t_bevel');
+  await form.getByRole('combobox', { name: 'prepared' }).waitFor();
+  assert.equal(await form.getByRole('textbox', { name: 'thickness [mm]' }).inputValue(), '8', 'what both kinds have stays');
+  await one.getByRole('button', { name: 'Cross-section' }).click();
+  await one.locator('.right svg').first().waitFor();
+  await form.locator('fieldset', { hasText: 'cap' }).first().getByRole('button', { name: 'Remove' }).click();
+  await form.getByRole('textbox', { name: 'thickness [mm]' }).waitFor({ state: 'detached' });
+  await one.getByRole('button', { name: 'Findings' }).click();
+  // The procedure: its own copy, with a speed that the job is too fast for.
+  await form.getByRole('button', { name: /^▸ Procedure/ }).click();
+  assert.ok(await form.getByRole('textbox', { name: 'speed [mm/s] 2' }).isDisabled(), 'what ships is not changed');
+  await form.getByRole('button', { name: 'Make a copy' }).click();
+  await form.getByRole('button', { name: 'Save procedure' }).waitFor();
+  await planned();
+  await form.getByRole('textbox', { name: 'speed [mm/s] 2' }).fill('9');
+  await form.getByRole('button', { name: 'Save procedure' }).click();
+  await one.locator('.right .page').getByText('Outside of the procedure').waitFor({ timeout: 60_000 });
+  await one.getByRole('button', { name: '← Jobs' }).click();
+  await one.getByRole('button', { name: 'Discard changes' }).click();
+  assert.equal(await one.locator('li.card', { hasText: '135-saddle.toml' }).count(), 0, 'a procedure is no job');
+  quiet(one);
+});
+
+test('limits: what bounds the speed where, linked with 3D, and what is used of each axis', onReal, async () => {
+  await row('ellipse.toml').getByRole('button', { name: 'Use' }).click();
+  await planned();
+  const field = one.getByRole('textbox', { name: 'speed [mm/s]' }).first();
+  await field.fill('60');
+  await planned();
+  await one.getByRole('button', { name: 'Limits', exact: true }).click();
+  const page = one.locator('.right .page');
+  const stretch = page.locator('li button', { hasText: /[xy]: (acceleration|jerk) / }).first();
+  await stretch.click();
+  const card = one.locator('.below .card', { hasText: 'Pass 1' });
+  await card.waitFor();
+  const [from, to] = (await stretch.textContent()).match(/s ([0-9.]+)–([0-9.]+)/).slice(1).map(Number);
+  const at = Number((await card.textContent()).match(/s ([0-9.]+) mm/)[1]);
+  assert.ok(at >= from - 1 && at <= to + 1, `${at} is not in ${from} to ${to}`);
+  // Every chart shows its values there.
+  const captions = await page.locator('figcaption').allTextContents();
+  assert.ok(captions.length === 3 && captions.every((text) => text.includes(`${at.toFixed(1)} mm`)), `${captions}`);
+  assert.match(captions[1], /^ ?x.*speed ≤ \d.* % of \d.*mm\/s.*jerk ≤/);
   await one.getByRole('button', { name: '← Jobs' }).click();
   await one.getByRole('button', { name: 'Discard changes' }).click();
   quiet(one);

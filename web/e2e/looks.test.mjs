@@ -58,6 +58,19 @@ for (const language of ['en', 'uk', 'zh', 'de', 'ru']) {
         await one.screenshot({ path: `${shots}${language}-${size}-${i}.png` });
         assert.deepEqual(await overflowing(one), [], `tab ${i}`);
       }
+      // The editor, with its pages.
+      await go(one, 2);
+      await one.locator('li.card', { hasText: 'points.toml' }).getByRole('button').nth(1).click();
+      await one.locator('.right .good').waitFor({ timeout: 60_000 });
+      for (const half of ['.left', '.right']) {
+        const pages = one.locator(`.halves ${half} .pages button`);
+        for (let i = 0; i < (await pages.count()); i += 1) {
+          await pages.nth(i).click();
+          await sleep(300);
+          await one.screenshot({ path: `${shots}${language}-${size}-editor${half}${i}.png` });
+          assert.deepEqual(await overflowing(one), [], `editor ${half} ${i}`);
+        }
+      }
       assert.equal(await one.evaluate(() => document.documentElement.lang), language);
       quiet(one);
       await one.context().close();
@@ -88,7 +101,11 @@ for (const dark of [false, true]) {
     await go(one, 2);
     await one.locator('li.card', { hasText: 'saddle.toml' }).first().getByRole('button', { name: 'Use' }).click();
     await sleep(1500);
-    for (const name of ['Form', 'Bodies', 'Text', 'G-code']) {
+    for (const name of ['Form', 'Bodies', 'Text', 'G-code', 'Points', 'Plots', 'Limits']) {
+      if (name === 'Points') {
+        await one.getByRole('button', { name: '← Jobs' }).click();
+        await one.locator('li.card', { hasText: 'points.toml' }).getByRole('button', { name: 'Use' }).click();
+      }
       await one.getByRole('button', { name, exact: true }).click();
       await sleep(800);
       await check(name);

@@ -95,7 +95,7 @@ async function edits(one) {
   await tab(one, 'Jobs');
   await one.locator('li.card', { hasText: 'long.toml' }).getByRole('button', { name: 'Open' }).click();
   await one.getByRole('button', { name: 'Points', exact: true }).click();
-  const cell = one.getByRole('textbox', { name: 'current_a 3' });
+  const cell = one.getByRole('textbox', { name: 'Current A 3' });
   await cell.waitFor({ timeout: 60_000 });
   const [typed, kept] = [[], []];
   for (let i = 0; i < EDITS; i += 1) {
@@ -113,12 +113,12 @@ async function edits(one) {
       field.blur();
       // The server edits the text; the table takes the next value when it has the new one.
       do await painted();
-      while (document.querySelector('[aria-label="current_a 3"]')?.disabled);
+      while (document.querySelector('[aria-label="Current A 3"]')?.disabled);
       return [typedIn, performance.now() - left];
     }, wanted);
     typed.push(type);
     kept.push(keeps);
-    await one.waitForFunction((value) => document.querySelector('[aria-label="current_a 3"]')?.value === value, wanted, { timeout: 60_000 });
+    await one.waitForFunction((value) => document.querySelector('[aria-label="Current A 3"]')?.value === value, wanted, { timeout: 60_000 });
     await sleep(1000);
   }
   return { typed: middle(typed), kept: middle(kept) };

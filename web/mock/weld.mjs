@@ -31,11 +31,18 @@ function pass(role, speed) {
     const p = point(20 + i);
     if (i > 0) s += Math.hypot(...p.tip.map((v, k) => v - path[i - 1].tip[k]));
     const edge = Math.min(1, i / 4, (POINTS - 1 - i) / 4);
-    path.push({ ...p, s_mm: s, speed_mm_s: speed * edge, values: [240 - 20 * Math.cos((i / 180) * Math.PI * 2), 27, 8], clearance_mm: 8 + 4 * Math.cos((i / 90) * Math.PI) });
+    path.push({ ...p, s_mm: s, speed_mm_s: speed * edge, values: [240 - 20 * Math.cos((i / 180) * Math.PI * 2), 27, 8], used: p.axes.map((_, k) => [30 + 5 * k, 20, 100 * (1 - edge)].map(Math.round)), clearance_mm: 8 + 4 * Math.cos((i / 90) * Math.PI) });
   }
   const tip = path[90].tip;
   const nearest = { distance_mm: 4, least_mm: 1, between: ['gas nozzle', 'shell'], at: [[tip[0], tip[1], tip[2] + 12], [tip[0], tip[1], tip[2] + 8]] };
-  return { nearest, nearest_at_mm: path[90].s_mm, name: role, role, length_mm: s, time_s: s / speed + 4, speed_mm_s: speed, closed: true, path };
+  const bound = (from_mm, to_mm, what, axis) => ({ from_mm, to_mm, least_speed_mm_s: speed * (axis ? 0 : 1), between: !axis, what, axis, limit: axis ? 100 : null, unit: axis ? 'mm/s^3' : null });
+  const certificate = {
+    at_asked_percent: 98,
+    everywhere_mm_s: 14,
+    bounds: [bound(0, 8, 'jerk', 's'), bound(8, s - 8, 'asked', null), bound(s - 8, s, 'jerk', 's')],
+    uses: ['theta', 's', 'h', 'beta'].map((name, k) => ({ axis: name, unit: k % 3 === 0 ? 'deg' : 'mm', percent: [30 + 5 * k, 20, 98], limit: [50, 100, 1000] })),
+  };
+  return { certificate, spans: [[0, s]], points_mm: [], nearest, nearest_at_mm: path[90].s_mm, name: role, role, length_mm: s, time_s: s / speed + 4, speed_mm_s: speed, closed: true, path };
 }
 
 /** A V of 60 degrees in 12 mm with two beads. */

@@ -926,6 +926,18 @@ closed: boolean,
  */
 path: Array<PathPoint>, 
 /**
+ * Where its spans begin and end, path lengths in mm: of a pass along the seam, or runs of points.
+ */
+spans: Array<[number, number]>, 
+/**
+ * Path lengths at which its points are reached, mm, the start first; empty along a seam.
+ */
+points_mm: Array<number>, 
+/**
+ * What it reaches and what bounds it.
+ */
+certificate: CertificateView, 
+/**
  * Where what is watched comes nearest; none if nothing comes near.
  */
 nearest: NearView | null, 
@@ -959,6 +971,10 @@ speed_mm_s: number,
  */
 axes: Array<number>, 
 /**
+ * Speed, acceleration and jerk of each axis in per cent of its limits.
+ */
+used: Array<[number, number, number]>, 
+/**
  * Process values; null where there is none.
  */
 values: Array<number | null>, 
@@ -966,6 +982,85 @@ values: Array<number | null>,
  * Least distance of anything watched, mm; null where nothing is near.
  */
 clearance_mm: number | null, };
+
+/**
+ * What a pass reaches and what bounds it where, as `motion --certificate` writes it.
+ */
+export type CertificateView = { 
+/**
+ * Part of the path's length on which the tip is as fast as asked, %.
+ */
+at_asked_percent: number, 
+/**
+ * A speed of the tip that every axis can hold everywhere, mm/s.
+ */
+everywhere_mm_s: number, 
+/**
+ * Stretches of the path in order, each with what bounds its speed.
+ */
+bounds: Array<BoundView>, 
+/**
+ * The greatest use of each axis' limits over the whole path; after the axes the torch tip's, if it has limits.
+ */
+uses: Array<UseView>, };
+
+/**
+ * A stretch of a pass with one bound.
+ */
+export type BoundView = { 
+/**
+ * Path length at which it begins, mm.
+ */
+from_mm: number, 
+/**
+ * Path length at which it ends, mm.
+ */
+to_mm: number, 
+/**
+ * Least planned speed of the tip in it, mm/s.
+ */
+least_speed_mm_s: number, 
+/**
+ * False in run-up and run-down.
+ */
+between: boolean, 
+/**
+ * `asked` (nothing else binds), `speed`, `acceleration` or `jerk`.
+ */
+what: string, 
+/**
+ * The axis whose limit binds; none: the torch tip's, or nothing.
+ */
+axis: string | null, 
+/**
+ * The limit that binds, in mm or degrees per s, s^2 or s^3.
+ */
+limit: number | null, 
+/**
+ * Its unit.
+ */
+unit: string | null, };
+
+/**
+ * The greatest use of the limits of an axis or of the torch tip; of speed, acceleration and jerk, none where there is no limit.
+ */
+export type UseView = { 
+/**
+ * The axis; none: the torch tip.
+ */
+axis: string | null, 
+/**
+ * `mm` or `deg`.
+ */
+unit: string, 
+/**
+ * Of each limit, %.
+ */
+percent: [number | null, number | null, number | null], 
+/**
+ * The limits, in mm or degrees per s, s^2 and s^3.
+ */
+limit: [number | null, number | null, number | null], };
 
 /**
  * The nearest pair of what must keep clear of each other.
@@ -1292,6 +1387,40 @@ title: string,
  * One of those that ship: it can be copied, not changed.
  */
 example: boolean, };
+
+/**
+ * `GET /api/choices`: what a job can name, those that ship first.
+ */
+export type ChoicesView = { 
+/**
+ * For `machine`.
+ */
+machines: Array<Choice>, 
+/**
+ * For `procedure`.
+ */
+procedures: Array<Choice>, };
+
+/**
+ * One of them.
+ */
+export type Choice = { 
+/**
+ * As jobs name it: that of a file among the jobs ends in `.toml`.
+ */
+name: string, 
+/**
+ * Its title.
+ */
+title: string, 
+/**
+ * It is a file among the jobs, which can be changed.
+ */
+own: boolean, 
+/**
+ * Its text, of a procedure.
+ */
+text: string | null, };
 
 /**
  * `GET /api/distortions`: how a simulated part can lie.

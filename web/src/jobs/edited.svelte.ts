@@ -116,6 +116,11 @@ class Edited {
     }
   }
 
+  /** Plans the same text again: a file that it names has changed. */
+  planAgain(): void {
+    this.planSoon(0);
+  }
+
   private to(text: string): void {
     this.text = text;
     this.group = '';

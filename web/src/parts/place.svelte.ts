@@ -1,3 +1,5 @@
+import type { Stretch } from './stretch';
+
 export const tabs = ['weld', 'teach', 'jobs', 'records', 'setup'] as const;
 export type Tab = (typeof tabs)[number];
 
@@ -14,6 +16,8 @@ class Place {
   byEye = $state(false);
   /** A place on a pass that is shown in 3D, tables and plots alike: pass from 0 and the sample of its path. */
   spot = $state.raw<{ pass: number; point: number } | null>(null);
+  /** The stretch about that place that is chosen: its span, or the whole pass. */
+  stretch = $state.raw<Stretch | null>(null);
 
   endTour(): void {
     this.touring = false;

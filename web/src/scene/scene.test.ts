@@ -44,7 +44,7 @@ describe('shapes stand as the wire says', () => {
 
 describe('colours', () => {
   const point = (speed_mm_s: number, values: number[]): PathPoint =>
-    ({ speed_mm_s, values, s_mm: 0, tip: [0, 0, 0], torch: [0, 0, 1], axes: [], clearance_mm: speed_mm_s + 1 }) as PathPoint;
+    ({ speed_mm_s, values, s_mm: 0, tip: [0, 0, 0], torch: [0, 0, 1], axes: [], used: [], clearance_mm: speed_mm_s + 1 }) as PathPoint;
 
   test('heat input is U I / v', () => {
     expect(heat(point(10, [240, 27]), ['current_a', 'voltage_v'])).toBeCloseTo(0.648);

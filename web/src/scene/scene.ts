@@ -19,6 +19,7 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { MachineView, NearView, PathPoint, Status, WorkView } from '../wire';
 import type { ColourBy, Scale } from './colours';
 import { extent } from './extent';
+import { Highlight } from './highlight';
 import type { Pose } from './kinematics';
 import { Mark } from './mark';
 import { Measure } from './measure';
@@ -32,19 +33,15 @@ import type { Off } from './spot';
 import { TaughtLine } from './taught';
 import { Torch } from './torch';
 import { Trace } from './trace';
+import { look, type View } from './views';
 
-export type View = 'fit' | 'top' | 'front' | 'side' | 'torch';
 export type Layer = 'machine' | 'part' | 'zones' | 'air' | 'near' | 'sensors' | 'trace';
 export type Cut = { axis: 'x' | 'y' | 'z'; part: number } | null;
 
-/** A short seam is shown with this much about it, mm. */
-const LEAST_MM = 150;
 /** At this distance of the camera marks are as large as they say, mm. */
 const MARKS_AT_MM = 1500;
 /** A frame that takes longer is no graphics card's. */
 const SLOW_MS = 25;
-/** Where each view looks from; from the torch it is the torch that says. */
-const FROM: Record<View, [number, number, number]> = { fit: [0.55, -0.75, 0.6], top: [0, -0.001, 1], front: [0, -1, 0.02], side: [1, 0, 0.02], torch: [0.55, -0.75, 0.6] };
 const NO_MOVE = new Matrix4();
 /** A frozen clock: the scene takes the first status and no other, for pictures that are always the same. */
 const FROZEN = new URLSearchParams(location.search).has('freeze');
@@ -76,6 +73,7 @@ export class Scene {
   private readonly torch = new Torch();
   private readonly sights: Group[] = [];
   private readonly mark = new Mark();
+  private readonly highlight = new Highlight();
   private readonly cut = new Plane(new Vector3(0, 0, -1), 0);
   private readonly cuts: Plane[] = [];
   private machine: MachineView | null = null;
@@ -149,7 +147,7 @@ export class Scene {
       for (const view of machine.sensors) this.sights.push(this.onLink(view.link, sight(view)));
     }
     this.torch.setBeam(machine?.beam_mm ?? null);
-    this.place().add(this.passes.group, this.passes.air, this.trace.line, this.near.group, this.torch.group, this.mark.arrow, this.taught.group);
+    this.place().add(this.highlight.group, this.passes.group, this.passes.air, this.trace.line, this.near.group, this.torch.group, this.mark.arrow, this.taught.group);
     this.stand();
     const work = this.work;
     this.work = null;
@@ -214,6 +212,12 @@ export class Scene {
     this.draw();
   }
 
+  /** Shows a stretch of a pass that is chosen, by its tips; none: nothing is. */
+  setStretch(tips: [number, number, number][]): void {
+    this.highlight.set(tips);
+    this.draw();
+  }
+
   /** Shows the nearest pair of bodies, or none. */
   setNear(of: NearView | null, level: Nearness): void {
     if (this.near.set(of, level, [...this.machineParts, ...this.zones, ...this.parts])) this.draw();
@@ -250,20 +254,10 @@ export class Scene {
   }
 
   view(view: View): void {
-    const box = this.box();
-    const middle = box.getCenter(new Vector3());
-    const radius = Math.max(box.getSize(new Vector3()).length() / 2, LEAST_MM);
-    let away = radius / Math.sin((this.camera.fov / 2) * (Math.PI / 180)) / Math.min(1, this.camera.aspect);
-    let from = new Vector3(...FROM[view]);
-    if (view === 'torch' && this.status) {
-      // Over the torch's shoulder: a little off its axis, near enough to see the pool.
-      middle.copy(this.torch.place());
-      const axis = new Vector3(this.status.tip[3], this.status.tip[4], this.status.tip[5]);
-      from = axis.transformDirection(this.place().matrixWorld).add(new Vector3(0.5, -0.5, 0.1));
-      away = 320;
-    }
-    this.controls.target.copy(middle);
-    this.camera.position.copy(middle).addScaledVector(from.normalize(), away);
+    const axis = this.status && new Vector3(...this.status.tip.slice(3)).transformDirection(this.place().matrixWorld);
+    const { at, from, away } = look(view, this.box(), this.camera, axis && { at: this.torch.place(), axis });
+    this.controls.target.copy(at);
+    this.camera.position.copy(at).addScaledVector(from, away);
     [this.camera.near, this.camera.far] = [away / 200, away * 20];
     this.camera.updateProjectionMatrix();
     this.controls.update();

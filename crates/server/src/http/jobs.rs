@@ -28,7 +28,7 @@ fn example(name: &str) -> Option<&'static str> {
     EXAMPLES.iter().find(|e| name.strip_suffix(".toml") == Some(e.name)).map(|e| e.text)
 }
 
-fn title(text: &str) -> String {
+pub(super) fn title(text: &str) -> String {
     let found = text.lines().find_map(|line| line.trim().strip_prefix("title")?.trim_start().strip_prefix('='));
     let quoted = found.and_then(|rest| rest.trim().strip_prefix('"')).and_then(|rest| rest.split('"').next());
     quoted.unwrap_or_default().to_owned()
@@ -45,7 +45,7 @@ pub(crate) fn text(panel: &Panel, name: &str) -> Result<String, Refused> {
 }
 
 /// Our own jobs: names, in their order.
-fn own(panel: &Panel) -> Result<Vec<String>, Refused> {
+pub(super) fn own(panel: &Panel) -> Result<Vec<String>, Refused> {
     let entries = std::fs::read_dir(panel.jobs())
         .map_err(|e| Refused::server(format!("the folder of jobs cannot be read: {e}")))?;
     let files = entries.filter_map(Result::ok).filter(|entry| entry.path().is_file());
@@ -58,21 +58,41 @@ fn own(panel: &Panel) -> Result<Vec<String>, Refused> {
 /// Bytes of a job in which its title is looked for.
 const HEAD: u64 = 16 << 10;
 
-/// The title of a job from the begin of its file.
-fn title_of(path: &std::path::Path) -> std::io::Result<String> {
+/// The begin of a file.
+pub(super) fn head(path: &std::path::Path) -> std::io::Result<String> {
     let mut head = Vec::new();
     std::fs::File::open(path)?.take(HEAD).read_to_end(&mut head)?;
-    Ok(title(&String::from_utf8_lossy(&head)))
+    Ok(String::from_utf8_lossy(&head).into_owned())
+}
+
+/// What a file among the jobs is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    Job,
+    /// A machine file, which jobs name.
+    Machine,
+    /// A procedure file, which jobs name.
+    Procedure,
+}
+
+/// By the tables that only such a file has; whoever reads it for its purpose judges it.
+pub(super) fn kind(head: &str) -> Kind {
+    let has = |table: &str| head.lines().any(|line| line.trim() == table);
+    match (has("[[runs]]"), has("[[tool]]") || has("[[work]]")) {
+        (true, _) => Kind::Procedure,
+        (_, true) => Kind::Machine,
+        _ => Kind::Job,
+    }
 }
 
 pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<JobRow>> {
     let asked = Arc::clone(&panel);
     let list = move || {
-        let row = |name: String| {
-            let title = title_of(&asked.jobs().join(&name)).unwrap_or_else(|e| e.to_string());
-            JobRow { name, title, example: false }
+        let row = |name: String| match head(&asked.jobs().join(&name)) {
+            Ok(head) => (kind(&head) == Kind::Job).then(|| JobRow { name, title: title(&head), example: false }),
+            Err(e) => Some(JobRow { name, title: e.to_string(), example: false }),
         };
-        let mut rows: Vec<JobRow> = own(&asked)?.into_iter().take(MOST).map(row).collect();
+        let mut rows: Vec<JobRow> = own(&asked)?.into_iter().take(MOST).filter_map(row).collect();
         for example in EXAMPLES {
             let name = format!("{}.toml", example.name);
             if rows.iter().all(|row| row.name != name) {

@@ -2,6 +2,7 @@
 
 mod answer;
 mod assets;
+mod choices;
 mod edit;
 mod guard;
 mod jobs;

@@ -1,10 +1,11 @@
 use super::guard::{Need, host, need};
 use super::panel::Panel;
-use super::{assets, edit, jobs, login, look, openapi, place, plan, records, restore, socket, teach, users};
+use super::{assets, choices, edit, jobs, login, look, openapi, place, plan, records, restore, socket, teach, users};
 use crate::wire::{
-    AlarmEntry, ArchiveView, AuditRow, DeviceView, DistortionRow, DraftAnswer, EditAnswer, JobRow, JobText, Load,
-    Login, MachineView, OwnPassword, PlaceAnswer, PlaceText, PlanAnswer, PostAnswer, PostText, RecordRow, RecordView,
-    SessionView, TaughtProgram, TaughtView, TeachProgram, TraceView, TuningView, UserChange, UserRow, WorkView,
+    AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DistortionRow, DraftAnswer, EditAnswer, JobRow,
+    JobText, Load, Login, MachineView, OwnPassword, PlaceAnswer, PlaceText, PlanAnswer, PostAnswer, PostText,
+    RecordRow, RecordView, SessionView, TaughtProgram, TaughtView, TeachProgram, TraceView, TuningView, UserChange,
+    UserRow, WorkView,
 };
 use axum::extract::DefaultBodyLimit;
 use axum::routing::{MethodRouter, delete, get, post, put};
@@ -89,6 +90,13 @@ pub(super) fn routes() -> Vec<Route> {
         Route::get("/api/alarms/catalogue", "watch", "All alarms", shape::<Vec<AlarmEntry>>(), get(look::catalogue)),
         Route::get("/api/live", "watch", "The socket: status, events, commands", None, get(socket::live)),
         Route::get("/api/jobs", "jobs.read", "Jobs and examples", shape::<Vec<JobRow>>(), get(jobs::list)),
+        Route::get(
+            "/api/choices",
+            "jobs.read",
+            "Machines and procedures that jobs can name",
+            shape::<ChoicesView>(),
+            get(choices::choices),
+        ),
         Route::get(
             "/api/distortions",
             "jobs.read",

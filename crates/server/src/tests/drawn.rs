@@ -90,6 +90,84 @@ async fn a_plan_names_the_axes_of_its_machine() {
     }
 }
 
+/// A plan's certificate: stretches without a gap, limits that bind are used up there, and what the samples use stays below what
+/// the certificate says, which they come near.
+#[tokio::test(flavor = "multi_thread")]
+async fn a_plan_says_what_bounds_it() {
+    let bench = Bench::new(&[HOST]).await;
+    let owner = bench.owner().await;
+    let text = example(&bench, &owner, "ellipse.toml").await;
+    let fast = text.replacen("speed_mm_s = 5", "speed_mm_s = 200\non_limit = \"slow\"", 1);
+    assert_ne!(fast, text);
+    let (_, answer) = bench.ask(owner.request("POST", "/api/plan", Some(&json!({ "text": fast })))).await;
+    let pass = &answer["work"]["passes"][0];
+    let certificate = &pass["certificate"];
+    let bounds = certificate["bounds"].as_array().unwrap();
+    let end = |bound: &Value, key: &str| bound[key].as_f64().unwrap();
+    assert!(end(&bounds[0], "from_mm").abs() < 1e-9);
+    assert!(bounds.windows(2).all(|pair| pair[0]["to_mm"] == pair[1]["from_mm"]));
+    assert!((end(bounds.last().unwrap(), "to_mm") - pass["length_mm"].as_f64().unwrap()).abs() < 1e-6);
+    assert!(bounds.iter().any(|bound| bound["what"] == "acceleration" && bound["axis"] == "x"), "{bounds:?}");
+    let path = pass["path"].as_array().unwrap();
+    for (i, axis) in ["x", "y"].into_iter().enumerate() {
+        let told = &certificate["uses"][i];
+        assert_eq!(told["axis"], axis);
+        for (k, told) in numbers(&told["percent"]).into_iter().enumerate() {
+            let most = path.iter().map(|p| p["used"][i][k].as_f64().unwrap()).fold(0.0, f64::max);
+            // They are whole per cent, and not at the very places.
+            assert!(most <= told + 0.5 && most > 0.6 * told - 1.0, "{axis} {k}: {most} of {told}");
+        }
+    }
+}
+
+/// What a job can name: what ships, and files of one's own, which are no jobs then.
+#[tokio::test(flavor = "multi_thread")]
+async fn a_job_can_name_what_ships_and_what_is_kept() {
+    let bench = Bench::new(&[HOST]).await;
+    let owner = bench.owner().await;
+    let (_, choices) = bench.ask(owner.request("GET", "/api/choices", None)).await;
+    let of = |choices: &Value, kind: &str| choices[kind].as_array().unwrap().clone();
+    assert!(of(&choices, "machines").iter().any(|m| m["name"] == "saddle-4axis" && m["own"] == false));
+    let procedure = of(&choices, "procedures")[0].clone();
+    let text = procedure["text"].as_str().unwrap().replacen("title = \"", "title = \"My ", 1);
+    let put = owner.request("PUT", "/api/jobs/wps.toml", Some(&json!({ "text": text })));
+    assert_eq!(bench.ask(put).await.0, StatusCode::OK);
+    let (_, choices) = bench.ask(owner.request("GET", "/api/choices", None)).await;
+    let own = of(&choices, "procedures").into_iter().find(|p| p["own"] == true).unwrap();
+    assert_eq!((&own["name"], &own["text"]), (&json!("wps.toml"), &json!(text)));
+    assert!(own["title"].as_str().unwrap().starts_with("My "));
+    let (_, jobs) = bench.ask(owner.request("GET", "/api/jobs", None)).await;
+    assert!(jobs.as_array().unwrap().iter().all(|job| job["name"] != "wps.toml"));
+    // And a job that names it is planned under it.
+    let job = example(&bench, &owner, "first-weld.toml").await.replace("\"135-saddle\"", "\"wps.toml\"");
+    let (_, answer) = bench.ask(owner.request("POST", "/api/plan", Some(&json!({ "text": job })))).await;
+    assert_eq!(answer["work"]["good"], true, "{answer}");
+}
+
+/// Spans are those of the file: one along a seam, one for each run of points, end to end.
+#[tokio::test(flavor = "multi_thread")]
+async fn a_plan_has_its_spans() {
+    let bench = Bench::new(&[HOST]).await;
+    let owner = bench.owner().await;
+    for (job, count) in [("points", 3), ("first-weld", 1)] {
+        let text = example(&bench, &owner, &format!("{job}.toml")).await;
+        let (_, answer) = bench.ask(owner.request("POST", "/api/plan", Some(&json!({ "text": text })))).await;
+        let pass = &answer["work"]["passes"][0];
+        let spans: Vec<Vec<f64>> = pass["spans"].as_array().unwrap().iter().map(numbers).collect();
+        assert_eq!((spans.len(), spans[0][0]), (count, 0.0), "{job}");
+        assert!(spans.windows(2).all(|pair| (pair[0][1] - pair[1][0]).abs() < 1e-9), "{spans:?}");
+        assert!((spans[count - 1][1] - pass["length_mm"].as_f64().unwrap()).abs() < 1e-6, "{spans:?}");
+        if job == "points" {
+            let points = numbers(&pass["points_mm"]);
+            assert_eq!(points.len(), 8);
+            assert!(points.windows(2).all(|pair| pair[0] < pair[1]) && (points[1] - 40.0).abs() < 0.1, "{points:?}");
+            // Two lines of 40 mm (the corners' blends take little), a quarter of a circle of 30 mm.
+            assert!((spans[0][1] - 80.0).abs() < 0.1, "{spans:?}");
+            assert!((spans[1][1] - spans[0][1] - 15.0 * std::f64::consts::PI).abs() < 0.1, "{spans:?}");
+        }
+    }
+}
+
 #[tokio::test(flavor = "multi_thread")]
 async fn simulated_inputs_and_outputs_have_names_and_values() {
     let bench = Bench::new(&[HOST]).await;

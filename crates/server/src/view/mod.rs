@@ -1,5 +1,6 @@
 //! Machines and planned programs as the panel sees them.
 
+mod certificate;
 mod devices;
 mod machine;
 mod moment;

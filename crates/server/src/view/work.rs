@@ -1,3 +1,4 @@
+use super::certificate::{certificate, used};
 use super::machine::axes;
 use super::near::near;
 use super::section::sections;
@@ -5,7 +6,7 @@ use super::solid::solid;
 use crate::wire::{FindingView, NearView, PassView, PathPoint, SolidView, WorkView};
 use seamwright_machine::{Machine, Surroundings};
 use seamwright_motion::{PassClearance, PassMotion, WeldMotion};
-use seamwright_program::{Finding, Pass};
+use seamwright_program::{Finding, Pass, TorchPath};
 use seamwright_project::load::Loaded;
 
 /// Samples of a pass, and of an air move.
@@ -32,9 +33,12 @@ pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&We
         machine: machine.name.clone(),
         axes: axes(machine),
         passes: passes
-            .map(|(pass, (planned, clearance))| {
+            .enumerate()
+            .map(|(i, (pass, (planned, clearance)))| {
                 let clearance = around.as_ref().zip(clearance.as_ref());
-                pass_view(machine, (pass, planned), clearance, &values)
+                let points_mm = points(pass, &loaded.welding.path(i), planned.path.length());
+                let spans = spans(pass, &points_mm, planned.path.length());
+                PassView { spans, points_mm, ..pass_view(machine, (pass, planned), clearance, &values) }
             })
             .collect(),
         values,
@@ -73,6 +77,26 @@ fn nearest(around: &Surroundings<'_>, clearance: &PassClearance, planned: &PassM
     Some((*s, near(around, &planned.path.at(*s), clearance.cutoff_mm)?))
 }
 
+/// Where a pass of this length reaches its points, mm.
+fn points(pass: &Pass, path: &dyn TorchPath, length: f64) -> Vec<f64> {
+    let Some(points) = &pass.points else { return Vec::new() };
+    (0..=points.count()).map(|i| path.reached(i).unwrap_or(length)).collect()
+}
+
+/// Where the spans of a pass of this length, which reaches its points there, begin and end, mm.
+fn spans(pass: &Pass, points_mm: &[f64], length: f64) -> Vec<[f64; 2]> {
+    let Some(points) = &pass.points else {
+        return pass.spans.iter().map(|span| [span.from_mm.get(), span.to_mm.get().min(length)]).collect();
+    };
+    let mut count = 0;
+    let runs = points.spans.iter().map(|run| {
+        let from = count;
+        count += run.points.len();
+        [from, count].map(|i| points_mm.get(i).copied().unwrap_or(length))
+    });
+    runs.collect()
+}
+
 fn pass_view(
     machine: &Machine,
     (pass, planned): (&Pass, &PassMotion),
@@ -91,6 +115,7 @@ fn pass_view(
                 tip: tip.point.to_array(),
                 torch: (-tip.direction).to_array(),
                 speed_mm_s: planned.tip_speed(machine, law),
+                used: used(machine, planned, law),
                 axes: machine.axes.iter().zip(q).map(|(axis, q)| axis.to_file(q)).collect(),
                 values: values
                     .iter()
@@ -109,6 +134,9 @@ fn pass_view(
         length_mm: length,
         time_s: planned.total_s(),
         speed_mm_s: path.get(SAMPLES / 2).map_or(0.0, |p| p.speed_mm_s),
+        spans: Vec::new(),
+        points_mm: Vec::new(),
+        certificate: certificate(machine, pass, planned),
         closed: ends.is_some_and(|[a, b]| a.distance(b) < CLOSED_MM),
         path,
         nearest,

@@ -3,6 +3,8 @@
 //! Lengths in mm, angles of axes in degrees, times in s, as in files. Every message over the socket has a `kind`.
 
 mod cell;
+mod certificate;
+mod choices;
 mod record;
 mod socket;
 mod status;
@@ -11,6 +13,8 @@ mod typescript;
 mod weld;
 
 pub use cell::*;
+pub use certificate::*;
+pub use choices::*;
 pub use record::*;
 pub use socket::*;
 pub use status::*;

@@ -1,4 +1,4 @@
-use super::AxisView;
+use super::{AxisView, CertificateView};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -60,6 +60,12 @@ pub struct PassView {
     pub closed: bool,
     /// Samples all along.
     pub path: Vec<PathPoint>,
+    /// Where its spans begin and end, path lengths in mm: of a pass along the seam, or runs of points.
+    pub spans: Vec<[f64; 2]>,
+    /// Path lengths at which its points are reached, mm, the start first; empty along a seam.
+    pub points_mm: Vec<f64>,
+    /// What it reaches and what bounds it.
+    pub certificate: CertificateView,
     /// Where what is watched comes nearest; none if nothing comes near.
     pub nearest: Option<NearView>,
     /// Where that is, mm.
@@ -92,6 +98,8 @@ pub struct PathPoint {
     pub speed_mm_s: f64,
     /// Axes, mm or degrees.
     pub axes: Vec<f64>,
+    /// Speed, acceleration and jerk of each axis in per cent of its limits.
+    pub used: Vec<[u8; 3]>,
     /// Process values; null where there is none.
     pub values: Vec<Option<f64>>,
     /// Least distance of anything watched, mm; null where nothing is near.
