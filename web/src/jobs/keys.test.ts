@@ -35,4 +35,5 @@ test('every key of the examples and of added tables has words in every language'
   words.language = 'en';
   expect(keyTitle('root_gap_mm')).toBe('root gap [mm]');
   expect(keyTitle('wire_feed_m_min')).toBe('wire feed [m/min]');
-});
+  // Loading all words takes a while on a busy computer.
+}, 60_000);
