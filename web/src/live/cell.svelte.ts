@@ -58,6 +58,8 @@ class Cell {
   /** The loaded program is tracked, as far as this panel has seen. */
   tracked = $state(false);
 
+  /** Alarms that nobody has put aside. */
+  readonly seen = $derived(this.alarms.filter((alarm) => !alarm.shelved));
   readonly stale = $derived(this.age > STALE_MS);
   readonly mode = $derived(this.status?.mode ?? null);
   readonly powered = $derived(this.status?.powered ?? false);
@@ -138,7 +140,7 @@ class Cell {
     return () => this.listeners.delete(listener);
   }
 
-  private async askMachine(): Promise<void> {
+  async askMachine(): Promise<void> {
     this.machine = await api.machine().catch(() => this.machine);
     this.strip.units = this.machine?.axes.map((axis) => axis.unit) ?? [];
   }

@@ -4,6 +4,7 @@
 
 mod cell;
 mod record;
+mod setup;
 mod socket;
 mod status;
 mod teach;
@@ -12,6 +13,7 @@ mod weld;
 
 pub use cell::*;
 pub use record::*;
+pub use setup::*;
 pub use socket::*;
 pub use status::*;
 pub use teach::*;
