@@ -31,6 +31,7 @@ test('a tool is found by touching one point, looked at, kept, and in force with 
   await keep(one, 'short.toml', SHORT);
   await load(one, 'short.toml');
   await tab(one, 'Weld');
+  await commands(one);
   await ready(one);
   await tab(one, 'Jog · Teach');
   await one.getByRole('button', { name: 'Start jogging' }).click();
@@ -71,6 +72,7 @@ test('one axis goes home alone', options, async () => {
   await one.getByRole('button', { name: 'Home axis beta' }).click();
   await mode(one, 'homing');
   await mode(one, 'ready');
+  await tab(one, 'Weld');
   assert.ok(Math.abs(await axis(one, 'beta')) < 0.05);
 });
 
@@ -82,6 +84,8 @@ test('a drive is set as the loader allows, and in force with the next loading', 
   await gain.fill('-1');
   await one.getByRole('button', { name: 'Keep', exact: true }).click();
   await one.getByRole('alert').filter({ hasText: 'kp_per_s' }).waitFor();
+  // The browser says that it was refused.
+  one.wrong = one.wrong.filter((text) => !text.includes('422'));
   await gain.fill('25');
   await one.getByLabel(/Highest speed/).fill('40');
   await shot('set-up-drives');

@@ -125,11 +125,11 @@ fn one_axis_goes_home_alone() {
 /// Not before an axis that the file says goes first, and there are no others.
 #[test]
 fn one_axis_keeps_to_the_order_of_the_file() {
-    let machine = machine("home_order = [\"z\", \"x\"]");
-    let (home, from) = (machine.home()[1], beside(&machine)[1]);
+    let machine = machine("home_order = [\"y\", \"x\"]");
+    let (home, from) = (machine.home()[0], beside(&machine)[0]);
     let middle = 0.5 * (home + from);
-    let hold: When<'static> = Box::new(move |c| c.mode == Mode::Homing && (c.q[1] - middle).abs() < 0.2);
-    let asked = [4, 99, 1, 4];
+    let hold: When<'static> = Box::new(move |c| c.mode == Mode::Homing && (c.q[0] - middle).abs() < 0.2);
+    let asked = [4, 99, 0, 4];
     let mut more = vec![(hold, Ask::Hold)];
     more.extend(asked.map(|axis| (in_mode(Mode::Ready), Ask::HomeAxis(axis))));
     let mut script = lines(more);
@@ -139,7 +139,7 @@ fn one_axis_keeps_to_the_order_of_the_file() {
         .iter()
         .filter_map(|note| if let Note::Refused(_, missing) = note { Some(*missing) } else { None })
         .collect();
-    assert_eq!(refused, [Missing::HomesFirst(1), Missing::Value]);
+    assert_eq!(refused, [Missing::HomesFirst(0), Missing::Value]);
     let last = script.cycles.iter().rfind(|c| c.mode == Mode::Ready).unwrap();
-    assert!([1, 4].iter().all(|i| (last.q[*i] - machine.home()[*i]).abs() < 0.01));
+    assert!([0, 4].iter().all(|i| (last.q[*i] - machine.home()[*i]).abs() < 0.01));
 }

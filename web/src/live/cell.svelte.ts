@@ -45,6 +45,8 @@ class Cell {
   control = $state.raw<Control>({ station: null, user: null, mine: false });
   /** Teaching by eye. */
   teach = $state.raw<TeachView>(CLOSED);
+  /** What ran last, so what is held in a hold. */
+  ran = $state<'dry_run' | 'weld' | null>(null);
   station = $state(0);
   version = $state('');
   /** What stands against the command that was last asked about. */
@@ -200,6 +202,7 @@ class Cell {
     const now = performance.now();
     this.heard = now;
     this.newest = status;
+    if (status.mode === 'dry_run' || status.mode === 'weld') this.ran = status.mode;
     this.strip.add(status);
     if (this.track.add(status, this.work?.passes[status.pass - 1]?.length_mm ?? 0)) this.tracked = true;
     // A mode that changed is shown at once.

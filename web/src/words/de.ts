@@ -685,6 +685,12 @@ export const de: Table = {
   'axis.home': 'Achse {0} in Grundstellung',
   'axis.home_how': 'Eine Achse fährt allein in Grundstellung; Referenzen werden für alle zusammen gesucht.',
 
+  'pause.jog': 'Von hier von Hand',
+  'pause.where': 'Leerfahrt in Lage {0} bei {1} mm verlassen. Von Hand fahren und aufnehmen; dann den Rückweg planen und „Leerfahrt“ drücken.',
+  'pause.begin': 'Leerfahrt vor der ersten Lage verlassen. Von Hand fahren und aufnehmen; dann den Rückweg planen und „Leerfahrt“ drücken.',
+  'pause.back': 'Rückweg planen',
+  'pause.forget': 'Leerfahrt aufgeben',
+
   'tour.title': 'Ihre erste Schweißung',
   'tour.close': 'Überspringen',
   'tour.control': '„Bedienung nehmen“ drücken (oben rechts): Immer nur eine Tafel bedient.',

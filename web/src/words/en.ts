@@ -684,6 +684,12 @@ export const en = {
   'axis.home': 'Home axis {0}',
   'axis.home_how': 'One axis goes home alone; references are found for all together.',
 
+  'pause.jog': 'Jog from here',
+  'pause.where': 'Dry run left in pass {0} at {1} mm. Jog and record; then plan the way back and press “Dry run”.',
+  'pause.begin': 'Dry run left before its first pass. Jog and record; then plan the way back and press “Dry run”.',
+  'pause.back': 'Plan the way back',
+  'pause.forget': 'Give the dry run up',
+
   'tour.title': 'Your first weld',
   'tour.close': 'Skip',
   'tour.control': 'Press “Take control” (top right): one panel commands at a time.',

@@ -685,6 +685,12 @@ export const zh: Table = {
   'axis.home': '轴 {0} 回原点',
   'axis.home_how': '单个轴自行回原点；参考点由全部轴一起寻找。',
 
+  'pause.jog': '从此处点动',
+  'pause.where': '空运行停在第 {0} 道 {1} mm 处。点动并记录；然后规划返回路径并按“空运行”。',
+  'pause.begin': '空运行停在第一道之前。点动并记录；然后规划返回路径并按“空运行”。',
+  'pause.back': '规划返回路径',
+  'pause.forget': '放弃空运行',
+
   'tour.title': '您的第一次焊接',
   'tour.close': '跳过',
   'tour.control': '按右上角“取得控制权”：同时只有一个面板操作。',

@@ -200,7 +200,7 @@ fn tool(machine: &Machine, head: usize, frames: &[DAffine3]) -> Result<ToolAnswe
         residuals_mm: fit.residuals,
         deviation_mm: fit.deviation.to_array(),
         apart_deg: fit.apart.to_degrees(),
-        unseen: fit.unseen.iter().map(|v| v.to_array()).collect(),
+        unseen: fit.unseen.iter().map(DVec3::to_array).collect(),
         verdict: verdict.to_owned(),
     })
 }
