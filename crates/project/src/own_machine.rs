@@ -210,7 +210,7 @@ mod tests {
         let gains = [("kp_per_s", Setting::Number(Some(30.0))), ("velocity_bandwidth_hz", Setting::Number(Some(20.0)))];
         let text = second.with(&[Step::Table("drives"), Step::Table("theta")], &gains).unwrap();
         let machine = second.keep(&text).unwrap();
-        assert_eq!(machine.heads[0].tip.to_array(), [0.5, -0.25, 1.0]);
+        assert_eq!(machine.heads[0].tip, glam::DVec3::new(0.5, -0.25, 1.0));
         let drive = machine.axes[0].drive.as_ref().unwrap();
         assert_eq!((drive.gains.unwrap().kp, drive.velocity_bandwidth_hz), (30.0, 20.0));
         // Line by line: one more of each key, one changed.

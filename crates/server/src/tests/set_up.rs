@@ -3,6 +3,7 @@
 use super::lived::Served;
 use super::{Bench, HOST, Visitor};
 use axum::http::StatusCode;
+use glam::DVec3;
 use serde_json::{Value, json};
 
 /// A job on the machine of the saddle that is planned at once.
@@ -77,10 +78,10 @@ async fn a_tool_is_found_reviewed_and_kept() {
     let view = bench.did(&owner, "PUT", "/api/tool", bent).await;
     assert_eq!((&view["pending"], &view["file"]), (&json!(true), &json!("machines/saddle-4axis.toml")));
     assert!(std::fs::read_to_string(&path).unwrap().contains("tip_mm = [0.5, 0.0, -1.0]"));
-    let tip = |bench: &Bench| bench.panel.cell.hub.machine().unwrap().heads[0].tip.to_array();
-    assert_eq!(tip(&bench), [0.0; 3]);
+    let tip = |bench: &Bench| bench.panel.cell.hub.machine().unwrap().heads[0].tip;
+    assert_eq!(tip(&bench), DVec3::ZERO);
     bench.short(&owner).await;
-    assert_eq!(tip(&bench), [0.5, 0.0, -1.0]);
+    assert_eq!(tip(&bench), DVec3::new(0.5, 0.0, -1.0));
     let view = bench.did(&owner, "GET", "/api/parameters", Value::Null).await;
     assert_eq!((&view["pending"], &view["heads"][0]["tip_mm"]), (&json!(false), &json!([0.5, 0.0, -1.0])));
     // Who did it, with the old value.
