@@ -58,6 +58,13 @@ for (const language of ['en', 'uk', 'zh', 'de', 'ru']) {
         await one.screenshot({ path: `${shots}${language}-${size}-${i}.png` });
         assert.deepEqual(await overflowing(one), [], `tab ${i}`);
       }
+      const pages = one.locator('.setup .pages button');
+      for (let i = 0; i < (await pages.count()); i += 1) {
+        await pages.nth(i).click();
+        await sleep(200);
+        await one.screenshot({ path: `${shots}${language}-${size}-set-up-${i}.png` });
+        assert.deepEqual(await overflowing(one), [], `set-up ${i}`);
+      }
       // The editor, with its pages.
       await go(one, 2);
       await one.locator('li.card', { hasText: 'points.toml' }).getByRole('button').nth(1).click();
@@ -93,8 +100,8 @@ for (const dark of [false, true]) {
       await check(`tab ${i}`);
       await one.screenshot({ path: `${shots}${dark ? 'dark' : 'light'}-${i}.png` });
     }
-    for (const name of ['Inputs and outputs', 'Tuning', 'Alarm catalogue', 'Users', 'Audit log']) {
-      await one.getByRole('button', { name }).click();
+    for (const name of ['Axes and drives', 'Tool', 'Inputs and outputs', 'Tuning', 'Alarm catalogue', 'Users', 'Audit log']) {
+      await one.getByRole('button', { name, exact: true }).click();
       await sleep(300);
       await check(name);
     }

@@ -360,7 +360,184 @@ phase_margin: [number, number] | null,
 /**
  * Settings and what was measured, with the keys of machine files.
  */
-values: Array<[string, number]>, };
+values: Array<[string, number]>, 
+/**
+ * The settings, as [`super::ParameterChange::values`] takes them over.
+ */
+settings: Array<[string, number]>, 
+/**
+ * See [`super::ParameterChange::notches`].
+ */
+notches: Array<[number, number, number]>, };
+
+/**
+ * `GET /api/parameters`: what the machine file of the cell's job holds of axes, drives and tools.
+ */
+export type ParametersView = { 
+/**
+ * Title of the machine.
+ */
+machine: string, 
+/**
+ * The file, among the jobs, in which changes are kept.
+ */
+file: string, 
+/**
+ * The cell still has the machine as it was before a change: it is in force when the job is loaded anew, drives off.
+ */
+pending: boolean, 
+/**
+ * In the order of the machine's axes.
+ */
+axes: Array<AxisParameters>, 
+/**
+ * Torches, beams or lasers.
+ */
+heads: Array<HeadView>, };
+
+/**
+ * An axis with its drive.
+ */
+export type AxisParameters = { 
+/**
+ * Its name.
+ */
+name: string, 
+/**
+ * `mm` or `deg`.
+ */
+unit: string, 
+/**
+ * The machine file describes its drive.
+ */
+has_drive: boolean, 
+/**
+ * All that can stand there, with the keys of machine files.
+ */
+values: Array<ParameterView>, 
+/**
+ * Notch filters of the speed command: frequency, Hz, depth (gain at the centre), width, Hz.
+ */
+notches: Array<[number, number, number]>, };
+
+/**
+ * A number of the machine file.
+ */
+export type ParameterView = { 
+/**
+ * Its key.
+ */
+key: string, 
+/**
+ * `axis`, `loop`, `feedforward`, `mechanics`.
+ */
+group: string, 
+/**
+ * Its value; none: what is assumed without it.
+ */
+value: number | null, };
+
+/**
+ * A torch, beam or laser.
+ */
+export type HeadView = { 
+/**
+ * Its name.
+ */
+name: string, 
+/**
+ * Its tip in the last frame of its steps, mm.
+ */
+tip_mm: [number, number, number], };
+
+/**
+ * `PUT /api/parameters`: numbers of an axis and its drive, all checked as the loader checks them.
+ */
+export type ParameterChange = { 
+/**
+ * Name of the axis.
+ */
+axis: string, 
+/**
+ * Keys with their new values; null takes the key away.
+ */
+values: Array<[string, number | null]>, 
+/**
+ * Notch filters in place of those that are there, if they change.
+ */
+notches: Array<[number, number, number]> | null, };
+
+/**
+ * `POST /api/tool`: one fixed point was touched with the tip of a head from several attitudes.
+ */
+export type ToolTouches = { 
+/**
+ * The head, from 0.
+ */
+head: number, 
+/**
+ * Positions of all axes at each touch, mm or degrees.
+ */
+touches: Array<Array<number>>, };
+
+/**
+ * Its answer; nothing is kept.
+ */
+export type ToolAnswer = { 
+/**
+ * The tip in the last frame of the head's steps, mm: as it was, and as it was found.
+ */
+was_mm: [number, number, number], 
+/**
+ * See `was_mm`.
+ */
+tip_mm: [number, number, number], 
+/**
+ * The point that was touched, in the work frame, mm.
+ */
+point_mm: [number, number, number], 
+/**
+ * Distance of the tip from that point at each touch, mm.
+ */
+residuals_mm: Array<number>, 
+/**
+ * Touches that are far off the others.
+ */
+outliers: Array<boolean>, 
+/**
+ * Root of the mean square of the residuals, mm.
+ */
+rms_mm: number, 
+/**
+ * Standard deviation of the tip, estimated from the residuals, mm.
+ */
+deviation_mm: [number, number, number], 
+/**
+ * Largest angle between two attitudes, degrees.
+ */
+apart_deg: number, 
+/**
+ * Directions in the head's frame along which the attitudes do not tell where the tip is: it stays there as it was.
+ */
+unseen: Array<[number, number, number]>, 
+/**
+ * `good`; `unseen`: good, but not told in all directions; `far`: it moved by more than a tool is bent; `poor`: the touches
+ * do not agree.
+ */
+verdict: string, };
+
+/**
+ * `PUT /api/tool`: the tip is there from now on.
+ */
+export type ToolTip = { 
+/**
+ * The head, from 0.
+ */
+head: number, 
+/**
+ * In the last frame of its steps, mm.
+ */
+tip_mm: [number, number, number], };
 
 /**
  * `GET /api/session`, and the answer of `POST /api/login`.
@@ -742,7 +919,11 @@ action: string,
  */
 reaction: string, 
 /**
- * `unacknowledged`, `acknowledged`, `returned`.
+ * Which axis, condition or process value, counted as the cell counts: with `number`, what this alarm is asked about by.
+ */
+detail: number, 
+/**
+ * `unacknowledged`, `acknowledged`, `returned`; `gone`: it is not on the list but shelved still.
  */
 state: string, 
 /**
@@ -754,6 +935,22 @@ first_out: boolean,
  */
 t: number, 
 /**
+ * When; RFC 3339, UTC.
+ */
+at: string, 
+/**
+ * Who acknowledged it, and when.
+ */
+acknowledged: WhoWhen | null, 
+/**
+ * Who shelved it, and until when.
+ */
+shelved: WhoWhen | null, 
+/**
+ * It only tells and may be shelved.
+ */
+tells: boolean, 
+/**
  * Where: pass from 1 (0: beside passes) and path length.
  */
 pass: number, 
@@ -761,6 +958,36 @@ pass: number,
  * See `pass`.
  */
 s_mm: number, };
+
+/**
+ * A user and a time.
+ */
+export type WhoWhen = { 
+/**
+ * Name of the user.
+ */
+by: string, 
+/**
+ * RFC 3339, UTC.
+ */
+at: string, };
+
+/**
+ * `POST /api/alarms/shelve`: an alarm on the list that only tells is put aside for a while, or taken back.
+ */
+export type Shelving = { 
+/**
+ * See [`AlarmView::number`].
+ */
+number: number, 
+/**
+ * See [`AlarmView::detail`].
+ */
+detail: number, 
+/**
+ * For so long, up to 480; 0 takes it back.
+ */
+minutes: number, };
 
 /**
  * Something that happened.
@@ -857,6 +1084,10 @@ passes: Array<PassView>,
  */
 air: Array<Array<[number, number, number]>>, 
 /**
+ * Times of those ways, s.
+ */
+air_s: Array<number>, 
+/**
  * The part and the fixtures.
  */
 part: Array<SolidView>, 
@@ -913,6 +1144,10 @@ length_mm: number,
  * Time from gas to gas, s.
  */
 time_s: number, 
+/**
+ * After a stop it begins so far before the end of what is welded, mm.
+ */
+overlap_mm: number, 
 /**
  * Speed that is asked for at its begin, mm/s.
  */
@@ -1960,11 +2195,19 @@ export type JogOf = "joints" | "tip";
 /**
  * Commands to the executive. Stop and hold need no control token; stop no role either.
  */
-export type AskView = { "do": "switch_on", } | { "do": "switch_off", } | { "do": "home", } | { "do": "start_jog", } | { "do": "start_teach", } | { "do": "start_dry_run", } | { "do": "arm", } | { "do": "start_weld", } | { "do": "hold", } | { "do": "resume", } | { "do": "reverse", } | { "do": "stop", } | { "do": "override", 
+export type AskView = { "do": "switch_on", } | { "do": "switch_off", } | { "do": "home", 
+/**
+ * The axis, counted from 0; all if missing.
+ */
+axis?: number, } | { "do": "start_jog", } | { "do": "start_teach", } | { "do": "start_dry_run", } | { "do": "arm", } | { "do": "start_weld", } | { "do": "hold", } | { "do": "resume", } | { "do": "reverse", } | { "do": "stop", } | { "do": "override", 
 /**
  * 0 to 1.
  */
-part: number, } | { "do": "reset", } | { "do": "acknowledge", };
+part: number, } | { "do": "reset", } | { "do": "acknowledge", 
+/**
+ * Number and detail of the alarm; all if missing.
+ */
+one?: [number, number], };
 
 /**
  * To the panel over the socket.

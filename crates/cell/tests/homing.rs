@@ -4,7 +4,7 @@ mod common;
 
 use common::{Script, Seen, When, in_mode, up};
 use seamwright_cell::devices::{DeviceSet, SimulatedDrives, SimulatedInputs, SimulatedSource};
-use seamwright_cell::executive::{Alarm, Ask, Executive, Interlocks, Mode, Note, Work};
+use seamwright_cell::executive::{Alarm, Ask, Executive, Interlocks, Missing, Mode, Note, Work};
 use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
 
 fn machine(order: &str) -> Machine {
@@ -103,4 +103,43 @@ fn orders_that_cannot_be() {
         let error = Machine::read("m.toml", &text).unwrap_err().to_string();
         assert!(error.contains("home_order") && error.contains(said), "{error}");
     }
+}
+
+/// With references known one axis goes home alone, and the others stay.
+#[test]
+fn one_axis_goes_home_alone() {
+    let machine = machine("home_order = [\"z\", \"x\"]");
+    let mut script = lines(vec![(in_mode(Mode::Ready), Ask::HomeAxis(0))]);
+    play(&machine, &mut script);
+    assert_eq!(script.modes(), [Mode::Idle, Mode::Homing, Mode::Ready, Mode::Homing, Mode::Ready, Mode::Off]);
+    let (home, from) = (machine.home(), beside(&machine));
+    let first = script.cycles.iter().position(|c| c.mode == Mode::Ready).unwrap();
+    let last = script.cycles.iter().rposition(|c| c.mode == Mode::Ready).unwrap();
+    let alone = &script.cycles[first..=last];
+    assert!((alone[0].q[0] - from[0]).abs() < 0.01 && (alone[alone.len() - 1].q[0] - home[0]).abs() < 0.01);
+    for i in 1..5 {
+        assert!(alone.iter().all(|c| (c.q[i] - alone[0].q[i]).abs() < 1e-9), "{i}");
+    }
+}
+
+/// Not before an axis that the file says goes first, and there are no others.
+#[test]
+fn one_axis_keeps_to_the_order_of_the_file() {
+    let machine = machine("home_order = [\"y\", \"x\"]");
+    let (home, from) = (machine.home()[0], beside(&machine)[0]);
+    let middle = 0.5 * (home + from);
+    let hold: When<'static> = Box::new(move |c| c.mode == Mode::Homing && (c.q[0] - middle).abs() < 0.2);
+    let asked = [4, 99, 0, 4];
+    let mut more = vec![(hold, Ask::Hold)];
+    more.extend(asked.map(|axis| (in_mode(Mode::Ready), Ask::HomeAxis(axis))));
+    let mut script = lines(more);
+    play(&machine, &mut script);
+    let refused: Vec<Missing> = script
+        .notes
+        .iter()
+        .filter_map(|note| if let Note::Refused(_, missing) = note { Some(*missing) } else { None })
+        .collect();
+    assert_eq!(refused, [Missing::HomesFirst(0), Missing::Value]);
+    let last = script.cycles.iter().rfind(|c| c.mode == Mode::Ready).unwrap();
+    assert!([0, 4].iter().all(|i| (last.q[*i] - machine.home()[*i]).abs() < 0.01));
 }

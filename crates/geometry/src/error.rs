@@ -111,6 +111,15 @@ pub enum Error {
         /// On what they lie.
         on: &'static str,
     },
+    /// Attitudes from which a point was touched that tell nothing of it.
+    #[error(
+        "the attitudes are {:.1} degrees apart at most: they do not tell where the tip is",
+        apart.to_degrees()
+    )]
+    Alike {
+        /// Largest angle between two of them, rad.
+        apart: f64,
+    },
     /// A search for a rigid motion came to no end.
     #[error("no place was found at which the part fits the points")]
     NoFit,

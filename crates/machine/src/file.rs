@@ -1,6 +1,7 @@
 //! The machine file as written, before its steps are put together.
 
 use crate::{BeamDeflection, DeviceFile, InterlockFile, SensorFile, SourceFile, TipLimits};
+use glam::DVec3;
 use schemars::JsonSchema;
 use seamwright_clearance::SolidFile;
 use seamwright_document::{Direction, Finite, NonNegative, Point, Positive, SchemaVersion, Transform};
@@ -80,6 +81,8 @@ pub struct MachineFile {
 pub struct TorchFile {
     /// Direction of wire or beam, from the torch to the work, in the last frame of the tool steps.
     pub direction: Direction,
+    /// Where the tip is in the last frame of the tool steps, mm: what calibrating the tool finds; its origin if missing.
+    pub tip_mm: Option<Point>,
     /// How far and fast a beam is deflected, if the torch is one.
     pub deflection: Option<DeflectionFile>,
 }
@@ -143,17 +146,22 @@ pub struct HeadFile {
     pub name: String,
     /// Direction of wire or beam, from the torch to the work, in the last frame of the head's steps.
     pub direction: Direction,
+    /// Where the tip is in the last frame of the head's steps, mm; its origin if missing.
+    pub tip_mm: Option<Point>,
     /// Steps from the end of the tool steps to the head's tip: correction slides and fixed displacements.
     #[serde(default)]
     pub steps: Vec<StepFile>,
 }
 
 impl MachineFile {
-    /// Name, own steps and direction of each head.
-    pub(crate) fn heads(&self) -> Vec<(&str, &[StepFile], Direction)> {
+    /// Name, own steps, direction and tip of each head.
+    pub(crate) fn heads(&self) -> Vec<(&str, &[StepFile], Direction, DVec3)> {
+        let tip = |tip: Option<Point>| tip.map_or(DVec3::ZERO, Point::get);
         match &self.torch {
-            Some(torch) => vec![("torch", &[], torch.direction)],
-            None => self.heads.iter().map(|h| (h.name.as_str(), h.steps.as_slice(), h.direction)).collect(),
+            Some(torch) => vec![("torch", &[], torch.direction, tip(torch.tip_mm))],
+            None => {
+                self.heads.iter().map(|h| (h.name.as_str(), h.steps.as_slice(), h.direction, tip(h.tip_mm))).collect()
+            }
         }
     }
 }

@@ -1,12 +1,15 @@
 use crate::chain::{AxisSet, Chain};
 use crate::inverse::Inverse;
 use crate::{Axis, AxisKind};
+use glam::DVec3;
 
 /// A torch, beam or laser head with the axes that carry it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Head {
     /// Name: `torch` on machines with one head.
     pub name: String,
+    /// Where its tip is in the last frame of its steps, mm.
+    pub tip: DVec3,
     /// The chain from the clamped work to the head's tip.
     pub chain: Chain,
     /// Linear axes of the head alone, by index: its correction slides.

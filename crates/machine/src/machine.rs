@@ -220,6 +220,13 @@ impl Machine {
         self.links.motion(&self.true_positions(q))
     }
 
+    /// The last frame of the steps of head `head` in the work frame at indicated positions `q`: its tip is [`crate::Head::tip`] in it.
+    pub fn mount_frame(&self, head: usize, q: &Joints) -> DAffine3 {
+        let head = &self.heads[head];
+        let named = self.links.frames.iter().find(|frame| frame.name == head.name);
+        named.map_or(DAffine3::IDENTITY, |frame| self.link_frames(q)[frame.link] * frame.zero)
+    }
+
     /// The frame of `sensor` as a camera, in the work frame at indicated positions `q`: x to the right in the picture, y
     /// down, z away from the camera.
     pub fn camera_frame(&self, sensor: &Sensor, q: &Joints) -> DAffine3 {

@@ -9,6 +9,7 @@ pub mod load;
 pub mod offset;
 mod outside;
 pub mod overlay;
+pub mod own_machine;
 pub mod part;
 pub mod posting;
 pub mod power_loss;

@@ -46,8 +46,8 @@ fn load_within(name: &str, text: &str, within: &Within<'_>) -> Result<Loaded, Fa
     let welding = Welding::read_with(name, text, &Beside::new(within.clone()))?;
     let wanted = &welding.program.value.machine;
     let stl = StlFiles::default();
-    let machine = match machine_from(wanted, within, &stl)? {
-        Some(machine) => machine,
+    let (machine, machine_file) = match described(wanted, within, &stl, Own::First)? {
+        Some(Described { machine, file, .. }) => (machine, file),
         None => {
             let allowed = format!("{}, or the path of a machine file", names());
             let message = format!("there is no such machine, and no file {}", within.folder().join(wanted).display());
@@ -61,7 +61,6 @@ fn load_within(name: &str, text: &str, within: &Within<'_>) -> Result<Loaded, Fa
     }
     check_held(&welding, &machine)?;
     check_registers(&welding, &machine)?;
-    let machine_file = shipped(wanted).is_none().then(|| within.folder().join(wanted));
     let clamped = welding.clamped(&|name| stl.read(within, name))?;
     Ok(Loaded { welding, machine, machine_file, clamped, stl_files: stl.0.into_inner() })
 }
@@ -126,23 +125,40 @@ fn names() -> String {
 
 /// The machine that a job names; none if there is no such machine.
 pub(crate) fn machine_beside(name: &str, within: &Within<'_>) -> Result<Option<Machine>, Failure> {
-    machine_from(name, within, &StlFiles::default())
+    Ok(described(name, within, &StlFiles::default(), Own::First)?.map(|found| found.machine))
+}
+
+/// Where a cell keeps its own copy of a machine that ships, seen from its jobs: what it was found to be by calibrating and tuning.
+pub(crate) fn own_copy(name: &str) -> String {
+    format!("machines/{name}.toml")
+}
+
+/// Whether a cell's own copy of a machine that ships goes before it.
+#[derive(Clone, Copy, PartialEq)]
+enum Own {
+    First,
+    Never,
+}
+
+/// A machine with its file.
+struct Described {
+    machine: Machine,
+    document: Document<MachineFile>,
+    /// Where the file is, if it does not ship.
+    file: Option<PathBuf>,
 }
 
 /// The machine called `name`, or in the file `name`; none if there is neither.
-fn machine_from(name: &str, within: &Within<'_>, stl: &StlFiles) -> Result<Option<Machine>, Failure> {
-    Ok(described(name, within, stl)?.map(|(machine, _)| machine))
-}
-
-/// The same with its file.
-fn described(
-    name: &str,
-    within: &Within<'_>,
-    stl: &StlFiles,
-) -> Result<Option<(Machine, Document<MachineFile>)>, Failure> {
+fn described(name: &str, within: &Within<'_>, stl: &StlFiles, own: Own) -> Result<Option<Described>, Failure> {
+    let mut wanted = name.to_owned();
     if let Some(shipped) = shipped(name) {
-        return checked(shipped.name, shipped.text, within, stl).map(Some);
+        wanted = own_copy(shipped.name);
+        if own == Own::Never || !within.folder().join(&wanted).is_file() {
+            let (machine, document) = checked(shipped.name, shipped.text, within, stl)?;
+            return Ok(Some(Described { machine, document, file: None }));
+        }
     }
+    let name = wanted.as_str();
     let path = match within.file(name) {
         Ok(path) if path.is_file() => path,
         Err(e) if e.kind() == std::io::ErrorKind::PermissionDenied => {
@@ -151,7 +167,16 @@ fn described(
         }
         _ => return Ok(None),
     };
-    checked(&path.display().to_string(), &files::read(&path)?, &within.beside(&path), stl).map(Some)
+    let (machine, document) = checked(&path.display().to_string(), &files::read(&path)?, &within.beside(&path), stl)?;
+    Ok(Some(Described { machine, document, file: Some(path) }))
+}
+
+/// The text of a machine file as one in `folder`, from which nothing else is looked at: it would make this machine.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn machine_foreign(name: &str, text: &str, folder: &Path) -> Result<Machine, Failure> {
+    checked(name, text, &Within::fenced(folder), &StlFiles::default()).map(|(machine, _)| machine)
 }
 
 /// A machine file with its drives checked too, so that no later step is the first to stumble over them.
@@ -176,7 +201,8 @@ pub fn machine(name: &str) -> Result<Machine, Failure> {
 
 /// The machine that a command line names, with its file.
 pub fn machine_and_file(name: &str) -> Result<(Machine, Document<MachineFile>), Failure> {
-    described(name, &Within::open(Path::new(".")), &StlFiles::default())?.ok_or_else(|| {
+    let found = described(name, &Within::open(Path::new(".")), &StlFiles::default(), Own::Never)?;
+    found.map(|found| (found.machine, found.document)).ok_or_else(|| {
         Failure::Input(format!(
             "{name}: there is no such machine\n   allowed: {}, or the path of a machine file",
             names()

@@ -45,6 +45,8 @@ class Cell {
   control = $state.raw<Control>({ station: null, user: null, mine: false });
   /** Teaching by eye. */
   teach = $state.raw<TeachView>(CLOSED);
+  /** What ran last, so what is held in a hold. */
+  ran = $state<'dry_run' | 'weld' | null>(null);
   station = $state(0);
   version = $state('');
   /** What stands against the command that was last asked about. */
@@ -58,6 +60,8 @@ class Cell {
   /** The loaded program is tracked, as far as this panel has seen. */
   tracked = $state(false);
 
+  /** Alarms that nobody has put aside. */
+  readonly seen = $derived(this.alarms.filter((alarm) => !alarm.shelved));
   readonly stale = $derived(this.age > STALE_MS);
   readonly mode = $derived(this.status?.mode ?? null);
   readonly powered = $derived(this.status?.powered ?? false);
@@ -138,7 +142,7 @@ class Cell {
     return () => this.listeners.delete(listener);
   }
 
-  private async askMachine(): Promise<void> {
+  async askMachine(): Promise<void> {
     this.machine = await api.machine().catch(() => this.machine);
     this.strip.units = this.machine?.axes.map((axis) => axis.unit) ?? [];
   }
@@ -198,6 +202,7 @@ class Cell {
     const now = performance.now();
     this.heard = now;
     this.newest = status;
+    if (status.mode === 'dry_run' || status.mode === 'weld') this.ran = status.mode;
     this.strip.add(status);
     if (this.track.add(status, this.work?.passes[status.pass - 1]?.length_mm ?? 0)) this.tracked = true;
     // A mode that changed is shown at once.

@@ -58,10 +58,10 @@ impl AlarmList {
     pub fn raise(&mut self, alarm: Alarm, detail: u8, reaction: Reaction, (t, place): (f64, Place)) -> Option<Raised> {
         let first_out = self.list.is_empty();
         if let Some(known) = self.list.iter_mut().find(|r| r.alarm == alarm && r.detail == detail) {
-            if known.state != AlarmState::Returned {
+            if known.state != AlarmState::Returned && reaction <= known.reaction {
                 return None;
             }
-            // It is back: a new occurrence, but what came first stays what came first.
+            // It is back, or does more than before: a new occurrence, but what came first stays what came first.
             *known = Raised { state: AlarmState::Unacknowledged, reaction, t, place, ..*known };
             return Some(*known);
         }
@@ -94,7 +94,11 @@ impl AlarmList {
                 }
             }
             Note::Cleared(alarm, detail) => drop(self.clear(*alarm, *detail)),
-            Note::Taken(command) if command.ask == Ask::Acknowledge => drop(self.acknowledge()),
+            Note::Taken(command) => match command.ask {
+                Ask::Acknowledge => drop(self.acknowledge()),
+                Ask::AcknowledgeOne(alarm, detail) => return self.acknowledge_one(alarm, detail),
+                _ => return false,
+            },
             _ => return false,
         }
         true
@@ -106,6 +110,17 @@ impl AlarmList {
         self.list.retain(|r| r.state != AlarmState::Returned);
         self.list.iter_mut().for_each(|r| r.state = AlarmState::Acknowledged);
         before
+    }
+
+    /// The operator knows this one; true if it was new to him. The others stay as they are.
+    pub fn acknowledge_one(&mut self, alarm: Alarm, detail: u8) -> bool {
+        let Some(i) = self.list.iter().position(|r| r.alarm == alarm && r.detail == detail) else { return false };
+        match self.list[i].state {
+            AlarmState::Acknowledged => return false,
+            AlarmState::Unacknowledged => self.list[i].state = AlarmState::Acknowledged,
+            AlarmState::Returned => drop(self.list.remove(i)),
+        }
+        true
     }
 
     /// True if it is there.
@@ -160,6 +175,65 @@ mod tests {
         list.clear(Alarm::Overrun, 0);
         assert_eq!(list.acknowledge(), 1);
         assert_eq!(list.iter().count(), 0);
+    }
+
+    /// Random alarms come, go and are acknowledged one by one or all: each is in the state that its own history says, whatever
+    /// happens to the others.
+    #[test]
+    fn one_alarm_is_acknowledged_without_the_others() {
+        let mut state = 5u64;
+        let mut below = |n: u64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) % n
+        };
+        let list = &mut AlarmList::default();
+        // There, and known, of each.
+        let mut each = [(false, true); 6];
+        for step in 0..20_000 {
+            let k = below(6) as usize;
+            let (alarm, detail) = (Alarm::ALL[k / 2], (k % 2) as u8);
+            let (there, known) = each[k];
+            match below(4) {
+                0 => {
+                    assert_eq!(raise(list, alarm, detail).is_some(), !there, "{step}");
+                    each[k] = (true, there && known);
+                }
+                1 => {
+                    assert_eq!(list.clear(alarm, detail), there, "{step}");
+                    each[k] = (false, known);
+                }
+                2 => {
+                    assert_eq!(list.acknowledge_one(alarm, detail), !known, "{step}");
+                    each[k] = (there, true);
+                }
+                _ if below(8) == 0 => {
+                    list.acknowledge();
+                    each.iter_mut().for_each(|one| one.1 = true);
+                }
+                _ => {}
+            }
+            for (k, (there, known)) in each.iter().enumerate() {
+                let found = list.iter().find(|r| r.alarm == Alarm::ALL[k / 2] && usize::from(r.detail) == k % 2);
+                let wanted = match (there, known) {
+                    (true, false) => Some(AlarmState::Unacknowledged),
+                    (true, true) => Some(AlarmState::Acknowledged),
+                    (false, false) => Some(AlarmState::Returned),
+                    (false, true) => None,
+                };
+                assert_eq!(found.map(|r| r.state), wanted, "{step}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_grows_worse_is_news() {
+        let list = &mut AlarmList::default();
+        assert!(list.raise(Alarm::Tracking, 3, Reaction::Tell, HERE).is_some());
+        list.acknowledge();
+        assert!(list.raise(Alarm::Tracking, 3, Reaction::Tell, HERE).is_none());
+        let worse = list.raise(Alarm::Tracking, 3, Reaction::ProcessOff, HERE).unwrap();
+        assert_eq!((worse.reaction, worse.state), (Reaction::ProcessOff, AlarmState::Unacknowledged));
+        assert!(list.raise(Alarm::Tracking, 3, Reaction::Hold, HERE).is_none());
     }
 
     #[test]

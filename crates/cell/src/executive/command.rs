@@ -1,4 +1,4 @@
-use super::Event;
+use super::{Alarm, Event};
 use seamwright_motion::jog;
 
 /// Who asked, and from where: numbers that the outside resolves to names, so that a cycle carries no text.
@@ -37,6 +37,8 @@ pub enum Ask {
     SwitchOff,
     /// Find the references.
     Home,
+    /// This axis to its home position, references known.
+    HomeAxis(u8),
     /// Jogging, until [`Ask::Hold`].
     StartJog,
     /// Jogging while places are recorded.
@@ -63,6 +65,8 @@ pub enum Ask {
     Reset,
     /// All alarms are known.
     Acknowledge,
+    /// This alarm is known, with which axis, condition or process value; the others are not.
+    AcknowledgeOne(Alarm, u8),
     /// What stands between now and this: told in notes, changes nothing.
     Why(Event),
     /// Give the cell back for another program, power and references as they are; must not move.
@@ -78,6 +82,7 @@ impl Ask {
             Self::SwitchOn => "switch on",
             Self::SwitchOff => "switch off",
             Self::Home => "home",
+            Self::HomeAxis(_) => "home axis",
             Self::StartJog => "start jog",
             Self::StartTeach => "start teach",
             Self::Jog(_) => "jog",
@@ -91,6 +96,7 @@ impl Ask {
             Self::Override(_) => "override",
             Self::Reset => "reset",
             Self::Acknowledge => "acknowledge",
+            Self::AcknowledgeOne(..) => "acknowledge one",
             Self::Why(_) => "why",
             Self::Load => "load",
             Self::Quit => "quit",

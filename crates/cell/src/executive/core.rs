@@ -67,6 +67,8 @@ pub struct Executive<'a, D, P> {
     /// The program shall go back, or stand still where it does.
     pub(super) reverse: bool,
     pub(super) halt: bool,
+    /// The axis that goes home alone, if the others do not.
+    pub(super) homes_one: Option<usize>,
     /// What the hand on the keys wants, fresh in this cycle.
     pub(super) jog: Option<jog::Command>,
     end: Option<End>,
@@ -107,6 +109,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             pace: 1.0,
             reverse: false,
             halt: false,
+            homes_one: None,
             jog: None,
             end: None,
             cycles: 0,
@@ -301,7 +304,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         let event = match ask {
             Ask::SwitchOn => Event::SwitchOn,
             Ask::SwitchOff => Event::SwitchOff,
-            Ask::Home => Event::Home,
+            Ask::Home | Ask::HomeAxis(_) => Event::Home,
             Ask::StartJog => Event::Jog,
             Ask::StartTeach => Event::Teach,
             Ask::StartDryRun => Event::DryRun,
@@ -319,9 +322,11 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
         if let Some(missing) = self.missing(event, work).first() {
             return Err(*missing);
         }
+        let one = if let Ask::HomeAxis(axis) = ask { Some(self.home_one(axis)?) } else { None };
         if starts {
             self.welds = event == Event::Weld;
         }
+        self.homes_one = one;
         (self.reverse, self.halt) = (false, false);
         self.event(event);
         self.disarm();
@@ -342,6 +347,7 @@ impl<'a, D: Devices, P: Port> Executive<'a, D, P> {
             Ask::Override(value) if (0.0..=1.0).contains(&value) => self.pace = value,
             Ask::Override(_) => return Err(Missing::Value),
             Ask::Acknowledge => drop(self.alarms.acknowledge()),
+            Ask::AcknowledgeOne(alarm, detail) => drop(self.alarms.acknowledge_one(alarm, detail)),
             Ask::Arm => {
                 let missing = self.missing(Event::Weld, work);
                 if let Some(missing) = missing.iter().find(|m| **m != Missing::Arming) {

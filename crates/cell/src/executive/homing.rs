@@ -4,7 +4,7 @@ use super::bus::Devices;
 use super::core::Doing;
 use super::jogging::obey;
 use super::mode::{Event, Mode};
-use super::state::Port;
+use super::state::{Missing, Port};
 use super::work::Work;
 use super::{Alarm, Executive};
 use seamwright_machine::{Joints, Level};
@@ -18,11 +18,16 @@ const HOMING_S: f64 = 120.0;
 const SAID_S: f64 = 0.05;
 /// An axis this near to its home position, mm or rad, and this slow, mm/s or rad/s, is there.
 const THERE: f64 = 1e-6;
+/// An axis this near to its home position is at home, mm or rad.
+const AT_HOME: f64 = 0.01;
 
 impl<D: Devices, P: Port> Executive<'_, D, P> {
     /// Looks for the references until they are known; the drives move the axes then, and say where they are. After that axes go
     /// home.
     pub(super) fn home(&mut self, work: Option<&Work<'_>>) {
+        if let Some(axis) = self.homes_one.take() {
+            return self.send_home(&[axis], work);
+        }
         let begun = self.now();
         let mut found = false;
         while self.mode == Mode::Homing && !found {
@@ -42,11 +47,38 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         if self.mode != Mode::Homing {
             return;
         }
+        let machine = self.machine;
+        self.send_home(&machine.home_order, work);
+    }
+
+    /// The axis of this number, if it may go home alone.
+    ///
+    /// # Errors
+    /// [`Missing::References`] where one is not known: the drives find them together. [`Missing::HomesFirst`] where another axis of
+    /// the machine file's order comes first and is not at home. [`Missing::Value`]: there is no such axis.
+    pub(super) fn home_one(&self, axis: u8) -> Result<usize, Missing> {
+        let one = usize::from(axis);
+        if one >= self.machine.axes.len() {
+            return Err(Missing::Value);
+        }
+        if self.unreferenced() != 0 {
+            return Err(Missing::References(self.unreferenced()));
+        }
+        let order = &self.machine.home_order;
+        let before = order.iter().position(|named| *named == one).unwrap_or(0);
+        let home = self.machine.home();
+        let away = |axis: usize| (self.orders.set[axis].position - home[axis]).abs() > AT_HOME;
+        let first = order[..before].iter().copied().find(|&axis| away(axis));
+        first.map_or(Ok(one), |axis| Err(Missing::HomesFirst(axis as u8)))
+    }
+
+    /// Sends axes to their home positions, one after another; then homing is over.
+    fn send_home(&mut self, axes: &[usize], work: Option<&Work<'_>>) {
         // One executive at a time has a work: it never waits for it.
         let mut hand = work.and_then(|work| work.hand.try_lock().ok());
         match hand.as_deref_mut() {
-            _ if self.machine.home_order.is_empty() => {}
-            Some(Some(jog)) => self.go_home(jog, work),
+            _ if axes.is_empty() => {}
+            Some(Some(jog)) => self.go_home(jog, axes, work),
             _ => self.refuse_jog(),
         }
         if self.mode == Mode::Homing {
@@ -55,7 +87,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
     }
 
     /// Axis after axis to its home position, as by hand: slowly, clear of everything, and back at rest whatever comes.
-    fn go_home(&mut self, jog: &mut Jog<'_>, work: Option<&Work<'_>>) {
+    fn go_home(&mut self, jog: &mut Jog<'_>, axes: &[usize], work: Option<&Work<'_>>) {
         let machine = self.machine;
         let mut target = Joints::default();
         target.iter_mut().zip(&self.orders.set).for_each(|(q, set)| *q = set.position);
@@ -64,7 +96,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
         }
         self.busy = true;
         let home = machine.home();
-        let mut axes = machine.home_order.iter();
+        let mut axes = axes.iter();
         let mut goes = axes.next();
         let mut said = None;
         while goes.is_some() || !jog.state().rests() {

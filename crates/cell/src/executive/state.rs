@@ -80,6 +80,8 @@ pub enum Missing {
     Moving,
     /// Axes whose reference is not known, a bit each.
     References(u16),
+    /// This axis goes home before: its number from 0.
+    HomesFirst(u8),
     /// The drives have no power yet.
     Power,
     /// A device has not been heard of for too long: drives, inputs or source.
@@ -114,6 +116,7 @@ impl Missing {
                 let list: Vec<String> = (0..16u8).filter(|i| bits >> i & 1 == 1).map(|i| name(axes, i)).collect();
                 format!("the reference of {} is not known: home first", list.join(", "))
             }
+            Self::HomesFirst(i) => format!("axis {} goes home first: so says the machine file", name(axes, *i)),
             Self::Power => "the drives have no power yet: wait a moment".to_owned(),
             Self::Silent(device) => format!("the {device} cannot be heard: check cable and device"),
             Self::Condition(i) => format!("`{}` is not met", name(conditions, *i)),

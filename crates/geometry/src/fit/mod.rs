@@ -7,11 +7,13 @@
 //! - [`three_points`]: a plane with two marks on it; [`chuck`]: a face and a round.
 //! - [`best_fit`]: touches of surfaces with a [`SignedDistance`](crate::SignedDistance).
 //! - [`run_out`]: touches around a tube that turns about its nominal axis.
+//! - [`pivot`]: the tip of a tool, brought to one fixed point from several attitudes.
 
 mod best;
 mod datums;
 mod motion;
 mod pairs;
+mod pivot;
 mod placing;
 mod run_out;
 mod statistics;
@@ -21,6 +23,7 @@ pub use best::{BestFit, Touch, best_fit};
 pub use datums::{DatumFit, plane_line_point};
 pub use motion::Motion;
 pub use pairs::{PairFit, fit_pairs};
+pub use pivot::{PivotFit, pivot};
 pub use placing::{Placing, chuck, three_points};
 pub use run_out::{RunOut, run_out};
 pub use statistics::{outliers, rms};

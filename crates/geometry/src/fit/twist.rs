@@ -145,7 +145,7 @@ impl Seen {
 
 /// Directions that span the same space as the unit vectors `span`, perpendicular to each other, as near to the frame's
 /// axes as they can be.
-fn axes_first(span: Vec<DVec3>) -> Vec<DVec3> {
+pub(super) fn axes_first(span: Vec<DVec3>) -> Vec<DVec3> {
     let inside = |e: DVec3| span.iter().map(|m| e.dot(*m) * *m).sum::<DVec3>();
     let mut candidates = [DVec3::X, DVec3::Y, DVec3::Z].map(inside);
     candidates.sort_by(|a, b| b.length().total_cmp(&a.length()));

@@ -30,11 +30,11 @@ pub(super) fn tree(file: &MachineFile, axes: &[Axis]) -> (Links, Vec<Head>) {
     let (link, frame) = (tree.link, tree.frame);
     let shared = tree.links.links[link].axes;
     let mut heads = Vec::new();
-    for (name, steps, direction) in file.heads() {
+    for (name, steps, direction, tip) in file.heads() {
         (tree.link, tree.frame) = (link, frame);
         steps.iter().for_each(|step| tree.add(step));
         tree.name(name);
-        heads.push(tree.head(name, direction, shared));
+        heads.push(tree.head(name, (direction, tip), shared));
     }
     (tree.links, heads)
 }
@@ -79,7 +79,7 @@ impl Tree<'_> {
         self.link = self.links.links.len() - 1;
     }
 
-    fn head(&self, name: &str, direction: Direction, shared: AxisSet) -> Head {
+    fn head(&self, name: &str, (direction, tip): (Direction, DVec3), shared: AxisSet) -> Head {
         let mut screws: Vec<Screw> = Vec::new();
         let mut link = self.link;
         while let Some((parent, screw)) = self.links.links[link].parent {
@@ -87,13 +87,13 @@ impl Tree<'_> {
             link = parent;
         }
         let zero = Pose {
-            point: self.frame.transform_point3(DVec3::ZERO),
+            point: self.frame.transform_point3(tip),
             direction: self.frame.transform_vector3(direction.unit()).normalize(),
         };
         let chain = Chain { screws: screws.into_iter().rev().collect(), zero };
         let own = chain.screws.iter().filter(|s| s.kind == AxisKind::Linear && !shared.has(s.axis));
         let slides = own.map(|s| s.axis).collect();
         let inverse = Inverse::of(&chain, self.axes);
-        Head { name: name.to_owned(), chain, slides, inverse }
+        Head { name: name.to_owned(), tip, chain, slides, inverse }
     }
 }

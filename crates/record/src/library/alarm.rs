@@ -113,6 +113,16 @@ impl Library {
         self.run(sql, params![by, at.0])
     }
 
+    /// Somebody knows the alarms of this name on the panel's list; how many.
+    ///
+    /// # Errors
+    /// If the library cannot be written.
+    pub fn acknowledge_named(&self, name: &str, by: &str, at: Moment) -> Result<usize, Error> {
+        let sql = "UPDATE alarm SET listed = 0, acknowledged_by = coalesce(acknowledged_by, ?1),
+            acknowledged = coalesce(acknowledged, ?2) WHERE listed = 1 AND name = ?3";
+        self.run(sql, params![by, at.0, name])
+    }
+
     /// Alarms on the panel's list, in the order in which they came.
     ///
     /// # Errors

@@ -1,35 +1,168 @@
-use super::names::Names;
-use crate::wire::AlarmView;
-use seamwright_cell::executive::{Alarm, AlarmList, Ask, Note};
-use seamwright_record::library;
+use super::names::{Names, shelvable};
+use crate::view::written;
+use crate::wire::{AlarmView, Shelving, WhoWhen};
+use seamwright_cell::executive::{Alarm, AlarmList, AlarmState, Ask, Note, Raised, Reaction};
+use seamwright_record::{Moment, library};
+use std::time::{Duration, Instant};
 
-/// The executive's list of alarms, kept in step by what it notes; and those that nobody has acknowledged before this program began.
+/// Nothing is shelved for longer, min: a shift.
+const MOST_MINUTES: u32 = 480;
+
+/// The executive's list of alarms, kept in step by what it notes; those that nobody has acknowledged before this program began; who
+/// acknowledged which, and which are shelved.
 pub(super) struct Mirror {
-    /// They have returned as far as anybody knows: what is there still is raised anew.
+    /// They have returned as far as anybody knows: what is there still is raised anew. Details count down from the highest.
     before: Vec<AlarmView>,
     list: AlarmList,
+    said: Vec<Said>,
+    shelf: Vec<Shelved>,
+}
+
+/// What is known of an alarm on the list beside what the executive knows.
+struct Said {
+    key: (Alarm, u8),
+    at: Moment,
+    acknowledged: Option<WhoWhen>,
+}
+
+/// An alarm that is put aside.
+struct Shelved {
+    view: AlarmView,
+    ends: Instant,
+}
+
+/// What is shown of an alarm's number and detail.
+fn key(view: &AlarmView) -> (u8, u8) {
+    (view.number, view.detail)
 }
 
 impl Mirror {
     pub(super) fn new(unknown: &[library::Alarm]) -> Self {
-        Self { before: unknown.iter().filter_map(returned).collect(), list: AlarmList::default() }
+        let mut before: Vec<AlarmView> = unknown.iter().filter_map(returned).collect();
+        (0..=u8::MAX).rev().zip(&mut before).for_each(|(detail, view)| view.detail = detail);
+        Self { before, list: AlarmList::default(), said: Vec::new(), shelf: Vec::new() }
     }
 
-    /// True if the list has changed.
-    pub(super) fn noted(&mut self, note: &Note) -> bool {
-        if matches!(note, Note::Taken(command) if command.ask == Ask::Acknowledge) {
-            self.before.clear();
+    /// True if the list has changed; `user` asked, if it is about a command.
+    pub(super) fn noted(&mut self, note: &Note, user: &str) -> bool {
+        let mut changed = false;
+        match note {
+            Note::Alarm(raised) => self.came(raised),
+            Note::Taken(command) => {
+                let one = match command.ask {
+                    Ask::Acknowledge => None,
+                    Ask::AcknowledgeOne(alarm, detail) => Some((alarm, detail)),
+                    _ => return false,
+                };
+                changed = self.acknowledged(one, user);
+            }
+            _ => {}
         }
-        self.list.follow(note)
+        let changed = self.list.follow(note) || changed;
+        let list = &self.list;
+        self.said.retain(|said| list.iter().any(|r| (r.alarm, r.detail) == said.key));
+        changed
+    }
+
+    fn came(&mut self, raised: &Raised) {
+        let key = (raised.alarm, raised.detail);
+        self.said.retain(|said| said.key != key);
+        self.said.push(Said { key, at: Moment::now(), acknowledged: None });
+        // What does more than tell is seen, whatever was put aside.
+        if raised.reaction != Reaction::Tell {
+            let number = raised.alarm.number() as u8;
+            self.shelf.retain(|shelved| self::key(&shelved.view) != (number, raised.detail));
+        }
+    }
+
+    /// Somebody knows one alarm or all; true if one was from before this program.
+    fn acknowledged(&mut self, one: Option<(Alarm, u8)>, user: &str) -> bool {
+        let before = self.before.len();
+        self.before.retain(|view| one.is_some_and(|(a, d)| (a.number() as u8, d) != key(view)));
+        for raised in self.list.iter().filter(|r| r.state == AlarmState::Unacknowledged) {
+            let its = (raised.alarm, raised.detail);
+            if one.is_none_or(|one| one == its)
+                && let Some(said) = self.said.iter_mut().find(|said| said.key == its)
+            {
+                said.acknowledged = Some(WhoWhen { by: user.to_owned(), at: written(Moment::now()) });
+            }
+        }
+        before != self.before.len()
+    }
+
+    /// What the library calls the alarm that is acknowledged by itself.
+    pub(super) fn name(&self, names: &Names, (alarm, detail): (Alarm, u8)) -> String {
+        let views = self.before.iter().find(|view| key(view) == (alarm.number() as u8, detail));
+        let of = views.map_or_else(|| names.detail(alarm, detail), |view| view.of.clone());
+        let name = alarm.entry().name;
+        of.map_or_else(|| name.to_owned(), |of| format!("{name} ({of})"))
+    }
+
+    /// Puts an alarm aside for a while, or takes it back; its name.
+    ///
+    /// # Errors
+    /// In words: one that is not on the list, or does more than tell: those stop the process or keep it from being started, and
+    /// are never hidden.
+    pub(super) fn shelve(&mut self, names: &Names, asked: &Shelving, by: &str) -> Result<String, String> {
+        let wanted = (asked.number, asked.detail);
+        if asked.minutes > MOST_MINUTES {
+            return Err(format!("{} min; allowed: up to {MOST_MINUTES}", asked.minutes));
+        }
+        let views = self.views(names);
+        let Some(view) = views.into_iter().find(|view| key(view) == wanted) else {
+            return Err("this alarm is not on the list; allowed: one that is".to_owned());
+        };
+        if asked.minutes > 0 && !view.tells {
+            return Err(format!(
+                "`{}` does more than tell ({}); allowed: alarms that only tell",
+                view.name, view.reaction
+            ));
+        }
+        self.shelf.retain(|shelved| key(&shelved.view) != wanted);
+        let name = view.name.clone();
+        if asked.minutes > 0 {
+            let time = Duration::from_secs(60 * u64::from(asked.minutes));
+            let until = Moment(Moment::now().0 + i64::from(asked.minutes) * 60_000);
+            let shelved = Some(WhoWhen { by: by.to_owned(), at: written(until) });
+            self.shelf.push(Shelved { view: AlarmView { shelved, ..view }, ends: Instant::now() + time });
+        }
+        Ok(name)
+    }
+
+    /// Takes back what has been put aside for long enough; true if there was some.
+    pub(super) fn expire(&mut self) -> bool {
+        let before = self.shelf.len();
+        self.shelf.retain(|shelved| Instant::now() < shelved.ends);
+        before != self.shelf.len()
     }
 
     /// Another machine has an executive of its own: what it raises, it raises anew.
     pub(super) fn forget(&mut self) {
         self.list = AlarmList::default();
+        self.said.clear();
+        self.shelf.clear();
     }
 
+    /// All on the list, then what is shelved and not on it.
     pub(super) fn views(&self, names: &Names) -> Vec<AlarmView> {
-        self.before.iter().cloned().chain(self.list.iter().map(|raised| names.alarm(raised))).collect()
+        let shelved = |view: &AlarmView| self.shelf.iter().find(|s| key(&s.view) == key(view)).map(|s| &s.view.shelved);
+        let seen = self.list.iter().map(|raised| {
+            let said = self.said.iter().find(|said| said.key == (raised.alarm, raised.detail));
+            AlarmView {
+                at: said.map_or_else(String::new, |said| written(said.at)),
+                acknowledged: said.and_then(|said| said.acknowledged.clone()),
+                ..names.alarm(raised)
+            }
+        });
+        let mut views: Vec<AlarmView> = self.before.iter().cloned().chain(seen).collect();
+        for view in &mut views {
+            view.shelved = shelved(view).cloned().flatten();
+        }
+        let away = self.shelf.iter().filter(|s| views.iter().all(|view| key(view) != key(&s.view)));
+        let gone: Vec<AlarmView> =
+            away.map(|s| AlarmView { state: "gone".to_owned(), first_out: false, ..s.view.clone() }).collect();
+        views.extend(gone);
+        views
     }
 }
 
@@ -47,6 +180,11 @@ fn returned(kept: &library::Alarm) -> Option<AlarmView> {
         consequence: entry.consequence.to_owned(),
         action: entry.action.to_owned(),
         reaction: entry.reaction.name().to_owned(),
+        detail: 0,
+        at: written(kept.raised),
+        acknowledged: None,
+        shelved: None,
+        tells: shelvable(alarm, entry.reaction),
         state: "returned".to_owned(),
         first_out: kept.first_out,
         t: kept.place.t_s.unwrap_or(0.0),
@@ -78,5 +216,87 @@ mod tests {
                 assert_eq!(view.of.map_or(String::new(), |of| format!(" ({of})")), of);
             }
         }
+    }
+
+    fn names() -> Names {
+        let text = seamwright_machine::shipped("ellipse-xy").unwrap().text;
+        let machine = seamwright_machine::Machine::read("m.toml", text).unwrap();
+        Names { machine, fingerprint: String::new(), values: 0, heads: 0 }
+    }
+
+    fn alarm(alarm: Alarm) -> Note {
+        let place = seamwright_cell::executive::Place::default();
+        Note::Alarm(Raised {
+            alarm,
+            detail: 0,
+            reaction: alarm.entry().reaction,
+            state: AlarmState::Unacknowledged,
+            first_out: false,
+            t: 1.0,
+            place,
+        })
+    }
+
+    fn asked(alarm: Alarm, minutes: u32) -> Shelving {
+        Shelving { number: alarm.number() as u8, detail: 0, minutes }
+    }
+
+    /// Only what tells is put aside, for a shift at most; the others are always seen.
+    #[test]
+    fn what_stops_the_process_is_never_shelved() {
+        let names = names();
+        for of in Alarm::ALL {
+            let mirror = &mut Mirror::new(&[]);
+            assert!(mirror.shelve(&names, &asked(of, 5), "ada").is_err(), "it is not there");
+            mirror.noted(&alarm(of), "");
+            let tells = of.entry().reaction == Reaction::Tell && of != Alarm::Interlock;
+            assert_eq!(mirror.shelve(&names, &asked(of, 5), "ada").is_ok(), tells, "{of:?}");
+            assert!(mirror.shelve(&names, &asked(of, MOST_MINUTES + 1), "ada").is_err());
+            let view = mirror.views(&names).pop().unwrap();
+            assert_eq!(view.shelved.map(|s| s.by), tells.then(|| "ada".to_owned()), "{of:?}");
+        }
+    }
+
+    /// What is shelved and comes with more than telling is seen at once; what has gone is on the shelf until its time is over.
+    #[test]
+    fn a_shelf_hides_nothing_that_grows_worse() {
+        let names = names();
+        let mirror = &mut Mirror::new(&[]);
+        mirror.noted(&alarm(Alarm::JogStopped), "");
+        mirror.shelve(&names, &asked(Alarm::JogStopped, 1), "ada").unwrap();
+        mirror.noted(&Note::Taken(seamwright_cell::executive::Command::of(Ask::Acknowledge)), "eve");
+        mirror.noted(&Note::Cleared(Alarm::JogStopped, 0), "");
+        let views = mirror.views(&names);
+        assert_eq!((views.len(), views[0].state.as_str()), (1, "gone"));
+        assert!(!mirror.expire());
+        mirror.shelf[0].ends = Instant::now();
+        assert!(mirror.expire() && mirror.views(&names).is_empty());
+        // A warning of tracking, and then its stop, while it is there.
+        let Note::Alarm(told) = alarm(Alarm::Tracking) else { unreachable!() };
+        let told = Raised { reaction: Reaction::Tell, ..told };
+        mirror.noted(&Note::Alarm(told), "");
+        mirror.shelve(&names, &asked(Alarm::Tracking, 60), "ada").unwrap();
+        mirror.noted(&Note::Alarm(Raised { reaction: Reaction::Stop, ..told }), "");
+        assert_eq!(mirror.views(&names).pop().unwrap().shelved, None);
+    }
+
+    /// Who acknowledged which stays with it, until it comes anew.
+    #[test]
+    fn who_knows_of_an_alarm_is_told() {
+        let names = names();
+        let mirror = &mut Mirror::new(&[]);
+        let one = |alarm| Note::Taken(seamwright_cell::executive::Command::of(Ask::AcknowledgeOne(alarm, 0)));
+        mirror.noted(&alarm(Alarm::JogStopped), "");
+        mirror.noted(&alarm(Alarm::PanelSilent), "");
+        assert!(mirror.noted(&one(Alarm::PanelSilent), "ada"));
+        let by = |mirror: &Mirror| -> Vec<Option<String>> {
+            mirror.views(&names).into_iter().map(|view| view.acknowledged.map(|who| who.by)).collect()
+        };
+        assert_eq!(by(mirror), [None, Some("ada".to_owned())]);
+        mirror.noted(&Note::Taken(seamwright_cell::executive::Command::of(Ask::Acknowledge)), "eve");
+        assert_eq!(by(mirror), [Some("eve".to_owned()), Some("ada".to_owned())]);
+        mirror.noted(&Note::Cleared(Alarm::PanelSilent, 0), "");
+        mirror.noted(&alarm(Alarm::PanelSilent), "");
+        assert_eq!(by(mirror), [Some("eve".to_owned()), None]);
     }
 }

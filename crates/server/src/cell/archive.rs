@@ -25,7 +25,8 @@ pub(crate) struct Archive {
 enum Entry {
     Audit(AuditEntry),
     Alarm(Option<i64>, Box<Alarm>),
-    Acknowledge(String, Moment),
+    /// By whom; the alarm of this name, or all.
+    Acknowledge(String, Moment, Option<String>),
     /// Everything before it has been written.
     Written(Sender<()>),
     /// Everything before it has been written, and the library is closed.
@@ -73,7 +74,8 @@ fn write(data: &mut DataFolder, item: Entry) -> Result<(), Error> {
             let id = data.library().add_alarm(weld, &alarm)?;
             data.library().list_alarm(id)
         }
-        Entry::Acknowledge(by, at) => data.library().acknowledge_listed(&by, at).map(drop),
+        Entry::Acknowledge(by, at, None) => data.library().acknowledge_listed(&by, at).map(drop),
+        Entry::Acknowledge(by, at, Some(name)) => data.library().acknowledge_named(&name, &by, at).map(drop),
         Entry::Written(to) | Entry::Closed(to) => {
             // Who asked may have gone.
             let _ = to.send(());
@@ -154,9 +156,9 @@ impl Archive {
         self.send(Entry::Alarm(weld, Box::new(alarm)));
     }
 
-    /// Somebody knows all alarms on the list.
-    pub(crate) fn acknowledge(&self, user: &str) {
-        self.send(Entry::Acknowledge(plain(user), Moment::now()));
+    /// Somebody knows the alarm of this name on the list, or all.
+    pub(crate) fn acknowledge(&self, user: &str, name: Option<String>) {
+        self.send(Entry::Acknowledge(plain(user), Moment::now(), name));
     }
 }
 

@@ -7,7 +7,7 @@ use super::hub::Hub;
 use super::names::{Extra, Names, WHY};
 use super::prepared::Prepared;
 use super::recorder::Recorder;
-use crate::wire::{FromCell, LackView, WorkView};
+use crate::wire::{FromCell, LackView, Shelving, WorkView};
 use rtrb::{Consumer, Producer};
 use seamwright_cell::executive::{Ask, Command, Missing, Mode, Note, Origin, Raised};
 use seamwright_cell::realtime::{Outside, Shown};
@@ -32,6 +32,8 @@ pub(crate) enum ToDesk {
     Command(Command),
     /// Another program.
     Load(Box<Loading>, Loaded),
+    /// An alarm put aside, or taken back, by a user.
+    Shelve(Shelving, String, oneshot::Sender<Result<(), String>>),
     /// Everything off, then the end.
     Quit,
 }
@@ -139,6 +141,9 @@ impl Desk {
         while let Ok(shown) = self.outside.cycles.pop() {
             self.cycle(&shown);
         }
+        if self.mirror.expire() {
+            self.hub.alarms(self.mirror.views(&self.names));
+        }
         if self.hub.forget_silent() {
             self.tell(happening("control_lost", []));
         }
@@ -147,6 +152,7 @@ impl Desk {
                 Ok(ToDesk::Command(command)) if self.waiting.len() < WAITING => self.waiting.push_back(command),
                 Ok(ToDesk::Command(command)) => self.crowded(&command),
                 Ok(ToDesk::Load(loading, answer)) => self.load(*loading, answer),
+                Ok(ToDesk::Shelve(asked, user, answer)) => drop(answer.send(self.shelve(&asked, &user))),
                 Ok(ToDesk::Quit) | Err(TryRecvError::Disconnected) => {
                     self.quits = true;
                     break;
@@ -279,7 +285,15 @@ impl Desk {
 
     fn noted(&mut self, t: f64, note: Note) {
         self.recorder.noted(&note);
-        if self.mirror.noted(&note) {
+        // Its name in the library, while it is on the list.
+        let one = match note {
+            Note::Taken(Command { ask: Ask::AcknowledgeOne(alarm, detail), .. }) => {
+                Some(self.mirror.name(&self.names, (alarm, detail)))
+            }
+            _ => None,
+        };
+        let asked = if let Note::Taken(command) = note { self.hub.user(command.origin.station) } else { None };
+        if self.mirror.noted(&note, asked.as_deref().unwrap_or_default()) {
             self.hub.alarms(self.mirror.views(&self.names));
         }
         match note {
@@ -295,7 +309,7 @@ impl Desk {
                 let lack = self.names.lack(missing);
                 self.lacks.entry((command.origin.station, command.number)).or_default().push(lack);
             }
-            Note::Taken(command) => self.taken(command),
+            Note::Taken(command) => self.taken(command, one),
             Note::Refused(command, missing) => self.refused(command, missing),
             Note::Alarm(raised) => self.alarm(t, &raised),
             Note::Cleared(alarm, detail) => {
@@ -332,7 +346,7 @@ impl Desk {
         }
     }
 
-    fn taken(&mut self, command: Command) {
+    fn taken(&mut self, command: Command, one: Option<String>) {
         let Origin { station, .. } = command.origin;
         if let Ask::Why(_) = command.ask {
             let lacks = self.lacks.remove(&(station, command.number)).unwrap_or_default();
@@ -342,8 +356,8 @@ impl Desk {
             return;
         }
         let user = self.hub.user(station);
-        if command.ask == Ask::Acknowledge {
-            self.archive.acknowledge(user.as_deref().unwrap_or_default());
+        if command.ask == Ask::Acknowledge || one.is_some() {
+            self.archive.acknowledge(user.as_deref().unwrap_or_default(), one.clone());
         }
         if !matches!(command.ask, Ask::Jog(_)) {
             self.tell(happening("order", [command.ask.name().to_owned()]).by(user.clone()));
@@ -354,9 +368,21 @@ impl Desk {
         let station = if station > 0 { format!("panel {station}") } else { String::from("panel") };
         let text = match command.ask {
             Ask::Override(part) => format!("override {:.0} %", part * 100.0),
+            Ask::AcknowledgeOne(..) => format!("acknowledge {}", one.unwrap_or_default()),
             ask => ask.name().to_owned(),
         };
         self.archive.audit(user.as_deref().unwrap_or(""), &station, &text, ("", ""), "taken");
+    }
+
+    fn shelve(&mut self, asked: &Shelving, user: &str) -> Result<(), String> {
+        let name = self.mirror.shelve(&self.names, asked, user)?;
+        self.hub.alarms(self.mirror.views(&self.names));
+        let happened = match asked.minutes {
+            0 => happening("unshelved", [name]),
+            minutes => happening("shelved", [name, minutes.to_string()]),
+        };
+        self.tell(happened.by(Some(user.to_owned())));
+        Ok(())
     }
 
     fn refused(&mut self, command: Command, missing: Missing) {

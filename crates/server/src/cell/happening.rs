@@ -2,7 +2,7 @@ use crate::wire::LackView;
 
 /// What can happen, by key: its kind, and the English sentence with `{0}`, `{1}` .. for its parameters. Panels have the sentences
 /// in their languages (`web/src/words`), checked against this table.
-const HAPPENINGS: [(&str, &str, &str); 24] = [
+const HAPPENINGS: [(&str, &str, &str); 28] = [
     ("mode", "mode", "{0} -> {1}"),
     ("order", "order", "{0}"),
     ("refused", "refused", "{0}: {1}"),
@@ -11,6 +11,10 @@ const HAPPENINGS: [(&str, &str, &str); 24] = [
     ("alarm_before", "alarm", "{0} of {1} was not acknowledged before the end"),
     ("cleared", "cleared", "{0} has gone"),
     ("cleared_of", "cleared", "{0} ({1}) has gone"),
+    ("shelved", "alarm", "{0} shelved for {1} min"),
+    ("unshelved", "alarm", "{0} is no longer shelved"),
+    ("machine_changed", "work", "{0} changed in {1}: in force when a job of this machine is loaded anew"),
+    ("tool_changed", "work", "tip of {0} changed in {1}: in force when a job of this machine is loaded anew"),
     ("pass_ends", "pass", "pass {0} ends at {1} mm"),
     ("left", "left", "pass {0} was left, welded up to {1} mm"),
     (

@@ -1,5 +1,5 @@
 use crate::wire::{Ages, AlarmView, AxisStatus, LackView, ProcessStatus, Status};
-use seamwright_cell::executive::{Alarm, AlarmState, Event, Interlocks, Missing, Mode, ProcessState, Raised};
+use seamwright_cell::executive::{Alarm, AlarmState, Event, Interlocks, Missing, Mode, ProcessState, Raised, Reaction};
 use seamwright_cell::realtime::Shown;
 use seamwright_cell::tracking;
 use seamwright_machine::{Joints, Level, Machine};
@@ -56,8 +56,13 @@ impl Names {
                 AlarmState::Returned => "returned",
             }
             .to_owned(),
+            detail: raised.detail,
             first_out: raised.first_out,
             t: raised.t,
+            at: String::new(),
+            acknowledged: None,
+            shelved: None,
+            tells: shelvable(raised.alarm, raised.reaction),
             pass: raised.place.pass as u32,
             s_mm: raised.place.s_mm,
         }
@@ -74,6 +79,7 @@ impl Names {
                 let known = axes.iter().enumerate().filter(|(i, _)| bits >> i & 1 == 1);
                 ("references", known.map(|(_, name)| (*name).to_owned()).collect())
             }
+            Missing::HomesFirst(i) => ("homes_first", one(&axes, i)),
             Missing::Power => ("power", vec![]),
             Missing::Silent(device) => ("silent", vec![device.to_owned()]),
             Missing::Condition(i) => ("condition", one(&conditions, i)),
@@ -158,6 +164,11 @@ impl Names {
             recording: extra.recording,
         }
     }
+}
+
+/// True if an alarm only tells and may be put aside. A condition that is not met is told, but keeps things from being started.
+pub(super) fn shelvable(alarm: Alarm, reaction: Reaction) -> bool {
+    reaction == Reaction::Tell && alarm != Alarm::Interlock
 }
 
 /// Commands that can be asked about.

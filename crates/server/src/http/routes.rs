@@ -1,11 +1,13 @@
 use super::guard::{Need, host, need};
 use super::panel::Panel;
-use super::{assets, choices, edit, jobs, login, look, openapi, place, plan, records, restore, socket, teach, users};
+use super::{
+    assets, choices, edit, jobs, login, look, openapi, place, plan, records, restore, setup, socket, teach, users,
+};
 use crate::wire::{
     AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DistortionRow, DraftAnswer, EditAnswer, JobRow,
-    JobText, Load, Login, MachineView, OwnPassword, PlaceAnswer, PlaceText, PlanAnswer, PostAnswer, PostText,
-    RecordRow, RecordView, SessionView, TaughtProgram, TaughtView, TeachProgram, TraceView, TuningView, UserChange,
-    UserRow, WorkView,
+    JobText, Load, Login, MachineView, OwnPassword, ParameterChange, ParametersView, PlaceAnswer, PlaceText,
+    PlanAnswer, PostAnswer, PostText, RecordRow, RecordView, SessionView, Shelving, TaughtProgram, TaughtView,
+    TeachProgram, ToolAnswer, ToolTip, ToolTouches, TraceView, TuningView, UserChange, UserRow, WorkView,
 };
 use axum::extract::DefaultBodyLimit;
 use axum::routing::{MethodRouter, delete, get, post, put};
@@ -171,6 +173,41 @@ pub(super) fn routes() -> Vec<Route> {
         ),
         Route::get("/api/records/{id}/report", "records.read", "Its report as a page", None, get(records::report)),
         Route::get("/api/tuning", "tune", "An axis tuned in simulation", shape::<TuningView>(), get(plan::tuning)),
+        Route::get(
+            "/api/parameters",
+            "watch",
+            "Axes, drives and tools as the machine file has them",
+            shape::<ParametersView>(),
+            get(setup::parameters),
+        ),
+        Route::write(
+            ("put", "/api/parameters"),
+            "set_up",
+            "Changes numbers of an axis in the machine file",
+            (shape::<ParameterChange>(), shape::<ParametersView>()),
+            put(setup::change),
+        ),
+        Route::write(
+            ("post", "/api/tool"),
+            "set_up",
+            "Where a tool's tip is, from touches of one point; nothing is kept",
+            (shape::<ToolTouches>(), shape::<ToolAnswer>()),
+            post(setup::find_tool),
+        ),
+        Route::write(
+            ("put", "/api/tool"),
+            "set_up",
+            "Keeps a tool's tip in the machine file",
+            (shape::<ToolTip>(), shape::<ParametersView>()),
+            put(setup::keep_tool),
+        ),
+        Route::write(
+            ("post", "/api/alarms/shelve"),
+            "shelve",
+            "Puts an alarm that only tells aside for a while",
+            (shape::<Shelving>(), None),
+            post(setup::shelve),
+        ),
         Route::get("/api/audit", "audit.read", "Who did what", shape::<Vec<AuditRow>>(), get(records::audit)),
         Route::get("/api/backup", "backup", "All data as a tar archive", None, get(records::backup)),
         Route {

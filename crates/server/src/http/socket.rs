@@ -11,7 +11,7 @@ use axum::response::{IntoResponse as _, Response};
 use futures_util::stream::{SplitSink, SplitStream};
 use futures_util::{SinkExt as _, StreamExt as _};
 use glam::DVec3;
-use seamwright_cell::executive::{Ask, Command, Origin, REDUCED_MM_S};
+use seamwright_cell::executive::{Alarm, Ask, Command, Origin, REDUCED_MM_S};
 use seamwright_machine::{Joints, MAX_AXES};
 use seamwright_motion::jog::{self, TipFrame};
 use std::sync::Arc;
@@ -410,7 +410,8 @@ fn executive(ask: &AskView) -> Result<(&'static str, Ask), LackView> {
     Ok(match ask {
         AskView::SwitchOn {} => ("switch_on", Ask::SwitchOn),
         AskView::SwitchOff {} => ("switch_off", Ask::SwitchOff),
-        AskView::Home {} => ("home", Ask::Home),
+        AskView::Home { axis: None } => ("home", Ask::Home),
+        AskView::Home { axis: Some(axis) } => ("home", Ask::HomeAxis(*axis)),
         AskView::StartJog {} => ("start_jog", Ask::StartJog),
         AskView::StartTeach {} => ("start_teach", Ask::StartTeach),
         AskView::StartDryRun {} => ("start_dry_run", Ask::StartDryRun),
@@ -423,7 +424,14 @@ fn executive(ask: &AskView) -> Result<(&'static str, Ask), LackView> {
         AskView::Override { part } if (0.0..=1.0).contains(part) => ("override", Ask::Override(*part)),
         AskView::Override { part } => return Err(lack("value", format!("override {part}; allowed: 0 to 1"))),
         AskView::Reset {} => ("reset", Ask::Reset),
-        AskView::Acknowledge {} => ("acknowledge", Ask::Acknowledge),
+        AskView::Acknowledge { one: None } => ("acknowledge", Ask::Acknowledge),
+        AskView::Acknowledge { one: Some((number, detail)) } => {
+            let alarm = Alarm::ALL.into_iter().find(|alarm| alarm.number() == usize::from(*number));
+            let alarm = alarm.ok_or_else(|| {
+                lack("value", format!("there is no alarm {number}; allowed: 1 to {}", Alarm::ALL.len()))
+            })?;
+            ("acknowledge", Ask::AcknowledgeOne(alarm, *detail))
+        }
     })
 }
 

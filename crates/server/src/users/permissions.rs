@@ -2,7 +2,7 @@ use crate::wire::Role;
 
 /// What each action needs: the one table, checked on the server for everything and shown to the panel. Commands have the names
 /// of [`crate::wire::AskView`].
-pub(crate) const NEEDS: [(&str, Role); 32] = [
+pub(crate) const NEEDS: [(&str, Role); 34] = [
     ("stop", Role::Viewer),
     ("hold", Role::Operator),
     ("switch_on", Role::Operator),
@@ -30,6 +30,8 @@ pub(crate) const NEEDS: [(&str, Role); 32] = [
     ("load", Role::Operator),
     ("records.read", Role::Viewer),
     ("tune", Role::Service),
+    ("set_up", Role::Service),
+    ("shelve", Role::Service),
     ("audit.read", Role::Service),
     ("backup", Role::Service),
     ("restore", Role::Admin),

@@ -1,6 +1,6 @@
 use crate::wire::TuningView;
 use seamwright_cell::{Error, tune_axis};
-use seamwright_machine::Axis;
+use seamwright_machine::{Axis, AxisKind};
 use seamwright_servo::{Tuned, decibels, unwrapped};
 
 /// An axis tuned in simulation, as `machine tune` does it.
@@ -24,12 +24,44 @@ pub(crate) fn tuning_view(axis: &Axis, period_s: f64) -> TuningView {
             .filter(|pair| pair.iter().all(|v| v.is_finite())),
         phase_margin: margins.map(|m| [m.phase_margin_deg, m.gain_crossover_hz]),
         values: tuned.as_ref().map_or(Vec::new(), |t| values(axis, t)),
+        settings: tuned.as_ref().map_or(Vec::new(), |t| settings(axis, t)),
+        notches: tuned.as_ref().map_or(Vec::new(), notches),
     }
 }
 
 fn response(tuned: &Tuned) -> Vec<[f64; 3]> {
     let lines = tuned.response.iter().zip(unwrapped(&tuned.response));
     lines.map(|(line, phase)| [line.frequency_hz, decibels(line.ratio.norm()), phase.to_degrees()]).collect()
+}
+
+/// To a millionth: what is beyond that is not measured, as `machine tune` writes them.
+fn short(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6
+}
+
+fn notches(t: &Tuned) -> Vec<[f64; 3]> {
+    t.notches.iter().map(|n| [short(n.frequency_hz), n.depth, short(n.width_hz)]).collect()
+}
+
+/// What the machine file takes over: the keys that `machine tune` writes.
+fn settings(axis: &Axis, t: &Tuned) -> Vec<(String, f64)> {
+    let unit = axis.unit();
+    let force = if axis.kind == AxisKind::Linear { "n" } else { "n_m" };
+    let mut list = vec![
+        ("velocity_bandwidth_hz".to_owned(), short(t.velocity_bandwidth_hz)),
+        ("kp_per_s".to_owned(), short(t.gains.kp)),
+        ("kvff".to_owned(), short(t.gains.kvff)),
+        ("kaff_s".to_owned(), short(t.gains.kaff)),
+    ];
+    if let Some(friction) = &t.friction {
+        list.push((format!("friction_compensation_{force}"), short(friction.force)));
+        list.push((format!("friction_smoothing_{unit}_s"), short(axis.to_file(friction.smoothing))));
+    }
+    if let Some(backlash) = &t.backlash {
+        list.push((format!("backlash_compensation_{unit}"), short(axis.to_file(backlash.width))));
+        list.push(("backlash_compensation_ms".to_owned(), short(backlash.time_s * 1e3)));
+    }
+    list
 }
 
 fn values(axis: &Axis, t: &Tuned) -> Vec<(String, f64)> {

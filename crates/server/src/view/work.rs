@@ -5,6 +5,7 @@ use super::section::sections;
 use super::solid::solid;
 use crate::wire::{FindingView, NearView, PassView, PathPoint, SolidView, WorkView};
 use seamwright_machine::{Machine, Surroundings};
+use seamwright_motion::air::Leg;
 use seamwright_motion::{PassClearance, PassMotion, WeldMotion};
 use seamwright_program::{Finding, Pass, TorchPath};
 use seamwright_project::load::Loaded;
@@ -43,6 +44,7 @@ pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&We
             .collect(),
         values,
         air: motion.map_or(Vec::new(), |m| m.air.iter().map(|a| air(machine, a)).collect()),
+        air_s: motion.map_or(Vec::new(), |m| m.air.iter().map(|a| a.legs.iter().map(Leg::duration).sum()).collect()),
         part,
         fixtures,
         sections: sections(&loaded.welding),
@@ -133,6 +135,7 @@ fn pass_view(
         role: pass.known_role().map_or(String::new(), |role| role.name().to_owned()),
         length_mm: length,
         time_s: planned.total_s(),
+        overlap_mm: pass.sequence.overlap_mm.get(),
         speed_mm_s: path.get(SAMPLES / 2).map_or(0.0, |p| p.speed_mm_s),
         spans: Vec::new(),
         points_mm: Vec::new(),

@@ -306,6 +306,10 @@ pub struct TuningView {
     pub phase_margin: Option<[f64; 2]>,
     /// Settings and what was measured, with the keys of machine files.
     pub values: Vec<(String, f64)>,
+    /// The settings, as [`super::ParameterChange::values`] takes them over.
+    pub settings: Vec<(String, f64)>,
+    /// See [`super::ParameterChange::notches`].
+    pub notches: Vec<[f64; 3]>,
 }
 
 /// What every failed request answers.

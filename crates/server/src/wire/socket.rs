@@ -84,8 +84,13 @@ pub enum AskView {
     SwitchOn {},
     /// No power for the drives.
     SwitchOff {},
-    /// Find the references.
-    Home {},
+    /// Find the references, and go home as the machine file says; or one axis goes to its home position alone.
+    Home {
+        /// The axis, counted from 0; all if missing.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[ts(optional)]
+        axis: Option<u8>,
+    },
     /// Jogging, until hold.
     StartJog {},
     /// Jogging while places are recorded.
@@ -111,8 +116,13 @@ pub enum AskView {
     },
     /// The fault has been looked at.
     Reset {},
-    /// All alarms are known.
-    Acknowledge {},
+    /// All alarms are known, or one.
+    Acknowledge {
+        /// Number and detail of the alarm; all if missing.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[ts(optional)]
+        one: Option<(u8, u8)>,
+    },
 }
 
 /// To the panel over the socket.

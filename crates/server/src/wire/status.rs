@@ -1,5 +1,5 @@
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
 /// What the cell is doing.
@@ -144,16 +144,47 @@ pub struct AlarmView {
     pub action: String,
     /// What the cell did.
     pub reaction: String,
-    /// `unacknowledged`, `acknowledged`, `returned`.
+    /// Which axis, condition or process value, counted as the cell counts: with `number`, what this alarm is asked about by.
+    pub detail: u8,
+    /// `unacknowledged`, `acknowledged`, `returned`; `gone`: it is not on the list but shelved still.
     pub state: String,
     /// It came first.
     pub first_out: bool,
     /// When, s of the executive.
     pub t: f64,
+    /// When; RFC 3339, UTC.
+    pub at: String,
+    /// Who acknowledged it, and when.
+    pub acknowledged: Option<WhoWhen>,
+    /// Who shelved it, and until when.
+    pub shelved: Option<WhoWhen>,
+    /// It only tells and may be shelved.
+    pub tells: bool,
     /// Where: pass from 1 (0: beside passes) and path length.
     pub pass: u32,
     /// See `pass`.
     pub s_mm: f64,
+}
+
+/// A user and a time.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, TS, JsonSchema)]
+pub struct WhoWhen {
+    /// Name of the user.
+    pub by: String,
+    /// RFC 3339, UTC.
+    pub at: String,
+}
+
+/// `POST /api/alarms/shelve`: an alarm on the list that only tells is put aside for a while, or taken back.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, TS, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Shelving {
+    /// See [`AlarmView::number`].
+    pub number: u8,
+    /// See [`AlarmView::detail`].
+    pub detail: u8,
+    /// For so long, up to 480; 0 takes it back.
+    pub minutes: u32,
 }
 
 /// Something that happened.

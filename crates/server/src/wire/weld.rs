@@ -23,6 +23,8 @@ pub struct WorkView {
     pub passes: Vec<PassView>,
     /// Ways through the air, one more than passes: tips.
     pub air: Vec<Vec<[f64; 3]>>,
+    /// Times of those ways, s.
+    pub air_s: Vec<f64>,
     /// The part and the fixtures.
     pub part: Vec<SolidView>,
     /// See `part`.
@@ -54,6 +56,8 @@ pub struct PassView {
     pub length_mm: f64,
     /// Time from gas to gas, s.
     pub time_s: f64,
+    /// After a stop it begins so far before the end of what is welded, mm.
+    pub overlap_mm: f64,
     /// Speed that is asked for at its begin, mm/s.
     pub speed_mm_s: f64,
     /// It ends where it begins.

@@ -1,0 +1,179 @@
+use super::twist::axes_first;
+use crate::Error;
+use glam::{DAffine3, DMat3, DVec3};
+use nalgebra::{Matrix3, SymmetricEigen};
+
+/// Touches at least: with two there is a direction about which nothing is told.
+const LEAST: usize = 3;
+
+/// An error of a touch may come out so much larger in the tip. Two attitudes 20 degrees apart are as good.
+const MOST_AMPLIFIED: f64 = 4.0;
+
+/// A point of a body found by bringing it to one fixed point from several attitudes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PivotFit {
+    /// The point in the body's frame, mm; 0 along what is not seen.
+    pub tip: DVec3,
+    /// The fixed point in the measuring frame, mm.
+    pub point: DVec3,
+    /// Distance of the body's point from the fixed one at each touch, mm.
+    pub residuals: Vec<f64>,
+    /// Unit vectors in the body's frame along which the attitudes do not tell where its point is, perpendicular to each other.
+    pub unseen: Vec<DVec3>,
+    /// Standard deviation of `tip` along the frame's axes, estimated from the residuals, mm; what is not seen is not in it.
+    pub deviation: DVec3,
+    /// Largest angle between two attitudes, rad.
+    pub apart: f64,
+}
+
+/// Where a point of a body (the tip of a tool) lies in the body's frame, from the frames in which the body stood when that point
+/// was at one fixed point: `frame * tip = point` for all of them, in the sense of least squares. It is linear in both; with the
+/// means over all frames taken off, the fixed point is gone.
+///
+/// # Errors
+/// [`Error::TooFewPoints`] with fewer than three frames; [`Error::Alike`] if their attitudes tell nothing.
+pub fn pivot(frames: &[DAffine3]) -> Result<PivotFit, Error> {
+    if frames.len() < LEAST {
+        return Err(Error::TooFewPoints { what: "the tip", given: frames.len(), least: LEAST });
+    }
+    let n = frames.len() as f64;
+    let mean = frames.iter().fold(DMat3::ZERO, |sum, f| sum + f.matrix3) * (1.0 / n);
+    let middle = frames.iter().map(|f| f.translation).sum::<DVec3>() / n;
+    let (mut normal, mut right) = (DMat3::ZERO, DVec3::ZERO);
+    for frame in frames {
+        let turned = frame.matrix3 - mean;
+        normal += turned.transpose() * turned;
+        right -= turned.transpose() * (frame.translation - middle);
+    }
+    let eigen = SymmetricEigen::new(Matrix3::from_fn(|i, j| normal.col(j)[i]));
+    let apart = most_apart(frames);
+    let (mut tip, mut unseen, mut variance, mut seen) = (DVec3::ZERO, Vec::new(), DVec3::ZERO, 0);
+    for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+        let along = DVec3::new(vector[0], vector[1], vector[2]);
+        if *value < 1.0 / (MOST_AMPLIFIED * MOST_AMPLIFIED) {
+            unseen.push(along);
+            continue;
+        }
+        seen += 1;
+        tip += right.dot(along) / value * along;
+        variance += along * along / *value;
+    }
+    if seen == 0 {
+        return Err(Error::Alike { apart });
+    }
+    let at: Vec<DVec3> = frames.iter().map(|f| f.transform_point3(tip)).collect();
+    let point = at.iter().sum::<DVec3>() / n;
+    let residuals: Vec<f64> = at.iter().map(|p| p.distance(point)).collect();
+    // Three numbers a touch; unknown are the point and what is seen of the tip.
+    let spare = (3 * frames.len() - 3 - seen) as f64;
+    let squares: f64 = residuals.iter().map(|r| r * r).sum();
+    let deviation = (variance * (squares / spare)).map(f64::sqrt);
+    Ok(PivotFit { tip, point, residuals, unseen: axes_first(unseen), deviation, apart })
+}
+
+/// Largest angle between two attitudes, rad.
+fn most_apart(frames: &[DAffine3]) -> f64 {
+    let angle = |a: &DAffine3, b: &DAffine3| {
+        let turn = a.matrix3.transpose() * b.matrix3;
+        let trace = turn.x_axis.x + turn.y_axis.y + turn.z_axis.z;
+        (0.5 * (trace - 1.0)).clamp(-1.0, 1.0).acos()
+    };
+    let pairs = frames.iter().enumerate().flat_map(|(i, a)| frames[..i].iter().map(move |b| angle(a, b)));
+    pairs.fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DQuat;
+
+    /// Evenly spread from -1 to 1.
+    fn numbers(seed: u64) -> impl FnMut() -> f64 {
+        let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
+        move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+        }
+    }
+
+    /// Normal, of standard deviation 1 (Irwin and Hall).
+    fn normal(random: &mut impl FnMut() -> f64) -> f64 {
+        0.5 * (0..12).map(|_| random()).sum::<f64>()
+    }
+
+    fn three(mut random: impl FnMut() -> f64) -> DVec3 {
+        DVec3::new(random(), random(), random())
+    }
+
+    /// `n` frames of a body whose point `tip` is at `point`, off by `sigma` in each coordinate, turned by up to `most` rad about
+    /// axes that `axis` gives.
+    fn frames(
+        (tip, point): (DVec3, DVec3),
+        (n, most, sigma): (usize, f64, f64),
+        random: &mut impl FnMut() -> f64,
+        axis: impl Fn(DVec3) -> DVec3,
+    ) -> Vec<DAffine3> {
+        let begin = DQuat::from_scaled_axis(3.0 * three(&mut *random));
+        let one = |_| {
+            let turn = DQuat::from_axis_angle(axis(three(&mut *random)).normalize(), most * random());
+            let rotation = begin * turn;
+            let off = sigma * three(|| normal(&mut *random));
+            DAffine3::from_rotation_translation(rotation, point - rotation * tip + off)
+        };
+        (0..n).map(one).collect()
+    }
+
+    /// Without noise the tip comes out; with it, as far off as the deviation says: the mean of (error / deviation)^2 is 1.
+    #[test]
+    fn the_tip_comes_out_as_well_as_it_says() {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for seed in 0..500 {
+            let mut random = numbers(seed);
+            let (tip, point) = (100.0 * three(&mut random), 1000.0 * three(&mut random));
+            let n = 6 + (seed as usize % 10);
+            let exact = pivot(&frames((tip, point), (n, 0.9, 0.0), &mut random, |v| v)).unwrap();
+            if exact.unseen.is_empty() {
+                assert!(exact.tip.distance(tip) < 1e-8 && exact.point.distance(point) < 1e-8, "{seed}");
+            }
+            assert!(exact.residuals.iter().all(|r| *r < 1e-8) || !exact.unseen.is_empty(), "{seed}");
+            let fit = pivot(&frames((tip, point), (n, 0.9, 0.1), &mut random, |v| v)).unwrap();
+            if !fit.unseen.is_empty() {
+                continue;
+            }
+            let off = (fit.tip - tip) / fit.deviation;
+            sum += off.length_squared();
+            count += 3.0;
+            assert!(fit.tip.distance(tip) < 5.0 * MOST_AMPLIFIED * 0.1, "{seed}: {fit:?}");
+        }
+        assert!(count > 3.0 * 450.0, "{count}");
+        // The deviation is estimated from few residuals, which makes tails: a little above 1.
+        let mean = sum / count;
+        assert!((0.9..1.4).contains(&mean), "{mean}");
+    }
+
+    /// Turned about one axis only, the tip is told across it, and nothing is made up along it.
+    #[test]
+    fn what_attitudes_do_not_tell_stays() {
+        for seed in 0..200 {
+            let mut random = numbers(seed);
+            let axis = three(&mut random).normalize();
+            let (tip, point) = (100.0 * three(&mut random), 1000.0 * three(&mut random));
+            let fit = pivot(&frames((tip, point), (8, 0.9, 0.0), &mut random, |_| axis)).unwrap();
+            assert_eq!(fit.unseen.len(), 1, "{seed}");
+            assert!(fit.unseen[0].dot(axis).abs() > 1.0 - 1e-9, "{seed}: {fit:?}");
+            assert!(fit.tip.dot(axis).abs() < 1e-8, "{seed}");
+            assert!(fit.tip.distance(tip - tip.dot(axis) * axis) < 1e-8, "{seed}: {fit:?}");
+        }
+    }
+
+    #[test]
+    fn attitudes_that_are_alike_or_few_are_refused() {
+        let mut random = numbers(7);
+        let (tip, point) = (DVec3::new(1.0, 2.0, 3.0), DVec3::new(300.0, 0.0, 50.0));
+        let alike = pivot(&frames((tip, point), (10, 0.05, 0.01), &mut random, |v| v)).unwrap_err();
+        let Error::Alike { apart } = alike else { panic!("{alike}") };
+        assert!(apart > 0.01 && apart <= 0.1, "{apart}");
+        let few = pivot(&frames((tip, point), (2, 1.0, 0.0), &mut random, |v| v));
+        assert!(matches!(few, Err(Error::TooFewPoints { given: 2, least: 3, .. })));
+    }
+}

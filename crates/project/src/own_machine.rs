@@ -1,0 +1,242 @@
+//! The machine of a cell as it was found to be: tools that were calibrated, drives that were tuned, kept in its file.
+
+use crate::failure::Failure;
+use crate::files;
+use crate::load::{Loaded, machine_foreign, own_copy};
+use seamwright_machine::{Machine, shipped};
+use std::path::{Path, PathBuf};
+use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, value};
+
+/// The machine file of a job, and where a change to it is kept.
+pub struct OwnMachine {
+    /// Where it is kept: the file itself, or the cell's own copy of one that ships.
+    pub path: PathBuf,
+    /// Its text now.
+    pub text: String,
+}
+
+/// What a key is set to; none takes it away.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Setting {
+    /// A number.
+    Number(Option<f64>),
+    /// Numbers in a row.
+    Row(Vec<f64>),
+    /// Tables of numbers: each with these keys.
+    Tables(Vec<Vec<(&'static str, f64)>>),
+}
+
+impl OwnMachine {
+    /// That of a job among `jobs`.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or lies elsewhere.
+    pub fn of(loaded: &Loaded, jobs: &Path) -> Result<Self, Failure> {
+        let name = &loaded.welding.program.value.machine;
+        match (&loaded.machine_file, shipped(name)) {
+            (Some(path), _) => Ok(Self { path: path.clone(), text: files::read(path)? }),
+            (None, Some(shipped)) => Ok(Self { path: jobs.join(own_copy(name)), text: shipped.text.to_owned() }),
+            (None, None) => Err(Failure::Input(format!("machine `{name}` has no file"))),
+        }
+    }
+
+    /// Its text with the settings of the table at `table` (a name, or a name and a number in an array of tables, from the root).
+    ///
+    /// # Errors
+    /// A text that has no such table and cannot have it.
+    pub fn with(&self, table: &[Step<'_>], settings: &[(&str, Setting)]) -> Result<String, Failure> {
+        let wrong = |e: &dyn std::fmt::Display| Failure::Input(format!("{}: {e}", self.path.display()));
+        let mut document: DocumentMut = self.text.parse().map_err(|e| wrong(&e))?;
+        let mut at = document.as_item_mut();
+        for step in table {
+            at = step.enter(at).ok_or_else(|| wrong(&format!("`{step}` is no table")))?;
+        }
+        let at = at.as_table_like_mut().ok_or_else(|| wrong(&"no table"))?;
+        for (key, setting) in settings {
+            let item = match setting {
+                Setting::Number(None) => None,
+                Setting::Number(Some(number)) => Some(value(*number)),
+                Setting::Row(row) => Some(value(row.iter().copied().collect::<Array>())),
+                Setting::Tables(rows) if rows.is_empty() => None,
+                Setting::Tables(rows) => Some(Item::ArrayOfTables(tables(rows))),
+            };
+            match (item, at.get_mut(key)) {
+                (None, _) => drop(at.remove(key)),
+                // The comment behind the old value stays.
+                (Some(Item::Value(mut new)), Some(Item::Value(old))) => {
+                    *new.decor_mut() = old.decor().clone();
+                    *old = new;
+                }
+                (Some(item), Some(old)) => *old = item,
+                (Some(item), None) => drop(at.insert(key, item)),
+            }
+        }
+        Ok(document.to_string())
+    }
+
+    /// The table of the step in which the axis called `name` stands.
+    pub fn axis_table(&self, name: &str) -> Option<Vec<Step<'static>>> {
+        let document: DocumentMut = self.text.parse().ok()?;
+        let nth = |table: Option<&Item>| {
+            let steps = table?.as_array_of_tables()?;
+            steps.iter().position(|step| step.get("axis").and_then(Item::as_str) == Some(name))
+        };
+        let own = ["tool", "work"]
+            .into_iter()
+            .find_map(|branch| nth(document.get(branch)).map(|i| vec![Step::Nth(branch, i)]));
+        own.or_else(|| {
+            let mut heads = document.get("heads")?.as_array_of_tables()?.iter().enumerate();
+            heads.find_map(|(h, head)| {
+                nth(head.get("steps")).map(|i| vec![Step::Nth("heads", h), Step::Nth("steps", i)])
+            })
+        })
+    }
+
+    /// True if the file has a table of this name.
+    pub fn has(&self, table: &str) -> bool {
+        self.text.parse().is_ok_and(|document: DocumentMut| document.contains_key(table))
+    }
+
+    /// The numbers at `keys` of a table, where they stand there.
+    ///
+    /// # Errors
+    /// A text that is not TOML.
+    pub fn numbers(&self, table: &[Step<'_>], keys: &[&str]) -> Result<Vec<Option<f64>>, Failure> {
+        let parsed = self.text.parse::<DocumentMut>();
+        let document = parsed.map_err(|e| Failure::Input(format!("{}: {e}", self.path.display())))?;
+        let mut at = Some(document.as_item());
+        for step in table {
+            at = at.and_then(|item| step.of(item));
+        }
+        let number = |item: &Item| item.as_float().or_else(|| item.as_integer().map(|i| i as f64));
+        Ok(keys.iter().map(|key| at.and_then(|item| item.get(key)).and_then(number)).collect())
+    }
+
+    /// The machine that `text` makes in place of this file.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn check(&self, text: &str) -> Result<Machine, Failure> {
+        let name = self.path.file_name().map_or_else(|| "machine.toml".into(), |n| n.to_string_lossy());
+        machine_foreign(&name, text, self.path.parent().unwrap_or(Path::new(".")))
+    }
+
+    /// Checks `text` and keeps it, whole; what was there before is kept beside it, with `.before` behind its name.
+    ///
+    /// # Errors
+    /// What is wrong with it, or a folder that cannot be written.
+    pub fn keep(&self, text: &str) -> Result<Machine, Failure> {
+        let folder = self.path.parent().unwrap_or(Path::new("."));
+        files::make_private(folder)
+            .map_err(|e| Failure::Environment(format!("{}: cannot be made: {e}", folder.display())))?;
+        let machine = self.check(text)?;
+        let mut before = self.path.clone().into_os_string();
+        before.push(".before");
+        files::write(Path::new(&before), &self.text)?;
+        files::write(&self.path, text)?;
+        Ok(machine)
+    }
+}
+
+/// A step into a document.
+#[derive(Debug, Clone, Copy)]
+pub enum Step<'a> {
+    /// The table of this name, made if missing.
+    Table(&'a str),
+    /// This table of an array of tables.
+    Nth(&'a str, usize),
+}
+
+impl std::fmt::Display for Step<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Table(name) => write!(f, "{name}"),
+            Self::Nth(name, i) => write!(f, "{name}[{i}]"),
+        }
+    }
+}
+
+impl Step<'_> {
+    fn of<'i>(&self, item: &'i Item) -> Option<&'i Item> {
+        match self {
+            Self::Table(name) => item.get(name),
+            Self::Nth(name, i) => item.get(name)?.get(i),
+        }
+    }
+
+    fn enter<'i>(&self, item: &'i mut Item) -> Option<&'i mut Item> {
+        match self {
+            Self::Table(name) => {
+                let table = item.as_table_like_mut()?;
+                if table.get(name).is_none() {
+                    table.insert(name, Item::Table(Table::new()));
+                }
+                table.get_mut(name)
+            }
+            Self::Nth(name, i) => item.as_table_like_mut()?.get_mut(name)?.get_mut(*i),
+        }
+    }
+}
+
+fn tables(rows: &[Vec<(&'static str, f64)>]) -> ArrayOfTables {
+    let table =
+        |row: &Vec<(&'static str, f64)>| row.iter().map(|(key, number)| (*key, value(*number))).collect::<Table>();
+    rows.iter().map(table).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::load::load_foreign;
+
+    const JOB: &str = "saddle-4axis";
+
+    fn own(jobs: &Path) -> OwnMachine {
+        let text = crate::examples::EXAMPLES[0].text;
+        assert!(text.contains(JOB));
+        OwnMachine::of(&load_foreign("job.toml", text, jobs).unwrap(), jobs).unwrap()
+    }
+
+    /// What is kept is what the next loading finds; everything else of the file, comments too, stays as it was.
+    #[test]
+    fn what_is_kept_is_found_by_the_next_job() {
+        let jobs = tempfile::tempdir().unwrap();
+        let first = own(jobs.path());
+        let tip = vec![0.5, -0.25, 1.0];
+        let text = first.with(&[Step::Table("torch")], &[("tip_mm", Setting::Row(tip))]).unwrap();
+        first.keep(&text).unwrap();
+        let second = own(jobs.path());
+        assert_eq!(second.text, text);
+        let gains = [("kp_per_s", Setting::Number(Some(30.0))), ("velocity_bandwidth_hz", Setting::Number(Some(20.0)))];
+        let text = second.with(&[Step::Table("drives"), Step::Table("theta")], &gains).unwrap();
+        let machine = second.keep(&text).unwrap();
+        assert_eq!(machine.heads[0].tip, glam::DVec3::new(0.5, -0.25, 1.0));
+        let drive = machine.axes[0].drive.as_ref().unwrap();
+        assert_eq!((drive.gains.unwrap().kp, drive.velocity_bandwidth_hz), (30.0, 20.0));
+        // Line by line: one more of each key, one changed.
+        let (old, new): (Vec<&str>, Vec<&str>) = (first.text.lines().collect(), text.lines().collect());
+        assert_eq!(new.len(), old.len() + 2);
+        assert_eq!(old.iter().filter(|line| !new.contains(line)).count(), 1);
+        assert_eq!(std::fs::read_to_string(second.path.with_extension("toml.before")).unwrap(), second.text);
+        // Taken away again.
+        let third = own(jobs.path());
+        let none = third.with(&[Step::Table("drives"), Step::Table("theta")], &[("kp_per_s", Setting::Number(None))]);
+        assert!(third.keep(&none.unwrap()).unwrap().axes[0].drive.as_ref().unwrap().gains.is_none());
+    }
+
+    #[test]
+    fn what_the_loader_refuses_is_not_kept() {
+        let jobs = tempfile::tempdir().unwrap();
+        let own = own(jobs.path());
+        for (key, number) in [("kp_per_s", -1.0), ("force_limit_n", 1.0), ("no_such_key", 1.0)] {
+            let text = own.with(&[Step::Table("drives"), Step::Table("s")], &[(key, Setting::Number(Some(number)))]);
+            let refused = own.keep(&text.unwrap()).err().map(|e| e.text()).unwrap_or_default();
+            assert!(refused.contains(key), "{key}: {refused}");
+            assert!(!own.path.exists());
+        }
+        let notches = Setting::Tables(vec![vec![("frequency_hz", 80.0), ("depth", 0.1), ("width_hz", 40.0)]]);
+        let text = own.with(&[Step::Table("drives"), Step::Table("s")], &[("notches", notches)]).unwrap();
+        assert_eq!(own.check(&text).unwrap().axes[1].drive.as_ref().unwrap().notches.len(), 1);
+        assert!(own.with(&[Step::Nth("heads", 0)], &[]).is_err());
+    }
+}

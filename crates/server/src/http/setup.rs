@@ -1,0 +1,249 @@
+//! What is set up at the machine: its axes, drives and tools, kept in its file; alarms put aside.
+
+use super::answer::{Answer, Refused};
+use super::panel::Panel;
+use crate::cell::{ToDesk, fingerprint, happening};
+use crate::users::Session;
+use crate::view::{PARAMETERS, parameters_view};
+use crate::wire::{ParameterChange, ParametersView, Shelving, ToolAnswer, ToolTip, ToolTouches};
+use axum::extract::State;
+use axum::http::StatusCode;
+use axum::{Extension, Json};
+use glam::{DAffine3, DVec3};
+use seamwright_geometry::fit::{outliers, pivot, rms};
+use seamwright_machine::{Joints, MAX_AXES, Machine};
+use seamwright_project::load::{Loaded, load_foreign};
+use seamwright_project::own_machine::{OwnMachine, Setting, Step};
+use std::sync::Arc;
+use tokio::sync::oneshot;
+
+/// Most touches: nobody makes more by hand.
+const MOST: usize = 1000;
+/// Touches that agree do so within this, mm, and tell the tip within half of it.
+const AGREE_MM: f64 = 0.5;
+/// A tool that is farther off than this was not bent: it is another one, or the touches were of several points, mm.
+const FAR_MM: f64 = 20.0;
+/// Farthest tip, mm.
+const FARTHEST_MM: f64 = 1e4;
+
+/// The machine file of the job in the cell, and the machine that it makes.
+struct OfCell {
+    own: OwnMachine,
+    machine: Machine,
+}
+
+fn of_cell(panel: &Panel) -> Result<OfCell, Refused> {
+    let Some(work) = panel.cell.hub.work() else {
+        return Err(Refused::not_found("there is no job in the cell; allowed: load one of this machine first"));
+    };
+    let jobs = panel.jobs();
+    let loaded: Loaded = load_foreign(&work.job, &super::jobs::text(panel, &work.job)?, &jobs)?;
+    Ok(OfCell { own: OwnMachine::of(&loaded, &jobs)?, machine: loaded.machine })
+}
+
+impl OfCell {
+    fn view(&self, panel: &Panel) -> Result<ParametersView, Refused> {
+        let running = panel.cell.hub.machine().map(|machine| fingerprint(&machine));
+        let mut view = parameters_view(&self.own, &self.machine)?;
+        view.file = self.file(panel);
+        view.pending = running.is_some_and(|running| running != fingerprint(&self.machine));
+        Ok(view)
+    }
+
+    /// The file as it is called among the jobs.
+    fn file(&self, panel: &Panel) -> String {
+        let path = &self.own.path;
+        let jobs = panel.jobs();
+        let inside = path.strip_prefix(&jobs).ok().map(std::path::Path::to_owned);
+        // A file that is there already comes with its true name.
+        let inside =
+            inside.or_else(|| path.strip_prefix(jobs.canonicalize().ok()?).ok().map(std::path::Path::to_owned));
+        inside.unwrap_or_else(|| path.clone()).display().to_string()
+    }
+
+    /// Keeps `text`, and the machine that it makes.
+    fn keep(self, text: String) -> Result<Self, Refused> {
+        let machine = self.own.keep(&text)?;
+        Ok(Self { own: OwnMachine { path: self.own.path, text }, machine })
+    }
+}
+
+pub(super) async fn parameters(State(panel): State<Arc<Panel>>) -> Answer<ParametersView> {
+    let asked = Arc::clone(&panel);
+    panel.drawing.run(move || of_cell(&asked)?.view(&asked)).await.map(Json)
+}
+
+/// A key with its value, as it stands in the audit log.
+fn said<'a>(values: impl Iterator<Item = (&'a str, Option<f64>)>) -> String {
+    let one = |(key, value): (&str, Option<f64>)| value.map_or_else(|| format!("{key} -"), |v| format!("{key} {v}"));
+    values.map(one).collect::<Vec<_>>().join(", ")
+}
+
+pub(super) async fn change(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    Json(asked): Json<ParameterChange>,
+) -> Answer<ParametersView> {
+    let on = Arc::clone(&panel);
+    let changed = move || {
+        let panel = &on;
+        let of = of_cell(panel)?;
+        let names: Vec<&str> = of.machine.axes.iter().map(|axis| axis.name.as_str()).collect();
+        let Some(axis) = of.machine.axes.iter().find(|axis| axis.name == asked.axis) else {
+            return Err(Refused::input(format!("there is no axis `{}`; allowed: {}", asked.axis, names.join(", "))));
+        };
+        let axis_table = of.own.axis_table(&axis.name).ok_or_else(|| Refused::server("the axis is not in its file"))?;
+        let drive_table = [Step::Table("drives"), Step::Table(&axis.name)];
+        let (mut of_axis, mut of_drive) = (Vec::new(), Vec::new());
+        for (key, value) in &asked.values {
+            let Some((_, group, kind)) = PARAMETERS.iter().find(|(known, ..)| known == key) else {
+                let allowed: Vec<&str> = PARAMETERS.iter().map(|(key, ..)| *key).collect();
+                return Err(Refused::input(format!("there is no parameter `{key}`; allowed: {}", allowed.join(", "))));
+            };
+            if kind.is_some_and(|kind| kind != axis.kind) {
+                return Err(Refused::input(format!("`{key}` is of another kind of axis; allowed: those of the list")));
+            }
+            let list = if *group == "axis" { &mut of_axis } else { &mut of_drive };
+            list.push((key.as_str(), Setting::Number(*value)));
+        }
+        let before = parameters_view(&of.own, &of.machine)?;
+        let row = before.axes.iter().find(|row| row.name == asked.axis);
+        let was = |key: &str| row.and_then(|row| row.values.iter().find(|v| v.key == key)).and_then(|v| v.value);
+        let mut old = said(asked.values.iter().map(|(key, _)| (key.as_str(), was(key))));
+        let mut new = said(asked.values.iter().map(|(key, value)| (key.as_str(), *value)));
+        if let Some(notches) = &asked.notches {
+            let table = |n: &[f64; 3]| vec![("frequency_hz", n[0]), ("depth", n[1]), ("width_hz", n[2])];
+            of_drive.push(("notches", Setting::Tables(notches.iter().map(table).collect())));
+            old += &format!(" notches {:?}", row.map_or(&[][..], |row| &row.notches));
+            new += &format!(" notches {notches:?}");
+        }
+        let mut text = of.own.text.clone();
+        if !of_axis.is_empty() {
+            text = of.own.with(&axis_table, &of_axis)?;
+        }
+        if !of_drive.is_empty() {
+            text = OwnMachine { path: of.own.path.clone(), text }.with(&drive_table, &of_drive)?;
+        }
+        let name = asked.axis.clone();
+        let kept = of.keep(text)?;
+        let (view, file) = (kept.view(panel)?, kept.file(panel));
+        tell(panel, &session.user, ("machine_changed", &name, &file), (old.trim(), new.trim()));
+        Ok(view)
+    };
+    panel.planning.run(changed).await.map(Json)
+}
+
+/// Tells everybody and the audit log.
+fn tell(panel: &Panel, user: &str, (key, name, file): (&'static str, &str, &str), change: (&str, &str)) {
+    let what = if key == "tool_changed" { "tool" } else { "axis" };
+    panel.cell.archive.audit(user, "panel", &format!("set {what} {name} in {file}"), change, "kept");
+    let t = panel.cell.hub.latest().map_or(0.0, |status| status.t);
+    panel.cell.hub.event(t, happening(key, [name.to_owned(), file.to_owned()]).by(Some(user.to_owned())));
+}
+
+fn head(machine: &Machine, head: u32) -> Result<usize, Refused> {
+    let count = machine.heads.len();
+    let known = usize::try_from(head).ok().filter(|head| *head < count);
+    known.ok_or_else(|| Refused::input(format!("there is no head {head}; allowed: 0 to {}", count - 1)))
+}
+
+pub(super) async fn find_tool(State(panel): State<Arc<Panel>>, Json(asked): Json<ToolTouches>) -> Answer<ToolAnswer> {
+    let on = Arc::clone(&panel);
+    let found = move || {
+        let machine = of_cell(&on)?.machine;
+        let head = head(&machine, asked.head)?;
+        if asked.touches.len() > MOST {
+            return Err(Refused::input(format!("{} touches; allowed: up to {MOST}", asked.touches.len())));
+        }
+        let frames: Result<Vec<DAffine3>, Refused> = asked.touches.iter().map(|t| frame(&machine, head, t)).collect();
+        tool(&machine, head, &frames?)
+    };
+    panel.drawing.run(found).await.map(Json)
+}
+
+/// The frame of the tool at a touch: its origin is where the tip is thought to be.
+fn frame(machine: &Machine, head: usize, touch: &[f64]) -> Result<DAffine3, Refused> {
+    let axes = &machine.axes;
+    if touch.len() != axes.len() || touch.iter().any(|v| !v.is_finite() || v.abs() > 1e6) {
+        let allowed = format!("{} positions, mm or degrees, up to 1000000", axes.len());
+        return Err(Refused::input(format!("a touch is {touch:?}; allowed: {allowed}")));
+    }
+    let mut q: Joints = [0.0; MAX_AXES];
+    q.iter_mut().zip(axes).zip(touch).for_each(|((q, axis), value)| *q = axis.from_file(*value));
+    Ok(machine.mount_frame(head, &q) * DAffine3::from_translation(machine.heads[head].tip))
+}
+
+fn tool(machine: &Machine, head: usize, frames: &[DAffine3]) -> Result<ToolAnswer, Refused> {
+    let fit = pivot(frames).map_err(|e| {
+        let allowed = "three touches or more of one point, the torch tilted by 20 degrees or more between them";
+        Refused::input(format!("{e}; allowed: {allowed}"))
+    })?;
+    let was = machine.heads[head].tip;
+    let worst = fit.residuals.iter().copied().fold(0.0, f64::max);
+    let verdict = if worst > AGREE_MM || fit.deviation.max_element() > 0.5 * AGREE_MM {
+        "poor"
+    } else if fit.tip.length() > FAR_MM {
+        "far"
+    } else if fit.unseen.is_empty() {
+        "good"
+    } else {
+        "unseen"
+    };
+    // A thousandth of a mm is beyond any hand.
+    let tip = ((was + fit.tip) * 1e4).round() / 1e4;
+    Ok(ToolAnswer {
+        was_mm: was.to_array(),
+        tip_mm: tip.to_array(),
+        point_mm: fit.point.to_array(),
+        rms_mm: rms(&fit.residuals),
+        outliers: outliers(&fit.residuals),
+        residuals_mm: fit.residuals,
+        deviation_mm: fit.deviation.to_array(),
+        apart_deg: fit.apart.to_degrees(),
+        unseen: fit.unseen.iter().map(DVec3::to_array).collect(),
+        verdict: verdict.to_owned(),
+    })
+}
+
+pub(super) async fn keep_tool(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    Json(asked): Json<ToolTip>,
+) -> Answer<ParametersView> {
+    let on = Arc::clone(&panel);
+    let kept = move || {
+        let panel = &on;
+        let of = of_cell(panel)?;
+        let head = head(&of.machine, asked.head)?;
+        if asked.tip_mm.iter().any(|v| v.is_nan() || v.abs() > FARTHEST_MM) {
+            return Err(Refused::input(format!("tip_mm {:?}; allowed: up to {FARTHEST_MM} mm", asked.tip_mm)));
+        }
+        let name = of.machine.heads[head].name.clone();
+        let was = of.machine.heads[head].tip;
+        // One head without a name of its own, or several with theirs.
+        let table = if of.own.has("torch") { Step::Table("torch") } else { Step::Nth("heads", head) };
+        let text = of.own.with(&[table], &[("tip_mm", Setting::Row(asked.tip_mm.to_vec()))])?;
+        let kept = of.keep(text)?;
+        let (view, file) = (kept.view(panel)?, kept.file(panel));
+        let written = |tip: DVec3| format!("tip_mm {:?}", tip.to_array());
+        let change = (written(was), written(DVec3::from_array(asked.tip_mm)));
+        tell(panel, &session.user, ("tool_changed", &name, &file), (&change.0, &change.1));
+        Ok(view)
+    };
+    panel.planning.run(kept).await.map(Json)
+}
+
+pub(super) async fn shelve(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    Json(asked): Json<Shelving>,
+) -> Result<StatusCode, Refused> {
+    let gone = || Refused::server("the cell has ended");
+    let (answer, answered) = oneshot::channel();
+    let command = format!("shelve alarm {} {} for {} min", asked.number, asked.detail, asked.minutes);
+    panel.cell.desk.send(ToDesk::Shelve(asked, session.user.clone(), answer)).map_err(|_| gone())?;
+    let result = answered.await.map_err(|_| gone())?;
+    let said = result.as_ref().map_or_else(String::as_str, |()| "taken");
+    panel.cell.archive.audit(&session.user, "panel", &command, ("", ""), said);
+    result.map(|()| StatusCode::NO_CONTENT).map_err(Refused::input)
+}

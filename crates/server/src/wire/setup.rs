@@ -1,0 +1,111 @@
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use ts_rs::TS;
+
+/// `GET /api/parameters`: what the machine file of the cell's job holds of axes, drives and tools.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct ParametersView {
+    /// Title of the machine.
+    pub machine: String,
+    /// The file, among the jobs, in which changes are kept.
+    pub file: String,
+    /// The cell still has the machine as it was before a change: it is in force when the job is loaded anew, drives off.
+    pub pending: bool,
+    /// In the order of the machine's axes.
+    pub axes: Vec<AxisParameters>,
+    /// Torches, beams or lasers.
+    pub heads: Vec<HeadView>,
+}
+
+/// A torch, beam or laser.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct HeadView {
+    /// Its name.
+    pub name: String,
+    /// Its tip in the last frame of its steps, mm.
+    pub tip_mm: [f64; 3],
+}
+
+/// An axis with its drive.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct AxisParameters {
+    /// Its name.
+    pub name: String,
+    /// `mm` or `deg`.
+    pub unit: String,
+    /// The machine file describes its drive.
+    pub has_drive: bool,
+    /// All that can stand there, with the keys of machine files.
+    pub values: Vec<ParameterView>,
+    /// Notch filters of the speed command: frequency, Hz, depth (gain at the centre), width, Hz.
+    pub notches: Vec<[f64; 3]>,
+}
+
+/// A number of the machine file.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct ParameterView {
+    /// Its key.
+    pub key: String,
+    /// `axis`, `loop`, `feedforward`, `mechanics`.
+    pub group: String,
+    /// Its value; none: what is assumed without it.
+    pub value: Option<f64>,
+}
+
+/// `PUT /api/parameters`: numbers of an axis and its drive, all checked as the loader checks them.
+#[derive(Debug, Clone, PartialEq, Deserialize, TS, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ParameterChange {
+    /// Name of the axis.
+    pub axis: String,
+    /// Keys with their new values; null takes the key away.
+    pub values: Vec<(String, Option<f64>)>,
+    /// Notch filters in place of those that are there, if they change.
+    pub notches: Option<Vec<[f64; 3]>>,
+}
+
+/// `POST /api/tool`: one fixed point was touched with the tip of a head from several attitudes.
+#[derive(Debug, Clone, PartialEq, Deserialize, TS, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ToolTouches {
+    /// The head, from 0.
+    pub head: u32,
+    /// Positions of all axes at each touch, mm or degrees.
+    pub touches: Vec<Vec<f64>>,
+}
+
+/// Its answer; nothing is kept.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct ToolAnswer {
+    /// The tip in the last frame of the head's steps, mm: as it was, and as it was found.
+    pub was_mm: [f64; 3],
+    /// See `was_mm`.
+    pub tip_mm: [f64; 3],
+    /// The point that was touched, in the work frame, mm.
+    pub point_mm: [f64; 3],
+    /// Distance of the tip from that point at each touch, mm.
+    pub residuals_mm: Vec<f64>,
+    /// Touches that are far off the others.
+    pub outliers: Vec<bool>,
+    /// Root of the mean square of the residuals, mm.
+    pub rms_mm: f64,
+    /// Standard deviation of the tip, estimated from the residuals, mm.
+    pub deviation_mm: [f64; 3],
+    /// Largest angle between two attitudes, degrees.
+    pub apart_deg: f64,
+    /// Directions in the head's frame along which the attitudes do not tell where the tip is: it stays there as it was.
+    pub unseen: Vec<[f64; 3]>,
+    /// `good`; `unseen`: good, but not told in all directions; `far`: it moved by more than a tool is bent; `poor`: the touches
+    /// do not agree.
+    pub verdict: String,
+}
+
+/// `PUT /api/tool`: the tip is there from now on.
+#[derive(Debug, Clone, PartialEq, Deserialize, TS, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ToolTip {
+    /// The head, from 0.
+    pub head: u32,
+    /// In the last frame of its steps, mm.
+    pub tip_mm: [f64; 3],
+}

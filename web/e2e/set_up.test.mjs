@@ -1,0 +1,138 @@
+// A machine is set up: its tool found by touching a point, its drives, an axis sent home; alarms one by one, and put aside.
+import assert from 'node:assert/strict';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { axis, bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab } from './operator.mjs';
+
+const shots = new URL('shots/', import.meta.url).pathname;
+const { one, cell, options } = await bench({ real: 'the mock has no machine file', only: true });
+mkdirSync(shots, { recursive: true });
+
+const page = (name) => one.getByRole('group', { name: 'Pages of the set-up' }).getByRole('button', { name, exact: true }).click();
+const shot = (name) => one.screenshot({ path: join(shots, `${name}.png`) });
+const file = () => readFileSync(join(cell.data, 'jobs/machines/saddle-4axis.toml'), 'utf8');
+
+/** Holds a key until an axis has moved by so much. */
+async function hold(name, key, by) {
+  await tab(one, 'Jog · Teach');
+  await commands(one);
+  const begun = await axis(one, name);
+  await one.getByRole('button', { name: key, exact: true }).hover();
+  await one.mouse.down();
+  for (let i = 0; i < 100 && Math.abs((await axis(one, name)) - begun) < by; i += 1) await sleep(50);
+  await one.mouse.up();
+  await sleep(500);
+}
+
+test('a tool is found by touching one point, looked at, kept, and in force with the next loading', options, async () => {
+  await open(one, cell.address);
+  await control(one);
+  await keep(one, 'short.toml', SHORT);
+  await load(one, 'short.toml');
+  await tab(one, 'Weld');
+  await commands(one);
+  await ready(one);
+  await tab(one, 'Jog · Teach');
+  await one.getByRole('button', { name: 'Start jogging' }).click();
+  await mode(one, 'jog');
+  // The torch is only swung: the point that stays is the axis of the swing, 100 mm above the tip.
+  for (let i = 0; i < 4; i += 1) {
+    await tab(one, 'Set-up');
+    await page('Tool');
+    await one.getByRole('button', { name: 'Record this touch' }).click();
+    if (i < 3) await hold('beta', 'beta +', 10);
+  }
+  await one.getByRole('button', { name: 'Compute the tip' }).click();
+  const answer = one.getByRole('status').filter({ hasText: 'Tip found' });
+  await answer.getByText(/more than 20 mm/).waitFor();
+  await answer.getByText(/Not told along/).waitFor();
+  assert.match(await answer.textContent(), /Z 100\.0/);
+  await shot('set-up-tool');
+  await one.getByRole('button', { name: 'Keep this tip' }).click();
+  await one.getByText(/Kept in machines\/saddle-4axis.toml/).waitFor();
+  assert.match(file(), /tip_mm = \[.*, .*, (100|99\.99|100\.00)/);
+  const anew = one.getByRole('button', { name: 'Load the job anew' });
+  assert.equal(await anew.isDisabled(), true, 'with the drives on');
+  await one.getByRole('button', { name: 'Back to the tip until now' }).click();
+  await one.waitForFunction(() => document.querySelector('.setup .good') !== null);
+  await anew.waitFor({ state: 'hidden' });
+  assert.match(file(), /tip_mm = \[0\.0, 0\.0, 0\.0\]/);
+});
+
+test('one axis goes home alone', options, async () => {
+  await tab(one, 'Weld');
+  await commands(one);
+  await press(one, /Hold/);
+  await mode(one, 'ready');
+  assert.ok(Math.abs(await axis(one, 'beta')) > 20);
+  await tab(one, 'Set-up');
+  await page('Machine');
+  await shot('set-up-machine');
+  await one.getByRole('button', { name: 'Home axis beta' }).click();
+  await mode(one, 'homing');
+  await mode(one, 'ready');
+  await tab(one, 'Weld');
+  assert.ok(Math.abs(await axis(one, 'beta')) < 0.05);
+});
+
+test('a drive is set as the loader allows, and in force with the next loading', options, async () => {
+  await tab(one, 'Set-up');
+  await page('Axes and drives');
+  await one.getByRole('group', { name: 'Axis' }).getByRole('button', { name: 's', exact: true }).click();
+  const gain = one.getByLabel(/Proportional gain/);
+  await gain.fill('-1');
+  await one.getByRole('button', { name: 'Keep', exact: true }).click();
+  await one.getByRole('alert').filter({ hasText: 'kp_per_s' }).waitFor();
+  // The browser says that it was refused.
+  one.wrong = one.wrong.filter((text) => !text.includes('422'));
+  await gain.fill('25');
+  await one.getByLabel(/Highest speed/).fill('40');
+  await shot('set-up-drives');
+  await one.getByRole('button', { name: 'Keep', exact: true }).click();
+  await one.getByText(/Kept in machines/).waitFor();
+  assert.match(file(), /kp_per_s = 25/);
+  await commands(one);
+  await tab(one, 'Weld');
+  await press(one, /Switch off/);
+  await mode(one, 'off');
+  await tab(one, 'Set-up');
+  await page('Axes and drives');
+  const anew = one.getByRole('button', { name: 'Load the job anew' });
+  await anew.click();
+  await anew.waitFor({ state: 'hidden', timeout: 30_000 });
+  await page('Machine');
+  await one.getByRole('row', { name: /^s \[mm\].* 40\.0/ }).waitFor();
+});
+
+test('an alarm is acknowledged by itself, and one that only tells is put aside', options, async () => {
+  await tab(one, 'Weld');
+  await commands(one);
+  await ready(one);
+  await tab(one, 'Jog · Teach');
+  await one.getByRole('button', { name: 'Start jogging' }).click();
+  await mode(one, 'jog');
+  await one.getByRole('button', { name: 'theta +', exact: true }).hover();
+  await one.mouse.down();
+  await sleep(400);
+  await one.evaluate(() => {
+    const until = performance.now() + 1500;
+    while (performance.now() < until);
+  });
+  await one.mouse.up();
+  await tab(one, 'Weld');
+  await one.getByText('panel silent').first().waitFor();
+  await commands(one);
+  await shot('alarms');
+  await one.getByRole('button', { name: /^Shelve/ }).first().click();
+  await shot('alarms-shelve');
+  await one.locator('dialog[open]').getByRole('button', { name: '30 min' }).click();
+  await one.getByText(/Shelved: \d/).waitFor();
+  await one.getByText('No alarms').first().waitFor();
+  await shot('alarms-shelved');
+  await one.getByRole('button', { name: 'Take back' }).click();
+  const known = one.getByRole('button', { name: /Acknowledge this alarm: .*panel silent/ });
+  await known.click();
+  await known.waitFor({ state: 'hidden' });
+  quiet(one);
+});

@@ -1,0 +1,24 @@
+import { readFileSync } from 'node:fs';
+import { expect, test } from 'vitest';
+import { en } from '../words/en';
+import { meaning } from './parameters';
+
+test('every parameter of an axis has a word and the unit that its key ends in', () => {
+  const rust = readFileSync(new URL('../../../crates/server/src/view/parameters.rs', import.meta.url), 'utf8');
+  const rows = [...rust.matchAll(/^ {4}\("(\w+)", "(\w+)", (Some|None)/gm)];
+  expect(rows.length).toBe(Number(/PARAMETERS: .*; (\d+)\]/.exec(rust)?.[1]));
+  for (const [, key = '', group = ''] of rows) {
+    const { word, unit } = meaning(key);
+    expect(`par.${word}` in en, key).toBe(true);
+    expect(`par.group.${group}` in en, group).toBe(true);
+    const bare = ['kd', 'kvff', 'load_ratio'].includes(key);
+    expect(unit === '', key).toBe(bare);
+  }
+  // What differs by the kind of axis differs by its unit only.
+  expect(meaning('max_speed_mm_s')).toEqual({ word: 'max_speed', unit: 'mm/s' });
+  expect(meaning('max_speed_deg_s')).toEqual({ word: 'max_speed', unit: '°/s' });
+  expect(meaning('torque_limit_n_m')).toEqual({ word: 'limit', unit: 'N m' });
+  expect(meaning('force_limit_n')).toEqual({ word: 'limit', unit: 'N' });
+  expect(meaning('inertia_kg_m2')).toEqual({ word: 'inertia', unit: 'kg m²' });
+  expect(meaning('viscous_n_m_s_rad').unit).toBe('N m s/rad');
+});
