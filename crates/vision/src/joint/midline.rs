@@ -21,8 +21,8 @@ const USUAL: f32 = 1.6;
 const LIKE: f32 = 0.06;
 /// Rows before and after that a parabola through the middles is fitted to, least and most.
 const LINE: (usize, usize) = (6, even::MOST);
-/// Longer lines than this before and after are no parabolas where a joint bends to and fro, pixels of the frame.
-const LONGEST: f32 = 72.0;
+/// Longer lines than this part of the picture's shorter side are no parabolas where a joint bends to and fro.
+const LONGEST: f32 = 0.14;
 /// What the midline's standard error should be, pixels of the frame.
 const ERROR: f32 = 0.15;
 /// On levels where noise is little, rims that tell another middle than the rest of the profile by more than this part of the width
@@ -110,7 +110,7 @@ impl Midline {
         self.rows.clear();
         self.rows.resize(self.stations.len(), Found::default());
         self.judge_rows();
-        self.centres(look.width, scale);
+        self.centres(look.width, scale, picture.width.min(picture.height));
     }
 
     /// Smooth stations along the places.
@@ -173,7 +173,7 @@ impl Midline {
     }
 
     /// The middle of each row between columns.
-    fn centres(&mut self, width: f32, scale: f32) {
+    fn centres(&mut self, width: f32, scale: f32, side: usize) {
         let count = self.path.len();
         let profile = Profile::new(width);
         self.centre.clear();
@@ -209,7 +209,7 @@ impl Midline {
             }
             self.place_middles();
             if round == 0 {
-                self.line = self.line_length(scale);
+                self.line = self.line_length(scale, side);
                 self.even.prepare(self.line);
             }
             for i in 0..count {
@@ -314,8 +314,9 @@ impl Midline {
         }));
     }
 
-    /// Rows that a parabola must have so that its error is small enough, by how centres scatter.
-    fn line_length(&self, scale: f32) -> usize {
+    /// Rows that a parabola must have so that its error is small enough, by how centres scatter, in a picture with this shorter
+    /// side.
+    fn line_length(&self, scale: f32, side: usize) -> usize {
         let (mut sum, mut count) = (0.0, 0);
         for i in (2..self.single.len().saturating_sub(2)).filter(|i| self.rows[*i].seen) {
             // The second difference over two rows each: 6 variances.
@@ -324,7 +325,7 @@ impl Midline {
             count += 1;
         }
         let variance = sum / (6 * count.max(1)) as f32 * scale * scale;
-        let most = ((LONGEST / scale) as usize).clamp(LINE.0, LINE.1);
+        let most = ((LONGEST * side as f32) as usize).clamp(LINE.0, LINE.1);
         ((variance / (ERROR * ERROR)) as usize).clamp(LINE.0, most)
     }
 
