@@ -189,7 +189,8 @@ impl Trail {
             let from = back as f32;
             if gap > WIDER {
                 axis = self.across(picture, &known, (self.places.len() - known_to) as f32, from, look, gap);
-            } else {
+            } else if unseen <= WIDER || 4 * self.count() >= 3 * ROWS {
+                // What is seen for a short while within a gap is chance.
                 (known, known_to) = (axis, self.places.len());
             }
             self.see(picture, &axis, from, look, gap);
@@ -247,7 +248,7 @@ impl Trail {
         let noise = self.strip.noise_beside(&self.path, look.width);
         let learned = look.noise + 0.3 * (noise.clamp(0.6 * look.noise, 1.5 * look.noise) - look.noise);
         self.judge(look.contrast);
-        if 2 * self.seen.iter().filter(|s| **s).count() >= ROWS {
+        if 2 * self.count() >= ROWS {
             look.noise = learned;
             return score;
         }
@@ -260,7 +261,7 @@ impl Trail {
             let contrast = part * look.contrast;
             let score = self.find(contrast, free);
             self.judge(contrast);
-            let seen = self.seen.iter().filter(|s| **s).count();
+            let seen = self.count();
             if 4 * seen >= 3 * ROWS && self.floor(look.width) < look.floor + LIKE_FLOOR * look.contrast {
                 look.contrast = contrast;
                 return score;
@@ -296,12 +297,17 @@ impl Trail {
             let axis = Axis { at, heading: tangent[1].atan2(tangent[0]), curvature: 0.0 };
             let cost = if side == 0 { 0.0 } else { ASIDE };
             let score = self.see(picture, &axis, from, &mut look.clone(), gap) - cost;
-            let seen = self.seen.iter().filter(|s| **s).count();
+            let seen = self.count();
             if side == 0 || (seen >= FOUND && score > best.0) {
                 best = (score, axis);
             }
         }
         best.1
+    }
+
+    /// How many rows of the strip show the joint.
+    fn count(&self) -> usize {
+        self.seen.iter().filter(|s| **s).count()
     }
 
     fn find(&mut self, contrast: f32, free: f32) -> f32 {
@@ -382,7 +388,7 @@ impl Trail {
             gone += LEAP;
             let there = Axis { at: axis.station(gone as f32).at, ..axis };
             self.see(picture, &there, BACK as f32, &mut look.clone(), gone);
-            let seen = self.seen.iter().filter(|s| **s).count();
+            let seen = self.count();
             let moves = self.path.windows(2).map(|p| p[0].abs_diff(p[1])).sum::<usize>();
             if 10 * seen >= 9 * ROWS && 6 * moves <= ROWS {
                 return Some(there);
