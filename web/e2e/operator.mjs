@@ -98,7 +98,12 @@ export async function load(page, name, part = '') {
 export async function ready(page) {
   await press(page, /Switch on/);
   await mode(page, 'idle', 'ready');
-  await press(page, /^Home/);
+  // The drives' power takes a moment, in which Home is refused.
+  for (let i = 0; i < 20; i += 1) {
+    if ((await page.getAttribute('[data-mode]', 'data-mode')) !== 'idle') break;
+    await press(page, /^Home/);
+    await sleep(500);
+  }
   await mode(page, 'ready');
 }
 
