@@ -13,6 +13,10 @@ use std::sync::Arc;
 const RAPID_MM_S: f64 = 100.0;
 /// A block that takes less is none, s.
 const SHORTEST_S: f64 = 1e-9;
+/// Times of a spline's points are found anew by its pieces' lengths, at most so often ...
+const ROUNDS: usize = 30;
+/// ... until each piece takes as long as it should within this part.
+const IN_TIME: f64 = 1e-4;
 
 /// A block before its place on the path is known.
 struct Timed {
@@ -240,26 +244,38 @@ impl Builder<'_> {
     /// The cubic spline through the points of a span, by time; of recorded ones through those that are needed.
     fn spline(&self, span: &PointSpan, here: &Row, rows: &[Row]) -> Vec<Timed> {
         let rows: Vec<Row> = std::iter::once(*here).chain(rows.iter().copied()).collect();
-        let mut at = vec![0.0];
+        let (mut at, mut ways) = (vec![0.0], vec![0.0]);
         for (k, point) in span.points.iter().enumerate() {
-            let way = self.timed((&rows[k], &rows[k + 1]), Shape::Line, (point, k, span));
-            at.push(at[k] + way.seconds.max(SHORTEST_S));
+            let chord = self.timed((&rows[k], &rows[k + 1]), Shape::Line, (point, k, span));
+            at.push(at[k] + chord.seconds.max(SHORTEST_S));
+            ways.push(ways[k] + self.way(&chord.block));
         }
         let kept = match span.along {
             Along::Taught => kept(&at, &rows, &self.near()),
             _ => (0..rows.len()).collect(),
         };
-        let slopes = slopes(&at, &rows, &kept);
-        let piece = |(k, gap): (usize, &[usize])| {
-            let (a, b) = (gap[0], gap[1]);
-            let seconds = at[b] - at[a];
-            let cubic = [slopes[k], slopes[k + 1]].map(|row| row.map(|slope| slope * seconds));
-            let shape = Shape::Cubic(Box::new(cubic));
-            let (from, to, stops) = (0.0, 0.0, span.stops);
-            let block = Block { from, to, start: rows[a], end: rows[b], shape, stops, is_continued: k > 0 && !stops };
-            Timed { block, seconds, point: b }
-        };
-        kept.windows(2).enumerate().map(piece).collect()
+        let rows: Vec<Row> = kept.iter().map(|&i| rows[i]).collect();
+        let chord = |gap: &[usize]| (at[gap[1]] - at[gap[0]], ways[gap[1]] - ways[gap[0]]);
+        let chords: Vec<(f64, f64)> = kept.windows(2).map(chord).collect();
+        let mut at: Vec<f64> = kept.iter().map(|&i| at[i]).collect();
+        let mut pieces = pieces(&at, &rows, &kept, span.stops);
+        if self.columns.timed {
+            return pieces;
+        }
+        // The speed is given: a piece takes as much longer than its chords as it is longer.
+        for _ in 0..ROUNDS {
+            let mut is_in_time = true;
+            for (k, (piece, (seconds, way))) in pieces.iter().zip(&chords).enumerate() {
+                let longer = if *way > 0.0 { self.way(&piece.block) / way } else { 1.0 };
+                is_in_time &= (seconds * longer - piece.seconds).abs() <= IN_TIME * piece.seconds;
+                at[k + 1] = at[k] + seconds * longer;
+            }
+            if is_in_time {
+                break;
+            }
+            pieces = self::pieces(&at, &rows, &kept, span.stops);
+        }
+        pieces
     }
 
     /// How far from a recorded point its numbers may be: half the pass' tolerance, rotary axes and directions as much at
@@ -274,15 +290,29 @@ impl Builder<'_> {
     }
 }
 
-/// Slopes by time at the points `kept` of the natural spline through them.
-fn slopes(at: &[f64], rows: &[Row], kept: &[usize]) -> Vec<Row> {
+/// The natural spline through `rows` by the time `at` each, in pieces; `points` are their numbers.
+fn pieces(at: &[f64], rows: &[Row], points: &[usize], stops: bool) -> Vec<Timed> {
+    let slopes = slopes(at, rows);
+    let piece = |k: usize| {
+        let seconds = at[k + 1] - at[k];
+        let cubic = [slopes[k], slopes[k + 1]].map(|row| row.map(|slope| slope * seconds));
+        let shape = Shape::Cubic(Box::new(cubic));
+        let (from, to, is_continued) = (0.0, 0.0, k > 0 && !stops);
+        let block = Block { from, to, start: rows[k], end: rows[k + 1], shape, stops, is_continued };
+        Timed { block, seconds, point: points[k + 1] }
+    };
+    (0..rows.len() - 1).map(piece).collect()
+}
+
+/// Slopes by time of the natural spline through rows.
+fn slopes(at: &[f64], rows: &[Row]) -> Vec<Row> {
     let column = |k: usize| {
-        let points: Vec<(f64, f64)> = kept.iter().map(|&i| (at[i], rows[i][k])).collect();
+        let points: Vec<(f64, f64)> = at.iter().zip(rows).map(|(at, row)| (*at, row[k])).collect();
         CubicSpline::natural(&points).ok()
     };
     let columns: Vec<Option<CubicSpline>> = (0..Row::default().len()).map(column).collect();
-    let slope = |i: usize, k: usize| columns[k].as_ref().map_or(0.0, |spline| spline.at(at[i]).1);
-    kept.iter().map(|&i| std::array::from_fn(|k| slope(i, k))).collect()
+    let slope = |at: f64, k: usize| columns[k].as_ref().map_or(0.0, |spline| spline.at(at).1);
+    at.iter().map(|at| std::array::from_fn(|k| slope(*at, k))).collect()
 }
 
 /// The pass' spans: process values from point to point. Points between which nothing changes are one span.
