@@ -34,6 +34,21 @@ impl Axis {
 }
 
 impl Axis {
+    /// `count` stations a pixel apart, the first one after `from` pixels.
+    pub(super) fn stations(&self, from: f32, count: usize) -> impl ExactSizeIterator<Item = Station> {
+        let mut next = self.station(from);
+        // From one to the next the tangent turns twice by half of the angle, and the chord lies between.
+        let (sin, cos) = (0.5 * self.curvature).sin_cos();
+        let half = move |[x, y]: [f32; 2]| [x * cos - y * sin, x * sin + y * cos];
+        let chord = 1.0 - self.curvature * self.curvature / 24.0;
+        (0..count).map(move |_| {
+            let here = next;
+            let along = half(here.tangent);
+            next = Station { at: [0, 1].map(|k| here.at[k] + chord * along[k]), tangent: half(along) };
+            here
+        })
+    }
+
     /// How far along the axis a place is and how far to its right, pixels; within half a turn.
     pub(super) fn along_and_across(&self, place: [f32; 2]) -> (f32, f32) {
         let (sin, cos) = self.heading.sin_cos();
@@ -60,6 +75,23 @@ impl Station {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn stations_are_a_pixel_apart() {
+        for curvature in [0.0, 0.002, -0.03, 0.03] {
+            let axis = Axis { at: [300.0, -12.0], heading: 2.1, curvature };
+            let all = axis.stations(-10.0, 48);
+            assert_eq!(all.len(), 48);
+            for (i, station) in all.enumerate() {
+                let alone = axis.station(i as f32 - 10.0);
+                for k in 0..2 {
+                    // The chord of a long arc is known to a few hundredths of a pixel.
+                    assert!((station.at[k] - alone.at[k]).abs() < 0.05, "{curvature} {i}");
+                    assert!((station.tangent[k] - alone.tangent[k]).abs() < 1e-5, "{curvature} {i}");
+                }
+            }
+        }
+    }
 
     #[test]
     fn places_beside_the_axis_are_found_where_they_were_put() {

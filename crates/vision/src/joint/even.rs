@@ -46,29 +46,30 @@ impl Even {
 
     /// How far to the right of a place, seen along `tangent`, the parabola through the rows about row `i` crosses that row's
     /// line, and the standard error of that. As many rows as were prepared for lie before and after.
+    #[inline(always)]
     pub(super) fn across(&self, rows: &Rows, i: usize, [x0, y0]: [f32; 2], [cos, sin]: [f32; 2]) -> (f32, f32) {
         let near = i - self.reach..=i + self.reach;
         let (xs, ys) = (&rows.x[near.clone()], &rows.y[near]);
-        let [weights, firsts, seconds] = &self.weights;
+        let [weights, firsts, seconds] = self.weights.each_ref().map(Vec::as_slice);
         // Sums of values, of them times number and square, and of their squares.
         let mut sums = [[0.0f32; LANES]; 4];
-        let mut add = |at: usize, lane: usize| {
-            let v = (ys[at] - y0) * cos - (xs[at] - x0) * sin;
-            let wv = weights[at] * v;
+        let mut add = |lane: usize, x: f32, y: f32, weights: [f32; 3]| {
+            let v = (y - y0) * cos - (x - x0) * sin;
+            let wv = weights[0] * v;
             sums[0][lane] += wv;
-            sums[1][lane] += firsts[at] * v;
-            sums[2][lane] += seconds[at] * v;
+            sums[1][lane] += weights[1] * v;
+            sums[2][lane] += weights[2] * v;
             sums[3][lane] += wv * v;
         };
-        let count = xs.len();
-        let whole = count - count % LANES;
-        for from in (0..whole).step_by(LANES) {
+        let [(xs, last_xs), (ys, last_ys), (w0, last_w0), (w1, last_w1), (w2, last_w2)] =
+            [xs, ys, weights, firsts, seconds].map(<[f32]>::as_chunks::<LANES>);
+        for ((((x, y), w0), w1), w2) in xs.iter().zip(ys).zip(w0).zip(w1).zip(w2) {
             for lane in 0..LANES {
-                add(from + lane, lane);
+                add(lane, x[lane], y[lane], [w0[lane], w1[lane], w2[lane]]);
             }
         }
-        for at in whole..count {
-            add(at, at - whole);
+        for (lane, (x, y)) in last_xs.iter().zip(last_ys).enumerate() {
+            add(lane, *x, *y, [last_w0[lane], last_w1[lane], last_w2[lane]]);
         }
         let [r0, r1, r2, squares] = sums.map(|lanes| lanes.iter().sum::<f32>());
         let [m0, m2, m4] = self.moments;

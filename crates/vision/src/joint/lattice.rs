@@ -1,4 +1,6 @@
 use super::strip::{COLS, GROUP, MID, Strip, greater, lesser};
+use super::wide::wide;
+use pulp::NullaryFnOnce;
 
 /// What a step to the next column costs, nats.
 const MOVE: f32 = 2.5;
@@ -29,22 +31,8 @@ pub(super) struct Lattice {
 impl Lattice {
     /// Evidence of each place for a joint of this depth in each row.
     pub(super) fn weigh(&mut self, strip: &Strip, contrast: impl Fn(usize) -> f32) {
-        let (first, last) = strip.columns;
-        // Groups overlap: each row counts once.
-        let rows = (2 * GROUP + 1) as f32;
-        let (first, last) = (first.max(FROM) - FROM, last.min(FROM + SPAN - 1) - FROM);
         self.evidence.resize(strip.depth.len(), [0.0; SPAN]);
-        for (i, (row, depth)) in self.evidence.iter_mut().zip(&strip.depth).enumerate() {
-            let contrast = contrast(i);
-            // At the joint's own depth the evidence is no more than the most: it peaks there.
-            let part = (1.0 / (rows * strip.noise * strip.noise)).min(2.0 * MOST / (contrast * contrast));
-            for (evidence, depth) in row.iter_mut().zip(&depth[FROM..FROM + SPAN]) {
-                let depth = lesser(*depth, TOO_DEEP * contrast - depth);
-                *evidence = (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST);
-            }
-            row[..first].fill(NEVER);
-            row[last + 1..].fill(NEVER);
-        }
+        wide(Weigh { evidence: &mut self.evidence, strip, contrast });
     }
 
     /// The evidence of a row for a joint in a column.
@@ -98,27 +86,67 @@ impl Lattice {
     fn go_forward(&mut self, cost: impl Fn(usize) -> f32) {
         let begin: Span = std::array::from_fn(|j| -cost(j));
         self.forward.resize(self.evidence.len(), [0.0; SPAN]);
-        let mut before: Option<&Span> = None;
-        for (evidence, forward) in self.evidence.iter().zip(&mut self.forward) {
-            match before {
-                None => *forward = begin,
-                Some(before) => arrive(before, forward),
-            }
-            forward.iter_mut().zip(evidence).for_each(|(s, e)| *s += e);
-            before = Some(forward);
-        }
+        wide(Go { ways: self.evidence.iter().zip(&mut self.forward), begin });
     }
 
     fn go_backward(&mut self) {
         self.backward.resize(self.evidence.len(), [0.0; SPAN]);
-        let mut after: Option<&Span> = None;
-        for (evidence, backward) in self.evidence.iter().zip(&mut self.backward).rev() {
-            match after {
-                None => backward.fill(0.0),
-                Some(after) => arrive(after, backward),
+        wide(Go { ways: self.evidence.iter().zip(&mut self.backward).rev(), begin: [0.0; SPAN] });
+    }
+}
+
+/// Evidence to be found.
+struct Weigh<'a, C> {
+    evidence: &'a mut [Span],
+    strip: &'a Strip,
+    contrast: C,
+}
+
+impl<C: Fn(usize) -> f32> NullaryFnOnce for Weigh<'_, C> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self { evidence, strip, contrast } = self;
+        let (first, last) = strip.columns;
+        // Groups overlap: each row counts once.
+        let rows = (2 * GROUP + 1) as f32;
+        let (first, last) = (first.max(FROM) - FROM, last.min(FROM + SPAN - 1) - FROM);
+        for (i, (row, depth)) in evidence.iter_mut().zip(&strip.depth).enumerate() {
+            let contrast = contrast(i);
+            // At the joint's own depth the evidence is no more than the most: it peaks there.
+            let part = (1.0 / (rows * strip.noise * strip.noise)).min(2.0 * MOST / (contrast * contrast));
+            for (evidence, depth) in row.iter_mut().zip(&depth[FROM..FROM + SPAN]) {
+                let depth = lesser(*depth, TOO_DEEP * contrast - depth);
+                *evidence = (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST);
             }
-            backward.iter_mut().zip(evidence).for_each(|(s, e)| *s += e);
-            after = Some(backward);
+            row[..first].fill(NEVER);
+            row[last + 1..].fill(NEVER);
+        }
+    }
+}
+
+/// The best way to each place of row after row to be found, from the score `begin` of each way to begin.
+struct Go<W> {
+    ways: W,
+    begin: Span,
+}
+
+impl<'a, W: Iterator<Item = (&'a Span, &'a mut Span)>> NullaryFnOnce for Go<W> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let mut score = self.begin;
+        let mut is_first = true;
+        for (evidence, way) in self.ways {
+            let before = score;
+            if !is_first {
+                arrive(&before, &mut score);
+            }
+            is_first = false;
+            score.iter_mut().zip(evidence).for_each(|(s, e)| *s += e);
+            *way = score;
         }
     }
 }
@@ -130,6 +158,7 @@ pub(super) fn column_about(path: &[usize], i: usize, reach: usize) -> f32 {
 }
 
 /// The best that leads to each column of the next row.
+#[inline(always)]
 fn arrive(score: &Span, next: &mut Span) {
     for j in 1..SPAN - 1 {
         next[j] = greater(score[j], greater(score[j - 1], score[j + 1]) - MOVE);
@@ -139,6 +168,7 @@ fn arrive(score: &Span, next: &mut Span) {
 }
 
 /// The greatest of a line, several at a time.
+#[inline(always)]
 fn greatest(line: &Span) -> f32 {
     const LANES: usize = 8;
     let mut lanes = [NEVER; LANES];

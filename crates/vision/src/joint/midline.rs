@@ -3,9 +3,12 @@ use super::even::{self, Even, Rows};
 use super::lattice::{Lattice, column_about};
 use super::levels::Picture;
 use super::parabola::Parabola;
-use super::profile::{Arms, Profile, REACH, Reading, Shape};
+use super::profile::{Profile, REACH};
+use super::readings::Readings;
 use super::strip::{COLS, MID, Strip};
 use super::trail::{Look, Place, Trail};
+use super::wide::wide;
+use pulp::NullaryFnOnce;
 
 /// Places before and after that a station is the mean of.
 const SMOOTH: usize = 8;
@@ -65,18 +68,16 @@ pub(super) struct Found {
 pub(super) struct Midline {
     pub(super) rows: Vec<Found>,
     stations: Vec<Station>,
+    before: Vec<[f64; 2]>,
     strip: Strip,
     lattice: Lattice,
     path: Vec<usize>,
+    seen: Vec<bool>,
     margins: Vec<f32>,
     contrast: Vec<f32>,
     centre: Vec<f32>,
     single: Vec<f32>,
-    readings: Vec<Reading>,
-    arms: Vec<Arms>,
-    /// Sums over the rows before each.
-    arms_before: Vec<Arms>,
-    sums: Vec<[f64; 3]>,
+    readings: Readings,
     /// Middles of the rows in the picture.
     places: Rows,
     even: Even,
@@ -117,11 +118,19 @@ impl Midline {
     fn stand(&mut self, places: &[Place]) {
         let count = places.len();
         self.stations.clear();
+        // The sums over those before each.
+        self.before.clear();
+        self.before.push([0.0; 2]);
+        let mut sum = [0.0; 2];
+        self.before.extend(places.iter().map(|p| {
+            sum = [0, 1].map(|k| sum[k] + f64::from(p.at[k]));
+            sum
+        }));
         let smooth = |i: usize| {
             let reach = SMOOTH.min(i).min(count - 1 - i);
-            let near = &places[i - reach..=i + reach];
-            let part = 1.0 / near.len() as f32;
-            near.iter().fold([0.0, 0.0], |[x, y], p| [x + p.at[0] * part, y + p.at[1] * part])
+            let (before, after) = (&self.before[i - reach], &self.before[i + reach + 1]);
+            let part = 1.0 / (2 * reach + 1) as f64;
+            [0, 1].map(|k| ((after[k] - before[k]) * part) as f32)
         };
         self.stations.extend((0..count).map(|i| Station { at: smooth(i), tangent: [1.0, 0.0] }));
         for i in 0..count {
@@ -157,11 +166,17 @@ impl Midline {
 
     fn judge_rows(&mut self) {
         let count = self.path.len();
-        let evidence = |k: usize| self.lattice.evidence(k, self.path[k]);
+        self.strip.shows(&self.path, |i| self.contrast[i], &mut self.seen);
+        let evidence = |k: usize| f64::from(self.lattice.evidence(k, self.path[k]));
+        let mut strength: f64 = (0..AROUND.min(count)).map(evidence).sum();
         for (i, row) in self.rows.iter_mut().enumerate() {
-            row.seen = self.strip.shows(&self.path, i, self.contrast[i]);
-            row.strength = (i.saturating_sub(AROUND)..(i + AROUND + 1).min(count)).map(evidence).sum();
-            row.margin = self.margins[i];
+            if i + AROUND < count {
+                strength += evidence(i + AROUND);
+            }
+            if i > AROUND {
+                strength -= evidence(i - AROUND - 1);
+            }
+            (row.seen, row.strength, row.margin) = (self.seen[i], strength as f32, self.margins[i]);
         }
         self.seen_before.clear();
         self.seen_before.push(0);
@@ -178,53 +193,23 @@ impl Midline {
         let profile = Profile::new(width);
         self.centre.clear();
         self.centre.extend((0..count).map(|i| column_about(&self.path, i, 4)));
-        self.readings.resize(count, Reading::default());
-        self.arms.resize(count, [[0.0; REACH]; 2]);
         for round in 0..2 {
-            for i in 0..count {
-                self.readings[i] = profile.read(&self.strip.grey[i], self.centre[i], &mut self.arms[i]);
-            }
-            self.sum_readings();
-            self.sum_arms();
-            self.single.clear();
-            for i in 0..count {
-                let (depth, step, error) = self.about(i);
-                let most = 0.4 * width + 0.5;
-                self.rows[i].stepped = step.abs() > (STEP * depth).max(STEP_ERRORS * error);
-                let rims = if self.rows[i].stepped || scale > 1.0 {
-                    profile.rims(&self.mean(i, STEPPED_AROUND))
-                } else {
-                    None
-                };
-                let by_moment = self.readings[i].moment / depth.max(1e-3);
-                let near = &self.readings[i.saturating_sub(STEPPED_AROUND)..(i + STEPPED_AROUND + 1).min(count)];
-                let usual = near.iter().map(|r| r.moment).sum::<f32>() / (near.len() as f32 * depth.max(1e-3));
-                let off = rims
-                    .map(|[left, right]| 0.5 * (left + right))
-                    .filter(|middle| self.rows[i].stepped || (middle - usual).abs() > OTHER * width);
-                let off = off.unwrap_or(by_moment);
-                self.single.push(self.centre[i] + off.clamp(-most, most));
-                self.rows[i].depth = depth;
-                self.rows[i].own_depth = self.readings[i].depth;
-            }
+            self.readings.read(&profile, &self.strip, &self.centre);
+            self.read_middles(&profile, width, scale);
             self.place_middles();
             if round == 0 {
                 self.line = self.line_length(scale, side);
                 self.even.prepare(self.line);
             }
-            for i in 0..count {
-                let (at, error) = self.fit(i, self.line, count);
-                let path = self.path[i] as f32;
-                self.centre[i] = at.clamp(path - 0.7 * width - 1.5, path + 0.7 * width + 1.5);
-                self.rows[i].error = error;
-            }
+            wide(FitAll { midline: self, most: 0.7 * width + 1.5 });
         }
         self.compare(profile.reach());
         let mut slow = (0.0, None);
         for i in 0..count {
             self.rows[i].at = self.stations[i].beside(self.centre[i] - MID as f32);
             if i % SLOWLY == 0 {
-                slow = (profile.asymmetry(&self.mean(i, self.line)), profile.rims(&self.mean(i, AROUND)));
+                let [line, about] = [self.line, AROUND].map(|around| self.readings.mean(i, around));
+                slow = (profile.asymmetry(&line), profile.rims(&about));
             }
             self.rows[i].asymmetry = slow.0;
             self.rows[i].width = slow.1.map_or(width, |[left, right]| right - left);
@@ -232,20 +217,41 @@ impl Midline {
         self.find_bumps();
     }
 
+    /// The middle of each row by the row itself, or by the rims of those about it.
+    fn read_middles(&mut self, profile: &Profile, width: f32, scale: f32) {
+        let most = 0.4 * width + 0.5;
+        self.single.clear();
+        for (i, row) in self.rows.iter_mut().enumerate() {
+            let (about, reading) = (self.readings.about(i, AROUND), self.readings.row(i));
+            row.stepped = about.step.abs() > (STEP * about.depth).max(STEP_ERRORS * about.step_error);
+            (row.depth, row.own_depth) = (about.depth, reading.depth);
+            let part = 1.0 / about.depth.max(1e-3);
+            let rims = if row.stepped || scale > 1.0 {
+                profile.rims(&self.readings.mean(i, STEPPED_AROUND)).map(|[left, right]| 0.5 * (left + right))
+            } else {
+                None
+            };
+            let usual = part * self.readings.about(i, STEPPED_AROUND).moment;
+            let off = rims.filter(|middle| row.stepped || (middle - usual).abs() > OTHER * width);
+            let off = off.unwrap_or(part * reading.moment);
+            self.single.push(self.centre[i] + off.clamp(-most, most));
+        }
+    }
+
     /// How far each row is off the cubic through two rows before it and two after, at equal distances: what a joint's bend does
     /// not explain. A second joint or a scratch pulls the middle aside so.
     fn find_bumps(&mut self) {
-        for (i, apart) in (0..self.rows.len()).flat_map(|i| BUMP.map(|apart| (i, apart))) {
-            let last = self.rows.len() - 1;
-            if i < 2 * apart || i + 2 * apart > last {
-                continue;
-            }
-            let five = [i - 2 * apart, i - apart, i, i + apart, i + 2 * apart].map(|k| self.rows[k]);
-            if five.iter().all(|row| row.seen) {
+        for apart in BUMP {
+            for i in 2 * apart..self.rows.len().saturating_sub(2 * apart) {
+                let five = [i - 2 * apart, i - apart, i, i + apart, i + 2 * apart].map(|k| &self.rows[k]);
+                if five.iter().any(|row| !row.seen) {
+                    continue;
+                }
                 let [a, b, c, d, e] = five.map(|row| row.at);
-                let [x, y] = [0, 1].map(|k| c[k] - (4.0 * (b[k] + d[k]) - a[k] - e[k]) / 6.0);
+                let off = |k: usize| c[k] - (4.0 * (b[k] + d[k]) - a[k] - e[k]) * (1.0 / 6.0);
                 let [cos, sin] = self.stations[i].tangent;
-                self.rows[i].bump = self.rows[i].bump.max((y * cos - x * sin).abs());
+                let bump = (off(1) * cos - off(0) * sin).abs();
+                self.rows[i].bump = self.rows[i].bump.max(bump);
             }
         }
     }
@@ -260,26 +266,10 @@ impl Midline {
         }
     }
 
-    /// How far each row's profile is from the mean of all, light and its slope across and the depth aside.
+    /// How little the rows about each look like the joint.
     fn compare(&mut self, reach: usize) {
         const ROWS: usize = 3;
-        let count = self.arms.len();
-        let mut mean = Shape::default();
-        for (arms, _) in self.arms.iter().zip(&self.rows).filter(|(_, row)| row.seen) {
-            mean.add(arms, reach);
-        }
-        mean.level(reach);
-        let norm = mean.dot(&mean).max(1e-6);
-        self.rests.clear();
-        for i in 0..count {
-            let near = i.saturating_sub(ROWS)..(i + ROWS + 1).min(count);
-            let mut shape = Shape::default();
-            near.clone().for_each(|k| shape.add(&self.arms[k], reach));
-            shape.level(reach);
-            let gain = shape.dot(&mean) / norm;
-            let rest = (shape.dot(&shape) - gain * gain * norm).max(0.0);
-            self.rests.push(rest.sqrt() / (near.len() as f32 * (2.0 * reach as f32).sqrt()));
-        }
+        self.readings.rests((reach, ROWS), |i| self.rows[i].seen, &mut self.rests);
         self.sorted.clear();
         self.sorted.extend(self.rests.iter().zip(&self.rows).filter(|(_, row)| row.seen).map(|(rest, _)| *rest));
         if self.sorted.is_empty() {
@@ -290,28 +280,6 @@ impl Midline {
         for (row, rest) in self.rows.iter_mut().zip(&self.rests) {
             row.unlike = rest / (USUAL * usual + LIKE * row.depth.max(1e-3));
         }
-    }
-
-    /// Depth and step of the rows about, and the standard error of the step.
-    fn about(&self, i: usize) -> (f32, f32, f32) {
-        let (from, to) = (i.saturating_sub(AROUND), (i + AROUND + 1).min(self.readings.len()));
-        let part = 1.0 / (to - from) as f64;
-        let [depth, step, square] = std::array::from_fn(|k| (self.sums[to][k] - self.sums[from][k]) * part);
-        // Neighbours are alike: of four rows one is independent.
-        let error = ((square - step * step).max(0.0) * 4.0 * part).sqrt();
-        (depth as f32, step as f32, error as f32)
-    }
-
-    /// Sums of depth, step and its square over the rows before each.
-    fn sum_readings(&mut self) {
-        let mut sum = [0.0; 3];
-        self.sums.clear();
-        self.sums.push(sum);
-        self.sums.extend(self.readings.iter().map(|r| {
-            let (depth, step) = (f64::from(r.depth), f64::from(r.step));
-            sum = [sum[0] + depth, sum[1] + step, sum[2] + step * step];
-            sum
-        }));
     }
 
     /// Rows that a parabola must have so that its error is small enough, by how centres scatter, in a picture with this shorter
@@ -353,6 +321,7 @@ impl Midline {
 
     /// The parabola through the middles of seen rows about row `i` and before row `end`: where it crosses that row's line, and
     /// the standard error of that.
+    #[inline(always)]
     fn fit(&self, i: usize, reach: usize, end: usize) -> (f32, f32) {
         let near = i.saturating_sub(reach)..(i + reach + 1).min(end);
         let Station { at: [x0, y0], tangent: [cos, sin] } = self.stations[i];
@@ -371,31 +340,6 @@ impl Midline {
         (parabola.terms[0] + MID as f32, if parabola.weights > 4.0 { error } else { f32::INFINITY })
     }
 
-    /// The mean of the rows about row `i`.
-    fn mean(&self, i: usize, around: usize) -> Arms {
-        let (from, to) = (i.saturating_sub(around), (i + around + 1).min(self.arms.len()));
-        let part = 1.0 / (to - from) as f32;
-        let (before, after) = (&self.arms_before[from], &self.arms_before[to]);
-        let mut mean = [[0.0; REACH]; 2];
-        for (mean, (after, before)) in mean.iter_mut().zip(after.iter().zip(before)) {
-            for (mean, (after, before)) in mean.iter_mut().zip(after.iter().zip(before)) {
-                *mean = (after - before) * part;
-            }
-        }
-        mean
-    }
-
-    /// Sums of the arms over the rows before each.
-    fn sum_arms(&mut self) {
-        let mut sum: Arms = [[0.0; REACH]; 2];
-        self.arms_before.clear();
-        self.arms_before.push(sum);
-        for arms in &self.arms {
-            sum.iter_mut().flatten().zip(arms.iter().flatten()).for_each(|(s, a)| *s += a);
-            self.arms_before.push(sum);
-        }
-    }
-
     /// True where both sides of the joint are in the picture.
     pub(super) fn is_whole(&self, i: usize, picture: &Picture) -> bool {
         let (right, bottom) = ((picture.width - 1) as f32, (picture.height - 1) as f32);
@@ -404,6 +348,28 @@ impl Midline {
             let [x, y] = self.stations[i].beside(across);
             (0.0..=right).contains(&x) && (0.0..=bottom).contains(&y)
         })
+    }
+}
+
+/// The centre of each row to be fitted, at most so far from its path.
+struct FitAll<'a> {
+    midline: &'a mut Midline,
+    most: f32,
+}
+
+impl NullaryFnOnce for FitAll<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self { midline, most } = self;
+        let count = midline.path.len();
+        for i in 0..count {
+            let (at, error) = midline.fit(i, midline.line, count);
+            let path = midline.path[i] as f32;
+            midline.centre[i] = at.clamp(path - most, path + most);
+            midline.rows[i].error = error;
+        }
     }
 }
 

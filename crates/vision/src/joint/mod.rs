@@ -3,7 +3,7 @@
 //! On the level of the halved frame on which the joint is a few pixels wide (`levels`), strips along the predicted,
 //! curved axis are unrolled (`axis`, `strip`) and the best path across their rows is taken (`lattice`): the way the joint
 //! goes, to a pixel or two (`trail`). Along all of that way once more: the best path by everything that is seen, how much
-//! worse any other is, and the middle between pixels (`profile`, `midline`); then where the joint ends (`end`) and how
+//! worse any other is, and the middle between pixels (`profile`, `readings`, `midline`); then where the joint ends (`end`) and how
 //! sure each row is (`judge`).
 
 mod axis;
@@ -16,8 +16,10 @@ mod levels;
 mod midline;
 mod parabola;
 mod profile;
+mod readings;
 mod strip;
 mod trail;
+mod wide;
 
 pub use follow::Follower;
 

@@ -35,9 +35,9 @@ pub(super) struct Reading {
     pub(super) step: f32,
 }
 
-/// The shape of a profile across the joint: both arms, level and without slope.
+/// The shape of a profile across the joint: both arms.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Shape([[f32; REACH]; 2]);
+pub(super) struct Shape(pub(super) Arms);
 
 impl Default for Shape {
     fn default() -> Self {
@@ -52,25 +52,35 @@ impl Shape {
         }
     }
 
-    /// Takes mean and slope away.
-    pub(super) fn level(&mut self, reach: usize) {
-        let [left, right] = &mut self.0;
-        let count = (2 * reach + 2) as f32;
-        let mean = (left[..=reach].iter().sum::<f32>() + right[..=reach].iter().sum::<f32>()) / count;
-        let (mut product, mut norm) = (0.0, 0.0);
+    /// Even light, its slope across, and this shape without those: each of length 1 and square to the others.
+    pub(super) fn and_light(&self, reach: usize) -> [Self; 3] {
+        let [mut even, mut slope] = [Self::default(); 2];
         for t in 0..=reach {
-            product += t as f32 * (right[t] - left[t]);
-            norm += 2.0 * (t * t) as f32;
+            even.0.iter_mut().for_each(|arm| arm[t] = 1.0);
+            (slope.0[0][t], slope.0[1][t]) = (-(t as f32), t as f32);
         }
-        let slope = product / norm;
-        for t in 0..=reach {
-            left[t] -= mean - slope * t as f32;
-            right[t] -= mean + slope * t as f32;
-        }
+        let (even, slope) = (even.unit(), slope.unit());
+        (even, slope, self.without(&even).without(&slope).unit()).into()
+    }
+
+    fn without(&self, other: &Self) -> Self {
+        let part = self.dot(other);
+        Self(std::array::from_fn(|k| std::array::from_fn(|t| self.0[k][t] - part * other.0[k][t])))
+    }
+
+    fn unit(&self) -> Self {
+        let part = 1.0 / self.dot(self).sqrt().max(1e-3);
+        Self(self.0.map(|arm| arm.map(|v| part * v)))
     }
 
     pub(super) fn dot(&self, other: &Self) -> f32 {
-        self.0.iter().flatten().zip(other.0.iter().flatten()).map(|(a, b)| a * b).sum()
+        let ([a, b], [c, d]) = (&self.0, &other.0);
+        let (mut left, mut right) = (0.0, 0.0);
+        for t in 0..REACH {
+            left += a[t] * c[t];
+            right += b[t] * d[t];
+        }
+        left + right
     }
 }
 
@@ -108,6 +118,7 @@ impl Profile {
     }
 
     /// What `row` tells about column `centre` (fractions too), and its grey values from there outwards.
+    #[inline(always)]
     pub(super) fn read(&self, row: &Line, centre: f32, arms: &mut Arms) -> Reading {
         let centre = centre.clamp((REACH + 1) as f32, (COLS - REACH - 3) as f32);
         let (low, part) = (centre as usize, centre.fract());

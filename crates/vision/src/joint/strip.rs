@@ -1,6 +1,8 @@
 use super::axis::Station;
 use super::levels::{Grey, OF_16_BITS, Picture};
-use std::ops::{Range, RangeInclusive};
+use super::wide::wide;
+use pulp::NullaryFnOnce;
+use std::ops::Range;
 
 /// Columns of a strip.
 pub(super) const COLS: usize = 48;
@@ -44,11 +46,13 @@ const fn away(half: usize) -> usize {
 pub(super) type Line = [f32; COLS];
 
 /// `f32::max` without its care for what is no number: one instruction.
+#[inline(always)]
 pub(super) fn greater(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
 /// The same of `f32::min`.
+#[inline(always)]
 pub(super) fn lesser(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
@@ -57,18 +61,22 @@ pub(super) fn lesser(a: f32, b: f32) -> f32 {
 const PARTS: f32 = 65536.0;
 
 /// Grey values of a row that lies within the picture.
+#[inline(always)]
 fn inside<P: Copy>(line: &mut Line, station: &Station, (pixels, width): (&[P], usize), grey: impl Fn(P) -> f32) {
     let [cos, sin] = station.tangent;
     let [x0, y0] = station.beside(-(MID as f32)).map(|v| (v * PARTS) as i32);
     let (step_x, step_y) = ((-sin * PARTS) as i32, (cos * PARTS) as i32);
+    // Each pixel that has others to its right and below, and those: of one length, so that one check is enough for all.
+    let count = pixels.len() - width - 1;
+    let all = [0, 1, width, width + 1].map(|from| &pixels[from..from + count]);
     // First fetched, then mixed: mixing is done for several columns at a time.
     let mut four = [[pixels[0]; COLS]; 4];
     let (mut x, mut y) = (x0, y0);
-    let [a, b, c, d] = &mut four;
-    for (((a, b), c), d) in a.iter_mut().zip(b).zip(c).zip(d) {
-        let at = (y >> 16) as usize * width + (x >> 16) as usize;
-        let (above, below) = (&pixels[at..at + 2], &pixels[at + width..at + width + 2]);
-        (*a, *b, *c, *d) = (above[0], above[1], below[0], below[1]);
+    for j in 0..COLS {
+        let at = (y as u32 >> 16) as usize * width + (x as u32 >> 16) as usize;
+        for (values, from) in four.iter_mut().zip(all) {
+            values[j] = from[at];
+        }
         (x, y) = (x + step_x, y + step_y);
     }
     let (mut x, mut y) = (x0, y0);
@@ -103,6 +111,7 @@ fn at_rim<P: Copy>(line: &mut Line, station: &Station, picture: &Picture, pixels
 /// How much darker the box of `HALF` columns to both sides of each column is than boxes beside it, of the sum of `count`
 /// rows. The lighter one of two boxes on a side counts (a scratch or the foot of a step beside the joint does no
 /// harm), and the darker side.
+#[inline(always)]
 fn depths<const HALF: usize>(depth: &mut Line, sum: &Line, count: f32) {
     let (half, away, reach) = const { (HALF, away(HALF), away(HALF) + 2 * SIDE) };
     let mut boxes = [0.0; COLS];
@@ -126,6 +135,59 @@ fn depths<const HALF: usize>(depth: &mut Line, sum: &Line, count: f32) {
     }
 }
 
+/// Rows of a strip to be filled.
+struct Unroll<'a, S> {
+    grey: &'a mut [Line],
+    picture: &'a Picture<'a>,
+    stations: S,
+}
+
+impl<S: Iterator<Item = Station>> NullaryFnOnce for Unroll<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        match self.picture.grey {
+            Grey::U8(pixels) => self.rows(pixels, f32::from),
+            Grey::U16(pixels) => self.rows(pixels, |p| f32::from(p) * (1.0 / OF_16_BITS)),
+            Grey::F32(pixels) => self.rows(pixels, |p| p),
+        }
+    }
+}
+
+impl<S: Iterator<Item = Station>> Unroll<'_, S> {
+    #[inline(always)]
+    fn rows<P: Copy>(self, pixels: &[P], grey: impl Fn(P) -> f32 + Copy) {
+        let picture = self.picture;
+        let (right, bottom) = ((picture.width - 1) as f32, (picture.height - 1) as f32);
+        for (line, station) in self.grey.iter_mut().zip(self.stations) {
+            let ends = [0, COLS - 1].map(|j| station.beside(j as f32 - MID as f32));
+            let within = ends.iter().all(|[x, y]| *x > 0.5 && *y > 0.5 && *x < right - 0.5 && *y < bottom - 0.5);
+            if within {
+                inside(line, &station, (pixels, picture.width), grey);
+            } else {
+                at_rim(line, &station, picture, pixels, grey);
+            }
+        }
+    }
+}
+
+/// Depths to be found, for a box of `HALF` columns to both sides.
+struct Measure<'a, const HALF: usize> {
+    strip: &'a mut Strip,
+    width: f32,
+    most: f32,
+}
+
+impl<const HALF: usize> NullaryFnOnce for Measure<'_, HALF> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        self.strip.find_depths::<HALF>(self.width, self.most);
+    }
+}
+
 /// Grey values along a line of stations, unrolled, and how much darker than the metal on both sides each place is.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Strip {
@@ -143,44 +205,24 @@ pub(super) struct Strip {
 impl Strip {
     /// Unrolls `picture` along `stations`.
     pub(super) fn unroll(&mut self, picture: &Picture, stations: impl ExactSizeIterator<Item = Station>) {
-        match picture.grey {
-            Grey::U8(pixels) => self.rows(picture, pixels, f32::from, stations),
-            Grey::U16(pixels) => self.rows(picture, pixels, |p| f32::from(p) * (1.0 / OF_16_BITS), stations),
-            Grey::F32(pixels) => self.rows(picture, pixels, |p| p, stations),
-        }
-    }
-
-    fn rows<P: Copy>(
-        &mut self,
-        picture: &Picture,
-        pixels: &[P],
-        grey: impl Fn(P) -> f32 + Copy,
-        stations: impl ExactSizeIterator<Item = Station>,
-    ) {
-        let (right, bottom) = ((picture.width - 1) as f32, (picture.height - 1) as f32);
         self.grey.resize(stations.len(), [0.0; COLS]);
-        for (line, station) in self.grey.iter_mut().zip(stations) {
-            let ends = [0, COLS - 1].map(|j| station.beside(j as f32 - MID as f32));
-            let within = ends.iter().all(|[x, y]| *x > 0.5 && *y > 0.5 && *x < right - 0.5 && *y < bottom - 0.5);
-            if within {
-                inside(line, &station, (pixels, picture.width), grey);
-            } else {
-                at_rim(line, &station, picture, pixels, grey);
-            }
-        }
+        wide(Unroll { grey: &mut self.grey, picture, stations });
     }
 
     /// Depths for a joint of `width` pixels. No pixel counts for more than `most` grey values more or less than those before it
     /// along the joint.
     pub(super) fn measure(&mut self, width: f32, most: f32) {
-        let half = box_columns(width) / 2;
-        let reach = away(half) + 2 * SIDE;
-        let depths = match half {
-            0 => depths::<0>,
-            1 => depths::<1>,
-            2 => depths::<2>,
-            _ => depths::<3>,
-        };
+        match box_columns(width) / 2 {
+            0 => wide(Measure::<0> { strip: self, width, most }),
+            1 => wide(Measure::<1> { strip: self, width, most }),
+            2 => wide(Measure::<2> { strip: self, width, most }),
+            _ => wide(Measure::<3> { strip: self, width, most }),
+        }
+    }
+
+    #[inline(always)]
+    fn find_depths<const HALF: usize>(&mut self, width: f32, most: f32) {
+        let reach = away(HALF) + 2 * SIDE;
         self.columns = (reach, COLS - 1 - reach);
         let mut sum = [0.0; COLS];
         self.level_light(width);
@@ -200,12 +242,13 @@ impl Strip {
                 add(&mut sum, &self.grey[i - GROUP - 1], -1.0);
                 count -= 1.0;
             }
-            depths(&mut self.depth[i], &sum, count);
+            depths::<HALF>(&mut self.depth[i], &sum, count);
         }
     }
 
     /// Takes away the light's even change across, so far as it is the same on both sides of a joint of `width` in the middle: on
     /// a ramp the middle of a wide joint would be drawn to its darker side.
+    #[inline(always)]
     fn level_light(&mut self, width: f32) {
         let away = (METAL * width + 2.0) as usize;
         let side = |row: &Line, columns: Range<usize>| {
@@ -231,14 +274,26 @@ impl Strip {
     /// The noise of all depths.
     pub(super) fn noise_everywhere(&mut self) -> f32 {
         let (first, last) = self.columns;
-        self.measure_noise(|_| (first..=last, 0..0))
+        self.measure_noise(|_| [first..last + 1, 0..0])
     }
 
-    /// True if the rows about row `i` show a joint of depth `contrast` along `path`.
-    pub(super) fn shows(&self, path: &[usize], i: usize, contrast: f32) -> bool {
-        let near = i.saturating_sub(SEEN_AROUND)..(i + SEEN_AROUND + 1).min(path.len());
-        let least = (PART * contrast).max(STANDS_OUT * self.noise) * near.len() as f32;
-        near.map(|k| self.depth[k][path[k]]).sum::<f32>() > least
+    /// Which rows show a joint along `path`, by the rows about each, where it is `contrast` deep.
+    pub(super) fn shows(&self, path: &[usize], contrast: impl Fn(usize) -> f32, seen: &mut Vec<bool>) {
+        let count = path.len();
+        let depth = |k: usize| f64::from(self.depth[k][path[k]]);
+        let mut sum: f64 = (0..SEEN_AROUND.min(count)).map(depth).sum();
+        seen.clear();
+        seen.extend((0..count).map(|i| {
+            let (from, to) = (i.saturating_sub(SEEN_AROUND), (i + SEEN_AROUND + 1).min(count));
+            if i + SEEN_AROUND < count {
+                sum += depth(i + SEEN_AROUND);
+            }
+            if i > SEEN_AROUND {
+                sum -= depth(from - 1);
+            }
+            let least = (PART * contrast(i)).max(STANDS_OUT * self.noise) * (to - from) as f32;
+            sum > f64::from(least)
+        }));
     }
 
     /// The noise, without what is near a path.
@@ -249,18 +304,24 @@ impl Strip {
             let near = &path[i..(i + APART + 1).min(path.len())];
             let low = near.iter().fold(COLS, |low, j| low.min(*j));
             let high = near.iter().fold(0, |high, j| high.max(*j));
-            (first..=low.saturating_sub(away), high + away..last + 1)
+            [first..(low + 1).saturating_sub(away).max(first), (high + away).min(last + 1)..last + 1]
         })
     }
 
     /// What differs between groups that share no row is noise, the joint goes on; a low quantile, as it may slant. In the
     /// columns of each row that `within` tells.
-    fn measure_noise(&mut self, within: impl Fn(usize) -> (RangeInclusive<usize>, Range<usize>)) -> f32 {
-        self.magnitudes.clear();
+    fn measure_noise(&mut self, within: impl Fn(usize) -> [Range<usize>; 2]) -> f32 {
         let step = (self.depth.len() / NOISE_ROWS).max(2);
+        self.magnitudes.clear();
         for (i, (a, b)) in self.depth.iter().zip(self.depth.iter().skip(APART)).enumerate().step_by(step) {
-            let (left, right) = within(i);
-            self.magnitudes.extend(left.chain(right).step_by(2).map(|j| (a[j] - b[j]).abs()));
+            // Every other column, over the gap between the two ranges too.
+            let mut skipped = 0;
+            for Range { start, end } in within(i) {
+                let start = (start + skipped).min(end);
+                skipped = (end - start) % 2;
+                let (a, b) = (a[start..end].chunks(2), b[start..end].chunks(2));
+                self.magnitudes.extend(a.zip(b).map(|(a, b)| (a[0] - b[0]).abs()));
+            }
         }
         let place = self.magnitudes.len() * 3 / 10;
         if place == 0 {

@@ -11,6 +11,9 @@ pub(super) const ROWS: usize = 48;
 const BACK: usize = 10;
 /// ... of which this many places are taken.
 const TAKEN: usize = 20;
+/// ... or this many where all of the strip shows a joint that is so many standard deviations deep.
+const TAKEN_CLEAR: usize = 24;
+const CLEAR: f32 = 6.0;
 /// Places that the way on is fitted to.
 const FITTED: usize = 44;
 /// What each pixel of distance from where the path is expected costs, beyond the free ones, nats.
@@ -119,7 +122,7 @@ pub(super) struct Limits<F: Fn([f32; 2]) -> bool> {
 impl Trail {
     /// What a strip from the start shows, for a joint of `width` at `level`.
     pub(super) fn look(&mut self, picture: &Picture, axis: Axis, width: f32, level: usize) -> Option<Look> {
-        self.strip.unroll(picture, (0..ROWS).map(|i| axis.station(i as f32)));
+        self.strip.unroll(picture, axis.stations(0.0, ROWS));
         self.strip.measure(width, f32::INFINITY);
         self.strip.noise = self.strip.noise_everywhere();
         let free = 2.0 + 0.25 * width;
@@ -159,7 +162,7 @@ impl Trail {
 
     /// Full width at half depth of what a look was at, pixels of its level.
     pub(super) fn measure_width(&mut self, picture: &Picture, look: &Look) -> Option<f32> {
-        self.strip.unroll(picture, (0..ROWS).map(|i| look.axis.station(i as f32)));
+        self.strip.unroll(picture, look.axis.stations(0.0, ROWS));
         self.strip.measure(look.width, look.most(look.contrast));
         self.strip.noise = self.strip.noise_everywhere();
         self.find(look.contrast, 1.5);
@@ -180,6 +183,9 @@ impl Trail {
         limits: &Limits<F>,
     ) -> Stop {
         self.places.clear();
+        // A later frame is not to allocate.
+        self.aside.clear();
+        self.aside.reserve(TAKEN_CLEAR + 2 * CHORD);
         self.solid = 0;
         let (mut axis, mut gap, mut back, mut checked) = (look.axis, 0usize, 0usize, 0usize);
         // Places that are not seen less those that are seen again: chance finds of texture add up to a gap.
@@ -194,8 +200,10 @@ impl Trail {
                 (known, known_to) = (axis, self.places.len());
             }
             self.see(picture, &axis, from, look, gap);
+            let clear = self.count() == ROWS && look.contrast > CLEAR * look.noise;
+            let most = if clear { TAKEN_CLEAR } else { TAKEN };
             let mut taken = 0;
-            for i in back..back + TAKEN {
+            for i in back..back + most {
                 let across = column_about(&self.path, i, 3) - MID as f32;
                 if taken >= TAKEN / 2 && across.abs() > BESIDE && self.seen[i] {
                     break;
@@ -234,14 +242,14 @@ impl Trail {
                 self.see(picture, &axis, from, look, gap);
             }
             self.learn(look);
-            axis = self.way_on(&axis, taken as f32, if taken < TAKEN { FITTED / 2 } else { FITTED });
+            axis = self.way_on(&axis, taken as f32, if taken < most { FITTED / 2 } else { FITTED });
             back = BACK;
         }
     }
 
     /// The strip about a place of the trail and what it shows; how likely its best path is.
     fn see(&mut self, picture: &Picture, axis: &Axis, from: f32, look: &mut Look, gap: usize) -> f32 {
-        self.strip.unroll(picture, (0..ROWS).map(|i| axis.station(i as f32 - from)));
+        self.strip.unroll(picture, axis.stations(-from, ROWS));
         self.strip.measure(look.width, look.most(look.contrast));
         self.strip.noise = look.noise;
         let score = self.find(look.contrast, 1.5 + 0.15 * gap as f32);
@@ -317,8 +325,7 @@ impl Trail {
 
     /// Which rows of the strip show the joint.
     fn judge(&mut self, contrast: f32) {
-        self.seen.clear();
-        self.seen.extend((0..ROWS).map(|i| self.strip.shows(&self.path, i, contrast)));
+        self.strip.shows(&self.path, |_| contrast, &mut self.seen);
     }
 
     /// The joint's depth follows what is seen.
@@ -355,13 +362,13 @@ impl Trail {
 
     /// The place before a turn that is sharper than a joint's, among the last places and after those that were checked.
     fn corner(&self, checked: usize) -> Option<usize> {
-        let places = &self.places;
-        let from = places.len().saturating_sub(TAKEN + CHORD).max(CHORD).max(checked);
+        let (places, most) = (&self.places, CORNER.tan());
+        let from = places.len().saturating_sub(TAKEN_CLEAR + CHORD).max(CHORD).max(checked);
         (from..places.len().saturating_sub(CHORD)).find_map(|i| {
             let [a, b, c] = [places[i - CHORD].at, places[i].at, places[i + CHORD].at];
             let (before, after) = ([b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]);
-            let turn = (before[0] * after[1] - before[1] * after[0]).atan2(before[0] * after[0] + before[1] * after[1]);
-            (turn.abs() > CORNER).then_some(i - CHORD)
+            let (sin, cos) = (before[0] * after[1] - before[1] * after[0], before[0] * after[0] + before[1] * after[1]);
+            (sin.abs() > most * cos).then_some(i - CHORD)
         })
     }
 
