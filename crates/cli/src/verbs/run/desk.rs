@@ -123,10 +123,11 @@ impl Desk {
     pub(in crate::verbs) fn shown(&mut self, shown: &Shown) {
         self.now = Some(*shown);
         self.pending &= !self.answered;
+        // What cannot be written is lost and counted; when there is room again the trace goes on.
         if let Some(table) = &mut self.table
             && let Err(failure) = table.row(shown)
         {
-            (self.table, self.record) = (None, Some(failure));
+            self.record.get_or_insert(failure);
         }
     }
 
