@@ -89,10 +89,8 @@ fn moments(stage: Stage<'_>, seed: u64) -> Vec<Outcome> {
     let with_sensors = seed % WITH_SENSORS == WITH_SENSORS - 1;
     let cases = campaign::cases(&stage).into_iter().filter(|case| with_sensors || case.device != Device::Sensors);
     let run = |case: Case| {
-        let lasts = matches!(
-            case.situation,
-            S::Off | S::Idle | S::Ready | S::Jog | S::DryRun | S::Travel | S::Hold | S::Fault
-        );
+        let lasts =
+            matches!(case.situation, S::Off | S::Idle | S::Ready | S::Jog | S::DryRun | S::Travel | S::Hold | S::Fault);
         let anywhere = seed % 4 == 3 && lasts && case.device != Device::Sensors;
         campaign::run(stage, case, seed, anywhere).unwrap()
     };
