@@ -86,6 +86,8 @@ def welds_until_killed(program):
                     return
             raise RuntimeError(f"{program}: no `{wanted}`: {''.join(seen)[-2000:]}")
 
+        while run.poll() is None and not given_priority():
+            time.sleep(0.02)
         order("on", "wait 1 s", "home", "wait ready", "arm", "weld", "wait 5 mm", "?")
         seen = []
         until("mode weld, pass 1", seen)

@@ -187,5 +187,8 @@ fn a_trace_that_cannot_grow_is_told_and_kept() {
     assert_eq!(listed[0]["result"], "stopped", "{listed}");
     let shown = good(&["records", "show", "1", "--data", &data, "--json"]);
     assert!(shown.contains("rows of the trace were lost"), "{shown}");
+    let shown: Value = serde_json::from_str(&shown).unwrap();
+    let events: Vec<&str> = shown["events"].as_array().unwrap().iter().map(|e| e["text"].as_str().unwrap()).collect();
+    assert!(events.contains(&"ready -> weld") && events.contains(&"stop"), "{events:?}");
     good(&["records", "verify", "--data", &data]);
 }
