@@ -166,9 +166,9 @@ fn a_trace_that_cannot_grow_is_told_and_kept() {
     let folder = tempfile::tempdir().unwrap();
     let [data, out] = ["data", "out"].map(|name| folder.path().join(name).display().to_string());
     let job = example("ellipse");
-    // Blocks of 512 bytes: about a second of rows.
+    // Blocks of 512 bytes: some seconds of rows, and room for the library.
     let limited = format!(
-        "trap '' XFSZ; ulimit -f 400; exec '{}' run '{job}' -o '{out}' --data '{data}' --part P",
+        "trap '' XFSZ; ulimit -f 1000; exec '{}' run '{job}' -o '{out}' --data '{data}' --part P",
         env!("CARGO_BIN_EXE_seamwright")
     );
     let mut child = Command::new("sh")
@@ -178,7 +178,7 @@ fn a_trace_that_cannot_grow_is_told_and_kept() {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    child.stdin.take().unwrap().write_all(b"on\nhome\nwait ready\narm\nweld\nwait 5 s\nstop\n").unwrap();
+    child.stdin.take().unwrap().write_all(b"on\nhome\nwait ready\narm\nweld\nwait 10 s\nstop\n").unwrap();
     let output = child.wait_with_output().unwrap();
     let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     assert!(output.status.code() == Some(3) && said.contains("trace.raw"), "{said}");
