@@ -1,4 +1,4 @@
-"""Recorded welds read by others: an exported trace by pandas and pyarrow, the library by Python's sqlite3, held against
+"""Recorded welds read by others: an exported trace by pandas, pyarrow and DuckDB, the library by Python's sqlite3, held against
 what the command line says of them.
 
     python3 peers/records.py SEAMWRIGHT
@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 
+import duckdb
 import pandas
 import pyarrow
 import pyarrow.parquet
@@ -50,6 +51,10 @@ def trace(folder, record):
     check("types of columns", all(kinds[name] == kind for name, kind in wanted.items()))
     rows = pandas.read_parquet(path)
     check(f"{len(rows)} rows, as recorded", len(rows) == part["rows"])
+    asked = f"SELECT count(*), sum(arc), max(path_error_mm) FILTER (arc = 1) FROM '{path}'"
+    [(count, arcs, error)] = duckdb.sql(asked).fetchall()
+    lit = rows[rows["arc"] == 1]
+    check("DuckDB reads the same", (count, arcs) == (len(rows), len(lit)) and close(error, lit["path_error_mm"].max()))
     steps = rows["t_s"].diff().dropna()
     check("rows a period apart", close(steps.min(), steps.max(), 1e-9) and rows["t_s"].iloc[0] == 0)
     welded = rows[rows["arc"] == 1]
@@ -94,7 +99,7 @@ def library(data, record):
 
 
 def main():
-    print(f"Records read by pandas {pandas.__version__}, pyarrow {pyarrow.__version__}, SQLite {sqlite3.sqlite_version}")
+    print(f"Records read by pandas {pandas.__version__}, pyarrow {pyarrow.__version__}, DuckDB {duckdb.__version__}, SQLite {sqlite3.sqlite_version}")
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         data = folder / "data"

@@ -162,7 +162,7 @@ mod linux {
         let work = Work::new(&machine, None, &passes, &motion, Start::at_home(&motion)).map_err(|n| format!("{n}"))?;
         let period = machine.servo_period_s;
         let begun = Instant::now();
-        let mut drives = LinuxCncDrives::start(&machine, &device, Path::new("."))?;
+        let mut drives = LinuxCncDrives::start(&machine, &device, Path::new("."), |text| eprintln!("note: {text}"))?;
         let started = begun.elapsed();
         let tap = drives.tap(4096);
         let drives = Faulty::new(drives, Device::Drives, &[], period);

@@ -177,7 +177,7 @@ fn linuxcnc_drives_conform() {
     let start = |lines: &str| {
         let machine = machine(&format!("[devices.drives.linuxcnc]\nstore = 150\n{lines}"));
         let device = machine.devices.linuxcnc.clone().unwrap();
-        let drives = LinuxCncDrives::start(&machine, &device, folder.path());
+        let drives = LinuxCncDrives::start(&machine, &device, folder.path(), |text| println!("{text}"));
         (machine, drives)
     };
     let run = |machine: &Machine, drives: LinuxCncDrives| {
@@ -218,6 +218,56 @@ fn linuxcnc_drives_conform() {
     std::fs::write(folder.path().join("hardware.hal"), hardware(&machine)).unwrap();
     let (machine, drives) = start("hal = \"hardware.hal\"");
     run(&machine, drives.unwrap_or_else(|e| panic!("{e}")));
+    // And HAL of which a part is killed.
+    let (machine, drives) = start("hal = \"hardware.hal\"");
+    comes_back(&machine, drives.unwrap_or_else(|e| panic!("{e}")));
+}
+
+/// Each of HAL's programs is killed with -9 under power: the drives are silent, and as long as somebody wants power they stay so. Then
+/// they are there again, once more, without power and references; and nothing of that costs the cycle an allocation.
+#[cfg(target_os = "linux")]
+fn comes_back<D: Drives>(machine: &Machine, drives: D) {
+    use seamwright_cell::realtime::Pacer;
+    let mut pacer = Pacer::new(machine.servo_period_s);
+    let wait = Box::new(move || {
+        pacer.wait();
+    });
+    let drives = Faulty::new(drives, Device::Drives, &[], machine.servo_period_s);
+    let report = DriveReport { age_s: f64::INFINITY, ..DriveReport::default() };
+    let mut bench = Bench { machine, drives, orders: Orders::default(), report, cycles: 0, wait };
+    assert!(bench.within(1.0, |r, late| r.age_s <= late));
+    let delay_s = bench.delay_s();
+    for (k, program) in ["rtapi_app", "halstreamer", "halsampler"].into_iter().enumerate() {
+        bench.take_actual();
+        bench.orders.power = true;
+        assert!(bench.within(1.0 + delay_s, |r, _| r.powered), "{program}: {:?}", bench.report);
+        bench.orders.home = true;
+        let all = bench.all();
+        assert!(bench.within(2.0 + delay_s, |r, _| r.referenced == all));
+        bench.orders.home = false;
+        kill(program);
+        assert!(bench.within(1.0, |r, late| r.age_s > late), "{program}");
+        let starts = k as u32 + 1;
+        // Longer than HAL takes to start.
+        assert!(!bench.within(8.0, |r, _| r.starts != starts), "{program}: it comes back under power");
+        bench.orders.power = false;
+        assert!(bench.within(8.0, |r, late| r.starts == starts + 1 && r.age_s <= late), "{program}");
+        assert!(!bench.report.powered && bench.report.referenced == 0, "{program}: {:?}", bench.report);
+    }
+    assert_eq!(violation_count(), 0);
+}
+
+/// Ends a program of HAL's, of which there is one on a computer, and ours.
+#[cfg(target_os = "linux")]
+fn kill(program: &str) {
+    let named = |folder: &std::path::Path| {
+        std::fs::read_to_string(folder.join("comm")).is_ok_and(|name| name.trim_end() == program)
+    };
+    let processes = std::fs::read_dir("/proc").unwrap().flatten().map(|entry| entry.path());
+    let found: Vec<_> = processes.filter(|folder| named(folder)).collect();
+    assert_eq!(found.len(), 1, "{program}: {found:?}");
+    let process = found[0].file_name().unwrap();
+    assert!(std::process::Command::new("kill").arg("-9").arg(process).status().unwrap().success());
 }
 
 /// A HAL file as a user writes it, with HAL's own components for hardware: power that follows `enable`, axes that have a highest

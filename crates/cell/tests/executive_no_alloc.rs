@@ -1,9 +1,9 @@
-//! A whole weld with a hold and a resume costs no allocation after the program was loaded, nor does jogging from its first cycle on.
+//! A whole weld with a hold and a resume costs no allocation after the program was loaded, nor does jogging from its first cycle on, nor refusing to jog.
 
 use assert_no_alloc::{AllocDisabler, assert_no_alloc, violation_count};
 use seamwright_cell::devices::{DeviceSet, SimulatedDrives, SimulatedInputs, SimulatedSource};
 use seamwright_cell::executive::{Ask, Command, Cycle, Executive, Interlocks, Mode, Note, Port, Start, Work};
-use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
+use seamwright_machine::{Clamped, Joints, MAX_AXES, Machine, Surroundings, shipped};
 use seamwright_motion::WeldMotion;
 use seamwright_motion::jog;
 use seamwright_motion::pace::RunPhase;
@@ -86,7 +86,7 @@ fn a_weld_costs_no_allocation() {
     assert!(operator.welded && operator.held);
 }
 
-/// Jogs by speeds, by steps, along the tip and to a place, begins anew, and jogs again.
+/// Jogs by speeds, by steps, along the tip and to a place, asks for what cannot be, begins anew, and jogs again.
 #[derive(Default)]
 struct Hand {
     mode: Option<Mode>,
@@ -102,6 +102,28 @@ struct Hand {
 
 /// Cycles of each part of a jog.
 const PART: u32 = 1000;
+
+/// What cannot be, in these cycles of a part.
+fn refused(cycle: u32) -> Option<jog::Command> {
+    let mut beyond = Joints::default();
+    match cycle {
+        190 => {
+            beyond[0] = 1e9;
+            Some(jog::Command::To(beyond))
+        }
+        192 => {
+            beyond[1] = f64::NAN;
+            Some(jog::Command::To(beyond))
+        }
+        194 => Some(jog::Command::Speeds([f64::NAN; MAX_AXES])),
+        196 => {
+            Some(jog::Command::Tip { frame: jog::TipFrame::Work, velocity: glam::DVec3::new(f64::INFINITY, 0.0, 0.0) })
+        }
+        198 => Some(jog::Command::Step { axis: 40, by: 1.0 }),
+        200 => Some(jog::Command::Step { axis: 0, by: 1e9 }),
+        _ => None,
+    }
+}
 
 impl Hand {
     fn part(&self) -> usize {
@@ -122,7 +144,10 @@ impl Hand {
             }
             1 if begins => Some(jog::Command::Step { axis: 0, by: 0.5 }),
             // Before the panel counts as silent.
-            1 => (self.cycles % PART == 180).then_some(jog::Command::Rest),
+            1 => match self.cycles % PART {
+                180 => Some(jog::Command::Rest),
+                n => refused(n),
+            },
             2 => {
                 joints = self.home;
                 joints[0] = self.from + 2.0;

@@ -157,3 +157,38 @@ fn a_weld_survives_the_power() {
     assert!(results.contains(&"good") && results.contains(&"interrupted"), "{listed}");
     good(&["records", "verify", "--data", &data]);
 }
+
+/// A trace that cannot grow any more, by the system's limit of a file's size: the weld goes on, an alarm says so, its place is still
+/// kept, and the record ends in order, with what was written and how much was lost.
+#[cfg(unix)]
+#[test]
+fn a_trace_that_cannot_grow_is_told_and_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let [data, out] = ["data", "out"].map(|name| folder.path().join(name).display().to_string());
+    let job = example("ellipse");
+    // Blocks of 512 bytes: some seconds of rows, and room for the library.
+    let limited = format!(
+        "trap '' XFSZ; ulimit -f 1000; exec '{}' run '{job}' -o '{out}' --data '{data}' --part P",
+        env!("CARGO_BIN_EXE_seamwright")
+    );
+    let mut child = Command::new("sh")
+        .args(["-c", &limited])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child.stdin.take().unwrap().write_all(b"on\nhome\nwait ready\narm\nweld\nwait 10 s\nstop\n").unwrap();
+    let output = child.wait_with_output().unwrap();
+    let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() == Some(3) && said.contains("trace.raw"), "{said}");
+    assert!(said.contains("record failing") && said.contains("weld -> ready"), "{said}");
+    let listed: Value = serde_json::from_str(&good(&["records", "list", "--data", &data, "--json"])).unwrap();
+    assert_eq!(listed[0]["result"], "stopped", "{listed}");
+    let shown = good(&["records", "show", "1", "--data", &data, "--json"]);
+    assert!(shown.contains("rows of the trace were lost"), "{shown}");
+    let shown: Value = serde_json::from_str(&shown).unwrap();
+    let events: Vec<&str> = shown["events"].as_array().unwrap().iter().map(|e| e["text"].as_str().unwrap()).collect();
+    assert!(events.contains(&"ready -> weld") && events.contains(&"stop"), "{events:?}");
+    good(&["records", "verify", "--data", &data]);
+}

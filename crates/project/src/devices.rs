@@ -25,6 +25,27 @@ pub type Cell = DeviceSet<
 /// What goes over the lines to devices, by their names.
 pub type Lines = Vec<(String, TrafficView)>;
 
+/// Periods at which a cell runs, ms.
+const PERIODS_MS: [f64; 2] = [0.25, 4.0];
+
+/// Refuses a period at which no cell runs in real time.
+///
+/// # Errors
+/// The machine file's period, and what is allowed.
+pub fn check_period(machine: &Machine) -> Result<(), Failure> {
+    let [least, most] = PERIODS_MS;
+    let ms = 1e3 * machine.servo_period_s;
+    // Rounding of the file's milliseconds is nobody's mistake.
+    if (least - 1e-9..=most + 1e-9).contains(&ms) {
+        return Ok(());
+    }
+    Err(Failure::Input(format!(
+        "machine `{}`: servo_period_ms is {ms}: no cell runs so\n   allowed: {least} to {most}, 1 if missing; `seamwright latency` \
+         measures what this computer can do",
+        machine.name
+    )))
+}
+
 /// Simulated devices.
 ///
 /// # Errors
@@ -49,10 +70,16 @@ fn drives(machine: &Machine, folder: &Path) -> Result<Option<Box<dyn Drives + Se
     Ok(Some(Box::new(StreamedSteps::start(machine, device, folder)?)))
 }
 
+/// Tells whoever started the program.
+fn note(text: &str) {
+    // Nothing can be done if standard error is closed.
+    let _ = writeln!(std::io::stderr(), "note: {text}");
+}
+
 /// Drives by LinuxCNC's HAL.
 #[cfg(target_os = "linux")]
 fn linuxcnc_drives(machine: &Machine, folder: &Path, device: &LinuxCnc) -> Result<Box<dyn Drives + Send>, Failure> {
-    let drives = LinuxCncDrives::start(machine, device, folder);
+    let drives = LinuxCncDrives::start(machine, device, folder, note);
     Ok(Box::new(drives.map_err(|e| Failure::Environment(e.to_string()))?))
 }
 
@@ -103,8 +130,7 @@ pub fn of_machine(
     let missing = [("drives", drives.is_none()), ("process source", source.is_none()), ("inputs", inputs.is_none())];
     let simulated: Vec<&str> = missing.iter().filter(|m| m.1).map(|m| m.0).collect();
     if simulated.len() < missing.len() && !simulated.is_empty() {
-        // Nothing can be done if standard error is closed.
-        let _ = writeln!(std::io::stderr(), "note: simulated: {}", simulated.join(", "));
+        note(&format!("simulated: {}", simulated.join(", ")));
     }
     let source = source.unwrap_or_else(|| Box::new(SimulatedSource::new(seed, machine.servo_period_s)));
     let inputs =

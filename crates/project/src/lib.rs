@@ -17,6 +17,7 @@ pub mod recording;
 pub mod run_rows;
 mod steps;
 pub mod teaching;
+pub mod weld_events;
 mod within;
 
 pub use failure::Failure;

@@ -261,7 +261,8 @@ impl Witness {
                 }
             }
         }
-        let powered = cycle.orders.power && cycle.reports.drives.powered && self.mode != Mode::Homing;
+        // These orders were given with what was known before this cycle's reports.
+        let powered = cycle.orders.power && self.powered && cycle.reports.drives.powered && self.mode != Mode::Homing;
         let q: Joints = std::array::from_fn(|i| cycle.orders.set[i].position);
         self.still = if self.sets.last() == Some(&q) { self.still + 1 } else { 0 };
         if !powered {

@@ -74,8 +74,7 @@ impl<D: Devices, P: Port> Executive<'_, D, P> {
 
     /// Sends axes to their home positions, one after another; then homing is over.
     fn send_home(&mut self, axes: &[usize], work: Option<&Work<'_>>) {
-        // One executive at a time has a work: it never waits for it.
-        let mut hand = work.and_then(|work| work.hand.try_lock().ok());
+        let mut hand = work.and_then(|work| work.hand.try_borrow_mut().ok());
         match hand.as_deref_mut() {
             _ if axes.is_empty() => {}
             Some(Some(jog)) => self.go_home(jog, axes, work),

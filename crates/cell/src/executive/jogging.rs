@@ -8,7 +8,7 @@ use super::work::Work;
 use super::{Alarm, Executive};
 use seamwright_machine::{Joints, Level, Machine, Surroundings};
 use seamwright_motion::jog::{self, Halt, Jog, JogSettings, Signals};
-use std::sync::Mutex;
+use std::cell::RefCell;
 
 /// Without a sign of life from the panel for this long the axes stop, s.
 const SILENCE_S: f64 = 0.2;
@@ -24,9 +24,9 @@ fn part(machine: &Machine, q: &Joints, speeds: &Joints) -> f64 {
 }
 
 /// What a hand on the keys needs, made before the first cycle; none for a period that is none.
-pub(super) fn hand<'a>(machine: &'a Machine, around: Option<&'a Surroundings<'a>>) -> Mutex<Option<Jog<'a>>> {
+pub(super) fn hand<'a>(machine: &'a Machine, around: Option<&'a Surroundings<'a>>) -> RefCell<Option<Jog<'a>>> {
     let settings = JogSettings { period_s: machine.servo_period_s, silence_s: SILENCE_S, ..JogSettings::default() };
-    Mutex::new(Jog::prepared(machine, around, settings).ok())
+    RefCell::new(Jog::prepared(machine, around, settings).ok())
 }
 
 /// A command of the hand with the tip no faster than [`REDUCED_MM_S`] from axis positions `q`, and the part of the axes' speeds
@@ -63,8 +63,7 @@ pub(super) fn obey(jog: &mut Jog<'_>, machine: &Machine, pace: f64, wanted: jog:
 impl<D: Devices, P: Port> Executive<'_, D, P> {
     /// Jogs until the mode ends; at rest when it returns, unless power has gone.
     pub(super) fn jog_on(&mut self, work: Option<&Work<'_>>) {
-        // One executive at a time has a work: it never waits for it.
-        let mut hand = work.and_then(|work| work.hand.try_lock().ok());
+        let mut hand = work.and_then(|work| work.hand.try_borrow_mut().ok());
         match hand.as_deref_mut() {
             Some(Some(jog)) => self.jog_with(jog, work),
             _ => self.refuse_jog(),

@@ -7,7 +7,7 @@ use seamwright_motion::jog::Jog;
 use seamwright_motion::pace::{Limits, PassTimed};
 use seamwright_motion::{PassMotion, WeldMotion};
 use seamwright_program::{AtHold, Pass, Sequence};
-use std::sync::Mutex;
+use std::cell::RefCell;
 
 /// Where a program begins.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,11 +55,12 @@ pub(super) struct PassWork<'a> {
     pub(super) planned: &'a PassMotion,
 }
 
-/// A planned program, ready to be run: everything that takes memory is here, made before the first cycle.
+/// A planned program, ready to be run: everything that takes memory is here, made before the first cycle. It belongs to one thread,
+/// that of the cycle, so nothing in it needs a lock.
 #[derive(Debug)]
 pub struct Work<'a> {
     /// What the hand on the keys moves.
-    pub(super) hand: Mutex<Option<Jog<'a>>>,
+    pub(super) hand: RefCell<Option<Jog<'a>>>,
     pub(super) passes: Vec<PassWork<'a>>,
     pub(super) air: &'a [AirMove],
     pub(super) limits: Limits,

@@ -7,7 +7,7 @@ use crate::load::Loaded;
 use seamwright_motion::WeldMotion;
 use seamwright_project::recording::{Header, Who, most_rows, record_plan};
 use seamwright_record::journal::Journal;
-use seamwright_record::library::{Alarm, AuditEntry, WeldResult};
+use seamwright_record::library::{Alarm, AuditEntry, Event, WeldResult};
 use seamwright_record::trace::TraceWriter;
 use seamwright_record::{DataFolder, Moment, Outcome, Recording};
 use seamwright_report::WeldReport;
@@ -43,6 +43,13 @@ impl TraceFile {
         drop(scratch);
         Ok(())
     }
+}
+
+/// What happened in a weld.
+#[derive(Clone, Copy)]
+pub(super) struct Happened<'a> {
+    pub(super) alarms: &'a [Alarm],
+    pub(super) events: &'a [Event],
 }
 
 /// Where the rows of a weld go.
@@ -82,18 +89,18 @@ impl Rows {
         Ok(())
     }
 
-    /// Ends the simulated weld of `report`, with the other `files` and the alarms that there were; adds its trace to `output`.
+    /// Ends the simulated weld of `report`, with the other `files` and what happened; adds its trace to `output`.
     pub(super) fn finish(
         self,
         report: &WeldReport,
-        (mut files, alarms): (Vec<(String, String)>, &[Alarm]),
+        (mut files, happened): (Vec<(String, String)>, Happened<'_>),
         stopped: bool,
         output: &mut Output,
     ) -> Result<(), Failure> {
         let json = serde_json::to_string_pretty(report).map_err(|e| Failure::Environment(e.to_string()))?;
         files.push(("report.json".to_owned(), json + "\n"));
         let result = if stopped { WeldResult::Stopped } else { result(report) };
-        self.keep("simulate", &Outcome { result, note: String::new(), files }, alarms, output)
+        self.keep("simulate", &Outcome { result, note: String::new(), files }, happened, output)
     }
 
     /// Ends the weld with this outcome; adds its trace to `output`, and all of it to the library.
@@ -101,7 +108,7 @@ impl Rows {
         self,
         verb: &str,
         outcome: &Outcome,
-        alarms: &[Alarm],
+        happened: Happened<'_>,
         output: &mut Output,
     ) -> Result<(), Failure> {
         let (recording, mut data) = match self {
@@ -109,8 +116,11 @@ impl Rows {
             Self::Weld(weld) => *weld,
         };
         let id = recording.id();
-        for alarm in alarms {
+        for alarm in happened.alarms {
             data.library().add_alarm(Some(id), alarm)?;
+        }
+        for event in happened.events {
+            data.library().add_event(Some(id), event)?;
         }
         let weld = recording.finish(&mut data, outcome)?;
         audit(&mut data, &format!("{verb}: weld {id} of part {:?}", weld.part), weld.result.name())?;

@@ -78,7 +78,7 @@ pub(super) fn weld(
         output.text(name, text)?;
     }
     let files = files.map(|(name, text)| (name.to_owned(), text)).into();
-    rows.finish(&report, (files, desk.alarms()), desk.was_stopped(), output)?;
+    rows.finish(&report, (files, desk.happened()), desk.was_stopped(), output)?;
     write_report(output, &report, &plots, welding)?;
     Ok((report, desk))
 }

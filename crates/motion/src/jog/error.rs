@@ -1,4 +1,8 @@
+use arrayvec::ArrayString;
 use thiserror::Error;
+
+/// Name of an axis, as much of it as fits: a command is refused within the cycle, where nothing may allocate.
+pub type AxisName = ArrayString<32>;
 
 /// Why a command is not taken; the axes stay as they are. Positions in the units of files.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -7,7 +11,7 @@ pub enum JogError {
     #[error("axis {axis} cannot be at {value} {unit}: its range is {low} to {high} {unit}")]
     Range {
         /// Name of the axis.
-        axis: String,
+        axis: AxisName,
         /// The position asked for.
         value: f64,
         /// Lowest position.
@@ -17,12 +21,17 @@ pub enum JogError {
         /// mm or deg.
         unit: &'static str,
     },
-    /// A value that is no number, or infinite.
-    #[error("{what} is not a finite number")]
+    /// A value of an axis that is no number, or infinite.
+    #[error("the {what} of axis {axis} is not a finite number")]
     NotFinite {
         /// What it is.
-        what: String,
+        what: &'static str,
+        /// Name of the axis.
+        axis: AxisName,
     },
+    /// The tip is to move at what is no velocity.
+    #[error("the velocity of the tip is not a finite number")]
+    TipNotFinite,
     /// A period, time or override that cannot be.
     #[error("{what} is {value}; it must be {allowed}")]
     Setting {

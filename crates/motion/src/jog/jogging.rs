@@ -1,7 +1,7 @@
 use super::point_to_point::Goal;
 use super::stop::{Commitment, Stop};
 use super::tip::{TipLine, same_way};
-use super::{JogError, PointToPoint, State, TipFrame};
+use super::{AxisName, JogError, PointToPoint, State, TipFrame};
 use glam::DVec3;
 use rsruckig::prelude::Synchronization;
 use seamwright_machine::{Joints, Keeper, MAX_AXES, Machine, RangeViolation, Surroundings};
@@ -219,7 +219,7 @@ impl<'a> Jog<'a> {
     ///
     /// # Errors
     /// Values that are no numbers, targets out of range, and anything but [`Command::Rest`] after a halt; what was
-    /// wanted before stays then.
+    /// wanted before stays then. Refusing does not allocate.
     pub fn command(&mut self, command: &Command) -> Result<(), JogError> {
         let mode = match *command {
             Command::Rest => {
@@ -254,7 +254,7 @@ impl<'a> Jog<'a> {
         let mut checked = Joints::default();
         for (i, axis) in self.machine.axes.iter().enumerate() {
             if !speeds[i].is_finite() {
-                return Err(JogError::NotFinite { what: format!("the speed of axis {}", axis.name) });
+                return Err(JogError::NotFinite { what: "speed", axis: short(&axis.name) });
             }
             checked[i] = speeds[i].clamp(-axis.max_speed, axis.max_speed);
         }
@@ -264,7 +264,7 @@ impl<'a> Jog<'a> {
     /// A line goes on if only its speed changes.
     fn tip(&self, frame: TipFrame, velocity: DVec3) -> Result<Mode, JogError> {
         if !velocity.is_finite() {
-            return Err(JogError::NotFinite { what: "the velocity of the tip".to_owned() });
+            return Err(JogError::TipNotFinite);
         }
         let line = match self.mode {
             Mode::Tip { frame: f, velocity: v, line } if f == frame && same_way(v, velocity) => line,
@@ -420,10 +420,18 @@ fn follows(now: (f64, f64, f64), next: (f64, f64, f64), jerk: f64, t: f64) -> bo
     near(next.2, a, jerk * t, a) && near(next.1, v, jerk * t * t / 2.0, v) && near(next.0, q, jerk * t.powi(3) / 6.0, q)
 }
 
+/// What fits of the name of an axis.
+fn short(name: &str) -> AxisName {
+    let mut short = AxisName::new();
+    // One more character than there is room for ends it.
+    let _ = name.chars().try_for_each(|c| short.try_push(c));
+    short
+}
+
 /// Positions that are numbers within the ranges.
 fn check_positions(machine: &Machine, q: &Joints) -> Result<(), JogError> {
     if let Some(axis) = machine.axes.iter().zip(q).find(|(_, q)| !q.is_finite()).map(|(axis, _)| axis) {
-        return Err(JogError::NotFinite { what: format!("the position of axis {}", axis.name) });
+        return Err(JogError::NotFinite { what: "position", axis: short(&axis.name) });
     }
     match machine.outside(q) {
         None => Ok(()),
@@ -431,7 +439,7 @@ fn check_positions(machine: &Machine, q: &Joints) -> Result<(), JogError> {
             let axis = &machine.axes[axis];
             let (low, high) = axis.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
             let [value, low, high] = [value, low, high].map(|v| axis.to_file(v));
-            Err(JogError::Range { axis: axis.name.clone(), value, low, high, unit: axis.unit() })
+            Err(JogError::Range { axis: short(&axis.name), value, low, high, unit: axis.unit() })
         }
     }
 }

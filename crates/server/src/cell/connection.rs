@@ -54,9 +54,10 @@ impl CellDevices {
     /// values of what is to be run. Simulated ones if it names none.
     ///
     /// # Errors
-    /// In words: drives that are none, a device that does not answer or has no register for a value.
+    /// In words: a period at which no cell runs, drives that are none, a device that does not answer or has no register for a value.
     pub(crate) fn new(prepared: &Prepared, beside: &Path, values: &[String]) -> Result<Self, String> {
         let machine = prepared.machine();
+        devices::check_period(machine).map_err(|e| e.text())?;
         // Connecting waits for answers, which no thread of the panel's own may do.
         let connect = || devices::of_machine(machine, beside, values, &[], SEED).map_err(|e| e.text());
         let connected = std::thread::scope(|scope| scope.spawn(connect).join());

@@ -284,7 +284,7 @@ impl Desk {
     }
 
     fn noted(&mut self, t: f64, note: Note) {
-        self.recorder.noted(&note);
+        self.recorder.noted(t, &note);
         // Its name in the library, while it is on the list.
         let one = match note {
             Note::Taken(Command { ask: Ask::AcknowledgeOne(alarm, detail), .. }) => {

@@ -6,7 +6,8 @@ use seamwright_cell::executive::{Mode, Note, Place, Raised, Reaction};
 use seamwright_cell::realtime::Shown;
 use seamwright_project::power_loss::{self, Places, Watch};
 use seamwright_project::run_rows;
-use seamwright_record::library::{Alarm, AuditEntry, Place as Recorded, WeldResult};
+use seamwright_project::weld_events;
+use seamwright_record::library::{Alarm, AuditEntry, Event, Place as Recorded, WeldResult};
 use seamwright_record::{DataFolder, Error, Moment, Outcome, Plan, Recording};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -31,6 +32,9 @@ struct Open {
     passes: usize,
     wanted: usize,
     left: Option<Place>,
+    /// Where the torch was last, and what happened.
+    here: Place,
+    events: Vec<Event>,
     stopped: Option<String>,
     /// When the program ended, s.
     ended: Option<f64>,
@@ -65,6 +69,8 @@ impl Recorder {
             passes: 0,
             wanted: passes,
             left: None,
+            here: Place::default(),
+            events: Vec::new(),
             stopped: None,
             ended: None,
         });
@@ -74,6 +80,7 @@ impl Recorder {
     /// A cycle; the trouble that keeps rows from being written, if there is some.
     pub(super) fn row(&mut self, names: &Names, shown: &Shown) -> Option<String> {
         let open = self.open.as_mut()?;
+        open.here = shown.place;
         open.recording.row(run_rows::row(&names.machine, shown, names.values, names.heads));
         let weld = u64::try_from(open.recording.id()).unwrap_or(0);
         if let (Some(places), Some(position)) = (&open.places, open.watch.position(shown, weld)) {
@@ -90,8 +97,9 @@ impl Recorder {
         trouble
     }
 
-    pub(super) fn noted(&mut self, note: &Note) {
+    pub(super) fn noted(&mut self, t: f64, note: &Note) {
         let Some(open) = &mut self.open else { return };
+        open.events.extend(weld_events::event(t, note, open.here));
         match note {
             Note::PassEnds(_) => open.passes += 1,
             Note::Left(place) => open.left = Some(*place),
@@ -162,6 +170,9 @@ fn finish(open: Open, folder: &Path) -> Result<WeldResult, Error> {
         None => {}
     }
     let outcome = Outcome { result, note: note.join("; "), files: Vec::new() };
+    for event in &open.events {
+        data.library().add_event(Some(id), event)?;
+    }
     let weld = open.recording.finish(&mut data, &outcome)?;
     let entry = AuditEntry {
         at: Moment::now(),

@@ -1,6 +1,7 @@
 //! A weld from switching on to its record; a stop and going on.
 
 use super::lived::Served;
+use http_body_util::BodyExt as _;
 use serde_json::json;
 use std::time::Duration;
 
@@ -64,6 +65,14 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     assert!(status.is_success() && !work["passes"].as_array().unwrap().is_empty());
     let page = bench.raw(owner.request("GET", &format!("/api/records/{id}/report"), None)).await;
     assert!(page.status().is_success());
+    // What happened in the weld that was held and stopped stands in its report.
+    let stopped = records[1]["id"].as_i64().unwrap();
+    let page = bench.raw(owner.request("GET", &format!("/api/records/{stopped}/report"), None)).await;
+    let report = page.into_body().collect().await.unwrap().to_bytes();
+    let report = String::from_utf8_lossy(&report);
+    for event in ["hold", "resume", "stop", "pass 1 was left"] {
+        assert!(report.contains(event), "{event}");
+    }
     // The audit log names who did what.
     let (_, audit) = bench.ask(owner.request("GET", "/api/audit?most=100", None)).await;
     let has = |what: &str| audit.as_array().unwrap().iter().any(|e| e["command"] == what && e["user"] == "owner");

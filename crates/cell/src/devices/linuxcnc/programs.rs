@@ -149,6 +149,11 @@ impl Program {
         }
     }
 
+    /// True once it has ended.
+    pub(super) fn has_ended(&mut self) -> bool {
+        self.ends_within(Duration::ZERO).is_some()
+    }
+
     /// Ends it, by force if it takes too long; its standard input must be closed.
     pub(super) fn end(&mut self, most: Duration) {
         if self.ends_within(most).is_none() {
@@ -274,13 +279,14 @@ pub(super) fn alone(user: &User) -> Result<(), LinuxCncError> {
         let text = String::from_utf8_lossy(&listed.stdout).into_owned();
         let owner = text.split_whitespace().find_map(|name| name.strip_prefix(OWNER)?.parse::<u32>().ok());
         match owner {
-            Some(process) if Path::new(&format!("/proc/{process}")).exists() => {
+            // One of our own has been ended.
+            Some(process) if process != std::process::id() && Path::new(&format!("/proc/{process}")).exists() => {
                 return Err(LinuxCncError::Running(format!("that of Seamwright, process {process}")));
             }
             // The keeper is at it, or it is no more either.
             Some(_) if begun.elapsed() > BEGINS && !cleared => {
                 cleared = true;
-                let _ = user.command("halrun", &["-U"]).stdout(Stdio::null()).stderr(Stdio::null()).status();
+                force_out(user);
             }
             _ if begun.elapsed() > 2 * BEGINS || (owner.is_none() && begun.elapsed() > BEGINS / 2) => {
                 return Err(LinuxCncError::Running("not one of Seamwright's".to_owned()));
@@ -288,7 +294,35 @@ pub(super) fn alone(user: &User) -> Result<(), LinuxCncError> {
             _ => std::thread::sleep(10 * LOOK),
         }
     }
+    // One that was killed leaves the memory of its streams, in which another number of axes has no room.
+    free_streams(user);
     Ok(())
+}
+
+/// Keys of the memory of `streamer` and `sampler`, which outlives a real-time program that was killed.
+const STREAMS: [&str; 2] = ["0x48535430", "0x48534130"];
+
+/// Clears away what is left of HAL when its keeper has ended: all of it if somebody has killed the keeper.
+pub(super) fn clear(user: &User) {
+    if is_running() {
+        force_out(user);
+    }
+    free_streams(user);
+}
+
+fn free_streams(user: &User) {
+    // Mostly there is none, and without the program there is nothing that could be done.
+    let mut command = user.command("ipcrm", &["-M", STREAMS[0], "-M", STREAMS[1]]);
+    let _ = command.stdout(Stdio::null()).stderr(Stdio::null()).status();
+}
+
+/// Has LinuxCNC take HAL down, whoever started it.
+fn force_out(user: &User) {
+    let mut command = user.command("halrun", &["-U"]);
+    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped());
+    if let Ok(mut program) = spawn(command, "halrun", false) {
+        program.end(ENDS);
+    }
 }
 
 /// HAL's real-time program runs.

@@ -5,12 +5,14 @@ use super::orders::Line;
 use super::table::Table;
 use crate::failure::Failure;
 use crate::files::Output;
+use crate::verbs::recorded::Happened;
 use seamwright_cell::executive::{Alarm, Ask, Command, Event, Missing, Mode, Note, Place, Raised, Reaction};
 use seamwright_cell::realtime::Shown;
 use seamwright_cell::tracking;
 use seamwright_machine::Machine;
 use seamwright_project::devices;
 use seamwright_project::power_loss::Watch;
+use seamwright_project::weld_events;
 use seamwright_record::journal::{Journal, Position};
 use seamwright_record::library::{self, WeldResult};
 use seamwright_record::{Moment, Outcome};
@@ -53,6 +55,7 @@ pub(in crate::verbs) struct Desk {
     stopped: Option<String>,
     passes: Vec<Place>,
     alarms: Vec<library::Alarm>,
+    kept: Vec<library::Event>,
     /// When its place is to be kept.
     places: Watch,
 }
@@ -78,6 +81,7 @@ impl Desk {
             stopped: None,
             passes: Vec::new(),
             alarms: Vec::new(),
+            kept: Vec::new(),
             places: Watch::default(),
         }
     }
@@ -123,10 +127,11 @@ impl Desk {
     pub(in crate::verbs) fn shown(&mut self, shown: &Shown) {
         self.now = Some(*shown);
         self.pending &= !self.answered;
+        // What cannot be written is lost and counted; when there is room again the trace goes on.
         if let Some(table) = &mut self.table
             && let Err(failure) = table.row(shown)
         {
-            (self.table, self.record) = (None, Some(failure));
+            self.record.get_or_insert(failure);
         }
     }
 
@@ -198,6 +203,8 @@ impl Desk {
 
     /// Something happened.
     pub(in crate::verbs) fn noted(&mut self, t: f64, note: Note) {
+        let here = self.now.map_or_else(Place::default, |now| now.place);
+        self.kept.extend(weld_events::event(t, &note, here));
         match note {
             Note::Mode(from, to) => {
                 let more = json!({ "from": from.name(), "to": to.name() });
@@ -359,9 +366,9 @@ impl Desk {
         [("events.jsonl", lines), ("run.json", format!("{run:#}\n"))]
     }
 
-    /// Alarms, for the library.
-    pub(in crate::verbs) fn alarms(&self) -> &[library::Alarm] {
-        &self.alarms
+    /// Alarms and events, for the library.
+    pub(in crate::verbs) fn happened(&self) -> Happened<'_> {
+        Happened { alarms: &self.alarms, events: &self.kept }
     }
 
     /// True if an alarm held the program or took the cell down.
@@ -384,7 +391,7 @@ impl Desk {
             None => String::new(),
         };
         let files = files.map(|(name, text)| (name.to_owned(), text)).into();
-        table.finish(&Outcome { result, note, files }, &self.alarms, output)
+        table.finish(&Outcome { result, note, files }, self.happened(), output)
     }
 
     /// The exit code that follows.

@@ -20,7 +20,7 @@ use seamwright_machine::{Machine, Surroundings};
 use seamwright_motion::WeldMotion;
 use seamwright_project::devices::{self, Lines};
 use seamwright_project::power_loss;
-use std::io::{BufRead as _, IsTerminal as _};
+use std::io::{BufRead as _, IsTerminal as _, Write as _};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::time::Duration;
 use table::Table;
@@ -41,6 +41,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let around = loaded.surroundings()?;
     let conditions = part.conditions(args.seed, &args.fault, &around);
     part.check_devices(&loaded.machine)?;
+    devices::check_period(&loaded.machine)?;
     let motion = part.plan(&loaded)?;
     power_loss::check(args.record.data.as_deref(), args.from)?;
     let paths = loaded.paths();
@@ -66,6 +67,19 @@ struct Asked<'a> {
     cpu: Option<usize>,
     /// Of the devices, and the seed of simulated ones.
     faults: (&'a [Fault], u64),
+}
+
+/// Says how late cycles were, if some were missed.
+fn tell_missed(ended: &Ended, period_s: f64) {
+    let Some((_, latency)) = ended.timing.as_ref().filter(|(_, latency)| latency.missed() > 0) else { return };
+    let (missed, all) = (latency.missed(), latency.missed() + latency.count());
+    let (period, most) = (1e3 * period_s, 1e-3 * latency.most_us());
+    // Nothing can be done if standard error is closed.
+    let _ = writeln!(
+        std::io::stderr(),
+        "note: {missed} of {all} cycles of {period} ms were missed: the worst began {most:.2} ms late\n   \
+         better: a longer servo_period_ms, or less that runs beside; `seamwright latency` measures it"
+    );
 }
 
 /// The start that is asked for.
@@ -107,9 +121,10 @@ fn with_cell(
     let tracked = (work.values(), tracking.is_some());
     let table = Table::new((loaded, motion), &output, asked.record, tracked)?;
     let mut desk = Desk::new(machine, Some(table), Vec::new(), asked.json);
-    let ended = real(&work, machine, (devices, lines, tracking), asked.cpu, &mut desk)?;
+    let ended = real(work, machine, (devices, lines, tracking), asked.cpu, &mut desk)?;
     desk.close(&mut output, &loaded.welding.program.value.title, &ended)?;
     output.finish()?;
+    tell_missed(&ended, machine.servo_period_s);
     desk.judge()
 }
 
@@ -136,7 +151,7 @@ pub(in crate::verbs) fn bad(error: &seamwright_cell::Error) -> Failure {
 
 /// In real time: the cycle in a thread of its own, the desk here.
 fn real(
-    work: &Work<'_>,
+    work: Work<'_>,
     machine: &Machine,
     (devices, lines, mut tracking): (Box<dyn Devices + Send + '_>, Lines, Option<Tracking<'_>>),
     cpu: Option<usize>,
@@ -151,7 +166,7 @@ fn real(
             let mut paced = Paced { devices, pacer: Pacer::new(machine.servo_period_s) };
             let guide = tracking.as_mut().map(|tracking| tracking as _);
             let mut executive = Executive::new(machine, &mut paced as &mut dyn Devices, port).with_guide(guide);
-            executive.serve(Some(work));
+            executive.serve(Some(&work));
             let left = executive.left();
             drop(executive);
             (left, footing, paced.pacer.latency().clone())

@@ -4,7 +4,7 @@ use crate::args::records::RecordArgs;
 use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::Loaded;
-use crate::verbs::recorded::{self, Rows};
+use crate::verbs::recorded::{self, Happened, Rows};
 use seamwright_cell::realtime::Shown;
 use seamwright_machine::Machine;
 use seamwright_motion::WeldMotion;
@@ -12,7 +12,6 @@ use seamwright_project::recording::Header;
 use seamwright_project::run_rows;
 use seamwright_record::Outcome;
 use seamwright_record::journal::Journal;
-use seamwright_record::library::Alarm;
 
 /// The trace as it grows, in the output folder or in the library.
 pub(in crate::verbs) struct Table {
@@ -65,7 +64,7 @@ impl Table {
     }
 
     /// Adds the finished trace to `output` and to the library.
-    pub(super) fn finish(self, outcome: &Outcome, alarms: &[Alarm], output: &mut Output) -> Result<(), Failure> {
-        self.rows.keep("run", outcome, alarms, output)
+    pub(super) fn finish(self, outcome: &Outcome, happened: Happened<'_>, output: &mut Output) -> Result<(), Failure> {
+        self.rows.keep("run", outcome, happened, output)
     }
 }

@@ -1,0 +1,118 @@
+//! Who looks after HAL: a thread that starts it again when it has ended.
+
+use super::LinuxCncError;
+use super::engine::{Engine, Link, Plan};
+use rtrb::{Consumer, Producer, RingBuffer};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::{JoinHandle, park_timeout};
+use std::time::{Duration, Instant};
+
+/// How often it looks.
+const LOOK: Duration = Duration::from_millis(50);
+/// From a start that failed to the next one.
+const AGAIN: Duration = Duration::from_secs(5);
+/// Links that wait to be dropped, or for the cycle.
+const LINKS: usize = 4;
+
+/// The cycle's end of the attendant.
+#[derive(Debug)]
+pub(super) struct Attendant {
+    /// The streams of HAL that was started again.
+    pub(super) started: Consumer<Link>,
+    /// Streams that have ended: closing them is not for the cycle.
+    pub(super) ended: Producer<Link>,
+    ends: Arc<AtomicBool>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Attendant {
+    /// Starts HAL, and whoever looks after it: what happens to it is told through `tell`.
+    ///
+    /// # Errors
+    /// Why HAL does not run.
+    pub(super) fn start(plan: Plan, tell: impl Fn(&str) + Send + 'static) -> Result<(Self, Link), LinuxCncError> {
+        let (engine, link) = Engine::start(&plan)?;
+        let (to_cycle, started) = RingBuffer::new(LINKS);
+        let (ended, from_cycle) = RingBuffer::new(LINKS);
+        let ends = Arc::new(AtomicBool::new(false));
+        let work = Work { plan, to_cycle, from_cycle, ends: Arc::clone(&ends) };
+        let thread = std::thread::spawn(move || work.attend(engine, &tell));
+        Ok((Self { started, ended, ends, thread: Some(thread) }, link))
+    }
+
+    /// Ends HAL, and closes the streams.
+    pub(super) fn end(&mut self, link: Option<Link>) {
+        // Told first: streams that are closed are taken for HAL's end.
+        self.ends.store(true, Ordering::SeqCst);
+        drop(link);
+        if let Some(thread) = self.thread.take() {
+            thread.thread().unpark();
+            // Its end in panic is told by the panic itself.
+            let _ = thread.join();
+        }
+    }
+}
+
+/// What the thread has.
+struct Work {
+    plan: Plan,
+    to_cycle: Producer<Link>,
+    from_cycle: Consumer<Link>,
+    ends: Arc<AtomicBool>,
+}
+
+impl Work {
+    fn attend(mut self, mut engine: Engine, tell: &dyn Fn(&str)) {
+        while let Some(why) = self.watch(&mut engine) {
+            tell(&format!("LinuxCNC's HAL has ended: {why}; it is started again, without power"));
+            engine.end(false);
+            match self.again(tell) {
+                Some(started) => engine = started,
+                None => return,
+            }
+        }
+        engine.end(true);
+    }
+
+    /// Looks at HAL until it has ended, and says by what; none if it is not wanted any more.
+    fn watch(&mut self, engine: &mut Engine) -> Option<&'static str> {
+        loop {
+            while self.from_cycle.pop().is_ok() {}
+            let why = engine.ended();
+            if self.ends.load(Ordering::SeqCst) {
+                return None;
+            }
+            if why.is_some() {
+                return why;
+            }
+            park_timeout(LOOK);
+        }
+    }
+
+    /// Starts HAL until it runs; none if it is not wanted any more.
+    fn again(&mut self, tell: &dyn Fn(&str)) -> Option<Engine> {
+        let mut told = None;
+        while !self.ends.load(Ordering::SeqCst) {
+            match Engine::start(&self.plan) {
+                Ok((engine, link)) => {
+                    tell("LinuxCNC's HAL runs again: acknowledge, reset, switch on, home");
+                    // There is room for it: the cycle has taken the one before, or will pass it over.
+                    let _ = self.to_cycle.push(link);
+                    return Some(engine);
+                }
+                Err(error) => {
+                    if told.as_ref() != Some(&error) {
+                        tell(&format!("{error}\n   tried again every {} s", AGAIN.as_secs()));
+                    }
+                    told = Some(error);
+                }
+            }
+            let begun = Instant::now();
+            while begun.elapsed() < AGAIN && !self.ends.load(Ordering::SeqCst) {
+                park_timeout(LOOK);
+            }
+        }
+        None
+    }
+}

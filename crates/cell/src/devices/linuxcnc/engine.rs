@@ -1,0 +1,180 @@
+//! HAL as it runs: with our streams and with the hardware.
+
+use super::line::{self, Sample};
+use super::programs::{self, Commands, Keeper, Program, User};
+use super::{LinuxCncError, script};
+use crate::realtime::Footing;
+use rtrb::{Consumer, Producer, RingBuffer};
+use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
+use seamwright_machine::{Axis, LinuxCnc, Machine};
+use std::io::{BufRead as _, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{ChildStdin, ChildStdout};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+/// Samples that fit between the reader and the cycle.
+const SAMPLES: usize = 1024;
+/// Longest time until the first sample.
+const FIRST: Duration = Duration::from_secs(3);
+/// HAL that says nothing for so long has ended, whatever its programs do.
+const SILENT: Duration = Duration::from_secs(2);
+
+/// What HAL is started with.
+#[derive(Debug)]
+pub(super) struct Plan {
+    user: User,
+    axes: Vec<Axis>,
+    /// Commands before those of the hardware.
+    before: String,
+    hardware: Hardware,
+}
+
+#[derive(Debug)]
+enum Hardware {
+    /// The user's HAL file.
+    File(PathBuf),
+    /// Commands that make axes without any.
+    None(String),
+}
+
+impl Plan {
+    /// With the hardware of the user's HAL file, looked for in `folder`, or axes without any.
+    ///
+    /// # Errors
+    /// There is nobody who may run HAL, or no folder.
+    pub(super) fn new(machine: &Machine, device: &LinuxCnc, folder: &Path) -> Result<Self, LinuxCncError> {
+        let before = script::before(machine, device, &programs::owner(std::process::id()));
+        let hardware = match &device.hal {
+            Some(hal) => Hardware::File(std::path::absolute(folder.join(hal))?),
+            None => Hardware::None(script::simulated(machine)),
+        };
+        Ok(Self { user: User::find()?, axes: machine.axes.clone(), before, hardware })
+    }
+}
+
+/// The cycle's ends of the streams.
+#[derive(Debug)]
+pub(super) struct Link {
+    /// Set-points go in here; a pipe that never blocks.
+    pub(super) stream: ChildStdin,
+    /// What HAL says.
+    pub(super) samples: Consumer<Sample>,
+}
+
+/// When HAL was last heard, ms after a moment.
+#[derive(Debug, Clone)]
+struct Heard {
+    begun: Instant,
+    last_ms: Arc<AtomicU64>,
+}
+
+impl Heard {
+    fn now(&self) {
+        self.last_ms.store(self.begun.elapsed().as_millis() as u64, Ordering::Relaxed);
+    }
+
+    fn ago(&self) -> Duration {
+        self.begun.elapsed().saturating_sub(Duration::from_millis(self.last_ms.load(Ordering::Relaxed)))
+    }
+}
+
+/// HAL's programs.
+#[derive(Debug)]
+pub(super) struct Engine {
+    streamer: Program,
+    sampler: Program,
+    keeper: Keeper,
+    user: User,
+    heard: Heard,
+}
+
+impl Engine {
+    /// Starts HAL, without power. Takes about a second.
+    ///
+    /// # Errors
+    /// LinuxCNC is not installed, runs already, does not take the file, or does not run; all says what is allowed.
+    pub(super) fn start(plan: &Plan) -> Result<(Self, Link), LinuxCncError> {
+        let user = &plan.user;
+        programs::alone(user)?;
+        let keeper = Keeper::start(user)?;
+        programs::take(user, Commands::Ours(&plan.before))?;
+        match &plan.hardware {
+            Hardware::None(commands) => programs::take(user, Commands::Ours(commands))?,
+            Hardware::File(path) => programs::take(user, Commands::File(path))?,
+        }
+        programs::take(user, Commands::Ours(script::AFTER))?;
+        let mut streamer = programs::start(user, "halstreamer", &[], true)?;
+        // It would keep what it says until there are 4 KB of it.
+        let mut sampler = programs::start(user, "stdbuf", &["-oL", "halsampler"], true)?;
+        let (Some(stream), Some(stdout)) = (streamer.stdin(), sampler.stdout()) else {
+            return Err(LinuxCncError::System("its streams have no pipes".to_owned()));
+        };
+        fcntl_setfl(&stream, fcntl_getfl(&stream).map_err(std::io::Error::from)? | OFlags::NONBLOCK)
+            .map_err(std::io::Error::from)?;
+        let (to, samples) = RingBuffer::new(SAMPLES);
+        let heard = Heard { begun: Instant::now(), last_ms: Arc::default() };
+        let (axes, hears) = (plan.axes.clone(), heard.clone());
+        std::thread::spawn(move || listen(stdout, &axes, &hears, to));
+        let engine = Self { streamer, sampler, keeper, user: user.clone(), heard };
+        if let Err(error) = engine.wait_for(&samples) {
+            engine.end(false);
+            return Err(error);
+        }
+        Ok((engine, Link { stream, samples }))
+    }
+
+    fn wait_for(&self, samples: &Consumer<Sample>) -> Result<(), LinuxCncError> {
+        let begun = Instant::now();
+        while samples.is_empty() {
+            if samples.is_abandoned() || begun.elapsed() > FIRST {
+                let said = format!("{}; {}", self.sampler.said(), self.keeper.said());
+                return Err(LinuxCncError::Failed { what: "does not run: no sample comes", said });
+            }
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        Ok(())
+    }
+
+    /// What of it has ended, if anything that axes need has. Without its keeper HAL goes on.
+    pub(super) fn ended(&mut self) -> Option<&'static str> {
+        if self.streamer.has_ended() {
+            Some("halstreamer is no more")
+        } else if self.sampler.has_ended() {
+            Some("halsampler is no more")
+        } else if self.heard.ago() > SILENT {
+            Some("its real-time program says nothing")
+        } else {
+            None
+        }
+    }
+
+    /// Ends everything and clears it up; `gently` lets what is in store count first, for which the stream must be closed.
+    pub(super) fn end(mut self, gently: bool) {
+        self.streamer.end(if gently { Duration::from_secs(1) } else { Duration::ZERO });
+        self.keeper.end();
+        self.sampler.end(Duration::from_millis(100));
+        programs::clear(&self.user);
+    }
+}
+
+/// Reads what HAL says until it ends.
+fn listen(from: ChildStdout, axes: &[Axis], heard: &Heard, mut to: Producer<Sample>) {
+    Footing::ask_below_cycle();
+    let mut from = BufReader::new(from);
+    let mut text = String::new();
+    while !to.is_abandoned() {
+        text.clear();
+        match from.read_line(&mut text) {
+            Ok(1..) => {
+                if let Some(sample) = line::read(&text, axes, Instant::now()) {
+                    heard.now();
+                    // Nobody took the last second of them: a newer one comes.
+                    let _ = to.push(sample);
+                }
+            }
+            _ => break,
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! What happens in a weld beside alarms, as the library keeps it.
+
+use seamwright_cell::executive::{Ask, Note, Place};
+use seamwright_record::Moment;
+use seamwright_record::library::{Event, Place as Recorded};
+
+/// The event that `note` is, told at time `t` (s) with the torch at `here`; none for what is no event of a weld.
+pub fn event(t: f64, note: &Note, here: Place) -> Option<Event> {
+    let (text, place) = match note {
+        Note::Mode(from, to) => (format!("{from} -> {to}"), here),
+        Note::Taken(command) => (order(&command.ask)?, here),
+        Note::PassEnds(place) => (format!("pass {} ends", place.pass), *place),
+        Note::Left(place) => (format!("pass {} was left, welded up to {:.2} mm", place.pass, place.s_mm), *place),
+        Note::Refused(..) | Note::Lacks(..) | Note::Alarm(_) | Note::Cleared(..) => return None,
+    };
+    let in_pass = place.pass > 0;
+    let place =
+        Recorded { pass: in_pass.then_some(place.pass as u32), s_mm: in_pass.then_some(place.s_mm), t_s: Some(t) };
+    Some(Event { at: Moment::now(), text, place })
+}
+
+/// An order that changes how a weld goes.
+fn order(ask: &Ask) -> Option<String> {
+    match ask {
+        Ask::Override(part) => Some(format!("override {:.0} %", 100.0 * part)),
+        Ask::Hold | Ask::Resume | Ask::Reverse | Ask::Stop => Some(ask.name().to_owned()),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use seamwright_cell::executive::{Command, Mode};
+
+    #[test]
+    fn events_have_their_place() {
+        let here = Place { pass: 2, s_mm: 12.5 };
+        let held = event(3.0, &Note::Mode(Mode::Weld, Mode::Hold), here).unwrap();
+        assert_eq!((held.text.as_str(), held.place.pass, held.place.s_mm), ("weld -> hold", Some(2), Some(12.5)));
+        let slow = Note::Taken(Command::of(Ask::Override(0.5)));
+        assert_eq!(event(3.0, &slow, Place::default()).unwrap().text, "override 50 %");
+        assert_eq!(event(3.0, &slow, Place::default()).unwrap().place.pass, None);
+        let left = event(4.0, &Note::Left(here), Place::default()).unwrap();
+        assert_eq!((left.text.as_str(), left.place.s_mm), ("pass 2 was left, welded up to 12.50 mm", Some(12.5)));
+        assert_eq!(event(4.0, &Note::Taken(Command::of(Ask::Acknowledge)), here), None);
+    }
+}
