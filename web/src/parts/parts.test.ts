@@ -1,6 +1,6 @@
 import { describe, expect, test, vi } from 'vitest';
 import { dayAndTime, duration, number, span, valueName } from './numbers';
-import { canHold, hasMeaning, next } from './orders';
+import { canHold, hasMeaning, next, powerComes, type Order } from './orders';
 import { programText } from './taught.svelte';
 import type { EventView, MachineView } from '../wire';
 import { pointPasses } from '../jobs/points';
@@ -39,6 +39,13 @@ test('stop and hold have a meaning in every state', () => {
     // The key goes through always; the button says where there is something to hold.
     expect(canHold(mode)).toBe(!['off', 'idle', 'ready', 'hold', 'fault'].includes(mode));
   }
+});
+
+test('until the drives have power nothing that moves can be asked for, and switching off can', () => {
+  expect(['home', 'start_jog', 'start_teach', 'start_dry_run', 'start_weld'].map((of) => hasMeaning(of as Order, 'ready', false))).not.toContain(true);
+  expect(hasMeaning('home', 'idle', false)).toBe(false);
+  expect(hasMeaning('home', 'idle', true) && hasMeaning('switch_off', 'idle', false) && hasMeaning('stop', 'idle', false)).toBe(true);
+  expect([powerComes('idle', false), powerComes('idle', true), powerComes('off', false)]).toEqual([true, false, false]);
 });
 
 test('taught points become a program that reads back as they were', () => {

@@ -108,7 +108,7 @@ export const de: Table = {
   'lack.mode': 'Nur erlaubt im Zustand: {0}.',
   'lack.moving': 'Die Achsen stehen noch nicht: kurz warten.',
   'lack.references': 'Die Referenz von {0} fehlt: zuerst Referenzfahrt.',
-  'lack.power': 'Die Antriebe sind ohne Spannung: einschalten.',
+  'lack.power': 'Die Antriebe haben noch keine Spannung: kurz warten.',
   'lack.silent': 'Keine Antwort von: {0}. Kabel und Gerät prüfen.',
   'lack.condition': 'Bedingung nicht erfüllt: {0}.',
   'lack.alarm': 'Alarm: {0}. Beheben, dann bestätigen.',

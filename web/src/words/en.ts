@@ -107,7 +107,7 @@ export const en = {
   'lack.mode': 'Only allowed in state: {0}.',
   'lack.moving': 'The axes have not come to rest: wait a moment.',
   'lack.references': 'The reference of {0} is not known: home first.',
-  'lack.power': 'The drives have no power: switch on.',
+  'lack.power': 'The drives have no power yet: wait a moment.',
   'lack.silent': 'No answer from: {0}. Check cable and device.',
   'lack.condition': 'Condition not met: {0}.',
   'lack.alarm': 'Alarm: {0}. Put it right, then acknowledge.',

@@ -108,7 +108,7 @@ export const zh: Table = {
   'lack.mode': '仅在以下状态允许：{0}。',
   'lack.moving': '各轴尚未停稳：请稍候。',
   'lack.references': '{0} 的零点未知：请先回零。',
-  'lack.power': '驱动器未上电：请上电。',
+  'lack.power': '驱动器尚未得电：请稍候。',
   'lack.silent': '无应答：{0}。请检查电缆和设备。',
   'lack.condition': '条件不满足：{0}。',
   'lack.alarm': '报警：{0}。请排除后确认。',
