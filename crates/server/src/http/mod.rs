@@ -15,6 +15,7 @@ mod plan;
 mod records;
 mod restore;
 mod routes;
+mod sensors;
 mod setup;
 mod socket;
 mod teach;
