@@ -71,6 +71,7 @@ test('events are told in the chosen language, what stands in them too', async ()
   vi.stubGlobal('navigator', { languages: ['en'] });
   const { words } = await import('../words/index.svelte');
   const { eventText } = await import('./said');
+  const { lackText } = await import('./lack');
   const event = (key: string, of: string[], more: Partial<EventView> = {}): EventView => ({
     number: 1, t: 0, at: '2026-11-22T12:00:00Z', what: '', key, of, why: null, text: 'as the cell says', user: null, ...more,
   });
@@ -80,6 +81,9 @@ test('events are told in the chosen language, what stands in them too', async ()
   expect(eventText(event('alarm_of', ['drive fault', 'process and power off', 'theta']))).not.toMatch(/drive fault|power off/);
   expect(eventText(event('refused', ['start weld', 'x'], { why: { key: 'power', of: [], text: 'no power' } }))).not.toMatch(/start weld|no power|x$/);
   expect(eventText(event('of a later version', []))).toBe('as the cell says');
+  expect(eventText(event('cleared_of', ['condition not met', 'shielding gas']))).toContain('Schutzgas');
+  expect(lackText({ key: 'condition', of: ['light curtain'], text: '' })).toBe('Bedingung nicht erfüllt: Lichtvorhang.');
+  expect(lackText({ key: 'alarm', of: ['drive fault', 'theta'], text: '' })).toContain('theta');
   words.language = 'en';
   expect(eventText(event('loaded', ['{1} <b>']))).toBe('loaded: {1} <b>');
   expect(eventText(event('recorded', ['7', 'good']))).toBe('weld 7 recorded: good');

@@ -2,6 +2,7 @@ import { alarms, type AlarmName, type AlarmWords } from './alarms';
 import { de } from './de';
 import { en, type Key, type Table } from './en';
 import { ru } from './ru';
+import { sentence } from './sentences';
 import { uk } from './uk';
 import { zh } from './zh';
 
@@ -41,6 +42,11 @@ export function t(key: Key, ...of: (string | number)[]): string {
 export function named(prefix: string, name: string): string {
   const key = `${prefix}.${name.replaceAll(' ', '_')}`;
   return key in en ? t(key as Key) : name;
+}
+
+/** A sentence that the cell said of a plan, in the chosen language; what has no words is shown as it came. */
+export function said(text: string): string {
+  return sentence(text, words.language);
 }
 
 /** An alarm in the chosen language; one that has no words here keeps those of the cell. */
