@@ -1,8 +1,7 @@
-import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { bench, commands, control, load, mode, open, quiet, ready, sleep, tab } from './operator.mjs';
+import { axe as accessible, bench, commands, control, load, mode, open, quiet, ready, sleep, tab } from './operator.mjs';
 
 const SHOTS = process.env.SEAMWRIGHT_SHOTS;
 const { one, cell, browser, options, onReal } = await bench({ real: 'the mock reads no jobs' });
@@ -28,10 +27,7 @@ async function use(name) {
   await one.getByText(/Can be welded|Cannot be welded/).waitFor({ timeout: 120_000 });
 }
 
-async function axe(where) {
-  const { violations } = await new AxeBuilder({ page: one }).analyze();
-  assert.deepEqual(violations.map((v) => `${where}: ${v.id} ${v.nodes.map((n) => n.target.join(' ')).slice(0, 3).join(' | ')}`), []);
-}
+const axe = (where) => accessible(one, where);
 
 test('the joint is drawn to scale with its beads, and follows its numbers while they are written', onReal, async () => {
   await use('thick-saddle.toml');

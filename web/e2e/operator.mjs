@@ -1,4 +1,5 @@
 // What an operator does, in the panel's own words (English).
+import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
 import { after } from 'node:test';
 import { hasBrowser, launch, page as blank } from './browser.mjs';
@@ -129,4 +130,10 @@ export const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
 /** Nothing was said on the console but what the software renderer says of itself. */
 export function quiet(page) {
   assert.deepEqual(page.wrong.filter((text) => !text.includes('GL Driver Message')), []);
+}
+
+/** Axe finds nothing on the page as it is now, an open dialog with it. */
+export async function axe(page, where) {
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  assert.deepEqual(violations.map((v) => `${where}: ${v.id} ${v.nodes.map((n) => n.target.join(' ')).slice(0, 3).join(' | ')}`), []);
 }

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { axis, bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab } from './operator.mjs';
+import { axe, axis, bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab } from './operator.mjs';
 
 const shots = new URL('shots/', import.meta.url).pathname;
 const { one, cell, options } = await bench({ real: 'the mock has no machine file', only: true });
@@ -170,6 +170,7 @@ test('an alarm is acknowledged by itself, and one that only tells is put aside',
   await shot('alarms');
   await one.getByRole('button', { name: /^Shelve/ }).first().click();
   await shot('alarms-shelve');
+  await axe(one, 'shelving');
   await one.locator('dialog[open]').getByRole('button', { name: '30 min' }).click();
   await one.getByText(/Shelved: \d/).waitFor();
   await one.getByText('No alarms').first().waitFor();
