@@ -59,6 +59,13 @@ test('every condition of the machines that ship has words', () => {
   expect(names.filter((name) => en[`interlock.${name.replaceAll(' ', '_')}` as Key] !== name)).toEqual([]);
 });
 
+test('every template has its title in every language', () => {
+  const folder = new URL('../../../examples/', import.meta.url);
+  const titles = readdirSync(folder).filter((name) => name.endsWith('.toml')).map((name) => [`example.${name.replace('.toml', '')}`, /^title = "(.*)"$/m.exec(readFileSync(new URL(name, folder), 'utf8'))?.[1]]);
+  expect(titles.length).toBeGreaterThan(15);
+  expect(Object.fromEntries(Object.entries(en).filter(([key]) => key.startsWith('example.')))).toEqual(Object.fromEntries(titles));
+});
+
 test('every kind of finding that a plan can have has a name', () => {
   const crates = ['motion', 'weld', 'program'].map((crate) => new URL(`../../../crates/${crate}/src/`, import.meta.url));
   const files = crates.flatMap((crate) => readdirSync(crate, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.rs')).map((name) => new URL(name, crate)));
