@@ -75,7 +75,7 @@ test('events are told in the chosen language, what stands in them too', async ()
   const event = (key: string, of: string[], more: Partial<EventView> = {}): EventView => ({
     number: 1, t: 0, at: '2026-11-22T12:00:00Z', what: '', key, of, why: null, text: 'as the cell says', user: null, ...more,
   });
-  words.language = 'de';
+  await words.choose('de');
   expect(eventText(event('mode', ['dry run', 'hold']))).toBe('Leerfahrt -> Halt');
   expect(eventText(event('pass_ends', ['3', '12.50']))).toBe('Lage 3 endet bei 12.50 mm');
   expect(eventText(event('alarm_of', ['drive fault', 'process and power off', 'theta']))).not.toMatch(/drive fault|power off/);
@@ -84,7 +84,7 @@ test('events are told in the chosen language, what stands in them too', async ()
   expect(eventText(event('cleared_of', ['condition not met', 'shielding gas']))).toContain('Schutzgas');
   expect(lackText({ key: 'condition', of: ['light curtain'], text: '' })).toBe('Bedingung nicht erfüllt: Lichtvorhang.');
   expect(lackText({ key: 'alarm', of: ['drive fault', 'theta'], text: '' })).toContain('theta');
-  words.language = 'en';
+  await words.choose('en');
   expect(eventText(event('loaded', ['{1} <b>']))).toBe('loaded: {1} <b>');
   expect(eventText(event('recorded', ['7', 'good']))).toBe('weld 7 recorded: good');
 });
