@@ -69,7 +69,7 @@ test('only Modal makes a dialog: it has STOP in it, which is out of reach behind
 test('events are told in the chosen language, what stands in them too', async () => {
   vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
   vi.stubGlobal('navigator', { languages: ['en'] });
-  const { words } = await import('../words/index.svelte');
+  const { titled, words } = await import('../words/index.svelte');
   const { eventText } = await import('./said');
   const { lackText } = await import('./lack');
   const event = (key: string, of: string[], more: Partial<EventView> = {}): EventView => ({
@@ -84,6 +84,7 @@ test('events are told in the chosen language, what stands in them too', async ()
   expect(eventText(event('cleared_of', ['condition not met', 'shielding gas']))).toContain('Schutzgas');
   expect(lackText({ key: 'condition', of: ['light curtain'], text: '' })).toBe('Bedingung nicht erfüllt: Lichtvorhang.');
   expect(lackText({ key: 'alarm', of: ['drive fault', 'theta'], text: '' })).toContain('theta');
+  expect([titled('First weld: 60 degrees of the saddle'), titled('mine')]).toEqual(['Erste Naht: 60 Grad des Sattels', 'mine']);
   await words.choose('en');
   expect(eventText(event('loaded', ['{1} <b>']))).toBe('loaded: {1} <b>');
   expect(eventText(event('recorded', ['7', 'good']))).toBe('weld 7 recorded: good');

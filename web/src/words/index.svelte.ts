@@ -62,6 +62,14 @@ export function named(prefix: string, name: string): string {
   return key in en ? t(key as Key) : name;
 }
 
+const TEMPLATES = new Map(Object.entries(en).flatMap(([key, text]) => (key.startsWith('example.') ? [[text as string, key as Key] as const] : [])));
+
+/** A job's title: that of a template in the chosen language, any other as its file says. */
+export function titled(title: string): string {
+  const key = TEMPLATES.get(title);
+  return key ? t(key) : title;
+}
+
 /** A sentence that the cell said of a plan, in the chosen language; what has no words is shown as it came. */
 export function said(text: string): string {
   return sentence(text, words.language);
