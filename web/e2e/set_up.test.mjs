@@ -18,10 +18,15 @@ async function hold(name, key, by) {
   await tab(one, 'Jog · Teach');
   await commands(one);
   const begun = await axis(one, name);
-  await one.getByRole('button', { name: key, exact: true }).hover();
-  await one.mouse.down();
-  for (let i = 0; i < 100 && Math.abs((await axis(one, name)) - begun) < by; i += 1) await sleep(50);
-  await one.mouse.up();
+  const left = async () => by - Math.abs((await axis(one, name)) - begun);
+  // Where a page is drawn by software a hand may be lost for a moment: then it presses again.
+  for (let press = 0; press < 20 && (await left()) > 0; press += 1) {
+    await commands(one);
+    await one.getByRole('button', { name: key, exact: true }).hover();
+    await one.mouse.down();
+    for (let i = 0; i < 30 && (await left()) > 0; i += 1) await sleep(50);
+    await one.mouse.up();
+  }
   await sleep(500);
 }
 
