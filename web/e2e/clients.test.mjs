@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { hasBrowser, launch, page } from './browser.mjs';
 import { startCell } from './cell.mjs';
-import { control, mode, open, quiet, ready, sleep, tab } from './operator.mjs';
+import { axe, control, mode, open, quiet, ready, sleep, tab } from './operator.mjs';
 
 const options = { skip: hasBrowser ? false : 'no Chromium' };
 let cell;
@@ -30,6 +30,8 @@ test('a second panel only watches, STOP apart, until it takes over', options, as
   await ready(one);
   await mode(two, 'ready');
   await two.getByRole('button', { name: 'Take control' }).click();
+  await two.locator('dialog[open]').waitFor();
+  await axe(two, 'taking over');
   await two.locator('dialog[open]').getByRole('button', { name: 'Take control' }).click();
   await two.getByText('You command').waitFor();
   await one.getByText(/commands \(station/).waitFor();

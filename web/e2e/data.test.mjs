@@ -4,7 +4,7 @@ import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { bench, commands, control, keep, mode, open, press, quiet, SHORT, sleep, tab } from './operator.mjs';
+import { axe, bench, commands, control, keep, mode, open, press, quiet, SHORT, sleep, tab } from './operator.mjs';
 
 const shots = new URL('shots/', import.meta.url).pathname;
 const PASSWORD = 'correct horse battery';
@@ -82,6 +82,7 @@ test('a backup replaces all data after it was checked, with the machine off only
   await logIn(other, 'eve');
   await data(one).getByRole('button', { name: /Replace all data/ }).click();
   const dialog = one.locator('dialog[open]');
+  await axe(one, 'replacing data');
   await dialog.getByLabel(/own password/i).fill(PASSWORD);
   await one.screenshot({ path: `${shots}data-sure.png` });
   await dialog.getByRole('button', { name: 'Replace all data' }).click();

@@ -1,9 +1,9 @@
-import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { bench, commands, control, load, mode, open, quiet, ready, sleep, tab } from './operator.mjs';
+import { axe as accessible, bench, commands, control, load, mode, open, quiet, ready, sleep, tab } from './operator.mjs';
 
+const SHOTS = process.env.SEAMWRIGHT_SHOTS;
 const { one, cell, browser, options, onReal } = await bench({ real: 'the mock reads no jobs' });
 if (one) {
   await open(one, cell.address);
@@ -27,10 +27,7 @@ async function use(name) {
   await one.getByText(/Can be welded|Cannot be welded/).waitFor({ timeout: 120_000 });
 }
 
-async function axe(where) {
-  const { violations } = await new AxeBuilder({ page: one }).analyze();
-  assert.deepEqual(violations.map((v) => `${where}: ${v.id} ${v.nodes.map((n) => n.target.join(' ')).slice(0, 3).join(' | ')}`), []);
-}
+const axe = (where) => accessible(one, where);
 
 test('the joint is drawn to scale with its beads, and follows its numbers while they are written', onReal, async () => {
   await use('thick-saddle.toml');
@@ -81,6 +78,42 @@ test('bodies are added, moved and deleted in a form, and are seen at once', onRe
   answer = drawn();
   await one.getByRole('button', { name: 'Undo' }).click();
   assert.equal((await answer).fixtures.length, 3);
+  quiet(one);
+});
+
+test('what the section plane cuts open is closed', onReal, async () => {
+  await use('saddle.toml');
+  await one.getByRole('button', { name: 'Top', exact: true }).click();
+  await one.getByRole('button', { name: 'Show' }).click();
+  for (const layer of ['Machine', 'Sensors', 'Zones']) await one.getByRole('checkbox', { name: layer }).uncheck();
+  const menu = one.locator('.menu');
+  // A face is flat: so many pixels of the picture have its one colour.
+  const flat = async () => {
+    await sleep(1500);
+    const canvas = one.locator('canvas[aria-label]').first();
+    const png = (await canvas.screenshot({ timeout: 40_000 })).toString('base64');
+    return one.evaluate(async (text) => {
+      const bytes = Uint8Array.from(atob(text), (of) => of.charCodeAt(0));
+      const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+      const paper = new OffscreenCanvas(image.width, image.height).getContext('2d');
+      paper.drawImage(image, 0, 0);
+      const { data } = paper.getImageData(0, 0, image.width, image.height);
+      // 0xb7bfc7, darker in linear light.
+      const is = (i) => Math.abs(data[i] - 158) < 4 && Math.abs(data[i + 1] - 165) < 4 && Math.abs(data[i + 2] - 172) < 4;
+      let count = 0;
+      for (let i = 0; i < data.length; i += 4) if (is(i)) count += 1;
+      return count;
+    }, png);
+  };
+  const whole = await flat();
+  await menu.getByRole('combobox', { name: 'Section plane' }).selectOption('z');
+  const cut = await flat();
+  if (SHOTS) await one.screenshot({ path: `${SHOTS}/cut.png` });
+  assert.ok(cut > 3000 && cut > 4 * whole, `${whole} pixels of a face before, ${cut} after`);
+  await menu.getByRole('combobox', { name: 'Section plane' }).selectOption('');
+  assert.ok((await flat()) < 4 * whole + 1000);
+  for (const layer of ['Machine', 'Sensors', 'Zones']) await one.getByRole('checkbox', { name: layer }).check();
+  await one.getByRole('button', { name: 'Show' }).click();
   quiet(one);
 });
 

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { bench, control, keep, open, quiet, SHORT, sleep, tab } from './operator.mjs';
+import { axe, bench, control, keep, open, quiet, SHORT, sleep, tab } from './operator.mjs';
 
 const { one, cell, browser, options, onReal } = await bench({ real: 'the mock plans nothing' });
 if (one) await open(one, cell.address);
@@ -65,6 +65,7 @@ test('a number changed in the form, undone, done again; kept under a name; comme
   assert.equal(await field.inputValue(), '240');
   await one.getByRole('button', { name: 'Save as' }).click();
   const dialog = one.locator('dialog[open]');
+  await axe(one, 'save as');
   await dialog.getByRole('textbox').fill('mine');
   await dialog.getByRole('button', { name: 'Save' }).click();
   await dialog.waitFor({ state: 'hidden' });

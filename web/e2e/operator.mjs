@@ -1,4 +1,5 @@
 // What an operator does, in the panel's own words (English).
+import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
 import { after } from 'node:test';
 import { hasBrowser, launch, page as blank } from './browser.mjs';
@@ -94,17 +95,20 @@ export async function load(page, name, part = '') {
   await dialog.waitFor({ state: 'hidden', timeout: 40_000 });
 }
 
+/** Homes as soon as the drives have power: until then the key is greyed, so it is never refused. */
+export async function home(page) {
+  await mode(page, 'idle', 'ready');
+  await commands(page);
+  await press(page, /^Home/);
+  await mode(page, 'homing', 'ready');
+  assert.ok(!(await page.getByText('Refused:').isVisible()), 'Home was pressed when it could be, and refused');
+  await mode(page, 'ready');
+}
+
 /** From off to ready. */
 export async function ready(page) {
   await press(page, /Switch on/);
-  await mode(page, 'idle', 'ready');
-  // The drives' power takes a moment, in which Home is refused.
-  for (let i = 0; i < 20; i += 1) {
-    if ((await page.getAttribute('[data-mode]', 'data-mode')) !== 'idle') break;
-    await press(page, /^Home/);
-    await sleep(500);
-  }
-  await mode(page, 'ready');
+  await home(page);
 }
 
 /** Arms and starts, as soon as nothing stands against it. */
@@ -126,4 +130,10 @@ export const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
 /** Nothing was said on the console but what the software renderer says of itself. */
 export function quiet(page) {
   assert.deepEqual(page.wrong.filter((text) => !text.includes('GL Driver Message')), []);
+}
+
+/** Axe finds nothing on the page as it is now, an open dialog with it. */
+export async function axe(page, where) {
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  assert.deepEqual(violations.map((v) => `${where}: ${v.id} ${v.nodes.map((n) => n.target.join(' ')).slice(0, 3).join(' | ')}`), []);
 }

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { hasBrowser, launch, page } from './browser.mjs';
 import { isReal, NO_CELL, startCell } from './cell.mjs';
-import { axis, control, keep, load, mode, open, press, quiet, sleep, tab } from './operator.mjs';
+import { axis, control, keep, load, mode, open, press, quiet, ready, sleep, tab } from './operator.mjs';
 
 const options = { skip: hasBrowser ? (isReal ? false : `the mock has no eye: ${NO_CELL}`) : 'no Chromium' };
 const SHOTS = process.env.SEAMWRIGHT_SHOTS;
@@ -89,15 +89,7 @@ test('a seam is taught by eye, from its start in 3D to a saved job', options, as
   await keep(one, 'ring.toml', text.replace('end_phi_deg = 210', 'end_phi_deg = 60').split('[cosmetic]')[0]);
   await load(one, 'ring.toml');
   await commands();
-  await press(one, /Switch on/);
-  await mode(one, 'idle', 'ready');
-  // Refused while the drives have no power yet.
-  for (let i = 0; i < 20 && (await one.locator('[data-mode]').getAttribute('data-mode')) === 'idle'; i += 1) {
-    await commands();
-    await press(one, /^Home/);
-    await sleep(1000);
-  }
-  await mode(one, 'ready');
+  await ready(one);
   await tab(one, 'Jog · Teach');
   await commands();
   await button('By eye').click();

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { bench, burns, control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab, weld } from './operator.mjs';
+import { axe, bench, burns, control, home, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab, weld } from './operator.mjs';
 
 const { one, cell, browser, options } = await bench({ toured: false, real: 'the mock welds nothing', only: true, job: null });
 
@@ -37,10 +37,8 @@ test('the first run, led by the tour: from the printed address to a finished wel
   await control(one);
   await says(/Switch on/);
   await press(one, /Switch on/);
-  await mode(one, 'idle', 'ready');
   await says(/Home/);
-  await press(one, /^Home/);
-  await mode(one, 'ready');
+  await home(one);
   await says(/Press “Arm”/);
   await press(one, /^Arm/);
   await says(/Press “Start weld”/);
@@ -93,6 +91,7 @@ test('STOP in the weld, from the keyboard; then going on where it was left, with
   const dialog = one.locator('dialog[open]');
   const go = dialog.getByRole('button', { name: 'Load from there' });
   assert.ok(await go.isDisabled(), 'the crater has not been looked at');
+  await axe(one, 'going on');
   await dialog.getByRole('checkbox').check();
   await go.click();
   await dialog.waitFor({ state: 'hidden', timeout: 60_000 });

@@ -7,6 +7,5 @@ import { words } from './words/index.svelte';
 
 const target = document.getElementById('panel');
 if (!target) throw new Error('index.html has no place for the panel');
-document.documentElement.lang = words.language;
-mount(App, { target });
+void words.begin().then(() => mount(App, { target }));
 void session.begin();

@@ -540,6 +540,157 @@ head: number,
 tip_mm: [number, number, number], };
 
 /**
+ * `GET /api/sensors`: what the machine file of the cell's job holds of sensors.
+ */
+export type SensorsView = { 
+/**
+ * The file, among the jobs, in which changes are kept.
+ */
+file: string, 
+/**
+ * See [`ParametersView::pending`].
+ */
+pending: boolean, 
+/**
+ * Its devices are simulated: so is the picture of a grid.
+ */
+simulated: boolean, 
+/**
+ * All of them.
+ */
+sensors: Array<SensorSetUp>, };
+
+/**
+ * A sensor as the machine file has it.
+ */
+export type SensorSetUp = { 
+/**
+ * Its name.
+ */
+name: string, 
+/**
+ * `stripe`, `camera`.
+ */
+kind: string, 
+/**
+ * Columns and rows of its images.
+ */
+size_px: [number, number], 
+/**
+ * All that can stand there, with the keys of machine files.
+ */
+values: Array<SensorValue>, 
+/**
+ * Of a camera: how it sees planes square to its axis.
+ */
+heights: Array<HeightView>, };
+
+/**
+ * Numbers of a sensor.
+ */
+export type SensorValue = { 
+/**
+ * Keys from the sensor's table on, with dots between.
+ */
+key: string, 
+/**
+ * `pose`, `map`, `timing`.
+ */
+group: string, 
+/**
+ * As many as it has when it is there.
+ */
+count: number, 
+/**
+ * None: what is assumed without it.
+ */
+numbers: Array<number>, };
+
+/**
+ * How a camera sees one plane square to its axis.
+ */
+export type HeightView = { 
+/**
+ * The plane's z in the sensor's frame, mm: towards the camera.
+ */
+z_mm: number, 
+/**
+ * mm a column, and mm a row.
+ */
+mm_per_px: [number, number], 
+/**
+ * Column and row of the optical axis; none: the middle.
+ */
+centre_px: [number, number] | null, 
+/**
+ * Turn of the picture's x from the sensor's x towards its rows, degrees.
+ */
+rotation_deg: number, 
+/**
+ * By how many mm a step of 1 mm down the picture also goes along its x.
+ */
+shear: number, 
+/**
+ * The part by which pixels half a width from the centre lie further out than without distortion.
+ */
+barrel: number, };
+
+/**
+ * `PUT /api/sensor`: what a sensor has from now on, all checked as the loader checks it.
+ */
+export type SensorChange = { 
+/**
+ * Name of the sensor.
+ */
+name: string, 
+/**
+ * Keys with their new numbers; none takes the key away.
+ */
+values: Array<[string, Array<number>]>, 
+/**
+ * The planes of a camera in place of those that are there, if they change.
+ */
+heights: Array<HeightView> | null, };
+
+/**
+ * `POST /api/sensor`, a picture of a grid of dots: what it says of the camera; nothing is kept.
+ */
+export type SensorAnswer = { 
+/**
+ * `good`; `far`: the scale differs by more than a lens is moved; else why there is no map: `picture`, `size`, `plain`, `few`,
+ * `tangled`, `corner`, `residual`, `map`.
+ */
+verdict: string, 
+/**
+ * What belongs to it, by the verdict.
+ */
+of: Array<string>, 
+/**
+ * The same in English, with what is allowed; empty if it is good.
+ */
+text: string, 
+/**
+ * The plane as it is believed to be at that height, and as it was found; none if it was not.
+ */
+was: HeightView | null, 
+/**
+ * See `was`.
+ */
+found: HeightView | null, 
+/**
+ * Each dot: column and row where it is seen, and where the map has it from there, pixels.
+ */
+dots: Array<[number, number, number, number]>, 
+/**
+ * Root of the mean square of those distances, and the greatest, pixels.
+ */
+rms_px: number, 
+/**
+ * See `rms_px`.
+ */
+max_px: number, };
+
+/**
  * `GET /api/session`, and the answer of `POST /api/login`.
  */
 export type SessionView = { 

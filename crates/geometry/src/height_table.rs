@@ -82,6 +82,11 @@ impl HeightTable {
         Ok(Self { rows })
     }
 
+    /// Heights (mm) with their maps.
+    pub fn rows(&self) -> &[(f64, PlaneMap)] {
+        &self.rows
+    }
+
     /// Size of a frame, pixels.
     pub fn size_px(&self) -> (usize, usize) {
         self.rows[0].1.parameters().size_px

@@ -5,7 +5,7 @@ use crate::files;
 use crate::load::{Loaded, machine_foreign, own_copy};
 use seamwright_machine::{Machine, shipped};
 use std::path::{Path, PathBuf};
-use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, value};
+use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, Value, value};
 
 /// The machine file of a job, and where a change to it is kept.
 pub struct OwnMachine {
@@ -22,8 +22,8 @@ pub enum Setting {
     Number(Option<f64>),
     /// Numbers in a row.
     Row(Vec<f64>),
-    /// Tables of numbers: each with these keys.
-    Tables(Vec<Vec<(&'static str, f64)>>),
+    /// Tables: each with these keys.
+    Tables(Vec<Vec<(&'static str, Setting)>>),
 }
 
 impl OwnMachine {
@@ -53,14 +53,9 @@ impl OwnMachine {
         }
         let at = at.as_table_like_mut().ok_or_else(|| wrong(&"no table"))?;
         for (key, setting) in settings {
-            let item = match setting {
-                Setting::Number(None) => None,
-                Setting::Number(Some(number)) => Some(value(*number)),
-                Setting::Row(row) => Some(value(row.iter().copied().collect::<Array>())),
-                Setting::Tables(rows) if rows.is_empty() => None,
-                Setting::Tables(rows) => Some(Item::ArrayOfTables(tables(rows))),
-            };
-            match (item, at.get_mut(key)) {
+            // What stands on one line stays there: within it nothing else can.
+            let inline = at.get(key).is_some_and(Item::is_value);
+            match (setting.item(inline), at.get_mut(key)) {
                 (None, _) => drop(at.remove(key)),
                 // The comment behind the old value stays.
                 (Some(Item::Value(mut new)), Some(Item::Value(old))) => {
@@ -102,14 +97,26 @@ impl OwnMachine {
     /// # Errors
     /// A text that is not TOML.
     pub fn numbers(&self, table: &[Step<'_>], keys: &[&str]) -> Result<Vec<Option<f64>>, Failure> {
+        Ok(self.rows(table, keys)?.into_iter().map(|row| if let [one] = row[..] { Some(one) } else { None }).collect())
+    }
+
+    /// The same for keys that have several numbers in a row, or one; nothing where nothing stands.
+    ///
+    /// # Errors
+    /// A text that is not TOML.
+    pub fn rows(&self, table: &[Step<'_>], keys: &[&str]) -> Result<Vec<Vec<f64>>, Failure> {
         let parsed = self.text.parse::<DocumentMut>();
         let document = parsed.map_err(|e| Failure::Input(format!("{}: {e}", self.path.display())))?;
         let mut at = Some(document.as_item());
         for step in table {
             at = at.and_then(|item| step.of(item));
         }
-        let number = |item: &Item| item.as_float().or_else(|| item.as_integer().map(|i| i as f64));
-        Ok(keys.iter().map(|key| at.and_then(|item| item.get(key)).and_then(number)).collect())
+        let number = |value: &Value| value.as_float().or_else(|| value.as_integer().map(|i| i as f64));
+        let row = |item: &Item| match item.as_array() {
+            Some(array) => array.iter().filter_map(number).collect(),
+            None => item.as_value().and_then(number).into_iter().collect(),
+        };
+        Ok(keys.iter().map(|key| at.and_then(|item| item.get(key)).map_or_else(Vec::new, row)).collect())
     }
 
     /// The machine that `text` makes in place of this file.
@@ -178,10 +185,26 @@ impl Step<'_> {
     }
 }
 
-fn tables(rows: &[Vec<(&'static str, f64)>]) -> ArrayOfTables {
-    let table =
-        |row: &Vec<(&'static str, f64)>| row.iter().map(|(key, number)| (*key, value(*number))).collect::<Table>();
-    rows.iter().map(table).collect()
+impl Setting {
+    /// What stands in the document; none: nothing.
+    fn item(&self, inline: bool) -> Option<Item> {
+        match self {
+            Self::Number(number) => number.map(value),
+            Self::Row(row) if row.is_empty() => None,
+            Self::Row(row) => Some(value(row.iter().copied().collect::<Array>())),
+            Self::Tables(rows) if rows.is_empty() => None,
+            Self::Tables(rows) => {
+                let tables = rows.iter().map(|row| {
+                    row.iter().filter_map(|(key, setting)| Some((*key, setting.item(true)?))).collect::<Table>()
+                });
+                Some(if inline {
+                    value(tables.map(Table::into_inline_table).collect::<Array>())
+                } else {
+                    Item::ArrayOfTables(tables.collect::<ArrayOfTables>())
+                })
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -234,7 +257,9 @@ mod tests {
             assert!(refused.contains(key), "{key}: {refused}");
             assert!(!own.path.exists());
         }
-        let notches = Setting::Tables(vec![vec![("frequency_hz", 80.0), ("depth", 0.1), ("width_hz", 40.0)]]);
+        let notch = [("frequency_hz", 80.0), ("depth", 0.1), ("width_hz", 40.0)];
+        let notch = notch.map(|(key, number)| (key, Setting::Number(Some(number))));
+        let notches = Setting::Tables(vec![notch.to_vec()]);
         let text = own.with(&[Step::Table("drives"), Step::Table("s")], &[("notches", notches)]).unwrap();
         assert_eq!(own.check(&text).unwrap().axes[1].drive.as_ref().unwrap().notches.len(), 1);
         assert!(own.with(&[Step::Nth("heads", 0)], &[]).is_err());

@@ -78,7 +78,15 @@ fn rendered_grids_give_their_maps_back() {
         let truth = plate.map.parameters();
         let grid = Grid { pitch_mm: plate.pitch, centre_px: Some(truth.centre_px), limit_px: 0.3 };
         let found = identify(&frame, &grid).unwrap_or_else(|e| panic!("seed {seed}: {e}"));
-        assert!(found.dots >= 50 && found.rms_px < 0.15 && found.max_px < 0.6, "seed {seed}: {found:?}");
+        assert!(found.dots.len() >= 50 && found.rms_px < 0.15 && found.max_px < 0.6, "seed {seed}: {found:?}");
+        // The dots tell the same, each where it is seen.
+        let most = found.dots.iter().map(|dot| dot.off_px.length()).fold(0.0, f64::max);
+        assert!((most - found.max_px).abs() < 1e-9, "seed {seed}");
+        for dot in &found.dots {
+            let mm = plate.map.to_mm(dot.px).unwrap() - plate.origin;
+            let off = mm - plate.pitch * (mm / plate.pitch).round();
+            assert!(off.length() < 0.6 * truth.mm_per_px.x, "seed {seed}: {dot:?} is no dot");
+        }
         // What counts: where on the plate a pixel is, in pixels.
         for corner in [DVec2::ZERO, DVec2::new(479.0, 0.0), DVec2::new(100.0, 300.0), DVec2::new(479.0, 399.0)] {
             let off = (found.map.to_mm(corner).unwrap() - plate.map.to_mm(corner).unwrap()).length();

@@ -20,6 +20,9 @@ import type {
   PostAnswer,
   RecordRow,
   RecordView,
+  SensorAnswer,
+  SensorChange,
+  SensorsView,
   SessionView,
   Shelving,
   TaughtProgram,
@@ -58,7 +61,7 @@ async function request<T>(method: string, path: string, body?: unknown, signal?:
   const headers: Record<string, string> = {};
   const file = body instanceof Blob;
   if (method !== 'GET') {
-    headers['content-type'] = file ? 'application/x-tar' : 'application/json';
+    headers['content-type'] = file ? (body.type.startsWith('image/') ? 'image/png' : 'application/x-tar') : 'application/json';
     headers['x-seamwright'] = token;
   }
   const text = method === 'GET' ? null : file ? body : JSON.stringify(body ?? {});
@@ -76,6 +79,22 @@ async function request<T>(method: string, path: string, body?: unknown, signal?:
 }
 
 const name = encodeURIComponent;
+
+/** A plate with a grid of dots before a camera. */
+type Plate = { name: string; pitch_mm: number; z_mm: number };
+
+const query = (of: Record<string, string | number>): string =>
+  new URLSearchParams(Object.entries(of).map(([key, value]) => [key, String(value)])).toString();
+
+/** A picture. */
+async function blob(path: string): Promise<Blob> {
+  const response = await fetch(path, { cache: 'no-store' }).catch((error: unknown) => {
+    throw new Refusal(0, 'lost', String(error));
+  });
+  if (response.ok) return response.blob();
+  const trouble = (await response.json().catch(() => null)) as Trouble | null;
+  throw new Refusal(response.status, trouble?.key ?? 'server', trouble?.text ?? response.statusText);
+}
 
 /** The server's routes, one function each. */
 export const api = {
@@ -117,6 +136,12 @@ export const api = {
   setParameters: (change: ParameterChange) => request<ParametersView>('PUT', '/api/parameters', change),
   findTool: (touches: ToolTouches) => request<ToolAnswer>('POST', '/api/tool', touches),
   keepTool: (tip: ToolTip) => request<ParametersView>('PUT', '/api/tool', tip),
+  sensors: () => request<SensorsView>('GET', '/api/sensors'),
+  /** What a picture of a grid of dots says of a camera. */
+  findSensor: (plate: Plate, picture: Blob) =>
+    request<SensorAnswer>('POST', `/api/sensor?${query(plate)}`, new Blob([picture], { type: 'image/png' })),
+  gridPicture: (plate: Plate & { seed: number }) => blob(`/api/sensor/picture?${query(plate)}`),
+  keepSensor: (change: SensorChange) => request<SensorsView>('PUT', '/api/sensor', change),
   shelve: (of: Shelving) => request<void>('POST', '/api/alarms/shelve', of),
   audit: (most: number) => request<AuditRow[]>('GET', `/api/audit?most=${most}`),
   checkArchive: (file: Blob) => request<ArchiveView>('PUT', '/api/restore', file),

@@ -22,7 +22,7 @@ export function writes(target: EventTarget | null): boolean {
 /** Sends a command if this panel may; stop needs nothing. */
 export function order(of: Order): void {
   if (of !== 'stop' && of !== 'hold' && (!cell.control.mine || !session.may(of))) return;
-  if (!hasMeaning(of, cell.mode)) return;
+  if (!hasMeaning(of, cell.mode, cell.powered)) return;
   void cell.ask({ do: of });
 }
 

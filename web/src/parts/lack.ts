@@ -7,10 +7,12 @@ export function lackText(lack: LackView): string {
   const key = `lack.${lack.key}`;
   if (!(key in en)) return lack.text;
   const blank = { cause: '', consequence: '', action: '' };
-  const names = lack.of.map((name) => {
+  const names = lack.of.map((name, i) => {
     if (lack.key === 'mode') return named('mode', name.replaceAll(' ', '_'));
-    if (lack.key === 'alarm') return alarmWords({ name, ...blank }).name;
+    // The alarm, and which condition or axis it is about.
+    if (lack.key === 'alarm') return i === 0 ? alarmWords({ name, ...blank }).name : named('interlock', name);
     if (lack.key === 'silent') return named('device', name);
+    if (lack.key === 'condition') return named('interlock', name);
     return name;
   });
   return t(key as Key, names.join(', '));

@@ -18,9 +18,17 @@ const MODES: Partial<Record<Order, string[]>> = {
   reset: ['fault'],
 };
 
-export function hasMeaning(order: Order, mode: string | null): boolean {
+/** Commands that need the drives' power, which takes a moment after switching on. */
+const ON_POWER: Order[] = ['home', 'start_jog', 'start_teach', 'start_dry_run', 'start_weld'];
+
+export function hasMeaning(order: Order, mode: string | null, powered = true): boolean {
   const modes = MODES[order];
-  return mode !== null && (modes === undefined || modes.includes(mode));
+  return mode !== null && (modes === undefined || modes.includes(mode)) && (powered || !ON_POWER.includes(order));
+}
+
+/** Switched on, but the drives do not have power yet. */
+export function powerComes(mode: string | null, powered: boolean): boolean {
+  return !powered && (mode === 'idle' || mode === 'ready');
 }
 
 /** True where something moves, so that there is something to hold. */

@@ -1,6 +1,6 @@
 import { describe, expect, test, vi } from 'vitest';
 import { dayAndTime, duration, number, span, valueName } from './numbers';
-import { canHold, hasMeaning, next } from './orders';
+import { canHold, hasMeaning, next, powerComes, type Order } from './orders';
 import { programText } from './taught.svelte';
 import type { EventView, MachineView } from '../wire';
 import { pointPasses } from '../jobs/points';
@@ -41,6 +41,13 @@ test('stop and hold have a meaning in every state', () => {
   }
 });
 
+test('until the drives have power nothing that moves can be asked for, and switching off can', () => {
+  expect(['home', 'start_jog', 'start_teach', 'start_dry_run', 'start_weld'].map((of) => hasMeaning(of as Order, 'ready', false))).not.toContain(true);
+  expect(hasMeaning('home', 'idle', false)).toBe(false);
+  expect(hasMeaning('home', 'idle', true) && hasMeaning('switch_off', 'idle', false) && hasMeaning('stop', 'idle', false)).toBe(true);
+  expect([powerComes('idle', false), powerComes('idle', true), powerComes('off', false)]).toEqual([true, false, false]);
+});
+
 test('taught points become a program that reads back as they were', () => {
   const machine = { name: 'm', axes: [{ name: 'x' }, { name: 'b' }] } as unknown as MachineView;
   const tip: [number, number, number, number, number, number] = [0, 0, 0, 0, 0, 1];
@@ -62,18 +69,23 @@ test('only Modal makes a dialog: it has STOP in it, which is out of reach behind
 test('events are told in the chosen language, what stands in them too', async () => {
   vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
   vi.stubGlobal('navigator', { languages: ['en'] });
-  const { words } = await import('../words/index.svelte');
+  const { titled, words } = await import('../words/index.svelte');
   const { eventText } = await import('./said');
+  const { lackText } = await import('./lack');
   const event = (key: string, of: string[], more: Partial<EventView> = {}): EventView => ({
     number: 1, t: 0, at: '2026-11-22T12:00:00Z', what: '', key, of, why: null, text: 'as the cell says', user: null, ...more,
   });
-  words.language = 'de';
+  await words.choose('de');
   expect(eventText(event('mode', ['dry run', 'hold']))).toBe('Leerfahrt -> Halt');
   expect(eventText(event('pass_ends', ['3', '12.50']))).toBe('Lage 3 endet bei 12.50 mm');
   expect(eventText(event('alarm_of', ['drive fault', 'process and power off', 'theta']))).not.toMatch(/drive fault|power off/);
   expect(eventText(event('refused', ['start weld', 'x'], { why: { key: 'power', of: [], text: 'no power' } }))).not.toMatch(/start weld|no power|x$/);
   expect(eventText(event('of a later version', []))).toBe('as the cell says');
-  words.language = 'en';
+  expect(eventText(event('cleared_of', ['condition not met', 'shielding gas']))).toContain('Schutzgas');
+  expect(lackText({ key: 'condition', of: ['light curtain'], text: '' })).toBe('Bedingung nicht erfüllt: Lichtvorhang.');
+  expect(lackText({ key: 'alarm', of: ['drive fault', 'theta'], text: '' })).toContain('theta');
+  expect([titled('First weld: 60 degrees of the saddle'), titled('mine')]).toEqual(['Erste Naht: 60 Grad des Sattels', 'mine']);
+  await words.choose('en');
   expect(eventText(event('loaded', ['{1} <b>']))).toBe('loaded: {1} <b>');
   expect(eventText(event('recorded', ['7', 'good']))).toBe('weld 7 recorded: good');
 });

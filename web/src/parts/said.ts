@@ -5,6 +5,8 @@ import { lackText } from './lack';
 
 const blank = { cause: '', consequence: '', action: '' };
 const alarm = (name: string): string => alarmWords({ name, ...blank }).name;
+/** An axis by its name, or a condition in words. */
+const detail = (name: string): string => named('interlock', name);
 /** As the words call what the executive calls `process off, hold`. */
 const reaction = (name: string): string => named('reaction', name.replaceAll(',', ''));
 
@@ -14,10 +16,10 @@ const PARTS: Record<string, ((of: string, event: EventView) => string)[]> = {
   order: [(of) => named('do', of)],
   refused: [(of) => named('do', of), (of, event) => (event.why ? lackText(event.why) : of)],
   alarm: [alarm, reaction],
-  alarm_of: [alarm, reaction],
+  alarm_of: [alarm, reaction, detail],
   alarm_before: [alarm],
   cleared: [alarm],
-  cleared_of: [alarm],
+  cleared_of: [alarm, detail],
   recorded: [(of) => of, (of) => named('result', of)],
   teach_ended: [(of) => of, (of) => named('teach_end', of)],
 };

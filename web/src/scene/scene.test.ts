@@ -1,9 +1,11 @@
-import { Box3, Vector3, type Points } from 'three';
+import { BackSide, Box3, DecrementWrapStencilOp, FrontSide, IncrementWrapStencilOp, type Mesh, type MeshBasicMaterial, Plane, Quaternion, Vector3, type Points } from 'three';
 import { describe, expect, test } from 'vitest';
-import type { NearView, PassView, PathPoint, ShapeView } from '../wire';
+import type { NearView, PassView, PathPoint, ShapeView, SolidView } from '../wire';
+import { Caps } from './caps';
 import { heat, ramp, scale } from './colours';
 import { nearness, worthShowing } from './near';
 import { geometry, matrix } from './shapes';
+import { solid } from './solids';
 import { TaughtLine } from './taught';
 
 function extent(shape: ShapeView): { least: number[]; most: number[] } {
@@ -89,6 +91,32 @@ describe('what is near', () => {
     expect(worthShowing(pair(30), false)).toBeNull();
     expect(worthShowing(pair(1), false)).not.toBeNull();
   });
+});
+
+test('what is cut open is closed: its faces are counted, and a face lies in the plane', () => {
+  const cuts: Plane[] = [];
+  const caps = new Caps(cuts);
+  const frame: SolidView['frame'] = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
+  const body = solid({ name: 'b', link: 0, frame, shape: { kind: 'box', size: [10, 10, 10] } }, 'part', cuts, caps, false);
+  const masks = body.children.filter((child) => child.userData['mask'] === true) as Mesh[];
+  const [back, front] = masks.map((mask) => mask.material as MeshBasicMaterial);
+  expect([back?.side, back?.stencilZPass, front?.side, front?.stencilZPass]).toEqual([BackSide, IncrementWrapStencilOp, FrontSide, DecrementWrapStencilOp]);
+  // They count what is hidden too, and are seen nowhere.
+  expect([back, front].every((of) => of && !of.depthTest && !of.depthWrite && !of.colorWrite && of.clippingPlanes === cuts)).toBe(true);
+  const [face] = caps.group.children as Mesh[];
+  expect(face?.visible).toBe(false);
+  expect(face?.renderOrder).toBeGreaterThan(masks[0]?.renderOrder ?? Infinity);
+  const plane = new Plane(new Vector3(0, 0, -1), 2);
+  caps.set(plane, new Box3(new Vector3(-5, -5, -5), new Vector3(5, 5, 5)));
+  expect([face?.visible, face?.position.toArray()]).toEqual([true, [0, 0, 2]]);
+  expect(new Vector3(0, 0, 1).applyQuaternion(face?.quaternion ?? new Quaternion()).toArray().map(Math.abs)).toEqual([0, 0, 1]);
+  caps.set(null, new Box3());
+  expect(face?.visible).toBe(false);
+  // Endless ones are not closed, nor what is to be looked through.
+  const count = caps.group.children.length;
+  solid({ name: 'h', link: 0, frame, shape: { kind: 'half_space' } }, 'fixture', cuts, caps, false);
+  solid({ name: 'z', link: 0, frame, shape: { kind: 'sphere', radius: 1 } }, 'permitted', cuts, caps, false);
+  expect(caps.group.children.length).toBe(count);
 });
 
 test('what was taught stands as points, by hand or by eye, until there is none', () => {

@@ -17,6 +17,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { MachineView, NearView, PathPoint, Status, WorkView } from '../wire';
+import { Caps } from './caps';
 import type { ColourBy, Scale } from './colours';
 import { extent } from './extent';
 import { Highlight } from './highlight';
@@ -76,6 +77,7 @@ export class Scene {
   private readonly highlight = new Highlight();
   private readonly cut = new Plane(new Vector3(0, 0, -1), 0);
   private readonly cuts: Plane[] = [];
+  private readonly caps = new Caps(this.cuts);
   private machine: MachineView | null = null;
   private work: WorkView | null = null;
   private status: Status | null = null;
@@ -93,7 +95,7 @@ export class Scene {
     private readonly canvas: HTMLCanvasElement,
     private readonly live: boolean,
   ) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: FROZEN });
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, stencil: true, preserveDrawingBuffer: FROZEN });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.localClippingEnabled = true;
     this.camera.up.set(0, 0, 1);
@@ -108,7 +110,7 @@ export class Scene {
     this.trace.line.visible = live;
     this.measure = new Measure(this.draw);
     this.taught = new TaughtLine(this.draw);
-    this.world.add(this.measure.group);
+    this.world.add(this.measure.group, this.caps.group);
     canvas.addEventListener('pointerdown', this.press);
     canvas.addEventListener('pointerup', this.lift);
     this.watch = new ResizeObserver(() => this.resize());
@@ -121,6 +123,7 @@ export class Scene {
     this.watch.disconnect();
     this.controls.dispose();
     this.near.end();
+    this.caps.end();
     release(this.root);
     this.renderer.dispose();
   }
@@ -138,10 +141,10 @@ export class Scene {
     this.links = [];
     this.machineParts.length = this.zones.length = this.sights.length = 0;
     if (machine) {
-      for (const view of machine.solids) this.machineParts.push(this.onLink(view.link, solid(view, 'machine', this.cuts, !this.live)));
+      for (const view of machine.solids) this.machineParts.push(this.onLink(view.link, solid(view, 'machine', this.cuts, this.caps, !this.live)));
       for (const zone of machine.zones) {
         const kind = zone.permitted ? 'permitted' : 'forbidden';
-        for (const view of zone.solids) this.zones.push(this.onLink(view.link, solid(view, kind, this.cuts, false)));
+        for (const view of zone.solids) this.zones.push(this.onLink(view.link, solid(view, kind, this.cuts, this.caps, false)));
       }
       tint(this.zones, this.isLight());
       for (const view of machine.sensors) this.sights.push(this.onLink(view.link, sight(view)));
@@ -167,8 +170,8 @@ export class Scene {
     }
     this.parts.length = 0;
     this.trace.clear();
-    for (const view of work?.part ?? []) this.parts.push(this.onLink(view.link, solid(view, 'part', this.cuts, false)));
-    for (const view of work?.fixtures ?? []) this.parts.push(this.onLink(view.link, solid(view, 'fixture', this.cuts, false)));
+    for (const view of work?.part ?? []) this.parts.push(this.onLink(view.link, solid(view, 'part', this.cuts, this.caps, false)));
+    for (const view of work?.fixtures ?? []) this.parts.push(this.onLink(view.link, solid(view, 'fixture', this.cuts, this.caps, false)));
     this.onScale(this.passes.set(work, this.by));
     this.showLayers();
     const name = `${this.machine?.name ?? ''}/${work?.job ?? ''}`;
@@ -239,16 +242,18 @@ export class Scene {
   /** Cuts machine and part open, looking along the axis; `part` of the way through what there is. */
   setCut(cut: Cut): void {
     this.cuts.length = 0;
+    const box = this.box();
     if (cut) {
-      const box = this.box();
       const at = box.min[cut.axis] + (box.max[cut.axis] - box.min[cut.axis]) * cut.part;
       const normal = new Vector3();
       normal[cut.axis] = -1;
       this.cut.set(normal, at);
       this.cuts.push(this.cut);
     }
+    this.caps.set(cut && this.cut, box);
     this.root.traverse((object) => {
       if (object instanceof Mesh) for (const material of [object.material].flat()) material.needsUpdate = true;
+      if (object.userData['mask']) object.visible = cut !== null;
     });
     this.draw();
   }

@@ -9,6 +9,7 @@ import {
   type Plane,
 } from 'three';
 import type { SolidView } from '../wire';
+import type { Caps } from './caps';
 import { geometry, matrix } from './shapes';
 
 /** What a solid is; it says how it is drawn. */
@@ -25,8 +26,8 @@ const SHARP_DEG = 30;
 /** Zones are seen on light as on dark: permitted, forbidden. */
 const ZONES = { light: { permitted: 0x14532d, forbidden: 0x8a1f1f }, dark: { permitted: 0x8fd0a8, forbidden: 0xe09090 } };
 
-/** A solid with its edges, in the frame of its link. */
-export function solid(view: SolidView, kind: Kind, cuts: Plane[], ghost: boolean): Group {
+/** A solid with its edges, in the frame of its link; what is cut open is closed by `caps`, if it is not to be looked through. */
+export function solid(view: SolidView, kind: Kind, cuts: Plane[], caps: Caps, ghost: boolean): Group {
   const look = LOOKS[kind];
   const opacity = ghost && kind === 'machine' ? 0.22 : look.opacity;
   const zone = kind === 'permitted' || kind === 'forbidden';
@@ -58,6 +59,7 @@ export function solid(view: SolidView, kind: Kind, cuts: Plane[], ghost: boolean
   );
   const group = new Group();
   group.add(surface, edges);
+  if (opacity === 1 && view.shape.kind !== 'half_space') caps.add(group, surface, look.colour);
   group.name = view.name;
   group.userData['kind'] = kind;
   group.matrixAutoUpdate = false;

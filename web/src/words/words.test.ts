@@ -51,6 +51,21 @@ test('events are those of the cell, in its words', () => {
   expect(Object.fromEntries(Object.entries(en).filter(([key]) => key.startsWith('said.')))).toEqual(all);
 });
 
+test('every condition of the machines that ship has words', () => {
+  const folder = new URL('../../../machines/', import.meta.url);
+  const texts = readdirSync(folder).filter((name) => name.endsWith('.toml')).map((name) => readFileSync(new URL(name, folder), 'utf8'));
+  const names = texts.flatMap((text) => [...text.matchAll(/\[\[interlocks\]\]\nname = "([^"]+)"/g)].map((m) => m[1] ?? ''));
+  expect(new Set(names).size).toBeGreaterThan(8);
+  expect(names.filter((name) => en[`interlock.${name.replaceAll(' ', '_')}` as Key] !== name)).toEqual([]);
+});
+
+test('every template has its title in every language', () => {
+  const folder = new URL('../../../examples/', import.meta.url);
+  const titles = readdirSync(folder).filter((name) => name.endsWith('.toml')).map((name) => [`example.${name.replace('.toml', '')}`, /^title = "(.*)"$/m.exec(readFileSync(new URL(name, folder), 'utf8'))?.[1]]);
+  expect(titles.length).toBeGreaterThan(15);
+  expect(Object.fromEntries(Object.entries(en).filter(([key]) => key.startsWith('example.')))).toEqual(Object.fromEntries(titles));
+});
+
 test('every kind of finding that a plan can have has a name', () => {
   const crates = ['motion', 'weld', 'program'].map((crate) => new URL(`../../../crates/${crate}/src/`, import.meta.url));
   const files = crates.flatMap((crate) => readdirSync(crate, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.rs')).map((name) => new URL(name, crate)));

@@ -3,6 +3,7 @@
 mod distortion;
 mod eye;
 pub mod gates;
+mod plate;
 mod random;
 pub mod scene;
 mod seam_line;
@@ -10,5 +11,6 @@ pub mod stripe;
 
 pub use distortion::Distortion;
 pub use eye::{Appearance, Eye};
+pub use plate::plate;
 pub use random::Random;
 pub use seam_line::{Foot, STATION_MM, SeamLine, Station};

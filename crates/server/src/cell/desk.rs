@@ -4,12 +4,12 @@ use super::around::Around;
 use super::connection::Connection;
 use super::happening::{Happening, happening};
 use super::hub::Hub;
-use super::names::{Extra, Names, WHY};
+use super::names::{Extra, Names};
 use super::prepared::Prepared;
 use super::recorder::Recorder;
 use crate::wire::{FromCell, LackView, Shelving, WorkView};
 use rtrb::{Consumer, Producer};
-use seamwright_cell::executive::{Ask, Command, Missing, Mode, Note, Origin, Raised};
+use seamwright_cell::executive::{Ask, Command, Missing, Mode, Origin};
 use seamwright_cell::realtime::{Outside, Shown};
 use seamwright_record::Plan;
 use std::collections::{HashMap, VecDeque};
@@ -56,28 +56,28 @@ pub(crate) type Loaded = oneshot::Sender<Result<(), LackView>>;
 
 /// Listens to the cycle: tells clients, records welds, passes commands on.
 pub(super) struct Desk {
-    hub: Arc<Hub>,
-    archive: Archive,
-    outside: Outside,
+    pub(super) hub: Arc<Hub>,
+    pub(super) archive: Archive,
+    pub(super) outside: Outside,
     from: Receiver<ToDesk>,
     next: Producer<Box<Prepared>>,
     done: Consumer<Box<Prepared>>,
-    names: Names,
-    recorder: Recorder,
-    mirror: Mirror,
-    plan: Option<Plan>,
-    passes: usize,
+    pub(super) names: Names,
+    pub(super) recorder: Recorder,
+    pub(super) mirror: Mirror,
+    pub(super) plan: Option<Plan>,
+    pub(super) passes: usize,
     waiting: VecDeque<Command>,
     /// What stands against something, as it is told, for each who asked.
-    lacks: HashMap<(u32, u32), Vec<LackView>>,
+    pub(super) lacks: HashMap<(u32, u32), Vec<LackView>>,
     loading: Option<Box<Pending>>,
     now: Option<Shown>,
     shown: Instant,
     missed: u32,
-    left: Option<(u32, f64)>,
-    quits: bool,
+    pub(super) left: Option<(u32, f64)>,
+    pub(super) quits: bool,
     /// What keeps the record from being written, as it was told.
-    trouble: Option<String>,
+    pub(super) trouble: Option<String>,
 }
 
 /// The desk's ends of the queues to the cycle.
@@ -212,7 +212,7 @@ impl Desk {
         self.now.map_or(0.0, |now| now.t)
     }
 
-    fn tell(&self, happened: Happening) {
+    pub(super) fn tell(&self, happened: Happening) {
         self.hub.event(self.time(), happened);
     }
 
@@ -257,7 +257,7 @@ impl Desk {
         self.loading = Some(Box::new(Pending { names, to, view, around, plan, passes, user, answer }));
     }
 
-    fn loaded(&mut self, refused: Option<Missing>) {
+    pub(super) fn loaded(&mut self, refused: Option<Missing>) {
         let Some(pending) = self.loading.take() else { return };
         if let Some(missing) = refused {
             drop(pending.answer.send(Err(self.names.lack(missing))));
@@ -283,97 +283,6 @@ impl Desk {
         drop(pending.answer.send(Ok(())));
     }
 
-    fn noted(&mut self, t: f64, note: Note) {
-        self.recorder.noted(t, &note);
-        // Its name in the library, while it is on the list.
-        let one = match note {
-            Note::Taken(Command { ask: Ask::AcknowledgeOne(alarm, detail), .. }) => {
-                Some(self.mirror.name(&self.names, (alarm, detail)))
-            }
-            _ => None,
-        };
-        let asked = if let Note::Taken(command) = note { self.hub.user(command.origin.station) } else { None };
-        if self.mirror.noted(&note, asked.as_deref().unwrap_or_default()) {
-            self.hub.alarms(self.mirror.views(&self.names));
-        }
-        match note {
-            Note::Mode(from, to) => {
-                self.tell(happening("mode", [from, to].map(|mode| mode.name().to_owned())));
-                if to == Mode::Weld && from != Mode::Hold {
-                    self.begin_record();
-                }
-            }
-            Note::Taken(command) if command.ask == Ask::Load => self.loaded(None),
-            Note::Refused(command, missing) if command.ask == Ask::Load => self.loaded(Some(missing)),
-            Note::Lacks(command, missing) => {
-                let lack = self.names.lack(missing);
-                self.lacks.entry((command.origin.station, command.number)).or_default().push(lack);
-            }
-            Note::Taken(command) => self.taken(command, one),
-            Note::Refused(command, missing) => self.refused(command, missing),
-            Note::Alarm(raised) => self.alarm(t, &raised),
-            Note::Cleared(alarm, detail) => {
-                let name = alarm.entry().name.to_owned();
-                self.tell(match self.names.detail(alarm, detail) {
-                    Some(of) => happening("cleared_of", [name, of]),
-                    None => happening("cleared", [name]),
-                });
-            }
-            Note::PassEnds(place) => {
-                self.tell(happening("pass_ends", [place.pass.to_string(), format!("{:.2}", place.s_mm)]));
-            }
-            Note::Left(place) => {
-                self.left = Some((place.pass as u32, place.s_mm));
-                self.tell(happening("left", [place.pass.to_string(), format!("{:.2}", place.s_mm)]));
-            }
-        }
-    }
-
-    fn begin_record(&mut self) {
-        self.left = None;
-        let Some(plan) = &self.plan else { return };
-        let welder = self.hub.holder().unwrap_or_default();
-        match self.recorder.begin(plan, self.passes, &welder) {
-            Ok(()) => {
-                // What the last one lost is told; this one is whole so far.
-                self.outside.mend();
-                self.trouble = None;
-            }
-            Err(e) => {
-                self.outside.fail();
-                self.tell(happening("not_recorded", [e.to_string()]));
-            }
-        }
-    }
-
-    fn taken(&mut self, command: Command, one: Option<String>) {
-        let Origin { station, .. } = command.origin;
-        if let Ask::Why(_) = command.ask {
-            let lacks = self.lacks.remove(&(station, command.number)).unwrap_or_default();
-            if let Some((ask, _)) = WHY.get(command.number as usize) {
-                self.hub.tell(station, &FromCell::Why { ask: (*ask).to_owned(), lacks });
-            }
-            return;
-        }
-        let user = self.hub.user(station);
-        if command.ask == Ask::Acknowledge || one.is_some() {
-            self.archive.acknowledge(user.as_deref().unwrap_or_default(), one.clone());
-        }
-        if !matches!(command.ask, Ask::Jog(_)) {
-            self.tell(happening("order", [command.ask.name().to_owned()]).by(user.clone()));
-        }
-        if station > 0 {
-            self.hub.tell(station, &FromCell::Answer { seq: command.number, ok: true, why: None });
-        }
-        let station = if station > 0 { format!("panel {station}") } else { String::from("panel") };
-        let text = match command.ask {
-            Ask::Override(part) => format!("override {:.0} %", part * 100.0),
-            Ask::AcknowledgeOne(..) => format!("acknowledge {}", one.unwrap_or_default()),
-            ask => ask.name().to_owned(),
-        };
-        self.archive.audit(user.as_deref().unwrap_or(""), &station, &text, ("", ""), "taken");
-    }
-
     fn shelve(&mut self, asked: &Shelving, user: &str) -> Result<(), String> {
         let name = self.mirror.shelve(&self.names, asked, user)?;
         self.hub.alarms(self.mirror.views(&self.names));
@@ -383,37 +292,6 @@ impl Desk {
         };
         self.tell(happened.by(Some(user.to_owned())));
         Ok(())
-    }
-
-    fn refused(&mut self, command: Command, missing: Missing) {
-        // At the end quitting is asked for until everything rests.
-        if self.quits || matches!(command.ask, Ask::Jog(_)) {
-            return;
-        }
-        let station = command.origin.station;
-        let user = self.hub.user(station);
-        let why = self.names.lack(missing);
-        let refused = happening("refused", [command.ask.name().to_owned(), why.text.clone()]);
-        self.tell(refused.because(why.clone()).by(user.clone()));
-        let from = format!("panel {station}");
-        self.archive.audit(user.as_deref().unwrap_or(""), &from, command.ask.name(), ("", ""), &why.text);
-        self.hub.tell(station, &FromCell::Answer { seq: command.number, ok: false, why: Some(why) });
-    }
-
-    fn alarm(&mut self, t: f64, raised: &Raised) {
-        let (alarm, reaction) = (raised.alarm.entry().name.to_owned(), raised.reaction.name().to_owned());
-        let name = match self.names.detail(raised.alarm, raised.detail) {
-            Some(of) => {
-                let name = format!("{alarm} ({of})");
-                self.tell(happening("alarm_of", [alarm, reaction, of]));
-                name
-            }
-            None => {
-                self.tell(happening("alarm", [alarm.clone(), reaction]));
-                alarm
-            }
-        };
-        self.recorder.alarm(t, raised, &name);
     }
 }
 

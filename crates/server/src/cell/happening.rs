@@ -2,7 +2,7 @@ use crate::wire::LackView;
 
 /// What can happen, by key: its kind, and the English sentence with `{0}`, `{1}` .. for its parameters. Panels have the sentences
 /// in their languages (`web/src/words`), checked against this table.
-const HAPPENINGS: [(&str, &str, &str); 28] = [
+const HAPPENINGS: [(&str, &str, &str); 29] = [
     ("mode", "mode", "{0} -> {1}"),
     ("order", "order", "{0}"),
     ("refused", "refused", "{0}: {1}"),
@@ -15,6 +15,7 @@ const HAPPENINGS: [(&str, &str, &str); 28] = [
     ("unshelved", "alarm", "{0} is no longer shelved"),
     ("machine_changed", "work", "{0} changed in {1}: in force when a job of this machine is loaded anew"),
     ("tool_changed", "work", "tip of {0} changed in {1}: in force when a job of this machine is loaded anew"),
+    ("sensor_changed", "work", "sensor {0} changed in {1}: in force when a job of this machine is loaded anew"),
     ("pass_ends", "pass", "pass {0} ends at {1} mm"),
     ("left", "left", "pass {0} was left, welded up to {1} mm"),
     (

@@ -10,6 +10,7 @@ mod guiding;
 mod happening;
 mod hub;
 mod names;
+mod notes;
 mod prepared;
 mod recorder;
 mod start;

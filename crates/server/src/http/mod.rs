@@ -3,8 +3,10 @@
 mod answer;
 mod assets;
 mod choices;
+mod client;
 mod edit;
 mod guard;
+mod hand;
 mod jobs;
 mod login;
 mod look;
@@ -15,18 +17,19 @@ mod plan;
 mod records;
 mod restore;
 mod routes;
+mod sensors;
 mod setup;
 mod socket;
 mod teach;
 mod turns;
 mod users;
 
+#[cfg(test)]
+pub(crate) use client::hears;
 pub(crate) use jobs::text as job_text;
 pub(crate) use panel::Panel;
 pub(crate) use plan::begin_with;
 #[cfg(test)]
 pub(crate) use routes::all_routes;
 pub(crate) use routes::app;
-#[cfg(test)]
-pub(crate) use socket::hears;
 pub(crate) use turns::Turn;

@@ -1,13 +1,15 @@
 use super::guard::{Need, host, need};
 use super::panel::Panel;
 use super::{
-    assets, choices, edit, jobs, login, look, openapi, place, plan, records, restore, setup, socket, teach, users,
+    assets, choices, edit, jobs, login, look, openapi, place, plan, records, restore, sensors, setup, socket, teach,
+    users,
 };
 use crate::wire::{
     AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DistortionRow, DraftAnswer, EditAnswer, JobRow,
     JobText, Load, Login, MachineView, OwnPassword, ParameterChange, ParametersView, PlaceAnswer, PlaceText,
-    PlanAnswer, PostAnswer, PostText, RecordRow, RecordView, SessionView, Shelving, TaughtProgram, TaughtView,
-    TeachProgram, ToolAnswer, ToolTip, ToolTouches, TraceView, TuningView, UserChange, UserRow, WorkView,
+    PlanAnswer, PostAnswer, PostText, RecordRow, RecordView, SensorAnswer, SensorChange, SensorsView, SessionView,
+    Shelving, TaughtProgram, TaughtView, TeachProgram, ToolAnswer, ToolTip, ToolTouches, TraceView, TuningView,
+    UserChange, UserRow, WorkView,
 };
 use axum::extract::DefaultBodyLimit;
 use axum::routing::{MethodRouter, delete, get, post, put};
@@ -24,6 +26,7 @@ const MOST_UNKNOWN: usize = 8 << 10;
 /// Content types of bodies.
 pub(super) const JSON: &str = "application/json";
 const TAR: &str = "application/x-tar";
+const PNG: &str = "image/png";
 
 /// A route: the one place that says what it needs and what crosses it.
 pub(super) struct Route {
@@ -200,6 +203,37 @@ pub(super) fn routes() -> Vec<Route> {
             "Keeps a tool's tip in the machine file",
             (shape::<ToolTip>(), shape::<ParametersView>()),
             put(setup::keep_tool),
+        ),
+        Route::get(
+            "/api/sensors",
+            "watch",
+            "Sensors as the machine file has them",
+            shape::<SensorsView>(),
+            get(sensors::sensors),
+        ),
+        Route::get(
+            "/api/sensor/picture",
+            "set_up",
+            "What a simulated camera sees of a plate with a grid of dots, PNG",
+            None,
+            get(sensors::picture),
+        ),
+        Route {
+            takes: PNG,
+            ..Route::write(
+                ("post", "/api/sensor"),
+                "set_up",
+                "How a camera's pixels become mm, from a picture of a grid of dots; nothing is kept",
+                (None, shape::<SensorAnswer>()),
+                post(sensors::find),
+            )
+        },
+        Route::write(
+            ("put", "/api/sensor"),
+            "set_up",
+            "Keeps numbers of a sensor in the machine file",
+            (shape::<SensorChange>(), shape::<SensorsView>()),
+            put(sensors::keep),
         ),
         Route::write(
             ("post", "/api/alarms/shelve"),

@@ -27,12 +27,12 @@ const FAR_MM: f64 = 20.0;
 const FARTHEST_MM: f64 = 1e4;
 
 /// The machine file of the job in the cell, and the machine that it makes.
-struct OfCell {
-    own: OwnMachine,
-    machine: Machine,
+pub(super) struct OfCell {
+    pub(super) own: OwnMachine,
+    pub(super) machine: Machine,
 }
 
-fn of_cell(panel: &Panel) -> Result<OfCell, Refused> {
+pub(super) fn of_cell(panel: &Panel) -> Result<OfCell, Refused> {
     let Some(work) = panel.cell.hub.work() else {
         return Err(Refused::not_found("there is no job in the cell; allowed: load one of this machine first"));
     };
@@ -43,15 +43,18 @@ fn of_cell(panel: &Panel) -> Result<OfCell, Refused> {
 
 impl OfCell {
     fn view(&self, panel: &Panel) -> Result<ParametersView, Refused> {
-        let running = panel.cell.hub.machine().map(|machine| fingerprint(&machine));
         let mut view = parameters_view(&self.own, &self.machine)?;
-        view.file = self.file(panel);
-        view.pending = running.is_some_and(|running| running != fingerprint(&self.machine));
+        (view.file, view.pending) = (self.file(panel), self.pending(panel));
         Ok(view)
     }
 
+    /// The cell still has the machine as it was.
+    pub(super) fn pending(&self, panel: &Panel) -> bool {
+        panel.cell.hub.machine().is_some_and(|machine| fingerprint(&machine) != fingerprint(&self.machine))
+    }
+
     /// The file as it is called among the jobs.
-    fn file(&self, panel: &Panel) -> String {
+    pub(super) fn file(&self, panel: &Panel) -> String {
         let path = &self.own.path;
         let jobs = panel.jobs();
         let inside = path.strip_prefix(&jobs).ok().map(std::path::Path::to_owned);
@@ -62,7 +65,7 @@ impl OfCell {
     }
 
     /// Keeps `text`, and the machine that it makes.
-    fn keep(self, text: String) -> Result<Self, Refused> {
+    pub(super) fn keep(self, text: String) -> Result<Self, Refused> {
         let machine = self.own.keep(&text)?;
         Ok(Self { own: OwnMachine { path: self.own.path, text }, machine })
     }
@@ -112,7 +115,9 @@ pub(super) async fn change(
         let mut old = said(asked.values.iter().map(|(key, _)| (key.as_str(), was(key))));
         let mut new = said(asked.values.iter().map(|(key, value)| (key.as_str(), *value)));
         if let Some(notches) = &asked.notches {
-            let table = |n: &[f64; 3]| vec![("frequency_hz", n[0]), ("depth", n[1]), ("width_hz", n[2])];
+            let number = |key, number| (key, Setting::Number(Some(number)));
+            let table =
+                |n: &[f64; 3]| vec![number("frequency_hz", n[0]), number("depth", n[1]), number("width_hz", n[2])];
             of_drive.push(("notches", Setting::Tables(notches.iter().map(table).collect())));
             old += &format!(" notches {:?}", row.map_or(&[][..], |row| &row.notches));
             new += &format!(" notches {notches:?}");
@@ -134,8 +139,12 @@ pub(super) async fn change(
 }
 
 /// Tells everybody and the audit log.
-fn tell(panel: &Panel, user: &str, (key, name, file): (&'static str, &str, &str), change: (&str, &str)) {
-    let what = if key == "tool_changed" { "tool" } else { "axis" };
+pub(super) fn tell(panel: &Panel, user: &str, (key, name, file): (&'static str, &str, &str), change: (&str, &str)) {
+    let what = match key {
+        "tool_changed" => "tool",
+        "sensor_changed" => "sensor",
+        _ => "axis",
+    };
     panel.cell.archive.audit(user, "panel", &format!("set {what} {name} in {file}"), change, "kept");
     let t = panel.cell.hub.latest().map_or(0.0, |status| status.t);
     panel.cell.hub.event(t, happening(key, [name.to_owned(), file.to_owned()]).by(Some(user.to_owned())));

@@ -64,6 +64,18 @@ const BODIES: [&str; 8] = [
     "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[",
 ];
 
+/// What a picture of a grid comes with.
+const PLATE: &str = "?name=camera&pitch_mm=3&z_mm=0";
+
+/// Content type of a route's body.
+fn takes(method: &str, route: &str) -> &'static str {
+    match (method, route) {
+        ("put", "/api/restore") => "application/x-tar",
+        ("post", "/api/sensor") => "image/png",
+        _ => "application/json",
+    }
+}
+
 /// Whatever comes is answered, and nothing of it is the server's fault; nothing has changed after it.
 #[tokio::test(flavor = "multi_thread")]
 async fn thousands_of_malformed_requests_are_refused() {
@@ -78,7 +90,8 @@ async fn thousands_of_malformed_requests_are_refused() {
         for _ in 0..120 {
             let odd = ["..", "%2e%2e%2f", "%00", "9999999999999999999", "-1", "a%0ab.toml", "%ff", "'"];
             let path = route.replace("{name}", random.one::<&str>(&odd)).replace("{id}", random.one::<&str>(&odd));
-            let query = ["", "?", "?most=-1", "?columns=,,,&most=3", "?job=%00", "?from=x&to=%ff", "?text=%25%27"];
+            let query =
+                [PLATE, "", "?", "?most=-1", "?columns=,,,&most=3", "?job=%00", "?from=x&to=%ff", "?text=%25%27"];
             let path = format!("{path}{}", *random.one(&query));
             let body = if random.below(2) == 0 {
                 random.bytes(200)
@@ -90,9 +103,7 @@ async fn thousands_of_malformed_requests_are_refused() {
             if route == "/api/login" {
                 request.headers_mut().insert("x-seamwright", "login".parse().unwrap());
             }
-            if (method, route) == ("put", "/api/restore") {
-                request.headers_mut().insert("content-type", "application/x-tar".parse().unwrap());
-            }
+            request.headers_mut().insert("content-type", takes(method, route).parse().unwrap());
             *request.body_mut() = Body::from(body.clone());
             let (status, answer) = bench.ask(request).await;
             let text = String::from_utf8_lossy(&body);
@@ -103,7 +114,9 @@ async fn thousands_of_malformed_requests_are_refused() {
         if method != "get" && (method, route) != ("put", "/api/restore") {
             let most = if route == "/api/login" { 9 << 10 } else { 5 << 20 };
             let large = json!({ "text": "x".repeat(most), "user": "", "password": "" });
-            let mut request = owner.request(&method.to_uppercase(), &route.replace("{name}", "x.toml"), Some(&large));
+            let path = format!("{}{PLATE}", route.replace("{name}", "x.toml"));
+            let mut request = owner.request(&method.to_uppercase(), &path, Some(&large));
+            request.headers_mut().insert("content-type", takes(method, route).parse().unwrap());
             if route == "/api/login" {
                 request.headers_mut().insert("x-seamwright", "login".parse().unwrap());
             }

@@ -9,6 +9,7 @@ mod drawn;
 mod guarded;
 mod lived;
 mod restored;
+mod sensors;
 mod set_up;
 mod taught;
 mod tracked;

@@ -25,20 +25,20 @@ points = [[4, 0, 60, -20, 200, 6], [12, 0, 60, -20, 200, 6]]
 "#;
 
 impl Bench {
-    async fn did(&self, who: &Visitor, method: &str, path: &str, body: Value) -> Value {
+    pub(super) async fn did(&self, who: &Visitor, method: &str, path: &str, body: Value) -> Value {
         let (status, answer) = self.ask(who.request(method, path, Some(&body))).await;
         assert!(status.is_success(), "{method} {path}: {status} {answer}");
         answer
     }
 
-    async fn refused(&self, who: &Visitor, method: &str, path: &str, body: Value) -> String {
+    pub(super) async fn refused(&self, who: &Visitor, method: &str, path: &str, body: Value) -> String {
         let (status, answer) = self.ask(who.request(method, path, Some(&body))).await;
         assert_eq!(status, StatusCode::UNPROCESSABLE_ENTITY, "{method} {path}: {answer}");
         answer["text"].as_str().unwrap().to_owned()
     }
 
     /// With the short job in the cell.
-    async fn short(&self, who: &Visitor) {
+    pub(super) async fn short(&self, who: &Visitor) {
         self.did(who, "PUT", "/api/jobs/short.toml", json!({ "text": JOB })).await;
         self.did(who, "POST", "/api/load", json!({ "job": "short.toml", "from": null, "part": null })).await;
     }

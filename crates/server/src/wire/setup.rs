@@ -109,3 +109,96 @@ pub struct ToolTip {
     /// In the last frame of its steps, mm.
     pub tip_mm: [f64; 3],
 }
+
+/// `GET /api/sensors`: what the machine file of the cell's job holds of sensors.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct SensorsView {
+    /// The file, among the jobs, in which changes are kept.
+    pub file: String,
+    /// See [`ParametersView::pending`].
+    pub pending: bool,
+    /// Its devices are simulated: so is the picture of a grid.
+    pub simulated: bool,
+    /// All of them.
+    pub sensors: Vec<SensorSetUp>,
+}
+
+/// A sensor as the machine file has it.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct SensorSetUp {
+    /// Its name.
+    pub name: String,
+    /// `stripe`, `camera`.
+    pub kind: String,
+    /// Columns and rows of its images.
+    pub size_px: [u32; 2],
+    /// All that can stand there, with the keys of machine files.
+    pub values: Vec<SensorValue>,
+    /// Of a camera: how it sees planes square to its axis.
+    pub heights: Vec<HeightView>,
+}
+
+/// Numbers of a sensor.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct SensorValue {
+    /// Keys from the sensor's table on, with dots between.
+    pub key: String,
+    /// `pose`, `map`, `timing`.
+    pub group: String,
+    /// As many as it has when it is there.
+    pub count: u32,
+    /// None: what is assumed without it.
+    pub numbers: Vec<f64>,
+}
+
+/// How a camera sees one plane square to its axis.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HeightView {
+    /// The plane's z in the sensor's frame, mm: towards the camera.
+    pub z_mm: f64,
+    /// mm a column, and mm a row.
+    pub mm_per_px: [f64; 2],
+    /// Column and row of the optical axis; none: the middle.
+    pub centre_px: Option<[f64; 2]>,
+    /// Turn of the picture's x from the sensor's x towards its rows, degrees.
+    pub rotation_deg: f64,
+    /// By how many mm a step of 1 mm down the picture also goes along its x.
+    pub shear: f64,
+    /// The part by which pixels half a width from the centre lie further out than without distortion.
+    pub barrel: f64,
+}
+
+/// `PUT /api/sensor`: what a sensor has from now on, all checked as the loader checks it.
+#[derive(Debug, Clone, PartialEq, Deserialize, TS, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SensorChange {
+    /// Name of the sensor.
+    pub name: String,
+    /// Keys with their new numbers; none takes the key away.
+    pub values: Vec<(String, Vec<f64>)>,
+    /// The planes of a camera in place of those that are there, if they change.
+    pub heights: Option<Vec<HeightView>>,
+}
+
+/// `POST /api/sensor`, a picture of a grid of dots: what it says of the camera; nothing is kept.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct SensorAnswer {
+    /// `good`; `far`: the scale differs by more than a lens is moved; else why there is no map: `picture`, `size`, `plain`, `few`,
+    /// `tangled`, `corner`, `residual`, `map`.
+    pub verdict: String,
+    /// What belongs to it, by the verdict.
+    pub of: Vec<String>,
+    /// The same in English, with what is allowed; empty if it is good.
+    pub text: String,
+    /// The plane as it is believed to be at that height, and as it was found; none if it was not.
+    pub was: Option<HeightView>,
+    /// See `was`.
+    pub found: Option<HeightView>,
+    /// Each dot: column and row where it is seen, and where the map has it from there, pixels.
+    pub dots: Vec<[f64; 4]>,
+    /// Root of the mean square of those distances, and the greatest, pixels.
+    pub rms_px: f64,
+    /// See `rms_px`.
+    pub max_px: f64,
+}

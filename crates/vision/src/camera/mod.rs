@@ -7,5 +7,5 @@
 
 mod grid;
 
-pub use grid::{Grid, GridError, Identified, identify};
+pub use grid::{Dot, Grid, GridError, Identified, identify};
 pub use seamwright_geometry::{HeightError, HeightTable, MapError, MapParameters, PlaneMap};

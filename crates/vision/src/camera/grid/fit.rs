@@ -1,7 +1,7 @@
 //! The map that has the dots nearest to where they are seen.
 
 use super::order::Crossing;
-use super::{Grid, GridError, Identified};
+use super::{Dot, Grid, GridError, Identified};
 use crate::camera::{MapParameters, PlaneMap};
 use glam::{DMat2, DVec2};
 use nalgebra::{SMatrix, SVector};
@@ -18,15 +18,18 @@ pub(super) fn fit(crossings: &[Crossing], size: (usize, usize), grid: &Grid) -> 
     // In units of pitches and radii, so that all unknowns are about 1.
     let model = Model { centre, radius, crossings };
     let unknowns = model.solve();
-    let off = crossings.iter().map(|c| model.at(&unknowns, c).0 - c.px).map(DVec2::length_squared);
-    let (sum, max) = off.fold((0.0, 0.0), |(sum, max): (f64, f64), d| (sum + d, max.max(d)));
+    let dots: Vec<Dot> = crossings.iter().map(|c| Dot { px: c.px, off_px: model.at(&unknowns, c).0 - c.px }).collect();
+    let (sum, max) = dots
+        .iter()
+        .map(|dot| dot.off_px.length_squared())
+        .fold((0.0, 0.0), |(sum, max): (f64, f64), d| (sum + d, max.max(d)));
     let (rms, max) = ((sum / crossings.len() as f64).sqrt(), f64::sqrt(max));
     if rms.is_nan() || rms > grid.limit_px {
         return Err(GridError::Residual { rms, max });
     }
     let to_px = DMat2::from_cols_slice(&unknowns.as_slice()[..4]) * (radius / grid.pitch_mm);
     let map = PlaneMap::new(parameters(to_px.inverse(), unknowns[6], size, centre))?;
-    Ok(Identified { map, dots: crossings.len(), rms_px: rms, max_px: max })
+    Ok(Identified { map, dots, rms_px: rms, max_px: max })
 }
 
 /// Scale, rotation and shear of a matrix of mm a pixel.

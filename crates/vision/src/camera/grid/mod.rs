@@ -28,12 +28,21 @@ pub struct Grid {
 pub struct Identified {
     /// The map.
     pub map: PlaneMap,
-    /// Number of dots found.
-    pub dots: usize,
+    /// The dots that were found.
+    pub dots: Vec<Dot>,
     /// RMS distance of the dots from where the map has them, pixels.
     pub rms_px: f64,
     /// The greatest such distance, pixels.
     pub max_px: f64,
+}
+
+/// A dot of the grid in the picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dot {
+    /// Where it is seen.
+    pub px: DVec2,
+    /// Where the map has it, from there, pixels.
+    pub off_px: DVec2,
 }
 
 /// Why a picture gives no map.

@@ -1,0 +1,131 @@
+//! What the cycle notes, told to everybody whom it concerns: pages, record, library, audit log.
+
+use super::desk::Desk;
+use super::happening::happening;
+use super::names::WHY;
+use crate::wire::FromCell;
+use seamwright_cell::executive::{Ask, Command, Missing, Mode, Note, Origin, Raised};
+
+impl Desk {
+    pub(super) fn noted(&mut self, t: f64, note: Note) {
+        self.recorder.noted(t, &note);
+        // Its name in the library, while it is on the list.
+        let one = match note {
+            Note::Taken(Command { ask: Ask::AcknowledgeOne(alarm, detail), .. }) => {
+                Some(self.mirror.name(&self.names, (alarm, detail)))
+            }
+            _ => None,
+        };
+        let asked = if let Note::Taken(command) = note { self.hub.user(command.origin.station) } else { None };
+        if self.mirror.noted(&note, asked.as_deref().unwrap_or_default()) {
+            self.hub.alarms(self.mirror.views(&self.names));
+        }
+        match note {
+            Note::Mode(from, to) => {
+                self.tell(happening("mode", [from, to].map(|mode| mode.name().to_owned())));
+                if to == Mode::Weld && from != Mode::Hold {
+                    self.begin_record();
+                }
+            }
+            Note::Taken(command) if command.ask == Ask::Load => self.loaded(None),
+            Note::Refused(command, missing) if command.ask == Ask::Load => self.loaded(Some(missing)),
+            Note::Lacks(command, missing) => {
+                let lack = self.names.lack(missing);
+                self.lacks.entry((command.origin.station, command.number)).or_default().push(lack);
+            }
+            Note::Taken(command) => self.taken(command, one),
+            Note::Refused(command, missing) => self.refused(command, missing),
+            Note::Alarm(raised) => self.alarm(t, &raised),
+            Note::Cleared(alarm, detail) => {
+                let name = alarm.entry().name.to_owned();
+                self.tell(match self.names.detail(alarm, detail) {
+                    Some(of) => happening("cleared_of", [name, of]),
+                    None => happening("cleared", [name]),
+                });
+            }
+            Note::PassEnds(place) => {
+                self.tell(happening("pass_ends", [place.pass.to_string(), format!("{:.2}", place.s_mm)]));
+            }
+            Note::Left(place) => {
+                self.left = Some((place.pass as u32, place.s_mm));
+                self.tell(happening("left", [place.pass.to_string(), format!("{:.2}", place.s_mm)]));
+            }
+        }
+    }
+
+    fn begin_record(&mut self) {
+        self.left = None;
+        let Some(plan) = &self.plan else { return };
+        let welder = self.hub.holder().unwrap_or_default();
+        match self.recorder.begin(plan, self.passes, &welder) {
+            Ok(()) => {
+                // What the last one lost is told; this one is whole so far.
+                self.outside.mend();
+                self.trouble = None;
+            }
+            Err(e) => {
+                self.outside.fail();
+                self.tell(happening("not_recorded", [e.to_string()]));
+            }
+        }
+    }
+
+    fn taken(&mut self, command: Command, one: Option<String>) {
+        let Origin { station, .. } = command.origin;
+        if let Ask::Why(_) = command.ask {
+            let lacks = self.lacks.remove(&(station, command.number)).unwrap_or_default();
+            if let Some((ask, _)) = WHY.get(command.number as usize) {
+                self.hub.tell(station, &FromCell::Why { ask: (*ask).to_owned(), lacks });
+            }
+            return;
+        }
+        let user = self.hub.user(station);
+        if command.ask == Ask::Acknowledge || one.is_some() {
+            self.archive.acknowledge(user.as_deref().unwrap_or_default(), one.clone());
+        }
+        if !matches!(command.ask, Ask::Jog(_)) {
+            self.tell(happening("order", [command.ask.name().to_owned()]).by(user.clone()));
+        }
+        if station > 0 {
+            self.hub.tell(station, &FromCell::Answer { seq: command.number, ok: true, why: None });
+        }
+        let station = if station > 0 { format!("panel {station}") } else { String::from("panel") };
+        let text = match command.ask {
+            Ask::Override(part) => format!("override {:.0} %", part * 100.0),
+            Ask::AcknowledgeOne(..) => format!("acknowledge {}", one.unwrap_or_default()),
+            ask => ask.name().to_owned(),
+        };
+        self.archive.audit(user.as_deref().unwrap_or(""), &station, &text, ("", ""), "taken");
+    }
+
+    fn refused(&mut self, command: Command, missing: Missing) {
+        // At the end quitting is asked for until everything rests.
+        if self.quits || matches!(command.ask, Ask::Jog(_)) {
+            return;
+        }
+        let station = command.origin.station;
+        let user = self.hub.user(station);
+        let why = self.names.lack(missing);
+        let refused = happening("refused", [command.ask.name().to_owned(), why.text.clone()]);
+        self.tell(refused.because(why.clone()).by(user.clone()));
+        let from = format!("panel {station}");
+        self.archive.audit(user.as_deref().unwrap_or(""), &from, command.ask.name(), ("", ""), &why.text);
+        self.hub.tell(station, &FromCell::Answer { seq: command.number, ok: false, why: Some(why) });
+    }
+
+    fn alarm(&mut self, t: f64, raised: &Raised) {
+        let (alarm, reaction) = (raised.alarm.entry().name.to_owned(), raised.reaction.name().to_owned());
+        let name = match self.names.detail(raised.alarm, raised.detail) {
+            Some(of) => {
+                let name = format!("{alarm} ({of})");
+                self.tell(happening("alarm_of", [alarm, reaction, of]));
+                name
+            }
+            None => {
+                self.tell(happening("alarm", [alarm.clone(), reaction]));
+                alarm
+            }
+        };
+        self.recorder.alarm(t, raised, &name);
+    }
+}

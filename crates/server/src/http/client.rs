@@ -1,0 +1,255 @@
+//! What a page says over its socket, held against what it may.
+
+use super::panel::Panel;
+use crate::cell::{Refusal, ToDesk, WHY, happening};
+use crate::users::{Session, may};
+use crate::wire::{AskView, FromCell, LackView, TeachOrder, ToCell};
+use seamwright_cell::executive::{Alarm, Ask, Command, Origin};
+use seamwright_machine::Joints;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Messages a second from a panel, and how many may come at once.
+const RATE: f64 = 100.0;
+const BURST: f64 = 200.0;
+
+/// A connection's side of what it is allowed to say.
+pub(super) struct Client {
+    pub(super) panel: Arc<Panel>,
+    session: Session,
+    pub(super) station: u32,
+    commands: u32,
+    pub(super) jogs: u32,
+    /// When a stop of this page was audited last, and what was refused to it.
+    stopped: Option<Instant>,
+    refused: Vec<String>,
+    /// Where a key that is held since leads to, mm or rad.
+    pub(super) held: Option<Joints>,
+    allowance: f64,
+    spoke: Instant,
+}
+
+impl Client {
+    pub(super) fn new(panel: Arc<Panel>, session: Session, station: u32) -> Self {
+        Self {
+            panel,
+            session,
+            station,
+            commands: 0,
+            jogs: 0,
+            held: None,
+            stopped: None,
+            refused: Vec::new(),
+            allowance: BURST,
+            spoke: Instant::now(),
+        }
+    }
+
+    /// False once it says too much.
+    pub(super) fn may_speak(&mut self) -> bool {
+        let since = self.spoke.elapsed().as_secs_f64();
+        self.spoke = Instant::now();
+        self.allowance = (self.allowance + RATE * since).min(BURST) - 1.0;
+        self.allowance >= 0.0
+    }
+
+    pub(super) fn hears(&mut self, text: &str) {
+        let message = match serde_json::from_str::<ToCell>(text) {
+            Ok(message) => message,
+            Err(e) => return self.answer(0, Err(lack("value", format!("the message is not understood: {e}")))),
+        };
+        // Whoever was logged out or lost his role a moment ago commands nothing any more, but still stops.
+        let stops = matches!(message, ToCell::Command { ask: AskView::Stop {}, .. });
+        if !stops && !self.panel.stands(&self.session, !matches!(message, ToCell::Beat {})) {
+            let seq = if let ToCell::Command { seq, .. } = message { seq } else { 0 };
+            return self.answer(seq, Err(lack("login", "the session is over: log in")));
+        }
+        match message {
+            // Not answered either.
+            ToCell::Step { seq, of, index, by } => drop(self.step(seq, of, index, by)),
+            ToCell::Go { seq, axes } => drop(self.go(seq, &axes)),
+            ToCell::Teach { seq, order } => {
+                let result = self.teach(seq, &order);
+                self.answer(seq, result);
+            }
+            ToCell::Beat {} => self.panel.cell.hub.beat(self.station),
+            ToCell::Command { seq, ask } => {
+                if let Err(why) = self.command(seq, &ask) {
+                    self.answer(seq, Err(why));
+                }
+            }
+            ToCell::Jog { seq, of, speeds } => {
+                // Not answered: what is refused does not move.
+                drop(self.jog(seq, of, &speeds));
+            }
+            ToCell::TakeControl { over } => self.take_control(over),
+            ToCell::GiveControl {} => self.panel.cell.hub.give_control(self.station),
+            ToCell::Why { ask } => {
+                let known = WHY.iter().position(|(name, _)| *name == ask);
+                match known {
+                    Some(i) => self.send(i as u32, Ask::Why(WHY[i].1)),
+                    None => {
+                        let names: Vec<&str> = WHY.iter().map(|(name, _)| *name).collect();
+                        self.answer(0, Err(lack("value", format!("`{ask}`; allowed: {}", names.join(", ")))));
+                    }
+                }
+            }
+        }
+    }
+
+    fn audit(&self, command: &str, result: &str) {
+        let station = format!("panel {}", self.station);
+        self.panel.cell.archive.audit(&self.session.user, &station, command, ("", ""), result);
+    }
+
+    pub(super) fn allowed(&mut self, action: &str) -> Result<(), LackView> {
+        if may(self.session.role, action) {
+            return Ok(());
+        }
+        // Once for each: who repeats it does not fill the disk.
+        if !self.refused.iter().any(|known| known == action) {
+            self.refused.push(action.to_owned());
+            self.audit(action, "refused: role");
+        }
+        let needed = crate::users::least(action).map_or(String::new(), |r| format!(" (from {r:?} on)").to_lowercase());
+        Err(lack("role", format!("your role does not allow this{needed}")))
+    }
+
+    fn command(&mut self, seq: u32, ask: &AskView) -> Result<(), LackView> {
+        let (name, ask) = executive(ask)?;
+        // Who stops is always heard: without role, token or number.
+        if ask == Ask::Stop {
+            self.panel.cell.urgent.ask(&ask);
+            // Once a second: who leans on the key does not fill the disk.
+            if self.stopped.is_none_or(|at| at.elapsed() > Duration::from_secs(1)) {
+                self.stopped = Some(Instant::now());
+                self.audit(name, "taken");
+            }
+            self.answer(seq, Ok(()));
+            return Ok(());
+        }
+        self.allowed(name)?;
+        self.counts(seq)?;
+        if ask == Ask::Hold {
+            self.panel.cell.urgent.ask(&ask);
+            self.audit(name, "taken");
+            self.answer(seq, Ok(()));
+            return Ok(());
+        }
+        if !self.panel.cell.hub.controls(self.station, false) {
+            return Err(lack("control", "this page does not have control: take it first"));
+        }
+        self.send(seq, ask);
+        Ok(())
+    }
+
+    fn teach(&mut self, seq: u32, order: &TeachOrder) -> Result<(), LackView> {
+        self.allowed("teach")?;
+        self.counts(seq)?;
+        // Who stands still needs no control.
+        let stops = matches!(order, TeachOrder::Pause {} | TeachOrder::Stop {});
+        if !stops && !self.panel.cell.hub.controls(self.station, false) {
+            return Err(lack("control", "this page does not have control: take it first"));
+        }
+        let result = crate::teaching::order(&self.panel, self.station, order);
+        let said = result.as_ref().map_or_else(|why| why.text.clone(), |()| "taken".to_owned());
+        let (user, station) = (&self.session.user, format!("panel {}", self.station));
+        self.panel.cell.archive.audit(user, &station, &format!("teach: {order:?}"), ("", ""), &said);
+        result
+    }
+
+    /// Refuses commands that came before.
+    fn counts(&mut self, seq: u32) -> Result<(), LackView> {
+        if seq <= self.commands {
+            let text = format!("command {seq} came before; allowed: greater than {}", self.commands);
+            return Err(lack("replayed", text));
+        }
+        self.commands = seq;
+        Ok(())
+    }
+
+    fn take_control(&mut self, over: bool) {
+        if let Err(why) = self.allowed("take_control") {
+            return self.answer(0, Err(why));
+        }
+        let hub = &self.panel.cell.hub;
+        match hub.take_control(self.station, over) {
+            Ok(()) => {
+                let t = hub.latest().map_or(0.0, |s| s.t);
+                let text = if over { "control taken over" } else { "control taken" };
+                self.audit("take control", text);
+                let key = if over { "control_taken_over" } else { "control_taken" };
+                hub.event(t, happening(key, []).by(Some(self.session.user.clone())));
+            }
+            Err(Refusal::Jogs) => {
+                self.answer(0, Err(lack("control", "whoever has control moves axes by hand: wait until he lets go")));
+            }
+            Err(Refusal::Held(by)) => {
+                let mut why = lack("control", format!("{} has control, on page {}", by.user, by.station));
+                why.of = vec![by.user];
+                self.answer(0, Err(why));
+            }
+        }
+    }
+
+    pub(super) fn send(&self, number: u32, ask: Ask) {
+        let command = Command { origin: Origin { user: 0, station: self.station }, number, ask };
+        // A cell that has ended closes all connections.
+        drop(self.panel.cell.desk.send(ToDesk::Command(command)));
+    }
+
+    fn answer(&self, seq: u32, result: Result<(), LackView>) {
+        let answer = FromCell::Answer { seq, ok: result.is_ok(), why: result.err() };
+        self.panel.cell.hub.tell(self.station, &answer);
+    }
+}
+
+pub(super) fn lack(key: &str, text: impl Into<String>) -> LackView {
+    LackView { key: key.to_owned(), of: Vec::new(), text: text.into() }
+}
+
+/// A command as the executive takes it, with its name in the table of permissions.
+fn executive(ask: &AskView) -> Result<(&'static str, Ask), LackView> {
+    Ok(match ask {
+        AskView::SwitchOn {} => ("switch_on", Ask::SwitchOn),
+        AskView::SwitchOff {} => ("switch_off", Ask::SwitchOff),
+        AskView::Home { axis: None } => ("home", Ask::Home),
+        AskView::Home { axis: Some(axis) } => ("home", Ask::HomeAxis(*axis)),
+        AskView::StartJog {} => ("start_jog", Ask::StartJog),
+        AskView::StartTeach {} => ("start_teach", Ask::StartTeach),
+        AskView::StartDryRun {} => ("start_dry_run", Ask::StartDryRun),
+        AskView::Arm {} => ("arm", Ask::Arm),
+        AskView::StartWeld {} => ("start_weld", Ask::StartWeld),
+        AskView::Hold {} => ("hold", Ask::Hold),
+        AskView::Resume {} => ("resume", Ask::Resume),
+        AskView::Reverse {} => ("reverse", Ask::Reverse),
+        AskView::Stop {} => ("stop", Ask::Stop),
+        AskView::Override { part } if (0.0..=1.0).contains(part) => ("override", Ask::Override(*part)),
+        AskView::Override { part } => return Err(lack("value", format!("override {part}; allowed: 0 to 1"))),
+        AskView::Reset {} => ("reset", Ask::Reset),
+        AskView::Acknowledge { one: None } => ("acknowledge", Ask::Acknowledge),
+        AskView::Acknowledge { one: Some((number, detail)) } => {
+            let alarm = Alarm::ALL.into_iter().find(|alarm| alarm.number() == usize::from(*number));
+            let alarm = alarm.ok_or_else(|| {
+                lack("value", format!("there is no alarm {number}; allowed: 1 to {}", Alarm::ALL.len()))
+            })?;
+            ("acknowledge", Ask::AcknowledgeOne(alarm, *detail))
+        }
+    })
+}
+
+/// What a page says, one message after the other, and what it is told.
+#[cfg(test)]
+pub(crate) fn hears(panel: &Arc<Panel>, session: &Session, texts: &[String]) -> Vec<String> {
+    let (station, mut told, _status) = panel.cell.hub.connect(&session.user).unwrap();
+    let mut client = Client::new(Arc::clone(panel), session.clone(), station);
+    let mut all = Vec::new();
+    for text in texts {
+        client.hears(text);
+        while let Ok(text) = told.try_recv() {
+            all.push(text.to_string());
+        }
+    }
+    panel.cell.hub.disconnect(station);
+    all
+}

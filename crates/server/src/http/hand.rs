@@ -1,0 +1,102 @@
+//! Axes moved by hand from a page.
+
+use super::client::{Client, lack};
+use crate::wire::{JogOf, LackView};
+use glam::DVec3;
+use seamwright_cell::executive::{Ask, REDUCED_MM_S};
+use seamwright_machine::{Joints, MAX_AXES};
+use seamwright_motion::jog::{self, TipFrame};
+
+/// Longest step of a key, mm or degrees.
+const MOST_STEP: f64 = 10.0;
+
+impl Client {
+    /// True: the hand may move axes, and teaching by eye stands still for it.
+    fn may_jog(&mut self, seq: u32, moves: bool) -> Result<(), LackView> {
+        self.allowed("jog")?;
+        if seq <= self.jogs {
+            return Err(lack("replayed", "it came before"));
+        }
+        self.jogs = seq;
+        if !self.panel.cell.hub.controls(self.station, moves) {
+            return Err(lack("control", "this page does not have control"));
+        }
+        if moves { self.panel.teaching.pause("hand") } else { Ok(()) }
+    }
+
+    pub(super) fn jog(&mut self, seq: u32, of: JogOf, speeds: &[f64]) -> Result<(), LackView> {
+        let moves = speeds.iter().any(|v| *v != 0.0);
+        self.may_jog(seq, moves)?;
+        self.held = None;
+        let part = |v: f64| if v.is_finite() { v.clamp(-1.0, 1.0) } else { 0.0 };
+        let command = match of {
+            _ if !moves => jog::Command::Rest,
+            JogOf::Joints => {
+                let machine = self.panel.cell.hub.machine().ok_or_else(|| lack("work", "there is no machine"))?;
+                let mut all: Joints = [0.0; MAX_AXES];
+                for ((speed, axis), v) in all.iter_mut().zip(&machine.axes).zip(speeds) {
+                    *speed = part(*v) * axis.max_speed;
+                }
+                jog::Command::Speeds(all)
+            }
+            JogOf::Tip => {
+                let at = |i: usize| speeds.get(i).map_or(0.0, |v| part(*v));
+                let velocity = REDUCED_MM_S * DVec3::new(at(0), at(1), at(2)).clamp_length_max(1.0);
+                jog::Command::Tip { frame: TipFrame::Work, velocity }
+            }
+        };
+        self.send(seq, Ask::Jog(command));
+        Ok(())
+    }
+
+    /// On to where the first step since the hand let go leads.
+    pub(super) fn step(&mut self, seq: u32, of: JogOf, index: u32, by: f64) -> Result<(), LackView> {
+        self.may_jog(seq, true)?;
+        let target = match self.held {
+            Some(target) => target,
+            None => self.stepped(of, index as usize, by)?,
+        };
+        self.held = Some(target);
+        self.send(seq, Ask::Jog(jog::Command::To(target)));
+        Ok(())
+    }
+
+    /// Where a step leads from where the axes shall be.
+    fn stepped(&self, of: JogOf, index: usize, by: f64) -> Result<Joints, LackView> {
+        if !(-MOST_STEP..=MOST_STEP).contains(&by) {
+            return Err(lack("value", format!("a step of {by}; allowed: {MOST_STEP} of either sign")));
+        }
+        let hub = &self.panel.cell.hub;
+        let known = hub.machine().zip(hub.set_points());
+        let (machine, mut q) = known.ok_or_else(|| lack("references", "where the axes are is not known"))?;
+        match of {
+            JogOf::Joints => {
+                let axis = machine.axes.get(index).ok_or_else(|| lack("value", "there is no such axis"))?;
+                q[index] += axis.from_file(by);
+                if let Some((low, high)) = axis.range {
+                    q[index] = q[index].clamp(low, high);
+                }
+                Ok(q)
+            }
+            JogOf::Tip if index < 3 => {
+                let mut pose = machine.forward(&q);
+                pose.point[index] += by;
+                let there = machine.inverse_near(pose, &q).map_err(|e| lack("motion", e.to_string()))?;
+                Ok(there.joints)
+            }
+            JogOf::Tip => Err(lack("value", "the tip has x, y and z")),
+        }
+    }
+
+    pub(super) fn go(&mut self, seq: u32, axes: &[f64]) -> Result<(), LackView> {
+        self.may_jog(seq, true)?;
+        self.held = None;
+        let machine = self.panel.cell.hub.machine().ok_or_else(|| lack("work", "there is no machine"))?;
+        if axes.len() != machine.axes.len() {
+            return Err(lack("value", format!("{} axes; allowed: {}", axes.len(), machine.axes.len())));
+        }
+        let target = seamwright_cell::teach::joints(&machine, axes);
+        self.send(seq, Ask::Jog(jog::Command::To(target)));
+        Ok(())
+    }
+}

@@ -1,0 +1,260 @@
+//! Sensors set up: how a camera's pixels become mm, from a picture of a grid; the numbers of the machine file.
+
+use super::answer::{Answer, Refused};
+use super::panel::Panel;
+use super::setup::{OfCell, of_cell, tell};
+use crate::users::Session;
+use crate::view::{SENSOR_KEYS, height_view, sensors_view, steps};
+use crate::wire::{HeightView, SensorAnswer, SensorChange, SensorsView};
+use axum::body::Bytes;
+use axum::extract::{Query, State};
+use axum::http::header;
+use axum::response::{IntoResponse as _, Response};
+use axum::{Extension, Json};
+use seamwright_cell::eyes::plate;
+use seamwright_cell::frames::decode;
+use seamwright_geometry::{HeightTable, MapParameters};
+use seamwright_machine::{Machine, Sensor, Sight};
+use seamwright_project::overlay::Overlay;
+use seamwright_project::own_machine::{OwnMachine, Setting, Step};
+use seamwright_vision::Image;
+use seamwright_vision::camera::{Dot, Grid, GridError, identify};
+use serde::Deserialize;
+use std::sync::Arc;
+
+/// Dots that are farther from any map than this (RMS) are not those of the grid, or not sharp, pixels.
+const LIMIT_PX: f64 = 0.3;
+/// A scale that differs by a greater part was not a lens that moved: the pitch, the height or the sensor is another one.
+const FAR: f64 = 0.1;
+/// Most planes of a camera.
+const MOST_HEIGHTS: usize = 100;
+/// Most pixels of a simulated picture.
+const MOST_PX: usize = 1 << 23;
+
+/// What is known of a picture of a grid.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Plate {
+    /// The sensor.
+    name: String,
+    /// From dot to dot, mm.
+    pitch_mm: f64,
+    /// The plate's z in the sensor's frame, mm.
+    z_mm: f64,
+    /// Of a simulated picture.
+    #[serde(default)]
+    seed: u64,
+}
+
+/// A camera of the machine, and what it is believed to be at the plate's height.
+fn camera<'a>(machine: &'a Machine, of: &Plate) -> Result<(&'a Sensor, MapParameters), Refused> {
+    let sensor = sensor(machine, &of.name)?;
+    let Sight::Camera(camera) = &sensor.sight else {
+        let text = format!("`{}` is no camera; allowed: a sensor with `map.heights`", of.name);
+        return Err(Refused::input(text));
+    };
+    if !of.pitch_mm.is_finite() || of.pitch_mm <= 0.0 || !of.z_mm.is_finite() {
+        let text = format!("pitch_mm {}, z_mm {}; allowed: a pitch greater than 0", of.pitch_mm, of.z_mm);
+        return Err(Refused::input(text));
+    }
+    let believed = nearest(&camera.table, -of.z_mm).map_err(|e| Refused::input(e.to_string()))?;
+    Ok((sensor, believed))
+}
+
+fn nearest(table: &HeightTable, height: f64) -> Result<MapParameters, seamwright_geometry::HeightError> {
+    let (low, high) = table.range();
+    table.at(height.clamp(low, high)).map(|map| *map.parameters())
+}
+
+fn sensor<'a>(machine: &'a Machine, name: &str) -> Result<&'a Sensor, Refused> {
+    let names = || machine.sensors.iter().map(|s| s.name.as_str()).collect::<Vec<_>>().join(", ");
+    let found = machine.sensors.iter().find(|sensor| sensor.name == name);
+    found.ok_or_else(|| Refused::input(format!("there is no sensor `{name}`; allowed: {}", names())))
+}
+
+fn view(of: &OfCell, panel: &Panel) -> Result<SensorsView, Refused> {
+    let sensors = sensors_view(&of.own, &of.machine)?;
+    let simulated = of.machine.devices.is_empty();
+    Ok(SensorsView { file: of.file(panel), pending: of.pending(panel), simulated, sensors })
+}
+
+pub(super) async fn sensors(State(panel): State<Arc<Panel>>) -> Answer<SensorsView> {
+    let on = Arc::clone(&panel);
+    panel.drawing.run(move || view(&of_cell(&on)?, &on)).await.map(Json)
+}
+
+pub(super) async fn picture(State(panel): State<Arc<Panel>>, Query(asked): Query<Plate>) -> Result<Response, Refused> {
+    let on = Arc::clone(&panel);
+    let painted = move || {
+        let machine = of_cell(&on)?.machine;
+        let (sensor, believed) = camera(&machine, &asked)?;
+        let count: usize = sensor.size_px.iter().product();
+        if !machine.devices.is_empty() || count > MOST_PX {
+            return Err(Refused::input(format!(
+                "it is not simulated; allowed: simulated devices, up to {MOST_PX} pixels"
+            )));
+        }
+        let (image, _) = plate(&believed, asked.pitch_mm, asked.seed).map_err(|e| Refused::input(e.to_string()))?;
+        let frame = image.frame().map_err(|e| Refused::server(e.to_string()))?;
+        Ok(Overlay::of(&frame).png()?)
+    };
+    let png = panel.drawing.run(painted).await?;
+    Ok(([(header::CONTENT_TYPE, "image/png")], png).into_response())
+}
+
+pub(super) async fn find(
+    State(panel): State<Arc<Panel>>,
+    Query(asked): Query<Plate>,
+    png: Bytes,
+) -> Answer<SensorAnswer> {
+    let on = Arc::clone(&panel);
+    let found = move || {
+        let machine = of_cell(&on)?.machine;
+        let (sensor, believed) = camera(&machine, &asked)?;
+        Ok(match decode(&png) {
+            Ok(image) => seen(&image, sensor, &believed, &asked),
+            Err(e) => none("picture", vec![], e.to_string()),
+        })
+    };
+    panel.drawing.run(found).await.map(Json)
+}
+
+/// No map, and why.
+fn none(verdict: &str, of: Vec<String>, text: String) -> SensorAnswer {
+    let (was, found, dots) = (None, None, Vec::new());
+    SensorAnswer { verdict: verdict.to_owned(), of, text, was, found, dots, rms_px: 0.0, max_px: 0.0 }
+}
+
+fn seen(image: &Image, sensor: &Sensor, believed: &MapParameters, plate: &Plate) -> SensorAnswer {
+    let frame = match image.frame() {
+        Ok(frame) => frame,
+        Err(e) => return none("picture", vec![], e.to_string()),
+    };
+    let (has, [width, height]) = ([frame.width(), frame.height()], sensor.size_px);
+    if has != sensor.size_px {
+        let text = format!("the picture has {} x {} pixels; allowed: {width} x {height}", has[0], has[1]);
+        let of = [has, sensor.size_px].map(|size| format!("{} x {}", size[0], size[1]));
+        return none("size", of.to_vec(), text);
+    }
+    let grid = Grid { pitch_mm: plate.pitch_mm, centre_px: Some(believed.centre_px), limit_px: LIMIT_PX };
+    let found = match identify(&frame, &grid) {
+        Ok(found) => found,
+        Err(e) => return refused(&e),
+    };
+    let mut is = *found.map.parameters();
+    // A grid does not tell quarter turns: the one nearest to what is believed.
+    let quarter = std::f64::consts::FRAC_PI_2;
+    is.rotation += quarter * ((believed.rotation - is.rotation) / quarter).round();
+    let change = ((is.mm_per_px - believed.mm_per_px) / believed.mm_per_px).abs().max_element();
+    let far = change > FAR;
+    let dot = |dot: &Dot| [dot.px.x, dot.px.y, dot.off_px.x, dot.off_px.y];
+    SensorAnswer {
+        verdict: if far { "far" } else { "good" }.to_owned(),
+        of: if far { vec![format!("{:.0}", 100.0 * change)] } else { vec![] },
+        text: if far {
+            format!("the scale differs by {:.0} %: are pitch and height right?", 100.0 * change)
+        } else {
+            String::new()
+        },
+        was: Some(height_view(plate.z_mm, believed)),
+        found: Some(height_view(plate.z_mm, &is)),
+        dots: found.dots.iter().map(dot).collect(),
+        rms_px: found.rms_px,
+        max_px: found.max_px,
+    }
+}
+
+fn refused(e: &GridError) -> SensorAnswer {
+    let (verdict, of) = match *e {
+        GridError::Plain(part) => ("plain", vec![format!("{part:.1}")]),
+        GridError::Few { found } => ("few", vec![found.to_string()]),
+        GridError::Tangled { x, y } => ("tangled", vec![format!("{x:.0}"), format!("{y:.0}")]),
+        GridError::Corner(part) => ("corner", vec![format!("{part:.0}")]),
+        GridError::Residual { rms, max } => ("residual", vec![format!("{rms:.2}"), format!("{max:.2}")]),
+        GridError::Pitch(_) | GridError::Map(_) => ("map", vec![]),
+    };
+    none(verdict, of, e.to_string())
+}
+
+pub(super) async fn keep(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    Json(asked): Json<SensorChange>,
+) -> Answer<SensorsView> {
+    let on = Arc::clone(&panel);
+    let kept = move || {
+        let panel = &on;
+        let of = of_cell(panel)?;
+        let name = &sensor(&of.machine, &asked.name)?.name;
+        let before = of.own.text.clone();
+        let mut text = before.clone();
+        let (mut old, mut new) = (Vec::new(), Vec::new());
+        for (key, numbers) in &asked.values {
+            let own = OwnMachine { path: of.own.path.clone(), text };
+            let (tables, last) = known(key, numbers)?;
+            let table = steps(name, tables);
+            old.push(format!("{key} {:?}", own.rows(&table, &[last])?.concat()));
+            new.push(format!("{key} {numbers:?}"));
+            let setting =
+                if let [one] = numbers[..] { Setting::Number(Some(one)) } else { Setting::Row(numbers.clone()) };
+            text = own.with(&table, &[(last, setting)])?;
+        }
+        if let Some(heights) = &asked.heights {
+            let own = OwnMachine { path: of.own.path.clone(), text };
+            let had = sensors_view(&of.own, &of.machine)?.into_iter().find(|s| s.name == *name);
+            let had = had.map_or_else(Vec::new, |sensor| sensor.heights);
+            old.push(format!("heights {had:?}"));
+            new.push(format!("heights {heights:?}"));
+            text = with_heights(&own, name, had.len(), heights)?;
+        }
+        let name = name.clone();
+        let kept = of.keep(text)?;
+        let view = view(&kept, panel)?;
+        tell(panel, &session.user, ("sensor_changed", &name, &view.file), (&old.join(", "), &new.join(", ")));
+        Ok(view)
+    };
+    panel.planning.run(kept).await.map(Json)
+}
+
+/// The tables and the key of a sensor's number, if it has one of that name and length.
+fn known(key: &str, numbers: &[f64]) -> Result<(&'static [&'static str], &'static str), Refused> {
+    let path = |(tables, key, ..): &(&[&str], &str, &str, u32)| [tables, &[*key][..]].concat().join(".");
+    let Some(row) = SENSOR_KEYS.iter().find(|row| path(row) == key) else {
+        let allowed: Vec<String> = SENSOR_KEYS.iter().map(path).collect();
+        return Err(Refused::input(format!("there is no `{key}`; allowed: {}", allowed.join(", "))));
+    };
+    if !numbers.is_empty() && numbers.len() != row.3 as usize {
+        return Err(Refused::input(format!("`{key}` has {} numbers; allowed: {}", numbers.len(), row.3)));
+    }
+    Ok((row.0, row.1))
+}
+
+/// The text with these planes. As many as before are changed one by one, so that comments between them stay.
+fn with_heights(own: &OwnMachine, name: &str, had: usize, heights: &[HeightView]) -> Result<String, Refused> {
+    if heights.len() > MOST_HEIGHTS {
+        return Err(Refused::input(format!("{} planes; allowed: up to {MOST_HEIGHTS}", heights.len())));
+    }
+    let rows: Vec<Vec<(&str, Setting)>> = heights.iter().map(row).collect();
+    let map = steps(name, &["map"]);
+    if rows.len() != had {
+        return Ok(own.with(&map, &[("heights", Setting::Tables(rows))])?);
+    }
+    let mut own = OwnMachine { path: own.path.clone(), text: own.text.clone() };
+    for (i, row) in rows.iter().enumerate() {
+        own.text = own.with(&[&map[..], &[Step::Nth("heights", i)]].concat(), row)?;
+    }
+    Ok(own.text)
+}
+
+/// A plane as it stands in the file: what is nothing is left out.
+fn row(of: &HeightView) -> Vec<(&'static str, Setting)> {
+    let number = |v: f64| Setting::Number((v != 0.0).then_some(v));
+    vec![
+        ("z_mm", Setting::Number(Some(of.z_mm))),
+        ("mm_per_px", Setting::Row(of.mm_per_px.to_vec())),
+        ("centre_px", Setting::Row(of.centre_px.map_or_else(Vec::new, |c| c.to_vec()))),
+        ("rotation_deg", number(of.rotation_deg)),
+        ("shear", number(of.shear)),
+        ("barrel", number(of.barrel)),
+    ]
+}

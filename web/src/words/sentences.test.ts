@@ -1,0 +1,49 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { describe, expect, test } from 'vitest';
+import { rows, sentence } from './sentences';
+
+/** All strings of these crates, with holes for whatever stands in them; a line that ends in a backslash goes on. */
+const sources = ['motion', 'weld', 'program', 'machine'].flatMap((crate) => {
+  const folder = new URL(`../../../crates/${crate}/src/`, import.meta.url);
+  return readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.rs')).map((name) => readFileSync(new URL(name, folder), 'utf8'));
+}).join('\n').replace(/\\\n\s*/g, '').replace(/\\"/g, '"').replace(/\{[^{}"\n]*\}/g, '{}');
+
+const bare = (text: string): string => text.replace(/\{[^{}"]*\}/g, '{}');
+const holes = (text: string): string => [...new Set(text.match(/\{\d\}/g))].sort().join();
+
+describe('sentences of plans', () => {
+  test('are those of the cell', () => {
+    const pieces = rows.flatMap(([en]) => en.split('|')).map((piece) => bare(piece).replace(/^; /, '').trim()).filter((piece) => piece !== '{}' && piece !== '{} to {}');
+    expect(pieces.length).toBeGreaterThan(80);
+    expect(pieces.filter((piece) => !sources.includes(piece))).toEqual([]);
+  });
+
+  test('have the same holes in every language', () => {
+    for (const row of rows) for (const text of row) expect(holes(text), text).toBe(holes(row[0]));
+    for (const [en, ...others] of rows) for (const text of others) expect(text.length, en).toBeGreaterThan(0);
+  });
+
+  test('every finding and cure of the cell that is a sentence of its own has words', () => {
+    const files = ['pass_motion', 'corners', 'survey', 'limits', 'singular', 'arc_limits', 'pass_clearance', 'weld_motion', 'redundancy/explain', 'procedure/findings'];
+    const texts = files.map((file) => readFileSync(new URL(`../../../crates/motion/src/${file}.rs`, import.meta.url), 'utf8').replace(/\\\n\s*/g, '').replace(/\\"/g, '\u0001'));
+    const said = texts.flatMap((text) => [...text.matchAll(/(?:message: |cure: |let message = |let cure = |=> )(?:format!\(\s*)?"([^"]{12,})"/g)].map((m) => m[1] ?? ''));
+    expect(said.length).toBeGreaterThan(30);
+    // Numbers stand where the holes are.
+    const filled = said.map((text) => text.replaceAll('\u0001', '"').replace(/\{[^{}]*\}/g, '7'));
+    // Parts of sentences, and what names keys of files only.
+    const mine = ['the pass does not give', 'give 7', 'allowed: 7', 'the faces of the joint', 'take work_angle', 'set weld.corner = "stop" to stop there with the arc on; or weave', 'the 7 is 7', '7 is 7'];
+    const words = (text: string): boolean => /\p{L}{3}/u.test(text);
+    expect(filled.filter((text) => words(text) && !mine.some((start) => text.startsWith(start)) && sentence(text, 'de') === text)).toEqual([]);
+  });
+
+  test('are found again with what stands in them, also one in another', () => {
+    const slow = 'axis theta cannot keep 10.000 mm/s: its acceleration limit of 20.000 deg/s^2 allows 9.412 mm/s';
+    expect(sentence(slow, 'de')).toBe('Achse theta kann 10.000 mm/s nicht halten: ihre Grenze der Beschleunigung von 20.000 deg/s^2 erlaubt 9.412 mm/s');
+    expect(sentence('the air move from pass 1 to pass 2: wire guide runs into shell (least 5 mm)', 'de')).toBe('der Luftweg von Lage 1 zu Lage 2: wire guide stößt an shell (mindestens 5 mm)');
+    expect(sentence('the heat input is 1.9 kJ/mm at s = 3.000 mm; WPS-1 allows (fill) 0.8 to 1.1', 'de')).toBe('Streckenenergie ist 1.9 kJ/mm bei s = 3.000 mm; WPS-1 erlaubt (fill) 0.8 bis 1.1');
+    expect(sentence('ask for less speed there; or use a procedure that is qualified for it', 'uk')).toBe('задайте там меншу швидкість; або візьміть технологію, яка це дозволяє');
+    expect(sentence('saddle: the axes cannot reach the point; it is 3.0000 mm off', 'zh')).toBe('saddle: 各轴到不了该点：差 3.0000 mm');
+    expect(sentence(slow, 'en')).toBe(slow);
+    expect(sentence('what nobody has said', 'ru')).toBe('what nobody has said');
+  });
+});
