@@ -6,7 +6,7 @@ use crate::pace::shield::Breach;
 use crate::pace::timed::{Pacing, Rates, Timed};
 
 /// Courses tried in a period; if none holds, the one before goes on.
-const ATTEMPTS: usize = 8;
+const ATTEMPTS: usize = 10;
 /// Periods before looking again when none held.
 const PAUSE: u32 = 2;
 /// A stop that may take this much longer than the axes need at least is not looked at yet.
@@ -53,7 +53,8 @@ impl<L: Timed + ?Sized> Pace<'_, L> {
                     self.boldness = (self.boldness * 0.6).max(1e-3);
                     (part, delay) = (part * 0.8, 0.0);
                 }
-                Err(_) => part *= 0.4,
+                // Near the begin of a law its rates grow within the period: a little less may hold.
+                Err(_) => part *= if part > 0.6 { 0.8 } else { 0.4 },
             }
         }
         // Nothing holds just now: looks again a little later.
@@ -119,7 +120,11 @@ impl<L: Timed + ?Sized> Pace<'_, L> {
         }
         let gained = (self.course.steady - goal).abs() - (course.steady - goal).abs();
         let sooner = course.duration() < self.course.duration() - self.elapsed;
-        gained > NEAR || (gained > -NEAR && sooner)
+        // How far a course comes by its way back counts for less than what it does first: the one followed may come farther only
+        // because its way back is slow.
+        let after = |course: &Course, t: f64| (course.at(t + self.period).pace.phi - goal).abs();
+        let ahead = after(course, 0.0) < after(&self.course, self.elapsed) - NEAR;
+        gained > NEAR || (gained > -NEAR && sooner) || ahead
     }
 
     /// The course if it holds; with a stop at `place` added if that is not far.
