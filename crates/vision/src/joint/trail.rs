@@ -11,9 +11,6 @@ pub(super) const ROWS: usize = 48;
 const BACK: usize = 10;
 /// ... of which this many places are taken.
 const TAKEN: usize = 20;
-/// ... or this many where all of the strip shows a joint that is so many standard deviations deep.
-const TAKEN_CLEAR: usize = 24;
-const CLEAR: f32 = 6.0;
 /// Places that the way on is fitted to.
 const FITTED: usize = 44;
 /// What each pixel of distance from where the path is expected costs, beyond the free ones, nats.
@@ -185,7 +182,7 @@ impl Trail {
         self.places.clear();
         // A later frame is not to allocate.
         self.aside.clear();
-        self.aside.reserve(TAKEN_CLEAR + 2 * CHORD);
+        self.aside.reserve(TAKEN + 2 * CHORD);
         self.solid = 0;
         let (mut axis, mut gap, mut back, mut checked) = (look.axis, 0usize, 0usize, 0usize);
         // Places that are not seen less those that are seen again: chance finds of texture add up to a gap.
@@ -200,10 +197,8 @@ impl Trail {
                 (known, known_to) = (axis, self.places.len());
             }
             self.see(picture, &axis, from, look, gap);
-            let clear = self.count() == ROWS && look.contrast > CLEAR * look.noise;
-            let most = if clear { TAKEN_CLEAR } else { TAKEN };
             let mut taken = 0;
-            for i in back..back + most {
+            for i in back..back + TAKEN {
                 let across = column_about(&self.path, i, 3) - MID as f32;
                 if taken >= TAKEN / 2 && across.abs() > BESIDE && self.seen[i] {
                     break;
@@ -242,7 +237,7 @@ impl Trail {
                 self.see(picture, &axis, from, look, gap);
             }
             self.learn(look);
-            axis = self.way_on(&axis, taken as f32, if taken < most { FITTED / 2 } else { FITTED });
+            axis = self.way_on(&axis, taken as f32, if taken < TAKEN { FITTED / 2 } else { FITTED });
             back = BACK;
         }
     }
@@ -363,7 +358,7 @@ impl Trail {
     /// The place before a turn that is sharper than a joint's, among the last places and after those that were checked.
     fn corner(&self, checked: usize) -> Option<usize> {
         let (places, most) = (&self.places, CORNER.tan());
-        let from = places.len().saturating_sub(TAKEN_CLEAR + CHORD).max(CHORD).max(checked);
+        let from = places.len().saturating_sub(TAKEN + CHORD).max(CHORD).max(checked);
         (from..places.len().saturating_sub(CHORD)).find_map(|i| {
             let [a, b, c] = [places[i - CHORD].at, places[i].at, places[i + CHORD].at];
             let (before, after) = ([b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]);
