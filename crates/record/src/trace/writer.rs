@@ -99,8 +99,10 @@ impl TraceWriter {
         self.lost += last.lost;
         (self.number, self.in_part) = (self.number + 1, 0);
         self.wait();
-        let last = last.path.clone();
-        self.finishing = Some(std::thread::spawn(move || finished(&last)));
+        let path = last.path.clone();
+        // Lets go of the lock before the thread asks for it.
+        drop(last);
+        self.finishing = Some(std::thread::spawn(move || finished(&path)));
         Ok(())
     }
 
@@ -225,6 +227,20 @@ mod tests {
         assert!(told.contains("no column y_mm") && told.contains("t_s, x_mm"), "{told}");
         // Nothing else is left.
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3);
+    }
+
+    /// A part that ends lets go of its file before the thread that makes it Parquet asks for it.
+    #[test]
+    fn many_parts_follow_each_other() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("trace.parquet");
+        let mut writer = TraceWriter::create(&path, &columns(), &[], 5).unwrap();
+        (0..1000).for_each(|i| writer.row(row(i)).unwrap());
+        let parts = writer.finish().unwrap();
+        assert_eq!(parts.len(), 200);
+        for (first, part) in (0..).step_by(5).zip(&parts) {
+            check(&read(&part.path), first);
+        }
     }
 
     #[test]
