@@ -3,8 +3,8 @@ import type { PassView, PathPoint } from '../wire';
 /** Part of a pass: pass from 0, path lengths in mm. */
 export type Stretch = { pass: number; from: number; to: number };
 
-/** Path lengths nearer than this are one, mm: they cross the line rounded. */
-const NOTHING_MM = 2e-3;
+/** Path lengths nearer than this are one, mm. */
+const NOTHING_MM = 1e-6;
 
 /** The span of a pass in which a path length lies; the whole pass if it does not say. */
 export function spanAt(pass: PassView, s: number): [number, number] {
