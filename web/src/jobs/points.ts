@@ -36,20 +36,16 @@ function numbers(value: Value): number[] {
   return value.kind === 'list' ? value.items.map((item) => (item.kind === 'number' ? item.number : NaN)) : [];
 }
 
-/** The sample of a pass nearest to a path length, mm. */
-export function sampleNear(path: PathPoint[], s_mm: number): number {
-  return least(path.map((point) => Math.abs(point.s_mm - s_mm)));
+/** The last sample of a pass at or before a path length, mm: in the span that leads there. */
+export function sampleBefore(path: PathPoint[], s_mm: number): number {
+  return Math.max(0, path.findLastIndex((point) => point.s_mm <= s_mm + 1e-9));
 }
 
 /** The row of the point that is reached nearest to a path length; `points_mm` are those of the plan. */
 export function rowNear(points_mm: number[], s_mm: number): number {
-  return least(points_mm.map((of) => Math.abs(of - s_mm)));
-}
-
-function least(values: number[]): number {
   let best = 0;
-  values.forEach((value, i) => {
-    if (value < (values[best] ?? Infinity)) best = i;
+  points_mm.forEach((of, i) => {
+    if (Math.abs(of - s_mm) < Math.abs((points_mm[best] ?? Infinity) - s_mm)) best = i;
   });
   return best;
 }
