@@ -283,6 +283,8 @@ test('limits: what bounds the speed where, linked with 3D, and what is used of e
   await planned();
   const field = one.getByRole('textbox', { name: 'speed [mm/s]' }).first();
   await field.fill('60');
+  // Planning begins when the hand rests.
+  await sleep(800);
   await planned();
   await one.getByRole('button', { name: 'Limits', exact: true }).click();
   const page = one.locator('.right .page');
@@ -293,7 +295,8 @@ test('limits: what bounds the speed where, linked with 3D, and what is used of e
   const [from, to] = (await stretch.textContent()).match(/s ([0-9.]+)–([0-9.]+)/).slice(1).map(Number);
   const at = Number((await card.textContent()).match(/s ([0-9.]+) mm/)[1]);
   assert.ok(at >= from - 1 && at <= to + 1, `${at} is not in ${from} to ${to}`);
-  // Every chart shows its values there.
+  // Every chart shows its values there, as soon as it is drawn.
+  await page.locator('figcaption').nth(2).getByText(`${at.toFixed(1)} mm`).waitFor();
   const captions = await page.locator('figcaption').allTextContents();
   assert.ok(captions.length === 3 && captions.every((text) => text.includes(`${at.toFixed(1)} mm`)), `${captions}`);
   assert.match(captions[1], /^ ?x.*speed ≤ \d.* % of \d.*mm\/s.*jerk ≤/);
