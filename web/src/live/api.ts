@@ -65,15 +65,21 @@ async function request<T>(method: string, path: string, body?: unknown, signal?:
     headers['x-seamwright'] = token;
   }
   const text = method === 'GET' ? null : file ? body : JSON.stringify(body ?? {});
+  const response = await answered(path, { method, headers, body: text, signal: signal ?? null });
+  if (response.status === 204 || response.status === 202) return undefined as T;
+  return (await response.json()) as T;
+}
+
+/** What the server answers if it takes what it is asked. */
+async function answered(path: string, init: RequestInit = {}): Promise<Response> {
   let response: Response;
   try {
-    response = await fetch(path, { method, headers, body: text, signal: signal ?? null, cache: 'no-store' });
+    response = await fetch(path, { ...init, cache: 'no-store' });
   } catch (error) {
     if (error instanceof DOMException && error.name === 'AbortError') throw error;
     throw new Refusal(0, 'lost', String(error));
   }
-  if (response.status === 204 || response.status === 202) return undefined as T;
-  if (response.ok) return (await response.json()) as T;
+  if (response.ok) return response;
   const trouble = (await response.json().catch(() => null)) as Trouble | null;
   throw new Refusal(response.status, trouble?.key ?? 'server', trouble?.text ?? response.statusText);
 }
@@ -85,16 +91,6 @@ type Plate = { name: string; pitch_mm: number; z_mm: number };
 
 const query = (of: Record<string, string | number>): string =>
   new URLSearchParams(Object.entries(of).map(([key, value]) => [key, String(value)])).toString();
-
-/** A picture. */
-async function blob(path: string): Promise<Blob> {
-  const response = await fetch(path, { cache: 'no-store' }).catch((error: unknown) => {
-    throw new Refusal(0, 'lost', String(error));
-  });
-  if (response.ok) return response.blob();
-  const trouble = (await response.json().catch(() => null)) as Trouble | null;
-  throw new Refusal(response.status, trouble?.key ?? 'server', trouble?.text ?? response.statusText);
-}
 
 /** The server's routes, one function each. */
 export const api = {
@@ -140,7 +136,7 @@ export const api = {
   /** What a picture of a grid of dots says of a camera. */
   findSensor: (plate: Plate, picture: Blob) =>
     request<SensorAnswer>('POST', `/api/sensor?${query(plate)}`, new Blob([picture], { type: 'image/png' })),
-  gridPicture: (plate: Plate & { seed: number }) => blob(`/api/sensor/picture?${query(plate)}`),
+  gridPicture: (plate: Plate & { seed: number }) => answered(`/api/sensor/picture?${query(plate)}`).then((response) => response.blob()),
   keepSensor: (change: SensorChange) => request<SensorsView>('PUT', '/api/sensor', change),
   shelve: (of: Shelving) => request<void>('POST', '/api/alarms/shelve', of),
   audit: (most: number) => request<AuditRow[]>('GET', `/api/audit?most=${most}`),
