@@ -1,9 +1,9 @@
 use super::block::{Block, Shape};
+use super::knots::{Knots, Timed};
 use super::thin::kept;
 use super::{MachineAxes, Numbers, PointPath, Row};
 use glam::DVec3;
 use seamwright_document::{Direction, Document, DocumentError, Finite, NonNegative, Positive};
-use seamwright_geometry::CubicSpline;
 use seamwright_program::{
     Along, ArcThrough, Columns, Pass, PointSpan, Points, ProcessValue, Program, Span, SpanValue, tip_way,
 };
@@ -17,15 +17,6 @@ const SHORTEST_S: f64 = 1e-9;
 const ROUNDS: usize = 30;
 /// ... until each piece takes as long as it should within this part.
 const IN_TIME: f64 = 1e-4;
-
-/// A block before its place on the path is known.
-struct Timed {
-    block: Block,
-    /// How long it takes, s.
-    seconds: f64,
-    /// Index of the point it ends at.
-    point: usize,
-}
 
 impl PointPath {
     /// The path of pass `number` (counted from 0) of `program`, which goes through points; `machine` gets the machine's
@@ -243,6 +234,24 @@ impl Builder<'_> {
 
     /// The cubic spline through the points of a span, by time; of recorded ones through those that are needed.
     fn spline(&self, span: &PointSpan, here: &Row, rows: &[Row]) -> Vec<Timed> {
+        let mut knots = self.knots(span, here, rows);
+        let mut pieces = knots.pieces();
+        if self.columns.timed {
+            return pieces;
+        }
+        // The speed is given: a piece takes as much longer than its chords as it is longer.
+        for _ in 0..ROUNDS {
+            let ways: Vec<f64> = pieces.iter().map(|piece| self.way(&piece.block)).collect();
+            if knots.retime(&ways) <= IN_TIME {
+                break;
+            }
+            pieces = knots.pieces();
+        }
+        pieces
+    }
+
+    /// What a span's spline goes through, timed by its chords.
+    fn knots(&self, span: &PointSpan, here: &Row, rows: &[Row]) -> Knots {
         let rows: Vec<Row> = std::iter::once(*here).chain(rows.iter().copied()).collect();
         let (mut at, mut ways) = (vec![0.0], vec![0.0]);
         for (k, point) in span.points.iter().enumerate() {
@@ -250,32 +259,18 @@ impl Builder<'_> {
             at.push(at[k] + chord.seconds.max(SHORTEST_S));
             ways.push(ways[k] + self.way(&chord.block));
         }
-        let kept = match span.along {
+        let points = match span.along {
             Along::Taught => kept(&at, &rows, &self.near()),
             _ => (0..rows.len()).collect(),
         };
-        let rows: Vec<Row> = kept.iter().map(|&i| rows[i]).collect();
         let chord = |gap: &[usize]| (at[gap[1]] - at[gap[0]], ways[gap[1]] - ways[gap[0]]);
-        let chords: Vec<(f64, f64)> = kept.windows(2).map(chord).collect();
-        let mut at: Vec<f64> = kept.iter().map(|&i| at[i]).collect();
-        let mut pieces = pieces(&at, &rows, &kept, span.stops);
-        if self.columns.timed {
-            return pieces;
+        Knots {
+            chords: points.windows(2).map(chord).collect(),
+            rows: points.iter().map(|&i| rows[i]).collect(),
+            at: points.iter().map(|&i| at[i]).collect(),
+            stops: span.stops,
+            points,
         }
-        // The speed is given: a piece takes as much longer than its chords as it is longer.
-        for _ in 0..ROUNDS {
-            let mut is_in_time = true;
-            for (k, (piece, (seconds, way))) in pieces.iter().zip(&chords).enumerate() {
-                let longer = if *way > 0.0 { self.way(&piece.block) / way } else { 1.0 };
-                is_in_time &= (seconds * longer - piece.seconds).abs() <= IN_TIME * piece.seconds;
-                at[k + 1] = at[k] + seconds * longer;
-            }
-            if is_in_time {
-                break;
-            }
-            pieces = self::pieces(&at, &rows, &kept, span.stops);
-        }
-        pieces
     }
 
     /// How far from a recorded point its numbers may be: half the pass' tolerance, rotary axes and directions as much at
@@ -288,31 +283,6 @@ impl Builder<'_> {
         };
         std::array::from_fn(|i| if linear(i) { half } else { half / 100.0 })
     }
-}
-
-/// The natural spline through `rows` by the time `at` each, in pieces; `points` are their numbers.
-fn pieces(at: &[f64], rows: &[Row], points: &[usize], stops: bool) -> Vec<Timed> {
-    let slopes = slopes(at, rows);
-    let piece = |k: usize| {
-        let seconds = at[k + 1] - at[k];
-        let cubic = [slopes[k], slopes[k + 1]].map(|row| row.map(|slope| slope * seconds));
-        let shape = Shape::Cubic(Box::new(cubic));
-        let (from, to, is_continued) = (0.0, 0.0, k > 0 && !stops);
-        let block = Block { from, to, start: rows[k], end: rows[k + 1], shape, stops, is_continued };
-        Timed { block, seconds, point: points[k + 1] }
-    };
-    (0..rows.len() - 1).map(piece).collect()
-}
-
-/// Slopes by time of the natural spline through rows.
-fn slopes(at: &[f64], rows: &[Row]) -> Vec<Row> {
-    let column = |k: usize| {
-        let points: Vec<(f64, f64)> = at.iter().zip(rows).map(|(at, row)| (*at, row[k])).collect();
-        CubicSpline::natural(&points).ok()
-    };
-    let columns: Vec<Option<CubicSpline>> = (0..Row::default().len()).map(column).collect();
-    let slope = |at: f64, k: usize| columns[k].as_ref().map_or(0.0, |spline| spline.at(at).1);
-    at.iter().map(|at| std::array::from_fn(|k| slope(*at, k))).collect()
 }
 
 /// The pass' spans: process values from point to point. Points between which nothing changes are one span.

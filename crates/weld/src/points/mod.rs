@@ -2,6 +2,7 @@
 
 mod block;
 mod build;
+mod knots;
 mod thin;
 
 use block::Block;
