@@ -32,7 +32,6 @@ fn a_hold_just_after_the_start_is_no_slow_stop() {
                 to[i] += (low + (high - low) * random() - from[i]) * size;
             }
             let leg = Leg::new(&machine, &from, &to);
-
             for periods in 1..=FIRST {
                 let mut pace = Pace::new(&limits, PERIOD, &leg).unwrap();
                 pace.command(Command::Resume).unwrap();

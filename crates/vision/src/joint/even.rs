@@ -46,7 +46,6 @@ impl Even {
 
     /// How far to the right of a place, seen along `tangent`, the parabola through the rows about row `i` crosses that row's
     /// line, and the standard error of that. As many rows as were prepared for lie before and after.
-    #[inline(always)]
     pub(super) fn across(&self, rows: &Rows, i: usize, [x0, y0]: [f32; 2], [cos, sin]: [f32; 2]) -> (f32, f32) {
         let near = i - self.reach..=i + self.reach;
         let (xs, ys) = (&rows.x[near.clone()], &rows.y[near]);

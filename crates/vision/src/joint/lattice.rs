@@ -1,6 +1,4 @@
 use super::strip::{COLS, GROUP, MID, Strip, greater, lesser};
-use super::wide::wide;
-use pulp::NullaryFnOnce;
 
 /// What a step to the next column costs, nats.
 const MOVE: f32 = 2.5;
@@ -32,7 +30,21 @@ impl Lattice {
     /// Evidence of each place for a joint of this depth in each row.
     pub(super) fn weigh(&mut self, strip: &Strip, contrast: impl Fn(usize) -> f32) {
         self.evidence.resize(strip.depth.len(), [0.0; SPAN]);
-        wide(Weigh { evidence: &mut self.evidence, strip, contrast });
+        let (first, last) = strip.columns;
+        // Groups overlap: each row counts once.
+        let rows = (2 * GROUP + 1) as f32;
+        let (first, last) = (first.max(FROM) - FROM, last.min(FROM + SPAN - 1) - FROM);
+        for (i, (row, depth)) in self.evidence.iter_mut().zip(&strip.depth).enumerate() {
+            let contrast = contrast(i);
+            // At the joint's own depth the evidence is no more than the most: it peaks there.
+            let part = (1.0 / (rows * strip.noise * strip.noise)).min(2.0 * MOST / (contrast * contrast));
+            for (evidence, depth) in row.iter_mut().zip(&depth[FROM..FROM + SPAN]) {
+                let depth = lesser(*depth, TOO_DEEP * contrast - depth);
+                *evidence = (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST);
+            }
+            row[..first].fill(NEVER);
+            row[last + 1..].fill(NEVER);
+        }
     }
 
     /// The evidence of a row for a joint in a column.
@@ -86,68 +98,25 @@ impl Lattice {
     fn go_forward(&mut self, cost: impl Fn(usize) -> f32) {
         let begin: Span = std::array::from_fn(|j| -cost(j));
         self.forward.resize(self.evidence.len(), [0.0; SPAN]);
-        wide(Go { ways: self.evidence.iter().zip(&mut self.forward), begin });
+        go(self.evidence.iter().zip(&mut self.forward), begin);
     }
 
     fn go_backward(&mut self) {
         self.backward.resize(self.evidence.len(), [0.0; SPAN]);
-        wide(Go { ways: self.evidence.iter().zip(&mut self.backward).rev(), begin: [0.0; SPAN] });
+        go(self.evidence.iter().zip(&mut self.backward).rev(), [0.0; SPAN]);
     }
 }
 
-/// Evidence to be found.
-struct Weigh<'a, C> {
-    evidence: &'a mut [Span],
-    strip: &'a Strip,
-    contrast: C,
-}
-
-impl<C: Fn(usize) -> f32> NullaryFnOnce for Weigh<'_, C> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        let Self { evidence, strip, contrast } = self;
-        let (first, last) = strip.columns;
-        // Groups overlap: each row counts once.
-        let rows = (2 * GROUP + 1) as f32;
-        let (first, last) = (first.max(FROM) - FROM, last.min(FROM + SPAN - 1) - FROM);
-        for (i, (row, depth)) in evidence.iter_mut().zip(&strip.depth).enumerate() {
-            let contrast = contrast(i);
-            // At the joint's own depth the evidence is no more than the most: it peaks there.
-            let part = (1.0 / (rows * strip.noise * strip.noise)).min(2.0 * MOST / (contrast * contrast));
-            for (evidence, depth) in row.iter_mut().zip(&depth[FROM..FROM + SPAN]) {
-                let depth = lesser(*depth, TOO_DEEP * contrast - depth);
-                *evidence = (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST);
-            }
-            row[..first].fill(NEVER);
-            row[last + 1..].fill(NEVER);
+/// The best way to each place of row after row, from the score `begin` of each way to begin.
+fn go<'a>(ways: impl Iterator<Item = (&'a Span, &'a mut Span)>, begin: Span) {
+    let mut score = begin;
+    for (i, (evidence, way)) in ways.enumerate() {
+        let before = score;
+        if i > 0 {
+            arrive(&before, &mut score);
         }
-    }
-}
-
-/// The best way to each place of row after row to be found, from the score `begin` of each way to begin.
-struct Go<W> {
-    ways: W,
-    begin: Span,
-}
-
-impl<'a, W: Iterator<Item = (&'a Span, &'a mut Span)>> NullaryFnOnce for Go<W> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        let mut score = self.begin;
-        let mut is_first = true;
-        for (evidence, way) in self.ways {
-            let before = score;
-            if !is_first {
-                arrive(&before, &mut score);
-            }
-            is_first = false;
-            score.iter_mut().zip(evidence).for_each(|(s, e)| *s += e);
-            *way = score;
-        }
+        score.iter_mut().zip(evidence).for_each(|(s, e)| *s += e);
+        *way = score;
     }
 }
 
@@ -158,7 +127,6 @@ pub(super) fn column_about(path: &[usize], i: usize, reach: usize) -> f32 {
 }
 
 /// The best that leads to each column of the next row.
-#[inline(always)]
 fn arrive(score: &Span, next: &mut Span) {
     for j in 1..SPAN - 1 {
         next[j] = greater(score[j], greater(score[j - 1], score[j + 1]) - MOVE);
@@ -168,7 +136,6 @@ fn arrive(score: &Span, next: &mut Span) {
 }
 
 /// The greatest of a line, several at a time.
-#[inline(always)]
 fn greatest(line: &Span) -> f32 {
     const LANES: usize = 8;
     let mut lanes = [NEVER; LANES];

@@ -7,8 +7,6 @@ use super::profile::{Profile, REACH};
 use super::readings::Readings;
 use super::strip::{COLS, MID, Strip};
 use super::trail::{Look, Place, Trail};
-use super::wide::wide;
-use pulp::NullaryFnOnce;
 
 /// Places before and after that a station is the mean of.
 const SMOOTH: usize = 8;
@@ -201,7 +199,13 @@ impl Midline {
                 self.line = self.line_length(scale, side);
                 self.even.prepare(self.line);
             }
-            wide(FitAll { midline: self, most: 0.7 * width + 1.5 });
+            let most = 0.7 * width + 1.5;
+            for i in 0..count {
+                let (at, error) = self.fit(i, self.line, count);
+                let path = self.path[i] as f32;
+                self.centre[i] = at.clamp(path - most, path + most);
+                self.rows[i].error = error;
+            }
         }
         self.compare(profile.reach());
         let mut slow = (0.0, None);
@@ -231,8 +235,8 @@ impl Midline {
             } else {
                 None
             };
-            let usual = part * self.readings.about(i, STEPPED_AROUND).moment;
-            let off = rims.filter(|middle| row.stepped || (middle - usual).abs() > OTHER * width);
+            let usual = || part * self.readings.about(i, STEPPED_AROUND).moment;
+            let off = rims.filter(|middle| row.stepped || (middle - usual()).abs() > OTHER * width);
             let off = off.unwrap_or(part * reading.moment);
             self.single.push(self.centre[i] + off.clamp(-most, most));
         }
@@ -321,7 +325,6 @@ impl Midline {
 
     /// The parabola through the middles of seen rows about row `i` and before row `end`: where it crosses that row's line, and
     /// the standard error of that.
-    #[inline(always)]
     fn fit(&self, i: usize, reach: usize, end: usize) -> (f32, f32) {
         let near = i.saturating_sub(reach)..(i + reach + 1).min(end);
         let Station { at: [x0, y0], tangent: [cos, sin] } = self.stations[i];
@@ -348,28 +351,6 @@ impl Midline {
             let [x, y] = self.stations[i].beside(across);
             (0.0..=right).contains(&x) && (0.0..=bottom).contains(&y)
         })
-    }
-}
-
-/// The centre of each row to be fitted, at most so far from its path.
-struct FitAll<'a> {
-    midline: &'a mut Midline,
-    most: f32,
-}
-
-impl NullaryFnOnce for FitAll<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        let Self { midline, most } = self;
-        let count = midline.path.len();
-        for i in 0..count {
-            let (at, error) = midline.fit(i, midline.line, count);
-            let path = midline.path[i] as f32;
-            midline.centre[i] = at.clamp(path - most, path + most);
-            midline.rows[i].error = error;
-        }
     }
 }
 

@@ -19,7 +19,6 @@ mod profile;
 mod readings;
 mod strip;
 mod trail;
-mod wide;
 
 pub use follow::Follower;
 

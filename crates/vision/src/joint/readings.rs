@@ -1,7 +1,5 @@
 use super::profile::{Arms, Profile, REACH, Reading, Shape};
 use super::strip::Strip;
-use super::wide::wide;
-use pulp::NullaryFnOnce;
 
 /// What the rows of a strip tell of the joint about its middle, and sums over rows.
 #[derive(Debug, Clone, Default)]
@@ -11,23 +9,6 @@ pub(super) struct Readings {
     /// Sums over the rows before each: depth, moment, step and its square.
     sums: Vec<[f64; 4]>,
     arms_sums: Vec<Arms>,
-}
-
-/// Rows to be read.
-struct Read<'a> {
-    readings: &'a mut Readings,
-    profile: &'a Profile,
-    strip: &'a Strip,
-    centres: &'a [f32],
-}
-
-impl NullaryFnOnce for Read<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        self.readings.read_rows(self.profile, self.strip, self.centres);
-    }
 }
 
 /// Means over rows.
@@ -45,12 +26,6 @@ pub(super) struct About {
 impl Readings {
     /// Reads each row about its centre.
     pub(super) fn read(&mut self, profile: &Profile, strip: &Strip, centres: &[f32]) {
-        wide(Read { readings: self, profile, strip, centres });
-        self.sum_arms(profile.reach());
-    }
-
-    #[inline(always)]
-    fn read_rows(&mut self, profile: &Profile, strip: &Strip, centres: &[f32]) {
         self.rows.clear();
         self.arms.clear();
         self.sums.clear();
@@ -66,6 +41,7 @@ impl Readings {
             self.rows.push(reading);
             self.arms.push(arms);
         }
+        self.sum_arms(profile.reach());
     }
 
     /// Sums less the light of the first row: small numbers keep more digits.

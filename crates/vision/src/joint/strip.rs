@@ -1,7 +1,5 @@
 use super::axis::Station;
 use super::levels::{Grey, OF_16_BITS, Picture};
-use super::wide::wide;
-use pulp::NullaryFnOnce;
 use std::ops::Range;
 
 /// Columns of a strip.
@@ -46,13 +44,11 @@ const fn away(half: usize) -> usize {
 pub(super) type Line = [f32; COLS];
 
 /// `f32::max` without its care for what is no number: one instruction.
-#[inline(always)]
 pub(super) fn greater(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
 /// The same of `f32::min`.
-#[inline(always)]
 pub(super) fn lesser(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
@@ -61,7 +57,6 @@ pub(super) fn lesser(a: f32, b: f32) -> f32 {
 const PARTS: f32 = 65536.0;
 
 /// Grey values of a row that lies within the picture.
-#[inline(always)]
 fn inside<P: Copy>(line: &mut Line, station: &Station, (pixels, width): (&[P], usize), grey: impl Fn(P) -> f32) {
     let [cos, sin] = station.tangent;
     let [x0, y0] = station.beside(-(MID as f32)).map(|v| (v * PARTS) as i32);
@@ -111,7 +106,6 @@ fn at_rim<P: Copy>(line: &mut Line, station: &Station, picture: &Picture, pixels
 /// How much darker the box of `HALF` columns to both sides of each column is than boxes beside it, of the sum of `count`
 /// rows. The lighter one of two boxes on a side counts (a scratch or the foot of a step beside the joint does no
 /// harm), and the darker side.
-#[inline(always)]
 fn depths<const HALF: usize>(depth: &mut Line, sum: &Line, count: f32) {
     let (half, away, reach) = const { (HALF, away(HALF), away(HALF) + 2 * SIDE) };
     let mut boxes = [0.0; COLS];
@@ -135,59 +129,6 @@ fn depths<const HALF: usize>(depth: &mut Line, sum: &Line, count: f32) {
     }
 }
 
-/// Rows of a strip to be filled.
-struct Unroll<'a, S> {
-    grey: &'a mut [Line],
-    picture: &'a Picture<'a>,
-    stations: S,
-}
-
-impl<S: Iterator<Item = Station>> NullaryFnOnce for Unroll<'_, S> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        match self.picture.grey {
-            Grey::U8(pixels) => self.rows(pixels, f32::from),
-            Grey::U16(pixels) => self.rows(pixels, |p| f32::from(p) * (1.0 / OF_16_BITS)),
-            Grey::F32(pixels) => self.rows(pixels, |p| p),
-        }
-    }
-}
-
-impl<S: Iterator<Item = Station>> Unroll<'_, S> {
-    #[inline(always)]
-    fn rows<P: Copy>(self, pixels: &[P], grey: impl Fn(P) -> f32 + Copy) {
-        let picture = self.picture;
-        let (right, bottom) = ((picture.width - 1) as f32, (picture.height - 1) as f32);
-        for (line, station) in self.grey.iter_mut().zip(self.stations) {
-            let ends = [0, COLS - 1].map(|j| station.beside(j as f32 - MID as f32));
-            let within = ends.iter().all(|[x, y]| *x > 0.5 && *y > 0.5 && *x < right - 0.5 && *y < bottom - 0.5);
-            if within {
-                inside(line, &station, (pixels, picture.width), grey);
-            } else {
-                at_rim(line, &station, picture, pixels, grey);
-            }
-        }
-    }
-}
-
-/// Depths to be found, for a box of `HALF` columns to both sides.
-struct Measure<'a, const HALF: usize> {
-    strip: &'a mut Strip,
-    width: f32,
-    most: f32,
-}
-
-impl<const HALF: usize> NullaryFnOnce for Measure<'_, HALF> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        self.strip.find_depths::<HALF>(self.width, self.most);
-    }
-}
-
 /// Grey values along a line of stations, unrolled, and how much darker than the metal on both sides each place is.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Strip {
@@ -205,24 +146,44 @@ pub(super) struct Strip {
 impl Strip {
     /// Unrolls `picture` along `stations`.
     pub(super) fn unroll(&mut self, picture: &Picture, stations: impl ExactSizeIterator<Item = Station>) {
+        match picture.grey {
+            Grey::U8(pixels) => self.rows(picture, pixels, f32::from, stations),
+            Grey::U16(pixels) => self.rows(picture, pixels, |p| f32::from(p) * (1.0 / OF_16_BITS), stations),
+            Grey::F32(pixels) => self.rows(picture, pixels, |p| p, stations),
+        }
+    }
+
+    fn rows<P: Copy>(
+        &mut self,
+        picture: &Picture,
+        pixels: &[P],
+        grey: impl Fn(P) -> f32 + Copy,
+        stations: impl ExactSizeIterator<Item = Station>,
+    ) {
+        let (right, bottom) = ((picture.width - 1) as f32, (picture.height - 1) as f32);
         self.grey.resize(stations.len(), [0.0; COLS]);
-        wide(Unroll { grey: &mut self.grey, picture, stations });
+        for (line, station) in self.grey.iter_mut().zip(stations) {
+            let ends = [0, COLS - 1].map(|j| station.beside(j as f32 - MID as f32));
+            let within = ends.iter().all(|[x, y]| *x > 0.5 && *y > 0.5 && *x < right - 0.5 && *y < bottom - 0.5);
+            if within {
+                inside(line, &station, (pixels, picture.width), grey);
+            } else {
+                at_rim(line, &station, picture, pixels, grey);
+            }
+        }
     }
 
     /// Depths for a joint of `width` pixels. No pixel counts for more than `most` grey values more or less than those before it
     /// along the joint.
     pub(super) fn measure(&mut self, width: f32, most: f32) {
-        match box_columns(width) / 2 {
-            0 => wide(Measure::<0> { strip: self, width, most }),
-            1 => wide(Measure::<1> { strip: self, width, most }),
-            2 => wide(Measure::<2> { strip: self, width, most }),
-            _ => wide(Measure::<3> { strip: self, width, most }),
-        }
-    }
-
-    #[inline(always)]
-    fn find_depths<const HALF: usize>(&mut self, width: f32, most: f32) {
-        let reach = away(HALF) + 2 * SIDE;
+        let half = box_columns(width) / 2;
+        let reach = away(half) + 2 * SIDE;
+        let depths = match half {
+            0 => depths::<0>,
+            1 => depths::<1>,
+            2 => depths::<2>,
+            _ => depths::<3>,
+        };
         self.columns = (reach, COLS - 1 - reach);
         let mut sum = [0.0; COLS];
         self.level_light(width);
@@ -242,13 +203,12 @@ impl Strip {
                 add(&mut sum, &self.grey[i - GROUP - 1], -1.0);
                 count -= 1.0;
             }
-            depths::<HALF>(&mut self.depth[i], &sum, count);
+            depths(&mut self.depth[i], &sum, count);
         }
     }
 
     /// Takes away the light's even change across, so far as it is the same on both sides of a joint of `width` in the middle: on
     /// a ramp the middle of a wide joint would be drawn to its darker side.
-    #[inline(always)]
     fn level_light(&mut self, width: f32) {
         let away = (METAL * width + 2.0) as usize;
         let side = |row: &Line, columns: Range<usize>| {

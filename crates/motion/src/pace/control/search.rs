@@ -120,8 +120,7 @@ impl<L: Timed + ?Sized> Pace<'_, L> {
         }
         let gained = (self.course.steady - goal).abs() - (course.steady - goal).abs();
         let sooner = course.duration() < self.course.duration() - self.elapsed;
-        // How far a course comes by its way back counts for less than what it does first: the one followed may come farther only
-        // because its way back is slow.
+        // The one followed may come nearer to the goal only because its way back to steady is slow.
         let after = |course: &Course, t: f64| (course.at(t + self.period).pace.phi - goal).abs();
         let ahead = after(course, 0.0) < after(&self.course, self.elapsed) - NEAR;
         gained > NEAR || (gained > -NEAR && sooner) || ahead
