@@ -20,9 +20,20 @@ fn image(width: f64) -> Vec<u8> {
     (0..SIZE * SIZE).map(grey).collect()
 }
 
+/// A black gap that ends in the shade: it is looked for by the logarithm of light too.
+fn shaded() -> Vec<u8> {
+    let grey = |i: usize| {
+        let (x, y) = ((i % SIZE) as f64, (i / SIZE) as f64);
+        let d = (y - 200.0) / 14.0;
+        let depth = if x < 300.0 { 0.85 * (-2.8 * d * d).exp() } else { 0.0 };
+        (210.0 * (-x / 160.0).exp() * (1.0 - depth) + 4.0) as u8
+    };
+    (0..SIZE * SIZE).map(grey).collect()
+}
+
 #[test]
 fn following_does_not_allocate() {
-    let images: Vec<Vec<u8>> = [2.0, 5.0, 9.0, 17.0, 33.0].map(image).to_vec();
+    let images: Vec<Vec<u8>> = [2.0, 5.0, 9.0, 17.0, 33.0].map(image).into_iter().chain([shaded()]).collect();
     let mut follower = Follower::new(Options::default());
     let mut follow = |pixels: &[u8]| {
         let frame = Frame::new(SIZE, SIZE, Pixels::U8(pixels)).unwrap();

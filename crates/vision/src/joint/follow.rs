@@ -1,6 +1,6 @@
 use super::axis::Axis;
 use super::end::{Cut, cut};
-use super::levels::{Levels, Picture, from_level, to_level};
+use super::levels::{Levels, Light, Picture, from_level, to_level};
 use super::midline::Midline;
 use super::trail::{Limits, Look, ROWS, Stop, Trail};
 use super::{CONFIDENT, End, Joint, Options, Row, Start, State, Zone, judge};
@@ -25,6 +25,14 @@ const WIDTH: (f32, f32) = (1.0, 400.0);
 /// Part of the frame's shorter side that is coasted over if nothing else is said.
 const GAP: f32 = 0.2;
 
+/// Part of the metal's light that an open gap is darker by at least, and the first level on which it is wide. Where such a joint
+/// ends ...
+const BLACK: (f32, usize) = (0.4, 2);
+/// ... and the metal is so many times as light or as dark as at its start, it is looked for by the logarithm of light too ...
+const CHANGED: f32 = 1.6;
+/// ... which counts if the joint is so many times as long there.
+const LONGER: f32 = 1.25;
+
 /// Follows joints; keeps its buffers from frame to frame.
 #[derive(Debug, Clone)]
 pub struct Follower {
@@ -33,6 +41,8 @@ pub struct Follower {
     trail: Trail,
     midline: Midline,
     joint: Joint,
+    /// The joint in the other light.
+    other: Joint,
 }
 
 impl Follower {
@@ -40,31 +50,53 @@ impl Follower {
     #[must_use]
     pub fn new(options: Options) -> Self {
         let joint = Joint { rows: Vec::new(), end: End::Lost };
+        let other = joint.clone();
         let (trail, midline) = (Trail::default(), Midline::default());
-        Self { options, levels: Levels::new(), trail, midline, joint }
+        Self { options, levels: Levels::new(), trail, midline, joint, other }
     }
 
     /// The joint in `frame` from `start`. A start outside the frame or zone, or not finite, gives no rows and
     /// [`End::LeftImage`]; a start where no joint is to be seen gives no rows and [`End::Lost`].
     pub fn follow(&mut self, frame: &Frame, start: &Start) -> &Joint {
-        self.joint.rows.clear();
         let inside = Inside::new(frame, self.options.zone);
         let finite = start.x.is_finite() && start.y.is_finite() && start.direction.is_finite();
-        self.joint.end = if !finite || !inside.holds([start.x, start.y]) {
-            End::LeftImage
-        } else {
-            match self.begin(frame, start) {
-                None => End::Lost,
-                Some(look) => self.go_on(frame, look, &inside),
+        if !finite || !inside.holds([start.x, start.y]) {
+            self.joint.rows.clear();
+            self.joint.end = End::LeftImage;
+            return &self.joint;
+        }
+        let looks = self.follow_in(Light::Given, frame, start, &inside);
+        // A later frame is not to allocate.
+        self.other.rows.reserve(self.joint.rows.capacity().saturating_sub(self.other.rows.len()));
+        let ended = matches!(self.joint.end, End::Lost | End::JointEnd);
+        if let Some([first, _]) = looks.filter(|looks| ended && is_in_other_light(looks)) {
+            std::mem::swap(&mut self.joint, &mut self.other);
+            let start = Start { width: Some(first.width * (1 << first.level) as f32), ..*start };
+            self.follow_in(Light::Logarithm, frame, &start, &inside);
+            if way(&self.joint.rows) < LONGER * way(&self.other.rows) {
+                std::mem::swap(&mut self.joint, &mut self.other);
+            } else {
+                // In the shade what is dirt is as deep as a joint.
+                judge::doubtful(&mut self.joint.rows, 0);
             }
-        };
+        }
         &self.joint
     }
 
+    /// Follows in one light; what the joint looks like at its start and where it is followed last.
+    fn follow_in(&mut self, light: Light, frame: &Frame, start: &Start, inside: &Inside) -> Option<[Look; 2]> {
+        self.joint.rows.clear();
+        self.joint.end = End::Lost;
+        let first = self.begin(light, frame, start)?;
+        let mut last = first;
+        self.joint.end = self.go_on(frame, &mut last, inside);
+        Some([first, last])
+    }
+
     /// Level, width, heading and depth at the start, if a joint is there: ahead or, as a tack may lie ahead, behind.
-    fn begin(&mut self, frame: &Frame, start: &Start) -> Option<Look> {
+    fn begin(&mut self, light: Light, frame: &Frame, start: &Start) -> Option<Look> {
         let coarsest = Levels::coarsest(frame);
-        self.levels.prepare(frame, known_width(start).map_or(coarsest, |w| on_level(w, coarsest).0));
+        self.levels.prepare(frame, known_width(start).map_or(coarsest, |w| on_level(w, coarsest).0), light);
         if let Some(look) = self.look(frame, start, start.direction, false) {
             return Some(look);
         }
@@ -101,7 +133,7 @@ impl Follower {
         self.trail.look(&picture, Axis { at, heading: best.axis.heading, curvature: 0.0 }, width, level)
     }
 
-    fn go_on(&mut self, frame: &Frame, look: Look, inside: &Inside) -> End {
+    fn go_on(&mut self, frame: &Frame, look: &mut Look, inside: &Inside) -> End {
         let (side, sum) = (frame.width().min(frame.height()) as f32, (frame.width() + frame.height()) as f32);
         let scale = (1 << look.level) as f32;
         let gap = self.options.gap.unwrap_or(GAP * side) / scale;
@@ -109,12 +141,11 @@ impl Follower {
         let level = look.level;
         let limits = Limits { inside: |at: [f32; 2]| inside.holds(at.map(|v| from_level(v, level))), gap, length };
         let picture = self.levels.picture(frame, level);
-        let mut look = look;
-        let stop = self.trail.follow(&picture, &mut look, &limits);
+        let stop = self.trail.follow(&picture, look, &limits);
         if !self.trail.places.iter().any(|p| p.seen) {
             return End::Lost;
         }
-        self.midline.find(&picture, &self.trail, &look);
+        self.midline.find(&picture, &self.trail, look);
         tell(
             &mut self.midline,
             &picture,
@@ -123,6 +154,19 @@ impl Follower {
             &mut self.joint.rows,
         )
     }
+}
+
+/// True if the joint is a wide open gap and the metal's light is another one at its last than at its first.
+fn is_in_other_light([first, last]: &[Look; 2]) -> bool {
+    let (part, wide) = BLACK;
+    let is_gap = first.level >= wide && first.contrast > part * first.metal();
+    is_gap && !(1.0 / CHANGED..=CHANGED).contains(&(last.metal() / first.metal()))
+}
+
+/// How far a joint is followed to where it is seen last, pixels.
+fn way(rows: &[Row]) -> f32 {
+    let seen = rows.iter().rposition(|row| row.state == State::Seen).map_or(0, |last| last + 1);
+    rows[..seen].windows(2).map(|pair| (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y)).sum()
 }
 
 /// Rows of the frame from those of the level.

@@ -2,12 +2,26 @@ use crate::{Frame, Pixels};
 
 /// Times a frame is halved at most.
 pub(super) const MOST: usize = 5;
+/// Grey values below this are noise: their logarithms go along evenly.
+const DARK: f32 = 4.0;
 /// A level has at least this many pixels a side.
 const LEAST_SIDE: usize = 32;
+
+/// What a level keeps of the light.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Light {
+    /// The frame's grey values.
+    Given,
+    /// Their logarithms: a joint that is a part as light as the metal is as deep in the shade as in the light.
+    Logarithm,
+}
 
 /// A frame halved again and again: on one level each joint is some pixels wide, and noise is averaged over the rest.
 #[derive(Debug, Clone)]
 pub(super) struct Levels {
+    light: Light,
+    /// The frame's logarithms, if the levels are made of them.
+    logarithms: Halved,
     halved: Vec<Halved>,
 }
 
@@ -38,14 +52,21 @@ pub(super) const OF_16_BITS: f32 = 257.0;
 
 impl Levels {
     pub(super) fn new() -> Self {
-        Self { halved: vec![Halved::default(); MOST] }
+        Self { light: Light::Given, logarithms: Halved::default(), halved: vec![Halved::default(); MOST] }
     }
 
     /// Halves `frame` up to `level`.
-    pub(super) fn prepare(&mut self, frame: &Frame, level: usize) {
+    pub(super) fn prepare(&mut self, frame: &Frame, level: usize, light: Light) {
+        self.light = light;
+        // The first frame is the last to allocate, whatever a later one shows.
+        self.logarithms.pixels.reserve((frame.width() * frame.height()).saturating_sub(self.logarithms.pixels.len()));
+        if light == Light::Logarithm {
+            self.logarithms.take(&whole(frame));
+        }
         for k in 0..level.min(MOST) {
             let (before, rest) = self.halved.split_at_mut(k);
-            let from = before.last().map_or_else(|| whole(frame), Halved::picture);
+            let first = || if light == Light::Given { whole(frame) } else { self.logarithms.picture() };
+            let from = before.last().map_or_else(first, Halved::picture);
             match from.grey {
                 Grey::U8(pixels) => {
                     rest[0].halve(from.width, from.height, pixels, 0.25, |[a, b], [c, d]| {
@@ -67,7 +88,11 @@ impl Levels {
 
     /// A level that was prepared; 0 is the frame itself.
     pub(super) fn picture<'a>(&'a self, frame: &Frame<'a>, level: usize) -> Picture<'a> {
-        if level == 0 { whole(frame) } else { self.halved[level - 1].picture() }
+        match (level, self.light) {
+            (0, Light::Given) => whole(frame),
+            (0, Light::Logarithm) => self.logarithms.picture(),
+            (level, _) => self.halved[level - 1].picture(),
+        }
     }
 
     /// The coarsest level that is still a picture.
@@ -88,6 +113,23 @@ fn whole<'a>(frame: &Frame<'a>) -> Picture<'a> {
 impl Halved {
     fn picture(&self) -> Picture<'_> {
         Picture { width: self.width, height: self.height, grey: Grey::F32(&self.pixels) }
+    }
+
+    /// Takes the logarithms of a frame's grey values, 0 to 255 again.
+    fn take(&mut self, frame: &Picture) {
+        (self.width, self.height) = (frame.width, frame.height);
+        self.pixels.clear();
+        let logarithm = |g: f32| (255.0 / (1.0 + 255.0 / DARK).ln()) * (1.0 + g / DARK).ln();
+        let table: [f32; 257] = std::array::from_fn(|g| logarithm(g as f32));
+        match frame.grey {
+            Grey::U8(pixels) => self.pixels.extend(pixels.iter().map(|p| table[usize::from(*p)])),
+            Grey::U16(pixels) => self.pixels.extend(pixels.iter().map(|p| {
+                let grey = f32::from(*p) * (1.0 / OF_16_BITS);
+                let (low, part) = (grey as usize, grey.fract());
+                table[low] + part * (table[low + 1] - table[low])
+            })),
+            Grey::F32(pixels) => self.pixels.extend(pixels.iter().map(|p| logarithm(*p))),
+        }
     }
 
     /// Sums of two by two pixels times `part`; an odd last row or column is left out.
@@ -121,4 +163,27 @@ pub(super) fn to_level(at: f32, level: usize) -> f32 {
 pub(super) fn from_level(at: f32, level: usize) -> f32 {
     let scale = (1usize << level) as f32;
     at * scale + 0.5 * (scale - 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The same part of the light is the same step, but for noise near black; 8 and 16 bits are alike.
+    #[test]
+    fn logarithms_of_light() {
+        let eight: Vec<u8> = (0..=255).collect();
+        let sixteen: Vec<u16> = eight.iter().map(|p| 257 * u16::from(*p)).collect();
+        let of = |pixels: Pixels| {
+            let mut levels = Levels::new();
+            levels.prepare(&Frame::new(16, 16, pixels).unwrap(), 0, Light::Logarithm);
+            levels.logarithms.pixels.clone()
+        };
+        let (a, b) = (of(Pixels::U8(&eight)), of(Pixels::U16(&sixteen)));
+        assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-3));
+        assert_eq!((a[0], a[255].round()), (0.0, 255.0));
+        assert!(a.is_sorted());
+        let (bright, dark) = (a[240] - a[120], a[48] - a[24]);
+        assert!((dark / bright - 1.0).abs() < 0.1, "{dark} for {bright}");
+    }
 }

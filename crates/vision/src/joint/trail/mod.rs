@@ -1,9 +1,11 @@
-use super::axis::{Axis, Station};
-use super::lattice::{Lattice, column_about};
-use super::levels::Picture;
-use super::parabola::Parabola;
-use super::profile::{Arms, Profile, REACH};
-use super::strip::{MID, SEEN_AROUND, Strip, box_columns};
+mod leap;
+
+use crate::joint::axis::{Axis, Station};
+use crate::joint::lattice::{Lattice, column_about};
+use crate::joint::levels::Picture;
+use crate::joint::parabola::Parabola;
+use crate::joint::profile::{Arms, Profile, REACH};
+use crate::joint::strip::{MID, SEEN_AROUND, Strip, box_columns};
 
 /// Rows of a strip that is looked at ...
 pub(super) const ROWS: usize = 48;
@@ -35,12 +37,6 @@ const STRAIGHTER: f32 = 0.75;
 const BESIDE: f32 = 2.5;
 /// A start is this near to the joint or on it, pixels of the frame.
 const START_OFF: f32 = 2.0;
-/// Chords this many places long ...
-const CHORD: usize = 14;
-/// ... do not turn by more than this, rad.
-const CORNER: f32 = 0.6;
-/// Places leapt over at a time behind a corner.
-const LEAP: usize = 12;
 /// A joint whose depth changes is no lighter in its middle than it was by more than this part of its depth.
 const LIKE_FLOOR: f32 = 0.4;
 /// A pixel counts for at most this many times the joint's depth (salt, sparks) ...
@@ -103,6 +99,11 @@ pub(super) struct Look {
 }
 
 impl Look {
+    /// Grey value of the metal beside it.
+    pub(super) fn metal(&self) -> f32 {
+        self.floor + self.contrast
+    }
+
     /// What a pixel counts at most where the joint has this depth, grey values.
     pub(super) fn most(&self, contrast: f32) -> f32 {
         if self.level > SPIKY { f32::INFINITY } else { SPIKE * contrast }
@@ -182,7 +183,7 @@ impl Trail {
         self.places.clear();
         // A later frame is not to allocate.
         self.aside.clear();
-        self.aside.reserve(TAKEN + 2 * CHORD);
+        self.aside.reserve(TAKEN + 2 * leap::CHORD);
         self.solid = 0;
         let (mut axis, mut gap, mut back, mut checked) = (look.axis, 0usize, 0usize, 0usize);
         // Places that are not seen less those that are seen again: chance finds of texture add up to a gap.
@@ -353,49 +354,6 @@ impl Trail {
         let [offset, slope, bend] = found.terms;
         let curvature = (axis.curvature + 2.0 * bend).clamp(-MOST_BENT, MOST_BENT);
         Axis { at: there.station(0.0).beside(offset), heading: heading + slope.atan(), curvature }
-    }
-
-    /// The place before a turn that is sharper than a joint's, among the last places and after those that were checked.
-    fn corner(&self, checked: usize) -> Option<usize> {
-        let (places, most) = (&self.places, CORNER.tan());
-        let from = places.len().saturating_sub(TAKEN + CHORD).max(CHORD).max(checked);
-        (from..places.len().saturating_sub(CHORD)).find_map(|i| {
-            let [a, b, c] = [places[i - CHORD].at, places[i].at, places[i + CHORD].at];
-            let (before, after) = ([b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]);
-            let (sin, cos) = (before[0] * after[1] - before[1] * after[0], before[0] * after[0] + before[1] * after[1]);
-            (sin.abs() > most * cos).then_some(i - CHORD)
-        })
-    }
-
-    /// Goes on over what hides the joint, without looking at it: the axis where the joint is seen again, if it is.
-    fn leap<F: Fn([f32; 2]) -> bool>(
-        &mut self,
-        picture: &Picture,
-        look: &mut Look,
-        limits: &Limits<F>,
-    ) -> Option<Axis> {
-        let [.., before, last] = self.places[..] else { return None };
-        let heading = (last.at[1] - before.at[1]).atan2(last.at[0] - before.at[0]);
-        let axis = self.way_on(&Axis { at: last.at, heading, curvature: 0.0 }, 1.0, 2 * FITTED);
-        let axis = Axis { curvature: 0.0, ..axis };
-        let mut gone = 0;
-        loop {
-            for i in gone..gone + LEAP {
-                let at = axis.station(i as f32).at;
-                if !(limits.inside)(at) || i as f32 > limits.gap {
-                    return None;
-                }
-                self.places.push(Place { at, seen: false, contrast: look.contrast });
-            }
-            gone += LEAP;
-            let there = Axis { at: axis.station(gone as f32).at, ..axis };
-            self.see(picture, &there, BACK as f32, &mut look.clone(), gone);
-            let seen = self.count();
-            let moves = self.path.windows(2).map(|p| p[0].abs_diff(p[1])).sum::<usize>();
-            if 10 * seen >= 9 * ROWS && 6 * moves <= ROWS {
-                return Some(there);
-            }
-        }
     }
 
     fn is_closed(&self) -> bool {
