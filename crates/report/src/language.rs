@@ -9,13 +9,17 @@ use std::sync::LazyLock;
 
 /// A language that a page can be in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[allow(missing_docs, reason = "their names")]
 pub enum Language {
+    /// `en`, in which everything is written.
     #[default]
     English,
+    /// `uk`.
     Ukrainian,
+    /// `zh`, in simplified characters.
     Chinese,
+    /// `de`.
     German,
+    /// `ru`.
     Russian,
 }
 
