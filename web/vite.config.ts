@@ -15,6 +15,7 @@ export default defineConfig({
     chunkSizeWarningLimit: 1000,
   },
   worker: { format: 'es' },
-  server: { proxy: { '/api': { target: cell, ws: true } } },
+  // The words that reports have too lie beside this folder.
+  server: { fs: { allow: ['..'] }, proxy: { '/api': { target: cell, ws: true } } },
   test: { include: ['src/**/*.test.ts'], environment: 'node' },
 });

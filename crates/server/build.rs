@@ -5,8 +5,16 @@ use std::process::Command;
 use std::{env, fs};
 
 /// What the panel is made from.
-const SOURCES: [&str; 7] =
-    ["src", "public", "index.html", "package.json", "package-lock.json", "vite.config.ts", "svelte.config.js"];
+const SOURCES: [&str; 8] = [
+    "src",
+    "../words",
+    "public",
+    "index.html",
+    "package.json",
+    "package-lock.json",
+    "vite.config.ts",
+    "svelte.config.js",
+];
 
 fn main() {
     println!("cargo:rerun-if-env-changed=SEAMWRIGHT_WEB");

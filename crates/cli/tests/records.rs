@@ -56,6 +56,17 @@ fn a_weld_is_recorded_found_and_exported() {
     for wanted in ["P-2", "A. Welder", "Signature", record["files"][0]["sha256"].as_str().unwrap()] {
         assert!(page.contains(wanted), "{wanted}");
     }
+    // In another language nothing but the page is another.
+    let russian = folder.path().join("russian");
+    good(&["records", "export", "2", "-o", &russian.display().to_string(), "--data", &data, "--language", "ru"]);
+    let page = fs::read_to_string(russian.join("report.html")).unwrap();
+    for wanted in ["<html lang=\"ru\">", "Протокол сварки 2", "P-2", "A. Welder"] {
+        assert!(page.contains(wanted), "{wanted}");
+    }
+    assert!(!page.contains("Signature"));
+    for name in ["record.json", "program.toml", "trace.parquet"] {
+        assert_eq!(fs::read(russian.join(name)).unwrap(), fs::read(exported.join(name)).unwrap(), "{name}");
+    }
     // The program that was welded can be planned again.
     assert!(run(&["check", &exported.join("program.toml").display().to_string()]).status.success());
 }
@@ -153,6 +164,10 @@ fn bad_input() {
         ended(2, &["records", verb, "--data", &nowhere], &["there is no library", "allowed: "]);
         ended(3, &["records", verb, "--data", &foreign], &["damaged"]);
         ended(2, &["records", verb, "--dta", &data], &["--data"]);
+    }
+    for wrong in ["fr", "", "EN"] {
+        let arguments = ["records", "export", "1", "-o", &out, "--data", &data, "--language", wrong];
+        ended(2, &arguments, &["--language", "allowed: en, uk, zh, de, ru"]);
     }
     // What was there is not a folder; a part without a library; a library of a later version.
     let job = example("ellipse");

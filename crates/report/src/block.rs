@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::icon;
+use crate::language::Language;
 use crate::text::{escape, minus};
 
 /// One part of a page, in reading order.
@@ -69,12 +70,12 @@ impl Severity {
         }
     }
 
-    fn word(self) -> &'static str {
-        match self {
+    fn word(self, language: Language) -> &'static str {
+        language.say(match self {
             Self::Note => "Note",
             Self::Warning => "Warning",
             Self::Error => "Error",
-        }
+        })
     }
 }
 
@@ -104,37 +105,45 @@ pub struct Table {
     pub numeric: Vec<bool>,
 }
 
-/// Numbers given to tables and figures so far.
+/// The language of a page, and the numbers given to its tables and figures so far.
 #[derive(Debug, Default)]
 pub(crate) struct Counters {
+    language: Language,
     tables: usize,
     figures: usize,
 }
 
+impl Counters {
+    pub(crate) fn new(language: Language) -> Self {
+        Self { language, ..Self::default() }
+    }
+}
+
 impl Block {
     pub(crate) fn render(&self, out: &mut String, counters: &mut Counters) {
+        let language = counters.language;
         let _ = match self {
             Self::Tiles(tiles) => {
                 out.push_str("<div class=\"tiles\">\n");
-                tiles.iter().for_each(|t| t.render(out));
+                tiles.iter().for_each(|t| t.render(out, language));
                 writeln!(out, "</div>")
             }
             Self::Heading(text) => writeln!(out, "<h2>{}</h2>", escape(text)),
             Self::Paragraph(text) => writeln!(out, "<p>{}</p>", escape(text)),
             Self::Table(table) => {
                 counters.tables += 1;
-                table.render(out, counters.tables);
+                table.render(out, counters);
                 Ok(())
             }
             Self::Figure { svg, caption } => {
                 counters.figures += 1;
-                let caption = numbered("Figure", counters.figures, caption);
+                let caption = numbered(&language.fill("Figure {0}.", &[&counters.figures.to_string()]), caption);
                 writeln!(out, "<figure><div class=\"drawing\">\n{svg}</div><figcaption>{caption}</figcaption></figure>")
             }
-            Self::Findings(findings) if findings.is_empty() => writeln!(out, "<p>No findings.</p>"),
+            Self::Findings(findings) if findings.is_empty() => writeln!(out, "<p>{}</p>", language.say("No findings.")),
             Self::Findings(findings) => {
                 out.push_str("<ul class=\"findings\">\n");
-                findings.iter().for_each(|f| f.render(out));
+                findings.iter().for_each(|f| f.render(out, language));
                 writeln!(out, "</ul>")
             }
             Self::Code { caption, text } => {
@@ -150,15 +159,15 @@ impl Block {
 }
 
 /// A caption with its number.
-fn numbered(kind: &str, number: usize, caption: &str) -> String {
-    format!("<b>{kind} {number}.</b> {}", escape(caption)).trim_end().into()
+fn numbered(number: &str, caption: &str) -> String {
+    format!("<b>{number}</b> {}", escape(caption)).trim_end().into()
 }
 
 impl Tile {
-    fn render(&self, out: &mut String) {
+    fn render(&self, out: &mut String, language: Language) {
         let class = self.severity.map_or(String::new(), |s| format!(" {}", s.class()));
         let sign = self.severity.map_or("", icon::of);
-        let word = self.severity.map_or(String::new(), |s| format!("{}: ", s.word()));
+        let word = self.severity.map_or(String::new(), |s| format!("{}: ", s.word(language)));
         let label = escape(&format!("{word}{}", self.label));
         let _ = write!(out, "<dl class=\"tile{class}\">{sign}<dt>{label}</dt><dd class=\"value\">");
         out.push_str(&escape(&minus(&self.value)));
@@ -174,14 +183,15 @@ impl Tile {
 }
 
 impl Finding {
-    fn render(&self, out: &mut String) {
-        let (sign, word) = (icon::of(self.severity), self.severity.word());
+    fn render(&self, out: &mut String, language: Language) {
+        let (sign, word) = (icon::of(self.severity), self.severity.word(language));
         let _ = write!(out, "<li>{sign}<div><p><b>{word}:</b> {}</p>", escape(&self.text));
         if !self.place.is_empty() {
-            let _ = write!(out, "<p class=\"place\">At: {}</p>", escape(&self.place));
+            let place = language.fill("At: {0}", &[&self.place]);
+            let _ = write!(out, "<p class=\"place\">{}</p>", escape(&place));
         }
         if !self.cure.is_empty() {
-            let _ = write!(out, "<p>Cure: {}</p>", escape(&self.cure));
+            let _ = write!(out, "<p>{}</p>", escape(&language.fill("Cure: {0}", &[&self.cure])));
         }
         out.push_str("</div></li>\n");
     }
@@ -192,8 +202,8 @@ impl Table {
         self.numeric.get(column).copied().unwrap_or(false)
     }
 
-    fn render(&self, out: &mut String, number: usize) {
-        let caption = numbered("Table", number, &self.caption);
+    fn render(&self, out: &mut String, counters: &Counters) {
+        let caption = numbered(&counters.language.fill("Table {0}.", &[&counters.tables.to_string()]), &self.caption);
         let class = |column| if self.is_number(column) { " class=\"number\"" } else { "" };
         let _ = write!(out, "<div class=\"scroll\"><table><caption>{caption}</caption>\n<thead><tr>");
         for (column, text) in self.head.iter().enumerate() {

@@ -1,6 +1,7 @@
 //! A chart: curves over one axis, against limits.
 
 use crate::domain::{Domain, usable};
+use crate::language::Language;
 use crate::legend::{Entry, Legend, ROW};
 use crate::limit::{self, LimitLine};
 use crate::plot::{Plot, Scale};
@@ -67,6 +68,8 @@ pub struct Stretch {
 /// less than a millionth of their magnitude count as constant.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Chart {
+    /// The language of what it says by itself; texts are given in it.
+    pub language: Language,
     /// Heading; may be empty.
     pub title: String,
     /// Horizontal axis.
@@ -130,7 +133,7 @@ impl Chart {
         let curves = self.series.iter().enumerate();
         let named = curves.filter(|(_, s)| if self.series.len() > 1 { !s.name.is_empty() } else { !told(s) });
         let mut entries: Vec<Entry> = named.map(|(i, s)| Entry::curve(i, s)).collect();
-        entries.extend(limit::notes(&self.limits, y.domain, &self.y.unit).into_iter().map(Entry::Note));
+        entries.extend(limit::notes(&self.limits, y.domain, &self.y.unit, self.language).into_iter().map(Entry::Note));
         entries
     }
 

@@ -1,6 +1,7 @@
 //! Horizontal limits of a chart.
 
 use crate::domain::{Domain, usable};
+use crate::language::Language;
 use crate::number::format_number;
 
 /// A value that the data should keep on one side of.
@@ -50,7 +51,7 @@ pub(crate) fn stretch(data: Domain, limits: &[LimitLine]) -> Domain {
 }
 
 /// What is said of limits outside `shown`: one note each, or one for a pair of `±` limits.
-pub(crate) fn notes(limits: &[LimitLine], shown: Domain, unit: &str) -> Vec<String> {
+pub(crate) fn notes(limits: &[LimitLine], shown: Domain, unit: &str, language: Language) -> Vec<String> {
     let mut outside: Vec<&LimitLine> = limits.iter().filter(|l| usable(l.value) && !shown.contains(l.value)).collect();
     let mut notes = Vec::new();
     while let Some(limit) = outside.pop() {
@@ -60,12 +61,12 @@ pub(crate) fn notes(limits: &[LimitLine], shown: Domain, unit: &str) -> Vec<Stri
         let (sign, value, side) = match opposite {
             Some(i) => {
                 outside.remove(i);
-                ("±", limit.value.abs(), "outside")
+                ("±", limit.value.abs(), "{0}, outside")
             }
-            None => ("", limit.value, if limit.value > shown.hi { "above" } else { "below" }),
+            None => ("", limit.value, if limit.value > shown.hi { "{0}, above" } else { "{0}, below" }),
         };
         let amount = format!("{} {sign}{} {unit}", limit.label, format_number(value, 5));
-        notes.push(format!("{}, {side}", amount.trim()));
+        notes.push(language.fill(side, &[amount.trim()]));
     }
     notes.reverse();
     notes
@@ -85,9 +86,10 @@ mod tests {
         assert_eq!(stretch(data, &limits(&[30.0])), Domain { lo: 0.0, hi: 30.0 });
         assert_eq!(stretch(data, &limits(&[50.0])), data);
         assert_eq!(stretch(data, &limits(&[-500.0, 12.0])), Domain { lo: 0.0, hi: 12.0 });
-        assert_eq!(notes(&limits(&[50.0]), data, "deg/s"), ["limit 50 deg/s, above"]);
-        assert_eq!(notes(&limits(&[-5.0, 8.0]), data, "mm"), ["limit -5 mm, below"]);
-        assert_eq!(notes(&limits(&[-50.0, 50.0]), data, "mm"), ["limit ±50 mm, outside"]);
+        let notes = |values: &[f64], unit| notes(&limits(values), data, unit, Language::English);
+        assert_eq!(notes(&[50.0], "deg/s"), ["limit 50 deg/s, above"]);
+        assert_eq!(notes(&[-5.0, 8.0], "mm"), ["limit -5 mm, below"]);
+        assert_eq!(notes(&[-50.0, 50.0], "mm"), ["limit ±50 mm, outside"]);
     }
 
     #[test]
@@ -96,6 +98,6 @@ mod tests {
         assert_eq!(stretch(still, &limits(&[30.0, f64::NAN, f64::INFINITY])), still);
         let steady = Domain { lo: 8.0, hi: 8.0 };
         assert_eq!(stretch(steady, &limits(&[10.0])), Domain { lo: 8.0, hi: 10.0 });
-        assert!(notes(&limits(&[f64::NAN, f64::INFINITY]), still, "mm").is_empty());
+        assert!(notes(&limits(&[f64::NAN, f64::INFINITY]), still, "mm", Language::English).is_empty());
     }
 }

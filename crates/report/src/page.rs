@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use crate::block::{Block, Counters};
 use crate::icon;
+use crate::language::Language;
 use crate::style::page_sheet;
 use crate::text::{escape, fit};
 
@@ -21,6 +22,8 @@ pub struct Verdict {
 /// All text is escaped; only the markup of figures is taken as it is.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Page {
+    /// The language of what the page says by itself; texts are given in it.
+    pub language: Language,
     /// Title of the document, also at the foot of printed pages.
     pub title: String,
     /// Line below the title; may be empty.
@@ -40,9 +43,10 @@ impl Page {
         let mut out = String::new();
         let _ = write!(
             out,
-            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
+            "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
              <title>{title}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n<header>\n<h1>{title}</h1>\n",
+            self.language.code(),
             page_sheet(),
             self.paper()
         );
@@ -57,10 +61,10 @@ impl Page {
             out.push_str("</dl>\n");
         }
         if let Some(verdict) = &self.verdict {
-            verdict.render(&mut out);
+            verdict.render(&mut out, self.language);
         }
         out.push_str("</header>\n");
-        let mut counters = Counters::default();
+        let mut counters = Counters::new(self.language);
         for block in &self.blocks {
             block.render(&mut out, &mut counters);
         }
@@ -80,10 +84,10 @@ impl Page {
 }
 
 impl Verdict {
-    fn render(&self, out: &mut String) {
+    fn render(&self, out: &mut String, language: Language) {
         let (class, sign, word) =
             if self.ok { ("verdict", icon::OK, "In order") } else { ("verdict bad", icon::ERROR, "Not in order") };
-        let text = escape(&self.text);
+        let (word, text) = (language.say(word), escape(&self.text));
         let _ = writeln!(out, "<div class=\"{class}\">{sign}<p><strong>{word}</strong>{text}</p></div>");
     }
 }

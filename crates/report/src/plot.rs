@@ -166,7 +166,7 @@ impl Plot<'_> {
         svg.close_clip();
         if self.chart.y_extent().is_none() {
             let (x, y) = (f.x + 0.5 * f.w, f.y + 0.5 * f.h + 4.0);
-            svg.text("quiet halo", x, y, Anchor::Middle, "no data");
+            svg.text("quiet halo", x, y, Anchor::Middle, self.chart.language.say("no data"));
         }
     }
 

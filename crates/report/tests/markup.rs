@@ -6,8 +6,8 @@ use roxmltree::{Document, Node, ParsingOptions};
 use seamwright_machine::check::{Check, CheckOptions};
 use seamwright_machine::{Machine, SHIPPED};
 use seamwright_report::{
-    Axis, Band, Block, Chart, ChartGrid, Finding, LimitLine, MachineDrawing, Mark, Page, Series, Severity, Style,
-    Table, ThreeViews, Tile, Verdict, check_page,
+    Axis, Band, Block, Chart, ChartGrid, Finding, Language, LimitLine, MachineDrawing, Mark, Page, Series, Severity,
+    Style, Table, ThreeViews, Tile, Verdict, check_page,
 };
 
 const EVIL: &str = "</text></style><script>alert('x')</script> \"a\" & <b> ]]> \u{0}\u{7}";
@@ -192,6 +192,7 @@ fn views_share_scale_and_alignment() {
 fn page() -> Page {
     let text = || EVIL.to_string();
     Page {
+        language: Language::English,
         title: text(),
         subtitle: text(),
         meta: vec![(text(), text())],

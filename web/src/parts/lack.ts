@@ -1,16 +1,15 @@
 import type { LackView } from '../wire';
-import { alarmWords, named, t } from '../words/index.svelte';
+import { about, alarmTitle, named, t } from '../words/index.svelte';
 import { en, type Key } from '../words/en';
 
 /** A lack in the chosen language, with the names in it; keys without words keep those of the cell. */
 export function lackText(lack: LackView): string {
   const key = `lack.${lack.key}`;
   if (!(key in en)) return lack.text;
-  const blank = { cause: '', consequence: '', action: '' };
   const names = lack.of.map((name, i) => {
     if (lack.key === 'mode') return named('mode', name.replaceAll(' ', '_'));
     // The alarm, and which condition or axis it is about.
-    if (lack.key === 'alarm') return i === 0 ? alarmWords({ name, ...blank }).name : named('interlock', name);
+    if (lack.key === 'alarm') return i === 0 ? alarmTitle(name) : about(name);
     if (lack.key === 'silent') return named('device', name);
     if (lack.key === 'condition') return named('interlock', name);
     return name;

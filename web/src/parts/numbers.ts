@@ -1,3 +1,5 @@
+import units from '../../../words/units.json';
+
 /** A number with a decimal point in every language, and a true minus sign; what is not there is a dash. */
 export function number(value: number | null | undefined, digits: number): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return '–';
@@ -6,16 +8,13 @@ export function number(value: number | null | undefined, digits: number): string
   return Number(text) === 0 ? text.replace('-', '') : text.replace('-', '\u2212');
 }
 
+const UNIT = new RegExp(`_(${Object.keys(units).join('|')})$`);
+
 /** Splits the name of a process value, which ends in its unit, as `wire_feed_m_min`. */
 export function valueName(name: string): { title: string; unit: string } {
-  const unit = /_(a|v|kv|ma|w|kw|mm|m_min|mm_s|mm_min|l_min|hz|khz|deg|s|ms|percent|mbar|bar|c|k|kj_mm)$/.exec(name);
+  const unit = UNIT.exec(name);
   if (!unit) return { title: name.replaceAll('_', ' '), unit: '' };
-  const words: Record<string, string> = {
-    a: 'A', v: 'V', kv: 'kV', ma: 'mA', w: 'W', kw: 'kW', mm: 'mm', m_min: 'm/min', mm_s: 'mm/s', mm_min: 'mm/min',
-    l_min: 'l/min', hz: 'Hz', khz: 'kHz', deg: '°', s: 's', ms: 'ms', percent: '%', mbar: 'mbar', bar: 'bar', c: '°C',
-    k: 'K', kj_mm: 'kJ/mm',
-  };
-  return { title: name.slice(0, unit.index).replaceAll('_', ' '), unit: words[unit[1] ?? ''] ?? '' };
+  return { title: name.slice(0, unit.index).replaceAll('_', ' '), unit: units[unit[1] as keyof typeof units] };
 }
 
 /** `mm` or `°` of an axis. */

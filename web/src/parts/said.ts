@@ -1,12 +1,8 @@
 import type { EventView } from '../wire';
-import { alarmWords, named, t } from '../words/index.svelte';
+import { about, alarmTitle, named, t } from '../words/index.svelte';
 import { en, type Key } from '../words/en';
 import { lackText } from './lack';
 
-const blank = { cause: '', consequence: '', action: '' };
-const alarm = (name: string): string => alarmWords({ name, ...blank }).name;
-/** An axis by its name, or a condition in words. */
-const detail = (name: string): string => named('interlock', name);
 /** As the words call what the executive calls `process off, hold`. */
 const reaction = (name: string): string => named('reaction', name.replaceAll(',', ''));
 
@@ -15,11 +11,13 @@ const PARTS: Record<string, ((of: string, event: EventView) => string)[]> = {
   mode: [(of) => named('mode', of), (of) => named('mode', of)],
   order: [(of) => named('do', of)],
   refused: [(of) => named('do', of), (of, event) => (event.why ? lackText(event.why) : of)],
-  alarm: [alarm, reaction],
-  alarm_of: [alarm, reaction, detail],
-  alarm_before: [alarm],
-  cleared: [alarm],
-  cleared_of: [alarm, detail],
+  alarm: [alarmTitle, reaction],
+  alarm_of: [alarmTitle, reaction, about],
+  alarm_before: [alarmTitle],
+  shelved: [alarmTitle],
+  unshelved: [alarmTitle],
+  cleared: [alarmTitle],
+  cleared_of: [alarmTitle, about],
   recorded: [(of) => of, (of) => named('result', of)],
   teach_ended: [(of) => of, (of) => named('teach_end', of)],
 };

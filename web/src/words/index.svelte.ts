@@ -1,4 +1,3 @@
-import { alarms, type AlarmName, type AlarmWords } from './alarms';
 import { en, type Key, type Table } from './en';
 
 export type { Key } from './en';
@@ -7,15 +6,21 @@ export type { Key } from './en';
 export const languages = { en: 'English', uk: 'Українська', zh: '中文', de: 'Deutsch', ru: 'Русский' } as const;
 export type Language = keyof typeof languages;
 
-/** Only the words of the chosen language cross the line; English is always there. */
-const FILES: Record<Exclude<Language, 'en'>, () => Promise<Table>> = {
-  uk: () => import('./uk').then((of) => of.uk),
-  zh: () => import('./zh').then((of) => of.zh),
-  de: () => import('./de').then((of) => of.de),
-  ru: () => import('./ru').then((of) => of.ru),
+/** Why an alarm comes, what follows, what to do. */
+export type AlarmWords = { cause: string; consequence: string; action: string };
+
+/** What there is of a language; alarms by their names in the cell's catalogue. */
+type Tongue = { table: Table; alarms: Record<string, AlarmWords & { title: string }> };
+
+/** Only the words of the chosen language cross the line; English is always there, and the cell's own for alarms. */
+const FILES: Record<Exclude<Language, 'en'>, () => Promise<Tongue>> = {
+  uk: () => import('./uk').then((of) => ({ table: of.uk, alarms: of.alarms })),
+  zh: () => import('./zh').then((of) => ({ table: of.zh, alarms: of.alarms })),
+  de: () => import('./de').then((of) => ({ table: of.de, alarms: of.alarms })),
+  ru: () => import('./ru').then((of) => ({ table: of.ru, alarms: of.alarms })),
 };
-const tables: Partial<Record<Language, Table>> = { en };
-let sentence = (text: string, _: Language): string => text;
+const tongues: Partial<Record<Language, Tongue>> = { en: { table: en, alarms: {} } };
+let sentence = (text: string, _: Language, __: (text: string) => string): string => text;
 const KEPT = 'seamwright.language';
 
 function first(): Language {
@@ -39,9 +44,9 @@ class Words {
   /** From now on; if its words do not come, it stays as it was. */
   private async speak(language: Language): Promise<void> {
     if (language !== 'en') {
-      const got = await Promise.all([tables[language] ?? FILES[language](), import('./sentences')]).catch(() => null);
+      const got = await Promise.all([FILES[language](), import('./sentences')]).catch(() => null);
       if (!got) return;
-      [tables[language], sentence] = [got[0], got[1].sentence];
+      [tongues[language], sentence] = [got[0], got[1].sentence];
     }
     this.language = language;
     if (typeof document !== 'undefined') document.documentElement.lang = language;
@@ -52,7 +57,7 @@ export const words = new Words();
 
 /** The words of a key in the chosen language, `{0}`, `{1}` .. filled in. */
 export function t(key: Key, ...of: (string | number)[]): string {
-  const text = (tables[words.language] ?? en)[key];
+  const text = (tongues[words.language]?.table ?? en)[key];
   return of.length === 0 ? text : text.replace(/\{(\d)\}/g, (_, i: string) => String(of[Number(i)] ?? ''));
 }
 
@@ -70,15 +75,36 @@ export function titled(title: string): string {
   return key ? t(key) : title;
 }
 
-/** A sentence that the cell said of a plan, in the chosen language; what has no words is shown as it came. */
+/** A sentence that the cell said of a plan or a weld, in the chosen language; what has no words is shown as it came. */
 export function said(text: string): string {
-  return sentence(text, words.language);
+  return sentence(text, words.language, alarmTitle);
 }
 
-/** An alarm in the chosen language; one that has no words here keeps those of the cell. */
+/** What the note of a weld says, sentence by sentence. */
+export function noted(text: string): string {
+  return text.split('; ').map(said).join('; ');
+}
+
+/** What an alarm is about: a condition or what tracking lacks in words, an axis by its name. */
+export function about(name: string): string {
+  const words = named('interlock', name);
+  return words === name ? said(name) : words;
+}
+
+/** What the catalogue calls an alarm and, where the library keeps its name, what it is about. */
+const ALARM = /^([^:(]+?)(?: \((.*)\)|: (.*))?$/s;
+
+/** An alarm in the chosen language; one that has no words there keeps those of the cell. */
 export function alarmWords(of: AlarmWords & { name: string }): AlarmWords & { name: string } {
-  const table = alarms[words.language];
-  if (!(of.name in table)) return of;
-  const { title, ...row } = table[of.name as AlarmName];
-  return { name: title, ...row };
+  const [, name = '', ...more] = ALARM.exec(of.name) ?? [];
+  const row = tongues[words.language]?.alarms[name];
+  if (!row) return of;
+  const { title, ...rest } = row;
+  const detail = more.find((text) => text !== undefined);
+  return { name: detail === undefined ? title : `${title} (${about(detail)})`, ...rest };
+}
+
+/** An alarm's title in the chosen language. */
+export function alarmTitle(name: string): string {
+  return alarmWords({ name, cause: '', consequence: '', action: '' }).name;
 }

@@ -1,9 +1,9 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
-import { rows, sentence } from './sentences';
+import { ofWelds, rows, sentence } from './sentences';
 
-/** All strings of these crates, with holes for whatever stands in them; a line that ends in a backslash goes on. */
-const sources = ['motion', 'weld', 'program', 'machine'].flatMap((crate) => {
+/** All strings of crates, with holes for whatever stands in them; a line that ends in a backslash goes on. */
+const sources = (crates: string[]): string => crates.flatMap((crate) => {
   const folder = new URL(`../../../crates/${crate}/src/`, import.meta.url);
   return readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.rs')).map((name) => readFileSync(new URL(name, folder), 'utf8'));
 }).join('\n').replace(/\\\n\s*/g, '').replace(/\\"/g, '"').replace(/\{[^{}"\n]*\}/g, '{}');
@@ -15,7 +15,13 @@ describe('sentences of plans', () => {
   test('are those of the cell', () => {
     const pieces = rows.flatMap(([en]) => en.split('|')).map((piece) => bare(piece).replace(/^; /, '').trim()).filter((piece) => piece !== '{}' && piece !== '{} to {}');
     expect(pieces.length).toBeGreaterThan(80);
-    expect(pieces.filter((piece) => !sources.includes(piece))).toEqual([]);
+    const texts = sources(['motion', 'weld', 'program', 'machine']);
+    expect(pieces.filter((piece) => !texts.includes(piece))).toEqual([]);
+  });
+
+  test('of welds are those of the cell', () => {
+    const texts = sources(['cell', 'project', 'record', 'server', 'cli', 'tracking']);
+    expect(ofWelds.map(([en]) => bare(en)).filter((piece) => !texts.includes(piece))).toEqual([]);
   });
 
   test('have the same holes in every language', () => {

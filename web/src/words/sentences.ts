@@ -1,10 +1,9 @@
-import type { Language } from './index.svelte';
-
-type Row = readonly [en: string, uk: string, zh: string, de: string, ru: string];
+import notes from '../../../words/notes.json';
+import { matcher, ofRow, type Row } from './patterns';
 
 /**
  * What the cell says of a plan in whole sentences, with holes for what stands in them. Plans are told in English, on the command line and
- * in reports alike; the panel finds the sentence again by its pattern. A test holds the English against the cell's sources: `|` parts
+ * in their reports alike; the panel finds the sentence again by its pattern. A test holds the English against the cell's sources: `|` parts
  * what is written there in several places.
  */
 const ROWS: readonly Row[] = [
@@ -115,29 +114,11 @@ const ROWS: readonly Row[] = [
   ['make the weld longer', 'зробіть шов довшим', '加长焊缝', 'die Naht länger machen', 'сделайте шов длиннее'],
 ];
 
-const COLUMNS: Record<Language, 0 | 1 | 2 | 3 | 4> = { en: 0, uk: 1, zh: 2, de: 3, ru: 4 };
-const HOLE = /\{(\d)\}/g;
-
 /** For the test that holds them against the cell's sources. */
 export const rows: readonly Row[] = ROWS;
 
-const literal = (text: string): string => text.replace(/[.*+?^${}()|[\]\\]/g, '\\$&');
-const holes = (text: string): number => text.match(HOLE)?.length ?? 0;
-/** Those that say most come first: a pattern of few words fits much. */
-const compiled = ROWS.map((row) => {
-  const text = row[0].replaceAll('|', '');
-  const parts = text.split(/\{\d\}/).map(literal);
-  return { row, said: parts.join('').length, pattern: new RegExp(`^${parts.join('(.*?)')}$`, 's') };
-}).sort((a, b) => b.said - a.said || holes(a.row[0]) - holes(b.row[0]));
+/** What is said of a weld, in its events and notes: reports have it too. */
+export const ofWelds = notes as [string, string, string, string, string][];
 
 /** A sentence of the cell in a language; what has no words here stays as it came. */
-export function sentence(text: string, language: Language): string {
-  if (language === 'en' || text === '') return text;
-  for (const { row, pattern } of compiled) {
-    const found = pattern.exec(text);
-    if (found) return row[COLUMNS[language]].replace(HOLE, (_, i: string) => sentence(found[Number(i) + 1] ?? '', language));
-  }
-  // What a machine says of itself: its name, then why.
-  const named = /^([^:;]{1,40}): (.+)$/s.exec(text);
-  return named ? `${named[1]}: ${sentence(named[2] ?? '', language)}` : text;
-}
+export const sentence = matcher([...ROWS, ...ofWelds].map(ofRow));

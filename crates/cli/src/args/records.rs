@@ -3,6 +3,7 @@
 use clap::{Args, Subcommand};
 use seamwright_record::Moment;
 use seamwright_record::library::WeldResult;
+use seamwright_report::Language;
 use std::path::PathBuf;
 
 /// Where and how a weld is recorded.
@@ -97,13 +98,18 @@ pub(crate) struct ShowArgs {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "Example: seamwright records export 1 -o out/weld-1 --data records")]
+#[command(after_help = "Examples:
+  seamwright records export 1 -o out/weld-1 --data records
+  seamwright records export 1 -o out/weld-1 --data records --language de")]
 pub(crate) struct ExportArgs {
     /// Number of the weld
     pub(crate) id: i64,
     /// Folder for trace.parquet, report.html, record.json and program.toml; made if missing
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: PathBuf,
+    /// Language of the report: en, uk, zh, de, ru
+    #[arg(long, value_name = "CODE", default_value = "en")]
+    pub(crate) language: Language,
     #[command(flatten)]
     pub(crate) data: DataArgs,
 }

@@ -1,6 +1,6 @@
 use super::MachineDrawing;
 use super::tables::{axes, measure, number, reach, results, singular, small, structure, unit};
-use crate::{Block, Finding, Page, Severity, Tile, Verdict, format_number};
+use crate::{Block, Finding, Language, Page, Severity, Tile, Verdict, format_number};
 use seamwright_machine::check::{Check, HeadCheck, Remark};
 
 /// The check of a machine file as one self-contained HTML page; `file` is its name, `source` its text, `date` when the
@@ -35,6 +35,7 @@ pub fn check_page(check: &Check, drawing: &MachineDrawing, file: &str, source: &
     blocks.push(Block::Heading("Machine file".to_owned()));
     blocks.push(Block::Code { caption: file.to_owned(), text: source.to_owned() });
     Page {
+        language: Language::English,
         title: check.title.clone(),
         subtitle: "Check of the machine file".to_owned(),
         meta: vec![

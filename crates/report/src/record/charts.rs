@@ -1,65 +1,80 @@
-use crate::{Axis, Block, Chart, LimitLine, Series};
+use super::said;
+use crate::{Axis, Block, Chart, Language, LimitLine, Series};
 use seamwright_record::figures::{BIN_MM, Curve, Figures, HEAT_INPUT, Value};
 
 /// Curves of one chart at most: eight colours tell that many apart.
 const MOST: usize = 8;
 
-fn chart(title: &str, y: Axis, curves: &[&Curve], limits: Vec<LimitLine>) -> Chart {
+/// A chart of `curves` over path length, as many as can be told apart, with a caption of what each point is.
+fn figure(
+    (title, caption): (&'static str, &'static str),
+    y: Axis,
+    curves: &[&Curve],
+    limits: Vec<LimitLine>,
+    language: Language,
+) -> Block {
     let several = curves.iter().any(|c| c.pass != curves[0].pass);
-    let name = |c: &Curve| match several {
-        true => format!("pass {}: {}", c.pass, c.name),
-        false => c.name.clone(),
+    let called = |c: &Curve| {
+        let name = said::curve(language, &c.name);
+        if several { language.fill("pass {0}: {1}", &[&c.pass.to_string(), &name]) } else { name }
     };
-    Chart {
-        title: title.to_owned(),
-        x: Axis::new("path length s", "mm"),
+    let chart = Chart {
+        language,
+        title: language.say(title).to_owned(),
+        x: Axis::new(language.say("path length s"), language.say("mm")),
         y,
-        series: curves.iter().map(|c| Series::line(name(c), c.points.clone())).collect(),
+        series: curves.iter().take(MOST).map(|c| Series::line(called(c), c.points.clone())).collect(),
         limits,
         height: Some(170.0),
         ..Chart::default()
+    };
+    let mut caption = language.fill(caption, &[&BIN_MM.to_string()]);
+    if curves.len() > MOST {
+        let [most, all] = [MOST, curves.len()].map(|n| n.to_string());
+        caption += language.between_sentences();
+        caption += &language.fill("{0} of {1} curves; all are in the trace.", &[&most, &all]);
     }
-}
-
-fn figure(chart: &Chart, caption: String) -> Block {
     Block::Figure { svg: chart.to_svg(), caption }
 }
 
 /// Heat input along the passes, with the window if all have the same.
-pub(super) fn heat_input(figures: &Figures, values: &[Value]) -> Block {
-    let curves: Vec<&Curve> = figures.heat_input.iter().take(MOST).collect();
+pub(super) fn heat_input(figures: &Figures, values: &[Value], language: Language) -> Block {
+    let curves: Vec<&Curve> = figures.heat_input.iter().collect();
     if curves.is_empty() {
-        return Block::Paragraph("Not known: without a procedure nothing says what power is.".to_owned());
+        let why = "Not known: without a procedure nothing says what power is.";
+        return Block::Paragraph(language.say(why).to_owned());
     }
     let mut windows: Vec<(f64, f64)> =
         values.iter().filter(|v| v.name == HEAT_INPUT).filter_map(|v| v.allowed).collect();
     windows.dedup();
+    let limit = |word, value| LimitLine::new(language.say(word), value);
     let limits = match windows.as_slice() {
-        [(least, greatest)] => vec![LimitLine::new("least", *least), LimitLine::new("greatest", *greatest)],
+        [(least, greatest)] => vec![limit("at least", *least), limit("at most", *greatest)],
         _ => Vec::new(),
     };
-    let chart = chart("Heat input along the seam", Axis::new("heat input", "kJ/mm"), &curves, limits);
-    let caption =
-        format!("Energy over the way of the torch tip, of each {BIN_MM} mm{}.", left_out(figures.heat_input.len()));
-    figure(&chart, caption)
+    let said = ("Heat input along the seam", "Energy over the way of the torch tip, of each {0} mm.");
+    let heat = Axis::new(language.say("value.heat_input"), language.say("kJ/mm"));
+    figure(said, heat, &curves, limits, language)
 }
 
 /// Deviations along the passes.
-pub(super) fn deviations(figures: &Figures) -> Vec<Block> {
+pub(super) fn deviations(figures: &Figures, language: Language) -> Vec<Block> {
     let (path, seam): (Vec<&Curve>, Vec<&Curve>) = figures.deviations.iter().partition(|c| c.name == "path_error_mm");
-    let drawn = |title: &str, curves: &[&Curve], caption: &str| {
-        let shown = &curves[..curves.len().min(MOST)];
-        let chart = chart(title, Axis::new("distance", "mm"), shown, Vec::new());
-        let caption = format!("{caption}, of each {BIN_MM} mm the greatest{}.", left_out(curves.len()));
-        (!curves.is_empty()).then(|| figure(&chart, caption))
+    let drawn = |said, curves: &[&Curve]| {
+        let distance = Axis::new(language.say("distance"), language.say("mm"));
+        (!curves.is_empty()).then(|| figure(said, distance, curves, Vec::new(), language))
     };
-    let path =
-        drawn("Torch tip beside the planned path", &path, "Distance of the true torch tip from the seam, normal to it");
-    let seam = drawn("Weld beside the joint", &seam, "Where the weld lies beside the joint, lateral and in height");
-    let blocks: Vec<Block> = path.into_iter().chain(seam).collect();
-    if blocks.is_empty() { vec![Block::Paragraph("Nothing of them is known.".to_owned())] } else { blocks }
-}
-
-fn left_out(curves: usize) -> String {
-    if curves > MOST { format!("; {MOST} of {curves} curves, all are in the trace") } else { String::new() }
+    let of_tip = (
+        "Torch tip beside the planned path",
+        "Distance of the true torch tip from the seam, normal to it, of each {0} mm the greatest.",
+    );
+    let of_weld = (
+        "Weld beside the joint",
+        "Where the weld lies beside the joint, lateral and in height, of each {0} mm the greatest.",
+    );
+    let blocks: Vec<Block> = drawn(of_tip, &path).into_iter().chain(drawn(of_weld, &seam)).collect();
+    match blocks.is_empty() {
+        true => vec![Block::Paragraph(language.say("Nothing of it is known.").to_owned())],
+        false => blocks,
+    }
 }

@@ -1,59 +1,70 @@
 //! The report of a recorded weld: what was welded, against its procedure, to be signed.
 
 mod charts;
+mod said;
 mod tables;
 
 use crate::weld::table;
-use crate::{Block, Page, Severity, Tile, Verdict, format_number};
+use crate::{Block, Language, Page, Severity, Tile, Verdict, format_number};
 use seamwright_record::figures::Figures;
 use seamwright_record::library::{WeldDetail, WeldRecord, WeldResult};
 
-/// The report as one self-contained HTML page; `program` is the text that was welded, `date` when the page is made.
-pub fn recorded_weld_page(detail: &WeldDetail, figures: &Figures, program: &str, date: &str) -> String {
+/// The report as one self-contained HTML page in this language; `program` is the text that was welded, `date` when the page
+/// is made. What people have typed stays as it is.
+pub fn recorded_weld_page(
+    detail: &WeldDetail,
+    figures: &Figures,
+    program: &str,
+    date: &str,
+    language: Language,
+) -> String {
     let weld = &detail.weld;
-    let mut blocks = vec![Block::Tiles(tiles(weld, figures, detail.alarms.len()))];
-    let mut section = |heading: &str, content: Vec<Block>| {
-        blocks.push(Block::Heading(heading.to_owned()));
+    let mut blocks = vec![Block::Tiles(tiles(weld, figures, detail.alarms.len(), language))];
+    let mut section = |heading, content: Vec<Block>| {
+        blocks.push(Block::Heading(language.say(heading).to_owned()));
         blocks.extend(content);
     };
-    section("Procedure against actual values", vec![tables::values(&detail.values)]);
-    section("Heat input", vec![charts::heat_input(figures, &detail.values)]);
-    section("Deviations", charts::deviations(figures));
-    section("Alarms", vec![tables::alarms(&detail.alarms)]);
+    section("Procedure against actual values", vec![tables::values(&detail.values, language)]);
+    section("value.heat_input", vec![charts::heat_input(figures, &detail.values, language)]);
+    section("Deviations", charts::deviations(figures, language));
+    section("bottom.alarms", vec![tables::alarms(&detail.alarms, language)]);
     if !detail.events.is_empty() {
-        section("Events", vec![tables::events(&detail.events)]);
+        section("bottom.events", vec![tables::events(&detail.events, language)]);
     }
-    section("Record", vec![tables::made_from(weld), tables::files(&detail.files)]);
-    section("Program", vec![Block::Code { caption: weld.program.0.clone(), text: program.to_owned() }]);
-    let empty = |who: &str| vec![who.to_owned(), String::new(), String::new(), String::new()];
-    let mut signed = vec![empty("Welder"), empty("Inspector")];
-    signed[0][1] = weld.welder.clone().unwrap_or_default();
-    section("Signatures", vec![table("To be filled in by hand", &["", "Name", "Date", "Signature"], signed, 4..4)]);
-    let text = |value: &Option<(String, i64)>| value.as_ref().map_or("none".to_owned(), |(name, _)| name.clone());
+    section("Record", vec![tables::made_from(weld, language), tables::files(&detail.files, language)]);
+    section("program", vec![Block::Code { caption: weld.program.0.clone(), text: program.to_owned() }]);
+    section("Signatures", vec![signatures(weld, language)]);
+    let procedure = weld.procedure.as_ref().map_or(language.say("none"), |(name, _)| name);
+    let subtitle = if weld.simulated { "Weld record {0}, simulated: no metal was welded" } else { "Weld record {0}" };
+    let meta = [
+        ("record.part", weld.part.clone()),
+        ("record.welder", weld.welder.clone().unwrap_or_default()),
+        ("record.machine", weld.machine.0.clone()),
+        ("record.procedure", procedure.to_owned()),
+        ("record.begun", weld.begun.to_string()),
+        ("Ended", weld.ended.map_or(language.say("not yet").to_owned(), |at| at.to_string())),
+        ("Page made", date.to_owned()),
+        ("Made by", format!("Seamwright {}", env!("CARGO_PKG_VERSION"))),
+    ];
     Page {
+        language,
         title: weld.title.clone(),
-        subtitle: format!(
-            "Weld record {}{}",
-            weld.id,
-            if weld.simulated { ", simulated: no metal was welded" } else { "" }
-        ),
-        meta: vec![
-            ("Part".to_owned(), weld.part.clone()),
-            ("Welder".to_owned(), weld.welder.clone().unwrap_or_default()),
-            ("Machine".to_owned(), weld.machine.0.clone()),
-            ("Procedure".to_owned(), text(&weld.procedure)),
-            ("Begun".to_owned(), weld.begun.to_string()),
-            ("Ended".to_owned(), weld.ended.map_or("not yet".to_owned(), |at| at.to_string())),
-            ("Page made".to_owned(), date.to_owned()),
-            ("Made by".to_owned(), format!("Seamwright {}", env!("CARGO_PKG_VERSION"))),
-        ],
-        verdict: Some(verdict(detail)),
+        subtitle: language.fill(subtitle, &[&weld.id.to_string()]),
+        meta: meta.map(|(name, value)| (language.say(name).to_owned(), value)).into(),
+        verdict: Some(verdict(detail, language)),
         blocks,
     }
     .render()
 }
 
-fn verdict(detail: &WeldDetail) -> Verdict {
+fn signatures(weld: &WeldRecord, language: Language) -> Block {
+    let row = |who, name| vec![language.say(who).to_owned(), name, String::new(), String::new()];
+    let rows = vec![row("record.welder", weld.welder.clone().unwrap_or_default()), row("Inspector", String::new())];
+    let head = ["", "Name", "Date", "Signature"].map(|head| language.say(head));
+    table(language.say("To be filled in by hand"), &head, rows, 4..4)
+}
+
+fn verdict(detail: &WeldDetail, language: Language) -> Verdict {
     let outside = detail.values.iter().filter(|v| v.outside_s > 0.0).count();
     let said = match detail.weld.result {
         WeldResult::Good => "Welded to its end, within its tolerance.",
@@ -63,35 +74,39 @@ fn verdict(detail: &WeldDetail) -> Verdict {
         WeldResult::Running => "Not ended: it runs, or a crash left it so.",
     };
     let windows = match (outside, detail.weld.procedure.is_some()) {
-        (_, false) => " There is no procedure to hold it against.".to_owned(),
-        (0, _) => " All values within the procedure's windows.".to_owned(),
-        (1, _) => " One value left its window.".to_owned(),
-        (n, _) => format!(" {n} values left their windows."),
+        (_, false) => language.say("There is no procedure to hold it against.").to_owned(),
+        (0, _) => language.say("All values within the procedure's windows.").to_owned(),
+        (1, _) => language.say("One value left its window.").to_owned(),
+        (n, _) => language.fill("{0} values left their windows.", &[&n.to_string()]),
     };
-    let note = if detail.weld.note.is_empty() { String::new() } else { format!(" Note: {}.", detail.weld.note) };
+    let note = match detail.weld.note.as_str() {
+        "" => String::new(),
+        note => language.fill("Note: {0}.", &[&said::note(language, note)]),
+    };
     let ok = detail.weld.result == WeldResult::Good && outside == 0 && detail.weld.note.is_empty();
-    Verdict { ok, text: format!("{said}{windows}{note}") }
+    Verdict { ok, text: [language.say(said), &windows, &note].join(language.between_sentences()).trim_end().to_owned() }
 }
 
-fn tiles(weld: &WeldRecord, figures: &Figures, alarms: usize) -> Vec<Tile> {
-    let tile = |label: &str, value: String, unit: &str, note: String| Tile {
-        label: label.to_owned(),
+fn tiles(weld: &WeldRecord, figures: &Figures, alarms: usize, language: Language) -> Vec<Tile> {
+    let tile = |label, value: String, unit, note: String| Tile {
+        label: language.say(label).to_owned(),
         value,
-        unit: unit.to_owned(),
+        unit: language.say(unit).to_owned(),
         note,
         ..Tile::default()
     };
     let number = |value: f64| format_number(value, 3);
     let mut tiles = vec![tile("Arc-on time", format_number(figures.arc_on_s, 4), "s", String::new())];
     if let Some([least, mean, greatest]) = weld.heat_input_kj_mm {
-        let note = format!("mean; {} to {}", number(least), number(greatest));
-        tiles.push(tile("Heat input", number(mean), "kJ/mm", note));
+        let note = language.fill("mean; {0} to {1}", &[&number(least), &number(greatest)]);
+        tiles.push(tile("value.heat_input", number(mean), "kJ/mm", note));
     }
     if let Some((worst, at)) = weld.worst_deviation_mm {
-        tiles.push(tile("Deviation", number(worst), "mm", format!("greatest, at s = {} mm", format_number(at, 5))));
+        let note = language.fill("greatest, at s = {0} mm", &[&format_number(at, 5)]);
+        tiles.push(tile("Deviation", number(worst), "mm", note));
     }
     let severity = (alarms > 0).then_some(Severity::Warning);
-    tiles.push(Tile { severity, ..tile("Alarms", alarms.to_string(), "", String::new()) });
+    tiles.push(Tile { severity, ..tile("bottom.alarms", alarms.to_string(), "", String::new()) });
     tiles
 }
 

@@ -1,5 +1,6 @@
+use super::said;
 use crate::weld::table;
-use crate::{Block, format_number};
+use crate::{Block, Language, format_number};
 use seamwright_record::figures::Value;
 use seamwright_record::library::{Alarm, Event, Place, WeldFile, WeldRecord};
 
@@ -8,12 +9,15 @@ fn number(value: f64) -> String {
 }
 
 /// What was found against what is allowed.
-pub(super) fn values(values: &[Value]) -> Block {
+pub(super) fn values(values: &[Value], language: Language) -> Block {
     if values.is_empty() {
-        return Block::Paragraph("Nothing of it is known.".to_owned());
+        return Block::Paragraph(language.say("Nothing of it is known.").to_owned());
     }
     let rows = values.iter().map(|v| {
-        let allowed = v.allowed.map_or("not limited".to_owned(), |(l, g)| format!("{} to {}", number(l), number(g)));
+        let allowed = match v.allowed {
+            Some((least, greatest)) => language.fill("{0} to {1}", &[&number(least), &number(greatest)]),
+            None => language.say("not limited").to_owned(),
+        };
         let verdict = match v.allowed {
             None => "",
             Some(_) if v.outside_s > 0.0 => "outside",
@@ -22,15 +26,15 @@ pub(super) fn values(values: &[Value]) -> Block {
         let outside = |value: f64| if v.allowed.is_some() { number(value) } else { "–".to_owned() };
         let numbers = [v.least, v.mean, v.greatest].map(number);
         [
-            vec![v.pass.to_string(), v.name.clone()],
+            vec![v.pass.to_string(), said::value(language, &v.name)],
             numbers.to_vec(),
-            vec![allowed, outside(v.outside_s), outside(v.outside_mm), verdict.to_owned()],
+            vec![allowed, outside(v.outside_s), outside(v.outside_mm), language.say(verdict).to_owned()],
         ]
         .concat()
     });
-    let head = ["Pass", "Value", "Least", "Mean", "Greatest", "Allowed", "Outside, s", "Outside, mm", ""];
+    let head = ["pass", "Value", "least", "mean", "greatest", "allowed", "Outside, s", "Outside, mm", ""];
     let caption = "Actual values with the arc on, between run-up and run-down, against the procedure's windows";
-    table(caption, &head, rows.collect(), 2..5)
+    table(language.say(caption), &head.map(|head| language.say(head)), rows.collect(), 2..5)
 }
 
 fn place(place: &Place) -> [String; 3] {
@@ -38,46 +42,50 @@ fn place(place: &Place) -> [String; 3] {
     [place.pass.map_or(String::new(), |p| p.to_string()), some(place.s_mm), some(place.t_s)]
 }
 
-pub(super) fn alarms(alarms: &[Alarm]) -> Block {
+pub(super) fn alarms(alarms: &[Alarm], language: Language) -> Block {
     if alarms.is_empty() {
-        return Block::Paragraph("None.".to_owned());
+        return Block::Paragraph(language.say("None.").to_owned());
     }
     let rows = alarms.iter().map(|a| {
         let [pass, s, t] = place(&a.place);
-        let seen = a.acknowledged.as_ref().map_or("no".to_owned(), |(by, at)| format!("{by}, {at}"));
-        let first = if a.first_out { "first" } else { "" };
-        vec![a.name.clone(), a.cause.clone(), pass, s, t, first.to_owned(), seen]
+        let seen = a.acknowledged.as_ref().map_or(language.say("no").to_owned(), |(by, at)| format!("{by}, {at}"));
+        let first = language.say(if a.first_out { "first" } else { "" }).to_owned();
+        vec![said::alarm(language, &a.name), said::cause(language, a), pass, s, t, first, seen]
     });
-    let head = ["Alarm", "Cause", "Pass", "s, mm", "t, s", "First-out", "Acknowledged"];
-    table("Alarms in the order in which they came", &head, rows.collect(), 2..5)
+    let head = ["alarm", "alarm.cause", "pass", "s, mm", "t, s", "First-out", "Acknowledged"];
+    let head = head.map(|head| language.say(head));
+    table(language.say("Alarms in the order in which they came"), &head, rows.collect(), 2..5)
 }
 
-pub(super) fn events(events: &[Event]) -> Block {
+pub(super) fn events(events: &[Event], language: Language) -> Block {
     let rows = events.iter().map(|e| {
         let [pass, s, t] = place(&e.place);
-        vec![e.at.to_string(), e.text.clone(), pass, s, t]
+        vec![e.at.to_string(), said::event(language, &e.text), pass, s, t]
     });
-    table("Events in the order in which they came", &["Time", "Event", "Pass", "s, mm", "t, s"], rows.collect(), 2..5)
+    let head = ["event.time", "event.text", "pass", "s, mm", "t, s"].map(|head| language.say(head));
+    table(language.say("Events in the order in which they came"), &head, rows.collect(), 2..5)
 }
 
 /// What the weld was made from, in which versions.
-pub(super) fn made_from(weld: &WeldRecord) -> Block {
+pub(super) fn made_from(weld: &WeldRecord, language: Language) -> Block {
     let mut rows = Vec::new();
-    let mut row = |kind: &str, name: &str, version: i64| {
-        rows.push(vec![kind.to_owned(), name.to_owned(), version.to_string()]);
+    let mut row = |kind, name: &str, version: i64| {
+        rows.push(vec![language.say(kind).to_owned(), name.to_owned(), version.to_string()]);
     };
-    weld.job.iter().for_each(|(name, version)| row("Job", name, *version));
-    row("Program", &weld.program.0, weld.program.1);
-    row("Machine", &weld.machine.0, weld.machine.1);
-    weld.procedure.iter().for_each(|(name, version)| row("Procedure", name, *version));
-    let caption = format!("Made from these texts, which the library keeps; SHA-256 of the program {}", weld.program.2);
-    table(&caption, &["", "Name", "Version"], rows, 2..3)
+    weld.job.iter().for_each(|(name, version)| row("job.head", name, *version));
+    row("program", &weld.program.0, weld.program.1);
+    row("record.machine", &weld.machine.0, weld.machine.1);
+    weld.procedure.iter().for_each(|(name, version)| row("record.procedure", name, *version));
+    let caption = "Made from these texts, which the library keeps; SHA-256 of the program {0}";
+    let head = ["", "Text", "Version"].map(|head| language.say(head));
+    table(&language.fill(caption, &[&weld.program.2]), &head, rows, 2..3)
 }
 
-pub(super) fn files(files: &[WeldFile]) -> Block {
+pub(super) fn files(files: &[WeldFile], language: Language) -> Block {
     let rows = files.iter().map(|f| {
         let rows = f.rows.map_or(String::new(), |n| n.to_string());
         vec![f.name.clone(), rows, f.bytes.to_string(), f.sha256.clone()]
     });
-    table("Files of the record", &["File", "Rows", "Bytes", "SHA-256"], rows.collect(), 1..3)
+    let [file, rows_, bytes] = ["File", "Rows", "Bytes"].map(|head| language.say(head));
+    table(language.say("Files of the record"), &[file, rows_, bytes, "SHA-256"], rows.collect(), 1..3)
 }

@@ -1,4 +1,6 @@
-use super::recorded_weld_page;
+use super::{recorded_weld_page, said};
+use crate::Language;
+use seamwright_cell::executive::{Alarm as Catalogue, Ask, Mode};
 use seamwright_record::Moment;
 use seamwright_record::figures::{Curve, Figures, Value};
 use seamwright_record::library::{Alarm, Event, Place, WeldDetail, WeldFile, WeldRecord, WeldResult};
@@ -65,7 +67,7 @@ fn figures() -> Figures {
 
 #[test]
 fn everything_stands_on_the_page() {
-    let page = recorded_weld_page(&detail(), &figures(), "schema = 1\n", "2026-11-22");
+    let page = recorded_weld_page(&detail(), &figures(), "schema = 1\n", "2026-11-22", Language::English);
     for wanted in [
         "N-17 &lt;left&gt;",
         "Nozzle &amp; shell",
@@ -80,6 +82,7 @@ fn everything_stands_on_the_page() {
         "31.25",
         "Inspector",
         "Signature",
+        "Current, A",
         &"cd".repeat(32),
         &"ab".repeat(32),
         "schema = 1",
@@ -101,7 +104,7 @@ fn only_a_good_weld_is_in_order() {
         let mut detail = detail();
         detail.values.truncate(1);
         change(&mut detail);
-        !recorded_weld_page(&detail, &figures(), "", "").contains("Not in order")
+        !recorded_weld_page(&detail, &figures(), "", "", Language::English).contains("Not in order")
     };
     assert!(verdict(&|_| {}));
     assert!(!verdict(&|d| d.weld.result = WeldResult::Interrupted));
@@ -109,5 +112,143 @@ fn only_a_good_weld_is_in_order() {
     assert!(!verdict(&|d| d.values[0].outside_s = 0.01));
     // Nothing known at all is a page too.
     let empty = WeldDetail { values: vec![], alarms: vec![], events: vec![], files: vec![], ..detail() };
-    assert!(recorded_weld_page(&empty, &Figures::default(), "", "").contains("Nothing of it is known"));
+    assert!(
+        recorded_weld_page(&empty, &Figures::default(), "", "", Language::English).contains("Nothing of it is known")
+    );
+}
+
+/// Pages on which everything stands that a page can say, with names that are no words.
+fn full(language: Language) -> String {
+    let good = detail();
+    let record = WeldRecord {
+        part: "Q-1".to_owned(),
+        title: "Zzyzx".to_owned(),
+        job: Some(("zz.toml".to_owned(), 2)),
+        program: ("Zz".to_owned(), 3, "0".repeat(64)),
+        machine: ("zz-4".to_owned(), 1),
+        procedure: Some(("135-01".to_owned(), 1)),
+        welder: Some("Zoe".to_owned()),
+        ..good.weld.clone()
+    };
+    let cause = |alarm: Catalogue| alarm.entry().cause.to_owned();
+    let alarm = |name: &str, cause: String, first_out| Alarm {
+        name: name.to_owned(),
+        cause,
+        first_out,
+        acknowledged: None,
+        ..good.alarms[0].clone()
+    };
+    let alarms = vec![
+        alarm("condition not met (doors)", cause(Catalogue::Interlock), true),
+        alarm("following error (x)", cause(Catalogue::FollowingError), false),
+        alarm("tracking: joint lost (head 2)", cause(Catalogue::Tracking), false),
+        alarm("tracking (correction near its end, head 2)", cause(Catalogue::Tracking), false),
+    ];
+    let event = |text: String| Event { text, ..good.events[0].clone() };
+    let modes = Mode::ALL.windows(2).map(|modes| event(format!("{} -> {}", modes[0], modes[1])));
+    let orders = [Ask::Hold, Ask::Resume, Ask::Reverse, Ask::Stop].map(|ask| event(ask.name().to_owned()));
+    let said =
+        ["override 50 %", "pass 1 ends", "pass 2 was left, welded up to 12.50 mm"].map(|text| event(text.to_owned()));
+    let events: Vec<Event> = modes.chain(orders).chain(said).collect();
+    let value = |name: &str, allowed| Value { name: name.to_owned(), allowed, ..good.values[0].clone() };
+    let values = vec![
+        value("heat_input_kj_mm", Some((90.0, 900.0))),
+        value("tip_speed_mm_s", None),
+        value("wire_feed_m_min", Some((1.0, 9.0))),
+        good.values[1].clone(),
+    ];
+    let note = "stopped by: tracking (joint lost); left in pass 2, welded up to 1.00 mm; not welded to its end; \
+                3 rows of the trace were lost: 77; recovered 2026, 5 bytes at the end of the trace were no whole rows";
+    let curve = |pass, name: &str| Curve { pass, name: name.to_owned(), points: vec![(1.0, 0.5), (3.0, 0.54)] };
+    let many = Figures {
+        heat_input: (1..10).map(|pass| curve(pass, "heat_input_kj_mm")).collect(),
+        deviations: vec![curve(1, "path_error_mm"), curve(2, "miss_lateral_mm_q"), curve(1, "miss_height_mm")],
+        ..figures()
+    };
+    let results = [WeldResult::Good, WeldResult::Deviating, WeldResult::Stopped, WeldResult::Interrupted];
+    let mut pages = String::new();
+    for (i, result) in results.into_iter().chain([WeldResult::Running]).enumerate() {
+        let weld = WeldRecord { result, simulated: i == 0, note: note.to_owned(), ..record.clone() };
+        let detail = WeldDetail {
+            weld: WeldRecord { ended: None, ..weld },
+            values: values.clone(),
+            alarms: alarms.clone(),
+            events: events.clone(),
+            files: vec![WeldFile { sha256: "0".repeat(64), ..good.files[0].clone() }],
+        };
+        pages += &recorded_weld_page(&detail, &many, "", "", language);
+        // What is said where something is not there, or of one or several.
+        let values = vec![good.values[1].clone(); i];
+        let procedure = record.procedure.clone().filter(|_| i > 0);
+        let weld = WeldRecord { procedure, ..detail.weld };
+        let detail = WeldDetail { weld, values, alarms: vec![], events: vec![], files: vec![] };
+        pages += &recorded_weld_page(&detail, &Figures::default(), "", "", language);
+    }
+    pages
+}
+
+/// The words that are read, not those of the styles.
+fn words(page: &str) -> std::collections::BTreeSet<String> {
+    let bare = page.split("<style>").flat_map(|part| part.split("</style>").skip(1).chain(["<"]));
+    let mut text = String::new();
+    for piece in bare.collect::<String>().split('<') {
+        // An attribute that is read aloud, and the text behind the tag.
+        let (tag, rest) = piece.split_once('>').unwrap_or(("", piece));
+        text += tag.split_once("aria-label=\"").map_or("", |(_, label)| label.split('"').next().unwrap());
+        text += " ";
+        text += rest;
+        text += " ";
+    }
+    let text = text.replace("&#39;", " ").to_lowercase();
+    text.split(|c: char| !c.is_alphabetic()).filter(|word| word.chars().count() > 2).map(str::to_owned).collect()
+}
+
+#[test]
+fn a_page_in_another_language_has_no_english_left() {
+    let english = words(&full(Language::English));
+    assert!(english.len() > 150 && english.contains("inspector"));
+    for language in Language::ALL {
+        let page = full(language);
+        assert!(page.contains(&format!("<html lang=\"{}\">", language.code())));
+        for document in page.split("<!DOCTYPE html>").skip(1) {
+            roxmltree::Document::parse(document.trim()).unwrap();
+        }
+        if language == Language::English {
+            continue;
+        }
+        let left: Vec<String> = words(&page).intersection(&english).cloned().collect();
+        // Names, and what is the same word there.
+        let same: &[&str] = match language {
+            Language::German => &["name", "version", "text", "bytes", "alarm", "override", "gas", "hand"],
+            _ => &[],
+        };
+        let names = ["seamwright", "zzyzx", "toml", "zoe", "sha", "utc", "trace", "parquet", "wps", "min"];
+        let left: Vec<&String> =
+            left.iter().filter(|w| !names.contains(&w.as_str()) && !same.contains(&w.as_str())).collect();
+        assert!(left.is_empty(), "{language:?}: {left:?}");
+    }
+}
+
+#[test]
+fn what_people_typed_and_what_has_no_words_stays() {
+    for language in Language::ALL {
+        let page = recorded_weld_page(&detail(), &figures(), "schema = 1\n", "2026-11-22", language);
+        for wanted in
+            ["N-17 &lt;left&gt;", "Nozzle &amp; shell", "A. Welder", "WPS 135-01", "arc lost", "31.25", "2026-11-22"]
+        {
+            assert!(page.contains(wanted), "{language:?}: {wanted}");
+        }
+        assert_eq!(said::note(language, "asked for by A. Smith; see N-17"), "asked for by A. Smith; see N-17");
+        assert_eq!(said::event(language, "what a later version says"), "what a later version says");
+        assert_eq!(said::value(language, "odd_thing_m_min").split(',').next(), Some("odd thing"));
+        assert_eq!(said::alarm(language, "of a later version (x)"), "of a later version (x)");
+        let foreign =
+            Alarm { name: "drive fault (x)".to_owned(), cause: "typed".to_owned(), ..detail().alarms[0].clone() };
+        assert_eq!(said::cause(language, &foreign), "typed");
+    }
+    let german = |name: &str| said::alarm(Language::German, name);
+    assert_eq!(german("condition not met (shielding gas)"), "Bedingung nicht erfüllt (Schutzgas)");
+    assert_eq!(german("drive fault (door (left))"), "Antriebsstörung (door (left))");
+    assert_eq!(german("tracking: joint lost (head 2)"), "Nahtverfolgung (Fuge verloren (Kopf 2))");
+    assert_eq!(said::note(Language::German, "stopped by: drive fault (x)"), "gestoppt durch: Antriebsstörung (x)");
 }

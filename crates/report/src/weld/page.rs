@@ -4,7 +4,7 @@ use super::limits::{axes_table, bounds_table, speed_text, uses_table};
 use super::plan::PlanFigures;
 use super::procedure::{positions_table, procedure_text, windows_table};
 use super::tracking;
-use crate::{Block, Finding, Page, Severity, Table, Tile, Verdict, format_number};
+use crate::{Block, Finding, Language, Page, Severity, Table, Tile, Verdict, format_number};
 use seamwright_cell::Summary;
 use seamwright_program::WeldDirection;
 
@@ -46,6 +46,7 @@ impl WeldReport {
             4..4,
         ));
         Page {
+            language: Language::English,
             title: self.title.clone(),
             subtitle: format!(
                 "Weld report: {}",

@@ -11,6 +11,7 @@ use axum::{Extension, Json};
 use seamwright_record::library::{Query as Find, WeldRecord, WeldResult};
 use seamwright_record::trace::Trace;
 use seamwright_record::{DataFolder, Moment};
+use seamwright_report::Language;
 use serde::Deserialize;
 use std::sync::Arc;
 use std::task::Poll;
@@ -188,13 +189,28 @@ pub(super) async fn trace(
     .await
 }
 
-pub(super) async fn report(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) -> Result<Response, Refused> {
+/// In which language; English if it is not said.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Spoken {
+    language: Option<String>,
+}
+
+pub(super) async fn report(
+    State(panel): State<Arc<Panel>>,
+    Path(id): Path<i64>,
+    Query(spoken): Query<Spoken>,
+) -> Result<Response, Refused> {
+    let known = |code: String| {
+        code.parse::<Language>().map_err(|e| Refused::input(format!("there is no language `{code}`; {e}")))
+    };
+    let language = spoken.language.map(known).transpose()?.unwrap_or_default();
     let page = reads(&panel, move |data| {
         let detail = data.library().detail(id)?;
         let figures = data.figures(id)?;
         let program = data.library().program_of(id)?;
         let date = Moment::now().to_string();
-        Ok(seamwright_report::recorded_weld_page(&detail, &figures, &program.text, &date))
+        Ok(seamwright_report::recorded_weld_page(&detail, &figures, &program.text, &date, language))
     });
     page.await.map(|Json(html)| page_of(html))
 }

@@ -174,7 +174,13 @@ pub(super) fn routes() -> Vec<Route> {
             shape::<WorkView>(),
             get(plan::recorded),
         ),
-        Route::get("/api/records/{id}/report", "records.read", "Its report as a page", None, get(records::report)),
+        Route::get(
+            "/api/records/{id}/report",
+            "records.read",
+            "Its report as a page; ?language=en, uk, zh, de or ru",
+            None,
+            get(records::report),
+        ),
         Route::get("/api/tuning", "tune", "An axis tuned in simulation", shape::<TuningView>(), get(plan::tuning)),
         Route::get(
             "/api/parameters",

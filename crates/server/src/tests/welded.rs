@@ -73,6 +73,18 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     for event in ["hold", "resume", "stop", "pass 1 was left"] {
         assert!(report.contains(event), "{event}");
     }
+    // In another language what happened is told in it; one that is not there is refused, with those that are.
+    let in_language =
+        |code: &str| owner.request("GET", &format!("/api/records/{stopped}/report?language={code}"), None);
+    let german = bench.raw(in_language("de")).await.into_body().collect().await.unwrap().to_bytes();
+    let german = String::from_utf8_lossy(&german);
+    assert!(german.contains("<html lang=\"de\">") && german.contains("Lage 1 wurde verlassen"), "{german}");
+    for wrong in ["fr", "", "de-AT", "EN"] {
+        let (status, refused) = bench.ask(in_language(wrong)).await;
+        assert_eq!((status.as_u16(), &refused["key"]), (422, &json!("input")), "{wrong}");
+        let said = format!("there is no language `{wrong}`; allowed: en, uk, zh, de, ru");
+        assert_eq!(refused["text"], said);
+    }
     // The audit log names who did what.
     let (_, audit) = bench.ask(owner.request("GET", "/api/audit?most=100", None)).await;
     let has = |what: &str| audit.as_array().unwrap().iter().any(|e| e["command"] == what && e["user"] == "owner");

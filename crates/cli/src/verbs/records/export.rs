@@ -18,7 +18,8 @@ pub(super) fn run(args: &ExportArgs) -> Result<(), Failure> {
     let program = library.program_of(args.id)?;
     let json = serde_json::to_string_pretty(&detail).map_err(|e| Failure::Environment(e.to_string()))?;
     output.text("record.json", &(json + "\n"))?;
-    output.text("report.html", &recorded_weld_page(&detail, &figures, &program.text, &clock::now()))?;
+    let page = recorded_weld_page(&detail, &figures, &program.text, &clock::now(), args.language);
+    output.text("report.html", &page)?;
     output.text("program.toml", &program.text)?;
     let paths = output.finish()?;
     if args.data.json {

@@ -1,0 +1,191 @@
+//! Languages of a page and their words, which are data: `words/` at the root of the sources. What the panel says too is in a
+//! file for each language, which it sends; sentences about welds are in `notes.json`, what only reports say in `report.json`.
+
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use std::collections::HashMap;
+use std::str::FromStr;
+use std::sync::LazyLock;
+
+/// A language that a page can be in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Language {
+    /// `en`, in which everything is written.
+    #[default]
+    English,
+    /// `uk`.
+    Ukrainian,
+    /// `zh`, in simplified characters.
+    Chinese,
+    /// `de`.
+    German,
+    /// `ru`.
+    Russian,
+}
+
+impl Language {
+    /// All of them, in the order of the columns of `words/report.json`.
+    pub const ALL: [Self; 5] = [Self::English, Self::Ukrainian, Self::Chinese, Self::German, Self::Russian];
+
+    /// Its code (ISO 639).
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::English => "en",
+            Self::Ukrainian => "uk",
+            Self::Chinese => "zh",
+            Self::German => "de",
+            Self::Russian => "ru",
+        }
+    }
+}
+
+impl FromStr for Language {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let codes = Self::ALL.map(Self::code).join(", ");
+        Self::ALL.into_iter().find(|language| language.code() == text).ok_or(format!("allowed: {codes}"))
+    }
+}
+
+/// A phrase in each language, with holes `{0}`, `{1}` .. for what stands in it.
+pub(crate) type Row = [String; 5];
+
+/// What the panel and reports say of an alarm of the catalogue.
+#[derive(Deserialize)]
+pub(crate) struct AlarmWords {
+    pub(crate) title: String,
+    pub(crate) cause: String,
+}
+
+/// What the panel and reports say in a language; English alarms are the catalogue's own.
+#[derive(Default, Deserialize)]
+struct Tongue {
+    words: HashMap<String, String>,
+    #[serde(default)]
+    alarms: HashMap<String, AlarmWords>,
+}
+
+struct Words {
+    tongues: [Tongue; 5],
+    /// By their English.
+    phrases: HashMap<String, Row>,
+    /// Patterns of sentences; those that say most come first, as a pattern of few words fits much.
+    sentences: Vec<Row>,
+    /// Units by what names of values end in.
+    units: HashMap<String, String>,
+}
+
+/// Of the folder of words; what is not to be read has no words, and a test reads all of it.
+fn read<T: DeserializeOwned + Default>(text: &str) -> T {
+    serde_json::from_str(text).unwrap_or_default()
+}
+
+static WORDS: LazyLock<Words> = LazyLock::new(|| {
+    let tongues: [Tongue; 5] = [
+        include_str!("../../../words/en.json"),
+        include_str!("../../../words/uk.json"),
+        include_str!("../../../words/zh.json"),
+        include_str!("../../../words/de.json"),
+        include_str!("../../../words/ru.json"),
+    ]
+    .map(read);
+    let of_report: Vec<Row> = read(include_str!("../../../words/report.json"));
+    let mut sentences: Vec<Row> = read(include_str!("../../../words/notes.json"));
+    let phrases = of_report.iter().chain(&sentences).map(|row| (row[0].clone(), row.clone())).collect();
+    // The one event that the panel's list of events tells in the same words.
+    sentences.push(std::array::from_fn(|i| tongues[i].words.get("said.left").cloned().unwrap_or_default()));
+    sentences.sort_by_key(|row| std::cmp::Reverse(pieces(&row[0]).map(str::len).sum::<usize>()));
+    Words { tongues, phrases, sentences, units: read(include_str!("../../../words/units.json")) }
+});
+
+/// What stands between the holes of a pattern.
+fn pieces(pattern: &str) -> impl Iterator<Item = &str> {
+    pattern.split('{').enumerate().map(|(i, piece)| if i == 0 { piece } else { piece.get(2..).unwrap_or_default() })
+}
+
+/// What stands in the holes of `pattern`, in their order, if `text` is such a sentence.
+fn holes<'a>(pattern: &str, text: &'a str) -> Option<Vec<&'a str>> {
+    let mut pieces = pieces(pattern).peekable();
+    let mut rest = text.strip_prefix(pieces.next()?)?;
+    let mut found = Vec::new();
+    while let Some(piece) = pieces.next() {
+        // The last one ends the sentence.
+        let hole = if pieces.peek().is_none() { rest.strip_suffix(piece)? } else { rest.split_once(piece)?.0 };
+        found.push(hole);
+        rest = &rest[hole.len() + piece.len()..];
+    }
+    rest.is_empty().then_some(found)
+}
+
+/// The words with `of` in their holes, in one go: what looks like a hole in what is filled in is none.
+fn filled(words: &str, of: &[&str]) -> String {
+    let mut text = String::new();
+    for (i, piece) in words.split('{').enumerate() {
+        match piece.split_once('}') {
+            Some((hole, rest)) if i > 0 => {
+                text.push_str(hole.parse().ok().and_then(|i: usize| of.get(i)).unwrap_or(&""));
+                text.push_str(rest);
+            }
+            _ => text.push_str(piece),
+        }
+    }
+    text
+}
+
+impl Language {
+    /// What it says for an English phrase, or for a key of the panel's words; nothing if neither has words.
+    pub(crate) fn known(self, text: &str) -> Option<&'static str> {
+        let phrase = WORDS.phrases.get(text).map(|row| &row[self as usize]);
+        phrase.or_else(|| WORDS.tongues[self as usize].words.get(text)).map(String::as_str)
+    }
+
+    /// What it says for an English phrase, or for a key of the panel's words.
+    pub(crate) fn say(self, text: &'static str) -> &'static str {
+        let words = self.known(text);
+        debug_assert!(words.is_some() || text.is_empty(), "`{text}` has no words");
+        words.unwrap_or(text)
+    }
+
+    /// The same with `of` in the holes.
+    pub(crate) fn fill(self, text: &'static str, of: &[&str]) -> String {
+        filled(self.say(text), of)
+    }
+
+    /// What stands between two sentences: Chinese full stops have their room in them.
+    pub(crate) fn between_sentences(self) -> &'static str {
+        if self == Self::Chinese { "" } else { " " }
+    }
+
+    /// What it calls something by the panel's words, if it has some for it.
+    pub(crate) fn named(self, kind: &str, name: &str) -> Option<&'static str> {
+        self.known(&format!("{kind}.{}", name.replace(' ', "_")))
+    }
+
+    /// What it says of an alarm of the catalogue; in English that says it itself.
+    pub(crate) fn alarm(self, name: &str) -> Option<&'static AlarmWords> {
+        WORDS.tongues[self as usize].alarms.get(name)
+    }
+
+    /// A sentence about a weld, found again by its pattern; `word` says what stands in its holes.
+    pub(crate) fn sentence(self, text: &str, word: impl Fn(&str) -> String) -> Option<String> {
+        WORDS.sentences.iter().find_map(|row| {
+            let of: Vec<String> = holes(&row[0], text)?.into_iter().map(&word).collect();
+            Some(filled(&row[self as usize], &of.iter().map(String::as_str).collect::<Vec<_>>()))
+        })
+    }
+}
+
+/// The name of a value without the unit that it ends in, and the unit.
+pub(crate) fn value_name(name: &str) -> (&str, Option<&'static str>) {
+    let ends = WORDS
+        .units
+        .iter()
+        .filter_map(|(key, unit)| Some((name.strip_suffix(key.as_str())?.strip_suffix('_')?, unit.as_str())));
+    // `mm_s` is not `s`.
+    let longest = ends.min_by_key(|(title, _)| title.len());
+    longest.map_or((name, None), |(title, unit)| (title, Some(unit)))
+}
+
+#[cfg(test)]
+mod tests;

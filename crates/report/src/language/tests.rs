@@ -1,0 +1,107 @@
+use super::*;
+use seamwright_cell::executive::Alarm;
+use seamwright_cell::tracking;
+use std::collections::BTreeSet;
+
+fn holes_of(text: &str) -> BTreeSet<char> {
+    text.split('{').skip(1).filter_map(|piece| piece.chars().next()).collect()
+}
+
+fn has_letters(text: &str, count: usize) -> bool {
+    let bare: String = text.split(['{', '}']).step_by(2).collect();
+    bare.split(|c: char| !c.is_alphabetic()).any(|word| word.chars().count() >= count)
+}
+
+/// What a language shares with English.
+const SAME: [&str; 7] = ["Name", "Version", "Text", "Bytes", "Gas", "Alarm", "Override {0} %"];
+
+#[test]
+fn every_phrase_has_words_in_all_languages_with_the_same_holes() {
+    assert!(WORDS.phrases.len() > 100 && WORDS.sentences.len() > 20 && WORDS.units.len() > 20);
+    let shared: Vec<Row> = WORDS.tongues[0]
+        .words
+        .keys()
+        .map(|key| WORDS.tongues.each_ref().map(|tongue| tongue.words.get(key).cloned().unwrap_or_default()))
+        .collect();
+    assert!(shared.len() > 50);
+    for row in WORDS.phrases.values().chain(&WORDS.sentences).chain(&shared) {
+        for (language, text) in Language::ALL.into_iter().zip(row) {
+            assert!(!text.is_empty(), "{language:?}: {row:?}");
+            assert_eq!(holes_of(text), holes_of(&row[0]), "{language:?}: {row:?}");
+            let cyrillic = |c: char| ('\u{400}'..='\u{4ff}').contains(&c);
+            let translated = match language {
+                Language::English => true,
+                Language::Ukrainian | Language::Russian => text.chars().any(cyrillic),
+                Language::Chinese => text.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c)),
+                Language::German => *text != row[0] || SAME.contains(&text.as_str()),
+            };
+            let unit = WORDS.units.values().any(|unit| *unit == row[0]);
+            assert!(translated || unit || !has_letters(&row[0], 3), "{language:?}: {row:?}");
+        }
+    }
+}
+
+#[test]
+fn a_phrase_is_no_key_and_stands_once() {
+    let mut seen = BTreeSet::new();
+    for text in [include_str!("../../../../words/report.json"), include_str!("../../../../words/notes.json")] {
+        let rows: Vec<Row> = serde_json::from_str(text).unwrap();
+        for [english, ..] in rows {
+            assert!(!WORDS.tongues[0].words.contains_key(&english), "{english}");
+            assert!(seen.insert(english.clone()), "{english}");
+        }
+    }
+    for tongue in &WORDS.tongues {
+        assert_eq!(tongue.words.len(), WORDS.tongues[0].words.len());
+    }
+}
+
+#[test]
+fn alarms_are_those_of_the_catalogue_and_what_they_are_about_has_words() {
+    for language in &Language::ALL[1..] {
+        let names: BTreeSet<&str> = WORDS.tongues[*language as usize].alarms.keys().map(String::as_str).collect();
+        assert_eq!(names, Alarm::ALL.into_iter().map(|alarm| alarm.entry().name).collect(), "{language:?}");
+        for (name, _) in (0..=u8::MAX).filter_map(tracking::trouble) {
+            let said = language.sentence(name, str::to_owned);
+            assert!(said.is_some_and(|said| said != name), "{language:?}: {name}");
+        }
+    }
+}
+
+#[test]
+fn sentences_are_found_again_with_what_stands_in_them() {
+    let say = |text: &str| Language::German.sentence(text, str::to_owned);
+    let left = "pass 2 was left, welded up to 12.50 mm";
+    assert_eq!(say(left).unwrap(), "Lage 2 wurde verlassen, geschweißt bis 12.50 mm");
+    assert_eq!(say("override 50 %").unwrap(), "Override 50 %");
+    let lost = "recovered 2026-11-23, 7 bytes at the end of the trace were no whole rows";
+    assert!(say(lost).unwrap().contains("7 Bytes am Ende"));
+    assert_eq!(say("stopped by: {0}").unwrap(), "gestoppt durch: {0}");
+    for odd in ["", "what nobody says", "override", "pass 2 was left", "override 50 % more"] {
+        assert_eq!(say(odd), None, "{odd}");
+    }
+}
+
+#[test]
+fn the_unit_of_a_value_is_the_longest_that_its_name_ends_in() {
+    for (name, parts) in [
+        ("current_a", ("current", Some("A"))),
+        ("tip_speed_mm_s", ("tip_speed", Some("mm/s"))),
+        ("heat_input_kj_mm", ("heat_input", Some("kJ/mm"))),
+        ("wire_feed_m_min", ("wire_feed", Some("m/min"))),
+        ("odd", ("odd", None)),
+        ("a", ("a", None)),
+    ] {
+        assert_eq!(value_name(name), parts);
+    }
+}
+
+#[test]
+fn codes_are_read_and_others_refused() {
+    for language in Language::ALL {
+        assert_eq!(language.code().parse(), Ok(language));
+    }
+    for wrong in ["", "EN", "fr", "de-AT", "english"] {
+        assert_eq!(wrong.parse::<Language>(), Err("allowed: en, uk, zh, de, ru".to_owned()));
+    }
+}

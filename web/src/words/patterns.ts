@@ -1,0 +1,44 @@
+import type { Language } from './index.svelte';
+
+/** A sentence in English, with holes `{0}`, `{1}` .. for what stands in it, and in every other language. */
+export type Row = readonly [en: string, uk: string, zh: string, de: string, ru: string];
+
+/** An English sentence with holes, and what it is in a language. What stands in a hole `{0=}` is a name and stays as it is. */
+export type Pattern = readonly [en: string, of: (language: Exclude<Language, 'en'>) => string];
+
+const COLUMNS: Record<Language, 0 | 1 | 2 | 3 | 4> = { en: 0, uk: 1, zh: 2, de: 3, ru: 4 };
+const HOLE = /\{(\d)(=?)\}/g;
+
+export const ofRow = (row: Row): Pattern => [row[0], (language) => row[COLUMNS[language]]];
+
+const literal = (text: string): string => text.replace(/[.*+?^${}()|[\]\\]/g, '\\$&');
+
+/**
+ * Finds sentences again by their patterns and says them in a language; what no pattern fits stays as it came. `word` knows what is no
+ * sentence: names of alarms, of modes, and gives anything else back.
+ */
+export function matcher(patterns: readonly Pattern[]): (text: string, language: Language, word?: (text: string) => string) => string {
+  const compiled = patterns.map(([en, of]) => {
+    const text = en.replaceAll('|', '');
+    const parts = text.split(/\{\d=?\}/).map(literal);
+    const holes = [...text.matchAll(HOLE)].map((hole) => ({ number: hole[1] ?? '', name: hole[2] !== '' }));
+    return { of, holes, said: parts.join('').length, pattern: new RegExp(`^${parts.join('(.*?)')}$`, 's') };
+  });
+  // Those that say most come first: a pattern of few words fits much.
+  compiled.sort((a, b) => b.said - a.said || a.holes.length - b.holes.length);
+
+  return function sentence(text, language, word = (of) => of): string {
+    if (language === 'en' || text === '') return text;
+    const own = word(text);
+    if (own !== text) return own;
+    for (const { of, holes, pattern } of compiled) {
+      const found = pattern.exec(text);
+      if (!found) continue;
+      const filled = new Map(holes.map(({ number, name }, i) => [number, name ? (found[i + 1] ?? '') : sentence(found[i + 1] ?? '', language, word)]));
+      return of(language).replace(HOLE, (_, number: string) => filled.get(number) ?? '');
+    }
+    // What a machine says of itself: its name, then why.
+    const named = /^([^:;]{1,40}): (.+)$/s.exec(text);
+    return named ? `${named[1]}: ${sentence(named[2] ?? '', language, word)}` : text;
+  };
+}
