@@ -216,7 +216,11 @@ link: number,
  * Corners of what it sees, around, in the work frame with all axes at zero, mm: of a camera on the plane it looks at, of a
  * stripe sensor in the plane of its laser. Empty where the picture's corners see nothing.
  */
-field: Array<[number, number, number]>, };
+field: Array<[number, number, number]>, 
+/**
+ * Its frames come from the machine's own camera.
+ */
+frames: boolean, };
 
 /**
  * `GET /api/devices`: what the cell drives and reads, with its values now.

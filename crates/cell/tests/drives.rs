@@ -260,8 +260,11 @@ fn comes_back<D: Drives>(machine: &Machine, drives: D) {
 /// Ends a program of HAL's, of which there is one on a computer, and ours.
 #[cfg(target_os = "linux")]
 fn kill(program: &str) {
+    // What has ended may stand there until somebody asks how.
+    let runs = format!("({program}) ");
     let named = |folder: &std::path::Path| {
-        std::fs::read_to_string(folder.join("comm")).is_ok_and(|name| name.trim_end() == program)
+        std::fs::read_to_string(folder.join("stat"))
+            .is_ok_and(|stat| stat.split_once(&runs).is_some_and(|(_, state)| !state.starts_with('Z')))
     };
     let processes = std::fs::read_dir("/proc").unwrap().flatten().map(|entry| entry.path());
     let found: Vec<_> = processes.filter(|folder| named(folder)).collect();

@@ -30,6 +30,9 @@ pub struct SensorFile {
     pub latency_ms: Option<Positive>,
     /// Standard deviation of the joint's place as it is seen, mm; 0.02 if missing.
     pub noise_mm: Option<Positive>,
+    /// Where a camera's frames come from on the machine: `tcp://HOST:PORT`, a stream (docs/vision-sources.md). Without it
+    /// frames are simulated, or come from where a command is told.
+    pub frames: Option<String>,
 }
 
 /// Kinds of sensors.
@@ -114,6 +117,8 @@ pub struct Sensor {
     pub noise_mm: f64,
     /// What it sees.
     pub sight: Sight,
+    /// Host and port at which a camera's frames come.
+    pub frames: Option<String>,
 }
 
 /// What a sensor sees, by its kind.

@@ -56,7 +56,7 @@ const ROWS: readonly Row[] = [
   ['nothing is paused', 'нічого не призупинено', '没有什么在暂停', 'nichts ist angehalten', 'ничего не приостановлено'],
   ['there is no work in the picture there', 'там на зображенні немає деталі', '图像该处没有工件', 'dort ist im Bild kein Werkstück', 'там на изображении нет детали'],
   ['the place is not near the nominal seam; allowed: within 15 mm of it', 'місце не біля номінального шва; дозволено: до 15 мм від нього', '该位置不在名义焊缝附近；允许：15 mm 以内', 'die Stelle liegt nicht an der Sollnaht; erlaubt: bis 15 mm davon', 'место не у номинального шва; разрешено: до 15 мм от него'],
-  ['the machine\'s devices are real, and the panel has no eye there: teach by jogging', 'пристрої верстата справжні, камери там немає: навчайте вручну', '机床设备是真实的，面板在那里没有视觉：请点动示教', 'die Geräte der Maschine sind echt, dort hat das Panel keine Kamera: von Hand teachen', 'устройства станка настоящие, камеры там нет: обучайте вручную'],
+  ['the machine\'s devices are real, and its file names no camera\'s `frames`: teach by jogging', 'пристрої верстата справжні, камери там немає: навчайте вручну', '机床设备是真实的，面板在那里没有视觉：请点动示教', 'die Geräte der Maschine sind echt, dort hat das Panel keine Kamera: von Hand teachen', 'устройства станка настоящие, камеры там нет: обучайте вручную'],
   ['the archive broke off on its way', 'копія обірвалася в дорозі', '备份在传输中断开', 'die Sicherung brach unterwegs ab', 'копия оборвалась в пути'],
   ['nobody in it can administer: nobody could use the panel after it', 'у копії немає адміністратора: панеллю ніхто не зміг би користуватися', '备份中没有管理员：之后无人能使用面板', 'niemand darin kann verwalten: danach könnte niemand das Panel benutzen', 'в копии нет администратора: панелью никто не смог бы пользоваться'],
 ];

@@ -2,11 +2,13 @@
 
 mod decode;
 mod error;
+mod live;
 mod recorded;
 mod stream;
 
 pub use decode::{DecodeError, decode};
 pub use error::FrameError;
+pub use live::LiveFrames;
 pub use recorded::{LIST, Recorded, Recorder};
 pub use stream::{FrameStream, HEADER_BYTES, MOST_AXES, VERSION, write_frame};
 

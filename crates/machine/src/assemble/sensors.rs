@@ -45,7 +45,25 @@ fn build(file: &File, links: &Links, name: &str, sensor: &SensorFile) -> Result<
         latency_s: sensor.latency_ms.map_or(USUAL_LATENCY_S, |p| p.get() * 1e-3),
         noise_mm: sensor.noise_mm.map_or(USUAL_NOISE_MM, Positive::get),
         sight,
+        frames: frames(file, &path, sensor)?,
     })
+}
+
+/// Host and port of a camera's stream.
+fn frames(file: &File, path: &str, sensor: &SensorFile) -> Result<Option<String>, DocumentError> {
+    let Some(source) = &sensor.frames else { return Ok(None) };
+    let wrong =
+        |message: &str| Err(file.error_at(&format!("{path}.frames"), message, "of a camera: \"tcp://HOST:PORT\""));
+    if sensor.kind != SensorKind::Camera {
+        return wrong("a stripe sensor has no stream of frames");
+    }
+    let address = source.strip_prefix("tcp://").unwrap_or_default();
+    match address.rsplit_once(':') {
+        Some((host, port)) if !host.is_empty() && port.parse::<u16>().is_ok_and(|port| port > 0) => {
+            Ok(Some(address.to_owned()))
+        }
+        _ => wrong("this is no source of frames"),
+    }
 }
 
 fn map(file: &File, path: &str, sensor: &SensorFile) -> Result<Homography, DocumentError> {

@@ -1,13 +1,14 @@
 //! A session: the thread that crawls.
 
 use super::hand::Hand;
-use super::rig::{Asked, CellRig, Station};
+use super::rig::{Asked, CellRig, Sees, Station};
 use super::state::{Field, Found, Open, State, Wish};
 use crate::cell::happening;
 use crate::http::{Panel, Turn, job_text};
 use crate::wire::{TaughtLook, TaughtPointView, TeachPhase};
 use glam::DVec3;
 use seamwright_cell::eyes::{Appearance, Distortion, Eye, SeamLine};
+use seamwright_cell::frames::LiveFrames;
 use seamwright_cell::teach::{Look, teach, truth};
 use seamwright_geometry::HeightTable;
 use seamwright_machine::{Machine, Sensor, Sight};
@@ -22,6 +23,8 @@ use std::time::Duration;
 /// How far a simulated part is shifted (mm), turned (rad) and bent (mm), as in `seamwright teach`.
 pub(crate) const DISTORTION: Distortion =
     Distortion { shift_mm: 1.0, turn: 0.3 * std::f64::consts::PI / 180.0, bend_mm: 1.0 };
+/// How long a frame of the machine's camera is waited for.
+const PATIENCE: Duration = Duration::from_secs(5);
 /// Points are told so far apart, mm.
 const TOLD_MM: f64 = 1.0;
 
@@ -71,10 +74,7 @@ fn outcome(panel: &Arc<Panel>, open: &Open, loaded: &Loaded, nominal: &SeamLine)
         let (width, height) = table.size_px();
         state.view.size_px = (width as u32, height as u32);
     });
-    let actual = DISTORTION.of(nominal, u64::from(open.seed));
-    let appearance = Appearance { tacks: open.tack_mm.into_iter().collect(), ..Appearance::default() };
-    let eye = Eye::new(machine, sensor, actual.clone(), appearance, u64::from(open.seed));
-    let eye = eye.ok_or_else(|| Failure::Input(format!("{} is no camera", sensor.name)))?;
+    let (eye, actual) = eye(panel, (machine, sensor), open, nominal)?;
     let station = Station {
         hand: Hand { panel, machine },
         sensor,
@@ -87,8 +87,37 @@ fn outcome(panel: &Arc<Panel>, open: &Open, loaded: &Loaded, nominal: &SeamLine)
     let begin = teaching::start(nominal, point)
         .ok_or_else(|| Failure::Input("the start is not near the nominal seam".to_owned()))?;
     let mut outcome = crawl((loaded, nominal), open, &ground, &station, begin)?;
-    outcome.truth = Some(truth(&actual, &outcome.smooth));
+    outcome.truth = actual.map(|actual| truth(&actual, &outcome.smooth));
     Ok(Some(outcome))
+}
+
+/// The cell's camera; in a simulated cell without one that sends frames the simulated eye, and the seam that it sees.
+fn eye<'a>(
+    panel: &Panel,
+    (machine, sensor): (&'a Machine, &'a Sensor),
+    open: &Open,
+    nominal: &SeamLine,
+) -> Result<(Sees<'a>, Option<SeamLine>), Failure> {
+    // The job's file may be an older one than the cell's.
+    let Some(cell) = panel.cell.hub.machine() else { return Err(Failure::Input("there is no machine".to_owned())) };
+    let own = cell.sensors.iter().find(|s| s.name == sensor.name);
+    if let Some((own, address)) = own.and_then(|own| Some((own, own.frames.as_ref()?))) {
+        let mut camera = LiveFrames::connect(address, sensor.size_px, PATIENCE)?;
+        // A camera that sends none is told before anything moves.
+        return match camera.next(Duration::ZERO)? {
+            Some(_) => Ok((Sees::Camera(camera, Duration::from_secs_f64(own.latency_s)), None)),
+            None => Err(Failure::Environment(format!("{address}: the stream ended before its first frame"))),
+        };
+    }
+    if !cell.devices.is_empty() {
+        let text = format!("the machine's devices are real, and sensors.{} has no `frames`", sensor.name);
+        return Err(Failure::Input(text));
+    }
+    let actual = DISTORTION.of(nominal, u64::from(open.seed));
+    let appearance = Appearance { tacks: open.tack_mm.into_iter().collect(), ..Appearance::default() };
+    let eye = Eye::new(machine, sensor, actual.clone(), appearance, u64::from(open.seed));
+    let eye = eye.ok_or_else(|| Failure::Input(format!("{} is no camera", sensor.name)))?;
+    Ok((Sees::Simulated(Box::new(eye)), Some(actual)))
 }
 
 /// One plan at a time; none once the session is stopped.

@@ -1,6 +1,7 @@
 //! Teaching by eye on the cell's machine: a crawl in a thread of its own, which moves the axes as a hand would.
 //!
-//! The cell's devices are simulated, and so is the eye: it sees the seam where a seed has put it, from where the axes truly are.
+//! The eye is the machine's camera, whose file says where its frames come from; or, in a simulated cell without one, simulated: it sees
+//! the seam where a seed has put it, from where the axes truly are.
 //! The machine moves only while the page that opened the session has control and shows signs of life; a hand on its jog keys
 //! pauses the crawl.
 
@@ -18,6 +19,7 @@ pub(crate) use state::{Open, Teaching};
 use crate::http::Panel;
 use crate::wire::{LackView, TeachOrder};
 use glam::{DVec2, DVec3};
+use seamwright_machine::Machine;
 use state::Wish;
 use std::sync::Arc;
 
@@ -69,8 +71,10 @@ fn open(panel: &Arc<Panel>, station: u32, order: &TeachOrder) -> Result<(), Lack
     if tack_mm.is_some_and(|(from, to)| !(from.is_finite() && to.is_finite() && from < to)) {
         return Err(lack("value", "tack_mm; allowed: from before to, both finite"));
     }
-    if !panel.cell.hub.machine().is_some_and(|machine| machine.devices.is_empty()) {
-        return Err(lack("work", "the machine's devices are real, and the panel has no eye there: teach by jogging"));
+    let sees = |machine: &Machine| machine.devices.is_empty() || machine.sensors.iter().any(|s| s.frames.is_some());
+    if !panel.cell.hub.machine().is_some_and(|machine| sees(&machine)) {
+        let text = "the machine's devices are real, and its file names no camera's `frames`: teach by jogging";
+        return Err(lack("work", text));
     }
     let job = panel.cell.hub.work().map(|work| work.job.clone());
     let job = job.ok_or_else(|| lack("work", "no program is loaded: its seam says where the joint is nominally"))?;

@@ -7,7 +7,7 @@ use crate::cell::Hub;
 use crate::wire::TeachPhase;
 use glam::DVec3;
 use seamwright_cell::eyes::Eye;
-use seamwright_cell::frames::{FrameError, FrameSource as _, TimedFrame};
+use seamwright_cell::frames::{FrameError, FrameSource as _, LiveFrames, TimedFrame};
 use seamwright_cell::teach::{Carrier, Operator, Rig};
 use seamwright_geometry::HeightTable;
 use seamwright_machine::{AxisSet, Joints, Sensor, Surroundings};
@@ -25,13 +25,21 @@ const WAITING: Duration = Duration::from_millis(300);
 /// Axes that moved by less show nothing new, mm or rad.
 const MOVED: f64 = 5e-3;
 
+/// What sees.
+pub(super) enum Sees<'a> {
+    /// The simulated eye, from where the axes truly are.
+    Simulated(Box<Eye<'a>>),
+    /// The machine's camera, and the time from an exposure until its frame comes.
+    Camera(LiveFrames, Duration),
+}
+
 /// The eye and the machine, for the crawl and for the operator alike.
 pub(super) struct Station<'a> {
     pub(super) hand: Hand<'a>,
     pub(super) sensor: &'a Sensor,
     pub(super) table: &'a HeightTable,
     pub(super) around: &'a Surroundings<'a>,
-    pub(super) eye: RefCell<Eye<'a>>,
+    pub(super) eye: RefCell<Sees<'a>>,
     /// When the last picture was drawn.
     pub(super) drawn: RefCell<Option<Instant>>,
 }
@@ -48,9 +56,17 @@ impl Station<'_> {
     /// A frame from where the axes are; none before the cell has said where.
     fn expose(&self) -> Result<Option<(TimedFrame, Joints)>, FrameError> {
         let Some((_, axes, status)) = self.hand.axes() else { return Ok(None) };
-        let mut eye = self.eye.borrow_mut();
-        eye.expose(status.t, &axes);
-        Ok(eye.next()?.map(|frame| (frame, axes)))
+        let frame = match &mut *self.eye.borrow_mut() {
+            Sees::Simulated(eye) => {
+                eye.expose(status.t, &axes);
+                eye.next()?
+            }
+            Sees::Camera(camera, latency) => camera.next(*latency)?.map(|frame| {
+                let file = self.hand.machine.axes.iter().zip(&axes).map(|(axis, at)| axis.to_file(*at));
+                TimedFrame { axes: Some(file.collect()), ..frame }
+            }),
+        };
+        Ok(frame.map(|frame| (frame, axes)))
     }
 
     /// Keeps a picture for the pages, and where it was taken from; not more often than they need.

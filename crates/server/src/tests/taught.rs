@@ -1,14 +1,17 @@
 //! Steps of a hand, and teaching by eye on the simulated beam machine.
 
 use super::lived::{Page, Served};
+use crate::http::Panel;
 use axum::http::StatusCode;
 use http_body_util::BodyExt as _;
+use seamwright_cell::eyes::{Appearance, Eye, SeamLine};
+use seamwright_cell::frames::{FrameSource as _, TimedFrame, write_frame};
 use seamwright_cell::teach::joints;
 use seamwright_machine::Sight;
-use seamwright_project::load::load_text;
+use seamwright_project::load::{Loaded, load_text};
 use seamwright_project::teaching::nominal;
 use serde_json::{Value, json};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// A hand that says something every 50 ms for a while.
 async fn hold(page: &mut Page, what: &Value, times: u32) {
@@ -94,10 +97,10 @@ impl Page {
 }
 
 /// 80 mm of the half ring, and no cosmetic pass.
-async fn short_ring(served: &Served, owner: &super::Visitor) {
+async fn short_ring(served: &Served, owner: &super::Visitor, machine: &str) {
     let (_, example) = served.bench.ask(owner.request("GET", "/api/jobs/half-ring.toml", None)).await;
     let text = example["text"].as_str().unwrap().replace("end_phi_deg = 210", "end_phi_deg = 60");
-    let text = text.split("[cosmetic]").next().unwrap().to_owned();
+    let text = text.split("[cosmetic]").next().unwrap().replace("ebw-7axis", machine);
     let put = owner.request("PUT", "/api/jobs/ring.toml", Some(&json!({ "text": text })));
     assert_eq!(served.bench.ask(put).await.0, StatusCode::OK);
     crate::http::begin_with(&served.bench.panel, "ring.toml").await.unwrap();
@@ -113,7 +116,7 @@ async fn a_seam_is_taught_by_eye_paused_taken_over_lost_and_kept() {
     assert_eq!(page.refused(open.clone()).await, "control");
     page.up().await;
     assert_eq!(page.refused(open.clone()).await, "work");
-    short_ring(&served, &owner).await;
+    short_ring(&served, &owner, "ebw-7axis").await;
     let (_, work) = bench.ask(owner.request("GET", "/api/work", None)).await;
     let path = work["passes"][0]["path"].as_array().unwrap().clone();
     let tip = |i: usize| path[i]["tip"].clone();
@@ -179,12 +182,89 @@ async fn a_seam_is_taught_by_eye_paused_taken_over_lost_and_kept() {
     assert_eq!(other.refused(json!({ "do": "stop" })).await, "role");
 }
 
-/// The pixel at which the eye sees the true joint at 50 mm of the nominal one.
-fn joint_in_picture(served: &Served, page: &Page) -> [f64; 2] {
-    let panel = &served.bench.panel;
+/// A camera that sends by itself what the simulated eye sees from where the cell's axes are, until nobody listens.
+fn camera(served: &Served, listener: std::net::TcpListener) {
+    let panel = std::sync::Arc::clone(&served.bench.panel);
+    std::thread::spawn(move || {
+        let (actual, loaded) = actual(&panel);
+        let sensor = &loaded.machine.sensors[0];
+        let mut eye = Eye::new(&loaded.machine, sensor, actual, Appearance::default(), 7).unwrap();
+        let (mut stream, _) = listener.accept().unwrap();
+        for k in 0.. {
+            let exposed = Instant::now();
+            let status = panel.cell.hub.latest().unwrap();
+            let axes: Vec<f64> = status.axes.iter().map(|axis| axis.position).collect();
+            eye.expose(0.05 * f64::from(k), &joints(&loaded.machine, &axes));
+            let frame = eye.next().unwrap().unwrap();
+            // Painting is slow on a busy computer: what is later than the machine file says is left out.
+            if exposed.elapsed() > Duration::from_millis(1400) {
+                continue;
+            }
+            // Where its axes are it does not know, as a camera does not.
+            if write_frame(&TimedFrame { axes: None, ..frame }, &mut stream).is_err() {
+                return;
+            }
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    });
+}
+
+/// The machine's own camera is what the panel teaches by, if its file says where the frames come from.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_seam_is_taught_by_the_machines_own_camera() {
+    let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+    let frames = format!("frames = \"tcp://{}\"\nlatency_ms = 1500 #", listener.local_addr().unwrap());
+    let text = super::shipped("ebw-7axis").unwrap().text;
+    let text = text.replacen("latency_ms =", &frames, 1);
+    let served = Served::bare(tempfile::tempdir().unwrap(), &text).await;
+    std::fs::write(served.bench.panel.jobs().join("m.toml"), &text).unwrap();
+    let owner = served.bench.owner().await;
+    let mut page = served.page(&owner).await;
+    page.up().await;
+    short_ring(&served, &owner, "m.toml").await;
+    let (_, work) = served.bench.ask(owner.request("GET", "/api/work", None)).await;
+    let tip = work["passes"][0]["path"][0]["tip"].clone();
+    page.order("start_teach").await;
+    page.mode("teach").await;
+    let open = json!({ "do": "open", "step_mm": 12.0, "longest_tack_mm": 5.0, "seed": 1, "tack_mm": null });
+    camera(&served, listener);
+    page.taken(open).await;
+    page.phase("places").await;
+    page.taken(json!({ "do": "here", "px": null, "at": tip })).await;
+    page.phase("ended").await;
+    assert_eq!(page.taught["key"], "joint-end", "{}", page.taught);
+    assert!(page.taught["frames"].as_u64().unwrap() >= 6, "{}", page.taught);
+    // What was taught lies on the joint; how far, only a simulated one could tell the panel.
+    let actual = actual(&served.bench.panel).0;
+    let (_, taught) = served.bench.ask(owner.request("GET", "/api/teach", None)).await;
+    let off = |point: &Value| {
+        let at: [f64; 3] = serde_json::from_value(point["at"].clone()).unwrap();
+        (actual.foot(at.into()).unwrap().at.point.distance(at.into()), point["confidence"].as_f64().unwrap())
+    };
+    let offs: Vec<(f64, f64)> = taught["points"].as_array().unwrap().iter().map(off).collect();
+    let rms = (offs.iter().map(|(off, _)| off * off).sum::<f64>() / offs.len() as f64).sqrt();
+    assert!(rms < 0.12 && offs.iter().all(|(off, _)| *off < 0.4), "{rms} {offs:?}");
+    let how = json!({ "tolerance_mm": 0.1, "attitude_deg": 0.5, "method": "spline" });
+    let (status, made) = served.bench.ask(owner.request("POST", "/api/teach/program", Some(&how))).await;
+    assert_eq!((status, made["truth_mm"].is_null()), (StatusCode::OK, true), "{made}");
+    // Nobody sends any more: that is told, and nothing moves.
+    let open = json!({ "do": "open", "step_mm": 12.0, "longest_tack_mm": 5.0, "seed": 1, "tack_mm": null });
+    page.taken(open).await;
+    page.phase("ended").await;
+    assert_eq!(page.taught["key"], "failed", "{}", page.taught);
+    assert!(page.taught["why"].as_str().unwrap().contains("127.0.0.1"), "{}", page.taught);
+}
+
+/// Where the simulated eye has the joint of the loaded job, and that job.
+fn actual(panel: &Panel) -> (SeamLine, Loaded) {
     let text = std::fs::read_to_string(panel.jobs().join("ring.toml")).unwrap();
     let loaded = load_text("ring.toml", &text, &panel.jobs()).unwrap();
-    let actual = crate::teaching::DISTORTION.of(&nominal(&loaded).unwrap(), 7);
+    (crate::teaching::DISTORTION.of(&nominal(&loaded).unwrap(), 7), loaded)
+}
+
+/// The pixel at which the eye sees the true joint at 50 mm of the nominal one.
+fn joint_in_picture(served: &Served, page: &Page) -> [f64; 2] {
+    let (actual, loaded) = actual(&served.bench.panel);
     let position = |axis: &Value| axis["position"].as_f64().unwrap();
     let axes: Vec<f64> = page.status["axes"].as_array().unwrap().iter().map(position).collect();
     let sensor = &loaded.machine.sensors[0];
@@ -226,7 +306,7 @@ async fn without_its_page_teaching_stands() {
     let owner = served.bench.owner().await;
     let mut page = served.page(&owner).await;
     page.up().await;
-    short_ring(&served, &owner).await;
+    short_ring(&served, &owner, "ebw-7axis").await;
     let (_, work) = served.bench.ask(owner.request("GET", "/api/work", None)).await;
     page.order("start_teach").await;
     page.mode("teach").await;

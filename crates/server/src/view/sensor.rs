@@ -10,7 +10,8 @@ pub(super) fn sensor(sensor: &Sensor) -> SensorView {
     };
     let corners: Option<Vec<DVec3>> = corners(sensor).into_iter().map(|px| seen(sensor, px)).collect();
     let field = corners.unwrap_or_default().into_iter().map(|p| sensor.zero.transform_point3(p).to_array());
-    SensorView { name: sensor.name.clone(), kind: kind.to_owned(), link: sensor.link, field: field.collect() }
+    let (name, kind, frames) = (sensor.name.clone(), kind.to_owned(), sensor.frames.is_some());
+    SensorView { name, kind, link: sensor.link, field: field.collect(), frames }
 }
 
 /// Middles of the picture's corner pixels, around.

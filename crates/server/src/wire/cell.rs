@@ -68,6 +68,8 @@ pub struct SensorView {
     /// Corners of what it sees, around, in the work frame with all axes at zero, mm: of a camera on the plane it looks at, of a
     /// stripe sensor in the plane of its laser. Empty where the picture's corners see nothing.
     pub field: Vec<[f64; 3]>,
+    /// Its frames come from the machine's own camera.
+    pub frames: bool,
 }
 
 /// An axis, in mm or degrees.

@@ -1,0 +1,166 @@
+use super::{FrameError, FrameSource as _, FrameStream, TimedFrame};
+use seamwright_vision::Image;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+/// A camera that sends frames by itself, as fast as it likes, over a stream: the newest counts. A thread reads, so that none waits in
+/// the connection and comes late.
+#[derive(Debug)]
+pub struct LiveFrames {
+    shared: Arc<Shared>,
+    address: String,
+    patience: Duration,
+}
+
+#[derive(Debug, Default)]
+struct Shared {
+    state: Mutex<State>,
+    came: Condvar,
+    closed: AtomicBool,
+}
+
+#[derive(Debug, Default)]
+struct State {
+    /// The newest frame and when it came.
+    newest: Option<(Instant, TimedFrame)>,
+    /// The stream is over, and why if that is an error.
+    ended: Option<Option<FrameError>>,
+}
+
+impl Shared {
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl LiveFrames {
+    /// Connects to `address` (host:port). A frame that has not `size_px` columns and rows, or does not come within `patience`,
+    /// is an error.
+    ///
+    /// # Errors
+    /// No such address, nobody there.
+    pub fn connect(address: &str, size_px: [usize; 2], patience: Duration) -> Result<Self, FrameError> {
+        let mut stream = FrameStream::connect(address, patience)?;
+        let what = address.to_owned();
+        let shared = Arc::new(Shared::default());
+        let reads = Arc::clone(&shared);
+        std::thread::spawn(move || {
+            while !reads.closed.load(Ordering::Relaxed) {
+                let next = stream.next().and_then(|frame| sized(frame, size_px, &what));
+                let mut state = reads.state();
+                match next {
+                    Ok(Some(frame)) => state.newest = Some((Instant::now(), frame)),
+                    Ok(None) => state.ended = Some(None),
+                    Err(e) => state.ended = Some(Some(e)),
+                }
+                let over = state.ended.is_some();
+                drop(state);
+                reads.came.notify_all();
+                if over {
+                    return;
+                }
+            }
+        });
+        Ok(Self { shared, address: address.to_owned(), patience })
+    }
+
+    /// The first frame that is known to have been exposed from now on, if one comes `latency` after its exposure at the earliest.
+    /// None if the stream is over.
+    ///
+    /// # Errors
+    /// What is wrong with the stream; no frame in time.
+    pub fn next(&mut self, latency: Duration) -> Result<Option<TimedFrame>, FrameError> {
+        let asked = Instant::now();
+        let mut state = self.shared.state();
+        loop {
+            if let Some((_, frame)) = state.newest.take_if(|(came, _)| *came >= asked + latency) {
+                return Ok(Some(frame));
+            }
+            if let Some(ended) = &state.ended {
+                return ended.clone().map_or(Ok(None), Err);
+            }
+            let left = (asked + latency + self.patience).saturating_duration_since(Instant::now());
+            if left.is_zero() {
+                return Err(FrameError::Io { what: self.address.clone(), why: "no frame came in time".to_owned() });
+            }
+            state = self.shared.came.wait_timeout(state, left).unwrap_or_else(PoisonError::into_inner).0;
+        }
+    }
+}
+
+/// A frame, if it has so many columns and rows.
+fn sized(frame: Option<TimedFrame>, [columns, rows]: [usize; 2], what: &str) -> Result<Option<TimedFrame>, FrameError> {
+    match frame.as_ref().map(|frame| &frame.image) {
+        Some(Image::U8 { width, height, .. } | Image::U16 { width, height, .. })
+            if [*width, *height] != [columns, rows] =>
+        {
+            let why =
+                format!("a frame of {width} x {height} pixels; allowed: the sensor's size_px, {columns} x {rows}");
+            Err(FrameError::Io { what: what.to_owned(), why })
+        }
+        _ => Ok(frame),
+    }
+}
+
+impl Drop for LiveFrames {
+    /// The thread ends with the next frame, or when none comes.
+    fn drop(&mut self) {
+        self.shared.closed.store(true, Ordering::Relaxed);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::frames::write_frame;
+    use std::net::{TcpListener, TcpStream};
+
+    fn frame(t_s: f64, width: usize) -> TimedFrame {
+        let image = Image::U8 { width, height: 4, pixels: vec![100; width * 4] };
+        TimedFrame { t_s, image, axes: None, height_mm: None }
+    }
+
+    fn camera(patience: Duration) -> (LiveFrames, TcpStream) {
+        let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+        let address = listener.local_addr().unwrap().to_string();
+        let live = LiveFrames::connect(&address, [6, 4], patience).unwrap();
+        (live, listener.accept().unwrap().0)
+    }
+
+    /// However many wait in the connection, no frame is taken that came before it was asked for and its latency was over.
+    #[test]
+    fn old_frames_do_not_count() {
+        let (mut live, mut sends) = camera(Duration::from_secs(20));
+        for k in 0..50 {
+            write_frame(&frame(f64::from(k), 6), &mut sends).unwrap();
+        }
+        std::thread::sleep(Duration::from_millis(100));
+        let sender = std::thread::spawn(move || {
+            for k in 50..90 {
+                std::thread::sleep(Duration::from_millis(10));
+                write_frame(&frame(f64::from(k), 6), &mut sends).unwrap();
+            }
+        });
+        let (asked, latency) = (Instant::now(), Duration::from_millis(100));
+        let first = live.next(latency).unwrap().unwrap();
+        assert!(first.t_s >= 50.0 && asked.elapsed() >= latency, "{}", first.t_s);
+        let second = live.next(Duration::ZERO).unwrap().unwrap();
+        assert!(second.t_s > first.t_s);
+        sender.join().unwrap();
+        // The stream is over.
+        std::thread::sleep(Duration::from_millis(100));
+        assert_eq!(live.next(Duration::ZERO), Ok(None));
+    }
+
+    #[test]
+    fn what_is_wrong_is_told() {
+        let (mut live, mut sends) = camera(Duration::from_secs(20));
+        write_frame(&frame(0.0, 7), &mut sends).unwrap();
+        let told = live.next(Duration::ZERO).unwrap_err().to_string();
+        assert!(told.contains("7 x 4") && told.contains("6 x 4"), "{told}");
+        let (mut live, _silent) = camera(Duration::from_millis(100));
+        let told = live.next(Duration::ZERO).unwrap_err().to_string();
+        assert!(told.contains("in time"), "{told}");
+    }
+}
