@@ -283,5 +283,9 @@ fn cameras_that_are_none_are_refused() {
     assert_eq!(key("map.heights = [{ mm_per_px = [0.1, 0.1], barrel = -0.2 }]"), "sensors.beam.map.heights[0]");
     let falling = "map.heights = [{ z_mm = 1, mm_per_px = [0.1, 0.1] }, { z_mm = 0, mm_per_px = [0.1, 0.1] }]";
     assert_eq!(key(falling), "sensors.beam.map.heights[1].z_mm");
+    for wrong in ["http://a:1", "tcp://camera", "tcp://:7000", "tcp://camera:99999", "tcp://camera:0", ""] {
+        let frames = format!("frames = \"{wrong}\"\nmap.heights = [{{ mm_per_px = [0.1, 0.1] }}]");
+        assert_eq!(key(&frames), "sensors.beam.frames", "{wrong}");
+    }
     assert!(Machine::read("m", &format!("{before}map.heights = [{{ mm_per_px = [0.1, 0.1] }}]\n{after}")).is_ok());
 }
