@@ -25,9 +25,10 @@ const WIDTH: (f32, f32) = (1.0, 400.0);
 /// Part of the frame's shorter side that is coasted over if nothing else is said.
 const GAP: f32 = 0.2;
 
-/// Part of the metal's light that an open gap is darker by at least, and the first level on which it is wide. Where such a joint
-/// ends ...
-const BLACK: (f32, usize) = (0.4, 2);
+/// An open gap is darker than the metal by this part of its light at least ...
+const BLACK: f32 = 0.4;
+/// ... and wide if it is followed on this level or a coarser one. Where such a joint ends ...
+const COARSE: usize = 2;
 /// ... and the metal is so many times as light or as dark as at its start, it is looked for by the logarithm of light too ...
 const CHANGED: f32 = 1.6;
 /// ... which counts if the joint is so many times as long there.
@@ -158,8 +159,7 @@ impl Follower {
 
 /// True if the joint is a wide open gap and the metal's light is another one at its last than at its first.
 fn is_in_other_light([first, last]: &[Look; 2]) -> bool {
-    let (part, wide) = BLACK;
-    let is_gap = first.level >= wide && first.contrast > part * first.metal();
+    let is_gap = first.level >= COARSE && first.contrast > BLACK * first.metal();
     is_gap && !(1.0 / CHANGED..=CHANGED).contains(&(last.metal() / first.metal()))
 }
 

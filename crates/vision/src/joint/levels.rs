@@ -61,7 +61,7 @@ impl Levels {
         // The first frame is the last to allocate, whatever a later one shows.
         self.logarithms.pixels.reserve((frame.width() * frame.height()).saturating_sub(self.logarithms.pixels.len()));
         if light == Light::Logarithm {
-            self.logarithms.take(&whole(frame));
+            self.logarithms.take_logarithms(frame);
         }
         for k in 0..level.min(MOST) {
             let (before, rest) = self.halved.split_at_mut(k);
@@ -116,19 +116,18 @@ impl Halved {
     }
 
     /// Takes the logarithms of a frame's grey values, 0 to 255 again.
-    fn take(&mut self, frame: &Picture) {
-        (self.width, self.height) = (frame.width, frame.height);
+    fn take_logarithms(&mut self, frame: &Frame) {
+        (self.width, self.height) = (frame.width(), frame.height());
         self.pixels.clear();
         let logarithm = |g: f32| (255.0 / (1.0 + 255.0 / DARK).ln()) * (1.0 + g / DARK).ln();
         let table: [f32; 257] = std::array::from_fn(|g| logarithm(g as f32));
-        match frame.grey {
-            Grey::U8(pixels) => self.pixels.extend(pixels.iter().map(|p| table[usize::from(*p)])),
-            Grey::U16(pixels) => self.pixels.extend(pixels.iter().map(|p| {
+        match frame.pixels() {
+            Pixels::U8(pixels) => self.pixels.extend(pixels.iter().map(|p| table[usize::from(*p)])),
+            Pixels::U16(pixels) => self.pixels.extend(pixels.iter().map(|p| {
                 let grey = f32::from(*p) * (1.0 / OF_16_BITS);
                 let (low, part) = (grey as usize, grey.fract());
                 table[low] + part * (table[low + 1] - table[low])
             })),
-            Grey::F32(pixels) => self.pixels.extend(pixels.iter().map(|p| logarithm(*p))),
         }
     }
 
