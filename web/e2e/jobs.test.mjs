@@ -221,6 +221,41 @@ test('points: the way to them is chosen, an arc from two; undone byte by byte', 
   quiet(one);
 });
 
+test('points with times can be cubics, which have the speeds of the spline; a speed is set', onReal, async () => {
+  const timed = STRAIGHT.replace('"speed_mm_s"', '"time_s"').replaceAll(', 8],', ', 1.25],').replace('"line"', '"spline"');
+  await keep(one, 'timed.toml', timed);
+  await tab(one, 'Weld');
+  await tab(one, 'Jobs');
+  await row('timed.toml').getByRole('button', { name: 'Open' }).click();
+  await planned();
+  await one.getByRole('button', { name: 'Points', exact: true }).click();
+  const points = one.locator('tbody tr');
+  await points.nth(1).getByRole('button').click();
+  await points.nth(5).getByRole('button').click({ modifiers: ['Shift'] });
+  await one.getByRole('combobox', { name: 'Way to them' }).selectOption('cubic');
+  await one.getByRole('button', { name: /^Set way/ }).click();
+  // Evenly along x: 10 mm in 1.25 s, at every point and where it begins.
+  const speed = (i) => one.getByRole('textbox', { name: `X mm/s ${i}` });
+  for (let i = 0; i < 6; i += 1) assert.equal(Number(await speed(i).inputValue()), 8);
+  await planned();
+  await speed(3).fill('10');
+  await speed(3).press('Enter');
+  await planned();
+  assert.equal(await one.locator('.right .note.fault').count(), 0);
+  await one.getByRole('button', { name: 'Insert after' }).and(one.locator(':disabled')).waitFor();
+  await points.nth(3).getByRole('button').click();
+  await one.getByRole('button', { name: 'Insert after' }).click();
+  await one.waitForFunction(() => document.querySelectorAll('tbody tr').length === 7);
+  // Halfway the cubic from 10 to 8 mm/s over 10 mm is slower than both: 1.5 x 8 - (10 + 8) / 4.
+  assert.equal(Number(await speed(4).inputValue()), 7.5);
+  assert.equal(await speed(3).inputValue(), '10');
+  await planned();
+  for (let i = 0; i < 3; i += 1) await one.getByRole('button', { name: 'Undo' }).click();
+  await one.waitForFunction(() => ![...document.querySelectorAll('thead th')].some((th) => th.textContent === 'X mm/s'));
+  await one.getByRole('button', { name: '← Jobs' }).click();
+  quiet(one);
+});
+
 test('a span, or the whole pass, is chosen in 3D: its length and time, its points in the table', onReal, async () => {
   await row('points.toml').getByRole('button', { name: 'Use' }).click();
   await planned();

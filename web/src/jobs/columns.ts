@@ -12,3 +12,6 @@ export function columnTitle(column: string, axes: AxisView[]): string {
   const words = title === 'speed' || title === 'time' ? t(`column.${title}`) : named('value', title);
   return unit ? `${words} ${unit}` : words;
 }
+
+/** The speed of a column that says the place: of cubics. */
+export const speedTitle = (column: string, axes: AxisView[]): string => `${columnTitle(column, axes)}/s`;

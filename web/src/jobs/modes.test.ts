@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { reachedBy, type Operation, type Way } from './modes';
+import { reachedBy, waysOf, type Operation, type Way } from './modes';
 import type { PointPass } from './points';
 
 /** A pass with a way for each point, in spans of these. */
@@ -9,7 +9,8 @@ function pass(...spans: string[][]): PointPass {
     pass: 2,
     columns: ['x_mm', 'y_mm', 'z_mm', 'speed_mm_s'],
     arc: false,
-    rows: [{ along: '', span: 0 }, ...rows].map((row, i) => ({ ...row, numbers: [10 * i, i, 0, i === 0 || row.along === 'rapid' ? 0 : 7 + i] })),
+    moving: [],
+    rows: [{ along: '', span: 0 }, ...rows].map((row, i) => ({ ...row, speeds: [], numbers: [10 * i, i, 0, i === 0 || row.along === 'rapid' ? 0 : 7 + i] })),
   };
 }
 
@@ -82,6 +83,15 @@ test('what cannot be is said', () => {
   expect(reachedBy(lines, [0], 'spline')).toBe('row');
   expect(reachedBy(lines, [1], 'arc')).toBe('two');
   expect(reachedBy({ ...lines, columns: ['theta', 's', 'h', 'speed_mm_s'] }, [1, 2], 'arc')).toBe('place');
-  // Nothing to do.
+  // Nothing to do; a cubic gets new speeds.
   expect(reachedBy(lines, [1, 2, 3], 'line')).toEqual([]);
+  expect(reachedBy(pass(['cubic', 'cubic']), [1, 2], 'cubic')).toEqual([{ op: 'interpolate', pass: 2, span: 1, along: 'cubic' }]);
+});
+
+test('cubics are offered where there are times, rapid moves where nothing is welded', () => {
+  const lines = pass(['line']);
+  expect(waysOf(lines)).not.toContain('cubic');
+  expect(waysOf({ ...lines, columns: ['x', 'time_s'] })).toContain('cubic');
+  expect(waysOf(lines)).toContain('rapid');
+  expect(waysOf({ ...lines, arc: true })).not.toContain('rapid');
 });

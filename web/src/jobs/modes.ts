@@ -1,8 +1,13 @@
 import type { PointPass } from './points';
 
-/** Ways between points that can be chosen; a cubic has speeds of its own, which only a file says. */
-export const WAYS = ['line', 'arc', 'spline', 'taught', 'rapid'] as const;
+/** Ways between points that can be chosen. */
+export const WAYS = ['line', 'arc', 'spline', 'cubic', 'taught', 'rapid'] as const;
 export type Way = (typeof WAYS)[number];
+
+/** Those of a pass: nothing is welded in a rapid move, and cubics go by time. */
+export function waysOf(pass: PointPass): Way[] {
+  return WAYS.filter((way) => (way !== 'rapid' || !pass.arc) && (way !== 'cubic' || pass.columns.at(-1) === 'time_s'));
+}
 
 export type Operation = Record<string, unknown> & { op: string };
 
@@ -11,7 +16,8 @@ export type Cannot = 'row' | 'two' | 'place';
 
 /**
  * The operations that have the chosen points reached by `way`: spans are split where the choice begins and ends. An arc goes
- * through the first of two points to the second. Row 0 is the start, which is not reached.
+ * through the first of two points to the second; a cubic that is chosen once more gets new speeds. Row 0 is the start, which
+ * is not reached.
  */
 export function reachedBy(pass: PointPass, chosen: number[], way: Way): Operation[] | Cannot {
   const rows = chosen.filter((row) => row > 0).sort((a, b) => a - b);
@@ -44,7 +50,7 @@ export function reachedBy(pass: PointPass, chosen: number[], way: Way): Operatio
   const end = via ? last - 1 : last;
   spans.forEach((span, i) => {
     const begin = (spans[i - 1]?.last ?? 0) + 1;
-    if (begin < first || span.last > end || (span.along === way && !via)) return;
+    if (begin < first || span.last > end || (span.along === way && !via && way !== 'cubic')) return;
     const pace = span.along === 'rapid' && way !== 'rapid' ? { pace: paceNear(pass, first) } : {};
     operations.push({ op: 'interpolate', pass: pass.pass, span: i + 1, along: way, ...(via ? { via_mm: via } : {}), ...pace });
   });

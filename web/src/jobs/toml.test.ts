@@ -69,12 +69,13 @@ points = [[7, 8, 0]]
         pass: 1,
         columns: ['x_mm', 'y_mm', 'speed_mm_s'],
         rows: [
-          { along: '', span: 0, numbers: [0, 0, 0] },
-          { along: 'line', span: 1, numbers: [1, 2, 3] },
-          { along: 'line', span: 1, numbers: [4, 5, 6] },
-          { along: 'rapid', span: 2, numbers: [7, 8, 0] },
+          { along: '', span: 0, numbers: [0, 0, 0], speeds: [] },
+          { along: 'line', span: 1, numbers: [1, 2, 3], speeds: [] },
+          { along: 'line', span: 1, numbers: [4, 5, 6], speeds: [] },
+          { along: 'rapid', span: 2, numbers: [7, 8, 0], speeds: [] },
         ],
         arc: true,
+        moving: [],
       },
     ]);
   });

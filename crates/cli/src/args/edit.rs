@@ -50,8 +50,11 @@ pub(crate) enum EditVerb {
         #[arg(long)]
         point: usize,
         /// Columns and their numbers
-        #[arg(long, value_name = "NAME=V,..", value_delimiter = ',', value_parser = named, required = true)]
+        #[arg(long, value_name = "NAME=V,..", value_delimiter = ',', value_parser = named, required_unless_present = "speeds")]
         set: Vec<(String, Finite)>,
+        /// Columns of the place and their speeds, a second, of cubics that end and begin there
+        #[arg(long, value_name = "NAME=V,..", value_delimiter = ',', value_parser = named)]
+        speeds: Vec<(String, Finite)>,
     },
     /// Insert a point: with its numbers, or halfway to the next
     #[command(after_help = "Example: seamwright edit p.toml insert-point --pass 1 --after 3 --numbers 10,0,5,180,2")]
@@ -77,7 +80,7 @@ pub(crate) enum EditVerb {
         #[arg(long)]
         to: Option<usize>,
     },
-    /// Change the way to the points of a span: rapid, line, arc, spline, taught
+    /// Change the way to the points of a span: rapid, line, arc, spline, cubic (with the spline's speeds), taught
     #[command(after_help = "Example: seamwright edit p.toml interpolate --pass 1 --span 2 --along arc --via-mm 10,5,0")]
     Interpolate {
         /// The pass, from 1

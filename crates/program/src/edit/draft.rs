@@ -54,6 +54,8 @@ pub(super) struct PointsDraft {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Row {
     pub(super) numbers: Vec<f64>,
+    /// Of a cubic: the speeds at which it is reached.
+    pub(super) speeds: Vec<f64>,
     pub(super) from: Option<usize>,
 }
 
@@ -64,8 +66,8 @@ pub(super) struct RowSpan {
     pub(super) stops: bool,
     pub(super) via: Option<DVec3>,
     pub(super) normal: Option<Direction>,
-    /// Speeds of cubics: edits that would have to change them are refused.
-    pub(super) speeds: Vec<Vec<Finite>>,
+    /// Of a cubic: the speeds at its begin.
+    pub(super) begin_speeds: Vec<f64>,
     pub(super) rows: Vec<Row>,
     pub(super) from: Option<usize>,
 }
@@ -74,6 +76,14 @@ pub(super) struct RowSpan {
 pub(super) struct EventDraft {
     pub(super) event: PointEvent,
     pub(super) from: Option<usize>,
+}
+
+fn plain(numbers: &Vec<Finite>) -> Vec<f64> {
+    numbers.iter().map(|n| n.get()).collect()
+}
+
+fn finite(numbers: &[f64]) -> Option<Vec<Finite>> {
+    numbers.iter().map(|n| Finite::new(*n)).collect()
 }
 
 impl<'a> Draft<'a> {
@@ -182,29 +192,26 @@ impl PassDraft {
     }
 }
 
-impl PassDraft {
-    /// Whether it goes through cubics.
-    pub(super) fn has_cubics(&self) -> bool {
-        matches!(&self.body, Body::Points(points) if points.spans.iter().any(|span| span.along == Along::Cubic))
-    }
-}
-
 impl PointsDraft {
     fn new(points: &Points) -> Self {
         let mut next = 0;
         let mut row = |numbers: &Vec<Finite>| {
             next += 1;
-            Row { numbers: numbers.iter().map(|n| n.get()).collect(), from: Some(next - 1) }
+            Row { numbers: plain(numbers), speeds: Vec::new(), from: Some(next - 1) }
         };
         let start = row(&points.start);
-        let spans = points.spans.iter().enumerate().map(|(i, span)| RowSpan {
-            along: span.along,
-            stops: span.stops,
-            via: span.via_mm.map(Point::get),
-            normal: span.normal,
-            speeds: span.speeds.clone(),
-            rows: span.points.iter().map(&mut row).collect(),
-            from: Some(i),
+        let spans = points.spans.iter().enumerate().map(|(i, span)| {
+            let mut new = RowSpan {
+                along: span.along,
+                stops: span.stops,
+                via: span.via_mm.map(Point::get),
+                normal: span.normal,
+                begin_speeds: Vec::new(),
+                rows: span.points.iter().map(&mut row).collect(),
+                from: Some(i),
+            };
+            new.set_speeds(span.speeds.iter().map(plain).collect());
+            new
         });
         let spans = spans.collect();
         let events = points.events.iter().enumerate();
@@ -220,9 +227,9 @@ impl PointsDraft {
 
     fn points(&self) -> Option<Points> {
         let spans = self.spans.iter().map(|span| {
-            Some(PointSpan { points: span.rows.iter().map(Row::finite).collect::<Option<_>>()?, ..span.head()? })
+            Some(PointSpan { points: span.rows.iter().map(|row| finite(&row.numbers)).collect::<Option<_>>()?, ..span.head()? })
         });
-        Some(Points { start: self.start.finite()?, spans: spans.collect::<Option<_>>()?, ..self.head() })
+        Some(Points { start: finite(&self.start.numbers)?, spans: spans.collect::<Option<_>>()?, ..self.head() })
     }
 
     /// Without points.
@@ -298,14 +305,16 @@ impl RowSpan {
             Some(via) => Some(Point::new(via)?),
             None => None,
         };
-        let (along, stops, normal, speeds) = (self.along, self.stops, self.normal, self.speeds.clone());
+        let speeds = self.all_speeds().iter().map(|speeds| finite(speeds)).collect::<Option<_>>()?;
+        let (along, stops, normal) = (self.along, self.stops, self.normal);
         Some(PointSpan { along, stops, via_mm, normal, speeds, points: Vec::new() })
     }
 }
 
 impl Row {
-    fn finite(&self) -> Option<Vec<Finite>> {
-        self.numbers.iter().map(|n| Finite::new(*n)).collect()
+    /// A point that is new.
+    pub(super) fn new(numbers: Vec<f64>) -> Self {
+        Self { numbers, speeds: Vec::new(), from: None }
     }
 
     /// Time or speed.

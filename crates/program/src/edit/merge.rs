@@ -17,12 +17,15 @@ pub(super) fn merge_table(table: &mut dyn TableLike, before: &toml::Table, after
             None => drop(table.insert(key, Item::Value(value(new)))),
         }
     }
-    for key in before.keys().filter(|key| !after.contains_key(*key)) {
-        let mut said = table.key(key).map(|key| comments(key.leaf_decor())).unwrap_or_default();
-        said.extend(table.remove(key).map(|item| all_comments(&item)).unwrap_or_default());
-        if !said.is_empty() {
-            keep(table, &said);
-        }
+    before.keys().filter(|key| !after.contains_key(*key)).for_each(|key| take_out(table, key));
+}
+
+/// Takes a key out if it is there; what is said of it stays.
+pub(super) fn take_out(table: &mut dyn TableLike, key: &str) {
+    let mut said = table.key(key).map(|key| comments(key.leaf_decor())).unwrap_or_default();
+    said.extend(table.remove(key).map(|item| all_comments(&item)).unwrap_or_default());
+    if !said.is_empty() {
+        keep(table, &said);
     }
 }
 

@@ -5,6 +5,7 @@
 //! document it came from; what is different is then written there. The text is read again: it must be a program, and
 //! the one that was meant. [`Editor::undo`] gives back the very bytes.
 
+mod cubics;
 mod draft;
 mod format;
 mod history;
@@ -17,6 +18,7 @@ mod reduce;
 mod report;
 mod rows;
 mod spans;
+mod speeds;
 mod switches;
 mod turn;
 mod values;

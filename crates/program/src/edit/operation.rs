@@ -1,6 +1,6 @@
 //! What can be done to a program, as data.
 
-use super::draft::{Draft, PassDraft};
+use super::draft::Draft;
 use super::report::Report;
 use super::{passes, place, points, reduce, spans, turn, values};
 use schemars::JsonSchema;
@@ -65,7 +65,6 @@ pub enum Operation {
 impl Operation {
     /// Makes the edit in a draft; `Format` changes nothing in it.
     pub(super) fn apply(&self, draft: &mut Draft) -> Result<Report, DocumentError> {
-        self.check_cubics(draft)?;
         match self {
             Self::SetPoint(o) => o.apply(draft),
             Self::InsertPoint(o) => o.apply(draft),
@@ -92,28 +91,5 @@ impl Operation {
             Self::DeleteEvent(o) => o.apply(draft),
             Self::Format => Ok(Report::new("formatted")),
         }
-    }
-
-    /// Refuses edits of places and times where there are cubics, whose speeds would have to change too.
-    fn check_cubics(&self, draft: &Draft) -> Result<(), DocumentError> {
-        let of = |pass: usize| draft.passes.get(pass.wrapping_sub(1)).is_some_and(PassDraft::has_cubics);
-        let refused = match self {
-            Self::SetPoint(o) => of(o.pass),
-            Self::InsertPoint(o) => of(o.pass),
-            Self::DeletePoints(o) => of(o.pass),
-            Self::SplitSpan(o) => of(o.pass),
-            Self::JoinSpans(o) => of(o.pass),
-            Self::ReversePass(o) => of(o.pass),
-            Self::ShiftStart(o) => o.pass.is_some_and(of),
-            Self::Offset(o) => of(o.pass),
-            Self::Reduce(o) => of(o.pass),
-            Self::Mirror(_) | Self::ScaleSpeed(_) => draft.passes.iter().any(PassDraft::has_cubics),
-            _ => false,
-        };
-        if !refused {
-            return Ok(());
-        }
-        let message = "there are cubics in it, whose speeds this edit would have to change too";
-        Err(draft.wrong(message, "other passes; or make the cubics lines or splines first, with `interpolate`"))
     }
 }

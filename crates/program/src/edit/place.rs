@@ -1,6 +1,6 @@
 //! Where points are: mirrored, or moved by the torch's frame.
 
-use super::draft::{Body, Draft, PointsDraft, Row};
+use super::draft::{Body, Draft, PointsDraft, Row, RowSpan};
 use super::report::Report;
 use crate::{Along, ArcThrough, Bead};
 use glam::DVec3;
@@ -107,6 +107,8 @@ impl PointsDraft {
         let mirrored = |p: DVec3| p - 2.0 * (p - at).dot(normal) * normal;
         let turned = |d: DVec3| d - 2.0 * d.dot(normal) * normal;
         let directions = self.directions();
+        let of_speeds: Vec<[usize; 3]> =
+            [Some(columns), directions].into_iter().flatten().filter_map(|columns| self.among_speeds(columns)).collect();
         for row in self.rows_mut() {
             row.set_place(columns, mirrored(row.place(columns)));
             if let Some(columns) = directions {
@@ -116,12 +118,21 @@ impl PointsDraft {
         for span in &mut self.spans {
             span.via = span.via.map(mirrored);
             span.normal = span.normal.and_then(|normal| Direction::new(turned(normal.unit())));
+            for speeds in span.each_speeds() {
+                for among in &of_speeds {
+                    let new = turned(DVec3::from_array(among.map(|k| speeds[k])));
+                    among.iter().zip(new.to_array()).for_each(|(k, speed)| speeds[*k] = speed);
+                }
+            }
         }
     }
 
     fn mirror_axis(&mut self, axis: &str, about: f64) {
         let Some(column) = self.column(axis) else { return };
         self.rows_mut().for_each(|row| row.numbers[column] = 2.0 * about - row.numbers[column]);
+        if let Some(k) = self.place_columns().iter().position(|c| *c == column) {
+            self.spans.iter_mut().flat_map(RowSpan::each_speeds).for_each(|speeds| speeds[k] = -speeds[k]);
+        }
         let Some(k) = ["x", "y", "z"].iter().position(|name| *name == axis) else { return };
         for span in &mut self.spans {
             if let Some(via) = &mut span.via {
@@ -139,9 +150,19 @@ impl PointsDraft {
     fn tangents(&self, columns: [usize; 3]) -> Vec<Option<(DVec3, DVec3)>> {
         let mut here = self.start.place(columns);
         let mut out = Vec::new();
+        let among = self.among_speeds(columns);
         for span in &self.spans {
+            let mut begin = &span.begin_speeds;
             for row in &span.rows {
                 let there = row.place(columns);
+                if let Some(among) = among.filter(|_| span.is_cubic()) {
+                    // One that stands at an end leaves it towards the other.
+                    let travel = |speeds: &[f64]| DVec3::from_array(among.map(|k| speeds[k])).try_normalize();
+                    let way = (there - here).try_normalize();
+                    out.push(travel(begin).or(way).zip(travel(&row.speeds).or(way)));
+                    (here, begin) = (there, &row.speeds);
+                    continue;
+                }
                 let arc = span.via.and_then(|via| ArcThrough::new(here, via, there, span.normal.map(Direction::unit)));
                 let ends = arc.map_or((there - here, there - here), |arc| (arc.tangent(0.0), arc.tangent(1.0)));
                 out.push(ends.0.try_normalize().zip(ends.1.try_normalize()));
@@ -196,6 +217,8 @@ impl PointsDraft {
             }
             first += self.spans[span].rows.len();
         }
+        let moves: Vec<DVec3> = rows.iter().zip(&new).map(|(row, new)| *new - row.place(columns)).collect();
+        self.follow(&moves, columns);
         for (row, place) in self.rows_mut().zip(new) {
             row.set_place(columns, place);
         }

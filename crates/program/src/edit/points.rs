@@ -18,7 +18,11 @@ pub struct SetPoint {
     /// The point; 0 is the start.
     pub point: usize,
     /// Numbers by the names of their columns; others stay.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub set: BTreeMap<String, Finite>,
+    /// Speeds there, a second, of the cubics that end and begin at the point, by the names of the columns of the place.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub speeds: BTreeMap<String, Finite>,
 }
 
 /// Inserts a point.
@@ -55,7 +59,7 @@ impl SetPoint {
             let message = format!("there is no point {}", self.point);
             return Err(draft.wrong_in(self.pass, message, format!("0 (the start) to {count}")));
         }
-        if self.set.is_empty() {
+        if self.set.is_empty() && self.speeds.is_empty() {
             return Err(draft.wrong_in(self.pass, "no number is given", "at least one column = number"));
         }
         for (name, value) in &self.set {
@@ -65,9 +69,30 @@ impl SetPoint {
                 row.numbers[column] = value.get();
             }
         }
-        let names: Vec<&str> = self.set.keys().map(String::as_str).collect();
+        self.set_speeds(draft)?;
+        let speeds = self.speeds.keys().map(|name| format!("speed of {name}"));
+        let names: Vec<String> = self.set.keys().cloned().chain(speeds).collect();
         let words = format!("pass {}, point {}: set {}", self.pass, self.point, names.join(", "));
         Ok(Report::new(words).points(self.pass, self.point, self.point))
+    }
+
+    fn set_speeds(&self, draft: &mut Draft) -> Result<(), DocumentError> {
+        for (name, speed) in &self.speeds {
+            let points = draft.points(self.pass)?;
+            let places = points.place_columns();
+            let Some(k) = points.column(name).and_then(|column| places.iter().position(|c| *c == column)) else {
+                let names: Vec<String> = places.iter().map(|c| points.columns[*c].clone()).collect();
+                let message = format!("`{name}` says no place, so it has no speed");
+                return Err(draft.wrong_in(self.pass, message, names.join(", ")));
+            };
+            let at_point = points.speeds_at(self.point);
+            if at_point.is_empty() {
+                let message = format!("no cubic ends or begins at point {}", self.point);
+                return Err(draft.wrong_in(self.pass, message, "a point of a span that is `cubic`"));
+            }
+            at_point.into_iter().for_each(|speeds| speeds[k] = speed.get());
+        }
+        Ok(())
     }
 }
 
@@ -94,7 +119,7 @@ impl InsertPoint {
                 return Err(draft.wrong_in(self.pass, message, format!("one for each of {columns}")));
             }
             Some(numbers) => {
-                let row = Row { numbers: numbers.iter().map(|n| n.get()).collect(), from: None };
+                let mut row = Row::new(numbers.iter().map(|n| n.get()).collect());
                 let (span, k) = if after == count {
                     (points.spans.len() - 1, points.spans[points.spans.len() - 1].rows.len())
                 } else {
@@ -105,7 +130,7 @@ impl InsertPoint {
                     let new = RowSpan {
                         via: None,
                         normal: None,
-                        speeds: Vec::new(),
+                        begin_speeds: Vec::new(),
                         along: Along::Line,
                         rows: vec![row],
                         stops: false,
@@ -113,6 +138,10 @@ impl InsertPoint {
                     };
                     points.spans.insert(span + k, new);
                 } else {
+                    if points.spans[span].is_cubic() {
+                        let before = points.rows().nth(after).unwrap_or(&points.start);
+                        row.speeds = points.speeds_between(before, &row, points.spans[span].rows.get(k));
+                    }
                     points.spans[span].rows.insert(k, row);
                 }
             }
@@ -138,7 +167,7 @@ impl PointsDraft {
             return;
         };
         let half = |(a, b): (&f64, &f64)| a + 0.5 * (b - a);
-        let mut row = Row { numbers: before.numbers.iter().zip(&next.numbers).map(half).collect(), from: None };
+        let mut row = Row::new(before.numbers.iter().zip(&next.numbers).map(half).collect());
         for column in self.way_columns() {
             row.numbers[column] = next.numbers[column];
         }
@@ -146,6 +175,10 @@ impl PointsDraft {
             row.numbers[n] = 0.0;
         }
         self.set_direction(&mut row, &before);
+        if self.spans[span].is_cubic() {
+            let begin = if k == 0 { &self.spans[span].begin_speeds } else { &before.speeds };
+            self.set_halfway(&mut row, (&before, begin), &next);
+        }
         if self.timed() {
             *row.pace() *= 0.5;
             *self.spans[span].rows[k].pace() = 0.5 * *next.clone().pace();

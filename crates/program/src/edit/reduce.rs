@@ -128,7 +128,7 @@ impl PointsDraft {
             stops: false,
             via,
             normal: None,
-            speeds: Vec::new(),
+            begin_speeds: Vec::new(),
             rows: vec![row],
             from: from.take(),
         });

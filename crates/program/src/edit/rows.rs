@@ -1,6 +1,6 @@
 //! Tables of points in a document: a line for each as a rule, with what is said of it behind it or above.
 
-use super::draft::{Row, RowSpan};
+use super::draft::Row;
 use super::merge::{number, replace};
 use toml_edit::{Array, Value};
 
@@ -47,10 +47,10 @@ impl Written {
         }
     }
 
-    /// Whether the points of `span` are those that stand in the document at span `index`, whose first point is `first`.
-    fn is_same(&self, span: &RowSpan, first: usize, count: usize) -> bool {
+    /// Whether these are the `count` points that stand in the document from point `first` on.
+    fn is_same(&self, rows: &[Row], (first, count): (usize, usize)) -> bool {
         let same = |(i, row): (usize, &Row)| row.from == Some(first + i) && row.numbers == self.numbers[first + i];
-        span.rows.len() == count && span.rows.iter().enumerate().all(same)
+        rows.len() == count && rows.iter().enumerate().all(same)
     }
 
     /// The start as it is to be written; none if it stays.
@@ -63,16 +63,16 @@ impl Written {
         Some(value)
     }
 
-    /// The points of a span into its array, where they stood at `there` (first point and count) if they did.
-    pub(super) fn write(&self, array: &mut Array, span: &RowSpan, there: Option<(usize, usize)>) {
-        if there.is_some_and(|(first, count)| self.is_same(span, first, count)) {
+    /// Points into their array, where they stood at `there` (first point and count) if they did.
+    pub(super) fn write(&self, array: &mut Array, rows: &[Row], there: Option<(usize, usize)>) {
+        if there.is_some_and(|there| self.is_same(rows, there)) {
             return;
         }
         let around = around(array);
         let mut out = Array::new();
         *out.decor_mut() = array.decor().clone();
         let mut behind = around.opening;
-        for row in &span.rows {
+        for row in rows {
             let Line { mut value, lead, tail } = self.line(row);
             let lead = if row.from.is_some_and(|i| i > 0) && !lead.is_empty() { lead } else { around.lead.clone() };
             value.decor_mut().set_prefix(joined(&behind, &lead));

@@ -75,6 +75,9 @@ impl Interpolate {
             let message = "the arc is on in this pass: nothing is welded in a rapid move";
             return Err(draft.wrong_in(self.pass, message, "line, arc, spline; or a pass with `arc = false`"));
         }
+        if self.along == Along::Cubic && !draft.points(self.pass)?.timed() {
+            return Err(draft.wrong_in(self.pass, "a cubic needs times", "a pass whose last column is `time_s`"));
+        }
         let span = &mut draft.points(self.pass)?.spans[i];
         if self.along == Along::Arc && (self.via_mm.is_none() || span.rows.len() != 1) {
             let message = format!("an arc needs `via_mm` and one point; the span has {}", span.rows.len());
@@ -96,7 +99,13 @@ impl Interpolate {
         if let Some(pace) = pace {
             span.rows.iter_mut().for_each(|row| *row.pace() = pace);
         }
-        span.speeds.clear();
+        let points = draft.points(self.pass)?;
+        let speeds = (self.along == Along::Cubic).then(|| points.smooth_speeds(i));
+        let span = &mut points.spans[i];
+        match speeds {
+            Some(speeds) => span.set_speeds(speeds),
+            None => span.forget_speeds(),
+        }
         let words = format!("pass {}, span {}: {}", self.pass, self.span, self.along.name());
         Ok(Report::new(words).spans(self.pass, self.span, self.span))
     }
@@ -145,7 +154,8 @@ impl PointsDraft {
             return None;
         }
         let rest: Vec<Row> = rows.drain(k + 1..).collect();
-        let second = RowSpan { rows: rest, ..self.spans[span].clone() };
+        let begin_speeds = rows[k].speeds.clone();
+        let second = RowSpan { rows: rest, begin_speeds, ..self.spans[span].clone() };
         self.spans.insert(span + 1, second);
         Some(span)
     }
@@ -191,7 +201,7 @@ impl JoinSpans {
         };
         if joined.is_none() {
             let message = format!("spans {} and {} do not go on into each other", self.span, self.span + 1);
-            let allowed = "the same way (no arcs) and stops; along the seam the same values, or ramps that go on";
+            let allowed = "the same way (no arcs) and stops, cubics with the same speeds; along the seam the same values, or ramps that go on";
             return Err(draft.wrong_in(self.pass, message, allowed));
         }
         let words = format!("pass {}: spans {} and {} joined", self.pass, self.span, self.span + 1);
@@ -204,6 +214,11 @@ impl PointsDraft {
     pub(super) fn join(&mut self, i: usize) -> Option<()> {
         let (first, second) = (&self.spans[i], self.spans.get(i + 1)?);
         if first.along != second.along || first.stops != second.stops || first.along == Along::Arc {
+            return None;
+        }
+        let end = &first.rows[first.rows.len() - 1].speeds;
+        let goes_on = |(a, b): (&f64, &f64)| (a - b).abs() <= SAME * a.abs().max(b.abs());
+        if !end.iter().zip(&second.begin_speeds).all(goes_on) {
             return None;
         }
         let rows = self.spans.remove(i + 1).rows;

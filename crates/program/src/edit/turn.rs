@@ -75,6 +75,7 @@ impl PointsDraft {
     fn with_way(&self, place: &Row, way: &Row) -> Row {
         let mut row = place.clone();
         self.way_columns().into_iter().for_each(|i| row.numbers[i] = way.numbers[i]);
+        row.speeds.clear();
         row
     }
 
@@ -85,10 +86,14 @@ impl PointsDraft {
         let mut spans = std::mem::take(&mut self.spans);
         spans.reverse();
         for span in &mut spans {
+            let mut speeds = span.all_speeds();
+            speeds.reverse();
             for row in &mut span.rows {
                 *row = self.with_way(&rows[at - 1], &rows[at]);
                 at -= 1;
             }
+            span.set_speeds(speeds);
+            span.scale_speeds(-1.0);
         }
         self.spans = spans;
         self.start = self.with_way(&rows[last], &rows[0]);

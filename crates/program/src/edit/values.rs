@@ -117,6 +117,7 @@ impl ScaleSpeed {
                 let (from, to) = draft.range(pass, self.points, 1)?;
                 let points = draft.points(pass)?;
                 let timed = points.timed();
+                points.scale_cubics((from, to), factor);
                 for row in points.rows_mut().skip(from).take(to + 1 - from) {
                     let pace = row.pace();
                     *pace = if timed { *pace / factor } else { *pace * factor };

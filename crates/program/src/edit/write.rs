@@ -3,6 +3,7 @@
 use super::draft::{Body, Draft, EventDraft, PassDraft, PointsDraft, SeamSpan};
 use super::merge::{each_table, forget_positions, merge_table, rebuild, table_of, tables};
 use super::rows::Written;
+use super::speeds::{WrittenSpeeds, firsts};
 use crate::{Pass, Points, Program};
 use seamwright_document::DocumentError;
 use toml_edit::{Array, DocumentMut, Item, Table, TomlError, Value};
@@ -97,48 +98,51 @@ fn head(points: &Points) -> toml::Table {
 fn write_points(table: &mut Table, before: &Points, after: &PointsDraft) {
     merge_table(table, &head(before), &head(&after.head()));
     write_events(table, before, &after.events);
-    let arrays = arrays(table);
+    let (arrays, of_speeds) = (arrays(table, "points"), arrays(table, "speeds"));
     let numbers = before.rows().map(|row| row.iter().map(|n| n.get()).collect()).collect();
     let names = (before.columns.as_slice(), after.columns.as_slice());
     let written = Written::new(table.get("start").and_then(Item::as_value), &arrays, numbers, names);
     if let (Some(new), Some(item)) = (written.start(&after.start), table.get_mut("start")) {
         *item = Item::Value(new);
     }
-    write_rows(table, before, after, &written);
+    let speeds = WrittenSpeeds::new(before, after, &of_speeds);
+    write_rows(table, before, after, (&written, speeds));
 }
 
-/// The points of each span as they are written.
-fn arrays(table: &Table) -> Vec<Option<Array>> {
+/// The arrays at `key` of each span as they are written.
+fn arrays(table: &Table, key: &str) -> Vec<Option<Array>> {
     let array = |item: Option<&Item>| item.and_then(Item::as_array).cloned();
     match table.get("spans") {
-        Some(Item::ArrayOfTables(list)) => list.iter().map(|table| array(table.get("points"))).collect(),
+        Some(Item::ArrayOfTables(list)) => list.iter().map(|table| array(table.get(key))).collect(),
         Some(Item::Value(Value::Array(list))) => {
-            let points = |value: &Value| value.as_inline_table()?.get("points")?.as_array().cloned();
-            list.iter().map(points).collect()
+            let there = |value: &Value| value.as_inline_table()?.get(key)?.as_array().cloned();
+            list.iter().map(there).collect()
         }
         _ => Vec::new(),
     }
 }
 
-fn write_rows(table: &mut Table, before: &Points, after: &PointsDraft, written: &Written) {
-    let firsts = before.spans.iter().scan(1, |next, span| {
-        let first = *next;
-        *next += span.points.len();
-        Some((first, span.points.len()))
-    });
-    let firsts: Vec<(usize, usize)> = firsts.collect();
+fn write_rows(
+    table: &mut Table,
+    before: &Points,
+    after: &PointsDraft,
+    (written, mut speeds): (&Written, WrittenSpeeds),
+) {
+    let firsts = firsts(before.spans.iter().map(|span| span.points.len()));
     let head = |head: Option<toml::Table>| {
         let mut head = head.unwrap_or_default();
         head.remove("points");
+        head.remove("speeds");
         head
     };
     let from: Vec<Option<usize>> = after.spans.iter().map(|span| span.from).collect();
     each_table(table, "spans", &from, |i, table| {
         let old = head(from[i].map(|i| table_of(&before.spans[i])));
         merge_table(table, &old, &head(after.spans[i].head().map(|head| table_of(&head))));
+        speeds.write(table, after, i);
         let points = table.entry("points").or_insert_with(|| Item::Value(Array::new().into()));
         if let Some(array) = points.as_array_mut() {
-            written.write(array, &after.spans[i], from[i].map(|i| firsts[i]));
+            written.write(array, &after.spans[i].rows, from[i].map(|i| firsts[i]));
         }
     });
 }

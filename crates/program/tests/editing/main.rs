@@ -1,5 +1,6 @@
 //! Editing of programs: thousands of random programs, operations and ways back.
 
+mod cubics;
 mod inverses;
 mod layout;
 mod random;

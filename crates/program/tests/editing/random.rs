@@ -155,7 +155,8 @@ impl Writer<'_> {
         if self.random.yes() {
             columns.push("n");
         }
-        columns.push(if self.random.yes() { "time_s" } else { "speed_mm_s" });
+        let timed = self.random.yes();
+        columns.push(if timed { "time_s" } else { "speed_mm_s" });
         self.head("[[passes]]");
         self.key("name", &format!("\"points {i}\""));
         self.head("[passes.points]");
@@ -168,8 +169,9 @@ impl Writer<'_> {
         let closed = self.random.yes();
         let spans = 1 + self.random.below(4);
         let counts: Vec<usize> = (0..spans).map(|_| 1 + self.random.below(5)).collect();
-        let kinds: Vec<&str> =
-            (0..spans).map(|_| *self.random.one(&["line", "line", "arc", "spline", "taught", "rapid"])).collect();
+        let all = ["line", "line", "arc", "spline", "taught", "rapid", "cubic", "cubic"];
+        let all = if timed { &all[..] } else { &all[..6] };
+        let kinds: Vec<&str> = (0..spans).map(|_| *self.random.one(all)).collect();
         let counts: Vec<usize> = counts.into_iter().zip(&kinds).map(|(n, k)| if *k == "arc" { 1 } else { n }).collect();
         let inline = self.random.below(4) == 0;
         self.events(counts.iter().sum(), inline);
@@ -186,6 +188,11 @@ impl Writer<'_> {
                     self.key("normal", "[0, 0, 1]");
                 }
             }
+            if *kind == "cubic" {
+                let places = columns.iter().take_while(|c| !c.starts_with("current")).count();
+                let speeds: Vec<String> = (0..=*count).map(|_| self.speeds(places)).collect();
+                self.rows("speeds", &speeds);
+            }
             let mut rows: Vec<String> = (0..*count).map(|_| self.row(&columns, poses, *kind == "rapid")).collect();
             if closed && k + 1 == spans {
                 let last = rows.last_mut().unwrap();
@@ -194,8 +201,13 @@ impl Writer<'_> {
                 let place = columns.iter().take_while(|c| !c.starts_with("current")).count();
                 *last = format!("[{}]", [&start[..place], &cells[place..]].concat().join(", "));
             }
-            self.rows(&rows);
+            self.rows("points", &rows);
         }
+    }
+
+    fn speeds(&mut self, places: usize) -> String {
+        let cells: Vec<String> = (0..places).map(|_| self.value(-30.0, 30.0)).collect();
+        format!("[{}]", cells.join(", "))
     }
 
     fn row(&mut self, columns: &[&str], poses: bool, stands: bool) -> String {
@@ -215,13 +227,13 @@ impl Writer<'_> {
         format!("[{}]", cells.join(", "))
     }
 
-    fn rows(&mut self, rows: &[String]) {
+    fn rows(&mut self, key: &str, rows: &[String]) {
         if self.random.below(3) == 0 {
-            self.key("points", &format!("[{}]", rows.join(", ")));
+            self.key(key, &format!("[{}]", rows.join(", ")));
             return;
         }
         self.line("");
-        self.out += "points = [";
+        write!(self.out, "{key} = [").unwrap();
         self.behind();
         let comma = self.random.yes();
         for (i, row) in rows.iter().enumerate() {
@@ -365,12 +377,13 @@ fn of_points(random: &mut Random, pass: usize, (count, spans): (usize, usize)) -
     let point = random.below(count + 1);
     let span = 1 + random.below(spans);
     let points = range(random, 1, count);
-    match random.below(18) {
+    match random.below(19) {
+        18 => json!({"op": "set_point", "pass": pass, "point": point, "speeds": {"x_mm": random.number(-9.0, 9.0)}}),
         0 => json!({"op": "set_point", "pass": pass, "point": point, "set": {"current_a": random.number(0.0, 99.0)}}),
         1 => json!({"op": "insert_point", "pass": pass, "after": point}),
         2 => json!({"op": "delete_points", "pass": pass, "from": points[0], "to": points[1]}),
         3 => {
-            json!({"op": "interpolate", "pass": pass, "span": span, "along": random.one(&["line", "spline", "taught"])})
+            json!({"op": "interpolate", "pass": pass, "span": span, "along": random.one(&["line", "spline", "cubic", "taught"])})
         }
         4 => {
             json!({"op": "interpolate", "pass": pass, "span": span, "along": "arc", "via_mm": [1, 2, random.number(-9.0, 9.0)]})

@@ -11,7 +11,9 @@ const TEXT: &str = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[variables]\nlif
     start = [0, 0, 0, 5, 0]\n[[passes.points.spans]]\nalong = \"rapid\"\npoints = [[1, 0, \"= lift\", 5, 0]]\n\
     [[passes.points.spans]]\nalong = \"line\"\npoints = [[2, 0, 0, 5, 1], [3, 0, -1, 5, 1]]\n\
     [[passes]]\nname = \"axes\"\n[passes.points]\ncolumns = [\"x\", \"b\", \"time_s\"]\nstart = [0, 0, 0]\n\
-    [[passes.points.spans]]\nalong = \"line\"\npoints = [[1, 0, 2]]\n";
+    [[passes.points.spans]]\nalong = \"line\"\npoints = [[1, 0, 2]]\n\
+    [[passes]]\nname = \"by speed\"\n[passes.points]\ncolumns = [\"x\", \"y\", \"z\", \"speed_mm_s\"]\nstart = [0, 0, 0, 0]\n\
+    [[passes.points.spans]]\nalong = \"line\"\npoints = [[1, 0, 2, 5]]\n";
 
 /// Operations, and words of their refusals.
 const CASES: &[(&str, &str)] = &[
@@ -31,6 +33,10 @@ const CASES: &[(&str, &str)] = &[
     (r#"{"op":"interpolate","pass":2,"span":3,"along":"line"}"#, "there is no span 3"),
     (r#"{"op":"interpolate","pass":2,"span":2,"along":"spline","via_mm":[1,2,3]}"#, "are of arcs"),
     (r#"{"op":"interpolate","pass":3,"span":1,"along":"arc","via_mm":[1,2,3]}"#, "only if there are two of x, y and z"),
+    (r#"{"op":"interpolate","pass":4,"span":1,"along":"cubic"}"#, "a cubic needs times"),
+    (r#"{"op":"set_point","pass":2,"point":2,"speeds":{"x_mm":1}}"#, "no cubic ends or begins at point 2"),
+    (r#"{"op":"set_point","pass":2,"point":2,"speeds":{"current_a":1}}"#, "says no place"),
+    (r#"{"op":"set_point","pass":2,"point":2}"#, "no number is given"),
     (r#"{"op":"split_span","pass":2,"point":1}"#, "no span can be split at point 1"),
     (r#"{"op":"split_span","pass":1,"s_mm":10}"#, "no span can be split at 10 mm"),
     (r#"{"op":"split_span","pass":1,"point":1}"#, "not as the pass runs"),
@@ -38,7 +44,7 @@ const CASES: &[(&str, &str)] = &[
     (r#"{"op":"join_spans","pass":2,"span":1}"#, "do not go on into each other"),
     (r#"{"op":"join_spans","pass":2,"span":2}"#, "there is no span 2"),
     (r#"{"op":"reverse_pass","pass":0}"#, "there is no pass 0"),
-    (r#"{"op":"reverse_pass","pass":4}"#, "there is no pass 4"),
+    (r#"{"op":"reverse_pass","pass":5}"#, "there is no pass 5"),
     (r#"{"op":"reverse_pass","pass":2,"seam_length_mm":100}"#, "it has no seam"),
     (r#"{"op":"shift_start","pass":2,"point":1}"#, "do not end where they start"),
     (r#"{"op":"shift_start","pass":2,"begin_mm":1}"#, "goes through points"),
@@ -81,11 +87,11 @@ const CASES: &[(&str, &str)] = &[
         "no such copy",
     ),
     (r#"{"op":"delete_pass","pass":0}"#, "there is no pass 0"),
-    (r#"{"op":"delete_pass","pass":4}"#, "1 to 3"),
-    (r#"{"op":"move_pass","pass":1,"to":4}"#, "there is no place 4"),
+    (r#"{"op":"delete_pass","pass":5}"#, "1 to 4"),
+    (r#"{"op":"move_pass","pass":1,"to":5}"#, "there is no place 5"),
     (r#"{"op":"move_pass","pass":1,"to":0}"#, "there is no place 0"),
-    (r#"{"op":"move_pass","pass":4,"to":1}"#, "there is no pass 4"),
-    (r#"{"op":"duplicate_pass","pass":4}"#, "there is no pass 4"),
+    (r#"{"op":"move_pass","pass":5,"to":1}"#, "there is no pass 5"),
+    (r#"{"op":"duplicate_pass","pass":5}"#, "there is no pass 5"),
     (r#"{"op":"add_event","pass":1,"event":{"after":1,"gas":true}}"#, "runs along the seam"),
     (r#"{"op":"add_event","pass":2,"event":{"after":4,"gas":true}}"#, "there are not so many points"),
     (r#"{"op":"add_event","pass":2,"event":{"after":1,"gas":true,"wire":true}}"#, "an event is one thing"),

@@ -18,7 +18,10 @@ pub(super) fn operation(verb: &EditVerb) -> Result<Option<Operation>, Failure> {
     use EditVerb as V;
     use Operation as O;
     Ok(Some(match verb.clone() {
-        V::SetPoint { pass, point, set } => O::SetPoint(SetPoint { pass, point, set: set.into_iter().collect() }),
+        V::SetPoint { pass, point, set, speeds } => {
+            let (set, speeds) = (set.into_iter().collect(), speeds.into_iter().collect());
+            O::SetPoint(SetPoint { pass, point, set, speeds })
+        }
         V::InsertPoint { pass, after, numbers } => O::InsertPoint(InsertPoint { pass, after, numbers }),
         V::DeletePoints { pass, from, to } => O::DeletePoints(DeletePoints { pass, from, to }),
         V::Interpolate { pass, span, along, via_mm, normal, pace } => {

@@ -1,0 +1,180 @@
+//! Speeds of cubics: each point of a span has its own, and so has the place where the span begins.
+
+use super::draft::{PointsDraft, Row, RowSpan};
+use crate::Along;
+use glam::DVec3;
+use seamwright_geometry::CubicSpline;
+
+impl RowSpan {
+    pub(super) fn is_cubic(&self) -> bool {
+        self.along == Along::Cubic
+    }
+
+    /// Speeds where it begins and at each point, as files have them; none but of a cubic.
+    pub(super) fn all_speeds(&self) -> Vec<Vec<f64>> {
+        if !self.is_cubic() {
+            return Vec::new();
+        }
+        std::iter::once(&self.begin_speeds).chain(self.rows.iter().map(|row| &row.speeds)).cloned().collect()
+    }
+
+    /// The same for as many as [`Self::all_speeds`] has.
+    pub(super) fn set_speeds(&mut self, speeds: Vec<Vec<f64>>) {
+        let mut speeds = speeds.into_iter();
+        self.begin_speeds = speeds.next().unwrap_or_default();
+        self.rows.iter_mut().zip(speeds).for_each(|(row, speeds)| row.speeds = speeds);
+    }
+
+    /// Makes it none: what was a cubic has no speeds any more.
+    pub(super) fn forget_speeds(&mut self) {
+        self.begin_speeds.clear();
+        self.rows.iter_mut().for_each(|row| row.speeds.clear());
+    }
+
+    /// Speeds where it begins and at each point; none but of a cubic.
+    pub(super) fn each_speeds(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
+        let all = std::iter::once(&mut self.begin_speeds).chain(self.rows.iter_mut().map(|row| &mut row.speeds));
+        all.filter(|speeds| !speeds.is_empty())
+    }
+
+    /// Every speed times a factor.
+    pub(super) fn scale_speeds(&mut self, factor: f64) {
+        self.each_speeds().flatten().for_each(|speed| *speed *= factor);
+    }
+}
+
+impl PointsDraft {
+    /// The columns that say the place, in the order of a cubic's speeds.
+    pub(super) fn place_columns(&self) -> Vec<usize> {
+        let known = self.known();
+        let of_pose = crate::POSE_COLUMNS[..known.pose].iter().filter_map(|name| self.column(name));
+        let mut columns: Vec<usize> = of_pose.chain(known.axes.iter().map(|(_, column)| *column)).collect();
+        columns.sort_unstable();
+        columns
+    }
+
+    /// Where among a cubic's speeds those of some columns are; none if one of them says no place.
+    pub(super) fn among_speeds(&self, columns: [usize; 3]) -> Option<[usize; 3]> {
+        let places = self.place_columns();
+        let [x, y, z] = columns.map(|column| places.iter().position(|c| *c == column));
+        Some([x?, y?, z?])
+    }
+
+    /// The point before span `i`.
+    pub(super) fn before_span(&self, i: usize) -> &Row {
+        self.spans[..i].iter().rev().find_map(|span| span.rows.last()).unwrap_or(&self.start)
+    }
+
+    /// Speeds for span `i` as a cubic by time: those of the natural spline through its points, which goes the same way; 0
+    /// where the torch stops.
+    pub(super) fn smooth_speeds(&self, i: usize) -> Vec<Vec<f64>> {
+        let span = &self.spans[i];
+        let columns = self.place_columns();
+        let rows: Vec<&Row> = std::iter::once(self.before_span(i)).chain(&span.rows).collect();
+        let mut at = vec![0.0];
+        for row in &span.rows {
+            at.push(at[at.len() - 1] + row.numbers[row.numbers.len() - 1]);
+        }
+        let spline = |column: &usize| {
+            let points: Vec<(f64, f64)> = at.iter().zip(&rows).map(|(at, row)| (*at, row.numbers[*column])).collect();
+            CubicSpline::natural(&points).ok().filter(|_| !span.stops)
+        };
+        let splines: Vec<Option<CubicSpline>> = columns.iter().map(spline).collect();
+        let speeds = |at: &f64| splines.iter().map(|of| of.as_ref().map_or(0.0, |spline| spline.at(*at).1)).collect();
+        at.iter().map(speeds).collect()
+    }
+
+    /// Speeds at a point between two others of a cubic, or behind its last: those of the parabola by time through all
+    /// three, or of the way to it.
+    pub(super) fn speeds_between(&self, before: &Row, there: &Row, next: Option<&Row>) -> Vec<f64> {
+        let seconds = |row: &Row| row.numbers[row.numbers.len() - 1];
+        let mean = |from: &Row, to: &Row, column: usize| (to.numbers[column] - from.numbers[column]) / seconds(to);
+        let speed = |column: usize| {
+            let behind = mean(before, there, column);
+            let Some(next) = next else { return behind };
+            let (h0, h1) = (seconds(there), seconds(next));
+            (behind * h1 + mean(there, next, column) * h0) / (h0 + h1)
+        };
+        self.place_columns().into_iter().map(speed).collect()
+    }
+
+    /// A point of a cubic halfway in time, given all but its place: its place and speeds are those that the cubic has
+    /// there, so both halves go the same way.
+    pub(super) fn set_halfway(&self, row: &mut Row, (before, begin_speeds): (&Row, &[f64]), next: &Row) {
+        let seconds = next.numbers[next.numbers.len() - 1];
+        row.speeds.clear();
+        for (k, column) in self.place_columns().into_iter().enumerate() {
+            let (a, b) = (before.numbers[column], next.numbers[column]);
+            let (va, vb) = (begin_speeds[k], next.speeds[k]);
+            row.numbers[column] = 0.5 * (a + b) + 0.125 * seconds * (va - vb);
+            row.speeds.push(1.5 * (b - a) / seconds - 0.25 * (va + vb));
+        }
+    }
+
+    /// Speeds of the cubics that end and begin at a point.
+    pub(super) fn speeds_at(&mut self, point: usize) -> Vec<&mut Vec<f64>> {
+        let mut first = 0;
+        let mut out = Vec::new();
+        for span in &mut self.spans {
+            let last = first + span.rows.len();
+            if span.is_cubic() && (first..=last).contains(&point) {
+                out.extend(span.each_speeds().nth(point - first));
+            }
+            first = last;
+        }
+        out
+    }
+
+    /// Scales the speeds of cubics over the ways to points `from` to `to`. They are split where these begin and end: the
+    /// point in between has one speed before it and another behind it.
+    pub(super) fn scale_cubics(&mut self, (from, to): (usize, usize), factor: f64) {
+        for point in [from - 1, to] {
+            if point > 0 && self.spans[self.place(point).0].is_cubic() {
+                // None where a span ends already.
+                let _ = self.split(point);
+            }
+        }
+        let mut first = 0;
+        for span in &mut self.spans {
+            let last = first + span.rows.len();
+            if from <= first + 1 && last <= to {
+                span.scale_speeds(factor);
+            }
+            first = last;
+        }
+    }
+
+    /// Speeds of cubics follow points that have moved by `by` (the start first): they change by how fast the move
+    /// changes along the way.
+    pub(super) fn follow(&mut self, by: &[DVec3], columns: [usize; 3]) {
+        let Some(among) = self.among_speeds(columns) else { return };
+        let mut first = 0;
+        for span in &mut self.spans {
+            let last = first + span.rows.len();
+            if span.is_cubic() {
+                let seconds: Vec<f64> = span.rows.iter_mut().map(|row| *row.pace()).collect();
+                let rates = rates(&by[first..=last], &seconds);
+                let mut speeds = span.all_speeds();
+                for (speeds, rate) in speeds.iter_mut().zip(rates) {
+                    among.into_iter().zip(rate.to_array()).for_each(|(k, rate)| speeds[k] += rate);
+                }
+                span.set_speeds(speeds);
+            }
+            first = last;
+        }
+    }
+}
+
+/// How fast values change that follow each other after `seconds`: of the parabola through each and its neighbours.
+fn rates(values: &[DVec3], seconds: &[f64]) -> Vec<DVec3> {
+    let n = seconds.len();
+    let mean: Vec<DVec3> = (0..n).map(|k| (values[k + 1] - values[k]) / seconds[k]).collect();
+    let inner = |k: usize| (mean[k - 1] * seconds[k] + mean[k] * seconds[k - 1]) / (seconds[k - 1] + seconds[k]);
+    let rate = |k: usize| match k {
+        _ if n == 1 => mean[0],
+        0 => 2.0 * mean[0] - inner(1),
+        k if k == n => 2.0 * mean[n - 1] - inner(n - 1),
+        k => inner(k),
+    };
+    (0..=n).map(rate).collect()
+}

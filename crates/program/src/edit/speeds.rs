@@ -1,0 +1,69 @@
+//! Speeds of cubics in a document: a line for each place, as points have them.
+
+use super::draft::{PointsDraft, Row};
+use super::merge::take_out;
+use super::rows::Written;
+use crate::Points;
+use toml_edit::{Array, Item, TableLike};
+
+/// Indices and counts of rows that follow each other, the first one of index 1, by how many there are in each part.
+pub(super) fn firsts(counts: impl Iterator<Item = usize>) -> Vec<(usize, usize)> {
+    let mut next = 1;
+    let first = |count: usize| {
+        next += count;
+        (next - count, count)
+    };
+    counts.map(first).collect()
+}
+
+/// The speeds of a pass as they are written: all of its cubics in a row.
+pub(super) struct WrittenSpeeds {
+    written: Written,
+    /// For each span its first point and the number of its points.
+    points: Vec<(usize, usize)>,
+    /// For each span its first row of speeds and the number of them.
+    speeds: Vec<(usize, usize)>,
+    /// Rows that stand in the new document: a second copy does not say the same once more.
+    used: Vec<bool>,
+}
+
+impl WrittenSpeeds {
+    /// `arrays` are those of the spans.
+    pub(super) fn new(before: &Points, after: &PointsDraft, arrays: &[Option<Array>]) -> Self {
+        let rows = before.spans.iter().flat_map(|span| &span.speeds);
+        let numbers = std::iter::once(Vec::new()).chain(rows.map(|row| row.iter().map(|n| n.get()).collect()));
+        let numbers: Vec<Vec<f64>> = numbers.collect();
+        let names: Vec<String> = after.place_columns().into_iter().map(|i| after.columns[i].clone()).collect();
+        Self {
+            used: vec![false; numbers.len()],
+            written: Written::new(None, arrays, numbers, (&names, &names)),
+            points: firsts(before.spans.iter().map(|span| span.points.len())),
+            speeds: firsts(before.spans.iter().map(|span| span.speeds.len())),
+        }
+    }
+
+    /// The speeds of span `i` into its table; none if it is no cubic.
+    pub(super) fn write(&mut self, table: &mut dyn TableLike, after: &PointsDraft, i: usize) {
+        let span = &after.spans[i];
+        if !span.is_cubic() {
+            return take_out(table, "speeds");
+        }
+        let places = std::iter::once(after.before_span(i)).chain(&span.rows);
+        let row = |(place, numbers): (&Row, Vec<f64>)| {
+            let from = span.from.zip(place.from).and_then(|(span, point)| self.from(span, point));
+            Row { from, ..Row::new(numbers) }
+        };
+        let rows: Vec<Row> = places.zip(span.all_speeds()).map(row).collect();
+        let speeds = table.entry("speeds").or_insert_with(|| Item::Value(Array::new().into()));
+        if let Some(array) = speeds.as_array_mut() {
+            self.written.write(array, &rows, span.from.map(|span| self.speeds[span]));
+        }
+    }
+
+    /// The row of speeds at a point of a span, or where it begins, if it is not used yet.
+    fn from(&mut self, span: usize, point: usize) -> Option<usize> {
+        let ((first_point, points), (first, speeds)) = (self.points[span], self.speeds[span]);
+        let k = (point + 1).checked_sub(first_point).filter(|k| *k <= points && *k < speeds)?;
+        (!std::mem::replace(&mut self.used[first + k], true)).then_some(first + k)
+    }
+}
