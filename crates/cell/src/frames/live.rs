@@ -24,8 +24,8 @@ struct Shared {
 struct State {
     /// The newest frame and when it came.
     newest: Option<(Instant, TimedFrame)>,
-    /// The stream is over, and why if that is an error.
-    ended: Option<Option<FrameError>>,
+    /// Why no more frames come.
+    ended: Option<FrameError>,
 }
 
 impl Shared {
@@ -51,8 +51,11 @@ impl LiveFrames {
                 let mut state = reads.state();
                 match next {
                     Ok(Some(frame)) => state.newest = Some((Instant::now(), frame)),
-                    Ok(None) => state.ended = Some(None),
-                    Err(e) => state.ended = Some(Some(e)),
+                    Ok(None) => {
+                        let why = "the camera has closed the connection".to_owned();
+                        state.ended = Some(FrameError::Io { what: what.clone(), why });
+                    }
+                    Err(e) => state.ended = Some(e),
                 }
                 let over = state.ended.is_some();
                 drop(state);
@@ -66,19 +69,18 @@ impl LiveFrames {
     }
 
     /// The first frame that is known to have been exposed from now on, if a frame comes `latency` after its exposure at the latest.
-    /// None if the stream is over.
     ///
     /// # Errors
-    /// What is wrong with the stream; no frame in time.
-    pub fn next(&mut self, latency: Duration) -> Result<Option<TimedFrame>, FrameError> {
+    /// What is wrong with the stream, its end too; no frame in time.
+    pub fn next(&mut self, latency: Duration) -> Result<TimedFrame, FrameError> {
         let asked = Instant::now();
         let mut state = self.shared.state();
         loop {
             if let Some((_, frame)) = state.newest.take_if(|(came, _)| *came >= asked + latency) {
-                return Ok(Some(frame));
+                return Ok(frame);
             }
             if let Some(ended) = &state.ended {
-                return ended.clone().map_or(Ok(None), Err);
+                return Err(ended.clone());
             }
             let left = (asked + latency + self.patience).saturating_duration_since(Instant::now());
             if left.is_zero() {
@@ -145,14 +147,15 @@ mod tests {
             }
         });
         let (asked, latency) = (Instant::now(), Duration::from_millis(100));
-        let first = live.next(latency).unwrap().unwrap();
+        let first = live.next(latency).unwrap();
         assert!(first.t_s >= 50.0 && asked.elapsed() >= latency, "{}", first.t_s);
-        let second = live.next(Duration::ZERO).unwrap().unwrap();
+        let second = live.next(Duration::ZERO).unwrap();
         assert!(second.t_s > first.t_s);
         stop.store(true, Ordering::Relaxed);
         sender.join().unwrap();
-        // The last one may still come; then the stream is over.
-        while live.next(Duration::ZERO).unwrap().is_some() {}
+        // The last one may still come; then the stream is over, which is told.
+        let told = std::iter::repeat_with(|| live.next(Duration::ZERO)).find_map(Result::err);
+        assert!(told.unwrap().to_string().contains("closed the connection"));
     }
 
     #[test]

@@ -227,7 +227,10 @@ impl PointsDraft {
 
     fn points(&self) -> Option<Points> {
         let spans = self.spans.iter().map(|span| {
-            Some(PointSpan { points: span.rows.iter().map(|row| finite(&row.numbers)).collect::<Option<_>>()?, ..span.head()? })
+            Some(PointSpan {
+                points: span.rows.iter().map(|row| finite(&row.numbers)).collect::<Option<_>>()?,
+                ..span.head()?
+            })
         });
         Some(Points { start: finite(&self.start.numbers)?, spans: spans.collect::<Option<_>>()?, ..self.head() })
     }

@@ -107,8 +107,11 @@ impl PointsDraft {
         let mirrored = |p: DVec3| p - 2.0 * (p - at).dot(normal) * normal;
         let turned = |d: DVec3| d - 2.0 * d.dot(normal) * normal;
         let directions = self.directions();
-        let of_speeds: Vec<[usize; 3]> =
-            [Some(columns), directions].into_iter().flatten().filter_map(|columns| self.among_speeds(columns)).collect();
+        let of_speeds: Vec<[usize; 3]> = [Some(columns), directions]
+            .into_iter()
+            .flatten()
+            .filter_map(|columns| self.among_speeds(columns))
+            .collect();
         for row in self.rows_mut() {
             row.set_place(columns, mirrored(row.place(columns)));
             if let Some(columns) = directions {

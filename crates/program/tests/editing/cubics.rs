@@ -250,7 +250,8 @@ fn a_spline_that_becomes_a_cubic_goes_the_same_way() {
         assert!(start.length() < 0.2, "seed {seed}: {start}");
     }
     // Where the torch stops it stands.
-    let text = random_cubic(&mut Random::new(3), 4, "").replace("along = \"cubic\"\n", "along = \"cubic\"\nstops = true\n");
+    let text =
+        random_cubic(&mut Random::new(3), 4, "").replace("along = \"cubic\"\n", "along = \"cubic\"\nstops = true\n");
     let mut editor = Editor::new("p.toml", &text).unwrap();
     apply(&mut editor, json!({"op": "interpolate", "pass": 1, "span": 1, "along": "cubic"}));
     assert!(points(&editor).spans[0].speeds.iter().flatten().all(|speed| speed.get() == 0.0));

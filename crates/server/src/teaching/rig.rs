@@ -22,7 +22,7 @@ use std::time::{Duration, Instant};
 const PICTURES: Duration = Duration::from_millis(100);
 /// While the eye waits it takes one so often.
 const WAITING: Duration = Duration::from_millis(300);
-/// Axes that moved by less show nothing new, mm or rad.
+/// Axes that moved by less show a simulated eye nothing new, mm or rad.
 const MOVED: f64 = 5e-3;
 
 /// What sees.
@@ -61,10 +61,11 @@ impl Station<'_> {
                 eye.expose(status.t, &axes);
                 eye.next()?
             }
-            Sees::Camera(camera, latency) => camera.next(*latency)?.map(|frame| {
+            Sees::Camera(camera, latency) => {
+                let frame = camera.next(*latency)?;
                 let file = self.hand.machine.axes.iter().zip(&axes).map(|(axis, at)| axis.to_file(*at));
-                TimedFrame { axes: Some(file.collect()), ..frame }
-            }),
+                Some(TimedFrame { axes: Some(file.collect()), ..frame })
+            }
         };
         Ok(frame.map(|frame| (frame, axes)))
     }
@@ -96,11 +97,20 @@ impl Station<'_> {
             }
             let now = self.hand.axes().map_or_else(Joints::default, |(_, axes, _)| axes);
             let moved = |before: &Joints| before.iter().zip(now).any(|(a, b)| (a - b).abs() > MOVED);
-            let due = shown.is_none_or(|(when, before)| when.elapsed() >= WAITING && moved(&before));
-            if due && let Ok(Some((frame, axes))) = self.expose() {
-                shown = Some((Instant::now(), axes));
-                let height = frame.height_mm;
-                self.show(&axes, height, || Picture::plain(frame.image, self.table, height.unwrap_or(0.0)));
+            let is_live = matches!(*self.eye.borrow(), Sees::Camera(..));
+            let due = shown.is_none_or(|(when, before)| when.elapsed() >= WAITING && (is_live || moved(&before)));
+            match if due { self.expose() } else { Ok(None) } {
+                Ok(Some((frame, axes))) => {
+                    shown = Some((Instant::now(), axes));
+                    let height = frame.height_mm;
+                    self.show(&axes, height, || Picture::plain(frame.image, self.table, height.unwrap_or(0.0)));
+                }
+                Ok(None) => {}
+                // He would go on looking at an old picture.
+                Err(error) => {
+                    shown = Some((Instant::now(), now));
+                    self.teaching().change(self.hub(), |state| state.view.why = Some(error.to_string()));
+                }
             }
             self.teaching().wait(PICTURES);
         }

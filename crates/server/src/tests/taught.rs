@@ -182,15 +182,16 @@ async fn a_seam_is_taught_by_eye_paused_taken_over_lost_and_kept() {
     assert_eq!(other.refused(json!({ "do": "stop" })).await, "role");
 }
 
-/// A camera that sends by itself what the simulated eye sees from where the cell's axes are, until nobody listens.
-fn camera(served: &Served, listener: std::net::TcpListener) {
+/// A camera that sends by itself what the simulated eye sees from where the cell's axes are, until nobody listens or so many
+/// frames are sent.
+fn camera(served: &Served, listener: std::net::TcpListener, frames: u32) {
     let panel = std::sync::Arc::clone(&served.bench.panel);
     std::thread::spawn(move || {
         let (actual, loaded) = actual(&panel);
         let sensor = &loaded.machine.sensors[0];
         let mut eye = Eye::new(&loaded.machine, sensor, actual, Appearance::default(), 7).unwrap();
         let (mut stream, _) = listener.accept().unwrap();
-        for k in 0.. {
+        for k in 0..frames {
             let exposed = Instant::now();
             let status = panel.cell.hub.latest().unwrap();
             let axes: Vec<f64> = status.axes.iter().map(|axis| axis.position).collect();
@@ -227,7 +228,8 @@ async fn a_seam_is_taught_by_the_machines_own_camera() {
     page.order("start_teach").await;
     page.mode("teach").await;
     let open = json!({ "do": "open", "step_mm": 12.0, "longest_tack_mm": 5.0, "seed": 1, "tack_mm": null });
-    camera(&served, listener);
+    let address = listener.local_addr().unwrap();
+    camera(&served, listener, u32::MAX);
     page.taken(open).await;
     page.phase("places").await;
     page.taken(json!({ "do": "here", "px": null, "at": tip })).await;
@@ -247,6 +249,23 @@ async fn a_seam_is_taught_by_the_machines_own_camera() {
     let how = json!({ "tolerance_mm": 0.1, "attitude_deg": 0.5, "method": "spline" });
     let (status, made) = served.bench.ask(owner.request("POST", "/api/teach/program", Some(&how))).await;
     assert_eq!((status, made["truth_mm"].is_null()), (StatusCode::OK, true), "{made}");
+    // A camera that dies while the operator is asked for a place: that is told to him, and he is still asked.
+    // The first one goes when nobody listens to it any more.
+    let listener = loop {
+        match std::net::TcpListener::bind(address) {
+            Ok(listener) => break listener,
+            Err(_) => tokio::time::sleep(Duration::from_millis(100)).await,
+        }
+    };
+    camera(&served, listener, 2);
+    let open = json!({ "do": "open", "step_mm": 12.0, "longest_tack_mm": 5.0, "seed": 1, "tack_mm": null });
+    page.taken(open.clone()).await;
+    page.phase("places").await;
+    let told = |v: &Value| v["why"].as_str().is_some_and(|why| why.contains("127.0.0.1"));
+    page.until("why", |v| v["kind"] == "teach" && told(v)).await;
+    assert_eq!(page.taught["phase"], "places", "{}", page.taught);
+    page.taken(json!({ "do": "stop" })).await;
+    page.phase("ended").await;
     // Nobody sends any more: that is told, and nothing moves.
     let open = json!({ "do": "open", "step_mm": 12.0, "longest_tack_mm": 5.0, "seed": 1, "tack_mm": null });
     page.taken(open).await;

@@ -1,4 +1,4 @@
-use super::strip::{COLS, GROUP, MID, Strip, greater, lesser};
+use super::strip::{COLS, GROUP, MID, Strip, greater, greatest, lesser};
 
 /// What a step to the next column costs, nats.
 const MOVE: f32 = 2.5;
@@ -133,16 +133,4 @@ fn arrive(score: &Span, next: &mut Span) {
     }
     next[0] = greater(score[0], score[1] - MOVE);
     next[SPAN - 1] = greater(score[SPAN - 1], score[SPAN - 2] - MOVE);
-}
-
-/// The greatest of a line, several at a time.
-fn greatest(line: &Span) -> f32 {
-    const LANES: usize = 8;
-    let mut lanes = [NEVER; LANES];
-    for eight in line.as_chunks::<LANES>().0 {
-        for (lane, value) in lanes.iter_mut().zip(eight) {
-            *lane = greater(*lane, *value);
-        }
-    }
-    lanes.into_iter().fold(NEVER, greater)
 }

@@ -53,6 +53,18 @@ pub(super) fn lesser(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
+/// The greatest of a line, several at a time.
+pub(super) fn greatest(line: &[f32]) -> f32 {
+    const LANES: usize = 8;
+    let mut lanes = [f32::MIN; LANES];
+    for eight in line.as_chunks::<LANES>().0 {
+        for (lane, value) in lanes.iter_mut().zip(eight) {
+            *lane = greater(*lane, *value);
+        }
+    }
+    lanes.into_iter().fold(f32::MIN, greater)
+}
+
 /// Places within a row are counted in these parts of a pixel.
 const PARTS: f32 = 65536.0;
 
@@ -89,16 +101,23 @@ fn inside<P: Copy>(line: &mut Line, station: &Station, (pixels, width): (&[P], u
 fn at_rim<P: Copy>(line: &mut Line, station: &Station, picture: &Picture, pixels: &[P], grey: impl Fn(P) -> f32) {
     let (width, height) = (picture.width, picture.height);
     let (right, bottom) = ((width - 1) as f32, (height - 1) as f32);
-    let pixel = |i: usize| grey(pixels[i]);
-    for (j, value) in line.iter_mut().enumerate() {
+    let mut four = [[pixels[0]; COLS]; 4];
+    let (mut across, mut along) = ([0.0; COLS], [0.0; COLS]);
+    for j in 0..COLS {
         let [x, y] = station.beside(j as f32 - MID as f32);
-        let (x, y) = (x.clamp(0.0, right), y.clamp(0.0, bottom));
+        let (x, y) = (lesser(greater(x, 0.0), right), lesser(greater(y, 0.0), bottom));
         let (left, top) = (x as usize, y as usize);
-        let (u, v) = (x - left as f32, y - top as f32);
+        (across[j], along[j]) = (x - left as f32, y - top as f32);
         let (next, down) = (usize::from(left + 1 < width), if top + 1 < height { width } else { 0 });
         let at = top * width + left;
-        let upper = pixel(at) * (1.0 - u) + pixel(at + next) * u;
-        let lower = pixel(at + down) * (1.0 - u) + pixel(at + down + next) * u;
+        for (values, to) in four.iter_mut().zip([0, next, down, down + next]) {
+            values[j] = pixels[at + to];
+        }
+    }
+    for (j, value) in line.iter_mut().enumerate() {
+        let (u, v) = (across[j], along[j]);
+        let [a, b, c, d] = [grey(four[0][j]), grey(four[1][j]), grey(four[2][j]), grey(four[3][j])];
+        let (upper, lower) = (a * (1.0 - u) + b * u, c * (1.0 - u) + d * u);
         *value = upper * (1.0 - v) + lower * v;
     }
 }
@@ -239,11 +258,25 @@ impl Strip {
 
     /// Which rows show a joint along `path`, by the rows about each, where it is `contrast` deep.
     pub(super) fn shows(&self, path: &[usize], contrast: impl Fn(usize) -> f32, seen: &mut Vec<bool>) {
-        let count = path.len();
-        let depth = |k: usize| f64::from(self.depth[k][path[k]]);
-        let mut sum: f64 = (0..SEEN_AROUND.min(count)).map(depth).sum();
         seen.clear();
-        seen.extend((0..count).map(|i| {
+        seen.extend(self.showing(path.len(), |k| self.depth[k][path[k]], contrast));
+    }
+
+    /// At most so many rows show a joint of this depth along any path, given each row's greatest depth.
+    pub(super) fn shows_at_most(&self, deepest: &[f32], contrast: f32) -> usize {
+        self.showing(deepest.len(), |k| deepest[k], |_| contrast).filter(|shows| *shows).count()
+    }
+
+    /// Which of `count` rows show a joint that has these depths in them.
+    fn showing(
+        &self,
+        count: usize,
+        depth: impl Fn(usize) -> f32,
+        contrast: impl Fn(usize) -> f32,
+    ) -> impl Iterator<Item = bool> {
+        let depth = move |k: usize| f64::from(depth(k));
+        let mut sum: f64 = (0..SEEN_AROUND.min(count)).map(&depth).sum();
+        (0..count).map(move |i| {
             let (from, to) = (i.saturating_sub(SEEN_AROUND), (i + SEEN_AROUND + 1).min(count));
             if i + SEEN_AROUND < count {
                 sum += depth(i + SEEN_AROUND);
@@ -253,7 +286,7 @@ impl Strip {
             }
             let least = (PART * contrast(i)).max(STANDS_OUT * self.noise) * (to - from) as f32;
             sum > f64::from(least)
-        }));
+        })
     }
 
     /// The noise, without what is near a path.
@@ -289,5 +322,35 @@ impl Strip {
         }
         let (_, quantile, _) = self.magnitudes.select_nth_unstable_by(place, f32::total_cmp);
         (*quantile / (0.385 * std::f32::consts::SQRT_2)).max(LEAST_NOISE)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_path_shows_more_than_the_greatest_depths() {
+        let mut state = 7u32;
+        let mut random = |below: u32| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 8) % below
+        };
+        let mut shown = 0;
+        for _ in 0..2000 {
+            let most = 1 + random(40);
+            let mut strip = Strip { noise: 0.5 + random(50) as f32 * 0.1, ..Strip::default() };
+            strip.depth = (0..48).map(|_| std::array::from_fn(|_| random(10 * most) as f32 * 0.1)).collect();
+            let deepest: Vec<f32> = strip.depth.iter().map(|row| greatest(row)).collect();
+            assert!(strip.depth.iter().zip(&deepest).all(|(row, d)| row.iter().all(|v| v <= d) && row.contains(d)));
+            let path: Vec<usize> = (0..48).map(|_| random(COLS as u32) as usize).collect();
+            let contrast = random(20 * most) as f32 * 0.1;
+            let mut seen = Vec::new();
+            strip.shows(&path, |_| contrast, &mut seen);
+            let count = seen.iter().filter(|s| **s).count();
+            assert!(count <= strip.shows_at_most(&deepest, contrast));
+            shown += count;
+        }
+        assert!(shown > 10_000, "{shown}");
     }
 }

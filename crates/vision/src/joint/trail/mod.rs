@@ -1,4 +1,5 @@
 mod leap;
+mod see;
 
 use crate::joint::axis::{Axis, Station};
 use crate::joint::lattice::{Lattice, column_about};
@@ -15,30 +16,18 @@ const BACK: usize = 10;
 const TAKEN: usize = 20;
 /// Places that the way on is fitted to.
 const FITTED: usize = 44;
-/// What each pixel of distance from where the path is expected costs, beyond the free ones, nats.
-const AWAY: f32 = 1.5;
 /// Joints bend no more sharply than this, rad/px of their level.
 const MOST_BENT: f32 = 0.03;
 /// A joint that has just begun to be followed bends about this much, rad/px.
 const BENT: f32 = 0.004;
-/// Gaps longer than this, pixels, are looked beyond as if the joint bent on unseen by up to this much more, rad/px, ...
+/// Gaps longer than this, pixels, are looked beyond as if the joint bent on unseen ...
 const WIDER: usize = 12;
-const BENT_UNSEEN: f32 = 0.006;
-/// ... in strips so many pixels apart and so many to either side at most, ...
-const APART: f32 = 18.0;
-const MOST_SIDES: f32 = 3.0;
-/// ... which have to be this much likelier than straight on, nats ...
-const ASIDE: f32 = 6.0;
-/// ... and show the joint in so many rows.
-const FOUND: usize = 8;
 /// Part of the curvature that is left after each strip of a gap.
 const STRAIGHTER: f32 = 0.75;
 /// Columns from the axis at which the way on is predicted anew.
 const BESIDE: f32 = 2.5;
 /// A start is this near to the joint or on it, pixels of the frame.
 const START_OFF: f32 = 2.0;
-/// A joint whose depth changes is no lighter in its middle than it was by more than this part of its depth.
-const LIKE_FLOOR: f32 = 0.4;
 /// A pixel counts for at most this many times the joint's depth (salt, sparks) ...
 const SPIKE: f32 = 1.25;
 /// ... at a start, where the depth is not sure yet, this many times ...
@@ -78,6 +67,10 @@ pub(super) struct Trail {
     lattice: Lattice,
     path: Vec<usize>,
     seen: Vec<bool>,
+    /// Path and rows seen in the light as it was.
+    usual: (Vec<usize>, Vec<bool>),
+    /// The greatest depth of each row of the strip, once it is asked for.
+    deepest: Vec<f32>,
     /// Places behind a corner.
     aside: Vec<Place>,
 }
@@ -184,6 +177,7 @@ impl Trail {
         // A later frame is not to allocate.
         self.aside.clear();
         self.aside.reserve(TAKEN + 2 * leap::CHORD);
+        self.reserve_to_see();
         self.solid = 0;
         let (mut axis, mut gap, mut back, mut checked) = (look.axis, 0usize, 0usize, 0usize);
         // Places that are not seen less those that are seen again: chance finds of texture add up to a gap.
@@ -192,12 +186,15 @@ impl Trail {
         loop {
             let from = back as f32;
             if gap > WIDER {
-                axis = self.across(picture, &known, (self.places.len() - known_to) as f32, from, look, gap);
-            } else if unseen <= WIDER || 4 * self.count() >= 3 * ROWS {
-                // What is seen for a short while within a gap is chance.
-                (known, known_to) = (axis, self.places.len());
+                let gone = (self.places.len() - known_to) as f32;
+                axis = self.see_across(picture, (&known, gone), from, look, gap);
+            } else {
+                if unseen <= WIDER || 4 * self.count() >= 3 * ROWS {
+                    // What is seen for a short while within a gap is chance.
+                    (known, known_to) = (axis, self.places.len());
+                }
+                self.see(picture, &axis, from, look, gap);
             }
-            self.see(picture, &axis, from, look, gap);
             let mut taken = 0;
             for i in back..back + TAKEN {
                 let across = column_about(&self.path, i, 3) - MID as f32;
@@ -241,87 +238,6 @@ impl Trail {
             axis = self.way_on(&axis, taken as f32, if taken < TAKEN { FITTED / 2 } else { FITTED });
             back = BACK;
         }
-    }
-
-    /// The strip about a place of the trail and what it shows; how likely its best path is.
-    fn see(&mut self, picture: &Picture, axis: &Axis, from: f32, look: &mut Look, gap: usize) -> f32 {
-        self.strip.unroll(picture, axis.stations(-from, ROWS));
-        self.strip.measure(look.width, look.most(look.contrast));
-        self.strip.noise = look.noise;
-        let score = self.find(look.contrast, 1.5 + 0.15 * gap as f32);
-        let noise = self.strip.noise_beside(&self.path, look.width);
-        let learned = look.noise + 0.3 * (noise.clamp(0.6 * look.noise, 1.5 * look.noise) - look.noise);
-        self.judge(look.contrast);
-        if 2 * self.count() >= ROWS {
-            look.noise = learned;
-            return score;
-        }
-        self.see_in_other_light(look, 1.5 + 0.15 * gap as f32)
-    }
-
-    /// Where the light steps, so does the joint's depth: what is as dark as the joint was but not as deep is the joint too.
-    fn see_in_other_light(&mut self, look: &mut Look, free: f32) -> f32 {
-        for part in [0.5, 2.0, 0.25, 4.0] {
-            let contrast = part * look.contrast;
-            let score = self.find(contrast, free);
-            self.judge(contrast);
-            let seen = self.count();
-            if 4 * seen >= 3 * ROWS && self.floor(look.width) < look.floor + LIKE_FLOOR * look.contrast {
-                look.contrast = contrast;
-                return score;
-            }
-        }
-        let score = self.find(look.contrast, free);
-        self.judge(look.contrast);
-        score
-    }
-
-    /// The mean grey value along the path where the joint is seen.
-    fn floor(&self, width: f32) -> f32 {
-        let (columns, half) = (box_columns(width) as f32, box_columns(width) / 2);
-        let seen = self.path.iter().zip(&self.strip.grey).zip(&self.seen).filter(|(_, seen)| **seen);
-        let (sum, count) = seen.fold((0.0, 0.0), |(sum, count), ((j, row), _)| {
-            (sum + row[j - half..=j + half].iter().sum::<f32>() / columns, count + 1.0)
-        });
-        sum / count
-    }
-
-    /// The axis on which the joint is most likely after a gap, `gone` pixels from where it was last known: it may have bent on
-    /// the way.
-    fn across(&mut self, picture: &Picture, known: &Axis, gone: f32, from: f32, look: &Look, gap: usize) -> Axis {
-        let most = known.curvature.abs() + BENT_UNSEEN;
-        let sides = (0.5 * most * gone * gone / APART).ceil().min(MOST_SIDES);
-        let mut best = (f32::MIN, *known);
-        let straight = |curvature: f32| Axis { curvature, ..*known }.station(gone);
-        for side in 0..=2 * sides as usize {
-            // From the middle outwards.
-            let number = (side as f32 / 2.0).ceil() * if side % 2 == 0 { 1.0 } else { -1.0 };
-            let curvature = if sides > 0.0 { most * number / sides } else { 0.0 };
-            let Station { at, tangent } = straight(curvature);
-            let axis = Axis { at, heading: tangent[1].atan2(tangent[0]), curvature: 0.0 };
-            let cost = if side == 0 { 0.0 } else { ASIDE };
-            let score = self.see(picture, &axis, from, &mut look.clone(), gap) - cost;
-            let seen = self.count();
-            if side == 0 || (seen >= FOUND && score > best.0) {
-                best = (score, axis);
-            }
-        }
-        best.1
-    }
-
-    /// How many rows of the strip show the joint.
-    fn count(&self) -> usize {
-        self.seen.iter().filter(|s| **s).count()
-    }
-
-    fn find(&mut self, contrast: f32, free: f32) -> f32 {
-        self.lattice.weigh(&self.strip, |_| contrast);
-        self.lattice.best(|j| AWAY * (j.abs_diff(MID) as f32 - free).max(0.0), &mut self.path)
-    }
-
-    /// Which rows of the strip show the joint.
-    fn judge(&mut self, contrast: f32) {
-        self.strip.shows(&self.path, |_| contrast, &mut self.seen);
     }
 
     /// The joint's depth follows what is seen.

@@ -1,0 +1,158 @@
+//! What a strip shows, in the light as it is and in another, straight on and aside.
+
+use super::{Look, ROWS, Trail};
+use crate::joint::axis::{Axis, Station};
+use crate::joint::levels::Picture;
+use crate::joint::strip::{MID, box_columns, greatest};
+
+/// What each pixel of distance from where the path is expected costs, beyond the free ones, nats.
+const AWAY: f32 = 1.5;
+/// Behind a long gap the joint is looked for as if it bent on unseen by up to this much more, rad/px, ...
+const BENT_UNSEEN: f32 = 0.006;
+/// ... in strips so many pixels apart and so many to either side at most, ...
+const APART: f32 = 18.0;
+const MOST_SIDES: f32 = 3.0;
+/// ... which have to be this much likelier than straight on, nats ...
+const ASIDE: f32 = 6.0;
+/// ... and show the joint in so many rows.
+const FOUND: usize = 8;
+/// Where the light steps, so does the joint's depth, by so many times.
+const OTHER_LIGHT: [f32; 4] = [0.5, 2.0, 0.25, 4.0];
+/// A joint whose depth changes is no lighter in its middle than it was by more than this part of its depth.
+const LIKE_FLOOR: f32 = 0.4;
+
+impl Trail {
+    /// The strip about a place of the trail and what it shows; how likely its best path is.
+    pub(super) fn see(&mut self, picture: &Picture, axis: &Axis, from: f32, look: &mut Look, gap: usize) -> f32 {
+        self.unroll(picture, axis, from, look);
+        self.see_unrolled(look, gap)
+    }
+
+    fn unroll(&mut self, picture: &Picture, axis: &Axis, from: f32, look: &Look) {
+        self.strip.unroll(picture, axis.stations(-from, ROWS));
+        self.strip.measure(look.width, look.most(look.contrast));
+        self.strip.noise = look.noise;
+    }
+
+    fn see_unrolled(&mut self, look: &mut Look, gap: usize) -> f32 {
+        let score = self.find(look.contrast, 1.5 + 0.15 * gap as f32);
+        let noise = self.strip.noise_beside(&self.path, look.width);
+        let learned = look.noise + 0.3 * (noise.clamp(0.6 * look.noise, 1.5 * look.noise) - look.noise);
+        self.judge(look.contrast);
+        if 2 * self.count() >= ROWS {
+            look.noise = learned;
+            return score;
+        }
+        self.see_in_other_light(look, 1.5 + 0.15 * gap as f32, score)
+    }
+
+    /// Where the light steps, so does the joint's depth: what is as dark as the joint was but not as deep is the joint too.
+    /// `score` is that of the path in the light as it was.
+    fn see_in_other_light(&mut self, look: &mut Look, free: f32, score: f32) -> f32 {
+        self.usual.0.clone_from(&self.path);
+        self.usual.1.clone_from(&self.seen);
+        self.find_deepest();
+        for contrast in OTHER_LIGHT.map(|part| part * look.contrast) {
+            if !self.may_show_other_light(contrast) {
+                continue;
+            }
+            let score = self.find(contrast, free);
+            self.judge(contrast);
+            if 4 * self.count() >= 3 * ROWS && self.floor(look.width) < look.floor + LIKE_FLOOR * look.contrast {
+                look.contrast = contrast;
+                return score;
+            }
+        }
+        self.path.clone_from(&self.usual.0);
+        self.seen.clone_from(&self.usual.1);
+        score
+    }
+
+    /// True if no path of the strip shows the joint in so many rows as are worth going aside for, in any light.
+    fn is_empty(&mut self, look: &Look) -> bool {
+        self.find_deepest();
+        self.strip.shows_at_most(&self.deepest, look.contrast) < FOUND
+            && !OTHER_LIGHT.into_iter().any(|part| self.may_show_other_light(part * look.contrast))
+    }
+
+    /// False if no path shows a joint of this depth in most of the strip.
+    fn may_show_other_light(&self, contrast: f32) -> bool {
+        4 * self.strip.shows_at_most(&self.deepest, contrast) >= 3 * ROWS
+    }
+
+    fn find_deepest(&mut self) {
+        self.deepest.clear();
+        self.deepest.extend(self.strip.depth.iter().map(|row| greatest(row)));
+    }
+
+    /// Whatever a later frame shows, it is not to allocate.
+    pub(super) fn reserve_to_see(&mut self) {
+        self.usual.0.reserve(ROWS.saturating_sub(self.usual.0.len()));
+        self.usual.1.reserve(ROWS.saturating_sub(self.usual.1.len()));
+        self.deepest.reserve(ROWS.saturating_sub(self.deepest.len()));
+    }
+
+    /// The mean grey value along the path where the joint is seen.
+    pub(super) fn floor(&self, width: f32) -> f32 {
+        let (columns, half) = (box_columns(width) as f32, box_columns(width) / 2);
+        let seen = self.path.iter().zip(&self.strip.grey).zip(&self.seen).filter(|(_, seen)| **seen);
+        let (sum, count) = seen.fold((0.0, 0.0), |(sum, count), ((j, row), _)| {
+            (sum + row[j - half..=j + half].iter().sum::<f32>() / columns, count + 1.0)
+        });
+        sum / count
+    }
+
+    /// Sees on the axis on which the joint is most likely after a gap, `gone` pixels from where it was last `known`: it may
+    /// have bent on the way.
+    pub(super) fn see_across(
+        &mut self,
+        picture: &Picture,
+        (known, gone): (&Axis, f32),
+        from: f32,
+        look: &mut Look,
+        gap: usize,
+    ) -> Axis {
+        let most = known.curvature.abs() + BENT_UNSEEN;
+        let sides = (0.5 * most * gone * gone / APART).ceil().min(MOST_SIDES);
+        let bent = |number: f32| {
+            let curvature = if sides > 0.0 { most * number / sides } else { 0.0 };
+            let Station { at, tangent } = Axis { curvature, ..*known }.station(gone);
+            Axis { at, heading: tangent[1].atan2(tangent[0]), curvature: 0.0 }
+        };
+        let mut best = (f32::MIN, *known);
+        for side in 1..=2 * sides as usize {
+            // From the middle outwards.
+            let axis = bent((side as f32 / 2.0).ceil() * if side % 2 == 0 { 1.0 } else { -1.0 });
+            self.unroll(picture, &axis, from, look);
+            if self.is_empty(look) {
+                continue;
+            }
+            let score = self.see_unrolled(&mut look.clone(), gap) - ASIDE;
+            if self.count() >= FOUND && score > best.0 {
+                best = (score, axis);
+            }
+        }
+        let (straight, before) = (bent(0.0), *look);
+        if self.see(picture, &straight, from, look, gap) >= best.0 {
+            return straight;
+        }
+        *look = before;
+        self.see(picture, &best.1, from, look, gap);
+        best.1
+    }
+
+    /// How many rows of the strip show the joint.
+    pub(super) fn count(&self) -> usize {
+        self.seen.iter().filter(|s| **s).count()
+    }
+
+    pub(super) fn find(&mut self, contrast: f32, free: f32) -> f32 {
+        self.lattice.weigh(&self.strip, |_| contrast);
+        self.lattice.best(|j| AWAY * (j.abs_diff(MID) as f32 - free).max(0.0), &mut self.path)
+    }
+
+    /// Which rows of the strip show the joint.
+    pub(super) fn judge(&mut self, contrast: f32) {
+        self.strip.shows(&self.path, |_| contrast, &mut self.seen);
+    }
+}
