@@ -78,7 +78,7 @@ pub(super) struct EventDraft {
     pub(super) from: Option<usize>,
 }
 
-fn plain(numbers: &Vec<Finite>) -> Vec<f64> {
+fn plain(numbers: &[Finite]) -> Vec<f64> {
     numbers.iter().map(|n| n.get()).collect()
 }
 
@@ -210,7 +210,7 @@ impl PointsDraft {
                 rows: span.points.iter().map(&mut row).collect(),
                 from: Some(i),
             };
-            new.set_speeds(span.speeds.iter().map(plain).collect());
+            new.set_speeds(span.speeds.iter().map(|speeds| plain(speeds)).collect());
             new
         });
         let spans = spans.collect();
