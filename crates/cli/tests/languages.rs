@@ -9,17 +9,20 @@ use std::fs;
 use std::path::Path;
 
 /// What is the same word there, or is no word of a language.
-const SAME: [&str; 11] = ["seamwright", "rms", "iso", "utc", "csv", "svg", "report", "json", "oscillation", "mag", "min"];
+const SAME: [&str; 11] =
+    ["seamwright", "rms", "iso", "utc", "csv", "svg", "report", "json", "oscillation", "mag", "min"];
 /// What German shares with English.
-const GERMAN: [&str; 8] = ["name", "position", "plan", "orange", "hand", "simulation", "interpolation", "links"];
+const GERMAN: [&str; 10] =
+    ["name", "position", "plan", "orange", "hand", "simulation", "interpolation", "links", "zone", "was"];
 /// Keys of files, which cures name.
 const KEYS: [&str; 5] = ["tolerance", "attitude", "deg", "weld", "process"];
 
 /// The words that are read, and those read aloud, without the job's own text.
 fn words(page: &str) -> BTreeSet<String> {
     let page = page.split("<style>").flat_map(|part| part.split("</style>").skip(1)).collect::<String>();
-    let page = page.split("<figure class=\"code\">").flat_map(|part| part.split("</figure>").skip(1)).collect::<String>()
-        + page.split("<figure class=\"code\">").next().unwrap_or_default();
+    let page =
+        page.split("<figure class=\"code\">").flat_map(|part| part.split("</figure>").skip(1)).collect::<String>()
+            + page.split("<figure class=\"code\">").next().unwrap_or_default();
     let mut text = String::new();
     for piece in page.split('<') {
         let (tag, rest) = piece.split_once('>').unwrap_or(("", piece));
@@ -36,21 +39,20 @@ fn words_of(text: &str) -> BTreeSet<String> {
 
 /// Words of the names that people have given: in the job, the machine, the procedure.
 fn names(report: &Value) -> BTreeSet<String> {
-    let mut text = String::new();
-    let mut add = |value: &Value| text += &format!("{value} ");
-    ["title", "file", "machine"].iter().for_each(|key| add(&report[key]));
-    ["number", "title"].iter().for_each(|key| add(&report["procedure"][key]));
+    let mut text = ["title", "file", "machine", "posts"].map(|key| report[key].to_string()).join(" ");
+    text += &["number", "title"].map(|key| report["procedure"][key].to_string()).concat();
+    // What stands between names of bodies, and what is called so by the program.
+    let mut bodies = String::new();
     for pass in report["passes"].as_array().unwrap() {
-        add(&pass["name"]);
-        add(&pass["procedure"]["run"]);
-        ["between", "watched"].iter().for_each(|key| add(&pass["clearance"][key]));
-        pass["plan"]["axes"].as_array().unwrap().iter().for_each(|axis| add(&axis["axis"]));
-        let heads = pass["simulation"]["heads"].as_array();
-        heads.into_iter().flatten().for_each(|head| add(&head["head"]));
+        text += &format!("{} {} ", pass["name"], pass["procedure"]["run"]);
+        bodies += &["between", "watched"].map(|key| pass["clearance"][key].to_string()).join(" ");
+        let axes = pass["plan"]["axes"].as_array().unwrap().iter().map(|axis| &axis["axis"]);
+        let heads = pass["simulation"]["heads"].as_array().into_iter().flatten().map(|head| &head["head"]);
+        axes.chain(heads).for_each(|name| text += &format!("{name} "));
     }
-    let posts = report["posts"].as_array();
-    posts.into_iter().flatten().for_each(|post| ["file", "dialect"].iter().for_each(|key| add(&post[key])));
-    words_of(&text).into_iter().filter(|word| !["and", "part", "fixtures", "zone", "permitted"].contains(&word.as_str())).collect()
+    let ours = ["and", "part", "fixtures", "zone", "permitted", "forbidden"];
+    let bodies = words_of(&bodies).into_iter().filter(|word| !ours.contains(&word.as_str()));
+    words_of(&text).into_iter().chain(bodies).collect()
 }
 
 /// Text in drawings that is cut off, as it would not fit.

@@ -111,7 +111,9 @@ pub(crate) fn sentence(language: Language, text: &str) -> String {
     }
     let found = language.sentence(text, |of| sentence(language, of));
     let named = || text.split_once(": ").filter(|(name, _)| !name.contains(';') && name.chars().count() <= 40);
-    found.or_else(|| named().map(|(name, why)| format!("{name}: {}", sentence(language, why)))).unwrap_or(own)
+    found
+        .or_else(|| named().map(|(name, why)| [name, why].map(|part| sentence(language, part)).join(": ")))
+        .unwrap_or(own)
 }
 
 /// What happened: another mode, an order, or a sentence.
