@@ -1,6 +1,6 @@
 import findings from '../../../words/findings.json';
 import notes from '../../../words/notes.json';
-import { matcher, ofRow, type Row } from './patterns';
+import { matcher, ofRow } from './patterns';
 
 /**
  * What the cell says of a plan in whole sentences, with holes for what stands in them. Plans are told in English on the command line and

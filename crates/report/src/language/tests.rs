@@ -15,7 +15,7 @@ fn has_letters(text: &str, count: usize) -> bool {
 }
 
 /// What a language shares with English.
-const SAME: [&str; 7] = ["Name", "Version", "Text", "Bytes", "Gas", "Alarm", "Override {0} %"];
+const SAME: [&str; 8] = ["Name", "Position", "Version", "Text", "Bytes", "Gas", "Alarm", "Override {0} %"];
 
 #[test]
 fn every_phrase_has_words_in_all_languages_with_the_same_holes() {
