@@ -21,6 +21,7 @@ pub(crate) mod teach;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 pub(crate) use pulses::PulsesArgs;
+use seamwright_report::Language;
 pub(crate) use simulate::SimulateArgs;
 use std::path::PathBuf;
 
@@ -160,6 +161,9 @@ pub(crate) struct PlanArgs {
     /// Write the part program for this control too, with its proof in the report; may be given several times
     #[arg(long, value_enum, value_name = "DIALECT")]
     pub(crate) post: Vec<post::DialectArg>,
+    /// Language of the report and the plots: en, uk, zh, de, ru
+    #[arg(long, value_name = "CODE", default_value = "en")]
+    pub(crate) language: Language,
     /// Print report.json instead of a summary
     #[arg(long)]
     pub(crate) json: bool,

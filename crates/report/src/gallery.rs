@@ -1,3 +1,4 @@
+use crate::language::Language;
 use crate::number::px;
 use crate::svg::{Anchor, Rect, Svg, WIDTH, both_forms};
 
@@ -13,6 +14,8 @@ const TALL: f64 = 0.72;
 /// Cross-sections side by side, at one scale, as macro-sections in a welding handbook.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Gallery {
+    /// The language of what it says by itself; texts are given in it.
+    pub language: Language,
     /// Heading; may be empty.
     pub title: String,
     /// The sections.
@@ -58,7 +61,7 @@ impl SectionDrawing {
 
 impl Gallery {
     fn label(&self) -> String {
-        format!("{}: {} cross-sections", self.title, self.sections.len())
+        self.language.fill("{0}: {1} cross-sections", &[&self.title, &self.sections.len().to_string()])
     }
 
     fn columns(&self) -> usize {
@@ -89,7 +92,7 @@ impl Gallery {
             svg.text("quiet", x, y + 34.0, Anchor::Start, &section.note);
             let frame = Rect { x, y: y + HEAD - 10.0, w, h };
             if scale.is_finite() {
-                section.draw(&mut svg, frame, scale);
+                section.draw(&mut svg, frame, scale, self.language);
             }
             bottom = y + HEAD - 10.0 + h;
         }
@@ -98,7 +101,7 @@ impl Gallery {
 }
 
 impl SectionDrawing {
-    fn draw(&self, svg: &mut Svg, frame: Rect, scale: f64) {
+    fn draw(&self, svg: &mut Svg, frame: Rect, scale: f64, language: Language) {
         let middle = self.middle();
         let place = |p: &[f64; 2]| {
             let (x, y) = (scale * (p[0] - middle[0]), scale * (p[1] - middle[1]));
@@ -132,7 +135,7 @@ impl SectionDrawing {
         }
         svg.close_clip();
         svg.rect("edge", frame);
-        svg.scale_bar(frame, scale);
+        svg.scale_bar(frame, scale, language.say("mm"));
     }
 }
 
@@ -178,7 +181,8 @@ mod tests {
             torches: vec![([0.0, -10.0], [0.0, 1.0])],
         };
         for n in [0, 1, 2, 7] {
-            let gallery = Gallery { title: "Beads".to_owned(), sections: vec![section.clone(); n] };
+            let gallery =
+                Gallery { title: "Beads".to_owned(), sections: vec![section.clone(); n], ..Gallery::default() };
             for svg in [gallery.to_svg(), gallery.to_svg_standalone()] {
                 let document = roxmltree::Document::parse(&svg).unwrap();
                 let numbers = document.descendants().filter(|e| e.attribute("class") == Some("bead-number"));

@@ -1,5 +1,6 @@
 //! Languages of a page and their words, which are data: `words/` at the root of the sources. What the panel says too is in a
-//! file for each language, which it sends; sentences about welds are in `notes.json`, what only reports say in `report.json`.
+//! file for each language, which it sends; sentences about plans are in `findings.json`, those about welds in `notes.json`;
+//! what only reports say is in `report.json`, and in `plan.json` if only those of plans say it.
 
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -91,46 +92,60 @@ static WORDS: LazyLock<Words> = LazyLock::new(|| {
     ]
     .map(read);
     let of_report: Vec<Row> = read(include_str!("../../../words/report.json"));
-    let mut sentences: Vec<Row> = read(include_str!("../../../words/notes.json"));
-    let phrases = of_report.iter().chain(&sentences).map(|row| (row[0].clone(), row.clone())).collect();
+    let of_plan: Vec<Row> = read(include_str!("../../../words/plan.json"));
+    let of_welds: Vec<Row> = read(include_str!("../../../words/notes.json"));
+    let phrases = of_report.iter().chain(&of_plan).chain(&of_welds).map(|row| (row[0].clone(), row.clone())).collect();
+    let mut sentences: Vec<Row> = read(include_str!("../../../words/findings.json"));
+    // Where the sources part a sentence, for a test of the panel.
+    sentences.iter_mut().for_each(|row| row[0] = row[0].replace('|', ""));
+    sentences.extend(of_welds);
     // The one event that the panel's list of events tells in the same words.
     sentences.push(std::array::from_fn(|i| tongues[i].words.get("said.left").cloned().unwrap_or_default()));
-    sentences.sort_by_key(|row| std::cmp::Reverse(pieces(&row[0]).map(str::len).sum::<usize>()));
+    sentences.sort_by_key(|row| {
+        let (said, holes) = measure(&row[0]);
+        (std::cmp::Reverse(said), holes)
+    });
     Words { tongues, phrases, sentences, units: read(include_str!("../../../words/units.json")) }
 });
 
-/// What stands between the holes of a pattern.
-fn pieces(pattern: &str) -> impl Iterator<Item = &str> {
-    pattern.split('{').enumerate().map(|(i, piece)| if i == 0 { piece } else { piece.get(2..).unwrap_or_default() })
+/// The first hole of a pattern: what stands before it, its number, what stands behind it. Other braces are text.
+fn hole(pattern: &str) -> Option<(&str, usize, &str)> {
+    pattern.match_indices('{').find_map(|(i, _)| {
+        let (number, behind) = pattern[i + 1..].split_once('}')?;
+        Some((&pattern[..i], number.parse().ok()?, behind))
+    })
 }
 
-/// What stands in the holes of `pattern`, in their order, if `text` is such a sentence.
-fn holes<'a>(pattern: &str, text: &'a str) -> Option<Vec<&'a str>> {
-    let mut pieces = pieces(pattern).peekable();
-    let mut rest = text.strip_prefix(pieces.next()?)?;
+/// How much a pattern says besides its holes, and how many they are.
+fn measure(pattern: &str) -> (usize, usize) {
+    let Some((before, _, behind)) = hole(pattern) else { return (pattern.len(), 0) };
+    let (said, holes) = measure(behind);
+    (before.len() + said, holes + 1)
+}
+
+/// What stands in the holes of `pattern`, with their numbers, if `text` is such a sentence.
+fn holes<'a>(pattern: &str, text: &'a str) -> Option<Vec<(usize, &'a str)>> {
+    let Some((before, mut number, mut behind)) = hole(pattern) else { return (pattern == text).then(Vec::new) };
+    let mut rest = text.strip_prefix(before)?;
     let mut found = Vec::new();
-    while let Some(piece) = pieces.next() {
-        // The last one ends the sentence.
-        let hole = if pieces.peek().is_none() { rest.strip_suffix(piece)? } else { rest.split_once(piece)?.0 };
-        found.push(hole);
-        rest = &rest[hole.len() + piece.len()..];
+    while let Some((between, next, last)) = hole(behind) {
+        let (of, after) = rest.split_once(between)?;
+        found.push((number, of));
+        (rest, number, behind) = (after, next, last);
     }
-    rest.is_empty().then_some(found)
+    found.push((number, rest.strip_suffix(behind)?));
+    Some(found)
 }
 
 /// The words with `of` in their holes, in one go: what looks like a hole in what is filled in is none.
 fn filled(words: &str, of: &[&str]) -> String {
-    let mut text = String::new();
-    for (i, piece) in words.split('{').enumerate() {
-        match piece.split_once('}') {
-            Some((hole, rest)) if i > 0 => {
-                text.push_str(hole.parse().ok().and_then(|i: usize| of.get(i)).unwrap_or(&""));
-                text.push_str(rest);
-            }
-            _ => text.push_str(piece),
-        }
+    let (mut text, mut rest) = (String::new(), words);
+    while let Some((before, number, behind)) = hole(rest) {
+        text.push_str(before);
+        text.push_str(of.get(number).unwrap_or(&""));
+        rest = behind;
     }
-    text
+    text + rest
 }
 
 impl Language {
@@ -152,6 +167,11 @@ impl Language {
         filled(self.say(text), of)
     }
 
+    /// A unit, or what else may have words; what has none stays.
+    pub(crate) fn unit(self, text: &str) -> &str {
+        self.known(text).unwrap_or(text)
+    }
+
     /// What stands between two sentences: Chinese full stops have their room in them.
     pub(crate) fn between_sentences(self) -> &'static str {
         if self == Self::Chinese { "" } else { " " }
@@ -167,11 +187,13 @@ impl Language {
         WORDS.tongues[self as usize].alarms.get(name)
     }
 
-    /// A sentence about a weld, found again by its pattern; `word` says what stands in its holes.
+    /// A sentence about a plan or a weld, found again by its pattern; `word` says what stands in its holes.
     pub(crate) fn sentence(self, text: &str, word: impl Fn(&str) -> String) -> Option<String> {
         WORDS.sentences.iter().find_map(|row| {
-            let of: Vec<String> = holes(&row[0], text)?.into_iter().map(&word).collect();
-            Some(filled(&row[self as usize], &of.iter().map(String::as_str).collect::<Vec<_>>()))
+            let mut of: Vec<(usize, String)> =
+                holes(&row[0], text)?.into_iter().map(|(number, of)| (number, word(of))).collect();
+            of.sort_by_key(|(number, _)| *number);
+            Some(filled(&row[self as usize], &of.iter().map(|(_, of)| of.as_str()).collect::<Vec<_>>()))
         })
     }
 }

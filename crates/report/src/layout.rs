@@ -1,6 +1,7 @@
 //! Where three views and a pictorial one stand, and how space maps to them.
 
 use crate::domain::{Domain, usable};
+use crate::language::Language;
 use crate::projection::Projection::{self, Front, Pictorial, Side, Top};
 use crate::svg::{Anchor, EDGE, Rect, Svg, WIDTH};
 use crate::ticks::Ticks;
@@ -115,7 +116,7 @@ impl Layout {
         Map { view, scale: self.scale, centre: view.project(self.centre), middle: middle(frame) }
     }
 
-    pub(crate) fn draw_axes(&self, svg: &mut Svg, view: Projection, f: Rect, map: &Map) {
+    pub(crate) fn draw_axes(&self, svg: &mut Svg, view: Projection, (f, map): (Rect, &Map), language: Language) {
         let Some((across, up, sign)) = view.axes() else { return };
         let step = TICK / self.scale;
         let half = 0.5 * f.w / self.scale;
@@ -127,7 +128,7 @@ impl Layout {
         }
         if view != Front {
             svg.ticks(f.bottom() + 14.0, ticks.values.iter().map(|v| at(*v)).zip(ticks.labels()));
-            let name = format!("{across}, mm");
+            let name = format!("{across}, {}", language.say("mm"));
             svg.text("quiet", f.x + 0.5 * f.w, f.bottom() + 30.0, Anchor::Middle, &name);
         }
         let half = 0.5 * f.h / self.scale;
@@ -140,7 +141,7 @@ impl Layout {
             }
         }
         if view != Side {
-            svg.text("quiet", 0.0, f.y - 7.0, Anchor::Start, &format!("{up}, mm"));
+            svg.text("quiet", 0.0, f.y - 7.0, Anchor::Start, &format!("{up}, {}", language.say("mm")));
         }
     }
 }

@@ -18,8 +18,8 @@ const HAIR: f64 = 0.01;
 pub(crate) enum Entry {
     /// A curve, with the class of its stroke.
     Curve { class: String, dots: bool, name: String },
-    /// A remark about a limit that is not in the plot.
-    Note(String),
+    /// A remark about a limit that is not in the plot, and a shorter one.
+    Note([String; 2]),
 }
 
 impl Entry {
@@ -33,7 +33,7 @@ impl Entry {
 
     fn name(&self) -> &str {
         match self {
-            Self::Curve { name, .. } | Self::Note(name) => name,
+            Self::Curve { name, .. } | Self::Note([name, _]) => name,
         }
     }
 
@@ -60,7 +60,8 @@ impl Entry {
                 }
                 svg.text("", x + self.lead(), baseline, Anchor::Start, &name);
             }
-            Self::Note(_) => {
+            Self::Note([_, short]) => {
+                let name = if name == self.name() { name } else { fit(short, 12.0, room - self.lead()) };
                 svg.line("limit", x, baseline - 4.5, x + DASH, baseline - 4.5);
                 svg.text("quiet", x + self.lead(), baseline, Anchor::Start, &name);
             }

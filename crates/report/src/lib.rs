@@ -34,6 +34,7 @@ mod place;
 mod plot;
 mod projection;
 mod record;
+mod said;
 mod series;
 mod sheet;
 mod style;

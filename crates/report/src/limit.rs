@@ -50,8 +50,9 @@ pub(crate) fn stretch(data: Domain, limits: &[LimitLine]) -> Domain {
     })
 }
 
-/// What is said of limits outside `shown`: one note each, or one for a pair of `±` limits.
-pub(crate) fn notes(limits: &[LimitLine], shown: Domain, unit: &str, language: Language) -> Vec<String> {
+/// What is said of limits outside `shown`: one note each, or one for a pair of `±` limits; each with what it is where
+/// there is no room for where it lies.
+pub(crate) fn notes(limits: &[LimitLine], shown: Domain, unit: &str, language: Language) -> Vec<[String; 2]> {
     let mut outside: Vec<&LimitLine> = limits.iter().filter(|l| usable(l.value) && !shown.contains(l.value)).collect();
     let mut notes = Vec::new();
     while let Some(limit) = outside.pop() {
@@ -66,7 +67,7 @@ pub(crate) fn notes(limits: &[LimitLine], shown: Domain, unit: &str, language: L
             None => ("", limit.value, if limit.value > shown.hi { "{0}, above" } else { "{0}, below" }),
         };
         let amount = format!("{} {sign}{} {unit}", limit.label, format_number(value, 5));
-        notes.push(language.fill(side, &[amount.trim()]));
+        notes.push([language.fill(side, &[amount.trim()]), amount.trim().to_owned()]);
     }
     notes.reverse();
     notes
@@ -86,7 +87,10 @@ mod tests {
         assert_eq!(stretch(data, &limits(&[30.0])), Domain { lo: 0.0, hi: 30.0 });
         assert_eq!(stretch(data, &limits(&[50.0])), data);
         assert_eq!(stretch(data, &limits(&[-500.0, 12.0])), Domain { lo: 0.0, hi: 12.0 });
-        let notes = |values: &[f64], unit| notes(&limits(values), data, unit, Language::English);
+        let notes = |values: &[f64], unit| {
+            let notes = notes(&limits(values), data, unit, Language::English);
+            notes.into_iter().map(|[whole, _]| whole).collect::<Vec<_>>()
+        };
         assert_eq!(notes(&[50.0], "deg/s"), ["limit 50 deg/s, above"]);
         assert_eq!(notes(&[-5.0, 8.0], "mm"), ["limit -5 mm, below"]);
         assert_eq!(notes(&[-50.0, 50.0], "mm"), ["limit ±50 mm, outside"]);

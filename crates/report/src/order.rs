@@ -1,3 +1,4 @@
+use crate::language::Language;
 use crate::number::px;
 use crate::svg::{Anchor, Rect, Svg, WIDTH, both_forms};
 
@@ -17,6 +18,8 @@ const CLOSED: f64 = 0.1;
 /// Lines in a plane in the order in which they are followed: numbered, with arrows, and the ways between them dashed.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct OrderDrawing {
+    /// The language of what it says by itself; texts are given in it.
+    pub language: Language,
     /// Heading.
     pub title: String,
     /// A line below it.
@@ -44,7 +47,7 @@ both_forms!(OrderDrawing);
 
 impl OrderDrawing {
     fn label(&self) -> String {
-        format!("{}: {} lines in order", self.title, self.lines.len())
+        self.language.fill("{0}: {1} lines in order", &[&self.title, &self.lines.len().to_string()])
     }
 
     fn draw(&self) -> (Svg, f64) {
@@ -74,7 +77,7 @@ impl OrderDrawing {
             self.lines.iter().zip(&lines).map(|(line, points)| beside(points, place(&line.middle), line.outside));
         numbers(&mut svg, places);
         svg.rect("edge", frame);
-        svg.scale_bar(frame, scale);
+        svg.scale_bar(frame, scale, self.language.say("mm"));
         (svg, frame.bottom() + 1.0)
     }
 }
@@ -168,7 +171,12 @@ mod tests {
 
     #[test]
     fn every_line_has_its_number_and_numbers_of_one_place_stand_together() {
-        let drawing = |lines| OrderDrawing { title: "Order".to_owned(), key: "a < b".to_owned(), lines };
+        let drawing = |lines| OrderDrawing {
+            title: "Order".to_owned(),
+            key: "a < b".to_owned(),
+            lines,
+            ..OrderDrawing::default()
+        };
         let texts = |svg: &str| {
             let document = roxmltree::Document::parse(svg).unwrap();
             let heads = document.descendants().filter(|e| e.attribute("class") == Some("head halo"));

@@ -132,14 +132,14 @@ impl Svg {
         }
     }
 
-    /// A bar of a round length in the lower left corner of `frame`; `scale` is px a mm.
-    pub(crate) fn scale_bar(&mut self, frame: Rect, scale: f64) {
+    /// A bar of a round length in the lower left corner of `frame`; `scale` is px a mm, which is called `unit`.
+    pub(crate) fn scale_bar(&mut self, frame: Rect, scale: f64, unit: &str) {
         let wanted = 0.2 * frame.w / scale;
         let power = 10_f64.powf(wanted.log10().floor());
         let mm = [5.0, 2.0, 1.0].into_iter().map(|k| k * power).find(|mm| *mm <= wanted).unwrap_or(power);
         let (x, y) = (frame.x + 8.0, frame.bottom() - 8.0);
         self.line("line thin c6", x, y, x + mm * scale, y);
-        self.text("tick halo", x + mm * scale + 5.0, y + 3.5, Anchor::Start, &format!("{mm} mm"));
+        self.text("tick halo", x + mm * scale + 5.0, y + 3.5, Anchor::Start, &format!("{mm} {unit}"));
     }
 
     /// What follows, up to [`Svg::close_clip`], is cut off outside `r`.

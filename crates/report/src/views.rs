@@ -1,5 +1,6 @@
 //! A curve in space, drawn in three views.
 
+use crate::language::Language;
 use crate::layout::{HEAD, Layout, Map, whole};
 use crate::legend::{Entry, Legend, ROW};
 use crate::place;
@@ -25,6 +26,8 @@ pub struct Mark {
 /// is drawn.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ThreeViews {
+    /// The language of what it says by itself; texts are given in it.
+    pub language: Language,
     /// Heading; may be empty.
     pub title: String,
     /// The path.
@@ -76,14 +79,14 @@ impl ThreeViews {
 
         let layout = Layout::new(self.points(), top);
         for (view, frame) in layout.frames() {
-            svg.text("head", frame.x, frame.y - 7.0, Anchor::Start, view.name());
+            svg.text("head", frame.x, frame.y - 7.0, Anchor::Start, self.language.say(view.name()));
             svg.rect("area", frame);
             let map = match view {
                 Pictorial => Map::fitting(view, self.points(), frame.inset(26.0)),
                 _ => layout.map(view, frame),
             };
             if view != Pictorial {
-                layout.draw_axes(&mut svg, view, frame, &map);
+                layout.draw_axes(&mut svg, view, (frame, &map), self.language);
             }
             svg.rect("edge", frame);
             let ink = self.draw_view(&mut svg, &map, frame);

@@ -37,8 +37,8 @@ export function matcher(patterns: readonly Pattern[]): (text: string, language: 
       const filled = new Map(holes.map(({ number, name }, i) => [number, name ? (found[i + 1] ?? '') : sentence(found[i + 1] ?? '', language, word)]));
       return of(language).replace(HOLE, (_, number: string) => filled.get(number) ?? '');
     }
-    // What a machine says of itself: its name, then why.
+    // What a machine says of itself, or a sensor: its name or what is the matter, then why.
     const named = /^([^:;]{1,40}): (.+)$/s.exec(text);
-    return named ? `${named[1]}: ${sentence(named[2] ?? '', language, word)}` : text;
+    return named ? `${sentence(named[1] ?? '', language, word)}: ${sentence(named[2] ?? '', language, word)}` : text;
   };
 }

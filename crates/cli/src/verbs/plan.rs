@@ -11,7 +11,7 @@ use seamwright_cell::tracking::BeamSummary;
 use seamwright_motion::WeldMotion;
 use seamwright_post::{Control, Dialect, Feed, Options};
 use seamwright_program::Oscillation;
-use seamwright_report::{Plots, PostFigures, WeldReport};
+use seamwright_report::{Language, Plots, PostFigures, WeldReport};
 use seamwright_weld::{Cut, Welding};
 use std::fmt::Write;
 use std::path::{Component, Path, PathBuf};
@@ -29,13 +29,13 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     let posts = dialects.into_iter().map(|dialect| post(&loaded, &motion, dialect));
     let posts: Vec<(PostFigures, String)> = posts.collect::<Result<_, _>>()?;
     let mut output = Output::new(&args.output)?;
-    let (mut report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None);
+    let (mut report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None, args.language);
     for (figures, text) in posts {
         output.text(&figures.file, &text)?;
         report.posts.push(figures);
     }
     write_program(&mut output, &loaded)?;
-    write_report(&mut output, &report, &plots, &loaded.welding)?;
+    write_report(&mut output, (&report, &plots), &loaded.welding, args.language)?;
     for (i, plots) in plots.iter().enumerate() {
         for (name, svg) in plots.files() {
             // The first pass's plots have the plain names.
@@ -116,16 +116,16 @@ pub(super) fn write_program(output: &mut Output, loaded: &Loaded) -> Result<(), 
     output.text("program.toml", &text)
 }
 
-/// Adds report.json and report.html.
+/// Adds report.json and, in this language, report.html.
 pub(super) fn write_report(
     output: &mut Output,
-    report: &WeldReport,
-    plots: &[Plots],
+    (report, plots): (&WeldReport, &[Plots]),
     welding: &Welding,
+    language: Language,
 ) -> Result<(), Failure> {
     let json = serde_json::to_string_pretty(report).map_err(|e| Failure::Environment(e.to_string()))?;
     output.text("report.json", &(json + "\n"))?;
-    output.text("report.html", &report.page(plots, welding.program.text(), &clock::now()))
+    output.text("report.html", &report.page(plots, welding.program.text(), &clock::now(), language))
 }
 
 /// Gives the files their names and prints what was done.

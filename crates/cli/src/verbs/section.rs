@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::load::load;
 use crate::rows::{Cell, Rows};
-use seamwright_report::sections;
+use seamwright_report::{Language, sections};
 
 const COLUMNS: [&str; 14] = [
     "s_mm",
@@ -66,7 +66,7 @@ pub(crate) fn run(args: &SectionArgs) -> Result<(), Failure> {
         })
     })?;
     if let Some(path) = &args.svg {
-        let mut gallery = sections(seam, joint, welding.plan.as_ref(), &drawn);
+        let mut gallery = sections((seam, joint), welding.plan.as_ref(), &drawn, Language::English);
         gallery.title.clone_from(&welding.program.value.title);
         files::write(path, &gallery.to_svg_standalone())?;
     }

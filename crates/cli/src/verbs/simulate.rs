@@ -31,7 +31,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let conditions = part.conditions(args.seed, &args.fault, &around);
     let motion = part.plan(&loaded)?;
     let mut output = Output::new(&args.output)?;
-    let (report, desk) = weld(&loaded, &motion, (conditions, args.json), &mut output, &args.record)?;
+    let (report, desk) = weld(&loaded, &motion, conditions, &mut output, args)?;
     if args.fault.is_empty() {
         finish(output, &report, args.json)?;
         judge(report)?;
@@ -49,23 +49,23 @@ pub(super) fn judge(report: WeldReport) -> Result<(), Failure> {
 }
 
 /// Welds in simulation; adds the trace, the report, what happened and the deviations that a beam found to `output`, and records the
-/// weld if it is to be. What happens is printed if something is to fail, as `json` if that is asked for.
+/// weld if it is to be. What happens is printed if something is to fail.
 pub(super) fn weld(
     loaded: &Loaded,
     motion: &WeldMotion,
-    (conditions, json): (Conditions<'_>, bool),
+    conditions: Conditions<'_>,
     output: &mut Output,
-    record: &RecordArgs,
+    args: &SimulateArgs,
 ) -> Result<(WeldReport, Desk), Failure> {
     let Loaded { welding, machine, .. } = loaded;
     let paths = loaded.paths();
     let cell = SimulatedCell::new(machine, loaded.passes(&paths), motion, conditions);
     let lines = ORDERS.iter().filter_map(|line| Line::read(line).ok()).collect();
-    let desk = Desk::new(machine, None, lines, json);
+    let desk = Desk::new(machine, None, lines, args.json);
     let mut desk = if conditions.faults.is_empty() { desk.quiet() } else { desk };
     desk.ends();
-    let (outcome, rows, ended) = trace((loaded, motion), (&cell, conditions), &mut desk, (output, record))?;
-    let (report, plots) = WeldReport::new(machine, welding, motion, Some(outcome));
+    let (outcome, rows, ended) = trace((loaded, motion), (&cell, conditions), &mut desk, (output, &args.record))?;
+    let (report, plots) = WeldReport::new(machine, welding, motion, Some(outcome), args.language);
     for (i, pass) in report.passes.iter().enumerate() {
         // One head: a beam.
         let heads = pass.simulation.iter().flat_map(|summary| &summary.heads);
@@ -79,7 +79,7 @@ pub(super) fn weld(
     }
     let files = files.map(|(name, text)| (name.to_owned(), text)).into();
     rows.finish(&report, (files, desk.happened()), desk.was_stopped(), output)?;
-    write_report(output, &report, &plots, welding)?;
+    write_report(output, (&report, &plots), welding, args.language)?;
     Ok((report, desk))
 }
 

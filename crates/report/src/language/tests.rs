@@ -1,6 +1,8 @@
 use super::*;
+use crate::said;
 use seamwright_cell::executive::Alarm;
 use seamwright_cell::tracking;
+use seamwright_program::WeldingProcess;
 use std::collections::BTreeSet;
 
 fn holes_of(text: &str) -> BTreeSet<char> {
@@ -13,7 +15,7 @@ fn has_letters(text: &str, count: usize) -> bool {
 }
 
 /// What a language shares with English.
-const SAME: [&str; 7] = ["Name", "Version", "Text", "Bytes", "Gas", "Alarm", "Override {0} %"];
+const SAME: [&str; 8] = ["Name", "Position", "Version", "Text", "Bytes", "Gas", "Alarm", "Override {0} %"];
 
 #[test]
 fn every_phrase_has_words_in_all_languages_with_the_same_holes() {
@@ -36,7 +38,9 @@ fn every_phrase_has_words_in_all_languages_with_the_same_holes() {
                 Language::German => *text != row[0] || SAME.contains(&text.as_str()),
             };
             let unit = WORDS.units.values().any(|unit| *unit == row[0]);
-            assert!(translated || unit || !has_letters(&row[0], 3), "{language:?}: {row:?}");
+            // A sign, like that of degrees, needs no words.
+            let sign = !has_letters(text, 2);
+            assert!(translated || unit || sign || !has_letters(&row[0], 3), "{language:?}: {row:?}");
         }
     }
 }
@@ -44,7 +48,12 @@ fn every_phrase_has_words_in_all_languages_with_the_same_holes() {
 #[test]
 fn a_phrase_is_no_key_and_stands_once() {
     let mut seen = BTreeSet::new();
-    for text in [include_str!("../../../../words/report.json"), include_str!("../../../../words/notes.json")] {
+    let texts = [
+        include_str!("../../../../words/report.json"),
+        include_str!("../../../../words/plan.json"),
+        include_str!("../../../../words/notes.json"),
+    ];
+    for text in texts {
         let rows: Vec<Row> = serde_json::from_str(text).unwrap();
         for [english, ..] in rows {
             assert!(!WORDS.tongues[0].words.contains_key(&english), "{english}");
@@ -79,6 +88,53 @@ fn sentences_are_found_again_with_what_stands_in_them() {
     assert_eq!(say("stopped by: {0}").unwrap(), "gestoppt durch: {0}");
     for odd in ["", "what nobody says", "override", "pass 2 was left", "override 50 % more"] {
         assert_eq!(say(odd), None, "{odd}");
+    }
+}
+
+#[test]
+fn every_sentence_is_found_again_with_names_in_its_holes() {
+    let names = ["qa", "qb", "qc", "qd", "qe", "qf", "qg"];
+    for row in &WORDS.sentences {
+        for language in &Language::ALL[1..] {
+            let said = language.sentence(&filled(&row[0], &names), str::to_owned);
+            assert_eq!(said, Some(filled(&row[*language as usize], &names)), "{language:?}: {row:?}");
+        }
+    }
+}
+
+#[test]
+fn findings_are_told_with_what_stands_in_them() {
+    let german = |text: &str| said::sentence(Language::German, text);
+    let slow = "axis theta cannot keep 10.000 mm/s: its acceleration limit of 20.000 deg/s^2 allows 9.412 mm/s";
+    assert_eq!(said::sentence(Language::English, slow), slow);
+    assert!(german(slow).starts_with("Achse theta kann 10.000 mm/s nicht halten: ihre Grenze der Beschleunigung"));
+    let corners = "set weld.corner = { blend_mm = 0.2 } to go round corners within that distance of the seam";
+    assert_eq!(german(corners), "mit weld.corner = { blend_mm = 0.2 } so nah an der Naht um Ecken gehen");
+    let far = "saddle: the axes cannot reach the point; it is 3.0000 mm off";
+    assert_eq!(german(far), "saddle: die Achsen erreichen den Punkt nicht: es fehlen 3.0000 mm");
+    assert_eq!(
+        german("nothing seen by the sensor: the sensor is silent"),
+        "der Sensor sieht nichts: der Sensor schweigt"
+    );
+    for typed in ["what nobody has said", "pass {0}: odd", ""] {
+        assert_eq!(german(typed), typed);
+    }
+}
+
+#[test]
+fn what_files_may_name_has_words() {
+    let processes = WeldingProcess::all().iter().map(|process| process.name);
+    let source = include_str!("../../../program/src/seam.rs");
+    let kinds = source.split_once("fn kind").unwrap().1.split_once("    }\n}").unwrap().0;
+    let kinds: Vec<&str> = kinds.split("=> \"").skip(1).map(|kind| kind.split('"').next().unwrap()).collect();
+    assert!(kinds.len() > 10);
+    for name in processes.chain(kinds) {
+        assert!(Language::German.known(name).is_some(), "{name}");
+    }
+    let windows = ["speed_mm_s", "heat_input_kj_mm", "travel_angle_deg", "work_angle_deg", "preheat_c", "interpass_c"];
+    for value in windows.into_iter().chain(["current_a", "voltage_v", "laser_w", "beam_ma", "accelerating_kv"]) {
+        let (title, unit) = value_name(value);
+        assert!(unit.is_some() && Language::German.named("value", title).is_some(), "{value}");
     }
 }
 

@@ -1,5 +1,6 @@
 use super::canvas::Canvas;
 use super::outlines::outlines;
+use crate::language::Language;
 use crate::layout::{HEAD, Layout, Map, whole};
 use crate::legend::{Entry, Legend, ROW};
 use crate::projection::Projection::Pictorial;
@@ -166,7 +167,7 @@ impl MachineDrawing {
                 _ => layout.map(view, frame),
             };
             if view != Pictorial {
-                layout.draw_axes(&mut svg, view, frame, &map);
+                layout.draw_axes(&mut svg, view, (frame, &map), Language::English);
             }
             svg.rect("edge", frame);
             svg.open_clip(frame);

@@ -1,4 +1,4 @@
-use super::said;
+use crate::said;
 use crate::{Axis, Block, Chart, Language, LimitLine, Series};
 use seamwright_record::figures::{BIN_MM, Curve, Figures, HEAT_INPUT, Value};
 

@@ -1,9 +1,9 @@
 //! The report of a recorded weld: what was welded, against its procedure, to be signed.
 
 mod charts;
-mod said;
 mod tables;
 
+use crate::said;
 use crate::weld::table;
 use crate::{Block, Language, Page, Severity, Tile, Verdict, format_number};
 use seamwright_record::figures::Figures;

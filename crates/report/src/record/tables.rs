@@ -1,4 +1,4 @@
-use super::said;
+use crate::said;
 use crate::weld::table;
 use crate::{Block, Language, format_number};
 use seamwright_record::figures::Value;

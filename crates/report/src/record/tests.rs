@@ -1,5 +1,5 @@
-use super::{recorded_weld_page, said};
-use crate::Language;
+use super::recorded_weld_page;
+use crate::{Language, said};
 use seamwright_cell::executive::{Alarm as Catalogue, Ask, Mode};
 use seamwright_record::Moment;
 use seamwright_record::figures::{Curve, Figures, Value};

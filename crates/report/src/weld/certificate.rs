@@ -31,7 +31,7 @@ pub struct CertificateFigures {
 }
 
 /// What stands for an axis where a limit of the torch tip binds.
-const TIP: &str = "torch tip";
+pub(super) const TIP: &str = "torch tip";
 
 /// The greatest use that a pass makes of the torch tip's limits, seen from the directions in which they are imposed;
 /// a limit that there is not is missing.
@@ -152,20 +152,6 @@ impl IntervalFigures {
             unit: binding.map(|b| b.unit),
         }
     }
-
-    /// What binds, shortly: `axis c, jerk`.
-    pub(crate) fn binds(&self) -> String {
-        self.axis.as_ref().map_or("asked speed".to_owned(), |axis| format!("{}, {}", whose(axis), self.bound))
-    }
-
-    /// Whose limit binds, in words.
-    pub(crate) fn whose(&self) -> Option<String> {
-        self.axis.as_deref().map(whose)
-    }
-}
-
-fn whose(axis: &str) -> String {
-    if axis == TIP { format!("the {axis}") } else { format!("axis {axis}") }
 }
 
 impl UseFigures {

@@ -1,9 +1,12 @@
 use super::certificate::IntervalFigures;
+use super::limits::binds;
 use super::procedure::ProcedurePlots;
 use super::samples::Sample;
 use super::taught::{TaughtPlot, taught};
 use super::{CertificateFigures, SimulationCurves, cut, order, sections, woven};
-use crate::{Axis, Band, Chart, ChartGrid, Gallery, LimitLine, Mark, OrderDrawing, Series, Style, ThreeViews};
+use crate::{
+    Axis, Band, Chart, ChartGrid, Gallery, Language, LimitLine, Mark, OrderDrawing, Series, Style, ThreeViews, said,
+};
 use seamwright_machine::Machine;
 use seamwright_motion::{Leg, PassClearance, PassMotion};
 use seamwright_program::{Pass, Span, TorchPath};
@@ -62,47 +65,42 @@ impl Plots {
         (pass, motion, clearance): (usize, &PassMotion, Option<&PassClearance>),
         (samples, certificate): (&[Sample], &CertificateFigures),
         curves: Option<&SimulationCurves>,
+        language: Language,
     ) -> Self {
+        let program = &welding.program.value;
         Self {
-            seam: views(welding, pass),
+            seam: views(welding, pass, language),
             procedure: None,
             tracking: None,
-            taught: welding.seam.as_ref().map_or(Vec::new(), |seam| taught(machine, seam, motion)),
-            clearance: clearance.map(clearance_chart),
-            torch: torch(samples),
-            process: process(&welding.program.value.passes[pass]),
-            weave: welding
-                .path(pass)
-                .along_seam()
-                .and_then(|path| woven::weave(&welding.program.value.passes[pass], path)),
-            oscillation: woven::oscillation(&welding.program.value.passes[pass]),
-            axes: axes(machine, samples),
-            jerks: jerks(machine, samples),
-            speed: speed(motion, samples, certificate, curves),
-            deviation: curves.map(|c| deviation(machine, motion, c)),
-            following: curves.map(|c| following(machine, c)),
-            path_error: curves.map(|c| Chart {
-                title: "Distance of the true torch tip from the seam".to_owned(),
-                x: along(),
-                y: Axis::new("path error", "mm"),
-                series: vec![Series::line("normal to the seam", c.path_error())],
-                ..Chart::default()
+            taught: welding.seam.as_ref().map_or(Vec::new(), |seam| taught(machine, seam, motion, language)),
+            clearance: clearance.map(|clearance| clearance_chart(clearance, language)),
+            torch: torch(samples, language),
+            process: process(&program.passes[pass], language),
+            weave: welding.path(pass).along_seam().and_then(|path| woven::weave(&program.passes[pass], path, language)),
+            oscillation: woven::oscillation(&program.passes[pass], language),
+            axes: axes(machine, samples, language),
+            jerks: jerks(machine, samples, language),
+            speed: speed(motion, samples, (certificate, curves), language),
+            deviation: curves.map(|c| deviation(machine, motion, c, language)),
+            following: curves.map(|c| following(machine, c, language)),
+            path_error: curves.map(|c| {
+                let errors = vec![line(language, "normal to the seam", c.path_error())];
+                let title = "Distance of the true torch tip from the seam";
+                chart(language, title, ("path error", "mm"), errors)
             }),
-            attitude: curves.map(|c| Chart {
-                title: "Deviation of the true torch direction from the one asked for".to_owned(),
-                x: along(),
-                y: Axis::new("attitude error", "deg"),
-                series: vec![Series::line("attitude error", c.attitude())],
-                ..Chart::default()
+            attitude: curves.map(|c| {
+                let errors = vec![line(language, "attitude error", c.attitude())];
+                let title = "Deviation of the true torch direction from the one asked for";
+                chart(language, title, ("attitude error", "deg"), errors)
             }),
-            cut: welding.cut.as_ref().filter(|_| pass == 0).map(cut::template),
+            cut: welding.cut.as_ref().filter(|_| pass == 0).map(|cut| cut::template(cut, language)),
             sections: welding
                 .joint
                 .as_ref()
                 .zip(welding.seam.as_ref())
                 .filter(|_| pass == 0)
-                .map(|of| gallery(welding, of)),
-            order: if pass == 0 { order::order(welding) } else { None },
+                .map(|of| gallery(welding, of, language)),
+            order: if pass == 0 { order::order(welding, language) } else { None },
         }
     }
 
@@ -139,17 +137,36 @@ impl Plots {
 }
 
 /// Cross-sections at nine places: on a seam welded all round every ninth of it.
-fn gallery(welding: &Welding, (joint, seam): (&SeamJoint, &SeamCurve)) -> Gallery {
+fn gallery(welding: &Welding, (joint, seam): (&SeamJoint, &SeamCurve), language: Language) -> Gallery {
     let step = if seam.all_round() { seam.length() / 9.0 } else { seam.weld_length() / 8.0 };
     let places: Vec<f64> = (0..9).map(|i| f64::from(i) * step).collect();
-    sections(seam, joint, welding.plan.as_ref(), &places)
+    sections((seam, joint), welding.plan.as_ref(), &places, language)
 }
 
-pub(super) fn along() -> Axis {
-    Axis::new("path length s", "mm")
+pub(super) fn axis(language: Language, label: &'static str, unit: &str) -> Axis {
+    Axis::new(language.say(label), language.unit(unit))
 }
 
-fn views(welding: &Welding, pass: usize) -> ThreeViews {
+pub(super) fn along(language: Language) -> Axis {
+    axis(language, "path length s", "mm")
+}
+
+pub(super) fn line(language: Language, name: &'static str, points: Vec<(f64, f64)>) -> Series {
+    Series::line(language.say(name), points)
+}
+
+/// A chart over path length.
+pub(super) fn chart(
+    language: Language,
+    title: &'static str,
+    (label, unit): (&'static str, &str),
+    series: Vec<Series>,
+) -> Chart {
+    let title = language.say(title).to_owned();
+    Chart { language, title, x: along(language), y: axis(language, label, unit), series, ..Chart::default() }
+}
+
+fn views(welding: &Welding, pass: usize, language: Language) -> ThreeViews {
     let path = welding.path(pass);
     let length = path.length();
     let seam = path.along_seam();
@@ -168,59 +185,54 @@ fn views(welding: &Welding, pass: usize) -> ThreeViews {
         let (tip, axis) = torch(drawn * f64::from(i) / f64::from(VECTORS));
         (tip.to_array(), (tip + vector * axis).to_array())
     });
-    let label = if length > turn { "end of overlap" } else { "end" };
+    let mark = |label, s| Mark { label: language.say(label).to_owned(), at: at(s) };
+    let path_name = match seam {
+        Some(path) if path.bead.is_some() => "bead",
+        Some(_) => "seam",
+        None => "path",
+    };
     ThreeViews {
-        title: "Seam and torch".to_owned(),
+        language,
+        title: language.say("Seam and torch").to_owned(),
         path: (0..=720).map(|i| at(drawn * f64::from(i) / 720.0)).collect(),
         closed: false,
-        path_name: match seam {
-            Some(path) if path.bead.is_some() => "bead",
-            Some(_) => "seam",
-            None => "path",
-        }
-        .to_owned(),
+        path_name: language.say(path_name).to_owned(),
         vectors: vectors.collect(),
-        vectors_name: "torch axis".to_owned(),
-        marks: vec![Mark { label: "start".to_owned(), at: at(0.0) }, Mark { label: label.to_owned(), at: at(length) }],
+        vectors_name: language.say("torch axis").to_owned(),
+        marks: vec![mark("start", 0.0), mark(if length > turn { "end of overlap" } else { "end" }, length)],
         ..ThreeViews::default()
     }
 }
 
-fn clearance_chart(clearance: &PassClearance) -> Chart {
+fn clearance_chart(clearance: &PassClearance, language: Language) -> Chart {
     let first = clearance.at_least.first().map(|c| (0.0, c.1));
     let proven = first.into_iter().chain(clearance.at_least.iter().copied()).collect();
+    let series = vec![
+        line(language, "least distance", clearance.found.clone()),
+        line(language, "proven between the places looked at", proven).styled(Style::Dashed),
+    ];
+    let title = "Least distance of anything watched (told up to {0} mm)";
     Chart {
-        title: format!("Least distance of anything watched (told up to {} mm)", clearance.cutoff_mm),
-        x: along(),
-        y: Axis::new("distance", "mm"),
-        series: vec![
-            Series::line("least distance", clearance.found.clone()),
-            Series::line("proven between the places looked at", proven).styled(Style::Dashed),
-        ],
-        ..Chart::default()
+        title: language.fill(title, &[&clearance.cutoff_mm.to_string()]),
+        ..chart(language, "", ("distance", "mm"), series)
     }
 }
 
-fn torch(samples: &[Sample]) -> Option<Chart> {
+fn torch(samples: &[Sample], language: Language) -> Option<Chart> {
     let curve = |f: fn((f64, f64, f64)) -> f64| -> Vec<(f64, f64)> {
         samples.iter().filter_map(|s| Some((s.s, f(s.angles?)))).collect()
     };
     samples.first()?.angles?;
-    Some(Chart {
-        title: "Torch angles and groove".to_owned(),
-        x: along(),
-        y: Axis::new("angle", "deg"),
-        series: vec![
-            Series::line("work angle (offset from bisector)", curve(|angles| angles.0)),
-            Series::line("travel angle (+ drag, − push)", curve(|angles| angles.1)),
-            Series::line("half the dihedral angle", curve(|angles| 0.5 * angles.2)),
-        ],
-        ..Chart::default()
-    })
+    let series = vec![
+        line(language, "work angle (offset from bisector)", curve(|angles| angles.0)),
+        line(language, "travel angle (+ drag, − push)", curve(|angles| angles.1)),
+        line(language, "half the dihedral angle", curve(|angles| 0.5 * angles.2)),
+    ];
+    Some(chart(language, "Torch angles and groove", ("angle", "deg"), series))
 }
 
 /// Process values that are not the same all along; none of a pass without.
-fn process(pass: &Pass) -> Option<ChartGrid> {
+fn process(pass: &Pass, language: Language) -> Option<ChartGrid> {
     let ends = |name: &String| -> Vec<(f64, f64)> {
         let of = |span: &Span| {
             let (from, to) = span.process.get(name)?.ends();
@@ -231,18 +243,21 @@ fn process(pass: &Pass) -> Option<ChartGrid> {
     let names = pass.spans.first()?.process.keys();
     let curves = names.map(|name| (name, ends(name)));
     let changing = curves.filter(|(_, curve)| curve.iter().any(|p| (p.1 - curve[0].1).abs() > 0.0));
-    let chart = |(name, curve): (&String, Vec<(f64, f64)>)| Chart {
-        title: name.clone(),
-        x: along(),
-        y: Axis::new(name, ""),
-        series: vec![Series::line(name.clone(), curve)],
-        ..Chart::default()
+    let chart = |(name, curve): (&String, Vec<(f64, f64)>)| {
+        let name = said::named_value(language, name);
+        Chart {
+            title: name.clone(),
+            y: Axis::new(name.as_str(), ""),
+            series: vec![Series::line(name, curve)],
+            ..chart(language, "", ("", ""), Vec::new())
+        }
     };
     let charts: Vec<Chart> = changing.map(chart).collect();
-    (!charts.is_empty()).then(|| ChartGrid { title: "Process values as asked".to_owned(), columns: 2, charts })
+    let title = language.say("Process values as asked").to_owned();
+    (!charts.is_empty()).then_some(ChartGrid { title, columns: 2, charts })
 }
 
-fn axes(machine: &Machine, samples: &[Sample]) -> ChartGrid {
+fn axes(machine: &Machine, samples: &[Sample], language: Language) -> ChartGrid {
     let mut charts = Vec::new();
     for (i, axis) in machine.axes.iter().enumerate() {
         let unit = axis.unit();
@@ -253,18 +268,19 @@ fn axes(machine: &Machine, samples: &[Sample]) -> ChartGrid {
             ("acceleration", format!("{unit}/s²"), both_ways(axis.to_file(axis.max_acceleration))),
         ];
         for (order, (what, unit, limits)) in rows.into_iter().enumerate() {
-            charts.push(axis_chart(&axis.name, Axis::new(what, unit), curve(samples, i, order), limits));
+            charts.push(axis_chart(&axis.name, (what, &unit), (curve(samples, i, order), limits), language));
         }
     }
-    ChartGrid { title: "Axes against their limits".to_owned(), columns: 3, charts }
+    ChartGrid { title: language.say("Axes against their limits").to_owned(), columns: 3, charts }
 }
 
-fn jerks(machine: &Machine, samples: &[Sample]) -> ChartGrid {
+fn jerks(machine: &Machine, samples: &[Sample], language: Language) -> ChartGrid {
     let charts = machine.axes.iter().enumerate().map(|(i, axis)| {
-        let y = Axis::new("jerk", format!("{}/s³", axis.unit()));
-        axis_chart(&axis.name, y, curve(samples, i, 3), both_ways(axis.to_file(axis.jerk())))
+        let (unit, limits) = (format!("{}/s³", axis.unit()), both_ways(axis.to_file(axis.jerk())));
+        axis_chart(&axis.name, ("jerk", &unit), (curve(samples, i, 3), limits), language)
     });
-    ChartGrid { title: "Jerk of the axes against its limits".to_owned(), columns: 3, charts: charts.collect() }
+    let title = language.say("Jerk of the axes against its limits").to_owned();
+    ChartGrid { title, columns: 3, charts: charts.collect() }
 }
 
 /// Position (order 0), speed, acceleration or jerk of axis `i` over path length.
@@ -276,20 +292,23 @@ fn both_ways(limit: f64) -> Vec<f64> {
     vec![-limit, limit]
 }
 
-fn axis_chart(name: &str, y: Axis, points: Vec<(f64, f64)>, limits: Vec<f64>) -> Chart {
+fn axis_chart(
+    name: &str,
+    (what, unit): (&'static str, &str),
+    (points, limits): (Vec<(f64, f64)>, Vec<f64>),
+    language: Language,
+) -> Chart {
+    let limit = language.say("limit");
     Chart {
-        title: format!("{name} {}", y.label),
-        x: along(),
-        y,
-        series: vec![Series::line(name.to_owned(), points)],
-        limits: limits.into_iter().map(|v| LimitLine::new("limit", v)).collect(),
-        ..Chart::default()
+        title: format!("{name} {}", language.say(what)),
+        limits: limits.into_iter().map(|v| LimitLine::new(limit, v)).collect(),
+        ..chart(language, "", (what, unit), vec![Series::line(name, points)])
     }
 }
 
 /// Stretches between run-up and run-down on which the tip is slower than asked, each named by what binds at its
 /// slowest.
-fn slowed(certificate: &CertificateFigures) -> Vec<Band> {
+fn slowed(certificate: &CertificateFigures, language: Language) -> Vec<Band> {
     let mut runs: Vec<Vec<&IntervalFigures>> = vec![Vec::new()];
     for interval in &certificate.intervals {
         match runs.last_mut() {
@@ -299,7 +318,7 @@ fn slowed(certificate: &CertificateFigures) -> Vec<Band> {
     }
     let band = |run: &Vec<&IntervalFigures>| {
         let slowest = run.iter().min_by(|a, b| a.least_speed_mm_s.total_cmp(&b.least_speed_mm_s))?;
-        Some(Band { label: slowest.binds(), from: run[0].from_mm, to: run[run.len() - 1].to_mm })
+        Some(Band { label: binds(slowest, language), from: run[0].from_mm, to: run[run.len() - 1].to_mm })
     };
     runs.iter().filter_map(band).collect()
 }
@@ -307,59 +326,47 @@ fn slowed(certificate: &CertificateFigures) -> Vec<Band> {
 fn speed(
     motion: &PassMotion,
     samples: &[Sample],
-    certificate: &CertificateFigures,
-    curves: Option<&SimulationCurves>,
+    (certificate, curves): (&CertificateFigures, Option<&SimulationCurves>),
+    language: Language,
 ) -> Chart {
     let mut series = Vec::new();
     if let Some(c) = curves {
-        series.push(Series::line("true tip, simulated", c.tip_speed()));
+        series.push(line(language, "true tip, simulated", c.tip_speed()));
     }
-    series.push(Series::line("planned", samples.iter().map(|s| (s.s, s.speed)).collect()));
-    let ends = |leg: &Leg| {
-        [
-            Band { label: "run-up".to_owned(), from: leg.from, to: leg.run_up_end },
-            Band { label: "run-down".to_owned(), from: leg.run_down_start, to: leg.to },
-        ]
-    };
+    series.push(line(language, "planned", samples.iter().map(|s| (s.s, s.speed)).collect()));
+    let band = |label, from, to| Band { label: language.say(label).to_owned(), from, to };
+    let ends = |leg: &Leg| [band("run-up", leg.from, leg.run_up_end), band("run-down", leg.run_down_start, leg.to)];
     let mut bands: Vec<Band> = motion.law.legs().iter().flat_map(ends).collect();
-    bands.extend(slowed(certificate));
+    bands.extend(slowed(certificate, language));
     // Bands too narrow to see would only put their names over the curve.
     let wide = 0.01 * motion.path.length();
     Chart {
-        title: "Speed of the torch tip along the seam".to_owned(),
-        x: along(),
-        y: Axis::new("speed", "mm/s"),
-        series,
         bands: bands.into_iter().filter(|b| b.to - b.from > wide).collect(),
-        ..Chart::default()
+        ..chart(language, "Speed of the torch tip along the seam", ("speed", "mm/s"), series)
     }
 }
 
 /// The speed's deviation in percent, between run-up and run-down.
-fn deviation(machine: &Machine, motion: &PassMotion, curves: &SimulationCurves) -> Chart {
+fn deviation(machine: &Machine, motion: &PassMotion, curves: &SimulationCurves, language: Language) -> Chart {
     let legs = motion.law.legs();
     let steady = |s: f64| legs.iter().any(|leg| s > leg.run_up_end && s < leg.run_down_start);
     let planned = |s: f64| motion.law.speed(s) * motion.path.tip_rate(machine, s);
     let percent = |(s, v): (f64, f64)| (s, 100.0 * (v / planned(s) - 1.0));
-    Chart {
-        title: "Speed of the true tip against the planned speed".to_owned(),
-        x: along(),
-        y: Axis::new("deviation", "%"),
-        series: vec![Series::line(
-            "deviation",
-            curves.tip_speed().into_iter().filter(|p| steady(p.0)).map(percent).collect(),
-        )],
-        ..Chart::default()
-    }
+    let points = curves.tip_speed().into_iter().filter(|p| steady(p.0)).map(percent).collect();
+    let series = vec![line(language, "deviation", points)];
+    chart(language, "Speed of the true tip against the planned speed", ("deviation", "%"), series)
 }
 
-fn following(machine: &Machine, curves: &SimulationCurves) -> ChartGrid {
+fn following(machine: &Machine, curves: &SimulationCurves, language: Language) -> ChartGrid {
     let charts = machine.axes.iter().enumerate().map(|(i, axis)| Chart {
         title: axis.name.clone(),
-        x: along(),
-        y: Axis::new("following error", axis.unit()),
-        series: vec![Series::line(axis.name.clone(), curves.following(i))],
-        ..Chart::default()
+        ..chart(
+            language,
+            "",
+            ("following error", axis.unit()),
+            vec![Series::line(axis.name.as_str(), curves.following(i))],
+        )
     });
-    ChartGrid { title: "Following error of each axis".to_owned(), columns: 2, charts: charts.collect() }
+    let title = language.say("Following error of each axis").to_owned();
+    ChartGrid { title, columns: 2, charts: charts.collect() }
 }

@@ -1,5 +1,7 @@
 //! The end of a tube as it is cut, unrolled and drawn at its true size: a template to wrap around the tube.
 
+use crate::Language;
+use crate::text::escape;
 use seamwright_weld::{Cut, Unrolled};
 use std::fmt::Write;
 
@@ -7,29 +9,33 @@ use std::fmt::Write;
 const MARGIN_MM: f64 = 12.0;
 /// The template's square edge is so far above the cut's highest point, mm.
 const ABOVE_MM: f64 = 20.0;
+/// What is said of each side.
+const OUTSIDE: &str = "outside: radius {0} mm, once around {1} mm, cut {2} to {3} mm along the axis, edge at {4} mm";
+const INSIDE: &str = "inside: radius {0} mm, once around {1} mm, cut {2} to {3} mm along the axis, edge at {4} mm";
 /// Upright lines, degrees apart.
 const EVERY_DEG: u32 = 30;
 
 /// The drawing at true size (its units are mm): outside and, if known, inside, each with the cut below and a square edge
 /// above. Heights at the left count from the tube's origin.
-pub(crate) fn template(cut: &Cut) -> String {
-    let sides = [Some(("outside", &cut.outside)), cut.inside.as_ref().map(|inside| ("inside", inside))];
+pub(crate) fn template(cut: &Cut, language: Language) -> String {
+    let sides = [Some((OUTSIDE, &cut.outside)), cut.inside.as_ref().map(|inside| (INSIDE, inside))];
     let mut body = String::new();
     let (mut width, mut y) = (0.0f64, MARGIN_MM);
-    for (name, side) in sides.into_iter().flatten() {
+    for (said, side) in sides.into_iter().flatten() {
         width = width.max(side.points.last().map_or(0.0, |p| p.around));
-        y = draw(&mut body, name, side, y) + MARGIN_MM;
+        y = draw(&mut body, &|of| language.fill(said, of), side, y) + MARGIN_MM;
     }
     let (w, h) = (mm(width + 2.0 * MARGIN_MM), mm(y));
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}mm\" height=\"{h}mm\" \
-         class=\"plot\" role=\"img\" aria-label=\"Template of the cut\">\n\
-         <rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n{body}</svg>\n"
+         class=\"plot\" role=\"img\" aria-label=\"{}\">\n\
+         <rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n{body}</svg>\n",
+        escape(language.say("Template of the cut"))
     )
 }
 
-/// One side from `top` on; returns where it ends.
-fn draw(body: &mut String, name: &str, side: &Unrolled, top: f64) -> f64 {
+/// One side from `top` on, above it what is `said` of its lengths; returns where it ends.
+fn draw(body: &mut String, said: &dyn Fn(&[&str]) -> String, side: &Unrolled, top: f64) -> f64 {
     let heights = side.points.iter().map(|p| p.height);
     let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(z), h.max(z)));
     let length = side.points.last().map_or(0.0, |p| p.around);
@@ -51,19 +57,16 @@ fn draw(body: &mut String, name: &str, side: &Unrolled, top: f64) -> f64 {
             p.phi.to_degrees()
         );
     }
+    let [around, low_, high_, edge_] = [length, low, high, edge].map(|mm| format!("{mm:.2}"));
+    let lengths = [side.radius.to_string(), around, low_, high_, edge_];
     let _ = writeln!(
         body,
-        "<text x=\"{}\" y=\"{}\" style=\"font:3.2px sans-serif;fill:#000\">{name}: radius {} mm, once around {:.2} \
-         mm, cut {:.2} to {:.2} mm along the axis, edge at {:.2} mm</text>\n\
+        "<text x=\"{}\" y=\"{}\" style=\"font:3.2px sans-serif;fill:#000\">{}</text>\n\
          <path d=\"{}\" fill=\"none\" stroke=\"#888\" stroke-width=\"0.1\"/>\n\
          <path d=\"{outline} Z\" fill=\"none\" stroke=\"#000\" stroke-width=\"0.25\"/>",
         mm(left),
         mm(top),
-        side.radius,
-        length,
-        low,
-        high,
-        edge,
+        escape(&said(&lengths.each_ref().map(String::as_str))),
         upright.trim_end()
     );
     head + edge - low

@@ -3,6 +3,7 @@ use super::plan::PlanFigures;
 use super::procedure::{PassProcedureFigures, ProcedureFigures, ProcedurePlots};
 use super::samples::samples;
 use super::{Plots, PostFigures, SimulationCurves, tracking};
+use crate::Language;
 use seamwright_cell::Summary;
 use seamwright_machine::Machine;
 use seamwright_motion::{PassClearance, WeldMotion};
@@ -118,12 +119,13 @@ pub struct ClearanceFigures {
 }
 
 impl WeldReport {
-    /// Gathers the numbers and plots (those of each pass) of a planned, and perhaps simulated, weld.
+    /// Gathers the numbers and plots (those of each pass, in this language) of a planned, and perhaps simulated, weld.
     pub fn new(
         machine: &Machine,
         welding: &Welding,
         motion: &WeldMotion,
         simulation: Option<(Vec<Summary>, Vec<SimulationCurves>)>,
+        language: Language,
     ) -> (Self, Vec<Plots>) {
         let program = &welding.program.value;
         let (summaries, curves) = simulation.unzip();
@@ -136,13 +138,14 @@ impl WeldReport {
             findings.extend(summary.iter().flat_map(|s| s.findings(&pass.tolerance, i + 1)));
             let curves = curves.as_ref().and_then(|c| c.get(i));
             let around = motion.clearance[i].as_ref();
-            let mut drawn = Plots::new(machine, welding, (i, planned, around), (&samples, &certificate), curves);
-            drawn.tracking = curves.zip(summary.as_ref()).and_then(|(c, s)| tracking::charts(c, &s.heads));
+            let mut drawn =
+                Plots::new(machine, welding, (i, planned, around), (&samples, &certificate), curves, language);
+            drawn.tracking = curves.zip(summary.as_ref()).and_then(|(c, s)| tracking::charts(c, &s.heads, language));
             drawn.procedure = motion
                 .procedure
                 .get(i)
                 .zip(program.procedure.as_ref())
-                .map(|(held, procedure)| ProcedurePlots::new(held, procedure.run_of(i + 1, pass)));
+                .map(|(held, procedure)| ProcedurePlots::new(held, procedure.run_of(i + 1, pass), language));
             plots.push(drawn);
             passes.push(PassFigures {
                 name: pass.name.clone(),

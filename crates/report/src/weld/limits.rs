@@ -1,28 +1,29 @@
 //! Which limits bind where, in words and tables.
 
 use super::CertificateFigures;
-use super::certificate::IntervalFigures;
+use super::certificate::{IntervalFigures, TIP};
 use super::page::{number, table};
 use super::plan::AxisFigures;
-use crate::{Block, format_number};
+use crate::{Block, Language, format_number};
 
 /// Stretches listed at most; a report is read, and report.json has all of them.
 const LISTED: usize = 24;
 
 /// What the pass reaches, in one paragraph.
-pub(super) fn speed_text(c: &CertificateFigures) -> String {
+pub(super) fn speed_text(c: &CertificateFigures, language: Language) -> String {
     let (low, high) = c.asked_speed_mm_s;
-    let asked = if high > low { format!("{} to {}", number(low), number(high)) } else { number(low) };
+    let range = |least: &str, greatest: &str| language.fill("{0} to {1}", &[least, greatest]);
+    let asked = if high > low { range(&number(low), &number(high)) } else { number(low) };
     let (least, greatest) = (number(c.least_speed_mm_s), number(c.greatest_speed_mm_s));
-    let reached = if least == greatest { least } else { format!("{least} to {greatest}") };
-    format!(
-        "Asked: {asked} mm/s. Reached between run-up and run-down: {reached} mm/s. As fast as asked over {} % of the length.",
-        percent(c.at_asked_percent)
+    let reached = if least == greatest { least } else { range(&least, &greatest) };
+    language.fill(
+        "Asked: {0} mm/s. Reached between run-up and run-down: {1} mm/s. As fast as asked over {2} % of the length.",
+        &[&asked, &reached, &percent(c.at_asked_percent)],
     )
 }
 
 /// What bounds the speed, stretch by stretch.
-pub(super) fn bounds_table(c: &CertificateFigures) -> Block {
+pub(super) fn bounds_table(c: &CertificateFigures, language: Language) -> Block {
     let last = c.intervals.len();
     let rows = c.intervals.iter().take(LISTED).enumerate().map(|(i, interval)| {
         let part = match interval.between {
@@ -32,38 +33,52 @@ pub(super) fn bounds_table(c: &CertificateFigures) -> Block {
         };
         let (from, to) = (number(interval.from_mm), number(interval.to_mm));
         let (least, greatest) = (number(interval.least_speed_mm_s), number(interval.greatest_speed_mm_s));
-        vec![from, to, part.to_owned(), least, greatest, what_binds(interval)]
+        vec![from, to, language.say(part).to_owned(), least, greatest, what_binds(interval, language)]
     });
     let caption = match last.saturating_sub(LISTED) {
-        0 => "What bounds the speed (mm, mm/s)".to_owned(),
-        more => format!("What bounds the speed (mm, mm/s): the first {LISTED} stretches, {more} more in report.json"),
+        0 => language.say("What bounds the speed (mm, mm/s)").to_owned(),
+        more => language.fill(
+            "What bounds the speed (mm, mm/s): the first {0} stretches, {1} more in report.json",
+            &[&LISTED.to_string(), &more.to_string()],
+        ),
     };
     let head = ["From", "To", "Part", "Least speed", "Greatest speed", "What binds"];
-    let mut block = table(&caption, &head, rows.collect(), 0..5);
+    let mut block = table(&caption, &head.map(|head| language.say(head)), rows.collect(), 0..5);
     if let Block::Table(table) = &mut block {
         table.numeric[2] = false;
     }
     block
 }
 
-fn what_binds(interval: &IntervalFigures) -> String {
-    match (interval.whose(), interval.limit, &interval.unit) {
-        (Some(whose), Some(limit), Some(unit)) => {
-            format!(
-                "the {} of {whose}, {} {}",
-                interval.bound,
-                number(limit),
-                unit.replace("^2", "²").replace("^3", "³")
-            )
+fn what_binds(interval: &IntervalFigures, language: Language) -> String {
+    match (&interval.axis, interval.limit, &interval.unit) {
+        (Some(axis), Some(limit), Some(unit)) => {
+            let unit = unit.replace("^2", "²").replace("^3", "³");
+            let of = [language.say(interval.bound), &whose(axis, language), &number(limit), language.unit(&unit)];
+            language.fill("the {0} of {1}, {2} {3}", &of)
         }
-        _ => "nothing: it is as fast as asked".to_owned(),
+        _ => language.say("nothing: it is as fast as asked").to_owned(),
+    }
+}
+
+/// Whose limit binds.
+fn whose(axis: &str, language: Language) -> String {
+    if axis == TIP { language.say("the torch tip").to_owned() } else { language.fill("axis {0}", &[axis]) }
+}
+
+/// What binds, shortly: `axis c, jerk`.
+pub(super) fn binds(interval: &IntervalFigures, language: Language) -> String {
+    match &interval.axis {
+        Some(axis) => format!("{}, {}", whose(axis, language), language.say(interval.bound)),
+        None => language.say("asked speed").to_owned(),
     }
 }
 
 /// The greatest use of each axis' limits.
-pub(super) fn uses_table(c: &CertificateFigures) -> Block {
+pub(super) fn uses_table(c: &CertificateFigures, language: Language) -> Block {
     let rows = c.uses.iter().map(|u| {
-        let limit = |value: f64, per: &str| format!("{} {}/s{per}", number(value), u.unit);
+        let limit =
+            |value: f64, per: &str| format!("{} {}", number(value), language.unit(&format!("{}/s{per}", u.unit)));
         vec![
             u.axis.clone(),
             percent(u.speed_percent),
@@ -75,17 +90,21 @@ pub(super) fn uses_table(c: &CertificateFigures) -> Block {
         ]
     });
     let head = ["Axis", "Speed, %", "of", "Acceleration, %", "of", "Jerk, %", "of"];
-    table("Greatest use of each axis' limits", &head, rows.collect(), 1..7)
+    let head = head.map(|head| language.say(head));
+    table(language.say("Greatest use of each axis' limits"), &head, rows.collect(), 1..7)
 }
 
 /// Where each axis goes.
-pub(super) fn axes_table(axes: &[AxisFigures]) -> Block {
+pub(super) fn axes_table(axes: &[AxisFigures], language: Language) -> Block {
     let rows = axes.iter().map(|a| {
-        let range = a.range.map_or("continuous".to_owned(), |(l, h)| format!("{} to {}", number(l), number(h)));
-        vec![a.axis.clone(), a.unit.to_owned(), number(a.min), number(a.max), range]
+        let range = match a.range {
+            Some((least, greatest)) => language.fill("{0} to {1}", &[&number(least), &number(greatest)]),
+            None => language.say("continuous").to_owned(),
+        };
+        vec![a.axis.clone(), language.unit(a.unit).to_owned(), number(a.min), number(a.max), range]
     });
-    let head = ["Axis", "Unit", "Least", "Greatest", "Range"];
-    table("Positions of the axes against their ranges", &head, rows.collect(), 2..5)
+    let head = ["Axis", "Unit", "least", "greatest", "Range"].map(|head| language.say(head));
+    table(language.say("Positions of the axes against their ranges"), &head, rows.collect(), 2..5)
 }
 
 /// Parts of a limit; 0 where there is nothing but rounding.

@@ -1,6 +1,6 @@
 use super::WeldReport;
 use super::page::{number, table};
-use crate::{Block, OrderDrawing, OrderedLine};
+use crate::{Block, Language, OrderDrawing, OrderedLine};
 use glam::DVec3;
 use seamwright_program::{Pass, Role, TorchPath};
 use seamwright_weld::Welding;
@@ -20,7 +20,7 @@ const VIEWS: [(DVec3, &str); 6] = [
 
 /// The passes of a weld in their order, without weaves, seen from the side to which most faces look; none of a weld in
 /// one pass.
-pub(crate) fn order(welding: &Welding) -> Option<OrderDrawing> {
+pub(crate) fn order(welding: &Welding, language: Language) -> Option<OrderDrawing> {
     let passes = &welding.program.value.passes;
     if passes.len() < 2 {
         return None;
@@ -50,7 +50,11 @@ pub(crate) fn order(welding: &Welding) -> Option<OrderDrawing> {
         flat(welding.program.value.copy_in_work(copy).transform_point3(middle))
     };
     let tack = |pass: &Pass| pass.role == Some(Role::Tack);
-    let tacks = if passes.iter().any(tack) { " Orange, numbers outside: tacks." } else { "" };
+    let mut key =
+        language.say("Dot: start. Arrow: direction of welding. Dashed: torch in the air, drawn straight.").to_owned();
+    if passes.iter().any(tack) {
+        key = [&key, language.say("Orange, numbers outside: tacks.")].join(language.between_sentences());
+    }
     let line = |(pass, tips): (&Pass, &Vec<DVec3>)| OrderedLine {
         points: tips.iter().map(|p| flat(*p)).collect(),
         middle: middle(pass.copy),
@@ -58,15 +62,16 @@ pub(crate) fn order(welding: &Welding) -> Option<OrderDrawing> {
         colour: if tack(pass) { 2 } else { 1 },
     };
     Some(OrderDrawing {
-        title: format!("Order of welding: {} passes, {view}", passes.len()),
-        key: format!("Dot: start. Arrow: direction of welding. Dashed: torch in the air, drawn straight.{tacks}"),
+        language,
+        title: language.fill("Order of welding: {0} passes, {1}", &[&passes.len().to_string(), language.say(view)]),
+        key,
         lines: passes.iter().zip(&tips).map(line).collect(),
     })
 }
 
 impl WeldReport {
     /// Passes in the order of welding with their times.
-    pub(super) fn order_table(&self) -> Block {
+    pub(super) fn order_table(&self, language: Language) -> Block {
         let mut begun = 0.0;
         let rows = self.passes.iter().enumerate().map(|(i, pass)| {
             let p = &pass.plan;
@@ -87,14 +92,14 @@ impl WeldReport {
         let sum = |f: fn(&super::figures::PassFigures) -> f64| number(self.passes.iter().map(f).sum());
         rows.push(vec![
             String::new(),
-            "all, home to home".to_owned(),
+            language.say("all, home to home").to_owned(),
             number(self.air_s),
             String::new(),
             sum(|p| p.plan.weld_s),
             sum(|p| p.plan.arc_on_s),
             number(self.total_s),
         ]);
-        let head = ["", "Pass", "Air move before, s", "Begins at, s", "Travel, s", "Arc on, s", "In all, s"];
-        table("Passes in the order of welding", &head, rows, 2..7)
+        let head = ["", "pass", "Air move before, s", "Begins at, s", "Travel, s", "Arc on, s", "In all, s"];
+        table(language.say("Passes in the order of welding"), &head.map(|head| language.say(head)), rows, 2..7)
     }
 }

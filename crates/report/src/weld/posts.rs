@@ -1,7 +1,7 @@
 //! The proof of each part program that was written with the plan.
 
 use super::page::{number, table};
-use crate::Block;
+use crate::{Block, Language, said};
 use seamwright_post::{Dialect, Verification};
 use serde::Serialize;
 
@@ -25,22 +25,20 @@ impl PostFigures {
     }
 
     /// Text and table for the page.
-    pub(super) fn blocks(&self) -> [Block; 2] {
-        let text = format!(
-            "{} for {}: {} moves, read back, played by the control's own rules for interpolation and feeds, taken through \
-             the machine's forward kinematics and compared with the plan; {} mm are allowed.",
-            self.file,
-            self.dialect,
-            self.proof.moves,
-            number(self.tolerance_mm)
+    pub(super) fn blocks(&self, language: Language) -> [Block; 2] {
+        let text = language.fill(
+            "{0} for {1}: {2} moves, read back, played by the control's own rules for interpolation and feeds, taken \
+             through the machine's forward kinematics and compared with the plan; {3} mm are allowed.",
+            &[&self.file, self.dialect, &self.proof.moves.to_string(), &number(self.tolerance_mm)],
         );
         let worst = |worst: &Option<(f64, String)>, unit: &str| match worst {
-            Some((off, name)) => format!("{name} {} {unit}", small(*off)),
+            Some((off, name)) => format!("{name} {} {}", small(*off), language.unit(unit)),
             None => "–".to_owned(),
         };
+        let process = |(off, name): &(f64, String)| (*off, said::value_title(language, name));
         let rows = self.proof.passes.iter().map(|pass| {
             if pass.as_it_stands {
-                let none = || "as in the program".to_owned();
+                let none = || language.say("as in the program").to_owned();
                 return vec![pass.name.clone(), none(), none(), none(), none(), number(pass.arc_s), none()];
             }
             vec![
@@ -50,11 +48,12 @@ impl PostFigures {
                 worst(&pass.rotary, "deg"),
                 format!("{:.2} %", pass.speed_percent),
                 format!("{} ({:+.4} %)", number(pass.arc_s), pass.time_percent),
-                worst(&pass.process, "%"),
+                worst(&pass.process.as_ref().map(process), "%"),
             ]
         });
-        let head = ["Pass", "Tip, mm", "Linear axis", "Rotary axis", "Tip speed", "Arc on, s", "Process value"];
-        let table = table(&format!("Greatest deviations of {}", self.file), &head, rows.collect(), 1..7);
+        let head = ["pass", "Tip, mm", "Linear axis", "Rotary axis", "Tip speed", "Arc on, s", "Process value"];
+        let caption = language.fill("Greatest deviations of {0}", &[&self.file]);
+        let table = table(&caption, &head.map(|head| language.say(head)), rows.collect(), 1..7);
         [Block::Paragraph(text), table]
     }
 }

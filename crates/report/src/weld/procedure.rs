@@ -1,8 +1,8 @@
 //! The pass against its welding procedure: numbers, charts and tables.
 
-use super::charts::along;
+use super::charts::{chart, line};
 use super::page::{number, table};
-use crate::{Axis, Band, Block, Chart, LimitLine, Series, Stretch};
+use crate::{Band, Block, Chart, Language, LimitLine, Stretch, said};
 use seamwright_motion::procedure::PassProcedure;
 use seamwright_program::{FilletOrButt, Outside, Procedure, Run, WeldingPosition, Window};
 use serde::Serialize;
@@ -126,7 +126,7 @@ pub struct ProcedurePlots {
 const SHOWN: f64 = 2.5;
 
 impl ProcedurePlots {
-    pub(super) fn new(held: &PassProcedure, run: Option<&Run>) -> Self {
+    pub(super) fn new(held: &PassProcedure, run: Option<&Run>, language: Language) -> Self {
         let strip = held.positions.iter().map(|p| Stretch {
             label: p.position.to_string(),
             from: p.from_mm,
@@ -137,24 +137,18 @@ impl ProcedurePlots {
         let curve = |of: fn(&seamwright_program::Inclination) -> f64| {
             held.inclinations.iter().map(|(s, at)| (*s, of(at).to_degrees())).collect()
         };
+        let lie = vec![
+            line(language, "slope (+ uphill)", curve(|at| at.slope)),
+            line(language, "rotation of the face (0 up, 180 down)", curve(|at| at.rotation)),
+        ];
         Self {
-            heat_input: (!held.heat_input.is_empty()).then(|| heat_input(held)),
-            positions: Chart {
-                title: "Welding position".to_owned(),
-                x: along(),
-                y: Axis::new("angle", "deg"),
-                series: vec![
-                    Series::line("slope (+ uphill)", curve(|at| at.slope)),
-                    Series::line("rotation of the face (0 up, 180 down)", curve(|at| at.rotation)),
-                ],
-                strip: strip.collect(),
-                ..Chart::default()
-            },
+            heat_input: (!held.heat_input.is_empty()).then(|| heat_input(held, language)),
+            positions: Chart { strip: strip.collect(), ..chart(language, "Welding position", ("angle", "deg"), lie) },
         }
     }
 }
 
-fn heat_input(held: &PassProcedure) -> Chart {
+fn heat_input(held: &PassProcedure, language: Language) -> Chart {
     let quantity = held.quantities.iter().find(|q| q.key == "heat_input_kj_mm");
     let window = quantity.and_then(|q| q.allowed).map(Window::ends);
     let values = || held.heat_input.iter().map(|p| p.1).filter(|v| v.is_finite());
@@ -166,84 +160,93 @@ fn heat_input(held: &PassProcedure) -> Chart {
     });
     let outside = quantity.into_iter().flat_map(|q| &q.outside);
     let bands = outside.map(|o| Band {
-        label: if o.above { "too high" } else { "too low" }.to_owned(),
+        label: language.say(if o.above { "too high" } else { "too low" }).to_owned(),
         from: o.from_mm,
         to: o.to_mm,
     });
-    let limits =
-        window.into_iter().flat_map(|(low, high)| [LimitLine::new("least", low), LimitLine::new("greatest", high)]);
+    let limit = |label, value| LimitLine::new(language.say(label), value);
+    let limits = window.into_iter().flat_map(|(low, high)| [limit("limit.least", low), limit("limit.greatest", high)]);
+    let series = vec![line(language, "heat input", held.heat_input.clone())];
     Chart {
-        title: "Heat input along the seam".to_owned(),
-        x: along(),
-        y: Axis::new("heat input", "kJ/mm"),
-        series: vec![Series::line("heat input", held.heat_input.clone())],
         limits: limits.collect(),
         bands: bands.collect(),
         y_range,
         height: Some(170.0),
-        ..Chart::default()
+        ..chart(language, "Heat input along the seam", ("heat input", "kJ/mm"), series)
     }
 }
 
 /// Which procedure and run, and how heat input is reckoned.
-pub(super) fn procedure_text(procedure: &ProcedureFigures, pass: &PassProcedureFigures) -> String {
+pub(super) fn procedure_text(procedure: &ProcedureFigures, pass: &PassProcedureFigures, language: Language) -> String {
     let run = match &pass.run {
-        Some(run) => format!("run {run}"),
-        None => "no run of it is for this pass".to_owned(),
+        Some(run) => language.fill("run {0}", &[run]),
+        None => language.say("no run of it is for this pass").to_owned(),
     };
     let joint = match pass.joint {
         FilletOrButt::Fillet => "fillet",
         FilletOrButt::Butt => "butt",
     };
-    format!(
-        "{} ({}), {run}. Process {}: {}. Heat input is {} times the power over the planned speed. Positions are those of a {joint} weld.",
-        procedure.number,
-        procedure.title,
-        procedure.process,
-        procedure.process_name,
-        number(procedure.thermal_efficiency)
+    language.fill(
+        "{0} ({1}), {2}. Process {3}: {4}. Heat input is {5} times the power over the planned speed. Positions are those of a {6} weld.",
+        &[
+            &procedure.number,
+            &procedure.title,
+            &run,
+            &procedure.process.to_string(),
+            language.say(procedure.process_name),
+            &number(procedure.thermal_efficiency),
+            language.say(joint),
+        ],
     )
 }
 
 /// What was found against what is allowed.
-pub(super) fn windows_table(figures: &PassProcedureFigures) -> Block {
+pub(super) fn windows_table(figures: &PassProcedureFigures, language: Language) -> Block {
     let rows = figures.quantities.iter().map(|q| {
         let (least, greatest) = match q.found {
-            Some((least, greatest)) => (value(least), value(greatest)),
+            Some((least, greatest)) => (value(least, language), value(greatest, language)),
             None => ("–".to_owned(), "–".to_owned()),
         };
-        let allowed = q.allowed.map_or("not limited".to_owned(), |(l, g)| format!("{} to {}", number(l), number(g)));
-        vec![q.key.clone(), least, greatest, allowed, verdict(q)]
+        let allowed = match q.allowed {
+            Some((least, greatest)) => language.fill("{0} to {1}", &[&number(least), &number(greatest)]),
+            None => language.say("not limited").to_owned(),
+        };
+        vec![said::named_value(language, &q.key), least, greatest, allowed, verdict(q, language)]
     });
-    let head = ["Value", "Least", "Greatest", "Allowed", ""];
-    table("The plan against the procedure", &head, rows.collect(), 1..3)
+    let head = ["Value", "least", "greatest", "allowed", ""].map(|head| language.say(head));
+    table(language.say("The plan against the procedure"), &head, rows.collect(), 1..3)
 }
 
 /// Rounding about zero is zero.
-fn value(v: f64) -> String {
+fn value(v: f64, language: Language) -> String {
     match v {
-        v if v.is_infinite() => "no bound".to_owned(),
+        v if v.is_infinite() => language.say("no bound").to_owned(),
         v if v.abs() < 1e-6 => "0".to_owned(),
         v => number(v),
     }
 }
 
-fn verdict(q: &QuantityFigures) -> String {
-    let place = |o: &Outside| format!("{} to {}", number(o.from_mm), number(o.to_mm));
+fn verdict(q: &QuantityFigures, language: Language) -> String {
+    let place = |o: &Outside| language.fill("{0} to {1}", &[&number(o.from_mm), &number(o.to_mm)]);
+    let say = |text| language.say(text).to_owned();
     match (q.found, q.allowed, q.outside.as_slice()) {
-        (None, Some(_), _) if ["preheat_c", "interpass_c"].contains(&q.key.as_str()) => "to be measured".to_owned(),
-        (None, Some(_), _) => "not known: see the findings".to_owned(),
+        (None, Some(_), _) if ["preheat_c", "interpass_c"].contains(&q.key.as_str()) => say("to be measured"),
+        (None, Some(_), _) => say("not known: see the findings"),
         (_, None, _) => String::new(),
-        (_, _, []) => "within".to_owned(),
-        (_, _, [only]) => format!("outside: s = {} mm", place(only)),
-        (_, _, [first, more @ ..]) => format!("outside: s = {} mm and {} more stretches", place(first), more.len()),
+        (_, _, []) => say("within"),
+        (_, _, [only]) => language.fill("outside: s = {0} mm", &[&place(only)]),
+        (_, _, [first, more @ ..]) => {
+            language.fill("outside: s = {0} mm and {1} more stretches", &[&place(first), &more.len().to_string()])
+        }
     }
 }
 
 /// The positions one after the other.
-pub(super) fn positions_table(figures: &PassProcedureFigures) -> Block {
+pub(super) fn positions_table(figures: &PassProcedureFigures, language: Language) -> Block {
     let range = |ends: Option<(f64, f64)>| {
-        ends.map_or("–".to_owned(), |(least, greatest)| format!("{least:.1} to {greatest:.1}"))
+        let said =
+            |(least, greatest)| language.fill("{0} to {1}", &[&format!("{least:.1}"), &format!("{greatest:.1}")]);
+        ends.map_or("–".to_owned(), said)
     };
     let rows = figures.positions.iter().map(|p| {
         vec![
@@ -252,15 +255,16 @@ pub(super) fn positions_table(figures: &PassProcedureFigures) -> Block {
             number(p.to_mm),
             range(p.slope_deg),
             range(p.rotation_deg),
-            if p.allowed { "allowed" } else { "not allowed" }.to_owned(),
+            language.say(if p.allowed { "limit.allowed" } else { "not allowed" }).to_owned(),
         ]
     });
     let caption = match &figures.positions_allowed {
-        None => "Welding positions (mm, degrees); the procedure allows any".to_owned(),
+        None => language.say("Welding positions (mm, degrees); the procedure allows any").to_owned(),
         Some(allowed) => {
             let names: Vec<String> = allowed.iter().map(WeldingPosition::to_string).collect();
-            format!("Welding positions (mm, degrees); the procedure allows {}", names.join(", "))
+            language.fill("Welding positions (mm, degrees); the procedure allows {0}", &[&names.join(", ")])
         }
     };
-    table(&caption, &["Position", "From", "To", "Slope", "Rotation", ""], rows.collect(), 1..5)
+    let head = ["Position", "From", "To", "Slope", "Rotation", ""].map(|head| language.say(head));
+    table(&caption, &head, rows.collect(), 1..5)
 }

@@ -1,6 +1,7 @@
 //! Charts of the spans of a seam that are taught.
 
-use crate::{Axis, Band, Chart, ChartGrid, Series, Style, format_number};
+use super::charts::{chart, line};
+use crate::{Band, Chart, ChartGrid, Language, Series, Style, format_number};
 use seamwright_machine::Machine;
 use seamwright_motion::PassMotion;
 use seamwright_weld::{SeamCurve, TaughtSpan};
@@ -20,9 +21,9 @@ pub struct TaughtPlot {
 }
 
 /// All taught spans of `seam` in one pass.
-pub(crate) fn taught(machine: &Machine, seam: &SeamCurve, motion: &PassMotion) -> Vec<TaughtPlot> {
+pub(crate) fn taught(machine: &Machine, seam: &SeamCurve, motion: &PassMotion, language: Language) -> Vec<TaughtPlot> {
     let spans = seam.taught().iter().enumerate();
-    spans.map(|(i, span)| Shown { seam, span, number: i + 1 }.plot(machine, motion)).collect()
+    spans.map(|(i, span)| Shown { seam, span, number: i + 1, language }.plot(machine, motion)).collect()
 }
 
 /// A span that is shown.
@@ -30,10 +31,12 @@ struct Shown<'a> {
     seam: &'a SeamCurve,
     span: &'a TaughtSpan,
     number: usize,
+    language: Language,
 }
 
 impl Shown<'_> {
     fn plot(&self, machine: &Machine, motion: &PassMotion) -> TaughtPlot {
+        let language = self.language;
         let (from, to) = self.span.seam;
         let places = self.places();
         let curve = |f: &dyn Fn(f64) -> f64| places.iter().map(|s| (*s, f(*s))).collect::<Vec<_>>();
@@ -43,46 +46,43 @@ impl Shown<'_> {
         let bend = |s: f64| 1e3 * self.seam.curvature(s).length();
         let nominal_bend = |s: f64| 1e3 * self.seam.nominal().curvature(self.nominal_s(s)).length();
         let points = self.span.points.iter().map(|s| (*s, distance(*s))).collect();
-        let chart = |title: &str, y: Axis, series: Vec<Series>| Chart {
-            title: title.to_owned(),
-            x: Axis::new("path length s", "mm"),
-            y,
-            series,
-            bands: vec![Band { label: "taught".to_owned(), from, to }],
+        let chart = |title, y, series: Vec<Series>| Chart {
+            bands: vec![Band { label: language.say("taught").to_owned(), from, to }],
             height: Some(96.0),
-            ..Chart::default()
+            ..chart(language, title, y, series)
         };
+        let line = |name, points| line(language, name, points);
         let speeds = curve(&speed);
         let fastest = speeds.iter().fold(0.0, |m: f64, p| m.max(p.1));
         let charts = vec![
             chart(
                 "Distance from the nominal seam",
-                Axis::new("distance", "mm"),
+                ("distance", "mm"),
                 vec![
-                    Series::line("the seam as welded", curve(&distance)),
-                    Series::line("nominal seam", curve(&|_| 0.0)).styled(Style::Dashed),
-                    Series::line("taught points", points).styled(Style::Points),
+                    line("the seam as welded", curve(&distance)),
+                    line("nominal seam", curve(&|_| 0.0)).styled(Style::Dashed),
+                    line("taught points", points).styled(Style::Points),
                 ],
             ),
             chart(
                 "Direction against the nominal seam's",
-                Axis::new("angle", "deg"),
-                vec![Series::line("the seam as welded", curve(&turn))],
+                ("angle", "deg"),
+                vec![line("the seam as welded", curve(&turn))],
             ),
             chart(
                 "Curvature",
-                Axis::new("curvature", "1/m"),
+                ("curvature", "1/m"),
                 vec![
-                    Series::line("the seam as welded", curve(&bend)),
-                    Series::line("nominal seam", curve(&nominal_bend)).styled(Style::Dashed),
+                    line("the seam as welded", curve(&bend)),
+                    line("nominal seam", curve(&nominal_bend)).styled(Style::Dashed),
                 ],
             ),
             Chart {
                 y_range: Some((0.0, 1.2 * fastest)),
-                ..chart("Speed of the torch tip", Axis::new("speed", "mm/s"), vec![Series::line("planned", speeds)])
+                ..chart("Speed of the torch tip", ("speed", "mm/s"), vec![line("planned", speeds)])
             },
         ];
-        let title = format!("Taught span {}", self.number);
+        let title = language.fill("Taught span {0}", &[&self.number.to_string()]);
         TaughtPlot { text: self.text(&places), charts: ChartGrid { title, columns: 1, charts } }
     }
 
@@ -115,16 +115,19 @@ impl Shown<'_> {
         let off = inside.map(|s| self.seam.off_nominal(self.span, *s));
         let (away, turn) = off.fold((0.0, 0.0), |(a, t): (f64, f64), o| (a.max(o.0), t.max(o.1)));
         let longer = (to - from) - (self.span.nominal.1 - self.span.nominal.0);
-        format!(
-            "Span {}: s = {} to {} mm ({} mm {} than the nominal seam there), {} taught points; up to {} mm beside the nominal seam and {} degrees off its direction.",
-            self.number,
+        let of = [
+            self.number.to_string(),
             format_number(from, 5),
             format_number(to, 5),
             format_number(longer.abs(), 3),
-            if longer < 0.0 { "shorter" } else { "longer" },
-            self.span.points.len(),
+            self.language.say(if longer < 0.0 { "shorter" } else { "longer" }).to_owned(),
+            self.span.points.len().to_string(),
             format_number(away, 3),
             format_number(turn.to_degrees(), 3),
+        ];
+        self.language.fill(
+            "Span {0}: s = {1} to {2} mm ({3} mm {4} than the nominal seam there), {5} taught points; up to {6} mm beside the nominal seam and {7} degrees off its direction.",
+            &of.each_ref().map(String::as_str),
         )
     }
 }

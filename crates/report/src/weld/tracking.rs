@@ -1,7 +1,8 @@
 //! How far a weld lies from a joint that is elsewhere than planned, with and without tracking.
 
+use super::charts::{chart, line};
 use super::curves::{Envelope, SimulationCurves};
-use crate::{Axis, Chart, ChartGrid, Series, Style, Table, format_number};
+use crate::{Chart, ChartGrid, Language, Series, Style, Table, format_number, said};
 use seamwright_cell::tracking::{BeamFit, HeadSample, HeadSummary};
 
 /// One head's curves over path length, gathered sample by sample; mm.
@@ -37,66 +38,66 @@ impl HeadCurves {
 }
 
 /// Before and after: of each head the joint beside the planned path, and the weld beside the joint.
-pub(super) fn charts(curves: &SimulationCurves, heads: &[HeadSummary]) -> Option<ChartGrid> {
+pub(super) fn charts(curves: &SimulationCurves, heads: &[HeadSummary], language: Language) -> Option<ChartGrid> {
     let mut charts = Vec::new();
     for (head, curves) in heads.iter().zip(&curves.heads) {
         let name = if heads.len() > 1 { format!("{}: ", head.head) } else { String::new() };
-        let chart = |what: &str, series: Vec<Series>| Chart {
-            title: format!("{name}{what}"),
-            x: Axis::new("path length s", "mm"),
-            y: Axis::new("distance", "mm"),
-            series,
+        let chart = |what: &'static str, series: Vec<Series>| Chart {
+            title: format!("{name}{}", language.say(what)),
             height: Some(110.0),
-            ..Chart::default()
+            ..chart(language, "", ("distance", "mm"), series)
         };
+        let line = |name, points| line(language, name, points);
         let pair = |of: &[Envelope; 2]| {
-            vec![Series::line("lateral", of[0].points()), Series::line("height", of[1].points()).styled(Style::Dashed)]
+            vec![line("lateral", of[0].points()), line("height", of[1].points()).styled(Style::Dashed)]
         };
         charts.push(chart(
             "the joint beside the planned path (a weld without tracking misses it by this)",
             pair(&curves.seam),
         ));
         let beside = match head.lateral_only {
-            true => vec![Series::line("lateral", curves.miss[0].points())],
+            true => vec![line("lateral", curves.miss[0].points())],
             false => pair(&curves.miss),
         };
         charts.push(chart("the weld beside the joint", beside));
         let deflected = curves.beam[0].points();
         if !deflected.is_empty() {
-            let carried = Series::line("gun carried by the axes", curves.beam[1].points()).styled(Style::Dashed);
+            let carried = line("gun carried by the axes", curves.beam[1].points()).styled(Style::Dashed);
             let title = "what corrects it, lateral: the beam's deflection; dashed, the gun carried by the axes";
-            charts.push(chart(title, vec![Series::line("deflection", deflected), carried]));
+            charts.push(chart(title, vec![line("deflection", deflected), carried]));
         }
         let sigma = curves.sigma.points();
         if !sigma.is_empty() {
-            charts.push(chart("how well the joint is known (standard deviation)", vec![Series::line("sigma", sigma)]));
+            charts.push(chart("how well the joint is known (standard deviation)", vec![line("sigma", sigma)]));
         }
     }
-    (!charts.is_empty()).then(|| ChartGrid { title: "Joint and weld".to_owned(), columns: 1, charts })
+    (!charts.is_empty()).then(|| ChartGrid { title: language.say("Joint and weld").to_owned(), columns: 1, charts })
 }
 
 /// Both numbers of each head.
-pub(super) fn table(heads: &[HeadSummary]) -> Table {
+pub(super) fn table(heads: &[HeadSummary], language: Language) -> Table {
     // Of a weld that was not begun nothing is known.
-    let mm = |value: f64| if value.is_finite() { format_number(value, 3) } else { "none welded".to_owned() };
+    let mm =
+        |value: f64| if value.is_finite() { format_number(value, 3) } else { language.say("none welded").to_owned() };
     let row = |h: &HeadSummary| {
         let most = h.used.map(|used| used.into_iter().fold(0.0, f64::max));
         vec![
             h.head.clone(),
             mm(h.untracked_p99_mm),
             mm(h.untracked_most_mm),
-            if h.tracked { mm(h.miss_p99_mm) } else { "not tracked".to_owned() },
+            if h.tracked { mm(h.miss_p99_mm) } else { language.say("not tracked").to_owned() },
             if h.tracked { mm(h.miss_most_mm) } else { String::new() },
             most.map_or_else(String::new, |part| format!("{:.0} %", 100.0 * part)),
             h.stopped_mm.map_or_else(String::new, |s| format!("{s:.1}")),
         ]
     };
     Table {
-        caption: match heads.iter().any(|head| head.lateral_only) {
-            true => "Distance of the weld from the joint, lateral: a beam has no height",
-            false => "Distance of the weld from the joint, lateral and height together",
-        }
-        .to_owned(),
+        caption: language
+            .say(match heads.iter().any(|head| head.lateral_only) {
+                true => "Distance of the weld from the joint, lateral: a beam has no height",
+                false => "Distance of the weld from the joint, lateral and height together",
+            })
+            .to_owned(),
         head: [
             "Head",
             "untracked, 99 % (mm)",
@@ -106,7 +107,7 @@ pub(super) fn table(heads: &[HeadSummary]) -> Table {
             "of what corrections may do",
             "stopped at (mm)",
         ]
-        .map(str::to_owned)
+        .map(|head| language.say(head).to_owned())
         .into(),
         rows: heads.iter().map(row).collect(),
         numeric: (0..7).map(|column| column > 0).collect(),
@@ -114,14 +115,15 @@ pub(super) fn table(heads: &[HeadSummary]) -> Table {
 }
 
 /// How beams corrected; none if no beam did.
-pub(super) fn beam_table(heads: &[HeadSummary]) -> Option<Table> {
+pub(super) fn beam_table(heads: &[HeadSummary], language: Language) -> Option<Table> {
     let number = format_number;
     let row = |h: &HeadSummary| {
         let beam = h.beam.as_ref()?;
-        let stored = |fit: &BeamFit| format!("{} ({} points)", number(fit.within_mm, 3), fit.points);
+        let stored =
+            |fit: &BeamFit| language.fill("{0} ({1} points)", &[&number(fit.within_mm, 3), &fit.points.to_string()]);
         Some(vec![
-            if beam.replayed { "stored deviations" } else { "what the beam saw" }.to_owned(),
-            format!("{} of {}", number(beam.deflected_mm, 3), number(beam.range_mm, 3)),
+            language.say(if beam.replayed { "stored deviations" } else { "what the beam saw" }).to_owned(),
+            language.fill("{0} of {1}", &[&number(beam.deflected_mm, 3), &number(beam.range_mm, 3)]),
             number(beam.carried_mm, 3),
             number(beam.away_percent, 3),
             number(beam.longest_away_ms, 3),
@@ -130,7 +132,7 @@ pub(super) fn beam_table(heads: &[HeadSummary]) -> Option<Table> {
     };
     let rows: Vec<_> = heads.iter().filter_map(row).collect();
     (!rows.is_empty()).then(|| Table {
-        caption: "The beam".to_owned(),
+        caption: language.say("The beam").to_owned(),
         head: [
             "corrected by",
             "deflected by up to (mm)",
@@ -139,7 +141,7 @@ pub(super) fn beam_table(heads: &[HeadSummary]) -> Option<Table> {
             "longest (ms)",
             "nine of ten points from what is stored (mm)",
         ]
-        .map(str::to_owned)
+        .map(|head| language.say(head).to_owned())
         .into(),
         rows,
         numeric: (0..6).map(|column| column > 0).collect(),
@@ -147,15 +149,17 @@ pub(super) fn beam_table(heads: &[HeadSummary]) -> Option<Table> {
 }
 
 /// What the operator should look at.
-pub(super) fn text(heads: &[HeadSummary]) -> String {
-    let told = heads
-        .iter()
-        .flat_map(|h| h.alarms.iter().map(move |a| format!("{} at {:.1} mm: {}", h.head, a.at_mm, a.text())));
+pub(super) fn text(heads: &[HeadSummary], language: Language) -> String {
+    let alarms = heads.iter().flat_map(|h| h.alarms.iter().map(move |a| (h, a)));
+    let told = alarms.map(|(h, a)| {
+        let of = [&h.head, &format!("{:.1}", a.at_mm), &said::sentence(language, &a.text())];
+        language.fill("{0} at {1} mm: {2}", &of.map(String::as_str))
+    });
     let told: Vec<String> = told.collect();
-    let first = "The part lies elsewhere than planned. ";
-    match told.is_empty() {
-        true if heads.iter().all(|h| h.tracked) => format!("{first}Tracking had nothing to tell."),
-        true => format!("{first}It was welded as planned."),
-        false => format!("{first}To be looked at: {}.", told.join("; ")),
-    }
+    let then = match told.is_empty() {
+        true if heads.iter().all(|h| h.tracked) => language.say("Tracking had nothing to tell.").to_owned(),
+        true => language.say("It was welded as planned.").to_owned(),
+        false => language.fill("To be looked at: {0}.", &[&told.join("; ")]),
+    };
+    [language.say("The part lies elsewhere than planned."), &then].join(language.between_sentences())
 }

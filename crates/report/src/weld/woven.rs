@@ -1,4 +1,5 @@
-use crate::{Axis, Chart, LimitLine, Series, format_number};
+use super::charts::{axis, line};
+use crate::{Chart, Language, LimitLine, format_number};
 use seamwright_program::Pass;
 use seamwright_weld::PassPath;
 
@@ -12,7 +13,7 @@ const TURNS: u32 = 5;
 
 /// The woven path of the first centimetres of a pass, seen along the torch with the seam laid straight, at one scale both
 /// ways; none without a weave.
-pub(super) fn weave(pass: &Pass, path: &PassPath) -> Option<Chart> {
+pub(super) fn weave(pass: &Pass, path: &PassPath, language: Language) -> Option<Chart> {
     let (weave, weaving) = (pass.weave.as_ref()?, path.weaving.as_ref()?);
     let length = pass.length();
     let start = 1e-3 * length;
@@ -26,11 +27,14 @@ pub(super) fn weave(pass: &Pass, path: &PassPath) -> Option<Chart> {
     };
     let (wide, _) = weave.reach();
     Some(Chart {
-        title: format!("Woven path of the tip over the first {} mm", format_number(drawn, 3)),
-        x: Axis::new("along the seam", "mm"),
-        y: Axis::new("across", "mm"),
-        series: vec![Series::line("tip", (0..=places as u32).map(place).collect())],
-        limits: [("first part", wide), ("second part", -wide)].map(|(name, y)| LimitLine::new(name, y)).to_vec(),
+        language,
+        title: language.fill("Woven path of the tip over the first {0} mm", &[&format_number(drawn, 3)]),
+        x: axis(language, "along the seam", "mm"),
+        y: axis(language, "across", "mm"),
+        series: vec![line(language, "tip", (0..=places as u32).map(place).collect())],
+        limits: [("first part", wide), ("second part", -wide)]
+            .map(|(name, y)| LimitLine::new(language.say(name), y))
+            .to_vec(),
         equal_aspect: true,
         ..Chart::default()
     })
@@ -38,7 +42,7 @@ pub(super) fn weave(pass: &Pass, path: &PassPath) -> Option<Chart> {
 
 /// The beam's path on the work over several periods at the pass' first speed, at one scale both ways; none without an
 /// oscillation.
-pub(super) fn oscillation(pass: &Pass) -> Option<Chart> {
+pub(super) fn oscillation(pass: &Pass, language: Language) -> Option<Chart> {
     let oscillation = pass.oscillation.as_ref()?;
     let speed = pass.speed_at(0.0);
     let places = TURNS * 128;
@@ -47,14 +51,14 @@ pub(super) fn oscillation(pass: &Pass) -> Option<Chart> {
         (along, across)
     };
     Some(Chart {
-        title: format!(
-            "Path of the beam on the work over {TURNS} periods: {} mm a period at {} mm/s",
-            format_number(oscillation.advance(speed), 4),
-            format_number(speed, 4)
+        language,
+        title: language.fill(
+            "Path of the beam on the work over {0} periods: {1} mm a period at {2} mm/s",
+            &[&TURNS.to_string(), &format_number(oscillation.advance(speed), 4), &format_number(speed, 4)],
         ),
-        x: Axis::new("along the seam", "mm"),
-        y: Axis::new("across", "mm"),
-        series: vec![Series::line("beam", (0..=places).map(place).collect())],
+        x: axis(language, "along the seam", "mm"),
+        y: axis(language, "across", "mm"),
+        series: vec![line(language, "beam", (0..=places).map(place).collect())],
         equal_aspect: true,
         ..Chart::default()
     })

@@ -1,6 +1,7 @@
 use super::answer::{Answer, Refused, page_of};
 use super::jobs::{checked, text};
 use super::panel::Panel;
+use super::records::spoken;
 use crate::cell::{Around, CellDevices, Connection, Loading, Planned, Prepared, Task, ToDesk, fingerprint};
 use crate::users::Session;
 use crate::view::{clamped_views, sections, tuning_view, work_view};
@@ -239,19 +240,22 @@ pub(super) async fn tuning(State(panel): State<Arc<Panel>>, Query(of): Query<OfA
     answer.await.map(Json)
 }
 
-/// `?job=NAME`.
+/// `?job=NAME`, and in which language; English if it is not said.
 #[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
 pub(super) struct Named {
     job: String,
+    language: Option<String>,
 }
 
 pub(super) async fn report(State(panel): State<Arc<Panel>>, Query(named): Query<Named>) -> Result<Response, Refused> {
+    let language = spoken(named.language)?;
     let page = alone(&panel, move |panel| {
         let loaded = loaded(panel, &named.job)?;
         let motion = loaded.try_plan()?.map_err(Failure::Findings)?;
-        let (report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None);
+        let (report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None, language);
         let date = seamwright_record::Moment::now().to_string();
-        Ok(report.page(&plots, loaded.welding.program.text(), &date))
+        Ok(report.page(&plots, loaded.welding.program.text(), &date, language))
     });
     page.await.map(page_of)
 }

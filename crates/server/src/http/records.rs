@@ -196,15 +196,20 @@ pub(super) struct Spoken {
     language: Option<String>,
 }
 
-pub(super) async fn report(
-    State(panel): State<Arc<Panel>>,
-    Path(id): Path<i64>,
-    Query(spoken): Query<Spoken>,
-) -> Result<Response, Refused> {
+/// The language of this code; English without one.
+pub(super) fn spoken(code: Option<String>) -> Result<Language, Refused> {
     let known = |code: String| {
         code.parse::<Language>().map_err(|e| Refused::input(format!("there is no language `{code}`; {e}")))
     };
-    let language = spoken.language.map(known).transpose()?.unwrap_or_default();
+    Ok(code.map(known).transpose()?.unwrap_or_default())
+}
+
+pub(super) async fn report(
+    State(panel): State<Arc<Panel>>,
+    Path(id): Path<i64>,
+    Query(asked): Query<Spoken>,
+) -> Result<Response, Refused> {
+    let language = spoken(asked.language)?;
     let page = reads(&panel, move |data| {
         let detail = data.library().detail(id)?;
         let figures = data.figures(id)?;

@@ -35,8 +35,16 @@ async fn jobs_are_kept_planned_posted_and_edited() {
     assert_eq!(bench.ask(owner.request("POST", "/api/post", Some(&post))).await.0, StatusCode::UNPROCESSABLE_ENTITY);
     assert_eq!(bench.ask(owner.request("DELETE", "/api/jobs/mine.toml", None)).await.0, StatusCode::NO_CONTENT);
     assert_eq!(bench.ask(owner.request("DELETE", "/api/jobs/mine.toml", None)).await.0, StatusCode::NOT_FOUND);
-    let page = bench.raw(owner.request("GET", "/api/report?job=ellipse.toml", None)).await;
-    assert_eq!(page.status(), StatusCode::OK);
+    for (query, language, verdict) in [("", "en", "In order"), ("&language=de", "de", "In Ordnung")] {
+        let page = owner.request("GET", &format!("/api/report?job=ellipse.toml{query}"), None);
+        let page = bench.raw(page).await.into_body().collect().await.unwrap().to_bytes();
+        let page = String::from_utf8_lossy(&page);
+        assert!(page.contains(&format!("<html lang=\"{language}\">")) && page.contains(verdict), "{page}");
+    }
+    let wrong = owner.request("GET", "/api/report?job=ellipse.toml&language=fr", None);
+    let (status, refused) = bench.ask(wrong).await;
+    assert_eq!(status, StatusCode::UNPROCESSABLE_ENTITY);
+    assert_eq!(refused["text"], "there is no language `fr`; allowed: en, uk, zh, de, ru");
     let (_, audit) = bench.ask(owner.request("GET", "/api/audit", None)).await;
     let commands: Vec<&str> = audit.as_array().unwrap().iter().filter_map(|e| e["command"].as_str()).collect();
     assert!(commands.contains(&"delete job mine.toml") && commands.contains(&"log in"), "{commands:?}");

@@ -1,4 +1,4 @@
-//! What the library keeps in the cell's English, in the language of the page. What has no words there stays as it is.
+//! What the cell and the library say in English, in the language of the page. What has no words there stays as it is.
 
 use crate::Language;
 use crate::language::value_name;
@@ -6,11 +6,49 @@ use seamwright_cell::executive::{Alarm as Catalogue, Entry};
 use seamwright_record::figures::HEAT_INPUT;
 use seamwright_record::library::Alarm;
 
+/// A process value without its unit: `Current`; in English by its name in files.
+pub(crate) fn value_title(language: Language, name: &str) -> String {
+    if language == Language::English { name.to_owned() } else { title(language, name) }
+}
+
+/// A process value with its unit: `Strom, A`; in English by its name in files.
+pub(crate) fn named_value(language: Language, name: &str) -> String {
+    if language == Language::English { name.to_owned() } else { value(language, name) }
+}
+
+/// The same in two: title and unit; in English its name in files.
+pub(crate) fn value_parts(language: Language, name: &str) -> [String; 2] {
+    match language {
+        Language::English => [name.to_owned(), "as named".to_owned()],
+        _ => [
+            title(language, name),
+            value_name(name).1.map_or("", |unit| language.known(unit).unwrap_or(unit)).to_owned(),
+        ],
+    }
+}
+
+/// What clearance is watched of: links and zones by their names in files.
+pub(crate) fn watched(language: Language, name: &str) -> String {
+    let zone = |kind: &str, said| Some(language.fill(said, &[name.strip_prefix(kind)?.trim_start()]));
+    let own = match name {
+        "part" => Some(language.say("part").to_owned()),
+        "fixtures" => Some(language.say("fixtures").to_owned()),
+        _ => None,
+    };
+    own.or_else(|| zone("forbidden zone", "forbidden zone {0}"))
+        .or_else(|| zone("permitted zone", "permitted zone {0}"))
+        .unwrap_or_else(|| name.to_owned())
+}
+
+fn title(language: Language, name: &str) -> String {
+    let (title, _) = value_name(name);
+    language.named("value", title).map_or_else(|| title.replace('_', " "), str::to_owned)
+}
+
 /// A process value, whose name in files ends in its unit: `Current, A`.
-pub(super) fn value(language: Language, name: &str) -> String {
-    let (title, unit) = value_name(name);
-    let title = language.named("value", title).map_or_else(|| title.replace('_', " "), str::to_owned);
-    match unit {
+pub(crate) fn value(language: Language, name: &str) -> String {
+    let title = title(language, name);
+    match value_name(name).1 {
         // A unit is not broken over lines.
         Some(unit) => format!("{title}, {}", language.known(unit).unwrap_or(unit).replace('/', "/\u{2060}")),
         None => title,
@@ -18,7 +56,7 @@ pub(super) fn value(language: Language, name: &str) -> String {
 }
 
 /// A curve by the name of its column, which ends in the name of the head if there are several.
-pub(super) fn curve(language: Language, column: &str) -> String {
+pub(crate) fn curve(language: Language, column: &str) -> String {
     let of = |start: &str, word| Some((language.say(word), column.strip_prefix(start)?));
     let known = of("miss_lateral_mm", "track.lateral")
         .or_else(|| of("miss_height_mm", "track.height"))
@@ -42,7 +80,7 @@ fn entry(name: &str) -> Option<(Entry, &str)> {
 }
 
 /// An alarm's title, with the axis, condition or trouble that it is about.
-pub(super) fn alarm(language: Language, name: &str) -> String {
+pub(crate) fn alarm(language: Language, name: &str) -> String {
     let Some((words, about)) = entry(name).and_then(|(entry, about)| Some((language.alarm(entry.name)?, about))) else {
         return name.to_owned();
     };
@@ -56,23 +94,30 @@ pub(super) fn alarm(language: Language, name: &str) -> String {
 }
 
 /// Why an alarm comes, if it is what the catalogue says.
-pub(super) fn cause(language: Language, of: &Alarm) -> String {
+pub(crate) fn cause(language: Language, of: &Alarm) -> String {
     let known = entry(&of.name).filter(|(entry, _)| entry.cause == of.cause);
     let words = known.and_then(|(entry, _)| language.alarm(entry.name));
     words.map_or(&of.cause, |words| &words.cause).clone()
 }
 
-/// A sentence about a weld, or an alarm in one.
-fn sentence(language: Language, text: &str) -> String {
+/// A sentence about a plan or a weld, or an alarm in one. What a machine says of itself begins with its name.
+pub(crate) fn sentence(language: Language, text: &str) -> String {
+    if language == Language::English {
+        return text.to_owned();
+    }
     let own = alarm(language, text);
     if own != text {
         return own;
     }
-    language.sentence(text, |of| sentence(language, of)).unwrap_or(own)
+    let found = language.sentence(text, |of| sentence(language, of));
+    let named = || text.split_once(": ").filter(|(name, _)| !name.contains(';') && name.chars().count() <= 40);
+    found
+        .or_else(|| named().map(|(name, why)| [name, why].map(|part| sentence(language, part)).join(": ")))
+        .unwrap_or(own)
 }
 
 /// What happened: another mode, an order, or a sentence.
-pub(super) fn event(language: Language, text: &str) -> String {
+pub(crate) fn event(language: Language, text: &str) -> String {
     if language == Language::English {
         return text.to_owned();
     }
@@ -84,6 +129,6 @@ pub(super) fn event(language: Language, text: &str) -> String {
 }
 
 /// What a weld's note says, sentence by sentence.
-pub(super) fn note(language: Language, text: &str) -> String {
+pub(crate) fn note(language: Language, text: &str) -> String {
     text.split("; ").map(|one| sentence(language, one)).collect::<Vec<_>>().join("; ")
 }
