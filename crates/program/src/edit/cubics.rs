@@ -5,6 +5,13 @@ use crate::Along;
 use glam::DVec3;
 use seamwright_geometry::CubicSpline;
 
+/// Speeds that are worked out have so many parts of a unit, as a person would read them.
+const PARTS: f64 = 1e9;
+
+fn rounded(speed: f64) -> f64 {
+    (speed * PARTS).round() / PARTS
+}
+
 impl RowSpan {
     pub(super) fn is_cubic(&self) -> bool {
         self.along == Along::Cubic
@@ -80,7 +87,8 @@ impl PointsDraft {
             CubicSpline::natural(&points).ok().filter(|_| !span.stops)
         };
         let splines: Vec<Option<CubicSpline>> = columns.iter().map(spline).collect();
-        let speeds = |at: &f64| splines.iter().map(|of| of.as_ref().map_or(0.0, |spline| spline.at(*at).1)).collect();
+        let speeds =
+            |at: &f64| splines.iter().map(|of| of.as_ref().map_or(0.0, |spline| rounded(spline.at(*at).1))).collect();
         at.iter().map(speeds).collect()
     }
 
@@ -91,9 +99,9 @@ impl PointsDraft {
         let mean = |from: &Row, to: &Row, column: usize| (to.numbers[column] - from.numbers[column]) / seconds(to);
         let speed = |column: usize| {
             let behind = mean(before, there, column);
-            let Some(next) = next else { return behind };
+            let Some(next) = next else { return rounded(behind) };
             let (h0, h1) = (seconds(there), seconds(next));
-            (behind * h1 + mean(there, next, column) * h0) / (h0 + h1)
+            rounded((behind * h1 + mean(there, next, column) * h0) / (h0 + h1))
         };
         self.place_columns().into_iter().map(speed).collect()
     }
@@ -156,7 +164,7 @@ impl PointsDraft {
                 let rates = rates(&by[first..=last], &seconds);
                 let mut speeds = span.all_speeds();
                 for (speeds, rate) in speeds.iter_mut().zip(rates) {
-                    among.into_iter().zip(rate.to_array()).for_each(|(k, rate)| speeds[k] += rate);
+                    among.into_iter().zip(rate.to_array()).for_each(|(k, rate)| speeds[k] = rounded(speeds[k] + rate));
                 }
                 span.set_speeds(speeds);
             }
