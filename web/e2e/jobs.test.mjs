@@ -45,6 +45,15 @@ test('every template is planned and shown', onReal, async () => {
     await one.locator('li.card').nth(i).getByRole('button', { name: 'Use' }).click();
     await planned();
     assert.equal(await one.locator('.right .note.fault').count(), 0, await one.locator('.bar strong').textContent());
+    if (i === 0) {
+      const address = await one.getByRole('link', { name: 'Report of the plan' }).getAttribute('href');
+      const [status, text] = await one.evaluate(async (of) => {
+        const answer = await fetch(of.replace('=en', '=de'));
+        return [answer.status, await answer.text()];
+      }, address);
+      assert.equal(status, 200);
+      assert.match(text, /<html lang="de">[^]*<h2>Befunde/);
+    }
     await one.getByRole('button', { name: '← Jobs' }).click();
     await one.locator('li.card').first().waitFor();
   }

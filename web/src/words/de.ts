@@ -479,6 +479,7 @@ export const de: Table = {
   'finding.unchecked': 'Kollisionen sind nicht geprüft',
   'finding.unwind': 'Achse wird zurückgedreht',
   'plan.good': 'Schweißbar',
+  'plan.report': 'Bericht zum Plan',
   'plan.bad': 'So nicht schweißbar',
   'plan.time': '{0} s insgesamt',
   'post.dialect': 'Steuerung',

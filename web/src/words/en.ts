@@ -477,6 +477,7 @@ export const en = {
   'finding.unchecked': 'Collisions are not checked',
   'finding.unwind': 'Axis is turned back',
   'plan.good': 'Can be welded',
+  'plan.report': 'Report of the plan',
   'plan.bad': 'Cannot be welded as asked',
   'plan.time': '{0} s in all',
   'post.dialect': 'Control',

@@ -479,6 +479,7 @@ export const ru: Table = {
   'finding.unchecked': 'Столкновения не проверены',
   'finding.unwind': 'Ось отматывается назад',
   'plan.good': 'Можно сварить',
+  'plan.report': 'Отчёт о плане',
   'plan.bad': 'Так сварить нельзя',
   'plan.time': 'всего {0} с',
   'post.dialect': 'Система ЧПУ',

@@ -479,6 +479,7 @@ export const uk: Table = {
   'finding.unchecked': 'Зіткнення не перевірено',
   'finding.unwind': 'Вісь відмотується назад',
   'plan.good': 'Можна зварити',
+  'plan.report': 'Звіт про план',
   'plan.bad': 'Так зварити не можна',
   'plan.time': 'усього {0} с',
   'post.dialect': 'Система ЧПК',

@@ -479,6 +479,7 @@ export const zh: Table = {
   'finding.unchecked': '未检查碰撞',
   'finding.unwind': '轴回转复位',
   'plan.good': '可以焊接',
+  'plan.report': '计划报告',
   'plan.bad': '按此要求无法焊接',
   'plan.time': '共 {0} 秒',
   'post.dialect': '数控系统',
