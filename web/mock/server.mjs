@@ -113,6 +113,7 @@ new WebSocketServer({ server, path: '/api/live' }).on('connection', (socket) => 
   const client = { station: (stations += 1) };
   sockets.set(socket, client);
   socket.send(JSON.stringify({ kind: 'hello', station: client.station, version: 'mock' }));
+  socket.send(JSON.stringify({ kind: 'machine', number: 1 }));
   control();
   for (const message of [{ kind: 'work', work: cell.work }, { kind: 'alarms', list: cell.alarms }, ...cell.events]) socket.send(JSON.stringify(message));
   socket.on('close', () => {

@@ -847,11 +847,11 @@ s_mm: number,
  */
 welded_mm: number, 
 /**
- * Planned speed along the path, mm/s.
+ * Speed along the path that is asked of the axes, with the override in it, mm/s.
  */
 speed_mm_s: number, 
 /**
- * Part of the planned speed that is asked for.
+ * The override: part of the planned speed.
  */
 override_part: number, 
 /**
@@ -2379,7 +2379,11 @@ version: string, } | { "kind": "status" } & Status | { "kind": "event" } & Event
 /**
  * All that are there or not acknowledged, the first first.
  */
-list: Array<AlarmView>, } | { "kind": "work", 
+list: Array<AlarmView>, } | { "kind": "machine", 
+/**
+ * Counts them.
+ */
+number: number, } | { "kind": "work", 
 /**
  * The program.
  */

@@ -23,6 +23,8 @@ const SHOWN_MS = 100;
 /** Older than this is greyed. */
 export const STALE_MS = 500;
 const MOST_EVENTS = 300;
+/** The machine is asked for again after so long if there was no answer. */
+const ASK_AGAIN_MS = 1000;
 
 const CLOSED: TeachView = {
   phase: 'closed', job: '', key: null, why: null, way_mm: 0, nominal_mm: 0, frames: 0, confidence: 0, least_confidence: 0, picture: 0, size_px: [0, 0],
@@ -42,6 +44,8 @@ class Cell {
   events = $state.raw<EventView[]>([]);
   work = $state.raw<WorkView | null>(null);
   machine = $state.raw<MachineView | null>(null);
+  /** How often the machine was asked for. */
+  private asked = 0;
   control = $state.raw<Control>({ station: null, user: null, mine: false });
   /** Teaching by eye. */
   teach = $state.raw<TeachView>(CLOSED);
@@ -85,7 +89,6 @@ class Cell {
     this.worker.onmessage = () => this.link?.send({ kind: 'beat' });
     this.ticker = setInterval(() => this.tick(), SHOWN_MS);
     this.link.open();
-    void this.askMachine();
   }
 
   end(): void {
@@ -143,8 +146,13 @@ class Cell {
   }
 
   async askMachine(): Promise<void> {
-    this.machine = await api.machine().catch(() => this.machine);
-    this.strip.units = this.machine?.axes.map((axis) => axis.unit) ?? [];
+    const number = ++this.asked;
+    const machine = await api.machine().catch(() => null);
+    // Only the newest answer counts. Without one nothing may be shown or moved by the names of the machine before.
+    if (number !== this.asked) return;
+    this.machine = machine;
+    this.strip.units = machine?.axes.map((axis) => axis.unit) ?? [];
+    if (!machine && this.link) setTimeout(() => number === this.asked && this.link && void this.askMachine(), ASK_AGAIN_MS);
   }
 
   private turned(state: LinkState): void {
@@ -166,7 +174,10 @@ class Cell {
       case 'hello':
         this.station = message.station;
         this.version = message.version;
-        if (!this.machine) void this.askMachine();
+        break;
+      case 'machine':
+        // After a reconnect the program may be another one, whose numbers begin anew.
+        void this.askMachine();
         break;
       case 'status':
         this.takeStatus(message);

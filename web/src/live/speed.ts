@@ -7,6 +7,6 @@ const RESTS_MM_S = 0.1;
 export type Shown = { mm_s: number; of: 'path' | 'tip' };
 
 export function shownSpeed(status: Status, tip: number): Shown {
-  const path = status.speed_mm_s * status.override_part;
+  const path = status.speed_mm_s;
   return path > 0 || !(tip > RESTS_MM_S) ? { mm_s: path, of: 'path' } : { mm_s: tip, of: 'tip' };
 }

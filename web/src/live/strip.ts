@@ -21,7 +21,7 @@ export class Strip {
   add(status: Status): void {
     const at = this.count % this.room;
     this.t[at] = status.t;
-    this.put('speed', at, status.speed_mm_s * status.override_part);
+    this.put('speed', at, status.speed_mm_s);
     const worst: Record<string, [number, number]> = { mm: [NaN, NaN], deg: [NaN, NaN] };
     status.axes.forEach((axis, i) => {
       this.put(`position ${i}`, at, axis.position);

@@ -40,7 +40,7 @@ test('the strip knows speeds, and the greatest error of each unit with its axis'
   for (let i = 0; i < 40; i += 1) strip.add(status(i / 30, (-6 * i) / 30, (3 * i) / 30, [-0.2, 0.1]));
   expect(strip.newest('speed 0')).toBeCloseTo(-6);
   expect(strip.newest('tip speed')).toBeCloseTo(3);
-  expect(strip.newest('speed')).toBe(4);
+  expect(strip.newest('speed')).toBe(8);
   expect([strip.newest('error deg'), strip.newest('whose deg')]).toEqual([0.2, 0]);
   expect([strip.newest('error mm'), strip.newest('whose mm')]).toEqual([0.1, 1]);
   const [times, set] = strip.last(0.5, ['set 1']);

@@ -15,7 +15,7 @@ pub struct Status {
     pub place: Place,
     /// What a pass is doing; none beside passes.
     pub phase: Option<RunPhase>,
-    /// Planned speed along the path, mm/s.
+    /// Speed along the path that is asked of the axes, mm/s: `pace` is in it.
     pub speed: f64,
     /// Path length up to which the pass is welded, mm.
     pub welded_mm: f64,

@@ -45,6 +45,8 @@ struct Told {
     work: Option<Arc<WorkView>>,
     work_text: Option<Text>,
     machine: Option<Arc<Machine>>,
+    /// Counts the machines.
+    machines: u32,
     /// Of the devices.
     connection: Option<Connection>,
     around: Option<Arc<Around>>,
@@ -110,7 +112,8 @@ impl Hub {
         let station = told.stations;
         let (to, from) = mpsc::channel(WAITING);
         let hello = FromCell::Hello { station, version: env!("CARGO_PKG_VERSION").to_owned() };
-        let mut first = vec![text(&hello), text(&told.control(station))];
+        let machine = FromCell::Machine { number: told.machines };
+        let mut first = vec![text(&hello), text(&machine), text(&told.control(station))];
         // As it was told to the others: the program may be long.
         first.push(told.work_text.clone().unwrap_or_else(|| text(&FromCell::Work { work: None })));
         first.push(text(&told.alarms()));
@@ -208,7 +211,11 @@ impl Hub {
     }
 
     pub(crate) fn set_machine(&self, machine: &Machine) {
-        self.told().machine = Some(Arc::new(machine.clone()));
+        let mut told = self.told();
+        told.machine = Some(Arc::new(machine.clone()));
+        told.machines += 1;
+        let number = told.machines;
+        told.all(&FromCell::Machine { number });
     }
 
     /// What the devices are connected for.

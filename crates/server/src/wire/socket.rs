@@ -145,6 +145,11 @@ pub enum FromCell {
         /// All that are there or not acknowledged, the first first.
         list: Vec<AlarmView>,
     },
+    /// The cell has another machine: `GET /api/machine` says which. On connecting, too.
+    Machine {
+        /// Counts them.
+        number: u32,
+    },
     /// The program in the cell changed; none: there is none.
     Work {
         /// The program.

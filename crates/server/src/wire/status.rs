@@ -15,9 +15,9 @@ pub struct Status {
     pub s_mm: f64,
     /// Path length up to which the pass is welded, mm.
     pub welded_mm: f64,
-    /// Planned speed along the path, mm/s.
+    /// Speed along the path that is asked of the axes, with the override in it, mm/s.
     pub speed_mm_s: f64,
-    /// Part of the planned speed that is asked for.
+    /// The override: part of the planned speed.
     pub override_part: f64,
     /// The next start of the process is allowed.
     pub armed: bool,
