@@ -126,6 +126,8 @@ export class Scene {
     this.caps.end();
     release(this.root);
     this.renderer.dispose();
+    // A browser has few contexts, and gives up the oldest that nobody has collected yet.
+    this.renderer.forceContextLoss();
   }
 
   background(colour: string): void {
