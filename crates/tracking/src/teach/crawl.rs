@@ -112,7 +112,7 @@ impl<'a> Crawl<'a> {
         let (start, along) = self.begin(&surface);
         let px = surface.px(start)?;
         let ahead = surface.px(start + 0.5 * along)?;
-        Ok(Aim { start: px, direction: (ahead - px).normalize_or_zero() })
+        Ok(Aim { start: px, direction: (ahead - px).normalize_or_zero(), by_hand: self.fresh })
     }
 
     fn surface(&self, view: &View) -> Surface<'a> {

@@ -39,6 +39,8 @@ pub struct Aim {
     pub start: DVec2,
     /// Unit direction in which it goes, x right, y down.
     pub direction: DVec2,
+    /// Somebody has said where it starts: a hand is right to a millimetre or so.
+    pub by_hand: bool,
 }
 
 /// A place on the midline that was found in a frame.

@@ -208,7 +208,7 @@ impl<M: Midline> BeamEye for Pixels<'_, M> {
             let start = self.px(&camera, &glance.torch, height, [from, aside])?;
             let ahead = self.px(&camera, &glance.torch, height, [from + 1.0, aside])?;
             let direction = (ahead - start).try_normalize()?;
-            Some(self.midline.find(&picture, &Aim { start, direction }).rows)
+            Some(self.midline.find(&picture, &Aim { start, direction, by_hand: false }).rows)
         });
         let sure = |rows: &Vec<seamwright_tracking::teach::Row>| rows.iter().map(|row| row.confidence).sum::<f64>();
         let rows = rows.max_by(|a, b| sure(a).total_cmp(&sure(b))).unwrap_or_default();
