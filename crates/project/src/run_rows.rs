@@ -1,10 +1,15 @@
 //! The rows of the trace of a run.
 
 use crate::load::Loaded;
+use glam::DVec3;
 use seamwright_cell::executive::{ProcessState, VALUES};
 use seamwright_cell::realtime::Shown;
 use seamwright_machine::Machine;
 use seamwright_program::TorchPath;
+use std::collections::VecDeque;
+
+/// The speed of the tip is that over so long, s: encoders count in steps.
+const OVER_S: f64 = 0.05;
 
 /// Columns of each head that is tracked.
 const HEAD: [(&str, &str); 6] = [
@@ -25,6 +30,8 @@ pub fn columns(machine: &Machine, values: &[String], heads: &[String]) -> Vec<(S
         ("s_mm", "mm"),
         ("welded_mm", "mm"),
         ("speed_set_mm_s", "mm/s"),
+        ("tip_speed_mm_s", "mm/s"),
+        ("path_error_mm", "mm"),
         ("override", "1"),
         ("arc", "1"),
         ("gas", "1"),
@@ -47,14 +54,47 @@ pub fn columns(machine: &Machine, values: &[String], heads: &[String]) -> Vec<(S
         columns.extend(HEAD.iter().map(|(name, unit)| (format!("{name}{head}"), *unit)));
     }
     for name in values {
+        // The unit is the end of the name, by which its window is found too.
         columns.push((format!("{name}_set"), ""));
-        columns.push((format!("{name}_measured"), ""));
+        columns.push((name.clone(), ""));
     }
     columns
 }
 
+/// Where the torch's tip has been of late, in the work.
+#[derive(Debug, Default)]
+pub struct Tips {
+    /// Times (s), and the tip as it was measured and as it was set, mm.
+    last: VecDeque<(f64, DVec3, DVec3)>,
+    pass: usize,
+}
+
+impl Tips {
+    /// The tip's speed (mm/s), and how far it is beside its way (mm), by what the drives report of a cycle.
+    fn next(&mut self, machine: &Machine, c: &Shown) -> (f64, f64) {
+        if c.place.pass != self.pass {
+            (self.last, self.pass) = (VecDeque::new(), c.place.pass);
+        }
+        if self.pass == 0 {
+            return (f64::NAN, f64::NAN);
+        }
+        let measured = machine.forward(&c.reports.drives.position).point;
+        let set = machine.forward(&std::array::from_fn(|i| c.orders.set[i].position)).point;
+        self.last.push_back((c.t, measured, set));
+        while self.last.len() > 2 && self.last.get(1).is_some_and(|(t, ..)| c.t - t >= OVER_S) {
+            self.last.pop_front();
+        }
+        let (t, before, set_before) = self.last[0];
+        let speed = if c.t > t { (measured - before).length() / (c.t - t) } else { 0.0 };
+        let off = measured - set;
+        let beside = (set - set_before).try_normalize().map_or(off, |along| off.reject_from_normalized(along));
+        (speed, beside.length())
+    }
+}
+
 /// A cycle as a row; `values` is how many process values the program has, `heads` how many heads are tracked.
-pub fn row(machine: &Machine, c: &Shown, values: usize, heads: usize) -> Vec<f64> {
+pub fn row(tips: &mut Tips, machine: &Machine, c: &Shown, values: usize, heads: usize) -> Vec<f64> {
+    let (tip_speed, beside) = tips.next(machine, c);
     let bit = |yes: bool| if yes { 1.0 } else { 0.0 };
     let in_pass = c.place.pass > 0;
     let process = match c.process {
@@ -71,6 +111,8 @@ pub fn row(machine: &Machine, c: &Shown, values: usize, heads: usize) -> Vec<f64
         if in_pass { c.place.s_mm } else { f64::NAN },
         if in_pass { c.welded_mm } else { f64::NAN },
         if in_pass { c.speed } else { f64::NAN },
+        tip_speed,
+        beside,
         c.pace,
         bit(c.orders.process.on),
         bit(c.orders.process.gas),

@@ -28,6 +28,7 @@ struct Open {
     recording: Recording,
     places: Option<Places>,
     watch: Watch,
+    tips: run_rows::Tips,
     welder: String,
     passes: usize,
     wanted: usize,
@@ -65,6 +66,7 @@ impl Recorder {
             recording,
             places,
             watch: Watch::default(),
+            tips: run_rows::Tips::default(),
             welder,
             passes: 0,
             wanted: passes,
@@ -81,7 +83,7 @@ impl Recorder {
     pub(super) fn row(&mut self, names: &Names, shown: &Shown) -> Option<String> {
         let open = self.open.as_mut()?;
         open.here = shown.place;
-        open.recording.row(run_rows::row(&names.machine, shown, names.values, names.heads));
+        open.recording.row(run_rows::row(&mut open.tips, &names.machine, shown, names.values, names.heads));
         let weld = u64::try_from(open.recording.id()).unwrap_or(0);
         if let (Some(places), Some(position)) = (&open.places, open.watch.position(shown, weld)) {
             places.tell(position);

@@ -57,6 +57,16 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     let id = records[0]["id"].as_i64().unwrap();
     let (_, record) = bench.ask(owner.request("GET", &format!("/api/records/{id}"), None)).await;
     assert!(record["rows"].as_u64().unwrap() > 1000 && record["columns"].as_array().unwrap().len() > 15);
+    // What was welded, as measured: the speed of 5 mm/s, process values, the deviation of a simulated machine.
+    let value = |name: &str| {
+        let of = |v: &&serde_json::Value| v["name"] == name;
+        record["values"].as_array().unwrap().iter().find(of).unwrap_or_else(|| panic!("{name}: {}", record["values"]))
+    };
+    let speed = value("tip_speed_mm_s")["greatest"].as_f64().unwrap();
+    assert!((4.9..5.3).contains(&speed), "{speed}");
+    assert!(value("current_a")["greatest"].as_f64().unwrap() > 80.0);
+    let deviation = record["weld"]["worst_deviation_mm"][0].as_f64().unwrap();
+    assert!(deviation < 0.2, "{deviation}");
     let trace = format!("/api/records/{id}/trace?columns=t_s,s_mm,arc&most=500");
     let (_, trace) = bench.ask(owner.request("GET", &trace, None)).await;
     let rows = trace["values"][0].as_array().unwrap().len();
