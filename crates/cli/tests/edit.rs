@@ -149,3 +149,20 @@ fn repeated_passes_and_variables_are_planned() {
     let pass = common::column(&rows, "pass");
     assert!(pass.contains(&1.0) && pass.contains(&2.0) && !pass.contains(&3.0));
 }
+
+#[test]
+fn a_line_becomes_a_cubic_whose_speeds_are_set() {
+    let (_folder, path, name) = file();
+    let text = || fs::read_to_string(&path).unwrap();
+    let edit = |rest: &[&str]| good(&[&["edit", &name], rest].concat());
+    edit(&["interpolate", "--pass", "1", "--span", "1", "--along", "cubic"]);
+    assert!(text().contains("speeds = [\n    [5, 0, 0],\n    [5, 0, 0],\n    [5, 0, 0],\n    [5, 0, 0],\n]"), "{}", text());
+    edit(&["set-point", "--pass", "1", "--point", "2", "--speeds", "x_mm=4,z_mm=0.5"]);
+    assert!(text().contains("    [4, 0, 0.5],\n"), "{}", text());
+    let told = run(&["edit", &name, "set-point", "--pass", "1", "--point", "2", "--speeds", "current_a=4"]);
+    let told = String::from_utf8_lossy(&told.stderr).into_owned();
+    assert!(told.contains("says no place") && told.contains("x_mm, y_mm, z_mm"), "{told}");
+    edit(&["undo"]);
+    edit(&["undo"]);
+    assert_eq!(text(), TEXT);
+}

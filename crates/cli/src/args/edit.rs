@@ -89,7 +89,7 @@ pub(crate) enum EditVerb {
         /// The span, from 1
         #[arg(long)]
         span: usize,
-        #[arg(long, value_parser = ["rapid", "line", "arc", "spline", "taught"])]
+        #[arg(long, value_parser = ["rapid", "line", "arc", "spline", "cubic", "taught"])]
         along: String,
         /// The point that an arc goes through
         #[arg(long, value_name = "X,Y,Z", value_parser = place, allow_hyphen_values = true)]

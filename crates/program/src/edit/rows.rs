@@ -74,7 +74,12 @@ impl Written {
         let mut behind = around.opening;
         for row in rows {
             let Line { mut value, lead, tail } = self.line(row);
-            let lead = if row.from.is_some_and(|i| i > 0) && !lead.is_empty() { lead } else { around.lead.clone() };
+            let lead = match row.from {
+                Some(1..) if !lead.is_empty() => lead,
+                // On one line the first point has no space before it.
+                _ if out.is_empty() && !around.lead.contains('\n') => String::new(),
+                _ => around.lead.clone(),
+            };
             value.decor_mut().set_prefix(joined(&behind, &lead));
             out.push_formatted(value);
             behind = tail;
