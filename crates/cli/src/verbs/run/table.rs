@@ -17,6 +17,7 @@ use seamwright_record::journal::Journal;
 pub(in crate::verbs) struct Table {
     rows: Rows,
     machine: Machine,
+    tips: run_rows::Tips,
     values: usize,
     /// What ends the names of the columns of each head that is tracked.
     heads: Vec<String>,
@@ -41,11 +42,11 @@ impl Table {
             output,
             (record, machine.devices.is_empty()),
         )?;
-        Ok(Self { rows, machine: machine.clone(), values: values.len(), heads })
+        Ok(Self { rows, machine: machine.clone(), tips: run_rows::Tips::default(), values: values.len(), heads })
     }
 
     pub(super) fn row(&mut self, shown: &Shown) -> Result<(), Failure> {
-        let row = run_rows::row(&self.machine, shown, self.values, self.heads.len());
+        let row = run_rows::row(&mut self.tips, &self.machine, shown, self.values, self.heads.len());
         self.rows.row(row)?;
         match self.rows.weld() {
             Some((_, Some(trouble))) => Err(Failure::Environment(trouble.to_owned())),
