@@ -114,6 +114,8 @@ test('a seam is taught by eye, from its start in 3D to a saved job', options, as
   if (await button('Pause').isVisible()) {
     await button('Pause').click();
     await phase('paused', 'ended');
+    // The numbers are shown a moment late.
+    await sleep(500);
     const stood = await axis(one, 'w');
     await sleep(1500);
     assert.equal(await axis(one, 'w'), stood);
