@@ -156,7 +156,11 @@ fn a_line_becomes_a_cubic_whose_speeds_are_set() {
     let text = || fs::read_to_string(&path).unwrap();
     let edit = |rest: &[&str]| good(&[&["edit", &name], rest].concat());
     edit(&["interpolate", "--pass", "1", "--span", "1", "--along", "cubic"]);
-    assert!(text().contains("speeds = [\n    [5, 0, 0],\n    [5, 0, 0],\n    [5, 0, 0],\n    [5, 0, 0],\n]"), "{}", text());
+    assert!(
+        text().contains("speeds = [\n    [5, 0, 0],\n    [5, 0, 0],\n    [5, 0, 0],\n    [5, 0, 0],\n]"),
+        "{}",
+        text()
+    );
     edit(&["set-point", "--pass", "1", "--point", "2", "--speeds", "x_mm=4,z_mm=0.5"]);
     assert!(text().contains("    [4, 0, 0.5],\n"), "{}", text());
     let told = run(&["edit", &name, "set-point", "--pass", "1", "--point", "2", "--speeds", "current_a=4"]);

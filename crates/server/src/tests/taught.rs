@@ -164,7 +164,10 @@ async fn a_seam_is_taught_by_eye_paused_taken_over_lost_and_kept() {
     assert!(bytes.starts_with(b"\x89PNG"));
     // Where the program has it the joint is not: it is in the picture.
     let beyond = path.iter().position(|p| p["s_mm"].as_f64().unwrap() > 50.0).unwrap();
-    page.taken(json!({ "do": "here", "px": null, "at": tip(beyond) })).await;
+    // Nor is it within 18 pixels of a place 5 mm beside.
+    let mut beside: [f64; 3] = serde_json::from_value(tip(beyond)).unwrap();
+    beside[2] += 5.0;
+    page.taken(json!({ "do": "here", "px": null, "at": beside })).await;
     page.phase("runs").await;
     page.phase("asks").await;
     rest(&served, &mut page).await;
