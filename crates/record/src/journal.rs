@@ -108,6 +108,15 @@ impl Journal {
     }
 }
 
+/// Closing alone does not free the files: a program that is being started by another thread has them open for a moment too.
+impl Drop for Journal {
+    fn drop(&mut self) {
+        for (_, file) in &self.files {
+            let _ = file.unlock();
+        }
+    }
+}
+
 /// Opens a file of full length, which it locks.
 fn open(path: &Path) -> Result<(PathBuf, File), Error> {
     let failed = |e| Error::io(path, "cannot be written", e);
@@ -233,6 +242,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let first = Journal::open(folder.path()).unwrap();
         assert!(matches!(Journal::open(folder.path()), Err(Error::Busy { .. })));
+        // As a program that is being started has them.
+        let _inherited: Vec<_> = first.files.iter().map(|(_, file)| file.try_clone().unwrap()).collect();
         drop(first);
         assert!(Journal::open(folder.path()).is_ok());
     }

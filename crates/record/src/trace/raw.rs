@@ -141,6 +141,13 @@ impl RawWriter {
     }
 }
 
+/// Closing alone does not free the file: a program that is being started by another thread has it open for a moment too.
+impl Drop for RawWriter {
+    fn drop(&mut self) {
+        let _ = self.file.unlock();
+    }
+}
+
 /// Reads a raw file block by block.
 pub(super) struct RawReader {
     file: BufReader<File>,
@@ -313,6 +320,8 @@ mod tests {
         assert!(RawReader::open(&path).unwrap().is_none());
         let told = RawWriter::create(&path, &header()).unwrap_err().to_string();
         assert!(told.contains("records recover"), "{told}");
+        // As a program that is being started has it.
+        let _inherited = writer.file.try_clone().unwrap();
         drop(writer);
         assert!(RawReader::open(&path).unwrap().is_some());
     }
