@@ -2379,11 +2379,7 @@ version: string, } | { "kind": "status" } & Status | { "kind": "event" } & Event
 /**
  * All that are there or not acknowledged, the first first.
  */
-list: Array<AlarmView>, } | { "kind": "machine", 
-/**
- * Counts them.
- */
-number: number, } | { "kind": "work", 
+list: Array<AlarmView>, } | { "kind": "machine" } | { "kind": "work", 
 /**
  * The program.
  */

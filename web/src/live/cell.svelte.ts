@@ -176,7 +176,6 @@ class Cell {
         this.version = message.version;
         break;
       case 'machine':
-        // After a reconnect the program may be another one, whose numbers begin anew.
         void this.askMachine();
         break;
       case 'status':

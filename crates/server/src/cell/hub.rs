@@ -45,8 +45,6 @@ struct Told {
     work: Option<Arc<WorkView>>,
     work_text: Option<Text>,
     machine: Option<Arc<Machine>>,
-    /// Counts the machines.
-    machines: u32,
     /// Of the devices.
     connection: Option<Connection>,
     around: Option<Arc<Around>>,
@@ -112,8 +110,7 @@ impl Hub {
         let station = told.stations;
         let (to, from) = mpsc::channel(WAITING);
         let hello = FromCell::Hello { station, version: env!("CARGO_PKG_VERSION").to_owned() };
-        let machine = FromCell::Machine { number: told.machines };
-        let mut first = vec![text(&hello), text(&machine), text(&told.control(station))];
+        let mut first = vec![text(&hello), text(&FromCell::Machine), text(&told.control(station))];
         // As it was told to the others: the program may be long.
         first.push(told.work_text.clone().unwrap_or_else(|| text(&FromCell::Work { work: None })));
         first.push(text(&told.alarms()));
@@ -213,9 +210,7 @@ impl Hub {
     pub(crate) fn set_machine(&self, machine: &Machine) {
         let mut told = self.told();
         told.machine = Some(Arc::new(machine.clone()));
-        told.machines += 1;
-        let number = told.machines;
-        told.all(&FromCell::Machine { number });
+        told.all(&FromCell::Machine);
     }
 
     /// What the devices are connected for.

@@ -299,16 +299,14 @@ async fn another_machine_is_told_to_every_page() {
     let served = Served::new().await;
     let owner = served.bench.owner().await;
     let mut pages = [served.page(&owner).await, served.page(&owner).await];
-    let mut before = Vec::new();
     for page in &mut pages {
-        before.push(page.until("the machine", |v| v["kind"] == "machine").await["number"].as_u64().unwrap());
+        page.until("the machine", |v| v["kind"] == "machine").await;
     }
     let load = json!({ "job": "half-ring.toml", "from": null, "part": null });
     let (status, told) = served.bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
     assert!(status.is_success(), "{told}");
-    for (page, before) in pages.iter_mut().zip(before) {
-        let told = page.until("another machine", |v| v["kind"] == "machine").await;
-        assert!(told["number"].as_u64().unwrap() > before);
+    for page in &mut pages {
+        page.until("another machine", |v| v["kind"] == "machine").await;
         // Whoever asks then gets the new one.
         let (_, machine) = served.bench.ask(owner.request("GET", "/api/machine", None)).await;
         assert_eq!((machine["name"].as_str(), machine["beam"].as_bool()), (Some("ebw-7axis"), Some(true)));

@@ -146,10 +146,7 @@ pub enum FromCell {
         list: Vec<AlarmView>,
     },
     /// The cell has another machine: `GET /api/machine` says which. On connecting, too.
-    Machine {
-        /// Counts them.
-        number: u32,
-    },
+    Machine,
     /// The program in the cell changed; none: there is none.
     Work {
         /// The program.

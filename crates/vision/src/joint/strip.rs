@@ -54,8 +54,9 @@ pub(super) fn lesser(a: f32, b: f32) -> f32 {
 }
 
 /// The greatest of a line, several at a time.
-pub(super) fn greatest(line: &[f32]) -> f32 {
+pub(super) fn greatest<const N: usize>(line: &[f32; N]) -> f32 {
     const LANES: usize = 8;
+    const { assert!(N % LANES == 0, "whole lanes") };
     let mut lanes = [f32::MIN; LANES];
     for eight in line.as_chunks::<LANES>().0 {
         for (lane, value) in lanes.iter_mut().zip(eight) {
@@ -341,7 +342,7 @@ mod tests {
             let most = 1 + random(40);
             let mut strip = Strip { noise: 0.5 + random(50) as f32 * 0.1, ..Strip::default() };
             strip.depth = (0..48).map(|_| std::array::from_fn(|_| random(10 * most) as f32 * 0.1)).collect();
-            let deepest: Vec<f32> = strip.depth.iter().map(|row| greatest(row)).collect();
+            let deepest: Vec<f32> = strip.depth.iter().map(greatest).collect();
             assert!(strip.depth.iter().zip(&deepest).all(|(row, d)| row.iter().all(|v| v <= d) && row.contains(d)));
             let path: Vec<usize> = (0..48).map(|_| random(COLS as u32) as usize).collect();
             let contrast = random(20 * most) as f32 * 0.1;

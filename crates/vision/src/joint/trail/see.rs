@@ -82,7 +82,7 @@ impl Trail {
 
     fn find_deepest(&mut self) {
         self.deepest.clear();
-        self.deepest.extend(self.strip.depth.iter().map(|row| greatest(row)));
+        self.deepest.extend(self.strip.depth.iter().map(greatest));
     }
 
     /// Whatever a later frame shows, it is not to allocate.
