@@ -56,7 +56,7 @@ pub(super) fn lesser(a: f32, b: f32) -> f32 {
 /// The greatest of a line, several at a time.
 pub(super) fn greatest<const N: usize>(line: &[f32; N]) -> f32 {
     const LANES: usize = 8;
-    const { assert!(N % LANES == 0, "whole lanes") };
+    const { assert!(N.is_multiple_of(LANES), "whole lanes") };
     let mut lanes = [f32::MIN; LANES];
     for eight in line.as_chunks::<LANES>().0 {
         for (lane, value) in lanes.iter_mut().zip(eight) {
