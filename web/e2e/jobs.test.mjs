@@ -112,6 +112,44 @@ test('what is wrong is said with its line, and the text stays in hand', onReal, 
   quiet(one);
 });
 
+test('in the form what is no number stays out, what cannot be is marked where it stands; a seam that nobody can weld is drawn', onReal, async () => {
+  await one.getByRole('button', { name: 'Form', exact: true }).click();
+  const field = one.getByRole('textbox', { name: 'speed [mm/s]' }).first();
+  const was = await field.inputValue();
+  for (const none of ['abc', '']) {
+    await field.fill(none);
+    await one.getByText(`This is no number: ${was} stays.`).waitFor();
+    assert.equal(await field.getAttribute('aria-invalid'), 'true');
+    await field.blur();
+    assert.deepEqual([await field.inputValue(), await field.getAttribute('aria-invalid')], [was, 'false']);
+  }
+  await field.fill('0');
+  await one.locator('.left .fault', { hasText: 'Allowed: a finite number greater than 0' }).waitFor({ timeout: 30_000 });
+  assert.equal(await field.getAttribute('aria-invalid'), 'true');
+  assert.equal(await one.locator('.left [aria-invalid="true"]').count(), 1);
+  await axe(one, 'a wrong number');
+  await one.getByRole('button', { name: 'Limits', exact: true }).click();
+  await one.getByText('this is the plan from before the change').waitFor();
+  await one.getByRole('button', { name: 'Text', exact: true }).click();
+  await one.getByRole('button', { name: /^Findings/ }).click();
+  await one.locator('.right .note.fault').getByRole('button', { name: /weld · speed \[mm\/s\] = 0/ }).click();
+  await one.waitForFunction(() => document.activeElement?.getAttribute('aria-invalid') === 'true');
+  await field.fill('4000');
+  await one.getByText('Cannot be welded as asked').waitFor({ timeout: 60_000 });
+  await one.locator('.right .page li button').first().click();
+  const card = one.locator('.below .card', { hasText: 'Pass 1' });
+  await card.waitFor();
+  assert.match(await card.textContent(), /4000\.00 mm\/s/);
+  await one.getByRole('button', { name: 'Limits', exact: true }).click();
+  await one.getByText('No axis can move so').waitFor();
+  await one.getByRole('button', { name: /^Findings/ }).click();
+  await one.getByRole('button', { name: 'Undo' }).click();
+  await one.getByRole('button', { name: 'Undo' }).click();
+  assert.equal(await field.inputValue(), was);
+  await one.getByText('Can be welded').waitFor({ timeout: 60_000 });
+  quiet(one);
+});
+
 test('a part program for a control, with its proof', onReal, async () => {
   await one.getByRole('button', { name: 'G-code', exact: true }).click();
   await one.getByRole('button', { name: 'Make part program' }).click();

@@ -1324,9 +1324,9 @@ spans: Array<[number, number]>,
  */
 points_mm: Array<number>, 
 /**
- * What it reaches and what bounds it.
+ * What it reaches and what bounds it; none if no motion was found.
  */
-certificate: CertificateView, 
+certificate: CertificateView | null, 
 /**
  * Where what is watched comes nearest; none if nothing comes near.
  */
@@ -1353,11 +1353,11 @@ tip: [number, number, number],
  */
 torch: [number, number, number], 
 /**
- * Speed along the path, mm/s.
+ * Speed along the path, mm/s; if no motion was found, what is asked for.
  */
 speed_mm_s: number, 
 /**
- * Axes, mm or degrees.
+ * Axes, mm or degrees; empty if no motion was found, as `used`.
  */
 axes: Array<number>, 
 /**
@@ -1744,13 +1744,38 @@ work: WorkView, } | { "kind": "wrong",
  */
 message: string, 
 /**
- * From 1, if it is known.
+ * The same in parts, where a file says where.
+ */
+at: WrongView | null, };
+
+/**
+ * What is wrong with a file, in parts.
+ */
+export type WrongView = { 
+/**
+ * From 1, if it is the job's own text.
  */
 line: number | null, 
 /**
- * Key, if it is known.
+ * Its path, like `weld.speed_mm_s`; empty where none is meant.
  */
-key: string | null, };
+key: string, 
+/**
+ * As it is written; empty where none is meant.
+ */
+value: string, 
+/**
+ * What is wrong.
+ */
+what: string, 
+/**
+ * What would be right.
+ */
+allowed: string | null, 
+/**
+ * A suggestion.
+ */
+help: string | null, };
 
 /**
  * `POST /api/plan`, `PUT /api/jobs/NAME`.

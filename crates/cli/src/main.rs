@@ -75,12 +75,12 @@ fn report(failure: &Failure) -> ExitCode {
             ExitCode::from(1)
         }
         Failure::Printed => ExitCode::from(1),
-        Failure::Input(message) => {
-            let _ = writeln!(err, "error: {}", message.trim_end());
+        Failure::Input(_) | Failure::Document(_) => {
+            let _ = writeln!(err, "error: {}", failure.text());
             ExitCode::from(2)
         }
-        Failure::Environment(message) => {
-            let _ = writeln!(err, "error: {}", message.trim_end());
+        Failure::Environment(_) => {
+            let _ = writeln!(err, "error: {}", failure.text());
             ExitCode::from(3)
         }
         Failure::ReaderGone => ExitCode::SUCCESS,

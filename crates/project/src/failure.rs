@@ -13,6 +13,8 @@ pub enum Failure {
     Printed,
     /// 2: bad input or usage.
     Input(String),
+    /// 2: the same, of a file that says where.
+    Document(Box<DocumentError>),
     /// 3: a device or the environment failed.
     Environment(String),
     /// 0: whoever reads our output has stopped reading.
@@ -45,7 +47,7 @@ pub fn write_findings(out: &mut impl Write, findings: &[Finding]) -> io::Result<
 
 impl From<DocumentError> for Failure {
     fn from(e: DocumentError) -> Self {
-        Self::Input(e.to_string())
+        Self::Document(Box::new(e))
     }
 }
 
@@ -103,6 +105,7 @@ impl Failure {
                 String::from_utf8_lossy(&out).trim_end().to_owned()
             }
             Self::Input(text) | Self::Environment(text) => text.trim_end().to_owned(),
+            Self::Document(error) => error.to_string().trim_end().to_owned(),
             Self::Printed | Self::ReaderGone => "it failed".to_owned(),
         }
     }

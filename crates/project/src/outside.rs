@@ -54,10 +54,10 @@ impl<'a> Beside<'a> {
 /// What is wrong and what is allowed, from a message that says both.
 fn wrong(failure: &Failure) -> Wrong {
     let text = match failure {
-        Failure::Input(text) | Failure::Environment(text) => text.as_str(),
-        Failure::Findings(_) | Failure::Printed | Failure::ReaderGone => "it cannot be read",
+        Failure::Input(_) | Failure::Document(_) | Failure::Environment(_) => failure.text(),
+        Failure::Findings(_) | Failure::Printed | Failure::ReaderGone => "it cannot be read".to_owned(),
     };
-    let (message, allowed) = text.split_once("\n   allowed: ").unwrap_or((text, ""));
+    let (message, allowed) = text.split_once("\n   allowed: ").unwrap_or((&text, ""));
     Wrong { message: message.to_owned(), allowed: allowed.to_owned() }
 }
 

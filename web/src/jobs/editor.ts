@@ -91,6 +91,14 @@ export class Editor {
     this.view.dispatch({ effects: markLine.of(line) });
   }
 
+  /** Puts the cursor to the begin of a line, which is then seen. */
+  show(line: number): void {
+    const { doc } = this.view.state;
+    const { from } = doc.line(Math.min(Math.max(line, 1), doc.lines));
+    this.view.dispatch({ selection: { anchor: from }, effects: EditorView.scrollIntoView(from, { y: 'center' }) });
+    this.view.focus();
+  }
+
   end(): void {
     this.view.destroy();
   }

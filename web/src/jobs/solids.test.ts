@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { added, changed, freshName, PRIMITIVES, removed, solidsOf, type Solid } from './solids';
+import { added, beside, changed, freshName, PRIMITIVES, removed, solidsOf, type Solid } from './solids';
 
 const TEXT = `schema = 1
 title = "x"
@@ -19,6 +19,13 @@ speed_mm_s = 10
 `;
 
 describe('solids of a job', () => {
+  test('new ones are put beside the seam, away from its middle', () => {
+    const ring = [0, 1, 2, 3].map((i): [number, number, number] => [100 + 50 * Math.cos((i * Math.PI) / 2), 50 * Math.sin((i * Math.PI) / 2), 7.4]);
+    expect(beside(ring)).toEqual([350, 0, 7]);
+    expect(beside(ring.slice(1, 2))).toEqual([300, 50, 7]);
+    expect(beside([])).toEqual([0, 0, 0]);
+  });
+
   test('are read as they are written', () => {
     const [clamp, post] = solidsOf(TEXT);
     expect(clamp).toMatchObject({ name: 'clamp', list: 'fixtures', index: 0, move: [300, 0, 60], angle: 0, fixed: false });

@@ -29,6 +29,22 @@ export const PRIMITIVES: Record<string, Record<string, number | number[]>> = {
   ellipsoid: { semi_axes_mm: [30, 20, 10] },
 };
 
+type Place = [number, number, number];
+export const NOWHERE: Place = [0, 0, 0];
+/** So far from the seam something new is in sight, but seldom in the torch's way, mm. */
+const BESIDE_MM = 200;
+
+/** A place for something new beside where a seam with these tips begins, away from its middle. */
+export function beside(tips: Place[]): Place {
+  const [first] = tips;
+  if (!first) return NOWHERE;
+  const middle = [0, 1, 2].map((i) => tips.reduce((sum, tip) => sum + (tip[i] ?? 0), 0) / tips.length);
+  const [x, y] = [first[0] - (middle[0] ?? 0), first[1] - (middle[1] ?? 0)];
+  const length = Math.hypot(x, y);
+  const [dx, dy] = length < 1 ? [1, 0] : [x / length, y / length];
+  return [first[0] + BESIDE_MM * dx, first[1] + BESIDE_MM * dy, first[2]].map((v) => Math.round(v) + 0) as Place;
+}
+
 const LISTS: List[] = ['fixtures', 'part.solids'];
 
 type Block = { list: List; index: number; entries: Entry[] };

@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { pointPasses } from './points';
-import { read, replaced } from './toml';
+import { entryAt, read, replaced } from './toml';
 
 const examples = new URL('../../../examples/', import.meta.url);
 
@@ -78,5 +78,19 @@ points = [[7, 8, 0]]
         moving: [],
       },
     ]);
+  });
+
+  test('are found by the paths that the cell writes', () => {
+    const entries = read('a = 1\n[weld]\nspeed = 2\nspeed_max = 3\n[[passes]]\nname = "x"\n[[passes]]\n[[passes.spans]]\nmove = [1, 2]\nprocess = { current = 3 }\n');
+    const at = (path: string): string | undefined => entryAt(entries, path)?.key;
+    expect(at('a')).toBe('a');
+    expect(at('weld.speed')).toBe('speed');
+    expect(at('weld.speed_max')).toBe('speed_max');
+    expect(at('passes[0].name')).toBe('name');
+    expect(at('passes[1].spans[0].move[1]')).toBe('move');
+    expect(at('passes[1].spans[0].process.current')).toBe('process');
+    expect(at('passes[1].name')).toBeUndefined();
+    expect(at('weld')).toBeUndefined();
+    expect(at('')).toBeUndefined();
   });
 });

@@ -1,5 +1,12 @@
 import { Box3, Vector3, type Group, type Object3D } from 'three';
 
+/** All that stands there, seen or not. */
+export function everything(...groups: Object3D[][]): Box3 {
+  const box = new Box3();
+  for (const of of groups.flat()) box.expandByObject(of);
+  return box;
+}
+
 /** What there is to look at: passes and part, else the machine. */
 export function extent(passes: Object3D[], parts: Group[], machine: Group[]): Box3 {
   const box = new Box3();

@@ -19,7 +19,7 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { MachineView, NearView, PathPoint, Status, WorkView } from '../wire';
 import { Caps } from './caps';
 import type { ColourBy, Scale } from './colours';
-import { extent } from './extent';
+import { everything, extent } from './extent';
 import { Highlight } from './highlight';
 import type { Pose } from './kinematics';
 import { Mark } from './mark';
@@ -87,6 +87,8 @@ export class Scene {
   private ended = false;
   private restUntil = 0;
   private fitted = '';
+  /** What was fitted last is everything: the next time it is the seam again. */
+  private wide = true;
   private readonly hidden = new Set<Layer>();
   private readonly watch: ResizeObserver;
   private pressed: Vector2 | null = null;
@@ -179,6 +181,7 @@ export class Scene {
     const name = `${this.machine?.name ?? ''}/${work?.job ?? ''}`;
     if (name !== this.fitted && this.machine) {
       this.fitted = name;
+      this.wide = true;
       this.view('fit');
     }
     this.prepare();
@@ -260,9 +263,13 @@ export class Scene {
     this.draw();
   }
 
+  /** `fit` shows the seam with its part, and asked for again, everything. */
   view(view: View): void {
+    this.wide = view !== 'fit' || !this.wide;
+    const all = everything(this.passes.group.children, this.parts, this.machineParts, this.zones);
+    const box = view === 'fit' && this.wide && !all.isEmpty() ? all : this.box();
     const axis = this.status && new Vector3(...this.status.tip.slice(3)).transformDirection(this.place().matrixWorld);
-    const { at, from, away } = look(view, this.box(), this.camera, axis && { at: this.torch.place(), axis });
+    const { at, from, away } = look(view, box, this.camera, axis && { at: this.torch.place(), axis });
     this.controls.target.copy(at);
     this.camera.position.copy(at).addScaledVector(from, away);
     [this.camera.near, this.camera.far] = [away / 200, away * 20];

@@ -28,6 +28,11 @@ const ROWS: readonly Row[] = [
   ['weld {0}', 'зварювання {0}', '焊接 {0}', 'Schweißung {0}', 'сварка {0}'],
   ['weld {0} of part {1=}', 'зварювання {0}, виріб {1}', '焊接 {0}，工件 {1}', 'Schweißung {0}, Werkstück {1}', 'сварка {0}, изделие {1}'],
   ['teach: {0}', 'навчання: {0}', '示教：{0}', 'Teachen: {0}', 'обучение: {0}'],
+  ['Open: step {0} mm, tacks up to {1} mm, seed {2}', 'увімкнути камеру: крок {0} мм, прихватки до {1} мм, зерно {2}', '打开视觉：步长 {0} mm，定位焊不超过 {1} mm，种子 {2}', 'Kamera öffnen: Schritt {0} mm, Heftstellen bis {1} mm, Startwert {2}', 'включить камеру: шаг {0} мм, прихватки до {1} мм, зерно {2}'],
+  ['{0}|, a tack from {1} to {2} mm', '{0}, прихватка від {1} до {2} мм', '{0}，定位焊从 {1} 到 {2} mm', '{0}, eine Heftstelle von {1} bis {2} mm', '{0}, прихватка от {1} до {2} мм'],
+  ['Here: pixel {0}, {1}', 'стик тут: піксель {0}, {1}', '接缝在这里：像素 {0}, {1}', 'Fuge ist hier: Pixel {0}, {1}', 'стык здесь: пиксель {0}, {1}'],
+  ['Here: X {0} Y {1} Z {2} mm', 'стик тут: X {0} Y {1} Z {2} мм', '接缝在这里：X {0} Y {1} Z {2} mm', 'Fuge ist hier: X {0} Y {1} Z {2} mm', 'стык здесь: X {0} Y {1} Z {2} мм'],
+  ['Here: where the eye looks', 'стик там, куди дивиться камера', '接缝在视觉所看之处', 'Fuge ist, wo die Kamera hinsieht', 'стык там, куда смотрит камера'],
   // What came of it.
   ['taken', 'прийнято', '已接受', 'angenommen', 'принято'],
   ['saved', 'збережено', '已保存', 'gespeichert', 'сохранено'],
@@ -59,12 +64,6 @@ const ROWS: readonly Row[] = [
   ['the machine\'s devices are real, and its file names no camera\'s `frames`: teach by jogging', 'пристрої верстата справжні, камери там немає: навчайте вручну', '机床设备是真实的，面板在那里没有视觉：请点动示教', 'die Geräte der Maschine sind echt, dort hat das Panel keine Kamera: von Hand teachen', 'устройства станка настоящие, камеры там нет: обучайте вручную'],
   ['the archive broke off on its way', 'копія обірвалася в дорозі', '备份在传输中断开', 'die Sicherung brach unterwegs ab', 'копия оборвалась в пути'],
   ['nobody in it can administer: nobody could use the panel after it', 'у копії немає адміністратора: панеллю ніхто не зміг би користуватися', '备份中没有管理员：之后无人能使用面板', 'niemand darin kann verwalten: danach könnte niemand das Panel benutzen', 'в копии нет администратора: панелью никто не смог бы пользоваться'],
-];
-
-/** Orders to the teaching by eye, as the log has them. */
-const TEACHING: readonly Row[] = [
-  ['Open {0=}', 'увімкнути камеру {0}', '打开视觉 {0}', 'Kamera öffnen {0}', 'включить камеру {0}'],
-  ['Here {0=}', 'стик тут {0}', '接缝在这里 {0}', 'Fuge ist hier {0}', 'стык здесь {0}'],
 ];
 
 /** What the panel has words for anyhow: the English, the key, and what stands in its holes. */
@@ -119,9 +118,9 @@ const KEYS: readonly (readonly [en: string, key: Key, ...of: string[]])[] = [
 ];
 
 /** For the test. */
-export const rows = { said: ROWS, teaching: TEACHING, keys: KEYS };
+export const rows = { said: ROWS, keys: KEYS };
 
-const sentence = matcher([...[...ROWS, ...TEACHING, ...ofWelds].map(ofRow), ...KEYS.map(([en, key, ...of]) => [en, () => t(key, ...of)] as const)]);
+const sentence = matcher([...[...ROWS, ...ofWelds].map(ofRow), ...KEYS.map(([en, key, ...of]) => [en, () => t(key, ...of)] as const)]);
 
 /** Names of orders, modes, results, roles, reactions, devices, conditions and alarms in the words of the panel. */
 function word(text: string): string {

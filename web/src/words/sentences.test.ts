@@ -1,6 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
-import { ofWelds, rows, sentence } from './sentences';
+import { ofJobs, ofWelds, rows, sentence } from './sentences';
 
 /** All strings of crates, with holes for whatever stands in them; a line that ends in a backslash goes on. */
 const sources = (crates: string[]): string => crates.flatMap((crate) => {
@@ -24,9 +24,17 @@ describe('sentences of plans', () => {
     expect(ofWelds.map(([en]) => bare(en)).filter((piece) => !texts.includes(piece))).toEqual([]);
   });
 
+  test('of jobs are those of the cell', () => {
+    const texts = sources(['document', 'program', 'weld', 'project', 'geometry']);
+    // What the TOML reader says itself, and what its words are made of.
+    const mine = ['invalid value: {}', 'invalid type: {}'];
+    const pieces = ofJobs.map(([en]) => en).filter((piece) => /[a-z]{3}/.test(piece.replace(/\{\d=?\}/g, '')));
+    expect(pieces.map(bare).filter((piece) => !mine.includes(piece) && !texts.includes(piece))).toEqual([]);
+  });
+
   test('have the same holes in every language', () => {
-    for (const row of rows) for (const text of row) expect(holes(text), text).toBe(holes(row[0]));
-    for (const [en, ...others] of rows) for (const text of others) expect(text.length, en).toBeGreaterThan(0);
+    for (const row of [...rows, ...ofJobs]) for (const text of row) expect(holes(text), text).toBe(holes(row[0]));
+    for (const [en, ...others] of [...rows, ...ofJobs]) for (const text of others) expect(text.length, en).toBeGreaterThan(0);
   });
 
   test('every finding and cure of the cell that is a sentence of its own has words', () => {
@@ -50,6 +58,8 @@ describe('sentences of plans', () => {
     expect(sentence('the heat input is 1.9 kJ/mm at s = 3.000 mm; WPS-1 allows (fill) 0.8 to 1.1', 'de')).toBe('Streckenenergie ist 1.9 kJ/mm bei s = 3.000 mm; WPS-1 erlaubt (fill) 0.8 bis 1.1');
     expect(sentence('ask for less speed there; or use a procedure that is qualified for it', 'uk')).toBe('задайте там меншу швидкість; або візьміть технологію, яка це дозволяє');
     expect(sentence('saddle: the axes cannot reach the point; it is 3.0000 mm off', 'zh')).toBe('saddle: 各轴到不了该点：差 3.0000 mm');
+    expect(sentence('invalid value: -3', 'de')).toBe('unzulässiger Wert: -3');
+    expect(sentence('more than 0 and less than radius_mm = 800', 'de')).toBe('mehr als 0 und weniger als radius_mm = 800');
     expect(sentence(slow, 'en')).toBe(slow);
     expect(sentence('what nobody has said', 'ru')).toBe('what nobody has said');
   });

@@ -1,5 +1,6 @@
 import findings from '../../../words/findings.json';
 import notes from '../../../words/notes.json';
+import refusals from '../../../words/refusals.json';
 import { matcher, ofRow } from './patterns';
 
 /**
@@ -12,5 +13,8 @@ export const rows = findings as [string, string, string, string, string][];
 /** What is said of a weld, in its events and notes: reports have it too. */
 export const ofWelds = notes as [string, string, string, string, string][];
 
+/** What is wrong with a job's text, and what is allowed. */
+export const ofJobs = refusals as [string, string, string, string, string][];
+
 /** A sentence of the cell in a language; what has no words here stays as it came. */
-export const sentence = matcher([...rows, ...ofWelds].map(ofRow));
+export const sentence = matcher([...rows, ...ofWelds, ...ofJobs].map(ofRow));

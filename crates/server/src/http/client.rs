@@ -154,7 +154,7 @@ impl Client {
         let result = crate::teaching::order(&self.panel, self.station, order);
         let said = result.as_ref().map_or_else(|why| why.text.clone(), |()| "taken".to_owned());
         let (user, station) = (&self.session.user, format!("panel {}", self.station));
-        self.panel.cell.archive.audit(user, &station, &format!("teach: {order:?}"), ("", ""), &said);
+        self.panel.cell.archive.audit(user, &station, &format!("teach: {order}"), ("", ""), &said);
         result
     }
 

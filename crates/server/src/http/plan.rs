@@ -5,7 +5,7 @@ use super::records::spoken;
 use crate::cell::{Around, CellDevices, Connection, Loading, Planned, Prepared, Task, ToDesk, fingerprint};
 use crate::users::Session;
 use crate::view::{clamped_views, sections, tuning_view, work_view};
-use crate::wire::{DraftAnswer, JobText, Load, PlanAnswer, PostAnswer, PostText, TuningView, WorkView};
+use crate::wire::{DraftAnswer, JobText, Load, PlanAnswer, PostAnswer, PostText, TuningView, WorkView, WrongView};
 use axum::extract::{Path, Query, State};
 use axum::http::StatusCode;
 use axum::response::Response;
@@ -34,24 +34,27 @@ pub(super) async fn alone<T: Send + 'static>(
     panel.planning.run(move || work(&with)).await
 }
 
-/// Line and key of what is wrong, from a message that begins with `job.toml:LINE:COLUMN: key`.
-fn address(name: &str, message: &str) -> (Option<usize>, Option<String>) {
-    let Some(rest) = message.strip_prefix(name).and_then(|m| m.strip_prefix(':')) else { return (None, None) };
-    let mut parts = rest.splitn(3, ':');
-    let line = parts.next().and_then(|n| n.trim().parse().ok());
-    let key = parts.nth(1).and_then(|rest| rest.split([' ', ':', '=']).find(|w| !w.is_empty())).map(str::to_owned);
-    (line, key.filter(|_| line.is_some()))
+/// Name of a text that is asked about.
+const JOB: &str = "job.toml";
+
+fn wrong(failure: &Failure) -> PlanAnswer {
+    let at = match failure {
+        Failure::Document(error) => Some(Box::new(WrongView {
+            line: (error.file == JOB && error.line > 0).then_some(error.line),
+            key: error.key.clone(),
+            value: error.value.clone(),
+            what: error.message.clone(),
+            allowed: error.allowed.clone(),
+            help: error.help.clone(),
+        })),
+        _ => None,
+    };
+    PlanAnswer::Wrong { message: failure.text(), at }
 }
 
 pub(super) async fn plan(State(panel): State<Arc<Panel>>, Json(job): Json<JobText>) -> Answer<PlanAnswer> {
     let answer = alone(&panel, move |panel| {
-        let name = "job.toml";
-        let wrong = |failure: &Failure| {
-            let message = failure.text();
-            let (line, key) = address(name, &message);
-            PlanAnswer::Wrong { message, line, key }
-        };
-        let loaded = match load_foreign(name, &job.text, &panel.jobs()) {
+        let loaded = match load_foreign(JOB, &job.text, &panel.jobs()) {
             Ok(loaded) => loaded,
             Err(failure) => return Ok(wrong(&failure)),
         };
@@ -71,7 +74,7 @@ pub(super) async fn plan(State(panel): State<Arc<Panel>>, Json(job): Json<JobTex
 pub(super) async fn draft(State(panel): State<Arc<Panel>>, Json(job): Json<JobText>) -> Answer<DraftAnswer> {
     let folder = panel.jobs();
     let answer = panel.drawing.run(move || {
-        Ok(match load_foreign("job.toml", &job.text, &folder) {
+        Ok(match load_foreign(JOB, &job.text, &folder) {
             Ok(loaded) => {
                 let (part, fixtures) = clamped_views(&loaded);
                 DraftAnswer::Drawn { part, fixtures, sections: sections(&loaded.welding) }
@@ -272,7 +275,7 @@ pub(super) async fn post(State(panel): State<Arc<Panel>>, Json(asked): Json<Post
                 return Err(Refused::input(format!("there is no dialect `{other}`; allowed: {allowed}")));
             }
         };
-        let loaded = load_foreign("job.toml", &asked.text, &panel.jobs())?;
+        let loaded = load_foreign(JOB, &asked.text, &panel.jobs())?;
         let motion = loaded.plan()?;
         let control = Control::new(&loaded.machine, dialect).map_err(|e| Refused::input(e.to_string()))?;
         let made = proven(&loaded, &motion, &control, &Options::default(), Feed::InverseTime);

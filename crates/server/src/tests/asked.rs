@@ -25,7 +25,10 @@ async fn jobs_are_kept_planned_posted_and_edited() {
     let wrong = text.replace("title", "tilte");
     let (_, answer) = bench.ask(owner.request("POST", "/api/plan", Some(&json!({ "text": wrong })))).await;
     assert_eq!(answer["kind"], "wrong", "{answer}");
-    assert!(answer["line"].as_u64().is_some() && answer["message"].as_str().unwrap().contains("tilte"), "{answer}");
+    assert!(
+        answer["at"]["line"].as_u64().is_some() && answer["message"].as_str().unwrap().contains("tilte"),
+        "{answer}"
+    );
     // As a program, it can be edited; as either, posted.
     let post = json!({ "text": text, "dialect": "linuxcnc" });
     let (status, answer) = bench.ask(owner.request("POST", "/api/post", Some(&post))).await;

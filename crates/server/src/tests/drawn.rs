@@ -120,6 +120,46 @@ async fn a_plan_says_what_bounds_it() {
     }
 }
 
+/// Where there is no motion the passes are there as the job asks for them, at the places where a motion has them.
+#[tokio::test(flavor = "multi_thread")]
+async fn what_cannot_be_welded_is_drawn() {
+    let bench = Bench::new(&[HOST]).await;
+    let owner = bench.owner().await;
+    for name in ["first-weld.toml", "points.toml", "radiator.toml", "weave.toml"] {
+        let text = example(&bench, &owner, name).await;
+        let fast: Vec<String> = text
+            .lines()
+            .map(
+                |line| if line.starts_with("speed_mm_s = ") { "speed_mm_s = 4000".to_owned() } else { line.to_owned() },
+            )
+            .collect();
+        let mut works = Vec::new();
+        for text in [text, fast.join("\n")] {
+            let (_, answer) = bench.ask(owner.request("POST", "/api/plan", Some(&json!({ "text": text })))).await;
+            assert_eq!(answer["kind"], "planned", "{name}: {answer}");
+            works.push(answer["work"].clone());
+        }
+        let [good, fast] = &works[..] else { panic!("two") };
+        assert_eq!((&good["good"], &fast["good"]), (&json!(true), &json!(false)), "{name}");
+        assert!(!fast["findings"].as_array().unwrap().is_empty() && fast["time_s"] == 0.0);
+        let passes = [good, fast].map(|work| work["passes"].as_array().unwrap().clone());
+        assert_eq!(passes[0].len(), passes[1].len());
+        for (planned, asked) in passes[0].iter().zip(&passes[1]) {
+            assert!(asked["certificate"].is_null() && planned["certificate"].is_object());
+            for key in ["name", "role", "closed", "points_mm", "spans"] {
+                assert_eq!(planned[key], asked[key], "{name}: {key}");
+            }
+            let paths = [planned, asked].map(|pass| pass["path"].as_array().unwrap().clone());
+            for (a, b) in paths[0].iter().zip(&paths[1]) {
+                let far = numbers(&a["tip"]).into_iter().zip(numbers(&b["tip"])).map(|(a, b)| (a - b).abs());
+                let far = far.fold(0.0, f64::max);
+                assert!(far < 0.01, "{name}: {far} mm at {}", a["s_mm"]);
+                assert_eq!((b["speed_mm_s"].as_f64(), a["values"] == b["values"]), (Some(4000.0), true));
+            }
+        }
+    }
+}
+
 /// What a job can name: what ships, and files of one's own, which are no jobs then.
 #[tokio::test(flavor = "multi_thread")]
 async fn a_job_can_name_what_ships_and_what_is_kept() {

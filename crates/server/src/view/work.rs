@@ -16,13 +16,12 @@ const AIR_SAMPLES: usize = 40;
 /// Distance from the start within which the end of a pass closes it, mm.
 const CLOSED_MM: f64 = 1e-3;
 
-/// A planned job; findings only, if no motion was found.
+/// A planned job; if no motion was found, findings and the passes as the job asks for them.
 pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&WeldMotion, &[Finding]>) -> WorkView {
     let program = &loaded.welding.program.value;
     let machine = &loaded.machine;
     let values = program.process_values();
     let motion = planned.ok();
-    let passes = motion.map(|m| program.passes.iter().zip(m.passes.iter().zip(&m.clearance))).into_iter().flatten();
     let findings = planned.map_or_else(|findings| findings, |m| &m.findings);
     let (part, fixtures) = clamped_views(loaded);
     // It could be planned with them, so they are there.
@@ -33,13 +32,19 @@ pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&We
         title: program.title.clone(),
         machine: machine.name.clone(),
         axes: axes(machine),
-        passes: passes
-            .enumerate()
-            .map(|(i, (pass, (planned, clearance)))| {
-                let clearance = around.as_ref().zip(clearance.as_ref());
-                let points_mm = points(pass, &loaded.welding.path(i), planned.path.length());
-                let spans = spans(pass, &points_mm, planned.path.length());
-                PassView { spans, points_mm, ..pass_view(machine, (pass, planned), clearance, &values) }
+        passes: (program.passes.iter().enumerate())
+            .map(|(i, pass)| {
+                let path = loaded.welding.path(i);
+                let planned = motion.and_then(|m| m.passes.get(i));
+                let length = planned.map_or(path.length(), |planned| planned.path.length());
+                let points_mm = points(pass, &path, length);
+                let spans = spans(pass, &points_mm, length);
+                let clearance = motion.and_then(|m| m.clearance.get(i)?.as_ref());
+                let view = match planned {
+                    Some(planned) => pass_view(machine, (pass, planned), around.as_ref().zip(clearance), &values),
+                    None => asked_view(pass, &path, &values),
+                };
+                PassView { spans, points_mm, ..view }
             })
             .collect(),
         values,
@@ -119,32 +124,64 @@ fn pass_view(
                 speed_mm_s: planned.tip_speed(machine, law),
                 used: used(machine, planned, law),
                 axes: machine.axes.iter().zip(q).map(|(axis, q)| axis.to_file(q)).collect(),
-                values: values
-                    .iter()
-                    .map(|name| pass.process_at(name, s, (f64::INFINITY, f64::INFINITY)))
-                    .map(|v| v.filter(|v| v.is_finite()))
-                    .collect(),
+                values: process(pass, values, s),
                 clearance_mm: clearance.and_then(|(_, clearance)| clearance_at(clearance, s)),
             }
         })
         .collect();
     let (nearest_at_mm, nearest) = clearance.and_then(|(around, c)| nearest(around, c, planned)).unzip();
+    PassView {
+        time_s: planned.total_s(),
+        certificate: Some(certificate(machine, pass, planned)),
+        nearest,
+        nearest_at_mm,
+        ..named_view(pass, path)
+    }
+}
+
+/// A pass as the job asks for it, without a motion.
+fn asked_view(pass: &Pass, path: &dyn TorchPath, values: &[String]) -> PassView {
+    let sample = |i| {
+        let s = path.length() * i as f64 / SAMPLES as f64;
+        let tip = path.pose(s);
+        PathPoint {
+            s_mm: s,
+            tip: tip.point.to_array(),
+            torch: (-tip.direction).to_array(),
+            speed_mm_s: Some(pass.speed_at(s)).filter(|v| v.is_finite()).unwrap_or_default(),
+            used: Vec::new(),
+            axes: Vec::new(),
+            values: process(pass, values, s),
+            clearance_mm: None,
+        }
+    };
+    named_view(pass, (0..=SAMPLES).map(sample).collect())
+}
+
+/// What a pass is and where it goes.
+fn named_view(pass: &Pass, path: Vec<PathPoint>) -> PassView {
     let ends = path.first().zip(path.last()).map(|(a, b)| [a.tip, b.tip].map(glam::DVec3::from_array));
     PassView {
         name: pass.name.clone(),
         role: pass.known_role().map_or(String::new(), |role| role.name().to_owned()),
-        length_mm: length,
-        time_s: planned.total_s(),
+        length_mm: path.last().map_or(0.0, |end| end.s_mm),
+        time_s: 0.0,
         overlap_mm: pass.sequence.overlap_mm.get(),
         speed_mm_s: path.get(SAMPLES / 2).map_or(0.0, |p| p.speed_mm_s),
         spans: Vec::new(),
         points_mm: Vec::new(),
-        certificate: certificate(machine, pass, planned),
+        certificate: None,
         closed: ends.is_some_and(|[a, b]| a.distance(b) < CLOSED_MM),
         path,
-        nearest,
-        nearest_at_mm,
+        nearest: None,
+        nearest_at_mm: None,
     }
+}
+
+/// What the process is asked for at path length `s`.
+fn process(pass: &Pass, values: &[String], s: f64) -> Vec<Option<f64>> {
+    let asked = values.iter().map(|name| pass.process_at(name, s, (f64::INFINITY, f64::INFINITY)));
+    asked.map(|v| v.filter(|v| v.is_finite())).collect()
 }
 
 fn air(machine: &Machine, way: &seamwright_motion::air::AirMove) -> Vec<[f64; 3]> {

@@ -1,5 +1,6 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::fmt;
 use ts_rs::TS;
 
 /// Orders to the teaching by eye, see [`super::ToCell::Teach`].
@@ -32,6 +33,25 @@ pub enum TeachOrder {
     Resume {},
     /// Ends the crawl; what was taught so far is kept.
     Stop {},
+}
+
+/// As the audit log has it.
+impl fmt::Display for TeachOrder {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Open { step_mm, longest_tack_mm, seed, tack_mm } => {
+                write!(f, "Open: step {step_mm} mm, tacks up to {longest_tack_mm} mm, seed {seed}")?;
+                tack_mm.map_or(Ok(()), |(from, to)| write!(f, ", a tack from {from} to {to} mm"))
+            }
+            Self::Here { px: Some([x, y]), .. } => write!(f, "Here: pixel {x:.1}, {y:.1}"),
+            Self::Here { at: Some([x, y, z]), .. } => write!(f, "Here: X {x:.2} Y {y:.2} Z {z:.2} mm"),
+            Self::Here { .. } => f.write_str("Here: where the eye looks"),
+            Self::End {} => f.write_str("End"),
+            Self::Pause {} => f.write_str("Pause"),
+            Self::Resume {} => f.write_str("Resume"),
+            Self::Stop {} => f.write_str("Stop"),
+        }
+    }
 }
 
 /// How far teaching by eye is.

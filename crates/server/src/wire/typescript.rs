@@ -72,6 +72,7 @@ pub fn typescript() -> String {
         decl::<SolidView>(&config),
         decl::<ShapeView>(&config),
         decl::<PlanAnswer>(&config),
+        decl::<WrongView>(&config),
         decl::<JobText>(&config),
         decl::<JobRow>(&config),
         decl::<ChoicesView>(&config),

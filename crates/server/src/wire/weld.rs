@@ -68,8 +68,8 @@ pub struct PassView {
     pub spans: Vec<[f64; 2]>,
     /// Path lengths at which its points are reached, mm, the start first; empty along a seam.
     pub points_mm: Vec<f64>,
-    /// What it reaches and what bounds it.
-    pub certificate: CertificateView,
+    /// What it reaches and what bounds it; none if no motion was found.
+    pub certificate: Option<CertificateView>,
     /// Where what is watched comes nearest; none if nothing comes near.
     pub nearest: Option<NearView>,
     /// Where that is, mm.
@@ -98,9 +98,9 @@ pub struct PathPoint {
     pub tip: [f64; 3],
     /// Unit vector out of the work along the torch.
     pub torch: [f64; 3],
-    /// Speed along the path, mm/s.
+    /// Speed along the path, mm/s; if no motion was found, what is asked for.
     pub speed_mm_s: f64,
-    /// Axes, mm or degrees.
+    /// Axes, mm or degrees; empty if no motion was found, as `used`.
     pub axes: Vec<f64>,
     /// Speed, acceleration and jerk of each axis in per cent of its limits.
     pub used: Vec<[u8; 3]>,
@@ -316,11 +316,26 @@ pub enum PlanAnswer {
     Wrong {
         /// What and where, with what is allowed.
         message: String,
-        /// From 1, if it is known.
-        line: Option<usize>,
-        /// Key, if it is known.
-        key: Option<String>,
+        /// The same in parts, where a file says where.
+        at: Option<Box<WrongView>>,
     },
+}
+
+/// What is wrong with a file, in parts.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, TS, JsonSchema)]
+pub struct WrongView {
+    /// From 1, if it is the job's own text.
+    pub line: Option<usize>,
+    /// Its path, like `weld.speed_mm_s`; empty where none is meant.
+    pub key: String,
+    /// As it is written; empty where none is meant.
+    pub value: String,
+    /// What is wrong.
+    pub what: String,
+    /// What would be right.
+    pub allowed: Option<String>,
+    /// A suggestion.
+    pub help: Option<String>,
 }
 
 /// `POST /api/plan`, `PUT /api/jobs/NAME`.
