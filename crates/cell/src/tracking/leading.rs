@@ -56,10 +56,10 @@ impl Leading {
             return (wanted, Told::NOTHING, orders.estimate);
         }
         let mut alarm = orders.alarm;
-        // Beyond the end there is no joint to be seen, and none is needed; the last frame on it is a period before, and some
-        // more on its way.
+        // Beyond the end there is no joint to be seen, and none is needed. A tack may hide the end, or the part lie a little
+        // back; the last frame is a period before, and some more on its way.
         let settings = self.head.settings();
-        let last = 6.0 * settings.period_s * settings.speed_mm_s;
+        let last = settings.tack_mm + 6.0 * settings.period_s * settings.speed_mm_s;
         if (left < settings.lead_mm && alarm == Some(Alarm::Blind)) || (left < last && alarm == Some(Alarm::Coasting)) {
             alarm = None;
         }
