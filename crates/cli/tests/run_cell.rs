@@ -155,6 +155,14 @@ fn a_weld_survives_the_power() {
     let listed: Value = serde_json::from_str(&good(&["records", "list", "--data", &data, "--json"])).unwrap();
     let results: Vec<&str> = listed.as_array().unwrap().iter().map(|w| w["result"].as_str().unwrap()).collect();
     assert!(results.contains(&"good") && results.contains(&"interrupted"), "{listed}");
+    let note = |result: &str| {
+        let weld = listed.as_array().unwrap().iter().find(|w| w["result"] == result).unwrap();
+        let shown = good(&["records", "show", &weld["id"].to_string(), "--data", &data]);
+        shown.lines().find(|line| line.trim_start().starts_with("note")).unwrap_or_default().to_owned()
+    };
+    let [left, ended] = ["interrupted", "good"].map(note);
+    assert!(left.contains("goes on in pass 1 from 105.00 mm; recovered"), "{left}");
+    assert!(ended.ends_with(&format!("goes on in pass 1 from {welded:.2} mm")), "{ended}");
     good(&["records", "verify", "--data", &data]);
 }
 

@@ -3,6 +3,7 @@
 use crate::Failure;
 use crate::files;
 use crate::load::Loaded;
+use seamwright_cell::executive::Place;
 use seamwright_machine::shipped;
 use seamwright_motion::WeldMotion;
 use seamwright_program::{Procedure, Program};
@@ -20,6 +21,8 @@ pub struct Header<'a> {
     pub columns: &'a [(String, &'static str)],
     /// Pairs of (key, value).
     pub about: &'a [(&'static str, String)],
+    /// Where the weld goes on that was begun before, if it does.
+    pub from: Option<Place>,
 }
 
 impl Header<'_> {
@@ -94,6 +97,7 @@ pub fn record_plan(loaded: &Loaded, motion: &WeldMotion, header: &Header<'_>, wh
         most_rows: most_rows(loaded.machine.servo_period_s),
         rows: motion.count(loaded.machine.servo_period_s, true),
         basis: basis(program, motion),
+        note: header.from.map_or(String::new(), |at| format!("goes on in pass {} from {:.2} mm", at.pass, at.s_mm)),
     })
 }
 

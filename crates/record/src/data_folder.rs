@@ -120,6 +120,7 @@ impl DataFolder {
             welder: plan.welder.clone(),
             begun: Moment::now(),
             basis: plan.basis.clone(),
+            note: plan.note.clone(),
         };
         let id = self.library.begin_weld(&new)?;
         let folder = self.weld_folder(id);

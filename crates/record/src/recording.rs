@@ -35,6 +35,8 @@ pub struct Plan {
     pub rows: u64,
     /// What figures are worked out from.
     pub basis: Basis,
+    /// What is to be noted of it from its begin on, if anything.
+    pub note: String,
 }
 
 /// How a weld ended.
@@ -57,13 +59,14 @@ pub struct Recording {
     id: i64,
     folder: PathBuf,
     writer: TraceWriter,
+    note: String,
     trouble: Option<String>,
 }
 
 impl Recording {
     pub(crate) fn new(id: i64, folder: PathBuf, plan: &Plan) -> Result<Self, Error> {
         let writer = TraceWriter::create(&folder.join("trace.parquet"), &plan.columns, &plan.about, plan.most_rows)?;
-        Ok(Self { id, folder, writer, trouble: None })
+        Ok(Self { id, folder, writer, note: plan.note.clone(), trouble: None })
     }
 
     /// Number of the weld in the library.
@@ -100,8 +103,8 @@ impl Recording {
     /// If the library cannot be written: the trace is kept, and [`DataFolder::recover`] puts it into the library later.
     /// A trace that cannot be finished is no error; the weld's note says so.
     pub fn finish(self, data: &mut DataFolder, outcome: &Outcome) -> Result<WeldRecord, Error> {
-        let Self { id, folder, writer, trouble } = self;
-        let mut notes: Vec<String> = vec![outcome.note.clone()];
+        let Self { id, folder, writer, note, trouble } = self;
+        let mut notes: Vec<String> = vec![note, outcome.note.clone()];
         let lost = writer.lost();
         notes.extend(trouble.map(|why| format!("{lost} rows of the trace were lost: {why}")));
         let kept = writer.finish().map(drop);

@@ -64,7 +64,7 @@ export const keys: Record<string, Record<Exclude<Language, 'en'>, string>> = {
   from_first: { uk: 'від першої', zh: '从第一侧', de: 'von der ersten', ru: 'от первой' },
   from_second: { uk: 'від другої', zh: '从第二侧', de: 'von der zweiten', ru: 'от второй' },
   girth: { uk: 'кільцевий шов', zh: '环缝', de: 'Rundnaht', ru: 'кольцевой шов' },
-  heat_input: { uk: 'погонна енергія', zh: '热输入', de: 'Streckenenergie', ru: 'погонная энергия' },
+  heat_input: { uk: 'погонна енергія', zh: '热输入', de: 'Wärmeeinbringung', ru: 'погонная энергия' },
   height: { uk: 'висота', zh: '高度', de: 'Höhe', ru: 'высота' },
   inner_root: { uk: 'внутрішній корінь', zh: '内侧根部', de: 'innere Wurzel', ru: 'внутренний корень' },
   interpass: { uk: 'між проходами', zh: '层间温度', de: 'Zwischenlage', ru: 'между проходами' },

@@ -102,7 +102,13 @@ fn trace(
         [("title", program.title.clone()), ("machine", machine.name.clone()), ("seed", conditions.seed.to_string())];
     let heads = HeadColumns::new(loaded, &conditions);
     let columns = columns(machine, &heads, work.values());
-    let rows = recorded::begin(loaded, motion, &Header { columns: &columns, about: &about }, output, (record, true))?;
+    let rows = recorded::begin(
+        loaded,
+        motion,
+        &Header { columns: &columns, about: &about, from: None },
+        output,
+        (record, true),
+    )?;
     let curves = |p: &PassMotion| SimulationCurves::new(machine.axes.len(), p.path.length());
     let mut watched = Watched {
         machine,

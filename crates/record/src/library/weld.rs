@@ -75,6 +75,8 @@ pub struct NewWeld {
     pub begun: Moment,
     /// What figures are worked out from.
     pub basis: Basis,
+    /// What is known of it from its begin on.
+    pub note: String,
 }
 
 /// A file in the weld's folder.
@@ -177,11 +179,11 @@ impl Library {
             self.run("INSERT INTO welder (name) VALUES (?1) ON CONFLICT DO NOTHING", [name])?;
         }
         let basis = serde_json::to_string(&weld.basis).map_err(|e| Error::wrong(e.to_string(), "finite numbers"))?;
-        let NewWeld { part, title, simulated, job, program, machine, procedure, welder, begun, .. } = weld;
+        let NewWeld { part, title, simulated, job, program, machine, procedure, welder, begun, note, .. } = weld;
         self.run(
-            "INSERT INTO weld (part, title, simulated, job, program, machine, procedure, welder, begun, result, basis)
-             VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, (SELECT id FROM welder WHERE name = ?8), ?9, 'running', ?10)",
-            params![part, title, simulated, job, program, machine, procedure, welder, begun.0, basis],
+            "INSERT INTO weld (part, title, simulated, job, program, machine, procedure, welder, begun, result, basis, note)
+             VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, (SELECT id FROM welder WHERE name = ?8), ?9, 'running', ?10, ?11)",
+            params![part, title, simulated, job, program, machine, procedure, welder, begun.0, basis, note],
         )?;
         Ok(self.db.last_insert_rowid())
     }

@@ -46,6 +46,7 @@ pub fn plan(part: &str) -> Plan {
                 Judged { pass: 1, name: HEAT_INPUT.to_owned(), allowed: Some((0.4, 0.52)), along: vec![(10.0, 90.0)] },
             ],
         },
+        note: String::new(),
     }
 }
 

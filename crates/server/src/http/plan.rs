@@ -190,7 +190,7 @@ fn loading(panel: &Panel, load: Load, user: String) -> Result<Loading, Refused> 
     let title = loaded.welding.program.value.title.clone();
     let mut about = vec![("title", title), ("machine", loaded.machine.name.clone())];
     about.extend(view.distortion.clone().map(|text| ("distortion", text)));
-    let header = Header { columns: &columns, about: &about };
+    let header = Header { columns: &columns, about: &about, from };
     let simulated = loaded.machine.devices.is_empty();
     let who = Who { part: load.part.unwrap_or_default(), simulated, welder: None };
     let plan = record_plan(&loaded, &motion, &header, who)?;

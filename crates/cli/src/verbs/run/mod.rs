@@ -118,8 +118,8 @@ fn with_cell(
     // Nothing is written before they answer.
     let (devices, lines) = devices(loaded, cell, &work, asked)?;
     let mut output = Output::new(asked.output)?;
-    let tracked = (work.values(), tracking.is_some());
-    let table = Table::new((loaded, motion), &output, asked.record, tracked)?;
+    let kept = (work.values(), tracking.is_some(), asked.from);
+    let table = Table::new((loaded, motion), &output, asked.record, kept)?;
     let mut desk = Desk::new(machine, Some(table), Vec::new(), asked.json);
     let ended = real(work, machine, (devices, lines, tracking), asked.cpu, &mut desk)?;
     desk.close(&mut output, &loaded.welding.program.value.title, &ended)?;

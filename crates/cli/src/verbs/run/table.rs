@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::files::Output;
 use crate::load::Loaded;
 use crate::verbs::recorded::{self, Happened, Rows};
+use seamwright_cell::executive::Place;
 use seamwright_cell::realtime::Shown;
 use seamwright_machine::Machine;
 use seamwright_motion::WeldMotion;
@@ -28,7 +29,7 @@ impl Table {
         (loaded, motion): (&Loaded, &WeldMotion),
         output: &Output,
         record: &RecordArgs,
-        (values, tracked): (&[String], bool),
+        (values, tracked, from): (&[String], bool, Option<Place>),
     ) -> Result<Self, Failure> {
         let heads = if tracked { run_rows::head_names(loaded) } else { Vec::new() };
         let machine = &loaded.machine;
@@ -38,7 +39,7 @@ impl Table {
         let rows = recorded::begin(
             loaded,
             motion,
-            &Header { columns: &columns, about: &about },
+            &Header { columns: &columns, about: &about, from },
             output,
             (record, machine.devices.is_empty()),
         )?;
