@@ -1324,7 +1324,7 @@ spans: Array<[number, number]>,
  */
 points_mm: Array<number>, 
 /**
- * What it reaches and what bounds it; none if no motion was found.
+ * What it reaches and what bounds it; none if it cannot be welded as asked.
  */
 certificate: CertificateView | null, 
 /**
@@ -1353,11 +1353,11 @@ tip: [number, number, number],
  */
 torch: [number, number, number], 
 /**
- * Speed along the path, mm/s; if no motion was found, what is asked for.
+ * Speed along the path, mm/s; if it cannot be welded, what is asked for.
  */
 speed_mm_s: number, 
 /**
- * Axes, mm or degrees; empty if no motion was found, as `used`.
+ * Axes, mm or degrees; empty if it cannot be welded, as `used`.
  */
 axes: Array<number>, 
 /**
@@ -1753,7 +1753,11 @@ at: WrongView | null, };
  */
 export type WrongView = { 
 /**
- * From 1, if it is the job's own text.
+ * The other file that it is in; none: the job's own text.
+ */
+file: string | null, 
+/**
+ * From 1, in the job's own text.
  */
 line: number | null, 
 /**

@@ -97,8 +97,15 @@ pub fn record_plan(loaded: &Loaded, motion: &WeldMotion, header: &Header<'_>, wh
         most_rows: most_rows(loaded.machine.servo_period_s),
         rows: motion.count(loaded.machine.servo_period_s, true),
         basis: basis(program, motion),
-        note: header.from.map_or(String::new(), |at| format!("goes on in pass {} from {:.2} mm", at.pass, at.s_mm)),
+        note: header.from.map_or(String::new(), |at| goes_on(program, at)),
     })
+}
+
+/// A weld that goes on begins before the place up to which its pass is welded, by the overlap.
+fn goes_on(program: &Program, at: Place) -> String {
+    let pass = at.pass.checked_sub(1).and_then(|i| program.passes.get(i));
+    let overlap = pass.map_or(0.0, |pass| pass.sequence.overlap_mm.get());
+    format!("goes on in pass {} from {:.2} mm", at.pass, (at.s_mm - overlap).max(0.0))
 }
 
 /// What is judged: process values, speed and heat input of each pass between run-up and run-down.

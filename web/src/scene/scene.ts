@@ -104,6 +104,8 @@ export class Scene {
     this.camera.position.set(900, -1300, 900);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener('change', this.draw);
+    // Whoever has turned the picture gets the seam first.
+    this.controls.addEventListener('start', () => (this.wide = true));
     this.world.add(this.root, new AmbientLight(0xffffff, 0.9), new HemisphereLight(0xffffff, 0x8a8f95, 1.2));
     const sun = new DirectionalLight(0xffffff, 1.6);
     sun.position.set(0.4, -0.8, 1);
@@ -183,6 +185,7 @@ export class Scene {
       this.fitted = name;
       this.wide = true;
       this.view('fit');
+      this.wide = true;
     }
     this.prepare();
   }
@@ -266,8 +269,8 @@ export class Scene {
   /** `fit` shows the seam with its part, and asked for again, everything. */
   view(view: View): void {
     this.wide = view !== 'fit' || !this.wide;
-    const all = everything(this.passes.group.children, this.parts, this.machineParts, this.zones);
-    const box = view === 'fit' && this.wide && !all.isEmpty() ? all : this.box();
+    const all = view === 'fit' && this.wide ? everything(this.passes.group.children, this.parts, this.machineParts, this.zones) : null;
+    const box = all && !all.isEmpty() ? all : this.box();
     const axis = this.status && new Vector3(...this.status.tip.slice(3)).transformDirection(this.place().matrixWorld);
     const { at, from, away } = look(view, box, this.camera, axis && { at: this.torch.place(), axis });
     this.controls.target.copy(at);

@@ -3,11 +3,12 @@ import type { Language } from './index.svelte';
 /** A sentence in English, with holes `{0}`, `{1}` .. for what stands in it, and in every other language. */
 export type Row = readonly [en: string, uk: string, zh: string, de: string, ru: string];
 
-/** An English sentence with holes, and what it is in a language. What stands in a hole `{0=}` is a name and stays as it is. */
+/** An English sentence with holes, and what it is in a language. What stands in a hole `{0=}` is a name and stays as it is; only a number, perhaps with its key, stands in `{0#}`. */
 export type Pattern = readonly [en: string, of: (language: Exclude<Language, 'en'>) => string];
 
 const COLUMNS: Record<Language, 0 | 1 | 2 | 3 | 4> = { en: 0, uk: 1, zh: 2, de: 3, ru: 4 };
-const HOLE = /\{(\d)(=?)\}/g;
+const HOLE = /\{(\d)([=#]?)\}/g;
+const NUMBER = '((?:[a-z0-9_]+ = )?-?[\\d.]+(?:e-?\\d+)?)';
 
 export const ofRow = (row: Row): Pattern => [row[0], (language) => row[COLUMNS[language]]];
 
@@ -20,9 +21,10 @@ const literal = (text: string): string => text.replace(/[.*+?^${}()|[\]\\]/g, '\
 export function matcher(patterns: readonly Pattern[]): (text: string, language: Language, word?: (text: string) => string) => string {
   const compiled = patterns.map(([en, of]) => {
     const text = en.replaceAll('|', '');
-    const parts = text.split(/\{\d=?\}/).map(literal);
-    const holes = [...text.matchAll(HOLE)].map((hole) => ({ number: hole[1] ?? '', name: hole[2] !== '' }));
-    return { of, holes, said: parts.join('').length, pattern: new RegExp(`^${parts.join('(.*?)')}$`, 's') };
+    const parts = text.split(/\{\d[=#]?\}/).map(literal);
+    const holes = [...text.matchAll(HOLE)].map((hole) => ({ number: hole[1] ?? '', name: hole[2] !== '', is: hole[2] === '#' ? NUMBER : '(.*?)' }));
+    const whole = parts.map((part, i) => `${i > 0 ? (holes[i - 1]?.is ?? '') : ''}${part}`).join('');
+    return { of, holes, said: parts.join('').length, pattern: new RegExp(`^${whole}$`, 's') };
   });
   // Those that say most come first: a pattern of few words fits much.
   compiled.sort((a, b) => b.said - a.said || a.holes.length - b.holes.length);

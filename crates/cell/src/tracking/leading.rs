@@ -61,7 +61,7 @@ impl Leading {
         let settings = self.head.settings();
         let last = settings.tack_mm + 6.0 * settings.period_s * settings.speed_mm_s;
         if (left < settings.lead_mm && alarm == Some(Alarm::Blind)) || (left < last && alarm == Some(Alarm::Coasting)) {
-            alarm = None;
+            alarm = orders.carried;
         }
         let alarm = alarm.map(|alarm| (alarm, orders.cause.map(Why::Sensor)));
         (wanted, Told { pace: orders.pace, alarm, ..Told::NOTHING }, orders.estimate)

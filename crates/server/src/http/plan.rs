@@ -40,6 +40,7 @@ const JOB: &str = "job.toml";
 fn wrong(failure: &Failure) -> PlanAnswer {
     let at = match failure {
         Failure::Document(error) => Some(Box::new(WrongView {
+            file: (error.file != JOB).then(|| error.file.clone()),
             line: (error.file == JOB && error.line > 0).then_some(error.line),
             key: error.key.clone(),
             value: error.value.clone(),

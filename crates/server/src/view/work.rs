@@ -16,7 +16,7 @@ const AIR_SAMPLES: usize = 40;
 /// Distance from the start within which the end of a pass closes it, mm.
 const CLOSED_MM: f64 = 1e-3;
 
-/// A planned job; if no motion was found, findings and the passes as the job asks for them.
+/// A planned job; if it cannot be welded as asked, findings and the passes as the job asks for them.
 pub(crate) fn work_view(id: u64, job: &str, loaded: &Loaded, planned: Result<&WeldMotion, &[Finding]>) -> WorkView {
     let program = &loaded.welding.program.value;
     let machine = &loaded.machine;

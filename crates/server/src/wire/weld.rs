@@ -68,7 +68,7 @@ pub struct PassView {
     pub spans: Vec<[f64; 2]>,
     /// Path lengths at which its points are reached, mm, the start first; empty along a seam.
     pub points_mm: Vec<f64>,
-    /// What it reaches and what bounds it; none if no motion was found.
+    /// What it reaches and what bounds it; none if it cannot be welded as asked.
     pub certificate: Option<CertificateView>,
     /// Where what is watched comes nearest; none if nothing comes near.
     pub nearest: Option<NearView>,
@@ -98,9 +98,9 @@ pub struct PathPoint {
     pub tip: [f64; 3],
     /// Unit vector out of the work along the torch.
     pub torch: [f64; 3],
-    /// Speed along the path, mm/s; if no motion was found, what is asked for.
+    /// Speed along the path, mm/s; if it cannot be welded, what is asked for.
     pub speed_mm_s: f64,
-    /// Axes, mm or degrees; empty if no motion was found, as `used`.
+    /// Axes, mm or degrees; empty if it cannot be welded, as `used`.
     pub axes: Vec<f64>,
     /// Speed, acceleration and jerk of each axis in per cent of its limits.
     pub used: Vec<[u8; 3]>,
@@ -324,7 +324,9 @@ pub enum PlanAnswer {
 /// What is wrong with a file, in parts.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, TS, JsonSchema)]
 pub struct WrongView {
-    /// From 1, if it is the job's own text.
+    /// The other file that it is in; none: the job's own text.
+    pub file: Option<String>,
+    /// From 1, in the job's own text.
     pub line: Option<usize>,
     /// Its path, like `weld.speed_mm_s`; empty where none is meant.
     pub key: String,

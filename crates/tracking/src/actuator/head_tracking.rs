@@ -110,6 +110,8 @@ pub struct Orders {
     pub pace: f64,
     /// The worst that is wrong.
     pub alarm: Option<Alarm>,
+    /// The same of what has nothing to do with sight.
+    pub carried: Option<Alarm>,
     /// What is wrong with the sensor, as soon as nothing of use has come from it for some periods.
     pub cause: Option<Cause>,
     /// What is known of the seam at the torch.
@@ -207,8 +209,8 @@ impl HeadTracking {
         }
         let orders = [self.slides[0].step(self.target.x), self.slides[1].step(self.target.y)];
         self.ordered = DVec2::from_array(orders);
-        let (pace, alarm) = self.judge(&now, speed, &estimate);
-        Orders { slide: self.ordered, pace, alarm, cause: self.cause(&now), estimate }
+        let (pace, alarm, carried) = self.judge(&now, speed, &estimate);
+        Orders { slide: self.ordered, pace, alarm, carried, cause: self.cause(&now), estimate }
     }
 
     /// Why nothing of use has come for some periods, and for longer than tacks explain; none if something has.
@@ -245,10 +247,11 @@ impl HeadTracking {
         }
     }
 
-    fn judge(&self, now: &Moment, speed: f64, here: &Estimate) -> (f64, Option<Alarm>) {
+    /// Pace, the worst that is wrong, and of what has nothing to do with sight.
+    fn judge(&self, now: &Moment, speed: f64, here: &Estimate) -> (f64, Option<Alarm>, Option<Alarm>) {
         let settings = self.tracker.settings();
         if self.stuck {
-            return (0.0, Some(Alarm::SlideStuck));
+            return (0.0, Some(Alarm::SlideStuck), None);
         }
         let stroke = DVec2::new(self.slides[0].limits().stroke_mm, self.slides[1].limits().stroke_mm);
         let fastest = RESERVE * DVec2::new(self.slides[0].limits().speed, self.slides[1].limits().speed);
@@ -259,6 +262,7 @@ impl HeadTracking {
         let blind = self.cause(now).is_some();
         let never = self.begun.filter(|_| self.taken.is_none());
         let lost = settings.coast_mm() + settings.fade_mm;
+        let carried = if needed > 1.0 { Some(Alarm::Slowed) } else { (reach > RESERVE).then_some(Alarm::NearStroke) };
         let alarm = match here.sight {
             Sight::Lost => Alarm::Lost,
             _ if never.is_some_and(|(_, from)| now.s_mm - from > lost) => Alarm::Lost,
@@ -267,9 +271,10 @@ impl HeadTracking {
             Sight::Unseen if self.taken.is_some() => Alarm::Unknown,
             Sight::Coasted => Alarm::Coasting,
             _ if blind => Alarm::Blind,
-            _ if needed > 1.0 => Alarm::Slowed,
-            _ if reach > RESERVE => Alarm::NearStroke,
-            _ => return (pace, None),
+            _ => match carried {
+                Some(alarm) => alarm,
+                None => return (pace, None, None),
+            },
         };
         // The nearer to its end, the slower: time for the operator.
         pace = pace.min(1.0 - (1.0 - FADING_SPEED) * ((reach - RESERVE) / (1.0 - RESERVE)).clamp(0.0, 1.0));
@@ -278,6 +283,6 @@ impl HeadTracking {
             Alarm::FadingOut => pace = pace.min(FADING_SPEED),
             _ => {}
         }
-        (pace, Some(alarm))
+        (pace, Some(alarm), carried)
     }
 }
