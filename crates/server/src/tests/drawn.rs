@@ -125,7 +125,7 @@ async fn a_plan_says_what_bounds_it() {
 async fn what_cannot_be_welded_is_drawn() {
     let bench = Bench::new(&[HOST]).await;
     let owner = bench.owner().await;
-    for name in ["first-weld.toml", "points.toml", "radiator.toml", "weave.toml"] {
+    for name in ["first-weld.toml", "points.toml", "radiator.toml", "spline.toml"] {
         let text = example(&bench, &owner, name).await;
         let speed = text.lines().find(|line| line.starts_with("speed_mm_s = "));
         // In points it is the last of their numbers.
