@@ -23,9 +23,12 @@ export function replaced(text: string, at: { from: number; to: number }, by: str
   return text.slice(0, at.from) + by + text.slice(at.to);
 }
 
-/** The entry that a path as the cell writes it, `passes[0].spans[1].speed_mm_s`, is or is in; none for what is not there. */
+/** A path as the cell writes it, `passes[0].spans[1].speed_mm_s`, as tables are called here: `passes.0.spans.1.speed_mm_s`. */
+export const dotted = (path: string): string => path.replace(/\[(\d+)\]/g, '.$1');
+
+/** The entry that a path of the cell's is or is in; none for what is not there. */
 export function entryAt(entries: Entry[], path: string): Entry | null {
-  const wanted = `${path.replace(/\[(\d+)\]/g, '.$1')}.`;
+  const wanted = `${dotted(path)}.`;
   const of = (entry: Entry): string => `${entry.table === '' ? '' : `${entry.table}.`}${entry.key}.`;
   const found = entries.filter((entry) => wanted.startsWith(of(entry)));
   return found.sort((a, b) => of(b).length - of(a).length)[0] ?? null;

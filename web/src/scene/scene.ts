@@ -184,8 +184,7 @@ export class Scene {
     if (name !== this.fitted && this.machine) {
       this.fitted = name;
       this.wide = true;
-      this.view('fit');
-      this.wide = true;
+      this.show('fit', this.box());
     }
     this.prepare();
   }
@@ -270,7 +269,10 @@ export class Scene {
   view(view: View): void {
     this.wide = view !== 'fit' || !this.wide;
     const all = view === 'fit' && this.wide ? everything(this.passes.group.children, this.parts, this.machineParts, this.zones) : null;
-    const box = all && !all.isEmpty() ? all : this.box();
+    this.show(view, all && !all.isEmpty() ? all : this.box());
+  }
+
+  private show(view: View, box: Box3): void {
     const axis = this.status && new Vector3(...this.status.tip.slice(3)).transformDirection(this.place().matrixWorld);
     const { at, from, away } = look(view, box, this.camera, axis && { at: this.torch.place(), axis });
     this.controls.target.copy(at);
