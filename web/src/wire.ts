@@ -437,9 +437,13 @@ key: string,
  */
 group: string, 
 /**
- * Its value; none: what is assumed without it.
+ * Its value; none: it is not there.
  */
-value: number | null, };
+value: number | null, 
+/**
+ * What holds without it; none: nothing does, as there is no drive, or one mass instead of two.
+ */
+without: number | null, };
 
 /**
  * A torch, beam or laser.

@@ -64,6 +64,21 @@ pub struct Drive {
     pub backlash_compensation: Option<BacklashCompensation>,
 }
 
+impl Drive {
+    /// Time constant of the current loop, s, if none is given.
+    pub const CURRENT_TIME_CONSTANT_S: f64 = 2e-4;
+}
+
+impl FrictionCompensation {
+    /// [`FrictionCompensation::smoothing`] as a part of the axis' highest speed, if none is given.
+    pub const SMOOTHING: f64 = 0.002;
+}
+
+impl BacklashCompensation {
+    /// [`BacklashCompensation::time_s`], if none is given.
+    pub const TIME_S: f64 = 0.02;
+}
+
 /// An elastic transmission with a gap; mm or rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transmission {

@@ -22,16 +22,16 @@ struct Slow {
 pub(crate) fn stop_findings(machine: &Machine, corners: &[Left], pass: &Pass, number: usize) -> Vec<Finding> {
     let cure = match pass.corner {
         _ if pass.weave.is_some() && pass.corner != AtCorner::Stop => {
-            "set weld.corner = \"stop\" to stop there with the arc on; or weave by pitch_mm instead of a frequency; or \
+            "set corner = \"stop\" to stop there with the arc on; or weave by pitch_mm instead of a frequency; or \
              round the seam off; or end the weld there and begin another after it"
         }
         AtCorner::Refuse => {
-            "set weld.corner = \"stop\" to stop there with the arc on, or weld.corner = { blend_mm = 0.2 } to go round \
+            "set corner = \"stop\" to stop there with the arc on, or corner = { blend_mm = 0.2 } to go round \
              within that distance of the seam; or round the seam off; or end the weld there and begin another after it"
         }
         AtCorner::Stop => "none needed: the torch stops at corners, as asked",
         AtCorner::BlendMm(_) => {
-            "set weld.corner = \"stop\" to stop at corners; or round the seam off; or end the weld there and begin \
+            "set corner = \"stop\" to stop at corners; or round the seam off; or end the weld there and begin \
              another after it"
         }
     };
@@ -126,7 +126,7 @@ fn too_slow_in(planned: Planned, least: f64, slow: &Slow, pass: usize) -> Findin
     let (why, cure) = match bound.and_then(|i| Binding::new(machine, i.bound)) {
         _ if stops => (
             "it stops at a corner there".to_owned(),
-            "set weld.corner = { blend_mm = 0.2 } to go round corners within that distance of the seam".to_owned(),
+            "set corner = { blend_mm = 0.2 } to go round corners within that distance of the seam".to_owned(),
         ),
         Some(binding) => (
             format!("{} with {} does not allow more", binding.whose(), binding.limit()),

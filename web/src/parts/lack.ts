@@ -1,11 +1,11 @@
 import type { LackView } from '../wire';
-import { about, alarmTitle, named, t } from '../words/index.svelte';
+import { about, alarmTitle, named, said, t } from '../words/index.svelte';
 import { en, type Key } from '../words/en';
 
 /** A lack in the chosen language, with the names in it; keys without words keep those of the cell. */
 export function lackText(lack: LackView): string {
   const key = `lack.${lack.key}`;
-  if (!(key in en)) return lack.text;
+  if (!(key in en)) return said(lack.text);
   const names = lack.of.map((name, i) => {
     if (lack.key === 'mode') return named('mode', name.replaceAll(' ', '_'));
     // The alarm, and which condition or axis it is about.

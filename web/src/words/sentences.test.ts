@@ -1,6 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
-import { ofJobs, ofWelds, rows, sentence } from './sentences';
+import { ofAnswers, ofJobs, ofWelds, rows, sentence } from './sentences';
 
 /** All strings of crates, with holes for whatever stands in them; a line that ends in a backslash goes on. */
 const sources = (crates: string[]): string => crates.flatMap((crate) => {
@@ -34,9 +34,42 @@ describe('sentences of plans', () => {
     expect(pieces.map(bare).filter((piece) => !mine.includes(piece) && !texts.includes(`"${piece}"`))).toEqual([]);
   });
 
+  test('of answers are those of the cell', () => {
+    const texts = sources(['server', 'project', 'post', 'record', 'program', 'geometry', 'machine', 'document']);
+    // How an answer is put together, and what only names or numbers go into.
+    const pieces = ofAnswers.map(([en]) => en).filter((en) => !/^\{\d\}[;:\n] *(allowed|cure): \{\d\}$/.test(en) && !/#\}/.test(en));
+    expect(pieces.length).toBeGreaterThan(150);
+    const words = (text: string): string => bare(text).replace(/\n/g, '\\n').replace(/; allowed: .*$/, '');
+    expect(pieces.filter((piece) => !words(piece).split('{}').every((part) => texts.includes(part.trim())))).toEqual([]);
+  });
+
+  test('every refusal of the panel\'s server has words', () => {
+    const folder = new URL('../../../crates/server/src/', import.meta.url);
+    const files = ['edit', 'hand', 'jobs', 'place', 'plan', 'restore', 'sensors', 'setup', 'socket', 'teach', 'turns', 'users'].map((name) => `http/${name}.rs`);
+    const texts = [...files, 'teaching/crawl.rs', 'teaching/mod.rs', 'teaching/state.rs', 'teaching/rig.rs', 'users/accounts.rs', 'cell/desk.rs']
+      .map((file) => readFileSync(new URL(file, folder), 'utf8').replace(/\\\n\s*/g, '').replace(/\\"/g, '\u0001'));
+    const refusals = /(?:Refused::(?:input|not_found|server)|Err|Trouble::new|refuse|lack|let text =|let why =)\(?(?:"busy", |"moving", |"work", |"mode", )?(?:format!\(\s*)?\s*"([^"]{12,})"/g;
+    const said = texts.flatMap((text) => [...text.matchAll(refusals)].map((m) => m[1] ?? ''));
+    expect(said.length).toBeGreaterThan(40);
+    // What no page of ours asks for, and what passes on what others said.
+    const foreign = /^(there is no (axis|dialect|column|parameter|language|head|sensor|`)|`7`? (has|is)|7|most=|probe_radius_mm|tip_mm|pitch_mm|point 7: feature|a touch is|a job without a picture)/;
+    const filled = said.map((text) => text.replaceAll('\u0001', '"').replace(/\{[^{}]*\}/g, '7')).flatMap((text) => (foreign.test(text) ? [] : text.split(/: allowed: |; allowed: |\\n {3}allowed: /)));
+    expect(filled.filter((text) => / \p{L}/u.test(text) && !foreign.test(text) && sentence(text, 'de') === text)).toEqual([]);
+  });
+
+  test('of answers are put together', () => {
+    expect(sentence('there are too many jobs; allowed: 1000', 'de')).toBe('es sind zu viele Aufträge; erlaubt: 1000');
+    expect(sentence('short.toml: cannot be removed: Permission denied (os error 13)', 'de')).toBe('short.toml: lässt sich nicht löschen: Permission denied (os error 13)');
+    expect(sentence('step 4 of pass "root": an arc of more than a turn\n   cure: make it several', 'de')).toBe('Schritt 4 von Lage "root": ein Bogen von mehr als einer Umdrehung\n   Abhilfe: mehrere daraus machen');
+    expect(sentence('too few points of the plane: 2, and at least 3 are needed; allowed: more points, spread over what they should tell, or another method', 'uk'))
+      .toBe('замало точок (площина): 2, а треба щонайменше 3; дозволено: більше точок, розподілених по тому, що вони мають показати, або інший спосіб');
+    expect(sentence('not seen: turning about the axis along (0, 0, 1) through (0, 0, 0) mm; left as it was', 'ru')).toBe('не видно: поворот вокруг оси вдоль (0, 0, 1) через (0, 0, 0) мм; оставлено как было');
+    expect(sentence('proven by reading back: 7 moves, rounding 1.0e-5; greatest deviations:', 'de')).toBe('durch Zurücklesen bewiesen: 7 Bewegungen, Rundung 1.0e-5; größte Abweichungen:');
+  });
+
   test('have the same holes in every language', () => {
-    for (const row of [...rows, ...ofJobs]) for (const text of row) expect(holes(text), text).toBe(holes(row[0]));
-    for (const [en, ...others] of [...rows, ...ofJobs]) for (const text of others) expect(text.length, en).toBeGreaterThan(0);
+    for (const row of [...rows, ...ofJobs, ...ofAnswers]) for (const text of row) expect(holes(text), text).toBe(holes(row[0]));
+    for (const [en, ...others] of [...rows, ...ofJobs, ...ofAnswers]) for (const text of others) expect(text.length, en).toBeGreaterThan(0);
   });
 
   test('every finding and cure of the cell that is a sentence of its own has words', () => {
@@ -48,7 +81,7 @@ describe('sentences of plans', () => {
     // Numbers stand where the holes are.
     const filled = said.map((text) => text.replaceAll('\u0001', '"').replace(/\{[^{}]*\}/g, '7'));
     // Parts of sentences, and what names keys of files only.
-    const mine = ['set weld.corner = "stop" to stop there with the arc on; or weave', 'the 7 is 7', '7 is 7'];
+    const mine = ['set corner = "stop" to stop there with the arc on; or weave', 'the 7 is 7', '7 is 7'];
     const words = (text: string): boolean => /\p{L}{3}/u.test(text);
     expect(filled.filter((text) => words(text) && !mine.some((start) => text.startsWith(start)) && sentence(text, 'de') === text)).toEqual([]);
   });

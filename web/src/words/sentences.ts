@@ -1,3 +1,4 @@
+import answers from '../../../words/answers.json';
 import findings from '../../../words/findings.json';
 import notes from '../../../words/notes.json';
 import refusals from '../../../words/refusals.json';
@@ -16,5 +17,8 @@ export const ofWelds = notes as [string, string, string, string, string][];
 /** What is wrong with a job's text, and what is allowed. */
 export const ofJobs = refusals as [string, string, string, string, string][];
 
+/** Why the panel's server refuses what is asked of it, and what part programs are proven by. */
+export const ofAnswers = answers as [string, string, string, string, string][];
+
 /** A sentence of the cell in a language; what has no words here stays as it came. */
-export const sentence = matcher([...rows, ...ofWelds, ...ofJobs].map(ofRow));
+export const sentence = matcher([...rows, ...ofWelds, ...ofJobs, ...ofAnswers].map(ofRow));

@@ -8,10 +8,6 @@ use seamwright_document::{DocumentError, NonNegative, Positive};
 const NOTCHES: usize = 2;
 /// Damping of a resonance, if none is given: a steel structure with guides.
 const DAMPING: f64 = 0.02;
-/// Set speed at which the friction fed forward has risen to 76 %, as a part of the highest speed, if none is given.
-const SMOOTHING: f64 = 0.002;
-/// Time that a reversal is spread over, s, if none is given.
-const REVERSAL_S: f64 = 0.02;
 
 /// The keys of one kind of axis, in mm or degrees; the others have to be absent.
 #[derive(PartialEq)]
@@ -107,7 +103,7 @@ pub(super) fn drive(file: &File, axis: &Axis, d: &DriveFile) -> Result<Drive, Do
         force_limit: table.limit(peak.get())?,
         encoder_counts_per_unit: 1.0 / axis.from_file(1.0 / counts.get()),
         velocity_bandwidth_hz: d.velocity_bandwidth_hz.get(),
-        current_time_constant_s: d.current_time_constant_ms.map_or(2e-4, |t| t.get() * 1e-3),
+        current_time_constant_s: d.current_time_constant_ms.map_or(Drive::CURRENT_TIME_CONSTANT_S, |t| t.get() * 1e-3),
         current_delay_s: d.current_delay_ms.map_or(0.0, |t| t.get() * 1e-3),
         transmission: table.transmission()?,
         gains: table.gains(),
@@ -218,7 +214,7 @@ impl Table<'_> {
             }
             (force, smoothing) => Ok(force.map(|force| FrictionCompensation {
                 force: force.get(),
-                smoothing: smoothing.map_or(SMOOTHING * self.axis.max_speed, |v| self.axis.from_file(v.get())),
+                smoothing: smoothing.map_or(FrictionCompensation::SMOOTHING * self.axis.max_speed, |v| self.axis.from_file(v.get())),
             })),
         }
     }
@@ -232,7 +228,7 @@ impl Table<'_> {
             }
             (width, time) => Ok(width.map(|width| BacklashCompensation {
                 width: self.axis.from_file(width.get()),
-                time_s: time.map_or(REVERSAL_S, |t| t.get() * 1e-3),
+                time_s: time.map_or(BacklashCompensation::TIME_S, |t| t.get() * 1e-3),
             })),
         }
     }

@@ -50,8 +50,8 @@ fn a_corner_is_refused_with_both_choices_unless_the_pass_says_what_to_do() {
     let stops = of_kind(&found, "stop");
     assert_eq!(stops.len(), 1, "{found:#?}");
     assert!(!stops[0].allowed && (stops[0].from_mm - 40.0).abs() < 1e-9);
-    assert!(stops[0].cure.contains("weld.corner = \"stop\""), "{}", stops[0].cure);
-    assert!(stops[0].cure.contains("weld.corner = { blend_mm = 0.2 }"), "{}", stops[0].cure);
+    assert!(stops[0].cure.contains("corner = \"stop\""), "{}", stops[0].cure);
+    assert!(stops[0].cure.contains("corner = { blend_mm = 0.2 }"), "{}", stops[0].cure);
 }
 
 #[test]

@@ -4,6 +4,7 @@ use crate::wire::EditAnswer;
 use axum::Json;
 use axum::extract::State;
 use seamwright_program::edit::{Editor, Operation};
+use seamwright_document::DocumentError;
 use serde::Deserialize;
 use std::sync::Arc;
 
@@ -23,11 +24,17 @@ pub(super) async fn edit(State(panel): State<Arc<Panel>>, Json(edit): Json<Edit>
         if edit.operations.len() > MOST {
             return Err(Refused::input(format!("too many operations; allowed: up to {MOST} at once")));
         }
-        let mut editor = Editor::new("job.toml", &edit.text).map_err(|e| Refused::input(e.to_string()))?;
-        let reports =
-            editor.apply_all(&edit.operations).map_err(|(i, e)| Refused::input(format!("operation {}: {e}", i + 1)))?;
+        let mut editor = Editor::new("job.toml", &edit.text).map_err(|e| refused(&e))?;
+        let reports = editor.apply_all(&edit.operations).map_err(|(_, e)| refused(&e))?;
         let words = reports.into_iter().map(|report| report.words).collect();
         Ok(EditAnswer { text: editor.text().to_owned(), words })
     });
     edited.await.map(Json)
+}
+
+/// What is wrong, without the line: it is of a text that nobody sees, the operations' or what they would have made.
+fn refused(e: &DocumentError) -> Refused {
+    let of = if e.value.is_empty() { String::new() } else { format!("{} = {}: ", e.key, e.value) };
+    let allowed = e.allowed.as_ref().map(|allowed| format!("; allowed: {allowed}"));
+    Refused::input(format!("{of}{}{}", e.message, allowed.unwrap_or_default()))
 }

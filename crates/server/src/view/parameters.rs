@@ -1,7 +1,8 @@
 use crate::wire::{AxisParameters, HeadView, ParameterView, ParametersView};
-use seamwright_machine::{AxisKind, Machine};
+use seamwright_machine::{Axis, AxisKind, BacklashCompensation, Drive, FrictionCompensation, Machine};
 use seamwright_project::Failure;
 use seamwright_project::own_machine::{OwnMachine, Step};
+use seamwright_servo::Gains;
 
 use AxisKind::{Linear, Rotary};
 
@@ -61,7 +62,8 @@ pub(crate) fn parameters_view(own: &OwnMachine, machine: &Machine) -> Result<Par
         let values = keys.iter().zip(groups).zip(of_axis.into_iter().zip(of_drive));
         let values = values.map(|((key, group), (of_axis, of_drive))| {
             let value = if group == "axis" { of_axis } else { of_drive };
-            ParameterView { key: (*key).to_owned(), group: group.to_owned(), value }
+            let without = without(axis, key, machine.servo_period_s);
+            ParameterView { key: (*key).to_owned(), group: group.to_owned(), value, without }
         });
         let notches = axis.drive.as_ref().map_or(&[][..], |drive| &drive.notches);
         axes.push(AxisParameters {
@@ -75,4 +77,95 @@ pub(crate) fn parameters_view(own: &OwnMachine, machine: &Machine) -> Result<Par
     let head = |head: &seamwright_machine::Head| HeadView { name: head.name.clone(), tip_mm: head.tip.to_array() };
     let heads = machine.heads.iter().map(head).collect();
     Ok(ParametersView { machine: machine.title.clone(), file: String::new(), pending: false, axes, heads })
+}
+
+/// What holds where the machine file has no such number, in its units.
+fn without(axis: &Axis, key: &str, period_s: f64) -> Option<f64> {
+    match key {
+        "home_mm" | "home_deg" => return Some(0.0),
+        "max_jerk_mm_s3" | "max_jerk_deg_s3" => {
+            return Some(axis.to_file(Axis { max_jerk: f64::INFINITY, ..axis.clone() }.jerk()));
+        }
+        _ => {}
+    }
+    let drive = axis.drive.as_ref()?;
+    // Gains that are not given are 0 beside others that are.
+    let gains = match drive.gains {
+        None => Gains::suggested(drive.velocity_bandwidth_hz, period_s),
+        Some(_) => Gains { kp: 0.0, ki: 0.0, kd: 0.0, kvff: 0.0, kaff: 0.0 },
+    };
+    match key {
+        "kp_per_s" => Some(gains.kp),
+        "ki_per_s2" => Some(gains.ki),
+        "kd" => Some(gains.kd),
+        "kvff" => Some(gains.kvff),
+        "kaff_s" => Some(gains.kaff),
+        "force_limit_n" | "torque_limit_n_m" => Some(drive.load.peak),
+        "current_time_constant_ms" => Some(1e3 * Drive::CURRENT_TIME_CONSTANT_S),
+        "friction_smoothing_mm_s" | "friction_smoothing_deg_s" => {
+            drive.friction_compensation.map(|_| axis.to_file(FrictionCompensation::SMOOTHING * axis.max_speed))
+        }
+        "backlash_compensation_ms" => drive.backlash_compensation.map(|_| 1e3 * BacklashCompensation::TIME_S),
+        "current_delay_ms" | "friction_n" | "friction_n_m" | "viscous_n_s_m" | "viscous_n_m_s_rad" => Some(0.0),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use seamwright_machine::SHIPPED;
+    use seamwright_project::own_machine::Setting;
+
+    /// What an axis does, whatever its file says of it.
+    fn acts(axis: &Axis) -> Vec<f64> {
+        let mut all = vec![axis.home, axis.jerk()];
+        let Some(d) = &axis.drive else { return all };
+        all.extend([d.load.inertia, d.load.peak, d.load.coulomb, d.load.viscous, d.force_limit.unwrap_or(d.load.peak)]);
+        all.extend([d.velocity_bandwidth_hz, d.current_time_constant_s, d.current_delay_s]);
+        all.extend(d.gains.iter().flat_map(|g| [g.kp, g.ki, g.kd, g.kvff, g.kaff]));
+        all.extend(d.friction_compensation.iter().flat_map(|f| [f.force, f.smoothing]));
+        all.extend(d.backlash_compensation.iter().flat_map(|b| [b.width, b.time_s]));
+        all
+    }
+
+    /// Written down, what holds without a number changes nothing.
+    #[test]
+    fn what_holds_without_a_number_is_told() {
+        let mut told = 0;
+        for shipped in SHIPPED {
+            let own = |text: String| OwnMachine { path: "machine.toml".into(), text };
+            // Both compensations are on, so that what belongs to them is.
+            let mut of = own(shipped.text.to_owned());
+            let machine = of.check(&of.text).unwrap();
+            for axis in machine.axes.iter().filter(|axis| axis.drive.is_some()) {
+                let keys = match axis.kind {
+                    Linear => ["friction_compensation_n", "backlash_compensation_mm"],
+                    Rotary => ["friction_compensation_n_m", "backlash_compensation_deg"],
+                };
+                let table = [Step::Table("drives"), Step::Table(&axis.name)];
+                of = own(of.with(&table, &keys.map(|key| (key, Setting::Number(Some(0.5))))).unwrap());
+            }
+            let machine = of.check(&of.text).unwrap();
+            let view = parameters_view(&of, &machine).unwrap();
+            for (i, axis) in view.axes.iter().enumerate() {
+                let is_gain = |key: &str| ["kp_per_s", "ki_per_s2", "kd", "kvff", "kaff_s"].contains(&key);
+                let missing = axis.values.iter().filter(|v| v.value.is_none() && !is_gain(&v.key));
+                for (key, group, value) in missing.filter_map(|v| Some((&v.key, &v.group, v.without?))) {
+                    let table = match group.as_str() {
+                        "axis" => of.axis_table(&axis.name).unwrap(),
+                        _ => vec![Step::Table("drives"), Step::Table(&axis.name)],
+                    };
+                    let text = of.with(&table, &[(key, Setting::Number(Some(value)))]).unwrap();
+                    let (before, after) = (acts(&machine.axes[i]), acts(&of.check(&text).unwrap().axes[i]));
+                    assert_eq!(before.len(), after.len());
+                    for (a, b) in before.iter().zip(&after) {
+                        assert!((a - b).abs() <= 1e-12 * a.abs(), "{} {} {key}: {a} {b}", shipped.name, axis.name);
+                    }
+                    told += 1;
+                }
+            }
+        }
+        assert!(told > 60, "{told}");
+    }
 }

@@ -48,8 +48,10 @@ pub struct ParameterView {
     pub key: String,
     /// `axis`, `loop`, `feedforward`, `mechanics`.
     pub group: String,
-    /// Its value; none: what is assumed without it.
+    /// Its value; none: it is not there.
     pub value: Option<f64>,
+    /// What holds without it; none: nothing does, as there is no drive, or one mass instead of two.
+    pub without: Option<f64>,
 }
 
 /// `PUT /api/parameters`: numbers of an axis and its drive, all checked as the loader checks them.
