@@ -46,6 +46,11 @@ test('a held dry run is jogged from and gone on with', options, async () => {
   await one.waitForFunction(() => /Pass 1\s+s \d/.test(document.querySelector('.passes')?.textContent ?? ''), null, { timeout: 60_000 });
   const again = await axis(one, 'theta');
   assert.ok(again > theta - 1.5, `it goes on where it was left: ${theta}, ${again}`);
+  // Left for good.
+  await press(one, /Hold/);
+  await mode(one, 'hold');
+  await press(one, /^Abort/);
   await mode(one, 'ready');
+  assert.ok(await one.getByRole('button', { name: /^Abort/ }).isDisabled(), 'there is nothing to abort');
   quiet(one);
 });

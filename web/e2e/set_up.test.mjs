@@ -86,6 +86,7 @@ test('a drive is set as the loader allows, and in force with the next loading', 
   await page('Axes and drives');
   await one.getByRole('group', { name: 'Axis' }).getByRole('button', { name: 's', exact: true }).click();
   const gain = one.getByLabel(/Proportional gain/);
+  assert.match(await one.getByLabel(/Dead time of the current/).getAttribute('placeholder'), /^[\d.]+$/, 'what holds without a number');
   await gain.fill('-1');
   await one.getByRole('button', { name: 'Keep', exact: true }).click();
   await one.getByRole('alert').filter({ hasText: 'kp_per_s' }).waitFor();

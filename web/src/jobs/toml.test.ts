@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { pointPasses } from './points';
-import { entryAt, read, replaced } from './toml';
+import { entryAt, itemAt, read, replaced } from './toml';
 
 const examples = new URL('../../../examples/', import.meta.url);
 
@@ -92,5 +92,10 @@ points = [[7, 8, 0]]
     expect(at('passes[1].name')).toBeUndefined();
     expect(at('weld')).toBeUndefined();
     expect(at('')).toBeUndefined();
+    const item = (path: string): string | null | undefined => { const entry = entryAt(entries, path); return entry && itemAt(entry, path); };
+    expect(item('a')).toBeNull();
+    expect(item('passes[1].spans[0].move')).toBeNull();
+    expect(item('passes[1].spans[0].move[1]')).toBe('1');
+    expect(item('passes[1].spans[0].process.current')).toBe('current');
   });
 });

@@ -34,6 +34,12 @@ export function entryAt(entries: Entry[], path: string): Entry | null {
   return found.sort((a, b) => of(b).length - of(a).length)[0] ?? null;
 }
 
+/** What in an entry a path of the cell's is: a number from 0 in a list, a key in a table; none if it is the entry. */
+export function itemAt(entry: Entry, path: string): string | null {
+  const whole = `${entry.table === '' ? '' : `${entry.table}.`}${entry.key}.`;
+  return dotted(path).slice(whole.length).split('.')[0] || null;
+}
+
 class Reader {
   private at = 0;
   private line = 1;

@@ -36,6 +36,11 @@ export function canHold(mode: string | null): boolean {
   return mode !== null && ['homing', 'jog', 'teach', 'dry_run', 'weld'].includes(mode);
 }
 
+/** True where something runs or waits to go on, so that it can be left where it is. */
+export function canAbort(mode: string | null): boolean {
+  return canHold(mode) || mode === 'hold';
+}
+
 /** The command that an operator most likely wants next, and which the checklist is about. */
 export function next(mode: string | null): Order | null {
   switch (mode) {
