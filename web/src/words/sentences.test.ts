@@ -27,11 +27,13 @@ describe('sentences of plans', () => {
   test('of jobs are those of the cell', () => {
     const texts = sources(['document', 'program', 'weld', 'project', 'geometry']);
     // What the TOML reader says itself, and what stands in a longer text of ours.
-    const mine = ['invalid value: {}', 'invalid type: {}', 'the direction has no length', 'three numbers that are not all 0'];
+    const mine = ['invalid value: {}', 'invalid type: {}', 'a table'];
+    // Others stand within a text: `copies[2] has this name already`, `it is none, expected one`.
+    const within = (piece: string): boolean => texts.includes(`"${piece}"`) || texts.includes(`${piece}, expected `) || texts.includes(`, expected ${piece}"`) || (piece.startsWith('{} ') && texts.includes(`${piece.slice(2)}"`));
     // What is only numbers but for its words is written in many ways.
-    const pieces = ofJobs.map(([en]) => en).filter((piece) => !piece.includes('#}'));
-    expect(pieces.length).toBeGreaterThan(70);
-    expect(pieces.map(bare).filter((piece) => !mine.includes(piece) && !texts.includes(`"${piece}"`))).toEqual([]);
+    const pieces = ofJobs.map(([en]) => en).filter((piece) => !piece.includes('#}') || (!piece.startsWith('more than') && piece.replace(/\{.*?\}/g, '').trim().split(' ').length > 3));
+    expect(pieces.length).toBeGreaterThan(280);
+    expect(pieces.map(bare).filter((piece) => !mine.includes(piece) && !within(piece))).toEqual([]);
   });
 
   test('of answers are those of the cell', () => {
