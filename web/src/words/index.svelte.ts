@@ -20,7 +20,6 @@ const FILES: Record<Exclude<Language, 'en'>, () => Promise<Tongue>> = {
   ru: () => import('./ru').then((of) => ({ table: of.ru, alarms: of.alarms })),
 };
 const tongues: Partial<Record<Language, Tongue>> = { en: { table: en, alarms: {} } };
-let sentence = (text: string, _: Language, __: (text: string) => string): string => text;
 const KEPT = 'seamwright.language';
 
 function first(): Language {
@@ -30,6 +29,8 @@ function first(): Language {
 
 class Words {
   language = $state<Language>('en');
+  /** Says a sentence of the cell's in a language; they come after the panel's own words, which nothing waits for longer. */
+  sentence = $state.raw((text: string, _: Language, __: (text: string) => string): string => text);
 
   /** The language that was chosen here, or the browser's. */
   async begin(): Promise<void> {
@@ -44,9 +45,11 @@ class Words {
   /** From now on; if its words do not come, it stays as it was. */
   private async speak(language: Language): Promise<void> {
     if (language !== 'en') {
-      const got = await Promise.all([FILES[language](), import('./sentences')]).catch(() => null);
+      const got = await FILES[language]().catch(() => null);
       if (!got) return;
-      [tongues[language], sentence] = [got[0], got[1].sentence];
+      tongues[language] = got;
+      // Without them the cell's sentences are shown as they came.
+      import('./sentences').then((of) => (this.sentence = of.sentence), () => {});
     }
     this.language = language;
     if (typeof document !== 'undefined') document.documentElement.lang = language;
@@ -77,7 +80,7 @@ export function titled(title: string): string {
 
 /** A sentence that the cell said of a plan or a weld, in the chosen language; what has no words is shown as it came. */
 export function said(text: string): string {
-  return sentence(text, words.language, alarmTitle);
+  return words.sentence(text, words.language, alarmTitle);
 }
 
 /** What the note of a weld says, sentence by sentence. */
