@@ -19,12 +19,13 @@ const literal = (text: string): string => text.replace(/[.*+?^${}()|[\]\\]/g, '\
  * sentence: names of alarms, of modes, and gives anything else back.
  */
 export function matcher(patterns: readonly Pattern[]): (text: string, language: Language, word?: (text: string) => string) => string {
-  const compiled = patterns.map(([en, of]) => {
+  const whole = new Map(patterns.filter(([en]) => !/\{\d|\|/.test(en)));
+  const compiled = patterns.filter(([en]) => !whole.has(en)).map(([en, of]) => {
     const text = en.replaceAll('|', '');
     const parts = text.split(/\{\d[=#]?\}/).map(literal);
     const holes = [...text.matchAll(HOLE)].map((hole) => ({ number: hole[1] ?? '', name: hole[2] !== '', is: hole[2] === '#' ? NUMBER : '(.*?)' }));
-    const whole = parts.map((part, i) => `${i > 0 ? (holes[i - 1]?.is ?? '') : ''}${part}`).join('');
-    return { of, holes, said: parts.join('').length, pattern: new RegExp(`^${whole}$`, 's') };
+    const all = parts.map((part, i) => `${i > 0 ? (holes[i - 1]?.is ?? '') : ''}${part}`).join('');
+    return { of, holes, said: parts.join('').length, pattern: new RegExp(`^${all}$`, 's') };
   });
   // Those that say most come first: a pattern of few words fits much.
   compiled.sort((a, b) => b.said - a.said || a.holes.length - b.holes.length);
@@ -33,6 +34,8 @@ export function matcher(patterns: readonly Pattern[]): (text: string, language: 
     if (language === 'en' || text === '') return text;
     const own = word(text);
     if (own !== text) return own;
+    const same = whole.get(text);
+    if (same) return same(language);
     for (const { of, holes, pattern } of compiled) {
       const found = pattern.exec(text);
       if (!found) continue;

@@ -1,6 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
-import { ofAnswers, ofJobs, ofWelds, rows, sentence } from './sentences';
+import { read } from '../jobs/toml';
+import { ofAnswers, ofFiles, ofJobs, ofWelds, rows, sentence } from './sentences';
 
 /** All strings of crates, with holes for whatever stands in them; a line that ends in a backslash goes on. */
 const sources = (crates: string[]): string => crates.flatMap((crate) => {
@@ -34,6 +35,20 @@ describe('sentences of plans', () => {
     const pieces = ofJobs.map(([en]) => en).filter((piece) => !piece.includes('#}') || (!piece.startsWith('more than') && piece.replace(/\{.*?\}/g, '').trim().split(' ').length > 3));
     expect(pieces.length).toBeGreaterThan(280);
     expect(pieces.map(bare).filter((piece) => !mine.includes(piece) && !within(piece))).toEqual([]);
+  });
+
+  test('comments and titles of the files that ship are all there, and no others', () => {
+    const files = (folder: string): string[] => {
+      const at = new URL(`../../../${folder}/`, import.meta.url);
+      return readdirSync(at).filter((name) => name.endsWith('.toml')).map((name) => readFileSync(new URL(name, at), 'utf8'));
+    };
+    const comments = [...files('examples'), ...files('examples/procedures')].flatMap((text) => read(text).map((entry) => entry.comment));
+    const titles = [...files('machines'), ...files('examples/procedures')].map((text) => /^title = "(.*)"$/m.exec(text)?.[1] ?? '');
+    const shipped = new Set([...comments, ...titles].filter((text) => text !== ''));
+    const known = ofFiles.map(([en]) => en);
+    expect([...shipped].filter((text) => !known.includes(text))).toEqual([]);
+    expect(known.filter((text) => !shipped.has(text))).toEqual([]);
+    expect(new Set(known).size).toBe(known.length);
   });
 
   test('of answers are those of the cell', () => {

@@ -1,5 +1,6 @@
 import answers from '../../../words/answers.json';
 import findings from '../../../words/findings.json';
+import hints from '../../../words/hints.json';
 import notes from '../../../words/notes.json';
 import refusals from '../../../words/refusals.json';
 import { matcher, ofRow } from './patterns';
@@ -20,5 +21,8 @@ export const ofJobs = refusals as [string, string, string, string, string][];
 /** Why the panel's server refuses what is asked of it, and what part programs are proven by. */
 export const ofAnswers = answers as [string, string, string, string, string][];
 
+/** Comments and titles in the files that ship, whole: users' own stay as they are. */
+export const ofFiles = hints as [string, string, string, string, string][];
+
 /** A sentence of the cell in a language; what has no words here stays as it came. */
-export const sentence = matcher([...rows, ...ofWelds, ...ofJobs, ...ofAnswers].map(ofRow));
+export const sentence = matcher([...rows, ...ofWelds, ...ofJobs, ...ofAnswers, ...ofFiles].map(ofRow));
