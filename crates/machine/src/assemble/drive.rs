@@ -214,7 +214,8 @@ impl Table<'_> {
             }
             (force, smoothing) => Ok(force.map(|force| FrictionCompensation {
                 force: force.get(),
-                smoothing: smoothing.map_or(FrictionCompensation::SMOOTHING * self.axis.max_speed, |v| self.axis.from_file(v.get())),
+                smoothing: smoothing
+                    .map_or(FrictionCompensation::SMOOTHING * self.axis.max_speed, |v| self.axis.from_file(v.get())),
             })),
         }
     }

@@ -3,8 +3,8 @@ use super::panel::Panel;
 use crate::wire::EditAnswer;
 use axum::Json;
 use axum::extract::State;
-use seamwright_program::edit::{Editor, Operation};
 use seamwright_document::DocumentError;
+use seamwright_program::edit::{Editor, Operation};
 use serde::Deserialize;
 use std::sync::Arc;
 
