@@ -66,6 +66,12 @@ impl Follower {
             self.joint.end = End::LeftImage;
             return &self.joint;
         }
+        // A single row or column shows no joint, and there is nothing between its pixels.
+        if frame.width() < 2 || frame.height() < 2 {
+            self.joint.rows.clear();
+            self.joint.end = End::Lost;
+            return &self.joint;
+        }
         let looks = self.follow_in(Light::Given, frame, start, &inside);
         // A later frame is not to allocate.
         self.other.rows.reserve(self.joint.rows.capacity().saturating_sub(self.other.rows.len()));

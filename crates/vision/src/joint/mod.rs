@@ -17,6 +17,7 @@ mod midline;
 mod parabola;
 mod profile;
 mod readings;
+mod sample;
 mod strip;
 mod trail;
 

@@ -1,5 +1,6 @@
 use super::axis::Station;
-use super::levels::{Grey, OF_16_BITS, Picture};
+use super::levels::{Grey, Picture};
+use super::sample::{Pixel, Sampler};
 use std::ops::Range;
 
 /// Columns of a strip.
@@ -66,63 +67,6 @@ pub(super) fn greatest<const N: usize>(line: &[f32; N]) -> f32 {
     lanes.into_iter().fold(f32::MIN, greater)
 }
 
-/// Places within a row are counted in these parts of a pixel.
-const PARTS: f32 = 65536.0;
-
-/// Grey values of a row that lies within the picture.
-fn inside<P: Copy>(line: &mut Line, station: &Station, (pixels, width): (&[P], usize), grey: impl Fn(P) -> f32) {
-    let [cos, sin] = station.tangent;
-    let [x0, y0] = station.beside(-(MID as f32)).map(|v| (v * PARTS) as i32);
-    let (step_x, step_y) = ((-sin * PARTS) as i32, (cos * PARTS) as i32);
-    // Each pixel that has others to its right and below, and those: of one length, so that one check is enough for all.
-    let count = pixels.len() - width - 1;
-    let all = [0, 1, width, width + 1].map(|from| &pixels[from..from + count]);
-    // First fetched, then mixed: mixing is done for several columns at a time.
-    let mut four = [[pixels[0]; COLS]; 4];
-    let (mut x, mut y) = (x0, y0);
-    for j in 0..COLS {
-        let at = (y as u32 >> 16) as usize * width + (x as u32 >> 16) as usize;
-        for (values, from) in four.iter_mut().zip(all) {
-            values[j] = from[at];
-        }
-        (x, y) = (x + step_x, y + step_y);
-    }
-    let (mut x, mut y) = (x0, y0);
-    for (j, value) in line.iter_mut().enumerate() {
-        let part = |v: i32| (v & 0xffff) as f32 * (1.0 / PARTS);
-        let (u, v) = (part(x), part(y));
-        let [a, b, c, d] = [grey(four[0][j]), grey(four[1][j]), grey(four[2][j]), grey(four[3][j])];
-        let (upper, lower) = (a + u * (b - a), c + u * (d - c));
-        *value = upper + v * (lower - upper);
-        (x, y) = (x + step_x, y + step_y);
-    }
-}
-
-/// Grey values of a row that touches the picture's rim, beyond which the rim goes on.
-fn at_rim<P: Copy>(line: &mut Line, station: &Station, picture: &Picture, pixels: &[P], grey: impl Fn(P) -> f32) {
-    let (width, height) = (picture.width, picture.height);
-    let (right, bottom) = ((width - 1) as f32, (height - 1) as f32);
-    let mut four = [[pixels[0]; COLS]; 4];
-    let (mut across, mut along) = ([0.0; COLS], [0.0; COLS]);
-    for j in 0..COLS {
-        let [x, y] = station.beside(j as f32 - MID as f32);
-        let (x, y) = (lesser(greater(x, 0.0), right), lesser(greater(y, 0.0), bottom));
-        let (left, top) = (x as usize, y as usize);
-        (across[j], along[j]) = (x - left as f32, y - top as f32);
-        let (next, down) = (usize::from(left + 1 < width), if top + 1 < height { width } else { 0 });
-        let at = top * width + left;
-        for (values, to) in four.iter_mut().zip([0, next, down, down + next]) {
-            values[j] = pixels[at + to];
-        }
-    }
-    for (j, value) in line.iter_mut().enumerate() {
-        let (u, v) = (across[j], along[j]);
-        let [a, b, c, d] = [grey(four[0][j]), grey(four[1][j]), grey(four[2][j]), grey(four[3][j])];
-        let (upper, lower) = (a * (1.0 - u) + b * u, c * (1.0 - u) + d * u);
-        *value = upper * (1.0 - v) + lower * v;
-    }
-}
-
 /// How much darker the box of `HALF` columns to both sides of each column is than boxes beside it, of the sum of `count`
 /// rows. The lighter one of two boxes on a side counts (a scratch or the foot of a step beside the joint does no
 /// harm), and the darker side.
@@ -167,30 +111,16 @@ impl Strip {
     /// Unrolls `picture` along `stations`.
     pub(super) fn unroll(&mut self, picture: &Picture, stations: impl ExactSizeIterator<Item = Station>) {
         match picture.grey {
-            Grey::U8(pixels) => self.rows(picture, pixels, f32::from, stations),
-            Grey::U16(pixels) => self.rows(picture, pixels, |p| f32::from(p) * (1.0 / OF_16_BITS), stations),
-            Grey::F32(pixels) => self.rows(picture, pixels, |p| p, stations),
+            Grey::U8(pixels) => self.rows(picture, pixels, stations),
+            Grey::U16(pixels) => self.rows(picture, pixels, stations),
+            Grey::F32(pixels) => self.rows(picture, pixels, stations),
         }
     }
 
-    fn rows<P: Copy>(
-        &mut self,
-        picture: &Picture,
-        pixels: &[P],
-        grey: impl Fn(P) -> f32 + Copy,
-        stations: impl ExactSizeIterator<Item = Station>,
-    ) {
-        let (right, bottom) = ((picture.width - 1) as f32, (picture.height - 1) as f32);
+    fn rows<P: Pixel>(&mut self, picture: &Picture, pixels: &[P], stations: impl ExactSizeIterator<Item = Station>) {
         self.grey.resize(stations.len(), [0.0; COLS]);
-        for (line, station) in self.grey.iter_mut().zip(stations) {
-            let ends = [0, COLS - 1].map(|j| station.beside(j as f32 - MID as f32));
-            let within = ends.iter().all(|[x, y]| *x > 0.5 && *y > 0.5 && *x < right - 0.5 && *y < bottom - 0.5);
-            if within {
-                inside(line, &station, (pixels, picture.width), grey);
-            } else {
-                at_rim(line, &station, picture, pixels, grey);
-            }
-        }
+        let mut sampler = Sampler::new(pixels, (picture.width, picture.height));
+        self.grey.iter_mut().zip(stations).for_each(|(line, station)| sampler.row(line, &station));
     }
 
     /// Depths for a joint of `width` pixels. No pixel counts for more than `most` grey values more or less than those before it

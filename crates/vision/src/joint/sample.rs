@@ -1,0 +1,125 @@
+//! Rows of grey values across a line, between pixels.
+
+use super::axis::Station;
+use super::levels::OF_16_BITS;
+use super::strip::{COLS, Line, MID, greater, lesser};
+
+/// Places within a row are counted in these parts of a pixel.
+const PARTS: f32 = 65536.0;
+/// No side of a picture is longer: products of numbers that are sure to be below it are fast.
+const LONGEST: u32 = 0x7fff;
+
+/// What a picture is made of.
+pub(super) trait Pixel: Copy {
+    /// Grey values, 0 to 255.
+    fn greys(pair: [Self; 2]) -> [f32; 2];
+}
+
+impl Pixel for u8 {
+    fn greys(pair: [Self; 2]) -> [f32; 2] {
+        // Taken apart as one number, several of them at a time.
+        let both = u16::from_le_bytes(pair);
+        [both & 0xff, both >> 8].map(f32::from)
+    }
+}
+
+impl Pixel for u16 {
+    fn greys(pair: [Self; 2]) -> [f32; 2] {
+        pair.map(|p| f32::from(p) * (1.0 / OF_16_BITS))
+    }
+}
+
+impl Pixel for f32 {
+    fn greys(pair: [Self; 2]) -> [f32; 2] {
+        pair
+    }
+}
+
+/// Unrolls rows of a picture of at least two by two pixels.
+pub(super) struct Sampler<'a, P> {
+    pixels: &'a [P],
+    width: usize,
+    right: f32,
+    bottom: f32,
+    /// The pixels around each column's place, first fetched, then mixed: mixing is done for several columns at a time.
+    upper: [[P; 2]; COLS],
+    lower: [[P; 2]; COLS],
+}
+
+impl<'a, P: Pixel> Sampler<'a, P> {
+    pub(super) fn new(pixels: &'a [P], (width, height): (usize, usize)) -> Self {
+        let none = [[pixels[0]; 2]; COLS];
+        let (right, bottom) = ((width - 1) as f32, (height - 1) as f32);
+        Self { pixels, width, right, bottom, upper: none, lower: none }
+    }
+
+    /// Grey values across `station`.
+    pub(super) fn row(&mut self, line: &mut Line, station: &Station) {
+        let (right, bottom) = (self.right - 0.5, self.bottom - 0.5);
+        let ends = [0, COLS - 1].map(|j| station.beside(j as f32 - MID as f32));
+        if ends.iter().all(|[x, y]| *x > 0.5 && *y > 0.5 && *x < right && *y < bottom) {
+            self.inside(line, station);
+        } else {
+            self.at_rim(line, station);
+        }
+    }
+
+    /// Fetches the pixels to the right of and below those at these places.
+    fn fetch(&mut self, at: &[u32; COLS]) {
+        // Those that have others to their right and below, and the others: of one length, so that one check is enough.
+        let (count, below) = (self.pixels.len() - self.width - 1, &self.pixels[self.width..]);
+        let [a, b, c, d] = [&self.pixels[..count], &self.pixels[1..=count], &below[..count], &below[1..=count]];
+        for ((upper, lower), at) in self.upper.iter_mut().zip(&mut self.lower).zip(at) {
+            let at = *at as usize;
+            (*upper, *lower) = ([a[at], b[at]], [c[at], d[at]]);
+        }
+    }
+
+    /// A row that lies within the picture.
+    fn inside(&mut self, line: &mut Line, station: &Station) {
+        let [cos, sin] = station.tangent;
+        let [x0, y0] = station.beside(-(MID as f32)).map(|v| (v * PARTS) as i32);
+        let [step_x, step_y] = [-sin, cos].map(|v| (v * PARTS) as i32);
+        let row = self.width as u32 & LONGEST;
+        let (mut at, mut x, mut y) = ([0; COLS], x0, y0);
+        for at in &mut at {
+            *at = (y as u32 >> 16 & LONGEST) * row + (x as u32 >> 16);
+            (x, y) = (x + step_x, y + step_y);
+        }
+        self.fetch(&at);
+        (x, y) = (x0, y0);
+        for (value, (upper, lower)) in line.iter_mut().zip(self.upper.iter().zip(&self.lower)) {
+            let [u, v] = [x, y].map(|v| (v & 0xffff) as f32 * (1.0 / PARTS));
+            let [[a, b], [c, d]] = [*upper, *lower].map(P::greys);
+            let (upper, lower) = (a + u * (b - a), c + u * (d - c));
+            *value = upper + v * (lower - upper);
+            (x, y) = (x + step_x, y + step_y);
+        }
+    }
+
+    /// A row that touches the picture's rim, beyond which the rim goes on.
+    fn at_rim(&mut self, line: &mut Line, station: &Station) {
+        let place = |j: usize| {
+            let [x, y] = station.beside(j as f32 - MID as f32);
+            let within = [lesser(greater(x, 0.0), self.right), lesser(greater(y, 0.0), self.bottom)];
+            // The last pixels have others before them only.
+            let [left, top] =
+                [lesser(within[0], self.right - 1.0), lesser(within[1], self.bottom - 1.0)].map(|v| v as u32);
+            ([left, top], [within[0] - left as f32, within[1] - top as f32])
+        };
+        let mut at = [0; COLS];
+        let mut parts = [[0.0; COLS]; 2];
+        for (j, at) in at.iter_mut().enumerate() {
+            let ([left, top], [u, v]) = place(j);
+            (parts[0][j], parts[1][j]) = (u, v);
+            *at = (top & LONGEST) * (self.width as u32 & LONGEST) + left;
+        }
+        self.fetch(&at);
+        for (j, (value, (upper, lower))) in line.iter_mut().zip(self.upper.iter().zip(&self.lower)).enumerate() {
+            let (u, v) = (parts[0][j], parts[1][j]);
+            let [[a, b], [c, d]] = [*upper, *lower].map(P::greys);
+            let (upper, lower) = (a * (1.0 - u) + b * u, c * (1.0 - u) + d * u);
+            *value = upper * (1.0 - v) + lower * v;
+        }
+    }
+}
