@@ -109,28 +109,26 @@ impl Lattice {
 
 /// The best way to each place of row after row, from the score `begin` of each way to begin.
 fn go<'a>(ways: impl Iterator<Item = (&'a Span, &'a mut Span)>, begin: Span) {
-    let mut score = begin;
+    // Between two columns out of reach: none of the others is a case of its own.
+    let mut score = [f32::MIN; SPAN + 2];
     for (i, (evidence, way)) in ways.enumerate() {
-        let before = score;
-        if i > 0 {
-            arrive(&before, &mut score);
-        }
-        score.iter_mut().zip(evidence).for_each(|(s, e)| *s += e);
-        *way = score;
+        let next: Span = if i == 0 {
+            std::array::from_fn(|j| begin[j] + evidence[j])
+        } else {
+            std::array::from_fn(|j| arrive(score[j], score[j + 1], score[j + 2]) + evidence[j])
+        };
+        score[1..=SPAN].copy_from_slice(&next);
+        *way = next;
     }
+}
+
+/// The best that leads to a place from the columns to the left, below and to the right.
+fn arrive(left: f32, here: f32, right: f32) -> f32 {
+    greater(here, greater(left, right) - MOVE)
 }
 
 /// The mean column of a path over the rows within `reach` of row `i`.
 pub(super) fn column_about(path: &[usize], i: usize, reach: usize) -> f32 {
     let near = &path[i.saturating_sub(reach)..(i + reach + 1).min(path.len())];
     near.iter().sum::<usize>() as f32 / near.len() as f32
-}
-
-/// The best that leads to each column of the next row.
-fn arrive(score: &Span, next: &mut Span) {
-    for j in 1..SPAN - 1 {
-        next[j] = greater(score[j], greater(score[j - 1], score[j + 1]) - MOVE);
-    }
-    next[0] = greater(score[0], score[1] - MOVE);
-    next[SPAN - 1] = greater(score[SPAN - 1], score[SPAN - 2] - MOVE);
 }
