@@ -71,25 +71,27 @@ pub(super) fn greatest<const N: usize>(line: &[f32; N]) -> f32 {
 /// rows. The lighter one of two boxes on a side counts (a scratch or the foot of a step beside the joint does no
 /// harm), and the darker side.
 fn depths<const HALF: usize>(depth: &mut Line, sum: &Line, count: f32) {
-    let (half, away, reach) = const { (HALF, away(HALF), away(HALF) + 2 * SIDE) };
+    let (away, reach) = const { (away(HALF), away(HALF) + 2 * SIDE) };
     let mut boxes = [0.0; COLS];
-    for j in 0..COLS - SIDE + 1 {
-        boxes[j] = sum[j] + sum[j + 1] + sum[j + 2];
+    for (j, value) in boxes[..COLS - SIDE + 1].iter_mut().enumerate() {
+        *value = sum[j] + sum[j + 1] + sum[j + 2];
     }
     let inner = COLS - 2 * reach;
-    let mut centre = [0.0; COLS];
-    for k in 0..=2 * half {
-        centre[..inner].iter_mut().zip(&sum[reach - half + k..]).for_each(|(c, s)| *c += s);
-    }
-    let (per_centre, per_side) = (1.0 / ((2 * half + 1) as f32 * count), 1.0 / (SIDE as f32 * count));
+    let (per_centre, per_side) = (1.0 / ((2 * HALF + 1) as f32 * count), 1.0 / (SIDE as f32 * count));
     let (left, right) = (reach - away - SIDE, reach + away + 1);
     let near = [&boxes[left..left + inner], &boxes[right..right + inner]];
     let far = [&boxes[left - SIDE..left - SIDE + inner], &boxes[right + SIDE..right + SIDE + inner]];
+    // The columns of the box on the joint, each for all places.
+    let centre: [&[f32]; 2 * MOST_HALF + 1] = std::array::from_fn(|k| {
+        let from = reach - HALF + k.min(2 * HALF);
+        &sum[from..from + inner]
+    });
     depth[..reach].fill(0.0);
     depth[reach + inner..].fill(0.0);
     for (j, depth) in depth[reach..reach + inner].iter_mut().enumerate() {
         let sides = [0, 1].map(|side| greater(near[side][j], far[side][j]));
-        *depth = lesser(sides[0], sides[1]) * per_side - centre[j] * per_centre;
+        let centre = centre[..=2 * HALF].iter().fold(0.0, |centre, column| centre + column[j]);
+        *depth = lesser(sides[0], sides[1]) * per_side - centre * per_centre;
     }
 }
 
@@ -137,20 +139,24 @@ impl Strip {
         self.columns = (reach, COLS - 1 - reach);
         let mut sum = [0.0; COLS];
         self.level_light(width);
-        let add = |sum: &mut Line, row: &Line, sign: f32| sum.iter_mut().zip(row).for_each(|(s, g)| *s += sign * g);
         let rows = self.grey.len();
         self.depth.resize(rows, [0.0; COLS]);
-        self.grey[..GROUP.min(rows)].iter().for_each(|row| add(&mut sum, row, 1.0));
+        for row in &self.grey[..GROUP.min(rows)] {
+            sum.iter_mut().zip(row).for_each(|(s, g)| *s += g);
+        }
         let mut count = GROUP.min(rows) as f32;
         for i in 0..rows {
             if let Some(row) = self.grey.get_mut(i + GROUP) {
                 let part = 1.0 / count;
-                row.iter_mut().zip(&sum).for_each(|(g, s)| *g = lesser(greater(*g, s * part - most), s * part + most));
-                add(&mut sum, row, 1.0);
+                for (s, g) in sum.iter_mut().zip(row) {
+                    let mean = *s * part;
+                    *g = lesser(greater(*g, mean - most), mean + most);
+                    *s += *g;
+                }
                 count += 1.0;
             }
             if i > GROUP {
-                add(&mut sum, &self.grey[i - GROUP - 1], -1.0);
+                sum.iter_mut().zip(&self.grey[i - GROUP - 1]).for_each(|(s, g)| *s -= g);
                 count -= 1.0;
             }
             depths(&mut self.depth[i], &sum, count);
@@ -174,10 +180,13 @@ impl Strip {
             let part = 1.0 / rows.len() as f32;
             rows.iter().for_each(|row| mean.iter_mut().zip(row).for_each(|(m, g)| *m += part * g));
             let (left, right) = (side(&mean, 1..MID - away), side(&mean, MID + away + 1..COLS - 1));
-            let slope = if left * right > 0.0 { lesser(left.abs(), right.abs()).copysign(left) } else { 0.0 };
-            rows.iter_mut().for_each(|row| {
-                row.iter_mut().enumerate().for_each(|(j, g)| *g -= slope * (j as f32 - MID as f32));
-            });
+            let is_even = left * right > 0.0;
+            if !is_even {
+                continue;
+            }
+            let slope = lesser(left.abs(), right.abs()).copysign(left);
+            let ramp: Line = std::array::from_fn(|j| slope * (j as f32 - MID as f32));
+            rows.iter_mut().for_each(|row| row.iter_mut().zip(&ramp).for_each(|(g, r)| *g -= r));
         }
     }
 
@@ -251,7 +260,8 @@ impl Strip {
         if place == 0 {
             return LEAST_NOISE.max(self.noise);
         }
-        let (_, quantile, _) = self.magnitudes.select_nth_unstable_by(place, f32::total_cmp);
+        // Numbers of no sign are in the order of their bits.
+        let (_, quantile, _) = self.magnitudes.select_nth_unstable_by_key(place, |magnitude| magnitude.to_bits());
         (*quantile / (0.385 * std::f32::consts::SQRT_2)).max(LEAST_NOISE)
     }
 }
