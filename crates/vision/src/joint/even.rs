@@ -5,11 +5,23 @@ pub(super) const MOST: usize = 24;
 /// Rows that are summed at a time.
 const LANES: usize = 8;
 
-/// Rows in a picture, to the right and down, pixels.
+/// Rows in a picture, to the right and down, pixels; behind the last ones as many zeros as are summed at a time.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Rows {
     pub(super) x: Vec<f32>,
     pub(super) y: Vec<f32>,
+}
+
+impl Rows {
+    /// Takes other rows.
+    pub(super) fn put(&mut self, places: impl Iterator<Item = [f32; 2]>) {
+        self.x.clear();
+        self.y.clear();
+        for [x, y] in places.chain([[0.0; 2]; LANES]) {
+            self.x.push(x);
+            self.y.push(y);
+        }
+    }
 }
 
 /// A parabola across rows as far before as after one, their weights falling as a parabola: what does not depend on where they
@@ -17,7 +29,7 @@ pub(super) struct Rows {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Even {
     reach: usize,
-    /// Weights, and those times the rows' numbers and squares.
+    /// Weights, and those times the rows' numbers and squares; with zeros up to whole lanes.
     weights: [Vec<f32>; 3],
     /// Sums of the weights times the rows' numbers to the powers 0, 2 and 4.
     moments: [f32; 3],
@@ -29,7 +41,7 @@ impl Even {
         self.reach = reach;
         for list in &mut self.weights {
             list.clear();
-            list.reserve(2 * MOST + 1);
+            list.reserve(2 * MOST + 1 + LANES);
         }
         self.moments = [0.0; 3];
         for k in 0..=2 * reach {
@@ -42,33 +54,29 @@ impl Even {
                 *moment += weight * value;
             }
         }
+        for list in &mut self.weights {
+            list.resize(list.len().next_multiple_of(LANES), 0.0);
+        }
     }
 
     /// How far to the right of a place, seen along `tangent`, the parabola through the rows about row `i` crosses that row's
     /// line, and the standard error of that. As many rows as were prepared for lie before and after.
     pub(super) fn across(&self, rows: &Rows, i: usize, [x0, y0]: [f32; 2], [cos, sin]: [f32; 2]) -> (f32, f32) {
-        let near = i - self.reach..=i + self.reach;
-        let (xs, ys) = (&rows.x[near.clone()], &rows.y[near]);
-        let [weights, firsts, seconds] = self.weights.each_ref().map(Vec::as_slice);
+        let from = i - self.reach;
+        let near = from..from + self.weights[0].len();
+        let [w0, w1, w2] = self.weights.each_ref().map(|list| list.as_chunks::<LANES>().0);
+        let [xs, ys] = [&rows.x, &rows.y].map(|list| list[near.clone()].as_chunks::<LANES>().0);
         // Sums of values, of them times number and square, and of their squares.
         let mut sums = [[0.0f32; LANES]; 4];
-        let mut add = |lane: usize, x: f32, y: f32, weights: [f32; 3]| {
-            let v = (y - y0) * cos - (x - x0) * sin;
-            let wv = weights[0] * v;
-            sums[0][lane] += wv;
-            sums[1][lane] += weights[1] * v;
-            sums[2][lane] += weights[2] * v;
-            sums[3][lane] += wv * v;
-        };
-        let [(xs, last_xs), (ys, last_ys), (w0, last_w0), (w1, last_w1), (w2, last_w2)] =
-            [xs, ys, weights, firsts, seconds].map(<[f32]>::as_chunks::<LANES>);
         for ((((x, y), w0), w1), w2) in xs.iter().zip(ys).zip(w0).zip(w1).zip(w2) {
             for lane in 0..LANES {
-                add(lane, x[lane], y[lane], [w0[lane], w1[lane], w2[lane]]);
+                let v = (y[lane] - y0) * cos - (x[lane] - x0) * sin;
+                let wv = w0[lane] * v;
+                sums[0][lane] += wv;
+                sums[1][lane] += w1[lane] * v;
+                sums[2][lane] += w2[lane] * v;
+                sums[3][lane] += wv * v;
             }
-        }
-        for (lane, (x, y)) in last_xs.iter().zip(last_ys).enumerate() {
-            add(lane, *x, *y, [last_w0[lane], last_w1[lane], last_w2[lane]]);
         }
         let [r0, r1, r2, squares] = sums.map(|lanes| lanes.iter().sum::<f32>());
         let [m0, m2, m4] = self.moments;
@@ -94,8 +102,8 @@ mod tests {
             // A bend with a scatter that is the same each time.
             let across = |k: usize| 0.01 * (k as f32 - 9.0).powi(2) + 0.3 * (7.3 * k as f32).sin();
             let place = |k: usize| [200.0 + cos * k as f32 - sin * across(k), 90.0 + sin * k as f32 + cos * across(k)];
-            let rows =
-                Rows { x: (0..count).map(|k| place(k)[0]).collect(), y: (0..count).map(|k| place(k)[1]).collect() };
+            let mut rows = Rows::default();
+            rows.put((0..count).map(place));
             for i in reach..count - reach {
                 let at = [200.0 + cos * i as f32, 90.0 + sin * i as f32];
                 let (found, error) = even.across(&rows, i, at, [cos, sin]);

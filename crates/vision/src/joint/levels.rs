@@ -70,8 +70,9 @@ impl Levels {
             match from.grey {
                 Grey::U8(pixels) => {
                     rest[0].halve(from.width, from.height, pixels, 0.25, |[a, b], [c, d]| {
-                        // The greatest sum is 1020.
-                        f32::from(u16::from(a) + u16::from(b) + u16::from(c) + u16::from(d))
+                        // Pairs are taken apart as one number, several of them at a time. The greatest sum is 1020.
+                        let [upper, lower] = [[a, b], [c, d]].map(u16::from_le_bytes);
+                        f32::from((upper & 0xff) + (upper >> 8) + (lower & 0xff) + (lower >> 8))
                     });
                 }
                 Grey::U16(pixels) => {

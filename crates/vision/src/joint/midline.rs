@@ -261,13 +261,8 @@ impl Midline {
     }
 
     fn place_middles(&mut self) {
-        self.places.x.clear();
-        self.places.y.clear();
-        for (station, middle) in self.stations.iter().zip(&self.single) {
-            let [x, y] = station.beside(middle - MID as f32);
-            self.places.x.push(x);
-            self.places.y.push(y);
-        }
+        let middles = self.stations.iter().zip(&self.single);
+        self.places.put(middles.map(|(station, middle)| station.beside(middle - MID as f32)));
     }
 
     /// How little the rows about each look like the joint.
@@ -332,12 +327,17 @@ impl Midline {
             let (across, error) = self.even.across(&self.places, i, [x0, y0], [cos, sin]);
             return (across + MID as f32, error);
         }
-        let scale = 1.0 / (reach + 1) as f32;
-        let places = near.filter(|k| self.rows[*k].seen).map(|k| {
-            let (x, y) = (self.places.x[k], self.places.y[k]);
-            let (u, v) = ((x - x0) * cos + (y - y0) * sin, (y - y0) * cos - (x - x0) * sin);
-            (u, v, 1.0 - (k.abs_diff(i) as f32 * scale).powi(2))
-        });
+        // First all, several at a time, then those that are seen.
+        let (scale, first) = (1.0 / (reach + 1) as f32, near.start as i32 - i as i32);
+        let mut local = [[0.0f32; 2 * even::MOST + 1]; 3];
+        let [us, vs, weights] = &mut local;
+        let places = self.places.x[near.clone()].iter().zip(&self.places.y[near.clone()]);
+        for (k, (((u, v), weight), (x, y))) in us.iter_mut().zip(vs).zip(weights).zip(places).enumerate() {
+            (*u, *v) = ((x - x0) * cos + (y - y0) * sin, (y - y0) * cos - (x - x0) * sin);
+            *weight = 1.0 - ((first + k as i32) as f32 * scale).powi(2);
+        }
+        let seen = self.seen[near].iter().enumerate().filter(|(_, seen)| **seen);
+        let places = seen.map(|(k, _)| (local[0][k], local[1][k], local[2][k]));
         let Some(parabola) = Parabola::through(places, 1.0) else { return (self.centre[i], f32::INFINITY) };
         let error = (parabola.rest * parabola.variance).sqrt();
         (parabola.terms[0] + MID as f32, if parabola.weights > 4.0 { error } else { f32::INFINITY })

@@ -252,8 +252,9 @@ impl Strip {
             for Range { start, end } in within(i) {
                 let start = (start + skipped).min(end);
                 skipped = (end - start) % 2;
-                let (a, b) = (a[start..end].chunks(2), b[start..end].chunks(2));
-                self.magnitudes.extend(a.zip(b).map(|(a, b)| (a[0] - b[0]).abs()));
+                let ((a, last_a), (b, last_b)) = (a[start..end].as_chunks::<2>(), b[start..end].as_chunks::<2>());
+                self.magnitudes.extend(a.iter().zip(b).map(|(a, b)| (a[0] - b[0]).abs()));
+                self.magnitudes.extend(last_a.iter().zip(last_b).map(|(a, b)| (a - b).abs()));
             }
         }
         let place = self.magnitudes.len() * 3 / 10;
