@@ -4,6 +4,8 @@
 pub(super) const MOST: usize = 24;
 /// Rows that are summed at a time.
 const LANES: usize = 8;
+/// Room for most rows, in whole lanes.
+const ROOM: usize = (2 * MOST + 1).next_multiple_of(LANES);
 
 /// Rows in a picture, to the right and down, pixels; behind the last ones as many zeros as are summed at a time.
 #[derive(Debug, Clone, Default)]
@@ -41,7 +43,7 @@ impl Even {
         self.reach = reach;
         for list in &mut self.weights {
             list.clear();
-            list.reserve(2 * MOST + 1 + LANES);
+            list.reserve(ROOM);
         }
         self.moments = [0.0; 3];
         for k in 0..=2 * reach {
@@ -64,27 +66,35 @@ impl Even {
     pub(super) fn across(&self, rows: &Rows, i: usize, [x0, y0]: [f32; 2], [cos, sin]: [f32; 2]) -> (f32, f32) {
         let from = i - self.reach;
         let near = from..from + self.weights[0].len();
-        let [w0, w1, w2] = self.weights.each_ref().map(|list| list.as_chunks::<LANES>().0);
-        let [xs, ys] = [&rows.x, &rows.y].map(|list| list[near.clone()].as_chunks::<LANES>().0);
-        // Sums of values, of them times number and square, and of their squares.
-        let mut sums = [[0.0f32; LANES]; 4];
-        for ((((x, y), w0), w1), w2) in xs.iter().zip(ys).zip(w0).zip(w1).zip(w2) {
-            for lane in 0..LANES {
-                let v = (y[lane] - y0) * cos - (x[lane] - x0) * sin;
-                let wv = w0[lane] * v;
-                sums[0][lane] += wv;
-                sums[1][lane] += w1[lane] * v;
-                sums[2][lane] += w2[lane] * v;
-                sums[3][lane] += wv * v;
-            }
+        let [w0, w1, w2] = self.weights.each_ref().map(Vec::as_slice);
+        // How far off each row is, and that times its weight.
+        let (mut off, mut weighted) = ([0.0; ROOM], [0.0; ROOM]);
+        let (off, weighted) = (&mut off[..w0.len()], &mut weighted[..w0.len()]);
+        for ((off, x), y) in off.iter_mut().zip(&rows.x[near.clone()]).zip(&rows.y[near]) {
+            *off = (y - y0) * cos - (x - x0) * sin;
         }
-        let [r0, r1, r2, squares] = sums.map(|lanes| lanes.iter().sum::<f32>());
+        weighted.iter_mut().zip(&*off).zip(w0).for_each(|((weighted, off), w)| *weighted = w * off);
+        let (r0, r1, r2) = (sum(weighted, |w, _| w, off), sum(off, product, w1), sum(off, product, w2));
+        let squares = sum(weighted, product, off);
         let [m0, m2, m4] = self.moments;
         let determinant = m0 * m4 - m2 * m2;
         let (value, slope, bend) = ((r0 * m4 - r2 * m2) / determinant, r1 / m2, (r2 * m0 - r0 * m2) / determinant);
         let rest = (squares - value * r0 - slope * r1 - bend * r2).max(0.0) / m0;
         (value, (rest * m4 / determinant).sqrt())
     }
+}
+
+fn product(a: f32, b: f32) -> f32 {
+    a * b
+}
+
+/// The sum over two lists of whole lanes.
+fn sum(a: &[f32], of: impl Fn(f32, f32) -> f32, b: &[f32]) -> f32 {
+    let mut lanes = [0.0; LANES];
+    for (a, b) in a.as_chunks::<LANES>().0.iter().zip(b.as_chunks::<LANES>().0) {
+        lanes.iter_mut().zip(a).zip(b).for_each(|((lane, a), b)| *lane += of(*a, *b));
+    }
+    lanes.iter().sum()
 }
 
 #[cfg(test)]
