@@ -73,14 +73,20 @@ impl Shape {
         Self(self.0.map(|arm| arm.map(|v| part * v)))
     }
 
-    pub(super) fn dot(&self, other: &Self) -> f32 {
-        let ([a, b], [c, d]) = (&self.0, &other.0);
-        let (mut left, mut right) = (0.0, 0.0);
+    fn dot(&self, other: &Self) -> f32 {
+        self.dots([other])[0]
+    }
+
+    /// Products with several others, all at a time.
+    pub(super) fn dots<const N: usize>(&self, others: [&Self; N]) -> [f32; N] {
+        let [mut left, mut right] = [[0.0; N]; 2];
         for t in 0..REACH {
-            left += a[t] * c[t];
-            right += b[t] * d[t];
+            for (k, Self([a, b])) in others.into_iter().enumerate() {
+                left[k] += self.0[0][t] * a[t];
+                right[k] += self.0[1][t] * b[t];
+            }
         }
-        left + right
+        std::array::from_fn(|k| left[k] + right[k])
     }
 }
 
@@ -121,13 +127,18 @@ impl Profile {
     pub(super) fn read(&self, row: &Line, centre: f32, arms: &mut Arms) -> Reading {
         let centre = centre.clamp((REACH + 1) as f32, (COLS - REACH - 3) as f32);
         let (low, part) = (centre as usize, centre.fract());
-        let at = |j: usize| row[j] * (1.0 - part) + row[j + 1] * part;
+        // All columns about the middle at a time.
+        let from = low - (REACH - 1);
+        let mut mixed = [0.0; 2 * REACH - 1];
+        let pairs = row[from..from + 2 * REACH - 1].iter().zip(&row[from + 1..from + 2 * REACH]);
+        mixed.iter_mut().zip(pairs).for_each(|(mixed, (a, b))| *mixed = a * (1.0 - part) + b * part);
+        let [left, right] = arms;
+        for t in 0..REACH {
+            (left[t], right[t]) = (mixed[REACH - 1 - t], mixed[REACH - 1 + t]);
+        }
         let mut reading = Reading::default();
-        let [left_arm, right_arm] = arms;
-        for (t, (left_arm, right_arm)) in left_arm.iter_mut().zip(right_arm).enumerate().take(self.reach + 1) {
-            let (left, right) = (at(low - t), at(low + t));
-            (*left_arm, *right_arm) = (left, right);
-            let (even, odd) = (0.5 * (right + left), 0.5 * (right - left));
+        for t in 0..=self.reach {
+            let (even, odd) = (0.5 * (right[t] + left[t]), 0.5 * (right[t] - left[t]));
             reading.depth += self.depth[t] * even;
             reading.moment += self.moment[t] * odd;
             reading.step += self.step[t] * odd;
@@ -138,14 +149,14 @@ impl Profile {
     /// The left and the right rim of a mean row, columns from its middle: where it is half as deep as its floor below the
     /// metal on the darker side. None where a side is no lighter.
     pub(super) fn rims(&self, arms: &Arms) -> Option<[f32; 2]> {
-        let valley = self.valley(arms)?;
+        let valley = self.valley(arms);
         Some([self.rim(arms, &valley, -1, 0.5, 1.0)?, self.rim(arms, &valley, 1, 0.5, 1.0)?])
     }
 
     /// How far apart the middles between rims are at several parts of the depth, and the middle itself, columns: little for a
     /// valley that is the same on both sides. Each side's depth counts, or no more of it than the darker side's.
     pub(super) fn asymmetry(&self, arms: &Arms) -> f32 {
-        let Some(valley) = self.valley(arms) else { return f32::INFINITY };
+        let valley = self.valley(arms);
         let (mut low, mut high) = (0.0f32, 0.0f32);
         for most in [1.0, f32::INFINITY] {
             for part in PARTS {
@@ -158,18 +169,24 @@ impl Profile {
         high - low
     }
 
-    fn valley(&self, arms: &Arms) -> Option<Valley> {
+    fn valley(&self, arms: &Arms) -> Valley {
         let half = self.half as isize;
         let smooth = |t: isize| 0.25 * at(arms, t - 1) + 0.5 * at(arms, t) + 0.25 * at(arms, t + 1);
-        let floor_at = (-half..=half).min_by(|a, b| smooth(*a).total_cmp(&smooth(*b)))?;
-        let floor = at(arms, floor_at);
+        let mut lowest = (smooth(-half), -half);
+        for t in 1 - half..=half {
+            let value = smooth(t);
+            if value < lowest.0 {
+                lowest = (value, t);
+            }
+        }
+        let (floor_at, floor) = (lowest.1, at(arms, lowest.1));
         // The lightest metal on a side of the joint, over three columns.
         let depth = |side: isize| {
             let means = (half + 1..self.reach as isize)
                 .map(|t| (at(arms, side * (t - 1)) + at(arms, side * t) + at(arms, side * (t + 1))) / 3.0);
             means.fold(f32::MIN, f32::max) - floor
         };
-        Some(Valley { floor_at, floor, depths: [depth(-1), depth(1)] })
+        Valley { floor_at, floor, depths: [depth(-1), depth(1)] }
     }
 
     /// Where a side rises above a part of its depth, which counts up to `most` times that of the darker side.

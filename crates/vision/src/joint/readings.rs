@@ -96,12 +96,13 @@ impl Readings {
     pub(super) fn rests(&self, (reach, around): (usize, usize), seen: impl Fn(usize) -> bool, rests: &mut Vec<f32>) {
         let mut mean = Shape::default();
         self.arms.iter().enumerate().filter(|(i, _)| seen(*i)).for_each(|(_, arms)| mean.add(arms, reach));
-        let others = mean.and_light(reach);
+        let [a, b, c] = &mean.and_light(reach);
         rests.clear();
         rests.extend((0..self.rows.len()).map(|i| {
             let shape = Shape(self.mean(i, around));
-            let of_others: f32 = others.iter().map(|other| shape.dot(other).powi(2)).sum();
-            ((shape.dot(&shape) - of_others).max(0.0) / (2 * reach) as f32).sqrt()
+            let [all, others @ ..] = shape.dots([&shape, a, b, c]);
+            let of_others: f32 = others.iter().map(|other| other.powi(2)).sum();
+            ((all - of_others).max(0.0) / (2 * reach) as f32).sqrt()
         }));
     }
 }

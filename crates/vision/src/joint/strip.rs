@@ -235,8 +235,10 @@ impl Strip {
         let away = width as usize + 2;
         self.measure_noise(|i| {
             let near = &path[i..(i + APART + 1).min(path.len())];
-            let low = near.iter().fold(COLS, |low, j| low.min(*j));
-            let high = near.iter().fold(0, |high, j| high.max(*j));
+            // In numbers that are small, several at a time.
+            let columns = near.iter().map(|j| *j as i16);
+            let (low, high) = columns.fold((COLS as i16, 0), |(low, high), j| (low.min(j), high.max(j)));
+            let (low, high) = (low as usize, high as usize);
             [first..(low + 1).saturating_sub(away).max(first), (high + away).min(last + 1)..last + 1]
         })
     }
