@@ -104,15 +104,16 @@ impl<'a, P: Pixel> Sampler<'a, P> {
             let within = [lesser(greater(x, 0.0), self.right), lesser(greater(y, 0.0), self.bottom)];
             // The last pixels have others before them only.
             let [left, top] =
-                [lesser(within[0], self.right - 1.0), lesser(within[1], self.bottom - 1.0)].map(|v| v as u32);
+                [lesser(within[0], self.right - 1.0), lesser(within[1], self.bottom - 1.0)].map(|v| v as i32);
             ([left, top], [within[0] - left as f32, within[1] - top as f32])
         };
+        let row = self.width as u32 & LONGEST;
         let mut at = [0; COLS];
         let mut parts = [[0.0; COLS]; 2];
         for (j, at) in at.iter_mut().enumerate() {
             let ([left, top], [u, v]) = place(j);
             (parts[0][j], parts[1][j]) = (u, v);
-            *at = (top & LONGEST) * (self.width as u32 & LONGEST) + left;
+            *at = (top as u32 & LONGEST) * row + left as u32;
         }
         self.fetch(&at);
         for (j, (value, (upper, lower))) in line.iter_mut().zip(self.upper.iter().zip(&self.lower)).enumerate() {
