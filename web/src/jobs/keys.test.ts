@@ -29,7 +29,7 @@ test('every key of the examples and of added tables has words in every language'
     expect(wanted.filter((name) => !script.test(keyTitle(name).replace(/\[.*\]/, ''))), language).toEqual([]);
   }
   await words.choose('de');
-  expect(keyTitle('root_gap_mm')).toBe('Wurzelspalt [mm]');
+  expect(keyTitle('root_gap_mm')).toBe('Stegabstand [mm]');
   expect(keyTitle('single_v')).toBe('V-Naht');
   expect(tableTitle('passes.0.points.spans.2')).toBe('Lagen 1 · Punkte · Abschnitte 3');
   await words.choose('en');

@@ -76,7 +76,7 @@ test('events are told in the chosen language, what stands in them too', async ()
     number: 1, t: 0, at: '2026-11-22T12:00:00Z', what: '', key, of, why: null, text: 'as the cell says', user: null, ...more,
   });
   await words.choose('de');
-  expect(eventText(event('mode', ['dry run', 'hold']))).toBe('Leerfahrt -> Halt');
+  expect(eventText(event('mode', ['dry run', 'hold']))).toBe('Probelauf -> Halt');
   expect(eventText(event('pass_ends', ['3', '12.50']))).toBe('Lage 3 endet bei 12.50 mm');
   expect(eventText(event('alarm_of', ['drive fault', 'process and power off', 'theta']))).not.toMatch(/drive fault|power off/);
   expect(eventText(event('refused', ['start weld', 'x'], { why: { key: 'power', of: [], text: 'no power' } }))).not.toMatch(/start weld|no power|x$/);

@@ -73,13 +73,13 @@ describe('the audit log', () => {
   test('is told with what stands in it, names as they are', async () => {
     expect(audited('save job stop.toml')).toBe('Auftrag stop.toml speichern');
     expect(audited('change user hold')).toBe('Benutzer hold ändern');
-    expect(audited('acknowledge condition not met (shielding gas)')).toBe('bestätigen: Bedingung nicht erfüllt (Schutzgas)');
+    expect(audited('acknowledge condition not met (shielding gas)')).toBe('quittieren: Bedingung nicht erfüllt (Schutzgas)');
     expect(audited('override 50 %')).toBe('Override 50 %');
     expect(audited('set axis x in saddle.toml')).toBe('Achse x in saddle.toml ändern');
     expect(audited('simulate: weld 3 of part "N-17"')).toBe('simulate: Schweißung 3, Werkstück "N-17"');
     expect(audited('Operator, disabled')).toBe('Bediener, gesperrt');
     expect(audited('`start weld` has no meaning in mode fault: allowed in ready, hold')).toBe('Nur erlaubt im Zustand: Bereit, Halt.');
-    expect(audited('alarm `drive fault` (axis x): read the drive\'s own code, reset it, then acknowledge')).toBe('Alarm: Antriebsstörung (Achse x). Beheben, dann bestätigen.');
+    expect(audited('alarm `drive fault` (axis x): read the drive\'s own code, reset it, then acknowledge')).toBe('Alarm: Antriebsstörung (Achse x). Beheben, dann quittieren.');
     expect(audited('alarm `no arc or beam`: clean, check wire and earth, go on, then acknowledge')).toContain('Kein Bogen oder Strahl');
     expect(audited('panel at 127.0.0.1')).toBe('Panel auf 127.0.0.1');
     expect(['what nobody has said', '', 'tip_mm [0.0, 1.0, 2.0]', 'ab'.repeat(32)].map(audited)).toEqual(['what nobody has said', '', 'tip_mm [0.0, 1.0, 2.0]', 'ab'.repeat(32)]);

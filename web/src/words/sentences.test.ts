@@ -77,11 +77,11 @@ describe('sentences of plans', () => {
   test('of answers are put together', () => {
     expect(sentence('there are too many jobs; allowed: 1000', 'de')).toBe('es sind zu viele Aufträge; erlaubt: 1000');
     expect(sentence('short.toml: cannot be removed: Permission denied (os error 13)', 'de')).toBe('short.toml: lässt sich nicht löschen: Permission denied (os error 13)');
-    expect(sentence('step 4 of pass "root": an arc of more than a turn\n   cure: make it several', 'de')).toBe('Schritt 4 von Lage "root": ein Bogen von mehr als einer Umdrehung\n   Abhilfe: mehrere daraus machen');
+    expect(sentence('step 4 of pass "root": an arc of more than a turn\n   cure: make it several', 'de')).toBe('Schritt 4 von Lage „root“: ein Bogen von mehr als einer Umdrehung\n   Abhilfe: mehrere daraus machen');
     expect(sentence('too few points of the plane: 2, and at least 3 are needed; allowed: more points, spread over what they should tell, or another method', 'uk'))
       .toBe('замало точок (площина): 2, а треба щонайменше 3; дозволено: більше точок, розподілених по тому, що вони мають показати, або інший спосіб');
     expect(sentence('not seen: turning about the axis along (0, 0, 1) through (0, 0, 0) mm; left as it was', 'ru')).toBe('не видно: поворот вокруг оси вдоль (0, 0, 1) через (0, 0, 0) мм; оставлено как было');
-    expect(sentence('proven by reading back: 7 moves, rounding 1.0e-5; greatest deviations:', 'de')).toBe('durch Zurücklesen bewiesen: 7 Bewegungen, Rundung 1.0e-5; größte Abweichungen:');
+    expect(sentence('proven by reading back: 7 moves, rounding 1.0e-5; greatest deviations:', 'de')).toBe('durch Zurücklesen nachgewiesen: 7 Bewegungen, Rundung 1.0e-5; größte Abweichungen:');
   });
 
   test('have the same holes in every language', () => {
@@ -105,8 +105,8 @@ describe('sentences of plans', () => {
 
   test('are found again with what stands in them, also one in another', () => {
     const slow = 'axis theta cannot keep 10.000 mm/s: its acceleration limit of 20.000 deg/s^2 allows 9.412 mm/s';
-    expect(sentence(slow, 'de')).toBe('Achse theta kann 10.000 mm/s nicht halten: ihre Grenze der Beschleunigung von 20.000 deg/s^2 erlaubt 9.412 mm/s');
-    expect(sentence('the air move from pass 1 to pass 2: wire guide runs into shell (least 5 mm)', 'de')).toBe('der Luftweg von Lage 1 zu Lage 2: wire guide stößt an shell (mindestens 5 mm)');
+    expect(sentence(slow, 'de')).toBe('Achse theta kann 10.000 mm/s nicht halten: ihre Grenze für Beschleunigung von 20.000 deg/s^2 erlaubt 9.412 mm/s');
+    expect(sentence('the air move from pass 1 to pass 2: wire guide runs into shell (least 5 mm)', 'de')).toBe('der Luftweg von Lage 1 zu Lage 2: wire guide stößt gegen shell (mindestens 5 mm)');
     expect(sentence('the heat input is 1.9 kJ/mm at s = 3.000 mm; WPS-1 allows (fill) 0.8 to 1.1', 'de')).toBe('Wärmeeinbringung ist 1.9 kJ/mm bei s = 3.000 mm; WPS-1 erlaubt (fill) 0.8 bis 1.1');
     expect(sentence('ask for less speed there; or use a procedure that is qualified for it', 'uk')).toBe('задайте там меншу швидкість; або візьміть технологію, яка це дозволяє');
     expect(sentence('saddle: the axes cannot reach the point; it is 3.0000 mm off', 'zh')).toBe('saddle: 各轴到不了该点：差 3.0000 mm');

@@ -107,9 +107,9 @@ fn findings_are_told_with_what_stands_in_them() {
     let german = |text: &str| said::sentence(Language::German, text);
     let slow = "axis theta cannot keep 10.000 mm/s: its acceleration limit of 20.000 deg/s^2 allows 9.412 mm/s";
     assert_eq!(said::sentence(Language::English, slow), slow);
-    assert!(german(slow).starts_with("Achse theta kann 10.000 mm/s nicht halten: ihre Grenze der Beschleunigung"));
+    assert!(german(slow).starts_with("Achse theta kann 10.000 mm/s nicht halten: ihre Grenze für Beschleunigung"));
     let corners = "set corner = { blend_mm = 0.2 } to go round corners within that distance of the seam";
-    assert_eq!(german(corners), "mit corner = { blend_mm = 0.2 } so nah an der Naht um Ecken gehen");
+    assert_eq!(german(corners), "mit corner = { blend_mm = 0.2 } höchstens so weit neben der Naht um Ecken gehen");
     let far = "saddle: the axes cannot reach the point; it is 3.0000 mm off";
     assert_eq!(german(far), "saddle: die Achsen erreichen den Punkt nicht: es fehlen 3.0000 mm");
     assert_eq!(
