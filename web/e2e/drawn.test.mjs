@@ -87,28 +87,30 @@ test('what the section plane cuts open is closed', onReal, async () => {
   await one.getByRole('button', { name: 'Show' }).click();
   for (const layer of ['Machine', 'Sensors', 'Zones']) await one.getByRole('checkbox', { name: layer }).uncheck();
   const menu = one.locator('.menu');
-  // A face is flat: so many pixels of the picture have its one colour.
-  const flat = async () => {
+  // A face is flat and hatched: so many pixels of the picture have one of its two colours.
+  const flat = async (colour = [158, 165, 172]) => {
     await sleep(1500);
     const canvas = one.locator('canvas[aria-label]').first();
     const png = (await canvas.screenshot({ timeout: 40_000 })).toString('base64');
-    return one.evaluate(async (text) => {
+    return one.evaluate(async ([text, colour]) => {
       const bytes = Uint8Array.from(atob(text), (of) => of.charCodeAt(0));
       const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
       const paper = new OffscreenCanvas(image.width, image.height).getContext('2d');
       paper.drawImage(image, 0, 0);
       const { data } = paper.getImageData(0, 0, image.width, image.height);
-      // 0xb7bfc7, darker in linear light.
-      const is = (i) => Math.abs(data[i] - 158) < 4 && Math.abs(data[i + 1] - 165) < 4 && Math.abs(data[i + 2] - 172) < 4;
+      // 0xb7bfc7, darker in linear light once or twice.
+      const is = (i) => colour.every((value, k) => Math.abs(data[i + k] - value) < 4);
       let count = 0;
       for (let i = 0; i < data.length; i += 4) if (is(i)) count += 1;
       return count;
-    }, png);
+    }, [png, colour]);
   };
   const whole = await flat();
   await menu.getByRole('combobox', { name: 'Section plane' }).selectOption('z');
   const cut = await flat();
   if (SHOTS) await one.screenshot({ path: `${SHOTS}/cut.png` });
+  const hatched = await flat([125, 131, 136]);
+  assert.ok(hatched > cut / 12 && hatched < cut / 3, `${hatched} pixels of its hatching`);
   assert.ok(cut > 3000 && cut > 4 * whole, `${whole} pixels of a face before, ${cut} after`);
   await menu.getByRole('combobox', { name: 'Section plane' }).selectOption('');
   assert.ok((await flat()) < 4 * whole + 1000);
