@@ -204,6 +204,7 @@ fn tell(
     judge::doubtful(out, solid);
     if !on_joint {
         judge::length(out, end);
+        judge::few(out);
     }
     // What is nowhere sure is not known to lead out of the frame.
     let unsure = out.iter().all(|r| r.confidence < CONFIDENT);

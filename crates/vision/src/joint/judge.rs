@@ -1,5 +1,5 @@
 use super::midline::Found;
-use super::{End, Row, State};
+use super::{CONFIDENT, End, Row, State};
 use std::ops::Range;
 
 // Each of these alone makes a row half confident.
@@ -57,6 +57,8 @@ const SHORT: f32 = 130.0;
 const SHORT_AND_NARROW: f32 = 210.0;
 /// Of a joint at least this part is seen; scratches one after the other have longer gaps.
 const MOSTLY_SEEN: f32 = 0.7;
+/// Fewer than this part of the rows that are seen are chance.
+const FEW: f32 = 0.2;
 /// Scratches are narrower than this, pixels.
 const NARROW: f32 = 3.5;
 
@@ -72,6 +74,15 @@ pub(super) fn doubtful(rows: &mut [Row], solid: usize) {
     let seen = rows.iter().filter(|r| r.state == State::Seen).count();
     let from = if (seen as f32) < MOSTLY_SEEN * rows.len() as f32 { 0 } else { solid.min(rows.len()) };
     rows[from..].iter_mut().for_each(unsure);
+}
+
+/// Takes the confidence from all rows if few of those that are seen have it: of what is no joint some rows look like one by chance.
+pub(super) fn few(rows: &mut [Row]) {
+    let seen = rows.iter().filter(|r| r.state == State::Seen).count();
+    let sure = rows.iter().filter(|r| r.confidence >= CONFIDENT).count();
+    if (sure as f32) < FEW * seen as f32 {
+        rows.iter_mut().for_each(unsure);
+    }
 }
 
 /// Takes the confidence from rows next to gaps and ends.
