@@ -441,7 +441,8 @@ group: string,
  */
 value: number | null, 
 /**
- * What holds without it; none: nothing does, as there is no drive, or one mass instead of two.
+ * What holds without it; none: nothing does, as what it belongs to is not there (a drive, a second mass, a compensation,
+ * gains of the machine's own), or it has to be there.
  */
 without: number | null, };
 

@@ -1,6 +1,6 @@
 import { describe, expect, test, vi } from 'vitest';
 import { dayAndTime, duration, number, span, valueName } from './numbers';
-import { canHold, hasMeaning, next, powerComes, type Order } from './orders';
+import { canAbort, canHold, hasMeaning, next, powerComes, type Order } from './orders';
 import { programText } from './taught.svelte';
 import type { EventView, MachineView } from '../wire';
 import { pointPasses } from '../jobs/points';
@@ -38,6 +38,7 @@ test('stop and hold have a meaning in every state', () => {
     if (order) expect(hasMeaning(order, mode)).toBe(true);
     // The key goes through always; the button says where there is something to hold.
     expect(canHold(mode)).toBe(!['off', 'idle', 'ready', 'hold', 'fault'].includes(mode));
+    expect(canAbort(mode)).toBe(!['off', 'idle', 'ready', 'fault'].includes(mode));
   }
 });
 

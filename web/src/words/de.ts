@@ -691,7 +691,7 @@ export const de: Table = {
   'tool.verdict.good': 'Die Antastungen passen zusammen, die Spitze ist in allen Richtungen bestimmt.',
   'tool.verdict.unseen': 'Die Antastungen passen zusammen, bestimmen die Spitze aber nicht in allen Richtungen.',
   'tool.verdict.far': 'Die Spitze läge mehr als 20 mm anders: War es immer derselbe Punkt?',
-  'tool.verdict.poor': 'Die Antastungen passen nicht auf 0,5 mm zusammen: neu antasten.',
+  'tool.verdict.poor': 'Die Antastungen passen nicht auf 0.5 mm zusammen: neu antasten.',
   'tool.unseen': 'Nicht bestimmt entlang ({0}): dort bleibt sie, wie sie war.',
   'tool.old': 'Zurück zur bisherigen Spitze',
   'sensor.none': 'Die Maschine hat keine Sensoren.',

@@ -20,6 +20,7 @@ const FILES: Record<Exclude<Language, 'en'>, () => Promise<Tongue>> = {
   ru: () => import('./ru').then((of) => ({ table: of.ru, alarms: of.alarms })),
 };
 const tongues: Partial<Record<Language, Tongue>> = { en: { table: en, alarms: {} } };
+const AGAIN_MS = 5000;
 const KEPT = 'seamwright.language';
 
 function first(): Language {
@@ -31,6 +32,8 @@ class Words {
   language = $state<Language>('en');
   /** Says a sentence of the cell's in a language; they come after the panel's own words, which nothing waits for longer. */
   sentence = $state.raw((text: string, _: Language, __: (text: string) => string): string => text);
+  /** Says a comment or title of a file that ships. */
+  shipped = $state.raw((text: string, _: Language): string => text);
 
   /** The language that was chosen here, or the browser's. */
   async begin(): Promise<void> {
@@ -48,11 +51,19 @@ class Words {
       const got = await FILES[language]().catch(() => null);
       if (!got) return;
       tongues[language] = got;
-      // Without them the cell's sentences are shown as they came.
-      import('./sentences').then((of) => (this.sentence = of.sentence), () => {});
+      void this.learn();
     }
     this.language = language;
     if (typeof document !== 'undefined') document.documentElement.lang = language;
+  }
+
+  /** The cell's sentences are shown as they came until they have words; a line that fails is tried again. */
+  private async learn(): Promise<void> {
+    try {
+      ({ sentence: this.sentence, shipped: this.shipped } = await import('./sentences'));
+    } catch {
+      setTimeout(() => void this.learn(), AGAIN_MS);
+    }
   }
 }
 
@@ -81,6 +92,11 @@ export function titled(title: string): string {
 /** A sentence that the cell said of a plan or a weld, in the chosen language; what has no words is shown as it came. */
 export function said(text: string): string {
   return words.sentence(text, words.language, alarmTitle);
+}
+
+/** A comment or title of a job's or machine's file, in the chosen language if the file ships; a user's own as it is. */
+export function shipped(text: string): string {
+  return words.shipped(text, words.language);
 }
 
 /** What the note of a weld says, sentence by sentence. */

@@ -25,13 +25,15 @@ export function matcher(patterns: readonly Pattern[]): (text: string, language: 
     const parts = text.split(/\{\d[=#]?\}/).map(literal);
     const holes = [...text.matchAll(HOLE)].map((hole) => ({ number: hole[1] ?? '', name: hole[2] !== '', is: hole[2] === '#' ? NUMBER : '(.*?)' }));
     const all = parts.map((part, i) => `${i > 0 ? (holes[i - 1]?.is ?? '') : ''}${part}`).join('');
-    return { of, holes, said: parts.join('').length, pattern: new RegExp(`^${all}$`, 's') };
+    return { of, holes, said: parts.join('').length, pattern: new RegExp(`^${all}$`) };
   });
   // Those that say most come first: a pattern of few words fits much.
   compiled.sort((a, b) => b.said - a.said || a.holes.length - b.holes.length);
 
   return function sentence(text, language, word = (of) => of): string {
     if (language === 'en' || text === '') return text;
+    // What is told in several lines is several sentences.
+    if (text.includes('\n')) return text.split('\n').map((line) => line.replace(/\S.*/, (said) => sentence(said, language, word))).join('\n');
     const own = word(text);
     if (own !== text) return own;
     const same = whole.get(text);
@@ -43,7 +45,7 @@ export function matcher(patterns: readonly Pattern[]): (text: string, language: 
       return of(language).replace(HOLE, (_, number: string) => filled.get(number) ?? '');
     }
     // What a machine says of itself, or a sensor: its name or what is the matter, then why.
-    const named = /^([^:;]{1,40}): (.+)$/s.exec(text);
+    const named = /^([^:;]{1,40}): (.+)$/.exec(text);
     return named ? `${sentence(named[1] ?? '', language, word)}: ${sentence(named[2] ?? '', language, word)}` : text;
   };
 }

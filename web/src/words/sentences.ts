@@ -3,6 +3,7 @@ import findings from '../../../words/findings.json';
 import hints from '../../../words/hints.json';
 import notes from '../../../words/notes.json';
 import refusals from '../../../words/refusals.json';
+import type { Language } from './index.svelte';
 import { matcher, ofRow } from './patterns';
 
 /**
@@ -25,4 +26,11 @@ export const ofAnswers = answers as [string, string, string, string, string][];
 export const ofFiles = hints as [string, string, string, string, string][];
 
 /** A sentence of the cell in a language; what has no words here stays as it came. */
-export const sentence = matcher([...rows, ...ofWelds, ...ofJobs, ...ofAnswers, ...ofFiles].map(ofRow));
+export const sentence = matcher([...rows, ...ofWelds, ...ofJobs, ...ofAnswers].map(ofRow));
+
+const SHIPPED = new Map(ofFiles.map(ofRow));
+
+/** A comment or title of a file that ships in a language; a user's own stays as it is. */
+export function shipped(text: string, language: Language): string {
+  return language === 'en' ? text : (SHIPPED.get(text)?.(language) ?? text);
+}

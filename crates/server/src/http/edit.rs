@@ -20,21 +20,56 @@ pub(super) struct Edit {
 }
 
 pub(super) async fn edit(State(panel): State<Arc<Panel>>, Json(edit): Json<Edit>) -> Answer<EditAnswer> {
-    let edited = panel.reading.run(move || {
-        if edit.operations.len() > MOST {
-            return Err(Refused::input(format!("too many operations; allowed: up to {MOST} at once")));
-        }
-        let mut editor = Editor::new("job.toml", &edit.text).map_err(|e| refused(&e))?;
-        let reports = editor.apply_all(&edit.operations).map_err(|(_, e)| refused(&e))?;
-        let words = reports.into_iter().map(|report| report.words).collect();
-        Ok(EditAnswer { text: editor.text().to_owned(), words })
-    });
+    let edited = panel.reading.run(move || edited(&edit).map_err(Refused::input));
     edited.await.map(Json)
 }
 
-/// What is wrong, without the line: it is of a text that nobody sees, the operations' or what they would have made.
-fn refused(e: &DocumentError) -> Refused {
-    let of = if e.value.is_empty() { String::new() } else { format!("{} = {}: ", e.key, e.value) };
-    let allowed = e.allowed.as_ref().map(|allowed| format!("; allowed: {allowed}"));
-    Refused::input(format!("{of}{}{}", e.message, allowed.unwrap_or_default()))
+/// The text after all operations, or why one of them cannot be done.
+fn edited(edit: &Edit) -> Result<EditAnswer, String> {
+    if edit.operations.len() > MOST {
+        return Err(format!("too many operations; allowed: up to {MOST} at once"));
+    }
+    let mut editor = Editor::new("job.toml", &edit.text).map_err(|e| told(&e))?;
+    let several = edit.operations.len() > 1;
+    let reports = editor.apply_all(&edit.operations).map_err(|(i, e)| match told(&e) {
+        text if several => format!("operation {}: {text}", i + 1),
+        text => text,
+    })?;
+    let words = reports.into_iter().map(|report| report.words).collect();
+    Ok(EditAnswer { text: editor.text().to_owned(), words })
+}
+
+/// What is wrong, without the line: it is of the operations' text or of what they would have made, which nobody sees.
+fn told(e: &DocumentError) -> String {
+    let of = match (e.key.as_str(), e.value.as_str()) {
+        ("", _) => String::new(),
+        (key, "") => format!("{key}: "),
+        (key, value) => format!("{key} = {value}: "),
+    };
+    let allowed = e.allowed.as_ref().map(|allowed| format!("; allowed: {allowed}")).unwrap_or_default();
+    let help = e.help.as_ref().map(|help| format!("; {help}")).unwrap_or_default();
+    format!("{of}{}{allowed}{help}", e.message)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Key, value and what is allowed are told, without the line, and of several operations which it is.
+    #[test]
+    fn what_is_wrong_is_told_by_its_key() {
+        let points = include_str!("../../../../examples/points.toml");
+        let wrong = |text: &str, operations: &str| {
+            let edit = Edit { text: text.to_owned(), operations: serde_json::from_str(operations).unwrap() };
+            edited(&edit).unwrap_err()
+        };
+        let (done, pass_7) = (r#"{"op":"delete_points","pass":1,"from":2}"#, r#"{"op":"duplicate_pass","pass":7}"#);
+        let text = wrong(points, &format!("[{pass_7}]"));
+        assert!(text.contains("there is no pass 7") && !text.contains("operation"), "{text}");
+        let text = wrong(points, &format!("[{done},{pass_7}]"));
+        assert!(text.starts_with("operation 2: ") && text.contains("there is no pass 7"), "{text}");
+        let text = wrong(&points.replace("along = \"arc\"", "along = \"bow\""), &format!("[{done}]"));
+        assert!(text.contains("along = ") && text.contains("; allowed: "), "{text}");
+        assert!(!text.contains("job.toml") && !text.contains('\n'), "{text}");
+    }
 }

@@ -2,7 +2,6 @@ use crate::wire::{AxisParameters, HeadView, ParameterView, ParametersView};
 use seamwright_machine::{Axis, AxisKind, BacklashCompensation, Drive, FrictionCompensation, Machine};
 use seamwright_project::Failure;
 use seamwright_project::own_machine::{OwnMachine, Step};
-use seamwright_servo::Gains;
 
 use AxisKind::{Linear, Rotary};
 
@@ -62,7 +61,7 @@ pub(crate) fn parameters_view(own: &OwnMachine, machine: &Machine) -> Result<Par
         let values = keys.iter().zip(groups).zip(of_axis.into_iter().zip(of_drive));
         let values = values.map(|((key, group), (of_axis, of_drive))| {
             let value = if group == "axis" { of_axis } else { of_drive };
-            let without = without(axis, key, machine.servo_period_s);
+            let without = without(axis, key);
             ParameterView { key: (*key).to_owned(), group: group.to_owned(), value, without }
         });
         let notches = axis.drive.as_ref().map_or(&[][..], |drive| &drive.notches);
@@ -80,7 +79,7 @@ pub(crate) fn parameters_view(own: &OwnMachine, machine: &Machine) -> Result<Par
 }
 
 /// What holds where the machine file has no such number, in its units.
-fn without(axis: &Axis, key: &str, period_s: f64) -> Option<f64> {
+fn without(axis: &Axis, key: &str) -> Option<f64> {
     match key {
         "home_mm" | "home_deg" => return Some(0.0),
         "max_jerk_mm_s3" | "max_jerk_deg_s3" => {
@@ -89,17 +88,9 @@ fn without(axis: &Axis, key: &str, period_s: f64) -> Option<f64> {
         _ => {}
     }
     let drive = axis.drive.as_ref()?;
-    // Gains that are not given are 0 beside others that are.
-    let gains = match drive.gains {
-        None => Gains::suggested(drive.velocity_bandwidth_hz, period_s),
-        Some(_) => Gains { kp: 0.0, ki: 0.0, kd: 0.0, kvff: 0.0, kaff: 0.0 },
-    };
     match key {
-        "kp_per_s" => Some(gains.kp),
-        "ki_per_s2" => Some(gains.ki),
-        "kd" => Some(gains.kd),
-        "kvff" => Some(gains.kvff),
-        "kaff_s" => Some(gains.kaff),
+        // Beside others that are given one is 0; where none is, the first that is written takes the place of all.
+        "kp_per_s" | "ki_per_s2" | "kd" | "kvff" | "kaff_s" => drive.gains.map(|_| 0.0),
         "force_limit_n" | "torque_limit_n_m" => Some(drive.load.peak),
         "current_time_constant_ms" => Some(1e3 * Drive::CURRENT_TIME_CONSTANT_S),
         "friction_smoothing_mm_s" | "friction_smoothing_deg_s" => {
@@ -149,8 +140,7 @@ mod tests {
             let machine = of.check(&of.text).unwrap();
             let view = parameters_view(&of, &machine).unwrap();
             for (i, axis) in view.axes.iter().enumerate() {
-                let is_gain = |key: &str| ["kp_per_s", "ki_per_s2", "kd", "kvff", "kaff_s"].contains(&key);
-                let missing = axis.values.iter().filter(|v| v.value.is_none() && !is_gain(&v.key));
+                let missing = axis.values.iter().filter(|v| v.value.is_none());
                 for (key, group, value) in missing.filter_map(|v| Some((&v.key, &v.group, v.without?))) {
                     let table = match group.as_str() {
                         "axis" => of.axis_table(&axis.name).unwrap(),

@@ -50,7 +50,8 @@ pub struct ParameterView {
     pub group: String,
     /// Its value; none: it is not there.
     pub value: Option<f64>,
-    /// What holds without it; none: nothing does, as there is no drive, or one mass instead of two.
+    /// What holds without it; none: nothing does, as what it belongs to is not there (a drive, a second mass, a compensation,
+    /// gains of the machine's own), or it has to be there.
     pub without: Option<f64>,
 }
 

@@ -64,7 +64,7 @@ impl<'a, P: Pixel> Sampler<'a, P> {
         }
     }
 
-    /// Fetches the pixels to the right of and below those at these places.
+    /// Fetches the pixels at these places, those to their right, and the ones below both.
     fn fetch(&mut self, at: &[u32; COLS]) {
         // Those that have others to their right and below, and the others: of one length, so that one check is enough.
         let (count, below) = (self.pixels.len() - self.width - 1, &self.pixels[self.width..]);

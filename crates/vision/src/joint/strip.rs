@@ -180,8 +180,7 @@ impl Strip {
             let part = 1.0 / rows.len() as f32;
             rows.iter().for_each(|row| mean.iter_mut().zip(row).for_each(|(m, g)| *m += part * g));
             let (left, right) = (side(&mean, 1..MID - away), side(&mean, MID + away + 1..COLS - 1));
-            let is_even = left * right > 0.0;
-            if !is_even {
+            if left * right <= 0.0 {
                 continue;
             }
             let slope = lesser(left.abs(), right.abs()).copysign(left);
