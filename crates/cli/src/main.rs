@@ -75,9 +75,13 @@ fn report(failure: &Failure) -> ExitCode {
             ExitCode::from(1)
         }
         Failure::Printed => ExitCode::from(1),
-        Failure::Input(_) | Failure::Document(_) | Failure::Environment(_) => {
+        Failure::Input(_) | Failure::Document(_) => {
             let _ = writeln!(err, "error: {}", failure.text());
-            ExitCode::from(if matches!(failure, Failure::Environment(_)) { 3 } else { 2 })
+            ExitCode::from(2)
+        }
+        Failure::Environment(_) => {
+            let _ = writeln!(err, "error: {}", failure.text());
+            ExitCode::from(3)
         }
         Failure::ReaderGone => ExitCode::SUCCESS,
     }

@@ -26,18 +26,20 @@ export function replaced(text: string, at: { from: number; to: number }, by: str
 /** A path as the cell writes it, `passes[0].spans[1].speed_mm_s`, as tables are called here: `passes.0.spans.1.speed_mm_s`. */
 export const dotted = (path: string): string => path.replace(/\[(\d+)\]/g, '.$1');
 
+/** How paths in an entry begin. */
+const pathOf = (entry: Entry): string => `${entry.table === '' ? '' : `${entry.table}.`}${entry.key}.`;
+
 /** The entry that a path of the cell's is or is in; none for what is not there. */
 export function entryAt(entries: Entry[], path: string): Entry | null {
   const wanted = `${dotted(path)}.`;
-  const of = (entry: Entry): string => `${entry.table === '' ? '' : `${entry.table}.`}${entry.key}.`;
-  const found = entries.filter((entry) => wanted.startsWith(of(entry)));
-  return found.sort((a, b) => of(b).length - of(a).length)[0] ?? null;
+  const found = entries.filter((entry) => wanted.startsWith(pathOf(entry)));
+  return found.sort((a, b) => pathOf(b).length - pathOf(a).length)[0] ?? null;
 }
 
-/** What in an entry a path of the cell's is: a number from 0 in a list, a key in a table; none if it is the entry. */
+/** What in an entry a path of the cell's is: a number from 0 in a list, a key in a table; none if it is the entry or is not in it. */
 export function itemAt(entry: Entry, path: string): string | null {
-  const whole = `${entry.table === '' ? '' : `${entry.table}.`}${entry.key}.`;
-  return dotted(path).slice(whole.length).split('.')[0] || null;
+  const [whole, wanted] = [pathOf(entry), dotted(path)];
+  return wanted.startsWith(whole) ? wanted.slice(whole.length).split('.')[0] || null : null;
 }
 
 class Reader {

@@ -70,13 +70,16 @@ test('only Modal makes a dialog: it has STOP in it, which is out of reach behind
 test('events are told in the chosen language, what stands in them too', async () => {
   vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
   vi.stubGlobal('navigator', { languages: ['en'] });
-  const { titled, words } = await import('../words/index.svelte');
+  const { said, shipped, titled, words } = await import('../words/index.svelte');
   const { eventText } = await import('./said');
   const { lackText } = await import('./lack');
   const event = (key: string, of: string[], more: Partial<EventView> = {}): EventView => ({
     number: 1, t: 0, at: '2026-11-22T12:00:00Z', what: '', key, of, why: null, text: 'as the cell says', user: null, ...more,
   });
   await words.choose('de');
+  // The cell's sentences come after the panel's own words.
+  await vi.waitFor(() => expect(said('there are too many jobs; allowed: 1000')).toBe('es sind zu viele Aufträge; erlaubt: 1000'));
+  expect(shipped('a beam is thin')).toBe('ein Strahl ist dünn');
   expect(eventText(event('mode', ['dry run', 'hold']))).toBe('Probelauf -> Halt');
   expect(eventText(event('pass_ends', ['3', '12.50']))).toBe('Lage 3 endet bei 12.50 mm');
   expect(eventText(event('alarm_of', ['drive fault', 'process and power off', 'theta']))).not.toMatch(/drive fault|power off/);
