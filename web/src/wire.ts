@@ -1787,13 +1787,27 @@ allowed: string | null,
 help: string | null, };
 
 /**
- * `POST /api/plan`, `PUT /api/jobs/NAME`.
+ * `POST /api/plan`, `POST /api/draft`, `GET /api/jobs/NAME`.
  */
 export type JobText = { 
 /**
  * TOML of a job or program.
  */
 text: string, };
+
+/**
+ * `PUT /api/jobs/NAME`.
+ */
+export type JobKept = { 
+/**
+ * TOML of a job or program.
+ */
+text: string, 
+/**
+ * The text in whose place it is put, as far as the page knows, empty for none: if another one stands there it is refused
+ * (`other`), so that nobody's work is lost unseen. Without it the text takes the place of whatever stands there.
+ */
+over: string | null, };
 
 /**
  * A row of `GET /api/jobs`.

@@ -30,8 +30,17 @@ class Edited {
   private drawing: AbortController | null = null;
   private group = '';
   private grouped = 0;
+  /** Operations that the cell carries out, one after the other, and how many of them. */
+  private last: Promise<unknown> = Promise.resolve();
+  private operations = $state(0);
+  /** Counts the jobs that were opened: what is answered later is not meant for the next one. */
+  private opened = 0;
 
-  readonly changed = $derived(this.text !== this.kept);
+  readonly changed = $derived(this.text !== this.kept || this.operations > 0);
+  /** Procedures that were changed here and not kept, by their names. */
+  procedures = $state.raw<Readonly<Record<string, string>>>({});
+  /** There is something that is lost when the job is left. */
+  readonly unkept = $derived(this.changed || Object.keys(this.procedures).length > 0);
   readonly canUndo = $derived(this.past.length > 0);
   readonly canRedo = $derived(this.future.length > 0);
 
@@ -40,11 +49,13 @@ class Edited {
     this.text = text;
     this.kept = kept;
     this.example = example;
+    this.opened += 1;
     this.open = true;
     this.past = [];
     this.future = [];
     this.answer = null;
     this.work = null;
+    this.procedures = {};
     this.sections = [];
     this.trouble = '';
     this.planSoon(0);
@@ -55,8 +66,21 @@ class Edited {
     clearTimeout(this.drawTimer);
     this.asking?.abort();
     this.drawing?.abort();
+    this.opened += 1;
     this.open = false;
     this.work = null;
+    this.procedures = {};
+  }
+
+  /** Another text of a procedure; none: as it is kept. */
+  changeProcedure(name: string, text: string | null): void {
+    const { [name]: _, ...others } = this.procedures;
+    this.procedures = text === null ? others : { ...others, [name]: text };
+  }
+
+  /** Waits until all that was changed is in the text. */
+  async settled(): Promise<void> {
+    while (this.operations > 0) await this.last;
   }
 
   /** Another text. Changes of the same `group` within a second are one step of undo. */
@@ -89,31 +113,54 @@ class Edited {
     this.to(after);
   }
 
-  async keep(name: string): Promise<boolean> {
+  /**
+   * Keeps the text as it is now, with what is on its way into it. `false`: it is not kept, and `trouble` says why; `other`: another text
+   * stands there, of this panel's other jobs or of somebody else, and `replace` was not asked for.
+   */
+  async keep(name: string, replace = false): Promise<boolean | 'other'> {
+    await this.settled();
+    const { text, opened } = this;
+    const over = name === this.name && !this.example ? this.kept : '';
     try {
-      await api.keepJob(name, this.text);
+      await api.keepJob(name, text, replace ? null : over);
+      if (opened !== this.opened) return true;
       this.name = name;
-      this.kept = this.text;
+      // What was written in the meantime is not in it.
+      this.kept = text;
       this.example = false;
       this.trouble = '';
       return true;
     } catch (error) {
+      if (error instanceof Refusal && error.key === 'other') return 'other';
       this.trouble = refusalText(error);
       return false;
     }
   }
 
-  /** Changes the program by operations, which the cell carries out with comments kept. */
-  async operate(operations: unknown[]): Promise<boolean> {
+  /** Changes the program by operations, which the cell carries out with comments kept, after those before. */
+  operate(operations: unknown[]): Promise<boolean> {
+    this.operations += 1;
+    const { opened } = this;
+    const done = this.last.then(() => this.carryOut(operations, opened)).finally(() => (this.operations -= 1));
+    this.last = done;
+    return done;
+  }
+
+  private async carryOut(operations: unknown[], opened: number): Promise<boolean> {
     try {
-      const { text } = await api.edit(this.text, operations);
-      this.change(text, `edit ${Date.now()}`);
-      this.trouble = '';
-      return true;
+      while (opened === this.opened) {
+        const before = this.text;
+        const { text } = await api.edit(before, operations);
+        // Meanwhile changed by hand: once more, from there.
+        if (opened !== this.opened || before !== this.text) continue;
+        this.change(text, `edit ${Date.now()}`);
+        this.trouble = '';
+        return true;
+      }
     } catch (error) {
       this.trouble = refusalText(error);
-      return false;
     }
+    return false;
   }
 
   /** Plans the same text again: a file that it names has changed. */

@@ -104,7 +104,8 @@ export const api = {
   choices: () => request<ChoicesView>('GET', '/api/choices'),
   distortions: () => request<DistortionRow[]>('GET', '/api/distortions'),
   job: (of: string) => request<JobText>('GET', `/api/jobs/${name(of)}`),
-  keepJob: (of: string, text: string) => request<JobRow>('PUT', `/api/jobs/${name(of)}`, { text }),
+  /** `over`: the text that it takes the place of, empty for none; `null`: whatever stands there. */
+  keepJob: (of: string, text: string, over: string | null) => request<JobRow>('PUT', `/api/jobs/${name(of)}`, { text, over }),
   deleteJob: (of: string) => request<void>('DELETE', `/api/jobs/${name(of)}`),
   plan: (text: string, signal?: AbortSignal) => request<PlanAnswer>('POST', '/api/plan', { text }, signal),
   draft: (text: string, signal?: AbortSignal) => request<DraftAnswer>('POST', '/api/draft', { text }, signal),

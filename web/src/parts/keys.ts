@@ -1,22 +1,25 @@
 import { cell } from '../live/cell.svelte';
 import { session } from '../live/session.svelte';
-import { hasMeaning, type Order } from './orders';
-
-/** Keys of the whole panel; arrows belong to the jog pad. */
-const KEYS: Record<string, () => Order> = {
-  F1: () => 'stop',
-  F2: () => 'switch_on',
-  Home: () => 'home',
-  r: () => (cell.status?.armed ? 'start_weld' : 'start_dry_run'),
-  p: () => 'hold',
-  s: () => 'resume',
-  Escape: () => 'stop',
-};
+import { meant, type Spot } from './meant';
+import { canAbort, hasMeaning, type Order } from './orders';
+import { place } from './place.svelte';
 
 /** True where keys are text, or choose something. */
 export function writes(target: EventTarget | null): boolean {
   if (!(target instanceof HTMLElement)) return false;
   return target.isContentEditable || target.matches('input, select, textarea, [role=grid] *, [role=grid], .editor');
+}
+
+function spot(target: EventTarget | null): Spot {
+  const of = (which: string): boolean => target instanceof HTMLElement && target.closest(which) !== null;
+  return {
+    tab: place.tab,
+    writes: writes(target) && !of('input[type=range], input[type=checkbox], input[type=radio]'),
+    scrolls: of('input') || (target instanceof HTMLElement && target.matches('[tabindex="0"]')),
+    editor: of('.editor'),
+    dialog: document.querySelector('dialog[open]') !== null,
+    armed: cell.status?.armed ?? false,
+  };
 }
 
 /** Sends a command if this panel may; stop needs nothing. */
@@ -28,11 +31,10 @@ export function order(of: Order): void {
 
 export function onKey(event: KeyboardEvent): void {
   if (event.repeat || event.ctrlKey || event.altKey || event.metaKey) return;
-  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-  const of = KEYS[key];
+  const of = meant(event.key.length === 1 ? event.key.toLowerCase() : event.key, spot(event.target));
   if (!of) return;
-  // F1 stops from everywhere; all other keys may be meant for a field or a dialog.
-  if (key !== 'F1' && (writes(event.target) || document.querySelector('dialog[open]'))) return;
+  // A field's own Esc stays where there is nothing to stop.
+  if (event.key === 'Escape' && writes(event.target) && !canAbort(cell.mode)) return;
   event.preventDefault();
-  order(of());
+  order(of);
 }

@@ -1,4 +1,5 @@
 import { describe, expect, test, vi } from 'vitest';
+import { meant, type Spot } from './meant';
 import { dayAndTime, duration, number, span, valueName } from './numbers';
 import { canAbort, canHold, hasMeaning, next, powerComes, type Order } from './orders';
 import { programText } from './taught.svelte';
@@ -92,4 +93,28 @@ test('events are told in the chosen language, what stands in them too', async ()
   await words.choose('en');
   expect(eventText(event('loaded', ['{1} <b>']))).toBe('loaded: {1} <b>');
   expect(eventText(event('recorded', ['7', 'good']))).toBe('weld 7 recorded: good');
+});
+
+describe('keys', () => {
+  const weld: Spot = { tab: 'weld', writes: false, scrolls: false, editor: false, dialog: false, armed: false };
+  const heard = (spot: Partial<Spot>): (Order | null)[] => ['F1', 'Escape', 'p', 'F2', 'Home', 'r', 's', 'x'].map((key) => meant(key, { ...weld, ...spot }));
+
+  test('all of them on the machine’s pages', () => {
+    expect(heard({})).toEqual(['stop', 'stop', 'hold', 'switch_on', 'home', 'start_dry_run', 'resume', null]);
+    expect(heard({ armed: true })[5]).toBe('start_weld');
+    expect(heard({ tab: 'teach' })).toEqual(heard({}));
+  });
+
+  test('nothing moves by them elsewhere, and what stops is heard there too', () => {
+    for (const tab of ['jobs', 'records', 'setup'] as const) {
+      expect(heard({ tab, armed: true })).toEqual(['stop', 'stop', 'hold', 'switch_on', null, null, null, null]);
+    }
+  });
+
+  test('a text takes letters, not STOP; a slider or what scrolls takes Home alone; a dialog and the editor have Esc', () => {
+    expect(heard({ writes: true })).toEqual(['stop', 'stop', null, null, null, null, null, null]);
+    expect(heard({ scrolls: true })).toEqual(['stop', 'stop', 'hold', 'switch_on', null, 'start_dry_run', 'resume', null]);
+    expect(heard({ writes: true, editor: true })[1]).toBeNull();
+    expect(heard({ dialog: true })).toEqual(['stop', null, null, null, null, null, null, null]);
+  });
 });

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { lead, STEPS, type Seen } from './tour';
 
 const before: Seen = {
-  mine: false, powered: false, mode: 'off', armed: false, work: true, elsewhere: false, left: false, burned: false, records: false,
+  mine: false, powered: false, mode: 'off', armed: false, work: true, elsewhere: false, left: false, goesOn: false, burned: false, records: false,
 };
 const after = (...changes: Partial<Seen>[]): string => {
   const { key } = lead(Object.assign({}, before, ...changes) as Seen);
@@ -37,6 +37,9 @@ test('beside the way it says what leads back to it', () => {
   // A weld that was stopped is not done, and is gone on with, also without power.
   expect(after(ready, { left: true })).toBe('left');
   expect(after(ready, { left: true, burned: true, records: true })).toBe('left');
+  // Once the program goes on there, it is armed and started like any other.
+  expect(after(ready, { left: true, goesOn: true })).toBe('arm');
+  expect(after(ready, { left: true, goesOn: true, elsewhere: true })).toBe('again');
   expect(after({ mine: true, left: true })).toBe('on');
   // Control that was lost comes before what needs it, but not while something burns.
   expect(after(ready, { mine: false })).toBe('control');

@@ -12,6 +12,8 @@ export type Seen = {
   elsewhere: boolean;
   /** A weld was left on its way. */
   left: boolean;
+  /** What is loaded goes on with it. */
+  goesOn: boolean;
   /** Arc or beam has burned in this tour. */
   burned: boolean;
   /** Records are looked at. */
@@ -35,7 +37,7 @@ export function lead(seen: Seen): { step: number; key: Key } {
   if (mode === 'dry_run') return { step: 4, key: 'tour.dry' };
   if (mode === 'jog' || mode === 'teach') return { step: 4, key: 'tour.jog' };
   if (mode !== 'ready') return { step: 3, key: 'tour.home' };
-  if (seen.left) return { step: 4, key: 'tour.left' };
+  if (seen.left && !seen.goesOn) return { step: 4, key: 'tour.left' };
   if (!seen.work) return { step: 4, key: 'tour.load' };
   if (seen.elsewhere) return { step: 4, key: 'tour.again' };
   return seen.armed ? { step: 5, key: 'tour.weld' } : { step: 4, key: 'tour.arm' };

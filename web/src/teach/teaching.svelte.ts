@@ -35,6 +35,11 @@ class Teaching {
     return answer.ok;
   }
 
+  /** What is wrong before anything is sent. */
+  refuse(why: string): void {
+    this.trouble = why;
+  }
+
   async make(tolerance_mm: number, method: string): Promise<void> {
     try {
       this.made = await api.taughtProgram({ tolerance_mm, attitude_deg: 0.5, method });

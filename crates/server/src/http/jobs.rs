@@ -1,14 +1,14 @@
 use super::answer::{Answer, Refused};
 use super::panel::Panel;
 use crate::users::Session;
-use crate::wire::{DistortionRow, JobRow, JobText};
+use crate::wire::{DistortionRow, JobKept, JobRow, JobText};
 use axum::extract::{Path, State};
 use axum::http::StatusCode;
 use axum::{Extension, Json};
 use seamwright_project::examples::{DISTORTIONS, EXAMPLES, Example};
 use seamwright_project::files;
 use std::io::Read as _;
-use std::sync::Arc;
+use std::sync::{Arc, PoisonError};
 
 /// Most jobs of our own.
 const MOST: usize = 2000;
@@ -117,14 +117,19 @@ pub(super) async fn put(
     State(panel): State<Arc<Panel>>,
     Extension(session): Extension<Session>,
     Path(name): Path<String>,
-    Json(job): Json<JobText>,
+    Json(job): Json<JobKept>,
 ) -> Answer<JobRow> {
     let name = checked(&name)?;
     if example(name).is_some() {
         return Err(Refused::input(format!("`{name}` is the name of an example: save it under another name")));
     }
     let path = panel.jobs().join(name);
+    let _kept = panel.keeping.lock().unwrap_or_else(PoisonError::into_inner);
     let old = if path.is_file() { files::read(&path)? } else { String::new() };
+    if job.over.is_some_and(|over| over != old) {
+        let text = format!("another text is kept as `{name}`");
+        return Err(Refused::new(StatusCode::CONFLICT, "other", text));
+    }
     if !path.is_file() && own(&panel)?.len() >= MOST {
         return Err(Refused::input(format!("there are too many jobs; allowed: {MOST}")));
     }

@@ -3,8 +3,8 @@ use crate::cell::Cell;
 use crate::teaching::Teaching;
 use crate::users::{Accounts, OWNER, Session, Sessions, Tries};
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex};
 use tokio::sync::watch;
 
 /// Most bytes of an archive that is restored from a page.
@@ -34,6 +34,8 @@ pub(crate) struct Panel {
     /// Of passwords: one at a time, so that guesses at once do not count as one.
     pub(crate) checking: Turns,
     pub(crate) backing_up: Turns,
+    /// Held while a job is kept: what is there is looked at before.
+    pub(crate) keeping: Mutex<()>,
     /// Says that the cell is to begin anew with restored data.
     pub(crate) restores: watch::Sender<Restores>,
     /// Most bytes of an archive that is restored.
@@ -58,6 +60,7 @@ impl Panel {
             reading: Turns::new(2, 32),
             checking: Turns::new(1, 16),
             backing_up: Turns::new(1, 0),
+            keeping: Mutex::new(()),
             restores: watch::Sender::new(None),
             most_archive: MOST_ARCHIVE,
             teaching: Teaching::default(),

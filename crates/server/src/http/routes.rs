@@ -5,8 +5,8 @@ use super::{
     users,
 };
 use crate::wire::{
-    AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DistortionRow, DraftAnswer, EditAnswer, JobRow,
-    JobText, Load, Login, MachineView, OwnPassword, ParameterChange, ParametersView, PlaceAnswer, PlaceText,
+    AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DistortionRow, DraftAnswer, EditAnswer, JobKept,
+    JobRow, JobText, Load, Login, MachineView, OwnPassword, ParameterChange, ParametersView, PlaceAnswer, PlaceText,
     PlanAnswer, PostAnswer, PostText, RecordRow, RecordView, SensorAnswer, SensorChange, SensorsView, SessionView,
     Shelving, TaughtProgram, TaughtView, TeachProgram, ToolAnswer, ToolTip, ToolTouches, TraceView, TuningView,
     UserChange, UserRow, WorkView,
@@ -114,7 +114,7 @@ pub(super) fn routes() -> Vec<Route> {
             ("put", jobs),
             "jobs.write",
             "Keeps a job",
-            (shape::<JobText>(), shape::<JobRow>()),
+            (shape::<JobKept>(), shape::<JobRow>()),
             put(jobs::put),
         ),
         Route::write(("delete", jobs), "jobs.write", "Removes a job", (None, None), delete(jobs::delete)),

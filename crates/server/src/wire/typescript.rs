@@ -74,6 +74,7 @@ pub fn typescript() -> String {
         decl::<PlanAnswer>(&config),
         decl::<WrongView>(&config),
         decl::<JobText>(&config),
+        decl::<JobKept>(&config),
         decl::<JobRow>(&config),
         decl::<ChoicesView>(&config),
         decl::<Choice>(&config),

@@ -340,12 +340,24 @@ pub struct WrongView {
     pub help: Option<String>,
 }
 
-/// `POST /api/plan`, `PUT /api/jobs/NAME`.
+/// `POST /api/plan`, `POST /api/draft`, `GET /api/jobs/NAME`.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JobText {
     /// TOML of a job or program.
     pub text: String,
+}
+
+/// `PUT /api/jobs/NAME`.
+#[derive(Debug, Clone, PartialEq, Deserialize, TS, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JobKept {
+    /// TOML of a job or program.
+    pub text: String,
+    /// The text in whose place it is put, as far as the page knows, empty for none: if another one stands there it is refused
+    /// (`other`), so that nobody's work is lost unseen. Without it the text takes the place of whatever stands there.
+    #[serde(default)]
+    pub over: Option<String>,
 }
 
 /// A row of `GET /api/jobs`.
