@@ -725,6 +725,15 @@ token: string,
 first_run: boolean, };
 
 /**
+ * The answer to a stop of whoever is not logged in.
+ */
+export type Stopped = { 
+/**
+ * What the cell was doing then: [`Status::mode`]; empty if that is not known yet.
+ */
+mode: string, };
+
+/**
  * What a user may do; each includes those before.
  */
 export type Role = "viewer" | "operator" | "programmer" | "service" | "admin";
@@ -912,14 +921,46 @@ missed: number,
  */
 lost: number, 
 /**
- * Where a weld was left by a stop, a fault or a power failure and can be gone on with: pass from 1 and the path length
- * up to which it is welded (mm).
+ * Where a weld was left by a stop, a fault or a power failure and can be gone on with.
  */
-left: [number, number] | null, 
+left: LeftView | null, 
+/**
+ * Number of the part that the next weld is recorded of; empty if it has none. A part that is welded whole takes it along.
+ */
+part: string, 
 /**
  * Number of the weld in the library while one is recorded.
  */
 recording: number | null, };
+
+/**
+ * A weld that was left.
+ */
+export type LeftView = { 
+/**
+ * The pass, from 1.
+ */
+pass: number, 
+/**
+ * Path length up to which the pass is welded, mm.
+ */
+s_mm: number, 
+/**
+ * Number of its record in the library, if it was recorded.
+ */
+record: number | null, 
+/**
+ * Title of what was welded.
+ */
+title: string, 
+/**
+ * Number of the part; empty if it has none.
+ */
+part: string, 
+/**
+ * What is in the cell is the same program, for this part or for none that has a number: it can go on there.
+ */
+here: boolean, };
 
 /**
  * Arc or beam.

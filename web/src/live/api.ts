@@ -25,6 +25,7 @@ import type {
   SensorsView,
   SessionView,
   Shelving,
+  Stopped,
   TaughtProgram,
   TaughtView,
   TeachProgram,
@@ -96,6 +97,8 @@ const query = (of: Record<string, string | number>): string =>
 export const api = {
   login: (login: Login) => request<SessionView>('POST', '/api/login', login),
   logout: () => request<void>('POST', '/api/logout'),
+  /** STOP of a page where nobody is logged in. */
+  stop: () => request<Stopped>('POST', '/api/stop'),
   session: () => request<SessionView>('GET', '/api/session'),
   machine: () => request<MachineView>('GET', '/api/machine'),
   devices: () => request<DeviceView[]>('GET', '/api/devices'),

@@ -5,6 +5,9 @@ import type { SessionView } from '../wire';
 class Session {
   view = $state.raw<SessionView | null | undefined>(undefined);
 
+  /** It was ended by the cell, not here. */
+  over = $state(false);
+
   /** Asks the server; with the key of the printed address (`#key=`) it logs in with that first. */
   async begin(): Promise<void> {
     const key = /^#key=(.+)$/.exec(location.hash)?.[1];
@@ -25,7 +28,10 @@ class Session {
     try {
       this.take(await api.session());
     } catch (error) {
-      if (error instanceof Refusal && error.status === 401) this.view = null;
+      if (error instanceof Refusal && error.status === 401) {
+        if (this.view) this.over = true;
+        this.view = null;
+      }
       else if (this.view === undefined) this.view = null;
     }
   }
@@ -37,6 +43,7 @@ class Session {
 
   async logout(): Promise<void> {
     await api.logout().catch(() => undefined);
+    this.over = false;
     this.view = null;
   }
 
@@ -46,6 +53,7 @@ class Session {
 
   private take(view: SessionView): void {
     useToken(view.token);
+    this.over = false;
     this.view = view;
   }
 }

@@ -31,6 +31,11 @@ export function powerComes(mode: string | null, powered: boolean): boolean {
   return !powered && (mode === 'idle' || mode === 'ready');
 }
 
+/** It goes back in a hold. */
+export function movesHeld(mode: string | null, status: { speed_mm_s: number } | null): boolean {
+  return mode === 'hold' && Math.abs(status?.speed_mm_s ?? 0) > 0.001;
+}
+
 /** True where something moves, so that there is something to hold. */
 export function canHold(mode: string | null): boolean {
   return mode !== null && ['homing', 'jog', 'teach', 'dry_run', 'weld'].includes(mode);

@@ -1,7 +1,7 @@
 import { describe, expect, test, vi } from 'vitest';
 import { meant, type Spot } from './meant';
 import { dayAndTime, duration, number, span, valueName } from './numbers';
-import { canAbort, canHold, hasMeaning, next, powerComes, type Order } from './orders';
+import { canAbort, canHold, hasMeaning, movesHeld, next, powerComes, type Order } from './orders';
 import { programText } from './taught.svelte';
 import type { EventView, MachineView } from '../wire';
 import { pointPasses } from '../jobs/points';
@@ -93,6 +93,13 @@ test('events are told in the chosen language, what stands in them too', async ()
   await words.choose('en');
   expect(eventText(event('loaded', ['{1} <b>']))).toBe('loaded: {1} <b>');
   expect(eventText(event('recorded', ['7', 'good']))).toBe('weld 7 recorded: good');
+});
+
+test('a machine that goes back in a hold can be held', () => {
+  for (const [mode, speed, moves] of [['hold', -4, true], ['hold', 4, true], ['hold', 0, false], ['weld', 4, false], [null, 4, false]] as const) {
+    expect(movesHeld(mode, { speed_mm_s: speed })).toBe(moves);
+  }
+  expect(movesHeld('hold', null)).toBe(false);
 });
 
 describe('keys', () => {

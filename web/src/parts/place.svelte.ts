@@ -10,8 +10,6 @@ class Place {
   tab = $state<Tab>('weld');
   /** The first-run tour is shown: until it is dismissed once. */
   touring = $state(localStorage.getItem(TOURED) === null);
-  /** Name of the part that was loaded last, for loading its program again. */
-  part = $state('');
   /** Teaching goes by eye, else by hand. */
   byEye = $state(false);
   /** A place on a pass that is shown in 3D, tables and plots alike: pass from 0 and the sample of its path. */

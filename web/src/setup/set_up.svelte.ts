@@ -1,10 +1,19 @@
 import { api } from '../live/api';
 import { cell } from '../live/cell.svelte';
-import { place } from '../parts/place.svelte';
+import { machineOf } from '../parts/taught.svelte';
 
-/** Touches of one point with the tool, positions of all axes each; kept when the page is left. */
+/** Touches of one point with the tool, positions of all axes each; kept when the page is left, not when the machine is another. */
 class Touches {
-  list = $state.raw<number[][]>([]);
+  private all = $state.raw<{ machine: string; list: number[][] }>({ machine: '', list: [] });
+  private readonly machine = $derived(cell.machine ? machineOf(cell.machine) : '');
+
+  get list(): number[][] {
+    return this.all.machine === this.machine ? this.all.list : [];
+  }
+
+  set list(list: number[][]) {
+    this.all = { machine: this.machine, list };
+  }
 }
 
 export const touches = new Touches();
@@ -13,6 +22,6 @@ export const touches = new Touches();
 export async function loadAnew(): Promise<void> {
   const work = cell.work;
   if (!work) return;
-  await api.load({ job: work.job, from: null, part: place.part || null, distortion: work.distortion });
+  await api.load({ job: work.job, from: null, part: cell.status?.part || null, distortion: work.distortion });
   await cell.askMachine();
 }

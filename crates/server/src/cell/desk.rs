@@ -4,6 +4,7 @@ use super::around::Around;
 use super::connection::Connection;
 use super::happening::{Happening, happening};
 use super::hub::Hub;
+use super::left::{Left, ToWeld};
 use super::names::{Extra, Names};
 use super::prepared::Prepared;
 use super::recorder::Recorder;
@@ -65,8 +66,7 @@ pub(super) struct Desk {
     pub(super) names: Names,
     pub(super) recorder: Recorder,
     pub(super) mirror: Mirror,
-    pub(super) plan: Option<Plan>,
-    pub(super) passes: usize,
+    pub(super) to_weld: Option<ToWeld>,
     waiting: VecDeque<Command>,
     /// What stands against something, as it is told, for each who asked.
     pub(super) lacks: HashMap<(u32, u32), Vec<LackView>>,
@@ -74,7 +74,7 @@ pub(super) struct Desk {
     now: Option<Shown>,
     shown: Instant,
     missed: u32,
-    pub(super) left: Option<(u32, f64)>,
+    pub(super) left: Option<Left>,
     pub(super) quits: bool,
     /// What keeps the record from being written, as it was told.
     pub(super) trouble: Option<String>,
@@ -95,7 +95,7 @@ impl Desk {
         from: Receiver<ToDesk>,
         names: Names,
         (recorder, mirror): (Recorder, Mirror),
-        left: Option<(u32, f64)>,
+        left: Option<Left>,
     ) -> Self {
         let Queues { outside, next, done } = queues;
         Self {
@@ -108,8 +108,7 @@ impl Desk {
             names,
             recorder,
             mirror,
-            plan: None,
-            passes: 0,
+            to_weld: None,
             waiting: VecDeque::new(),
             lacks: HashMap::new(),
             loading: None,
@@ -202,7 +201,12 @@ impl Desk {
         self.now = Some(*shown);
         if self.shown.elapsed() >= SHOW {
             self.shown = Instant::now();
-            let extra = Extra { missed: self.missed, left: self.left, recording: self.recorder.weld() };
+            let extra = Extra {
+                missed: self.missed,
+                left: self.left.as_ref().map(|left| left.seen(self.to_weld.as_ref())),
+                part: self.to_weld.as_ref().map_or_else(String::new, |of| of.plan.part.clone()),
+                recording: self.recorder.weld(),
+            };
             let set = std::array::from_fn(|i| shown.orders.set[i].position);
             self.hub.show(self.names.status(shown, extra), set);
         }
@@ -243,6 +247,7 @@ impl Desk {
             return;
         }
         let Loading { prepared, view, around, plan, passes, user } = loading;
+        let to_weld = plan.map(|plan| ToWeld::new(plan, passes));
         let to = prepared.devices.as_ref().map(|devices| devices.to().clone());
         let (machine, fingerprint) = (prepared.machine().clone(), prepared.fingerprint().to_owned());
         let values = prepared.with(|work| work.values().len());
@@ -254,7 +259,7 @@ impl Desk {
         }
         self.waiting.push_back(Command { origin: Origin::default(), number: 0, ask: Ask::Load });
         let names = Names { machine, fingerprint, values, heads };
-        self.loading = Some(Box::new(Pending { names, to, view, around, plan, passes, user, answer }));
+        self.loading = Some(Box::new(Pending { names, to, view, around, to_weld, user, answer }));
     }
 
     pub(super) fn loaded(&mut self, refused: Option<Missing>) {
@@ -274,7 +279,7 @@ impl Desk {
             }
         }
         self.names = pending.names;
-        (self.plan, self.passes) = (pending.plan, pending.passes);
+        self.to_weld = pending.to_weld;
         if let Some(view) = &pending.view {
             self.tell(happening("loaded", [view.title.clone()]).by(Some(pending.user)));
         }
@@ -302,8 +307,7 @@ pub(super) struct Pending {
     to: Option<Connection>,
     view: Option<Arc<WorkView>>,
     around: Arc<Around>,
-    plan: Option<Plan>,
-    passes: usize,
+    to_weld: Option<ToWeld>,
     user: String,
     answer: Loaded,
 }

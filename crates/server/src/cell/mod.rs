@@ -9,6 +9,7 @@ mod desk;
 mod guiding;
 mod happening;
 mod hub;
+mod left;
 mod names;
 mod notes;
 mod prepared;

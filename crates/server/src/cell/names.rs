@@ -1,4 +1,4 @@
-use crate::wire::{Ages, AlarmView, AxisStatus, LackView, ProcessStatus, Status};
+use crate::wire::{Ages, AlarmView, AxisStatus, LackView, LeftView, ProcessStatus, Status};
 use seamwright_cell::executive::{Alarm, AlarmState, Event, Interlocks, Missing, Mode, ProcessState, Raised, Reaction};
 use seamwright_cell::realtime::Shown;
 use seamwright_cell::tracking;
@@ -161,6 +161,7 @@ impl Names {
             missed: extra.missed,
             lost: c.lost,
             left: extra.left,
+            part: extra.part,
             recording: extra.recording,
         }
     }
@@ -183,10 +184,10 @@ pub(crate) const WHY: [(&str, Event); 7] = [
 ];
 
 /// What the desk knows beside the cycle.
-#[derive(Clone, Copy)]
 pub(super) struct Extra {
     pub(super) missed: u32,
-    pub(super) left: Option<(u32, f64)>,
+    pub(super) left: Option<LeftView>,
+    pub(super) part: String,
     pub(super) recording: Option<i64>,
 }
 

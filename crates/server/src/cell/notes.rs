@@ -2,6 +2,7 @@
 
 use super::desk::Desk;
 use super::happening::happening;
+use super::left::Left;
 use super::names::WHY;
 use crate::wire::FromCell;
 use seamwright_cell::executive::{Ask, Command, Missing, Mode, Note, Origin, Raised};
@@ -26,6 +27,13 @@ impl Desk {
                 if to == Mode::Weld && from != Mode::Hold {
                     self.begin_record();
                 }
+                if !matches!(to, Mode::Weld | Mode::Hold)
+                    && self.recorder.whole()
+                    && let Some(of) = &mut self.to_weld
+                {
+                    // The next weld of this program is another part's.
+                    of.plan.part.clear();
+                }
             }
             Note::Taken(command) if command.ask == Ask::Load => self.loaded(None),
             Note::Refused(command, missing) if command.ask == Ask::Load => self.loaded(Some(missing)),
@@ -47,7 +55,8 @@ impl Desk {
                 self.tell(happening("pass_ends", [place.pass.to_string(), format!("{:.2}", place.s_mm)]));
             }
             Note::Left(place) => {
-                self.left = Some((place.pass as u32, place.s_mm));
+                let at = (place.pass as u32, place.s_mm);
+                self.left = self.to_weld.as_ref().map(|of| Left::now(at, self.recorder.weld(), of));
                 self.tell(happening("left", [place.pass.to_string(), format!("{:.2}", place.s_mm)]));
             }
         }
@@ -55,9 +64,9 @@ impl Desk {
 
     fn begin_record(&mut self) {
         self.left = None;
-        let Some(plan) = &self.plan else { return };
+        let Some(of) = &self.to_weld else { return };
         let welder = self.hub.holder().unwrap_or_default();
-        match self.recorder.begin(plan, self.passes, &welder) {
+        match self.recorder.begin(&of.plan, of.passes, &welder) {
             Ok(()) => {
                 // What the last one lost is told; this one is whole so far.
                 self.outside.mend();

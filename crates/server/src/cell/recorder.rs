@@ -41,6 +41,12 @@ struct Open {
     ended: Option<f64>,
 }
 
+impl Open {
+    fn is_whole(&self) -> bool {
+        self.left.is_none() && self.passes >= self.wanted
+    }
+}
+
 impl Recorder {
     pub(super) fn new(folder: &Path, hub: Arc<Hub>, archive: Archive) -> Self {
         Self { folder: folder.to_owned(), hub, archive, open: None }
@@ -49,6 +55,11 @@ impl Recorder {
     /// Number of the weld that is recorded.
     pub(super) fn weld(&self) -> Option<i64> {
         self.open.as_ref().map(|o| o.recording.id())
+    }
+
+    /// The weld that is recorded has come to the end of its last pass.
+    pub(super) fn whole(&self) -> bool {
+        self.open.as_ref().is_some_and(Open::is_whole)
     }
 
     /// A weld begins: `passes` of it are to come, by `welder`.
@@ -155,7 +166,7 @@ fn alarm(t: f64, raised: &Raised, name: &str) -> Alarm {
 fn finish(open: Open, folder: &Path) -> Result<WeldResult, Error> {
     let mut data = DataFolder::open(folder)?;
     let id = open.recording.id();
-    let whole = open.left.is_none() && open.passes >= open.wanted;
+    let whole = open.is_whole();
     let result = match &open.stopped {
         None if whole => WeldResult::Good,
         // It was held by an alarm, and went on to its end.

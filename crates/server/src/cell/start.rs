@@ -6,6 +6,7 @@ use super::cycle::{self, Swap};
 use super::desk::{Desk, Queues, ToDesk};
 use super::happening::happening;
 use super::hub::Hub;
+use super::left::Left;
 use super::names::Names;
 use super::prepared::{Prepared, Task};
 use super::recorder::Recorder;
@@ -43,7 +44,9 @@ impl Cell {
         seamwright_cell::check_drives(machine).map_err(|e| e.to_string())?;
         let mut folder = DataFolder::open(data).map_err(|e| e.to_string())?;
         let interrupted = folder.recover().map_err(|e| e.to_string())?;
-        let left = folder.journal().map_err(|e| e.to_string())?.last();
+        let last = folder.journal().map_err(|e| e.to_string())?.last();
+        // Of a weld whose record is gone nothing can be said.
+        let left = last.and_then(|at| Left::before(&at, folder.library()).ok());
         let unknown = folder.library().listed_alarms().map_err(|e| e.to_string())?;
         drop(folder);
         let hub = Arc::new(Hub::new());
@@ -52,13 +55,12 @@ impl Cell {
         for weld in &interrupted {
             hub.event(0.0, happening("record_interrupted", [weld.weld.id.to_string()]));
         }
-        if let Some(left) = &left {
-            hub.event(0.0, happening("left_before", [left.weld.to_string()]));
+        if let Some(at) = &last {
+            hub.event(0.0, happening("left_before", [at.weld.to_string()]));
         }
         for alarm in &unknown {
             hub.event(0.0, happening("alarm_before", [alarm.name.clone(), alarm.raised.to_string()]));
         }
-        let left = left.map(|left| (left.pass.max(1), left.welded_to));
         let archive = Archive::open(data, Arc::clone(&hub)).map_err(|e| e.to_string())?;
         let (port, outside) = live();
         let urgent = outside.urgent();

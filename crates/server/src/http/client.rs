@@ -29,6 +29,13 @@ pub(super) struct Client {
     spoke: Instant,
 }
 
+/// Number of a message that is not understood, if it is one that is answered.
+fn number(text: &str) -> u32 {
+    let message = serde_json::from_str::<serde_json::Value>(text).unwrap_or_default();
+    let answered = matches!(message["kind"].as_str(), Some("command" | "teach"));
+    message["seq"].as_u64().filter(|_| answered).and_then(|seq| u32::try_from(seq).ok()).unwrap_or(0)
+}
+
 impl Client {
     pub(super) fn new(panel: Arc<Panel>, session: Session, station: u32) -> Self {
         Self {
@@ -56,7 +63,9 @@ impl Client {
     pub(super) fn hears(&mut self, text: &str) {
         let message = match serde_json::from_str::<ToCell>(text) {
             Ok(message) => message,
-            Err(e) => return self.answer(0, Err(lack("value", format!("the message is not understood: {e}")))),
+            Err(e) => {
+                return self.answer(number(text), Err(lack("value", format!("the message is not understood: {e}"))));
+            }
         };
         // Whoever was logged out or lost his role a moment ago commands nothing any more, but still stops.
         let stops = matches!(message, ToCell::Command { ask: AskView::Stop {}, .. });

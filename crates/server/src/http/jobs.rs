@@ -5,6 +5,8 @@ use crate::wire::{DistortionRow, JobKept, JobRow, JobText};
 use axum::extract::{Path, State};
 use axum::http::StatusCode;
 use axum::{Extension, Json};
+use seamwright_program::Procedure;
+use seamwright_project::Failure;
 use seamwright_project::examples::{DISTORTIONS, EXAMPLES, Example};
 use seamwright_project::files;
 use std::io::Read as _;
@@ -122,6 +124,10 @@ pub(super) async fn put(
     let name = checked(&name)?;
     if example(name).is_some() {
         return Err(Refused::input(format!("`{name}` is the name of an example: save it under another name")));
+    }
+    // A job may be half done; a procedure that cannot be read would make every job that names it none.
+    if kind(&job.text) == Kind::Procedure {
+        Procedure::read(name, &job.text).map_err(Failure::from)?;
     }
     let path = panel.jobs().join(name);
     let _kept = panel.keeping.lock().unwrap_or_else(PoisonError::into_inner);

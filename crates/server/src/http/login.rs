@@ -26,7 +26,7 @@ pub(super) fn session_view(panel: &Panel, session: &Session) -> SessionView {
 /// Where a request comes from; without a connection, as in tests, from here.
 pub(super) type From = Option<Extension<ConnectInfo<SocketAddr>>>;
 
-fn address(from: &From) -> IpAddr {
+pub(super) fn address(from: &From) -> IpAddr {
     from.as_ref().map_or(IpAddr::V4(Ipv4Addr::LOCALHOST), |from| from.0.0.ip())
 }
 

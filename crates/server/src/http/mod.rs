@@ -20,6 +20,7 @@ mod routes;
 mod sensors;
 mod setup;
 mod socket;
+mod stop;
 mod teach;
 mod turns;
 mod users;

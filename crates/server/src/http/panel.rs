@@ -5,6 +5,7 @@ use crate::users::{Accounts, OWNER, Session, Sessions, Tries};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
+use std::time::Instant;
 use tokio::sync::watch;
 
 /// Most bytes of an archive that is restored from a page.
@@ -34,6 +35,8 @@ pub(crate) struct Panel {
     /// Of passwords: one at a time, so that guesses at once do not count as one.
     pub(crate) checking: Turns,
     pub(crate) backing_up: Turns,
+    /// When somebody who is not logged in stopped last.
+    pub(crate) stopped: Mutex<Option<Instant>>,
     /// Held while a job is kept: what is there is looked at before.
     pub(crate) keeping: Mutex<()>,
     /// Says that the cell is to begin anew with restored data.
@@ -60,6 +63,7 @@ impl Panel {
             reading: Turns::new(2, 32),
             checking: Turns::new(1, 16),
             backing_up: Turns::new(1, 0),
+            stopped: Mutex::new(None),
             keeping: Mutex::new(()),
             restores: watch::Sender::new(None),
             most_archive: MOST_ARCHIVE,

@@ -1,15 +1,15 @@
 use super::guard::{Need, host, need};
 use super::panel::Panel;
 use super::{
-    assets, choices, edit, jobs, login, look, openapi, place, plan, records, restore, sensors, setup, socket, teach,
-    users,
+    assets, choices, edit, jobs, login, look, openapi, place, plan, records, restore, sensors, setup, socket, stop,
+    teach, users,
 };
 use crate::wire::{
     AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DistortionRow, DraftAnswer, EditAnswer, JobKept,
     JobRow, JobText, Load, Login, MachineView, OwnPassword, ParameterChange, ParametersView, PlaceAnswer, PlaceText,
     PlanAnswer, PostAnswer, PostText, RecordRow, RecordView, SensorAnswer, SensorChange, SensorsView, SessionView,
-    Shelving, TaughtProgram, TaughtView, TeachProgram, ToolAnswer, ToolTip, ToolTouches, TraceView, TuningView,
-    UserChange, UserRow, WorkView,
+    Shelving, Stopped, TaughtProgram, TaughtView, TeachProgram, ToolAnswer, ToolTip, ToolTouches, TraceView,
+    TuningView, UserChange, UserRow, WorkView,
 };
 use axum::extract::DefaultBodyLimit;
 use axum::routing::{MethodRouter, delete, get, post, put};
@@ -77,10 +77,15 @@ pub(super) fn routes() -> Vec<Route> {
     let login = post(login::login).layer(DefaultBodyLimit::max(MOST_UNKNOWN));
     let login =
         Route { action: None, ..Route::write(("post", "/api/login"), "", "Begins a session", login_body, login) };
+    let about = "Stops what runs, for whoever can reach the panel";
+    let stop = post(stop::stop).layer(DefaultBodyLimit::max(MOST_UNKNOWN));
+    let stop =
+        Route { action: None, ..Route::write(("post", "/api/stop"), "", about, (None, shape::<Stopped>()), stop) };
     let jobs = "/api/jobs/{name}";
     let user = "/api/users/{name}";
     vec![
         login,
+        stop,
         Route::write(("post", "/api/logout"), "watch", "Ends the session", (None, None), post(login::logout)),
         Route::get("/api/session", "watch", "Who is logged in", shape::<SessionView>(), get(login::session)),
         Route::get("/api/machine", "watch", "The machine of the cell", shape::<MachineView>(), get(look::machine)),

@@ -29,6 +29,35 @@ async fn jobs_are_kept_planned_posted_and_edited() {
         answer["at"]["line"].as_u64().is_some() && answer["message"].as_str().unwrap().contains("tilte"),
         "{answer}"
     );
+    // Another text is not replaced without a word: that of another job, or what somebody else has made of this one.
+    let keep = async |over: serde_json::Value, text: &str| {
+        let body = match over {
+            serde_json::Value::Null => json!({ "text": text }),
+            over => json!({ "text": text, "over": over }),
+        };
+        bench.ask(owner.request("PUT", "/api/jobs/mine.toml", Some(&body))).await
+    };
+    let other = format!("{text}# another\n");
+    for over in [json!(""), json!(other)] {
+        let (status, refused) = keep(over, &other).await;
+        assert_eq!((status, &refused["key"]), (StatusCode::CONFLICT, &json!("other")), "{refused}");
+    }
+    for (over, to) in [(json!(text), &other), (json!(null), &text)] {
+        assert_eq!(keep(over, to).await.0, StatusCode::OK);
+    }
+    let (_, kept) = bench.ask(owner.request("GET", "/api/jobs/mine.toml", None)).await;
+    assert_eq!(kept["text"], text);
+    // A procedure that could not be read is not kept, so that jobs that name it stay jobs.
+    let good = seamwright_program::PROCEDURES[0].text;
+    let kept = async |text: &str| {
+        bench.ask(owner.request("PUT", "/api/jobs/wps.toml", Some(&json!({ "text": text, "over": "" })))).await
+    };
+    let line = good.lines().find(|line| line.starts_with("process = ")).unwrap();
+    let (status, refused) = kept(&good.replacen(line, "process = -5", 1)).await;
+    assert_eq!(status, StatusCode::UNPROCESSABLE_ENTITY, "{refused}");
+    assert!(refused["text"].as_str().unwrap().contains("process"), "{refused}");
+    assert_eq!(kept(good).await.0, StatusCode::OK);
+    assert_eq!(bench.ask(owner.request("DELETE", "/api/jobs/wps.toml", None)).await.0, StatusCode::NO_CONTENT);
     // As a program, it can be edited; as either, posted.
     let post = json!({ "text": text, "dialect": "linuxcnc" });
     let (status, answer) = bench.ask(owner.request("POST", "/api/post", Some(&post))).await;

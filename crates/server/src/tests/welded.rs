@@ -39,10 +39,29 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     page.until("travel", |v| v["kind"] == "status" && v["s_mm"].as_f64().unwrap() > 6.0 && v["process"]["on"] == true)
         .await;
     page.order("stop").await;
-    let left = page.until("where it was left", |v| v["kind"] == "status" && v["left"].is_array()).await;
-    let (pass, mm) = (left["left"][0].as_u64().unwrap(), left["left"][1].as_f64().unwrap());
+    let left = page.until("where it was left", |v| v["kind"] == "status" && v["left"].is_object()).await;
+    let (pass, mm) = (left["left"]["pass"].as_u64().unwrap(), left["left"]["s_mm"].as_f64().unwrap());
     assert!(pass == 1 && mm > 6.0, "{left}");
+    assert_eq!(
+        (&left["left"]["part"], &left["part"], &left["left"]["here"]),
+        (&json!("N-17"), &json!("N-17"), &json!(true))
+    );
+    assert!(left["left"]["record"].as_i64().is_some() && left["left"]["title"].as_str().is_some(), "{left}");
     page.until("the record", |v| v["kind"] == "event" && v["what"] == "record").await;
+    // Another part of the same program, and another program, do not go on there; the same does, its part named or not.
+    for (job, part, here) in [
+        ("short.toml", json!("N-18"), false),
+        ("ellipse.toml", json!("N-17"), false),
+        ("short.toml", json!(null), true),
+        ("short.toml", json!("N-17"), true),
+    ] {
+        let load = json!({ "job": job, "from": null, "part": part });
+        assert!(bench.ask(owner.request("POST", "/api/load", Some(&load))).await.0.is_success());
+        let of = part.as_str().unwrap_or_default();
+        let now =
+            page.until("the part", |v| v["kind"] == "status" && v["part"] == of && v["left"]["here"] == here).await;
+        assert_eq!(now["left"]["s_mm"].as_f64().unwrap().to_bits(), mm.to_bits(), "{now}");
+    }
     // On from there, to the end.
     let load = json!({ "job": "short.toml", "from": [pass, mm], "part": "N-17" });
     let (status, work) = bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
@@ -50,6 +69,8 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     page.order("arm").await;
     page.order("start_weld").await;
     page.until("the record", |v| v["kind"] == "event" && v["what"] == "record").await;
+    // It is whole: what is welded next is another part.
+    page.until("no part", |v| v["kind"] == "status" && v["part"] == "" && v["left"].is_null()).await;
     let (_, records) = bench.ask(owner.request("GET", "/api/records?part=N-17", None)).await;
     let results: Vec<&str> = records.as_array().unwrap().iter().map(|r| r["result"].as_str().unwrap()).collect();
     assert_eq!(results, ["good", "stopped"], "{records}");
@@ -100,4 +121,27 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     let has = |what: &str| audit.as_array().unwrap().iter().any(|e| e["command"] == what && e["user"] == "owner");
     assert!(has("start weld") && has("arm") && has("stop") && has("load short.toml"), "{audit}");
     tokio::time::sleep(Duration::from_millis(10)).await;
+}
+
+/// Whose session has ended while he welds stops all the same.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn whoever_is_not_logged_in_stops() {
+    let served = Served::new().await;
+    let bench = &served.bench;
+    let owner = bench.owner().await;
+    let mut page = served.page(&owner).await;
+    page.up().await;
+    page.order("start_dry_run").await;
+    page.until("travel", |v| v["kind"] == "status" && v["mode"] == "dry_run").await;
+    let stranger = super::Visitor { cookie: String::new(), token: String::new() };
+    let foreign = stranger.request("POST", "/api/stop", Some(&json!({})));
+    let (mut parts, body) = foreign.into_parts();
+    parts.headers.insert("origin", "http://elsewhere".parse().unwrap());
+    let refused = bench.ask(axum::http::Request::from_parts(parts, body)).await;
+    assert_eq!(refused.0.as_u16(), 403);
+    let (status, stopped) = bench.ask(stranger.request("POST", "/api/stop", Some(&json!({})))).await;
+    assert_eq!((status.as_u16(), &stopped["mode"]), (200, &json!("dry_run")));
+    page.mode("ready").await;
+    let (_, audit) = bench.ask(owner.request("GET", "/api/audit", None)).await;
+    assert!(audit.as_array().unwrap().iter().any(|e| e["command"] == "stop" && e["user"] == ""), "{audit}");
 }

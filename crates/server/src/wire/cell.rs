@@ -135,6 +135,13 @@ pub struct FrameView {
     pub frame: [f64; 12],
 }
 
+/// The answer to a stop of whoever is not logged in.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, TS, JsonSchema)]
+pub struct Stopped {
+    /// What the cell was doing then: [`Status::mode`]; empty if that is not known yet.
+    pub mode: String,
+}
+
 /// `GET /api/session`, and the answer of `POST /api/login`.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct SessionView {

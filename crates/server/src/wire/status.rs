@@ -46,12 +46,31 @@ pub struct Status {
     /// See `missed`.
     #[ts(type = "number")]
     pub lost: u64,
-    /// Where a weld was left by a stop, a fault or a power failure and can be gone on with: pass from 1 and the path length
-    /// up to which it is welded (mm).
-    pub left: Option<(u32, f64)>,
+    /// Where a weld was left by a stop, a fault or a power failure and can be gone on with.
+    pub left: Option<LeftView>,
+    /// Number of the part that the next weld is recorded of; empty if it has none. A part that is welded whole takes it along.
+    pub part: String,
     /// Number of the weld in the library while one is recorded.
     #[ts(type = "number | null")]
     pub recording: Option<i64>,
+}
+
+/// A weld that was left.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct LeftView {
+    /// The pass, from 1.
+    pub pass: u32,
+    /// Path length up to which the pass is welded, mm.
+    pub s_mm: f64,
+    /// Number of its record in the library, if it was recorded.
+    #[ts(type = "number | null")]
+    pub record: Option<i64>,
+    /// Title of what was welded.
+    pub title: String,
+    /// Number of the part; empty if it has none.
+    pub part: String,
+    /// What is in the cell is the same program, for this part or for none that has a number: it can go on there.
+    pub here: bool,
 }
 
 /// Arc or beam.

@@ -1,0 +1,53 @@
+use crate::wire::LeftView;
+use seamwright_record::journal::Position;
+use seamwright_record::library::{Library, WeldRecord};
+use seamwright_record::{Error, Plan, sha256};
+
+/// Where a weld was left, and which one: going on there with anything else would weld where nothing is.
+pub(super) struct Left {
+    at: (u32, f64),
+    record: Option<i64>,
+    title: String,
+    part: String,
+    /// SHA-256 of the program, which names its machine.
+    program: String,
+}
+
+/// What is in the cell to be welded.
+pub(super) struct ToWeld {
+    pub(super) plan: Plan,
+    /// Passes that are to be welded.
+    pub(super) passes: usize,
+    /// SHA-256 of the program.
+    program: String,
+}
+
+impl ToWeld {
+    pub(super) fn new(plan: Plan, passes: usize) -> Self {
+        let program = sha256(plan.program.1.as_bytes());
+        Self { plan, passes, program }
+    }
+}
+
+impl Left {
+    /// A weld of what is in this cell, recorded as `record`.
+    pub(super) fn now(at: (u32, f64), record: Option<i64>, of: &ToWeld) -> Self {
+        let (title, part) = (of.plan.title.clone(), of.plan.part.clone());
+        Self { at, record, title, part, program: of.program.clone() }
+    }
+
+    /// What a failure of power or program left, from its record.
+    pub(super) fn before(at: &Position, library: &Library) -> Result<Self, Error> {
+        let id = i64::try_from(at.weld).unwrap_or(0);
+        let WeldRecord { title, part, program, .. } = library.weld(id)?;
+        Ok(Self { at: (at.pass.max(1), at.welded_to), record: Some(id), title, part, program: program.2 })
+    }
+
+    /// As pages see it while that is in the cell.
+    pub(super) fn seen(&self, now: Option<&ToWeld>) -> LeftView {
+        let same = |part: &str| part.is_empty() || part == self.part;
+        let here = now.is_some_and(|now| now.program == self.program && same(&now.plan.part));
+        let (title, part) = (self.title.clone(), self.part.clone());
+        LeftView { pass: self.at.0, s_mm: self.at.1, record: self.record, title, part, here }
+    }
+}

@@ -1,0 +1,24 @@
+use super::login::{From, address};
+use super::panel::Panel;
+use crate::wire::Stopped;
+use axum::Json;
+use axum::extract::State;
+use seamwright_cell::executive::Ask;
+use std::sync::{Arc, PoisonError};
+use std::time::{Duration, Instant};
+
+/// A stop that repeats is written once in this time.
+const ONCE: Duration = Duration::from_secs(1);
+
+/// STOP of a page where nobody is logged in, or not any more: it needs no session, as it needs no role and no token elsewhere. Pages of
+/// other origins are kept out before.
+pub(super) async fn stop(State(panel): State<Arc<Panel>>, from: From) -> Json<Stopped> {
+    panel.cell.urgent.ask(&Ask::Stop);
+    let mut stopped = panel.stopped.lock().unwrap_or_else(PoisonError::into_inner);
+    if stopped.is_none_or(|at| at.elapsed() > ONCE) {
+        *stopped = Some(Instant::now());
+        let station = format!("panel at {}", address(&from));
+        panel.cell.archive.audit("", &station, "stop", ("", ""), "taken");
+    }
+    Json(Stopped { mode: panel.cell.hub.latest().map_or_else(String::new, |status| status.mode.clone()) })
+}
