@@ -141,12 +141,19 @@ test('roles are refused on the server, whatever the page shows', options, async 
     assert.equal((await command(two, 'stop')).ok, true);
     for (const [method, path, body] of [
       ['PUT', '/api/jobs/mine.toml', { text: '' }],
-      ['POST', '/api/plan', { text: '' }],
+      ['POST', '/api/post', { text: '', dialect: 'pmac' }],
       ['PUT', '/api/users/eve', { ...own, own_password: PASSWORD }],
     ]) {
       const answer = await ask(two, method, path, body);
       assert.deepEqual([answer.status, answer.key], [403, 'role'], `${role} ${method} ${path}`);
     }
+    // A job is read, not written; its plan is for who may load it.
+    await tab(two, 'Jobs');
+    await two.locator('li.card', { hasText: 'saddle.toml' }).first().getByRole('button', { name: 'Use' }).click();
+    assert.ok(await two.getByRole('textbox', { name: 'radius [mm]' }).first().isDisabled());
+    assert.equal(await two.getByRole('button', { name: 'Save as' }).count(), 0);
+    if (role === 'operator') await two.locator('.right .page').getByText(/Can be welded|Cannot be welded/).waitFor({ timeout: 60_000 });
+    assert.equal(await two.locator('.note.fault').count(), 0);
     await two.close();
   }
   quiet({ wrong: one.wrong.filter((text) => !/40[13]/.test(text)) });

@@ -1,4 +1,4 @@
-use crate::figures::{Basis, Figures};
+use crate::figures::{Basis, Figures, HEAT_INPUT};
 use crate::library::{WeldEnd, WeldFile, WeldRecord, WeldResult};
 use crate::trace::{Column, Trace, TraceWriter};
 use crate::{DataFolder, Error, Moment, sha256, sha256_of_file, whole_file};
@@ -141,6 +141,16 @@ pub(crate) fn settle(
         note = if note.is_empty() { why } else { format!("{note}; {why}") };
         Figures::default()
     });
+    let beyond: f64 = figures.values.iter().filter(|v| v.name == HEAT_INPUT).map(|v| v.outside_mm).sum();
+    let result = match result {
+        // Energy over a way, of which noise of the arc is averaged out: what the procedure was qualified for was left.
+        WeldResult::Good if beyond > 0.0 => {
+            let why = format!("heat input outside of the procedure over {beyond:.0} mm");
+            note = if note.is_empty() { why } else { format!("{note}; {why}") };
+            WeldResult::Deviating
+        }
+        other => other,
+    };
     let end = WeldEnd {
         ended,
         result,

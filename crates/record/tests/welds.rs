@@ -37,6 +37,17 @@ fn figures_are_those_of_the_rows() {
     assert!((mean - (76.0 * heat(240.0) + 4.0 * heat(270.0)) / 80.0).abs() < 1e-3, "{mean}");
     let (worst, at) = record.worst_deviation_mm.unwrap();
     assert!((worst - 0.2).abs() < 1e-6 && (at - 30.0).abs() < 1e-9, "{worst} {at}");
+    // Welded to its end, but not as its procedure was qualified: 4 mm with more heat than the window has.
+    assert_eq!(
+        (record.result, record.note.as_str()),
+        (WeldResult::Deviating, "heat input outside of the procedure over 4 mm")
+    );
+    let mut wider = plan("P-2");
+    wider.basis.judged[1].allowed = Some((0.4, 0.6));
+    let within = weld(&mut data, &wider, WeldResult::Good);
+    assert_eq!(data.library().weld(within).unwrap().result, WeldResult::Good);
+    let stopped = weld(&mut data, &plan("P-3"), WeldResult::Stopped);
+    assert_eq!(data.library().weld(stopped).unwrap().result, WeldResult::Stopped);
     let values = data.library().values(id).unwrap();
     let names: Vec<&str> = values.iter().map(|v| v.name.as_str()).collect();
     assert_eq!(names, ["current_a", "heat_input_kj_mm"]);

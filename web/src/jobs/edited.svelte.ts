@@ -1,4 +1,5 @@
 import { api, Refusal } from '../live/api';
+import { session } from '../live/session.svelte';
 import type { PlanAnswer, SectionView, WorkView } from '../wire';
 import { refusalText } from '../parts/refusal';
 
@@ -183,6 +184,7 @@ class Edited {
 
   /** Parts, fixtures and sections at once; the plan, which takes longer, comes after. */
   private async draw(): Promise<void> {
+    if (!session.may('plan')) return;
     this.drawing?.abort();
     const drawing = new AbortController();
     this.drawing = drawing;
@@ -198,6 +200,7 @@ class Edited {
   }
 
   private async plan(): Promise<void> {
+    if (!session.may('plan')) return;
     this.asking?.abort();
     const asking = new AbortController();
     this.asking = asking;

@@ -41,14 +41,14 @@ const darkHighlight = HighlightStyle.define([
 ]);
 
 /**
- * The editor of texts. It lives in a shadow root, since there CodeMirror's styles are adopted sheets, which the server's
+ * The editor of texts, or what shows them where `changed` is none. It lives in a shadow root, since there CodeMirror's styles are adopted sheets, which the server's
  * content policy allows; as `style` elements of the page they would be refused.
  */
 export class Editor {
   private readonly view: EditorView;
   private readonly look = new Compartment();
 
-  constructor(host: HTMLElement, label: string, text: string, changed: (text: string) => void) {
+  constructor(host: HTMLElement, label: string, text: string, changed: ((text: string) => void) | null) {
     const root = host.shadowRoot ?? host.attachShadow({ mode: 'open' });
     const parent = document.createElement('div');
     parent.style.height = '100%';
@@ -67,8 +67,9 @@ export class Editor {
           this.look.of(lookOf(false)),
           keymap.of([...defaultKeymap, ...historyKeymap, indentWithTab]),
           EditorView.contentAttributes.of({ 'aria-label': label }),
+          EditorState.readOnly.of(changed === null),
           EditorView.updateListener.of((update) => {
-            if (update.docChanged) changed(update.state.doc.toString());
+            if (update.docChanged) changed?.(update.state.doc.toString());
           }),
         ],
       }),

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
 import { en } from '../words/en';
-import { meaning } from './parameters';
+import { isWild, meaning } from './parameters';
 
 test('every parameter of an axis has a word and the unit that its key ends in', () => {
   const rust = readFileSync(new URL('../../../crates/server/src/view/parameters.rs', import.meta.url), 'utf8');
@@ -21,4 +21,10 @@ test('every parameter of an axis has a word and the unit that its key ends in', 
   expect(meaning('force_limit_n')).toEqual({ word: 'limit', unit: 'N' });
   expect(meaning('inertia_kg_m2')).toEqual({ word: 'inertia', unit: 'kg m²' });
   expect(meaning('viscous_n_m_s_rad').unit).toBe('N m s/rad');
+});
+
+test('a key too many is asked about, a usual change is not', () => {
+  for (const [was, now, wild] of [[80, 800, true], [80, 8, true], [80, -80, true], [80, 1e9, true], [80, 240, false], [80, 79, false], [0, 5, false], [5, 0, false], [NaN, 5, false], [5, NaN, false]] as const) {
+    expect(isWild(was, now), `${was} ${now}`).toBe(wild);
+  }
 });

@@ -37,3 +37,12 @@ const KEYS: [RegExp, string, (key: string) => string][] = [
   [/^resonance_/, 'resonance', () => 'Hz'],
   [/^load_ratio$/, 'load_ratio', none],
 ];
+
+/** So many times more or less than it was, a number is asked about: a key too many is ten times. */
+const MUCH = 4;
+
+/** A number is several times more or less than it was, or has another sign. */
+export function isWild(was: number, now: number): boolean {
+  if (!Number.isFinite(was) || !Number.isFinite(now) || was === 0 || now === 0) return false;
+  return now / was > MUCH || now / was < 1 / MUCH;
+}

@@ -18,6 +18,23 @@ class Touches {
 
 export const touches = new Touches();
 
+/** Numbers of axes that were typed and not kept, by axis and key; they stay when the page is left, not when the machine is another. */
+class Typed {
+  private all = $state.raw<{ machine: string; of: Record<string, Record<string, string>> }>({ machine: '', of: {} });
+  private readonly machine = $derived(cell.machine ? machineOf(cell.machine) : '');
+
+  of(axis: string): Record<string, string> {
+    return (this.all.machine === this.machine ? this.all.of[axis] : undefined) ?? {};
+  }
+
+  set(axis: string, typed: Record<string, string>): void {
+    const others = this.all.machine === this.machine ? this.all.of : {};
+    this.all = { machine: this.machine, of: { ...others, [axis]: typed } };
+  }
+}
+
+export const typed = new Typed();
+
 /** The job of the cell anew, so that what was kept of its machine is in force. */
 export async function loadAnew(): Promise<void> {
   const work = cell.work;

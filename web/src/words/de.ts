@@ -647,6 +647,7 @@ export const de: Table = {
   'par.reload': 'Auftrag neu laden',
   'par.keep': 'Speichern',
   'par.kept': 'Gespeichert in {0}',
+  'par.wild': 'Um ein Mehrfaches größer oder kleiner als bisher:',
   'par.wrong': 'Das ist keine Zahl: {0}',
   'par.no_drive': 'Die Maschinendatei beschreibt keinen Antrieb dieser Achse.',
   'par.notches': 'Kerbfilter',

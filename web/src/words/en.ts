@@ -645,6 +645,7 @@ export const en = {
   'par.reload': 'Load the job anew',
   'par.keep': 'Keep',
   'par.kept': 'Kept in {0}',
+  'par.wild': 'Several times more or less than before:',
   'par.wrong': 'This is no number: {0}',
   'par.no_drive': 'The machine file describes no drive of this axis.',
   'par.notches': 'Notch filters',

@@ -647,6 +647,7 @@ export const zh: Table = {
   'par.reload': '重新装入任务',
   'par.keep': '保存',
   'par.kept': '已保存到 {0}',
+  'par.wild': '与原值相差数倍：',
   'par.wrong': '不是数字：{0}',
   'par.no_drive': '机床文件没有描述该轴的驱动器。',
   'par.notches': '陷波滤波器',

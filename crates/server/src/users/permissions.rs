@@ -24,7 +24,7 @@ pub(crate) const NEEDS: [(&str, Role); 34] = [
     ("watch", Role::Viewer),
     ("jobs.read", Role::Viewer),
     ("jobs.write", Role::Programmer),
-    ("plan", Role::Programmer),
+    ("plan", Role::Operator),
     ("edit", Role::Programmer),
     ("post", Role::Programmer),
     ("load", Role::Operator),

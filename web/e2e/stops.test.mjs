@@ -1,0 +1,85 @@
+// Stopping from wherever one is, and going on with nothing but the weld that was left.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { bench, burns, commands, control, keep, load, mode, open, press, ready, SHORT, sleep, tab, weld } from './operator.mjs';
+
+const { one, cell, options } = await bench({ real: 'the mock welds nothing', only: true });
+const LONG = SHORT.replace('"Short"', '"Long"').replaceAll(', 6]', ', 1.5]');
+const dialog = () => one.locator('dialog[open]');
+const continues = () => one.getByRole('button', { name: /Continue pass 1/ });
+
+test('Hold and STOP are heard after the override was moved by the mouse', options, async () => {
+  await open(one, cell.address);
+  await control(one);
+  await ready(one);
+  await keep(one, 'short.toml', LONG);
+  await load(one, 'short.toml', 'N-1');
+  await one.locator('.strip', { hasText: 'Part N-1' }).waitFor();
+  await weld(one);
+  await burns(one, true);
+  const slider = one.getByRole('slider').first();
+  const { width, height } = await slider.boundingBox();
+  await slider.click({ position: { x: width * 0.4, y: height / 2 } });
+  await one.keyboard.press('p');
+  await mode(one, 'hold');
+  await commands(one);
+});
+
+test('a machine that goes back in a hold says so, and can be held', options, async () => {
+  const hold = one.getByRole('group', { name: 'Commands' }).getByRole('button', { name: /Hold/ });
+  assert.ok(await hold.isDisabled());
+  await press(one, /Reverse/);
+  await one.locator('.strip .mode', { hasText: 'Reverse' }).waitFor();
+  assert.ok(await hold.isEnabled());
+  await hold.click();
+  await one.locator('.strip .mode', { hasText: 'Reverse' }).waitFor({ state: 'detached' });
+  assert.equal(await one.locator('[data-mode]').getAttribute('data-mode'), 'hold');
+  await one.getByRole('slider').first().focus();
+  await one.keyboard.press('Escape');
+  await mode(one, 'ready');
+});
+
+test('going on is offered for the weld that was left alone, and its crater is asked about each time', options, async () => {
+  await commands(one);
+  await continues().click();
+  await dialog().getByText(/Weld \d+: Long, part N-1/).waitFor();
+  await dialog().getByRole('checkbox').check();
+  await dialog().getByRole('button', { name: 'Cancel' }).click();
+  await continues().click();
+  assert.equal(await dialog().getByRole('checkbox').isChecked(), false);
+  await dialog().getByRole('button', { name: 'Cancel' }).click();
+  for (const [job, part] of [['first-weld.toml', 'N-1'], ['short.toml', 'N-2']]) {
+    await load(one, job, part);
+    await one.getByText(/Weld \d+ \(Long, part N-1\) was left in pass 1/).waitFor();
+    assert.equal(await continues().count(), 0, `${job} ${part}`);
+  }
+  await load(one, 'short.toml', 'N-1');
+  await continues().click();
+  await dialog().getByRole('checkbox').check();
+  await dialog().getByRole('button', { name: 'Load from there' }).click();
+  await dialog().waitFor({ state: 'hidden', timeout: 60_000 });
+  await one.locator('.note', { hasText: 'Begins again in pass 1' }).waitFor();
+  await one.locator('.strip', { hasText: 'Part N-1' }).waitFor();
+});
+
+test('whoever is thrown out in a run still has STOP, and is told why', options, async () => {
+  await commands(one);
+  await load(one, 'short.toml');
+  await press(one, /^Dry run/);
+  await mode(one, 'dry_run');
+  await one.getByRole('button', { name: /▾$/ }).click();
+  await one.getByRole('button', { name: 'Log out' }).click();
+  await dialog().getByText(/goes on without you/).waitFor();
+  await dialog().getByRole('button', { name: 'Cancel' }).click();
+  // The session ends on the server, as when an administrator changes the user.
+  await one.evaluate(async () => {
+    const session = await (await fetch('/api/session')).json();
+    await fetch('/api/logout', { method: 'POST', headers: { 'content-type': 'application/json', 'x-seamwright': session.token }, body: '{}' });
+  });
+  await one.getByText(/The session has ended/).waitFor();
+  await one.keyboard.press('Escape');
+  await one.getByText(/STOP was sent; the state then: Dry run/).waitFor();
+  await sleep(1500);
+  await one.getByRole('button', { name: 'STOP' }).click();
+  await one.getByText(/STOP was sent; the state then: Ready/).waitFor();
+});
