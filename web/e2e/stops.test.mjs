@@ -27,7 +27,8 @@ test('Hold and STOP are heard after the override was moved by the mouse', option
 
 test('a machine that goes back in a hold says so, and can be held', options, async () => {
   const hold = one.getByRole('group', { name: 'Commands' }).getByRole('button', { name: /Hold/ });
-  assert.ok(await hold.isDisabled());
+  // As soon as it stands there is nothing to hold.
+  await one.waitForFunction(() => [...document.querySelectorAll('.orders button')].some((key) => /Hold/.test(key.textContent) && key.disabled));
   await press(one, /Reverse/);
   await one.locator('.strip .mode', { hasText: 'Reverse' }).waitFor();
   assert.ok(await hold.isEnabled());

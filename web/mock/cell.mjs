@@ -83,7 +83,7 @@ export class Cell {
       this.turn(this.before);
     } else if (what === 'stop') {
       if (runs || this.mode === 'hold') {
-        if (this.before === 'weld') this.left = [this.pass, this.welded];
+        if (this.before === 'weld') this.left = { pass: this.pass, s_mm: this.welded, record: 1, title: 'mock', part: '', here: true };
         this.event('left', `pass ${this.pass} at ${this.s.toFixed(1)} mm`);
         this.pass = 0;
         this.turn('ready');
@@ -146,7 +146,7 @@ export class Cell {
       inputs: [true, true],
       tracking: burns ? [tracked(this.s)] : [],
       near: { distance_mm: Math.max(12, tip[2] + 60), least_mm: 1, between: ['gas nozzle', 'shell'], at: [[tip[0], tip[1], tip[2] + 12], [tip[0], tip[1], tip[2] - 8]] },
-      ages: { drives: 0.001, source: 0.004, inputs: 0.01 }, missed: 0, lost: 0, recording: burns ? 1 : null, left: this.left,
+      ages: { drives: 0.001, source: 0.004, inputs: 0.01 }, missed: 0, lost: 0, recording: burns ? 1 : null, left: this.left, part: '',
     };
   }
 }
