@@ -84,3 +84,9 @@ test('whoever is thrown out in a run still has STOP, and is told why', options, 
   await one.getByRole('button', { name: 'STOP' }).click();
   await one.getByText(/STOP was sent; the state then: Ready/).waitFor();
 });
+
+test('the printed address, opened over the login page, logs in', options, async () => {
+  await one.goto(cell.address);
+  await one.waitForSelector('.panel');
+  await mode(one, 'ready', 'idle', 'off');
+});

@@ -729,7 +729,7 @@ first_run: boolean, };
  */
 export type Stopped = { 
 /**
- * What the cell was doing then: [`Status::mode`]; empty if that is not known yet.
+ * What the cell was doing then: [`super::Status::mode`]; empty if that is not known yet.
  */
 mode: string, };
 

@@ -14,6 +14,7 @@ class Session {
     if (key) {
       // The key is a secret: not to be left in the address line or in the history.
       history.replaceState(null, '', location.pathname);
+      useToken('login');
       try {
         this.take(await api.login({ user: '', password: decodeURIComponent(key) }));
         return;

@@ -138,7 +138,7 @@ pub struct FrameView {
 /// The answer to a stop of whoever is not logged in.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, TS, JsonSchema)]
 pub struct Stopped {
-    /// What the cell was doing then: [`Status::mode`]; empty if that is not known yet.
+    /// What the cell was doing then: [`super::Status::mode`]; empty if that is not known yet.
     pub mode: String,
 }
 
