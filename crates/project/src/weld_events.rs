@@ -19,6 +19,12 @@ pub fn event(t: f64, note: &Note, here: Place) -> Option<Event> {
     Some(Event { at: Moment::now(), text, place })
 }
 
+/// Where a weld of these events was left at last, as [`event`] has told it: pass from 1, and the path length up to which it is welded (mm).
+pub fn left(events: &[Event]) -> Option<(u32, f64)> {
+    let left = events.iter().rfind(|event| event.text.contains(" was left, welded up to "))?;
+    left.place.pass.zip(left.place.s_mm)
+}
+
 /// An order that changes how a weld goes.
 fn order(ask: &Ask) -> Option<String> {
     match ask {
@@ -44,5 +50,9 @@ mod tests {
         let left = event(4.0, &Note::Left(here), Place::default()).unwrap();
         assert_eq!((left.text.as_str(), left.place.s_mm), ("pass 2 was left, welded up to 12.50 mm", Some(12.5)));
         assert_eq!(event(4.0, &Note::Taken(Command::of(Ask::Acknowledge)), here), None);
+        assert_eq!(
+            (super::left(&[held.clone(), left.clone(), held.clone()]), super::left(&[held])),
+            (Some((2, 12.5)), None)
+        );
     }
 }

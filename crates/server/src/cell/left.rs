@@ -1,6 +1,7 @@
 use crate::wire::LeftView;
+use seamwright_project::weld_events;
 use seamwright_record::journal::Position;
-use seamwright_record::library::{Library, WeldRecord};
+use seamwright_record::library::{Library, Query, WeldRecord, WeldResult};
 use seamwright_record::{Error, Plan, sha256};
 
 /// Where a weld was left, and which one: going on there with anything else would weld where nothing is.
@@ -41,6 +42,15 @@ impl Left {
         let id = i64::try_from(at.weld).unwrap_or(0);
         let WeldRecord { title, part, program, .. } = library.weld(id)?;
         Ok(Self { at: (at.pass.max(1), at.welded_to), record: Some(id), title, part, program: program.2 })
+    }
+
+    /// What was stopped before the program ended in order, if nothing has been welded since.
+    pub(super) fn stopped(library: &Library) -> Result<Option<Self>, Error> {
+        let newest = library.find(&Query::default())?.into_iter().next();
+        let Some(weld) = newest.filter(|weld| weld.result == WeldResult::Stopped) else { return Ok(None) };
+        let WeldRecord { id, title, part, program, .. } = weld;
+        let at = weld_events::left(&library.events(id)?);
+        Ok(at.map(|at| Self { at, record: Some(id), title, part, program: program.2 }))
     }
 
     /// As pages see it while that is in the cell.

@@ -46,7 +46,9 @@ impl Cell {
         let interrupted = folder.recover().map_err(|e| e.to_string())?;
         let last = folder.journal().map_err(|e| e.to_string())?.last();
         // Of a weld whose record is gone nothing can be said.
-        let left = last.and_then(|at| Left::before(&at, folder.library()).ok());
+        let failed = last.and_then(|at| Left::before(&at, folder.library()).ok());
+        let left = failed.map_or_else(|| Left::stopped(folder.library()), |left| Ok(Some(left)));
+        let left = left.map_err(|e| e.to_string())?;
         let unknown = folder.library().listed_alarms().map_err(|e| e.to_string())?;
         drop(folder);
         let hub = Arc::new(Hub::new());

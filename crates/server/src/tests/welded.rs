@@ -123,6 +123,29 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     tokio::time::sleep(Duration::from_millis(10)).await;
 }
 
+/// What was stopped today is gone on with tomorrow: of the same program, whose number of the part comes with it.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn what_was_stopped_is_known_after_a_restart() {
+    let served = Served::new().await;
+    let owner = served.bench.owner().await;
+    let load = json!({ "job": "ellipse.toml", "from": null, "part": "N-3" });
+    served.bench.ask(owner.request("POST", "/api/load", Some(&load))).await;
+    let mut page = served.page(&owner).await;
+    page.up().await;
+    page.order("arm").await;
+    page.order("start_weld").await;
+    page.until("travel", |v| v["kind"] == "status" && v["s_mm"].as_f64().unwrap() > 3.0).await;
+    page.order("stop").await;
+    let before = page.until("where it was left", |v| v["kind"] == "status" && v["left"].is_object()).await;
+    page.until("the record", |v| v["kind"] == "event" && v["what"] == "record").await;
+    let served = Served::on(served.bench.end()).await;
+    let owner = served.bench.owner().await;
+    let mut page = served.page(&owner).await;
+    let after = page.until("where it was left", |v| v["kind"] == "status" && v["left"]["here"] == true).await;
+    assert_eq!(after["left"], before["left"]);
+    assert_eq!((&after["left"]["part"], &after["part"]), (&json!("N-3"), &json!("")));
+}
+
 /// Whose session has ended while he welds stops all the same.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn whoever_is_not_logged_in_stops() {
