@@ -8,6 +8,17 @@ export function number(value: number | null | undefined, digits: number): string
   return Number(text) === 0 ? text.replace('-', '') : text.replace('-', '\u2212');
 }
 
+/** A limit, with all the digits that it has. */
+export function limit(value: number): string {
+  return String(Number(value.toFixed(6))).replace('-', '\u2212');
+}
+
+/** How many digits after the point show what numbers of this size differ in. */
+export function digitsFor(values: readonly (number | null)[]): number {
+  const most = Math.max(0, ...values.map((value) => Math.abs(value ?? 0)).filter(Number.isFinite));
+  return most < 2 ? 3 : most < 20 ? 2 : 1;
+}
+
 const UNIT = new RegExp(`_(${Object.keys(units).join('|')})$`);
 
 /** Splits the name of a process value, which ends in its unit, as `wire_feed_m_min`. */

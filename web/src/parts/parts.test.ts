@@ -1,6 +1,6 @@
 import { describe, expect, test, vi } from 'vitest';
 import { meant, type Spot } from './meant';
-import { dayAndTime, duration, number, span, valueName } from './numbers';
+import { dayAndTime, digitsFor, duration, limit, number, span, valueName } from './numbers';
 import { canAbort, canHold, hasMeaning, movesHeld, next, powerComes, type Order } from './orders';
 import { programText } from './taught.svelte';
 import type { EventView, MachineView } from '../wire';
@@ -12,6 +12,11 @@ describe('numbers', () => {
     expect(number(-1.5, 1)).toBe('\u22121.5');
     expect(number(-0.001, 2)).toBe('0.00');
     for (const nothing of [null, undefined, NaN, Infinity]) expect(number(nothing, 1)).toBe('–');
+  });
+
+  test('limits have the digits that they have, values those that tell them apart', () => {
+    expect([0.65, 220, -1.25, 0.1 + 0.2].map(limit)).toEqual(['0.65', '220', '\u22121.25', '0.3']);
+    for (const [values, digits] of [[[0.52, 0.56, null], 3], [[7, 10.1], 2], [[237.6, 242.4], 1], [[NaN], 3]] as const) expect(digitsFor(values)).toBe(digits);
   });
 
   test('names of process values', () => {
