@@ -14,6 +14,23 @@ class Touches {
   set list(list: number[][]) {
     this.all = { machine: this.machine, list };
   }
+
+  /** What was cleared last. */
+  private before = $state.raw<{ machine: string; list: number[][] } | null>(null);
+
+  /** How many were cleared and can come back. */
+  get cleared(): number {
+    return this.list.length === 0 && this.before?.machine === this.machine ? this.before.list.length : 0;
+  }
+
+  clear(): void {
+    this.before = this.all;
+    this.list = [];
+  }
+
+  back(): void {
+    if (this.cleared > 0 && this.before) this.all = this.before;
+  }
 }
 
 export const touches = new Touches();
