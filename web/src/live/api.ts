@@ -81,8 +81,19 @@ async function answered(path: string, init: RequestInit = {}): Promise<Response>
     throw new Refusal(0, 'lost', String(error));
   }
   if (response.ok) return response;
-  const trouble = (await response.json().catch(() => null)) as Trouble | null;
-  throw new Refusal(response.status, trouble?.key ?? 'server', trouble?.text ?? response.statusText);
+  const said = await response.text().catch(() => '');
+  throw refusal(response.status, said || response.statusText);
+}
+
+/** What a refusal says: the server's own, or what stands before its handlers, which speaks plain text. */
+export function refusal(status: number, said: string): Refusal {
+  try {
+    const { key, text } = JSON.parse(said) as Trouble;
+    if (typeof key === 'string' && typeof text === 'string') return new Refusal(status, key, text);
+  } catch {
+    // Plain text.
+  }
+  return new Refusal(status, status >= 400 && status < 500 ? 'input' : 'server', said.slice(0, 300));
 }
 
 const name = encodeURIComponent;

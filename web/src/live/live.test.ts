@@ -1,3 +1,4 @@
+import { refusal } from './api';
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { FromCell, Status } from '../wire';
 import { HoldToRun, REPEAT_MS } from './hold_to_run';
@@ -147,4 +148,15 @@ describe('the strip of the last minute', () => {
   test('nothing yet is nothing', () => {
     expect(new Strip().last(10, ['speed'])).toEqual([[], []]);
   });
+});
+
+test('a refusal speaks by key and text, or plainly where no handler was reached', () => {
+  const of = (status: number, said: string): string[] => {
+    const { key, message } = refusal(status, said);
+    return [key, message];
+  };
+  expect(of(409, '{"key":"other","text":"another"}')).toEqual(['other', 'another']);
+  expect(of(422, 'Failed to deserialize the JSON body: tolerance_mm')).toEqual(['input', 'Failed to deserialize the JSON body: tolerance_mm']);
+  expect(of(502, '<html>')).toEqual(['server', '<html>']);
+  for (const odd of ['', 'null', '[]', '{"key":1}']) expect(of(500, odd)[0]).toBe('server');
 });
