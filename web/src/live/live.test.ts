@@ -1,6 +1,6 @@
-import { refusal } from './api';
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { FromCell, Status } from '../wire';
+import { refusal } from './api';
 import { HoldToRun, REPEAT_MS } from './hold_to_run';
 import { Link, type LinkState } from './socket';
 import { Strip } from './strip';
