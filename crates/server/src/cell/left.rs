@@ -39,18 +39,20 @@ impl Left {
 
     /// What a failure of power or program left, from its record.
     pub(super) fn before(at: &Position, library: &Library) -> Result<Self, Error> {
-        let id = i64::try_from(at.weld).unwrap_or(0);
-        let WeldRecord { title, part, program, .. } = library.weld(id)?;
-        Ok(Self { at: (at.pass.max(1), at.welded_to), record: Some(id), title, part, program: program.2 })
+        let weld = library.weld(i64::try_from(at.weld).unwrap_or(0))?;
+        Ok(Self::recorded((at.pass.max(1), at.welded_to), weld))
     }
 
     /// What was stopped before the program ended in order, if nothing has been welded since.
     pub(super) fn stopped(library: &Library) -> Result<Option<Self>, Error> {
         let newest = library.find(&Query::default())?.into_iter().next();
         let Some(weld) = newest.filter(|weld| weld.result == WeldResult::Stopped) else { return Ok(None) };
-        let WeldRecord { id, title, part, program, .. } = weld;
-        let at = weld_events::left(&library.events(id)?);
-        Ok(at.map(|at| Self { at, record: Some(id), title, part, program: program.2 }))
+        let at = weld_events::left(&library.events(weld.id)?);
+        Ok(at.map(|at| Self::recorded(at, weld)))
+    }
+
+    fn recorded(at: (u32, f64), weld: WeldRecord) -> Self {
+        Self { at, record: Some(weld.id), title: weld.title, part: weld.part, program: weld.program.2 }
     }
 
     /// As pages see it while that is in the cell.
