@@ -172,3 +172,41 @@ fn starts_outside_and_frames_without_a_joint_give_no_rows() {
         assert!(joint.rows.iter().all(|r| r.confidence < CONFIDENT));
     }
 }
+
+/// Gaps between plates of different light, with a lit rib somewhere in the gap, up to half as light as the darker plate: all of it is
+/// followed, 999 of 1000 rows are within 0.04 of the width of the middle between the rims (19 of 20 where rows are not put between them),
+/// and no confident one is off by more than 2 px.
+#[test]
+fn a_rib_in_a_wide_gap_does_not_draw_the_middle_to_one_side() {
+    let mut follower = Follower::new(Options::default());
+    let mut state = 11usize;
+    let mut random = |from: f64, to: f64| {
+        state += 1;
+        from + (to - from) * (0.5 + noise(state.wrapping_mul(7919)) / 40.0)
+    };
+    let (mut rows, mut near) = (0, 0);
+    for _ in 0..200 {
+        let (width, a, b) = (random(20.0, 50.0), random(220.0, 290.0), random(-0.1, 0.1));
+        let plates = [random(110.0, 220.0), random(110.0, 220.0)];
+        let rib = random(0.2, 0.5) * plates[0].min(plates[1]);
+        let (at, thick) = (random(-0.2, 0.2) * width, random(0.08, 0.2) * width);
+        let pixels = picture(512, |x, y| {
+            let d = (y - a - b * x) / b.hypot(1.0);
+            // Rims are as sharp as a lens makes them.
+            let beyond = |side: f64| 1.0 / (1.0 + (1.5 * (0.5 * width - side * d)).exp());
+            let metal = plates[0] * beyond(-1.0) + plates[1] * beyond(1.0);
+            150.0 - (20.0 + metal + rib * bell(d - at, thick)).min(255.0)
+        });
+        let frame = Frame::new(512, 512, Pixels::U8(&pixels)).unwrap();
+        let start = Start { x: 8.0, y: (a + 8.0 * b) as f32, direction: b.atan() as f32, width: None };
+        let joint = follower.follow(&frame, &start);
+        assert!(joint.rows.last().is_some_and(|r| r.x > 490.0), "width {width}, rib {rib} at {at}: {:?}", joint.end);
+        for row in joint.rows.iter().filter(|r| (20.0..490.0).contains(&r.x)) {
+            let off = (f64::from(row.y) - a - b * f64::from(row.x)) / b.hypot(1.0);
+            assert!(off.abs() < 2.0 || row.confidence < CONFIDENT, "width {width}, rib {rib} at {at}: {off}, {row:?}");
+            rows += 1;
+            near += usize::from(off.abs() < 0.04 * width);
+        }
+    }
+    assert!(rows > 10_000 && 1000 * near >= 999 * rows, "{near} of {rows}");
+}

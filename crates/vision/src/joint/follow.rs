@@ -2,6 +2,7 @@ use super::axis::Axis;
 use super::end::{Cut, cut};
 use super::levels::{Levels, Light, Picture, from_level, to_level};
 use super::midline::Midline;
+use super::rims::{self, Rims};
 use super::trail::{Limits, Look, ROWS, Stop, Trail};
 use super::{CONFIDENT, End, Joint, Options, Row, Start, State, Zone, judge};
 use crate::Frame;
@@ -41,6 +42,7 @@ pub struct Follower {
     levels: Levels,
     trail: Trail,
     midline: Midline,
+    rims: Rims,
     joint: Joint,
     /// The joint in the other light.
     other: Joint,
@@ -52,8 +54,8 @@ impl Follower {
     pub fn new(options: Options) -> Self {
         let joint = Joint { rows: Vec::new(), end: End::Lost };
         let other = joint.clone();
-        let (trail, midline) = (Trail::default(), Midline::default());
-        Self { options, levels: Levels::new(), trail, midline, joint, other }
+        let (trail, midline, rims) = (Trail::default(), Midline::default(), Rims::default());
+        Self { options, levels: Levels::new(), trail, midline, rims, joint, other }
     }
 
     /// The joint in `frame` from `start`. A start outside the frame or zone, or not finite, gives no rows and
@@ -74,6 +76,7 @@ impl Follower {
         }
         let looks = self.follow_in(Light::Given, frame, start, &inside);
         // A later frame is not to allocate.
+        self.rims.reserve(frame);
         self.other.rows.reserve(self.joint.rows.capacity().saturating_sub(self.other.rows.len()));
         let ended = matches!(self.joint.end, End::Lost | End::JointEnd);
         if let Some([first, _]) = looks.filter(|looks| ended && is_in_other_light(looks)) {
@@ -153,13 +156,17 @@ impl Follower {
             return End::Lost;
         }
         self.midline.find(&picture, &self.trail, look);
-        tell(
+        let end = tell(
             &mut self.midline,
             &picture,
             (level, look.width, self.trail.solid, stop, gap),
             self.options.on_joint,
             &mut self.joint.rows,
-        )
+        );
+        if level >= rims::FINER {
+            self.rims.place(&self.levels, frame, level, &mut self.joint.rows);
+        }
+        end
     }
 }
 

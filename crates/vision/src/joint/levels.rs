@@ -96,11 +96,24 @@ impl Levels {
         }
     }
 
+    /// The natural logarithm of a grey value of a picture of these levels, from some value on.
+    pub(super) fn nats(&self, grey: f32) -> f32 {
+        match self.light {
+            Light::Given => (1.0 + grey / DARK).ln(),
+            Light::Logarithm => grey / per_nat(),
+        }
+    }
+
     /// The coarsest level that is still a picture.
     pub(super) fn coarsest(frame: &Frame) -> usize {
         let side = frame.width().min(frame.height());
         (0..=MOST).rev().find(|l| side >> l >= LEAST_SIDE).unwrap_or(0)
     }
+}
+
+/// Grey values to one nat of light where they are logarithms.
+fn per_nat() -> f32 {
+    255.0 / (1.0 + 255.0 / DARK).ln()
 }
 
 fn whole<'a>(frame: &Frame<'a>) -> Picture<'a> {
@@ -120,7 +133,7 @@ impl Halved {
     fn take_logarithms(&mut self, frame: &Frame) {
         (self.width, self.height) = (frame.width(), frame.height());
         self.pixels.clear();
-        let logarithm = |g: f32| (255.0 / (1.0 + 255.0 / DARK).ln()) * (1.0 + g / DARK).ln();
+        let logarithm = |g: f32| per_nat() * (1.0 + g / DARK).ln();
         let table: [f32; 257] = std::array::from_fn(|g| logarithm(g as f32));
         match frame.pixels() {
             Pixels::U8(pixels) => self.pixels.extend(pixels.iter().map(|p| table[usize::from(*p)])),

@@ -4,7 +4,7 @@
 //! curved axis are unrolled (`axis`, `strip`) and the best path across their rows is taken (`lattice`): the way the joint
 //! goes, to a pixel or two (`trail`). Along all of that way once more: the best path by everything that is seen, how much
 //! worse any other is, and the middle between pixels (`profile`, `readings`, `midline`); then where the joint ends (`end`) and how
-//! sure each row is (`judge`).
+//! sure each row is (`judge`); rows of wide gaps that are not sure are put between the rims (`rims`).
 
 mod axis;
 mod end;
@@ -17,6 +17,7 @@ mod midline;
 mod parabola;
 mod profile;
 mod readings;
+mod rims;
 mod sample;
 mod strip;
 mod trail;

@@ -1,0 +1,173 @@
+//! The rims of a wide gap: where rows are not sure because something lights up within the gap (a chamfer, a rib, dross), or because
+//! one plate is far lighter, the middle is the one between the two rims that go on steadily.
+
+use super::axis::Station;
+use super::levels::{Levels, to_level};
+use super::strip::{COLS, Line, MID, Strip, greater};
+use super::{CONFIDENT, Row};
+use crate::Frame;
+
+/// Rims are looked for on a level so many times finer than the joint's: where it is 5 columns wide, it is 20 there.
+pub(super) const FINER: usize = 2;
+/// Lines of the finer level to one row of the joint's.
+const LINES: usize = 1 << FINER;
+/// Rows before and after that tell which way the joint goes there.
+const HEADING: usize = 6;
+/// Rows before and after that a middle is the mean of.
+const SMOOTH: usize = 4;
+/// Fewer rows than this show no rim that goes on.
+const LEAST_ROWS: usize = 4 * SMOOTH;
+/// Columns on either side of a rim that tell how clear it is, parts of the width.
+const BESIDE: f32 = 0.1;
+/// A rim is at least this part of the width from the middle.
+const INNER: f32 = 0.15;
+/// What a step of a rim to the next column costs, nats of light.
+const MOVE: f32 = 0.5;
+/// The metal is at least this much lighter than the gap at both rims, nats.
+const CLEAR: f32 = 0.35;
+/// A middle is no farther from what was found before than this part of the width.
+const NEAR: f32 = 0.35;
+
+/// Finds rims; keeps its buffers.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Rims {
+    strip: Strip,
+    stations: Vec<Station>,
+    /// How much lighter it is to the right than to the left of each column's left side, nats.
+    edges: Vec<Line>,
+    ways: Vec<Line>,
+    left: Vec<Rim>,
+    right: Vec<Rim>,
+    widths: Vec<f32>,
+}
+
+/// A rim of one row.
+#[derive(Debug, Clone, Copy, Default)]
+struct Rim {
+    /// Columns to the right of the middle.
+    at: f32,
+    /// How much lighter the metal is than the gap, nats.
+    clear: f32,
+}
+
+impl Rims {
+    /// Room for the rows of a frame of this size, so that a later one does not allocate.
+    pub(super) fn reserve(&mut self, frame: &Frame) {
+        let rows = (frame.width() + frame.height()) / 2;
+        self.strip.grey.reserve((LINES * rows).saturating_sub(self.strip.grey.len()));
+        self.stations.reserve((LINES * rows).saturating_sub(self.stations.len()));
+        for lines in [&mut self.edges, &mut self.ways] {
+            lines.reserve(rows.saturating_sub(lines.len()));
+        }
+        for rims in [&mut self.left, &mut self.right] {
+            rims.reserve(rows.saturating_sub(rims.len()));
+        }
+        self.widths.reserve(rows.saturating_sub(self.widths.len()));
+    }
+
+    /// Puts rows of a joint followed on `level` ([`FINER`] at least) that are not sure between its rims, where both are clear.
+    pub(super) fn place(&mut self, levels: &Levels, frame: &Frame, level: usize, rows: &mut [Row]) {
+        if rows.len() < LEAST_ROWS || rows.iter().all(|row| row.confidence >= CONFIDENT) {
+            return;
+        }
+        let fine = level - FINER;
+        let scale = (1usize << fine) as f32;
+        self.widths.clear();
+        self.widths.extend(rows.iter().map(|row| row.width / scale));
+        let middle = rows.len() / 2;
+        let width = *self.widths.select_nth_unstable_by(middle, f32::total_cmp).1;
+        self.stand(fine, rows);
+        self.strip.unroll(&levels.picture(frame, fine), self.stations.iter().copied());
+        self.find_edges(levels, ((BESIDE * width).round() as usize).max(2));
+        let inner = INNER * width;
+        rim(&self.edges, &mut self.ways, (-1.0, inner), &mut self.left);
+        rim(&self.edges, &mut self.ways, (1.0, inner), &mut self.right);
+        for (i, row) in rows.iter_mut().enumerate().filter(|(_, row)| row.confidence < CONFIDENT) {
+            let [left, right] = [&self.left, &self.right].map(|rims| about(rims, i));
+            let off = 0.5 * (left.at + right.at);
+            if left.clear.min(right.clear) < CLEAR || off.abs() > NEAR * width {
+                continue;
+            }
+            let [cos, sin] = self.stations[LINES * i].tangent;
+            (row.x, row.y) = (row.x - off * scale * sin, row.y + off * scale * cos);
+            row.width = (right.at - left.at) * scale;
+        }
+    }
+
+    /// Stations along the rows, on level `fine`, [`LINES`] to each.
+    fn stand(&mut self, fine: usize, rows: &[Row]) {
+        self.stations.clear();
+        for (i, row) in rows.iter().enumerate() {
+            let (a, b) = (rows[i.saturating_sub(HEADING)], rows[(i + HEADING).min(rows.len() - 1)]);
+            let length = greater((b.x - a.x).hypot(b.y - a.y), 1e-3);
+            let tangent = [(b.x - a.x) / length, (b.y - a.y) / length];
+            let at = [row.x, row.y].map(|v| to_level(v, fine));
+            self.stations.extend((0..LINES).map(|k| {
+                let along = k as f32 - 0.5 * (LINES - 1) as f32;
+                Station { at: [0, 1].map(|n| at[n] + along * tangent[n]), tangent }
+            }));
+        }
+    }
+
+    /// How clear an edge is at each place of each row, by `beside` columns to either side of it.
+    fn find_edges(&mut self, levels: &Levels, beside: usize) {
+        self.edges.clear();
+        self.edges.extend(self.strip.grey.as_chunks::<LINES>().0.iter().map(|lines| {
+            let light: Line = std::array::from_fn(|j| {
+                levels.nats(lines.iter().map(|line| line[j]).sum::<f32>() * (1.0 / LINES as f32))
+            });
+            let mut edge = [0.0; COLS];
+            let part = 1.0 / beside as f32;
+            for (j, edge) in edge.iter_mut().enumerate().take(COLS + 1 - beside).skip(beside) {
+                let sum = |from: usize| light[from..from + beside].iter().sum::<f32>();
+                *edge = part * (sum(j) - sum(j - beside));
+            }
+            edge
+        }));
+    }
+}
+
+/// The rim on one side (-1: left) at least `inner` columns from the middle: the steady way along which it gets lighter outwards most.
+fn rim(edges: &[Line], ways: &mut Vec<Line>, (side, inner): (f32, f32), rims: &mut Vec<Rim>) {
+    // The edge at a column's left side is half a column from its middle.
+    let place = |j: usize| j as f32 - MID as f32 - 0.5;
+    ways.clear();
+    for edge in edges {
+        let before = ways.last().copied().unwrap_or([0.0; COLS]);
+        ways.push(std::array::from_fn(|j| {
+            let aside = greater(before[j.saturating_sub(1)], before[(j + 1).min(COLS - 1)]) - MOVE;
+            let clear = if side * place(j) < inner { f32::MIN } else { greater(side * edge[j], 0.0) };
+            greater(before[j], aside) + clear
+        }));
+    }
+    rims.clear();
+    rims.resize(edges.len(), Rim::default());
+    let last = ways.last().copied().unwrap_or([0.0; COLS]);
+    let mut at = (0..COLS).fold(0, |at, j| if last[j] > last[at] { j } else { at });
+    for (i, rim) in rims.iter_mut().enumerate().rev() {
+        if i + 1 < edges.len() {
+            let way = &ways[i];
+            let better = |a: usize, b: usize| if way[b] - MOVE > way[a] { b } else { a };
+            let aside = if way[at.saturating_sub(1)] > way[(at + 1).min(COLS - 1)] {
+                at.saturating_sub(1)
+            } else {
+                (at + 1).min(COLS - 1)
+            };
+            at = better(at, aside);
+        }
+        let clear = |j: usize| side * edges[i][j.min(COLS - 1)];
+        let [before, here, after] = [clear(at.saturating_sub(1)), clear(at), clear(at + 1)];
+        // Where a parabola through three is highest.
+        let bend = before - 2.0 * here + after;
+        let part = if bend < 0.0 { (0.5 * (before - after) / bend).clamp(-0.5, 0.5) } else { 0.0 };
+        *rim = Rim { at: place(at) + part, clear: here };
+    }
+}
+
+/// The mean of the rims about row `i`.
+fn about(rims: &[Rim], i: usize) -> Rim {
+    let near = &rims[i.saturating_sub(SMOOTH)..(i + SMOOTH + 1).min(rims.len())];
+    let part = 1.0 / near.len() as f32;
+    let sum = near.iter().fold(Rim::default(), |sum, rim| Rim { at: sum.at + rim.at, clear: sum.clear + rim.clear });
+    Rim { at: part * sum.at, clear: part * sum.clear }
+}
