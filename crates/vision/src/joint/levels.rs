@@ -96,11 +96,12 @@ impl Levels {
         }
     }
 
-    /// The natural logarithm of a grey value of a picture of these levels, from some value on.
-    pub(super) fn nats(&self, grey: f32) -> f32 {
+    /// How many nats lighter one grey value of a picture of these levels is than another; of light as it is given, the first
+    /// term of the logarithm's series in the difference over the sum: 1 % less at 0.35 nats, 4 % at 0.7.
+    pub(super) fn nats(&self, from: f32, to: f32) -> f32 {
         match self.light {
-            Light::Given => (1.0 + grey / DARK).ln(),
-            Light::Logarithm => grey / per_nat(),
+            Light::Given => 2.0 * (to - from) / (to + from + 2.0 * DARK),
+            Light::Logarithm => (to - from) / per_nat(),
         }
     }
 

@@ -112,15 +112,16 @@ impl Rims {
     /// How clear an edge is at each place of each row, by `beside` columns to either side of it.
     fn find_edges(&mut self, levels: &Levels, beside: usize) {
         self.edges.clear();
+        let part = 1.0 / (LINES * beside) as f32;
         self.edges.extend(self.strip.grey.as_chunks::<LINES>().0.iter().map(|lines| {
-            let light: Line = std::array::from_fn(|j| {
-                levels.nats(lines.iter().map(|line| line[j]).sum::<f32>() * (1.0 / LINES as f32))
-            });
+            let mut before = [0.0; COLS + 1];
+            for j in 0..COLS {
+                before[j + 1] = before[j] + part * lines.iter().map(|line| line[j]).sum::<f32>();
+            }
             let mut edge = [0.0; COLS];
-            let part = 1.0 / beside as f32;
-            for (j, edge) in edge.iter_mut().enumerate().take(COLS + 1 - beside).skip(beside) {
-                let sum = |from: usize| light[from..from + beside].iter().sum::<f32>();
-                *edge = part * (sum(j) - sum(j - beside));
+            let ends = before[2 * beside..].iter().zip(&before[beside..]).zip(&before);
+            for (edge, ((end, middle), begin)) in edge[beside..].iter_mut().zip(ends) {
+                *edge = levels.nats(middle - begin, end - middle);
             }
             edge
         }));
