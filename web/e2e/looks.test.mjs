@@ -30,7 +30,10 @@ const overflowing = (of) =>
     const wrong = [];
     if (document.documentElement.scrollWidth > innerWidth) wrong.push(`page ${document.documentElement.scrollWidth}`);
     for (const key of document.querySelectorAll('button, .key, select, .chip, h2, legend')) {
-      if (key.clientWidth > 0 && (key.scrollWidth > key.clientWidth + 1 || key.scrollHeight > key.clientHeight + 3)) {
+      // Newer browsers tell how wide a closed list's longest choice is: one that ends with dots fits.
+      const dots = key.tagName === 'SELECT' && getComputedStyle(key).textOverflow === 'ellipsis';
+      const wide = !dots && key.scrollWidth > key.clientWidth + 1;
+      if (key.clientWidth > 0 && (wide || key.scrollHeight > key.clientHeight + 3)) {
         wrong.push(`${key.tagName} "${key.textContent.trim().slice(0, 40)}" ${key.scrollWidth}>${key.clientWidth} ${key.scrollHeight}>${key.clientHeight}`);
       }
       const box = key.getBoundingClientRect();
