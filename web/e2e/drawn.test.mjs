@@ -131,7 +131,7 @@ test('passes are coloured by clearance, the nearest pair has its line and its na
 test('inputs and outputs have names and live states; axes can be tuned in simulation', options, async () => {
   await tab(one, 'Set-up');
   await one.getByRole('button', { name: 'Inputs and outputs' }).click();
-  const gas = one.locator('tr', { has: one.getByRole('rowheader', { name: 'gas', exact: true }) });
+  const gas = one.locator('tr', { has: one.getByRole('rowheader', { name: 'gas Gas valve', exact: true }) });
   await gas.getByText('off').first().waitFor();
   await axe('inputs and outputs');
   await one.getByRole('button', { name: 'Tuning' }).click();
@@ -175,8 +175,31 @@ test('what is near is told by hand before it is too near; touched points tell wh
   await use('saddle.toml');
   await one.getByRole('button', { name: 'Bodies', exact: true }).click();
   await one.getByRole('button', { name: 'Compute the place' }).click();
-  await one.getByText('The part is moved by').waitFor();
+  const moved = one.getByText('The part is moved by');
+  await moved.waitFor();
+  // What was computed of other points, or of another probe, is not offered; what is no radius is none of 0.
+  const radius = one.getByLabel('Probe radius, mm');
+  await radius.fill('2');
+  await moved.waitFor({ state: 'hidden' });
+  for (const wrong of ['abc', '', '-1']) {
+    await radius.fill(wrong);
+    await one.getByRole('alert').filter({ hasText: 'Probe radius, mm: Allowed: a finite number, 0 or greater' }).waitFor();
+    assert.ok(await one.getByRole('button', { name: 'Compute the place' }).isDisabled(), wrong);
+  }
+  await radius.fill('0');
+  await moved.waitFor();
+  await one.getByLabel('Point 1 is on').selectOption('body');
+  await moved.waitFor({ state: 'hidden' });
+  await one.getByLabel('Point 1 is on').selectOption('nozzle');
+  await moved.waitFor();
+  // Nor is what was computed before the job was changed: it would undo the change.
+  await one.getByRole('button', { name: 'Add', exact: true }).click();
+  await moved.waitFor({ state: 'hidden' });
+  await one.getByRole('button', { name: 'Compute the place' }).click();
+  await moved.waitFor();
   await one.getByRole('button', { name: 'Put it into the job' }).click();
+  await moved.waitFor({ state: 'hidden' });
+  assert.equal(await one.getByText('The job has no bodies of its own').count(), 0, 'the body that was added is still there');
   await one.getByRole('button', { name: 'Text', exact: true }).click();
   await one.locator('.editor .cm-content').getByText('offset = "touched"').waitFor();
   quiet(one);

@@ -137,3 +137,16 @@ export async function axe(page, where) {
   const { violations } = await new AxeBuilder({ page }).analyze();
   assert.deepEqual(violations.map((v) => `${where}: ${v.id} ${v.nodes.map((n) => n.target.join(' ')).slice(0, 3).join(' | ')}`), []);
 }
+
+/** Tables that are wider than what they lie in, and what of them nobody can scroll to. */
+export const cutOff = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll('table')].flatMap((table) => {
+      const box = table.getBoundingClientRect();
+      const clips = (of) => of && (getComputedStyle(of).overflowX === 'visible' ? clips(of.parentElement) : of);
+      const around = table.closest('.card') ?? clips(table.parentElement);
+      if (box.width === 0 || !around || table.closest('.wide')) return [];
+      const over = Math.round(box.right - around.getBoundingClientRect().right);
+      return over > 0 ? [`${table.textContent.trim().slice(0, 40)} by ${over}`] : [];
+    }),
+  );

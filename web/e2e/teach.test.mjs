@@ -159,7 +159,7 @@ test('a step jog goes so far and stands, though the key is held', options, async
   await commands();
   if (await button('Start jogging').isVisible()) await button('Start jogging').click();
   await mode(one, 'jog', 'teach');
-  await one.getByRole('group', { name: 'Step' }).getByRole('button', { name: '1', exact: true }).click();
+  await one.getByRole('group', { name: 'Step' }).getByRole('button', { name: '1 mm, °', exact: true }).click();
   const begun = await axis(one, 'x');
   await button('x +').hover();
   await one.mouse.down();

@@ -145,6 +145,16 @@ describe('the strip of the last minute', () => {
     expect(strip.last(1000, ['speed'])[0].length).toBe(strip.room);
   });
 
+  test('when the cell begins to count anew, nothing of before stands in its way', () => {
+    const strip = new Strip();
+    for (let i = 0; i < strip.room; i += 1) strip.add(status(900 + i / 30));
+    for (let i = 0; i < 90; i += 1) strip.add(status(i / 30));
+    const [times, speed] = strip.last(30, ['speed']);
+    expect(times.length).toBe(90);
+    expect(times[0]).toBeCloseTo(-89 / 30);
+    expect(speed?.[0]).toBe(0);
+  });
+
   test('nothing yet is nothing', () => {
     expect(new Strip().last(10, ['speed'])).toEqual([[], []]);
   });

@@ -11,7 +11,7 @@ const OVER = 3;
  */
 export class Strip {
   readonly room = SECONDS * RATE;
-  /** Rows in all since the begin; the newest is at `(count - 1) % room`. */
+  /** Rows in all since the cell's time began; the newest is at `(count - 1) % room`. */
   count = 0;
   readonly t = new Float64Array(this.room);
   /** Units of the axes, `mm` or `deg`. */
@@ -19,6 +19,8 @@ export class Strip {
   private readonly columns = new Map<string, Float64Array>();
 
   add(status: Status): void {
+    // Another machine's cell counts its time anew: what was before has no place beside it.
+    if (this.count > 0 && status.t < (this.t[(this.count - 1) % this.room] ?? 0)) this.count = 0;
     const at = this.count % this.room;
     this.t[at] = status.t;
     this.put('speed', at, status.speed_mm_s);

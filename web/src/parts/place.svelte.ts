@@ -3,11 +3,16 @@ import type { Stretch } from './stretch';
 export const tabs = ['weld', 'teach', 'jobs', 'records', 'setup'] as const;
 export type Tab = (typeof tabs)[number];
 
+export const setupPages = ['machine', 'parameters', 'tool', 'sensors', 'devices', 'tuning', 'alarms', 'users', 'audit', 'data'] as const;
+export type SetupPage = (typeof setupPages)[number];
+
 const TOURED = 'seamwright.toured';
 
 /** Where the operator is in the panel. Nothing of it changes what the cell does. */
 class Place {
   tab = $state<Tab>('weld');
+  /** The page of the set-up that was looked at last. */
+  setup = $state<SetupPage>('machine');
   /** The first-run tour is shown: until it is dismissed once. */
   touring = $state(localStorage.getItem(TOURED) === null);
   /** Teaching goes by eye, else by hand. */

@@ -3,7 +3,7 @@ export type Trace = { columns: string[]; values: (number | null)[][] };
 
 /** What tells most of a weld, first; a kind each. */
 const FIRST = [
-  /speed/,
+  /^tip_speed/,
   /path_error|seam_lateral/,
   /(current|beam)_(a|ma)(_measured)?$/,
   /(voltage_v|accelerating_kv|wire_feed_m_min|power_k?w)(_measured)?$/,
@@ -13,7 +13,9 @@ const MOST_AT_ONCE = 4;
 
 /** What is shown before somebody chooses. */
 export function preferred(names: string[]): string[] {
-  const known = FIRST.flatMap((kind) => names.find((name) => kind.test(name)) ?? []);
+  // What was driven tells more than what was asked.
+  const driven = names.some((name) => name.startsWith('tip_speed'));
+  const known = FIRST.flatMap((kind, i) => names.find((name) => (i === 0 && !driven ? /speed/ : kind).test(name)) ?? []);
   return (known.length > 0 ? known : names).slice(0, MOST_AT_ONCE);
 }
 
@@ -36,4 +38,21 @@ export function merged(traces: Trace[], name: string, pass: number): (number | n
   rows.sort((a, b) => a.s - b.s);
   const lines = traces.map((_, of) => rows.map((row) => (row.of === of ? row.value : null)));
   return [rows.map((row) => row.s), ...lines];
+}
+
+/** The value of a column at a row or, between two rows of its trace, the nearest; nothing where the trace does not reach. */
+export function nearest(column: readonly (number | null)[], row: number): number | null {
+  const find = (by: 1 | -1): number => {
+    for (let i = row; i >= 0 && i < column.length; i += by) if (column[i] != null) return i;
+    return -1;
+  };
+  const [before, after] = [find(-1), find(1)];
+  if (before < 0 || after < 0) return null;
+  return column[row - before <= after - row ? before : after] ?? null;
+}
+
+/** The row whose place is nearest to this one. */
+export function rowAt(places: readonly (number | null)[], s: number): number {
+  const far = (i: number): number => Math.abs((places[i] ?? Infinity) - s);
+  return places.reduce<number>((best, _, i) => (far(i) < far(best) ? i : best), 0);
 }

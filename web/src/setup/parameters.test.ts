@@ -28,3 +28,15 @@ test('a key too many is asked about, a usual change is not', () => {
     expect(isWild(was, now), `${was} ${now}`).toBe(wild);
   }
 });
+
+test('what tuning measures has a word and a unit', () => {
+  const rust = readFileSync(new URL('../../../crates/server/src/view/tuning.rs', import.meta.url), 'utf8');
+  const values = rust.slice(rust.indexOf('\nfn values('));
+  const keys = [...values.matchAll(/"([a-z_{}]+)"/g)].map(([, key = '']) => key.replace('{unit}', 'mm'));
+  expect(keys).toContain('load_error_mm');
+  for (const key of keys) {
+    const { word, unit } = meaning(key);
+    expect(`par.${word}` in en, key).toBe(true);
+    expect(unit === '', key).toBe(['kvff', 'following_error_counts'].includes(key));
+  }
+});

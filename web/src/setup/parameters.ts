@@ -36,6 +36,12 @@ const KEYS: [RegExp, string, (key: string) => string][] = [
   [/^viscous_/, 'viscous', unit({ _n_s_m: 'N s/m', _n_m_s_rad: 'N m s/rad' })],
   [/^resonance_/, 'resonance', () => 'Hz'],
   [/^load_ratio$/, 'load_ratio', none],
+  // What is measured where an axis is tuned.
+  [/^bandwidth_hz$/, 'bandwidth', () => 'Hz'],
+  [/^measured_at_/, 'measured_at', unit({ _mm_s: 'mm/s', _deg_s: '°/s' })],
+  [/^following_error_counts$/, 'following_counts', none],
+  [/^load_error_/, 'load_error', unit({ _mm: 'mm', _deg: '°' })],
+  [/^notch_hz$/, 'notch_at', () => 'Hz'],
 ];
 
 /** So many times more or less than it was, a number is asked about: a key too many is ten times. */

@@ -1,0 +1,103 @@
+// Two welds of different machines and processes beside one another; what is looked for and looked at stays; nothing is cut off.
+import assert from 'node:assert/strict';
+import { mkdirSync } from 'node:fs';
+import { test } from 'node:test';
+import { page } from './browser.mjs';
+import { axe, bench, commands, control, cutOff, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab, weld } from './operator.mjs';
+
+const shots = new URL('shots/', import.meta.url).pathname;
+const { one, cell, browser, options } = await bench({ real: 'the mock welds nothing', only: true });
+mkdirSync(shots, { recursive: true });
+const row = (of, part) => of.locator('tr', { hasText: part });
+
+test('welds by arc and by beam are compared: what both have is drawn, with the values under the cursor', options, async () => {
+  await open(one, cell.address);
+  await control(one);
+  await keep(one, 'short.toml', SHORT);
+  const ring = await one.evaluate(async () => (await (await fetch('/api/jobs/half-ring.toml')).json()).text);
+  await keep(one, 'ring.toml', ring.replace('end_phi_deg = 210', 'end_phi_deg = 40').split('[cosmetic]')[0]);
+  for (const [job, part] of [['short.toml', 'S-1'], ['ring.toml', 'R-1']]) {
+    await load(one, job, part);
+    await commands(one);
+    await ready(one);
+    // The whole number of the part, whatever the title.
+    assert.equal(await one.locator('.strip .part').evaluate((chip) => chip.scrollWidth <= chip.clientWidth && chip.textContent), `Part ${part}`);
+    await weld(one);
+    // The plots of the weld are drawn, also after the cell's time has begun anew.
+    await sleep(3000);
+    assert.ok(await drawn(one.locator('.plots canvas').first()), `plots while ${part} is welded`);
+    await mode(one, 'ready');
+    await commands(one);
+    await press(one, /Switch off/);
+    await mode(one, 'off');
+  }
+  await tab(one, 'Records');
+  for (const part of ['R-1', 'S-1']) {
+    await row(one, part).getByText('good').waitFor({ timeout: 30_000 });
+    await row(one, part).getByRole('checkbox').check();
+  }
+  await one.getByRole('button', { name: 'Compare' }).click();
+  await one.locator('.charts .uplot').nth(1).waitFor();
+  assert.equal(await one.locator('.note.fault').count(), 0);
+  await one.locator('.charts figcaption').first().getByText('Speed of the tip Actual mm/s').waitFor();
+  await one.locator('.charts').focus();
+  for (let i = 0; i < 20; i += 1) await one.keyboard.press('ArrowRight');
+  const values = await one.locator('.charts figure').first().locator('b').allTextContents();
+  assert.deepEqual(values.map((text) => Math.round(Number(text))), [10, 6]);
+  await axe(one, 'comparing');
+  await one.screenshot({ path: `${shots}records-compare.png` });
+  quiet(one);
+});
+
+test('what is looked for and looked at stays when another page is looked at', options, async () => {
+  await tab(one, 'Weld');
+  await tab(one, 'Records');
+  await one.locator('.charts').waitFor();
+  await one.getByRole('button', { name: '← Records' }).click();
+  await one.getByRole('searchbox').fill('R-1');
+  await one.keyboard.press('Enter');
+  await row(one, 'S-1').waitFor({ state: 'hidden' });
+  await row(one, 'R-1').getByRole('button').click();
+  await one.getByRole('button', { name: '← Records' }).click();
+  assert.equal(await one.getByRole('searchbox').inputValue(), 'R-1');
+  await row(one, 'R-1').waitFor();
+  assert.equal(await row(one, 'S-1').count(), 0);
+  await row(one, 'R-1').getByRole('button').click();
+  const [file] = await Promise.all([one.waitForEvent('download'), one.getByRole('link', { name: /^Download: Report/ }).click()]);
+  assert.equal(file.suggestedFilename(), 'weld-2-en.html');
+  quiet(one);
+});
+
+for (const language of ['de', 'uk']) {
+  test(`no number of a record or of tuning is cut off, ${language}`, options, async () => {
+    const two = await page(browser, { language });
+    await open(two, cell.address);
+    await two.locator('nav button').nth(3).click();
+    await row(two, 'S-1').getByRole('button').click();
+    await two.locator('.facts table').waitFor();
+    await two.locator('.charts .uplot').first().waitFor();
+    assert.deepEqual(await cutOff(two), []);
+    assert.ok(!/set|error|actual/i.test(await two.locator('.charts').textContent()), 'columns have words');
+    await two.screenshot({ path: `${shots}records-${language}.png` });
+    await two.locator('nav button').nth(4).click();
+    await two.locator('.setup .pages button').nth(5).click();
+    await two.locator('.setup .must').click();
+    await two.locator('.setup figure').first().waitFor({ timeout: 60_000 });
+    assert.deepEqual(await cutOff(two), []);
+    assert.ok(!/_hz|_per_s|_deg/.test(await two.locator('.setup .two').innerText()), 'numbers of tuning have words and units');
+    await two.screenshot({ path: `${shots}tuning-${language}.png` });
+    quiet(two);
+    await two.context().close();
+  });
+}
+
+/** Something besides its ground is on a chart. */
+async function drawn(canvas) {
+  return canvas.evaluate((of) => {
+    const { data } = of.getContext('2d').getImageData(0, 0, of.width, of.height);
+    const colours = new Set();
+    for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 200) colours.add(`${data[i]} ${data[i + 1]} ${data[i + 2]}`);
+    // Lines are blue, ticks and grid are grey.
+    return [...colours].some((colour) => { const [r, , b] = colour.split(' ').map(Number); return b - r > 60; });
+  });
+}
