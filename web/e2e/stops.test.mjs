@@ -50,11 +50,14 @@ test('going on is offered for the weld that was left alone, and its crater is as
   assert.equal(await dialog().getByRole('checkbox').isChecked(), false);
   await dialog().getByRole('button', { name: 'Cancel' }).click();
   for (const [job, part] of [['first-weld.toml', 'N-1'], ['short.toml', 'N-2']]) {
+    await commands(one);
     await load(one, job, part);
     await one.getByText(/Weld \d+ \(Long, part N-1\) was left in pass 1/).waitFor();
     assert.equal(await continues().count(), 0, `${job} ${part}`);
   }
+  await commands(one);
   await load(one, 'short.toml', 'N-1');
+  await commands(one);
   await continues().click();
   await dialog().getByRole('checkbox').check();
   await dialog().getByRole('button', { name: 'Load from there' }).click();

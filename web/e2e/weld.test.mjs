@@ -54,7 +54,7 @@ test('the first run, led by the tour: from the printed address to a finished wel
   const took = (Date.now() - begun) / 1000;
   test.diagnostic(`from the address to the record: ${took.toFixed(0)} s`);
   assert.ok(took < WITHIN_S, `${took} s`);
-  await tour.getByRole('button', { name: 'Skip' }).click();
+  await tour.getByRole('button', { name: 'Close' }).click();
   await one.locator('td button').first().click();
   await one.locator('.uplot').first().waitFor();
   await scrubbed();

@@ -828,7 +828,8 @@ audit: number, };
  */
 export type Trouble = { 
 /**
- * Stable key: `login`, `role`, `origin`, `token`, `size`, `input`, `not_found`, `busy`, `slow_down`, `server`.
+ * Stable key: `login`, `password`, `role`, `origin`, `token`, `size`, `input`, `not_found`, `busy`, `slow_down`,
+ * `server`.
  */
 key: string, 
 /**

@@ -8,6 +8,9 @@ class Session {
   /** It was ended by the cell, not here. */
   over = $state(false);
 
+  /** Who was just made the first administrator, and has to log in now. */
+  made = $state('');
+
   /** Asks the server; with the key of the printed address (`#key=`) it logs in with that first. */
   async begin(): Promise<void> {
     const key = /^#key=(.+)$/.exec(location.hash)?.[1];
@@ -55,6 +58,7 @@ class Session {
   private take(view: SessionView): void {
     useToken(view.token);
     this.over = false;
+    this.made = '';
     this.view = view;
   }
 }

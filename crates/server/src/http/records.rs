@@ -302,6 +302,9 @@ pub(super) async fn backup(
         Some(piece) => Poll::Ready(Some(Ok(piece))),
         None => from.poll_recv(context),
     }));
-    let name = "attachment; filename=\"seamwright-backup.tar\"";
-    Ok(([(header::CONTENT_TYPE, "application/x-tar"), (header::CONTENT_DISPOSITION, name)], body).into_response())
+    // Its day and minute in the name: backups lie beside one another and are told apart.
+    let at: String = Moment::now().to_string().chars().filter(char::is_ascii_digit).take(12).collect();
+    let name = format!("attachment; filename=\"seamwright-backup-{at}.tar\"");
+    Ok(([(header::CONTENT_TYPE, "application/x-tar".to_owned()), (header::CONTENT_DISPOSITION, name)], body)
+        .into_response())
 }

@@ -26,7 +26,7 @@ pub(super) async fn again(
         return Ok(());
     }
     panel.cell.archive.audit(&session.user, "panel", "own password", ("", ""), "refused");
-    Err(Refused::new(StatusCode::FORBIDDEN, "login", "your own password is needed for this, and it is wrong"))
+    Err(Refused::new(StatusCode::FORBIDDEN, "password", "your own password is needed for this, and it is wrong"))
 }
 
 pub(super) async fn put(

@@ -324,7 +324,8 @@ pub struct TuningView {
 /// What every failed request answers.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct Trouble {
-    /// Stable key: `login`, `role`, `origin`, `token`, `size`, `input`, `not_found`, `busy`, `slow_down`, `server`.
+    /// Stable key: `login`, `password`, `role`, `origin`, `token`, `size`, `input`, `not_found`, `busy`, `slow_down`,
+    /// `server`.
     pub key: String,
     /// In English words, with what is allowed.
     pub text: String,
