@@ -26,8 +26,9 @@ const OWN_SIDE: f64 = 0.7;
 /// Part of an arc's radius beside its end in which it is looked along.
 const ARC_PART: f64 = 0.6;
 
-/// Part that the arcs' lowest points have in an open U groove's roots, the rest is that of the ends of the light. Their errors in the
-/// gap are independent, 0.027 and 0.033 mm at 0.05 mm a column; those of the arcs are mostly one way, so they have less than that says.
+/// Part that the arcs' lowest points have in an open U groove's roots, the rest is that of the ends of the light. Their errors in
+/// the gap are hardly alike (correlation 0.2), 0.027 and 0.033 mm at 0.05 mm a column; those of the arcs are mostly one way, so they
+/// have less than that says.
 const ARC_TELLS: f64 = 0.25;
 
 /// Columns between the gap from the roots' ends and that from the arcs for no, and for full confidence.
