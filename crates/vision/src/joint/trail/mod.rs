@@ -6,7 +6,7 @@ use crate::joint::lattice::{Lattice, column_about};
 use crate::joint::levels::Picture;
 use crate::joint::parabola::Parabola;
 use crate::joint::profile::{Arms, Profile, REACH};
-use crate::joint::strip::{MID, SEEN_AROUND, Strip, box_columns};
+use crate::joint::strip::{GROUP, MID, SEEN_AROUND, Strip, box_columns};
 
 /// Rows of a strip that is looked at ...
 pub(super) const ROWS: usize = 48;
@@ -215,7 +215,7 @@ impl Trail {
                     return Stop::Closed;
                 }
                 // Rows at the rims of a gap are not seen to be the joint's.
-                if unseen as f32 > limits.gap + SEEN_AROUND as f32 {
+                if unseen as f32 > limits.gap + (SEEN_AROUND + GROUP) as f32 {
                     return Stop::Gap;
                 }
             }

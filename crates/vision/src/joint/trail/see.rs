@@ -1,6 +1,6 @@
 //! What a strip shows, in the light as it is and in another, straight on and aside.
 
-use super::{Look, ROWS, Trail};
+use super::{Look, ROWS, SPIKY, Trail};
 use crate::joint::axis::{Axis, Station};
 use crate::joint::levels::Picture;
 use crate::joint::strip::{MID, box_columns, greatest};
@@ -20,6 +20,12 @@ const FOUND: usize = 8;
 const OTHER_LIGHT: [f32; 4] = [0.5, 2.0, 0.25, 4.0];
 /// A joint whose depth changes is no lighter in its middle than it was by more than this part of its depth.
 const LIKE_FLOOR: f32 = 0.4;
+
+/// Rows of a strip in which a joint whose depth changes is seen: a tack may hide the others, which is much of a strip on coarse
+/// levels.
+fn least(level: usize) -> usize {
+    if level > SPIKY { ROWS / 2 } else { 3 * ROWS / 4 }
+}
 
 impl Trail {
     /// The strip about a place of the trail and what it shows; how likely its best path is.
@@ -53,12 +59,12 @@ impl Trail {
         self.usual.1.clone_from(&self.seen);
         self.find_deepest();
         for contrast in OTHER_LIGHT.map(|part| part * look.contrast) {
-            if !self.may_show_other_light(contrast) {
+            if !self.may_show_other_light(contrast, look.level) {
                 continue;
             }
             let score = self.find(contrast, free);
             self.judge(contrast);
-            if 4 * self.count() >= 3 * ROWS && self.floor(look.width) < look.floor + LIKE_FLOOR * look.contrast {
+            if self.count() >= least(look.level) && self.floor(look.width) < look.floor + LIKE_FLOOR * look.contrast {
                 look.contrast = contrast;
                 return score;
             }
@@ -72,12 +78,12 @@ impl Trail {
     fn is_empty(&mut self, look: &Look) -> bool {
         self.find_deepest();
         self.strip.shows_at_most(&self.deepest, look.contrast) < FOUND
-            && !OTHER_LIGHT.into_iter().any(|part| self.may_show_other_light(part * look.contrast))
+            && !OTHER_LIGHT.into_iter().any(|part| self.may_show_other_light(part * look.contrast, look.level))
     }
 
     /// False if no path shows a joint of this depth in most of the strip.
-    fn may_show_other_light(&self, contrast: f32) -> bool {
-        4 * self.strip.shows_at_most(&self.deepest, contrast) >= 3 * ROWS
+    fn may_show_other_light(&self, contrast: f32, level: usize) -> bool {
+        self.strip.shows_at_most(&self.deepest, contrast) >= least(level)
     }
 
     fn find_deepest(&mut self) {
