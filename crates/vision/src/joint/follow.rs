@@ -2,6 +2,7 @@ use super::axis::Axis;
 use super::end::{Cut, cut};
 use super::levels::{Levels, Light, Picture, from_level, to_level};
 use super::midline::Midline;
+use super::noise::NoiseBy;
 use super::rims::{self, Rims};
 use super::trail::{Limits, Look, ROWS, Stop, Trail};
 use super::{CONFIDENT, End, Joint, Options, Row, Start, State, Zone, judge};
@@ -26,26 +27,19 @@ const WIDTH: (f32, f32) = (1.0, 400.0);
 /// Part of the frame's shorter side that is coasted over if nothing else is said.
 const GAP: f32 = 0.2;
 
-/// An open gap is darker than the metal by this part of its light at least ...
-const BLACK: f32 = 0.4;
-/// ... and wide if it is followed on this level or a coarser one. Where such a joint ends ...
-const COARSE: usize = 2;
-/// ... and the metal is so many times as light or as dark as at its start, it is looked for by the logarithm of light too ...
-const CHANGED: f32 = 1.6;
-/// ... which counts if the joint is so many times as long there.
-const LONGER: f32 = 1.25;
-
 /// Follows joints; keeps its buffers from frame to frame.
 #[derive(Debug, Clone)]
 pub struct Follower {
     options: Options,
     levels: Levels,
-    trail: Trail,
+    pub(super) trail: Trail,
     midline: Midline,
     rims: Rims,
-    joint: Joint,
-    /// The joint in the other light.
-    other: Joint,
+    /// A start of unknown width is narrower than this, pixels.
+    pub(super) narrower: f32,
+    pub(super) joint: Joint,
+    /// The joint as it was found before it was tried again.
+    pub(super) before: Joint,
 }
 
 impl Follower {
@@ -53,9 +47,9 @@ impl Follower {
     #[must_use]
     pub fn new(options: Options) -> Self {
         let joint = Joint { rows: Vec::new(), end: End::Lost };
-        let other = joint.clone();
+        let before = joint.clone();
         let (trail, midline, rims) = (Trail::default(), Midline::default(), Rims::default());
-        Self { options, levels: Levels::new(), trail, midline, rims, joint, other }
+        Self { options, levels: Levels::new(), trail, midline, rims, narrower: f32::INFINITY, joint, before }
     }
 
     /// The joint in `frame` from `start`. A start outside the frame or zone, or not finite, gives no rows and
@@ -74,27 +68,25 @@ impl Follower {
             self.joint.end = End::Lost;
             return &self.joint;
         }
+        self.trail.tell_noise_by(NoiseBy::Depths);
         let looks = self.follow_in(Light::Given, frame, start, &inside);
         // A later frame is not to allocate.
         self.rims.reserve(frame);
-        self.other.rows.reserve(self.joint.rows.capacity().saturating_sub(self.other.rows.len()));
-        let ended = matches!(self.joint.end, End::Lost | End::JointEnd);
-        if let Some([first, _]) = looks.filter(|looks| ended && is_in_other_light(looks)) {
-            std::mem::swap(&mut self.joint, &mut self.other);
-            let start = Start { width: Some(first.width * (1 << first.level) as f32), ..*start };
-            self.follow_in(Light::Logarithm, frame, &start, &inside);
-            if way(&self.joint.rows) < LONGER * way(&self.other.rows) {
-                std::mem::swap(&mut self.joint, &mut self.other);
-            } else {
-                // In the shade what is dirt is as deep as a joint.
-                judge::doubtful(&mut self.joint.rows, 0);
-            }
+        self.before.rows.reserve(self.joint.rows.capacity().saturating_sub(self.before.rows.len()));
+        if let Some(looks) = looks {
+            self.try_again(frame, start, &inside, looks);
         }
         &self.joint
     }
 
     /// Follows in one light; what the joint looks like at its start and where it is followed last.
-    fn follow_in(&mut self, light: Light, frame: &Frame, start: &Start, inside: &Inside) -> Option<[Look; 2]> {
+    pub(super) fn follow_in(
+        &mut self,
+        light: Light,
+        frame: &Frame,
+        start: &Start,
+        inside: &Inside,
+    ) -> Option<[Look; 2]> {
         self.joint.rows.clear();
         self.joint.end = End::Lost;
         let first = self.begin(light, frame, start)?;
@@ -122,7 +114,10 @@ impl Follower {
         let known = known_width(start).map(|w| [on_level(w, coarsest)]);
         let widths = known.as_ref().map_or(&WIDTHS[..], |w| &w[..]);
         let mut looks = [None; WIDTHS.len()];
-        for (&(level, width), look) in widths.iter().zip(&mut looks).filter(|((level, _), _)| *level <= coarsest) {
+        let (known, narrower) = (known.is_some(), self.narrower);
+        let tried = |level: usize, width: f32| level <= coarsest && (known || width * ((1 << level) as f32) < narrower);
+        for (&(level, width), look) in widths.iter().zip(&mut looks).filter(|((level, width), _)| tried(*level, *width))
+        {
             let picture = self.levels.picture(frame, level);
             let at = [start.x, start.y].map(|v| to_level(v, level));
             let axis = Axis { at, heading, curvature: 0.0 };
@@ -131,7 +126,7 @@ impl Follower {
             }
         }
         let best = narrowest(&looks)?;
-        if known.is_some() {
+        if known {
             return Some(best);
         }
         let scale = (1 << best.level) as f32;
@@ -168,18 +163,6 @@ impl Follower {
         }
         end
     }
-}
-
-/// True if the joint is a wide open gap and the metal's light is another one at its last than at its first.
-fn is_in_other_light([first, last]: &[Look; 2]) -> bool {
-    let is_gap = first.level >= COARSE && first.contrast > BLACK * first.metal();
-    is_gap && !(1.0 / CHANGED..=CHANGED).contains(&(last.metal() / first.metal()))
-}
-
-/// How far a joint is followed to where it is seen last, pixels.
-fn way(rows: &[Row]) -> f32 {
-    let seen = rows.iter().rposition(|row| row.state == State::Seen).map_or(0, |last| last + 1);
-    rows[..seen].windows(2).map(|pair| (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y)).sum()
 }
 
 /// Rows of the frame from those of the level.
@@ -267,7 +250,7 @@ fn narrowest(looks: &[Option<Look>]) -> Option<Look> {
 }
 
 /// The width that a start tells, pixels of the frame.
-fn known_width(start: &Start) -> Option<f32> {
+pub(super) fn known_width(start: &Start) -> Option<f32> {
     start.width.filter(|w| w.is_finite() && *w > 0.0).map(|w| w.clamp(WIDTH.0, WIDTH.1))
 }
 
@@ -278,7 +261,7 @@ fn on_level(width: f32, coarsest: usize) -> (usize, f32) {
 }
 
 /// Frame and zone.
-struct Inside {
+pub(super) struct Inside {
     zone: Zone,
 }
 

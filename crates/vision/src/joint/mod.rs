@@ -4,8 +4,10 @@
 //! curved axis are unrolled (`axis`, `strip`) and the best path across their rows is taken (`lattice`): the way the joint
 //! goes, to a pixel or two (`trail`). Along all of that way once more: the best path by everything that is seen, how much
 //! worse any other is, and the middle between pixels (`profile`, `readings`, `midline`); then where the joint ends (`end`) and how
-//! sure each row is (`judge`); rows of wide gaps that are not sure are put between the rims (`rims`).
+//! sure each row is (`judge`); rows of wide gaps that are not sure are put between the rims (`rims`). A joint that is lost is tried
+//! once more in other ways (`again`).
 
+mod again;
 mod axis;
 mod end;
 mod even;
@@ -14,6 +16,7 @@ mod judge;
 mod lattice;
 mod levels;
 mod midline;
+mod noise;
 mod parabola;
 mod profile;
 mod readings;

@@ -1,5 +1,6 @@
 use super::axis::Station;
 use super::levels::{Grey, Picture};
+use super::noise::NoiseBy;
 use super::sample::{Pixel, Sampler};
 use std::ops::Range;
 
@@ -9,24 +10,18 @@ pub(super) const COLS: usize = 48;
 pub(super) const MID: usize = COLS / 2;
 /// A group is the mean of this many rows before and after.
 pub(super) const GROUP: usize = 4;
-/// Groups this many rows apart share none.
-const APART: usize = 2 * GROUP + 1;
 /// Rows before and after that tell whether a joint is seen.
 pub(super) const SEEN_AROUND: usize = 6;
 /// Their mean depth is at least this part of the joint's ...
 const PART: f32 = 0.45;
 /// ... and this many standard deviations of one.
 const STANDS_OUT: f32 = 2.2;
-/// About so many rows tell the noise of a long strip.
-const NOISE_ROWS: usize = 100;
-/// Least noise of a depth, grey values of 255.
-const LEAST_NOISE: f32 = 0.3;
 /// From this many widths from the middle on there is metal.
-const METAL: f32 = 1.1;
+pub(super) const METAL: f32 = 1.1;
 /// The light's change across is found from so many rows together.
 const LIT: usize = 24;
 /// Columns of each of the two boxes on either side.
-const SIDE: usize = 3;
+pub(super) const SIDE: usize = 3;
 
 /// Half of the box on the widest joint of a level, columns.
 const MOST_HALF: usize = 3;
@@ -106,7 +101,9 @@ pub(super) struct Strip {
     pub(super) noise: f32,
     /// First and last column where there is a depth.
     pub(super) columns: (usize, usize),
-    magnitudes: Vec<f32>,
+    /// What the noise is told by.
+    pub(super) noise_by: NoiseBy,
+    pub(super) magnitudes: Vec<f32>,
 }
 
 impl Strip {
@@ -189,12 +186,6 @@ impl Strip {
         }
     }
 
-    /// The noise of all depths.
-    pub(super) fn noise_everywhere(&mut self) -> f32 {
-        let (first, last) = self.columns;
-        self.measure_noise(|_| [first..last + 1, 0..0])
-    }
-
     /// Which rows show a joint along `path`, by the rows about each, where it is `contrast` deep.
     pub(super) fn shows(&self, path: &[usize], contrast: impl Fn(usize) -> f32, seen: &mut Vec<bool>) {
         seen.clear();
@@ -226,45 +217,6 @@ impl Strip {
             let least = (PART * contrast(i)).max(STANDS_OUT * self.noise) * (to - from) as f32;
             sum > f64::from(least)
         })
-    }
-
-    /// The noise, without what is near a path.
-    pub(super) fn noise_beside(&mut self, path: &[usize], width: f32) -> f32 {
-        let (first, last) = self.columns;
-        let away = width as usize + 2;
-        self.measure_noise(|i| {
-            let near = &path[i..(i + APART + 1).min(path.len())];
-            // In numbers that are small, several at a time.
-            let columns = near.iter().map(|j| *j as i16);
-            let (low, high) = columns.fold((COLS as i16, 0), |(low, high), j| (low.min(j), high.max(j)));
-            let (low, high) = (low as usize, high as usize);
-            [first..(low + 1).saturating_sub(away).max(first), (high + away).min(last + 1)..last + 1]
-        })
-    }
-
-    /// What differs between groups that share no row is noise, the joint goes on; a low quantile, as it may slant. In the
-    /// columns of each row that `within` tells.
-    fn measure_noise(&mut self, within: impl Fn(usize) -> [Range<usize>; 2]) -> f32 {
-        let step = (self.depth.len() / NOISE_ROWS).max(2);
-        self.magnitudes.clear();
-        for (i, (a, b)) in self.depth.iter().zip(self.depth.iter().skip(APART)).enumerate().step_by(step) {
-            // Every other column, over the gap between the two ranges too.
-            let mut skipped = 0;
-            for Range { start, end } in within(i) {
-                let start = (start + skipped).min(end);
-                skipped = (end - start) % 2;
-                let ((a, last_a), (b, last_b)) = (a[start..end].as_chunks::<2>(), b[start..end].as_chunks::<2>());
-                self.magnitudes.extend(a.iter().zip(b).map(|(a, b)| (a[0] - b[0]).abs()));
-                self.magnitudes.extend(last_a.iter().zip(last_b).map(|(a, b)| (a - b).abs()));
-            }
-        }
-        let place = self.magnitudes.len() * 3 / 10;
-        if place == 0 {
-            return LEAST_NOISE.max(self.noise);
-        }
-        // Numbers of no sign are in the order of their bits.
-        let (_, quantile, _) = self.magnitudes.select_nth_unstable_by_key(place, |magnitude| magnitude.to_bits());
-        (*quantile / (0.385 * std::f32::consts::SQRT_2)).max(LEAST_NOISE)
     }
 }
 

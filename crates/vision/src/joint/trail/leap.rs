@@ -46,8 +46,7 @@ impl Trail {
             let there = Axis { at: axis.station(gone as f32).at, ..axis };
             self.see(picture, &there, BACK as f32, &mut look.clone(), gone);
             let seen = self.count();
-            let moves = self.path.windows(2).map(|p| p[0].abs_diff(p[1])).sum::<usize>();
-            if 10 * seen >= 9 * ROWS && 6 * moves <= ROWS {
+            if 10 * seen >= 9 * ROWS && self.is_steady() {
                 return Some(there);
             }
         }

@@ -4,6 +4,7 @@ mod see;
 use crate::joint::axis::{Axis, Station};
 use crate::joint::lattice::{Lattice, column_about};
 use crate::joint::levels::Picture;
+use crate::joint::noise::NoiseBy;
 use crate::joint::parabola::Parabola;
 use crate::joint::profile::{Arms, Profile, REACH};
 use crate::joint::strip::{GROUP, MID, SEEN_AROUND, Strip, box_columns};
@@ -270,6 +271,10 @@ impl Trail {
         let [offset, slope, bend] = found.terms;
         let curvature = (axis.curvature + 2.0 * bend).clamp(-MOST_BENT, MOST_BENT);
         Axis { at: there.station(0.0).beside(offset), heading: heading + slope.atan(), curvature }
+    }
+
+    pub(in crate::joint) fn tell_noise_by(&mut self, noise_by: NoiseBy) {
+        self.strip.noise_by = noise_by;
     }
 
     fn is_closed(&self) -> bool {

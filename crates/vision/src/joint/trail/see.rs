@@ -27,6 +27,9 @@ fn least(level: usize) -> usize {
     if level > SPIKY { ROWS / 2 } else { 3 * ROWS / 4 }
 }
 
+/// What is seen anew behind a gap or in another light moves by a column in so many rows at most.
+const STEADY: usize = 6;
+
 impl Trail {
     /// The strip about a place of the trail and what it shows; how likely its best path is.
     pub(super) fn see(&mut self, picture: &Picture, axis: &Axis, from: f32, look: &mut Look, gap: usize) -> f32 {
@@ -64,7 +67,10 @@ impl Trail {
             }
             let score = self.find(contrast, free);
             self.judge(contrast);
-            if self.count() >= least(look.level) && self.floor(look.width) < look.floor + LIKE_FLOOR * look.contrast {
+            if self.count() >= least(look.level)
+                && self.is_steady()
+                && self.floor(look.width) < look.floor + LIKE_FLOOR * look.contrast
+            {
                 look.contrast = contrast;
                 return score;
             }
@@ -106,6 +112,11 @@ impl Trail {
             (sum + row[j - half..=j + half].iter().sum::<f32>() / columns, count + 1.0)
         });
         sum / count
+    }
+
+    /// True if the path moves aside no more than a joint's.
+    pub(super) fn is_steady(&self) -> bool {
+        STEADY * self.path.windows(2).map(|p| p[0].abs_diff(p[1])).sum::<usize>() <= ROWS
     }
 
     /// Sees on the axis on which the joint is most likely after a gap, `gone` pixels from where it was last `known`: it may
