@@ -34,7 +34,7 @@ import type { Off } from './spot';
 import { TaughtLine } from './taught';
 import { Torch } from './torch';
 import { Trace } from './trace';
-import { look, type View } from './views';
+import { look, weldedSide, type View } from './views';
 
 export type Layer = 'machine' | 'part' | 'zones' | 'air' | 'near' | 'sensors' | 'trace';
 export type Cut = { axis: 'x' | 'y' | 'z'; part: number } | null;
@@ -87,6 +87,8 @@ export class Scene {
   private ended = false;
   private restUntil = 0;
   private fitted = '';
+  /** Fitted before it was known where the machine stands. */
+  private blind = false;
   /** What was fitted last is everything: the next time it is the seam again. */
   private wide = true;
   private readonly hidden = new Set<Layer>();
@@ -105,7 +107,7 @@ export class Scene {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener('change', this.draw);
     // Whoever has turned the picture gets the seam first.
-    this.controls.addEventListener('start', () => (this.wide = true));
+    this.controls.addEventListener('start', () => ([this.wide, this.blind] = [true, false]));
     this.world.add(this.root, new AmbientLight(0xffffff, 0.9), new HemisphereLight(0xffffff, 0x8a8f95, 1.2));
     const sun = new DirectionalLight(0xffffff, 1.6);
     sun.position.set(0.4, -0.8, 1);
@@ -183,7 +185,7 @@ export class Scene {
     const name = `${this.machine?.name ?? ''}/${work?.job ?? ''}`;
     if (name !== this.fitted && this.machine) {
       this.fitted = name;
-      this.wide = true;
+      this.wide = this.blind = true;
       this.show('fit', this.box());
     }
     this.prepare();
@@ -197,6 +199,8 @@ export class Scene {
     const [x, y, z, ...along] = status.tip;
     const burns = status.process.burning;
     this.stands({ links: status.links.map(matrix), tip: [x, y, z], along }, burns, off);
+    if (this.blind) this.show('fit', this.box());
+    this.blind = false;
     const runs = status.mode === 'weld' || status.mode === 'dry_run';
     if (runs && before?.mode === 'ready') this.trace.clear();
     if (runs) this.trace.add(x, y, z, burns);
@@ -274,7 +278,8 @@ export class Scene {
 
   private show(view: View, box: Box3): void {
     const axis = this.status && new Vector3(...this.status.tip.slice(3)).transformDirection(this.place().matrixWorld);
-    const { at, from, away } = look(view, box, this.camera, axis && { at: this.torch.place(), axis });
+    const side = weldedSide(this.work, this.place().matrixWorld);
+    const { at, from, away } = look(view, box, this.camera, axis && { at: this.torch.place(), axis }, side);
     this.controls.target.copy(at);
     this.camera.position.copy(at).addScaledVector(from, away);
     [this.camera.near, this.camera.far] = [away / 200, away * 20];
