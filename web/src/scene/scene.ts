@@ -20,8 +20,9 @@ import type { MachineView, NearView, PathPoint, Status, WorkView } from '../wire
 import { Caps } from './caps';
 import type { ColourBy, Scale } from './colours';
 import { everything, extent } from './extent';
+import { facing, standings, type Spot, type Standing } from './facing';
 import { Highlight } from './highlight';
-import type { Pose } from './kinematics';
+import { poseAt, type Pose } from './kinematics';
 import { Mark } from './mark';
 import { Measure } from './measure';
 import { Near, type Nearness } from './near';
@@ -34,13 +35,15 @@ import type { Off } from './spot';
 import { TaughtLine } from './taught';
 import { Torch } from './torch';
 import { Trace } from './trace';
-import { look, weldedSide, type View } from './views';
+import { look, type View } from './views';
 
 export type Layer = 'machine' | 'part' | 'zones' | 'air' | 'near' | 'sensors' | 'trace';
 export type Cut = { axis: 'x' | 'y' | 'z'; part: number } | null;
 
 /** At this distance of the camera marks are as large as they say, mm. */
 const MARKS_AT_MM = 1500;
+/** A torch this near to what is looked at is at the work, mm. */
+const AT_WORK_MM = 20;
 /** A frame that takes longer is no graphics card's. */
 const SLOW_MS = 25;
 const NO_MOVE = new Matrix4();
@@ -278,14 +281,30 @@ export class Scene {
 
   private show(view: View, box: Box3): void {
     const axis = this.status && new Vector3(...this.status.tip.slice(3)).transformDirection(this.place().matrixWorld);
-    const side = weldedSide(this.work, this.place().matrixWorld);
-    const { at, from, away } = look(view, box, this.camera, axis && { at: this.torch.place(), axis }, side);
+    const { at, from, away } = look(view, box, this.camera, axis && { at: this.torch.place(), axis }, (from) => this.turned(from, box));
     this.controls.target.copy(at);
     this.camera.position.copy(at).addScaledVector(from, away);
     [this.camera.near, this.camera.far] = [away / 200, away * 20];
     this.camera.updateProjectionMatrix();
     this.controls.update();
     this.draw();
+  }
+
+  /** Where to look from to see where the torch is, if it is at the work; else the passes, as they stand and as they will. */
+  private turned(from: Vector3, box: Box3): Vector3 {
+    const { tip } = this.status ?? {};
+    const torch = tip && ({ tip: tip.slice(0, 3), torch: tip.slice(3) } as Spot);
+    const there = torch && box.distanceToPoint(this.torch.place()) < AT_WORK_MM;
+    const stood = this.links.map((link) => link.matrix.clone());
+    const put = (links: Matrix4[]): Matrix4 => {
+      this.links.forEach((group, i) => group.matrix.copy(links[i] ?? NO_MOVE));
+      this.stand();
+      return this.place().matrixWorld;
+    };
+    const stand = ({ axes }: Standing): Matrix4 => put(axes && this.machine ? poseAt(this.machine, axes).links : stood);
+    const best = facing(from, there ? [{ axes: null, spots: [torch] }] : standings(this.work), stand, [...this.parts, ...this.machineParts]);
+    put(stood);
+    return best;
   }
 
   /** Draws with the next frame; any number of calls until then are one. */
