@@ -787,7 +787,11 @@ enabled: boolean,
 /**
  * The password of whoever asks.
  */
-own_password: string | null, };
+own_password: string | null, 
+/**
+ * Whoever has the name already is not to be changed: then it is refused as `exists`.
+ */
+only_new: boolean | null, };
 
 /**
  * `DELETE /api/users/NAME`, `POST /api/restore`.

@@ -666,6 +666,14 @@ export const de: Table = {
   'setup.tool': 'Werkzeug',
   'setup.pages': 'Seiten der Einrichtung',
 
+  'user.password_again': 'Neues Passwort noch einmal',
+  'user.password_differs': 'Die beiden Passwörter sind verschieden.',
+  'user.new': 'Neuer Benutzer',
+  'user.edits': 'Benutzer {0} ändern',
+  'user.exists': 'Den Benutzer {0} gibt es schon.',
+  'user.over': 'Ihn ändern? Rolle: {0}, darf sich anmelden: {1}. Das Passwort bleibt.',
+  'user.over_password': 'Ihn ändern? Rolle: {0}, darf sich anmelden: {1}. Das Passwort wird das neue.',
+  'user.change': 'Ändern',
   'par.how': 'Zahlen der Maschinendatei. Sie werden als Ganzes geprüft und in {0} gespeichert; die alte Datei bleibt daneben. Grau: was gilt, wo die Datei keine Zahl hat.',
   'par.pending': 'Gespeichert, aber noch nicht wirksam: Antriebe ausschalten und den Auftrag neu laden.',
   'par.reload': 'Auftrag neu laden',
@@ -843,5 +851,6 @@ export const de: Table = {
   'trouble.lost': 'Keine Verbindung zur Zelle',
   'trouble.archive': 'Das ist keine vollständige Sicherung von Seamwright',
   'trouble.archive_newer': 'Die Sicherung ist von einer neueren Version von Seamwright',
+  'trouble.exists': 'Gibt es schon',
   'trouble.archive_room': 'Auf der Platte ist kein Platz dafür',
 };

@@ -664,6 +664,14 @@ export const en = {
   'setup.tool': 'Tool',
   'setup.pages': 'Pages of the set-up',
 
+  'user.password_again': 'New password once more',
+  'user.password_differs': 'The two passwords differ.',
+  'user.new': 'New user',
+  'user.edits': 'Change user {0}',
+  'user.exists': 'There is a user {0} already.',
+  'user.over': 'Change them? Role: {0}, may log in: {1}. The password stays.',
+  'user.over_password': 'Change them? Role: {0}, may log in: {1}. The password becomes the new one.',
+  'user.change': 'Change',
   'par.how': 'Numbers of the machine file. They are checked as a whole and kept in {0}; the old file stays beside it. Grey: what holds where the file has no number.',
   'par.pending': 'Kept, but not in force: switch the drives off and load the job anew.',
   'par.reload': 'Load the job anew',
@@ -841,6 +849,7 @@ export const en = {
   'trouble.lost': 'No connection to the cell',
   'trouble.archive': 'This is no whole backup of Seamwright',
   'trouble.archive_newer': 'The backup is of a later version of Seamwright',
+  'trouble.exists': 'There is one already',
   'trouble.archive_room': 'There is no room on the disk for it',
 } as const;
 

@@ -666,6 +666,14 @@ export const zh: Table = {
   'setup.tool': '工具',
   'setup.pages': '设置页面',
 
+  'user.password_again': '再次输入新密码',
+  'user.password_differs': '两次输入的密码不一致。',
+  'user.new': '新用户',
+  'user.edits': '更改用户 {0}',
+  'user.exists': '用户 {0} 已存在。',
+  'user.over': '要更改吗？角色：{0}，可登录：{1}。密码不变。',
+  'user.over_password': '要更改吗？角色：{0}，可登录：{1}。密码改为新密码。',
+  'user.change': '更改',
   'par.how': '机床文件中的数值。整体检查后保存到 {0}；旧文件保留在旁边。灰色：文件中没有数值时所用的值。',
   'par.pending': '已保存但尚未生效：请将驱动器断电并重新装入任务。',
   'par.reload': '重新装入任务',
@@ -843,5 +851,6 @@ export const zh: Table = {
   'trouble.lost': '与单元无连接',
   'trouble.archive': '这不是完整的 Seamwright 备份',
   'trouble.archive_newer': '备份来自更新版本的 Seamwright',
+  'trouble.exists': '已存在',
   'trouble.archive_room': '磁盘空间不足',
 };
