@@ -1980,9 +1980,14 @@ text: string,
 words: Array<string>, };
 
 /**
- * A row of `GET /api/audit`, the newest first.
+ * A row of `GET /api/audit?most=200&before=1234&after=1000&text=load`, the newest first: of those that are older or newer than an
+ * entry and have a text in them, if that is asked for.
  */
 export type AuditRow = { 
+/**
+ * Its number: entries are numbered from 1, without gaps.
+ */
+id: number, 
 /**
  * When: RFC 3339, UTC.
  */
@@ -2157,7 +2162,8 @@ t_s: number | null,
 first_out: boolean, };
 
 /**
- * `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, the first and the last among them.
+ * `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, the first and the last among them, and of each
+ * stretch the rows with the least and with the greatest value of every column.
  */
 export type TraceView = { 
 /**

@@ -154,7 +154,7 @@ export const api = {
   gridPicture: (plate: Plate & { seed: number }) => answered(`/api/sensor/picture?${query(plate)}`).then((response) => response.blob()),
   keepSensor: (change: SensorChange) => request<SensorsView>('PUT', '/api/sensor', change),
   shelve: (of: Shelving) => request<void>('POST', '/api/alarms/shelve', of),
-  audit: (most: number) => request<AuditRow[]>('GET', `/api/audit?most=${most}`),
+  audit: (asked: { most: number; text?: string; before?: number; after?: number }) => request<AuditRow[]>('GET', `/api/audit?${query(asked)}`),
   checkArchive: (file: Blob) => request<ArchiveView>('PUT', '/api/restore', file),
   restore: (own_password: string | null) => request<void>('POST', '/api/restore', { own_password }),
   users: () => request<UserRow[]>('GET', '/api/users'),

@@ -560,7 +560,7 @@ export const de: Table = {
   'trace.deviation': 'Fugenabweichung',
   'trace.correction': 'Korrektur',
   'trace.miss': 'Abstand zur Fuge',
-  'trace.rows': '{0} von {1} Zeilen sind gezeichnet; die Zahlen der Tabelle sind von allen.',
+  'trace.rows': '{0} von {1} Zeilen sind gezeichnet, darunter der kleinste und der größte Wert jedes kurzen Stücks; die Zahlen der Tabelle sind von allen.',
   'trace.move': 'Pfeiltasten bewegen den Cursor.',
 
   'result.good': 'gut',
@@ -639,6 +639,11 @@ export const de: Table = {
   'tune.phase_margin': 'Phasenreserve',
   'audit.command': 'Befehl',
   'audit.values': 'Werte',
+  'audit.newest': 'Die neuesten {0} Einträge; es gibt ältere.',
+  'audit.whole': 'Einträge: {0}, das sind alle.',
+  'audit.none': 'Kein Eintrag hat diesen Text.',
+  'audit.older': 'Ältere zeigen',
+  'audit.english': 'Das Protokoll wird auf Englisch geführt; gesucht wird im englischen Text.',
   axis: 'Achse',
   'axis.current': 'Strom',
   'axis.range': 'Bereich',
@@ -661,11 +666,6 @@ export const de: Table = {
   'user.first_run': 'Es gibt noch kein Passwort. Einen Benutzer mit der Rolle Administrator und einem Passwort anlegen.',
   'user.deleted': 'Gelöscht: {0}.',
   'user.saved': 'Gespeichert: {0}.',
-
-  'setup.parameters': 'Achsen und Antriebe',
-  'setup.tool': 'Werkzeug',
-  'setup.pages': 'Seiten der Einrichtung',
-
   'user.password_again': 'Neues Passwort noch einmal',
   'user.password_differs': 'Die beiden Passwörter sind verschieden.',
   'user.new': 'Neuer Benutzer',
@@ -674,6 +674,11 @@ export const de: Table = {
   'user.over': 'Ihn ändern? Rolle: {0}, darf sich anmelden: {1}. Das Passwort bleibt.',
   'user.over_password': 'Ihn ändern? Rolle: {0}, darf sich anmelden: {1}. Das Passwort wird das neue.',
   'user.change': 'Ändern',
+
+  'setup.parameters': 'Achsen und Antriebe',
+  'setup.tool': 'Werkzeug',
+  'setup.pages': 'Seiten der Einrichtung',
+
   'par.how': 'Zahlen der Maschinendatei. Sie werden als Ganzes geprüft und in {0} gespeichert; die alte Datei bleibt daneben. Grau: was gilt, wo die Datei keine Zahl hat.',
   'par.pending': 'Gespeichert, aber noch nicht wirksam: Antriebe ausschalten und den Auftrag neu laden.',
   'par.reload': 'Auftrag neu laden',
@@ -846,11 +851,11 @@ export const de: Table = {
   'trouble.not_found': 'Nicht gefunden',
   'trouble.busy': 'Jetzt nicht',
   'trouble.other': 'Dort steht ein anderer Text',
+  'trouble.exists': 'Gibt es schon',
   'trouble.slow_down': 'Zu viele Anfragen: kurz warten',
   'trouble.server': 'Der Server hat versagt',
   'trouble.lost': 'Keine Verbindung zur Zelle',
   'trouble.archive': 'Das ist keine vollständige Sicherung von Seamwright',
   'trouble.archive_newer': 'Die Sicherung ist von einer neueren Version von Seamwright',
-  'trouble.exists': 'Gibt es schon',
   'trouble.archive_room': 'Auf der Platte ist kein Platz dafür',
 };

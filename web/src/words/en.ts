@@ -558,7 +558,7 @@ export const en = {
   'trace.deviation': 'Seam deviation',
   'trace.correction': 'Correction',
   'trace.miss': 'Off the joint',
-  'trace.rows': '{0} of {1} rows are drawn; the numbers of the table are of all.',
+  'trace.rows': '{0} of {1} rows are drawn, among them the least and the greatest value of each short stretch; the numbers of the table are of all.',
   'trace.move': 'Arrow keys move the cursor.',
 
   'result.good': 'good',
@@ -637,6 +637,11 @@ export const en = {
   'tune.phase_margin': 'Phase margin',
   'audit.command': 'Command',
   'audit.values': 'Values',
+  'audit.newest': 'The newest {0} entries; there are older ones.',
+  'audit.whole': 'Entries: {0}, all that there are.',
+  'audit.none': 'No entry has this text.',
+  'audit.older': 'Show older ones',
+  'audit.english': 'The log is kept in English; what is searched is its English text.',
   axis: 'Axis',
   'axis.current': 'Current',
   'axis.range': 'Range',
@@ -659,11 +664,6 @@ export const en = {
   'user.first_run': 'There is no password yet. Make a user with the role Administrator and a password.',
   'user.deleted': 'Deleted: {0}.',
   'user.saved': 'Saved: {0}.',
-
-  'setup.parameters': 'Axes and drives',
-  'setup.tool': 'Tool',
-  'setup.pages': 'Pages of the set-up',
-
   'user.password_again': 'New password once more',
   'user.password_differs': 'The two passwords differ.',
   'user.new': 'New user',
@@ -672,6 +672,11 @@ export const en = {
   'user.over': 'Change them? Role: {0}, may log in: {1}. The password stays.',
   'user.over_password': 'Change them? Role: {0}, may log in: {1}. The password becomes the new one.',
   'user.change': 'Change',
+
+  'setup.parameters': 'Axes and drives',
+  'setup.tool': 'Tool',
+  'setup.pages': 'Pages of the set-up',
+
   'par.how': 'Numbers of the machine file. They are checked as a whole and kept in {0}; the old file stays beside it. Grey: what holds where the file has no number.',
   'par.pending': 'Kept, but not in force: switch the drives off and load the job anew.',
   'par.reload': 'Load the job anew',
@@ -844,12 +849,12 @@ export const en = {
   'trouble.not_found': 'Not found',
   'trouble.busy': 'Not now',
   'trouble.other': 'Another text stands there',
+  'trouble.exists': 'There is one already',
   'trouble.slow_down': 'Too many requests: wait a moment',
   'trouble.server': 'The server failed',
   'trouble.lost': 'No connection to the cell',
   'trouble.archive': 'This is no whole backup of Seamwright',
   'trouble.archive_newer': 'The backup is of a later version of Seamwright',
-  'trouble.exists': 'There is one already',
   'trouble.archive_room': 'There is no room on the disk for it',
 } as const;
 

@@ -560,7 +560,7 @@ export const zh: Table = {
   'trace.deviation': '焊缝偏差',
   'trace.correction': '修正',
   'trace.miss': '偏离接缝',
-  'trace.rows': '绘制了 {1} 行中的 {0} 行；表中数字取自全部行。',
+  'trace.rows': '绘制了 {1} 行中的 {0} 行，其中包括每一小段的最小值和最大值；表中数字取自全部行。',
   'trace.move': '方向键移动光标。',
 
   'result.good': '合格',
@@ -639,6 +639,11 @@ export const zh: Table = {
   'tune.phase_margin': '相位裕度',
   'audit.command': '命令',
   'audit.values': '数值',
+  'audit.newest': '最新的 {0} 条；还有更早的。',
+  'audit.whole': '共 {0} 条，已全部显示。',
+  'audit.none': '没有包含该文本的条目。',
+  'audit.older': '显示更早的',
+  'audit.english': '日志以英文保存；搜索的是其英文文本。',
   axis: '轴',
   'axis.current': '电流',
   'axis.range': '行程',
@@ -661,11 +666,6 @@ export const zh: Table = {
   'user.first_run': '还没有密码。请建立一个带密码的管理员用户。',
   'user.deleted': '已删除：{0}。',
   'user.saved': '已保存：{0}。',
-
-  'setup.parameters': '轴与驱动器',
-  'setup.tool': '工具',
-  'setup.pages': '设置页面',
-
   'user.password_again': '再次输入新密码',
   'user.password_differs': '两次输入的密码不一致。',
   'user.new': '新用户',
@@ -674,6 +674,11 @@ export const zh: Table = {
   'user.over': '要更改吗？角色：{0}，可登录：{1}。密码不变。',
   'user.over_password': '要更改吗？角色：{0}，可登录：{1}。密码改为新密码。',
   'user.change': '更改',
+
+  'setup.parameters': '轴与驱动器',
+  'setup.tool': '工具',
+  'setup.pages': '设置页面',
+
   'par.how': '机床文件中的数值。整体检查后保存到 {0}；旧文件保留在旁边。灰色：文件中没有数值时所用的值。',
   'par.pending': '已保存但尚未生效：请将驱动器断电并重新装入任务。',
   'par.reload': '重新装入任务',
@@ -846,11 +851,11 @@ export const zh: Table = {
   'trouble.not_found': '未找到',
   'trouble.busy': '现在不行',
   'trouble.other': '该处已有另一文本',
+  'trouble.exists': '已存在',
   'trouble.slow_down': '请求过多：请稍候',
   'trouble.server': '服务器故障',
   'trouble.lost': '与单元无连接',
   'trouble.archive': '这不是完整的 Seamwright 备份',
   'trouble.archive_newer': '备份来自更新版本的 Seamwright',
-  'trouble.exists': '已存在',
   'trouble.archive_room': '磁盘空间不足',
 };

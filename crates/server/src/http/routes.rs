@@ -1,8 +1,8 @@
 use super::guard::{Need, host, need};
 use super::panel::Panel;
 use super::{
-    assets, choices, edit, jobs, login, look, openapi, place, plan, records, restore, sensors, setup, socket, stop,
-    teach, users,
+    assets, audit, choices, edit, jobs, login, look, openapi, place, plan, records, restore, sensors, setup, socket,
+    stop, teach, users,
 };
 use crate::wire::{
     AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DistortionRow, DraftAnswer, EditAnswer, JobKept,
@@ -259,7 +259,7 @@ pub(super) fn routes() -> Vec<Route> {
             (shape::<Shelving>(), None),
             post(setup::shelve),
         ),
-        Route::get("/api/audit", "audit.read", "Who did what", shape::<Vec<AuditRow>>(), get(records::audit)),
+        Route::get("/api/audit", "audit.read", "Who did what", shape::<Vec<AuditRow>>(), get(audit::list)),
         Route::get("/api/backup", "backup", "All data as a tar archive", None, get(records::backup)),
         Route {
             takes: TAR,
