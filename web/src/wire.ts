@@ -886,6 +886,10 @@ powered: boolean,
  */
 process: ProcessStatus, 
 /**
+ * The axes stand: nothing is asked to move, nor has moved for a moment.
+ */
+stands: boolean, 
+/**
  * In the order of the machine's axes.
  */
 axes: Array<AxisStatus>, 
@@ -937,6 +941,19 @@ part: string,
  * Number of the weld in the library while one is recorded.
  */
 recording: number | null, };
+
+/**
+ * `GET /api/position`: where the machine stands, refused while something moves.
+ */
+export type StandingView = { 
+/**
+ * Measured, in the order of the machine's axes, mm or degrees.
+ */
+axes: Array<number>, 
+/**
+ * See [`Status::tip`].
+ */
+tip: [number, number, number, number, number, number], };
 
 /**
  * A weld that was left.

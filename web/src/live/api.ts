@@ -24,6 +24,7 @@ import type {
   SensorChange,
   SensorsView,
   SessionView,
+  StandingView,
   Shelving,
   Stopped,
   TaughtProgram,
@@ -129,6 +130,8 @@ export const api = {
     request<PostAnswer>('POST', '/api/post', { text, dialect }),
   edit: (text: string, operations: unknown[]) =>
     request<EditAnswer>('POST', '/api/edit', { text, operations }),
+  /** Where the machine stands; refused while something moves. */
+  position: () => request<StandingView>('GET', '/api/position'),
   taught: () => request<TaughtView>('GET', '/api/teach'),
   taughtProgram: (how: TeachProgram) => request<TaughtProgram>('POST', '/api/teach/program', how),
   records: (query: Record<string, string>) =>
