@@ -39,7 +39,7 @@ test('a backup replaces all data after it was checked, with the machine off only
   await tab(one, 'Set-up');
   await one.getByRole('button', { name: 'Users', exact: true }).click();
   await one.getByLabel('User', { exact: true }).fill('ada');
-  await one.getByLabel(/New password/).fill(PASSWORD);
+  for (const field of [/New password \(/, 'New password once more']) await one.getByLabel(field).fill(PASSWORD);
   await one.getByRole('button', { name: 'Save', exact: true }).click();
   await one.getByText('Saved: ada. Log in as this user now').waitFor();
   await logIn(one, 'ada');

@@ -1,11 +1,14 @@
 // An alarm from its coming to its acknowledgement; who may not, may not, also past the buttons; foreign texts are text.
 import assert from 'node:assert/strict';
+import { mkdirSync } from 'node:fs';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab } from './operator.mjs';
+import { axe, bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab } from './operator.mjs';
 
 const EVIL = '<img src=x onerror=globalThis.pwned=1><script>globalThis.pwned=1</script>';
 const PASSWORD = 'correct horse battery';
+const shots = new URL('shots/', import.meta.url).pathname;
+mkdirSync(shots, { recursive: true });
 const { one, cell, browser, options } = await bench({ real: 'the mock refuses nothing', only: true });
 
 /** What the server says to a request of the page's own, with the token of its session. */
@@ -113,6 +116,20 @@ test('titles, parts and comments are text on every page that shows them', option
   await report.close();
 });
 
+/** The form for users, past what a browser keeps from being sent. */
+const user = {
+  page: async (of) => {
+    await tab(of, 'Set-up');
+    await of.getByRole('group', { name: 'Pages of the set-up' }).getByRole('button', { name: 'Users', exact: true }).click();
+  },
+  fill: async (of, name, role, password, again = password) => {
+    await of.getByLabel('User', { exact: true }).fill(name);
+    await of.getByLabel('Role').selectOption(role);
+    await of.getByLabel('New password (', { exact: false }).fill(password);
+    await of.getByLabel('New password once more').fill(again);
+  },
+};
+
 test('roles are refused on the server, whatever the page shows', options, async () => {
   const own = { role: 'admin', enabled: true, password: PASSWORD, own_password: null };
   assert.equal((await ask(one, 'PUT', '/api/users/ada', own)).status, 200);
@@ -156,5 +173,53 @@ test('roles are refused on the server, whatever the page shows', options, async 
     assert.equal(await two.locator('.note.fault').count(), 0);
     await two.close();
   }
-  quiet({ wrong: one.wrong.filter((text) => !/40[13]/.test(text)) });
+  one.wrong = one.wrong.filter((text) => !/40[13]/.test(text));
+  quiet(one);
+});
+
+test('a user that is there is not changed unasked, and a password is typed twice', options, async () => {
+  await user.page(one);
+  const key = one.getByRole('button', { name: 'Save', exact: true });
+  const save = async () => {
+    await one.getByLabel('Your own password').first().fill(PASSWORD);
+    await key.click();
+  };
+  await user.fill(one, 'cleo', 'Operator', PASSWORD, `${PASSWORD}r`);
+  await one.getByText('The two passwords differ.').waitFor();
+  assert.ok(await key.isDisabled());
+  await one.screenshot({ path: `${shots}users-differ.png` });
+  // Too short: the server says so, whatever the page lets through.
+  await user.fill(one, 'cleo', 'Operator', 'short');
+  await one.locator('form').evaluate((form) => (form.noValidate = true));
+  await save();
+  await one.getByText(/too short or too long/).waitFor();
+  one.wrong = one.wrong.filter((text) => !text.includes('422'));
+  await one.locator('form').evaluate((form) => (form.noValidate = false));
+  await user.fill(one, 'cleo', 'Operator', PASSWORD);
+  await save();
+  await one.getByText('Saved: cleo.').waitFor();
+  const row = one.locator('tr', { hasText: 'cleo' });
+  await row.getByText('Operator').waitFor();
+  // The same name once more is somebody who is there.
+  await user.fill(one, 'cleo', 'Service', '');
+  await save();
+  const dialog = one.locator('dialog[open]');
+  await dialog.getByText('There is a user cleo already.').waitFor();
+  await dialog.getByText('The password stays.').waitFor();
+  await axe(one, 'a user that is there');
+  await one.screenshot({ path: `${shots}users-exists.png` });
+  await dialog.getByRole('button', { name: 'Cancel' }).click();
+  await row.getByText('Operator').waitFor();
+  await save();
+  await dialog.getByRole('button', { name: 'Change' }).click();
+  await row.getByText('Service').waitFor();
+  // Who is changed by the key of his row is not asked about.
+  await row.getByRole('button', { name: 'Edit' }).click();
+  await one.getByRole('heading', { name: 'Change user cleo' }).waitFor();
+  await one.getByLabel('Role').selectOption('Viewer');
+  await save();
+  await row.getByText('Viewer').waitFor();
+  assert.equal(await dialog.count(), 0);
+  one.wrong = one.wrong.filter((text) => !text.includes('409'));
+  quiet(one);
 });

@@ -43,6 +43,29 @@ async function held() {
   return key;
 }
 
+test('no place is recorded while an axis moves, by the key or past it', onReal, async () => {
+  const record = one.getByRole('button', { name: 'Record point' });
+  const place = () => one.evaluate(async () => {
+    const answer = await fetch('/api/position');
+    return { status: answer.status, ...(await answer.json()) };
+  });
+  await record.waitFor();
+  await one.waitForFunction((name) => [...document.querySelectorAll('button')].some((key) => key.textContent.trim() === name && !key.disabled), 'Record point');
+  const key = await held();
+  const moving = await place();
+  assert.ok(await record.isDisabled(), 'the key is off');
+  await one.getByText('The axes have not come to rest: wait a moment.').waitFor();
+  await ways['the pointer lifted outside of the button'](key);
+  assert.deepEqual([moving.status, moving.key, moving.text], [409, 'busy', 'the axes have not come to rest: wait a moment']);
+  await stands();
+  assert.ok(await record.isEnabled());
+  await record.click();
+  await one.locator('ol li', { hasText: 'X' }).first().waitFor();
+  const stood = await place();
+  assert.ok(Math.abs(stood.axes[0] - (await axis(one, 'theta'))) < 0.02);
+  one.wrong = one.wrong.filter((text) => !text.includes('409'));
+});
+
 /** It stands half a second later, as the other panel sees it. */
 async function stands() {
   await sleep(700);

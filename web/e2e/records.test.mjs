@@ -91,6 +91,40 @@ for (const language of ['de', 'uk']) {
   });
 }
 
+for (const [language, dark] of [['en', false], ['zh', true]]) {
+  test(`on a phone the list is read by scrolling sideways, and a record is opened, ${language}`, options, async () => {
+    const two = await page(browser, { size: 'phone', language, dark });
+    await open(two, cell.address);
+    await two.locator('nav button').nth(3).click();
+    await row(two, 'S-1').waitFor();
+    const list = two.locator('.records .scrolls');
+    const sizes = await two.evaluate(() => {
+      const rows = [...document.querySelectorAll('.records tbody tr')].map((of) => of.getBoundingClientRect().height);
+      const { clientWidth, scrollWidth } = document.querySelector('.records .scrolls');
+      return { page: document.documentElement.scrollWidth, screen: innerWidth, clientWidth, scrollWidth, tallest: Math.max(...rows) };
+    });
+    assert.ok(sizes.page <= sizes.screen && sizes.scrollWidth > sizes.clientWidth, JSON.stringify(sizes));
+    // No column so narrow that it is read letter by letter.
+    assert.ok(sizes.tallest < 110, JSON.stringify(sizes));
+    await two.screenshot({ path: `${shots}records-phone-${language}.png` });
+    // The last column is reached.
+    await list.evaluate((of) => of.scrollTo(of.scrollWidth, 0));
+    const last = await row(two, 'S-1').locator('td').last().boundingBox();
+    assert.ok(last.x >= 0 && last.x + last.width <= sizes.screen + 1, JSON.stringify(last));
+    await axe(two, 'the list on a phone');
+    await list.evaluate((of) => of.scrollTo(0, 0));
+    for (const part of ['S-1', 'R-1']) await row(two, part).getByRole('checkbox').check();
+    assert.ok(await two.locator('.records form button').isEnabled());
+    await row(two, 'S-1').getByRole('button').click();
+    await two.locator('.charts .uplot').first().waitFor();
+    assert.deepEqual(await cutOff(two), []);
+    assert.ok((await two.evaluate(() => document.documentElement.scrollWidth)) <= sizes.screen);
+    await two.screenshot({ path: `${shots}records-phone-one-${language}.png` });
+    quiet(two);
+    await two.context().close();
+  });
+}
+
 /** Something besides its ground is on a chart. */
 async function drawn(canvas) {
   return canvas.evaluate((of) => {

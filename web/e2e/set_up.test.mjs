@@ -3,10 +3,11 @@ import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { page as blank } from './browser.mjs';
 import { axe, axis, bench, commands, control, keep, load, mode, open, press, quiet, ready, SHORT, sleep, tab } from './operator.mjs';
 
 const shots = new URL('shots/', import.meta.url).pathname;
-const { one, cell, options } = await bench({ real: 'the mock has no machine file', only: true });
+const { one, cell, browser, options } = await bench({ real: 'the mock has no machine file', only: true });
 mkdirSync(shots, { recursive: true });
 
 const page = (name) => one.getByRole('group', { name: 'Pages of the set-up' }).getByRole('button', { name, exact: true }).click();
@@ -186,4 +187,51 @@ test('an alarm is acknowledged by itself, and one that only tells is put aside',
   await known.click();
   await known.waitFor({ state: 'hidden' });
   quiet(one);
+});
+
+test('the audit log says that there is more, shows it, is searched whole, and what is new comes by itself', options, async () => {
+  await tab(one, 'Set-up');
+  for (let i = 0; i < 210; i += 1) await keep(one, i === 0 ? 'needle.toml' : 'many.toml', SHORT.replace('"Short"', `"Short ${i}"`));
+  await page('Audit log');
+  const rows = one.locator('.setup tbody tr');
+  await one.getByText('The newest 200 entries; there are older ones.').waitFor();
+  assert.equal(await rows.count(), 200);
+  assert.equal(await rows.getByText('needle.toml').count(), 0);
+  await shot('set-up-audit');
+  await keep(one, 'newest.toml', SHORT);
+  await rows.first().getByText('save job newest.toml').waitFor({ timeout: 10_000 });
+  await one.getByRole('button', { name: 'Show older ones' }).click();
+  await rows.getByText('needle.toml').first().waitFor();
+  for (const more = one.getByRole('button', { name: 'Show older ones' }); await more.isVisible(); await sleep(300)) await more.click();
+  await one.getByText(/^Entries: \d+, all that there are\.$/).waitFor();
+  // What stands behind the newest is found.
+  await one.getByRole('searchbox').fill('NEEDLE');
+  await one.keyboard.press('Enter');
+  await one.getByText('Entries: 1, all that there are.').waitFor();
+  assert.equal(await rows.count(), 1);
+  await one.getByRole('searchbox').fill('there is no such thing');
+  await one.keyboard.press('Enter');
+  await one.getByText('No entry has this text.').waitFor();
+  await axe(one, 'audit log');
+});
+
+test('on a phone the pages of the set-up are one choice before their content', options, async () => {
+  const two = await blank(browser, { size: 'phone' });
+  await open(two, cell.address);
+  await two.locator('nav button').nth(4).click();
+  const choice = two.getByRole('combobox', { name: 'Pages of the set-up' });
+  await choice.waitFor();
+  const [bar, content] = [await two.locator('.setup .one').boundingBox(), await two.locator('.setup .scrolls').boundingBox()];
+  assert.ok(bar.height < 80 && content.y - bar.y < 100, JSON.stringify({ bar, content }));
+  assert.equal(await two.locator('.setup .pages').isVisible(), false);
+  for (const name of await choice.locator('option').allTextContents()) {
+    await choice.selectOption({ label: name });
+    await two.getByRole('region', { name, exact: true }).waitFor();
+    await sleep(300);
+    assert.ok(await two.evaluate(() => document.documentElement.scrollWidth <= innerWidth), name);
+    await axe(two, `${name} on a phone`);
+    await two.screenshot({ path: join(shots, `set-up-phone-${name.replaceAll(' ', '-')}.png`) });
+  }
+  quiet(two);
+  await two.context().close();
 });

@@ -2,11 +2,22 @@
 import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';
 import { test } from 'node:test';
-import { bench, burns, commands, control, keep, mode, open, quiet, ready, tab, weld } from './operator.mjs';
+import { bench, burns, commands, control, keep, mode, open, quiet, ready, sleep, tab, weld } from './operator.mjs';
 
 const shots = new URL('shots/', import.meta.url).pathname;
 const { one, cell, options } = await bench({ real: 'the mock has no sensors', only: true });
 mkdirSync(shots, { recursive: true });
+
+/** Up to which part of the pass the first chart of *Tracking* has a line. */
+const farthest = () =>
+  one.locator('.tracking canvas').first().evaluate((of) => {
+    const { data } = of.getContext('2d').getImageData(0, 0, of.width, of.height);
+    // Lines are blue or brown, grid and words are grey.
+    const coloured = (i) => data[i + 3] > 200 && Math.max(data[i], data[i + 1], data[i + 2]) - Math.min(data[i], data[i + 1], data[i + 2]) > 60;
+    let last = 0;
+    for (let i = 0; i < data.length; i += 4) if (coloured(i)) last = Math.max(last, (i / 4) % of.width);
+    return last / of.width;
+  });
 
 /** Thirty degrees of the example saddle. */
 const short = async () => {
@@ -44,5 +55,26 @@ test('a part out of its place is found by the sensor, and the record says by how
     return Math.max(...arc.map((on, i) => (on > 0.5 ? Math.hypot(lateral[i] ?? 0, height[i] ?? 0) : 0)));
   });
   assert.ok(most > 0.5 && most < 4, `${most} mm`);
+  // Its plots begin with what was seen of the joint.
+  await one.locator('tr', { hasText: 'T-1' }).getByRole('button').click();
+  await one.locator('.charts .uplot').nth(3).waitFor();
+  const captions = await one.locator('.charts figcaption').allTextContents();
+  assert.deepEqual(captions.slice(0, 4).map((text) => text.replace(/ mm .*/, '').trim()), ['Seam deviation sideways', 'Seam deviation in height', 'Correction sideways', 'Correction in height']);
+  await one.screenshot({ path: `${shots}track-record.png` });
+  // The next weld of the same program begins with an empty window: what the last one was like is not drawn ahead of it.
+  await tab(one, 'Weld');
+  await commands(one);
+  await one.locator('.tracking canvas').first().waitFor();
+  await sleep(1000);
+  const before = await farthest();
+  assert.ok(before > 0.85, `the last weld is still drawn, up to ${before} of the chart`);
+  await weld(one);
+  await burns(one, true);
+  await one.locator('.tracking').getByText('Joint seen').waitFor({ timeout: 30_000 });
+  await sleep(1500);
+  const reached = await farthest();
+  assert.ok(reached > 0 && reached < 0.8 * before, `drawn up to ${reached} of the chart`);
+  await one.screenshot({ path: `${shots}track-again.png` });
+  await mode(one, 'ready');
   quiet(one);
 });

@@ -138,7 +138,7 @@ export class Cell {
     const powered = !['off', 'fault'].includes(this.mode);
     return {
       kind: 'status', t: this.t, mode: this.mode, pass: this.pass, s_mm: this.s, welded_mm: this.welded,
-      speed_mm_s: runs ? this.work.passes[this.pass - 1].speed_mm_s * this.override : 0, override_part: this.override, armed: this.armedUntil > this.t, powered,
+      stands: !runs, speed_mm_s: runs ? this.work.passes[this.pass - 1].speed_mm_s * this.override : 0, override_part: this.override, armed: this.armedUntil > this.t, powered,
       process: { state: burns ? 'burns' : 'off', on: burns, burning: burns, gas: burns, ready: true, stuck: false, fault: 0, phase: burns ? 'travel' : null,
         set: burns ? [240, 27, 8] : [null, null, null], measured: burns ? [238 + noise() * 200, 27.1 + noise() * 10, 8] : [0, 0, 0] },
       axes: this.axes.map((position) => ({ position, set: position, error: runs ? noise() : 0, current: powered ? 0.2 : 0, referenced: this.referenced, fault: false, limit_switch: false })),

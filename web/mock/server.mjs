@@ -54,6 +54,7 @@ const routes = [
   ['GET', /^\/api\/records\/\d+\/work$/, () => work(1, '', null)],
   ['GET', /^\/api\/records\/\d+\/trace$/, (_, __, query) => trace(query.get('columns').split(','))],
   ['GET', /^\/api\/audit$/, () => []],
+  ['GET', /^\/api\/position$/, () => ({ axes: cell.axes, tip: cell.status().tip })],
   ['GET', /^\/api\/tuning$/, (_, __, query) => tuning(query.get('axis'))],
   ['POST', /^\/api\/place$/, ({ text, points }) => ({ text: `offset = "touched"\n${text}\n[offsets.touched]\nmove_mm = [1, 2, 3]\n`, move_mm: [1, 2, 3], angle_deg: 0, residuals_mm: points.map(() => 0.01), outliers: points.map(() => false), rms_mm: 0.01, notes: [] })],
   ['GET', /^\/api\/users$/, () => []],

@@ -787,7 +787,11 @@ enabled: boolean,
 /**
  * The password of whoever asks.
  */
-own_password: string | null, };
+own_password: string | null, 
+/**
+ * Whoever has the name already is not to be changed: then it is refused as `exists`.
+ */
+only_new: boolean | null, };
 
 /**
  * `DELETE /api/users/NAME`, `POST /api/restore`.
@@ -882,6 +886,10 @@ powered: boolean,
  */
 process: ProcessStatus, 
 /**
+ * The axes stand: nothing is asked to move, nor has moved for a moment.
+ */
+stands: boolean, 
+/**
  * In the order of the machine's axes.
  */
 axes: Array<AxisStatus>, 
@@ -933,6 +941,19 @@ part: string,
  * Number of the weld in the library while one is recorded.
  */
 recording: number | null, };
+
+/**
+ * `GET /api/position`: where the machine stands, refused while something moves.
+ */
+export type StandingView = { 
+/**
+ * Measured, in the order of the machine's axes, mm or degrees.
+ */
+axes: Array<number>, 
+/**
+ * See [`Status::tip`].
+ */
+tip: [number, number, number, number, number, number], };
 
 /**
  * A weld that was left.
@@ -1976,9 +1997,14 @@ text: string,
 words: Array<string>, };
 
 /**
- * A row of `GET /api/audit`, the newest first.
+ * A row of `GET /api/audit?most=200&before=1234&after=1000&text=load`, the newest first: of those that are older or newer than an
+ * entry and have a text in them, if that is asked for.
  */
 export type AuditRow = { 
+/**
+ * Its number: entries are numbered from 1, without gaps.
+ */
+id: number, 
 /**
  * When: RFC 3339, UTC.
  */
@@ -2153,7 +2179,8 @@ t_s: number | null,
 first_out: boolean, };
 
 /**
- * `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, the first and the last among them.
+ * `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, the first and the last among them, and of each
+ * stretch the rows with the least and with the greatest value of every column.
  */
 export type TraceView = { 
 /**

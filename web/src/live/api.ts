@@ -24,6 +24,7 @@ import type {
   SensorChange,
   SensorsView,
   SessionView,
+  StandingView,
   Shelving,
   Stopped,
   TaughtProgram,
@@ -129,6 +130,8 @@ export const api = {
     request<PostAnswer>('POST', '/api/post', { text, dialect }),
   edit: (text: string, operations: unknown[]) =>
     request<EditAnswer>('POST', '/api/edit', { text, operations }),
+  /** Where the machine stands; refused while something moves. */
+  position: () => request<StandingView>('GET', '/api/position'),
   taught: () => request<TaughtView>('GET', '/api/teach'),
   taughtProgram: (how: TeachProgram) => request<TaughtProgram>('POST', '/api/teach/program', how),
   records: (query: Record<string, string>) =>
@@ -154,7 +157,7 @@ export const api = {
   gridPicture: (plate: Plate & { seed: number }) => answered(`/api/sensor/picture?${query(plate)}`).then((response) => response.blob()),
   keepSensor: (change: SensorChange) => request<SensorsView>('PUT', '/api/sensor', change),
   shelve: (of: Shelving) => request<void>('POST', '/api/alarms/shelve', of),
-  audit: (most: number) => request<AuditRow[]>('GET', `/api/audit?most=${most}`),
+  audit: (asked: { most: number; text?: string; before?: number; after?: number }) => request<AuditRow[]>('GET', `/api/audit?${query(asked)}`),
   checkArchive: (file: Blob) => request<ArchiveView>('PUT', '/api/restore', file),
   restore: (own_password: string | null) => request<void>('POST', '/api/restore', { own_password }),
   users: () => request<UserRow[]>('GET', '/api/users'),

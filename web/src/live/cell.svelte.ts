@@ -211,8 +211,6 @@ class Cell {
   private takeStatus(status: Status): void {
     const now = performance.now();
     this.heard = now;
-    // The next part of the same program: what the last one was like says nothing of it.
-    if (status.mode === 'weld' && this.newest?.mode === 'ready') this.track.clear();
     this.newest = status;
     if (status.mode === 'dry_run' || status.mode === 'weld') this.ran = status.mode;
     this.strip.add(status);

@@ -13,7 +13,7 @@ export function isSeen(state: string): boolean {
 
 /**
  * What tracking found and did in the newest pass that is tracked, by path length: after a hold, and while going back, what is
- * new takes the place of what is old. It holds what this panel has seen since it was opened.
+ * new takes the place of what is old. With each weld it begins anew. It holds what this panel has seen since it was opened.
  */
 export class Track {
   /** From 1; 0: nothing has been tracked. */
@@ -21,6 +21,7 @@ export class Track {
   length = 0;
   /** Counts up when something was added. */
   count = 0;
+  private mode = '';
   private readonly heads = new Map<number, (TrackingStatus | undefined)[]>();
 
   get numbers(): number[] {
@@ -35,6 +36,9 @@ export class Track {
 
   /** Takes a status of a pass of this length (mm); true if it is tracked. */
   add(status: Status, length: number): boolean {
+    // The next part of the same program: what the last one was like says nothing of it. What is held goes on.
+    if (status.mode === 'weld' && this.mode === 'ready') this.clear();
+    this.mode = status.mode;
     if (status.tracking.length === 0) return false;
     if (status.pass < 1 || !(length > 0)) return true;
     if (status.pass !== this.pass) {

@@ -1,7 +1,7 @@
-import type { MachineView, Status } from '../wire';
+import type { MachineView, StandingView } from '../wire';
 
 /** A place that was recorded by hand. */
-export type TaughtPoint = { axes: number[]; tip: Status['tip'] };
+export type TaughtPoint = StandingView;
 
 /** Where they are kept until the tab is closed, over a reload too. */
 const KEPT = 'seamwright.taught';
@@ -46,9 +46,9 @@ class Taught {
     return this.all.machine.split(' ')[0] ?? '';
   }
 
-  record(machine: MachineView, status: Status): void {
+  record(machine: MachineView, place: StandingView): void {
     if (this.foreign(machine)) return;
-    this.take({ machine: machineOf(machine), points: [...this.points, { axes: status.axes.map((axis) => axis.position), tip: status.tip }] });
+    this.take({ machine: machineOf(machine), points: [...this.points, place] });
   }
 
   remove(index: number): void {

@@ -1,27 +1,33 @@
 /** Columns of a trace with their values. */
 export type Trace = { columns: string[]; values: (number | null)[][] };
 
-/** What tells most of a weld, first; a kind each. */
+/** What is shown before somebody chooses, in this order: of each kind the first column that there is. */
 const FIRST = [
+  // Of a weld that was tracked: where the joint lay, and what was made of it.
+  /^deviation_lateral_mm/,
+  /^deviation_height_mm/,
+  /^correction_lateral_mm/,
+  /^correction_height_mm/,
+  // What was driven; where that is not kept, what was asked.
   /^tip_speed/,
+  /^speed_set/,
   /path_error|seam_lateral/,
   /(current|beam)_(a|ma)(_measured)?$/,
   /(voltage_v|accelerating_kv|wire_feed_m_min|power_k?w)(_measured)?$/,
   /following_error/,
 ];
-const MOST_AT_ONCE = 4;
+const MOST_AT_ONCE = 6;
 
-/** What is shown before somebody chooses. */
 export function preferred(names: string[]): string[] {
-  // What was driven tells more than what was asked.
-  const driven = names.some((name) => name.startsWith('tip_speed'));
-  const known = FIRST.flatMap((kind, i) => names.find((name) => (i === 0 && !driven ? /speed/ : kind).test(name)) ?? []);
-  return (known.length > 0 ? known : names).slice(0, MOST_AT_ONCE);
+  const known = FIRST.flatMap((kind) => names.find((name) => kind.test(name)) ?? []);
+  const driven = known.some((name) => name.startsWith('tip_speed'));
+  const told = known.filter((name) => !(driven && name.startsWith('speed_set')));
+  return (told.length > 0 ? told : names).slice(0, MOST_AT_ONCE);
 }
 
 /**
- * A column of several traces over one path length: rows of a pass, where the path length grows (a torch that was taken back
- * does not draw over itself), each trace with values only at its own places.
+ * A column of several traces over one path length: rows of a pass, where the path length does not shrink (a torch that was
+ * taken back does not draw over itself, one that stands draws all that happens there), each trace with values only at its own places.
  */
 export function merged(traces: Trace[], name: string, pass: number): (number | null)[][] {
   const rows: { s: number; of: number; value: number | null }[] = [];
@@ -30,7 +36,7 @@ export function merged(traces: Trace[], name: string, pass: number): (number | n
     const [passes, places, values] = [column('pass'), column('s_mm'), column(name)];
     let last = -Infinity;
     places.forEach((s, i) => {
-      if (passes[i] !== pass || s === null || s <= last) return;
+      if (passes[i] !== pass || s === null || s < last) return;
       last = s;
       rows.push({ s, of, value: values[i] ?? null });
     });

@@ -9,7 +9,6 @@ import {
   Mesh,
   PerspectiveCamera,
   Plane,
-  Quaternion,
   Scene as World,
   Vector2,
   Vector3,
@@ -20,8 +19,10 @@ import type { MachineView, NearView, PathPoint, Status, WorkView } from '../wire
 import { Caps } from './caps';
 import type { ColourBy, Scale } from './colours';
 import { everything, extent } from './extent';
+import { facing, standings, type Spot, type Standing } from './facing';
 import { Highlight } from './highlight';
-import type { Pose } from './kinematics';
+import { poseAt, type Pose } from './kinematics';
+import { Links } from './links';
 import { Mark } from './mark';
 import { Measure } from './measure';
 import { Near, type Nearness } from './near';
@@ -41,9 +42,10 @@ export type Cut = { axis: 'x' | 'y' | 'z'; part: number } | null;
 
 /** At this distance of the camera marks are as large as they say, mm. */
 const MARKS_AT_MM = 1500;
+/** A torch this near to what is looked at is at the work, mm. */
+const AT_WORK_MM = 20;
 /** A frame that takes longer is no graphics card's. */
 const SLOW_MS = 25;
-const NO_MOVE = new Matrix4();
 /** A frozen clock: the scene takes the first status and no other, for pictures that are always the same. */
 const FROZEN = new URLSearchParams(location.search).has('freeze');
 
@@ -63,8 +65,8 @@ export class Scene {
   private readonly world = new World();
   private readonly camera = new PerspectiveCamera(35, 1, 1, 40_000);
   private readonly controls: OrbitControls;
-  private readonly root = new Group();
-  private links: Group[] = [];
+  private readonly links = new Links();
+  private readonly root = this.links.root;
   private readonly machineParts: Group[] = [];
   private readonly zones: Group[] = [];
   private readonly parts: Group[] = [];
@@ -87,6 +89,8 @@ export class Scene {
   private ended = false;
   private restUntil = 0;
   private fitted = '';
+  /** Fitted before it was known where the machine stands. */
+  private blind = false;
   /** What was fitted last is everything: the next time it is the seam again. */
   private wide = true;
   private readonly hidden = new Set<Layer>();
@@ -105,7 +109,7 @@ export class Scene {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener('change', this.draw);
     // Whoever has turned the picture gets the seam first.
-    this.controls.addEventListener('start', () => (this.wide = true));
+    this.controls.addEventListener('start', () => ([this.wide, this.blind] = [true, false]));
     this.world.add(this.root, new AmbientLight(0xffffff, 0.9), new HemisphereLight(0xffffff, 0x8a8f95, 1.2));
     const sun = new DirectionalLight(0xffffff, 1.6);
     sun.position.set(0.4, -0.8, 1);
@@ -143,21 +147,20 @@ export class Scene {
   setMachine(machine: MachineView | null): void {
     if (this.machine === machine) return;
     this.machine = machine;
-    release(this.root);
-    this.links = [];
+    this.links.set(machine);
     this.machineParts.length = this.zones.length = this.sights.length = 0;
     if (machine) {
-      for (const view of machine.solids) this.machineParts.push(this.onLink(view.link, solid(view, 'machine', this.cuts, this.caps, !this.live)));
+      for (const view of machine.solids) this.machineParts.push(this.links.add(view.link, solid(view, 'machine', this.cuts, this.caps, !this.live)));
       for (const zone of machine.zones) {
         const kind = zone.permitted ? 'permitted' : 'forbidden';
-        for (const view of zone.solids) this.zones.push(this.onLink(view.link, solid(view, kind, this.cuts, this.caps, false)));
+        for (const view of zone.solids) this.zones.push(this.links.add(view.link, solid(view, kind, this.cuts, this.caps, false)));
       }
       tint(this.zones, this.isLight());
-      for (const view of machine.sensors) this.sights.push(this.onLink(view.link, sight(view)));
+      for (const view of machine.sensors) this.sights.push(this.links.add(view.link, sight(view)));
     }
     this.torch.setBeam(machine?.beam_mm ?? null);
-    this.place().add(this.highlight.group, this.passes.group, this.passes.air, this.trace.line, this.near.group, this.torch.group, this.mark.arrow, this.taught.group);
-    this.stand();
+    this.links.work().add(this.highlight.group, this.passes.group, this.passes.air, this.trace.line, this.near.group, this.torch.group, this.mark.arrow, this.taught.group);
+    this.links.stand();
     const work = this.work;
     this.work = null;
     this.parts.length = 0;
@@ -176,14 +179,14 @@ export class Scene {
     }
     this.parts.length = 0;
     this.trace.clear();
-    for (const view of work?.part ?? []) this.parts.push(this.onLink(view.link, solid(view, 'part', this.cuts, this.caps, false)));
-    for (const view of work?.fixtures ?? []) this.parts.push(this.onLink(view.link, solid(view, 'fixture', this.cuts, this.caps, false)));
+    for (const view of work?.part ?? []) this.parts.push(this.links.add(view.link, solid(view, 'part', this.cuts, this.caps, false)));
+    for (const view of work?.fixtures ?? []) this.parts.push(this.links.add(view.link, solid(view, 'fixture', this.cuts, this.caps, false)));
     this.onScale(this.passes.set(work, this.by));
     this.showLayers();
     const name = `${this.machine?.name ?? ''}/${work?.job ?? ''}`;
     if (name !== this.fitted && this.machine) {
       this.fitted = name;
-      this.wide = true;
+      this.wide = this.blind = true;
       this.show('fit', this.box());
     }
     this.prepare();
@@ -197,6 +200,8 @@ export class Scene {
     const [x, y, z, ...along] = status.tip;
     const burns = status.process.burning;
     this.stands({ links: status.links.map(matrix), tip: [x, y, z], along }, burns, off);
+    if (this.blind) this.show('fit', this.box());
+    this.blind = false;
     const runs = status.mode === 'weld' || status.mode === 'dry_run';
     if (runs && before?.mode === 'ready') this.trace.clear();
     if (runs) this.trace.add(x, y, z, burns);
@@ -209,10 +214,9 @@ export class Scene {
   }
 
   private stands(pose: Pose, burns: boolean, off: Off | null): void {
-    this.links.forEach((group, i) => group.matrix.copy(pose.links[i] ?? NO_MOVE));
-    this.stand();
+    this.links.put(pose.links);
     const along = new Vector3(...pose.along).normalize();
-    this.torch.set(new Vector3(...pose.tip), along, burns, off, this.place().matrixWorld, this.parts);
+    this.torch.set(new Vector3(...pose.tip), along, burns, off, this.links.work().matrixWorld, this.parts);
     this.draw();
   }
 
@@ -273,14 +277,29 @@ export class Scene {
   }
 
   private show(view: View, box: Box3): void {
-    const axis = this.status && new Vector3(...this.status.tip.slice(3)).transformDirection(this.place().matrixWorld);
-    const { at, from, away } = look(view, box, this.camera, axis && { at: this.torch.place(), axis });
+    const axis = this.status && new Vector3(...this.status.tip.slice(3)).transformDirection(this.links.work().matrixWorld);
+    const { at, from, away } = look(view, box, this.camera, axis && { at: this.torch.place(), axis }, (from) => this.turned(from, box));
     this.controls.target.copy(at);
     this.camera.position.copy(at).addScaledVector(from, away);
     [this.camera.near, this.camera.far] = [away / 200, away * 20];
     this.camera.updateProjectionMatrix();
     this.controls.update();
     this.draw();
+  }
+
+  /** Where to look from to see where the torch is, if it is at the work; else the passes, as they stand and as they will. */
+  private turned(from: Vector3, box: Box3): Vector3 {
+    const { tip } = this.status ?? {};
+    const torch = tip && ({ tip: tip.slice(0, 3), torch: tip.slice(3) } as Spot);
+    const there = torch && box.distanceToPoint(this.torch.place()) < AT_WORK_MM;
+    const stood = this.links.put([]);
+    const stand = ({ axes }: Standing): Matrix4 => {
+      this.links.put(axes && this.machine ? poseAt(this.machine, axes).links : stood);
+      return this.links.work().matrixWorld;
+    };
+    const best = facing(from, there ? [{ axes: null, spots: [torch] }] : standings(this.work), stand, [...this.parts, ...this.machineParts]);
+    this.links.put(stood);
+    return best;
   }
 
   /** Draws with the next frame; any number of calls until then are one. */
@@ -339,47 +358,9 @@ export class Scene {
     this.trace.line.visible = this.live && shows('trace');
   }
 
-  /** The group of a link, made when it is first asked for. */
-  private link(index: number): Group {
-    let group = this.links[index];
-    if (!group) {
-      group = new Group();
-      group.matrixAutoUpdate = false;
-      const moved = this.status?.links[index];
-      group.matrix.copy(moved ? matrix(moved) : NO_MOVE);
-      this.links[index] = group;
-      this.root.add(group);
-    }
-    return group;
-  }
-
-  private onLink(index: number, group: Group): Group {
-    this.link(index).add(group);
-    return group;
-  }
-
   private isLight(): boolean {
     const { background } = this.world;
     return !(background instanceof Color) || background.getHSL({ h: 0, s: 0, l: 0 }).l > 0.5;
-  }
-
-  /** The link that the work is on. */
-  private place(): Group {
-    const frame = this.machine?.frames.find((f) => f.name === 'work');
-    return this.link(frame?.link ?? this.machine?.base ?? 0);
-  }
-
-  /** Turns the root so that z is up and the base rests, whatever the links are counted from. */
-  private stand(): void {
-    const machine = this.machine;
-    const up = new Vector3(...(machine?.up ?? [0, 0, 1]));
-    const base = machine?.frames.find((f) => f.name === 'base');
-    if (base) up.transformDirection(matrix(base.frame));
-    const turn = new Quaternion().setFromUnitVectors(up.normalize(), new Vector3(0, 0, 1));
-    const moved = machine ? (this.links[machine.base]?.matrix ?? new Matrix4()) : new Matrix4();
-    this.root.matrixAutoUpdate = false;
-    this.root.matrix.makeRotationFromQuaternion(turn).multiply(moved.clone().invert());
-    this.root.updateMatrixWorld(true);
   }
 
   private box(): Box3 {
@@ -396,7 +377,7 @@ export class Scene {
     if (moved > 5) return;
     const area = this.canvas.getBoundingClientRect();
     const at = new Vector2(event.clientX - area.left, event.clientY - area.top);
-    const near = nearest(this.work, this.place().matrixWorld, this.camera, at, area);
+    const near = nearest(this.work, this.links.work().matrixWorld, this.camera, at, area);
     if (this.measure.active) {
       const place = near ? near.place : surface(this.root, this.camera, at, area);
       if (place) this.measure.take(place);

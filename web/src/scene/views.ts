@@ -12,13 +12,17 @@ const FROM: Record<View, [number, number, number]> = { fit: [0.55, -0.75, 0.6], 
 /** What a view looks at, where from (a unit vector) and from how far, mm. */
 export type Look = { at: Vector3; from: Vector3; away: number };
 
-/** How a view shows what is in `box` with this camera. `torch`: where its tip is and its unit vector out of the work, if known. */
-export function look(view: View, box: Box3, camera: { fov: number; aspect: number }, torch: { at: Vector3; axis: Vector3 } | null): Look {
+/**
+ * How a view shows what is in `box` with this camera. `torch`: where its tip is and its unit vector out of the work, if known. `turned`:
+ * from where the whole is looked at, so that what is welded is seen.
+ */
+export function look(view: View, box: Box3, camera: { fov: number; aspect: number }, torch: { at: Vector3; axis: Vector3 } | null, turned: (from: Vector3) => Vector3): Look {
   if (view === 'torch' && torch) {
     // Over the torch's shoulder: a little off its axis, near enough to see the pool.
     return { at: torch.at, from: torch.axis.clone().add(new Vector3(0.5, -0.5, 0.1)).normalize(), away: AT_TORCH_MM };
   }
   const radius = Math.max(box.getSize(new Vector3()).length() / 2, LEAST_MM);
   const away = radius / Math.sin((camera.fov / 2) * (Math.PI / 180)) / Math.min(1, camera.aspect);
-  return { at: box.getCenter(new Vector3()), from: new Vector3(...FROM[view]).normalize(), away };
+  const from = new Vector3(...FROM[view]).normalize();
+  return { at: box.getCenter(new Vector3()), from: view === 'fit' ? turned(from) : from, away };
 }

@@ -1,4 +1,5 @@
 use super::Library;
+use super::find::pattern;
 use crate::{Error, Moment, sha256};
 use rusqlite::{TransactionBehavior, params};
 
@@ -19,6 +20,19 @@ pub struct AuditEntry {
     pub new: String,
     /// What came of it.
     pub result: String,
+}
+
+/// What is looked for in the audit log.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct AuditQuery {
+    /// Only entries whose number is lower.
+    pub before: Option<i64>,
+    /// Only entries whose number is higher.
+    pub after: i64,
+    /// Only entries with this in one of their texts, whatever the case of plain letters; empty: all.
+    pub text: String,
+    /// So many at most.
+    pub most: u32,
 }
 
 /// What [`Library::verify_audit`] found.
@@ -77,21 +91,33 @@ impl Library {
     /// # Errors
     /// If the library cannot be read.
     pub fn audit_entries(&self, most: u32) -> Result<Vec<AuditEntry>, Error> {
-        let sql = "SELECT at, user, station, command, old, new, result FROM audit ORDER BY id DESC LIMIT ?1";
-        let mut query = self.db.prepare(sql).map_err(|e| self.failed(e))?;
-        let read = |row: &rusqlite::Row<'_>| {
-            Ok(AuditEntry {
-                at: Moment(row.get(0)?),
-                user: row.get(1)?,
-                station: row.get(2)?,
-                command: row.get(3)?,
-                old: row.get(4)?,
-                new: row.get(5)?,
-                result: row.get(6)?,
-            })
+        let page = self.audit_page(&AuditQuery { most, ..AuditQuery::default() })?;
+        Ok(page.into_iter().map(|(_, entry)| entry).collect())
+    }
+
+    /// What is looked for in the audit log, the newest first, each entry with its number.
+    ///
+    /// # Errors
+    /// If the library cannot be read.
+    pub fn audit_page(&self, query: &AuditQuery) -> Result<Vec<(i64, AuditEntry)>, Error> {
+        let sql = "SELECT id, at, user, station, command, old, new, result FROM audit
+            WHERE id < ?1 AND id > ?4 AND (user LIKE ?2 ESCAPE '\\' OR station LIKE ?2 ESCAPE '\\' OR command LIKE ?2 ESCAPE '\\'
+                OR old LIKE ?2 ESCAPE '\\' OR new LIKE ?2 ESCAPE '\\' OR result LIKE ?2 ESCAPE '\\')
+            ORDER BY id DESC LIMIT ?3";
+        let entry = |row: &rusqlite::Row<'_>| {
+            let entry = AuditEntry {
+                at: Moment(row.get(1)?),
+                user: row.get(2)?,
+                station: row.get(3)?,
+                command: row.get(4)?,
+                old: row.get(5)?,
+                new: row.get(6)?,
+                result: row.get(7)?,
+            };
+            Ok((row.get(0)?, entry))
         };
-        let rows = query.query_map([most], read).map_err(|e| self.failed(e))?;
-        rows.collect::<Result<_, _>>().map_err(|e| self.failed(e))
+        let before = query.before.unwrap_or(i64::MAX);
+        self.all(sql, params![before, pattern(&query.text), query.most, query.after], entry)
     }
 
     /// Checks every link of the audit log. Entries cut off its end are found by the count that SQLite keeps beside the

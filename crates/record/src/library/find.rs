@@ -53,7 +53,7 @@ impl Library {
 }
 
 /// What LIKE finds the text by, itself.
-fn pattern(text: &str) -> String {
+pub(super) fn pattern(text: &str) -> String {
     let plain = text.replace('\\', "\\\\").replace('%', "\\%").replace('_', "\\_");
     format!("%{plain}%")
 }

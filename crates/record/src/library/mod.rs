@@ -11,7 +11,7 @@ mod schema;
 mod weld;
 
 pub use alarm::{Alarm, Event, Place};
-pub use audit::{AuditCheck, AuditEntry};
+pub use audit::{AuditCheck, AuditEntry, AuditQuery};
 pub use document::{Document, DocumentKind};
 pub use find::Query;
 pub use weld::{NewWeld, WeldDetail, WeldEnd, WeldFile, WeldRecord, WeldResult};

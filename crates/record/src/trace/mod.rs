@@ -19,6 +19,7 @@
 //! before it. A row has its values one after the other: `f64` 8 bytes, `f32` and `u32` 4, `u8` 1.
 
 mod column;
+mod outline;
 mod parquet_file;
 mod raw;
 mod read;
@@ -26,6 +27,7 @@ pub(crate) mod recover;
 mod writer;
 
 pub use column::{Column, Kind};
+pub use outline::Outline;
 pub use read::Trace;
 pub use recover::{RecoveredPart, recover};
 pub use writer::{Part, TraceWriter};

@@ -8,6 +8,7 @@ use super::left::{Left, ToWeld};
 use super::names::{Extra, Names};
 use super::prepared::Prepared;
 use super::recorder::Recorder;
+use super::stillness::Stillness;
 use crate::wire::{FromCell, LackView, Shelving, WorkView};
 use rtrb::{Consumer, Producer};
 use seamwright_cell::executive::{Ask, Command, Missing, Mode, Origin};
@@ -73,6 +74,7 @@ pub(super) struct Desk {
     loading: Option<Box<Pending>>,
     now: Option<Shown>,
     shown: Instant,
+    stillness: Stillness,
     missed: u32,
     pub(super) left: Option<Left>,
     pub(super) quits: bool,
@@ -114,6 +116,7 @@ impl Desk {
             loading: None,
             now: None,
             shown: Instant::now(),
+            stillness: Stillness::default(),
             missed: 0,
             left,
             quits: false,
@@ -198,6 +201,7 @@ impl Desk {
             self.tell(happening("record_fails", [trouble.clone()]));
             self.trouble = Some(trouble);
         }
+        self.names.watch(&mut self.stillness, shown);
         self.now = Some(*shown);
         if self.shown.elapsed() >= SHOW {
             self.shown = Instant::now();
@@ -206,6 +210,7 @@ impl Desk {
                 left: self.left.as_ref().map(|left| left.seen(self.to_weld.as_ref())),
                 part: self.to_weld.as_ref().map_or_else(String::new, |of| of.plan.part.clone()),
                 recording: self.recorder.weld(),
+                stands: self.stillness.stands(),
             };
             let set = std::array::from_fn(|i| shown.orders.set[i].position);
             self.hub.show(self.names.status(shown, extra), set);

@@ -15,6 +15,7 @@ mod notes;
 mod prepared;
 mod recorder;
 mod start;
+mod stillness;
 
 pub(crate) use archive::hides;
 pub(crate) use around::Around;

@@ -1,8 +1,9 @@
+use super::stillness::Stillness;
 use crate::wire::{Ages, AlarmView, AxisStatus, LackView, LeftView, ProcessStatus, Status};
 use seamwright_cell::executive::{Alarm, AlarmState, Event, Interlocks, Missing, Mode, ProcessState, Raised, Reaction};
 use seamwright_cell::realtime::Shown;
 use seamwright_cell::tracking;
-use seamwright_machine::{Joints, Level, Machine};
+use seamwright_machine::{AxisKind, Joints, Level, Machine};
 
 /// The machine's names for what the executive counts, and its chain for where things are.
 pub(super) struct Names {
@@ -22,6 +23,14 @@ impl Names {
 
     fn conditions(&self) -> Vec<&str> {
         self.machine.interlocks.iter().map(|i| i.name.as_str()).collect()
+    }
+
+    /// What a cycle says of standing still.
+    pub(super) fn watch(&self, stillness: &mut Stillness, c: &Shown) {
+        let axes = self.machine.axes.len();
+        let rests = c.orders.set[..axes].iter().all(|set| set.velocity == 0.0);
+        let rotary = std::array::from_fn(|i| self.machine.axes.get(i).is_some_and(|a| a.kind == AxisKind::Rotary));
+        stillness.cycle(c.t, rests, &c.reports.drives.position, &rotary);
     }
 
     /// Which axis or condition an alarm is about, or what tracking says.
@@ -163,6 +172,7 @@ impl Names {
             left: extra.left,
             part: extra.part,
             recording: extra.recording,
+            stands: extra.stands,
         }
     }
 }
@@ -189,6 +199,7 @@ pub(super) struct Extra {
     pub(super) left: Option<LeftView>,
     pub(super) part: String,
     pub(super) recording: Option<i64>,
+    pub(super) stands: bool,
 }
 
 /// A mode as the wire calls it.

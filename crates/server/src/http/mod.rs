@@ -2,6 +2,7 @@
 
 mod answer;
 mod assets;
+mod audit;
 mod choices;
 mod client;
 mod edit;

@@ -2,14 +2,14 @@ use super::answer::{Answer, Refused, page_of};
 use super::panel::Panel;
 use crate::users::Session;
 use crate::view::written;
-use crate::wire::{AuditRow, JudgedView, RecordRow, RecordView, RecordedAlarm, TraceView};
+use crate::wire::{JudgedView, RecordRow, RecordView, RecordedAlarm, TraceView};
 use axum::body::Body;
 use axum::extract::{Path, Query, State};
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
 use seamwright_record::library::{Query as Find, WeldRecord, WeldResult};
-use seamwright_record::trace::Trace;
+use seamwright_record::trace::{Outline, Trace};
 use seamwright_record::{DataFolder, Moment};
 use seamwright_report::Language;
 use serde::Deserialize;
@@ -78,7 +78,7 @@ fn row(weld: &WeldRecord) -> RecordRow {
 }
 
 /// Reads the library in a thread of its own.
-async fn reads<T: Send + 'static>(
+pub(super) async fn reads<T: Send + 'static>(
     panel: &Arc<Panel>,
     read: impl FnOnce(&DataFolder) -> Result<T, Refused> + Send + 'static,
 ) -> Answer<T> {
@@ -150,9 +150,6 @@ pub(super) async fn trace(
     Query(wanted): Query<Wanted>,
 ) -> Answer<TraceView> {
     let most = wanted.most.unwrap_or(2000);
-    if !(2..=MOST).contains(&most) {
-        return Err(Refused::input(format!("most={most}; allowed: 2 to {MOST}")));
-    }
     let columns: Vec<String> = wanted.columns.split(',').map(|c| c.trim().to_owned()).collect();
     if columns.len() > MOST_COLUMNS || columns.len() * most > MOST_VALUES {
         let text = format!(
@@ -160,6 +157,10 @@ pub(super) async fn trace(
             columns.len()
         );
         return Err(Refused::input(text));
+    }
+    let least = Outline::least(columns.len());
+    if !(least..=MOST).contains(&most) {
+        return Err(Refused::input(format!("most={most}; allowed: {least} to {MOST}")));
     }
     reads(&panel, move |data| {
         let traces = traces(data, id)?;
@@ -170,20 +171,12 @@ pub(super) async fn trace(
         }
         let names: Vec<&str> = columns.iter().map(String::as_str).collect();
         let rows: u64 = traces.iter().map(Trace::rows).sum();
-        // The first and the last row are always among them.
-        let step = (rows.saturating_sub(1) as f64 / (most - 1) as f64).max(1.0);
-        let (mut number, mut taken) = (0u64, 0u64);
-        let mut values = vec![Vec::new(); columns.len()];
+        let mut outline = Outline::new(columns.len(), rows, most);
         for part in &traces {
-            part.read(&names, |row| {
-                let due = number == (taken as f64 * step).round() as u64 || number + 1 == rows;
-                if due {
-                    taken += 1;
-                    values.iter_mut().zip(row).for_each(|(column, v)| column.push(v.is_finite().then_some(*v)));
-                }
-                number += 1;
-            })?;
+            part.read(&names, |row| outline.row(row))?;
         }
+        let sent = |v: f64| v.is_finite().then_some(v);
+        let values = outline.finish().into_iter().map(|column| column.into_iter().map(sent).collect()).collect();
         Ok(TraceView { columns, values })
     })
     .await
@@ -218,31 +211,6 @@ pub(super) async fn report(
         Ok(seamwright_report::recorded_weld_page(&detail, &figures, &program.text, &date, language))
     });
     page.await.map(|Json(html)| page_of(html))
-}
-
-/// How many rows.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Most {
-    most: Option<u32>,
-}
-
-pub(super) async fn audit(State(panel): State<Arc<Panel>>, Query(most): Query<Most>) -> Answer<Vec<AuditRow>> {
-    let most = most.most.unwrap_or(200).min(10_000);
-    reads(&panel, move |data| {
-        let entries = data.library().audit_entries(most)?;
-        let row = |e: seamwright_record::library::AuditEntry| AuditRow {
-            at: written(e.at),
-            user: e.user,
-            station: e.station,
-            command: e.command,
-            old: e.old,
-            new: e.new,
-            result: e.result,
-        };
-        Ok(entries.into_iter().map(row).collect())
-    })
-    .await
 }
 
 /// Pieces of an archive on their way to a client, of this size and so many at once.

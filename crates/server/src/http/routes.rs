@@ -1,15 +1,15 @@
 use super::guard::{Need, host, need};
 use super::panel::Panel;
 use super::{
-    assets, choices, edit, jobs, login, look, openapi, place, plan, records, restore, sensors, setup, socket, stop,
-    teach, users,
+    assets, audit, choices, edit, jobs, login, look, openapi, place, plan, records, restore, sensors, setup, socket,
+    stop, teach, users,
 };
 use crate::wire::{
     AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DistortionRow, DraftAnswer, EditAnswer, JobKept,
     JobRow, JobText, Load, Login, MachineView, OwnPassword, ParameterChange, ParametersView, PlaceAnswer, PlaceText,
     PlanAnswer, PostAnswer, PostText, RecordRow, RecordView, SensorAnswer, SensorChange, SensorsView, SessionView,
-    Shelving, Stopped, TaughtProgram, TaughtView, TeachProgram, ToolAnswer, ToolTip, ToolTouches, TraceView,
-    TuningView, UserChange, UserRow, WorkView,
+    Shelving, StandingView, Stopped, TaughtProgram, TaughtView, TeachProgram, ToolAnswer, ToolTip, ToolTouches,
+    TraceView, TuningView, UserChange, UserRow, WorkView,
 };
 use axum::extract::DefaultBodyLimit;
 use axum::routing::{MethodRouter, delete, get, post, put};
@@ -159,6 +159,13 @@ pub(super) fn routes() -> Vec<Route> {
             post(plan::post),
         ),
         Route::write(("post", "/api/edit"), "edit", "Edits a text", (None, shape::<EditAnswer>()), post(edit::edit)),
+        Route::get(
+            "/api/position",
+            "watch",
+            "Where the machine stands; refused while something moves",
+            shape::<StandingView>(),
+            get(teach::position),
+        ),
         Route::get("/api/teach", "watch", "What was taught so far", shape::<TaughtView>(), get(teach::taught)),
         Route::get("/api/teach/picture", "watch", "The newest picture of the eye, PNG", None, get(teach::picture)),
         Route::write(
@@ -259,7 +266,7 @@ pub(super) fn routes() -> Vec<Route> {
             (shape::<Shelving>(), None),
             post(setup::shelve),
         ),
-        Route::get("/api/audit", "audit.read", "Who did what", shape::<Vec<AuditRow>>(), get(records::audit)),
+        Route::get("/api/audit", "audit.read", "Who did what", shape::<Vec<AuditRow>>(), get(audit::list)),
         Route::get("/api/backup", "backup", "All data as a tar archive", None, get(records::backup)),
         Route {
             takes: TAR,

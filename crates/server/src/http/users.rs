@@ -37,6 +37,9 @@ pub(super) async fn put(
     Json(change): Json<UserChange>,
 ) -> Answer<UserRow> {
     again(&panel, &from, &session, change.own_password.clone()).await?;
+    if change.only_new == Some(true) && panel.accounts.has(&name) {
+        return Err(Refused::new(StatusCode::CONFLICT, "exists", format!("there is a user `{name}` already")));
+    }
     let old = panel.accounts.role(&name).map_or(String::new(), |role| format!("{role:?}"));
     let (changed, user) = (Arc::clone(&panel), name.clone());
     let row = tokio::task::spawn_blocking(move || {

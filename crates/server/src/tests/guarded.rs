@@ -133,3 +133,24 @@ async fn wrong_bodies_are_told_and_passwords_slowed() {
     }
     assert_eq!(slowed, 3);
 }
+
+/// Who makes a new user changes nobody who is there.
+#[tokio::test(flavor = "multi_thread")]
+async fn a_new_user_takes_nobodys_place() {
+    let bench = Bench::new(&[HOST]).await;
+    let everybody = bench.everybody().await;
+    let (_, admin) = &everybody[0];
+    let change = |role: &str, only_new: Option<bool>| {
+        let own = "password of Admin";
+        let body = json!({ "role": role, "enabled": true, "password": "another one", "own_password": own, "only_new": only_new });
+        admin.request("PUT", "/api/users/Viewer", Some(&body))
+    };
+    let (status, refused) = bench.ask(change("operator", Some(true))).await;
+    assert_eq!((status, &refused["key"]), (StatusCode::CONFLICT, &json!("exists")), "{refused}");
+    assert!(bench.log_in("Viewer", "password of Viewer").await.is_some(), "it is as it was");
+    for only_new in [Some(false), None] {
+        let (status, row) = bench.ask(change("operator", only_new)).await;
+        assert_eq!((status, &row["role"]), (StatusCode::OK, &json!("operator")), "{row}");
+    }
+    assert!(bench.log_in("Viewer", "another one").await.is_some());
+}

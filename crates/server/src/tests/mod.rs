@@ -8,6 +8,7 @@ mod devices;
 mod drawn;
 mod guarded;
 mod lived;
+mod recorded;
 mod restored;
 mod sensors;
 mod set_up;

@@ -37,6 +37,33 @@ async fn rest(served: &Served, page: &mut Page) -> Vec<f64> {
     }
 }
 
+/// A place that is recorded by hand is one where the machine stands.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn no_place_is_recorded_while_something_moves() {
+    let served = Served::new().await;
+    let owner = served.bench.owner().await;
+    let mut page = served.page(&owner).await;
+    let position = || served.bench.ask(owner.request("GET", "/api/position", None));
+    page.up().await;
+    page.order("start_jog").await;
+    page.mode("jog").await;
+    page.until("rest", |v| v["kind"] == "status" && v["stands"] == true).await;
+    let (status, place) = position().await;
+    assert_eq!((status, place["axes"].as_array().unwrap().len()), (StatusCode::OK, 2), "{place}");
+    let jog = json!({ "kind": "jog", "of": "joints", "speeds": [0.1, 0.0] });
+    hold(&mut page, &jog, 8).await;
+    let (status, refused) = position().await;
+    assert_eq!((status, &refused["key"]), (StatusCode::CONFLICT, &json!("busy")), "{refused}");
+    assert_eq!(refused["text"], "the axes have not come to rest: wait a moment");
+    hold(&mut page, &json!({ "kind": "jog", "of": "joints", "speeds": [0.0, 0.0] }), 1).await;
+    let there = rest(&served, &mut page).await;
+    page.until("rest", |v| v["kind"] == "status" && v["stands"] == true).await;
+    let (status, place) = position().await;
+    assert_eq!(status, StatusCode::OK, "{place}");
+    let off = |(at, there): (&Value, &f64)| (at.as_f64().unwrap() - there).abs();
+    assert!(place["axes"].as_array().unwrap().iter().zip(&there).map(off).all(|off| off < 0.02), "{place} {there:?}");
+}
+
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_step_goes_so_far_and_no_farther() {
     let served = Served::new().await;

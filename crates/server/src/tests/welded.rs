@@ -91,7 +91,8 @@ async fn a_weld_is_recorded_held_stopped_and_gone_on_with() {
     let trace = format!("/api/records/{id}/trace?columns=t_s,s_mm,arc&most=500");
     let (_, trace) = bench.ask(owner.request("GET", &trace, None)).await;
     let rows = trace["values"][0].as_array().unwrap().len();
-    assert!((400..=501).contains(&rows), "{rows}");
+    // Half of them evenly taken, and peaks of each stretch.
+    assert!((250..=500).contains(&rows), "{rows}");
     let (status, work) = bench.ask(owner.request("GET", &format!("/api/records/{id}/work"), None)).await;
     assert!(status.is_success() && !work["passes"].as_array().unwrap().is_empty());
     let page = bench.raw(owner.request("GET", &format!("/api/records/{id}/report"), None)).await;

@@ -74,6 +74,10 @@ impl Accounts {
         self.users().iter().map(User::row).collect()
     }
 
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.users().iter().any(|u| u.name == name)
+    }
+
     /// The role of an enabled user.
     pub(crate) fn role(&self, name: &str) -> Option<Role> {
         self.users().iter().find(|u| u.name == name && u.enabled).map(|u| u.role)

@@ -206,6 +206,8 @@ pub struct UserChange {
     pub enabled: bool,
     /// The password of whoever asks.
     pub own_password: Option<String>,
+    /// Whoever has the name already is not to be changed: then it is refused as `exists`.
+    pub only_new: Option<bool>,
 }
 
 /// `DELETE /api/users/NAME`, `POST /api/restore`.

@@ -86,7 +86,8 @@ pub struct RecordedAlarm {
     pub first_out: bool,
 }
 
-/// `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, the first and the last among them.
+/// `GET /api/records/ID/trace?columns=a,b&most=2000`: rows evenly taken, the first and the last among them, and of each
+/// stretch the rows with the least and with the greatest value of every column.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct TraceView {
     /// The columns asked for.
@@ -95,9 +96,13 @@ pub struct TraceView {
     pub values: Vec<Vec<Option<f64>>>,
 }
 
-/// A row of `GET /api/audit`, the newest first.
+/// A row of `GET /api/audit?most=200&before=1234&after=1000&text=load`, the newest first: of those that are older or newer than an
+/// entry and have a text in them, if that is asked for.
 #[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
 pub struct AuditRow {
+    /// Its number: entries are numbered from 1, without gaps.
+    #[ts(type = "number")]
+    pub id: i64,
     /// When: RFC 3339, UTC.
     pub at: String,
     /// Who.

@@ -25,6 +25,8 @@ pub struct Status {
     pub powered: bool,
     /// Arc or beam.
     pub process: ProcessStatus,
+    /// The axes stand: nothing is asked to move, nor has moved for a moment.
+    pub stands: bool,
     /// In the order of the machine's axes.
     pub axes: Vec<AxisStatus>,
     /// Measured torch tip in the work frame: x, y, z (mm) and the unit vector out of the work along the torch.
@@ -53,6 +55,15 @@ pub struct Status {
     /// Number of the weld in the library while one is recorded.
     #[ts(type = "number | null")]
     pub recording: Option<i64>,
+}
+
+/// `GET /api/position`: where the machine stands, refused while something moves.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct StandingView {
+    /// Measured, in the order of the machine's axes, mm or degrees.
+    pub axes: Vec<f64>,
+    /// See [`Status::tip`].
+    pub tip: [f64; 6],
 }
 
 /// A weld that was left.

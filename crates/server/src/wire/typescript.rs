@@ -46,6 +46,7 @@ pub fn typescript() -> String {
         decl::<ArchiveView>(&config),
         decl::<Trouble>(&config),
         decl::<Status>(&config),
+        decl::<StandingView>(&config),
         decl::<LeftView>(&config),
         decl::<ProcessStatus>(&config),
         decl::<AxisStatus>(&config),

@@ -1,0 +1,46 @@
+use super::answer::Answer;
+use super::panel::Panel;
+use super::records::reads;
+use crate::view::written;
+use crate::wire::AuditRow;
+use axum::extract::{Query, State};
+use seamwright_record::library::{AuditEntry, AuditQuery};
+use serde::Deserialize;
+use std::sync::Arc;
+
+/// Entries that are sent if nothing else is asked for, and at most.
+const SENT: u32 = 200;
+const MOST: u32 = 10_000;
+
+/// Which entries: so many, older than one, newer than one, with a text in them.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Asked {
+    most: Option<u32>,
+    before: Option<i64>,
+    after: Option<i64>,
+    text: Option<String>,
+}
+
+fn row((id, entry): (i64, AuditEntry)) -> AuditRow {
+    AuditRow {
+        id,
+        at: written(entry.at),
+        user: entry.user,
+        station: entry.station,
+        command: entry.command,
+        old: entry.old,
+        new: entry.new,
+        result: entry.result,
+    }
+}
+
+pub(super) async fn list(State(panel): State<Arc<Panel>>, Query(asked): Query<Asked>) -> Answer<Vec<AuditRow>> {
+    let query = AuditQuery {
+        before: asked.before,
+        after: asked.after.unwrap_or(0),
+        text: asked.text.unwrap_or_default(),
+        most: asked.most.unwrap_or(SENT).min(MOST),
+    };
+    reads(&panel, move |data| Ok(data.library().audit_page(&query)?.into_iter().map(row).collect())).await
+}

@@ -1,0 +1,109 @@
+//! What is read of records that are there.
+
+use super::{Bench, HOST};
+use seamwright_record::figures::Basis;
+use seamwright_record::library::{AuditEntry, WeldResult};
+use seamwright_record::trace::{Column, Kind};
+use seamwright_record::{DataFolder, Moment, Outcome, Plan};
+use serde_json::Value;
+
+const ROWS: u32 = 60_000;
+const COLUMNS: [&str; 6] = ["t_s", "pass", "s_mm", "arc", "current_a", "path_error_mm"];
+
+/// Records a weld of a minute in two parts, with one row in which each of the last columns is far off.
+fn record(bench: &Bench, at: u32) -> i64 {
+    let mut data = DataFolder::open(bench.path()).unwrap();
+    let text = |name: &str| (name.to_owned(), "schema = 1".to_owned());
+    let plan = Plan {
+        part: "L-1".to_owned(),
+        title: "Long".to_owned(),
+        simulated: true,
+        job: None,
+        program: text("a program"),
+        machine: text("a machine"),
+        procedure: None,
+        welder: None,
+        columns: COLUMNS.map(|name| Column::new(name, "1", Kind::F64)).to_vec(),
+        about: Vec::new(),
+        most_rows: u64::from(ROWS / 2),
+        rows: u64::from(ROWS),
+        basis: Basis::default(),
+        note: String::new(),
+    };
+    let mut recording = data.begin(&plan).unwrap();
+    for i in 0..ROWS {
+        let t = f64::from(i) * 1e-3;
+        let current = if i == at { 400.0 } else { 200.0 };
+        let error = if i == at + 3 { -5.0 } else { 0.01 };
+        recording.row([t, 1.0, 5.0 * t, 1.0, current, error]);
+    }
+    let outcome = Outcome { result: WeldResult::Good, note: String::new(), files: Vec::new() };
+    recording.finish(&mut data, &outcome).unwrap().id
+}
+
+fn numbers(column: &Value) -> Vec<f64> {
+    column.as_array().unwrap().iter().map(|v| v.as_f64().unwrap_or(f64::NAN)).collect()
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_peak_of_one_row_is_sent_of_every_column() {
+    let bench = Bench::new(&[HOST]).await;
+    let owner = bench.owner().await;
+    for at in [0, 12_345, 29_998, 59_990] {
+        let id = record(&bench, at);
+        let path = format!("/api/records/{id}/trace?columns=pass,s_mm,arc,current_a,path_error_mm&most=400");
+        let (status, trace) = bench.ask(owner.request("GET", &path, None)).await;
+        assert!(status.is_success(), "{trace}");
+        let columns: Vec<Vec<f64>> = trace["values"].as_array().unwrap().iter().map(numbers).collect();
+        let (s, current, error) = (&columns[1], &columns[3], &columns[4]);
+        assert!((200..=400).contains(&s.len()), "{}", s.len());
+        assert!(s.is_sorted() && s[0].abs() < 1e-9 && (s[s.len() - 1] - 5.0 * 59.999).abs() < 1e-9);
+        for (column, peak, row) in [(current, 400.0, at), (error, -5.0, at + 3)] {
+            let place = column.iter().position(|v| (*v - peak).abs() < 1e-9).unwrap_or_else(|| panic!("{peak}"));
+            assert!((s[place] - 5e-3 * f64::from(row)).abs() < 1e-9);
+        }
+    }
+    // Fewer rows than its columns' peaks need are refused.
+    let (status, refused) = bench.ask(owner.request("GET", "/api/records/1/trace?columns=s_mm,arc&most=5", None)).await;
+    assert_eq!((status.as_u16(), &refused["text"]), (422, &Value::from("most=5; allowed: 6 to 20000")));
+}
+
+/// The newest first, then what is older, each once; a text is looked for in all.
+#[tokio::test(flavor = "multi_thread")]
+async fn the_audit_log_is_read_page_by_page_and_searched_whole() {
+    let bench = Bench::new(&[HOST]).await;
+    let owner = bench.owner().await;
+    let entry = |n: i64| AuditEntry {
+        at: Moment(n),
+        user: "A. Welder".to_owned(),
+        station: "panel".to_owned(),
+        command: if n == 3 { "override 100%_of".to_owned() } else { format!("override {n}") },
+        old: String::new(),
+        new: String::new(),
+        result: "taken".to_owned(),
+    };
+    let mut data = DataFolder::open(bench.path()).unwrap();
+    (0..450).for_each(|n| drop(data.library_mut().audit(&entry(n)).unwrap()));
+    let page = async |query: &str| {
+        let (status, list) = bench.ask(owner.request("GET", &format!("/api/audit?{query}"), None)).await;
+        assert!(status.is_success(), "{list}");
+        let id = |row: &Value| row["id"].as_i64().unwrap();
+        list.as_array().unwrap().iter().map(id).collect::<Vec<i64>>()
+    };
+    let mut all = page("most=200").await;
+    assert_eq!(all.len(), 200);
+    while all[all.len() - 1] > 1 {
+        let older = page(&format!("most=200&before={}", all[all.len() - 1])).await;
+        assert!(!older.is_empty());
+        all.extend(older);
+    }
+    assert!(all.len() >= 450 && all.windows(2).all(|two| two[0] == two[1] + 1), "{all:?}");
+    assert!(page("before=1").await.is_empty());
+    // What is new is all that came after what is known.
+    assert_eq!(page(&format!("after={}", all[3])).await, all[..3]);
+    // An old one, found by its text, which is no pattern; whatever the case.
+    let found = page("text=OVERRIDE%20100%25_").await;
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert_eq!(page("text=welder&most=1000").await.len(), 450);
+    assert!(page("text=100%25_x").await.is_empty());
+}
