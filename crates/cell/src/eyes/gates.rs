@@ -11,6 +11,9 @@ const SIZE: usize = 512;
 /// A midline farther off than this is wrong, pixels.
 const WRONG: f64 = 2.0;
 
+/// A row at most this part of the joint's width off its midline, or not wrong, follows it: how well is asked of confident rows.
+const ON_IT: f64 = 0.25;
+
 /// What the follower did on one frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
@@ -48,7 +51,7 @@ pub fn follow(follower: &mut Follower, scene: &Scene) -> Outcome {
             continue;
         }
         let (error, nearest) = distance(&truth.midline, at);
-        if error <= WRONG {
+        if error <= WRONG.max(ON_IT * truth.width) {
             reached = reached.max(nearest);
         }
         outcome.errors.push((error, confident));

@@ -21,6 +21,8 @@ const HEADING: usize = 16;
 /// ... and by how much it turns at most at its rims, rad, and for each pixel of it.
 const KINK: f32 = 0.25;
 const KINK_OVER: f32 = 0.006;
+/// A narrow line that turns by so much in all at each of its gaps, in the mean, is scratches beside each other, rad.
+const JUMPS: f32 = 0.25;
 /// Stretches before and behind a gap are at least this part as deep as each other.
 const AS_DEEP: f32 = 0.5;
 /// A stretch is much longer than another one if it is longer than so many of it.
@@ -113,28 +115,42 @@ pub(super) fn rims(rows: &mut [Row], end: End, on_joint: bool) {
 }
 
 /// Takes the confidence from the stretches before and behind a gap at which the way turns more sharply than a joint may, or that
-/// are not as deep as each other: one of them, the shorter if it is much shorter, is something else.
+/// are not as deep as each other: one of them, the shorter if it is much shorter, is something else. And from all of a narrow line
+/// that turns at each of its gaps.
 pub(super) fn gaps(rows: &mut [Row], found: &[Found]) {
     let gap_from = |rows: &[Row], from: usize| {
         let missed = |i: &usize| rows[*i..].iter().take(RIM).all(|r| r.state == State::Coasted);
         (from..rows.len().saturating_sub(RIM)).find(missed).unwrap_or(rows.len())
     };
     let seen_from = |rows: &[Row], from: usize| (from..rows.len()).find(|i| rows[*i].state == State::Seen);
+    let (mut turned, mut jumps) = (0.0, 0);
     let (mut before, mut gap) = (0, gap_from(rows, 0));
     while let Some(seen) = seen_from(rows, gap) {
         let until = gap_from(rows, seen);
         let (first, second) = (before..gap, seen..until);
-        if gap > before && (is_kinked(rows, (before, gap), (seen, until)) || differ(found, (&first, &second))) {
-            // What is much longer is the joint.
-            let wrong = match (first.len(), second.len()) {
-                (a, b) if a > MUCH_LONGER * b => second,
-                (a, b) if b > MUCH_LONGER * a => first,
-                _ => before..until,
-            };
-            rows[wrong].iter_mut().for_each(unsure);
+        if !first.is_empty() {
+            let turns = turns(rows, &first, &second);
+            (turned, jumps) = (turned + turns[0] + turns[1], jumps + 1);
+            if is_kinked(turns, rows[gap - 1], rows[seen]) || differ(found, (&first, &second)) {
+                // What is much longer is the joint.
+                let wrong = match (first.len(), second.len()) {
+                    (a, b) if a > MUCH_LONGER * b => second,
+                    (a, b) if b > MUCH_LONGER * a => first,
+                    _ => before..until,
+                };
+                rows[wrong].iter_mut().for_each(unsure);
+            }
         }
         (before, gap) = (seen, until);
     }
+    if jumps > 1 && turned > JUMPS * jumps as f32 && is_narrow(rows) {
+        rows.iter_mut().for_each(unsure);
+    }
+}
+
+/// True if most of it is no wider than a scratch.
+fn is_narrow(rows: &[Row]) -> bool {
+    rows.iter().filter(|r| r.width < NARROW).count() > rows.len() / 2
 }
 
 /// True if the joint is much deeper in one stretch than in the other.
@@ -148,16 +164,21 @@ fn differ(found: &[Found], stretches: (&Range<usize>, &Range<usize>)) -> bool {
     a.min(b) < AS_DEEP * a.max(b)
 }
 
-/// True if the way from one stretch over a gap into the next one turns too sharply at either.
-fn is_kinked(rows: &[Row], (before, gap): (usize, usize), (seen, until): (usize, usize)) -> bool {
+/// How much the way from one stretch over a gap into the next one turns at either, rad.
+fn turns(rows: &[Row], first: &Range<usize>, second: &Range<usize>) -> [f32; 2] {
     let way = |a: Row, b: Row| [b.x - a.x, b.y - a.y];
-    let (last, next) = (rows[gap - 1], rows[seen]);
+    let (last, next) = (rows[first.end - 1], rows[second.start]);
     let over = way(last, next);
-    let into = way(rows[before.max(gap.saturating_sub(HEADING))], last);
-    let out = way(next, rows[(until - 1).min(seen + HEADING)]);
+    let into = way(rows[first.start.max(first.end.saturating_sub(HEADING))], last);
+    let out = way(next, rows[(second.end - 1).min(second.start + HEADING)]);
     let turn = |a: [f32; 2], b: [f32; 2]| (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]).abs();
-    let most = KINK + KINK_OVER * over[0].hypot(over[1]);
-    turn(into, over) > most || turn(over, out) > most
+    [turn(into, over), turn(over, out)]
+}
+
+/// True if either is too sharp for a joint, for a gap between these rows.
+fn is_kinked(turns: [f32; 2], last: Row, next: Row) -> bool {
+    let most = KINK + KINK_OVER * (next.x - last.x).hypot(next.y - last.y);
+    turns.iter().any(|turn| *turn > most)
 }
 
 /// Takes the confidence from rows near a step of the light.
@@ -177,7 +198,7 @@ pub(super) fn length(rows: &mut [Row], end: End) {
     if !matches!(end, End::JointEnd | End::Lost) {
         return;
     }
-    let narrow = rows.iter().filter(|r| r.width < NARROW).count() > rows.len() / 2;
+    let narrow = is_narrow(rows);
     let (mut longest, mut length, mut missed) = (0.0f32, 0.0, 0);
     for i in 1..rows.len() {
         let pair = [rows[i - 1], rows[i]];

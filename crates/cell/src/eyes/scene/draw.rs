@@ -77,7 +77,7 @@ pub struct Truth {
     pub midline: Vec<DVec2>,
     /// Full width at half depth, pixels, before defocus.
     pub width: f64,
-    /// Contrast to noise.
+    /// Contrast to noise, both of the frame: after defocus.
     pub cnr: f64,
     /// Middles and radii of tacks.
     pub tacks: Vec<(DVec2, f64)>,
@@ -115,7 +115,7 @@ pub fn scene(kind: Kind, seed: u64, size: usize) -> Scene {
     let metal = r.within(110.0, 170.0);
     let mut canvas = Canvas::new(size, size, metal);
     let direction = heading(&midline, 0);
-    let disturbances = disturb(contrast / cnr, direction, r);
+    let disturbances = disturb(contrast / cnr, width, direction, r);
     let mut truth = Truth { midline: Vec::new(), width, cnr, tacks: Vec::new(), end: None, closed: kind == Kind::Loop };
     let jointless = matches!(kind, Kind::Blank | Kind::OnlyScratches);
     if !jointless {
@@ -219,7 +219,8 @@ fn midline(kind: Kind, side: f64, width: f64, r: &mut Random) -> Vec<DVec2> {
     points.skip_while(|p| !inside(p, inset)).take_while(|p| inside(p, -1.5 * width)).collect()
 }
 
-fn disturb(noise: f64, direction: f64, r: &mut Random) -> Disturbances {
+/// `noise` by which a joint of `width` has the asked contrast to noise where it is in focus.
+fn disturb(noise: f64, width: f64, direction: f64, r: &mut Random) -> Disturbances {
     let mut some = |part: f64, most: f64| if r.chance(part) { r.within(0.0, most) } else { 0.0 };
     let (ramp, vignette) = ([some(0.5, 90.0), some(0.5, 40.0)], some(0.5, 50.0));
     // The noise is shared out: its deviations add in squares.
@@ -228,6 +229,7 @@ fn disturb(noise: f64, direction: f64, r: &mut Random) -> Disturbances {
     let jitter = some(0.3, 0.4);
     let salt = some(0.2, 0.01);
     let defocus = some(0.2, 2.99) as usize;
+    let noise = noise * contrast_left(width, defocus);
     let rest = (1.0 - texture * texture - charging * charging).sqrt();
     let sign = if r.chance(0.5) { -1.0 } else { 1.0 };
     Disturbances {
@@ -240,6 +242,13 @@ fn disturb(noise: f64, direction: f64, r: &mut Random) -> Disturbances {
         salt,
         defocus,
     }
+}
+
+/// The part of a line's contrast that is left by defocus: its bell and two boxes add their variances.
+fn contrast_left(width: f64, defocus: usize) -> f64 {
+    let (line, side) = ((width / 2.355).powi(2), (2 * defocus + 1) as f64);
+    let boxes = 2.0 * (side * side - 1.0) / 12.0;
+    (line / (line + boxes)).sqrt()
 }
 
 fn other_joint(kind: Kind, midline: &[DVec2], width: f64, contrast: f64, canvas: &mut Canvas, r: &mut Random) {
@@ -267,5 +276,27 @@ fn scratches(midline: &[DVec2], contrast: f64, canvas: &mut Canvas, r: &mut Rand
         let at = midline[r.within(0.0, midline.len() as f64 - 1.0) as usize];
         let along = DVec2::from_angle(r.within(0.0, TAU)) * r.within(20.0, 100.0);
         canvas.line(&[at - along, at + along], r.within(1.0, 2.0), contrast * r.within(0.2, 0.7), |_| 1.0);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn defocus_leaves_so_much_of_the_contrast() {
+        for width in [2.0, 3.0, 5.0, 10.0, 30.0] {
+            for defocus in [0, 1, 2] {
+                let mut canvas = Canvas::new(96, 96, 220.0);
+                canvas.line(&[DVec2::new(-200.0, 48.0), DVec2::new(300.0, 48.0)], width, 200.0, |_| 1.0);
+                let focus = Disturbances { defocus, ..Disturbances::default() };
+                let Image::U8 { pixels, .. } = canvas.finish(&focus, (&[], 0.0), &mut Random::new(1)) else {
+                    panic!("a scene has 8 bits")
+                };
+                let darkest = pixels[48 * 96..49 * 96].iter().min().copied().unwrap_or(0);
+                let (left, told) = ((220.0 - f64::from(darkest)) / 200.0, contrast_left(width, defocus));
+                assert!((left - told).abs() < 0.04, "{width} {defocus}: {left}, {told}");
+            }
+        }
     }
 }
