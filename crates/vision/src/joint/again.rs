@@ -4,7 +4,7 @@ use super::follow::{Follower, Inside, known_width};
 use super::levels::Light;
 use super::noise::NoiseBy;
 use super::trail::Look;
-use super::{End, Row, Start, State, judge};
+use super::{End, Joint, Row, Start, State, judge};
 use crate::Frame;
 
 /// Another way counts if the joint is so many times as long by it.
@@ -12,40 +12,33 @@ const LONGER: f32 = 1.25;
 /// A line that is narrower by this part counts if it is this part as long: what is wider is its surroundings.
 const NARROWER: f32 = 0.5;
 const AS_LONG: f32 = 0.9;
-/// Widths up to this part of the one before are tried for it.
-const TRIED: f32 = 0.7;
 
-/// An open gap is darker than the metal by this part of its light at least ...
-const BLACK: f32 = 0.4;
-/// ... and wide if it is followed on this level or a coarser one. Where such a joint ends ...
+/// A joint is wide if it is followed on this level or a coarser one.
 const COARSE: usize = 2;
+/// An open gap is darker than the metal by this part of its light at least. Where a wide one ends ...
+const BLACK: f32 = 0.4;
 /// ... and the metal is so many times as light or as dark as at its start, it is looked for by the logarithm of light too.
 const CHANGED: f32 = 1.6;
 
 impl Follower {
     /// Tries again if the joint ended so that it may go on; `looks` are those at its start and its end.
     pub(super) fn try_again(&mut self, frame: &Frame, start: &Start, inside: &Inside, mut looks: [Look; 2]) {
-        if self.joint.end == End::Lost {
+        // Of a narrow joint nothing else is seen.
+        let is_lost = |joint: &Joint, looks: &[Look; 2]| joint.end == End::Lost && looks[0].level >= COARSE;
+        if is_lost(&self.joint, &looks) {
             // A wide joint that bends beside the edge of a shadow is no noise.
             self.trail.tell_noise_by(NoiseBy::Metal);
             looks = self.follow_again(Light::Given, frame, start, inside, LONGER).unwrap_or(looks);
         }
-        if self.joint.end == End::Lost && known_width(start).is_none() {
+        if is_lost(&self.joint, &looks) && known_width(start).is_none() {
             // A dark strip may have been taken for the joint in it.
-            let wide = width(&looks[0]);
-            self.narrower = TRIED * wide;
-            let narrow = self.follow_again(Light::Given, frame, start, inside, AS_LONG);
+            self.narrower = NARROWER * looks[0].width_in_frame();
+            looks = self.follow_again(Light::Given, frame, start, inside, AS_LONG).unwrap_or(looks);
             self.narrower = f32::INFINITY;
-            match narrow {
-                Some(narrow) if width(&narrow[0]) > NARROWER * wide => {
-                    std::mem::swap(&mut self.joint, &mut self.before);
-                }
-                _ => looks = narrow.unwrap_or(looks),
-            }
         }
         if matches!(self.joint.end, End::Lost | End::JointEnd) && is_in_other_light(&looks) {
             // In the shade what is dirt is as deep as a joint.
-            let start = Start { width: Some(width(&looks[0])), ..*start };
+            let start = Start { width: Some(looks[0].width_in_frame()), ..*start };
             self.follow_again(Light::Logarithm, frame, &start, inside, LONGER);
         }
     }
@@ -60,19 +53,19 @@ impl Follower {
         longer: f32,
     ) -> Option<[Look; 2]> {
         std::mem::swap(&mut self.joint, &mut self.before);
-        let looks = self.follow_in(light, frame, start, inside);
-        if looks.is_none() || way(&self.joint.rows) < longer * way(&self.before.rows) {
+        let least = longer * way(&self.before.rows);
+        let looks = self.follow_in(light, frame, start, inside, least);
+        if looks.is_none() || way(&self.joint.rows) < least {
             std::mem::swap(&mut self.joint, &mut self.before);
             return None;
         }
         judge::doubtful(&mut self.joint.rows, 0);
+        if self.joint.end == End::LeftImage {
+            // What is nowhere sure is not known to lead out of the frame.
+            self.joint.end = End::Lost;
+        }
         looks
     }
-}
-
-/// The width of a joint, pixels of the frame.
-fn width(look: &Look) -> f32 {
-    look.width * (1 << look.level) as f32
 }
 
 /// True if the joint is a wide open gap and the metal's light is another one at its last than at its first.

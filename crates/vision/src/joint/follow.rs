@@ -68,8 +68,9 @@ impl Follower {
             self.joint.end = End::Lost;
             return &self.joint;
         }
+        self.levels.begin_frame();
         self.trail.tell_noise_by(NoiseBy::Depths);
-        let looks = self.follow_in(Light::Given, frame, start, &inside);
+        let looks = self.follow_in(Light::Given, frame, start, &inside, 0.0);
         // A later frame is not to allocate.
         self.rims.reserve(frame);
         self.before.rows.reserve(self.joint.rows.capacity().saturating_sub(self.before.rows.len()));
@@ -79,19 +80,21 @@ impl Follower {
         &self.joint
     }
 
-    /// Follows in one light; what the joint looks like at its start and where it is followed last.
+    /// Follows in one light; what the joint looks like at its start and where it is followed last, if that may be `least`
+    /// pixels away.
     pub(super) fn follow_in(
         &mut self,
         light: Light,
         frame: &Frame,
         start: &Start,
         inside: &Inside,
+        least: f32,
     ) -> Option<[Look; 2]> {
         self.joint.rows.clear();
         self.joint.end = End::Lost;
-        let first = self.begin(light, frame, start)?;
+        let first = self.begin(light, frame, start).filter(|look| look.width_in_frame() < self.narrower)?;
         let mut last = first;
-        self.joint.end = self.go_on(frame, &mut last, inside);
+        self.joint.end = self.go_on(frame, &mut last, inside, least);
         Some([first, last])
     }
 
@@ -138,7 +141,7 @@ impl Follower {
         self.trail.look(&picture, Axis { at, heading: best.axis.heading, curvature: 0.0 }, width, level)
     }
 
-    fn go_on(&mut self, frame: &Frame, look: &mut Look, inside: &Inside) -> End {
+    fn go_on(&mut self, frame: &Frame, look: &mut Look, inside: &Inside, least: f32) -> End {
         let (side, sum) = (frame.width().min(frame.height()) as f32, (frame.width() + frame.height()) as f32);
         let scale = (1 << look.level) as f32;
         let gap = self.options.gap.unwrap_or(GAP * side) / scale;
@@ -147,7 +150,8 @@ impl Follower {
         let limits = Limits { inside: |at: [f32; 2]| inside.holds(at.map(|v| from_level(v, level))), gap, length };
         let picture = self.levels.picture(frame, level);
         let stop = self.trail.follow(&picture, look, &limits);
-        if !self.trail.places.iter().any(|p| p.seen) {
+        let seen = self.trail.places.iter().rposition(|p| p.seen);
+        if seen.is_none_or(|last| self.trail.way(last) * scale < least) {
             return End::Lost;
         }
         self.midline.find(&picture, &self.trail, look);

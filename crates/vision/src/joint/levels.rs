@@ -20,6 +20,8 @@ pub(super) enum Light {
 #[derive(Debug, Clone)]
 pub(super) struct Levels {
     light: Light,
+    /// The levels up to this one are those of the frame.
+    prepared: Option<usize>,
     /// The frame's logarithms, if the levels are made of them.
     logarithms: Halved,
     halved: Vec<Halved>,
@@ -52,12 +54,25 @@ pub(super) const OF_16_BITS: f32 = 257.0;
 
 impl Levels {
     pub(super) fn new() -> Self {
-        Self { light: Light::Given, logarithms: Halved::default(), halved: vec![Halved::default(); MOST] }
+        Self {
+            light: Light::Given,
+            prepared: None,
+            logarithms: Halved::default(),
+            halved: vec![Halved::default(); MOST],
+        }
     }
 
-    /// Halves `frame` up to `level`.
+    /// Another frame comes next.
+    pub(super) fn begin_frame(&mut self) {
+        self.prepared = None;
+    }
+
+    /// Halves `frame` up to `level`, if that was not done since it began.
     pub(super) fn prepare(&mut self, frame: &Frame, level: usize, light: Light) {
-        self.light = light;
+        if self.light == light && self.prepared.is_some_and(|prepared| prepared >= level) {
+            return;
+        }
+        (self.light, self.prepared) = (light, Some(level));
         // The first frame is the last to allocate, whatever a later one shows.
         self.logarithms.pixels.reserve((frame.width() * frame.height()).saturating_sub(self.logarithms.pixels.len()));
         if light == Light::Logarithm {

@@ -98,6 +98,11 @@ impl Look {
         self.floor + self.contrast
     }
 
+    /// Its width, pixels of the frame.
+    pub(super) fn width_in_frame(&self) -> f32 {
+        self.width * (1 << self.level) as f32
+    }
+
     /// What a pixel counts at most where the joint has this depth, grey values.
     pub(super) fn most(&self, contrast: f32) -> f32 {
         if self.level > SPIKY { f32::INFINITY } else { SPIKE * contrast }
@@ -181,6 +186,8 @@ impl Trail {
         self.reserve_to_see();
         self.solid = 0;
         let (mut axis, mut gap, mut back, mut checked) = (look.axis, 0usize, 0usize, 0usize);
+        // Rows at the rims of a gap are not seen to be the joint's. On coarse levels those that groups blur are much of a gap.
+        let rims = SEEN_AROUND + if look.level > SPIKY { GROUP } else { 0 };
         // Places that are not seen less those that are seen again: chance finds of texture add up to a gap.
         let mut unseen = 0usize;
         let (mut known, mut known_to) = (axis, 0);
@@ -215,8 +222,7 @@ impl Trail {
                 if self.seen[i] && self.is_closed() {
                     return Stop::Closed;
                 }
-                // Rows at the rims of a gap are not seen to be the joint's.
-                if unseen as f32 > limits.gap + (SEEN_AROUND + GROUP) as f32 {
+                if unseen as f32 > limits.gap + rims as f32 {
                     return Stop::Gap;
                 }
             }
@@ -271,6 +277,12 @@ impl Trail {
         let [offset, slope, bend] = found.terms;
         let curvature = (axis.curvature + 2.0 * bend).clamp(-MOST_BENT, MOST_BENT);
         Axis { at: there.station(0.0).beside(offset), heading: heading + slope.atan(), curvature }
+    }
+
+    /// How far it is to place `last`, pixels of its level.
+    pub(in crate::joint) fn way(&self, last: usize) -> f32 {
+        let step = |pair: &[Place]| (pair[1].at[0] - pair[0].at[0]).hypot(pair[1].at[1] - pair[0].at[1]);
+        self.places[..=last].windows(2).map(step).sum()
     }
 
     pub(in crate::joint) fn tell_noise_by(&mut self, noise_by: NoiseBy) {
