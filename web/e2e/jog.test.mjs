@@ -49,16 +49,17 @@ test('no place is recorded while an axis moves, by the key or past it', onReal, 
     const answer = await fetch('/api/position');
     return { status: answer.status, ...(await answer.json()) };
   });
-  await record.waitFor();
-  await one.waitForFunction((name) => [...document.querySelectorAll('button')].some((key) => key.textContent.trim() === name && !key.disabled), 'Record point');
+  const isOff = (off) =>
+    one.waitForFunction((off) => [...document.querySelectorAll('button')].some((key) => key.textContent.trim() === 'Record point' && key.disabled === off), off);
+  await isOff(false);
   const key = await held();
   const moving = await place();
-  assert.ok(await record.isDisabled(), 'the key is off');
+  await isOff(true);
   await one.getByText('The axes have not come to rest: wait a moment.').waitFor();
   await ways['the pointer lifted outside of the button'](key);
   assert.deepEqual([moving.status, moving.key, moving.text], [409, 'busy', 'the axes have not come to rest: wait a moment']);
   await stands();
-  assert.ok(await record.isEnabled());
+  await isOff(false);
   await record.click();
   await one.locator('ol li', { hasText: 'X' }).first().waitFor();
   const stood = await place();

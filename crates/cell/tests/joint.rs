@@ -12,24 +12,24 @@ fn frames() -> u64 {
 /// some rows next to a second joint are pulled to it or follow it, scratches may make one line, and where an end is not told the
 /// last row may be anywhere.
 const MISSED_BY_MANY: [(&str, &str, f64); 18] = [
-    ("clear", LOST, 0.01),
-    ("faint", WRONG, 0.03),
-    ("scratches", LOST, 0.01),
-    ("step", LOST, 0.08),
-    ("branch", LOST, 0.003),
+    ("clear", LOST, 0.002),
+    ("faint", WRONG, 0.02),
+    ("scratches", LOST, 0.004),
+    ("step", LOST, 0.02),
+    ("branch", LOST, 0.002),
     ("branch", RMS, 1.1),
-    ("u-turn", LOST, 0.003),
-    ("loop", "frames not closed", 0.003),
-    ("end", LOST, 0.003),
-    ("end", "frames without the end told", 0.003),
+    ("u-turn", LOST, 0.002),
+    ("loop", "frames not closed", 0.002),
+    ("end", LOST, 0.002),
+    ("end", "frames without the end told", 0.002),
     ("end", "greatest end error", 250.0),
     ("cross", WRONG, 0.04),
     ("cross", RMS, 1.8),
-    ("cross", LOST, 0.004),
-    ("shadow", WRONG, 0.03),
+    ("cross", LOST, 0.003),
+    ("shadow", WRONG, 0.02),
     ("blank", "frames that end otherwise than lost", 0.002),
-    ("only-scratches", "confident rows", 1200.0),
-    ("all", WRONG, 0.05),
+    ("only-scratches", "confident rows", 200.0),
+    ("all", WRONG, 0.012),
 ];
 const RMS: &str = "RMS of confident rows";
 const WRONG: &str = "confident rows off by more than 2 px";

@@ -9,8 +9,9 @@ use crate::Frame;
 
 /// Another way counts if the joint is so many times as long by it.
 const LONGER: f32 = 1.25;
-/// A line that is narrower by this part counts if it is this part as long: what is wider is its surroundings.
-const NARROWER: f32 = 0.5;
+/// What is narrower is looked for with widths up to this part of the one before, and is narrower than this part of them ...
+pub(super) const NARROWER: f32 = 0.7;
+/// ... and as long as this part of it: what is wider is its surroundings.
 const AS_LONG: f32 = 0.9;
 
 /// A joint is wide if it is followed on this level or a coarser one.

@@ -1,3 +1,4 @@
+use super::again::NARROWER;
 use super::axis::Axis;
 use super::end::{Cut, cut};
 use super::levels::{Levels, Light, Picture, from_level, to_level};
@@ -35,7 +36,7 @@ pub struct Follower {
     pub(super) trail: Trail,
     midline: Midline,
     rims: Rims,
-    /// A start of unknown width is narrower than this, pixels.
+    /// A start of unknown width is looked for with widths below this, pixels.
     pub(super) narrower: f32,
     pub(super) joint: Joint,
     /// The joint as it was found before it was tried again.
@@ -92,7 +93,7 @@ impl Follower {
     ) -> Option<[Look; 2]> {
         self.joint.rows.clear();
         self.joint.end = End::Lost;
-        let first = self.begin(light, frame, start).filter(|look| look.width_in_frame() < self.narrower)?;
+        let first = self.begin(light, frame, start).filter(|look| look.width_in_frame() < NARROWER * self.narrower)?;
         let mut last = first;
         self.joint.end = self.go_on(frame, &mut last, inside, least);
         Some([first, last])

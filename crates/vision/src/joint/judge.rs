@@ -54,7 +54,7 @@ pub(super) fn row(found: &Found, scale: f32, whole: bool) -> f32 {
 /// Confidence of rows that are seen but not sure, at most.
 const UNSURE: f32 = 0.4;
 /// A line that ends and of which less than this is seen may be a scratch, pixels ...
-const SHORT: f32 = 130.0;
+const SHORT: f32 = 170.0;
 /// ... and one that is narrow, if less than this is.
 const SHORT_AND_NARROW: f32 = 210.0;
 /// Of a joint at least this part is seen; scratches one after the other have longer gaps.
