@@ -62,6 +62,20 @@ impl AuditEntry {
     }
 }
 
+/// An entry with its number, from the columns as they stand.
+fn numbered(row: &rusqlite::Row<'_>) -> rusqlite::Result<(i64, AuditEntry)> {
+    let entry = AuditEntry {
+        at: Moment(row.get(1)?),
+        user: row.get(2)?,
+        station: row.get(3)?,
+        command: row.get(4)?,
+        old: row.get(5)?,
+        new: row.get(6)?,
+        result: row.get(7)?,
+    };
+    Ok((row.get(0)?, entry))
+}
+
 impl Library {
     /// Appends to the audit log; the entry's hash.
     ///
@@ -104,20 +118,8 @@ impl Library {
             WHERE id < ?1 AND id > ?4 AND (user LIKE ?2 ESCAPE '\\' OR station LIKE ?2 ESCAPE '\\' OR command LIKE ?2 ESCAPE '\\'
                 OR old LIKE ?2 ESCAPE '\\' OR new LIKE ?2 ESCAPE '\\' OR result LIKE ?2 ESCAPE '\\')
             ORDER BY id DESC LIMIT ?3";
-        let entry = |row: &rusqlite::Row<'_>| {
-            let entry = AuditEntry {
-                at: Moment(row.get(1)?),
-                user: row.get(2)?,
-                station: row.get(3)?,
-                command: row.get(4)?,
-                old: row.get(5)?,
-                new: row.get(6)?,
-                result: row.get(7)?,
-            };
-            Ok((row.get(0)?, entry))
-        };
         let before = query.before.unwrap_or(i64::MAX);
-        self.all(sql, params![before, pattern(&query.text), query.most, query.after], entry)
+        self.all(sql, params![before, pattern(&query.text), query.most, query.after], numbered)
     }
 
     /// Checks every link of the audit log. Entries cut off its end are found by the count that SQLite keeps beside the
@@ -131,19 +133,8 @@ impl Library {
         let mut query = self.db.prepare(sql).map_err(|e| self.failed(e))?;
         let mut rows = query.query(()).map_err(|e| self.failed(e))?;
         while let Some(row) = rows.next().map_err(|e| self.failed(e))? {
-            let read = || -> rusqlite::Result<(i64, AuditEntry, String)> {
-                let entry = AuditEntry {
-                    at: Moment(row.get(1)?),
-                    user: row.get(2)?,
-                    station: row.get(3)?,
-                    command: row.get(4)?,
-                    old: row.get(5)?,
-                    new: row.get(6)?,
-                    result: row.get(7)?,
-                };
-                Ok((row.get(0)?, entry, row.get(8)?))
-            };
-            let (id, entry, hash) = read().map_err(|e| self.failed(e))?;
+            let read = || rusqlite::Result::Ok((numbered(row)?, row.get::<_, String>(8)?));
+            let ((id, entry), hash) = read().map_err(|e| self.failed(e))?;
             if id != next {
                 broken = Some((next, "it is missing".to_owned()));
                 break;
