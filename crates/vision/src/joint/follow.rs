@@ -201,6 +201,7 @@ fn tell(
         judge::length(out, end);
         judge::few(out);
     }
+    judge::corners(out);
     // What is nowhere sure is not known to lead out of the frame.
     let unsure = out.iter().all(|r| r.confidence < CONFIDENT);
     if unsure && end == End::LeftImage { End::Lost } else { end }

@@ -31,6 +31,9 @@ const MUCH_LONGER: usize = 3;
 const ANGLE: (usize, usize) = (5, 25);
 /// ... how much sharper it is than their own bend, rad.
 const SHARP: f32 = 0.2;
+/// Between sure rows a joint turns by more than this only in a bend without a corner sharper than that, rad.
+const TURNED: f32 = 0.4;
+const CORNER: f32 = 0.6;
 /// Rows next to one across which the light steps: its edge may lie beside the joint there, or be taken for it.
 const STEP: usize = 16;
 
@@ -171,8 +174,12 @@ fn turns(rows: &[Row], first: &Range<usize>, second: &Range<usize>) -> [f32; 2] 
     let over = way(last, next);
     let into = way(rows[first.start.max(first.end.saturating_sub(HEADING))], last);
     let out = way(next, rows[(second.end - 1).min(second.start + HEADING)]);
-    let turn = |a: [f32; 2], b: [f32; 2]| (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]).abs();
     [turn(into, over), turn(over, out)]
+}
+
+/// The angle between two ways, rad.
+fn turn(a: [f32; 2], b: [f32; 2]) -> f32 {
+    (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]).abs()
 }
 
 /// True if either is too sharp for a joint, for a gap between these rows.
@@ -191,6 +198,21 @@ pub(super) fn steps(rows: &mut [Row], found: &[Found]) {
 
 fn unsure(row: &mut Row) {
     row.confidence = row.confidence.min(UNSURE);
+}
+
+/// Takes the confidence from what is behind a corner among rows that are not sure: where joints meet, another one was followed.
+pub(super) fn corners(rows: &mut [Row]) {
+    let is_sure = |row: &Row| row.confidence >= CONFIDENT;
+    let mut from = 0;
+    while let Some(unsure_from) = (from + 1..rows.len()).find(|i| is_sure(&rows[i - 1]) && !is_sure(&rows[*i])) {
+        let Some(sure) = (unsure_from..rows.len()).find(|i| is_sure(&rows[*i])) else { return };
+        let is_corner = |i| angle(rows, i) > CORNER;
+        if turned(rows, unsure_from, sure) > TURNED && (unsure_from..sure).any(is_corner) {
+            rows[sure..].iter_mut().for_each(unsure);
+            return;
+        }
+        from = sure;
+    }
 }
 
 /// Takes the confidence from a line of which no stretch without a long gap is longer than a scratch.
@@ -221,9 +243,21 @@ pub(super) fn length(rows: &mut [Row], end: End) {
 
 /// True where the way before row `i` and the way behind it are straighter than the turn between them.
 fn is_angle(rows: &[Row], i: usize) -> bool {
+    angle(rows, i) > SHARP
+}
+
+/// How much the way has turned between the rows before one and those from another one on, rad.
+fn turned(rows: &[Row], before: usize, from: usize) -> f32 {
+    let last = rows.len() - 1;
+    let way = |a: usize, b: usize| [rows[b].x - rows[a].x, rows[b].y - rows[a].y];
+    turn(way(before.saturating_sub(1 + HEADING), before - 1), way(from, (from + HEADING).min(last)))
+}
+
+/// By how much the way turns at row `i` beyond its bend before and behind it, rad.
+fn angle(rows: &[Row], i: usize) -> f32 {
     let (near, arm) = ANGLE;
     if i < near + arm || i + near + arm >= rows.len() {
-        return false;
+        return 0.0;
     }
     let heading = |a: usize, b: usize| (rows[b].y - rows[a].y).atan2(rows[b].x - rows[a].x);
     let turn = |a: f32, b: f32| {
@@ -236,5 +270,5 @@ fn is_angle(rows: &[Row], i: usize) -> bool {
         turn(heading(first, before), heading(before, i - near)) + turn(heading(i + near, after), heading(after, last));
     let between = turn(heading(first, i - near), heading(i + near, last));
     // Two halves of an arm are half an arm apart, the two arms an arm and twice the way near the row.
-    (between - own * (2 * near + arm) as f32 / arm as f32).abs() > SHARP
+    (between - own * (2 * near + arm) as f32 / arm as f32).abs()
 }
