@@ -36,7 +36,7 @@ pub struct Follower {
     pub(super) trail: Trail,
     midline: Midline,
     rims: Rims,
-    /// A start of unknown width is looked for with widths below this, pixels.
+    /// A start of unknown width is looked for with widths below this, pixels, and found narrower than this by a part.
     pub(super) narrower: f32,
     pub(super) joint: Joint,
     /// The joint as it was found before it was tried again.

@@ -169,12 +169,16 @@ fn differ(found: &[Found], stretches: (&Range<usize>, &Range<usize>)) -> bool {
 
 /// How much the way from one stretch over a gap into the next one turns at either, rad.
 fn turns(rows: &[Row], first: &Range<usize>, second: &Range<usize>) -> [f32; 2] {
-    let way = |a: Row, b: Row| [b.x - a.x, b.y - a.y];
     let (last, next) = (rows[first.end - 1], rows[second.start]);
     let over = way(last, next);
     let into = way(rows[first.start.max(first.end.saturating_sub(HEADING))], last);
     let out = way(next, rows[(second.end - 1).min(second.start + HEADING)]);
     [turn(into, over), turn(over, out)]
+}
+
+/// The way from one row to another.
+fn way(from: Row, to: Row) -> [f32; 2] {
+    [to.x - from.x, to.y - from.y]
 }
 
 /// The angle between two ways, rad.
@@ -207,7 +211,7 @@ pub(super) fn corners(rows: &mut [Row]) {
     while let Some(unsure_from) = (from + 1..rows.len()).find(|i| is_sure(&rows[i - 1]) && !is_sure(&rows[*i])) {
         let Some(sure) = (unsure_from..rows.len()).find(|i| is_sure(&rows[*i])) else { return };
         let is_corner = |i| angle(rows, i) > CORNER;
-        if turned(rows, unsure_from, sure) > TURNED && (unsure_from..sure).any(is_corner) {
+        if turn_over(rows, unsure_from, sure) > TURNED && (unsure_from..sure).any(is_corner) {
             rows[sure..].iter_mut().for_each(unsure);
             return;
         }
@@ -246,11 +250,11 @@ fn is_angle(rows: &[Row], i: usize) -> bool {
     angle(rows, i) > SHARP
 }
 
-/// How much the way has turned between the rows before one and those from another one on, rad.
-fn turned(rows: &[Row], before: usize, from: usize) -> f32 {
+/// The angle between the way before row `before` and that from row `from` on, rad.
+fn turn_over(rows: &[Row], before: usize, from: usize) -> f32 {
     let last = rows.len() - 1;
-    let way = |a: usize, b: usize| [rows[b].x - rows[a].x, rows[b].y - rows[a].y];
-    turn(way(before.saturating_sub(1 + HEADING), before - 1), way(from, (from + HEADING).min(last)))
+    let into = way(rows[before.saturating_sub(1 + HEADING)], rows[before - 1]);
+    turn(into, way(rows[from], rows[(from + HEADING).min(last)]))
 }
 
 /// By how much the way turns at row `i` beyond its bend before and behind it, rad.
@@ -271,4 +275,54 @@ fn angle(rows: &[Row], i: usize) -> f32 {
     let between = turn(heading(first, i - near), heading(i + near, last));
     // Two halves of an arm are half an arm apart, the two arms an arm and twice the way near the row.
     (between - own * (2 * near + arm) as f32 / arm as f32).abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rows a pixel apart along legs of a length and a heading (rad), each sure, unsure or not seen.
+    fn along(legs: &[(usize, f32, Option<bool>)], width: f32) -> Vec<Row> {
+        let (mut x, mut y) = (0.0, 0.0);
+        let mut row = |heading: f32, sure: Option<bool>| {
+            (x, y) = (x + heading.cos(), y + heading.sin());
+            let state = if sure.is_some() { State::Seen } else { State::Coasted };
+            Row { x, y, confidence: if sure == Some(true) { 0.9 } else { 0.2 }, width, state }
+        };
+        legs.iter().flat_map(|leg| vec![*leg; leg.0]).map(|(_, heading, sure)| row(heading, sure)).collect()
+    }
+
+    fn sure(rows: &[Row]) -> usize {
+        rows.iter().filter(|r| r.confidence >= CONFIDENT).count()
+    }
+
+    #[test]
+    fn behind_an_unsure_corner_nothing_is_sure() {
+        let (yes, no) = (Some(true), Some(false));
+        for (turn, left) in [(0.0, 120), (0.3, 120), (0.8, 60), (-0.8, 60)] {
+            let mut rows = along(&[(60, 0.0, yes), (40, 0.0, no), (40, turn, no), (60, turn, yes)], 6.0);
+            corners(&mut rows);
+            assert_eq!(sure(&rows), left, "{turn}");
+        }
+        // A bend of the same turn, and a way that comes back to where it went.
+        let bend: Vec<_> = (0..80).map(|i| (1, 0.01 * i as f32, no)).collect();
+        let mut rows = along(&[&[(60, 0.0, yes)], &bend[..], &[(60, 0.8, yes)]].concat(), 6.0);
+        corners(&mut rows);
+        assert_eq!(sure(&rows), 120);
+        let mut rows = along(&[(60, 0.0, yes), (40, 0.0, no), (40, 0.8, no), (40, -0.8, no), (60, 0.0, yes)], 6.0);
+        corners(&mut rows);
+        assert_eq!(sure(&rows), 120);
+    }
+
+    #[test]
+    fn a_narrow_line_that_jumps_at_each_gap_is_scratches() {
+        let (yes, found) = (Some(true), Found { seen: true, own_depth: 20.0, ..Found::default() });
+        for (width, jump, left) in [(2.0, 0.0, 210), (2.0, 0.2, 0), (8.0, 0.2, 210)] {
+            let gap = (30, jump, None);
+            let mut rows = along(&[(70, 0.0, yes), gap, (70, 0.0, yes), gap, (70, 0.0, yes)], width);
+            let all = vec![found; rows.len()];
+            gaps(&mut rows, &all);
+            assert_eq!(sure(&rows), left, "{width} {jump}");
+        }
+    }
 }
