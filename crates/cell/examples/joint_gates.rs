@@ -5,7 +5,7 @@
 use seamwright_cell::eyes::gates::{follow, joint_gates};
 use seamwright_cell::eyes::scene::{Kind, scene};
 use seamwright_cell::gate::Limit;
-use seamwright_vision::joint::{Follower, Options};
+use seamwright_vision::joint::{End, Follower, Options};
 use std::ops::Range;
 use std::time::Instant;
 
@@ -20,7 +20,14 @@ fn main() {
     let table = joint_gates(first..first + frames, |kind, seed, o| {
         let wrong = o.errors.iter().filter(|(e, sure)| *sure && *e > 2.0).count() + o.phantom;
         let sure = o.errors.iter().filter(|(_, sure)| *sure).count();
-        if wrong > 0 || o.reach < 0.95 && sure + o.errors.len() > 0 || o.end_error.is_some_and(|e| e > 3.0) {
+        let untold = match kind {
+            Kind::End => o.end != End::JointEnd,
+            Kind::Loop => o.end != End::Closed,
+            Kind::Blank => o.end != End::Lost,
+            _ => false,
+        };
+        let early = o.reach < 0.95 && sure + o.errors.len() > 0;
+        if wrong > 0 || early || untold || o.end_error.is_some_and(|e| e > 3.0) {
             let (name, rows) = (kind.name(), o.errors.len());
             println!(
                 "{name} {seed}: {wrong} wrong of {sure} sure of {rows}, reach {:.2}, {:?}, end off {:?}",

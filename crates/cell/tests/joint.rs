@@ -1,7 +1,9 @@
 //! What the follower keeps on simulated frames: the gates of `bench vision`.
 
-use seamwright_cell::eyes::gates::joint_gates;
+use seamwright_cell::eyes::gates::{follow, joint_gates};
+use seamwright_cell::eyes::scene::{Kind, scene};
 use seamwright_cell::gate::{Gate, Limit};
+use seamwright_vision::joint::{Follower, Options};
 
 /// Frames a kind: 50, or 1000 with SEAMWRIGHT_SOAK=20.
 fn frames() -> u64 {
@@ -10,20 +12,16 @@ fn frames() -> u64 {
 
 /// Gates that 1000 frames a kind miss, and what holds instead; the table shows them as missed: some rows of faint joints and of
 /// those in a shadow's edge are wrong, and where an end is not told the last row may be anywhere.
-const MISSED_BY_MANY: [(&str, &str, f64); 13] = [
+const MISSED_BY_MANY: [(&str, &str, f64); 9] = [
     ("clear", LOST, 0.002),
     ("faint", WRONG, 0.02),
-    ("scratches", LOST, 0.004),
-    ("step", LOST, 0.02),
+    ("step", LOST, 0.008),
     ("branch", LOST, 0.002),
-    ("u-turn", LOST, 0.002),
-    ("loop", "frames not closed", 0.002),
     ("end", LOST, 0.002),
-    ("end", "frames without the end told", 0.002),
+    ("end", "frames without the end told", 0.003),
     ("end", "greatest end error", 250.0),
-    ("cross", LOST, 0.003),
+    ("cross", LOST, 0.002),
     ("shadow", WRONG, 0.02),
-    ("blank", "frames that end otherwise than lost", 0.002),
 ];
 const WRONG: &str = "confident rows off by more than 2 px";
 const LOST: &str = "frames lost before 95 % of the joint";
@@ -45,4 +43,20 @@ fn gates_hold_or_are_missed_by_no_more_than_is_known() {
     };
     let broken: Vec<&Gate> = table.rows.iter().filter(|gate| !holds(gate)).collect();
     assert!(broken.is_empty(), "{broken:#?}");
+}
+
+/// Tacks at the edge of a shadow and joints in it, of seeds on which nothing was chosen: seen no longer in the frame as it is, they go
+/// on on its top-hat. What was sure before the tack stays sure, and nothing sure is wrong.
+#[test]
+fn joints_go_on_where_edges_of_light_hide_them() {
+    let mut follower = Follower::new(Options::default());
+    let (mut sure, mut ways) = (0, 0);
+    for seed in [2223, 2272, 3034, 3071, 3093, 3120, 3258, 3270, 3297] {
+        let outcome = follow(&mut follower, &scene(Kind::Step, seed, 512));
+        assert!(outcome.reach > 0.95, "{seed}: {}", outcome.reach);
+        assert!(outcome.errors.iter().all(|(error, sure)| !sure || *error < 2.0), "{seed}");
+        sure += outcome.errors.iter().filter(|(_, sure)| *sure).count();
+        ways += outcome.errors.len();
+    }
+    assert!(4 * sure > ways, "{sure} of {ways}");
 }

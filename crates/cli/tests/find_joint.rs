@@ -107,7 +107,7 @@ fn no_joint_is_lost_at_once() {
 
 /// Hand-read points of three photographs (tests/data/images), from the first of them on and with no width given: all of
 /// x7; all of x1 with its burn hole, which is crossed from most directions of the start and not from others; x3 to the rim of the
-/// picture, by the logarithm of light (its plates are five times as dark there) and between its rims. The labels have no widths.
+/// picture, on the top-hat (its plates are five times as dark there) and between its rims. The labels have no widths.
 #[test]
 fn photographs() {
     let folder = root().join("tests/data/images");

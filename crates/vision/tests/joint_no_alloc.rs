@@ -20,7 +20,7 @@ fn image(width: f64) -> Vec<u8> {
     (0..SIZE * SIZE).map(grey).collect()
 }
 
-/// A black gap that ends in the shade: it is looked for by the logarithm of light too.
+/// A black gap that ends in the shade: it is looked for on the top-hat too.
 fn shaded() -> Vec<u8> {
     let grey = |i: usize| {
         let (x, y) = ((i % SIZE) as f64, (i / SIZE) as f64);

@@ -1,82 +1,188 @@
-//! A joint that is lost is tried once more in other ways; what is found so has no confidence.
+//! A joint that is seen no longer is tried once more in other ways; what is found so has no confidence.
 
 use super::follow::{Follower, Inside, known_width};
-use super::levels::Light;
-use super::noise::NoiseBy;
-use super::trail::Look;
-use super::{End, Joint, Row, Start, State, judge};
+use super::levels::Levels;
+use super::trail::{Look, ROWS};
+use super::{CONFIDENT, End, Row, Start, State, judge};
 use crate::Frame;
 
-/// Another way counts if the joint is so many times as long by it.
+/// Another way counts if the joint is so many times as long by it ...
 const LONGER: f32 = 1.25;
+/// ... and so many times as much of what it is longer by is seen as not, ...
+const SEEN_ON: f32 = 1.5;
+/// ... and, behind an end that was told, so much of it without a gap, pixels.
+const STRETCH: f32 = 100.0;
+/// A joint is tried again if it was seen last so far within the frame, pixels; where it left it unseen, the other way counts if it
+/// is seen on for half of that.
+const UNSEEN: f32 = 16.0;
 /// What is narrower is looked for with widths up to this part of the one before, and is narrower than this part of them ...
 pub(super) const NARROWER: f32 = 0.7;
 /// ... and as long as this part of it: what is wider is its surroundings.
 const AS_LONG: f32 = 0.9;
-
 /// A joint is wide if it is followed on this level or a coarser one.
 const COARSE: usize = 2;
-/// An open gap is darker than the metal by this part of its light at least. Where a wide one ends ...
-const BLACK: f32 = 0.4;
-/// ... and the metal is so many times as light or as dark as at its start, it is looked for by the logarithm of light too.
-const CHANGED: f32 = 1.6;
+/// Rows that were sure stay if the new way passes them so near, pixels or parts of the width.
+const SAME: (f32, f32) = (2.0, 0.25);
+/// Rows that tell the way at one of them.
+const HEADING: usize = 12;
 
 impl Follower {
-    /// Tries again if the joint ended so that it may go on; `looks` are those at its start and its end.
-    pub(super) fn try_again(&mut self, frame: &Frame, start: &Start, inside: &Inside, mut looks: [Look; 2]) {
-        // Of a narrow joint nothing else is seen.
-        let is_lost = |joint: &Joint, looks: &[Look; 2]| joint.end == End::Lost && looks[0].level >= COARSE;
-        if is_lost(&self.joint, &looks) {
-            // A wide joint that bends beside the edge of a shadow is no noise.
-            self.trail.tell_noise_by(NoiseBy::Metal);
-            looks = self.follow_again(Light::Given, frame, start, inside, LONGER).unwrap_or(looks);
+    /// Tries again if the joint may go on behind its end; `look` is that at its start.
+    pub(super) fn try_again(&mut self, frame: &Frame, start: &Start, inside: &Inside, look: Look) {
+        if self.try_on_top_hat(frame, start, inside, look) {
+            return;
         }
-        if is_lost(&self.joint, &looks) && known_width(start).is_none() {
+        if self.joint.end == End::Lost && look.level >= COARSE && known_width(start).is_none() {
             // A dark strip may have been taken for the joint in it.
-            self.narrower = NARROWER * looks[0].width_in_frame();
-            looks = self.follow_again(Light::Given, frame, start, inside, AS_LONG).unwrap_or(looks);
+            self.narrower = NARROWER * look.width_in_frame();
+            let length = way(&self.joint.rows);
+            self.follow_again(frame, start, inside, length, AS_LONG * length);
             self.narrower = f32::INFINITY;
-        }
-        if matches!(self.joint.end, End::Lost | End::JointEnd) && is_in_other_light(&looks) {
-            // In the shade what is dirt is as deep as a joint.
-            let start = Start { width: Some(looks[0].width_in_frame()), ..*start };
-            self.follow_again(Light::Logarithm, frame, &start, inside, LONGER);
         }
     }
 
-    /// Follows once more; what was found before comes back unless the joint is so many times as long now.
-    fn follow_again(
-        &mut self,
-        light: Light,
-        frame: &Frame,
-        start: &Start,
-        inside: &Inside,
-        longer: f32,
-    ) -> Option<[Look; 2]> {
+    /// Follows where the edges of light and of tacks are not seen; true if the joint goes on there.
+    fn try_on_top_hat(&mut self, frame: &Frame, start: &Start, inside: &Inside, look: Look) -> bool {
+        let length = way(&self.joint.rows);
+        let unseen = self.joint.rows.last().map_or(f32::INFINITY, |row| inside.to_rim([row.x, row.y]));
+        let least = match self.joint.end {
+            End::Closed => return false,
+            End::JointEnd if self.is_plain_behind && is_sure_at_end(&self.joint.rows) => return false,
+            _ if unseen < UNSEEN.max(look.width_in_frame()) => return false,
+            End::Lost | End::JointEnd => LONGER * length,
+            End::LeftImage => length + 0.5 * unseen,
+        };
+        // On the frame itself a top-hat takes long.
+        let level = look.level.max(1);
+        if level > Levels::coarsest(frame) {
+            return false;
+        }
+        let width = look.width_in_frame();
+        self.levels.cover(frame, level, (width / (1 << level) as f32, look.contrast));
+        // From where it was last sure, so far back as a strip shows it.
+        let rows = &self.joint.rows;
+        let from = last_sure(rows).map_or(0, |last| last.saturating_sub(ROWS << (level - look.level)));
+        let before = rows.get(..=from).map_or(0.0, way);
+        let start = Start { width: Some(width), ..start_at(rows, from).unwrap_or(*start) };
+        let found = self.follow_again(frame, &start, inside, length - before, least - before);
+        self.levels.uncover();
+        found && self.keep_sure()
+    }
+
+    /// Follows once more from a place behind which it was `length` pixels long; what was found before comes back unless the joint is
+    /// seen `least` pixels from there, and enough of what it is longer by is seen.
+    fn follow_again(&mut self, frame: &Frame, start: &Start, inside: &Inside, length: f32, least: f32) -> bool {
         std::mem::swap(&mut self.joint, &mut self.before);
-        let least = longer * way(&self.before.rows);
-        let looks = self.follow_in(light, frame, start, inside, least);
-        if looks.is_none() || way(&self.joint.rows) < least {
+        let look = self.follow_in(frame, start, inside, least);
+        let stretch = if self.before.end == End::JointEnd { STRETCH } else { 0.0 };
+        if look.is_none() || way(&self.joint.rows) < least || !is_seen_beyond(&self.joint.rows, length, stretch) {
             std::mem::swap(&mut self.joint, &mut self.before);
-            return None;
+            return false;
         }
         judge::doubtful(&mut self.joint.rows, 0);
-        if self.joint.end == End::LeftImage {
+        if self.joint.end == End::LeftImage && self.before.end != End::LeftImage {
             // What is nowhere sure is not known to lead out of the frame.
             self.joint.end = End::Lost;
         }
-        looks
+        true
+    }
+
+    /// Puts the rows as they were before those that are found now, up to the last sure one that these pass; what was before comes
+    /// back, and false, if there are sure ones but these pass none.
+    fn keep_sure(&mut self) -> bool {
+        let (before, now) = (&mut self.before.rows, &mut self.joint.rows);
+        let passed = |sure: &Row| {
+            let off = |row: &Row| (row.x - sure.x).hypot(row.y - sure.y);
+            let nearest = now.iter().map(off).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+            nearest.filter(|(_, off)| *off < SAME.0.max(SAME.1 * sure.width)).map(|(nearest, _)| nearest)
+        };
+        let mut sure = before.iter().enumerate().rev().filter(|(_, row)| row.confidence >= CONFIDENT).peekable();
+        if sure.peek().is_none() {
+            return true;
+        }
+        let found = sure.take(HEADING).find_map(|(last, row)| Some((last, passed(row)?)));
+        std::mem::swap(before, now);
+        let Some((last, nearest)) = found else {
+            self.joint.end = self.before.end;
+            return false;
+        };
+        now.truncate(last + 1);
+        now.extend_from_slice(&before[nearest + 1..]);
+        true
     }
 }
 
-/// True if the joint is a wide open gap and the metal's light is another one at its last than at its first.
-fn is_in_other_light([first, last]: &[Look; 2]) -> bool {
-    let is_gap = first.level >= COARSE && first.contrast > BLACK * first.metal();
-    is_gap && !(1.0 / CHANGED..=CHANGED).contains(&(last.metal() / first.metal()))
+/// The last row that is sure.
+fn last_sure(rows: &[Row]) -> Option<usize> {
+    rows.iter().rposition(|row| row.confidence >= CONFIDENT)
+}
+
+/// True if the joint is followed for sure to where it ends.
+fn is_sure_at_end(rows: &[Row]) -> bool {
+    last_sure(rows).is_some_and(|last| last + HEADING >= rows.len())
+}
+
+/// Row `from` as a start; none for the first one, before which nothing tells the way.
+fn start_at(rows: &[Row], from: usize) -> Option<Start> {
+    let (row, before) = (rows.get(from)?, rows.get(from.checked_sub(HEADING)?)?);
+    Some(Start { x: row.x, y: row.y, direction: (row.y - before.y).atan2(row.x - before.x), width: None })
+}
+
+/// True if of the rows farther on than `length` enough are seen, and a `stretch` of them without a gap.
+fn is_seen_beyond(rows: &[Row], length: f32, stretch: f32) -> bool {
+    let (mut at, mut seen, mut unseen, mut run, mut longest) = (0.0, 0, 0, 0.0, 0.0f32);
+    for pair in rows.windows(2) {
+        at += step(pair);
+        if at <= length {
+            continue;
+        }
+        if pair[1].state == State::Seen {
+            seen += 1;
+            run += step(pair);
+            longest = longest.max(run);
+        } else {
+            unseen += 1;
+            run = 0.0;
+        }
+    }
+    seen as f32 >= SEEN_ON * unseen as f32 && longest >= stretch
 }
 
 /// How far a joint is followed to where it is seen last, pixels.
 fn way(rows: &[Row]) -> f32 {
     let seen = rows.iter().rposition(|row| row.state == State::Seen).map_or(0, |last| last + 1);
-    rows[..seen].windows(2).map(|pair| (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y)).sum()
+    rows[..seen].windows(2).map(step).sum()
+}
+
+fn step(pair: &[Row]) -> f32 {
+    (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rows a pixel apart along legs that are seen or not.
+    fn along(legs: &[(usize, bool)]) -> Vec<Row> {
+        let states =
+            legs.iter().flat_map(|(count, seen)| vec![if *seen { State::Seen } else { State::Coasted }; *count]);
+        let row = |(i, state)| Row { x: i as f32, y: 0.0, confidence: 0.0, width: 4.0, state };
+        states.enumerate().map(row).collect()
+    }
+
+    #[test]
+    fn what_goes_on_is_mostly_seen_and_behind_an_end_without_a_gap() {
+        for (legs, goes_on, behind_an_end) in [
+            (&[(100, true), (60, false), (120, true)][..], true, true),
+            (&[(100, true), (60, false), (80, true)], false, false),
+            (&[(100, true), (40, false), (70, true), (5, false), (70, true)], true, false),
+            (&[(100, true), (110, true)], true, true),
+            (&[(100, true)], true, false),
+        ] {
+            let rows = along(legs);
+            assert_eq!(is_seen_beyond(&rows, 99.0, 0.0), goes_on, "{legs:?}");
+            assert_eq!(is_seen_beyond(&rows, 99.0, STRETCH), behind_an_end, "{legs:?}");
+        }
+        assert!((way(&along(&[(100, true), (60, false), (120, true), (30, false)])) - 279.0).abs() < 1e-3);
+    }
 }

@@ -1,9 +1,8 @@
 use super::again::NARROWER;
 use super::axis::Axis;
 use super::end::{Cut, cut};
-use super::levels::{Levels, Light, Picture, from_level, to_level};
+use super::levels::{Levels, Picture, from_level, to_level};
 use super::midline::Midline;
-use super::noise::NoiseBy;
 use super::rims::{self, Rims};
 use super::trail::{Limits, Look, ROWS, Stop, Trail};
 use super::{CONFIDENT, End, Joint, Options, Row, Start, State, Zone, judge};
@@ -32,10 +31,12 @@ const GAP: f32 = 0.2;
 #[derive(Debug, Clone)]
 pub struct Follower {
     options: Options,
-    levels: Levels,
+    pub(super) levels: Levels,
     pub(super) trail: Trail,
     midline: Midline,
     rims: Rims,
+    /// There is even metal behind where the joint ends.
+    pub(super) is_plain_behind: bool,
     /// A start of unknown width is looked for with widths below this, pixels, and found narrower than this by a part.
     pub(super) narrower: f32,
     pub(super) joint: Joint,
@@ -50,7 +51,17 @@ impl Follower {
         let joint = Joint { rows: Vec::new(), end: End::Lost };
         let before = joint.clone();
         let (trail, midline, rims) = (Trail::default(), Midline::default(), Rims::default());
-        Self { options, levels: Levels::new(), trail, midline, rims, narrower: f32::INFINITY, joint, before }
+        Self {
+            options,
+            levels: Levels::new(),
+            trail,
+            midline,
+            rims,
+            is_plain_behind: false,
+            narrower: f32::INFINITY,
+            joint,
+            before,
+        }
     }
 
     /// The joint in `frame` from `start`. A start outside the frame or zone, or not finite, gives no rows and
@@ -70,39 +81,33 @@ impl Follower {
             return &self.joint;
         }
         self.levels.begin_frame();
-        self.trail.tell_noise_by(NoiseBy::Depths);
-        let looks = self.follow_in(Light::Given, frame, start, &inside, 0.0);
+        let look = self.follow_in(frame, start, &inside, 0.0);
         // A later frame is not to allocate.
         self.rims.reserve(frame);
-        self.before.rows.reserve(self.joint.rows.capacity().saturating_sub(self.before.rows.len()));
-        if let Some(looks) = looks {
-            self.try_again(frame, start, &inside, looks);
+        self.levels.reserve(frame, WIDE);
+        for rows in [&mut self.joint.rows, &mut self.before.rows] {
+            rows.reserve((2 * (frame.width() + frame.height())).saturating_sub(rows.len()));
+        }
+        if let Some(look) = look {
+            self.try_again(frame, start, &inside, look);
         }
         &self.joint
     }
 
-    /// Follows in one light; what the joint looks like at its start and where it is followed last, if that may be `least`
-    /// pixels away.
-    pub(super) fn follow_in(
-        &mut self,
-        light: Light,
-        frame: &Frame,
-        start: &Start,
-        inside: &Inside,
-        least: f32,
-    ) -> Option<[Look; 2]> {
+    /// Follows; what the joint looks like at its start, if one is there. It ends as lost, without rows, if where it is seen last is
+    /// less than `least` pixels away.
+    pub(super) fn follow_in(&mut self, frame: &Frame, start: &Start, inside: &Inside, least: f32) -> Option<Look> {
         self.joint.rows.clear();
         self.joint.end = End::Lost;
-        let first = self.begin(light, frame, start).filter(|look| look.width_in_frame() < NARROWER * self.narrower)?;
-        let mut last = first;
-        self.joint.end = self.go_on(frame, &mut last, inside, least);
-        Some([first, last])
+        let first = self.begin(frame, start).filter(|look| look.width_in_frame() < NARROWER * self.narrower)?;
+        self.joint.end = self.go_on(frame, &mut first.clone(), inside, least);
+        Some(first)
     }
 
     /// Level, width, heading and depth at the start, if a joint is there: ahead or, as a tack may lie ahead, behind.
-    fn begin(&mut self, light: Light, frame: &Frame, start: &Start) -> Option<Look> {
+    fn begin(&mut self, frame: &Frame, start: &Start) -> Option<Look> {
         let coarsest = Levels::coarsest(frame);
-        self.levels.prepare(frame, known_width(start).map_or(coarsest, |w| on_level(w, coarsest).0), light);
+        self.levels.prepare(frame, known_width(start).map_or(coarsest, |w| on_level(w, coarsest).0));
         if let Some(look) = self.look(frame, start, start.direction, false) {
             return Some(look);
         }
@@ -115,7 +120,11 @@ impl Follower {
     /// its rim.
     fn look(&mut self, frame: &Frame, start: &Start, heading: f32, within: bool) -> Option<Look> {
         let coarsest = Levels::coarsest(frame);
-        let known = known_width(start).map(|w| [on_level(w, coarsest)]);
+        let level_of = |width: f32| match self.levels.covered() {
+            Some(level) => (level, width / (1 << level) as f32),
+            None => on_level(width, coarsest),
+        };
+        let known = known_width(start).map(|w| [level_of(w)]);
         let widths = known.as_ref().map_or(&WIDTHS[..], |w| &w[..]);
         let mut looks = [None; WIDTHS.len()];
         let (known, narrower) = (known.is_some(), self.narrower);
@@ -163,6 +172,8 @@ impl Follower {
             self.options.on_joint,
             &mut self.joint.rows,
         );
+        self.is_plain_behind =
+            end == End::JointEnd && self.midline.is_plain_behind(self.joint.rows.len(), look.contrast);
         if level >= rims::FINER {
             self.rims.place(&self.levels, frame, level, &mut self.joint.rows);
         }
@@ -197,14 +208,17 @@ fn tell(
     }
     judge::rims(out, end, on_joint);
     judge::doubtful(out, solid);
+    let is_short = !on_joint && judge::length(out, end);
     if !on_joint {
-        judge::length(out, end);
         judge::few(out);
     }
     judge::corners(out);
-    // What is nowhere sure is not known to lead out of the frame.
-    let unsure = out.iter().all(|r| r.confidence < CONFIDENT);
-    if unsure && end == End::LeftImage { End::Lost } else { end }
+    match end {
+        // What is nowhere sure is not known to lead out of the frame.
+        End::LeftImage if out.iter().all(|r| r.confidence < CONFIDENT) => End::Lost,
+        End::JointEnd if is_short => End::Lost,
+        end => end,
+    }
 }
 
 /// Puts coasted rows on the straight line between the seen ones before and after: what the best path does there is chance.
@@ -283,6 +297,12 @@ impl Inside {
             bottom: zone.bottom.min(bottom),
         };
         Self { zone }
+    }
+
+    /// How far a place in it is from its nearest rim, pixels.
+    pub(super) fn to_rim(&self, [x, y]: [f32; 2]) -> f32 {
+        let Zone { left, top, right, bottom } = self.zone;
+        (x - left).min(right - x).min(y - top).min(bottom - y)
     }
 
     fn holds(&self, [x, y]: [f32; 2]) -> bool {

@@ -219,19 +219,20 @@ pub(super) fn corners(rows: &mut [Row]) {
     }
 }
 
-/// Takes the confidence from a line of which no stretch without a long gap is longer than a scratch.
-pub(super) fn length(rows: &mut [Row], end: End) {
+/// Takes the confidence from a line of which no stretch without a long gap is longer than a scratch; true if all of them together are not.
+pub(super) fn length(rows: &mut [Row], end: End) -> bool {
     if !matches!(end, End::JointEnd | End::Lost) {
-        return;
+        return false;
     }
     let narrow = is_narrow(rows);
-    let (mut longest, mut length, mut missed) = (0.0f32, 0.0, 0);
+    let (mut longest, mut whole, mut length, mut missed) = (0.0f32, 0.0, 0.0, 0);
     for i in 1..rows.len() {
         let pair = [rows[i - 1], rows[i]];
         if pair.iter().all(|r| r.state == State::Seen) {
             let ended = missed > RIM || narrow && is_angle(rows, i);
-            length = if ended { 0.0 } else { length } + (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y);
-            (longest, missed) = (longest.max(length), 0);
+            let step = (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y);
+            length = if ended { 0.0 } else { length } + step;
+            (longest, whole, missed) = (longest.max(length), whole + step, 0);
         } else {
             missed += 1;
         }
@@ -243,6 +244,7 @@ pub(super) fn length(rows: &mut [Row], end: End) {
     if longest < least {
         rows.iter_mut().for_each(unsure);
     }
+    whole < least
 }
 
 /// True where the way before row `i` and the way behind it are straighter than the turn between them.

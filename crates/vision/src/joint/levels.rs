@@ -1,30 +1,20 @@
+use super::top_hat::TopHat;
 use crate::{Frame, Pixels};
 
 /// Times a frame is halved at most.
 pub(super) const MOST: usize = 5;
-/// Grey values below this are noise: their logarithms go along evenly.
-const DARK: f32 = 4.0;
 /// A level has at least this many pixels a side.
 const LEAST_SIDE: usize = 32;
-
-/// What a level keeps of the light.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Light {
-    /// The frame's grey values.
-    Given,
-    /// Their logarithms: a joint that is a part as light as the metal is as deep in the shade as in the light.
-    Logarithm,
-}
 
 /// A frame halved again and again: on one level each joint is some pixels wide, and noise is averaged over the rest.
 #[derive(Debug, Clone)]
 pub(super) struct Levels {
-    light: Light,
     /// The levels up to this one are those of the frame.
     prepared: Option<usize>,
-    /// The frame's logarithms, if the levels are made of them.
-    logarithms: Halved,
     halved: Vec<Halved>,
+    /// The top-hat of this level takes its place.
+    covered: Option<usize>,
+    top_hat: TopHat,
 }
 
 #[derive(Debug, Clone, Default)]
@@ -40,6 +30,7 @@ pub(super) struct Picture<'a> {
     pub(super) width: usize,
     pub(super) height: usize,
     pub(super) grey: Grey<'a>,
+    pub(super) is_top_hat: bool,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -54,34 +45,23 @@ pub(super) const OF_16_BITS: f32 = 257.0;
 
 impl Levels {
     pub(super) fn new() -> Self {
-        Self {
-            light: Light::Given,
-            prepared: None,
-            logarithms: Halved::default(),
-            halved: vec![Halved::default(); MOST],
-        }
+        Self { prepared: None, halved: vec![Halved::default(); MOST], covered: None, top_hat: TopHat::default() }
     }
 
     /// Another frame comes next.
     pub(super) fn begin_frame(&mut self) {
-        self.prepared = None;
+        (self.prepared, self.covered) = (None, None);
     }
 
     /// Halves `frame` up to `level`, if that was not done since it began.
-    pub(super) fn prepare(&mut self, frame: &Frame, level: usize, light: Light) {
-        if self.light == light && self.prepared.is_some_and(|prepared| prepared >= level) {
+    pub(super) fn prepare(&mut self, frame: &Frame, level: usize) {
+        if self.prepared.is_some_and(|prepared| prepared >= level) {
             return;
         }
-        (self.light, self.prepared) = (light, Some(level));
-        // The first frame is the last to allocate, whatever a later one shows.
-        self.logarithms.pixels.reserve((frame.width() * frame.height()).saturating_sub(self.logarithms.pixels.len()));
-        if light == Light::Logarithm {
-            self.logarithms.take_logarithms(frame);
-        }
+        self.prepared = Some(level);
         for k in 0..level.min(MOST) {
             let (before, rest) = self.halved.split_at_mut(k);
-            let first = || if light == Light::Given { whole(frame) } else { self.logarithms.picture() };
-            let from = before.last().map_or_else(first, Halved::picture);
+            let from = before.last().map_or_else(|| whole(frame), Halved::picture);
             match from.grey {
                 Grey::U8(pixels) => {
                     rest[0].halve(from.width, from.height, pixels, 0.25, |[a, b], [c, d]| {
@@ -104,20 +84,37 @@ impl Levels {
 
     /// A level that was prepared; 0 is the frame itself.
     pub(super) fn picture<'a>(&'a self, frame: &Frame<'a>, level: usize) -> Picture<'a> {
-        match (level, self.light) {
-            (0, Light::Given) => whole(frame),
-            (0, Light::Logarithm) => self.logarithms.picture(),
-            (level, _) => self.halved[level - 1].picture(),
+        match level {
+            _ if self.covered == Some(level) => self.top_hat.picture(),
+            0 => whole(frame),
+            level => self.halved[level - 1].picture(),
         }
     }
 
-    /// How many nats lighter one grey value of a picture of these levels is than another; of light as it is given, the first
-    /// term of the logarithm's series in the difference over the sum: 1 % less at 0.35 nats, 4 % at 0.7.
-    pub(super) fn nats(&self, from: f32, to: f32) -> f32 {
-        match self.light {
-            Light::Given => 2.0 * (to - from) / (to + from + 2.0 * DARK),
-            Light::Logarithm => (to - from) / per_nat(),
-        }
+    /// From now on `level` (1 at least) is its top-hat, for a joint of this width there and so many grey values deep.
+    pub(super) fn cover(&mut self, frame: &Frame, level: usize, (width, contrast): (f32, f32)) {
+        self.prepare(frame, level);
+        let Halved { width: columns, height: rows, pixels } = &self.halved[level - 1];
+        self.top_hat.take(pixels, (*columns, *rows), width.round().max(1.0) as usize, contrast);
+        self.covered = Some(level);
+    }
+
+    /// The level that is a top-hat.
+    pub(super) fn covered(&self) -> Option<usize> {
+        self.covered
+    }
+
+    /// The levels are those of the frame again.
+    pub(super) fn uncover(&mut self) {
+        self.covered = None;
+    }
+
+    /// Room for the top-hat of any level of a frame, so that a later one does not allocate.
+    pub(super) fn reserve(&mut self, frame: &Frame, widest: f32) {
+        let (width, height) = (frame.width() / 2, frame.height() / 2);
+        let halved = &mut self.halved[0].pixels;
+        halved.reserve((width * height).saturating_sub(halved.len()));
+        self.top_hat.reserve(width, height, widest.round() as usize);
     }
 
     /// The coarsest level that is still a picture.
@@ -127,38 +124,17 @@ impl Levels {
     }
 }
 
-/// Grey values to one nat of light where they are logarithms.
-fn per_nat() -> f32 {
-    255.0 / (1.0 + 255.0 / DARK).ln()
-}
-
 fn whole<'a>(frame: &Frame<'a>) -> Picture<'a> {
     let grey = match frame.pixels() {
         Pixels::U8(pixels) => Grey::U8(pixels),
         Pixels::U16(pixels) => Grey::U16(pixels),
     };
-    Picture { width: frame.width(), height: frame.height(), grey }
+    Picture { width: frame.width(), height: frame.height(), grey, is_top_hat: false }
 }
 
 impl Halved {
     fn picture(&self) -> Picture<'_> {
-        Picture { width: self.width, height: self.height, grey: Grey::F32(&self.pixels) }
-    }
-
-    /// Takes the logarithms of a frame's grey values, 0 to 255 again.
-    fn take_logarithms(&mut self, frame: &Frame) {
-        (self.width, self.height) = (frame.width(), frame.height());
-        self.pixels.clear();
-        let logarithm = |g: f32| per_nat() * (1.0 + g / DARK).ln();
-        let table: [f32; 257] = std::array::from_fn(|g| logarithm(g as f32));
-        match frame.pixels() {
-            Pixels::U8(pixels) => self.pixels.extend(pixels.iter().map(|p| table[usize::from(*p)])),
-            Pixels::U16(pixels) => self.pixels.extend(pixels.iter().map(|p| {
-                let grey = f32::from(*p) * (1.0 / OF_16_BITS);
-                let (low, part) = (grey as usize, grey.fract());
-                table[low] + part * (table[low + 1] - table[low])
-            })),
-        }
+        Picture { width: self.width, height: self.height, grey: Grey::F32(&self.pixels), is_top_hat: false }
     }
 
     /// Sums of two by two pixels times `part`; an odd last row or column is left out.
@@ -192,27 +168,4 @@ pub(super) fn to_level(at: f32, level: usize) -> f32 {
 pub(super) fn from_level(at: f32, level: usize) -> f32 {
     let scale = (1usize << level) as f32;
     at * scale + 0.5 * (scale - 1.0)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The same part of the light is the same step, but for noise near black; 8 and 16 bits are alike.
-    #[test]
-    fn logarithms_of_light() {
-        let eight: Vec<u8> = (0..=255).collect();
-        let sixteen: Vec<u16> = eight.iter().map(|p| 257 * u16::from(*p)).collect();
-        let of = |pixels: Pixels| {
-            let mut levels = Levels::new();
-            levels.prepare(&Frame::new(16, 16, pixels).unwrap(), 0, Light::Logarithm);
-            levels.logarithms.pixels.clone()
-        };
-        let (a, b) = (of(Pixels::U8(&eight)), of(Pixels::U16(&sixteen)));
-        assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-3));
-        assert_eq!((a[0], a[255].round()), (0.0, 255.0));
-        assert!(a.is_sorted());
-        let (bright, dark) = (a[240] - a[120], a[48] - a[24]);
-        assert!((dark / bright - 1.0).abs() < 0.1, "{dark} for {bright}");
-    }
 }

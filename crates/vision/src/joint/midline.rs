@@ -35,6 +35,9 @@ const BUMP: [usize; 2] = [10, 20];
 const STEP: f32 = 0.3;
 const STEP_ERRORS: f32 = 3.5;
 
+/// Metal is even if boxes beside each other differ by less than this part of the joint's depth.
+const PLAIN: f32 = 0.25;
+
 /// A row of the midline, in pixels of the level.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Found {
@@ -341,6 +344,21 @@ impl Midline {
         let Some(parabola) = Parabola::through(places, 1.0) else { return (self.centre[i], f32::INFINITY) };
         let error = (parabola.rest * parabola.variance).sqrt();
         (parabola.terms[0] + MID as f32, if parabola.weights > 4.0 { error } else { f32::INFINITY })
+    }
+
+    /// True if there is nothing but even metal behind row `end` of a joint so many grey values deep: no edge, no line, no tack.
+    pub(super) fn is_plain_behind(&self, end: usize, depth: f32) -> bool {
+        const ROWS: usize = 16;
+        const BOX: usize = 4;
+        const APART: usize = BOX + 3;
+        let most = PLAIN * depth * (BOX * ROWS) as f32;
+        let behind = &self.strip.grey[(end + ROWS / 2).min(self.strip.grey.len())..];
+        behind.chunks_exact(ROWS).all(|rows| {
+            let mut sum = [0.0; COLS];
+            rows.iter().for_each(|row| sum.iter_mut().zip(row).for_each(|(s, g)| *s += g));
+            let boxes: [f32; COLS - BOX + 1] = std::array::from_fn(|j| sum[j..j + BOX].iter().sum());
+            boxes.iter().zip(&boxes[APART..]).all(|(a, b)| (a - b).abs() < most)
+        })
     }
 
     /// True where both sides of the joint are in the picture.

@@ -4,8 +4,8 @@
 //! curved axis are unrolled (`axis`, `strip`) and the best path across their rows is taken (`lattice`): the way the joint
 //! goes, to a pixel or two (`trail`). Along all of that way once more: the best path by everything that is seen, how much
 //! worse any other is, and the middle between pixels (`profile`, `readings`, `midline`); then where the joint ends (`end`) and how
-//! sure each row is (`judge`); rows of wide gaps that are not sure are put between the rims (`rims`). A joint that is lost is tried
-//! once more in other ways (`again`).
+//! sure each row is (`judge`); rows of wide gaps that are not sure are put between the rims (`rims`). A joint that is seen no longer is
+//! followed once more where the edges of light are gone (`again`, `top_hat`).
 
 mod again;
 mod axis;
@@ -23,6 +23,7 @@ mod readings;
 mod rims;
 mod sample;
 mod strip;
+mod top_hat;
 mod trail;
 
 pub use follow::Follower;

@@ -25,6 +25,8 @@ const INNER: f32 = 0.15;
 const MOVE: f32 = 0.5;
 /// The metal is at least this much lighter than the gap at both rims, nats.
 const CLEAR: f32 = 0.35;
+/// Grey values below this are noise: their logarithms go along evenly.
+const DARK: f32 = 4.0;
 /// A middle is no farther from what was found before than this part of the width.
 const NEAR: f32 = 0.35;
 
@@ -78,7 +80,7 @@ impl Rims {
         let width = *self.widths.select_nth_unstable_by(middle, f32::total_cmp).1;
         self.stand(fine, rows);
         self.strip.unroll(&levels.picture(frame, fine), self.stations.iter().copied());
-        self.find_edges(levels, ((BESIDE * width).round() as usize).max(2));
+        self.find_edges(((BESIDE * width).round() as usize).max(2));
         let inner = INNER * width;
         rim(&self.edges, &mut self.ways, (-1.0, inner), &mut self.left);
         rim(&self.edges, &mut self.ways, (1.0, inner), &mut self.right);
@@ -110,7 +112,7 @@ impl Rims {
     }
 
     /// How clear an edge is at each place of each row, by `beside` columns to either side of it.
-    fn find_edges(&mut self, levels: &Levels, beside: usize) {
+    fn find_edges(&mut self, beside: usize) {
         self.edges.clear();
         let part = 1.0 / (LINES * beside) as f32;
         self.edges.extend(self.strip.grey.as_chunks::<LINES>().0.iter().map(|lines| {
@@ -121,11 +123,17 @@ impl Rims {
             let mut edge = [0.0; COLS];
             let ends = before[2 * beside..].iter().zip(&before[beside..]).zip(&before);
             for (edge, ((end, middle), begin)) in edge[beside..].iter_mut().zip(ends) {
-                *edge = levels.nats(middle - begin, end - middle);
+                *edge = nats(middle - begin, end - middle);
             }
             edge
         }));
     }
+}
+
+/// How many nats lighter one grey value is than another: the first term of the logarithm's series in the difference over the sum,
+/// 1 % less at 0.35 nats, 4 % at 0.7.
+fn nats(from: f32, to: f32) -> f32 {
+    2.0 * (to - from) / (to + from + 2.0 * DARK)
 }
 
 /// The rim on one side (-1: left) at least `inner` columns from the middle: the steady way along which it gets lighter outwards most.

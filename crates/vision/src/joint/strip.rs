@@ -1,6 +1,5 @@
 use super::axis::Station;
 use super::levels::{Grey, Picture};
-use super::noise::NoiseBy;
 use super::sample::{Pixel, Sampler};
 use std::ops::Range;
 
@@ -101,8 +100,6 @@ pub(super) struct Strip {
     pub(super) noise: f32,
     /// First and last column where there is a depth.
     pub(super) columns: (usize, usize),
-    /// What the noise is told by.
-    pub(super) noise_by: NoiseBy,
     pub(super) magnitudes: Vec<f32>,
 }
 

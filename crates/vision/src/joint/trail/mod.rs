@@ -4,7 +4,6 @@ mod see;
 use crate::joint::axis::{Axis, Station};
 use crate::joint::lattice::{Lattice, column_about};
 use crate::joint::levels::Picture;
-use crate::joint::noise::NoiseBy;
 use crate::joint::parabola::Parabola;
 use crate::joint::profile::{Arms, Profile, REACH};
 use crate::joint::strip::{GROUP, MID, SEEN_AROUND, Strip, box_columns};
@@ -83,8 +82,8 @@ pub(super) struct Look {
     pub(super) width: f32,
     /// Depth, grey values.
     pub(super) contrast: f32,
-    /// Grey value in its middle.
-    pub(super) floor: f32,
+    /// Grey value in its middle; none on a top-hat, where it tells the depth alone.
+    pub(super) floor: Option<f32>,
     /// Standard deviation of a depth.
     pub(super) noise: f32,
     pub(super) axis: Axis,
@@ -93,11 +92,6 @@ pub(super) struct Look {
 }
 
 impl Look {
-    /// Grey value of the metal beside it.
-    pub(super) fn metal(&self) -> f32 {
-        self.floor + self.contrast
-    }
-
     /// Its width, pixels of the frame.
     pub(super) fn width_in_frame(&self) -> f32 {
         self.width * (1 << self.level) as f32
@@ -146,7 +140,7 @@ impl Trail {
         let [offset, slope, _] = Parabola::through(across, 1e9)?.terms;
         let strength = contrast * (box_columns(width) as f32 * (1 << level) as f32).sqrt() * part;
         let axis = Axis { at: axis.station(0.0).beside(offset), heading: axis.heading + slope.atan(), curvature: 0.0 };
-        let (noise, floor) = (self.strip.noise, self.floor(width));
+        let (noise, floor) = (self.strip.noise, (!picture.is_top_hat).then(|| self.floor(width)));
         (part >= START_SEEN).then_some(Look { level, width, contrast, floor, noise, axis, strength })
     }
 
@@ -253,7 +247,7 @@ impl Trail {
         let count = seen.clone().count();
         if count > ROWS / 3 {
             let mean = seen.map(|i| self.strip.depth[i][self.path[i]]).sum::<f32>() / count as f32;
-            look.floor += 0.5 * (self.floor(look.width) - look.floor);
+            look.floor = look.floor.map(|floor| floor + 0.5 * (self.floor(look.width) - floor));
             look.contrast += 0.5 * (mean.clamp(0.5 * look.contrast, 2.0 * look.contrast) - look.contrast);
         }
     }
@@ -283,10 +277,6 @@ impl Trail {
     pub(in crate::joint) fn way(&self, last: usize) -> f32 {
         let step = |pair: &[Place]| (pair[1].at[0] - pair[0].at[0]).hypot(pair[1].at[1] - pair[0].at[1]);
         self.places[..=last].windows(2).map(step).sum()
-    }
-
-    pub(in crate::joint) fn tell_noise_by(&mut self, noise_by: NoiseBy) {
-        self.strip.noise_by = noise_by;
     }
 
     fn is_closed(&self) -> bool {

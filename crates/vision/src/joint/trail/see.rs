@@ -69,7 +69,7 @@ impl Trail {
             self.judge(contrast);
             if self.count() >= least(look.level)
                 && self.is_steady()
-                && self.floor(look.width) < look.floor + LIKE_FLOOR * look.contrast
+                && look.floor.is_none_or(|floor| self.floor(look.width) < floor + LIKE_FLOOR * look.contrast)
             {
                 look.contrast = contrast;
                 return score;
