@@ -209,3 +209,43 @@ fn a_rib_in_a_wide_gap_does_not_draw_the_middle_to_one_side() {
     }
     assert!(rows > 10_000 && 1000 * near >= 999 * rows, "{near} of {rows}");
 }
+
+/// Frames of any size, with pieces of lines, edges and noise, from any start: rows are numbers, and the same frame gives the same
+/// joint after any other.
+#[test]
+fn any_frame_gives_rows_of_numbers_and_the_same_ones_again() {
+    let mut state = 11u32;
+    let mut random = |most: f64| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(state >> 8) / f64::from(1 << 24) * most
+    };
+    let mut follower = Follower::new(Options::default());
+    let mut found = 0;
+    for case in 0..1500 {
+        let (width, height) = (1 + random(260.0) as usize, 1 + random(260.0) as usize);
+        let (x0, y0) = (random(width as f64), random(height as f64));
+        let (slant, wide, deep) = (random(2.0) - 1.0, 1.0 + random(30.0), random(120.0));
+        let (edge, step, ends, loud) = (random(width as f64), random(90.0), random(300.0), random(1.5));
+        let grey = |i: usize| {
+            let (x, y) = ((i % width) as f64, (i / width) as f64);
+            let line = if (x - x0).abs() < ends {
+                deep * bell((y - y0 - slant * (x - x0)) / slant.hypot(1.0), wide)
+            } else {
+                0.0
+            };
+            let lit = if x + 0.4 * y > edge { step } else { 0.0 };
+            (120.0 + lit - line + loud * noise(i + case)).clamp(0.0, 255.0)
+        };
+        let eight: Vec<u8> = (0..width * height).map(|i| grey(i) as u8).collect();
+        let sixteen: Vec<u16> = (0..width * height).map(|i| (257.0 * grey(i)) as u16).collect();
+        let pixels = if case % 2 == 0 { Pixels::U8(&eight) } else { Pixels::U16(&sixteen) };
+        let frame = Frame::new(width, height, pixels).unwrap();
+        let told = (random(1.0) < 0.3).then(|| random(40.0) as f32);
+        let start = Start { x: x0 as f32, y: y0 as f32, direction: slant.atan() as f32, width: told };
+        let joint = follower.follow(&frame, &start).clone();
+        assert!(joint.rows.iter().all(|r| r.x.is_finite() && r.y.is_finite() && (0.0..=1.0).contains(&r.confidence)));
+        assert_eq!(joint, *Follower::new(Options::default()).follow(&frame, &start), "case {case}");
+        found += usize::from(!joint.rows.is_empty());
+    }
+    assert!(found > 500, "{found}");
+}

@@ -102,6 +102,8 @@ impl Midline {
         // The joint lies about along the stations.
         self.path.clear();
         self.path.resize(self.stations.len(), MID);
+        // A few rows tell none.
+        self.strip.noise = look.noise;
         self.strip.noise = self.strip.noise_beside(&self.path, look.width);
         self.lattice.weigh(&self.strip, |i| self.contrast[i]);
         self.lattice.best(|_| 0.0, &mut self.path);
