@@ -1,5 +1,7 @@
 //! Parabolas through rows that are all there.
 
+use super::make_room;
+
 /// Most rows before and after.
 pub(super) const MOST: usize = 24;
 /// Rows that are summed at a time.
@@ -15,6 +17,12 @@ pub(super) struct Rows {
 }
 
 impl Rows {
+    /// Room for so many rows.
+    pub(super) fn make_room(&mut self, rows: usize) {
+        make_room(&mut self.x, rows + LANES);
+        make_room(&mut self.y, rows + LANES);
+    }
+
     /// Takes other rows.
     pub(super) fn put(&mut self, places: impl Iterator<Item = [f32; 2]>) {
         self.x.clear();

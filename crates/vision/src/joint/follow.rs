@@ -5,7 +5,7 @@ use super::levels::{Levels, Picture, from_level, to_level};
 use super::midline::Midline;
 use super::rims::{self, Rims};
 use super::trail::{Limits, Look, ROWS, Stop, Trail};
-use super::{CONFIDENT, End, Joint, Options, Row, Start, State, Zone, judge};
+use super::{CONFIDENT, End, Joint, Options, Row, Start, State, Zone, judge, make_room};
 use crate::Frame;
 use std::f32::consts::PI;
 
@@ -81,17 +81,30 @@ impl Follower {
             return &self.joint;
         }
         self.levels.begin_frame();
+        self.make_room(frame);
         let look = self.follow_in(frame, start, &inside, 0.0);
-        // A later frame is not to allocate.
-        self.rims.reserve(frame);
-        self.levels.reserve(frame, WIDE);
-        for rows in [&mut self.joint.rows, &mut self.before.rows] {
-            rows.reserve((2 * (frame.width() + frame.height())).saturating_sub(rows.len()));
-        }
         if let Some(look) = look {
             self.try_again(frame, start, &inside, look);
         }
         &self.joint
+    }
+
+    /// A later frame of this size is not to allocate, whatever it shows.
+    fn make_room(&mut self, frame: &Frame) {
+        let rows = self.longest(frame) as usize + ROWS + (frame.width() + frame.height()) / 2;
+        self.trail.make_room(rows);
+        self.midline.make_room(rows);
+        self.rims.reserve(frame);
+        self.levels.reserve(frame, WIDE);
+        // What is found again is put behind what was sure.
+        make_room(&mut self.joint.rows, 2 * rows);
+        make_room(&mut self.before.rows, 2 * rows);
+    }
+
+    /// The longest path, pixels.
+    fn longest(&self, frame: &Frame) -> f32 {
+        let sum = (frame.width() + frame.height()) as f32;
+        self.options.length.unwrap_or(2.0 * sum).clamp(0.0, 16.0 * sum)
     }
 
     /// Follows; what the joint looks like at its start, if one is there. It ends as lost, without rows, if where it is seen last is
@@ -152,10 +165,10 @@ impl Follower {
     }
 
     fn go_on(&mut self, frame: &Frame, look: &mut Look, inside: &Inside, least: f32) -> End {
-        let (side, sum) = (frame.width().min(frame.height()) as f32, (frame.width() + frame.height()) as f32);
+        let side = frame.width().min(frame.height()) as f32;
         let scale = (1 << look.level) as f32;
         let gap = self.options.gap.unwrap_or(GAP * side) / scale;
-        let length = self.options.length.unwrap_or(2.0 * sum).clamp(0.0, 16.0 * sum) / scale;
+        let length = self.longest(frame) / scale;
         let level = look.level;
         let limits = Limits { inside: |at: [f32; 2]| inside.holds(at.map(|v| from_level(v, level))), gap, length };
         let picture = self.levels.picture(frame, level);

@@ -1,3 +1,4 @@
+use super::make_room;
 use super::strip::{COLS, GROUP, MID, Strip, greater, greatest, lesser};
 
 /// What a step to the next column costs, nats.
@@ -27,6 +28,13 @@ pub(super) struct Lattice {
 }
 
 impl Lattice {
+    /// Room for so many rows.
+    pub(super) fn make_room(&mut self, rows: usize) {
+        for spans in [&mut self.evidence, &mut self.forward, &mut self.backward] {
+            make_room(spans, rows);
+        }
+    }
+
     /// Evidence of each place for a joint of this depth in each row.
     pub(super) fn weigh(&mut self, strip: &Strip, contrast: impl Fn(usize) -> f32) {
         self.evidence.resize(strip.depth.len(), [0.0; SPAN]);

@@ -2,6 +2,7 @@ use super::axis::Station;
 use super::even::{self, Even, Rows};
 use super::lattice::{Lattice, column_about};
 use super::levels::Picture;
+use super::make_room;
 use super::parabola::Parabola;
 use super::profile::{Profile, REACH};
 use super::readings::Readings;
@@ -91,6 +92,29 @@ pub(super) struct Midline {
 }
 
 impl Midline {
+    /// Room for so many rows.
+    pub(super) fn make_room(&mut self, rows: usize) {
+        make_room(&mut self.rows, rows);
+        make_room(&mut self.stations, rows);
+        make_room(&mut self.before, rows + 1);
+        make_room(&mut self.path, rows);
+        make_room(&mut self.seen, rows);
+        make_room(&mut self.seen_before, rows + 1);
+        let numbers = [
+            &mut self.margins,
+            &mut self.contrast,
+            &mut self.centre,
+            &mut self.single,
+            &mut self.rests,
+            &mut self.sorted,
+        ];
+        numbers.into_iter().for_each(|list| make_room(list, rows));
+        self.strip.make_room(rows);
+        self.lattice.make_room(rows);
+        self.readings.make_room(rows);
+        self.places.make_room(rows);
+    }
+
     /// Finds it along `trail`.
     pub(super) fn find(&mut self, picture: &Picture, trail: &Trail, look: &Look) {
         self.stand(&trail.places);

@@ -28,6 +28,11 @@ mod trail;
 
 pub use follow::Follower;
 
+/// Makes room for so many in all, so that no later frame allocates.
+fn make_room<T>(list: &mut Vec<T>, count: usize) {
+    list.reserve(count.saturating_sub(list.len()));
+}
+
 /// Rows with at least this confidence are called confident.
 pub const CONFIDENT: f32 = 0.5;
 

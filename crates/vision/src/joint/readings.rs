@@ -1,3 +1,4 @@
+use super::make_room;
 use super::profile::{Arms, Profile, REACH, Reading, Shape};
 use super::strip::Strip;
 
@@ -24,6 +25,14 @@ pub(super) struct About {
 }
 
 impl Readings {
+    /// Room for so many rows.
+    pub(super) fn make_room(&mut self, rows: usize) {
+        make_room(&mut self.rows, rows);
+        make_room(&mut self.arms, rows);
+        make_room(&mut self.sums, rows + 1);
+        make_room(&mut self.arms_sums, rows + 1);
+    }
+
     /// Reads each row about its centre.
     pub(super) fn read(&mut self, profile: &Profile, strip: &Strip, centres: &[f32]) {
         self.rows.clear();

@@ -1,5 +1,6 @@
 use super::axis::Station;
 use super::levels::{Grey, Picture};
+use super::make_room;
 use super::sample::{Pixel, Sampler};
 use std::ops::Range;
 
@@ -104,6 +105,14 @@ pub(super) struct Strip {
 }
 
 impl Strip {
+    /// Room for so many rows.
+    pub(super) fn make_room(&mut self, rows: usize) {
+        make_room(&mut self.grey, rows);
+        make_room(&mut self.depth, rows);
+        // Of every other row at most, of every other column.
+        make_room(&mut self.magnitudes, rows * COLS / 4);
+    }
+
     /// Unrolls `picture` along `stations`.
     pub(super) fn unroll(&mut self, picture: &Picture, stations: impl ExactSizeIterator<Item = Station>) {
         match picture.grey {

@@ -4,6 +4,7 @@ mod see;
 use crate::joint::axis::{Axis, Station};
 use crate::joint::lattice::{Lattice, column_about};
 use crate::joint::levels::Picture;
+use crate::joint::make_room;
 use crate::joint::parabola::Parabola;
 use crate::joint::profile::{Arms, Profile, REACH};
 use crate::joint::strip::{GROUP, MID, SEEN_AROUND, Strip, box_columns};
@@ -111,6 +112,13 @@ pub(super) struct Limits<F: Fn([f32; 2]) -> bool> {
 }
 
 impl Trail {
+    /// Room for so many places.
+    pub(in crate::joint) fn make_room(&mut self, places: usize) {
+        make_room(&mut self.places, places);
+        make_room(&mut self.aside, TAKEN + 2 * leap::CHORD);
+        self.make_room_to_see();
+    }
+
     /// What a strip from the start shows, for a joint of `width` at `level`.
     pub(super) fn look(&mut self, picture: &Picture, axis: Axis, width: f32, level: usize) -> Option<Look> {
         self.strip.unroll(picture, axis.stations(0.0, ROWS));
@@ -174,10 +182,6 @@ impl Trail {
         limits: &Limits<F>,
     ) -> Stop {
         self.places.clear();
-        // A later frame is not to allocate.
-        self.aside.clear();
-        self.aside.reserve(TAKEN + 2 * leap::CHORD);
-        self.reserve_to_see();
         self.solid = 0;
         let (mut axis, mut gap, mut back, mut checked) = (look.axis, 0usize, 0usize, 0usize);
         // Rows at the rims of a gap are not seen to be the joint's. On coarse levels those that groups blur are much of a gap.

@@ -3,6 +3,7 @@
 use super::{Look, ROWS, SPIKY, Trail};
 use crate::joint::axis::{Axis, Station};
 use crate::joint::levels::Picture;
+use crate::joint::make_room;
 use crate::joint::strip::{MID, box_columns, greatest};
 
 /// What each pixel of distance from where the path is expected costs, beyond the free ones, nats.
@@ -98,10 +99,10 @@ impl Trail {
     }
 
     /// Whatever a later frame shows, it is not to allocate.
-    pub(super) fn reserve_to_see(&mut self) {
-        self.usual.0.reserve(ROWS.saturating_sub(self.usual.0.len()));
-        self.usual.1.reserve(ROWS.saturating_sub(self.usual.1.len()));
-        self.deepest.reserve(ROWS.saturating_sub(self.deepest.len()));
+    pub(super) fn make_room_to_see(&mut self) {
+        make_room(&mut self.usual.0, ROWS);
+        make_room(&mut self.usual.1, ROWS);
+        make_room(&mut self.deepest, ROWS);
     }
 
     /// The mean grey value along the path where the joint is seen.
