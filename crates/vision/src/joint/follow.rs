@@ -94,8 +94,8 @@ impl Follower {
         let rows = self.longest(frame) as usize + ROWS + (frame.width() + frame.height()) / 2;
         self.trail.make_room(rows);
         self.midline.make_room(rows);
-        self.rims.reserve(frame);
-        self.levels.reserve(frame, WIDE);
+        self.rims.make_room(rows >> rims::FINER);
+        self.levels.make_room(frame, WIDE);
         // What is found again is put behind what was sure.
         make_room(&mut self.joint.rows, 2 * rows);
         make_room(&mut self.before.rows, 2 * rows);

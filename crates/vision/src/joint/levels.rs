@@ -1,3 +1,4 @@
+use super::make_room;
 use super::top_hat::TopHat;
 use crate::{Frame, Pixels};
 
@@ -109,12 +110,11 @@ impl Levels {
         self.covered = None;
     }
 
-    /// Room for the top-hat of any level of a frame, so that a later one does not allocate.
-    pub(super) fn reserve(&mut self, frame: &Frame, widest: f32) {
+    /// Room for the top-hat of any level of a frame, for joints up to so many pixels wide on theirs.
+    pub(super) fn make_room(&mut self, frame: &Frame, widest: f32) {
         let (width, height) = (frame.width() / 2, frame.height() / 2);
-        let halved = &mut self.halved[0].pixels;
-        halved.reserve((width * height).saturating_sub(halved.len()));
-        self.top_hat.reserve(width, height, widest.round() as usize);
+        make_room(&mut self.halved[0].pixels, width * height);
+        self.top_hat.make_room((width, height), widest.round() as usize);
     }
 
     /// The coarsest level that is still a picture.

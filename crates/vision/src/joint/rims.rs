@@ -4,7 +4,7 @@
 use super::axis::Station;
 use super::levels::{Levels, to_level};
 use super::strip::{COLS, Line, MID, Strip, greater};
-use super::{CONFIDENT, Row};
+use super::{CONFIDENT, Row, make_room};
 use crate::Frame;
 
 /// Rims are looked for on a level so many times finer than the joint's: where it is 5 columns wide, it is 20 there.
@@ -53,18 +53,15 @@ struct Rim {
 }
 
 impl Rims {
-    /// Room for the rows of a frame of this size, so that a later one does not allocate.
-    pub(super) fn reserve(&mut self, frame: &Frame) {
-        let rows = (frame.width() + frame.height()) / 2;
-        self.strip.grey.reserve((LINES * rows).saturating_sub(self.strip.grey.len()));
-        self.stations.reserve((LINES * rows).saturating_sub(self.stations.len()));
-        for lines in [&mut self.edges, &mut self.ways] {
-            lines.reserve(rows.saturating_sub(lines.len()));
-        }
-        for rims in [&mut self.left, &mut self.right] {
-            rims.reserve(rows.saturating_sub(rims.len()));
-        }
-        self.widths.reserve(rows.saturating_sub(self.widths.len()));
+    /// Room for so many rows.
+    pub(super) fn make_room(&mut self, rows: usize) {
+        make_room(&mut self.strip.grey, LINES * rows);
+        make_room(&mut self.stations, LINES * rows);
+        make_room(&mut self.edges, rows);
+        make_room(&mut self.ways, rows);
+        make_room(&mut self.left, rows);
+        make_room(&mut self.right, rows);
+        make_room(&mut self.widths, rows);
     }
 
     /// Puts rows of a joint followed on `level` ([`FINER`] at least) that are not sure between its rims, where both are clear.

@@ -3,6 +3,7 @@
 //! its square and leaves the edges of shadows and of tacks as they are, so these are not seen any longer.
 
 use super::levels::{Grey, Picture};
+use super::make_room;
 
 /// Parts of a grey value that are told apart. (Two grey values together are no more than 16 bits.)
 const PARTS: f32 = 64.0;
@@ -31,14 +32,13 @@ pub(super) struct TopHat {
 }
 
 impl TopHat {
-    /// Room for a picture of this size and squares of so many pixels to either side, so that a later one does not allocate.
-    pub(super) fn reserve(&mut self, width: usize, height: usize, around: usize) {
+    /// Room for a picture of this size and squares of so many pixels to either side.
+    pub(super) fn make_room(&mut self, (width, height): (usize, usize), around: usize) {
         let whole = (width + 2 * margin(around)) * (height + 2 * margin(around));
-        for pixels in [&mut self.smooth, &mut self.metal] {
-            pixels.reserve(whole.saturating_sub(pixels.len()));
-        }
-        self.pixels.reserve((width * height).saturating_sub(self.pixels.len()));
-        self.greys.reserve(DEPTHS.saturating_sub(self.greys.len()));
+        make_room(&mut self.smooth, whole);
+        make_room(&mut self.metal, whole);
+        make_room(&mut self.pixels, width * height);
+        make_room(&mut self.greys, DEPTHS);
     }
 
     /// Takes it of a picture, by squares of `around` pixels to either side, for joints that are narrower than those and about
