@@ -27,9 +27,10 @@ const SAME: (f32, f32) = (2.0, 0.25);
 const HEADING: usize = 12;
 
 impl Follower {
-    /// Tries again if the joint may go on behind its end; `look` is that at its start.
-    pub(super) fn try_again(&mut self, frame: &Frame, start: &Start, inside: &Inside, look: Look) {
-        if self.try_on_top_hat(frame, start, inside, look) {
+    /// Tries again if the joint may go on behind its end; `looks` are those at its start and where it was followed last.
+    pub(super) fn try_again(&mut self, frame: &Frame, start: &Start, inside: &Inside, looks: [Look; 2]) {
+        let look = looks[0];
+        if self.try_on_top_hat(frame, start, inside, looks) {
             return;
         }
         if self.joint.end == End::Lost && look.level >= COARSE && known_width(start).is_none() {
@@ -42,12 +43,12 @@ impl Follower {
     }
 
     /// Follows where the edges of light and of tacks are not seen; true if the joint goes on there.
-    fn try_on_top_hat(&mut self, frame: &Frame, start: &Start, inside: &Inside, look: Look) -> bool {
+    fn try_on_top_hat(&mut self, frame: &Frame, start: &Start, inside: &Inside, [look, last]: [Look; 2]) -> bool {
         let length = way(&self.joint.rows);
         let unseen = self.joint.rows.last().map_or(f32::INFINITY, |row| inside.to_rim([row.x, row.y]));
         let least = match self.joint.end {
             End::Closed => return false,
-            End::JointEnd if self.is_plain_behind && is_sure_at_end(&self.joint.rows) => return false,
+            End::JointEnd if self.is_sure_end(&last) => return false,
             _ if unseen < UNSEEN.max(look.width_in_frame()) => return false,
             End::Lost | End::JointEnd => LONGER * length,
             End::LeftImage => length + 0.5 * unseen,
@@ -67,6 +68,13 @@ impl Follower {
         let found = self.follow_again(frame, &start, inside, length - before, least - before);
         self.levels.uncover();
         found && self.keep_sure()
+    }
+
+    /// True if the joint is followed for sure to where it ends and there is even metal behind; `last` is the look there.
+    fn is_sure_end(&self, last: &Look) -> bool {
+        let rows = &self.joint.rows;
+        let is_sure = last_sure(rows).is_some_and(|last| last + HEADING >= rows.len());
+        is_sure && self.midline.is_plain_behind(rows.len(), last.contrast)
     }
 
     /// Follows once more from a place behind which it was `length` pixels long; what was found before comes back unless the joint is
@@ -92,14 +100,13 @@ impl Follower {
     fn keep_sure(&mut self) -> bool {
         let (before, now) = (&mut self.before.rows, &mut self.joint.rows);
         let passed = |sure: &Row| {
-            let off = |row: &Row| (row.x - sure.x).hypot(row.y - sure.y);
-            let nearest = now.iter().map(off).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+            let nearest = now.iter().map(|row| sure.away(row)).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
             nearest.filter(|(_, off)| *off < SAME.0.max(SAME.1 * sure.width)).map(|(nearest, _)| nearest)
         };
-        let mut sure = before.iter().enumerate().rev().filter(|(_, row)| row.confidence >= CONFIDENT).peekable();
-        if sure.peek().is_none() {
+        if last_sure(before).is_none() {
             return true;
         }
+        let sure = before.iter().enumerate().rev().filter(|(_, row)| row.confidence >= CONFIDENT);
         let found = sure.take(HEADING).find_map(|(last, row)| Some((last, passed(row)?)));
         std::mem::swap(before, now);
         let Some((last, nearest)) = found else {
@@ -117,11 +124,6 @@ fn last_sure(rows: &[Row]) -> Option<usize> {
     rows.iter().rposition(|row| row.confidence >= CONFIDENT)
 }
 
-/// True if the joint is followed for sure to where it ends.
-fn is_sure_at_end(rows: &[Row]) -> bool {
-    last_sure(rows).is_some_and(|last| last + HEADING >= rows.len())
-}
-
 /// Row `from` as a start; none for the first one, before which nothing tells the way.
 fn start_at(rows: &[Row], from: usize) -> Option<Start> {
     let (row, before) = (rows.get(from)?, rows.get(from.checked_sub(HEADING)?)?);
@@ -132,13 +134,14 @@ fn start_at(rows: &[Row], from: usize) -> Option<Start> {
 fn is_seen_beyond(rows: &[Row], length: f32, stretch: f32) -> bool {
     let (mut at, mut seen, mut unseen, mut run, mut longest) = (0.0, 0, 0, 0.0, 0.0f32);
     for pair in rows.windows(2) {
-        at += step(pair);
+        let step = pair[0].away(&pair[1]);
+        at += step;
         if at <= length {
             continue;
         }
         if pair[1].state == State::Seen {
             seen += 1;
-            run += step(pair);
+            run += step;
             longest = longest.max(run);
         } else {
             unseen += 1;
@@ -151,23 +154,17 @@ fn is_seen_beyond(rows: &[Row], length: f32, stretch: f32) -> bool {
 /// How far a joint is followed to where it is seen last, pixels.
 fn way(rows: &[Row]) -> f32 {
     let seen = rows.iter().rposition(|row| row.state == State::Seen).map_or(0, |last| last + 1);
-    rows[..seen].windows(2).map(step).sum()
-}
-
-fn step(pair: &[Row]) -> f32 {
-    (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y)
+    rows[..seen].windows(2).map(|pair| pair[0].away(&pair[1])).sum()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::joint::testing::along;
 
-    /// Rows a pixel apart along legs that are seen or not.
-    fn along(legs: &[(usize, bool)]) -> Vec<Row> {
-        let states =
-            legs.iter().flat_map(|(count, seen)| vec![if *seen { State::Seen } else { State::Coasted }; *count]);
-        let row = |(i, state)| Row { x: i as f32, y: 0.0, confidence: 0.0, width: 4.0, state };
-        states.enumerate().map(row).collect()
+    /// Rows a pixel apart along a straight way of legs that are seen or not.
+    fn straight(legs: &[(usize, bool)]) -> Vec<Row> {
+        along(&legs.iter().map(|(count, seen)| (*count, 0.0, seen.then_some(false))).collect::<Vec<_>>(), 4.0)
     }
 
     #[test]
@@ -179,10 +176,10 @@ mod tests {
             (&[(100, true), (110, true)], true, true),
             (&[(100, true)], true, false),
         ] {
-            let rows = along(legs);
+            let rows = straight(legs);
             assert_eq!(is_seen_beyond(&rows, 99.0, 0.0), goes_on, "{legs:?}");
             assert_eq!(is_seen_beyond(&rows, 99.0, STRETCH), behind_an_end, "{legs:?}");
         }
-        assert!((way(&along(&[(100, true), (60, false), (120, true), (30, false)])) - 279.0).abs() < 1e-3);
+        assert!((way(&straight(&[(100, true), (60, false), (120, true), (30, false)])) - 279.0).abs() < 1e-3);
     }
 }

@@ -32,11 +32,9 @@ const GAP: f32 = 0.2;
 pub struct Follower {
     options: Options,
     pub(super) levels: Levels,
-    pub(super) trail: Trail,
-    midline: Midline,
+    trail: Trail,
+    pub(super) midline: Midline,
     rims: Rims,
-    /// There is even metal behind where the joint ends.
-    pub(super) is_plain_behind: bool,
     /// A start of unknown width is looked for with widths below this, pixels, and found narrower than this by a part.
     pub(super) narrower: f32,
     pub(super) joint: Joint,
@@ -51,17 +49,7 @@ impl Follower {
         let joint = Joint { rows: Vec::new(), end: End::Lost };
         let before = joint.clone();
         let (trail, midline, rims) = (Trail::default(), Midline::default(), Rims::default());
-        Self {
-            options,
-            levels: Levels::new(),
-            trail,
-            midline,
-            rims,
-            is_plain_behind: false,
-            narrower: f32::INFINITY,
-            joint,
-            before,
-        }
+        Self { options, levels: Levels::new(), trail, midline, rims, narrower: f32::INFINITY, joint, before }
     }
 
     /// The joint in `frame` from `start`. A start outside the frame or zone, or not finite, gives no rows and
@@ -82,9 +70,8 @@ impl Follower {
         }
         self.levels.begin_frame();
         self.make_room(frame);
-        let look = self.follow_in(frame, start, &inside, 0.0);
-        if let Some(look) = look {
-            self.try_again(frame, start, &inside, look);
+        if let Some(looks) = self.follow_in(frame, start, &inside, 0.0) {
+            self.try_again(frame, start, &inside, looks);
         }
         &self.joint
     }
@@ -107,14 +94,15 @@ impl Follower {
         self.options.length.unwrap_or(2.0 * sum).clamp(0.0, 16.0 * sum)
     }
 
-    /// Follows; what the joint looks like at its start, if one is there. It ends as lost, without rows, if where it is seen last is
-    /// less than `least` pixels away.
-    pub(super) fn follow_in(&mut self, frame: &Frame, start: &Start, inside: &Inside, least: f32) -> Option<Look> {
+    /// Follows; what the joint looks like at its start, if one is there, and where it is followed last. It ends as lost, without rows,
+    /// if where it is seen last is less than `least` pixels away.
+    pub(super) fn follow_in(&mut self, frame: &Frame, start: &Start, inside: &Inside, least: f32) -> Option<[Look; 2]> {
         self.joint.rows.clear();
         self.joint.end = End::Lost;
         let first = self.begin(frame, start).filter(|look| look.width_in_frame() < NARROWER * self.narrower)?;
-        self.joint.end = self.go_on(frame, &mut first.clone(), inside, least);
-        Some(first)
+        let mut last = first;
+        self.joint.end = self.go_on(frame, &mut last, inside, least);
+        Some([first, last])
     }
 
     /// Level, width, heading and depth at the start, if a joint is there: ahead or, as a tack may lie ahead, behind.
@@ -185,8 +173,6 @@ impl Follower {
             self.options.on_joint,
             &mut self.joint.rows,
         );
-        self.is_plain_behind =
-            end == End::JointEnd && self.midline.is_plain_behind(self.joint.rows.len(), look.contrast);
         if level >= rims::FINER {
             self.rims.place(&self.levels, frame, level, &mut self.joint.rows);
         }

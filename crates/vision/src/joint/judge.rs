@@ -188,7 +188,7 @@ fn turn(a: [f32; 2], b: [f32; 2]) -> f32 {
 
 /// True if either is too sharp for a joint, for a gap between these rows.
 fn is_kinked(turns: [f32; 2], last: Row, next: Row) -> bool {
-    let most = KINK + KINK_OVER * (next.x - last.x).hypot(next.y - last.y);
+    let most = KINK + KINK_OVER * last.away(&next);
     turns.iter().any(|turn| *turn > most)
 }
 
@@ -219,7 +219,8 @@ pub(super) fn corners(rows: &mut [Row]) {
     }
 }
 
-/// Takes the confidence from a line of which no stretch without a long gap is longer than a scratch; true if all of them together are not.
+/// Takes the confidence from a line of which no stretch without a long gap is longer than a scratch; true if the whole of it is
+/// not.
 pub(super) fn length(rows: &mut [Row], end: End) -> bool {
     if !matches!(end, End::JointEnd | End::Lost) {
         return false;
@@ -230,7 +231,7 @@ pub(super) fn length(rows: &mut [Row], end: End) -> bool {
         let pair = [rows[i - 1], rows[i]];
         if pair.iter().all(|r| r.state == State::Seen) {
             let ended = missed > RIM || narrow && is_angle(rows, i);
-            let step = (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y);
+            let step = pair[0].away(&pair[1]);
             length = if ended { 0.0 } else { length } + step;
             (longest, whole, missed) = (longest.max(length), whole + step, 0);
         } else {
@@ -282,17 +283,7 @@ fn angle(rows: &[Row], i: usize) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Rows a pixel apart along legs of a length and a heading (rad), each sure, unsure or not seen.
-    fn along(legs: &[(usize, f32, Option<bool>)], width: f32) -> Vec<Row> {
-        let (mut x, mut y) = (0.0, 0.0);
-        let mut row = |heading: f32, sure: Option<bool>| {
-            (x, y) = (x + heading.cos(), y + heading.sin());
-            let state = if sure.is_some() { State::Seen } else { State::Coasted };
-            Row { x, y, confidence: if sure == Some(true) { 0.9 } else { 0.2 }, width, state }
-        };
-        legs.iter().flat_map(|leg| vec![*leg; leg.0]).map(|(_, heading, sure)| row(heading, sure)).collect()
-    }
+    use crate::joint::testing::along;
 
     fn sure(rows: &[Row]) -> usize {
         rows.iter().filter(|r| r.confidence >= CONFIDENT).count()

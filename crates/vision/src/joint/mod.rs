@@ -23,6 +23,8 @@ mod readings;
 mod rims;
 mod sample;
 mod strip;
+#[cfg(test)]
+mod testing;
 mod top_hat;
 mod trail;
 
@@ -98,6 +100,13 @@ pub struct Row {
     pub width: f32,
     /// Seen or coasted.
     pub state: State,
+}
+
+impl Row {
+    /// How far another row is from it, pixels.
+    fn away(&self, other: &Self) -> f32 {
+        (other.x - self.x).hypot(other.y - self.y)
+    }
 }
 
 /// Why a joint was followed no further.

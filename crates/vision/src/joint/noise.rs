@@ -66,19 +66,14 @@ impl Strip {
 mod tests {
     use super::*;
     use crate::joint::strip::{MID, SIDE, box_columns};
+    use crate::joint::testing::random;
 
     /// Along a joint of any width in even noise: the deviation of the mean of a box on the joint less that of one beside it.
     #[test]
     fn the_noise_of_depths_is_told() {
         const ROWS: usize = 480;
-        let mut state = 7u32;
-        let mut random = || {
-            let mut even = || {
-                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-                (state >> 8) as f32 / (1 << 24) as f32 - 0.5
-            };
-            (0..12).map(|_| even()).sum::<f32>()
-        };
+        let mut even = random();
+        let mut random = || (0..12).map(|_| even() - 0.5).sum::<f32>();
         for (width, deviation) in [(1.0, 4.0), (3.0, 2.0), (5.0, 4.0), (6.8, 8.0)] {
             let dark = |off: f32| 30.0 * (-4.0 * std::f32::consts::LN_2 * (off / width).powi(2)).exp();
             let mut row = |_| std::array::from_fn(|j| 150.0 - dark(j as f32 - MID as f32) + deviation * random());

@@ -98,7 +98,7 @@ impl Rims {
         self.stations.clear();
         for (i, row) in rows.iter().enumerate() {
             let (a, b) = (rows[i.saturating_sub(HEADING)], rows[(i + HEADING).min(rows.len() - 1)]);
-            let length = greater((b.x - a.x).hypot(b.y - a.y), 1e-3);
+            let length = greater(a.away(&b), 1e-3);
             let tangent = [(b.x - a.x) / length, (b.y - a.y) / length];
             let at = [row.x, row.y].map(|v| to_level(v, fine));
             self.stations.extend((0..LINES).map(|k| {

@@ -132,6 +132,7 @@ fn combine(pixels: &mut [i16], apart: usize, of: impl Fn(i16, i16) -> i16) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::joint::testing::random;
 
     /// The same by the definition: the least of the greatest of squares, of means of three by three with weights 1, 2, 1.
     fn slowly(pixels: &[f32], (width, height): (usize, usize), around: isize) -> Vec<f32> {
@@ -152,11 +153,7 @@ mod tests {
 
     #[test]
     fn it_is_the_closing_less_the_picture() {
-        let mut state = 7u32;
-        let mut random = || {
-            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            (state >> 8) as f32 / (1 << 24) as f32
-        };
+        let mut random = random();
         let mut hat = TopHat::default();
         for around in 1..=5 {
             let size @ (width, height) = (17 + (20.0 * random()) as usize, 17 + (20.0 * random()) as usize);

@@ -1,0 +1,23 @@
+//! What several tests need.
+
+use super::{Row, State};
+
+/// Even numbers from 0 to 1, the same ones every time.
+pub(super) fn random() -> impl FnMut() -> f32 {
+    let mut state = 7u32;
+    move || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 8) as f32 / (1 << 24) as f32
+    }
+}
+
+/// Rows a pixel apart along legs of a length and a heading (rad), each sure, unsure or not seen.
+pub(super) fn along(legs: &[(usize, f32, Option<bool>)], width: f32) -> Vec<Row> {
+    let (mut x, mut y) = (0.0, 0.0);
+    let mut row = |heading: f32, sure: Option<bool>| {
+        (x, y) = (x + heading.cos(), y + heading.sin());
+        let state = if sure.is_some() { State::Seen } else { State::Coasted };
+        Row { x, y, confidence: if sure == Some(true) { 0.9 } else { 0.2 }, width, state }
+    };
+    legs.iter().flat_map(|leg| vec![*leg; leg.0]).map(|(_, heading, sure)| row(heading, sure)).collect()
+}
