@@ -45,7 +45,7 @@ fn gates_hold_or_are_missed_by_no_more_than_is_known() {
     assert!(broken.is_empty(), "{broken:#?}");
 }
 
-/// Tacks at the edge of a shadow and joints in it, of seeds on which nothing was chosen: seen no longer in the frame as it is, they go
+/// Tacks at the edge of a shadow and joints in it, of other seeds than the gates': seen no longer in the frame as it is, they go
 /// on on its top-hat. What was sure before the tack stays sure, and nothing sure is wrong.
 #[test]
 fn joints_go_on_where_edges_of_light_hide_them() {
