@@ -26,7 +26,7 @@ fn main() {
             Kind::Blank => o.end != End::Lost,
             _ => false,
         };
-        let early = o.reach < 0.95 && sure + o.errors.len() > 0;
+        let early = o.reach < 0.95 && !matches!(kind, Kind::Blank | Kind::OnlyScratches);
         if wrong > 0 || early || untold || o.end_error.is_some_and(|e| e > 3.0) {
             let (name, rows) = (kind.name(), o.errors.len());
             println!(

@@ -7,5 +7,6 @@ mod frame;
 pub mod joint;
 pub mod region_growing;
 pub mod stripe;
+mod wide;
 
 pub use frame::{Frame, FrameError, Image, MAX_SIDE, Pixels};

@@ -1,3 +1,8 @@
+/// Length of a way of pixels: `f32::hypot` without its care for numbers too great to be squared, which takes long.
+pub(super) fn length([x, y]: [f32; 2]) -> f32 {
+    (x * x + y * y).sqrt()
+}
+
 /// A predicted axis: an arc in pixels of a level.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Axis {
@@ -50,22 +55,36 @@ impl Axis {
     }
 
     /// How far along the axis a place is and how far to its right, pixels; within half a turn.
-    pub(super) fn along_and_across(&self, place: [f32; 2]) -> (f32, f32) {
-        let (sin, cos) = self.heading.sin_cos();
-        let (x, y) = (place[0] - self.at[0], place[1] - self.at[1]);
-        let (u, v) = (x * cos + y * sin, y * cos - x * sin);
-        if self.curvature.abs() < 1e-4 {
-            return (u, v - 0.5 * self.curvature * u * u);
+    pub(super) fn along_and_across(&self) -> impl Fn([f32; 2]) -> (f32, f32) {
+        let Self { at: [x0, y0], heading, curvature } = *self;
+        let ((sin, cos), radius) = (heading.sin_cos(), 1.0 / curvature);
+        move |[x, y]| {
+            let (x, y) = (x - x0, y - y0);
+            let (u, v) = (x * cos + y * sin, y * cos - x * sin);
+            if curvature.abs() < 1e-4 {
+                return (u, v - 0.5 * curvature * u * u);
+            }
+            // The centre is at (0, radius).
+            let along = radius * angle(u * radius.signum(), (radius - v) * radius.signum());
+            (along, radius - radius.signum() * length([u, radius - v]))
         }
-        // The centre is at (0, radius).
-        let radius = 1.0 / self.curvature;
-        let angle = (u * radius.signum()).atan2((radius - v) * radius.signum());
-        (angle * radius, radius - radius.signum() * u.hypot(radius - v))
+    }
+}
+
+/// `f32::atan2`, which takes long, to a millionth: angles near none by their series.
+fn angle(y: f32, x: f32) -> f32 {
+    let ratio = y / x;
+    if x > 0.0 && ratio.abs() < 0.3 {
+        let square = ratio * ratio;
+        ratio * (1.0 - square * (1.0 / 3.0 - square * (1.0 / 5.0 - square * (1.0 / 7.0 - square * (1.0 / 9.0)))))
+    } else {
+        y.atan2(x)
     }
 }
 
 impl Station {
     /// The place `across` pixels to its right.
+    #[inline(always)]
     pub(super) fn beside(&self, across: f32) -> [f32; 2] {
         let [cos, sin] = self.tangent;
         [self.at[0] - across * sin, self.at[1] + across * cos]
@@ -94,12 +113,21 @@ mod tests {
     }
 
     #[test]
+    fn angles_are_those_of_the_library() {
+        for i in -3000..3000 {
+            let expected = i as f32 * 0.001;
+            let (sin, cos) = expected.sin_cos();
+            assert!((angle(70.0 * sin, 70.0 * cos) - expected).abs() < 1e-6, "{expected}");
+        }
+    }
+
+    #[test]
     fn places_beside_the_axis_are_found_where_they_were_put() {
         for curvature in [0.0, 5e-5, 0.002, -0.01, 0.03, -0.03] {
             let axis = Axis { at: [30.0, -12.0], heading: 2.1, curvature };
             for s in [-40.0, -7.0, 0.0, 13.0, 44.0] {
                 for across in [-6.0, 0.0, 4.5] {
-                    let (along, beside) = axis.along_and_across(axis.station(s).beside(across));
+                    let (along, beside) = axis.along_and_across()(axis.station(s).beside(across));
                     // The chord of an arc is known to a few hundredths of a pixel.
                     assert!((along - s).abs() < 0.1 && (beside - across).abs() < 0.1, "{curvature} {s} {across}");
                 }

@@ -162,7 +162,7 @@ impl Follower {
         let picture = self.levels.picture(frame, level);
         let stop = self.trail.follow(&picture, look, &limits);
         let seen = self.trail.places.iter().rposition(|p| p.seen);
-        if seen.is_none_or(|last| self.trail.way(last) * scale < least) {
+        if seen.is_none_or(|last| least > 0.0 && self.trail.way(last) * scale < least) {
             return End::Lost;
         }
         self.midline.find(&picture, &self.trail, look);

@@ -1,5 +1,6 @@
 use super::make_room;
-use super::strip::{COLS, GROUP, MID, Strip, greater, greatest, lesser};
+use super::strip::{COLS, GROUP, Line, MID, Strip, greater, greatest, lesser};
+use crate::wide::{Work, wide};
 
 /// What a step to the next column costs, nats.
 const MOVE: f32 = 2.5;
@@ -40,19 +41,10 @@ impl Lattice {
         self.evidence.resize(strip.depth.len(), [0.0; SPAN]);
         let (first, last) = strip.columns;
         // Groups overlap: each row counts once.
-        let rows = (2 * GROUP + 1) as f32;
+        let rows_counted = (2 * GROUP + 1) as f32;
         let (first, last) = (first.max(FROM) - FROM, last.min(FROM + SPAN - 1) - FROM);
-        for (i, (row, depth)) in self.evidence.iter_mut().zip(&strip.depth).enumerate() {
-            let contrast = contrast(i);
-            // At the joint's own depth the evidence is no more than the most: it peaks there.
-            let part = (1.0 / (rows * strip.noise * strip.noise)).min(2.0 * MOST / (contrast * contrast));
-            for (evidence, depth) in row.iter_mut().zip(&depth[FROM..FROM + SPAN]) {
-                let depth = lesser(*depth, TOO_DEEP * contrast - depth);
-                *evidence = (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST);
-            }
-            row[..first].fill(NEVER);
-            row[last + 1..].fill(NEVER);
-        }
+        let rows = self.evidence.iter_mut().zip(&strip.depth);
+        wide(Weigh { rows, contrast, columns: (first, last), least: 1.0 / (rows_counted * strip.noise * strip.noise) });
     }
 
     /// The evidence of a row for a joint in a column.
@@ -91,46 +83,99 @@ impl Lattice {
     pub(super) fn margins(&mut self, path: &[usize], away: usize, margins: &mut Vec<f32>) {
         self.go_backward();
         margins.clear();
-        let rows = self.forward.iter().zip(&self.backward).zip(&self.evidence);
-        margins.extend(rows.zip(path).map(|(((forward, backward), evidence), at)| {
-            let mut through = [0.0; SPAN];
-            let ways = forward.iter().zip(backward).zip(evidence);
-            through.iter_mut().zip(ways).for_each(|(through, ((f, b), e))| *through = f + b - e);
-            let near = &mut through[(at - FROM).saturating_sub(away)..=(at - FROM + away).min(SPAN - 1)];
-            let best = near.iter().copied().fold(NEVER, greater);
-            near.fill(NEVER);
-            best - greatest(&through)
-        }));
+        margins.resize(path.len(), 0.0);
+        wide(Margins { lattice: self, path, away, margins });
     }
 
     fn go_forward(&mut self, cost: impl Fn(usize) -> f32) {
         let begin: Span = std::array::from_fn(|j| -cost(j));
         self.forward.resize(self.evidence.len(), [0.0; SPAN]);
-        go(self.evidence.iter().zip(&mut self.forward), begin);
+        wide(Go { ways: self.evidence.iter().zip(&mut self.forward), begin });
     }
 
     fn go_backward(&mut self) {
         self.backward.resize(self.evidence.len(), [0.0; SPAN]);
-        go(self.evidence.iter().zip(&mut self.backward).rev(), [0.0; SPAN]);
+        wide(Go { ways: self.evidence.iter().zip(&mut self.backward).rev(), begin: [0.0; SPAN] });
+    }
+}
+
+/// Evidence of each place of each row by its depth; see [`Lattice::weigh`].
+struct Weigh<R, C> {
+    rows: R,
+    contrast: C,
+    columns: (usize, usize),
+    least: f32,
+}
+
+impl<'a, R: Iterator<Item = (&'a mut Span, &'a Line)>, C: Fn(usize) -> f32> Work for Weigh<R, C> {
+    #[inline(always)]
+    fn run(self) {
+        let (first, last) = self.columns;
+        for (i, (row, depth)) in self.rows.enumerate() {
+            let contrast = (self.contrast)(i);
+            // At the joint's own depth the evidence is no more than the most: it peaks there.
+            let part = self.least.min(2.0 * MOST / (contrast * contrast));
+            for (evidence, depth) in row.iter_mut().zip(&depth[FROM..FROM + SPAN]) {
+                let depth = lesser(*depth, TOO_DEEP * contrast - depth);
+                *evidence = (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST);
+            }
+            row[..first].fill(NEVER);
+            row[last + 1..].fill(NEVER);
+        }
+    }
+}
+
+/// See [`Lattice::margins`].
+struct Margins<'a> {
+    lattice: &'a Lattice,
+    path: &'a [usize],
+    away: usize,
+    margins: &'a mut [f32],
+}
+
+impl Work for Margins<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let Lattice { forward, backward, evidence } = self.lattice;
+        let rows = forward.iter().zip(backward).zip(evidence).zip(self.path);
+        for (margin, (((forward, backward), evidence), at)) in self.margins.iter_mut().zip(rows) {
+            let mut through: Span = std::array::from_fn(|j| forward[j] + backward[j] - evidence[j]);
+            let near = (at - FROM).saturating_sub(self.away)..=(at - FROM + self.away).min(SPAN - 1);
+            let mut best = NEVER;
+            for through in &mut through[near] {
+                best = greater(best, *through);
+                *through = NEVER;
+            }
+            *margin = best - greatest(&through);
+        }
     }
 }
 
 /// The best way to each place of row after row, from the score `begin` of each way to begin.
-fn go<'a>(ways: impl Iterator<Item = (&'a Span, &'a mut Span)>, begin: Span) {
-    // Between two columns out of reach: none of the others is a case of its own.
-    let mut score = [f32::MIN; SPAN + 2];
-    for (i, (evidence, way)) in ways.enumerate() {
-        let next: Span = if i == 0 {
-            std::array::from_fn(|j| begin[j] + evidence[j])
-        } else {
-            std::array::from_fn(|j| arrive(score[j], score[j + 1], score[j + 2]) + evidence[j])
-        };
-        score[1..=SPAN].copy_from_slice(&next);
-        *way = next;
+struct Go<W> {
+    ways: W,
+    begin: Span,
+}
+
+impl<'a, W: Iterator<Item = (&'a Span, &'a mut Span)>> Work for Go<W> {
+    #[inline(always)]
+    fn run(self) {
+        // Between two columns out of reach: none of the others is a case of its own.
+        let mut score = [f32::MIN; SPAN + 2];
+        for (i, (evidence, way)) in self.ways.enumerate() {
+            let next: Span = if i == 0 {
+                std::array::from_fn(|j| self.begin[j] + evidence[j])
+            } else {
+                std::array::from_fn(|j| arrive(score[j], score[j + 1], score[j + 2]) + evidence[j])
+            };
+            score[1..=SPAN].copy_from_slice(&next);
+            *way = next;
+        }
     }
 }
 
 /// The best that leads to a place from the columns to the left, below and to the right.
+#[inline(always)]
 fn arrive(left: f32, here: f32, right: f32) -> f32 {
     greater(here, greater(left, right) - MOVE)
 }

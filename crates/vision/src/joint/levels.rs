@@ -1,5 +1,6 @@
 use super::make_room;
 use super::top_hat::TopHat;
+use crate::wide::{Work, wide};
 use crate::{Frame, Pixels};
 
 /// Times a frame is halved at most.
@@ -148,7 +149,24 @@ impl Halved {
     ) {
         (self.width, self.height) = (width / 2, height / 2);
         self.pixels.resize(self.width * self.height, 0.0);
-        for (out, rows) in self.pixels.chunks_exact_mut(self.width).zip(pixels.chunks_exact(2 * width)) {
+        wide(Halve { pixels, width, part, sum, out: &mut self.pixels });
+    }
+}
+
+/// Sums of two by two pixels times `part`.
+struct Halve<'a, P, S> {
+    pixels: &'a [P],
+    width: usize,
+    part: f32,
+    sum: S,
+    out: &'a mut [f32],
+}
+
+impl<P: Copy, S: Fn([P; 2], [P; 2]) -> f32> Work for Halve<'_, P, S> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { pixels, width, part, sum, out } = self;
+        for (out, rows) in out.chunks_exact_mut(width / 2).zip(pixels.chunks_exact(2 * width)) {
             let (upper, lower) = rows.split_at(width);
             let pairs = upper.as_chunks::<2>().0.iter().zip(lower.as_chunks::<2>().0);
             for (out, (a, b)) in out.iter_mut().zip(pairs) {

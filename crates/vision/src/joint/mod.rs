@@ -105,7 +105,7 @@ pub struct Row {
 impl Row {
     /// How far another row is from it, pixels.
     fn away(&self, other: &Self) -> f32 {
-        (other.x - self.x).hypot(other.y - self.y)
+        axis::length([other.x - self.x, other.y - self.y])
     }
 }
 

@@ -124,6 +124,7 @@ impl Profile {
     }
 
     /// What `row` tells about column `centre` (fractions too), and its grey values from there outwards.
+    #[inline(always)]
     pub(super) fn read(&self, row: &Line, centre: f32, arms: &mut Arms) -> Reading {
         let centre = centre.clamp((REACH + 1) as f32, (COLS - REACH - 3) as f32);
         let (low, part) = (centre as usize, centre.fract());

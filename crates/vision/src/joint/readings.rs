@@ -1,6 +1,7 @@
 use super::make_room;
 use super::profile::{Arms, Profile, REACH, Reading, Shape};
 use super::strip::Strip;
+use crate::wide::{Work, wide};
 
 /// What the rows of a strip tell of the joint about its middle, and sums over rows.
 #[derive(Debug, Clone, Default)]
@@ -9,7 +10,49 @@ pub(super) struct Readings {
     arms: Vec<Arms>,
     /// Sums over the rows before each: depth, moment, step and its square.
     sums: Vec<[f64; 4]>,
+    /// The same of the grey values within reach of the middle.
     arms_sums: Vec<Arms>,
+}
+
+/// See [`Readings::read`].
+struct Read<'a> {
+    readings: &'a mut Readings,
+    profile: &'a Profile,
+    strip: &'a Strip,
+    centres: &'a [f32],
+}
+
+impl Work for Read<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let Readings { rows, arms: all, sums: all_sums, arms_sums } = self.readings;
+        rows.clear();
+        all.clear();
+        all_sums.clear();
+        let mut sums = [0.0; 4];
+        all_sums.push(sums);
+        for (row, centre) in self.strip.grey.iter().zip(self.centres) {
+            let mut arms = [[0.0; REACH]; 2];
+            let reading = self.profile.read(row, *centre, &mut arms);
+            let [depth, moment, step] = [reading.depth, reading.moment, reading.step].map(f64::from);
+            let new = [depth, moment, step, step * step];
+            sums = std::array::from_fn(|k| sums[k] + new[k]);
+            all_sums.push(sums);
+            rows.push(reading);
+            all.push(arms);
+        }
+        // Less the light of the first row: small numbers keep more digits.
+        let reach = self.profile.reach();
+        let light = all.first().map_or(0.0, |arms| arms[0][0]);
+        let mut sum: Arms = [[0.0; REACH]; 2];
+        arms_sums.clear();
+        arms_sums.push(sum);
+        for arms in all {
+            let added = |side: usize, t: usize| if t <= reach { arms[side][t] - light } else { 0.0 };
+            sum = std::array::from_fn(|side| std::array::from_fn(|t| sum[side][t] + added(side, t)));
+            arms_sums.push(sum);
+        }
+    }
 }
 
 /// Means over rows.
@@ -35,36 +78,7 @@ impl Readings {
 
     /// Reads each row about its centre.
     pub(super) fn read(&mut self, profile: &Profile, strip: &Strip, centres: &[f32]) {
-        self.rows.clear();
-        self.arms.clear();
-        self.sums.clear();
-        let mut sums = [0.0; 4];
-        self.sums.push(sums);
-        for (row, centre) in strip.grey.iter().zip(centres) {
-            let mut arms = [[0.0; REACH]; 2];
-            let reading = profile.read(row, *centre, &mut arms);
-            let [depth, moment, step] = [reading.depth, reading.moment, reading.step].map(f64::from);
-            let new = [depth, moment, step, step * step];
-            sums.iter_mut().zip(new).for_each(|(sum, new)| *sum += new);
-            self.sums.push(sums);
-            self.rows.push(reading);
-            self.arms.push(arms);
-        }
-        self.sum_arms(profile.reach());
-    }
-
-    /// Sums less the light of the first row: small numbers keep more digits.
-    fn sum_arms(&mut self, reach: usize) {
-        let light = self.arms.first().map_or(0.0, |arms| arms[0][0]);
-        let mut sum: Arms = [[0.0; REACH]; 2];
-        self.arms_sums.clear();
-        self.arms_sums.push(sum);
-        for arms in &self.arms {
-            for (sum, arm) in sum.iter_mut().zip(arms) {
-                sum[..=reach].iter_mut().zip(&arm[..=reach]).for_each(|(s, a)| *s += a - light);
-            }
-            self.arms_sums.push(sum);
-        }
+        wide(Read { readings: self, profile, strip, centres });
     }
 
     pub(super) fn row(&self, i: usize) -> Reading {

@@ -11,27 +11,30 @@ const LONGEST: u32 = 0x7fff;
 
 /// What a picture is made of.
 pub(super) trait Pixel: Copy {
-    /// Grey values, 0 to 255.
-    fn greys(pair: [Self; 2]) -> [f32; 2];
+    /// Grey values, 0 to 255, of a square of four.
+    fn greys(square: [Self; 4]) -> [f32; 4];
 }
 
 impl Pixel for u8 {
-    fn greys(pair: [Self; 2]) -> [f32; 2] {
+    #[inline(always)]
+    fn greys(square: [Self; 4]) -> [f32; 4] {
         // Taken apart as one number, several of them at a time.
-        let both = u16::from_le_bytes(pair);
-        [both & 0xff, both >> 8].map(f32::from)
+        let all = u32::from_le_bytes(square);
+        [all & 0xff, all >> 8 & 0xff, all >> 16 & 0xff, all >> 24].map(|grey| grey as i32 as f32)
     }
 }
 
 impl Pixel for u16 {
-    fn greys(pair: [Self; 2]) -> [f32; 2] {
-        pair.map(|p| f32::from(p) * (1.0 / OF_16_BITS))
+    #[inline(always)]
+    fn greys(square: [Self; 4]) -> [f32; 4] {
+        square.map(|p| f32::from(p) * (1.0 / OF_16_BITS))
     }
 }
 
 impl Pixel for f32 {
-    fn greys(pair: [Self; 2]) -> [f32; 2] {
-        pair
+    #[inline(always)]
+    fn greys(square: [Self; 4]) -> [f32; 4] {
+        square
     }
 }
 
@@ -41,19 +44,18 @@ pub(super) struct Sampler<'a, P> {
     width: usize,
     right: f32,
     bottom: f32,
-    /// The pixels around each column's place, first fetched, then mixed: mixing is done for several columns at a time.
-    upper: [[P; 2]; COLS],
-    lower: [[P; 2]; COLS],
+    /// The four pixels around each column's place, first fetched, then mixed: mixing is done for several columns at a time.
+    around: [[P; 4]; COLS],
 }
 
 impl<'a, P: Pixel> Sampler<'a, P> {
     pub(super) fn new(pixels: &'a [P], (width, height): (usize, usize)) -> Self {
-        let none = [[pixels[0]; 2]; COLS];
         let (right, bottom) = ((width - 1) as f32, (height - 1) as f32);
-        Self { pixels, width, right, bottom, upper: none, lower: none }
+        Self { pixels, width, right, bottom, around: [[pixels[0]; 4]; COLS] }
     }
 
     /// Grey values across `station`.
+    #[inline(always)]
     pub(super) fn row(&mut self, line: &mut Line, station: &Station) {
         let (right, bottom) = (self.right - 0.5, self.bottom - 0.5);
         let ends = [0, COLS - 1].map(|j| station.beside(j as f32 - MID as f32));
@@ -65,17 +67,19 @@ impl<'a, P: Pixel> Sampler<'a, P> {
     }
 
     /// Fetches the pixels at these places, those to their right, and the ones below both.
+    #[inline(always)]
     fn fetch(&mut self, at: &[u32; COLS]) {
         // Those that have others to their right and below, and the others: of one length, so that one check is enough.
         let (count, below) = (self.pixels.len() - self.width - 1, &self.pixels[self.width..]);
         let [a, b, c, d] = [&self.pixels[..count], &self.pixels[1..=count], &below[..count], &below[1..=count]];
-        for ((upper, lower), at) in self.upper.iter_mut().zip(&mut self.lower).zip(at) {
+        for (around, at) in self.around.iter_mut().zip(at) {
             let at = *at as usize;
-            (*upper, *lower) = ([a[at], b[at]], [c[at], d[at]]);
+            *around = [a[at], b[at], c[at], d[at]];
         }
     }
 
     /// A row that lies within the picture.
+    #[inline(always)]
     fn inside(&mut self, line: &mut Line, station: &Station) {
         let [cos, sin] = station.tangent;
         let [x0, y0] = station.beside(-(MID as f32)).map(|v| (v * PARTS) as i32);
@@ -88,9 +92,9 @@ impl<'a, P: Pixel> Sampler<'a, P> {
         }
         self.fetch(&at);
         (x, y) = (x0, y0);
-        for (value, (upper, lower)) in line.iter_mut().zip(self.upper.iter().zip(&self.lower)) {
+        for (value, around) in line.iter_mut().zip(&self.around) {
             let [u, v] = [x, y].map(|v| (v & 0xffff) as f32 * (1.0 / PARTS));
-            let [[a, b], [c, d]] = [*upper, *lower].map(P::greys);
+            let [a, b, c, d] = P::greys(*around);
             let (upper, lower) = (a + u * (b - a), c + u * (d - c));
             *value = upper + v * (lower - upper);
             (x, y) = (x + step_x, y + step_y);
@@ -98,6 +102,7 @@ impl<'a, P: Pixel> Sampler<'a, P> {
     }
 
     /// A row that touches the picture's rim, beyond which the rim goes on.
+    #[inline(always)]
     fn at_rim(&mut self, line: &mut Line, station: &Station) {
         let place = |j: usize| {
             let [x, y] = station.beside(j as f32 - MID as f32);
@@ -116,9 +121,9 @@ impl<'a, P: Pixel> Sampler<'a, P> {
             *at = (top as u32 & LONGEST) * row + left as u32;
         }
         self.fetch(&at);
-        for (j, (value, (upper, lower))) in line.iter_mut().zip(self.upper.iter().zip(&self.lower)).enumerate() {
+        for (j, (value, around)) in line.iter_mut().zip(&self.around).enumerate() {
             let (u, v) = (parts[0][j], parts[1][j]);
-            let [[a, b], [c, d]] = [*upper, *lower].map(P::greys);
+            let [a, b, c, d] = P::greys(*around);
             let (upper, lower) = (a * (1.0 - u) + b * u, c * (1.0 - u) + d * u);
             *value = upper * (1.0 - v) + lower * v;
         }

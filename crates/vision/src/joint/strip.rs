@@ -2,6 +2,7 @@ use super::axis::Station;
 use super::levels::{Grey, Picture};
 use super::make_room;
 use super::sample::{Pixel, Sampler};
+use crate::wide::{Work, wide};
 use std::ops::Range;
 
 /// Columns of a strip.
@@ -20,6 +21,8 @@ const STANDS_OUT: f32 = 2.2;
 pub(super) const METAL: f32 = 1.1;
 /// The light's change across is found from so many rows together.
 const LIT: usize = 24;
+/// Columns that are measured at a time.
+const LANES: usize = 8;
 /// Columns of each of the two boxes on either side.
 pub(super) const SIDE: usize = 3;
 
@@ -40,18 +43,20 @@ const fn away(half: usize) -> usize {
 pub(super) type Line = [f32; COLS];
 
 /// `f32::max` without its care for what is no number: one instruction.
+#[inline(always)]
 pub(super) fn greater(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
 /// The same of `f32::min`.
+#[inline(always)]
 pub(super) fn lesser(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
 /// The greatest of a line, several at a time.
+#[inline(always)]
 pub(super) fn greatest<const N: usize>(line: &[f32; N]) -> f32 {
-    const LANES: usize = 8;
     const { assert!(N.is_multiple_of(LANES), "whole lanes") };
     let mut lanes = [f32::MIN; LANES];
     for eight in line.as_chunks::<LANES>().0 {
@@ -65,28 +70,143 @@ pub(super) fn greatest<const N: usize>(line: &[f32; N]) -> f32 {
 /// How much darker the box of `HALF` columns to both sides of each column is than boxes beside it, of the sum of `count`
 /// rows. The lighter one of two boxes on a side counts (a scratch or the foot of a step beside the joint does no
 /// harm), and the darker side.
+#[inline(always)]
 fn depths<const HALF: usize>(depth: &mut Line, sum: &Line, count: f32) {
-    let (away, reach) = const { (away(HALF), away(HALF) + 2 * SIDE) };
-    let mut boxes = [0.0; COLS];
+    // Whole lanes, some behind the last column.
+    let (away, reach, lanes) = const {
+        let reach = away(HALF) + 2 * SIDE;
+        (away(HALF), reach, (COLS - 2 * reach).next_multiple_of(LANES))
+    };
+    let mut boxes = [0.0; COLS + LANES];
     for (j, value) in boxes[..COLS - SIDE + 1].iter_mut().enumerate() {
         *value = sum[j] + sum[j + 1] + sum[j + 2];
     }
-    let inner = COLS - 2 * reach;
     let (per_centre, per_side) = (1.0 / ((2 * HALF + 1) as f32 * count), 1.0 / (SIDE as f32 * count));
     let (left, right) = (reach - away - SIDE, reach + away + 1);
-    let near = [&boxes[left..left + inner], &boxes[right..right + inner]];
-    let far = [&boxes[left - SIDE..left - SIDE + inner], &boxes[right + SIDE..right + SIDE + inner]];
+    let near = [&boxes[left..left + lanes], &boxes[right..right + lanes]];
+    let far = [&boxes[left - SIDE..left - SIDE + lanes], &boxes[right + SIDE..right + SIDE + lanes]];
     // The columns of the box on the joint, each for all places.
     let centre: [&[f32]; 2 * MOST_HALF + 1] = std::array::from_fn(|k| {
         let from = reach - HALF + k.min(2 * HALF);
-        &sum[from..from + inner]
+        &sum[from..from + lanes]
     });
-    depth[..reach].fill(0.0);
-    depth[reach + inner..].fill(0.0);
-    for (j, depth) in depth[reach..reach + inner].iter_mut().enumerate() {
+    for (j, depth) in depth[reach..reach + lanes].iter_mut().enumerate() {
         let sides = [0, 1].map(|side| greater(near[side][j], far[side][j]));
-        let centre = centre[..=2 * HALF].iter().fold(0.0, |centre, column| centre + column[j]);
-        *depth = lesser(sides[0], sides[1]) * per_side - centre * per_centre;
+        let mut on_joint = 0.0;
+        for column in &centre[..=2 * HALF] {
+            on_joint += column[j];
+        }
+        *depth = lesser(sides[0], sides[1]) * per_side - on_joint * per_centre;
+    }
+    depth[..reach].fill(0.0);
+    depth[COLS - reach..].fill(0.0);
+}
+
+/// Grey values across each station.
+struct Unroll<'a, P, S> {
+    sampler: Sampler<'a, P>,
+    stations: S,
+    lines: &'a mut [Line],
+}
+
+impl<P: Pixel, S: Iterator<Item = Station>> Work for Unroll<'_, P, S> {
+    #[inline(always)]
+    fn run(mut self) {
+        for (line, station) in self.lines.iter_mut().zip(self.stations) {
+            self.sampler.row(line, &station);
+        }
+    }
+}
+
+/// Depths of a strip for a joint of `width` pixels; see [`Strip::measure`].
+struct Measure<'a, const HALF: usize> {
+    grey: &'a mut [Line],
+    depth: &'a mut [Line],
+    width: f32,
+    most: f32,
+}
+
+impl<const HALF: usize> Work for Measure<'_, HALF> {
+    #[inline(always)]
+    fn run(mut self) {
+        self.level_light();
+        let mut sum = [0.0; COLS];
+        let rows = self.grey.len();
+        for row in &self.grey[..GROUP.min(rows)] {
+            for (s, g) in sum.iter_mut().zip(row) {
+                *s += g;
+            }
+        }
+        let mut count = GROUP.min(rows) as f32;
+        for i in 0..rows {
+            if let Some(row) = self.grey.get_mut(i + GROUP) {
+                let part = 1.0 / count;
+                for (s, g) in sum.iter_mut().zip(row) {
+                    let mean = *s * part;
+                    *g = lesser(greater(*g, mean - self.most), mean + self.most);
+                    *s += *g;
+                }
+                count += 1.0;
+            }
+            if i > GROUP {
+                let past = self.grey[i - GROUP - 1];
+                sum = std::array::from_fn(|j| sum[j] - past[j]);
+                count -= 1.0;
+            }
+            depths::<HALF>(&mut self.depth[i], &sum, count);
+        }
+    }
+}
+
+impl<const HALF: usize> Measure<'_, HALF> {
+    /// Takes away the light's even change across, so far as it is the same on both sides of a joint in the middle: on
+    /// a ramp the middle of a wide joint would be drawn to its darker side.
+    #[inline(always)]
+    fn level_light(&mut self) {
+        let away = (METAL * self.width + 2.0) as usize;
+        let side = |row: &Line, columns: Range<usize>| {
+            let middle = 0.5 * (columns.start + columns.end - 1) as f32;
+            let (product, square) = columns.fold((0.0, 0.0), |(product, square), j| {
+                let off = j as f32 - middle;
+                (product + off * row[j], square + off * off)
+            });
+            product / square
+        };
+        for rows in self.grey.chunks_mut(LIT) {
+            let mut mean = [0.0; COLS];
+            let part = 1.0 / rows.len() as f32;
+            for row in &*rows {
+                for (m, g) in mean.iter_mut().zip(row) {
+                    *m += part * g;
+                }
+            }
+            let (left, right) = (side(&mean, 1..MID - away), side(&mean, MID + away + 1..COLS - 1));
+            if left * right <= 0.0 {
+                continue;
+            }
+            let slope = lesser(left.abs(), right.abs()).copysign(left);
+            let ramp: Line = std::array::from_fn(|j| slope * (j as f32 - MID as f32));
+            for row in rows {
+                for (g, r) in row.iter_mut().zip(&ramp) {
+                    *g -= r;
+                }
+            }
+        }
+    }
+}
+
+/// The greatest depth of each row.
+struct Deepest<'a> {
+    depth: &'a [Line],
+    deepest: &'a mut [f32],
+}
+
+impl Work for Deepest<'_> {
+    #[inline(always)]
+    fn run(self) {
+        for (deepest, depth) in self.deepest.iter_mut().zip(self.depth) {
+            *deepest = greatest(depth);
+        }
     }
 }
 
@@ -124,8 +244,8 @@ impl Strip {
 
     fn rows<P: Pixel>(&mut self, picture: &Picture, pixels: &[P], stations: impl ExactSizeIterator<Item = Station>) {
         self.grey.resize(stations.len(), [0.0; COLS]);
-        let mut sampler = Sampler::new(pixels, (picture.width, picture.height));
-        self.grey.iter_mut().zip(stations).for_each(|(line, station)| sampler.row(line, &station));
+        let sampler = Sampler::new(pixels, (picture.width, picture.height));
+        wide(Unroll { sampler, stations, lines: &mut self.grey });
     }
 
     /// Depths for a joint of `width` pixels. No pixel counts for more than `most` grey values more or less than those before it
@@ -133,63 +253,21 @@ impl Strip {
     pub(super) fn measure(&mut self, width: f32, most: f32) {
         let half = box_columns(width) / 2;
         let reach = away(half) + 2 * SIDE;
-        let depths = match half {
-            0 => depths::<0>,
-            1 => depths::<1>,
-            2 => depths::<2>,
-            _ => depths::<3>,
-        };
         self.columns = (reach, COLS - 1 - reach);
-        let mut sum = [0.0; COLS];
-        self.level_light(width);
-        let rows = self.grey.len();
-        self.depth.resize(rows, [0.0; COLS]);
-        for row in &self.grey[..GROUP.min(rows)] {
-            sum.iter_mut().zip(row).for_each(|(s, g)| *s += g);
-        }
-        let mut count = GROUP.min(rows) as f32;
-        for i in 0..rows {
-            if let Some(row) = self.grey.get_mut(i + GROUP) {
-                let part = 1.0 / count;
-                for (s, g) in sum.iter_mut().zip(row) {
-                    let mean = *s * part;
-                    *g = lesser(greater(*g, mean - most), mean + most);
-                    *s += *g;
-                }
-                count += 1.0;
-            }
-            if i > GROUP {
-                sum.iter_mut().zip(&self.grey[i - GROUP - 1]).for_each(|(s, g)| *s -= g);
-                count -= 1.0;
-            }
-            depths(&mut self.depth[i], &sum, count);
+        self.depth.resize(self.grey.len(), [0.0; COLS]);
+        let Self { grey, depth, .. } = self;
+        match half {
+            0 => wide(Measure::<0> { grey, depth, width, most }),
+            1 => wide(Measure::<1> { grey, depth, width, most }),
+            2 => wide(Measure::<2> { grey, depth, width, most }),
+            _ => wide(Measure::<3> { grey, depth, width, most }),
         }
     }
 
-    /// Takes away the light's even change across, so far as it is the same on both sides of a joint of `width` in the middle: on
-    /// a ramp the middle of a wide joint would be drawn to its darker side.
-    fn level_light(&mut self, width: f32) {
-        let away = (METAL * width + 2.0) as usize;
-        let side = |row: &Line, columns: Range<usize>| {
-            let middle = 0.5 * (columns.start + columns.end - 1) as f32;
-            let (product, square) = columns.fold((0.0, 0.0), |(product, square), j| {
-                let off = j as f32 - middle;
-                (product + off * row[j], square + off * off)
-            });
-            product / square
-        };
-        for rows in self.grey.chunks_mut(LIT) {
-            let mut mean = [0.0; COLS];
-            let part = 1.0 / rows.len() as f32;
-            rows.iter().for_each(|row| mean.iter_mut().zip(row).for_each(|(m, g)| *m += part * g));
-            let (left, right) = (side(&mean, 1..MID - away), side(&mean, MID + away + 1..COLS - 1));
-            if left * right <= 0.0 {
-                continue;
-            }
-            let slope = lesser(left.abs(), right.abs()).copysign(left);
-            let ramp: Line = std::array::from_fn(|j| slope * (j as f32 - MID as f32));
-            rows.iter_mut().for_each(|row| row.iter_mut().zip(&ramp).for_each(|(g, r)| *g -= r));
-        }
+    /// The greatest depth of each row.
+    pub(super) fn find_deepest(&self, deepest: &mut Vec<f32>) {
+        deepest.resize(self.depth.len(), 0.0);
+        wide(Deepest { depth: &self.depth, deepest });
     }
 
     /// Which rows show a joint along `path`, by the rows about each, where it is `contrast` deep.

@@ -4,6 +4,7 @@
 
 use super::levels::{Grey, Picture};
 use super::make_room;
+use crate::wide::{Work, wide};
 
 /// Parts of a grey value that are told apart. (Two grey values together are no more than 16 bits.)
 const PARTS: f32 = 64.0;
@@ -117,15 +118,31 @@ fn each_of(pixels: &mut [i16], count: usize, step: usize, of: impl Fn(i16, i16) 
 
 /// Combines each pixel with the one so far behind it.
 fn combine(pixels: &mut [i16], apart: usize, of: impl Fn(i16, i16) -> i16) {
-    let count = pixels.len().saturating_sub(apart);
-    let whole = count - count % LANES;
-    for i in (0..whole).step_by(LANES) {
-        let mut behind = [0; LANES];
-        behind.copy_from_slice(&pixels[i + apart..][..LANES]);
-        pixels[i..][..LANES].iter_mut().zip(behind).for_each(|(a, b)| *a = of(*a, b));
-    }
-    for i in whole..count {
-        pixels[i] = of(pixels[i], pixels[i + apart]);
+    wide(Combine { pixels, apart, of });
+}
+
+struct Combine<'a, F> {
+    pixels: &'a mut [i16],
+    apart: usize,
+    of: F,
+}
+
+impl<F: Fn(i16, i16) -> i16> Work for Combine<'_, F> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { pixels, apart, of } = self;
+        let count = pixels.len().saturating_sub(apart);
+        let whole = count - count % LANES;
+        for i in (0..whole).step_by(LANES) {
+            let mut behind = [0; LANES];
+            behind.copy_from_slice(&pixels[i + apart..][..LANES]);
+            for (a, b) in pixels[i..][..LANES].iter_mut().zip(behind) {
+                *a = of(*a, b);
+            }
+        }
+        for i in whole..count {
+            pixels[i] = of(pixels[i], pixels[i + apart]);
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 mod leap;
 mod see;
 
-use crate::joint::axis::{Axis, Station};
+use crate::joint::axis::{Axis, Station, length};
 use crate::joint::lattice::{Lattice, column_about};
 use crate::joint::levels::Picture;
 use crate::joint::make_room;
@@ -267,8 +267,9 @@ impl Trail {
             return straight;
         }
         let there = Axis { at, heading, ..*axis };
+        let place = there.along_and_across();
         let local = last.iter().filter(|p| p.seen).map(|p| {
-            let (along, across) = there.along_and_across(p.at);
+            let (along, across) = place(p.at);
             (along, across, 1.0)
         });
         let Some(found) = Parabola::through(local, 1.0 / (0.5 * BENT).powi(2)) else { return straight };
@@ -279,7 +280,7 @@ impl Trail {
 
     /// How far it is to place `last`, pixels of its level.
     pub(in crate::joint) fn way(&self, last: usize) -> f32 {
-        let step = |pair: &[Place]| (pair[1].at[0] - pair[0].at[0]).hypot(pair[1].at[1] - pair[0].at[1]);
+        let step = |pair: &[Place]| length([0, 1].map(|k| pair[1].at[k] - pair[0].at[k]));
         self.places[..=last].windows(2).map(step).sum()
     }
 
@@ -290,7 +291,7 @@ impl Trail {
         if count < 40 {
             return false;
         }
-        let away = |a: [f32; 2], b: [f32; 2]| (b[0] - a[0]).hypot(b[1] - a[1]);
+        let away = |a: [f32; 2], b: [f32; 2]| length([b[0] - a[0], b[1] - a[1]]);
         let (first, last) = (places[0].at, places[count - 1].at);
         if away(first, last) > 3.5 {
             return false;

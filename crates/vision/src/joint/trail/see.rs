@@ -4,7 +4,7 @@ use super::{Look, ROWS, SPIKY, Trail};
 use crate::joint::axis::{Axis, Station};
 use crate::joint::levels::Picture;
 use crate::joint::make_room;
-use crate::joint::strip::{MID, box_columns, greatest};
+use crate::joint::strip::{MID, box_columns};
 
 /// What each pixel of distance from where the path is expected costs, beyond the free ones, nats.
 const AWAY: f32 = 1.5;
@@ -46,11 +46,10 @@ impl Trail {
 
     fn see_unrolled(&mut self, look: &mut Look, gap: usize) -> f32 {
         let score = self.find(look.contrast, 1.5 + 0.15 * gap as f32);
-        let noise = self.strip.noise_beside(&self.path, look.width);
-        let learned = look.noise + 0.3 * (noise.clamp(0.6 * look.noise, 1.5 * look.noise) - look.noise);
         self.judge(look.contrast);
         if 2 * self.count() >= ROWS {
-            look.noise = learned;
+            let noise = self.strip.noise_beside(&self.path, look.width);
+            look.noise += 0.3 * (noise.clamp(0.6 * look.noise, 1.5 * look.noise) - look.noise);
             return score;
         }
         self.see_in_other_light(look, 1.5 + 0.15 * gap as f32, score)
@@ -94,8 +93,7 @@ impl Trail {
     }
 
     fn find_deepest(&mut self) {
-        self.deepest.clear();
-        self.deepest.extend(self.strip.depth.iter().map(greatest));
+        self.strip.find_deepest(&mut self.deepest);
     }
 
     /// Whatever a later frame shows, it is not to allocate.

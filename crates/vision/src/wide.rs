@@ -1,0 +1,56 @@
+//! Loops over as many numbers at a time as this computer can.
+
+use pulp::{Arch, Simd, WithSimd};
+
+/// Work whose loops are worth it. All that it calls has to be inlined into `run`, and that itself (`#[inline(always)]`): what is
+/// called is compiled for any computer. (Closures are called, so `for` instead of `for_each`.)
+pub(crate) trait Work {
+    fn run(self);
+}
+
+/// Does `work` with the widest arithmetic that this computer has. The numbers are the same on every computer, as a product and a
+/// sum stay two roundings.
+pub(crate) fn wide(work: impl Work) {
+    Arch::new().dispatch(Compiled(work));
+}
+
+struct Compiled<W>(W);
+
+impl<W: Work> WithSimd for Compiled<W> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.0.run();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Polynomial<'a> {
+        x: &'a [f32],
+        y: &'a mut [f32],
+    }
+
+    impl Work for Polynomial<'_> {
+        #[inline(always)]
+        fn run(self) {
+            for (x, y) in self.x.iter().zip(self.y) {
+                *y = (0.3 * x + 0.7) * x - 1.1 / x;
+            }
+        }
+    }
+
+    #[test]
+    fn numbers_are_the_same_in_any_arithmetic() {
+        let x: Vec<f32> = (1..10_000).map(|i| 0.123 * i as f32).collect();
+        let [mut widest, mut single] = [(); 2].map(|()| vec![0.0; x.len()]);
+        wide(Polynomial { x: &x, y: &mut widest });
+        pulp::Scalar::new().vectorize(Compiled(Polynomial { x: &x, y: &mut single }));
+        assert_eq!(widest, single);
+        // One rounding instead of two would tell otherwise.
+        assert!(x.iter().zip(&widest).any(|(x, y)| (0.3f32.mul_add(*x, 0.7) * x - 1.1 / x) != *y));
+    }
+}
