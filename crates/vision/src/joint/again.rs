@@ -1,7 +1,9 @@
 //! A joint that is seen no longer is tried once more in other ways; what is found so has no confidence.
 
+use super::bend;
 use super::follow::{Follower, Inside, known_width};
 use super::levels::Levels;
+use super::trail::leap::CHORD;
 use super::trail::{Look, ROWS};
 use super::{CONFIDENT, End, Row, Start, State, judge};
 use crate::Frame;
@@ -19,8 +21,12 @@ const UNSEEN: f32 = 16.0;
 pub(super) const NARROWER: f32 = 0.7;
 /// ... and as long as this part of it: what is wider is its surroundings.
 const AS_LONG: f32 = 0.9;
+/// Among rows that are not sure a joint turns by no more than this beyond its own bend, rad.
+const CORNER: f32 = 0.45;
+/// Where it goes straight on instead, so much of it at most is not seen.
+const MOST_UNSEEN: f32 = 0.05;
 /// A joint is wide if it is followed on this level or a coarser one.
-const COARSE: usize = 2;
+pub(super) const COARSE: usize = 2;
 /// Rows that were sure stay if the new way passes them so near, pixels or parts of the width.
 const SAME: (f32, f32) = (2.0, 0.25);
 /// Rows that tell the way at one of them.
@@ -30,7 +36,7 @@ impl Follower {
     /// Tries again if the joint may go on behind its end; `looks` are those at its start and where it was followed last.
     pub(super) fn try_again(&mut self, frame: &Frame, start: &Start, inside: &Inside, looks: [Look; 2]) {
         let look = looks[0];
-        if self.try_on_top_hat(frame, start, inside, looks) {
+        if self.try_on_top_hat(frame, start, inside, looks) || self.try_straight_on(frame, inside, &look) {
             return;
         }
         if self.joint.end == End::Lost && look.level >= COARSE && known_width(start).is_none() {
@@ -53,21 +59,61 @@ impl Follower {
             End::Lost | End::JointEnd => LONGER * length,
             End::LeftImage => length + 0.5 * unseen,
         };
-        // On the frame itself a top-hat takes long.
-        let level = look.level.max(1);
+        // From where it was last sure, so far back as a strip shows it.
+        let rows = &self.joint.rows;
+        let from = last_sure(rows).map_or(0, |last| last.saturating_sub(a_strip_on_top_hat(&look)));
+        let before = rows.get(..=from).map_or(0.0, way);
+        let start = start_at(rows, from).unwrap_or(*start);
+        self.follow_on_top_hat(frame, &start, inside, &look, (length - before, least - before)) && self.keep_sure()
+    }
+
+    /// Follows straight on, where the edges of light are not seen, from where the way turns like none of a joint among rows that are not
+    /// sure: at the rim of a tack, or where another joint meets. True if the joint goes on there.
+    fn try_straight_on(&mut self, frame: &Frame, inside: &Inside, look: &Look) -> bool {
+        let rows = &self.joint.rows;
+        let corner = (last_sure(rows).unwrap_or(0).max(bend::REACH)..rows.len().saturating_sub(bend::REACH))
+            .find(|i| bend::sharpness(|k| [rows[k].x, rows[k].y], *i) > CORNER);
+        let Some(corner) = corner.map(|corner| corner - CHORD).filter(|_| self.joint.end != End::Closed) else {
+            return false;
+        };
+        let from = corner.saturating_sub(a_strip_on_top_hat(look)).max(HEADING);
+        let Some(start) = start_at(rows, from).filter(|_| from < corner) else { return false };
+        let length = way(&rows[from..=corner]);
+        self.hidden = Some((corner - from) >> (top_hat_level(look) - look.level));
+        let found = self.follow_on_top_hat(frame, &start, inside, look, (length, length + STRETCH));
+        self.hidden = None;
+        if !found {
+            return false;
+        }
+        // As far as it went, or to the rim, and hardly anything else.
+        let rows = &self.joint.rows;
+        let to_rim = rows.last().map_or(f32::INFINITY, |row| inside.to_rim([row.x, row.y]));
+        let is_as_far = to_rim < UNSEEN.max(look.width_in_frame()) || way(rows) >= way(&self.before.rows[from..]);
+        let unseen = rows.iter().filter(|row| row.state == State::Coasted).count();
+        if !is_as_far || unseen as f32 > MOST_UNSEEN * rows.len() as f32 {
+            std::mem::swap(&mut self.joint, &mut self.before);
+            return false;
+        }
+        self.keep_sure()
+    }
+
+    /// Follows once more as [`Self::follow_again`] does, on the top-hat of the level of `look`.
+    fn follow_on_top_hat(
+        &mut self,
+        frame: &Frame,
+        start: &Start,
+        inside: &Inside,
+        look: &Look,
+        (length, least): (f32, f32),
+    ) -> bool {
+        let (level, width) = (top_hat_level(look), look.width_in_frame());
         if level > Levels::coarsest(frame) {
             return false;
         }
-        let width = look.width_in_frame();
         self.levels.cover(frame, level, (width / (1 << level) as f32, look.contrast));
-        // From where it was last sure, so far back as a strip shows it.
-        let rows = &self.joint.rows;
-        let from = last_sure(rows).map_or(0, |last| last.saturating_sub(ROWS << (level - look.level)));
-        let before = rows.get(..=from).map_or(0.0, way);
-        let start = Start { width: Some(width), ..start_at(rows, from).unwrap_or(*start) };
-        let found = self.follow_again(frame, &start, inside, length - before, least - before);
+        let found = self.follow_again(frame, &Start { width: Some(width), ..*start }, inside, length, least);
         self.levels.uncover();
-        found && self.keep_sure()
+        found
     }
 
     /// True if the joint is followed for sure to where it ends and there is even metal behind; `last` is the look there.
@@ -117,6 +163,16 @@ impl Follower {
         now.extend_from_slice(&before[nearest + 1..]);
         true
     }
+}
+
+/// The level on which a joint is followed on a top-hat: on the frame itself that takes long.
+fn top_hat_level(look: &Look) -> usize {
+    look.level.max(1)
+}
+
+/// Rows of a joint that a strip on its top-hat is long.
+fn a_strip_on_top_hat(look: &Look) -> usize {
+    ROWS << (top_hat_level(look) - look.level)
 }
 
 /// The last row that is sure.

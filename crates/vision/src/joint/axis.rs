@@ -72,7 +72,7 @@ impl Axis {
 }
 
 /// `f32::atan2`, which takes long, to a millionth: angles near none by their series.
-fn angle(y: f32, x: f32) -> f32 {
+pub(super) fn angle(y: f32, x: f32) -> f32 {
     let ratio = y / x;
     if x > 0.0 && ratio.abs() < 0.3 {
         let square = ratio * ratio;

@@ -1,10 +1,10 @@
-use super::again::NARROWER;
+use super::again::{COARSE, NARROWER};
 use super::axis::Axis;
 use super::end::{Cut, cut};
 use super::levels::{Levels, Picture, from_level, to_level};
 use super::midline::Midline;
 use super::rims::{self, Rims};
-use super::trail::{Limits, Look, ROWS, Stop, Trail};
+use super::trail::{Limits, Look, ROWS, Trail};
 use super::{CONFIDENT, End, Joint, Options, Row, Start, State, Zone, judge, make_room};
 use crate::Frame;
 use std::f32::consts::PI;
@@ -37,6 +37,8 @@ pub struct Follower {
     rims: Rims,
     /// A start of unknown width is looked for with widths below this, pixels, and found narrower than this by a part.
     pub(super) narrower: f32,
+    /// How many places behind its start something is known to hide the joint.
+    pub(super) hidden: Option<usize>,
     pub(super) joint: Joint,
     /// The joint as it was found before it was tried again.
     pub(super) before: Joint,
@@ -49,7 +51,17 @@ impl Follower {
         let joint = Joint { rows: Vec::new(), end: End::Lost };
         let before = joint.clone();
         let (trail, midline, rims) = (Trail::default(), Midline::default(), Rims::default());
-        Self { options, levels: Levels::new(), trail, midline, rims, narrower: f32::INFINITY, joint, before }
+        Self {
+            options,
+            levels: Levels::new(),
+            trail,
+            midline,
+            rims,
+            narrower: f32::INFINITY,
+            hidden: None,
+            joint,
+            before,
+        }
     }
 
     /// The joint in `frame` from `start`. A start outside the frame or zone, or not finite, gives no rows and
@@ -149,7 +161,9 @@ impl Follower {
         let (level, width) = on_level(width.clamp(WIDTH.0, WIDTH.1), coarsest);
         let picture = self.levels.picture(frame, level);
         let at = [start.x, start.y].map(|v| to_level(v, level));
-        self.trail.look(&picture, Axis { at, heading: best.axis.heading, curvature: 0.0 }, width, level)
+        let axis = Axis { at, heading: best.axis.heading, curvature: 0.0 };
+        // Next to the edge of a shadow a wide joint may not be seen with its width itself.
+        self.trail.look(&picture, axis, width, level).or((level >= COARSE && level == best.level).then_some(best))
     }
 
     fn go_on(&mut self, frame: &Frame, look: &mut Look, inside: &Inside, least: f32) -> End {
@@ -158,7 +172,12 @@ impl Follower {
         let gap = self.options.gap.unwrap_or(GAP * side) / scale;
         let length = self.longest(frame) / scale;
         let level = look.level;
-        let limits = Limits { inside: |at: [f32; 2]| inside.holds(at.map(|v| from_level(v, level))), gap, length };
+        let limits = Limits {
+            inside: |at: [f32; 2]| inside.holds(at.map(|v| from_level(v, level))),
+            gap,
+            length,
+            hidden: self.hidden,
+        };
         let picture = self.levels.picture(frame, level);
         let stop = self.trail.follow(&picture, look, &limits);
         let seen = self.trail.places.iter().rposition(|p| p.seen);
@@ -166,13 +185,14 @@ impl Follower {
             return End::Lost;
         }
         self.midline.find(&picture, &self.trail, look);
-        let end = tell(
-            &mut self.midline,
-            &picture,
-            (level, look.width, self.trail.solid, stop, gap),
-            self.options.on_joint,
-            &mut self.joint.rows,
-        );
+        let cut =
+            cut(&self.midline.rows, (self.trail.solid, stop), (gap, level), |i| self.midline.is_whole(i, &picture));
+        let Some(cut) = cut else { return End::Lost };
+        if cut.end == End::JointEnd {
+            self.midline.end_before(cut.rows, look.width);
+        }
+        let end =
+            tell(&self.midline, &picture, (level, self.trail.solid, cut), self.options.on_joint, &mut self.joint.rows);
         if level >= rims::FINER {
             self.rims.place(&self.levels, frame, level, &mut self.joint.rows);
         }
@@ -182,21 +202,20 @@ impl Follower {
 
 /// Rows of the frame from those of the level.
 fn tell(
-    midline: &mut Midline,
+    midline: &Midline,
     picture: &Picture,
-    (level, width, solid, stop, gap): (usize, f32, usize, Stop, f32),
+    (level, solid, Cut { rows, end, beyond }): (usize, usize, Cut),
     on_joint: bool,
     out: &mut Vec<Row>,
 ) -> End {
     let scale = (1 << level) as f32;
-    let Some(Cut { rows, end, beyond }) = cut(&midline.rows, solid, stop, gap) else { return End::Lost };
-    if end == End::JointEnd {
-        midline.end_before(rows, width);
-    }
+    // What is told to end is there up to its end, though groups of rows there show less of it.
+    let to_end =
+        midline.rows[..rows].iter().rposition(|found| found.seen).filter(|_| end == End::JointEnd).unwrap_or(rows);
     for (i, found) in midline.rows[..rows].iter().enumerate() {
         let confidence = judge::row(found, scale, midline.is_whole(i, picture));
         let [x, y] = found.at.map(|v| from_level(v, level));
-        let state = if found.seen { State::Seen } else { State::Coasted };
+        let state = if found.seen || i > to_end { State::Seen } else { State::Coasted };
         out.push(Row { x, y, confidence, width: found.width * scale, state });
     }
     bridge(out);

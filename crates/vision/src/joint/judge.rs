@@ -1,3 +1,4 @@
+use super::bend;
 use super::midline::Found;
 use super::{CONFIDENT, End, Row, State};
 use std::ops::Range;
@@ -8,7 +9,7 @@ const MARGIN: f32 = 12.0;
 /// Nats by which a joint is likelier than none.
 const STRENGTH: f32 = 5.0;
 /// Standard error, pixels.
-const ERROR: f32 = 0.5;
+const ERROR: f32 = 0.46;
 /// How unlike the rest of the joint.
 const UNLIKE: f32 = 1.45;
 /// Asymmetry of the valley, pixels.
@@ -22,14 +23,12 @@ const HEADING: usize = 16;
 const KINK: f32 = 0.25;
 const KINK_OVER: f32 = 0.006;
 /// A narrow line that turns by so much in all at each of its gaps, in the mean, is scratches beside each other, rad.
-const JUMPS: f32 = 0.25;
+const JUMPS: f32 = 0.2;
 /// Stretches before and behind a gap are at least this part as deep as each other.
 const AS_DEEP: f32 = 0.5;
 /// A stretch is much longer than another one if it is longer than so many of it.
 const MUCH_LONGER: usize = 3;
-/// A scratch that meets another one turns at once: rows next to a turn that are left out, and rows before and after that tell ...
-const ANGLE: (usize, usize) = (5, 25);
-/// ... how much sharper it is than their own bend, rad.
+/// A scratch that meets another one turns so much more sharply than its own bend, rad.
 const SHARP: f32 = 0.2;
 /// Between sure rows a joint turns by more than this only in a bend without a corner sharper than that, rad.
 const TURNED: f32 = 0.4;
@@ -173,17 +172,12 @@ fn turns(rows: &[Row], first: &Range<usize>, second: &Range<usize>) -> [f32; 2] 
     let over = way(last, next);
     let into = way(rows[first.start.max(first.end.saturating_sub(HEADING))], last);
     let out = way(next, rows[(second.end - 1).min(second.start + HEADING)]);
-    [turn(into, over), turn(over, out)]
+    [bend::turn(into, over).abs(), bend::turn(over, out).abs()]
 }
 
 /// The way from one row to another.
 fn way(from: Row, to: Row) -> [f32; 2] {
     [to.x - from.x, to.y - from.y]
-}
-
-/// The angle between two ways, rad.
-fn turn(a: [f32; 2], b: [f32; 2]) -> f32 {
-    (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]).abs()
 }
 
 /// True if either is too sharp for a joint, for a gap between these rows.
@@ -257,27 +251,15 @@ fn is_angle(rows: &[Row], i: usize) -> bool {
 fn turn_over(rows: &[Row], before: usize, from: usize) -> f32 {
     let last = rows.len() - 1;
     let into = way(rows[before.saturating_sub(1 + HEADING)], rows[before - 1]);
-    turn(into, way(rows[from], rows[(from + HEADING).min(last)]))
+    bend::turn(into, way(rows[from], rows[(from + HEADING).min(last)])).abs()
 }
 
 /// By how much the way turns at row `i` beyond its bend before and behind it, rad.
 fn angle(rows: &[Row], i: usize) -> f32 {
-    let (near, arm) = ANGLE;
-    if i < near + arm || i + near + arm >= rows.len() {
+    if i < bend::REACH || i + bend::REACH >= rows.len() {
         return 0.0;
     }
-    let heading = |a: usize, b: usize| (rows[b].y - rows[a].y).atan2(rows[b].x - rows[a].x);
-    let turn = |a: f32, b: f32| {
-        let (sin, cos) = (b - a).sin_cos();
-        sin.atan2(cos)
-    };
-    let (first, last) = (i - near - arm, i + near + arm);
-    let (before, after) = (i - near - arm / 2, i + near + arm / 2);
-    let own =
-        turn(heading(first, before), heading(before, i - near)) + turn(heading(i + near, after), heading(after, last));
-    let between = turn(heading(first, i - near), heading(i + near, last));
-    // Two halves of an arm are half an arm apart, the two arms an arm and twice the way near the row.
-    (between - own * (2 * near + arm) as f32 / arm as f32).abs()
+    bend::sharpness(|k| [rows[k].x, rows[k].y], i)
 }
 
 #[cfg(test)]

@@ -37,6 +37,9 @@ const BUMP: [usize; 2] = [10, 20];
 const STEP: f32 = 0.3;
 const STEP_ERRORS: f32 = 3.5;
 
+/// How a parabola is held to a line: where all rows are on one side of its end, noise would bend it.
+const STIFF: f32 = 100.0;
+
 /// Metal is even if boxes beside each other differ by less than this part of the joint's depth.
 const PLAIN: f32 = 0.25;
 
@@ -149,7 +152,7 @@ impl Midline {
         self.path.resize(self.stations.len(), MID);
         // A few rows tell none.
         self.strip.noise = look.noise;
-        self.strip.noise = self.strip.noise_beside(&self.path, look.width);
+        self.strip.noise = self.strip.noise_beside(&self.path, (look.width, look.contrast));
         self.lattice.weigh(&self.strip, |i| self.contrast[i]);
         self.lattice.best(|_| 0.0, &mut self.path);
         self.follow_contrast(&trail.places);
@@ -383,7 +386,7 @@ impl Midline {
         }
         let seen = self.seen[near].iter().enumerate().filter(|(_, seen)| **seen);
         let places = seen.map(|(k, _)| (local[0][k], local[1][k], local[2][k]));
-        let Some(parabola) = Parabola::through(places, 1.0) else { return (self.centre[i], f32::INFINITY) };
+        let Some(parabola) = Parabola::through(places, STIFF) else { return (self.centre[i], f32::INFINITY) };
         let error = (parabola.rest * parabola.variance).sqrt();
         (parabola.terms[0] + MID as f32, if parabola.weights > 4.0 { error } else { f32::INFINITY })
     }

@@ -9,6 +9,7 @@
 
 mod again;
 mod axis;
+mod bend;
 mod end;
 mod even;
 mod follow;

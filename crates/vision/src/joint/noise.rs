@@ -1,12 +1,13 @@
 //! The noise of depths in a strip.
 
 use super::strip::{COLS, GROUP, Strip};
-use std::ops::Range;
 
 /// Groups this many rows apart share none.
 const APART: usize = 2 * GROUP + 1;
 /// About so many rows tell the noise of a long strip.
 const NOISE_ROWS: usize = 100;
+/// A joint so many times as deep as the noise is clear.
+const CLEAR: f32 = 10.0;
 /// Least noise of a depth, grey values of 255.
 const LEAST_NOISE: f32 = 0.3;
 
@@ -14,35 +15,50 @@ impl Strip {
     /// The noise of all depths.
     pub(super) fn noise_everywhere(&mut self) -> f32 {
         let (first, last) = self.columns;
-        self.measure_noise(|_| [first..last + 1, 0..0])
+        self.measure_noise(|_| [([first; 2], last + 1 - first)])
     }
 
-    /// The noise, without what is near a path.
-    pub(super) fn noise_beside(&mut self, path: &[usize], width: f32) -> f32 {
+    /// The noise, without what is near the path of a joint so wide and so many grey values deep.
+    pub(super) fn noise_beside(&mut self, path: &[usize], (width, contrast): (f32, f32)) -> f32 {
         let (first, last) = self.columns;
         let away = width as usize + 2;
-        self.measure_noise(|i| {
+        let noise = self.measure_noise(|i| {
             let near = &path[i..(i + APART + 1).min(path.len())];
             // In numbers that are small, several at a time.
             let columns = near.iter().map(|j| *j as i16);
             let (low, high) = columns.fold((COLS as i16, 0), |(low, high), j| (low.min(j), high.max(j)));
-            let (low, high) = (low as usize, high as usize);
-            [first..(low + 1).saturating_sub(away).max(first), (high + away).min(last + 1)..last + 1]
-        })
+            let left = (low as usize + 1).saturating_sub(first + away);
+            let right = (last + 1).saturating_sub(high as usize + away);
+            let (from, behind) = (low as usize + 1, high as usize + away);
+            [[from.saturating_sub(away + left); 2], [behind; 2]].into_iter().zip([left, right])
+        });
+        if contrast > CLEAR * noise {
+            return noise;
+        }
+        // What a bend moves along with the joint is no noise.
+        let moved = self.measure_noise(|i| {
+            let (a, b) = (path[i], path[i + APART]);
+            let left = (a.min(b) + 1).saturating_sub(first + away);
+            let right = (last + 1).saturating_sub(a.max(b) + away);
+            let from = [a, b].map(|j| (j + 1).saturating_sub(away + left));
+            [from, [a + away, b + away]].into_iter().zip([left, right])
+        });
+        if contrast > CLEAR * moved { moved } else { noise }
     }
 
-    /// What differs between groups that share no row is noise, the joint goes on; a low quantile, as it may slant. In the
-    /// columns of each row that `within` tells.
-    fn measure_noise(&mut self, within: impl Fn(usize) -> [Range<usize>; 2]) -> f32 {
+    /// What differs between groups that share no row is noise, the joint goes on; a low quantile, as it may slant. `within`: from which
+    /// columns of a row and of the one that is compared with it on how many are.
+    fn measure_noise<W: IntoIterator<Item = ([usize; 2], usize)>>(&mut self, within: impl Fn(usize) -> W) -> f32 {
         let step = (self.depth.len() / NOISE_ROWS).max(2);
         self.magnitudes.clear();
         for (i, (a, b)) in self.depth.iter().zip(self.depth.iter().skip(APART)).enumerate().step_by(step) {
-            // Every other column, over the gap between the two ranges too.
+            // Every other column, over the gap between ranges too.
             let mut skipped = 0;
-            for Range { start, end } in within(i) {
-                let start = (start + skipped).min(end);
-                skipped = (end - start) % 2;
-                let ((a, last_a), (b, last_b)) = (a[start..end].as_chunks::<2>(), b[start..end].as_chunks::<2>());
+            for ([from_a, from_b], count) in within(i).into_iter().filter(|(_, count)| *count > 0) {
+                let less = skipped.min(count);
+                skipped = (count - less) % 2;
+                let (a, b) = (&a[from_a + less..from_a + count], &b[from_b + less..from_b + count]);
+                let ((a, last_a), (b, last_b)) = (a.as_chunks::<2>(), b.as_chunks::<2>());
                 self.magnitudes.extend(a.iter().zip(b).map(|(a, b)| (a[0] - b[0]).abs()));
                 self.magnitudes.extend(last_a.iter().zip(last_b).map(|(a, b)| (a - b).abs()));
             }
@@ -68,21 +84,40 @@ mod tests {
     use crate::joint::strip::{MID, SIDE, box_columns};
     use crate::joint::testing::random;
 
+    const ROWS: usize = 480;
+
+    /// A strip along a joint of this width in noise of this deviation, to and fro by so many pixels, and the joint's path.
+    fn along(width: f32, deviation: f32, bent: f32) -> (Strip, Vec<usize>) {
+        let mut even = random();
+        let mut random = || (0..12).map(|_| even() - 0.5).sum::<f32>();
+        let middle = |i: usize| MID as f32 + bent * (i as f32 / 40.0).sin();
+        let dark = |off: f32| 60.0 * (-4.0 * std::f32::consts::LN_2 * (off / width).powi(2)).exp();
+        let mut row = |i| std::array::from_fn(|j| 150.0 - dark(j as f32 - middle(i)) + deviation * random());
+        let mut strip = Strip { grey: (0..ROWS).map(&mut row).collect(), ..Strip::default() };
+        strip.measure(width, f32::INFINITY);
+        (strip, (0..ROWS).map(|i| middle(i).round() as usize).collect())
+    }
+
     /// Along a joint of any width in even noise: the deviation of the mean of a box on the joint less that of one beside it.
     #[test]
     fn the_noise_of_depths_is_told() {
-        const ROWS: usize = 480;
-        let mut even = random();
-        let mut random = || (0..12).map(|_| even() - 0.5).sum::<f32>();
         for (width, deviation) in [(1.0, 4.0), (3.0, 2.0), (5.0, 4.0), (6.8, 8.0)] {
-            let dark = |off: f32| 30.0 * (-4.0 * std::f32::consts::LN_2 * (off / width).powi(2)).exp();
-            let mut row = |_| std::array::from_fn(|j| 150.0 - dark(j as f32 - MID as f32) + deviation * random());
-            let mut strip = Strip { grey: (0..ROWS).map(&mut row).collect(), ..Strip::default() };
-            strip.measure(width, f32::INFINITY);
-            let told = strip.noise_beside(&[MID; ROWS], width);
+            let (mut strip, path) = along(width, deviation, 0.0);
+            let told = strip.noise_beside(&path, (width, 50.0));
             let boxes = 1.0 / SIDE as f32 + 1.0 / box_columns(width) as f32;
             let noise = deviation * (boxes / (2 * GROUP + 1) as f32).sqrt();
             assert!((0.6..1.5).contains(&(told / noise)), "{width}: {told}, {noise}");
+        }
+    }
+
+    /// Of a joint that is clear, its bends are not taken for noise; of one that is not, whatever differs is.
+    #[test]
+    fn what_moves_along_with_a_clear_joint_is_no_noise() {
+        for width in [5.0, 6.8] {
+            let (mut strip, path) = along(width, 1.0, 5.0);
+            let all = strip.noise_beside(&path, (width, 0.0));
+            let clear = strip.noise_beside(&path, (width, 0.95 * CLEAR * all));
+            assert!(clear < 0.9 * all, "{width}: {clear}, {all}");
         }
     }
 }

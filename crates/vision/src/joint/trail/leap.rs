@@ -3,7 +3,7 @@ use crate::joint::axis::Axis;
 use crate::joint::levels::Picture;
 
 /// Chords this many places long ...
-pub(super) const CHORD: usize = 14;
+pub(in crate::joint) const CHORD: usize = 14;
 /// ... do not turn by more than this, rad.
 const CORNER: f32 = 0.6;
 /// Places leapt over at a time behind a corner.

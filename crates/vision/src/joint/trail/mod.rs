@@ -1,4 +1,4 @@
-mod leap;
+pub(super) mod leap;
 mod see;
 
 use crate::joint::axis::{Axis, Station, length};
@@ -109,6 +109,8 @@ pub(super) struct Limits<F: Fn([f32; 2]) -> bool> {
     pub(super) inside: F,
     pub(super) gap: f32,
     pub(super) length: f32,
+    /// Place at which something is known to hide the joint.
+    pub(super) hidden: Option<usize>,
 }
 
 impl Trail {
@@ -133,7 +135,7 @@ impl Trail {
                 self.strip.measure(width, START_SPIKE * contrast);
             }
             self.find(contrast, free);
-            self.strip.noise = self.strip.noise_beside(&self.path, width);
+            self.strip.noise = self.strip.noise_beside(&self.path, (width, contrast));
             let depths = self.path[..rows].iter().zip(&self.strip.depth).map(|(j, row)| row[*j]);
             contrast = (depths.sum::<f32>() / rows as f32).max(2.0 * self.strip.noise);
         }
@@ -224,7 +226,8 @@ impl Trail {
                     return Stop::Gap;
                 }
             }
-            if let Some(corner) = self.corner(checked) {
+            let told = limits.hidden.filter(|hidden| checked < *hidden && *hidden < self.places.len());
+            if let Some(corner) = told.or_else(|| self.corner(checked)) {
                 checked = self.places.len();
                 // A joint does not turn so sharply: it may go on straight, and what was followed is something else.
                 self.aside.clear();

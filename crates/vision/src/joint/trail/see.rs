@@ -48,7 +48,7 @@ impl Trail {
         let score = self.find(look.contrast, 1.5 + 0.15 * gap as f32);
         self.judge(look.contrast);
         if 2 * self.count() >= ROWS {
-            let noise = self.strip.noise_beside(&self.path, look.width);
+            let noise = self.strip.noise_beside(&self.path, (look.width, look.contrast));
             look.noise += 0.3 * (noise.clamp(0.6 * look.noise, 1.5 * look.noise) - look.noise);
             return score;
         }
