@@ -71,7 +71,6 @@ impl Even {
 
     /// How far to the right of a place, seen along `tangent`, the parabola through the rows about row `i` crosses that row's
     /// line, and the standard error of that. As many rows as were prepared for lie before and after.
-    #[inline(always)]
     pub(super) fn across(&self, rows: &Rows, i: usize, [x0, y0]: [f32; 2], [cos, sin]: [f32; 2]) -> (f32, f32) {
         let from = i - self.reach;
         let near = from..from + self.weights[0].len();
@@ -98,7 +97,6 @@ fn product(a: f32, b: f32) -> f32 {
 }
 
 /// The sum over two lists of whole lanes.
-#[inline(always)]
 fn sum(a: &[f32], of: impl Fn(f32, f32) -> f32, b: &[f32]) -> f32 {
     let mut lanes = [0.0; LANES];
     for (a, b) in a.as_chunks::<LANES>().0.iter().zip(b.as_chunks::<LANES>().0) {

@@ -8,7 +8,6 @@ use super::profile::{Profile, REACH};
 use super::readings::Readings;
 use super::strip::{COLS, MID, Strip};
 use super::trail::{Look, Place, Trail};
-use crate::wide::{Work, wide};
 
 /// Places before and after that a station is the mean of.
 const SMOOTH: usize = 8;
@@ -67,26 +66,6 @@ pub(super) struct Found {
     pub(super) unlike: f32,
     /// How far the middle stands off the smooth line through others before and after, pixels.
     pub(super) bump: f32,
-}
-
-/// Puts the middles on smooth lines, no further than `most` from the path.
-struct FitAll<'a> {
-    midline: &'a mut Midline,
-    most: f32,
-}
-
-impl Work for FitAll<'_> {
-    #[inline(always)]
-    fn run(self) {
-        let Self { midline, most } = self;
-        let count = midline.path.len();
-        for i in 0..count {
-            let (at, error) = midline.fit(i, midline.line, count);
-            let path = midline.path[i] as f32;
-            midline.centre[i] = at.clamp(path - most, path + most);
-            midline.rows[i].error = error;
-        }
-    }
 }
 
 /// The whole way once more along the trail: the best path, by all that is seen of it, and the middle between pixels.
@@ -252,7 +231,13 @@ impl Midline {
                 self.line = self.line_length(scale, side);
                 self.even.prepare(self.line);
             }
-            wide(FitAll { midline: self, most: 0.7 * width + 1.5 });
+            let most = 0.7 * width + 1.5;
+            for i in 0..count {
+                let (at, error) = self.fit(i, self.line, count);
+                let path = self.path[i] as f32;
+                self.centre[i] = at.clamp(path - most, path + most);
+                self.rows[i].error = error;
+            }
         }
         self.compare(profile.reach());
         let mut slow = (0.0, None);
@@ -367,7 +352,6 @@ impl Midline {
 
     /// The parabola through the middles of seen rows about row `i` and before row `end`: where it crosses that row's line, and
     /// the standard error of that.
-    #[inline(always)]
     fn fit(&self, i: usize, reach: usize, end: usize) -> (f32, f32) {
         let near = i.saturating_sub(reach)..(i + reach + 1).min(end);
         let Station { at: [x0, y0], tangent: [cos, sin] } = self.stations[i];
