@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { page } from './browser.mjs';
-import { axe as accessible, bench, commands, control, load, mode, open, quiet, ready, sleep, tab } from './operator.mjs';
+import { axe as accessible, bench, commands, control, load, mode, open, quiet, ready, record, sleep, tab } from './operator.mjs';
 
 const SHOTS = process.env.SEAMWRIGHT_SHOTS;
 const { one, cell, browser, options, onReal } = await bench({ real: 'the mock reads no jobs' });
@@ -154,7 +154,6 @@ test('what is near is told by hand before it is too near; touched points tell wh
   await mode(one, 'jog');
   await one.getByRole('button', { name: '30 %' }).click();
   const note = one.locator('p.near.note');
-  const record = one.getByRole('button', { name: 'Record point' });
   const jog = async (name, ms) => {
     await one.getByRole('button', { name }).hover();
     await one.mouse.down();
@@ -165,10 +164,10 @@ test('what is near is told by hand before it is too near; touched points tell wh
   // Where a page is drawn by software a hand may be lost for a moment: then it presses again.
   for (let i = 0; i < 20 && !(await note.isVisible()); i += 1) await jog('h \u2212', 700);
   assert.match(await note.textContent(), /Clearance [0-9.]+ mm.+ – .+at least/);
-  await record.click();
+  await record(one);
   for (let i = 0; i < 2; i += 1) {
     await jog('theta +', 1200);
-    await record.click();
+    await record(one);
   }
   await one.getByRole('button', { name: 'End jogging' }).click();
   await mode(one, 'ready');

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { hasBrowser, launch, page } from './browser.mjs';
 import { isReal, NO_CELL, startCell } from './cell.mjs';
-import { axis, control, mode, open, ready, sleep, tab } from './operator.mjs';
+import { axis, control, mode, open, ready, record, sleep, tab } from './operator.mjs';
 
 const options = { skip: hasBrowser ? false : 'no Chromium' };
 const onReal = { skip: hasBrowser ? (isReal ? false : `the mock goes nowhere by itself: ${NO_CELL}`) : 'no Chromium' };
@@ -44,7 +44,6 @@ async function held() {
 }
 
 test('no place is recorded while an axis moves, by the key or past it', onReal, async () => {
-  const record = one.getByRole('button', { name: 'Record point' });
   const place = () => one.evaluate(async () => {
     const answer = await fetch('/api/position');
     return { status: answer.status, ...(await answer.json()) };
@@ -60,8 +59,7 @@ test('no place is recorded while an axis moves, by the key or past it', onReal, 
   assert.deepEqual([moving.status, moving.key, moving.text], [409, 'busy', 'the axes have not come to rest: wait a moment']);
   await stands();
   await isOff(false);
-  await record.click();
-  await one.locator('ol li', { hasText: 'X' }).first().waitFor();
+  await record(one);
   const stood = await place();
   assert.ok(Math.abs(stood.axes[0] - (await axis(one, 'theta'))) < 0.02);
   one.wrong = one.wrong.filter((text) => !text.includes('409'));
@@ -168,7 +166,7 @@ test('a key that sends all axes to a place: they go while it is held, and stand 
 
 test('recorded places become a program', options, async () => {
   for (let i = 0; i < 3; i += 1) {
-    await one.getByRole('button', { name: 'Record point' }).click();
+    await record(one);
     await held();
     await one.mouse.up();
     await sleep(400);

@@ -1,7 +1,7 @@
 // What an operator has written is not lost, not replaced unasked, and not taken for something else.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { bench, control, keep, mode, open, quiet, ready, SHORT, sleep, tab } from './operator.mjs';
+import { bench, control, keep, mode, open, quiet, ready, record, SHORT, sleep, tab } from './operator.mjs';
 
 const { one, cell, options } = await bench({ real: 'the mock keeps no jobs', only: true });
 const row = (name) => one.locator('li.card', { hasText: name }).first();
@@ -142,9 +142,8 @@ test('points recorded by hand come back after Clear and over a reload, and belon
   await tab(one, 'Jog · Teach');
   await one.getByRole('button', { name: 'Start jogging' }).click();
   await mode(one, 'jog');
-  const record = one.getByRole('button', { name: 'Record point' });
-  for (let i = 0; i < 3; i += 1) await record.click();
   const points = one.getByRole('button', { name: /^Remove point/ });
+  for (let i = 0; i < 3; i += 1) await record(one);
   assert.equal(await points.count(), 3);
   await one.getByRole('button', { name: 'Clear', exact: true }).click();
   assert.equal(await points.count(), 0);
@@ -152,7 +151,7 @@ test('points recorded by hand come back after Clear and over a reload, and belon
   await one.reload();
   await one.waitForSelector('.panel');
   await tab(one, 'Jog · Teach');
-  assert.equal(await points.count(), 3);
+  await points.nth(2).waitFor();
   const section = one.locator('section', { hasText: 'Teach by hand' });
   await section.getByRole('textbox').fill('short');
   await section.getByRole('spinbutton').fill('-5');

@@ -125,6 +125,14 @@ export async function axis(page, name) {
   return Number(text.replace('\u2212', '-').replace(/[^0-9.-]/g, ''));
 }
 
+/** Records the place the machine is at. The cell tells that place, so the point is there only when it has answered. */
+export async function record(page) {
+  const points = page.getByRole('button', { name: /^Remove point/ });
+  const before = await points.count();
+  await page.getByRole('button', { name: 'Record point' }).click();
+  await points.nth(before).waitFor();
+}
+
 export const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
 
 /** Nothing was said on the console but what the software renderer says of itself. */
