@@ -21,7 +21,7 @@ pub struct Outcome {
     pub errors: Vec<(f64, bool)>,
     /// Confident rows where there is no joint at all.
     pub phantom: usize,
-    /// Part of the midline within the frame that was followed.
+    /// Part of the midline that was followed, of its places that the frame shows.
     pub reach: f64,
     /// How far the last row is from where the joint ends, if it does.
     pub end_error: Option<f64>,
@@ -59,8 +59,10 @@ pub fn follow(follower: &mut Follower, scene: &Scene) -> Outcome {
     // A wide joint's midline is painted on beyond the rim.
     let inside =
         |p: &&DVec2| p.min_element() >= 0.0 && p.x <= frame.width() as f64 - 1.0 && p.y <= frame.height() as f64 - 1.0;
-    let visible = truth.midline.iter().filter(inside).count();
-    outcome.reach = reached as f64 / visible.max(1) as f64;
+    let shown = truth.midline.iter().zip(&truth.shown).enumerate().filter(|(_, (p, shown))| **shown && inside(p));
+    let (passed, count) =
+        shown.fold((0u32, 0u32), |(passed, count), (i, _)| (passed + u32::from(i <= reached), count + 1));
+    outcome.reach = f64::from(passed) / f64::from(count.max(1));
     outcome.end_error = truth.end.zip(joint.rows.last()).map(|(end, last)| end.distance(place(last.x, last.y)));
     outcome
 }

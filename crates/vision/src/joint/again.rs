@@ -1,9 +1,7 @@
 //! A joint that is seen no longer is tried once more in other ways; what is found so has no confidence.
 
-use super::bend;
 use super::follow::{Follower, Inside, known_width};
 use super::levels::Levels;
-use super::trail::leap::CHORD;
 use super::trail::{Look, ROWS};
 use super::{CONFIDENT, End, Row, Start, State, judge};
 use crate::Frame;
@@ -13,30 +11,35 @@ const LONGER: f32 = 1.25;
 /// ... and so many times as much of what it is longer by is seen as not, ...
 const SEEN_ON: f32 = 1.5;
 /// ... and, behind an end that was told, so much of it without a gap, pixels.
-const STRETCH: f32 = 100.0;
+pub(super) const STRETCH: f32 = 100.0;
 /// A joint is tried again if it was seen last so far within the frame, pixels; where it left it unseen, the other way counts if it
 /// is seen on for half of that.
-const UNSEEN: f32 = 16.0;
+pub(super) const UNSEEN: f32 = 16.0;
 /// What is narrower is looked for with widths up to this part of the one before, and is narrower than this part of them ...
 pub(super) const NARROWER: f32 = 0.7;
 /// ... and as long as this part of it: what is wider is its surroundings.
 const AS_LONG: f32 = 0.9;
-/// Among rows that are not sure a joint turns by no more than this beyond its own bend, rad.
-const CORNER: f32 = 0.45;
-/// Where it goes straight on instead, so much of it at most is not seen.
-const MOST_UNSEEN: f32 = 0.05;
+/// A joint is followed on levels on which it is this many pixels wide at least.
+const NARROWEST: f32 = 2.5;
+/// Levels and widths there that a start is looked for with on top-hats.
+const STARTS: [(usize, f32); 3] = [(1, 2.0), (1, 5.0), (2, 5.0)];
 /// A joint is wide if it is followed on this level or a coarser one.
 pub(super) const COARSE: usize = 2;
 /// Rows that were sure stay if the new way passes them so near, pixels or parts of the width.
 const SAME: (f32, f32) = (2.0, 0.25);
 /// Rows that tell the way at one of them.
-const HEADING: usize = 12;
+pub(super) const HEADING: usize = 12;
 
 impl Follower {
     /// Tries again if the joint may go on behind its end; `looks` are those at its start and where it was followed last.
     pub(super) fn try_again(&mut self, frame: &Frame, start: &Start, inside: &Inside, looks: [Look; 2]) {
         let look = looks[0];
-        if self.try_on_top_hat(frame, start, inside, looks) || self.try_straight_on(frame, inside, &look) {
+        // Salt fills the squares of fine levels, and is one of many pixels on coarse ones.
+        let (level, coarsest) = (top_hat_level(&look), look.width_in_frame() / NARROWEST);
+        let coarser = (2 << level) as f32 <= coarsest;
+        let goes_on = self.try_on_top_hat(frame, start, inside, looks, level)
+            || coarser && self.try_on_top_hat(frame, start, inside, looks, level + 1);
+        if self.try_straight_on(frame, inside, &look) || goes_on {
             return;
         }
         if self.joint.end == End::Lost && look.level >= COARSE && known_width(start).is_none() {
@@ -48,68 +51,62 @@ impl Follower {
         }
     }
 
-    /// Follows where the edges of light and of tacks are not seen; true if the joint goes on there.
-    fn try_on_top_hat(&mut self, frame: &Frame, start: &Start, inside: &Inside, [look, last]: [Look; 2]) -> bool {
+    /// Follows from a start where nothing was seen, where the edges of light are not seen: the joint may begin on one of them.
+    pub(super) fn try_start_on_top_hat(&mut self, frame: &Frame, start: &Start, inside: &Inside) {
+        let coarsest = Levels::coarsest(frame);
+        for (level, width) in STARTS.into_iter().filter(|(level, _)| *level <= coarsest) {
+            self.levels.cover(frame, level, (width, f32::INFINITY));
+            let start = Start { width: Some(width * (1 << level) as f32), ..*start };
+            let found = self.follow_again(frame, &start, inside, 0.0, STRETCH);
+            self.levels.uncover();
+            if found {
+                // What is nowhere sure is not known to end.
+                self.joint.end = End::Lost;
+                return;
+            }
+        }
+    }
+
+    /// Follows on the top-hat of a level, where the edges of light and of tacks are not seen; true if the joint goes on there.
+    fn try_on_top_hat(
+        &mut self,
+        frame: &Frame,
+        start: &Start,
+        inside: &Inside,
+        [look, last]: [Look; 2],
+        level: usize,
+    ) -> bool {
         let length = way(&self.joint.rows);
         let unseen = self.joint.rows.last().map_or(f32::INFINITY, |row| inside.to_rim([row.x, row.y]));
         let least = match self.joint.end {
             End::Closed => return false,
             End::JointEnd if self.is_sure_end(&last) => return false,
             _ if unseen < UNSEEN.max(look.width_in_frame()) => return false,
-            End::Lost | End::JointEnd => LONGER * length,
+            End::Lost | End::JointEnd => (LONGER * length).min(length + 0.5 * unseen),
             End::LeftImage => length + 0.5 * unseen,
         };
         // From where it was last sure, so far back as a strip shows it.
         let rows = &self.joint.rows;
-        let from = last_sure(rows).map_or(0, |last| last.saturating_sub(a_strip_on_top_hat(&look)));
+        let from = last_sure(rows).map_or(0, |last| last.saturating_sub(ROWS << (level - look.level)));
         let before = rows.get(..=from).map_or(0.0, way);
         let start = start_at(rows, from).unwrap_or(*start);
-        self.follow_on_top_hat(frame, &start, inside, &look, (length - before, least - before)) && self.keep_sure()
+        self.follow_on_top_hat(frame, &start, inside, (&look, level), (length - before, least - before))
+            && self.keep_sure(usize::MAX)
     }
 
-    /// Follows straight on, where the edges of light are not seen, from where the way turns like none of a joint among rows that are not
-    /// sure: at the rim of a tack, or where another joint meets. True if the joint goes on there.
-    fn try_straight_on(&mut self, frame: &Frame, inside: &Inside, look: &Look) -> bool {
-        let rows = &self.joint.rows;
-        let corner = (last_sure(rows).unwrap_or(0).max(bend::REACH)..rows.len().saturating_sub(bend::REACH))
-            .find(|i| bend::sharpness(|k| [rows[k].x, rows[k].y], *i) > CORNER);
-        let Some(corner) = corner.map(|corner| corner - CHORD).filter(|_| self.joint.end != End::Closed) else {
-            return false;
-        };
-        let from = corner.saturating_sub(a_strip_on_top_hat(look)).max(HEADING);
-        let Some(start) = start_at(rows, from).filter(|_| from < corner) else { return false };
-        let length = way(&rows[from..=corner]);
-        self.hidden = Some((corner - from) >> (top_hat_level(look) - look.level));
-        let found = self.follow_on_top_hat(frame, &start, inside, look, (length, length + STRETCH));
-        self.hidden = None;
-        if !found {
-            return false;
-        }
-        // As far as it went, or to the rim, and hardly anything else.
-        let rows = &self.joint.rows;
-        let to_rim = rows.last().map_or(f32::INFINITY, |row| inside.to_rim([row.x, row.y]));
-        let is_as_far = to_rim < UNSEEN.max(look.width_in_frame()) || way(rows) >= way(&self.before.rows[from..]);
-        let unseen = rows.iter().filter(|row| row.state == State::Coasted).count();
-        if !is_as_far || unseen as f32 > MOST_UNSEEN * rows.len() as f32 {
-            std::mem::swap(&mut self.joint, &mut self.before);
-            return false;
-        }
-        self.keep_sure()
-    }
-
-    /// Follows once more as [`Self::follow_again`] does, on the top-hat of the level of `look`.
-    fn follow_on_top_hat(
+    /// Follows once more as [`Self::follow_again`] does, on the top-hat of a level.
+    pub(super) fn follow_on_top_hat(
         &mut self,
         frame: &Frame,
         start: &Start,
         inside: &Inside,
-        look: &Look,
+        (look, level): (&Look, usize),
         (length, least): (f32, f32),
     ) -> bool {
-        let (level, width) = (top_hat_level(look), look.width_in_frame());
         if level > Levels::coarsest(frame) {
             return false;
         }
+        let width = look.width_in_frame();
         self.levels.cover(frame, level, (width / (1 << level) as f32, look.contrast));
         let found = self.follow_again(frame, &Start { width: Some(width), ..*start }, inside, length, least);
         self.levels.uncover();
@@ -128,7 +125,7 @@ impl Follower {
     fn follow_again(&mut self, frame: &Frame, start: &Start, inside: &Inside, length: f32, least: f32) -> bool {
         std::mem::swap(&mut self.joint, &mut self.before);
         let look = self.follow_in(frame, start, inside, least);
-        let stretch = if self.before.end == End::JointEnd { STRETCH } else { 0.0 };
+        let stretch = if self.before.end == End::JointEnd { STRETCH.min(least - length) } else { 0.0 };
         if look.is_none() || way(&self.joint.rows) < least || !is_seen_beyond(&self.joint.rows, length, stretch) {
             std::mem::swap(&mut self.joint, &mut self.before);
             return false;
@@ -141,18 +138,19 @@ impl Follower {
         true
     }
 
-    /// Puts the rows as they were before those that are found now, up to the last sure one that these pass; what was before comes
-    /// back, and false, if there are sure ones but these pass none.
-    fn keep_sure(&mut self) -> bool {
+    /// Puts the first `count` rows as they were before those that are found now, up to the last sure one that these pass; what was
+    /// before comes back, and false, if there are sure ones but these pass none.
+    pub(super) fn keep_sure(&mut self, count: usize) -> bool {
         let (before, now) = (&mut self.before.rows, &mut self.joint.rows);
         let passed = |sure: &Row| {
             let nearest = now.iter().map(|row| sure.away(row)).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
             nearest.filter(|(_, off)| *off < SAME.0.max(SAME.1 * sure.width)).map(|(nearest, _)| nearest)
         };
-        if last_sure(before).is_none() {
+        let first = &before[..count.min(before.len())];
+        if last_sure(first).is_none() {
             return true;
         }
-        let sure = before.iter().enumerate().rev().filter(|(_, row)| row.confidence >= CONFIDENT);
+        let sure = first.iter().enumerate().rev().filter(|(_, row)| row.confidence >= CONFIDENT);
         let found = sure.take(HEADING).find_map(|(last, row)| Some((last, passed(row)?)));
         std::mem::swap(before, now);
         let Some((last, nearest)) = found else {
@@ -166,22 +164,17 @@ impl Follower {
 }
 
 /// The level on which a joint is followed on a top-hat: on the frame itself that takes long.
-fn top_hat_level(look: &Look) -> usize {
+pub(super) fn top_hat_level(look: &Look) -> usize {
     look.level.max(1)
 }
 
-/// Rows of a joint that a strip on its top-hat is long.
-fn a_strip_on_top_hat(look: &Look) -> usize {
-    ROWS << (top_hat_level(look) - look.level)
-}
-
 /// The last row that is sure.
-fn last_sure(rows: &[Row]) -> Option<usize> {
+pub(super) fn last_sure(rows: &[Row]) -> Option<usize> {
     rows.iter().rposition(|row| row.confidence >= CONFIDENT)
 }
 
 /// Row `from` as a start; none for the first one, before which nothing tells the way.
-fn start_at(rows: &[Row], from: usize) -> Option<Start> {
+pub(super) fn start_at(rows: &[Row], from: usize) -> Option<Start> {
     let (row, before) = (rows.get(from)?, rows.get(from.checked_sub(HEADING)?)?);
     Some(Start { x: row.x, y: row.y, direction: (row.y - before.y).atan2(row.x - before.x), width: None })
 }
@@ -208,7 +201,7 @@ fn is_seen_beyond(rows: &[Row], length: f32, stretch: f32) -> bool {
 }
 
 /// How far a joint is followed to where it is seen last, pixels.
-fn way(rows: &[Row]) -> f32 {
+pub(super) fn way(rows: &[Row]) -> f32 {
     let seen = rows.iter().rposition(|row| row.state == State::Seen).map_or(0, |last| last + 1);
     rows[..seen].windows(2).map(|pair| pair[0].away(&pair[1])).sum()
 }

@@ -84,6 +84,8 @@ impl Follower {
         self.make_room(frame);
         if let Some(looks) = self.follow_in(frame, start, &inside, 0.0) {
             self.try_again(frame, start, &inside, looks);
+        } else {
+            self.try_start_on_top_hat(frame, start, &inside);
         }
         &self.joint
     }
@@ -220,6 +222,7 @@ fn tell(
     }
     bridge(out);
     judge::steps(out, &midline.rows[..rows]);
+    judge::narrowed(out);
     judge::gaps(out, &midline.rows[..rows]);
     if end == End::JointEnd {
         place_end(out, rows as f32 - 0.5 + beyond);

@@ -33,6 +33,8 @@ const SHARP: f32 = 0.2;
 /// Between sure rows a joint turns by more than this only in a bend without a corner sharper than that, rad.
 const TURNED: f32 = 0.4;
 const CORNER: f32 = 0.6;
+/// A row that is narrower than this part of the sure ones' mean shows a part of the joint.
+const NARROWED: f32 = 0.62;
 /// Rows next to one across which the light steps: its edge may lie beside the joint there, or be taken for it.
 const STEP: usize = 16;
 
@@ -192,6 +194,13 @@ pub(super) fn steps(rows: &mut [Row], found: &[Found]) {
         let to = (i + STEP + 1).min(rows.len());
         rows[i.saturating_sub(STEP).min(to)..to].iter_mut().for_each(unsure);
     }
+}
+
+/// Takes the confidence from rows that are much narrower than sure ones are in the mean: an edge of light has cut off a part of the joint.
+pub(super) fn narrowed(rows: &mut [Row]) {
+    let sure = rows.iter().filter(|r| r.confidence >= CONFIDENT);
+    let (sum, count) = sure.fold((0.0, 0.0), |(sum, count), row| (sum + row.width, count + 1.0));
+    rows.iter_mut().filter(|r| r.width * count < NARROWED * sum).for_each(unsure);
 }
 
 fn unsure(row: &mut Row) {

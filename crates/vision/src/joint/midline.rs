@@ -342,7 +342,7 @@ impl Midline {
             }
             self.place_middles();
             for i in from..end {
-                self.centre[i] = self.fit(i, self.line, whole).0;
+                self.centre[i] = self.fit(i, self.line + (i - from) / 2, whole).0;
             }
         }
         for i in from..end {

@@ -23,6 +23,7 @@ mod profile;
 mod readings;
 mod rims;
 mod sample;
+mod straight_on;
 mod strip;
 #[cfg(test)]
 mod testing;

@@ -124,6 +124,12 @@ impl Canvas {
     /// The frame with its disturbances, 8 bits. It is exposed so that it is nowhere black within `reach` of the places `seen`.
     #[must_use]
     pub fn finish(mut self, d: &Disturbances, (seen, reach): (&[DVec2], f64), random: &mut Random) -> Image {
+        self.light_up(d, (seen, reach), random);
+        self.take(d, random)
+    }
+
+    /// The light that the frame is taken of.
+    pub(super) fn light_up(&mut self, d: &Disturbances, (seen, reach): (&[DVec2], f64), random: &mut Random) {
         self.shade(d);
         self.expose(seen, reach, 3.0 * d.noise);
         if d.texture.0 > 0.0 {
@@ -132,6 +138,23 @@ impl Canvas {
         for _ in 0..if d.defocus > 0 { 2 } else { 0 } {
             self.blur(d.defocus);
         }
+    }
+
+    /// How much darker a place is than the lightest within `reach` of it along `normal`, on the side where that is less, but for
+    /// ramps and vignette, as a frame shows it that is white above 255.
+    pub(super) fn depth(&self, d: &Disturbances, (at, normal): (DVec2, DVec2), reach: f64) -> f64 {
+        let most = DVec2::new(self.width as f64 - 1.0, self.height as f64 - 1.0);
+        let light = |off: f64| {
+            let p = (at + off * normal).clamp(DVec2::ZERO, most).round();
+            let light = self.light[p.y as usize * self.width + p.x as usize];
+            f64::from(light.clamp(0.0, 255.0)) - self.shading(d, p)
+        };
+        let lightest = |side: f64| (1..=reach as usize).map(|off| light(side * off as f64)).fold(f64::MIN, f64::max);
+        lightest(1.0).min(lightest(-1.0)) - light(0.0)
+    }
+
+    /// Takes the frame.
+    pub(super) fn take(&self, d: &Disturbances, random: &mut Random) -> Image {
         let (width, height) = (self.width, self.height);
         let mut pixels = Vec::with_capacity(width * height);
         for y in 0..height {
@@ -154,13 +177,16 @@ impl Canvas {
     }
 
     fn shade(&mut self, d: &Disturbances) {
-        let (width, height) = (self.width as f64, self.height as f64);
-        for (i, light) in self.light.iter_mut().enumerate() {
+        for i in 0..self.light.len() {
             let at = DVec2::new((i % self.width) as f64, (i / self.width) as f64);
-            let (u, v) = (2.0 * at.x / width - 1.0, 2.0 * at.y / height - 1.0);
-            let shade = d.ramp[0] * u + d.ramp[1] * v - d.vignette * 0.5 * (u * u + v * v);
-            *light += shade as f32;
+            self.light[i] += self.shading(d, at) as f32;
         }
+    }
+
+    /// How much lighter ramps and vignette make a place.
+    fn shading(&self, d: &Disturbances, at: DVec2) -> f64 {
+        let (u, v) = (2.0 * at.x / self.width as f64 - 1.0, 2.0 * at.y / self.height as f64 - 1.0);
+        d.ramp[0] * u + d.ramp[1] * v - d.vignette * 0.5 * (u * u + v * v)
     }
 
     /// Brightens all where something near the places is darker than `least`.

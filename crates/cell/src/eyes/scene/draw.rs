@@ -75,6 +75,9 @@ impl Kind {
 pub struct Truth {
     /// The midline, pixels, half a pixel apart; empty if there is no joint.
     pub midline: Vec<DVec2>,
+    /// Whether the frame shows the joint at each of its places: as deep as twice the noise, or half as deep as the joint is in all if
+    /// that is less. It does not under a tack, and not where an edge of light out of focus lies on it.
+    pub shown: Vec<bool>,
     /// Full width at half depth, pixels, before defocus.
     pub width: f64,
     /// Contrast to noise, both of the frame: after defocus.
@@ -98,6 +101,9 @@ pub struct Scene {
     pub truth: Truth,
 }
 
+/// A place that is so many times the noise deep shows the joint.
+const SHOWN: f64 = 2.0;
+
 /// Distance of the midline's points.
 const SPACING: f64 = 0.5;
 
@@ -116,7 +122,8 @@ pub fn scene(kind: Kind, seed: u64, size: usize) -> Scene {
     let mut canvas = Canvas::new(size, size, metal);
     let direction = heading(&midline, 0);
     let disturbances = disturb(contrast / cnr, width, direction, r);
-    let mut truth = Truth { midline: Vec::new(), width, cnr, tacks: Vec::new(), end: None, closed: kind == Kind::Loop };
+    let closed = kind == Kind::Loop;
+    let mut truth = Truth { midline: Vec::new(), shown: Vec::new(), width, cnr, tacks: Vec::new(), end: None, closed };
     let jointless = matches!(kind, Kind::Blank | Kind::OnlyScratches);
     if !jointless {
         if kind == Kind::End {
@@ -156,7 +163,18 @@ pub fn scene(kind: Kind, seed: u64, size: usize) -> Scene {
     if !jointless {
         truth.midline = midline;
     }
-    Scene { image: canvas.finish(&disturbances, (&truth.midline, width), r), start, truth }
+    canvas.light_up(&disturbances, (&truth.midline, width), r);
+    let (noise, reach) = (
+        contrast / cnr * contrast_left(width, disturbances.defocus),
+        1.5 * width + 2.0 * disturbances.defocus as f64 + 1.0,
+    );
+    truth.shown = (0..truth.midline.len())
+        .map(|i| {
+            let normal = DVec2::from_angle(heading(&truth.midline, i)).perp();
+            canvas.depth(&disturbances, (truth.midline[i], normal), reach) >= (0.5 * cnr).min(SHOWN) * noise
+        })
+        .collect();
+    Scene { image: canvas.take(&disturbances, r), start, truth }
 }
 
 /// Direction of the midline at its point `i`, rad.

@@ -1,0 +1,120 @@
+//! What turns as no joint does, at the rim of a tack or where another joint meets, is left again: the joint may go straight on behind
+//! what hides it.
+
+use super::again::{HEADING, STRETCH, UNSEEN, last_sure, start_at, top_hat_level, way};
+use super::bend;
+use super::follow::{Follower, Inside};
+use super::trail::{Look, ROWS};
+use super::{End, Row, State};
+use crate::Frame;
+
+/// A joint turns by no more than this beyond its own bend, rad.
+const CORNER: f32 = 0.45;
+/// Rows about a corner of which it is the sharpest: next to it a half of an arm alone lies behind it.
+const NEAR: usize = 15;
+/// Corners that are looked at.
+const MOST_CORNERS: usize = 4;
+/// Rows before a corner in which the way bends aside already.
+const BEFORE: usize = 8;
+/// Where the joint goes straight on, so much of it at most is not seen, but for what is behind the corner.
+const MOST_UNSEEN: f32 = 0.05;
+
+impl Follower {
+    /// Follows straight on, where the edges of light are not seen, from where the way turns like none of a joint: among rows that are
+    /// not sure, or anywhere if it ends within the frame. True if the joint goes on there.
+    pub(super) fn try_straight_on(&mut self, frame: &Frame, inside: &Inside, look: &Look) -> bool {
+        let rows = &self.joint.rows;
+        let leaves = self.joint.end == End::LeftImage || is_at_rim(rows, inside, look);
+        let mut from = if leaves { last_sure(rows).unwrap_or(0) } else { 0 }.max(bend::REACH);
+        for _ in 0..if self.joint.end == End::Closed { 0 } else { MOST_CORNERS } {
+            let Some(corner) = next_corner(&self.joint.rows, from) else { return false };
+            if self.go_straight_on(frame, inside, look, corner.saturating_sub(BEFORE)) {
+                return true;
+            }
+            from = corner + 1;
+        }
+        false
+    }
+
+    /// Follows straight on from row `corner`; true if the joint goes on there, elsewhere than it was followed to.
+    fn go_straight_on(&mut self, frame: &Frame, inside: &Inside, look: &Look, corner: usize) -> bool {
+        let (rows, level) = (&self.joint.rows, top_hat_level(look));
+        let from = corner.saturating_sub(ROWS << (level - look.level)).max(HEADING);
+        let Some(start) = start_at(rows, from).filter(|_| from < corner) else { return false };
+        let length = way(&rows[from..=corner]);
+        self.hidden = Some((length / (1 << level) as f32) as usize);
+        let found = self.follow_on_top_hat(frame, &start, inside, (look, level), (length, length + STRETCH));
+        self.hidden = None;
+        if !found {
+            return false;
+        }
+        // To the rim or as far as it went, not to the same place, and hardly anything is unseen.
+        let (rows, before) = (&self.joint.rows, &self.before.rows);
+        let is_as_far = is_at_rim(rows, inside, look) || way(rows) >= way(&before[from..]);
+        let apart = rows.last().zip(before.last()).map_or(0.0, |(a, b)| a.away(b));
+        let is_seen = unseen_elsewhere(rows) as f32 <= MOST_UNSEEN * rows.len() as f32;
+        if !(is_as_far && is_seen && apart >= rim(look)) {
+            std::mem::swap(&mut self.joint, &mut self.before);
+            return false;
+        }
+        // What was sure behind the corner was something else.
+        self.keep_sure(corner + 1)
+    }
+}
+
+/// What is so near to the frame's rim is at it, pixels.
+fn rim(look: &Look) -> f32 {
+    UNSEEN.max(look.width_in_frame())
+}
+
+/// True if the last row is at the rim.
+fn is_at_rim(rows: &[Row], inside: &Inside, look: &Look) -> bool {
+    rows.last().is_some_and(|row| inside.to_rim([row.x, row.y]) < rim(look))
+}
+
+/// The first row from `from` on, [`bend::REACH`] at least, at which the way turns like none of a joint, and none near it more.
+fn next_corner(rows: &[Row], from: usize) -> Option<usize> {
+    let sharpness = |i: usize| bend::sharpness(|k| [rows[k].x, rows[k].y], i);
+    let to = rows.len().saturating_sub(bend::REACH);
+    (from..to).find(|i| {
+        let sharp = sharpness(*i);
+        let mut near = i.saturating_sub(NEAR).max(bend::REACH)..to.min(i + NEAR);
+        sharp > CORNER && near.all(|other| sharpness(other) <= sharp)
+    })
+}
+
+/// Rows that are not seen, but for the longest stretch of them: what hides the joint.
+fn unseen_elsewhere(rows: &[Row]) -> usize {
+    let unseen =
+        rows.chunk_by(|a, b| a.state == b.state).filter(|run| run[0].state == State::Coasted).map(<[Row]>::len);
+    let (all, longest) = unseen.fold((0, 0), |(all, longest), run| (all + run, longest.max(run)));
+    all - longest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::joint::testing::along;
+
+    #[test]
+    fn a_corner_is_where_it_turns_most() {
+        for (turn, corner) in [(0.0, None), (0.3, None), (0.7, Some(90)), (-1.2, Some(90))] {
+            let rows = along(&[(90, 0.0, Some(true)), (80, turn, Some(false))], 4.0);
+            let found = next_corner(&rows, bend::REACH);
+            assert_eq!(found.is_some(), corner.is_some(), "{turn}: {found:?}");
+            assert!(found.zip(corner).is_none_or(|(a, b)| a.abs_diff(b) <= 6), "{turn}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn what_hides_the_joint_is_not_counted_as_unseen() {
+        for (legs, unseen) in [
+            (&[(50, true), (30, false), (60, true)][..], 0),
+            (&[(50, true), (30, false), (60, true), (7, false), (20, true), (4, false)], 11),
+            (&[(50, true)], 0),
+        ] {
+            let legs: Vec<_> = legs.iter().map(|(count, seen)| (*count, 0.0, seen.then_some(false))).collect();
+            assert_eq!(unseen_elsewhere(&along(&legs, 4.0)), unseen, "{legs:?}");
+        }
+    }
+}
