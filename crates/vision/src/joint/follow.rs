@@ -65,7 +65,7 @@ impl Follower {
     }
 
     /// The joint in `frame` from `start`. A start outside the frame or zone, or not finite, gives no rows and
-    /// [`End::LeftImage`]; a start where no joint is to be seen gives no rows and [`End::Lost`].
+    /// [`End::LeftImage`]; a start where no joint is to be seen ends as [`End::Lost`], without rows or with rows that are not confident.
     pub fn follow(&mut self, frame: &Frame, start: &Start) -> &Joint {
         let inside = Inside::new(frame, self.options.zone);
         let finite = start.x.is_finite() && start.y.is_finite() && start.direction.is_finite();

@@ -281,6 +281,16 @@ mod tests {
     }
 
     #[test]
+    fn what_is_cut_off_by_an_edge_is_not_sure() {
+        for (part, sure) in [(0.5, 80), (0.75, 90), (1.5, 90)] {
+            let mut rows = along(&[(90, 0.0, Some(true))], 6.0);
+            rows[30..40].iter_mut().for_each(|row| row.width *= part);
+            narrowed(&mut rows);
+            assert_eq!(rows.iter().filter(|row| row.confidence >= CONFIDENT).count(), sure, "{part}");
+        }
+    }
+
+    #[test]
     fn behind_an_unsure_corner_nothing_is_sure() {
         let (yes, no) = (Some(true), Some(false));
         for (turn, left) in [(0.0, 120), (0.3, 120), (0.8, 60), (-0.8, 60)] {

@@ -5,7 +5,8 @@
 //! goes, to a pixel or two (`trail`). Along all of that way once more: the best path by everything that is seen, how much
 //! worse any other is, and the middle between pixels (`profile`, `readings`, `midline`); then where the joint ends (`end`) and how
 //! sure each row is (`judge`); rows of wide gaps that are not sure are put between the rims (`rims`). A joint that is seen no longer is
-//! followed once more where the edges of light are gone (`again`, `top_hat`).
+//! followed once more where the edges of light are gone (`again`, `top_hat`), and
+//! straight on behind what led it aside (`straight_on`).
 
 mod again;
 mod axis;

@@ -8,6 +8,8 @@ const APART: usize = 2 * GROUP + 1;
 const NOISE_ROWS: usize = 100;
 /// A joint so many times as deep as the noise is clear.
 const CLEAR: f32 = 10.0;
+/// A path that goes no more columns to and fro is straight.
+const STRAIGHT: usize = 1;
 /// Least noise of a depth, grey values of 255.
 const LEAST_NOISE: f32 = 0.3;
 
@@ -32,7 +34,8 @@ impl Strip {
             let (from, behind) = (low as usize + 1, high as usize + away);
             [[from.saturating_sub(away + left); 2], [behind; 2]].into_iter().zip([left, right])
         });
-        if contrast > CLEAR * noise {
+        let straight = path.iter().max().zip(path.iter().min()).is_none_or(|(most, least)| most - least <= STRAIGHT);
+        if straight || contrast > CLEAR * noise {
             return noise;
         }
         // What a bend moves along with the joint is no noise.

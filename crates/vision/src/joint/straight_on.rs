@@ -12,7 +12,7 @@ use crate::Frame;
 const CORNER: f32 = 0.45;
 /// Rows about a corner of which it is the sharpest: next to it a half of an arm alone lies behind it.
 const NEAR: usize = 15;
-/// Corners that are looked at.
+/// Corners that are looked at where it ends within the frame.
 const MOST_CORNERS: usize = 4;
 /// Rows before a corner in which the way bends aside already.
 const BEFORE: usize = 8;
@@ -24,9 +24,13 @@ impl Follower {
     /// not sure, or anywhere if it ends within the frame. True if the joint goes on there.
     pub(super) fn try_straight_on(&mut self, frame: &Frame, inside: &Inside, look: &Look) -> bool {
         let rows = &self.joint.rows;
-        let leaves = self.joint.end == End::LeftImage || is_at_rim(rows, inside, look);
-        let mut from = if leaves { last_sure(rows).unwrap_or(0) } else { 0 }.max(bend::REACH);
-        for _ in 0..if self.joint.end == End::Closed { 0 } else { MOST_CORNERS } {
+        let (corners, from) = match self.joint.end {
+            End::Closed => return false,
+            End::Lost | End::JointEnd if !is_at_rim(rows, inside, look) => (MOST_CORNERS, 0),
+            _ => (2, last_sure(rows).unwrap_or(0)),
+        };
+        let mut from = from.max(bend::REACH);
+        for _ in 0..corners {
             let Some(corner) = next_corner(&self.joint.rows, from) else { return false };
             if self.go_straight_on(frame, inside, look, corner.saturating_sub(BEFORE)) {
                 return true;

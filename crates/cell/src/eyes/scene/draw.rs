@@ -317,4 +317,23 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn a_tack_hides_the_joint_and_a_ramp_does_not() {
+        let (mut under, mut beside, mut hidden) = (0, 0, 0);
+        for seed in 0..40 {
+            let Scene { truth, .. } = scene(Kind::Clear, seed, 512);
+            let inside = |p: &DVec2| p.min_element() >= 0.0 && p.max_element() < 512.0;
+            for (place, shown) in truth.midline.iter().zip(&truth.shown).filter(|(place, _)| inside(place)) {
+                let away = truth.tacks.iter().map(|(middle, radius)| middle.distance(*place) - radius);
+                match away.fold(f64::INFINITY, f64::min) {
+                    away if away < -5.0 => under += usize::from(*shown),
+                    away if away > 5.0 => (beside, hidden) = (beside + 1, hidden + usize::from(!shown)),
+                    _ => {}
+                }
+            }
+        }
+        // What ripples a tack has may look like a joint here and there.
+        assert!(under * 20 < beside && hidden * 20 < beside, "{under} shown, {hidden} hidden of {beside}");
+    }
 }
