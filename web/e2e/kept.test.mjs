@@ -152,6 +152,7 @@ test('points recorded by hand come back after Clear and over a reload, and belon
   await one.waitForSelector('.panel');
   await tab(one, 'Jog · Teach');
   await points.nth(2).waitFor();
+  assert.equal(await points.count(), 3);
   const section = one.locator('section', { hasText: 'Teach by hand' });
   await section.getByRole('textbox').fill('short');
   await section.getByRole('spinbutton').fill('-5');

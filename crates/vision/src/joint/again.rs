@@ -14,12 +14,12 @@ const SEEN_ON: f32 = 1.5;
 pub(super) const STRETCH: f32 = 100.0;
 /// A joint is tried again if it was seen last so far within the frame, pixels; where it left it unseen, the other way counts if it
 /// is seen on for half of that.
-pub(super) const UNSEEN: f32 = 16.0;
+const UNSEEN: f32 = 16.0;
 /// What is narrower is looked for with widths up to this part of the one before, and is narrower than this part of them ...
 pub(super) const NARROWER: f32 = 0.7;
 /// ... and as long as this part of it: what is wider is its surroundings.
 const AS_LONG: f32 = 0.9;
-/// A joint is followed on levels on which it is this many pixels wide at least.
+/// A joint is looked for on the top-hat of a coarser level than its own if it is this many pixels wide there.
 const NARROWEST: f32 = 2.5;
 /// Levels and widths there that a start is looked for with on top-hats.
 const STARTS: [(usize, f32); 3] = [(1, 2.0), (1, 5.0), (2, 5.0)];
@@ -35,8 +35,8 @@ impl Follower {
     pub(super) fn try_again(&mut self, frame: &Frame, start: &Start, inside: &Inside, looks: [Look; 2]) {
         let look = looks[0];
         // Salt fills the squares of fine levels, and is one of many pixels on coarse ones.
-        let (level, coarsest) = (top_hat_level(&look), look.width_in_frame() / NARROWEST);
-        let coarser = (2 << level) as f32 <= coarsest;
+        let level = top_hat_level(&look);
+        let coarser = look.width_in_frame() >= NARROWEST * (2 << level) as f32;
         let goes_on = self.try_on_top_hat(frame, start, inside, looks, level)
             || coarser && self.try_on_top_hat(frame, start, inside, looks, level + 1);
         if self.try_straight_on(frame, inside, &look) || goes_on {
@@ -77,11 +77,11 @@ impl Follower {
         level: usize,
     ) -> bool {
         let length = way(&self.joint.rows);
-        let unseen = self.joint.rows.last().map_or(f32::INFINITY, |row| inside.to_rim([row.x, row.y]));
+        let unseen = to_rim(&self.joint.rows, inside);
         let least = match self.joint.end {
             End::Closed => return false,
             End::JointEnd if self.is_sure_end(&last) => return false,
-            _ if unseen < UNSEEN.max(look.width_in_frame()) => return false,
+            _ if unseen < rim(&look) => return false,
             End::Lost | End::JointEnd => (LONGER * length).min(length + 0.5 * unseen),
             End::LeftImage => length + 0.5 * unseen,
         };
@@ -166,6 +166,16 @@ impl Follower {
 /// The level on which a joint is followed on a top-hat: on the frame itself that takes long.
 pub(super) fn top_hat_level(look: &Look) -> usize {
     look.level.max(1)
+}
+
+/// What is so near to the frame's rim is at it, pixels.
+pub(super) fn rim(look: &Look) -> f32 {
+    UNSEEN.max(look.width_in_frame())
+}
+
+/// How far the last row is from the rim, pixels.
+pub(super) fn to_rim(rows: &[Row], inside: &Inside) -> f32 {
+    rows.last().map_or(f32::INFINITY, |row| inside.to_rim([row.x, row.y]))
 }
 
 /// The last row that is sure.

@@ -342,6 +342,7 @@ impl Midline {
             }
             self.place_middles();
             for i in from..end {
+                // Next to the end all rows are on one side: more of them hold it.
                 self.centre[i] = self.fit(i, self.line + (i - from) / 2, whole).0;
             }
         }

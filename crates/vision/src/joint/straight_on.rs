@@ -1,7 +1,7 @@
 //! What turns as no joint does, at the rim of a tack or where another joint meets, is left again: the joint may go straight on behind
 //! what hides it.
 
-use super::again::{HEADING, STRETCH, UNSEEN, last_sure, start_at, top_hat_level, way};
+use super::again::{HEADING, STRETCH, last_sure, rim, start_at, to_rim, top_hat_level, way};
 use super::bend;
 use super::follow::{Follower, Inside};
 use super::trail::{Look, ROWS};
@@ -12,8 +12,9 @@ use crate::Frame;
 const CORNER: f32 = 0.45;
 /// Rows about a corner of which it is the sharpest: next to it a half of an arm alone lies behind it.
 const NEAR: usize = 15;
-/// Corners that are looked at where it ends within the frame.
-const MOST_CORNERS: usize = 4;
+/// Corners that are looked at, and where it ends within the frame.
+const CORNERS: usize = 2;
+const CORNERS_WITHIN: usize = 4;
 /// Rows before a corner in which the way bends aside already.
 const BEFORE: usize = 8;
 /// Where the joint goes straight on, so much of it at most is not seen, but for what is behind the corner.
@@ -26,8 +27,8 @@ impl Follower {
         let rows = &self.joint.rows;
         let (corners, from) = match self.joint.end {
             End::Closed => return false,
-            End::Lost | End::JointEnd if !is_at_rim(rows, inside, look) => (MOST_CORNERS, 0),
-            _ => (2, last_sure(rows).unwrap_or(0)),
+            End::Lost | End::JointEnd if to_rim(rows, inside) >= rim(look) => (CORNERS_WITHIN, 0),
+            _ => (CORNERS, last_sure(rows).unwrap_or(0)),
         };
         let mut from = from.max(bend::REACH);
         for _ in 0..corners {
@@ -54,7 +55,7 @@ impl Follower {
         }
         // To the rim or as far as it went, not to the same place, and hardly anything is unseen.
         let (rows, before) = (&self.joint.rows, &self.before.rows);
-        let is_as_far = is_at_rim(rows, inside, look) || way(rows) >= way(&before[from..]);
+        let is_as_far = to_rim(rows, inside) < rim(look) || way(rows) >= way(&before[from..]);
         let apart = rows.last().zip(before.last()).map_or(0.0, |(a, b)| a.away(b));
         let is_seen = unseen_elsewhere(rows) as f32 <= MOST_UNSEEN * rows.len() as f32;
         if !(is_as_far && is_seen && apart >= rim(look)) {
@@ -64,16 +65,6 @@ impl Follower {
         // What was sure behind the corner was something else.
         self.keep_sure(corner + 1)
     }
-}
-
-/// What is so near to the frame's rim is at it, pixels.
-fn rim(look: &Look) -> f32 {
-    UNSEEN.max(look.width_in_frame())
-}
-
-/// True if the last row is at the rim.
-fn is_at_rim(rows: &[Row], inside: &Inside, look: &Look) -> bool {
-    rows.last().is_some_and(|row| inside.to_rim([row.x, row.y]) < rim(look))
 }
 
 /// The first row from `from` on, [`bend::REACH`] at least, at which the way turns like none of a joint, and none near it more.

@@ -164,17 +164,18 @@ pub fn scene(kind: Kind, seed: u64, size: usize) -> Scene {
         truth.midline = midline;
     }
     canvas.light_up(&disturbances, (&truth.midline, width), r);
-    let (noise, reach) = (
-        contrast / cnr * contrast_left(width, disturbances.defocus),
-        1.5 * width + 2.0 * disturbances.defocus as f64 + 1.0,
-    );
-    truth.shown = (0..truth.midline.len())
-        .map(|i| {
-            let normal = DVec2::from_angle(heading(&truth.midline, i)).perp();
-            canvas.depth(&disturbances, (truth.midline[i], normal), reach) >= (0.5 * cnr).min(SHOWN) * noise
-        })
-        .collect();
+    truth.shown = shown(&canvas, &disturbances, &truth);
     Scene { image: canvas.take(&disturbances, r), start, truth }
+}
+
+/// Which places of the midline a frame of this light shows.
+fn shown(canvas: &Canvas, d: &Disturbances, truth: &Truth) -> Vec<bool> {
+    let noise = d.noise.hypot(d.texture.0).hypot(d.charging);
+    let least = (0.5 * truth.cnr).min(SHOWN) * noise;
+    let reach = 1.5 * truth.width + 2.0 * d.defocus as f64 + 1.0;
+    let normal = |i| DVec2::from_angle(heading(&truth.midline, i)).perp();
+    let depths = truth.midline.iter().enumerate().map(|(i, place)| canvas.depth(d, (*place, normal(i)), reach));
+    depths.map(|depth| depth >= least).collect()
 }
 
 /// Direction of the midline at its point `i`, rad.

@@ -3,7 +3,7 @@ use crate::joint::axis::{Axis, Station};
 use crate::joint::levels::Picture;
 
 /// Chords this many places long ...
-pub(in crate::joint) const CHORD: usize = 14;
+pub(super) const CHORD: usize = 14;
 /// ... do not turn by more than this, rad.
 const CORNER: f32 = 0.6;
 /// How a joint may bend below what hides it, rad/px.
@@ -36,10 +36,10 @@ impl Trail {
         let axis = self.way_on(&Axis { at: last.at, heading, curvature: 0.0 }, 1.0, 2 * FITTED);
         // Where something is known to hide the joint it may bend below.
         let bends = if limits.hidden.is_some() { &BENDS[..] } else { &BENDS[..1] };
+        let straight = Axis { curvature: 0.0, ..axis };
         let mut gone = 0;
         loop {
             gone += LEAP;
-            let straight = Axis { curvature: 0.0, ..axis };
             if !(limits.inside)(straight.station(gone as f32).at) || gone as f32 > limits.gap {
                 return None;
             }
@@ -52,11 +52,9 @@ impl Trail {
                 }
             }
             let Some((_, axis)) = best else { continue };
-            let there = beyond(&axis, gone);
-            self.see(picture, &there, BACK as f32, &mut look.clone(), gone);
             let place = |i| Place { at: axis.station(i as f32).at, seen: false, contrast: look.contrast };
             self.places.extend((0..gone).map(place));
-            return Some(there);
+            return Some(beyond(&axis, gone));
         }
     }
 }

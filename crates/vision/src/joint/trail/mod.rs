@@ -1,4 +1,4 @@
-pub(super) mod leap;
+mod leap;
 mod see;
 
 use crate::joint::axis::{Axis, Station, length};
