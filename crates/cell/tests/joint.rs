@@ -3,7 +3,7 @@
 use seamwright_cell::eyes::gates::{follow, joint_gates};
 use seamwright_cell::eyes::scene::{Kind, scene};
 use seamwright_cell::gate::Gate;
-use seamwright_vision::joint::{Follower, Options};
+use seamwright_vision::joint::{End, Follower, Options, Start};
 
 /// Frames a kind: 50, or 1000 with SEAMWRIGHT_SOAK=20.
 fn frames() -> u64 {
@@ -56,4 +56,14 @@ fn joints_go_on_behind_what_hides_them() {
         assert!(outcome.reach > 0.95, "{seed}: {}", outcome.reach);
         assert!(outcome.errors.iter().all(|(error, sure)| !sure || *error < 2.0), "{seed}");
     }
+}
+
+/// What is told of a joint is not looked past: with another width told, nothing is seen where `step` 474 begins.
+#[test]
+fn a_told_width_is_not_looked_past() {
+    let scene = scene(Kind::Step, 474, 512);
+    let start = Start { width: Some(40.0), ..scene.start };
+    let mut follower = Follower::new(Options::default());
+    let joint = follower.follow(&scene.image.frame().unwrap(), &start);
+    assert!(joint.rows.is_empty() && joint.end == End::Lost, "{} rows, {:?}", joint.rows.len(), joint.end);
 }

@@ -84,7 +84,7 @@ impl Follower {
         self.make_room(frame);
         if let Some(looks) = self.follow_in(frame, start, &inside, 0.0) {
             self.try_again(frame, start, &inside, looks);
-        } else {
+        } else if known_width(start).is_none() {
             self.try_start_on_top_hat(frame, start, &inside);
         }
         &self.joint

@@ -44,7 +44,8 @@ impl Trail {
                 return None;
             }
             let mut best: Option<(f32, Axis)> = None;
-            for axis in bends.iter().map(|bend| Axis { curvature: *bend, ..axis }) {
+            let axes = bends.iter().map(|bend| Axis { curvature: *bend, ..axis });
+            for axis in axes.filter(|axis| (limits.inside)(axis.station(gone as f32).at)) {
                 let score = self.see(picture, &beyond(&axis, gone), BACK as f32, &mut look.clone(), gone);
                 let is_joint = 10 * self.count() >= 9 * ROWS && self.is_steady();
                 if is_joint && best.is_none_or(|(most, _)| score > most) {
