@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { after, afterEach, before, test } from 'node:test';
 import { hasBrowser, launch, page } from './browser.mjs';
 import { isReal, NO_CELL, startCell } from './cell.mjs';
-import { axis, control, mode, open, ready, record, sleep, tab } from './operator.mjs';
+import { axis, commands, control, mode, open, ready, record, sleep, tab } from './operator.mjs';
 
 const options = { skip: hasBrowser ? false : 'no Chromium' };
 const onReal = { skip: hasBrowser ? (isReal ? false : `the mock goes nowhere by itself: ${NO_CELL}`) : 'no Chromium' };
@@ -30,30 +30,55 @@ after(async () => {
   await cell?.end();
 });
 
-/** Presses theta + and waits until it moves. */
-async function held() {
+// What fails leaves no key held for the next.
+afterEach(async () => {
+  if (one && !one.isClosed()) await one.mouse.up();
+});
+
+/** In jogging and in command, also after a silence took both. */
+async function jogs() {
+  await commands(one);
+  const start = one.getByRole('button', { name: 'Start jogging' });
+  if (await start.isVisible()) await start.click();
   await mode(one, 'jog');
-  const begun = await axis(one, 'theta');
+}
+
+/**
+ * Presses theta + and waits until it moves and `also` holds. A page that drew a second by software has lost its heartbeat: the cell
+ * stops, and wants to see the hand at rest before it moves again. Then it is pressed again.
+ */
+async function held(also = async () => true) {
   const key = one.getByRole('button', { name: 'theta +' });
-  await key.hover();
-  await one.mouse.down();
-  for (let i = 0; i < 40 && Math.abs((await axis(one, 'theta')) - begun) < 0.2; i += 1) await sleep(50);
-  const now = await axis(one, 'theta');
-  assert.ok(Math.abs(now - begun) >= 0.2, `theta has not moved: ${begun} to ${now}`);
-  return key;
+  for (let tries = 1; ; tries += 1) {
+    await jogs();
+    const begun = await axis(one, 'theta');
+    await key.hover();
+    await one.mouse.down();
+    for (let i = 0; i < 40 && Math.abs((await axis(one, 'theta')) - begun) < 0.2; i += 1) await sleep(50);
+    const now = await axis(one, 'theta');
+    const moves = Math.abs(now - begun) >= 0.2;
+    if (moves && (await also())) return key;
+    assert.ok(tries < 3, moves ? 'theta moves, but not so' : `theta has not moved: ${begun} to ${now}`);
+    await one.mouse.up();
+    await sleep(500);
+  }
+}
+
+/** What the cell answers to where it stands. */
+async function place() {
+  const answer = await other.context().request.get(new URL('/api/position', cell.address).href);
+  return { status: answer.status(), ...(await answer.json()) };
 }
 
 test('no place is recorded while an axis moves, by the key or past it', onReal, async () => {
-  const place = () => one.evaluate(async () => {
-    const answer = await fetch('/api/position');
-    return { status: answer.status, ...(await answer.json()) };
-  });
-  const isOff = (off) =>
-    one.waitForFunction((off) => [...document.querySelectorAll('button')].some((key) => key.textContent.trim() === 'Record point' && key.disabled === off), off);
+  const isOff = (off, timeout) =>
+    one.waitForFunction((off) => [...document.querySelectorAll('button')].some((key) => key.textContent.trim() === 'Record point' && key.disabled === off), off, { timeout });
   await isOff(false);
-  const key = await held();
-  const moving = await place();
-  await isOff(true);
+  let moving;
+  const key = await held(async () => {
+    moving = await place();
+    return isOff(true, 3000).then(() => true, () => false);
+  });
   await one.getByText('The axes have not come to rest: wait a moment.').waitFor();
   await ways['the pointer lifted outside of the button'](key);
   assert.deepEqual([moving.status, moving.key, moving.text], [409, 'busy', 'the axes have not come to rest: wait a moment']);
@@ -62,15 +87,15 @@ test('no place is recorded while an axis moves, by the key or past it', onReal, 
   await record(one);
   const stood = await place();
   assert.ok(Math.abs(stood.axes[0] - (await axis(one, 'theta'))) < 0.02);
-  one.wrong = one.wrong.filter((text) => !text.includes('409'));
 });
 
-/** It stands half a second later, as the other panel sees it. */
+/** It stands half a second later: the cell says so, of the mock the other panel. (A page drawn in software shows an axis late.) */
 async function stands() {
+  const where = async () => (isReal ? (await place()).axes?.[0] : axis(other, 'theta'));
   await sleep(700);
-  const then = await axis(other, 'theta');
+  const then = await where();
   await sleep(500);
-  const now = await axis(other, 'theta');
+  const now = await where();
   assert.ok(Math.abs(now - then) < 0.02, `theta still moves: ${then} to ${now}`);
 }
 
@@ -118,10 +143,7 @@ test('the cell stops by itself when the page hangs with the button held', option
   // Without a heartbeat it has lost control too, and takes nothing back by itself.
   await one.getByText('Nobody commands').waitFor();
   await control(one);
-  if (await one.getByRole('button', { name: 'Start jogging' }).isVisible()) {
-    await one.getByRole('button', { name: 'Start jogging' }).click();
-  }
-  await mode(one, 'jog');
+  await jogs();
   // After a silence the cell wants to see the hand at rest before it moves again.
   await one.getByRole('button', { name: 'theta +' }).hover();
   await one.mouse.down();
@@ -131,22 +153,28 @@ test('the cell stops by itself when the page hangs with the button held', option
 });
 
 test('the keyboard: an arrow moves while held, and no longer', options, async () => {
-  await mode(one, 'jog');
-  await one.locator('.speeds button').nth(1).focus();
-  const begun = await axis(one, 'theta');
-  await one.keyboard.down('ArrowLeft');
-  await sleep(800);
-  await one.keyboard.up('ArrowLeft');
-  await stands();
-  assert.ok((await axis(one, 'theta')) < begun - 0.2);
+  let moved = 0;
+  // Without a heartbeat it does not move: then once more.
+  for (let tries = 0; tries < 3 && moved > -0.2; tries += 1) {
+    await jogs();
+    await one.locator('.speeds button').nth(1).focus();
+    const begun = await axis(one, 'theta');
+    await one.keyboard.down('ArrowLeft');
+    await sleep(800);
+    await one.keyboard.up('ArrowLeft');
+    await stands();
+    moved = (await axis(one, 'theta')) - begun;
+  }
+  assert.ok(moved < -0.2, `theta moved by ${moved}`);
 });
 
 test('a key that sends all axes to a place: they go while it is held, and stand there', onReal, async () => {
   await held();
   await one.mouse.up();
   await stands();
+  const theta = async () => (await place()).axes?.[0];
   const home = one.getByRole('button', { name: 'Home position' });
-  const begun = await axis(one, 'theta');
+  const begun = await theta();
   assert.ok(Math.abs(begun) > 0.2, `theta is at home already: ${begun}`);
   // Let go early, it stops on the way.
   await home.hover();
@@ -154,14 +182,18 @@ test('a key that sends all axes to a place: they go while it is held, and stand 
   for (let i = 0; i < 40 && Math.abs((await axis(one, 'theta')) - begun) < 0.05; i += 1) await sleep(20);
   await one.mouse.up();
   await stands();
-  assert.ok(Math.abs((await axis(one, 'theta')) - begun) >= 0.05, 'theta has not moved');
-  await home.hover();
-  await one.mouse.down();
-  for (let i = 0; i < 100 && Math.abs(await axis(one, 'theta')) > 0.005; i += 1) await sleep(100);
-  await one.screenshot({ path: new URL('shots/go.png', import.meta.url).pathname });
-  await one.mouse.up();
-  await stands();
-  assert.ok(Math.abs(await axis(one, 'theta')) < 0.02, `theta is not at home: ${await axis(one, 'theta')}`);
+  assert.ok(Math.abs((await theta()) - begun) >= 0.05, 'theta has not moved');
+  // A heartbeat that is lost on the way stops it too: then the key is pressed again.
+  for (let tries = 0; tries < 5 && Math.abs(await theta()) > 0.005; tries += 1) {
+    await jogs();
+    await home.hover();
+    await one.mouse.down();
+    for (let i = 0; i < 50 && !(Math.abs(await theta()) <= 0.005); i += 1) await sleep(100);
+    await one.screenshot({ path: new URL('shots/go.png', import.meta.url).pathname });
+    await one.mouse.up();
+    await stands();
+  }
+  assert.ok(Math.abs(await theta()) < 0.02, `theta is not at home: ${await theta()}`);
 });
 
 test('recorded places become a program', options, async () => {
