@@ -9,8 +9,8 @@ use crate::wide::{Work, wide};
 /// Parts of a grey value that are told apart. (Two grey values together are no more than 16 bits.)
 const PARTS: f32 = 64.0;
 /// Parts of a grey value that depths are told apart by, and the depths.
-const DEPTH_PARTS: usize = 8;
-const DEPTHS: usize = 256 * DEPTH_PARTS;
+const DEPTH_PARTS: i16 = 8;
+const DEPTHS: i16 = 256 * DEPTH_PARTS;
 /// Pixels that are combined at a time.
 const LANES: usize = 32;
 /// Depths go towards this part of the depth at the start: where it is lighter beside an open gap it is deeper.
@@ -27,8 +27,6 @@ pub(super) struct TopHat {
     smooth: Vec<i16>,
     /// The same, closed.
     metal: Vec<i16>,
-    /// The grey value for each depth.
-    greys: Vec<f32>,
     pixels: Vec<f32>,
 }
 
@@ -39,7 +37,6 @@ impl TopHat {
         make_room(&mut self.smooth, whole);
         make_room(&mut self.metal, whole);
         make_room(&mut self.pixels, width * height);
-        make_room(&mut self.greys, DEPTHS);
     }
 
     /// Takes it of a picture, by squares of `around` pixels to either side, for joints that are narrower than those and about
@@ -60,21 +57,13 @@ impl TopHat {
         for step in [1, line] {
             each_of(&mut self.metal, square, step, i16::min);
         }
-        let most = DEEPEST * contrast;
-        self.greys.clear();
-        self.greys.extend((0..DEPTHS).map(|depth| {
-            let depth = depth as f32 * (1.0 / DEPTH_PARTS as f32);
-            METAL - depth / (1.0 + (depth / most).powi(2)).sqrt()
-        }));
         self.pixels.resize(width * height, 0.0);
+        let most = DEEPEST * contrast;
         for (y, out) in self.pixels.chunks_exact_mut(width).enumerate() {
             // A group of three, then two squares to the upper left.
             let at = |less: usize| (y + margin - less) * line + margin - less;
             let (smooth, metal) = (&self.smooth[at(1)..][..width], &self.metal[at(square)..][..width]);
-            for ((out, smooth), metal) in out.iter_mut().zip(smooth).zip(metal) {
-                let depth = (metal - smooth) as usize / (PARTS as usize / DEPTH_PARTS);
-                *out = self.greys[depth.min(DEPTHS - 1)];
-            }
+            wide(Bend { smooth, metal, most, out });
         }
     }
 
@@ -142,6 +131,26 @@ impl<F: Fn(i16, i16) -> i16> Work for Combine<'_, F> {
         }
         for i in whole..count {
             pixels[i] = of(pixels[i], pixels[i + apart]);
+        }
+    }
+}
+
+/// The grey values of a row for depths that are bent over at `most`.
+struct Bend<'a> {
+    smooth: &'a [i16],
+    metal: &'a [i16],
+    most: f32,
+    out: &'a mut [f32],
+}
+
+impl Work for Bend<'_> {
+    #[inline(always)]
+    fn run(self) {
+        for ((out, smooth), metal) in self.out.iter_mut().zip(self.smooth).zip(self.metal) {
+            let depth = ((metal - smooth) / (PARTS as i16 / DEPTH_PARTS)).min(DEPTHS - 1);
+            let depth = f32::from(depth) * (1.0 / f32::from(DEPTH_PARTS));
+            let part = depth / self.most;
+            *out = METAL - depth / (1.0 + part * part).sqrt();
         }
     }
 }

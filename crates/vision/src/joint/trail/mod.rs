@@ -13,8 +13,14 @@ use crate::joint::strip::{GROUP, MID, SEEN_AROUND, Strip, box_columns};
 pub(super) const ROWS: usize = 48;
 /// ... from this many before the last place ...
 const BACK: usize = 10;
-/// ... of which this many places are taken.
+/// ... of which this many places are taken, ...
 const TAKEN: usize = 20;
+/// ... and up to so many on the finest level, where there are most of them, if all of the strip shows a joint so many times as deep
+/// as the noise, ...
+const TAKEN_CLEAR: usize = 28;
+const CLEAR: f32 = 5.5;
+/// ... as long as it is this near to where it is predicted, columns.
+const NEAR: f32 = 2.0;
 /// Places that the way on is fitted to.
 const FITTED: usize = 44;
 /// Joints bend no more sharply than this, rad/px of their level.
@@ -117,7 +123,7 @@ impl Trail {
     /// Room for so many places.
     pub(in crate::joint) fn make_room(&mut self, places: usize) {
         make_room(&mut self.places, places);
-        make_room(&mut self.aside, TAKEN + 2 * leap::CHORD);
+        make_room(&mut self.aside, TAKEN_CLEAR + 2 * leap::CHORD);
         self.make_room_to_see();
     }
 
@@ -204,9 +210,11 @@ impl Trail {
                 self.see(picture, &axis, from, look, gap);
             }
             let mut taken = 0;
-            for i in back..back + TAKEN {
+            let most = if self.is_clear(look) { TAKEN_CLEAR } else { TAKEN };
+            for i in back..back + most {
                 let across = column_about(&self.path, i, 3) - MID as f32;
-                if taken >= TAKEN / 2 && across.abs() > BESIDE && self.seen[i] {
+                let beside = if taken < TAKEN { BESIDE } else { NEAR };
+                if taken >= TAKEN / 2 && across.abs() > beside && self.seen[i] {
                     break;
                 }
                 taken += 1;
@@ -246,6 +254,11 @@ impl Trail {
             axis = self.way_on(&axis, taken as f32, if taken < TAKEN { FITTED / 2 } else { FITTED });
             back = BACK;
         }
+    }
+
+    /// True if the strip shows a narrow joint so well that more of its places than usual are sure.
+    fn is_clear(&self, look: &Look) -> bool {
+        look.level == 0 && look.contrast > CLEAR * look.noise && self.seen.iter().all(|seen| *seen)
     }
 
     /// The joint's depth follows what is seen.
