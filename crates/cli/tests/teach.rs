@@ -216,6 +216,13 @@ fn sender(frames: Vec<TimedFrame>, driven: bool) -> (String, std::thread::JoinHa
     (address, sender)
 }
 
+/// How far axes are off the straight way from `a` to `b`: the greatest of all, mm and degrees, where the first three are nearest.
+fn off(a: &[f64], b: &[f64], at: &[f64]) -> f64 {
+    let dot = |p: &[f64], q: &[f64]| (0..3).map(|k| (p[k] - a[k]) * (q[k] - a[k])).sum::<f64>();
+    let part = (dot(at, b) / dot(b, b).max(1e-9)).clamp(0.0, 1.0);
+    a.iter().zip(b).zip(at).map(|((a, b), at)| (a + part * (b - a) - at).abs()).fold(0.0, f64::max)
+}
+
 #[test]
 fn taught_from_frames_that_are_sent() {
     let folder = tempfile::tempdir().unwrap();
@@ -245,13 +252,14 @@ fn taught_from_frames_that_are_sent() {
     let told = good(&["teach", &job, "--frames", &address, "--drive", "--start", &start, "-o", &sent]);
     assert!(told.starts_with("joint-end after "), "{told}");
     let lines = thread.join().unwrap();
-    assert_eq!(lines.len(), all.len());
-    for (line, frame) in lines.iter().zip(&all).skip(1) {
+    // Each frame was taken a little beside where it is asked for now: a step may be longer or shorter, but is on the same way.
+    assert!(lines.len().abs_diff(all.len()) <= 1, "{} {told}", lines.len());
+    let way: Vec<&[f64]> = all.iter().map(|frame| frame.axes.as_deref().unwrap()).collect();
+    for line in &lines[1..] {
         let words = line.strip_prefix("look ").unwrap_or_else(|| panic!("{line}")).split(' ');
-        for (word, at) in words.zip(frame.axes.as_ref().unwrap()) {
-            let (_, value) = word.split_once('=').unwrap();
-            assert!((value.parse::<f64>().unwrap() - at).abs() < 1.0, "{line} {:?}", frame.axes);
-        }
+        let asked: Vec<f64> = words.map(|word| word.split_once('=').unwrap().1.parse().unwrap()).collect();
+        let off = way.windows(2).map(|leg| off(leg[0], leg[1], &asked)).fold(f64::INFINITY, f64::min);
+        assert!(off < 0.5, "{off} {line} {way:?}");
     }
     let (a, b) = (number(&report(&sent), "length_mm"), number(&report(&program), "length_mm"));
     assert!((a - b).abs() < 0.5 && !simulated.is_empty(), "{a} {b}");
