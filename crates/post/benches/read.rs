@@ -2,7 +2,7 @@
 
 #![allow(missing_docs, reason = "the benchmark macros make public items")]
 
-#[path = "../tests/reading/mod.rs"]
+#[path = "../tests/it/reading/mod.rs"]
 mod reading;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};

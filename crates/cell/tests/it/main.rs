@@ -1,0 +1,26 @@
+//! All tests in one program, which is compiled and linked once. Those that need a process of their own are beside it.
+
+mod beam;
+mod campaign;
+#[path = "../common/mod.rs"]
+mod common;
+mod corners;
+mod devices;
+mod elastic;
+mod executive;
+mod executive_tracked;
+mod frame_sources;
+mod homing;
+mod joint;
+mod modbus;
+#[path = "../support/modbus_cell.rs"]
+mod modbus_cell;
+#[path = "../support/modbus_server.rs"]
+mod modbus_server;
+mod simulate;
+mod step_drives;
+mod stripe;
+mod teach;
+mod tracked;
+mod tracking;
+mod tracking_stripes;

@@ -1,0 +1,7 @@
+//! All tests in one program, which is compiled and linked once. Those that need a process of their own are beside it.
+
+mod along;
+mod common;
+mod distance;
+mod files;
+mod zones;

@@ -1,0 +1,131 @@
+//! Reports of plans and simulated welds in all languages: no English is left in them but names, and nothing is cut off.
+
+use crate::common::{bad, example, free_example, good, root, run};
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+/// What is the same word there, or is no word of a language.
+const SAME: [&str; 11] =
+    ["seamwright", "rms", "iso", "utc", "csv", "svg", "report", "json", "oscillation", "mag", "min"];
+/// What German shares with English.
+const GERMAN: [&str; 10] =
+    ["name", "position", "plan", "orange", "hand", "simulation", "interpolation", "links", "zone", "was"];
+/// Keys of files, which cures name.
+const KEYS: [&str; 5] = ["tolerance", "attitude", "deg", "weld", "process"];
+
+/// The words that are read, and those read aloud, without the job's own text.
+fn words(page: &str) -> BTreeSet<String> {
+    let page = page.split("<style>").flat_map(|part| part.split("</style>").skip(1)).collect::<String>();
+    let page =
+        page.split("<figure class=\"code\">").flat_map(|part| part.split("</figure>").skip(1)).collect::<String>()
+            + page.split("<figure class=\"code\">").next().unwrap_or_default();
+    let mut text = String::new();
+    for piece in page.split('<') {
+        let (tag, rest) = piece.split_once('>').unwrap_or(("", piece));
+        let aloud = tag.split_once("aria-label=\"").map_or("", |(_, label)| label.split('"').next().unwrap());
+        text += &format!("{aloud} {rest} ");
+    }
+    words_of(&text)
+}
+
+fn words_of(text: &str) -> BTreeSet<String> {
+    let text = text.replace("&#39;", " ").to_lowercase();
+    text.split(|c: char| !c.is_alphabetic()).filter(|word| word.chars().count() > 2).map(str::to_owned).collect()
+}
+
+/// Words of the names that people have given: in the job, the machine, the procedure.
+fn names(report: &Value) -> BTreeSet<String> {
+    let mut text = ["title", "file", "machine", "posts"].map(|key| report[key].to_string()).join(" ");
+    text += &["number", "title"].map(|key| report["procedure"][key].to_string()).concat();
+    // What stands between names of bodies, and what is called so by the program.
+    let mut bodies = String::new();
+    for pass in report["passes"].as_array().unwrap() {
+        text += &format!("{} {} ", pass["name"], pass["procedure"]["run"]);
+        bodies += &["between", "watched"].map(|key| pass["clearance"][key].to_string()).join(" ");
+        let axes = pass["plan"]["axes"].as_array().unwrap().iter().map(|axis| &axis["axis"]);
+        let heads = pass["simulation"]["heads"].as_array().into_iter().flatten().map(|head| &head["head"]);
+        axes.chain(heads).for_each(|name| text += &format!("{name} "));
+    }
+    let ours = ["and", "part", "fixtures", "zone", "permitted", "forbidden"];
+    let bodies = words_of(&bodies).into_iter().filter(|word| !ours.contains(&word.as_str()));
+    words_of(&text).into_iter().chain(bodies).collect()
+}
+
+/// Text in drawings that is cut off, as it would not fit.
+fn cut(page: &str) -> Vec<&str> {
+    page.split("</text>").filter(|text| text.ends_with('…')).map(|text| text.rsplit('>').next().unwrap()).collect()
+}
+
+/// What a run writes in every language is the English page said in it.
+fn in_all_languages(arguments: &[&str]) {
+    let folder = tempfile::tempdir().unwrap();
+    let written = |language: &str| {
+        let out = folder.path().join(language).display().to_string();
+        let output = run(&[arguments, &["-o", &out, "--language", language]].concat());
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert!(!told.contains("panicked") && output.status.code() != Some(2), "{arguments:?}, {language}: {told}");
+        fs::read_to_string(Path::new(&out).join("report.html")).unwrap()
+    };
+    let json = |language: &str| fs::read_to_string(folder.path().join(language).join("report.json")).unwrap();
+    let english = written("en");
+    let names = names(&serde_json::from_str(&json("en")).unwrap());
+    let said: BTreeSet<String> = words(&english).difference(&names).cloned().collect();
+    assert!(said.len() > 120, "{said:?}");
+    for language in ["uk", "zh", "de", "ru"] {
+        let page = written(language);
+        assert!(page.contains(&format!("<html lang=\"{language}\">")));
+        let same: &[&str] = if language == "de" { &GERMAN } else { &[] };
+        let known = |word: &&String| [&SAME, &KEYS[..], same].iter().any(|some| some.contains(&word.as_str()));
+        let words = words(&page);
+        let left: Vec<&String> = words.intersection(&said).filter(|word| !known(word)).collect();
+        assert!(left.is_empty(), "{arguments:?}, {language}: {left:?}");
+        assert_eq!(cut(&page), cut(&english), "{arguments:?}, {language}");
+        assert_eq!(json(language), json("en"), "{language}: report.json is for programs");
+    }
+}
+
+#[test]
+fn plans_are_told_in_all_languages() {
+    in_all_languages(&["plan", &example("first-weld"), "--post", "linuxcnc"]);
+    for name in ["thick-saddle", "taught-saddle", "set-in-nozzle", "weave", "points", "radiator", "oblique-girth"] {
+        in_all_languages(&["plan", &example(name)]);
+    }
+}
+
+#[test]
+fn simulated_welds_are_told_in_all_languages() {
+    in_all_languages(&["simulate", &example("first-weld")]);
+    in_all_languages(&["simulate", &example("t-joint")]);
+    let distortion = root().join("examples/distortions/half-ring.toml").display().to_string();
+    in_all_languages(&["simulate", &example("half-ring"), "--distortion", &distortion]);
+    in_all_languages(&["simulate", &example("half-ring"), "--distortion", &distortion, "--no-tracking"]);
+}
+
+#[test]
+fn findings_are_told_in_all_languages() {
+    let folder = tempfile::tempdir().unwrap();
+    let job = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        fs::write(&path, text).unwrap();
+        path.display().to_string()
+    };
+    let text = fs::read_to_string(example("first-weld")).unwrap();
+    let fast = text.replace("speed_mm_s = 10", "speed_mm_s = 13");
+    assert!(fast != text);
+    in_all_languages(&["plan", &job("fast.toml", &fast)]);
+    let strict = free_example("first-weld") + "\n[tolerance]\npath_mm = 0.001\nspeed_percent = 0.01\n";
+    in_all_languages(&["simulate", &job("strict.toml", &strict)]);
+}
+
+#[test]
+fn a_language_that_is_none_is_refused() {
+    for verb in ["plan", "simulate"] {
+        for wrong in ["fr", "", "de-AT", "EN"] {
+            let told = bad(2, &[verb, &example("points"), "-o", "nowhere", "--language", wrong]);
+            assert!(told.contains("--language") && told.contains("allowed: en, uk, zh, de, ru"), "{told}");
+        }
+        assert!(good(&[verb, "--help"]).contains("--language"));
+    }
+}

@@ -1,0 +1,39 @@
+//! All tests in one program, which is compiled and linked once. Those that need a process of their own are beside it.
+
+mod beam;
+mod bench_tracking;
+mod certificate;
+mod commands;
+mod common;
+mod edit;
+mod find_joint;
+mod follow;
+mod killed;
+mod languages;
+mod machine_check;
+mod machine_tune;
+mod mistakes;
+#[path = "../../../cell/tests/support/modbus_server.rs"]
+mod modbus_server;
+#[path = "../../../cell/tests/support/modbus_welder.rs"]
+mod modbus_welder;
+mod move_to;
+mod order;
+mod passes;
+mod place;
+mod procedure;
+mod pulses;
+mod ramps;
+mod read;
+mod records;
+mod reduce;
+mod run_cell;
+mod run_modbus;
+mod seams;
+mod serve;
+mod speed_mistakes;
+mod stripe;
+mod taught;
+mod teach;
+mod two_level;
+mod verbs;

@@ -1,0 +1,19 @@
+//! All tests in one program, which is compiled and linked once. Those that need a process of their own are beside it.
+
+mod air;
+mod arc_limits;
+mod examples;
+mod fine;
+mod pace;
+#[path = "../pace_law/mod.rs"]
+mod pace_law;
+mod pace_run;
+mod pace_start;
+mod passes;
+mod procedure;
+mod pulses;
+mod redundancy;
+mod taught;
+mod tip_limits;
+mod weave;
+mod weld_motion;

@@ -1,0 +1,165 @@
+//! Passes beside the seam, that begin elsewhere, run back, cover a part, or change their speed: the tip's way and speed by
+//! differences of set-points.
+
+use proptest::prelude::*;
+use seamwright_document::{Finite, NonNegative, Positive};
+use seamwright_machine::{Machine, shipped};
+use seamwright_motion::PassMotion;
+use seamwright_motion::law::Bound;
+use seamwright_program::{Bead, OnLimit, Pass, Ramp, Span, SpanValue, TorchPath};
+use seamwright_weld::Welding;
+
+const EXAMPLES: [&str; 3] = [
+    include_str!("../../../../examples/saddle.toml"),
+    include_str!("../../../../examples/trunnion-saddle.toml"),
+    include_str!("../../../../examples/head-nozzle.toml"),
+];
+
+/// How far below the asked speed the law may stay where nothing but that holds it back.
+const NEARLY: f64 = 3e-3;
+
+fn cases(count: u32) -> ProptestConfig {
+    let times = std::env::var("SEAMWRIGHT_SOAK").ok().and_then(|t| t.parse().ok()).unwrap_or(1);
+    ProptestConfig { cases: count * times, ..ProptestConfig::default() }
+}
+
+struct Planned {
+    welding: Welding,
+    machine: Machine,
+    motion: PassMotion,
+}
+
+/// The example's pass changed, and planned.
+fn planned(example: &str, change: impl FnOnce(&mut Pass, f64)) -> Planned {
+    let one = Welding::read("job.toml", example).unwrap();
+    let mut program = one.program.value.clone();
+    change(&mut program.passes[0], one.seam.as_ref().unwrap().length());
+    let welding = Welding::read("program.toml", &program.to_toml().unwrap()).unwrap_or_else(|e| panic!("{e}"));
+    let machine = Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap();
+    let motion = PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1)
+        .unwrap_or_else(|findings| panic!("{findings:#?}"));
+    Planned { welding, machine, motion }
+}
+
+fn bead(rows: &[[f64; 4]]) -> Bead {
+    let column = |k: usize| rows.iter().map(|r| Finite::new(r[k]).unwrap()).collect();
+    let area_mm2 = vec![NonNegative::new(12.0).unwrap(); rows.len()];
+    Bead {
+        s_mm: column(0),
+        across_mm: column(1),
+        out_mm: column(2),
+        work_angle_deg: column(3),
+        weave_part: Vec::new(),
+        area_mm2,
+    }
+}
+
+fn positive(value: f64) -> Positive {
+    Positive::new(value).unwrap()
+}
+
+/// Spans over `length` with speeds at their ends.
+fn spans(pass: &mut Pass, length: f64, speeds: &[(f64, f64)]) {
+    let one = pass.spans[0].clone();
+    let at = |i: usize| length * i as f64 / speeds.len() as f64;
+    let span = |(i, (from, to)): (usize, &(f64, f64))| Span {
+        from_mm: NonNegative::new(at(i)).unwrap(),
+        to_mm: positive(at(i + 1)),
+        speed_mm_s: match from.to_bits() == to.to_bits() {
+            true => positive(*from).into(),
+            false => SpanValue::Ramp(Ramp { from: positive(*from), to: positive(*to) }),
+        },
+        ..one.clone()
+    };
+    pass.spans = speeds.iter().enumerate().map(span).collect();
+}
+
+/// A random pass as parts: where it begins, how long it is, which way, rows beside each other, speeds as parts of the
+/// example's.
+#[derive(Debug, Clone)]
+struct Case {
+    example: usize,
+    begin: f64,
+    turns: f64,
+    reverse: bool,
+    rows: Vec<(f64, f64, f64)>,
+    speeds: Vec<(f64, f64)>,
+}
+
+fn case() -> impl Strategy<Value = Case> {
+    let rows = prop::collection::vec((-3.0..3.0f64, 0.0..5.0f64, -6.0..6.0f64), 1..10);
+    let speeds = prop::collection::vec((0.3..1.0f64, 0.3..1.0f64), 1..4);
+    (0..EXAMPLES.len(), (0.0..1.0f64, 0.2..1.1f64, any::<bool>()), rows, speeds).prop_map(
+        |(example, (begin, turns, reverse), rows, speeds)| Case { example, begin, turns, reverse, rows, speeds },
+    )
+}
+
+impl Case {
+    fn planned(&self) -> Planned {
+        planned(EXAMPLES[self.example], |pass, seam| {
+            let v = pass.speed_at(0.0);
+            let speeds: Vec<_> = self.speeds.iter().map(|(a, b)| (a * v, b * v)).collect();
+            (pass.begin_mm, pass.reverse) = (NonNegative::new(self.begin * seam).unwrap(), self.reverse);
+            pass.on_limit = OnLimit::Slow;
+            spans(pass, self.turns * seam, &speeds);
+            let at = |i: usize| seam * i as f64 / self.rows.len() as f64;
+            let rows = self.rows.iter().enumerate().map(|(i, r)| [at(i), r.0, r.1, r.2]);
+            pass.bead = Some(bead(&rows.collect::<Vec<_>>()));
+        })
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(24))]
+
+    /// The tip's rate by the axes is that of the path, and the tip goes where the path says.
+    #[test]
+    fn the_rate_of_the_axes_is_that_of_the_bead(case in case(), parts in prop::collection::vec(0.01..0.99f64, 40)) {
+        let Planned { welding, machine, motion } = case.planned();
+        let path = welding.path(0);
+        for s in parts.iter().map(|part| part * path.length()) {
+            prop_assert!((machine.forward(&motion.path.at(s)).point - path.pose(s).point).length() < 1e-8);
+            let (axes, tip) = (motion.path.tip_rate(&machine, s), path.rate(s));
+            prop_assert!((axes - tip).abs() < 2e-6, "{} {}", axes, tip);
+        }
+    }
+
+    /// By differences of set-points the tip is never faster than asked, and as fast within the law's reserve wherever no
+    /// limit holds it back.
+    #[test]
+    fn the_tip_has_the_asked_speed(case in case()) {
+        let Planned { welding, machine, motion } = case.planned();
+        let pass = &welding.program.value.passes[0];
+        let period = 2e-3;
+        let sets: Vec<_> = motion.set_points(period).filter(|set| set.law.v > 0.0).collect();
+        let legs = motion.law.legs();
+        let free = |s: f64| {
+            let i = motion.certificate.intervals.iter().find(|i| i.from <= s && s <= i.to).unwrap();
+            i.bound == Bound::Asked && legs.iter().any(|leg| leg.run_up_end < s && s < leg.run_down_start)
+        };
+        let (mut judged, mut least) = (0.0, f64::INFINITY);
+        for w in sets.windows(2) {
+            let [a, b] = [&w[0], &w[1]].map(|set| machine.forward(&set.q).point);
+            let chord = (b - a).length();
+            let ends = [w[0].law.s, w[1].law.s];
+            let border = pass.spans.iter().any(|span| span.to_mm.get() > ends[0] && span.to_mm.get() <= ends[1]);
+            if border {
+                continue;
+            }
+            let [before, after] = ends.map(|s| pass.speed_at(s));
+            let speed = chord / period;
+            prop_assert!(speed <= before.max(after) * (1.0 + 1e-7), "at {}: {} of {}", ends[0], speed, before);
+            // What is told is what the tip does.
+            let middle = motion.law.at(w[0].t - motion.before_s() + 0.5 * period, &mut 0);
+            let [v0, v1, v2] = [w[0].law, middle, w[1].law].map(|law| motion.tip_speed(&machine, law));
+            let told = (v0 + 4.0 * v1 + v2) / 6.0;
+            let runs = speed > 0.5 * before;
+            prop_assert!(!runs || (told - speed).abs() < 1e-4 * speed, "told {} is {}", told, speed);
+            if free(ends[0]) && free(ends[1]) {
+                judged += chord;
+                least = f64::min(least, speed / before.min(after));
+            }
+        }
+        prop_assert!(judged == 0.0 || least >= 1.0 - NEARLY, "{} over {} mm", least, judged);
+    }
+}

@@ -1,0 +1,77 @@
+//! Limits of the torch tip's own: kept in every direction along a weld, whatever an operator commands; said where
+//! they bind.
+
+use glam::DVec3;
+use seamwright_machine::{Joints, Machine, TipLimits, shipped};
+use seamwright_motion::pace::{Command, Limits, Pace};
+use seamwright_motion::{Binding, PassMotion};
+use seamwright_weld::Welding;
+
+const TIP: TipLimits = TipLimits { speed: 25.0, acceleration: 40.0, jerk: 300.0 };
+const PERIOD: f64 = 1e-3;
+
+/// The saddle on the trunnion table, asked for 30 mm/s: more than the tip may.
+fn planned() -> (Machine, PassMotion) {
+    let text = include_str!("../../../../examples/trunnion-saddle.toml");
+    let line = |l: &str| match l {
+        _ if l.starts_with("speed_mm_s =") => "speed_mm_s = 30\n".to_owned(),
+        "[weld]" => "[weld]\non_limit = \"slow\"\n".to_owned(),
+        _ => format!("{l}\n"),
+    };
+    let text: String = text.lines().filter(|l| !l.starts_with("on_limit")).map(line).collect();
+    let welding = Welding::read("job", &text).unwrap();
+    let program = &welding.program.value;
+    let mut machine = Machine::read("m", shipped(&program.machine).unwrap().text).unwrap();
+    machine.tip = TIP;
+    let motion = PassMotion::plan(&machine, &welding.path(0), &program.passes[0], 1).unwrap();
+    (machine, motion)
+}
+
+/// Greatest speed, acceleration and jerk of the tip by differences of its places, as parts of the limits.
+fn used(machine: &Machine, rows: &[Joints]) -> [f64; 3] {
+    let most = |v: &[DVec3]| v.iter().map(|v| v.length()).fold(0.0, f64::max);
+    let slope = |v: &[DVec3]| -> Vec<DVec3> { v.windows(2).map(|w| (w[1] - w[0]) / PERIOD).collect() };
+    let tips: Vec<DVec3> = rows.iter().map(|q| machine.forward(q).point).collect();
+    let v = slope(&tips);
+    let a = slope(&v);
+    // Jerks by differences over ten periods: else they would be rounding.
+    let j: Vec<DVec3> = a.windows(11).map(|w| (w[10] - w[0]) / (10.0 * PERIOD)).collect();
+    [most(&v) / TIP.speed, most(&a) / TIP.acceleration, most(&j) / TIP.jerk]
+}
+
+#[test]
+fn a_weld_keeps_them_and_says_so() {
+    let (machine, motion) = planned();
+    let rows: Vec<Joints> = motion.set_points(PERIOD).map(|p| p.q).collect();
+    let parts = used(&machine, &rows);
+    assert!(parts.iter().all(|u| *u <= 1.0 + 2e-3), "{parts:?}");
+    assert!(parts[0] > 0.99 && parts[2] > 0.8, "{parts:?}");
+    let bindings = motion.certificate.intervals.iter().filter_map(|i| Binding::new(&machine, i.bound));
+    assert!(bindings.into_iter().any(|b| b.axis.is_none() && b.what == "speed" && (b.value - 25.0).abs() < 1e-12));
+    let told: Vec<&String> = motion.findings.iter().map(|f| &f.message).collect();
+    assert!(told.iter().any(|m| m.contains("the torch tip cannot keep 30.000 mm/s: its speed limit of 25.000 mm/s")));
+}
+
+#[test]
+fn an_operator_cannot_break_them() {
+    let (machine, motion) = planned();
+    let timed = motion.timed(&machine);
+    let mut pace = Pace::new(&Limits::of(&machine), PERIOD, &timed).unwrap();
+    let commands = [
+        Command::Resume,
+        Command::Override(0.3),
+        Command::Override(1.0),
+        Command::Hold,
+        Command::Reverse,
+        Command::Hold,
+        Command::Resume,
+    ];
+    let mut rows = Vec::new();
+    for command in commands.into_iter().chain(commands) {
+        pace.command(command).unwrap();
+        rows.extend((0..900).map(|_| pace.step().rates.q));
+    }
+    let parts = used(&machine, &rows);
+    assert!(parts.iter().all(|u| *u <= 1.0 + 2e-3), "{parts:?}");
+    assert!(parts[1] > 0.7 && parts[2] > 0.7, "{parts:?}");
+}

@@ -1,0 +1,144 @@
+//! Programs of several passes: axes unwind between them, every set-point of the whole within every limit, no jump;
+//! what is in the way is told or gone round.
+
+use glam::{DAffine3, DVec3};
+use seamwright_clearance::{Shape, Solid};
+use seamwright_machine::{Clamped, Joints, Machine, Surroundings, shipped};
+use seamwright_motion::{Phase, WeldMotion};
+use seamwright_program::{Finding, Pass, TorchPath};
+use seamwright_weld::Welding;
+
+/// An example's program with as many passes as asked.
+fn program(example: &str, passes: usize) -> Welding {
+    let one = Welding::read("job.toml", example).unwrap();
+    let mut program = one.program.value.clone();
+    let pass = program.passes[0].clone();
+    program.passes = (0..passes).map(|i| Pass { name: format!("pass {}", i + 1), ..pass.clone() }).collect();
+    Welding::read("program.toml", &program.to_toml().unwrap()).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn machine(welding: &Welding) -> Machine {
+    Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap()
+}
+
+fn plan(machine: &Machine, welding: &Welding, clamped: &Clamped) -> Result<WeldMotion, Vec<Finding>> {
+    let around = Surroundings::new(machine, clamped).unwrap();
+    let paths: Vec<_> = (0..welding.program.value.passes.len()).map(|i| welding.path(i)).collect();
+    let passes: Vec<(&dyn TorchPath, &Pass)> =
+        paths.iter().zip(&welding.program.value.passes).map(|(path, pass)| (path as &dyn TorchPath, pass)).collect();
+    WeldMotion::plan(machine, &around, &passes, 30.0)
+}
+
+/// Plays the whole motion from home to home and checks every set-point by differences: ranges, speeds, accelerations,
+/// rates as told; the last position.
+fn check(machine: &Machine, motion: &WeldMotion) {
+    let period = 2e-3;
+    let mut last: Vec<Joints> = Vec::new();
+    let mut phases = Vec::new();
+    let mut count = 0u64;
+    let played: Result<(), ()> = motion.play(period, true, |pass, set, rates| {
+        assert!(machine.outside(&set.q).is_none());
+        assert!((set.phase == Phase::Air) == (pass == 0));
+        assert!((set.t - count as f64 * period).abs() < 1e-9);
+        for (i, axis) in machine.axes.iter().enumerate() {
+            assert!(rates.0[i].abs() <= axis.max_speed * (1.0 + 1e-6));
+            assert!(rates.1[i].abs() <= axis.max_acceleration * (1.0 + 1e-6));
+            if let [.., before, here] = last.as_slice() {
+                let v = (set.q[i] - here[i]) / period;
+                let a = (set.q[i] - 2.0 * here[i] + before[i]) / (period * period);
+                assert!(v.abs() <= axis.max_speed * (1.0 + 1e-6), "{} at {}: {v}", axis.name, set.t);
+                assert!(a.abs() <= axis.max_acceleration * (1.0 + 1e-4) + 1e-6, "{} at {}: {a}", axis.name, set.t);
+            }
+        }
+        phases.push(pass);
+        last.push(set.q);
+        count += 1;
+        Ok(())
+    });
+    played.unwrap();
+    assert_eq!(count, motion.count(period, true));
+    phases.dedup();
+    let expected: Vec<usize> = (1..=motion.passes.len()).flat_map(|i| [0, i]).chain([0]).collect();
+    assert_eq!(phases, expected);
+    let home = machine.home();
+    for (i, axis) in machine.axes.iter().enumerate() {
+        assert!((axis.turn_near(last[0][i], home[i]) - home[i]).abs() < 1e-9);
+        let end = last[last.len() - 1][i];
+        assert!((axis.turn_near(end, home[i]) - home[i]).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_limited_axis_unwinds_between_passes_and_an_endless_one_goes_on() {
+    let saddle = program(include_str!("../../../../examples/saddle.toml"), 3);
+    let machine_4 = machine(&saddle);
+    let motion = plan(&machine_4, &saddle, &Clamped::default()).unwrap();
+    let unwound: Vec<&Finding> = motion.findings.iter().filter(|f| f.kind == "unwind").collect();
+    // From -340 deg the second pass goes on to 385; the third has no room and starts again from -340.
+    assert!(unwound.len() == 1 && unwound[0].allowed && unwound[0].pass == 2);
+    assert!(unwound[0].message.starts_with("axis theta unwinds by 364.6 deg"), "{}", unwound[0].message);
+    check(&machine_4, &motion);
+
+    let trunnion = program(include_str!("../../../../examples/trunnion-saddle.toml"), 3);
+    let machine_5 = machine(&trunnion);
+    let motion = plan(&machine_5, &trunnion, &Clamped::default()).unwrap();
+    assert!(motion.findings.iter().all(|f| f.kind != "unwind"), "{:?}", motion.findings);
+    let c = machine_5.axis("c").unwrap();
+    let turned = motion.passes[2].path.at(motion.passes[2].path.length())[c] - motion.passes[0].path.at(0.0)[c];
+    assert!(turned.abs() > 6.0 * std::f64::consts::PI, "the table turns on: {turned}");
+    check(&machine_5, &motion);
+}
+
+#[test]
+fn seven_and_ten_axes_play_several_passes() {
+    for text in [
+        include_str!("../../../../examples/oblique-girth.toml"),
+        include_str!("../../../../examples/t-joint.toml"),
+        include_str!("../../../../examples/head-nozzle.toml"),
+        include_str!("../../../../examples/ellipse.toml"),
+    ] {
+        let welding = program(text, 2);
+        let machine = machine(&welding);
+        let motion = plan(&machine, &welding, &Clamped::default()).unwrap_or_else(|f| panic!("{f:?}"));
+        check(&machine, &motion);
+        assert!(motion.total_s() > 2.0 * motion.passes[0].total_s());
+    }
+}
+
+/// A post beside the seam: the weld passes it too near, and says where and who.
+#[test]
+fn what_is_too_near_is_told() {
+    let welding = program(include_str!("../../../../examples/head-nozzle.toml"), 1);
+    let machine = machine(&welding);
+    let free = plan(&machine, &welding, &Clamped::default()).unwrap();
+    let length = welding.path(0).length();
+    let pose = welding.path(0).pose(0.4 * length);
+    // 60 mm up along the torch, 20 mm aside: the torch body of 14 mm radius passes 1 mm from a ball of 5 mm.
+    let aside = welding.path(0).tangent(0.4 * length);
+    let out = -pose.direction;
+    let across = out.cross(aside).normalize();
+    let ball = |d: f64| {
+        let at = pose.point + 100.0 * out + d * across;
+        vec![Solid::new("clamp", Shape::Sphere { radius: 5.0 }, DAffine3::from_translation(at)).unwrap()]
+    };
+    let with = |d: f64| plan(&machine, &welding, &Clamped { fixtures: ball(d), least_mm: 2.0, ..Clamped::default() });
+    let findings = with(20.0).unwrap_err();
+    let f = findings.iter().find(|f| f.kind == "clearance").unwrap();
+    println!("{}: s = {} to {}", f.message, f.from_mm, f.to_mm);
+    assert!(f.message.contains("clamp") && f.message.contains("torch"));
+    assert!(f.from_mm < 0.4 * length && f.to_mm > 0.4 * length && f.to_mm - f.from_mm < 0.2 * length);
+    // Far enough it may stay, and the least distance is told.
+    let clear = with(60.0).unwrap();
+    let nearest = clear.clearance[0].as_ref().unwrap();
+    assert!(nearest.nearest.is_some() && free.clearance[0].is_some());
+    assert!(nearest.at_least.iter().all(|c| c.1 >= 2.0));
+    // Asking for more than the distances that are told is no fault.
+    let wide = Clamped { fixtures: ball(500.0), least_mm: 100.0, ..Clamped::default() };
+    assert!(plan(&machine, &welding, &wide).is_ok());
+    // A ball round home blocks the air moves.
+    let home = machine.forward(&machine.home()).point + DVec3::new(0.0, 0.0, 100.0);
+    let at_home = Solid::new("hook", Shape::Sphere { radius: 5.0 }, DAffine3::from_translation(home)).unwrap();
+    let blocked = plan(&machine, &welding, &Clamped { fixtures: vec![at_home], least_mm: 2.0, ..Clamped::default() });
+    let findings = blocked.unwrap_err();
+    assert!(findings.iter().any(|f| f.kind == "air" && f.message.contains("hook")), "{findings:?}");
+}

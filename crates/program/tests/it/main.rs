@@ -1,0 +1,6 @@
+//! All tests in one program, which is compiled and linked once. Those that need a process of their own are beside it.
+
+mod common;
+mod positions;
+mod procedure_files;
+mod windows;

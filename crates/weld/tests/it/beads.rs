@@ -1,0 +1,154 @@
+//! Jobs with beads as programs: what the passes deposit, from their speeds and wire feeds alone, fills the joint.
+
+use seamwright_program::{Pass, Program, Role};
+use seamwright_weld::Welding;
+use std::f64::consts::FRAC_PI_4;
+
+const HILLSIDE: &str = include_str!("../../../../examples/hillside.toml");
+
+fn read(text: &str) -> Welding {
+    Welding::read("job.toml", text).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn with(changes: &[(&str, &str)]) -> String {
+    changes.iter().fold(HILLSIDE.to_owned(), |text, (from, to)| {
+        assert!(text.contains(from), "{from}");
+        text.replacen(from, to, 1)
+    })
+}
+
+/// Metal that a pass deposits per mm of seam at path length `seam_s`, mm^2; once, not again where it overlaps itself.
+fn deposited(pass: &Pass, seam_s: f64, turn: f64) -> Option<f64> {
+    let begin = pass.begin_mm.get();
+    let own = if pass.reverse { begin - seam_s } else { seam_s - begin };
+    let own = own.rem_euclid(turn);
+    if own > pass.length() {
+        return None;
+    }
+    let feed = pass.process_at("wire_feed_m_min", own, (f64::INFINITY, f64::INFINITY)).unwrap() * 1000.0 / 60.0;
+    Some(FRAC_PI_4 * 1.2 * 1.2 * feed * 0.95 / pass.speed_at(own))
+}
+
+/// The greatest part by which what the passes deposit is off groove and cap, along the seam.
+fn off(welding: &Welding) -> f64 {
+    let joint = welding.joint.as_ref().unwrap();
+    let turn = welding.seam.as_ref().unwrap().length();
+    let passes = &welding.program.value.passes;
+    let off = |i: i32| {
+        let s = turn * (f64::from(i) + 0.37) / 1000.0;
+        let section = joint.section(&welding.seam.as_ref().unwrap().at(s)).unwrap();
+        let sum: f64 = passes.iter().filter_map(|pass| deposited(pass, s, turn)).sum();
+        (sum / section.total() - 1.0).abs()
+    };
+    (0..1000).map(off).fold(0.0, f64::max)
+}
+
+#[test]
+fn every_example_with_beads_fills_its_joint() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let mut with_beads = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let text = std::fs::read_to_string(&path).unwrap_or_default();
+        if text.contains("\n[beads]") {
+            let mut welding = read(&text);
+            welding.program.value.passes.retain(|pass| pass.role != Some(Role::Tack));
+            assert!(off(&welding) < 0.01, "{}: {}", path.display(), off(&welding));
+            with_beads += 1;
+        }
+    }
+    assert!(with_beads >= 2);
+}
+
+#[test]
+fn what_is_deposited_fills_the_joint_within_one_percent() {
+    let more = ("thickness_mm = 8 ", "thickness_mm = 25 ");
+    for changes in [
+        vec![],
+        vec![more],
+        vec![more, ("adapt = \"speed\"", "adapt = \"wire_feed\"")],
+        vec![more, ("stagger_mm = 40", "stagger_mm = 133\nalternate = true\norder = \"from_second\"")],
+    ] {
+        let welding = read(&with(&changes));
+        assert!(off(&welding) < 0.01, "{changes:?}: {}", off(&welding));
+        assert!(welding.findings().is_empty(), "{changes:?}: {:#?}", welding.findings());
+    }
+}
+
+#[test]
+fn layers_that_end_leave_the_sum_right_but_at_their_ends() {
+    let welding = read(&with(&[
+        ("radius_mm = 60", "radius_mm = 120"),
+        ("thickness_mm = 8 ", "thickness_mm = 25 "),
+        ("adapt = \"speed\"", "adapt = \"passes\""),
+    ]));
+    let passes = &welding.program.value.passes;
+    let partial: Vec<&Pass> = passes.iter().filter(|p| p.length() < welding.seam.as_ref().unwrap().length()).collect();
+    assert!(!partial.is_empty() && partial.iter().all(|p| p.length() >= 50.0 && p.name.starts_with("fill")));
+    // Speeds of the others change over one station where a layer ends: apart from there all is filled.
+    let (joint, turn) = (welding.joint.as_ref().unwrap(), welding.seam.as_ref().unwrap().length());
+    let ends: Vec<f64> = partial.iter().flat_map(|p| [p.begin_mm.get(), p.begin_mm.get() + p.length()]).collect();
+    let mut looked = 0;
+    for i in 0..1000 {
+        let s = turn * f64::from(i) / 1000.0;
+        let near = |end: &f64| ((s - end + 0.5 * turn).rem_euclid(turn) - 0.5 * turn).abs() < 6.0;
+        if ends.iter().any(near) {
+            continue;
+        }
+        looked += 1;
+        let total = joint.section(&welding.seam.as_ref().unwrap().at(s)).unwrap().total();
+        let sum: f64 = passes.iter().filter_map(|pass| deposited(pass, s, turn)).sum();
+        assert!((sum / total - 1.0).abs() < 0.01, "{s}: {sum} {total}");
+    }
+    assert!(looked > 800);
+}
+
+#[test]
+fn the_program_that_comes_out_is_read_back_the_same() {
+    let welding = read(HILLSIDE);
+    let text = welding.program.value.to_toml().unwrap();
+    let again = Program::read("program.toml", &text).unwrap();
+    assert_eq!(again.value, welding.program.value);
+    let again = read(&text);
+    for pass in 0..welding.program.value.passes.len() {
+        for i in 0..50 {
+            use seamwright_program::TorchPath;
+            let s = welding.path(pass).length() * f64::from(i) / 49.0;
+            let (a, b) = (welding.path(pass).pose(s), again.path(pass).pose(s));
+            assert!((a.point - b.point).length() < 1e-12 && (a.direction - b.direction).length() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn mistakes_have_an_address_and_a_cure() {
+    let wrong = |changes: &[(&str, &str)]| {
+        let e = Welding::read("job.toml", &with(changes)).unwrap_err();
+        println!("{e}\n");
+        (e.key, e.allowed.unwrap_or_default())
+    };
+    let key = |from: &str, to: &str| wrong(&[(from, to)]).0;
+    let t_bevel = |key: &str| format!("joint.preparation.t_bevel{key}");
+    assert_eq!(key("root_face_mm = 1.5", "root_face_mm = 8"), t_bevel(".root_face_mm"));
+    assert_eq!(key("cut_deg = 45 ", "cut_deg = 45\nangle_deg = 50 "), t_bevel(""));
+    assert_eq!(key("cut_deg = 45 ", "angle_deg = 110 "), t_bevel(".angle_deg"));
+    assert_eq!(key("cut_deg = 45 ", "cut_deg = -20 "), t_bevel(".cut_deg"));
+    assert_eq!(key("thickness_mm = 8 ", "thickness = 8 "), t_bevel(".thickness"));
+    assert_eq!(
+        key("[joint.preparation.t_bevel]", "[joint.preparation.single_v]"),
+        "joint.preparation.single_v.cut_deg"
+    );
+    assert_eq!(key("deposition = 0.95", "deposition = 1.95"), "beads.deposition");
+    assert_eq!(key("adapt = \"speed\"", "adapt = \"sped\""), "beads.adapt");
+    assert_eq!(key("wire_mm = 1.2\n", ""), "beads.fill");
+    assert_eq!(key("wire_feed_m_min = 8", "wire_feed_m_min = { from = 8, to = 9 }"), "weld.process.wire_feed_m_min");
+    let (at, allowed) = wrong(&[("current_a = 150,", "curent_a = 150,")]);
+    assert_eq!(at, "beads.root.process.curent_a");
+    assert!(allowed.contains("current_a"), "{allowed}");
+    assert_eq!(key("[beads]", "[beads]\nstation_mm = 0.01"), "beads.station_mm");
+    assert_eq!(key("[beads]", "[[joint.fit_up]]\ns_mm = 1e4\nroot_gap_mm = 1\n[beads]"), "joint.fit_up[0].s_mm");
+    // Beads too large for the groove are understood, but cannot be welded.
+    let welding = read(&with(&[("fill = { layer_mm = 3 }", "fill = { layer_mm = 3 }\nmost_percent = 3")]));
+    let findings = welding.findings();
+    assert!(!findings.is_empty() && findings.iter().all(|f| f.kind == "bead" && !f.cure.is_empty()), "{findings:#?}");
+}

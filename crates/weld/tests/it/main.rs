@@ -1,0 +1,17 @@
+//! All tests in one program, which is compiled and linked once. Those that need a process of their own are beside it.
+
+mod beads;
+mod branch;
+mod nozzle_wall;
+mod part;
+mod part_random;
+mod pass;
+mod plane;
+mod points;
+mod space;
+mod spline;
+mod stations;
+mod t_joint;
+mod taught;
+mod weave;
+mod welding;

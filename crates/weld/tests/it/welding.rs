@@ -1,0 +1,341 @@
+//! Seams against the reference, torch angles by their definition, and every mistake with its address.
+
+use glam::DVec3;
+use seamwright_document::DocumentError;
+use seamwright_program::TorchPath;
+use seamwright_weld::{SeamSurfaces, Welding};
+use serde_json::Value;
+
+fn vector(v: &Value) -> DVec3 {
+    let a: Vec<f64> = v.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+    DVec3::new(a[0], a[1], a[2])
+}
+
+/// A job for a case of the reference file.
+fn job_of(case: &Value) -> String {
+    let (n, b) = (&case["spec"]["nozzle"], &case["spec"]["body"]);
+    let body = match b["kind"].as_str().unwrap() {
+        "cylinder" => format!("cylinder = {{ radius_mm = {}, axis = [1, 0, 0] }}", b["radius"]),
+        "sphere" => format!("sphere = {{ radius_mm = {} }}", b["radius"]),
+        "ellipsoid" => format!("ellipsoid = {{ semi_axes_mm = {} }}", b["semi"]),
+        _ => format!("plane = {{ normal = {}, point_mm = {} }}", b["normal"], b["point"]),
+    };
+    format!(
+        "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = {}\norigin_mm = {}\ndirection = {}\n\
+         zero_direction = {}\nbody.{body}\n[weld]\nspeed_mm_s = 5\n",
+        n["radius_mm"], n["origin_mm"], n["direction"], n["phi_zero_direction"]
+    )
+}
+
+#[test]
+fn seams_agree_with_the_reference() {
+    let data: Value = serde_json::from_str(include_str!("../../../../tests/data/intersections.json")).unwrap();
+    for case in data["cases"].as_array().unwrap() {
+        let name = case["name"].as_str().unwrap();
+        let welding = Welding::read(name, &job_of(case)).unwrap_or_else(|e| panic!("{e}"));
+        assert!((welding.seam.as_ref().unwrap().length() - case["length_mm"].as_f64().unwrap()).abs() <= 1e-8);
+        for row in case["rows"].as_array().unwrap() {
+            let s = welding.seam.as_ref().unwrap().s_of_phi(row["phi_deg"].as_f64().unwrap().to_radians()).unwrap();
+            let p = welding.seam.as_ref().unwrap().at(s);
+            assert!((p.point - vector(&row["point_mm"])).length() <= 1e-9, "{name}");
+            for (found, key) in
+                [(p.tangent, "tangent"), (p.n1, "nozzle_normal"), (p.n2, "body_normal"), (p.bisector, "bisector")]
+            {
+                assert!((found - vector(&row[key])).length() <= 1e-9, "{name} {key}");
+            }
+            assert!((p.dihedral.to_degrees() - row["dihedral_deg"].as_f64().unwrap()).abs() <= 1e-8, "{name}");
+        }
+    }
+}
+
+const SADDLE: &str = include_str!("../../../../examples/saddle.toml");
+
+fn read(text: &str) -> Welding {
+    Welding::read("job.toml", text).unwrap_or_else(|e| panic!("{e}"))
+}
+
+#[test]
+fn torch_angles_are_what_they_say() {
+    let text = SADDLE
+        .replace("work_angle_deg = 0 ", "work_angle_deg = 12 ")
+        .replace("travel_angle_deg = 0 ", "travel_angle_deg = -10 ");
+    let w = read(&text);
+    for i in 0..100 {
+        let p = w.seam.as_ref().unwrap().at(f64::from(i) * 16.0);
+        let axis = w.path(0).along_seam().unwrap().attitude.torch_axis(&p);
+        // Travel angle: asin of the axis along the direction of welding; positive drags, this one pushes.
+        assert!((axis.dot(p.tangent).asin().to_degrees() + 10.0).abs() < 1e-9);
+        // Work angle: in the plane across the seam, from the bisector towards the nozzle's wall.
+        let across = (axis - axis.dot(p.tangent) * p.tangent).normalize();
+        let wall = p.n2 - p.n2.dot(p.n1) * p.n1;
+        let from_wall = across.dot(wall.normalize()).acos().to_degrees();
+        assert!((from_wall - (0.5 * p.dihedral.to_degrees() - 12.0)).abs() < 1e-6, "{from_wall}");
+        // The path points from the torch to the work, in the placed frame.
+        let pose = w.path(0).pose(p.s);
+        assert!((pose.direction + axis).length() < 1e-12);
+        assert!((pose.point - (p.point + DVec3::new(0.0, 0.0, -800.0))).length() < 1e-12);
+    }
+}
+
+#[test]
+fn clockwise_is_the_mirror_image() {
+    let (ccw, cw) = (read(SADDLE), read(&SADDLE.replace("\"counter-clockwise\"", "\"clockwise\"")));
+    let length = ccw.seam.as_ref().unwrap().length();
+    for i in 0..50 {
+        let s = length * f64::from(i) / 50.0;
+        let (a, b) = (ccw.seam.as_ref().unwrap().at(s), cw.seam.as_ref().unwrap().at(length - s));
+        assert!((a.point - b.point).length() < 1e-9 && (a.tangent + b.tangent).length() < 1e-9);
+        assert!((a.towards_first - b.towards_first).length() < 1e-9);
+        let phi = a.phi.unwrap().to_degrees();
+        assert!(
+            (phi - 20.0 - 360.0 * s / length).abs() < 12.0
+                && (cw.seam.as_ref().unwrap().at(s).phi.unwrap() <= 20f64.to_radians())
+        );
+    }
+}
+
+#[test]
+fn parts_and_overlaps() {
+    let part = read(&SADDLE.replace("overlap_mm = 20 ", "end_phi_deg = 110 "));
+    assert!(!part.seam.as_ref().unwrap().all_round());
+    let end = part.seam.as_ref().unwrap().at(part.seam.as_ref().unwrap().weld_length());
+    assert!((end.phi.unwrap().to_degrees() - 110.0).abs() < 1e-9);
+    let whole = read(SADDLE);
+    assert!(
+        (whole.seam.as_ref().unwrap().weld_length() - whole.seam.as_ref().unwrap().length() - 20.0).abs() < 1e-12
+            && whole.seam.as_ref().unwrap().all_round()
+    );
+    let overlap = whole.seam.as_ref().unwrap().at(whole.seam.as_ref().unwrap().length() + 7.0).point
+        - whole.seam.as_ref().unwrap().at(7.0).point;
+    assert!(overlap.length() < 1e-9);
+}
+
+#[test]
+fn a_program_welds_like_its_job() {
+    let job = read(include_str!("../../../../examples/trunnion-saddle.toml"));
+    let program = read(&job.program.value.to_toml().unwrap());
+    assert_eq!(job.program.value, program.program.value);
+    for i in 0..40 {
+        let s = f64::from(i) * 10.0;
+        assert_eq!(job.path(0).pose(s), program.path(0).pose(s));
+    }
+}
+
+#[test]
+fn a_line_between_two_plates() {
+    let text = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.line]\nstart_mm = [0, 0, 0]\nend_mm = [300, 0, 0]\n\
+        first_normal = [0, 1, 0]\nsecond_normal = [0, 0, 1]\n[torch]\nwork_angle_deg = 5\n[weld]\nspeed_mm_s = 5\n";
+    let w = read(text);
+    let p = w.seam.as_ref().unwrap().at(100.0);
+    assert!((p.bisector - DVec3::new(0.0, 0.5f64.sqrt(), 0.5f64.sqrt())).length() < 1e-12);
+    // Leaning towards the first part (whose face looks along y) lifts the torch off the second.
+    assert!(w.path(0).along_seam().unwrap().attitude.torch_axis(&p).z > p.bisector.z && p.phi.is_none());
+    let back = text.replace("[0, 0, 0]", "[300.0, 0, 0]").replace("[300, 0, 0]", "[0, 0, 0]");
+    assert!(
+        (read(&back).path(0).along_seam().unwrap().attitude.torch_axis(&read(&back).seam.as_ref().unwrap().at(1.0)).z
+            - w.path(0).along_seam().unwrap().attitude.torch_axis(&p).z)
+            .abs()
+            < 1e-12
+    );
+}
+
+fn wrong(from: &str, to: &str) -> DocumentError {
+    assert!(SADDLE.contains(from), "{from}");
+    let e = Welding::read("job.toml", &SADDLE.replacen(from, to, 1)).unwrap_err();
+    println!("{e}");
+    assert!(e.line > 0 && !e.key.is_empty());
+    e
+}
+
+#[test]
+fn mistakes_have_an_address() {
+    let key = |from, to| wrong(from, to).key;
+    assert_eq!(key("radius_mm = 250", "radius_mm = 900"), "seam.nozzle.radius_mm");
+    assert_eq!(key("radius_mm = 250", "radius_mm = 800"), "seam.nozzle.radius_mm");
+    assert_eq!(key("radius_mm = 250", "radius_mm = -250"), "seam.nozzle.radius_mm");
+    assert_eq!(key("origin_mm = [0, 0, 0]", "origin_mm = [0, 2000, 0]"), "seam.nozzle.origin_mm");
+    assert_eq!(key("direction = [0, 0, 1]", "direction = [1, 0, 0]"), "seam.nozzle.zero_direction");
+    assert_eq!(key("axis = [1, 0, 0]", "axis = [0, 0, 1]"), "seam.nozzle.direction");
+    assert_eq!(key("[seam.nozzle.body.cylinder]", "[seam.nozzle.body.cilinder]"), "seam.nozzle.body.cilinder");
+    assert_eq!(key("overlap_mm = 20", "overlap_mm = 2000"), "start.overlap_mm");
+    assert_eq!(key("overlap_mm = 20", "overlap_mm = 20\nend_phi_deg = 90"), "start.overlap_mm");
+    assert_eq!(key("overlap_mm = 20 ", "end_phi_deg = 10 "), "start.end_phi_deg");
+    assert_eq!(key("travel_angle_deg = 0 ", "travel_angle_deg = 80"), "torch.travel_angle_deg");
+    assert_eq!(key("work_angle_deg = 0", "work_angle_deg = 95"), "torch.work_angle_deg");
+    assert_eq!(key("current_a = 240", "current_a = -240"), "weld.process.current_a");
+    assert_eq!(key("current_a = 240", "\"Current\" = 240"), "weld.process.Current");
+    assert_eq!(key("speed_mm_s = 10", "speed_mm_s = inf"), "weld.speed_mm_s");
+    let help = |from, to| wrong(from, to).help.unwrap();
+    assert!(help("radius_mm = 250", "radius_in = 10").contains("given in mm"));
+    assert!(help("speed_mm_s = 10", "speed_mm_min = 600").contains("given in mm/s"));
+    assert!(help("overlap_mm", "overlapp_mm").contains("`overlap_mm`"));
+    let table = |at: &str| wrong("work_angle_deg = 0 ", &format!("{at}\n#")).key;
+    assert_eq!(table("at = [{ s_mm = 10 }, { s_mm = 5 }]"), "torch.at[1].s_mm");
+    assert_eq!(table("at = [{ s_mm = 1600 }]"), "torch.at[0].s_mm");
+}
+
+#[test]
+fn a_torch_inside_a_wall_is_found() {
+    let w = read(&SADDLE.replace("work_angle_deg = 0 ", "work_angle_deg = 50 "));
+    let findings = w.findings();
+    // Half the dihedral angle is below 50 degrees near both crown points.
+    assert!(findings.len() >= 2 && findings.iter().all(|f| f.kind == "access" && !f.allowed), "{findings:#?}");
+    assert!(read(SADDLE).findings().is_empty());
+}
+
+#[test]
+fn seams_lie_on_their_surfaces_with_their_normals() {
+    let ellipse = include_str!("../../../../examples/ellipse.toml");
+    let line = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.line]\nstart_mm = [1, 2, 3]\nend_mm = [11, 2, 3]\n\
+        first_normal = [0, 1, 1]\nsecond_normal = [0, -1, 3]\n[weld]\nspeed_mm_s = 5\n";
+    let head = include_str!("../../../../examples/head-nozzle.toml");
+    for (text, nozzle) in [
+        (SADDLE, true),
+        (head, true),
+        (ellipse, false),
+        (&ellipse.replace("\"butt\"", "\"fillet\""), false),
+        (line, false),
+    ] {
+        let welding = read(text);
+        let surfaces = SeamSurfaces::new(&welding.program, welding.program.value.seam.as_ref().unwrap()).unwrap();
+        assert_eq!(surfaces.nozzle.is_some(), nozzle);
+        for i in 0..100 {
+            let p =
+                welding.seam.as_ref().unwrap().at(welding.seam.as_ref().unwrap().weld_length() * f64::from(i) / 99.0);
+            let (first, second) = (surfaces.first.foot(p.point), surfaces.second.foot(p.point));
+            assert!(first.distance.abs() < 1e-9 && second.distance.abs() < 1e-9, "{first:?} {second:?}");
+            assert!((second.normal - p.n2).length() < 1e-9);
+            // In a butt joint both faces of the seam are the plate's, and the ellipse's wall stands across them.
+            let butt = p.n1 == p.n2;
+            assert!(butt || (first.normal - p.n1).length() < 1e-9);
+            assert!(!butt || first.normal.dot(p.n1).abs() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn an_offset_moves_the_whole_path() {
+    let offset =
+        "offset = \"table\"\noffsets.table = { move_mm = [5, 6, 7], turn = [0, 1, 1], angle_deg = 20 }\n[placement]";
+    let (plain, moved) = (read(SADDLE), read(&SADDLE.replacen("[placement]", offset, 1)));
+    let by = moved.program.value.work_offset();
+    let (plain, moved) = (plain.path(0), moved.path(0));
+    for i in 0..50 {
+        let s = plain.length() * f64::from(i) / 49.0;
+        let (a, b) = (plain.pose(s), moved.pose(s));
+        assert!((by.transform_point3(a.point) - b.point).length() < 1e-11);
+        assert!((by.transform_vector3(a.direction) - b.direction).length() < 1e-12);
+    }
+    let e =
+        Welding::read("job.toml", &SADDLE.replacen("[placement]", "offset = \"table\"\n[placement]", 1)).unwrap_err();
+    assert!(e.key == "offset" && e.line > 0 && e.allowed.unwrap().contains("[offsets.table]"));
+}
+
+const GIRTH: &str = "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.girth]\nradius_mm = 90\norigin_mm = [10, -5, 30]\n\
+    direction = [1, 2, 2]\nzero_direction = [2, 1, -2]\ncut_normal = [1, 1, 1]\n[weld]\nspeed_mm_s = 5\n";
+
+/// An ellipse's perimeter by the arithmetic-geometric mean.
+fn perimeter(a: f64, b: f64) -> f64 {
+    let (mut x, mut y, mut power, mut sum) = (a, b, 0.5, a * a - 0.5 * (a * a - b * b));
+    while (x - y).abs() > 1e-13 * a {
+        let half = 0.5 * (x - y);
+        (x, y, power) = (0.5 * (x + y), (x * y).sqrt(), 2.0 * power);
+        sum -= power * half * half;
+    }
+    2.0 * std::f64::consts::PI * sum / x
+}
+
+#[test]
+fn a_girth_is_an_ellipse_with_the_tubes_normals() {
+    let w = read(GIRTH);
+    let (axis, cut) = (DVec3::new(1.0, 2.0, 2.0) / 3.0, DVec3::ONE.normalize());
+    let zero = DVec3::new(2.0, 1.0, -2.0) / 3.0;
+    let centre = DVec3::new(10.0, -5.0, 30.0);
+    // Semi-axes: the radius across, longer by the cosine of the cut along.
+    assert!((w.seam.as_ref().unwrap().length() - perimeter(90.0 / axis.dot(cut), 90.0)).abs() < 1e-8);
+    for i in 0..500 {
+        let p = w.seam.as_ref().unwrap().at(w.seam.as_ref().unwrap().length() * f64::from(i) / 500.0);
+        let phi = p.phi.unwrap();
+        let out = phi.cos() * zero + phi.sin() * axis.cross(zero);
+        let foot = centre + 90.0 * out;
+        let expected = foot - (foot - centre).dot(cut) / axis.dot(cut) * axis;
+        assert!((p.point - expected).length() < 1e-9);
+        assert!((p.n1 - out).length() + (p.n2 - out).length() + (p.bisector - out).length() < 1e-12);
+        assert!((p.dihedral - std::f64::consts::PI).abs() < 1e-12);
+        // The first part is where the tube's direction points; the torch leans there along the surface.
+        assert!(p.towards_first.dot(axis) > 0.1 && p.towards_first.dot(out).abs() < 1e-12);
+        assert!(p.towards_first.dot(p.tangent).abs() < 1e-12 && (p.towards_first.length() - 1.0).abs() < 1e-12);
+        assert!(p.tangent.dot(axis.cross(out)) > 0.0);
+    }
+    // The sign of the cut's normal and the default of a square cut.
+    let back = read(&GIRTH.replace("cut_normal = [1, 1, 1]", "cut_normal = [-1, -1, -1]"));
+    assert_eq!(back.seam.as_ref().unwrap().at(50.0), w.seam.as_ref().unwrap().at(50.0));
+    let square = read(&GIRTH.replace("cut_normal = [1, 1, 1]\n", ""));
+    assert!((square.seam.as_ref().unwrap().length() - 180.0 * std::f64::consts::PI).abs() < 1e-9);
+    let clockwise = read(&(GIRTH.to_owned() + "[start]\ndirection = \"clockwise\"\n"));
+    assert!(clockwise.seam.as_ref().unwrap().at(10.0).towards_first.dot(axis) > 0.1);
+}
+
+#[test]
+fn girths_that_cannot_be_have_an_address() {
+    let error = |from: &str, to: &str| Welding::read("job.toml", &GIRTH.replace(from, to)).unwrap_err();
+    let along = error("cut_normal = [1, 1, 1]", "cut_normal = [0, 1, -1]");
+    assert_eq!((along.key.as_str(), along.line), ("seam.girth.cut_normal", 9));
+    assert!(along.message.contains("90.0 degrees off the axis"));
+    assert_eq!(error("zero_direction = [2, 1, -2]", "zero_direction = [1, 2, 2]").key, "seam.girth.zero_direction");
+    assert_eq!(error("radius_mm = 90", "radius_mm = 0").key, "seam.girth.radius_mm");
+}
+
+/// Across the knuckle's border nothing jumps but rates, and only there.
+#[test]
+fn knots_are_where_the_faces_turn_at_another_rate() {
+    let knuckle = include_str!("../../../../examples/knuckle-nozzle.toml");
+    let clockwise = knuckle.replace("[start]", "[start]\ndirection = \"clockwise\"");
+    let around = knuckle.replace("phi_deg = 180 ", "phi_deg = 40 ").replace("overlap_mm = 15", "overlap_mm = 60");
+    let part = knuckle.replace("overlap_mm = 15", "end_phi_deg = 330");
+    for (text, expected) in [(knuckle, 2), (&clockwise, 2), (&around, 3), (&part, 1)] {
+        let w = read(text);
+        let path = w.path(0);
+        let knots = w.seam.as_ref().unwrap().knots();
+        assert_eq!(knots.len(), expected, "{knots:?}");
+        assert!(knots.iter().all(|s| path.knots().contains(s)));
+        assert!(knots.windows(2).all(|k| k[0] < k[1]));
+        let h = 1e-4;
+        let rate = |s: f64| (path.pose(s + h).direction - path.pose(s - h).direction) / (2.0 * h);
+        for s in knots {
+            let (before, after) = (w.seam.as_ref().unwrap().at(s - 1e-10), w.seam.as_ref().unwrap().at(s + 1e-10));
+            assert!((after.tangent - before.tangent).length() < 1e-9 && (after.n2 - before.n2).length() < 1e-9);
+            assert!((after.point - before.point).length() < 1e-9);
+            assert!((rate(s + 2.0 * h) - rate(s - 2.0 * h)).length() > 1e-3, "no jump at {s}");
+            // Crown: inside radius 800 mm and 8 mm of wall; knuckle 80 and 8: they touch this far from the axis.
+            let border = 808.0 * 312.0 / 720.0;
+            let p = w.seam.as_ref().unwrap().at(s).point;
+            assert!((p.x.hypot(p.y) - border).abs() < 1e-9);
+        }
+    }
+    assert!(read(SADDLE).seam.as_ref().unwrap().knots().is_empty());
+}
+
+/// The standards' radii count unless others are given, and are those of the inside.
+#[test]
+fn standard_heads_have_their_radii() {
+    let top = |keys: &str| {
+        let text = format!(
+            "schema = 1\ntitle = \"t\"\nmachine = \"m\"\n[seam.nozzle]\nradius_mm = 50\n\
+             [seam.nozzle.body.torispherical_head]\nouter_diameter_mm = 1000\n{keys}[weld]\nspeed_mm_s = 5\n"
+        );
+        read(&text).seam.as_ref().unwrap().at(0.0).point.z
+    };
+    // A nozzle on the axis: height of the crown's arc over the end of the knuckle.
+    let arc = |crown: f64, knuckle: f64, t: f64| {
+        let (crown, knuckle) = (crown + t, knuckle + t);
+        (crown * crown - 2500.0).sqrt() - ((crown - knuckle).powi(2) - (500.0 - knuckle).powi(2)).sqrt()
+    };
+    let close = |keys: &str, z: f64| assert!((top(keys) - z).abs() < 1e-9, "{keys}: {} {z}", top(keys));
+    close("thickness_mm = 10\nstandard = \"din_28011\"\n", arc(1000.0, 100.0, 10.0));
+    close("thickness_mm = 10\nstandard = \"din_28013\"\n", arc(800.0, 154.0, 10.0));
+    close("thickness_mm = 10\nstandard = \"asme_fd\"\n", arc(1000.0, 60.0, 10.0));
+    close("thickness_mm = 30\nstandard = \"asme_fd\"\n", arc(1000.0, 90.0, 30.0));
+    close("thickness_mm = 10\nstandard = \"asme_fd\"\ncrown_radius_mm = 900\n", arc(900.0, 60.0, 10.0));
+    close("thickness_mm = 10\ncrown_radius_mm = 900\nknuckle_radius_mm = 120\n", arc(900.0, 120.0, 10.0));
+}
