@@ -1,15 +1,14 @@
 //! Parabolas through rows that are all there.
 
+use super::axis::Station;
 use super::make_room;
 
 /// Most rows before and after.
 pub(super) const MOST: usize = 24;
-/// Rows that are summed at a time.
-const LANES: usize = 8;
-/// Room for most rows, in whole lanes.
-const ROOM: usize = (2 * MOST + 1).next_multiple_of(LANES);
+/// Rows that are done at a time.
+pub(super) const LANES: usize = 8;
 
-/// Rows in a picture, to the right and down, pixels; behind the last ones as many zeros as are summed at a time.
+/// Rows in a picture, to the right and down, pixels; behind the last ones as many zeros as are done at a time.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Rows {
     pub(super) x: Vec<f32>,
@@ -39,7 +38,7 @@ impl Rows {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Even {
     reach: usize,
-    /// Weights, and those times the rows' numbers and squares; with zeros up to whole lanes.
+    /// Weights, and those times the rows' numbers and squares.
     weights: [Vec<f32>; 3],
     /// Sums of the weights times the rows' numbers to the powers 0, 2 and 4.
     moments: [f32; 3],
@@ -51,7 +50,7 @@ impl Even {
         self.reach = reach;
         for list in &mut self.weights {
             list.clear();
-            list.reserve(ROOM);
+            list.reserve(2 * MOST + 1);
         }
         self.moments = [0.0; 3];
         for k in 0..=2 * reach {
@@ -64,45 +63,38 @@ impl Even {
                 *moment += weight * value;
             }
         }
-        for list in &mut self.weights {
-            list.resize(list.len().next_multiple_of(LANES), 0.0);
-        }
     }
 
-    /// How far to the right of a place, seen along `tangent`, the parabola through the rows about row `i` crosses that row's
-    /// line, and the standard error of that. As many rows as were prepared for lie before and after.
-    pub(super) fn across(&self, rows: &Rows, i: usize, [x0, y0]: [f32; 2], [cos, sin]: [f32; 2]) -> (f32, f32) {
-        let from = i - self.reach;
-        let near = from..from + self.weights[0].len();
-        let [w0, w1, w2] = self.weights.each_ref().map(Vec::as_slice);
-        // How far off each row is, and that times its weight.
-        let (mut off, mut weighted) = ([0.0; ROOM], [0.0; ROOM]);
-        let (off, weighted) = (&mut off[..w0.len()], &mut weighted[..w0.len()]);
-        for ((off, x), y) in off.iter_mut().zip(&rows.x[near.clone()]).zip(&rows.y[near]) {
-            *off = (y - y0) * cos - (x - x0) * sin;
+    /// How far to the right of each of up to [`LANES`] stations in a row, the first that of row `i`, the parabola through the rows about
+    /// it crosses its line, and the standard error of that. About each lie as many rows before and after as were prepared for.
+    #[inline(always)]
+    pub(super) fn across(&self, rows: &Rows, i: usize, stations: &[Station]) -> [(f32, f32); LANES] {
+        let [mut x0, mut y0, mut cos, mut sin] = [[0.0; LANES]; 4];
+        for (k, station) in stations.iter().enumerate().take(LANES) {
+            ([x0[k], y0[k]], [cos[k], sin[k]]) = (station.at, station.tangent);
         }
-        weighted.iter_mut().zip(&*off).zip(w0).for_each(|((weighted, off), w)| *weighted = w * off);
-        let (r0, r1, r2) = (sum(weighted, |w, _| w, off), sum(off, product, w1), sum(off, product, w2));
-        let squares = sum(weighted, product, off);
+        let from = i - self.reach;
+        let [w0, w1, w2] = self.weights.each_ref().map(|list| list.iter());
+        let near = rows.x[from..].windows(LANES).zip(rows.y[from..].windows(LANES));
+        // Sums of each row's weight times how far it is off, times its number, its number's square, and how far it is off.
+        let [mut r0, mut r1, mut r2, mut squares] = [[0.0; LANES]; 4];
+        for (((x, y), w0), (w1, w2)) in near.zip(w0).zip(w1.zip(w2)) {
+            let (Some(x), Some(y)) = (x.first_chunk::<LANES>(), y.first_chunk::<LANES>()) else { break };
+            let off: [f32; LANES] = std::array::from_fn(|k| (y[k] - y0[k]) * cos[k] - (x[k] - x0[k]) * sin[k]);
+            r0 = std::array::from_fn(|k| r0[k] + w0 * off[k]);
+            r1 = std::array::from_fn(|k| r1[k] + w1 * off[k]);
+            r2 = std::array::from_fn(|k| r2[k] + w2 * off[k]);
+            squares = std::array::from_fn(|k| squares[k] + w0 * off[k] * off[k]);
+        }
         let [m0, m2, m4] = self.moments;
         let determinant = m0 * m4 - m2 * m2;
-        let (value, slope, bend) = ((r0 * m4 - r2 * m2) / determinant, r1 / m2, (r2 * m0 - r0 * m2) / determinant);
-        let rest = (squares - value * r0 - slope * r1 - bend * r2).max(0.0) / m0;
-        (value, (rest * m4 / determinant).sqrt())
+        std::array::from_fn(|k| {
+            let (value, slope) = ((r0[k] * m4 - r2[k] * m2) / determinant, r1[k] / m2);
+            let bend = (r2[k] * m0 - r0[k] * m2) / determinant;
+            let rest = (squares[k] - value * r0[k] - slope * r1[k] - bend * r2[k]).max(0.0) / m0;
+            (value, (rest * m4 / determinant).sqrt())
+        })
     }
-}
-
-fn product(a: f32, b: f32) -> f32 {
-    a * b
-}
-
-/// The sum over two lists of whole lanes.
-fn sum(a: &[f32], of: impl Fn(f32, f32) -> f32, b: &[f32]) -> f32 {
-    let mut lanes = [0.0; LANES];
-    for (a, b) in a.as_chunks::<LANES>().0.iter().zip(b.as_chunks::<LANES>().0) {
-        lanes.iter_mut().zip(a).zip(b).for_each(|((lane, a), b)| *lane += of(*a, *b));
-    }
-    lanes.iter().sum()
 }
 
 #[cfg(test)]
@@ -122,9 +114,15 @@ mod tests {
             let place = |k: usize| [200.0 + cos * k as f32 - sin * across(k), 90.0 + sin * k as f32 + cos * across(k)];
             let mut rows = Rows::default();
             rows.put((0..count).map(place));
+            let station =
+                |i: usize| Station { at: [200.0 + cos * i as f32, 90.0 + sin * i as f32], tangent: [cos, sin] };
             for i in reach..count - reach {
-                let at = [200.0 + cos * i as f32, 90.0 + sin * i as f32];
-                let (found, error) = even.across(&rows, i, at, [cos, sin]);
+                let (found, error) = even.across(&rows, i, &[station(i)])[0];
+                // The same as one of several.
+                let from = (i - i % LANES).max(reach);
+                let together: Vec<Station> = (from..=i).map(station).collect();
+                let again = even.across(&rows, from, &together)[i - from];
+                assert!((found - again.0).abs() < 1e-4 && (error - again.1).abs() < 1e-4, "{i}: {found} {again:?}");
                 let weight = |k: usize| 1.0 - (k.abs_diff(i) as f32 / (reach + 1) as f32).powi(2);
                 let near = (i - reach..=i + reach).map(|k| (k as f32 - i as f32, across(k), weight(k)));
                 let parabola = Parabola::through(near, 0.0).unwrap();

@@ -16,6 +16,8 @@ pub(super) struct Levels {
     halved: Vec<Halved>,
     /// The top-hat of this level takes its place.
     covered: Option<usize>,
+    /// The level, squares and depth that the top-hat was taken for since the frame began.
+    taken: Option<(usize, usize, f32)>,
     top_hat: TopHat,
 }
 
@@ -47,12 +49,18 @@ pub(super) const OF_16_BITS: f32 = 257.0;
 
 impl Levels {
     pub(super) fn new() -> Self {
-        Self { prepared: None, halved: vec![Halved::default(); MOST], covered: None, top_hat: TopHat::default() }
+        Self {
+            prepared: None,
+            halved: vec![Halved::default(); MOST],
+            covered: None,
+            taken: None,
+            top_hat: TopHat::default(),
+        }
     }
 
     /// Another frame comes next.
     pub(super) fn begin_frame(&mut self) {
-        (self.prepared, self.covered) = (None, None);
+        (self.prepared, self.covered, self.taken) = (None, None, None);
     }
 
     /// Halves `frame` up to `level`, if that was not done since it began.
@@ -97,7 +105,10 @@ impl Levels {
     pub(super) fn cover(&mut self, frame: &Frame, level: usize, (width, contrast): (f32, f32)) {
         self.prepare(frame, level);
         let Halved { width: columns, height: rows, pixels } = &self.halved[level - 1];
-        self.top_hat.take(pixels, (*columns, *rows), width.round().max(1.0) as usize, contrast);
+        let around = width.round().max(1.0) as usize;
+        if self.taken.replace((level, around, contrast)) != Some((level, around, contrast)) {
+            self.top_hat.take(pixels, (*columns, *rows), around, contrast);
+        }
         self.covered = Some(level);
     }
 
@@ -186,4 +197,36 @@ pub(super) fn to_level(at: f32, level: usize) -> f32 {
 pub(super) fn from_level(at: f32, level: usize) -> f32 {
     let scale = (1usize << level) as f32;
     at * scale + 0.5 * (scale - 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::joint::testing::random;
+
+    /// A top-hat is taken once for what stays the same, and anew for all else.
+    #[test]
+    fn a_top_hat_is_of_this_frame_level_width_and_depth() {
+        let mut random = random();
+        let mut frame = || (0..96 * 80).map(|_| (200.0 * random()) as u8).collect::<Vec<u8>>();
+        let frames = [frame(), frame()];
+        let frames = frames.each_ref().map(|pixels| Frame::new(96, 80, Pixels::U8(pixels)).unwrap());
+        let shown = |levels: &Levels, frame: &Frame, level: usize| match levels.picture(frame, level).grey {
+            Grey::F32(pixels) => pixels.to_vec(),
+            _ => unreachable!("a top-hat is of fractions"),
+        };
+        let mut levels = Levels::new();
+        for frame in &frames {
+            levels.begin_frame();
+            for (level, joint) in
+                [(1, (3.0, 40.0)), (1, (3.0, 40.0)), (1, (3.0, 20.0)), (1, (5.0, 20.0)), (2, (5.0, 20.0))]
+            {
+                levels.cover(frame, level, joint);
+                let mut fresh = Levels::new();
+                fresh.cover(frame, level, joint);
+                assert_eq!(shown(&levels, frame, level), shown(&fresh, frame, level), "{level} {joint:?}");
+                levels.uncover();
+            }
+        }
+    }
 }

@@ -6,8 +6,12 @@ pub(super) const REACH: usize = 13;
 /// Parts of the depth at which the middles between rims are compared.
 const PARTS: [f32; 3] = [0.3, 0.5, 0.7];
 
-/// A row's grey values from a middle outwards: to the left and to the right.
-pub(super) type Arms = [[f32; REACH]; 2];
+/// Columns that are summed at a time, and room for those on one side.
+const LANES: usize = 8;
+pub(super) const ROOM: usize = REACH.next_multiple_of(LANES);
+
+/// A row's grey values from a middle outwards: to the left and to the right. Zeros fill the room.
+pub(super) type Arms = [[f32; ROOM]; 2];
 
 /// A bell across the joint, and what of a profile moves with it.
 #[derive(Debug, Clone)]
@@ -17,11 +21,11 @@ pub(super) struct Profile {
     /// Columns within which the floor is.
     half: usize,
     /// Weights of the even part (from the middle outwards) that give the depth.
-    depth: [f32; REACH],
+    depth: [f32; ROOM],
     /// Weights of the odd part that give depth times shift where light changes evenly across the joint.
-    moment: [f32; REACH],
+    moment: [f32; ROOM],
     /// Weights of the odd part that give a step of the light.
-    step: [f32; REACH],
+    step: [f32; ROOM],
 }
 
 /// What one row tells of the joint near a place.
@@ -41,7 +45,7 @@ pub(super) struct Shape(pub(super) Arms);
 
 impl Default for Shape {
     fn default() -> Self {
-        Self([[0.0; REACH]; 2])
+        Self([[0.0; ROOM]; 2])
     }
 }
 
@@ -73,20 +77,10 @@ impl Shape {
         Self(self.0.map(|arm| arm.map(|v| part * v)))
     }
 
-    fn dot(&self, other: &Self) -> f32 {
-        self.dots([other])[0]
-    }
-
-    /// Products with several others, all at a time.
-    pub(super) fn dots<const N: usize>(&self, others: [&Self; N]) -> [f32; N] {
-        let [mut left, mut right] = [[0.0; N]; 2];
-        for t in 0..REACH {
-            for (k, Self([a, b])) in others.into_iter().enumerate() {
-                left[k] += self.0[0][t] * a[t];
-                right[k] += self.0[1][t] * b[t];
-            }
-        }
-        std::array::from_fn(|k| left[k] + right[k])
+    /// The product with another one.
+    #[inline(always)]
+    pub(super) fn dot(&self, other: &Self) -> f32 {
+        dot(&self.0[0], &other.0[0]) + dot(&self.0[1], &other.0[1])
     }
 }
 
@@ -101,7 +95,7 @@ impl Profile {
         let reach = ((1.2 * width + 2.0).ceil() as usize).clamp(3, REACH - 1);
         let spread = width / 2.355;
         let bell = |t: usize| (-0.5 * (t as f32 / spread).powi(2)).exp();
-        let (mut slope, mut ramp, mut one, mut even) = ([0.0; REACH], [0.0; REACH], [0.0; REACH], [0.0; REACH]);
+        let (mut slope, mut ramp, mut one, mut even) = ([0.0; ROOM], [0.0; ROOM], [0.0; ROOM], [0.0; ROOM]);
         for t in 0..=reach {
             slope[t] = -(t as f32) / (spread * spread) * bell(t);
             ramp[t] = t as f32;
@@ -109,7 +103,7 @@ impl Profile {
             even[t] = bell(t);
         }
         // The middle is there once, all else twice.
-        let mut depth = [0.0; REACH];
+        let mut depth = [0.0; ROOM];
         let mean = (2.0 * even.iter().sum::<f32>() - even[0]) / (2 * reach + 1) as f32;
         for t in 0..=reach {
             depth[t] = -(even[t] - mean) * if t == 0 { 1.0 } else { 2.0 };
@@ -137,14 +131,9 @@ impl Profile {
         for t in 0..REACH {
             (left[t], right[t]) = (mixed[REACH - 1 - t], mixed[REACH - 1 + t]);
         }
-        let mut reading = Reading::default();
-        for t in 0..=self.reach {
-            let (even, odd) = (0.5 * (right[t] + left[t]), 0.5 * (right[t] - left[t]));
-            reading.depth += self.depth[t] * even;
-            reading.moment += self.moment[t] * odd;
-            reading.step += self.step[t] * odd;
-        }
-        reading
+        let even = std::array::from_fn(|t| 0.5 * (right[t] + left[t]));
+        let odd = std::array::from_fn(|t| 0.5 * (right[t] - left[t]));
+        Reading { depth: dot(&self.depth, &even), moment: dot(&self.moment, &odd), step: dot(&self.step, &odd) }
     }
 
     /// The left and the right rim of a mean row, columns from its middle: where it is half as deep as its floor below the
@@ -214,18 +203,25 @@ fn at(arms: &Arms, t: isize) -> f32 {
 }
 
 /// Weights that give how much of `wanted` is in a line, whatever there is of the others (orthogonal to each other).
-fn against(wanted: &[f32; REACH], others: &[[f32; REACH]]) -> [f32; REACH] {
+fn against(wanted: &[f32; ROOM], others: &[[f32; ROOM]]) -> [f32; ROOM] {
     let free = others.iter().fold(*wanted, |free, other| less(&free, other));
     let norm = dot(&free, wanted);
     free.map(|f| f / norm)
 }
 
 /// `a` less its part along `b`.
-fn less(a: &[f32; REACH], b: &[f32; REACH]) -> [f32; REACH] {
+fn less(a: &[f32; ROOM], b: &[f32; ROOM]) -> [f32; ROOM] {
     let part = dot(a, b) / dot(b, b);
     std::array::from_fn(|t| a[t] - part * b[t])
 }
 
-fn dot(a: &[f32; REACH], b: &[f32; REACH]) -> f32 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+/// The sum of products, several at a time.
+#[inline(always)]
+fn dot(a: &[f32; ROOM], b: &[f32; ROOM]) -> f32 {
+    let mut eight = [0.0; LANES];
+    for (a, b) in a.as_chunks::<LANES>().0.iter().zip(b.as_chunks::<LANES>().0) {
+        eight = std::array::from_fn(|k| eight[k] + a[k] * b[k]);
+    }
+    let four: [f32; 4] = std::array::from_fn(|k| eight[k] + eight[k + 4]);
+    (four[0] + four[2]) + (four[1] + four[3])
 }

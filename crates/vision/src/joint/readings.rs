@@ -1,5 +1,5 @@
 use super::make_room;
-use super::profile::{Arms, Profile, REACH, Reading, Shape};
+use super::profile::{Arms, Profile, ROOM, Reading, Shape};
 use super::strip::Strip;
 use crate::wide::{Work, wide};
 
@@ -32,7 +32,7 @@ impl Work for Read<'_> {
         let mut sums = [0.0; 4];
         all_sums.push(sums);
         for (row, centre) in self.strip.grey.iter().zip(self.centres) {
-            let mut arms = [[0.0; REACH]; 2];
+            let mut arms = [[0.0; ROOM]; 2];
             let reading = self.profile.read(row, *centre, &mut arms);
             let [depth, moment, step] = [reading.depth, reading.moment, reading.step].map(f64::from);
             let new = [depth, moment, step, step * step];
@@ -44,12 +44,16 @@ impl Work for Read<'_> {
         // Less the light of the first row: small numbers keep more digits.
         let reach = self.profile.reach();
         let light = all.first().map_or(0.0, |arms| arms[0][0]);
-        let mut sum: Arms = [[0.0; REACH]; 2];
+        let within: [f32; ROOM] = std::array::from_fn(|t| f32::from(u8::from(t <= reach)));
+        let mut sum: Arms = [[0.0; ROOM]; 2];
         arms_sums.clear();
         arms_sums.push(sum);
         for arms in all {
-            let added = |side: usize, t: usize| if t <= reach { arms[side][t] - light } else { 0.0 };
-            sum = std::array::from_fn(|side| std::array::from_fn(|t| sum[side][t] + added(side, t)));
+            for (sum, arm) in sum.iter_mut().zip(arms) {
+                for (sum, (grey, within)) in sum.iter_mut().zip(arm.iter().zip(&within)) {
+                    *sum += (grey - light) * within;
+                }
+            }
             arms_sums.push(sum);
         }
     }
@@ -81,15 +85,18 @@ impl Readings {
         wide(Read { readings: self, profile, strip, centres });
     }
 
+    #[inline(always)]
     pub(super) fn row(&self, i: usize) -> Reading {
         self.rows[i]
     }
 
+    #[inline(always)]
     fn near(&self, i: usize, around: usize) -> (usize, usize) {
         (i.saturating_sub(around), (i + around + 1).min(self.rows.len()))
     }
 
     /// Means over the rows within `around` of row `i`.
+    #[inline(always)]
     pub(super) fn about(&self, i: usize, around: usize) -> About {
         let (from, to) = self.near(i, around);
         let part = 1.0 / (to - from) as f64;
@@ -101,11 +108,12 @@ impl Readings {
     }
 
     /// The mean of the rows within `around` of row `i`, from the middle outwards; grey values from some light on.
+    #[inline(always)]
     pub(super) fn mean(&self, i: usize, around: usize) -> Arms {
         let (from, to) = self.near(i, around);
         let part = 1.0 / (to - from) as f32;
         let (before, after) = (&self.arms_sums[from], &self.arms_sums[to]);
-        let mut mean = [[0.0; REACH]; 2];
+        let mut mean = [[0.0; ROOM]; 2];
         for (mean, (after, before)) in mean.iter_mut().zip(after.iter().zip(before)) {
             for (mean, (after, before)) in mean.iter_mut().zip(after.iter().zip(before)) {
                 *mean = (after - before) * part;
@@ -116,16 +124,16 @@ impl Readings {
 
     /// How far the rows within `around` of each are from the mean of those that are `seen`, light and its slope across and the
     /// depth aside: root mean squares, grey values.
+    #[inline(always)]
     pub(super) fn rests(&self, (reach, around): (usize, usize), seen: impl Fn(usize) -> bool, rests: &mut Vec<f32>) {
         let mut mean = Shape::default();
         self.arms.iter().enumerate().filter(|(i, _)| seen(*i)).for_each(|(_, arms)| mean.add(arms, reach));
-        let [a, b, c] = &mean.and_light(reach);
+        let [a, b, c] = mean.and_light(reach);
         rests.clear();
         rests.extend((0..self.rows.len()).map(|i| {
             let shape = Shape(self.mean(i, around));
-            let [all, others @ ..] = shape.dots([&shape, a, b, c]);
-            let of_others: f32 = others.iter().map(|other| other.powi(2)).sum();
-            ((all - of_others).max(0.0) / (2 * reach) as f32).sqrt()
+            let of_others: f32 = [&a, &b, &c].iter().map(|other| shape.dot(other).powi(2)).sum();
+            ((shape.dot(&shape) - of_others).max(0.0) / (2 * reach) as f32).sqrt()
         }));
     }
 }

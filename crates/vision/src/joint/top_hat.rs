@@ -33,7 +33,7 @@ pub(super) struct TopHat {
 impl TopHat {
     /// Room for a picture of this size and squares of so many pixels to either side.
     pub(super) fn make_room(&mut self, (width, height): (usize, usize), around: usize) {
-        let whole = (width + 2 * margin(around)) * (height + 2 * margin(around));
+        let whole = line(width, around) * (height + 2 * margin(around)) + LANES;
         make_room(&mut self.smooth, whole);
         make_room(&mut self.metal, whole);
         make_room(&mut self.pixels, width * height);
@@ -44,19 +44,11 @@ impl TopHat {
     pub(super) fn take(&mut self, pixels: &[f32], (width, height): (usize, usize), around: usize, contrast: f32) {
         (self.width, self.height) = (width, height);
         let (margin, square) = (margin(around), 2 * around + 1);
-        let line = width + 2 * margin;
-        self.put_within(pixels, margin);
-        // The upper left pixel of each group becomes what the group is.
-        for step in [1, 1, line, line] {
-            combine(&mut self.smooth, step, |a, b| (a + b) >> 1);
-        }
-        self.metal.clone_from(&self.smooth);
-        for step in [1, line] {
-            each_of(&mut self.metal, square, step, i16::max);
-        }
-        for step in [1, line] {
-            each_of(&mut self.metal, square, step, i16::min);
-        }
+        let line = line(width, around);
+        self.put_within(pixels, margin, line);
+        let Self { smooth, metal, .. } = self;
+        metal.resize(smooth.len(), 0);
+        wide(Close { smooth, metal, line, square });
         self.pixels.resize(width * height, 0.0);
         let most = DEEPEST * contrast;
         for (y, out) in self.pixels.chunks_exact_mut(width).enumerate() {
@@ -71,15 +63,16 @@ impl TopHat {
         Picture { width: self.width, height: self.height, grey: Grey::F32(&self.pixels), is_top_hat: true }
     }
 
-    /// The picture within a margin.
-    fn put_within(&mut self, pixels: &[f32], margin: usize) {
+    /// The picture within a margin, lines of so many pixels; behind the last one as many as are combined at a time.
+    fn put_within(&mut self, pixels: &[f32], margin: usize, line: usize) {
         self.smooth.clear();
         for y in 0..self.height + 2 * margin {
             let row = &pixels[y.saturating_sub(margin).min(self.height - 1) * self.width..][..self.width];
             self.smooth.extend(std::iter::repeat_n(parts(row[0]), margin));
             self.smooth.extend(row.iter().map(|grey| parts(*grey)));
-            self.smooth.extend(std::iter::repeat_n(parts(row[self.width - 1]), margin));
+            self.smooth.extend(std::iter::repeat_n(parts(row[self.width - 1]), line - margin - self.width));
         }
+        self.smooth.extend([0; LANES]);
     }
 }
 
@@ -95,42 +88,78 @@ fn margin(around: usize) -> usize {
     2 * around + 2
 }
 
-/// Combines each pixel with all of the `count` from it on, `step` apart.
-fn each_of(pixels: &mut [i16], count: usize, step: usize, of: impl Fn(i16, i16) -> i16) {
+/// Pixels from one row of a picture within its margin to the next, in whole lanes.
+fn line(width: usize, around: usize) -> usize {
+    (width + 2 * margin(around)).next_multiple_of(LANES)
+}
+
+/// Steps after each of which a pixel holds so many more from it on, until they are `count`.
+fn steps(count: usize) -> impl Iterator<Item = usize> + Clone {
+    let more = move |done: usize| (done < count).then(|| done.min(count - done));
     let mut done = 1;
-    while done < count {
-        let more = done.min(count - done);
-        combine(pixels, more * step, &of);
-        done += more;
+    std::iter::from_fn(move || more(done).inspect(|step| done += step))
+}
+
+/// Makes a picture a little smoother and closes it, by squares of so many pixels a side. The upper left pixel of each group becomes
+/// what the group is. Rows are done one after the other, as far as each goes: so they stay at hand.
+struct Close<'a> {
+    smooth: &'a mut [i16],
+    metal: &'a mut [i16],
+    line: usize,
+    square: usize,
+}
+
+impl Work for Close<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { smooth, metal, line, square } = self;
+        let mean = |a: i16, b: i16| (a + b) >> 1;
+        let (twice, square) = (&[1, 1].into_iter(), &steps(square));
+        across(smooth, line, twice, mean);
+        down(smooth, line, twice, mean);
+        metal.copy_from_slice(smooth);
+        across(metal, line, square, i16::max);
+        down(metal, line, square, i16::max);
+        down(metal, line, square, i16::min);
+        across(metal, line, square, i16::min);
     }
 }
 
-/// Combines each pixel with the one so far behind it.
-fn combine(pixels: &mut [i16], apart: usize, of: impl Fn(i16, i16) -> i16) {
-    wide(Combine { pixels, apart, of });
-}
-
-struct Combine<'a, F> {
-    pixels: &'a mut [i16],
-    apart: usize,
-    of: F,
-}
-
-impl<F: Fn(i16, i16) -> i16> Work for Combine<'_, F> {
-    #[inline(always)]
-    fn run(self) {
-        let Self { pixels, apart, of } = self;
-        let count = pixels.len().saturating_sub(apart);
-        let whole = count - count % LANES;
-        for i in (0..whole).step_by(LANES) {
-            let mut behind = [0; LANES];
-            behind.copy_from_slice(&pixels[i + apart..][..LANES]);
-            for (a, b) in pixels[i..][..LANES].iter_mut().zip(behind) {
-                *a = of(*a, b);
+/// Combines each pixel with those of its row from it on, step by step. (Behind the rim a row goes on with the next one: nobody asks.)
+#[inline(always)]
+fn across(
+    pixels: &mut [i16],
+    line: usize,
+    steps: &(impl Iterator<Item = usize> + Clone),
+    of: impl Fn(i16, i16) -> i16,
+) {
+    for from in (0..pixels.len() - LANES).step_by(line) {
+        for step in steps.clone() {
+            let row = &mut pixels[from..][..line + step];
+            for i in (0..line).step_by(LANES) {
+                let mut behind = [0; LANES];
+                behind.copy_from_slice(&row[i + step..][..LANES]);
+                for (a, b) in row[i..][..LANES].iter_mut().zip(behind) {
+                    *a = of(*a, b);
+                }
             }
         }
-        for i in whole..count {
-            pixels[i] = of(pixels[i], pixels[i + apart]);
+    }
+}
+
+/// Combines each row with those from it on, step by step; the last ones stay as they are.
+#[inline(always)]
+fn down(pixels: &mut [i16], line: usize, steps: &(impl Iterator<Item = usize> + Clone), of: impl Fn(i16, i16) -> i16) {
+    for row in 0..pixels.len() / line {
+        // Each step as soon as the one before it is done with the row it reaches.
+        let mut reached = row;
+        for step in steps.clone() {
+            let Some(upper) = reached.checked_sub(step) else { break };
+            let (above, below) = pixels.split_at_mut(reached * line);
+            for (a, b) in above[upper * line..][..line].iter_mut().zip(&below[..line]) {
+                *a = of(*a, *b);
+            }
+            reached = upper;
         }
     }
 }

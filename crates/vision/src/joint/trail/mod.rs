@@ -6,7 +6,7 @@ use crate::joint::lattice::{Lattice, column_about};
 use crate::joint::levels::Picture;
 use crate::joint::make_room;
 use crate::joint::parabola::Parabola;
-use crate::joint::profile::{Arms, Profile, REACH};
+use crate::joint::profile::{Arms, Profile};
 use crate::joint::strip::{GROUP, MID, SEEN_AROUND, Strip, box_columns};
 
 /// Rows of a strip that is looked at ...
@@ -174,7 +174,7 @@ impl Trail {
         self.strip.noise = self.strip.noise_everywhere();
         self.find(look.contrast, 1.5);
         let profile = Profile::new(1.5 * look.width);
-        let (mut sum, mut arms): (Arms, Arms) = ([[0.0; REACH]; 2], [[0.0; REACH]; 2]);
+        let (mut sum, mut arms) = (Arms::default(), Arms::default());
         for (i, row) in self.strip.grey.iter().enumerate() {
             profile.read(row, column_about(&self.path, i, 4), &mut arms);
             sum.iter_mut().flatten().zip(arms.iter().flatten()).for_each(|(s, a)| *s += a);

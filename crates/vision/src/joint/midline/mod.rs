@@ -1,10 +1,11 @@
+mod centres;
+
 use super::axis::{Station, length};
-use super::even::{self, Even, Rows};
-use super::lattice::{Lattice, column_about};
+use super::even::{Even, Rows};
+use super::lattice::Lattice;
 use super::levels::Picture;
 use super::make_room;
-use super::parabola::Parabola;
-use super::profile::{Profile, REACH};
+use super::profile::{Arms, Profile, REACH};
 use super::readings::Readings;
 use super::strip::{COLS, MID, Strip};
 use super::trail::{Look, Place, Trail};
@@ -15,30 +16,6 @@ const SMOOTH: usize = 8;
 const AROUND: usize = 12;
 /// Depth, asymmetry and width change slowly: they are found once for so many rows.
 const SLOWLY: usize = 4;
-/// The same where light steps.
-const STEPPED_AROUND: usize = 4;
-/// A profile is like the joint's if what differs is no more than this much of what usually does ...
-const USUAL: f32 = 1.6;
-/// ... and this part of the depth.
-const LIKE: f32 = 0.06;
-/// Rows before and after that a parabola through the middles is fitted to, least and most.
-const LINE: (usize, usize) = (6, even::MOST);
-/// Longer lines than this part of the picture's shorter side are no parabolas where a joint bends to and fro.
-const LONGEST: f32 = 0.14;
-/// What the midline's standard error should be, pixels of the frame.
-const ERROR: f32 = 0.15;
-/// On levels where noise is little, rims that tell another middle than the rest of the profile by more than this part of the width
-/// are right: something beside the joint weighs on the rest.
-const OTHER: f32 = 0.2;
-/// Rows between those that a smooth line goes through: bumps are as short as the one and as long as the other.
-const BUMP: [usize; 2] = [10, 20];
-/// Light steps if it does by more than this part of the depth and so many standard errors.
-const STEP: f32 = 0.3;
-const STEP_ERRORS: f32 = 3.5;
-
-/// How a parabola is held to a line: where all rows are on one side of its end, noise would bend it.
-const STIFF: f32 = 100.0;
-
 /// Metal is even if boxes beside each other differ by less than this part of the joint's depth.
 const PLAIN: f32 = 0.25;
 
@@ -217,123 +194,12 @@ impl Midline {
         }));
     }
 
-    /// The middle of each row between columns.
-    fn centres(&mut self, width: f32, scale: f32, side: usize) {
-        let count = self.path.len();
-        let profile = Profile::new(width);
-        self.centre.clear();
-        self.centre.extend((0..count).map(|i| column_about(&self.path, i, 4)));
-        for round in 0..2 {
-            self.readings.read(&profile, &self.strip, &self.centre);
-            self.read_middles(&profile, width, scale);
-            self.place_middles();
-            if round == 0 {
-                self.line = self.line_length(scale, side);
-                self.even.prepare(self.line);
-            }
-            let most = 0.7 * width + 1.5;
-            for i in 0..count {
-                let (at, error) = self.fit(i, self.line, count);
-                let path = self.path[i] as f32;
-                self.centre[i] = at.clamp(path - most, path + most);
-                self.rows[i].error = error;
-            }
-        }
-        self.compare(profile.reach());
-        let mut slow = (0.0, None);
-        for i in 0..count {
-            self.rows[i].at = self.stations[i].beside(self.centre[i] - MID as f32);
-            if i % SLOWLY == 0 {
-                let [line, about] = [self.line, AROUND].map(|around| self.readings.mean(i, around));
-                slow = (profile.asymmetry(&line), profile.rims(&about));
-            }
-            self.rows[i].asymmetry = slow.0;
-            self.rows[i].width = slow.1.map_or(width, |[left, right]| right - left);
-        }
-        self.find_bumps();
-    }
-
-    /// The middle of each row by the row itself, or by the rims of those about it.
-    fn read_middles(&mut self, profile: &Profile, width: f32, scale: f32) {
-        let most = 0.4 * width + 0.5;
-        self.single.clear();
-        for (i, row) in self.rows.iter_mut().enumerate() {
-            let (about, reading) = (self.readings.about(i, AROUND), self.readings.row(i));
-            row.stepped = about.step.abs() > (STEP * about.depth).max(STEP_ERRORS * about.step_error);
-            (row.depth, row.own_depth) = (about.depth, reading.depth);
-            let part = 1.0 / about.depth.max(1e-3);
-            let rims = if row.stepped || scale > 1.0 {
-                profile.rims(&self.readings.mean(i, STEPPED_AROUND)).map(|[left, right]| 0.5 * (left + right))
-            } else {
-                None
-            };
-            let usual = || part * self.readings.about(i, STEPPED_AROUND).moment;
-            let off = rims.filter(|middle| row.stepped || (middle - usual()).abs() > OTHER * width);
-            let off = off.unwrap_or(part * reading.moment);
-            self.single.push(self.centre[i] + off.clamp(-most, most));
-        }
-    }
-
-    /// How far each row is off the cubic through two rows before it and two after, at equal distances: what a joint's bend does
-    /// not explain. A second joint or a scratch pulls the middle aside so.
-    fn find_bumps(&mut self) {
-        for apart in BUMP {
-            for i in 2 * apart..self.rows.len().saturating_sub(2 * apart) {
-                let five = [i - 2 * apart, i - apart, i, i + apart, i + 2 * apart].map(|k| &self.rows[k]);
-                if five.iter().any(|row| !row.seen) {
-                    continue;
-                }
-                let [a, b, c, d, e] = five.map(|row| row.at);
-                let off = |k: usize| c[k] - (4.0 * (b[k] + d[k]) - a[k] - e[k]) * (1.0 / 6.0);
-                let [cos, sin] = self.stations[i].tangent;
-                let bump = (off(1) * cos - off(0) * sin).abs();
-                self.rows[i].bump = self.rows[i].bump.max(bump);
-            }
-        }
-    }
-
-    fn place_middles(&mut self) {
-        let middles = self.stations.iter().zip(&self.single);
-        self.places.put(middles.map(|(station, middle)| station.beside(middle - MID as f32)));
-    }
-
-    /// How little the rows about each look like the joint.
-    fn compare(&mut self, reach: usize) {
-        const ROWS: usize = 3;
-        self.readings.rests((reach, ROWS), |i| self.rows[i].seen, &mut self.rests);
-        self.sorted.clear();
-        self.sorted.extend(self.rests.iter().zip(&self.rows).filter(|(_, row)| row.seen).map(|(rest, _)| *rest));
-        if self.sorted.is_empty() {
-            return;
-        }
-        let middle = self.sorted.len() / 2;
-        let usual = *self.sorted.select_nth_unstable_by(middle, f32::total_cmp).1;
-        for (row, rest) in self.rows.iter_mut().zip(&self.rests) {
-            row.unlike = rest / (USUAL * usual + LIKE * row.depth.max(1e-3));
-        }
-    }
-
-    /// Rows that a parabola must have so that its error is small enough, by how centres scatter, in a picture with this shorter
-    /// side.
-    fn line_length(&self, scale: f32, side: usize) -> usize {
-        let (mut sum, mut count) = (0.0, 0);
-        for i in (2..self.single.len().saturating_sub(2)).filter(|i| self.rows[*i].seen) {
-            // The second difference over two rows each: 6 variances.
-            let bend = self.single[i - 2] - 2.0 * self.single[i] + self.single[i + 2];
-            sum += bend * bend;
-            count += 1;
-        }
-        let variance = sum / (6 * count.max(1)) as f32 * scale * scale;
-        let most = ((LONGEST * side as f32) as usize).clamp(LINE.0, LINE.1);
-        ((variance / (ERROR * ERROR)) as usize).clamp(LINE.0, most)
-    }
-
     /// Finds the last rows of a joint of `width` that ends before row `end` once more, without what is behind it. The last row is
     /// in part behind it.
     pub(super) fn end_before(&mut self, end: usize, width: f32) {
         let (from, whole) = (end.saturating_sub(self.line), end.saturating_sub(1));
         let profile = Profile::new(width);
-        let mut arms = [[0.0; REACH]; 2];
+        let mut arms = Arms::default();
         let depth = self.rows[from..whole].iter().map(|r| r.own_depth).sum::<f32>() / (whole - from).max(1) as f32;
         for _ in 0..3 {
             for i in from..whole {
@@ -349,31 +215,6 @@ impl Midline {
         for i in from..end {
             self.rows[i].at = self.stations[i].beside(self.centre[i] - MID as f32);
         }
-    }
-
-    /// The parabola through the middles of seen rows about row `i` and before row `end`: where it crosses that row's line, and
-    /// the standard error of that.
-    fn fit(&self, i: usize, reach: usize, end: usize) -> (f32, f32) {
-        let near = i.saturating_sub(reach)..(i + reach + 1).min(end);
-        let Station { at: [x0, y0], tangent: [cos, sin] } = self.stations[i];
-        if self.seen_before[near.end] - self.seen_before[near.start] == 2 * reach + 1 {
-            let (across, error) = self.even.across(&self.places, i, [x0, y0], [cos, sin]);
-            return (across + MID as f32, error);
-        }
-        // First all, several at a time, then those that are seen.
-        let (scale, first) = (1.0 / (reach + 1) as f32, near.start as i32 - i as i32);
-        let mut local = [[0.0f32; 2 * even::MOST + 1]; 3];
-        let [us, vs, weights] = &mut local;
-        let places = self.places.x[near.clone()].iter().zip(&self.places.y[near.clone()]);
-        for (k, (((u, v), weight), (x, y))) in us.iter_mut().zip(vs).zip(weights).zip(places).enumerate() {
-            (*u, *v) = ((x - x0) * cos + (y - y0) * sin, (y - y0) * cos - (x - x0) * sin);
-            *weight = 1.0 - ((first + k as i32) as f32 * scale).powi(2);
-        }
-        let seen = self.seen[near].iter().enumerate().filter(|(_, seen)| **seen);
-        let places = seen.map(|(k, _)| (local[0][k], local[1][k], local[2][k]));
-        let Some(parabola) = Parabola::through(places, STIFF) else { return (self.centre[i], f32::INFINITY) };
-        let error = (parabola.rest * parabola.variance).sqrt();
-        (parabola.terms[0] + MID as f32, if parabola.weights > 4.0 { error } else { f32::INFINITY })
     }
 
     /// True if there is nothing but even metal behind row `end` of a joint so many grey values deep: no edge, no line, no tack.
