@@ -1,5 +1,8 @@
 //! Two plates end to end.
 
+mod evidence;
+
+use self::evidence::{best_seam, expected_runs, longest_dark, sharpness};
 use super::cover::Part;
 use super::groove::mismatch;
 use super::{Edge, Support, View, between, ramp, turn};
@@ -38,9 +41,11 @@ const A_LINE: f64 = 20.0;
 const ABOUT: i32 = 12;
 const HIDING: usize = 5;
 
-/// Columns to each side of a step, and the part of them that must be on one line alone for no, and for full confidence.
-const BESIDE_STEP: usize = 16;
+/// Part of the columns beside a step that must be on one line alone for no, and for full confidence.
 const SHARP: [f64; 2] = [0.35, 0.6];
+
+/// Columns may lie side by side in the dark by chance as often as this, for no, and for full confidence in a gap, powers of ten.
+const CHANCE: [f64; 2] = [-4.0, -5.0];
 
 /// Columns beyond an end that show that it is one.
 const TAIL: i32 = 6;
@@ -158,7 +163,7 @@ impl View<'_> {
             if clear <= 1.0 {
                 return None;
             }
-            ramp(clear, 0.9, 1.3)
+            ramp(clear, 0.9, 1.3) * ramp(expected_runs(on_main, (left, right)).log10(), CHANCE[0], CHANCE[1])
         } else {
             let (a, b) = (of(&lines[0]), of(&lines[1]));
             ramp(sharpness(a, b, left as usize, right as usize), SHARP[0], SHARP[1])
@@ -271,110 +276,5 @@ impl View<'_> {
         let crowd = self.crowd((0, self.profile.columns() as i32 - 1));
         let margin = ramp(clear, 0.9, 1.2) * ramp(crowd, CROWD[0], CROWD[1]);
         Some(Seam { left: at - 1, right: at + 1, lines: [main; 2], margin, hidden: false, dark: Some(column) })
-    }
-}
-
-/// The last column on the left line and the first one on the right line for which the evidence for both is best, with its
-/// sum; `after` is scratch.
-fn best_seam(left: &[f64], right: &[f64], after: &mut Vec<f64>) -> Option<(f64, i32, i32)> {
-    // Best sum of the right line from any later column on.
-    let n = left.len().min(right.len());
-    after.clear();
-    after.resize(n + 1, 0.0);
-    let mut sum = 0.0;
-    for i in (0..n).rev() {
-        sum += right[i];
-        after[i] = after[i + 1].max(sum);
-    }
-    let (mut sum, mut best) = (0.0, None::<(f64, usize)>);
-    for i in 0..n {
-        sum += left[i];
-        if after[i + 1] > 0.0 && best.is_none_or(|(most, _)| sum + after[i + 1] > most) {
-            best = Some((sum + after[i + 1], i));
-        }
-    }
-    let (most, last) = best?;
-    // The best sum begins where it gets less to the right.
-    let first = (last + 1..n).find(|i| after[*i] > after[*i + 1])?;
-    Some((most, last as i32, first as i32))
-}
-
-/// Least part of the columns beside a step in which there is light on one line and not on the other.
-fn sharpness(left: &[f64], right: &[f64], a: usize, b: usize) -> f64 {
-    let before = left[..=a].iter().zip(right).rev().take(BESIDE_STEP).map(|(l, r)| *l > 0.0 && *r <= 0.0);
-    let after = right[b..].iter().zip(&left[b..]).take(BESIDE_STEP).map(|(r, l)| *r > 0.0 && *l <= 0.0);
-    let part = |sharp: &mut dyn Iterator<Item = bool>| sharp.filter(|s| *s).count() as f64 / BESIDE_STEP as f64;
-    part(&mut { before }).min(part(&mut { after }))
-}
-
-/// The longest run of columns that speak against the line.
-fn longest_dark(evidence: &[f64]) -> i32 {
-    let (mut run, mut longest) = (0, 0);
-    for e in evidence {
-        run = if *e < 0.0 { run + 1 } else { 0 };
-        longest = longest.max(run);
-    }
-    longest
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Evidence of `count` columns, -2 to 2.
-    fn chance(seed: u64, count: usize) -> Vec<f64> {
-        let one = |i: u64| {
-            let hash = (seed * 1000 + i + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-            let hash = (hash ^ (hash >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-            (hash >> 40) as f64 / f64::from(1 << 22) - 2.0
-        };
-        (0..count as u64).map(one).collect()
-    }
-
-    #[test]
-    fn the_best_seam_is_that_of_brute_force() {
-        for seed in 0..2000 {
-            let count = 2 + seed as usize % 25;
-            let (left, right) = (chance(2 * seed, count), chance(2 * seed + 1, count));
-            let sum = |a: usize, b: usize| left[..=a].iter().sum::<f64>() + right[b..].iter().sum::<f64>();
-            // Of the right line something must be left.
-            let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
-            let some = pairs.filter(|(_, b)| right[*b..].iter().sum::<f64>() > 0.0);
-            let best = some.map(|(a, b)| sum(a, b)).fold(f64::NEG_INFINITY, f64::max);
-            match best_seam(&left, &right, &mut Vec::new()) {
-                None => assert!(best.is_infinite(), "seed {seed}"),
-                Some((most, a, b)) => {
-                    assert!((most - best).abs() < 1e-9 && (sum(a as usize, b as usize) - best).abs() < 1e-9, "{seed}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn a_gap_in_one_line_is_the_seam() {
-        for (from, to) in [(10, 12), (30, 60), (1, 98)] {
-            let mut on = [1.0; 100];
-            on[from..to].fill(-1.0);
-            let (sum, left, right) = best_seam(&on, &on, &mut Vec::new()).unwrap();
-            assert_eq!((left, right), (from as i32 - 1, to as i32));
-            assert!((sum - (100 - (to - from)) as f64).abs() < 1e-12);
-            assert_eq!(longest_dark(&on), (to - from) as i32);
-        }
-        assert_eq!(longest_dark(&[]), 0);
-    }
-
-    #[test]
-    fn a_step_is_as_sharp_as_its_duller_side() {
-        // Lit on the left line up to column 49 and on the right line from column 50 on; on both in some columns.
-        let line = |on: &dyn Fn(usize) -> bool| (0..100).map(|i| if on(i) { 1.0 } else { -1.0 }).collect::<Vec<f64>>();
-        for both in 0..=BESIDE_STEP {
-            let left = line(&|i| i < 50);
-            let right = line(&|i| i >= 50 || i % BESIDE_STEP < both);
-            let wanted = 1.0 - both as f64 / BESIDE_STEP as f64;
-            assert!((sharpness(&left, &right, 49, 50) - wanted).abs() < 1e-12, "{both}");
-            // The other way round the left line goes on.
-            let (left, right) = (line(&|i| i < 50 || i % BESIDE_STEP < both), line(&|i| i >= 50));
-            assert!((sharpness(&left, &right, 49, 50) - wanted).abs() < 1e-12, "{both}");
-        }
     }
 }
