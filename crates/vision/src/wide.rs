@@ -2,8 +2,8 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-/// Work whose loops are worth it. All that it calls has to be inlined into `run`, and that itself (`#[inline(always)]`): what is
-/// called is compiled for any computer. (Closures are called, so `for` instead of `for_each`.)
+/// Work whose loops are worth it. What is to gain by it has to be inlined into `run`, and that itself (`#[inline(always)]`): what is
+/// called is compiled for any computer. (Closures may be called, so `for` rather than `for_each`.)
 pub(crate) trait Work {
     fn run(self);
 }

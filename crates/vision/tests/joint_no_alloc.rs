@@ -55,12 +55,18 @@ fn following_does_not_allocate() {
     });
     let images: Vec<Vec<u8>> =
         [2.0, 5.0, 9.0, 17.0, 33.0].map(image).into_iter().chain([shaded()]).chain(many).collect();
-    let mut follower = Follower::new(Options::default());
-    let mut follow = |pixels: &[u8]| {
+    let follow = |follower: &mut Follower, pixels: &[u8], width: Option<f32>| {
         let frame = Frame::new(SIZE, SIZE, Pixels::U8(pixels)).unwrap();
-        black_box(follower.follow(&frame, &Start { x: 8.0, y: 202.0, direction: 0.1, width: None }).rows.len())
+        black_box(follower.follow(&frame, &Start { x: 8.0, y: 202.0, direction: 0.1, width }).rows.len())
     };
-    assert!(follow(&images[0]) > 100);
-    assert_no_alloc(|| images.iter().for_each(|image| _ = follow(image)));
+    // First a frame in which nothing is found, one joint or the other, looked for with any width or with one.
+    let blank = vec![128; SIZE * SIZE];
+    for (first, width) in [(&blank, None), (&blank, Some(5.0)), (&images[0], None), (&images[2], Some(9.0))] {
+        let mut follower = Follower::new(Options::default());
+        assert_eq!(follow(&mut follower, first, width) > 100, first != &blank);
+        for width in [width, None, Some(12.0), Some(24.0)] {
+            assert_no_alloc(|| images.iter().for_each(|image| _ = follow(&mut follower, image, width)));
+        }
+    }
     assert_eq!(violation_count(), 0);
 }

@@ -1,8 +1,6 @@
 //! Distances of all pairs of shapes against other ways to get them.
 
-use crate::common;
-
-use crate::common::{KINDS, Uniform, brute_force, bumpy_torus, cases, shape, solid};
+use crate::common::{self, KINDS, Uniform, brute_force, bumpy_torus, cases, shape, solid};
 use glam::{DAffine3, DQuat, DVec3};
 use seamwright_clearance::{Mesh, Shape, nearest};
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! All tests in one program, which is compiled and linked once. Those that need a process of their own are beside it.
+//! All tests in one program, which is compiled and linked once.
 
 mod along;
 mod common;

@@ -1,8 +1,6 @@
 //! Room in permitted zones against surface points.
 
-use crate::common;
-
-use crate::common::{KINDS, Uniform, cases, shape, solid};
+use crate::common::{self, KINDS, Uniform, cases, shape, solid};
 use glam::{DAffine3, DVec3};
 use seamwright_clearance::{Group, Scene, Shape, Solid, Watch};
 

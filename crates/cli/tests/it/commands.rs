@@ -1,8 +1,6 @@
 //! `seamwright motion --commands`: the run under an operator's commands, and files that are refused.
 
-use crate::common;
-
-use crate::common::{column, example, good, run, table};
+use crate::common::{self, column, example, good, run, table};
 use std::fs;
 use std::process::Output;
 

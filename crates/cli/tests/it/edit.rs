@@ -1,8 +1,6 @@
 //! `seamwright edit`: operations, dry runs, scripts, the way back, files changed by hand.
 
-use crate::common;
-
-use crate::common::{good, run};
+use crate::common::{self, good, run};
 use serde_json::Value;
 use std::fs;
 use std::path::PathBuf;

@@ -1,9 +1,7 @@
 //! `seamwright follow`: points of any spacing become the same motion, within limits; what is wrong is named with its
 //! line.
 
-use crate::common;
-
-use crate::common::{column, run, run_with, table};
+use crate::common::{self, column, run, run_with, table};
 use std::f64::consts::TAU;
 use std::fmt::Write;
 

@@ -1,9 +1,7 @@
 //! Bad input: one screen that names file, line, key, value and what is allowed; exit code 2; nothing written. Jobs that
 //! cannot be welded: exit code 1 with every finding.
 
-use crate::common;
-
-use crate::common::{example, free_example, run, run_with};
+use crate::common::{self, example, free_example, run, run_with};
 use std::fs;
 use std::path::Path;
 

@@ -1,8 +1,6 @@
 //! `machine place`: the offset found is the one the points were made with; bad tables are refused with their place.
 
-use crate::common;
-
-use crate::common::{example, good, root, run, run_with};
+use crate::common::{self, example, good, root, run, run_with};
 use std::f64::consts::TAU;
 use std::fs;
 

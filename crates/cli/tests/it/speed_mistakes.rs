@@ -1,8 +1,6 @@
 //! Speeds, periods and limits that cannot be: each has a clear error or finding.
 
-use crate::common;
-
-use crate::common::{example, free_example, root, run};
+use crate::common::{self, example, free_example, root, run};
 use serde_json::Value;
 use std::fs;
 use tempfile::TempDir;

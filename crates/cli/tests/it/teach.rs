@@ -1,8 +1,6 @@
 //! `seamwright teach`: simulated, recorded, by hand; what it refuses.
 
-use crate::common;
-
-use crate::common::{bad, example, good, run, run_with};
+use crate::common::{self, bad, example, good, run, run_with};
 use glam::DVec3;
 use seamwright_cell::frames::{FrameSource as _, Recorded, TimedFrame, write_frame};
 use std::io::{BufRead as _, BufReader};

@@ -1,8 +1,6 @@
 //! Commands at any time: on the path, in limits, to the same end.
 
-use crate::pace_law;
-
-use crate::pace_law::{Case, Uniform, cases};
+use crate::pace_law::{self, Case, Uniform, cases};
 use seamwright_motion::pace::{AxisLimits, Command, Limits, Pace, PaceError, Played, Timed};
 
 const PERIOD: f64 = 0.002;

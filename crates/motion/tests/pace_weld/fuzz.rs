@@ -140,7 +140,7 @@ fn run(seed: u32, welds: &[(&Weld, PassTimed, PassTimed)]) -> Seen {
     seen
 }
 
-/// With those of `tests/pace.rs` ten thousand; `SEAMWRIGHT_SOAK` multiplies them.
+/// With those of `tests/it/pace.rs` ten thousand; `SEAMWRIGHT_SOAK` multiplies them.
 #[test]
 fn random_commands_on_welds() {
     let runs = cases(4000);

@@ -1,8 +1,6 @@
 //! Sinumerik's POLY: what is read is what the control would do, by dense sums; as a program of points it moves the same.
 
-use crate::reading;
-
-use crate::reading::{MACHINE, good, refused};
+use crate::reading::{self, MACHINE, good, refused};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use seamwright_document::Positive;

@@ -2,9 +2,7 @@
 
 #![allow(clippy::float_cmp, reason = "numbers as written come back exactly")]
 
-use crate::reading;
-
-use crate::reading::{events, good, moves, near, rows, sets};
+use crate::reading::{self, events, good, moves, near, rows, sets};
 use seamwright_machine::{Machine, shipped};
 use seamwright_post::Dialect::{Grblhal, Linuxcnc, Pmac, Sinumerik};
 use seamwright_post::{Control, Event, Level, Path, ReadOptions, What, read};

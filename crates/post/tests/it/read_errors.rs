@@ -1,8 +1,6 @@
 //! What is refused, each with its line and column, and what is said of it.
 
-use crate::reading;
-
-use crate::reading::{MACHINE, bad, good, refused, try_read};
+use crate::reading::{self, MACHINE, bad, good, refused, try_read};
 use seamwright_machine::Machine;
 use seamwright_post::Dialect::{Grblhal, Linuxcnc, Pmac, Sinumerik};
 use seamwright_post::{Control, Dialect, ReadOptions, read};

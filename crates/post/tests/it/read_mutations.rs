@@ -2,9 +2,7 @@
 //! programs with parts changed, doubled, cut and mixed. `SEAMWRIGHT_FUZZ_S` says for how many seconds; what once failed
 //! is kept in `tests/data/read`.
 
-use crate::reading;
-
-use crate::reading::{Uniform, cases};
+use crate::reading::{self, Uniform, cases};
 use seamwright_post::{Control, Dialect, Path, ReadOptions, What, read};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};

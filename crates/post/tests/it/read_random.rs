@@ -2,9 +2,7 @@
 
 #![allow(clippy::float_cmp, reason = "numbers as written come back exactly")]
 
-use crate::reading;
-
-use crate::reading::{Uniform, cases, near};
+use crate::reading::{self, Uniform, cases, near};
 use seamwright_post::Dialect::{self, Grblhal, Linuxcnc, Pmac, Sinumerik};
 use seamwright_post::{ChannelKind, Control, Event, Path, ReadOptions, What, read};
 use std::fmt::Write;

@@ -1,9 +1,8 @@
 //! Part programs that come from elsewhere in each dialect: as they should look, and what a control cannot take.
 
-use crate::common;
 use crate::text;
 
-use crate::common::Planned;
+use crate::common::{self, Planned};
 use glam::DVec3;
 use seamwright_machine::{Machine, shipped};
 use seamwright_post::{

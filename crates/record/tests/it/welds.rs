@@ -1,8 +1,6 @@
 //! Welds recorded, found, verified and recovered.
 
-use crate::common;
-
-use crate::common::{WeldResult, outcome, plan, row};
+use crate::common::{self, WeldResult, outcome, plan, row};
 use seamwright_record::figures::Figures;
 use seamwright_record::library::{Alarm, AuditEntry, DocumentKind, Event, Place, Query};
 use seamwright_record::trace::Trace;

@@ -7,6 +7,8 @@ use super::make_room;
 pub(super) const MOST: usize = 24;
 /// Rows that are done at a time.
 pub(super) const LANES: usize = 8;
+/// Rows of the longest parabola.
+const LONGEST: usize = 2 * MOST + 1;
 
 /// Rows in a picture, to the right and down, pixels; behind the last ones as many zeros as are done at a time.
 #[derive(Debug, Clone, Default)]
@@ -35,29 +37,31 @@ impl Rows {
 
 /// A parabola across rows as far before as after one, their weights falling as a parabola: what does not depend on where they
 /// are, once for all rows.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(super) struct Even {
     reach: usize,
-    /// Weights, and those times the rows' numbers and squares.
-    weights: [Vec<f32>; 3],
+    /// Weights, and those times the rows' numbers and squares, of `2 * reach + 1` rows.
+    weights: [[f32; LONGEST]; 3],
     /// Sums of the weights times the rows' numbers to the powers 0, 2 and 4.
     moments: [f32; 3],
+}
+
+impl Default for Even {
+    fn default() -> Self {
+        Self { reach: 0, weights: [[0.0; LONGEST]; 3], moments: [0.0; 3] }
+    }
 }
 
 impl Even {
     /// For `reach` rows before and after, up to [`MOST`].
     pub(super) fn prepare(&mut self, reach: usize) {
         self.reach = reach;
-        for list in &mut self.weights {
-            list.clear();
-            list.reserve(2 * MOST + 1);
-        }
         self.moments = [0.0; 3];
         for k in 0..=2 * reach {
             let row = k as f32 - reach as f32;
             let weight = 1.0 - (row / (reach + 1) as f32).powi(2);
             for (list, value) in self.weights.iter_mut().zip([weight, weight * row, weight * row * row]) {
-                list.push(value);
+                list[k] = value;
             }
             for (moment, value) in self.moments.iter_mut().zip([1.0, row.powi(2), row.powi(4)]) {
                 *moment += weight * value;
@@ -69,12 +73,13 @@ impl Even {
     /// it crosses its line, and the standard error of that. About each lie as many rows before and after as were prepared for.
     #[inline(always)]
     pub(super) fn across(&self, rows: &Rows, i: usize, stations: &[Station]) -> [(f32, f32); LANES] {
+        debug_assert!(stations.len() <= LANES, "{} stations", stations.len());
         let [mut x0, mut y0, mut cos, mut sin] = [[0.0; LANES]; 4];
         for (k, station) in stations.iter().enumerate().take(LANES) {
             ([x0[k], y0[k]], [cos[k], sin[k]]) = (station.at, station.tangent);
         }
         let from = i - self.reach;
-        let [w0, w1, w2] = self.weights.each_ref().map(|list| list.iter());
+        let [w0, w1, w2] = self.weights.each_ref().map(|list| list[..=2 * self.reach].iter());
         let near = rows.x[from..].windows(LANES).zip(rows.y[from..].windows(LANES));
         // Sums of each row's weight times how far it is off, times its number, its number's square, and how far it is off.
         let [mut r0, mut r1, mut r2, mut squares] = [[0.0; LANES]; 4];

@@ -106,7 +106,9 @@ impl Levels {
         self.prepare(frame, level);
         let Halved { width: columns, height: rows, pixels } = &self.halved[level - 1];
         let around = width.round().max(1.0) as usize;
-        if self.taken.replace((level, around, contrast)) != Some((level, around, contrast)) {
+        let wanted = Some((level, around, contrast));
+        if self.taken != wanted {
+            self.taken = wanted;
             self.top_hat.take(pixels, (*columns, *rows), around, contrast);
         }
         self.covered = Some(level);
@@ -122,11 +124,14 @@ impl Levels {
         self.covered = None;
     }
 
-    /// Room for the top-hat of any level of a frame, for joints up to so many pixels wide on theirs.
+    /// Room for all levels of a frame, and the top-hat of any, for joints up to so many pixels wide on theirs.
     pub(super) fn make_room(&mut self, frame: &Frame, widest: f32) {
-        let (width, height) = (frame.width() / 2, frame.height() / 2);
-        make_room(&mut self.halved[0].pixels, width * height);
-        self.top_hat.make_room((width, height), widest.round() as usize);
+        let (mut width, mut height) = (frame.width(), frame.height());
+        for level in &mut self.halved {
+            (width, height) = (width / 2, height / 2);
+            make_room(&mut level.pixels, width * height);
+        }
+        self.top_hat.make_room((frame.width() / 2, frame.height() / 2), widest.round() as usize);
     }
 
     /// The coarsest level that is still a picture.

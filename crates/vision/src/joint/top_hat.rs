@@ -33,7 +33,7 @@ pub(super) struct TopHat {
 impl TopHat {
     /// Room for a picture of this size and squares of so many pixels to either side.
     pub(super) fn make_room(&mut self, (width, height): (usize, usize), around: usize) {
-        let whole = line(width, around) * (height + 2 * margin(around)) + LANES;
+        let whole = line(width, around) * (height + 2 * margin(around)) + behind(around);
         make_room(&mut self.smooth, whole);
         make_room(&mut self.metal, whole);
         make_room(&mut self.pixels, width * height);
@@ -44,11 +44,11 @@ impl TopHat {
     pub(super) fn take(&mut self, pixels: &[f32], (width, height): (usize, usize), around: usize, contrast: f32) {
         (self.width, self.height) = (width, height);
         let (margin, square) = (margin(around), 2 * around + 1);
-        let line = line(width, around);
+        let (line, rows) = (line(width, around), height + 2 * margin);
         self.put_within(pixels, margin, line);
-        let Self { smooth, metal, .. } = self;
-        metal.resize(smooth.len(), 0);
-        wide(Close { smooth, metal, line, square });
+        self.smooth.resize(line * rows + behind(around), 0);
+        self.metal.resize(self.smooth.len(), 0);
+        wide(Close { smooth: &mut self.smooth, metal: &mut self.metal, size: (line, rows), square });
         self.pixels.resize(width * height, 0.0);
         let most = DEEPEST * contrast;
         for (y, out) in self.pixels.chunks_exact_mut(width).enumerate() {
@@ -63,7 +63,7 @@ impl TopHat {
         Picture { width: self.width, height: self.height, grey: Grey::F32(&self.pixels), is_top_hat: true }
     }
 
-    /// The picture within a margin, lines of so many pixels; behind the last one as many as are combined at a time.
+    /// The picture within a margin, lines of so many pixels.
     fn put_within(&mut self, pixels: &[f32], margin: usize, line: usize) {
         self.smooth.clear();
         for y in 0..self.height + 2 * margin {
@@ -72,7 +72,6 @@ impl TopHat {
             self.smooth.extend(row.iter().map(|grey| parts(*grey)));
             self.smooth.extend(std::iter::repeat_n(parts(row[self.width - 1]), line - margin - self.width));
         }
-        self.smooth.extend([0; LANES]);
     }
 }
 
@@ -93,6 +92,11 @@ fn line(width: usize, around: usize) -> usize {
     (width + 2 * margin(around)).next_multiple_of(LANES)
 }
 
+/// Pixels behind the last row that its own are combined with: whole lanes, or the longest step.
+fn behind(around: usize) -> usize {
+    around.max(LANES)
+}
+
 /// Steps after each of which a pixel holds so many more from it on, until they are `count`.
 fn steps(count: usize) -> impl Iterator<Item = usize> + Clone {
     let more = move |done: usize| (done < count).then(|| done.min(count - done));
@@ -105,23 +109,24 @@ fn steps(count: usize) -> impl Iterator<Item = usize> + Clone {
 struct Close<'a> {
     smooth: &'a mut [i16],
     metal: &'a mut [i16],
-    line: usize,
+    /// Pixels of a row, and rows.
+    size: (usize, usize),
     square: usize,
 }
 
 impl Work for Close<'_> {
     #[inline(always)]
     fn run(self) {
-        let Self { smooth, metal, line, square } = self;
+        let Self { smooth, metal, size, square } = self;
         let mean = |a: i16, b: i16| (a + b) >> 1;
         let (twice, square) = (&[1, 1].into_iter(), &steps(square));
-        across(smooth, line, twice, mean);
-        down(smooth, line, twice, mean);
+        across(smooth, size, twice, mean);
+        down(smooth, size, twice, mean);
         metal.copy_from_slice(smooth);
-        across(metal, line, square, i16::max);
-        down(metal, line, square, i16::max);
-        down(metal, line, square, i16::min);
-        across(metal, line, square, i16::min);
+        across(metal, size, square, i16::max);
+        down(metal, size, square, i16::max);
+        down(metal, size, square, i16::min);
+        across(metal, size, square, i16::min);
     }
 }
 
@@ -129,11 +134,11 @@ impl Work for Close<'_> {
 #[inline(always)]
 fn across(
     pixels: &mut [i16],
-    line: usize,
+    (line, rows): (usize, usize),
     steps: &(impl Iterator<Item = usize> + Clone),
     of: impl Fn(i16, i16) -> i16,
 ) {
-    for from in (0..pixels.len() - LANES).step_by(line) {
+    for from in (0..rows).map(|row| row * line) {
         for step in steps.clone() {
             let row = &mut pixels[from..][..line + step];
             for i in (0..line).step_by(LANES) {
@@ -149,8 +154,13 @@ fn across(
 
 /// Combines each row with those from it on, step by step; the last ones stay as they are.
 #[inline(always)]
-fn down(pixels: &mut [i16], line: usize, steps: &(impl Iterator<Item = usize> + Clone), of: impl Fn(i16, i16) -> i16) {
-    for row in 0..pixels.len() / line {
+fn down(
+    pixels: &mut [i16],
+    (line, rows): (usize, usize),
+    steps: &(impl Iterator<Item = usize> + Clone),
+    of: impl Fn(i16, i16) -> i16,
+) {
+    for row in 0..rows {
         // Each step as soon as the one before it is done with the row it reaches.
         let mut reached = row;
         for step in steps.clone() {
@@ -218,6 +228,15 @@ mod tests {
                 let told = METAL - depth / (1.0 + (depth / 40.0).powi(2)).sqrt();
                 assert!((found - told).abs() < 0.2, "{found} {told}");
             }
+        }
+    }
+
+    #[test]
+    fn squares_may_be_larger_than_what_is_combined_at_a_time_and_than_the_picture() {
+        let mut hat = TopHat::default();
+        for around in [LANES - 1, LANES, LANES + 1, 3 * LANES] {
+            hat.take(&[90.0; 20 * 20], (20, 20), around, 50.0);
+            assert!(hat.pixels.iter().all(|grey| *grey >= METAL), "{around}");
         }
     }
 

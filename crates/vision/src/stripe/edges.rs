@@ -16,7 +16,7 @@ const GAP_ODDS: f64 = -5.0;
 const LEAST_GAP: f64 = 2.0;
 
 /// What is taken for the part of holes that go on if there are none.
-pub(super) const LEAST_HOLE: f64 = 0.1;
+const LEAST_HOLE: f64 = 0.1;
 
 /// Light of a column that the lens brings into its neighbours. With it the sub-pixel part is known much better than by the
 /// place of half the light: grains make columns differ by half, but what a column brings into a dark one is all its own.

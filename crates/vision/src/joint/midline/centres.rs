@@ -168,15 +168,15 @@ impl Midline {
     #[inline(always)]
     fn fit_all(&mut self, most: f32) {
         let (count, reach) = (self.path.len(), self.line);
-        let is_whole = |seen_before: &[usize], i: usize| {
+        let all_seen = |seen_before: &[usize], i: usize| {
             i >= reach && i + reach < count && seen_before[i + reach + 1] - seen_before[i - reach] == 2 * reach + 1
         };
         let mut i = 0;
         while i < count {
             let mut found = [(0.0, 0.0); LANES];
             let mut fitted = 1;
-            if is_whole(&self.seen_before, i) {
-                fitted = (i + 1..count.min(i + LANES)).take_while(|k| is_whole(&self.seen_before, *k)).count() + 1;
+            if all_seen(&self.seen_before, i) {
+                fitted = (i + 1..count.min(i + LANES)).take_while(|k| all_seen(&self.seen_before, *k)).count() + 1;
                 found = self.even.across(&self.places, i, &self.stations[i..i + fitted]);
                 found.iter_mut().for_each(|(at, _)| *at += MID as f32);
             } else {

@@ -1,6 +1,13 @@
 //! What evidence along two lines, column by column, says of a seam between them.
 
-use crate::stripe::edges::LEAST_HOLE;
+/// Evidence no greater than this, either way, tells nothing.
+pub(super) const UNKNOWN: f64 = 1e-9;
+/// Fewer runs of dark columns than this along a line tell nothing of how long chance makes them.
+const FEW: f64 = 5.0;
+/// Dark columns go on by chance no more often than this: what does so more often is something else.
+const GOES_ON: f64 = 0.5;
+/// A lit column between two dark runs may be any of theirs: both are as likely as one that is so many columns shorter.
+const LIT_WITHIN: usize = 3;
 
 /// Columns to each side of a step that tell how sharp it is.
 const BESIDE_STEP: usize = 16;
@@ -39,19 +46,30 @@ pub(super) fn sharpness(left: &[f64], right: &[f64], a: usize, b: usize) -> f64 
 }
 
 /// How many runs of dark columns at least as long as the one between two columns are to be expected by chance, if columns along the line
-/// are dark as often, and one after the other, as those on both sides of it are.
+/// are dark as often, and one after the other, as those on both sides of it are; none if those are too few to tell. Columns of which
+/// nothing is known do not count.
 pub(super) fn expected_runs(evidence: &[f64], (left, right): (i32, i32)) -> f64 {
-    let (mut dark, mut pairs) = (0.0, 0.0);
+    let known = |e: &&f64| e.abs() > UNKNOWN;
+    let (mut columns, mut dark, mut pairs) = (0.0, 0.0, 0.0);
     for side in [&evidence[..=left as usize], &evidence[right as usize..]] {
-        dark += side.iter().filter(|e| **e < 0.0).count() as f64;
-        pairs += side.windows(2).filter(|e| e[0] < 0.0 && e[1] < 0.0).count() as f64;
+        let mut before = false;
+        for is_dark in side.iter().filter(known).map(|e| *e < 0.0) {
+            columns += 1.0;
+            dark += f64::from(u8::from(is_dark));
+            pairs += f64::from(u8::from(is_dark && before));
+            before = is_dark;
+        }
+    }
+    let runs = dark - pairs;
+    if runs < FEW {
+        return 0.0;
     }
     // So few of them tell it that it may well be more.
-    let hole = ((pairs + pairs.sqrt() + LEAST_HOLE) / (dark + 1.0)).max(dark / evidence.len() as f64);
-    // One lit column between two runs, wherever it may be, is likelier than both in one.
-    let within = &evidence[left as usize + 1..right as usize];
-    let lit = within.iter().filter(|e| **e > 0.0).count() as i32;
-    (dark - pairs) * hole.powi((right - left - 2 - 3 * lit).max(0))
+    let goes_on = ((pairs + f64::sqrt(pairs)) / dark).max(dark / columns).min(GOES_ON);
+    let within = evidence[left as usize + 1..right as usize].iter().filter(known);
+    let lit = within.clone().filter(|e| **e > 0.0).count();
+    let length = within.count().saturating_sub(lit + LIT_WITHIN * lit);
+    runs * goes_on.powi(length.max(1) as i32 - 1)
 }
 
 /// The longest run of columns that speak against the line.
@@ -112,12 +130,12 @@ mod tests {
         assert_eq!(longest_dark(&[]), 0);
     }
 
-    /// Runs as unlikely as one in a hundred or a thousand are no more often, whether holes come alone or in runs.
+    /// Runs are as unlikely as told: no more often, and not much less, whether holes come alone or in runs.
     #[test]
-    fn chance_runs_are_no_more_often_than_told() {
+    fn chance_runs_are_as_often_as_told() {
         let mut random = Pcg64Mcg::seed_from_u64(5);
-        for (begins, goes_on) in [(0.05, 0.05), (0.2, 0.2), (0.03, 0.3), (0.02, 0.5)] {
-            let mut unlikely = [0; 2];
+        for (begins, goes_on) in [(0.05, 0.05), (0.2, 0.2), (0.03, 0.3), (0.04, 0.45)] {
+            let mut unlikely = [0; 3];
             for _ in 0..5000 {
                 let (mut on, mut is_dark) = (Vec::new(), false);
                 for _ in 0..1000 {
@@ -130,12 +148,41 @@ mod tests {
                 let (left, right) = (from as i32 - 1, (from + longest) as i32);
                 if left >= 0 && right < on.len() as i32 {
                     let told = expected_runs(&on, (left, right));
-                    unlikely[0] += u32::from(told < 1e-2);
-                    unlikely[1] += u32::from(told < 1e-3);
+                    for (count, most) in unlikely.iter_mut().zip([1.0, 1e-2, 1e-3]) {
+                        *count += u32::from(told < most);
+                    }
                 }
             }
-            assert!(unlikely[0] < 75 && unlikely[1] < 15, "{begins} {goes_on}: {unlikely:?}");
+            assert!(unlikely[0] > 500 && unlikely[1] < 75 && unlikely[2] < 15, "{begins} {goes_on}: {unlikely:?}");
         }
+    }
+
+    /// What a gap of `dark` columns, every `lit`th of them lit or unknown, in 400 columns with these dark runs is told as.
+    fn told(runs: &[(usize, usize)], gap: std::ops::Range<usize>, other: f64) -> f64 {
+        let mut on = [1.0; 400];
+        runs.iter().for_each(|(from, count)| on[*from..from + count].fill(-1.0));
+        let (left, right) = (gap.start as i32 - 1, gap.end as i32);
+        let middle = (gap.start + gap.end) / 2;
+        on[gap].fill(-1.0);
+        on[middle] = other;
+        expected_runs(&on, (left, right))
+    }
+
+    #[test]
+    fn a_gap_is_told_from_holes() {
+        let holes: Vec<(usize, usize)> = (0..30).map(|i| (5 + 13 * i, 1 + i % 2)).collect();
+        // No holes, or too few to tell, however long they are.
+        for few in [&[][..], &[(20, 1)], &[(20, 3)], &[(20, 30), (90, 5), (150, 5)]] {
+            assert!(told(few, 200..206, -1.0) <= 0.0, "{few:?}");
+        }
+        // 15 of 45 dark columns follow another: so many that go on, and their error, are 0.42.
+        let expected = |length: i32| 30.0 * ((15.0 + 15f64.sqrt()) / 45.0).powi(length - 1);
+        assert!((told(&holes, 204..208, -1.0) / expected(4) - 1.0).abs() < 1e-9);
+        assert!((told(&holes, 204..208, 0.0) / expected(3) - 1.0).abs() < 1e-9);
+        assert!((told(&holes[..16], 214..234, 1.0) / told(&holes[..16], 214..230, -1.0) - 1.0).abs() < 1e-9);
+        // Longer than a gap may be, it is no chance; at the rims there is a column on each side.
+        assert!(told(&holes[..16], 214..300, -1.0) < 1e-20);
+        assert!(told(&[], 1..399, -1.0) <= 0.0);
     }
 
     #[test]

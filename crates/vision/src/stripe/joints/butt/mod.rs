@@ -2,7 +2,7 @@
 
 mod evidence;
 
-use self::evidence::{best_seam, expected_runs, longest_dark, sharpness};
+use self::evidence::{UNKNOWN, best_seam, expected_runs, longest_dark, sharpness};
 use super::cover::Part;
 use super::groove::mismatch;
 use super::{Edge, Support, View, between, ramp, turn};
@@ -160,10 +160,11 @@ impl View<'_> {
             let run = f64::from(right - left - 1);
             let second = longest_dark(&on_main[..=left as usize]).max(longest_dark(&on_main[right as usize..]));
             let clear = run / (1.5 * f64::from(second) + 3.0);
-            if clear <= 1.0 {
+            let chance = expected_runs(on_main, (left, right)).log10();
+            if clear <= 1.0 || chance >= CHANCE[0] {
                 return None;
             }
-            ramp(clear, 0.9, 1.3) * ramp(expected_runs(on_main, (left, right)).log10(), CHANCE[0], CHANCE[1])
+            ramp(clear, 0.9, 1.3) * ramp(chance, CHANCE[0], CHANCE[1])
         } else {
             let (a, b) = (of(&lines[0]), of(&lines[1]));
             ramp(sharpness(a, b, left as usize, right as usize), SHARP[0], SHARP[1])
@@ -175,7 +176,7 @@ impl View<'_> {
     fn else_about(left: &[f64], right: &[f64], (a, b): (i32, i32)) -> bool {
         let unknown = |e: &[f64], from: i32, to: i32| {
             let (from, to) = (from.max(0) as usize, (to.max(0) as usize).min(e.len()));
-            e.get(from..to).map_or(0, |e| e.iter().filter(|v| v.abs() < 1e-9).count())
+            e.get(from..to).map_or(0, |e| e.iter().filter(|v| v.abs() <= UNKNOWN).count())
         };
         let within = unknown(left, a + 1, b).max(unknown(right, a + 1, b));
         unknown(left, a + 1 - ABOUT, a + 1) + within + unknown(right, b, b + ABOUT) > HIDING
