@@ -2,6 +2,9 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
+/// Numbers of 32 bits that are done at a time, where a loop is written for it.
+pub(crate) const LANES: usize = 8;
+
 /// Work whose loops are worth it. What is to gain by it has to be inlined into `run`, and that itself (`#[inline(always)]`): what is
 /// called is compiled for any computer. (Closures may be called, so `for` rather than `for_each`.)
 pub(crate) trait Work {

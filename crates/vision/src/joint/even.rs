@@ -2,11 +2,10 @@
 
 use super::axis::Station;
 use super::make_room;
+use crate::wide::LANES;
 
 /// Most rows before and after.
 pub(super) const MOST: usize = 24;
-/// Rows that are done at a time.
-pub(super) const LANES: usize = 8;
 /// Rows of the longest parabola.
 const LONGEST: usize = 2 * MOST + 1;
 

@@ -1,4 +1,5 @@
 use super::strip::{COLS, Line};
+use crate::wide::LANES;
 
 /// Columns to one side of the middle at most.
 pub(super) const REACH: usize = 13;
@@ -6,8 +7,7 @@ pub(super) const REACH: usize = 13;
 /// Parts of the depth at which the middles between rims are compared.
 const PARTS: [f32; 3] = [0.3, 0.5, 0.7];
 
-/// Columns that are summed at a time, and room for those on one side.
-const LANES: usize = 8;
+/// Room for the columns on one side, in whole lanes.
 pub(super) const ROOM: usize = REACH.next_multiple_of(LANES);
 
 /// A row's grey values from a middle outwards: to the left and to the right. Zeros fill the room.

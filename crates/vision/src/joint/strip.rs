@@ -2,7 +2,7 @@ use super::axis::Station;
 use super::levels::{Grey, Picture};
 use super::make_room;
 use super::sample::{Pixel, Sampler};
-use crate::wide::{Work, wide};
+use crate::wide::{LANES, Work, wide};
 use std::ops::Range;
 
 /// Columns of a strip.
@@ -21,8 +21,6 @@ const STANDS_OUT: f32 = 2.2;
 pub(super) const METAL: f32 = 1.1;
 /// The light's change across is found from so many rows together.
 const LIT: usize = 24;
-/// Columns that are measured at a time.
-const LANES: usize = 8;
 /// Columns of each of the two boxes on either side.
 pub(super) const SIDE: usize = 3;
 

@@ -2,12 +2,12 @@
 
 use super::{AROUND, Midline, SLOWLY};
 use crate::joint::axis::Station;
-use crate::joint::even::{self, LANES};
+use crate::joint::even;
 use crate::joint::lattice::column_about;
 use crate::joint::parabola::Parabola;
 use crate::joint::profile::Profile;
 use crate::joint::strip::MID;
-use crate::wide::{Work, wide};
+use crate::wide::{LANES, Work, wide};
 
 /// Rows before and after that the step and the rims are means over where light steps.
 const STEPPED_AROUND: usize = 4;
