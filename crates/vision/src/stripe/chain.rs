@@ -184,43 +184,6 @@ impl Chainer {
     }
 }
 
-/// Columns to each side that a centre is made of, and how far their centres may be from the straight line through them,
-/// pixels: beside corners and ends every column stays as it is.
-const TOGETHER: usize = 2;
-const STRAIGHT: f64 = 1.0;
-
-/// Puts every centre on the straight line through those of [`TOGETHER`] columns to both sides, by least squares weighted
-/// with the strengths. Grains of light differ much from column to column, and the lens mixes neighbours: on a slope that
-/// shifts the centre of one column alone, but not that of all of them.
-pub(super) fn smooth(chain: &mut [StripePoint]) {
-    const WINDOW: usize = 2 * TOGETHER + 1;
-    let Some(first) = chain.first_chunk::<WINDOW>() else { return };
-    let mut window = *first;
-    for i in TOGETHER..chain.len() - TOGETHER {
-        if i > TOGETHER {
-            window.rotate_left(1);
-            window[WINDOW - 1] = chain[i + TOGETHER];
-        }
-        let middle = window[TOGETHER].at;
-        let (mut sums, mut products) = ([0.0; 3], [0.0; 2]);
-        for p in &window {
-            let (to, weight) = (p.at - middle, p.strength.max(1.0));
-            sums = [sums[0] + weight, sums[1] + weight * to.x, sums[2] + weight * to.x * to.x];
-            products = [products[0] + weight * to.y, products[1] + weight * to.x * to.y];
-        }
-        let det = sums[0] * sums[2] - sums[1] * sums[1];
-        let (row, slope) = (
-            (sums[2] * products[0] - sums[1] * products[1]) / det,
-            (sums[0] * products[1] - sums[1] * products[0]) / det,
-        );
-        let apart = window[WINDOW - 1].at.x - window[0].at.x;
-        let off = |p: &StripePoint| (p.at.y - middle.y - row - slope * (p.at.x - middle.x)).abs();
-        if apart < WINDOW as f64 + 1.0 && window.iter().all(|p| off(p) < STRAIGHT) {
-            chain[i].at.y = middle.y + row;
-        }
-    }
-}
-
 /// Takes out short runs of places without neighbours: spatter where the stripe itself is not seen.
 fn drop_short_runs(chain: &mut Vec<StripePoint>, width: usize) {
     let shortest = (width / SHORTEST_PART).max(SHORTEST);

@@ -68,7 +68,7 @@ impl Moments {
 
     /// Squares about the mean: yy, yz, zz.
     fn scatter(&self) -> (f64, f64, f64) {
-        let mean = self.sum / self.n;
+        let mean = self.sum * (1.0 / self.n);
         (self.yy - self.sum.x * mean.x, self.yz - self.sum.x * mean.y, self.zz - self.sum.y * mean.y)
     }
 

@@ -120,27 +120,37 @@ impl<'a> Light<'a> {
         if !inside {
             return f64::NAN;
         }
-        let column = column.round() as usize;
+        // What is inside is -0.5 at least.
+        let column = (column + 0.5) as usize;
         let background = self.blobs.background_at(column, row as usize);
         match self.frame.pixels() {
-            Pixels::U8(pixels) => self.centred(row, |r| f64::from(pixels[r * width + column]) - background),
-            Pixels::U16(pixels) => self.centred(row, |r| f64::from(pixels[r * width + column]) / 257.0 - background),
+            Pixels::U8(pixels) => self.centred(row, (background, 1.0), |r| u32::from(pixels[r * width + column])),
+            Pixels::U16(pixels) => self.centred(row, (background, 257.0), |r| u32::from(pixels[r * width + column])),
         }
     }
 
-    /// The light about `row` in a column of so much light in each row.
-    fn centred(&self, row: f64, grey: impl Fn(usize) -> f64) -> f64 {
+    /// The light about `row` in a column over a background, from its pixels, which are so many for a grey value.
+    fn centred(&self, row: f64, (background, a_grey): (f64, f64), pixel: impl Fn(usize) -> u32) -> f64 {
         // The strip, and as much again above and below it.
-        let (mut light, mut above, mut below) = (0.0, 0.0, 0.0);
         let first = (row - 2.0 * self.half).ceil().max(0.0) as usize;
         let last = ((row + 2.0 * self.half) as usize).min(self.frame.height() - 1);
+        // The strip's upper border, middle and lower border, the pixels that they are in, and the sums of those before these.
+        let edges = [row - self.half, row, row + self.half].map(|edge| edge + 0.5);
+        let within = edges.map(|edge| (edge.max(0.0) as usize).clamp(first, last));
+        let (mut all, mut before) = (0, [0; 3]);
         for r in first..=last {
-            let (to, value) = (r as f64 - row, grey(r));
-            light += value * (self.half + 0.5 - to.abs()).clamp(0.0, 1.0);
-            let lower = (to + 0.5).clamp(0.0, 1.0);
-            below += value * lower;
-            above += value * (1.0 - lower);
+            all += pixel(r);
+            for (sum, edge) in before.iter_mut().zip(within) {
+                *sum = if r < edge { all } else { *sum };
+            }
         }
+        let light = |sum: f64, rows: f64| sum / a_grey - background * rows;
+        let [upper, middle, lower] = [0, 1, 2].map(|i| {
+            let part = (edges[i] - within[i] as f64).clamp(0.0, 1.0);
+            light(f64::from(before[i]) + part * f64::from(pixel(within[i])), (within[i] - first) as f64 + part)
+        });
+        let (above, all) = (middle, light(f64::from(all), (last + 1 - first) as f64));
+        let (light, below) = (lower - upper, all - middle);
         if light > self.bright && (above - below).abs() > ONE_SIDED * (above + below) {
             return SOMETHING_ELSE;
         }
@@ -232,5 +242,43 @@ mod tests {
             }
         }
         assert!(arc.at(3.0 + 8.1).is_none() && arc.at(3.0 - 8.1).is_none());
+    }
+
+    #[test]
+    fn light_is_the_sum_of_pixels_by_the_parts_of_them_in_the_strip() {
+        let mut state = 7u64;
+        let mut random = move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 40) as f64 / f64::from(1 << 24)
+        };
+        let pixels: Vec<u16> = (0..40).map(|_| (65535.0 * random()) as u16).collect();
+        let frame = Frame::new(1, 40, Pixels::U16(&pixels)).unwrap();
+        let blobs = Blobs::default();
+        let (mut beside, mut on) = (0, 0);
+        for _ in 0..5000 {
+            // Also borders at pixels' borders, and strips over the rims.
+            let snap = |v: f64| if v.fract() < 0.2 { (2.0 * v).round() / 2.0 } else { v };
+            let (row, half) = (snap(39.0 * random()), snap(1.0 + 12.0 * random()));
+            let background = 200.0 * random();
+            let light = Light { frame: &frame, blobs: &blobs, to_px: None, half, bright: 40.0 };
+            let found = light.centred(row, (background, 257.0), |r| u32::from(pixels[r]));
+            let (mut all, mut above, mut below) = (0.0, 0.0, 0.0);
+            for (r, pixel) in pixels.iter().enumerate() {
+                let (to, value) = (r as f64 - row, f64::from(*pixel) / 257.0 - background);
+                all += value * (half + 0.5 - to.abs()).clamp(0.0, 1.0);
+                if to.abs() <= 2.0 * half {
+                    below += value * (to + 0.5).clamp(0.0, 1.0);
+                    above += value * (0.5 - to).clamp(0.0, 1.0);
+                }
+            }
+            if all > 40.0 && (above - below).abs() > ONE_SIDED * (above + below) {
+                assert!(found.is_infinite(), "{row} {half}: {found} {all} {above} {below}");
+                beside += 1;
+            } else {
+                assert!((found - all).abs() < 1e-8, "{row} {half}: {found} {all}");
+                on += 1;
+            }
+        }
+        assert!(beside > 300 && on > 1000, "{beside} {on}");
     }
 }

@@ -19,6 +19,7 @@ mod joints;
 mod light;
 mod profile;
 mod segments;
+mod smooth;
 
 pub use chain::StripePoint;
 pub use features::{Expected, Feature, Features, JointKind, NoFeatures, Quantity, StripeTask};
@@ -34,6 +35,7 @@ use light::Light;
 use profile::{Profile, median};
 use seamwright_geometry::Homography;
 use segments::Cutter;
+use smooth::Smoother;
 
 /// Fewest places of a profile.
 const FEWEST: usize = 24;
@@ -47,6 +49,7 @@ pub struct StripeReader {
     blobs: Blobs,
     chainer: Chainer,
     chain: Vec<StripePoint>,
+    smoother: Smoother,
     profile: Profile,
     cutter: Cutter,
     segments: Vec<Segment>,
@@ -75,7 +78,7 @@ impl StripeReader {
     ) -> Result<Features, NoFeatures> {
         self.link(frame)?;
         self.profile.set_chain(&self.chain, &self.blobs, to_mm);
-        chain::smooth(&mut self.chain);
+        self.smoother.smooth(&mut self.chain);
         self.scratch.clear();
         self.scratch.extend(self.chain.iter().map(|p| p.width));
         let width = median(&mut self.scratch).unwrap_or(0.0);
@@ -94,7 +97,7 @@ impl StripeReader {
     /// If there is none.
     pub fn trace(&mut self, frame: &Frame) -> Result<&[StripePoint], NoFeatures> {
         self.link(frame)?;
-        chain::smooth(&mut self.chain);
+        self.smoother.smooth(&mut self.chain);
         Ok(&self.chain)
     }
 
@@ -121,6 +124,7 @@ impl StripeReader {
     fn reserve(&mut self, columns: usize) {
         self.chainer.reserve(columns);
         self.chain.reserve(columns);
+        self.smoother.reserve(columns);
         self.profile.reserve(columns);
         self.cutter.reserve(columns);
         self.segments.reserve(segments::MOST);

@@ -162,15 +162,20 @@ impl Profile {
     pub(super) fn repick(&mut self, segments: &[Segment]) -> bool {
         let (mut changed, grain) = (false, self.grain);
         for segment in segments {
+            let longer = || segments.iter().filter(|g| g.length() > 1.5 * segment.length());
+            if longer().next().is_none() {
+                continue;
+            }
+            let on_longer = |at: DVec2| longer().any(|g| g.line.off(at).abs() < g.within(grain));
             let (from, to) = segment.columns;
             let first = self.samples.partition_point(|s| s.column < from);
             let end = self.samples.partition_point(|s| s.column <= to).max(first);
+            let mut rest = within(&self.all, from, to);
             for sample in &mut self.samples[first..end] {
-                let better = |s: &&Sample| {
-                    let longer = segments.iter().filter(|g| g.length() > 1.5 * segment.length());
-                    s.at != sample.at && longer.into_iter().any(|g| g.line.off(s.at).abs() < g.within(grain))
-                };
-                if let Some(other) = within(&self.all, sample.column, sample.column).iter().find(better) {
+                let passed = rest.iter().take_while(|s| s.column < sample.column).count();
+                rest = &rest[passed..];
+                let mut own = rest.iter().take_while(|s| s.column == sample.column);
+                if let Some(other) = own.find(|s| s.at != sample.at && on_longer(s.at)) {
                     *sample = *other;
                     changed = true;
                 }

@@ -146,12 +146,13 @@ impl Cutter {
             self.moments.push(last.with(bin.at - origin, 1.0));
         }
         let n = self.bins.len();
+        let weight = 1.0 / (deviation * deviation);
         self.costs.clear();
         self.costs.resize(n + 1, [(f64::INFINITY, 0); MOST + 1]);
         self.costs[0][0].0 = 0.0;
         for to in 2..=n {
             for from in 0..=to - 2 {
-                let off = self.moments[to].less(&self.moments[from]).cost() / (deviation * deviation);
+                let off = self.moments[to].less(&self.moments[from]).cost() * weight;
                 for k in 0..MOST {
                     let cost = self.costs[from][k].0 + off;
                     if cost < self.costs[to][k + 1].0 {

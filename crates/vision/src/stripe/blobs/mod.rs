@@ -4,6 +4,10 @@
 //! is narrower than about 80 rows is no background. Local maxima of a column that stand out of the noise are looked at
 //! pixel by pixel. Work is linear in the pixels, and all passes over whole rows are sums and comparisons of 16 bits.
 
+mod sums;
+
+use self::sums::{CellMeans, FourRows, Grey, Pairs};
+use crate::wide::wide;
 use crate::{Frame, Pixels};
 
 /// Most blobs of a column.
@@ -21,6 +25,10 @@ const OPENING: usize = 6;
 /// What a pair of sums must stand out by, in standard deviations of its noise, and at least, grey values.
 const STANDS_OUT: f32 = 6.0;
 const LEAST_CONTRAST: f32 = 24.0;
+
+/// Rows of sums that tell the noise, and columns of them from one to the next.
+const NOISE_ROWS: usize = 24;
+const NOISE_COLUMNS: usize = 5;
 
 /// Level of a blob's border between background and peak.
 const BORDER: f32 = 0.2;
@@ -42,36 +50,6 @@ pub(super) struct Blob {
     pub(super) width: f32,
     /// Whether some of its pixels are saturated.
     pub(super) saturated: bool,
-}
-
-/// Pixels of 8 or 16 bits.
-trait Grey: Copy {
-    /// Such numbers for one grey value.
-    const A_GREY: f32;
-    /// For sums: eight of them fit 16 bits.
-    fn part(self) -> i16;
-    /// The grey value, 0 to 255.
-    fn grey(self) -> f32;
-}
-
-impl Grey for u8 {
-    const A_GREY: f32 = 1.0;
-    fn part(self) -> i16 {
-        i16::from(self)
-    }
-    fn grey(self) -> f32 {
-        f32::from(self)
-    }
-}
-
-impl Grey for u16 {
-    const A_GREY: f32 = 4095.0 / 255.0;
-    fn part(self) -> i16 {
-        (self >> 4) as i16
-    }
-    fn grey(self) -> f32 {
-        f32::from(self) / 257.0
-    }
 }
 
 /// Finds blobs; its buffers are kept from image to image.
@@ -153,12 +131,7 @@ impl Blobs {
         for (b, sums) in self.sums.chunks_exact_mut(width).enumerate() {
             let first = (b * BLOCK).min(height - BLOCK);
             let rows = &pixels[first * width..(first + BLOCK) * width];
-            let (r0, rest) = rows.split_at(width);
-            let (r1, rest) = rest.split_at(width);
-            let (r2, r3) = rest.split_at(width);
-            for ((((s, a), b), c), d) in sums.iter_mut().zip(r0).zip(r1).zip(r2).zip(r3) {
-                *s = a.part() + b.part() + c.part() + d.part();
-            }
+            wide(FourRows { rows, sums });
         }
     }
 
@@ -171,11 +144,7 @@ impl Blobs {
             let rows = 4 * i..(4 * i + 4).min(blocks);
             let count = rows.len();
             for row in rows {
-                let sums = &self.sums[row * width..(row + 1) * width];
-                for (cell, part) in cells.iter_mut().zip(sums.chunks(CELL)) {
-                    let sum: i32 = part.iter().map(|&s| i32::from(s)).sum();
-                    *cell += sum as f32 / (part.len() * count) as f32;
-                }
+                wide(CellMeans { sums: &self.sums[row * width..(row + 1) * width], count, cells });
             }
         }
         self.opened.clear();
@@ -187,18 +156,19 @@ impl Blobs {
 
     /// Standard deviation of a pair of sums, from the median difference of sums that are neighbours in a column.
     fn noise(&self, width: usize, blocks: usize) -> f32 {
-        let mut counts = [0u32; 512];
+        // Two counts in turns: one that was just raised is not at hand yet.
+        let mut counts = [[0u32; 512]; 2];
         let mut total = 0;
-        for b in (0..blocks - 1).step_by(3) {
-            let (upper, lower) = (&self.sums[b * width..], &self.sums[(b + 1) * width..]);
-            for (u, l) in upper[..width].iter().zip(lower).step_by(5) {
-                counts[usize::from(u.abs_diff(*l)).min(511)] += 1;
-                total += 1;
+        for b in (0..blocks - 1).step_by(blocks.div_ceil(NOISE_ROWS)) {
+            let (upper, lower) = self.sums[b * width..(b + 2) * width].split_at(width);
+            for (i, (u, l)) in upper.iter().zip(lower).step_by(NOISE_COLUMNS).enumerate() {
+                counts[i % 2][usize::from(u.abs_diff(*l)).min(511)] += 1;
             }
+            total += width.div_ceil(NOISE_COLUMNS) as u32;
         }
         let mut below = 0;
-        let median = counts.iter().position(|&n| {
-            below += n;
+        let median = counts[0].iter().zip(&counts[1]).position(|(a, b)| {
+            below += a + b;
             2 * below > total
         });
         (median.unwrap_or(0) as f32 + 0.5) / 0.6745
@@ -216,14 +186,14 @@ impl Blobs {
         for b in 0..blocks {
             self.pairs.rotate_left(1);
             if b + 1 < blocks {
-                let cells = &self.opened[b / 4 * across..][..across];
-                for (floor, cell) in self.floor.chunks_mut(CELL).zip(cells) {
-                    floor.fill((2.0 * cell) as i16);
+                if b % 4 == 0 {
+                    let cells = &self.opened[b / 4 * across..][..across];
+                    for (floor, cell) in self.floor.chunks_mut(CELL).zip(cells) {
+                        floor.fill((2.0 * cell) as i16);
+                    }
                 }
-                let (upper, lower) = (&self.sums[b * width..], &self.sums[(b + 1) * width..]);
-                for (((p, u), l), f) in self.pairs[2].iter_mut().zip(&upper[..width]).zip(lower).zip(&self.floor) {
-                    *p = u + l - f;
-                }
+                let sums = &self.sums[b * width..(b + 2) * width];
+                wide(Pairs { sums, floor: &self.floor, pairs: &mut self.pairs[2] });
             } else {
                 self.pairs[2].fill(0);
             }
