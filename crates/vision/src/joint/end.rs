@@ -3,11 +3,11 @@ use super::midline::Found;
 use super::trail::Stop;
 
 /// Rows about the last one seen among which the end is looked for.
-const ABOUT: usize = 28;
+const ABOUT: usize = 40;
 /// A row's depth tells at most this much of the joint's, either way.
 const MOST: f32 = 1.0;
 /// Pixels to either side of an end that it is placed between rows by, one row at least: as far as it is out of focus.
-const NEAR: usize = 5;
+const NEAR: usize = 3;
 /// Rows that tell a depth.
 const SEVERAL: usize = 5;
 /// Rows before and after an end that tell the depth there.

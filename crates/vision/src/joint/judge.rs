@@ -5,11 +5,11 @@ use std::ops::Range;
 
 // Each of these alone makes a row half confident.
 /// Nats by which the path is likelier than any other.
-const MARGIN: f32 = 12.0;
+const MARGIN: f32 = 10.0;
 /// Nats by which a joint is likelier than none.
 const STRENGTH: f32 = 5.0;
 /// Standard error, pixels.
-const ERROR: f32 = 0.46;
+const ERROR: f32 = 0.45;
 /// How unlike the rest of the joint.
 const UNLIKE: f32 = 1.45;
 /// Asymmetry of the valley, pixels.
@@ -64,12 +64,12 @@ const SHORT_AND_NARROW: f32 = 210.0;
 /// Of a joint at least this part is seen; scratches one after the other have longer gaps.
 const MOSTLY_SEEN: f32 = 0.7;
 /// Fewer than this part of the rows that are seen are chance.
-const FEW: f32 = 0.2;
+const FEW: f32 = 0.33;
 /// Scratches are narrower than this, pixels.
 const NARROW: f32 = 3.5;
 
 /// Rows next to a gap or a loss that are not sure: what is seen there is in part beyond it.
-const RIM: usize = 10;
+const RIM: usize = 13;
 /// The same behind the start.
 const START_RIM: usize = 6;
 /// The same where the joint is seen to end.

@@ -1,5 +1,5 @@
 use super::make_room;
-use super::profile::{Arms, Profile, ROOM, Reading, Shape};
+use super::profile::{Around, Profile, ROOM, Reading, Shape, across};
 use super::strip::Strip;
 use crate::wide::{Work, wide};
 
@@ -7,11 +7,11 @@ use crate::wide::{Work, wide};
 #[derive(Debug, Clone, Default)]
 pub(super) struct Readings {
     rows: Vec<Reading>,
-    arms: Vec<Arms>,
+    around: Vec<Around>,
     /// Sums over the rows before each: depth, moment, step and its square.
     sums: Vec<[f64; 4]>,
     /// The same of the grey values within reach of the middle.
-    arms_sums: Vec<Arms>,
+    around_sums: Vec<Around>,
 }
 
 /// See [`Readings::read`].
@@ -25,36 +25,32 @@ struct Read<'a> {
 impl Work for Read<'_> {
     #[inline(always)]
     fn run(self) {
-        let Readings { rows, arms: all, sums: all_sums, arms_sums } = self.readings;
+        let Readings { rows, around, sums: all_sums, around_sums } = self.readings;
         rows.clear();
-        all.clear();
+        around.clear();
         all_sums.clear();
         let mut sums = [0.0; 4];
         all_sums.push(sums);
         for (row, centre) in self.strip.grey.iter().zip(self.centres) {
-            let mut arms = [[0.0; ROOM]; 2];
-            let reading = self.profile.read(row, *centre, &mut arms);
+            let (reading, greys) = self.profile.read(row, *centre);
             let [depth, moment, step] = [reading.depth, reading.moment, reading.step].map(f64::from);
             let new = [depth, moment, step, step * step];
             sums = std::array::from_fn(|k| sums[k] + new[k]);
             all_sums.push(sums);
             rows.push(reading);
-            all.push(arms);
+            around.push(greys);
         }
         // Less the light of the first row: small numbers keep more digits.
-        let reach = self.profile.reach();
-        let light = all.first().map_or(0.0, |arms| arms[0][0]);
-        let within: [f32; ROOM] = std::array::from_fn(|t| f32::from(u8::from(t <= reach)));
-        let mut sum: Arms = [[0.0; ROOM]; 2];
-        arms_sums.clear();
-        arms_sums.push(sum);
-        for arms in all {
-            for (sum, arm) in sum.iter_mut().zip(arms) {
-                for (sum, (grey, within)) in sum.iter_mut().zip(arm.iter().zip(&within)) {
-                    *sum += (grey - light) * within;
-                }
+        let light = around.first().map_or(0.0, |greys| greys[ROOM / 2]);
+        let within = across(self.profile.reach(), |_| 1.0);
+        let mut sum: Around = [0.0; ROOM];
+        around_sums.clear();
+        around_sums.push(sum);
+        for greys in around {
+            for (sum, (grey, within)) in sum.iter_mut().zip(greys.iter().zip(&within)) {
+                *sum += (grey - light) * within;
             }
-            arms_sums.push(sum);
+            around_sums.push(sum);
         }
     }
 }
@@ -75,9 +71,9 @@ impl Readings {
     /// Room for so many rows.
     pub(super) fn make_room(&mut self, rows: usize) {
         make_room(&mut self.rows, rows);
-        make_room(&mut self.arms, rows);
+        make_room(&mut self.around, rows);
         make_room(&mut self.sums, rows + 1);
-        make_room(&mut self.arms_sums, rows + 1);
+        make_room(&mut self.around_sums, rows + 1);
     }
 
     /// Reads each row about its centre.
@@ -107,19 +103,13 @@ impl Readings {
         About { depth: depth as f32, moment: moment as f32, step: step as f32, step_error }
     }
 
-    /// The mean of the rows within `around` of row `i`, from the middle outwards; grey values from some light on.
+    /// The mean of the rows within `around` of row `i`, grey values from some light on.
     #[inline(always)]
-    pub(super) fn mean(&self, i: usize, around: usize) -> Arms {
+    pub(super) fn mean(&self, i: usize, around: usize) -> Around {
         let (from, to) = self.near(i, around);
         let part = 1.0 / (to - from) as f32;
-        let (before, after) = (&self.arms_sums[from], &self.arms_sums[to]);
-        let mut mean = [[0.0; ROOM]; 2];
-        for (mean, (after, before)) in mean.iter_mut().zip(after.iter().zip(before)) {
-            for (mean, (after, before)) in mean.iter_mut().zip(after.iter().zip(before)) {
-                *mean = (after - before) * part;
-            }
-        }
-        mean
+        let (before, after) = (&self.around_sums[from], &self.around_sums[to]);
+        std::array::from_fn(|t| (after[t] - before[t]) * part)
     }
 
     /// How far the rows within `around` of each are from the mean of those that are `seen`, light and its slope across and the
@@ -127,13 +117,13 @@ impl Readings {
     #[inline(always)]
     pub(super) fn rests(&self, (reach, around): (usize, usize), seen: impl Fn(usize) -> bool, rests: &mut Vec<f32>) {
         let mut mean = Shape::default();
-        self.arms.iter().enumerate().filter(|(i, _)| seen(*i)).for_each(|(_, arms)| mean.add(arms, reach));
+        self.around.iter().enumerate().filter(|(i, _)| seen(*i)).for_each(|(_, greys)| mean.add(greys, reach));
         let [a, b, c] = mean.and_light(reach);
         rests.clear();
         rests.extend((0..self.rows.len()).map(|i| {
             let shape = Shape(self.mean(i, around));
             let of_others: f32 = [&a, &b, &c].iter().map(|other| shape.dot(other).powi(2)).sum();
-            ((shape.dot(&shape) - of_others).max(0.0) / (2 * reach) as f32).sqrt()
+            ((shape.dot(&shape) - of_others).max(0.0) / (2 * reach + 1) as f32).sqrt()
         }));
     }
 }

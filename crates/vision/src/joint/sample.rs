@@ -13,6 +13,8 @@ const LONGEST: u32 = 0x7fff;
 pub(super) trait Pixel: Copy {
     /// Grey values, 0 to 255, of a square of four.
     fn greys(square: [Self; 4]) -> [f32; 4];
+    /// The grey value of one.
+    fn grey(self) -> f32;
 }
 
 impl Pixel for u8 {
@@ -22,6 +24,10 @@ impl Pixel for u8 {
         let all = u32::from_le_bytes(square);
         [all & 0xff, all >> 8 & 0xff, all >> 16 & 0xff, all >> 24].map(|grey| grey as i32 as f32)
     }
+    #[inline(always)]
+    fn grey(self) -> f32 {
+        f32::from(self)
+    }
 }
 
 impl Pixel for u16 {
@@ -29,12 +35,20 @@ impl Pixel for u16 {
     fn greys(square: [Self; 4]) -> [f32; 4] {
         square.map(|p| f32::from(p) * (1.0 / OF_16_BITS))
     }
+    #[inline(always)]
+    fn grey(self) -> f32 {
+        f32::from(self) * (1.0 / OF_16_BITS)
+    }
 }
 
 impl Pixel for f32 {
     #[inline(always)]
     fn greys(square: [Self; 4]) -> [f32; 4] {
         square
+    }
+    #[inline(always)]
+    fn grey(self) -> f32 {
+        self
     }
 }
 
@@ -63,6 +77,33 @@ impl<'a, P: Pixel> Sampler<'a, P> {
             self.inside(line, station);
         } else {
             self.at_rim(line, station);
+        }
+    }
+
+    /// The pixels that are nearest to the places across `station`.
+    #[inline(always)]
+    pub(super) fn row_of_nearest(&mut self, line: &mut Line, station: &Station) {
+        let mut at = [0; COLS];
+        let row = self.width as u32 & LONGEST;
+        let ends = [0, COLS - 1].map(|j| station.beside(j as f32 - MID as f32));
+        if ends.iter().all(|[x, y]| *x >= 0.0 && *y >= 0.0 && *x <= self.right && *y <= self.bottom) {
+            let [cos, sin] = station.tangent;
+            let [mut x, mut y] = station.beside(-(MID as f32)).map(|v| ((v + 0.5) * PARTS) as i32);
+            let [step_x, step_y] = [-sin, cos].map(|v| (v * PARTS) as i32);
+            for at in &mut at {
+                *at = (y as u32 >> 16 & LONGEST) * row + (x as u32 >> 16);
+                (x, y) = (x + step_x, y + step_y);
+            }
+        } else {
+            for (j, at) in at.iter_mut().enumerate() {
+                let [x, y] = station.beside(j as f32 - MID as f32).map(|v| v + 0.5);
+                let left = lesser(greater(x, 0.0), self.right) as i32;
+                let top = lesser(greater(y, 0.0), self.bottom) as i32;
+                *at = (top as u32 & LONGEST) * row + left as u32;
+            }
+        }
+        for (value, at) in line.iter_mut().zip(&at) {
+            *value = self.pixels[*at as usize].grey();
         }
     }
 
@@ -126,6 +167,46 @@ impl<'a, P: Pixel> Sampler<'a, P> {
             let [a, b, c, d] = P::greys(*around);
             let (upper, lower) = (a * (1.0 - u) + b * u, c * (1.0 - u) + d * u);
             *value = upper * (1.0 - v) + lower * v;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::joint::axis::Axis;
+    use crate::joint::testing::random;
+
+    #[test]
+    fn rows_are_of_nearest_pixels_and_of_those_around_each_place() {
+        let mut random = random();
+        let (width, height) = (90, 70);
+        let pixels: Vec<u8> = (0..width * height).map(|_| (255.0 * random()) as u8).collect();
+        let grey = |x: i32, y: i32| {
+            let (x, y) = (x.clamp(0, width as i32 - 1) as usize, y.clamp(0, height as i32 - 1) as usize);
+            f32::from(pixels[y * width + x])
+        };
+        let mut sampler = Sampler::new(&pixels, (width, height));
+        for _ in 0..3000 {
+            // Over the rims too.
+            let at = [90.0 * random(), 70.0 * random()];
+            let station = Axis { at, heading: 7.0 * random(), curvature: 0.0 }.station(0.0);
+            let (mut nearest, mut between) = ([0.0; COLS], [0.0; COLS]);
+            sampler.row_of_nearest(&mut nearest, &station);
+            sampler.row(&mut between, &station);
+            for j in 0..COLS {
+                let [x, y] = station.beside(j as f32 - MID as f32);
+                // Places are counted in parts of a pixel: next to a border either side is right.
+                let about = |v: f32| [v - 2e-3, v + 2e-3].map(|v| v.round() as i32);
+                let near = about(x).into_iter().flat_map(|x| about(y).map(|y| grey(x, y)));
+                assert!(near.clone().any(|grey| (grey - nearest[j]).abs() < 0.5), "{x} {y}: {}", nearest[j]);
+                let (x, y) = (x.clamp(0.0, width as f32 - 1.0), y.clamp(0.0, height as f32 - 1.0));
+                let ((left, top), (u, v)) = ((x.floor() as i32, y.floor() as i32), (x.fract(), y.fract()));
+                let upper = grey(left, top) * (1.0 - u) + grey(left + 1, top) * u;
+                let lower = grey(left, top + 1) * (1.0 - u) + grey(left + 1, top + 1) * u;
+                let wanted = upper * (1.0 - v) + lower * v;
+                assert!((between[j] - wanted).abs() < 1.0, "{x} {y}: {} {wanted}", between[j]);
+            }
         }
     }
 }

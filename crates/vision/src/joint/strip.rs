@@ -65,20 +65,26 @@ pub(super) fn greatest<const N: usize>(line: &[f32; N]) -> f32 {
     lanes.into_iter().fold(f32::MIN, greater)
 }
 
+/// Sums of [`SIDE`] columns from each one on; behind the last one as many as are done at a time.
+type Boxes = [f32; COLS + LANES];
+
+#[inline(always)]
+fn boxes(boxes: &mut Boxes, sum: &Line) {
+    for (j, value) in boxes[..COLS - SIDE + 1].iter_mut().enumerate() {
+        *value = sum[j] + sum[j + 1] + sum[j + 2];
+    }
+}
+
 /// How much darker the box of `HALF` columns to both sides of each column is than boxes beside it, of the sum of `count`
 /// rows. The lighter one of two boxes on a side counts (a scratch or the foot of a step beside the joint does no
 /// harm), and the darker side.
 #[inline(always)]
-fn depths<const HALF: usize>(depth: &mut Line, sum: &Line, count: f32) {
+fn depths<const HALF: usize>(depth: &mut Line, (sum, boxes): (&Line, &Boxes), count: f32) {
     // Whole lanes, some behind the last column.
     let (away, reach, lanes) = const {
         let reach = away(HALF) + 2 * SIDE;
         (away(HALF), reach, (COLS - 2 * reach).next_multiple_of(LANES))
     };
-    let mut boxes = [0.0; COLS + LANES];
-    for (j, value) in boxes[..COLS - SIDE + 1].iter_mut().enumerate() {
-        *value = sum[j] + sum[j + 1] + sum[j + 2];
-    }
     let (per_centre, per_side) = (1.0 / ((2 * HALF + 1) as f32 * count), 1.0 / (SIDE as f32 * count));
     let (left, right) = (reach - away - SIDE, reach + away + 1);
     let near = [&boxes[left..left + lanes], &boxes[right..right + lanes]];
@@ -101,17 +107,21 @@ fn depths<const HALF: usize>(depth: &mut Line, sum: &Line, count: f32) {
 }
 
 /// Grey values across each station.
-struct Unroll<'a, P, S> {
+struct Unroll<'a, P, S, const NEAREST: bool> {
     sampler: Sampler<'a, P>,
     stations: S,
     lines: &'a mut [Line],
 }
 
-impl<P: Pixel, S: Iterator<Item = Station>> Work for Unroll<'_, P, S> {
+impl<P: Pixel, S: Iterator<Item = Station>, const NEAREST: bool> Work for Unroll<'_, P, S, NEAREST> {
     #[inline(always)]
     fn run(mut self) {
         for (line, station) in self.lines.iter_mut().zip(self.stations) {
-            self.sampler.row(line, &station);
+            if NEAREST {
+                self.sampler.row_of_nearest(line, &station);
+            } else {
+                self.sampler.row(line, &station);
+            }
         }
     }
 }
@@ -136,22 +146,35 @@ impl<const HALF: usize> Work for Measure<'_, HALF> {
             }
         }
         let mut count = GROUP.min(rows) as f32;
-        for i in 0..rows {
-            if let Some(row) = self.grey.get_mut(i + GROUP) {
-                let part = 1.0 / count;
-                for (s, g) in sum.iter_mut().zip(row) {
-                    let mean = *s * part;
-                    *g = lesser(greater(*g, mean - self.most), mean + self.most);
-                    *s += *g;
+        // Several rows at a time, step by step: what was just written is not at hand yet.
+        let (mut sums, mut counts) = ([[0.0; COLS]; LANES], [0.0; LANES]);
+        let mut box_sums: [Boxes; LANES] = [[0.0; COLS + LANES]; LANES];
+        for first in (0..rows).step_by(LANES) {
+            let last = (first + LANES).min(rows);
+            for i in first..last {
+                if let Some(row) = self.grey.get_mut(i + GROUP) {
+                    let part = 1.0 / count;
+                    for (s, g) in sum.iter_mut().zip(row) {
+                        let mean = *s * part;
+                        *g = lesser(greater(*g, mean - self.most), mean + self.most);
+                        *s += *g;
+                    }
+                    count += 1.0;
                 }
-                count += 1.0;
+                if i > GROUP {
+                    let past = self.grey[i - GROUP - 1];
+                    sum = std::array::from_fn(|j| sum[j] - past[j]);
+                    count -= 1.0;
+                }
+                sums[i - first] = sum;
+                counts[i - first] = count;
             }
-            if i > GROUP {
-                let past = self.grey[i - GROUP - 1];
-                sum = std::array::from_fn(|j| sum[j] - past[j]);
-                count -= 1.0;
+            for (box_sums, sum) in box_sums.iter_mut().zip(&sums) {
+                boxes(box_sums, sum);
             }
-            depths::<HALF>(&mut self.depth[i], &sum, count);
+            for (k, depth) in self.depth[first..last].iter_mut().enumerate() {
+                depths::<HALF>(depth, (&sums[k], &box_sums[k]), counts[k]);
+            }
         }
     }
 }
@@ -231,19 +254,26 @@ impl Strip {
         make_room(&mut self.magnitudes, rows * COLS / 4);
     }
 
-    /// Unrolls `picture` along `stations`.
+    /// Unrolls `picture` along `stations`, between its pixels.
     pub(super) fn unroll(&mut self, picture: &Picture, stations: impl ExactSizeIterator<Item = Station>) {
-        match picture.grey {
-            Grey::U8(pixels) => self.rows(picture, pixels, stations),
-            Grey::U16(pixels) => self.rows(picture, pixels, stations),
-            Grey::F32(pixels) => self.rows(picture, pixels, stations),
-        }
+        self.rows::<false>(picture, stations);
     }
 
-    fn rows<P: Pixel>(&mut self, picture: &Picture, pixels: &[P], stations: impl ExactSizeIterator<Item = Station>) {
+    /// Unrolls the pixels of a frame that are nearest; a coarser level between its pixels. It takes half the time, and means over
+    /// groups and boxes have the same noise.
+    pub(super) fn unroll_nearest(&mut self, picture: &Picture, stations: impl ExactSizeIterator<Item = Station>) {
+        self.rows::<true>(picture, stations);
+    }
+
+    fn rows<const NEAREST: bool>(&mut self, picture: &Picture, stations: impl ExactSizeIterator<Item = Station>) {
         self.grey.resize(stations.len(), [0.0; COLS]);
-        let sampler = Sampler::new(pixels, (picture.width, picture.height));
-        wide(Unroll { sampler, stations, lines: &mut self.grey });
+        let size = (picture.width, picture.height);
+        let lines = &mut self.grey;
+        match picture.grey {
+            Grey::U8(p) => wide(Unroll::<_, _, NEAREST> { sampler: Sampler::new(p, size), stations, lines }),
+            Grey::U16(p) => wide(Unroll::<_, _, NEAREST> { sampler: Sampler::new(p, size), stations, lines }),
+            Grey::F32(p) => wide(Unroll::<_, _, false> { sampler: Sampler::new(p, size), stations, lines }),
+        }
     }
 
     /// Depths for a joint of `width` pixels. No pixel counts for more than `most` grey values more or less than those before it
@@ -305,6 +335,42 @@ impl Strip {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::joint::testing::random;
+
+    /// Depths by their definition: of means over groups, the darker side's lighter box less the box on the joint.
+    fn depths_of(grey: &[Line], half: usize) -> Vec<Line> {
+        let reach = away(half) + 2 * SIDE;
+        let of_row = |i: usize| {
+            let near = &grey[i.saturating_sub(GROUP)..(i + GROUP + 1).min(grey.len())];
+            let mean = |columns: Range<usize>| {
+                let count = (near.len() * columns.len()) as f32;
+                near.iter().flat_map(|row| &row[columns.clone()]).sum::<f32>() / count
+            };
+            let depth = |j: usize| {
+                let (left, right) = (j - away(half) - SIDE, j + away(half) + 1);
+                let lighter = |a: usize, b: usize| mean(a..a + SIDE).max(mean(b..b + SIDE));
+                let sides = lighter(left, left - SIDE).min(lighter(right, right + SIDE));
+                sides - mean(j - half..j + half + 1)
+            };
+            std::array::from_fn(|j| if (reach..COLS - reach).contains(&j) { depth(j) } else { 0.0 })
+        };
+        (0..grey.len()).map(of_row).collect()
+    }
+
+    #[test]
+    fn depths_are_those_of_means_in_strips_of_any_length() {
+        let mut random = random();
+        for rows in 1..60 {
+            for width in [1.0, 3.0, 5.0, 7.0] {
+                let grey = (0..rows).map(|_| std::array::from_fn(|_| 100.0 + 50.0 * random())).collect();
+                let mut strip = Strip { grey, ..Strip::default() };
+                strip.measure(width, f32::INFINITY);
+                for (found, wanted) in strip.depth.iter().zip(depths_of(&strip.grey, box_columns(width) / 2)) {
+                    assert!(found.iter().zip(&wanted).all(|(a, b)| (a - b).abs() < 1e-2), "{rows} {width}");
+                }
+            }
+        }
+    }
 
     #[test]
     fn no_path_shows_more_than_the_greatest_depths() {

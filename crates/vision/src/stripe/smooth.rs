@@ -147,7 +147,8 @@ mod tests {
                 let near = window.filter(|w| w[WINDOW - 1].at.x - w[0].at.x < WINDOW as f64 + 1.0).map(fitted);
                 let wanted = near.filter(|(_, straight)| *straight).map_or(before.at.y, |(row, _)| row);
                 assert!((after.at.y - wanted).abs() < 1e-9, "{length}, {i}: {} {wanted}", after.at.y);
-                assert_eq!(StripePoint { at: before.at, ..*after }, *before);
+                let at = DVec2::new(after.at.x, before.at.y);
+                assert_eq!(StripePoint { at, ..*after }, *before);
                 *if near.is_some_and(|(_, straight)| straight) { &mut moved } else { &mut kept } += 1;
             }
         }

@@ -5,7 +5,7 @@ use super::even::{Even, Rows};
 use super::lattice::Lattice;
 use super::levels::Picture;
 use super::make_room;
-use super::profile::{Arms, Profile, REACH};
+use super::profile::Profile;
 use super::readings::Readings;
 use super::strip::{COLS, MID, Strip};
 use super::trail::{Look, Place, Trail};
@@ -17,7 +17,7 @@ const AROUND: usize = 12;
 /// Depth, asymmetry and width change slowly: they are found once for so many rows.
 const SLOWLY: usize = 4;
 /// Metal is even if boxes beside each other differ by less than this part of the joint's depth.
-const PLAIN: f32 = 0.25;
+const PLAIN: f32 = 0.4;
 
 /// A row of the midline, in pixels of the level.
 #[derive(Debug, Clone, Copy, Default)]
@@ -199,17 +199,16 @@ impl Midline {
     pub(super) fn end_before(&mut self, end: usize, width: f32) {
         let (from, whole) = (end.saturating_sub(self.line), end.saturating_sub(1));
         let profile = Profile::new(width);
-        let mut arms = Arms::default();
         let depth = self.rows[from..whole].iter().map(|r| r.own_depth).sum::<f32>() / (whole - from).max(1) as f32;
         for _ in 0..3 {
             for i in from..whole {
-                let moment = profile.read(&self.strip.grey[i], self.centre[i], &mut arms).moment;
+                let moment = profile.read(&self.strip.grey[i], self.centre[i]).0.moment;
                 self.single[i] = self.centre[i] + (moment / depth.max(1e-3)).clamp(-0.5 * width, 0.5 * width);
             }
             self.place_middles();
             for i in from..end {
                 // Next to the end all rows are on one side: more of them hold it.
-                self.centre[i] = self.fit(i, self.line + (i - from) / 2, whole).0;
+                self.centre[i] = self.fit(i, self.line + 2 * (i - from) / 3, whole).0;
             }
         }
         for i in from..end {
@@ -242,5 +241,3 @@ impl Midline {
         })
     }
 }
-
-const _: () = assert!(MID > REACH && COLS > MID + REACH + 2);

@@ -1,4 +1,4 @@
-use super::{BACK, FITTED, Limits, Look, Place, ROWS, TAKEN, Trail};
+use super::{BACK, FITTED, Limits, Look, Place, ROWS, TAKEN_CLEAR, Trail};
 use crate::joint::axis::{Axis, Station};
 use crate::joint::levels::Picture;
 
@@ -15,7 +15,7 @@ impl Trail {
     /// The place before a turn that is sharper than a joint's, among the last places and after those that were checked.
     pub(super) fn corner(&self, checked: usize) -> Option<usize> {
         let (places, most) = (&self.places, CORNER.tan());
-        let from = places.len().saturating_sub(TAKEN + CHORD).max(CHORD).max(checked);
+        let from = places.len().saturating_sub(TAKEN_CLEAR + CHORD).max(CHORD).max(checked);
         (from..places.len().saturating_sub(CHORD)).find_map(|i| {
             let [a, b, c] = [places[i - CHORD].at, places[i].at, places[i + CHORD].at];
             let (before, after) = ([b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]);

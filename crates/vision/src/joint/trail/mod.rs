@@ -6,7 +6,7 @@ use crate::joint::lattice::{Lattice, column_about};
 use crate::joint::levels::Picture;
 use crate::joint::make_room;
 use crate::joint::parabola::Parabola;
-use crate::joint::profile::{Arms, Profile};
+use crate::joint::profile::{Around, Profile};
 use crate::joint::strip::{GROUP, MID, SEEN_AROUND, Strip, box_columns};
 
 /// Rows of a strip that is looked at ...
@@ -15,8 +15,8 @@ pub(super) const ROWS: usize = 48;
 const BACK: usize = 10;
 /// ... of which this many places are taken, ...
 const TAKEN: usize = 20;
-/// ... and up to so many on the finest level, where there are most of them, if all of the strip shows a joint so many times as deep
-/// as the noise, ...
+/// ... and up to so many if the strip shows nothing, or on the finest level, where there are most of them, if all of it shows a joint
+/// so many times as deep as the noise, ...
 const TAKEN_CLEAR: usize = 28;
 const CLEAR: f32 = 5.5;
 /// ... as long as it is this near to where it is predicted, columns.
@@ -80,6 +80,8 @@ pub(super) struct Trail {
     deepest: Vec<f32>,
     /// Places behind a corner.
     aside: Vec<Place>,
+    /// Noise is learned from every other strip that shows the joint, those to a side counted.
+    odd: bool,
 }
 
 /// What is known of a joint as it is followed, in pixels of its level.
@@ -174,10 +176,10 @@ impl Trail {
         self.strip.noise = self.strip.noise_everywhere();
         self.find(look.contrast, 1.5);
         let profile = Profile::new(1.5 * look.width);
-        let (mut sum, mut arms) = (Arms::default(), Arms::default());
+        let mut sum = Around::default();
         for (i, row) in self.strip.grey.iter().enumerate() {
-            profile.read(row, column_about(&self.path, i, 4), &mut arms);
-            sum.iter_mut().flatten().zip(arms.iter().flatten()).for_each(|(s, a)| *s += a);
+            let (_, around) = profile.read(row, column_about(&self.path, i, 4));
+            sum.iter_mut().zip(&around).for_each(|(s, a)| *s += a);
         }
         profile.rims(&sum).map(|[left, right]| right - left)
     }
@@ -190,6 +192,7 @@ impl Trail {
         limits: &Limits<F>,
     ) -> Stop {
         self.places.clear();
+        self.odd = false;
         self.solid = 0;
         let (mut axis, mut gap, mut back, mut checked) = (look.axis, 0usize, 0usize, 0usize);
         // Rows at the rims of a gap are not seen to be the joint's. On coarse levels those that groups blur are much of a gap.
@@ -210,7 +213,7 @@ impl Trail {
                 self.see(picture, &axis, from, look, gap);
             }
             let mut taken = 0;
-            let most = if self.is_clear(look) { TAKEN_CLEAR } else { TAKEN };
+            let most = if self.count() == 0 || self.is_clear(look) { TAKEN_CLEAR } else { TAKEN };
             for i in back..back + most {
                 let across = column_about(&self.path, i, 3) - MID as f32;
                 let beside = if taken < TAKEN { BESIDE } else { NEAR };

@@ -39,7 +39,7 @@ impl Trail {
     }
 
     fn unroll(&mut self, picture: &Picture, axis: &Axis, from: f32, look: &Look) {
-        self.strip.unroll(picture, axis.stations(-from, ROWS));
+        self.strip.unroll_nearest(picture, axis.stations(-from, ROWS));
         self.strip.measure(look.width, look.most(look.contrast));
         self.strip.noise = look.noise;
     }
@@ -48,8 +48,11 @@ impl Trail {
         let score = self.find(look.contrast, 1.5 + 0.15 * gap as f32);
         self.judge(look.contrast);
         if 2 * self.count() >= ROWS {
-            let noise = self.strip.noise_beside(&self.path, (look.width, look.contrast));
-            look.noise += 0.3 * (noise.clamp(0.6 * look.noise, 1.5 * look.noise) - look.noise);
+            self.odd = !self.odd;
+            if self.odd {
+                let noise = self.strip.noise_beside(&self.path, (look.width, look.contrast));
+                look.noise += 0.5 * (noise.clamp(0.6 * look.noise, 1.5 * look.noise) - look.noise);
+            }
             return score;
         }
         self.see_in_other_light(look, 1.5 + 0.15 * gap as f32, score)

@@ -26,7 +26,7 @@ const OPENING: usize = 6;
 const STANDS_OUT: f32 = 6.0;
 const LEAST_CONTRAST: f32 = 24.0;
 
-/// Rows of sums that tell the noise, and columns of them from one to the next.
+/// Most rows of sums that tell the noise, and columns of them from one to the next.
 const NOISE_ROWS: usize = 24;
 const NOISE_COLUMNS: usize = 5;
 

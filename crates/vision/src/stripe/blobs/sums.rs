@@ -15,6 +15,7 @@ pub(super) trait Grey: Copy {
 
 impl Grey for u8 {
     const A_GREY: f32 = 1.0;
+    #[inline(always)]
     fn part(self) -> i16 {
         i16::from(self)
     }
@@ -25,6 +26,7 @@ impl Grey for u8 {
 
 impl Grey for u16 {
     const A_GREY: f32 = 4095.0 / 255.0;
+    #[inline(always)]
     fn part(self) -> i16 {
         (self >> 4) as i16
     }
