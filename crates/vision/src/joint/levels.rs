@@ -207,7 +207,7 @@ pub(super) fn from_level(at: f32, level: usize) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::joint::testing::random;
+    use crate::testing::random;
 
     /// A top-hat is taken once for what stays the same, and anew for all else.
     #[test]

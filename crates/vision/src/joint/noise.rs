@@ -85,7 +85,7 @@ impl Strip {
 mod tests {
     use super::*;
     use crate::joint::strip::{MID, SIDE, box_columns};
-    use crate::joint::testing::random;
+    use crate::testing::random;
 
     const ROWS: usize = 480;
 

@@ -11,7 +11,7 @@ const PARTS: [f32; 3] = [0.3, 0.5, 0.7];
 pub(super) const ROOM: usize = 4 * LANES;
 
 /// The place of the middle among them.
-const MIDDLE: usize = ROOM / 2;
+pub(super) const MIDDLE: usize = ROOM / 2;
 
 /// A row's grey values about a middle, from left to right.
 pub(super) type Around = [f32; ROOM];
@@ -217,5 +217,5 @@ fn dot(a: &Around, b: &Around) -> f32 {
     (four[0] + four[2]) + (four[1] + four[3])
 }
 
-/// Middles up to so near to the strip's rims are read where they are, others as near.
+/// All columns about the axis are in the strip; middles farther than that from its rims are read as if they were at the limit.
 const _: () = assert!(REACH < MIDDLE && MID >= MIDDLE && COLS > MID + MIDDLE);

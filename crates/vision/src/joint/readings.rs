@@ -1,5 +1,5 @@
 use super::make_room;
-use super::profile::{Around, Profile, ROOM, Reading, Shape, across};
+use super::profile::{Around, MIDDLE, Profile, ROOM, Reading, Shape, across};
 use super::strip::Strip;
 use crate::wide::{Work, wide};
 
@@ -7,6 +7,7 @@ use crate::wide::{Work, wide};
 #[derive(Debug, Clone, Default)]
 pub(super) struct Readings {
     rows: Vec<Reading>,
+    /// Grey values about each middle.
     around: Vec<Around>,
     /// Sums over the rows before each: depth, moment, step and its square.
     sums: Vec<[f64; 4]>,
@@ -41,7 +42,7 @@ impl Work for Read<'_> {
             around.push(greys);
         }
         // Less the light of the first row: small numbers keep more digits.
-        let light = around.first().map_or(0.0, |greys| greys[ROOM / 2]);
+        let light = around.first().map_or(0.0, |greys| greys[MIDDLE]);
         let within = across(self.profile.reach(), |_| 1.0);
         let mut sum: Around = [0.0; ROOM];
         around_sums.clear();

@@ -175,7 +175,7 @@ impl<'a, P: Pixel> Sampler<'a, P> {
 mod tests {
     use super::*;
     use crate::joint::axis::Axis;
-    use crate::joint::testing::random;
+    use crate::testing::random;
 
     #[test]
     fn rows_are_of_nearest_pixels_and_of_those_around_each_place() {

@@ -335,7 +335,19 @@ impl Strip {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::joint::testing::random;
+    use crate::testing::random;
+
+    /// No pixel counts for more than `most` more or less than the mean of up to nine rows before it in its column.
+    fn clip(grey: &mut [Line], most: f32) {
+        for i in GROUP..grey.len() {
+            let (before, rest) = grey.split_at_mut(i);
+            let before = &before[i.saturating_sub(2 * GROUP + 1)..];
+            for (j, value) in rest[0].iter_mut().enumerate() {
+                let mean = before.iter().map(|row| row[j]).sum::<f32>() / before.len() as f32;
+                *value = value.clamp(mean - most, mean + most);
+            }
+        }
+    }
 
     /// Depths by their definition: of means over groups, the darker side's lighter box less the box on the joint.
     fn depths_of(grey: &[Line], half: usize) -> Vec<Line> {
@@ -362,11 +374,21 @@ mod tests {
         let mut random = random();
         for rows in 1..60 {
             for width in [1.0, 3.0, 5.0, 7.0] {
-                let grey = (0..rows).map(|_| std::array::from_fn(|_| 100.0 + 50.0 * random())).collect();
-                let mut strip = Strip { grey, ..Strip::default() };
-                strip.measure(width, f32::INFINITY);
-                for (found, wanted) in strip.depth.iter().zip(depths_of(&strip.grey, box_columns(width) / 2)) {
-                    assert!(found.iter().zip(&wanted).all(|(a, b)| (a - b).abs() < 1e-2), "{rows} {width}");
+                let grey: Vec<Line> = (0..rows).map(|_| std::array::from_fn(|_| 100.0 + 50.0 * random())).collect();
+                let measured = |most: f32| {
+                    let mut strip = Strip { grey: grey.clone(), ..Strip::default() };
+                    strip.measure(width, most);
+                    strip
+                };
+                let near = |a: &Line, b: &Line| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-2);
+                // In even light and with nothing clipped; then clipped.
+                let mut grey = measured(f32::INFINITY).grey;
+                for most in [f32::INFINITY, 12.0] {
+                    clip(&mut grey, most);
+                    let strip = measured(most);
+                    assert!(strip.grey.iter().zip(&grey).all(|(a, b)| near(a, b)), "{rows} {width} {most}");
+                    let depths = depths_of(&grey, box_columns(width) / 2);
+                    assert!(strip.depth.iter().zip(&depths).all(|(a, b)| near(a, b)), "{rows} {width} {most}");
                 }
             }
         }

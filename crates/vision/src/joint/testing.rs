@@ -2,15 +2,6 @@
 
 use super::{Row, State};
 
-/// Even numbers from 0 to 1, the same ones every time.
-pub(super) fn random() -> impl FnMut() -> f32 {
-    let mut state = 7u32;
-    move || {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        (state >> 8) as f32 / (1 << 24) as f32
-    }
-}
-
 /// Rows a pixel apart along legs of a length and a heading (rad), each sure, unsure or not seen.
 pub(super) fn along(legs: &[(usize, f32, Option<bool>)], width: f32) -> Vec<Row> {
     let (mut x, mut y) = (0.0, 0.0);

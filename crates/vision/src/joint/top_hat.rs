@@ -197,7 +197,7 @@ impl Work for Bend<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::joint::testing::random;
+    use crate::testing::random;
 
     /// The same by the definition: the least of the greatest of squares, of means of three by three with weights 1, 2, 1.
     fn slowly(pixels: &[f32], (width, height): (usize, usize), around: isize) -> Vec<f32> {

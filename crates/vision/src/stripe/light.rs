@@ -161,6 +161,7 @@ impl<'a> Light<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::testing::random;
 
     const SIZE: (usize, usize) = (64, 200);
     const HEIGHT: f64 = 120.0;
@@ -246,11 +247,8 @@ mod tests {
 
     #[test]
     fn light_is_the_sum_of_pixels_by_the_parts_of_them_in_the_strip() {
-        let mut state = 7u64;
-        let mut random = move || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 40) as f64 / f64::from(1 << 24)
-        };
+        let mut even = random();
+        let mut random = || f64::from(even());
         let pixels: Vec<u16> = (0..40).map(|_| (65535.0 * random()) as u16).collect();
         let frame = Frame::new(1, 40, Pixels::U16(&pixels)).unwrap();
         let blobs = Blobs::default();

@@ -2,6 +2,7 @@
 //!
 //! 1. `blobs`: up to five bright places of every column (three are not enough: spatter is brighter), sub-pixel, above a background that is taken away.
 //! 2. `chain`: one chain of them across the columns by Viterbi's method: reflections and spatter are left out.
+//!    The places that are told are those of several columns together (`smooth`).
 //! 3. `profile`: the chain in mm, through the sensor's map. All further steps are in mm.
 //! 4. `segments`: at most five straight segments, cut by dynamic programming and fitted robustly.
 //! 5. `joints`: what the segments must look like for each joint, and what is measured of it, with a confidence. Where parts

@@ -196,3 +196,60 @@ pub(super) fn median(values: &mut [f64]) -> Option<f64> {
     let middle = values.len() / 2;
     (!values.is_empty()).then(|| *values.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stripe::StripeLine;
+    use crate::testing::random;
+
+    /// A level segment at this height, from column to column, a column a mm.
+    fn level(z: f64, (from, to): (i32, i32)) -> Segment {
+        let at = |column: i32| DVec2::new(f64::from(column), z);
+        let line = StripeLine { at: at(from), along: DVec2::X };
+        Segment { line, columns: (from, to), deviation: 0.2, ends: [at(from), at(to)] }
+    }
+
+    #[test]
+    fn blobs_on_a_longer_line_are_taken_and_no_others() {
+        let mut even = random();
+        let mut random = || f64::from(even());
+        let (mut taken, mut stayed) = (0, 0);
+        for _ in 0..300 {
+            let mut profile = Profile { grain: 1.0, ..Profile::default() };
+            for column in 0..120 {
+                if random() < 0.2 {
+                    continue;
+                }
+                // One to three blobs, one of them of the chain; some near a line, all at heights of their own.
+                let count = 1 + (3.0 * random()) as usize;
+                let blob = |z: f64| {
+                    let at = DVec2::new(f64::from(column), z);
+                    Sample { column, at, strength: None, covers: 0.0 }
+                };
+                let blobs: Vec<Sample> =
+                    (0..count).map(|_| blob(10.0 * (4.0 * random()).floor() + 2.0 * random())).collect();
+                profile.samples.push(blobs[(count as f64 * random()) as usize]);
+                profile.all.extend(blobs);
+            }
+            let cut = 20 + (80.0 * random()) as i32;
+            let segments = [level(10.0, (0, cut - 1)), level(20.0, (cut, 119))];
+            let before = profile.clone();
+            let changed = profile.repick(&segments);
+            let wanted = before.samples.iter().map(|sample| {
+                let own = &segments[usize::from(sample.column >= cut)];
+                let longer: Vec<&Segment> = segments.iter().filter(|s| s.length() > 1.5 * own.length()).collect();
+                let is_better = |s: &&Sample| {
+                    s.column == sample.column
+                        && s.at != sample.at
+                        && longer.iter().any(|g| g.line.off(s.at).abs() < g.within(1.0))
+                };
+                *before.all.iter().find(is_better).unwrap_or(sample)
+            });
+            assert!(profile.samples.iter().copied().eq(wanted));
+            assert_eq!(changed, profile.samples != before.samples);
+            *if changed { &mut taken } else { &mut stayed } += 1;
+        }
+        assert!(taken > 50 && stayed > 50, "{taken} {stayed}");
+    }
+}

@@ -36,11 +36,11 @@ impl Smoother {
         if chain.len() < WINDOW {
             return;
         }
-        for (list, of) in
-            [(&mut *columns, column as fn(&StripePoint) -> f64), (&mut *rows, row), (&mut *weights, weight)]
-        {
-            list.clear();
-            list.extend(chain.iter().map(of));
+        [&mut *columns, &mut *rows, &mut *weights].into_iter().for_each(Vec::clear);
+        for p in &*chain {
+            columns.push(p.at.x);
+            rows.push(p.at.y);
+            weights.push(p.strength.max(1.0));
         }
         smoothed.clear();
         smoothed.resize(chain.len() - 2 * TOGETHER, 0.0);
@@ -49,18 +49,6 @@ impl Smoother {
             place.at.y = *row;
         }
     }
-}
-
-fn column(p: &StripePoint) -> f64 {
-    p.at.x
-}
-
-fn row(p: &StripePoint) -> f64 {
-    p.at.y
-}
-
-fn weight(p: &StripePoint) -> f64 {
-    p.strength.max(1.0)
 }
 
 /// For each window of places, its middle on the line through it, or as it is.
@@ -101,6 +89,7 @@ impl Work for Lines<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::testing::random;
     use glam::DVec2;
     use nalgebra::{DMatrix, DVector};
 
@@ -117,11 +106,8 @@ mod tests {
 
     #[test]
     fn centres_are_on_the_line_through_their_neighbours_where_these_are_straight() {
-        let mut state = 11u64;
-        let mut random = move || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 40) as f64 / f64::from(1 << 24)
-        };
+        let mut even = random();
+        let mut random = || f64::from(even());
         let mut smoother = Smoother::default();
         let (mut moved, mut kept) = (0, 0);
         for length in (0..300).chain([2000]) {

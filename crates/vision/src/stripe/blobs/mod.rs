@@ -16,8 +16,9 @@ pub(super) const MOST: usize = 5;
 /// Rows of a sum.
 const BLOCK: usize = 4;
 
-/// Columns of a cell of the background; it is four sums high.
+/// Columns of a cell of the background, and sums in its height.
 const CELL: usize = 16;
+const CELL_SUMS: usize = 4;
 
 /// Cells of the window of the opening.
 const OPENING: usize = 6;
@@ -99,7 +100,7 @@ impl Blobs {
     /// The background about a pixel, grey values.
     pub(super) fn background_at(&self, column: usize, row: usize) -> f64 {
         let across = self.columns.len().div_ceil(CELL);
-        let cell = self.opened.get(row / (4 * BLOCK) * across + column / CELL);
+        let cell = self.opened.get(row / (CELL_SUMS * BLOCK) * across + column / CELL);
         f64::from(cell.copied().unwrap_or(0.0) / self.a_grey)
     }
 
@@ -137,11 +138,11 @@ impl Blobs {
 
     /// The background of sums in cells: the opening of their means along the columns.
     fn background(&mut self, width: usize, blocks: usize) {
-        let (across, down) = (width.div_ceil(CELL), blocks.div_ceil(4));
+        let (across, down) = (width.div_ceil(CELL), blocks.div_ceil(CELL_SUMS));
         self.cells.clear();
         self.cells.resize(across * down, 0.0);
         for (i, cells) in self.cells.chunks_exact_mut(across).enumerate() {
-            let rows = 4 * i..(4 * i + 4).min(blocks);
+            let rows = CELL_SUMS * i..(CELL_SUMS * (i + 1)).min(blocks);
             let count = rows.len();
             for row in rows {
                 wide(CellMeans { sums: &self.sums[row * width..(row + 1) * width], count, cells });
@@ -186,8 +187,8 @@ impl Blobs {
         for b in 0..blocks {
             self.pairs.rotate_left(1);
             if b + 1 < blocks {
-                if b % 4 == 0 {
-                    let cells = &self.opened[b / 4 * across..][..across];
+                if b % CELL_SUMS == 0 {
+                    let cells = &self.opened[b / CELL_SUMS * across..][..across];
                     for (floor, cell) in self.floor.chunks_mut(CELL).zip(cells) {
                         floor.fill((2.0 * cell) as i16);
                     }
@@ -224,7 +225,7 @@ impl Blobs {
             if contrast == 0 {
                 break;
             }
-            let cell = self.opened[usize::from(block) / 4 * across + column / CELL];
+            let cell = self.opened[usize::from(block) / CELL_SUMS * across + column / CELL];
             let background = cell / self.a_grey;
             let first = usize::from(block) * BLOCK;
             let rows = first.min(height - 1)..(first + 2 * BLOCK).min(height);

@@ -1,0 +1,10 @@
+//! What tests of several rooms need.
+
+/// Even numbers from 0 to 1, the same ones every time.
+pub(crate) fn random() -> impl FnMut() -> f32 {
+    let mut state = 7u32;
+    move || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 8) as f32 / (1 << 24) as f32
+    }
+}
