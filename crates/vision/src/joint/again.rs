@@ -26,7 +26,7 @@ const STARTS: [(usize, f32); 3] = [(1, 2.0), (1, 5.0), (2, 5.0)];
 /// A joint is wide if it is followed on this level or a coarser one.
 pub(super) const COARSE: usize = 2;
 /// Rows that were sure stay if the new way passes them so near, pixels or parts of the width.
-const SAME: (f32, f32) = (2.0, 0.25);
+pub(super) const SAME: (f32, f32) = (2.0, 0.25);
 /// Rows that tell the way at one of them.
 pub(super) const HEADING: usize = 12;
 

@@ -1,36 +1,53 @@
-//! Parabolas through rows that are all there.
+//! Parabolas through rows that lie evenly, several at a time.
 
 use super::axis::Station;
 use super::make_room;
+use super::parabola::Parabola;
 use crate::wide::LANES;
+use std::ops::Range;
 
 /// Most rows before and after.
 pub(super) const MOST: usize = 24;
 /// Rows of the longest parabola.
 const LONGEST: usize = 2 * MOST + 1;
 
-/// Rows in a picture, to the right and down, pixels; behind the last ones as many zeros as are done at a time.
+/// Zeros before the first row and behind the last one: as far as a parabola reaches, and as many as are done at a time.
+const BEFORE: usize = MOST;
+const BEHIND: usize = MOST + LANES;
+
+/// Rows in a picture, to the right and down, pixels, and 1 for those that are seen.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Rows {
-    pub(super) x: Vec<f32>,
-    pub(super) y: Vec<f32>,
+    x: Vec<f32>,
+    y: Vec<f32>,
+    seen: Vec<f32>,
 }
 
 impl Rows {
     /// Room for so many rows.
     pub(super) fn make_room(&mut self, rows: usize) {
-        make_room(&mut self.x, rows + LANES);
-        make_room(&mut self.y, rows + LANES);
+        [&mut self.x, &mut self.y, &mut self.seen].into_iter().for_each(|list| make_room(list, BEFORE + rows + BEHIND));
     }
 
     /// Takes other rows.
-    pub(super) fn put(&mut self, places: impl Iterator<Item = [f32; 2]>) {
-        self.x.clear();
-        self.y.clear();
-        for [x, y] in places.chain([[0.0; 2]; LANES]) {
+    pub(super) fn put(&mut self, rows: impl Iterator<Item = ([f32; 2], bool)>) {
+        [&mut self.x, &mut self.y, &mut self.seen].into_iter().for_each(|list| {
+            list.clear();
+            list.resize(BEFORE, 0.0);
+        });
+        for ([x, y], seen) in rows {
             self.x.push(x);
             self.y.push(y);
+            self.seen.push(f32::from(u8::from(seen)));
         }
+        let behind = self.x.len() + BEHIND;
+        [&mut self.x, &mut self.y, &mut self.seen].into_iter().for_each(|list| list.resize(behind, 0.0));
+    }
+
+    /// Where rows are in the picture.
+    pub(super) fn places(&self, rows: Range<usize>) -> impl Iterator<Item = [f32; 2]> {
+        let rows = BEFORE + rows.start..BEFORE + rows.end;
+        self.x[rows.clone()].iter().zip(&self.y[rows]).map(|(x, y)| [*x, *y])
     }
 }
 
@@ -39,15 +56,15 @@ impl Rows {
 #[derive(Debug, Clone)]
 pub(super) struct Even {
     reach: usize,
-    /// Weights, and those times the rows' numbers and squares, of `2 * reach + 1` rows.
-    weights: [[f32; LONGEST]; 3],
-    /// Sums of the weights times the rows' numbers to the powers 0, 2 and 4.
+    /// Weights times the rows' numbers to the powers 0 to 4, of `2 * reach + 1` rows.
+    weights: [[f32; LONGEST]; 5],
+    /// Their sums for the powers 0, 2 and 4.
     moments: [f32; 3],
 }
 
 impl Default for Even {
     fn default() -> Self {
-        Self { reach: 0, weights: [[0.0; LONGEST]; 3], moments: [0.0; 3] }
+        Self { reach: 0, weights: [[0.0; LONGEST]; 5], moments: [0.0; 3] }
     }
 }
 
@@ -55,30 +72,24 @@ impl Even {
     /// For `reach` rows before and after, up to [`MOST`].
     pub(super) fn prepare(&mut self, reach: usize) {
         self.reach = reach;
-        self.moments = [0.0; 3];
         for k in 0..=2 * reach {
             let row = k as f32 - reach as f32;
-            let weight = 1.0 - (row / (reach + 1) as f32).powi(2);
-            for (list, value) in self.weights.iter_mut().zip([weight, weight * row, weight * row * row]) {
-                list[k] = value;
-            }
-            for (moment, value) in self.moments.iter_mut().zip([1.0, row.powi(2), row.powi(4)]) {
-                *moment += weight * value;
+            let mut weight = 1.0 - (row / (reach + 1) as f32).powi(2);
+            for list in &mut self.weights {
+                list[k] = weight;
+                weight *= row;
             }
         }
+        self.moments = [0, 2, 4].map(|power| self.weights[power][..=2 * reach].iter().sum());
     }
 
     /// How far to the right of each of up to [`LANES`] stations in a row, the first that of row `i`, the parabola through the rows about
     /// it crosses its line, and the standard error of that. About each lie as many rows before and after as were prepared for.
     #[inline(always)]
     pub(super) fn across(&self, rows: &Rows, i: usize, stations: &[Station]) -> [(f32, f32); LANES] {
-        debug_assert!(stations.len() <= LANES, "{} stations", stations.len());
-        let [mut x0, mut y0, mut cos, mut sin] = [[0.0; LANES]; 4];
-        for (k, station) in stations.iter().enumerate().take(LANES) {
-            ([x0[k], y0[k]], [cos[k], sin[k]]) = (station.at, station.tangent);
-        }
-        let from = i - self.reach;
-        let [w0, w1, w2] = self.weights.each_ref().map(|list| list[..=2 * self.reach].iter());
+        let [x0, y0, cos, sin] = lanes(stations);
+        let from = BEFORE + i - self.reach;
+        let [w0, w1, w2, ..] = self.weights.each_ref().map(|list| list[..=2 * self.reach].iter());
         let near = rows.x[from..].windows(LANES).zip(rows.y[from..].windows(LANES));
         // Sums of each row's weight times how far it is off, times its number, its number's square, and how far it is off.
         let [mut r0, mut r1, mut r2, mut squares] = [[0.0; LANES]; 4];
@@ -99,12 +110,59 @@ impl Even {
             (value, (rest * m4 / determinant).sqrt())
         })
     }
+
+    /// The same through those of the rows that are seen, held to a line by `stiff`; none where too few are.
+    #[inline(always)]
+    pub(super) fn across_seen(
+        &self,
+        rows: &Rows,
+        i: usize,
+        stations: &[Station],
+        stiff: f32,
+    ) -> [Option<Parabola>; LANES] {
+        let [x0, y0, cos, sin] = lanes(stations);
+        let from = BEFORE + i - self.reach;
+        let [xs, ys, all_seen] = [&rows.x, &rows.y, &rows.seen].map(|list| list[from..].windows(LANES));
+        let mut moments = [[0.0; LANES]; 5];
+        let [mut r0, mut r1, mut r2, mut squares] = [[0.0; LANES]; 4];
+        for (m, ((x, y), seen)) in xs.zip(ys).zip(all_seen).enumerate().take(2 * self.reach + 1) {
+            let (Some(x), Some(y)) = (x.first_chunk::<LANES>(), y.first_chunk::<LANES>()) else { break };
+            let Some(seen) = seen.first_chunk::<LANES>() else { break };
+            let [w0, w1, w2, w3, w4] = self.weights.each_ref().map(|list| list[m]);
+            for (sum, weight) in moments.iter_mut().zip([w0, w1, w2, w3, w4]) {
+                *sum = std::array::from_fn(|k| sum[k] + weight * seen[k]);
+            }
+            let off: [f32; LANES] = std::array::from_fn(|k| (y[k] - y0[k]) * cos[k] - (x[k] - x0[k]) * sin[k]);
+            let seen: [f32; LANES] = std::array::from_fn(|k| seen[k] * off[k]);
+            r0 = std::array::from_fn(|k| r0[k] + w0 * seen[k]);
+            r1 = std::array::from_fn(|k| r1[k] + w1 * seen[k]);
+            r2 = std::array::from_fn(|k| r2[k] + w2 * seen[k]);
+            squares = std::array::from_fn(|k| squares[k] + w0 * seen[k] * off[k]);
+        }
+        std::array::from_fn(|k| {
+            let moments = moments.each_ref().map(|sum| sum[k]);
+            Parabola::of(moments, [r0[k], r1[k], r2[k]], squares[k], stiff)
+        })
+    }
+}
+
+/// Places and tangents of up to [`LANES`] stations.
+#[inline(always)]
+fn lanes(stations: &[Station]) -> [[f32; LANES]; 4] {
+    debug_assert!(stations.len() <= LANES, "{} stations", stations.len());
+    let mut lanes = [[0.0; LANES]; 4];
+    for (k, Station { at: [x, y], tangent: [cos, sin] }) in stations.iter().enumerate().take(LANES) {
+        for (lane, value) in lanes.iter_mut().zip([x, y, cos, sin]) {
+            lane[k] = *value;
+        }
+    }
+    lanes
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::joint::parabola::Parabola;
+    use crate::testing::random;
 
     #[test]
     fn it_is_the_parabola_of_least_squares() {
@@ -117,7 +175,7 @@ mod tests {
             let across = |k: usize| 0.01 * (k as f32 - 9.0).powi(2) + 0.3 * (7.3 * k as f32).sin();
             let place = |k: usize| [200.0 + cos * k as f32 - sin * across(k), 90.0 + sin * k as f32 + cos * across(k)];
             let mut rows = Rows::default();
-            rows.put((0..count).map(place));
+            rows.put((0..count).map(|k| (place(k), true)));
             let station =
                 |i: usize| Station { at: [200.0 + cos * i as f32, 90.0 + sin * i as f32], tangent: [cos, sin] };
             for i in reach..count - reach {
@@ -133,6 +191,39 @@ mod tests {
                 assert!((found - parabola.terms[0]).abs() < 1e-3, "{reach} {i}: {found} {parabola:?}");
                 let expected = (parabola.rest * parabola.variance).sqrt();
                 assert!((error - expected).abs() < 1e-3, "{reach} {i}: {error} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_not_seen_or_not_there_does_not_count() {
+        let (mut even, mut random) = (Even::default(), random());
+        for _ in 0..2000 {
+            let (reach, count) = (6 + (19.0 * random()) as usize, 1 + (70.0 * random()) as usize);
+            even.prepare(reach);
+            let seen: Vec<bool> = (0..count).map(|_| random() < 0.6).collect();
+            let across: Vec<f32> = (0..count).map(|_| 3.0 * random()).collect();
+            let (sin, cos) = (7.0 * random()).sin_cos();
+            let at = |k: usize, off: f32| [200.0 + cos * k as f32 - sin * off, 90.0 + sin * k as f32 + cos * off];
+            let mut rows = Rows::default();
+            rows.put((0..count).map(|k| (at(k, across[k]), seen[k])));
+            let stations: Vec<_> = (0..count).map(|k| Station { at: at(k, 0.0), tangent: [cos, sin] }).collect();
+            for i in (0..count).step_by(LANES) {
+                let several = &stations[i..count.min(i + LANES)];
+                let found = even.across_seen(&rows, i, several, 100.0);
+                for (row, found) in (i..i + several.len()).zip(found) {
+                    let near = (row.saturating_sub(reach)..count.min(row + reach + 1)).filter(|k| seen[*k]);
+                    let weight = |k: usize| 1.0 - (k.abs_diff(row) as f32 / (reach + 1) as f32).powi(2);
+                    let near = near.map(|k| (k as f32 - row as f32, across[k], weight(k)));
+                    let told = Parabola::through(near, 100.0);
+                    // Where few places lie far aside the one tells it and the other does not.
+                    let Some((found, told)) = found.zip(told).filter(|(_, told)| told.variance < 10.0) else {
+                        assert!(told.is_none_or(|told| told.variance > 3.0), "{row} of {count}: {told:?}");
+                        continue;
+                    };
+                    assert!((found.terms[0] - told.terms[0]).abs() < 0.01, "{found:?} {told:?}");
+                    assert!((found.error() - told.error()).abs() < 0.01 || found.weights < 4.1, "{found:?} {told:?}");
+                }
             }
         }
     }

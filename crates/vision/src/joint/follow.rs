@@ -4,6 +4,7 @@ use super::end::{Cut, cut};
 use super::levels::{Levels, Picture, from_level, to_level};
 use super::midline::Midline;
 use super::rims::{self, Rims};
+use super::straight_on::{Hidden, is_passed};
 use super::trail::{Limits, Look, ROWS, Trail};
 use super::{CONFIDENT, End, Joint, Options, Row, Start, State, Zone, judge, make_room};
 use crate::Frame;
@@ -37,8 +38,8 @@ pub struct Follower {
     rims: Rims,
     /// A start of unknown width is looked for with widths below this, pixels, and found narrower than this by a part.
     pub(super) narrower: f32,
-    /// How many places behind its start something is known to hide the joint.
-    pub(super) hidden: Option<usize>,
+    /// Where something may hide the joint.
+    pub(super) hidden: Option<Hidden>,
     pub(super) joint: Joint,
     /// The joint as it was found before it was tried again.
     pub(super) before: Joint,
@@ -174,11 +175,13 @@ impl Follower {
         let gap = self.options.gap.unwrap_or(GAP * side) / scale;
         let length = self.longest(frame) / scale;
         let level = look.level;
+        let aside = self.hidden.and_then(|hidden| self.before.rows.get(hidden.aside..)).unwrap_or_default();
         let limits = Limits {
-            inside: |at: [f32; 2]| inside.holds(at.map(|v| from_level(v, level))),
+            inside: &|at| inside.holds(at.map(|v| from_level(v, level))),
+            aside: &|at| is_passed(aside, at.map(|v| from_level(v, level))),
             gap,
             length,
-            hidden: self.hidden,
+            hidden: self.hidden.map(|hidden| hidden.place),
         };
         let picture = self.levels.picture(frame, level);
         let stop = self.trail.follow(&picture, look, &limits);
@@ -234,6 +237,7 @@ fn tell(
         judge::few(out);
     }
     judge::corners(out);
+    judge::lone(out);
     match end {
         // What is nowhere sure is not known to lead out of the frame.
         End::LeftImage if out.iter().all(|r| r.confidence < CONFIDENT) => End::Lost,

@@ -9,11 +9,11 @@ const MARGIN: f32 = 10.0;
 /// Nats by which a joint is likelier than none.
 const STRENGTH: f32 = 5.0;
 /// Standard error, pixels.
-const ERROR: f32 = 0.45;
+const ERROR: f32 = 0.56;
 /// How unlike the rest of the joint.
 const UNLIKE: f32 = 1.45;
 /// Asymmetry of the valley, pixels.
-const ASYMMETRY: f32 = 1.25;
+const ASYMMETRY: f32 = 1.15;
 /// How far a row is off the smooth line through others, beyond its standard error, pixels.
 const BUMP: f32 = 1.5;
 
@@ -65,6 +65,8 @@ const SHORT_AND_NARROW: f32 = 210.0;
 const MOSTLY_SEEN: f32 = 0.7;
 /// Fewer than this part of the rows that are seen are chance.
 const FEW: f32 = 0.33;
+/// Fewer rows than this that are sure among others that are not are chance.
+const LONE: usize = 9;
 /// Scratches are narrower than this, pixels.
 const NARROW: f32 = 3.5;
 
@@ -80,6 +82,13 @@ pub(super) fn doubtful(rows: &mut [Row], solid: usize) {
     let seen = rows.iter().filter(|r| r.state == State::Seen).count();
     let from = if (seen as f32) < MOSTLY_SEEN * rows.len() as f32 { 0 } else { solid.min(rows.len()) };
     rows[from..].iter_mut().for_each(unsure);
+}
+
+/// Takes the confidence from a few rows that have it among others that do not: they look like the joint by chance.
+pub(super) fn lone(rows: &mut [Row]) {
+    let sure = |row: &Row| row.confidence >= CONFIDENT;
+    let runs = rows.chunk_by_mut(|a, b| sure(a) == sure(b));
+    runs.filter(|run| run.len() < LONE).for_each(|run| run.iter_mut().for_each(unsure));
 }
 
 /// Takes the confidence from all rows if few of those that are seen have it: of what is no joint some rows look like one by chance.
@@ -287,6 +296,18 @@ mod tests {
             rows[30..40].iter_mut().for_each(|row| row.width *= part);
             narrowed(&mut rows);
             assert_eq!(rows.iter().filter(|row| row.confidence >= CONFIDENT).count(), sure, "{part}");
+        }
+    }
+
+    #[test]
+    fn a_few_sure_rows_among_others_are_chance() {
+        let (yes, no) = (Some(true), Some(false));
+        for (alone, left) in [(LONE - 1, 60), (LONE, 60 + LONE)] {
+            for other in [no, None] {
+                let mut rows = along(&[(30, 0.0, other), (alone, 0.0, yes), (20, 0.0, other), (60, 0.0, yes)], 6.0);
+                lone(&mut rows);
+                assert_eq!(sure(&rows), left, "{alone}");
+            }
         }
     }
 

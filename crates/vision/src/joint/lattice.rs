@@ -25,26 +25,14 @@ type Span = [f32; SPAN];
 pub(super) struct Lattice {
     evidence: Vec<Span>,
     forward: Vec<Span>,
-    backward: Vec<Span>,
 }
 
 impl Lattice {
     /// Room for so many rows.
     pub(super) fn make_room(&mut self, rows: usize) {
-        for spans in [&mut self.evidence, &mut self.forward, &mut self.backward] {
+        for spans in [&mut self.evidence, &mut self.forward] {
             make_room(spans, rows);
         }
-    }
-
-    /// Evidence of each place for a joint of this depth in each row.
-    pub(super) fn weigh(&mut self, strip: &Strip, contrast: impl Fn(usize) -> f32) {
-        self.evidence.resize(strip.depth.len(), [0.0; SPAN]);
-        let (first, last) = strip.columns;
-        // Groups overlap: each row counts once.
-        let rows_counted = (2 * GROUP + 1) as f32;
-        let (first, last) = (first.max(FROM) - FROM, last.min(FROM + SPAN - 1) - FROM);
-        let rows = self.evidence.iter_mut().zip(&strip.depth);
-        wide(Weigh { rows, contrast, columns: (first, last), least: 1.0 / (rows_counted * strip.noise * strip.noise) });
     }
 
     /// The evidence of a row for a joint in a column.
@@ -52,10 +40,16 @@ impl Lattice {
         self.evidence[row][column - FROM]
     }
 
-    /// The best path and its score. `cost` of beginning in a column.
-    pub(super) fn best(&mut self, cost: impl Fn(usize) -> f32, path: &mut Vec<usize>) -> f32 {
+    /// The best path across a strip and its score, of a joint so deep in each row. `cost` of beginning in a column.
+    pub(super) fn best(
+        &mut self,
+        strip: &Strip,
+        contrast: impl Fn(usize) -> f32,
+        cost: impl Fn(usize) -> f32,
+        path: &mut Vec<usize>,
+    ) -> f32 {
         const MIDDLE: usize = MID - FROM;
-        self.go_forward(|j| cost(j + FROM));
+        self.go_forward(strip, contrast, std::array::from_fn(|j| -cost(j + FROM)));
         path.clear();
         path.resize(self.forward.len(), MID);
         let Some(last) = self.forward.last() else { return NEVER };
@@ -80,49 +74,61 @@ impl Lattice {
     }
 
     /// How much worse the best path is that keeps away from column `path[i]` by more than `away` in row i, nats.
-    pub(super) fn margins(&mut self, path: &[usize], away: usize, margins: &mut Vec<f32>) {
-        self.go_backward();
+    pub(super) fn margins(&self, path: &[usize], away: usize, margins: &mut Vec<f32>) {
         margins.clear();
         margins.resize(path.len(), 0.0);
         wide(Margins { lattice: self, path, away, margins });
     }
 
-    fn go_forward(&mut self, cost: impl Fn(usize) -> f32) {
-        let begin: Span = std::array::from_fn(|j| -cost(j));
-        self.forward.resize(self.evidence.len(), [0.0; SPAN]);
-        wide(Go { ways: self.evidence.iter().zip(&mut self.forward), begin });
-    }
-
-    fn go_backward(&mut self) {
-        self.backward.resize(self.evidence.len(), [0.0; SPAN]);
-        wide(Go { ways: self.evidence.iter().zip(&mut self.backward).rev(), begin: [0.0; SPAN] });
+    fn go_forward(&mut self, strip: &Strip, contrast: impl Fn(usize) -> f32, begin: Span) {
+        let rows = strip.depth.len();
+        self.evidence.resize(rows, [0.0; SPAN]);
+        self.forward.resize(rows, [0.0; SPAN]);
+        let (first, last) = strip.columns;
+        let columns = (first.max(FROM) - FROM, last.min(FROM + SPAN - 1) - FROM);
+        // Groups overlap: each row counts once.
+        let rows_counted = (2 * GROUP + 1) as f32;
+        let least = 1.0 / (rows_counted * strip.noise * strip.noise);
+        let Self { evidence, forward } = self;
+        wide(Forward { depth: &strip.depth, evidence, forward, contrast, columns, least, begin });
     }
 }
 
-/// Evidence of each place of each row by its depth; see [`Lattice::weigh`].
-struct Weigh<R, C> {
-    rows: R,
+/// The evidence of each place of each row by its depth for a joint so deep there, and the best way to it from the scores `begin` of ways
+/// to begin. (Each row waits for the one before: what else there is to do is done meanwhile.)
+struct Forward<'a, C> {
+    depth: &'a [Line],
+    evidence: &'a mut [Span],
+    forward: &'a mut [Span],
     contrast: C,
     columns: (usize, usize),
     least: f32,
+    begin: Span,
 }
 
-impl<'a, R: Iterator<Item = (&'a mut Span, &'a Line)>, C: Fn(usize) -> f32> Work for Weigh<R, C> {
+impl<C: Fn(usize) -> f32> Work for Forward<'_, C> {
     #[inline(always)]
     fn run(self) {
-        let (first, last) = self.columns;
-        for (i, (row, depth)) in self.rows.enumerate() {
-            let contrast = (self.contrast)(i);
-            // At the joint's own depth the evidence is no more than the most: it peaks there.
-            let part = self.least.min(2.0 * MOST / (contrast * contrast));
-            for (evidence, depth) in row.iter_mut().zip(&depth[FROM..FROM + SPAN]) {
-                let depth = lesser(*depth, TOO_DEEP * contrast - depth);
-                *evidence = (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST);
-            }
-            row[..first].fill(NEVER);
-            row[last + 1..].fill(NEVER);
+        let mut ways = Ways::begin(self.begin);
+        let rows = self.depth.iter().zip(self.evidence).zip(self.forward);
+        for (i, ((depth, evidence), forward)) in rows.enumerate() {
+            weigh(evidence, depth, (self.contrast)(i), self.columns, self.least);
+            *forward = ways.go_on(evidence);
         }
     }
+}
+
+/// The evidence of the places of a row for a joint so deep.
+#[inline(always)]
+fn weigh(evidence: &mut Span, depth: &Line, contrast: f32, (first, last): (usize, usize), least: f32) {
+    // At the joint's own depth the evidence is no more than the most: it peaks there.
+    let part = least.min(2.0 * MOST / (contrast * contrast));
+    for (evidence, depth) in evidence.iter_mut().zip(&depth[FROM..FROM + SPAN]) {
+        let depth = lesser(*depth, TOO_DEEP * contrast - depth);
+        *evidence = (contrast * (depth - 0.5 * contrast) * part).clamp(LEAST, MOST);
+    }
+    evidence[..first].fill(NEVER);
+    evidence[last + 1..].fill(NEVER);
 }
 
 /// See [`Lattice::margins`].
@@ -136,9 +142,11 @@ struct Margins<'a> {
 impl Work for Margins<'_> {
     #[inline(always)]
     fn run(self) {
-        let Lattice { forward, backward, evidence } = self.lattice;
-        let rows = forward.iter().zip(backward).zip(evidence).zip(self.path);
-        for (margin, (((forward, backward), evidence), at)) in self.margins.iter_mut().zip(rows) {
+        let Lattice { forward, evidence } = self.lattice;
+        let mut ways = Ways::begin([0.0; SPAN]);
+        let rows = self.margins.iter_mut().zip(forward).zip(evidence).zip(self.path);
+        for (((margin, forward), evidence), at) in rows.rev() {
+            let backward = ways.go_on(evidence);
             let mut through: Span = std::array::from_fn(|j| forward[j] + backward[j] - evidence[j]);
             let near = (at - FROM).saturating_sub(self.away)..=(at - FROM + self.away).min(SPAN - 1);
             let mut best = NEVER;
@@ -151,26 +159,32 @@ impl Work for Margins<'_> {
     }
 }
 
-/// The best way to each place of row after row, from the score `begin` of each way to begin.
-struct Go<W> {
-    ways: W,
-    begin: Span,
+/// The scores of the best ways to each place of a row, between two columns out of reach: none of the others is a case of its own.
+struct Ways {
+    scores: [f32; SPAN + 2],
+    /// Before the first row: what is there is where ways begin.
+    at_begin: bool,
 }
 
-impl<'a, W: Iterator<Item = (&'a Span, &'a mut Span)>> Work for Go<W> {
+impl Ways {
     #[inline(always)]
-    fn run(self) {
-        // Between two columns out of reach: none of the others is a case of its own.
-        let mut score = [f32::MIN; SPAN + 2];
-        for (i, (evidence, way)) in self.ways.enumerate() {
-            let next: Span = if i == 0 {
-                std::array::from_fn(|j| self.begin[j] + evidence[j])
-            } else {
-                std::array::from_fn(|j| arrive(score[j], score[j + 1], score[j + 2]) + evidence[j])
-            };
-            score[1..=SPAN].copy_from_slice(&next);
-            *way = next;
-        }
+    fn begin(begin: Span) -> Self {
+        let mut scores = [f32::MIN; SPAN + 2];
+        scores[1..=SPAN].copy_from_slice(&begin);
+        Self { scores, at_begin: true }
+    }
+
+    /// The scores in the next row.
+    #[inline(always)]
+    fn go_on(&mut self, evidence: &Span) -> Span {
+        let Self { scores, at_begin } = self;
+        let next: Span = if std::mem::replace(at_begin, false) {
+            std::array::from_fn(|j| scores[j + 1] + evidence[j])
+        } else {
+            std::array::from_fn(|j| arrive(scores[j], scores[j + 1], scores[j + 2]) + evidence[j])
+        };
+        scores[1..=SPAN].copy_from_slice(&next);
+        next
     }
 }
 
@@ -184,4 +198,69 @@ fn arrive(left: f32, here: f32, right: f32) -> f32 {
 pub(super) fn column_about(path: &[usize], i: usize, reach: usize) -> f32 {
     let near = &path[i.saturating_sub(reach)..(i + reach + 1).min(path.len())];
     near.iter().sum::<usize>() as f32 / near.len() as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::random;
+
+    /// The best score of all paths that are at a column of their own in one row, by trying each step from each column.
+    fn best_through(
+        evidence: &[[f64; SPAN]],
+        cost: &[f64; SPAN],
+        (row, columns): (usize, &dyn Fn(usize) -> bool),
+    ) -> f64 {
+        let allowed = |i: usize, j: usize| i != row || columns(j);
+        let mut scores: Vec<f64> =
+            (0..SPAN).map(|j| if allowed(0, j) { evidence[0][j] - cost[j] } else { -1e9 }).collect();
+        for (i, evidence) in evidence.iter().enumerate().skip(1) {
+            let from = |j: usize, k: usize| scores[k] - if k == j { 0.0 } else { f64::from(MOVE) };
+            let best = |j: usize| (j.saturating_sub(1)..SPAN.min(j + 2)).map(|k| from(j, k)).fold(f64::MIN, f64::max);
+            scores = (0..SPAN).map(|j| if allowed(i, j) { best(j) + evidence[j] } else { -1e9 }).collect();
+        }
+        scores.into_iter().fold(f64::MIN, f64::max)
+    }
+
+    #[test]
+    fn the_best_path_and_its_margins_are_those_of_all_paths() {
+        let mut random = random();
+        let mut lattice = Lattice::default();
+        for _ in 0..60 {
+            let rows = 1 + (20.0 * random()) as usize;
+            let contrast: Vec<f32> = (0..rows).map(|_| 10.0 + 20.0 * random()).collect();
+            let depth: Vec<Line> = (0..rows).map(|_| std::array::from_fn(|_| 30.0 * random() - 8.0)).collect();
+            let strip = Strip { depth, noise: 2.0 + random(), columns: (9, COLS - 10), ..Strip::default() };
+            let costs: Span = std::array::from_fn(|_| 3.0 * random());
+            let mut path = Vec::new();
+            let score = lattice.best(&strip, |i| contrast[i], |j| costs[j - FROM], &mut path);
+            let evidence = |i: usize, j: usize| {
+                let (contrast, depth) = (f64::from(contrast[i]), f64::from(strip.depth[i][j + FROM]));
+                let depth = depth.min(f64::from(TOO_DEEP) * contrast - depth);
+                let variance = 9.0 * f64::from(strip.noise).powi(2);
+                let part = (1.0 / variance).min(2.0 * f64::from(MOST) / contrast.powi(2));
+                let told = (contrast * (depth - 0.5 * contrast) * part).clamp(f64::from(LEAST), f64::from(MOST));
+                if (9..COLS - 9).contains(&(j + FROM)) { told } else { f64::from(NEVER) }
+            };
+            let all: Vec<[f64; SPAN]> = (0..rows).map(|i| std::array::from_fn(|j| evidence(i, j))).collect();
+            let cost = costs.map(f64::from);
+            let best = best_through(&all, &cost, (0, &|_| true));
+            assert!((f64::from(score) - best).abs() < 1e-3, "{score} {best}");
+            // The path is one of that score.
+            let moves = path.windows(2).map(|pair| pair[0].abs_diff(pair[1]));
+            assert!(moves.clone().all(|step| step <= 1), "{path:?}");
+            let moved = f64::from(MOVE) * moves.sum::<usize>() as f64;
+            let along: f64 = path.iter().enumerate().map(|(i, j)| all[i][j - FROM]).sum();
+            assert!((along - cost[path[0] - FROM] - moved - best).abs() < 1e-3, "{path:?}");
+            let mut margins = Vec::new();
+            lattice.margins(&path, 2, &mut margins);
+            for (i, margin) in margins.iter().enumerate() {
+                let here = best_through(&all, &cost, (i, &|j| j.abs_diff(path[i] - FROM) <= 2));
+                let elsewhere = best_through(&all, &cost, (i, &|j| j.abs_diff(path[i] - FROM) > 2));
+                // Out of reach numbers are coarse.
+                let told = here - elsewhere;
+                assert!((f64::from(*margin) - told).abs() < 1e-3 || told > 1e5, "{margin} {told}");
+            }
+        }
+    }
 }

@@ -3,26 +3,38 @@
 use super::axis::Station;
 use super::levels::OF_16_BITS;
 use super::strip::{COLS, Line, MID, greater, lesser};
+use crate::wide::LANES;
 
 /// Places within a row are counted in these parts of a pixel.
-const PARTS: f32 = 65536.0;
+const PARTS: f32 = 32768.0;
+const PARTS_BITS: u32 = 15;
 /// No side of a picture is longer: products of numbers that are sure to be below it are fast.
 const LONGEST: u32 = 0x7fff;
+/// Places farther out than this, pixels, are at it.
+const FARTHEST: f32 = 60000.0;
 
 /// What a picture is made of.
 pub(super) trait Pixel: Copy {
-    /// Grey values, 0 to 255, of a square of four.
-    fn greys(square: [Self; 4]) -> [f32; 4];
+    /// Two beside each other as one number: fetched at once.
+    type Pair: Copy + Default;
+    /// A pixel and the one to its right.
+    fn pair(self, right: Self) -> Self::Pair;
+    /// Grey values, 0 to 255, of the left ones of pairs and of the right ones.
+    fn greys(pairs: &[Self::Pair; LANES]) -> ([f32; LANES], [f32; LANES]);
     /// The grey value of one.
     fn grey(self) -> f32;
 }
 
 impl Pixel for u8 {
+    type Pair = u16;
     #[inline(always)]
-    fn greys(square: [Self; 4]) -> [f32; 4] {
-        // Taken apart as one number, several of them at a time.
-        let all = u32::from_le_bytes(square);
-        [all & 0xff, all >> 8 & 0xff, all >> 16 & 0xff, all >> 24].map(|grey| grey as i32 as f32)
+    fn pair(self, right: Self) -> u16 {
+        u16::from_le_bytes([self, right])
+    }
+    #[inline(always)]
+    fn greys(pairs: &[u16; LANES]) -> ([f32; LANES], [f32; LANES]) {
+        let pairs = pairs.map(i32::from);
+        (pairs.map(|pair| (pair & 0xff) as f32), pairs.map(|pair| (pair >> 8) as f32))
     }
     #[inline(always)]
     fn grey(self) -> f32 {
@@ -31,9 +43,15 @@ impl Pixel for u8 {
 }
 
 impl Pixel for u16 {
+    type Pair = u32;
     #[inline(always)]
-    fn greys(square: [Self; 4]) -> [f32; 4] {
-        square.map(|p| f32::from(p) * (1.0 / OF_16_BITS))
+    fn pair(self, right: Self) -> u32 {
+        u32::from(self) | u32::from(right) << 16
+    }
+    #[inline(always)]
+    fn greys(pairs: &[u32; LANES]) -> ([f32; LANES], [f32; LANES]) {
+        let grey = |number: u32| number as i32 as f32 * (1.0 / OF_16_BITS);
+        (pairs.map(|pair| grey(pair & 0xffff)), pairs.map(|pair| grey(pair >> 16)))
     }
     #[inline(always)]
     fn grey(self) -> f32 {
@@ -42,9 +60,14 @@ impl Pixel for u16 {
 }
 
 impl Pixel for f32 {
+    type Pair = u64;
     #[inline(always)]
-    fn greys(square: [Self; 4]) -> [f32; 4] {
-        square
+    fn pair(self, right: Self) -> u64 {
+        u64::from(self.to_bits()) | u64::from(right.to_bits()) << 32
+    }
+    #[inline(always)]
+    fn greys(pairs: &[u64; LANES]) -> ([f32; LANES], [f32; LANES]) {
+        (pairs.map(|pair| Self::from_bits(pair as u32)), pairs.map(|pair| Self::from_bits((pair >> 32) as u32)))
     }
     #[inline(always)]
     fn grey(self) -> f32 {
@@ -53,54 +76,59 @@ impl Pixel for f32 {
 }
 
 /// Unrolls rows of a picture of at least two by two pixels.
-pub(super) struct Sampler<'a, P> {
+pub(super) struct Sampler<'a, P: Pixel> {
     pixels: &'a [P],
-    width: usize,
-    right: f32,
-    bottom: f32,
-    /// The four pixels around each column's place, first fetched, then mixed: mixing is done for several columns at a time.
-    around: [[P; 4]; COLS],
+    width: u32,
+    /// The last column and row.
+    last: [i32; 2],
+    /// The two pixels on either side of each column's place, in the row above it and in the one below: first fetched, then mixed, as
+    /// mixing is done for several columns at a time.
+    around: [[P::Pair; COLS]; 2],
 }
 
 impl<'a, P: Pixel> Sampler<'a, P> {
     pub(super) fn new(pixels: &'a [P], (width, height): (usize, usize)) -> Self {
-        let (right, bottom) = ((width - 1) as f32, (height - 1) as f32);
-        Self { pixels, width, right, bottom, around: [[pixels[0]; 4]; COLS] }
+        let last = [width, height].map(|side| side as i32 - 1);
+        Self { pixels, width: width as u32, last, around: [[P::Pair::default(); COLS]; 2] }
     }
 
-    /// Grey values across `station`.
+    /// Grey values across `station`; beyond the picture's rim the rim goes on.
     #[inline(always)]
     pub(super) fn row(&mut self, line: &mut Line, station: &Station) {
-        let (right, bottom) = (self.right - 0.5, self.bottom - 0.5);
-        let ends = [0, COLS - 1].map(|j| station.beside(j as f32 - MID as f32));
-        if ends.iter().all(|[x, y]| *x > 0.5 && *y > 0.5 && *x < right && *y < bottom) {
-            self.inside(line, station);
-        } else {
-            self.at_rim(line, station);
+        let [right, bottom] = self.last;
+        // The last pixels have others before them only.
+        let within = |v: i32, last: i32| (v.clamp(0, last << PARTS_BITS), last - 1);
+        let places = Places::new(station, 0.0);
+        let (mut at, mut parts) = ([0; COLS], [[0; COLS]; 2]);
+        let mut place = places.first;
+        for j in 0..COLS {
+            let ((x, most_left), (y, most_top)) = (within(place[0], right), within(place[1], bottom));
+            let (left, top) = ((x >> PARTS_BITS).min(most_left), (y >> PARTS_BITS).min(most_top));
+            (parts[0][j], parts[1][j]) = (x - (left << PARTS_BITS), y - (top << PARTS_BITS));
+            at[j] = (top as u32 & LONGEST) * (self.width & LONGEST) + left as u32;
+            place = places.next(place);
+        }
+        self.fetch(&at);
+        let [us, vs] = parts.each_ref().map(|parts| parts.as_chunks::<LANES>().0);
+        let [upper, lower] = self.around.each_ref().map(|pairs| pairs.as_chunks::<LANES>().0);
+        let all = us.iter().zip(vs).zip(upper.iter().zip(lower));
+        for (values, ((us, vs), (upper, lower))) in line.as_chunks_mut::<LANES>().0.iter_mut().zip(all) {
+            let [us, vs] = [us, vs].map(|parts| parts.map(|part| part as f32 * (1.0 / PARTS)));
+            let (upper, lower) = (mix(P::greys(upper), &us), mix(P::greys(lower), &us));
+            *values = mix((upper, lower), &vs);
         }
     }
 
     /// The pixels that are nearest to the places across `station`.
     #[inline(always)]
     pub(super) fn row_of_nearest(&mut self, line: &mut Line, station: &Station) {
-        let mut at = [0; COLS];
-        let row = self.width as u32 & LONGEST;
-        let ends = [0, COLS - 1].map(|j| station.beside(j as f32 - MID as f32));
-        if ends.iter().all(|[x, y]| *x >= 0.0 && *y >= 0.0 && *x <= self.right && *y <= self.bottom) {
-            let [cos, sin] = station.tangent;
-            let [mut x, mut y] = station.beside(-(MID as f32)).map(|v| ((v + 0.5) * PARTS) as i32);
-            let [step_x, step_y] = [-sin, cos].map(|v| (v * PARTS) as i32);
-            for at in &mut at {
-                *at = (y as u32 >> 16 & LONGEST) * row + (x as u32 >> 16);
-                (x, y) = (x + step_x, y + step_y);
-            }
-        } else {
-            for (j, at) in at.iter_mut().enumerate() {
-                let [x, y] = station.beside(j as f32 - MID as f32).map(|v| v + 0.5);
-                let left = lesser(greater(x, 0.0), self.right) as i32;
-                let top = lesser(greater(y, 0.0), self.bottom) as i32;
-                *at = (top as u32 & LONGEST) * row + left as u32;
-            }
+        let [right, bottom] = self.last;
+        let places = Places::new(station, 0.5);
+        let (mut at, mut place) = ([0; COLS], places.first);
+        for at in &mut at {
+            let (left, top) = ((place[0] >> PARTS_BITS).clamp(0, right), (place[1] >> PARTS_BITS).clamp(0, bottom));
+            *at = (top as u32 & LONGEST) * (self.width & LONGEST) + left as u32;
+            place = places.next(place);
         }
         for (value, at) in line.iter_mut().zip(&at) {
             *value = self.pixels[*at as usize].grey();
@@ -111,63 +139,45 @@ impl<'a, P: Pixel> Sampler<'a, P> {
     #[inline(always)]
     fn fetch(&mut self, at: &[u32; COLS]) {
         // Those that have others to their right and below, and the others: of one length, so that one check is enough.
-        let (count, below) = (self.pixels.len() - self.width - 1, &self.pixels[self.width..]);
+        let width = self.width as usize;
+        let (count, below) = (self.pixels.len() - width - 1, &self.pixels[width..]);
         let [a, b, c, d] = [&self.pixels[..count], &self.pixels[1..=count], &below[..count], &below[1..=count]];
-        for (around, at) in self.around.iter_mut().zip(at) {
-            let at = *at as usize;
-            *around = [a[at], b[at], c[at], d[at]];
+        let [upper, lower] = &mut self.around;
+        let pairs = upper.as_chunks_mut::<LANES>().0.iter_mut().zip(lower.as_chunks_mut::<LANES>().0);
+        for ((upper, lower), at) in pairs.zip(at.as_chunks::<LANES>().0) {
+            for k in 0..LANES {
+                let at = at[k] as usize;
+                (upper[k], lower[k]) = (a[at].pair(b[at]), c[at].pair(d[at]));
+            }
         }
     }
+}
 
-    /// A row that lies within the picture.
+/// Values between two of each.
+#[inline(always)]
+fn mix((from, to): ([f32; LANES], [f32; LANES]), parts: &[f32; LANES]) -> [f32; LANES] {
+    std::array::from_fn(|k| from[k] + parts[k] * (to[k] - from[k]))
+}
+
+/// Places across a station in parts of a pixel, from left to right.
+struct Places {
+    first: [i32; 2],
+    step: [i32; 2],
+}
+
+impl Places {
+    /// `more`: pixels to add.
     #[inline(always)]
-    fn inside(&mut self, line: &mut Line, station: &Station) {
+    fn new(station: &Station, more: f32) -> Self {
         let [cos, sin] = station.tangent;
-        let [x0, y0] = station.beside(-(MID as f32)).map(|v| (v * PARTS) as i32);
-        let [step_x, step_y] = [-sin, cos].map(|v| (v * PARTS) as i32);
-        let row = self.width as u32 & LONGEST;
-        let (mut at, mut x, mut y) = ([0; COLS], x0, y0);
-        for at in &mut at {
-            *at = (y as u32 >> 16 & LONGEST) * row + (x as u32 >> 16);
-            (x, y) = (x + step_x, y + step_y);
-        }
-        self.fetch(&at);
-        (x, y) = (x0, y0);
-        for (value, around) in line.iter_mut().zip(&self.around) {
-            let [u, v] = [x, y].map(|v| (v & 0xffff) as f32 * (1.0 / PARTS));
-            let [a, b, c, d] = P::greys(*around);
-            let (upper, lower) = (a + u * (b - a), c + u * (d - c));
-            *value = upper + v * (lower - upper);
-            (x, y) = (x + step_x, y + step_y);
-        }
+        let parts = |v: f32| (lesser(greater(v + more, -FARTHEST), FARTHEST) * PARTS) as i32;
+        let first = station.beside(-(MID as f32)).map(parts);
+        Self { first, step: [-sin, cos].map(|v| (v * PARTS) as i32) }
     }
 
-    /// A row that touches the picture's rim, beyond which the rim goes on.
     #[inline(always)]
-    fn at_rim(&mut self, line: &mut Line, station: &Station) {
-        let place = |j: usize| {
-            let [x, y] = station.beside(j as f32 - MID as f32);
-            let within = [lesser(greater(x, 0.0), self.right), lesser(greater(y, 0.0), self.bottom)];
-            // The last pixels have others before them only.
-            let [left, top] =
-                [lesser(within[0], self.right - 1.0), lesser(within[1], self.bottom - 1.0)].map(|v| v as i32);
-            ([left, top], [within[0] - left as f32, within[1] - top as f32])
-        };
-        let row = self.width as u32 & LONGEST;
-        let mut at = [0; COLS];
-        let mut parts = [[0.0; COLS]; 2];
-        for (j, at) in at.iter_mut().enumerate() {
-            let ([left, top], [u, v]) = place(j);
-            (parts[0][j], parts[1][j]) = (u, v);
-            *at = (top as u32 & LONGEST) * row + left as u32;
-        }
-        self.fetch(&at);
-        for (j, (value, around)) in line.iter_mut().zip(&self.around).enumerate() {
-            let (u, v) = (parts[0][j], parts[1][j]);
-            let [a, b, c, d] = P::greys(*around);
-            let (upper, lower) = (a * (1.0 - u) + b * u, c * (1.0 - u) + d * u);
-            *value = upper * (1.0 - v) + lower * v;
-        }
+    fn next(&self, [x, y]: [i32; 2]) -> [i32; 2] {
+        [x + self.step[0], y + self.step[1]]
     }
 }
 
@@ -187,9 +197,10 @@ mod tests {
             f32::from(pixels[y * width + x])
         };
         let mut sampler = Sampler::new(&pixels, (width, height));
-        for _ in 0..3000 {
-            // Over the rims too.
-            let at = [90.0 * random(), 70.0 * random()];
+        for i in 0..3000 {
+            // Over the rims too, and far away.
+            let far = if i % 10 == 0 { 1e6 } else { 1.0 };
+            let at = [far * (120.0 * random() - 15.0), far * (100.0 * random() - 15.0)];
             let station = Axis { at, heading: 7.0 * random(), curvature: 0.0 }.station(0.0);
             let (mut nearest, mut between) = ([0.0; COLS], [0.0; COLS]);
             sampler.row_of_nearest(&mut nearest, &station);

@@ -1,7 +1,8 @@
 //! What turns as no joint does, at the rim of a tack or where another joint meets, is left again: the joint may go straight on behind
 //! what hides it.
 
-use super::again::{HEADING, STRETCH, last_sure, rim, start_at, to_rim, top_hat_level, way};
+use super::again::{HEADING, SAME, STRETCH, last_sure, rim, start_at, to_rim, top_hat_level, way};
+use super::axis::length;
 use super::bend;
 use super::follow::{Follower, Inside};
 use super::trail::{Look, ROWS};
@@ -13,7 +14,7 @@ const CORNER: f32 = 0.45;
 /// Rows about a corner of which it is the sharpest: next to it a half of an arm alone lies behind it.
 const NEAR: usize = 15;
 /// Corners that are looked at, and where it ends within the frame.
-const CORNERS: usize = 2;
+const CORNERS: usize = 1;
 const CORNERS_WITHIN: usize = 4;
 /// Rows before a corner in which the way bends aside already.
 const BEFORE: usize = 8;
@@ -47,7 +48,10 @@ impl Follower {
         let from = corner.saturating_sub(ROWS << (level - look.level)).max(HEADING);
         let Some(start) = start_at(rows, from).filter(|_| from < corner) else { return false };
         let length = way(&rows[from..=corner]);
-        self.hidden = Some((length / (1 << level) as f32) as usize);
+        let place = (length / (1 << level) as f32) as usize;
+        // What ends within the frame may go on behind its end.
+        let aside = if to_rim(rows, inside) < rim(look) { corner } else { rows.len() };
+        self.hidden = Some(Hidden { place, aside });
         let found = self.follow_on_top_hat(frame, &start, inside, (look, level), (length, length + STRETCH));
         self.hidden = None;
         if !found {
@@ -65,6 +69,20 @@ impl Follower {
         // What was sure behind the corner was something else.
         self.keep_sure(corner + 1)
     }
+}
+
+/// Where something may hide a joint that was followed aside there.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Hidden {
+    /// How many places behind the start.
+    pub(super) place: usize,
+    /// The row from which on the joint was followed aside, to the rim; there is none if it ended within the frame.
+    pub(super) aside: usize,
+}
+
+/// True if one of the rows is near a place of the frame.
+pub(super) fn is_passed(rows: &[Row], at: [f32; 2]) -> bool {
+    rows.iter().any(|row| length([row.x - at[0], row.y - at[1]]) < SAME.0.max(SAME.1 * row.width))
 }
 
 /// The first row from `from` on, [`bend::REACH`] at least, at which the way turns like none of a joint, and none near it more.

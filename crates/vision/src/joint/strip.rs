@@ -107,7 +107,7 @@ fn depths<const HALF: usize>(depth: &mut Line, (sum, boxes): (&Line, &Boxes), co
 }
 
 /// Grey values across each station.
-struct Unroll<'a, P, S, const NEAREST: bool> {
+struct Unroll<'a, P: Pixel, S, const NEAREST: bool> {
     sampler: Sampler<'a, P>,
     stations: S,
     lines: &'a mut [Line],

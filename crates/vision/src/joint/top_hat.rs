@@ -45,37 +45,21 @@ impl TopHat {
         (self.width, self.height) = (width, height);
         let (margin, square) = (margin(around), 2 * around + 1);
         let (line, rows) = (line(width, around), height + 2 * margin);
-        self.put_within(pixels, margin, line);
         self.smooth.resize(line * rows + behind(around), 0);
         self.metal.resize(self.smooth.len(), 0);
-        wide(Close { smooth: &mut self.smooth, metal: &mut self.metal, size: (line, rows), square });
         self.pixels.resize(width * height, 0.0);
-        let most = DEEPEST * contrast;
-        for (y, out) in self.pixels.chunks_exact_mut(width).enumerate() {
-            // A group of three, then two squares to the upper left.
-            let at = |less: usize| (y + margin - less) * line + margin - less;
-            let (smooth, metal) = (&self.smooth[at(1)..][..width], &self.metal[at(square)..][..width]);
-            wide(Bend { smooth, metal, most, out });
-        }
+        let Self { smooth, metal, pixels: out, .. } = self;
+        let size = (width, height);
+        wide(Take { pixels, size, smooth, metal, out, line, rows, margin, square, most: DEEPEST * contrast });
     }
 
     pub(super) fn picture(&self) -> Picture<'_> {
         Picture { width: self.width, height: self.height, grey: Grey::F32(&self.pixels), is_top_hat: true }
     }
-
-    /// The picture within a margin, lines of so many pixels.
-    fn put_within(&mut self, pixels: &[f32], margin: usize, line: usize) {
-        self.smooth.clear();
-        for y in 0..self.height + 2 * margin {
-            let row = &pixels[y.saturating_sub(margin).min(self.height - 1) * self.width..][..self.width];
-            self.smooth.extend(std::iter::repeat_n(parts(row[0]), margin));
-            self.smooth.extend(row.iter().map(|grey| parts(*grey)));
-            self.smooth.extend(std::iter::repeat_n(parts(row[self.width - 1]), line - margin - self.width));
-        }
-    }
 }
 
 /// A grey value in parts.
+#[inline(always)]
 fn parts(grey: f32) -> i16 {
     // The last bits of what has no place for fractions.
     const WHOLE: f32 = 8_388_608.0;
@@ -104,93 +88,115 @@ fn steps(count: usize) -> impl Iterator<Item = usize> + Clone {
     std::iter::from_fn(move || more(done).inspect(|step| done += step))
 }
 
-/// Makes a picture a little smoother and closes it, by squares of so many pixels a side. The upper left pixel of each group becomes
-/// what the group is. Rows are done one after the other, as far as each goes: so they stay at hand.
-struct Close<'a> {
+/// See [`TopHat::take`]. Rows are done one after the other, each as soon as those that it needs are: so they stay at hand. The upper left
+/// pixel of each group becomes what the group is.
+struct Take<'a> {
+    pixels: &'a [f32],
+    /// Pixels of a row of the picture, and rows.
+    size: (usize, usize),
     smooth: &'a mut [i16],
     metal: &'a mut [i16],
-    /// Pixels of a row, and rows.
-    size: (usize, usize),
+    out: &'a mut [f32],
+    /// Pixels of a row within the margin, and rows.
+    line: usize,
+    rows: usize,
+    margin: usize,
     square: usize,
+    most: f32,
 }
 
-impl Work for Close<'_> {
+impl Work for Take<'_> {
     #[inline(always)]
     fn run(self) {
-        let Self { smooth, metal, size, square } = self;
+        let Self { pixels, size: (width, height), smooth, metal, out, line, rows, margin, square, most } = self;
         let mean = |a: i16, b: i16| (a + b) >> 1;
-        let (twice, square) = (&[1, 1].into_iter(), &steps(square));
-        across(smooth, size, twice, mean);
-        down(smooth, size, twice, mean);
-        metal.copy_from_slice(smooth);
-        across(metal, size, square, i16::max);
-        down(metal, size, square, i16::max);
-        down(metal, size, square, i16::min);
-        across(metal, size, square, i16::min);
+        let (twice, steps) = ([1, 1].into_iter(), steps(square));
+        // Rows that are made smooth, greatest and least: so many behind.
+        let (smoothed, lightest, closed) = (2, 2 + square - 1, 2 + 2 * (square - 1));
+        for row in 0..rows {
+            let from = &pixels[row.saturating_sub(margin).min(height - 1) * width..][..width];
+            put_within(&mut smooth[row * line..][..line], from, margin);
+            across(smooth, (line, row), &twice, mean);
+            down(smooth, (line, row), &twice, mean);
+            let Some(row) = row.checked_sub(smoothed) else { continue };
+            let this = row * line..(row + 1) * line;
+            metal[this.clone()].copy_from_slice(&smooth[this]);
+            across(metal, (line, row), &steps, i16::max);
+            down(metal, (line, row), &steps, i16::max);
+            let Some(row) = (row + smoothed).checked_sub(lightest) else { continue };
+            down(metal, (line, row), &steps, i16::min);
+            let Some(row) = (row + lightest).checked_sub(closed) else { continue };
+            across(metal, (line, row), &steps, i16::min);
+            // A group of three is one to the upper left, two squares are so much more.
+            let Some(y) = (row + square).checked_sub(margin).filter(|y| *y < height) else { continue };
+            let at = |less: usize| (y + margin - less) * line + margin - less;
+            let (smooth, metal) = (&smooth[at(1)..][..width], &metal[at(square)..][..width]);
+            bend(&mut out[y * width..][..width], smooth, metal, most);
+        }
     }
+}
+
+/// A row of grey values in parts, within a margin.
+#[inline(always)]
+fn put_within(row: &mut [i16], from: &[f32], margin: usize) {
+    let (before, rest) = row.split_at_mut(margin);
+    let (within, behind) = rest.split_at_mut(from.len());
+    before.fill(parts(from[0]));
+    for (parts_of, grey) in within.iter_mut().zip(from) {
+        *parts_of = parts(*grey);
+    }
+    behind.fill(parts(from[from.len() - 1]));
 }
 
 /// Combines each pixel with those of its row from it on, step by step. (Behind the rim a row goes on with the next one: nobody asks.)
 #[inline(always)]
 fn across(
     pixels: &mut [i16],
-    (line, rows): (usize, usize),
+    (line, row): (usize, usize),
     steps: &(impl Iterator<Item = usize> + Clone),
     of: impl Fn(i16, i16) -> i16,
 ) {
-    for from in (0..rows).map(|row| row * line) {
-        for step in steps.clone() {
-            let row = &mut pixels[from..][..line + step];
-            for i in (0..line).step_by(LANES) {
-                let mut behind = [0; LANES];
-                behind.copy_from_slice(&row[i + step..][..LANES]);
-                for (a, b) in row[i..][..LANES].iter_mut().zip(behind) {
-                    *a = of(*a, b);
-                }
+    for step in steps.clone() {
+        let row = &mut pixels[row * line..][..line + step];
+        for i in (0..line).step_by(LANES) {
+            let mut behind = [0; LANES];
+            behind.copy_from_slice(&row[i + step..][..LANES]);
+            for (a, b) in row[i..][..LANES].iter_mut().zip(behind) {
+                *a = of(*a, b);
             }
         }
     }
 }
 
-/// Combines each row with those from it on, step by step; the last ones stay as they are.
+/// Combines rows with those from them on, step by step, as far as those reach up to this one.
 #[inline(always)]
 fn down(
     pixels: &mut [i16],
-    (line, rows): (usize, usize),
+    (line, row): (usize, usize),
     steps: &(impl Iterator<Item = usize> + Clone),
     of: impl Fn(i16, i16) -> i16,
 ) {
-    for row in 0..rows {
-        // Each step as soon as the one before it is done with the row it reaches.
-        let mut reached = row;
-        for step in steps.clone() {
-            let Some(upper) = reached.checked_sub(step) else { break };
-            let (above, below) = pixels.split_at_mut(reached * line);
-            for (a, b) in above[upper * line..][..line].iter_mut().zip(&below[..line]) {
-                *a = of(*a, *b);
-            }
-            reached = upper;
+    // Each step as soon as the one before it is done with the row it reaches.
+    let mut reached = row;
+    for step in steps.clone() {
+        let Some(upper) = reached.checked_sub(step) else { break };
+        let (above, below) = pixels.split_at_mut(reached * line);
+        for (a, b) in above[upper * line..][..line].iter_mut().zip(&below[..line]) {
+            *a = of(*a, *b);
         }
+        reached = upper;
     }
 }
 
 /// The grey values of a row for depths that are bent over at `most`.
-struct Bend<'a> {
-    smooth: &'a [i16],
-    metal: &'a [i16],
-    most: f32,
-    out: &'a mut [f32],
-}
-
-impl Work for Bend<'_> {
-    #[inline(always)]
-    fn run(self) {
-        for ((out, smooth), metal) in self.out.iter_mut().zip(self.smooth).zip(self.metal) {
-            let depth = ((metal - smooth) / (PARTS as i16 / DEPTH_PARTS)).min(DEPTHS - 1);
-            let depth = f32::from(depth) * (1.0 / f32::from(DEPTH_PARTS));
-            let part = depth / self.most;
-            *out = METAL - depth / (1.0 + part * part).sqrt();
-        }
+#[inline(always)]
+fn bend(out: &mut [f32], smooth: &[i16], metal: &[i16], most: f32) {
+    let part_of_most = 1.0 / most;
+    for ((out, smooth), metal) in out.iter_mut().zip(smooth).zip(metal) {
+        let depth = ((metal - smooth) / (PARTS as i16 / DEPTH_PARTS)).min(DEPTHS - 1);
+        let depth = f32::from(depth) * (1.0 / f32::from(DEPTH_PARTS));
+        let part = depth * part_of_most;
+        *out = METAL - depth / (1.0 + part * part).sqrt();
     }
 }
 

@@ -127,8 +127,8 @@ impl Midline {
 
     #[inline(always)]
     pub(super) fn place_middles(&mut self) {
-        let middles = self.stations.iter().zip(&self.single);
-        self.places.put(middles.map(|(station, middle)| station.beside(middle - MID as f32)));
+        let middles = self.stations.iter().zip(&self.single).zip(&self.seen);
+        self.places.put(middles.map(|((station, middle), seen)| (station.beside(middle - MID as f32), *seen)));
     }
 
     /// How little the rows about each look like the joint.
@@ -171,45 +171,42 @@ impl Midline {
         let all_seen = |seen_before: &[usize], i: usize| {
             i >= reach && i + reach < count && seen_before[i + reach + 1] - seen_before[i - reach] == 2 * reach + 1
         };
-        let mut i = 0;
-        while i < count {
-            let mut found = [(0.0, 0.0); LANES];
-            let mut fitted = 1;
-            if all_seen(&self.seen_before, i) {
-                fitted = (i + 1..count.min(i + LANES)).take_while(|k| all_seen(&self.seen_before, *k)).count() + 1;
-                found = self.even.across(&self.places, i, &self.stations[i..i + fitted]);
-                found.iter_mut().for_each(|(at, _)| *at += MID as f32);
+        for i in (0..count).step_by(LANES) {
+            let last = (i + LANES).min(count);
+            let stations = &self.stations[i..last];
+            let found = if all_seen(&self.seen_before, i) && all_seen(&self.seen_before, last - 1) {
+                self.even.across(&self.places, i, stations)
             } else {
-                found[0] = self.fit(i, reach, count);
+                let found = self.even.across_seen(&self.places, i, stations, STIFF);
+                std::array::from_fn(|k| {
+                    let unknown = || (self.centre[(i + k).min(last - 1)] - MID as f32, f32::INFINITY);
+                    found[k].map_or_else(unknown, |parabola| (parabola.terms[0], parabola.error()))
+                })
+            };
+            for (k, (across, error)) in (i..last).zip(found) {
+                let path = self.path[k] as f32;
+                self.centre[k] = (across + MID as f32).clamp(path - most, path + most);
+                self.rows[k].error = error;
             }
-            for (k, (at, error)) in found.into_iter().enumerate().take(fitted) {
-                let path = self.path[i + k] as f32;
-                self.centre[i + k] = at.clamp(path - most, path + most);
-                self.rows[i + k].error = error;
-            }
-            i += fitted;
         }
     }
 
-    /// The parabola through the middles of seen rows about row `i` and before row `end`: where it crosses that row's line, and
-    /// the standard error of that.
+    /// The parabola through the middles of seen rows about row `i` and before row `end`: where it crosses that row's line.
     #[inline(always)]
-    pub(super) fn fit(&self, i: usize, reach: usize, end: usize) -> (f32, f32) {
+    pub(super) fn fit(&self, i: usize, reach: usize, end: usize) -> f32 {
         let near = i.saturating_sub(reach)..(i + reach + 1).min(end);
         let Station { at: [x0, y0], tangent: [cos, sin] } = self.stations[i];
         // First all, several at a time, then those that are seen.
         let (scale, first) = (1.0 / (reach + 1) as f32, near.start as i32 - i as i32);
         let mut local = [[0.0f32; 2 * even::MOST + 1]; 3];
         let [us, vs, weights] = &mut local;
-        let places = self.places.x[near.clone()].iter().zip(&self.places.y[near.clone()]);
-        for (k, (((u, v), weight), (x, y))) in us.iter_mut().zip(vs).zip(weights).zip(places).enumerate() {
+        let places = self.places.places(near.clone());
+        for (k, (((u, v), weight), [x, y])) in us.iter_mut().zip(vs).zip(weights).zip(places).enumerate() {
             (*u, *v) = ((x - x0) * cos + (y - y0) * sin, (y - y0) * cos - (x - x0) * sin);
             *weight = 1.0 - ((first + k as i32) as f32 * scale).powi(2);
         }
         let seen = self.seen[near].iter().enumerate().filter(|(_, seen)| **seen);
         let places = seen.map(|(k, _)| (local[0][k], local[1][k], local[2][k]));
-        let Some(parabola) = Parabola::through(places, STIFF) else { return (self.centre[i], f32::INFINITY) };
-        let error = (parabola.rest * parabola.variance).sqrt();
-        (parabola.terms[0] + MID as f32, if parabola.weights > 4.0 { error } else { f32::INFINITY })
+        Parabola::through(places, STIFF).map_or(self.centre[i], |parabola| parabola.terms[0] + MID as f32)
     }
 }

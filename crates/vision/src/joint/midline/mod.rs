@@ -109,8 +109,7 @@ impl Midline {
         // A few rows tell none.
         self.strip.noise = look.noise;
         self.strip.noise = self.strip.noise_beside(&self.path, (look.width, look.contrast));
-        self.lattice.weigh(&self.strip, |i| self.contrast[i]);
-        self.lattice.best(|_| 0.0, &mut self.path);
+        self.lattice.best(&self.strip, |i| self.contrast[i], |_| 0.0, &mut self.path);
         self.follow_contrast(&trail.places);
         let scale = (1 << look.level) as f32;
         let away = (2.0 / scale).max(0.5 * look.width).round().max(1.0) as usize;
@@ -208,7 +207,7 @@ impl Midline {
             self.place_middles();
             for i in from..end {
                 // Next to the end all rows are on one side: more of them hold it.
-                self.centre[i] = self.fit(i, self.line + 2 * (i - from) / 3, whole).0;
+                self.centre[i] = self.fit(i, self.line + 2 * (i - from) / 3, whole);
             }
         }
         for i in from..end {

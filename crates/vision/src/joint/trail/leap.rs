@@ -8,6 +8,8 @@ pub(super) const CHORD: usize = 14;
 const CORNER: f32 = 0.6;
 /// How a joint may bend below what hides it, rad/px.
 const BENDS: [f32; 5] = [0.0, 0.006, -0.006, 0.012, -0.012];
+/// Rows of a strip behind a corner that show the joint.
+const SHOWN: usize = (9 * ROWS).div_ceil(10);
 /// Places leapt over at a time behind a corner.
 const LEAP: usize = 12;
 
@@ -25,12 +27,7 @@ impl Trail {
     }
 
     /// Goes on over what hides the joint, without looking at it: the axis where the joint is seen again, if it is.
-    pub(super) fn leap<F: Fn([f32; 2]) -> bool>(
-        &mut self,
-        picture: &Picture,
-        look: &mut Look,
-        limits: &Limits<F>,
-    ) -> Option<Axis> {
+    pub(super) fn leap(&mut self, picture: &Picture, look: &mut Look, limits: &Limits) -> Option<Axis> {
         let [.., before, last] = self.places[..] else { return None };
         let heading = (last.at[1] - before.at[1]).atan2(last.at[0] - before.at[0]);
         let axis = self.way_on(&Axis { at: last.at, heading, curvature: 0.0 }, 1.0, 2 * FITTED);
@@ -46,8 +43,12 @@ impl Trail {
             let mut best: Option<(f32, Axis)> = None;
             let axes = bends.iter().map(|bend| Axis { curvature: *bend, ..axis });
             for axis in axes.filter(|axis| (limits.inside)(axis.station(gone as f32).at)) {
-                let score = self.see(picture, &beyond(&axis, gone), BACK as f32, &mut look.clone(), gone);
-                let is_joint = 10 * self.count() >= 9 * ROWS && self.is_steady();
+                self.unroll(picture, &beyond(&axis, gone), BACK as f32, look);
+                if !self.may_show(look, SHOWN) {
+                    continue;
+                }
+                let score = self.see_unrolled(&mut look.clone(), gone);
+                let is_joint = self.count() >= SHOWN && self.is_steady();
                 if is_joint && best.is_none_or(|(most, _)| score > most) {
                     best = Some((score, axis));
                 }

@@ -15,12 +15,14 @@ pub(super) const ROWS: usize = 48;
 const BACK: usize = 10;
 /// ... of which this many places are taken, ...
 const TAKEN: usize = 20;
-/// ... and up to so many if the strip shows nothing, or on the finest level, where there are most of them, if all of it shows a joint
-/// so many times as deep as the noise, ...
-const TAKEN_CLEAR: usize = 28;
+/// ... and up to so many on the finest level, where there are most of them, if all of it shows a joint so many times as deep as the
+/// noise, ...
+const TAKEN_CLEAR: usize = 36;
 const CLEAR: f32 = 5.5;
 /// ... as long as it is this near to where it is predicted, columns.
 const NEAR: f32 = 2.0;
+/// What turns more often than this like none of a joint is chance finds of texture.
+const MOST_CORNERS: usize = 3;
 /// Places that the way on is fitted to.
 const FITTED: usize = 44;
 /// Joints bend no more sharply than this, rad/px of their level.
@@ -80,8 +82,6 @@ pub(super) struct Trail {
     deepest: Vec<f32>,
     /// Places behind a corner.
     aside: Vec<Place>,
-    /// Noise is learned from every other strip that shows the joint, those to a side counted.
-    odd: bool,
 }
 
 /// What is known of a joint as it is followed, in pixels of its level.
@@ -95,6 +95,8 @@ pub(super) struct Look {
     pub(super) floor: Option<f32>,
     /// Standard deviation of a depth.
     pub(super) noise: f32,
+    /// It is learned from every other strip that shows the joint: not from the last one.
+    pub(super) noise_was_learned: bool,
     pub(super) axis: Axis,
     /// How much speaks for this width: depth by the root of the width in pixels of the frame.
     pub(super) strength: f32,
@@ -113,8 +115,11 @@ impl Look {
 }
 
 /// How far a trail may go, pixels of its level.
-pub(super) struct Limits<F: Fn([f32; 2]) -> bool> {
-    pub(super) inside: F,
+pub(super) struct Limits<'a> {
+    /// True in the zone.
+    pub(super) inside: &'a dyn Fn([f32; 2]) -> bool,
+    /// True on the way that is to be left where something hides the joint.
+    pub(super) aside: &'a dyn Fn([f32; 2]) -> bool,
     pub(super) gap: f32,
     pub(super) length: f32,
     /// Place at which something is known to hide the joint.
@@ -159,7 +164,8 @@ impl Trail {
         let strength = contrast * (box_columns(width) as f32 * (1 << level) as f32).sqrt() * part;
         let axis = Axis { at: axis.station(0.0).beside(offset), heading: axis.heading + slope.atan(), curvature: 0.0 };
         let (noise, floor) = (self.strip.noise, (!picture.is_top_hat).then(|| self.floor(width)));
-        (part >= START_SEEN).then_some(Look { level, width, contrast, floor, noise, axis, strength })
+        let look = Look { level, width, contrast, floor, noise, noise_was_learned: false, axis, strength };
+        (part >= START_SEEN).then_some(look)
     }
 
     /// The greatest mean depth of the first rows in columns near the axis.
@@ -185,16 +191,10 @@ impl Trail {
     }
 
     /// Follows from where a look was.
-    pub(super) fn follow<F: Fn([f32; 2]) -> bool>(
-        &mut self,
-        picture: &Picture,
-        look: &mut Look,
-        limits: &Limits<F>,
-    ) -> Stop {
+    pub(super) fn follow(&mut self, picture: &Picture, look: &mut Look, limits: &Limits) -> Stop {
         self.places.clear();
-        self.odd = false;
         self.solid = 0;
-        let (mut axis, mut gap, mut back, mut checked) = (look.axis, 0usize, 0usize, 0usize);
+        let (mut axis, mut gap, mut back, mut checked, mut corners) = (look.axis, 0usize, 0usize, 0usize, 0usize);
         // Rows at the rims of a gap are not seen to be the joint's. On coarse levels those that groups blur are much of a gap.
         let rims = SEEN_AROUND + if look.level > SPIKY { GROUP } else { 0 };
         // Places that are not seen less those that are seen again: chance finds of texture add up to a gap.
@@ -213,7 +213,7 @@ impl Trail {
                 self.see(picture, &axis, from, look, gap);
             }
             let mut taken = 0;
-            let most = if self.count() == 0 || self.is_clear(look) { TAKEN_CLEAR } else { TAKEN };
+            let most = if self.is_clear(look) { TAKEN_CLEAR } else { TAKEN };
             for i in back..back + most {
                 let across = column_about(&self.path, i, 3) - MID as f32;
                 let beside = if taken < TAKEN { BESIDE } else { NEAR };
@@ -237,6 +237,11 @@ impl Trail {
                     return Stop::Gap;
                 }
             }
+            if limits.hidden.is_some_and(|hidden| self.goes_aside(hidden, limits)) {
+                // The way that it was to leave is nothing new.
+                self.places.clear();
+                return Stop::Gap;
+            }
             let told = limits.hidden.filter(|hidden| checked < *hidden && *hidden < self.places.len());
             if let Some(corner) = told.or_else(|| self.corner(checked)) {
                 checked = self.places.len();
@@ -251,12 +256,22 @@ impl Trail {
                 }
                 self.places.truncate(corner);
                 self.places.extend_from_slice(&self.aside);
+                corners += 1;
+                if corners > MOST_CORNERS {
+                    return Stop::Gap;
+                }
                 self.see(picture, &axis, from, look, gap);
             }
             self.learn(look);
             axis = self.way_on(&axis, taken as f32, if taken < TAKEN { FITTED / 2 } else { FITTED });
             back = BACK;
         }
+    }
+
+    /// True if the trail goes on aside well behind where something hides the joint.
+    fn goes_aside(&self, hidden: usize, limits: &Limits) -> bool {
+        let behind = self.places.get(hidden + ROWS..).unwrap_or_default();
+        behind.len() >= TAKEN && behind[behind.len() - TAKEN..].iter().step_by(TAKEN - 1).all(|p| (limits.aside)(p.at))
     }
 
     /// True if the strip shows a narrow joint so well that more of its places than usual are sure.

@@ -18,7 +18,8 @@ const ASIDE: f32 = 6.0;
 /// ... and show the joint in so many rows.
 const FOUND: usize = 8;
 /// Where the light steps, so does the joint's depth, by so many times.
-const OTHER_LIGHT: [f32; 4] = [0.5, 2.0, 0.25, 4.0];
+const OTHER_LIGHT: [f32; 4] = [0.5, 2.0, LEAST_LIGHT, 4.0];
+const LEAST_LIGHT: f32 = 0.25;
 /// A joint whose depth changes is no lighter in its middle than it was by more than this part of its depth.
 const LIKE_FLOOR: f32 = 0.4;
 
@@ -38,18 +39,18 @@ impl Trail {
         self.see_unrolled(look, gap)
     }
 
-    fn unroll(&mut self, picture: &Picture, axis: &Axis, from: f32, look: &Look) {
+    pub(super) fn unroll(&mut self, picture: &Picture, axis: &Axis, from: f32, look: &Look) {
         self.strip.unroll_nearest(picture, axis.stations(-from, ROWS));
         self.strip.measure(look.width, look.most(look.contrast));
         self.strip.noise = look.noise;
     }
 
-    fn see_unrolled(&mut self, look: &mut Look, gap: usize) -> f32 {
+    pub(super) fn see_unrolled(&mut self, look: &mut Look, gap: usize) -> f32 {
         let score = self.find(look.contrast, 1.5 + 0.15 * gap as f32);
         self.judge(look.contrast);
         if 2 * self.count() >= ROWS {
-            self.odd = !self.odd;
-            if self.odd {
+            look.noise_was_learned = !look.noise_was_learned;
+            if look.noise_was_learned {
                 let noise = self.strip.noise_beside(&self.path, (look.width, look.contrast));
                 look.noise += 0.5 * (noise.clamp(0.6 * look.noise, 1.5 * look.noise) - look.noise);
             }
@@ -65,7 +66,7 @@ impl Trail {
         self.usual.1.clone_from(&self.seen);
         self.find_deepest();
         for contrast in OTHER_LIGHT.map(|part| part * look.contrast) {
-            if !self.may_show_other_light(contrast, look.level) {
+            if self.strip.shows_at_most(&self.deepest, contrast) < least(look.level) {
                 continue;
             }
             let score = self.find(contrast, free);
@@ -85,14 +86,14 @@ impl Trail {
 
     /// True if no path of the strip shows the joint in so many rows as are worth going aside for, in any light.
     fn is_empty(&mut self, look: &Look) -> bool {
-        self.find_deepest();
-        self.strip.shows_at_most(&self.deepest, look.contrast) < FOUND
-            && !OTHER_LIGHT.into_iter().any(|part| self.may_show_other_light(part * look.contrast, look.level))
+        !self.may_show(look, least(look.level)) && self.strip.shows_at_most(&self.deepest, look.contrast) < FOUND
     }
 
-    /// False if no path shows a joint of this depth in most of the strip.
-    fn may_show_other_light(&self, contrast: f32, level: usize) -> bool {
-        self.strip.shows_at_most(&self.deepest, contrast) >= least(level)
+    /// False if no path of the strip shows the joint in so many rows, in any light.
+    pub(super) fn may_show(&mut self, look: &Look, rows: usize) -> bool {
+        self.find_deepest();
+        // The less deep a joint is, the more rows may show it.
+        self.strip.shows_at_most(&self.deepest, LEAST_LIGHT * look.contrast) >= rows
     }
 
     fn find_deepest(&mut self) {
@@ -166,8 +167,8 @@ impl Trail {
     }
 
     pub(super) fn find(&mut self, contrast: f32, free: f32) -> f32 {
-        self.lattice.weigh(&self.strip, |_| contrast);
-        self.lattice.best(|j| AWAY * (j.abs_diff(MID) as f32 - free).max(0.0), &mut self.path)
+        let cost = |j: usize| AWAY * (j.abs_diff(MID) as f32 - free).max(0.0);
+        self.lattice.best(&self.strip, |_| contrast, cost, &mut self.path)
     }
 
     /// Which rows of the strip show the joint.
