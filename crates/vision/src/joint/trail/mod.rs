@@ -21,7 +21,8 @@ const TAKEN_CLEAR: usize = 36;
 const CLEAR: f32 = 5.5;
 /// ... as long as it is this near to where it is predicted, columns.
 const NEAR: f32 = 2.0;
-/// What turns more often than this like none of a joint is chance finds of texture.
+/// What turns more often than this like none of a joint is chance finds of texture; twice as often on each coarser level, where what
+/// hides a joint is as wide as it.
 const MOST_CORNERS: usize = 3;
 /// Places that the way on is fitted to.
 const FITTED: usize = 44;
@@ -257,7 +258,7 @@ impl Trail {
                 self.places.truncate(corner);
                 self.places.extend_from_slice(&self.aside);
                 corners += 1;
-                if corners > MOST_CORNERS {
+                if corners > MOST_CORNERS << look.level {
                     return Stop::Gap;
                 }
                 self.see(picture, &axis, from, look, gap);
