@@ -26,7 +26,7 @@ const STARTS: [(usize, f32); 3] = [(1, 2.0), (1, 5.0), (2, 5.0)];
 /// A joint is wide if it is followed on this level or a coarser one.
 pub(super) const COARSE: usize = 2;
 /// Rows that were sure stay if the new way passes them so near, pixels or parts of the width.
-pub(super) const SAME: (f32, f32) = (2.0, 0.25);
+const SAME: (f32, f32) = (2.0, 0.25);
 /// Rows that tell the way at one of them.
 pub(super) const HEADING: usize = 12;
 
@@ -144,7 +144,7 @@ impl Follower {
         let (before, now) = (&mut self.before.rows, &mut self.joint.rows);
         let passed = |sure: &Row| {
             let nearest = now.iter().map(|row| sure.away(row)).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
-            nearest.filter(|(_, off)| *off < SAME.0.max(SAME.1 * sure.width)).map(|(nearest, _)| nearest)
+            nearest.filter(|(_, off)| *off < same_within(sure)).map(|(nearest, _)| nearest)
         };
         let first = &before[..count.min(before.len())];
         if last_sure(first).is_none() {
@@ -176,6 +176,11 @@ pub(super) fn rim(look: &Look) -> f32 {
 /// How far the last row is from the rim, pixels.
 pub(super) fn to_rim(rows: &[Row], inside: &Inside) -> f32 {
     rows.last().map_or(f32::INFINITY, |row| inside.to_rim([row.x, row.y]))
+}
+
+/// What passes a row nearer than this is the same joint, pixels.
+pub(super) fn same_within(row: &Row) -> f32 {
+    SAME.0.max(SAME.1 * row.width)
 }
 
 /// The last row that is sure.

@@ -6,7 +6,7 @@ use super::strip::{COLS, Line, MID, greater, lesser};
 use crate::wide::LANES;
 
 /// Places within a row are counted in these parts of a pixel.
-const PARTS: f32 = 32768.0;
+const PARTS: f32 = (1 << PARTS_BITS) as f32;
 const PARTS_BITS: u32 = 15;
 /// No side of a picture is longer: products of numbers that are sure to be below it are fast.
 const LONGEST: u32 = 0x7fff;

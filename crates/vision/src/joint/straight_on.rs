@@ -1,7 +1,7 @@
 //! What turns as no joint does, at the rim of a tack or where another joint meets, is left again: the joint may go straight on behind
 //! what hides it.
 
-use super::again::{HEADING, SAME, STRETCH, last_sure, rim, start_at, to_rim, top_hat_level, way};
+use super::again::{HEADING, STRETCH, last_sure, rim, same_within, start_at, to_rim, top_hat_level, way};
 use super::axis::length;
 use super::bend;
 use super::follow::{Follower, Inside};
@@ -82,7 +82,7 @@ pub(super) struct Hidden {
 
 /// True if one of the rows is near a place of the frame.
 pub(super) fn is_passed(rows: &[Row], at: [f32; 2]) -> bool {
-    rows.iter().any(|row| length([row.x - at[0], row.y - at[1]]) < SAME.0.max(SAME.1 * row.width))
+    rows.iter().any(|row| length([row.x - at[0], row.y - at[1]]) < same_within(row))
 }
 
 /// The first row from `from` on, [`bend::REACH`] at least, at which the way turns like none of a joint, and none near it more.

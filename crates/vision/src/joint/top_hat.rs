@@ -111,21 +111,20 @@ impl Work for Take<'_> {
         let Self { pixels, size: (width, height), smooth, metal, out, line, rows, margin, square, most } = self;
         let mean = |a: i16, b: i16| (a + b) >> 1;
         let (twice, steps) = ([1, 1].into_iter(), steps(square));
-        // Rows that are made smooth, greatest and least: so many behind.
-        let (smoothed, lightest, closed) = (2, 2 + square - 1, 2 + 2 * (square - 1));
         for row in 0..rows {
             let from = &pixels[row.saturating_sub(margin).min(height - 1) * width..][..width];
             put_within(&mut smooth[row * line..][..line], from, margin);
             across(smooth, (line, row), &twice, mean);
             down(smooth, (line, row), &twice, mean);
-            let Some(row) = row.checked_sub(smoothed) else { continue };
+            // A row is smooth when the two below it are there, and the greatest or least of a square when the others of it are.
+            let Some(row) = row.checked_sub(2) else { continue };
             let this = row * line..(row + 1) * line;
             metal[this.clone()].copy_from_slice(&smooth[this]);
             across(metal, (line, row), &steps, i16::max);
             down(metal, (line, row), &steps, i16::max);
-            let Some(row) = (row + smoothed).checked_sub(lightest) else { continue };
+            let Some(row) = row.checked_sub(square - 1) else { continue };
             down(metal, (line, row), &steps, i16::min);
-            let Some(row) = (row + lightest).checked_sub(closed) else { continue };
+            let Some(row) = row.checked_sub(square - 1) else { continue };
             across(metal, (line, row), &steps, i16::min);
             // A group of three is one to the upper left, two squares are so much more.
             let Some(y) = (row + square).checked_sub(margin).filter(|y| *y < height) else { continue };

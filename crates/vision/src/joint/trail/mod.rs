@@ -21,8 +21,8 @@ const TAKEN_CLEAR: usize = 36;
 const CLEAR: f32 = 5.5;
 /// ... as long as it is this near to where it is predicted, columns.
 const NEAR: f32 = 2.0;
-/// What turns more often than this like none of a joint is chance finds of texture; twice as often on each coarser level, where what
-/// hides a joint is as wide as it.
+/// What turns more often than this like none of a joint is chance finds of texture; twice as often may be on each coarser level: a
+/// burn hole has many corners to a joint that is a few pixels wide there.
 const MOST_CORNERS: usize = 3;
 /// Places that the way on is fitted to.
 const FITTED: usize = 44;
