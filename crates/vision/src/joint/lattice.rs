@@ -1,6 +1,7 @@
 use super::make_room;
 use super::strip::{COLS, GROUP, Line, MID, Strip, greater, greatest, lesser};
-use crate::wide::{Work, wide};
+use crate::aligned::Aligned;
+use crate::wide::{Simd, Work, wide};
 
 /// What a step to the next column costs, nats.
 const MOVE: f32 = 2.5;
@@ -17,7 +18,7 @@ const NEVER: f32 = -1e6;
 const FROM: usize = 8;
 const SPAN: usize = COLS - 2 * FROM;
 /// One value for each of them.
-type Span = [f32; SPAN];
+type Span = Aligned<SPAN>;
 
 /// Paths across the rows of a strip, one column a row, and how likely they are: the logarithm of the ratio of
 /// likelihoods with a joint and without one, less what their moves cost.
@@ -49,7 +50,7 @@ impl Lattice {
         path: &mut Vec<usize>,
     ) -> f32 {
         const MIDDLE: usize = MID - FROM;
-        self.go_forward(strip, contrast, std::array::from_fn(|j| -cost(j + FROM)));
+        self.go_forward(strip, contrast, Span::from_fn(|j| -cost(j + FROM)));
         path.clear();
         path.resize(self.forward.len(), MID);
         let Some(last) = self.forward.last() else { return NEVER };
@@ -82,8 +83,8 @@ impl Lattice {
 
     fn go_forward(&mut self, strip: &Strip, contrast: impl Fn(usize) -> f32, begin: Span) {
         let rows = strip.depth.len();
-        self.evidence.resize(rows, [0.0; SPAN]);
-        self.forward.resize(rows, [0.0; SPAN]);
+        self.evidence.resize(rows, Span::default());
+        self.forward.resize(rows, Span::default());
         let (first, last) = strip.columns;
         let columns = (first.max(FROM) - FROM, last.min(FROM + SPAN - 1) - FROM);
         // Groups overlap: each row counts once.
@@ -108,7 +109,7 @@ struct Forward<'a, C> {
 
 impl<C: Fn(usize) -> f32> Work for Forward<'_, C> {
     #[inline(always)]
-    fn run(self) {
+    fn run(self, _: impl Simd) {
         let mut ways = Ways::begin(self.begin);
         let rows = self.depth.iter().zip(self.evidence).zip(self.forward);
         for (i, ((depth, evidence), forward)) in rows.enumerate() {
@@ -141,13 +142,13 @@ struct Margins<'a> {
 
 impl Work for Margins<'_> {
     #[inline(always)]
-    fn run(self) {
+    fn run(self, _: impl Simd) {
         let Lattice { forward, evidence } = self.lattice;
-        let mut ways = Ways::begin([0.0; SPAN]);
+        let mut ways = Ways::begin(Span::default());
         let rows = self.margins.iter_mut().zip(forward).zip(evidence).zip(self.path);
         for (((margin, forward), evidence), at) in rows.rev() {
             let backward = ways.go_on(evidence);
-            let mut through: Span = std::array::from_fn(|j| forward[j] + backward[j] - evidence[j]);
+            let mut through = Span::from_fn(|j| forward[j] + backward[j] - evidence[j]);
             let near = (at - FROM).saturating_sub(self.away)..=(at - FROM + self.away).min(SPAN - 1);
             let mut best = NEVER;
             for through in &mut through[near] {
@@ -170,7 +171,7 @@ impl Ways {
     #[inline(always)]
     fn begin(begin: Span) -> Self {
         let mut scores = [f32::MIN; SPAN + 2];
-        scores[1..=SPAN].copy_from_slice(&begin);
+        scores[1..=SPAN].copy_from_slice(&*begin);
         Self { scores, at_begin: true }
     }
 
@@ -178,12 +179,12 @@ impl Ways {
     #[inline(always)]
     fn go_on(&mut self, evidence: &Span) -> Span {
         let Self { scores, at_begin } = self;
-        let next: Span = if std::mem::replace(at_begin, false) {
-            std::array::from_fn(|j| scores[j + 1] + evidence[j])
+        let next = if std::mem::replace(at_begin, false) {
+            Span::from_fn(|j| scores[j + 1] + evidence[j])
         } else {
-            std::array::from_fn(|j| arrive(scores[j], scores[j + 1], scores[j + 2]) + evidence[j])
+            Span::from_fn(|j| arrive(scores[j], scores[j + 1], scores[j + 2]) + evidence[j])
         };
-        scores[1..=SPAN].copy_from_slice(&next);
+        scores[1..=SPAN].copy_from_slice(&*next);
         next
     }
 }
@@ -229,9 +230,9 @@ mod tests {
         for _ in 0..60 {
             let rows = 1 + (20.0 * random()) as usize;
             let contrast: Vec<f32> = (0..rows).map(|_| 10.0 + 20.0 * random()).collect();
-            let depth: Vec<Line> = (0..rows).map(|_| std::array::from_fn(|_| 30.0 * random() - 8.0)).collect();
+            let depth: Vec<Line> = (0..rows).map(|_| Line::from_fn(|_| 30.0 * random() - 8.0)).collect();
             let strip = Strip { depth, noise: 2.0 + random(), columns: (9, COLS - 10), ..Strip::default() };
-            let costs: Span = std::array::from_fn(|_| 3.0 * random());
+            let costs = Span::from_fn(|_| 3.0 * random());
             let mut path = Vec::new();
             let score = lattice.best(&strip, |i| contrast[i], |j| costs[j - FROM], &mut path);
             let evidence = |i: usize, j: usize| {
@@ -243,7 +244,7 @@ mod tests {
                 if (9..COLS - 9).contains(&(j + FROM)) { told } else { f64::from(NEVER) }
             };
             let all: Vec<[f64; SPAN]> = (0..rows).map(|i| std::array::from_fn(|j| evidence(i, j))).collect();
-            let cost = costs.map(f64::from);
+            let cost: [f64; SPAN] = (*costs).map(f64::from);
             let best = best_through(&all, &cost, (0, &|_| true));
             assert!((f64::from(score) - best).abs() < 1e-3, "{score} {best}");
             // The path is one of that score.

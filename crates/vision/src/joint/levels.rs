@@ -1,6 +1,6 @@
 use super::make_room;
 use super::top_hat::TopHat;
-use crate::wide::{Work, wide};
+use crate::wide::{Simd, Work, wide};
 use crate::{Frame, Pixels};
 
 /// Times a frame is halved at most.
@@ -180,7 +180,7 @@ struct Halve<'a, P, S> {
 
 impl<P: Copy, S: Fn([P; 2], [P; 2]) -> f32> Work for Halve<'_, P, S> {
     #[inline(always)]
-    fn run(self) {
+    fn run(self, _: impl Simd) {
         let Self { pixels, width, part, sum, out } = self;
         for (out, rows) in out.chunks_exact_mut(width / 2).zip(pixels.chunks_exact(2 * width)) {
             let (upper, lower) = rows.split_at(width);

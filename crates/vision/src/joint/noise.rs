@@ -53,7 +53,11 @@ impl Strip {
     /// columns of a row and of the one that is compared with it on how many are.
     fn measure_noise<W: IntoIterator<Item = ([usize; 2], usize)>>(&mut self, within: impl Fn(usize) -> W) -> f32 {
         let step = (self.depth.len() / NOISE_ROWS).max(2);
-        self.magnitudes.clear();
+        let mut told = 0;
+        let most = self.depth.len().div_ceil(step) * COLS / 2;
+        if self.magnitudes.len() < most {
+            self.magnitudes.resize(most, 0.0);
+        }
         for (i, (a, b)) in self.depth.iter().zip(self.depth.iter().skip(APART)).enumerate().step_by(step) {
             // Every other column, over the gap between ranges too.
             let mut skipped = 0;
@@ -61,22 +65,25 @@ impl Strip {
                 let less = skipped.min(count);
                 skipped = (count - less) % 2;
                 let (a, b) = (&a[from_a + less..from_a + count], &b[from_b + less..from_b + count]);
-                let ((a, last_a), (b, last_b)) = (a.as_chunks::<2>(), b.as_chunks::<2>());
-                self.magnitudes.extend(a.iter().zip(b).map(|(a, b)| (a[0] - b[0]).abs()));
-                self.magnitudes.extend(last_a.iter().zip(last_b).map(|(a, b)| (a - b).abs()));
+                let magnitudes = &mut self.magnitudes[told..];
+                for (magnitude, (a, b)) in magnitudes.iter_mut().zip(a.iter().step_by(2).zip(b.iter().step_by(2))) {
+                    *magnitude = (a - b).abs();
+                }
+                told += a.len().div_ceil(2);
             }
         }
-        self.deviation().unwrap_or(self.noise).max(LEAST_NOISE)
+        self.deviation(told).unwrap_or(self.noise).max(LEAST_NOISE)
     }
 
     /// Standard deviation of what differs so much, by a low quantile: the joint may slant, or a shadow's edge.
-    fn deviation(&mut self) -> Option<f32> {
-        let place = self.magnitudes.len() * 3 / 10;
+    fn deviation(&mut self, told: usize) -> Option<f32> {
+        let place = told * 3 / 10;
         if place == 0 {
             return None;
         }
         // Numbers of no sign are in the order of their bits.
-        let (_, quantile, _) = self.magnitudes.select_nth_unstable_by_key(place, |magnitude| magnitude.to_bits());
+        let (_, quantile, _) =
+            self.magnitudes[..told].select_nth_unstable_by_key(place, |magnitude| magnitude.to_bits());
         Some(*quantile / (0.385 * std::f32::consts::SQRT_2))
     }
 }
@@ -84,7 +91,7 @@ impl Strip {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::joint::strip::{MID, SIDE, box_columns};
+    use crate::joint::strip::{Line, MID, SIDE, box_columns};
     use crate::testing::random;
 
     const ROWS: usize = 480;
@@ -95,7 +102,7 @@ mod tests {
         let mut random = || (0..12).map(|_| even() - 0.5).sum::<f32>();
         let middle = |i: usize| MID as f32 + bent * (i as f32 / 40.0).sin();
         let dark = |off: f32| 60.0 * (-4.0 * std::f32::consts::LN_2 * (off / width).powi(2)).exp();
-        let mut row = |i| std::array::from_fn(|j| 150.0 - dark(j as f32 - middle(i)) + deviation * random());
+        let mut row = |i| Line::from_fn(|j| 150.0 - dark(j as f32 - middle(i)) + deviation * random());
         let mut strip = Strip { grey: (0..ROWS).map(&mut row).collect(), ..Strip::default() };
         strip.measure(width, f32::INFINITY);
         (strip, (0..ROWS).map(|i| middle(i).round() as usize).collect())

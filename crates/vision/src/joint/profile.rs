@@ -1,5 +1,6 @@
-use super::strip::{COLS, Line, MID};
-use crate::wide::LANES;
+use super::strip::{COLS, Line, MID, greater};
+use crate::aligned::Aligned;
+use crate::wide::{LANES, Scalar, Simd};
 
 /// Columns to one side of the middle at most.
 const REACH: usize = 12;
@@ -14,7 +15,7 @@ pub(super) const ROOM: usize = 4 * LANES;
 pub(super) const MIDDLE: usize = ROOM / 2;
 
 /// A row's grey values about a middle, from left to right.
-pub(super) type Around = [f32; ROOM];
+pub(super) type Around = Aligned<ROOM>;
 
 /// A bell across the joint, and what of a profile moves with it.
 #[derive(Debug, Clone)]
@@ -60,24 +61,38 @@ impl Shape {
     }
 
     fn without(&self, other: &Self) -> Self {
-        Self(less(&self.0, self.dot(other), &other.0))
+        Self(less(&self.0, dot(&self.0, &other.0), &other.0))
     }
 
     fn unit(&self) -> Self {
-        let part = 1.0 / self.dot(self).sqrt().max(1e-3);
+        let part = 1.0 / dot(&self.0, &self.0).sqrt().max(1e-3);
         Self(self.0.map(|v| part * v))
     }
 
     /// The product with another one.
     #[inline(always)]
-    pub(super) fn dot(&self, other: &Self) -> f32 {
-        dot(&self.0, &other.0)
+    pub(super) fn dot(&self, simd: impl Simd, other: &Self) -> f32 {
+        self.0.dot(simd, &other.0)
     }
 }
 
 /// A value for each column so far to the right of the middle, up to `reach` on either side.
 pub(super) fn across(reach: usize, value: impl Fn(f32) -> f32) -> Around {
-    std::array::from_fn(|j| if j.abs_diff(MIDDLE) <= reach { value(j as f32 - MIDDLE as f32) } else { 0.0 })
+    Around::from_fn(|j| if j.abs_diff(MIDDLE) <= reach { value(j as f32 - MIDDLE as f32) } else { 0.0 })
+}
+
+/// The grey values of `row` about column `centre` (fractions too).
+#[inline(always)]
+pub(super) fn about(row: &Line, centre: f32) -> Around {
+    let centre = centre.clamp(MIDDLE as f32, (COLS - MIDDLE - 1) as f32);
+    let (low, part) = (centre as usize, centre.fract());
+    let from = low - MIDDLE;
+    let mut around = Around::default();
+    let pairs = row[from..from + ROOM].iter().zip(&row[from + 1..=from + ROOM]);
+    for (value, (a, b)) in around.iter_mut().zip(pairs) {
+        *value = a * (1.0 - part) + b * part;
+    }
+    around
 }
 
 impl Profile {
@@ -106,19 +121,11 @@ impl Profile {
         Self { reach, half, depth, moment, step }
     }
 
-    /// What `row` tells about column `centre` (fractions too), and its grey values about there.
+    /// What a row with these grey values about a place tells of the joint there.
     #[inline(always)]
-    pub(super) fn read(&self, row: &Line, centre: f32) -> (Reading, Around) {
-        let centre = centre.clamp(MIDDLE as f32, (COLS - MIDDLE - 1) as f32);
-        let (low, part) = (centre as usize, centre.fract());
-        let from = low - MIDDLE;
-        let mut around = [0.0; ROOM];
-        let pairs = row[from..from + ROOM].iter().zip(&row[from + 1..=from + ROOM]);
-        for (value, (a, b)) in around.iter_mut().zip(pairs) {
-            *value = a * (1.0 - part) + b * part;
-        }
-        let [depth, moment, step] = [&self.depth, &self.moment, &self.step].map(|weights| dot(weights, &around));
-        (Reading { depth, moment, step }, around)
+    pub(super) fn read<S: Simd>(&self, simd: S, around: &Around) -> Reading {
+        let told = |weights: &Around| weights.dot(simd, around);
+        Reading { depth: told(&self.depth), moment: told(&self.moment), step: told(&self.step) }
     }
 
     /// The left and the right rim of a mean row, columns from its middle: where it is half as deep as its floor below the
@@ -145,23 +152,27 @@ impl Profile {
     }
 
     fn valley(&self, around: &Around) -> Valley {
-        let half = self.half as isize;
-        let smooth = |t: isize| 0.25 * at(around, t - 1) + 0.5 * at(around, t) + 0.25 * at(around, t + 1);
-        let mut lowest = (smooth(-half), -half);
-        for t in 1 - half..=half {
-            let value = smooth(t);
-            if value < lowest.0 {
-                lowest = (value, t);
+        // Of each column and those beside it, but for the first and the last.
+        let (left, right) = (&around[..ROOM - 2], &around[2..]);
+        let mut smooth = [0.0; ROOM - 2];
+        let mut threes = [0.0; ROOM - 2];
+        for (j, (smooth, three)) in smooth.iter_mut().zip(&mut threes).enumerate() {
+            let middle = around[j + 1];
+            *smooth = 0.25 * left[j] + 0.5 * middle + 0.25 * right[j];
+            *three = left[j] + middle + right[j];
+        }
+        let (first, last) = (MIDDLE - 1 - self.half, MIDDLE - 1 + self.half);
+        let mut lowest = first;
+        for j in first + 1..=last {
+            if smooth[j] < smooth[lowest] {
+                lowest = j;
             }
         }
-        let (floor_at, floor) = (lowest.1, at(around, lowest.1));
+        let floor = around[lowest + 1];
         // The lightest metal on a side of the joint, over three columns.
-        let depth = |side: isize| {
-            let means = (half + 1..self.reach as isize)
-                .map(|t| (at(around, side * (t - 1)) + at(around, side * t) + at(around, side * (t + 1))) / 3.0);
-            means.fold(f32::MIN, f32::max) - floor
-        };
-        Valley { floor_at, floor, depths: [depth(-1), depth(1)] }
+        let depth = |threes: &[f32]| threes.iter().fold(f32::MIN, |most, three| greater(*three, most)) / 3.0 - floor;
+        let depths = [depth(&threes[MIDDLE - self.reach..first]), depth(&threes[last + 1..MIDDLE - 1 + self.reach])];
+        Valley { floor_at: lowest as isize + 1 - MIDDLE as isize, floor, depths }
     }
 
     /// Where a side rises above a part of its depth, which counts up to `most` times that of the darker side.
@@ -201,20 +212,12 @@ fn less_along(a: &Around, b: &Around) -> Around {
 
 /// `a` less a part of `b`.
 fn less(a: &Around, part: f32, b: &Around) -> Around {
-    std::array::from_fn(|t| a[t] - part * b[t])
+    Around::from_fn(|t| a[t] - part * b[t])
 }
 
-/// The sum of products, several at a time.
-#[inline(always)]
+/// The sum of products, once for all rows.
 fn dot(a: &Around, b: &Around) -> f32 {
-    let mut eight = [0.0; LANES];
-    for (a, b) in a.as_chunks::<LANES>().0.iter().zip(b.as_chunks::<LANES>().0) {
-        for k in 0..LANES {
-            eight[k] += a[k] * b[k];
-        }
-    }
-    let four: [f32; 4] = std::array::from_fn(|k| eight[k] + eight[k + 4]);
-    (four[0] + four[2]) + (four[1] + four[3])
+    a.dot(Scalar::new(), b)
 }
 
 /// All columns about the axis are in the strip; middles farther than that from its rims are read as if they were at the limit.

@@ -1,7 +1,7 @@
 use super::make_room;
-use super::profile::{Around, MIDDLE, Profile, ROOM, Reading, Shape, across};
+use super::profile::{Around, MIDDLE, Profile, Reading, Shape, about, across};
 use super::strip::Strip;
-use crate::wide::{Work, wide};
+use crate::wide::{Simd, Work, wide};
 
 /// What the rows of a strip tell of the joint about its middle, and sums over rows.
 #[derive(Debug, Clone, Default)]
@@ -25,7 +25,7 @@ struct Read<'a> {
 
 impl Work for Read<'_> {
     #[inline(always)]
-    fn run(self) {
+    fn run(self, simd: impl Simd) {
         let Readings { rows, around, sums: all_sums, around_sums } = self.readings;
         rows.clear();
         around.clear();
@@ -33,7 +33,8 @@ impl Work for Read<'_> {
         let mut sums = [0.0; 4];
         all_sums.push(sums);
         for (row, centre) in self.strip.grey.iter().zip(self.centres) {
-            let (reading, greys) = self.profile.read(row, *centre);
+            let greys = about(row, *centre);
+            let reading = self.profile.read(simd, &greys);
             let [depth, moment, step] = [reading.depth, reading.moment, reading.step].map(f64::from);
             let new = [depth, moment, step, step * step];
             sums = std::array::from_fn(|k| sums[k] + new[k]);
@@ -44,7 +45,7 @@ impl Work for Read<'_> {
         // Less the light of the first row: small numbers keep more digits.
         let light = around.first().map_or(0.0, |greys| greys[MIDDLE]);
         let within = across(self.profile.reach(), |_| 1.0);
-        let mut sum: Around = [0.0; ROOM];
+        let mut sum = Around::default();
         around_sums.clear();
         around_sums.push(sum);
         for greys in around {
@@ -63,9 +64,9 @@ pub(super) struct About {
     pub(super) depth: f32,
     /// Depth times shift to the right, grey values times pixels.
     pub(super) moment: f32,
-    /// Step of the light from left to right, grey values, and its standard error.
+    /// Step of the light from left to right, grey values, and the square of its standard error.
     pub(super) step: f32,
-    pub(super) step_error: f32,
+    pub(super) step_variance: f32,
 }
 
 impl Readings {
@@ -100,8 +101,8 @@ impl Readings {
         let (before, after) = (&self.sums[from], &self.sums[to]);
         let [depth, moment, step, square]: [f64; 4] = std::array::from_fn(|k| (after[k] - before[k]) * part);
         // Neighbours are alike: of four rows one is independent.
-        let step_error = ((square - step * step).max(0.0) * 4.0 * part).sqrt() as f32;
-        About { depth: depth as f32, moment: moment as f32, step: step as f32, step_error }
+        let step_variance = ((square - step * step) * 4.0 * part) as f32;
+        About { depth: depth as f32, moment: moment as f32, step: step as f32, step_variance }
     }
 
     /// The mean of the rows within `around` of row `i`, grey values from some light on.
@@ -110,21 +111,27 @@ impl Readings {
         let (from, to) = self.near(i, around);
         let part = 1.0 / (to - from) as f32;
         let (before, after) = (&self.around_sums[from], &self.around_sums[to]);
-        std::array::from_fn(|t| (after[t] - before[t]) * part)
+        Around::from_fn(|t| (after[t] - before[t]) * part)
     }
 
     /// How far the rows within `around` of each are from the mean of those that are `seen`, light and its slope across and the
     /// depth aside: root mean squares, grey values.
     #[inline(always)]
-    pub(super) fn rests(&self, (reach, around): (usize, usize), seen: impl Fn(usize) -> bool, rests: &mut Vec<f32>) {
+    pub(super) fn rests<S: Simd>(
+        &self,
+        simd: S,
+        (reach, around): (usize, usize),
+        seen: impl Fn(usize) -> bool,
+        rests: &mut Vec<f32>,
+    ) {
         let mut mean = Shape::default();
         self.around.iter().enumerate().filter(|(i, _)| seen(*i)).for_each(|(_, greys)| mean.add(greys, reach));
         let [a, b, c] = mean.and_light(reach);
         rests.clear();
         rests.extend((0..self.rows.len()).map(|i| {
             let shape = Shape(self.mean(i, around));
-            let of_others: f32 = [&a, &b, &c].iter().map(|other| shape.dot(other).powi(2)).sum();
-            ((shape.dot(&shape) - of_others).max(0.0) / (2 * reach + 1) as f32).sqrt()
+            let of_others: f32 = [&a, &b, &c].iter().map(|other| shape.dot(simd, other).powi(2)).sum();
+            ((shape.dot(simd, &shape) - of_others).max(0.0) / (2 * reach + 1) as f32).sqrt()
         }));
     }
 }

@@ -117,7 +117,7 @@ impl Rims {
             for j in 0..COLS {
                 before[j + 1] = before[j] + part * lines.iter().map(|line| line[j]).sum::<f32>();
             }
-            let mut edge = [0.0; COLS];
+            let mut edge = Line::default();
             let ends = before[2 * beside..].iter().zip(&before[beside..]).zip(&before);
             for (edge, ((end, middle), begin)) in edge[beside..].iter_mut().zip(ends) {
                 *edge = nats(middle - begin, end - middle);
@@ -139,8 +139,8 @@ fn rim(edges: &[Line], ways: &mut Vec<Line>, (side, inner): (f32, f32), rims: &m
     let place = |j: usize| j as f32 - MID as f32 - 0.5;
     ways.clear();
     for edge in edges {
-        let before = ways.last().copied().unwrap_or([0.0; COLS]);
-        ways.push(std::array::from_fn(|j| {
+        let before = ways.last().copied().unwrap_or_default();
+        ways.push(Line::from_fn(|j| {
             let aside = greater(before[j.saturating_sub(1)], before[(j + 1).min(COLS - 1)]) - MOVE;
             let clear = if side * place(j) < inner { f32::MIN } else { greater(side * edge[j], 0.0) };
             greater(before[j], aside) + clear
@@ -148,7 +148,7 @@ fn rim(edges: &[Line], ways: &mut Vec<Line>, (side, inner): (f32, f32), rims: &m
     }
     rims.clear();
     rims.resize(edges.len(), Rim::default());
-    let last = ways.last().copied().unwrap_or([0.0; COLS]);
+    let last = ways.last().copied().unwrap_or_default();
     let mut at = (0..COLS).fold(0, |at, j| if last[j] > last[at] { j } else { at });
     for (i, rim) in rims.iter_mut().enumerate().rev() {
         if i + 1 < edges.len() {

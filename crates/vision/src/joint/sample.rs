@@ -202,7 +202,7 @@ mod tests {
             let far = if i % 10 == 0 { 1e6 } else { 1.0 };
             let at = [far * (120.0 * random() - 15.0), far * (100.0 * random() - 15.0)];
             let station = Axis { at, heading: 7.0 * random(), curvature: 0.0 }.station(0.0);
-            let (mut nearest, mut between) = ([0.0; COLS], [0.0; COLS]);
+            let (mut nearest, mut between) = (Line::default(), Line::default());
             sampler.row_of_nearest(&mut nearest, &station);
             sampler.row(&mut between, &station);
             for j in 0..COLS {

@@ -2,7 +2,8 @@ use super::axis::Station;
 use super::levels::{Grey, Picture};
 use super::make_room;
 use super::sample::{Pixel, Sampler};
-use crate::wide::{LANES, Work, wide};
+use crate::aligned::Aligned;
+use crate::wide::{LANES, Simd, Work, wide};
 use std::ops::Range;
 
 /// Columns of a strip.
@@ -38,7 +39,7 @@ const fn away(half: usize) -> usize {
 }
 
 /// One value a column.
-pub(super) type Line = [f32; COLS];
+pub(super) type Line = Aligned<COLS>;
 
 /// `f32::max` without its care for what is no number: one instruction.
 #[inline(always)]
@@ -115,7 +116,7 @@ struct Unroll<'a, P: Pixel, S, const NEAREST: bool> {
 
 impl<P: Pixel, S: Iterator<Item = Station>, const NEAREST: bool> Work for Unroll<'_, P, S, NEAREST> {
     #[inline(always)]
-    fn run(mut self) {
+    fn run(mut self, _: impl Simd) {
         for (line, station) in self.lines.iter_mut().zip(self.stations) {
             if NEAREST {
                 self.sampler.row_of_nearest(line, &station);
@@ -136,9 +137,9 @@ struct Measure<'a, const HALF: usize> {
 
 impl<const HALF: usize> Work for Measure<'_, HALF> {
     #[inline(always)]
-    fn run(mut self) {
+    fn run(mut self, _: impl Simd) {
         self.level_light();
-        let mut sum = [0.0; COLS];
+        let mut sum = Line::default();
         let rows = self.grey.len();
         for row in &self.grey[..GROUP.min(rows)] {
             for (s, g) in sum.iter_mut().zip(row) {
@@ -147,7 +148,7 @@ impl<const HALF: usize> Work for Measure<'_, HALF> {
         }
         let mut count = GROUP.min(rows) as f32;
         // Several rows at a time, step by step: what was just written is not at hand yet.
-        let (mut sums, mut counts) = ([[0.0; COLS]; LANES], [0.0; LANES]);
+        let (mut sums, mut counts) = ([Line::default(); LANES], [0.0; LANES]);
         let mut box_sums: [Boxes; LANES] = [[0.0; COLS + LANES]; LANES];
         for first in (0..rows).step_by(LANES) {
             let last = (first + LANES).min(rows);
@@ -163,7 +164,7 @@ impl<const HALF: usize> Work for Measure<'_, HALF> {
                 }
                 if i > GROUP {
                     let past = self.grey[i - GROUP - 1];
-                    sum = std::array::from_fn(|j| sum[j] - past[j]);
+                    sum = Line::from_fn(|j| sum[j] - past[j]);
                     count -= 1.0;
                 }
                 sums[i - first] = sum;
@@ -194,7 +195,7 @@ impl<const HALF: usize> Measure<'_, HALF> {
             product / square
         };
         for rows in self.grey.chunks_mut(LIT) {
-            let mut mean = [0.0; COLS];
+            let mut mean = Line::default();
             let part = 1.0 / rows.len() as f32;
             for row in &*rows {
                 for (m, g) in mean.iter_mut().zip(row) {
@@ -206,7 +207,7 @@ impl<const HALF: usize> Measure<'_, HALF> {
                 continue;
             }
             let slope = lesser(left.abs(), right.abs()).copysign(left);
-            let ramp: Line = std::array::from_fn(|j| slope * (j as f32 - MID as f32));
+            let ramp = Line::from_fn(|j| slope * (j as f32 - MID as f32));
             for row in rows {
                 for (g, r) in row.iter_mut().zip(&ramp) {
                     *g -= r;
@@ -224,7 +225,7 @@ struct Deepest<'a> {
 
 impl Work for Deepest<'_> {
     #[inline(always)]
-    fn run(self) {
+    fn run(self, _: impl Simd) {
         for (deepest, depth) in self.deepest.iter_mut().zip(self.depth) {
             *deepest = greatest(depth);
         }
@@ -266,7 +267,7 @@ impl Strip {
     }
 
     fn rows<const NEAREST: bool>(&mut self, picture: &Picture, stations: impl ExactSizeIterator<Item = Station>) {
-        self.grey.resize(stations.len(), [0.0; COLS]);
+        self.grey.resize(stations.len(), Line::default());
         let size = (picture.width, picture.height);
         let lines = &mut self.grey;
         match picture.grey {
@@ -282,7 +283,7 @@ impl Strip {
         let half = box_columns(width) / 2;
         let reach = away(half) + 2 * SIDE;
         self.columns = (reach, COLS - 1 - reach);
-        self.depth.resize(self.grey.len(), [0.0; COLS]);
+        self.depth.resize(self.grey.len(), Line::default());
         let Self { grey, depth, .. } = self;
         match half {
             0 => wide(Measure::<0> { grey, depth, width, most }),
@@ -304,9 +305,9 @@ impl Strip {
         seen.extend(self.showing(path.len(), |k| self.depth[k][path[k]], contrast));
     }
 
-    /// At most so many rows show a joint of this depth along any path, given each row's greatest depth.
-    pub(super) fn shows_at_most(&self, deepest: &[f32], contrast: f32) -> usize {
-        self.showing(deepest.len(), |k| deepest[k], |_| contrast).filter(|shows| *shows).count()
+    /// At most so many of the first rows show a joint of this depth along any path, given each row's greatest depth.
+    pub(super) fn shows_at_most(&self, deepest: &[f32], contrast: f32, first: usize) -> usize {
+        self.showing(deepest.len(), |k| deepest[k], |_| contrast).take(first).filter(|shows| *shows).count()
     }
 
     /// Which of `count` rows show a joint that has these depths in them.
@@ -364,7 +365,7 @@ mod tests {
                 let sides = lighter(left, left - SIDE).min(lighter(right, right + SIDE));
                 sides - mean(j - half..j + half + 1)
             };
-            std::array::from_fn(|j| if (reach..COLS - reach).contains(&j) { depth(j) } else { 0.0 })
+            Line::from_fn(|j| if (reach..COLS - reach).contains(&j) { depth(j) } else { 0.0 })
         };
         (0..grey.len()).map(of_row).collect()
     }
@@ -374,7 +375,7 @@ mod tests {
         let mut random = random();
         for rows in 1..60 {
             for width in [1.0, 3.0, 5.0, 7.0] {
-                let grey: Vec<Line> = (0..rows).map(|_| std::array::from_fn(|_| 100.0 + 50.0 * random())).collect();
+                let grey: Vec<Line> = (0..rows).map(|_| Line::from_fn(|_| 100.0 + 50.0 * random())).collect();
                 let measured = |most: f32| {
                     let mut strip = Strip { grey: grey.clone(), ..Strip::default() };
                     strip.measure(width, most);
@@ -405,15 +406,15 @@ mod tests {
         for _ in 0..2000 {
             let most = 1 + random(40);
             let mut strip = Strip { noise: 0.5 + random(50) as f32 * 0.1, ..Strip::default() };
-            strip.depth = (0..48).map(|_| std::array::from_fn(|_| random(10 * most) as f32 * 0.1)).collect();
-            let deepest: Vec<f32> = strip.depth.iter().map(greatest).collect();
+            strip.depth = (0..48).map(|_| Line::from_fn(|_| random(10 * most) as f32 * 0.1)).collect();
+            let deepest: Vec<f32> = strip.depth.iter().map(|row| greatest(row)).collect();
             assert!(strip.depth.iter().zip(&deepest).all(|(row, d)| row.iter().all(|v| v <= d) && row.contains(d)));
             let path: Vec<usize> = (0..48).map(|_| random(COLS as u32) as usize).collect();
             let contrast = random(20 * most) as f32 * 0.1;
             let mut seen = Vec::new();
             strip.shows(&path, |_| contrast, &mut seen);
             let count = seen.iter().filter(|s| **s).count();
-            assert!(count <= strip.shows_at_most(&deepest, contrast));
+            assert!(count <= strip.shows_at_most(&deepest, contrast, usize::MAX));
             shown += count;
         }
         assert!(shown > 10_000, "{shown}");

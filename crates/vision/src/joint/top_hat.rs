@@ -4,7 +4,8 @@
 
 use super::levels::{Grey, Picture};
 use super::make_room;
-use crate::wide::{Work, wide};
+use crate::aligned::CACHE_LINE;
+use crate::wide::{Simd, Work, wide};
 
 /// Parts of a grey value that are told apart. (Two grey values together are no more than 16 bits.)
 const PARTS: f32 = 64.0;
@@ -33,9 +34,9 @@ pub(super) struct TopHat {
 impl TopHat {
     /// Room for a picture of this size and squares of so many pixels to either side.
     pub(super) fn make_room(&mut self, (width, height): (usize, usize), around: usize) {
-        let whole = line(width, around) * (height + 2 * margin(around)) + behind(around);
-        make_room(&mut self.smooth, whole);
-        make_room(&mut self.metal, whole);
+        let room = room(line(width, around) * (height + 2 * margin(around)), around);
+        make_room(&mut self.smooth, room);
+        make_room(&mut self.metal, room);
         make_room(&mut self.pixels, width * height);
     }
 
@@ -45,10 +46,11 @@ impl TopHat {
         (self.width, self.height) = (width, height);
         let (margin, square) = (margin(around), 2 * around + 1);
         let (line, rows) = (line(width, around), height + 2 * margin);
-        self.smooth.resize(line * rows + behind(around), 0);
+        self.smooth.resize(room(line * rows, around), 0);
         self.metal.resize(self.smooth.len(), 0);
         self.pixels.resize(width * height, 0.0);
-        let Self { smooth, metal, pixels: out, .. } = self;
+        let [smooth, metal] = [&mut self.smooth[..], &mut self.metal[..]].map(from_cache_line);
+        let out = &mut self.pixels;
         let size = (width, height);
         wide(Take { pixels, size, smooth, metal, out, line, rows, margin, square, most: DEEPEST * contrast });
     }
@@ -76,9 +78,17 @@ fn line(width: usize, around: usize) -> usize {
     (width + 2 * margin(around)).next_multiple_of(LANES)
 }
 
-/// Pixels behind the last row that its own are combined with: whole lanes, or the longest step.
-fn behind(around: usize) -> usize {
-    around.max(LANES)
+/// Pixels that are kept for so many: behind the last row those that its own are combined with, whole lanes or the longest step, and
+/// before the first one those up to where a line of the cache begins.
+fn room(pixels: usize, around: usize) -> usize {
+    pixels + around.max(LANES) + LANES
+}
+
+/// Pixels from where a line of the cache begins on.
+fn from_cache_line(pixels: &mut [i16]) -> &mut [i16] {
+    const { assert!(LANES * size_of::<i16>() >= CACHE_LINE, "there is room for it") };
+    let from = pixels.as_ptr().align_offset(CACHE_LINE);
+    &mut pixels[from..]
 }
 
 /// Steps after each of which a pixel holds so many more from it on, until they are `count`.
@@ -107,7 +117,7 @@ struct Take<'a> {
 
 impl Work for Take<'_> {
     #[inline(always)]
-    fn run(self) {
+    fn run(self, _: impl Simd) {
         let Self { pixels, size: (width, height), smooth, metal, out, line, rows, margin, square, most } = self;
         let mean = |a: i16, b: i16| (a + b) >> 1;
         let (twice, steps) = ([1, 1].into_iter(), steps(square));

@@ -1,7 +1,7 @@
 //! Centres of the stripe from several columns together.
 
 use super::chain::StripePoint;
-use crate::wide::{Work, wide};
+use crate::wide::{Simd, Work, wide};
 
 /// Columns to each side that a centre is made of, and how far their centres may be from the straight line through them,
 /// pixels: beside corners and ends every column stays as it is.
@@ -61,7 +61,7 @@ struct Lines<'a> {
 
 impl Work for Lines<'_> {
     #[inline(always)]
-    fn run(self) {
+    fn run(self, _: impl Simd) {
         let count = self.smoothed.len();
         // Of every list, the first places of all windows, the second ones and so on.
         let [columns, rows, weights]: [[&[f64]; WINDOW]; 3] =

@@ -7,7 +7,7 @@ use crate::joint::lattice::column_about;
 use crate::joint::parabola::Parabola;
 use crate::joint::profile::Profile;
 use crate::joint::strip::MID;
-use crate::wide::{LANES, Work, wide};
+use crate::wide::{LANES, Simd, Work, wide};
 
 /// Rows before and after that the step and the rims are means over where light steps.
 const STEPPED_AROUND: usize = 4;
@@ -42,8 +42,8 @@ struct Centres<'a> {
 
 impl Work for Centres<'_> {
     #[inline(always)]
-    fn run(self) {
-        self.midline.find_centres(self.width, self.scale, self.side);
+    fn run(self, simd: impl Simd) {
+        self.midline.find_centres(simd, self.width, self.scale, self.side);
     }
 }
 
@@ -55,7 +55,7 @@ impl Midline {
     }
 
     #[inline(always)]
-    fn find_centres(&mut self, width: f32, scale: f32, side: usize) {
+    fn find_centres<S: Simd>(&mut self, simd: S, width: f32, scale: f32, side: usize) {
         let count = self.path.len();
         let profile = Profile::new(width);
         self.centre.clear();
@@ -70,7 +70,7 @@ impl Midline {
             }
             self.fit_all(0.7 * width + 1.5);
         }
-        self.compare(profile.reach());
+        self.compare(simd, profile.reach());
         let mut slow = (0.0, None);
         for i in 0..count {
             self.rows[i].at = self.stations[i].beside(self.centre[i] - MID as f32);
@@ -91,7 +91,8 @@ impl Midline {
         self.single.clear();
         for (i, row) in self.rows.iter_mut().enumerate() {
             let (about, reading) = (self.readings.about(i, AROUND), self.readings.row(i));
-            row.stepped = about.step.abs() > (STEP * about.depth).max(STEP_ERRORS * about.step_error);
+            row.stepped = about.step.abs() > STEP * about.depth
+                && about.step * about.step > STEP_ERRORS * STEP_ERRORS * about.step_variance;
             (row.depth, row.own_depth) = (about.depth, reading.depth);
             let part = 1.0 / about.depth.max(1e-3);
             let rims = if row.stepped || scale > 1.0 {
@@ -133,9 +134,9 @@ impl Midline {
 
     /// How little the rows about each look like the joint.
     #[inline(always)]
-    fn compare(&mut self, reach: usize) {
+    fn compare(&mut self, simd: impl Simd, reach: usize) {
         const ROWS: usize = 3;
-        self.readings.rests((reach, ROWS), |i| self.rows[i].seen, &mut self.rests);
+        self.readings.rests(simd, (reach, ROWS), |i| self.rows[i].seen, &mut self.rests);
         self.sorted.clear();
         self.sorted.extend(self.rests.iter().zip(&self.rows).filter(|(_, row)| row.seen).map(|(rest, _)| *rest));
         if self.sorted.is_empty() {

@@ -5,10 +5,11 @@ use super::even::{Even, Rows};
 use super::lattice::Lattice;
 use super::levels::Picture;
 use super::make_room;
-use super::profile::Profile;
+use super::profile::{Profile, about};
 use super::readings::Readings;
-use super::strip::{COLS, MID, Strip};
+use super::strip::{COLS, MID, Strip, lesser};
 use super::trail::{Look, Place, Trail};
+use crate::wide::Scalar;
 
 /// Places before and after that a station is the mean of.
 const SMOOTH: usize = 8;
@@ -153,18 +154,20 @@ impl Midline {
     fn follow_contrast(&mut self, places: &[Place]) {
         const REACH: usize = 40;
         let count = self.path.len();
-        let depth = |k: usize| self.strip.depth[k][self.path[k]];
+        self.single.clear();
+        self.single.extend(self.path.iter().zip(&self.strip.depth).map(|(j, row)| row[*j]));
         for (i, place) in places.iter().enumerate() {
             let known = place.contrast;
             if i % SLOWLY > 0 {
                 self.contrast[i] = self.contrast[i - 1];
                 continue;
             }
-            let near = (i.saturating_sub(REACH)..(i + REACH + 1).min(count)).step_by(3);
+            let near = i.saturating_sub(REACH)..(i + REACH + 1).min(count);
             let (mut sum, mut weight) = (4.0 * known, 4.0);
-            for d in near.map(depth).filter(|d| *d > 0.4 * known) {
-                sum += d.min(2.0 * known);
-                weight += 1.0;
+            for d in self.single[near].iter().step_by(3) {
+                let counts = f32::from(u8::from(*d > 0.4 * known));
+                sum += counts * lesser(*d, 2.0 * known);
+                weight += counts;
             }
             self.contrast[i] = sum / weight;
         }
@@ -201,7 +204,7 @@ impl Midline {
         let depth = self.rows[from..whole].iter().map(|r| r.own_depth).sum::<f32>() / (whole - from).max(1) as f32;
         for _ in 0..3 {
             for i in from..whole {
-                let moment = profile.read(&self.strip.grey[i], self.centre[i]).0.moment;
+                let moment = profile.read(Scalar::new(), &about(&self.strip.grey[i], self.centre[i])).moment;
                 self.single[i] = self.centre[i] + (moment / depth.max(1e-3)).clamp(-0.5 * width, 0.5 * width);
             }
             self.place_middles();

@@ -1,6 +1,7 @@
 use super::{BACK, FITTED, Limits, Look, Place, ROWS, TAKEN_CLEAR, Trail};
 use crate::joint::axis::{Axis, Station};
 use crate::joint::levels::Picture;
+use crate::joint::strip::{GROUP, SEEN_AROUND};
 
 /// Chords this many places long ...
 pub(super) const CHORD: usize = 14;
@@ -10,6 +11,9 @@ const CORNER: f32 = 0.6;
 const BENDS: [f32; 5] = [0.0, 0.006, -0.006, 0.012, -0.012];
 /// Rows of a strip behind a corner that show the joint.
 const SHOWN: usize = (9 * ROWS).div_ceil(10);
+/// Rows of half of a strip, and of those that are the same as in the whole one.
+const HALF: usize = ROWS / 2;
+const KNOWN: usize = HALF - GROUP - SEEN_AROUND;
 /// Places leapt over at a time behind a corner.
 const LEAP: usize = 12;
 
@@ -43,8 +47,14 @@ impl Trail {
             let mut best: Option<(f32, Axis)> = None;
             let axes = bends.iter().map(|bend| Axis { curvature: *bend, ..axis });
             for axis in axes.filter(|axis| (limits.inside)(axis.station(gone as f32).at)) {
-                self.unroll(picture, &beyond(&axis, gone), BACK as f32, look);
-                if !self.may_show(look, SHOWN) {
+                let beyond = beyond(&axis, gone);
+                // Half of a strip tells most that show nothing.
+                self.unroll(picture, &beyond, (BACK as f32, HALF), look);
+                if !self.may_show(look, (KNOWN - (ROWS - SHOWN), KNOWN)) {
+                    continue;
+                }
+                self.unroll(picture, &beyond, (BACK as f32, ROWS), look);
+                if !self.may_show(look, (SHOWN, ROWS)) {
                     continue;
                 }
                 let score = self.see_unrolled(&mut look.clone(), gone);

@@ -6,7 +6,7 @@ use crate::joint::lattice::{Lattice, column_about};
 use crate::joint::levels::Picture;
 use crate::joint::make_room;
 use crate::joint::parabola::Parabola;
-use crate::joint::profile::{Around, Profile};
+use crate::joint::profile::{Around, Profile, about};
 use crate::joint::strip::{GROUP, MID, SEEN_AROUND, Strip, box_columns};
 
 /// Rows of a strip that is looked at ...
@@ -185,7 +185,7 @@ impl Trail {
         let profile = Profile::new(1.5 * look.width);
         let mut sum = Around::default();
         for (i, row) in self.strip.grey.iter().enumerate() {
-            let (_, around) = profile.read(row, column_about(&self.path, i, 4));
+            let around = about(row, column_about(&self.path, i, 4));
             sum.iter_mut().zip(&around).for_each(|(s, a)| *s += a);
         }
         profile.rims(&sum).map(|[left, right]| right - left)
@@ -321,14 +321,14 @@ impl Trail {
 
     fn is_closed(&self) -> bool {
         const REACH: usize = 8;
+        const NEAR_BEGIN: f32 = 3.5;
         let places = &self.places;
         let count = places.len();
         if count < 40 {
             return false;
         }
-        let away = |a: [f32; 2], b: [f32; 2]| length([b[0] - a[0], b[1] - a[1]]);
         let (first, last) = (places[0].at, places[count - 1].at);
-        if away(first, last) > 3.5 {
+        if (last[0] - first[0]).powi(2) + (last[1] - first[1]).powi(2) > NEAR_BEGIN * NEAR_BEGIN {
             return false;
         }
         let heading = |a: [f32; 2], b: [f32; 2]| (b[1] - a[1]).atan2(b[0] - a[0]);

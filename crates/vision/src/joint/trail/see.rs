@@ -35,12 +35,12 @@ const STEADY: usize = 6;
 impl Trail {
     /// The strip about a place of the trail and what it shows; how likely its best path is.
     pub(super) fn see(&mut self, picture: &Picture, axis: &Axis, from: f32, look: &mut Look, gap: usize) -> f32 {
-        self.unroll(picture, axis, from, look);
+        self.unroll(picture, axis, (from, ROWS), look);
         self.see_unrolled(look, gap)
     }
 
-    pub(super) fn unroll(&mut self, picture: &Picture, axis: &Axis, from: f32, look: &Look) {
-        self.strip.unroll_nearest(picture, axis.stations(-from, ROWS));
+    pub(super) fn unroll(&mut self, picture: &Picture, axis: &Axis, (from, rows): (f32, usize), look: &Look) {
+        self.strip.unroll_nearest(picture, axis.stations(-from, rows));
         self.strip.measure(look.width, look.most(look.contrast));
         self.strip.noise = look.noise;
     }
@@ -66,7 +66,7 @@ impl Trail {
         self.usual.1.clone_from(&self.seen);
         self.find_deepest();
         for contrast in OTHER_LIGHT.map(|part| part * look.contrast) {
-            if self.strip.shows_at_most(&self.deepest, contrast) < least(look.level) {
+            if self.strip.shows_at_most(&self.deepest, contrast, ROWS) < least(look.level) {
                 continue;
             }
             let score = self.find(contrast, free);
@@ -86,14 +86,15 @@ impl Trail {
 
     /// True if no path of the strip shows the joint in so many rows as are worth going aside for, in any light.
     fn is_empty(&mut self, look: &Look) -> bool {
-        !self.may_show(look, least(look.level)) && self.strip.shows_at_most(&self.deepest, look.contrast) < FOUND
+        !self.may_show(look, (least(look.level), ROWS))
+            && self.strip.shows_at_most(&self.deepest, look.contrast, ROWS) < FOUND
     }
 
-    /// False if no path of the strip shows the joint in so many rows, in any light.
-    pub(super) fn may_show(&mut self, look: &Look, rows: usize) -> bool {
+    /// False if no path of the strip shows the joint in so many of the first rows, in any light.
+    pub(super) fn may_show(&mut self, look: &Look, (rows, first): (usize, usize)) -> bool {
         self.find_deepest();
         // The less deep a joint is, the more rows may show it.
-        self.strip.shows_at_most(&self.deepest, LEAST_LIGHT * look.contrast) >= rows
+        self.strip.shows_at_most(&self.deepest, LEAST_LIGHT * look.contrast, first) >= rows
     }
 
     fn find_deepest(&mut self) {
@@ -143,7 +144,7 @@ impl Trail {
         for side in 1..=2 * sides as usize {
             // From the middle outwards.
             let axis = bent((side as f32 / 2.0).ceil() * if side % 2 == 0 { 1.0 } else { -1.0 });
-            self.unroll(picture, &axis, from, look);
+            self.unroll(picture, &axis, (from, ROWS), look);
             if self.is_empty(look) {
                 continue;
             }

@@ -1,7 +1,7 @@
 //! Passes over whole rows: sums of rows, their means in cells, and pairs of them above a floor.
 
 use super::CELL;
-use crate::wide::Work;
+use crate::wide::{Simd, Work};
 
 /// Pixels of 8 or 16 bits.
 pub(super) trait Grey: Copy {
@@ -43,7 +43,7 @@ pub(super) struct FourRows<'a, G> {
 
 impl<G: Grey> Work for FourRows<'_, G> {
     #[inline(always)]
-    fn run(self) {
+    fn run(self, _: impl Simd) {
         let (r0, rest) = self.rows.split_at(self.sums.len());
         let (r1, rest) = rest.split_at(self.sums.len());
         let (r2, r3) = rest.split_at(self.sums.len());
@@ -62,7 +62,7 @@ pub(super) struct CellMeans<'a> {
 
 impl Work for CellMeans<'_> {
     #[inline(always)]
-    fn run(self) {
+    fn run(self, _: impl Simd) {
         let (whole, rest) = self.sums.as_chunks::<CELL>();
         let part = 1.0 / (CELL * self.count) as f32;
         for (cell, sums) in self.cells.iter_mut().zip(whole) {
@@ -87,7 +87,7 @@ pub(super) struct Pairs<'a> {
 
 impl Work for Pairs<'_> {
     #[inline(always)]
-    fn run(self) {
+    fn run(self, _: impl Simd) {
         let (upper, lower) = self.sums.split_at(self.pairs.len());
         for (((p, u), l), f) in self.pairs.iter_mut().zip(upper).zip(lower).zip(self.floor) {
             *p = u + l - f;
