@@ -53,8 +53,9 @@ impl Strip {
     /// columns of a row and of the one that is compared with it on how many are.
     fn measure_noise<W: IntoIterator<Item = ([usize; 2], usize)>>(&mut self, within: impl Fn(usize) -> W) -> f32 {
         let step = (self.depth.len() / NOISE_ROWS).max(2);
+        // No more are told than there is room for: it grows with the longest strip, and is not emptied.
         let mut told = 0;
-        let most = self.depth.len().div_ceil(step) * COLS / 2;
+        let most = self.depth.len().saturating_sub(APART).div_ceil(step) * COLS / 2;
         if self.magnitudes.len() < most {
             self.magnitudes.resize(most, 0.0);
         }
@@ -75,7 +76,7 @@ impl Strip {
         self.deviation(told).unwrap_or(self.noise).max(LEAST_NOISE)
     }
 
-    /// Standard deviation of what differs so much, by a low quantile: the joint may slant, or a shadow's edge.
+    /// Standard deviation of what the first `told` differ by, by a low quantile: the joint may slant, or a shadow's edge.
     fn deviation(&mut self, told: usize) -> Option<f32> {
         let place = told * 3 / 10;
         if place == 0 {

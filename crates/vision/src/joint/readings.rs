@@ -101,7 +101,7 @@ impl Readings {
         let (before, after) = (&self.sums[from], &self.sums[to]);
         let [depth, moment, step, square]: [f64; 4] = std::array::from_fn(|k| (after[k] - before[k]) * part);
         // Neighbours are alike: of four rows one is independent.
-        let step_variance = ((square - step * step) * 4.0 * part) as f32;
+        let step_variance = ((square - step * step).max(0.0) * 4.0 * part) as f32;
         About { depth: depth as f32, moment: moment as f32, step: step as f32, step_variance }
     }
 

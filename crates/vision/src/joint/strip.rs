@@ -21,7 +21,7 @@ const STANDS_OUT: f32 = 2.2;
 /// From this many widths from the middle on there is metal.
 pub(super) const METAL: f32 = 1.1;
 /// The light's change across is found from so many rows together.
-const LIT: usize = 24;
+pub(super) const LIT: usize = 24;
 /// Columns of each of the two boxes on either side.
 pub(super) const SIDE: usize = 3;
 
@@ -368,6 +368,24 @@ mod tests {
             Line::from_fn(|j| if (reach..COLS - reach).contains(&j) { depth(j) } else { 0.0 })
         };
         (0..grey.len()).map(of_row).collect()
+    }
+
+    /// What a leap relies on: but for its last rows, a begin of whole lit stretches is measured like the whole strip.
+    #[test]
+    fn a_begin_of_a_strip_is_measured_like_the_whole() {
+        let mut random = random();
+        for width in [1.0, 3.0, 5.0, 7.0] {
+            let grey: Vec<Line> = (0..2 * LIT).map(|_| Line::from_fn(|j| 2.0 * j as f32 + 90.0 * random())).collect();
+            let measured = |rows: usize| {
+                let mut strip = Strip { grey: grey[..rows].to_vec(), ..Strip::default() };
+                strip.measure(width, 30.0);
+                strip.depth
+            };
+            let (begin, whole) = (measured(LIT), measured(2 * LIT));
+            for (i, (a, b)) in begin.iter().map(|row| **row).zip(whole.iter().map(|row| **row)).enumerate() {
+                assert_eq!(a.map(f32::to_bits) == b.map(f32::to_bits), i < LIT - GROUP, "{width}: {i}");
+            }
+        }
     }
 
     #[test]

@@ -154,6 +154,7 @@ impl Midline {
     fn follow_contrast(&mut self, places: &[Place]) {
         const REACH: usize = 40;
         let count = self.path.len();
+        // Depths along the path, one after the other, where middles are put later.
         self.single.clear();
         self.single.extend(self.path.iter().zip(&self.strip.depth).map(|(j, row)| row[*j]));
         for (i, place) in places.iter().enumerate() {

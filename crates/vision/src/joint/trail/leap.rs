@@ -1,7 +1,7 @@
 use super::{BACK, FITTED, Limits, Look, Place, ROWS, TAKEN_CLEAR, Trail};
 use crate::joint::axis::{Axis, Station};
 use crate::joint::levels::Picture;
-use crate::joint::strip::{GROUP, SEEN_AROUND};
+use crate::joint::strip::{GROUP, LIT, SEEN_AROUND};
 
 /// Chords this many places long ...
 pub(super) const CHORD: usize = 14;
@@ -14,6 +14,7 @@ const SHOWN: usize = (9 * ROWS).div_ceil(10);
 /// Rows of half of a strip, and of those that are the same as in the whole one.
 const HALF: usize = ROWS / 2;
 const KNOWN: usize = HALF - GROUP - SEEN_AROUND;
+const _: () = assert!(HALF.is_multiple_of(LIT), "the light of half a strip is levelled as in the whole one");
 /// Places leapt over at a time behind a corner.
 const LEAP: usize = 12;
 
