@@ -102,26 +102,26 @@ pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Ve
         }
         let (wanted, reached) = (asked(at), part * asked(at));
         let binding = Binding::new(machine, slowest.bound)?;
+        let message =
+            format!("{} cannot keep {wanted:.3} mm/s: {} allows {reached:.3} mm/s", binding.whose(), binding.limit());
+        let (from_mm, to_mm) = (run[0].from, run[run.len() - 1].to);
+        if pass.on_limit == OnLimit::Slow {
+            let message = format!("{message}; the weld slows down there, as asked");
+            return Some(Finding::note("speed", message, number, (from_mm, to_mm)));
+        }
         Some(Finding {
             kind: "speed",
-            message: format!(
-                "{} cannot keep {wanted:.3} mm/s: {} allows {reached:.3} mm/s",
-                binding.whose(),
-                binding.limit()
-            ),
+            message,
             pass: number,
-            from_mm: run[0].from,
-            to_mm: run[run.len() - 1].to,
-            cure: match pass.on_limit {
-                OnLimit::Refuse => format!(
-                    "ask for {:.3} mm/s, which every axis can keep everywhere, or set weld.on_limit = \"slow\" to slow down there{}",
-                    // Rounded down, so that the number printed can be asked for.
-                    (certificate.everywhere * 1e3).floor() * 1e-3,
-                    if planned.joints.in_blend(at) { ", or allow the blend more of the seam" } else { "" }
-                ),
-                OnLimit::Slow => "none needed: the weld slows down there, as asked".to_owned(),
-            },
-            allowed: pass.on_limit == OnLimit::Slow,
+            from_mm,
+            to_mm,
+            cure: format!(
+                "ask for {:.3} mm/s, which every axis can keep everywhere, or set weld.on_limit = \"slow\" to slow down there{}",
+                // Rounded down, so that the number printed can be asked for.
+                (certificate.everywhere * 1e3).floor() * 1e-3,
+                if planned.joints.in_blend(at) { ", or allow the blend more of the seam" } else { "" }
+            ),
+            allowed: false,
         })
     };
     runs.iter().filter_map(finding).collect()

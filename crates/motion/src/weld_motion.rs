@@ -116,12 +116,12 @@ impl WeldMotion {
                         Some(mm) => format!("the torch can only stand back {mm:.1} of {} mm {what}", air.retract_mm),
                         None => format!("no axis can take the torch back along itself {what}: it leaves sideways"),
                     };
-                    let cure = "none needed if nothing stands beside the seam";
+                    let cure = "make sure that nothing stands beside the seam there, or ask for a smaller retract";
                     self.findings.push(finding("retract", message, cure, true));
                 }
                 if let (Some((from, _)), Some((to, _))) = (&end, &start) {
                     for note in unwound(air.machine, from, to) {
-                        self.findings.push(finding("unwind", format!("{note} {what}"), "none needed", true));
+                        self.findings.push(Finding::note("unwind", format!("{note} {what}"), pass, (s, s)));
                     }
                 }
                 self.air.push(planned);
