@@ -10,6 +10,7 @@ use crate::redundancy::{Clearance, resolve};
 use crate::set_points::SetPoints;
 use crate::singular;
 use crate::survey::{range_between, range_on_path, survey};
+use crate::torch_jumps::torch_jumps;
 use crate::{JointPath, LawPoint, SpeedLaw, weave_limits};
 use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_program::{Finding, Pass, Sequence, TorchPath};
@@ -88,13 +89,21 @@ impl PassMotion {
         before: Before,
     ) -> Result<Self, Vec<Finding>> {
         let (_, fastest) = pass.speeds();
+        let jumps = if path.axes(0.0).is_some() { Vec::new() } else { torch_jumps(path, number) };
+        if !jumps.is_empty() && !machine.free().is_empty() {
+            return Err(jumps);
+        }
         // Axes to spare do not weave.
         let line = path.slower(0.0);
         let line = line.as_deref().unwrap_or(path);
         let free = resolve(machine, line, fastest / least_rate(line), &pass.spare_axes, before.clearance, number)?;
         let follower = Follower { machine, path, free: &free };
-        let survey = survey(follower, &pass.tolerance, number)?;
-        let mut findings = survey.findings;
+        let survey = survey(follower, &pass.tolerance, number).map_err(|found| with(&jumps, found))?;
+        let mut findings = with(&jumps, survey.findings);
+        if !jumps.is_empty() {
+            // No axes follow a jump: whatever else they did there would follow from it.
+            return Err(findings);
+        }
         let mut joints = match JointPath::new(follower, &survey.start) {
             Ok(joints) => joints,
             Err(at) => {
@@ -201,6 +210,11 @@ impl PassMotion {
     pub fn set_points(&self, period: f64) -> SetPoints<'_> {
         SetPoints::new(self, period)
     }
+}
+
+/// `first` findings and then `others`.
+fn with(first: &[Finding], others: Vec<Finding>) -> Vec<Finding> {
+    first.iter().cloned().chain(others).collect()
 }
 
 /// About the least way of the tip by path length.
