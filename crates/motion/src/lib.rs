@@ -23,6 +23,7 @@ pub mod pace;
 mod pass_channels;
 mod pass_clearance;
 mod pass_motion;
+mod pass_time;
 mod planned;
 pub mod procedure;
 pub mod pulses;

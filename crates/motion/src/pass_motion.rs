@@ -5,6 +5,7 @@ use crate::law::{Certificate, LawError};
 use crate::limits::{never_reached, speed_findings};
 use crate::pace::PassTimed;
 use crate::pass_channels::PassChannels;
+use crate::pass_time::too_long;
 use crate::planned::Planned;
 use crate::redundancy::{Clearance, resolve};
 use crate::set_points::SetPoints;
@@ -67,6 +68,10 @@ impl PassMotion {
         number: usize,
         before: Before,
     ) -> Result<Self, Vec<Finding>> {
+        let long = too_long(pass, number);
+        if !long.is_empty() {
+            return Err(long);
+        }
         let mut all = match Self::plan_once(machine, path, pass, number, before) {
             Err(all) if path.swing(0.0).is_some() => all,
             planned => return planned,

@@ -1,6 +1,7 @@
 use crate::air::{AirMove, Blocked, Leg, route};
 use crate::pass_clearance::{PassClearance, pass_clearance};
 use crate::pass_motion::Before;
+use crate::pass_time::MAX_PASS_S;
 use crate::procedure::PassProcedure;
 use crate::redundancy::Clearance;
 use crate::{LawPoint, PassMotion, Phase, SetPoint};
@@ -110,6 +111,14 @@ impl WeldMotion {
             _ => format!("from pass {i} to pass {}", i + 1),
         };
         match air.way(end, start) {
+            Ok((planned, _)) if planned.duration() > MAX_PASS_S => {
+                let message = format!(
+                    "the air move {what}: it takes {:.3e} s, no move may take longer than {MAX_PASS_S} s",
+                    planned.duration()
+                );
+                let cure = "give the machine's axes higher speeds and accelerations, or move the part nearer";
+                self.findings.push(finding("air", message, cure, false));
+            }
             Ok((planned, retracts)) => {
                 for back in retracts {
                     let message = match back {

@@ -9,6 +9,7 @@
 
 mod control;
 mod error;
+mod even_speed;
 mod feed;
 mod guess;
 mod part_program;

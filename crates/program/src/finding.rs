@@ -7,7 +7,7 @@ use serde::Serialize;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Finding {
     /// Short kind, stable for programs: `reach`, `range`, `speed`, `attitude`, `access`, `singular`, `jump`, `hold`,
-    /// `pulses`, `steps`, `pace`, `stop`, `blend`, `least_speed`, `turn`, `bead`, `procedure`.
+    /// `pulses`, `steps`, `pace`, `stop`, `blend`, `least_speed`, `time`, `turn`, `bead`, `procedure`.
     pub kind: &'static str,
     /// What is wrong, with the value found and the value allowed.
     pub message: String,

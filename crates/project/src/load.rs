@@ -212,8 +212,8 @@ pub fn machine_and_file(name: &str) -> Result<(Machine, Document<MachineFile>), 
 
 /// Findings nearer to each other than this are in one place, mm.
 const SAME_MM: f64 = 1e-3;
-/// Most set-points of one motion: more are a mistake in a period or a speed.
-const MOST_SET_POINTS: f64 = 1e11;
+/// Most set-points of one motion: more are a mistake in a period or a speed. A day of every millisecond is a tenth of them.
+const MOST_SET_POINTS: f64 = 1e9;
 
 impl Loaded {
     /// Where the machine file is: files that it names are seen from there.

@@ -1,7 +1,7 @@
 //! Uniform cubic B-splines in time whose ends are at rest: PMAC's SPLINE1.
 
 use super::block::{Block, Linearisation, Shape};
-use super::cutter::Cutting;
+use super::cutter::{Cutting, MAX_BLOCKS};
 use crate::{Error, Level};
 use glam::DVec3;
 use seamwright_geometry::Pose;
@@ -51,7 +51,7 @@ pub(crate) fn splines(
         let mut count = ((end - begin) / finest).max(FEWEST).ceil();
         let (points, worst) = loop {
             let step = (end - begin) / count;
-            if step < SHORTEST_S {
+            if step < SHORTEST_S || count > MAX_BLOCKS as f64 {
                 return Err(Error::TooFine { s: leg.from });
             }
             let points = plan.control_points(begin, step, count as usize - 2);
