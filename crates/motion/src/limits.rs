@@ -59,6 +59,11 @@ impl Binding {
         self.axis.as_ref().map_or("the torch tip".to_owned(), |name| format!("axis {name}"))
     }
 
+    /// Says that the tip cannot be as fast as `asked`, but `reached`, mm/s.
+    pub(crate) fn cannot_keep(&self, asked: f64, reached: f64) -> String {
+        format!("{} cannot keep {asked:.3} mm/s: {} allows {reached:.3} mm/s", self.whose(), self.limit())
+    }
+
     /// The limit in words.
     pub(crate) fn limit(&self) -> String {
         format!("its {} limit of {:.3} {}", self.what, self.value, self.unit)
@@ -79,6 +84,11 @@ pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Ve
     let wanted = pass.on_limit == OnLimit::Refuse && bound && !planned.joints.is_woven();
     let keepable = if wanted { keepable(planned, pass, &slow) } else { None };
     slow.iter().filter_map(|run| speed_finding(planned, run, (pass, number), keepable.as_deref())).collect()
+}
+
+/// True if the tip keeps the speed that `pass` asks for.
+pub(crate) fn keeps_speed(planned: Planned, pass: &Pass) -> bool {
+    slow_runs(planned, pass, 1.0).is_empty()
 }
 
 /// A stretch between run-up and run-down on which the tip is slower than asked.
@@ -142,9 +152,7 @@ fn speed_finding(
 ) -> Option<Finding> {
     let SlowRun { from, to, at, asked, reached, binding } = run;
     let message = match binding {
-        Some(binding) => {
-            format!("{} cannot keep {asked:.3} mm/s: {} allows {reached:.3} mm/s", binding.whose(), binding.limit())
-        }
+        Some(binding) => binding.cannot_keep(*asked, *reached),
         None => format!(
             "the tip goes at {reached:.3} mm/s where {asked:.3} mm/s are asked for: the asked speed changes there, and \
              the speed profile rounds the change off"

@@ -12,7 +12,8 @@ use crate::set_points::SetPoints;
 use crate::singular;
 use crate::survey::{range_between, range_on_path, survey};
 use crate::torch_jumps::torch_jumps;
-use crate::{JointPath, LawPoint, SpeedLaw, weave_limits};
+use crate::weave_limits::Woven;
+use crate::{JointPath, LawPoint, SpeedLaw};
 use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_program::{Finding, Pass, Sequence, TorchPath};
 
@@ -72,27 +73,6 @@ impl PassMotion {
         if !long.is_empty() {
             return Err(long);
         }
-        let mut all = match Self::plan_once(machine, path, pass, number, before) {
-            Err(all) if path.swing(0.0).is_some() => all,
-            planned => return planned,
-        };
-        let at = |factor: f64| {
-            let slower = path.slower(factor)?;
-            let refused = Self::plan_once(machine, &*slower, pass, number, before).err();
-            Some(refused.iter().flatten().all(|f| f.kind != "speed" || f.allowed))
-        };
-        weave_limits::tell(&mut all, pass, at);
-        Err(all)
-    }
-
-    /// Plans it as it is: without what a slower weave could do.
-    fn plan_once(
-        machine: &Machine,
-        path: &dyn TorchPath,
-        pass: &Pass,
-        number: usize,
-        before: Before,
-    ) -> Result<Self, Vec<Finding>> {
         let (_, fastest) = pass.speeds();
         let jumps = if path.axes(0.0).is_some() { Vec::new() } else { torch_jumps(path, number) };
         if !jumps.is_empty() && !machine.free().is_empty() {
@@ -107,6 +87,11 @@ impl PassMotion {
         let mut findings = with(&jumps, survey.findings);
         if !jumps.is_empty() {
             // No axes follow a jump: whatever else they did there would follow from it.
+            return Err(findings);
+        }
+        let woven = Woven::new(follower, &survey.start, pass);
+        if let Some(too_fast) = woven.as_ref().and_then(|woven| woven.too_fast(number)) {
+            findings.push(too_fast);
             return Err(findings);
         }
         let mut joints = match JointPath::new(follower, &survey.start) {
@@ -137,6 +122,7 @@ impl PassMotion {
         let legs = law.legs();
         let planned = Planned { machine, joints: &joints, law: &law, certificate: &certificate, legs: &legs };
         findings.extend(speed_findings(planned, pass, number));
+        woven.iter().for_each(|woven| woven.tell(&mut findings));
         findings.extend(stop_findings(machine, &left, pass, number));
         findings.extend(least_speed_findings(planned, pass, number));
         findings.extend(never_reached(planned, fastest, pass.on_limit, number));
