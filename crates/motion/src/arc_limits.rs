@@ -29,7 +29,8 @@ pub(crate) fn stop_findings(machine: &Machine, corners: &[Left], pass: &Pass, nu
             "set corner = \"stop\" to stop there with the arc on, or corner = { blend_mm = 0.2 } to go round \
              within that distance of the seam; or round the seam off; or end the weld there and begin another after it"
         }
-        AtCorner::Stop => "none needed: the torch stops at corners, as asked",
+        // The torch stops at corners, as asked: a note.
+        AtCorner::Stop => "",
         AtCorner::BlendMm(_) => {
             "set corner = \"stop\" to stop at corners; or round the seam off; or end the weld there and begin \
              another after it"
@@ -154,18 +155,9 @@ fn too_slow_in(planned: Planned, least: f64, slow: &Slow, pass: usize) -> Findin
 
 /// A note: the end of the weld on which the torch, which `does` that with the arc on, is too slow.
 fn slow_end(does: &str, (from_mm, to_mm): (f64, f64), least: f64, pass: usize) -> Finding {
-    Finding {
-        kind: "least_speed",
-        message: format!(
-            "the torch {does} with the arc on: over {:.3} mm it is slower than the procedure's least speed of {least:.3} mm/s",
-            to_mm - from_mm
-        ),
-        pass,
-        from_mm,
-        to_mm,
-        cure: "none needed: run-up and run-down are not held against the least speed; if they may not be part of the weld, \
-               begin and end on run-on and run-off plates"
-            .to_owned(),
-        allowed: true,
-    }
+    let message = format!(
+        "the torch {does} with the arc on: over {:.3} mm it is slower than the procedure's least speed of {least:.3} mm/s",
+        to_mm - from_mm
+    );
+    Finding::note("least_speed", message, pass, (from_mm, to_mm))
 }

@@ -20,6 +20,10 @@ const USED: f64 = 0.999;
 const AT_EASE: f64 = 0.9;
 /// How closely the width of a blend is found.
 const CLOSE: f64 = 1e-5;
+/// A blend that takes the tip no further from the seam than this (mm), and the torch no further from its direction than
+/// this (degrees), is not worth a note: posts and drives leave more.
+const RELEVANT_MM: f64 = 5e-3;
+const RELEVANT_DEG: f64 = 0.05;
 /// A blend reaches at least so far to each side (mm, and as a part of the path): shorter ones cost the law digits.
 const SHORTEST: (f64, f64) = (1e-3, 1e-5);
 /// The tip's way in a blend is at least this part of the seam's: a blend at a turn by more than 168 degrees would stand
@@ -82,7 +86,7 @@ pub(crate) fn rounded(
         let corner = Corner { follower, joints: &joints, channels: &channels, s, reach: (before, after) };
         match corner.blend(&most) {
             Ok(Fitting { piece, away }) => {
-                notes.push(note((&piece, &away), s, number));
+                notes.extend(note((&piece, &away), s, number));
                 blends.push(piece);
             }
             Err(why) => left.push(Left { s, axis, why: Some(why) }),
@@ -91,23 +95,20 @@ pub(crate) fn rounded(
     if blends.is_empty() { (joints, left, notes) } else { (joints.blended(&blends), left, notes) }
 }
 
-/// What is to be said of a blend.
-fn note((piece, away): (&Piece, &Away), s: f64, pass: usize) -> Finding {
+/// A note of a blend, if it takes the torch so far from what is asked that it matters.
+fn note((piece, away): (&Piece, &Away), s: f64, pass: usize) -> Option<Finding> {
     let turned = away.direction.to_degrees();
-    let direction = if turned < 0.05 { String::new() } else { format!(", its direction by up to {turned:.1} degrees") };
-    Finding {
-        kind: "blend",
-        message: format!(
-            "the torch goes round the corner at s = {s:.3} mm: over {:.3} mm its tip leaves the seam by up to {:.3} mm{direction}",
-            piece.to - piece.from,
-            away.tip
-        ),
-        pass,
-        from_mm: piece.from,
-        to_mm: piece.to,
-        cure: "none needed: corners are blended, as asked".to_owned(),
-        allowed: true,
+    if away.tip < RELEVANT_MM && turned < RELEVANT_DEG {
+        return None;
     }
+    let direction =
+        if turned < RELEVANT_DEG { String::new() } else { format!(", its direction by up to {turned:.1} degrees") };
+    let message = format!(
+        "the torch goes round the corner at s = {s:.3} mm: over {:.3} mm its tip leaves the seam by up to {:.3} mm{direction}",
+        piece.to - piece.from,
+        away.tip
+    );
+    Some(Finding::note("blend", message, pass, (piece.from, piece.to)))
 }
 
 /// A corner and what is around it.

@@ -80,6 +80,11 @@ pub(crate) struct NotSmooth {
 impl JointPath {
     /// The axes' path as `follower` goes it, beginning at the positions `start` (one branch of the inverse at s = 0).
     pub(crate) fn new(follower: Follower, start: &Joints) -> Result<Self, NotSmooth> {
+        Self::over(follower, start, (0.0, follower.path.length()))
+    }
+
+    /// The same of a part of the path alone, in whose range it may be asked for, beginning at the positions `start`.
+    pub(crate) fn over(follower: Follower, start: &Joints, (from, to): (f64, f64)) -> Result<Self, NotSmooth> {
         let axes = follower.machine.axes.len();
         let length = follower.path.length();
         let mut built = Self::empty(axes, length);
@@ -89,9 +94,9 @@ impl JointPath {
         built.line = follower.path.swing(0.0).map(|_| Vec::new());
         let mut near = *start;
         let mut todo: Vec<(f64, f64)> = Vec::new();
-        let mut edges = vec![0.0];
-        edges.extend(follower.knots().into_iter().filter(|s| *s > 0.0 && *s < length));
-        edges.push(length);
+        let mut edges = vec![from];
+        edges.extend(follower.knots().into_iter().filter(|s| *s > from && *s < to));
+        edges.push(to);
         todo.extend(edges.windows(2).rev().map(|w| (w[0], w[1])));
         while let Some((a, b)) = todo.pop() {
             if let Some((blocks, end)) = fit(follower, a, b, &near, built.blocks_a_panel) {

@@ -23,6 +23,7 @@ pub mod pace;
 mod pass_channels;
 mod pass_clearance;
 mod pass_motion;
+mod pass_time;
 mod planned;
 pub mod procedure;
 pub mod pulses;
@@ -34,6 +35,7 @@ pub mod taught;
 pub mod textbook;
 mod tip_channels;
 mod tip_path;
+mod torch_jumps;
 mod weave_limits;
 mod weld_motion;
 

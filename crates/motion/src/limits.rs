@@ -1,6 +1,8 @@
 //! What the axes allow along a path, and how to say where they do not.
 
-use crate::law::{Bound, Interval, Leg};
+use crate::SpeedLaw;
+use crate::law::{Bound, Certificate, Interval, Leg};
+use crate::pass_channels::PassChannels;
 use crate::planned::{Band, Planned};
 use seamwright_machine::{Machine, TipLimits};
 use seamwright_program::{Finding, OnLimit, Pass};
@@ -12,6 +14,10 @@ const WORTH_SAYING: f64 = 2e-3;
 const WORTH_SAYING_CHANGING: f64 = 5e-3;
 const WORTH_SAYING_NEAR_END: f64 = 3e-2;
 const NEAR_END_MM: f64 = 1.0;
+/// A change of the asked speed may be rounded off by this part of it: more stands against the weld.
+const ROUNDED_OFF: f64 = 3e-2;
+/// Parts of the highest speed in question that are planned until one can be kept.
+const LOWER: [f64; 4] = [1.0, 0.98, 0.93, 0.85];
 
 /// A limit that bounds the speed, in the units of files.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,13 +36,13 @@ impl Binding {
     /// What `bound` stands for on a path of `machine`: channels are its axes, then the tip.
     pub fn new(machine: &Machine, bound: Bound) -> Option<Self> {
         let (channel, what, per) = match bound {
-            Bound::Asked => return None,
+            Bound::Asked | Bound::Change => return None,
             Bound::Speed(i) => (i, "speed", "/s"),
             Bound::Acceleration(i) => (i, "acceleration", "/s^2"),
             Bound::Jerk(i) => (i, "jerk", "/s^3"),
         };
         let of = |speed: f64, acceleration: f64, jerk: f64| match bound {
-            Bound::Asked | Bound::Speed(_) => speed,
+            Bound::Asked | Bound::Change | Bound::Speed(_) => speed,
             Bound::Acceleration(_) => acceleration,
             Bound::Jerk(_) => jerk,
         };
@@ -53,6 +59,11 @@ impl Binding {
         self.axis.as_ref().map_or("the torch tip".to_owned(), |name| format!("axis {name}"))
     }
 
+    /// Says that the tip cannot be as fast as `asked`, but `reached`, mm/s.
+    pub(crate) fn cannot_keep(&self, asked: f64, reached: f64) -> String {
+        format!("{} cannot keep {asked:.3} mm/s: {} allows {reached:.3} mm/s", self.whose(), self.limit())
+    }
+
     /// The limit in words.
     pub(crate) fn limit(&self) -> String {
         format!("its {} limit of {:.3} {}", self.what, self.value, self.unit)
@@ -67,64 +78,130 @@ pub fn plain(limit: f64) -> f64 {
 
 /// Where the tip is slower than asked between run-up and run-down, and what keeps it from being faster.
 pub(crate) fn speed_findings(planned: Planned, pass: &Pass, number: usize) -> Vec<Finding> {
-    let Planned { machine, certificate, .. } = planned;
+    let slow = slow_runs(planned, pass, 1.0);
+    let bound = slow.iter().any(|run| run.binding.is_some());
+    // The speed of a weave is told with its frequency, see `weave_limits`.
+    let wanted = pass.on_limit == OnLimit::Refuse && bound && !planned.joints.is_woven();
+    let keepable = if wanted { keepable(planned, pass, &slow) } else { None };
+    slow.iter().filter_map(|run| speed_finding(planned, run, (pass, number), keepable.as_deref())).collect()
+}
+
+/// True if the tip keeps the speed that `pass` asks for.
+pub(crate) fn keeps_speed(planned: Planned, pass: &Pass) -> bool {
+    slow_runs(planned, pass, 1.0).is_empty()
+}
+
+/// A stretch between run-up and run-down on which the tip is slower than asked.
+struct SlowRun {
+    from: f64,
+    to: f64,
+    /// Where it is slowest, mm, and the asked and the reached speed there, mm/s.
+    at: f64,
+    asked: f64,
+    reached: f64,
+    /// The limit that is used up there; none if it is the law that rounds off a change of the asked speed.
+    binding: Option<Binding>,
+}
+
+/// The stretches on which the law, planned for `times` the speeds of `pass`, is slower than these by a part worth saying.
+fn slow_runs(planned: Planned, pass: &Pass, times: f64) -> Vec<SlowRun> {
     let mut runs: Vec<Vec<Interval>> = vec![Vec::new()];
-    let asked = |s: f64| pass.speed_at(s);
+    let asked = |s: f64| times * pass.speed_at(s);
     for interval in between(planned, &asked) {
         match runs.last_mut() {
             Some(run) if interval.bound != Bound::Asked => run.push(interval),
             _ => runs.push(Vec::new()),
         }
     }
-    let changes = planned.joints.is_beside() || pass.spans.iter().any(|span| span.speed_mm_s.is_ramp());
-    let worth_saying = |run: &[Interval]| {
-        // A run-up that goes over smoothly into a speed that changes has no clear end.
-        let (from, to) = (run[0].from, run[run.len() - 1].to);
-        let near = |leg: &Leg| {
-            let inside = leg.from <= from && to <= leg.to;
-            inside && (to < leg.run_up_end + NEAR_END_MM || from > leg.run_down_start - NEAR_END_MM)
-        };
-        match changes {
-            true if planned.legs.iter().any(near) => WORTH_SAYING_NEAR_END,
-            true => WORTH_SAYING_CHANGING,
-            false => WORTH_SAYING,
-        }
-    };
     if planned.joints.is_woven() {
         // At every swing there is one: they are told as one.
         runs = vec![runs.concat()];
     }
-    let finding = |run: &Vec<Interval>| {
+    let changes = planned.joints.is_beside() || pass.spans.iter().any(|span| span.speed_mm_s.is_ramp());
+    let slow = |run: &Vec<Interval>| {
         let slowest = run.iter().min_by(|a, b| a.reached.0.total_cmp(&b.reached.0))?;
         let (part, at) = slowest.reached;
-        if part > 1.0 - worth_saying(run) {
-            return None;
-        }
-        let (wanted, reached) = (asked(at), part * asked(at));
-        let binding = Binding::new(machine, slowest.bound)?;
-        Some(Finding {
-            kind: "speed",
-            message: format!(
-                "{} cannot keep {wanted:.3} mm/s: {} allows {reached:.3} mm/s",
-                binding.whose(),
-                binding.limit()
-            ),
-            pass: number,
-            from_mm: run[0].from,
-            to_mm: run[run.len() - 1].to,
-            cure: match pass.on_limit {
-                OnLimit::Refuse => format!(
-                    "ask for {:.3} mm/s, which every axis can keep everywhere, or set weld.on_limit = \"slow\" to slow down there{}",
-                    // Rounded down, so that the number printed can be asked for.
-                    (certificate.everywhere * 1e3).floor() * 1e-3,
-                    if planned.joints.in_blend(at) { ", or allow the blend more of the seam" } else { "" }
-                ),
-                OnLimit::Slow => "none needed: the weld slows down there, as asked".to_owned(),
-            },
-            allowed: pass.on_limit == OnLimit::Slow,
-        })
+        let (from, to) = (run[0].from, run[run.len() - 1].to);
+        let asked = asked(at);
+        let binding = Binding::new(planned.machine, slowest.bound);
+        let slow = part <= 1.0 - worth_saying(planned, (from, to), changes);
+        slow.then_some(SlowRun { from, to, at, asked, reached: part * asked, binding })
     };
-    runs.iter().filter_map(finding).collect()
+    runs.iter().filter_map(slow).collect()
+}
+
+/// The part of the asked speed that the tip may fall short of between two places without a word; more where speeds change.
+fn worth_saying(planned: Planned, (from, to): (f64, f64), changes: bool) -> f64 {
+    // A run-up that goes over smoothly into a speed that changes has no clear end.
+    let near = |leg: &Leg| {
+        let inside = leg.from <= from && to <= leg.to;
+        inside && (to < leg.run_up_end + NEAR_END_MM || from > leg.run_down_start - NEAR_END_MM)
+    };
+    match changes {
+        true if planned.legs.iter().any(near) => WORTH_SAYING_NEAR_END,
+        true => WORTH_SAYING_CHANGING,
+        false => WORTH_SAYING,
+    }
+}
+
+fn speed_finding(
+    planned: Planned,
+    run: &SlowRun,
+    (pass, number): (&Pass, usize),
+    keepable: Option<&str>,
+) -> Option<Finding> {
+    let SlowRun { from, to, at, asked, reached, binding } = run;
+    let message = match binding {
+        Some(binding) => binding.cannot_keep(*asked, *reached),
+        None => format!(
+            "the tip goes at {reached:.3} mm/s where {asked:.3} mm/s are asked for: the asked speed changes there, and \
+             the speed profile rounds the change off"
+        ),
+    };
+    if pass.on_limit == OnLimit::Slow {
+        let message = format!("{message}; the weld slows down there, as asked");
+        return Some(Finding::note("speed", message, number, (*from, *to)));
+    }
+    if binding.is_none() && *reached > (1.0 - ROUNDED_OFF) * asked {
+        return Some(Finding::note("speed", message, number, (*from, *to)));
+    }
+    let blend = if planned.joints.in_blend(*at) { ", or allow the blend more of the seam" } else { "" };
+    let cure = match (binding, keepable) {
+        (None, _) => {
+            "let the speed change over a longer way, or set weld.on_limit = \"slow\" to slow down there".to_owned()
+        }
+        (Some(_), Some(lower)) => format!("{lower}, or set weld.on_limit = \"slow\" to slow down there{blend}"),
+        (Some(_), None) => format!("set weld.on_limit = \"slow\" to slow down there{blend}"),
+    };
+    Some(Finding { kind: "speed", message, pass: number, from_mm: *from, to_mm: *to, cure, allowed: false })
+}
+
+/// Asks, in words, for a speed lower than that of `pass`, with which nothing is left of the `slow` stretches: it was
+/// planned, so it is true. None if no lower speed helps.
+fn keepable(planned: Planned, pass: &Pass, slow: &[SlowRun]) -> Option<String> {
+    let (least, fastest) = pass.speeds();
+    let steady = (fastest - least).abs() <= f64::EPSILON * fastest;
+    let reached = slow.iter().map(|run| run.reached / run.asked).fold(1.0, f64::min);
+    let everywhere = planned.certificate.everywhere / fastest;
+    // What can be held steadily; if that is no less, the limits are used up where the speed changes.
+    let most = if steady && everywhere < 1.0 { everywhere } else { reached };
+    // Rounded down, so that the number printed can be asked for.
+    let rounded = |part: f64| match steady {
+        true => (1e3 * part * fastest).floor() * 1e-3 / fastest,
+        false => (1e3 * part).floor() * 1e-3,
+    };
+    let keeps = |part: &f64| {
+        let channels = PassChannels::new(planned.machine, planned.joints, pass, *part);
+        let Ok(law) = SpeedLaw::new(&channels) else { return false };
+        let certificate = Certificate::new(&channels, &law);
+        let lower = Planned { law: &law, certificate: &certificate, legs: &law.legs(), ..planned };
+        slow_runs(lower, pass, *part).is_empty()
+    };
+    let part = LOWER.iter().map(|lower| rounded(lower * most)).find(keeps)?;
+    Some(match steady {
+        true => format!("ask for {:.3} mm/s, which every axis can keep everywhere", part * fastest),
+        false => format!("ask for {:.1} % of the speed, which every axis can keep everywhere", 100.0 * part),
+    })
 }
 
 /// The certificate's stretches without the run-up and run-down of each leg.

@@ -5,12 +5,15 @@ use crate::law::{Certificate, LawError};
 use crate::limits::{never_reached, speed_findings};
 use crate::pace::PassTimed;
 use crate::pass_channels::PassChannels;
+use crate::pass_time::too_long;
 use crate::planned::Planned;
 use crate::redundancy::{Clearance, resolve};
 use crate::set_points::SetPoints;
 use crate::singular;
 use crate::survey::{range_between, range_on_path, survey};
-use crate::{JointPath, LawPoint, SpeedLaw, weave_limits};
+use crate::torch_jumps::torch_jumps;
+use crate::weave_limits::Woven;
+use crate::{JointPath, LawPoint, SpeedLaw};
 use seamwright_machine::{AxisSet, Joints, Machine};
 use seamwright_program::{Finding, Pass, Sequence, TorchPath};
 
@@ -66,35 +69,31 @@ impl PassMotion {
         number: usize,
         before: Before,
     ) -> Result<Self, Vec<Finding>> {
-        let mut all = match Self::plan_once(machine, path, pass, number, before) {
-            Err(all) if path.swing(0.0).is_some() => all,
-            planned => return planned,
-        };
-        let at = |factor: f64| {
-            let slower = path.slower(factor)?;
-            let refused = Self::plan_once(machine, &*slower, pass, number, before).err();
-            Some(refused.iter().flatten().all(|f| f.kind != "speed" || f.allowed))
-        };
-        weave_limits::tell(&mut all, pass, at);
-        Err(all)
-    }
-
-    /// Plans it as it is: without what a slower weave could do.
-    fn plan_once(
-        machine: &Machine,
-        path: &dyn TorchPath,
-        pass: &Pass,
-        number: usize,
-        before: Before,
-    ) -> Result<Self, Vec<Finding>> {
+        let long = too_long(pass, number);
+        if !long.is_empty() {
+            return Err(long);
+        }
         let (_, fastest) = pass.speeds();
+        let jumps = if path.axes(0.0).is_some() { Vec::new() } else { torch_jumps(path, number) };
+        if !jumps.is_empty() && !machine.free().is_empty() {
+            return Err(jumps);
+        }
         // Axes to spare do not weave.
         let line = path.slower(0.0);
         let line = line.as_deref().unwrap_or(path);
         let free = resolve(machine, line, fastest / least_rate(line), &pass.spare_axes, before.clearance, number)?;
         let follower = Follower { machine, path, free: &free };
-        let survey = survey(follower, &pass.tolerance, number)?;
-        let mut findings = survey.findings;
+        let survey = survey(follower, &pass.tolerance, number).map_err(|found| with(&jumps, found))?;
+        let mut findings = with(&jumps, survey.findings);
+        if !jumps.is_empty() {
+            // No axes follow a jump: whatever else they did there would follow from it.
+            return Err(findings);
+        }
+        let woven = Woven::new(follower, &survey.start, pass);
+        if let Some(too_fast) = woven.as_ref().and_then(|woven| woven.too_fast(number)) {
+            findings.push(too_fast);
+            return Err(findings);
+        }
         let mut joints = match JointPath::new(follower, &survey.start) {
             Ok(joints) => joints,
             Err(at) => {
@@ -123,6 +122,7 @@ impl PassMotion {
         let legs = law.legs();
         let planned = Planned { machine, joints: &joints, law: &law, certificate: &certificate, legs: &legs };
         findings.extend(speed_findings(planned, pass, number));
+        woven.iter().for_each(|woven| woven.tell(&mut findings));
         findings.extend(stop_findings(machine, &left, pass, number));
         findings.extend(least_speed_findings(planned, pass, number));
         findings.extend(never_reached(planned, fastest, pass.on_limit, number));
@@ -201,6 +201,11 @@ impl PassMotion {
     pub fn set_points(&self, period: f64) -> SetPoints<'_> {
         SetPoints::new(self, period)
     }
+}
+
+/// `first` findings and then `others`.
+fn with(first: &[Finding], others: Vec<Finding>) -> Vec<Finding> {
+    first.iter().cloned().chain(others).collect()
 }
 
 /// About the least way of the tip by path length.

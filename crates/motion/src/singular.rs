@@ -67,7 +67,7 @@ pub(crate) fn margins(
         pass,
         from_mm: run.from,
         to_mm: run.to,
-        cure: "none needed; to gain room, lean the torch or the work a few degrees away".to_owned(),
+        cure: "lean the torch or the work a few degrees away to gain room".to_owned(),
         allowed: true,
     })
 }

@@ -1,51 +1,225 @@
 //! How fast a weave can be where the axes cannot keep the asked speed with it.
+//!
+//! While the line is gone along at its asked speed, what a weave takes of the limits repeats from swing to swing and changes
+//! only as slowly as the seam. So a few windows of a swing each tell, at a small part of the cost of a plan, whether it can
+//! work at all and up to which frequency; the answer is then planned once as a whole before it is told.
 
-use seamwright_program::{Finding, Pass};
+use crate::JointPath;
+use crate::SpeedLaw;
+use crate::follower::Follower;
+use crate::law::{Bound, Certificate, Channels, Limits};
+use crate::limits::{Binding, keeps_speed};
+use crate::pass_channels::PassChannels;
+use crate::planned::Planned;
+use seamwright_machine::Joints;
+use seamwright_program::{Finding, OnLimit, Pass};
 
 /// The highest frequency is found to this part.
-const CLOSE: f64 = 0.01;
+const CLOSE: f64 = 2e-3;
 /// A weave is tried down to this part of what is asked.
 const LEAST: f64 = 0.02;
+/// Windows along the pass, and swings in each.
+const WINDOWS: usize = 24;
+const SWINGS: f64 = 1.1;
+/// Places looked at in every panel of a window.
+const PLACES: u32 = 8;
+/// Steps in which the axes are followed from window to window.
+const STEPS: usize = 20;
+/// Part of the limits that a weave may use in the windows: a little is the law's reserve.
+const USED: f64 = 0.997;
+/// From this part on it is certain that the whole pass cannot be planned.
+const TOO_MUCH: f64 = 1.02;
+/// Parts of the frequency found in the windows that are planned as a whole until one can be kept.
+const PLANNED: [f64; 3] = [1.0, 0.97, 0.9];
 
-/// Says in the findings of kind `speed` that the weave is too fast, and how fast it can be: `fits` plans the pass with a
-/// weave so many times as fast and says whether the asked speed is kept. Where no slower weave helps the findings stay.
-pub(crate) fn tell(findings: &mut [Finding], pass: &Pass, fits: impl Fn(f64) -> Option<bool>) {
-    let Some(weave) = &pass.weave else { return };
-    let mut too_fast: Vec<&mut Finding> = findings.iter_mut().filter(|f| f.kind == "speed" && !f.allowed).collect();
-    if too_fast.is_empty() {
-        return;
-    }
-    let Some(factor) = greatest(|factor| fits(factor) == Some(true)) else { return };
-    let slower = weave.faster(factor);
-    let (value, allowed) = match (slower.frequency_hz.map(f64::from), slower.pitch_mm.map(f64::from)) {
-        (Some(frequency), _) => (
-            format!("{frequency:.4} Hz"),
-            format!("ask for a frequency_hz of {:.4} or a smaller width", (frequency * 1e4).floor() * 1e-4),
-        ),
-        (None, pitch) => {
-            let pitch = pitch.unwrap_or_default();
-            (
-                format!("one in {pitch:.4} mm"),
-                format!("ask for a pitch_mm of {:.4}, a smaller width or less speed", (pitch * 1e4).ceil() * 1e-4),
-            )
+/// A pass that weaves, as a machine follows it.
+pub(crate) struct Woven<'a> {
+    follower: Follower<'a>,
+    /// Positions at the start of the pass.
+    start: &'a Joints,
+    pass: &'a Pass,
+    /// Middles of the windows, mm, with positions near to those there.
+    windows: Vec<(f64, Joints)>,
+}
+
+/// The greatest use of a limit.
+#[derive(Clone, Copy)]
+struct Used {
+    /// The part of the limit that is used at the asked speed of the line.
+    part: f64,
+    bound: Bound,
+    /// Path length, mm.
+    at: f64,
+    /// The part of the asked speed at which the limit would be used up, no more.
+    holds: f64,
+}
+
+impl<'a> Woven<'a> {
+    /// None if the pass does not weave, or is hardly longer than what its weave takes to widen and narrow.
+    pub(crate) fn new(follower: Follower<'a>, start: &'a Joints, pass: &'a Pass) -> Option<Self> {
+        let weave = pass.weave.as_ref()?;
+        let length = follower.path.length();
+        let fade = weave.fade_mm.get();
+        let (from, to) = (fade, length - fade);
+        if to - from <= 0.1 * length {
+            return None;
         }
-    };
-    for f in &mut too_fast {
-        f.message = format!(
+        let line = follower.path.slower(0.0)?;
+        let line = Follower { path: &*line, ..follower };
+        let mut windows = Vec::with_capacity(WINDOWS);
+        let (mut q, mut here) = (*start, 0.0);
+        for k in 0..WINDOWS {
+            let middle = from + (to - from) * (k as f64 + 0.5) / WINDOWS as f64;
+            for step in 1..=STEPS {
+                let s = here + (middle - here) * step as f64 / STEPS as f64;
+                q = line.near(s, &q).ok()?.joints;
+            }
+            here = middle;
+            windows.push((middle, q));
+        }
+        Some(Self { follower, start, pass, windows })
+    }
+
+    /// A finding if the asked weave is certainly too fast for the asked speed: then nothing else has to be planned.
+    pub(crate) fn too_fast(&self, number: usize) -> Option<Finding> {
+        if self.pass.on_limit != OnLimit::Refuse {
+            return None;
+        }
+        let all: Vec<Used> = self.used(1.0)?;
+        let over: Vec<&Used> = all.iter().filter(|used| used.part > TOO_MUCH).collect();
+        let worst = over.iter().min_by(|a, b| a.holds.total_cmp(&b.holds))?;
+        let factor = self.highest()?;
+        let asked = self.pass.speed_at(worst.at);
+        let binding = Binding::new(self.follower.machine, worst.bound)?;
+        let reached = worst.holds * asked;
+        let mut finding = Finding {
+            kind: "speed",
+            message: binding.cannot_keep(asked, reached),
+            pass: number,
+            from_mm: over[0].at,
+            to_mm: over[over.len() - 1].at,
+            cure: String::new(),
+            allowed: false,
+        };
+        self.tell_in(&mut finding, factor);
+        Some(finding)
+    }
+
+    /// Says in the findings of kind `speed` that the weave is too fast, and how fast it can be. Where no slower weave helps
+    /// the findings stay.
+    pub(crate) fn tell(&self, findings: &mut [Finding]) {
+        let mut too_fast: Vec<&mut Finding> = findings.iter_mut().filter(|f| f.kind == "speed" && !f.allowed).collect();
+        if too_fast.is_empty() {
+            return;
+        }
+        if let Some(factor) = self.highest() {
+            too_fast.iter_mut().for_each(|finding| self.tell_in(finding, factor));
+        }
+    }
+
+    /// Says in a finding that a weave `factor` times as fast is possible.
+    fn tell_in(&self, finding: &mut Finding, factor: f64) {
+        let Some(weave) = &self.pass.weave else { return };
+        let slower = weave.faster(factor);
+        let (value, allowed) = match (slower.frequency_hz.map(f64::from), slower.pitch_mm.map(f64::from)) {
+            (Some(frequency), _) => (
+                format!("{frequency:.4} Hz"),
+                format!("ask for a frequency_hz of {:.4} or a smaller width", (frequency * 1e4).floor() * 1e-4),
+            ),
+            (None, pitch) => {
+                let pitch = pitch.unwrap_or_default();
+                (
+                    format!("one in {pitch:.4} mm"),
+                    format!("ask for a pitch_mm of {:.4}, a smaller width or less speed", (pitch * 1e4).ceil() * 1e-4),
+                )
+            }
+        };
+        finding.message = format!(
             "the weave is too fast: {}; {} mm wide it can go at up to {value}",
-            f.message,
+            finding.message,
             weave.width_mm.get()
         );
-        f.cure = format!("{allowed}, or set weld.on_limit = \"slow\" to slow down there");
+        finding.cure = format!("{allowed}, or set weld.on_limit = \"slow\" to slow down there");
+    }
+
+    /// The highest factor below 1 for the weave's frequency with which the asked speed can be kept, to [`CLOSE`] and not
+    /// above it, if there is one: bisected in the windows, then planned as a whole.
+    fn highest(&self) -> Option<f64> {
+        let fits = |factor: f64| self.used(factor).is_some_and(|all| all.iter().all(|used| used.part <= USED));
+        let factor = greatest(fits)?;
+        PLANNED.iter().map(|part| part * factor).find(|factor| self.keeps(*factor))
+    }
+
+    /// The greatest use of a limit in each window with a weave `factor` times as fast; none where the axes cannot follow.
+    fn used(&self, factor: f64) -> Option<Vec<Used>> {
+        let slower = self.follower.path.slower(factor)?;
+        let follower = Follower { path: &*slower, ..self.follower };
+        self.windows.iter().map(|(middle, near)| self.window(follower, (*middle, near), factor)).collect()
+    }
+
+    fn window(&self, follower: Follower, (middle, near): (f64, &Joints), factor: f64) -> Option<Used> {
+        let weave = self.pass.weave.as_ref()?.faster(factor);
+        let speed = self.pass.speed_at(middle);
+        let period = weave.frequency_hz.map_or(weave.pitch_mm.map_or(0.0, f64::from), |hz| speed / hz.get());
+        let half = 0.5 * SWINGS * period;
+        let range = ((middle - half).max(0.0), (middle + half).min(follower.path.length()));
+        let near = follower.near(range.0, near).ok()?.joints;
+        let joints = JointPath::over(follower, &near, range).ok()?;
+        let channels = PassChannels::new(follower.machine, &joints, self.pass, 1.0);
+        let mut rows = vec![[0.0; 3]; channels.limits().len()];
+        let mut most = Used { part: 0.0, bound: Bound::Asked, at: middle, holds: f64::INFINITY };
+        let mut edges = joints.edges();
+        // The last one is the end of the pass.
+        *edges.last_mut()? = range.1;
+        for panel in edges.windows(2) {
+            for place in 0..=PLACES {
+                let s = panel[0] + (panel[1] - panel[0]) * f64::from(place) / f64::from(PLACES);
+                let rate = channels.derivatives(s, place == PLACES, &mut rows);
+                most = greater(most, (s, channels.asked(s) / rate), &rows, channels.limits());
+            }
+        }
+        Some(most)
+    }
+
+    /// True if the pass can be planned at the asked speed with a weave `factor` times as fast.
+    fn keeps(&self, factor: f64) -> bool {
+        let Some(slower) = self.follower.path.slower(factor) else { return false };
+        let follower = Follower { path: &*slower, ..self.follower };
+        let Ok(joints) = JointPath::new(follower, self.start) else { return false };
+        let channels = PassChannels::new(follower.machine, &joints, self.pass, 1.0);
+        let Ok(law) = SpeedLaw::new(&channels) else { return false };
+        let (certificate, legs) = (Certificate::new(&channels, &law), law.legs());
+        let planned =
+            Planned { machine: follower.machine, joints: &joints, law: &law, certificate: &certificate, legs: &legs };
+        keeps_speed(planned, self.pass)
     }
 }
 
-/// The greatest factor below 1 that fits, to [`CLOSE`] and never above it, if any does: halved until one fits, then
+/// The greater use of a limit: `most`, or what channels with the derivatives `rows` use at `s` at a steady speed.
+fn greater(most: Used, (at, speed): (f64, f64), rows: &[[f64; 3]], limits: &[Limits]) -> Used {
+    rows.iter().zip(limits).enumerate().fold(most, |most, (i, ([q1, q2, q3], limits))| {
+        let uses = [
+            (q1.abs() * speed / limits.speed, Bound::Speed(i), 1.0),
+            (q2.abs() * speed.powi(2) / limits.acceleration, Bound::Acceleration(i), 2.0),
+            (q3.abs() * speed.powi(3) / limits.jerk, Bound::Jerk(i), 3.0),
+        ];
+        uses.into_iter().fold(most, |most, (part, bound, power)| Used {
+            part: most.part.max(part),
+            ..if part.powf(-1.0 / power) < most.holds {
+                Used { part, bound, at, holds: part.powf(-1.0 / power) }
+            } else {
+                most
+            }
+        })
+    })
+}
+
+/// The greatest factor below 1 that fits, to [`CLOSE`] and never above it, if any does: lowered until one fits, then
 /// bisected.
 fn greatest(fits: impl Fn(f64) -> bool) -> Option<f64> {
     let (mut low, mut high) = (0.7, 1.0);
     while !fits(low) {
-        (low, high) = (0.7 * low, low);
+        (low, high) = (0.5 * low, low);
         if low < LEAST {
             return None;
         }

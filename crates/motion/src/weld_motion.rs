@@ -1,6 +1,7 @@
 use crate::air::{AirMove, Blocked, Leg, route};
 use crate::pass_clearance::{PassClearance, pass_clearance};
 use crate::pass_motion::Before;
+use crate::pass_time::MAX_PASS_S;
 use crate::procedure::PassProcedure;
 use crate::redundancy::Clearance;
 use crate::{LawPoint, PassMotion, Phase, SetPoint};
@@ -110,18 +111,26 @@ impl WeldMotion {
             _ => format!("from pass {i} to pass {}", i + 1),
         };
         match air.way(end, start) {
+            Ok((planned, _)) if planned.duration() > MAX_PASS_S => {
+                let message = format!(
+                    "the air move {what}: it takes {:.3e} s, no move may take longer than {MAX_PASS_S} s",
+                    planned.duration()
+                );
+                let cure = "give the machine's axes higher speeds and accelerations, or move the part nearer";
+                self.findings.push(finding("air", message, cure, false));
+            }
             Ok((planned, retracts)) => {
                 for back in retracts {
                     let message = match back {
                         Some(mm) => format!("the torch can only stand back {mm:.1} of {} mm {what}", air.retract_mm),
                         None => format!("no axis can take the torch back along itself {what}: it leaves sideways"),
                     };
-                    let cure = "none needed if nothing stands beside the seam";
+                    let cure = "make sure that nothing stands beside the seam there, or ask for a smaller retract";
                     self.findings.push(finding("retract", message, cure, true));
                 }
                 if let (Some((from, _)), Some((to, _))) = (&end, &start) {
                     for note in unwound(air.machine, from, to) {
-                        self.findings.push(finding("unwind", format!("{note} {what}"), "none needed", true));
+                        self.findings.push(Finding::note("unwind", format!("{note} {what}"), pass, (s, s)));
                     }
                 }
                 self.air.push(planned);

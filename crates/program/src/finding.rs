@@ -1,10 +1,13 @@
 use serde::Serialize;
 
-/// Something that keeps a weld from being made as asked, where on the seam, and what would cure it.
+/// Something that keeps a weld from being made as asked, or that is worth knowing about it: where on the seam, and what
+/// would cure it.
+///
+/// `allowed` and `cure` together give its [`Severity`]; so a warning always says what to do.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Finding {
     /// Short kind, stable for programs: `reach`, `range`, `speed`, `attitude`, `access`, `singular`, `jump`, `hold`,
-    /// `pulses`, `steps`, `pace`, `stop`, `blend`, `least_speed`, `turn`, `bead`, `procedure`.
+    /// `pulses`, `steps`, `pace`, `stop`, `blend`, `least_speed`, `time`, `turn`, `bead`, `procedure`.
     pub kind: &'static str,
     /// What is wrong, with the value found and the value allowed.
     pub message: String,
@@ -14,8 +17,52 @@ pub struct Finding {
     pub from_mm: f64,
     /// See `from_mm`.
     pub to_mm: f64,
-    /// What would cure it.
+    /// What would cure it; empty where nothing has to be done.
     pub cure: String,
     /// True if the weld can be made nevertheless (it was asked to slow down, or the shortcoming is only reported).
     pub allowed: bool,
+}
+
+/// How much a [`Finding`] weighs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Severity {
+    /// Information: nothing has to be done.
+    Note,
+    /// The weld can be made; somebody should look at the cure first.
+    Warning,
+    /// The weld cannot be made as asked.
+    Error,
+}
+
+impl Finding {
+    /// A note of pass `pass` (counted from 1) on a range of its path length, mm: information that asks for no action.
+    pub fn note(kind: &'static str, message: String, pass: usize, (from_mm, to_mm): (f64, f64)) -> Self {
+        Self { kind, message, pass, from_mm, to_mm, cure: String::new(), allowed: true }
+    }
+
+    /// How much it weighs: an error stands against the weld, a warning asks for an action, a note for none.
+    pub fn severity(&self) -> Severity {
+        match (self.allowed, self.cure.is_empty()) {
+            (false, _) => Severity::Error,
+            (true, false) => Severity::Warning,
+            (true, true) => Severity::Note,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_warning_has_a_cure_and_a_note_has_none() {
+        let note = Finding::note("blend", "goes round".to_owned(), 2, (1.0, 2.0));
+        assert_eq!(note.severity(), Severity::Note);
+        let warning = Finding { cure: "make it wider".to_owned(), ..note.clone() };
+        assert_eq!(warning.severity(), Severity::Warning);
+        let error = Finding { allowed: false, ..note };
+        assert_eq!(error.severity(), Severity::Error);
+        assert!(Severity::Error > Severity::Warning && Severity::Warning > Severity::Note);
+    }
 }

@@ -46,7 +46,7 @@ pub use bead::Bead;
 pub use branch::{Branch, OtherBranch};
 pub use copies::SeamCopy;
 pub use document::Program;
-pub use finding::Finding;
+pub use finding::{Finding, Severity};
 pub use head::{ConicalHead, EllipsoidalHead, FlatHead, HeadStandard, HemisphericalHead, TorisphericalHead};
 pub use joint::{
     Bevel, Fillet, FitUp, FlareBevel, FlareV, J, Joint, Member, Preparation, SingleV, Square, TBevel, TJ, U,

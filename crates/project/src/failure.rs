@@ -1,7 +1,7 @@
 //! Why a command ends without doing what was asked.
 
 use seamwright_document::DocumentError;
-use seamwright_program::Finding;
+use seamwright_program::{Finding, Severity};
 use std::io::{self, Write};
 
 /// Why the command ends without doing what was asked, by exit code.
@@ -32,7 +32,11 @@ pub fn write_findings(out: &mut impl Write, findings: &[Finding]) -> io::Result<
     }
     let (allowed, not): (Vec<&Finding>, Vec<&Finding>) = findings.iter().partition(|f| f.allowed);
     for f in not.into_iter().chain(allowed) {
-        let word = if f.allowed { "note" } else { "finding" };
+        let word = match f.severity() {
+            Severity::Error => "finding",
+            Severity::Warning => "warning",
+            Severity::Note => "note",
+        };
         writeln!(out, "{word} ({}): {}", f.kind, f.message)?;
         let place = if f.to_mm > f.from_mm {
             format!("{:.3} to {:.3}", f.from_mm, f.to_mm)
@@ -40,7 +44,9 @@ pub fn write_findings(out: &mut impl Write, findings: &[Finding]) -> io::Result<
             format!("{:.3}", f.from_mm)
         };
         writeln!(out, "   where: pass {}, s = {place} mm", f.pass)?;
-        writeln!(out, "   cure: {}", f.cure)?;
+        if !f.cure.is_empty() {
+            writeln!(out, "   cure: {}", f.cure)?;
+        }
     }
     Ok(())
 }

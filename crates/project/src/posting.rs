@@ -51,7 +51,14 @@ pub fn proven(
         remarks: Vec::new(),
     };
     let text = |options: &WriteOptions| write(control, &part, options).map_err(|e| Failure::Input(e.to_string()));
-    let planned = Planned { machine: &loaded.machine, control, program, motion, tolerance_mm: options.tolerance_mm };
+    let planned = Planned {
+        machine: &loaded.machine,
+        control,
+        program,
+        motion,
+        tolerance_mm: options.tolerance_mm,
+        speed_percent: options.speed_percent,
+    };
     let proof = prove(&part, &text(&write_options)?, options.level, planned)?;
     write_options.remarks = proof.lines();
     Ok((text(&write_options)?, proof))

@@ -492,6 +492,7 @@ export const de: Table = {
   'finding.speed': 'Sollgeschwindigkeit nicht erreicht',
   'finding.stop': 'Brenner hält unterwegs an',
   'finding.stopped': 'Schweißung wurde gestoppt',
+  'finding.time': 'Dauert zu lange',
   'finding.turn': 'Brenner würde an einer Ecke springen',
   'finding.unchecked': 'Kollisionen sind nicht geprüft',
   'finding.unwind': 'Achse wird zurückgedreht',

@@ -490,6 +490,7 @@ export const en = {
   'finding.speed': 'Asked speed is not reached',
   'finding.stop': 'Torch stops on the way',
   'finding.stopped': 'Weld was stopped',
+  'finding.time': 'Takes too long',
   'finding.turn': 'Torch would jump at a corner',
   'finding.unchecked': 'Collisions are not checked',
   'finding.unwind': 'Axis is turned back',

@@ -492,6 +492,7 @@ export const ru: Table = {
   'finding.speed': 'Заданная скорость не достигается',
   'finding.stop': 'Горелка останавливается в пути',
   'finding.stopped': 'Сварка остановлена',
+  'finding.time': 'Длится слишком долго',
   'finding.turn': 'Горелка прыгнула бы в углу',
   'finding.unchecked': 'Столкновения не проверены',
   'finding.unwind': 'Ось отматывается назад',

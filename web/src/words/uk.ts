@@ -492,6 +492,7 @@ export const uk: Table = {
   'finding.speed': 'Задана швидкість не досягається',
   'finding.stop': 'Пальник зупиняється на шляху',
   'finding.stopped': 'Зварювання зупинено',
+  'finding.time': 'Триває надто довго',
   'finding.turn': 'Пальник стрибнув би в куті',
   'finding.unchecked': 'Зіткнення не перевірено',
   'finding.unwind': 'Вісь відмотується назад',

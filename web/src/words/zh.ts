@@ -492,6 +492,7 @@ export const zh: Table = {
   'finding.speed': '达不到设定速度',
   'finding.stop': '焊枪中途停止',
   'finding.stopped': '焊接被停止',
+  'finding.time': '耗时过长',
   'finding.turn': '焊枪在拐角处跳变',
   'finding.unchecked': '未检查碰撞',
   'finding.unwind': '轴回转复位',

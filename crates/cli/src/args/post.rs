@@ -66,6 +66,10 @@ pub(crate) struct PostArgs {
     /// Greatest distance of the blocks' path from the seam, mm
     #[arg(long, default_value_t = 0.01, value_name = "MM")]
     pub(crate) tolerance_mm: f64,
+    /// Greatest deviation of the tip's speed inside blocks longer than 10 ms, between run-up and run-down, percent of the
+    /// planned one; passes that weave are not held to it
+    #[arg(long, default_value_t = 1.0, value_name = "PERCENT")]
+    pub(crate) speed_percent: f64,
     /// How far the torch stands back along its axis before and after the weld, mm [default: the job's air.retract_mm]
     #[arg(long, value_name = "MM")]
     pub(crate) retract_mm: Option<f64>,

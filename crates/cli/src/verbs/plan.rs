@@ -10,7 +10,7 @@ use seamwright_cell::Summary;
 use seamwright_cell::tracking::BeamSummary;
 use seamwright_motion::WeldMotion;
 use seamwright_post::{Control, Dialect, Feed, Options};
-use seamwright_program::Oscillation;
+use seamwright_program::{Oscillation, Severity};
 use seamwright_report::{Language, Plots, PostFigures, WeldReport};
 use seamwright_weld::{Cut, Welding};
 use std::fmt::Write;
@@ -226,7 +226,11 @@ fn summary(r: &WeldReport, paths: &[PathBuf]) -> String {
     }
     let _ = writeln!(text, "  air moves    {:.2} s, home to home {:.2} s", r.air_s, r.total_s);
     for f in &r.findings {
-        let word = if f.allowed { "note" } else { "finding" };
+        let word = match f.severity() {
+            Severity::Error => "finding",
+            Severity::Warning => "warning",
+            Severity::Note => "note",
+        };
         let _ = writeln!(text, "  {word:<12} {} (s = {:.1} mm)", f.message, f.from_mm);
     }
     for path in paths {

@@ -12,6 +12,9 @@ use std::io::{self, Write as _};
 
 /// A weld that may stray further is none.
 const WIDEST_MM: f64 = 10.0;
+/// Bounds of how far the tip's speed may be off inside blocks, percent: below them the words' decimals would show.
+const LEAST_PERCENT: f64 = 0.1;
+const MOST_PERCENT: f64 = 100.0;
 /// Words have six decimals.
 const FINEST_MM: f64 = 0.000_02;
 
@@ -81,6 +84,12 @@ fn options(args: &PostArgs) -> Result<Options, Failure> {
         );
         return Err(Failure::Input(message));
     }
+    let speed_percent = positive("--speed-percent", args.speed_percent)?;
+    if !(LEAST_PERCENT..=MOST_PERCENT).contains(&speed_percent) {
+        let message =
+            format!("--speed-percent {speed_percent}: out of range\n   allowed: {LEAST_PERCENT} to {MOST_PERCENT}");
+        return Err(Failure::Input(message));
+    }
     let interpolation = match (args.dialect, args.interpolation) {
         (DialectArg::Pmac, None | Some(InterpolationArg::Pvt)) => Interpolation::Pvt,
         (DialectArg::Pmac, Some(InterpolationArg::Spline1)) => Interpolation::Spline1,
@@ -98,6 +107,7 @@ fn options(args: &PostArgs) -> Result<Options, Failure> {
             LevelArg::Tip => Level::Tip,
         },
         tolerance_mm,
+        speed_percent,
         interpolation,
     })
 }

@@ -142,3 +142,23 @@ fn mistakes() {
     refused(&POLYLINE.replace("[10, 30, 0]", "[10, nan, 0]"), "seam.polyline.points_mm[2]", &["finite"]);
     refused(&format!("{POLYLINE}[start]\nphi_deg = 5\n"), "start.phi_deg", &["does not close"]);
 }
+
+/// The torch of a fillet would have to jump at sharp corners: each is one finding, and none says that the axes are at fault.
+#[test]
+fn a_corner_at_which_the_torch_jumps_is_one_finding() {
+    let corners = "[seam.rounded_rectangle]\nwidth_mm = 60\nheight_mm = 40\ncorner_mm = 0\njoint = \"fillet\"\n\
+                   [start]\nphi_deg = 90\n";
+    let text = |machine: &str| job(corners, "\"stop\"").replace("ellipse-xy", machine);
+    for machine in ["torch-5axis", "table-tilting-xyzac"] {
+        let (code, _, errors) = with("plan", &text(machine));
+        let found: Vec<&str> = errors.lines().filter(|line| line.starts_with("finding (")).collect();
+        if found.iter().any(|line| line.starts_with("finding (reach)")) {
+            continue;
+        }
+        assert!(code == 1 && found.len() == 4, "{machine}: {errors}");
+        assert!(
+            found.iter().all(|line| line.starts_with("finding (turn): the torch's direction would jump by")),
+            "{errors}"
+        );
+    }
+}

@@ -14,6 +14,8 @@ pub enum Bound {
     Acceleration(usize),
     /// The jerk of a channel.
     Jerk(usize),
+    /// No limit: the asked speed changes, and the law rounds the change off.
+    Change,
 }
 
 /// A stretch of the path with one bound.
@@ -191,7 +193,7 @@ fn lesser(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
 }
 
 /// What binds in cell `i` of stretches with the greatest use of a limit in each: where no limit is used up the speed
-/// is on its way to or from where one is.
+/// is on its way to or from where one is. No limit is blamed that is not used up.
 fn binding(cells: &[(Interval, f64)], i: usize) -> Bound {
     let own = cells[i].0.bound;
     if own == Bound::Asked || cells[i].1 >= BINDS {
@@ -205,7 +207,7 @@ fn binding(cells: &[(Interval, f64)], i: usize) -> Bound {
         (Some(b), Some(a)) if a < b => cells[i + 1 + a].0.bound,
         (Some(b), _) => cells[i - 1 - b].0.bound,
         (None, Some(a)) => cells[i + 1 + a].0.bound,
-        (None, None) => own,
+        (None, None) => Bound::Change,
     }
 }
 

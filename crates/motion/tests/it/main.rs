@@ -2,6 +2,7 @@
 
 mod air;
 mod arc_limits;
+mod asked_speed;
 mod examples;
 mod fine;
 mod pace;

@@ -2,10 +2,12 @@
 //! one that is possible.
 
 use proptest::prelude::*;
+use seamwright_geometry::Pose;
 use seamwright_machine::{Machine, shipped};
 use seamwright_motion::PassMotion;
-use seamwright_program::{Finding, TorchPath};
+use seamwright_program::{Finding, Groove, TorchPath};
 use seamwright_weld::Welding;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 const WEAVE: &str = include_str!("../../../../examples/weave.toml");
 
@@ -153,4 +155,72 @@ fn the_highest_frequency_told_can_be_planned_and_not_much_more() {
     let fast = text(false, "width_mm = 8\npitch_mm = 50\n").replace("speed_mm_s = 2.5", "speed_mm_s = 150");
     let findings = plan(&fast).1.unwrap_err();
     assert!(findings.iter().all(|f| !f.message.contains("the weave")), "{findings:#?}");
+}
+
+/// A torch path that counts how often its pose is asked for, of slower weaves along it too.
+struct Counted<'a> {
+    path: Box<dyn TorchPath + 'a>,
+    poses: &'a AtomicU64,
+}
+
+impl TorchPath for Counted<'_> {
+    fn length(&self) -> f64 {
+        self.path.length()
+    }
+
+    fn pose(&self, s: f64) -> Pose {
+        self.poses.fetch_add(1, Ordering::Relaxed);
+        self.path.pose(s)
+    }
+
+    fn rate(&self, s: f64) -> f64 {
+        self.path.rate(s)
+    }
+
+    fn groove(&self, s: f64) -> Option<Groove> {
+        self.path.groove(s)
+    }
+
+    fn swing(&self, s: f64) -> Option<glam::DVec3> {
+        self.path.swing(s)
+    }
+
+    fn slower(&self, factor: f64) -> Option<Box<dyn TorchPath + '_>> {
+        Some(Box::new(Counted { path: self.path.slower(factor)?, poses: self.poses }))
+    }
+
+    fn knots(&self) -> Vec<f64> {
+        self.path.knots()
+    }
+
+    fn bends(&self) -> Vec<f64> {
+        self.path.bends()
+    }
+}
+
+/// Refusing a weave and telling how fast it can be costs about as much as planning it like that: it took a dozen plans.
+#[test]
+fn the_highest_frequency_costs_about_a_plan() {
+    let text = include_str!("../../../../tests/data/field-trial/saddle-weave-8hz.toml").replace("procedure = ", "# ");
+    let machine = Machine::read("m", shipped("saddle-4axis").unwrap().text).unwrap();
+    let planned = |frequency: f64| {
+        let text = text.replace("frequency_hz = 8", &format!("frequency_hz = {frequency}"));
+        let welding = Welding::read("job.toml", &text).unwrap();
+        let poses = AtomicU64::new(0);
+        let path = welding.path(0);
+        let path = path.along_seam().unwrap();
+        // With a factor of 1 the path is its own.
+        let counted = Counted { path: path.slower(1.0).unwrap(), poses: &poses };
+        let motion = PassMotion::plan(&machine, &counted, &welding.program.value.passes[0], 1);
+        let poses = poses.load(Ordering::Relaxed);
+        (motion.err().unwrap_or_default(), poses)
+    };
+    let (findings, refused) = planned(8.0);
+    let [finding] = &findings[..] else { panic!("{findings:#?}") };
+    assert!(finding.message.starts_with("the weave is too fast"), "{finding:?}");
+    let told = finding.cure.split("frequency_hz of ").nth(1).unwrap().split([',', ' ']).next().unwrap();
+    let (left, possible) = planned(told.parse().unwrap());
+    assert!(left.iter().all(|f| f.allowed), "{told} Hz: {left:#?}");
+    assert!(refused < 2 * possible, "{refused} poses to refuse it, {possible} to plan it at {told} Hz");
+    assert!(planned(1.03 * told.parse::<f64>().unwrap()).0.iter().any(|f| f.kind == "speed"), "{told} Hz");
 }

@@ -1,6 +1,7 @@
 use super::arcs::{Arcs, Normal, through};
 use super::block::{Block, Linearisation, Shape, Speeds};
 use super::course::Course;
+use crate::even_speed::EvenSpeed;
 use crate::feed::LEAST_FEED;
 use crate::polynomial::{Evenly, Polynomial};
 use crate::{Error, Level};
@@ -16,6 +17,8 @@ pub(super) const CHECKS: usize = 16;
 const USED: f64 = 0.98;
 /// Shortest block, mm.
 const SHORTEST_MM: f64 = 1e-4;
+/// More blocks in a pass than these are no part program that a control takes.
+pub(super) const MAX_BLOCKS: usize = 2_000_000;
 /// An arc is looked for if one this much longer than the line is good.
 const LONGER: f64 = 1.2;
 /// Linear motion that may be left to a later block, as a part of the tolerance. The cutter's own tolerance is smaller
@@ -33,6 +36,8 @@ pub(crate) struct Cutting<'a> {
     pub(crate) level: Level,
     /// Greatest distance from the planned path, mm.
     pub(crate) tolerance_mm: f64,
+    /// Greatest deviation of the tip's speed from the planned one inside a block, as a part of that.
+    pub(crate) speed: f64,
     /// Whether the control raises feeds below [`LEAST_FEED`].
     pub(crate) least_feed: bool,
     /// What blocks are that are no arcs.
@@ -55,6 +60,7 @@ impl Cutting<'_> {
         Self {
             level,
             tolerance_mm,
+            speed: f64::INFINITY,
             least_feed: true,
             base: Kind::Line,
             arcs: Arcs::None,
@@ -92,8 +98,9 @@ pub(crate) fn cut(
     cutting: &Cutting,
 ) -> Result<Linearisation, Error> {
     let path = motion.tip_path(machine);
+    let even = EvenSpeed::new(machine, motion);
     let mut cutter =
-        Cutter { machine, path, motion, cutting, tolerance: USED * cutting.tolerance_mm, ends: (0.0, 0.0) };
+        Cutter { machine, path, motion, cutting, tolerance: USED * cutting.tolerance_mm, ends: (0.0, 0.0), even };
     let mut here = cutter.end_at(0.0, 0.0);
     // The last place whose linear words were written.
     let mut written = here;
@@ -109,7 +116,7 @@ pub(crate) fn cut(
         cutter.ends = (if leg == 0 { 0.0 } else { stops[leg - 1] }, leg_end);
         while here.s < end {
             let mut block = cutter.next(&here, &written, end, length);
-            if block.s - here.s < SHORTEST_MM && block.s < end {
+            if (block.s - here.s < SHORTEST_MM && block.s < end) || cut.blocks.len() >= MAX_BLOCKS {
                 return Err(Error::TooFine { s: here.s });
             }
             block.turns_only = cutting.least_feed
@@ -152,6 +159,8 @@ pub(super) struct Cutter<'a> {
     pub(super) tolerance: f64,
     /// Path lengths between which the torch does not stop.
     ends: (f64, f64),
+    /// Where the tip's speed is compared with the plan.
+    pub(super) even: EvenSpeed<'a>,
 }
 
 impl Cutter<'_> {

@@ -1,5 +1,6 @@
 //! How far a block is from the plan.
 
+use super::BRIEFEST_S;
 use super::block::{Block, Shape};
 use super::cutter::{CHECKS, Cutter};
 use crate::Level;
@@ -10,6 +11,8 @@ use seamwright_program::TorchPath;
 /// How far along the seam, or the way of a weaving tip, a block may run ahead of the plan or behind it, as a multiple of
 /// the chord tolerance.
 const LAG: f64 = 20.0;
+/// What may be used of the speed's tolerance in the parts looked at.
+const SPEED_USED: f64 = 0.9;
 /// Largest deviation of the torch's attitude within a block, rad.
 const ATTITUDE: f64 = 0.1 * std::f64::consts::PI / 180.0;
 
@@ -27,12 +30,30 @@ impl Cutter<'_> {
             let [chord, lag, attitude] = self.deviation(a, b, f);
             chord <= self.tolerance && lag <= LAG * self.tolerance && attitude <= ATTITUDE
         });
-        near && self.is_even(a, b)
+        near && self.is_even(a, b) && self.keeps_speed(a, b, n)
     }
 
     /// Greatest distance from the planned path within a block, mm.
     pub(super) fn chord_error(&self, a: &Block, b: &Block) -> f64 {
         (1..CHECKS).map(|k| self.deviation(a, b, k as f64 / CHECKS as f64)[0]).fold(0.0, f64::max)
+    }
+
+    /// True if the tip keeps to its planned speed in each of `parts` of the block, or the block is too brief to be cut.
+    fn keeps_speed(&self, a: &Block, b: &Block, parts: usize) -> bool {
+        let allowed = SPEED_USED * self.cutting.speed;
+        if b.duration <= BRIEFEST_S || allowed.is_infinite() {
+            return true;
+        }
+        let begin = self.motion.law.time(a.s);
+        let at = |k: usize| k as f64 / parts as f64;
+        let mut before = self.interpolated(a, b, 0.0).1.point;
+        (0..parts).all(|k| {
+            let here = self.interpolated(a, b, at(k + 1)).1.point;
+            let way = before.distance(here);
+            before = here;
+            let times = [at(k), at(k + 1)].map(|f| begin + f * b.duration);
+            self.even.deviation(times, way).is_none_or(|off| off <= allowed)
+        })
     }
 
     /// True if process values go evenly enough within the block.

@@ -34,15 +34,23 @@ pub struct Options {
     pub level: Level,
     /// Greatest distance of the blocks' path from the planned one of the tip, mm.
     pub tolerance_mm: f64,
+    /// Greatest deviation of the tip's speed from the planned one inside blocks between run-up and run-down, percent, as
+    /// far as the control's block rate allows: see [`BRIEFEST_S`]. Passes that weave are not held to it.
+    pub speed_percent: f64,
     /// What blocks are. LinuxCNC and grblHAL have lines and arcs alone, Sinumerik polynomials too.
     pub interpolation: Interpolation,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { level: Level::Joint, tolerance_mm: 0.01, interpolation: Interpolation::Pvt }
+        // Welding procedures leave speeds about ten times as much.
+        Self { level: Level::Joint, tolerance_mm: 0.01, speed_percent: 1.0, interpolation: Interpolation::Pvt }
     }
 }
+
+/// Blocks shorter than this are not cut for the sake of the tip's speed, s: a hundred blocks a second is what any of the
+/// controls goes through without slowing down.
+pub const BRIEFEST_S: f64 = 0.01;
 
 impl Options {
     /// What is left to a control that rounds corners between blocks, mm.
@@ -205,6 +213,7 @@ fn blocks(
     let cutting = Cutting {
         level: options.level,
         tolerance_mm: (1.0 - spared) * options.tolerance_mm,
+        speed: if planned.path.is_woven() { f64::INFINITY } else { 0.01 * options.speed_percent },
         least_feed: linuxcnc,
         base,
         arcs: if base == Kind::Line { arcs_of(control, options.level) } else { Arcs::None },

@@ -1,7 +1,9 @@
 //! Uniform cubic B-splines in time whose ends are at rest: PMAC's SPLINE1.
 
+use super::BRIEFEST_S;
 use super::block::{Block, Linearisation, Shape};
-use super::cutter::Cutting;
+use super::cutter::{Cutting, MAX_BLOCKS};
+use crate::even_speed::EvenSpeed;
 use crate::{Error, Level};
 use glam::DVec3;
 use seamwright_geometry::Pose;
@@ -51,12 +53,12 @@ pub(crate) fn splines(
         let mut count = ((end - begin) / finest).max(FEWEST).ceil();
         let (points, worst) = loop {
             let step = (end - begin) / count;
-            if step < SHORTEST_S {
+            if step < SHORTEST_S || count > MAX_BLOCKS as f64 {
                 return Err(Error::TooFine { s: leg.from });
             }
             let points = plan.control_points(begin, step, count as usize - 2);
             let worst = plan.deviation(&points, begin, step);
-            if worst <= USED * cutting.tolerance_mm {
+            if worst <= USED * cutting.tolerance_mm && plan.keeps_speed(&points, begin, step) {
                 break (points, worst);
             }
             count *= 2.0;
@@ -120,6 +122,32 @@ impl Plan<'_> {
             points[i].iter_mut().zip(next).for_each(|(p, n)| *p -= factors[i] * n);
         }
         points
+    }
+
+    /// True if the tip keeps to its planned speed inside all segments, or these are too brief to be halved.
+    fn keeps_speed(&self, points: &[Row], begin: f64, step: f64) -> bool {
+        let allowed = USED * self.cutting.speed;
+        if step <= BRIEFEST_S || allowed.is_infinite() {
+            return true;
+        }
+        let even = EvenSpeed::new(self.machine, self.motion);
+        let last = points.len() - 1;
+        let point = |i: usize| &points[i.saturating_sub(2).min(last)];
+        let tip = |k: usize, f: f64| {
+            let w = weights(f);
+            let row: Row = std::array::from_fn(|i| (0..4).map(|j| w[j] * point(k + j)[i]).sum());
+            let (q, tip) = split(&row);
+            if self.cutting.level == Level::Tip { tip } else { self.machine.forward(&q).point }
+        };
+        let part = 1.0 / f64::from(CHECKS);
+        (0..=last + 1).all(|k| {
+            (0..CHECKS).all(|c| {
+                let parts = [c, c + 1].map(|c| f64::from(c) * part);
+                let way = tip(k, parts[0]).distance(tip(k, parts[1]));
+                let times = parts.map(|f| begin + (k as f64 + f) * step);
+                even.deviation(times, way).is_none_or(|off| off <= allowed)
+            })
+        })
     }
 
     /// Greatest distance of the spline from the plan, mm; lead and lag count by what they may be more.

@@ -26,6 +26,8 @@ pub struct Planned<'a> {
     pub motion: &'a WeldMotion,
     /// Greatest distance of the blocks' path from the planned one of the tip, mm.
     pub tolerance_mm: f64,
+    /// Greatest deviation of the tip's speed inside blocks that are not brief, percent, see [`crate::Options`].
+    pub speed_percent: f64,
 }
 
 /// A proof.
@@ -58,6 +60,11 @@ pub struct PassVerification {
     pub lag_mm: f64,
     /// Greatest deviation of the tip's mean speed in a block, percent of the planned one.
     pub speed_percent: f64,
+    /// Greatest deviation of the tip's speed inside blocks between run-up and run-down, percent of the planned one,
+    pub speed_inside_percent: f64,
+    /// and that in blocks that are long enough to be cut for it, of passes that do not weave.
+    #[serde(skip)]
+    pub(crate) speed_bounded_percent: f64,
     /// Time with the arc on, s, and its deviation from the planned one, percent.
     pub arc_s: f64,
     /// Deviation of that time, percent.
@@ -96,7 +103,7 @@ pub fn verify(
             true => plan::as_it_stands(pass, &same.blocks, i),
             false => plan::check(planned, (i, pass), &same.blocks),
         };
-        wrong.extend(checked.complaints(planned.tolerance_mm, i + 1));
+        wrong.extend(checked.complaints(planned, i + 1));
         // What was asked for is not trusted here: a torch that burns where the program has no arc.
         let burns = |block: &same::Block| block.pass == i && block.told.arc && planned.control.switches_arc();
         if !pass.has_arc() && same.blocks.iter().any(burns) {
@@ -109,7 +116,8 @@ pub fn verify(
 }
 
 impl PassVerification {
-    fn complaints(&self, tolerance_mm: f64, number: usize) -> Vec<String> {
+    fn complaints(&self, planned: Planned, number: usize) -> Vec<String> {
+        let Planned { tolerance_mm, speed_percent, .. } = planned;
         let mut wrong = Vec::new();
         let mut complain = |text: String| wrong.push(format!("pass {number} ({}): {text}", self.name));
         if self.tip_mm > tolerance_mm + ROUNDING {
@@ -122,6 +130,12 @@ impl PassVerification {
             complain(format!(
                 "its time is {:.3} % off the planned one; {TIME_PERCENT} % are allowed",
                 self.time_percent
+            ));
+        }
+        if self.speed_bounded_percent > speed_percent {
+            complain(format!(
+                "the tip's speed inside a block is {:.2} % off the planned one; {speed_percent} % are allowed",
+                self.speed_bounded_percent
             ));
         }
         if let Some((percent, name)) = self.process.as_ref().filter(|(percent, _)| *percent > PROCESS_PERCENT) {
@@ -148,7 +162,7 @@ impl PassVerification {
             self.tip_mm,
             axis(&self.linear, "mm"),
             axis(&self.rotary, "deg"),
-            self.speed_percent,
+            self.speed_percent.max(self.speed_inside_percent),
             self.time_percent
         )
     }

@@ -1,5 +1,8 @@
 use super::same::Block;
 use super::{PassVerification, Planned, is_tip};
+use crate::even_speed::EvenSpeed;
+use crate::plan::BRIEFEST_S;
+use crate::play::Segment;
 use glam::DVec3;
 use seamwright_geometry::Pose;
 use seamwright_machine::{AxisKind, Joints, Machine};
@@ -8,6 +11,8 @@ use seamwright_program::{Pass, TorchPath};
 
 /// Places in a block that are looked at, its end among them.
 const PLACES: u32 = 16;
+/// Parts of a block whose speed is compared with the plan are no shorter than this, s: six decimals would show.
+const PART_S: f64 = 1e-3;
 /// Blocks shorter than this, or slower than this part of the fastest, tell nothing of the speed: run-up and run-down
 /// change within them.
 const SHORTEST_S: f64 = 1e-3;
@@ -29,6 +34,8 @@ fn nothing(pass: &Pass) -> PassVerification {
         direction_deg: 0.0,
         lag_mm: 0.0,
         speed_percent: 0.0,
+        speed_inside_percent: 0.0,
+        speed_bounded_percent: 0.0,
         arc_s: 0.0,
         time_percent: 0.0,
         process: None,
@@ -54,6 +61,7 @@ pub(super) fn check(planned: Planned, (number, pass): (usize, &Pass), blocks: &[
         pass,
         motion,
         path: motion.tip_path(planned.machine),
+        even: EvenSpeed::new(planned.machine, motion),
         travel: first.told.begin + delay,
         cursor: 0,
         greatest: greatest_values(planned, pass),
@@ -78,6 +86,8 @@ struct Checker<'a> {
     pass: &'a Pass,
     motion: &'a PassMotion,
     path: TipPath<'a>,
+    /// Where the tip's speed is compared with the plan.
+    even: EvenSpeed<'a>,
     /// When the torch begins to travel, on the text's clock, s.
     travel: f64,
     cursor: usize,
@@ -107,6 +117,7 @@ impl Checker<'_> {
             last = Some(tip.point);
         }
         self.speed(segment.begin, segment.seconds, way);
+        self.speed_inside(segment);
         segment.at(0.5, &mut row);
         self.process(&row, segment.begin + 0.5 * segment.seconds);
     }
@@ -158,6 +169,24 @@ impl Checker<'_> {
         let fastest = self.motion.certificate.everywhere.max(self.pass.speeds().1);
         if planned > SLOWEST * fastest * (to - from) {
             self.proof.speed_percent = self.proof.speed_percent.max(100.0 * (way / planned - 1.0).abs());
+        }
+    }
+
+    /// The speed of the tip in parts of a block against the planned one in the same times.
+    fn speed_inside(&mut self, segment: &Segment) {
+        let parts = (segment.seconds / PART_S).floor().clamp(1.0, f64::from(PLACES));
+        let (mut row, mut before) = (Vec::new(), None);
+        for k in 0..=parts as u32 {
+            segment.at(f64::from(k) / parts, &mut row);
+            let here = self.place(&row, is_tip(segment.level)).1.point;
+            let Some(last) = before.replace(here) else { continue };
+            let step = segment.seconds / parts;
+            let begin = segment.begin - self.travel + f64::from(k - 1) * step;
+            let Some(off) = self.even.deviation([begin, begin + step], here.distance(last)) else { continue };
+            self.proof.speed_inside_percent = self.proof.speed_inside_percent.max(100.0 * off);
+            if segment.seconds > BRIEFEST_S && !self.motion.path.is_woven() {
+                self.proof.speed_bounded_percent = self.proof.speed_bounded_percent.max(100.0 * off);
+            }
         }
     }
 

@@ -269,7 +269,11 @@ fn finding(f: &seamwright_program::Finding, language: Language) -> Finding {
         language.fill("s = {0} to {1} mm", &[&number(f.from_mm), &number(f.to_mm)])
     };
     Finding {
-        severity: if f.allowed { Severity::Warning } else { Severity::Error },
+        severity: match f.severity() {
+            seamwright_program::Severity::Error => Severity::Error,
+            seamwright_program::Severity::Warning => Severity::Warning,
+            seamwright_program::Severity::Note => Severity::Note,
+        },
         text: said::sentence(language, &f.message),
         place,
         cure: said::sentence(language, &f.cure),

@@ -46,7 +46,7 @@ impl PostFigures {
                 small(pass.tip_mm),
                 worst(&pass.linear, "mm"),
                 worst(&pass.rotary, "deg"),
-                format!("{:.2} %", pass.speed_percent),
+                format!("{:.2} %", pass.speed_percent.max(pass.speed_inside_percent)),
                 format!("{} ({:+.4} %)", number(pass.arc_s), pass.time_percent),
                 worst(&pass.process.as_ref().map(process), "%"),
             ]

@@ -1,0 +1,219 @@
+//! An asked speed that changes along the pass: the law follows it however long the pass is, no limit is blamed that is not
+//! used up, and a lower speed is offered only where it helps.
+
+use seamwright_document::Positive;
+use seamwright_machine::{Machine, shipped};
+use seamwright_motion::PassMotion;
+use seamwright_motion::law::Bound;
+use seamwright_program::{Finding, OnLimit, Pass, Ramp, Span, SpanValue, TorchPath};
+use seamwright_weld::Welding;
+
+const SADDLE: &str = include_str!("../../../../examples/saddle.toml");
+
+fn positive(value: f64) -> Positive {
+    Positive::new(value).unwrap()
+}
+
+/// The saddle's pass with a speed that is linear between `(path length, mm; speed, mm/s)`, as a weld on its machine.
+struct Case {
+    welding: Welding,
+    machine: Machine,
+}
+
+impl Case {
+    fn new(speeds: &[(f64, f64)], on_limit: OnLimit) -> Self {
+        let one = Welding::read("job.toml", SADDLE).unwrap();
+        let mut program = one.program.value.clone();
+        let pass = &mut program.passes[0];
+        let process = pass.spans[0].process.clone();
+        let length = one.seam.as_ref().unwrap().length();
+        let mut places = speeds.to_vec();
+        places.push((length, speeds[speeds.len() - 1].1));
+        pass.spans = places
+            .windows(2)
+            .filter(|w| w[1].0 > w[0].0)
+            .map(|w| Span {
+                from_mm: seamwright_document::NonNegative::new(w[0].0).unwrap(),
+                to_mm: positive(w[1].0),
+                speed_mm_s: match w[0].1 == w[1].1 {
+                    true => SpanValue::Steady(positive(w[0].1)),
+                    false => SpanValue::Ramp(Ramp { from: positive(w[0].1), to: positive(w[1].1) }),
+                },
+                process: process.clone(),
+            })
+            .collect();
+        pass.on_limit = on_limit;
+        program.procedure = None;
+        let welding = Welding::read("program.toml", &program.to_toml().unwrap()).unwrap_or_else(|e| panic!("{e}"));
+        let machine = Machine::read("m", shipped(&welding.program.value.machine).unwrap().text).unwrap();
+        Self { welding, machine }
+    }
+
+    fn pass(&self) -> &Pass {
+        &self.welding.program.value.passes[0]
+    }
+
+    fn plan(&self) -> Result<PassMotion, Vec<Finding>> {
+        PassMotion::plan(&self.machine, &self.welding.path(0), self.pass(), 1)
+    }
+}
+
+fn speed_findings(findings: &[Finding]) -> Vec<&Finding> {
+    findings.iter().filter(|f| f.kind == "speed").collect()
+}
+
+/// A valley of the asked speed a few millimetres wide costs the law next to no time on a seam of one and a half metres, and
+/// the tip must not be slower in it all the same.
+#[test]
+fn a_bend_of_the_asked_speed_is_followed_on_a_long_weld() {
+    for (low, way) in [(4.4, 2.5), (2.0, 5.0), (5.8, 1.0), (3.0, 12.0)] {
+        let speeds: [(f64, f64); 6] =
+            [(0.0, 6.0), (700.0, 6.0), (700.0 + way, low), (700.0 + 2.0 * way, 6.0), (900.0, 6.0), (1000.0, 5.0)];
+        let case = Case::new(&speeds, OnLimit::Refuse);
+        let motion = case.plan().unwrap_or_else(|findings| panic!("{low} in {way} mm: {findings:#?}"));
+        assert!(speed_findings(&motion.findings).is_empty(), "{:#?}", motion.findings);
+        let mut slowest = f64::INFINITY;
+        for set in motion.set_points(1e-3).filter(|set| (20.0..1200.0).contains(&set.law.s)) {
+            slowest = slowest.min(set.law.v / case.pass().speed_at(set.law.s));
+        }
+        assert!(slowest > 1.0 - 4e-3, "{low} in {way} mm: {slowest}");
+    }
+}
+
+/// Beads of a groove that opens and closes, in layers of which some end on the way: steep ramps of the speed, and every
+/// axis far from its limits.
+#[test]
+fn ends_of_layers_are_no_findings() {
+    let text = include_str!("../../../../tests/data/field-trial/ts_0.toml");
+    let welding = Welding::read("ts_0.toml", text).unwrap();
+    let machine = Machine::read("m", shipped("saddle-4axis").unwrap().text).unwrap();
+    let passes = &welding.program.value.passes;
+    let changing = passes.iter().filter(|pass| pass.spans.iter().any(|span| span.speed_mm_s.is_ramp())).count();
+    assert!(changing > 3, "{changing}");
+    for (i, pass) in passes.iter().enumerate() {
+        let planned = PassMotion::plan(&machine, &welding.path(i), pass, i + 1);
+        let findings = planned.map_or_else(|findings| findings, |motion| motion.findings);
+        assert!(speed_findings(&findings).is_empty(), "{}: {findings:#?}", pass.name);
+    }
+}
+
+/// Where the certificate says that a limit binds, that limit is used up there or where the speed comes from or goes to.
+#[test]
+fn no_limit_is_blamed_that_is_not_used_up() {
+    let cases: [&[(f64, f64)]; 4] = [
+        &[(0.0, 6.0), (400.0, 6.0), (402.0, 3.0), (410.0, 7.0)],
+        &[(0.0, 40.0), (300.0, 40.0), (301.0, 12.0), (500.0, 60.0)],
+        &[(0.0, 200.0)],
+        &[(0.0, 20.0), (500.0, 20.0), (500.5, 80.0), (900.0, 25.0)],
+    ];
+    for speeds in cases {
+        let case = Case::new(speeds, OnLimit::Slow);
+        let motion = case.plan().unwrap_or_else(|findings| panic!("{findings:#?}"));
+        let axes = &case.machine.axes;
+        let used = |bound: Bound, (from, to): (f64, f64)| -> f64 {
+            let mut most = 0.0f64;
+            for cell in 0..motion.law.cells() {
+                for part in [0.0, 0.25, 0.5, 0.75, 1.0] {
+                    let p = motion.law.in_cell(cell, part);
+                    if p.s < from - 1e-9 || p.s > to + 1e-9 {
+                        continue;
+                    }
+                    let joint = motion.path.point(p.s, part > 0.5);
+                    let (v, a, j) = (p.v, p.a, p.j);
+                    let here = |i: usize| [joint.d1[i], joint.d2[i], joint.d3[i]];
+                    most = most.max(match bound {
+                        Bound::Speed(i) => (here(i)[0] * v / axes[i].max_speed).abs(),
+                        Bound::Acceleration(i) => {
+                            let [q1, q2, _] = here(i);
+                            ((q2 * v * v + q1 * a) / axes[i].max_acceleration).abs()
+                        }
+                        Bound::Jerk(i) => {
+                            let [q1, q2, q3] = here(i);
+                            ((q3 * v.powi(3) + 3.0 * q2 * v * a + q1 * j) / axes[i].jerk()).abs()
+                        }
+                        Bound::Asked | Bound::Change => 1.0,
+                    });
+                }
+            }
+            most
+        };
+        let intervals = &motion.certificate.intervals;
+        for (k, interval) in intervals.iter().enumerate() {
+            if matches!(interval.bound, Bound::Asked | Bound::Change) {
+                continue;
+            }
+            let slowed = |i: &&seamwright_motion::law::Interval| i.bound != Bound::Asked;
+            let from = intervals[..=k].iter().rev().take_while(slowed).last().unwrap().from;
+            let to = intervals[k..].iter().take_while(slowed).last().unwrap().to;
+            let used = used(interval.bound, (from, to));
+            assert!(used > 0.85, "{speeds:?}: {interval:?} uses {used}");
+        }
+    }
+}
+
+/// A lower speed in a cure is lower than the one asked for, and with it the weld can be made.
+#[test]
+fn a_lower_speed_is_offered_only_where_it_helps() {
+    let cases: [&[(f64, f64)]; 4] = [
+        &[(0.0, 200.0)],
+        &[(0.0, 40.0), (700.0, 40.0), (700.2, 8.0), (900.0, 40.0)],
+        &[(0.0, 20.0), (500.0, 20.0), (500.01, 60.0)],
+        &[(0.0, 60.0), (400.0, 160.0), (1000.0, 60.0)],
+    ];
+    let mut offered = 0;
+    for speeds in cases {
+        let findings = match Case::new(speeds, OnLimit::Refuse).plan() {
+            Ok(_) => continue,
+            Err(findings) => findings,
+        };
+        for finding in speed_findings(&findings) {
+            assert!(!finding.cure.is_empty(), "{finding:#?}");
+            let Some(rest) = finding.cure.strip_prefix("ask for ") else { continue };
+            let number: f64 = rest.split(' ').next().unwrap().parse().unwrap();
+            let part = if rest.contains("% of the speed") { 0.01 * number } else { number / speeds[0].1 };
+            assert!(part < 1.0, "{finding:#?}");
+            let lower: Vec<(f64, f64)> = speeds.iter().map(|(s, v)| (*s, part * v)).collect();
+            let planned = Case::new(&lower, OnLimit::Refuse).plan();
+            assert!(planned.is_ok(), "{speeds:?}: {}: {:#?}", finding.cure, planned.err());
+            offered += 1;
+        }
+    }
+    assert!(offered > 0);
+}
+
+/// Notes ask for nothing, and whatever asks for something says what.
+#[test]
+fn no_finding_has_a_cure_that_is_none() {
+    let slow = Case::new(&[(0.0, 200.0)], OnLimit::Slow).plan().unwrap();
+    let refused = Case::new(&[(0.0, 200.0)], OnLimit::Refuse).plan().unwrap_err();
+    assert!(!slow.findings.is_empty() && slow.findings.iter().all(|f| f.cure.is_empty()), "{:#?}", slow.findings);
+    assert!(refused.iter().all(|f| !f.cure.contains("none needed")), "{refused:#?}");
+    assert!(slow.path.length() > 0.0 && Case::new(&[(0.0, 5.0)], OnLimit::Refuse).welding.path(0).length() > 0.0);
+}
+
+/// Times that no weld takes are refused with their key before anything is planned: what follows from them would never end.
+#[test]
+fn times_that_no_weld_takes_are_refused() {
+    let text = |change: &dyn Fn(&str) -> String| change(SADDLE).replace("procedure = \"135-saddle\"", "");
+    let refused = |text: String| -> Option<String> {
+        // The file may be refused already.
+        let welding = Welding::read("job.toml", &text).ok()?;
+        let machine = Machine::read("m", shipped("saddle-4axis").unwrap().text).unwrap();
+        let planned = PassMotion::plan(&machine, &welding.path(0), &welding.program.value.passes[0], 1);
+        let findings = planned.expect_err("it would take days");
+        assert!(findings.len() == 1 && findings[0].kind == "time" && !findings[0].allowed, "{findings:#?}");
+        Some(findings[0].message.clone())
+    };
+    for key in ["preflow_s = 0.5", "travel_delay_s = 0.3", "crater_s = 0.8", "postflow_s = 3"] {
+        let name = key.split(' ').next().unwrap();
+        let long = text(&|job| job.replace(key, &format!("{name} = 1e6")));
+        assert!(refused(long).is_none_or(|message| message.contains(&format!("sequence.{name}"))), "{key}");
+    }
+    let slow = text(&|job| job.replace("speed_mm_s = 10", "speed_mm_s = 1e-9"));
+    assert!(refused(slow).is_none_or(|message| message.contains("travel takes")));
+    let all = Case::new(&[(0.0, 1e-7), (5.0, 1e-9)], OnLimit::Slow).plan().unwrap_err();
+    assert!(all.len() == 1 && all[0].kind == "time", "{all:#?}");
+    // Speeds without end are bounded by the axes, and cost no more than others.
+    let fast = Case::new(&[(0.0, 1e20)], OnLimit::Slow).plan().unwrap();
+    assert!(fast.law.cells() < 20_000 && fast.law.duration() > 1.0, "{}", fast.law.cells());
+}
