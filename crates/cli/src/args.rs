@@ -62,6 +62,9 @@ pub(crate) enum Verb {
     Latency(run::LatencyArgs),
     /// Start the cell and the operator's panel in the browser; also without any verb
     Serve(serve::ServeArgs),
+    /// Answer a question of the panel on standard input, with little memory and time
+    #[command(hide = true)]
+    AnswerOneQuestion(serve::QuestionArgs),
     /// The registers of a machine's devices by name: raw, scaled, age; once or live
     Io(io::IoArgs),
     /// A part program for another control

@@ -42,6 +42,7 @@ fn run(verb: Option<Verb>) -> Result<(), Failure> {
         Some(Verb::Simulate(a)) => verbs::simulate::run(&a),
         Some(Verb::Run(a)) => verbs::run::run(&a),
         Some(Verb::Serve(a)) => verbs::serve::run(&a),
+        Some(Verb::AnswerOneQuestion(a)) => verbs::serve::answer_one_question(&a),
         Some(Verb::Latency(a)) => verbs::latency::run(&a),
         Some(Verb::Io(a)) => verbs::io::run(&a),
         Some(Verb::Post(a)) => verbs::post::run(&a),

@@ -1,5 +1,7 @@
+use crate::hash::Hashing;
 use crate::library::Library;
-use crate::{DataFolder, Error};
+use crate::{DataFolder, Error, sha256_of_file};
+use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::Path;
@@ -13,52 +15,94 @@ const BLOCK: u64 = 512;
 /// The library in the archive.
 pub(crate) const LIBRARY: &str = "library.sqlite";
 
+/// SHA-256 of every file in the archive, the last one in it.
+const MANIFEST: &str = "manifest.sha256";
+
 impl DataFolder {
-    /// Writes everything into one tar archive: the library as it is at this moment, and all files of welds, jobs and users. Keys of
-    /// encrypted connections stay where they are. Welds may go on meanwhile; what runs is in it as the library has it, without its trace.
+    /// Writes everything into one tar archive: the library as it is at this moment, all files of welds, jobs and users, and the hashes of
+    /// all of them. Keys of encrypted connections stay where they are. Welds may go on meanwhile; what runs is in it as the library has
+    /// it, without its trace.
     ///
     /// # Errors
     /// If something cannot be read, there is no room for a copy of the library, or `out` fails.
     pub fn back_up(&self, out: impl Write) -> Result<(), Error> {
+        self.back_up_files(out, &WITH)
+    }
+
+    /// Writes the same without users: whoever has it cannot try their passwords. Restored, it leaves the users as they are.
+    ///
+    /// # Errors
+    /// See [`Self::back_up`].
+    pub fn back_up_without_users(&self, out: impl Write) -> Result<(), Error> {
+        let with: Vec<&str> = WITH.into_iter().filter(|name| *name != USERS).collect();
+        self.back_up_files(out, &with)
+    }
+
+    fn back_up_files(&self, out: impl Write, with: &[&str]) -> Result<(), Error> {
         let scratch = tempfile::tempdir_in(self.path()).map_err(|e| Error::io(self.path(), "cannot be written", e))?;
         let copy = scratch.path().join(LIBRARY);
         self.library().copy_to(&copy)?;
         let failed = |path: &Path, e| Error::io(path, "cannot be put into the archive", e);
-        let mut archive = tar::Builder::new(out);
-        add(&mut archive, &copy, Path::new(LIBRARY)).map_err(|e| failed(&copy, e))?;
-        for name in WITH {
+        let mut archive = Archive { tar: tar::Builder::new(out), manifest: String::new() };
+        archive.add(&copy, Path::new(LIBRARY)).map_err(|e| failed(&copy, e))?;
+        for name in with {
             let path = self.path().join(name);
-            add(&mut archive, &path, Path::new(name)).map_err(|e| failed(&path, e))?;
+            archive.add(&path, Path::new(name)).map_err(|e| failed(&path, e))?;
         }
-        archive.into_inner().and_then(|mut out| out.flush()).map_err(|e| failed(self.path(), e))
+        archive.finish().map_err(|e| failed(self.path(), e))
     }
 }
 
-/// Adds a file, or a folder with what is in it; what is not there, or goes meanwhile, is left out. So are raw traces: they grow
-/// while a weld runs.
-fn add(archive: &mut tar::Builder<impl Write>, path: &Path, name: &Path) -> std::io::Result<()> {
-    let Ok(kind) = fs::symlink_metadata(path) else { return Ok(()) };
-    if kind.is_dir() {
-        let entries = fs::read_dir(path)?.collect::<Result<Vec<_>, _>>()?;
-        let mut names: Vec<_> = entries.into_iter().map(|entry| entry.file_name()).collect();
-        names.sort();
-        return names.iter().try_for_each(|inner| add(archive, &path.join(inner), &name.join(inner)));
+/// An archive that is being written.
+struct Archive<W: Write> {
+    tar: tar::Builder<W>,
+    /// A line for each file in it.
+    manifest: String,
+}
+
+impl<W: Write> Archive<W> {
+    /// Adds a file, or a folder with what is in it; what is not there, or goes meanwhile, is left out. So are raw traces: they grow
+    /// while a weld runs.
+    fn add(&mut self, path: &Path, name: &Path) -> std::io::Result<()> {
+        let Ok(kind) = fs::symlink_metadata(path) else { return Ok(()) };
+        if kind.is_dir() {
+            let entries = fs::read_dir(path)?.collect::<Result<Vec<_>, _>>()?;
+            let mut names: Vec<_> = entries.into_iter().map(|entry| entry.file_name()).collect();
+            names.sort();
+            return names.iter().try_for_each(|inner| self.add(&path.join(inner), &name.join(inner)));
+        }
+        let Some(file) = File::open(path).ok().filter(|_| kind.is_file() && path.extension().is_none_or(|e| e != "raw"))
+        else {
+            return Ok(());
+        };
+        let mut header = tar::Header::new_gnu();
+        header.set_metadata(&file.metadata()?);
+        let mut contents = Hashing::new(file.take(header.size()?));
+        self.tar.append_data(&mut header, name, &mut contents)?;
+        self.manifest += &line(&contents.finish(), name);
+        Ok(())
     }
-    let Some(file) = File::open(path).ok().filter(|_| kind.is_file() && path.extension().is_none_or(|e| e != "raw"))
-    else {
-        return Ok(());
-    };
-    let mut header = tar::Header::new_gnu();
-    header.set_metadata(&file.metadata()?);
-    let size = header.size()?;
-    archive.append_data(&mut header, name, file.take(size))
+
+    /// Adds the hashes, and the mark of the end.
+    fn finish(mut self) -> std::io::Result<()> {
+        let mut header = tar::Header::new_gnu();
+        header.set_size(self.manifest.len() as u64);
+        header.set_mode(0o600);
+        self.tar.append_data(&mut header, MANIFEST, self.manifest.as_bytes())?;
+        self.tar.into_inner().and_then(|mut out| out.flush())
+    }
+}
+
+/// A line of the manifest, as `sha256sum` writes and checks it.
+fn line(hash: &str, name: &Path) -> String {
+    format!("{hash}  {}\n", name.display())
 }
 
 /// Makes the data folder `folder`, which must not be there or be empty, from an archive of [`DataFolder::back_up`]: all of it, or
-/// nothing.
+/// nothing. Every file must be as it was when it was backed up; rows of the library are copied into one of our own.
 ///
 /// # Errors
-/// A folder with something in it, an archive that is damaged or has no library, a disk that is full.
+/// A folder with something in it, an archive that is damaged, was changed or has no library, a disk that is full.
 pub fn restore(archive: &Path, folder: &Path) -> Result<(), Error> {
     let used = fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_some()) || folder.is_file();
     if used {
@@ -70,12 +114,77 @@ pub fn restore(archive: &Path, folder: &Path) -> Result<(), Error> {
     let scratch = tempfile::tempdir_in(parent).map_err(|e| Error::io(parent, "cannot be written", e))?;
     let inside = scratch.path().join("data");
     unpack(file, &inside).map_err(|e| Error::io(archive, "is no whole archive", e))?;
+    let is_listed = check_manifest(archive, &inside)?;
+    // Nothing but rows comes from elsewhere: no triggers, views or damage of its pages.
+    let foreign = scratch.path().join("foreign.sqlite");
+    fs::rename(inside.join(LIBRARY), &foreign).map_err(|e| Error::io(&foreign, "cannot be made", e))?;
+    Library::rebuild(&foreign, &inside.join(LIBRARY)).map_err(|e| in_archive(archive, e))?;
     // It opens, and is of this version or an older one.
-    drop(Library::open(&inside.join(LIBRARY))?);
+    let data = DataFolder::open(&inside).map_err(|e| in_archive(archive, e))?;
+    if !is_listed {
+        // Of an older version, which wrote no hashes: those that the library has must be right.
+        let problems = data.verify()?.problems;
+        if let Some(problem) = problems.iter().find(|problem| !problem.contains("its trace is not finished")) {
+            let why = format!("it has no list of hashes, and is not in order: {}", relative(problem, &inside));
+            return Err(Error::damaged(archive, why, "an archive that is as it was written"));
+        }
+    }
+    drop(data);
     if folder.is_dir() {
         fs::remove_dir(folder).map_err(|e| Error::io(folder, "cannot be replaced", e))?;
     }
     fs::rename(&inside, folder).map_err(|e| Error::io(folder, "cannot be made", e))
+}
+
+/// The folder that is thrown away says nothing to the user.
+fn relative(text: &str, folder: &Path) -> String {
+    text.replace(&format!("{}/", folder.display()), "")
+}
+
+/// What is wrong with the library, of the archive that it came in.
+fn in_archive(archive: &Path, e: Error) -> Error {
+    match e {
+        Error::Damaged { why, allowed, .. } => Error::Damaged { path: archive.to_owned(), why, allowed },
+        Error::Newer { found, known, .. } => Error::Newer { path: archive.to_owned(), found, known },
+        Error::Database { cause, .. } => {
+            let why = format!("the library in it is damaged ({cause})");
+            Error::damaged(archive, why, "an archive that is as it was written")
+        }
+        other => other,
+    }
+}
+
+/// Holds every file against the manifest, and removes that. False: there is none, as in archives of older versions.
+fn check_manifest(archive: &Path, inside: &Path) -> Result<bool, Error> {
+    let path = inside.join(MANIFEST);
+    let manifest = match fs::read_to_string(&path) {
+        Ok(manifest) => manifest,
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(false),
+        Err(e) => return Err(Error::io(&path, "cannot be read", e)),
+    };
+    fs::remove_file(&path).map_err(|e| Error::io(&path, "cannot be removed", e))?;
+    let listed: BTreeSet<String> = manifest.split_inclusive('\n').map(str::to_owned).collect();
+    let mut found = BTreeSet::new();
+    lines(inside, Path::new(""), &mut found)?;
+    let differs = listed.symmetric_difference(&found).next();
+    let Some(differs) = differs else { return Ok(true) };
+    let name = differs.trim_end().split_once("  ").map_or(MANIFEST, |(_, name)| name);
+    let why = format!("{name}: not as it was when it was backed up, or missing, or added since");
+    Err(Error::damaged(archive, why, "an archive that is as it was written"))
+}
+
+/// The lines that a manifest of this folder has.
+fn lines(folder: &Path, name: &Path, found: &mut BTreeSet<String>) -> Result<(), Error> {
+    let path = folder.join(name);
+    if !path.is_dir() {
+        found.insert(line(&sha256_of_file(&path)?.0, name));
+        return Ok(());
+    }
+    let unreadable = |e| Error::io(&path, "cannot be read", e);
+    for entry in fs::read_dir(&path).map_err(unreadable)? {
+        lines(folder, &name.join(entry.map_err(unreadable)?.file_name()), found)?;
+    }
+    Ok(())
 }
 
 /// Only plain files and folders of the kinds that an archive has; nothing outside `folder`.
@@ -88,7 +197,7 @@ fn unpack(mut file: impl Read + Seek, folder: &Path) -> std::io::Result<()> {
         let mut entry = entry?;
         let path = entry.path()?.into_owned();
         let first = path.components().next().and_then(|c| c.as_os_str().to_str().map(str::to_owned));
-        let known = first.is_some_and(|first| first == LIBRARY || WITH.contains(&first.as_str()));
+        let known = first.is_some_and(|first| first == LIBRARY || first == MANIFEST || WITH.contains(&first.as_str()));
         let kind = entry.header().entry_type();
         if !known || !(kind.is_file() || kind.is_dir()) {
             return Err(wrong(format!("{} does not belong into it", path.display())));
@@ -149,7 +258,7 @@ mod tests {
         for file in ["welds/000001/trace.parquet", "jobs/mine.toml", "users.json"] {
             assert_eq!(sha256_of_file(&from.join(file)).unwrap(), sha256_of_file(&to.join(file)).unwrap());
         }
-        assert!(!to.join("tls").exists());
+        assert!(!to.join("tls").exists() && !to.join(MANIFEST).exists());
         // Nothing is overwritten.
         assert!(restore(&archive, &to).is_err());
         // Cut off anywhere it is refused, and nothing is left behind.
@@ -179,6 +288,74 @@ mod tests {
         restore(&archive, &to).unwrap();
         let mode = |file: &str| fs::metadata(to.join(file)).unwrap().permissions().mode();
         assert_eq!((mode("users.json") & 0o177, mode("jobs/mine.toml") & 0o022), (0, 0));
+    }
+
+    /// A byte of an archive that is another one, wherever it is, is found, unless nothing that is restored hangs on it.
+    #[test]
+    fn altered_archives_are_refused() {
+        let scratch = tempfile::tempdir().unwrap();
+        let (from, to) = (scratch.path().join("from"), scratch.path().join("to"));
+        let data = folder(&from);
+        let archive = scratch.path().join("backup.tar");
+        data.back_up(File::create(&archive).unwrap()).unwrap();
+        let bytes = fs::read(&archive).unwrap();
+        let altered = scratch.path().join("altered.tar");
+        let (mut state, mut taken) = (7u64, 0);
+        for _ in 0..150 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let (at, bit) = ((state >> 20) as usize % bytes.len(), (state >> 60) as u8 & 7);
+            let mut changed = bytes.clone();
+            changed[at] ^= 1 << bit;
+            fs::write(&altered, &changed).unwrap();
+            if restore(&altered, &to).is_ok() {
+                taken += 1;
+                // Padding between files: what came back is what was there.
+                for file in ["welds/000001/trace.parquet", "jobs/mine.toml", "users.json"] {
+                    assert_eq!(sha256_of_file(&from.join(file)).unwrap(), sha256_of_file(&to.join(file)).unwrap(), "{at}");
+                }
+                assert!(DataFolder::open_to_read(&to).unwrap().verify().unwrap().audit.broken.is_none());
+                fs::remove_dir_all(&to).unwrap();
+            }
+            assert!(!to.exists());
+        }
+        assert!(taken < 15, "{taken} of 150 altered archives were taken");
+    }
+
+    /// Archives of versions that wrote no hashes are still taken, if what the library knows is in order.
+    #[test]
+    fn archives_without_hashes_are_taken_in_order_only() {
+        let scratch = tempfile::tempdir().unwrap();
+        let from = scratch.path().join("from");
+        drop(folder(&from));
+        let copy = |name: &str, change: &str| {
+            let (library, archive) = (scratch.path().join(format!("{name}.sqlite")), scratch.path().join(format!("{name}.tar")));
+            Library::open_to_read(&from.join(LIBRARY)).unwrap().copy_to(&library).unwrap();
+            rusqlite::Connection::open(&library).unwrap().execute_batch(change).unwrap();
+            let mut builder = tar::Builder::new(File::create(&archive).unwrap());
+            builder.append_path_with_name(&library, LIBRARY).unwrap();
+            builder.finish().unwrap();
+            restore(&archive, &scratch.path().join(name)).map_err(|e| e.to_string())
+        };
+        assert_eq!(copy("whole", ""), Ok(()));
+        let spy = copy("spy", "CREATE TRIGGER spy AFTER INSERT ON audit BEGIN SELECT 1; END").unwrap_err();
+        assert!(spy.contains("trigger `spy`") && spy.contains("spy.tar"), "{spy}");
+        let changed = "DROP TRIGGER audit_is_not_changed; UPDATE audit SET user = 'eve';
+            CREATE TRIGGER audit_is_not_changed BEFORE UPDATE ON audit
+            BEGIN SELECT RAISE(ABORT, 'the audit log is append-only'); END;";
+        let changed = copy("changed", changed).unwrap_err();
+        assert!(changed.contains("audit entry 1"), "{changed}");
+    }
+
+    /// Whoever gets a backup without users gets no password to try; restored, users stay as they are.
+    #[test]
+    fn a_backup_without_users_has_none() {
+        let scratch = tempfile::tempdir().unwrap();
+        let (from, to) = (scratch.path().join("from"), scratch.path().join("to"));
+        let data = folder(&from);
+        let archive = scratch.path().join("backup.tar");
+        data.back_up_without_users(File::create(&archive).unwrap()).unwrap();
+        restore(&archive, &to).unwrap();
+        assert!(to.join("jobs/mine.toml").is_file() && !to.join(USERS).exists());
     }
 
     #[test]

@@ -187,6 +187,7 @@ impl DataFolder {
     /// If the library cannot be read at all; what else is wrong is in the answer.
     pub fn verify(&self) -> Result<Verified, Error> {
         let mut problems = self.library.integrity()?;
+        problems.extend(self.library.foreign_schema()?);
         let audit = self.library.verify_audit()?;
         problems.extend(audit.broken.as_ref().map(|(id, why)| format!("audit entry {id}: {why}")));
         let (mut files, welds) = (0, self.library.find(&crate::library::Query::default())?);

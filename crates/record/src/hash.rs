@@ -29,6 +29,31 @@ pub fn sha256_of_file(path: &Path) -> Result<(String, u64), Error> {
     }
 }
 
+/// A reader that hashes what is read.
+pub(crate) struct Hashing<R> {
+    inner: R,
+    hasher: Sha256,
+}
+
+impl<R: Read> Hashing<R> {
+    pub(crate) fn new(inner: R) -> Self {
+        Self { inner, hasher: Sha256::new() }
+    }
+
+    /// SHA-256 of what was read, in hexadecimal.
+    pub(crate) fn finish(self) -> String {
+        hexadecimal(&self.hasher.finalize())
+    }
+}
+
+impl<R: Read> Read for Hashing<R> {
+    fn read(&mut self, piece: &mut [u8]) -> std::io::Result<usize> {
+        let n = self.inner.read(piece)?;
+        self.hasher.update(&piece[..n]);
+        Ok(n)
+    }
+}
+
 fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().fold(String::new(), |mut text, byte| {
         // Writing to a String cannot fail.

@@ -81,9 +81,26 @@ pub fn has_checked(data: &Path) -> bool {
 /// If nothing was checked, or files cannot be moved: then [`finish_replacing`] goes on, at the latest when the folder is opened next.
 pub fn replace_by_checked(data: &Path) -> Result<PathBuf, Error> {
     let checked = data.join(CHECKED);
+    keep_users(data, &checked.join("new"))?;
     fs::rename(&checked, data.join(BEGUN)).map_err(|e| Error::io(&checked, "cannot be taken", e))?;
     let nothing = || Error::wrong("nothing was restored", "an archive that was checked");
     finish_replacing(data)?.ok_or_else(nothing)
+}
+
+/// An archive without users leaves them as they are.
+fn keep_users(data: &Path, new: &Path) -> Result<(), Error> {
+    let (own, coming) = (data.join(USERS), new.join(USERS));
+    if !own.is_file() || coming.exists() || !new.is_dir() {
+        return Ok(());
+    }
+    let failed = |e| Error::io(&coming, "cannot be written", e);
+    // Whole, or not: a restore that is broken off here has not begun.
+    let mut file = tempfile::NamedTempFile::new_in(new).map_err(failed)?;
+    let mut from = File::open(&own).map_err(|e| Error::io(&own, "cannot be read", e))?;
+    std::io::copy(&mut from, &mut file).map_err(failed)?;
+    file.as_file().sync_all().map_err(failed)?;
+    file.persist(&coming).map(drop).map_err(|e| failed(e.error))?;
+    synced(new)
 }
 
 /// Goes on where a restore was broken off: at every step its folder's name tells how far it is, and each step can be done again.
@@ -207,6 +224,20 @@ mod tests {
         assert_eq!(finish_replacing(&data).unwrap(), None);
     }
 
+    /// Without users in the archive those of the data stay.
+    #[test]
+    fn users_stay_where_none_come() {
+        let scratch = tempfile::tempdir().unwrap();
+        let (archive, data) = (scratch.path().join("backup.tar"), scratch.path().join("data"));
+        folder(&scratch.path().join("from"), "new").back_up_without_users(File::create(&archive).unwrap()).unwrap();
+        drop(folder(&data, "old"));
+        let (_, new) = check_archive(&archive, &data).unwrap();
+        assert!(!new.join(USERS).exists());
+        replace_by_checked(&data).unwrap();
+        assert!(data.join("jobs/new.toml").is_file());
+        assert_eq!(fs::read_to_string(data.join(USERS)).unwrap(), "[\"old\"]");
+    }
+
     /// Broken off after any number of moves it is finished the next time, whole.
     #[test]
     fn a_restore_that_was_broken_off_is_finished() {
@@ -259,23 +290,19 @@ mod tests {
         fs::write(&bad, b"PK\x03\x04 something else".repeat(100)).unwrap();
         assert!(refused("foreign").contains("whole archive"));
         // An entry of the audit log that was changed, and a schema of a later version.
-        for (sql, said) in [
-            ("DROP TRIGGER IF EXISTS audit_update; UPDATE audit SET user = 'eve'", "audit entry"),
-            ("PRAGMA user_version = 999", "later version"),
-        ] {
+        for (sql, said) in [("UPDATE audit SET user = 'eve'", "audit entry"), ("PRAGMA user_version = 999", "later version")] {
             let from = scratch.path().join(format!("from {said}"));
             let changed = folder(&from, "new");
             drop(changed);
             let db = rusqlite::Connection::open(from.join(LIBRARY)).unwrap();
-            for trigger in db
-                .prepare("SELECT name FROM sqlite_schema WHERE type = 'trigger'")
-                .unwrap()
-                .query_map((), |row| row.get::<_, String>(0))
-                .unwrap()
-            {
-                db.execute_batch(&format!("DROP TRIGGER {}", trigger.unwrap())).unwrap();
-            }
+            let named = |row: &rusqlite::Row<'_>| Ok((row.get::<_, String>(0)?, row.get::<_, String>(1)?));
+            let mut query = db.prepare("SELECT name, sql FROM sqlite_schema WHERE type = 'trigger'").unwrap();
+            let triggers: Vec<_> = query.query_map((), named).unwrap().map(Result::unwrap).collect();
+            drop(query);
+            triggers.iter().for_each(|(name, _)| db.execute_batch(&format!("DROP TRIGGER {name}")).unwrap());
             db.execute_batch(sql).unwrap();
+            // As it was, to the eye.
+            triggers.iter().for_each(|(_, sql)| db.execute_batch(sql).unwrap());
             db.execute_batch("PRAGMA wal_checkpoint(TRUNCATE)").unwrap();
             drop(db);
             let mut builder = tar::Builder::new(File::create(&bad).unwrap());

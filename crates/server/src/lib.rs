@@ -1,8 +1,10 @@
 //! The operator's panel: HTTP, WebSocket, users, and the cell behind them.
 
 mod cell;
-mod connections;
+mod front;
 mod http;
+mod log;
+mod planner;
 mod serve;
 mod teaching;
 #[cfg(test)]
@@ -12,5 +14,6 @@ mod users;
 mod view;
 pub mod wire;
 
+pub use planner::answer_one_question;
 pub use serve::{Error, Settings, serve};
 pub use tls::Tls;

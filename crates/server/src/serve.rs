@@ -1,6 +1,9 @@
 use crate::cell::{Cell, happening};
-use crate::connections::answer;
-use crate::http::{Panel, app};
+use crate::front::answer;
+use crate::http::Panel;
+use crate::log;
+use crate::planner::Planner;
+use crate::teaching::Cameras;
 use crate::tls::{self, Tls};
 use crate::users::{Accounts, secret};
 use seamwright_machine::Machine;
@@ -11,6 +14,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::net::TcpListener;
+use tokio::runtime::{Handle, Runtime};
 
 /// How long threads may take that still read data, when these are replaced.
 const PATIENCE: Duration = Duration::from_secs(30);
@@ -34,6 +38,10 @@ pub struct Settings {
     pub folder: PathBuf,
     /// Process values of the programs that come, for devices that are not simulated.
     pub values: Vec<String>,
+    /// Addresses, as `HOST` or `HOST:PORT`, from which the frames of a machine's camera may come, beside this computer.
+    pub cameras: Vec<String>,
+    /// This program, which is started once more for plans and drafts, with bounds of memory and time; none: they are made in this process.
+    pub program: Option<PathBuf>,
     /// Name of a job in `data` or of an example to begin with.
     pub job: Option<String>,
 }
@@ -74,20 +82,27 @@ pub(crate) fn until<F: Future<Output = ()>>(
     let mut lives = Lives { settings, key: secret().map_err(Error::System)?, listener: None, restored: None };
     loop {
         files::make_private(&jobs).map_err(|e| Error::System(format!("{}: cannot be made: {e}", jobs.display())))?;
-        let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build();
-        let runtime = runtime.map_err(|e| Error::System(e.to_string()))?;
+        // Stops, sockets and signals on the one, everything that handlers do on the other: see `front`.
+        let (runtime, work) = (threads("panel-front")?, threads("panel-routes")?);
         let tell = |address: &str| {
             if let Some(ready) = ready.take() {
                 ready(address);
             }
         };
-        let restores = runtime.block_on(lives.live(tell, &ends));
+        let restores = runtime.block_on(lives.live(tell, &ends, work.handle()));
         // Pages and whatever still reads the data.
+        work.shutdown_timeout(PATIENCE);
         runtime.shutdown_timeout(PATIENCE);
         let Some(user) = restores? else { return Ok(()) };
         let kept = replace_by_checked(data).map_err(record)?;
         lives.restored = Some((user, kept.file_name().unwrap_or_default().to_string_lossy().into_owned()));
     }
+}
+
+/// Threads of this name for handlers.
+fn threads(name: &str) -> Result<Runtime, Error> {
+    let runtime = tokio::runtime::Builder::new_multi_thread().thread_name(name).worker_threads(2).enable_all().build();
+    runtime.map_err(|e| Error::System(e.to_string()))
 }
 
 /// What outlives a restore.
@@ -107,6 +122,7 @@ impl Lives<'_> {
         &mut self,
         ready: impl FnOnce(&str),
         ends: impl Fn() -> F,
+        work: &Handle,
     ) -> Result<Option<String>, Error> {
         let settings = self.settings;
         let system = |e: &dyn std::fmt::Display| Error::System(e.to_string());
@@ -123,6 +139,8 @@ impl Lives<'_> {
         let has_admin = accounts.has_admin();
         let mut panel = Panel::new(cell, accounts, self.key.clone(), settings.data.clone(), hosts(&names, port));
         panel.tls = tls.is_some();
+        panel.cameras = Cameras::new(settings.cameras.clone());
+        panel.planner = Planner::new(settings.program.clone());
         let panel = Arc::new(panel);
         self.say_restored(&panel);
         if let Some(job) = &settings.job
@@ -134,16 +152,21 @@ impl Lives<'_> {
             // The restored data need not have it.
             panel.cell.hub.event(0.0, happening("not_loaded", [e]));
         }
+        let renewed = tls.clone().filter(|_| matches!(settings.tls, Some(Tls::Own)));
+        let renews = renewed.map(|config| tokio::spawn(tls::renew(config, settings.data.clone(), names.clone())));
         let scheme = if tls.is_some() { "https" } else { "http" };
         let host = written(names.last().map_or("127.0.0.1", String::as_str));
         let fragment = if has_admin { String::new() } else { format!("#key={}", self.key) };
+        log::info(&format!("seamwright {} serves {scheme}://{host}:{port}/", env!("CARGO_PKG_VERSION")));
         ready(&format!("{scheme}://{host}:{port}/{fragment}"));
         let mut restores = panel.restores.subscribe();
         let user = tokio::select! {
-            () = answer(listener, tls, app(&panel)) => None,
+            () = answer(listener, tls, Arc::clone(&panel), work.clone()) => None,
             () = ends() => None,
             wanted = restores.wait_for(Option::is_some) => wanted.ok().and_then(|w| w.as_ref().map(|w| w.0.clone())),
         };
+        renews.inspect(|task| task.abort());
+        log::info(if user.is_some() { "all data are restored: the cell begins anew" } else { "the panel ends" });
         if user.is_some() {
             // Who asked for it is told that it begins.
             tokio::time::sleep(LAST_WORDS).await;

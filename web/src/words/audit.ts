@@ -45,6 +45,8 @@ const ROWS: readonly Row[] = [
   ['logged out', 'вихід виконано', '已登出', 'abgemeldet', 'выход выполнен'],
   ['refused', 'відмовлено', '已拒绝', 'abgelehnt', 'отказано'],
   ['refused: role', 'відмовлено: роль не дозволяє', '已拒绝：角色不允许', 'abgelehnt: Rolle erlaubt es nicht', 'отказано: роль не позволяет'],
+  ['{0}: {1} more in {2} s', '{0}: ще {1} за {2} с', '{0}：{2} s 内又有 {1} 次', '{0}: {1} weitere in {2} s', '{0}: ещё {1} за {2} с'],
+  ['others', 'інші', '其他', 'weitere', 'прочие'],
   ['restored; what was there before is in {0=}', 'відновлено; те, що було, лежить у {0}', '已恢复；原有数据在 {0}', 'wiederhergestellt; was vorher da war, liegt in {0}', 'восстановлено; то, что было, лежит в {0}'],
   ['{0} entries were left out', 'пропущено записів: {0}', '漏记 {0} 条', '{0} Einträge wurden ausgelassen', 'пропущено записей: {0}'],
   ['{0} rows', 'рядків: {0}', '{0} 行', '{0} Zeilen', 'строк: {0}'],

@@ -28,6 +28,9 @@ pub(crate) struct ServeArgs {
     /// The certificate's private key (PEM)
     #[arg(long, value_name = "FILE", requires = "cert")]
     pub(crate) key: Option<PathBuf>,
+    /// Where the frames of a machine's camera may come from, beside this computer; may be repeated
+    #[arg(long, value_name = "HOST[:PORT]")]
+    pub(crate) camera: Vec<String>,
     /// Data folder: records, jobs, users
     #[arg(long, value_name = "DIR")]
     pub(crate) data: Option<PathBuf>,
@@ -42,6 +45,14 @@ pub(crate) struct ServeArgs {
     pub(crate) open: bool,
 }
 
+/// Of the process that answers one question of the panel.
+#[derive(Debug, Args)]
+pub(crate) struct QuestionArgs {
+    /// Folder of the jobs
+    #[arg(long, value_name = "DIR")]
+    pub(crate) jobs: PathBuf,
+}
+
 impl Default for ServeArgs {
     /// As without a verb.
     fn default() -> Self {
@@ -51,6 +62,7 @@ impl Default for ServeArgs {
             tls: false,
             cert: None,
             key: None,
+            camera: Vec::new(),
             data: None,
             machine: None,
             job: None,

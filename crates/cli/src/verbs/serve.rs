@@ -1,11 +1,11 @@
-use crate::args::serve::ServeArgs;
+use crate::args::serve::{QuestionArgs, ServeArgs};
 use crate::examples::EXAMPLES;
 use crate::failure::Failure;
 use crate::files;
 use crate::load::{load_text, machine};
 use crate::rows::print_text;
 use seamwright_server::{Error, Settings, Tls, serve};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
@@ -40,7 +40,8 @@ pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
         (Some(cert), Some(key)) => Some(Tls::Files { cert: cert.clone(), key: key.clone() }),
         _ => args.tls.then_some(Tls::Own),
     };
-    let settings = Settings { bind: args.bind, names: args.host.clone(), tls, data, machine, folder, values, job };
+    let (names, cameras, program) = (args.host.clone(), args.camera.clone(), this_program());
+    let settings = Settings { bind: args.bind, names, tls, data, machine, folder, values, cameras, program, job };
     let ready = |url: &str| {
         // Whoever started it may not listen: it runs all the same.
         drop(print_text(&format!("{url}\n")));
@@ -52,6 +53,17 @@ pub(crate) fn run(args: &ServeArgs) -> Result<(), Failure> {
         Error::Settings(text) => Failure::Input(text),
         Error::System(text) => Failure::Environment(text),
     })
+}
+
+/// This program, to be started once more. The file may have been replaced since: where the system knows what runs, by that.
+fn this_program() -> Option<PathBuf> {
+    let running = Path::new("/proc/self/exe");
+    if running.exists() { Some(running.to_owned()) } else { std::env::current_exe().ok() }
+}
+
+/// Answers one question of the panel, which has started this process for it.
+pub(crate) fn answer_one_question(args: &QuestionArgs) -> Result<(), Failure> {
+    seamwright_server::answer_one_question(&args.jobs).map_err(|e| Failure::Environment(e.to_string()))
 }
 
 /// The name of a job in the data folder: a file is taken there first.

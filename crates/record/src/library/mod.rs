@@ -7,6 +7,7 @@ mod alarm;
 mod audit;
 mod document;
 mod find;
+mod rebuild;
 mod schema;
 mod weld;
 

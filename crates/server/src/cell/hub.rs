@@ -2,7 +2,7 @@ use super::around::Around;
 use super::connection::Connection;
 use super::happening::Happening;
 use crate::view::written;
-use crate::wire::{AlarmView, EventView, FromCell, NearView, Status, TeachView, WorkView};
+use crate::wire::{AlarmView, EventView, FromCell, NearView, Role, Status, TeachView, WorkView};
 use seamwright_machine::{Joints, Machine};
 use seamwright_record::Moment;
 use std::collections::{HashMap, VecDeque};
@@ -17,9 +17,12 @@ const WAITING: usize = 1024;
 /// The control token is lost without a sign of life for this long.
 const BEAT: Duration = Duration::from_secs(1);
 
-/// Most clients at once, and of one user.
-const MOST: usize = 64;
-const MOST_OF_USER: usize = 32;
+/// Maximum number of pages at once, of those who only watch, and of one user.
+const MAX_PAGES: usize = 64;
+const MAX_WATCHING: usize = 32;
+const MAX_OF_USER: usize = 24;
+/// Places that are kept for the first page of somebody who may operate the machine.
+const KEPT: usize = 8;
 
 /// A client: its station, what it hears in order, the newest status.
 pub(crate) type Connected = (u32, mpsc::Receiver<Text>, watch::Receiver<Option<Text>>);
@@ -32,6 +35,8 @@ pub(crate) struct Hub {
     status: watch::Sender<Option<Text>>,
     latest: Mutex<Option<(Status, Joints)>>,
     near: Mutex<Option<NearView>>,
+    /// When the cycle was heard of last.
+    shown: Mutex<Option<Instant>>,
     told: Mutex<Told>,
 }
 
@@ -54,6 +59,8 @@ struct Told {
 
 struct Client {
     user: String,
+    /// Its role may only watch and stop.
+    watches: bool,
     to: mpsc::Sender<Text>,
 }
 
@@ -91,6 +98,7 @@ impl Hub {
             status: watch::Sender::new(None),
             latest: Mutex::default(),
             near: Mutex::default(),
+            shown: Mutex::default(),
             told: Mutex::default(),
         }
     }
@@ -100,10 +108,11 @@ impl Hub {
         self.told.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// A new client; none: there are too many.
-    pub(crate) fn connect(&self, user: &str) -> Option<Connected> {
+    /// A new client; none: there are too many, of all or of its kind.
+    pub(crate) fn connect(&self, user: &str, role: Role) -> Option<Connected> {
         let mut told = self.told();
-        if told.clients.len() >= MOST || told.clients.values().filter(|c| c.user == user).count() >= MOST_OF_USER {
+        let watches = role < Role::Operator;
+        if !told.has_place(user, watches) {
             return None;
         }
         told.stations += 1;
@@ -120,7 +129,7 @@ impl Hub {
             // There is room for all of them.
             drop(to.try_send(message));
         }
-        told.clients.insert(station, Client { user: user.to_owned(), to });
+        told.clients.insert(station, Client { user: user.to_owned(), watches, to });
         Some((station, from, self.status.subscribe()))
     }
 
@@ -144,12 +153,18 @@ impl Hub {
         status.near.clone_from(&self.near.lock().unwrap_or_else(PoisonError::into_inner));
         let message = text(&FromCell::Status(Box::new(status.clone())));
         *self.latest.lock().unwrap_or_else(PoisonError::into_inner) = Some((status, set));
+        *self.shown.lock().unwrap_or_else(PoisonError::into_inner) = Some(Instant::now());
         self.status.send_replace(Some(message));
     }
 
     /// The newest status.
     pub(crate) fn latest(&self) -> Option<Status> {
         self.latest.lock().unwrap_or_else(PoisonError::into_inner).as_ref().map(|(status, _)| status.clone())
+    }
+
+    /// Time since the cycle was heard of; none before its first status.
+    pub(crate) fn age(&self) -> Option<Duration> {
+        self.shown.lock().unwrap_or_else(PoisonError::into_inner).map(|shown| shown.elapsed())
     }
 
     /// Where the axes shall be, mm or rad, if their references are known.
@@ -313,6 +328,18 @@ impl Hub {
 }
 
 impl Told {
+    /// True if there is a place for one more page of `user`. The last ones are kept for operators who have none yet.
+    fn has_place(&self, user: &str, watches: bool) -> bool {
+        let all = self.clients.len();
+        let own = self.clients.values().filter(|c| c.user == user).count();
+        let watching = self.clients.values().filter(|c| c.watches).count();
+        match (watches, own) {
+            (true, _) => all < MAX_PAGES - KEPT && watching < MAX_WATCHING && own < MAX_OF_USER,
+            (false, 0) => all < MAX_PAGES,
+            (false, _) => all < MAX_PAGES - KEPT && own < MAX_OF_USER,
+        }
+    }
+
     fn all(&mut self, message: &FromCell) {
         self.everybody(&text(message));
     }
@@ -359,16 +386,30 @@ mod tests {
     use super::*;
     use crate::cell::happening;
 
-    /// Nobody takes all places; what was told to a client that does not listen is not kept for ever.
+    /// However many pages others have open, an operator gets one, and his others do not take those of the next.
     #[test]
-    fn clients_are_few_and_those_that_do_not_listen_go() {
+    fn places_are_kept_for_those_who_operate() {
         let hub = Hub::new();
-        let mut of_one: Vec<Connected> = (0..MOST_OF_USER).map(|_| hub.connect("eve").unwrap()).collect();
-        assert!(hub.connect("eve").is_none());
-        let others: Vec<Connected> = (MOST_OF_USER..MOST).map(|i| hub.connect(&format!("user {i}")).unwrap()).collect();
-        assert!(hub.connect("ada").is_none());
-        hub.disconnect(of_one.pop().unwrap().0);
-        assert!(hub.connect("ada").is_some());
+        let open = |user: &str, role: Role| -> Vec<Connected> {
+            std::iter::from_fn(|| hub.connect(user, role)).take(2 * MAX_PAGES).collect()
+        };
+        let watching: Vec<Connected> = (0..8).flat_map(|i| open(&format!("viewer {i}"), Role::Viewer)).collect();
+        assert_eq!(watching.len(), MAX_WATCHING);
+        let operating: Vec<Connected> = (0..1).flat_map(|i| open(&format!("service {i}"), Role::Service)).collect();
+        assert_eq!(operating.len(), MAX_PAGES - KEPT - MAX_WATCHING);
+        for i in 0..KEPT {
+            assert_eq!(open(&format!("operator {i}"), Role::Operator).len(), 1, "{i}");
+        }
+        assert!(hub.connect("one more", Role::Operator).is_none());
+        hub.disconnect(watching[0].0);
+        assert!(hub.connect("one more", Role::Operator).is_some());
+    }
+
+    /// What was sent to a client that does not listen is not kept for ever.
+    #[test]
+    fn clients_that_do_not_listen_go() {
+        let hub = Hub::new();
+        let others: Vec<Connected> = (0..8).map(|i| hub.connect(&format!("user {i}"), Role::Operator).unwrap()).collect();
         // The token goes with whoever is cut off.
         hub.take_control(others[0].0, false).unwrap();
         (0..2 * WAITING).for_each(|i| hub.event(0.0, happening("order", [format!("{i}")])));
@@ -379,7 +420,7 @@ mod tests {
     #[test]
     fn the_token_stays_with_a_hand_that_moves() {
         let hub = Hub::new();
-        let (ada, eve) = (hub.connect("ada").unwrap(), hub.connect("eve").unwrap());
+        let (ada, eve) = (hub.connect("ada", Role::Operator).unwrap(), hub.connect("eve", Role::Operator).unwrap());
         hub.take_control(ada.0, false).unwrap();
         assert!(hub.controls(ada.0, true) && !hub.controls(eve.0, true));
         hub.take_control(ada.0, true).unwrap();

@@ -14,6 +14,7 @@ mod names;
 mod notes;
 mod prepared;
 mod recorder;
+mod refusals;
 mod start;
 mod stillness;
 

@@ -18,6 +18,13 @@ impl Refused {
         Self { status, key, text: text.into() }
     }
 
+    /// A refusal of another process of this program.
+    pub(crate) fn known(status: u16, key: &str, text: String) -> Self {
+        let status = StatusCode::from_u16(status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
+        let key = ["input", "not_found"].into_iter().find(|known| *known == key).unwrap_or("server");
+        Self { status, key, text }
+    }
+
     pub(crate) fn input(text: impl Into<String>) -> Self {
         Self::new(StatusCode::UNPROCESSABLE_ENTITY, "input", text)
     }

@@ -1,44 +1,125 @@
+//! The panel's files, compressed once and told apart by what is in them.
+
 use super::answer::Refused;
-use axum::http::{HeaderValue, Method, Uri, header};
-use axum::response::{Html, IntoResponse, Response};
-use rust_embed::RustEmbed;
+use super::panel::Panel;
+use axum::body::{Body, Bytes};
+use axum::extract::State;
+use axum::http::{HeaderMap, Method, StatusCode, Uri, header};
+use axum::response::{IntoResponse, Response};
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use rust_embed::{EmbeddedFile, RustEmbed};
+use std::collections::HashMap;
+use std::io::Write as _;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// The panel as it was built.
 #[derive(RustEmbed)]
 #[folder = "$OUT_DIR/web"]
 struct Web;
 
+/// Smaller files gain nothing by being compressed.
+const MIN_COMPRESSED: usize = 256;
+
+/// Compressed files by their tags; all of them are small beside the program.
+#[derive(Default)]
+pub(crate) struct Compressed(Mutex<HashMap<String, Bytes>>);
+
+impl Compressed {
+    fn get(&self, tag: &str) -> Option<Bytes> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).get(tag).cloned()
+    }
+
+    fn keep(&self, tag: &str, bytes: Vec<u8>) -> Bytes {
+        let bytes = Bytes::from(bytes);
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).insert(tag.to_owned(), bytes.clone());
+        bytes
+    }
+}
+
+fn gzip(bytes: &[u8]) -> std::io::Result<Vec<u8>> {
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
+    encoder.write_all(bytes)?;
+    encoder.finish()
+}
+
 /// A file of the panel.
-pub(super) async fn serve(method: Method, uri: Uri) -> Response {
+pub(super) async fn serve(State(panel): State<Arc<Panel>>, method: Method, uri: Uri, headers: HeaderMap) -> Response {
     let path = uri.path().trim_start_matches('/');
     if !matches!(method, Method::GET | Method::HEAD) || path.starts_with("api/") {
         return Refused::not_found(format!("there is no {method} {}", uri.path())).into_response();
     }
     let name = if path.is_empty() { "index.html" } else { path };
-    let Some(file) = Web::get(name) else {
-        return Refused::not_found(format!("there is no {}", uri.path())).into_response();
-    };
-    if name == "index.html" {
-        return Html(file.data).into_response();
+    match Web::get(name) {
+        None => Refused::not_found(format!("there is no {}", uri.path())).into_response(),
+        Some(file) => sent(&panel, name, file, &headers).await.into_response(),
     }
-    let kind = HeaderValue::from_static(kind(name));
-    // Names of built files carry their contents' hash.
-    let cache = HeaderValue::from_static(match name.starts_with("assets/") {
-        true => "public, max-age=31536000, immutable",
-        false => "no-cache",
-    });
-    ([(header::CONTENT_TYPE, kind), (header::CACHE_CONTROL, cache)], file.data).into_response()
 }
 
-fn kind(name: &str) -> &'static str {
-    match name.rsplit('.').next() {
-        Some("js" | "mjs") => "text/javascript; charset=utf-8",
-        Some("css") => "text/css; charset=utf-8",
-        Some("svg") => "image/svg+xml",
-        Some("png") => "image/png",
-        Some("json" | "webmanifest") => "application/json",
-        Some("html") => "text/html; charset=utf-8",
-        Some("woff2") => "font/woff2",
-        _ => "application/octet-stream",
+async fn sent(panel: &Arc<Panel>, name: &str, file: EmbeddedFile, headers: &HeaderMap) -> Result<Response, Refused> {
+    let (kind, is_text) = kind(name);
+    let hash: String = file.metadata.sha256_hash().iter().take(16).map(|byte| format!("{byte:02x}")).collect();
+    let compresses = is_text && file.data.len() >= MIN_COMPRESSED;
+    let zipped = compresses && accepts_gzip(headers);
+    let tag = if zipped { format!("\"{hash}-gz\"") } else { format!("\"{hash}\"") };
+    // Names of built files carry their contents' hash.
+    let cache = if name.starts_with("assets/") { "public, max-age=31536000, immutable" } else { "no-cache" };
+    let mut response = if is_known(headers, &tag) {
+        StatusCode::NOT_MODIFIED.into_response()
+    } else if zipped {
+        let compressed = match panel.compressed.get(&tag) {
+            Some(compressed) => compressed,
+            None => {
+                let data = file.data;
+                let made = move || gzip(&data).map_err(|e| Refused::server(e.to_string()));
+                panel.compressed.keep(&tag, panel.drawing.run(made).await?)
+            }
+        };
+        ([(header::CONTENT_ENCODING, "gzip")], Body::from(compressed)).into_response()
+    } else {
+        Body::from(file.data).into_response()
+    };
+    let set = response.headers_mut();
+    set.insert(header::CONTENT_TYPE, header::HeaderValue::from_static(kind));
+    set.insert(header::CACHE_CONTROL, header::HeaderValue::from_static(cache));
+    set.insert(header::ETAG, tag.try_into().map_err(|_| Refused::server("a tag cannot be sent"))?);
+    if compresses {
+        set.insert(header::VARY, header::HeaderValue::from_static("accept-encoding"));
     }
+    Ok(response)
+}
+
+fn accepts_gzip(headers: &HeaderMap) -> bool {
+    let accepted = headers.get_all(header::ACCEPT_ENCODING).into_iter().filter_map(|value| value.to_str().ok());
+    accepted.flat_map(|value| value.split(',')).any(|coding| {
+        let (name, weight) = coding.split_once(';').unwrap_or((coding, "q=1"));
+        let weight = weight.trim().strip_prefix("q=").and_then(|q| q.parse::<f64>().ok());
+        matches!(name.trim(), "gzip" | "*") && weight.is_none_or(|q| q > 0.0)
+    })
+}
+
+/// True if whoever asks has this very file already.
+fn is_known(headers: &HeaderMap, tag: &str) -> bool {
+    let known = headers.get(header::IF_NONE_MATCH).and_then(|value| value.to_str().ok()).unwrap_or_default();
+    known.split(',').any(|one| matches!(one.trim().trim_start_matches("W/"), one if one == tag || one == "*"))
+}
+
+/// Content type of a file, and whether it is text.
+fn kind(name: &str) -> (&'static str, bool) {
+    match name.rsplit('.').next() {
+        Some("js" | "mjs") => ("text/javascript; charset=utf-8", true),
+        Some("css") => ("text/css; charset=utf-8", true),
+        Some("svg") => ("image/svg+xml", true),
+        Some("png") => ("image/png", false),
+        Some("json" | "webmanifest") => ("application/json", true),
+        Some("html") => ("text/html; charset=utf-8", true),
+        Some("woff2") => ("font/woff2", false),
+        _ => ("application/octet-stream", false),
+    }
+}
+
+/// Names of all files.
+#[cfg(test)]
+pub(crate) fn names() -> Vec<String> {
+    Web::iter().map(|name| name.into_owned()).collect()
 }

@@ -20,9 +20,8 @@ pub(super) struct Client {
     pub(super) station: u32,
     commands: u32,
     pub(super) jogs: u32,
-    /// When a stop of this page was audited last, and what was refused to it.
+    /// When a stop of this page was audited last.
     stopped: Option<Instant>,
-    refused: Vec<String>,
     /// Where a key that is held since leads to, mm or rad.
     pub(super) held: Option<Joints>,
     allowance: f64,
@@ -46,7 +45,6 @@ impl Client {
             jogs: 0,
             held: None,
             stopped: None,
-            refused: Vec::new(),
             allowance: BURST,
             spoke: Instant::now(),
         }
@@ -115,11 +113,8 @@ impl Client {
         if may(self.session.role, action) {
             return Ok(());
         }
-        // Once for each: who repeats it does not fill the disk.
-        if !self.refused.iter().any(|known| known == action) {
-            self.refused.push(action.to_owned());
-            self.audit(action, "refused: role");
-        }
+        let station = format!("panel {}", self.station);
+        self.panel.cell.archive.refused(&self.session.user, &station, action, "refused: role");
         let needed = crate::users::least(action).map_or(String::new(), |r| format!(" (from {r:?} on)").to_lowercase());
         Err(lack("role", format!("your role does not allow this{needed}")))
     }
@@ -250,7 +245,7 @@ fn executive(ask: &AskView) -> Result<(&'static str, Ask), LackView> {
 /// What a page says, one message after the other, and what it is told.
 #[cfg(test)]
 pub(crate) fn hears(panel: &Arc<Panel>, session: &Session, texts: &[String]) -> Vec<String> {
-    let (station, mut told, _status) = panel.cell.hub.connect(&session.user).unwrap();
+    let (station, mut told, _status) = panel.cell.hub.connect(&session.user, session.role).unwrap();
     let mut client = Client::new(Arc::clone(panel), session.clone(), station);
     let mut all = Vec::new();
     for text in texts {

@@ -20,6 +20,11 @@ pub(super) fn cookie_name(tls: bool) -> &'static str {
     if tls { COOKIE_TLS } else { COOKIE }
 }
 
+/// Name of the cookie of a browser in which somebody has logged in.
+pub(super) fn device_name(tls: bool) -> &'static str {
+    if tls { "__Host-seamwright-device" } else { "seamwright-device" }
+}
+
 /// What a route needs.
 #[derive(Clone)]
 pub(super) struct Need {
@@ -102,7 +107,7 @@ fn allowed(need: &Need, action: &str, method: &Method, headers: &HeaderMap) -> R
     };
     if !may(session.role, action) {
         let needed = crate::users::least(action).map_or(String::new(), |role| format!("; allowed: from {role:?} on"));
-        panel.cell.archive.audit(&session.user, "panel", action, ("", ""), "refused: role");
+        panel.cell.archive.refused(&session.user, "panel", action, "refused: role");
         let text = format!("as {:?} you may not do this ({action}){needed}", session.role);
         return Err(Refused::new(StatusCode::FORBIDDEN, "role", text.to_lowercase()));
     }
@@ -135,8 +140,13 @@ fn text<'a>(headers: &'a HeaderMap, name: &str) -> Option<&'a str> {
 }
 
 /// What the session's cookie holds.
-pub(super) fn cookie(headers: &HeaderMap, tls: bool) -> Option<&str> {
+pub(crate) fn cookie(headers: &HeaderMap, tls: bool) -> Option<&str> {
+    named_cookie(headers, cookie_name(tls))
+}
+
+/// What the cookie of this name holds.
+pub(super) fn named_cookie<'a>(headers: &'a HeaderMap, wanted: &str) -> Option<&'a str> {
     let all = headers.get_all(header::COOKIE).into_iter().filter_map(|v| v.to_str().ok());
     let pairs = all.flat_map(|v| v.split(';')).filter_map(|pair| pair.trim().split_once('='));
-    pairs.into_iter().find(|(name, _)| *name == cookie_name(tls)).map(|(_, value)| value)
+    pairs.into_iter().find(|(name, _)| *name == wanted).map(|(_, value)| value)
 }

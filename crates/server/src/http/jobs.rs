@@ -10,7 +10,7 @@ use seamwright_project::Failure;
 use seamwright_project::examples::{DISTORTIONS, EXAMPLES, Example};
 use seamwright_project::files;
 use std::io::Read as _;
-use std::sync::{Arc, PoisonError};
+use std::sync::Arc;
 
 /// Most jobs of our own.
 const MOST: usize = 2000;
@@ -112,7 +112,8 @@ pub(super) async fn distortions() -> Json<Vec<DistortionRow>> {
 }
 
 pub(super) async fn get(State(panel): State<Arc<Panel>>, Path(name): Path<String>) -> Answer<JobText> {
-    Ok(Json(JobText { text: text(&panel, &name)? }))
+    let asked = Arc::clone(&panel);
+    panel.reading.run(move || Ok(JobText { text: text(&asked, &name)? })).await.map(Json)
 }
 
 pub(super) async fn put(
@@ -121,7 +122,12 @@ pub(super) async fn put(
     Path(name): Path<String>,
     Json(job): Json<JobKept>,
 ) -> Answer<JobRow> {
-    let name = checked(&name)?;
+    let on = Arc::clone(&panel);
+    panel.saving.run(move || keep(&on, &session, &name, &job)).await.map(Json)
+}
+
+fn keep(panel: &Panel, session: &Session, name: &str, job: &JobKept) -> Result<JobRow, Refused> {
+    let name = checked(name)?;
     if example(name).is_some() {
         return Err(Refused::input(format!("`{name}` is the name of an example: save it under another name")));
     }
@@ -130,20 +136,19 @@ pub(super) async fn put(
         Procedure::read(name, &job.text).map_err(Failure::from)?;
     }
     let path = panel.jobs().join(name);
-    let _kept = panel.keeping.lock().unwrap_or_else(PoisonError::into_inner);
     let old = if path.is_file() { files::read(&path)? } else { String::new() };
-    if job.over.is_some_and(|over| over != old) {
+    if job.over.as_ref().is_some_and(|over| *over != old) {
         let text = format!("another text is kept as `{name}`");
         return Err(Refused::new(StatusCode::CONFLICT, "other", text));
     }
-    if !path.is_file() && own(&panel)?.len() >= MOST {
+    if !path.is_file() && own(panel)?.len() >= MOST {
         return Err(Refused::input(format!("there are too many jobs; allowed: {MOST}")));
     }
     files::write(&path, &job.text)?;
     let hash = |text: &str| seamwright_record::sha256(text.as_bytes());
     let (old, new) = (hash(&old), hash(&job.text));
     panel.cell.archive.audit(&session.user, "panel", &format!("save job {name}"), (&old, &new), "saved");
-    Ok(Json(JobRow { name: name.to_owned(), title: title(&job.text), example: false }))
+    Ok(JobRow { name: name.to_owned(), title: title(&job.text), example: false })
 }
 
 pub(super) async fn delete(
@@ -151,7 +156,13 @@ pub(super) async fn delete(
     Extension(session): Extension<Session>,
     Path(name): Path<String>,
 ) -> Result<StatusCode, Refused> {
-    let name = checked(&name)?;
+    let on = Arc::clone(&panel);
+    panel.saving.run(move || remove(&on, &session, &name)).await?;
+    Ok(StatusCode::NO_CONTENT)
+}
+
+fn remove(panel: &Panel, session: &Session, name: &str) -> Result<(), Refused> {
+    let name = checked(name)?;
     let path = panel.jobs().join(name);
     if !path.is_file() {
         return Err(Refused::not_found(format!("there is no job `{name}` of your own")));
@@ -159,5 +170,5 @@ pub(super) async fn delete(
     let old = seamwright_record::sha256(files::read(&path)?.as_bytes());
     std::fs::remove_file(&path).map_err(|e| Refused::server(format!("{name}: cannot be removed: {e}")))?;
     panel.cell.archive.audit(&session.user, "panel", &format!("delete job {name}"), (&old, ""), "deleted");
-    Ok(StatusCode::NO_CONTENT)
+    Ok(())
 }

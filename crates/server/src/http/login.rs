@@ -1,14 +1,16 @@
 use super::answer::{Answer, Refused};
-use super::guard::{TOKEN, cookie, cookie_name};
+use super::guard::{TOKEN, cookie, cookie_name, device_name, named_cookie};
 use super::panel::Panel;
-use crate::users::{NEEDS, OWNER, Session, may};
+use crate::log;
+use crate::users::{NEEDS, OWNER, Origin, Session, may};
 use crate::wire::{Login, Role, SessionView};
 use axum::extract::{ConnectInfo, State};
-use axum::http::{HeaderMap, StatusCode, header};
+use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
 use axum::response::{AppendHeaders, IntoResponse, Response};
 use axum::{Extension, Json};
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 /// Most bytes of a name and of a password that are looked at.
 const MOST: usize = 512;
@@ -30,36 +32,62 @@ pub(super) fn address(from: &From) -> IpAddr {
     from.as_ref().map_or(IpAddr::V4(Ipv4Addr::LOCALHOST), |from| from.0.0.ip())
 }
 
+/// A wrong password is answered after this time, whoever is asked about: nobody sees from it who there is.
+const ANSWER: Duration = Duration::from_millis(300);
+
+/// Returns how long somebody has to wait after wrong passwords, as a refusal.
+fn slowed(wait: Duration) -> Refused {
+    let text = format!("too many wrong passwords: wait {:.0} s", wait.as_secs_f64().ceil());
+    Refused::new(StatusCode::TOO_MANY_REQUESTS, "slow_down", text)
+}
+
 /// Checks the password of `user`: one at a time, and slower with every wrong one. What was checked, if it was right.
 pub(super) async fn checked(
     panel: &Arc<Panel>,
-    from: &From,
+    (from, headers): (&From, &HeaderMap),
     user: &str,
     password: String,
 ) -> Result<Option<(Role, String)>, Refused> {
-    let (from, user, asked) = (address(from), user.to_owned(), Arc::clone(panel));
-    let wait = move |asked: &Panel, user: &str| match asked.tries.waits(from, user) {
-        Some(wait) => {
-            let text = format!("too many wrong passwords: wait {:.0} s", wait.as_secs_f64().ceil());
-            Err(Refused::new(StatusCode::TOO_MANY_REQUESTS, "slow_down", text))
-        }
-        None => Ok(()),
-    };
-    wait(panel, &user)?;
-    let check = move || {
-        // Others may have guessed while this one waited for its turn.
-        wait(&asked, &user)?;
-        let right = match user.as_str() {
-            OWNER => {
-                let right = !asked.accounts.has_admin() && same(password.as_bytes(), asked.key.as_bytes());
-                right.then(|| (Role::Admin, String::new()))
-            }
-            _ => asked.accounts.check(&user, &password),
+    let begin = Instant::now();
+    let device = named_cookie(headers, device_name(panel.tls)).and_then(|cookie| panel.devices.of(cookie, user));
+    let origin = Origin { address: address(from), device };
+    if let Some(wait) = panel.tries.waits(&origin, user) {
+        return Err(slowed(wait));
+    }
+    let right = if user == OWNER || panel.accounts.role(user).is_some() {
+        // Others of this name wait already: as if they had been wrong.
+        let check = panel.checks.begin(user).ok_or_else(|| slowed(Duration::from_secs(2)))?;
+        let (asked, user) = (Arc::clone(panel), user.to_owned());
+        let work = move || {
+            let _check = check;
+            fits(&asked, &origin, &user, &password)
         };
-        asked.tries.tried(from, &user, right.is_some());
-        Ok(right)
+        panel.checking.run(work).await?
+    } else {
+        // Made-up names take neither time nor places of others.
+        panel.tries.tried(&origin, user, false);
+        None
     };
-    panel.checking.run(check).await
+    if right.is_none() {
+        tokio::time::sleep(ANSWER.saturating_sub(begin.elapsed())).await;
+    }
+    Ok(right)
+}
+
+fn fits(panel: &Panel, origin: &Origin, user: &str, password: &str) -> Result<Option<(Role, String)>, Refused> {
+    // Others may have guessed while this one waited for its turn.
+    if let Some(wait) = panel.tries.waits(origin, user) {
+        return Err(slowed(wait));
+    }
+    let right = match user {
+        OWNER => {
+            let right = !panel.accounts.has_admin() && same(password.as_bytes(), panel.key.as_bytes());
+            right.then(|| (Role::Admin, String::new()))
+        }
+        _ => panel.accounts.check(user, password),
+    };
+    panel.tries.tried(origin, user, right.is_some());
+    Ok(right)
 }
 
 pub(super) async fn login(
@@ -76,10 +104,13 @@ pub(super) async fn login(
         return Err(Refused::input(format!("name or password is too long; allowed: up to {MOST} bytes")));
     }
     let name = if login.user.is_empty() { OWNER.to_owned() } else { login.user };
-    let right = checked(&panel, &from, &name, login.password).await?;
+    let right = checked(&panel, (&from, &headers), &name, login.password).await?;
     let station = format!("panel at {}", address(&from));
-    let result = if right.is_some() { "logged in" } else { "refused" };
-    panel.cell.archive.audit(&name, &station, "log in", ("", ""), result);
+    if right.is_some() {
+        panel.cell.archive.audit(&name, &station, "log in", ("", ""), "logged in");
+    } else {
+        panel.cell.archive.refused(&name, &station, "log in", "refused");
+    }
     let wrong = || {
         let text = "name or password is wrong, or the address is an old one";
         Refused::new(StatusCode::UNAUTHORIZED, "login", text)
@@ -95,13 +126,26 @@ pub(super) async fn login(
         panel.sessions.end(&cookie);
         return Err(wrong());
     }
-    let set = set_cookie(&panel, &cookie, "");
-    let view = Json(session_view(&panel, &session));
-    Ok((AppendHeaders([(header::SET_COOKIE, set)]), view).into_response())
+    log::info(&format!("{name} logged in at the {station}"));
+    let mut set = vec![(header::SET_COOKIE, set_cookie(&panel, cookie_name(panel.tls), &cookie, ""))];
+    let device = named_cookie(&headers, device_name(panel.tls));
+    if device.and_then(|cookie| panel.devices.of(cookie, &name)).is_none() {
+        let device = panel.devices.remember(&name).map_err(Refused::server)?;
+        set.push((header::SET_COOKIE, set_cookie(&panel, device_name(panel.tls), &device, DEVICE_AGE)));
+    }
+    let mut response = Json(session_view(&panel, &session)).into_response();
+    for (name, value) in set {
+        let value = HeaderValue::try_from(value).map_err(|e| Refused::server(e.to_string()))?;
+        response.headers_mut().append(name, value);
+    }
+    Ok(response)
 }
 
-fn set_cookie(panel: &Panel, value: &str, more: &str) -> String {
-    let (name, secure) = (cookie_name(panel.tls), if panel.tls { "; Secure" } else { "" });
+/// How long a browser keeps the cookie by which it is known as one of a user's, s: half a year.
+const DEVICE_AGE: &str = "; Max-Age=15552000";
+
+fn set_cookie(panel: &Panel, name: &str, value: &str, more: &str) -> String {
+    let secure = if panel.tls { "; Secure" } else { "" };
     format!("{name}={value}; Path=/; HttpOnly; SameSite=Strict{secure}{more}")
 }
 
@@ -119,7 +163,7 @@ pub(super) async fn logout(
         panel.sessions.end(cookie);
     }
     panel.cell.archive.audit(&session.user, "panel", "log out", ("", ""), "logged out");
-    let gone = set_cookie(&panel, "", "; Max-Age=0");
+    let gone = set_cookie(&panel, cookie_name(panel.tls), "", "; Max-Age=0");
     (StatusCode::NO_CONTENT, AppendHeaders([(header::SET_COOKIE, gone)])).into_response()
 }
 

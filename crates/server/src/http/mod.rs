@@ -8,6 +8,7 @@ mod client;
 mod edit;
 mod guard;
 mod hand;
+mod health;
 mod jobs;
 mod login;
 mod look;
@@ -27,11 +28,16 @@ mod turns;
 mod users;
 
 #[cfg(test)]
+pub(crate) use assets::names;
+#[cfg(test)]
 pub(crate) use client::hears;
 pub(crate) use jobs::text as job_text;
+pub(crate) use answer::Refused;
+pub(crate) use guard::cookie;
 pub(crate) use panel::Panel;
+pub(crate) use place::found_place;
 pub(crate) use plan::begin_with;
 #[cfg(test)]
 pub(crate) use routes::all_routes;
-pub(crate) use routes::app;
-pub(crate) use turns::Turn;
+pub(crate) use routes::{MAX_BYTES, MAX_UNKNOWN, URGENT, app, urgent_app};
+pub(crate) use turns::{Turn, Turns};

@@ -1,7 +1,9 @@
+use super::assets::Compressed;
 use super::turns::{Turn, Turns};
 use crate::cell::Cell;
-use crate::teaching::Teaching;
-use crate::users::{Accounts, OWNER, Session, Sessions, Tries};
+use crate::planner::Planner;
+use crate::teaching::{Cameras, Teaching};
+use crate::users::{Accounts, Checks, Devices, MAX_USERS, OWNER, Session, Sessions, Tries};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
@@ -20,6 +22,9 @@ pub(crate) struct Panel {
     pub(crate) accounts: Accounts,
     pub(crate) sessions: Sessions,
     pub(crate) tries: Tries,
+    pub(crate) devices: Devices,
+    /// Passwords that are being checked, by name.
+    pub(crate) checks: Checks,
     /// Opens the panel while there is no administrator.
     pub(crate) key: String,
     pub(crate) data: PathBuf,
@@ -28,22 +33,29 @@ pub(crate) struct Panel {
     /// The connection is encrypted.
     pub(crate) tls: bool,
     pub(crate) planning: Turns,
+    /// Answers what is asked about texts, beside the cell.
+    pub(crate) planner: Planner,
     /// What is read without being planned does not wait for a plan.
     pub(crate) drawing: Turns,
     /// Of records, jobs and texts.
     pub(crate) reading: Turns,
-    /// Of passwords: one at a time, so that guesses at once do not count as one.
+    /// Of passwords of users that there are: one at a time, so that guesses at once do not count as one. Names share the places evenly:
+    /// see [`Checks`].
     pub(crate) checking: Turns,
     pub(crate) backing_up: Turns,
     /// When somebody who is not logged in stopped last.
     pub(crate) stopped: Mutex<Option<Instant>>,
-    /// Held while a job is kept: what is there is looked at before.
-    pub(crate) keeping: Mutex<()>,
+    /// Of what is kept in files: one at a time, since what is there is looked at before. A disk that hangs holds up nothing else.
+    pub(crate) saving: Turns,
     /// Says that the cell is to begin anew with restored data.
     pub(crate) restores: watch::Sender<Restores>,
     /// Most bytes of an archive that is restored.
     pub(crate) most_archive: u64,
+    /// Files of the panel as they are sent.
+    pub(crate) compressed: Compressed,
     pub(crate) teaching: Teaching,
+    /// Where frames may come from.
+    pub(crate) cameras: Cameras,
     plans: AtomicU64,
 }
 
@@ -54,20 +66,25 @@ impl Panel {
             accounts,
             sessions: Sessions::default(),
             tries: Tries::default(),
+            devices: Devices::default(),
+            checks: Checks::default(),
             key,
             data,
             hosts,
             tls: false,
             planning: Turns::new(1, 8),
+            planner: Planner::new(None),
             drawing: Turns::new(1, 8),
             reading: Turns::new(2, 32),
-            checking: Turns::new(1, 16),
+            checking: Turns::new(1, 8 * MAX_USERS),
             backing_up: Turns::new(1, 0),
             stopped: Mutex::new(None),
-            keeping: Mutex::new(()),
+            saving: Turns::new(1, 16),
             restores: watch::Sender::new(None),
             most_archive: MOST_ARCHIVE,
+            compressed: Compressed::default(),
             teaching: Teaching::default(),
+            cameras: Cameras::default(),
             plans: AtomicU64::new(0),
         }
     }

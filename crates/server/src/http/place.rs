@@ -1,15 +1,12 @@
-use super::answer::{Answer, Refused};
-use super::panel::Panel;
+use super::answer::Refused;
 use crate::wire::{PlaceAnswer, PlaceMethod, PlaceText, TouchedPoint};
-use axum::Json;
-use axum::extract::State;
 use glam::{DAffine3, DVec3};
 use seamwright_geometry::fit::{Touch, best_fit, chuck, outliers, plane_line_point, rms, three_points};
 use seamwright_program::Program;
 use seamwright_project::load::{Loaded, load_foreign};
 use seamwright_project::offset;
 use seamwright_weld::SeamSurfaces;
-use std::sync::Arc;
+use std::path::Path;
 
 /// Name of the offset.
 const NAME: &str = "touched";
@@ -27,23 +24,25 @@ struct Found {
     notes: Vec<String>,
 }
 
-pub(super) async fn place(State(panel): State<Arc<Panel>>, Json(asked): Json<PlaceText>) -> Answer<PlaceAnswer> {
-    let folder = panel.jobs();
-    let answer = panel.drawing.run(move || {
-        check(&asked)?;
-        let loaded = load_foreign("job.toml", &asked.text, &folder)?;
-        let found = match asked.method {
-            PlaceMethod::BestFit => fitted(&loaded, &asked.points, asked.probe_radius_mm)?,
-            PlaceMethod::PlaneLinePoint => faces(&loaded.welding.program.value, &asked.points, asked.probe_radius_mm)?,
-            PlaceMethod::ThreePoints => marks(&loaded.welding.program.value, &asked.points, asked.probe_radius_mm)?,
-            PlaceMethod::Chuck => round(&loaded.welding.program.value, &asked.points, asked.probe_radius_mm)?,
-        };
-        let answer = answer(&asked.text, found)?;
-        // What is given back can be read.
-        load_foreign("job.toml", &answer.text, &folder)?;
-        Ok(answer)
-    });
-    answer.await.map(Json)
+/// Finds where the part of a job stands; files that it names are among `jobs`.
+///
+/// # Errors
+/// A job that cannot be read, points that tell nothing.
+pub(crate) fn found_place(asked: &PlaceText, jobs: &Path) -> Result<PlaceAnswer, Refused> {
+    check(asked)?;
+    let loaded = load_foreign("job.toml", &asked.text, jobs)?;
+    let program = &loaded.welding.program.value;
+    let (points, radius) = (&asked.points, asked.probe_radius_mm);
+    let found = match asked.method {
+        PlaceMethod::BestFit => fitted(&loaded, points, radius)?,
+        PlaceMethod::PlaneLinePoint => faces(program, points, radius)?,
+        PlaceMethod::ThreePoints => marks(program, points, radius)?,
+        PlaceMethod::Chuck => round(program, points, radius)?,
+    };
+    let answer = answer(&asked.text, found)?;
+    // What is given back can be read.
+    load_foreign("job.toml", &answer.text, jobs)?;
+    Ok(answer)
 }
 
 fn check(asked: &PlaceText) -> Result<(), Refused> {

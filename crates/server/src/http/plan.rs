@@ -1,25 +1,23 @@
 use super::answer::{Answer, Refused, page_of};
 use super::jobs::{checked, text};
 use super::panel::Panel;
-use super::records::spoken;
+use super::records::{reads, spoken};
+use super::routes::JSON;
 use crate::cell::{Around, CellDevices, Connection, Loading, Planned, Prepared, Task, ToDesk, fingerprint};
+use crate::planner::{Asked, Page, Question};
 use crate::users::Session;
-use crate::view::{clamped_views, sections, tuning_view, work_view};
-use crate::wire::{DraftAnswer, JobText, Load, PlanAnswer, PostAnswer, PostText, TuningView, WorkView, WrongView};
+use crate::view::{tuning_view, work_view};
+use crate::wire::{JobText, Load, PlaceText, PlanningView, PostText, TuningView, WorkView};
 use axum::extract::{Path, Query, State};
-use axum::http::StatusCode;
-use axum::response::Response;
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::response::{IntoResponse as _, Response};
 use axum::{Extension, Json};
 use seamwright_cell::executive::Place;
 use seamwright_cell::tracking::Distortion;
-use seamwright_post::{Control, Dialect, Feed, Options};
-use seamwright_project::Failure;
 use seamwright_project::load::{Loaded, load_foreign};
 use seamwright_project::part::Part;
-use seamwright_project::posting::{Unproven, proven};
 use seamwright_project::recording::{Header, Who, record_plan};
 use seamwright_project::run_rows;
-use seamwright_report::WeldReport;
 use serde::Deserialize;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -34,56 +32,71 @@ pub(super) async fn alone<T: Send + 'static>(
     panel.planning.run(move || work(&with)).await
 }
 
-/// Name of a text that is asked about.
-const JOB: &str = "job.toml";
+/// The header by which a page tells which one of its session it is.
+const PAGE: &str = "x-seamwright-page";
+/// Maximum number of characters of it.
+const MAX_PAGE: usize = 64;
 
-fn wrong(failure: &Failure) -> PlanAnswer {
-    let at = match failure {
-        Failure::Document(error) => Some(Box::new(WrongView {
-            file: (error.file != JOB).then(|| error.file.clone()),
-            line: (error.file == JOB && error.line > 0).then_some(error.line),
-            key: error.key.clone(),
-            value: error.value.clone(),
-            what: error.message.clone(),
-            allowed: error.allowed.clone(),
-            help: error.help.clone(),
-        })),
-        _ => None,
-    };
-    PlanAnswer::Wrong { message: failure.text(), at }
+/// Of which session, and which of its pages.
+fn page_asking(session: &Session, headers: &HeaderMap) -> Page {
+    let page = headers.get(PAGE).and_then(|value| value.to_str().ok()).unwrap_or_default();
+    Page { session: session.id.clone(), page: page.chars().take(MAX_PAGE).collect() }
 }
 
-pub(super) async fn plan(State(panel): State<Arc<Panel>>, Json(job): Json<JobText>) -> Answer<PlanAnswer> {
-    let answer = alone(&panel, move |panel| {
-        let loaded = match load_foreign(JOB, &job.text, &panel.jobs()) {
-            Ok(loaded) => loaded,
-            Err(failure) => return Ok(wrong(&failure)),
-        };
-        let number = panel.plan_number();
-        Ok(match loaded.try_plan() {
-            Ok(planned) => {
-                let planned = planned.as_ref().map_err(Vec::as_slice);
-                PlanAnswer::Planned { work: Box::new(work_view(number, "", &loaded, planned)) }
-            }
-            Err(failure) => wrong(&failure),
-        })
-    });
-    answer.await.map(Json)
+/// Puts a question to the planner.
+async fn answered(panel: &Panel, page: Page, question: Question) -> Result<Response, Refused> {
+    let json = panel.planner.ask(page, question, panel.jobs()).await?;
+    Ok(([(header::CONTENT_TYPE, JSON)], json).into_response())
+}
+
+pub(super) async fn plan(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    headers: HeaderMap,
+    Json(job): Json<JobText>,
+) -> Result<Response, Refused> {
+    let question = Question::Plan { text: job.text, number: panel.plan_number() };
+    answered(&panel, page_asking(&session, &headers), question).await
 }
 
 /// What a text describes, at once: nothing is planned.
-pub(super) async fn draft(State(panel): State<Arc<Panel>>, Json(job): Json<JobText>) -> Answer<DraftAnswer> {
-    let folder = panel.jobs();
-    let answer = panel.drawing.run(move || {
-        Ok(match load_foreign(JOB, &job.text, &folder) {
-            Ok(loaded) => {
-                let (part, fixtures) = clamped_views(&loaded);
-                DraftAnswer::Drawn { part, fixtures, sections: sections(&loaded.welding) }
-            }
-            Err(failure) => DraftAnswer::Wrong { message: failure.text() },
-        })
-    });
-    answer.await.map(Json)
+pub(super) async fn draft(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    headers: HeaderMap,
+    Json(job): Json<JobText>,
+) -> Result<Response, Refused> {
+    answered(&panel, page_asking(&session, &headers), Question::Draft { text: job.text }).await
+}
+
+pub(super) async fn place(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    headers: HeaderMap,
+    Json(asked): Json<PlaceText>,
+) -> Result<Response, Refused> {
+    answered(&panel, page_asking(&session, &headers), Question::Place { asked }).await
+}
+
+/// What is being planned for a page.
+pub(super) async fn planning(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    headers: HeaderMap,
+) -> Json<Vec<PlanningView>> {
+    let asked = panel.planner.asked(&page_asking(&session, &headers));
+    let view = |asked: Asked| PlanningView { kind: asked.name.to_owned(), elapsed_s: asked.since.elapsed().as_secs_f64() };
+    Json(asked.into_iter().map(view).collect())
+}
+
+/// Cancels what is being planned for a page.
+pub(super) async fn cancel(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    headers: HeaderMap,
+) -> StatusCode {
+    panel.planner.cancel(&page_asking(&session, &headers));
+    StatusCode::NO_CONTENT
 }
 
 fn loaded(panel: &Panel, name: &str) -> Result<Loaded, Refused> {
@@ -117,8 +130,15 @@ pub(super) async fn load(
     result.map(|view| Json((*view).clone()))
 }
 
-/// Plans a job and puts it into the cell.
+/// Modes in which a job is taken: in all others the machine moves, welds or is held.
+const AT_REST: [&str; 4] = ["off", "idle", "ready", "fault"];
+
+/// Plans a job and puts it into the cell. It is planned in this process, since the cycle runs it, so not while the machine moves.
 async fn put_in(panel: &Arc<Panel>, load: Load, user: String) -> Result<Arc<WorkView>, Refused> {
+    if panel.cell.hub.latest().is_some_and(|status| !AT_REST.contains(&status.mode.as_str())) {
+        let text = "the machine moves or is held: stop it first";
+        return Err(Refused::new(StatusCode::CONFLICT, "busy", text));
+    }
     let loading = alone(panel, move |panel| loading(panel, load, user)).await?;
     let view = loading.view.clone().ok_or_else(|| Refused::server("a job without a picture"))?;
     give(panel, connected(panel, loading).await?).await?;
@@ -214,16 +234,15 @@ fn simulated_part(distortion: Option<&str>) -> Result<Part, Refused> {
 }
 
 /// What was welded, planned once more: where a record's torch was.
-pub(super) async fn recorded(State(panel): State<Arc<Panel>>, Path(id): Path<i64>) -> Answer<WorkView> {
-    let view = alone(&panel, move |panel| {
-        let data = seamwright_record::DataFolder::open_to_read(&panel.data)?;
-        let program = data.library().program_of(id)?;
-        let loaded = load_foreign(&program.name, &program.text, &panel.jobs())?;
-        let planned = loaded.try_plan()?;
-        let planned = planned.as_ref().map_err(Vec::as_slice);
-        Ok(work_view(panel.plan_number(), &program.name, &loaded, planned))
-    });
-    view.await.map(Json)
+pub(super) async fn recorded(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    headers: HeaderMap,
+    Path(id): Path<i64>,
+) -> Result<Response, Refused> {
+    let Json(program) = reads(&panel, move |data| Ok(data.library().program_of(id)?)).await?;
+    let question = Question::Recorded { name: program.name, text: program.text, number: panel.plan_number() };
+    answered(&panel, page_asking(&session, &headers), question).await
 }
 
 /// `?axis=NAME`.
@@ -252,39 +271,27 @@ pub(super) struct Named {
     language: Option<String>,
 }
 
-pub(super) async fn report(State(panel): State<Arc<Panel>>, Query(named): Query<Named>) -> Result<Response, Refused> {
-    let language = spoken(named.language)?;
-    let page = alone(&panel, move |panel| {
-        let loaded = loaded(panel, &named.job)?;
-        let motion = loaded.try_plan()?.map_err(Failure::Findings)?;
-        let (report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None, language);
-        let date = seamwright_record::Moment::now().to_string();
-        Ok(report.page(&plots, loaded.welding.program.text(), &date, language))
-    });
-    page.await.map(page_of)
+pub(super) async fn report(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    headers: HeaderMap,
+    Query(named): Query<Named>,
+) -> Result<Response, Refused> {
+    let language = spoken(named.language)?.code().to_owned();
+    let (asked, name) = (Arc::clone(&panel), checked(&named.job)?.to_owned());
+    let text = panel.reading.run(move || text(&asked, &named.job)).await?;
+    let question = Question::Report { name, text, language };
+    let page = panel.planner.ask(page_asking(&session, &headers), question, panel.jobs()).await?;
+    let html = String::from_utf8(page).map_err(|_| Refused::server("the report is no text"))?;
+    Ok(page_of(html))
 }
 
-pub(super) async fn post(State(panel): State<Arc<Panel>>, Json(asked): Json<PostText>) -> Answer<PostAnswer> {
-    let answer = alone(&panel, move |panel| {
-        let dialect = match asked.dialect.as_str() {
-            "sinumerik" => Dialect::Sinumerik,
-            "linuxcnc" => Dialect::Linuxcnc,
-            "grblhal" => Dialect::Grblhal,
-            "pmac" => Dialect::Pmac,
-            other => {
-                let allowed = "sinumerik, linuxcnc, grblhal, pmac";
-                return Err(Refused::input(format!("there is no dialect `{other}`; allowed: {allowed}")));
-            }
-        };
-        let loaded = load_foreign(JOB, &asked.text, &panel.jobs())?;
-        let motion = loaded.plan()?;
-        let control = Control::new(&loaded.machine, dialect).map_err(|e| Refused::input(e.to_string()))?;
-        let made = proven(&loaded, &motion, &control, &Options::default(), Feed::InverseTime);
-        let (text, proof) = made.map_err(|e| match e {
-            Unproven::Failure(failure) => failure.into(),
-            Unproven::Wrong(lines) => Refused::server(lines.join("\n")),
-        })?;
-        Ok(PostAnswer { text, proof: proof.lines() })
-    });
-    answer.await.map(Json)
+pub(super) async fn post(
+    State(panel): State<Arc<Panel>>,
+    Extension(session): Extension<Session>,
+    headers: HeaderMap,
+    Json(asked): Json<PostText>,
+) -> Result<Response, Refused> {
+    let question = Question::Post { text: asked.text, dialect: asked.dialect };
+    answered(&panel, page_asking(&session, &headers), question).await
 }

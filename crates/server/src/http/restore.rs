@@ -126,7 +126,9 @@ fn keep(upload: &Path, mut from: Receiver<Piece>, most: u64) -> Result<(), Refus
 
 fn checked(panel: &Panel, upload: &Path) -> Result<ArchiveView, Refused> {
     let (contents, folder) = check_archive(upload, &panel.data).map_err(|e| unfit(&e))?;
-    let users = Accounts::open(&folder);
+    // An archive without users leaves those of the cell.
+    let with_users = folder.join("users.json").is_file();
+    let users = Accounts::open(if with_users { &folder } else { &panel.data });
     let fits = match &users {
         Err(e) => Err(Refused::new(StatusCode::UNPROCESSABLE_ENTITY, "archive", e.0.clone())),
         Ok(users) if panel.accounts.has_admin() && !users.has_admin() => {
@@ -149,18 +151,20 @@ fn checked(panel: &Panel, upload: &Path) -> Result<ArchiveView, Refused> {
 pub(super) async fn begin(
     State(panel): State<Arc<Panel>>,
     from: From,
+    headers: HeaderMap,
     Extension(session): Extension<Session>,
     Json(own): Json<OwnPassword>,
 ) -> Result<StatusCode, Refused> {
-    again(&panel, &from, &session, own.own_password).await?;
+    again(&panel, (&from, &headers), &session, own.own_password).await?;
     off(&panel)?;
-    if !has_checked(&panel.data) {
-        return Err(Refused::not_found("no archive was checked: send one first"));
-    }
     let data = panel.data.clone();
     let running = Query { result: Some(WeldResult::Running), ..Query::default() };
-    let find =
-        move || -> Result<bool, Refused> { Ok(DataFolder::open_to_read(&data)?.library().find(&running)?.is_empty()) };
+    let find = move || -> Result<bool, Refused> {
+        if !has_checked(&data) {
+            return Err(Refused::not_found("no archive was checked: send one first"));
+        }
+        Ok(DataFolder::open_to_read(&data)?.library().find(&running)?.is_empty())
+    };
     if !panel.reading.run(find).await? {
         let text = "the record of a weld is still being written: wait until it is there";
         return Err(Refused::new(StatusCode::CONFLICT, "busy", text));

@@ -1,13 +1,13 @@
 use super::guard::{Need, host, need};
 use super::panel::Panel;
 use super::{
-    assets, audit, choices, edit, jobs, login, look, openapi, place, plan, records, restore, sensors, setup, socket,
+    assets, audit, choices, edit, health, jobs, login, look, openapi, plan, records, restore, sensors, setup, socket,
     stop, teach, users,
 };
 use crate::wire::{
     AlarmEntry, ArchiveView, AuditRow, ChoicesView, DeviceView, DistortionRow, DraftAnswer, EditAnswer, JobKept,
     JobRow, JobText, Load, Login, MachineView, OwnPassword, ParameterChange, ParametersView, PlaceAnswer, PlaceText,
-    PlanAnswer, PostAnswer, PostText, RecordRow, RecordView, SensorAnswer, SensorChange, SensorsView, SessionView,
+    PlanAnswer, PlanningView, PostAnswer, PostText, RecordRow, RecordView, SensorAnswer, SensorChange, SensorsView, SessionView,
     Shelving, StandingView, Stopped, TaughtProgram, TaughtView, TeachProgram, ToolAnswer, ToolTip, ToolTouches,
     TraceView, TuningView, UserChange, UserRow, WorkView,
 };
@@ -17,11 +17,11 @@ use axum::{Router, middleware};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use std::sync::Arc;
 
-/// Most bytes of a request.
-const MOST_BYTES: usize = 4 << 20;
+/// Maximum number of bytes of a request.
+pub(crate) const MAX_BYTES: usize = 4 << 20;
 
-/// Most bytes of a request of somebody who is not known yet.
-const MOST_UNKNOWN: usize = 8 << 10;
+/// Maximum number of bytes of a request of somebody who is not logged in.
+pub(crate) const MAX_UNKNOWN: usize = 8 << 10;
 
 /// Content types of bodies.
 pub(super) const JSON: &str = "application/json";
@@ -74,11 +74,11 @@ impl Route {
 /// All routes of the interface.
 pub(super) fn routes() -> Vec<Route> {
     let login_body = (shape::<Login>(), shape::<SessionView>());
-    let login = post(login::login).layer(DefaultBodyLimit::max(MOST_UNKNOWN));
+    let login = post(login::login).layer(DefaultBodyLimit::max(MAX_UNKNOWN));
     let login =
         Route { action: None, ..Route::write(("post", "/api/login"), "", "Begins a session", login_body, login) };
     let about = "Stops what runs, for whoever can reach the panel";
-    let stop = post(stop::stop).layer(DefaultBodyLimit::max(MOST_UNKNOWN));
+    let stop = post(stop::stop).layer(DefaultBodyLimit::max(MAX_UNKNOWN));
     let stop =
         Route { action: None, ..Route::write(("post", "/api/stop"), "", about, (None, shape::<Stopped>()), stop) };
     let jobs = "/api/jobs/{name}";
@@ -142,7 +142,21 @@ pub(super) fn routes() -> Vec<Route> {
             "plan",
             "Where the part stands, from touched points",
             (shape::<PlaceText>(), shape::<PlaceAnswer>()),
-            post(place::place),
+            post(plan::place),
+        ),
+        Route::get(
+            "/api/planning",
+            "plan",
+            "What is being planned for this page (header x-seamwright-page), and for how long",
+            shape::<Vec<PlanningView>>(),
+            get(plan::planning),
+        ),
+        Route::write(
+            ("delete", "/api/planning"),
+            "plan",
+            "Cancels what is being planned for this page",
+            (None, None),
+            delete(plan::cancel),
         ),
         Route::write(
             ("post", "/api/load"),
@@ -304,17 +318,31 @@ pub(super) fn routes() -> Vec<Route> {
     ]
 }
 
+/// Paths of routes that neither wait nor block: the front answers them on threads of its own.
+pub(crate) const URGENT: [&str; 3] = ["/api/stop", "/api/live", "/healthz"];
+
 /// The whole application.
 pub(crate) fn app(panel: &Arc<Panel>) -> Router {
+    router(panel, routes())
+}
+
+/// The routes of [`URGENT`] alone.
+pub(crate) fn urgent_app(panel: &Arc<Panel>) -> Router {
+    router(panel, routes().into_iter().filter(|route| URGENT.contains(&route.path)).collect())
+}
+
+fn router(panel: &Arc<Panel>, routes: Vec<Route>) -> Router {
     let mut router = Router::new();
-    for route in routes() {
+    for route in routes {
         let need_of = Need { panel: Arc::clone(panel), action: route.action, takes: route.takes };
         router = router.route(route.path, route.handler.layer(middleware::from_fn_with_state(need_of, need)));
     }
     router
         .fallback(assets::serve)
-        .layer(DefaultBodyLimit::max(MOST_BYTES))
+        .layer(DefaultBodyLimit::max(MAX_BYTES))
         .layer(middleware::from_fn_with_state(Arc::clone(panel), host))
+        // No route of a machine's health names a page: whoever watches it need not know under which name.
+        .route("/healthz", get(health::health))
         .with_state(Arc::clone(panel))
 }
 

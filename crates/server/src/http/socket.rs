@@ -29,7 +29,7 @@ pub(super) async fn live(
     upgrade: WebSocketUpgrade,
 ) -> Response {
     // A cookie is sent with foreign pages' sockets too: the guard has held their origin against the host.
-    let Some(connected) = panel.cell.hub.connect(&session.user) else {
+    let Some(connected) = panel.cell.hub.connect(&session.user, session.role) else {
         let text = "too many pages are open: close one";
         return Refused::new(StatusCode::SERVICE_UNAVAILABLE, "slow_down", text).into_response();
     };

@@ -1,7 +1,7 @@
 use super::answer::Refused;
 use axum::http::StatusCode;
 use std::sync::Arc;
-use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, oneshot};
 
 /// Work that takes a while, in threads of its own: so many at once, so many more waiting; who comes then is refused. The cycle has
 /// to have its share of the machine.
@@ -34,7 +34,8 @@ impl Turns {
         Ok(Turn([place, turn.map_err(|_| Refused::server("the panel is ending"))?]))
     }
 
-    /// Runs `work` when it is its turn. The turn lasts until the work is done, also where nobody waits for it any more.
+    /// Runs `work` when it is its turn, in a thread of its own with lower priority than the cycle's. The turn lasts until the work is
+    /// done, also where nobody waits for it any more.
     ///
     /// # Errors
     /// If too many wait, or the work fails.
@@ -43,12 +44,28 @@ impl Turns {
         work: impl FnOnce() -> Result<T, Refused> + Send + 'static,
     ) -> Result<T, Refused> {
         let turn = self.take().await?;
-        tokio::task::spawn_blocking(move || {
+        let (answer, answered) = oneshot::channel();
+        let run = move || {
             let _turn = turn;
-            work()
-        })
-        .await?
+            lower_priority();
+            // Whoever asked may have gone.
+            drop(answer.send(work()));
+        };
+        let spawned = std::thread::Builder::new().name("panel-work".to_owned()).spawn(run);
+        spawned.map_err(|e| Refused::server(format!("no thread can be started: {e}")))?;
+        answered.await.map_err(|_| Refused::server("it failed; nothing was changed"))?
     }
+}
+
+/// How much lower the priority of such threads is (`nice`).
+#[cfg(target_os = "linux")]
+const NICE: i32 = 10;
+
+/// Lowers the priority of the calling thread, where priorities are of threads.
+fn lower_priority() {
+    // What the system does not grant changes no result.
+    #[cfg(target_os = "linux")]
+    let _ = rustix::process::setpriority_process(None, NICE);
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use super::panel::Panel;
 use crate::users::Session;
 use crate::wire::{OwnPassword, UserChange, UserRow};
 use axum::extract::{Path, State};
-use axum::http::StatusCode;
+use axum::http::{HeaderMap, StatusCode};
 use axum::{Extension, Json};
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ pub(super) async fn list(State(panel): State<Arc<Panel>>) -> Answer<Vec<UserRow>
 /// Whoever changes users, or all data with them, says his own password once more; on the first run there is none.
 pub(super) async fn again(
     panel: &Arc<Panel>,
-    from: &From,
+    from: (&From, &HeaderMap),
     session: &Session,
     password: Option<String>,
 ) -> Result<(), Refused> {
@@ -25,29 +25,29 @@ pub(super) async fn again(
     if checked(panel, from, &session.user, password.unwrap_or_default()).await?.is_some() {
         return Ok(());
     }
-    panel.cell.archive.audit(&session.user, "panel", "own password", ("", ""), "refused");
+    panel.cell.archive.refused(&session.user, "panel", "own password", "refused");
     Err(Refused::new(StatusCode::FORBIDDEN, "password", "your own password is needed for this, and it is wrong"))
 }
 
 pub(super) async fn put(
     State(panel): State<Arc<Panel>>,
     from: From,
+    headers: HeaderMap,
     Extension(session): Extension<Session>,
     Path(name): Path<String>,
     Json(change): Json<UserChange>,
 ) -> Answer<UserRow> {
-    again(&panel, &from, &session, change.own_password.clone()).await?;
+    again(&panel, (&from, &headers), &session, change.own_password.clone()).await?;
     if change.only_new == Some(true) && panel.accounts.has(&name) {
         return Err(Refused::new(StatusCode::CONFLICT, "exists", format!("there is a user `{name}` already")));
     }
     let old = panel.accounts.role(&name).map_or(String::new(), |role| format!("{role:?}"));
     let (changed, user) = (Arc::clone(&panel), name.clone());
-    let row = tokio::task::spawn_blocking(move || {
-        changed.accounts.put(&user, change.role, change.enabled, change.password.as_deref())
-    })
-    .await??;
+    let put = move || Ok(changed.accounts.put(&user, change.role, change.enabled, change.password.as_deref())?);
+    let row = panel.saving.run(put).await?;
     // What they were allowed before, they are not any more.
     panel.sessions.end_all_of(&name);
+    panel.devices.forget(&name);
     let new = format!("{:?}{}", row.role, if row.enabled { "" } else { ", disabled" });
     panel.cell.archive.audit(&session.user, "panel", &format!("change user {name}"), (&old, &new), "changed");
     Ok(Json(row))
@@ -56,15 +56,18 @@ pub(super) async fn put(
 pub(super) async fn delete(
     State(panel): State<Arc<Panel>>,
     from: From,
+    headers: HeaderMap,
     Extension(session): Extension<Session>,
     Path(name): Path<String>,
     Json(own): Json<OwnPassword>,
 ) -> Result<StatusCode, Refused> {
-    again(&panel, &from, &session, own.own_password).await?;
-    if !panel.accounts.remove(&name)? {
+    again(&panel, (&from, &headers), &session, own.own_password).await?;
+    let (changed, user) = (Arc::clone(&panel), name.clone());
+    if !panel.saving.run(move || Ok(changed.accounts.remove(&user)?)).await? {
         return Err(Refused::not_found(format!("there is no user `{name}`")));
     }
     panel.sessions.end_all_of(&name);
+    panel.devices.forget(&name);
     panel.cell.archive.audit(&session.user, "panel", &format!("delete user {name}"), ("", ""), "deleted");
     Ok(StatusCode::NO_CONTENT)
 }

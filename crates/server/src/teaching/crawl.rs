@@ -102,6 +102,7 @@ fn eye<'a>(
     let Some(cell) = panel.cell.hub.machine() else { return Err(Failure::Input("there is no machine".to_owned())) };
     let own = cell.sensors.iter().find(|s| s.name == sensor.name);
     if let Some((own, address)) = own.and_then(|own| Some((own, own.frames.as_ref()?))) {
+        panel.cameras.check(address).map_err(Failure::Input)?;
         let mut camera = LiveFrames::connect(address, sensor.size_px, PATIENCE)?;
         // A camera that sends none is told before anything moves.
         camera.next(Duration::ZERO)?;

@@ -5,12 +5,14 @@
 //! The machine moves only while the page that opened the session has control and shows signs of life; a hand on its jog keys
 //! pauses the crawl.
 
+mod cameras;
 mod crawl;
 mod hand;
 mod program;
 mod rig;
 mod state;
 
+pub(crate) use cameras::Cameras;
 #[cfg(test)]
 pub(crate) use crawl::DISTORTION;
 pub(crate) use program::program;

@@ -3,9 +3,11 @@
 use super::{Bench, Visitor};
 use futures_util::{SinkExt as _, StreamExt as _};
 use serde_json::{Value, json};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 use tokio::net::TcpListener;
+use tokio::runtime::{Handle, Runtime};
 use tokio_tungstenite::tungstenite::Message;
 use tokio_tungstenite::tungstenite::client::IntoClientRequest as _;
 
@@ -15,6 +17,16 @@ type Socket = tokio_tungstenite::WebSocketStream<tokio_tungstenite::MaybeTlsStre
 pub(super) struct Served {
     pub(super) bench: Bench,
     pub(super) address: String,
+    _front: Threads,
+}
+
+/// The threads of the front.
+struct Threads(Option<Runtime>);
+
+impl Drop for Threads {
+    fn drop(&mut self) {
+        self.0.take().map(Runtime::shutdown_background);
+    }
 }
 
 impl Served {
@@ -36,33 +48,42 @@ impl Served {
 
     /// The same with a machine file of its own.
     pub(super) async fn bare(folder: TempDir, machine: &str) -> Self {
-        let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
+        let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+        listener.set_nonblocking(true).unwrap();
         let address = listener.local_addr().unwrap().to_string();
         let bench = Bench::bare(folder, &[super::HOST, &address], machine);
-        let app = bench.app.clone();
-        tokio::spawn(crate::connections::answer(listener, None, app));
-        Self { bench, address }
+        let (panel, work) = (Arc::clone(&bench.panel), Handle::current());
+        let front = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build().unwrap();
+        front.spawn(async move {
+            crate::front::answer(TcpListener::from_std(listener).unwrap(), None, panel, work).await;
+        });
+        Self { bench, address, _front: Threads(Some(front)) }
     }
 
     pub(super) async fn page(&self, visitor: &Visitor) -> Page {
-        let mut request = format!("ws://{}/api/live", self.address).into_client_request().unwrap();
-        request.headers_mut().insert("cookie", visitor.cookie.parse().unwrap());
-        let (socket, _) = tokio_tungstenite::connect_async(request).await.unwrap();
-        Page {
-            socket,
-            seq: 0,
-            jogs: 0,
-            status: Value::Null,
-            taught: Value::Null,
-            alarms: Value::Null,
-            events: Vec::new(),
-            beat: Instant::now(),
-        }
+        page(&self.address, visitor).await
+    }
+}
+
+/// A page at this address.
+pub(crate) async fn page(address: &str, visitor: &Visitor) -> Page {
+    let mut request = format!("ws://{address}/api/live").into_client_request().unwrap();
+    request.headers_mut().insert("cookie", visitor.cookie.parse().unwrap());
+    let (socket, _) = tokio_tungstenite::connect_async(request).await.unwrap();
+    Page {
+        socket,
+        seq: 0,
+        jogs: 0,
+        status: Value::Null,
+        taught: Value::Null,
+        alarms: Value::Null,
+        events: Vec::new(),
+        beat: Instant::now(),
     }
 }
 
 /// A page in somebody's browser.
-pub(super) struct Page {
+pub(crate) struct Page {
     socket: Socket,
     seq: u32,
     jogs: u32,
@@ -140,7 +161,7 @@ impl Page {
         self.until("an answer", |v| v["kind"] == "answer" && v["seq"] == seq).await
     }
 
-    pub(super) async fn order(&mut self, what: &str) {
+    pub(crate) async fn order(&mut self, what: &str) {
         let answer = self.ask(json!({ "do": what })).await;
         assert_eq!(answer["ok"], true, "{what}: {answer}");
     }

@@ -1,6 +1,7 @@
 //! The panel asked from outside: over HTTP and over the socket.
 
 mod alarmed;
+mod assets;
 mod asked;
 mod attacked;
 mod crowded;
@@ -15,6 +16,8 @@ mod set_up;
 mod taught;
 mod tracked;
 mod welded;
+
+pub(crate) use lived::page;
 
 use crate::cell::Cell;
 use crate::http::{Panel, app, begin_with};
@@ -31,21 +34,21 @@ use std::sync::Arc;
 use tempfile::TempDir;
 use tower::ServiceExt as _;
 
-const HOST: &str = "127.0.0.1:8080";
-const KEY: &str = "0123456789abcdef0123456789abcdef";
+pub(crate) const HOST: &str = "127.0.0.1:8080";
+pub(crate) const KEY: &str = "0123456789abcdef0123456789abcdef";
 
 /// A panel with a cell of its own.
-struct Bench {
-    panel: Arc<Panel>,
+pub(crate) struct Bench {
+    pub(crate) panel: Arc<Panel>,
     app: Router,
     folder: Option<TempDir>,
 }
 
 /// Somebody who is logged in.
 #[derive(Clone)]
-struct Visitor {
-    cookie: String,
-    token: String,
+pub(crate) struct Visitor {
+    pub(crate) cookie: String,
+    pub(crate) token: String,
 }
 
 impl Bench {
@@ -57,7 +60,7 @@ impl Bench {
     }
 
     /// With the data that are there, and a machine file of its own; without a program.
-    fn bare(folder: TempDir, hosts: &[&str], machine: &str) -> Self {
+    pub(crate) fn bare(folder: TempDir, hosts: &[&str], machine: &str) -> Self {
         std::fs::create_dir_all(folder.path().join("jobs")).unwrap();
         let machine = Machine::read("m.toml", machine).unwrap();
         let cell = Cell::start(&machine, folder.path(), &[], folder.path()).unwrap();
@@ -104,12 +107,12 @@ impl Bench {
         Some(Visitor { cookie, token: view["token"].as_str().unwrap().to_owned() })
     }
 
-    async fn owner(&self) -> Visitor {
+    pub(crate) async fn owner(&self) -> Visitor {
         self.log_in("", KEY).await.unwrap()
     }
 
     /// Users of all roles, each with its name as password; the last is the administrator.
-    async fn everybody(&self) -> Vec<(Role, Visitor)> {
+    pub(crate) async fn everybody(&self) -> Vec<(Role, Visitor)> {
         let roles = [Role::Admin, Role::Viewer, Role::Operator, Role::Programmer, Role::Service];
         let mut all = Vec::new();
         for role in roles {

@@ -240,6 +240,26 @@ fn camera(served: &Served, listener: std::net::TcpListener, frames: u32) {
     });
 }
 
+/// A machine file among the jobs may name any address: the cell connects to none that it was not told of.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_machine_file_connects_the_cell_to_no_camera_of_its_choice() {
+    let text = super::shipped("ebw-7axis").unwrap().text;
+    let text = text.replacen("latency_ms =", "frames = \"tcp://192.0.2.1:7000\"\nlatency_ms = 1500 #", 1);
+    let served = Served::bare(tempfile::tempdir().unwrap(), &text).await;
+    std::fs::write(served.bench.panel.jobs().join("m.toml"), &text).unwrap();
+    let owner = served.bench.owner().await;
+    let mut page = served.page(&owner).await;
+    page.up().await;
+    short_ring(&served, &owner, "m.toml").await;
+    page.order("start_teach").await;
+    page.mode("teach").await;
+    page.taken(json!({ "do": "open", "step_mm": 12.0, "longest_tack_mm": 5.0, "seed": 1, "tack_mm": null })).await;
+    page.phase("ended").await;
+    assert_eq!(page.taught["key"], "failed", "{}", page.taught);
+    let why = page.taught["why"].as_str().unwrap();
+    assert!(why.contains("192.0.2.1:7000") && why.contains("does not connect"), "{why}");
+}
+
 /// The machine's own camera is what the panel teaches by, if its file says where the frames come from.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_seam_is_taught_by_the_machines_own_camera() {

@@ -1,7 +1,5 @@
+use super::passwords::Passwords;
 use crate::wire::{Role, UserRow};
-use argon2::Argon2;
-use argon2::password_hash::phc::PasswordHash;
-use argon2::password_hash::{PasswordHasher, PasswordVerifier};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -12,8 +10,8 @@ const LEAST: usize = 10;
 const MOST: usize = 128;
 /// Whoever has the printed address while there is no administrator; no user has this name.
 pub(crate) const OWNER: &str = "owner";
-/// Most users.
-const MOST_USERS: usize = 200;
+/// Maximum number of users.
+pub(crate) const MAX_USERS: usize = 200;
 
 /// What is wrong with a user or password, in words with what is allowed.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -27,9 +25,11 @@ fn trouble<T>(text: impl Into<String>) -> Result<T, Trouble> {
 /// The users of a data folder, in `users.json`.
 pub(crate) struct Accounts {
     path: PathBuf,
+    /// Held for a moment only: every request looks at it.
     users: Mutex<Vec<User>>,
-    /// Checked where there is no such user, so that nobody sees from the time who there is.
-    nobody: String,
+    /// Held while users are changed and written, however long the disk takes.
+    changes: Mutex<()>,
+    passwords: Passwords,
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -58,11 +58,16 @@ impl Accounts {
             Err(e) if e.kind() == std::io::ErrorKind::NotFound => Vec::new(),
             Err(e) => return trouble(format!("{}: cannot be read: {e}", path.display())),
         };
-        Ok(Self { path, users: Mutex::new(users), nobody: hash("nobody has this password")? })
+        Ok(Self { path, users: Mutex::new(users), changes: Mutex::new(()), passwords: Passwords::default() })
     }
 
     fn users(&self) -> MutexGuard<'_, Vec<User>> {
         self.users.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Keeps other changes out, until it is dropped.
+    fn alone(&self) -> MutexGuard<'_, ()> {
+        self.changes.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// True once an administrator can log in.
@@ -83,13 +88,12 @@ impl Accounts {
         self.users().iter().find(|u| u.name == name && u.enabled).map(|u| u.role)
     }
 
-    /// The role of whoever has this name and password, with the hash that it was checked against. Takes a while by design.
+    /// The role of whoever has this name and password, with the hash that it was checked against. Takes a while by design; not where
+    /// there is no such user: who answers hides that.
     pub(crate) fn check(&self, name: &str, password: &str) -> Option<(Role, String)> {
-        let user = self.users().iter().find(|u| u.name == name && u.enabled).cloned();
-        let hash = user.as_ref().map_or(&self.nobody, |u| &u.hash);
-        let hash = PasswordHash::new(hash).ok()?;
-        let right = password.len() <= 4 * MOST && Argon2::default().verify_password(password.as_bytes(), &hash).is_ok();
-        user.filter(|_| right).map(|u| (u.role, u.hash))
+        let user = self.users().iter().find(|u| u.name == name && u.enabled).cloned()?;
+        let fits = password.len() <= 4 * MOST && self.passwords.fits(password, &user.hash);
+        fits.then_some((user.role, user.hash))
     }
 
     /// True as long as a user's password and role are those that were checked.
@@ -121,12 +125,12 @@ impl Accounts {
                     "the password is too short or too long; allowed: {LEAST} to {MOST} characters"
                 ));
             }
-            Some(p) => Some(hash(p)?),
+            Some(p) => Some(self.passwords.hash(p)?),
             None => None,
         };
-        let mut users = self.users();
-        let mut changed = users.clone();
-        let full = changed.len() >= MOST_USERS;
+        let _alone = self.alone();
+        let mut changed = self.users().clone();
+        let full = changed.len() >= MAX_USERS;
         match (changed.iter_mut().find(|u| u.name == name), hash) {
             (Some(user), hash) => {
                 (user.role, user.enabled) = (role, enabled);
@@ -136,9 +140,9 @@ impl Accounts {
             (None, Some(hash)) if !full => {
                 changed.push(User { name: name.to_owned(), role, enabled, hash });
             }
-            (None, Some(_)) => return trouble(format!("there are too many users; allowed: {MOST_USERS}")),
+            (None, Some(_)) => return trouble(format!("there are too many users; allowed: {MAX_USERS}")),
         }
-        self.keep(&mut users, changed)?;
+        self.keep(changed)?;
         Ok(UserRow { name: name.to_owned(), role, enabled })
     }
 
@@ -147,33 +151,28 @@ impl Accounts {
     /// # Errors
     /// The last administrator, a file that cannot be written.
     pub(crate) fn remove(&self, name: &str) -> Result<bool, Trouble> {
-        let mut users = self.users();
-        let changed: Vec<User> = users.iter().filter(|u| u.name != name).cloned().collect();
-        let was = changed.len() < users.len();
-        self.keep(&mut users, changed)?;
+        let _alone = self.alone();
+        let before = self.users().clone();
+        let changed: Vec<User> = before.iter().filter(|u| u.name != name).cloned().collect();
+        let was = changed.len() < before.len();
+        self.keep(changed)?;
         Ok(was)
     }
 
-    fn keep(&self, users: &mut Vec<User>, changed: Vec<User>) -> Result<(), Trouble> {
+    /// Writes the users and takes them over; the caller is [`Self::alone`].
+    fn keep(&self, changed: Vec<User>) -> Result<(), Trouble> {
         let admin = |users: &[User]| users.iter().any(|u| u.enabled && u.role == Role::Admin);
         if !changed.is_empty() && !admin(&changed) {
             return trouble("somebody must be left who can administer: make another enabled user `admin` first");
         }
-        if changed.is_empty() && admin(users) {
+        if changed.is_empty() && admin(&self.users()) {
             return trouble("somebody must be left who can administer");
         }
         let text = serde_json::to_string_pretty(&changed).map_err(|e| Trouble(e.to_string()))?;
         seamwright_project::files::write_secret(&self.path, &(text + "\n")).map_err(|e| Trouble(e.text()))?;
-        *users = changed;
+        *self.users() = changed;
         Ok(())
     }
-}
-
-fn hash(password: &str) -> Result<String, Trouble> {
-    Argon2::default()
-        .hash_password(password.as_bytes())
-        .map(|hash| hash.to_string())
-        .map_err(|e| Trouble(format!("the password cannot be hashed: {e}")))
 }
 
 #[cfg(test)]

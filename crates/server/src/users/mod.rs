@@ -1,11 +1,14 @@
 //! Who may do what: users with roles and passwords, sessions, the one table of permissions.
 
 mod accounts;
+mod devices;
+mod passwords;
 mod permissions;
 mod sessions;
 mod tries;
 
-pub(crate) use accounts::{Accounts, OWNER, Trouble};
+pub(crate) use accounts::{Accounts, MAX_USERS, OWNER, Trouble};
+pub(crate) use devices::Devices;
 pub(crate) use permissions::{NEEDS, least, may};
 pub(crate) use sessions::{Session, Sessions, secret};
-pub(crate) use tries::Tries;
+pub(crate) use tries::{Checks, Origin, Tries, house};

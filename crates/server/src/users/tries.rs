@@ -1,59 +1,86 @@
 use std::collections::HashMap;
 use std::net::IpAddr;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Wrong passwords for one name from one address before it has to wait.
 const OF_NAME: u32 = 5;
 /// The same for all names from one address. Not counted on this computer: behind a tunnel everybody is there.
 const OF_ADDRESS: u32 = 20;
-/// How long it waits after that, doubled with every further one up to 2^8 times as long.
+/// How long it waits after that, doubled with every further one up to 2^8 times as long; on this computer up to 2^4: behind a tunnel
+/// everybody is there.
 const WAIT: Duration = Duration::from_secs(2);
+const DOUBLINGS: u32 = 8;
+const DOUBLINGS_HERE: u32 = 4;
 /// Without a wrong one for this long all are forgotten.
 const FORGET: Duration = Duration::from_secs(3600);
 /// Most names and addresses that are remembered.
 const MOST: usize = 2000;
 
-/// Where from, and as whom; no name: as anybody.
-type Key = (IpAddr, Option<String>);
+/// What wrong passwords are counted by.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+enum Key {
+    /// A browser in which this user has logged in before.
+    Device(String),
+    /// A name from an address.
+    Name(IpAddr, String),
+    /// All names from an address.
+    Address(IpAddr),
+}
+
+/// Where a password is tried.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Origin {
+    pub(crate) address: IpAddr,
+    /// The device, if it is one of the user's: see [`super::Devices::of`].
+    pub(crate) device: Option<String>,
+}
 
 /// Wrong passwords, and how long whoever tries has to wait.
 #[derive(Default)]
 pub(crate) struct Tries(Mutex<HashMap<Key, (u32, Instant)>>);
 
 /// An address, or the network of a house: who has one address of IPv6 has 2^64.
-fn house(address: IpAddr) -> IpAddr {
+pub(crate) fn house(address: IpAddr) -> IpAddr {
     match address.to_canonical() {
         IpAddr::V6(v6) if !v6.is_loopback() => IpAddr::V6((u128::from(v6) >> 64 << 64).into()),
         other => other,
     }
 }
 
-fn keys(address: IpAddr, user: &str) -> impl Iterator<Item = (Key, u32)> {
-    let house = house(address);
-    let of_all = (!house.is_loopback()).then_some(((house, None), OF_ADDRESS));
-    [((house, Some(user.to_owned())), OF_NAME)].into_iter().chain(of_all)
+/// What a try counts for, with how many are free and how often the wait doubles. On the user's own devices nobody else's guesses count.
+fn keys(origin: &Origin, user: &str) -> Vec<(Key, u32, u32)> {
+    if let Some(device) = &origin.device {
+        return vec![(Key::Device(device.clone()), OF_NAME, DOUBLINGS)];
+    }
+    let house = house(origin.address);
+    let name = Key::Name(house, user.to_owned());
+    if house.is_loopback() {
+        return vec![(name, OF_NAME, DOUBLINGS_HERE)];
+    }
+    vec![(name, OF_NAME, DOUBLINGS), (Key::Address(house), OF_ADDRESS, DOUBLINGS)]
 }
 
 impl Tries {
-    /// How long `user` has to wait at `address`.
-    pub(crate) fn waits(&self, address: IpAddr, user: &str) -> Option<Duration> {
+    /// How long `user` has to wait there.
+    pub(crate) fn waits(&self, origin: &Origin, user: &str) -> Option<Duration> {
         let known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let now = Instant::now();
-        let left = keys(address, user).filter_map(|(key, _)| known.get(&key)?.1.checked_duration_since(now));
+        let left = keys(origin, user).into_iter().filter_map(|(key, ..)| known.get(&key)?.1.checked_duration_since(now));
         left.max().filter(|left| !left.is_zero())
     }
 
     /// A password was right or wrong. A right one says nothing of the other names that were tried from there.
-    pub(crate) fn tried(&self, address: IpAddr, user: &str, right: bool) {
+    pub(crate) fn tried(&self, origin: &Origin, user: &str, right: bool) {
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let now = Instant::now();
         if right {
-            known.remove(&(house(address), Some(user.to_owned())));
+            let own = keys(origin, user).into_iter().filter(|(key, ..)| !matches!(key, Key::Address(_)));
+            own.for_each(|(key, ..)| drop(known.remove(&key)));
             return;
         }
         known.retain(|_, (_, until)| *until + FORGET > now);
-        for (key, allowed) in keys(address, user) {
+        for (key, allowed, doublings) in keys(origin, user) {
             if known.len() >= MOST && !known.contains_key(&key) {
                 // Names made up by the thousand do not push out those that are tried again and again.
                 if let Some(least) = known.iter().min_by_key(|(_, counted)| **counted).map(|(key, _)| key.clone()) {
@@ -63,8 +90,44 @@ impl Tries {
             let (tries, until) = known.entry(key).or_insert((0, now));
             *tries += 1;
             if *tries >= allowed {
-                *until = now + WAIT * 2u32.pow((*tries - allowed).min(8));
+                *until = now + WAIT * 2u32.pow((*tries - allowed).min(doublings));
             }
+        }
+    }
+}
+
+/// Maximum number of passwords of one name that wait for being checked: no name takes the places of another.
+const MAX_OF_NAME: usize = 8;
+
+/// How many passwords of each name are being checked.
+#[derive(Default, Clone)]
+pub(crate) struct Checks(Arc<Mutex<HashMap<String, usize>>>);
+
+/// A password that is being checked, until this is dropped.
+pub(crate) struct Check {
+    of: Checks,
+    user: String,
+}
+
+impl Checks {
+    /// Begins a check; none: there are too many of this name.
+    pub(crate) fn begin(&self, user: &str) -> Option<Check> {
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let own = known.entry(user.to_owned()).or_default();
+        if *own >= MAX_OF_NAME {
+            return None;
+        }
+        *own += 1;
+        Some(Check { of: self.clone(), user: user.to_owned() })
+    }
+}
+
+impl Drop for Check {
+    fn drop(&mut self) {
+        let mut known = self.of.0.lock().unwrap_or_else(PoisonError::into_inner);
+        match known.get_mut(&self.user) {
+            Some(n) if *n > 1 => *n -= 1,
+            _ => drop(known.remove(&self.user)),
         }
     }
 }
@@ -73,12 +136,38 @@ impl Tries {
 mod tests {
     use super::*;
 
+    fn at(address: &str) -> Origin {
+        Origin { address: address.parse().unwrap(), device: None }
+    }
+
     fn wrong(tries: &Tries, address: &str, user: &str, times: u32) {
-        (0..times).for_each(|_| tries.tried(address.parse().unwrap(), user, false));
+        (0..times).for_each(|_| tries.tried(&at(address), user, false));
     }
 
     fn waits(tries: &Tries, address: &str, user: &str) -> Option<Duration> {
-        tries.waits(address.parse().unwrap(), user)
+        tries.waits(&at(address), user)
+    }
+
+    /// Guesses at a name do not lock out its user in a browser that he has used before; guesses in that browser count for themselves.
+    #[test]
+    fn own_devices_are_not_locked_out_by_others() {
+        let tries = Tries::default();
+        let own = Origin { device: Some("her browser".to_owned()), ..at("127.0.0.1") };
+        wrong(&tries, "127.0.0.1", "ada", 100);
+        assert!(waits(&tries, "127.0.0.1", "ada").is_some_and(|wait| wait <= WAIT * 2u32.pow(DOUBLINGS_HERE)));
+        assert!(tries.waits(&own, "ada").is_none());
+        (0..OF_NAME).for_each(|_| tries.tried(&own, "ada", false));
+        assert!(tries.waits(&own, "ada").is_some());
+    }
+
+    #[test]
+    fn no_name_takes_the_places_of_another() {
+        let checks = Checks::default();
+        let held: Vec<Option<Check>> = (0..100).map(|_| checks.begin("ada")).collect();
+        assert_eq!(held.iter().flatten().count(), MAX_OF_NAME);
+        assert!(checks.begin("eve").is_some());
+        drop(held);
+        assert!(checks.0.lock().unwrap().is_empty());
     }
 
     #[test]
@@ -92,12 +181,12 @@ mod tests {
         assert!(waits(&tries, "10.0.0.1", "ada").unwrap() > first);
         // Ada herself, elsewhere, is not locked out by it; nor others there.
         assert!(waits(&tries, "10.0.0.2", "ada").is_none() && waits(&tries, "10.0.0.1", "eve").is_none());
-        tries.tried("10.0.0.1".parse().unwrap(), "ada", true);
+        tries.tried(&at("10.0.0.1"), "ada", true);
         assert!(waits(&tries, "10.0.0.1", "ada").is_none());
         // A new name each time helps nobody, nor an own account in between; on this computer only names count.
         for i in 0..OF_ADDRESS {
             wrong(&tries, "10.0.0.3", &format!("name {i}"), 1);
-            tries.tried("10.0.0.3".parse().unwrap(), "eve", true);
+            tries.tried(&at("10.0.0.3"), "eve", true);
             wrong(&tries, "127.0.0.1", &format!("name {i}"), 1);
         }
         assert!(waits(&tries, "10.0.0.3", "ada").is_some() && waits(&tries, "127.0.0.1", "ada").is_none());

@@ -77,6 +77,7 @@ pub fn typescript() -> String {
         decl::<PlanAnswer>(&config),
         decl::<WrongView>(&config),
         decl::<JobText>(&config),
+        decl::<PlanningView>(&config),
         decl::<JobKept>(&config),
         decl::<JobRow>(&config),
         decl::<ChoicesView>(&config),

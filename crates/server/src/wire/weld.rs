@@ -348,6 +348,15 @@ pub struct JobText {
     pub text: String,
 }
 
+/// Something that is being planned for a page: see `GET /api/planning`.
+#[derive(Debug, Clone, PartialEq, Serialize, TS, JsonSchema)]
+pub struct PlanningView {
+    /// `draft`, `plan`, `recorded`, `report`, `post` or `place`.
+    pub kind: String,
+    /// Time since it was asked for, s.
+    pub elapsed_s: f64,
+}
+
 /// `PUT /api/jobs/NAME`.
 #[derive(Debug, Clone, PartialEq, Deserialize, TS, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -1,0 +1,109 @@
+//! Refusals on their way to the audit log: counted and summed up, so whoever repeats them fills neither queue nor disk.
+
+use super::archive::entry;
+use seamwright_record::library::AuditEntry;
+use std::collections::HashMap;
+use std::time::{Duration, Instant};
+
+/// After the first refusal of a kind, the others are counted for this long and written as one entry.
+const SUM_UP: Duration = Duration::from_secs(60);
+/// Maximum number of kinds that are counted at a time; all others are one more kind.
+const MAX_KINDS: usize = 64;
+
+/// What was refused, and to whom.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Kind {
+    user: String,
+    command: String,
+    result: String,
+}
+
+/// Refusals of a kind since its last entry.
+#[derive(Debug)]
+struct Counted {
+    station: String,
+    since: Instant,
+    count: u64,
+}
+
+/// Refusals that have not been written yet.
+#[derive(Debug, Default)]
+pub(super) struct Refusals {
+    kinds: HashMap<Kind, Counted>,
+    first: Vec<AuditEntry>,
+}
+
+impl Refusals {
+    /// Counts a refusal: the first of its kind gets an entry at once.
+    pub(super) fn add(&mut self, user: &str, station: &str, command: &str, result: &str, now: Instant) {
+        let mut kind = Kind { user: user.to_owned(), command: command.to_owned(), result: result.to_owned() };
+        if self.kinds.len() >= MAX_KINDS && !self.kinds.contains_key(&kind) {
+            (kind.user, kind.command) = (String::new(), "others".to_owned());
+        }
+        if let Some(counted) = self.kinds.get_mut(&kind) {
+            counted.count += 1;
+            return;
+        }
+        self.first.push(entry(&kind.user, station, &kind.command, ("", ""), result));
+        self.kinds.insert(kind, Counted { station: station.to_owned(), since: now, count: 0 });
+    }
+
+    /// Takes the entries that are due; `all`: also those that would be counted for longer.
+    pub(super) fn due(&mut self, now: Instant, all: bool) -> Vec<AuditEntry> {
+        let mut entries = std::mem::take(&mut self.first);
+        self.kinds.retain(|kind, counted| {
+            let elapsed = now.saturating_duration_since(counted.since);
+            if elapsed < SUM_UP && !all {
+                return true;
+            }
+            if counted.count > 0 {
+                let result = format!("{}: {} more in {:.0} s", kind.result, counted.count, elapsed.as_secs_f64().ceil());
+                entries.push(entry(&kind.user, &counted.station, &kind.command, ("", ""), &result));
+            }
+            let goes_on = counted.count > 0 && !all;
+            (counted.count, counted.since) = (0, now);
+            goes_on
+        });
+        entries
+    }
+
+    /// Time until something is due; none if nothing waits.
+    pub(super) fn next(&self, now: Instant) -> Option<Duration> {
+        if !self.first.is_empty() {
+            return Some(Duration::ZERO);
+        }
+        self.kinds.values().map(|counted| (counted.since + SUM_UP).saturating_duration_since(now)).min()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn repeated_refusals_become_one_entry_a_minute() {
+        let (mut refusals, begin) = (Refusals::default(), Instant::now());
+        (0..313).for_each(|_| refusals.add("eve", "panel", "users.read", "refused: role", begin));
+        assert_eq!(refusals.due(begin, false).len(), 1);
+        assert!(refusals.due(begin + SUM_UP / 2, false).is_empty());
+        let due = refusals.due(begin + SUM_UP, false);
+        assert_eq!(due.len(), 1);
+        assert_eq!((due[0].user.as_str(), due[0].result.as_str()), ("eve", "refused: role: 312 more in 60 s"));
+        // Nothing more came: the next one is a first one again.
+        assert!(refusals.due(begin + 2 * SUM_UP, false).is_empty());
+        refusals.add("eve", "panel", "users.read", "refused: role", begin + 2 * SUM_UP);
+        assert_eq!(refusals.due(begin + 2 * SUM_UP, true).len(), 1);
+        assert_eq!(refusals.next(begin), None);
+    }
+
+    #[test]
+    fn made_up_names_take_bounded_memory_and_entries() {
+        let (mut refusals, begin) = (Refusals::default(), Instant::now());
+        (0..10_000).for_each(|i| refusals.add(&format!("name {i}"), "panel", "log in", "refused", begin));
+        let entries = refusals.due(begin, true);
+        assert!(entries.len() <= MAX_KINDS + 2, "{}", entries.len());
+        let summed: u64 = entries.iter().filter_map(|e| e.result.split(' ').nth(1)?.parse::<u64>().ok()).sum();
+        let firsts = entries.iter().filter(|e| e.result == "refused").count() as u64;
+        assert_eq!(summed + firsts, 10_000);
+    }
+}

@@ -1,0 +1,55 @@
+//! Bodies of requests, collected whole within bounds of size, memory and time.
+
+use crate::http::{MAX_BYTES, MAX_UNKNOWN, Refused};
+use axum::body::Body;
+use axum::http::StatusCode;
+use hyper::body::Body as _;
+use std::sync::Arc;
+use tokio::sync::Semaphore;
+
+/// Bytes of all bodies together while they come, in units of 1 KiB.
+const ROOM_KIB: usize = 64 << 10;
+
+/// Room for bodies.
+pub(super) struct Bodies(Arc<Semaphore>);
+
+impl Default for Bodies {
+    fn default() -> Self {
+        Self(Arc::new(Semaphore::new(ROOM_KIB)))
+    }
+}
+
+impl Bodies {
+    /// Collects the body of somebody who is not logged in.
+    pub(super) async fn stranger(&self, body: Body) -> Result<Body, Refused> {
+        collect(body, MAX_UNKNOWN).await
+    }
+
+    /// Collects the body of somebody who is, when there is room for it.
+    pub(super) async fn known(&self, body: Body) -> Result<Body, Refused> {
+        let size = body.size_hint();
+        if size.upper() == Some(0) {
+            return Ok(body);
+        }
+        let most = size.upper().and_then(|n| usize::try_from(n).ok()).unwrap_or(MAX_BYTES).min(MAX_BYTES);
+        let units = u32::try_from(most.div_ceil(1024)).unwrap_or(u32::MAX);
+        let room = self.0.acquire_many(units).await;
+        let _room = room.map_err(|_| Refused::server("the panel is ending"))?;
+        collect(body, MAX_BYTES).await
+    }
+}
+
+async fn collect(body: Body, most: usize) -> Result<Body, Refused> {
+    let too_large = || {
+        let text = format!("the request is too large; allowed: up to {} KiB", most >> 10);
+        Refused::new(StatusCode::PAYLOAD_TOO_LARGE, "size", text)
+    };
+    if body.size_hint().lower() > most as u64 {
+        return Err(too_large());
+    }
+    match axum::body::to_bytes(body, most).await {
+        Ok(bytes) => Ok(Body::from(bytes)),
+        // The only other cause is a side that has gone, which reads no answer.
+        Err(_) => Err(too_large()),
+    }
+}

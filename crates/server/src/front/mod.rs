@@ -1,0 +1,217 @@
+//! The front: accepts connections, hears STOP, sockets and questions after health on threads of its own, and passes everything else on.
+//!
+//! Nothing on these threads waits for a disk, a database, a plan or another client. Handlers of other routes run on another runtime:
+//! even if one of them blocks its thread, a stop is heard.
+
+mod bodies;
+mod places;
+mod rates;
+mod stream;
+
+use crate::http::{Panel, Refused, URGENT, app, cookie, urgent_app};
+use crate::users::Session;
+use axum::Router;
+use axum::body::Body;
+use axum::extract::ConnectInfo;
+use axum::http::{HeaderValue, Request, Response, StatusCode, header};
+use axum::response::IntoResponse as _;
+use axum_server::accept::Accept;
+use axum_server::tls_rustls::{RustlsAcceptor, RustlsConfig};
+use bodies::Bodies;
+use hyper::body::Incoming;
+use hyper::server::conn::http1;
+use hyper::service::service_fn;
+use hyper_util::rt::{TokioIo, TokioTimer};
+use places::{Place, Places};
+use rates::{Asker, Rates};
+use std::convert::Infallible;
+use std::net::SocketAddr;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use stream::Held;
+use tokio::io::{AsyncRead, AsyncWrite};
+use tokio::net::TcpListener;
+use tokio::runtime::Handle;
+use tokio::task::JoinHandle;
+use tower::ServiceExt as _;
+
+/// How long the other side may take.
+#[derive(Debug, Clone, Copy)]
+struct Patience {
+    /// For the TLS handshake, and for the head of a request.
+    head: Duration,
+    /// For the body of somebody who is not logged in.
+    stranger: Duration,
+    /// For the body of somebody who is.
+    body: Duration,
+    /// Until it reads what was written.
+    read: Duration,
+}
+
+const PATIENCE: Patience = Patience {
+    head: Duration::from_secs(10),
+    stranger: Duration::from_secs(5),
+    body: Duration::from_secs(60),
+    read: Duration::from_secs(20),
+};
+
+/// The one route with a body that is not collected: an archive is as large as the data, and its handler has a bound of its own.
+const STREAMED: &str = "/api/restore";
+
+/// Answers by HTTP/1.1 until it is dropped: later versions name the host otherwise, and have ways of their own to be too many. Handlers
+/// run on `work`.
+pub(crate) async fn answer(listener: TcpListener, tls: Option<RustlsConfig>, panel: Arc<Panel>, work: Handle) {
+    let rest = app(&panel);
+    Front::new(panel, rest, work, PATIENCE).accept(listener, tls).await;
+}
+
+/// What all connections share.
+struct Front {
+    panel: Arc<Panel>,
+    urgent: Router,
+    rest: Router,
+    work: Handle,
+    places: Places,
+    rates: Rates,
+    bodies: Bodies,
+    patience: Patience,
+}
+
+/// A connection: where it comes from, and its place.
+#[derive(Clone)]
+struct Connection {
+    from: SocketAddr,
+    place: Place,
+}
+
+/// Work of a handler that ends with whoever waits for it.
+struct Ends<T>(JoinHandle<T>);
+
+impl<T> Drop for Ends<T> {
+    fn drop(&mut self) {
+        self.0.abort();
+    }
+}
+
+impl Front {
+    fn new(panel: Arc<Panel>, rest: Router, work: Handle, patience: Patience) -> Arc<Self> {
+        let urgent = urgent_app(&panel);
+        let (places, rates, bodies) = (Places::default(), Rates::default(), Bodies::default());
+        Arc::new(Self { panel, urgent, rest, work, places, rates, bodies, patience })
+    }
+
+    async fn accept(self: &Arc<Self>, listener: TcpListener, tls: Option<RustlsConfig>) {
+        let tls = tls.map(|config| RustlsAcceptor::new(config).handshake_timeout(self.patience.head));
+        loop {
+            let Ok((stream, from)) = listener.accept().await else {
+                // Too many open files, perhaps: others close.
+                tokio::time::sleep(Duration::from_millis(50)).await;
+                continue;
+            };
+            // What is sent 30 times a second is small: it does not wait for more.
+            if stream.set_nodelay(true).is_err() {
+                continue;
+            }
+            let place = self.places.enter(from.ip());
+            let held = Held::new(stream, place.clone(), self.patience.read);
+            let (front, tls, connection) = (Arc::clone(self), tls.clone(), Connection { from, place });
+            tokio::spawn(async move {
+                let ends = connection.place.clone();
+                tokio::select! {
+                    () = ends.ends() => {}
+                    () = front.greet(held, tls, connection) => {}
+                }
+            });
+        }
+    }
+
+    async fn greet(self: Arc<Self>, held: Held, tls: Option<RustlsAcceptor>, connection: Connection) {
+        match tls {
+            None => self.speak(held, connection).await,
+            Some(tls) => {
+                if let Ok((stream, ())) = tls.accept(held, ()).await {
+                    self.speak(stream, connection).await;
+                }
+            }
+        }
+    }
+
+    async fn speak(self: Arc<Self>, stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static, of: Connection) {
+        let mut builder = http1::Builder::new();
+        builder.timer(TokioTimer::new()).header_read_timeout(self.patience.head);
+        let service = service_fn(move |request| {
+            let (front, of) = (Arc::clone(&self), of.clone());
+            async move { Ok::<_, Infallible>(front.answer(request, &of).await) }
+        });
+        let connection = builder.serve_connection(TokioIo::new(stream), service);
+        // Whoever breaks off has gone.
+        drop(connection.with_upgrades().await);
+    }
+
+    async fn answer(&self, request: Request<Incoming>, of: &Connection) -> Response<Body> {
+        let mut request = request.map(Body::new);
+        request.extensions_mut().insert(ConnectInfo(of.from));
+        let path = request.uri().path();
+        let (is_urgent, is_streamed) = (URGENT.contains(&path), path == STREAMED);
+        let session = cookie(request.headers(), self.panel.tls).and_then(|cookie| self.panel.sessions.known(cookie));
+        if let Some(session) = &session {
+            of.place.known_as(&session.user);
+        }
+        // STOP is heard at any rate.
+        if path != "/api/stop" && !self.allows(session.as_ref(), of) {
+            let text = "too many requests at once: wait a moment";
+            return closing(Refused::new(StatusCode::TOO_MANY_REQUESTS, "slow_down", text));
+        }
+        let request = match session.is_some() && is_streamed {
+            true => request,
+            false => match self.whole(request, session.is_some()).await {
+                Ok(request) => request,
+                Err(refused) => return closing(refused),
+            },
+        };
+        of.place.answers(true);
+        let response = if is_urgent { hand(self.urgent.clone(), request).await } else { self.pass_on(request).await };
+        of.place.answers(false);
+        response
+    }
+
+    fn allows(&self, session: Option<&Session>, of: &Connection) -> bool {
+        let asker = session.map_or_else(|| Asker::stranger(of.from.ip()), |session| Asker::Session(session.id.clone()));
+        self.rates.allows(asker, Instant::now())
+    }
+
+    /// The request with all of its body.
+    async fn whole(&self, request: Request<Body>, is_known: bool) -> Result<Request<Body>, Refused> {
+        let (parts, body) = request.into_parts();
+        let collected = match is_known {
+            true => tokio::time::timeout(self.patience.body, self.bodies.known(body)).await,
+            false => tokio::time::timeout(self.patience.stranger, self.bodies.stranger(body)).await,
+        };
+        let late = |_| Refused::new(StatusCode::REQUEST_TIMEOUT, "slow_down", "the request took too long to arrive");
+        Ok(Request::from_parts(parts, collected.map_err(late)??))
+    }
+
+    /// Lets another runtime answer; what is asked for ends if the other side goes.
+    async fn pass_on(&self, request: Request<Body>) -> Response<Body> {
+        let mut answering = Ends(self.work.spawn(hand(self.rest.clone(), request)));
+        let answered = (&mut answering.0).await;
+        answered.unwrap_or_else(|_| Refused::server("it failed; nothing was changed").into_response())
+    }
+}
+
+async fn hand(app: Router, request: Request<Body>) -> Response<Body> {
+    match app.oneshot(request).await {
+        Ok(response) => response,
+        Err(never) => match never {},
+    }
+}
+
+/// Ends the connection with the answer: what is still to come of the request is not read.
+fn closing(refused: Refused) -> Response<Body> {
+    let mut response = refused.into_response();
+    response.headers_mut().insert(header::CONNECTION, HeaderValue::from_static("close"));
+    response
+}
+
+#[cfg(test)]
+mod tests;

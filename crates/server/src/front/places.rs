@@ -1,0 +1,189 @@
+//! Places of connections, by who is behind them.
+
+use std::collections::HashMap;
+use std::net::IpAddr;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use tokio::sync::Notify;
+
+/// Maximum number of connections on which nobody has shown a session: the oldest one ends when another comes, so a newcomer, who may
+/// want to stop the machine, always gets in.
+pub(super) const MAX_STRANGERS: usize = 128;
+/// Maximum number of these from one address. Not applied on this computer: behind a tunnel everybody is there.
+pub(super) const MAX_STRANGERS_OF_ADDRESS: usize = 64;
+/// Maximum number of connections with a session, and of one user; beyond these a connection stays a stranger's.
+pub(super) const MAX_KNOWN: usize = 400;
+pub(super) const MAX_OF_USER: usize = 64;
+
+/// All connections.
+#[derive(Clone, Default)]
+pub(super) struct Places(Arc<Mutex<Table>>);
+
+#[derive(Default)]
+struct Table {
+    /// By number: a lower one is older.
+    seats: HashMap<u64, Arc<Seat>>,
+    next: u64,
+}
+
+/// A connection as the table knows it.
+#[derive(Debug)]
+struct Seat {
+    number: u64,
+    address: IpAddr,
+    /// Name of the user whose session the connection has shown.
+    user: Mutex<Option<String>>,
+    /// A request has come whole and is being answered.
+    is_answering: AtomicBool,
+    ends: Notify,
+}
+
+impl Seat {
+    fn is_stranger(&self) -> bool {
+        self.user.lock().unwrap_or_else(PoisonError::into_inner).is_none()
+    }
+
+    fn is_of(&self, user: &str) -> bool {
+        self.user.lock().unwrap_or_else(PoisonError::into_inner).as_deref() == Some(user)
+    }
+}
+
+/// A connection's place; free again when the last clone is dropped.
+#[derive(Clone)]
+pub(super) struct Place(Arc<Held>);
+
+struct Held {
+    of: Places,
+    seat: Arc<Seat>,
+}
+
+impl Places {
+    fn table(&self) -> MutexGuard<'_, Table> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Gives a place to a new connection. Where there are too many strangers, the connection that has been unfinished for longest ends,
+    /// of the address with the most of them.
+    pub(super) fn enter(&self, address: IpAddr) -> Place {
+        let address = address.to_canonical();
+        let mut table = self.table();
+        table.make_room(address);
+        table.next += 1;
+        let seat = Arc::new(Seat {
+            number: table.next,
+            address,
+            user: Mutex::new(None),
+            is_answering: AtomicBool::new(false),
+            ends: Notify::new(),
+        });
+        table.seats.insert(seat.number, Arc::clone(&seat));
+        Place(Arc::new(Held { of: self.clone(), seat }))
+    }
+
+    #[cfg(test)]
+    pub(super) fn count(&self) -> usize {
+        self.table().seats.len()
+    }
+}
+
+impl Table {
+    fn make_room(&mut self, newcomer: IpAddr) {
+        let mut by_address: HashMap<IpAddr, usize> = HashMap::new();
+        for seat in self.seats.values().filter(|seat| seat.is_stranger()) {
+            *by_address.entry(seat.address).or_default() += 1;
+        }
+        let own = by_address.get(&newcomer).copied().unwrap_or(0);
+        let strangers: usize = by_address.values().sum();
+        let from = if own >= MAX_STRANGERS_OF_ADDRESS && !newcomer.is_loopback() {
+            newcomer
+        } else if strangers >= MAX_STRANGERS {
+            let most = by_address.iter().max_by_key(|(_, n)| **n);
+            most.map_or(newcomer, |(address, _)| *address)
+        } else {
+            return;
+        };
+        let of_address = self.seats.values().filter(|seat| seat.address == from && seat.is_stranger());
+        let first = of_address.min_by_key(|seat| (seat.is_answering.load(Ordering::Relaxed), seat.number));
+        if let Some(seat) = first.cloned() {
+            self.seats.remove(&seat.number);
+            seat.ends.notify_one();
+        }
+    }
+}
+
+impl Place {
+    /// Waits until the place is given to somebody else.
+    pub(super) async fn ends(&self) {
+        self.0.seat.ends.notified().await;
+    }
+
+    /// Marks whether a whole request is being answered.
+    pub(super) fn answers(&self, is_answering: bool) {
+        self.0.seat.is_answering.store(is_answering, Ordering::Relaxed);
+    }
+
+    /// Takes a place of those with a session, as long as there are some for this user.
+    pub(super) fn known_as(&self, user: &str) {
+        let table = self.0.of.table();
+        if self.0.seat.is_of(user) {
+            return;
+        }
+        let known = table.seats.values().filter(|seat| !seat.is_stranger());
+        let (all, own) =
+            known.fold((0, 0), |(all, own), seat| (all + 1, own + usize::from(seat.is_of(user))));
+        let fits = all < MAX_KNOWN && own < MAX_OF_USER && table.seats.contains_key(&self.0.seat.number);
+        *self.0.seat.user.lock().unwrap_or_else(PoisonError::into_inner) = fits.then(|| user.to_owned());
+    }
+}
+
+impl Drop for Held {
+    fn drop(&mut self) {
+        self.of.table().seats.remove(&self.seat.number);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::future::Future as _;
+    use std::task::{Context, Waker};
+
+    fn has_ended(place: &Place) -> bool {
+        let waiting = std::pin::pin!(place.ends());
+        waiting.poll(&mut Context::from_waker(Waker::noop())).is_ready()
+    }
+
+    /// However many strangers hold connections, a newcomer gets in, and those with a session stay.
+    #[test]
+    fn newcomers_get_in_and_known_users_stay() {
+        let (places, here) = (Places::default(), IpAddr::from([127, 0, 0, 1]));
+        let known: Vec<Place> = (0..MAX_OF_USER).map(|_| places.enter(here)).collect();
+        known.iter().for_each(|place| place.known_as("olga"));
+        let answering = places.enter(here);
+        answering.answers(true);
+        let idle: Vec<Place> = (0..3 * MAX_STRANGERS).map(|_| places.enter(here)).collect();
+        assert!(!has_ended(&answering) && known.iter().all(|place| !has_ended(place)));
+        let ended = idle.iter().filter(|place| has_ended(place)).count();
+        assert_eq!(ended, 3 * MAX_STRANGERS - (MAX_STRANGERS - 1));
+        assert!(!has_ended(&idle[idle.len() - 1]));
+        // Beyond a user's share a connection is a stranger's, which the next newcomers end.
+        let late = places.enter(here);
+        late.known_as("olga");
+        let newer: Vec<Place> = (0..MAX_STRANGERS).map(|_| places.enter(here)).collect();
+        assert!(has_ended(&late) && !has_ended(&newer[newer.len() - 1]));
+        drop((known, answering, idle, late, newer));
+        assert_eq!(places.count(), 0);
+    }
+
+    /// Other addresses keep their places when one opens too many connections.
+    #[test]
+    fn one_address_ends_its_own_connections() {
+        let places = Places::default();
+        let from = |i: u8| IpAddr::from([10, 0, 0, i]);
+        let quiet = places.enter(from(2));
+        let loud: Vec<Place> = (0..2 * MAX_STRANGERS).map(|_| places.enter(from(1))).collect();
+        assert!(!has_ended(&quiet));
+        let open = loud.iter().filter(|place| !has_ended(place)).count();
+        assert_eq!(open, MAX_STRANGERS_OF_ADDRESS);
+    }
+}

@@ -1,0 +1,89 @@
+//! Rate limits of requests, by session or address.
+
+use crate::users::house;
+use std::collections::HashMap;
+use std::net::IpAddr;
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// Requests per second of one session or address, and how many may come at once: opening the panel asks for some dozens.
+const RATE: f64 = 50.0;
+const BURST: f64 = 400.0;
+/// Maximum number of sessions and addresses that are remembered.
+const MAX_KEYS: usize = 2000;
+
+/// Who asks.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub(super) enum Asker {
+    /// A session, by its number.
+    Session(String),
+    /// Somebody without a session, by address.
+    Stranger(IpAddr),
+}
+
+impl Asker {
+    pub(super) fn stranger(address: IpAddr) -> Self {
+        Self::Stranger(house(address))
+    }
+
+    /// Strangers on this computer are not counted: behind a tunnel everybody is there, and nobody may lock out all.
+    fn is_counted(&self) -> bool {
+        !matches!(self, Self::Stranger(address) if address.is_loopback())
+    }
+}
+
+/// What is left to each asker, and when that was counted.
+#[derive(Default)]
+pub(super) struct Rates(Mutex<HashMap<Asker, (f64, Instant)>>);
+
+impl Rates {
+    /// Counts a request; false if it is one too many.
+    pub(super) fn allows(&self, asker: Asker, now: Instant) -> bool {
+        if !asker.is_counted() {
+            return true;
+        }
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if known.len() >= MAX_KEYS && !known.contains_key(&asker) {
+            // Whoever has all of it left needs no entry.
+            let filled = Duration::from_secs_f64(BURST / RATE);
+            known.retain(|_, (_, since)| now.saturating_duration_since(*since) < filled);
+            if known.len() >= MAX_KEYS {
+                return false;
+            }
+        }
+        let (left, since) = known.entry(asker).or_insert((BURST, now));
+        *left = (*left + RATE * now.saturating_duration_since(*since).as_secs_f64()).min(BURST);
+        *since = now;
+        let allowed = *left >= 1.0;
+        if allowed {
+            *left -= 1.0;
+        }
+        allowed
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn who_asks_too_much_waits_and_others_do_not() {
+        let (rates, now) = (Rates::default(), Instant::now());
+        let of = |name: &str| Asker::Session(name.to_owned());
+        let allowed = (0..2000).filter(|_| rates.allows(of("eve"), now)).count();
+        assert_eq!(allowed, BURST as usize);
+        assert!(rates.allows(of("ada"), now));
+        let later = now + Duration::from_secs(2);
+        let allowed = (0..2000).filter(|_| rates.allows(of("eve"), later)).count();
+        assert_eq!(allowed, (2.0 * RATE) as usize);
+    }
+
+    #[test]
+    fn made_up_addresses_take_bounded_memory() {
+        let (rates, now) = (Rates::default(), Instant::now());
+        (0..3 * MAX_KEYS as u32).for_each(|i| drop(rates.allows(Asker::stranger(IpAddr::from(i.to_be_bytes())), now)));
+        assert!(rates.0.lock().unwrap().len() <= MAX_KEYS);
+        let later = now + Duration::from_secs(60);
+        assert!(rates.allows(Asker::stranger(IpAddr::from([9, 9, 9, 9])), later));
+    }
+}

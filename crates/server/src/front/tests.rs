@@ -1,0 +1,201 @@
+//! Connections that hang, trickle, or do not read; handlers that block their threads.
+
+use super::*;
+use crate::tests::Bench;
+use axum::routing::get;
+use seamwright_machine::shipped;
+use std::sync::Mutex;
+use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _};
+use tokio::net::TcpStream;
+use tokio::runtime::Runtime;
+
+/// Longer than anything here takes on a busy computer.
+const LONG: Duration = Duration::from_secs(60);
+
+/// A front on threads of its own, with other routes than the panel's.
+struct Fronted {
+    bench: Bench,
+    front: Arc<Front>,
+    address: String,
+    runtimes: Vec<Runtime>,
+}
+
+fn runtime() -> Runtime {
+    tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build().unwrap()
+}
+
+impl Fronted {
+    fn new(patience: Patience, rest: impl FnOnce(&Arc<Panel>) -> Router) -> Self {
+        let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+        listener.set_nonblocking(true).unwrap();
+        let address = listener.local_addr().unwrap().to_string();
+        let machine = shipped("ellipse-xy").unwrap().text;
+        let bench = Bench::bare(tempfile::tempdir().unwrap(), &[crate::tests::HOST, &address], machine);
+        let (runtime, work) = (runtime(), runtime());
+        let panel = Arc::clone(&bench.panel);
+        let front = Front::new(Arc::clone(&panel), rest(&panel), work.handle().clone(), patience);
+        let accepts = Arc::clone(&front);
+        runtime.spawn(async move { accepts.accept(TcpListener::from_std(listener).unwrap(), None).await });
+        Self { bench, front, address, runtimes: vec![runtime, work] }
+    }
+
+    async fn connect(&self) -> TcpStream {
+        TcpStream::connect(&self.address).await.unwrap()
+    }
+
+    /// Sends the begin of a request.
+    async fn say(&self, what: &str) -> TcpStream {
+        let mut stream = self.connect().await;
+        stream.write_all(what.as_bytes()).await.unwrap();
+        stream
+    }
+
+    fn head(&self, method: &str, path: &str, more: &str) -> String {
+        format!("{method} {path} HTTP/1.1\r\nhost: {}\r\ncontent-type: application/json\r\n{more}\r\n", self.address)
+    }
+
+    /// STOP as the login page sends it; what is answered.
+    async fn stop(&self) -> String {
+        let text = self.head("POST", "/api/stop", "connection: close\r\ncontent-length: 2\r\n") + "{}";
+        all(self.say(&text).await).await
+    }
+}
+
+impl Drop for Fronted {
+    fn drop(&mut self) {
+        self.runtimes.drain(..).for_each(Runtime::shutdown_background);
+    }
+}
+
+/// All that is said until the connection ends.
+async fn all(mut stream: TcpStream) -> String {
+    let mut said = Vec::new();
+    // Whether it ends in order does not matter.
+    drop(tokio::time::timeout(LONG, stream.read_to_end(&mut said)).await.expect("it stays open"));
+    String::from_utf8_lossy(&said).into_owned()
+}
+
+fn here(_: &Arc<Panel>) -> Router {
+    Router::new().route("/", get(|| async { "here" }))
+}
+
+/// HTTP/2 is not spoken, and who says nothing is cut off.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn only_the_plain_version_is_spoken_and_in_time() {
+    let fronted = Fronted::new(Patience { head: Duration::from_millis(300), ..PATIENCE }, here);
+    let said = all(fronted.say("GET / HTTP/1.1\r\nhost: x\r\nconnection: close\r\n\r\n").await).await;
+    assert!(said.starts_with("HTTP/1.1 200") && said.ends_with("here"), "{said}");
+    for strange in ["", "GET / HTTP/1.1\r\nhost:", "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n\0\0\0\x04\0\0\0\0\0", "\x16\x03\x01"] {
+        let said = all(fronted.say(strange).await).await;
+        assert!(said.is_empty() || said.starts_with("HTTP/1.1 4"), "{said:?}");
+    }
+}
+
+/// A disk that hangs in every handler, as nobody may write one: a stop is answered all the same, over HTTP and over a socket.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn stop_is_heard_while_handlers_block_their_threads() {
+    let hangs = Arc::new(Mutex::new(()));
+    let disk = Arc::clone(&hangs);
+    let rest = move |_: &Arc<Panel>| {
+        let saves = move || {
+            let disk = Arc::clone(&disk);
+            async move { drop(disk.lock()) }
+        };
+        Router::new().route("/api/save", get(saves))
+    };
+    let fronted = Fronted::new(PATIENCE, rest);
+    let owner = fronted.bench.owner().await;
+    let held = hangs.lock().unwrap();
+    let mut stuck = Vec::new();
+    for _ in 0..8 {
+        stuck.push(fronted.say(&fronted.head("GET", "/api/save", "")).await);
+    }
+    // They have come to the handlers, as far as those have threads.
+    tokio::time::sleep(Duration::from_millis(300)).await;
+    for _ in 0..3 {
+        let said = fronted.stop().await;
+        assert!(said.starts_with("HTTP/1.1 200") && said.contains("mode"), "{said}");
+    }
+    let well = all(fronted.say(&fronted.head("GET", "/healthz", "connection: close\r\n")).await).await;
+    assert!(well.starts_with("HTTP/1.1 200") && well.contains("cycle_age_s"), "{well}");
+    let mut page = crate::tests::page(&fronted.address, &owner).await;
+    page.order("stop").await;
+    drop((held, stuck));
+}
+
+/// Requests that never become whole, more of them than one address may hold: a stop and a login come through, and they end in time.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn unfinished_requests_keep_nobody_from_stopping() {
+    let fronted = Fronted::new(Patience { stranger: Duration::from_secs(20), ..PATIENCE }, app);
+    let login = "x-seamwright: login\r\ncontent-length: ";
+    let mut stuck = Vec::new();
+    for i in 0..260 {
+        let head = fronted.head("POST", "/api/login", &format!("{login}8000\r\n"));
+        stuck.push(fronted.say(&(head + "{")).await);
+        if i % 40 == 0 {
+            let said = fronted.stop().await;
+            assert!(said.starts_with("HTTP/1.1 200"), "after {i}: {said}");
+        }
+    }
+    let body = format!("{{\"user\":\"\",\"password\":\"{}\"}}", crate::tests::KEY);
+    let head = fronted.head("POST", "/api/login", &format!("connection: close\r\n{login}{}\r\n", body.len()));
+    let said = all(fronted.say(&(head + &body)).await).await;
+    assert!(said.starts_with("HTTP/1.1 200") && said.contains("\"admin\""), "{said}");
+    assert!(fronted.front.places.count() <= places::MAX_STRANGERS);
+    // The first ones were ended for those who came later, the last ones when their time was over.
+    let last = all(stuck.pop().unwrap()).await;
+    assert!(last.starts_with("HTTP/1.1 408"), "{last}");
+    assert_eq!(all(stuck.swap_remove(0)).await, "");
+}
+
+/// Whoever asks for much and reads nothing is cut off.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn who_does_not_read_is_cut_off() {
+    let rest = |_: &Arc<Panel>| Router::new().route("/much", get(|| async { vec![b'x'; 64 << 20] }));
+    let fronted = Fronted::new(Patience { read: Duration::from_millis(300), ..PATIENCE }, rest);
+    let stream = fronted.say(&fronted.head("GET", "/much", "")).await;
+    let begin = Instant::now();
+    while fronted.front.places.count() == 0 {
+        tokio::time::sleep(Duration::from_millis(5)).await;
+    }
+    while fronted.front.places.count() > 0 {
+        assert!(begin.elapsed() < LONG, "its place stays taken");
+        tokio::time::sleep(Duration::from_millis(20)).await;
+    }
+    drop(stream);
+}
+
+/// A session that asks without end is refused for a while; others, and its stops, are not.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn who_asks_without_end_is_slowed_down() {
+    let fronted = Fronted::new(PATIENCE, here);
+    let users = fronted.bench.everybody().await;
+    let mut stream = fronted.connect().await;
+    let mut ask = async |cookie: &str, method: &str, path: &str| {
+        let body = if method == "POST" { "content-length: 2\r\n" } else { "" };
+        let mut text = fronted.head(method, path, &format!("cookie: {cookie}\r\n{body}"));
+        text += if method == "POST" { "{}" } else { "" };
+        stream.write_all(text.as_bytes()).await.unwrap();
+        let mut said = vec![0; 4096];
+        let n = tokio::time::timeout(LONG, stream.read(&mut said)).await.unwrap().unwrap();
+        let said = String::from_utf8_lossy(&said[..n]).into_owned();
+        if said.contains("connection: close") {
+            stream = fronted.connect().await;
+        }
+        said
+    };
+    let begin = Instant::now();
+    let mut refused = None;
+    // Faster than 50 a second, or this test says nothing.
+    for _ in 0..4000 {
+        let said = ask(&users[0].1.cookie, "GET", "/").await;
+        if said.starts_with("HTTP/1.1 429") {
+            refused = Some(said);
+            break;
+        }
+        assert!(said.starts_with("HTTP/1.1 200"), "{said}");
+    }
+    assert!(refused.is_some() || begin.elapsed() > Duration::from_secs(40));
+    assert!(ask(&users[0].1.cookie, "POST", "/api/stop").await.starts_with("HTTP/1.1 200"));
+    assert!(ask(&users[1].1.cookie, "GET", "/").await.starts_with("HTTP/1.1 200"));
+}

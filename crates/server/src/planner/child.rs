@@ -1,0 +1,105 @@
+//! A question put to a process of its own.
+
+use super::question::Question;
+use super::{Header, MAX_ANSWER, MEMORY_BYTES, Token};
+use crate::http::Refused;
+use std::io::{BufRead as _, BufReader, Read, Write as _};
+use std::path::Path;
+use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::{Duration, Instant};
+
+/// How often is looked whether the answer is still wanted.
+const LOOK: Duration = Duration::from_millis(20);
+/// Bytes of what the process says of its failure that are looked at.
+const MAX_SAID: u64 = 4 << 10;
+
+/// A process, ended with this value.
+struct Ended(Child);
+
+impl Drop for Ended {
+    fn drop(&mut self) {
+        // One that has ended by itself is only waited for.
+        drop(self.0.kill());
+        drop(self.0.wait());
+    }
+}
+
+/// What a process said: its answer, or why it has none.
+type Said = Result<Vec<u8>, Refused>;
+
+/// Starts `program` to answer, and waits until it has, `patience` is over, or the answer is not wanted any more.
+pub(super) fn ask(
+    program: &Path,
+    question: &Question,
+    jobs: &Path,
+    token: &Token,
+    patience: Duration,
+) -> Result<Vec<u8>, Refused> {
+    let failed = |e: std::io::Error| Refused::server(format!("no process can be started to plan: {e}"));
+    let text = serde_json::to_vec(question).map_err(|e| Refused::server(e.to_string()))?;
+    let mut command = Command::new(program);
+    command.arg("answer-one-question").arg("--jobs").arg(jobs);
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = Ended(command.spawn().map_err(failed)?);
+    let pipes = (child.0.stdin.take(), child.0.stdout.take(), child.0.stderr.take());
+    let (Some(stdin), Some(stdout), Some(stderr)) = pipes else {
+        return Err(Refused::server("no process can be started to plan: it has no pipes"));
+    };
+    let (to, said) = channel();
+    std::thread::spawn(move || to.send(talk(stdin, &text, stdout, stderr)));
+    let begin = Instant::now();
+    loop {
+        match said.recv_timeout(LOOK) {
+            Ok(said) => return said,
+            Err(RecvTimeoutError::Disconnected) => return Err(Refused::server("it failed; nothing was changed")),
+            Err(RecvTimeoutError::Timeout) if token.is_cancelled() => return Err(super::superseded()),
+            Err(RecvTimeoutError::Timeout) if begin.elapsed() > patience => return Err(super::too_long(patience)),
+            Err(RecvTimeoutError::Timeout) => {}
+        }
+        child.0.try_wait().map_err(failed)?;
+    }
+}
+
+/// Asks, and hears the answer to its end.
+fn talk(mut to: ChildStdin, text: &[u8], out: ChildStdout, err: ChildStderr) -> Said {
+    // A process that has ended by then says why.
+    drop(to.write_all(text));
+    drop(to);
+    match heard(out) {
+        Some(said) => said,
+        None => Err(why(err)),
+    }
+}
+
+fn heard(out: ChildStdout) -> Option<Said> {
+    let mut out = BufReader::new(out.take(MAX_ANSWER as u64));
+    let mut line = String::new();
+    out.read_line(&mut line).ok()?;
+    match serde_json::from_str(&line).ok()? {
+        Header::Answer { bytes } => {
+            let mut body = Vec::new();
+            out.read_to_end(&mut body).ok()?;
+            if body.len() != bytes {
+                let text = format!("the plan is too large to be shown; allowed: up to {} MiB", MAX_ANSWER >> 20);
+                return (bytes >= MAX_ANSWER - line.len()).then(|| Err(Refused::input(text)));
+            }
+            Some(Ok(body))
+        }
+        Header::Refused { status, key, text } => Some(Err(Refused::known(status, &key, text))),
+    }
+}
+
+/// What its last words say.
+fn why(err: ChildStderr) -> Refused {
+    let mut said = Vec::new();
+    drop(err.take(MAX_SAID).read_to_end(&mut said));
+    let said = String::from_utf8_lossy(&said);
+    if said.contains("memory allocation of") || said.contains("cannot allocate memory") {
+        let gib = MEMORY_BYTES >> 30;
+        let text = format!("planning this needs more than {gib} GiB of memory; allowed: fewer passes, beads or points");
+        return Refused::input(text);
+    }
+    let line = said.lines().next().unwrap_or("it ended without a word");
+    Refused::server(format!("planning failed; the cell is not touched by it: {line}"))
+}

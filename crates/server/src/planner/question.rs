@@ -1,0 +1,137 @@
+//! What is asked of a planner, and how it is answered: from a text and the folder of jobs alone.
+
+use crate::http::{Refused, found_place};
+use crate::view::{clamped_views, sections, work_view};
+use crate::wire::{DraftAnswer, PlaceText, PlanAnswer, PostAnswer, WrongView};
+use seamwright_post::{Control, Dialect, Feed, Options};
+use seamwright_project::Failure;
+use seamwright_project::load::{Loaded, load_foreign};
+use seamwright_project::posting::{Unproven, proven};
+use seamwright_record::Moment;
+use seamwright_report::{Language, WeldReport};
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+/// Name of a text that is asked about.
+const JOB: &str = "job.toml";
+
+/// A question about a text.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+pub(crate) enum Question {
+    /// What it describes, before anything is planned: a [`DraftAnswer`].
+    Draft { text: String },
+    /// Its plan: a [`PlanAnswer`] with this number.
+    Plan { text: String, number: u64 },
+    /// The plan of what was recorded: a [`crate::wire::WorkView`].
+    Recorded { name: String, text: String, number: u64 },
+    /// Its plan's report: an HTML page.
+    Report { name: String, text: String, language: String },
+    /// A part program of it: a [`PostAnswer`].
+    Post { text: String, dialect: String },
+    /// Where its part stands: a [`crate::wire::PlaceAnswer`].
+    Place { asked: PlaceText },
+}
+
+impl Question {
+    /// A word for what is being done.
+    pub(crate) fn name(&self) -> &'static str {
+        match self {
+            Self::Draft { .. } => "draft",
+            Self::Plan { .. } => "plan",
+            Self::Recorded { .. } => "recorded",
+            Self::Report { .. } => "report",
+            Self::Post { .. } => "post",
+            Self::Place { .. } => "place",
+        }
+    }
+
+    /// Answers with the bytes of JSON or of a page.
+    ///
+    /// # Errors
+    /// What is wrong with the text, unless the answer says so itself.
+    pub(super) fn answer(&self, jobs: &Path) -> Result<Vec<u8>, Refused> {
+        match self {
+            Self::Draft { text } => json(&draft(text, jobs)),
+            Self::Plan { text, number } => json(&plan(text, *number, jobs)),
+            Self::Recorded { name, text, number } => {
+                let loaded = load_foreign(name, text, jobs)?;
+                let planned = loaded.try_plan()?;
+                json(&work_view(*number, name, &loaded, planned.as_ref().map_err(Vec::as_slice)))
+            }
+            Self::Report { name, text, language } => report(name, text, language, jobs),
+            Self::Post { text, dialect } => json(&post(text, dialect, jobs)?),
+            Self::Place { asked } => json(&found_place(asked, jobs)?),
+        }
+    }
+}
+
+fn json(answer: &impl Serialize) -> Result<Vec<u8>, Refused> {
+    serde_json::to_vec(answer).map_err(|e| Refused::server(e.to_string()))
+}
+
+fn draft(text: &str, jobs: &Path) -> DraftAnswer {
+    match load_foreign(JOB, text, jobs) {
+        Ok(loaded) => {
+            let (part, fixtures) = clamped_views(&loaded);
+            DraftAnswer::Drawn { part, fixtures, sections: sections(&loaded.welding) }
+        }
+        Err(failure) => DraftAnswer::Wrong { message: failure.text() },
+    }
+}
+
+fn plan(text: &str, number: u64, jobs: &Path) -> PlanAnswer {
+    let view = |loaded: &Loaded| {
+        let planned = loaded.try_plan()?;
+        let planned = planned.as_ref().map_err(Vec::as_slice);
+        Ok(PlanAnswer::Planned { work: Box::new(work_view(number, "", loaded, planned)) })
+    };
+    load_foreign(JOB, text, jobs).and_then(|loaded| view(&loaded)).unwrap_or_else(|failure| wrong(&failure))
+}
+
+fn wrong(failure: &Failure) -> PlanAnswer {
+    let at = match failure {
+        Failure::Document(error) => Some(Box::new(WrongView {
+            file: (error.file != JOB).then(|| error.file.clone()),
+            line: (error.file == JOB && error.line > 0).then_some(error.line),
+            key: error.key.clone(),
+            value: error.value.clone(),
+            what: error.message.clone(),
+            allowed: error.allowed.clone(),
+            help: error.help.clone(),
+        })),
+        _ => None,
+    };
+    PlanAnswer::Wrong { message: failure.text(), at }
+}
+
+fn report(name: &str, text: &str, language: &str, jobs: &Path) -> Result<Vec<u8>, Refused> {
+    let language = language.parse::<Language>().map_err(|e| Refused::input(e.to_string()))?;
+    let loaded = load_foreign(name, text, jobs)?;
+    let motion = loaded.try_plan()?.map_err(Failure::Findings)?;
+    let (report, plots) = WeldReport::new(&loaded.machine, &loaded.welding, &motion, None, language);
+    let date = Moment::now().to_string();
+    Ok(report.page(&plots, loaded.welding.program.text(), &date, language).into_bytes())
+}
+
+fn post(text: &str, dialect: &str, jobs: &Path) -> Result<PostAnswer, Refused> {
+    let dialect = match dialect {
+        "sinumerik" => Dialect::Sinumerik,
+        "linuxcnc" => Dialect::Linuxcnc,
+        "grblhal" => Dialect::Grblhal,
+        "pmac" => Dialect::Pmac,
+        other => {
+            let allowed = "sinumerik, linuxcnc, grblhal, pmac";
+            return Err(Refused::input(format!("there is no dialect `{other}`; allowed: {allowed}")));
+        }
+    };
+    let loaded = load_foreign(JOB, text, jobs)?;
+    let motion = loaded.plan()?;
+    let control = Control::new(&loaded.machine, dialect).map_err(|e| Refused::input(e.to_string()))?;
+    let made = proven(&loaded, &motion, &control, &Options::default(), Feed::InverseTime);
+    let (text, proof) = made.map_err(|e| match e {
+        Unproven::Failure(failure) => failure.into(),
+        Unproven::Wrong(lines) => Refused::server(lines.join("\n")),
+    })?;
+    Ok(PostAnswer { text, proof: proof.lines() })
+}

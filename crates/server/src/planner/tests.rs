@@ -1,0 +1,97 @@
+use super::*;
+use std::io::Write as _;
+use std::path::Path;
+use std::time::Duration;
+
+/// A program that does `what` (a shell's words) in place of answering.
+fn program(folder: &Path, what: &str) -> PathBuf {
+    let path = folder.join("answers");
+    let mut file = std::fs::File::create(&path).unwrap();
+    writeln!(file, "#!/bin/sh\n{what}").unwrap();
+    std::os::unix::fs::PermissionsExt::set_mode(&mut file.metadata().unwrap().permissions(), 0o755);
+    drop(file);
+    std::fs::set_permissions(&path, std::os::unix::fs::PermissionsExt::from_mode(0o755)).unwrap();
+    path
+}
+
+fn page(session: &str) -> Page {
+    Page { session: session.to_owned(), page: String::new() }
+}
+
+fn draft(text: &str) -> Question {
+    Question::Draft { text: text.to_owned() }
+}
+
+fn alive(folder: &Path) -> bool {
+    let Ok(pid) = std::fs::read_to_string(folder.join("pid")) else { return false };
+    Path::new("/proc").join(pid.trim()).exists()
+}
+
+/// A newer draft of a page, and a page that goes, end the process of the older one.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_newer_draft_ends_the_older_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_owned();
+    let says = r#"{"answer":{"bytes":2}}"#;
+    let what = format!(
+        "if grep -q long; then echo $$ > {0}/pid.new; mv {0}/pid.new {0}/pid; exec sleep 600; fi; printf '%s\\n{{}}' '{says}'",
+        path.display()
+    );
+    let planner = Arc::new(Planner::new(Some(program(&path, &what))));
+    for ends in ["newer", "cancelled", "gone"] {
+        let (asked, jobs) = (Arc::clone(&planner), path.clone());
+        let older = tokio::spawn(async move { asked.ask(page("ada"), draft("long"), jobs).await });
+        while !alive(&path) {
+            tokio::time::sleep(Duration::from_millis(10)).await;
+        }
+        assert_eq!(planner.asked(&page("ada"))[0].name, "draft");
+        assert!(planner.asked(&page("eve")).is_empty());
+        match ends {
+            "newer" => {
+                let newer = planner.ask(page("ada"), draft("short"), path.clone()).await;
+                assert_eq!(newer.unwrap(), b"{}");
+            }
+            "cancelled" => assert_eq!(planner.cancel(&page("ada")), 1),
+            _ => older.abort(),
+        }
+        if ends != "gone" {
+            assert_eq!(older.await.unwrap().unwrap_err().key, "superseded", "{ends}");
+        }
+        while alive(&path) {
+            tokio::time::sleep(Duration::from_millis(10)).await;
+        }
+        std::fs::remove_file(path.join("pid")).unwrap();
+        assert!(planner.asked(&page("ada")).is_empty());
+    }
+}
+
+/// What a process says of its end is what is answered; its end is nobody else's.
+#[test]
+fn failures_of_the_process_are_answers() {
+    let folder = tempfile::tempdir().unwrap();
+    let ask = |what: &str, patience: Duration| {
+        let program = program(folder.path(), what);
+        child::ask(&program, &draft(""), folder.path(), &Token::default(), patience)
+    };
+    let (long, short) = (Duration::from_secs(120), Duration::from_millis(200));
+    let memory = ask("echo 'memory allocation of 13 bytes failed' >&2; kill -ABRT $$", long).unwrap_err();
+    assert!(memory.status == StatusCode::UNPROCESSABLE_ENTITY && memory.text.contains("2 GiB"), "{}", memory.text);
+    let panic = ask("echo 'thread main panicked at x.rs:1' >&2; exit 101", long).unwrap_err();
+    assert!(panic.status == StatusCode::INTERNAL_SERVER_ERROR && panic.text.contains("x.rs:1"), "{}", panic.text);
+    let late = ask("exec sleep 600", short).unwrap_err();
+    assert!(late.text.contains("longer than"), "{}", late.text);
+    let refused = ask(r#"echo '{"refused":{"status":422,"key":"input","text":"no"}}'"#, long).unwrap_err();
+    assert_eq!((refused.status.as_u16(), refused.key, refused.text.as_str()), (422, "input", "no"));
+    // Cut off, it is no answer.
+    assert!(ask(r#"printf '{"answer":{"bytes":5}}\n{'"#, long).is_err());
+}
+
+/// The same answer comes from a thread, where no program is given.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn without_a_program_a_thread_answers() {
+    let folder = tempfile::tempdir().unwrap();
+    let planner = Planner::new(None);
+    let answer = planner.ask(page("ada"), draft("title = 5"), folder.path().to_owned()).await.unwrap();
+    let answer: serde_json::Value = serde_json::from_slice(&answer).unwrap();
+    assert_eq!(answer["kind"], "wrong", "{answer}");
+}

@@ -1,0 +1,51 @@
+//! The process that answers one question and ends: with little memory, time and priority, so nothing that it is asked can hurt the cell.
+
+use super::question::Question;
+use super::{Header, MEMORY_BYTES, TIME};
+use crate::http::Refused;
+use std::io::{self, BufWriter, Read as _, Write};
+use std::path::Path;
+
+/// Answers the question on standard input, about texts that name files in `jobs`, on standard output.
+///
+/// # Errors
+/// If the system does not let it be limited, or whoever asked has gone.
+pub fn answer_one_question(jobs: &Path) -> io::Result<()> {
+    limit()?;
+    let mut question = Vec::new();
+    io::stdin().lock().read_to_end(&mut question)?;
+    let answer = serde_json::from_slice::<Question>(&question)
+        .map_err(|e| Refused::server(e.to_string()))
+        .and_then(|question| question.answer(jobs));
+    let mut out = BufWriter::new(io::stdout().lock());
+    let (header, body) = match answer {
+        Ok(body) => (Header::Answer { bytes: body.len() }, body),
+        Err(refused) => (Header::of(&refused), Vec::new()),
+    };
+    serde_json::to_writer(&mut out, &header)?;
+    out.write_all(b"\n")?;
+    out.write_all(&body)?;
+    out.flush()
+}
+
+/// Limits this process for the rest of its life.
+#[cfg(target_os = "linux")]
+fn limit() -> io::Result<()> {
+    use rustix::process::{Resource, Rlimit, Signal, set_parent_process_death_signal, setpriority_process, setrlimit};
+    /// How much lower its priority is (`nice`): below that of the panel's own work.
+    const NICE: i32 = 15;
+    let most = |value: u64| Rlimit { current: Some(value), maximum: Some(value) };
+    setrlimit(Resource::As, most(MEMORY_BYTES))?;
+    setrlimit(Resource::Cpu, most(TIME.as_secs()))?;
+    setrlimit(Resource::Core, most(0))?;
+    setpriority_process(None, NICE)?;
+    set_parent_process_death_signal(Some(Signal::KILL))?;
+    // Where memory runs short in spite of that, this is the process to end; some systems have no such file.
+    let _ = std::fs::write("/proc/self/oom_score_adj", "1000");
+    Ok(())
+}
+
+#[cfg(not(target_os = "linux"))]
+fn limit() -> io::Result<()> {
+    Ok(())
+}

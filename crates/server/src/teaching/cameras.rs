@@ -1,0 +1,65 @@
+//! Which addresses the cell connects to for a camera's frames.
+
+use std::net::IpAddr;
+
+/// Addresses that whoever started the panel has allowed: `HOST` with any port, or `HOST:PORT`. A machine file says where its camera's
+/// frames come from, but files among the jobs are written by others: they decide over no connection of the cell.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Cameras(Vec<String>);
+
+impl Cameras {
+    pub(crate) fn new(allowed: Vec<String>) -> Self {
+        Self(allowed)
+    }
+
+    /// Checks that frames may come from `address` (`HOST:PORT`). From this computer they always may.
+    ///
+    /// # Errors
+    /// In words: an address that is not on the list.
+    pub(crate) fn check(&self, address: &str) -> Result<(), String> {
+        let host = address.rsplit_once(':').map_or(address, |(host, _)| host);
+        let is = |known: &String| known.eq_ignore_ascii_case(address) || known.eq_ignore_ascii_case(host);
+        if is_this_computer(host) || self.0.iter().any(is) {
+            return Ok(());
+        }
+        let own = if self.0.is_empty() { "this computer".to_owned() } else { format!("this computer, {}", self.0.join(", ")) };
+        Err(format!(
+            "the machine file names a camera at {address}, to which this cell does not connect\n   allowed: {own}; more with \
+             `seamwright serve --camera HOST:PORT`"
+        ))
+    }
+}
+
+fn is_this_computer(host: &str) -> bool {
+    let bare = host.strip_prefix('[').and_then(|host| host.strip_suffix(']')).unwrap_or(host);
+    bare.eq_ignore_ascii_case("localhost") || bare.parse::<IpAddr>().is_ok_and(|ip| ip.to_canonical().is_loopback())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_addresses_of_the_list_and_this_computer() {
+        let none = Cameras::default();
+        for here in ["127.0.0.1:7000", "localhost:7000", "LocalHost:1", "[::1]:7000", "127.8.9.1:80", "[::ffff:127.0.0.1]:80"] {
+            assert!(none.check(here).is_ok(), "{here}");
+        }
+        let elsewhere =
+            ["192.168.1.20:7000", "localhost.evil.example:7000", "127.0.0.1.evil.example:80", "0.0.0.0:80", "[::]:80", "2130706433:80"];
+        for address in elsewhere {
+            assert!(none.check(address).unwrap_err().contains("--camera"), "{address}");
+        }
+        let some = Cameras::new(vec!["192.168.1.20:7000".to_owned(), "camera.shop".to_owned()]);
+        for (address, is_allowed) in [
+            ("192.168.1.20:7000", true),
+            ("192.168.1.20:7001", false),
+            ("192.168.1.200:7000", false),
+            ("camera.shop:9", true),
+            ("CAMERA.shop:9", true),
+            ("x.camera.shop:9", false),
+        ] {
+            assert_eq!(some.check(address).is_ok(), is_allowed, "{address}");
+        }
+    }
+}
